@@ -1,0 +1,45 @@
+#pragma once
+// Chapter 02 · Quaternions: how a body turns
+//
+// q = (w, x, y, z), |q| = 1, turns body coordinates into world coordinates. ω is in world coordinates.
+//
+//   rate            q' = ½ ω q,  with ω as the quaternion (0, ω)                      Eq. (2.3)    notes (38), (39)
+//   first order     q_{k+1} = normalise(q_k + (h/2) ω_{k+1} q_k)                      Eq. (2.4)    notes (38)
+//   exponential     q_{k+1} = (cos θ/2, sin(θ/2) ω/|ω|) q_k,  θ = h |ω|               Eq. (2.6)    not in the notes
+//   inertia         I_world = R(q) diag(I1, I2, I3) R(q)ᵀ                             Eq. (2.7)    notes, under (7)
+//   gyroscopic      τ_gyro = -ω × (I_world ω)                                         Eq. (2.9)    not in the notes
+//   free rotation   q -> q (cos α/2, sin(α/2) e_c),  α = h L_c / I_c, axis by axis    Eq. (2.10), (2.11)   not in the notes
+//
+//   ω   angular velocity [rad/s]    I1, I2, I3   principal moments [kg m²], along the body's own axes e_1, e_2, e_3
+//   h   time step [s]               L = I ω      angular momentum [kg m²/s]
+//
+// Differs from the notes: (38) there uses the old ω beside the new v of (37); and a body whose ω is only changed by
+// torques keeps ω where nature keeps L.
+#include "01_leapfrog/leapfrog.hpp"
+#include "common/types.hpp"
+
+namespace spook {
+
+/// Exercise 2.1. dq/dt [1/s] of orientation `q` at angular velocity `omega` [rad/s, world]: Eq. (2.3); notes (38).
+/// Not a unit quaternion.
+Quat quaternion_rate(const Quat& q, const Vec3& omega);
+
+/// Exercise 2.2. The notes' update, a step of `h` [s] along the rate, then back to unit length: Eq. (2.4).
+/// Turns by 2 atan(h|ω|/2) where h|ω| was asked for: Eq. (2.5).
+Quat update_first_order(const Quat& q, const Vec3& omega, double h);
+
+/// Exercise 2.3. The turn by h|ω| about ω, exactly: Eq. (2.6). Right for ω = 0 and for the smallest ω, too.
+Quat update_exponential(const Quat& q, const Vec3& omega, double h);
+
+/// Exercise 2.4. Inertia in world coordinates from the three principal moments: Eq. (2.7). Given inverse moments
+/// [1/(kg m²)] instead, it is the world's inverse inertia, by the same formula.
+Mat3 world_inertia(const Quat& q, const Vec3& principal);
+
+/// Exercise 2.5. The torque [N m] that makes Iω' = τ say the same as dL/dt = τ: Eq. (2.9).
+Vec3 gyroscopic_torque(const Mat3& inertia, const Vec3& omega);
+
+/// Exercise 2.6. Torque-free motion for `h` [s]: five turns about body axes with L fixed in the world, Eq. (2.11).
+/// Second order, reversible, and L = I ω kept to roundings. Changes `q` and `omega` [rad/s, world].
+void free_rotation(Quat& q, Vec3& omega, const Vec3& principal, double h);
+
+}  // namespace spook

@@ -1,0 +1,88 @@
+#pragma once
+// Chapter 03 · A single contact: SPOOK for one row
+//
+// A contact between bodies i and j wants its gap g >= 0 and may push, never pull. SPOOK asks for the impulse λ with
+//
+//   (G M⁻¹ Gᵀ + Σ) λ = -a g - b G W - h G M⁻¹ f                                  Eq. (3.7)   notes (8), (26)
+//
+//   g   signed gap, (x_j + r_j - x_i - r_i)·n [m]; negative when penetrating     Eq. (3.1)   notes (21)
+//   n   unit normal, from body i to body j
+//   r   from a body's centre of mass to the contact point [m]
+//   G   Jacobian, dg/dt = G W                                                    Eq. (3.3)   notes (25)
+//   W   generalised velocity: v and ω of each body, ω in world coordinates       notes (13)
+//   λ   impulse [N s], + on j and - on i
+//   a, b, Σ   from the step h [s], the stiffness k [N/m], and the relaxation d [steps]:
+//
+//   a = 4/(h(1+4d))    b = 4d/(1+4d)    Σ = 4/(h² k (1+4d))                      Eq. (3.4)-(3.6)   notes (9)-(11)
+//
+//   K   collision matrix, how easily the contact point moves [1/kg]; G M⁻¹ Gᵀ is n·Kn     Eq. (3.8), (3.9)
+//
+// Differs from the notes: -a times the *gap*, not Gq nor a positive depth; K is an inverse mass throughout.
+#include "02_quaternions/quaternions.hpp"
+#include "common/types.hpp"
+
+namespace spook {
+
+struct Spook {
+  double a;      ///< weight of the gap [1/s]
+  double b;      ///< weight of the velocity [-]
+  double Sigma;  ///< regularisation [1/kg]
+};
+
+/// Exercise 3.1. The three numbers of SPOOK: Eq. (3.4)-(3.6); notes (9)-(11).
+/// Throws std::invalid_argument unless h > 0, k > 0 and d >= 0, all finite.
+Spook spook_parameters(double h, double k, double d);
+
+/// One touching (or nearly touching) pair.
+struct Contact {
+  int i, j;    ///< body indices, i ≠ j
+  Vec3 n;      ///< unit normal from i to j
+  double gap;  ///< signed [m]
+  Vec3 r_i;    ///< contact point minus the centre of i [m]
+  Vec3 r_j;    ///< contact point minus the centre of j [m]
+};
+
+/// The two blocks of a Jacobian row, linear part first.
+struct ContactJacobian {
+  Twist<6> Gi, Gj;
+};
+
+/// Exercise 3.2. G with G W = rate of the gap [m/s]: Eq. (3.3); notes (25).
+ContactJacobian contact_jacobian(const Contact& contact);
+
+/// The inverse mass matrix of one body: a number for a point mass, a number and a matrix for a rigid body. All zero
+/// is a body that nothing moves.
+template <int Dof>
+struct InverseMass;
+
+template <>
+struct InverseMass<3> {
+  double linear = 0;  ///< 1/m [1/kg]
+  Twist<3> times(const Twist<3>& G) const { return linear * G; }
+};
+
+template <>
+struct InverseMass<6> {
+  double linear = 0;            ///< 1/m [1/kg]
+  Mat3 angular = Mat3::Zero();  ///< I⁻¹ in world coordinates [1/(kg m²)]
+  Twist<6> times(const Twist<6>& G) const {
+    Twist<6> result;
+    result << linear * G.head<3>(), angular * G.tail<3>();
+    return result;
+  }
+};
+
+/// Exercise 3.3. K [1/kg]: an impulse J at the contact, + on j and - on i, changes the relative velocity of the two
+/// contact points by K J. Eq. (3.8); the K of the notes' (26).
+Mat3 collision_matrix(const InverseMass<6>& body_i, const Vec3& r_i, const InverseMass<6>& body_j,
+                      const Vec3& r_j);
+
+/// Exercise 3.4. The impulse λ >= 0 [N s] of one frictionless contact: Eq. (3.10), (3.11); notes (26), (32).
+///   nKn               n·Kn [1/kg]
+///   gap               signed [m]
+///   normal_velocity   G W, relative velocity along n before the step [m/s]
+///   force_velocity    h G M⁻¹ f, what the forces of this step add to it [m/s]
+double contact_impulse(const Spook& spook, double nKn, double gap, double normal_velocity,
+                       double force_velocity);
+
+}  // namespace spook

@@ -1,0 +1,101 @@
+#pragma once
+// Chapter 04 · Many contacts: projected Gauss-Seidel
+//
+// Solves   S λ = B,   lo <= λ <= hi,   S = G M⁻¹ Gᵀ + Σ,   without ever forming S. What the rows have done so far is
+// kept as a velocity change of each body, V = M⁻¹ Gᵀ λ: scattered by every update, gathered by the next.
+//
+//   diagonal     S_kk = Gi·M⁻¹Gi + Gj·M⁻¹Gj + Σ              Eq. (4.3)    notes (16), (26)
+//   right side   B = -a g - b G W - G W_f                    Eq. (4.4)    notes (8), (26), (28)
+//   scatter      V_i += M⁻¹Gi Δλ,  V_j += M⁻¹Gj Δλ           Eq. (4.5)    notes (33), (34)
+//   gather       r = B - Gi·V_i - Gj·V_j - Σ λ               Eq. (4.6)    notes (28)
+//   update       λ <- clamp(λ + r/S_kk, lo, hi)              Eq. (4.7)    notes (31), (32)
+//   residual     max_k S_kk |clamp(λ + r/S_kk) - λ|          Eq. (4.8)    not in the notes
+//
+//   G   Jacobian row, blocks Gi, Gj on bodies i, j        λ     impulse [N s], between lo and hi
+//   V   velocity change of each body so far               W_f   what the forces of this step add: h M⁻¹ f
+//   r   what a row still lacks [m/s]                      Σ     regularisation [1/kg]
+//
+// Differs from the notes: bounds may be two-sided, λ may start warm, and "converged" has a number, Eq. (4.8).
+#include <limits>
+#include <vector>
+
+#include "03_single_contact/single_contact.hpp"
+
+namespace spook {
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// The velocities of all bodies, as a step begins; entry i belongs to body i.
+template <int Dof>
+struct Motion {
+  std::vector<InverseMass<Dof>> inverse_mass;
+  std::vector<Twist<Dof>> W;   ///< velocity [m/s, rad/s]
+  std::vector<Twist<Dof>> Wf;  ///< what the forces of this step add to it, h M⁻¹ f [m/s, rad/s]
+};
+
+/// One scalar constraint, before it knows masses and velocities.
+template <int Dof>
+struct Constraint {
+  int i, j;           ///< body indices, i ≠ j
+  Twist<Dof> Gi, Gj;  ///< Jacobian blocks
+  double gap;         ///< signed violation g [m]
+  Spook spook;        ///< a, b, Σ
+  double lo = 0;      ///< bounds on λ [N s]: 0 and infinity for a contact
+  double hi = infinity;
+};
+
+/// One row of S λ = B, ready to be swept.
+template <int Dof>
+struct Row {
+  int i, j;                   ///< body indices, i ≠ j
+  Twist<Dof> Gi, Gj;          ///< Jacobian blocks
+  Twist<Dof> MinvGi, MinvGj;  ///< M⁻¹ Giᵀ, M⁻¹ Gjᵀ
+  double B;                   ///< right side [m/s]
+  double Sigma;               ///< regularisation [1/kg]
+  double diagonal;            ///< S_kk [1/kg]
+  double lo, hi;              ///< bounds on λ [N s]
+  double lambda = 0;          ///< impulse so far [N s]
+};
+
+/// Exercise 4.1. Fills a row with what stays fixed during the sweeps: Eq. (4.3), (4.4); notes (26), (28). λ = 0.
+template <int Dof>
+Row<Dof> make_row(const Constraint<Dof>& constraint, const Motion<Dof>& motion);
+
+/// Exercise 4.2. Adds the velocity change of an impulse `delta` [N s] along the row to its two bodies: Eq. (4.5);
+/// notes (33), (34). The row's own λ is not touched.
+template <int Dof>
+void apply_impulse(const Row<Dof>& row, double delta, std::vector<Twist<Dof>>& V);
+
+/// Exercise 4.3. Brings one row up to date and scatters what changed: Eq. (4.6), (4.7); notes (28), (31)-(34).
+/// Returns Δλ [N s], the change after projection on [lo, hi].
+template <int Dof>
+double update_row(Row<Dof>& row, std::vector<Twist<Dof>>& V);
+
+/// Exercise 4.4. Updates every row once, in order; each uses what those before it have just done: notes (18)-(20).
+/// Returns the largest S_kk |Δλ_k| [m/s], what the rows lacked when their turn came; 0 when there are no rows.
+template <int Dof>
+double sweep(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V);
+
+/// Exercise 4.5. How far λ is from solving S λ = B within its bounds, as a velocity [m/s]: Eq. (4.8). Zero exactly at
+/// a solution; a row held at a bound by the right sign counts as solved. Changes nothing; 0 when there are no rows.
+template <int Dof>
+double residual(const std::vector<Row<Dof>>& rows, const std::vector<Twist<Dof>>& V);
+
+/// When to stop: at the first of the two.
+struct StopRule {
+  int max_sweeps = 50;
+  double tolerance = 0;  ///< on what sweep() returns [m/s]
+};
+
+struct SolveReport {
+  std::vector<double> history;  ///< what each sweep returned [m/s]; its size is the number of sweeps
+  bool converged = false;       ///< the last sweep was at or below the tolerance
+};
+
+/// Exercise 4.6. Sweeps until a sweep returns at most `stop.tolerance`, or `stop.max_sweeps` are done. With no rows:
+/// no sweep, converged. `V` must hold M⁻¹ Gᵀ λ of the rows' λ on entry (zero for λ = 0), and does so on return.
+/// Throws std::invalid_argument unless max_sweeps >= 1 and tolerance >= 0 is finite.
+template <int Dof>
+SolveReport solve(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V, const StopRule& stop);
+
+}  // namespace spook

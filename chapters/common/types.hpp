@@ -1,0 +1,19 @@
+#pragma once
+// The few types that every chapter speaks in. SI units and world coordinates, unless a comment says otherwise.
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace spook {
+
+using Vec3 = Eigen::Vector3d;
+using Mat3 = Eigen::Matrix3d;
+
+/// A quaternion, written (w, x, y, z). Beware: `Quat(w, x, y, z)` constructs in that order, but Eigen stores and
+/// prints `coeffs()` as (x, y, z, w).
+using Quat = Eigen::Quaterniond;
+
+/// Velocity, or a Jacobian block, of one body: 3 numbers for a point mass, 6 (linear, then angular) for a rigid body.
+template <int Dof>
+using Twist = Eigen::Matrix<double, Dof, 1>;
+
+}  // namespace spook

@@ -1,0 +1,12 @@
+#include "03_single_contact/single_contact.hpp"
+
+namespace spook {
+
+ContactJacobian contact_jacobian(const Contact& contact) {
+  ContactJacobian G;  // Eq. (3.3)
+  G.Gi << -contact.n, -contact.r_i.cross(contact.n);
+  G.Gj << contact.n, contact.r_j.cross(contact.n);
+  return G;
+}
+
+}  // namespace spook

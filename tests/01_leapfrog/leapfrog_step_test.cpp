@@ -1,0 +1,201 @@
+// The step of a whole system: exact discrete solutions, order, energy, reversal.
+#include "01_leapfrog/leapfrog.hpp"
+#include "exercise_test.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(HalfStepStart, "1.3 half_step_start");
+EXERCISE(LeapfrogStep, "1.4 leapfrog_step");
+
+void start_half_step_back(Particles& p, const ForceField& force, double h) {
+  const std::vector<Vec3> x = p.x;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    p.v[i] = half_step_start(p.v[i], force(i, x), p.inverse_mass[i], h);
+}
+
+// A mass of 1 kg on a spring of 1 N/m: ω = 1 rad/s.
+const ForceField spring = [](std::size_t i, const std::vector<Vec3>& x) -> Vec3 { return -x[i]; };
+Particles oscillator() {
+  return {{Vec3(1, 0, 0)}, {Vec3(0, 0, 0)}, {1}};
+}
+
+// An orbit around the origin, GM = 1 m³/s², semi-major axis 1 m: period 2π s. Starts at its nearest point.
+constexpr double eccentricity = 0.3;
+const ForceField sun = [](std::size_t i, const std::vector<Vec3>& x) -> Vec3 {
+  return -x[i] / std::pow(x[i].norm(), 3);
+};
+Particles orbit() {
+  return {
+      {Vec3(1 - eccentricity, 0, 0)}, {Vec3(0, std::sqrt((1 + eccentricity) / (1 - eccentricity)), 0)}, {1}};
+}
+
+// Three bodies on springs to each other.
+const ForceField web = [](std::size_t i, const std::vector<Vec3>& x) -> Vec3 {
+  Vec3 f = Vec3::Zero();
+  for (const Vec3& other : x) f += 4 * (other - x[i]);
+  return f;
+};
+Particles three_bodies(Random& random) {
+  Particles p;
+  for (int i = 0; i < 3; ++i) {
+    p.x.push_back(random.vector());
+    p.v.push_back(random.vector());
+    p.inverse_mass.push_back(1 / random.uniform(1, 3));
+  }
+  return p;
+}
+
+EXERCISE_TEST(HalfStepStart, GivesOrderTwoOnAnOscillator) {
+  const auto error = [](double h) {
+    Particles p = oscillator();
+    start_half_step_back(p, spring, h);
+    const int steps = static_cast<int>(std::lround(10 / h));
+    for (int n = 0; n < steps; ++n) leapfrog_step(p, spring, h);
+    return std::abs(p.x[0].x() - std::cos(10.0));
+  };
+  expect_order("oscillator, |x - cos t| at t = 10 s", "Eq. (1.5), (1.10)", error, 0.05, 3, 2, 0.1,
+               "Order 1 means that the velocity was not half a step back when the first kick came.");
+}
+
+EXERCISE_TEST(HalfStepStart, GivesOrderTwoOnAnOrbit) {
+  const double period = 2 * std::acos(-1.0);
+  const auto error = [&](double h) {
+    Particles p = orbit();
+    start_half_step_back(p, sun, h);
+    const int steps = static_cast<int>(std::lround(period / h));
+    for (int n = 0; n < steps; ++n) leapfrog_step(p, sun, h);
+    return (p.x[0] - Vec3(1 - eccentricity, 0, 0)).norm();
+  };
+  expect_order("Kepler orbit, distance from the start after one period [m]", "Eq. (1.5), (1.10)", error,
+               period / 400, 3, 2, 0.1,
+               "Order 1 means that the velocity was not half a step back when the first kick came.");
+}
+
+EXERCISE_TEST(LeapfrogStep, FallsByTheExactDiscreteLaw) {
+  const double g = 9.81, h = 0.02, mass = 3;
+  const int n = 100;
+  const ForceField weight = [&](std::size_t, const std::vector<Vec3>&) -> Vec3 { return {0, 0, -mass * g}; };
+  Particles p{{Vec3::Zero()}, {Vec3::Zero()}, {1 / mass}};
+  for (int k = 0; k < n; ++k) leapfrog_step(p, weight, h);
+  expect_near(
+      "height after 100 steps from rest [m]", "Eq. (1.7)", p.x[0].z(), -g * h * h * n * (n + 1) / 2,
+      roundings(4 * n, 20),
+      {{-g * h * h * n * (n - 1) / 2,
+        "This is explicit Euler: it drifts with the old velocity. Kick first, then drift with the new one."},
+       {-g * h * h * n * n / 2,
+        "This is -g t²/2, which Eq. (1.7) meets only with a half-step start; this test "
+        "starts from rest, unshifted."},
+       {-mass * g * h * h * n * (n + 1) / 2, "A factor m too much: the inverse mass has not been used."}},
+      "From rest, x_n = -g h² n(n+1)/2, exactly.");
+}
+
+EXERCISE_TEST(LeapfrogStep, FeelsAllBodiesAtTheirOldPositions) {
+  Random random;
+  Particles p = three_bodies(random);
+  const Particles old = p;
+  const double h = 0.1;
+  leapfrog_step(p, web, h);
+
+  Particles right = old, body_by_body = old, euler = old;
+  for (std::size_t i = 0; i < 3; ++i) {
+    right.v[i] += h * old.inverse_mass[i] * web(i, old.x);
+    right.x[i] += h * right.v[i];
+    body_by_body.v[i] += h * old.inverse_mass[i] * web(i, body_by_body.x);
+    body_by_body.x[i] += h * body_by_body.v[i];
+    euler.x[i] += h * old.v[i];
+  }
+  expect_near_vector("x of the last of three coupled bodies after one step [m]", "Eq. (1.3), (1.4)", p.x[2],
+                     right.x[2], roundings(16, 5),
+                     {{body_by_body.x[2],
+                       "Body by body: the last body felt the others where they had already moved to. "
+                       "Finish all kicks before the first drift."},
+                      {euler.x[2], "This drifted with the velocity of before the kick."}});
+  expect_near_vector("v of the last of three coupled bodies after one step [m/s]", "Eq. (1.3)", p.v[2],
+                     right.v[2], roundings(16, 5),
+                     {{body_by_body.v[2],
+                       "Body by body: the last body felt the others where they had already moved to. "
+                       "Finish all kicks before the first drift."}});
+}
+
+EXERCISE_TEST(LeapfrogStep, ConservesMomentum) {
+  Random random;
+  Particles p = three_bodies(random);
+  const auto momentum = [&] {
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 0; i < 3; ++i) sum += p.v[i] / p.inverse_mass[i];
+    return sum;
+  };
+  const Vec3 before = momentum();
+  const int steps = 1000;
+  for (int n = 0; n < steps; ++n) leapfrog_step(p, web, 0.01);
+  expect_near_vector(
+      "momentum of three coupled bodies after 1000 steps [kg m/s]", "Eq. (1.3)", momentum(), before,
+      roundings(16 * steps, 3), {},
+      "The springs pull both ends alike. Momentum is lost when two bodies see different positions.");
+}
+
+EXERCISE_TEST(LeapfrogStep, KeepsTheOscillatorsInvariantFor1e5Steps) {
+  const double h = 0.5;
+  Particles p = oscillator();
+  start_half_step_back(p, spring, h);
+  double first = 0, worst = 0;
+  for (int n = 0; n < 100000; ++n) {
+    const double x = p.x[0].x(), v_before = p.v[0].x();
+    leapfrog_step(p, spring, h);
+    const double invariant = (v_before * p.v[0].x() + x * x) / 2;
+    if (n == 0) first = invariant;
+    const double error = std::abs(invariant - first);
+    if (!(error <= worst)) worst = error;
+  }
+  expect_at_most(
+      "change of ½ v_{n-1/2} v_{n+1/2} + ½ x_n² over 1e5 steps, h ω = 0.5 [J]", "Eq. (1.9)", worst,
+      1e5 * 4 * 2.3e-16, "1e5 steps of 4 roundings",
+      "Leapfrog conserves this exactly. Explicit Euler multiplies the energy by 1 + (hω)² each step.");
+}
+
+EXERCISE_TEST(LeapfrogStep, KeepsTheOrbitsEnergyInItsBandFor1e5Steps) {
+  const double h = 2 * std::acos(-1.0) / 200;
+  Particles p = orbit();
+  start_half_step_back(p, sun, h);
+  double first_orbits = 0, all = 0;
+  for (int n = 0; n < 100000; ++n) {
+    const Vec3 x = p.x[0], v_before = p.v[0];
+    leapfrog_step(p, sun, h);
+    const Vec3 v = (v_before + p.v[0]) / 2;  // at the time of x: Eq. (1.6)
+    const double error = std::abs(v.squaredNorm() / 2 - 1 / x.norm() + 0.5);
+    if (n < 1000 && !(error <= first_orbits)) first_orbits = error;
+    if (!(error <= all)) all = error;
+  }
+  expect_at_most("largest energy error of an orbit over 500 rounds, over that of the first 5", "Eq. (1.9)",
+                 all / first_orbits, 1.05, "the band does not widen; 5 % for where in the orbit the steps fall",
+                 "A leapfrog's energy error swings, but does not grow.");
+  expect_at_most("largest energy error of the orbit, over its energy", "Eq. (1.9)", all / 0.5, 0.01,
+                 "ten times (2π/200)², h² in units of the orbit");
+}
+
+EXERCISE_TEST(LeapfrogStep, RunsBackToWhereItCameFrom) {
+  const double h = 0.05;
+  const int steps = 1000;
+  Particles p = orbit();
+  start_half_step_back(p, sun, h);
+  const Particles start = p;
+  for (int n = 0; n < steps; ++n) leapfrog_step(p, sun, h);
+  p.v[0] = -kick(p.v[0], sun(0, p.x), 1, h);  // the kick that comes next, reversed
+  for (int n = 0; n < steps; ++n) leapfrog_step(p, sun, h);
+  expect_near_vector("x after 1000 steps forth and 1000 back [m]", "Eq. (1.3), (1.4)", p.x[0], start.x[0],
+                     {1e-9, "roundings, which grow with the square of the 2000 steps"}, {},
+                     "Leapfrog is reversible. A step that is not has used two different times in one line.");
+}
+
+EXERCISE_TEST(LeapfrogStep, RejectsAStepThatIsNotPositive) {
+  Particles p = oscillator();
+  leapfrog_step(p, spring, 0.1);
+  for (const double h : {0.0, -0.1, std::nan(""), HUGE_VAL})
+    expect_rejects(
+        "h = " + show(h), "h", [&] { leapfrog_step(p, spring, h); }, "See require_positive in require.hpp.");
+}
+
+}  // namespace

@@ -1,0 +1,109 @@
+// Kick, drift and the half-step start, one body at a time.
+#include "01_leapfrog/leapfrog.hpp"
+#include "exercise_test.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(Kick, "1.1 kick");
+EXERCISE(Drift, "1.2 drift");
+EXERCISE(HalfStepStart, "1.3 half_step_start");
+
+struct OneBody {
+  Random random;
+  Vec3 x = random.vector(3);
+  Vec3 v = random.vector(3);
+  Vec3 f = random.vector(10);
+  double mass = random.uniform(2, 5);
+  double h = random.uniform(0.01, 0.02);
+};
+
+EXERCISE_TEST(Kick, AddsForceOverMassTimesStep) {
+  const OneBody b;
+  const Vec3 got = kick(b.v, b.f, 1 / b.mass, b.h);
+  expect_near_vector(
+      "v after one kick [m/s]", "Eq. (1.3)", got, b.v + b.h * b.f / b.mass, roundings(8, 5),
+      {{b.v + b.h * b.f, "This is v + h f: the force has not been divided by the mass."},
+       {b.v + b.h * b.f * b.mass, "This is v + h m f: the function is given 1/m, so multiply by it."},
+       {b.v + b.h * b.h * b.f / b.mass, "This is v + h² f/m: one h too many. Check the units: N s / kg = m/s."},
+       {b.v + b.f / b.mass, "This is v + f/m: h is missing, and m/s² has been added to m/s."},
+       {b.v + b.f / b.mass / b.h,
+        "This is v + f/(h m), as the notes print it in (15). Check its units: h⁻¹ is a slip."},
+       {b.v + b.h / 2 * b.f / b.mass, "This is half a kick. Only the start of a simulation takes half a step."},
+       {b.v - b.h * b.f / b.mass, "The sign: a force accelerates a body along itself."}},
+      "Eq. (1.3) adds h f/m to v.");
+}
+
+EXERCISE_TEST(Kick, LeavesAFixedBodyAlone) {
+  const OneBody b;
+  const Vec3 got = kick(b.v, 1e9 * b.f, 0, b.h);
+  expect_near_vector("v of a body with inverse mass 0 [m/s]", "Eq. (1.3)", got, b.v, {0, "exact"}, {},
+                     "An inverse mass of 0 is a body that no force moves. Multiply by it; never divide by it.");
+}
+
+EXERCISE_TEST(Kick, BackwardsUndoesForwards) {
+  const OneBody b;
+  const Vec3 there = kick(b.v, b.f, 1 / b.mass, b.h);
+  expect_near_vector("v after a kick of h and one of -h [m/s]", "Eq. (1.3)", kick(there, b.f, 1 / b.mass, -b.h),
+                     b.v, roundings(8, 5), {}, "The change must be proportional to h, for either sign of it.");
+}
+
+EXERCISE_TEST(Drift, MovesByVelocityTimesStep) {
+  const OneBody b;
+  const Vec3 got = drift(b.x, b.v, b.h);
+  expect_near_vector("x after one drift [m]", "Eq. (1.4)", got, b.x + b.h * b.v, roundings(8, 5),
+                     {{b.x + b.v, "This is x + v: h is missing, and m/s has been added to m."},
+                      {b.x + b.h / 2 * b.v, "This is half a drift. Leapfrog drifts by whole steps."},
+                      {b.x + b.h * b.h * b.v, "This is x + h² v: one h too many."},
+                      {b.x - b.h * b.v, "The sign: a body moves along its velocity."},
+                      {b.x, "The position has not changed: return x + h v."},
+                      {b.h * b.v, "This is h v, the change alone. Add it to x."}},
+                     "Eq. (1.4) adds h v to x.");
+}
+
+EXERCISE_TEST(Drift, BackwardsUndoesForwards) {
+  const OneBody b;
+  expect_near_vector("x after a drift of h and one of -h [m]", "Eq. (1.4)",
+                     drift(drift(b.x, b.v, b.h), b.v, -b.h), b.x, roundings(8, 5), {},
+                     "The change must be proportional to h, for either sign of it.");
+}
+
+EXERCISE_TEST(HalfStepStart, GoesBackHalfAStep) {
+  const OneBody b;
+  const Vec3 change = b.h * b.f / b.mass;
+  expect_near_vector(
+      "v half a step before the start [m/s]", "Eq. (1.5)", half_step_start(b.v, b.f, 1 / b.mass, b.h),
+      b.v - change / 2, roundings(8, 5),
+      {{b.v + change / 2,
+        "This is half a step forwards. The first kick is yet to come: go back, so that "
+        "it lands at +h/2."},
+       {b.v - change, "This is a whole step back; the first kick would only bring v to time 0."},
+       {b.v, "This is v unshifted: the simulation would be half a step late, of first order only."},
+       {b.v - b.h * b.f / 2, "The force has not been divided by the mass."}},
+      "Eq. (1.5) subtracts (h/2) f/m from v.");
+}
+
+EXERCISE_TEST(HalfStepStart, MakesFreeFallExact) {
+  const double g = 9.81, mass = 2, h = 1.0 / 60;
+  const int steps = 120;
+  const Vec3 weight(0, 0, -mass * g);
+  const Vec3 v0(1, 0, 3);
+  Vec3 x(0, 0, 0);
+  Vec3 v = half_step_start(v0, weight, 1 / mass, h);
+  for (int n = 0; n < steps; ++n) {
+    v = kick(v, weight, 1 / mass, h);
+    x = drift(x, v, h);
+  }
+  const double t = steps * h;
+  const Vec3 closed_form = v0 * t + Vec3(0, 0, -g * t * t / 2);
+  expect_near_vector("x of a thrown ball after 2 s [m]", "Eq. (1.5)", x, closed_form, roundings(4 * steps, 20),
+                     {{closed_form - Vec3(0, 0, g * h * t / 2),
+                       "It is g h t/2 too low: the velocity was not shifted back by half a step."},
+                      {closed_form - Vec3(0, 0, g * h * t),
+                       "It is g h t too low: the velocity was shifted by half a step the wrong way."}},
+                     "Under constant force, a leapfrog started half a step back follows the parabola exactly.");
+}
+
+}  // namespace

@@ -1,0 +1,124 @@
+#include "checks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <iomanip>
+#include <sstream>
+
+#include "common/not_implemented.hpp"
+#include "exercise_test.hpp"
+
+namespace spook::testing {
+
+std::string show(double value) {
+  std::ostringstream out;
+  out << std::setprecision(10) << value;
+  return out.str();
+}
+
+std::string show(const Eigen::VectorXd& value) {
+  std::string out = "(";
+  for (Eigen::Index k = 0; k < value.size(); ++k) out += (k ? ", " : "") + show(value[k]);
+  return out + ")";
+}
+
+void report_failure(const std::string& what, const std::string& equation, const std::string& body,
+                    const std::string& clue) {
+  const std::string& exercise = current_exercise();
+  std::ostringstream out;
+  out << exercise << ": " << what;
+  if (!equation.empty()) out << "   " << equation;
+  out << "\n" << body;
+  if (!clue.empty()) out << "  " << clue << "\n";
+  if (Random::seed_was_used()) out << "  random inputs, seed " << Random::seed() << "\n";
+  const std::string number = exercise.substr(0, exercise.find(' '));
+  if (!number.empty()) out << "  ./course hint " << number << "\n";
+  ADD_FAILURE() << out.str();
+}
+
+void report_difference(const std::string& what, const std::string& equation, const std::string& expected,
+                       const std::string& got, const Tolerance& tolerance, const std::string& clue) {
+  report_failure(what, equation,
+                 "  expected  " + expected + "\n  got       " + got + "\n  tolerance " + show(tolerance.value) +
+                     " (" + tolerance.reason + ")\n",
+                 clue);
+}
+
+void expect_near(const std::string& what, const std::string& equation, double got, double expected,
+                 const Tolerance& tolerance, std::initializer_list<Clue<double>> clues,
+                 const std::string& otherwise) {
+  if (std::abs(got - expected) <= tolerance.value || got == expected) return;
+  std::string clue = otherwise;
+  const double close = std::max(10 * tolerance.value, 1e-9 * std::abs(expected));
+  for (const auto& known : clues)
+    if (std::abs(got - known.wrong) <= close) {
+      clue = known.text;
+      break;
+    }
+  report_difference(what, equation, show(expected), show(got), tolerance, clue);
+}
+
+void expect_at_most(const std::string& what, const std::string& equation, double got, double bound,
+                    const std::string& why, const std::string& clue) {
+  if (got <= bound) return;
+  report_failure(what, equation,
+                 "  expected  at most " + show(bound) + " (" + why + ")\n  got       " + show(got) + "\n",
+                 clue);
+}
+
+void expect_at_least(const std::string& what, const std::string& equation, double got, double bound,
+                     const std::string& why, const std::string& clue) {
+  if (got >= bound) return;
+  report_failure(what, equation,
+                 "  expected  at least " + show(bound) + " (" + why + ")\n  got       " + show(got) + "\n",
+                 clue);
+}
+
+void expect_true(const std::string& what, const std::string& equation, bool holds, const std::string& clue) {
+  if (!holds) report_failure(what, equation, "  does not hold\n", clue);
+}
+
+void expect_order(const std::string& what, const std::string& equation,
+                  const std::function<double(double)>& error, double coarsest_h, int halvings, double order,
+                  double margin, const std::string& clue) {
+  std::ostringstream table;
+  table << "  " << std::setw(12) << "h [s]" << std::setw(14) << "error" << std::setw(10) << "order"
+        << "\n";
+  double observed = std::nan("");
+  double before = std::nan("");
+  for (int k = 0; k <= halvings; ++k) {
+    const double h = coarsest_h / std::pow(2, k);
+    const double now = error(h);
+    if (k > 0) observed = std::log2(before / now);
+    table << "  " << std::setw(12) << show(h) << std::setw(14) << std::setprecision(4) << now;
+    if (k > 0) table << std::setw(10) << std::setprecision(3) << observed;
+    table << "\n";
+    before = now;
+  }
+  if (observed >= order - margin) return;
+  report_failure(what, equation,
+                 "  expected  order " + show(order) + ", at least " + show(order - margin) +
+                     " at the last halving\n" + table.str(),
+                 clue);
+}
+
+void expect_rejects(const std::string& what, const std::string& parameter, const std::function<void()>& call,
+                    const std::string& clue) {
+  std::string got = "nothing was thrown";
+  try {
+    call();
+  } catch (const NotImplemented&) {
+    throw;
+  } catch (const std::invalid_argument& error) {
+    const std::string text = error.what();
+    if (text.find(parameter) != std::string::npos) return;
+    got = "std::invalid_argument that does not name it: " + text;
+  } catch (const std::exception& error) {
+    got = std::string("another exception: ") + error.what();
+  }
+  report_failure(what, "",
+                 "  expected  std::invalid_argument that names " + parameter + "\n  got       " + got + "\n",
+                 clue);
+}
+
+}  // namespace spook::testing

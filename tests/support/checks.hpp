@@ -1,0 +1,91 @@
+#pragma once
+// Checks whose failure messages teach: what was looked at, the equation, both numbers, the tolerance and where it comes
+// from, and, where the wrong number is one that a known mistake gives, the mistake.
+//
+//   expect_near("v after one kick [m/s]", "Eq. (1.3)", got, expected, {1e-15, "2 roundings"},
+//               {{without_mass, "This is h f: the force has not been divided by the mass."}});
+//
+// Every comparison is written so that NaN fails.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include "common/types.hpp"
+
+namespace spook::testing {
+
+struct Tolerance {
+  double value;
+  std::string reason;
+};
+
+/// `count` roundings of a number of this size.
+inline Tolerance roundings(double count, double size = 1) {
+  return {count * 2.3e-16 * std::abs(size), std::to_string(static_cast<int>(count)) + " roundings"};
+}
+
+/// A wrong value that has a known cause. Without a value (see `always`), the clue for whatever is not known.
+template <class Value>
+struct Clue {
+  Value wrong;
+  std::string text;
+};
+
+std::string show(double value);
+std::string show(const Eigen::VectorXd& value);
+
+/// Adds a GoogleTest failure in the form above. `body` holds whole lines.
+void report_failure(const std::string& what, const std::string& equation, const std::string& body,
+                    const std::string& clue);
+
+void report_difference(const std::string& what, const std::string& equation, const std::string& expected,
+                       const std::string& got, const Tolerance& tolerance, const std::string& clue);
+
+/// |got - expected| <= tolerance, for numbers. `otherwise` is the clue when no known mistake fits.
+void expect_near(const std::string& what, const std::string& equation, double got, double expected,
+                 const Tolerance& tolerance, std::initializer_list<Clue<double>> clues = {},
+                 const std::string& otherwise = "");
+
+/// The same for vectors, in the Euclidean norm.
+template <class Vector>
+void expect_near_vector(const std::string& what, const std::string& equation, const Vector& got,
+                        const std::type_identity_t<Vector>& expected, const Tolerance& tolerance,
+                        std::initializer_list<Clue<std::type_identity_t<Vector>>> clues = {},
+                        const std::string& otherwise = "") {
+  if ((got - expected).norm() <= tolerance.value) return;
+  std::string clue = otherwise;
+  const double close = std::max(10 * tolerance.value, 1e-9 * expected.norm());
+  for (const auto& known : clues)
+    if ((got - known.wrong).norm() <= close) {
+      clue = known.text;
+      break;
+    }
+  report_difference(what, equation, show(Eigen::VectorXd(expected.reshaped())),
+                    show(Eigen::VectorXd(got.reshaped())), tolerance, clue);
+}
+
+/// got <= bound, and not NaN. `why` says where the bound comes from.
+void expect_at_most(const std::string& what, const std::string& equation, double got, double bound,
+                    const std::string& why, const std::string& clue = "");
+
+/// got >= bound, and not NaN.
+void expect_at_least(const std::string& what, const std::string& equation, double got, double bound,
+                     const std::string& why, const std::string& clue = "");
+
+void expect_true(const std::string& what, const std::string& equation, bool holds,
+                 const std::string& clue = "");
+
+/// The error at steps h, h/2, h/4 … falls as h^order, to within `margin`, over the last halving. A failure prints the
+/// table. An observed order above `order` passes, too.
+void expect_order(const std::string& what, const std::string& equation,
+                  const std::function<double(double)>& error, double coarsest_h, int halvings, double order,
+                  double margin, const std::string& clue = "");
+
+/// `call` throws std::invalid_argument whose text names the parameter. A stub still counts as not started.
+void expect_rejects(const std::string& what, const std::string& parameter, const std::function<void()>& call,
+                    const std::string& clue = "");
+
+}  // namespace spook::testing

@@ -1,0 +1,44 @@
+#pragma once
+// A test of an exercise, in three states: a stub is skipped ("not started"), a wrong answer fails, a right one passes.
+//
+//   EXERCISE(Kick, "1.1 kick");                      // once a suite: its number and its function
+//   EXERCISE_TEST(Kick, AddsForceOverMass) { ... }   // as TEST, with the checks of checks.hpp inside
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "checks.hpp"
+#include "common/not_implemented.hpp"
+#include "random_input.hpp"
+
+namespace spook::testing {
+
+/// The exercise that the running test belongs to, "1.1 kick".
+inline std::string& current_exercise() {
+  static std::string name;
+  return name;
+}
+
+inline void run_exercise(const char* exercise, void (*body)()) {
+  current_exercise() = exercise;
+  Random::forget_seed();
+  try {
+    body();
+  } catch (const NotImplemented& stub) {
+    // A test of one exercise may use another; only its own stub means "not started".
+    GTEST_SKIP() << stub.what();
+  } catch (const std::exception& error) {
+    report_failure("runs to its end", "", std::string("  but it threw: ") + error.what() + "\n", "");
+  }
+}
+
+}  // namespace spook::testing
+
+#define EXERCISE(Suite, number_and_function) static constexpr const char* Suite##_exercise = number_and_function
+
+#define EXERCISE_TEST(Suite, Name)                                         \
+  static void Suite##_##Name##_body();                                     \
+  TEST(Suite, Name) {                                                      \
+    spook::testing::run_exercise(Suite##_exercise, Suite##_##Name##_body); \
+  }                                                                        \
+  static void Suite##_##Name##_body()
