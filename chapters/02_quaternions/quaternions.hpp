@@ -11,7 +11,7 @@
 //   free rotation   q -> q (cos α/2, sin(α/2) e_c),  α = h L_c / I_c, axis by axis    Eq. (2.10), (2.11)   not in the notes
 //
 //   ω   angular velocity [rad/s]    I1, I2, I3   principal moments [kg m²], along the body's own axes e_1, e_2, e_3
-//   h   time step [s]               L = I ω      angular momentum [kg m²/s]
+//   h   time step [s], of any sign  L = I ω      angular momentum [kg m²/s]
 //
 // Differs from the notes: (38) there uses the old ω beside the new v of (37); and a body whose ω is only changed by
 // torques keeps ω where nature keeps L.

@@ -33,7 +33,7 @@ struct Spook {
 /// Throws std::invalid_argument unless h > 0, k > 0 and d >= 0, all finite.
 Spook spook_parameters(double h, double k, double d);
 
-/// One touching (or nearly touching) pair.
+/// One touching (or nearly touching) pair. Vectors are in world coordinates; nothing here is checked again.
 struct Contact {
   int i, j;    ///< body indices, i ≠ j
   Vec3 n;      ///< unit normal from i to j
@@ -79,9 +79,9 @@ Mat3 collision_matrix(const InverseMass<6>& body_i, const Vec3& r_i, const Inver
 
 /// Exercise 3.4. The impulse λ >= 0 [N s] of one frictionless contact: Eq. (3.10), (3.11); notes (26), (32).
 ///   nKn               n·Kn [1/kg]
-///   gap               signed [m]
-///   normal_velocity   G W, relative velocity along n before the step [m/s]
-///   force_velocity    h G M⁻¹ f, what the forces of this step add to it [m/s]
+///   gap               signed [m]; a contact that is still open may push, too, if it would close within the step
+///   normal_velocity   G W, relative velocity along n before the step [m/s]; negative when approaching
+///   force_velocity    h G M⁻¹ f, what the forces of this step add to it [m/s]; -h g for a sphere on a floor
 double contact_impulse(const Spook& spook, double nKn, double gap, double normal_velocity,
                        double force_velocity);
 

@@ -7,7 +7,7 @@ namespace spook {
 Quat update_exponential(const Quat& q, const Vec3& omega, double h) {
   const double half_angle = h * omega.norm() / 2;
   // sin(θ/2)/|ω| tends to h/2, and is h/2 to roundings long before |ω| can underflow.
-  const double scale = half_angle < 1e-8 ? h / 2 : std::sin(half_angle) / omega.norm();
+  const double scale = std::abs(half_angle) < 1e-8 ? h / 2 : std::sin(half_angle) / omega.norm();
   const Vec3 axis_part = scale * omega;
   const Quat turn(std::cos(half_angle), axis_part.x(), axis_part.y(), axis_part.z());
   // The product of unit quaternions is one, but for a rounding a step that would add up.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <iomanip>
+#include <regex>
 #include <sstream>
 
 #include "common/not_implemented.hpp"
@@ -12,7 +13,7 @@ namespace spook::testing {
 
 std::string show(double value) {
   std::ostringstream out;
-  out << std::setprecision(10) << value;
+  out << std::setprecision(10) << value + 0.0;  // shows -0 as 0
   return out.str();
 }
 
@@ -47,7 +48,7 @@ void report_difference(const std::string& what, const std::string& equation, con
 void expect_near(const std::string& what, const std::string& equation, double got, double expected,
                  const Tolerance& tolerance, std::initializer_list<Clue<double>> clues,
                  const std::string& otherwise) {
-  if (std::abs(got - expected) <= tolerance.value || got == expected) return;
+  if (std::abs(got - expected) <= tolerance.value) return;
   std::string clue = otherwise;
   const double close = std::max(10 * tolerance.value, 1e-9 * std::abs(expected));
   for (const auto& known : clues)
@@ -111,7 +112,7 @@ void expect_rejects(const std::string& what, const std::string& parameter, const
     throw;
   } catch (const std::invalid_argument& error) {
     const std::string text = error.what();
-    if (text.find(parameter) != std::string::npos) return;
+    if (std::regex_search(text, std::regex("\\b" + parameter + "\\b"))) return;
     got = "std::invalid_argument that does not name it: " + text;
   } catch (const std::exception& error) {
     got = std::string("another exception: ") + error.what();

@@ -27,7 +27,7 @@ inline Tolerance roundings(double count, double size = 1) {
   return {count * 2.3e-16 * std::abs(size), std::to_string(static_cast<int>(count)) + " roundings"};
 }
 
-/// A wrong value that has a known cause. Without a value (see `always`), the clue for whatever is not known.
+/// A wrong value that has a known cause, and the cause.
 template <class Value>
 struct Clue {
   Value wrong;

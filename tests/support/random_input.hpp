@@ -22,8 +22,8 @@ class Random {
   /// Coefficients in [-size, size].
   Vec3 vector(double size = 1) { return {uniform(-size, size), uniform(-size, size), uniform(-size, size)}; }
 
-  Vec3 unit_vector() { return Vec3(normal(), normal(), normal()).normalized(); }
-  Quat rotation() { return Quat(normal(), normal(), normal(), normal()).normalized(); }
+  Vec3 unit_vector() { return Vec3{normal(), normal(), normal()}.normalized(); }
+  Quat rotation() { return Quat{normal(), normal(), normal(), normal()}.normalized(); }
 
   /// SPOOK_SEED, or 1: two runs of the same work get the same marks.
   static std::uint64_t seed() {
@@ -35,6 +35,7 @@ class Random {
   static void forget_seed() { used_ = false; }
 
  private:
+  // Braces around its calls keep their order, and so the inputs, the same on every compiler.
   double normal() { return std::normal_distribution<double>()(engine_); }
 
   std::mt19937_64 engine_;

@@ -1,0 +1,69 @@
+#include "engine/bodies.hpp"
+
+#include "common/require.hpp"
+
+namespace spook {
+
+void require_unit_length(const std::string& name, double length) {
+  if (!(std::abs(length - 1) <= 1e-9)) reject("length of " + name, length, "1");
+}
+
+Vec3 solid_sphere_moments(double mass, double radius) {
+  require_positive("mass", mass);
+  require_positive("radius", radius);
+  return Vec3::Constant(0.4 * mass * radius * radius);
+}
+
+template <int Dof>
+static void require_sound(const Body<Dof>& body) {
+  require_all_finite("x", body.x);
+  require_all_finite("v", body.v);
+  require_positive("mass", body.mass);
+  require_not_negative("radius", body.radius);
+  if constexpr (Dof == 6) {
+    require_unit_length("q", body.q.norm());
+    require_all_finite("omega", body.omega);
+    for (const double moment : body.principal) require_positive("principal moment", moment);
+  }
+}
+
+template <int Dof>
+static void add_at(Bodies<Dof>& bodies, const Vec3& x, double mass, double inverse_mass) {
+  bodies.x.push_back(x);
+  bodies.mass.push_back(mass);
+  bodies.motion.inverse_mass.push_back({.linear = inverse_mass});
+  bodies.motion.W.push_back(Twist<Dof>::Zero());
+  bodies.motion.Wf.push_back(Twist<Dof>::Zero());
+}
+
+template <int Dof>
+int Bodies<Dof>::add(const Body<Dof>& body) {
+  require_sound(body);
+  add_at(*this, body.x, body.mass, 1 / body.mass);
+  motion.W.back().template head<3>() = body.v;
+  if constexpr (Dof == 6) {
+    motion.W.back().template tail<3>() = body.omega;
+    orientations.q.push_back(body.q.normalized());
+    orientations.principal.push_back(body.principal);
+    orientations.inverse_principal.push_back(body.principal.cwiseInverse());
+    motion.inverse_mass.back().angular = orientations.inverse_inertia(size() - 1);
+  }
+  return static_cast<int>(size()) - 1;
+}
+
+template <int Dof>
+int Bodies<Dof>::add_fixed(const Vec3& position) {
+  require_all_finite("x", position);
+  add_at(*this, position, 0, 0);
+  if constexpr (Dof == 6) {
+    orientations.q.push_back(Quat::Identity());
+    orientations.principal.push_back(Vec3::Zero());
+    orientations.inverse_principal.push_back(Vec3::Zero());
+  }
+  return static_cast<int>(size()) - 1;
+}
+
+template struct Bodies<3>;
+template struct Bodies<6>;
+
+}  // namespace spook

@@ -1,0 +1,46 @@
+#pragma once
+// How rigid bodies turn: three rules for a step of (q, ω), and what each leaves to the torques.
+//
+//   splitting     free_rotation: ω turns with the body, L = I ω kept to roundings          Eq. (2.11)
+//   exponential   q turns by h|ω| about ω, ω is left alone                                 Eq. (2.6)
+//   first_order   the notes' update, ω is left alone                                       Eq. (2.4)
+//
+// Under the last two ω changes by torques only; the gyroscopic one, Eq. (2.9), is then a torque like any other, taken
+// at the old ω (explicitly), and may be left out, as the notes do:
+//
+//   ω += h I⁻¹ τ_gyro
+#include <cstddef>
+#include <vector>
+
+#include "02_quaternions/quaternions.hpp"
+
+namespace spook {
+
+enum class RotationUpdate { splitting, first_order, exponential };
+
+struct RotationRule {
+  RotationUpdate update = RotationUpdate::splitting;
+  bool gyroscopic_torque = true;  ///< for first_order and exponential; splitting cannot do without
+};
+
+/// What a body has beyond a point mass. Point masses have none of it.
+template <int Dof>
+struct Orientations {};
+
+template <>
+struct Orientations<6> {
+  std::vector<Quat> q;                  ///< body to world
+  std::vector<Vec3> principal;          ///< [kg m²]; zero for a fixed body
+  std::vector<Vec3> inverse_principal;  ///< [1/(kg m²)]; zero for a fixed body
+  RotationRule rule;
+
+  Mat3 inverse_inertia(std::size_t i) const;  ///< in world coordinates [1/(kg m²)]: Eq. (2.7)
+};
+
+/// What the gyroscopic torque adds to ω in a step of `h`, where the rule treats it as a torque; else zero.
+Vec3 gyroscopic_change(const Orientations<6>& orientations, std::size_t i, const Vec3& omega, double h);
+
+/// Turns body i for `h`, and for `splitting` its ω with it.
+void rotate(Orientations<6>& orientations, std::size_t i, Vec3& omega, double h);
+
+}  // namespace spook

@@ -1,0 +1,102 @@
+// What a world is told before it steps, and what it can be asked afterwards.
+#include "common/require.hpp"
+#include "engine/world.hpp"
+
+namespace spook {
+
+template <int Dof>
+World<Dof>::World(Settings<Dof> settings) : settings_(std::move(settings)) {
+  require_all_finite("gravity", settings_.gravity);
+  require_positive("k", settings_.k);
+  require_not_negative("d", settings_.d);
+  require_positive("max_sweeps", settings_.stop.max_sweeps);
+  require_not_negative("tolerance", settings_.stop.tolerance);
+  if (!settings_.solver) throw std::invalid_argument("solver must be one of solvers(), but is null");
+}
+
+template <int Dof>
+int World<Dof>::add(const Body<Dof>& body) {
+  const int i = bodies_.add(body);
+  if (body.radius > 0) shapes_.spheres.push_back({.body = i, .radius = body.radius, .fixed = false});
+  return i;
+}
+
+template <int Dof>
+int World<Dof>::add_fixed(const Vec3& x, double radius) {
+  require_not_negative("radius", radius);
+  const int i = bodies_.add_fixed(x);
+  if (radius > 0) shapes_.spheres.push_back({.body = i, .radius = radius, .fixed = true});
+  return i;
+}
+
+template <int Dof>
+int World<Dof>::add_plane(const Vec3& n, double offset) {
+  require_unit_length("n", n.norm());
+  require_finite("offset", offset);
+  const int i = bodies_.add_fixed(offset * n);
+  shapes_.planes.push_back({.body = i, .n = n, .offset = offset});
+  return i;
+}
+
+template <int Dof>
+void World<Dof>::start_half_step_back(double h) {
+  require_positive("h", h);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    Twist<Dof>& W = bodies_.motion.W[i];
+    const double inverse_mass = bodies_.motion.inverse_mass[i].linear;
+    W.template head<3>() = half_step_start(W.template head<3>(), force(i), inverse_mass, h);  // Eq. (1.5)
+    if constexpr (Dof == 6)
+      W.template tail<3>() += gyroscopic_change(bodies_.orientations, i, W.template tail<3>(), -h / 2);
+  }
+}
+
+template <int Dof>
+Vec3 World<Dof>::force(std::size_t i) const {
+  const Vec3 weight = bodies_.mass[i] * settings_.gravity;
+  if (!settings_.force) return weight;
+  return weight + settings_.force(i, bodies_.x);
+}
+
+template <int Dof>
+std::size_t World<Dof>::checked(int body) const {
+  if (body < 0 || body >= static_cast<int>(bodies_.size()))
+    reject("body", body, "an index below " + std::to_string(bodies_.size()));
+  return static_cast<std::size_t>(body);
+}
+
+template <int Dof>
+const Vec3& World<Dof>::x(int body) const {
+  return bodies_.x[checked(body)];
+}
+
+template <int Dof>
+Vec3 World<Dof>::v(int body) const {
+  return bodies_.motion.W[checked(body)].template head<3>();
+}
+
+template <int Dof>
+Vec3 World<Dof>::v_beside_x(int body, double h) const {
+  const std::size_t i = checked(body);
+  return half_step_start(v(body), force(i), bodies_.motion.inverse_mass[i].linear, -h);
+}
+
+template <int Dof>
+double World<Dof>::lambda(int contact) const {
+  if (contact < 0 || contact >= static_cast<int>(rows_.size()))
+    reject("contact", contact, "an index below " + std::to_string(rows_.size()));
+  return rows_[static_cast<std::size_t>(contact)].lambda;
+}
+
+template <int Dof>
+StepReport World<Dof>::report() const {
+  return {.pairs = pairs_,
+          .contacts = static_cast<int>(contacts_.size()),
+          .rows = static_cast<int>(rows_.size()),
+          .sweeps = sweeps_,
+          .residual = rows_.empty() ? 0 : residual(rows_, V_)};
+}
+
+template class World<3>;
+template class World<6>;
+
+}  // namespace spook

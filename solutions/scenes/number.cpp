@@ -1,0 +1,53 @@
+#include "scenes/number.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+namespace spook {
+
+/// False when not all of [first, last) is one finite decimal number.
+static bool read_decimal(const char* first, const char* last, double& value) {
+  const auto result = std::from_chars(first, last, value);
+  return result.ec == std::errc() && result.ptr == last && std::isfinite(value);
+}
+
+double parse_number(const std::string& name, const std::string& text) {
+  const char* const first = text.data();
+  const char* const last = first + text.size();
+  const std::size_t slash = text.find('/');
+  double value = 0, divisor = 1;
+  const bool whole = slash == std::string::npos;
+  const bool read =
+      whole ? read_decimal(first, last, value)
+            : read_decimal(first, first + slash, value) && read_decimal(first + slash + 1, last, divisor);
+  if (!read || !std::isfinite(value / divisor))
+    throw std::invalid_argument(name + " must be a finite number such as 0.02, 1e6 or 1/60, but is \"" + text +
+                                "\"");
+  return value / divisor;
+}
+
+int parse_whole(const std::string& name, const std::string& text, int low, int high) {
+  const double value = parse_number(name, text);
+  if (value != std::floor(value) || value < low || value > high)
+    throw std::invalid_argument(name + " must be a whole number from " + std::to_string(low) + " to " +
+                                std::to_string(high) + ", but is \"" + text + "\"");
+  return static_cast<int>(value);
+}
+
+std::string exact_text(double value) {
+  std::array<char, 32> text;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  return {text.data(), end};
+}
+
+std::string short_text(double value) {
+  std::ostringstream text;
+  text.precision(4);
+  text << value;
+  return text.str();
+}
+
+}  // namespace spook

@@ -1,0 +1,103 @@
+#include "scenes/parameters.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "engine/near_miss.hpp"
+#include "scenes/number.hpp"
+
+namespace spook {
+
+bool Limits::allow(double value) const {
+  if (!std::isfinite(value) || (whole && value != std::floor(value))) return false;
+  const bool above = low_included ? value >= low : value > low;
+  const bool below = high_included ? value <= high : value < high;
+  return above && below;
+}
+
+std::string Limits::text() const {
+  const bool bounded_below = std::isfinite(low), bounded_above = std::isfinite(high);
+  std::string text = whole ? "a whole number" : "";
+  const auto add = [&](const std::string& more) { text += (text.empty() ? "" : " ") + more; };
+  if (bounded_below && bounded_above && low_included && high_included) {
+    add("from " + exact_text(low) + " to " + exact_text(high));
+    return text;
+  }
+  if (bounded_below) add((low_included ? "at least " : "more than ") + exact_text(low));
+  if (bounded_below && bounded_above) add("and");
+  if (bounded_above) add((high_included ? "at most " : "less than ") + exact_text(high));
+  return text;
+}
+
+std::string Parameter::text() const {
+  return choices.empty() ? exact_text(value) : choice;
+}
+
+void Parameters::set(const std::string& name, const std::string& text) {
+  const auto found = std::find_if(all_.begin(), all_.end(), [&](const Parameter& p) { return p.name == name; });
+  if (found == all_.end()) {
+    std::vector<std::string> names;
+    for (const Parameter& known : all_) names.push_back(known.name);
+    throw std::invalid_argument("unknown parameter \"" + name + "\"" + did_you_mean(name, names));
+  }
+  if (!given_.insert(name).second)
+    throw std::invalid_argument(name + " is given twice, the second time as " + text);
+
+  const std::vector<std::string>& choices = found->choices;
+  if (!choices.empty()) {
+    if (std::find(choices.begin(), choices.end(), text) == choices.end())
+      throw std::invalid_argument("unknown " + name + " \"" + text + "\"" + did_you_mean(text, choices));
+    found->choice = text;
+    return;
+  }
+  const double value = parse_number(name, text);
+  if (!found->limits.allow(value))
+    throw std::invalid_argument(name + " must be " + found->limits.text() + ", but is " + text);
+  found->value = value;
+}
+
+const Parameter& Parameters::find(const std::string& name) const {
+  const auto found = std::find_if(all_.begin(), all_.end(), [&](const Parameter& p) { return p.name == name; });
+  if (found == all_.end()) throw std::logic_error("this scene has no parameter " + name);
+  return *found;
+}
+
+namespace parameter {
+
+static constexpr Limits positive = {.low = 0, .low_included = false};
+static constexpr Limits not_negative = {.low = 0};
+
+Parameter mass(double value) {
+  return {.name = "m",
+          .meaning = "mass of a body; of the light ones where one is heavy",
+          .unit = "kg",
+          .value = value,
+          .limits = positive};
+}
+
+Parameter gravity() {
+  return {.name = "g", .meaning = "gravity, downwards", .unit = "m/s²", .value = 9.81, .limits = not_negative};
+}
+
+Parameter stiffness() {
+  return {.name = "k", .meaning = "stiffness", .unit = "N/m", .value = 1e6, .limits = positive};
+}
+
+Parameter relaxation() {
+  return {.name = "d", .meaning = "relaxation", .unit = "steps", .value = 3, .limits = not_negative};
+}
+
+Parameter radius() {
+  return {.name = "radius", .meaning = "radius of a sphere", .unit = "m", .value = 0.5, .limits = positive};
+}
+
+Parameter start() {
+  return {.name = "start",
+          .meaning = "half_step: velocities begin half a step back; unshifted: they do not",
+          .choices = {"half_step", "unshifted"}};
+}
+
+}  // namespace parameter
+
+}  // namespace spook

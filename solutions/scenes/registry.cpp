@@ -1,0 +1,24 @@
+#include "scenes/registry.hpp"
+
+#include <stdexcept>
+
+#include "engine/near_miss.hpp"
+
+namespace spook {
+
+const std::vector<SceneDescription>& scenes() {
+  static const std::vector<SceneDescription> all = {free_fall(), oscillator(),     orbit(),
+                                                    top(),       resting_sphere(), stack()};
+  return all;
+}
+
+const SceneDescription& find_scene(const std::string& name) {
+  std::vector<std::string> names;
+  for (const SceneDescription& scene : scenes()) {
+    if (scene.name == name) return scene;
+    names.push_back(scene.name);
+  }
+  throw std::invalid_argument("unknown scene \"" + name + "\"" + did_you_mean(name, names));
+}
+
+}  // namespace spook

@@ -1,0 +1,69 @@
+#include "scenes/run.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include "common/require.hpp"
+#include "scenes/number.hpp"
+
+namespace spook {
+
+std::int64_t step_count(double h, double time) {
+  require_positive("h", h);
+  require_not_negative("time", time);
+  const double steps = std::round(time / h);
+  if (!(steps <= 1e9)) reject("time/h", time / h, "at most 1e9 steps");
+  return static_cast<std::int64_t>(steps);
+}
+
+template <class Values, class Text>
+static void write_line(std::ostream& csv, const Values& values, const Text& text) {
+  for (std::size_t k = 0; k < values.size(); ++k) csv << (k ? "," : "") << text(values[k]);
+  csv << '\n';
+}
+
+static void observed_run(Scene& scene, std::int64_t steps, std::ostream* csv, const Progress& progress) {
+  constexpr std::int64_t steps_between_reports = 100'000;
+  if (csv) write_line(*csv, scene.columns(), [](const std::string& name) { return name; });
+  for (std::int64_t n = 0;; ++n) {
+    scene.observe();
+    if (csv) write_line(*csv, scene.sample(), exact_text);
+    if (progress && n > 0 && n % steps_between_reports == 0) progress(n, steps);
+    if (n == steps) return;
+    scene.advance(1);
+  }
+}
+
+/// Median over fresh worlds: at least three and 50 ms of them, but no more once a second is over.
+template <class Build>
+static double median_us_per_step(const Build& build, std::int64_t steps) {
+  using Clock = std::chrono::steady_clock;
+  std::vector<double> times;
+  double total = 0;
+  while ((times.size() < 3 || total < 5e4) && total < 1e6) {
+    const std::unique_ptr<Scene> scene = build();
+    const auto start = Clock::now();
+    scene->advance(steps);
+    times.push_back(std::chrono::duration<double, std::micro>(Clock::now() - start).count());
+    total += times.back();
+  }
+  const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+  std::nth_element(times.begin(), middle, times.end());
+  return *middle / static_cast<double>(steps);
+}
+
+RunResult run(const SceneDescription& description, const Parameters& parameters, const RunSettings& settings,
+              std::ostream* csv, const Progress& progress) {
+  const auto build = [&] { return description.build(parameters, settings.method); };
+  RunResult result;
+  result.steps = step_count(settings.method.h, settings.time);
+
+  const std::unique_ptr<Scene> scene = build();
+  observed_run(*scene, result.steps, csv, progress);
+  result.error = scene->error();
+  result.last = scene->report();
+  if (result.steps > 0) result.us_per_step = median_us_per_step(build, result.steps);
+  return result;
+}
+
+}  // namespace spook

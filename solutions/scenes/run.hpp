@@ -1,0 +1,34 @@
+#pragma once
+// Runs a scene: once with looking, for its error, and a few times without, for its speed.
+#include <functional>
+#include <optional>
+#include <ostream>
+
+#include "scenes/scene.hpp"
+
+namespace spook {
+
+struct RunSettings {
+  Method method;
+  double time;  ///< [s]
+};
+
+struct RunResult {
+  std::int64_t steps = 0;
+  double error = 0;                   ///< in the scene's unit
+  StepReport last;                    ///< of the last step
+  std::optional<double> us_per_step;  ///< median [µs]; none when no step was taken
+};
+
+/// time/h, rounded. Throws std::invalid_argument unless h > 0 and time >= 0, and for more than 1e9 steps.
+std::int64_t step_count(double h, double time);
+
+/// Is told now and then, in a long run, how many of the steps are done.
+using Progress = std::function<void(std::int64_t done, std::int64_t steps)>;
+
+/// Builds the scene and runs it. With `csv`, writes a line of columns and one for each step, the start included. Throws
+/// std::invalid_argument for bad settings before anything is written, and Blowup, with what was written up to then.
+RunResult run(const SceneDescription& scene, const Parameters& parameters, const RunSettings& settings,
+              std::ostream* csv = nullptr, const Progress& progress = nullptr);
+
+}  // namespace spook

@@ -1,0 +1,88 @@
+// The spook program: `spook run SCENE` and `spook scenes`.
+//
+// Exit status: 0, done; 1, the run blew up or could not be finished; 2, the call made no sense. Complaints are one line
+// on stderr.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+
+#include "engine/near_miss.hpp"
+#include "spook/run_command.hpp"
+#include "spook/scenes_command.hpp"
+
+static void add_run(CLI::App& app, spook::RunCommand& run) {
+  CLI::App* const command = app.add_subcommand("run", "Run a scene and compare it with its known answer");
+  command->allow_extras();
+  command->add_option("SCENE", run.scene, "One of `spook scenes`")->required();
+  command->add_option("--set", run.set, "Parameters of the scene, NAME=VALUE ...")->expected(1, 1000);
+  command->add_option("--h", run.h, "Time step [s], such as 0.02 or 1/60");
+  command->add_option("--time", run.time, "How long to simulate [s]");
+  command->add_option("--solver", run.solver, "One of those at the end of `spook scenes`");
+  command->add_option("--iterations", run.iterations, "Most sweeps in a step");
+  command->add_option("--tolerance", run.tolerance, "Stop sweeping at this [m/s]");
+  command->add_option("--csv", run.csv, "Write every step to this file");
+  command->add_flag("--json", run.json, "Print one JSON object");
+}
+
+static void add_scenes(CLI::App& app, spook::ScenesCommand& scenes) {
+  CLI::App* const command = app.add_subcommand("scenes", "List the scenes, their parameters, known answers");
+  command->allow_extras();
+  command->add_option("SCENE", scenes.scene, "Only this one");
+  command->add_flag("--json", scenes.json, "Print one JSON object");
+}
+
+/// Throws std::invalid_argument for what no option or argument took.
+static void require_nothing_left(const CLI::App& app) {
+  const std::vector<std::string> left = app.remaining();
+  if (left.empty()) return;
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options())
+    if (!option->get_lnames().empty()) names.push_back("--" + option->get_lnames().front());
+  const auto is_option = [](const std::string& text) { return text.rfind("--", 0) == 0; };
+  const auto option = std::find_if(left.begin(), left.end(), is_option);
+  if (option != left.end())
+    throw std::invalid_argument("unknown option " + *option + spook::did_you_mean(*option, names));
+  throw std::invalid_argument("\"" + left.front() + "\" is one argument too many");
+}
+
+static void require_command(const CLI::App& app) {
+  if (!app.get_subcommands().empty()) return;
+  const std::string given = app.remaining().empty() ? "" : app.remaining().front();
+  throw std::invalid_argument("unknown command \"" + given + "\"" +
+                              spook::did_you_mean(given, {"run", "scenes"}));
+}
+
+static int complain(int status, const std::string& what) {
+  std::cerr << "spook: " << what << '\n';
+  return status;
+}
+
+int main(int argc, char** argv) {
+  CLI::App app("A rigid-body engine by the SPOOK method: scenes with known answers.", "spook");
+  app.require_subcommand(0, 1);
+  app.allow_extras();
+  spook::RunCommand run;
+  spook::ScenesCommand scenes;
+  add_run(app, run);
+  add_scenes(app, scenes);
+
+  try {
+    app.parse(argc, argv);
+    require_command(app);
+    require_nothing_left(*app.get_subcommands().front());
+    if (app.got_subcommand("run"))
+      run.execute(std::cout);
+    else
+      scenes.execute(std::cout);
+    if (!std::cout.flush()) return complain(1, "standard output could not be written");
+    return 0;
+  } catch (const CLI::Success& asked) {
+    return app.exit(asked);
+  } catch (const CLI::ParseError& error) {
+    return complain(2, error.what());
+  } catch (const std::invalid_argument& error) {
+    return complain(2, error.what());
+  } catch (const std::exception& error) {
+    return complain(1, error.what());
+  }
+}

@@ -1,0 +1,85 @@
+#include "spook/print_run.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "scenes/number.hpp"
+#include "spook/text.hpp"
+
+namespace spook {
+
+using Json = nlohmann::ordered_json;
+
+static Json to_json(const Parameter& parameter) {
+  if (!parameter.choices.empty()) return parameter.choice;
+  if (parameter.limits.whole) return static_cast<std::int64_t>(parameter.value);
+  return parameter.value;
+}
+
+static std::string parameters_text(const Parameters& parameters) {
+  std::string text;
+  for (const Parameter& parameter : parameters.all())
+    text += (text.empty() ? "" : " ") + parameter.name + "=" + parameter.text();
+  return text;
+}
+
+static std::string counted(std::int64_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+static std::string method_text(const SceneDescription& scene, const RunSettings& settings,
+                               const RunResult& result) {
+  const Method& method = settings.method;
+  std::string text = counted(result.steps, "step") + " of " + short_text(method.h) + " s, " +
+                     short_text(static_cast<double>(result.steps) * method.h) + " s";
+  if (!scene.solves) return text + "; no constraints, no solver";
+  text += "; " + method.solver + ", at most " + counted(method.stop.max_sweeps, "sweep");
+  if (method.stop.tolerance > 0) text += " or to " + short_text(method.stop.tolerance) + " m/s";
+  return text;
+}
+
+static std::string last_step_text(const StepReport& last) {
+  return short_text(last.residual) + " m/s in the last step, after " + counted(last.sweeps, "sweep") + "; " +
+         counted(last.pairs, "pair") + ", " + counted(last.contacts, "contact") + ", " +
+         counted(last.rows, "row");
+}
+
+void print_text(std::ostream& out, const SceneDescription& scene, const Parameters& parameters,
+                const RunSettings& settings, const RunResult& result) {
+  print_entry(out, "scene", scene.name + ": " + scene.summary);
+  print_entry(out, "set", parameters_text(parameters));
+  print_entry(out, "answer", scene.answer);
+  print_entry(out, "run", method_text(scene, settings, result));
+  print_entry(out, "error", short_text(result.error) + " " + scene.error_unit + ": " + scene.error_name);
+  print_entry(out, "speed",
+              result.us_per_step ? short_text(*result.us_per_step) + " µs a step" : "no step taken");
+  if (scene.solves) print_entry(out, "residual", last_step_text(result.last));
+}
+
+void print_json(std::ostream& out, const SceneDescription& scene, const Parameters& parameters,
+                const RunSettings& settings, const RunResult& result) {
+  Json set = Json::object();
+  for (const Parameter& parameter : parameters.all()) set[parameter.name] = to_json(parameter);
+
+  const double h = settings.method.h;
+  const Json object = {
+      {"scene", scene.name},
+      {"parameters", set},
+      {"solver", scene.solves ? settings.method.solver : "none"},
+      {"iterations", scene.solves ? Json(settings.method.stop.max_sweeps) : Json()},
+      {"tolerance", scene.solves ? Json(settings.method.stop.tolerance) : Json()},
+      {"h", h},
+      {"steps", result.steps},
+      {"time", static_cast<double>(result.steps) * h},
+      {"us_per_step", result.us_per_step ? Json(*result.us_per_step) : Json()},
+      {"error", {{"name", scene.error_name}, {"value", result.error}, {"unit", scene.error_unit}}},
+      {"residual", scene.solves ? Json(result.last.residual) : Json()},
+      {"last_step",
+       {{"pairs", result.last.pairs},
+        {"contacts", result.last.contacts},
+        {"rows", result.last.rows},
+        {"sweeps", result.last.sweeps}}},
+  };
+  out << object.dump() << '\n';
+}
+
+}  // namespace spook

@@ -1,0 +1,79 @@
+#include "spook/scenes_command.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "scenes/number.hpp"
+#include "scenes/registry.hpp"
+#include "spook/text.hpp"
+
+namespace spook {
+
+using Json = nlohmann::ordered_json;
+
+static Json to_json(const Parameter& parameter) {
+  Json object = {{"name", parameter.name}, {"meaning", parameter.meaning}};
+  if (!parameter.choices.empty()) {
+    object["default"] = parameter.choice;
+    object["choices"] = parameter.choices;
+    return object;
+  }
+  object["default"] = parameter.value;
+  object["unit"] = parameter.unit;
+  object["limits"] = parameter.limits.text();
+  return object;
+}
+
+static Json to_json(const SceneDescription& scene) {
+  Json parameters = Json::array();
+  for (const Parameter& parameter : scene.parameters) parameters.push_back(to_json(parameter));
+  return {{"name", scene.name},       {"summary", scene.summary},
+          {"answer", scene.answer},   {"error", {{"name", scene.error_name}, {"unit", scene.error_unit}}},
+          {"parameters", parameters}, {"h", scene.h},
+          {"time", scene.time},       {"solves", scene.solves}};
+}
+
+static std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : " | ") + name;
+  return text;
+}
+
+static std::string details(const Parameter& parameter) {
+  if (!parameter.choices.empty()) return joined(parameter.choices) + "; " + parameter.meaning;
+  const std::string limits = parameter.limits.text();
+  return parameter.meaning + (limits.empty() ? "" : "; " + limits);
+}
+
+static void print_scene(std::ostream& out, const SceneDescription& scene) {
+  out << scene.name << '\n';
+  print_entry(out, "", scene.summary, 2);
+  print_entry(out, "  answer", scene.answer);
+  print_entry(out, "  error", scene.error_name + ", " + scene.error_unit);
+  print_entry(out, "  default", "--h " + short_text(scene.h) + " --time " + short_text(scene.time));
+  for (const Parameter& parameter : scene.parameters) {
+    std::string setting = "    " + parameter.name + "=" + parameter.text();
+    if (!parameter.unit.empty()) setting += " " + parameter.unit;
+    print_entry(out, setting, details(parameter), 26);
+  }
+}
+
+void ScenesCommand::execute(std::ostream& out) const {
+  const std::vector<SceneDescription> listed = scene.empty() ? scenes() : std::vector{find_scene(scene)};
+  if (json) {
+    Json all = {{"scenes", Json::array()}, {"solvers", Json::array()}};
+    for (const SceneDescription& each : listed) all["scenes"].push_back(to_json(each));
+    for (const auto& each : solvers<3>())
+      all["solvers"].push_back({{"name", each.name}, {"summary", each.summary}});
+    out << all.dump() << '\n';
+    return;
+  }
+  for (const SceneDescription& each : listed) {
+    print_scene(out, each);
+    out << '\n';
+  }
+  out << "solvers\n";
+  for (const auto& each : solvers<3>()) print_entry(out, "  " + each.name, each.summary, 18);
+}
+
+}  // namespace spook

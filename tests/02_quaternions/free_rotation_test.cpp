@@ -1,0 +1,138 @@
+// Free rotation, the promises of one step: how far it turns, L, reversal, second order.
+#include "top.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(FreeRotation, "2.6 free_rotation");
+
+// A step so small that every way of ordering the turns gives the same mean ω, but for h|ω| of it.
+EXERCISE_TEST(FreeRotation, TurnsByOmegaTimesStep) {
+  Random random;
+  const Top start = random_top(random);
+  Top top = start;
+  const double h = 1e-6;
+  top.step(h);
+  const Quat turn = start.q.conjugate() * top.q;  // as the body sees it
+  const Vec3 got = (turn.w() < 0 ? -2 : 2) * turn.vec() / h;
+
+  const Vec3 right = start.omega_body(), L = start.L(), L_body = start.q.conjugate() * L;
+  const double size = right.norm();
+  expect_near_vector<Vec3>(
+      "mean ω of a step of 1 µs, in body coordinates [rad/s]", "Eq. (2.10), (2.11)", got, right,
+      {10 * h * size * size, "ω changes by some h|ω|² within the step"},
+      {{Vec3::Zero(), "q has not moved."},
+       {2 * right, "Twice too fast: a quaternion takes half the angle."},
+       {right / 2, "Half too slow: are there two halvings where one belongs?"},
+       {-right, "This body turns backwards."},
+       {L.cwiseQuotient(start.principal),
+        "L was taken in world coordinates: L_c in Eq. (2.10) is along the body's axis c. Take q* L."},
+       {(start.q * L).cwiseQuotient(start.principal),
+        "L was turned the wrong way: q takes body to world coordinates, its conjugate takes them back."},
+       {L_body, "α = h L_c: divide by the moment I_c."},
+       {start.q.conjugate() * right,
+        "The turns were multiplied from the left, as if e_c were an axis of the world. A body's turn stands "
+        "right of q."},
+       {{2 * right[0], 2 * right[1], right[2]},
+        "Axes 1 and 2 turn by two whole steps: each of their turns is half a step."},
+       {{right[0] / 2, right[1] / 2, right[2]},
+        "Axes 1 and 2 turn by half a step only: the way back is missing."},
+       {{right[0], right[1], right[2] / 2}, "Axis 3 has its turn only once, so it takes the whole step."},
+       {{right[0], right[1], 2 * right[2]}, "Axis 3 turns by two steps: once is enough, in the middle."}},
+      "Each axis c turns by h L_c/I_c in all. Is h in every angle, and I_c?");
+}
+
+EXERCISE_TEST(FreeRotation, KeepsAngularMomentum) {
+  Random random;
+  const Top start = random_top(random);
+  Top top = start;
+  top.step(0.3);
+  const auto L_with = [&](const Vec3& omega) { return Top{top.principal, top.q, omega}.L(); };
+  const Vec3 omega_right = Top{top.principal, top.q, Vec3::Zero()}.q *
+                           Vec3((top.q.conjugate() * start.L()).cwiseQuotient(top.principal));
+  expect_near_vector<Vec3>(
+      "L after a step of 0.3 s [kg m²/s]", "Eq. (2.11)", top.L(), start.L(), roundings(64, 5),
+      {{L_with(start.omega), "ω is still the old one: with L fixed and q new, ω = I⁻¹ L has changed."},
+       {L_with(top.q.conjugate() * omega_right), "The new ω is in body coordinates; the world's is asked for."},
+       {L_with(top.q.conjugate() * start.omega), "The old ω, in body coordinates, has been returned."}},
+      "L in the world is a constant of the whole step: work it out once, before q moves, and get ω from it "
+      "after.");
+}
+
+EXERCISE_TEST(FreeRotation, FollowsTheTrueMotion) {
+  Random random;
+  const Top start = random_top(random);
+  const double time = 2;
+  const Top truth = true_motion(start, time, 2000);
+  const auto error = [&](double h) { return distance(after(start, time, h), truth); };
+  expect_second_order(
+      "random top, error of q and ω after 2 s", "Eq. (2.11)", error, 0.1, 1e-10,
+      "Order 1: is the second half the mirror image of the first, each turn with L as the body sees it "
+      "then? Order 0: another motion.");
+}
+
+EXERCISE_TEST(FreeRotation, RunsBackToWhereItCameFrom) {
+  Random random;
+  const Top start = random_top(random);
+  Top top = start;
+  for (int n = 0; n < 50; ++n) top.step(0.1);
+  for (int n = 0; n < 50; ++n) top.step(-0.1);
+  expect_near("distance from the start after 50 steps of 0.1 s forth and 50 back", "Eq. (2.11)",
+              distance(top, start), 0,
+              {1e-11, "100 steps of 16 roundings, times e^(5 s · 0.7/s), how fast neighbours part at most"}, {},
+              "A sequence of turns that reads the same from both ends runs back on itself.");
+}
+
+EXERCISE_TEST(FreeRotation, SpinsOnAboutAPrincipalAxis) {
+  Random random;
+  for (int c = 0; c < 3; ++c) {
+    Top top = random_top(random);
+    const Vec3 axis = top.q * Vec3::Unit(c);
+    top.omega = 2 * axis;
+    const Quat expected = turn_about(axis, 2 * 1.0) * top.q;
+    const Top end = after(top, 1, 0.01);
+    expect_near_vector<Vec3>("ω after 1 s about the body's axis " + std::to_string(c + 1) + " [rad/s]",
+                             "Eq. (2.11)", end.omega, top.omega, roundings(64 * 100, 2), {},
+                             "About a principal axis nothing changes: ω stays along L.");
+    expect_same_rotation(
+        "q after 1 s at 2 rad/s about the body's axis " + std::to_string(c + 1) + " (w, x, y, z)", "Eq. (2.10)",
+        end.q, expected, {0.02 * 0.02 * 2, "(hω)² of the angle, 2 rad"},
+        {{turn_about(axis, 4) * top.q, "Twice the angle."}, {turn_about(axis, 1) * top.q, "Half the angle."}},
+        "About a principal axis this is a plain turn by hω a step.");
+  }
+}
+
+EXERCISE_TEST(FreeRotation, OfASphereIsAPlainTurn) {
+  Random random;
+  Top sphere{Vec3::Constant(0.4), random.rotation(), 2 * random.unit_vector()};
+  const Top end = after(sphere, 1, 0.1);
+  expect_near_vector<Vec3>("ω of a sphere after 1 s [rad/s]", "Eq. (2.8)", end.omega, sphere.omega,
+                           roundings(64 * 10, 2), {}, "For a sphere ω = L/I, and L is fixed.");
+  const auto error = [&](double h) {
+    const Quat exact = update_exponential(sphere.q, sphere.omega, 1);
+    return distance(after(sphere, 1, h), {sphere.principal, exact, sphere.omega});
+  };
+  expect_second_order(
+      "sphere, distance from the turn by |ω| about ω after 1 s", "Eq. (2.6), (2.11)", error, 0.1, 1e-10,
+      "A sphere turns by h|ω| about ω; turns about three axes in a row come near that by order 2.");
+}
+
+// ω = L/I1 + ω_3 (1 - I3/I1) e_3: the body spins about its axis e_3, and e_3 goes round L at |L|/I1.
+EXERCISE_TEST(FreeRotation, OfASymmetricTopPrecesses) {
+  Random random;
+  Top top = random_top(random);
+  top.principal[1] = top.principal[0];
+  const double I1 = top.principal[0], I3 = top.principal[2], spin = top.omega_body()[2] * (1 - I3 / I1);
+  const double time = 2;
+  const Quat precession = turn_about(top.L().normalized(), time * top.L().norm() / I1);
+  Top truth = top;
+  truth.q = precession * top.q * turn_about(Vec3::UnitZ(), time * spin);
+  truth.omega = top.L() / I1 + spin * (truth.q * Vec3::UnitZ());
+  const auto error = [&](double h) { return distance(after(top, time, h), truth); };
+  expect_second_order("symmetric top, error of q and ω after 2 s", "Eq. (2.8), (2.11)", error, 0.1, 1e-10,
+                      "Its axis goes round L at |L|/I1, at a fixed angle. Order 0 is another speed.");
+}
+
+}  // namespace

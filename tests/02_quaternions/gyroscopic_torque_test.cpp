@@ -1,0 +1,90 @@
+// The gyroscopic torque by itself: Euler's equations, where it is zero, and that it does no work.
+#include "exercise_test.hpp"
+#include "rotations.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(GyroscopicTorque, "2.5 gyroscopic_torque");
+
+struct SpinningBody {
+  Random random;
+  Quat q = random.rotation();
+  Vec3 principal = {random.uniform(2, 2.4), random.uniform(3, 3.4), random.uniform(4, 4.4)};
+  Mat3 R = q.toRotationMatrix();
+  Mat3 inertia = R * principal.asDiagonal() * R.transpose();
+  Vec3 omega = R * Vec3(random.uniform(1, 2), random.uniform(1, 2), random.uniform(1, 2));
+};
+
+EXERCISE_TEST(GyroscopicTorque, IsEulersInBodyAxes) {
+  const Vec3 got = gyroscopic_torque(Vec3(1, 2, 4).asDiagonal().toDenseMatrix(), Vec3(1, 1, 1));
+  expect_near_vector<Vec3>(
+      "gyroscopic torque for moments 1, 2, 4 and ω = (1, 1, 1) [N m]", "Eq. (2.9)", got, {-2, 3, -1},
+      roundings(8, 4),
+      {{{2, -3, 1},
+        "The sign: this is +ω × Iω. In Eq. (2.8) it stands on the side of the torques with a minus."},
+       {Vec3::Zero(), "This is 0: the cross product of ω with itself. The second factor is L = Iω."},
+       {{-4, 6, -2}, "Twice too much: one of the terms of dL/dt is counted twice."},
+       {{-2, 1.5, -0.25},
+        "This has been divided by the inertia: it is an acceleration. A torque is asked for."}},
+      "Euler's equations: τ1 = (I2 - I3) ω2 ω3, and so on round.");
+}
+
+EXERCISE_TEST(GyroscopicTorque, IsMinusOmegaCrossL) {
+  const SpinningBody b;
+  const Vec3 got = gyroscopic_torque(b.inertia, b.omega);
+  // Euler's equations in body coordinates, then into the world's.
+  const Vec3 w = b.R.transpose() * b.omega, I = b.principal;
+  const Vec3 euler((I[1] - I[2]) * w[1] * w[2], (I[2] - I[0]) * w[2] * w[0], (I[0] - I[1]) * w[0] * w[1]);
+  const Vec3 expected = b.R * euler;
+  const Vec3 diagonal_only = b.inertia.diagonal().cwiseProduct(b.omega);
+  expect_near_vector<Vec3>(
+      "gyroscopic torque on a random body [N m]", "Eq. (2.9)", got, expected, roundings(64, 40),
+      {{-expected,
+        "The sign: this is +ω × Iω. In Eq. (2.8) it stands on the side of the torques with a minus."},
+       {Vec3::Zero(), "This is 0: the cross product of ω with itself. The second factor is L = Iω."},
+       {2 * expected, "Twice too much: one of the terms of dL/dt is counted twice."},
+       {b.inertia.inverse() * expected,
+        "This has been divided by the inertia: it is an acceleration. A torque is asked for."},
+       {-b.omega.cross(b.inertia.inverse() * b.omega), "The inverse inertia has been used: L is Iω, not I⁻¹ω."},
+       {-b.omega.cross(diagonal_only),
+        "Only the diagonal of the inertia has been used: in world coordinates the other six matter, too."}},
+      "Eq. (2.9): -ω × L, with L = Iω.");
+}
+
+EXERCISE_TEST(GyroscopicTorque, IsZeroForASphere) {
+  Random random;
+  expect_near_vector<Vec3>("gyroscopic torque on a sphere [N m]", "Eq. (2.9)",
+                           gyroscopic_torque(0.4 * Mat3::Identity(), random.vector(5)), Vec3::Zero(),
+                           roundings(16, 30), {}, "For a sphere L is along ω, and the cross product is 0.");
+}
+
+EXERCISE_TEST(GyroscopicTorque, IsZeroAboutAPrincipalAxis) {
+  const SpinningBody b;
+  for (int c = 0; c < 3; ++c)
+    expect_near_vector<Vec3>(
+        "gyroscopic torque at 3 rad/s about the body's axis " + std::to_string(c + 1) + " [N m]", "Eq. (2.9)",
+        gyroscopic_torque(b.inertia, b.R * (3 * Vec3::Unit(c))), Vec3::Zero(), roundings(64, 40), {},
+        "About a principal axis L is along ω: the body does not wobble.");
+}
+
+EXERCISE_TEST(GyroscopicTorque, DoesNoWork) {
+  const SpinningBody b;
+  const Vec3 got = gyroscopic_torque(b.inertia, b.omega);
+  expect_near("power ω · τ [W]", "Eq. (2.9)", b.omega.dot(got), 0, roundings(64, 100), {},
+              "The torque must be at right angles to ω: nothing feeds a body that spins freely.");
+  expect_near("L · τ, half the rate of |L|² [kg² m⁴/s³]", "Eq. (2.9)", (b.inertia * b.omega).dot(got), 0,
+              roundings(64, 400), {}, "The torque must be at right angles to L = Iω: it only turns it.");
+}
+
+EXERCISE_TEST(GyroscopicTorque, GrowsWithTheSquareOfOmega) {
+  const SpinningBody b;
+  const Vec3 once = gyroscopic_torque(b.inertia, b.omega);
+  expect_near_vector<Vec3>("torque at -3 ω, for one of 9 τ(ω) [N m]", "Eq. (2.9)",
+                           gyroscopic_torque(b.inertia, -3 * b.omega), 9 * once, roundings(64, 400), {},
+                           "Eq. (2.9) has ω twice, so the way round does not matter.");
+}
+
+}  // namespace

@@ -1,0 +1,86 @@
+#pragma once
+// A body that nothing pulls at, and what is known of its motion.
+#include "exercise_test.hpp"
+#include "rotations.hpp"
+
+namespace spook::testing {
+
+struct Top {
+  Vec3 principal;
+  Quat q;
+  Vec3 omega;  // world coordinates
+
+  void step(double h) { free_rotation(q, omega, principal, h); }
+  Vec3 omega_body() const { return q.conjugate() * omega; }
+  Vec3 L() const { return q * Vec3(principal.cwiseProduct(omega_body())); }
+  double energy() const { return omega_body().cwiseAbs2().dot(principal) / 2; }
+};
+
+inline Top after(Top top, double time, double h) {
+  const int steps = static_cast<int>(std::lround(time / h));
+  for (int n = 0; n < steps; ++n) top.step(time / steps);
+  return top;
+}
+
+/// No two moments alike, spinning about no axis of its own.
+inline Top random_top(Random& random) {
+  Top top;
+  top.principal = {random.uniform(2, 2.3), random.uniform(3, 3.3), random.uniform(4, 4.3)};
+  top.q = random.rotation();
+  top.omega = top.q * Vec3(random.uniform(0.5, 1), random.uniform(0.5, 1), random.uniform(0.5, 1));
+  return top;
+}
+
+/// Moments 1, 2, 3, spinning nearly about the middle axis, on which it can't stay: every half period it tumbles over.
+inline Top tumbling_top() {
+  return {Vec3(1, 2, 3), Quat(1, 0, 0, 0), Vec3(0.01, 1, 0.01)};
+}
+
+/// The period of its ω in body coordinates, 4 K(k)/ω_p = 39.1057 s: Eq. (2.12).
+inline double tumbling_period() {
+  const Top top = tumbling_top();
+  const double I1 = top.principal[0], I2 = top.principal[1], I3 = top.principal[2];
+  const double T = top.energy(), L_squared = top.L().squaredNorm();
+  const double omega_p = std::sqrt((I3 - I2) * (L_squared - 2 * T * I1) / (I1 * I2 * I3));
+  const double k_squared = (I2 - I1) * (2 * T * I3 - L_squared) / ((I3 - I2) * (L_squared - 2 * T * I1));
+  return 4 * std::comp_ellint_1(std::sqrt(k_squared)) / omega_p;
+}
+
+/// The same motion by brute force: q' = ½ ω q with ω = I⁻¹ L and L fixed, in `steps` Runge-Kutta steps of order 4.
+inline Top true_motion(const Top& start, double time, int steps) {
+  const Vec3 L = start.L();
+  const auto omega_at = [&](const Quat& q) -> Vec3 {
+    const Quat u = q.normalized();
+    return u * Vec3((u.conjugate() * L).cwiseQuotient(start.principal));
+  };
+  const auto rate = [&](const Vec4& c) -> Vec4 {
+    const Quat q(c);
+    const Vec3 omega = omega_at(q);
+    return (Quat(0, omega.x(), omega.y(), omega.z()) * q).coeffs() / 2;
+  };
+  const double h = time / steps;
+  Vec4 c = start.q.coeffs();
+  for (int n = 0; n < steps; ++n) {
+    const Vec4 k1 = rate(c), k2 = rate(c + h / 2 * k1), k3 = rate(c + h / 2 * k2), k4 = rate(c + h * k3);
+    c += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+  }
+  const Quat q = Quat(c).normalized();
+  return {start.principal, q, omega_at(q)};
+}
+
+/// How far apart two states are: the chord between the orientations, and ω relative to its size.
+inline double distance(const Top& a, const Top& b) {
+  const double sign = a.q.dot(b.q) < 0 ? -1 : 1;
+  return std::hypot((coefficients(a.q) - sign * coefficients(b.q)).norm(),
+                    (a.omega - b.omega).norm() / b.omega.norm());
+}
+
+/// expect_order 2, at steps h to h/8; an error that is already down at `exact` with the finest step passes, too.
+inline void expect_second_order(const std::string& what, const std::string& equation,
+                                const std::function<double(double)>& error, double h, double exact,
+                                const std::string& clue) {
+  if (error(h / 8) <= exact) return;
+  expect_order(what, equation, error, h, 3, 2, 0.1, clue);
+}
+
+}  // namespace spook::testing

@@ -1,0 +1,107 @@
+// The notes' update: a step along the tangent, and back to the unit sphere. It turns by 2 atan(h|ω|/2).
+#include "exercise_test.hpp"
+#include "rotations.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(UpdateFirstOrder, "2.2 update_first_order");
+
+struct Step {
+  Random random;
+  Quat q = random.rotation();
+  Vec3 axis = random.unit_vector();
+  double speed = random.uniform(1, 3);
+  double h = random.uniform(0.2, 0.3);
+  Vec3 omega = speed * axis;
+};
+
+EXERCISE_TEST(UpdateFirstOrder, TurnsByTwiceTheArcTangent) {
+  const Step s;
+  const Quat got = update_first_order(s.q, s.omega, s.h);
+  const auto turned_by = [&](double angle) { return turn_about(s.axis, angle) * s.q; };
+  const double x = s.h * s.speed;
+  const Quat expected = turned_by(2 * std::atan(x / 2));
+  expect_same_rotation(
+      "q after one update (w, x, y, z)", "Eq. (2.4), (2.5)", got, expected, roundings(16),
+      {{scaled(std::sqrt(1 + x * x / 4), expected),
+        "The direction is right, the length is not: normalise the sum."},
+       {scaled(1 / std::sqrt(1 + x * x / 4), expected),
+        "The direction is right, the length is not: divide by the norm, not by its square."},
+       {turned_by(2 * std::atan(x)), "The step is twice too long: is the ½ of Eq. (2.3) in?"},
+       {turned_by(2 * std::atan(x / 4)), "The step is half too short: the ½ is already in quaternion_rate."},
+       {turned_by(-2 * std::atan(x / 2)), "This body turns backwards."},
+       {s.q * turn_about(s.axis, 2 * std::atan(x / 2)),
+        "This is q + (h/2) q ω: right if ω were in body coordinates. Ours is in world coordinates: ω on the "
+        "left."},
+       {turned_by(2 * std::atan(s.speed / 2)), "h is missing: this moves by the rate of a whole second."},
+       {turned_by(2 * std::atan(s.h * x / 2)), "One h too many."},
+       {turn_about(s.axis, 2 * std::acos(0.0)) * s.q,
+        "This is the rate alone, normalised. Add h times it to q."},
+       {s.q, "q has not moved."},
+       {turned_by(x),
+        "This turns by h|ω|, exactly: that is exercise 2.3. Here the notes' update is asked for, to compare."}},
+      "Eq. (2.4): q plus h times quaternion_rate, then normalised.");
+}
+
+// An odd number of steps: who divides by |q|² where |q| belongs comes back at every even one.
+EXERCISE_TEST(UpdateFirstOrder, KeepsUnitLengthFor1001Steps) {
+  const Vec3 omega(0, 0, 1);
+  const double h = 0.1;
+  const int steps = 1001;
+  Quat q(1, 0, 0, 0);
+  for (int n = 0; n < steps; ++n) q = update_first_order(q, omega, h);
+  expect_near("|q| after 1001 steps, h ω = 0.1", "Eq. (2.4)", q.norm(), 1, roundings(8),
+              {{std::pow(1 + h * h / 4, steps / 2.0),
+                "Each step has lengthened q by √(1 + (hω/2)²): it follows the tangent and never comes back. "
+                "Normalise."}},
+              "Normalise after the sum: the step leaves the unit sphere.");
+}
+
+// 2 atan(x/2)/x - 1 = -x²/12 + x⁴/80 - …, an alternating series: what is left out is less than its first term.
+EXERCISE_TEST(UpdateFirstOrder, FallsShortByATwelfthOfTheSquare) {
+  const Step s;
+  for (const double x : {0.2, 0.1, 0.05}) {
+    const Quat next = update_first_order(s.q, s.omega, x / s.speed);
+    const double relative_error = angle_about(s.axis, s.q, next) / x - 1;
+    expect_near(
+        "relative error of the angle at hω = " + show(x), "Eq. (2.5)", relative_error, -x * x / 12,
+        {std::pow(x, 4) / 80 + 1e-14, "the next term of the series, (hω)⁴/80"},
+        {{0, "The turn is exact: that is exercise 2.3. Here the notes' update is asked for, to compare."},
+         {2 * std::atan(x) / x - 1, "It turns twice as far: is the ½ of Eq. (2.3) in?"}},
+        "The tangent of length hω/2 to the unit circle spans an angle of atan(hω/2).");
+  }
+}
+
+EXERCISE_TEST(UpdateFirstOrder, TurnsTooSlowlyByOrderTwo) {
+  const Step s;
+  const double time = 1;
+  const auto error = [&](double h) {
+    Quat q = s.q;
+    const int steps = static_cast<int>(std::lround(time / h));
+    for (int n = 0; n < steps; ++n) q = update_first_order(q, s.omega, h);
+    return std::abs(angle_about(s.axis, turn_about(s.axis, s.speed * time) * s.q, q));
+  };
+  expect_order(
+      "constant ω, error of the angle after 1 s [rad]", "Eq. (2.5)", error, 0.1, 3, 2, 0.1,
+      "With ω constant, the angle is off by (hω)²/12 of itself: order 2. Order 0 is another speed altogether.");
+}
+
+EXERCISE_TEST(UpdateFirstOrder, LeavesABodyAtRestAlone) {
+  const Step s;
+  expect_same_rotation("q of a body with ω = 0 (w, x, y, z)", "Eq. (2.4)",
+                       update_first_order(s.q, Vec3::Zero(), s.h), s.q, roundings(4), {},
+                       "With ω = 0, Eq. (2.4) is q itself.");
+}
+
+EXERCISE_TEST(UpdateFirstOrder, BackwardsUndoesForwards) {
+  const Step s;
+  const Quat there = update_first_order(s.q, s.omega, s.h);
+  expect_same_rotation("q after an update of h and one of -h (w, x, y, z)", "Eq. (2.4)",
+                       update_first_order(there, s.omega, -s.h), s.q, roundings(32), {},
+                       "The atan in Eq. (2.5) is odd: a step of -h turns back by the same angle.");
+}
+
+}  // namespace

@@ -1,0 +1,148 @@
+// The collision matrix: how easily two contact points move apart.
+#include <Eigen/Eigenvalues>
+
+#include "03_single_contact/single_contact.hpp"
+#include "bodies.hpp"
+#include "exercise_test.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(CollisionMatrix, "3.3 collision_matrix");
+
+Mat3 K_of(const RandomPair& pair) {
+  return collision_matrix(pair.i.inverse_mass, pair.contact.r_i, pair.j.inverse_mass, pair.contact.r_j);
+}
+
+Mat3 cross_matrix(const Vec3& r) {
+  Mat3 result;
+  for (int k = 0; k < 3; ++k) result.col(k) = r.cross(Vec3::Unit(k));
+  return result;
+}
+
+// What an impulse J at r does to the velocity of the point at r: the share of one body in K J.
+Vec3 point_kick(const InverseMass<6>& body, const Vec3& r, const Vec3& J) {
+  const Vec3 dv = body.linear * J, domega = body.angular * r.cross(J);
+  return dv + domega.cross(r);
+}
+
+EXERCISE_TEST(CollisionMatrix, TimesImpulseIsTheChangeOfRelativeVelocity) {
+  Random random;
+  const RandomPair pair(random);
+  const Vec3 J = random.vector(2);
+  const InverseMass<6>&i = pair.i.inverse_mass, &j = pair.j.inverse_mass;
+  const Vec3 &r_i = pair.contact.r_i, &r_j = pair.contact.r_j;
+  const Vec3 got = K_of(pair) * J;
+
+  const Vec3 from_i = point_kick(i, r_i, J), from_j = point_kick(j, r_j, J);  // -(-J) on i: both add up
+  const Vec3 linear = (i.linear + j.linear) * J, angular = from_i + from_j - linear;
+  const Mat3 Ri = cross_matrix(r_i), Rj = cross_matrix(r_j);
+  const Mat3 Ai = i.angular, Aj = j.angular;
+  const Mat3 diagonal_i = Ai.diagonal().asDiagonal(), diagonal_j = Aj.diagonal().asDiagonal();
+  expect_near_vector(
+      "K J, change of the relative contact velocity [m/s]", "Eq. (3.8)", got, Vec3(from_i + from_j),
+      roundings(64, pair.size() * J.norm()),
+      {{from_j, "Only body j gives way here. Body i has a share of its own, of the same form."},
+       {from_i, "Only body i gives way here. Body j has a share of its own, of the same form."},
+       {from_j - from_i,
+        "The shares of the two bodies add up: the impulse on i is -J, and i counts with a minus."},
+       {linear, "The rotation is missing: both bodies also turn when they are hit beside the centre."},
+       {linear - angular,
+        "The sign of the rotation: K = (1/m_i + 1/m_j) 1 - [r] I⁻¹ [r] …, with a minus, as [r][r] is "
+        "negative."},
+       {angular, "The linear share, (1/m_i + 1/m_j) 1, is missing."},
+       {(1 / i.linear + 1 / j.linear) * J + angular,
+        "K is an inverse mass: InverseMass::linear is 1/m already."},
+       {linear / (i.linear + j.linear) / (1 / i.linear + 1 / j.linear) + angular,
+        "The inverse masses add up, 1/m_i + 1/m_j. This is 1/(m_i + m_j)."},
+       {point_kick(i, r_j, J) + point_kick(j, r_i, J),
+        "r_i and r_j are swapped: each belongs to its own body."},
+       {point_kick(i, r_j, J) + from_j, "This used r_j for both bodies."},
+       {from_i + point_kick(j, r_i, J), "This used r_i for both bodies."},
+       {linear - (Ri * diagonal_i * Ri + Rj * diagonal_j * Rj) * J,
+        "This used the diagonal of I⁻¹ alone. In world coordinates the other six numbers count, too."},
+       {linear - (Ri * Ri * Ai + Rj * Rj * Aj) * J,
+        "The order matters: [r] I⁻¹ [r], read from the right: torque, then ω, then velocity of the point."},
+       {linear - (Ai * Ri * Ri + Aj * Rj * Rj) * J,
+        "The order matters: [r] I⁻¹ [r], read from the right: torque, then ω, then velocity of the point."},
+       {linear - (Ri * Ai.inverse() * Ri + Rj * Aj.inverse() * Rj) * J,
+        "InverseMass::angular is I⁻¹ already: do not invert it."}},
+      "J turns a body by I⁻¹ (r × J), and its contact point then moves by ω × r.");
+}
+
+EXERCISE_TEST(CollisionMatrix, OfASphereOnAPlane) {
+  // I = 2/5 m R². Through the centre only 1/m counts. Along the plane the sphere also turns: 1/m + R²/I = 7/(2m).
+  const double m = 3, R = 0.5, moment = 0.4 * m * R * R;
+  const InverseMass<6> plane, sphere{1 / m, Mat3::Identity() / moment};
+  const Mat3 K = collision_matrix(plane, Vec3(2, 1, 0), sphere, Vec3(0, 0, -R));
+  const Mat3 expected = Vec3(7 / (2 * m), 7 / (2 * m), 1 / m).asDiagonal();
+  expect_near_vector(
+      "K of a sphere of 3 kg on a fixed plane, column by column [1/kg]", "Eq. (3.8)", K, expected,
+      roundings(16, 2),
+      {{Mat3::Identity() / m, "The share of the rotation is missing: pushed at its rim, a sphere also turns."},
+       {Vec3(-1.5 / m, -1.5 / m, 1 / m).asDiagonal(),
+        "The rotation makes the point easier to move, not harder: [r] I⁻¹ [r] is negative, and so is its sign "
+        "in K."},
+       {Mat3::Zero(), "This is the share of body i alone. Both bodies give way."},
+       {-expected, "K is the sum of both shares: the sphere's has a minus here."},
+       {Mat3::Identity() * (3.5 / m),
+        "The rotation counts across r only: the middle matters, not |r|² alone."}},
+      "1/m through the centre, 7/(2m) along the plane.");
+}
+
+EXERCISE_TEST(CollisionMatrix, OfAFixedBodyAndAnotherIsTheOthersShare) {
+  Random random;
+  const RandomPair pair(random);
+  const InverseMass<6> fixed, &free = pair.j.inverse_mass;
+  const Vec3 far(1e6, -2e6, 3e6), r = pair.contact.r_j;
+  Mat3 share;
+  for (int k = 0; k < 3; ++k) share.col(k) = point_kick(free, r, Vec3::Unit(k));
+  const std::string missing = "The share of the free body is missing.";
+  const std::string rule =
+      "All zero is a body that nothing moves: it adds nothing. Multiply; never divide by 0.";
+  expect_near_vector("K when body i is fixed, column by column [1/kg]", "Eq. (3.8)",
+                     collision_matrix(fixed, far, free, r), share, roundings(64, pair.size()),
+                     {{Mat3::Zero(), missing}}, rule);
+  expect_near_vector("K when body j is fixed, column by column [1/kg]", "Eq. (3.8)",
+                     collision_matrix(free, r, fixed, far), share, roundings(64, pair.size()),
+                     {{Mat3::Zero(), missing}}, rule);
+}
+
+EXERCISE_TEST(CollisionMatrix, IsSymmetricAndPositiveDefinite) {
+  Random random;
+  for (int trial = 0; trial < 50 && !::testing::Test::HasFailure(); ++trial) {
+    const RandomPair pair(random);
+    const Mat3 K = K_of(pair);
+    const Mat3 skew = K - K.transpose();
+    expect_near("|K - Kᵀ| [1/kg]", "Eq. (3.8)", skew.norm(), 0, roundings(64, pair.size()), {},
+                "K is symmetric: the transpose of [r] I⁻¹ [r] is itself. [r] and I⁻¹ may not change places.");
+    const double smallest = Eigen::SelfAdjointEigenSolver<Mat3>(K).eigenvalues().minCoeff();
+    expect_at_least(
+        "smallest eigenvalue of K [1/kg]", "Eq. (3.8)", smallest,
+        1 / pair.i.mass + 1 / pair.j.mass - roundings(64, pair.size()).value,
+        "1/m_i + 1/m_j, less 64 roundings: turning can only make a point easier to move",
+        "[r] is antisymmetric, so [r] I⁻¹ [r] is negative or zero in every direction: subtract it.");
+  }
+}
+
+EXERCISE_TEST(CollisionMatrix, AlongTheNormalIsTheMassThatTheRowSees) {
+  Random random;
+  for (int trial = 0; trial < 50 && !::testing::Test::HasFailure(); ++trial) {
+    const RandomPair pair(random);
+    const Vec3& n = pair.contact.n;
+    const double nKn = n.dot(K_of(pair) * n);
+    const auto [Gi, Gj] = contact_jacobian(pair.contact);
+    const double from_i = Gi.dot(pair.i.inverse_mass.times(Gi)), from_j = Gj.dot(pair.j.inverse_mass.times(Gj));
+    const double linear = 1 / pair.i.mass + 1 / pair.j.mass;
+    expect_near("n·Kn against G M⁻¹ Gᵀ [1/kg]", "Eq. (3.9)", nKn, from_i + from_j, roundings(64, pair.size()),
+                {{from_i, "The share of body j is missing."},
+                 {from_j, "The share of body i is missing."},
+                 {linear, "The rotation is missing."},
+                 {2 * linear - from_i - from_j, "The sign of the rotation: it makes n·Kn larger."}},
+                "With G of Eq. (3.3), G M⁻¹ Gᵀ is n·Kn.");
+  }
+}
+
+}  // namespace

@@ -1,0 +1,116 @@
+// One impulse: the SPOOK equation of a single row, and the projection.
+#include "03_single_contact/single_contact.hpp"
+#include "exercise_test.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(ContactImpulse, "3.4 contact_impulse");
+
+EXERCISE_TEST(ContactImpulse, SolvesOneRowByHand) {
+  const Spook spook{.a = 4, .b = 0.5, .Sigma = 0.25};
+  const double nKn = 1.75, gap = -0.05, velocity = -0.9, force = -0.35;
+  // B = 4·0.05 + 0.5·0.9 + 0.35 = 0.2 + 0.45 + 0.35 = 1, over 1.75 + 0.25 = 2.
+  expect_near(
+      "λ [N s] for a = 4, b = 0.5, Σ = 0.25, n·Kn = 1.75, gap = -0.05, G W = -0.9, h G M⁻¹ f = -0.35",
+      "Eq. (3.10)", contact_impulse(spook, nKn, gap, velocity, force), 0.5, roundings(8),
+      {{0.6 / 2,
+        "The sign of the gap: it is negative when penetrating, and -a g then pushes. With +a g it attracts."},
+       {0.1 / 2, "The sign of b G W: an approaching contact (G W < 0) needs a larger push."},
+       {0.3 / 2, "The sign of the force term: forces that press the bodies together need a larger push."},
+       {0.8 / 2, "The gap is missing on the right side."},
+       {0.55 / 2, "The velocity G W is missing on the right side."},
+       {0.65 / 2, "The force term h G M⁻¹ f is missing: the contact would learn of the weight one step late."},
+       {1.45 / 2, "The whole velocity has been taken: b G W, not G W."},
+       {0.825 / 2, "b weighs the old velocity only: the force term has no factor."},
+       {1 / 1.75, "Σ is missing: divide by n·Kn + Σ."},
+       {1 / 1.5, "The sign of Σ: divide by n·Kn + Σ."},
+       {1 / 0.25, "n·Kn is missing: divide by n·Kn + Σ."},
+       {1 / (1 / 1.75 + 0.25), "This took n·Kn for a mass. It is an inverse mass: divide by n·Kn + Σ."},
+       {2, "This multiplied by n·Kn + Σ. It is an inverse mass: divide by it."},
+       {1, "This is the right side alone, in m/s. Divide by n·Kn + Σ."},
+       {0, "The right side is positive here, so the contact must push: look at its three signs."}},
+      "(n·Kn + Σ) λ = -a g - b G W - h G M⁻¹ f.");
+}
+
+struct Case {
+  Spook spook;
+  double nKn, gap, velocity, force;
+
+  explicit Case(Random& random)
+      : spook(spook_parameters(random.log_uniform(0.002, 0.03), random.log_uniform(1e3, 1e9),
+                               random.uniform(0, 8))),
+        nKn(random.log_uniform(0.01, 100)),
+        gap(random.uniform(-0.01, 0.01)),
+        velocity(random.uniform(-1, 1)),
+        force(random.uniform(-0.3, 0.3)) {}
+
+  double right_side() const { return -spook.a * gap - spook.b * velocity - force; }
+  double size() const { return spook.a * std::abs(gap) + spook.b * std::abs(velocity) + std::abs(force); }
+  std::string text() const {
+    return "gap = " + show(gap) + " m, G W = " + show(velocity) + " m/s, h G M⁻¹ f = " + show(force) +
+           " m/s, right side " + show(right_side()) + " m/s";
+  }
+};
+
+EXERCISE_TEST(ContactImpulse, NeverPulls) {
+  Random random;
+  for (int trial = 0; trial < 500 && !::testing::Test::HasFailure(); ++trial) {
+    const Case c(random);
+    const double lambda = contact_impulse(c.spook, c.nKn, c.gap, c.velocity, c.force);
+    const double unprojected = c.right_side() / (c.nKn + c.spook.Sigma);
+    expect_at_least("λ [N s] for " + c.text(), "Eq. (3.11)", lambda, 0, "a contact pushes or does nothing",
+                    "Without the projection a contact is sticky: it pulls at what wants to leave.");
+    if (unprojected < 0)
+      expect_near(
+          "λ [N s] of a contact that lets go, for " + c.text(), "Eq. (3.11)", lambda, 0, {0, "exact"},
+          {{-unprojected,
+            "This is |λ|: a contact that should let go kicks its bodies apart. Take the larger of λ and 0."}},
+          "Where the equation wants λ < 0, the contact lets go: λ = 0.");
+  }
+}
+
+EXERCISE_TEST(ContactImpulse, SolvesTheRowWheneverItPushes) {
+  Random random;
+  for (int trial = 0; trial < 500 && !::testing::Test::HasFailure(); ++trial) {
+    const Case c(random);
+    const double S = c.nKn + c.spook.Sigma;
+    const double lambda = contact_impulse(c.spook, c.nKn, c.gap, c.velocity, c.force);
+    if (c.right_side() <= 0) continue;
+    const std::string let_go =
+        c.gap <= 0 && c.velocity <= 0
+            ? "A penetrating contact that closes must push."
+            : "An open gap may close within this step, and a deep contact that opens slowly "
+              "still needs a push. The sign of λ decides, not that of the gap or of G W.";
+    expect_near("λ [N s] for " + c.text(), "Eq. (3.7), (3.10)", lambda, c.right_side() / S,
+                roundings(16, c.size() / S), {{0, let_go}},
+                "(n·Kn + Σ) λ = -a g - b G W - h G M⁻¹ f whenever that λ is positive.");
+  }
+}
+
+// Bodies that just touch: G W' = (1 - σ b) G W, σ = S/(S + Σ). They end up slower, and are not thrown back.
+EXERCISE_TEST(ContactImpulse, SlowsBodiesThatMeet) {
+  Random random;
+  for (int trial = 0; trial < 50 && !::testing::Test::HasFailure(); ++trial) {
+    const double S = random.log_uniform(0.01, 100), velocity = random.uniform(-5, -0.1);
+    const Spook spook = spook_parameters(0.01, random.log_uniform(1e3, 1e9), random.uniform(0, 8));
+    const double lambda = contact_impulse(spook, S, 0, velocity, 0);
+    const double after = velocity + S * lambda;  // G times Eq. (3.12)
+    const double sigma = S / (S + spook.Sigma);
+    expect_near("G W after two bodies have met at " + show(velocity) + " m/s, gap 0 [m/s]",
+                "Eq. (3.10), (3.12)", after, (1 - sigma * spook.b) * velocity, roundings(16, velocity),
+                {{velocity, "The contact did nothing."},
+                 {(1 + sigma * spook.b) * velocity, "The contact pulled: the sign of b G W."},
+                 {(1 - spook.b) * velocity, "Σ is missing: divide by n·Kn + Σ."},
+                 {(1 - sigma) * velocity, "b is missing: b G W, not G W."}},
+                "What is left of the velocity is 1 - σ b of it.");
+    // The change of kinetic energy is λ times the mean of G W before and after.
+    expect_at_most("energy gained by the bodies as they meet [J]", "Eq. (3.12)",
+                   lambda * (velocity + after) / 2, 0, "a contact that is not squeezed holds no energy to give",
+                   "They were thrown back faster than they came.");
+  }
+}
+
+}  // namespace

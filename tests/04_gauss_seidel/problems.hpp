@@ -1,0 +1,115 @@
+#pragma once
+// Systems of rows with known solutions, for the tests of chapter 04.
+#include <Eigen/Dense>
+#include <vector>
+
+#include "04_gauss_seidel/gauss_seidel.hpp"
+#include "random_input.hpp"
+
+namespace spook::testing {
+
+/// Bodies, rows, and the velocity changes that belong to the rows' λ.
+template <int Dof>
+struct Problem {
+  Motion<Dof> motion;
+  std::vector<Row<Dof>> rows;
+  std::vector<Twist<Dof>> V;
+};
+
+inline InverseMass<6> random_body(Random& random) {
+  const Vec3 inverse_moments(random.uniform(0.2, 2), random.uniform(0.2, 2), random.uniform(0.2, 2));
+  const Mat3 R = random.rotation().toRotationMatrix();
+  return {.linear = 1 / random.uniform(0.5, 3), .angular = R * inverse_moments.asDiagonal() * R.transpose()};
+}
+
+/// Rigid bodies that nothing holds, all moving.
+inline Motion<6> random_motion(Random& random, int bodies) {
+  Motion<6> motion;
+  for (int k = 0; k < bodies; ++k) {
+    motion.inverse_mass.push_back(random_body(random));
+    motion.W.push_back((Twist<6>() << random.vector(), random.vector()).finished());
+    motion.Wf.push_back((Twist<6>() << random.vector(0.3), random.vector(0.3)).finished());
+  }
+  return motion;
+}
+
+/// A contact, anywhere, between two different bodies.
+inline Constraint<6> random_constraint(Random& random, int bodies) {
+  const int i = random.integer(0, bodies - 1);
+  const int j = (i + random.integer(1, bodies - 1)) % bodies;
+  const ContactJacobian G = contact_jacobian(
+      {.i = i, .j = j, .n = random.unit_vector(), .gap = 0, .r_i = random.vector(), .r_j = random.vector()});
+  const Spook spook{
+      .a = random.uniform(1, 10), .b = random.uniform(0.5, 1), .Sigma = random.uniform(0.05, 0.2)};
+  return {.i = i, .j = j, .Gi = G.Gi, .Gj = G.Gj, .gap = random.uniform(-0.1, 0.1), .spook = spook};
+}
+
+inline Problem<6> random_problem(Random& random, int bodies, int rows) {
+  Problem<6> p{.motion = random_motion(random, bodies), .rows = {}, .V = {}};
+  for (int k = 0; k < rows; ++k) p.rows.push_back(make_row(random_constraint(random, bodies), p.motion));
+  p.V.assign(static_cast<std::size_t>(bodies), Twist<6>::Zero());
+  return p;
+}
+
+/// Point masses on a floor, one on the other, at rest under gravity; from the bottom up. The exact λ of row k is
+/// h g times the mass above the contact, with Σ = 0 and a = 0.
+inline Problem<3> stack(const std::vector<double>& masses, double h, double Sigma = 0, double g = 9.81) {
+  Problem<3> p;
+  const Twist<3> up(0, 0, 1);
+  p.motion.inverse_mass.push_back({.linear = 0});  // the floor
+  p.motion.Wf.push_back(Twist<3>::Zero());
+  for (const double mass : masses) {
+    p.motion.inverse_mass.push_back({.linear = 1 / mass});
+    p.motion.Wf.push_back(-h * g * up);
+  }
+  p.motion.W.assign(masses.size() + 1, Twist<3>::Zero());
+  p.V = p.motion.W;
+  for (int k = 0; k < static_cast<int>(masses.size()); ++k)
+    p.rows.push_back(make_row<3>(
+        {.i = k, .j = k + 1, .Gi = -up, .Gj = up, .gap = 0, .spook = {.a = 0, .b = 1, .Sigma = Sigma}},
+        p.motion));
+  return p;
+}
+
+/// S = G M⁻¹ Gᵀ + Σ as a dense matrix, which the solver itself never forms.
+template <int Dof>
+Eigen::MatrixXd dense_S(const std::vector<Row<Dof>>& rows) {
+  const auto n = static_cast<Eigen::Index>(rows.size());
+  Eigen::MatrixXd S = Eigen::MatrixXd::Zero(n, n);
+  for (Eigen::Index k = 0; k < n; ++k)
+    for (Eigen::Index l = 0; l < n; ++l) {
+      const Row<Dof>&a = rows[static_cast<std::size_t>(k)], &b = rows[static_cast<std::size_t>(l)];
+      if (a.i == b.i) S(k, l) += a.Gi.dot(b.MinvGi);
+      if (a.i == b.j) S(k, l) += a.Gi.dot(b.MinvGj);
+      if (a.j == b.i) S(k, l) += a.Gj.dot(b.MinvGi);
+      if (a.j == b.j) S(k, l) += a.Gj.dot(b.MinvGj);
+      if (k == l) S(k, l) += a.Sigma;
+    }
+  return S;
+}
+
+template <int Dof, class Member>
+Eigen::VectorXd gathered(const std::vector<Row<Dof>>& rows, Member member) {
+  Eigen::VectorXd values(static_cast<Eigen::Index>(rows.size()));
+  for (std::size_t k = 0; k < rows.size(); ++k) values[static_cast<Eigen::Index>(k)] = rows[k].*member;
+  return values;
+}
+
+/// The one λ with lo <= λ <= hi that solves S λ = B where no bound holds it: tries every set of rows at their lower
+/// bound, at their upper bound, and free. For up to 8 rows.
+Eigen::VectorXd enumerate_solution(const Eigen::MatrixXd& S, const Eigen::VectorXd& B,
+                                   const Eigen::VectorXd& lo, const Eigen::VectorXd& hi);
+
+/// Sets λ in the rows, and the V that belongs to it.
+template <int Dof>
+void set_lambda(Problem<Dof>& p, const Eigen::VectorXd& lambda) {
+  for (auto& V : p.V) V.setZero();
+  for (std::size_t k = 0; k < p.rows.size(); ++k) {
+    Row<Dof>& row = p.rows[k];
+    row.lambda = lambda[static_cast<Eigen::Index>(k)];
+    p.V[static_cast<std::size_t>(row.i)] += row.lambda * row.MinvGi;
+    p.V[static_cast<std::size_t>(row.j)] += row.lambda * row.MinvGj;
+  }
+}
+
+}  // namespace spook::testing

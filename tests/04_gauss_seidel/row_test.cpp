@@ -1,0 +1,136 @@
+// What a row holds before the sweeps, and what an impulse along it does.
+#include "exercise_test.hpp"
+#include "problems.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(MakeRow, "4.1 make_row");
+EXERCISE(ApplyImpulse, "4.2 apply_impulse");
+
+struct TwoBodies {
+  Random random;
+  Motion<6> motion = random_motion(random, 2);
+  Constraint<6> c = random_constraint(random, 2);
+  Twist<6> MinvGi = at(motion.inverse_mass, c.i).times(c.Gi);
+  Twist<6> MinvGj = at(motion.inverse_mass, c.j).times(c.Gj);
+
+  template <class T>
+  static const T& at(const std::vector<T>& values, int index) {
+    return values[static_cast<std::size_t>(index)];
+  }
+  double along(const std::vector<Twist<6>>& W) const { return c.Gi.dot(at(W, c.i)) + c.Gj.dot(at(W, c.j)); }
+};
+
+EXERCISE_TEST(MakeRow, CountsBothBodiesAndSigmaInTheDiagonal) {
+  const TwoBodies t;
+  const double share_i = t.c.Gi.dot(t.MinvGi), share_j = t.c.Gj.dot(t.MinvGj), Sigma = t.c.spook.Sigma;
+  expect_near("S_kk of a contact between two rigid bodies [1/kg]", "Eq. (4.3)",
+              make_row(t.c, t.motion).diagonal, share_i + share_j + Sigma, roundings(32, 20),
+              {{share_i + Sigma, "This is body i's share alone. The impulse moves body j, too."},
+               {share_j + Sigma, "This is body j's share alone. The impulse moves body i, too."},
+               {share_i + share_j, "Σ is missing: S = G M⁻¹ Gᵀ + Σ."},
+               {t.c.Gi.dot(t.c.Gi) + t.c.Gj.dot(t.c.Gj) + Sigma, "The masses are missing: this is G·G + Σ."}});
+}
+
+EXERCISE_TEST(MakeRow, FillsTheRightSide) {
+  const TwoBodies t;
+  const double ag = t.c.spook.a * t.c.gap, GW = t.along(t.motion.W), GWf = t.along(t.motion.Wf);
+  const double b = t.c.spook.b;
+  expect_near(
+      "B of a contact between two rigid bodies [m/s]", "Eq. (4.4)", make_row(t.c, t.motion).B,
+      -ag - b * GW - GWf, roundings(32, 10),
+      {{ag - b * GW - GWf, "The sign of the gap: with +a g a penetrating contact pulls the bodies together."},
+       {-ag - GW - GWf, "b is missing in front of G W."},
+       {-ag - b * GW, "What the forces add in this step, G W_f, is missing."},
+       {-ag - b * (GW + GWf), "b belongs to the old velocity alone; G W_f counts in full."},
+       {-ag + b * GW + GWf, "The sign of the velocities: an approaching contact has G W < 0 and must push."},
+       {-b * GW - GWf, "The gap is missing: nothing would bring a violation back."}},
+      "B = -a g - b G W - G W_f, with the blocks Gi and Gj each on its own body.");
+}
+
+EXERCISE_TEST(MakeRow, DividesTheJacobianByTheMasses) {
+  const TwoBodies t;
+  const Row<6> row = make_row(t.c, t.motion);
+  const std::string copy =
+      "This is G itself: multiply it by the body's inverse mass, motion.inverse_mass[i].times(Gi).";
+  expect_near_vector("M⁻¹ Giᵀ", "Eq. (4.5)", row.MinvGi, t.MinvGi, roundings(16, 10), {{t.c.Gi, copy}});
+  expect_near_vector("M⁻¹ Gjᵀ", "Eq. (4.5)", row.MinvGj, t.MinvGj, roundings(16, 10), {{t.c.Gj, copy}});
+}
+
+EXERCISE_TEST(MakeRow, CarriesTheRestOver) {
+  TwoBodies t;
+  t.c.lo = -0.25;
+  t.c.hi = 0.75;
+  const Row<6> row = make_row(t.c, t.motion);
+  expect_true("the row has the constraint's bodies", "Eq. (4.3)", row.i == t.c.i && row.j == t.c.j,
+              "Copy i and j, in that order.");
+  expect_near_vector("Gi", "Eq. (4.3)", row.Gi, t.c.Gi, {0, "a copy"});
+  expect_near_vector("Gj", "Eq. (4.3)", row.Gj, t.c.Gj, {0, "a copy"});
+  expect_near("Σ [1/kg]", "Eq. (4.3)", row.Sigma, t.c.spook.Sigma, {0, "a copy"});
+  expect_near("lower bound of λ [N s]", "Eq. (4.1)", row.lo, -0.25, {0, "a copy"}, {},
+              "A contact has the bounds 0 and infinity, but other rows have others: copy them.");
+  expect_near("upper bound of λ [N s]", "Eq. (4.1)", row.hi, 0.75, {0, "a copy"}, {},
+              "A contact has the bounds 0 and infinity, but other rows have others: copy them.");
+  expect_near("λ before the first sweep [N s]", "Eq. (4.1)", row.lambda, 0, {0, "exact"});
+}
+
+EXERCISE_TEST(MakeRow, TakesPointMasses) {
+  const Problem<3> p = stack({2, 4}, 0.1, 0.125, 10);
+  expect_near("S_kk of a contact between 2 kg and 4 kg, Σ = 1/8 [1/kg]", "Eq. (4.3)", p.rows[1].diagonal,
+              0.5 + 0.25 + 0.125, roundings(8));
+  expect_near("B of the contact of 2 kg with the floor, h g = 1 m/s [m/s]", "Eq. (4.4)", p.rows[0].B, 1,
+              roundings(8), {}, "Gravity takes the body into the floor at h g; B asks for that much back.");
+}
+
+EXERCISE_TEST(ApplyImpulse, MovesBothBodies) {
+  const TwoBodies t;
+  const Row<6> row = make_row(t.c, t.motion);
+  const double delta = 0.7;
+  std::vector<Twist<6>> V(2, Twist<6>::Constant(0.5));
+  const std::vector<Twist<6>> before = V;
+  apply_impulse(row, delta, V);
+  const Twist<6> change_i = V[static_cast<std::size_t>(row.i)] - before[0];
+  const Twist<6> change_j = V[static_cast<std::size_t>(row.j)] - before[0];
+  const std::string masses = "The masses are missing: use MinvGi and MinvGj.";
+  const std::string sign = "The sign is in Gi and Gj already: both are added.";
+  const std::string idle = "This body has not moved. An impulse acts on both, Newton's third law.";
+  const std::string unscaled = "Δλ is missing: this is M⁻¹G alone.";
+  expect_near_vector("velocity change of body i", "Eq. (4.5)", change_i, delta * row.MinvGi, roundings(16, 10),
+                     {{delta * row.Gi, masses},
+                      {-delta * row.MinvGi, sign},
+                      {Twist<6>::Zero(), idle},
+                      {row.MinvGi, unscaled}});
+  expect_near_vector(
+      "velocity change of body j", "Eq. (4.5)", change_j, delta * row.MinvGj, roundings(16, 10),
+      {{delta * row.Gj, masses}, {-delta * row.MinvGj, sign}, {Twist<6>::Zero(), idle}, {row.MinvGj, unscaled}},
+      "What was there before must stay: add, do not assign.");
+}
+
+EXERCISE_TEST(ApplyImpulse, ConservesMomentum) {
+  Random random;
+  const Problem<6> p = random_problem(random, 4, 12);
+  std::vector<Twist<6>> V = p.V;
+  for (const Row<6>& row : p.rows) apply_impulse(row, random.uniform(-1, 1), V);
+  Vec3 momentum = Vec3::Zero();
+  for (std::size_t k = 0; k < V.size(); ++k) momentum += V[k].head<3>() / p.motion.inverse_mass[k].linear;
+  expect_near_vector(
+      "momentum that 12 impulses between 4 free bodies give them in all [kg m/s]", "Eq. (4.5)", momentum,
+      Vec3::Zero(), roundings(100, 5), {},
+      "What one body gains the other must lose: +Δλ n on j and -Δλ n on i, each over its own mass.");
+}
+
+EXERCISE_TEST(ApplyImpulse, LeavesTheOtherBodiesAndTheFloorAlone) {
+  const Problem<3> p = stack({1, 2, 3}, 0.1);
+  std::vector<Twist<3>> V = p.V;
+  apply_impulse(p.rows[0], 5.0, V);
+  expect_near("speed of 1 kg after an impulse of 5 N s from the floor [m/s]", "Eq. (4.5)", V[1].z(), 5,
+              roundings(8));
+  expect_near("speed of the floor, whose inverse mass is 0 [m/s]", "Eq. (4.5)", V[0].z(), 0, {0, "exact"});
+  expect_near("speed of a body that the row does not touch [m/s]", "Eq. (4.5)", V[2].norm() + V[3].norm(), 0,
+              {0, "exact"});
+}
+
+}  // namespace

@@ -1,0 +1,170 @@
+// Sweeps until it is good enough: against enumerated solutions, and counted.
+#include "exercise_test.hpp"
+#include "problems.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(Solve, "4.6 solve");
+
+// |λ - λ*| <= (1 + |S|)/μ times the residual, μ the smallest eigenvalue: the error bound of a complementarity problem.
+double condition(const Eigen::MatrixXd& S) {
+  const Eigen::VectorXd eigenvalues = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(S).eigenvalues();
+  return (1 + eigenvalues.maxCoeff()) / eigenvalues.minCoeff();
+}
+
+void compare_with_enumeration(Problem<6>& p, const std::string& what) {
+  const Eigen::MatrixXd S = dense_S(p.rows);
+  const Eigen::VectorXd B = gathered(p.rows, &Row<6>::B);
+  const Eigen::VectorXd lo = gathered(p.rows, &Row<6>::lo), hi = gathered(p.rows, &Row<6>::hi);
+  const double tolerance = 1e-13;
+  const SolveReport report = solve(p.rows, p.V, {.max_sweeps = 200000, .tolerance = tolerance});
+  expect_true("converged within 200000 sweeps", "Eq. (4.9)", report.converged);
+  const double n = static_cast<double>(p.rows.size());
+  expect_near_vector("λ of " + what + " [N s]", "Eq. (4.1)", gathered(p.rows, &Row<6>::lambda),
+                     enumerate_solution(S, B, lo, hi),
+                     {10 * n * condition(S) * (tolerance + 1e-14), "residual times condition of S"}, {},
+                     "Each set of bounds that could be active was tried; this is the one solution.");
+}
+
+EXERCISE_TEST(Solve, AgreesWithEveryEnumeratedContactProblem) {
+  Random random;
+  for (int rows = 1; rows <= 8; ++rows)
+    for (int repeat = 0; repeat < 5; ++repeat) {
+      Problem<6> p = random_problem(random, 2 + rows / 2, rows);
+      compare_with_enumeration(p, std::to_string(rows) + " contacts");
+    }
+}
+
+EXERCISE_TEST(Solve, AgreesWithEveryEnumeratedBoxProblem) {
+  Random random;
+  for (int rows = 1; rows <= 6; ++rows) {
+    Problem<6> p = random_problem(random, 2 + rows / 2, rows);
+    for (auto& row : p.rows) {
+      row.lo = -random.uniform(0, 0.2);
+      row.hi = random.uniform(0, 0.2);
+    }
+    compare_with_enumeration(p, std::to_string(rows) + " rows with two bounds");
+  }
+}
+
+double relative_error_after(int sweeps, double lower, double upper) {
+  Problem<3> p = stack({lower, upper}, 0.01);
+  solve(p.rows, p.V, {.max_sweeps = sweeps, .tolerance = 0});
+  const double exact = 0.01 * 9.81 * upper;
+  return std::abs(p.rows[1].lambda - exact) / exact;
+}
+
+EXERCISE_TEST(Solve, Needs13823SweepsFor1000To1) {
+  const double slack = 1e-6 * 1e-8;  // roundings of 13,823 sweeps, against a step of 1e-3 between two sweeps
+  expect_at_most("error of λ after 13,823 sweeps, 1 kg under 1000 kg", "Eq. (4.11)",
+                 relative_error_after(13823, 1, 1000), 1e-6 + slack, "ln(1e6)/ln(1.001) = 13,822.4 sweeps",
+                 "The error falls by 1/1.001 a sweep. Is V kept from one sweep to the next?");
+  expect_at_least("error of λ after 13,822 sweeps, 1 kg under 1000 kg", "Eq. (4.11)",
+                  relative_error_after(13822, 1, 1000), 1e-6 - slack, "one sweep fewer is not enough",
+                  "Faster than Gauss-Seidel can be: has a sweep been made that was not counted?");
+}
+
+EXERCISE_TEST(Solve, Needs2SweepsWithTheHeavyBodyBelow) {
+  expect_at_most("error of λ after 2 sweeps, 1000 kg under 1 kg", "Eq. (4.11)",
+                 relative_error_after(2, 1000, 1), 1e-6, "(1/1001)² < 1e-6");
+  expect_at_least("error of λ after 1 sweep, 1000 kg under 1 kg", "Eq. (4.11)",
+                  relative_error_after(1, 1000, 1), 9e-4, "1/1001: one sweep is not enough",
+                  "max_sweeps = 1 must make one sweep.");
+}
+
+EXERCISE_TEST(Solve, CarriesATower) {
+  const int n = 10;
+  const double h = 0.01, m = 2, g = 9.81;
+  Problem<3> p = stack(std::vector<double>(n, m), h);
+  const SolveReport report = solve(p.rows, p.V, {.max_sweeps = 100000, .tolerance = 1e-14});
+  expect_true("the tower has converged", "Eq. (4.9)", report.converged);
+  for (int k = 0; k < n; ++k)
+    expect_near("λ under body " + std::to_string(k + 1) + " of 10 [N s]", "Eq. (4.1)",
+                p.rows[static_cast<std::size_t>(k)].lambda, h * g * m * (n - k),
+                {1e-10, "tolerance 1e-14 times the condition, about 4 n²/π² times the mass, and n rows"}, {},
+                "It carries itself and all bodies above it.");
+}
+
+EXERCISE_TEST(Solve, ConservesMomentum) {
+  Random random;
+  Problem<6> p = random_problem(random, 5, 12);
+  solve(p.rows, p.V, {.max_sweeps = 100, .tolerance = 0});
+  Vec3 momentum = Vec3::Zero();
+  for (std::size_t k = 0; k < p.V.size(); ++k) momentum += p.V[k].head<3>() / p.motion.inverse_mass[k].linear;
+  expect_near_vector("momentum that 100 sweeps of 12 contacts give 5 free bodies in all [kg m/s]", "Eq. (4.5)",
+                     momentum, Vec3::Zero(), roundings(100 * 12 * 4, 5), {},
+                     "Converged or not, every impulse acts on two bodies.");
+}
+
+EXERCISE_TEST(Solve, LetsASeparatingContactGo) {
+  Random random;
+  for (int repeat = 0; repeat < 50; ++repeat) {
+    Problem<6> p = random_problem(random, 4, 8);
+    solve(p.rows, p.V, {.max_sweeps = 30, .tolerance = 0});
+    for (const auto& row : p.rows)
+      expect_at_least("λ of a contact [N s]", "Eq. (4.1)", row.lambda, 0, "contacts never pull");
+  }
+  Problem<3> p = stack({1, 1}, 0.01);
+  p.rows[1].B = -1;  // the upper body is thrown up
+  solve(p.rows, p.V, {.max_sweeps = 100, .tolerance = 1e-14});
+  expect_near("λ under a body that leaves [N s]", "Eq. (4.1)", p.rows[1].lambda, 0, {0, "exact"});
+  expect_near("λ under the one that stays [N s]", "Eq. (4.1)", p.rows[0].lambda, 0.01 * 9.81, roundings(16));
+}
+
+EXERCISE_TEST(Solve, StopsAtTheFirstSweepThatIsGoodEnough) {
+  Problem<3> p = stack({1, 10}, 0.1);
+  const SolveReport report = solve(p.rows, p.V, {.max_sweeps = 1000, .tolerance = 1e-6});
+  const std::size_t n = report.history.size();
+  expect_true("it converged", "Eq. (4.9)", report.converged && n > 2 && n < 1000);
+  if (n < 2) return;
+  expect_at_most("what the last sweep returned [m/s]", "Eq. (4.9)", report.history[n - 1], 1e-6,
+                 "the tolerance");
+  expect_at_least("what the sweep before it returned [m/s]", "Eq. (4.9)", report.history[n - 2], 1e-6,
+                  "not good enough", "It could have stopped earlier.");
+  for (std::size_t k = 2; k < n; ++k)
+    expect_near("ratio of what two sweeps returned", "Eq. (4.10)", report.history[k] / report.history[k - 1],
+                1 / 1.1, {1e-6, "1e-14 roundings over changes above 1e-7"}, {},
+                "The history holds what each sweep returned, in order.");
+}
+
+EXERCISE_TEST(Solve, StopsAtMaxSweeps) {
+  Problem<3> p = stack({1, 1000}, 0.1);
+  const SolveReport report = solve(p.rows, p.V, {.max_sweeps = 7, .tolerance = 1e-12});
+  expect_near("sweeps made, of at most 7", "Eq. (4.9)", static_cast<double>(report.history.size()), 7,
+              {0, "a count"});
+  expect_true("a solve that ran out of sweeps says so", "Eq. (4.9)", !report.converged,
+              "`converged` is whether the last sweep was at or below the tolerance.");
+}
+
+EXERCISE_TEST(Solve, GoesOnWhereItStopped) {
+  Problem<3> p = stack({1, 10, 3}, 0.1), once = p;
+  solve(once.rows, once.V, {.max_sweeps = 20, .tolerance = 0});
+  solve(p.rows, p.V, {.max_sweeps = 8, .tolerance = 0});
+  solve(p.rows, p.V, {.max_sweeps = 12, .tolerance = 0});
+  expect_near_vector("λ after 8 and 12 sweeps, against 20 at once [N s]", "Eq. (4.2)",
+                     gathered(p.rows, &Row<3>::lambda), gathered(once.rows, &Row<3>::lambda), roundings(20, 10),
+                     {}, "λ and V on entry are a warm start: neither is set to zero.");
+}
+
+EXERCISE_TEST(Solve, OfNothingIsDone) {
+  std::vector<Row<6>> none;
+  std::vector<Twist<6>> V;
+  const SolveReport report = solve(none, V, {});
+  expect_true("no rows: converged, without a sweep", "Eq. (4.9)", report.converged && report.history.empty());
+}
+
+EXERCISE_TEST(Solve, RejectsARuleThatCannotBeMet) {
+  Problem<3> p = stack({1}, 0.1);
+  solve(p.rows, p.V, {.max_sweeps = 1, .tolerance = 0});
+  for (const int sweeps : {0, -5})
+    expect_rejects("max_sweeps = " + std::to_string(sweeps), "max_sweeps",
+                   [&] { solve(p.rows, p.V, {.max_sweeps = sweeps, .tolerance = 0}); });
+  for (const double tolerance : {-1e-9, std::nan(""), HUGE_VAL})
+    expect_rejects("tolerance = " + show(tolerance), "tolerance",
+                   [&] { solve(p.rows, p.V, {.max_sweeps = 5, .tolerance = tolerance}); });
+}
+
+}  // namespace

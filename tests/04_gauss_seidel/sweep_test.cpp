@@ -1,0 +1,168 @@
+// All rows once, and how far they still are.
+#include "exercise_test.hpp"
+#include "problems.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(Sweep, "4.4 sweep");
+EXERCISE(Residual, "4.5 residual");
+
+Eigen::VectorXd swept(const Eigen::MatrixXd& S, const Eigen::VectorXd& B, Eigen::VectorXd lambda, bool fresh,
+                      bool backwards) {
+  const Eigen::VectorXd old = lambda;
+  for (Eigen::Index step = 0; step < B.size(); ++step) {
+    const Eigen::Index k = backwards ? B.size() - 1 - step : step;
+    lambda[k] = old[k] + (B[k] - S.row(k).dot(fresh ? lambda : old)) / S(k, k);
+  }
+  return lambda;
+}
+
+EXERCISE_TEST(Sweep, IsOneGaussSeidelIteration) {
+  Random random;
+  Problem<6> p = random_problem(random, 3, 6);
+  for (auto& row : p.rows) row.lo = -infinity;
+  const Eigen::MatrixXd S = dense_S(p.rows);
+  const Eigen::VectorXd B = gathered(p.rows, &Row<6>::B);
+  set_lambda(p, Eigen::VectorXd::Constant(6, 0.3));
+  const Eigen::VectorXd start = gathered(p.rows, &Row<6>::lambda);
+  sweep(p.rows, p.V);
+  expect_near_vector(
+      "λ of six coupled rows after one sweep [N s]", "Eq. (4.2)", gathered(p.rows, &Row<6>::lambda),
+      swept(S, B, start, true, false), roundings(1000, 10),
+      {{swept(S, B, start, false, false),
+        "This is Jacobi's iteration: each row saw what the others were before the sweep. Scatter every "
+        "update at once."},
+       {swept(S, B, start, true, true), "The rows were swept from the last to the first."},
+       {start, "No row has changed."},
+       {swept(S, B, swept(S, B, start, true, false), true, false), "These are two sweeps."},
+       {swept(S, B, swept(S, B, start, true, false), true, true), "This went over the rows there and back."}},
+      "Every row once, in order, by update_row.");
+}
+
+EXERCISE_TEST(Sweep, ContractsTheStackAtItsExactRate) {
+  for (const double Sigma : {0.0, 0.1})
+    for (const double ratio : {0.01, 1.0, 10.0, 100.0}) {
+      Problem<3> p = stack({1, ratio}, 0.1, Sigma);
+      const Eigen::VectorXd exact = dense_S(p.rows).ldlt().solve(gathered(p.rows, &Row<3>::B));
+      const double rho = 1 / ((1 + Sigma) * (1 + 1 / ratio + Sigma));
+      for (int n = 1; n <= 5; ++n) {
+        sweep(p.rows, p.V);
+        expect_near("error of the upper λ after sweep " + std::to_string(n) +
+                        ", over the one before the first; ratio " + show(ratio) + ", Σ = " + show(Sigma),
+                    "Eq. (4.10)", (exact[1] - p.rows[1].lambda) / exact[1], std::pow(rho, n),
+                    {1e-11,
+                     "1e5 roundings, "
+                     "S of ratio 100 being that much worse than its rows"},
+                    {{std::pow(rho, n / 2.0),
+                      "This is the rate of Jacobi's iteration, the square root of Gauss-Seidel's."}},
+                    "A light body under a heavy one: ρ = 1/((1+mΣ)(1+m/M+mΣ)) a sweep.");
+      }
+    }
+}
+
+EXERCISE_TEST(Sweep, ReturnsTheLargestLack) {
+  Random random;
+  Problem<6> p = random_problem(random, 4, 10);
+  const auto before = p.rows;
+  const double got = sweep(p.rows, p.V);
+  double largest = 0, without_diagonal = 0, last = 0, sum = 0;
+  for (std::size_t k = 0; k < before.size(); ++k) {
+    const double change = std::abs(p.rows[k].lambda - before[k].lambda);
+    last = change * before[k].diagonal;
+    largest = std::max(largest, last);
+    sum += last;
+    without_diagonal = std::max(without_diagonal, change);
+  }
+  expect_near("what a sweep of 10 rows returns [m/s]", "Eq. (4.9)", got, largest, roundings(64, 10),
+              {{without_diagonal,
+                "This is the largest |Δλ|, an impulse. Times S_kk it is a velocity, which can be compared "
+                "between rows."},
+               {last, "This is the last row's, not the largest."},
+               {sum, "This is the sum over the rows, not the largest."}},
+              "The largest S_kk |Δλ_k| of the sweep.");
+}
+
+EXERCISE_TEST(Sweep, CountsARowThatLetsGo) {
+  Problem<3> p = stack({1}, 0.1);
+  p.rows[0].lambda = 5;
+  p.V[1].z() = 5;
+  expect_near("what a sweep returns when λ falls from 5 N s to h m g = 0.981 N s, S_kk = 1/kg [m/s]",
+              "Eq. (4.9)", sweep(p.rows, p.V), 5 - 0.981, roundings(16, 5),
+              {{0, "A negative Δλ is a change, too: take |Δλ|."}});
+}
+
+EXERCISE_TEST(Sweep, OfNothingChangesNothing) {
+  std::vector<Row<3>> none;
+  std::vector<Twist<3>> V(3, Twist<3>::Ones());
+  expect_near("what a sweep of no rows returns [m/s]", "Eq. (4.9)", sweep(none, V), 0, {0, "exact"});
+}
+
+EXERCISE_TEST(Sweep, DoesNotHideANaN) {
+  Problem<3> p = stack({1, 1, 1}, 0.1);
+  p.rows[1].B = std::nan("");
+  p.rows[2].j = 0;  // ends on the floor: a row after the broken one that is sound itself, but for its neighbour
+  p.rows[2].i = 0;
+  expect_true("a sweep with a NaN in one row returns NaN", "Eq. (4.9)", std::isnan(sweep(p.rows, p.V)),
+              "std::max(largest, NaN) gives `largest`: the one number that should have warned you is dropped.");
+}
+
+EXERCISE_TEST(Residual, IsZeroAtTheSolution) {
+  Random random;
+  Problem<6> p = random_problem(random, 3, 7);
+  set_lambda(p, enumerate_solution(dense_S(p.rows), gathered(p.rows, &Row<6>::B), gathered(p.rows, &Row<6>::lo),
+                                   gathered(p.rows, &Row<6>::hi)));
+  double unprojected = 0;
+  for (const Row<6>& row : p.rows)
+    unprojected = std::max(unprojected,
+                           std::abs(row.B - row.Gi.dot(p.V[static_cast<std::size_t>(row.i)]) -
+                                    row.Gj.dot(p.V[static_cast<std::size_t>(row.j)]) - row.Sigma * row.lambda));
+  expect_near("residual at the exact solution of 7 contacts [m/s]", "Eq. (4.8)", residual(p.rows, p.V), 0,
+              roundings(3000, 10),
+              {{unprojected,
+                "This is the largest |r|, which counts contacts that rightly come apart. A row at its bound "
+                "with r pointing outwards is solved."}});
+}
+
+EXERCISE_TEST(Residual, IsWhatTheNextUpdateWouldChange) {
+  Random random;
+  Problem<6> p = random_problem(random, 4, 9);
+  sweep(p.rows, p.V);
+  double expected = 0, impulse = 0;
+  for (const Row<6>& row : p.rows) {
+    Row<6> next = row;
+    std::vector<Twist<6>> V = p.V;
+    const double change = std::abs(update_row(next, V));
+    expected = std::max(expected, row.diagonal * change);
+    impulse = std::max(impulse, change);
+  }
+  expect_near("residual of 9 contacts after one sweep [m/s]", "Eq. (4.8)", residual(p.rows, p.V), expected,
+              roundings(100, 10),
+              {{impulse, "This is the largest |Δλ|, an impulse. Times S_kk it is a velocity."}},
+              "Each row against the same V: nothing is scattered, and the largest counts.");
+}
+
+EXERCISE_TEST(Residual, SeesAPullAndALackAlike) {
+  Problem<3> p = stack({2}, 0.1, 0.125, 10);  // S_kk = 5/8, B = 1
+  const double exact = 1 / 0.625;
+  for (const double lambda : {0.0, exact / 2, 2 * exact}) {
+    set_lambda(p, Eigen::VectorXd::Constant(1, lambda));
+    const double expected = 0.625 * std::abs(lambda - exact);
+    expect_near("residual of one contact with λ = " + show(lambda) + " N s [m/s]", "Eq. (4.8)",
+                residual(p.rows, p.V), expected, roundings(16, 2),
+                {{std::abs(1 - 0.5 * lambda), "Σ λ is missing in r = B - G V - Σ λ."},
+                 {0, "Too much is as wrong as too little: take the absolute value."}});
+  }
+}
+
+EXERCISE_TEST(Residual, OfNothingIsZeroAndOfNaNIsNaN) {
+  Problem<3> p = stack({1, 1, 1}, 0.1);
+  expect_near("residual of no rows [m/s]", "Eq. (4.8)", residual<3>({}, p.V), 0, {0, "exact"});
+  p.rows[1].B = std::nan("");
+  expect_true("a NaN in one row makes the residual NaN", "Eq. (4.8)", std::isnan(residual(p.rows, p.V)),
+              "std::max(largest, NaN) gives `largest`: the one number that should have warned you is dropped.");
+}
+
+}  // namespace

@@ -1,0 +1,147 @@
+// One row brought up to date: solved, projected, scattered.
+#include "exercise_test.hpp"
+#include "problems.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(UpdateRow, "4.3 update_row");
+
+// A floor and one body, with numbers for a calculation by hand: S_kk = 1/m + Σ = 0.5, B as given.
+Row<3> by_hand(double B, double lambda) {
+  const Twist<3> up(0, 0, 1);
+  return {.i = 0,
+          .j = 1,
+          .Gi = -up,
+          .Gj = up,
+          .MinvGi = Twist<3>::Zero(),
+          .MinvGj = 0.25 * up,
+          .B = B,
+          .Sigma = 0.25,
+          .diagonal = 0.5,
+          .lo = 0,
+          .hi = infinity,
+          .lambda = lambda};
+}
+
+EXERCISE_TEST(UpdateRow, SolvesOneRowInOneUpdate) {
+  Row<3> row = by_hand(3, 0);
+  std::vector<Twist<3>> V(2, Twist<3>::Zero());
+  const double delta = update_row(row, V);
+  expect_near("λ = B/S_kk = 3/0.5, from zero [N s]", "Eq. (4.7)", row.lambda, 6, roundings(8, 6),
+              {{12, "This is B/(G M⁻¹ Gᵀ): Σ has been left out of the diagonal."},
+               {1.5, "This is B S_kk: divide by the diagonal."},
+               {0, "The row's λ has not been stored."},
+               {-6, "The sign: what the row lacks, r = B - G V - Σ λ, is made up by a positive Δλ."}});
+  expect_near("the returned change Δλ [N s]", "Eq. (4.7)", delta, 6, roundings(8, 6));
+  expect_near("velocity change of the body, Δλ/m = 6/4 [m/s]", "Eq. (4.5)", V[1].z(), 1.5, roundings(8, 6),
+              {{0, "Nothing was scattered: the next row will not know what this one did."}});
+}
+
+EXERCISE_TEST(UpdateRow, CountsSigmaLambdaAndTheVelocitySoFar) {
+  // λ = 2 so far, with its velocity 2/4 = 0.5 in V, and 0.25 m/s from another row.
+  Row<3> row = by_hand(3, 2);
+  std::vector<Twist<3>> V{Twist<3>::Zero(), Twist<3>(0, 0, 0.5 + 0.25)};
+  update_row(row, V);
+  // r = 3 - 0.75 - 0.25*2 = 1.75, Δλ = 3.5
+  expect_near("λ, from 2 N s and a body that moves already [N s]", "Eq. (4.6), (4.7)", row.lambda, 5.5,
+              roundings(16, 6),
+              {{2 + 2.25 / 0.5, "Σ λ is missing in what the row lacks: r = B - G V - Σ λ."},
+               {2 + 2.5 / 0.5, "G V is missing in what the row lacks: r = B - G V - Σ λ."},
+               {3.5, "This is Δλ alone: add it to the λ so far."},
+               {2 + 3 / 0.5, "This is λ + B/S_kk: B is what was lacking at the start, not now."},
+               {2 + 3.25 / 0.5, "The sign of G V: what the body moves already is no longer lacking."}});
+}
+
+EXERCISE_TEST(UpdateRow, GathersFromBothBodies) {
+  Random random;
+  Problem<6> p = random_problem(random, 2, 1);
+  Row<6>& row = p.rows[0];
+  row.B = 10;
+  row.lo = -infinity;
+  for (auto& V : p.V) V = (Twist<6>() << random.vector(), random.vector()).finished();
+  const auto Vi = p.V[static_cast<std::size_t>(row.i)], Vj = p.V[static_cast<std::size_t>(row.j)];
+  const double GiV = row.Gi.dot(Vi), GjV = row.Gj.dot(Vj);
+  update_row(row, p.V);
+  expect_near("λ of a row between two moving rigid bodies [N s]", "Eq. (4.6)", row.lambda,
+              (10 - GiV - GjV) / row.diagonal, roundings(64, 20),
+              {{(10 - GiV) / row.diagonal, "Body j's velocity has not been gathered."},
+               {(10 - GjV) / row.diagonal, "Body i's velocity has not been gathered."},
+               {(10 + GiV - GjV) / row.diagonal, "The sign of body i is in Gi already: Gi·V_i + Gj·V_j."},
+               {(10 - row.MinvGi.dot(Vi) - row.MinvGj.dot(Vj)) / row.diagonal,
+                "Gather with G, scatter with M⁻¹Gᵀ: the gather used M⁻¹G."}});
+}
+
+EXERCISE_TEST(UpdateRow, LeavesNothingLacking) {
+  Random random;
+  Problem<6> p = random_problem(random, 3, 6);
+  for (Row<6>& row : p.rows) {
+    row.lo = -infinity;
+    update_row(row, p.V);
+    const double lacks = row.B - row.Gi.dot(p.V[static_cast<std::size_t>(row.i)]) -
+                         row.Gj.dot(p.V[static_cast<std::size_t>(row.j)]) - row.Sigma * row.lambda;
+    expect_near(
+        "what a row without bounds lacks right after its update [m/s]", "Eq. (4.6)", lacks, 0,
+        roundings(200, 5), {},
+        "One update solves its own row exactly. If it does not, the change that was scattered is not the "
+        "change that was stored, or the diagonal is not the row's own.");
+  }
+}
+
+EXERCISE_TEST(UpdateRow, NeverPulls) {
+  Row<3> row = by_hand(-3, 0);
+  std::vector<Twist<3>> V(2, Twist<3>::Zero());
+  const double delta = update_row(row, V);
+  expect_near("λ of a contact that comes apart, B = -3 m/s [N s]", "Eq. (4.7)", row.lambda, 0, {0, "exact"},
+              {{-6, "A negative λ pulls. Project it: a contact's λ may not leave [lo, hi]."},
+               {6, "This is the absolute value: it kicks bodies that part. Project to 0 instead."}});
+  expect_near("the returned change Δλ [N s]", "Eq. (4.7)", delta, 0, {0, "exact"},
+              {{-6, "Return the change after projection, not before."}});
+  expect_near(
+      "velocity change of the body [m/s]", "Eq. (4.7)", V[1].z(), 0, {0, "exact"},
+      {{-1.5, "The unprojected change was scattered. Project first, then scatter what is left of it."}});
+}
+
+EXERCISE_TEST(UpdateRow, ImpulseMayShrinkAgain) {
+  // λ = 6 so far, but another row has lifted the body by 1 m/s: r = 3 - 2.5 - 1.5 = -1, Δλ = -2.
+  Row<3> row = by_hand(3, 6);
+  std::vector<Twist<3>> V{Twist<3>::Zero(), Twist<3>(0, 0, 1.5 + 1)};
+  const double delta = update_row(row, V);
+  expect_near("λ, when a contact needs less than it took [N s]", "Eq. (4.7)", row.lambda, 4, roundings(16, 6),
+              {{6, "The change was clamped instead of the impulse: Δλ may be negative, λ may not."},
+               {0, "λ was set to zero because Δλ is negative: only a negative λ is projected."}});
+  expect_near("the returned change Δλ [N s]", "Eq. (4.7)", delta, -2, roundings(16, 6),
+              {{2, "Return the change with its sign."}});
+}
+
+EXERCISE_TEST(UpdateRow, StopsAtZeroOnItsWayDown) {
+  // λ = 2 so far; r = 3 - 10.5 - 0.5 = -8 asks for Δλ = -16, but there are only 2 to give back.
+  Row<3> row = by_hand(3, 2);
+  std::vector<Twist<3>> V{Twist<3>::Zero(), Twist<3>(0, 0, 10.5)};
+  const double delta = update_row(row, V);
+  expect_near("λ, projected on its way down [N s]", "Eq. (4.7)", row.lambda, 0, {0, "exact"});
+  expect_near("the returned change Δλ [N s]", "Eq. (4.7)", delta, -2, roundings(8, 2),
+              {{-16, "Return, and scatter, the change after projection: λ_new - λ_old."},
+               {0, "λ fell from 2 to 0: that is a change of -2."}});
+  expect_near("velocity of the body [m/s]", "Eq. (4.7)", V[1].z(), 10.5 - 0.5, roundings(16, 10),
+              {{10.5 - 4, "The unprojected change was scattered: project first."}});
+}
+
+EXERCISE_TEST(UpdateRow, KeepsBothBounds) {
+  for (const double B : {-30.0, 0.5, 30.0}) {
+    Row<3> row = by_hand(B, 0);
+    row.lo = -2;
+    row.hi = 5;
+    std::vector<Twist<3>> V(2, Twist<3>::Zero());
+    update_row(row, V);
+    const double expected = B < 0 ? -2 : B > 1 ? 5 : 1;
+    expect_near("λ within [-2, 5], for B = " + show(B) + " [N s]", "Eq. (4.7)", row.lambda, expected,
+                roundings(8, 5),
+                {{0, "The lower bound is the row's own `lo`, not always zero."},
+                 {60, "The upper bound, the row's own `hi`, has been left out."}});
+  }
+}
+
+}  // namespace

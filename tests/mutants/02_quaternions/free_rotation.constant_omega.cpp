@@ -1,0 +1,13 @@
+// Wrong: lets the body turn about an ω that never changes.
+// Killed by: FreeRotation.StandsOnItsHeadAfterHalfAPeriod
+// Says: With ω constant it never would
+#include "02_quaternions/quaternions.hpp"
+
+namespace spook {
+
+void free_rotation(Quat& q, Vec3& omega, const Vec3& principal, double h) {
+  (void)principal;
+  q = update_exponential(q, omega, h);
+}
+
+}  // namespace spook

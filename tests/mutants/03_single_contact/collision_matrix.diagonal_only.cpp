@@ -1,0 +1,24 @@
+// Wrong: takes the diagonal of I⁻¹ alone, as in body coordinates.
+// Killed by: CollisionMatrix.TimesImpulseIsTheChangeOfRelativeVelocity
+// Says: In world coordinates the other six numbers count
+#include "03_single_contact/single_contact.hpp"
+
+namespace spook {
+
+static Mat3 cross_matrix(const Vec3& r) {
+  Mat3 result;
+  result << 0, -r.z(), r.y(),  //
+      r.z(), 0, -r.x(),        //
+      -r.y(), r.x(), 0;
+  return result;
+}
+
+Mat3 collision_matrix(const InverseMass<6>& body_i, const Vec3& r_i, const InverseMass<6>& body_j,
+                      const Vec3& r_j) {
+  const Mat3 Ai = body_i.angular.diagonal().asDiagonal();
+  const Mat3 Aj = body_j.angular.diagonal().asDiagonal();
+  const Mat3 Ri = cross_matrix(r_i), Rj = cross_matrix(r_j);
+  return (body_i.linear + body_j.linear) * Mat3::Identity() - Ri * Ai * Ri - Rj * Aj * Rj;
+}
+
+}  // namespace spook

@@ -1,0 +1,23 @@
+// Wrong: turns inverse masses back into masses, and divides by their sum.
+// Killed by: CollisionMatrix.OfAFixedBodyAndAnotherIsTheOthersShare
+// Says: never divide by 0
+#include "03_single_contact/single_contact.hpp"
+
+namespace spook {
+
+static Mat3 cross_matrix(const Vec3& r) {
+  Mat3 result;
+  result << 0, -r.z(), r.y(),  //
+      r.z(), 0, -r.x(),        //
+      -r.y(), r.x(), 0;
+  return result;
+}
+
+Mat3 collision_matrix(const InverseMass<6>& body_i, const Vec3& r_i, const InverseMass<6>& body_j,
+                      const Vec3& r_j) {
+  const Mat3 Ri = cross_matrix(r_i), Rj = cross_matrix(r_j);
+  return Mat3::Identity() / (1 / body_i.linear + 1 / body_j.linear) - Ri * body_i.angular * Ri -
+         Rj * body_j.angular * Rj;
+}
+
+}  // namespace spook

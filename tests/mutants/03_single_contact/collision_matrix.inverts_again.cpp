@@ -1,0 +1,23 @@
+// Wrong: inverts the inverse inertia.
+// Killed by: CollisionMatrix.TimesImpulseIsTheChangeOfRelativeVelocity
+// Says: do not invert it
+#include "03_single_contact/single_contact.hpp"
+
+namespace spook {
+
+static Mat3 cross_matrix(const Vec3& r) {
+  Mat3 result;
+  result << 0, -r.z(), r.y(),  //
+      r.z(), 0, -r.x(),        //
+      -r.y(), r.x(), 0;
+  return result;
+}
+
+Mat3 collision_matrix(const InverseMass<6>& body_i, const Vec3& r_i, const InverseMass<6>& body_j,
+                      const Vec3& r_j) {
+  const Mat3 Ii = body_i.angular.inverse(), Ij = body_j.angular.inverse();
+  const Mat3 Ri = cross_matrix(r_i), Rj = cross_matrix(r_j);
+  return (body_i.linear + body_j.linear) * Mat3::Identity() - Ri * Ii * Ri - Rj * Ij * Rj;
+}
+
+}  // namespace spook

@@ -1,0 +1,16 @@
+// Wrong: lets a negative d pass.
+// Killed by: SpookParameters.RejectANegativeRelaxation
+// Says: d = 0 is allowed
+#include "03_single_contact/single_contact.hpp"
+#include "common/require.hpp"
+
+namespace spook {
+
+Spook spook_parameters(double h, double k, double d) {
+  require_positive("h", h);
+  require_positive("k", k);
+  const double upsilon = 1 / (1 + 4 * d);
+  return {.a = 4 * upsilon / h, .b = 4 * d * upsilon, .Sigma = 4 * upsilon / (h * h * k)};
+}
+
+}  // namespace spook

@@ -1,0 +1,17 @@
+// Wrong: has 1/(4d) for 1/(1 + 4d), which is nearly the same for a large d.
+// Killed by: SpookParameters.WeighTheGapByA
+// Says: at d = 0 it would divide by zero
+#include "03_single_contact/single_contact.hpp"
+#include "common/require.hpp"
+
+namespace spook {
+
+Spook spook_parameters(double h, double k, double d) {
+  require_positive("h", h);
+  require_positive("k", k);
+  require_not_negative("d", d);
+  const double upsilon = 1 / (4 * d);
+  return {.a = 4 * upsilon / h, .b = 4 * d * upsilon, .Sigma = 4 * upsilon / (h * h * k)};
+}
+
+}  // namespace spook

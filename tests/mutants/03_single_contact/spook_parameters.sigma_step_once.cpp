@@ -1,0 +1,17 @@
+// Wrong: has one h too few in Σ.
+// Killed by: SpookParameters.SoftenByStiffnessAndStep
+// Says: One h too few
+#include "03_single_contact/single_contact.hpp"
+#include "common/require.hpp"
+
+namespace spook {
+
+Spook spook_parameters(double h, double k, double d) {
+  require_positive("h", h);
+  require_positive("k", k);
+  require_not_negative("d", d);
+  const double upsilon = 1 / (1 + 4 * d);
+  return {.a = 4 * upsilon / h, .b = 4 * d * upsilon, .Sigma = 4 * upsilon / (h * k)};
+}
+
+}  // namespace spook

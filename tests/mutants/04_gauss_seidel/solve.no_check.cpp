@@ -1,0 +1,22 @@
+// Wrong: takes any stop rule.
+// Killed by: Solve.RejectsARuleThatCannotBeMet
+// Says: nothing was thrown
+#include "04_gauss_seidel/gauss_seidel.hpp"
+
+namespace spook {
+
+template <int Dof>
+SolveReport solve(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V, const StopRule& stop) {
+  SolveReport report;
+  report.converged = rows.empty();
+  while (!report.converged && std::ssize(report.history) < stop.max_sweeps) {
+    report.history.push_back(sweep(rows, V));
+    report.converged = report.history.back() <= stop.tolerance;
+  }
+  return report;
+}
+
+template SolveReport solve<3>(std::vector<Row<3>>&, std::vector<Twist<3>>&, const StopRule&);
+template SolveReport solve<6>(std::vector<Row<6>>&, std::vector<Twist<6>>&, const StopRule&);
+
+}  // namespace spook

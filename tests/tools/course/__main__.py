@@ -1,0 +1,50 @@
+"""The course command. One file a subcommand; errors come here."""
+
+import os
+import sys
+
+import terminal
+from arguments import parse
+from board import progress
+from check import check
+from errors import CourseError
+from everything import test
+from hint import hint
+from reset import reset
+from run import run, scenes
+from solution import solution
+from start import start
+from watch import watch
+
+COMMANDS = {"progress": progress, "check": check, "watch": watch, "hint": hint, "solution": solution,
+            "reset": reset, "start": start, "test": test}
+FORWARDED = {"run": run, "scenes": scenes}
+
+
+def main(words: list[str]) -> int:
+    terminal.prepare()
+    try:
+        arguments = parse(words)
+        if arguments.command in FORWARDED:
+            return FORWARDED[arguments.command](arguments.words)
+        code = COMMANDS[arguments.command](arguments)
+        sys.stdout.flush()
+        return code
+    except CourseError as error:
+        sys.stdout.flush()
+        if error.details:
+            print(error.details, file=sys.stderr)
+        print(f"course: {error}", file=sys.stderr)
+        return error.code
+    except KeyboardInterrupt:
+        return 130
+    except BrokenPipeError:
+        # Whoever read the output has gone; nothing may be flushed into it at exit, either.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 141
+    except OSError as error:
+        print(f"course: {error.strerror}: {error.filename}", file=sys.stderr)
+        return 1
+
+
+sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,58 @@
+"""./course progress: where the student is, and what comes next."""
+
+import json
+
+from manifest import Chapter, Exercise, read_chapters
+from paths import shown
+from terminal import WIDTH, paint, symbol
+from verdict import Verdict, judge_all
+
+
+def progress(arguments) -> int:
+    chapters = read_chapters()
+    verdicts = judge_all([exercise for chapter in chapters for exercise in chapter.exercises])
+    if arguments.json:
+        print(json.dumps(as_json(verdicts), indent=2))
+    else:
+        show_board(chapters, verdicts)
+    return 0
+
+
+def as_json(verdicts: list[Verdict]) -> dict:
+    return {
+        "done": count_done(verdicts),
+        "total": len(verdicts),
+        "exercises": [{"id": verdict.exercise.id, "name": verdict.exercise.function, "state": verdict.state,
+                       "reason": verdict.reason, "file": shown(verdict.exercise.file)} for verdict in verdicts],
+    }
+
+
+def count_done(verdicts: list[Verdict]) -> int:
+    return sum(verdict.state == "done" for verdict in verdicts)
+
+
+def show_board(chapters: list[Chapter], verdicts: list[Verdict]) -> None:
+    for chapter in chapters:
+        own = [verdict for verdict in verdicts if verdict.exercise in chapter.exercises]
+        count = f"{count_done(own)} of {len(own)} done"
+        print(f"\n{paint(chapter.title, 'bold')}{count:>{WIDTH - len(chapter.title)}}")
+        for verdict in own:
+            print(board_line(verdict))
+    print(f"\n{count_done(verdicts)} of {len(verdicts)} done.")
+    left = [verdict.exercise for verdict in verdicts if verdict.state != "done"]
+    if left:
+        show_next(left[0])
+    else:
+        print("Every exercise is right. Well done!")
+
+
+def board_line(verdict: Verdict) -> str:
+    state = f"{verdict.state}: {verdict.reason}" if verdict.reason else verdict.state
+    return f"  {symbol(verdict.state)} {verdict.exercise.id:>5} {verdict.exercise.function:<20} {state}"
+
+
+def show_next(exercise: Exercise) -> None:
+    print(f"\nNext: {paint(exercise.label, 'bold')}")
+    for verb, what in (("read", shown(exercise.lesson)), ("write", shown(exercise.file)),
+                       ("check", f"./course check {exercise.id}"), ("stuck", f"./course hint {exercise.id}")):
+        print(f"  {verb:<7}{what}")

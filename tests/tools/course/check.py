@@ -1,0 +1,94 @@
+"""./course check: the first failure in full, the others by name, and the verdict."""
+
+import textwrap
+
+from board import board_line, count_done, show_next
+from manifest import all_exercises
+from paths import shown
+from pick import pick
+from terminal import paint, symbol
+from verdict import Verdict, judge, judge_all
+
+_PRINTED_LINES = 20
+
+
+def check(arguments) -> int:
+    return check_which(arguments.which, arguments.seed)
+
+
+def check_which(which: str | None, seed: int | None) -> int:
+    if which is None:
+        return _check_started(seed)
+    exercises = pick(which)
+    if len(exercises) == 1:
+        verdict = judge(exercises[0], seed)
+        show(verdict)
+        return 0 if verdict.state == "done" else 1
+    verdicts = judge_all(exercises, seed)
+    _show_many(verdicts)
+    print(f"\nChapter {exercises[0].chapter}: {count_done(verdicts)} of {len(verdicts)} done.")
+    return 0 if count_done(verdicts) == len(verdicts) else 1
+
+
+def _check_started(seed: int | None) -> int:
+    """What a student is at: the first started exercise that is not right; if all are, the next one."""
+    exercises = all_exercises()
+    verdicts = judge_all([exercise for exercise in exercises if exercise.started()], seed)
+    wrong = [verdict for verdict in verdicts if verdict.state != "done"]
+    if wrong:
+        _show_many(verdicts[: verdicts.index(wrong[0]) + 1])
+        return 1
+    _show_many(verdicts)
+    waiting = [exercise for exercise in exercises if not exercise.started()]
+    if not waiting:
+        print("\nEvery exercise is right. Well done!")
+    elif verdicts:
+        print("\nAll that you have started is right.")
+        show_next(waiting[0])
+    else:
+        print("Nothing is started yet.")
+        show_next(waiting[0])
+    return 0 if verdicts else 1
+
+
+def _show_many(verdicts: list[Verdict]) -> None:
+    """A line each; the first that is wrong is shown in full, after the lines."""
+    for verdict in verdicts:
+        print(board_line(verdict))
+    wrong = [verdict for verdict in verdicts if verdict.state == "wrong"]
+    if wrong:
+        print()
+        show(wrong[0])
+
+
+def show(verdict: Verdict) -> None:
+    exercise = verdict.exercise
+    print(f"{paint(exercise.label, 'bold')}   {shown(exercise.file)}\n")
+    if verdict.details:
+        print(textwrap.indent(verdict.details, "  ") + "\n")
+    if verdict.printed:
+        print("  Your code printed:")
+        print(textwrap.indent(_shortened(verdict.printed), "    ") + "\n")
+    for name in verdict.others:
+        print(f"  {symbol('wrong')} {name} fails, too")
+    for warning in verdict.warnings:
+        print(f"  {warning}")
+    if verdict.others or verdict.warnings:
+        print()
+    print(f"{symbol(verdict.state)} {exercise.label} {_summary(verdict)}")
+
+
+def _shortened(text: str) -> str:
+    lines = text.splitlines()
+    left_out = [f"({len(lines) - _PRINTED_LINES} earlier lines left out)"] if len(lines) > _PRINTED_LINES else []
+    return "\n".join(left_out + lines[-_PRINTED_LINES:])
+
+
+def _summary(verdict: Verdict) -> str:
+    if verdict.state == "done":
+        return f"is done: {verdict.tests} {'test passes' if verdict.tests == 1 else 'tests pass'}."
+    if verdict.state == "not started":
+        return f"is not started. The lesson: {shown(verdict.exercise.lesson)}"
+    failing = 1 + len(verdict.others)
+    count = f" ({failing} of {verdict.tests} tests)" if verdict.tests else ""
+    return f"is wrong: {verdict.reason}{count}."

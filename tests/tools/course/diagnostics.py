@@ -1,0 +1,47 @@
+"""What a student needs of what the compiler says."""
+
+import re
+
+from manifest import Exercise
+from paths import ROOT
+
+_ANSI = re.compile(r"\x1b\[[0-9;]*[mK]")
+_ERROR = re.compile(r"^(?P<file>[^\s:]+):\d+:\d+: (?:fatal )?error: ")
+_LOCATED = re.compile(r"^[^\s:]+:\d+:(?:\d+:)? |^\[\d+/\d+\]|^ninja: |^In file included")
+_LINKER = re.compile(r"(undefined reference to|multiple definition of) .*$")
+_DETAIL_LINES = 4
+
+
+def _lines(output: str) -> list[str]:
+    return _ANSI.sub("", output).replace(f"{ROOT}/", "").splitlines()
+
+
+def first_error(output: str, exercise: Exercise) -> list[str]:
+    """The first error, with the code it points at; before it, the student's line that led there."""
+    lines = _lines(output)
+    name = exercise.file.name
+    for k, line in enumerate(lines):
+        found = _ERROR.match(line)
+        if found:
+            led_there = [] if found["file"].endswith(name) else [
+                earlier for earlier in lines[:k] if f"/{name}:" in earlier and "FAILED" not in earlier][-1:]
+            return led_there + _with_details(lines, k)
+    for line in lines:
+        found = _LINKER.search(line)
+        if found:
+            return [found[0]]
+    return lines[-3:]
+
+
+def warnings(output: str, exercise: Exercise) -> list[str]:
+    """The warnings about the student's file, one line each."""
+    return [line for line in _lines(output) if "warning: " in line and f"/{exercise.file.name}:" in line]
+
+
+def _with_details(lines: list[str], k: int) -> list[str]:
+    details = []
+    for line in lines[k + 1: k + 1 + _DETAIL_LINES]:
+        if _LOCATED.match(line):
+            break
+        details.append(line)
+    return [lines[k]] + details

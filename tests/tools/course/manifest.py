@@ -1,0 +1,123 @@
+"""The exercises, read from the one place that lists them: chapters/NN_topic/hints.md."""
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+from errors import CourseError
+from marker import is_stub
+from paths import CHAPTERS, SOLUTIONS
+
+_HEADING = re.compile(r"^## +([0-9]+)\.([0-9]+) +([a-z][a-z0-9_]*)\s*$")
+_ITEM = re.compile(r"^[0-9]+\. +")
+
+
+@dataclass(frozen=True)
+class Exercise:
+    chapter: int
+    number: int
+    function: str
+    folder: str  # of the chapter: 04_gauss_seidel
+    hints: tuple[str, ...]
+
+    @property
+    def id(self) -> str:
+        return f"{self.chapter}.{self.number}"
+
+    @property
+    def label(self) -> str:
+        return f"{self.id} {self.function}"
+
+    @property
+    def suite(self) -> str:
+        """Its GoogleTest suite: update_row is tested by UpdateRow."""
+        return "".join(word.capitalize() for word in self.function.split("_"))
+
+    @property
+    def file(self) -> Path:
+        return CHAPTERS / self.folder / f"{self.function}.cpp"
+
+    @property
+    def reference(self) -> Path:
+        return SOLUTIONS / self.folder / f"{self.function}.cpp"
+
+    @property
+    def lesson(self) -> Path:
+        return CHAPTERS / self.folder / "README.md"
+
+    def source(self) -> str | None:
+        """What the student's file holds now; None if it is missing."""
+        try:
+            return self.file.read_text(encoding="utf-8", errors="replace")
+        except FileNotFoundError:
+            return None
+
+    def started(self) -> bool:
+        source = self.source()
+        return source is None or not is_stub(source)
+
+
+@dataclass(frozen=True)
+class Chapter:
+    number: int
+    folder: str
+    title: str
+    exercises: tuple[Exercise, ...]
+
+
+def read_chapters() -> list[Chapter]:
+    """All chapters that have exercises, in order."""
+    files = sorted(CHAPTERS.glob("[0-9][0-9]_*/hints.md"))
+    if not files:
+        raise CourseError("no exercises: chapters/NN_topic/hints.md, which lists them, is missing")
+    return [_read_chapter(file) for file in files]
+
+
+def all_exercises() -> list[Exercise]:
+    return [exercise for chapter in read_chapters() for exercise in chapter.exercises]
+
+
+def _read_chapter(file: Path) -> Chapter:
+    folder = file.parent.name
+    exercises = []
+    for heading, body in _sections(file.read_text(encoding="utf-8")):
+        chapter, number, function = heading.groups()
+        exercises.append(Exercise(int(chapter), int(number), function, folder, tuple(numbered_items(body))))
+    exercises.sort(key=lambda exercise: exercise.number)
+    return Chapter(int(folder[:2]), folder, _title(file.with_name("README.md")), tuple(exercises))
+
+
+def _title(readme: Path) -> str:
+    """The first line of the lesson, "# 01 · Leapfrog", without its #."""
+    lines = readme.read_text(encoding="utf-8").splitlines() if readme.exists() else []
+    return lines[0].lstrip("# ").strip() if lines else readme.parent.name
+
+
+def _sections(text: str):
+    """Each exercise's heading with the lines below it."""
+    heading, body = None, []
+    for line in text.splitlines():
+        found = _HEADING.match(line)
+        if found or line.startswith("## "):
+            if heading:
+                yield heading, body
+            heading, body = found, []
+        else:
+            body.append(line)
+    if heading:
+        yield heading, body
+
+
+def numbered_items(lines: list[str]) -> list[str]:
+    """The items of a numbered Markdown list, their paragraphs and code kept."""
+    items: list[list[str]] = []
+    in_code = False
+    for line in lines:
+        in_code ^= line.lstrip().startswith("```")
+        marker = None if in_code else _ITEM.match(line)
+        if marker:
+            items.append([line[marker.end():]])
+        elif items:
+            indent = len(line) - len(line.lstrip())
+            items[-1].append(line[min(indent, 3):])
+    return ["\n".join(item).strip() for item in items]

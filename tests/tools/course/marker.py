@@ -1,0 +1,32 @@
+"""A stub is a file that still calls not_implemented(), outside comments and strings."""
+
+import re
+
+_COMMENT_OR_LITERAL = re.compile(
+    r"//[^\n]*"
+    r"|/\*.*?(?:\*/|\Z)"
+    r'|R"([^()\\\s]{0,16})\(.*?\)\1"'
+    r'|"(?:\\.|[^"\\\n])*"'
+    r"|(?<![0-9a-fA-F])'(?:\\.|[^'\\\n])*'",  # not the quote in 1'000
+    re.DOTALL,
+)
+_MARKER = re.compile(r"\bnot_implemented\s*\(")
+
+
+def code_of(source: str) -> str:
+    """The source without comments, strings and characters; every line keeps its number."""
+    return _COMMENT_OR_LITERAL.sub(lambda match: " " + "\n" * match.group().count("\n"), source)
+
+
+def marker_line(source: str) -> int | None:
+    """The line of the first call of not_implemented(), counted from 1."""
+    found = _MARKER.search(code_of(source))
+    return source_line(code_of(source), found.start()) if found else None
+
+
+def source_line(source: str, position: int) -> int:
+    return source.count("\n", 0, position) + 1
+
+
+def is_stub(source: str) -> bool:
+    return marker_line(source) is not None

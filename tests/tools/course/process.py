@@ -1,0 +1,34 @@
+"""Runs a tool, keeps every line it prints, and shows how far it is."""
+
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+
+from errors import CourseError
+
+
+def stream(command: list[str], on_line: Callable[[str], None], log: Path | None = None,
+           env: dict[str, str] | None = None, cwd: Path | None = None) -> tuple[int, str]:
+    """Runs to the end; returns the exit code and all that was printed."""
+    lines: list[str] = []
+    try:
+        process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                   stdin=subprocess.DEVNULL, text=True, errors="replace", env=env, cwd=cwd)
+    except FileNotFoundError:
+        raise CourseError(f"{command[0]} is missing; ./course start installs what is needed") from None
+    try:
+        for line in process.stdout:
+            lines.append(line)
+            on_line(line)
+    finally:
+        # After Ctrl-C the tool, which got it, too, is let end what it is writing.
+        process.stdout.close()
+        process.wait()
+        if log:
+            log.parent.mkdir(parents=True, exist_ok=True)
+            log.write_text("".join(lines), encoding="utf-8")
+    return process.returncode, "".join(lines)
+
+
+def tail(text: str, count: int = 15) -> str:
+    return "\n".join(text.rstrip().splitlines()[-count:])

@@ -1,0 +1,20 @@
+"""./course solution: the reference, once it can't spoil anything."""
+
+from paths import shown
+from pick import pick_one
+from terminal import paint
+from verdict import judge
+
+
+def solution(arguments) -> int:
+    exercise = pick_one(arguments.which)
+    if not arguments.spoil:
+        state = judge(exercise).state
+        if state != "done":
+            print(f"{exercise.label} is {state}: the reference is worth more once yours passes. "
+                  f"A hint: ./course hint {exercise.id}\n"
+                  f"If you would rather see it now: ./course solution {exercise.id} --spoil")
+            return 1
+    print(paint(f"// {shown(exercise.reference)}", "dim"))
+    print(exercise.reference.read_text(encoding="utf-8"), end="")
+    return 0

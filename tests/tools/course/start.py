@@ -1,0 +1,47 @@
+"""./course start: from a fresh clone to the first exercise."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+from board import progress
+from errors import CourseError
+from install import PACKAGES, install
+from manifest import read_chapters
+from paths import BUILD, ROOT, shown
+from run import program
+from speed_error import measure, show_table
+from terminal import paint
+from verdict import CHECK
+
+
+def start(arguments) -> int:
+    install(PACKAGES, arguments.yes)
+    spook = program("spook")
+    _build_tests()
+    print(f"{paint('Speed against error', 'bold')}, measured now, with the reference engine:\n", flush=True)
+    results = measure(spook)
+    show_table(results)
+    print(f"\nThe same as a figure: {shown(_draw(results))}", flush=True)
+    arguments.json = False
+    return progress(arguments)
+
+
+def _build_tests() -> None:
+    """All that a first `check` does not have to wait for."""
+    tests = [f"tests_{chapter.folder}" for chapter in read_chapters()]
+    built = CHECK.build(["spook_reference", "test_support", *tests], "building what your exercises are tested with")
+    if not built.ok:
+        raise CHECK.own_failure(built)
+
+
+def _draw(results: list[dict]) -> Path:
+    data, figure = BUILD / "start.json", BUILD / "start.png"
+    data.write_text(json.dumps(results, indent=2) + "\n", encoding="utf-8")
+    command = [sys.executable, str(ROOT / "plots" / "start" / "draw.py"), "--results", str(data), "--out", str(figure)]
+    drawn = subprocess.run(command, capture_output=True, text=True)
+    if drawn.returncode != 0 or not figure.exists():
+        said = (drawn.stderr.strip() or "nothing was drawn").splitlines()[-1]
+        raise CourseError(f"plots/start/draw.py failed: {said}")
+    return figure

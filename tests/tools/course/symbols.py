@@ -1,0 +1,32 @@
+"""Whether a student's object really holds the exercise's function.
+
+The linker fills whatever is missing from the reference. Without this check an empty file, or a function with another
+name or signature, would be tested as the reference, and pass.
+"""
+
+import subprocess
+from pathlib import Path
+
+from exercise_object import object_file
+from manifest import Exercise
+from tree import Tree
+
+
+def missing_functions(tree: Tree, exercise: Exercise) -> list[str]:
+    """The functions, readable, which the reference defines for the exercise and the student's object doesn't."""
+    missing = sorted(reference_functions(tree, exercise) - _defined(object_file(tree, exercise), exercise))
+    if not missing:
+        return []
+    return subprocess.run(["c++filt", *missing], capture_output=True, text=True).stdout.splitlines()
+
+
+def reference_functions(tree: Tree, exercise: Exercise) -> set[str]:
+    return _defined(tree.path / "solutions" / "libspook_reference.a", exercise)
+
+
+def _defined(file: Path, exercise: Exercise) -> set[str]:
+    """The exercise's functions, overloads and instances for several types included, that other objects can call."""
+    mangled = f"_ZN5spook{len(exercise.function)}{exercise.function}"
+    listing = subprocess.run(["nm", "-P", "--defined-only", str(file)], capture_output=True, text=True)
+    lines = [line.split() for line in listing.stdout.splitlines() if line.startswith(mangled)]
+    return {words[0] for words in lines if words[1].isupper()}

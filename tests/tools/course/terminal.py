@@ -1,0 +1,73 @@
+"""How output looks: colour only where it can be seen, plain letters where symbols can't be printed."""
+
+import os
+import sys
+import textwrap
+import time
+
+WIDTH = 80
+_CODES = {"green": "32", "red": "31", "yellow": "33", "bold": "1", "dim": "2"}
+
+
+def prepare() -> None:
+    """Text that the terminal has no letter for must not end the program."""
+    for stream in (sys.stdout, sys.stderr):
+        stream.reconfigure(errors="replace")
+
+
+def paint(text: str, *styles: str) -> str:
+    if not sys.stdout.isatty() or os.environ.get("NO_COLOR") or os.environ.get("TERM") == "dumb":
+        return text
+    return "".join(f"\033[{_CODES[style]}m" for style in styles) + text + "\033[0m"
+
+
+def symbol(state: str) -> str:
+    fancy = {"done": "✓", "wrong": "✗", "not started": "·"}
+    plain = {"done": "+", "wrong": "x", "not started": "-"}
+    mark = fancy[state] if _can_print("✓✗·") else plain[state]
+    return paint(mark, {"done": "green", "wrong": "red", "not started": "dim"}[state])
+
+
+def _can_print(text: str) -> bool:
+    try:
+        text.encode(sys.stdout.encoding or "ascii")
+        return True
+    except UnicodeEncodeError:
+        return False
+
+
+def fold(text: str, indent: str = "") -> str:
+    """Paragraphs filled to the width; code (fenced, or indented by four) and lists keep their lines."""
+    blocks = []
+    in_code = False
+    for paragraph in text.split("\n\n"):
+        fences = paragraph.count("```")
+        keep = in_code or fences or paragraph.startswith(("    ", "|", "- ", "$$"))
+        in_code ^= fences % 2 == 1
+        blocks.append(textwrap.indent(paragraph, indent) if keep else textwrap.fill(
+            " ".join(paragraph.split()), WIDTH, initial_indent=indent, subsequent_indent=indent,
+            break_long_words=False, break_on_hyphens=False))
+    return "\n\n".join(blocks)
+
+
+class Live:
+    """One line on stderr that says how long work goes on; nothing at all if it takes less than a second."""
+
+    def __init__(self, what: str, delay: float = 1.0):
+        self._what, self._start = what, time.monotonic() + delay
+        self._tty = sys.stderr.isatty()
+        self._shown = False
+
+    def update(self, detail: str = "") -> None:
+        if time.monotonic() < self._start or (self._shown and not self._tty):
+            return
+        if self._tty:
+            line = f"{self._what} {detail}"[: WIDTH - 1]
+            print(f"\r\033[K{line}", end="", file=sys.stderr, flush=True)
+        else:
+            print(f"{self._what} ...", file=sys.stderr, flush=True)
+        self._shown = True
+
+    def done(self) -> None:
+        if self._shown and self._tty:
+            print("\r\033[K", end="", file=sys.stderr, flush=True)

@@ -1,0 +1,100 @@
+"""A build tree, one a CMake preset: configured when it has to be, built with ninja."""
+
+import contextlib
+import fcntl
+import os
+import re
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+from errors import CourseError
+from paths import BUILD, ROOT, shown
+from process import stream, tail
+from terminal import Live
+
+_STATUS = re.compile(r"^\[(\d+/\d+)\] ")
+
+
+@dataclass(frozen=True)
+class Built:
+    ok: bool
+    output: str
+
+
+def jobs() -> int:
+    given = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", "")
+    return int(given) if given.isdecimal() and int(given) > 0 else len(os.sched_getaffinity(0))
+
+
+class Tree:
+    def __init__(self, preset: str):
+        self.preset = preset
+        self.path = BUILD / preset
+
+    def build(self, targets: list[str], what: str, keep_going: bool = False) -> Built:
+        """Brings the targets up to date; a failure is the caller's to explain."""
+        command = ["ninja", "-C", str(self.path), "-j", str(jobs()), *(["-k", "0"] if keep_going else []), *targets]
+        env = os.environ | {"NINJA_STATUS": "[%f/%t] ", "LC_ALL": "C"}
+        live = Live(what)
+        with self._alone():
+            self.configure()
+            code, output = stream(command, lambda line: self._show(live, line), self.path / "course-build.log", env)
+        live.done()
+        return Built(code == 0, output)
+
+    def configure(self, *settings: str) -> None:
+        """Runs CMake if it never ran here, if the course was moved, or if there are new settings."""
+        if not settings and (self.path / "build.ninja").exists() and self._is_of_this_course():
+            return
+        if not self._is_of_this_course():
+            (self.path / "CMakeCache.txt").unlink(missing_ok=True)
+        live = Live(f"configuring {shown(self.path)}")
+        log = self.path / "course-configure.log"
+        command = ["cmake", "--preset", self.preset, "-B", str(self.path), f"-DPython3_EXECUTABLE={sys.executable}",
+                   *settings]
+        code, output = stream(command, lambda line: live.update(), log, cwd=ROOT)
+        live.done()
+        if code != 0:
+            raise CourseError(f"CMake failed; the whole log is in {shown(log)} (is something missing? ./course start)",
+                              tail(output))
+
+    def setting(self, name: str) -> str:
+        """A value in CMake's cache; empty if there is none."""
+        try:
+            cache = (self.path / "CMakeCache.txt").read_text(encoding="utf-8", errors="replace")
+        except FileNotFoundError:
+            return ""
+        found = re.search(rf"^{name}:\w+=(.*)$", cache, re.MULTILINE)
+        return found[1] if found else ""
+
+    def program(self, target: str) -> Path:
+        """Where ninja puts the program of a target."""
+        query = subprocess.run(["ninja", "-C", str(self.path), "-t", "query", target], capture_output=True, text=True)
+        alias = re.search(r"^  input: phony\n    (\S+)$", query.stdout, re.MULTILINE)
+        return self.path / (alias[1] if alias else target)
+
+    def failed(self, built: Built, *names: str) -> bool:
+        """Whether one of these targets is what failed, and not the course's own code."""
+        lines = [line for line in built.output.splitlines() if line.startswith("FAILED:")]
+        return any(re.search(rf"\b{name}\b", line) for line in lines for name in names)
+
+    def own_failure(self, built: Built) -> CourseError:
+        return CourseError(f"the course's own code did not build; the whole log is in "
+                           f"{shown(self.path / 'course-build.log')}", tail(built.output))
+
+    def _is_of_this_course(self) -> bool:
+        return self.setting("CMAKE_HOME_DIRECTORY") in ("", str(ROOT))
+
+    def _show(self, live: Live, line: str) -> None:
+        status = _STATUS.match(line)
+        live.update(f"[{status[1]}]" if status else "")
+
+    @contextlib.contextmanager
+    def _alone(self):
+        """Two ninjas in one tree get into each other's way: `watch` in one window, `check` in another."""
+        self.path.mkdir(parents=True, exist_ok=True)
+        with open(self.path / "course.lock", "w") as lock:
+            fcntl.flock(lock, fcntl.LOCK_EX)
+            yield

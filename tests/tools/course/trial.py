@@ -1,0 +1,109 @@
+"""Runs one exercise's tests in a process of their own, with limits, and says what happened."""
+
+import json
+import os
+import re
+import resource
+import signal
+import subprocess
+import tempfile
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from errors import BadInput
+
+_MARK = re.compile(r"^\[ *(RUN|OK|FAILED|SKIPPED) *\] (\S+?)(?: \(\d+ ms\))?$")
+_MEMORY = 4 << 30
+_OUTPUT = 64 << 20
+
+
+@dataclass
+class Test:
+    name: str  # Suite.Name
+    skipped: bool
+    failures: list[str]
+
+
+@dataclass
+class Trial:
+    tests: list[Test] | None  # None if the program did not live to report them
+    exit_code: int
+    timed_out: bool
+    output: str
+    unfinished: str = field(init=False)  # the test that was running at the end
+
+    def __post_init__(self):
+        self.unfinished = ""
+        for line in self.output.splitlines():
+            mark = _MARK.match(line)
+            if mark:
+                self.unfinished = mark[2] if mark[1] == "RUN" else ""
+
+    def printed_by(self, test: str) -> str:
+        """What the program printed while this test ran, without GoogleTest's own lines."""
+        body, inside = [], False
+        for line in self.output.splitlines():
+            mark = _MARK.match(line)
+            if mark:
+                inside = mark[2] == test and mark[1] == "RUN"
+            elif inside:
+                body.append(line)
+        return "\n".join(body)
+
+
+def time_limit() -> float:
+    """Seconds for all tests of an exercise."""
+    given = os.environ.get("COURSE_TIME_LIMIT", "60")
+    try:
+        limit = float(given)
+    except ValueError:
+        limit = 0.0
+    if not 0 < limit < float("inf"):
+        raise BadInput(f"COURSE_TIME_LIMIT must be a positive number of seconds, but is {given!r}")
+    return limit
+
+
+def run_tests(program: Path, test_filter: str, seed: int | None = None) -> Trial:
+    env = {name: value for name, value in os.environ.items() if not name.startswith("GTEST_")}
+    if seed is not None:
+        env["SPOOK_SEED"] = str(seed)
+    with tempfile.TemporaryDirectory(prefix="course-") as folder:
+        report, printed = Path(folder, "report.json"), Path(folder, "output")
+        command = [str(program), f"--gtest_filter={test_filter}", f"--gtest_output=json:{report}",
+                   "--gtest_color=no"]
+        with open(printed, "wb") as out:
+            code, timed_out = _run_limited(command, out, env, folder)
+        tests = _read_report(report) if report.exists() else None
+        return Trial(tests, code, timed_out, printed.read_text(encoding="utf-8", errors="replace"))
+
+
+def _run_limited(command: list[str], out, env: dict[str, str], folder: str) -> tuple[int, bool]:
+    process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.STDOUT, env=env,
+                               cwd=folder, start_new_session=True)
+    try:
+        # A loop that never ends may also fill the memory or the disk.
+        resource.prlimit(process.pid, resource.RLIMIT_AS, (_MEMORY, _MEMORY))
+        resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (_OUTPUT, _OUTPUT))
+        resource.prlimit(process.pid, resource.RLIMIT_CORE, (0, 0))
+    except ProcessLookupError:
+        pass  # it has ended already
+    timed_out = False
+    try:
+        process.wait(time_limit())
+    except subprocess.TimeoutExpired:
+        timed_out = True
+    finally:
+        if process.poll() is None:
+            os.killpg(process.pid, signal.SIGKILL)
+            process.wait()
+    return process.returncode, timed_out
+
+
+def _read_report(report: Path) -> list[Test] | None:
+    try:
+        suites = json.loads(report.read_text(encoding="utf-8", errors="replace")).get("testsuites", [])
+    except ValueError:
+        return None
+    return [Test(f"{suite['name']}.{test['name']}", test.get("result") == "SKIPPED",
+                 [failure["failure"] for failure in test.get("failures", [])])
+            for suite in suites for test in suite["testsuite"] if test.get("status") == "RUN"]

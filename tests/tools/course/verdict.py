@@ -1,0 +1,133 @@
+"""The state of an exercise, and the reason for it."""
+
+import re
+import signal
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
+
+import diagnostics
+from exercise_object import drop_if_stale
+from manifest import Exercise
+from marker import marker_line
+from paths import shown
+from symbols import missing_functions
+from tree import Built, Tree, jobs
+from trial import Test, Trial, run_tests, time_limit
+
+CHECK = Tree("check")
+_BOILERPLATE = re.compile(r"\A[^\n]*:\d+\n(?:Failed\n)?")
+
+
+@dataclass
+class Verdict:
+    exercise: Exercise
+    state: str  # done, wrong, not started
+    reason: str = ""  # in a few words
+    details: str = ""  # the first failure, or what the compiler said
+    printed: str = ""  # by the student's code in that test
+    others: list[str] = field(default_factory=list)  # further tests that fail
+    tests: int = 0
+    warnings: list[str] = field(default_factory=list)
+
+
+def judge(exercise: Exercise, seed: int | None = None) -> Verdict:
+    """Builds and tests what the student wrote."""
+    return without_building(exercise) or _judge_built(exercise, _build([exercise]), seed)
+
+
+def judge_all(exercises: list[Exercise], seed: int | None = None) -> list[Verdict]:
+    """The same for many: one build, and the tests side by side."""
+    to_build = [exercise for exercise in exercises if not without_building(exercise)]
+    built = _build(to_build) if to_build else Built(True, "")
+
+    def verdict(exercise: Exercise) -> Verdict:
+        if exercise not in to_build:
+            return without_building(exercise)
+        if CHECK.failed(built, *_targets(exercise)):
+            return judge(exercise, seed)  # alone, for its own errors only
+        return _judge_built(exercise, Built(True, built.output), seed)
+
+    with ThreadPoolExecutor(jobs()) as pool:
+        return list(pool.map(verdict, exercises))
+
+
+def _targets(exercise: Exercise) -> tuple[str, str]:
+    return f"check_{exercise.function}", f"exercise_{exercise.function}"
+
+
+def _build(exercises: list[Exercise]) -> Built:
+    what = f"building {exercises[0].label}" if len(exercises) == 1 else f"building {len(exercises)} exercises"
+    for exercise in exercises:
+        drop_if_stale(CHECK, exercise)
+    built = CHECK.build([_targets(exercise)[0] for exercise in exercises], what, keep_going=True)
+    if not built.ok and not any(CHECK.failed(built, *_targets(exercise)) for exercise in exercises):
+        raise CHECK.own_failure(built)
+    return built
+
+
+def _judge_built(exercise: Exercise, built: Built, seed: int | None) -> Verdict:
+    if not built.ok:
+        details = "\n".join(diagnostics.first_error(built.output, exercise))
+        return Verdict(exercise, "wrong", "does not compile", details)
+    missing = missing_functions(CHECK, exercise)
+    if missing:
+        return _without_function(exercise, missing)
+    program = CHECK.program(_targets(exercise)[0])
+    verdict = _judge_trial(exercise, run_tests(program, f"{exercise.suite}.*", seed))
+    verdict.warnings = diagnostics.warnings(built.output, exercise)
+    return verdict
+
+
+def without_building(exercise: Exercise) -> Verdict | None:
+    """The verdict, if a look at the file is enough for it."""
+    source = exercise.source()
+    if source is None:
+        return Verdict(exercise, "wrong", "file missing",
+                       f"{shown(exercise.file)} is not there; ./course reset {exercise.id} puts the stub back.")
+    line = marker_line(source)
+    if line is None:
+        return None
+    return Verdict(exercise, "not started", details=f"{shown(exercise.file)}:{line} still calls not_implemented(); "
+                                                    "write the function in its place.")
+
+
+def _without_function(exercise: Exercise, missing: list[str]) -> Verdict:
+    details = "\n".join([f"{shown(exercise.file)} compiles, but does not define", *(f"  {name}" for name in missing),
+                         "Name, parameters and namespace must be as the chapter's header declares them."])
+    return Verdict(exercise, "wrong", "function not defined", details)
+
+
+def _judge_trial(exercise: Exercise, trial: Trial) -> Verdict:
+    if trial.timed_out:
+        return _broken_off(exercise, trial, f"timed out after {time_limit():g} s")
+    if trial.exit_code < 0:
+        return _broken_off(exercise, trial, f"crashed ({signal.Signals(-trial.exit_code).name})")
+    if trial.tests is None:
+        return _broken_off(exercise, trial, f"ended early (exit code {trial.exit_code})")
+    skipped = [test.name for test in trial.tests if test.skipped]
+    failed = [test for test in trial.tests if test.failures]
+    if failed:
+        return _failing(exercise, trial, failed)
+    if skipped or not trial.tests or trial.exit_code != 0:
+        reason = (f"{skipped[0]} was skipped" if skipped else "no test ran" if not trial.tests
+                  else f"exit code {trial.exit_code} after all tests passed")
+        return Verdict(exercise, "wrong", reason, tests=len(trial.tests))
+    return Verdict(exercise, "done", tests=len(trial.tests))
+
+
+def _failing(exercise: Exercise, trial: Trial, failed: list[Test]) -> Verdict:
+    first = failed[0]
+    printed = trial.printed_by(first.name)
+    for failure in first.failures:
+        place, _, text = failure.partition("\n")
+        printed = printed.replace(f"{place}: Failure\n{text}".rstrip(), "")
+    details = _BOILERPLATE.sub("", first.failures[0]).rstrip()
+    if len(first.failures) > 1:
+        details += f"\n(and {len(first.failures) - 1} more in this test)"
+    return Verdict(exercise, "wrong", f"fails {first.name}", details, printed.strip(),
+                   [test.name for test in failed[1:]], len(trial.tests))
+
+
+def _broken_off(exercise: Exercise, trial: Trial, what: str) -> Verdict:
+    where = f" in {trial.unfinished}" if trial.unfinished else ""
+    return Verdict(exercise, "wrong", what + where, printed=trial.printed_by(trial.unfinished).strip())

@@ -1,0 +1,176 @@
+"""The course command where nothing has to be built: the board, bad input, hints, reset."""
+
+import json
+import subprocess
+import unittest
+
+from sandbox import Sandbox, all_exercises
+
+BAD_INPUT = (
+    (["chek", "1.1"], "'chek'", "did you mean check"),
+    (["frobnicate"], "'frobnicate'"),
+    ([""], "''"),
+    (["check", "9.1"], "chapter 9"),
+    (["check", "0"], "chapter 0"),
+    (["check", "1.99"], "'1.99'", "1.1 to"),
+    (["check", "1.0"], "'1.0'"),
+    (["check", "1."], "'1.'"),
+    (["check", "-1"], "'-1'"),
+    (["check", "1.1.1"], "'1.1.1'"),
+    (["check", "kik"], "'kik'", "did you mean kick"),
+    (["check", "abc\ndef"], r"'abc\ndef'"),
+    (["check", "nan"], "'nan'"),
+    (["check", "1.1", "1.2"], "'1.2'"),
+    (["check", "--sed", "1"], "'--sed'", "did you mean --seed"),
+    (["check", "--seed", "x"], "'x'"),
+    (["check", "--seed", "-1"], "'-1'"),
+    (["check", "--seed", "1e3"], "'1e3'"),
+    (["check", "--seed", str(2**64)], str(2**64)),
+    (["check", "--seed"], "--seed"),
+    (["watch", "12.x"], "'12.x'"),
+    (["hint"], "N.M"),
+    (["hint", "4"], "'4'"),
+    (["hint", "77.1"], "chapter 77"),
+    (["hint", "1.1", "--agian"], "'--agian'", "did you mean --again"),
+    (["solution", "x"], "'x'"),
+    (["reset", "1"], "'1'", "1.1 to"),
+    (["reset"], "N.M"),
+    (["progress", "--jsn"], "'--jsn'", "did you mean --json"),
+    (["progress", "now"], "'now'"),
+    (["--jsn"], "'--jsn'"),
+    (["start", "--no"], "'--no'"),
+    (["test", "quick"], "'quick'"),
+)
+
+
+class CourseInput(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.box = Sandbox()
+        cls.addClassCleanup(cls.box.close)
+        cls.exercises = all_exercises()
+        cls.first = cls.exercises[0]
+
+    def tearDown(self):
+        subprocess.run(["git", "-C", str(self.box.root), "clean", "-fdxq"], check=True)
+        self.box.restore(self.first)
+
+    def test_bad_input_is_one_line_that_names_it_and_exit_code_2(self):
+        for words, *told in BAD_INPUT:
+            with self.subTest(words=words):
+                result = self.box.course(*words)
+                self.assertEqual((result.returncode, result.stdout), (2, ""), result.stderr)
+                self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+                for text in told:
+                    self.assertIn(text, result.stderr)
+
+    def test_a_fresh_board_is_honest(self):
+        result = self.box.course()
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertIn(f"0 of {len(self.exercises)} done.", result.stdout)
+        self.assertEqual(result.stdout.count("not started"), len(self.exercises))
+        self.assertIn(f"Next: {self.first.label}", result.stdout)
+        self.assertLessEqual(max(map(len, result.stdout.splitlines())), 80)
+        self.assertNotIn("\033", result.stdout)
+
+    def test_the_board_as_json(self):
+        for words in (["progress", "--json"], ["--json"]):
+            board = json.loads(self.box.course(*words).stdout)
+            self.assertEqual((board["done"], board["total"]), (0, len(self.exercises)))
+            self.assertEqual([(entry["id"], entry["name"], entry["state"]) for entry in board["exercises"]],
+                             [(exercise.id, exercise.function, "not started") for exercise in self.exercises])
+
+    def test_symbols_where_letters_are_few(self):
+        result = self.box.course(PYTHONIOENCODING="ascii")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("-   1.1", result.stdout)
+
+    def test_from_another_folder_and_through_a_symlink(self):
+        link = self.box.root.parent / "link"
+        link.symlink_to(self.box.root / "course")
+        self.addCleanup(link.unlink)
+        there = self.box.course()
+        self.assertEqual(self.box.course(cwd="/").stdout, there.stdout)
+        self.assertEqual(self.box.course(cwd="/", command=link).stdout, there.stdout)
+
+    def test_a_stub_is_not_started(self):
+        for words in (["check"], ["check", "1.1"], ["check", "01.01"], ["check", self.first.function]):
+            result = self.box.course(*words)
+            self.assertEqual((result.returncode, result.stderr), (1, ""))
+            self.assertRegex(result.stdout, "is not started|Nothing is started")
+
+    def test_hints_come_one_at_a_time(self):
+        count = len(self.first.hints)
+        for asked in range(1, count + 2):
+            result = self.box.course("hint", "1.1")
+            self.assertIn(f"hint {min(asked, count)} of {count}", result.stdout)
+            self.assertEqual("was the last" in result.stdout, asked >= count)
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertIn("hint 1 of", self.box.course("hint", "1.2").stdout)
+        self.assertIn("hint 1 of", self.box.course("hint", "1.1", "--again").stdout)
+        self.assertIn("hint 2 of", self.box.course("hint", "1.1").stdout)
+
+    def test_a_broken_hint_memory_is_forgotten(self):
+        (self.box.root / ".course").mkdir()
+        for memory in ("", "[]", '{"hints": 3}', '{"hints": {"1.1": "x"}}', '{"hints": {"1.1": 99}}', "\0"):
+            (self.box.root / ".course" / "state.json").write_text(memory)
+            result = self.box.course("hint", "1.1")
+            self.assertEqual((result.returncode, result.stderr), (0, ""), memory)
+
+    def test_reset_keeps_every_answer_and_restores_the_stub(self):
+        file = self.box.file(self.first)
+        stub = file.read_bytes()
+        for number, answer in enumerate(("one\n", "two\n"), 1):
+            file.write_text(answer)
+            result = self.box.course("reset", "1.1")
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+            self.assertIn(f"{file.name}.mine-{number}", result.stdout)
+            self.assertEqual(file.read_bytes(), stub)
+        self.assertEqual([file.with_name(f"{file.name}.mine-{k}").read_text() for k in (1, 2)], ["one\n", "two\n"])
+        self.assertIn("already", self.box.course("reset", "1.1").stdout)
+        self.assertFalse(file.with_name(f"{file.name}.mine-3").exists())
+
+    def test_reset_brings_back_a_deleted_file(self):
+        file = self.box.file(self.first)
+        stub = file.read_bytes()
+        file.unlink()
+        self.assertEqual(self.box.course("reset", "1.1").returncode, 0)
+        self.assertEqual(file.read_bytes(), stub)
+
+    def test_reset_finds_the_stub_behind_a_committed_answer(self):
+        file = self.box.file(self.first)
+        stub = file.read_bytes()
+        file.write_text("// not_implemented(): no longer\n")
+        git = ["git", "-C", str(self.box.root), "-c", "user.name=S", "-c", "user.email=s@localhost"]
+        subprocess.run([*git, "commit", "-qam", "Mine"], check=True)
+        self.addCleanup(subprocess.run, [*git, "reset", "-q", "--hard", "HEAD~1"], check=True)
+        self.assertEqual(self.box.course("reset", "1.1").returncode, 0)
+        self.assertEqual(file.read_bytes(), stub)
+
+    def test_reset_without_history(self):
+        (self.box.root / ".git").rename(self.box.root.parent / "history")
+        try:
+            self.box.file(self.first).write_text("mine\n")
+            result = self.box.course("reset", "1.1", GIT_CEILING_DIRECTORIES=str(self.box.root.parent))
+            self.assertEqual((result.returncode, result.stderr.count("\n")), (1, 1), result.stderr)
+            self.assertEqual(self.box.file(self.first).read_text(), "mine\n")
+        finally:
+            (self.box.root.parent / "history").rename(self.box.root / ".git")
+
+    def test_the_solution_is_kept_back_until_it_is_asked_for(self):
+        refused = self.box.course("solution", "1.1")
+        self.assertEqual((refused.returncode, refused.stderr), (1, ""))
+        self.assertIn("--spoil", refused.stdout)
+        shown = self.box.course("solution", "1.1", "--spoil")
+        self.assertEqual(shown.returncode, 0)
+        self.assertIn(self.first.reference.read_text(), shown.stdout)
+
+    def test_help(self):
+        for words in (["--help"], ["-h"], ["check", "--help"], ["start", "--help"]):
+            result = self.box.course(*words)
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+            self.assertLessEqual(max(map(len, result.stdout.splitlines())), 80)
+
+
+if __name__ == "__main__":
+    unittest.main()

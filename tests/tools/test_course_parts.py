@@ -1,0 +1,115 @@
+"""The parts of the course command that can be looked at alone."""
+
+import contextlib
+import io
+import unittest
+from unittest import mock
+
+import sandbox  # noqa: F401  (finds the course's modules)
+
+import everything
+import install
+import speed_error
+import terminal
+from errors import CourseError
+from manifest import numbered_items
+from marker import is_stub, marker_line
+
+
+class Marker(unittest.TestCase):
+    def test_calls(self):
+        for source in ('not_implemented("1.1 kick");', "  spook::not_implemented (x)", '"//"; not_implemented()',
+                       "'\"'; not_implemented();", "1'000; not_implemented(); 2'000"):
+            self.assertTrue(is_stub(source), source)
+
+    def test_mentions(self):
+        for source in ("// not_implemented()", "/* not_implemented() */", "/* \n not_implemented()", '"not_implemented()"',
+                       'R"x(not_implemented())x"', "really_not_implemented()", '#include "common/not_implemented.hpp"',
+                       "", r'"\"not_implemented()"'):
+            self.assertFalse(is_stub(source), source)
+
+    def test_line(self):
+        self.assertEqual(marker_line("/* \n */\n\nnot_implemented();"), 4)
+
+
+class Hints(unittest.TestCase):
+    def test_items_keep_paragraphs_and_code(self):
+        text = "\nBefore.\n\n1. One\n   more\n\n   and more\n2. Two:\n\n   ```cpp\n   1. no item\n   ```\n3. Three\n"
+        self.assertEqual(numbered_items(text.splitlines()),
+                         ["One\nmore\n\nand more", "Two:\n\n```cpp\n1. no item\n```", "Three"])
+
+    def test_paragraphs_are_filled_and_code_is_not(self):
+        folded = terminal.fold("word " * 40 + "\n\n```\n" + "x" * 100 + "\n```", "  ")
+        self.assertLessEqual(max(len(line) for line in folded.split("```")[0].splitlines()), terminal.WIDTH)
+        self.assertIn("x" * 100, folded)
+
+
+class Table(unittest.TestCase):
+    def test_fits_the_width(self):
+        error = {"name": "a name that is quite a bit longer than anyone would like it to be, " * 2,
+                 "value": -1.2345e-300, "unit": "relative"}
+        result = {"scene": "resting_sphere", "asked": ["ratio=1000", "iterations=100000"], "h": 1 / 600,
+                  "solver": "projected_gauss_seidel", "us_per_step": 123456.789, "error": error}
+        with contextlib.redirect_stdout(io.StringIO()) as out:
+            speed_error.show_table([result, result | {"error": error | {"value": None, "unit": ""}}])
+        self.assertLessEqual(max(map(len, out.getvalue().splitlines())), 80)
+        self.assertIn("1/600", out.getvalue())
+
+
+class Installing(unittest.TestCase):
+    def refused(self, *, root: bool, there=(), yes=False, apt_works=False) -> str:
+        """What install() says when it can't go on."""
+        stream = mock.Mock(return_value=(0 if apt_works else 100, "E: no network\n"))
+        with mock.patch.object(install, "_there", return_value=False), \
+             mock.patch.object(install, "_is_root", return_value=root), \
+             mock.patch.object(install.shutil, "which", lambda name: name if name in there else None), \
+             mock.patch.object(install, "stream", stream), contextlib.redirect_stderr(io.StringIO()), \
+             mock.patch("sys.stdin", io.StringIO("")):
+            with self.assertRaises(CourseError) as caught:
+                install.install({"cmake": "command cmake", "g++": "command c++"}, yes)
+        self.commands = [" ".join(call.args[0]) for call in stream.call_args_list]
+        return str(caught.exception)
+
+    def test_nothing_to_install_calls_nothing(self):
+        with mock.patch.object(install, "_there", return_value=True), \
+             mock.patch.object(install, "stream", side_effect=AssertionError):
+            install.install(install.PACKAGES, yes=False)
+
+    def test_without_apt_the_line_is_printed(self):
+        self.assertIn("apt-get update && apt-get install -y --no-install-recommends cmake g++", self.refused(root=True))
+        self.assertEqual(self.commands, [])
+
+    def test_without_sudo_the_line_is_printed(self):
+        said = self.refused(root=False, there=["apt-get"], yes=True)
+        self.assertIn("sudo apt-get update && sudo apt-get install", said)
+        self.assertEqual(self.commands, [])
+
+    def test_without_an_answer_nothing_is_installed(self):
+        self.assertIn("install with:", self.refused(root=False, there=["apt-get", "sudo"]))
+        self.assertEqual(self.commands, [])
+
+    def test_a_failure_prints_the_line(self):
+        said = self.refused(root=False, there=["apt-get", "sudo"], yes=True)
+        self.assertIn("install with:  sudo apt-get update", said)
+        self.assertEqual(self.commands, ["sudo env DEBIAN_FRONTEND=noninteractive apt-get update"])
+
+    def test_what_is_installed_must_be_there(self):
+        self.assertIn("still missing", self.refused(root=True, there=["apt-get"], apt_works=True))
+        self.assertEqual(self.commands[1], "env DEBIAN_FRONTEND=noninteractive apt-get install -y "
+                                           "--no-install-recommends cmake g++")
+
+
+class Totals(unittest.TestCase):
+    CLOSING = ("1/3 Test #1: a ....   Passed    0.01 sec\n\n67% tests passed, 1 tests failed out of 3\n\n"
+               "Total Test time (real) =   0.02 sec\n\nThe following tests FAILED:\n"
+               "\t  2 - mutant.kick.half (Failed)\nErrors while running CTest\n")
+
+    def test_failed_tests_are_named(self):
+        with mock.patch.object(everything, "stream", return_value=(8, self.CLOSING)), \
+             contextlib.redirect_stdout(io.StringIO()):
+            outcome = everything._run(everything.Tree("check"))
+        self.assertEqual(outcome, everything.Outcome("check", 3, ["mutant.kick.half (Failed)"], False))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,91 @@
+"""The course command where the engine runs: run, scenes, --mine, start."""
+
+import json
+import unittest
+
+from sandbox import Sandbox, all_exercises
+
+import install
+
+STILL = """#include "01_leapfrog/leapfrog.hpp"
+namespace spook {
+Vec3 kick(const Vec3& v, const Vec3&, double, double) { return v; }
+}  // namespace spook
+"""
+
+
+class CourseRun(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.box = Sandbox()
+        cls.addClassCleanup(cls.box.close)
+        cls.kick = next(exercise for exercise in all_exercises() if exercise.function == "kick")
+
+    def tearDown(self):
+        self.box.restore(self.kick)
+
+    def run_free_fall(self, *words: str) -> tuple[float, str]:
+        """The error, and what was said on stderr."""
+        result = self.box.course("run", "free_fall", "--h", "1/60", "--json", *words)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        run = json.loads(result.stdout)
+        self.assertLessEqual({"scene", "parameters", "solver", "h", "steps", "us_per_step", "error", "residual"}, set(run))
+        self.assertEqual(set(run["error"]), {"name", "value", "unit"})
+        return run["error"]["value"], result.stderr
+
+    def test_the_reference(self):
+        error, _ = self.run_free_fall()
+        self.assertLess(error, 1e-9)
+
+    def test_mine_without_an_exercise_is_the_reference(self):
+        error, said = self.run_free_fall("--mine")
+        self.assertLess(error, 1e-9)
+        self.assertIn("all of it is the reference", said)
+
+    def test_mine_takes_what_the_student_wrote(self):
+        self.box.file(self.kick).write_text(STILL)
+        error, said = self.run_free_fall("--mine")
+        self.assertGreater(error, 0.1)  # a body that is never kicked doesn't fall
+        self.assertIn("Yours: 1.1 kick; the rest is the reference.", said)
+        self.assertLess(self.run_free_fall()[0], 1e-9)
+        self.box.solve(self.kick)
+        self.assertLess(self.run_free_fall("--mine")[0], 1e-9)
+
+    def test_mine_that_does_not_compile_or_define(self):
+        for source, told in (("not C++", "does not compile: chapters/01_leapfrog/kick.cpp:1:"), ("", "is not defined")):
+            self.box.file(self.kick).write_text(source)
+            result = self.box.course("run", "free_fall", "--mine")
+            self.assertEqual((result.returncode, result.stdout), (1, ""))
+            self.assertIn(f"course: 1.1 kick {told}", result.stderr)
+            self.assertNotIn("Traceback", result.stderr)
+
+    def test_bad_input_is_the_engine_s_to_refuse(self):
+        self.run_free_fall()
+        for words, told in ((["free_fal"], "free_fal"), (["free_fall", "--h", "0"], "0"),
+                            (["free_fall", "--h", "nan"], "nan"), (["free_fall", "--set", "mas=3"], "mas")):
+            with self.subTest(words=words):
+                result = self.box.course("run", *words)
+                self.assertEqual((result.returncode, result.stdout), (2, ""))
+                self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+                self.assertIn(told, result.stderr)
+
+    def test_scenes(self):
+        result = self.box.course("scenes")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        for name in ("free_fall", "oscillator", "orbit", "top", "resting_sphere", "stack"):
+            self.assertIn(name, result.stdout)
+
+    def test_start(self):
+        if not all(install._there(sign) for sign in install.PACKAGES.values()):
+            self.skipTest("start would install packages")
+        result = self.box.course("start", cwd="/")
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        for text in ("free_fall", "iterations=10000", "µs/step", "Next: 1.1 kick"):
+            self.assertIn(text, result.stdout)
+        self.assertLessEqual(max(map(len, result.stdout.splitlines())), 80)
+        self.assertIn("build/start.png", result.stdout)
+        self.assertEqual((self.box.root / "build/start.png").read_bytes()[:4], b"\x89PNG")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,91 @@
+"""kill_mutant.py accepts a failed check that says what was promised, and nothing else."""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from sandbox import TOOLS
+
+HEADER = "// Wrong: half a kick.\n// Killed by: Kick.Adds\n// Says: this is half\n//   a kick\nint x;\n"
+PROGRAM = """#!{python}
+import json, os, sys, time
+print("[ RUN      ] Kick.Adds", flush=True)
+{body}
+report = next(word.split("json:")[1] for word in sys.argv if word.startswith("--gtest_output="))
+tests = {tests}
+json.dump({{"testsuites": [{{"name": "Kick", "testsuite": tests}}] if tests else []}}, open(report, "w"))
+sys.exit({code})
+"""
+FAILED = {"name": "Adds", "status": "RUN", "result": "COMPLETED",
+          "failures": [{"failure": "f.cpp:1\nFailed\n  This text: this is\n  half a kick.", "type": ""}]}
+
+
+class KillMutant(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name, "01_leapfrog")
+        self.folder.mkdir()
+
+    def kill(self, *, header=HEADER, name="kick.half.cpp", body="", tests=(FAILED,), code=1) -> tuple[int, str]:
+        source, program = self.folder / name, self.folder / "program"
+        source.write_text(header)
+        program.write_text(PROGRAM.format(python=sys.executable, body=body, tests=json.loads(json.dumps(tests)),
+                                          code=code))
+        program.chmod(0o755)
+        result = subprocess.run([sys.executable, str(TOOLS / "kill_mutant.py"), str(source), str(program)],
+                                capture_output=True, text=True, env=os.environ | {"COURSE_TIME_LIMIT": "1"})
+        return result.returncode, result.stderr
+
+    def assert_refused(self, reason: str, **mutant):
+        code, said = self.kill(**mutant)
+        self.assertEqual(code, 1, said)
+        self.assertIn(reason, said)
+        self.assertEqual(said.count("\n"), 1, said)
+
+    def test_a_failure_that_says_the_promised_text(self):
+        self.assertEqual(self.kill(), (0, ""))
+
+    def test_a_mutant_that_passes(self):
+        self.assert_refused("the mutant lives", tests=[FAILED | {"failures": []}], code=0)
+
+    def test_a_failure_that_says_something_else(self):
+        other = FAILED | {"failures": [{"failure": "f.cpp:1\nFailed\nwrong", "type": ""}]}
+        self.assert_refused("does not say 'this is half a kick'", tests=[other])
+
+    def test_a_crash(self):
+        self.assert_refused("crashed (SIGSEGV)", body="os.kill(os.getpid(), 11)")
+
+    def test_a_loop(self):
+        self.assert_refused("not done after 1 s", body="time.sleep(30)")
+
+    def test_an_early_exit(self):
+        self.assert_refused("ended the program", body="os._exit(0)")
+
+    def test_a_skip(self):
+        self.assert_refused("was skipped", tests=[FAILED | {"result": "SKIPPED", "failures": []}], code=0)
+
+    def test_a_test_that_does_not_exist(self):
+        self.assert_refused("there is no test Kick.Adds", tests=[], code=0)
+
+    def test_a_header_without_its_promise(self):
+        self.assert_refused("lacks 'Says", header="// Wrong: a\n// Killed by: Kick.Adds\n")
+
+    def test_a_test_of_another_exercise(self):
+        self.assert_refused("is not a test of 1.2 drift", name="drift.half.cpp")
+
+    def test_an_exercise_that_does_not_exist(self):
+        self.assert_refused("has no exercise punch", name="punch.half.cpp")
+
+    def test_files_that_do_not_exist(self):
+        result = subprocess.run([sys.executable, str(TOOLS / "kill_mutant.py"), "nowhere.cpp", "nothing"],
+                                capture_output=True, text=True)
+        self.assertEqual((result.returncode, result.stderr.count("\n")), (1, 1), result.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,172 @@
+"""Lessons, headers, stubs, solutions, hints and mutants tell of the same exercises and the same equations."""
+
+import itertools
+import re
+import unittest
+from collections import Counter
+from pathlib import Path
+
+from sandbox import ROOT, Exercise, all_exercises, course_files
+
+from manifest import read_chapters
+
+SECTIONS = ("What you will be able to do", "See it run", "The idea", "The equations", "Predict before you code",
+            "Exercises", "Check", "Experiment", "Questions", "Further")
+LEAST_HINTS, LEAST_MUTANTS = 2, 3
+
+_TAG = re.compile(r"\\tag\{([0-9]+\.[0-9]+[a-z]?)\}")
+# Eq. (4.2); Eq. (3.4), (3.5) and (3.7); Eq. (3.4)-(3.6)
+_JOINED = r"\s*(?:,|and|or|to|-|–|…)?\s*"
+_REFERENCE = re.compile(rf"\bEqs?\.\s*((?:\([0-9]+\.[0-9]+[a-z]?\)(?:{_JOINED}(?=\([0-9]))?)+)")
+_NUMBER = re.compile(r"\(([0-9]+\.[0-9]+[a-z]?)\)")
+_NEXT_LINE = re.compile(r"\n[ \t]*(?://[/!]?|\*|#|>)?[ \t]*")
+
+
+def unwrapped(text: str) -> str:
+    """With the line breaks of comments taken out, so that a list may run over them."""
+    return _NEXT_LINE.sub(" ", text)
+
+
+def references(text: str) -> list[str]:
+    return [tag for found in _REFERENCE.finditer(unwrapped(text)) for tag in _NUMBER.findall(found[1])]
+
+
+def lesson(exercise: Exercise) -> str:
+    return exercise.lesson.read_text(encoding="utf-8") if exercise.lesson.exists() else ""
+
+
+def section(text: str, title: str) -> str:
+    """What stands under `## title`, down to the next heading of that level."""
+    found = re.search(rf"^## +{title}\b.*?$(.*?)(?=^## |\Z)", text, re.MULTILINE | re.DOTALL | re.IGNORECASE)
+    return found[1] if found else ""
+
+
+def entries(text: str) -> list[str]:
+    """The parts of a section that may describe one exercise: under a heading, in a table's row, in a paragraph."""
+    return re.split(r"^#{3,} ", text, flags=re.MULTILINE) + text.splitlines() + text.split("\n\n")
+
+
+def all_tags() -> list[str]:
+    return [tag for path in sorted(ROOT.glob("chapters/[0-9][0-9]_*/README.md"))
+            for tag in _TAG.findall(path.read_text(encoding="utf-8"))]
+
+
+def header_comment(exercise: Exercise) -> str:
+    """The docstring of the exercise's function in its chapter's header."""
+    lines = [line for header in sorted(exercise.file.parent.glob("*.hpp"))
+             for line in header.read_text(encoding="utf-8").splitlines()]
+    for k, line in enumerate(lines):
+        if line.startswith("///") and f"Exercise {exercise.id}." in line:
+            below = lines[k:]
+            comment = list(itertools.takewhile(lambda line: line.startswith("///"), below))
+            declaration = " ".join(below[len(comment):]).split(";")[0]
+            return "\n".join(comment) if re.search(rf"\b{exercise.function}\(", declaration) else ""
+    return ""
+
+
+class Lessons(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.exercises = all_exercises()
+        cls.chapters = read_chapters()
+
+    def test_every_folder_of_exercises_is_listed(self):
+        listed = {(exercise.folder, exercise.function) for exercise in self.exercises}
+        for place in ("chapters", "solutions"):
+            there = {(path.parent.name, path.stem) for path in ROOT.glob(f"{place}/[0-9][0-9]_*/*.cpp")
+                     if ".cpp" == "".join(path.suffixes)}
+            missing = listed - there
+            self.assertEqual(missing, set(), f"listed in hints.md, but not in {place}")
+        stubs = {(path.parent.name, path.stem) for path in ROOT.glob("chapters/[0-9][0-9]_*/*.cpp")
+                 if "not_implemented(" in path.read_text(encoding="utf-8", errors="replace")}
+        self.assertEqual(stubs - listed, set(), "a stub, but not listed in hints.md")
+
+    def test_numbers_and_names(self):
+        self.assertEqual([name for name, count in Counter(e.function for e in self.exercises).items() if count > 1], [])
+        for chapter in self.chapters:
+            with self.subTest(chapter.folder):
+                self.assertEqual([exercise.id for exercise in chapter.exercises],
+                                 [f"{chapter.number}.{k + 1}" for k in range(len(chapter.exercises))])
+                self.assertRegex(chapter.title, rf"^{chapter.number:02} · \S")
+
+    def test_every_chapter_has_the_same_sections(self):
+        for chapter in self.chapters:
+            with self.subTest(chapter.folder):
+                text = lesson(chapter.exercises[0])
+                headings = re.findall(r"^## +(.*)$", text, re.MULTILINE)
+                places = [next((k for k, heading in enumerate(headings) if heading.lower().startswith(title.lower())),
+                               f"no section '{title}'") for title in SECTIONS]
+                self.assertEqual(places, list(range(len(SECTIONS))))
+
+    def test_every_exercise_has_its_place_in_the_lesson(self):
+        for exercise in self.exercises:
+            with self.subTest(exercise.label):
+                needed = (exercise.id, exercise.function, exercise.file.name)
+                parts = [part for part in entries(section(lesson(exercise), "Exercises"))
+                         if all(word in part for word in needed)]
+                self.assertTrue(parts, f"no part of the section Exercises has {needed}")
+                self.assertTrue(any(_NUMBER.search(part) for part in parts), "no equation is named there")
+
+    def test_every_exercise_has_hints(self):
+        for exercise in self.exercises:
+            with self.subTest(exercise.label):
+                self.assertGreaterEqual(len(exercise.hints), LEAST_HINTS)
+                self.assertTrue(all(exercise.hints))
+
+    def test_headers_name_exercise_and_equation(self):
+        for exercise in self.exercises:
+            with self.subTest(exercise.label):
+                comment = header_comment(exercise)
+                self.assertTrue(comment, f"no header has 'Exercise {exercise.id}.' above {exercise.function}()")
+                self.assertTrue(references(comment), "no equation is named there")
+
+    def test_stubs_name_themselves(self):
+        for exercise in self.exercises:
+            with self.subTest(exercise.label):
+                if not exercise.started():
+                    self.assertIn(f'not_implemented("{exercise.label}"', exercise.source())
+
+    def test_tests_name_the_exercise(self):
+        for exercise in self.exercises:
+            with self.subTest(exercise.label):
+                sources = "".join(path.read_text(encoding="utf-8")
+                                  for path in sorted(ROOT.glob(f"tests/{exercise.folder}/*.cpp")))
+                self.assertIn(f'EXERCISE({exercise.suite}, "{exercise.label}")', sources)
+
+    def test_every_exercise_has_mutants(self):
+        for exercise in self.exercises:
+            with self.subTest(exercise.label):
+                mutants = list(ROOT.glob(f"tests/mutants/{exercise.folder}/{exercise.function}.*.cpp"))
+                self.assertGreaterEqual(len(mutants), LEAST_MUTANTS)
+
+    def test_equation_tags_are_unique_and_of_their_chapter(self):
+        self.assertEqual([tag for tag, count in Counter(all_tags()).items() if count > 1], [])
+        for chapter in self.chapters:
+            tags = _TAG.findall(lesson(chapter.exercises[0]))
+            self.assertEqual([tag for tag in tags if not tag.startswith(f"{chapter.number}.")], [], chapter.folder)
+
+    def test_every_equation_that_is_referred_to_exists(self):
+        tags = set(all_tags())
+        places = [name for name in course_files() if name.parts[0] in ("chapters", "solutions", "tests", "plots")
+                  and name.suffix in (".cpp", ".hpp", ".md", ".py") and name != self._this()]
+        for name in places:
+            unknown = [tag for tag in references((ROOT / name).read_text(encoding="utf-8")) if tag not in tags]
+            with self.subTest(str(name)):
+                self.assertEqual(unknown, [], "no lesson has these")
+
+    def _this(self) -> Path:
+        """Its own comments show how references are written."""
+        return Path(__file__).resolve().relative_to(ROOT)
+
+
+class References(unittest.TestCase):
+    def test_single_lists_and_ranges(self):
+        self.assertEqual(references("as Eq. (4.2) says (notes (16))"), ["4.2"])
+        self.assertEqual(references("Eq. (3.4), (3.5) and (3.7); notes (28), (31)"), ["3.4", "3.5", "3.7"])
+        self.assertEqual(references("Eq. (3.4)-(3.6)."), ["3.4", "3.6"])
+        self.assertEqual(references("// Eq. (1.3),\n/// (1.4) of it"), ["1.3", "1.4"])
+        self.assertEqual(references("no equation (1.5) here"), [])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,193 @@
+"""The spook program, as it is called: `python3 test_spook.py PATH_TO_SPOOK`, or with SPOOK=path in the environment."""
+
+import json
+import math
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+SPOOK = os.environ.get("SPOOK", "spook")
+
+
+def spook(*arguments):
+    return subprocess.run([SPOOK, *arguments], capture_output=True, text=True, timeout=120)
+
+
+class Refusals(unittest.TestCase):
+    """What makes no sense is one line on stderr that names it, nothing on stdout, and exit status 2."""
+
+    def refused(self, call, *named):
+        arguments = call.split() if isinstance(call, str) else call
+        with self.subTest(call=arguments):
+            done = spook(*arguments)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertEqual(done.stdout, "")
+            self.assertRegex(done.stderr, r"\Aspook: [^\n]+\n\Z")
+            for part in named:
+                self.assertIn(part, done.stderr)
+
+    def test_commands_and_scenes(self):
+        self.refused("", "run", "scenes")
+        self.refused("runn orbit", "runn", '"run"')
+        self.refused("run", "SCENE")
+        self.refused("run obrit", "obrit", '"orbit"')
+        self.refused("run nothing_like_it", "orbit", "stack")
+        self.refused("run orbit stack", "stack")
+        self.refused("run orbit --itertions 4", "--itertions", '"--iterations"')
+        self.refused("scenes obrit", "obrit", '"orbit"')
+
+    def test_numbers(self):
+        for text in ["1/0", "abc", "1e", "nan", "NaN", "inf", "-inf", "1e999", "", " 1", "1 s", "0x1", "1/2/3"]:
+            for option in ["h", "time", "tolerance", "iterations"]:
+                self.refused(["run", "stack", "--" + option, text], option, f'"{text}"')
+            self.refused(["run", "stack", "--set", "k=" + text], "k", f'"{text}"')
+        for text in ["0", "-1", "-1/60"]:
+            self.refused(["run", "orbit", "--h", text], "h must be positive")
+        self.refused("run orbit --time -1", "time", "-1")
+        self.refused("run orbit --h 1e-12", "time/h", "1e9")
+        self.refused("run stack --iterations 0", "iterations")
+        self.refused("run stack --iterations 2.5", "iterations", "2.5")
+        self.refused("run stack --tolerance -1", "tolerance", "-1")
+        self.refused("run orbit --h 0.1 --h 0.2", "--h")
+        self.refused("run orbit --h", "--h")
+
+    def test_parameters(self):
+        self.refused("run orbit --set eccentricty=0.1", "eccentricty", '"eccentricity"')
+        self.refused("run orbit --set eccentricity=1", "eccentricity", "0.99")
+        self.refused("run orbit --set axis=1 axis=2", "axis", "twice")
+        self.refused("run orbit --set axis=1 --set axis=2", "axis", "twice")
+        self.refused("run orbit --set axis", "NAME=VALUE")
+        self.refused("run orbit --set =1", "NAME=VALUE")
+        self.refused("run orbit --set h=1", "--h 1")
+        self.refused("run orbit --set start=halfstep", "halfstep", '"half_step"')
+        self.refused("run stack --set bodies=2.5", "bodies", "2.5")
+        self.refused("run stack --set bodies=0", "bodies", "0")
+        self.refused("run stack --set m=-1", "m must be more than 0", "-1")
+        self.refused("run top --set gyroscopic=off", "gyroscopic", "update")
+        self.refused("run top --set I1=5", "I2", "I1")
+
+    def test_solvers(self):
+        self.refused("run stack --solver gauss_siedel", "gauss_siedel", '"gauss_seidel"')
+        self.refused("run orbit --solver none_such", "none_such", "gauss_seidel")
+
+    def test_csv(self):
+        self.refused("run orbit --csv /no/such/folder/a.csv", "csv", "/no/such/folder/a.csv")
+        with tempfile.TemporaryDirectory() as folder:
+            kept = Path(folder, "kept.csv")
+            kept.write_text("mine")
+            self.refused(["run", "top", "--set", "I1=5", "--csv", str(kept)], "I2")
+            self.refused(["run", "top", "--h", "0", "--csv", str(kept)], "h")
+            self.assertEqual(kept.read_text(), "mine")
+            self.refused(["run", "orbit", "--csv", folder], "csv", folder)
+
+
+class Runs(unittest.TestCase):
+    def test_json_has_what_it_promises(self):
+        call = ["run", "orbit", "--set", "eccentricity=1/4", "start=unshifted", "--h", "1/60", "--time", "5", "--json"]
+        done = spook(*call)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        result = json.loads(done.stdout)
+        self.assertEqual(result["scene"], "orbit")
+        self.assertEqual(
+            result["parameters"], {"m": 1, "eccentricity": 0.25, "axis": 1, "gm": 1, "start": "unshifted"}
+        )
+        self.assertEqual(result["solver"], "none")
+        self.assertIsNone(result["residual"])
+        self.assertEqual((result["h"], result["steps"]), (1 / 60, 300))
+        self.assertGreater(result["us_per_step"], 0)
+        self.assertEqual(result["error"]["unit"], "relative")
+        self.assertTrue(0 < result["error"]["value"] < 1)
+        self.assertEqual(json.loads(spook(*call).stdout)["error"], result["error"])
+
+    def test_scene_with_contacts_reports_its_solver(self):
+        done = spook("run", "resting_sphere", "--json", "--solver", "gauss_seidel", "--iterations", "7")
+        result = json.loads(done.stdout)
+        self.assertEqual((result["solver"], result["iterations"]), ("gauss_seidel", 7))
+        self.assertLessEqual(result["residual"], 1e-12)
+        self.assertLessEqual(result["error"]["value"], 1e-9)
+        self.assertEqual(result["last_step"]["rows"], 1)
+
+    def test_sweeps_are_stopped_by_iterations_and_tolerance(self):
+        def sweeps(*options):
+            return json.loads(spook("run", "stack", "--time", "1", "--json", *options).stdout)["last_step"]["sweeps"]
+
+        self.assertEqual(sweeps("--iterations", "5"), 5)
+        self.assertLess(sweeps("--iterations", "1000", "--tolerance", "1e-3"), sweeps("--iterations", "1000"))
+
+    def test_no_step_is_fine(self):
+        result = json.loads(spook("run", "orbit", "--time", "0", "--json").stdout)
+        self.assertEqual((result["steps"], result["us_per_step"], result["error"]["value"]), (0, None, 0))
+
+    def test_error_too_large_for_a_number_is_null(self):
+        done = spook("run", "oscillator", "--h", "3", "--time", "1115", "--json", "--set", "amplitude=1e-6")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIsNone(json.loads(done.stdout)["error"]["value"])
+
+    def test_text_fits_a_terminal(self):
+        for call in [["run", name] for name in self.names()] + [["scenes"], ["scenes", "top"]]:
+            done = spook(*call)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            for line in done.stdout.splitlines():
+                self.assertLessEqual(len(line), 80, line)
+        for word in ["answer", "error", "µs a step", "residual"]:
+            self.assertIn(word, spook("run", "stack").stdout)
+
+    def test_scenes_are_listed_with_parameters_and_answers(self):
+        listed = json.loads(spook("scenes", "--json").stdout)
+        self.assertIn("gauss_seidel", [solver["name"] for solver in listed["solvers"]])
+        for scene in listed["scenes"]:
+            self.assertTrue(scene["answer"] and scene["summary"] and scene["error"]["unit"])
+            self.assertIn(scene["answer"].split()[0], spook("scenes", scene["name"]).stdout)
+            ran = json.loads(spook("run", scene["name"], "--time", "0", "--json").stdout)
+            defaults = {parameter["name"]: parameter["default"] for parameter in scene["parameters"]}
+            self.assertEqual(ran["parameters"], defaults)
+
+    @staticmethod
+    def names():
+        return [scene["name"] for scene in json.loads(spook("scenes", "--json").stdout)["scenes"]]
+
+    def test_csv_has_every_step(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder, "fall.csv")
+            done = spook("run", "free_fall", "--h", "0.5", "--time", "2", "--csv", str(file), "--json")
+            self.assertEqual(done.returncode, 0)
+            header, *lines = file.read_text().splitlines()
+        self.assertEqual(header, "time [s],z [m],v [m/s],energy [J]")
+        values = [[float(number) for number in line.split(",")] for line in lines]
+        self.assertEqual([line[0] for line in values], [0, 0.5, 1, 1.5, 2])
+        for time, z, v, energy in values:
+            self.assertTrue(math.isclose(z, -9.81 * time**2 / 2, rel_tol=1e-14))
+            self.assertTrue(math.isclose(v, -9.81 * time, rel_tol=1e-14))
+            self.assertTrue(math.isclose(energy, 0, abs_tol=1e-12))
+
+    def test_blowup_names_step_and_body_and_leaves_what_was_written(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder, "blown.csv")
+            done = spook("run", "oscillator", "--h", "3", "--time", "5000", "--csv", str(file), "--json")
+            self.assertEqual((done.returncode, done.stdout), (1, ""))
+            self.assertRegex(done.stderr, r"\Aspook: blew up in step \d+ \(time \S+ s\): body 0 is not finite\n\Z")
+            step = int(done.stderr.split("step ")[1].split()[0])
+            lines = file.read_text().splitlines()
+        self.assertEqual(len(lines), 1 + step)  # the header, and the steps from 0 to the one before
+        self.assertTrue(all(line.count(",") == 3 for line in lines))
+
+    def test_full_disk_is_told(self):
+        if not Path("/dev/full").exists():
+            self.skipTest("no /dev/full here")
+        with open("/dev/full", "w") as full:
+            done = subprocess.run([SPOOK, "run", "orbit"], stdout=full, stderr=subprocess.PIPE, text=True)
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stderr, r"\Aspook: [^\n]+\n\Z")
+        self.assertEqual(spook("run", "orbit", "--csv", "/dev/full").returncode, 2)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) > 1 and not sys.argv[1].startswith("-"):
+        SPOOK = sys.argv.pop(1)
+    if not shutil.which(SPOOK):
+        sys.exit(f"test_spook.py: no program {SPOOK}; give its path, or set SPOOK")
+    unittest.main()

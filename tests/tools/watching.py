@@ -1,0 +1,48 @@
+"""A course command that goes on until it is told to stop, seen from outside."""
+
+import queue
+import signal
+import subprocess
+import threading
+import time
+
+
+class Watching:
+    def __init__(self, command: list[str], **options):
+        self._process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                         stdin=subprocess.DEVNULL, **options)
+        self._lines: queue.Queue[str] = queue.Queue()
+        threading.Thread(target=self._read, daemon=True).start()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        if self._process.poll() is None:
+            self._process.kill()
+        self._process.wait()
+        self._process.stdout.close()
+        self._process.stderr.close()
+
+    def wait_for(self, text: str, seconds: float = 120) -> None:
+        """Reads on until a line holds the text."""
+        end = time.monotonic() + seconds
+        seen = []
+        while time.monotonic() < end:
+            try:
+                seen.append(self._lines.get(timeout=0.1))
+            except queue.Empty:
+                continue
+            if text in seen[-1]:
+                return
+        raise AssertionError(f"no '{text}' in:\n{''.join(seen)}")
+
+    def interrupt(self) -> tuple[int, str]:
+        """Ctrl-C; the exit code, and what was said on stderr."""
+        self._process.send_signal(signal.SIGINT)
+        code = self._process.wait(30)
+        return code, self._process.stderr.read()
+
+    def _read(self) -> None:
+        for line in self._process.stdout:
+            self._lines.put(line)
