@@ -18,7 +18,12 @@ namespace spook {
 
 enum class RotationUpdate { splitting, first_order, exponential };
 
-struct RotationRule {
+/// The rule of a world. Point masses have none.
+template <int Dof>
+struct RotationRule {};
+
+template <>
+struct RotationRule<6> {
   RotationUpdate update = RotationUpdate::splitting;
   bool gyroscopic_torque = true;  ///< for first_order and exponential; splitting cannot do without
 };
@@ -32,15 +37,15 @@ struct Orientations<6> {
   std::vector<Quat> q;                  ///< body to world
   std::vector<Vec3> principal;          ///< [kg m²]; zero for a fixed body
   std::vector<Vec3> inverse_principal;  ///< [1/(kg m²)]; zero for a fixed body
-  RotationRule rule;
 
   Mat3 inverse_inertia(std::size_t i) const;  ///< in world coordinates [1/(kg m²)]: Eq. (2.7)
 };
 
 /// What the gyroscopic torque adds to ω in a step of `h`, where the rule treats it as a torque; else zero.
-Vec3 gyroscopic_change(const Orientations<6>& orientations, std::size_t i, const Vec3& omega, double h);
+Vec3 gyroscopic_change(const RotationRule<6>& rule, const Orientations<6>& orientations, std::size_t i,
+                       const Vec3& omega, double h);
 
 /// Turns body i for `h`, and for `splitting` its ω with it.
-void rotate(Orientations<6>& orientations, std::size_t i, Vec3& omega, double h);
+void rotate(const RotationRule<6>& rule, Orientations<6>& orientations, std::size_t i, Vec3& omega, double h);
 
 }  // namespace spook

@@ -39,7 +39,8 @@ void World<Dof>::build_rows(double h) {
     motion.Wf[i].template head<3>() = kick(Vec3::Zero(), forces_[i], motion.inverse_mass[i].linear, h);
     if constexpr (Dof == 6) {
       const Vec3 omega = motion.W[i].template tail<3>();
-      motion.Wf[i].template tail<3>() = gyroscopic_change(bodies_.orientations, i, omega, h);
+      motion.Wf[i].template tail<3>() =
+          gyroscopic_change(settings_.rotation, bodies_.orientations, i, omega, h);
       motion.inverse_mass[i].angular = bodies_.orientations.inverse_inertia(i);
     }
   }
@@ -66,9 +67,9 @@ void World<Dof>::integrate(double h) {
     bodies_.x[i] = drift(bodies_.x[i], v, h);
     if constexpr (Dof == 6) {
       Vec3 omega = W.template tail<3>();
-      omega += gyroscopic_change(bodies_.orientations, i, omega, h);
+      omega += gyroscopic_change(settings_.rotation, bodies_.orientations, i, omega, h);
       if (!rows_.empty()) omega += V_[i].template tail<3>();
-      rotate(bodies_.orientations, i, omega, h);
+      rotate(settings_.rotation, bodies_.orientations, i, omega, h);
       W.template tail<3>() = omega;
     }
   }

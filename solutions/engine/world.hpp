@@ -27,7 +27,8 @@ struct Settings {
   double k = 1e6;                    ///< stiffness of a contact [N/m]
   double d = 3;                      ///< relaxation of a contact [steps]
   Solver<Dof> solver = &solve<Dof>;  ///< any of solvers<Dof>()
-  StopRule stop = {};                ///< when the solver stops
+  [[no_unique_address]] RotationRule<Dof> rotation = {};  ///< rigid bodies only: how they turn
+  StopRule stop = {};                                     ///< when the solver stops
 };
 
 /// What the last step did.
@@ -54,8 +55,6 @@ class World {
   /// Adds the half-space n·x < offset as a fixed body. Throws std::invalid_argument unless |n| = 1.
   int add_plane(const Vec3& n, double offset);
 
-  void set_rotation(const RotationRule& rule) requires(Dof == 6) { bodies_.orientations.rule = rule; }
-
   /// Takes every velocity half a step back, to where leapfrog wants it: Eq. (1.5). Once, before the first step.
   void start_half_step_back(double h);
 
@@ -67,12 +66,11 @@ class World {
   std::int64_t steps() const { return steps_; }  ///< taken so far
   double time() const { return time_; }          ///< their sum [s]
 
-  /// Position [m], velocity [m/s], orientation and angular velocity [rad/s] of a body. Throw std::invalid_argument for
-  /// an index that is no body's.
-  const Vec3& x(int body) const;
-  Vec3 v(int body) const;
-  const Quat& q(int body) const requires(Dof == 6) { return bodies_.orientations.q[checked(body)]; }
-  Vec3 omega(int body) const requires(Dof == 6) { return bodies_.motion.W[checked(body)].template tail<3>(); }
+  /// Where a body's numbers are in bodies(). Throws std::invalid_argument for an index that is no body's.
+  std::size_t index(int body) const;
+
+  const Vec3& x(int body) const { return bodies_.x[index(body)]; }                     ///< [m]
+  Vec3 v(int body) const { return bodies_.motion.W[index(body)].template head<3>(); }  ///< [m/s]
 
   /// The velocity at the time of the position, from one that is half a step of `h` behind [m/s].
   Vec3 v_beside_x(int body, double h) const;
@@ -93,7 +91,6 @@ class World {
   void evaluate_forces();
   Vec3 force(std::size_t i) const;
   void require_finite_bodies() const;
-  std::size_t checked(int body) const;
 
   Settings<Dof> settings_;
   Bodies<Dof> bodies_;
@@ -107,5 +104,13 @@ class World {
   int pairs_ = 0;
   int sweeps_ = 0;
 };
+
+/// Orientation, and angular velocity in world coordinates [rad/s], of a rigid body.
+inline const Quat& orientation(const World<6>& world, int body) {
+  return world.bodies().orientations.q[world.index(body)];
+}
+inline Vec3 angular_velocity(const World<6>& world, int body) {
+  return world.bodies().motion.W[world.index(body)].tail<3>();
+}
 
 }  // namespace spook

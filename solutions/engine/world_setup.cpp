@@ -46,7 +46,8 @@ void World<Dof>::start_half_step_back(double h) {
     const double inverse_mass = bodies_.motion.inverse_mass[i].linear;
     W.template head<3>() = half_step_start(W.template head<3>(), force(i), inverse_mass, h);  // Eq. (1.5)
     if constexpr (Dof == 6)
-      W.template tail<3>() += gyroscopic_change(bodies_.orientations, i, W.template tail<3>(), -h / 2);
+      W.template tail<3>() +=
+          gyroscopic_change(settings_.rotation, bodies_.orientations, i, W.template tail<3>(), -h / 2);
   }
 }
 
@@ -58,25 +59,15 @@ Vec3 World<Dof>::force(std::size_t i) const {
 }
 
 template <int Dof>
-std::size_t World<Dof>::checked(int body) const {
+std::size_t World<Dof>::index(int body) const {
   if (body < 0 || body >= static_cast<int>(bodies_.size()))
     reject("body", body, "an index below " + std::to_string(bodies_.size()));
   return static_cast<std::size_t>(body);
 }
 
 template <int Dof>
-const Vec3& World<Dof>::x(int body) const {
-  return bodies_.x[checked(body)];
-}
-
-template <int Dof>
-Vec3 World<Dof>::v(int body) const {
-  return bodies_.motion.W[checked(body)].template head<3>();
-}
-
-template <int Dof>
 Vec3 World<Dof>::v_beside_x(int body, double h) const {
-  const std::size_t i = checked(body);
+  const std::size_t i = index(body);
   return half_step_start(v(body), force(i), bodies_.motion.inverse_mass[i].linear, -h);
 }
 

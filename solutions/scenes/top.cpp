@@ -16,7 +16,7 @@ Vec3 first_omega(const Parameters& p) {
   return {p.number("wx"), p.number("wy"), p.number("wz")};
 }
 
-RotationRule rotation_rule(const Parameters& p) {
+RotationRule<6> rotation_rule(const Parameters& p) {
   const std::string& update = p.choice("update");
   const bool gyroscopic = p.choice("gyroscopic") == "on";
   if (update == "first_order") return {RotationUpdate::first_order, gyroscopic};
@@ -31,9 +31,9 @@ RotationRule rotation_rule(const Parameters& p) {
 class Top : public WorldScene<6> {
  public:
   Top(const Parameters& p, const Method& method)
-      : WorldScene({.gravity = Vec3::Zero()}, method), answer_(principal(p), first_omega(p)) {
+      : WorldScene({.gravity = Vec3::Zero(), .rotation = rotation_rule(p)}, method),
+        answer_(principal(p), first_omega(p)) {
     world_.add({.omega = first_omega(p), .principal = principal(p)});
-    world_.set_rotation(rotation_rule(p));
   }
 
   void observe() override {
@@ -52,7 +52,7 @@ class Top : public WorldScene<6> {
   }
 
  private:
-  Vec3 omega_in_body() const { return world_.q(0).conjugate() * world_.omega(0); }
+  Vec3 omega_in_body() const { return orientation(world_, 0).conjugate() * angular_velocity(world_, 0); }
 
   FreeTop answer_;
   double largest_error_ = 0;

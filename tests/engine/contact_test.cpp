@@ -141,7 +141,7 @@ TEST(Stack, PointMassesAndRigidBodiesAgree) {
       ASSERT_NEAR((points.x(i) - bodies.x(i)).norm(), 0, 1e-12) << "step " << step << ", body " << i;
   }
   for (int i = 1; i <= 5; ++i)
-    EXPECT_EQ(bodies.omega(i), Vec3::Zero().eval()) << "nothing turns a frictionless pile";
+    EXPECT_EQ(angular_velocity(bodies, i), Vec3::Zero().eval()) << "nothing turns a frictionless pile";
 }
 
 TEST(Spheres, CollisionKeepsMomentumAndAngularMomentum) {
