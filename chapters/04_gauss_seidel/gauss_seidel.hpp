@@ -10,6 +10,7 @@
 //   gather       r = B - Gi·V_i - Gj·V_j - Σ λ               Eq. (4.6)    notes (28)
 //   update       λ <- clamp(λ + r/S_kk, lo, hi)              Eq. (4.7)    notes (31), (32)
 //   residual     max_k S_kk |clamp(λ + r/S_kk) - λ|          Eq. (4.8)    not in the notes
+//   stop         max_k S_kk |Δλ_k| <= tolerance in a sweep   Eq. (4.9)    not in the notes
 //
 //   G   Jacobian row, blocks Gi, Gj on bodies i, j        λ     impulse [N s], between lo and hi
 //   V   velocity change of each body so far               W_f   what the forces of this step add: h M⁻¹ f
@@ -71,7 +72,8 @@ void apply_impulse(const Row<Dof>& row, double delta, std::vector<Twist<Dof>>& V
 template <int Dof>
 double update_row(Row<Dof>& row, std::vector<Twist<Dof>>& V);
 
-/// Exercise 4.4. Updates every row once, in order; each uses what those before it have just done: notes (18)-(20).
+/// Exercise 4.4. Updates every row once, in order; each uses what those before it have just done: Eq. (4.2); notes
+/// (18)-(20).
 /// Returns the largest S_kk |Δλ_k| [m/s], what the rows lacked when their turn came; 0 when there are no rows.
 template <int Dof>
 double sweep(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V);
@@ -92,8 +94,8 @@ struct SolveReport {
   bool converged = false;       ///< the last sweep was at or below the tolerance
 };
 
-/// Exercise 4.6. Sweeps until a sweep returns at most `stop.tolerance`, or `stop.max_sweeps` are done. With no rows:
-/// no sweep, converged. `V` must hold M⁻¹ Gᵀ λ of the rows' λ on entry (zero for λ = 0), and does so on return.
+/// Exercise 4.6. Sweeps until a sweep returns at most `stop.tolerance`, or `stop.max_sweeps` are done: Eq. (4.9). With
+/// no rows: no sweep, converged. `V` must hold M⁻¹ Gᵀ λ of the rows' λ on entry (zero for λ = 0), and does so on return.
 /// Throws std::invalid_argument unless max_sweeps >= 1 and tolerance >= 0 is finite.
 template <int Dof>
 SolveReport solve(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V, const StopRule& stop);

@@ -1,9 +1,12 @@
 #include "engine/rows.hpp"
 
+#include <cassert>
+
 namespace spook {
 
 template <int Dof>
 Constraint<Dof> contact_constraint(const Contact& contact, const Spook& spook) {
+  assert(contact.i != contact.j && "a body has no contact with itself");
   const ContactJacobian G = contact_jacobian(contact);
   return {.i = contact.i,
           .j = contact.j,

@@ -80,10 +80,12 @@ void World<Dof>::integrate(double h) {
 
 template <int Dof>
 void World<Dof>::require_finite_bodies() const {
-  for (std::size_t i = 0; i < bodies_.size(); ++i)
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
     // One number that is not finite makes the sum so.
-    if (!std::isfinite(bodies_.x[i].sum() + bodies_.motion.W[i].sum()))
-      throw Blowup(steps_, time_, static_cast<int>(i));
+    double sum = bodies_.x[i].sum() + bodies_.motion.W[i].sum();
+    if constexpr (Dof == 6) sum += bodies_.orientations.q[i].coeffs().sum();
+    if (!std::isfinite(sum)) throw Blowup(steps_, time_, static_cast<int>(i));
+  }
 }
 
 template class World<3>;

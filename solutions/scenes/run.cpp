@@ -28,19 +28,20 @@ static void observed_run(Scene& scene, std::int64_t steps, std::ostream* csv, co
   for (std::int64_t n = 0;; ++n) {
     scene.observe();
     if (csv) write_line(*csv, scene.sample(), exact_text);
-    if (progress && n > 0 && n % steps_between_reports == 0) progress(n, steps);
+    if (progress && steps > steps_between_reports && (n % steps_between_reports == 0 || n == steps))
+      progress(n, steps);
     if (n == steps) return;
     scene.advance(1);
   }
 }
 
-/// Median over fresh worlds: at least three and 50 ms of them, but no more once a second is over.
+/// Median over fresh worlds: at least three and 50 ms of them, but no more once a second is over, or a thousand.
 template <class Build>
 static double median_us_per_step(const Build& build, std::int64_t steps) {
   using Clock = std::chrono::steady_clock;
   std::vector<double> times;
   double total = 0;
-  while ((times.size() < 3 || total < 5e4) && total < 1e6) {
+  while ((times.size() < 3 || total < 5e4) && total < 1e6 && times.size() < 1000) {
     const std::unique_ptr<Scene> scene = build();
     const auto start = Clock::now();
     scene->advance(steps);

@@ -23,7 +23,7 @@ struct RunResult {
 /// time/h, rounded. Throws std::invalid_argument unless h > 0 and time >= 0, and for more than 1e9 steps.
 std::int64_t step_count(double h, double time);
 
-/// Is told now and then, in a long run, how many of the steps are done.
+/// Is told now and then, in a long run, how many of the steps are done; and at its end.
 using Progress = std::function<void(std::int64_t done, std::int64_t steps)>;
 
 /// Builds the scene and runs it. With `csv`, writes a line of columns and one for each step, the start included. Throws

@@ -47,7 +47,8 @@ static void require_nothing_left(const CLI::App& app) {
 
 static void require_command(const CLI::App& app) {
   if (!app.get_subcommands().empty()) return;
-  const std::string given = app.remaining().empty() ? "" : app.remaining().front();
+  if (app.remaining().empty()) throw std::invalid_argument("a command is missing; there are: run, scenes");
+  const std::string given = app.remaining().front();
   throw std::invalid_argument("unknown command \"" + given + "\"" +
                               spook::did_you_mean(given, {"run", "scenes"}));
 }

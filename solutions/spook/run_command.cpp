@@ -47,7 +47,7 @@ static RunSettings settings_of(const RunCommand& command, const SceneDescription
 static Progress progress_on_terminal() {
   if (!isatty(STDERR_FILENO)) return nullptr;
   return [](std::int64_t done, std::int64_t steps) {
-    std::cerr << "\r" << (done == steps ? "    \r" : std::to_string(100 * done / steps) + " %") << std::flush;
+    std::cerr << (done == steps ? "     " : std::to_string(100 * done / steps) + " %") << '\r' << std::flush;
   };
 }
 

@@ -15,7 +15,7 @@ constexpr double radius = 0.5;
 
 struct Case {
   double h, d;
-  int steps;  ///< enough for the decay of ERRATA 12 to reach roundings
+  int steps;  ///< enough for the decay of the first violation to reach roundings
 };
 
 TEST(RestingSphere, GapAndImpulseAreThoseOfTheWeightForAnyStepAndRelaxation) {
@@ -102,7 +102,7 @@ TEST(Stack, EveryContactCarriesTheWeightAboveIt) {
 }
 
 TEST(Stack, SweepsGoWithTheTheoryOfTwoBodies) {
-  // ρ = 1/((1 + mΣ)(1 + m/M + mΣ)) a sweep: ERRATA 6. From one tolerance to the next, ln(100)/ln(1/ρ) sweeps.
+  // ρ = 1/((1 + mΣ)(1 + m/M + mΣ)) a sweep. From one tolerance to the next, ln(100)/ln(1/ρ) sweeps.
   const double h = 1.0 / 60, M = 1000;
   const double Sigma = spook_parameters(h, 1e6, 3).Sigma;
   const double rate = 1 / ((1 + Sigma) * (1 + 1 / M + Sigma));

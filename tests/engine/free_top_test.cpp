@@ -86,7 +86,7 @@ TEST(FreeTop, OnTheSeparatrixNeverComesBack) {
   }
 }
 
-TEST(FreeTop, OfTheCasesFileTurnsOverIn391057Seconds) {
+TEST(FreeTop, NearItsMiddleAxisTurnsOverAndBackIn391057Seconds) {
   const FreeTop top(Vec3(1, 2, 3), Vec3(0.01, 1, 0.01));
   EXPECT_NEAR(top.period(), 39.1057, 5e-5);
   EXPECT_LE((top.omega(top.period()) - Vec3(0.01, 1, 0.01)).norm(), 1e-11);

@@ -32,3 +32,10 @@ def stream(command: list[str], on_line: Callable[[str], None], log: Path | None 
 
 def tail(text: str, count: int = 15) -> str:
     return "\n".join(text.rstrip().splitlines()[-count:])
+
+
+def from_failure(text: str, count: int = 15) -> str:
+    """What ninja says of the first failure, without the compiler's command line."""
+    lines = text.rstrip().splitlines()
+    first = next((k for k, line in enumerate(lines) if line.startswith("FAILED:")), None)
+    return tail(text, count) if first is None else "\n".join([lines[first], *lines[first + 2:first + 1 + count]])

@@ -17,15 +17,15 @@ class Case:
     iterations: tuple[int, ...] = ()
 
 
+STEPS = ("1/60", "1/120", "1/240")
 CASES = (
-    Case("free_fall", (), ("1/60", "1/240")),
-    Case("oscillator", (), ("1/60", "1/240")),
-    Case("orbit", (), ("1/60", "1/240")),
-    Case("top", ("update=first_order",), ("1/60", "1/240")),
-    Case("top", ("update=exponential",), ("1/60", "1/240")),
-    Case("top", ("update=splitting",), ("1/60", "1/240")),
-    Case("resting_sphere", (), ("1/60", "1/240")),
-    Case("stack", ("ratio=1000",), ("1/60",), (10, 100, 1000, 10000)),
+    Case("free_fall", (), STEPS),
+    Case("orbit", (), STEPS),
+    Case("orbit", ("start=unshifted",), STEPS),
+    Case("top", ("update=first_order",), STEPS),
+    Case("top", ("update=splitting",), STEPS),
+    Case("resting_sphere", (), STEPS),
+    Case("stack", ("bodies=2", "ratio=1000"), ("1/60",), (10, 100, 1000, 10000)),
 )
 
 

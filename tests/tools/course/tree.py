@@ -11,7 +11,7 @@ from pathlib import Path
 
 from errors import CourseError
 from paths import BUILD, ROOT, shown
-from process import stream, tail
+from process import from_failure, stream, tail
 from terminal import Live
 
 _STATUS = re.compile(r"^\[(\d+/\d+)\] ")
@@ -82,7 +82,8 @@ class Tree:
 
     def own_failure(self, built: Built) -> CourseError:
         return CourseError(f"the course's own code did not build; the whole log is in "
-                           f"{shown(self.path / 'course-build.log')}", tail(built.output))
+                           f"{shown(self.path / 'course-build.log')}",
+                           from_failure(built.output))
 
     def _is_of_this_course(self) -> bool:
         return self.setting("CMAKE_HOME_DIRECTORY") in ("", str(ROOT))

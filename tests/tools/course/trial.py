@@ -105,5 +105,13 @@ def _read_report(report: Path) -> list[Test] | None:
     except ValueError:
         return None
     return [Test(f"{suite['name']}.{test['name']}", test.get("result") == "SKIPPED",
-                 [failure["failure"] for failure in test.get("failures", [])])
+                 [_as_utf8(failure["failure"]) for failure in test.get("failures", [])])
             for suite in suites for test in suite["testsuite"] if test.get("status") == "RUN"]
+
+
+def _as_utf8(text: str) -> str:
+    """GoogleTest 1.12 escapes each byte of a letter by itself, so that λ arrives as two letters."""
+    try:
+        return text.encode("latin-1").decode("utf-8")
+    except UnicodeError:
+        return text
