@@ -42,7 +42,7 @@ def measure(program: str) -> list[dict]:
         asked = list(case.settings)
         if count is not None:
             command += ["--iterations", str(count)]
-            asked.append(f"iterations={count}")
+            asked.append(f"{count} its")
         results.append(_run(command) | {"asked": asked})
     live.done()
     return results
@@ -60,16 +60,16 @@ def _run(command: list[str]) -> dict:
 
 
 def show_table(results: list[dict]) -> None:
-    print(paint(f"{'scene':<29} {'solver':<13} {'h [s]':>6} {'µs/step':>8}   error", "bold"))
+    print(paint(f"{'scene':<32} {'solver':<12} {'h [s]':>6} {'µs/step':>8}  error", "bold"))
     scene = None
     for result in results:
         error = result["error"]
         if result["scene"] != scene:
             scene = result["scene"]
             print(f"{scene}: {error['name']}"[:80])
-        asked = " ".join(result["asked"])[:27]
-        print(f"  {asked:<27} {result['solver'][:13]:<13} {_step(result['h']):>6} "
-              f"{result['us_per_step']:>8.3g}   {_number(error['value'])} {error['unit']}".rstrip())
+        asked = " ".join(result["asked"])[:30]
+        print(f"  {asked:<30} {result['solver'][:12]:<12} {_step(result['h']):>6} "
+              f"{result['us_per_step']:>8.3g}  {_number(error['value'])} {error['unit']}".rstrip())
 
 
 def _number(value: float | None) -> str:
