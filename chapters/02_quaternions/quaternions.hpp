@@ -8,7 +8,7 @@
 //   exponential     q_{k+1} = (cos θ/2, sin(θ/2) ω/|ω|) q_k,  θ = h |ω|               Eq. (2.6)    not in the notes
 //   inertia         I_world = R(q) diag(I1, I2, I3) R(q)ᵀ                             Eq. (2.7)    notes, under (7)
 //   gyroscopic      τ_gyro = -ω × (I_world ω)                                         Eq. (2.9)    not in the notes
-//   free rotation   q -> q (cos α/2, sin(α/2) e_c),  α = h L_c / I_c, axis by axis    Eq. (2.10), (2.11)   not in the notes
+//   free rotation   q -> q (cos α/2, sin(α/2) e_c),  α = t L_c / I_c    Eq. (2.10), (2.11)   not in the notes
 //
 //   ω   angular velocity [rad/s]    I1, I2, I3   principal moments [kg m²], along the body's own axes e_1, e_2, e_3
 //   h   time step [s], of any sign  L = I ω      angular momentum [kg m²/s]
@@ -35,7 +35,8 @@ Quat update_exponential(const Quat& q, const Vec3& omega, double h);
 /// [1/(kg m²)] instead, it is the world's inverse inertia, by the same formula.
 Mat3 world_inertia(const Quat& q, const Vec3& principal);
 
-/// Exercise 2.5. The torque [N m] that makes Iω' = τ say the same as dL/dt = τ: Eq. (2.9).
+/// Exercise 2.5. The torque [N m] that makes Iω' = τ say the same as dL/dt = τ: Eq. (2.9). `inertia` is in world
+/// coordinates, like ω.
 Vec3 gyroscopic_torque(const Mat3& inertia, const Vec3& omega);
 
 /// Exercise 2.6. Torque-free motion for `h` [s]: five turns about body axes with L fixed in the world, Eq. (2.11).

@@ -49,6 +49,7 @@ EXERCISE_TEST(FreeRotation, KeepsAngularMomentum) {
   const Top start = random_top(random);
   Top top = start;
   top.step(0.3);
+  expect_moved(top, start);
   const auto L_with = [&](const Vec3& omega) { return Top{top.principal, top.q, omega}.L(); };
   const Vec3 omega_right = Top{top.principal, top.q, Vec3::Zero()}.q *
                            Vec3((top.q.conjugate() * start.L()).cwiseQuotient(top.principal));
@@ -77,7 +78,9 @@ EXERCISE_TEST(FreeRotation, RunsBackToWhereItCameFrom) {
   Random random;
   const Top start = random_top(random);
   Top top = start;
-  for (int n = 0; n < 50; ++n) top.step(0.1);
+  top.step(0.1);
+  expect_moved(top, start);
+  for (int n = 1; n < 50; ++n) top.step(0.1);
   for (int n = 0; n < 50; ++n) top.step(-0.1);
   expect_near("distance from the start after 50 steps of 0.1 s forth and 50 back", "Eq. (2.11)",
               distance(top, start), 0,

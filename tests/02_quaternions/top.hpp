@@ -75,6 +75,12 @@ inline double distance(const Top& a, const Top& b) {
                     (a.omega - b.omega).norm() / b.omega.norm());
 }
 
+/// For a test of what stays the same: after a first step of 0.1 s or more, something must not.
+inline void expect_moved(const Top& top, const Top& start) {
+  expect_at_least("distance from the start in q and ω, after one step", "Eq. (2.10)", distance(top, start),
+                  0.01, "it spins at about 1 rad/s", "The body has not moved: q and ω are changed in place.");
+}
+
 /// expect_order 2, at steps h to h/8; an error that is already down at `exact` with the finest step passes, too.
 inline void expect_second_order(const std::string& what, const std::string& equation,
                                 const std::function<double(double)>& error, double h, double exact,

@@ -1,5 +1,5 @@
 // Wrong: lets the body turn about an ω that never changes.
-// Killed by: FreeRotation.StandsOnItsHeadAfterHalfAPeriod
+// Killed by: FreeRotation.StandsOnItsHeadAfterHalfAPeriodAndReturns
 // Says: With ω constant it never would
 #include "02_quaternions/quaternions.hpp"
 
