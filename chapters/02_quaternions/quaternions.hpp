@@ -8,7 +8,7 @@
 //   exponential     q_{k+1} = (cos θ/2, sin(θ/2) ω/|ω|) q_k,  θ = h |ω|               Eq. (2.6)    not in the notes
 //   inertia         I_world = R(q) diag(I1, I2, I3) R(q)ᵀ                             Eq. (2.7)    notes, under (7)
 //   gyroscopic      τ_gyro = -ω × (I_world ω)                                         Eq. (2.9)    not in the notes
-//   free rotation   q -> q (cos α/2, sin(α/2) e_c),  α = t L_c / I_c    Eq. (2.10), (2.11)   not in the notes
+//   free rotation   q -> q (cos α/2, sin(α/2) e_c),  α = t L_c / I_c                          Eq. (2.11)   not in the notes
 //
 //   ω   angular velocity [rad/s]    I1, I2, I3   principal moments [kg m²], along the body's own axes e_1, e_2, e_3
 //   h   time step [s], of any sign  L = I ω      angular momentum [kg m²/s]

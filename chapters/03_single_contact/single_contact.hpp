@@ -30,7 +30,7 @@ struct Spook {
 };
 
 /// Exercise 3.1. The three numbers of SPOOK: Eq. (3.4)-(3.6); notes (9)-(11).
-/// Throws std::invalid_argument unless h > 0, k > 0 and d >= 0, all finite.
+/// Throws std::invalid_argument, naming the parameter, unless h > 0, k > 0 and d >= 0, all finite: see common/require.hpp.
 Spook spook_parameters(double h, double k, double d);
 
 /// One touching (or nearly touching) pair. Vectors are in world coordinates; nothing here is checked again.
@@ -77,7 +77,8 @@ struct InverseMass<6> {
 Mat3 collision_matrix(const InverseMass<6>& body_i, const Vec3& r_i, const InverseMass<6>& body_j,
                       const Vec3& r_j);
 
-/// Exercise 3.4. The impulse λ >= 0 [N s] of one frictionless contact: Eq. (3.10), (3.11); notes (26), (32).
+/// Exercise 3.4. The impulse λ >= 0 [N s] of one frictionless contact: Eq. (3.10), (3.11); notes (26), (32). A NaN
+/// stays a NaN.
 ///   nKn               n·Kn [1/kg]
 ///   gap               signed [m]; a contact that is still open may push, too, if it would close within the step
 ///   normal_velocity   G W, relative velocity along n before the step [m/s]; negative when approaching

@@ -7,7 +7,8 @@ namespace spook {
 double contact_impulse(const Spook& spook, double nKn, double gap, double normal_velocity,
                        double force_velocity) {
   const double B = -spook.a * gap - spook.b * normal_velocity - force_velocity;
-  return std::max(0.0, B / (nKn + spook.Sigma));  // Eq. (3.10), (3.11)
+  // In this order std::max keeps a NaN.
+  return std::max(B / (nKn + spook.Sigma), 0.0);  // Eq. (3.10), (3.11)
 }
 
 }  // namespace spook

@@ -13,16 +13,22 @@ Vec3 gyroscopic_change(const RotationRule<6>& rule, const Orientations<6>& orien
   return h * orientations.inverse_inertia(i) * gyroscopic_torque(inertia, omega);  // Eq. (2.9)
 }
 
+static bool is_round(const Vec3& principal) {
+  return principal.x() == principal.y() && principal.y() == principal.z();
+}
+
 void rotate(const RotationRule<6>& rule, Orientations<6>& orientations, std::size_t i, Vec3& omega, double h) {
   Quat& q = orientations.q[i];
   switch (rule.update) {
     case RotationUpdate::splitting:
-      return free_rotation(q, omega, orientations.principal[i], h);  // Eq. (2.11)
-    case RotationUpdate::first_order:
-      q = update_first_order(q, omega, h);  // Eq. (2.4)
-      return;
+      if (!is_round(orientations.principal[i]))
+        return free_rotation(q, omega, orientations.principal[i], h);  // Eq. (2.11)
+      [[fallthrough]];  // a round body keeps its ω, so one exact turn does
     case RotationUpdate::exponential:
       q = update_exponential(q, omega, h);  // Eq. (2.6)
+      return;
+    case RotationUpdate::first_order:
+      q = update_first_order(q, omega, h);  // Eq. (2.4)
       return;
   }
 }

@@ -2,6 +2,7 @@
 // How rigid bodies turn: three rules for a step of (q, ω), and what each leaves to the torques.
 //
 //   splitting     free_rotation: ω turns with the body, L = I ω kept to roundings          Eq. (2.11)
+//                 for a round body, whose ω does not turn with it, as exponential
 //   exponential   q turns by h|ω| about ω, ω is left alone                                 Eq. (2.6)
 //   first_order   the notes' update, ω is left alone                                       Eq. (2.4)
 //

@@ -44,7 +44,7 @@ class RestingSphere : public WorldScene<6> {
 SceneDescription resting_sphere() {
   return {.name = "resting_sphere",
           .summary = "A sphere comes to rest on a plane.",
-          .answer = "gap = -m g/k with the impulse h m g in every step, whatever h and d > 0.",
+          .answer = "gap = -m g/k with the impulse h m g in every step, whatever h, for d of 1/4 and more.",
           .error_name = "error of the last gap over m g/k",
           .error_unit = "relative",
           .parameters = {parameter::mass(), parameter::gravity(), parameter::stiffness(),

@@ -86,8 +86,11 @@ EXERCISE_TEST(LeapfrogStep, FallsByTheExactDiscreteLaw) {
       {{-g * h * h * n * (n - 1) / 2,
         "This is explicit Euler: it drifts with the old velocity. Kick first, then drift with the new one."},
        {-g * h * h * n * n / 2,
-        "This is -g t²/2, which Eq. (1.7) meets only with a half-step start; this test "
-        "starts from rest, unshifted."},
+        "This is -g t²/2. Two half kicks a step are velocity Verlet, with v at the time of x; this leapfrog's "
+        "v "
+        "lives half a step behind: one whole kick, then the drift."},
+       {0, "Nothing moved: is the drift missing, or was a copy kicked (auto v, where auto& v is meant)?"},
+       {-g * h * h * n * (n + 1) / 4, "Exactly half: half a kick a step. Only the start takes half a step."},
        {-mass * g * h * h * n * (n + 1) / 2, "A factor m too much: the inverse mass has not been used."}},
       "From rest, x_n = -g h² n(n+1)/2, exactly.");
 }
@@ -195,7 +198,8 @@ EXERCISE_TEST(LeapfrogStep, RejectsAStepThatIsNotPositive) {
   leapfrog_step(p, spring, 0.1);
   for (const double h : {0.0, -0.1, std::nan(""), HUGE_VAL})
     expect_rejects(
-        "h = " + show(h), "h", [&] { leapfrog_step(p, spring, h); }, "See require_positive in require.hpp.");
+        "h = " + show(h), "h", [&] { leapfrog_step(p, spring, h); },
+        "See require_positive in common/require.hpp.");
 }
 
 }  // namespace

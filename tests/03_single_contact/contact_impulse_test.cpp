@@ -113,4 +113,12 @@ EXERCISE_TEST(ContactImpulse, SlowsBodiesThatMeet) {
   }
 }
 
+EXERCISE_TEST(ContactImpulse, KeepsANaN) {
+  const Spook spook = {.a = 1, .b = 1, .Sigma = 0};
+  expect_true("a gap that is NaN gives a λ that is NaN", "Eq. (3.11)",
+              std::isnan(contact_impulse(spook, 1, std::nan(""), 0, 0)),
+              "std::max(0.0, NaN) is 0: the number that should have warned you has become a contact at rest. "
+              "std::max(NaN, 0.0), in this order, is NaN.");
+}
+
 }  // namespace

@@ -35,6 +35,10 @@ EXERCISE_TEST(MakeRow, CountsBothBodiesAndSigmaInTheDiagonal) {
                {t.c.Gi.dot(t.c.Gi) + t.c.Gj.dot(t.c.Gj) + Sigma, "The masses are missing: this is G·G + Σ."}});
 }
 
+double difference(const TwoBodies& t, const std::vector<Twist<6>>& W) {
+  return t.c.Gi.dot(t.at(W, t.c.i)) - t.c.Gj.dot(t.at(W, t.c.j));
+}
+
 EXERCISE_TEST(MakeRow, FillsTheRightSide) {
   const TwoBodies t;
   const double ag = t.c.spook.a * t.c.gap, GW = t.along(t.motion.W), GWf = t.along(t.motion.Wf);
@@ -47,7 +51,9 @@ EXERCISE_TEST(MakeRow, FillsTheRightSide) {
        {-ag - b * GW, "What the forces add in this step, G W_f, is missing."},
        {-ag - b * (GW + GWf), "b belongs to the old velocity alone; G W_f counts in full."},
        {-ag + b * GW + GWf, "The sign of the velocities: an approaching contact has G W < 0 and must push."},
-       {-b * GW - GWf, "The gap is missing: nothing would bring a violation back."}},
+       {-b * GW - GWf, "The gap is missing: nothing would bring a violation back."},
+       {-ag - b * difference(t, t.motion.W) - difference(t, t.motion.Wf),
+        "Gi has its sign already: add both bodies' shares."}},
       "B = -a g - b G W - G W_f, with the blocks Gi and Gj each on its own body.");
 }
 
@@ -71,7 +77,8 @@ EXERCISE_TEST(MakeRow, CarriesTheRestOver) {
   expect_near_vector("Gj", "Eq. (4.3)", row.Gj, t.c.Gj, {0, "a copy"});
   expect_near("Σ [1/kg]", "Eq. (4.3)", row.Sigma, t.c.spook.Sigma, {0, "a copy"});
   expect_near("lower bound of λ [N s]", "Eq. (4.1)", row.lo, -0.25, {0, "a copy"}, {},
-              "A contact has the bounds 0 and infinity, but other rows have others: copy them.");
+              "A contact has the bounds 0 and infinity, but other rows have others: copy them. A field that is "
+              "never set holds anything.");
   expect_near("upper bound of λ [N s]", "Eq. (4.1)", row.hi, 0.75, {0, "a copy"}, {},
               "A contact has the bounds 0 and infinity, but other rows have others: copy them.");
   expect_near("λ before the first sweep [N s]", "Eq. (4.1)", row.lambda, 0, {0, "exact"});
@@ -89,24 +96,28 @@ EXERCISE_TEST(ApplyImpulse, MovesBothBodies) {
   const TwoBodies t;
   const Row<6> row = make_row(t.c, t.motion);
   const double delta = 0.7;
-  std::vector<Twist<6>> V(2, Twist<6>::Constant(0.5));
-  const std::vector<Twist<6>> before = V;
+  const Twist<6> so_far = Twist<6>::Constant(0.5);  // what other rows have done
+  std::vector<Twist<6>> V(2, so_far);
   apply_impulse(row, delta, V);
-  const Twist<6> change_i = V[static_cast<std::size_t>(row.i)] - before[0];
-  const Twist<6> change_j = V[static_cast<std::size_t>(row.j)] - before[0];
+  const Twist<6> change_i = V[static_cast<std::size_t>(row.i)] - so_far;
+  const Twist<6> change_j = V[static_cast<std::size_t>(row.j)] - so_far;
   const std::string masses = "The masses are missing: use MinvGi and MinvGj.";
   const std::string sign = "The sign is in Gi and Gj already: both are added.";
   const std::string idle = "This body has not moved. An impulse acts on both, Newton's third law.";
   const std::string unscaled = "Δλ is missing: this is M⁻¹G alone.";
+  const std::string lost = "What was there before must stay: add, do not assign.";
   expect_near_vector("velocity change of body i", "Eq. (4.5)", change_i, delta * row.MinvGi, roundings(16, 10),
                      {{delta * row.Gi, masses},
                       {-delta * row.MinvGi, sign},
                       {Twist<6>::Zero(), idle},
-                      {row.MinvGi, unscaled}});
-  expect_near_vector(
-      "velocity change of body j", "Eq. (4.5)", change_j, delta * row.MinvGj, roundings(16, 10),
-      {{delta * row.Gj, masses}, {-delta * row.MinvGj, sign}, {Twist<6>::Zero(), idle}, {row.MinvGj, unscaled}},
-      "What was there before must stay: add, do not assign.");
+                      {row.MinvGi, unscaled},
+                      {delta * row.MinvGi - so_far, lost}});
+  expect_near_vector("velocity change of body j", "Eq. (4.5)", change_j, delta * row.MinvGj, roundings(16, 10),
+                     {{delta * row.Gj, masses},
+                      {-delta * row.MinvGj, sign},
+                      {Twist<6>::Zero(), idle},
+                      {row.MinvGj, unscaled},
+                      {delta * row.MinvGj - so_far, lost}});
 }
 
 EXERCISE_TEST(ApplyImpulse, ConservesMomentum) {

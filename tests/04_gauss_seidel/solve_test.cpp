@@ -118,7 +118,10 @@ EXERCISE_TEST(Solve, StopsAtTheFirstSweepThatIsGoodEnough) {
   Problem<3> p = stack({1, 10}, 0.1);
   const SolveReport report = solve(p.rows, p.V, {.max_sweeps = 1000, .tolerance = 1e-6});
   const std::size_t n = report.history.size();
-  expect_true("it converged", "Eq. (4.9)", report.converged && n > 2 && n < 1000);
+  expect_true(
+      "of 1000 sweeps it made " + std::to_string(n) + ", and converged", "Eq. (4.9)",
+      report.converged && n > 2 && n < 1000,
+      "A sweep that returns at most the tolerance is the last one, and `converged` says that there was one.");
   if (n < 2) return;
   expect_at_most("what the last sweep returned [m/s]", "Eq. (4.9)", report.history[n - 1], 1e-6,
                  "the tolerance");
@@ -128,6 +131,37 @@ EXERCISE_TEST(Solve, StopsAtTheFirstSweepThatIsGoodEnough) {
     expect_near("ratio of what two sweeps returned", "Eq. (4.10)", report.history[k] / report.history[k - 1],
                 1 / 1.1, {1e-6, "1e-14 roundings over changes above 1e-7"}, {},
                 "The history holds what each sweep returned, in order.");
+}
+
+EXERCISE_TEST(Solve, RemembersWhatEachSweepReturned) {
+  Problem<3> p = stack({1, 10, 2}, 0.1), by_hand = p;
+  const SolveReport report = solve(p.rows, p.V, {.max_sweeps = 4, .tolerance = 0});
+  expect_true("four sweeps leave four entries", "Eq. (4.9)", report.history.size() == 4,
+              "One entry a sweep, and max_sweeps of them when the tolerance is never met.");
+  for (const double got : report.history) {
+    const double returned = sweep(by_hand.rows, by_hand.V);
+    expect_near("entry of the history [m/s]", "Eq. (4.9)", got, returned, roundings(8, 2),
+                {{residual(by_hand.rows, by_hand.V),
+                  "This is the residual after the sweep. The rule and the history "
+                  "look at what sweep() returned, which costs nothing."}});
+  }
+}
+
+EXERCISE_TEST(Solve, StopsWhenASweepChangesNothing) {
+  Problem<3> p = stack({1}, 0.1);
+  const SolveReport report = solve(p.rows, p.V, {.max_sweeps = 50, .tolerance = 0});
+  expect_true("one row, tolerance 0: solved in sweep 1, seen in sweep 2", "Eq. (4.9)",
+              report.converged && report.history.size() == 2,
+              "At most the tolerance: 0 <= 0. With < a solved system is swept to the end, every step.");
+}
+
+EXERCISE_TEST(Solve, DoesNotTakeANaNForConverged) {
+  Problem<3> p = stack({1, 1}, 0.1);
+  p.rows[0].B = std::nan("");
+  const SolveReport report = solve(p.rows, p.V, {.max_sweeps = 5, .tolerance = 1e-6});
+  expect_true(
+      "a solve of NaN has not converged", "Eq. (4.9)", !report.converged,
+      "Every comparison with NaN is false: ask whether it is <= the tolerance, not whether it is not >.");
 }
 
 EXERCISE_TEST(Solve, StopsAtMaxSweeps) {
@@ -153,7 +187,8 @@ EXERCISE_TEST(Solve, OfNothingIsDone) {
   std::vector<Row<6>> none;
   std::vector<Twist<6>> V;
   const SolveReport report = solve(none, V, {});
-  expect_true("no rows: converged, without a sweep", "Eq. (4.9)", report.converged && report.history.empty());
+  expect_true("no rows: converged, without a sweep", "Eq. (4.9)", report.converged && report.history.empty(),
+              "Without rows nothing is left to do: converged is true and the history empty.");
 }
 
 EXERCISE_TEST(Solve, RejectsARuleThatCannotBeMet) {
@@ -165,6 +200,11 @@ EXERCISE_TEST(Solve, RejectsARuleThatCannotBeMet) {
   for (const double tolerance : {-1e-9, std::nan(""), HUGE_VAL})
     expect_rejects("tolerance = " + show(tolerance), "tolerance",
                    [&] { solve(p.rows, p.V, {.max_sweeps = 5, .tolerance = tolerance}); });
+  std::vector<Row<3>> none;
+  expect_rejects(
+      "max_sweeps = 0, with no rows", "max_sweeps",
+      [&] { solve(none, p.V, {.max_sweeps = 0, .tolerance = 0}); },
+      "A rule that makes no sense is refused whether or not there is work: check it first.");
 }
 
 }  // namespace

@@ -97,7 +97,8 @@ EXERCISE_TEST(Sweep, CountsARowThatLetsGo) {
 EXERCISE_TEST(Sweep, OfNothingChangesNothing) {
   std::vector<Row<3>> none;
   std::vector<Twist<3>> V(3, Twist<3>::Ones());
-  expect_near("what a sweep of no rows returns [m/s]", "Eq. (4.9)", sweep(none, V), 0, {0, "exact"});
+  expect_near("what a sweep of no rows returns [m/s]", "Eq. (4.9)", sweep(none, V), 0, {0, "exact"}, {},
+              "No rows lack nothing: start the maximum at 0.");
 }
 
 EXERCISE_TEST(Sweep, DoesNotHideANaN) {
@@ -106,7 +107,9 @@ EXERCISE_TEST(Sweep, DoesNotHideANaN) {
   p.rows[2].j = 0;  // ends on the floor: a row after the broken one that is sound itself, but for its neighbour
   p.rows[2].i = 0;
   expect_true("a sweep with a NaN in one row returns NaN", "Eq. (4.9)", std::isnan(sweep(p.rows, p.V)),
-              "std::max(largest, NaN) gives `largest`: the one number that should have warned you is dropped.");
+              "A NaN went in and did not come out. std::max(a, NaN) is a, in the running maximum and in a "
+              "projection alike "
+              "(std::clamp keeps a NaN); and once the largest is NaN, no later row may replace it.");
 }
 
 EXERCISE_TEST(Residual, IsZeroAtTheSolution) {
@@ -141,7 +144,8 @@ EXERCISE_TEST(Residual, IsWhatTheNextUpdateWouldChange) {
   expect_near("residual of 9 contacts after one sweep [m/s]", "Eq. (4.8)", residual(p.rows, p.V), expected,
               roundings(100, 10),
               {{impulse, "This is the largest |Δλ|, an impulse. Times S_kk it is a velocity."}},
-              "Each row against the same V: nothing is scattered, and the largest counts.");
+              "r = B - G V - Σ λ, then Eq. (4.8). Each row against the same V: nothing is scattered, and the "
+              "largest counts.");
 }
 
 EXERCISE_TEST(Residual, SeesAPullAndALackAlike) {
@@ -162,7 +166,9 @@ EXERCISE_TEST(Residual, OfNothingIsZeroAndOfNaNIsNaN) {
   expect_near("residual of no rows [m/s]", "Eq. (4.8)", residual<3>({}, p.V), 0, {0, "exact"});
   p.rows[1].B = std::nan("");
   expect_true("a NaN in one row makes the residual NaN", "Eq. (4.8)", std::isnan(residual(p.rows, p.V)),
-              "std::max(largest, NaN) gives `largest`: the one number that should have warned you is dropped.");
+              "A NaN went in and did not come out. std::max(a, NaN) is a, in the running maximum and in a "
+              "projection alike "
+              "(std::clamp keeps a NaN); and once the largest is NaN, no later row may replace it.");
 }
 
 }  // namespace

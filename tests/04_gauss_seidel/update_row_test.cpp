@@ -32,6 +32,7 @@ EXERCISE_TEST(UpdateRow, SolvesOneRowInOneUpdate) {
   const double delta = update_row(row, V);
   expect_near("λ = B/S_kk = 3/0.5, from zero [N s]", "Eq. (4.7)", row.lambda, 6, roundings(8, 6),
               {{12, "This is B/(G M⁻¹ Gᵀ): Σ has been left out of the diagonal."},
+               {4, "Σ has been added to the diagonal once more: S_kk contains it already."},
                {1.5, "This is B S_kk: divide by the diagonal."},
                {0, "The row's λ has not been stored."},
                {-6, "The sign: what the row lacks, r = B - G V - Σ λ, is made up by a positive Δλ."}});
@@ -113,7 +114,9 @@ EXERCISE_TEST(UpdateRow, ImpulseMayShrinkAgain) {
               {{6, "The change was clamped instead of the impulse: Δλ may be negative, λ may not."},
                {0, "λ was set to zero because Δλ is negative: only a negative λ is projected."}});
   expect_near("the returned change Δλ [N s]", "Eq. (4.7)", delta, -2, roundings(16, 6),
-              {{2, "Return the change with its sign."}});
+              {{2, "Return the change with its sign."}, {4, "This is λ: return what changed, λ new - λ old."}});
+  expect_near("velocity of the body, 2.5 - 2/4 [m/s]", "Eq. (4.5)", V[1].z(), 2, roundings(16, 6),
+              {{3.5, "All of λ was scattered, not its change."}});
 }
 
 EXERCISE_TEST(UpdateRow, StopsAtZeroOnItsWayDown) {
@@ -142,6 +145,16 @@ EXERCISE_TEST(UpdateRow, KeepsBothBounds) {
                 {{0, "The lower bound is the row's own `lo`, not always zero."},
                  {60, "The upper bound, the row's own `hi`, has been left out."}});
   }
+}
+
+EXERCISE_TEST(UpdateRow, KeepsANaN) {
+  Row<3> row = by_hand(std::nan(""), 1);
+  std::vector<Twist<3>> V(2, Twist<3>::Zero());
+  update_row(row, V);
+  expect_true(
+      "a right side that is NaN gives a λ that is NaN", "Eq. (4.7)", std::isnan(row.lambda),
+      "std::min and std::max return their first argument when the other is NaN, and so made a number of it. "
+      "std::clamp keeps a NaN.");
 }
 
 }  // namespace

@@ -128,6 +128,18 @@ TEST(Rotation, UpdatesAgreeAboutAPrincipalAxis) {
   EXPECT_NEAR(angle(RotationUpdate::first_order), 20 * std::atan(h * spin / 2), 40 * epsilon);
 }
 
+TEST(Rotation, TurnsARoundBodyExactly) {
+  // ω is constant, so the turn is known; three turns about body axes, which do not commute, would miss it by O(h²).
+  const Vec3 omega(1.2, 0.9, 1.3);
+  const double h = 0.1;
+  World<6> world({.gravity = Vec3::Zero()});
+  world.add({.omega = omega, .principal = Vec3(2, 2, 2)});
+  for (int n = 0; n < 10; ++n) world.step(h);
+  const Quat exact(Eigen::AngleAxisd(10 * h * omega.norm(), omega.normalized()));
+  EXPECT_LE(orientation(world, 0).angularDistance(exact), 100 * epsilon);
+  EXPECT_EQ(angular_velocity(world, 0), omega);
+}
+
 TEST(Blowup, NamesStepTimeAndBody) {
   const ForceField burst = [](std::size_t i, const std::vector<Vec3>& x) -> Vec3 {
     return i == 1 && x[1].x() > 2.5 ? Vec3(1e308, 0, 0) * 1e10 : Vec3(0, 0, 0);

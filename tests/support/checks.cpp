@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cctype>
 #include <iomanip>
 #include <sstream>
@@ -12,25 +13,46 @@
 namespace spook::testing {
 
 std::string show(double value) {
+  if (std::isnan(value)) return "NaN";
   std::ostringstream out;
   out << std::setprecision(10) << value + 0.0;  // shows -0 as 0
   return out.str();
 }
 
-std::string show(const Eigen::VectorXd& value) {
-  std::string out = "(";
-  for (Eigen::Index k = 0; k < value.size(); ++k) out += (k ? ", " : "") + show(value[k]);
-  return out + ")";
+std::string show(const Eigen::MatrixXd& value) {
+  std::string out;
+  for (Eigen::Index row = 0; row < (value.cols() > 1 ? value.rows() : 1); ++row) {
+    Eigen::VectorXd entries = value.col(0);
+    if (value.cols() > 1) entries = value.row(row).transpose();
+    out += row ? "\n            (" : "(";
+    for (Eigen::Index k = 0; k < entries.size(); ++k) out += (k ? ", " : "") + show(entries[k]);
+    out += ")";
+  }
+  return out;
+}
+
+// Breaks text into lines of at most 78 letters, each after two spaces. A byte of 10xxxxxx goes on with a letter.
+static std::string wrapped(const std::string& text) {
+  std::istringstream words(text);
+  std::string out, word;
+  std::size_t column = 0;
+  while (words >> word) {
+    const auto letters = static_cast<std::size_t>(std::count_if(
+        word.begin(), word.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+    const bool fits = column > 0 && column + 1 + letters <= 78;
+    out += fits ? " " : out.empty() ? "  " : "\n  ";
+    out += word;
+    column = fits ? column + 1 + letters : 2 + letters;
+  }
+  return out.empty() ? out : out + "\n";
 }
 
 void report_failure(const std::string& what, const std::string& equation, const std::string& body,
                     const std::string& clue) {
   const std::string& exercise = current_exercise();
   std::ostringstream out;
-  out << exercise << ": " << what;
-  if (!equation.empty()) out << "   " << equation;
-  out << "\n" << body;
-  if (!clue.empty()) out << "  " << clue << "\n";
+  out << wrapped(exercise + ": " + what + "   " + equation).substr(2) << wrapped(given()) << body
+      << wrapped(clue);
   if (Random::seed_was_used()) out << "  random inputs, seed " << Random::seed() << "\n";
   const std::string number = exercise.substr(0, exercise.find(' '));
   if (!number.empty()) out << "  ./course hint " << number << "\n";

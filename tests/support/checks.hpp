@@ -35,7 +35,16 @@ struct Clue {
 };
 
 std::string show(double value);
-std::string show(const Eigen::VectorXd& value);
+
+/// A vector on one line, a matrix as rows below each other.
+std::string show(const Eigen::MatrixXd& value);
+
+/// What the test was given, to be printed with its failures, so that they can be worked out by hand; empty at the start
+/// of each test.
+inline std::string& given() {
+  static std::string text;
+  return text;
+}
 
 /// Adds a GoogleTest failure in the form above. `body` holds whole lines.
 void report_failure(const std::string& what, const std::string& equation, const std::string& body,
@@ -63,8 +72,8 @@ void expect_near_vector(const std::string& what, const std::string& equation, co
       clue = known.text;
       break;
     }
-  report_difference(what, equation, show(Eigen::VectorXd(expected.reshaped())),
-                    show(Eigen::VectorXd(got.reshaped())), tolerance, clue);
+  report_difference(what, equation, show(Eigen::MatrixXd(expected)), show(Eigen::MatrixXd(got)), tolerance,
+                    clue);
 }
 
 /// got <= bound, and not NaN. `why` says where the bound comes from.

@@ -22,13 +22,20 @@ inline std::string& current_exercise() {
 inline void run_exercise(const char* exercise, void (*body)()) {
   current_exercise() = exercise;
   Random::forget_seed();
+  given().clear();
   try {
     body();
   } catch (const NotImplemented& stub) {
     // A test of one exercise may use another; only its own stub means "not started".
     GTEST_SKIP() << stub.what();
   } catch (const std::exception& error) {
-    report_failure("runs to its end", "", std::string("  but it threw: ") + error.what() + "\n", "");
+    report_failure("this test's call", "",
+                   "  expected  no exception\n  got       one that says: " + std::string(error.what()) + "\n",
+                   "");
+  } catch (...) {
+    report_failure("this test's call", "",
+                   "  expected  no exception\n  got       one that is no std::exception\n",
+                   "Throw std::invalid_argument: the helpers in common/require.hpp do.");
   }
 }
 

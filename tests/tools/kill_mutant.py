@@ -4,8 +4,8 @@
     // Killed by: Kick.AddsForceOverMass
     // Says: the force has not been divided by the mass
 
-The test must fail by one of its checks, and the failure must say what the header promises: that is what the student
-will read. A crash, a skip or running out of time doesn't count.
+The test must fail by one of its checks, and the failure must say what the header promises: that is what the
+student will read. A crash, a skip or running out of time doesn't count.
 """
 
 import re
@@ -54,7 +54,7 @@ def judge(source: Path, program: Path) -> str:
     if absent:
         return f"the header lacks '{absent[0]}: ...'"
     test, exercise = fields["Killed by"], mutated(source)
-    # `./course check` runs no other suite: if another were the one to notice, the student would be told "done".
+    # `./course check` runs no other suite: if only another noticed, the student would be told "done".
     if test.split(".")[0] != exercise.suite:
         return f"'Killed by: {test}' is not a test of {exercise.label}; its suite is {exercise.suite}"
     trial = run_tests(program, test)

@@ -33,6 +33,12 @@ def course_files() -> list[Path]:
     return [name for name in names if (ROOT / name).is_file() and ".cpp.mine-" not in name.name]
 
 
+def our_files() -> list[Path]:
+    """Without the exercises that a student has begun: how those look is the student's business."""
+    begun = {exercise.file.relative_to(ROOT) for exercise in all_exercises() if exercise.started()}
+    return [name for name in course_files() if name not in begun]
+
+
 def _clean_environment() -> dict[str, str]:
     return {name: value for name, value in os.environ.items() if not name.startswith(("COURSE_", "SPOOK_"))}
 

@@ -126,7 +126,8 @@ class CourseInput(unittest.TestCase):
             self.assertEqual((result.returncode, result.stderr), (0, ""))
             self.assertIn(f"{file.name}.mine-{number}", result.stdout)
             self.assertEqual(file.read_bytes(), stub)
-        self.assertEqual([file.with_name(f"{file.name}.mine-{k}").read_text() for k in (1, 2)], ["one\n", "two\n"])
+        kept = [file.with_name(f"{file.name}.mine-{k}").read_text() for k in (1, 2)]
+        self.assertEqual(kept, ["one\n", "two\n"])
         self.assertIn("already", self.box.course("reset", "1.1").stdout)
         self.assertFalse(file.with_name(f"{file.name}.mine-3").exists())
 

@@ -18,14 +18,15 @@ from marker import is_stub, marker_line
 
 class Marker(unittest.TestCase):
     def test_calls(self):
-        for source in ('not_implemented("1.1 kick");', "  spook::not_implemented (x)", '"//"; not_implemented()',
-                       "'\"'; not_implemented();", "1'000; not_implemented(); 2'000"):
+        for source in ('not_implemented("1.1 kick");', "  spook::not_implemented (x)",
+                       '"//"; not_implemented()', "'\"'; not_implemented();",
+                       "1'000; not_implemented(); 2'000"):
             self.assertTrue(is_stub(source), source)
 
     def test_mentions(self):
-        for source in ("// not_implemented()", "/* not_implemented() */", "/* \n not_implemented()", '"not_implemented()"',
-                       'R"x(not_implemented())x"', "really_not_implemented()", '#include "common/not_implemented.hpp"',
-                       "", r'"\"not_implemented()"'):
+        for source in ("// not_implemented()", "/* not_implemented() */", "/* \n not_implemented()",
+                       '"not_implemented()"', 'R"x(not_implemented())x"', "really_not_implemented()",
+                       '#include "common/not_implemented.hpp"', "", r'"\"not_implemented()"'):
             self.assertFalse(is_stub(source), source)
 
     def test_line(self):
@@ -34,7 +35,8 @@ class Marker(unittest.TestCase):
 
 class Hints(unittest.TestCase):
     def test_items_keep_paragraphs_and_code(self):
-        text = "\nBefore.\n\n1. One\n   more\n\n   and more\n2. Two:\n\n   ```cpp\n   1. no item\n   ```\n3. Three\n"
+        text = ("\nBefore.\n\n1. One\n   more\n\n   and more\n"
+                "2. Two:\n\n   ```cpp\n   1. no item\n   ```\n3. Three\n")
         self.assertEqual(numbered_items(text.splitlines()),
                          ["One\nmore\n\nand more", "Two:\n\n```cpp\n1. no item\n```", "Three"])
 
@@ -47,9 +49,9 @@ class Hints(unittest.TestCase):
 class Table(unittest.TestCase):
     def test_fits_the_width(self):
         error = {"name": "a name that is quite a bit longer than anyone would like it to be, " * 2,
-                 "value": -1.2345e-300, "unit": "relative"}
-        result = {"scene": "resting_sphere", "asked": ["ratio=1000", "iterations=100000"], "h": 1 / 600,
-                  "solver": "projected_gauss_seidel", "us_per_step": 123456.789, "error": error}
+                 "value": 1.2345e-300, "unit": "relative"}
+        result = {"scene": "resting_sphere", "asked": ["ratio=1000", "heavy=bottom", "100000 its"],
+                  "solver": "projected_gauss_seidel", "h": 1 / 600, "us_per_step": 123456.789, "error": error}
         with contextlib.redirect_stdout(io.StringIO()) as out:
             speed_error.show_table([result, result | {"error": error | {"value": None, "unit": ""}}])
         self.assertLessEqual(max(map(len, out.getvalue().splitlines())), 80)
@@ -76,7 +78,8 @@ class Installing(unittest.TestCase):
             install.install(install.PACKAGES, yes=False)
 
     def test_without_apt_the_line_is_printed(self):
-        self.assertIn("apt-get update && apt-get install -y --no-install-recommends cmake g++", self.refused(root=True))
+        self.assertIn("apt-get update && apt-get install -y --no-install-recommends cmake g++",
+                      self.refused(root=True))
         self.assertEqual(self.commands, [])
 
     def test_without_sudo_the_line_is_printed(self):

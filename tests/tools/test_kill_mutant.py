@@ -31,11 +31,11 @@ class KillMutant(unittest.TestCase):
         self.folder = Path(folder.name, "01_leapfrog")
         self.folder.mkdir()
 
-    def kill(self, *, header=HEADER, name="kick.half.cpp", body="", tests=(FAILED,), code=1) -> tuple[int, str]:
+    def kill(self, *, header=HEADER, name="kick.half.cpp", body="", tests=(FAILED,), code=1):
+        """The exit code, and what was said."""
         source, program = self.folder / name, self.folder / "program"
         source.write_text(header)
-        program.write_text(PROGRAM.format(python=sys.executable, body=body, tests=json.loads(json.dumps(tests)),
-                                          code=code))
+        program.write_text(PROGRAM.format(python=sys.executable, body=body, tests=list(tests), code=code))
         program.chmod(0o755)
         result = subprocess.run([sys.executable, str(TOOLS / "kill_mutant.py"), str(source), str(program)],
                                 capture_output=True, text=True, env=os.environ | {"COURSE_TIME_LIMIT": "1"})

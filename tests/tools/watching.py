@@ -1,5 +1,6 @@
 """A course command that goes on until it is told to stop, seen from outside."""
 
+import os
 import queue
 import signal
 import subprocess
@@ -10,7 +11,7 @@ import time
 class Watching:
     def __init__(self, command: list[str], **options):
         self._process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-                                         stdin=subprocess.DEVNULL, **options)
+                                         stdin=subprocess.DEVNULL, start_new_session=True, **options)
         self._lines: queue.Queue[str] = queue.Queue()
         threading.Thread(target=self._read, daemon=True).start()
 
@@ -38,8 +39,8 @@ class Watching:
         raise AssertionError(f"no '{text}' in:\n{''.join(seen)}")
 
     def interrupt(self) -> tuple[int, str]:
-        """Ctrl-C; the exit code, and what was said on stderr."""
-        self._process.send_signal(signal.SIGINT)
+        """Ctrl-C; the exit code, and what was said on stderr from the beginning."""
+        os.killpg(self._process.pid, signal.SIGINT)  # as a terminal does it
         code = self._process.wait(30)
         return code, self._process.stderr.read()
 

@@ -62,11 +62,8 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
 
     add("progress", "the board: what is done, and the next step (the default)").add_argument(
         "--json", action="store_true", help="as one JSON object")
-    for name, text in (("check", "test a chapter or an exercise; the first failure first"),
-                       ("watch", "check at every save")):
-        command = add(name, text)
-        command.add_argument("which", nargs="?", metavar="N | N.M", help="a chapter or an exercise")
-        command.add_argument("--seed", type=_seed, metavar="S", help="the seed of random inputs, as a failure prints it")
+    _choose(add("check", "test a chapter or an exercise; the first failure first"))
+    _choose(add("watch", "check at every save"))
     command = add("hint", "one more hint")
     command.add_argument("which", metavar="N.M")
     command.add_argument("--again", action="store_true", help="from the first")
@@ -80,3 +77,9 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
                        ("test", "every test there is")):
         add(name, text).add_argument("--yes", action="store_true", help="install without asking")
     return parser, commands.choices
+
+
+def _choose(command: Parser) -> None:
+    command.add_argument("which", nargs="?", metavar="N | N.M", help="a chapter or an exercise")
+    command.add_argument("--seed", type=_seed, metavar="S",
+                         help="the seed of random inputs, as a failure prints it")

@@ -23,7 +23,8 @@ def as_json(verdicts: list[Verdict]) -> dict:
         "done": count_done(verdicts),
         "total": len(verdicts),
         "exercises": [{"id": verdict.exercise.id, "name": verdict.exercise.function, "state": verdict.state,
-                       "reason": verdict.reason, "file": shown(verdict.exercise.file)} for verdict in verdicts],
+                       "reason": verdict.reason, "file": shown(verdict.exercise.file)}
+                      for verdict in verdicts],
     }
 
 

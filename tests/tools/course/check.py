@@ -80,7 +80,8 @@ def show(verdict: Verdict) -> None:
 
 def _shortened(text: str) -> str:
     lines = text.splitlines()
-    left_out = [f"({len(lines) - _PRINTED_LINES} earlier lines left out)"] if len(lines) > _PRINTED_LINES else []
+    surplus = len(lines) - _PRINTED_LINES
+    left_out = [f"({surplus} earlier lines left out)"] if surplus > 0 else []
     return "\n".join(left_out + lines[-_PRINTED_LINES:])
 
 

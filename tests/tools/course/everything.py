@@ -42,8 +42,10 @@ def test(arguments) -> int:
 def _run(tree: Tree) -> Outcome:
     """Passes on what ctest prints, as it prints it."""
     print(f"\nTesting {shown(tree.path)}.", flush=True)
-    command = ["ctest", "--test-dir", str(tree.path), "--output-on-failure", "--no-tests=error", "-j", str(jobs())]
-    code, output = stream(command, lambda line: print(line, end="", flush=True), tree.path / "course-test.log")
+    command = ["ctest", "--test-dir", str(tree.path), "--output-on-failure", "--no-tests=error",
+               "-j", str(jobs())]
+    log = tree.path / "course-test.log"
+    code, output = stream(command, lambda line: print(line, end="", flush=True), log)
     lines = output.splitlines()
     closing = next((k for k, line in enumerate(lines) if _TOTAL.match(line)), len(lines))
     total = int(_TOTAL.match(lines[closing])[2]) if closing < len(lines) else 0

@@ -85,7 +85,9 @@ def _apt(arguments: list[str], what: str, instead: CourseError) -> None:
     live = Live(what, delay=0)
     live.update()
     log = BUILD / f"apt-{arguments[0]}.log"
-    code, output = stream(command if _is_root() else ["sudo", *command], lambda line: live.update(line.strip()), log)
+    if not _is_root():
+        command.insert(0, "sudo")
+    code, output = stream(command, lambda line: live.update(line.strip()), log)
     live.done()
     if code != 0:
         raise CourseError(f"apt-get {arguments[0]} failed (log: {shown(log)}); {instead}", tail(output, 5))

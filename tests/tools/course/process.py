@@ -38,4 +38,6 @@ def from_failure(text: str, count: int = 15) -> str:
     """What ninja says of the first failure, without the compiler's command line."""
     lines = text.rstrip().splitlines()
     first = next((k for k, line in enumerate(lines) if line.startswith("FAILED:")), None)
-    return tail(text, count) if first is None else "\n".join([lines[first], *lines[first + 2:first + 1 + count]])
+    if first is None or "build.ninja" in lines[first]:  # CMake, run again by ninja, says why before it fails
+        return tail(text, count)
+    return "\n".join([lines[first], *lines[first + 2:first + 1 + count]])

@@ -39,7 +39,8 @@ def _git(*arguments: str, must_work: bool = True) -> bytes:
     try:
         result = subprocess.run(["git", "-C", str(ROOT), *arguments], capture_output=True)
     except FileNotFoundError:
-        raise CourseError("git, whose history holds the stubs, is missing; ./course start installs it") from None
+        raise CourseError("git is missing, and the stubs are in its history; "
+                          "./course start installs it") from None
     if result.returncode != 0 and must_work:
         reason = (result.stderr.decode(errors="replace").strip() or "git failed").splitlines()[0]
         raise CourseError(f"no stub to be had from git's history: {reason}")

@@ -45,7 +45,8 @@ def program(target: str, mine: list[Exercise] = []) -> str:
         raise RELEASE.own_failure(built)
     for exercise in mine:
         if missing_functions(RELEASE, exercise):
-            raise CourseError(f"{exercise.label} is not defined in its file; see ./course check {exercise.id}")
+            raise CourseError(f"{exercise.label} is not defined in its file; "
+                              f"see ./course check {exercise.id}")
     return str(RELEASE.program(target))
 
 

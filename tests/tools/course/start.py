@@ -31,7 +31,8 @@ def start(arguments) -> int:
 def _build_tests() -> None:
     """All that a first `check` does not have to wait for."""
     tests = [f"tests_{chapter.folder}" for chapter in read_chapters()]
-    built = CHECK.build(["spook_reference", "test_support", *tests], "building what your exercises are tested with")
+    built = CHECK.build(["spook_reference", "test_support", *tests],
+                        "building what your exercises are tested with")
     if not built.ok:
         raise CHECK.own_failure(built)
 
@@ -39,7 +40,8 @@ def _build_tests() -> None:
 def _draw(results: list[dict]) -> Path:
     data, figure = BUILD / "start.json", BUILD / "start.png"
     data.write_text(json.dumps(results, indent=2) + "\n", encoding="utf-8")
-    command = [sys.executable, str(ROOT / "plots" / "start" / "draw.py"), "--results", str(data), "--out", str(figure)]
+    command = [sys.executable, str(ROOT / "plots" / "start" / "draw.py"),
+               "--results", str(data), "--out", str(figure)]
     drawn = subprocess.run(command, capture_output=True, text=True)
     if drawn.returncode != 0 or not figure.exists():
         said = (drawn.stderr.strip() or "nothing was drawn").splitlines()[-1]

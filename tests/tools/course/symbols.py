@@ -1,7 +1,7 @@
 """Whether a student's object really holds the exercise's function.
 
-The linker fills whatever is missing from the reference. Without this check an empty file, or a function with another
-name or signature, would be tested as the reference, and pass.
+The linker fills whatever is missing from the reference. Without this check an empty file, or a function with
+another name or signature, would be tested as the reference, and pass.
 """
 
 import subprocess
@@ -13,7 +13,7 @@ from tree import Tree
 
 
 def missing_functions(tree: Tree, exercise: Exercise) -> list[str]:
-    """The functions, readable, which the reference defines for the exercise and the student's object doesn't."""
+    """The functions, readable, which the reference defines for the exercise and the student doesn't."""
     missing = sorted(reference_functions(tree, exercise) - _defined(object_file(tree, exercise), exercise))
     if not missing:
         return []
@@ -25,7 +25,7 @@ def reference_functions(tree: Tree, exercise: Exercise) -> set[str]:
 
 
 def _defined(file: Path, exercise: Exercise) -> set[str]:
-    """The exercise's functions, overloads and instances for several types included, that other objects can call."""
+    """The exercise's functions that other objects can call: overloads, and a template's instances, too."""
     mangled = f"_ZN5spook{len(exercise.function)}{exercise.function}"
     listing = subprocess.run(["nm", "-P", "--defined-only", str(file)], capture_output=True, text=True)
     lines = [line.split() for line in listing.stdout.splitlines() if line.startswith(mangled)]

@@ -35,12 +35,13 @@ class Tree:
 
     def build(self, targets: list[str], what: str, keep_going: bool = False) -> Built:
         """Brings the targets up to date; a failure is the caller's to explain."""
-        command = ["ninja", "-C", str(self.path), "-j", str(jobs()), *(["-k", "0"] if keep_going else []), *targets]
+        going = ["-k", "0"] if keep_going else []
+        command = ["ninja", "-C", str(self.path), "-j", str(jobs()), *going, *targets]
         env = os.environ | {"NINJA_STATUS": "[%f/%t] ", "LC_ALL": "C"}
-        live = Live(what)
+        live, log = Live(what), self.path / "course-build.log"
         with self._alone():
             self.configure()
-            code, output = stream(command, lambda line: self._show(live, line), self.path / "course-build.log", env)
+            code, output = stream(command, lambda line: self._show(live, line), log, env)
         live.done()
         return Built(code == 0, output)
 
@@ -52,13 +53,13 @@ class Tree:
             (self.path / "CMakeCache.txt").unlink(missing_ok=True)
         live = Live(f"configuring {shown(self.path)}")
         log = self.path / "course-configure.log"
-        command = ["cmake", "--preset", self.preset, "-B", str(self.path), f"-DPython3_EXECUTABLE={sys.executable}",
-                   *settings]
+        command = ["cmake", "--preset", self.preset, "-B", str(self.path),
+                   f"-DPython3_EXECUTABLE={sys.executable}", *settings]
         code, output = stream(command, lambda line: live.update(), log, cwd=ROOT)
         live.done()
         if code != 0:
-            raise CourseError(f"CMake failed; the whole log is in {shown(log)} (is something missing? ./course start)",
-                              tail(output))
+            raise CourseError(f"CMake failed; the whole log is in {shown(log)} "
+                              "(is something missing? ./course start)", tail(output))
 
     def setting(self, name: str) -> str:
         """A value in CMake's cache; empty if there is none."""
@@ -71,7 +72,8 @@ class Tree:
 
     def program(self, target: str) -> Path:
         """Where ninja puts the program of a target."""
-        query = subprocess.run(["ninja", "-C", str(self.path), "-t", "query", target], capture_output=True, text=True)
+        query = subprocess.run(["ninja", "-C", str(self.path), "-t", "query", target],
+                               capture_output=True, text=True)
         alias = re.search(r"^  input: phony\n    (\S+)$", query.stdout, re.MULTILINE)
         return self.path / (alias[1] if alias else target)
 

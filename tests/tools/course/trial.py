@@ -4,7 +4,6 @@ import json
 import os
 import re
 import resource
-import signal
 import subprocess
 import tempfile
 from dataclasses import dataclass, field
@@ -78,8 +77,8 @@ def run_tests(program: Path, test_filter: str, seed: int | None = None) -> Trial
 
 
 def _run_limited(command: list[str], out, env: dict[str, str], folder: str) -> tuple[int, bool]:
-    process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.STDOUT, env=env,
-                               cwd=folder, start_new_session=True)
+    process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.STDOUT,
+                               env=env, cwd=folder)
     try:
         # A loop that never ends may also fill the memory or the disk.
         resource.prlimit(process.pid, resource.RLIMIT_AS, (_MEMORY, _MEMORY))
@@ -94,7 +93,7 @@ def _run_limited(command: list[str], out, env: dict[str, str], folder: str) -> t
         timed_out = True
     finally:
         if process.poll() is None:
-            os.killpg(process.pid, signal.SIGKILL)
+            process.kill()
             process.wait()
     return process.returncode, timed_out
 

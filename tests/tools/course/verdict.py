@@ -47,8 +47,12 @@ def judge_all(exercises: list[Exercise], seed: int | None = None) -> list[Verdic
             return judge(exercise, seed)  # alone, for its own errors only
         return _judge_built(exercise, Built(True, built.output), seed)
 
-    with ThreadPoolExecutor(jobs()) as pool:
+    pool = ThreadPoolExecutor(jobs())
+    try:
         return list(pool.map(verdict, exercises))
+    finally:
+        # After Ctrl-C, which the running tests get, too, no others are begun.
+        pool.shutdown(cancel_futures=True)
 
 
 def _targets(exercise: Exercise) -> tuple[str, str]:
@@ -82,17 +86,18 @@ def without_building(exercise: Exercise) -> Verdict | None:
     """The verdict, if a look at the file is enough for it."""
     source = exercise.source()
     if source is None:
-        return Verdict(exercise, "wrong", "file missing",
-                       f"{shown(exercise.file)} is not there; ./course reset {exercise.id} puts the stub back.")
+        return Verdict(exercise, "wrong", "file missing", f"{shown(exercise.file)} is not there; "
+                                                          f"./course reset {exercise.id} puts the stub back.")
     line = marker_line(source)
     if line is None:
         return None
-    return Verdict(exercise, "not started", details=f"{shown(exercise.file)}:{line} still calls not_implemented(); "
-                                                    "write the function in its place.")
+    return Verdict(exercise, "not started", details=f"{shown(exercise.file)}:{line} still calls "
+                                                    "not_implemented(); write the function in its place.")
 
 
 def _without_function(exercise: Exercise, missing: list[str]) -> Verdict:
-    details = "\n".join([f"{shown(exercise.file)} compiles, but does not define", *(f"  {name}" for name in missing),
+    details = "\n".join([f"{shown(exercise.file)} compiles, but does not define",
+                         *(f"  {name}" for name in missing),
                          "Name, parameters and namespace must be as the chapter's header declares them."])
     return Verdict(exercise, "wrong", "function not defined", details)
 

@@ -18,6 +18,10 @@ struct OneBody {
   Vec3 f = random.vector(10);
   double mass = random.uniform(2, 5);
   double h = random.uniform(0.01, 0.02);
+  OneBody() {
+    given() = "given x = " + show(x) + " m, v = " + show(v) + " m/s, f = " + show(f) +
+              " N, 1/m = " + show(1 / mass) + " /kg, h = " + show(h) + " s";
+  }
 };
 
 EXERCISE_TEST(Kick, AddsForceOverMassTimesStep) {
@@ -32,6 +36,7 @@ EXERCISE_TEST(Kick, AddsForceOverMassTimesStep) {
        {b.v + b.f / b.mass / b.h,
         "This is v + f/(h m), as the notes print it in (15). Check its units: h⁻¹ is a slip."},
        {b.v + b.h / 2 * b.f / b.mass, "This is half a kick. Only the start of a simulation takes half a step."},
+       {b.v, "v has not changed. In C++, 1 / 2 is 0: write 0.5, or h / 2."},
        {b.v - b.h * b.f / b.mass, "The sign: a force accelerates a body along itself."}},
       "Eq. (1.3) adds h f/m to v.");
 }
@@ -73,16 +78,19 @@ EXERCISE_TEST(Drift, BackwardsUndoesForwards) {
 EXERCISE_TEST(HalfStepStart, GoesBackHalfAStep) {
   const OneBody b;
   const Vec3 change = b.h * b.f / b.mass;
-  expect_near_vector(
-      "v half a step before the start [m/s]", "Eq. (1.5)", half_step_start(b.v, b.f, 1 / b.mass, b.h),
-      b.v - change / 2, roundings(8, 5),
-      {{b.v + change / 2,
-        "This is half a step forwards. The first kick is yet to come: go back, so that "
-        "it lands at +h/2."},
-       {b.v - change, "This is a whole step back; the first kick would only bring v to time 0."},
-       {b.v, "This is v unshifted: the simulation would be half a step late, of first order only."},
-       {b.v - b.h * b.f / 2, "The force has not been divided by the mass."}},
-      "Eq. (1.5) subtracts (h/2) f/m from v.");
+  expect_near_vector("v half a step before the start [m/s]", "Eq. (1.5)",
+                     half_step_start(b.v, b.f, 1 / b.mass, b.h), b.v - change / 2, roundings(8, 5),
+                     {{b.v + change / 2,
+                       "This is half a step forwards. The first kick is yet to come: go back, so that "
+                       "it lands at +h/2."},
+                      {b.v - change, "This is a whole step back; the first kick would only bring v to time 0."},
+                      {b.v,
+                       "This is v unshifted: the simulation would be half a step late, of first order only. "
+                       "(In C++, 1 / 2 is 0: "
+                       "write h / 2.)"},
+                      {b.v + change, "This is a whole step forwards: go back, and half a step only."},
+                      {b.v - b.h * b.f / 2, "The force has not been divided by the mass."}},
+                     "Eq. (1.5) subtracts (h/2) f/m from v.");
 }
 
 EXERCISE_TEST(HalfStepStart, MakesFreeFallExact) {

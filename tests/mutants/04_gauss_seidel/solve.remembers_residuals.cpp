@@ -1,0 +1,27 @@
+// Wrong: keeps the residual after each sweep instead of what the sweep returned.
+// Killed by: Solve.RemembersWhatEachSweepReturned
+// Says: This is the residual after the sweep
+#include "04_gauss_seidel/gauss_seidel.hpp"
+#include "common/require.hpp"
+
+namespace spook {
+
+template <int Dof>
+SolveReport solve(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V, const StopRule& stop) {
+  require_positive("max_sweeps", stop.max_sweeps);
+  require_not_negative("tolerance", stop.tolerance);
+
+  SolveReport report;
+  report.converged = rows.empty();
+  while (!report.converged && std::ssize(report.history) < stop.max_sweeps) {
+    sweep(rows, V);
+    report.history.push_back(residual(rows, V));
+    report.converged = report.history.back() <= stop.tolerance;
+  }
+  return report;
+}
+
+template SolveReport solve<3>(std::vector<Row<3>>&, std::vector<Twist<3>>&, const StopRule&);
+template SolveReport solve<6>(std::vector<Row<6>>&, std::vector<Twist<6>>&, const StopRule&);
+
+}  // namespace spook

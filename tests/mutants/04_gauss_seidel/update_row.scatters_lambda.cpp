@@ -1,0 +1,27 @@
+// Wrong: scatters all of λ, not its change.
+// Killed by: UpdateRow.ImpulseMayShrinkAgain
+// Says: All of λ was scattered
+#include <algorithm>
+
+#include "04_gauss_seidel/gauss_seidel.hpp"
+
+namespace spook {
+
+template <int Dof>
+double update_row(Row<Dof>& row, std::vector<Twist<Dof>>& V) {
+  // r = B - G V - Σ λ                                                            Eq. (4.6)
+  const double r = row.B - row.Gi.dot(V[row.i]) - row.Gj.dot(V[row.j]) - row.Sigma * row.lambda;
+
+  // Project the impulse itself, not its change: Δλ may be negative, λ may not.   Eq. (4.7)
+  const double projected = std::clamp(row.lambda + r / row.diagonal, row.lo, row.hi);
+  const double delta = projected - row.lambda;
+
+  row.lambda = projected;
+  apply_impulse(row, projected, V);
+  return delta;
+}
+
+template double update_row<3>(Row<3>&, std::vector<Twist<3>>&);
+template double update_row<6>(Row<6>&, std::vector<Twist<6>>&);
+
+}  // namespace spook
