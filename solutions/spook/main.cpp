@@ -13,11 +13,11 @@
 static void add_run(CLI::App& app, spook::RunCommand& run) {
   CLI::App* const command = app.add_subcommand("run", "Run a scene and compare it with its known answer");
   command->allow_extras();
-  command->add_option("SCENE", run.scene, "One of `spook scenes`")->required();
+  command->add_option("SCENE", run.scene, "One of ./course scenes")->required();
   command->add_option("--set", run.set, "Parameters of the scene, NAME=VALUE ...")->expected(1, 1000);
   command->add_option("--h", run.h, "Time step [s], such as 0.02 or 1/60");
   command->add_option("--time", run.time, "How long to simulate [s]");
-  command->add_option("--solver", run.solver, "One of those at the end of `spook scenes`");
+  command->add_option("--solver", run.solver, "One of those at the end of ./course scenes");
   command->add_option("--iterations", run.iterations, "Most sweeps in a step");
   command->add_option("--tolerance", run.tolerance, "Stop sweeping at this [m/s]");
   command->add_option("--csv", run.csv, "Write every step to this file");

@@ -13,7 +13,8 @@ Without N, check takes every exercise that you have started, in order, and
 explains the first that is not right. watch does the same at every save.
 
 run and scenes hand everything to the engine: ./course run --help. With --mine,
-run takes your finished exercises in place of the reference's.
+run takes the exercises that you have written so far, right or wrong, in place
+of the reference's.
 
 Exit codes: 0 fine, 1 a wrong answer or a failure, 2 bad input.
 """

@@ -40,7 +40,8 @@ def show_board(chapters: list[Chapter], verdicts: list[Verdict]) -> None:
         for verdict in own:
             print(board_line(verdict))
     print(f"\n{count_done(verdicts)} of {len(verdicts)} done.")
-    left = [verdict.exercise for verdict in verdicts if verdict.state != "done"]
+    # What is begun and wrong comes before what is not begun.
+    left = [verdict.exercise for state in ("wrong", "not started") for verdict in verdicts if verdict.state == state]
     if left:
         show_next(left[0])
     else:

@@ -6,10 +6,11 @@ from board import board_line, count_done, show_next
 from manifest import all_exercises
 from paths import shown
 from pick import pick
-from terminal import paint, symbol
+from terminal import WIDTH, paint, symbol
 from verdict import Verdict, judge, judge_all
 
 _PRINTED_LINES = 20
+_WHOLE_WORDS = {"break_long_words": False, "break_on_hyphens": False}
 
 
 def check(arguments) -> int:
@@ -65,17 +66,27 @@ def show(verdict: Verdict) -> None:
     exercise = verdict.exercise
     print(f"{paint(exercise.label, 'bold')}   {shown(exercise.file)}\n")
     if verdict.details:
-        print(textwrap.indent(verdict.details, "  ") + "\n")
+        print(_fitted(verdict.details) + "\n")
     if verdict.printed:
         print("  Your code printed:")
         print(textwrap.indent(_shortened(verdict.printed), "    ") + "\n")
     for name in verdict.others:
         print(f"  {symbol('wrong')} {name} fails, too")
     for warning in verdict.warnings:
-        print(f"  {warning}")
+        print(_fitted(warning))
     if verdict.others or verdict.warnings:
         print()
-    print(f"{symbol(verdict.state)} {exercise.label} {_summary(verdict)}")
+    print(textwrap.fill(f"{symbol(verdict.state)} {exercise.label} {_summary(verdict)}", WIDTH, **_WHOLE_WORDS))
+
+
+def _fitted(text: str) -> str:
+    """Indented, and broken where a line is too long for the terminal; what is laid out stays so."""
+    lines = []
+    for line in text.splitlines():
+        indent = line[: len(line) - len(line.lstrip())] + "  "
+        lines += textwrap.wrap(line, WIDTH, initial_indent="  ", subsequent_indent=indent, drop_whitespace=True,
+                               **_WHOLE_WORDS) if len(line) > WIDTH - 2 else [f"  {line}"]
+    return "\n".join(lines)
 
 
 def _shortened(text: str) -> str:

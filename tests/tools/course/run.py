@@ -2,12 +2,14 @@
 
 import os
 import sys
+import textwrap
 
 import diagnostics
 from errors import CourseError
 from exercise_object import drop_if_stale
 from manifest import Exercise, all_exercises
 from symbols import missing_functions
+from terminal import WIDTH
 from tree import Tree
 
 RELEASE = Tree("release")
@@ -18,8 +20,8 @@ def run(arguments: list[str]) -> int:
     if "--mine" not in arguments:
         return _become("spook", ["run", *arguments])
     forwarded = [argument for argument in arguments if argument != "--mine"]
-    names = ", ".join(exercise.label for exercise in mine)
-    print(f"Yours: {names}; the rest is the reference." if mine else
+    ids = ", ".join(exercise.id for exercise in mine)
+    print(textwrap.fill(f"Yours, right or wrong: {ids}; the rest is the reference.", WIDTH) if mine else
           "No exercise of yours is written yet: all of it is the reference.", file=sys.stderr)
     return _become("spook_mine", ["run", *forwarded], mine) if mine else _become("spook", ["run", *forwarded])
 
@@ -36,7 +38,8 @@ def program(target: str, mine: list[Exercise] = []) -> str:
             RELEASE.configure(f"-DSPOOK_MINE={wanted}")
         for exercise in mine:
             drop_if_stale(RELEASE, exercise)
-    built = RELEASE.build([target], "building the engine (a minute or so, the first time)", keep_going=True)
+    first = "" if RELEASE.program("spook").exists() else " (a minute or so, the first time)"
+    built = RELEASE.build([target], f"building the engine{first}", keep_going=True)
     if not built.ok:
         for exercise in mine:
             if RELEASE.failed(built, f"exercise_{exercise.function}"):

@@ -52,7 +52,7 @@ class Trial:
 
 def time_limit() -> float:
     """Seconds for all tests of an exercise."""
-    given = os.environ.get("COURSE_TIME_LIMIT", "60")
+    given = os.environ.get("COURSE_TIME_LIMIT", "20")
     try:
         limit = float(given)
     except ValueError:

@@ -61,12 +61,18 @@ def _targets(exercise: Exercise) -> tuple[str, str]:
 
 def _build(exercises: list[Exercise]) -> Built:
     what = f"building {exercises[0].label}" if len(exercises) == 1 else f"building {len(exercises)} exercises"
+    if not all(_tests_are_built(exercise) for exercise in exercises):
+        what += " and the tests of its chapter (half a minute, the first time)"
     for exercise in exercises:
         drop_if_stale(CHECK, exercise)
     built = CHECK.build([_targets(exercise)[0] for exercise in exercises], what, keep_going=True)
     if not built.ok and not any(CHECK.failed(built, *_targets(exercise)) for exercise in exercises):
         raise CHECK.own_failure(built)
     return built
+
+
+def _tests_are_built(exercise: Exercise) -> bool:
+    return any((CHECK.path / "tests" / "CMakeFiles" / f"tests_{exercise.folder}.dir").glob("**/*.o"))
 
 
 def _judge_built(exercise: Exercise, built: Built, seed: int | None) -> Verdict:
@@ -104,11 +110,12 @@ def _without_function(exercise: Exercise, missing: list[str]) -> Verdict:
 
 def _judge_trial(exercise: Exercise, trial: Trial) -> Verdict:
     if trial.timed_out:
-        return _broken_off(exercise, trial, f"timed out after {time_limit():g} s")
+        return _broken_off(exercise, trial, f"timed out after {time_limit():g} s", "Does a loop never end?")
     if trial.exit_code < 0:
-        return _broken_off(exercise, trial, f"crashed ({signal.Signals(-trial.exit_code).name})")
+        return _broken_off(exercise, trial, f"crashed ({signal.Signals(-trial.exit_code).name})",
+                           "That is most often an index past the end, or a function that calls itself without end.")
     if trial.tests is None:
-        return _broken_off(exercise, trial, f"ended early (exit code {trial.exit_code})")
+        return _broken_off(exercise, trial, f"ended early (exit code {trial.exit_code})", "Does it call exit?")
     skipped = [test.name for test in trial.tests if test.skipped]
     failed = [test for test in trial.tests if test.failures]
     if failed:
@@ -133,6 +140,6 @@ def _failing(exercise: Exercise, trial: Trial, failed: list[Test]) -> Verdict:
                    [test.name for test in failed[1:]], len(trial.tests))
 
 
-def _broken_off(exercise: Exercise, trial: Trial, what: str) -> Verdict:
+def _broken_off(exercise: Exercise, trial: Trial, what: str, question: str) -> Verdict:
     where = f" in {trial.unfinished}" if trial.unfinished else ""
-    return Verdict(exercise, "wrong", what + where, printed=trial.printed_by(trial.unfinished).strip())
+    return Verdict(exercise, "wrong", what + where, question, printed=trial.printed_by(trial.unfinished).strip())
