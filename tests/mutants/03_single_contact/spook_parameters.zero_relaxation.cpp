@@ -1,6 +1,6 @@
 // Wrong: forbids d = 0, which is a contact without any damping.
 // Killed by: SpookParameters.NeedNoRelaxation
-// Says: it threw: d must be positive
+// Says: d must be positive
 #include "03_single_contact/single_contact.hpp"
 #include "common/require.hpp"
 

@@ -1,6 +1,6 @@
 // Wrong: never looks at the tolerance.
 // Killed by: Solve.StopsAtTheFirstSweepThatIsGoodEnough
-// Says: it converged
+// Says: A sweep that returns at most the tolerance is the last one
 #include "04_gauss_seidel/gauss_seidel.hpp"
 #include "common/require.hpp"
 

@@ -1,6 +1,6 @@
 // Wrong: folds with std::max, which drops a NaN.
 // Killed by: Sweep.DoesNotHideANaN
-// Says: is dropped
+// Says: once the largest is NaN, no later row may replace it
 #include <algorithm>
 #include <cmath>
 

@@ -46,8 +46,8 @@ class Tree:
         return Built(code == 0, output)
 
     def configure(self, *settings: str) -> None:
-        """Runs CMake if it never ran here, if the course was moved, or if there are new settings."""
-        if not settings and (self.path / "build.ninja").exists() and self._is_of_this_course():
+        """Runs CMake if it never ran here, if the course was moved, or if there are new settings or presets."""
+        if not settings and (self.path / "build.ninja").exists() and self._is_of_this_course() and self._is_current():
             return
         if not self._is_of_this_course():
             (self.path / "CMakeCache.txt").unlink(missing_ok=True)
@@ -89,6 +89,11 @@ class Tree:
 
     def _is_of_this_course(self) -> bool:
         return self.setting("CMAKE_HOME_DIRECTORY") in ("", str(ROOT))
+
+    def _is_current(self) -> bool:
+        """Whether CMake has seen the presets as they are now; ninja itself looks after the rest."""
+        log = self.path / "course-configure.log"
+        return log.exists() and log.stat().st_mtime >= (ROOT / "CMakePresets.json").stat().st_mtime
 
     def _show(self, live: Live, line: str) -> None:
         status = _STATUS.match(line)
