@@ -51,7 +51,7 @@ void report_failure(const std::string& what, const std::string& equation, const 
                     const std::string& clue) {
   const std::string& exercise = current_exercise();
   std::ostringstream out;
-  out << wrapped(exercise + ": " + what + "   " + equation).substr(2) << wrapped(given()) << body
+  out << wrapped(exercise + ": " + what + " " + equation).substr(2) << wrapped(given()) << body
       << wrapped(clue);
   if (Random::seed_was_used()) out << "  random inputs, seed " << Random::seed() << "\n";
   const std::string number = exercise.substr(0, exercise.find(' '));
@@ -70,15 +70,11 @@ void report_difference(const std::string& what, const std::string& equation, con
 void expect_near(const std::string& what, const std::string& equation, double got, double expected,
                  const Tolerance& tolerance, std::initializer_list<Clue<double>> clues,
                  const std::string& otherwise) {
-  if (std::abs(got - expected) <= tolerance.value) return;
-  std::string clue = otherwise;
+  const auto distance = [](double a, double b) { return std::abs(a - b); };
+  if (distance(got, expected) <= tolerance.value) return;
   const double close = std::max(10 * tolerance.value, 1e-9 * std::abs(expected));
-  for (const auto& known : clues)
-    if (std::abs(got - known.wrong) <= close) {
-      clue = known.text;
-      break;
-    }
-  report_difference(what, equation, show(expected), show(got), tolerance, clue);
+  report_difference(what, equation, show(expected), show(got), tolerance,
+                    explain(got, clues, distance, close, otherwise));
 }
 
 void expect_at_most(const std::string& what, const std::string& equation, double got, double bound,

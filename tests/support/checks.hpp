@@ -34,6 +34,15 @@ struct Clue {
   std::string text;
 };
 
+/// The text of the first clue whose wrong value is what we got, to within `close`; else `otherwise`.
+template <class Value, class Distance>
+std::string explain(const Value& got, std::initializer_list<Clue<Value>> clues, const Distance& distance,
+                    double close, const std::string& otherwise) {
+  for (const Clue<Value>& known : clues)
+    if (distance(got, known.wrong) <= close) return known.text;
+  return otherwise;
+}
+
 std::string show(double value);
 
 /// A vector on one line, a matrix as rows below each other.
@@ -64,16 +73,11 @@ void expect_near_vector(const std::string& what, const std::string& equation, co
                         const std::type_identity_t<Vector>& expected, const Tolerance& tolerance,
                         std::initializer_list<Clue<std::type_identity_t<Vector>>> clues = {},
                         const std::string& otherwise = "") {
-  if ((got - expected).norm() <= tolerance.value) return;
-  std::string clue = otherwise;
+  const auto distance = [](const Vector& a, const Vector& b) { return (a - b).norm(); };
+  if (distance(got, expected) <= tolerance.value) return;
   const double close = std::max(10 * tolerance.value, 1e-9 * expected.norm());
-  for (const auto& known : clues)
-    if ((got - known.wrong).norm() <= close) {
-      clue = known.text;
-      break;
-    }
   report_difference(what, equation, show(Eigen::MatrixXd(expected)), show(Eigen::MatrixXd(got)), tolerance,
-                    clue);
+                    explain(got, clues, distance, close, otherwise));
 }
 
 /// got <= bound, and not NaN. `why` says where the bound comes from.

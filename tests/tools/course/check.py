@@ -6,11 +6,10 @@ from board import board_line, count_done, show_next
 from manifest import all_exercises
 from paths import shown
 from pick import pick
-from terminal import WIDTH, paint, symbol
+from terminal import fold, fold_lines, paint, symbol
 from verdict import Verdict, judge, judge_all
 
 _PRINTED_LINES = 20
-_WHOLE_WORDS = {"break_long_words": False, "break_on_hyphens": False}
 
 
 def check(arguments) -> int:
@@ -66,27 +65,17 @@ def show(verdict: Verdict) -> None:
     exercise = verdict.exercise
     print(f"{paint(exercise.label, 'bold')}   {shown(exercise.file)}\n")
     if verdict.details:
-        print(_fitted(verdict.details) + "\n")
+        print(fold_lines(verdict.details, "  ") + "\n")
     if verdict.printed:
         print("  Your code printed:")
         print(textwrap.indent(_shortened(verdict.printed), "    ") + "\n")
     for name in verdict.others:
         print(f"  {symbol('wrong')} {name} fails, too")
     for warning in verdict.warnings:
-        print(_fitted(warning))
+        print(fold_lines(warning, "  "))
     if verdict.others or verdict.warnings:
         print()
-    print(textwrap.fill(f"{symbol(verdict.state)} {exercise.label} {_summary(verdict)}", WIDTH, **_WHOLE_WORDS))
-
-
-def _fitted(text: str) -> str:
-    """Indented, and broken where a line is too long for the terminal; what is laid out stays so."""
-    lines = []
-    for line in text.splitlines():
-        indent = line[: len(line) - len(line.lstrip())] + "  "
-        lines += textwrap.wrap(line, WIDTH, initial_indent="  ", subsequent_indent=indent, drop_whitespace=True,
-                               **_WHOLE_WORDS) if len(line) > WIDTH - 2 else [f"  {line}"]
-    return "\n".join(lines)
+    print(fold(f"{symbol(verdict.state)} {exercise.label} {_summary(verdict)}"))
 
 
 def _shortened(text: str) -> str:

@@ -2,14 +2,13 @@
 
 import os
 import sys
-import textwrap
 
 import diagnostics
 from errors import CourseError
 from exercise_object import drop_if_stale
 from manifest import Exercise, all_exercises
 from symbols import missing_functions
-from terminal import WIDTH
+from terminal import fold
 from tree import Tree
 
 RELEASE = Tree("release")
@@ -21,7 +20,7 @@ def run(arguments: list[str]) -> int:
         return _become("spook", ["run", *arguments])
     forwarded = [argument for argument in arguments if argument != "--mine"]
     ids = ", ".join(exercise.id for exercise in mine)
-    print(textwrap.fill(f"Yours, right or wrong: {ids}; the rest is the reference.", WIDTH) if mine else
+    print(fold(f"Yours, right or wrong: {ids}; the rest is the reference.") if mine else
           "No exercise of yours is written yet: all of it is the reference.", file=sys.stderr)
     return _become("spook_mine", ["run", *forwarded], mine) if mine else _become("spook", ["run", *forwarded])
 

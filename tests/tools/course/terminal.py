@@ -6,6 +6,7 @@ import textwrap
 import time
 
 WIDTH = 80
+_WHOLE_WORDS = {"break_long_words": False, "break_on_hyphens": False}
 _CODES = {"green": "32", "red": "31", "yellow": "33", "bold": "1", "dim": "2"}
 
 
@@ -45,9 +46,16 @@ def fold(text: str, indent: str = "") -> str:
         keep = in_code or fences or paragraph.startswith(("    ", "|", "- ", "$$"))
         in_code ^= fences % 2 == 1
         blocks.append(textwrap.indent(paragraph, indent) if keep else textwrap.fill(
-            " ".join(paragraph.split()), WIDTH, initial_indent=indent, subsequent_indent=indent,
-            break_long_words=False, break_on_hyphens=False))
+            " ".join(paragraph.split()), WIDTH, initial_indent=indent, subsequent_indent=indent, **_WHOLE_WORDS))
     return "\n\n".join(blocks)
+
+
+def fold_lines(text: str, indent: str = "") -> str:
+    """Each line for itself, broken where it is too long and going on at its own indent: what is laid out stays so."""
+    return "\n".join(
+        textwrap.fill(line, WIDTH, initial_indent=indent,
+                      subsequent_indent=indent + line[: len(line) - len(line.lstrip())], **_WHOLE_WORDS)
+        for line in text.splitlines())
 
 
 class Live:
