@@ -57,6 +57,10 @@ EXERCISE_TEST(FreeRotation, KeepsAngularMomentum) {
       "L after a step of 0.3 s [kg m²/s]", "Eq. (2.11)", top.L(), start.L(), roundings(64, 5),
       {{L_with(start.omega), "ω is still the old one: with L fixed and q new, ω = I⁻¹ L has changed."},
        {L_with(top.q.conjugate() * omega_right), "The new ω is in body coordinates; the world's is asked for."},
+       {L_with(world_inertia(top.q, top.principal) * start.L()),
+        "This ω is I L: ω = I⁻¹ L takes the inverse moments, world_inertia(q, principal.cwiseInverse())."},
+       {Vec3(start.principal.cwiseProduct(start.omega)),
+        "L was formed from moments along the body's axes and ω in the world: L = I_world(q) ω."},
        {L_with(top.q.conjugate() * start.omega), "The old ω, in body coordinates, has been returned."}},
       "L in the world is a constant of the whole step: work it out once, before q moves, and get ω from it "
       "after.");
