@@ -1,0 +1,74 @@
+#pragma once
+// Chapter 06 · Distances, joints, ropes and cloth
+//
+// A constraint that pulls as well as pushes: no projection, and nothing else is new.
+//
+//   points       p = x + r of either body                                 Eq. (6.1)
+//   distance     g = |p_j - p_i| - l,  n = (p_j - p_i)/|p_j - p_i|        Eq. (6.2)    notes, "Distance constraint"
+//   its row      G = (-n, -r_i×n, n, r_j×n)                               Eq. (6.3)    notes (25)
+//   bounds       -∞ < λ < ∞                                               Eq. (6.4)
+//   ball joint   g = p_j - p_i, three rows                                Eq. (6.5)    not in the notes
+//   their rows   Eq. (6.3) with e1, e2, e3 for n                          Eq. (6.6)    not in the notes
+//   tension      T = -λ/h                                                 Eq. (6.7)
+//   lumped mass  half of each link's, a quarter of each cell's            Eq. (6.10), (6.11)
+//
+//   x   centre of mass [m]          r   from it to the point, in world coordinates [m]
+//   l   wanted distance [m]         n   from i's point to j's
+//
+// Differs from the notes: a distance and a ball joint are two things, one row and three. At zero distance the first has
+// no direction, and says so.
+#include <array>
+#include <vector>
+
+#include "05_friction_box/friction_box.hpp"
+
+namespace spook {
+
+/// A point of a body: Eq. (6.1).
+struct Attachment {
+  int body;
+  Vec3 x;                 ///< the body's centre of mass [m]
+  Vec3 r = Vec3::Zero();  ///< from it to the point, in world coordinates [m]; zero for a point mass
+};
+
+/// Exercise 6.1. Holds two points at `length` [m] from each other: Eq. (6.2)-(6.4); notes, "Distance constraint".
+/// Throws std::invalid_argument that names length unless it is positive and finite, and distance unless the two points
+/// are apart by a positive and finite one: where they coincide there is no direction.
+template <int Dof>
+Constraint<Dof> distance_constraint(const Attachment& i, const Attachment& j, double length,
+                                    const Spook& spook);
+
+/// Exercise 6.2. Holds two points together, in x, y and z: Eq. (6.4)-(6.6); not in the notes. Any distance will do, zero
+/// as well.
+template <int Dof>
+std::array<Constraint<Dof>, 3> ball_joint_constraints(const Attachment& i, const Attachment& j,
+                                                      const Spook& spook);
+
+/// Two points of a net and their distance.
+struct Link {
+  int i, j;       ///< indices of points, i ≠ j
+  double length;  ///< at rest [m]
+};
+
+/// Point masses with links between them: a rope, a cloth.
+struct Net {
+  std::vector<Vec3> x;       ///< [m]
+  std::vector<double> mass;  ///< [kg]
+  std::vector<Link> links;
+};
+
+/// Exercise 6.3. A straight rope of so many equal links, links + 1 points from `from` to `to`: Eq. (6.10). Point k is
+/// joined to point k + 1 by link k, at rest as it lies. `mass` [kg] is the whole rope's.
+/// Throws std::invalid_argument, naming the parameter, unless links >= 1, mass is positive and finite, the ends are
+/// finite, and length, from one to the other, is positive.
+Net rope(const Vec3& from, const Vec3& to, int links, double mass);
+
+/// Exercise 6.4. A flat cloth of cells_u × cells_v cells, with links along the sides of every cell, each once, and no
+/// diagonals: Eq. (6.11). Its corners are `corner`, corner + u, corner + v and corner + u + v; the point (a, b), a from 0
+/// to cells_u along u and b from 0 to cells_v along v, has the index a + b (cells_u + 1). `mass` [kg] is the whole
+/// cloth's. The links, at rest as they lie, come in any order.
+/// Throws std::invalid_argument, naming the parameter, unless cells_u >= 1, cells_v >= 1, mass is positive and finite,
+/// corner, u and v are finite, and the area |u × v| is positive.
+Net cloth(const Vec3& corner, const Vec3& u, const Vec3& v, int cells_u, int cells_v, double mass);
+
+}  // namespace spook

@@ -1,0 +1,82 @@
+#pragma once
+// Chapter 07 · Impacts: Newton's restitution with Coulomb's friction
+//
+// What hits hard is resolved before the rows are built, pair by pair, by one impulse each.
+//
+//   velocity     u = G (W + W_f/2), at the contact, at the time of the contact    Eq. (7.1)    not in the notes
+//   wanted       u'·n = -e u·n,  and u'_t = 0 if it sticks                        Eq. (7.2)    notes (1), (2)
+//   stick        J = K⁻¹ (u' - u)                                                 Eq. (7.3)    notes, before (3)
+//   cone         |J_t| <= μ J_n                                                   Eq. (7.4)    notes (3)
+//   slide        j = -(1+e) u·n / (n·K(n - μt)),  J = j n - μ j t                 Eq. (7.5)    notes (4), (5)
+//   work         ΔE = J·(u + ½ K J)                                               Eq. (7.6)    not in the notes
+//   safe         J = (1+e) P + κ (Q - P)                                          Eq. (7.7)    not in the notes
+//                P = -u·n/(n·Kn) n,  Q = -K⁻¹ u
+//   κ            the largest in [0, 1] with J inside the cone                     Eq. (7.8)    not in the notes
+//   apply        W_i -= M⁻¹ (J, r_i×J),  W_j += M⁻¹ (J, r_j×J)                    Eq. (7.9)    notes (6), (7)
+//   threshold    an impact if u·n < -threshold                                    Eq. (7.10)   not in the notes
+//
+//   u   velocity of j's contact point relative to i's before, u' after [m/s]     t   direction of the slip, u_t/|u_t|
+//   e   restitution, 0 to 1                                                      μ   friction coefficient
+//   K   collision matrix of Eq. (3.8) [1/kg]                                     J   impulse [N s], + on j, - on i
+//
+// Differs from the notes: (4) is used only where its denominator is positive, and an impulse of theirs that would add
+// energy is replaced by Eq. (7.7), which never does. Joints are not felt by an impact: it is a model of free pairs.
+#include <optional>
+#include <vector>
+
+#include "06_distance/distance.hpp"
+
+namespace spook {
+
+/// Exercise 7.1. The impulse after which the contact has u' = -e (u·n) n: Eq. (7.2), (7.3); notes (1), (2).
+/// All bodies that meet have some mass: K can be inverted.
+Vec3 stick_impulse(const Mat3& K, const Vec3& u, const Vec3& n, double e);
+
+/// Exercise 7.2. Whether an impulse pushes and lies inside the friction cone about n, or on it: Eq. (7.4); notes (3).
+/// False for a NaN.
+bool inside_cone(const Vec3& J, const Vec3& n, double mu);
+
+/// Exercise 7.3. The impulse on the cone's edge, against the slip of before: Eq. (7.5); notes (4), (5). Without slip
+/// (u_t = 0) it is along n. Nothing when n·K(n - μt) <= 0 or NaN: then no such impulse reverses the approach.
+std::optional<Vec3> sliding_impulse(const Mat3& K, const Vec3& u, const Vec3& n, double e, double mu);
+
+/// Exercise 7.4. What an impulse adds to the energy of the two bodies [J]: Eq. (7.6); not in the notes.
+double impact_work(const Mat3& K, const Vec3& u, const Vec3& J);
+
+/// Exercise 7.5. An impulse that has the restitution e, is inside the cone, and adds no energy for 0 <= e <= 1, whatever
+/// K, for bodies that approach each other (u·n < 0): Eq. (7.7), (7.8); not in the notes.
+Vec3 safe_impulse(const Mat3& K, const Vec3& u, const Vec3& n, double e, double mu);
+
+/// Exercise 7.6. The impulse of an impact. Zero unless u·n < 0. Else that of Eq. (7.3) if it is inside the cone, else
+/// that of Eq. (7.5); but that of Eq. (7.7) where there is none of (7.5), or where either adds energy, Eq. (7.6) > 0. A
+/// NaN in u stays a NaN. Notes (1)-(5).
+Vec3 impact_impulse(const Mat3& K, const Vec3& u, const Vec3& n, double e, double mu);
+
+/// Exercise 7.7. Adds the velocity changes of the impulse J [N s] at a contact to its two bodies, in `motion.W`:
+/// Eq. (7.9); notes (6), (7). A point mass has no angular part.
+template <int Dof>
+void apply_impact(const Contact& contact, const Vec3& J, Motion<Dof>& motion);
+
+/// How things hit each other.
+struct ImpactLaw {
+  double restitution = 0;  ///< e, 0 to 1
+  double friction = 0;     ///< μ >= 0
+  double threshold = 0;    ///< slowest approach that counts as an impact [m/s], >= 0
+  int max_passes = 100;    ///< over all contacts
+};
+
+struct ImpactReport {
+  int impacts = 0;
+  int passes = 0;     ///< over all contacts, of which the last found none, unless there were max_passes
+  double energy = 0;  ///< what they added to the energy [J]; negative: lost
+};
+
+/// Exercise 7.8. The stage: goes through the contacts in order and resolves each impact at once, with the u of Eq.
+/// (7.1), so that the next sees what this one did; again and again, until a pass over them finds no approach faster than
+/// the threshold, Eq. (7.10), or max_passes are done. Notes, "Resolve high velocity impacts".
+/// Throws std::invalid_argument, contacts or not, naming the parameter, unless 0 <= restitution <= 1, friction and
+/// threshold are finite and >= 0, and max_passes >= 1.
+template <int Dof>
+ImpactReport resolve_impacts(const std::vector<Contact>& contacts, const ImpactLaw& law, Motion<Dof>& motion);
+
+}  // namespace spook

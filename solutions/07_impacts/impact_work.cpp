@@ -1,0 +1,9 @@
+#include "07_impacts/impacts.hpp"
+
+namespace spook {
+
+double impact_work(const Mat3& K, const Vec3& u, const Vec3& J) {
+  return J.dot(u + K * J / 2);  // Eq. (7.6)
+}
+
+}  // namespace spook
