@@ -14,6 +14,26 @@ Vec3 solid_sphere_moments(double mass, double radius) {
   return Vec3::Constant(0.4 * mass * radius * radius);
 }
 
+static void require_sides(const Vec3& half_sides) {
+  for (const double half_side : half_sides) require_positive("half side", half_side);
+}
+
+Vec3 solid_box_moments(double mass, const Vec3& half_sides) {
+  require_positive("mass", mass);
+  require_sides(half_sides);
+  const Vec3 squares = half_sides.cwiseAbs2();
+  return mass / 3 * (Vec3::Constant(squares.sum()) - squares);
+}
+
+std::vector<Vec3> box_corners(const Vec3& half_sides) {
+  require_sides(half_sides);
+  std::vector<Vec3> corners;
+  for (const double x : {-1, 1})
+    for (const double y : {-1, 1})
+      for (const double z : {-1, 1}) corners.push_back(half_sides.cwiseProduct(Vec3(x, y, z)));
+  return corners;
+}
+
 template <int Dof>
 static void require_sound(const Body<Dof>& body) {
   require_all_finite("x", body.x);
@@ -24,6 +44,7 @@ static void require_sound(const Body<Dof>& body) {
     require_unit_length("q", body.q.norm());
     require_all_finite("omega", body.omega);
     for (const double moment : body.principal) require_positive("principal moment", moment);
+    for (const Vec3& corner : body.corners) require_all_finite("corner", corner);
   }
 }
 

@@ -18,19 +18,65 @@ Constraint<Dof> contact_constraint(const Contact& contact, const Spook& spook) {
           .hi = infinity};
 }
 
+/// How many contacts there are from `first` on between the same two bodies.
+static int contacts_of_pair(const std::vector<Contact>& contacts, std::size_t first) {
+  std::size_t end = first;
+  while (end < contacts.size() && contacts[end].i == contacts[first].i && contacts[end].j == contacts[first].j)
+    ++end;
+  return static_cast<int>(end - first);
+}
+
 template <int Dof>
-void build_contact_rows(const std::vector<Contact>& contacts, const Spook& spook, const Motion<Dof>& motion,
-                        std::vector<Row<Dof>>& rows) {
-  rows.clear();
-  for (const Contact& contact : contacts)
-    rows.push_back(make_row(contact_constraint<Dof>(contact, spook), motion));
+void add_contact_rows(const std::vector<Contact>& contacts, double h, const Spook& spook,
+                      const Friction& friction, const Motion<Dof>& motion, std::vector<Row<Dof>>& rows) {
+  if (friction.mu == 0) {
+    for (const Contact& contact : contacts)
+      rows.push_back(make_row(contact_constraint<Dof>(contact, spook), motion));
+    return;
+  }
+  const Spook rub = friction_parameters(h, friction.c);
+  for (std::size_t first = 0; first < contacts.size();) {
+    const int count = contacts_of_pair(contacts, first);
+    const double mass = representative_mass(motion.inverse_mass[contacts[first].i].linear,
+                                            motion.inverse_mass[contacts[first].j].linear, count);
+    for (const std::size_t end = first + static_cast<std::size_t>(count); first < end; ++first) {
+      const Contact& contact = contacts[first];
+      rows.push_back(make_row(contact_constraint<Dof>(contact, spook), motion));
+      const double pressing = std::abs(friction.gravity.dot(contact.n));
+      const double bound = friction_bound(friction.mu, mass, pressing, h);
+      for (const Constraint<Dof>& row : friction_constraints<Dof>(contact, tangents(contact.n), bound, rub))
+        rows.push_back(make_row(row, motion));
+    }
+  }
+}
+
+template <int Dof>
+void add_joint_rows(const std::vector<Joint>& joints, double h, const Bodies<Dof>& bodies,
+                    std::vector<Row<Dof>>& rows) {
+  const Joint* known = nullptr;
+  Spook spook{};
+  for (const Joint& joint : joints) {
+    // Most joints of a scene share their k and d.
+    if (!known || joint.k != known->k || joint.d != known->d) spook = spook_parameters(h, *joint.k, *joint.d);
+    known = &joint;
+    // (World::step has seen to it that no two points of a distance coincide.)
+    const Attachment i = attachment(joint.i, joint.p_i, bodies), j = attachment(joint.j, joint.p_j, bodies);
+    if (joint.length) {
+      rows.push_back(make_row(distance_constraint<Dof>(i, j, *joint.length, spook), bodies.motion));
+    } else {
+      for (const Constraint<Dof>& row : ball_joint_constraints<Dof>(i, j, spook))
+        rows.push_back(make_row(row, bodies.motion));
+    }
+  }
 }
 
 template Constraint<3> contact_constraint<3>(const Contact&, const Spook&);
 template Constraint<6> contact_constraint<6>(const Contact&, const Spook&);
-template void build_contact_rows<3>(const std::vector<Contact>&, const Spook&, const Motion<3>&,
-                                    std::vector<Row<3>>&);
-template void build_contact_rows<6>(const std::vector<Contact>&, const Spook&, const Motion<6>&,
-                                    std::vector<Row<6>>&);
+template void add_contact_rows<3>(const std::vector<Contact>&, double, const Spook&, const Friction&,
+                                  const Motion<3>&, std::vector<Row<3>>&);
+template void add_contact_rows<6>(const std::vector<Contact>&, double, const Spook&, const Friction&,
+                                  const Motion<6>&, std::vector<Row<6>>&);
+template void add_joint_rows<3>(const std::vector<Joint>&, double, const Bodies<3>&, std::vector<Row<3>>&);
+template void add_joint_rows<6>(const std::vector<Joint>&, double, const Bodies<6>&, std::vector<Row<6>>&);
 
 }  // namespace spook

@@ -1,22 +1,41 @@
 #pragma once
-// From contacts to rows: one row a frictionless contact.
+// From contacts and joints to rows.
 //
-//   dg/dt = G W          G of the contact, Eq. (3.3); of a point mass the linear part of it
-//   a, b, Σ              from h, k, d, Eq. (3.4)-(3.6)
+//   dg/dt = G W          G of a contact, Eq. (3.3), of a joint, Eq. (6.3), (6.6); of a point mass the linear part of it
+//   a, b, Σ              from h, k, d, Eq. (3.4)-(3.6); of friction 0, 1, Γ, Eq. (5.4)
 //   0 <= λ < ∞           a contact pushes, never pulls
+//   -Λ <= λ <= Λ         friction: two rows more, with the bound of Eq. (5.7)
+//   -∞ < λ < ∞           a joint does both
 //   S_kk, B              Eq. (4.3), (4.4)
 #include <vector>
 
-#include "04_gauss_seidel/gauss_seidel.hpp"
+#include "engine/joints.hpp"
 
 namespace spook {
 
 template <int Dof>
 Constraint<Dof> contact_constraint(const Contact& contact, const Spook& spook);
 
-/// Replaces `rows` with one for each contact, in the same order.
+/// How rubbing is counted in; no friction, no rows.
+struct Friction {
+  double mu = 0;                ///< coefficient μ
+  double c = 1e12;              ///< viscosity that is left [N s/m]: what sticks creeps at F/c, Eq. (5.5)
+  Vec3 gravity = Vec3::Zero();  ///< what presses, in Eq. (5.7) [m/s²]
+};
+
+/// One for the normal, and with friction two for the tangents.
+inline int rows_per_contact(double mu) {
+  return mu > 0 ? 3 : 1;
+}
+
+/// Adds the rows of each contact in turn: the normal one, and with friction those of its two tangents.
 template <int Dof>
-void build_contact_rows(const std::vector<Contact>& contacts, const Spook& spook, const Motion<Dof>& motion,
-                        std::vector<Row<Dof>>& rows);
+void add_contact_rows(const std::vector<Contact>& contacts, double h, const Spook& spook,
+                      const Friction& friction, const Motion<Dof>& motion, std::vector<Row<Dof>>& rows);
+
+/// Adds the rows of each joint in turn: one of a distance, three of a ball joint. Their k and d must be given.
+template <int Dof>
+void add_joint_rows(const std::vector<Joint>& joints, double h, const Bodies<Dof>& bodies,
+                    std::vector<Row<Dof>>& rows);
 
 }  // namespace spook

@@ -3,36 +3,39 @@
 #include <cmath>
 
 #include "common/require.hpp"
-#include "engine/rows.hpp"
 
 namespace spook {
 
 template <int Dof>
 void World<Dof>::step(double h) {
   require_positive("h", h);
-  find_contacts();
-  evaluate_forces();
-  build_rows(h);
-  solve_rows();
-  integrate(h);
+  rows_.clear();
+  first_contact_row_ = 0;
+  impacts_ = sweeps_ = 0;
+  const bool touches = shapes_.may_touch();
+  if (touches) clock_.run(Stage::contacts, [&] { find_contacts(); });
+  clock_.run(Stage::forces, [&] { evaluate_forces(h); });
+  if (settings_.impacts && touches) clock_.run(Stage::impacts, [&] { resolve_impacts(h); });
+  if (touches || !joints_.empty()) clock_.run(Stage::rows, [&] { build_rows(h); });
+  if (!rows_.empty()) clock_.run(Stage::solve, [&] { solve_rows(); });
+  clock_.run(Stage::integrate, [&] { integrate(h); });
 }
 
 template <int Dof>
 void World<Dof>::find_contacts() {
-  if (shapes_.spheres.empty()) return;
-  pairs_ = spook::find_contacts(shapes_, bodies_.x, contacts_);
+  pairs_ = spook::find_contacts(shapes_, bodies_, contacts_);
 }
 
 template <int Dof>
-void World<Dof>::evaluate_forces() {
+void World<Dof>::evaluate_forces(double h) {
   forces_.resize(bodies_.size());
   for (std::size_t i = 0; i < bodies_.size(); ++i) forces_[i] = force(i);
+  if (!contacts_.empty() || !joints_.empty()) prepare_motion(h);
 }
 
+/// What rows and impacts want to know of the bodies beside W: W_f and, of those that turn, the inertia.
 template <int Dof>
-void World<Dof>::build_rows(double h) {
-  rows_.clear();
-  if (contacts_.empty()) return;
+void World<Dof>::prepare_motion(double h) {
   Motion<Dof>& motion = bodies_.motion;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     // W_f = h M⁻¹ f, the kick of a body at rest.
@@ -44,13 +47,31 @@ void World<Dof>::build_rows(double h) {
       motion.inverse_mass[i].angular = bodies_.orientations.inverse_inertia(i);
     }
   }
-  build_contact_rows(contacts_, spook_parameters(h, settings_.k, settings_.d), motion, rows_);
+}
+
+template <int Dof>
+void World<Dof>::resolve_impacts(double h) {
+  ImpactLaw law = *settings_.impacts;
+  law.threshold += settings_.gravity.norm() * h;
+  impacts_ = spook::resolve_impacts(contacts_, law, bodies_.motion).impacts;
+  if (impacts_ > 0) prepare_motion(h);  // the gyroscopic torque goes with ω
+}
+
+template <int Dof>
+void World<Dof>::build_rows(double h) {
+  for (const Joint& joint : joints_)
+    if (joint.length && points_coincide(joint, bodies_))
+      throw Blowup(steps_ + 1, time_ + h, joint.j, "is at distance 0 of the body that it is joined to");
+  add_joint_rows(joints_, h, bodies_, rows_);
+  first_contact_row_ = rows_.size();
+  if (contacts_.empty()) return;
+  const Friction friction{.mu = settings_.friction, .c = settings_.viscosity, .gravity = settings_.gravity};
+  add_contact_rows(contacts_, h, spook_parameters(h, settings_.k, settings_.d), friction, bodies_.motion,
+                   rows_);
 }
 
 template <int Dof>
 void World<Dof>::solve_rows() {
-  sweeps_ = 0;
-  if (rows_.empty()) return;
   V_.assign(bodies_.size(), Twist<Dof>::Zero());
   sweeps_ = static_cast<int>(settings_.solver(rows_, V_, settings_.stop).history.size());
 }

@@ -1,22 +1,27 @@
 #pragma once
-// The world: bodies, and the step that moves them.
+// The world: bodies, what holds them together, and the step that moves them.
 //
-//   find contacts -> build rows -> solve -> integrate
+//   find contacts -> resolve impacts -> build rows -> solve -> integrate
 //
 //   contacts    at x_n, where gap <= 0                                             Eq. (3.1)
+//   impacts     of what approaches fast: W changes at once                         Eq. (7.1)-(7.10)
 //   rows        S λ = B, with W = v_{n-1/2} and the forces at x_n                  Eq. (3.7), (4.4)
 //   solve       λ and V = M⁻¹ Gᵀ λ                                                 Eq. (4.6), (4.7)
 //   integrate   W += h M⁻¹ f + V, then x += h v and q turns by h ω                 Eq. (1.3), (1.4), (2.4)-(2.11)
 //
-// Each stage calls the functions of the chapters. One for which there is nothing to do returns at once: no shapes, no
-// search; no contacts, no rows and no solve; point masses, nothing that turns.
+// Each stage calls the functions of the chapters. One for which a scene has nothing does not run: no shapes, no search;
+// no restitution, no impacts; no friction, one row a contact; no rows, no solve; point masses, nothing that turns.
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "07_impacts/impacts.hpp"
 #include "engine/blowup.hpp"
-#include "engine/bodies.hpp"
 #include "engine/contacts.hpp"
+#include "engine/joints.hpp"
+#include "engine/rows.hpp"
 #include "engine/solvers.hpp"
+#include "engine/stages.hpp"
 
 namespace spook {
 
@@ -24,8 +29,13 @@ template <int Dof>
 struct Settings {
   Vec3 gravity = Vec3(0, 0, -9.81);  ///< [m/s²]
   ForceField force = nullptr;        ///< on each body, beside its weight [N]; none unless given
-  double k = 1e6;                    ///< stiffness of a contact [N/m]
-  double d = 3;                      ///< relaxation of a contact [steps]
+  double k = 1e6;                    ///< stiffness of contacts and joints [N/m]
+  double d = 3;                      ///< relaxation of contacts and joints [steps]
+  double friction = 0;               ///< μ of the friction box; 0: no friction rows
+  double viscosity = 1e12;  ///< what a stuck contact creeps against, c of Eq. (5.4) [N s/m]; may be infinite
+  std::optional<ImpactLaw> impacts =
+      {};                            ///< none unless given. To its threshold |gravity| h is added: what gravity
+                                     ///< does in a step is no impact
   Solver<Dof> solver = &solve<Dof>;  ///< any of solvers<Dof>()
   [[no_unique_address]] RotationRule<Dof> rotation = {};  ///< rigid bodies only: how they turn
   StopRule stop = {};                                     ///< when the solver stops
@@ -35,6 +45,7 @@ struct Settings {
 struct StepReport {
   int pairs = 0;  ///< pairs of shapes that were looked at
   int contacts = 0;
+  int impacts = 0;
   int rows = 0;
   int sweeps = 0;
   double residual = 0;  ///< how far λ is from a solution [m/s], Eq. (4.8); 0 when there are no rows
@@ -43,7 +54,8 @@ struct StepReport {
 template <int Dof>
 class World {
  public:
-  /// Throws std::invalid_argument unless gravity is finite, k > 0, d >= 0, and the solver and its stop rule are sound.
+  /// Throws std::invalid_argument, naming the parameter, unless gravity is finite, k > 0, d >= 0, friction >= 0,
+  /// viscosity > 0, and the impact law, the solver and its stop rule are sound.
   explicit World(Settings<Dof> settings);
 
   /// Adds a body and returns its index; see Bodies::add for what is refused.
@@ -55,11 +67,16 @@ class World {
   /// Adds the half-space n·x < offset as a fixed body. Throws std::invalid_argument unless |n| = 1.
   int add_plane(const Vec3& n, double offset);
 
+  /// Adds a joint and returns its index. Throws std::invalid_argument, naming the parameter, for an index that is no
+  /// body's, a body joined to itself, two fixed bodies, a point beside the centre of a point mass, a bad k or d, a
+  /// length that is not positive, and a distance whose two points coincide.
+  int add_joint(const Joint& joint);
+
   /// Takes every velocity half a step back, to where leapfrog wants it: Eq. (1.5). Once, before the first step.
   void start_half_step_back(double h);
 
   /// Moves the world on by `h` [s]. Throws std::invalid_argument unless h is positive and finite, and Blowup when a
-  /// body is not finite afterwards.
+  /// body is not finite afterwards, or the two points of a distance coincide before.
   void step(double h);
 
   const Bodies<Dof>& bodies() const { return bodies_; }
@@ -75,33 +92,52 @@ class World {
   /// The velocity at the time of the position, from one that is half a step of `h` behind [m/s].
   Vec3 v_beside_x(int body, double h) const;
 
-  /// The contacts of the last step, and the impulse of each [N s].
+  /// The contacts of the last step, the impulse of each along its normal [N s], and all of it on body j, friction
+  /// included.
   const std::vector<Contact>& contacts() const { return contacts_; }
   double lambda(int contact) const;
+  Vec3 impulse(int contact) const;
+
+  /// The joints, and the impulse of one row of a joint in the last step [N s].
+  const std::vector<Joint>& joints() const { return joints_; }
+  double joint_lambda(int joint, int row = 0) const;
 
   /// What the last step did. The residual is computed here, not in the step.
   StepReport report() const;
 
+  /// From now on the stages are timed.
+  void time_stages() { clock_.start(); }
+  const StageTimes& stage_times() const { return clock_.times(); }
+
  private:
   void find_contacts();
+  void evaluate_forces(double h);
+  void resolve_impacts(double h);
   void build_rows(double h);
   void solve_rows();
   void integrate(double h);
 
-  void evaluate_forces();
   Vec3 force(std::size_t i) const;
+  void prepare_motion(double h);
   void require_finite_bodies() const;
+  std::size_t first_row(int contact) const;
 
   Settings<Dof> settings_;
   Bodies<Dof> bodies_;
   Shapes shapes_;
+  std::vector<Joint> joints_;            // with k and d
+  std::vector<std::size_t> joint_rows_;  // the first row of each joint
+  std::size_t next_joint_row_ = 0;
   std::vector<Vec3> forces_;       // on each body at x_n [N]
   std::vector<Contact> contacts_;  // of the last step
-  std::vector<Row<Dof>> rows_;     // row c belongs to contact c
-  std::vector<Twist<Dof>> V_;      // what the rows add to each velocity
+  std::vector<Row<Dof>> rows_;     // of the joints, then of the contacts
+  std::size_t first_contact_row_ = 0;
+  std::vector<Twist<Dof>> V_;  // what the rows add to each velocity
+  StageClock clock_;
   std::int64_t steps_ = 0;
   double time_ = 0;
   int pairs_ = 0;
+  int impacts_ = 0;
   int sweeps_ = 0;
 };
 

@@ -9,6 +9,9 @@ World<Dof>::World(Settings<Dof> settings) : settings_(std::move(settings)) {
   require_all_finite("gravity", settings_.gravity);
   require_positive("k", settings_.k);
   require_not_negative("d", settings_.d);
+  require_not_negative("friction", settings_.friction);
+  if (!(settings_.viscosity > 0)) reject("viscosity", settings_.viscosity, "positive; it may be infinite");
+  if (settings_.impacts) spook::resolve_impacts<Dof>({}, *settings_.impacts, bodies_.motion);
   require_positive("max_sweeps", settings_.stop.max_sweeps);
   require_not_negative("tolerance", settings_.stop.tolerance);
   if (!settings_.solver) throw std::invalid_argument("solver must be one of solvers(), but is null");
@@ -18,6 +21,8 @@ template <int Dof>
 int World<Dof>::add(const Body<Dof>& body) {
   const int i = bodies_.add(body);
   if (body.radius > 0) shapes_.spheres.push_back({.body = i, .radius = body.radius, .fixed = false});
+  if constexpr (Dof == 6)
+    if (!body.corners.empty()) shapes_.corners.push_back({.body = i, .points = body.corners});
   return i;
 }
 
@@ -36,6 +41,31 @@ int World<Dof>::add_plane(const Vec3& n, double offset) {
   const int i = bodies_.add_fixed(offset * n);
   shapes_.planes.push_back({.body = i, .n = n, .offset = offset});
   return i;
+}
+
+template <int Dof>
+int World<Dof>::add_joint(const Joint& given) {
+  Joint joint = given;
+  const std::size_t i = index(joint.i), j = index(joint.j);
+  if (i == j) reject("joint's j", joint.j, "another body than its i");
+  if (bodies_.is_fixed(i) && bodies_.is_fixed(j))
+    reject("joint's j", joint.j, "a body that moves, as i does not");
+  require_all_finite("p_i", joint.p_i);
+  require_all_finite("p_j", joint.p_j);
+  if constexpr (Dof == 3) {
+    if (!joint.p_i.isZero(0)) reject("|p_i|", joint.p_i.norm(), "0 for a point mass");
+    if (!joint.p_j.isZero(0)) reject("|p_j|", joint.p_j.norm(), "0 for a point mass");
+  }
+  if (!joint.k) joint.k = settings_.k;
+  if (!joint.d) joint.d = settings_.d;
+  const Spook spook = spook_parameters(1, *joint.k, *joint.d);
+  if (joint.length)
+    distance_constraint<Dof>(attachment(joint.i, joint.p_i, bodies_), attachment(joint.j, joint.p_j, bodies_),
+                             *joint.length, spook);
+  joints_.push_back(joint);
+  joint_rows_.push_back(next_joint_row_);
+  next_joint_row_ += static_cast<std::size_t>(joint.rows());
+  return static_cast<int>(joints_.size()) - 1;
 }
 
 template <int Dof>
@@ -72,16 +102,42 @@ Vec3 World<Dof>::v_beside_x(int body, double h) const {
 }
 
 template <int Dof>
+std::size_t World<Dof>::first_row(int contact) const {
+  if (contact < 0 || contact >= static_cast<int>(contacts_.size()))
+    reject("contact", contact, "an index below " + std::to_string(contacts_.size()));
+  return first_contact_row_ + static_cast<std::size_t>(contact * rows_per_contact(settings_.friction));
+}
+
+template <int Dof>
 double World<Dof>::lambda(int contact) const {
-  if (contact < 0 || contact >= static_cast<int>(rows_.size()))
-    reject("contact", contact, "an index below " + std::to_string(rows_.size()));
-  return rows_[static_cast<std::size_t>(contact)].lambda;
+  return rows_[first_row(contact)].lambda;
+}
+
+template <int Dof>
+Vec3 World<Dof>::impulse(int contact) const {
+  Vec3 impulse = Vec3::Zero();
+  const std::size_t first = first_row(contact);
+  for (std::size_t row = first; row < first + static_cast<std::size_t>(rows_per_contact(settings_.friction));
+       ++row)
+    impulse += rows_[row].lambda * rows_[row].Gj.template head<3>();
+  return impulse;
+}
+
+template <int Dof>
+double World<Dof>::joint_lambda(int joint, int row) const {
+  if (joint < 0 || joint >= static_cast<int>(joints_.size()))
+    reject("joint", joint, "an index below " + std::to_string(joints_.size()));
+  const auto j = static_cast<std::size_t>(joint);
+  if (row < 0 || row >= joints_[j].rows()) reject("row", row, "below " + std::to_string(joints_[j].rows()));
+  const std::size_t r = joint_rows_[j] + static_cast<std::size_t>(row);
+  return r < first_contact_row_ ? rows_[r].lambda : 0;  // a joint that is new has had none
 }
 
 template <int Dof>
 StepReport World<Dof>::report() const {
   return {.pairs = pairs_,
           .contacts = static_cast<int>(contacts_.size()),
+          .impacts = impacts_,
           .rows = static_cast<int>(rows_.size()),
           .sweeps = sweeps_,
           .residual = rows_.empty() ? 0 : residual(rows_, V_)};

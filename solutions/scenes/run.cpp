@@ -53,6 +53,12 @@ static double median_us_per_step(const Build& build, std::int64_t steps) {
   return *middle / static_cast<double>(steps);
 }
 
+static StageTimes stage_times(Scene& scene, std::int64_t steps) {
+  scene.time_stages();
+  scene.advance(steps);
+  return scene.stage_times();
+}
+
 RunResult run(const SceneDescription& description, const Parameters& parameters, const RunSettings& settings,
               std::ostream* csv, const Progress& progress) {
   const auto build = [&] { return description.build(parameters, settings.method); };
@@ -63,7 +69,9 @@ RunResult run(const SceneDescription& description, const Parameters& parameters,
   observed_run(*scene, result.steps, csv, progress);
   result.error = scene->error();
   result.last = scene->report();
-  if (result.steps > 0) result.us_per_step = median_us_per_step(build, result.steps);
+  if (result.steps == 0) return result;
+  result.us_per_step = median_us_per_step(build, result.steps);
+  result.stages = stage_times(*build(), result.steps);
   return result;
 }
 

@@ -34,6 +34,10 @@ class Scene {
   virtual std::vector<double> sample() const = 0;
 
   virtual StepReport report() const = 0;
+
+  /// From now on the stages of each step are timed.
+  virtual void time_stages() = 0;
+  virtual StageTimes stage_times() const = 0;
 };
 
 /// How a scene is stepped and solved.
@@ -65,6 +69,8 @@ class WorldScene : public Scene {
     for (std::int64_t n = 0; n < steps; ++n) world_.step(h_);
   }
   StepReport report() const final { return world_.report(); }
+  void time_stages() final { world_.time_stages(); }
+  StageTimes stage_times() const final { return world_.stage_times(); }
 
  protected:
   WorldScene(Settings<Dof> settings, const Method& method)

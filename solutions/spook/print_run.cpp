@@ -40,7 +40,17 @@ static std::string method_text(const SceneDescription& scene, const RunSettings&
 static std::string last_step_text(const StepReport& last) {
   return short_text(last.residual) + " m/s in the last step, after " + counted(last.sweeps, "sweep") + "; " +
          counted(last.pairs, "pair") + ", " + counted(last.contacts, "contact") + ", " +
-         counted(last.rows, "row");
+         counted(last.impacts, "impact") + ", " + counted(last.rows, "row");
+}
+
+/// Of the stages that ran, in the order of the step.
+static std::string stages_text(const RunResult& result) {
+  std::string text;
+  for (std::size_t s = 0; s < stage_names.size(); ++s)
+    if (result.stages.ran[s])
+      text += (text.empty() ? "" : ", ") + std::string(stage_names[s]) + " " +
+              short_text(1e6 * result.stages.seconds[s] / static_cast<double>(result.steps));
+  return text + " µs, clock included; no other stage ran";
 }
 
 void print_text(std::ostream& out, const SceneDescription& scene, const Parameters& parameters,
@@ -52,6 +62,7 @@ void print_text(std::ostream& out, const SceneDescription& scene, const Paramete
   print_entry(out, "error", short_text(result.error) + " " + scene.error_unit + ": " + scene.error_name);
   print_entry(out, "speed",
               result.us_per_step ? short_text(*result.us_per_step) + " µs a step" : "no step taken");
+  if (result.us_per_step) print_entry(out, "stages", stages_text(result));
   if (scene.solves) print_entry(out, "residual", last_step_text(result.last));
 }
 
@@ -59,6 +70,12 @@ void print_json(std::ostream& out, const SceneDescription& scene, const Paramete
                 const RunSettings& settings, const RunResult& result) {
   Json set = Json::object();
   for (const Parameter& parameter : parameters.all()) set[parameter.name] = to_json(parameter);
+
+  Json stages = Json::object();
+  for (std::size_t s = 0; s < stage_names.size(); ++s)
+    stages[stage_names[s]] = result.stages.ran[s]
+                                 ? Json(1e6 * result.stages.seconds[s] / static_cast<double>(result.steps))
+                                 : Json();
 
   const double h = settings.method.h;
   const Json object = {
@@ -71,11 +88,13 @@ void print_json(std::ostream& out, const SceneDescription& scene, const Paramete
       {"steps", result.steps},
       {"time", static_cast<double>(result.steps) * h},
       {"us_per_step", result.us_per_step ? Json(*result.us_per_step) : Json()},
+      {"us_per_step_of_stage", stages},
       {"error", {{"name", scene.error_name}, {"value", result.error}, {"unit", scene.error_unit}}},
       {"residual", scene.solves ? Json(result.last.residual) : Json()},
       {"last_step",
        {{"pairs", result.last.pairs},
         {"contacts", result.last.contacts},
+        {"impacts", result.last.impacts},
         {"rows", result.last.rows},
         {"sweeps", result.last.sweeps}}},
   };

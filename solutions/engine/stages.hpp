@@ -1,0 +1,43 @@
+#pragma once
+// The stages of a step, and what each of them costs.
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <string>
+
+namespace spook {
+
+enum class Stage { contacts, forces, impacts, rows, solve, integrate };
+
+inline constexpr std::array<const char*, 6> stage_names = {"contacts", "forces", "impacts",
+                                                           "rows",     "solve",  "integrate"};
+
+/// What the stages took so far [s]; a stage that never ran has none.
+struct StageTimes {
+  std::array<double, stage_names.size()> seconds{};
+  std::array<bool, stage_names.size()> ran{};
+};
+
+/// Runs stages, and looks at the clock only if it was asked to: a look takes longer than the whole step of a point mass.
+class StageClock {
+ public:
+  void start() { running_ = true; }
+  const StageTimes& times() const { return times_; }
+
+  template <class Work>
+  void run(Stage stage, const Work& work) {
+    if (!running_) return work();
+    const auto start = Clock::now();
+    work();
+    const auto s = static_cast<std::size_t>(stage);
+    times_.seconds[s] += std::chrono::duration<double>(Clock::now() - start).count();
+    times_.ran[s] = true;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  bool running_ = false;
+  StageTimes times_;
+};
+
+}  // namespace spook
