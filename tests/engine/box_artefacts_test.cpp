@@ -1,0 +1,54 @@
+// What the friction box is known to get wrong, as exactly as it gets it wrong: a bound from a mass does not know what
+// rests on the contact, Eq. (5.15).
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/world.hpp"
+
+namespace spook {
+namespace {
+
+constexpr double g = 9.81, radius = 0.5, k = 1e6, h = 1.0 / 60;
+
+/// Speed of the fastest of n equal spheres, as points, one on the other on a slope, after a second from rest.
+double speed_of_pile_on_slope(int n, double mu, double angle) {
+  World<3> world({.gravity = g * Vec3(std::sin(angle), 0, -std::cos(angle)),
+                  .k = k,
+                  .friction = mu,
+                  .viscosity = infinity,
+                  .stop = {.max_sweeps = 20'000, .tolerance = 1e-14}});
+  world.add_plane(Vec3::UnitZ(), 0);
+  double z = radius;
+  for (int i = 0; i < n; ++i) {
+    z -= (n - i) * g * std::cos(angle) / k;  // at rest from the start: gap = -N/k, Eq. (3.13)
+    world.add({.x = Vec3(0, 0, z), .radius = radius});
+    z += 2 * radius;
+  }
+  for (int step = 0; step < 60; ++step) world.step(h);
+  double fastest = 0;
+  for (int i = 1; i <= n; ++i) fastest = std::max(fastest, world.v(i).norm());
+  return fastest;
+}
+
+TEST(FrictionBox, APileOnASlopeNeedsMoreFrictionThanABody) {
+  // The ground must hold n weights and has the bound for one; contact i above it holds n - i and has half a bound.
+  const double angle = 0.2;
+  const auto needed = [&](int n) {
+    double factor = n;
+    for (int i = 1; i < n; ++i) factor = std::max(factor, 2.0 * (n - i));
+    return factor * std::tan(angle);
+  };
+  EXPECT_DOUBLE_EQ(needed(1), std::tan(angle));
+  EXPECT_DOUBLE_EQ(needed(2), 2 * std::tan(angle));
+  EXPECT_DOUBLE_EQ(needed(3), 4 * std::tan(angle)) << "between the first and the second";
+  for (const int n : {1, 2, 3}) {
+    // A thousandth too little in each step of a second moves something by some hundredths of g sin θ · 1 s or more.
+    EXPECT_GT(speed_of_pile_on_slope(n, 0.99 * needed(n), angle), 0.005 * g * std::sin(angle))
+        << n << " spheres";
+    EXPECT_LT(speed_of_pile_on_slope(n, 1.01 * needed(n), angle), 1e-10) << n << " spheres";
+  }
+}
+
+}  // namespace
+}  // namespace spook
