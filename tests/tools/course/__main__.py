@@ -10,13 +10,14 @@ from check import check
 from errors import CourseError
 from everything import test
 from hint import hint
+from plot import plot
 from reset import reset
 from run import run, scenes
 from solution import solution
 from start import start
 from watch import watch
 
-COMMANDS = {"progress": progress, "check": check, "watch": watch, "hint": hint, "solution": solution,
+COMMANDS = {"progress": progress, "check": check, "watch": watch, "plot": plot, "hint": hint, "solution": solution,
             "reset": reset, "start": start, "test": test}
 FORWARDED = {"run": run, "scenes": scenes}
 

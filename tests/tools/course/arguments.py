@@ -14,7 +14,7 @@ explains the first that is not right. watch does the same at every save.
 
 run and scenes hand everything to the engine: ./course run --help. With --mine,
 run takes the exercises that you have written so far, right or wrong, in place
-of the reference's.
+of the reference's. What stands after -- goes to plot's experiment itself.
 
 Exit codes: 0 fine, 1 a wrong answer or a failure, 2 bad input.
 """
@@ -44,12 +44,17 @@ def parse(words: list[str]) -> argparse.Namespace:
     # Options alone belong to the board: ./course --json
     if not words or (words[0].startswith("-") and words[0] not in ("-h", "--help")):
         words = ["progress", *words]
+    more: list[str] = []
+    if words[0] == "plot" and "--" in words:
+        words, more = words[: words.index("--")], words[words.index("--") + 1:]
     known, unknown = parser.parse_known_args(words)
     if unknown:
         options = [option for action in commands[words[0]]._actions for option in action.option_strings]
         what = "option" if unknown[0].startswith("-") else "argument"
         raise BadInput(f"{words[0]}: unknown {what} {unknown[0]!r}{near(unknown[0], options)}; "
                        f"see ./course {words[0]} --help")
+    if more:
+        known.more = more
     return known
 
 
@@ -74,6 +79,14 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     add("reset", "put the stub back; your file is kept beside it").add_argument("which", metavar="N.M")
     add("run", "run a scene: ./course run SCENE --set name=value --h 1/60 [--mine] ...")
     add("scenes", "the scenes, their parameters, and the known answer of each")
+    command = add("plot", "run an experiment, check its claims, draw it; without a name: list them")
+    command.add_argument("which", nargs="?", metavar="NAME", help="an experiment, a topic, or all")
+    command.add_argument("--mine", action="store_true", help="with a curve of your own functions beside ours")
+    command.add_argument("--quick", action="store_true", help="the size that the tests run")
+    command.add_argument("--shard", metavar="I/N", help="compute only each N-th point, from the I-th")
+    command.add_argument("--merge", nargs="+", metavar="FOLDER", help="put together what shards have computed")
+    command.add_argument("--publish", action="store_true", help="put the figure into plots/, where pages show it")
+    command.set_defaults(more=[])
     for name, text in (("start", "install, build, run real scenes, show the board"),
                        ("test", "every test there is")):
         add(name, text).add_argument("--yes", action="store_true", help="install without asking")

@@ -1,0 +1,30 @@
+#pragma once
+// What a figure says, with the number that it rests on.
+#include <string>
+#include <vector>
+
+namespace spook::plots {
+
+struct Claim {
+  std::string text;  ///< the same in every run: it stands in plots/README.md
+  double measured;
+  double low, high;  ///< between which `measured` makes it true; either may be infinite
+
+  bool holds() const { return measured >= low && measured <= high; }  // not for NaN
+};
+
+class Claims {
+ public:
+  void between(const std::string& text, double measured, double low, double high);
+  void near(const std::string& text, double measured, double expected, double margin);
+  void at_most(const std::string& text, double measured, double bound);
+  void at_least(const std::string& text, double measured, double bound);
+
+  const std::vector<Claim>& all() const { return all_; }
+  bool hold() const;
+
+ private:
+  std::vector<Claim> all_;
+};
+
+}  // namespace spook::plots

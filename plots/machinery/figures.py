@@ -1,0 +1,149 @@
+"""What all figures share: the numbers of an experiment, a style that is readable in grey, and the caption.
+
+A drawing is a file NAME.py beside its experiment NAME.cpp, with a function draw(data, mine) that returns a figure, a
+TITLE, and, at its end,
+
+    if __name__ == "__main__":
+        figures.main(draw, TITLE)
+
+    NAME.py --data FOLDER [--mine FOLDER] --out FIGURE.png [--out FIGURE.svg]
+"""
+
+import argparse
+import csv
+import json
+import math
+import sys
+import textwrap
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.figure import Figure  # noqa: E402
+
+# Okabe and Ito's colours: told apart by the colour-blind, and by marker and dash in grey.
+STYLES = [{"color": "#0072B2", "marker": "o", "linestyle": "-"},
+          {"color": "#D55E00", "marker": "s", "linestyle": "--"},
+          {"color": "#009E73", "marker": "^", "linestyle": "-."},
+          {"color": "#CC79A7", "marker": "D", "linestyle": ":"},
+          {"color": "#E69F00", "marker": "v", "linestyle": "-"},
+          {"color": "#56B4E9", "marker": "p", "linestyle": "--"},
+          {"color": "#000000", "marker": "x", "linestyle": "-."}]
+MINE = {"marker": "*", "markersize": 9, "linestyle": "none", "color": "#000000", "label": "yours"}
+INK, FAINT = "#333333", "#DDDDDD"
+WIDTH = 8.0  # inches
+
+
+@dataclass
+class Table:
+    """Rows of a CSV file: numbers where they are some, text elsewhere."""
+
+    columns: list[str]
+    rows: list[list]
+
+    def only(self, column: str, value) -> "Table":
+        k = self.columns.index(column)
+        return Table(self.columns, [row for row in self.rows if row[k] == value])
+
+    def __getitem__(self, column: str) -> list:
+        k = self.columns.index(column)
+        return [row[k] for row in self.rows]
+
+    def values(self, column: str) -> list:
+        """Each once, in the order in which they come."""
+        return list(dict.fromkeys(self[column]))
+
+
+@dataclass
+class Data:
+    table: Table
+    claims: list[dict]
+
+    @classmethod
+    def read(cls, folder: Path) -> "Data":
+        with open(folder / "table.csv", encoding="utf-8", newline="") as file:
+            rows = list(csv.reader(file))
+        claims = json.loads((folder / "claims.json").read_text(encoding="utf-8"))
+        return cls(Table(rows[0], [[_number_or_text(cell) for cell in row] for row in rows[1:]]), claims)
+
+
+def _number_or_text(cell: str):
+    try:
+        return float(cell)
+    except ValueError:
+        return cell
+
+
+def new(columns: int = 1, height: float = 3.8, **options):
+    """A figure and its axes; further options as of plt.subplots."""
+    plt.rcParams.update({"font.size": 10, "axes.edgecolor": INK, "text.color": INK, "axes.labelcolor": INK,
+                         "xtick.color": INK, "ytick.color": INK, "lines.linewidth": 1.6, "lines.markersize": 5.5,
+                         "legend.frameon": False, "legend.fontsize": 9, "axes.titlesize": 10,
+                         "svg.hashsalt": "figure", "svg.fonttype": "none"})
+    return plt.subplots(1, columns, figsize=(WIDTH, height), layout="constrained", **options)
+
+
+def tidy(axes) -> None:
+    axes.grid(color=FAINT, linewidth=0.6)
+    axes.set_axisbelow(True)
+    for side in ("top", "right"):
+        if side in axes.spines:
+            axes.spines[side].set_visible(False)
+
+
+def slope(axes, power: float, x: tuple[float, float], y: float, text: str) -> None:
+    """A line of that slope on logarithmic axes from (x[0], y), with its name at its end."""
+    end = y * (x[1] / x[0]) ** power
+    axes.plot(x, (y, end), color="#999999", linewidth=1)
+    axes.annotate(text, (x[1], end), xytext=(4, 0), textcoords="offset points", va="center", fontsize=9)
+
+
+def caption(figure: Figure, title: str, claims: list[dict]) -> None:
+    """The title above, and below what the figure claims. The figure grows by what it takes."""
+    text = " ".join(_sentence(claim["text"]) for claim in claims)
+    lines = textwrap.wrap(text, 118)
+    above, below = 0.34, 0.16 + 0.165 * len(lines)
+    height = figure.get_figheight()
+    total = height + above + below
+    figure.set_figheight(total)
+    figure.get_layout_engine().set(rect=(0, below / total, 1, height / total))
+    figure.text(0.012, 1 - 0.08 / total, title, fontsize=12, fontweight="bold", va="top")
+    figure.text(0.012, 0.08 / total, "\n".join(lines), fontsize=9, va="bottom", linespacing=1.35)
+
+
+def _sentence(text: str) -> str:
+    return text[0].upper() + text[1:] + "."
+
+
+def number(value: float) -> str:
+    """1000, 0.1, 10⁻⁶."""
+    if value != 0 and not 1e-3 < abs(value) < 1e5:
+        exponent = round(math.log10(abs(value)))
+        if math.isclose(abs(value), 10.0**exponent):
+            superscripts = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+            return ("-" if value < 0 else "") + "10" + str(exponent).translate(superscripts)
+    return f"{value:g}"
+
+
+def main(draw: Callable[[Data, Data | None], Figure], title: str) -> None:
+    parser = argparse.ArgumentParser(description=title)
+    parser.add_argument("--data", type=Path, required=True, help="the folder that the experiment wrote")
+    parser.add_argument("--mine", type=Path, help="the same, of a student's functions")
+    parser.add_argument("--out", type=Path, action="append", required=True, help="a figure, .png or .svg")
+    arguments = parser.parse_args()
+    try:
+        data = Data.read(arguments.data)
+        mine = Data.read(arguments.mine) if arguments.mine else None
+    except (OSError, ValueError, IndexError) as error:
+        sys.exit(f"{parser.prog}: {error!r}")
+    figure = draw(data, mine)
+    caption(figure, title, data.claims)
+    for path in arguments.out:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        # Without a date or a version in it, the same numbers give the same bytes.
+        metadata = {"Date": None, "Creator": None} if path.suffix == ".svg" else {"Software": None}
+        figure.savefig(path, dpi=120, metadata=metadata)

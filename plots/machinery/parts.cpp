@@ -1,0 +1,57 @@
+#include "machinery/parts.hpp"
+
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace spook::plots {
+
+namespace fs = std::filesystem;
+
+static std::string text_of(const fs::path& file) {
+  std::ifstream in(file);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+static void write_whole(const fs::path& file, const std::string& text) {
+  const fs::path beside = file.string() + ".new";
+  std::ofstream out(beside);
+  out << text;
+  if (!out.flush()) throw std::runtime_error(beside.string() + " cannot be written");
+  out.close();
+  fs::rename(beside, file);
+}
+
+Parts::Parts(fs::path folder, const std::string& plan) : folder_(std::move(folder)) {
+  if (text_of(folder_ / "plan.txt") != plan) remove_all();
+  fs::create_directories(folder_);
+  write_whole(folder_ / "plan.txt", plan);
+}
+
+fs::path Parts::file(std::size_t point) const {
+  std::ostringstream name;
+  name.width(6);
+  name.fill('0');
+  name << point;
+  return folder_ / (name.str() + ".csv");
+}
+
+bool Parts::has(std::size_t point) const {
+  return fs::exists(file(point));
+}
+
+void Parts::write(std::size_t point, const std::string& rows) const {
+  write_whole(file(point), rows);
+}
+
+std::string Parts::read(std::size_t point) const {
+  return text_of(file(point));
+}
+
+void Parts::remove_all() const {
+  fs::remove_all(folder_);
+}
+
+}  // namespace spook::plots

@@ -1,0 +1,158 @@
+"""./course plot: runs an experiment, checks its claims, and draws it."""
+
+import re
+import shutil
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+from errors import BadInput, CourseError
+from manifest import all_exercises
+from paths import BUILD, ROOT, shown
+from pick import near
+from process import stream, tail
+from run import program
+from terminal import Live, fold, paint
+
+PLOTS = ROOT / "plots"
+_TITLE = re.compile(r'^TITLE = "(.+)"$', re.MULTILINE)
+_PROGRESS = re.compile(r"^\[\d+/\d+\] ")
+
+
+@dataclass(frozen=True)
+class Experiment:
+    source: Path  # plots/TOPIC/NAME.cpp
+
+    @property
+    def name(self) -> str:
+        return self.source.stem
+
+    @property
+    def drawing(self) -> Path:
+        return self.source.with_suffix(".py")
+
+    @property
+    def title(self) -> str:
+        found = _TITLE.search(self.drawing.read_text(encoding="utf-8")) if self.drawing.exists() else None
+        return found[1] if found else ""
+
+    def folder(self, mine: bool) -> Path:
+        return BUILD / "plots" / (self.name + ("-mine" if mine else ""))
+
+
+def experiments() -> list[Experiment]:
+    return [Experiment(path) for path in sorted(PLOTS.glob("*/*.cpp")) if path.parent.name != "machinery"]
+
+
+def plot(arguments) -> int:
+    if arguments.which is None:
+        return _list()
+    chosen = _pick(arguments.which)
+    if len(chosen) > 1 and (arguments.more or arguments.merge):
+        raise BadInput("--merge and options after -- are for one experiment")
+    codes = [_one(experiment, arguments) for experiment in chosen]
+    return max(codes)
+
+
+def _list() -> int:
+    topic = None
+    for experiment in experiments():
+        if experiment.source.parent.name != topic:
+            topic = experiment.source.parent.name
+            print(paint(topic, "bold"))
+        print(f"  {experiment.name:<16} {experiment.title}"[:80])
+    print("\n./course plot NAME runs one, checks what it claims, and draws it; all for all.")
+    return 0
+
+
+def _pick(word: str) -> list[Experiment]:
+    known = experiments()
+    if word == "all":
+        return known
+    chosen = [experiment for experiment in known if word in (experiment.name, experiment.source.parent.name)]
+    if not chosen:
+        names = [experiment.name for experiment in known]
+        raise BadInput(f"there is no experiment {word!r}{near(word, names)}; ./course plot lists them")
+    return chosen
+
+
+def _one(experiment: Experiment, arguments) -> int:
+    print(paint(experiment.name, "bold"), experiment.title, flush=True)
+    code = _run(experiment, arguments, mine=False)
+    mine = [exercise for exercise in all_exercises() if exercise.started() and exercise.file.exists()]
+    if arguments.mine and not mine:
+        print("No exercise of yours is written yet: there is no curve of yours to draw.", file=sys.stderr)
+    draws_mine = bool(arguments.mine and mine)
+    if draws_mine:
+        print(fold(f"Yours, right or wrong: {', '.join(exercise.id for exercise in mine)}; the rest is the reference. "
+                   "What it claims of yours:"), flush=True)
+        _run(experiment, arguments, mine=True)
+    if not (experiment.folder(False) / "table.csv").exists():
+        return code  # a shard
+    figures = _draw(experiment, draws_mine)
+    if arguments.publish:
+        if code != 0 or draws_mine or arguments.quick:
+            raise CourseError("only true claims of the reference in full size are put in the tree")
+        for figure in figures:
+            shutil.copyfile(figure, experiment.source.parent / figure.name)
+        figures = [experiment.source.parent / figure.name for figure in figures]
+    print(f"figure: {shown(figures[0])}\n", flush=True)
+    return code
+
+
+def _run(experiment: Experiment, arguments, mine: bool) -> int:
+    exercises = [exercise for exercise in all_exercises() if exercise.started()] if mine else []
+    path = program(f"plot_{experiment.name}" + ("_mine" if mine else ""), exercises)
+    folder = experiment.folder(mine)
+    folder.mkdir(parents=True, exist_ok=True)
+    for result in ("table.csv", "claims.json"):
+        (folder / result).unlink(missing_ok=True)
+    for other in arguments.merge or []:
+        _merge(Path(other), folder)
+    command = [path, "--out", str(folder), *arguments.more]
+    command += ["--quick"] if arguments.quick else []
+    command += ["--shard", arguments.shard] if arguments.shard else []
+    live = Live(experiment.name)
+
+    def on_line(line: str) -> None:
+        if _PROGRESS.match(line):
+            live.update(line.strip())
+        else:
+            live.done()
+            print(fold(line.rstrip(), "  "), flush=True)
+
+    code, output = stream(command, on_line)
+    live.done()
+    if code == 2:
+        raise BadInput(tail(output, 1))
+    if code not in (0, 1):
+        raise CourseError(f"{experiment.name} ended with exit code {code}", tail(output))
+    if code == 1 and not (folder / "claims.json").exists():
+        raise CourseError(f"{experiment.name} failed", tail(output))
+    return code
+
+
+def _merge(other: Path, folder: Path) -> None:
+    """Takes over what a shard has computed, here or on another machine."""
+    parts = other / "parts" if (other / "parts").is_dir() else other
+    found = sorted(parts.glob("[0-9]*.csv"))
+    if not found:
+        raise BadInput(f"merge: {other} has no parts of an experiment")
+    if not (parts / "plan.txt").exists():
+        raise BadInput(f"merge: {other} has no plan.txt, by which it is known what its parts are of")
+    (folder / "parts").mkdir(exist_ok=True)
+    for part in [*found, parts / "plan.txt"]:
+        shutil.copyfile(part, folder / "parts" / part.name)
+
+
+def _draw(experiment: Experiment, mine: bool) -> list[Path]:
+    folder = experiment.folder(False)
+    figures = [folder / f"{experiment.name}.{kind}" for kind in ("png", "svg")]
+    command = [sys.executable, str(experiment.drawing), "--data", str(folder)]
+    command += ["--mine", str(experiment.folder(True))] if mine else []
+    for figure in figures:
+        command += ["--out", str(figure)]
+    code, output = stream(command, lambda line: None)
+    if code != 0:
+        raise CourseError(f"{experiment.name} could not be drawn", tail(output))
+    return figures
