@@ -234,6 +234,16 @@ EXERCISE_TEST(SlidingImpulse, IsAlongTheNormalWithoutSlip) {
                      Vec3(0, 0, 1), roundings(16), {}, rule);
 }
 
+EXERCISE_TEST(SlidingImpulse, TakesASlipOfRoundingsForNone) {
+  const std::string rule =
+      "u_t is 1e-15 of u here, and its direction noise: a slip of up to 1e-12 |u| counts as none, J = j n.";
+  const auto J = sliding_impulse(K_of_rod(), Vec3(2e-15, 0, -2), Vec3(0, 0, 1), 0.25, 0.5);
+  const Vec3 by_noise = *sliding_impulse(K_of_rod(), Vec3(1, 0, -2), Vec3(0, 0, 1), 0.25, 0.5);
+  expect_near_vector("J of a rod that comes down with a slip of roundings [N s]", "Eq. (7.5)",
+                     value(J, 2.5, rule), Vec3(0, 0, 1), roundings(16),
+                     {{by_noise, "This is full friction, against noise. " + rule}}, rule);
+}
+
 EXERCISE_TEST(SlidingImpulse, DoesNotExistWhereFrictionPressesHarderThanTheNormal) {
   const Mat3 K = K_of_rod();
   const Vec3 n(0, 0, 1), ahead(-3, 0, -1), behind(3, 0, -1);  // t = -x, and t = x
