@@ -31,11 +31,11 @@ inline Attachment attachment(int body, const Vec3& p, const Bodies<6>& bodies) {
   return {.body = body, .x = bodies.x[b], .r = bodies.orientations.q[b] * p};
 }
 
-/// Whether a distance between its points would have no direction.
+/// How far its two points are from each other [m], rounded as in Eq. (6.2).
 template <int Dof>
-bool points_coincide(const Joint& joint, const Bodies<Dof>& bodies) {
+double distance(const Joint& joint, const Bodies<Dof>& bodies) {
   const Attachment i = attachment(joint.i, joint.p_i, bodies), j = attachment(joint.j, joint.p_j, bodies);
-  return (j.x + j.r - i.x - i.r).norm() == 0;
+  return ((j.x + j.r) - (i.x + i.r)).norm();
 }
 
 }  // namespace spook

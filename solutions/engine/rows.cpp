@@ -59,7 +59,7 @@ void add_joint_rows(const std::vector<Joint>& joints, double h, const Bodies<Dof
     // Most joints of a scene share their k and d.
     if (!known || joint.k != known->k || joint.d != known->d) spook = spook_parameters(h, *joint.k, *joint.d);
     known = &joint;
-    // (World::step has seen to it that no two points of a distance coincide.)
+    // (World::step has seen to it that every distance has a direction.)
     const Attachment i = attachment(joint.i, joint.p_i, bodies), j = attachment(joint.j, joint.p_j, bodies);
     if (joint.length) {
       rows.push_back(make_row(distance_constraint<Dof>(i, j, *joint.length, spook), bodies.motion));

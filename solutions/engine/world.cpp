@@ -9,6 +9,7 @@ namespace spook {
 template <int Dof>
 void World<Dof>::step(double h) {
   require_positive("h", h);
+  require_directions(h);
   rows_.clear();
   first_contact_row_ = 0;
   impacts_ = sweeps_ = 0;
@@ -19,6 +20,17 @@ void World<Dof>::step(double h) {
   if (touches || !joints_.empty()) clock_.run(Stage::rows, [&] { build_rows(h); });
   if (!rows_.empty()) clock_.run(Stage::solve, [&] { solve_rows(); });
   clock_.run(Stage::integrate, [&] { integrate(h); });
+}
+
+template <int Dof>
+void World<Dof>::require_directions(double h) const {
+  for (const Joint& joint : joints_) {
+    if (!joint.length) continue;
+    const double apart = distance(joint, bodies_);
+    if (apart > 0 && std::isfinite(apart)) continue;
+    const std::string where = apart == 0 ? "distance 0" : "an infinite distance";
+    throw Blowup(steps_ + 1, time_ + h, joint.j, "is at " + where + " of the body that it is joined to");
+  }
 }
 
 template <int Dof>
@@ -59,9 +71,6 @@ void World<Dof>::resolve_impacts(double h) {
 
 template <int Dof>
 void World<Dof>::build_rows(double h) {
-  for (const Joint& joint : joints_)
-    if (joint.length && points_coincide(joint, bodies_))
-      throw Blowup(steps_ + 1, time_ + h, joint.j, "is at distance 0 of the body that it is joined to");
   add_joint_rows(joints_, h, bodies_, rows_);
   first_contact_row_ = rows_.size();
   if (contacts_.empty()) return;

@@ -72,11 +72,12 @@ class World {
   /// length that is not positive, and a distance whose two points coincide.
   int add_joint(const Joint& joint);
 
-  /// Takes every velocity half a step back, to where leapfrog wants it: Eq. (1.5). Once, before the first step.
+  /// Takes every velocity half a step back, to where leapfrog wants it: Eq. (1.5). Once, before the first step. What
+  /// contacts and joints hold against is not known yet, and has no part in it.
   void start_half_step_back(double h);
 
   /// Moves the world on by `h` [s]. Throws std::invalid_argument unless h is positive and finite, and Blowup when a
-  /// body is not finite afterwards, or the two points of a distance coincide before.
+  /// body is not finite afterwards, or the two points of a distance coincide before, or are infinitely far apart.
   void step(double h);
 
   const Bodies<Dof>& bodies() const { return bodies_; }
@@ -119,6 +120,7 @@ class World {
 
   Vec3 force(std::size_t i) const;
   void prepare_motion(double h);
+  void require_directions(double h) const;
   void require_finite_bodies() const;
   std::size_t first_row(int contact) const;
 
