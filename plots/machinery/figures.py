@@ -121,7 +121,7 @@ def _sentence(text: str) -> str:
 
 def number(value: float) -> str:
     """1000, 0.1, 10⁻⁶."""
-    if value != 0 and not 1e-3 < abs(value) < 1e5:
+    if value != 0 and not 1e-3 < abs(value) < 1e4:
         exponent = round(math.log10(abs(value)))
         if math.isclose(abs(value), 10.0**exponent):
             superscripts = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
