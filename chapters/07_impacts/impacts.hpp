@@ -36,8 +36,8 @@ Vec3 stick_impulse(const Mat3& K, const Vec3& u, const Vec3& n, double e);
 /// False for a NaN.
 bool inside_cone(const Vec3& J, const Vec3& n, double mu);
 
-/// Exercise 7.3. The impulse on the cone's edge, against the slip of before: Eq. (7.5); notes (4), (5). Without slip
-/// (u_t = 0) it is along n. Nothing when n·K(n - μt) <= 0 or NaN: then no such impulse reverses the approach.
+/// Exercise 7.3. The impulse on the cone's edge, against the slip of before: Eq. (7.5); notes (4), (5). Without slip,
+/// |u_t| <= 1e-12 |u|, whose direction would be noise, it is along n. Nothing when n·K(n - μt) <= 0 or NaN: then no such impulse reverses the approach.
 std::optional<Vec3> sliding_impulse(const Mat3& K, const Vec3& u, const Vec3& n, double e, double mu);
 
 /// Exercise 7.4. What an impulse adds to the energy of the two bodies [J]: Eq. (7.6); not in the notes.
@@ -59,16 +59,16 @@ void apply_impact(const Contact& contact, const Vec3& J, Motion<Dof>& motion);
 
 /// How things hit each other.
 struct ImpactLaw {
-  double restitution = 0;  ///< e, 0 to 1
-  double friction = 0;     ///< μ >= 0
-  double threshold = 0;    ///< slowest approach that counts as an impact [m/s], >= 0
-  int max_passes = 100;    ///< over all contacts
+  double restitution = 0;   ///< e, 0 to 1
+  double friction = 0;      ///< μ >= 0
+  double threshold = 1e-9;  ///< slowest approach that counts as an impact [m/s], >= 0; roundings are none
+  int max_passes = 100;     ///< over all contacts
 };
 
 struct ImpactReport {
   int impacts = 0;
-  int passes = 0;     ///< over all contacts, of which the last found none, unless there were max_passes
-  double energy = 0;  ///< what they added to the energy [J]; negative: lost
+  int passes = 0;     ///< the last finds no impact, unless there were max_passes; 0 without contacts
+  double energy = 0;  ///< what they added to it, with the u of Eq. (7.1) [J]; negative: lost
 };
 
 /// Exercise 7.8. The stage: goes through the contacts in order and resolves each impact at once, with the u of Eq.

@@ -5,7 +5,7 @@ namespace spook {
 bool inside_cone(const Vec3& J, const Vec3& n, double mu) {
   const double normal = J.dot(n);
   const double tangential = (J - normal * n).norm();
-  return tangential <= mu * normal;  // Eq. (7.4); a pull, normal < 0, fails it, too
+  return normal >= 0 && tangential <= mu * normal;  // Eq. (7.4); with mu = 0, 0 <= -0 would let a pull in
 }
 
 }  // namespace spook

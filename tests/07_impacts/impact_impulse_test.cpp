@@ -1,0 +1,232 @@
+// Which of the impulses an impact takes, and what must hold for all of them.
+#include "collisions.hpp"
+#include "exercise_test.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(ImpactImpulse, "7.6 impact_impulse");
+
+Vec3 impulse_of(const Impact& impact) {
+  return impact_impulse(impact.K, impact.u, impact.n, impact.e, impact.mu);
+}
+
+// What the notes do, Eq. (7.3) or (7.5), without looking at the energy or the denominator.
+Vec3 unguarded(const Impact& impact) {
+  const Vec3 stick = impact.stick();
+  return impact.inside(stick) ? stick : impact.slide();
+}
+
+EXERCISE_TEST(ImpactImpulse, LeavesBodiesThatPartAlone) {
+  Random random;
+  for (int trial = 0; trial < 200 && !::testing::Test::HasFailure(); ++trial) {
+    Impact impact = random_impact(random);
+    impact.u = -impact.u;
+    given() = impact.text();
+    expect_near_vector("J of two boxes that part, u·n > 0 [N s]", "Eq. (7.2)", impulse_of(impact), Vec3::Zero(),
+                       {0, "exact"}, {}, "They part already: it is an impact only if u·n < 0.");
+  }
+  given().clear();
+  expect_near_vector(
+      "J of a rod that slips along the floor, u·n = 0 [N s]", "Eq. (7.2)",
+      impact_impulse(K_of_rod(), Vec3(-1, 0, 0), Vec3(0, 0, 1), 0.5, 2), Vec3::Zero(), {0, "exact"},
+      {{Vec3(0.625, 0, 0.375), "This stops the slip. Without approach there is no impact: u·n < 0."}},
+      "Without approach there is no impact: u·n < 0.");
+}
+
+// A solid sphere on a plane sticks if 2/7 m |u_t| <= μ (1+e) m |u·n|.
+EXERCISE_TEST(ImpactImpulse, LetsASphereStickUpToItsLargestSlip) {
+  const double m = 3, R = 0.5, w = 2;
+  const Vec3 n(0, 0, 1), t(0.6, 0.8, 0), r(0, 0, -R);
+  for (const double e : {0.0, 0.5, 1.0})
+    for (const double mu : {0.1, 0.5, 2.0}) {
+      const double largest = 3.5 * mu * (1 + e) * w;
+      for (const double part : {0.0, 0.3, 0.999, 1.001, 3.0}) {
+        const double slip = part * largest;
+        const Vec3 stick = (1 + e) * m * w * n - 2 * m * slip / 7 * t, slide = (1 + e) * m * w * (n - mu * t);
+        const Vec3 J = impact_impulse(K_of_sphere(m), slip * t - w * n, n, e, mu);
+        const std::string text = "sphere, e = " + show(e) + ", μ = " + show(mu) + ", |u_t| = " + show(part) +
+                                 " of 7/2 μ (1+e) |u·n|";
+        expect_near_vector(
+            "J of a solid " + text + " [N s]", "Eq. (7.3)-(7.5)", J, part < 1 ? stick : slide,
+            roundings(64, (1 + mu) * 12),
+            {{stick, "It sticks, though |J_t| > μ J_n: the cone has not been asked."},
+             {slide, "It slides, though it could stick: |J_t| <= μ J_n for the impulse of Eq. (7.3)."},
+             {(1 + e) * m * w * n, "The friction is missing."}},
+            "It sticks if the impulse that sticks is inside the cone, and slides otherwise.");
+        const Vec3 omega = r.cross(J) / (0.4 * m * R * R);
+        const double spin = (part < 1 ? slip / 3.5 : mu * (1 + e) * w) * 2.5 / R;
+        expect_near_vector("ω after the impact of a solid " + text + " [rad/s]", "Eq. (7.9)", omega,
+                           spin * n.cross(t), roundings(64, 5 * (1 + mu) * 12), {},
+                           "5/7 |u_t|/R if it sticks: it rolls. 5/2 μ (1+e) |u·n|/R if it slides.");
+        if (::testing::Test::HasFailure()) return;
+      }
+    }
+}
+
+EXERCISE_TEST(ImpactImpulse, IsThatOfTheNotesWhereItLosesEnergy) {
+  Random random;
+  int sticks = 0, slides = 0;
+  for (int trial = 0; trial < 2000 && !::testing::Test::HasFailure(); ++trial) {
+    const Impact impact = random_impact(random);
+    given() = impact.text();
+    const Vec3 got = impulse_of(impact), stick = impact.stick();
+    const bool inside = impact.inside(stick);
+    const Vec3 J = unguarded(impact);
+    if (!(impact.work(J) <= 0)) continue;
+    ++(inside ? sticks : slides);
+    expect_near_vector(
+        std::string("J of two boxes; the impulse that ") + (inside ? "sticks" : "slides") +
+            " is possible, and loses energy [N s]",
+        inside ? "Eq. (7.3), (7.4)" : "Eq. (7.4), (7.5)", got, J,
+        inside ? impact.impulse_roundings(64) : impact.slide_roundings(64),
+        {{impact.safe(), "This is the safe impulse, Eq. (7.7). It is for impacts that would add energy."},
+         {stick, "This sticks, though |J_t| > μ J_n: the cone has not been asked."},
+         {impact.slide(), "This slides, though the impulse that sticks is inside the cone."},
+         {Vec3::Zero(), "They approach each other, u·n < 0: there must be an impulse."}},
+        "Eq. (7.3) if it is inside the cone, else Eq. (7.5); only if energy would be added, Eq. (7.7).");
+  }
+  if (::testing::Test::HasFailure()) return;
+  given().clear();
+  expect_true("some of 2000 impacts stick, and some slide", "Eq. (7.4)", sticks > 50 && slides > 50);
+}
+
+EXERCISE_TEST(ImpactImpulse, DoesNotLetStickingAddEnergy) {
+  // With u' = (0, 0, 1): ½ u'·K⁻¹u' = 0.3125 J after, ½ u·K⁻¹u = 0.2 J before. And Q = P, so that J = (1+e) P.
+  const Impact rod{.K = K_of_rod(), .u = Vec3(0.6, 0, -1), .n = Vec3(0, 0, 1), .e = 1, .mu = 1};
+  const Vec3 J = impulse_of(rod), stick(0.375, 0, 1.025);
+  expect_near("ΔE if the rod's end sticks: it is inside the cone, and wrong [J]", "Eq. (7.3), (7.6)",
+              rod.work(stick), 0.1125, roundings(64));
+  expect_near_vector("J of a rod at 45°, u = (0.6, 0, -1) m/s, e = 1, μ = 1 [N s]", "Eq. (7.6), (7.7)", J,
+                     Vec3(0, 0, 0.8), roundings(64),
+                     {{stick,
+                       "This sticks, and adds 0.11 J to 0.2 J. Where Eq. (7.6) is positive, the safe impulse "
+                       "takes over."},
+                      {rod.slide(), "This slides, though the impulse that sticks is inside the cone."}},
+                     "Where Eq. (7.6) is positive, the safe impulse takes over.");
+}
+
+EXERCISE_TEST(ImpactImpulse, DoesNotLetSlidingAddEnergy) {
+  // The cone is left at |J_t|/J_n = 0.514, and (7.5) has j = 8/13 N s.
+  const Impact rod{.K = K_of_rod(), .u = Vec3(0.25, 0, -1), .n = Vec3(0, 0, 1), .e = 1, .mu = 0.5};
+  const Vec3 J = impulse_of(rod), slide(-4.0 / 13, 0, 8.0 / 13);
+  expect_near("ΔE if the rod's end slides: what Eq. (7.5) says, and wrong [J]", "Eq. (7.5), (7.6)",
+              rod.work(slide), 31.0 / 169, roundings(64));
+  expect_near_vector("J of a rod at 45°, u = (0.25, 0, -1) m/s, e = 1, μ = 0.5 [N s]", "Eq. (7.6), (7.7)", J,
+                     Vec3(0.21875, 0, 0.93125), roundings(64),
+                     {{slide,
+                       "This slides, and adds 0.18 J to 0.24 J. Where Eq. (7.6) is positive, the safe impulse "
+                       "takes over."},
+                      {rod.stick(), "This sticks, though |J_t| > μ J_n: the cone has not been asked."}},
+                     "Where Eq. (7.6) is positive, the safe impulse takes over.");
+}
+
+EXERCISE_TEST(ImpactImpulse, HasOneWhereSlidingHasNone) {
+  // K as of bodies of odd shapes: n·K(n - μt) = 1 - 1.125, and the impulse that sticks has |J_t| = 1.149 J_n.
+  const Mat3 K = (Mat3() << 2, 0.75, 1, 0.75, 1, 0, 1, 0, 1).finished();
+  const Impact odd{.K = K, .u = Vec3(4, 0, -1), .n = Vec3(0, 0, 1), .e = 0, .mu = 1.125};
+  const Vec3 J = impulse_of(odd);
+  expect_near_vector("J where neither the impulse that sticks nor one that slides will do [N s]",
+                     "Eq. (7.5), (7.7)", J, odd.safe(), odd.safe_roundings(64),
+                     {{odd.slide(),
+                       "n·K(n - μt) is negative, and so is this J·n: it pulls. sliding_impulse says "
+                       "when there is none."},
+                      {odd.stick(), "This sticks, though |J_t| > μ J_n."},
+                      {odd.P(), "This has no friction at all: the safe impulse has."},
+                      {Vec3::Zero(), "They approach each other, u·n < 0: there must be an impulse."}},
+                     "Where there is none of Eq. (7.5), the safe impulse takes over.");
+}
+
+EXERCISE_TEST(ImpactImpulse, HasTheRestitutionWhateverK) {
+  Random random;
+  for (int trial = 0; trial < 5000 && !::testing::Test::HasFailure(); ++trial) {
+    const Impact impact = trial % 2 ? random_impact(random) : impact_of_any_K(random);
+    given() = impact.text();
+    const Vec3 J = impulse_of(impact);
+    const double w = impact.approach();
+    expect_near("u'·n = (u + K J)·n [m/s]", "Eq. (7.2)", impact.n.dot(impact.u + impact.K * J), impact.e * w,
+                impact.velocity_roundings(64, J), {{-w, "Nothing has changed along n."}},
+                "Whichever law applies, u'·n = -e u·n.");
+  }
+}
+
+EXERCISE_TEST(ImpactImpulse, StaysInsideTheCone) {
+  Random random;
+  for (int trial = 0; trial < 5000 && !::testing::Test::HasFailure(); ++trial) {
+    const Impact impact = trial % 2 ? random_impact(random) : impact_of_any_K(random);
+    given() = impact.text();
+    const Vec3 J = impulse_of(impact);
+    const double J_n = J.dot(impact.n), mu = impact.mu;
+    const Tolerance of_t = roundings(64 * (1 + mu) * impact.u.norm() / impact.slip().norm(), J.norm());
+    expect_at_most("|J_t| - μ J_n [N s]", "Eq. (7.4)", (J - J_n * impact.n).norm() - mu * J_n,
+                   (1 + mu) * (of_t.value + impact.safe_roundings(64).value),
+                   "64 roundings of t and of solving with K", "Outside the cone.");
+  }
+}
+
+EXERCISE_TEST(ImpactImpulse, NeverAddsEnergy) {
+  Random random;
+  int sticks = 0, slides = 0, none = 0;
+  for (int trial = 0; trial < 100000 && !::testing::Test::HasFailure(); ++trial) {
+    const Impact impact = trial % 2 ? random_impact(random) : impact_of_any_K(random);
+    const Vec3 J = impulse_of(impact), stick = impact.stick();
+    if (impact.inside(stick))
+      sticks += impact.work(stick) > 0;
+    else if (impact.eased() > 0)
+      slides += impact.work(impact.slide()) > 0;
+    else
+      ++none;
+    if (impact.work(J) <= 0) continue;
+    given() = impact.text();
+    const std::string unguarded_stick =
+        "The impulse that sticks has been taken, and adds energy: ask impact_work first.";
+    const std::string unguarded_slide =
+        "The impulse that slides has been taken, and adds energy: ask impact_work.";
+    const double close = 1e-9 * J.norm();
+    expect_at_most("ΔE of an impact [J]", "Eq. (7.6)", impact.work(J), impact.energy_roundings(64, J).value,
+                   "64 roundings of the energies in it",
+                   (J - stick).norm() <= close            ? unguarded_stick
+                   : (J - impact.slide()).norm() <= close ? unguarded_slide
+                                                          : "An impact can lose energy, not make it.");
+  }
+  if (::testing::Test::HasFailure()) return;
+  given().clear();
+  // What the guard is for: the notes' laws alone add energy to some of these.
+  const std::string needed = "or the guard would not be tested", rare = "Has the random input changed?";
+  expect_at_least("impacts of 100,000 that would add energy if they stuck", "Eq. (7.3)", sticks, 100, needed,
+                  rare);
+  expect_at_least("impacts of 100,000 that would add energy if they slid", "Eq. (7.5)", slides, 100, needed,
+                  rare);
+  expect_at_least("impacts of 100,000 that can neither stick nor slide", "Eq. (7.5)", none, 10, needed, rare);
+}
+
+EXERCISE_TEST(ImpactImpulse, IsTheSameWhicheverBodyIsCalledI) {
+  Random random;
+  for (int trial = 0; trial < 500 && !::testing::Test::HasFailure(); ++trial) {
+    const Impact impact = random_impact(random);
+    Impact exchanged = impact;
+    exchanged.u = -impact.u;
+    exchanged.n = -impact.n;
+    given() = impact.text();
+    const Vec3 J = impulse_of(impact);
+    expect_near_vector("J with i and j exchanged: -u for u, -n for n [N s]", "Eq. (7.2)", impulse_of(exchanged),
+                       -J, impact.safe_roundings(64), {{J, "J must change its sign with u and n."}},
+                       "The same impact, seen from the other body.");
+  }
+}
+
+EXERCISE_TEST(ImpactImpulse, KeepsANaN) {
+  const double NaN = std::nan("");
+  for (const Vec3& u : {Vec3(NaN, 0, -1), Vec3(0, 0, NaN), Vec3(NaN, NaN, NaN)})
+    for (const double mu : {0.0, 0.5}) {
+      const Vec3 J = impact_impulse(K_of_rod(), u, Vec3(0, 0, 1), 0.5, mu);
+      expect_true(
+          "J is NaN for u = " + show(u) + ", μ = " + show(mu), "Eq. (7.2)", J.hasNaN(),
+          "A NaN went in and a number came out. Every comparison with NaN is false: leave early if u·n >= 0, "
+          "not unless u·n < 0.");
+    }
+}
+
+}  // namespace

@@ -1,0 +1,347 @@
+// The stage: which impacts it resolves, in which order, until when, and what it reports.
+#include <algorithm>
+
+#include "balls.hpp"
+#include "collisions.hpp"
+#include "exercise_test.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(ResolveImpacts, "7.8 resolve_impacts");
+
+EXERCISE_TEST(ResolveImpacts, EqualMassesExchangeTheirVelocities) {
+  Motion<3> motion = row_of_balls({3, 1}, {2, 2});
+  const ImpactReport report = resolve_impacts(contacts_of_row(2), {.restitution = 1}, motion);
+  expect_near_vector("velocities of two balls of 2 kg, 3 and 1 m/s before, e = 1 [m/s]", "Eq. (7.13)",
+                     speeds(motion), numbers({1, 3}), roundings(32, 4),
+                     {{numbers({3, 1}), "Nothing has happened: u·n = 1 - 3 = -2 m/s is an approach."},
+                      {numbers({2, 2}), "They stick: restitution is missing."},
+                      {numbers({3, 3}), "Only the ball in front has changed."},
+                      {numbers({-1, 5}), "The impulse has been applied twice."}},
+                     "They exchange their velocities: (1 + e) m/2 · 2 m/s = 4 N s over 2 kg.");
+  expect_near("what the impact adds to the energy, e = 1 [J]", "Eq. (7.6)", report.energy, 0, roundings(64, 10),
+              {}, "A central impact with e = 1 keeps the energy.");
+}
+
+EXERCISE_TEST(ResolveImpacts, CradleGivesTheSpeedToTheLastBall) {
+  const std::string single =
+      "The second impact comes from the first, and its contact was looked at before: go over all contacts "
+      "again until a pass finds none.";
+  const std::vector<Contact> forwards = contacts_of_row(3);
+  const std::vector<Contact> backwards(forwards.rbegin(), forwards.rend());
+  const std::vector<Contact> exchanged{contact_along(2, 1, -Vec3::UnitX()),
+                                       contact_along(1, 0, -Vec3::UnitX())};
+  for (const auto& [name, contacts] :
+       {std::pair("from the first ball on", forwards), std::pair("from the last ball on", backwards),
+        std::pair("from the last ball on, i and j exchanged", exchanged)}) {
+    Motion<3> motion = row_of_balls({2, 0, 0});
+    resolve_impacts(contacts, {.restitution = 1, .threshold = 1e-9}, motion);
+    expect_near_vector(
+        "velocities in a cradle of three, 2, 0 and 0 before, contacts listed " + std::string(name),
+        "Eq. (7.13)", speeds(motion), numbers({0, 0, 2}), roundings(64, 2),
+        {{numbers({0, 2, 0}), single},
+         {numbers({2, 0, 0}), "Nothing has happened: u·n = -2 m/s is an approach."},
+         {numbers({-2.0 / 3, 4.0 / 3, 4.0 / 3}),
+          "This is for both contacts at once. Pair by pair the last ball leaves alone."}},
+        "Ball by ball they exchange their velocities: only the last one leaves.");
+  }
+}
+
+EXERCISE_TEST(ResolveImpacts, CradleSortsAnyVelocities) {
+  Random random;
+  for (int trial = 0; trial < 50 && !::testing::Test::HasFailure(); ++trial) {
+    std::vector<double> v;
+    for (int k = 0; k < 5; ++k) v.push_back(random.uniform(-1, 1));
+    std::vector<Contact> contacts = contacts_of_row(5);
+    for (std::size_t k = contacts.size() - 1; k > 0; --k)
+      std::swap(contacts[k], contacts[static_cast<std::size_t>(random.integer(0, static_cast<int>(k)))]);
+    Motion<3> motion = row_of_balls(v);
+    given() = "given velocities " + show(numbers(v)) + " m/s";
+    resolve_impacts(contacts, {.restitution = 1, .threshold = 1e-9}, motion);
+    std::sort(v.begin(), v.end());
+    expect_near_vector("velocities of five equal balls, e = 1, contacts in any order [m/s]", "Eq. (7.13)",
+                       speeds(motion), numbers(v), {1e-8, "the threshold of 1e-9 m/s, and 10 pairs"}, {},
+                       "Pairs that approach exchange their velocities, until the fastest is the last and none "
+                       "approaches any more.");
+  }
+}
+
+EXERCISE_TEST(ResolveImpacts, SeesWhatTheImpactBeforeDid) {
+  Motion<3> motion = row_of_balls({1, 0, -1});
+  resolve_impacts(contacts_of_row(3), {.restitution = 1, .threshold = 1e-9}, motion);
+  expect_near_vector(
+      "velocities of three equal balls, (1, 0, -1) before, e = 1 [m/s]", "Eq. (7.1), (7.13)", speeds(motion),
+      numbers({-1, 0, 1}), roundings(64),
+      {{numbers({0, 0, 0}),
+        "Both impacts were computed with the velocities from before the pass, and all energy is "
+        "gone. Resolve each at once, so that the next sees it."},
+       {numbers({0, -1, 1}), "This is one pass: the middle ball now flies at the first one again."},
+       {numbers({1, 0, -1}), "Nothing has happened."}},
+      "The middle ball is hit by the first, then hits the third, then the first again.");
+}
+
+// One pass as the header says, with a part of W_f in u, forwards or backwards, from fresh or frozen velocities.
+std::vector<Twist<6>> one_pass(const Boxes& boxes, std::vector<Contact> contacts, const ImpactLaw& law,
+                               double part, bool backwards, bool frozen) {
+  if (backwards) std::reverse(contacts.begin(), contacts.end());
+  Boxes now = boxes;
+  for (const Contact& contact : contacts) {
+    const Vec3 u = (frozen ? boxes : now).velocity(contact, part);
+    if (u.dot(contact.n) >= -law.threshold) continue;
+    const Mat3 K = now.K(contact);
+    apply_impact(contact, impact_impulse(K, u, contact.n, law.restitution, law.friction), now.motion);
+  }
+  return now.motion.W;
+}
+
+Eigen::VectorXd joined(const std::vector<Twist<6>>& W) {
+  Eigen::VectorXd result(static_cast<Eigen::Index>(6 * W.size()));
+  for (std::size_t k = 0; k < W.size(); ++k) result.segment<6>(static_cast<Eigen::Index>(6 * k)) = W[k];
+  return result;
+}
+
+EXERCISE_TEST(ResolveImpacts, IsPairByPairInOrder) {
+  Random random;
+  Boxes boxes(random, 4);
+  std::vector<Contact> contacts;
+  for (const auto& [i, j] :
+       {std::pair(0, 1), std::pair(2, 1), std::pair(3, 0), std::pair(1, 3), std::pair(0, 2)})
+    contacts.push_back(boxes.contact(random, i, j));
+  const ImpactLaw law{.restitution = 0.6, .friction = 0.4, .threshold = 0.01, .max_passes = 1};
+  Boxes resolved = boxes;
+  resolve_impacts(contacts, law, resolved.motion);
+  const auto pass = [&](double part, bool backwards, bool frozen) {
+    return joined(one_pass(boxes, contacts, law, part, backwards, frozen));
+  };
+  ImpactLaw smooth = law, dead = law;
+  smooth.friction = 0;
+  dead.restitution = 0;
+  const Eigen::VectorXd expected = pass(0.5, false, false);
+  expect_near_vector(
+      "velocities of four boxes after one pass over five contacts", "Eq. (7.1), (7.9)",
+      joined(resolved.motion.W), expected, roundings(20000, expected.norm()),
+      {{pass(0, false, false),
+        "This is for u = G W, half a step too early: half of what the forces add, W_f/2, is missing."},
+       {pass(1, false, false), "This is for u = G (W + W_f), half a step too late: add W_f/2."},
+       {pass(0.5, false, true),
+        "All impacts were computed with the velocities from before the pass: resolve each at once, so that the "
+        "next sees it."},
+       {pass(0.5, true, false), "The contacts were gone through backwards."},
+       {joined(one_pass(boxes, contacts, smooth, 0.5, false, false)), "The friction of the law is not used."},
+       {joined(one_pass(boxes, contacts, dead, 0.5, false, false)), "The restitution of the law is not used."},
+       {joined(boxes.motion.W), "Nothing has happened, though all five pairs approach."}},
+      "For each contact in order: u, K, the impulse, applied at once.");
+  for (std::size_t k = 0; k < 4; ++k)
+    expect_near_vector("W_f, which belongs to the forces", "Eq. (7.1)", resolved.motion.Wf[k],
+                       boxes.motion.Wf[k], {0, "exact"}, {},
+                       "u is at the time of the contact; W itself stays half a step behind.");
+}
+
+EXERCISE_TEST(ResolveImpacts, LeavesNoApproachAboveTheThreshold) {
+  Random random;
+  for (int trial = 0; trial < 20 && !::testing::Test::HasFailure(); ++trial) {
+    Boxes boxes(random, 5);
+    std::vector<Contact> contacts;
+    for (int k = 0; k < 4; ++k) contacts.push_back(boxes.contact(random, k, k + 1));
+    const ImpactLaw law{
+        .restitution = random.uniform(0, 1), .friction = 0.5, .threshold = 0.01, .max_passes = 100000};
+    const ImpactReport report = resolve_impacts(contacts, law, boxes.motion);
+    expect_true("five boxes in a chain are at peace before 100,000 passes", "Eq. (7.10)",
+                report.passes < 100000);
+    for (const Contact& contact : contacts)
+      expect_at_least("u·n of a contact afterwards [m/s]", "Eq. (7.1), (7.10)",
+                      boxes.velocity(contact, 0.5).dot(contact.n), -0.01 - 1e-13,
+                      "the threshold, and roundings",
+                      "It still approaches: go over the contacts until a pass finds none.");
+    const ImpactReport again = resolve_impacts(contacts, law, boxes.motion);
+    expect_true("a second call finds nothing to do, in one pass", "Eq. (7.10)",
+                again.impacts == 0 && again.passes == 1);
+  }
+}
+
+void expect_bounce(double v, double threshold, double expected, const std::string& clue) {
+  Motion<3> motion = row_of_balls({0, v}, {1, 1});
+  motion.inverse_mass[0].linear = 0;
+  resolve_impacts(contacts_of_row(2), {.restitution = 0.5, .threshold = threshold}, motion);
+  expect_near(
+      "velocity after meeting a fixed wall at u·n = " + show(v) + " m/s, threshold " + show(threshold) +
+          " m/s, e = 0.5 [m/s]",
+      "Eq. (7.10)", motion.W[1].x(), expected, roundings(16),
+      {{-v / 2, "This has been resolved. " + clue},
+       {v, "This has been left alone. " + clue},
+       {0.5 * (-v - threshold), "The threshold decides whether it is an impact. It is not subtracted."}},
+      clue);
+}
+
+EXERCISE_TEST(ResolveImpacts, LeavesASlowApproachAlone) {
+  expect_bounce(-0.25, 0.5, -0.25,
+                "It is slower than the threshold: that is a resting contact, left to the rows.");
+  expect_bounce(-0.5, 0.5, -0.5, "It is as fast as the threshold: an impact is faster, u·n < -threshold.");
+  expect_bounce(-0.75, 0.5, 0.375, "It is faster than the threshold: an impact.");
+  expect_bounce(0.75, 0.5, 0.75, "It leaves: u·n > 0, however fast, is no impact.");
+  expect_bounce(-0.25, 0, 0.125, "Without a threshold every approach is an impact.");
+}
+
+EXERCISE_TEST(ResolveImpacts, MeasuresTheApproachAtTheTimeOfTheContact) {
+  Motion<3> motion = row_of_balls({0, -0.375});
+  motion.inverse_mass[0].linear = 0;
+  motion.Wf[1] = Vec3(-0.5, 0, 0);
+  resolve_impacts(contacts_of_row(2), {.restitution = 0.5, .threshold = 0.5}, motion);
+  // u = -0.375 - 0.25 = -0.625, and u' = 0.3125 = W' - 0.25.
+  expect_near("W of a ball of W = -0.375, W_f = -0.5 m/s that meets a wall, threshold 0.5 m/s, e = 0.5 [m/s]",
+              "Eq. (7.1), (7.10)", motion.W[1].x(), 0.5625, roundings(16),
+              {{-0.375, "This has been left alone: the approach is measured at W + W_f/2, too."},
+               {0.1875, "This is for u = G W, half a step too early: W_f/2 is missing."},
+               {0.4375 + 0.5, "This is for u = G (W + W_f), half a step too late."},
+               {0.3125,
+                "This is u', the velocity at the time of the contact. W' is half a step behind: add the change "
+                "to W."}},
+              "u = W + W_f/2 = -0.625 m/s; W gains what u gains, (1+e) 0.625 m/s.");
+}
+
+EXERCISE_TEST(ResolveImpacts, LooksAtTheApproachNotAtTheSlip) {
+  Motion<3> motion = row_of_balls({0, -0.25});
+  motion.W[1].y() = 10;
+  resolve_impacts(contacts_of_row(2), {.restitution = 1, .friction = 1, .threshold = 0.5}, motion);
+  expect_near_vector("velocity of a ball that slips at 10 m/s and approaches at 0.25, threshold 0.5 m/s [m/s]",
+                     "Eq. (7.10)", motion.W[1], Vec3(-0.25, 10, 0), {0, "exact"}, {},
+                     "The threshold is on the approach, -u·n, not on |u|.");
+}
+
+EXERCISE_TEST(ResolveImpacts, TurnsASphereByFriction) {
+  // It sticks, as 2/7 · 1 m/s is less than μ (1+e) · 2 m/s, and then rolls.
+  const double m = 3, R = 0.5;
+  Motion<6> motion{.inverse_mass = {{}, {.linear = 1 / m, .angular = Mat3::Identity() / (0.4 * m * R * R)}},
+                   .W = {Twist<6>::Zero(), (Twist<6>() << 1, 0, -2, 0, 0, 0).finished()},
+                   .Wf = {Twist<6>::Zero(), Twist<6>::Zero()}};
+  const Contact contact{
+      .i = 0, .j = 1, .n = Vec3::UnitZ(), .gap = 0, .r_i = Vec3(3, 4, 0), .r_j = Vec3(0, 0, -R)};
+  resolve_impacts({contact}, {.restitution = 0.5, .friction = 0.5}, motion);
+  const Twist<6> rolls = (Twist<6>() << 5.0 / 7, 0, 1, 0, 5.0 / 7 / R, 0).finished();
+  expect_near_vector(
+      "velocity of a solid sphere after it came down at 2 m/s, and 1 m/s along the floor, e = μ = 0.5",
+      "Eq. (7.3), (7.9)", motion.W[1], rolls, roundings(64, 4),
+      {{(Twist<6>() << 1, 0, 1, 0, 0, 0).finished(), "There was no friction: use the law's."},
+       {(Twist<6>() << 0, 0, 1, 0, 2.5 / R, 0).finished(),
+        "K has no rotation: it is not that of a point mass."},
+       {(Twist<6>() << 5.0 / 7, 0, 0, 0, 5.0 / 7 / R, 0).finished(),
+        "There was no restitution: use the law's."},
+       {(Twist<6>() << 1, 0, -2, 0, 0, 0).finished(), "Nothing has happened."}},
+      "It sticks and rolls on at 5/7 of its speed, as any solid sphere does.");
+}
+
+EXERCISE_TEST(ResolveImpacts, TakesTheVelocityOfThePointNotOfTheCentre) {
+  Motion<6> motion{.inverse_mass = {{}, {.linear = 1, .angular = Mat3::Identity()}},
+                   .W = {Twist<6>::Zero(), (Twist<6>() << 0, 0, 0, 0, 2, 0).finished()},
+                   .Wf = {Twist<6>::Zero(), Twist<6>::Zero()}};
+  // ω × r = (0, 2, 0) × (1, 0, 0) = (0, 0, -2) m/s.
+  const Contact contact{
+      .i = 0, .j = 1, .n = Vec3::UnitZ(), .gap = 0, .r_i = Vec3::Zero(), .r_j = Vec3(1, 0, 0)};
+  const ImpactReport report = resolve_impacts({contact}, {.restitution = 1}, motion);
+  // n·Kn = 1 + 1, J = 2 n: v_z = 2 and ω_y = 2 - 2.
+  expect_near("impacts of a body whose centre is at rest and whose end turns into the floor at 2 m/s",
+              "Eq. (7.1)", report.impacts, 1, {0, "a count"},
+              {{0, "The point of a body moves at v + ω × r, not at v."}});
+  expect_near_vector("velocity of that body afterwards, e = 1", "Eq. (7.1), (7.9)", motion.W[1],
+                     (Twist<6>() << 0, 0, 2, 0, 0, 0).finished(), roundings(64, 4));
+}
+
+EXERCISE_TEST(ResolveImpacts, CountsImpactsAndPasses) {
+  const std::vector<Contact> forwards = contacts_of_row(3);
+  const std::vector<Contact> backwards(forwards.rbegin(), forwards.rend());
+  const ImpactLaw law{.restitution = 1, .threshold = 1e-9};
+  Motion<3> motion = row_of_balls({1, 0, 0}), other = motion, quiet = row_of_balls({0, 1, 2});
+  const ImpactReport once = resolve_impacts(forwards, law, motion),
+                     twice = resolve_impacts(backwards, law, other);
+  const ImpactReport none = resolve_impacts(forwards, law, quiet);
+  expect_near("impacts in a cradle of three", "Eq. (7.13)", once.impacts, 2, {0, "a count"},
+              {{1, "This counts passes, or only one impact a pass."}}, "One of each pair.");
+  expect_near("passes, contacts listed from the first ball on", "Eq. (7.10)", once.passes, 2, {0, "a count"},
+              {{1, "The last pass, which finds none, counts as well."},
+               {100, "Stop when a pass finds none: that there may be 100 does not mean that there must."}},
+              "One that resolves both, and one that finds none.");
+  expect_near("impacts, contacts listed from the last ball on", "Eq. (7.13)", twice.impacts, 2, {0, "a count"});
+  expect_near("passes, contacts listed from the last ball on", "Eq. (7.10)", twice.passes, 3, {0, "a count"},
+              {{2, "The last pass, which finds none, counts as well."}},
+              "One for each impact, and one that finds none.");
+  expect_near("impacts of balls that part", "Eq. (7.10)", none.impacts, 0, {0, "a count"});
+  expect_near("passes over balls that part", "Eq. (7.10)", none.passes, 1, {0, "a count"},
+              {{0, "The pass that finds none counts as well."}});
+}
+
+EXERCISE_TEST(ResolveImpacts, StopsAtMaxPasses) {
+  const std::vector<Contact> forwards = contacts_of_row(4);
+  const std::vector<Contact> backwards(forwards.rbegin(), forwards.rend());
+  for (const int passes : {1, 2}) {
+    Motion<3> motion = row_of_balls({1, 0, 0, 0});
+    const ImpactReport report =
+        resolve_impacts(backwards, {.restitution = 1, .threshold = 1e-9, .max_passes = passes}, motion);
+    const std::string text = "a cradle of four, contacts listed from the last ball on, max_passes = ";
+    expect_near("passes over " + text + show(passes), "Eq. (7.10)", report.passes, passes, {0, "a count"});
+    expect_near_vector("velocities in " + text + show(passes) + " [m/s]", "Eq. (7.13)", speeds(motion),
+                       passes == 1 ? numbers({0, 1, 0, 0}) : numbers({0, 0, 1, 0}), roundings(64),
+                       {{numbers({0, 0, 0, 1}), "It went on after max_passes."}},
+                       "One exchange a pass in this order.");
+  }
+}
+
+EXERCISE_TEST(ResolveImpacts, ReportsTheEnergyOfAllImpacts) {
+  Random random;
+  Boxes boxes(random, 4);
+  std::vector<Contact> contacts;
+  for (int k = 0; k < 3; ++k) contacts.push_back(boxes.contact(random, k, k + 1));
+  const double before = boxes.kinetic_energy(0.5), early = boxes.kinetic_energy(0);
+  const ImpactLaw law{.restitution = 0.3, .friction = 0.5, .threshold = 0.01};
+  const ImpactReport report = resolve_impacts(contacts, law, boxes.motion);
+  const double change = boxes.kinetic_energy(0.5) - before;
+  expect_near("energy that all impacts of four boxes add [J]", "Eq. (7.1), (7.6)", report.energy, change,
+              roundings(5000, before),
+              {{-change, "The sign: what they add, negative when they lose."},
+               {boxes.kinetic_energy(0) - early,
+                "This is of the velocities W, half a step before the contact. Take the u of Eq. (7.1)."},
+               {0, "Add up impact_work over all impacts."}},
+              "The sum of impact_work over all impacts, each with its own u before and its own J.");
+}
+
+EXERCISE_TEST(ResolveImpacts, OfNothingDoesNothing) {
+  Motion<3> motion = row_of_balls({1, 0});
+  const ImpactReport report = resolve_impacts({}, {.restitution = 1}, motion);
+  expect_near("impacts without contacts", "Eq. (7.10)", report.impacts, 0, {0, "a count"});
+  expect_near("energy that they add [J]", "Eq. (7.10)", report.energy, 0, {0, "exact"});
+  expect_at_most("passes over no contacts", "Eq. (7.10)", report.passes, 1, "nothing is found");
+  expect_near_vector("velocities without contacts [m/s]", "Eq. (7.10)", speeds(motion), numbers({1, 0}),
+                     {0, "exact"});
+}
+
+void expect_law_rejected(const std::string& what, const std::string& parameter, const ImpactLaw& law) {
+  for (const bool empty : {false, true}) {
+    Motion<3> motion = row_of_balls({1, 0});
+    expect_rejects(
+        what + (empty ? ", without contacts" : ""), parameter,
+        [&] { resolve_impacts(empty ? std::vector<Contact>() : contacts_of_row(2), law, motion); },
+        "See common/require.hpp. A law that makes no sense is refused whether or not there is work: check it "
+        "first.");
+    expect_near_vector("velocities after a law was refused [m/s]", "", speeds(motion), numbers({1, 0}),
+                       {0, "exact"}, {}, "Check before anything changes.");
+  }
+}
+
+EXERCISE_TEST(ResolveImpacts, RejectsALawThatMakesNoSense) {
+  Motion<3> motion = row_of_balls({1, 0});
+  for (const double e : {0.0, 1.0})
+    resolve_impacts(contacts_of_row(2), {.restitution = e, .friction = 0, .threshold = 1e-9, .max_passes = 1},
+                    motion);
+  for (const double e : {-0.1, 1.001, 2.0, std::nan(""), HUGE_VAL})
+    expect_law_rejected("restitution = " + show(e), "restitution", {.restitution = e});
+  for (const double bad : {-0.1, std::nan(""), HUGE_VAL}) {
+    expect_law_rejected("friction = " + show(bad), "friction", {.friction = bad});
+    expect_law_rejected("threshold = " + show(bad), "threshold", {.threshold = bad});
+  }
+  for (const int passes : {0, -3})
+    expect_law_rejected("max_passes = " + std::to_string(passes), "max_passes", {.max_passes = passes});
+}
+
+}  // namespace

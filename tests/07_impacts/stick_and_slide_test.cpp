@@ -1,0 +1,280 @@
+// The two impulses of Coulomb's friction, and the cone that decides between them.
+#include "collisions.hpp"
+#include "exercise_test.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(StickImpulse, "7.1 stick_impulse");
+EXERCISE(InsideCone, "7.2 inside_cone");
+EXERCISE(SlidingImpulse, "7.3 sliding_impulse");
+
+EXERCISE_TEST(StickImpulse, OfASphereByHand) {
+  // K⁻¹ = diag(2/7, 2/7, 1) m, and u' - u = (-1.4, 0.7, (1+e) 2) m/s.
+  const double m = 3;
+  const Vec3 u(1.4, -0.7, -2), n(0, 0, 1), J(-1.2, 0.6, 9);
+  expect_near_vector(
+      "J of a solid sphere of 3 kg, u = (1.4, -0.7, -2) m/s, on a plane with normal z, e = 0.5 [N s]",
+      "Eq. (7.2), (7.3)", stick_impulse(K_of_sphere(m), u, n, 0.5), J, roundings(32, 10),
+      {{Vec3(0, 0, 3), "This is K⁻¹ u'. An impulse makes the change of the velocity: from u to u'."},
+       {K_of_sphere(m) * Vec3(-1.4, 0.7, 3),
+        "This is K (u' - u). K is an inverse mass: K J is the change, and J is what is asked for."},
+       {Vec3(-1.2, 0.6, 3),
+        "The sign of e: u·n is negative before, and u'·n = -e u·n must be positive, or the sphere goes on "
+        "into the plane."},
+       {Vec3(-1.2, 0.6, 6), "This stops the sphere, u' = 0: the restitution is missing."},
+       {-J, "This is K⁻¹ (u - u'), the impulse on i. J is the one on j."},
+       {Vec3(0, 0, 9), "This leaves the slip as it was. A contact that sticks has none after: u'_t = 0."},
+       {Vec3(-1.8, 0.9, 9), "This is for u' = -e u, which reverses the slip, too. Restitution is along n."},
+       {Vec3(-0.6, 0.3, 9), "The slip should vanish, u'_t = 0. This is for u'_t = e u_t."},
+       {Vec3(-4.2, 2.1, 9),
+        "This is m (u' - u). Pushed at its rim the sphere also turns, and gives way more easily: K⁻¹."}},
+      "u' = -e (u·n) n, then J = K⁻¹ (u' - u).");
+}
+
+EXERCISE_TEST(StickImpulse, LeavesTheRestitutionAndNoSlip) {
+  Random random;
+  for (int trial = 0; trial < 500 && !::testing::Test::HasFailure(); ++trial) {
+    const Impact impact = random_impact(random);
+    given() = impact.text();
+    const auto& [K, u, n, e, mu] = impact;
+    const Vec3 J = stick_impulse(K, u, n, e), u_after = u + K * J;
+    expect_near_vector("u' = u + K J after an impact of two boxes [m/s]", "Eq. (7.2)", u_after, impact.wanted(),
+                       impact.velocity_roundings(32, J),
+                       {{u + impact.wanted(), "This is what K⁻¹ u' makes: J = K⁻¹ (u' - u)."},
+                        {-impact.wanted(), "The sign of e: u·n is negative before, and u'·n positive."},
+                        {Vec3::Zero(), "They stop: the restitution is missing."},
+                        {-e * u, "The slip has been reversed, too: u'_t = 0."},
+                        {u, "Nothing has changed."}},
+                       "u'·n = -e u·n and u'_t = 0, whatever K. Every number of K counts: invert it, or solve "
+                       "with it.");
+  }
+}
+
+EXERCISE_TEST(StickImpulse, IsTheSameWhicheverBodyIsCalledI) {
+  Random random;
+  for (int trial = 0; trial < 100 && !::testing::Test::HasFailure(); ++trial) {
+    const Impact impact = random_impact(random);
+    given() = impact.text();
+    const auto& [K, u, n, e, mu] = impact;
+    expect_near_vector("J with i and j exchanged: -u for u, -n for n [N s]", "Eq. (7.3)",
+                       stick_impulse(K, -u, -n, e), -impact.stick(), impact.impulse_roundings(32),
+                       {{impact.stick(), "J must change its sign with u: it is the impulse on j."}},
+                       "J is linear in u, and n enters twice.");
+  }
+}
+
+EXERCISE_TEST(StickImpulse, StopsAtZeroAndReversesAtOne) {
+  const Mat3 K = K_of_rod();
+  const Vec3 u(0.5, 0.25, -2), n(0, 0, 1);
+  const Vec3 stopped = K * stick_impulse(K, u, n, 0), reversed = K * stick_impulse(K, u, n, 1);
+  expect_near_vector("u' of a rod that hits the floor at 45°, e = 0 [m/s]", "Eq. (7.2)", Vec3(u + stopped),
+                     Vec3::Zero(), roundings(64, 10), {{u, "Nothing has changed."}},
+                     "Without restitution u' = 0.");
+  expect_near_vector("u' of the same rod, e = 1 [m/s]", "Eq. (7.2)", Vec3(u + reversed), Vec3(0, 0, 2),
+                     roundings(64, 10), {{-u, "The slip has been reversed, too: u'_t = 0."}},
+                     "With e = 1 the approach is reversed in full, and the slip is gone.");
+}
+
+/// An impulse with |J_t| = slope J_n in some direction, J_n as given.
+Vec3 leaning(Random& random, const Vec3& n, double slope, double J_n) {
+  const Vec3 any = random.unit_vector();
+  return J_n * n + slope * std::abs(J_n) * n.cross(any).normalized();
+}
+
+void expect_inside(const Vec3& J, const Vec3& n, double mu, bool inside, const std::string& clue) {
+  expect_true("J = " + show(J) + " N s, n = " + show(n) + ", μ = " + show(mu) + " is " +
+                  (inside ? "inside" : "outside"),
+              "Eq. (7.4)", inside_cone(J, n, mu) == inside, clue);
+}
+
+EXERCISE_TEST(InsideCone, HasTheSlopeMu) {
+  Random random;
+  for (int trial = 0; trial < 200 && !::testing::Test::HasFailure(); ++trial) {
+    const Vec3 n = random.unit_vector();
+    const double mu = random.log_uniform(0.02, 5), J_n = random.log_uniform(1e-3, 1e3);
+    expect_inside(leaning(random, n, 0.999 * mu, J_n), n, mu, true,
+                  "|J_t| = 0.999 μ J_n here. J_t = J - (J·n) n, and its norm is compared with μ J_n.");
+    expect_inside(leaning(random, n, 1.001 * mu, J_n), n, mu, false,
+                  "|J_t| = 1.001 μ J_n here. J_t = J - (J·n) n, and its norm is compared with μ J_n.");
+  }
+}
+
+EXERCISE_TEST(InsideCone, WidensWithMu) {
+  const Vec3 n(0, 0, 1), steep(0, 0.8, 1), flat(0, 1.5, 1);
+  expect_inside(steep, n, 0.5, false,
+                "|J_t| = 0.8 J_n is more than μ J_n = 0.5 J_n: μ is missing, or inverted.");
+  expect_inside(flat, n, 2, true, "|J_t| = 1.5 J_n is less than μ J_n = 2 J_n: μ is missing, or inverted.");
+  expect_inside(Vec3(0, 0.9, 1), n, 1, true,
+                "|J_t| = 0.9 J_n is less than μ J_n, though |J| is more: compare the tangential part.");
+  expect_inside(Vec3(0, 0.55, 1), n, 0.5, false,
+                "|J_t| = 0.55 J_n is more than μ J_n, though it is less than μ |J|: compare with the normal "
+                "part.");
+}
+
+EXERCISE_TEST(InsideCone, HasItsEdgeInside) {
+  const std::string edge = "|J_t| = μ J_n exactly: on the cone counts as inside, <= and not <.";
+  expect_inside(Vec3(3, 4, 10), Vec3(0, 0, 1), 0.5, true, edge);
+  expect_inside(Vec3(0.75, 1.5, 0), Vec3(0, 1, 0), 0.5, true, edge);
+  expect_inside(Vec3(-2, 0, 0), Vec3(-1, 0, 0), 0, true, edge);
+}
+
+EXERCISE_TEST(InsideCone, HasNoPullInside) {
+  Random random;
+  const std::string pull = "J·n is negative: it pulls. A squared comparison, or |J·n|, does not see that.";
+  for (int trial = 0; trial < 100 && !::testing::Test::HasFailure(); ++trial) {
+    const Vec3 n = random.unit_vector();
+    const double mu = random.log_uniform(0.02, 5);
+    expect_inside(leaning(random, n, 0.5 * mu, -random.log_uniform(1e-3, 1e3)), n, mu, false, pull);
+  }
+  expect_inside(Vec3(0, 0, -2), Vec3(0, 0, 1), 0.5, false, pull);
+  expect_inside(
+      Vec3(0, 0, -2), Vec3(0, 0, 1), 0, false,
+      "It pulls straight along n. Then |J_t| = 0, and μ J_n is -0 for μ = 0: 0 <= -0 is true. Ask for "
+      "J·n >= 0 as well.");
+}
+
+EXERCISE_TEST(InsideCone, IsALineWithoutFriction) {
+  const Vec3 n(0, 0, 1);
+  expect_inside(Vec3(0, 0, 3), n, 0, true, "Straight along n, there is no friction to ask for: 0 <= 0.");
+  expect_inside(Vec3(1e-6, 0, 3), n, 0, false, "With μ = 0 no tangential part is allowed.");
+}
+
+EXERCISE_TEST(InsideCone, HasNoNaNInside) {
+  const double NaN = std::nan("");
+  const std::string clue =
+      "Every comparison with NaN is false: ask whether |J_t| <= μ J_n, not whether it is not >.";
+  expect_inside(Vec3(NaN, 0, 1), Vec3(0, 0, 1), 0.5, false, clue);
+  expect_inside(Vec3(0, 0, NaN), Vec3(0, 0, 1), 0.5, false, clue);
+  expect_inside(Vec3(0.1, 0, 1), Vec3(0, 0, 1), NaN, false, clue);
+}
+
+// An impulse where there must be one. If there is none the test has failed, and goes on with a zero.
+Vec3 value(const std::optional<Vec3>& J, double denominator,
+           const std::string& clue = "Nothing is returned only when n·K(n - μt) <= 0, or NaN.") {
+  expect_true("there is a sliding impulse, as n·K(n - μt) = " + show(denominator) + "/kg is positive",
+              "Eq. (7.5)", J.has_value(), clue);
+  return J.value_or(Vec3::Zero());
+}
+
+EXERCISE_TEST(SlidingImpulse, OfASphereByHand) {
+  // K n = n/m: friction does not change the approach of a sphere. j = (1+e) m 2 m/s = 9 N s, t = (0.6, 0.8, 0).
+  const double m = 3;
+  const Vec3 u(3, 4, -2), n(0, 0, 1);
+  expect_near_vector(
+      "J of a solid sphere of 3 kg, u = (3, 4, -2) m/s, on a plane with normal z, e = 0.5, μ = 0.25 [N s]",
+      "Eq. (7.5)", value(sliding_impulse(K_of_sphere(m), u, n, 0.5, 0.25), 1 / m), Vec3(-1.35, -1.8, 9),
+      roundings(32, 10),
+      {{Vec3(1.35, 1.8, 9), "This pushes along the slip. Friction is against it: n - μt."},
+       {Vec3(-0.9, -1.2, 6), "1 + e is missing: this is for e = 0."},
+       {Vec3(-0.45, -0.6, 3), "This is for e instead of 1 + e: the approach must be stopped, too."},
+       {Vec3(0, 0, 9), "The friction, -μ j t, is missing."},
+       {Vec3(-5.4, -7.2, 9), "μ is missing in the friction, -μ j t."},
+       {Vec3(-6.75, -9, 9),
+        "t is a direction: divide u_t by its length. The friction does not depend on |u_t|."},
+       {Vec3(-1.35, -1.8, 9) / 9, "This has been multiplied by n·K(n - μt): it is an inverse mass, divide."},
+       {Vec3(1.35, 1.8, -9), "This is the impulse on i, or the sign of u·n: J pushes j along +n."}},
+      "j = -(1+e) u·n / (n·K(n - μt)), then J = j n - μ j t.");
+}
+
+EXERCISE_TEST(SlidingImpulse, HasTheRestitutionWhateverK) {
+  Random random;
+  for (int trial = 0, met = 0; met < 300 && !::testing::Test::HasFailure(); ++trial) {
+    Impact impact = random_impact(random);
+    if (trial % 2 == 0)
+      impact.mu /= 10;  // friction that changes the approach somewhat, and friction that rules it
+    given() = impact.text();
+    const auto& [K, u, n, e, mu] = impact;
+    const std::optional<Vec3> J = sliding_impulse(K, u, n, e, mu);
+    if (impact.eased() < 0.02 * K.norm()) continue;  // J and its roundings grow without bound towards 0
+    ++met;
+    const double w = impact.approach(), nKn = n.dot(K * n), j = (1 + e) * w / nKn;
+    expect_near(
+        "u'·n = (u + K J)·n after an impact of two boxes [m/s]", "Eq. (7.2), (7.5)",
+        n.dot(u + K * value(J, impact.eased())), e * w, impact.velocity_roundings(64, impact.slide()),
+        {{-w + j * impact.eased(),
+          "This divides by n·Kn. Friction changes the approach as well: the denominator is n·K(n - μt)."},
+         {-w + (1 + e) * w / (2 * nKn - impact.eased()) * impact.eased(),
+          "The denominator is n·K(n + μt): the same direction, n - μt, belongs in both places."},
+         {0, "They do not part: 1 + e, not 1."},
+         {-w, "Nothing has changed."}},
+        "One N s along n and μ against t changes u·n by n·K(n - μt).");
+  }
+}
+
+EXERCISE_TEST(SlidingImpulse, IsOnTheEdgeOfTheConeAgainstTheSlip) {
+  Random random;
+  for (int trial = 0, met = 0; met < 300 && !::testing::Test::HasFailure(); ++trial) {
+    const Impact impact = random_impact(random);
+    given() = impact.text();
+    const auto& [K, u, n, e, mu] = impact;
+    const std::optional<Vec3> got = sliding_impulse(K, u, n, e, mu);
+    if (impact.eased() < 0.02 * K.norm()) continue;
+    ++met;
+    const Vec3 J = value(got, impact.eased()), t = impact.t();
+    const double J_n = J.dot(n);
+    const Vec3 J_t = J - J_n * n;
+    expect_near_vector("J_t over J_n of two boxes that slide, against -μt", "Eq. (7.4), (7.5)", Vec3(J_t / J_n),
+                       -mu * t, roundings(64 * impact.condition(), (1 + mu) * u.norm() / impact.slip().norm()),
+                       {{mu * t, "This pushes along the slip. Friction is against it: n - μt."},
+                        {-t, "μ is missing in the friction, -μ j t."},
+                        {-mu * impact.slip(), "t is a direction: divide u_t by its length."},
+                        {Vec3::Zero(), "The friction, -μ j t, is missing."}},
+                       "A contact that slides has the largest friction, |J_t| = μ J_n, against the slip.");
+  }
+}
+
+EXERCISE_TEST(SlidingImpulse, IsAlongTheNormalWithoutSlip) {
+  const std::string rule =
+      "Without slip t has no direction, and 0/0 is NaN: the friction is zero then, J = j n.";
+  const auto J = sliding_impulse(K_of_rod(), Vec3(0, 0, -2), Vec3(0, 0, 1), 0.25, 0.5);
+  expect_near_vector("J of a rod that comes straight down, u_t = 0 [N s]", "Eq. (7.5)", value(J, 2.5, rule),
+                     Vec3(0, 0, 1), roundings(16), {}, rule);
+}
+
+EXERCISE_TEST(SlidingImpulse, TakesASlipOfRoundingsForNone) {
+  const std::string rule =
+      "u_t is 1e-15 of u here, and its direction noise: a slip of up to 1e-12 |u| counts as none, J = j n.";
+  const auto J = sliding_impulse(K_of_rod(), Vec3(2e-15, 0, -2), Vec3(0, 0, 1), 0.25, 0.5);
+  const Vec3 by_noise = *sliding_impulse(K_of_rod(), Vec3(1, 0, -2), Vec3(0, 0, 1), 0.25, 0.5);
+  expect_near_vector("J of a rod that comes down with a slip of roundings [N s]", "Eq. (7.5)",
+                     value(J, 2.5, rule), Vec3(0, 0, 1), roundings(16),
+                     {{by_noise, "This is full friction, against noise. " + rule}}, rule);
+}
+
+EXERCISE_TEST(SlidingImpulse, DoesNotExistWhereFrictionPressesHarderThanTheNormal) {
+  const Mat3 K = K_of_rod();
+  const Vec3 n(0, 0, 1), ahead(-3, 0, -1), behind(3, 0, -1);  // t = -x, and t = x
+  for (const double mu : {1.7, 2.0, 3.0, 5.0}) {
+    expect_true("no sliding impulse of a rod at 45° pushed ahead of its end, n·K(n - μt) = 2.5 - 1.5 μ, μ = " +
+                    show(mu),
+                "Eq. (7.5)", !sliding_impulse(K, ahead, n, 0.5, mu).has_value(),
+                "Friction turns the rod's end into the floor faster than the normal impulse lifts it. With a "
+                "negative denominator J would pull.");
+    value(sliding_impulse(K, behind, n, 0.5, mu), 2.5 + 1.5 * mu);
+  }
+  value(sliding_impulse(K, ahead, n, 0.5, 1.6), 0.1);
+}
+
+EXERCISE_TEST(SlidingImpulse, DoesNotExistWhereTheDenominatorIsZero) {
+  // n·K(n - μt) = 2.5 - 2·1.25, all of it exact in floating point.
+  const Mat3 K = (Mat3() << 2.5, 0, -1.25, 0, 4, 0, -1.25, 0, 2.5).finished();
+  expect_true(
+      "no sliding impulse where n·K(n - μt) = 0 exactly", "Eq. (7.5)",
+      !sliding_impulse(K, Vec3(-4, 0, -1), Vec3(0, 0, 1), 0.5, 2).has_value(),
+      "Then no impulse of this direction changes the approach, and j would be infinite: > 0, not >= 0.");
+}
+
+EXERCISE_TEST(SlidingImpulse, DoesNotComeOutOfANaN) {
+  const double NaN = std::nan("");
+  const Vec3 u(1, 0, -1), n(0, 0, 1);
+  const std::string clue = "Every comparison with NaN is false: return J only where the denominator is > 0.";
+  expect_true("no sliding impulse where K is NaN", "Eq. (7.5)",
+              !sliding_impulse(Mat3::Constant(NaN), u, n, 0.5, 0.5).has_value(), clue);
+  expect_true("no sliding impulse where μ is NaN", "Eq. (7.5)",
+              !sliding_impulse(K_of_rod(), u, n, 0.5, NaN).has_value(), clue);
+}
+
+}  // namespace

@@ -1,0 +1,25 @@
+// Wrong: forgets body i.
+// Killed by: ApplyImpact.MovesBothBodies
+// Says: This body has not moved
+#include "07_impacts/impacts.hpp"
+
+namespace spook {
+
+template <int Dof>
+static Twist<Dof> generalised(const Vec3& r, const Vec3& J) {
+  if constexpr (Dof == 3)
+    return J;
+  else
+    return (Twist<6>() << J, r.cross(J)).finished();
+}
+
+template <int Dof>
+void apply_impact(const Contact& contact, const Vec3& J, Motion<Dof>& motion) {
+  const int j = contact.j;
+  motion.W[j] += motion.inverse_mass[j].times(generalised<Dof>(contact.r_j, J));
+}
+
+template void apply_impact<3>(const Contact&, const Vec3&, Motion<3>&);
+template void apply_impact<6>(const Contact&, const Vec3&, Motion<6>&);
+
+}  // namespace spook

@@ -1,0 +1,15 @@
+// Wrong: never asks the cone.
+// Killed by: ImpactImpulse.LetsASphereStickUpToItsLargestSlip
+// Says: the cone has not been asked
+#include "07_impacts/impacts.hpp"
+
+namespace spook {
+
+Vec3 impact_impulse(const Mat3& K, const Vec3& u, const Vec3& n, double e, double mu) {
+  if (u.dot(n) >= 0) return Vec3::Zero();
+  std::optional<Vec3> J = stick_impulse(K, u, n, e);
+  if (!J || impact_work(K, u, *J) > 0) return safe_impulse(K, u, n, e, mu);
+  return *J;
+}
+
+}  // namespace spook

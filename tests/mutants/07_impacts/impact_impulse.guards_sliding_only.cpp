@@ -1,0 +1,17 @@
+// Wrong: lets sticking add energy.
+// Killed by: ImpactImpulse.NeverAddsEnergy
+// Says: The impulse that sticks has been taken, and adds energy
+#include "07_impacts/impacts.hpp"
+
+namespace spook {
+
+Vec3 impact_impulse(const Mat3& K, const Vec3& u, const Vec3& n, double e, double mu) {
+  if (u.dot(n) >= 0) return Vec3::Zero();
+  const Vec3 stick = stick_impulse(K, u, n, e);
+  if (inside_cone(stick, n, mu)) return stick;
+  const std::optional<Vec3> J = sliding_impulse(K, u, n, e, mu);
+  if (!J || impact_work(K, u, *J) > 0) return safe_impulse(K, u, n, e, mu);
+  return *J;
+}
+
+}  // namespace spook

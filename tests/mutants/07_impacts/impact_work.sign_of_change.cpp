@@ -1,0 +1,12 @@
+// Wrong: subtracts the change.
+// Killed by: ImpactWork.ByHand
+// Says: The sign of K J
+#include "07_impacts/impacts.hpp"
+
+namespace spook {
+
+double impact_work(const Mat3& K, const Vec3& u, const Vec3& J) {
+  return J.dot(u - K * J / 2);
+}
+
+}  // namespace spook

@@ -1,0 +1,12 @@
+// Wrong: counts what is lost as positive.
+// Killed by: ImpactWork.IsTheChangeOfKineticEnergyOfTwoBoxes
+// Says: The sign: what is added
+#include "07_impacts/impacts.hpp"
+
+namespace spook {
+
+double impact_work(const Mat3& K, const Vec3& u, const Vec3& J) {
+  return -J.dot(u + K * J / 2);
+}
+
+}  // namespace spook

@@ -1,0 +1,18 @@
+// Wrong: stops the approach only.
+// Killed by: SlidingImpulse.OfASphereByHand
+// Says: 1 + e is missing
+#include "07_impacts/impacts.hpp"
+
+namespace spook {
+
+std::optional<Vec3> sliding_impulse(const Mat3& K, const Vec3& u, const Vec3& n, double, double mu) {
+  const Vec3 slip = u - u.dot(n) * n;
+  const double speed = slip.norm();
+  const Vec3 t = speed == 0 ? Vec3(Vec3::Zero()) : Vec3(slip / speed);
+  const Vec3 direction = n - mu * t;
+  const double eased = n.dot(K * direction);  // how much approach one N s along `direction` takes away
+  if (!(eased > 0)) return std::nullopt;
+  return -u.dot(n) / eased * direction;
+}
+
+}  // namespace spook

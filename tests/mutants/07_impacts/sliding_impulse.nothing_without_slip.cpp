@@ -1,0 +1,19 @@
+// Wrong: has no impulse where there is no slip.
+// Killed by: SlidingImpulse.IsAlongTheNormalWithoutSlip
+// Says: the friction is zero then
+#include "07_impacts/impacts.hpp"
+
+namespace spook {
+
+std::optional<Vec3> sliding_impulse(const Mat3& K, const Vec3& u, const Vec3& n, double e, double mu) {
+  const Vec3 slip = u - u.dot(n) * n;
+  const double speed = slip.norm();
+  if (speed == 0) return std::nullopt;
+  const Vec3 t = slip / speed;
+  const Vec3 direction = n - mu * t;
+  const double eased = n.dot(K * direction);  // how much approach one N s along `direction` takes away
+  if (!(eased > 0)) return std::nullopt;
+  return -(1 + e) * u.dot(n) / eased * direction;  // Eq. (7.5)
+}
+
+}  // namespace spook

@@ -1,0 +1,18 @@
+// Wrong: divides the slip by its length, though there is none.
+// Killed by: SlidingImpulse.IsAlongTheNormalWithoutSlip
+// Says: 0/0 is NaN
+#include "07_impacts/impacts.hpp"
+
+namespace spook {
+
+std::optional<Vec3> sliding_impulse(const Mat3& K, const Vec3& u, const Vec3& n, double e, double mu) {
+  const Vec3 slip = u - u.dot(n) * n;
+  const double speed = slip.norm();
+  const Vec3 t = slip / speed;
+  const Vec3 direction = n - mu * t;
+  const double eased = n.dot(K * direction);  // how much approach one N s along `direction` takes away
+  if (!(eased > 0)) return std::nullopt;
+  return -(1 + e) * u.dot(n) / eased * direction;  // Eq. (7.5)
+}
+
+}  // namespace spook
