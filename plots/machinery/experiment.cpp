@@ -61,19 +61,22 @@ std::string header(const Experiment& experiment) {
   return line(experiment.columns, [](const std::string& name) { return name; });
 }
 
-/// All that the rows depend on: the program, the size, and what it is to compute.
-std::string plan(const Experiment& experiment, bool quick, const std::string& file) {
-  std::string text = header(experiment);
-  std::ostringstream program;
-  program << std::ifstream(file, std::ios::binary).rdbuf();
-  text += std::to_string(std::hash<std::string>()(program.str())) + "\n";
-  text += quick ? "quick\n" : "full\n";
+/// What there is to compute.
+std::string plan(const Experiment& experiment, bool quick) {
+  std::string text = header(experiment) + (quick ? "quick\n" : "full\n");
   std::set<std::string> keys;
   for (const Point& point : experiment.points) {
     if (!keys.insert(point.key).second) throw std::logic_error("two points have the key " + point.key);
     text += point.key + "\n";
   }
   return text;
+}
+
+/// Changes with every build.
+std::string digest(const std::string& program_file) {
+  std::ostringstream program;
+  program << std::ifstream(program_file, std::ios::binary).rdbuf();
+  return std::to_string(std::hash<std::string>()(program.str())) + "\n";
 }
 
 /// Progress on stderr: "[12/40] key".
@@ -154,9 +157,9 @@ void print_claims(const Claims& claims) {
   }
 }
 
-int execute(const Experiment& experiment, const Options& options, const std::string& plan) {
+int execute(const Experiment& experiment, const Options& options, const std::string& program_file) {
   const Shard shard = parse_shard(options.shard);
-  const Parts parts(options.out / "parts", plan);
+  const Parts parts(options.out / "parts", plan(experiment, options.quick), digest(program_file));
   std::vector<std::size_t> missing;
   std::size_t absent = 0;
   for (std::size_t k = 0; k < experiment.points.size(); ++k) {
@@ -197,8 +200,7 @@ int run_experiment(int argc, char** argv, const std::function<Experiment(Size)>&
   if (more_options) more_options(app);
   try {
     app.parse(argc, argv);
-    const Experiment experiment = make(options.quick ? Size::quick : Size::full);
-    return execute(experiment, options, plan(experiment, options.quick, argv[0]));
+    return execute(make(options.quick ? Size::quick : Size::full), options, argv[0]);
   } catch (const CLI::CallForHelp& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {

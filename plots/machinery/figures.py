@@ -78,13 +78,17 @@ def _number_or_text(cell: str):
         return cell
 
 
-def new(columns: int = 1, height: float = 3.8, **options):
-    """A figure and its axes; further options as of plt.subplots."""
+def new(columns: int = 1, height: float = 3.8, polar: int = 0, **options):
+    """A figure and its axes, the first few of them polar; further options as of plt.subplots."""
     plt.rcParams.update({"font.size": 10, "axes.edgecolor": INK, "text.color": INK, "axes.labelcolor": INK,
                          "xtick.color": INK, "ytick.color": INK, "lines.linewidth": 1.6, "lines.markersize": 5.5,
                          "legend.frameon": False, "legend.fontsize": 9, "axes.titlesize": 10,
                          "svg.hashsalt": "figure", "svg.fonttype": "none"})
-    return plt.subplots(1, columns, figsize=(WIDTH, height), layout="constrained", **options)
+    if not polar:
+        return plt.subplots(1, columns, figsize=(WIDTH, height), layout="constrained", **options)
+    figure = plt.figure(figsize=(WIDTH, height), layout="constrained")
+    return figure, [figure.add_subplot(1, columns, k + 1, projection="polar" if k < polar else None)
+                    for k in range(columns)]
 
 
 def tidy(axes) -> None:
@@ -121,7 +125,7 @@ def _sentence(text: str) -> str:
 
 def number(value: float) -> str:
     """1000, 0.1, 10⁻⁶."""
-    if value != 0 and not 1e-3 < abs(value) < 1e5:
+    if value != 0 and not 1e-3 < abs(value) < 1e4:
         exponent = round(math.log10(abs(value)))
         if math.isclose(abs(value), 10.0**exponent):
             superscripts = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")

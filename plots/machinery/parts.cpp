@@ -24,10 +24,13 @@ static void write_whole(const fs::path& file, const std::string& text) {
   fs::rename(beside, file);
 }
 
-Parts::Parts(fs::path folder, const std::string& plan) : folder_(std::move(folder)) {
-  if (text_of(folder_ / "plan.txt") != plan) remove_all();
+Parts::Parts(fs::path folder, const std::string& plan, const std::string& program)
+    : folder_(std::move(folder)) {
+  const std::string other = text_of(folder_ / "program.txt");
+  if (text_of(folder_ / "plan.txt") != plan || !(other.empty() || other == program)) remove_all();
   fs::create_directories(folder_);
   write_whole(folder_ / "plan.txt", plan);
+  write_whole(folder_ / "program.txt", program);
 }
 
 fs::path Parts::file(std::size_t point) const {

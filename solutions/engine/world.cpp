@@ -83,6 +83,7 @@ template <int Dof>
 void World<Dof>::solve_rows() {
   V_.assign(bodies_.size(), Twist<Dof>::Zero());
   sweeps_ = static_cast<int>(settings_.solver(rows_, V_, settings_.stop).history.size());
+  row_updates_ += sweeps_ * static_cast<std::int64_t>(rows_.size());
 }
 
 template <int Dof>

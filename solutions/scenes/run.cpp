@@ -35,9 +35,9 @@ static void observed_run(Scene& scene, std::int64_t steps, std::ostream* csv, co
   }
 }
 
-/// Median over fresh worlds: at least three and 50 ms of them, but no more once a second is over, or a thousand.
+/// Of fresh worlds: at least three and 50 ms of them, but no more once a second is over, or a thousand.
 template <class Build>
-static double median_us_per_step(const Build& build, std::int64_t steps) {
+static std::vector<double> sorted_us_per_step(const Build& build, std::int64_t steps) {
   using Clock = std::chrono::steady_clock;
   std::vector<double> times;
   double total = 0;
@@ -45,12 +45,12 @@ static double median_us_per_step(const Build& build, std::int64_t steps) {
     const std::unique_ptr<Scene> scene = build();
     const auto start = Clock::now();
     scene->advance(steps);
-    times.push_back(std::chrono::duration<double, std::micro>(Clock::now() - start).count());
-    total += times.back();
+    const double elapsed = std::chrono::duration<double, std::micro>(Clock::now() - start).count();
+    times.push_back(elapsed / static_cast<double>(steps));
+    total += elapsed;
   }
-  const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-  std::nth_element(times.begin(), middle, times.end());
-  return *middle / static_cast<double>(steps);
+  std::sort(times.begin(), times.end());
+  return times;
 }
 
 static StageTimes stage_times(Scene& scene, std::int64_t steps) {
@@ -69,8 +69,12 @@ RunResult run(const SceneDescription& description, const Parameters& parameters,
   observed_run(*scene, result.steps, csv, progress);
   result.error = scene->error();
   result.last = scene->report();
+  result.row_updates = scene->row_updates();
   if (result.steps == 0) return result;
-  result.us_per_step = median_us_per_step(build, result.steps);
+  const std::vector<double> times = sorted_us_per_step(build, result.steps);
+  result.us_per_step = times[times.size() / 2];
+  result.us_low = times[times.size() / 4];
+  result.us_high = times[times.size() * 3 / 4];
   result.stages = stage_times(*build(), result.steps);
   return result;
 }

@@ -35,6 +35,9 @@ class Scene {
 
   virtual StepReport report() const = 0;
 
+  /// Row updates since the start.
+  virtual std::int64_t row_updates() const = 0;
+
   /// From now on the stages of each step are timed.
   virtual void time_stages() = 0;
   virtual StageTimes stage_times() const = 0;
@@ -69,6 +72,7 @@ class WorldScene : public Scene {
     for (std::int64_t n = 0; n < steps; ++n) world_.step(h_);
   }
   StepReport report() const final { return world_.report(); }
+  std::int64_t row_updates() const final { return world_.row_updates(); }
   void time_stages() final { world_.time_stages(); }
   StageTimes stage_times() const final { return world_.stage_times(); }
 

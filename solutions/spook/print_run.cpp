@@ -89,6 +89,7 @@ void print_json(std::ostream& out, const SceneDescription& scene, const Paramete
       {"time", static_cast<double>(result.steps) * h},
       {"us_per_step", result.us_per_step ? Json(*result.us_per_step) : Json()},
       {"us_per_step_of_stage", stages},
+      {"row_updates", result.row_updates},
       {"error", {{"name", scene.error_name}, {"value", result.error}, {"unit", scene.error_unit}}},
       {"residual", scene.solves ? Json(result.last.residual) : Json()},
       {"last_step",

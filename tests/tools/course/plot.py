@@ -141,6 +141,10 @@ def _merge(other: Path, folder: Path) -> None:
     if not (parts / "plan.txt").exists():
         raise BadInput(f"merge: {other} has no plan.txt, by which it is known what its parts are of")
     (folder / "parts").mkdir(exist_ok=True)
+    plan = folder / "parts" / "plan.txt"
+    if plan.exists() and plan.read_bytes() != (parts / "plan.txt").read_bytes():
+        raise BadInput(f"merge: the parts in {other} are of another experiment, or of another size, than those before")
+    (folder / "parts" / "program.txt").unlink(missing_ok=True)  # of this build; others' parts are of others
     for part in [*found, parts / "plan.txt"]:
         shutil.copyfile(part, folder / "parts" / part.name)
 

@@ -1,0 +1,52 @@
+"""An experiment in its quick size: `try_experiment.py PROGRAM plots/TOPIC/NAME.cpp`.
+
+Its claims hold, they stand in plots/README.md word for word beside the figure, the figure is in the tree, and the same
+numbers are drawn as the same bytes.
+"""
+
+import json
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+
+def main(program: str, source: Path) -> list[str]:
+    """What is wrong."""
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = Path(temporary)
+        done = subprocess.run([program, "--quick", "--jobs", "1", "--out", temporary], stdout=subprocess.PIPE, text=True)
+        print(done.stdout, end="")
+        if done.returncode != 0:
+            return [f"exit code {done.returncode}"]
+        wrong = claims_not_shown(folder / "claims.json", source)
+        figures = [folder / "first.png", folder / "second.png", folder / "first.svg", folder / "second.svg"]
+        for chosen in (figures[0::2], figures[1::2]):
+            outs = [word for figure in chosen for word in ("--out", str(figure))]
+            drawn = subprocess.run([sys.executable, str(source.with_suffix(".py")), "--data", temporary, *outs])
+            if drawn.returncode != 0:
+                return [*wrong, "it could not be drawn"]
+        for first, second in (figures[:2], figures[2:]):
+            if first.read_bytes() != second.read_bytes():
+                wrong.append(f"two drawings of the same numbers differ, as {first.suffix}")
+    return wrong
+
+
+def claims_not_shown(claims: Path, source: Path) -> list[str]:
+    page = source.parents[1] / "README.md"
+    text = " ".join(page.read_text(encoding="utf-8").split())
+    figure = f"{source.parent.name}/{source.stem}.png"
+    wrong = [] if (page.parent / figure).exists() else [f"plots/{figure} is not in the tree"]
+    if figure not in text:
+        wrong.append(f"plots/README.md does not show {figure}")
+    for claim in json.loads(claims.read_text(encoding="utf-8")):
+        if claim["text"] not in text:
+            wrong.append(f"plots/README.md does not have: {claim['text']}")
+    return wrong
+
+
+if __name__ == "__main__":
+    faults = main(sys.argv[1], Path(sys.argv[2]).resolve())
+    for fault in faults:
+        print(f"try_experiment.py: {fault}", file=sys.stderr)
+    sys.exit(1 if faults else 0)
