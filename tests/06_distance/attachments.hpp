@@ -1,0 +1,70 @@
+#pragma once
+// Two points of two bodies, and what is asked of every row between them.
+#include <string>
+
+#include "06_distance/distance.hpp"
+#include "checks.hpp"
+#include "random_input.hpp"
+
+namespace spook::testing {
+
+inline Twist<6> twist(const Vec3& linear, const Vec3& angular) {
+  return (Twist<6>() << linear, angular).finished();
+}
+
+/// Points of two rigid bodies that lie 1 to 2 m from each other. Body indices that a row has to copy.
+struct RandomPair {
+  Random random;
+  Attachment i{.body = 4, .x = random.vector(), .r = random.vector()};
+  Attachment j{.body = 2, .x = Vec3::Zero(), .r = random.vector()};
+  Vec3 n = random.unit_vector();  ///< from i's point to j's
+  double distance = random.uniform(1, 2);
+  double length = random.uniform(0.5, 2.5);
+  Spook spook{.a = random.uniform(1, 10), .b = random.uniform(0.5, 1), .Sigma = random.uniform(0.05, 0.2)};
+
+  RandomPair() {
+    j.x = i.x + i.r + distance * n - j.r;
+    given() = "given x_i = " + show(i.x) + ", r_i = " + show(i.r) + ", x_j = " + show(j.x) +
+              ", r_j = " + show(j.r) + " m";
+  }
+
+  Vec3 apart() const { return distance * n; }
+  /// The size of the numbers that are added up in the gap [m].
+  double size() const { return i.x.norm() + i.r.norm() + j.x.norm() + j.r.norm() + length; }
+};
+
+/// Eq. (6.1) a time t later, when the body moves and turns as W says.
+inline Vec3 point_after(double t, const Attachment& at, const Twist<6>& W) {
+  const Vec3 v = W.head<3>(), omega = W.tail<3>();
+  return at.x + t * v + Eigen::AngleAxisd(t * omega.norm(), omega.normalized()) * at.r;
+}
+
+/// What an impulse of 1 N s along the row adds to the angular momentum about the origin [m].
+inline Vec3 angular_momentum_of(const Constraint<6>& row, const Attachment& i, const Attachment& j) {
+  return i.x.cross(row.Gi.head<3>()) + row.Gi.tail<3>() + j.x.cross(row.Gj.head<3>()) + row.Gj.tail<3>();
+}
+
+template <int Dof>
+void expect_pulls_and_pushes(const std::string& row, const Constraint<Dof>& c) {
+  const std::string text = c.lo == 0   ? "These are a contact's bounds: it may only push. This row pulls, too."
+                           : c.hi == 0 ? "It may only pull. Held at a distance, a point is pushed, too."
+                           : c.lo > c.hi ? "The bounds are exchanged: no λ lies between them."
+                                         : "Neither direction of λ has a bound.";
+  expect_true(row + " has the bounds lo = -∞ and hi = ∞; here lo = " + show(c.lo) + ", hi = " + show(c.hi),
+              "Eq. (6.4)", c.lo == -infinity && c.hi == infinity, text);
+}
+
+template <int Dof>
+void expect_carries(const std::string& row, const Constraint<Dof>& c, const RandomPair& pair) {
+  expect_true(row + " is between body " + std::to_string(pair.i.body) + " as i and body " +
+                  std::to_string(pair.j.body) + " as j; here i = " + std::to_string(c.i) +
+                  ", j = " + std::to_string(c.j),
+              "Eq. (6.3)", c.i == pair.i.body && c.j == pair.j.body,
+              "Copy the bodies of the two attachments, in that order.");
+  const std::string set = "Copy the spook that was handed over.";
+  expect_near("a of " + row + " [1/s]", "Eq. (3.4)", c.spook.a, pair.spook.a, {0, "a copy"}, {}, set);
+  expect_near("b of " + row, "Eq. (3.5)", c.spook.b, pair.spook.b, {0, "a copy"}, {}, set);
+  expect_near("Σ of " + row + " [1/kg]", "Eq. (3.6)", c.spook.Sigma, pair.spook.Sigma, {0, "a copy"}, {}, set);
+}
+
+}  // namespace spook::testing

@@ -1,0 +1,181 @@
+// The row of a distance: its gap, its Jacobian, its bounds.
+#include "attachments.hpp"
+#include "exercise_test.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(DistanceConstraint, "6.1 distance_constraint");
+
+Constraint<6> row_of(const RandomPair& t) {
+  return distance_constraint<6>(t.i, t.j, t.length, t.spook);
+}
+
+EXERCISE_TEST(DistanceConstraint, MeasuresPointMasses) {
+  // 3 m to the right and 4 m up: 5 m, held at 4.
+  const Attachment i{.body = 0, .x = Vec3(1, 2, -1)}, j{.body = 1, .x = Vec3(4, 2, 3)};
+  const Constraint<3> c = distance_constraint<3>(i, j, 4, {.a = 1, .b = 1, .Sigma = 0});
+  expect_near("gap of points at (1, 2, -1) and (4, 2, 3), l = 4 m [m]", "Eq. (6.2)", c.gap, 1, roundings(16, 5),
+              {{-1, "The sign: g is the distance minus the length, positive when they are too far apart."},
+               {5, "The length is missing: g is what the distance is off by."},
+               {4.5, "This is half the difference of the squares. Its rate is not that of the distance."},
+               {9, "This is the difference of the squares. g is in metres."},
+               {1 - 2 * 4, "This is minus the sum: g is the distance minus the length."}},
+              "g = |p_j - p_i| - l.");
+  const Vec3 n(0.6, 0, 0.8);
+  const std::string reversed = "n goes from i's point to j's. This one goes from j to i.";
+  expect_near_vector("Gj", "Eq. (6.3)", c.Gj, n, roundings(8),
+                     {{-n, reversed}, {5 * n, "This is p_j - p_i: n is a unit vector."}}, "Gj = n.");
+  expect_near_vector(
+      "Gi", "Eq. (6.3)", c.Gi, -n, roundings(8),
+      {{n, "i is pushed along -n: Gi has a minus."}, {-5 * n, "This is p_i - p_j: n is a unit vector."}},
+      "Gi = -n.");
+}
+
+EXERCISE_TEST(DistanceConstraint, MeasuresFromPointToPoint) {
+  const RandomPair t;
+  const double got = row_of(t).gap, d = t.distance, l = t.length;
+  const Vec3 centres = t.j.x - t.i.x;
+  given() += ", l = " + show(l) + " m";
+  expect_near(
+      "gap between points of two rigid bodies [m]", "Eq. (6.1), (6.2)", got, d - l, roundings(32, t.size()),
+      {{l - d, "The sign: g is the distance minus the length, positive when they are too far apart."},
+       {d, "The length is missing: g is what the distance is off by."},
+       {(d * d - l * l) / 2, "This is half the difference of the squares. g is in metres."},
+       {d * d - l * l, "This is the difference of the squares. g is in metres."},
+       {centres.norm() - l, "This is the distance of the centres. The points are beside them, at x + r."},
+       {(centres + t.j.r).norm() - l, "r_i is missing: both points are beside their body's centre."},
+       {(centres - t.i.r).norm() - l, "r_j is missing: both points are beside their body's centre."},
+       {(centres - t.j.r + t.i.r).norm() - l,
+        "r goes from the centre to the point, so the point is at x + r. This has x - r."}},
+      "p = x + r of either body, then g = |p_j - p_i| - l.");
+}
+
+EXERCISE_TEST(DistanceConstraint, HasFourBlocks) {
+  const RandomPair t;
+  const Constraint<6> c = row_of(t);
+  const Vec3 n = t.n, between_centres = (t.j.x - t.i.x).normalized();
+  const std::string missing = "The angular block is missing: a pull beside the centre also turns the body.";
+  const std::string origin =
+      "This is the lever arm from the origin. A body turns about its own centre of mass.";
+  const std::string centres = "This direction is from centre to centre. n is from point to point.";
+  const std::string length = "This has the length of p_j - p_i: n is a unit vector.";
+  const auto block = [](const Vec3& along, const Vec3& r) { return twist(along, r.cross(along)); };
+  expect_near_vector("Gj", "Eq. (6.3)", c.Gj, block(n, t.j.r), roundings(64, t.size()),
+                     {{block(-n, t.j.r), "n goes from i's point to j's. This one goes from j to i."},
+                      {twist(n, Vec3::Zero()), missing},
+                      {twist(n, -t.j.r.cross(n)), "The sign of the angular block: it is r_j × n, not n × r_j."},
+                      {twist(n, t.i.r.cross(n)), "This used r_i for body j. Each body has its own lever arm."},
+                      {twist(n, (t.j.x + t.j.r).cross(n)), origin},
+                      {block(between_centres, t.j.r), centres},
+                      {block(t.apart(), t.j.r), length}},
+                     "Gj = (n, r_j × n).");
+  expect_near_vector(
+      "Gi", "Eq. (6.3)", c.Gi, block(-n, t.i.r), roundings(64, t.size()),
+      {{block(n, t.i.r), "i is pushed along -n, both in its linear and its angular part."},
+       {twist(-n, Vec3::Zero()), missing},
+       {twist(-n, t.i.r.cross(n)), "The sign of the angular block: both parts of Gi have a minus."},
+       {twist(-n, -t.j.r.cross(n)), "This used r_j for body i. Each body has its own lever arm."},
+       {twist(-n, -(t.i.x + t.i.r).cross(n)), origin},
+       {block(-between_centres, t.i.r), centres},
+       {block(-t.apart(), t.i.r), length}},
+      "Gi = (-n, -r_i × n).");
+}
+
+EXERCISE_TEST(DistanceConstraint, PullsAndPushes) {
+  const RandomPair t;
+  expect_pulls_and_pushes("a distance of rigid bodies", row_of(t));
+  expect_pulls_and_pushes("a distance of point masses",
+                          distance_constraint<3>({.body = 4, .x = t.i.x}, {.body = 2, .x = t.j.x}, 1, t.spook));
+}
+
+EXERCISE_TEST(DistanceConstraint, CarriesTheRestOver) {
+  const RandomPair t;
+  expect_carries("a distance of rigid bodies", row_of(t), t);
+  expect_carries("a distance of point masses",
+                 distance_constraint<3>({.body = 4, .x = t.i.x}, {.body = 2, .x = t.j.x}, 1, t.spook), t);
+}
+
+EXERCISE_TEST(DistanceConstraint, TimesVelocityIsTheRateOfTheDistance) {
+  RandomPair t;
+  const Constraint<6> c = row_of(t);
+  const double dt = 1e-5;
+  const auto gap_after = [&](double time, const Twist<6>& Wi, const Twist<6>& Wj) {
+    return (point_after(time, t.j, Wj) - point_after(time, t.i, Wi)).norm() - t.length;
+  };
+  for (int trial = 0; trial < 20 && !::testing::Test::HasFailure(); ++trial) {
+    const Twist<6> Wi = twist(t.random.vector(), t.random.vector());
+    const Twist<6> Wj = twist(t.random.vector(), t.random.vector());
+    const double rate = (gap_after(dt, Wi, Wj) - gap_after(-dt, Wi, Wj)) / (2 * dt);
+    expect_near(
+        "G W against the gap of two moving, turning bodies, differentiated numerically [m/s]",
+        "Eq. (6.2), (6.3)", c.Gi.dot(Wi) + c.Gj.dot(Wj), rate,
+        {1e-7, "dt²/6 |g'''| < 5e-8, with |p'| < 10, |p''| < 11, |p'''| < 18 at a distance above 1 m"},
+        {{-rate, "This is the rate at which the points approach: i and j are exchanged, or the sign of n."}},
+        "The distance changes as the velocity of j's point minus that of i's, along n.");
+  }
+}
+
+EXERCISE_TEST(DistanceConstraint, TakesNothingFromThePair) {
+  const RandomPair t;
+  const Constraint<6> c = row_of(t);
+  expect_near("length of the linear block of j", "Eq. (6.3)", c.Gj.head<3>().norm(), 1, roundings(8),
+              {{t.distance, "This is the distance: divide p_j - p_i by it."}}, "n is a unit vector.");
+  expect_near_vector("sum of the linear blocks", "Eq. (6.3)", Vec3(c.Gi.head<3>() + c.Gj.head<3>()),
+                     Vec3::Zero(), roundings(4), {}, "Action equals reaction: n on j, -n on i.");
+  expect_near_vector("angular momentum about the origin that an impulse of 1 N s adds [kg m²/s]", "Eq. (6.3)",
+                     angular_momentum_of(c, t.i, t.j), Vec3::Zero(), roundings(64, t.size()), {},
+                     "Two opposite pulls along the line through both points have no torque. Look at r × n of "
+                     "both bodies, and the signs.");
+}
+
+EXERCISE_TEST(DistanceConstraint, IsTheSameFromBothEnds) {
+  const RandomPair t;
+  const Constraint<6> c = row_of(t), other = distance_constraint<6>(t.j, t.i, t.length, t.spook);
+  expect_near("gap with i and j exchanged, minus the gap [m]", "Eq. (6.2)", other.gap - c.gap, 0,
+              roundings(32, t.size()), {}, "A distance has no direction: neither has its gap.");
+  expect_near_vector("Gi with i and j exchanged, against Gj", "Eq. (6.3)", other.Gi, c.Gj,
+                     roundings(64, t.size()), {}, "n turns round with the exchange, and so does the sign.");
+  expect_near_vector("Gj with i and j exchanged, against Gi", "Eq. (6.3)", other.Gj, c.Gi,
+                     roundings(64, t.size()), {}, "n turns round with the exchange, and so does the sign.");
+}
+
+EXERCISE_TEST(DistanceConstraint, RejectsPointsThatCoincide) {
+  // Beside their centres, which are apart; every number has few binary digits, so that the distance is 0 exactly.
+  const Attachment i{.body = 0, .x = Vec3(1, 2, 3), .r = Vec3(0.5, 0, -0.25)};
+  const Attachment j{.body = 1, .x = Vec3(2, 2, 3), .r = Vec3(-0.5, 0, -0.25)};
+  const Spook spook{.a = 1, .b = 1, .Sigma = 0};
+  const std::string clue =
+      "At distance 0 there is no direction, and 0/0 is NaN. See require_positive in require.hpp.";
+  expect_rejects(
+      "two points of rigid bodies at the same place", "distance",
+      [&] { distance_constraint<6>(i, j, 1, spook); }, clue);
+  expect_rejects(
+      "two point masses at the same place", "distance",
+      [&] { distance_constraint<3>({.body = 0, .x = i.x}, {.body = 1, .x = i.x}, 1, spook); }, clue);
+}
+
+EXERCISE_TEST(DistanceConstraint, RejectsADistanceThatIsNone) {
+  const Attachment i{.body = 0, .x = Vec3(1, 2, 3)};
+  const Spook spook{.a = 1, .b = 1, .Sigma = 0};
+  distance_constraint<3>(i, {.body = 1, .x = Vec3::Zero()}, 1, spook);
+  for (const double x : {std::nan(""), HUGE_VAL})
+    expect_rejects(
+        "x_j = (" + show(x) + ", 0, 0)", "distance",
+        [&] { distance_constraint<3>(i, {.body = 1, .x = Vec3(x, 0, 0)}, 1, spook); },
+        "The distance must be positive and finite: a comparison with 0 lets NaN through.");
+}
+
+EXERCISE_TEST(DistanceConstraint, RejectsALengthThatIsNotPositive) {
+  const Attachment i{.body = 0, .x = Vec3(1, 2, 3)}, j{.body = 1, .x = Vec3(1, 2, 4)};
+  const Spook spook{.a = 1, .b = 1, .Sigma = 0};
+  distance_constraint<3>(i, j, 1, spook);
+  for (const double length : {0.0, -1.0, std::nan(""), HUGE_VAL})
+    expect_rejects(
+        "length = " + show(length), "length", [&] { distance_constraint<3>(i, j, length, spook); },
+        "See require_positive in require.hpp. Points at distance 0 are a ball joint.");
+}
+
+}  // namespace

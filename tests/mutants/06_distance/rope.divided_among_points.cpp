@@ -1,0 +1,24 @@
+// Wrong: divides the mass evenly among the points.
+// Killed by: Rope.PutsHalfOfEachLinkOnEitherEnd
+// Says: The mass is divided evenly among the points
+#include "06_distance/distance.hpp"
+#include "common/require.hpp"
+
+namespace spook {
+
+Net rope(const Vec3& from, const Vec3& to, int links, double mass) {
+  require_all_finite("from", from);
+  require_all_finite("to", to);
+  if (links < 1) reject("links", links, "at least 1");
+  require_positive("mass", mass);
+  require_positive("length", (to - from).norm());
+
+  Net net;
+  const double length = (to - from).norm() / links;
+  for (int k = 0; k <= links; ++k) net.x.push_back(from + (to - from) * (static_cast<double>(k) / links));
+  net.mass.assign(net.x.size(), mass / (links + 1));
+  for (int k = 0; k < links; ++k) net.links.push_back({.i = k, .j = k + 1, .length = length});
+  return net;
+}
+
+}  // namespace spook
