@@ -50,14 +50,14 @@ double representative_mass(double inverse_mass_i, double inverse_mass_j, int con
 /// h [s] > 0, all finite.
 double friction_bound(double mu, double mass, double normal_gravity, double h);
 
-/// Exercise 5.5. The two friction constraints of a contact, along t1 and t2, with bounds ±`bound` [N s] and the numbers
+/// Exercise 5.5. The two friction constraints of a contact, along t1 and t2 in this order, with bounds ±`bound` [N s] and the numbers
 /// of `spook`: Eq. (5.2), (5.3), (5.8); notes (42)-(44). Their gap is 0. Nothing is checked.
 template <int Dof>
 std::array<Constraint<Dof>, 2> friction_constraints(const Contact& contact, const Tangents& tangents,
                                                     double bound, const Spook& spook);
 
 /// Exercise 5.6. The friction impulse J = λ1 t1 + λ2 t2 [N s] of one contact alone, + on j and - on i: Eq. (5.3), each
-/// row for itself as when t1·K t2 = 0, then (5.8). A NaN stays a NaN.
+/// row for itself as when t1·K t2 = 0, then (5.8). A NaN in K, u or Gamma stays a NaN.
 ///   K        collision matrix [1/kg]
 ///   u        relative velocity at the contact, that of the forces included [m/s]
 ///   Gamma    softness Γ [1/kg]

@@ -88,14 +88,90 @@ Parameter relaxation() {
   return {.name = "d", .meaning = "relaxation", .unit = "steps", .value = 3, .limits = not_negative};
 }
 
-Parameter radius() {
-  return {.name = "radius", .meaning = "radius of a sphere", .unit = "m", .value = 0.5, .limits = positive};
+Parameter radius(double value) {
+  return {.name = "radius", .meaning = "radius of a sphere", .unit = "m", .value = value, .limits = positive};
 }
 
 Parameter start() {
   return {.name = "start",
           .meaning = "half_step: velocities begin half a step back; unshifted: they do not",
           .choices = {"half_step", "unshifted"}};
+}
+
+Parameter bodies(double value, double most) {
+  return {.name = "bodies",
+          .meaning = "how many spheres",
+          .value = value,
+          .limits = {.low = 1, .high = most, .whole = true}};
+}
+
+Parameter friction(double value) {
+  return {.name = "mu", .meaning = "friction coefficient", .value = value, .limits = not_negative};
+}
+
+Parameter viscosity() {
+  return {.name = "viscosity",
+          .meaning = "what sticks creeps at its load over this",
+          .unit = "N s/m",
+          .value = 1e12,
+          .limits = positive};
+}
+
+Parameter speed(double value) {
+  return {.name = "v0", .meaning = "speed at time 0", .unit = "m/s", .value = value, .limits = positive};
+}
+
+Parameter restitution(double value) {
+  return {.name = "restitution",
+          .meaning = "speed after an impact over speed before, along the normal",
+          .value = value,
+          .limits = {.low = 0, .high = 1}};
+}
+
+Parameter threshold() {
+  return {.name = "threshold",
+          .meaning = "slowest approach that is an impact, g h not counted",
+          .unit = "m/s",
+          .value = 0,
+          .limits = not_negative};
+}
+
+Parameter friction_law(std::vector<std::string> laws) {
+  return {.name = "answer", .meaning = "the law that the error is relative to", .choices = std::move(laws)};
+}
+
+Parameter weighing_gravity() {
+  Parameter g = gravity();
+  g.limits = positive;
+  return g;
+}
+
+Parameter ratio() {
+  return {.name = "ratio",
+          .meaning = "mass ratio, heavy over light",
+          .value = 1,
+          .limits = {.low = 1, .high = 1e12}};
+}
+
+Parameter links(double value) {
+  return {.name = "links",
+          .meaning = "how many",
+          .value = value,
+          .limits = {.low = 1, .high = 10000, .whole = true}};
+}
+
+Parameter length() {
+  return {.name = "length",
+          .meaning = "of all links together, without load",
+          .unit = "m",
+          .value = 1,
+          .limits = positive};
+}
+
+Parameter begin() {
+  return {.name = "begin",
+          .meaning = "natural: the links begin as long as without load; at_rest: as long as the answer says",
+          .choices = {"natural", "at_rest"}};
 }
 
 }  // namespace parameter

@@ -62,8 +62,24 @@ Parameter mass(double value = 1);
 Parameter gravity();
 Parameter stiffness();
 Parameter relaxation();
-Parameter radius();
+Parameter radius(double value = 0.5);
 Parameter start();
+Parameter bodies(double value, double most);
+Parameter friction(double value = 0.5);
+Parameter viscosity();
+Parameter speed(double value);
+Parameter restitution(double value);
+Parameter threshold();
+
+/// Which law of friction a scene's answer follows; the first is the default.
+Parameter friction_law(std::vector<std::string> laws = {"coulomb", "box"});
+
+/// g, but not zero: for what has no shape, or no stretch, without a weight.
+Parameter weighing_gravity();
+Parameter ratio();
+Parameter links(double value);
+Parameter length();
+Parameter begin();
 
 }  // namespace parameter
 

@@ -10,6 +10,18 @@ SceneDescription orbit();
 SceneDescription top();
 SceneDescription resting_sphere();
 SceneDescription stack();
+SceneDescription incline();
+SceneDescription sliding_block();
+SceneDescription slide_to_roll();
+SceneDescription spinning_disc();
+SceneDescription bouncing_ball();
+SceneDescription cradle();
+SceneDescription pile();
+SceneDescription pendulum();
+SceneDescription double_pendulum();
+SceneDescription wire();
+SceneDescription rope();
+SceneDescription cloth();
 
 const std::vector<SceneDescription>& scenes();
 
@@ -20,6 +32,13 @@ const SceneDescription& find_scene(const std::string& name);
 template <class SomeScene>
 std::unique_ptr<Scene> build_as(const Parameters& parameters, const Method& method) {
   return std::make_unique<SomeScene>(parameters, method);
+}
+
+/// The same where the parameter `model` says if its bodies are point masses or rigid.
+template <template <int Dof> class SomeScene>
+std::unique_ptr<Scene> build_model(const Parameters& parameters, const Method& method) {
+  if (parameters.choice("model") == "point") return build_as<SomeScene<3>>(parameters, method);
+  return build_as<SomeScene<6>>(parameters, method);
 }
 
 }  // namespace spook

@@ -1,11 +1,11 @@
 // What the engine refuses, with the parameter and its value in the message.
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <limits>
 
 #include "engine/near_miss.hpp"
 #include "engine/world.hpp"
+#include "refusals.hpp"
 #include "scenes/number.hpp"
 #include "scenes/run.hpp"
 
@@ -13,17 +13,6 @@ namespace spook {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-void expect_refusal(const std::vector<std::string>& named, const std::function<void()>& call) {
-  try {
-    call();
-    ADD_FAILURE() << "nothing was thrown; expected a message with " << named.front();
-  } catch (const std::invalid_argument& error) {
-    for (const std::string& part : named)
-      EXPECT_NE(std::string(error.what()).find(part), std::string::npos)
-          << error.what() << "\n  lacks " << part;
-  }
-}
 
 TEST(Input, Settings) {
   expect_refusal({"gravity", "nan"}, [] { World<3>({.gravity = Vec3(0, nan, 0)}); });

@@ -1,6 +1,6 @@
 """An experiment in its quick size: `try_experiment.py PROGRAM plots/TOPIC/NAME.cpp`.
 
-Its claims hold, they stand in plots/README.md word for word beside the figure, the figure is in the tree, and the same
+Its claims hold, they stand in plots/README.md word for word, the figure is in the tree, and the same
 numbers are drawn as the same bytes.
 """
 
@@ -34,13 +34,13 @@ def main(program: str, source: Path) -> list[str]:
 
 def claims_not_shown(claims: Path, source: Path) -> list[str]:
     page = source.parents[1] / "README.md"
-    text = " ".join(page.read_text(encoding="utf-8").split())
+    text = " ".join(page.read_text(encoding="utf-8").split()).casefold()
     figure = f"{source.parent.name}/{source.stem}.png"
     wrong = [] if (page.parent / figure).exists() else [f"plots/{figure} is not in the tree"]
     if figure not in text:
         wrong.append(f"plots/README.md does not show {figure}")
     for claim in json.loads(claims.read_text(encoding="utf-8")):
-        if claim["text"] not in text:
+        if claim["text"].casefold() not in text:
             wrong.append(f"plots/README.md does not have: {claim['text']}")
     return wrong
 

@@ -1,0 +1,99 @@
+// A ball that is dropped, and bounces.
+//
+//   h_n = h0 e^(2n)                                                                                Eq. (7.11)
+//
+// The error is that of the peaks, not of the height at a time: if each bounce is late by a thousandth of a
+// second only, the ball is soon at quite another height. A peak shows all along a flight, as z + v²/(2g), which
+// leapfrog keeps, v being of the time of z.
+//
+// A step finds the ball only when it is in the floor, by D < v h + g h²/2. By then it is too fast, too; it
+// leaves with e times that speed, but from -D:
+//
+//   h_1 = e² (h0 + D) - D = e² h0 - (1 - e²) D
+//
+// That is of first order in h, and nothing at e = 1. Where e < D/(d v h) SPOOK pushes the ball out, as well: of
+// its speed it may have 4/(1+4d), whatever h.
+#include "scenes/bounces.hpp"
+#include "scenes/registry.hpp"
+
+namespace spook {
+
+namespace {
+
+class BouncingBall : public WorldScene<3> {
+ public:
+  BouncingBall(const Parameters& p, const Method& method)
+      : WorldScene(
+            {.gravity = Vec3(0, 0, -p.number("g")),
+             .k = p.number("k"),
+             .d = p.number("d"),
+             .impacts = ImpactLaw{.restitution = p.number("restitution"), .threshold = p.number("threshold")}},
+            method),
+        h0_(p.number("h0")),
+        g_(p.number("g")),
+        radius_(p.number("radius")),
+        answer_(h0_, g_, p.number("restitution")) {
+    world_.add_plane(Vec3::UnitZ(), 0);
+    ball_ = world_.add({.x = Vec3(0, 0, radius_ + h0_), .mass = p.number("m"), .radius = radius_});
+    world_.start_half_step_back(h_);
+  }
+
+  void observe() override {
+    const int impacts = world_.report().impacts;
+    bounces_ += impacts;
+    if (impacts > 0) last_bounce_ = time() - h_;
+    height_by_answer_ = answer_.height(time());
+    largest_error_ = largest(largest_error_, std::abs(peak() - answer_.peak(bounces_)));
+  }
+  double error() const override { return relative(largest_error_, h0_); }
+
+  std::vector<std::string> columns() const override {
+    return {"time [s]", "z [m]", "v [m/s]", "z by (7.11) [m]", "peak [m]", "last bounce [s]", "bounces"};
+  }
+  std::vector<double> sample() const override {
+    return {time(), z(), v(), height_by_answer_, peak(), last_bounce_, static_cast<double>(bounces_)};
+  }
+
+ private:
+  double z() const { return world_.x(ball_).z() - radius_; }
+  double v() const { return world_.v_beside_x(ball_, h_).z(); }
+  double peak() const { return z() + v() * v() / (2 * g_); }
+
+  double h0_, g_, radius_;  // h0 of the lowest point
+  Bounces answer_;
+  int ball_ = 0;
+  int bounces_ = 0;
+  double last_bounce_ = 0, height_by_answer_ = 0;
+  double largest_error_ = 0;
+};
+
+}  // namespace
+
+SceneDescription bouncing_ball() {
+  return {.name = "bouncing_ball",
+          .summary = "A ball is dropped, and bounces.",
+          .answer =
+              "Its peaks are h0 e^(2n), e the restitution, and all bounces end after √(2 h0/g) (1+e)/(1-e), "
+              "whatever its mass. A step finds it in the floor already, by D, which takes (1-e²) D from the "
+              "next peak: nothing for e = 1.",
+          .error_name = "largest error of a peak over h0",
+          .error_unit = "relative",
+          .parameters = {{.name = "h0",
+                          .meaning = "height of its lowest point at time 0",
+                          .unit = "m",
+                          .value = 1,
+                          .limits = {.low = 0, .low_included = false}},
+                         parameter::restitution(0.8),
+                         parameter::threshold(),
+                         parameter::mass(),
+                         parameter::radius(0.1),
+                         parameter::weighing_gravity(),
+                         parameter::stiffness(),
+                         parameter::relaxation()},
+          .h = 0.001,
+          .time = 5,
+          .solves = true,
+          .build = build_as<BouncingBall>};
+}
+
+}  // namespace spook

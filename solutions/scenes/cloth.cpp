@@ -1,0 +1,140 @@
+// A cloth of cells × cells, let go flat and level, held by four corners or by two: chapter 06's cloth().
+//
+// It swings, and nothing brakes it. What holds all the same, in every step, is the balance of momentum, as what the
+// links do to each other cancels:
+//
+//   h R = p_{n+1/2} - p_{n-1/2} - h m g        R what the supports do, p = Σ m v
+//
+// to roundings, whatever the solver has left undone. Over a long time p/t goes to zero, and the mean of R to the weight:
+// Eq. (6.14).
+//
+// The corners are held by ball joints of no length to fixed points, whose λ are h R. As bodies, the points are spheres
+// with the same distances between their centres: nothing turns, they move alike, and only cost more.
+#include "scenes/half_step_energy.hpp"
+#include "scenes/registry.hpp"
+
+namespace spook {
+
+namespace {
+
+template <int Dof>
+class Cloth : public WorldScene<Dof> {
+ public:
+  Cloth(const Parameters& p, const Method& method)
+      : WorldScene<Dof>({.gravity = Vec3(0, 0, -p.number("g")), .k = p.number("k"), .d = p.number("d")},
+                        method),
+        g_(p.number("g")),
+        weight_(p.number("m") * p.number("g")) {
+    const int cells = p.count("cells");
+    const double side = p.number("side");
+    const Net net =
+        spook::cloth(Vec3::Zero(), side * Vec3::UnitX(), side * Vec3::UnitY(), cells, cells, p.number("m"));
+    for (std::size_t i = 0; i < net.x.size(); ++i) {
+      Body<Dof> body;
+      body.x = net.x[i];
+      body.mass = net.mass[i];
+      if constexpr (Dof == 6) body.principal = solid_sphere_moments(body.mass, side / cells / 2);
+      world_.add(body);
+    }
+    const int last = static_cast<int>(net.x.size()) - 1;
+    std::vector<int> corners = {0, cells};
+    if (p.choice("held") == "four_corners") corners.insert(corners.end(), {last - cells, last});
+    supports_ = static_cast<int>(corners.size());
+    for (const int corner : corners) {
+      const int support = world_.add_fixed(world_.x(corner));
+      world_.add_joint({.i = support, .j = corner});
+    }
+    for (const Link& link : net.links) world_.add_joint({.i = link.i, .j = link.j, .length = link.length});
+    if (p.choice("start") == "half_step") world_.start_half_step_back(h_);
+    momentum_ = momentum(world_.bodies());
+  }
+
+  void observe() override {
+    const Vec3 p = momentum(world_.bodies());
+    // The balance is that of a single step.
+    if (world_.steps() == observed_ + 1) {
+      const Vec3 balance = (p - momentum_) / h_ + weight_ * Vec3::UnitZ();
+      largest_error_ = largest(largest_error_, (support() - balance).norm());
+    }
+    momentum_ = p;
+    observed_ = world_.steps();
+  }
+  double error() const override { return relative(largest_error_, weight_); }
+
+  std::vector<std::string> columns() const override {
+    return {"time [s]", "support z [N]", "largest strain [-]", "lowest z [m]", "energy [J]"};
+  }
+  std::vector<double> sample() const override {
+    return {this->time(), support().z(), largest_strain(), lowest(), half_step_energy(world_.bodies(), g_, h_)};
+  }
+
+ private:
+  using WorldScene<Dof>::world_;
+  using WorldScene<Dof>::h_;
+
+  /// In the last step, all of them together [N].
+  Vec3 support() const {
+    Vec3 sum = Vec3::Zero();
+    for (int joint = 0; joint < supports_; ++joint)
+      for (int row = 0; row < 3; ++row) sum[row] += world_.joint_lambda(joint, row) / h_;
+    return sum;
+  }
+
+  double largest_strain() const {
+    double strain = 0;
+    for (const Joint& joint : world_.joints())
+      if (joint.length)
+        strain = largest(strain, std::abs((world_.x(joint.j) - world_.x(joint.i)).norm() / *joint.length - 1));
+    return strain;
+  }
+
+  double lowest() const {
+    double z = 0;
+    for (const Vec3& x : world_.bodies().x) z = std::min(z, x.z());
+    return z;
+  }
+
+  double g_, weight_;
+  int supports_ = 0;  // the first joints
+  Vec3 momentum_;
+  std::int64_t observed_ = 0;  // the step that momentum_ is of
+  double largest_error_ = 0;
+};
+
+}  // namespace
+
+SceneDescription cloth() {
+  return {.name = "cloth",
+          .summary = "A cloth is let go flat and level, held by its corners.",
+          .answer =
+              "In every step the supports give h R = Δp + h m g, the change of momentum and the weight's "
+              "impulse, to roundings, however few the sweeps; over a long time their mean is the weight.",
+          .error_name = "largest error of R over the weight",
+          .error_unit = "relative",
+          .parameters = {{.name = "cells",
+                          .meaning = "along each side",
+                          .value = 20,
+                          .limits = {.low = 1, .high = 200, .whole = true}},
+                         {.name = "model",
+                          .meaning = "point: point masses; body: spheres, with the same motion",
+                          .choices = {"point", "body"}},
+                         {.name = "held",
+                          .meaning = "by which corners",
+                          .choices = {"four_corners", "two_corners"}},
+                         {.name = "side",
+                          .meaning = "of the cloth",
+                          .unit = "m",
+                          .value = 1,
+                          .limits = {.low = 0, .low_included = false}},
+                         parameter::mass(),
+                         parameter::weighing_gravity(),
+                         parameter::stiffness(),
+                         parameter::relaxation(),
+                         parameter::start()},
+          .h = 0.002,
+          .time = 0.3,
+          .solves = true,
+          .build = build_model<Cloth>};
+}
+
+}  // namespace spook

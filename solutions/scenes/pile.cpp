@@ -1,0 +1,147 @@
+// Spheres dropped into a box: a scene that has no closed form, but must come to rest.
+//
+// At rest the floor carries all the weight: the walls, with g·n = 0, have no friction to help it, Eq. (5.7).
+// Two spheres overlap by the load of their contact over k, for which weight/k is a scale. The error is the
+// deepest overlap of the last second.
+#include <algorithm>
+#include <random>
+
+#include "engine/mechanics.hpp"
+#include "scenes/registry.hpp"
+
+namespace spook {
+
+namespace {
+
+/// Numbers from -1 to 1 that are the same on every machine, which std::uniform_real_distribution's are not.
+class Jitter {
+ public:
+  explicit Jitter(unsigned seed) : engine_(seed) {}
+  double next() { return std::ldexp(static_cast<double>(engine_() >> 11), -52) - 1; }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+class Pile : public WorldScene<6> {
+ public:
+  Pile(const Parameters& p, const Method& method)
+      : WorldScene({.gravity = Vec3(0, 0, -p.number("g")),
+                    .k = p.number("k"),
+                    .d = p.number("d"),
+                    .friction = p.number("mu"),
+                    .viscosity = p.number("viscosity"),
+                    .impacts = ImpactLaw{.restitution = p.number("restitution"),
+                                         .friction = p.number("mu"),
+                                         .threshold = p.number("threshold")}},
+                   method),
+        radius_(p.number("radius")),
+        weight_(p.number("bodies") * p.number("m") * p.number("g")) {
+    const int n = p.count("bodies");
+    // Layers of side × side, as high as they are wide or a little higher.
+    const int side = std::max(1, static_cast<int>(std::cbrt(n)));
+    const double cell = 2.5 * radius_, half = side * cell / 2;
+    floor_ = world_.add_plane(Vec3::UnitZ(), 0);
+    for (const Vec3& inwards : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0)})
+      world_.add_plane(inwards, -half);
+
+    const double m = p.number("m");
+    Jitter jitter(static_cast<unsigned>(p.count("seed")));
+    for (int i = 0; i < n; ++i) {
+      const int column = i % (side * side), layer = i / (side * side);
+      const Vec3 place(column % side + 0.5 - side / 2.0, column / side + 0.5 - side / 2.0, layer + 0.5);
+      Vec3 off;
+      for (double& component : off) component = 0.2 * radius_ * jitter.next();
+      world_.add({.x = cell * place + off,
+                  .mass = m,
+                  .radius = radius_,
+                  .principal = solid_sphere_moments(m, radius_)});
+    }
+    overlaps_.resize(static_cast<std::size_t>(std::clamp(std::round(1 / h_), 1.0, 1e6)));
+  }
+
+  void observe() override {
+    overlaps_[static_cast<std::size_t>(world_.steps()) % overlaps_.size()] = deepest();
+  }
+  double error() const override { return *std::max_element(overlaps_.begin(), overlaps_.end()) / radius_; }
+
+  std::vector<std::string> columns() const override {
+    return {"time [s]",
+            "deepest overlap [m]",
+            "kinetic energy [J]",
+            "fastest centre [m/s]",
+            "floor's load over the weight",
+            "contacts",
+            "impacts"};
+  }
+  std::vector<double> sample() const override {
+    return {time(),
+            deepest(),
+            kinetic_energy(world_.bodies()),
+            fastest(),
+            load(),
+            static_cast<double>(world_.contacts().size()),
+            static_cast<double>(world_.report().impacts)};
+  }
+
+ private:
+  /// Of what touched in the last step, before it [m].
+  double deepest() const {
+    double depth = 0;
+    for (const Contact& contact : world_.contacts()) depth = largest(depth, -contact.gap);
+    return depth;
+  }
+
+  double fastest() const {
+    double v = 0;
+    for (const Twist<6>& W : world_.bodies().motion.W) v = largest(v, W.head<3>().norm());
+    return v;
+  }
+
+  double load() const {
+    double impulse = 0;
+    const int contacts = static_cast<int>(world_.contacts().size());
+    for (int c = 0; c < contacts; ++c)
+      if (world_.contacts()[static_cast<std::size_t>(c)].i == floor_) impulse += world_.lambda(c);
+    return relative(impulse / h_, weight_);
+  }
+
+  double radius_, weight_;
+  int floor_ = 0;
+  std::vector<double> overlaps_;  // of the last second, at each step [m]
+};
+
+}  // namespace
+
+SceneDescription pile() {
+  // Ten times as stiff, and fifty sweeps a step would leave it simmering.
+  Parameter k = parameter::stiffness();
+  k.value = 1e5;
+  return {.name = "pile",
+          .summary = "Spheres are dropped into a box, and come to rest.",
+          .answer =
+              "There is no closed form. At rest the floor carries the whole weight, whatever mu, and spheres "
+              "overlap by the load of a contact over k.",
+          .error_name = "deepest overlap of the last second over the radius",
+          .error_unit = "relative",
+          .parameters = {parameter::bodies(20, 2000),
+                         parameter::friction(),
+                         parameter::restitution(0.2),
+                         parameter::threshold(),
+                         {.name = "seed",
+                          .meaning = "of the jitter that they start with",
+                          .value = 1,
+                          .limits = {.low = 0, .high = 1e9, .whole = true}},
+                         parameter::mass(),
+                         parameter::radius(0.1),
+                         parameter::gravity(),
+                         k,
+                         parameter::relaxation(),
+                         parameter::viscosity()},
+          .h = 0.01,
+          .time = 4,
+          .solves = true,
+          .build = build_as<Pile>};
+}
+
+}  // namespace spook

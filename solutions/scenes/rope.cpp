@@ -1,0 +1,98 @@
+// A rope of equal links between two supports at one height: chapter 06's rope(), hung up.
+//
+// The answer is the chain of HangingChain: links that are T_i/k too long, as SPOOK's are at rest. It begins there, and
+// should stay; or with links at their natural length, and then gives way by T_i/k and swings about the answer for good:
+// no row brakes what moves across it.
+#include "common/require.hpp"
+#include "scenes/half_step_energy.hpp"
+#include "scenes/hanging_chain.hpp"
+#include "scenes/registry.hpp"
+
+namespace spook {
+
+namespace {
+
+class Rope : public WorldScene<3> {
+ public:
+  Rope(const Parameters& p, const Method& method)
+      : WorldScene({.gravity = Vec3(0, 0, -p.number("g")), .k = p.number("k"), .d = p.number("d")}, method),
+        links_(p.count("links")),
+        length_(p.number("length")),
+        g_(p.number("g")) {
+    const double span = p.number("span");
+    if (!(span < length_)) reject("span", span, "less than length");
+    const Net net = spook::rope(Vec3::Zero(), length_ * Vec3::UnitX(), links_, p.number("m"));
+    const double weight = g_ * p.number("m") / links_;
+    const auto chain = [&](double k) { return hanging_chain(links_, length_ / links_, span, weight, k); };
+    answer_ = chain(p.number("k"));
+
+    const std::vector<Vec3> x = p.choice("begin") == "at_rest" ? answer_.x : chain(infinity).x;
+    for (std::size_t k = 0; k < x.size(); ++k)
+      if (k == 0 || k == x.size() - 1)
+        world_.add_fixed(x[k]);
+      else
+        world_.add({.x = x[k], .mass = net.mass[k]});
+    for (const Link& link : net.links) world_.add_joint({.i = link.i, .j = link.j, .length = link.length});
+  }
+
+  void observe() override {
+    for (std::size_t k = 0; k < answer_.x.size(); ++k)
+      largest_error_ = largest(largest_error_, (world_.bodies().x[k] - answer_.x[k]).norm());
+  }
+  double error() const override { return relative(largest_error_, length_); }
+
+  std::vector<std::string> columns() const override {
+    return {"time [s]",         "lowest z [m]",        "end tension [N]", "middle tension [N]",
+            "answer's end [N]", "answer's middle [N]", "energy [J]"};
+  }
+  std::vector<double> sample() const override {
+    double lowest = 0;
+    for (const Vec3& x : world_.bodies().x) lowest = std::min(lowest, x.z());
+    return {time(),
+            lowest,
+            tension(0),
+            tension(links_ / 2),
+            answer_.tension.front(),
+            answer_.tension[static_cast<std::size_t>(links_ / 2)],
+            half_step_energy(world_.bodies(), g_, h_)};
+  }
+
+ private:
+  /// In the last step.
+  double tension(int link) const { return -world_.joint_lambda(link) / h_; }
+
+  int links_;
+  double length_, g_;
+  HangingChain answer_;
+  double largest_error_ = 0;
+};
+
+}  // namespace
+
+SceneDescription rope() {
+  return {.name = "rope",
+          .summary = "A rope hangs between two supports at one height.",
+          .answer =
+              "The chain of N links in balance: each pulls sideways with the same H, and up or down with the "
+              "weights between it and the middle; Σ (l/T_i + 1/k) H = span gives H. Whatever h and d.",
+          .error_name = "largest position error of a point over the length of the rope",
+          .error_unit = "relative",
+          .parameters = {parameter::links(10),
+                         parameter::length(),
+                         {.name = "span",
+                          .meaning = "between the supports; less than length, more than a link",
+                          .unit = "m",
+                          .value = 0.8,
+                          .limits = {.low = 0, .low_included = false}},
+                         parameter::begin(),
+                         parameter::mass(),
+                         parameter::weighing_gravity(),
+                         parameter::stiffness(),
+                         parameter::relaxation()},
+          .h = 1.0 / 240,
+          .time = 2,
+          .solves = true,
+          .build = build_as<Rope>};
+}
+
+}  // namespace spook

@@ -1,0 +1,118 @@
+// A wire of links with a load at its end, hanging straight down: what Gauss-Seidel finds hardest.
+//
+//   T_i = (M + (N - i) m) g      tension of link i = 1 … N from the top, M = ratio m the load        Eq. (6.8)
+//   Σ T_i/k                      the stretch of the wire, whatever h and d                           Eq. (6.9)
+//
+// The stretch is what is left of Eq. (3.7) at rest, if the solver gets there. If it stops early, each λ is too small,
+// and the wire sinks until the gaps make up for it: Eq. (6.12) says how many sweeps it needs.
+//
+// As bodies, the links are spheres on a string, with ball joints where they would touch. On the vertical nothing turns,
+// and λ and the stretch are those of the points.
+#include "scenes/registry.hpp"
+
+namespace spook {
+
+namespace {
+
+template <int Dof>
+class Wire : public WorldScene<Dof> {
+ public:
+  Wire(const Parameters& p, const Method& method)
+      : WorldScene<Dof>({.gravity = Vec3(0, 0, -p.number("g")), .k = p.number("k"), .d = p.number("d")},
+                        method),
+        links_(p.count("links")),
+        length_(p.number("length")) {
+    const double m = p.number("m"), M = p.number("ratio") * m;
+    const bool at_rest = p.choice("begin") == "at_rest";
+
+    world_.add_fixed(Vec3::Zero());
+    double end = 0;  // of the wire so far, below the anchor
+    for (int i = 1; i <= links_; ++i) {
+      const double stretch = (M + (links_ - i) * m) * p.number("g") / p.number("k");  // Eq. (6.8)
+      rest_stretch_ += stretch;
+      const double begin = at_rest ? end + stretch : end;
+      end = begin + link();
+      add_link(begin, i == links_ ? M : m);
+    }
+  }
+
+  void observe() override { error_ = std::abs(stretch() - rest_stretch_); }
+  double error() const override { return relative(error_, length_); }
+
+  std::vector<std::string> columns() const override {
+    return {"time [s]", "stretch [m]", "stretch over length [-]", "top tension [N]", "lowest tension [N]"};
+  }
+  std::vector<double> sample() const override {
+    return {this->time(), stretch(), stretch() / length_, tension(0), tension(links_ - 1)};
+  }
+
+ private:
+  using WorldScene<Dof>::world_;
+  using WorldScene<Dof>::h_;
+
+  double link() const { return length_ / links_; }
+
+  /// From a body's centre to the lower end of its link: a point mass sits there.
+  Vec3 to_end() const { return Dof == 3 ? Vec3::Zero() : Vec3(0, 0, -link() / 2); }
+
+  /// Hangs the next link below the bodies that there are.
+  void add_link(double begin, double mass) {
+    const int above = static_cast<int>(world_.bodies().size()) - 1;
+    Body<Dof> body;
+    body.x = Vec3(0, 0, -begin - link()) - to_end();
+    body.mass = mass;
+    Joint joint{.i = above, .j = above + 1};
+    if constexpr (Dof == 3) {
+      joint.length = link();
+    } else {
+      body.principal = solid_sphere_moments(mass, link() / 2);
+      if (above > 0) joint.p_i = to_end();
+      joint.p_j = -to_end();
+    }
+    world_.add(body);
+    world_.add_joint(joint);
+  }
+
+  double stretch() const { return -(world_.x(links_) + to_end()).z() - length_; }
+
+  /// In the last step.
+  double tension(int joint) const {
+    // A ball joint's third row pulls the lower body along +z.
+    return (Dof == 3 ? -world_.joint_lambda(joint) : world_.joint_lambda(joint, 2)) / h_;
+  }
+
+  int links_;
+  double length_;
+  double rest_stretch_ = 0;
+  double error_ = 0;
+};
+
+}  // namespace
+
+SceneDescription wire() {
+  return {.name = "wire",
+          .summary = "A wire of light links hangs straight down, with a load at its end.",
+          .answer =
+              "The stretch is Σ T_i/k, T_i = (M + (N - i) m) g the tension of link i, M = ratio m the load, "
+              "whatever h and d. To get there Gauss-Seidel needs some (N - 1) ratio ln(1/tolerance) sweeps for "
+              "a heavy load, 5.6 N² to 1e-6 for a ratio of 1; with fewer it is rubber.",
+          .error_name = "error of the last stretch over the length of the wire",
+          .error_unit = "relative",
+          .parameters = {parameter::links(5),
+                         parameter::ratio(),
+                         {.name = "model",
+                          .meaning = "point: point masses on distances; body: spheres on ball joints",
+                          .choices = {"point", "body"}},
+                         parameter::begin(),
+                         parameter::length(),
+                         parameter::mass(0.01),
+                         parameter::gravity(),
+                         parameter::stiffness(),
+                         parameter::relaxation()},
+          .h = 1.0 / 60,
+          .time = 5,
+          .solves = true,
+          .build = build_model<Wire>};
+}
+
+}  // namespace spook

@@ -1,0 +1,191 @@
+// The mass that stands in for the load on a contact: closed forms, and what becomes of it.
+#include "exercise_test.hpp"
+#include "sliding.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(RepresentativeMass, "5.3 representative_mass");
+
+const std::string sum = "This adds the masses. Of two bodies the lighter one decides: add the inverse masses.";
+
+EXERCISE_TEST(RepresentativeMass, IsTheReducedMassOfTwoBodies) {
+  expect_near("m of one contact between 3 kg and 6 kg [kg]", "Eq. (5.6)",
+              representative_mass(1.0 / 3, 1.0 / 6, 1), 2, roundings(16, 2),
+              {{9, sum},
+               {0.5, "This is 1/m_i + 1/m_j, an inverse mass: one over it is the mass."},
+               {4.5, "This is the mean of the masses. m is 1/(1/m_i + 1/m_j)."},
+               {4, "This is twice the reduced mass. m is 1/(1/m_i + 1/m_j)."},
+               {3, "This is the mass of the lighter body alone. Both give way: m is less than either."},
+               {6, "This is the mass of body j alone. Both give way: m is less than either."},
+               {1.0 / 9, "This took the inverse masses for masses: what comes in is 1/m already."}},
+              "m = 1/(1/m_i + 1/m_j) for one contact.");
+}
+
+EXERCISE_TEST(RepresentativeMass, IsSharedByTheContacts) {
+  expect_near("m of each of 5 contacts between 3 kg and 6 kg [kg]", "Eq. (5.6)",
+              representative_mass(1.0 / 3, 1.0 / 6, 5), 0.4, roundings(16),
+              {{2, "This is the mass of all five. Each contact has its share, a fifth."},
+               {0.08, "This has been shared twice: divide by N once."},
+               {10, "This has been multiplied by N: more contacts have less each."},
+               {0, "1/N in integers is 0: let a double take part in the division."},
+               {9.0 / 5, sum}},
+              "Each of N contacts stands for m/N.");
+  Random random;
+  const double inverse_i = random.uniform(0.1, 2), inverse_j = random.uniform(0.1, 2);
+  const double whole = representative_mass(inverse_i, inverse_j, 1);
+  for (int contacts = 1; contacts <= 100; ++contacts)
+    expect_near("N m over m of a single contact, N = " + std::to_string(contacts), "Eq. (5.6)",
+                contacts * representative_mass(inverse_i, inverse_j, contacts) / whole, 1, roundings(16), {},
+                "Together the contacts stand for what one alone would.");
+}
+
+EXERCISE_TEST(RepresentativeMass, BesideAFixedBodyIsTheOthers) {
+  const std::string rule =
+      "A fixed body has the inverse mass 0 and adds nothing to 1/m_i + 1/m_j: only add, "
+      "and divide by the sum. No mass is computed on the way, as the fixed body's is infinite.";
+  for (const int contacts : {1, 4}) {
+    const std::string text = "m of each of " + std::to_string(contacts) + " between a fixed body and 3 kg";
+    const double m = 3.0 / contacts;
+    expect_near(text + ", i fixed [kg]", "Eq. (5.6)", representative_mass(0, 1.0 / 3, contacts), m,
+                roundings(16, 3), {{0, "The fixed body's mass is infinite, not 0."}}, rule);
+    expect_near(text + ", j fixed [kg]", "Eq. (5.6)", representative_mass(1.0 / 3, 0, contacts), m,
+                roundings(16, 3), {{0, "The fixed body's mass is infinite, not 0."}}, rule);
+  }
+}
+
+EXERCISE_TEST(RepresentativeMass, IsLessThanEitherAndTheSameFromBothSides) {
+  Random random;
+  for (int trial = 0; trial < 100 && !::testing::Test::HasFailure(); ++trial) {
+    const double m_i = random.log_uniform(1e-3, 1e3), m_j = random.log_uniform(1e-3, 1e3);
+    const double m = representative_mass(1 / m_i, 1 / m_j, 1), lighter = std::min(m_i, m_j);
+    given() = "m_i = " + show(m_i) + " kg, m_j = " + show(m_j) + " kg";
+    expect_near("m with i and j exchanged [kg]", "Eq. (5.6)", representative_mass(1 / m_j, 1 / m_i, 1), m,
+                roundings(16, m), {}, "Friction acts on both alike: neither body comes first.");
+    expect_at_most("m [kg]", "Eq. (5.6)", m, lighter * (1 + 1e-15), "the lighter mass, and its roundings",
+                   "Both bodies give way: m is less than either mass.");
+    expect_at_least("m [kg]", "Eq. (5.6)", m, lighter / 2 * (1 - 1e-15),
+                    "half the lighter mass, less roundings",
+                    "Two equal masses have half of one; a heavier partner can only make it more.");
+  }
+}
+
+constexpr double mu = 0.5, g = 9.81, h = 0.01;
+
+EXERCISE_TEST(RepresentativeMass, BrakesABlockAlikeOnAnyNumberOfContacts) {
+  for (const int contacts : {1, 2, 4, 7}) {
+    const double m = 3, share = representative_mass(0, 1 / m, contacts);
+    Random random;
+    const Tangents t = random_tangents(random);
+    Block block{.m = m, .h = h, .constraints = {}};
+    for (int k = 0; k < contacts; ++k)
+      block.add(friction_constraints<3>(contact_between(0, 1, t), t, friction_bound(mu, share, g, h),
+                                        friction_parameters(h, infinity)));
+    block.v = 2 * t.t1;
+    block.step();
+    expect_near(
+        "deceleration of a sliding block on " + std::to_string(contacts) + " contacts [m/s²]",
+        "Eq. (5.6), (5.7)", (2 - block.v.dot(t.t1)) / h, mu * g, roundings(64, 2 / h),
+        {{contacts * mu * g, "N times too much: every contact has the friction of all. Share the mass."},
+         {mu * g / contacts, "N times too little: the mass has been shared twice."}},
+        "All N together brake it by μ g, as one would.");
+  }
+}
+
+// Equal blocks on a floor, one on the other, and the friction between them; body 0 is the floor.
+struct Tower {
+  static constexpr double m = 2;
+  Tangents t;
+  Motion<3> motion;
+  std::vector<Constraint<3>> constraints;
+
+  Tower(int blocks, double coefficient, double g_n, const Tangents& tangents) : t(tangents) {
+    const double between = representative_mass(1 / m, 1 / m, 1), below = representative_mass(0, 1 / m, 1);
+    for (int k = 0; k <= blocks; ++k) {
+      motion.inverse_mass.push_back({.linear = k == 0 ? 0 : 1 / m});
+      motion.W.push_back(Vec3::Zero());
+      motion.Wf.push_back(Vec3::Zero());
+      if (k == 0) continue;
+      const double bound = friction_bound(coefficient, k == 1 ? below : between, g_n, h);
+      for (const auto& row :
+           friction_constraints<3>(contact_between(k - 1, k, t), t, bound, friction_parameters(h, infinity)))
+        constraints.push_back(row);
+    }
+  }
+};
+
+// Each block is faster than the one below: every contact slides at its bound. Coulomb would brake each block by
+// μ g, as each contact carries what is above it.
+EXERCISE_TEST(RepresentativeMass, KnowsNothingOfWhatRestsOnTop) {
+  const int blocks = 5;
+  Random random;
+  Tower tower(blocks, mu, g, random_tangents(random));
+  for (int k = 1; k <= blocks; ++k) tower.motion.W[static_cast<std::size_t>(k)] = k * tower.t.t1;
+  const std::vector<Twist<3>> V = solved(tower.constraints, tower.motion);
+  for (int k = 1; k <= blocks; ++k) {
+    const double half = -mu * g / 2;
+    expect_near(
+        "acceleration of block " + std::to_string(k) + " of 5, each sliding on the one below [m/s²]",
+        "Eq. (5.6), (5.15)", V[static_cast<std::size_t>(k)].dot(tower.t.t1) / h,
+        k == 1 || k == blocks ? half : 0, roundings(64, blocks / h),
+        {{-mu * g,
+          "This is Coulomb's, by the load above. The box knows the two bodies only: between two "
+          "equal ones m is half of one."},
+         {4 * half, "Between two equal bodies m is half of one, not the sum."}},
+        "Between equal blocks m is m/2 everywhere, so what brakes a block from below drives it from above. "
+        "On the floor it is m, so the lowest block is left with half.");
+  }
+}
+
+// The contact above the lowest block must hold the n - 1 blocks on it, and has half of what one on the floor has:
+// it gives way first. Coulomb would hold the tower wherever he holds a block.
+EXERCISE_TEST(RepresentativeMass, HoldsATowerOnASlopeLessThanABlock) {
+  Random random;
+  const double theta = 0.1, pull = h * g * std::sin(theta);
+  for (const int blocks : {3, 5}) {
+    const Tangents t = random_tangents(random);
+    for (const double above : {1e-9, -1e-9}) {
+      const double needed = 2 * (blocks - 1) * std::tan(theta);
+      Tower tower(blocks, needed * (1 + above), g * std::cos(theta), t);
+      for (int k = 1; k <= blocks; ++k) tower.motion.Wf[static_cast<std::size_t>(k)] = pull * t.t1;
+      const std::vector<Twist<3>> V = solved(tower.constraints, tower.motion);
+      for (int k = 1; k <= blocks; ++k)
+        expect_near("speed of block " + std::to_string(k) + " of " + std::to_string(blocks) +
+                        " after a step on a slope, μ = 2 (n - 1) tan θ times 1 " + (above > 0 ? "+" : "-") +
+                        " 1e-9 [m/s]",
+                    "Eq. (5.6), (5.15)", pull + V[static_cast<std::size_t>(k)].dot(t.t1),
+                    above < 0 && k > 1 ? 1e-9 * pull : 0,
+                    {1e-12, "the solver's tolerance, 1e-14 m/s, times n²"},
+                    {{0, "It holds. Between equal bodies m is half of one, whatever rests on it."}},
+                    "Between equal blocks m is half of one, and must hold all that is above.");
+    }
+  }
+}
+
+EXERCISE_TEST(RepresentativeMass, RejectsWhatIsNoInverseMass) {
+  representative_mass(1, 1, 1);
+  for (const double wrong : {-1.0, std::nan(""), HUGE_VAL}) {
+    expect_rejects("inverse_mass_i = " + show(wrong), "inverse_mass_i",
+                   [&] { representative_mass(wrong, 1, 1); });
+    expect_rejects("inverse_mass_j = " + show(wrong), "inverse_mass_j",
+                   [&] { representative_mass(1, wrong, 1); });
+  }
+}
+
+EXERCISE_TEST(RepresentativeMass, RejectsTwoFixedBodies) {
+  representative_mass(1, 1, 1);
+  expect_rejects(
+      "both inverse masses 0", "inverse_mass_j", [] { representative_mass(0, 0, 1); },
+      "Two fixed bodies have no reduced mass: 1/0 would be a friction without bound.");
+}
+
+EXERCISE_TEST(RepresentativeMass, RejectsLessThanOneContact) {
+  representative_mass(1, 1, 1);
+  for (const int contacts : {0, -3})
+    expect_rejects("contacts = " + std::to_string(contacts), "contacts",
+                   [&] { representative_mass(1, 1, contacts); });
+}
+
+}  // namespace

@@ -1,0 +1,250 @@
+// Balls that hit each other, or the floor, against chapter 07's formulas, and those against something else.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "checks.hpp"
+#include "scene_runs.hpp"
+#include "scenes/bounces.hpp"
+#include "scenes/pairwise.hpp"
+
+namespace spook {
+namespace {
+
+constexpr double epsilon = 2.2e-16;
+constexpr double g = 9.81;
+
+// bouncing_ball
+
+TEST(Bounces, AgreesWithFlightsOneByOne) {
+  const double h0 = 2.5, e = 0.7;
+  Bounces answer(h0, g, e);
+  // A flight from z = 0 with v ends where v t - g t²/2 = 0.
+  double begin = std::sqrt(2 * h0 / g), v = g * begin;
+  for (double t = 0; t < begin; t += 0.01) EXPECT_NEAR(answer.height(t), h0 - g * t * t / 2, 1e-13);
+  for (int n = 1; n <= 20; ++n) {
+    v *= e;
+    EXPECT_NEAR(answer.peak(n), v * v / (2 * g), 1e-13 * h0) << "Eq. (7.11)";
+    for (const double part : {0.1, 0.5, 0.9}) {
+      const double t = part * 2 * v / g;
+      EXPECT_NEAR(answer.height(begin + t), v * t - g * t * t / 2, 1e-12) << "flight " << n;
+    }
+    begin += 2 * v / g;
+  }
+  EXPECT_NEAR(answer.end(), begin + 2 * e * v / (g * (1 - e)), 1e-12) << "Eq. (7.12)";
+  EXPECT_EQ(answer.height(answer.end() - 1e-16), 0) << "flights shorter than a rounding";
+  EXPECT_EQ(answer.height(answer.end() + 1), 0);
+}
+
+TEST(Bounces, EndAtOnceOrNever) {
+  Bounces dead(1, g, 0), alive(1, g, 1);
+  EXPECT_EQ(dead.end(), std::sqrt(2 / g));
+  EXPECT_EQ(dead.peak(0), 1);
+  EXPECT_EQ(dead.peak(1), 0);
+  EXPECT_EQ(dead.height(1), 0);
+  EXPECT_TRUE(std::isinf(alive.end()));
+  EXPECT_NEAR(alive.height(200 * std::sqrt(2 / g)), 1, 1e-10);
+}
+
+TEST(BouncingBallScene, ComesBackForEverWithRestitution1) {
+  for (const double h : {1.0 / 60, 1.0 / 600})
+    for (const std::string h0 : {"1", "0.3"}) {
+      const SceneRun run = run_of("bouncing_ball", {{"restitution", "1"}, {"h0", h0}}, h, 20);
+      // Each step rounds z, v² and the sum of the two; they may all go one way.
+      EXPECT_LE(run.error, 8 * epsilon * 20 / h) << "h " << h << ", h0 " << h0;
+      EXPECT_GE(run.last("bounces"), 20);
+    }
+}
+
+/// How deep the ball is in the floor when a step first finds it there, dropped from 1 m [m].
+double first_depth(double h) {
+  const double t = h * std::ceil(std::sqrt(2 / g) / h);
+  return g * t * t / 2 - 1;
+}
+
+TEST(BouncingBallScene, LosesAtTheFirstBounceWhatTheFloorHid) {
+  for (const double h : {0.05, 1.0 / 60, 0.01, 1.0 / 600})
+    for (const double e : {0.5, 0.8, 0.95}) {
+      const SceneRun run = run_of("bouncing_ball", {{"restitution", exact_text(e)}}, h, 0.55);
+      ASSERT_EQ(run.last("bounces"), 1);
+      EXPECT_NEAR(run.last("peak [m]"), e * e - (1 - e * e) * first_depth(h), 1e-12)
+          << "h " << h << ", e " << e;
+      EXPECT_NEAR(run.error, (1 - e * e) * first_depth(h), 1e-12);
+    }
+}
+
+TEST(BouncingBallScene, IsOfFirstOrder) {
+  // The first bounce comes a third of a step after one step, for every quarter of the step.
+  const double h = std::sqrt(2 / g) / (20 + 1.0 / 3);
+  const auto error = [](double step) { return error_of("bouncing_ball", {}, step, 0.6); };
+  EXPECT_NEAR(error(h) / error(h / 4), 4, 0.1);
+  EXPECT_NEAR(error(h / 4) / error(h / 16), 4, 0.03);
+}
+
+TEST(BouncingBallScene, IsOffByNoMoreThanTheDeepestItCanBe) {
+  const double fastest = std::sqrt(2 * g);
+  for (const double h : {1.0 / 60, 0.005, 0.001})
+    for (const std::string e : {"0.34", "0.5", "0.8", "0.99"})
+      // Of one bounce's error e² is left at the next, which adds at most 1 - e² of the depth.
+      EXPECT_LE(error_of("bouncing_ball", {{"restitution", e}}, h, 5), fastest * h + g * h * h)
+          << "h " << h << ", e " << e;
+}
+
+TEST(BouncingBallScene, IsPushedOutOfTheFloorBySpookWhenItHardlyBounces) {
+  // e = 0: the impact stops it at x_n. Then the row makes of its depth D what it makes of any gap, Eq. (3.7).
+  for (const double h : {1.0 / 60, 0.004, 0.0007}) {
+    const double D = first_depth(h);
+    const Spook s = spook_parameters(h, 1e6, 3);
+    const double W = g * h / 2;  // half a step behind, of what is at rest at x_n, Eq. (7.1)
+    const double after = W - g * h + (s.a * D - s.b * W + g * h) / (1 + s.Sigma);
+    const double time = h * (std::ceil(std::sqrt(2 / g) / h) + 1);
+    const SceneRun run = run_of("bouncing_ball", {{"restitution", "0"}}, h, time);
+    EXPECT_NEAR(run.last("v [m/s]"), after - g * h / 2, 1e-10) << "h " << h;
+  }
+}
+
+TEST(BouncingBallScene, BouncesAboveTheThresholdOnly) {
+  const double h = 0.001, e = 0.8, fastest = std::sqrt(2 * g);
+  // (Not for less: of the low bounces the floor hides too much.)
+  for (const double threshold : {0.5, 1.0, 2.0}) {
+    int bounces = 0;
+    for (double v = fastest; v > threshold + g * h; v *= e) ++bounces;
+    const SceneRun run = run_of("bouncing_ball", {{"threshold", exact_text(threshold)}}, h, 6);
+    EXPECT_EQ(run.last("bounces"), bounces) << "threshold " << threshold;
+    EXPECT_NEAR(run.last("z [m]"), -g / 1e6, 1e-9) << "it comes to rest";
+  }
+  EXPECT_EQ(run_of("bouncing_ball", {{"threshold", "5"}}, h, 1).last("bounces"), 0) << "4.43 m/s is less";
+}
+
+TEST(BouncingBallScene, EndsWhenTheSeriesDoes) {
+  const double h = 0.0005, e = 0.6;
+  const SceneRun run = run_of("bouncing_ball", {{"restitution", exact_text(e)}}, h, 3);
+  const double end = Bounces(1, g, e).end();
+  // Each bounce is up to a step late, and what is left at the threshold, g h, takes 2 e h/(1 - e).
+  EXPECT_NEAR(run.last("last bounce [s]"), end, h * (run.last("bounces") + 2 / (1 - e))) << "Eq. (7.12)";
+  EXPECT_GE(run.last("bounces"), 10);
+}
+
+// cradle
+
+TEST(PairByPair, ExchangesVelocitiesOfBallsThatLoseNothing) {
+  EXPECT_EQ(pair_by_pair({1, 0, 0}, 1, 0), (std::vector<double>{0, 0, 1})) << "Eq. (7.13)";
+  EXPECT_EQ(pair_by_pair({3, 2, 0, -1}, 1, 0), (std::vector<double>{-1, 0, 2, 3}));
+}
+
+TEST(PairByPair, KeepsMomentumAndLeavesNoApproach) {
+  for (const double e : {0.0, 0.3, 0.9, 1.0}) {
+    std::vector<double> v = {2, 0, 0.5, 0, -1};
+    const double momentum = std::accumulate(v.begin(), v.end(), 0.0);
+    v = pair_by_pair(v, e, 1e-12);
+    EXPECT_NEAR(std::accumulate(v.begin(), v.end(), 0.0), momentum, 1e-13);
+    for (std::size_t i = 0; i + 1 < v.size(); ++i) EXPECT_LE(v[i] - v[i + 1], 1e-12) << "e " << e;
+    if (e == 0) {
+      EXPECT_NEAR(v.front(), v.back(), 1e-11) << "they stay together";
+    }
+  }
+  // One impact: it parts at e times the approach.
+  const std::vector<double> two = pair_by_pair({1, 0}, 0.5, 0);
+  EXPECT_EQ(two, (std::vector<double>{0.25, 0.75}));
+}
+
+TEST(CradleScene, OneInOneOut) {
+  for (const std::string bodies : {"1", "2", "3", "5", "50"})
+    for (const std::string radius : {"0.1", "0.3", "7"})
+      for (const double h : {1.0 / 60, 0.01, 1e-4})
+        // The overlap, some 40 roundings of its way of 10 v h, and a few of x; paid back as 4/(13 h) of it.
+        EXPECT_LE(error_of("cradle", {{"bodies", bodies}, {"radius", radius}}, h, 30 * h), 1e-13)
+            << bodies << " bodies, radius " << radius << ", h " << h;
+}
+
+TEST(CradleScene, ExchangesPairByPairForAnyRestitution) {
+  for (const std::string e : {"0", "0.3", "0.5", "0.9", "0.99"})
+    for (const int bodies : {2, 3, 5, 20})
+      // An approach of 1e-9 v is let be in each contact.
+      EXPECT_LE(error_of("cradle", {{"restitution", e}, {"bodies", std::to_string(bodies)}}, 0.01, 0.5),
+                bodies * 1e-9)
+          << "e " << e << ", " << bodies << " bodies";
+}
+
+TEST(CradleScene, LatenessIsPaidBackAsVelocityWhateverTheStep) {
+  for (const double h : {0.01, 0.001})
+    for (const double late : {0.1, 0.5, 0.9})
+      for (const double d : {2.0, 3.0, 10.0}) {
+        const SceneSettings settings = {
+            {"bodies", "3"}, {"late", exact_text(late)}, {"d", exact_text(d)}, {"k", "1e9"}};
+        const SceneRun run = run_of("cradle", settings, h, 12 * h);
+        const double q = 4 * late / ((1 + 4 * d) * (2 + spook_parameters(h, 1e9, d).Sigma));
+        SCOPED_TRACE("h " + exact_text(h) + ", late " + exact_text(late) + ", d " + exact_text(d));
+        EXPECT_NEAR(run.error, q, 1e-10);
+        EXPECT_NEAR(run.last("v 0 [m/s]"), -q, 1e-10);
+        EXPECT_NEAR(run.last("v 1 [m/s]"), q, 1e-10);
+        EXPECT_NEAR(run.last("v 2 [m/s]"), 1, 1e-10);
+      }
+  EXPECT_LE(error_of("cradle", {{"bodies", "2"}, {"late", "0.9"}}, 0.01, 0.2), 1e-15)
+      << "two that part need no push";
+}
+
+TEST(CradleScene, RefusesBallsThatJumpThroughEachOther) {
+  const SceneDescription& cradle = find_scene("cradle");
+  try {
+    cradle.build(with(cradle, {{"v0", "11"}}), {.h = 0.01});
+    ADD_FAILURE() << "nothing was thrown";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("v0 h must be at most the radius"), std::string::npos)
+        << error.what();
+  }
+}
+
+// pile
+
+TEST(PileScene, ComesToRestOnItsFloor) {
+  const SceneRun run = run_of("pile", {{"bodies", "12"}}, 0.01, 4);
+  const std::vector<double>& energy = run.all("kinetic energy [J]");
+  const double most = *std::max_element(energy.begin(), energy.end());
+  EXPECT_GE(most, 1) << "they were meant to fall";
+  EXPECT_LE(energy.back(), 1e-3 * most);
+  EXPECT_NEAR(run.last("floor's load over the weight"), 1, 1e-3);
+  EXPECT_LE(run.error, 12 * g / (1e5 * 0.1)) << "the whole weight on one contact, over k";
+  EXPECT_GE(run.error, g / (1e5 * 0.1)) << "those on the floor carry themselves at least";
+}
+
+TEST(PileScene, WithoutFrictionNothingMovesInTheEnd) {
+  const SceneRun run = run_of("pile", {{"bodies", "12"}, {"mu", "0"}, {"seed", "7"}}, 0.01, 6);
+  EXPECT_LE(run.last("fastest centre [m/s]"), 1e-6);
+  EXPECT_NEAR(run.last("floor's load over the weight"), 1, 1e-6);
+}
+
+TEST(PileScene, IsTheSameForTheSameSeed) {
+  const auto energies = [](const std::string& seed) {
+    return run_of("pile", {{"bodies", "8"}, {"seed", seed}}, 0.01, 0.5).all("kinetic energy [J]");
+  };
+  EXPECT_EQ(energies("3"), energies("3"));
+  EXPECT_NE(energies("3"), energies("4"));
+}
+
+// all of them
+
+TEST(FrictionAndImpactScenes, GiveANumberForWhateverIsAllowed) {
+  for (const std::string name :
+       {"incline", "sliding_block", "slide_to_roll", "spinning_disc", "bouncing_ball", "cradle", "pile"}) {
+    const SceneDescription& scene = find_scene(name);
+    for (const Parameter& parameter : scene.parameters)
+      for (const double value : {0.0, 1e-9, 1e-3, 0.5, 1.0, 8.0, 1e3, 1e9}) {
+        if (!parameter.choices.empty() || !parameter.limits.allow(value)) continue;
+        if (parameter.limits.whole && value > 100) continue;  // allowed, but slow
+        SCOPED_TRACE(name + " " + parameter.name + "=" + exact_text(value));
+        try {
+          const SceneRun run = run_of(name, {{parameter.name, exact_text(value)}}, scene.h, 12 * scene.h);
+          EXPECT_GE(run.error, 0);
+          for (const auto& [column, values] : run.columns)
+            for (const double each : values) EXPECT_FALSE(std::isnan(each)) << column;
+        } catch (const std::invalid_argument&) {
+        } catch (const Blowup&) {
+        }
+      }
+  }
+}
+
+}  // namespace
+}  // namespace spook

@@ -1,0 +1,17 @@
+// Wrong: gives the force, as the notes do: 60 times too strong at 60 steps a second.
+// Killed by: FrictionBound.IsTheFrictionForceOfAStep
+// Says: 60 times too strong
+#include "05_friction_box/friction_box.hpp"
+#include "common/require.hpp"
+
+namespace spook {
+
+double friction_bound(double mu, double mass, double normal_gravity, double h) {
+  require_not_negative("mu", mu);
+  require_not_negative("mass", mass);
+  require_not_negative("normal_gravity", normal_gravity);
+  require_positive("h", h);
+  return mu * mass * normal_gravity;
+}
+
+}  // namespace spook

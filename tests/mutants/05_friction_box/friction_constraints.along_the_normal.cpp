@@ -1,0 +1,32 @@
+// Wrong: forgets to put the tangent in the place of the normal.
+// Killed by: FrictionConstraints.PointAlongTheTangents
+// Says: This is the row of the contact itself
+#include "05_friction_box/friction_box.hpp"
+
+namespace spook {
+
+template <int Dof>
+static Constraint<Dof> along(const Contact& contact, double bound, const Spook& spook) {
+  const ContactJacobian G = contact_jacobian(contact);
+  return {.i = contact.i,
+          .j = contact.j,
+          .Gi = G.Gi.head<Dof>(),
+          .Gj = G.Gj.head<Dof>(),
+          .gap = 0,
+          .spook = spook,
+          .lo = -bound,
+          .hi = bound};
+}
+
+template <int Dof>
+std::array<Constraint<Dof>, 2> friction_constraints(const Contact& contact, const Tangents&, double bound,
+                                                    const Spook& spook) {
+  return {along<Dof>(contact, bound, spook), along<Dof>(contact, bound, spook)};
+}
+
+template std::array<Constraint<3>, 2> friction_constraints<3>(const Contact&, const Tangents&, double,
+                                                              const Spook&);
+template std::array<Constraint<6>, 2> friction_constraints<6>(const Contact&, const Tangents&, double,
+                                                              const Spook&);
+
+}  // namespace spook

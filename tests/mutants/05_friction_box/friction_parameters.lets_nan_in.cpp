@@ -1,0 +1,15 @@
+// Wrong: asks whether c is <= 0, which NaN is not.
+// Killed by: FrictionParameters.RejectAViscosityThatIsNotPositive
+// Says: c = NaN
+#include "05_friction_box/friction_box.hpp"
+#include "common/require.hpp"
+
+namespace spook {
+
+Spook friction_parameters(double h, double c) {
+  require_positive("h", h);
+  if (c <= 0) reject("c", c, "positive; it may be infinite");
+  return {.a = 0, .b = 1, .Sigma = 1 / (h * c)};
+}
+
+}  // namespace spook

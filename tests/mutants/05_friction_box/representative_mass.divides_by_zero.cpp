@@ -1,0 +1,19 @@
+// Wrong: computes both masses first: that of a fixed body is infinite, and ∞/∞ is NaN.
+// Killed by: RepresentativeMass.BesideAFixedBodyIsTheOthers
+// Says: No mass is computed on the way
+#include "05_friction_box/friction_box.hpp"
+#include "common/require.hpp"
+
+namespace spook {
+
+double representative_mass(double inverse_mass_i, double inverse_mass_j, int contacts) {
+  require_not_negative("inverse_mass_i", inverse_mass_i);
+  require_not_negative("inverse_mass_j", inverse_mass_j);
+  if (inverse_mass_i + inverse_mass_j == 0)
+    reject("inverse_mass_j", inverse_mass_j, "positive where inverse_mass_i is 0");
+  if (contacts < 1) reject("contacts", contacts, "at least 1");
+  const double m_i = 1 / inverse_mass_i, m_j = 1 / inverse_mass_j;
+  return m_i * m_j / (m_i + m_j) / contacts;
+}
+
+}  // namespace spook
