@@ -110,10 +110,10 @@ def slope(axes, power: float, x: tuple[float, float], y: float, text: str) -> No
     axes.annotate(text, (x[1], end), xytext=(4, 0), textcoords="offset points", va="center", fontsize=9)
 
 
-def field(axes, table: Table, x: str, y: str, value: str, scale: tuple[float, float], lost: str | None = None):
-    """A map on logarithmic axes, a cell a row of the table: colour is the value, on a logarithmic scale from `scale[0]`
-    to `scale[1]`, lighter for more. Cells in which the column `lost` is not 0 are white, hatched. Returns what a
-    colour bar wants."""
+def field(axes, table: Table, x: str, y: str, value: str, scale: tuple[float, float],
+          lost: str | None = None):
+    """A map on logarithmic axes, a cell a row of the table: colour is the value, on a logarithmic scale, lighter for
+    more. Cells in which the column `lost` is not 0 are white, hatched. Returns what a colour bar wants."""
     across, up = sorted(table.values(x)), sorted(table.values(y))
     cells = np.full((len(up), len(across)), np.nan)
     gone = np.zeros(cells.shape, dtype=bool)
@@ -127,8 +127,8 @@ def field(axes, table: Table, x: str, y: str, value: str, scale: tuple[float, fl
     for row, column in zip(*np.nonzero(gone)):
         left, right = sides[0][column:column + 2]
         low, high = sides[1][row:row + 2]
-        axes.add_patch(Rectangle((left, low), right - left, high - low, facecolor="white", edgecolor="#888888",
-                                 hatch="////", linewidth=0))
+        axes.add_patch(Rectangle((left, low), right - left, high - low, facecolor="white",
+                                 edgecolor="#888888", hatch="////", linewidth=0))
     axes.set(xscale="log", yscale="log", xlim=sides[0][[0, -1]], ylim=sides[1][[0, -1]])
     return mesh
 

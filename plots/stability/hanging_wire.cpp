@@ -5,9 +5,9 @@
 // below 1e-4 of what is found.
 //
 // The law. At rest λ = h T after however few sweeps: the gaps grow until it is. As long as n sweeps are far too few,
-// each finds as much as the first, and that is about m B in a row, where B is smooth along the wire: 2/m on the diagonal
-// and -1/m before it make 1/m. (The last row has 1/m on its diagonal under a heavy load: 0, it does not give.) So
-// n m B = h T, and B = a g, but for the weight: each link gives way as a spring of
+// each finds as much as the first, and that is about m B in a row, where B is smooth along the wire: 2/m on the
+// diagonal and -1/m before it make 1/m. (The last row has 1/m on its diagonal under a heavy load: 0, it does not
+// give.) So n m B = h T, and B = a g, but for the weight: each link gives way as a spring of
 //
 //   k' = n m 4/(h² (1+4d)),     that for which mΣ = 1/n, Eq. (3.6);     stretch = Σ T_i/k', i < N, as Eq. (6.9)
 //
@@ -89,8 +89,8 @@ Experiment experiment(Size size) {
       if (law[n] > 20 * as_one) off = std::max(off, std::abs(found[n] / law[n] - 1));
     }
     claims.at_most(
-        "n sweeps make each link a spring of k' = 4 n m/(h² (1+4d)): where ΣT is above 20 n m g the stretch is "
-        "ΣT/k', to 10 per cent",
+        "with n sweeps a step each link is a spring of k' = 4 n m/(h² (1+4d)): where ΣT is above 20 n m g the "
+        "stretch is ΣT/k', to 10 per cent",
         off, 0.1);
     claims.at_least("no wire is lost, longer than twice its length, for which ΣT/k' is below one half of it",
                     shortest_lost, 0.5);

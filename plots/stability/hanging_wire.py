@@ -1,4 +1,4 @@
-"""Stretch of a hanging wire under 50 sweeps a step, by links and load, with the lines on which ΣT/k' is 1 % and 50 %."""
+"""Stretch of a hanging wire under 50 sweeps a step, by links and load."""
 
 import sys
 from pathlib import Path
@@ -6,7 +6,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
 import figures  # noqa: E402
 
-TITLE = "A hanging wire with 50 sweeps a step: n sweeps are a spring of k' = 4 n m/(h² (1+4d))"
+TITLE = "A hanging wire with 50 sweeps a step: rubber, and which"
 SCALE = (1e-5, 1)
 
 

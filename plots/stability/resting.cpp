@@ -3,14 +3,14 @@
 // m = 1 kg, radius 0.5 m, h = 1/60 s; let go where it touches, for as many steps as the roots of Eq. (3.14) want to
 // forget that to 1e-17, and 1000 more. Errors are relative: |gap + mg/k| over mg/k, |λ - h m g| over h m g, Eq. (3.13).
 //
-// The law. Nothing but roundings is left. x just below 0.5 m is a multiple of u = 2⁻⁵⁴ m. A ball whose gap is wrong by δ
-// comes back at v = δ/(dh), since -aδ - bv = 0, Eq. (3.10). If h v = δ/d is less than u/2, x + h v rounds to x again: the
-// ball stays where it is, with v ≠ 0. So the gap may be off by
+// The law. Nothing but roundings is left. x just below 0.5 m is a multiple of u = 2⁻⁵⁴ m. A ball whose gap is wrong
+// by δ comes back at v = δ/(dh), since -aδ - bv = 0, Eq. (3.10). If h v = δ/d is less than u/2, x + h v rounds to x
+// again: the ball stays where it is, with v ≠ 0. So the gap may be off by
 //
 //   |δ| <= d u/2 + u,     over mg/k
 //
-// (the second u for the place that is wanted, which is no multiple of u). While the ball is stuck λ is right; a ball that
-// still hops by u now and then has λ off by a u, over h g: 2.7e-14 for d = 1/2, and less for more.
+// (the second u for the place that is wanted, which is no multiple of u). While the ball is stuck λ is right; a ball
+// that still hops by u now and then has λ off by a u, over h g: 2.7e-14 for d = 1/2, and less for more.
 #include <algorithm>
 #include <cmath>
 #include <complex>

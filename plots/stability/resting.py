@@ -22,8 +22,8 @@ def draw(data, mine):
         line = [(10.0**power * G / (U * (d / 2 + 1)), d) for d in ds]
         figures.law(grid[0], *zip(*line), None if power > -12 else "(d/2 + 1) u k/(mg)", linewidth=1.2)
         k, d = line[len(line) // 3]
-        grid[0].annotate(figures.number(10.0**power), (k, d), xytext=(5, 0), textcoords="offset points", fontsize=9,
-                         color="white" if power < -7 else figures.INK)
+        grid[0].annotate(figures.number(10.0**power), (k, d), xytext=(5, 0), textcoords="offset points",
+                         fontsize=9, color="white" if power < -7 else figures.INK)
     grid[0].set_ylabel("d [steps]")
     grid[0].legend(loc="upper left", facecolor="white", framealpha=1, frameon=True)
     figure.colorbar(mesh, ax=grid, label="relative error", extend="min")

@@ -1,7 +1,7 @@
 // A mass on a spring, by leapfrog on its force and by SPOOK with a distance of the same k: where each holds.
 //
-// m = 1 kg, from rest, 1 m from where the spring is at ease. The error is the largest of |x - cos ωt| over one period, or ten
-// steps if that is longer.
+// m = 1 kg, from rest, 1 m from where the spring is at ease. The error is the largest of |x - cos ωt| over one
+// period, or ten steps if that is longer.
 //
 //   force       holds up to h = 2/ω, Eq. (1.8). Below, x_n = cos nθ with nθ = ωt (1 + (hω)²/24): the error grows as
 //               ωt |sin ωt| (hω)²/24, which is largest at ωt = 4.91, 0.2006 (hω)².

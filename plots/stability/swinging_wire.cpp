@@ -1,8 +1,8 @@
 // A wire that swings, every step solved exactly: how small a step the wire itself wants.
 //
-// N links of 1/N m, points of mass m, a load of M = 1 kg in place of the last; let go straight at 30°, for 1 s, in which
-// it comes to the other side. The error is that of the load's place, against the same wire in steps that are an eighth
-// of the law's, or 1/4000 s. Lost is what is more than 5 cm off.
+// N links of 1/N m, points of mass m, a load of M = 1 kg in place of the last; let go straight at 30°, for 1 s, in
+// which it comes to the other side. The error is that of the load's place, against the same wire in steps that are an
+// eighth of the law's, or 1/4000 s. Lost is what is more than 5 cm off.
 //
 // The law. A link holds its length implicitly, but the tension's pull across the wire is taken at x_n, as any force:
 // neighbours that stand out on either side are pulled back with 4T/l, so h <= 2/ω, ω = √(4T/(m l)), Eq. (1.8). T is

@@ -23,8 +23,8 @@ World<6> box_on_a_hundred(double k, int sweeps) {
 }
 
 TEST(FlatBox, OnAHundredContactsIsHeldByTheirSum) {
-  // At rest W = 0 and G V = h g, so a row lacks r = -a gap - Σ λ, and their mean is that of λ, h m g/100, and of r. So the
-  // depth is off by at most max|r|/a; and as the λ have no torque, a tilt over x by Σ r x/Σ x², over a.
+  // At rest W = 0 and G V = h g, so a row lacks r = -a gap - Σ λ, and their mean is that of λ, h m g/100, and of r.
+  // So the depth is off by at most max|r|/a; and as the λ have no torque, a tilt over x by Σ r x/Σ x², over a.
   const double h = 1.0 / 60, m = 2, u = std::ldexp(1, -55);
   double x_over_x2 = 0, x2 = 0;
   for (int i = 0; i < 10; ++i) {
@@ -54,9 +54,9 @@ TEST(FlatBox, OnAHundredContactsIsHeldByTheirSum) {
 }
 
 TEST(Loop, ThatCanNotCloseIsWhereItsSweepsSay) {
-  // Two rods of 1 m and 1.1 m from one anchor. E of Eq. (4.2) has one number other than 0, ρ, and at rest n sweeps from
-  // λ = 0 find two impulses whose sum is 0 where x is the mean with the weights below. As ρⁿ goes to 0 these are as k₁ to k₂;
-  // until then it is the last row that has its way.
+  // Two rods of 1 m and 1.1 m from one anchor. E of Eq. (4.2) has one number other than 0, ρ, and at rest n sweeps
+  // from λ = 0 find two impulses whose sum is 0 where x is the mean with the weights below. As ρⁿ goes to 0 these are
+  // as k₁ to k₂; until then it is the last row that has its way.
   const double h = 1.0 / 60, l1 = 1, l2 = 1.1;
   for (const auto& [k1, k2] :
        {std::pair{1e2, 1e2}, {1e6, 2e6}, {1e6, 1e2}, {1e2, 1e6}, {1e9, 3e9}, {1e12, 1e12}})

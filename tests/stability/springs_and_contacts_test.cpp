@@ -60,8 +60,8 @@ TEST(Spring, AsADistanceHoldsForAnyStep) {
 }
 
 TEST(RestingContact, IsRightToTheRoundingsOfItsPlace) {
-  // See plots/stability/resting.cpp: with u between two numbers just below 0.5 m, a depth that is off by less than d u/2
-  // moves nothing, and mg/k is no multiple of u. An impulse is off by as much as a u, where the ball still hops.
+  // See plots/stability/resting.cpp: with u between two numbers just below 0.5 m, a depth that is off by less than d
+  // u/2 moves nothing, and mg/k is no multiple of u. An impulse is off by as much as a u, where the ball still hops.
   const double u = std::ldexp(1, -54);
   for (const double k : {1e2, 1e4, 1e6, 1e9, 1e12})
     for (const double d : {0.25, 0.5, 3.0, 50.0})

@@ -42,8 +42,8 @@ double largest_step(int links, double ratio) {
 }
 
 TEST(SwingingWire, StaysStraightBelowTheStepOfItsTension) {
-  // Its own weight across bends it by m g sin θ/(M g cos θ) at a point; let go straight it trembles about that, to twice
-  // as much. Twice again for the links that do not tremble together.
+  // Its own weight across bends it by m g sin θ/(M g cos θ) at a point; let go straight it trembles about that, to
+  // twice as much. Twice again for the links that do not tremble together.
   for (const auto& [links, ratio] : {std::pair{5, 100.0}, {10, 30.0}, {10, 100.0}}) {
     const int sweeps = static_cast<int>((links - 1) * ratio * std::log(1e7));  // Eq. (6.12)
     World<3> world = wire(links, ratio, aside, 1e12, sweeps);

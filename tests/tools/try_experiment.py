@@ -1,7 +1,7 @@
 """An experiment in its quick size: `try_experiment.py PROGRAM plots/TOPIC/NAME.cpp`.
 
-Its claims hold, they stand in plots/README.md word for word, or in the README.md of its own folder, the figure is in
-the tree, and the same numbers are drawn as the same bytes.
+Its claims hold, they stand word for word in the README.md of its folder, or in plots/README.md if it has none; the
+figure is in the tree, and the same numbers are drawn as the same bytes.
 """
 
 import json
