@@ -126,6 +126,14 @@ TEST(InclineScene, ThatBlowsUpNamesStepAndBodyAndLeavesWhatWasWritten) {
 
 // sliding_block
 
+TEST(Heading, IsExactAlongTheAxes) {
+  EXPECT_EQ(heading(0), Vec3(1, 0, 0));
+  EXPECT_EQ(heading(90), Vec3(0, 1, 0));
+  EXPECT_EQ(heading(-180), Vec3(-1, 0, 0));
+  EXPECT_EQ(heading(630), Vec3(0, -1, 0));
+  EXPECT_LE((heading(45) - Vec3(1, 1, 0).normalized()).norm(), 2 * epsilon);
+}
+
 /// Until a motion that ends at time `stops` is next to a step [s].
 double to_nearest_step(double stops, double h) {
   return std::abs(stops - h * std::round(stops / h));
