@@ -17,7 +17,8 @@ namespace {
 constexpr double epsilon = 2.2e-16;
 constexpr double g = 9.81;
 
-// Four corners on soft contacts: a thousand sweeps share the load among them to roundings, on stiff ones they do not.
+// Four corners on soft contacts: a thousand sweeps share the load among them to roundings; on stiff ones they do
+// not.
 const SceneSettings a_point = {{"model", "point"}}, a_soft_box = {{"model", "box"}, {"k", "1e4"}};
 const StopRule patient = {.max_sweeps = 1000, .tolerance = 1e-15};
 

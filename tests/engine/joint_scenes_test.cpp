@@ -255,7 +255,7 @@ TEST(DoublePendulumScene, AnswerIsThatOfTheTensions) {
   ReferenceMotion<8> motion([&](const Cartesian::State& y) { return rods.rate(y); }, start);
   for (int n = 0; n <= std::lround(time / h); ++n) {
     const Cartesian::State& y = motion.at(n * h);
-    // Both are right to some 1e-13 a step, and the motion multiplies that by a hundred a second.
+    // Both are right to some 1e-13 a step, and the motion multiplies that by ten or so in the time.
     ASSERT_NEAR(run.all("answer x [m]")[static_cast<std::size_t>(n)], y[2], 1e-9) << "step " << n;
     ASSERT_NEAR(run.all("answer z [m]")[static_cast<std::size_t>(n)], y[3], 1e-9) << "step " << n;
   }
@@ -454,6 +454,26 @@ TEST(ClothScene, HoldsItsLengthsOnceGaussSeidelDoes) {
   // Its own stretch is small, some 50 N/k; the gaps are of the order h² A, A some 100 m/s² as its threads pull taut.
   EXPECT_LE(largest_strain(0.002), 1e-2);
   EXPECT_LE(largest_strain(0.0005), 1e-3);
+}
+
+TEST(ClothScene, IsHeldByTheCornersThatItIsSaidToBe) {
+  const SceneDescription& scene = find_scene("cloth");
+  const auto rows = [&](const std::string& held) {
+    const auto cloth = scene.build(with(scene, {{"cells", "3"}, {"held", held}}), {.h = 0.002});
+    cloth->advance(1);
+    return cloth->report().rows;
+  };
+  // 2 · 3 · 4 links, and three rows a corner.
+  EXPECT_EQ(rows("four_corners"), 24 + 12);
+  EXPECT_EQ(rows("two_corners"), 24 + 6);
+  // By one side it swings down until its far side hangs below, about as far as it is long.
+  const auto lowest = [](const std::string& held) {
+    const std::vector<double> z =
+        run_of("cloth", {{"cells", "6"}, {"held", held}}, 0.001, 1).all("lowest z [m]");
+    return *std::min_element(z.begin(), z.end());
+  };
+  EXPECT_LT(lowest("two_corners"), -0.9);
+  EXPECT_GT(lowest("four_corners"), -0.6);
 }
 
 TEST(ClothScene, OfPointsAndOfBodiesMovesAlike) {

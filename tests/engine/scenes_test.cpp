@@ -27,9 +27,9 @@ TEST(Registry, EverySceneRunsWithItsDefaults) {
       {"cradle", 1e-13},
       {"pile", 2e-2},
       // Its rod is too long by (1 + 2d) h² A/(4l) at most, A = 2g, and half of that is in the period, for 5 s of
-      // 4.4 m/s. The double one: A up to some 6g, and a hundredfold a second.
+      // 4.4 m/s. The double one: A up to some 6g, in both rods, and doubled by the motion.
       {"pendulum", 5e-4},
-      {"double_pendulum", 1e-2},
+      {"double_pendulum", 1e-3},
       // What 50 sweeps leave of S h T, a part of ρ⁵⁰ = 0.0066, ρ = cos²(π/10), over a: a gap.
       {"wire", 6e-3},
       {"rope", 5e-4},
