@@ -69,6 +69,8 @@ RunResult run(const SceneDescription& description, const Parameters& parameters,
   observed_run(*scene, result.steps, csv, progress);
   result.error = scene->error();
   result.last = scene->report();
+  result.columns = scene->columns();
+  result.state = scene->sample();
   result.row_updates = scene->row_updates();
   if (result.steps == 0) return result;
   const std::vector<double> times = sorted_us_per_step(build, result.steps);

@@ -17,6 +17,8 @@ struct RunResult {
   std::int64_t steps = 0;
   double error = 0;                   ///< in the scene's unit
   StepReport last;                    ///< of the last step
+  std::vector<std::string> columns;   ///< of the scene
+  std::vector<double> state;          ///< the last, in these columns
   std::int64_t row_updates = 0;       ///< of all steps
   std::optional<double> us_per_step;  ///< median of several runs [µs]; none when no step was taken
   double us_low = 0, us_high = 0;     ///< their quartiles [µs]
