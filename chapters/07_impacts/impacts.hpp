@@ -47,7 +47,7 @@ double impact_work(const Mat3& K, const Vec3& u, const Vec3& J);
 /// K, for bodies that approach each other (u·n < 0): Eq. (7.7), (7.8); not in the notes.
 Vec3 safe_impulse(const Mat3& K, const Vec3& u, const Vec3& n, double e, double mu);
 
-/// Exercise 7.6. The impulse of an impact. Zero unless u·n < 0. Else that of Eq. (7.3) if it is inside the cone, else
+/// Exercise 7.6. The impulse of an impact. Zero for u·n >= 0. Else that of Eq. (7.3) if it is inside the cone, else
 /// that of Eq. (7.5); but that of Eq. (7.7) where there is none of (7.5), or where either adds energy, Eq. (7.6) > 0. A
 /// NaN in u stays a NaN. Notes (1)-(5).
 Vec3 impact_impulse(const Mat3& K, const Vec3& u, const Vec3& n, double e, double mu);
@@ -71,7 +71,7 @@ struct ImpactReport {
   double energy = 0;  ///< what they added to it, with the u of Eq. (7.1) [J]; negative: lost
 };
 
-/// Exercise 7.8. The stage: goes through the contacts in order and resolves each impact at once, with the u of Eq.
+/// Exercise 7.8. The stage: goes through the contacts in order, whatever their gap, and resolves each impact at once, with the u of Eq.
 /// (7.1), so that the next sees what this one did; again and again, until a pass over them finds no approach faster than
 /// the threshold, Eq. (7.10), or max_passes are done. Notes, "Resolve high velocity impacts".
 /// Throws std::invalid_argument, contacts or not, naming the parameter, unless 0 <= restitution <= 1, friction and

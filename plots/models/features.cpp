@@ -34,7 +34,7 @@ std::vector<Row> measured(const std::string& name, int bodies, bool quick, const
   timed.time_stages();
   timed.step(h);
   double ran = 0;
-  for (const bool stage : timed.stage_times().ran) ran += stage;
+  for (const std::int64_t runs : timed.stage_times().runs) ran += runs > 0;
   auto world = build();
   const int steps = quick ? 10 : 1000;
   world.step(h);

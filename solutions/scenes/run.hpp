@@ -22,7 +22,7 @@ struct RunResult {
   std::int64_t row_updates = 0;       ///< of all steps
   std::optional<double> us_per_step;  ///< median of several runs [µs]; none when no step was taken
   double us_low = 0, us_high = 0;     ///< their quartiles [µs]
-  StageTimes stages;  ///< of one run more, with a clock that itself takes some 0.05 µs a stage [s]
+  StageTimes stages;                  ///< of one run more, less what the clock itself takes
 };
 
 /// time/h, rounded. Throws std::invalid_argument unless h > 0 and time >= 0, and for more than 1e9 steps.

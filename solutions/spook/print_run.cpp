@@ -49,10 +49,10 @@ static std::string last_step_text(const StepReport& last) {
 static std::string stages_text(const RunResult& result) {
   std::string text;
   for (std::size_t s = 0; s < stage_names.size(); ++s)
-    if (result.stages.ran[s])
+    if (result.stages.runs[s] > 0)
       text += (text.empty() ? "" : ", ") + std::string(stage_names[s]) + " " +
               short_text(1e6 * result.stages.seconds[s] / static_cast<double>(result.steps));
-  return text + " µs, clock included; no other stage ran";
+  return text + " µs; no other stage ran";
 }
 
 /// "x [m]" and 0.5 as "x 0.5 m", for the first few columns.
@@ -92,7 +92,7 @@ void print_json(std::ostream& out, const SceneDescription& scene, const Paramete
 
   Json stages = Json::object();
   for (std::size_t s = 0; s < stage_names.size(); ++s)
-    stages[stage_names[s]] = result.stages.ran[s]
+    stages[stage_names[s]] = result.stages.runs[s] > 0
                                  ? Json(1e6 * result.stages.seconds[s] / static_cast<double>(result.steps))
                                  : Json();
 

@@ -482,8 +482,8 @@ TEST(StageTimes, OfJointsAreRowsAndSolve) {
   const auto ran = [](const auto& world) {
     Names names;
     for (std::size_t s = 0; s < stage_names.size(); ++s) {
-      EXPECT_EQ(world.stage_times().ran[s], world.stage_times().seconds[s] > 0) << stage_names[s];
-      if (world.stage_times().ran[s]) names.push_back(stage_names[s]);
+      EXPECT_EQ(world.stage_times().runs[s] > 0, world.stage_times().seconds[s] > 0) << stage_names[s];
+      if (world.stage_times().runs[s] > 0) names.push_back(stage_names[s]);
     }
     return names;
   };

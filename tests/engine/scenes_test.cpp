@@ -46,7 +46,7 @@ TEST(Registry, EverySceneRunsWithItsDefaults) {
     EXPECT_EQ(result.steps, std::lround(scene.time / scene.h));
     ASSERT_TRUE(result.us_per_step.has_value());
     EXPECT_GT(*result.us_per_step, 0);
-    EXPECT_EQ(result.stages.ran[static_cast<std::size_t>(Stage::solve)], scene.solves) << scene.name;
+    EXPECT_EQ(result.stages.runs[static_cast<std::size_t>(Stage::solve)] > 0, scene.solves) << scene.name;
     EXPECT_FALSE(scene.summary.empty() || scene.answer.empty() || scene.error_name.empty() ||
                  scene.error_unit.empty());
 

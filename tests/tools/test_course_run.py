@@ -62,6 +62,13 @@ class CourseRun(unittest.TestCase):
             self.assertIn(f"course: 1.1 kick {told}", result.stderr)
             self.assertNotIn("Traceback", result.stderr)
 
+    def test_mine_that_crashes_is_told_to_be_mine(self):
+        self.box.file(self.kick).write_text(STILL.replace("return v;", "__builtin_trap();"))
+        result = self.box.course("run", "free_fall", "--mine")
+        self.assertEqual(result.returncode, 1)
+        self.assertRegex(result.stderr, r"the run crashed \(SIG\w+\) in one of your functions; ./course check")
+        self.assertNotIn("Traceback", result.stderr)
+
     def test_bad_input_is_the_engine_s_to_refuse(self):
         self.run_free_fall()
         for words, told in ((["free_fal"], "free_fal"), (["free_fall", "--h", "0"], "0"),
