@@ -34,8 +34,7 @@ EXERCISE_TEST(FrictionImpulse, SolvesBothRowsByHand) {
        {Vec3(-0.7, 1.5, -0.5), "This also stops the motion along the normal: that is the contact's own row."},
        {Vec3(-7 / 9.5, 2, -2 / 3.5),
         "This is -K⁻¹u in full, which also stops the motion along the normal. There is one division by t·Kt + "
-        "Γ "
-        "for each row."},
+        "Γ for each row."},
        {Vec3(0, 0.3, -1),
         "K(0, 0) and K(1, 1) belong to x and y, which here are n and t1. Along t it is t·Kt."},
        {Vec3(0, 1.5, 0), one_sided ? "λ is kept on the positive" + both_ways : "The row along t2 is missing."},
@@ -111,7 +110,8 @@ EXERCISE_TEST(FrictionImpulse, KeepsItsBoundBothWays) {
             roundings(16, speed + 1),
             {{-needed * t, "The bound has not been kept: λ lies between -Λ and Λ."},
              {Vec3::Zero(),
-              "λ has been kept between 0 and Λ, as a contact's. Friction acts both ways along t."},
+              sign > 0 ? "λ has been kept between 0 and Λ, as a contact's. Friction acts both ways along t."
+                       : "λ has been kept between -Λ and 0. Friction acts both ways along t."},
              {-sign * bound / 2 * t, "Half of the bound: λ may be as large as Λ either way, from -Λ to Λ."},
              {sign * bound * t, "The sign: this drives what slides. λ is against u."}},
             "-Λ <= λ <= Λ, and against the motion.");
@@ -131,8 +131,7 @@ EXERCISE_TEST(FrictionImpulse, IsBoundedByABox) {
     const Vec3 expected = std::clamp(free1, -bound, bound) * t1 + std::clamp(free2, -bound, bound) * t2;
     const std::string cone =
         "This is Coulomb's cone: J as a whole has been shortened to Λ. It is the better law, and the business "
-        "of "
-        "chapter 09. The box bounds λ1 and λ2 each for itself.";
+        "of chapter 09. The box bounds λ1 and λ2 each for itself.";
     expect_near_vector("J [N s] for " + touch.text() + ", Λ = " + show(bound) + " N s", "Eq. (5.8)",
                        friction_impulse(touch.K, touch.u, touch.t, Gamma, bound), expected, roundings(64, 4),
                        {{free, "The bound has not been kept: λ lies between -Λ and Λ."},
@@ -197,8 +196,7 @@ EXERCISE_TEST(FrictionImpulse, IsProportionalToTheSlip) {
                              " m/s, u·t2 = " + show(2 * slip) + " m/s, Λ = ";
     const std::string small =
         "So slow a slip, or so small a bound, has been taken for none. It is stopped as any other: what is "
-        "left "
-        "each step adds up.";
+        "left each step adds up.";
     expect_near_vector(text + "10 N s", "Eq. (5.3)", friction_impulse(K, u, t, 0.5, 10),
                        Vec3(slip * Vec3(0, 1.5, -0.5)), roundings(16, 2 * slip), {{Vec3::Zero(), small}},
                        "(t·Kt + Γ) λ = -u·t at any speed.");
@@ -253,8 +251,8 @@ EXERCISE_TEST(FrictionImpulse, KeepsANaN) {
     const std::string clue =
         bound > 0 ? "std::min and std::max return their first argument when the other is NaN, and "
                     "so made a number of it. std::clamp keeps a NaN."
-                  : "Where Λ = 0, too: a zero returned before u and K are looked at hides the NaN. "
-                    "std::clamp keeps it.";
+                  : "Where Λ = 0, too: a zero returned before u and K are looked at hides the NaN. std::clamp "
+                    "keeps it.";
     for (const Vec3& unknown : {Vec3(nan, 1, 0), Vec3(1, nan, 0)})
       expect_true("a velocity of NaN gives a J of NaN" + at, "Eq. (5.8)",
                   friction_impulse(one, unknown, t, 0, bound).hasNaN(), clue);

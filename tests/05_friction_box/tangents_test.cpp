@@ -20,13 +20,11 @@ bool is_axis(const Vec3& t) {
 std::string clue(const Vec3& n, const Tangents& t, double error, const std::string& rule) {
   if (!(std::abs(error) < 1e-4)) return rule;
   if ((n.array() != 0 && n.array().abs() < 1e-150).any())
-    return "The square of 1e-160 underflows: it is 0, or has few digits left. What is normalised here is no "
-           "longer "
-           "than that; a factor farther from n gives a longer one.";
+    return "The square of 1e-160 underflows: it is 0, or has few digits left. What is normalised here is as "
+           "short as that: take a second factor that is far from n.";
   if (is_axis(t.t1) || is_axis(t.t2))
-    return "This tangent is an axis itself, as if n were one, too. n is beside an axis, if only a little, and "
-           "its "
-           "tangents are as much beside theirs.";
+    return "This tangent is an axis itself, as if n were one, too. n is tilted against it, if only a little, "
+           "and its tangents tilt with it.";
   return "Right, but for lost digits: near this n something in the formula nearly cancels, or is nearly 0.";
 }
 
