@@ -98,7 +98,7 @@ void compute(const Experiment& experiment, const std::vector<std::size_t>& missi
   std::atomic<std::size_t> next = 0;
   std::mutex mutex;
   std::exception_ptr failure;
-  Progress progress(experiment.points.size() - missing.size(), experiment.points.size());
+  Progress progress(0, missing.size());
   const auto work = [&] {
     for (std::size_t k; (k = next++) < missing.size();) {
       const Point& point = experiment.points[missing[k]];
