@@ -130,7 +130,7 @@ EXERCISE_TEST(ImpactImpulse, DoesNotSlideWhereStickingAddsEnergy) {
         {{slide,
           "This slides, though the impulse that sticks is inside the cone. Where that one adds energy, the "
           "safe impulse takes over, not the sliding one, even if sliding would lose some."},
-         {stick, "This sticks, and adds 0.06 J/kg to 0.5 J/kg. " + safe_rule}},
+         {stick, "This sticks, and adds 0.06 J/kg to 0.25 J/kg. " + safe_rule}},
         safe_rule);
     if (::testing::Test::HasFailure()) return;
   }
