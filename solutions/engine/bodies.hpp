@@ -43,8 +43,8 @@ struct Body<6> {
 /// The principal moments of a solid sphere, 2/5 m r² each [kg m²].
 Vec3 solid_sphere_moments(double mass, double radius);
 
-/// The principal moments of a solid box, m/3 (b² + c²) and so on [kg m²], and its eight corners [m], from the halves of
-/// its sides (a, b, c) [m].
+/// The principal moments of a solid box, m/3 (b² + c²) and so on [kg m²], and its eight corners [m], from the
+/// halves of its sides (a, b, c) [m].
 Vec3 solid_box_moments(double mass, const Vec3& half_sides);
 std::vector<Vec3> box_corners(const Vec3& half_sides);
 

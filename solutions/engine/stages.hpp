@@ -19,7 +19,8 @@ struct StageTimes {
   std::array<std::int64_t, stage_names.size()> runs{};
 };
 
-/// Runs stages, and looks at the clock only if it was asked to: a look takes longer than the whole step of a point mass.
+/// Runs stages, and looks at the clock only if it was asked to: a look takes longer than the whole step of a point
+/// mass.
 class StageClock {
  public:
   void start() { running_ = true; }
