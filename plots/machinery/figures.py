@@ -23,7 +23,11 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
+import numpy as np  # noqa: E402
+from matplotlib.colors import LogNorm  # noqa: E402
 from matplotlib.figure import Figure  # noqa: E402
+from matplotlib.patches import Rectangle  # noqa: E402
+from matplotlib.patheffects import withStroke  # noqa: E402
 
 # Okabe and Ito's colours: told apart by the colour-blind, and by marker and dash in grey.
 STYLES = [{"color": "#0072B2", "marker": "o", "linestyle": "-"},
@@ -104,6 +108,42 @@ def slope(axes, power: float, x: tuple[float, float], y: float, text: str) -> No
     end = y * (x[1] / x[0]) ** power
     axes.plot(x, (y, end), color="#999999", linewidth=1)
     axes.annotate(text, (x[1], end), xytext=(4, 0), textcoords="offset points", va="center", fontsize=9)
+
+
+def field(axes, table: Table, x: str, y: str, value: str, scale: tuple[float, float], lost: str | None = None):
+    """A map on logarithmic axes, a cell a row of the table: colour is the value, on a logarithmic scale from `scale[0]`
+    to `scale[1]`, lighter for more. Cells in which the column `lost` is not 0 are white, hatched. Returns what a
+    colour bar wants."""
+    across, up = sorted(table.values(x)), sorted(table.values(y))
+    cells = np.full((len(up), len(across)), np.nan)
+    gone = np.zeros(cells.shape, dtype=bool)
+    marks = table[lost] if lost else [0] * len(table.rows)
+    for column, row, found, mark in zip(table[x], table[y], table[value], marks):
+        k = up.index(row), across.index(column)
+        gone[k] = mark != 0
+        cells[k] = np.nan if gone[k] else min(max(found, scale[0]), scale[1])
+    sides = _sides(across), _sides(up)
+    mesh = axes.pcolormesh(*sides, cells, cmap="cividis", norm=LogNorm(*scale), rasterized=True)
+    for row, column in zip(*np.nonzero(gone)):
+        left, right = sides[0][column:column + 2]
+        low, high = sides[1][row:row + 2]
+        axes.add_patch(Rectangle((left, low), right - left, high - low, facecolor="white", edgecolor="#888888",
+                                 hatch="////", linewidth=0))
+    axes.set(xscale="log", yscale="log", xlim=sides[0][[0, -1]], ylim=sides[1][[0, -1]])
+    return mesh
+
+
+def _sides(centres: list[float]) -> np.ndarray:
+    """Where cells around these begin and end, on a logarithmic axis."""
+    log = np.log(centres)
+    between = (log[1:] + log[:-1]) / 2
+    return np.exp([2 * log[0] - between[0], *between, 2 * log[-1] - between[-1]])
+
+
+def law(axes, x, y, text: str | None = None, **style) -> None:
+    """The line of a law over a map: seen on dark and on light cells."""
+    edge = [withStroke(linewidth=3.5, foreground="white")]
+    axes.plot(x, y, color="#D00000", path_effects=edge, label=text, **style)
 
 
 def caption(figure: Figure, title: str, claims: list[dict]) -> None:

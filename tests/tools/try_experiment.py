@@ -1,7 +1,7 @@
 """An experiment in its quick size: `try_experiment.py PROGRAM plots/TOPIC/NAME.cpp`.
 
-Its claims hold, they stand in plots/README.md word for word, the figure is in the tree, and the same
-numbers are drawn as the same bytes.
+Its claims hold, they stand in plots/README.md word for word, or in the README.md of its own folder, the figure is in
+the tree, and the same numbers are drawn as the same bytes.
 """
 
 import json
@@ -33,15 +33,18 @@ def main(program: str, source: Path) -> list[str]:
 
 
 def claims_not_shown(claims: Path, source: Path) -> list[str]:
-    page = source.parents[1] / "README.md"
+    plots = source.parents[1]
+    page = source.parent / "README.md"
+    if not page.exists():
+        page = plots / "README.md"
     text = " ".join(page.read_text(encoding="utf-8").split()).casefold()
-    figure = f"{source.parent.name}/{source.stem}.png"
-    wrong = [] if (page.parent / figure).exists() else [f"plots/{figure} is not in the tree"]
-    if figure not in text:
-        wrong.append(f"plots/README.md does not show {figure}")
+    figure, name = source.with_suffix(".png"), page.relative_to(plots.parent)
+    wrong = [] if figure.exists() else [f"{figure.relative_to(plots.parent)} is not in the tree"]
+    if str(figure.relative_to(page.parent)) not in text:
+        wrong.append(f"{name} does not show {figure.name}")
     for claim in json.loads(claims.read_text(encoding="utf-8")):
         if claim["text"].casefold() not in text:
-            wrong.append(f"plots/README.md does not have: {claim['text']}")
+            wrong.append(f"{name} does not have: {claim['text']}")
     return wrong
 
 

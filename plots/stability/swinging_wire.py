@@ -1,0 +1,30 @@
+"""Error of the load on a swinging wire, by load and step, and the step that its tension allows."""
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
+import figures  # noqa: E402
+
+TITLE = "A swinging wire, solved exactly: its tension sets the step"
+SCALE = (1e-6, 1e-1)
+
+
+def draw(data, mine):
+    table = (mine or data).table.only("what", "map")
+    counts = table.values("links")
+    figure, grid = figures.new(columns=len(counts), height=3.4, sharey=True)
+    for axes, links in zip(grid, counts):
+        some = table.only("links", links)
+        mesh = figures.field(axes, some, "ratio", "h", "error", SCALE, lost="lost")
+        ratios = some.values("ratio")
+        figures.law(axes, ratios, [some.only("ratio", ratio)["largest step"][0] for ratio in ratios], "2/ω")
+        axes.set(title=f"{links:g} links", xlabel="load over a point's mass")
+    grid[0].set_ylabel("h [s]")
+    grid[0].legend(loc="lower left", facecolor="white", framealpha=1, frameon=True)
+    figure.colorbar(mesh, ax=grid, label="error of the load's place [m]", extend="both")
+    return figure
+
+
+if __name__ == "__main__":
+    figures.main(draw, TITLE)

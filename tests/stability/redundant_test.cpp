@@ -1,0 +1,83 @@
+// More rows than there is to hold: a box on a hundred contacts, and a loop that can not close.
+#include <cmath>
+
+#include "stepping.hpp"
+
+namespace spook {
+namespace {
+
+using testing::step_on;
+
+constexpr double g = 9.81;
+
+World<6> box_on_a_hundred(double k, int sweeps) {
+  World<6> world({.gravity = Vec3(0, 0, -g), .k = k, .stop = {.max_sweeps = sweeps}});
+  world.add_plane(Vec3::UnitZ(), 0);
+  const Vec3 half(0.5, 0.5, 0.2);
+  std::vector<Vec3> corners;
+  for (int i = 0; i < 10; ++i)
+    for (int j = 0; j < 10; ++j) corners.emplace_back(i / 9.0 - 0.5, j / 9.0 - 0.5, -half.z());
+  world.add(
+      {.x = Vec3(0, 0, half.z()), .mass = 2, .principal = solid_box_moments(2, half), .corners = corners});
+  return world;
+}
+
+TEST(FlatBox, OnAHundredContactsIsHeldByTheirSum) {
+  // At rest W = 0 and G V = h g, so a row lacks r = -a gap - Σ λ, and their mean is that of λ, h m g/100, and of r. So the
+  // depth is off by at most max|r|/a; and as the λ have no torque, a tilt over x by Σ r x/Σ x², over a.
+  const double h = 1.0 / 60, m = 2, u = std::ldexp(1, -55);
+  double x_over_x2 = 0, x2 = 0;
+  for (int i = 0; i < 10; ++i) {
+    x_over_x2 += std::abs(i / 9.0 - 0.5);
+    x2 += std::pow(i / 9.0 - 0.5, 2);
+  }
+  x_over_x2 /= x2;
+  for (const auto& [k, sweeps] : {std::pair{1e3, 2000}, {1e4, 200}, {1e6, 200}, {1e8, 200}, {1e10, 200}}) {
+    World<6> world = box_on_a_hundred(k, sweeps);
+    EXPECT_EQ(step_on(world, h, 60), 60);
+    ASSERT_EQ(world.contacts().size(), 100U) << "k " << k;
+    double sum = 0;
+    for (int c = 0; c < 100; ++c) {
+      EXPECT_GT(world.lambda(c), 0) << "contact " << c;
+      sum += world.lambda(c);
+    }
+    EXPECT_NEAR(sum / (h * m * g), 1, 1e-10) << "k " << k << ": what is left of the fall after 60 steps";
+    const double lacks = world.report().residual / spook_parameters(h, k, 3).a;
+    const double right = m * g / (100 * k), roundings = 10 * u + 1e-10 * right;
+    EXPECT_NEAR(0.2 - world.x(1).z(), right, lacks + roundings) << "k " << k;
+    const Vec3 up = orientation(world, 1) * Vec3::UnitZ();
+    EXPECT_LE(up.head<2>().cwiseAbs().maxCoeff(), lacks * x_over_x2 + 10 * roundings) << "k " << k;
+    if (k == 1e3) {
+      EXPECT_LE(lacks, 1e-6 * right) << "softness decides which solution there is, and 2000 sweeps find it";
+    }
+  }
+}
+
+TEST(Loop, ThatCanNotCloseIsWhereItsSweepsSay) {
+  // Two rods of 1 m and 1.1 m from one anchor. E of Eq. (4.2) has one number other than 0, ρ, and at rest n sweeps from
+  // λ = 0 find two impulses whose sum is 0 where x is the mean with the weights below. As ρⁿ goes to 0 these are as k₁ to k₂;
+  // until then it is the last row that has its way.
+  const double h = 1.0 / 60, l1 = 1, l2 = 1.1;
+  for (const auto& [k1, k2] :
+       {std::pair{1e2, 1e2}, {1e6, 2e6}, {1e6, 1e2}, {1e2, 1e6}, {1e9, 3e9}, {1e12, 1e12}})
+    for (const int sweeps : {1, 10, 1000}) {
+      World<3> world({.gravity = Vec3::Zero(), .stop = {.max_sweeps = sweeps}});
+      world.add_fixed(Vec3::Zero());
+      world.add({.x = Vec3(1.05, 0, 0)});
+      world.add_joint({.i = 0, .j = 1, .length = l1, .k = k1});
+      world.add_joint({.i = 0, .j = 1, .length = l2, .k = k2});
+      EXPECT_EQ(step_on(world, h, 2000), 2000);
+      const double c1 = spook_parameters(h, k1, 3).Sigma, c2 = spook_parameters(h, k2, 3).Sigma;
+      const double left = std::exp(-sweeps * (std::log1p(c1) + std::log1p(c2)));  // ρⁿ
+      const double w1 = c2 * (1 - left), w2 = c1 + (1 + c1) * c2 * left;
+      const double x = (w1 * l1 + w2 * l2) / (w1 + w2);
+      const double right = (k1 * l1 + k2 * l2) / (k1 + k2);
+      EXPECT_LE(std::abs(world.x(1).x() - right), std::abs(x - right) + 1e-14)
+          << k1 << ", " << k2 << ", " << sweeps;
+      EXPECT_GE(world.x(1).x(), l1);
+      EXPECT_LE(world.x(1).x(), l2);
+    }
+}
+
+}  // namespace
+}  // namespace spook

@@ -1,0 +1,49 @@
+#pragma once
+// Steps that may end in a Blowup, but never in a number that is none.
+#include <gtest/gtest.h>
+
+#include "engine/world.hpp"
+
+namespace spook::testing {
+
+template <int Dof>
+bool all_finite(const Bodies<Dof>& bodies) {
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (!bodies.x[i].allFinite() || !bodies.motion.W[i].allFinite()) return false;
+    if constexpr (Dof == 6)
+      if (!bodies.orientations.q[i].coeffs().allFinite()) return false;
+  }
+  return true;
+}
+
+/// Steps, and calls `see` after each, until all are done or one ends in a Blowup, which must name that step and a body.
+/// Returns how many were done. All bodies' numbers are finite after each of these.
+template <int Dof, class See>
+int step_on(World<Dof>& world, double h, int steps, const See& see) {
+  for (int n = 1; n <= steps; ++n) {
+    try {
+      world.step(h);
+    } catch (const Blowup& blowup) {
+      EXPECT_EQ(blowup.step(), n);
+      EXPECT_GE(blowup.body(), 0);
+      EXPECT_LT(blowup.body(), static_cast<int>(world.bodies().size()));
+      EXPECT_NE(std::string(blowup.what()).find("step " + std::to_string(n)), std::string::npos)
+          << blowup.what();
+      EXPECT_NE(std::string(blowup.what()).find("body " + std::to_string(blowup.body())), std::string::npos);
+      return n - 1;
+    }
+    if (!all_finite(world.bodies())) {
+      ADD_FAILURE() << "step " << n << " ended without a Blowup, but not in numbers";
+      return n;
+    }
+    see();
+  }
+  return steps;
+}
+
+template <int Dof>
+int step_on(World<Dof>& world, double h, int steps) {
+  return step_on(world, h, steps, [] {});
+}
+
+}  // namespace spook::testing
