@@ -30,7 +30,8 @@ struct Spook {
 };
 
 /// Exercise 3.1. The three numbers of SPOOK: Eq. (3.4)-(3.6); notes (9)-(11).
-/// Throws std::invalid_argument, naming the parameter, unless h > 0, k > 0 and d >= 0, all finite: see common/require.hpp.
+/// Throws std::invalid_argument, naming the parameter, unless h > 0, k > 0 and d >= 0, all finite: see
+/// common/require.hpp.
 Spook spook_parameters(double h, double k, double d);
 
 /// One touching (or nearly touching) pair. Vectors are in world coordinates; nothing here is checked again.

@@ -79,9 +79,9 @@ double update_row(Row<Dof>& row, std::vector<Twist<Dof>>& V);
 template <int Dof>
 double sweep(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V);
 
-/// Exercise 4.5. How far λ is from solving S λ = B within its bounds, as a velocity [m/s]: Eq. (4.8). Zero exactly at
-/// a solution; a row held at a bound by the right sign counts as solved. Changes nothing; 0 when there are
-/// no rows, and NaN when any row has one.
+/// Exercise 4.5. How far λ is from solving S λ = B within its bounds, as a velocity [m/s]: Eq. (4.8). Zero exactly
+/// at a solution; a row held at a bound by the right sign counts as solved. Changes nothing; 0 when there are no
+/// rows, and NaN when any row has one.
 template <int Dof>
 double residual(const std::vector<Row<Dof>>& rows, const std::vector<Twist<Dof>>& V);
 
@@ -96,10 +96,11 @@ struct SolveReport {
   bool converged = false;       ///< the last sweep was at or below the tolerance
 };
 
-/// Exercise 4.6. Sweeps until a sweep returns at most `stop.tolerance` (0 counts, too), or `stop.max_sweeps` are done: Eq. (4.9). With
-/// no rows: no sweep, converged. `V` must hold M⁻¹ Gᵀ λ of the rows' λ on entry (zero for λ = 0), and does so on return.
-/// Throws std::invalid_argument, rows or not, that names max_sweeps unless it is >= 1, and tolerance unless it is >= 0
-/// and finite. A NaN has not converged.
+/// Exercise 4.6. Sweeps until a sweep returns at most `stop.tolerance` (0 counts, too), or `stop.max_sweeps` are
+/// done: Eq. (4.9). With no rows: no sweep, converged. `V` must hold M⁻¹ Gᵀ λ of the rows' λ on entry (zero for λ =
+/// 0), and does so on return.
+/// Throws std::invalid_argument, rows or not, that names max_sweeps unless it is >= 1, and tolerance unless it is
+/// >= 0 and finite. A NaN has not converged.
 template <int Dof>
 SolveReport solve(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V, const StopRule& stop);
 

@@ -32,14 +32,14 @@ struct Attachment {
 };
 
 /// Exercise 6.1. Holds two points at `length` [m] from each other: Eq. (6.2)-(6.4); notes, "Distance constraint".
-/// Throws std::invalid_argument that names length unless it is positive and finite, and distance unless the two points
-/// are apart by a positive and finite one: where they coincide there is no direction.
+/// Throws std::invalid_argument that names length unless it is positive and finite, and distance unless the two
+/// points are apart by a positive and finite one: where they coincide there is no direction.
 template <int Dof>
 Constraint<Dof> distance_constraint(const Attachment& i, const Attachment& j, double length,
                                     const Spook& spook);
 
-/// Exercise 6.2. Holds two points together, in x, y and z: Eq. (6.4)-(6.6); not in the notes. Any distance will do, zero
-/// as well.
+/// Exercise 6.2. Holds two points together, in x, y and z: Eq. (6.4)-(6.6); not in the notes. Any distance will do,
+/// zero as well.
 template <int Dof>
 std::array<Constraint<Dof>, 3> ball_joint_constraints(const Attachment& i, const Attachment& j,
                                                       const Spook& spook);
@@ -57,18 +57,18 @@ struct Net {
   std::vector<Link> links;
 };
 
-/// Exercise 6.3. A straight rope of so many equal links, links + 1 points from `from` to `to`: Eq. (6.10). Point k is
-/// joined to point k + 1 by link k, at rest as it lies. `mass` [kg] is the whole rope's.
+/// Exercise 6.3. A straight rope of so many equal links, links + 1 points from `from` to `to`: Eq. (6.10). Point k
+/// is joined to point k + 1 by link k, at rest as it lies. `mass` [kg] is the whole rope's.
 /// Throws std::invalid_argument, naming the parameter, unless links >= 1, mass is positive and finite, the ends are
 /// finite, and length, from one to the other, is positive.
 Net rope(const Vec3& from, const Vec3& to, int links, double mass);
 
-/// Exercise 6.4. A flat cloth of cells_u × cells_v cells, with links along the sides of every cell, each once, and no
-/// diagonals: Eq. (6.11). Its corners are `corner`, corner + u, corner + v and corner + u + v; the point (a, b), a from 0
-/// to cells_u along u and b from 0 to cells_v along v, has the index a + b (cells_u + 1). `mass` [kg] is the whole
-/// cloth's. The links, at rest as they lie, come in any order.
-/// Throws std::invalid_argument, naming the parameter, unless cells_u >= 1, cells_v >= 1, mass is positive and finite,
-/// corner, u and v are finite, and the area |u × v| is positive.
+/// Exercise 6.4. A flat cloth of cells_u × cells_v cells, with links along the sides of every cell, each once, and
+/// no diagonals: Eq. (6.11). Its corners are `corner`, corner + u, corner + v and corner + u + v; the point (a, b),
+/// a from 0 to cells_u along u and b from 0 to cells_v along v, has the index a + b (cells_u + 1). `mass` [kg] is
+/// the whole cloth's. The links, at rest as they lie, come in any order.
+/// Throws std::invalid_argument, naming the parameter, unless cells_u >= 1, cells_v >= 1, mass is positive and
+/// finite, corner, u and v are finite, and the area |u × v| is positive.
 Net cloth(const Vec3& corner, const Vec3& u, const Vec3& v, int cells_u, int cells_v, double mass);
 
 }  // namespace spook

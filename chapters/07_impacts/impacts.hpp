@@ -32,24 +32,25 @@ namespace spook {
 /// All bodies that meet have some mass: K can be inverted.
 Vec3 stick_impulse(const Mat3& K, const Vec3& u, const Vec3& n, double e);
 
-/// Exercise 7.2. Whether an impulse pushes and lies inside the friction cone about n, or on it: Eq. (7.4); notes (3).
-/// False for a NaN.
+/// Exercise 7.2. Whether an impulse pushes and lies inside the friction cone about n, or on it: Eq. (7.4); notes
+/// (3). False for a NaN.
 bool inside_cone(const Vec3& J, const Vec3& n, double mu);
 
-/// Exercise 7.3. The impulse on the cone's edge, against the slip of before: Eq. (7.5); notes (4), (5). Without slip,
-/// |u_t| <= 1e-12 |u|, whose direction would be noise, it is along n. Nothing when n·K(n - μt) <= 0 or NaN: then no such impulse reverses the approach.
+/// Exercise 7.3. The impulse on the cone's edge, against the slip of before: Eq. (7.5); notes (4), (5). Without
+/// slip, |u_t| <= 1e-12 |u|, whose direction would be noise, it is along n. Nothing when n·K(n - μt) <= 0 or NaN:
+/// then no such impulse reverses the approach.
 std::optional<Vec3> sliding_impulse(const Mat3& K, const Vec3& u, const Vec3& n, double e, double mu);
 
 /// Exercise 7.4. What an impulse adds to the energy of the two bodies [J]: Eq. (7.6); not in the notes.
 double impact_work(const Mat3& K, const Vec3& u, const Vec3& J);
 
-/// Exercise 7.5. An impulse that has the restitution e, is inside the cone, and adds no energy for 0 <= e <= 1, whatever
-/// K, for bodies that approach each other (u·n < 0): Eq. (7.7), (7.8); not in the notes.
+/// Exercise 7.5. An impulse that has the restitution e, is inside the cone, and adds no energy for 0 <= e <= 1,
+/// whatever K, for bodies that approach each other (u·n < 0): Eq. (7.7), (7.8); not in the notes.
 Vec3 safe_impulse(const Mat3& K, const Vec3& u, const Vec3& n, double e, double mu);
 
-/// Exercise 7.6. The impulse of an impact. Zero unless u·n < 0. Else that of Eq. (7.3) if it is inside the cone, else
-/// that of Eq. (7.5); but that of Eq. (7.7) where there is none of (7.5), or where either adds energy, Eq. (7.6) > 0. A
-/// NaN in u stays a NaN. Notes (1)-(5).
+/// Exercise 7.6. The impulse of an impact. Zero for u·n >= 0. Else that of Eq. (7.3) if it is inside the cone, else
+/// that of Eq. (7.5); but that of Eq. (7.7) where there is none of (7.5), or where either adds energy, Eq. (7.6) >
+/// 0. A NaN in u stays a NaN. Notes (1)-(5).
 Vec3 impact_impulse(const Mat3& K, const Vec3& u, const Vec3& n, double e, double mu);
 
 /// Exercise 7.7. Adds the velocity changes of the impulse J [N s] at a contact to its two bodies, in `motion.W`:
@@ -71,9 +72,10 @@ struct ImpactReport {
   double energy = 0;  ///< what they added to it, with the u of Eq. (7.1) [J]; negative: lost
 };
 
-/// Exercise 7.8. The stage: goes through the contacts in order and resolves each impact at once, with the u of Eq.
-/// (7.1), so that the next sees what this one did; again and again, until a pass over them finds no approach faster than
-/// the threshold, Eq. (7.10), or max_passes are done. Notes, "Resolve high velocity impacts".
+/// Exercise 7.8. The stage: goes through the contacts in order, whatever their gap, and resolves each impact at
+/// once, with the u of Eq. (7.1), so that the next sees what this one did; again and again, until a pass over them
+/// finds no approach faster than the threshold, Eq. (7.10), or max_passes are done. Notes, "Resolve high velocity
+/// impacts".
 /// Throws std::invalid_argument, contacts or not, naming the parameter, unless 0 <= restitution <= 1, friction and
 /// threshold are finite and >= 0, and max_passes >= 1.
 template <int Dof>

@@ -12,7 +12,8 @@ using Mat3 = Eigen::Matrix3d;
 /// prints `coeffs()` as (x, y, z, w).
 using Quat = Eigen::Quaterniond;
 
-/// Velocity, or a Jacobian block, of one body: 3 numbers for a point mass, 6 (linear, then angular) for a rigid body.
+/// Velocity, or a Jacobian block, of one body: 3 numbers for a point mass, 6 (linear, then angular) for a rigid
+/// body.
 template <int Dof>
 using Twist = Eigen::Matrix<double, Dof, 1>;
 

@@ -98,7 +98,7 @@ void compute(const Experiment& experiment, const std::vector<std::size_t>& missi
   std::atomic<std::size_t> next = 0;
   std::mutex mutex;
   std::exception_ptr failure;
-  Progress progress(experiment.points.size() - missing.size(), experiment.points.size());
+  Progress progress(0, missing.size());
   const auto work = [&] {
     for (std::size_t k; (k = next++) < missing.size();) {
       const Point& point = experiment.points[missing[k]];
@@ -161,18 +161,12 @@ int execute(const Experiment& experiment, const Options& options, const std::str
   const Shard shard = parse_shard(options.shard);
   const Parts parts(options.out / "parts", plan(experiment, options.quick), digest(program_file));
   std::vector<std::size_t> missing;
-  std::size_t absent = 0;
-  for (std::size_t k = 0; k < experiment.points.size(); ++k) {
-    if (parts.has(k)) continue;
-    if (shard.has(k))
-      missing.push_back(k);
-    else
-      ++absent;
-  }
+  for (std::size_t k = 0; k < experiment.points.size(); ++k)
+    if (shard.has(k) && !parts.has(k)) missing.push_back(k);
   compute(experiment, missing, experiment.timed ? 1 : options.jobs, parts);
-  if (absent > 0) {
-    std::cout << "shard " << options.shard << " is done; " << absent << " of " << experiment.points.size()
-              << " points are for others\n";
+  if (shard.count > 1) {  // others may still be at work, in the same folder
+    std::cout << "shard " << options.shard
+              << " is done; without --shard the parts that are there become a table\n";
     return 0;
   }
 

@@ -1,5 +1,7 @@
 #include "machinery/parts.hpp"
 
+#include <unistd.h>
+
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -16,7 +18,7 @@ static std::string text_of(const fs::path& file) {
 }
 
 static void write_whole(const fs::path& file, const std::string& text) {
-  const fs::path beside = file.string() + ".new";
+  const fs::path beside = file.string() + "." + std::to_string(getpid()) + ".new";  // shards may share a folder
   std::ofstream out(beside);
   out << text;
   if (!out.flush()) throw std::runtime_error(beside.string() + " cannot be written");

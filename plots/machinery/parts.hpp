@@ -9,8 +9,8 @@ namespace spook::plots {
 
 class Parts {
  public:
-  /// Keeps them in `folder`. What was left there by another plan, or another build of the program, is removed. (Parts
-  /// that were put there without a program.txt are another machine's, and are taken as they are.)
+  /// Keeps them in `folder`. What was left there by another plan, or another build of the program, is removed.
+  /// (Parts that were put there without a program.txt are another machine's, and are taken as they are.)
   Parts(std::filesystem::path folder, const std::string& plan, const std::string& program);
 
   bool has(std::size_t point) const;

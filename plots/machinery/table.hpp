@@ -9,8 +9,9 @@ class Table {
  public:
   Table(std::vector<std::string> columns, std::vector<std::vector<std::string>> rows);
 
-  /// The rows in which a column has that text, or that number. Throws std::out_of_range for a column that there is not,
-  /// and std::runtime_error when no row is left: a claim about nothing would hold.
+  /// The rows in which a column has that text, or that number.
+  /// Throws std::out_of_range for a column that there is not, and std::runtime_error when no row is left: a claim
+  /// about nothing would hold.
   Table where(const std::string& column, const std::string& text) const;
   Table where(const std::string& column, double value) const;
 

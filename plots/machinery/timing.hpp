@@ -10,8 +10,8 @@ struct Timing {
   double median, low, high;  ///< [ns]: the median, and the quartiles around it
 };
 
-/// Runs `work`, which does something `count` times, so often that at least `repeats` runs and 20 ms are over; times are
-/// those of one of the `count`.
+/// Runs `work`, which does something `count` times, so often that at least `repeats` runs and 20 ms are over; times
+/// are those of one of the `count`.
 template <class Work>
 Timing time_each(double count, int repeats, const Work& work) {
   using Clock = std::chrono::steady_clock;

@@ -6,8 +6,8 @@
 
 namespace spook {
 
-/// A position or velocity is no longer finite, or a distance has lost its direction. What was observed before this step
-/// is still good.
+/// A position or velocity is no longer finite, or a distance has lost its direction. What was observed before this
+/// step is still good.
 class Blowup : public std::runtime_error {
  public:
   Blowup(std::int64_t step, double time, int body, const std::string& what = "is not finite")

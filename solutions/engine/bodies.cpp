@@ -45,6 +45,7 @@ static void require_sound(const Body<Dof>& body) {
     require_all_finite("omega", body.omega);
     for (const double moment : body.principal) require_positive("principal moment", moment);
     for (const Vec3& corner : body.corners) require_all_finite("corner", corner);
+    if (!body.corners.empty() && body.radius != 0) reject("radius", body.radius, "0 for a body with corners");
   }
 }
 

@@ -36,14 +36,15 @@ struct Body<6> {
   Quat q = Quat::Identity();       ///< body to world, of unit length
   Vec3 omega = Vec3::Zero();       ///< angular velocity, in world coordinates [rad/s]
   Vec3 principal = Vec3::Ones();   ///< moments of inertia about the body's own axes [kg m²]
-  std::vector<Vec3> corners = {};  ///< points of it that a plane stops, in the body's axes from its centre [m]
+  std::vector<Vec3> corners = {};  ///< points of it that a plane stops, in the body's axes from its centre [m];
+                                   ///< instead of a sphere
 };
 
 /// The principal moments of a solid sphere, 2/5 m r² each [kg m²].
 Vec3 solid_sphere_moments(double mass, double radius);
 
-/// The principal moments of a solid box, m/3 (b² + c²) and so on [kg m²], and its eight corners [m], from the halves of
-/// its sides (a, b, c) [m].
+/// The principal moments of a solid box, m/3 (b² + c²) and so on [kg m²], and its eight corners [m], from the
+/// halves of its sides (a, b, c) [m].
 Vec3 solid_box_moments(double mass, const Vec3& half_sides);
 std::vector<Vec3> box_corners(const Vec3& half_sides);
 

@@ -41,8 +41,9 @@ struct Shapes {
   }
 };
 
-/// Replaces `contacts` with all that there are: of planes with spheres, with corners, then of spheres, in the order in
-/// which the shapes were added. Those of one pair of bodies follow each other. Returns how many pairs were looked at.
+/// Replaces `contacts` with all that there are: of planes with spheres, with corners, then of spheres, in the order
+/// in which the shapes were added. Those of one pair of bodies follow each other. Returns how many pairs were
+/// looked at.
 template <int Dof>
 int find_contacts(const Shapes& shapes, const Bodies<Dof>& bodies, std::vector<Contact>& contacts);
 

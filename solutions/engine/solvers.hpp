@@ -7,7 +7,8 @@
 
 namespace spook {
 
-/// Brings the rows' λ to S λ = B within their bounds, and V to M⁻¹ Gᵀ λ. Both start from what the caller left in them.
+/// Brings the rows' λ to S λ = B within their bounds, and V to M⁻¹ Gᵀ λ. Both start from what the caller left in
+/// them.
 template <int Dof>
 using Solver = SolveReport (*)(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V, const StopRule& stop);
 

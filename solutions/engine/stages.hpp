@@ -3,6 +3,7 @@
 #include <array>
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 namespace spook {
@@ -12,13 +13,14 @@ enum class Stage { contacts, forces, impacts, rows, solve, integrate };
 inline constexpr std::array<const char*, 6> stage_names = {"contacts", "forces", "impacts",
                                                            "rows",     "solve",  "integrate"};
 
-/// What the stages took so far [s]; a stage that never ran has none.
+/// What the stages took so far, and how often each ran.
 struct StageTimes {
   std::array<double, stage_names.size()> seconds{};
-  std::array<bool, stage_names.size()> ran{};
+  std::array<std::int64_t, stage_names.size()> runs{};
 };
 
-/// Runs stages, and looks at the clock only if it was asked to: a look takes longer than the whole step of a point mass.
+/// Runs stages, and looks at the clock only if it was asked to: a look takes longer than the whole step of a point
+/// mass.
 class StageClock {
  public:
   void start() { running_ = true; }
@@ -31,7 +33,7 @@ class StageClock {
     work();
     const auto s = static_cast<std::size_t>(stage);
     times_.seconds[s] += std::chrono::duration<double>(Clock::now() - start).count();
-    times_.ran[s] = true;
+    ++times_.runs[s];
   }
 
  private:

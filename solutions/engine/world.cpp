@@ -13,11 +13,10 @@ void World<Dof>::step(double h) {
   rows_.clear();
   first_contact_row_ = 0;
   impacts_ = sweeps_ = 0;
-  const bool touches = shapes_.may_touch();
-  if (touches) clock_.run(Stage::contacts, [&] { find_contacts(); });
+  if (shapes_.may_touch()) clock_.run(Stage::contacts, [&] { find_contacts(); });
   clock_.run(Stage::forces, [&] { evaluate_forces(h); });
-  if (settings_.impacts && touches) clock_.run(Stage::impacts, [&] { resolve_impacts(h); });
-  if (touches || !joints_.empty()) clock_.run(Stage::rows, [&] { build_rows(h); });
+  if (settings_.impacts && !contacts_.empty()) clock_.run(Stage::impacts, [&] { resolve_impacts(h); });
+  if (!contacts_.empty() || !joints_.empty()) clock_.run(Stage::rows, [&] { build_rows(h); });
   if (!rows_.empty()) clock_.run(Stage::solve, [&] { solve_rows(); });
   clock_.run(Stage::integrate, [&] { integrate(h); });
 }

@@ -67,13 +67,14 @@ class World {
   /// Adds the half-space n·x < offset as a fixed body. Throws std::invalid_argument unless |n| = 1.
   int add_plane(const Vec3& n, double offset);
 
-  /// Adds a joint and returns its index. Throws std::invalid_argument, naming the parameter, for an index that is no
-  /// body's, a body joined to itself, two fixed bodies, a point beside the centre of a point mass, a bad k or d, a
-  /// length that is not positive, and a distance whose two points coincide.
+  /// Adds a joint and returns its index.
+  /// Throws std::invalid_argument, naming the parameter, for an index that is no body's, a body joined to itself,
+  /// two fixed bodies, a point beside the centre of a point mass, a bad k or d, a length that is not positive, and
+  /// a distance whose two points coincide.
   int add_joint(const Joint& joint);
 
-  /// Takes every velocity half a step back, to where leapfrog wants it: Eq. (1.5). Once, before the first step. What
-  /// contacts and joints hold against is not known yet, and has no part in it.
+  /// Takes every velocity half a step back, to where leapfrog wants it: Eq. (1.5). Once, before the first step.
+  /// What contacts and joints hold against is not known yet, and has no part in it.
   void start_half_step_back(double h);
 
   /// Moves the world on by `h` [s]. Throws std::invalid_argument unless h is positive and finite, and Blowup when a

@@ -8,6 +8,9 @@
 // to roundings, whatever the solver has left undone. Over a long time p/t goes to zero, and the mean of R to the weight:
 // Eq. (6.14).
 //
+// It looks like a cloth only while h √(T/(m l)) < 1, as in rope.cpp, and the sweeps hold its threads together: the
+// largest strain tells.
+//
 // The corners are held by ball joints of no length to fixed points, whose λ are h R. As bodies, the points are spheres
 // with the same distances between their centres: nothing turns, they move alike, and only cost more.
 #include "scenes/half_step_energy.hpp"

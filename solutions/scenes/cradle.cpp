@@ -28,7 +28,7 @@ class Cradle : public WorldScene<3> {
                     .d = p.number("d"),
                     .impacts = ImpactLaw{.restitution = p.number("restitution"),
                                          .threshold = rest * p.number("v0"),
-                                         .max_passes = std::numeric_limits<int>::max()}},
+                                         .max_passes = 100'000}},
                    method),
         before_(static_cast<std::size_t>(p.count("bodies")), 0.0) {
     const double radius = p.number("radius"), v0 = p.number("v0");

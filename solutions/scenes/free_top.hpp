@@ -15,7 +15,8 @@ namespace spook {
 
 class FreeTop {
  public:
-  /// `principal` moments must rise, I1 < I2 < I3 [kg m²], and `omega` [rad/s] is not zero; else std::invalid_argument.
+  /// `principal` moments must rise, I1 < I2 < I3 [kg m²], and `omega` [rad/s] is not zero; else
+  /// std::invalid_argument.
   FreeTop(const Vec3& principal, const Vec3& omega);
 
   /// ω at time t [rad/s].

@@ -4,8 +4,8 @@
 
 namespace spook {
 
-/// Kinetic energy and that of the weight, of the time half a step ago [J]: v is of that time, and x - h v/2 lies in the
-/// middle between the last two positions. It is zero at rest at the height of the origin.
+/// Kinetic energy and that of the weight, of the time half a step ago [J]: v is of that time, and x - h v/2 lies in
+/// the middle between the last two positions. It is zero at rest at the height of the origin.
 template <int Dof>
 double half_step_energy(const Bodies<Dof>& bodies, double g, double h) {
   double energy = kinetic_energy(bodies);

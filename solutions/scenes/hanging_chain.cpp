@@ -8,6 +8,7 @@ namespace spook {
 
 HangingChain hanging_chain(int links, double length, double span, double weight, double k) {
   if (!(span > length)) reject("span", span, "more than one link");
+  if (!(std::isfinite(k) || span < links * length)) reject("span", span, "less than the links together");
 
   const auto down = [&](int i) { return (i - (links + 1) / 2.0) * weight; };
   const auto reach = [&](double H) {
@@ -15,7 +16,7 @@ HangingChain hanging_chain(int links, double length, double span, double weight,
     for (int i = 1; i <= links; ++i) sum += (length / std::hypot(H, down(i)) + 1 / k) * H;
     return sum;
   };
-  // Bracketed by doubling, if rigid links reach at all; then halved until no number is left in between.
+  // Bracketed by doubling, then halved until no number is left in between. (By roundings, rigid links may not reach.)
   double low = 0, high = weight;
   while (reach(high) < span) high *= 2;
   if (!std::isfinite(high)) reject("span", span, "less than the links together");

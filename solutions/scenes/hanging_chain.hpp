@@ -21,8 +21,9 @@ struct HangingChain {
   double sideways;              ///< H [N]
 };
 
-/// `k` may be infinite. Throws std::invalid_argument, naming span, unless it is more than `length`, of one link [m], as
-/// an odd chain's middle link lies level; and less than all of them together, for an infinite k.
+/// `k` may be infinite.
+/// Throws std::invalid_argument, naming span, unless it is more than `length`, of one link [m], as an odd chain's
+/// middle link lies level; and less than all of them together, for an infinite k.
 HangingChain hanging_chain(int links, double length, double span, double weight, double k);
 
 }  // namespace spook

@@ -39,8 +39,9 @@ class Parameters {
  public:
   explicit Parameters(std::vector<Parameter> known) : all_(std::move(known)) {}
 
-  /// Sets one from text: "1e6", "1/60", or the name of a choice. Throws std::invalid_argument, naming the parameter and
-  /// the value, for an unknown name, an unknown choice, a number beyond the limits, and a name that was set before.
+  /// Sets one from text: "1e6", "1/60", or the name of a choice.
+  /// Throws std::invalid_argument, naming the parameter and the value, for an unknown name, an unknown choice, a
+  /// number beyond the limits, and a name that was set before.
   void set(const std::string& name, const std::string& text);
 
   double number(const std::string& name) const { return find(name).value; }

@@ -23,13 +23,13 @@ class ReferenceMotion {
   using State = Eigen::Matrix<double, N, 1>;
   using Rate = std::function<State(const State&)>;
 
-  /// From `start` at time 0. `tolerance` is on what the last extrapolation of a step changes, relative to the largest
-  /// number of the state or to 1.
+  /// From `start` at time 0. `tolerance` is on what the last extrapolation of a step changes, relative to the
+  /// largest number of the state or to 1.
   ReferenceMotion(Rate rate, const State& start, double tolerance = 1e-13)
       : rate_(std::move(rate)), state_(start), tolerance_(tolerance) {}
 
-  /// The state at `t`, which must not be before that of the last call. Throws std::runtime_error where no step is short
-  /// enough: the motion is not smooth, or not finite.
+  /// The state at `t`, which must not be before that of the last call.
+  /// Throws std::runtime_error where no step is short enough: the motion is not smooth, or not finite.
   const State& at(double t) {
     while (time_ < t) {
       const double rest = t - time_;

@@ -17,10 +17,12 @@ struct RunResult {
   std::int64_t steps = 0;
   double error = 0;                   ///< in the scene's unit
   StepReport last;                    ///< of the last step
+  std::vector<std::string> columns;   ///< of the scene
+  std::vector<double> state;          ///< the last, in these columns
   std::int64_t row_updates = 0;       ///< of all steps
   std::optional<double> us_per_step;  ///< median of several runs [µs]; none when no step was taken
   double us_low = 0, us_high = 0;     ///< their quartiles [µs]
-  StageTimes stages;  ///< of one run more, with a clock that itself takes some 0.05 µs a stage [s]
+  StageTimes stages;                  ///< of one run more, less what the clock itself takes
 };
 
 /// time/h, rounded. Throws std::invalid_argument unless h > 0 and time >= 0, and for more than 1e9 steps.
@@ -29,8 +31,9 @@ std::int64_t step_count(double h, double time);
 /// Is told now and then, in a long run, how many of the steps are done; and at its end.
 using Progress = std::function<void(std::int64_t done, std::int64_t steps)>;
 
-/// Builds the scene and runs it. With `csv`, writes a line of columns and one for each step, the start included. Throws
-/// std::invalid_argument for bad settings before anything is written, and Blowup, with what was written up to then.
+/// Builds the scene and runs it. With `csv`, writes a line of columns and one for each step, the start included.
+/// Throws std::invalid_argument for bad settings before anything is written, and Blowup, with what was written up
+/// to then.
 RunResult run(const SceneDescription& scene, const Parameters& parameters, const RunSettings& settings,
               std::ostream* csv = nullptr, const Progress& progress = nullptr);
 

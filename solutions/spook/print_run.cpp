@@ -1,6 +1,8 @@
 #include "spook/print_run.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "scenes/number.hpp"
 #include "spook/text.hpp"
@@ -47,10 +49,26 @@ static std::string last_step_text(const StepReport& last) {
 static std::string stages_text(const RunResult& result) {
   std::string text;
   for (std::size_t s = 0; s < stage_names.size(); ++s)
-    if (result.stages.ran[s])
+    if (result.stages.runs[s] > 0)
       text += (text.empty() ? "" : ", ") + std::string(stage_names[s]) + " " +
               short_text(1e6 * result.stages.seconds[s] / static_cast<double>(result.steps));
-  return text + " µs, clock included; no other stage ran";
+  return text + " µs; no other stage ran";
+}
+
+/// "x [m]" and 0.5 as "x 0.5 m", for the first few columns.
+static std::string state_text(const RunResult& result) {
+  constexpr std::size_t most = 6;
+  const std::size_t count = std::min(result.columns.size(), most);
+  std::ostringstream text;
+  for (std::size_t c = 0; c < count; ++c) {
+    const std::string& column = result.columns[c];
+    const std::size_t bracket = column.find(" [");
+    if (c > 0) text << ", ";
+    text << column.substr(0, bracket) << ' ' << short_text(result.state[c]);
+    if (bracket != std::string::npos) text << ' ' << column.substr(bracket + 2, column.size() - bracket - 3);
+  }
+  if (count < result.columns.size()) text << ", ... (--csv has all)";
+  return text.str();
 }
 
 void print_text(std::ostream& out, const SceneDescription& scene, const Parameters& parameters,
@@ -59,6 +77,7 @@ void print_text(std::ostream& out, const SceneDescription& scene, const Paramete
   print_entry(out, "set", parameters_text(parameters));
   print_entry(out, "answer", scene.answer);
   print_entry(out, "run", method_text(scene, settings, result));
+  print_entry(out, "end", state_text(result));
   print_entry(out, "error", short_text(result.error) + " " + scene.error_unit + ": " + scene.error_name);
   print_entry(out, "speed",
               result.us_per_step ? short_text(*result.us_per_step) + " µs a step" : "no step taken");
@@ -73,7 +92,7 @@ void print_json(std::ostream& out, const SceneDescription& scene, const Paramete
 
   Json stages = Json::object();
   for (std::size_t s = 0; s < stage_names.size(); ++s)
-    stages[stage_names[s]] = result.stages.ran[s]
+    stages[stage_names[s]] = result.stages.runs[s] > 0
                                  ? Json(1e6 * result.stages.seconds[s] / static_cast<double>(result.steps))
                                  : Json();
 

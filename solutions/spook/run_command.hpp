@@ -14,8 +14,9 @@ struct RunCommand {
   std::optional<std::string> h, time, solver, iterations, tolerance, csv;
   bool json = false;
 
-  /// Runs and prints to `out`. Throws std::invalid_argument for whatever makes no sense, before anything is written;
-  /// Blowup when the run does.
+  /// Runs and prints to `out`.
+  /// Throws std::invalid_argument for whatever makes no sense, before anything is written; Blowup when the run
+  /// does.
   void execute(std::ostream& out) const;
 };
 

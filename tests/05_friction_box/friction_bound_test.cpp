@@ -11,8 +11,7 @@ EXERCISE(FrictionBound, "5.4 friction_bound");
 
 const std::string not_an_impulse =
     "h is missing: this is a force [N], as in the notes. λ is an impulse [N s]. At 60 steps a second friction "
-    "would "
-    "be 60 times too strong.";
+    "would be 60 times too strong.";
 
 EXERCISE_TEST(FrictionBound, IsTheFrictionForceOfAStep) {
   expect_near(

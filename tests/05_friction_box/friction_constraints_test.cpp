@@ -75,25 +75,32 @@ EXERCISE_TEST(FrictionConstraints, TakePointMasses) {
 
 EXERCISE_TEST(FrictionConstraints, CarryTheRestOver) {
   const Touch touch;
-  const Spook spook{.a = 0, .b = 1, .Sigma = 0.125};
+  const Spook spook{.a = 3, .b = 0.75, .Sigma = 0.125};  // not friction's own, but a copy does not ask
   for (const auto& constraint : friction_constraints<6>(touch.contact, touch.t, 0.75, spook)) {
     expect_true("the constraint has the contact's bodies", "Eq. (5.2)", constraint.i == 3 && constraint.j == 1,
                 "Copy i and j, in that order.");
     const std::string copy = "Copy `spook`: friction has numbers of its own, and they come in.";
-    expect_near("a [1/s]", "Eq. (5.3)", constraint.spook.a, 0, {0, "a copy"}, {}, copy);
-    expect_near("b", "Eq. (5.3)", constraint.spook.b, 1, {0, "a copy"}, {}, copy);
-    expect_near("Γ [1/kg]", "Eq. (5.3)", constraint.spook.Sigma, 0.125, {0, "a copy"}, {}, copy);
+    const std::string again = " has been set here once more. friction_parameters does so: copy what it gave.";
+    expect_near("a of a spook with a = 3 /s [1/s]", "Eq. (5.3)", constraint.spook.a, 3, {0, "a copy"},
+                {{0, "a = 0" + again}}, copy);
+    expect_near("b of a spook with b = 0.75", "Eq. (5.3)", constraint.spook.b, 0.75, {0, "a copy"},
+                {{1, "b = 1" + again}}, copy);
+    expect_near("Γ of a spook with Σ = 0.125 /kg [1/kg]", "Eq. (5.3)", constraint.spook.Sigma, 0.125,
+                {0, "a copy"}, {{0, "Γ = 0: this row is rigid, and nothing creeps."}}, copy);
   }
 }
 
 EXERCISE_TEST(FrictionConstraints, AreBoundedOnBothSides) {
   const Touch touch;
+  const std::string half_bound = "Half of the bound: λ may be as large as Λ either way, from -Λ to Λ.";
   for (const auto& constraint : friction_constraints<6>(touch.contact, touch.t, 0.75, rigid)) {
     expect_near("lower bound of λ, Λ = 0.75 N s [N s]", "Eq. (5.8)", constraint.lo, -0.75, {0, "a sign"},
                 {{0, "This is a contact's bound. Friction acts both ways along t: from -Λ to Λ."},
-                 {0.75, "The lower bound is the upper one: λ would have no choice. It is -Λ."}},
+                 {0.75, "The lower bound is the upper one: λ would have no choice. It is -Λ."},
+                 {-0.375, half_bound}},
                 "-Λ <= λ <= Λ.");
-    expect_near("upper bound of λ, Λ = 0.75 N s [N s]", "Eq. (5.8)", constraint.hi, 0.75, {0, "a copy"}, {},
+    expect_near("upper bound of λ, Λ = 0.75 N s [N s]", "Eq. (5.8)", constraint.hi, 0.75, {0, "a copy"},
+                {{0.375, half_bound}},
                 "-Λ <= λ <= Λ. A contact's own bound, infinity, would let nothing ever slide.");
   }
 }

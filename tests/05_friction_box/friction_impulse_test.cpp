@@ -13,10 +13,15 @@ EXERCISE_TEST(FrictionImpulse, SolvesBothRowsByHand) {
   const Vec3 n(1, 0, 0);
   const Tangents t{Vec3(0, 1, 0), Vec3(0, 0, 1)};
   const Mat3 K = Vec3(9.5, 1.5, 3.5).asDiagonal();
+  const Vec3 u(7, -3, 2), J = friction_impulse(K, u, t, 0.5, 10);
+  // One λ is positive, one negative. Where one is 0, the opposite motion tells a missing row from one that is kept on
+  // one side of 0.
+  const bool one_sided = (J + friction_impulse(K, -u, t, 0.5, 10)).norm() > 0.1;
+  const std::string both_ways = " side of 0 only, as a contact's. Friction pushes both ways along t.";
   // Along t1: 3/(1.5 + 0.5); along t2: -2/(3.5 + 0.5). Along n there is no friction.
   expect_near_vector(
-      "J [N s] for t1·Kt1 = 1.5, t2·Kt2 = 3.5, n·Kn = 9.5, Γ = 0.5, u = (7, -3, 2), Λ = 10", "Eq. (5.3)",
-      friction_impulse(K, Vec3(7, -3, 2), t, 0.5, 10), Vec3(0, 1.5, -0.5), roundings(16, 2),
+      "J [N s] for t1·Kt1 = 1.5, t2·Kt2 = 3.5, n·Kn = 9.5, Γ = 0.5, u = (7, -3, 2), Λ = 10", "Eq. (5.3)", J,
+      Vec3(0, 1.5, -0.5), roundings(16, 2),
       {{Vec3(0, -1.5, 0.5), "The sign: this drives what slides. λ is against u."},
        {Vec3(0, 2, -2 / 3.5), "Γ is missing: divide by t·Kt + Γ."},
        {Vec3(0, 3, -2 / 3.0), "The sign of Γ: divide by t·Kt + Γ."},
@@ -27,8 +32,13 @@ EXERCISE_TEST(FrictionImpulse, SolvesBothRowsByHand) {
        {Vec3(0, 3 / (1 / 1.5 + 0.5), -2 / (1 / 3.5 + 0.5)),
         "This took t·Kt for a mass. It is an inverse mass."},
        {Vec3(-0.7, 1.5, -0.5), "This also stops the motion along the normal: that is the contact's own row."},
-       {Vec3(0, 1.5, 0), "The row along t2 is missing."},
-       {Vec3(0, 0, -0.5), "The row along t1 is missing."},
+       {Vec3(-7 / 9.5, 2, -2 / 3.5),
+        "This is -K⁻¹u in full, which also stops the motion along the normal. There is one division by t·Kt + "
+        "Γ for each row."},
+       {Vec3(0, 0.3, -1),
+        "K(0, 0) and K(1, 1) belong to x and y, which here are n and t1. Along t it is t·Kt."},
+       {Vec3(0, 1.5, 0), one_sided ? "λ is kept on the positive" + both_ways : "The row along t2 is missing."},
+       {Vec3(0, 0, -0.5), one_sided ? "λ is kept on the negative" + both_ways : "The row along t1 is missing."},
        {Vec3(0, 10, -10), "This is the bound at full strength. Friction takes no more than it needs to stop."},
        {Vec3(0, 10, 10), "This is the bound itself. Friction takes no more than it needs to stop."}},
       "J = λ1 t1 + λ2 t2, and (t·Kt + Γ) λ = -u·t along each.");
@@ -63,15 +73,22 @@ EXERCISE_TEST(FrictionImpulse, StopsThePointWhereItCan) {
     const Touch touch(random);
     const Vec3 J = friction_impulse(touch.K, touch.u, touch.t, 0, 100), after = touch.u + touch.K * J;
     const Vec3 slip{after.dot(touch.t.t1), after.dot(touch.t.t2), J.dot(normal_of(touch.t))};
-    expect_near("velocity left along t1, Γ = 0, Λ = 100 N s, for " + touch.text() + " [m/s]",
-                "Eq. (5.2), (5.3)", slip[0], 0, roundings(64, 4),
-                {{touch.u.dot(touch.t.t1), "Nothing has changed along t1."}},
-                "Without softness and bound, friction leaves nothing of u·t.");
-    expect_near("velocity left along t2, Γ = 0, Λ = 100 N s, for " + touch.text() + " [m/s]",
-                "Eq. (5.2), (5.3)", slip[1], 0, roundings(64, 4),
-                {{touch.u.dot(touch.t.t2), "Nothing has changed along t2."}},
-                "Without softness and bound, friction leaves nothing of u·t.");
-    expect_near("J·n [N s]", "Eq. (5.2)", slip[2], 0, roundings(64, 4), {},
+    const Vec3 full = -touch.K.inverse() * touch.u, n = normal_of(touch.t);
+    const Vec3 after_full = touch.u + touch.K * (full - full.dot(n) * n);
+    const std::string in_full =
+        "This takes -K⁻¹u, which would stop the motion along the normal, too. One division by t·Kt for each "
+        "row.";
+    expect_near(
+        "velocity left along t1, Γ = 0, Λ = 100 N s, for " + touch.text() + " [m/s]", "Eq. (5.2), (5.3)",
+        slip[0], 0, roundings(64, 4),
+        {{touch.u.dot(touch.t.t1), "Nothing has changed along t1."}, {after_full.dot(touch.t.t1), in_full}},
+        "Without softness and bound, friction leaves nothing of u·t.");
+    expect_near(
+        "velocity left along t2, Γ = 0, Λ = 100 N s, for " + touch.text() + " [m/s]", "Eq. (5.2), (5.3)",
+        slip[1], 0, roundings(64, 4),
+        {{touch.u.dot(touch.t.t2), "Nothing has changed along t2."}, {after_full.dot(touch.t.t2), in_full}},
+        "Without softness and bound, friction leaves nothing of u·t.");
+    expect_near("J·n [N s]", "Eq. (5.2)", slip[2], 0, roundings(64, 4), {{full.dot(n), in_full}},
                 "Friction acts along the plane: J = λ1 t1 + λ2 t2 has no part along n.");
   }
 }
@@ -93,7 +110,9 @@ EXERCISE_TEST(FrictionImpulse, KeepsItsBoundBothWays) {
             roundings(16, speed + 1),
             {{-needed * t, "The bound has not been kept: λ lies between -Λ and Λ."},
              {Vec3::Zero(),
-              "λ has been kept between 0 and Λ, as a contact's. Friction acts both ways along t."},
+              sign > 0 ? "λ has been kept between 0 and Λ, as a contact's. Friction acts both ways along t."
+                       : "λ has been kept between -Λ and 0. Friction acts both ways along t."},
+             {-sign * bound / 2 * t, "Half of the bound: λ may be as large as Λ either way, from -Λ to Λ."},
              {sign * bound * t, "The sign: this drives what slides. λ is against u."}},
             "-Λ <= λ <= Λ, and against the motion.");
       }
@@ -112,8 +131,7 @@ EXERCISE_TEST(FrictionImpulse, IsBoundedByABox) {
     const Vec3 expected = std::clamp(free1, -bound, bound) * t1 + std::clamp(free2, -bound, bound) * t2;
     const std::string cone =
         "This is Coulomb's cone: J as a whole has been shortened to Λ. It is the better law, and the business "
-        "of "
-        "chapter 09. The box bounds λ1 and λ2 each for itself.";
+        "of chapter 09. The box bounds λ1 and λ2 each for itself.";
     expect_near_vector("J [N s] for " + touch.text() + ", Λ = " + show(bound) + " N s", "Eq. (5.8)",
                        friction_impulse(touch.K, touch.u, touch.t, Gamma, bound), expected, roundings(64, 4),
                        {{free, "The bound has not been kept: λ lies between -Λ and Λ."},
@@ -137,6 +155,56 @@ EXERCISE_TEST(FrictionImpulse, TakesEachRowForItself) {
                       {Vec3(4 / 3.0, -6 / 5.0, 0),
                        "t·Kt is one number of K in the frame of the tangents, not the sum of a row."}},
                      "Each row for itself: λ = -u·t/(t·Kt).");
+}
+
+EXERCISE_TEST(FrictionImpulse, DividesByWhatKDoesAlongEachTangent) {
+  const Tangents t{Vec3(0.6, 0.8, 0), Vec3(-0.8, 0.6, 0)};
+  Mat3 K;
+  K << 2, 1, 0, 1, 4, 0, 0, 0, 3;
+  const Vec3 u(-3.248, -2.864, 6);  // u·t1 = -4.24 and u·t2 = 0.88
+  const auto divided_by = [&](double k1, double k2) -> Vec3 { return 4.24 / k1 * t.t1 - 0.88 / k2 * t.t2; };
+  const Vec3 diagonal = K.diagonal();
+  const auto along_axes = [&](const Vec3& tangent) { return tangent.dot(diagonal.cwiseProduct(tangent)); };
+  const std::string axes =
+      "K.diagonal() is what K does along x, y and z. Along t it is t·Kt: one division by that for each row.";
+  const std::string together =
+      "This is -K⁻¹u, the motion stopped as a whole. Here there is one division by t·Kt for each row.";
+  const Vec3 full = -K.inverse() * u, one_by_one = -u.cwiseQuotient(diagonal);
+  expect_near_vector(
+      "J [N s] for t1 = (0.6, 0.8, 0), t2 = (-0.8, 0.6, 0), K = ((2, 1, 0), (1, 4, 0), (0, 0, 3)), Γ = 0, "
+      "u = (-3.248, -2.864, 6), Λ = 10",
+      "Eq. (5.3)", friction_impulse(K, u, t, 0, 10), divided_by(4.24, 1.76), roundings(32, 6),
+      {{full, together},
+       {Vec3(full.x(), full.y(), 0), together},
+       {one_by_one, axes},
+       {Vec3(one_by_one.x(), one_by_one.y(), 0), axes},
+       {divided_by(along_axes(t.t1), along_axes(t.t2)), axes},
+       {divided_by(diagonal.dot(t.t1), diagonal.dot(t.t2)), axes},
+       {divided_by(diagonal.x(), diagonal.y()), axes},
+       {divided_by((K * t.t1).norm(), (K * t.t2).norm()),
+        "This divides by |Kt|, the whole change of velocity. The row is about its part along t, t·Kt."}},
+      "t1·Kt1 = 4.24 and t2·Kt2 = 1.76: one division for each row.");
+}
+
+// As the numbers of SolvesBothRowsByHand, but for the speed: nothing about it is too small to count.
+EXERCISE_TEST(FrictionImpulse, IsProportionalToTheSlip) {
+  const Tangents t{Vec3(0, 1, 0), Vec3(0, 0, 1)};
+  const Mat3 K = Vec3(9.5, 1.5, 3.5).asDiagonal();
+  for (const double slip : {1.0, 1e-3, 1e-6, 1e-9, 1e-12, 1e-15, 1e-30}) {
+    const Vec3 u = slip * Vec3(7, -3, 2);
+    const std::string text = "J [N s] for t1·Kt1 = 1.5, t2·Kt2 = 3.5, Γ = 0.5, u·t1 = " + show(-3 * slip) +
+                             " m/s, u·t2 = " + show(2 * slip) + " m/s, Λ = ";
+    const std::string small =
+        "So slow a slip, or so small a bound, has been taken for none. It is stopped as any other: what is "
+        "left each step adds up.";
+    expect_near_vector(text + "10 N s", "Eq. (5.3)", friction_impulse(K, u, t, 0.5, 10),
+                       Vec3(slip * Vec3(0, 1.5, -0.5)), roundings(16, 2 * slip), {{Vec3::Zero(), small}},
+                       "(t·Kt + Γ) λ = -u·t at any speed.");
+    expect_near_vector(text + show(slip) + " N s", "Eq. (5.8)", friction_impulse(K, u, t, 0.5, slip),
+                       Vec3(slip * Vec3(0, 1, -0.5)), roundings(16, 2 * slip), {{Vec3::Zero(), small}},
+                       "-Λ <= λ <= Λ for any Λ.");
+    if (::testing::Test::HasFailure()) return;
+  }
 }
 
 // Even where the rows see each other, t1·K t2 ≠ 0: of two rows solved side by side, each takes more energy than
@@ -176,17 +244,28 @@ EXERCISE_TEST(FrictionImpulse, IsNothingAtRest) {
 EXERCISE_TEST(FrictionImpulse, KeepsANaN) {
   const Tangents t{Vec3(1, 0, 0), Vec3(0, 1, 0)};
   const double nan = std::nan("");
-  const std::string clue =
-      "std::min and std::max return their first argument when the other is NaN, and so made a number of it. "
-      "std::clamp keeps a NaN.";
   const Mat3 one = Mat3::Identity();
-  for (const Vec3& u : {Vec3(nan, 1, 0), Vec3(1, nan, 0)})
-    expect_true("a velocity of NaN gives a J of NaN", "Eq. (5.8)", friction_impulse(one, u, t, 0, 0.5).hasNaN(),
-                clue);
-  expect_true("a K of NaN gives a J of NaN", "Eq. (5.8)",
-              friction_impulse(nan * one, Vec3(1, 1, 0), t, 0, 0.5).hasNaN(), clue);
-  expect_true("a Γ of NaN gives a J of NaN", "Eq. (5.8)",
-              friction_impulse(one, Vec3(1, 1, 0), t, nan, 0.5).hasNaN(), clue);
+  const Vec3 u(1, 1, 0);
+  for (const double bound : {0.5, 0.0}) {
+    const std::string at = ", Λ = " + show(bound) + " N s";
+    const std::string clue =
+        bound > 0 ? "std::min and std::max return their first argument when the other is NaN, and "
+                    "so made a number of it. std::clamp keeps a NaN."
+                  : "Where Λ = 0, too: a zero returned before u and K are looked at hides the NaN. std::clamp "
+                    "keeps it.";
+    for (const Vec3& unknown : {Vec3(nan, 1, 0), Vec3(1, nan, 0)})
+      expect_true("a velocity of NaN gives a J of NaN" + at, "Eq. (5.8)",
+                  friction_impulse(one, unknown, t, 0, bound).hasNaN(), clue);
+    expect_true("a K of NaN gives a J of NaN" + at, "Eq. (5.8)",
+                friction_impulse(Mat3::Constant(nan), u, t, 0, bound).hasNaN(), clue);
+    expect_true("a Γ of NaN gives a J of NaN" + at, "Eq. (5.8)",
+                friction_impulse(one, u, t, nan, bound).hasNaN(), clue);
+  }
+  const std::string at_rest = "At rest, too: a zero returned before K and Γ are looked at hides the NaN.";
+  expect_true("a K of NaN gives a J of NaN, u = 0", "Eq. (5.3)",
+              friction_impulse(Mat3::Constant(nan), Vec3::Zero(), t, 0, 0.5).hasNaN(), at_rest);
+  expect_true("a Γ of NaN gives a J of NaN, u = 0", "Eq. (5.3)",
+              friction_impulse(one, Vec3::Zero(), t, nan, 0.5).hasNaN(), at_rest);
 }
 
 // A block on a level floor, one step with a force along it.

@@ -166,11 +166,12 @@ EXERCISE_TEST(RepresentativeMass, HoldsATowerOnASlopeLessThanABlock) {
 
 EXERCISE_TEST(RepresentativeMass, RejectsWhatIsNoInverseMass) {
   representative_mass(1, 1, 1);
+  const std::string clue = "See require_not_negative in require.hpp. 0 is allowed: that body is fixed.";
   for (const double wrong : {-1.0, std::nan(""), HUGE_VAL}) {
-    expect_rejects("inverse_mass_i = " + show(wrong), "inverse_mass_i",
-                   [&] { representative_mass(wrong, 1, 1); });
-    expect_rejects("inverse_mass_j = " + show(wrong), "inverse_mass_j",
-                   [&] { representative_mass(1, wrong, 1); });
+    expect_rejects(
+        "inverse_mass_i = " + show(wrong), "inverse_mass_i", [&] { representative_mass(wrong, 1, 1); }, clue);
+    expect_rejects(
+        "inverse_mass_j = " + show(wrong), "inverse_mass_j", [&] { representative_mass(1, wrong, 1); }, clue);
   }
 }
 
@@ -178,14 +179,16 @@ EXERCISE_TEST(RepresentativeMass, RejectsTwoFixedBodies) {
   representative_mass(1, 1, 1);
   expect_rejects(
       "both inverse masses 0", "inverse_mass_j", [] { representative_mass(0, 0, 1); },
-      "Two fixed bodies have no reduced mass: 1/0 would be a friction without bound.");
+      "Two fixed bodies have no reduced mass: 1/0 would be a friction without bound. See reject in "
+      "require.hpp.");
 }
 
 EXERCISE_TEST(RepresentativeMass, RejectsLessThanOneContact) {
   representative_mass(1, 1, 1);
   for (const int contacts : {0, -3})
-    expect_rejects("contacts = " + std::to_string(contacts), "contacts",
-                   [&] { representative_mass(1, 1, contacts); });
+    expect_rejects(
+        "contacts = " + std::to_string(contacts), "contacts", [&] { representative_mass(1, 1, contacts); },
+        "See reject in require.hpp. A count has no helper of its own.");
 }
 
 }  // namespace

@@ -45,8 +45,8 @@ EXERCISE_TEST(BallJointConstraints, HasARowAlongEachAxis) {
   const auto rows = rows_between(t);
   const std::string missing = "The angular block is missing: a pull beside the centre also turns the body.";
   const std::string line =
-      "This is a row along the line from point to point, as a distance has. A ball joint's rows "
-      "are along the axes.";
+      "This is a row along the line from point to point, as a distance has. A ball joint's rows are along the "
+      "axes.";
   const std::string origin =
       "This is the lever arm from the origin. A body turns about its own centre of mass.";
   for (int k = 0; k < 3 && !::testing::Test::HasFailure(); ++k) {
@@ -117,6 +117,22 @@ EXERCISE_TEST(BallJointConstraints, HoldsPointsThatCoincide) {
   }
 }
 
+// The first point at the origin: the gaps are what the second is off by, and no digit of them is lost.
+EXERCISE_TEST(BallJointConstraints, DropsNoSmallGap) {
+  for (const double off : {1e-3, 1e-6, 1e-9, 1e-12, 1e-15}) {
+    const Vec3 apart = off * Vec3(1, -2, 3);
+    const auto rows = ball_joint_constraints<3>({.body = 0, .x = Vec3::Zero()}, {.body = 1, .x = apart},
+                                                {.a = 1, .b = 1, .Sigma = 0});
+    expect_near_vector(
+        "gaps of points that are " + show(apart.norm()) + " m apart [m]", "Eq. (6.5)",
+        Vec3(rows[0].gap, rows[1].gap, rows[2].gap), apart, roundings(8, apart.norm()),
+        {{Vec3::Zero(),
+          "So small a gap has been dropped. Nothing is divided by it here, so it needs no case of its own."}},
+        "g = p_j - p_i, however small.");
+    if (::testing::Test::HasFailure()) return;
+  }
+}
+
 EXERCISE_TEST(BallJointConstraints, TimesVelocityIsTheRateOfTheGaps) {
   RandomPair t;
   const auto rows = rows_between(t);
@@ -135,8 +151,7 @@ EXERCISE_TEST(BallJointConstraints, TimesVelocityIsTheRateOfTheGaps) {
     }
     expect_near_vector(
         "G W of the rows along x, y, z, against the gaps of two moving, turning bodies, differentiated "
-        "numerically "
-        "[m/s]",
+        "numerically [m/s]",
         "Eq. (6.5), (6.6)", got, rate,
         {1e-8, "dt²/6 |ω|³|r| of two bodies < 3e-10, and 16 roundings of 6 m over dt"},
         {{-rate, "These are the rates of p_i - p_j: i and j are exchanged, or the sign of G."}},
@@ -157,8 +172,7 @@ EXERCISE_TEST(BallJointConstraints, TakesNoMomentum) {
         "angular momentum about the origin that an impulse of 1 N s" + along + " adds [kg m²/s]",
         "Eq. (6.5), (6.6)", angular_momentum_of(row, t.i, t.j), t.apart().cross(Vec3::Unit(k)),
         roundings(64, t.size()), {},
-        "Opposite pulls at two points that are p_j - p_i apart have the torque (p_j - p_i) × e, and no "
-        "more.");
+        "Opposite pulls at two points that are p_j - p_i apart have the torque (p_j - p_i) × e, and no more.");
   }
 }
 

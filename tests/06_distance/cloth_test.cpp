@@ -60,10 +60,13 @@ EXERCISE_TEST(Cloth, LiesFlat) {
     for (int b = 0; b <= in.cells_v; ++b)
       for (int a = 0; a <= in.cells_u; ++a) {
         const int k = in.index(a, b), other_a = k / (in.cells_v + 1), other_b = k % (in.cells_v + 1);
+        const int truncated_a = a < in.cells_u ? 0 : a, truncated_b = b < in.cells_v ? 0 : b;
         expect_near_vector(
             "point " + in.name(a, b) + ", index " + std::to_string(k) + " [m]", "Eq. (6.11)",
             net.x[static_cast<std::size_t>(k)], place(a, b), roundings(32, 10),
-            {{place(other_a, other_b),
+            {{place(truncated_a, truncated_b),
+              "a/cells_u of two integers loses the fraction, and is 0 before the far side: divide as double."},
+             {place(other_a, other_b),
               "The index is a + b (cells_u + 1): a, along u, runs fastest. Here b does."},
              {in.corner + a * in.u + b * in.v, "u and v are whole sides: divide by the number of cells."},
              {place(a, b) - in.corner, "The corner is missing: this cloth begins at the origin."},
@@ -84,18 +87,39 @@ EXERCISE_TEST(Cloth, PutsAQuarterOfEachCellOnEachCorner) {
   const double cell = in.mass / in.cells_u / in.cells_v;
   const Eigen::VectorXd got = Eigen::VectorXd::Map(net.mass.data(), in.points());
   const Eigen::VectorXd ones = Eigen::VectorXd::Ones(in.points());
-  Eigen::VectorXd cells_beside(in.points()), near_corners(in.points());
+  Eigen::VectorXd cells_beside(in.points()), near_corners(in.points()), whole_cells(in.points());
+  Eigen::VectorXd far_inside(in.points()), near_inside(in.points()), like_hem(in.points());
   for (int b = 0; b <= in.cells_v; ++b)
     for (int a = 0; a <= in.cells_u; ++a) {
       cells_beside[in.index(a, b)] = (a == 0 || a == in.cells_u ? 1 : 2) * (b == 0 || b == in.cells_v ? 1 : 2);
       near_corners[in.index(a, b)] = a < in.cells_u && b < in.cells_v ? 1 : 0;
+      const bool inside = 0 < a && a < in.cells_u && 0 < b && b < in.cells_v;
+      whole_cells[in.index(a, b)] = inside ? 1 : 0;
+      like_hem[in.index(a, b)] = inside ? 4 : 2;
+      far_inside[in.index(a, b)] = (a == 0 ? 1 : 2) * (b == 0 ? 1 : 2);
+      near_inside[in.index(a, b)] = (a == in.cells_u ? 1 : 2) * (b == in.cells_v ? 1 : 2);
     }
+  const double area = in.u.cross(in.v).norm();
+  const bool all_equal = (got.array() - got[0]).abs().maxCoeff() <= 1e-12 * in.mass;
   const auto distance = [](const Eigen::VectorXd& one, const Eigen::VectorXd& other) {
     return (one - other).norm();
   };
   const std::string clue = explain<Eigen::VectorXd>(
       got,
-      {{in.mass * ones, "Every point has the whole cloth's mass."},
+      {{0 * ones,
+        "There is no mass at all: 1/n and 1/4 of integers are 0. Let a double take part in the division."},
+       {cell * whole_cells,
+        "1/4 and 2/4 of integers are 0: only points inside have any mass. Divide as double."},
+       {in.mass * ones, "Every point has the whole cloth's mass."},
+       {in.mass / 4 * cells_beside, "Every cell has the whole cloth's mass. It has its share of it."},
+       {area * cell / 4 * cells_beside,
+        "`mass` is taken for that of 1 m². It is the whole cloth's, whatever its area."},
+       {cell / 4 * far_inside,
+        "The far hem, at a = cells_u and b = cells_v, is as heavy as the inside. No cells lie beyond it."},
+       {cell / 4 * near_inside,
+        "The near hem, at a = 0 and b = 0, is as heavy as the inside. No cells lie before it."},
+       {cell / 4 * like_hem,
+        "The corners are as heavy as the hem. Only one cell meets there, along the hem two."},
        {in.mass / in.points() * ones,
         "The mass is divided evenly among the points. It belongs to the cells, and fewer "
         "of them meet at an edge."},
@@ -104,7 +128,9 @@ EXERCISE_TEST(Cloth, PutsAQuarterOfEachCellOnEachCorner) {
        {cell * cells_beside, "All of each cell's mass is on each of its corners: four times the cloth."},
        {cell / 2 * cells_beside, "Half of each cell's mass is on each of its four corners: twice the cloth."},
        {cell * near_corners, "All of each cell's mass is on one of its corners."}},
-      distance, 1e-9 * in.mass, "A quarter of the mass of each cell on each of its corners.");
+      distance, 1e-9 * in.mass,
+      all_equal ? "All points are equally heavy. One cell meets at a corner, two at the hem, four inside."
+                : "A quarter of the mass of each cell on each of its corners.");
   for (int b = 0; b <= in.cells_v; ++b)
     for (int a = 0; a <= in.cells_u; ++a) {
       const int k = in.index(a, b), beside = static_cast<int>(cells_beside[k]);
@@ -132,6 +158,48 @@ EXERCISE_TEST(Cloth, KeepsItsMassAndCentre) {
                      "The middle of the cloth: no edge weighs more than the opposite one.");
 }
 
+// Whether the index could be that of a neighbour, where a row has so many points.
+bool are_neighbours(const Link& link, int per_row) {
+  const auto [low, high] = std::minmax(link.i, link.j);
+  return high - low == per_row || (high - low == 1 && high % per_row != 0);
+}
+
+// Whether every link is one between neighbours. A wrong index function joins others, as many as there should be.
+bool joins_neighbours(const Net& net, const Input& in) {
+  const int per_row = in.cells_u + 1;
+  const auto inside = [&](const Link& link) {
+    return 0 <= std::min(link.i, link.j) && std::max(link.i, link.j) < in.points();
+  };
+  const auto wrong = [&](const Link& link) { return !inside(link) || !are_neighbours(link, per_row); };
+  const auto leaps = [&](const Link& link) { return wrong(link) && std::abs(link.j - link.i) != 1; };
+  auto found = std::find_if(net.links.begin(), net.links.end(), leaps);
+  if (found == net.links.end()) found = std::find_if(net.links.begin(), net.links.end(), wrong);
+  if (found == net.links.end()) return true;
+
+  const bool transposed = std::all_of(net.links.begin(), net.links.end(), [&](const Link& link) {
+    return inside(link) && are_neighbours(link, in.cells_v + 1);
+  });
+  const int added = std::abs(found->j - found->i);
+  const bool run_on = added == 1 && inside(*found);
+  const std::string same_as = added == in.cells_v + 1 ? ", cells_v + 1"
+                              : added == in.cells_u   ? ", cells_u"
+                              : added == in.cells_v   ? ", cells_v"
+                                                      : "";
+  const auto name = [&](int k) {
+    return "point " + std::to_string(k) +
+           (0 <= k && k < in.points() ? ", " + in.name(k % per_row, k / per_row) : ", which there is not");
+  };
+  expect_true(
+      "a link from " + name(found->i) + ", to " + name(found->j) + ", joins neighbours", "Eq. (6.11)", false,
+      transposed   ? "The index is a + b (cells_u + 1): a, along u, runs fastest. Here b does."
+      : added == 0 ? "A link joins two points, not one with itself."
+      : run_on     ? "The last point of a row is not joined to the first of the next row."
+      : added == 1 ? "There are no such two points."
+                   : "b -> b + 1 adds cells_u + 1 to the index, as many as a row has points. Here it adds " +
+                         std::to_string(added) + same_as + ".");
+  return false;
+}
+
 EXERCISE_TEST(Cloth, JoinsTheCornersOfEachCellAlongItsSides) {
   for (const bool exchanged : {false, true}) {
     const Input in(exchanged);
@@ -149,6 +217,7 @@ EXERCISE_TEST(Cloth, JoinsTheCornersOfEachCellAlongItsSides) {
          {in.sides() + in.cells_v + 0.0, "The last point of a row is not joined to the first of the next row."},
          {2.0 * in.sides(), "Each side has two links: one is enough."}},
         "cells_u (cells_v + 1) along u, (cells_u + 1) cells_v along v.");
+    if (::testing::Test::HasFailure() || !joins_neighbours(net, in)) return;
     std::map<std::pair<int, int>, int> count;
     for (const Link& link : net.links) ++count[std::minmax(link.i, link.j)];
     const auto expect_once = [&](int a, int b, int next_a, int next_b) {
@@ -184,7 +253,8 @@ EXERCISE_TEST(Cloth, IsAtRestAsItLies) {
     expect_near("length of the link from point " + std::to_string(link.i) + " to point " +
                     std::to_string(link.j) + " [m]",
                 "Eq. (6.11)", link.length, distance, roundings(64, 10),
-                {{in.u.norm(), "This is the whole side, along u."},
+                {{0, "1/n of two integers is 0: let a double take part in the division."},
+                 {in.u.norm(), "This is the whole side, along u."},
                  {in.v.norm(), "This is the whole side, along v."},
                  {along_u, "This is a cell's side along u. The link lies along v."},
                  {along_v, "This is a cell's side along v. The link lies along u."}},
@@ -262,8 +332,11 @@ EXERCISE_TEST(Cloth, RejectsWhatIsNoCloth) {
   const Vec3 corner(1, 2, 3), u(1, 0, 0), v(0, 2, 0);
   cloth(corner, u, v, 2, 3, 1);
   for (const int cells : {0, -3}) {
-    expect_rejects("cells_u = " + std::to_string(cells), "cells_u", [&] { cloth(corner, u, v, cells, 3, 1); });
-    expect_rejects("cells_v = " + std::to_string(cells), "cells_v", [&] { cloth(corner, u, v, 2, cells, 1); });
+    const std::string clue = "See reject in require.hpp. A count has no helper of its own.";
+    expect_rejects(
+        "cells_u = " + std::to_string(cells), "cells_u", [&] { cloth(corner, u, v, cells, 3, 1); }, clue);
+    expect_rejects(
+        "cells_v = " + std::to_string(cells), "cells_v", [&] { cloth(corner, u, v, 2, cells, 1); }, clue);
   }
   for (const double mass : {0.0, -1.0, std::nan(""), HUGE_VAL})
     expect_rejects(
@@ -280,7 +353,8 @@ EXERCISE_TEST(Cloth, RejectsWhatIsNoCloth) {
     expect_rejects(
         "v" + text, "v", [&] { cloth(corner, u, nowhere, 2, 3, 1); }, clue);
   }
-  const std::string clue = "Without an area |u × v| it is a line, or a point.";
+  const std::string clue =
+      "See require_positive in require.hpp. Without an area |u × v| it is a line, or a point.";
   expect_rejects(
       "u and v along each other", "area", [&] { cloth(corner, u, 2 * u, 2, 3, 1); }, clue);
   expect_rejects(

@@ -9,6 +9,9 @@ namespace {
 
 EXERCISE(DistanceConstraint, "6.1 distance_constraint");
 
+const std::string by_length =
+    "This is p_j - p_i over the wanted length. |n| is 1 only when it is divided by the distance.";
+
 Constraint<6> row_of(const RandomPair& t) {
   return distance_constraint<6>(t.i, t.j, t.length, t.spook);
 }
@@ -26,12 +29,66 @@ EXERCISE_TEST(DistanceConstraint, MeasuresPointMasses) {
               "g = |p_j - p_i| - l.");
   const Vec3 n(0.6, 0, 0.8);
   const std::string reversed = "n goes from i's point to j's. This one goes from j to i.";
-  expect_near_vector("Gj", "Eq. (6.3)", c.Gj, n, roundings(8),
-                     {{-n, reversed}, {5 * n, "This is p_j - p_i: n is a unit vector."}}, "Gj = n.");
   expect_near_vector(
-      "Gi", "Eq. (6.3)", c.Gi, -n, roundings(8),
-      {{n, "i is pushed along -n: Gi has a minus."}, {-5 * n, "This is p_i - p_j: n is a unit vector."}},
-      "Gi = -n.");
+      "Gj", "Eq. (6.3)", c.Gj, n, roundings(8),
+      {{-n, reversed}, {5 * n, "This is p_j - p_i: n is a unit vector."}, {5.0 / 4 * n, by_length}}, "Gj = n.");
+  expect_near_vector("Gi", "Eq. (6.3)", c.Gi, -n, roundings(8),
+                     {{n, "i is pushed along -n: Gi has a minus."},
+                      {-5 * n, "This is p_i - p_j: n is a unit vector."},
+                      {-5.0 / 4 * n, by_length}},
+                     "Gi = -n.");
+}
+
+EXERCISE_TEST(DistanceConstraint, HasANegativeGapWhenCompressed) {
+  // The points of the test above, 5 m from each other, held at 7.
+  const Attachment i{.body = 0, .x = Vec3(1, 2, -1)}, j{.body = 1, .x = Vec3(4, 2, 3)};
+  const Constraint<3> c = distance_constraint<3>(i, j, 7, {.a = 1, .b = 1, .Sigma = 0});
+  expect_near("gap of points at (1, 2, -1) and (4, 2, 3), l = 7 m [m]", "Eq. (6.2)", c.gap, -2,
+              roundings(16, 5),
+              {{2, "The gap has lost its sign: what is too short would be pulled together further."},
+               {0, "The gap is negative here, and must stay so: what is too short is pushed apart."},
+               {5, "The length is missing: g is what the distance is off by."}},
+              "g = |p_j - p_i| - l, negative when they are too close.");
+  expect_near_vector(
+      "Gj of the compressed pair", "Eq. (6.3)", c.Gj, Vec3(0.6, 0, 0.8), roundings(8),
+      {{Vec3(-0.6, 0, -0.8),
+        "n goes from i's point to j's, whether they are too far apart or too close. The sign is in the gap."},
+       {5.0 / 7 * Vec3(0.6, 0, 0.8), by_length}},
+      "Gj = n.");
+}
+
+// "Positive" has no lower end but 0: a length in metres may belong to a wire of nanometres, and a rod may be pressed
+// together to next to nothing.
+EXERCISE_TEST(DistanceConstraint, TakesAnyPositiveDistance) {
+  const Spook spook{.a = 1, .b = 1, .Sigma = 0};
+  const Vec3 n(0.6, 0, 0.8);
+  for (const double distance : {0.05, 1e-3, 1e-6, 1e-9, 1e-12})
+    for (const double length : {distance, 2 * distance, 1.0}) {
+      const std::string text =
+          " of points at a distance of " + show(distance) + " m, l = " + show(length) + " m";
+      const Attachment i{.body = 0, .x = Vec3::Zero()}, j{.body = 1, .x = distance * n};
+      std::string refused;
+      Constraint<3> c{};
+      try {
+        c = distance_constraint<3>(i, j, length, spook);
+      } catch (const std::invalid_argument& error) {
+        refused = error.what();
+      }
+      expect_true("the row" + text + " is made" + (refused.empty() ? "" : "; here: " + refused), "Eq. (6.2)",
+                  refused.empty(),
+                  "Positive means more than 0, however little. Only 0 itself has no direction, and a tolerance "
+                  "does not belong here.");
+      if (::testing::Test::HasFailure()) return;
+      expect_near("gap" + text + " [m]", "Eq. (6.2)", c.gap, distance - length,
+                  roundings(8, std::max(distance, length)),
+                  {{0, "So small a gap has been dropped. It is the distance minus the length, however small."}},
+                  "g = |p_j - p_i| - l.");
+      expect_near_vector("Gj" + text, "Eq. (6.3)", c.Gj, n, roundings(8),
+                         {{Vec3::Zero(), "There is no direction: so short a distance has been taken for none."},
+                          {Vec3(distance / length * n), by_length}},
+                         "Gj = n, of length 1 at any distance.");
+      if (::testing::Test::HasFailure()) return;
+    }
 }
 
 EXERCISE_TEST(DistanceConstraint, MeasuresFromPointToPoint) {
@@ -41,7 +98,10 @@ EXERCISE_TEST(DistanceConstraint, MeasuresFromPointToPoint) {
   given() += ", l = " + show(l) + " m";
   expect_near(
       "gap between points of two rigid bodies [m]", "Eq. (6.1), (6.2)", got, d - l, roundings(32, t.size()),
-      {{l - d, "The sign: g is the distance minus the length, positive when they are too far apart."},
+      {{l - d,
+        "The sign: g is the distance minus the length, positive when they are too far apart and negative when "
+        "too close."},
+       {0, "A gap of 0 asks for nothing. Too close is a gap, too: a negative one."},
        {d, "The length is missing: g is what the distance is off by."},
        {(d * d - l * l) / 2, "This is half the difference of the squares. g is in metres."},
        {d * d - l * l, "This is the difference of the squares. g is in metres."},
@@ -70,7 +130,8 @@ EXERCISE_TEST(DistanceConstraint, HasFourBlocks) {
                       {twist(n, t.i.r.cross(n)), "This used r_i for body j. Each body has its own lever arm."},
                       {twist(n, (t.j.x + t.j.r).cross(n)), origin},
                       {block(between_centres, t.j.r), centres},
-                      {block(t.apart(), t.j.r), length}},
+                      {block(t.apart(), t.j.r), length},
+                      {block(t.apart() / t.length, t.j.r), by_length}},
                      "Gj = (n, r_j × n).");
   expect_near_vector(
       "Gi", "Eq. (6.3)", c.Gi, block(-n, t.i.r), roundings(64, t.size()),
@@ -80,7 +141,8 @@ EXERCISE_TEST(DistanceConstraint, HasFourBlocks) {
        {twist(-n, -t.j.r.cross(n)), "This used r_j for body i. Each body has its own lever arm."},
        {twist(-n, -(t.i.x + t.i.r).cross(n)), origin},
        {block(-between_centres, t.i.r), centres},
-       {block(-t.apart(), t.i.r), length}},
+       {block(-t.apart(), t.i.r), length},
+       {block(-t.apart() / t.length, t.i.r), by_length}},
       "Gi = (-n, -r_i × n).");
 }
 
@@ -121,8 +183,10 @@ EXERCISE_TEST(DistanceConstraint, TimesVelocityIsTheRateOfTheDistance) {
 EXERCISE_TEST(DistanceConstraint, TakesNothingFromThePair) {
   const RandomPair t;
   const Constraint<6> c = row_of(t);
-  expect_near("length of the linear block of j", "Eq. (6.3)", c.Gj.head<3>().norm(), 1, roundings(8),
-              {{t.distance, "This is the distance: divide p_j - p_i by it."}}, "n is a unit vector.");
+  expect_near(
+      "length of the linear block of j", "Eq. (6.3)", c.Gj.head<3>().norm(), 1, roundings(8),
+      {{t.distance, "This is the distance: divide p_j - p_i by it."}, {t.distance / t.length, by_length}},
+      "n is a unit vector.");
   expect_near_vector("sum of the linear blocks", "Eq. (6.3)", Vec3(c.Gi.head<3>() + c.Gj.head<3>()),
                      Vec3::Zero(), roundings(4), {}, "Action equals reaction: n on j, -n on i.");
   expect_near_vector("angular momentum about the origin that an impulse of 1 N s adds [kg m²/s]", "Eq. (6.3)",
@@ -165,7 +229,8 @@ EXERCISE_TEST(DistanceConstraint, RejectsADistanceThatIsNone) {
     expect_rejects(
         "x_j = (" + show(x) + ", 0, 0)", "distance",
         [&] { distance_constraint<3>(i, {.body = 1, .x = Vec3(x, 0, 0)}, 1, spook); },
-        "The distance must be positive and finite: a comparison with 0 lets NaN through.");
+        "See require_positive in require.hpp. The distance must be finite, too, and a comparison with 0 lets "
+        "NaN through.");
 }
 
 EXERCISE_TEST(DistanceConstraint, RejectsALengthThatIsNotPositive) {

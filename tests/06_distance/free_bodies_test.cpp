@@ -145,8 +145,7 @@ EXERCISE_TEST(BallJointConstraints, KeepsAngularMomentumButForTheGaps) {
   expect_near_vector(
       "angular momentum of four boxes with three ball joints, after 500 steps [kg m²/s]", "Eq. (6.5), (6.6)",
       chain.angular_momentum(), L, after_steps(steps), {},
-      "A joint adds (p_j - p_i) × J in a step and nothing else. Look at r × e of both bodies, and the "
-      "signs.");
+      "A joint adds (p_j - p_i) × J in a step and nothing else. Look at r × e of both bodies, and the signs.");
 }
 
 EXERCISE_TEST(BallJointConstraints, LosesAngularMomentumWithOrderTwo) {

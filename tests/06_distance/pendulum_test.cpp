@@ -100,12 +100,12 @@ double lateness(double h, double d) {
 EXERCISE_TEST(DistanceConstraint, SwingsWithTheExactPeriod) {
   const double h = 1e-3;
   for (const double d : {1.0, 3.0, 5.0}) {
-    expect_near("period of a pendulum from 90°, l = 1 m, g = 10 m/s², h = 1 ms, d = " + show(d) + " [s]",
-                "Eq. (6.13)", swing_on_a_rod(h, d).period, exact_period,
-                {lateness(h, d), "3 (1 + 2d) h² √(g/2l), from the gap that a turning rod keeps"},
-                {{2 * pi * std::sqrt(l / gravity), "This is the period of small swings."}},
-                "It swings at another length, or not at all. NaN: it has not come by three times within two "
-                "periods.");
+    expect_near(
+        "period of a pendulum from 90°, l = 1 m, g = 10 m/s², h = 1 ms, d = " + show(d) + " [s]", "Eq. (6.13)",
+        swing_on_a_rod(h, d).period, exact_period,
+        {lateness(h, d), "3 (1 + 2d) h² √(g/2l), from the gap that a turning rod keeps"},
+        {{2 * pi * std::sqrt(l / gravity), "This is the period of small swings."}},
+        "It swings at another length, or not at all. NaN: it has not come by three times within two periods.");
     if (::testing::Test::HasFailure()) return;
   }
 }

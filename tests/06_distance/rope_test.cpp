@@ -73,7 +73,8 @@ EXERCISE_TEST(Rope, JoinsNeighbours) {
     expect_near("length of " + name + " [m]", "Eq. (6.10)", link.length, each, roundings(16, 4),
                 {{in.length, "This is the whole rope's length."},
                  {in.length / (in.links + 1), "The rope is divided among its links, not among its points."},
-                 {1, "A link has its own length, at rest as the rope lies."}},
+                 {1, "A link has its own length, at rest as the rope lies."},
+                 {0, "1/N of two integers is 0: let a double take part in the division."}},
                 "At rest as it lies: the distance of its two points.");
   }
 }
@@ -92,7 +93,12 @@ EXERCISE_TEST(Rope, PutsHalfOfEachLinkOnEitherEnd) {
       "masses of all points, from the first to the last [kg]", "Eq. (6.10)",
       Eigen::VectorXd(Eigen::VectorXd::Map(net.mass.data(), in.links + 1)), link / 2 * halves,
       roundings(64, in.mass),
-      {{in.mass * ones, "Every point has the whole rope's mass."},
+      {{0 * ones,
+        "There is no mass at all: 1/N and 1/2 of integers are 0. Let a double take part in the division."},
+       {in.mass * ones, "Every point has the whole rope's mass."},
+       {in.mass / 2 * halves, "Every link has the whole rope's mass. It has its share, mass/N."},
+       {in.length * link / 2 * halves,
+        "`mass` is taken for that of 1 m. It is the whole rope's, whatever its length."},
        {in.mass / (in.links + 1) * ones,
         "The mass is divided evenly among the points. It belongs to the "
         "links: an end has half a link, any other point two halves."},
@@ -275,7 +281,9 @@ EXERCISE_TEST(Rope, RejectsWhatIsNoRope) {
   const Vec3 from(0, 0, 1), to(0, 0, -1);
   rope(from, to, 3, 1);
   for (const int links : {0, -3})
-    expect_rejects("links = " + std::to_string(links), "links", [&] { rope(from, to, links, 1); });
+    expect_rejects(
+        "links = " + std::to_string(links), "links", [&] { rope(from, to, links, 1); },
+        "See reject in require.hpp. A count has no helper of its own.");
   for (const double mass : {0.0, -1.0, std::nan(""), HUGE_VAL})
     expect_rejects(
         "mass = " + show(mass), "mass", [&] { rope(from, to, 3, mass); },
@@ -290,7 +298,7 @@ EXERCISE_TEST(Rope, RejectsWhatIsNoRope) {
   }
   expect_rejects(
       "both ends at the same place", "length", [&] { rope(to, to, 3, 1); },
-      "A rope without length has links without direction.");
+      "See require_positive in require.hpp. A rope without length has links without direction.");
 }
 
 }  // namespace

@@ -93,34 +93,63 @@ EXERCISE_TEST(ImpactImpulse, IsThatOfTheNotesWhereItLosesEnergy) {
   expect_true("some of 2000 impacts stick, and some slide", "Eq. (7.4)", sticks > 50 && slides > 50);
 }
 
+// Masses of any size: what counts is whether ΔE is positive, not whether it is large.
+constexpr double rod_masses[] = {1, 1e-9};
+
+std::string end_of(double mass, const std::string& numbers) {
+  return "J of a rod of " + show(mass) + " kg at 45°, " + numbers + " [N s]";
+}
+
+const std::string safe_rule = "Where Eq. (7.6) is positive, however little, the safe impulse takes over.";
+
 EXERCISE_TEST(ImpactImpulse, DoesNotLetStickingAddEnergy) {
-  // With u' = (0, 0, 1): ½ u'·K⁻¹u' = 0.3125 J after, ½ u·K⁻¹u = 0.2 J before. And Q = P, so that J = (1+e) P.
-  const Impact rod{.K = K_of_rod(), .u = Vec3(0.6, 0, -1), .n = Vec3(0, 0, 1), .e = 1, .mu = 1};
-  const Vec3 J = impulse_of(rod), stick(0.375, 0, 1.025);
-  expect_near("ΔE if the rod's end sticks: it is inside the cone, and wrong [J]", "Eq. (7.3), (7.6)",
-              rod.work(stick), 0.1125, roundings(64));
-  expect_near_vector("J of a rod at 45°, u = (0.6, 0, -1) m/s, e = 1, μ = 1 [N s]", "Eq. (7.6), (7.7)", J,
-                     Vec3(0, 0, 0.8), roundings(64),
-                     {{stick,
-                       "This sticks, and adds 0.11 J to 0.2 J. Where Eq. (7.6) is positive, the safe impulse "
-                       "takes over."},
-                      {rod.slide(), "This slides, though the impulse that sticks is inside the cone."}},
-                     "Where Eq. (7.6) is positive, the safe impulse takes over.");
+  // With u' = (0, 0, 1): ½ u'·K⁻¹u' = 0.3125 m after, ½ u·K⁻¹u = 0.2 m before. And Q = P, so that J = (1+e) P.
+  for (const double m : rod_masses) {
+    const Impact rod{.K = K_of_rod() / m, .u = Vec3(0.6, 0, -1), .n = Vec3(0, 0, 1), .e = 1, .mu = 1};
+    const Vec3 J = impulse_of(rod), stick = m * Vec3(0.375, 0, 1.025);
+    expect_near("ΔE if the rod's end sticks: it is inside the cone, and wrong [J]", "Eq. (7.3), (7.6)",
+                rod.work(stick), 0.1125 * m, roundings(64, m));
+    expect_near_vector(end_of(m, "u = (0.6, 0, -1) m/s, e = 1, μ = 1"), "Eq. (7.6), (7.7)", J,
+                       Vec3(0, 0, 0.8 * m), roundings(64, m),
+                       {{stick, "This sticks, and adds 0.11 J/kg to 0.2 J/kg. " + safe_rule},
+                        {rod.slide(), "This slides, though the impulse that sticks is inside the cone."}},
+                       safe_rule);
+    if (::testing::Test::HasFailure()) return;
+  }
+}
+
+EXERCISE_TEST(ImpactImpulse, DoesNotSlideWhereStickingAddsEnergy) {
+  // J = (1, 0, 7)/8 N s would stick, and add 1/16 J; (-4, 0, 8)/13 N s would slide, and take 8/169 J away. It is not
+  // outside the cone, and a contact that could stick has no law to slide by. κ = 1 in Eq. (7.7).
+  for (const double m : rod_masses) {
+    const Impact rod{.K = K_of_rod() / m, .u = Vec3(1, 0, -1), .n = Vec3(0, 0, 1), .e = 1, .mu = 0.5};
+    const Vec3 J = impulse_of(rod), stick = m * Vec3(0.125, 0, 0.875), slide = m * Vec3(-4, 0, 8) / 13;
+    expect_near_vector(
+        end_of(m, "u = (1, 0, -1) m/s, e = 1, μ = 0.5, which would gain energy if it stuck"),
+        "Eq. (7.6), (7.7)", J, m * Vec3(-0.25, 0, 0.65), roundings(64, m),
+        {{slide,
+          "This slides, though the impulse that sticks is inside the cone. Where that one adds energy, the "
+          "safe impulse takes over, not the sliding one, even if sliding would lose some."},
+         {stick, "This sticks, and adds 0.06 J/kg to 0.25 J/kg. " + safe_rule}},
+        safe_rule);
+    if (::testing::Test::HasFailure()) return;
+  }
 }
 
 EXERCISE_TEST(ImpactImpulse, DoesNotLetSlidingAddEnergy) {
-  // The cone is left at |J_t|/J_n = 0.514, and (7.5) has j = 8/13 N s.
-  const Impact rod{.K = K_of_rod(), .u = Vec3(0.25, 0, -1), .n = Vec3(0, 0, 1), .e = 1, .mu = 0.5};
-  const Vec3 J = impulse_of(rod), slide(-4.0 / 13, 0, 8.0 / 13);
-  expect_near("ΔE if the rod's end slides: what Eq. (7.5) says, and wrong [J]", "Eq. (7.5), (7.6)",
-              rod.work(slide), 31.0 / 169, roundings(64));
-  expect_near_vector("J of a rod at 45°, u = (0.25, 0, -1) m/s, e = 1, μ = 0.5 [N s]", "Eq. (7.6), (7.7)", J,
-                     Vec3(0.21875, 0, 0.93125), roundings(64),
-                     {{slide,
-                       "This slides, and adds 0.18 J to 0.24 J. Where Eq. (7.6) is positive, the safe impulse "
-                       "takes over."},
-                      {rod.stick(), "This sticks, though |J_t| > μ J_n: the cone has not been asked."}},
-                     "Where Eq. (7.6) is positive, the safe impulse takes over.");
+  // The cone is left at |J_t|/J_n = 0.514, and (7.5) has j = 8/13 m.
+  for (const double m : rod_masses) {
+    const Impact rod{.K = K_of_rod() / m, .u = Vec3(0.25, 0, -1), .n = Vec3(0, 0, 1), .e = 1, .mu = 0.5};
+    const Vec3 J = impulse_of(rod), slide = m * Vec3(-4, 0, 8) / 13;
+    expect_near("ΔE if the rod's end slides: what Eq. (7.5) says, and wrong [J]", "Eq. (7.5), (7.6)",
+                rod.work(slide), 31.0 / 169 * m, roundings(64, m));
+    expect_near_vector(end_of(m, "u = (0.25, 0, -1) m/s, e = 1, μ = 0.5"), "Eq. (7.6), (7.7)", J,
+                       m * Vec3(0.21875, 0, 0.93125), roundings(64, m),
+                       {{slide, "This slides, and adds 0.18 J/kg to 0.24 J/kg. " + safe_rule},
+                        {rod.stick(), "This sticks, though |J_t| > μ J_n: the cone has not been asked."}},
+                       safe_rule);
+    if (::testing::Test::HasFailure()) return;
+  }
 }
 
 EXERCISE_TEST(ImpactImpulse, HasOneWhereSlidingHasNone) {

@@ -121,6 +121,21 @@ EXERCISE_TEST(InsideCone, HasItsEdgeInside) {
   expect_inside(Vec3(-2, 0, 0), Vec3(-1, 0, 0), 0, true, edge);
 }
 
+EXERCISE_TEST(InsideCone, HasNoSlack) {
+  const Vec3 n(0, 0, 1);
+  const std::string slack = "Compare |J_t| with μ J_n, without a tolerance: impulses of any size come.";
+  // 1e-12 is far above the roundings of these numbers.
+  for (const double size : {1.0, 1e-15, 1e15}) {
+    expect_inside(size * Vec3(0.5 * (1 + 1e-12), 0, 1), n, 0.5, false,
+                  "|J_t| is 1e-12 of it more than μ J_n here. " + slack);
+    expect_inside(size * Vec3(0.5 * (1 - 1e-12), 0, 1), n, 0.5, true,
+                  "|J_t| is 1e-12 of it less than μ J_n here. " + slack);
+    expect_inside(size * Vec3(0, 0.8, 1), n, 0.5, false,
+                  "|J_t| = 0.8 J_n is more than μ J_n = 0.5 J_n. " + slack);
+    expect_inside(size * Vec3(0, 0, -1), n, 0.5, false, "It pulls. " + slack);
+  }
+}
+
 EXERCISE_TEST(InsideCone, HasNoPullInside) {
   Random random;
   const std::string pull = "J·n is negative: it pulls. A squared comparison, or |J·n|, does not see that.";
@@ -242,9 +257,47 @@ EXERCISE_TEST(SlidingImpulse, TakesASlipOfRoundingsForNone) {
   expect_near_vector("J of a rod that comes down with a slip of roundings [N s]", "Eq. (7.5)",
                      value(J, 2.5, rule), Vec3(0, 0, 1), roundings(16),
                      {{by_noise, "This is full friction, against noise. " + rule}}, rule);
+  // The slip, 1e-9 m/s, is 1e-13 of u.
+  const auto fast = sliding_impulse(K_of_rod(), Vec3(1e-9, 0, -1e4), Vec3(0, 0, 1), 0.25, 0.5);
+  expect_near_vector("J of a rod that comes down at 10 km/s with a slip of 1e-9 m/s [N s]", "Eq. (7.5)",
+                     value(fast, 2.5, rule), Vec3(0, 0, 5000), roundings(16, 5000),
+                     {{5000 * by_noise,
+                       "This is full friction, against noise: compare |u_t| with |u|, not with a "
+                       "velocity in m/s."}},
+                     rule);
 }
 
-EXERCISE_TEST(SlidingImpulse, DoesNotExistWhereFrictionPressesHarderThanTheNormal) {
+EXERCISE_TEST(SlidingImpulse, TakesASmallSlipForOne) {
+  // n·K(n - μt) = 2.5 + 0.75, whatever the size of the slip.
+  const Vec3 J(-5.0 / 13, 0, 10.0 / 13);
+  for (const double slip : {1.0, 1e-4, 1e-8, 1e-11})
+    expect_near_vector(
+        "J of a rod that slips at " + show(slip) + " m/s and comes down at 2 m/s [N s]", "Eq. (7.5)",
+        value(sliding_impulse(K_of_rod(), Vec3(slip, 0, -2), Vec3(0, 0, 1), 0.25, 0.5), 3.25), J, roundings(32),
+        {{Vec3(0, 0, 1),
+          "The friction is missing. A slip is none only up to 1e-12 |u|; above, it has a direction "
+          "like any other."}},
+        "The friction depends on the slip's direction, not on how large it is.");
+}
+
+// Eq. (7.5) knows no size of its own: J grows with u and with the masses.
+EXERCISE_TEST(SlidingImpulse, GrowsWithVelocitiesAndMasses) {
+  const Vec3 u(1, 0, -2), n(0, 0, 1), J(-5.0 / 13, 0, 10.0 / 13), normal(0, 0, 1);
+  for (const double size : {1e-13, 1e-9, 1e9, 1e13}) {
+    expect_near_vector(
+        "J of a rod, all velocities " + show(size) + " times as large [N s]", "Eq. (7.5)",
+        value(sliding_impulse(K_of_rod(), size * u, n, 0.25, 0.5), 3.25), size * J, roundings(32, size),
+        {{size * normal,
+          "The friction is missing: the slip is half the approach. Compare |u_t| with |u|, not with m/s."}},
+        "Twice the velocities, twice the impulse.");
+    expect_near_vector("J of a rod of " + show(size) + " kg [N s]", "Eq. (7.5)",
+                       value(sliding_impulse(K_of_rod() / size, u, n, 0.25, 0.5), 3.25 / size,
+                             "The heavier the bodies, the smaller n·K(n - μt): any number above zero will do."),
+                       size * J, roundings(32, size), {}, "Twice the masses, twice the impulse.");
+  }
+}
+
+EXERCISE_TEST(SlidingImpulse, DoesNotExistWhereFrictionWins) {
   const Mat3 K = K_of_rod();
   const Vec3 n(0, 0, 1), ahead(-3, 0, -1), behind(3, 0, -1);  // t = -x, and t = x
   for (const double mu : {1.7, 2.0, 3.0, 5.0}) {

@@ -10,19 +10,33 @@ namespace {
 EXERCISE(ImpactWork, "7.4 impact_work");
 EXERCISE(SafeImpulse, "7.5 safe_impulse");
 
-EXERCISE_TEST(ImpactWork, ByHand) {
-  // J·u = -4, J·KJ = 2·1 + 0.5·4 = 4.
+// Every known mistake gives another number, if J·u and J·KJ are chosen so.
+void expect_work(const Vec3& u, const Vec3& J, double expected, const std::string& numbers) {
   const Mat3 K = Vec3(2, 1, 0.5).asDiagonal();
+  const double Ju = J.dot(u), JKJ = J.dot(K * J), inverted = J.dot(K.inverse() * J);
   expect_near(
-      "ΔE for K = diag(2, 1, 0.5)/kg, u = (2, 0, -3) m/s, J = (1, 0, 2) N s, -4 + 4/2 [J]", "Eq. (7.6)",
-      impact_work(K, Vec3(2, 0, -3), Vec3(1, 0, 2)), -2, roundings(16, 4),
-      {{0, "½ is missing: the point moves at u at first and at u + K J at last, on average at u + ½ K J."},
-       {-4, "This is J·u. The velocity changes while J acts: by ½ K J on average."},
-       {2, "This is ½ J·KJ. The velocity of before, u, counts, too."},
-       {-6, "The sign of K J: J changes the velocity by + K J."},
-       {-1, "This is (J·u + ½ J·KJ)/2: ½ belongs to K J alone, u counts in full."},
-       {0.25, "K is an inverse mass: multiply J by it, don't solve with it."}},
+      "ΔE for K = diag(2, 1, 0.5)/kg, u = " + show(u) + " m/s, J = " + show(J) + " N s, " + numbers + " [J]",
+      "Eq. (7.6)", impact_work(K, u, J), expected, roundings(16, 20),
+      {{Ju + JKJ,
+        "½ is missing: the point moves at u at first and at u + K J at last, on average at u + ½ K J."},
+       {(Ju + JKJ) / 2, "This is ½ J·(u + K J): ½ is in the wrong place. It belongs to K J alone."},
+       {(Ju + JKJ / 2) / 2, "This is (J·u + ½ J·KJ)/2: ½ belongs to K J alone, u counts in full."},
+       {Ju, "This is J·u. The velocity changes while J acts: by ½ K J on average."},
+       {JKJ / 2, "This is ½ J·KJ. The velocity of before, u, counts, too."},
+       {JKJ, "This is J·KJ. The velocity of before, u, counts, too, and of the change K J one half."},
+       {Ju - JKJ / 2, "The sign of K J: J changes the velocity by + K J."},
+       {-expected, expected > 0
+                       ? "The sign of ΔE: it is what J adds to the energy."
+                       : "The sign of ΔE: energy is lost here, and that is less than zero. No absolute value."},
+       {JKJ / 2 - Ju, "The sign of u: J·u is negative here, J acts against the motion."},
+       {Ju + inverted / 2, "K is an inverse mass: multiply J by it, don't solve with it."}},
       "Force times the average velocity of the point: J·(u + ½ K J).");
+}
+
+EXERCISE_TEST(ImpactWork, ByHand) {
+  expect_work({1, 0, -3}, {3, 0, 2}, 7, "-3 + 20/2");
+  if (::testing::Test::HasFailure()) return;
+  expect_work({1, 0, -3}, {1, 0, 2}, -3, "-5 + 4/2");
 }
 
 EXERCISE_TEST(ImpactWork, IsTheChangeOfKineticEnergyOfTwoBoxes) {
@@ -39,6 +53,7 @@ EXERCISE_TEST(ImpactWork, IsTheChangeOfKineticEnergyOfTwoBoxes) {
     expect_near("ΔE of two solid boxes by any impulse at all [J]", "Eq. (7.6)", work, after - before,
                 roundings(500, before + after),
                 {{J.dot(u + K * J), "½ is missing: J·(u + ½ K J)."},
+                 {J.dot(u + K * J) / 2, "½ is in the wrong place: it belongs to K J alone."},
                  {J.dot(u), "The velocity changes while J acts: by ½ K J on average."},
                  {before - after, "The sign: what is added to the energy, + when they get faster."}},
                 "Against ½ m v² + ½ ω·Iω of both boxes, before and after.");
@@ -92,6 +107,10 @@ EXERCISE_TEST(SafeImpulse, OfASphereByHand) {
       "J = (1+e) P + κ (Q - P), κ = 1: the cone is wide enough to stop the slip.");
 }
 
+const std::string into_the_cone =
+    "|D_t| - μ D·n, D = Q - P, is not positive: J goes deeper into the cone as κ grows and never leaves it, so "
+    "that κ is 1. Divide only by what is positive.";
+
 EXERCISE_TEST(SafeImpulse, OfARodByHand) {
   // K⁻¹ is (5/8, 3/8; 3/8, 5/8) kg in the x-z plane. P = 0.4 n, Q = (0.21875, 0, 0.53125) N s.
   const Impact rod{.K = K_of_rod(), .u = Vec3(0.25, 0, -1), .n = Vec3(0, 0, 1), .e = 1, .mu = 0.6};
@@ -104,6 +123,15 @@ EXERCISE_TEST(SafeImpulse, OfARodByHand) {
        {2 * (rod.P() + rod.D()), "This is (1+e) Q. Only P is increased by the restitution."},
        {rod.stick(), "This is the impulse that sticks, Eq. (7.3), which adds energy here."}},
       "J = (1+e) P + κ (Q - P), with κ = 1: |J_t| = 0.22 N s is inside μ J_n = 0.56 N s.");
+  // |D_t| - μ D·n = 0.21875 - 2·0.13125 is negative.
+  Impact rough = rod;
+  rough.mu = 2;
+  expect_near_vector("J of the same rod, μ = 2: D = Q - P points into the cone [N s]", "Eq. (7.8)",
+                     safe_impulse(rough.K, rough.u, rough.n, rough.e, rough.mu), Vec3(0.21875, 0, 0.93125),
+                     roundings(64),
+                     {{rough.safe(rough.kappa_by_division()), into_the_cone},
+                      {rough.safe(0), "This is κ = 0. " + into_the_cone}},
+                     into_the_cone);
 }
 
 EXERCISE_TEST(SafeImpulse, HasTheRestitutionWhateverK) {
@@ -133,6 +161,8 @@ EXERCISE_TEST(SafeImpulse, IsTheLargestInsideTheCone) {
     const Vec3 J = safe_impulse(K, u, n, e, mu);
     const double edge = impact.kappa_of_the_edge(), D_n = impact.D().dot(n);
     const double blind_edge = mu * (1 + e) * impact.P().dot(n) / (impact.D() - D_n * n).norm();
+    const double leaves_by_D = impact.D().norm() - mu * D_n;
+    const double edge_by_D = leaves_by_D > 0 ? mu * (1 + e) * impact.P().dot(n) / leaves_by_D : 1;
     ++(edge < 1 ? at_edge : whole);
     const double J_n = J.dot(n), slack = impact.safe_roundings(64).value * (1 + mu);
     const std::string text = edge < 1 ? ", where it leaves the cone" : ", still inside the cone";
@@ -143,13 +173,18 @@ EXERCISE_TEST(SafeImpulse, IsTheLargestInsideTheCone) {
     expect_near_vector(
         "J for κ = " + show(std::min(1.0, edge)) + text + " [N s]", "Eq. (7.7), (7.8)", J, impact.safe(),
         impact.safe_roundings(64),
-        {{impact.safe(0), "This is κ = 0, without friction. Eq. (7.8) wants the largest κ in the cone."},
+        {{impact.safe(0), impact.leaves() > 0
+                              ? "This is κ = 0, without friction. Eq. (7.8) wants the largest κ in the cone."
+                              : "This is κ = 0. " + into_the_cone},
          {impact.safe(1), "This is κ = 1, whatever the cone."},
          {impact.safe(impact.kappa_by_division()),
-          "κ is not limited to 1, or has become negative: where D = Q - P points into the "
-          "cone, J never leaves it, and κ is 1."},
+          impact.leaves() > 0 ? "κ is not limited to 1: more than Q - P speeds the slip up again."
+                              : "κ has become negative. " + into_the_cone},
          {impact.safe(std::min(1.0, blind_edge)),
           "κ has been found with J_n = (1+e) p alone. J_n changes with κ as well, by κ (Q - P)·n."},
+         {impact.safe(std::min(1.0, edge_by_D)),
+          "κ has been found with |D| for |D_t|, D = Q - P: only the tangential part brings J nearer to the "
+          "edge."},
          {impact.stick(), "This is the impulse that sticks, Eq. (7.3)."},
          {(1 + e) * (impact.P() + std::min(1.0, edge) * impact.D()),
           "Only P is increased by the restitution: (1+e) P + κ (Q - P)."}},

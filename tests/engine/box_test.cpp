@@ -58,6 +58,41 @@ void expect_rest_on_a_face(const World<6>& world, double k) {
     EXPECT_NEAR(contact.gap, -m * g / (4 * k), 1e-2 * m * g / (4 * k)) << "m g/(k N)";
 }
 
+TEST(Box, IsTurnedByWhatPushesItsCorner) {
+  // About the point where it is pushed, nothing changes its angular momentum: gap and friction, impact or row.
+  testing::Random random;
+  for (int trial = 0; trial < 40; ++trial) {
+    const bool hits = trial % 2 == 0;
+    const Quat q = random.rotation();
+    double lowest = 0;
+    for (const Vec3& corner : box_corners(half)) lowest = std::min(lowest, (q * corner).z());
+    const Vec3 x(0.3, -0.2, -lowest - 1e-9), v = random.vector(1) - Vec3(0, 0, 2), omega = random.vector(0.5);
+    World<6> world(
+        {.gravity = Vec3::Zero(),
+         .impacts = hits ? std::optional(ImpactLaw{.restitution = 0.4, .friction = 0.3}) : std::nullopt});
+    world.add_plane(Vec3::UnitZ(), 0);
+    world.add({.x = x,
+               .v = v,
+               .mass = m,
+               .q = q,
+               .omega = omega,
+               .principal = solid_box_moments(m, half),
+               .corners = box_corners(half)});
+    const auto spin = [&] { return Vec3(angular_momentum(world.bodies()) - m * world.x(1).cross(world.v(1))); };
+    const Vec3 spin_before = spin();
+    world.step(h);
+    ASSERT_EQ(world.contacts().size(), 1U);
+    ASSERT_EQ(world.report().impacts, hits ? 1 : 0);
+    const Vec3 pushed = m * (world.v(1) - v);
+    EXPECT_GE(pushed.norm(), 0.1);
+    EXPECT_LE((spin() - spin_before - world.contacts()[0].r_j.cross(pushed)).norm(), 1e-12)
+        << "trial " << trial;
+    const Vec3 corner = q.conjugate() * world.contacts()[0].r_j;
+    EXPECT_LE((corner.cwiseAbs() - half).norm(), 1e-12)
+        << "r is from the centre to the corner, as it is turned";
+  }
+}
+
 TEST(Box, DroppedOnAFaceAnEdgeOrACornerComesToRestOnAFace) {
   const double k = 1e4;  // on which the sweeps share the load among four corners
   for (const std::optional<ImpactLaw>& impacts :

@@ -17,7 +17,8 @@ namespace {
 constexpr double epsilon = 2.2e-16;
 constexpr double g = 9.81;
 
-// Four corners on soft contacts: a thousand sweeps share the load among them to roundings, on stiff ones they do not.
+// Four corners on soft contacts: a thousand sweeps share the load among them to roundings; on stiff ones they do
+// not.
 const SceneSettings a_point = {{"model", "point"}}, a_soft_box = {{"model", "box"}, {"k", "1e4"}};
 const StopRule patient = {.max_sweeps = 1000, .tolerance = 1e-15};
 
@@ -125,6 +126,14 @@ TEST(InclineScene, ThatBlowsUpNamesStepAndBodyAndLeavesWhatWasWritten) {
 }
 
 // sliding_block
+
+TEST(Heading, IsExactAlongTheAxes) {
+  EXPECT_EQ(heading(0), Vec3(1, 0, 0));
+  EXPECT_EQ(heading(90), Vec3(0, 1, 0));
+  EXPECT_EQ(heading(-180), Vec3(-1, 0, 0));
+  EXPECT_EQ(heading(630), Vec3(0, -1, 0));
+  EXPECT_LE((heading(45) - Vec3(1, 1, 0).normalized()).norm(), 2 * epsilon);
+}
 
 /// Until a motion that ends at time `stops` is next to a step [s].
 double to_nearest_step(double stops, double h) {

@@ -1,6 +1,7 @@
 // Balls that hit each other, or the floor, against chapter 07's formulas, and those against something else.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -207,6 +208,15 @@ TEST(PileScene, ComesToRestOnItsFloor) {
   EXPECT_NEAR(run.last("floor's load over the weight"), 1, 1e-3);
   EXPECT_LE(run.error, 12 * g / (1e5 * 0.1)) << "the whole weight on one contact, over k";
   EXPECT_GE(run.error, g / (1e5 * 0.1)) << "those on the floor carry themselves at least";
+}
+
+TEST(PileScene, ErrorIsTheDeepestOfTheLastSecond) {
+  const SceneRun run = run_of("pile", {{"bodies", "8"}}, 0.01, 1.5);
+  const std::vector<double>& overlap = run.all("deepest overlap [m]");
+  const double last = *std::max_element(overlap.end() - 100, overlap.end());
+  EXPECT_EQ(run.error, last / 0.1);
+  EXPECT_LT(last, *std::max_element(overlap.begin(), overlap.end())) << "the first impacts were deeper";
+  EXPECT_GT(last, overlap.back());
 }
 
 TEST(PileScene, WithoutFrictionNothingMovesInTheEnd) {

@@ -33,6 +33,7 @@ TEST(Input, Bodies) {
   expect_refusal({"mass", "-2"}, [&] { rigid.add({.mass = -2}); });
   expect_refusal({"mass", "inf"}, [&] { rigid.add({.mass = infinity}); });
   expect_refusal({"radius", "-1"}, [&] { points.add({.radius = -1}); });
+  expect_refusal({"radius", "0.5", "corners"}, [&] { rigid.add({.radius = 0.5, .corners = {Vec3::UnitX()}}); });
   expect_refusal({"q", "2"}, [&] { rigid.add({.q = Quat(2, 0, 0, 0)}); });
   expect_refusal({"q", "nan"}, [&] { rigid.add({.q = Quat(nan, 0, 0, 0)}); });
   expect_refusal({"omega", "nan"}, [&] { rigid.add({.omega = Vec3(0, 0, nan)}); });

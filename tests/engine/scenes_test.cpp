@@ -12,19 +12,29 @@ namespace spook {
 namespace {
 
 TEST(Registry, EverySceneRunsWithItsDefaults) {
-  const std::map<std::string, double> bounds = {{"free_fall", 1e-12},
-                                                {"oscillator", 1e-4},
-                                                {"orbit", 1e-2},
-                                                {"top", 1e-3},
-                                                {"resting_sphere", 1e-10},
-                                                {"stack", 1e-2},
-                                                {"incline", 1e-13},
-                                                {"sliding_block", 7e-5},
-                                                {"slide_to_roll", 2.2e-5},
-                                                {"spinning_disc", 1.3e-2},
-                                                {"bouncing_ball", 5e-3},
-                                                {"cradle", 1e-13},
-                                                {"pile", 2e-2}};
+  const std::map<std::string, double> bounds = {
+      {"free_fall", 1e-12},
+      {"oscillator", 1e-4},
+      {"orbit", 1e-2},
+      {"top", 1e-3},
+      {"resting_sphere", 1e-10},
+      {"stack", 1e-2},
+      {"incline", 1e-13},
+      {"sliding_block", 7e-5},
+      {"slide_to_roll", 2.2e-5},
+      {"spinning_disc", 1.3e-2},
+      {"bouncing_ball", 5e-3},
+      {"cradle", 1e-13},
+      {"pile", 2e-2},
+      // Its rod is too long by (1 + 2d) h² A/(4l) at most, A = 2g, and half of that is in the period, for 5 s of
+      // 4.4 m/s. The double one: A up to some 6g, in both rods, and doubled by the motion.
+      {"pendulum", 5e-4},
+      {"double_pendulum", 1e-3},
+      // What 50 sweeps leave of S h T, a part of ρ⁵⁰ = 0.0066, ρ = cos²(π/10), over a: a gap.
+      {"wire", 6e-3},
+      {"rope", 5e-4},
+      // Roundings of 850 rows in 50 sweeps, at the momentum of a point, 2.5e-3 kg m/s, over h m g.
+      {"cloth", 1e-11}};
   EXPECT_EQ(scenes().size(), bounds.size());
   for (const SceneDescription& scene : scenes()) {
     ASSERT_TRUE(bounds.count(scene.name)) << scene.name << " has no bound here";
@@ -36,7 +46,7 @@ TEST(Registry, EverySceneRunsWithItsDefaults) {
     EXPECT_EQ(result.steps, std::lround(scene.time / scene.h));
     ASSERT_TRUE(result.us_per_step.has_value());
     EXPECT_GT(*result.us_per_step, 0);
-    EXPECT_EQ(result.stages.ran[static_cast<std::size_t>(Stage::solve)], scene.solves) << scene.name;
+    EXPECT_EQ(result.stages.runs[static_cast<std::size_t>(Stage::solve)] > 0, scene.solves) << scene.name;
     EXPECT_FALSE(scene.summary.empty() || scene.answer.empty() || scene.error_name.empty() ||
                  scene.error_unit.empty());
 

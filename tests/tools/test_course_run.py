@@ -1,6 +1,7 @@
-"""The course command where the engine runs: run, scenes, --mine, start."""
+"""The course command where the engine runs: run, scenes, --mine, plot, start."""
 
 import json
+import shutil
 import unittest
 
 from sandbox import Sandbox, all_exercises
@@ -61,6 +62,13 @@ class CourseRun(unittest.TestCase):
             self.assertIn(f"course: 1.1 kick {told}", result.stderr)
             self.assertNotIn("Traceback", result.stderr)
 
+    def test_mine_that_crashes_is_told_to_be_mine(self):
+        self.box.file(self.kick).write_text(STILL.replace("return v;", "__builtin_trap();"))
+        result = self.box.course("run", "free_fall", "--mine")
+        self.assertEqual(result.returncode, 1)
+        self.assertRegex(result.stderr, r"the run crashed \(SIG\w+\) in one of your functions; ./course check")
+        self.assertNotIn("Traceback", result.stderr)
+
     def test_bad_input_is_the_engine_s_to_refuse(self):
         self.run_free_fall()
         for words, told in ((["free_fal"], "free_fal"), (["free_fall", "--h", "0"], "0"),
@@ -76,6 +84,81 @@ class CourseRun(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stderr)
         for name in ("free_fall", "oscillator", "orbit", "top", "resting_sphere", "stack"):
             self.assertIn(name, result.stdout)
+
+    def plot(self, *words: str, code: int = 0) -> str:
+        """What was said on stdout."""
+        result = self.box.course("plot", *words)
+        self.assertEqual(result.returncode, code, result.stdout + result.stderr)
+        self.assertNotIn("Traceback", result.stderr)
+        self.assertLessEqual(max(map(len, result.stdout.splitlines()), default=0), 80)
+        return result.stdout
+
+    def test_plot_lists_what_there_is(self):
+        said = self.plot()
+        for name in ("01_leapfrog", "energy", "work_precision"):
+            self.assertIn(name, said)
+
+    def test_plot_refuses(self):
+        for words, told in ((["enrgy"], "did you mean energy?"), (["energy", "--quick", "--shard", "3/2"], "3/2"),
+                            (["energy", "--quick", "--shard", "x"], "shard"), (["energy", "--merge", "/nowhere"], "/nowhere"),
+                            (["all", "--merge", "/nowhere"], "one experiment"),
+                            (["work_precision", "--quick", "--", "--scene", "stak"], "stak"),
+                            (["energy", "--", "--bogus"], "--bogus")):
+            with self.subTest(words=words):
+                result = self.box.course("plot", *words)
+                self.assertEqual(result.returncode, 2, result.stderr)
+                self.assertIn(told, result.stderr.splitlines()[-1])
+                self.assertNotIn("Traceback", result.stderr)
+        result = self.box.course("plot", "energy", "--quick", "--publish")
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("in full size", result.stderr)
+
+    def test_plot_checks_and_draws(self):
+        said = self.plot("energy", "--quick")
+        self.assertIn("holds leapfrog's energy error falls with the square of the cost", said)
+        self.assertIn("figure: build/plots/energy/energy.png", said)
+        self.assertEqual((self.box.root / "build/plots/energy/energy.png").read_bytes()[:4], b"\x89PNG")
+        alone = (self.box.root / "build/plots/energy/energy.svg").read_text()
+        self.box.solve(self.kick)
+        with_mine = self.plot("energy", "--quick", "--mine")
+        self.assertIn("Yours, right or wrong: 1.1; the rest is the reference.", with_mine)
+        self.assertNotEqual((self.box.root / "build/plots/energy/energy.svg").read_text(), alone)
+        self.box.file(self.kick).write_text(STILL)
+        self.assertIn("FALSE leapfrog's energy error", self.plot("energy", "--quick", "--mine"))
+
+    def test_plot_in_shards_gives_the_same_table(self):
+        folder = self.box.root / "build/plots/energy"
+        shutil.rmtree(folder, ignore_errors=True)
+        self.plot("energy", "--quick")
+        whole = (folder / "table.csv").read_bytes()
+        shutil.rmtree(folder)
+        elsewhere = []
+        for shard in ("1/3", "2/3", "3/3"):
+            self.assertIn(f"shard {shard} is done", self.plot("energy", "--quick", "--shard", shard))
+            elsewhere.append(str(self.box.root / f"shard-{shard[0]}"))
+            folder.rename(elsewhere[-1])
+        self.assertIn("holds", self.plot("energy", "--quick", "--merge", *elsewhere))
+        self.assertEqual((folder / "table.csv").read_bytes(), whole)
+
+    def test_plot_goes_on_where_it_was_interrupted(self):
+        parts = self.box.root / "build/plots/energy/parts"
+        shutil.rmtree(parts.parent, ignore_errors=True)
+        self.plot("energy", "--quick", "--shard", "1/2")  # leaves half of the points, as an interruption would
+        marked = parts / "000000.csv"
+        marked.write_text(marked.read_text().replace(",100,", ",100.5,", 1))
+        self.plot("energy", "--quick")
+        self.assertIn(",100.5,", (parts.parent / "table.csv").read_text())
+        self.assertFalse(parts.exists())
+
+    def test_plot_says_when_a_claim_is_false(self):
+        source = self.box.root / "plots/01_leapfrog/energy.cpp"
+        text = source.read_text()
+        self.assertIn('slope("RK4"), -4, 0.2', text)
+        source.write_text(text.replace('slope("RK4"), -4, 0.2', 'slope("RK4"), -5, 0.2'))
+        try:
+            self.assertIn("FALSE RK4's with the fourth power", self.plot("energy", "--quick", code=1))
+        finally:
+            source.write_text(text)
 
     def test_start(self):
         if not all(install._there(sign) for sign in install.PACKAGES.values()):

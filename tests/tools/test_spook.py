@@ -133,7 +133,7 @@ class Runs(unittest.TestCase):
             self.assertEqual((done.returncode, done.stderr), (0, ""))
             for line in done.stdout.splitlines():
                 self.assertLessEqual(len(line), 80, line)
-        for word in ["answer", "error", "µs a step", "residual"]:
+        for word in ["answer", "end       time", "error", "µs a step", "stages", "residual"]:
             self.assertIn(word, spook("run", "stack").stdout)
 
     def test_scenes_are_listed_with_parameters_and_answers(self):

@@ -1,6 +1,6 @@
 // Wrong: projects as a contact does, on [0, Λ].
-// Killed by: FrictionImpulse.KeepsItsBoundBothWays
-// Says: λ has been kept between 0 and Λ
+// Killed by: FrictionImpulse.SolvesBothRowsByHand
+// Says: Friction pushes both ways along t
 #include <algorithm>
 
 #include "05_friction_box/friction_box.hpp"

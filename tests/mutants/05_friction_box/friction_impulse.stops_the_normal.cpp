@@ -1,6 +1,6 @@
 // Wrong: solves K J = -u, and takes what is along the plane.
 // Killed by: FrictionImpulse.StopsThePointWhereItCan
-// Says: friction leaves nothing of u·t
+// Says: This takes -K⁻¹u, which would stop the motion along the normal
 #include <algorithm>
 
 #include "05_friction_box/friction_box.hpp"

@@ -1,6 +1,6 @@
 // Wrong: crosses n with x unless n is x itself: next to it the product is too small to be normalised.
 // Killed by: Tangents.HoldAtAndNearEveryAxis
-// Says: is nearly 0
+// Says: The square of 1e-160 underflows
 #include "05_friction_box/friction_box.hpp"
 
 namespace spook {

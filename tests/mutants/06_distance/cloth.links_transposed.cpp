@@ -1,6 +1,6 @@
 // Wrong: joins points as if b ran fastest.
 // Killed by: Cloth.JoinsTheCornersOfEachCellAlongItsSides
-// Says: Every side of every cell is a link
+// Says: Here b does
 #include "06_distance/distance.hpp"
 #include "common/require.hpp"
 

@@ -1,6 +1,6 @@
 // Wrong: counts a row of points as long as a row of cells.
 // Killed by: Cloth.JoinsTheCornersOfEachCellAlongItsSides
-// Says: Every side of every cell is a link
+// Says: b -> b + 1 adds cells_u + 1 to the index
 #include "06_distance/distance.hpp"
 #include "common/require.hpp"
 

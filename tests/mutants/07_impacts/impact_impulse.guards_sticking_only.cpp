@@ -1,6 +1,6 @@
 // Wrong: lets sliding add energy.
 // Killed by: ImpactImpulse.DoesNotLetSlidingAddEnergy
-// Says: This slides, and adds 0.18 J
+// Says: This slides, and adds 0.18 J/kg
 #include "07_impacts/impacts.hpp"
 
 namespace spook {

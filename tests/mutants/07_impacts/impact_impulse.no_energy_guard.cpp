@@ -1,6 +1,6 @@
 // Wrong: never looks at the energy.
 // Killed by: ImpactImpulse.DoesNotLetStickingAddEnergy
-// Says: This sticks, and adds 0.11 J
+// Says: This sticks, and adds 0.11 J/kg
 #include "07_impacts/impacts.hpp"
 
 namespace spook {

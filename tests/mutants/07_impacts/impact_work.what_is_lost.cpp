@@ -1,6 +1,6 @@
 // Wrong: counts what is lost as positive.
-// Killed by: ImpactWork.IsTheChangeOfKineticEnergyOfTwoBoxes
-// Says: The sign: what is added
+// Killed by: ImpactWork.ByHand
+// Says: it is what J adds to the energy
 #include "07_impacts/impacts.hpp"
 
 namespace spook {

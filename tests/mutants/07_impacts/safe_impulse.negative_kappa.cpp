@@ -1,6 +1,6 @@
 // Wrong: divides by a negative number where J never leaves the cone.
-// Killed by: SafeImpulse.IsTheLargestInsideTheCone
-// Says: has become negative
+// Killed by: SafeImpulse.OfARodByHand
+// Says: Divide only by what is positive
 #include <Eigen/Cholesky>
 #include <algorithm>
 

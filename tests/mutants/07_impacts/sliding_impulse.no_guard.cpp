@@ -1,5 +1,5 @@
 // Wrong: divides by whatever it gets.
-// Killed by: SlidingImpulse.DoesNotExistWhereFrictionPressesHarderThanTheNormal
+// Killed by: SlidingImpulse.DoesNotExistWhereFrictionWins
 // Says: With a negative denominator J would pull
 #include "07_impacts/impacts.hpp"
 

@@ -50,7 +50,7 @@ def show_board(chapters: list[Chapter], verdicts: list[Verdict]) -> None:
 
 def board_line(verdict: Verdict) -> str:
     state = f"{verdict.state}: {verdict.reason}" if verdict.reason else verdict.state
-    return f"  {symbol(verdict.state)} {verdict.exercise.id:>5} {verdict.exercise.function:<20} {state}"
+    return f"  {symbol(verdict.state)} {verdict.exercise.id:>5} {verdict.exercise.function:<22} {state}"
 
 
 def show_next(exercise: Exercise) -> None:

@@ -3,6 +3,7 @@
 import re
 import shutil
 import sys
+import textwrap
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -60,7 +61,7 @@ def _list() -> int:
         if experiment.source.parent.name != topic:
             topic = experiment.source.parent.name
             print(paint(topic, "bold"))
-        print(f"  {experiment.name:<16} {experiment.title}"[:80])
+        print(textwrap.fill(experiment.title, 80, initial_indent=f"  {experiment.name:<17} ", subsequent_indent=20 * " "))
     print("\n./course plot NAME runs one, checks what it claims, and draws it; all for all.")
     return 0
 
@@ -93,9 +94,7 @@ def _one(experiment: Experiment, arguments) -> int:
     if arguments.publish:
         if code != 0 or draws_mine or arguments.quick:
             raise CourseError("only true claims of the reference in full size are put in the tree")
-        for figure in figures:
-            shutil.copyfile(figure, experiment.source.parent / figure.name)
-        figures = [experiment.source.parent / figure.name for figure in figures]
+        figures = [Path(shutil.copy(figures[0], experiment.source.parent))]
     print(f"figure: {shown(figures[0])}\n", flush=True)
     return code
 

@@ -1,6 +1,8 @@
 """./course run and ./course scenes: the spook program, built when needed."""
 
 import os
+import signal
+import subprocess
 import sys
 
 import diagnostics
@@ -19,10 +21,22 @@ def run(arguments: list[str]) -> int:
     if "--mine" not in arguments:
         return _become("spook", ["run", *arguments])
     forwarded = [argument for argument in arguments if argument != "--mine"]
+    if not mine:
+        print("No exercise of yours is written yet: all of it is the reference.", file=sys.stderr)
+        return _become("spook", ["run", *forwarded])
     ids = ", ".join(exercise.id for exercise in mine)
-    print(fold(f"Yours, right or wrong: {ids}; the rest is the reference.") if mine else
-          "No exercise of yours is written yet: all of it is the reference.", file=sys.stderr)
-    return _become("spook_mine", ["run", *forwarded], mine) if mine else _become("spook", ["run", *forwarded])
+    print(fold(f"Yours, right or wrong: {ids}; the rest is the reference."), file=sys.stderr)
+    return _with_yours(["run", *forwarded], mine)
+
+
+def _with_yours(arguments: list[str], mine: list[Exercise]) -> int:
+    """A crash is told as what it is: an error in one of the student's functions."""
+    sys.stdout.flush()
+    code = subprocess.run([program("spook_mine", mine), *arguments]).returncode
+    if code < 0:
+        raise CourseError(f"the run crashed ({signal.Signals(-code).name}) in one of your functions; "
+                          "./course check finds which")
+    return code
 
 
 def scenes(arguments: list[str]) -> int:
@@ -52,8 +66,8 @@ def program(target: str, mine: list[Exercise] = []) -> str:
     return str(RELEASE.program(target))
 
 
-def _become(target: str, arguments: list[str], mine: list[Exercise] = []) -> int:
+def _become(target: str, arguments: list[str]) -> int:
     """Exit code, signals and terminal are the program's own."""
-    path = program(target, mine)
+    path = program(target)
     sys.stdout.flush()
     os.execv(path, [path, *arguments])

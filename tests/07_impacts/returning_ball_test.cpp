@@ -40,7 +40,8 @@ EXERCISE_TEST(ResolveImpacts, BallReturnsToItsHeight) {
           {{top_of(ball, v - g * h),
             "It has lost about h g v a bounce: without W_f/2 the velocity is half a step old. Eq. (7.1)."},
            {top_of(ball, v + g * h),
-            "It has gained about h g v a bounce: the velocity is half a step ahead. Add W_f/2, not W_f."}},
+            "It has gained about h g v a bounce: the velocity is half a step ahead. Add W_f/2, not W_f."},
+           {ball.x, "It stays on the floor: this is for e = 0. The law has e = 1, and no friction."}},
           "With u at the time of the contact, the way up is the way down reversed, as leapfrog is.");
       ball.step();
     }

@@ -1,0 +1,16 @@
+// Wrong: slides where sticking would add energy.
+// Killed by: ImpactImpulse.DoesNotSlideWhereStickingAddsEnergy
+// Says: even if sliding would lose some
+#include "07_impacts/impacts.hpp"
+
+namespace spook {
+
+Vec3 impact_impulse(const Mat3& K, const Vec3& u, const Vec3& n, double e, double mu) {
+  if (u.dot(n) >= 0) return Vec3::Zero();
+  std::optional<Vec3> J = stick_impulse(K, u, n, e);
+  if (!inside_cone(*J, n, mu) || impact_work(K, u, *J) > 0) J = sliding_impulse(K, u, n, e, mu);
+  if (!J || impact_work(K, u, *J) > 0) return safe_impulse(K, u, n, e, mu);
+  return *J;
+}
+
+}  // namespace spook
