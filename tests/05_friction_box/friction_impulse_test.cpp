@@ -44,6 +44,35 @@ EXERCISE_TEST(FrictionImpulse, SolvesBothRowsByHand) {
       "J = λ1 t1 + λ2 t2, and (t·Kt + Γ) λ = -u·t along each.");
 }
 
+EXERCISE_TEST(FrictionImpulse, DividesByWhatKDoesAlongEachTangent) {
+  const Tangents t{Vec3(0.6, 0.8, 0), Vec3(-0.8, 0.6, 0)};
+  Mat3 K;
+  K << 2, 1, 0, 1, 4, 0, 0, 0, 3;
+  const Vec3 u(-3.248, -2.864, 6);  // u·t1 = -4.24 and u·t2 = 0.88
+  const auto divided_by = [&](double k1, double k2) -> Vec3 { return 4.24 / k1 * t.t1 - 0.88 / k2 * t.t2; };
+  const Vec3 diagonal = K.diagonal();
+  const auto along_axes = [&](const Vec3& tangent) { return tangent.dot(diagonal.cwiseProduct(tangent)); };
+  const std::string axes =
+      "K.diagonal() is what K does along x, y and z. Along t it is t·Kt: one division by that for each row.";
+  const std::string together =
+      "This is -K⁻¹u, the motion stopped as a whole. Here there is one division by t·Kt for each row.";
+  const Vec3 full = -K.inverse() * u, one_by_one = -u.cwiseQuotient(diagonal);
+  expect_near_vector(
+      "J [N s] for t1 = (0.6, 0.8, 0), t2 = (-0.8, 0.6, 0), K = ((2, 1, 0), (1, 4, 0), (0, 0, 3)), Γ = 0, "
+      "u = (-3.248, -2.864, 6), Λ = 10",
+      "Eq. (5.3)", friction_impulse(K, u, t, 0, 10), divided_by(4.24, 1.76), roundings(32, 6),
+      {{full, together},
+       {Vec3(full.x(), full.y(), 0), together},
+       {one_by_one, axes},
+       {Vec3(one_by_one.x(), one_by_one.y(), 0), axes},
+       {divided_by(along_axes(t.t1), along_axes(t.t2)), axes},
+       {divided_by(diagonal.dot(t.t1), diagonal.dot(t.t2)), axes},
+       {divided_by(diagonal.x(), diagonal.y()), axes},
+       {divided_by((K * t.t1).norm(), (K * t.t2).norm()),
+        "This divides by |Kt|, the whole change of velocity. The row is about its part along t, t·Kt."}},
+      "t1·Kt1 = 4.24 and t2·Kt2 = 1.76: one division for each row.");
+}
+
 /// A contact anywhere, with t1·K t2 = 0: its two rows do not see each other. They do see the normal.
 struct Touch {
   Tangents t;
@@ -157,35 +186,6 @@ EXERCISE_TEST(FrictionImpulse, TakesEachRowForItself) {
                      "Each row for itself: λ = -u·t/(t·Kt).");
 }
 
-EXERCISE_TEST(FrictionImpulse, DividesByWhatKDoesAlongEachTangent) {
-  const Tangents t{Vec3(0.6, 0.8, 0), Vec3(-0.8, 0.6, 0)};
-  Mat3 K;
-  K << 2, 1, 0, 1, 4, 0, 0, 0, 3;
-  const Vec3 u(-3.248, -2.864, 6);  // u·t1 = -4.24 and u·t2 = 0.88
-  const auto divided_by = [&](double k1, double k2) -> Vec3 { return 4.24 / k1 * t.t1 - 0.88 / k2 * t.t2; };
-  const Vec3 diagonal = K.diagonal();
-  const auto along_axes = [&](const Vec3& tangent) { return tangent.dot(diagonal.cwiseProduct(tangent)); };
-  const std::string axes =
-      "K.diagonal() is what K does along x, y and z. Along t it is t·Kt: one division by that for each row.";
-  const std::string together =
-      "This is -K⁻¹u, the motion stopped as a whole. Here there is one division by t·Kt for each row.";
-  const Vec3 full = -K.inverse() * u, one_by_one = -u.cwiseQuotient(diagonal);
-  expect_near_vector(
-      "J [N s] for t1 = (0.6, 0.8, 0), t2 = (-0.8, 0.6, 0), K = ((2, 1, 0), (1, 4, 0), (0, 0, 3)), Γ = 0, "
-      "u = (-3.248, -2.864, 6), Λ = 10",
-      "Eq. (5.3)", friction_impulse(K, u, t, 0, 10), divided_by(4.24, 1.76), roundings(32, 6),
-      {{full, together},
-       {Vec3(full.x(), full.y(), 0), together},
-       {one_by_one, axes},
-       {Vec3(one_by_one.x(), one_by_one.y(), 0), axes},
-       {divided_by(along_axes(t.t1), along_axes(t.t2)), axes},
-       {divided_by(diagonal.dot(t.t1), diagonal.dot(t.t2)), axes},
-       {divided_by(diagonal.x(), diagonal.y()), axes},
-       {divided_by((K * t.t1).norm(), (K * t.t2).norm()),
-        "This divides by |Kt|, the whole change of velocity. The row is about its part along t, t·Kt."}},
-      "t1·Kt1 = 4.24 and t2·Kt2 = 1.76: one division for each row.");
-}
-
 // As the numbers of SolvesBothRowsByHand, but for the speed: nothing about it is too small to count.
 EXERCISE_TEST(FrictionImpulse, IsProportionalToTheSlip) {
   const Tangents t{Vec3(0, 1, 0), Vec3(0, 0, 1)};
@@ -198,11 +198,12 @@ EXERCISE_TEST(FrictionImpulse, IsProportionalToTheSlip) {
         "So slow a slip, or so small a bound, has been taken for none. It is stopped as any other: what is "
         "left each step adds up.";
     expect_near_vector(text + "10 N s", "Eq. (5.3)", friction_impulse(K, u, t, 0.5, 10),
-                       Vec3(slip * Vec3(0, 1.5, -0.5)), roundings(16, 2 * slip), {{Vec3::Zero(), small}},
+                       Vec3(slip * Vec3(0, 1.5, -0.5)), roundings(16, 2 * slip),
+                       {{Vec3::Zero(), small}, {Vec3(slip * Vec3(0, 1.5, 0)), small}},
                        "(t·Kt + Γ) λ = -u·t at any speed.");
     expect_near_vector(text + show(slip) + " N s", "Eq. (5.8)", friction_impulse(K, u, t, 0.5, slip),
-                       Vec3(slip * Vec3(0, 1, -0.5)), roundings(16, 2 * slip), {{Vec3::Zero(), small}},
-                       "-Λ <= λ <= Λ for any Λ.");
+                       Vec3(slip * Vec3(0, 1, -0.5)), roundings(16, 2 * slip),
+                       {{Vec3::Zero(), small}, {Vec3(slip * Vec3(0, 1, 0)), small}}, "-Λ <= λ <= Λ for any Λ.");
     if (::testing::Test::HasFailure()) return;
   }
 }

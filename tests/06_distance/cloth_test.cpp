@@ -99,6 +99,15 @@ EXERCISE_TEST(Cloth, PutsAQuarterOfEachCellOnEachCorner) {
       far_inside[in.index(a, b)] = (a == 0 ? 1 : 2) * (b == 0 ? 1 : 2);
       near_inside[in.index(a, b)] = (a == in.cells_u ? 1 : 2) * (b == in.cells_v ? 1 : 2);
     }
+  // What comes out when (a, b) is taken for the index `a_adds` a + `b_adds` b.
+  const auto misplaced = [&](int a_adds, int b_adds) {
+    Eigen::VectorXd mass = 0 * ones;
+    for (int b = 0; b < in.cells_v; ++b)
+      for (int a = 0; a < in.cells_u; ++a)
+        for (const int corner : {0, a_adds, b_adds, a_adds + b_adds})
+          mass[a * a_adds + b * b_adds + corner] += cell / 4;
+    return mass;
+  };
   const double area = in.u.cross(in.v).norm();
   const bool all_equal = (got.array() - got[0]).abs().maxCoeff() <= 1e-12 * in.mass;
   const auto distance = [](const Eigen::VectorXd& one, const Eigen::VectorXd& other) {
@@ -118,6 +127,10 @@ EXERCISE_TEST(Cloth, PutsAQuarterOfEachCellOnEachCorner) {
         "The far hem, at a = cells_u and b = cells_v, is as heavy as the inside. No cells lie beyond it."},
        {cell / 4 * near_inside,
         "The near hem, at a = 0 and b = 0, is as heavy as the inside. No cells lie before it."},
+       {misplaced(1, in.cells_u),
+        "b -> b + 1 adds cells_u + 1 to the index, as many as a row has points. Here it adds cells_u."},
+       {misplaced(in.cells_v + 1, 1),
+        "The index is a + b (cells_u + 1): a, along u, runs fastest. Here b does."},
        {cell / 4 * like_hem,
         "The corners are as heavy as the hem. Only one cell meets there, along the hem two."},
        {in.mass / in.points() * ones,

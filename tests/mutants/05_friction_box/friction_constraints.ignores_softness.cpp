@@ -1,6 +1,6 @@
 // Wrong: makes every friction row rigid.
 // Killed by: FrictionConstraints.CarryTheRestOver
-// Says: friction has numbers of its own
+// Says: this row is rigid, and nothing creeps
 #include "05_friction_box/friction_box.hpp"
 
 namespace spook {

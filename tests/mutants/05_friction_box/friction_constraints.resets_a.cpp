@@ -1,0 +1,33 @@
+// Wrong: writes a = 0 into the spook that it was given.
+// Killed by: FrictionConstraints.CarryTheRestOver
+// Says: a = 0 has been set here once more
+#include "05_friction_box/friction_box.hpp"
+
+namespace spook {
+
+template <int Dof>
+static Constraint<Dof> along(const Vec3& t, Contact contact, double bound, const Spook& spook) {
+  contact.n = t;  // Eq. (3.3) holds for any direction
+  const ContactJacobian G = contact_jacobian(contact);
+  return {.i = contact.i,
+          .j = contact.j,
+          .Gi = G.Gi.head<Dof>(),
+          .Gj = G.Gj.head<Dof>(),
+          .gap = 0,
+          .spook = {.a = 0, .b = spook.b, .Sigma = spook.Sigma},
+          .lo = -bound,  // Eq. (5.8)
+          .hi = bound};
+}
+
+template <int Dof>
+std::array<Constraint<Dof>, 2> friction_constraints(const Contact& contact, const Tangents& tangents,
+                                                    double bound, const Spook& spook) {
+  return {along<Dof>(tangents.t1, contact, bound, spook), along<Dof>(tangents.t2, contact, bound, spook)};
+}
+
+template std::array<Constraint<3>, 2> friction_constraints<3>(const Contact&, const Tangents&, double,
+                                                              const Spook&);
+template std::array<Constraint<6>, 2> friction_constraints<6>(const Contact&, const Tangents&, double,
+                                                              const Spook&);
+
+}  // namespace spook
