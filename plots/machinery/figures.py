@@ -150,6 +150,10 @@ def caption(figure: Figure, title: str, claims: list[dict]) -> None:
     """The title above, and below what the figure claims. The figure grows by what it takes."""
     text = " ".join(_sentence(claim["text"]) for claim in claims)
     lines = textwrap.wrap(text, 118)
+    if not _can_reserve_room(figure):
+        figure.text(0.012, 1.02, title, fontsize=12, fontweight="bold", va="bottom")
+        figure.text(0.012, -0.02, "\n".join(lines), fontsize=9, va="top", linespacing=1.35)
+        return
     above, below = 0.34, 0.16 + 0.165 * len(lines)
     height = figure.get_figheight()
     total = height + above + below
@@ -157,6 +161,11 @@ def caption(figure: Figure, title: str, claims: list[dict]) -> None:
     figure.get_layout_engine().set(rect=(0, below / total, 1, height / total))
     figure.text(0.012, 1 - 0.08 / total, title, fontsize=12, fontweight="bold", va="top")
     figure.text(0.012, 0.08 / total, "\n".join(lines), fontsize=9, va="bottom", linespacing=1.35)
+
+
+def _can_reserve_room(figure: Figure) -> bool:
+    """Before matplotlib 3.6 no layout leaves room for text: it stands outside then, and the saved figure grows."""
+    return hasattr(figure, "get_layout_engine")
 
 
 def _sentence(text: str) -> str:
@@ -190,4 +199,5 @@ def main(draw: Callable[[Data, Data | None], Figure], title: str) -> None:
         path.parent.mkdir(parents=True, exist_ok=True)
         # Without a date or a version in it, the same numbers give the same bytes.
         metadata = {"Date": None, "Creator": None} if path.suffix == ".svg" else {"Software": None}
-        figure.savefig(path, dpi=120, metadata=metadata)
+        box = {} if _can_reserve_room(figure) else {"bbox_inches": "tight", "pad_inches": 0.1}
+        figure.savefig(path, dpi=120, metadata=metadata, **box)
