@@ -1,8 +1,6 @@
 // Wrong: solves K J = -u.
 // Killed by: FrictionImpulse.SolvesBothRowsByHand
 // Says: This is -K⁻¹u in full
-#include <algorithm>
-
 #include "05_friction_box/friction_box.hpp"
 
 namespace spook {
