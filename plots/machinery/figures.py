@@ -13,6 +13,7 @@ import argparse
 import csv
 import json
 import math
+import re
 import sys
 import textwrap
 from collections.abc import Callable
@@ -182,6 +183,12 @@ def number(value: float) -> str:
     return f"{value:g}"
 
 
+def _with_steady_names(svg: str) -> str:
+    """Names clip paths by their order: matplotlib names those of polar axes by where they are in memory."""
+    names: dict[str, str] = {}
+    return re.sub(r"\b[pm][0-9a-f]{10}\b", lambda found: names.setdefault(found[0], f"shape{len(names)}"), svg)
+
+
 def main(draw: Callable[[Data, Data | None], Figure], title: str) -> None:
     parser = argparse.ArgumentParser(description=title)
     parser.add_argument("--data", type=Path, required=True, help="the folder that the experiment wrote")
@@ -201,3 +208,5 @@ def main(draw: Callable[[Data, Data | None], Figure], title: str) -> None:
         metadata = {"Date": None, "Creator": None} if path.suffix == ".svg" else {"Software": None}
         box = {} if _can_reserve_room(figure) else {"bbox_inches": "tight", "pad_inches": 0.1}
         figure.savefig(path, dpi=120, metadata=metadata, **box)
+        if path.suffix == ".svg":
+            path.write_text(_with_steady_names(path.read_text(encoding="utf-8")), encoding="utf-8")

@@ -91,9 +91,10 @@ class Tree:
         return self.setting("CMAKE_HOME_DIRECTORY") in ("", str(ROOT))
 
     def _is_current(self) -> bool:
-        """Whether CMake has seen the presets as they are now; ninja itself looks after the rest."""
+        """Whether CMake has seen the presets as they are now, and this Python; ninja itself looks after the rest."""
         log = self.path / "course-configure.log"
-        return log.exists() and log.stat().st_mtime >= (ROOT / "CMakePresets.json").stat().st_mtime
+        return (log.exists() and log.stat().st_mtime >= (ROOT / "CMakePresets.json").stat().st_mtime
+                and self.setting("Python3_EXECUTABLE") == sys.executable)
 
     def _show(self, live: Live, line: str) -> None:
         status = _STATUS.match(line)
