@@ -82,14 +82,14 @@ std::string digest(const std::string& program_file) {
 /// Progress on stderr: "[12/40] key".
 class Progress {
  public:
-  Progress(std::size_t done, std::size_t all) : done_(done), all_(all) {}
+  explicit Progress(std::size_t all) : all_(all) {}
   void tell(const std::string& key) {
     ++done_;
     std::cerr << "[" << done_ << "/" << all_ << "] " << key << std::endl;
   }
 
  private:
-  std::size_t done_, all_;
+  std::size_t done_ = 0, all_;
 };
 
 /// Computes the points that are missing, on `jobs` threads. The first exception ends it, and is thrown again.
@@ -98,7 +98,7 @@ void compute(const Experiment& experiment, const std::vector<std::size_t>& missi
   std::atomic<std::size_t> next = 0;
   std::mutex mutex;
   std::exception_ptr failure;
-  Progress progress(0, missing.size());
+  Progress progress(missing.size());
   const auto work = [&] {
     for (std::size_t k; (k = next++) < missing.size();) {
       const Point& point = experiment.points[missing[k]];

@@ -70,7 +70,7 @@ def show(verdict: Verdict) -> None:
         print("  Your code printed:")
         print(textwrap.indent(_shortened(verdict.printed), "    ") + "\n")
     for name in verdict.others:
-        print(f"  {symbol('wrong')} {name} fails{', too' if len(name) < 65 else ''}")
+        print(f"  {symbol('wrong')} {name} fails, too")
     for warning in verdict.warnings:
         print(fold_lines(warning, "  "))
     if verdict.others or verdict.warnings:
