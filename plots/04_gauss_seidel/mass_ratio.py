@@ -31,6 +31,7 @@ def draw(data, mine):
     if mine:
         top = mine.table.only("heavy", "on top")
         axes.plot(top["sweeps"], top["error"], **figures.MINE)
+        axes.legend(loc="upper right")
     axes.set(xscale="log", yscale="log", ylim=(3e-7, 2), xlabel="sweeps",
              ylabel="error of the impulse between them, relative")
     figures.tidy(axes)

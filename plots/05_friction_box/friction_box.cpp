@@ -63,7 +63,8 @@ double smallest_friction(double angle) {
   return threshold(0, 10, [&](double friction) { return moves(block(friction, gravity)); });
 }
 
-/// From start to stop, with v started half a step back along each tangent, so that the order is 2.
+/// From start to stop, with v started half a step back along each tangent, so that the order is 2. (Friction of a student
+/// that is wrong may never stop it: it is given 60 s.)
 double distance(double phi, double h) {
   const double v0 = 3;
   const Tangents t = tangents(Vec3::UnitZ());
@@ -72,7 +73,7 @@ double distance(double phi, double h) {
     if (std::abs(v.dot(tangent)) > 1e-9) v += std::copysign(mu * g * h / 2, v.dot(tangent)) * tangent;
   World<3> world = block(mu, Vec3(0, 0, -g), nullptr, v);
   const Vec3 start = world.x(block_index);
-  while (world.v(block_index).head<2>().norm() > 1e-9) world.step(h);
+  while (world.v(block_index).head<2>().norm() > 1e-9 && world.time() < 60) world.step(h);
   return (world.x(block_index) - start).norm() / (v0 * v0 / (2 * mu * g));
 }
 

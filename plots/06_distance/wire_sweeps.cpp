@@ -10,6 +10,7 @@
 
 #include "engine/world.hpp"
 #include "machinery/experiment.hpp"
+#include "machinery/lost.hpp"
 
 namespace spook::plots {
 namespace {
@@ -90,7 +91,8 @@ Experiment experiment(Size size) {
         if (times * sweeps > (quick ? 1000 : 10000)) continue;
         e.points.push_back(
             {"stretch " + text(wire) + " " + std::to_string(times * sweeps), [=]() -> std::vector<Row> {
-               const double found = stretch_after(wire, 1e8, times * sweeps, quick ? 5 : 10);
+               const double found =
+                   or_infinity([&] { return stretch_after(wire, 1e8, times * sweeps, quick ? 5 : 10); });
                return {{"stretch", double(wire.links), wire.ratio, double(times * sweeps), found}};
              }});
       }

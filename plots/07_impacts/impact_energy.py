@@ -19,7 +19,6 @@ def draw(data, mine):
         bounce.plot(number, [1, *one["value"]], color=style["color"], marker=style["marker"], linestyle="none",
                     label=f"e = {e:g}")
     bounce.set(yscale="log", ylim=(2e-3, 2), xlabel="bounce", ylabel="peak [m]", title="peaks and h₀ e²ⁿ")
-    bounce.legend(loc="lower left", fontsize=8)
 
     late = data.table.only("what", "seen")
     steps = late["mu or h"]
@@ -33,7 +32,6 @@ def draw(data, mine):
         gain.plot(one["e"], [100 * share for share in one["value"]], label=f"μ = {mu:g}", **style)
     gain.plot([0, 1], [0, 0], color="#000000", linewidth=2.5, label="guarded")
     gain.set(xlabel="e", ylabel="boxes that gain energy [%]", title="landing on a corner")
-    gain.legend(fontsize=8)
 
     if mine:
         own = mine.table.only("what", "bounce")
@@ -42,6 +40,9 @@ def draw(data, mine):
         seen.plot(own["mu or h"], own["value"], **figures.MINE)
         own = mine.table.only("what", "gain")
         gain.plot(own["e"], [100 * share for share in own["value"]], **figures.MINE)
+        seen.legend(loc="upper left", fontsize=8)
+    bounce.legend(loc="lower left", fontsize=8)
+    gain.legend(fontsize=8)
     for axes in (bounce, seen, gain):
         figures.tidy(axes)
     return figure

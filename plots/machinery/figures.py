@@ -29,6 +29,7 @@ from matplotlib.colors import LogNorm  # noqa: E402
 from matplotlib.figure import Figure  # noqa: E402
 from matplotlib.patches import Rectangle  # noqa: E402
 from matplotlib.patheffects import withStroke  # noqa: E402
+from matplotlib.ticker import NullFormatter  # noqa: E402
 
 # Okabe and Ito's colours: told apart by the colour-blind, and by marker and dash in grey.
 STYLES = [{"color": "#0072B2", "marker": "o", "linestyle": "-"},
@@ -38,7 +39,9 @@ STYLES = [{"color": "#0072B2", "marker": "o", "linestyle": "-"},
           {"color": "#E69F00", "marker": "v", "linestyle": "-"},
           {"color": "#56B4E9", "marker": "p", "linestyle": "--"},
           {"color": "#000000", "marker": "x", "linestyle": "-."}]
-MINE = {"marker": "*", "markersize": 9, "linestyle": "none", "color": "#000000", "label": "yours"}
+# Hollow: where yours is as the reference, its marker is seen inside.
+MINE = {"marker": "*", "markersize": 12, "fillstyle": "none", "linestyle": "none", "color": "#000000",
+        "zorder": 4, "label": "yours"}
 INK, FAINT = "#333333", "#DDDDDD"
 WIDTH = 8.0  # inches
 
@@ -83,17 +86,32 @@ def _number_or_text(cell: str):
         return cell
 
 
-def new(columns: int = 1, height: float = 3.8, polar: int = 0, **options):
+def new(columns: int = 1, height: float = 3.8, polar: int = 0, rows: int = 1, **options):
     """A figure and its axes, the first few of them polar; further options as of plt.subplots."""
     plt.rcParams.update({"font.size": 10, "axes.edgecolor": INK, "text.color": INK, "axes.labelcolor": INK,
                          "xtick.color": INK, "ytick.color": INK, "lines.linewidth": 1.6, "lines.markersize": 5.5,
                          "legend.frameon": False, "legend.fontsize": 9, "axes.titlesize": 10,
                          "svg.hashsalt": "figure", "svg.fonttype": "none"})
     if not polar:
-        return plt.subplots(1, columns, figsize=(WIDTH, height), layout="constrained", **options)
+        return plt.subplots(rows, columns, figsize=(WIDTH, height), layout="constrained", **options)
     figure = plt.figure(figsize=(WIDTH, height), layout="constrained")
     return figure, [figure.add_subplot(1, columns, k + 1, projection="polar" if k < polar else None)
                     for k in range(columns)]
+
+
+def maps(data: Data, mine: Data | None, columns: int, height: float, rows: int = 1, **options):
+    """A figure of maps, and its parts: the reference's, and below it the student's, if there is one.
+    A part is a table, what draws a colour bar, and axes, as of plt.subplots."""
+    if mine is None:
+        figure, grid = new(columns=columns, height=height, rows=rows, **options)
+        return figure, [(data.table, figure, grid)]
+    figure, _ = new(height=2 * height + 0.6)
+    figure.clear()
+    parts = []
+    for part, whose, name in zip(figure.subfigures(2, 1), (data, mine), ("the reference", "yours")):
+        part.suptitle(name, x=0.012, ha="left", fontsize=10, fontweight="bold")
+        parts.append((whose.table, part, part.subplots(rows, columns, **options)))
+    return figure, parts
 
 
 def tidy(axes) -> None:
@@ -131,6 +149,8 @@ def field(axes, table: Table, x: str, y: str, value: str, scale: tuple[float, fl
         axes.add_patch(Rectangle((left, low), right - left, high - low, facecolor="white",
                                  edgecolor="#888888", hatch="////", linewidth=0))
     axes.set(xscale="log", yscale="log", xlim=sides[0][[0, -1]], ylim=sides[1][[0, -1]])
+    for axis in (axes.xaxis, axes.yaxis):
+        axis.set_minor_formatter(NullFormatter())  # on short axes they would be written over each other
     return mesh
 
 

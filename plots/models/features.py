@@ -16,13 +16,15 @@ def draw(data, mine):
     high = [above - us for us, above in zip(data.table["ns a body"], data.table["quartile above"])]
     colours = [figures.STYLES[0]["color"] if stages == 2 else figures.STYLES[1]["color"] for stages in data.table["stages"]]
     axes.barh(names, data.table["ns a body"], xerr=[low, high], color=colours, height=0.6, capsize=2)
-    for k, (ns, stages) in enumerate(zip(data.table["ns a body"], data.table["stages"])):
-        axes.annotate(f"{ns:.3g} ns, {stages:g} stages", (ns, k), xytext=(8, 0), textcoords="offset points", va="center",
-                      fontsize=8)
+    ends = [max(pair) for pair in zip(data.table["ns a body"], (mine or data).table["ns a body"])]
+    for k, (ns, stages, end) in enumerate(zip(data.table["ns a body"], data.table["stages"], ends)):
+        axes.annotate(f"{ns:.3g} ns, {stages:g} stages", (end, k), xytext=(8, 0),
+                      textcoords="offset points", va="center", fontsize=8)
     if mine:
         axes.plot(mine.table["ns a body"], names, **figures.MINE)
+        axes.legend(loc="lower right")
     axes.invert_yaxis()
-    axes.set(xlabel="time a step and body [ns], median", xlim=(0, 1.3 * max(data.table["ns a body"])))
+    axes.set(xlabel="time a step and body [ns], median", xlim=(0, 1.3 * max(ends)))
     figures.tidy(axes)
     return figure
 

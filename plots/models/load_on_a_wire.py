@@ -23,14 +23,18 @@ def draw(data, mine):
         axes.annotate(f"h = 1/{1 / h:.0f}", (row[COST][0], row["error"][0]), xytext=(0, -14 if k else 8),
                       textcoords="offset points", ha="center", fontsize=8)
     if mine:
-        _plot(axes, mine.table, **figures.MINE)
+        # How far a load has flown says nothing, and would squeeze all others: all that is far is at 100.
+        own = figures.Table([COST, "error"], [[us, min(error, 100)] for us, error in
+                                              zip(mine.table[COST], mine.table["error"])])
+        _plot(axes, own, **figures.MINE)
     axes.axhline(0.02, color="#777777", linewidth=1)
     axes.annotate("2 %", (1, 0.02), xytext=(4, 4), textcoords="offset points", fontsize=9)
     axes.axhline(1, color="#777777", linewidth=1, linestyle=":")
     axes.annotate("lost", (1, 1), xytext=(4, 4), textcoords="offset points", fontsize=9)
     axes.set(xscale="log", yscale="log", xlim=(1, 1e6), xlabel="time to compute a second of it [µs]",
              ylabel="error of the load's place, over the length")
-    axes.legend(loc="lower right", fontsize=8)
+    # On the left there is nothing between 2 % and lost. Among markers those of a legend are taken for some.
+    axes.legend(loc="center left", bbox_to_anchor=(2, 0.14), bbox_transform=axes.transData, fontsize=8)
     figures.tidy(axes)
     return figure
 

@@ -1,33 +1,60 @@
-"""Error of a resting ball's depth and impulse by k and d, with lines of equal rounding."""
+"""Error of a resting ball's depth and impulse by k and d, for several steps, with lines of equal rounding."""
 
+import math
 import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
 import figures  # noqa: E402
 
-TITLE = "A ball at rest: right for every k and d, but for roundings"
+TITLE = "A ball at rest: right for every k, d and h, but for roundings"
 SCALE = (1e-16, 1e-3)
 U, G = 2.0**-54, 9.81
 
 
 def draw(data, mine):
-    table = (mine or data).table
-    figure, grid = figures.new(columns=2, height=3.6, sharey=True)
-    for axes, value, title in ((grid[0], "gap error", "depth"), (grid[1], "impulse error", "impulse")):
-        mesh = figures.field(axes, table, "k", "d", value, SCALE)
-        axes.set(title=title, xlabel="k [N/m], of 1 kg")
-    ds = table.values("d")
-    for power in (-12, -9, -6):
-        line = [(10.0**power * G / (U * (d / 2 + 1)), d) for d in ds]
-        figures.law(grid[0], *zip(*line), None if power > -12 else "(d/2 + 1) u k/(mg)", linewidth=1.2)
-        k, d = line[len(line) // 3]
-        grid[0].annotate(figures.number(10.0**power), (k, d), xytext=(5, 0), textcoords="offset points",
-                         fontsize=9, color="white" if power < -7 else figures.INK)
-    grid[0].set_ylabel("d [steps]")
-    grid[0].legend(loc="upper left", facecolor="white", framealpha=1, frameon=True)
-    figure.colorbar(mesh, ax=grid, label="relative error", extend="min")
+    steps = data.table.values("h")
+    figure, parts = figures.maps(data, mine, rows=2, columns=len(steps), height=5.2, sharex=True, sharey=True)
+    for table, part, (depths, impulses) in parts:
+        for depth, impulse, h in zip(depths, impulses, steps):
+            some = table.only("h", h)
+            mesh = figures.field(depth, some, "k", "d", "gap error", SCALE)
+            figures.field(impulse, some, "k", "d", "impulse error", SCALE)
+            depth.set_title(f"h = 1/{1 / h:.0f} s")
+            impulse.set_xlabel("k [N/m], of 1 kg")
+            impulse.set_xticks([1e3, 1e6, 1e9, 1e12])
+            _depths(depth, h, table.values("d"))
+            _impulses(impulse, h, table)
+        impulses[0].legend(loc="upper left", facecolor="white", framealpha=1, frameon=True, fontsize=8)
+        depths[0].set_ylabel("depth:  d [steps]")
+        impulses[0].set_ylabel("impulse:  d [steps]")
+        part.colorbar(mesh, ax=[*depths, *impulses], label="relative error", extend="min")
     return figure
+
+
+def _depths(axes, h, ds):
+    """Where the law allows a depth to be off by 10⁻¹², 10⁻⁹, 10⁻⁶."""
+    w = math.ulp(h * G)
+    for power in (-12, -9, -6):
+        line = [(10.0**power * G / (U * (d / 2 + 1) + 2 * d * h * w), d) for d in ds]
+        figures.law(axes, *zip(*line), linewidth=1.2)
+        _name(axes, line[len(line) // 4], figures.number(10.0**power), leftward=True)
+
+
+def _impulses(axes, h, table):
+    """Where the law allows a hop to put the impulse off by a power of ten. It does not know of k."""
+    ks = min(table["k"]), max(table["k"])
+    for power in (-15, -14, -13, -12):
+        d = (4 * U / (h**2 * G * 10.0**power) - 1) / 4
+        if min(table["d"]) < d < max(table["d"]):
+            figures.law(axes, ks, (d, d), "law's bound", linewidth=1.2)
+            _name(axes, (ks[0], d), figures.number(10.0**power))
+
+
+def _name(axes, place, text, leftward=False):
+    axes.annotate(text, place, xytext=(-5, 0) if leftward else (5, 5), textcoords="offset points",
+                  fontsize=8, ha="right" if leftward else "left",
+                  bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.8})
 
 
 if __name__ == "__main__":

@@ -55,15 +55,16 @@ Errors spin_on(double spin, RotationUpdate update, double h) {
   return errors;
 }
 
-/// h |ω|² t of the Blowup for small h.
+/// h |ω|² t of the Blowup for small h; infinite if there is none, as with a torque of a student that is wrong.
 double constant_of_blowup() {
   const double h = 0.01;
   World<6> world = top(1, RotationUpdate::exponential);
   try {
-    while (true) world.step(h);
+    while (h * world.time() < 1000) world.step(h);
   } catch (const Blowup& blowup) {
     return h * blowup.time();
   }
+  return infinity;
 }
 
 Experiment experiment(Size size) {

@@ -11,18 +11,19 @@ SCALE = (1e-6, 1e-1)
 
 
 def draw(data, mine):
-    table = (mine or data).table.only("what", "map")
-    counts = table.values("links")
-    figure, grid = figures.new(columns=len(counts), height=3.4, sharey=True)
-    for axes, links in zip(grid, counts):
-        some = table.only("links", links)
-        mesh = figures.field(axes, some, "ratio", "h", "error", SCALE, lost="lost")
-        ratios = some.values("ratio")
-        figures.law(axes, ratios, [some.only("ratio", ratio)["largest step"][0] for ratio in ratios], "2/ω")
-        axes.set(title=f"{links:g} links", xlabel="load over a point's mass")
-    grid[0].set_ylabel("h [s]")
-    grid[0].legend(loc="lower left", facecolor="white", framealpha=1, frameon=True)
-    figure.colorbar(mesh, ax=grid, label="error of the load's place [m]", extend="both")
+    counts = data.table.only("what", "map").values("links")
+    figure, parts = figures.maps(data, mine, columns=len(counts), height=3.4, sharey=True)
+    for table, part, grid in parts:
+        for axes, links in zip(grid, counts):
+            some = table.only("what", "map").only("links", links)
+            mesh = figures.field(axes, some, "ratio", "h", "error", SCALE, lost="lost")
+            ratios = some.values("ratio")
+            largest = [some.only("ratio", ratio)["largest step"][0] for ratio in ratios]
+            figures.law(axes, ratios, largest, "2/ω")
+            axes.set(title=f"{links:g} links", xlabel="load over a point's mass")
+        grid[0].set_ylabel("h [s]")
+        grid[0].legend(loc="lower left", facecolor="white", framealpha=1, frameon=True)
+        part.colorbar(mesh, ax=grid, label="error of the load's place [m]", extend="both")
     return figure
 
 

@@ -25,6 +25,7 @@
 
 #include "engine/world.hpp"
 #include "machinery/experiment.hpp"
+#include "machinery/lost.hpp"
 #include "scenes/number.hpp"
 #include "stability/grid.hpp"
 
@@ -92,7 +93,7 @@ std::vector<Row> rows(const std::string& what, double across, const Tower& tower
                       const std::vector<int>& sweeps) {
   std::vector<Row> rows;
   for (const int n : sweeps) {
-    const double found = measured(tower, n);
+    const double found = or_infinity([&] { return measured(tower, n); });
     rows.push_back({what, across, double(n), std::abs(found), double(std::isinf(found)), predicted(tower, n)});
   }
   return rows;

@@ -14,23 +14,26 @@ TOWER_SIGMA, RATIO_K = 4 * 3600 / (1e8 * 13), 1e6
 
 
 def draw(data, mine):
-    figure, (towers, ratios) = figures.new(columns=2, height=3.6)
-    for axes, what in ((towers, "tower"), (ratios, "ratio")):
-        some = (mine or data).table.only("what", what)
-        mesh = figures.field(axes, some, "across", "sweeps", "error", SCALE, lost="lost")
-    heights = sorted((mine or data).table.only("what", "tower").values("across"))
-    slow = [math.pi**2 / (4 * n**2) for n in heights]
-    figures.law(towers, heights, [math.log(1 + s / TOWER_SIGMA) / s for s in slow], "twice as deep")
-    figures.law(towers, heights, [n * 60**-2 * G * 13 / 4 / 0.25 for n in heights], "25 cm", linestyle="--")
-    across = sorted((mine or data).table.only("what", "ratio").values("across"))
-    for deeper, dash, name in ((lambda r: (1 + 1 / r) * G / RATIO_K, "-", "twice as deep"),
-                               (lambda r: 0.25, "--", "25 cm")):
-        line = [(ratio, _sweeps(ratio, deeper(ratio))) for ratio in across]
-        figures.law(ratios, *zip(*[(x, y) for x, y in line if y >= 1]), name, linestyle=dash)
-    towers.set(title="equal spheres", xlabel="spheres", ylabel="sweeps a step")
-    ratios.set(title="a heavy sphere on a light one", xlabel="mass ratio")
-    towers.legend(loc="upper left", facecolor="white", framealpha=1, frameon=True, fontsize=8)
-    figure.colorbar(mesh, ax=[towers, ratios], label="lowest depth over the right one, less 1", extend="min")
+    figure, parts = figures.maps(data, mine, columns=2, height=3.6)
+    for table, part, (towers, ratios) in parts:
+        for axes, what in ((towers, "tower"), (ratios, "ratio")):
+            some = table.only("what", what)
+            mesh = figures.field(axes, some, "across", "sweeps", "error", SCALE, lost="lost")
+        heights = sorted(table.only("what", "tower").values("across"))
+        slow = [math.pi**2 / (4 * n**2) for n in heights]
+        figures.law(towers, heights, [math.log(1 + s / TOWER_SIGMA) / s for s in slow], "twice as deep")
+        deep = [n * 60**-2 * G * 13 / 4 / 0.25 for n in heights]
+        figures.law(towers, heights, deep, "25 cm", linestyle="--")
+        across = sorted(table.only("what", "ratio").values("across"))
+        for deeper, dash, name in ((lambda r: (1 + 1 / r) * G / RATIO_K, "-", "twice as deep"),
+                                   (lambda r: 0.25, "--", "25 cm")):
+            line = [(ratio, _sweeps(ratio, deeper(ratio))) for ratio in across]
+            figures.law(ratios, *zip(*[(x, y) for x, y in line if y >= 1]), name, linestyle=dash)
+        towers.set(title="equal spheres", xlabel="spheres", ylabel="sweeps a step")
+        ratios.set(title="a heavy sphere on a light one", xlabel="mass ratio")
+        towers.legend(loc="upper left", facecolor="white", framealpha=1, frameon=True, fontsize=8)
+        label = "lowest depth over the right one, less 1"
+        part.colorbar(mesh, ax=[towers, ratios], label=label, extend="min")
     return figure
 
 

@@ -1,0 +1,17 @@
+#pragma once
+// A world that blows up, as it may with a student's functions, shall be a number in a figure, and not the end of it.
+#include "engine/world.hpp"
+
+namespace spook::plots {
+
+/// What `measure` returns, or infinity after a Blowup.
+template <class Measure>
+double or_infinity(const Measure& measure) {
+  try {
+    return measure();
+  } catch (const Blowup&) {
+    return infinity;
+  }
+}
+
+}  // namespace spook::plots
