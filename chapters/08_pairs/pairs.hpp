@@ -1,0 +1,138 @@
+#pragma once
+// Chapter 08 · Finding pairs: which bodies touch, where, how deep, and in which direction
+//
+// The broad phase throws away nearly all pairs, by boxes along the axes of the world. The narrow phase gives each pair
+// that is left its contact set: points, signed gaps, and a normal from body i to body j.
+//
+//   plane, ball      g = n·x - offset - R                                          Eq. (8.1)    notes (21)
+//   ball, ball       g = |x_j - x_i| - R_i - R_j,  n along x_j - x_i               Eq. (8.2)    notes (21)
+//   contact point    r_i = p - x_i,  r_j = p - x_j: one p for both                 Eq. (8.3)    not in the notes
+//   plane, box       g = n·p - offset of each of 8 corners p                       Eq. (8.4)    not in the notes
+//   box, ball        n from the box's nearest point c to x_j,  g = |x_j - c| - R   Eq. (8.5)    not in the notes
+//   along an axis    g(n) = |n·(x_j - x_i)| - ρ_i(n) - ρ_j(n),  ρ(n) = Σ h_k |n·e_k|
+//                                                                                  Eq. (8.6)    not in the notes
+//   separating axis  the largest g(n) of 15: 3 + 3 faces, 9 pairs of edges         Eq. (8.7)    not in the notes
+//   clipping         what of a polygon has n·x <= offset                           Eq. (8.8)    not in the notes
+//   two edges        the points of two lines that are nearest to each other        Eq. (8.9)    not in the notes
+//   well spread      four of many, around the mean of them all                     Eq. (8.10)   not in the notes
+//   bounds           x ± Σ h_k |e_k|                                               Eq. (8.11)   not in the notes
+//   sweep and prune  in order along one axis, neighbours only are compared         Eq. (8.12)   "sweep-and-prune"
+//   level            cells of 2^l, the smallest that are not below a body's size   Eq. (8.13)   not in the notes
+//   spatial hash     only those that share a cell are compared                     Eq. (8.14)   "spatial hashing"
+//   rate             dg/dt = n·u + dn/dt·(p_j - p_i), and the last term is zero    Eq. (8.15)   notes (22), (23)
+//
+//   x   centre [m]       e_k   unit axes of a box, in the world       R   radius [m]
+//   g   signed gap [m]   h_k   halves of its sides [m]                p   contact point [m]
+//
+// Differs from the notes: (21) is the gap of two points, one on each surface. Here the gap is a number of its own, and
+// r_i and r_j end at one and the same point, so that no impulse changes the angular momentum of the two bodies.
+// Shapes are not checked: unit vectors have length 1, axes are at right angles, radii and half sides are positive, and
+// what is given is finite. Only the broad phase looks at its input.
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "07_impacts/impacts.hpp"
+
+namespace spook {
+
+/// Everything with n·x < offset is solid. It belongs to a body that nothing moves.
+struct Plane {
+  int body;
+  Vec3 x;         ///< centre of that body [m]; the plane need not go through it
+  Vec3 n;         ///< unit normal, outwards
+  double offset;  ///< along n, from the origin [m]
+};
+
+struct Ball {
+  int body;
+  Vec3 x;         ///< centre [m]
+  double radius;  ///< [m]
+};
+
+struct Box {
+  int body;
+  Vec3 x;           ///< centre [m]
+  Mat3 axes;        ///< its unit axes e_k, as columns, in the world
+  Vec3 half_sides;  ///< h_k [m]
+};
+
+/// Exercise 8.1. The contact of a plane (body i) with a ball (body j) if g <= 0: Eq. (8.1), (8.3); notes (21). p is
+/// the ball's deepest point.
+std::optional<Contact> plane_ball(const Plane& plane, const Ball& ball);
+
+/// Exercise 8.2. The contact of two balls if g <= 0: Eq. (8.2), (8.3); notes (21). p is in the middle of their
+/// overlap. Two centres at one place have no direction between them: any unit vector will do, with g = -R_i - R_j.
+std::optional<Contact> ball_ball(const Ball& i, const Ball& j);
+
+/// Exercise 8.3. Appends a contact for each corner of a box (body j) with g <= 0 above a plane (body i), in any
+/// order: Eq. (8.3), (8.4); not in the notes. p is the corner.
+void plane_box(const Plane& plane, const Box& box, std::vector<Contact>& contacts);
+
+/// Exercise 8.4. The contact of a box (body i) with a ball (body j) if g <= 0: Eq. (8.3), (8.5); not in the notes. p
+/// is in the middle of the overlap, on the line along n through the ball's centre. A centre in the box, or on its
+/// surface, leaves through the nearest face: n is that face's, and g the (negative) distance from it, less R.
+std::optional<Contact> box_ball(const Box& box, const Ball& ball);
+
+/// An axis, and how far two boxes are apart along it.
+struct SeparatingAxis {
+  Vec3 n;           ///< unit vector, from i to j
+  double gap;       ///< g(n) of Eq. (8.6) [m]; positive: they don't touch
+  int face_i = -1;  ///< 0 to 2: n is along this axis of i, whose face is met
+  int face_j = -1;  ///< the same of j
+  int edge_i = -1;  ///< 0 to 2: n is across this axis of i, and across edge_j of j
+  int edge_j = -1;  ///< of the four, either one face or both edges are not -1
+};
+
+/// Exercise 8.5. Of 15 axes the one along which two boxes are least deep in each other: Eq. (8.6), (8.7); not in the
+/// notes. So that roundings don't choose between faces that lie on each other: of the faces of i the best, or the
+/// first where several are alike to a millionth of the smallest half side; the same of those of j; and the best of
+/// the pairs of edges. Then j's takes the place of i's, and that of the edges the place of either, only if its gap is
+/// larger by more than this millionth and 5 per cent of the gap before. Edges that are parallel, |e × e'| <= 1e-6,
+/// have no axis. Where some of the axes have g > 0, any of those may be returned.
+SeparatingAxis separating_axis(const Box& i, const Box& j);
+
+/// Exercise 8.6. What is left of a convex polygon, three or more corners in order, where n·x <= offset: Eq. (8.8);
+/// not in the notes. Its corners, again in order, each once; a corner on the plane stays. Empty when nothing is left.
+std::vector<Vec3> clip(const std::vector<Vec3>& polygon, const Vec3& n, double offset);
+
+/// Exercise 8.7. Of contacts of one pair, all with the same normal, at most four, in any order: Eq. (8.10); not in
+/// the notes. Four or fewer stay as they are. Of more, which are not all on one line, four are kept: the deepest (or
+/// one that is less deep by a millionth of their distances) is among them, the mean of all points is within them, to
+/// roundings, and they span at least half the largest area that four such can span.
+std::vector<Contact> well_spread(const std::vector<Contact>& contacts);
+
+/// Exercise 8.8. Appends the contacts of two boxes, at most four, and at least one if they overlap: Eq. (8.3),
+/// (8.6)-(8.10); not in the notes. Each p is in the middle between the two surfaces, along n.
+///   face    the other box's face that looks most against n, cut by the planes of the four sides around the face
+///           that is met; of its corners those with g <= 0, well_spread
+///   edges   one contact, at the points of the two edges that are nearest to each other, with the gap of the axis
+///   neither if the face leaves nothing: one contact, at the corner of the other box that is deepest along n
+/// The sides are moved outwards by a millionth of the smallest half side, so that sides that lie on each other stay
+/// whole. A box of a lower body number counts as i wherever i and j are not treated alike: box_box(j, i) gives what
+/// box_box(i, j) does, with the two bodies exchanged and n reversed.
+void box_box(const Box& i, const Box& j, std::vector<Contact>& contacts);
+
+/// A box along the axes of the world.
+struct Bounds {
+  Vec3 lower, upper;  ///< [m]
+};
+
+/// Exercise 8.9. The smallest bounds of a box: Eq. (8.11); not in the notes.
+Bounds bounds(const Box& box);
+
+/// Indices of two bodies, the lower first.
+using Pair = std::pair<int, int>;
+
+/// Exercise 8.10. All pairs of bounds that overlap or touch, each once, sorted: Eq. (8.12); notes,
+/// "sweep-and-prune". Time goes with N log N and the number of pairs that overlap along one axis.
+/// Throws std::invalid_argument that names lower or upper where one is not finite, and upper where it is below its
+/// lower.
+std::vector<Pair> sweep_and_prune(const std::vector<Bounds>& bounds);
+
+/// Exercise 8.11. The same by the cells of grids, one for each level of size: Eq. (8.13), (8.14); notes, "spatial
+/// hashing". Time goes with the number of bodies and of pairs that share a cell, however different their sizes.
+/// Throws as sweep_and_prune does.
+std::vector<Pair> spatial_hash(const std::vector<Bounds>& bounds);
+
+}  // namespace spook

@@ -1,0 +1,10 @@
+#include "08_pairs/pairs.hpp"
+
+namespace spook {
+
+Bounds bounds(const Box& box) {
+  const Vec3 reach = box.axes.cwiseAbs() * box.half_sides;  // Eq. (8.11)
+  return {.lower = box.x - reach, .upper = box.x + reach};
+}
+
+}  // namespace spook

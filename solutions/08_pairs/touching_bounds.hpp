@@ -1,0 +1,17 @@
+#pragma once
+// What both broad phases ask of bounds.
+#include "08_pairs/pairs.hpp"
+
+namespace spook {
+
+/// Whether they overlap, or share at least a point.
+inline bool touch(const Bounds& a, const Bounds& b) {
+  bool all = true;  // & and not &&: six comparisons cost less than one branch that is guessed wrong
+  for (int k = 0; k < 3; ++k) all &= (a.lower[k] <= b.upper[k]) & (b.lower[k] <= a.upper[k]);
+  return all;
+}
+
+/// Throws std::invalid_argument that names lower or upper unless all are finite and no upper is below its lower.
+void require_sound(const std::vector<Bounds>& bounds);
+
+}  // namespace spook

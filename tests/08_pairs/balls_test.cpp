@@ -1,0 +1,176 @@
+// A ball on a plane, and two balls: the gap, the normal and the one point that both bodies share.
+#include "shapes.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(PlaneBall, "8.1 plane_ball");
+EXERCISE(BallBall, "8.2 ball_ball");
+
+bool expect_some(const std::string& what, const std::string& equation, const std::optional<Contact>& contact,
+                 const std::string& clue = "A contact is what has g <= 0.") {
+  expect_true(what + " have a contact", equation, contact.has_value(), clue);
+  return contact.has_value();
+}
+
+EXERCISE_TEST(PlaneBall, PressesIntoTheFloor) {
+  given() =
+      "given the floor z < 1 of body 7, whose centre is (2, 3, -5), and a ball of radius 0.5 at (4, 5, 1.4)";
+  const Plane floor{.body = 7, .x = Vec3(2, 3, -5), .n = Vec3::UnitZ(), .offset = 1};
+  const auto found = plane_ball(floor, {.body = 3, .x = Vec3(4, 5, 1.4), .radius = 0.5});
+  if (!expect_some("they", "Eq. (8.1)", found)) return;
+  expect_contact(
+      "ball in the floor", "Eq. (8.1), (8.3)", *found,
+      {7, 3, Vec3::UnitZ(), -0.1, Vec3(4, 5, 0.9), floor.x, Vec3(4, 5, 1.4)},
+      {{0.1, "This is a depth. The gap has a sign, and is negative where they overlap."},
+       {0.9, "The offset is missing: the plane is at n·x = offset."},
+       {0.4, "This is the height of the centre: the ball's surface is nearer by its radius."},
+       {5.9, "This is measured from the centre of the plane's body; the offset is from the origin."},
+       {-1.1, "The offset is taken off twice, or the diameter for the radius."}},
+      {{Vec3(4, 5, 1), "This is on the plane. p is the ball's deepest point."},
+       {Vec3(4, 5, 0.95), "This is the middle of the overlap. Against a plane p is the ball's deepest point."},
+       {Vec3(4, 5, 1.9), "This is the ball's highest point: p is R below its centre, against n."},
+       {Vec3(6, 8, -4.1), "r_i is an arm, from the centre of the plane's body to p: p - x_i."},
+       {Vec3(4, 5, 1.4), "This is the ball's centre. p is R from it, against n."}});
+}
+
+EXERCISE_TEST(PlaneBall, FollowsAnyPlane) {
+  Random random;
+  for (int trial = 0; trial < 200 && !::testing::Test::HasFailure(); ++trial) {
+    const Vec3 x = random.vector(3), centre = random.vector(3);
+    const Vec3 n = random.unit_vector();
+    const double radius = random.uniform(0.1, 2);
+    // Centres below the plane, too: whatever is behind it is in the solid.
+    const double gap = random.uniform(-2 * radius - 1, 0);
+    const Plane plane{.body = 0, .x = x, .n = n, .offset = n.dot(centre) - radius - gap};
+    const auto found = plane_ball(plane, {.body = 1, .x = centre, .radius = radius});
+    if (!expect_some("a plane and a ball with g = " + show(gap) + " m", "Eq. (8.1)", found,
+                     "Everything behind a plane is solid, however deep."))
+      return;
+    expect_contact(
+        "random plane and ball", "Eq. (8.1), (8.3)", *found, {0, 1, n, gap, centre - radius * n, x, centre},
+        {{-gap, "This is a depth: the gap is negative where they overlap."},
+         {gap + radius, "This is the height of the centre: take off the radius."},
+         {n.dot(centre - x) - plane.offset - radius,
+          "The offset is from the origin, not from the plane's body."},
+         {std::abs(gap + radius) - radius, "The absolute height: below the plane n·x - offset is negative."}},
+        {{Vec3(centre + radius * n), "p is R from the ball's centre against n."},
+         {Vec3(centre - (radius + gap) * n), "This is on the plane: p is the ball's deepest point."}});
+  }
+}
+
+EXERCISE_TEST(PlaneBall, TouchesFromZeroGapOn) {
+  const Plane floor{.body = 0, .x = Vec3::Zero(), .n = Vec3::UnitZ(), .offset = -2};
+  const auto at = [&](double z) { return plane_ball(floor, {.body = 1, .x = Vec3(7, 0, z), .radius = 0.5}); };
+  expect_true("a ball that just touches, g = 0, has a contact", "Eq. (8.1)", at(-1.5).has_value(),
+              "g <= 0: exactly zero counts.");
+  expect_true("a ball that is 1e-12 m above the floor has none", "Eq. (8.1)", !at(-1.5 + 1e-12).has_value(),
+              "Only g <= 0 is a contact.");
+  expect_true("a ball that is 1 m above the floor has none", "Eq. (8.1)", !at(-0.5).has_value(),
+              "Only g <= 0 is a contact.");
+  expect_true("a ball at NaN has none", "Eq. (8.1)", !at(std::nan("")).has_value(),
+              "`if (!(gap <= 0))`, and not `if (gap > 0)`, stops a NaN.");
+}
+
+EXERCISE_TEST(PlaneBall, GapChangesAtTheRateOfItsRow) {
+  Random random;
+  const Vec3 n = random.unit_vector(), x = random.vector(3);
+  const Drift still, moving(random);
+  const Plane plane{.body = 0, .x = random.vector(3), .n = n, .offset = n.dot(x) - 0.4};
+  const Ball ball{.body = 1, .x = x, .radius = 0.5};
+  const auto found = plane_ball(plane, ball);
+  if (!expect_some("a plane and a ball, 0.1 m deep,", "Eq. (8.1)", found)) return;
+  expect_rate(*found, still, moving, [&](double t) { return plane_ball(plane, moving.after(t, ball))->gap; });
+}
+
+EXERCISE_TEST(BallBall, OverlapInTheMiddle) {
+  given() = "given body 4, a ball of radius 2 at (1, 1, 1), and body 9, one of radius 0.5 at (1, 1, 3.3)";
+  const Ball i{.body = 4, .x = Vec3(1, 1, 1), .radius = 2}, j{.body = 9, .x = Vec3(1, 1, 3.3), .radius = 0.5};
+  const auto found = ball_ball(i, j);
+  if (!expect_some("they", "Eq. (8.2)", found)) return;
+  expect_contact(
+      "two balls", "Eq. (8.2), (8.3)", *found, {4, 9, Vec3::UnitZ(), -0.2, Vec3(1, 1, 2.9), i.x, j.x},
+      {{0.2, "This is a depth. The gap has a sign, and is negative where they overlap."},
+       {2.3, "This is the distance of the centres: take off both radii."},
+       {0.3, "Only R_i is taken off."},
+       {1.8, "Only R_j is taken off."},
+       {5.29 - 6.25, "These are squares: the gap is a length."}},
+      {{Vec3(1, 1, 3),
+        "This is on i's surface. p is in the middle of the overlap, half a gap from each surface."},
+       {Vec3(1, 1, 2.8),
+        "This is on j's surface. p is in the middle of the overlap, half a gap from each surface."},
+       {Vec3(1, 1, 2.15), "This is in the middle between the centres. p is in the middle of the overlap."},
+       {Vec3(1, 1, 3.1), "p is in the overlap: g is negative, so from i's surface it is back by half of it."}});
+}
+
+EXERCISE_TEST(BallBall, FollowsAnyTwo) {
+  Random random;
+  for (int trial = 0; trial < 200 && !::testing::Test::HasFailure(); ++trial) {
+    const Ball i{.body = 1, .x = random.vector(3), .radius = random.uniform(0.1, 2)};
+    const double radius = random.uniform(0.1, 2);
+    const double distance = random.uniform(0.01, 1) * (i.radius + radius), gap = distance - i.radius - radius;
+    const Vec3 n = random.unit_vector();
+    const Ball j{.body = 0, .x = i.x + distance * n, .radius = radius};
+    const auto found = ball_ball(i, j);
+    if (!expect_some("balls with g = " + show(gap) + " m", "Eq. (8.2)", found)) return;
+    const double size = 1 + i.x.norm() + j.x.norm();
+    expect_near("gap of random balls [m]", "Eq. (8.2)", found->gap, gap, roundings(64, size),
+                {{-gap, "This is a depth: the gap is negative where they overlap."},
+                 {distance - i.radius, "Only R_i is taken off."}});
+    expect_near_vector("n of random balls", "Eq. (8.2)", found->n, n, roundings(64, size / distance),
+                       {{Vec3(-n), "n points from i to j: this is from j to i."},
+                        {Vec3(distance * n), "This has the length of the distance: n is a unit vector."}});
+    if (::testing::Test::HasFailure()) return;
+    expect_near_vector(
+        "point of random balls, x_i + r_i [m]", "Eq. (8.2), (8.3)", Vec3(i.x + found->r_i),
+        Vec3(i.x + (i.radius + gap / 2) * n), roundings(256, size * 4 / std::min(1.0, distance)),
+        {{Vec3(i.x + i.radius * n), "This is on i's surface: p is in the middle of the overlap."},
+         {Vec3(i.x + distance / 2 * n), "This is in the middle between the centres, not of the overlap."}});
+    expect_true("i is " + std::to_string(found->i) + ", j is " + std::to_string(found->j), "Eq. (8.2)",
+                found->i == 1 && found->j == 0, "Bodies as they are given; no order is asked for.");
+    if (!expect_common_point(*found, i.x, j.x)) return;
+  }
+}
+
+EXERCISE_TEST(BallBall, TouchesFromZeroGapOn) {
+  const auto at = [&](double x) {
+    return ball_ball({.body = 0, .x = Vec3::Zero(), .radius = 1},
+                     {.body = 1, .x = Vec3(0, x, 0), .radius = 0.5});
+  };
+  expect_true("balls that just touch, g = 0, have a contact", "Eq. (8.2)", at(1.5).has_value(),
+              "g <= 0: exactly zero counts.");
+  expect_true("balls that are 1e-12 m apart have none", "Eq. (8.2)", !at(1.5 + 1e-12).has_value(),
+              "Only g <= 0 is a contact.");
+  expect_true("balls that are 3 m apart have none", "Eq. (8.2)", !at(4.5).has_value(),
+              "Only g <= 0 is a contact.");
+  expect_true("a ball at NaN has none", "Eq. (8.2)", !at(std::nan("")).has_value(),
+              "`if (!(gap <= 0))`, and not `if (gap > 0)`, stops a NaN.");
+}
+
+EXERCISE_TEST(BallBall, PartsCentresAtOnePlace) {
+  Random random;
+  const Vec3 x = random.vector(3);
+  const auto found = ball_ball({.body = 0, .x = x, .radius = 1}, {.body = 1, .x = x, .radius = 0.25});
+  if (!expect_some("balls with one centre", "Eq. (8.2)", found)) return;
+  expect_near("gap of balls of radius 1 and 0.25 with one centre [m]", "Eq. (8.2)", found->gap, -1.25,
+              roundings(4));
+  expect_near("|n| of balls with one centre", "Eq. (8.2)", found->n.norm(), 1, roundings(8), {},
+              "0/0 is NaN: where there is no direction choose one.");
+  expect_true("their arms are finite", "Eq. (8.3)", found->r_i.allFinite() && found->r_j.allFinite());
+  expect_common_point(*found, x, x);
+}
+
+EXERCISE_TEST(BallBall, GapChangesAtTheRateOfItsRow) {
+  Random random;
+  const Drift drift_i(random), drift_j(random);
+  const Ball i{.body = 0, .x = random.vector(3), .radius = 0.8};
+  const Ball j{.body = 1, .x = i.x + 1.2 * random.unit_vector(), .radius = 0.5};
+  const auto found = ball_ball(i, j);
+  if (!expect_some("balls, 0.1 m deep in each other,", "Eq. (8.2)", found)) return;
+  expect_rate(*found, drift_i, drift_j,
+              [&](double t) { return ball_ball(drift_i.after(t, i), drift_j.after(t, j))->gap; });
+}
+
+}  // namespace

@@ -1,0 +1,54 @@
+// Bounds of a box: along the axes of the world, no larger than they must be.
+#include "shapes.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(Bounds, "8.9 bounds");
+
+EXERCISE_TEST(Bounds, AreTheBoxIfItLiesStraight) {
+  const spook::Bounds got =
+      bounds({.body = 0, .x = Vec3(1, 2, 3), .axes = Mat3::Identity(), .half_sides = Vec3(0.5, 2, 4)});
+  expect_near_vector("lower [m]", "Eq. (8.11)", got.lower, Vec3(0.5, 0, -1), roundings(8, 4),
+                     {{Vec3(1.5, 4, 7), "This is the upper corner."},
+                      {Vec3(-0.5, -2, -4), "The centre is missing."},
+                      {Vec3(0.75, 1, 1), "h_k are halves already: no further half."},
+                      {Vec3(0, -2, -5), "h_k are halves of the sides, not sides."}});
+  expect_near_vector("upper [m]", "Eq. (8.11)", got.upper, Vec3(1.5, 4, 7), roundings(8, 4),
+                     {{Vec3(0.5, 2, 4), "The centre is missing."}});
+}
+
+EXERCISE_TEST(Bounds, HoldEveryCornerAndNoMore) {
+  Random random;
+  for (int trial = 0; trial < 200 && !::testing::Test::HasFailure(); ++trial) {
+    const Box box = random_box(random, 0, 3);
+    given() = "given " + describe(box);
+    const spook::Bounds got = bounds(box);
+    Vec3 lower = Vec3::Constant(infinity), upper = -lower;
+    for (const Vec3& corner : corners(box)) {
+      lower = lower.cwiseMin(corner);
+      upper = upper.cwiseMax(corner);
+    }
+    const Vec3 once = box.axes * box.half_sides, across = box.axes.cwiseAbs().transpose() * box.half_sides;
+    const double sphere = box.half_sides.norm();
+    const std::string otherwise = "Each side reaches h_k |e_k| along each axis of the world, and they add up.";
+    expect_near_vector(
+        "upper, the largest of all corners [m]", "Eq. (8.11)", got.upper, upper, roundings(32, 8),
+        {{Vec3(box.x + once), "This is one corner, where all signs are +. Others may be farther out."},
+         {Vec3(box.x + once.cwiseAbs()),
+          "The absolute value of one corner: each term has its own, |e_k|, before they are added."},
+         {Vec3(box.x + across), "The axes are the columns of `axes`: these are its rows."},
+         {Vec3(box.x + box.half_sides), "The box is turned: its sides are along e_k, not x, y and z."},
+         {Vec3(box.x + Vec3::Constant(sphere)),
+          "This holds the sphere around the box: there are smaller bounds."}},
+        otherwise);
+    expect_near_vector(
+        "lower, the smallest of all corners [m]", "Eq. (8.11)", got.lower, lower, roundings(32, 8),
+        {{Vec3(box.x - once), "This is one corner, where all signs are -. Others may be farther out."}},
+        otherwise);
+  }
+}
+
+}  // namespace

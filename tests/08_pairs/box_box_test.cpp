@@ -1,0 +1,422 @@
+// Two boxes: faces that lie on each other, edges that cross, and what doesn't change when they tremble.
+#include <algorithm>
+#include <numbers>
+
+#include "shapes.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(BoxBox, "8.8 box_box");
+
+std::vector<Contact> contacts_of(const Box& i, const Box& j) {
+  std::vector<Contact> found;
+  box_box(i, j, found);
+  return found;
+}
+
+std::string describe_both(const Box& i, const Box& j) {
+  return "given i, " + describe(i) + "\nand j, " + describe(j);
+}
+
+Box straight(int body, const Vec3& x, const Vec3& half_sides) {
+  return {.body = body, .x = x, .axes = Mat3::Identity(), .half_sides = half_sides};
+}
+
+bool expect_count(const std::string& what, const std::vector<Contact>& got, int count,
+                  const std::string& clue) {
+  expect_near("contacts of " + what, "Eq. (8.8), (8.10)", static_cast<double>(got.size()), count,
+              {0, "a count"}, {{8, "Eight are more than are needed: well_spread leaves four."}}, clue);
+  return !::testing::Test::HasFailure();
+}
+
+/// Each of `wanted`, points in the world, is the point of one contact, with that gap and normal.
+bool expect_points(const std::string& what, const Box& i, const Box& j, const std::vector<Contact>& got,
+                   const std::vector<Vec3>& wanted, const Vec3& n, double gap) {
+  for (const Vec3& p : wanted) {
+    const auto nearest = std::min_element(got.begin(), got.end(), [&](const Contact& a, const Contact& b) {
+      return (i.x + a.r_i - p).norm() < (i.x + b.r_i - p).norm();
+    });
+    const std::string which = what + ", the contact nearest to " + show(p);
+    expect_true(which + ": i = " + std::to_string(nearest->i) + ", j = " + std::to_string(nearest->j),
+                "Eq. (8.3)", nearest->i == i.body && nearest->j == j.body,
+                "The bodies of the two boxes, the first one's as i.");
+    expect_near_vector(which + ": n", "Eq. (8.7)", nearest->n, n, {1e-9, "roundings"},
+                       {{Vec3(-n), "n points from i to j: where the face is j's its outward normal is -n."}});
+    expect_near(which + ": gap [m]", "Eq. (8.6), (8.8)", nearest->gap, gap, {1e-9, "roundings"},
+                {{-gap, "This is a depth: the gap is negative where they overlap."},
+                 {gap / 2, "Half the gap belongs to the point, not to the gap."}},
+                "How far the corner is in front of the face that is met.");
+    const std::string surface = "p is half way between the two surfaces: this is on one of them.";
+    const std::string sign =
+        "p is half way between the two surfaces: from a corner of j go back by gap/2 along n, "
+        "against the sign of the gap.";
+    expect_near_vector(
+        which + ": the point x_i + r_i [m]", "Eq. (8.3), (8.8)", Vec3(i.x + nearest->r_i), p,
+        {4e-6, "two of the planes that cut, moved out by a millionth of the smallest half side"},
+        {{Vec3(p + gap / 2 * n), surface},
+         {Vec3(p - gap / 2 * n), surface},
+         {Vec3(p + gap * n), sign},
+         {Vec3(p - gap * n), sign},
+         {Vec3(i.x + p - j.x), "r_i is from the centre of i, r_j from that of j."}},
+        "Corners that hang over are cut off, by the planes of the four sides around the face that is "
+        "met; where edges cross it is their nearest points.");
+    if (::testing::Test::HasFailure() || !expect_common_point(*nearest, i.x, j.x)) return false;
+  }
+  return true;
+}
+
+EXERCISE_TEST(BoxBox, LiesOnALargerOne) {
+  const Box table = straight(3, Vec3(1, 2, 3), Vec3(2, 2, 1)),
+            box = straight(8, Vec3(1.5, 2, 4.49), Vec3(0.5, 0.5, 0.5));
+  given() = describe_both(table, box);
+  const auto got = contacts_of(table, box);
+  if (!expect_count("a box on a table", got, 4,
+                    "The four corners of the lower face of j are under the table's top."))
+    return;
+  expect_points("a box on a table", table, box, got,
+                {Vec3(1, 1.5, 3.995), Vec3(2, 1.5, 3.995), Vec3(1, 2.5, 3.995), Vec3(2, 2.5, 3.995)},
+                Vec3::UnitZ(), -0.01);
+}
+
+EXERCISE_TEST(BoxBox, CarriesALargerOne) {
+  // Now the corners of i are under the face of j: those of j hang over.
+  const Box stand = straight(3, Vec3(1, 2, 3), Vec3(0.5, 0.5, 1)),
+            plate = straight(8, Vec3(1, 2, 4.24), Vec3(2, 2, 0.25));
+  given() = describe_both(stand, plate);
+  const auto got = contacts_of(stand, plate);
+  if (!expect_count("a plate on a stand", got, 4,
+                    "The lower face of j, cut by the sides of i, has four corners."))
+    return;
+  expect_points("a plate on a stand", stand, plate, got,
+                {Vec3(0.5, 1.5, 3.995), Vec3(1.5, 1.5, 3.995), Vec3(0.5, 2.5, 3.995), Vec3(1.5, 2.5, 3.995)},
+                Vec3::UnitZ(), -0.01);
+}
+
+EXERCISE_TEST(BoxBox, HangsOverTheRim) {
+  for (const double out : {0.5, 1.0, 1.5}) {
+    const Box table = straight(0, Vec3::Zero(), Vec3(2, 2, 1)),
+              box = straight(1, Vec3(1 + out, 0.5, 1.99), Vec3(1, 1, 1));
+    given() = describe_both(table, box);
+    const auto got = contacts_of(table, box);
+    const std::string what = "a box " + show(out) + " m of whose 2 m hang over the rim";
+    if (!expect_count(what, got, 4, "Cut the lower face by the four sides around the upper one.")) return;
+    const double rim = out > 0 ? 2 : 1 + out + 1;
+    if (!expect_points(
+            what, table, box, got,
+            {Vec3(out, -0.5, 0.995), Vec3(out, 1.5, 0.995), Vec3(rim, -0.5, 0.995), Vec3(rim, 1.5, 0.995)},
+            Vec3::UnitZ(), -0.01))
+      return;
+  }
+}
+
+EXERCISE_TEST(BoxBox, KeepsTheFaceOfTheOtherBoxApart) {
+  // Turned so that the face that is met is j's: i stands on a corner of it.
+  Random random;
+  for (int trial = 0; trial < 100 && !::testing::Test::HasFailure(); ++trial) {
+    Box j = random_box(random, 1), i = straight(0, Vec3::Zero(), Vec3(0.3, 0.4, 0.5));
+    j.half_sides = Vec3(2, 2, 1);
+    const int side = random.integer(0, 1) ? 1 : -1;
+    // The corner of i that is farthest along w touches the face of j that looks along -w, and no other does.
+    const Vec3 w = -side * j.axes.col(2), seen = i.axes.transpose() * w;
+    if (seen.cwiseAbs().minCoeff() < 0.2) continue;
+    const Vec3 corner =
+        i.axes * Vec3(std::copysign(0.3, seen[0]), std::copysign(0.4, seen[1]), std::copysign(0.5, seen[2]));
+    j.x = corner + (1 - 0.002) * w + random.uniform(-1, 1) * j.axes.col(0) +
+          random.uniform(-1, 1) * j.axes.col(1);
+    given() = describe_both(i, j);
+    const auto got = contacts_of(i, j);
+    if (!expect_count("a corner of i in a face of j", got, 1,
+                      "One corner of the incident face is behind the face of j; "
+                      "those with g > 0 are no contacts."))
+      return;
+    if (!expect_points("a corner of i in a face of j", i, j, got, {Vec3(corner - 0.001 * w)}, w, -0.002))
+      return;
+  }
+}
+
+EXERCISE_TEST(BoxBox, NeedsNoMoreThanFour) {
+  // The lower face of j, turned by 45 degrees and cut by the sides of i, is an octagon.
+  const Box below = straight(0, Vec3::Zero(), Vec3(0.5, 0.5, 0.5));
+  Box above = turned(straight(1, Vec3(0, 0, 0.999), Vec3(0.5, 0.5, 0.5)), std::numbers::pi / 4, Vec3::UnitZ());
+  given() = describe_both(below, above);
+  const auto got = contacts_of(below, above);
+  if (!expect_count("a cube on an equal one, turned by 45 degrees", got, 4, "Four of the eight, well_spread."))
+    return;
+  for (const Contact& contact : got)
+    expect_near("distance of a corner of the octagon from its middle [m]", "Eq. (8.8)",
+                contact.r_i.head<2>().norm(), 0.5 / std::cos(std::numbers::pi / 8),
+                {2e-6, "the planes that cut"});
+}
+
+EXERCISE_TEST(BoxBox, EdgesCrossAtAPoint) {
+  const double half = 0.5, ridge = half * std::sqrt(2.0), depth = 0.02;
+  const Box cube = straight(0, Vec3(1, -1, 2), Vec3::Constant(half));
+  const Box i = turned(cube, std::numbers::pi / 4, Vec3::UnitX());
+  Box j = turned(cube, std::numbers::pi / 4, Vec3::UnitY());
+  j.body = 1;
+  j.x += Vec3(0.1, -0.2, 2 * ridge - depth);
+  given() = describe_both(i, j);
+  const auto got = contacts_of(i, j);
+  if (!expect_count("two ridges that cross", got, 1,
+                    "One contact, where the two edges are nearest to each other."))
+    return;
+  expect_points("two ridges that cross", i, j, got, {cube.x + Vec3(0.1, 0, ridge - depth / 2)}, Vec3::UnitZ(),
+                -depth);
+}
+
+/// The middle between two random edges that cross at a random angle, which are all that meets.
+EXERCISE_TEST(BoxBox, EdgesCrossAtAnyAngle) {
+  Random random;
+  int looked_at = 0;
+  for (int trial = 0; trial < 400 && !::testing::Test::HasFailure(); ++trial) {
+    const Box i = random_box(random, 0);
+    Box j = random_box(random, 1);
+    const int a = random.integer(0, 2), b = random.integer(0, 2);
+    Vec3 n = i.axes.col(a).cross(j.axes.col(b));
+    if (n.norm() < 0.3) continue;
+    n = (random.integer(0, 1) ? n : -n).normalized();
+    const auto middle = [](const Box& box, int along, const Vec3& out) {
+      Vec3 r = Vec3::Zero();
+      for (int k = 0; k < 3; ++k)
+        if (k != along) r += std::copysign(box.half_sides[k], out.dot(box.axes.col(k))) * box.axes.col(k);
+      return r;
+    };
+    const Vec3 on_i = i.x + middle(i, a, n) + random.uniform(-0.15, 0.15) * i.axes.col(a);
+    const double depth = 1e-3;
+    j.x = on_i - depth * n - middle(j, b, -n) + random.uniform(-0.15, 0.15) * j.axes.col(b);
+    const auto got = contacts_of(i, j);
+    const auto axis = separating_axis(i, j);
+    if (axis.edge_i != a || axis.edge_j != b) continue;  // something else meets, or is as near
+    ++looked_at;
+    given() = describe_both(i, j);
+    if (!expect_count("two edges that cross", got, 1,
+                      "One contact, where the two edges are nearest to each other."))
+      return;
+    if (!expect_points("two edges that cross", i, j, got, {Vec3(on_i - depth / 2 * n)}, n, -depth)) return;
+  }
+  expect_at_least("pairs of edges that were looked at", "Eq. (8.9)", looked_at, 20, "a good many of 400");
+}
+
+EXERCISE_TEST(BoxBox, ContactsAreWhereTheBoxesAre) {
+  Random random;
+  int touching = 0;
+  for (int trial = 0; trial < 1000 && !::testing::Test::HasFailure(); ++trial) {
+    const Box i = random_box(random, 0);
+    Box j = random_box(random, 1, 2);
+    contacts_of(i, j);
+    // Along the line of their centres to where they overlap by 1 per cent of the smallest half side.
+    const Vec3 line = (j.x - i.x).normalized();
+    const double depth = 0.01 * std::min(i.half_sides.minCoeff(), j.half_sides.minCoeff());
+    double deep = 0, apart = 5;
+    for (int halving = 0; halving < 50; ++halving) {
+      const double middle = (deep + apart) / 2;
+      j.x = i.x + middle * line;
+      (separating_axis(i, j).gap < -depth ? deep : apart) = middle;
+    }
+    j.x = i.x + deep * line;
+    given() = describe_both(i, j);
+    const auto got = contacts_of(i, j);
+    const auto axis = separating_axis(i, j);
+    expect_at_least("contacts of boxes that overlap", "Eq. (8.8)", static_cast<double>(got.size()), 1,
+                    "at least one");
+    expect_at_most("contacts of boxes", "Eq. (8.10)", static_cast<double>(got.size()), 4, "at most four",
+                   "well_spread leaves four.");
+    if (::testing::Test::HasFailure()) return;
+    ++touching;
+    for (const Contact& contact : got) {
+      expect_near_vector(
+          "n of a contact", "Eq. (8.7)", contact.n, axis.n, roundings(16),
+          {{Vec3(-axis.n), "n points from i to j: where the face is j's its outward normal is -n."}},
+          "The separating axis.");
+      expect_at_most("gap of a contact [m]", "Eq. (8.8)", contact.gap, 0, "those with g <= 0 stay",
+                     "A corner in front of the face that is met is no contact.");
+      expect_at_least("gap of a contact [m]", "Eq. (8.6)", contact.gap, axis.gap - 1e-12,
+                      "that along the axis: nothing is deeper", "Measure from the face that is met, along n.");
+      const Vec3 p = i.x + contact.r_i;
+      const Vec3 half = contact.gap / 2 * contact.n;
+      const std::string clue =
+          "p is in the middle between the two surfaces, and the gap is what is between them there.";
+      const std::string why = "on it; a millionth of its sides for the planes that cut";
+      expect_at_most("distance of p - gap/2 n from i [m]", "Eq. (8.3), (8.8)", distance(i, p - half), 4e-6, why,
+                     clue);
+      expect_at_most("distance of p + gap/2 n from j [m]", "Eq. (8.3), (8.8)", distance(j, p + half), 4e-6, why,
+                     clue);
+      if (::testing::Test::HasFailure() || !expect_common_point(contact, i.x, j.x)) return;
+    }
+  }
+  expect_at_least("pairs that were looked at", "Eq. (8.8)", touching, 500, "most");
+}
+
+EXERCISE_TEST(BoxBox, BoxesApartHaveNone) {
+  Random random;
+  for (int trial = 0; trial < 200 && !::testing::Test::HasFailure(); ++trial) {
+    const Box i = random_box(random, 0);
+    Box j = random_box(random, 1);
+    j.x = i.x + (i.half_sides.norm() + j.half_sides.norm() + 1e-9) * random.unit_vector();
+    const Contact other{
+        .i = 8, .j = 9, .n = Vec3::UnitX(), .gap = -1, .r_i = Vec3::Zero(), .r_j = Vec3::Zero()};
+    std::vector<Contact> contacts = {other};
+    box_box(i, j, contacts);
+    given() = describe_both(i, j);
+    expect_near("contacts, with one of another pair, of boxes that are apart", "Eq. (8.7)",
+                static_cast<double>(contacts.size()), 1, {0, "a count"},
+                {{0, "What was in `contacts` before is lost: append."}},
+                "With a gap along some axis there is none.");
+  }
+  const Box below = straight(0, Vec3::Zero(), Vec3(1, 1, 1)),
+            above = straight(1, Vec3(0, 0, 1.9), Vec3(1, 1, 1));
+  std::vector<Contact> contacts = contacts_of(below, above);
+  const auto alone = static_cast<double>(contacts.size());
+  box_box(below, above, contacts);
+  expect_near("contacts, after the same pair a second time", "Eq. (8.8)", static_cast<double>(contacts.size()),
+              2 * alone, {0, "a count"}, {{alone, "What was in `contacts` before is lost: append."}});
+}
+
+struct Position {
+  std::string what;
+  Box i, j;
+};
+
+/// The exact positions that boxes have in scenes.
+std::vector<Position> common_positions() {
+  const Box cube = straight(0, Vec3::Zero(), Vec3(0.5, 0.5, 0.5));
+  const auto on = [&](double x, double y, const Vec3& half_sides) {
+    return straight(1, Vec3(x, y, 0.5 + half_sides.z() - 1e-3), half_sides);
+  };
+  const Vec3 equal = cube.half_sides;
+  const Box octagon = turned(on(0, 0, equal), std::numbers::pi / 4, Vec3::UnitZ());
+  const Box ridge =
+      turned(straight(1, Vec3(0, 0, 0.5 + std::sqrt(0.5) - 1e-3), equal), std::numbers::pi / 4, Vec3::UnitX());
+  // Tipped about x, so that its sides are still in line, and half of its lower face is below.
+  const double tip = 0.01, down = 0.5 * (std::cos(tip) + std::sin(tip));
+  const Box tipping = turned(straight(1, Vec3(0, 0, 0.495 + down), equal), tip, Vec3::UnitX());
+  return {{"a cube that has begun to tip on an equal one", cube, tipping},
+          {"a cube squarely on an equal one", cube, on(0, 0, equal)},
+          {"a cube on a larger box", straight(0, Vec3(0, 0, -0.5), Vec3(2, 2, 1)), on(0, 0, equal)},
+          {"a plate on a cube", cube, on(0, 0, Vec3(2, 2, 0.1))},
+          {"a cube on an equal one, turned by 45 degrees", cube, octagon},
+          {"a cube half over the rim", cube, on(0.5, 0, equal)},
+          {"a cube half over a corner", cube, on(0.5, 0.5, equal)},
+          {"a brick on two, its end on the seam", straight(0, Vec3::Zero(), Vec3(1, 0.5, 0.5)),
+           on(1, 0, Vec3(1, 0.5, 0.5))},
+          {"a cube that hangs on by its edge, as deep in x as in z", cube, on(1 - 1e-3, 0, equal)},
+          {"a cube on its edge", cube, ridge}};
+}
+
+/// How far the nearest of `others` is: its point, its gap, its normal.
+double nearest(const Contact& contact, const std::vector<Contact>& others) {
+  double least = infinity;
+  for (const Contact& other : others)
+    least = std::min(least, (contact.r_i - other.r_i).norm() + std::abs(contact.gap - other.gap) +
+                                (contact.n - other.n).norm());
+  return least;
+}
+
+EXERCISE_TEST(BoxBox, TremblesNoMoreThanItsBoxes) {
+  Random random;
+  for (const auto& [what, i, j] : common_positions()) {
+    const auto still = contacts_of(i, j);
+    given() = describe_both(i, j);
+    expect_at_least("contacts of " + what, "Eq. (8.8)", static_cast<double>(still.size()), 1, "it touches");
+    if (::testing::Test::HasFailure()) return;
+    for (int trial = 0; trial < 200 && !::testing::Test::HasFailure(); ++trial) {
+      Box moved = j;
+      moved.x += random.vector(1e-9);
+      if (trial % 2) moved = turned(moved, random.uniform(-1e-9, 1e-9), random.unit_vector());
+      const auto now = contacts_of(i, moved);
+      expect_near("contacts of " + what + ", moved by 1e-9 m", "Eq. (8.8), (8.10)",
+                  static_cast<double>(now.size()), static_cast<double>(still.size()),
+                  {0, "their number without"}, {},
+                  "Sides that lie on each other are cut by roundings: move the planes that cut outwards, by a "
+                  "millionth of the smallest half side.");
+      if (::testing::Test::HasFailure()) return;
+      double farthest = 0;
+      for (const Contact& contact : now) farthest = std::max(farthest, nearest(contact, still));
+      expect_at_most("how far a contact of " + what + " has gone, where a box has moved by 1e-9 m",
+                     "Eq. (8.8), (8.10)", farthest, 1e-7,
+                     "points, gaps and normals move with the boxes; 1e-9 m and rad, and a few times that",
+                     "Roundings have chosen: another face, another edge, or others of many contacts.");
+    }
+  }
+}
+
+EXERCISE_TEST(BoxBox, DoesNotMindWhichIsFirst) {
+  Random random;
+  std::vector<Position> positions = common_positions();
+  for (int trial = 0; trial < 300; ++trial)
+    positions.push_back({"random boxes", random_box(random, 0, 0.7), random_box(random, 1, 0.7)});
+  for (const auto& [what, i, j] : positions) {
+    const auto one = contacts_of(i, j), other = contacts_of(j, i);
+    given() = describe_both(i, j);
+    expect_near("contacts of box_box(j, i), for " + what, "Eq. (8.8)", static_cast<double>(other.size()),
+                static_cast<double>(one.size()), {0, "as many as box_box(i, j) has"}, {},
+                "Let the box of the lower body number be i wherever the two are not treated alike.");
+    if (::testing::Test::HasFailure()) return;
+    for (const Contact& contact : other) {
+      expect_true("box_box(j, i) has i = " + std::to_string(contact.i) + ", j = " + std::to_string(contact.j),
+                  "Eq. (8.8)", contact.i == j.body && contact.j == i.body, "i is the first argument's body.");
+      const Contact back{.i = contact.j,
+                         .j = contact.i,
+                         .n = -contact.n,
+                         .gap = contact.gap,
+                         .r_i = contact.r_j,
+                         .r_j = contact.r_i};
+      expect_at_most(
+          "how far a contact of box_box(j, i) is from one of box_box(i, j), for " + what, "Eq. (8.8)",
+          nearest(back, one), 1e-9, "roundings",
+          "The same points and gaps, with n reversed: let the box of the lower body number be i wherever "
+          "the two are not treated alike, and exchange the bodies again at the end.");
+      if (::testing::Test::HasFailure()) return;
+    }
+  }
+}
+
+EXERCISE_TEST(BoxBox, GapChangesAtTheRateOfItsRow) {
+  Random random;
+  // A corner of j in a face of i, and edges that cross: points of the bodies, which stay where they are on them.
+  const double ridge = 0.5 * std::sqrt(2.0);
+  const Box cube = straight(0, Vec3(1, -1, 2), Vec3::Constant(0.5));
+  Box corner = turned(turned(cube, 0.7, Vec3::UnitX()), 0.5, Vec3::UnitY());
+  corner.body = 1;
+  const double reach = (corner.axes.row(2).cwiseAbs() * corner.half_sides)(0);
+  corner.x += Vec3(0.1, -0.1, 0.5 + reach - 0.01);
+  const Box below = turned(cube, std::numbers::pi / 4, Vec3::UnitX());
+  Box above = turned(cube, std::numbers::pi / 4, Vec3::UnitY());
+  above.body = 1;
+  above.x += Vec3(0.1, -0.2, 2 * ridge - 0.02);
+  for (const auto& [what, i, j] :
+       {Position{"a corner in a face", cube, corner}, Position{"edges", below, above}}) {
+    given() = "given " + what + ": " + describe_both(i, j);
+    const auto found = contacts_of(i, j);
+    if (!expect_count(what, found, 1, "One corner, or one crossing, is all that meets.")) return;
+    const Drift drift_i(random), drift_j(random);
+    expect_rate(found[0], drift_i, drift_j, [&, &i = i, &j = j](double t) {
+      const auto later = contacts_of(drift_i.after(t, i), drift_j.after(t, j));
+      return later.size() == 1 ? later[0].gap : std::nan("");
+    });
+  }
+}
+
+EXERCISE_TEST(BoxBox, IsTheSameFarFromTheOrigin) {
+  const Vec3 far(1048576, -2097152, 524288);
+  for (const auto& [what, i, j] : common_positions()) {
+    Box far_i = i, far_j = j;
+    far_i.x += far;
+    far_j.x += far;
+    const auto near = contacts_of(i, j), there = contacts_of(far_i, far_j);
+    given() = describe_both(far_i, far_j);
+    expect_near("contacts of " + what + ", 2000 km away", "Eq. (8.8)", static_cast<double>(there.size()),
+                static_cast<double>(near.size()), {0, "as many as at the origin"}, {},
+                "Work with places from the centre of one box: far away little is left of p - x.");
+    if (::testing::Test::HasFailure()) return;
+    for (const Contact& contact : there)
+      expect_at_most("how far a contact of " + what + " is from where it is at the origin", "Eq. (8.8)",
+                     nearest(contact, near), 1e-8, "what rounding x_j costs, 5e-10 m",
+                     "Work with places from the centre of one box: far away little is left of p - x.");
+  }
+}
+
+}  // namespace

@@ -1,0 +1,314 @@
+// Clipping of polygons, and the choice of four contacts.
+#include <algorithm>
+#include <numbers>
+#include <numeric>
+
+#include "shapes.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(Clip, "8.6 clip");
+EXERCISE(WellSpread, "8.7 well_spread");
+
+/// Vector area: half the sum of the cross products. Its length is the area of a flat polygon whose corners are in order.
+Vec3 area(const std::vector<Vec3>& polygon) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t k = 0; k < polygon.size(); ++k)
+    sum += (polygon[k] - polygon[0]).cross(polygon[(k + 1) % polygon.size()] - polygon[0]) / 2;
+  return sum;
+}
+
+const std::vector<Vec3> square = {Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(1, 1, 0), Vec3(-1, 1, 0)};
+
+bool expect_count(const std::string& what, const std::vector<Vec3>& got, int count, const std::string& clue) {
+  expect_near("corners of " + what, "Eq. (8.8)", static_cast<double>(got.size()), count, {0, "a count"}, {},
+              clue);
+  return !::testing::Test::HasFailure();
+}
+
+EXERCISE_TEST(Clip, CutsASquare) {
+  for (const double offset : {-0.5, 0.0, 0.25}) {
+    given() = "given the square with corners (±1, ±1, 0), cut at x <= " + show(offset);
+    const std::vector<Vec3> left = clip(square, Vec3::UnitX(), offset);
+    const double right = 2 * (1 - offset), whole = 2 * (1 + offset);
+    if (!expect_count("a square that is cut in two", left, 4,
+                      "Two corners stay, and each of the two sides that are "
+                      "cut gives another."))
+      return;
+    expect_near(
+        "its area [m²]", "Eq. (8.8)", area(left).norm(), whole, roundings(32, 4),
+        {{right,
+          "This is what was to be cut off: n·x <= offset stays. Or the cut is measured from the wrong end."},
+         {2 * (1 - offset) + 0.0, "The sign of the offset."},
+         {4, "Nothing has been cut off."}},
+        "A side from a to b is cut at a + t (b - a), t = height_a/(height_a - height_b).");
+    if (::testing::Test::HasFailure()) return;
+  }
+}
+
+EXERCISE_TEST(Clip, KeepsAllOrNothing) {
+  const std::vector<Vec3> all = clip(square, Vec3::UnitX(), 2);
+  if (!expect_count("a square that is all on the inner side", all, 4,
+                    "All corners have n·x <= offset: they stay."))
+    return;
+  for (std::size_t k = 0; k < 4; ++k)
+    expect_true("corner " + show(square[k]) + " is still there", "Eq. (8.8)",
+                std::find(all.begin(), all.end(), square[k]) != all.end(), "Corners inside stay as they are.");
+  expect_count("a square that is all on the outer side", clip(square, Vec3::UnitX(), -2), 0,
+               "No point has n·x <= offset: nothing is left.");
+}
+
+EXERCISE_TEST(Clip, KeepsACornerOnThePlaneOnce) {
+  const Vec3 n = Vec3(1, -1, 0).normalized();
+  const std::vector<Vec3> half = clip(square, n, 0);
+  if (!expect_count(
+          "half a square, cut along its diagonal", half, 3,
+          "Two corners are on the plane: they stay, and no side is cut there. A side is cut only where one "
+          "end has n·x < offset, and the other n·x > offset."))
+    return;
+  expect_near("its area [m²]", "Eq. (8.8)", area(half).norm(), 2, roundings(32, 4));
+  if (!expect_count("a square with a side on the plane, inside", clip(square, Vec3::UnitX(), 1), 4,
+                    "Corners on the plane stay, each once."))
+    return;
+  const std::vector<Vec3> line = clip(square, Vec3::UnitX(), -1);
+  expect_count("a square with a side on the plane, outside", line, 2,
+               "Only the two corners on the plane have n·x <= offset; each stays once.");
+}
+
+/// A convex polygon of n corners in a random plane.
+std::vector<Vec3> random_polygon(Random& random, int n) {
+  const Vec3 normal = random.unit_vector(), centre = random.vector();
+  const auto [t1, t2] = tangents(normal);
+  std::vector<double> angles;
+  for (int k = 0; k < n; ++k) angles.push_back(2 * std::numbers::pi * (k + random.uniform(0, 0.8)) / n);
+  std::vector<Vec3> polygon;
+  for (const double angle : angles)
+    polygon.push_back(centre + std::cos(angle) * t1 + 0.6 * std::sin(angle) * t2);
+  return polygon;
+}
+
+EXERCISE_TEST(Clip, CutsAnyPolygonInTwo) {
+  Random random;
+  int cut = 0;
+  for (int trial = 0; trial < 500 && !::testing::Test::HasFailure(); ++trial) {
+    const int corners = random.integer(3, 9);
+    const std::vector<Vec3> polygon = random_polygon(random, corners);
+    const Vec3 n = random.unit_vector();
+    const double offset = n.dot(polygon[0]) + random.uniform(-1, 1);
+    const std::vector<Vec3> left = clip(polygon, n, offset), rest = clip(polygon, -n, -offset);
+    given() = "given a polygon of " + std::to_string(corners) + " corners and n = " + show(n) + ", offset " +
+              show(offset);
+    cut += !left.empty() && !rest.empty();
+    double outside = 0;
+    for (const Vec3& corner : left) outside = std::max(outside, n.dot(corner) - offset);
+    expect_near("how far what is left reaches beyond the plane [m]", "Eq. (8.8)", outside, 0, roundings(32, 4),
+                {}, "The point where a side is cut has n·x = offset.");
+    const double whole = area(polygon).norm();
+    expect_near("area left, and that left by the opposite plane, over the whole", "Eq. (8.8)",
+                (area(left).norm() + area(rest).norm()) / whole, 1, roundings(4000), {},
+                "With its corners in order what is left and what is cut off make up the whole.");
+    // The vector area: the same direction all round.
+    if (!left.empty())
+      expect_near_vector("vector area of both parts together [m²]", "Eq. (8.8)", Vec3(area(left) + area(rest)),
+                         area(polygon), roundings(4000 * whole), {},
+                         "Corners come in the order of the polygon.");
+    if (!left.empty() && !rest.empty())
+      expect_near(
+          "corners of both parts, beyond those of the whole", "Eq. (8.8)",
+          static_cast<double>(left.size() + rest.size()) - corners, 4, {0, "two sides are cut, for each part"},
+          {{2,
+            "Where the polygon is cut, a point is missing: two sides are, the last one may be that from the "
+            "last corner to the first."},
+           {3,
+            "Where the polygon is cut, a point is missing: two sides are, the last one may be that from the "
+            "last corner to the first."}});
+  }
+  expect_at_least("polygons, of 500, that were cut in two", "Eq. (8.8)", cut, 100, "more than a half are");
+}
+
+Contact at(const Vec3& r, double gap, const Vec3& n = Vec3::UnitZ()) {
+  return {.i = 3, .j = 5, .n = n, .gap = gap, .r_i = r, .r_j = r - Vec3(0, 0, 2)};
+}
+
+bool same(const Contact& a, const Contact& b) {
+  return a.i == b.i && a.j == b.j && a.gap == b.gap && a.n == b.n && a.r_i == b.r_i && a.r_j == b.r_j;
+}
+
+/// Some of what was given, each at most once.
+bool expect_some_of(const std::vector<Contact>& kept, const std::vector<Contact>& given_contacts,
+                    std::size_t count) {
+  expect_near("contacts kept of " + std::to_string(given_contacts.size()), "Eq. (8.10)",
+              static_cast<double>(kept.size()), static_cast<double>(count), {0, "a count"}, {},
+              "Four of more than four; four or fewer stay as they are.");
+  if (::testing::Test::HasFailure()) return false;
+  std::vector<bool> taken(given_contacts.size(), false);
+  for (const Contact& contact : kept) {
+    std::size_t found = 0;
+    while (found < given_contacts.size() && (taken[found] || !same(contact, given_contacts[found]))) ++found;
+    expect_true("a contact kept, with r_i = " + show(contact.r_i) + " and gap " + show(contact.gap) +
+                    ", is one of those given, and kept once",
+                "Eq. (8.10)", found < given_contacts.size(),
+                "Contacts stay as they are: none is changed, or kept twice.");
+    if (::testing::Test::HasFailure()) return false;
+    taken[found] = true;
+  }
+  return true;
+}
+
+EXERCISE_TEST(WellSpread, LeavesFourAsTheyAre) {
+  std::vector<Contact> contacts;
+  for (int count = 0; count <= 4; ++count) {
+    if (!expect_some_of(well_spread(contacts), contacts, static_cast<std::size_t>(count))) return;
+    contacts.push_back(at(Vec3(count % 2, count / 2, 0), -0.1 * count));
+  }
+}
+
+double deepest_of(const std::vector<Contact>& contacts) {
+  double gap = infinity;
+  for (const Contact& contact : contacts) gap = std::min(gap, contact.gap);
+  return gap;
+}
+
+/// Places around the normal, as seen along it.
+std::vector<Eigen::Vector2d> seen_along_n(const std::vector<Contact>& contacts, const Vec3& mean) {
+  const auto [t1, t2] = tangents(contacts[0].n);
+  std::vector<Eigen::Vector2d> places;
+  for (const Contact& contact : contacts)
+    places.emplace_back(t1.dot(contact.r_i - mean), t2.dot(contact.r_i - mean));
+  return places;
+}
+
+/// Convex hull of points, in order (Andrew's monotone chain).
+std::vector<Eigen::Vector2d> hull(std::vector<Eigen::Vector2d> points) {
+  std::sort(points.begin(), points.end(),
+            [](const auto& a, const auto& b) { return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y()); });
+  const auto left_turn = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+    return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+  };
+  std::vector<Eigen::Vector2d> chain;
+  for (int side = 0; side < 2; ++side) {
+    const std::size_t start = chain.size();
+    for (const auto& point : points) {
+      while (chain.size() >= start + 2 && left_turn(chain[chain.size() - 2], chain.back(), point) <= 0)
+        chain.pop_back();
+      chain.push_back(point);
+    }
+    chain.pop_back();
+    std::reverse(points.begin(), points.end());
+  }
+  return chain;
+}
+
+double hull_area(const std::vector<Eigen::Vector2d>& points) {
+  const auto around = hull(points);
+  double twice = 0;
+  for (std::size_t k = 0; k < around.size(); ++k) {
+    const auto &a = around[k], &b = around[(k + 1) % around.size()];
+    twice += a.x() * b.y() - a.y() * b.x();
+  }
+  return twice / 2;
+}
+
+/// How far the origin is within the hull of points [m]; negative without.
+double depth_of_origin(const std::vector<Eigen::Vector2d>& points) {
+  const auto around = hull(points);
+  double depth = infinity;
+  for (std::size_t k = 0; k < around.size(); ++k) {
+    const auto &a = around[k], &b = around[(k + 1) % around.size()];
+    depth = std::min(depth, (a.x() * b.y() - a.y() * b.x()) / (b - a).norm());
+  }
+  return depth;
+}
+
+/// The largest area of four with the deepest and the mean, by trying all.
+double largest_area(const std::vector<Eigen::Vector2d>& points, std::size_t deepest) {
+  double largest = 0;
+  const std::size_t n = points.size();
+  for (std::size_t a = 0; a < n; ++a)
+    for (std::size_t b = a + 1; b < n; ++b)
+      for (std::size_t c = b + 1; c < n; ++c) {
+        if (a == deepest || b == deepest || c == deepest) continue;
+        const std::vector<Eigen::Vector2d> four = {points[deepest], points[a], points[b], points[c]};
+        if (depth_of_origin(four) >= 0) largest = std::max(largest, hull_area(four));
+      }
+  return largest;
+}
+
+void expect_well_spread(const std::vector<Contact>& contacts, const std::string& what) {
+  const std::vector<Contact> kept = well_spread(contacts);
+  if (!expect_some_of(kept, contacts, 4)) return;
+  Vec3 mean = Vec3::Zero();
+  for (const Contact& contact : contacts) mean += contact.r_i / static_cast<double>(contacts.size());
+  const auto all = seen_along_n(contacts, mean), four = seen_along_n(kept, mean);
+  double extent = 0;
+  for (const auto& place : all) extent = std::max(extent, place.norm());
+
+  expect_at_most("gap of the deepest that is kept, of " + what + " [m]", "Eq. (8.10)", deepest_of(kept),
+                 deepest_of(contacts) + 1e-6 * extent,
+                 "that of the deepest of all, and a millionth of the distances",
+                 "The deepest has most to say about how far they overlap: it is always kept.");
+  if (::testing::Test::HasFailure()) return;
+  expect_at_least(
+      "how far the mean of all points is within the four, of " + what + " [m]", "Eq. (8.10)",
+      depth_of_origin(four), -1e-9 * extent, "within, to roundings",
+      "A body whose weight is over the mean of all would tip over these four: with more than half a turn "
+      "from one to the next, seen from the mean, it is outside.");
+  if (::testing::Test::HasFailure()) return;
+  std::size_t deepest = 0;
+  for (std::size_t k = 0; k < contacts.size(); ++k)
+    if (contacts[k].gap < contacts[deepest].gap) deepest = k;
+  expect_at_least("area that the four span, of " + what + " [m²]", "Eq. (8.10)", hull_area(four),
+                  0.5 * largest_area(all, deepest) - 1e-5 * extent * extent,
+                  "half of the largest with the deepest and the mean",
+                  "Points beside each other hold no more than one: take such that are far from each other.");
+}
+
+EXERCISE_TEST(WellSpread, TakesTheCornersOfASquare) {
+  // Four corners and the middles of the sides, the deepest a corner; then more points than there is use for, at one side.
+  std::vector<Contact> contacts;
+  for (int k = 0; k < 8; ++k) {
+    const double angle = std::numbers::pi / 4 * k, reach = k % 2 ? std::sqrt(2.0) : 1;
+    contacts.push_back(at(reach * Vec3(std::cos(angle), std::sin(angle), 0), k == 3 ? -0.02 : -0.01));
+  }
+  expect_well_spread(contacts, "a square's corners and middles");
+  for (int k = 0; k < 6; ++k)
+    contacts.insert(contacts.begin(), at(Vec3(1 + 0.01 * k, 0.3 - 0.001 * k, 0), -0.01));
+  expect_well_spread(contacts, "a square's corners and middles, and a crowd at one side");
+}
+
+EXERCISE_TEST(WellSpread, KeepsTheDeepestAndHoldsTheMean) {
+  Random random;
+  for (int trial = 0; trial < 300 && !::testing::Test::HasFailure(); ++trial) {
+    const Vec3 n = random.unit_vector();
+    const auto [t1, t2] = tangents(n);
+    const double size = random.log_uniform(1e-3, 1e3);
+    const int count = random.integer(5, 12);
+    const bool round = random.integer(0, 1), crowd = random.integer(0, 1);
+    std::vector<Contact> contacts;
+    for (int k = 0; k < count; ++k) {
+      const double angle = crowd && k > 3 ? random.uniform(0, 0.5) : random.uniform(0, 2 * std::numbers::pi);
+      const double reach = round ? 1 : random.uniform(0, 1);
+      const Vec3 r = size * (Vec3(5, -3, 2) + reach * (std::cos(angle) * t1 + 0.7 * std::sin(angle) * t2));
+      contacts.push_back(at(r, -size * random.uniform(0, 0.1), n));
+    }
+    expect_well_spread(contacts, std::to_string(count) + " random contacts");
+  }
+}
+
+EXERCISE_TEST(WellSpread, DoesNotMindDepthsThatAreAlike) {
+  Random random;
+  for (int trial = 0; trial < 100 && !::testing::Test::HasFailure(); ++trial) {
+    std::vector<Contact> contacts;
+    for (int k = 0; k < 8; ++k) {
+      const double angle = std::numbers::pi / 4 * (k + 0.5);
+      contacts.push_back(at(Vec3(std::cos(angle), std::sin(angle), 0), -0.001 + random.uniform(-1e-17, 1e-17)));
+    }
+    std::rotate(contacts.begin(), contacts.begin() + random.integer(0, 7), contacts.end());
+    expect_well_spread(contacts, "an octagon's corners");
+  }
+}
+
+}  // namespace

@@ -1,0 +1,283 @@
+// The axis along which two boxes are least deep in each other.
+#include <algorithm>
+#include <numbers>
+
+#include "shapes.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(SeparatingAxis, "8.5 separating_axis");
+
+double half_width(const Box& box, const Vec3& n) {
+  double sum = 0;
+  for (int k = 0; k < 3; ++k) sum += box.half_sides[k] * std::abs(n.dot(box.axes.col(k)));
+  return sum;
+}
+
+double gap_along(const Box& i, const Box& j, const Vec3& n) {
+  return std::abs(n.dot(j.x - i.x)) - half_width(i, n) - half_width(j, n);
+}
+
+struct Candidate {
+  Vec3 n;
+  double gap;
+  int kind;  // 0: a face of i, 1: a face of j, 2: edges
+};
+
+std::vector<Candidate> all_axes(const Box& i, const Box& j) {
+  std::vector<Candidate> all;
+  for (int k = 0; k < 3; ++k) all.push_back({i.axes.col(k), gap_along(i, j, i.axes.col(k)), 0});
+  for (int k = 0; k < 3; ++k) all.push_back({j.axes.col(k), gap_along(i, j, j.axes.col(k)), 1});
+  for (int a = 0; a < 3; ++a)
+    for (int b = 0; b < 3; ++b) {
+      const Vec3 across = i.axes.col(a).cross(j.axes.col(b));
+      if (across.norm() > 1e-6) all.push_back({across.normalized(), gap_along(i, j, across.normalized()), 2});
+    }
+  return all;
+}
+
+double best_of(const std::vector<Candidate>& all, int kind) {
+  double best = -infinity;
+  for (const Candidate& one : all)
+    if (one.kind == kind) best = std::max(best, one.gap);
+  return best;
+}
+
+double smallest(const Box& i, const Box& j) {
+  return std::min(i.half_sides.minCoeff(), j.half_sides.minCoeff());
+}
+
+/// By how much an axis has to be better than another to take its place.
+double margin(double gap, const Box& i, const Box& j) {
+  return 0.05 * std::abs(gap) + 1e-6 * smallest(i, j);
+}
+
+std::string describe_both(const Box& i, const Box& j) {
+  return "given i, " + describe(i) + "\nand j, " + describe(j);
+}
+
+/// What is said of the axis fits to the axis.
+bool expect_sound(const spook::SeparatingAxis& got, const Box& i, const Box& j) {
+  const double size = i.half_sides.norm() + j.half_sides.norm() + (j.x - i.x).norm();
+  expect_near("|n|", "Eq. (8.6)", got.n.norm(), 1, {1e-9, "edges that are nearly parallel"}, {},
+              "e_a × e_b has the length of the sine of the angle between them: normalise.");
+  expect_at_least("n·(x_j - x_i) [m]", "Eq. (8.6)", got.n.dot(j.x - i.x), -1e-12 * size, "0, and roundings",
+                  "n points from i to j: turn it around where it doesn't.");
+  const double want = gap_along(i, j, got.n);
+  const double apart = std::abs(got.n.dot(j.x - i.x));
+  expect_near("g(n) [m]", "Eq. (8.6)", got.gap, want, {1e-12 * size, "roundings"},
+              {{-want, "This is a depth: the gap is negative where they overlap."},
+               {apart, "The half widths ρ are missing."},
+               {apart - half_width(i, got.n), "ρ_j is missing."},
+               {apart - half_width(j, got.n), "ρ_i is missing."}},
+              "|n·(x_j - x_i)| less both half widths, Σ h_k |n·e_k|.");
+  if (::testing::Test::HasFailure()) return false;
+
+  const bool of_i = got.face_i >= 0, of_j = got.face_j >= 0, of_edges = got.edge_i >= 0 && got.edge_j >= 0;
+  expect_true("face_i " + std::to_string(got.face_i) + ", face_j " + std::to_string(got.face_j) + ", edge_i " +
+                  std::to_string(got.edge_i) + ", edge_j " + std::to_string(got.edge_j) +
+                  ": one face, or an edge of either, and -1 elsewhere",
+              "Eq. (8.7)",
+              of_i + of_j + of_edges == 1 && (of_edges || (got.edge_i == -1 && got.edge_j == -1)) &&
+                  std::max({got.face_i, got.face_j, got.edge_i, got.edge_j}) <= 2,
+              "Which axis it was is what the contact points are made from.");
+  if (::testing::Test::HasFailure()) return false;
+  double off = 0;
+  if (of_i) off = got.n.cross(i.axes.col(got.face_i)).norm();
+  if (of_j) off = got.n.cross(j.axes.col(got.face_j)).norm();
+  if (of_edges) off = std::abs(got.n.dot(i.axes.col(got.edge_i))) + std::abs(got.n.dot(j.axes.col(got.edge_j)));
+  expect_near(of_edges ? "n along its two edges" : "n across its face's axis", "Eq. (8.7)", off, 0,
+              {1e-9, "edges that are nearly parallel"}, {},
+              of_edges ? "The axis of two edges is e_a × e_b, across both."
+                       : "face_i and face_j say along which axis of the box n is.");
+  return !::testing::Test::HasFailure();
+}
+
+EXERCISE_TEST(SeparatingAxis, FindsTheFacesOfStraightBoxes) {
+  const Box i{.body = 0, .x = Vec3(1, 1, 1), .axes = Mat3::Identity(), .half_sides = Vec3(1, 2, 3)};
+  for (int k = 0; k < 3; ++k)
+    for (const double side : {-1.0, 1.0}) {
+      Box j{.body = 1, .x = i.x, .axes = Mat3::Identity(), .half_sides = Vec3(0.5, 0.5, 0.5)};
+      j.x[k] += side * (i.half_sides[k] + 0.5 - 0.1);
+      given() = describe_both(i, j);
+      const auto got = separating_axis(i, j);
+      if (!expect_sound(got, i, j)) return;
+      expect_near_vector("n", "Eq. (8.6)", got.n, Vec3(side * Vec3::Unit(k)), roundings(16),
+                         {{Vec3(-side * Vec3::Unit(k)), "n points from i to j."}},
+                         "They overlap by 0.1 m along this axis, and by more along the others.");
+      expect_near("g [m]", "Eq. (8.6)", got.gap, -0.1, roundings(64, 4),
+                  {{0.1, "This is a depth: the gap is negative where they overlap."},
+                   {3.4 - 0.5, "h_k are halves of the sides."}},
+                  "The least deep of all axes is that with the largest gap.");
+      if (::testing::Test::HasFailure()) return;
+      expect_true("its face is one of i, axis " + std::to_string(k), "Eq. (8.7)", got.face_i == k,
+                  "Both have a face there. Where they are alike, i's is taken.");
+    }
+}
+
+EXERCISE_TEST(SeparatingAxis, MeetsEdgesThatCross) {
+  // Two cubes on an edge each, at right angles: a roof on a ridge.
+  const double half = 0.5, ridge = half * std::sqrt(2.0), depth = 0.02;
+  const Box cube{.body = 0, .x = Vec3::Zero(), .axes = Mat3::Identity(), .half_sides = Vec3::Constant(half)};
+  const Box i = turned(cube, std::numbers::pi / 4, Vec3::UnitX());
+  Box j = turned(cube, std::numbers::pi / 4, Vec3::UnitY());
+  j.body = 1;
+  j.x = Vec3(0.1, -0.2, 2 * ridge - depth);
+  given() = describe_both(i, j);
+  const auto got = separating_axis(i, j);
+  if (!expect_sound(got, i, j)) return;
+  expect_near("g of two ridges that cross [m]", "Eq. (8.6), (8.7)", got.gap, -depth, roundings(64, 4),
+              {{std::max(best_of(all_axes(i, j), 0), best_of(all_axes(i, j), 1)),
+                "This is the best of the faces. Nine more axes are across an edge of each."}});
+  if (::testing::Test::HasFailure()) return;
+  expect_true("edges " + std::to_string(got.edge_i) + " of i and " + std::to_string(got.edge_j) + " of j",
+              "Eq. (8.7)", got.edge_i == 0 && got.edge_j == 1, "The ridges are i's x axis and j's y axis.");
+}
+
+EXERCISE_TEST(SeparatingAxis, IsTheBestOfFifteen) {
+  Random random;
+  int kinds[3] = {0, 0, 0};
+  for (int trial = 0; trial < 5000 && !::testing::Test::HasFailure(); ++trial) {
+    const Box i = random_box(random, 0), j = random_box(random, 1);
+    const auto got = separating_axis(i, j);
+    const auto all = all_axes(i, j);
+    const double faces_i = best_of(all, 0), faces_j = best_of(all, 1), edges = best_of(all, 2);
+    const double best = std::max({faces_i, faces_j, edges});
+    given() = describe_both(i, j);
+    if (best > 0) {
+      expect_at_least(
+          "g of boxes that are apart along some axis [m]", "Eq. (8.7)", got.gap, 1e-300, "positive",
+          "One axis with a positive gap is enough: nothing overlaps along it. It need not beat anything "
+          "by a margin.");
+      continue;
+    }
+    if (!expect_sound(got, i, j)) return;
+    const std::string faces_only =
+        "This is the best of the faces; the axes across an edge of each are left out.";
+    expect_near("g along the axis that is chosen [m]: the best of i's faces has " + show(faces_i) +
+                    ", of j's " + show(faces_j) + ", of the edges " + show(edges),
+                "Eq. (8.7)", std::max(got.gap, best - 3 * margin(best, i, j)), got.gap,
+                {0, "5 per cent of a gap, and a millionth of the smallest half side, at each choice"}, {},
+                got.gap <= std::max(faces_i, faces_j) + 1e-12 &&
+                        got.gap >= std::max(faces_i, faces_j) - 1e-12 && edges > std::max(faces_i, faces_j)
+                    ? faces_only
+                    : "The least deep has the largest gap, the one nearest to zero.");
+    if (::testing::Test::HasFailure()) return;
+    const int kind = got.face_i >= 0 ? 0 : got.face_j >= 0 ? 1 : 2;
+    ++kinds[kind];
+    const double face = faces_j > faces_i + margin(faces_i, i, j) ? faces_j : faces_i;
+    const double before = kind == 1 ? faces_i : face;
+    if (kind > 0)
+      expect_at_least(
+          (kind == 1 ? "g of a face of j, where the best of i's has " : "g of edges, where the face has ") +
+              show(before) + " [m]",
+          "Eq. (8.7)", got.gap, before + margin(before, i, j) - 2e-6 * smallest(i, j),
+          "larger by 5 per cent and a millionth of the smallest half side",
+          "Faces of i come first, then those of j, then edges: each takes the place of what was there "
+          "only by a margin.");
+    if (::testing::Test::HasFailure()) return;
+  }
+  for (int kind = 0; kind < 3; ++kind)
+    expect_at_least("times, of 5000, that a face of i, a face of j, and edges were chosen", "Eq. (8.7)",
+                    kinds[kind], 200, "each is often the best",
+                    "All of the 15 axes are looked at: three faces of each box, nine pairs of edges.");
+}
+
+EXERCISE_TEST(SeparatingAxis, NoDirectionIsMoreOpen) {
+  Random random;
+  for (int trial = 0; trial < 100 && !::testing::Test::HasFailure(); ++trial) {
+    const Box i = random_box(random, 0), j = random_box(random, 1);
+    const auto got = separating_axis(i, j);
+    if (got.gap > 0) continue;
+    given() = describe_both(i, j);
+    double most = -infinity;
+    for (int k = 0; k < 2000; ++k) most = std::max(most, gap_along(i, j, random.unit_vector()));
+    expect_at_most("the largest g along 2000 random directions [m]", "Eq. (8.7)", most,
+                   got.gap + 3 * margin(got.gap, i, j),
+                   "g along the axis returned: of boxes that overlap none is more open than the best of the 15",
+                   "An axis is missing, or the deepest has been taken for the least deep.");
+  }
+}
+
+/// From i to j by projected gradients, without any axes: a point goes to and fro between the boxes.
+Vec3 shortest_way(const Box& i, const Box& j) {
+  const auto into = [](const Box& box, const Vec3& p) {
+    const Vec3 seen = box.axes.transpose() * (p - box.x);
+    return Vec3(box.x + box.axes * seen.cwiseMax(-box.half_sides).cwiseMin(box.half_sides));
+  };
+  Vec3 p = i.x, q = into(j, p);
+  for (int k = 0; k < 2000 && (q - p).norm() > 1e-9; ++k) {
+    p = into(i, q);
+    q = into(j, p);
+  }
+  return q - p;
+}
+
+EXERCISE_TEST(SeparatingAxis, PartsWhatIsApart) {
+  Random random;
+  int apart = 0, together = 0;
+  for (int trial = 0; trial < 500 && !::testing::Test::HasFailure(); ++trial) {
+    const Box i = random_box(random, 0), j = random_box(random, 1);
+    const double gap = separating_axis(i, j).gap;
+    const Vec3 way = shortest_way(i, j);
+    given() = describe_both(i, j);
+    if (way.norm() <= 1e-9) {
+      ++together;
+      expect_at_most("g of two boxes that have a point in common [m]", "Eq. (8.7)", gap, 1e-8,
+                     "not positive; 1e-9 m is where the search for a common point ends", "ρ = Σ h_k |n·e_k|.");
+    } else if (gap_along(i, j, way.normalized()) > 1e-9) {
+      ++apart;
+      expect_at_least("g of two boxes that a plane across " + show(way) + " parts [m]", "Eq. (8.7)", gap,
+                      1e-300, "positive: one of the 15 axes parts them, too",
+                      "An axis is missing: three of i, three of j, nine of edges.");
+    }
+  }
+  expect_at_least("boxes, of 500 pairs, that are apart", "Eq. (8.7)", apart, 50, "many are");
+  expect_at_least("boxes, of 500 pairs, that are not", "Eq. (8.7)", together, 50, "many are");
+}
+
+EXERCISE_TEST(SeparatingAxis, StaysWithFacesThatLieOnEachOther) {
+  Random random;
+  const Box i{.body = 0, .x = Vec3::Zero(), .axes = Mat3::Identity(), .half_sides = Vec3(1, 1, 0.5)};
+  for (int trial = 0; trial < 300 && !::testing::Test::HasFailure(); ++trial) {
+    Box j{.body = 1, .x = Vec3(0.3, 0.2, 0.999), .axes = Mat3::Identity(), .half_sides = Vec3(1, 1, 0.5)};
+    if (trial > 100) j = turned(j, trial > 200 ? random.uniform(-3, 3) : std::numbers::pi / 4, Vec3::UnitZ());
+    j.x += random.vector(1e-9);
+    j = turned(j, random.uniform(-1e-9, 1e-9), random.unit_vector());
+    given() = "given a box that lies on another, 0.001 m deep, and trembles by 1e-9: " + describe(j);
+    const auto got = separating_axis(i, j);
+    if (!expect_sound(got, i, j)) return;
+    expect_true(
+        "the upper face of i is met: face_i = " + std::to_string(got.face_i) + ", n = " + show(got.n),
+        "Eq. (8.7)", got.face_i == 2 && got.n.z() > 0.5,
+        got.face_j == 2   ? "A face of j is as good as that of i, but for roundings, which must not choose: "
+                            "it has to be better by the margin."
+        : got.edge_i >= 0 ? "Edges that are nearly parallel to the faces are as good as the face, but for "
+                            "roundings, which must not choose: they have to be better by the margin."
+                          : "");
+  }
+}
+
+EXERCISE_TEST(SeparatingAxis, ParallelEdgesHaveNoAxis) {
+  Random random;
+  for (const double angle : {0.0, 1e-16, 1e-12, 1e-8, 1e-7}) {
+    const Box i = random_box(random, 0);
+    Box j = turned(i, angle, i.axes.col(1));
+    j.body = 1;
+    j.x += 1.99 * i.half_sides[0] * i.axes.col(0);
+    const auto got = separating_axis(i, j);
+    given() = "given a box beside its copy, turned by " + show(angle) + " rad";
+    expect_true("n is finite", "Eq. (8.7)", got.n.allFinite() && std::isfinite(got.gap),
+                "e_a × e_b of parallel edges is 0, and has no direction: leave such pairs out.");
+    if (::testing::Test::HasFailure() || !expect_sound(got, i, j)) return;
+    expect_near(
+        "g [m]", "Eq. (8.6)", got.gap, -0.01 * i.half_sides[0], {2e-6, "1e-7 rad times its sides"}, {},
+        "A cross product of parallel edges is all roundings: it must not be normalised. Leave out what is "
+        "shorter than 1e-6.");
+  }
+}
+
+}  // namespace

@@ -1,0 +1,20 @@
+// Wrong: takes the middle of the overlap for the point.
+// Killed by: PlaneBall.PressesIntoTheFloor
+// Says: This is the middle of the overlap
+#include "08_pairs/pairs.hpp"
+
+namespace spook {
+
+std::optional<Contact> plane_ball(const Plane& plane, const Ball& ball) {
+  const double gap = plane.n.dot(ball.x) - plane.offset - ball.radius;  // Eq. (8.1)
+  if (!(gap <= 0)) return std::nullopt;
+  const Vec3 p = ball.x - (ball.radius + gap / 2) * plane.n;
+  return Contact{.i = plane.body,
+                 .j = ball.body,
+                 .n = plane.n,
+                 .gap = gap,
+                 .r_i = p - plane.x,  // Eq. (8.3)
+                 .r_j = p - ball.x};
+}
+
+}  // namespace spook

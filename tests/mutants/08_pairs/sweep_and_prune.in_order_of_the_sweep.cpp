@@ -1,0 +1,50 @@
+// Wrong: names first what begins first.
+// Killed by: SweepAndPrune.FindsWhatAllPairsFind
+// Says: the lower first
+#include <algorithm>
+
+#include "08_pairs/pairs.hpp"
+#include "08_pairs/touching_bounds.hpp"
+
+namespace spook {
+
+namespace {
+
+struct Entry {
+  Bounds bounds;
+  int body;
+};
+
+/// The axis along which the centres are farthest spread: there the fewest overlap.
+int widest_axis(const std::vector<Bounds>& bounds) {
+  Vec3 mean = Vec3::Zero(), squares = Vec3::Zero();
+  for (const Bounds& one : bounds) mean += (one.lower / 2 + one.upper / 2) / static_cast<double>(bounds.size());
+  for (const Bounds& one : bounds) squares += (one.lower / 2 + one.upper / 2 - mean).cwiseAbs2();
+  int axis;
+  squares.maxCoeff(&axis);
+  return axis;
+}
+
+}  // namespace
+
+std::vector<Pair> sweep_and_prune(const std::vector<Bounds>& bounds) {
+  require_sound(bounds);
+  std::vector<Pair> pairs;
+  if (bounds.empty()) return pairs;
+  const int axis = widest_axis(bounds);
+  std::vector<Entry> entries;
+  for (std::size_t k = 0; k < bounds.size(); ++k) entries.push_back({bounds[k], static_cast<int>(k)});
+  std::sort(entries.begin(), entries.end(),
+            [axis](const Entry& a, const Entry& b) { return a.bounds.lower[axis] < b.bounds.lower[axis]; });
+
+  // Whoever begins behind the end of one is out of its reach, and so are all that follow.         Eq. (8.12)
+  for (auto one = entries.begin(); one != entries.end(); ++one)
+    for (auto other = one + 1; other != entries.end(); ++other) {
+      if (other->bounds.lower[axis] > one->bounds.upper[axis]) break;
+      if (touch(one->bounds, other->bounds)) pairs.emplace_back(one->body, other->body);
+    }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+}  // namespace spook
