@@ -18,6 +18,7 @@
 //
 // Differs from the notes: bounds may be two-sided, λ may start warm, and "converged" has a number, Eq. (4.8).
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "03_single_contact/single_contact.hpp"
@@ -94,6 +95,7 @@ struct StopRule {
 struct SolveReport {
   std::vector<double> history;  ///< what each sweep returned [m/s]; its size is the number of sweeps
   bool converged = false;       ///< the last sweep was at or below the tolerance
+  std::string trouble = {};     ///< why a solver of a later chapter had to go on by sweeps; empty: it had not
 };
 
 /// Exercise 4.6. Sweeps until a sweep returns at most `stop.tolerance` (0 counts, too), or `stop.max_sweeps` are

@@ -1,0 +1,87 @@
+// The nearest point of a disc.
+#include "exercise_test.hpp"
+#include "rubbing.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(OntoDisc, "9.4 onto_disc");
+
+EXERCISE_TEST(OntoDisc, LeavesWhatIsInside) {
+  for (const Vec2& inside : {Vec2(3, 4), Vec2(-3, 4), Vec2(0.1, 0), Vec2(0, 0)})
+    for (const double radius : {5.0, 6.0, infinity})
+      expect_near_vector(
+          "λ_t = " + show(Eigen::MatrixXd(inside)) + " N s in a disc of " + show(radius) + " N s", "Eq. (9.4)",
+          onto_disc(inside, radius), inside, {0, "exact"},
+          {{Vec2(radius / 5 * inside),
+            "This is on the edge: friction that is inside needs no more than it is. min(1, Λ/|λ_t|)."}},
+          "What is inside, or on the edge, stays.");
+}
+
+EXERCISE_TEST(OntoDisc, ShortensWhatIsOutside) {
+  const Vec2 lambda(-3, 4);
+  expect_near_vector(
+      "λ_t = (-3, 4) N s, onto a disc of 2.5 N s", "Eq. (9.4)", onto_disc(lambda, 2.5), Vec2(-1.5, 2),
+      roundings(8, 4),
+      {{Vec2(-2.5, 2.5), "This is the box: each component for itself. The disc shortens both alike."},
+       {lambda, "It has not been shortened: |λ_t| = 5."},
+       {Vec2(-3, 4) / 5, "This has length 1: times the radius."},
+       {Vec2(-7.5, 10), "This is Λ λ_t: divide by |λ_t|, too."},
+       {Vec2(-0.3, 0.4), "This is divided by |λ_t|², or by too much by |λ_t|: Λ/|λ_t|."},
+       {Vec2(1.5, -2), "The direction has been turned round."},
+       {Vec2(-7.5, 10) / 7, "The length is √(λ1² + λ2²), not |λ1| + |λ2|."},
+       {Vec2(-2.5 * 0.75, 2.5), "The length is √(λ1² + λ2²), not the larger of |λ1| and |λ2|."}});
+}
+
+// p is the nearest point of a disc to λ if, seen from p, no point q of it lies on λ's side: (λ - p)·(q - p) <= 0.
+EXERCISE_TEST(OntoDisc, IsTheNearestPoint) {
+  Random random;
+  for (int trial = 0; trial < 200 && !::testing::Test::HasFailure(); ++trial) {
+    const Vec2 lambda(random.uniform(-2, 2), random.uniform(-2, 2));
+    const double radius = random.log_uniform(1e-3, 10), angle = random.uniform(0, 6.3);
+    const Vec2 p = onto_disc(lambda, radius);
+    const Vec2 q = random.uniform(0, radius) * Vec2(std::cos(angle), std::sin(angle));
+    const std::string of = " of λ_t = " + show(Eigen::MatrixXd(lambda)) + ", radius " + show(radius) + " [N s]";
+    expect_at_most("length of the nearest point" + of, "Eq. (9.4)", p.norm(), radius * (1 + roundings(8).value),
+                   "the radius, and 8 roundings");
+    expect_at_most("how far a point of the disc lies on λ's side of the nearest one" + of, "Eq. (9.4)",
+                   (lambda - p).dot(q - p), roundings(32, 4 * (1 + radius) * (1 + radius)).value,
+                   "0, and 32 roundings", "There is a nearer one. It is on the line from 0 to λ_t.");
+  }
+}
+
+EXERCISE_TEST(OntoDisc, IsNothingForNoRadius) {
+  for (const Vec2& lambda : {Vec2(0, 0), Vec2(3, -4), Vec2(1e-12, 0)})
+    expect_near_vector("λ_t = " + show(Eigen::MatrixXd(lambda)) + " N s, onto a disc of 0", "Eq. (9.4)",
+                       onto_disc(lambda, 0), Vec2::Zero(), {0, "exact"}, {},
+                       "The disc of radius 0 is a point, also for λ_t = 0, where Λ/|λ_t| is 0/0.");
+  expect_near_vector("λ_t = 0, onto a disc of 1 N s", "Eq. (9.4)", onto_disc(Vec2::Zero(), 1), Vec2::Zero(),
+                     {0, "exact"}, {}, "0 has no direction, and needs none: it is inside.");
+}
+
+EXERCISE_TEST(OntoDisc, HasNoSizeOfItsOwn) {
+  for (const double size : {1e-60, 1e-15, 1e-9, 1e-3, 1e9, 1e60})
+    expect_near_vector("λ_t = (3, 4) over " + show(size) + " N s, onto a disc of 2.5", "Eq. (9.4)",
+                       Vec2(onto_disc(size * Vec2(3, 4), 2.5 * size) / size), Vec2(1.5, 2), roundings(16, 4),
+                       {{Vec2(3, 4),
+                         "So small an impulse has been left outside: there is no size below which "
+                         "Coulomb's law does not hold."}},
+                       "Whatever the unit of λ, the answer is the same.");
+}
+
+EXERCISE_TEST(OntoDisc, KeepsANaN) {
+  const double nan = std::nan("");
+  const std::string clue =
+      "std::min and std::max drop a NaN, and a comparison with one is false. `if (|λ_t| <= radius) return "
+      "λ_t`, and "
+      "a division after it, keep it.";
+  expect_true("λ_t = (NaN, 1) stays a NaN", "Eq. (9.4)", onto_disc(Vec2(nan, 1), 0.5).hasNaN(), clue);
+  expect_true("λ_t = (1, NaN) stays a NaN", "Eq. (9.4)", onto_disc(Vec2(1, nan), 0.5).hasNaN(), clue);
+  expect_true("λ_t = (NaN, 1) stays a NaN in a disc of 0", "Eq. (9.4)", onto_disc(Vec2(nan, 1), 0).hasNaN(),
+              clue);
+  expect_true("a radius of NaN makes a NaN", "Eq. (9.4)", onto_disc(Vec2(1, 1), nan).hasNaN(), clue);
+}
+
+}  // namespace

@@ -1,0 +1,115 @@
+// Tangents that follow the sliding, and what they make of the box.
+#include "exercise_test.hpp"
+#include "rubbing.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(SlidingTangents, "9.1 sliding_tangents");
+
+EXERCISE_TEST(SlidingTangents, FollowTheSlipByHand) {
+  const Tangents t = sliding_tangents(Vec3::UnitZ(), Vec3(3, 4, 12), 0.1);
+  expect_near_vector(
+      "t1 for n = (0, 0, 1), u = (3, 4, 12) m/s", "Eq. (9.2)", t.t1, Vec3(0.6, 0.8, 0), roundings(16),
+      {{Vec3(3, 4, 12) / 13, "This is u/|u|. What u has along n is no slip: take it off first."},
+       {Vec3(3, 4, 0) / 13, "The slip has been divided by |u|: by |u_t| it has length 1."},
+       {Vec3(3, 4, 0), "This is u_t itself, in m/s: a tangent has length 1."},
+       {Vec3(-0.6, -0.8, 0), "This points against the slip. t1 = u_t/|u_t|: the friction row finds the sign."},
+       {Vec3(-0.8, 0.6, 0), "This is n × u_t/|u_t|: the second tangent."}});
+  expect_near_vector("t2 for n = (0, 0, 1), u = (3, 4, 12) m/s", "Eq. (9.2)", t.t2, Vec3(-0.8, 0.6, 0),
+                     roundings(16),
+                     {{Vec3(0.8, -0.6, 0), "The tangents are left-handed: n = t1 × t2 wants t2 = n × t1."},
+                      {Vec3(-4, 3, 0), "A tangent has length 1."}});
+}
+
+/// Unit vectors at right angles, and right-handed.
+void expect_frame(const std::string& when, const Vec3& n, const Tangents& t, const std::string& clue) {
+  Mat3 frame;
+  frame << t.t1, t.t2, n;
+  expect_at_most("how far t1, t2 and n are from unit vectors at right angles, " + when, "Eq. (5.1), (9.2)",
+                 (frame.transpose() * frame - Mat3::Identity()).norm(), roundings(32).value, "32 roundings",
+                 clue);
+  expect_near_vector("t1 × t2, " + when, "Eq. (5.1)", Vec3(t.t1.cross(t.t2)), n, roundings(32),
+                     {{-n, "The tangents are left-handed: n = t1 × t2 wants t2 = n × t1."}}, clue);
+}
+
+EXERCISE_TEST(SlidingTangents, FollowAnySlipAcrossAnyNormal) {
+  Random random;
+  for (int trial = 0; trial < 200 && !::testing::Test::HasFailure(); ++trial) {
+    const Vec3 n = random.unit_vector(), u = random.vector(3), u_t = u - n.dot(u) * n;
+    if (u_t.norm() < 0.1) continue;
+    const Tangents t = sliding_tangents(n, u, 1e-3);
+    expect_near_vector("t1 for u = " + show(Eigen::MatrixXd(u)) + " m/s", "Eq. (9.2)", t.t1,
+                       Vec3(u_t.normalized()), roundings(32, u.norm() / u_t.norm()), {},
+                       "The direction of what u has across n.");
+    expect_frame("random n and u", n, t, "t1 along the slip, t2 = n × t1.");
+  }
+}
+
+// Where nearly all of u is along n, its part across n carries roundings of the whole: 1e-16 of u against 1e-9 of u.
+EXERCISE_TEST(SlidingTangents, StayAcrossTheNormalWhenMostOfUIsAlongIt) {
+  Random random;
+  for (int trial = 0; trial < 50 && !::testing::Test::HasFailure(); ++trial) {
+    const Vec3 n = random.unit_vector();
+    const double slip = random.log_uniform(1e-9, 1e-6);
+    const Tangents t = sliding_tangents(n, 10 * n + slip * tangents(n).t1, 1e-12);
+    expect_frame(
+        "u = 10 m/s along n and " + show(slip) + " m/s across it", n, t,
+        "u - n (n·u) is across n to a rounding of u, and that is much of a small slip. Take off once more "
+        "what t1 has along n.");
+  }
+}
+
+EXERCISE_TEST(SlidingTangents, TakeAnyWhereNothingSlides) {
+  const Vec3 n(0, 0, 1);
+  const std::string clue =
+      "There is no direction in a slip of 0, or of roundings: 0/0. Compare |u_t| with `slow`, and take chapter "
+      "05's "
+      "tangents where it is at most that.";
+  for (const double slow : {0.0, 1e-6}) {
+    const std::string with = ", slow = " + show(slow) + " m/s";
+    expect_frame("u = 0" + with, n, sliding_tangents(n, Vec3::Zero(), slow), clue);
+    expect_frame("u = (0, 0, -5) m/s, along n" + with, n, sliding_tangents(n, Vec3(0, 0, -5), slow), clue);
+  }
+}
+
+EXERCISE_TEST(SlidingTangents, FollowAsSoonAsItIsNotSlow) {
+  Random random;
+  for (const double slow : {0.0, 1e-12, 1e-6, 1e-3, 2.0}) {
+    const Vec3 n = random.unit_vector();
+    const Tangents across = turned(n, random.uniform(0, 6));
+    const double slip = slow > 0 ? 1.1 * slow : 1e-15;
+    const Vec3 u = slip * across.t1;
+    expect_near_vector(
+        "t1 for a slip of " + show(slip) + " m/s, slow = " + show(slow) + " m/s", "Eq. (9.2)",
+        sliding_tangents(n, u, slow).t1, across.t1, roundings(32),
+        {{tangents(n).t1,
+          "These are chapter 05's tangents, though the slip is more than `slow`. Compare |u_t| with "
+          "`slow` itself: not its square, and no threshold of your own."}});
+  }
+}
+
+EXERCISE_TEST(SlidingTangents, StopABlockAtTheSameDistanceInEveryDirection) {
+  Random random;
+  const double h = 0.001, m = 2, A = 5, v0 = 1.0;  // A = μ g; it takes 200 steps
+  for (int trial = 0; trial < 10 && !::testing::Test::HasFailure(); ++trial) {
+    const Vec3 n = random.unit_vector();
+    const double angle = random.uniform(0, 2 * std::numbers::pi);
+    const Vec3 heading = turned(n, angle).t1;
+    Vec3 x = Vec3::Zero(), v = (v0 + A * h / 2) * heading;  // half a step early
+    for (int step = 0; step < 300; ++step) {
+      v += friction_impulse(Mat3::Identity() / m, v, sliding_tangents(n, v, 1e-9), 0, m * A * h) / m;
+      x += h * v;
+    }
+    const double reach = v0 * v0 / (2 * A);
+    expect_near_vector(
+        "where a block stops that slides off at an angle of " + show(angle) +
+            " to chapter 05's t1, in units of v0²/(2μg)",
+        "Eq. (9.2), (5.10)", Vec3(x / reach), heading, {1e-9, "roundings of 300 steps"}, {},
+        "With t1 along the slip, the box is as strong in every direction: v0²/(2μg), and straight.");
+  }
+}
+
+}  // namespace

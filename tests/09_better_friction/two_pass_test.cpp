@@ -1,0 +1,281 @@
+// Limits from what presses: set, and used in two passes.
+#include "exercise_test.hpp"
+#include "rubbing.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(LimitFriction, "9.2 limit_friction");
+EXERCISE(TwoPassSolve, "9.3 two_pass_solve");
+
+EXERCISE_TEST(LimitFriction, IsMuTimesWhatPresses) {
+  System<3> s = points_on_a_slope(1, 0, 0.25, 0, 0.1);
+  s.rows[0].lambda = 8;
+  for (const std::size_t k : {1u, 2u}) {
+    s.rows[k].lo = -77;
+    s.rows[k].hi = 77;
+  }
+  limit_friction(s.contacts, s.rows);
+  for (const std::size_t k : {1u, 2u}) {
+    const std::string row = " of the row along t" + std::to_string(k) + ", μ = 0.25, λ_n = 8 N s [N s]";
+    const std::string untouched = "It still has the bound of before: both friction rows get new ones.";
+    expect_near("upper bound" + row, "Eq. (9.1)", s.rows[k].hi, 2, roundings(2, 2),
+                {{77, untouched},
+                 {8, "μ is missing."},
+                 {1, "Each row gets all of μ λ_n: it is not shared between t1 and t2."},
+                 {2 / std::numbers::sqrt2, "Each row gets all of μ λ_n. (This box would fit into the disc.)"},
+                 {32, "This is λ_n/μ."}});
+    expect_near("lower bound" + row, "Eq. (9.1)", s.rows[k].lo, -2, roundings(2, 2),
+                {{-77, untouched},
+                 {0, "Friction acts both ways along t: the lower bound is -Λ."},
+                 {2, "The lower bound is -Λ."},
+                 {-8, "μ is missing."}});
+  }
+}
+
+EXERCISE_TEST(LimitFriction, TakesEachContactsOwnNormalAndMu) {
+  Random random;
+  System<6> s = random_system(random, 4, 3, 1);
+  for (Row<6>& row : s.rows) row.lambda = random.uniform(0.5, 3);
+  const auto before = s.rows;
+  limit_friction(s.contacts, s.rows);
+  for (const Rubbing& contact : s.contacts)
+    for (const std::size_t k : {contact.normal + 1, contact.normal + 2}) {
+      const double press = before[contact.normal].lambda, expected = contact.mu * press;
+      expect_near(
+          "upper bound of row " + std::to_string(k) + " [N s]", "Eq. (9.1)", s.rows[k].hi, expected,
+          roundings(4, 3),
+          {{s.contacts[0].mu * press, "This has the μ of the first contact. Each has its own."},
+           {contact.mu * before[0].lambda, "This has row 0's λ. Each contact says where its normal row is."}},
+          "μ of this contact times λ of its own normal row, rows[contact.normal]. Other rows may stand "
+          "between.");
+      expect_near("lower bound of row " + std::to_string(k) + " [N s]", "Eq. (9.1)", s.rows[k].lo, -expected,
+                  roundings(4, 3), {}, "Minus the upper one.");
+    }
+}
+
+EXERCISE_TEST(LimitFriction, ReplacesOldBounds) {
+  for (const double old : {0.0, 1e-3, 100.0}) {
+    System<3> s = points_on_a_slope(1, 0, 0.5, 0, 0.1);
+    for (const std::size_t k : {1u, 2u}) {
+      s.rows[k].hi = old;
+      s.rows[k].lo = -old;
+    }
+    s.rows[0].lambda = 4;
+    limit_friction(s.contacts, s.rows);
+    const std::string clue = "What the bounds were does not count: they may become wider, and narrower.";
+    expect_near("upper bound, ±" + show(old) + " before, μ = 0.5, λ_n = 4 N s [N s]", "Eq. (9.1)", s.rows[1].hi,
+                2, roundings(2, 2), {{old, clue}}, clue);
+    expect_near("lower bound, ±" + show(old) + " before, μ = 0.5, λ_n = 4 N s [N s]", "Eq. (9.1)", s.rows[2].lo,
+                -2, roundings(2, 2), {{-old, clue}}, clue);
+  }
+}
+
+EXERCISE_TEST(LimitFriction, LeavesNothingToWhatDoesNotPress) {
+  for (const auto& [mu, press] : {std::pair(0.0, 3.0), std::pair(0.7, 0.0)}) {
+    System<3> s = points_on_a_slope(1, 0, mu, 0, 0.1);
+    s.rows[0].lambda = press;
+    limit_friction(s.contacts, s.rows);
+    expect_near("upper bound for μ = " + show(mu) + ", λ_n = " + show(press) + " N s [N s]", "Eq. (9.1)",
+                s.rows[2].hi, 0, {0, "exact"}, {}, "Ice, or no contact: no friction.");
+    expect_near("lower bound for μ = " + show(mu) + ", λ_n = " + show(press) + " N s [N s]", "Eq. (9.1)",
+                s.rows[2].lo, 0, {0, "exact"}, {}, "Ice, or no contact: no friction.");
+  }
+}
+
+EXERCISE_TEST(LimitFriction, ChangesNothingElse) {
+  Random random;
+  System<6> s = random_system(random, 3, 2, 1);
+  for (Row<6>& row : s.rows) row.lambda = random.uniform(1, 3);
+  const auto before = s.rows;
+  limit_friction(s.contacts, s.rows);
+  for (std::size_t k = 0; k < before.size(); ++k)
+    expect_near("λ of row " + std::to_string(k) + " [N s]", "Eq. (9.1)", s.rows[k].lambda, before[k].lambda,
+                {0, "untouched"}, {},
+                "A λ outside its new bounds stays where it is: its next update takes it in, and V with it.");
+  for (std::size_t k = 0; k < before.size(); k += 4)  // the joint, and with it the normal row after it
+    for (std::size_t other = k; other < std::min(k + 2, before.size()); ++other)
+      expect_true("row " + std::to_string(other) + ", no friction row, has the bounds it had", "Eq. (9.1)",
+                  s.rows[other].lo == before[other].lo && s.rows[other].hi == before[other].hi,
+                  "Only rows normal + 1 and normal + 2 get new bounds.");
+}
+
+/// How fast the slowest and the fastest point move, after the step [m/s].
+std::pair<double, double> speeds(const System<3>& s) {
+  double slowest = infinity, fastest = 0;
+  for (std::size_t k = 1; k < s.V.size(); ++k) {
+    const double speed = s.velocity(k).norm();
+    if (!(speed >= slowest)) slowest = speed;
+    if (!(speed <= fastest)) fastest = speed;
+  }
+  return {slowest, fastest};
+}
+
+EXERCISE_TEST(TwoPassSolve, HoldsAStackFromTanThetaOn) {
+  Random random;
+  for (int n = 1; n <= 6; ++n) {
+    const double slope = random.uniform(0.1, 1), h = 0.01;
+    const std::string stack =
+        std::to_string(n) + " points, one on the other, on a slope of " + show(slope) + " rad";
+    for (const double times : {1.001, 0.9}) {
+      const double mu = times * std::tan(slope);
+      System<3> s = points_on_a_slope(n, slope, mu, 0, h);
+      two_pass_solve(s.contacts, s.rows, s.V, {.max_sweeps = 20000, .tolerance = 1e-13});
+      const auto [slowest, fastest] = speeds(s);
+      if (times > 1)
+        expect_at_most("speed of the fastest of " + stack + ", μ = 1.001 tan θ [m/s]", "Eq. (9.1)", fastest,
+                       1e-10, "0: they stick; the tolerance, 1e-13, times the condition of their S",
+                       "The lowest contact carries them all, and its limit is μ times that. Is the limit of "
+                       "another time, or another contact?");
+      else
+        expect_near(
+            "speed of the slowest of " + stack + ", μ = 0.9 tan θ [m/s]", "Eq. (9.1)", slowest,
+            0.1 * h * g * std::sin(slope), {1e-10, "the tolerance times the condition of their S"},
+            {{0, "It sticks, though μ λ_n is not enough: is the friction bounded at all?"},
+             {h * g * std::sin(slope), "There is no friction in this: did the second pass have its limits?"}},
+            "It slides with h (g sin θ - μ g cos θ).");
+    }
+  }
+}
+
+// Each of two walls presses with an impulse P in a step. Along the walls' normals gravity is nothing: chapter 05's box
+// would let the block fall.
+EXERCISE_TEST(TwoPassSolve, HoldsABlockBetweenTwoWalls) {
+  const double h = 0.01, P = 0.3, Sigma = 0.5;
+  for (const double times : {1.001, 0.8}) {
+    const double mu = times * h * g / (2 * P);
+    System<3> s;
+    const Vec3 zero = Vec3::Zero(), up = Vec3::UnitZ();
+    add_body<3>(s, {});
+    add_body<3>(s, {.linear = 1}, zero, -h * g * up);
+    for (const Vec3& n : {Vec3(1, 0, 0), Vec3(-1, 0, 0)}) {
+      add_contact(s, {.i = 0, .j = 1, .n = n, .gap = 0, .r_i = zero, .r_j = zero}, {up, n.cross(up)}, mu,
+                  Sigma);
+      s.rows[s.contacts.back().normal].B = Sigma * P;  // as deep in the wall as that takes
+    }
+    two_pass_solve(s.contacts, s.rows, s.V, {.max_sweeps = 1000, .tolerance = 1e-14});
+    expect_near(
+        "velocity of a block of 1 kg between two walls, upwards, μ = " + show(times) + " h g/(2P) [m/s]",
+        "Eq. (9.1)", s.velocity(1).z(), std::min(0.0, (times - 1) * h * g), {1e-12, "the tolerance"},
+        {{-h * g, "It falls freely: the walls press, and friction has got nothing of it."}},
+        "Two contacts hold 2 μ P. The limit comes from what presses, and not from gravity.");
+  }
+}
+
+EXERCISE_TEST(TwoPassSolve, LimitsFrictionByThePressureWithoutIt) {
+  const double mu = 0.5, fall = 0.16, slip = -3;
+  System<6> s = leaning_rod(mu, slip, fall);
+  two_pass_solve(s.contacts, s.rows, s.V, {.max_sweeps = 1000, .tolerance = 1e-14});
+  const double without = fall / rod_Knn;                // λ_n of the first pass
+  const double cone = fall / (rod_Knn + mu * rod_Knx);  // of both together, Eq. (7.5)
+  expect_near(
+      "friction of a rod that slides, its end ahead, μ = 0.5 [N s]", "Eq. (9.1)", s.rows[1].lambda,
+      mu * without, roundings(64),
+      {{mu * cone,
+        "This is Coulomb's cone, with the normal impulse at the end. The two-pass limit is μ times "
+        "the normal impulse of the first pass, without friction."},
+       {0, "There is no friction. Its bounds come from the first pass, and then a second one uses them."},
+       {-slip / (1 + 3 * 0.8), "There is no limit in this: it stops the slip."}},
+      "Limits are set once, after the first pass, from its normal impulses.");
+  expect_near("what then presses [N s]", "Eq. (9.1)", s.rows[0].lambda, without * (1 - mu * rod_Knx / rod_Knn),
+              roundings(64),
+              {{without, "This is the first pass's. The second pass sweeps the normal rows, too."}});
+}
+
+/// What two passes are, step by step.
+template <int Dof>
+void by_hand(System<Dof>& s, const StopRule& stop, std::vector<double>* history = nullptr) {
+  for (const Rubbing& contact : s.contacts)
+    for (const std::size_t k : {contact.normal + 1, contact.normal + 2}) {
+      s.begin_with(k, 0);
+      s.rows[k].lo = s.rows[k].hi = 0;
+    }
+  const SolveReport first = solve(s.rows, s.V, stop);
+  for (const Rubbing& contact : s.contacts)
+    for (const std::size_t k : {contact.normal + 1, contact.normal + 2}) {
+      s.rows[k].hi = contact.mu * s.rows[contact.normal].lambda;
+      s.rows[k].lo = -s.rows[k].hi;
+    }
+  const SolveReport second = solve(s.rows, s.V, stop);
+  if (!history) return;
+  *history = first.history;
+  history->insert(history->end(), second.history.begin(), second.history.end());
+}
+
+EXERCISE_TEST(TwoPassSolve, IsTwoSolvesOneAfterTheOther) {
+  Random random;
+  for (int trial = 0; trial < 10 && !::testing::Test::HasFailure(); ++trial) {
+    System<6> s = random_system(random, 4, 3, 1), expected = s;
+    const StopRule stop{.max_sweeps = 7, .tolerance = 1e-12};
+    const SolveReport report = two_pass_solve(s.contacts, s.rows, s.V, stop);
+    std::vector<double> history;
+    by_hand(expected, stop, &history);
+    const std::size_t entries = report.history.size();
+    expect_true("7 sweeps a pass at most, to 1e-12 m/s, leave " + std::to_string(history.size()) +
+                    " entries in the history, and not " + std::to_string(entries),
+                "Eq. (9.1), (4.9)", entries == history.size(),
+                "Each pass has the whole stop rule, and the history has both, the first pass's first.");
+    if (entries != history.size()) return;
+    for (std::size_t k = 0; k < history.size(); ++k)
+      expect_near(
+          "entry " + std::to_string(k) + " of the history [m/s]", "Eq. (9.1), (4.9)", report.history[k],
+          history[k], roundings(1e4, 1 + history[k]), {},
+          "The first pass is solve() with friction rows that may do nothing; the second goes on from where "
+          "the first ended: λ and V stay.");
+    expect_near_vector("λ after two passes of 7 sweeps [N s]", "Eq. (9.1)", all_lambda(s.rows),
+                       all_lambda(expected.rows), roundings(1e4, 5), {},
+                       "Friction rows off; solve; limits; solve. Joints and normal rows are in both passes.");
+  }
+}
+
+EXERCISE_TEST(TwoPassSolve, TakesOldFrictionOutOfTheVelocitiesToo) {
+  Random random;
+  for (int trial = 0; trial < 10 && !::testing::Test::HasFailure(); ++trial) {
+    System<6> s = random_system(random, 3, 2, 1);
+    for (std::size_t k = 0; k < s.rows.size(); ++k) s.begin_with(k, random.uniform(0.2, 2));
+    two_pass_solve(s.contacts, s.rows, s.V, {.max_sweeps = 5, .tolerance = 0});
+    expect_near_vector("V, when friction rows brought in impulses of their own", "Eq. (4.5)", all_V(s.V),
+                       V_of_lambda(s.rows, s.V.size()), roundings(1000, 20), {},
+                       "V is M⁻¹ Gᵀ λ at all times. A λ that is set to 0 must leave V, too: apply_impulse(row, "
+                       "-row.lambda, V) first.");
+  }
+}
+
+// The first pass of a contact alone is one row: it is done in two sweeps. The second is slower, Eq. (9.8).
+EXERCISE_TEST(TwoPassSolve, HasConvergedWhenTheSecondPassHas) {
+  System<6> s = leaning_rod(2, -0.01, 0.5);
+  const SolveReport report = two_pass_solve(s.contacts, s.rows, s.V, {.max_sweeps = 3, .tolerance = 1e-12});
+  expect_true("a first pass that converged in 2 sweeps and a second that did not in 3 have not converged",
+              "Eq. (4.9)", !report.converged && report.history.size() == 5,
+              "`converged` is about the answer, and that is the second pass's; and each pass stops by itself.");
+
+  // A stack is solved at a rate; what 60 sweeps leave is above the tolerance, what 120 leave below it.
+  System<3> stack = points_on_a_slope(5, 0.2, 0, 0, 0.01);
+  std::vector<double> history;
+  System<3> counted = stack;
+  by_hand(counted, {.max_sweeps = 120, .tolerance = 0}, &history);
+  const double tolerance = history[90];
+  const SolveReport later =
+      two_pass_solve(stack.contacts, stack.rows, stack.V, {.max_sweeps = 60, .tolerance = tolerance});
+  expect_true("a first pass that did not converge and a second that did have converged", "Eq. (4.9)",
+              later.converged && later.history.size() < 120,
+              "The second pass goes on where the first ended, and what counts is what is left at its end.");
+}
+
+EXERCISE_TEST(TwoPassSolve, RefusesABadStopRule) {
+  System<3> s = points_on_a_slope(1, 0.1, 0.5, 0, 0.1), none;
+  expect_rejects("a rule of no sweeps", "max_sweeps",
+                 [&] { two_pass_solve(s.contacts, s.rows, s.V, {.max_sweeps = 0, .tolerance = 0}); });
+  expect_rejects("a negative tolerance", "tolerance",
+                 [&] { two_pass_solve(s.contacts, s.rows, s.V, {.max_sweeps = 5, .tolerance = -1}); });
+  expect_rejects("a rule of no sweeps, without rows", "max_sweeps",
+                 [&] { two_pass_solve(none.contacts, none.rows, none.V, {.max_sweeps = 0, .tolerance = 0}); });
+  const SolveReport report =
+      two_pass_solve(none.contacts, none.rows, none.V, {.max_sweeps = 5, .tolerance = 0});
+  expect_true("two passes over no rows have converged without a sweep", "Eq. (4.9)",
+              report.converged && report.history.empty());
+}
+
+}  // namespace

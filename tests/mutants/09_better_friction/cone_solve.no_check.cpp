@@ -1,0 +1,25 @@
+// Wrong: does not look at the rule.
+// Killed by: ConeSolve.RefusesABadStopRule
+// Says: max_sweeps
+#include "09_better_friction/better_friction.hpp"
+
+namespace spook {
+
+template <int Dof>
+SolveReport cone_solve(const std::vector<Rubbing>& contacts, std::vector<Row<Dof>>& rows,
+                       std::vector<Twist<Dof>>& V, const StopRule& stop) {
+  SolveReport report;
+  report.converged = rows.empty();
+  while (!report.converged && std::ssize(report.history) < stop.max_sweeps) {
+    report.history.push_back(sweep_on_cones(contacts, rows, V));
+    report.converged = report.history.back() <= stop.tolerance;
+  }
+  return report;
+}
+
+template SolveReport cone_solve<3>(const std::vector<Rubbing>&, std::vector<Row<3>>&, std::vector<Twist<3>>&,
+                                   const StopRule&);
+template SolveReport cone_solve<6>(const std::vector<Rubbing>&, std::vector<Row<6>>&, std::vector<Twist<6>>&,
+                                   const StopRule&);
+
+}  // namespace spook

@@ -1,0 +1,14 @@
+// Wrong: takes what is inside to the edge, too.
+// Killed by: OntoDisc.LeavesWhatIsInside
+// Says: This is on the edge
+#include "09_better_friction/better_friction.hpp"
+
+namespace spook {
+
+Vec2 onto_disc(const Vec2& lambda, double radius) {
+  const double length = lambda.norm();
+  if (length == 0) return lambda;
+  return radius / length * lambda;  // Eq. (9.4)
+}
+
+}  // namespace spook

@@ -1,0 +1,16 @@
+// Wrong: leaves the slip as long as it is.
+// Killed by: SlidingTangents.FollowTheSlipByHand
+// Says: a tangent has length 1
+#include "09_better_friction/better_friction.hpp"
+
+namespace spook {
+
+Tangents sliding_tangents(const Vec3& n, const Vec3& u, double slow) {
+  const Vec3 slip = u - n.dot(u) * n;
+  const double speed = slip.norm();
+  if (!(speed > slow)) return tangents(n);
+  const Vec3 t1 = slip;
+  return {.t1 = t1, .t2 = n.cross(t1)};
+}
+
+}  // namespace spook
