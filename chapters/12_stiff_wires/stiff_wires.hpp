@@ -1,0 +1,50 @@
+#pragma once
+// Chapter 12 · Stiff wires
+//
+// A tight link is a spring across itself: turn it, and its tension pulls it back. Leapfrog follows that spring only
+// while h is below 2/ω. With h²K, the spring's part of a step, added to the mass matrix, no step is too large for it.
+//
+//   frequency    ω = √(4T/(m l)), the fastest of a tight wire                      Eq. (12.1)   not in the notes
+//   limit        h < 2/ω                                                           Eq. (12.2)   not in the notes
+//   stiffness    K = (T/l) (1 - n nᵀ), on the distance of the link's ends          Eq. (12.3)   not in the notes
+//   tension      T = -λ/h of the last step, 0 for a link that pushes               Eq. (12.4)   not in the notes
+//   mass matrix  M̃ = M + h²K, with blocks +K on (i,i), (j,j) and -K on (i,j)       Eq. (12.5)   not in the notes
+//   step         M̃ (V + W_f) = M W_f + Gᵀλ,  G V + Σ λ = B                         Eq. (12.6)   not in the notes
+//
+//   T   tension [N]      m   mass of a point [kg]      M   mass matrix
+//   l   length [m]       n   direction of the link     V, λ, W_f, B as in chapter 04
+//
+// Tournier et al., "Stable constrained dynamics" (2015), let M̃ act on the new velocity, which damps: a loss of order
+// h. Here it acts on the change of velocity: nothing is damped that way, and the order is 2.
+#include "11_direct/direct.hpp"
+
+namespace spook {
+
+/// Exercise 12.1. The fastest frequency of a wire of equal points under tension, across it [rad/s]: Eq. (12.1).
+/// Throws std::invalid_argument, naming the parameter, unless tension [N] is finite and >= 0, and mass [kg] of a
+/// point and length [m] of a link are positive and finite.
+double transverse_frequency(double tension, double mass, double length);
+
+/// Exercise 12.2. K of a link with unit direction `n` [N/m]: Eq. (12.3), (12.4). Zero for a tension [N] of zero or
+/// less; a NaN stays one.
+Mat3 geometric_stiffness(const Vec3& n, double length, double tension);
+
+/// A spring between two bodies, in all directions.
+struct Stiffness {
+  int i, j;  ///< body indices, i ≠ j
+  Mat3 K;    ///< symmetric [N/m]
+};
+
+/// Exercise 12.3. The saddle-point matrix of Eq. (11.2) with M̃ of Eq. (12.5) in place of M: its lower triangle,
+/// compressed, in the same layout. Springs may share bodies, and add up. What does not move takes no stiffness. A
+/// spring has its entries even where they are 0, so that a wire that goes slack keeps its pattern.
+SparseMatrix stiffened_matrix(const std::vector<Row<3>>& rows, const std::vector<InverseMass<3>>& inverse_mass,
+                              const std::vector<Stiffness>& stiffness, double h);
+
+/// Exercise 12.4. Solves rows as if they had no bounds, with M̃, Eq. (12.6): λ into the rows, V into `V`, whatever
+/// they held. `motion` is that of which the rows were made. What is fixed has W_f = 0, and gets V = 0. Returns
+/// false when the factorisation fails; rows and V are then as before.
+bool stiff_solve(std::vector<Row<3>>& rows, const Motion<3>& motion, const std::vector<Stiffness>& stiffness,
+                 double h, std::vector<Twist<3>>& V, Factors& factors);
+
+}  // namespace spook

@@ -1,0 +1,318 @@
+// Conjugate gradients: what prepares them, and the solver.
+#include "exercise_test.hpp"
+#include "systems.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(Precondition, "10.7 precondition");
+EXERCISE(ConjugateSolve, "10.8 conjugate_solve");
+
+std::vector<bool> all_free(std::size_t n) {
+  return std::vector<bool>(n, true);
+}
+
+Eigen::VectorXd random_values(Random& random, Eigen::Index n) {
+  Eigen::VectorXd values(n);
+  for (double& value : values) value = random.uniform(-1, 1);
+  return values;
+}
+
+Eigen::VectorXd forth(const Eigen::MatrixXd& S, const Eigen::VectorXd& r) {
+  return S.triangularView<Eigen::Lower>().solve(r);
+}
+
+Eigen::VectorXd and_back(const Eigen::MatrixXd& S, const Eigen::VectorXd& r, const Eigen::VectorXd& z) {
+  return z + S.triangularView<Eigen::Upper>().solve(r - S * z);
+}
+
+EXERCISE_TEST(Precondition, SweepsForthAndBack) {
+  Random random;
+  Problem<6> p = random_problem(random, 3, 6);
+  set_lambda(p, Eigen::VectorXd::Constant(6, 0.3));  // of no importance, and neither are B and the bounds
+  for (Row<6>& row : p.rows) row.hi = 0.31;
+  const Eigen::VectorXd r = random_values(random, 6);
+  const auto z = precondition(p.rows, as_std(r), all_free(6), p.V.size());
+  expect_true("one z for each of six rows", "Eq. (10.6)", z.size() == 6);
+  if (z.size() != 6) return;
+  const Eigen::MatrixXd S = dense_S(p.rows);
+  Eigen::MatrixXd without_Sigma = S;
+  for (Eigen::Index k = 0; k < 6; ++k) without_Sigma(k, k) -= p.rows[static_cast<std::size_t>(k)].Sigma;
+  const Eigen::VectorXd D = S.diagonal(), once = forth(S, r), B = gathered(p.rows, &Row<6>::B);
+  const Eigen::VectorXd back_first = [&] {
+    const Eigen::VectorXd first = S.triangularView<Eigen::Upper>().solve(r);
+    return Eigen::VectorXd(first + forth(S, r - S * first));
+  }();
+  const Eigen::VectorXd forgetful = once + S.triangularView<Eigen::Upper>().solve(r - without_Sigma * once);
+  expect_near_vector(
+      "z of six coupled rows [N s]", "Eq. (10.6)", as_eigen(z), and_back(S, r, once), roundings(1000, 10),
+      {{once, "This is one sweep, first to last: then one from the last row to the first."},
+       {once + forth(S, r - S * once), "These are two sweeps from first to last: the second goes back."},
+       {back_first, "This went back first, and forth then."},
+       {r.cwiseQuotient(D), "This is r/S_kk alone: each row must see what those before it have done."},
+       {and_back(S, B, forth(S, B)), "The right side is r, and not the rows' B."},
+       {forgetful, "Σ z is missing in what a row lacks: r - G V - Σ z."}},
+      "Start at z = 0 and V = 0. For each row: lacks = r - G V - Σ z, z += lacks/S_kk, scatter.");
+}
+
+EXERCISE_TEST(Precondition, KnowsNoBounds) {
+  Problem<3> p = stack({1, 1}, 0.1);
+  const Eigen::Vector2d r(-1, -3);
+  const auto z = precondition(p.rows, as_std(r), all_free(2), p.V.size());
+  const Eigen::MatrixXd S = dense_S(p.rows);
+  expect_near_vector("z of two contacts that both lack less than nothing [N s]", "Eq. (10.6)", as_eigen(z),
+                     and_back(S, r, forth(S, r)), roundings(32, 4),
+                     {{Eigen::Vector2d(0, 0), "z is a direction, and may be negative: it is not projected."}},
+                     "z is not projected.");
+}
+
+EXERCISE_TEST(Precondition, LeavesTheOthersAlone) {
+  Random random;
+  const Problem<6> p = random_problem(random, 3, 7);
+  const Eigen::VectorXd r = random_values(random, 7);
+  const std::vector<bool> free = {true, false, true, true, false, true, false};
+  const auto z = precondition(p.rows, as_std(r), free, p.V.size());
+  // The same system of the free rows alone.
+  Problem<6> some = p;
+  some.rows.clear();
+  std::vector<double> some_r;
+  for (std::size_t k = 0; k < 7; ++k)
+    if (free[k]) {
+      some.rows.push_back(p.rows[k]);
+      some_r.push_back(r[static_cast<Eigen::Index>(k)]);
+    }
+  const Eigen::MatrixXd S = dense_S(some.rows);
+  const Eigen::VectorXd expected_some = and_back(S, as_eigen(some_r), forth(S, as_eigen(some_r)));
+  Eigen::VectorXd expected = Eigen::VectorXd::Zero(7);
+  Eigen::Index next = 0;
+  for (Eigen::Index k = 0; k < 7; ++k)
+    if (free[static_cast<std::size_t>(k)]) expected[k] = expected_some[next++];
+  const Eigen::MatrixXd whole = dense_S(p.rows);
+  expect_near_vector("z of seven rows, of which 1, 4 and 6 are not free [N s]", "Eq. (10.6)", as_eigen(z),
+                     expected, roundings(1000, 10),
+                     {{and_back(whole, r, forth(whole, r)), "All rows were taken for free."}},
+                     "A row that is not free is skipped: z = 0, and nothing is scattered, whatever its r.");
+}
+
+EXERCISE_TEST(Precondition, IsSymmetricAndPositive) {
+  Random random;
+  const Problem<6> p = random_problem(random, 4, 9);
+  const Eigen::VectorXd u = random_values(random, 9), v = random_values(random, 9);
+  const auto P = [&](const Eigen::VectorXd& r) {
+    return as_eigen(precondition(p.rows, as_std(r), all_free(9), p.V.size()));
+  };
+  expect_near("u·P(v) against v·P(u), P the map from r to z [m N]", "Eq. (10.6)", u.dot(P(v)), v.dot(P(u)),
+              roundings(1000, 10), {},
+              "Conjugate directions want a symmetric P. One sweep has none: what goes forth must come back.");
+  expect_at_least("u·P(u) [m N]", "Eq. (10.6)", u.dot(P(u)), 1e-6, "P is positive definite",
+                  "Then -z leads downhill for sure.");
+  expect_true("no rows have no z", "Eq. (10.6)", precondition<3>({}, {}, {}, 2).empty());
+}
+
+double energy(const Eigen::MatrixXd& S, const Eigen::VectorXd& B, const Eigen::VectorXd& lambda) {
+  return 0.5 * lambda.dot(S * lambda) - B.dot(lambda);
+}
+
+// As in chapter 04: |λ - λ*| <= (1 + |S|)/μ times the residual, μ the smallest eigenvalue.
+double condition(const Eigen::MatrixXd& S) {
+  const Eigen::VectorXd eigenvalues = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(S).eigenvalues();
+  return (1 + eigenvalues.maxCoeff()) / eigenvalues.minCoeff();
+}
+
+void compare_with_enumeration(Problem<6>& p, const std::string& what) {
+  const double tolerance = 1e-13;
+  const SolveReport report = conjugate_solve(p.rows, p.V, {.max_sweeps = 5000, .tolerance = tolerance});
+  const Eigen::MatrixXd S = dense_S(p.rows);
+  expect_true(
+      what + ": converged within 5000 iterations", "Eq. (4.9)", report.converged,
+      "Rows that are at a bound and should leave it are put off it by sweeps only: after a step that was "
+      "projected, and when one of them lacks most.");
+  const double n = static_cast<double>(p.rows.size());
+  expect_near_vector("λ of " + what + " [N s]", "Eq. (4.1)", lambdas(p),
+                     enumerate_solution(S, gathered(p.rows, &Row<6>::B), gathered(p.rows, &Row<6>::lo),
+                                        gathered(p.rows, &Row<6>::hi)),
+                     {10 * n * condition(S) * (tolerance + 1e-14), "residual times condition of S"}, {},
+                     "Each set of bounds that could be active was tried; this is the one solution.");
+}
+
+EXERCISE_TEST(ConjugateSolve, AgreesWithEveryEnumeratedProblem) {
+  Random random;
+  for (int rows = 1; rows <= 8; ++rows)
+    for (int repeat = 0; repeat < 3; ++repeat) {
+      Problem<6> p = random_problem(random, 2 + rows / 2, rows);
+      compare_with_enumeration(p, std::to_string(rows) + " contacts");
+    }
+  for (int rows = 1; rows <= 7; ++rows) {
+    Problem<6> p = random_problem(random, 2 + rows / 2, rows);
+    give_bounds(random, p);
+    compare_with_enumeration(p, std::to_string(rows) + " rows with bounds of all kinds");
+  }
+}
+
+EXERCISE_TEST(ConjugateSolve, NeedsNoMoreIterationsThanRowsAndOne) {
+  Random random;
+  for (int rows = 1; rows <= 10; ++rows) {
+    Problem<6> p = random_problem(random, 4, rows);
+    take_bounds_off(p);
+    const SolveReport report = conjugate_solve(p.rows, p.V, {.max_sweeps = 200, .tolerance = 1e-9});
+    expect_at_most(
+        "iterations of " + std::to_string(rows) + " rows without bounds, to 1e-9 m/s", "Eq. (10.7)",
+        report.converged ? static_cast<double>(report.history.size()) : HUGE_VAL, rows + 1.0,
+        "as many steps as rows, and one iteration to see it",
+        "Directions that are conjugate never repeat themselves. Is β that of z and r of now over those of "
+        "before, is p kept, and does no sweep come in between?");
+  }
+}
+
+EXERCISE_TEST(ConjugateSolve, NeedsFewIterationsForAHeavyLoad) {
+  // Without bounds this is a wire upside down. Sweeps of the 30 take 200,000 for 1e-6.
+  std::vector<double> masses(30, 1.0);
+  masses.back() = 1000;
+  Problem<3> p = stack(masses, 0.01);
+  take_bounds_off(p);
+  const SolveReport report = conjugate_solve(p.rows, p.V, {.max_sweeps = 1000, .tolerance = 1e-9});
+  expect_at_most("iterations of 29 points of 1 kg with a load of 1000 kg", "Eq. (10.7)",
+                 report.converged ? static_cast<double>(report.history.size()) : HUGE_VAL, 31,
+                 "as many steps as rows, and one iteration to see it",
+                 "Without directions that are conjugate, mass ratios cost what they cost Gauss-Seidel.");
+  expect_near("λ under the load, h M g [N s]", "Eq. (4.1)", p.rows.back().lambda, 0.01 * 9.81 * 1000,
+              {1e-3, "tolerance 1e-9 m/s times a condition of 1e5"});
+}
+
+EXERCISE_TEST(ConjugateSolve, NeverGainsEnergy) {
+  Random random;
+  for (int repeat = 0; repeat < 10; ++repeat) {
+    Problem<6> start = random_problem(random, 4, 12);
+    give_bounds(random, start);
+    const Eigen::MatrixXd S = dense_S(start.rows);
+    const Eigen::VectorXd B = gathered(start.rows, &Row<6>::B);
+    double before = energy(S, B, lambdas(start));
+    for (int iterations = 1; iterations <= 25; ++iterations) {
+      Problem<6> p = start;
+      conjugate_solve(p.rows, p.V, {.max_sweeps = iterations, .tolerance = 0});
+      for (const Row<6>& row : p.rows)
+        expect_true("λ = " + show(row.lambda) + " N s after " + std::to_string(iterations) +
+                        " iterations, within [" + show(row.lo) + ", " + show(row.hi) + "]",
+                    "Eq. (10.8)", row.lambda >= row.lo && row.lambda <= row.hi,
+                    "A step goes no further than the bounds.");
+      const double now = energy(S, B, lambdas(p));
+      expect_at_most(
+          "E after " + std::to_string(iterations) + " iterations [J]", "Eq. (10.9)", now,
+          before + 1e-12 * (1 + std::abs(before)), "that of one iteration before, and roundings",
+          "α and t each stop at the lowest E along their way: α = p·r/p·Sp, t = d·r/d·Sd, at most 1.");
+      before = now;
+    }
+  }
+}
+
+EXERCISE_TEST(ConjugateSolve, KeepsVAndImpulsesTogether) {
+  Random random;
+  for (int iterations = 1; iterations <= 12; ++iterations) {
+    Problem<6> p = random_problem(random, 4, 10);
+    give_bounds(random, p);
+    conjugate_solve(p.rows, p.V, {.max_sweeps = iterations, .tolerance = 0});
+    expect_near_vector(
+        "V after " + std::to_string(iterations) + " iterations, against M⁻¹ Gᵀ λ [m/s, rad/s]", "Eq. (10.8)",
+        flat(p.V), moved(p), roundings(3000, 10), {},
+        "What is added to λ has to be scattered, the same to the last: t d, after its projection.");
+  }
+}
+
+EXERCISE_TEST(ConjugateSolve, TakesTheSameRowTwice) {
+  Random random;
+  Problem<6> single = random_problem(random, 3, 4);
+  for (Row<6>& row : single.rows) {
+    row.diagonal -= row.Sigma;
+    row.Sigma = 0;
+  }
+  Problem<6> p = single;
+  for (const Row<6>& row : single.rows) p.rows.push_back(row);
+  const SolveReport report = conjugate_solve(p.rows, p.V, {.max_sweeps = 2000, .tolerance = 1e-12});
+  conjugate_solve(single.rows, single.V, {.max_sweeps = 2000, .tolerance = 1e-12});
+  const Eigen::MatrixXd S = dense_S(single.rows);
+  expect_true("four rows, each twice, Σ = 0: converged", "Eq. (4.9)", report.converged,
+              "S is singular, but the energy has a lowest value.");
+  expect_near_vector("V of rows that are there twice, against once [m/s, rad/s]", "Eq. (4.1)", flat(p.V),
+                     flat(single.V), {1e-10 * condition(S), "tolerance times condition"}, {},
+                     "How the impulses are shared is free; what they do is not.");
+}
+
+EXERCISE_TEST(ConjugateSolve, StopsAtTheFirstIterationThatIsGoodEnough) {
+  std::vector<double> masses(12, 1.0);
+  Problem<3> p = stack(masses, 0.1), swept = p;
+  take_bounds_off(p);
+  const SolveReport report = conjugate_solve(p.rows, p.V, {.max_sweeps = 100, .tolerance = 1e-6});
+  const std::size_t n = report.history.size();
+  expect_true("of 100 iterations it made " + std::to_string(n) + ", and converged", "Eq. (4.9)",
+              report.converged && n > 1 && n < 100,
+              "An iteration whose sweep, or residual, is at most the tolerance is the last one.");
+  if (!report.converged) return;
+  expect_near("the first entry of the history [m/s]", "Eq. (4.9)", report.history[0],
+              sweep(swept.rows, swept.V), roundings(8, 1), {},
+              "The first iteration begins with a sweep, and notes what it returned.");
+  expect_at_most("the last [m/s]", "Eq. (4.9)", report.history[n - 1], 1e-6, "the tolerance");
+  for (std::size_t k = 0; k + 1 < n; ++k)
+    expect_at_least("entry " + std::to_string(k + 1) + " of " + std::to_string(n) + " [m/s]", "Eq. (4.9)",
+                    report.history[k], 1e-6, "not good enough", "It could have stopped earlier.");
+  expect_at_most("residual at the end [m/s]", "Eq. (4.8)", residual(p.rows, p.V), 1e-5,
+                 "of the size of the tolerance");
+}
+
+EXERCISE_TEST(ConjugateSolve, StopsAtMaxIterations) {
+  std::vector<double> masses(40, 1.0);
+  Problem<3> p = stack(masses, 0.1);
+  const SolveReport report = conjugate_solve(p.rows, p.V, {.max_sweeps = 5, .tolerance = 1e-12});
+  expect_near("iterations made, of at most 5", "Eq. (4.9)", static_cast<double>(report.history.size()), 5,
+              {0, "a count"});
+  expect_true("and it has not converged", "Eq. (4.9)", !report.converged);
+}
+
+EXERCISE_TEST(ConjugateSolve, BeginsWhereItIs) {
+  Random random;
+  Problem<6> p = random_problem(random, 3, 7);
+  const Problem<6> start = p;
+  conjugate_solve(p.rows, p.V, {.max_sweeps = 1, .tolerance = 0});
+  p = start;
+  set_lambda(p, enumerate_solution(dense_S(p.rows), gathered(p.rows, &Row<6>::B), gathered(p.rows, &Row<6>::lo),
+                                   gathered(p.rows, &Row<6>::hi)));
+  const SolveReport report = conjugate_solve(p.rows, p.V, {.max_sweeps = 100, .tolerance = 1e-9});
+  expect_near("iterations from the solution", "Eq. (10.2)", static_cast<double>(report.history.size()), 1,
+              {0, "a count"}, {}, "λ and V on entry are a warm start: neither is set to zero.");
+}
+
+EXERCISE_TEST(ConjugateSolve, LetsASeparatingContactGo) {
+  Problem<3> p = stack({1, 1, 1}, 0.01);
+  p.rows[2].B = -1;  // the uppermost is thrown up
+  set_lambda(p, Eigen::VectorXd::Constant(3, 2));
+  conjugate_solve(p.rows, p.V, {.max_sweeps = 100, .tolerance = 1e-14});
+  expect_near("λ under a body that leaves [N s]", "Eq. (4.1)", p.rows[2].lambda, 0, {0, "exact"});
+  expect_near("λ under the two that stay [N s]", "Eq. (4.1)", p.rows[0].lambda, 0.01 * 9.81 * 2,
+              roundings(100));
+}
+
+EXERCISE_TEST(ConjugateSolve, DoesNotTakeANaNForConverged) {
+  Problem<3> p = stack({1, 1, 1}, 0.1);
+  p.rows[1].B = std::nan("");
+  const SolveReport report = conjugate_solve(p.rows, p.V, {.max_sweeps = 5, .tolerance = 1e-6});
+  expect_true("a solve of NaN has not converged, and says so in its history", "Eq. (4.9)",
+              !report.converged && !report.history.empty() && std::isnan(report.history.back()),
+              "Every comparison with NaN is false: ask whether it is <= the tolerance.");
+}
+
+EXERCISE_TEST(ConjugateSolve, RejectsARuleThatCannotBeMet) {
+  std::vector<Row<3>> none;
+  std::vector<Twist<3>> V;
+  const SolveReport report = conjugate_solve(none, V, {});
+  expect_true("no rows: converged, without an iteration", "Eq. (4.9)",
+              report.converged && report.history.empty());
+  expect_rejects(
+      "max_sweeps = 0", "max_sweeps", [&] { conjugate_solve(none, V, {.max_sweeps = 0, .tolerance = 0}); },
+      "The contract is that of solve(): a rule that makes no sense is refused, rows or not.");
+  for (const double tolerance : {-1e-9, std::nan(""), HUGE_VAL})
+    expect_rejects("tolerance = " + show(tolerance), "tolerance",
+                   [&] { conjugate_solve(none, V, {.max_sweeps = 5, .tolerance = tolerance}); });
+}
+
+}  // namespace

@@ -1,0 +1,156 @@
+// Which contact of now was which of the last step's.
+#include "exercise_test.hpp"
+#include "systems.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(MatchContacts, "10.1 match_contacts");
+
+Contact contact(int i, int j, const Vec3& r_j) {
+  return {.i = i, .j = j, .n = Vec3::UnitZ(), .gap = 0, .r_i = Vec3(7, 7, 7), .r_j = r_j};
+}
+
+void expect_matches(const std::string& what, const std::vector<int>& got, const std::vector<int>& expected,
+                    std::initializer_list<Clue<Eigen::VectorXd>> clues, const std::string& otherwise) {
+  expect_true(what + ": one index for each of " + std::to_string(expected.size()) + " contacts", "Eq. (10.1)",
+              got.size() == expected.size(), "-1 for those that are new.");
+  if (got.size() != expected.size()) return;
+  expect_near_vector(what, "Eq. (10.1)", as_eigen(got), as_eigen(expected), {0, "indices"}, clues, otherwise);
+}
+
+// The four corners of two boxes on the ground.
+std::vector<Contact> eight_corners() {
+  std::vector<Contact> contacts;
+  for (const int box : {1, 2})
+    for (const double x : {-0.5, 0.5})
+      for (const double y : {-0.5, 0.5}) contacts.push_back(contact(0, box, Vec3(x, y, -0.5)));
+  return contacts;
+}
+
+EXERCISE_TEST(MatchContacts, FindsThemInAnyOrder) {
+  Random random;
+  const std::vector<Contact> contacts = eight_corners();
+  const std::vector<int> place = shuffled(random, 8);
+  std::vector<OldContact> old(8);
+  for (std::size_t k = 0; k < 8; ++k)
+    old[static_cast<std::size_t>(place[k])] = {contacts[k].i, contacts[k].j, contacts[k].r_j};
+  std::vector<int> same(8);
+  std::iota(same.begin(), same.end(), 0);
+  const auto got = match_contacts(contacts, old, 0.1);
+  expect_matches(
+      "old contacts of two boxes at rest, listed in another order", got, place,
+      {{as_eigen(same), "These are the contacts' own indices. Lists come in any order: look at the points."},
+       {Eigen::VectorXd::Constant(8, -1),
+        "Nothing was found. Points are compared with r_j, which is relative to body j."}},
+      "Both boxes have a corner at the same r_j: compare only those of the same pair (i, j).");
+}
+
+EXERCISE_TEST(MatchContacts, FollowsPointsThatMoved) {
+  Random random;
+  std::vector<OldContact> old;
+  std::vector<Contact> contacts;
+  std::vector<int> expected;
+  const std::vector<int> place = shuffled(random, 25);
+  old.resize(25);
+  for (int k = 0; k < 25; ++k) {
+    const Vec3 point(0.2 * (k % 5), 0.2 * (k / 5), 0);
+    old[static_cast<std::size_t>(place[static_cast<std::size_t>(k)])] = {2, 5, point};
+    contacts.push_back(contact(2, 5, point + random.vector(0.02)));
+    expected.push_back(place[static_cast<std::size_t>(k)]);
+  }
+  expect_matches("old contacts on a grid of 0.2 m, each moved by less than 0.035 m",
+                 match_contacts(contacts, old, 0.3), expected, {},
+                 "Of those within reach, 0.3 m, the nearest is the one: the next is at least 0.16 m away.");
+}
+
+EXERCISE_TEST(MatchContacts, KnowsNewOnesAndForgetsLostOnes) {
+  const std::vector<Contact> contacts = {contact(0, 1, Vec3(0, 0, 0)), contact(0, 1, Vec3(3, 0, 0)),
+                                         contact(1, 2, Vec3(0, 0, 0)), contact(0, 2, Vec3(0.5, 0, 0))};
+  const std::vector<OldContact> old = {
+      {0, 2, Vec3(0, 0, 0)}, {0, 1, Vec3(1, 0, 0)}, {0, 1, Vec3(0, 0.1, 0)}, {2, 3, Vec3(0, 0, 0)}};
+  expect_matches("four contacts, of which two are new; reach 0.5 m", match_contacts(contacts, old, 0.5),
+                 {2, -1, -1, 0},
+                 {{as_eigen(std::vector<int>{2, 1, -1, 0}),
+                   "The second is 2 m from what is left of its pair: out of reach, so it is new."},
+                  {as_eigen(std::vector<int>{2, -1, -1, -1}),
+                   "The last is exactly at the reach: at most `reach`, <= and not <."},
+                  {as_eigen(std::vector<int>{2, -1, 0, -1}),
+                   "Bodies 1 and 2 had no contact before: compare only those of the same pair (i, j)."}},
+                 "An index into the old ones for the first and the last, -1 for the others.");
+}
+
+EXERCISE_TEST(MatchContacts, GivesEachOldOneToTheNearest) {
+  const std::vector<OldContact> old = {{0, 1, Vec3(0, 0, 0)}};
+  const std::vector<Contact> far_first = {contact(0, 1, Vec3(0.2, 0, 0)), contact(0, 1, Vec3(0.1, 0, 0))};
+  const std::vector<Contact> near_first = {far_first[1], far_first[0]};
+  const auto twice = as_eigen(std::vector<int>{0, 0});
+  const std::string once = "Both got the same impulse, which is then there twice. Each old one is used once.";
+  expect_matches("two contacts that want the same old one, the farther comes first",
+                 match_contacts(far_first, old, 1), {-1, 0},
+                 {{twice, once},
+                  {as_eigen(std::vector<int>{0, -1}), "First come, first served: but the second is nearer."}},
+                 "The nearer gets it; the other is new.");
+  expect_matches("two contacts that want the same old one, the nearer comes first",
+                 match_contacts(near_first, old, 1), {0, -1}, {{twice, once}},
+                 "The nearer gets it; the other is new.");
+}
+
+EXERCISE_TEST(MatchContacts, LeavesTheNextBestToTheLoser) {
+  const std::vector<OldContact> old = {{0, 1, Vec3(0, 0, 0)}, {0, 1, Vec3(0.6, 0, 0)}};
+  const std::vector<Contact> contacts = {contact(0, 1, Vec3(0.2, 0, 0)), contact(0, 1, Vec3(0.1, 0, 0))};
+  expect_matches("two contacts near an old one, and a second old one within reach",
+                 match_contacts(contacts, old, 0.5), {1, 0},
+                 {{as_eigen(std::vector<int>{-1, 0}),
+                   "The first lost the nearest to the second, but another one is within reach."}},
+                 "The two nearest first, then the nearest two of those that are left.");
+}
+
+EXERCISE_TEST(MatchContacts, LeavesNoTwoThatWouldRatherHaveEachOther) {
+  Random random;
+  const double reach = 0.4;
+  std::vector<OldContact> old;
+  std::vector<Contact> contacts;
+  const auto body = [&] { return random.integer(1, 3); };
+  for (int k = 0; k < 40; ++k) old.push_back({0, body(), random.vector(0.5)});
+  for (int k = 0; k < 40; ++k) contacts.push_back(contact(0, body(), random.vector(0.5)));
+  const auto match = match_contacts(contacts, old, reach);
+  expect_true("as many indices as contacts", "Eq. (10.1)", match.size() == contacts.size());
+  if (match.size() != contacts.size()) return;
+
+  const auto distance = [&](std::size_t c, std::size_t k) { return (contacts[c].r_j - old[k].point).norm(); };
+  std::vector<double> to_contact(old.size(), infinity);
+  std::vector<double> to_old(contacts.size(), infinity);
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    if (match[c] < 0) continue;
+    const auto k = static_cast<std::size_t>(match[c]);
+    const bool sound = k < old.size() && old[k].j == contacts[c].j && distance(c, k) <= reach;
+    expect_true("contact " + std::to_string(c) + " continues one of its own pair, within reach", "Eq. (10.1)",
+                sound);
+    if (!sound) return;
+    expect_true("old contact " + std::to_string(k) + " is continued once", "Eq. (10.1)",
+                to_contact[k] == infinity, "Each old one is used once.");
+    to_contact[k] = to_old[c] = distance(c, k);
+  }
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    for (std::size_t k = 0; k < old.size(); ++k) {
+      if (old[k].j != contacts[c].j || distance(c, k) > reach) continue;
+      expect_true("contact " + std::to_string(c) + " or old contact " + std::to_string(k) + ", " +
+                      show(distance(c, k)) + " m apart, has a nearer one",
+                  "Eq. (10.1)", to_old[c] <= distance(c, k) || to_contact[k] <= distance(c, k),
+                  "These two are nearer to each other than what they got, or got nothing: the nearest two are "
+                  "joined first.");
+    }
+}
+
+EXERCISE_TEST(MatchContacts, OfNothingIsNothing) {
+  const std::vector<Contact> contacts = eight_corners();
+  expect_true("no contacts: an empty list", "Eq. (10.1)",
+              match_contacts({}, {{0, 1, Vec3::Zero()}}, 1).empty());
+  expect_true("no old ones: all are new", "Eq. (10.1)",
+              match_contacts(contacts, {}, 1) == std::vector<int>(contacts.size(), -1));
+}
+
+}  // namespace

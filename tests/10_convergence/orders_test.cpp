@@ -1,0 +1,247 @@
+// Orders: sorted, random, and what a sweep does with one.
+#include <map>
+
+#include "exercise_test.hpp"
+#include "systems.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(OrderAlong, "10.3 order_along");
+EXERCISE(RandomOrder, "10.4 random_order");
+EXERCISE(SweepInOrder, "10.5 sweep_in_order");
+
+void expect_order_of(const std::string& what, const std::vector<int>& got, const std::vector<int>& expected,
+                     std::initializer_list<Clue<Eigen::VectorXd>> clues, const std::string& otherwise = "") {
+  expect_true(what + ": each index once", "Eq. (10.3)", has_each_once(got, static_cast<int>(expected.size())));
+  if (got.size() == expected.size())
+    expect_near_vector(what, "Eq. (10.3)", as_eigen(got), as_eigen(expected), {0, "indices"}, clues, otherwise);
+}
+
+EXERCISE_TEST(OrderAlong, GoesFromTheLowestToTheHighest) {
+  expect_order_of("the order of heights 2.5, -1, 4, 0.5, 3", order_along({2.5, -1, 4, 0.5, 3}), {1, 3, 0, 4, 2},
+                  {{as_eigen(std::vector<int>{2, 4, 0, 3, 1}), "This is from the highest to the lowest."},
+                   {as_eigen(std::vector<int>{2, 0, 4, 1, 3}),
+                    "This says at which place each row is. The order says which row is at each place."},
+                   {as_eigen(std::vector<int>{3, 1, 0, 4, 2}),
+                    "A height below zero is lower than zero: no absolute value."}},
+                  "The index of the lowest comes first, then that of the next.");
+}
+
+EXERCISE_TEST(OrderAlong, SortsAnything) {
+  Random random;
+  std::vector<double> heights;
+  for (int k = 0; k < 100; ++k) heights.push_back(random.uniform(-5, 5));
+  const auto order = order_along(heights);
+  expect_true("each of 100 indices once", "Eq. (10.3)", has_each_once(order, 100));
+  if (!has_each_once(order, 100)) return;
+  for (std::size_t k = 1; k < order.size(); ++k)
+    expect_at_least("height of row " + std::to_string(order[k]) + " at place " + std::to_string(k) + " [m]",
+                    "Eq. (10.3)", heights[static_cast<std::size_t>(order[k])],
+                    heights[static_cast<std::size_t>(order[k - 1])], "that of the place before");
+}
+
+EXERCISE_TEST(OrderAlong, KeepsEqualHeightsInOrder) {
+  std::vector<double> heights(60, 1.0);
+  for (std::size_t k = 0; k < heights.size(); k += 3) heights[k] = 0.5;
+  std::vector<int> expected;
+  for (int k = 0; k < 60; k += 3) expected.push_back(k);
+  for (int k = 0; k < 60; ++k)
+    if (k % 3 != 0) expected.push_back(k);
+  expect_order_of(
+      "60 rows at two heights", order_along(heights), expected, {},
+      "Equal heights stay in order (the three rows of a contact belong together): std::stable_sort.");
+}
+
+EXERCISE_TEST(OrderAlong, PutsANaNLast) {
+  const double nan = std::nan("");
+  expect_order_of(
+      "the order of heights 2, NaN, 1, NaN, 3, 0", order_along({2, nan, 1, nan, 3, 0}), {5, 2, 0, 4, 1, 3}, {},
+      "Every comparison with NaN is false, and a sort by < alone leaves the others unsorted around it. "
+      "Compare so that a NaN is above every number.");
+  expect_true("no rows have an empty order", "Eq. (10.3)", order_along({}).empty());
+}
+
+EXERCISE_TEST(RandomOrder, HasEachIndexOnce) {
+  std::mt19937_64 generator(Random::seed());
+  for (const int n : {0, 1, 2, 3, 10, 1000}) {
+    const auto order = random_order(n, generator);
+    expect_true("a random order of " + std::to_string(n) + " has each index once, from 0", "Eq. (10.4)",
+                has_each_once(order, n), "From 0 to n - 1, none twice and none left out.");
+  }
+}
+
+// χ² over the 24 orders of four, of which each is as likely as the others.
+EXERCISE_TEST(RandomOrder, MakesEveryOrderAsLikely) {
+  std::mt19937_64 generator(Random::seed());
+  const int draws = 24000, orders = 24;
+  std::map<std::vector<int>, int> seen;
+  for (int k = 0; k < draws; ++k) ++seen[random_order(4, generator)];
+  expect_near("how many of the 24 orders of four come up in 24,000 draws", "Eq. (10.4)",
+              static_cast<double>(seen.size()), orders, {0, "each has 1,000 draws to be expected"},
+              {{6, "Six: those that go round through all. An element must also be able to stay where it is."},
+               {4, "Four: a random start, and then round in order."},
+               {1, "Always the same: the generator has not been used, or begins anew in each call."}});
+  double chi2 = 0;
+  const double expected = static_cast<double>(draws) / orders;
+  for (const auto& [order, count] : seen) chi2 += (count - expected) * (count - expected) / expected;
+  expect_at_most(
+      "χ² of how often each came up, 23 degrees of freedom", "Eq. (10.4)", chi2, 80,
+      "1 in 30 million for a fair order",
+      "Some orders are more likely than others. To exchange every element with any of all n gives nⁿ "
+      "equally likely ways to n! orders, which can't be fair: exchange with those that are not placed yet.");
+}
+
+EXERCISE_TEST(RandomOrder, ComesFromTheGenerator) {
+  std::mt19937_64 one(Random::seed()), same(Random::seed());
+  const auto first = random_order(50, one), again = random_order(50, same);
+  expect_true("two generators in the same state give the same order of 50", "Eq. (10.4)", first == again,
+              "A run must be repeatable: take chance from the generator that is given, and from nothing else.");
+  expect_true("and leave the generators in the same state, but not in that of before", "Eq. (10.4)",
+              one == same && one != std::mt19937_64(Random::seed()),
+              "The generator has not gone on: is it a copy, or another one?");
+  expect_true("the next order of 50 is another", "Eq. (10.4)", random_order(50, one) != first,
+              "The generator is taken by reference, so that it goes on from call to call.");
+}
+
+template <int Dof>
+Problem<Dof> in_order(const Problem<Dof>& p, const std::vector<int>& order) {
+  Problem<Dof> other = p;
+  for (std::size_t k = 0; k < order.size(); ++k) other.rows[k] = p.rows[static_cast<std::size_t>(order[k])];
+  return other;
+}
+
+Eigen::VectorXd put_back(const Eigen::VectorXd& values, const std::vector<int>& order) {
+  Eigen::VectorXd back(values.size());
+  for (std::size_t k = 0; k < order.size(); ++k) back[order[k]] = values[static_cast<Eigen::Index>(k)];
+  return back;
+}
+
+EXERCISE_TEST(SweepInOrder, UpdatesTheRowsInThatOrder) {
+  Random random;
+  Problem<6> p = random_problem(random, 3, 7);
+  for (auto& row : p.rows) row.lo = -infinity;
+  const std::vector<int> order = {3, 5, 0, 6, 2, 1, 4};
+  const Problem<6> start = p;
+  const double returned = sweep_in_order(order, p.rows, p.V);
+
+  const auto swept = [&](const std::vector<int>& some) {
+    Problem<6> other = in_order(start, some);
+    sweep(other.rows, other.V);
+    return put_back(lambdas(other), some);
+  };
+  std::vector<int> given(7), inverse(7);
+  for (std::size_t k = 0; k < 7; ++k) {
+    given[k] = static_cast<int>(k);
+    inverse[static_cast<std::size_t>(order[k])] = given[k];
+  }
+  const std::vector<int> backwards(order.rbegin(), order.rend());
+  Problem<6> moved_rows = in_order(start, order);
+  sweep(moved_rows.rows, moved_rows.V);
+  Eigen::VectorXd jacobi(7);
+  for (Eigen::Index k = 0; k < 7; ++k) {
+    const Row<6>& row = start.rows[static_cast<std::size_t>(k)];
+    jacobi[k] = row.B / row.diagonal;
+  }
+  const std::string what = "λ of seven coupled rows, swept in the order 3 5 0 6 2 1 4 [N s]";
+  expect_near_vector(
+      what, "Eq. (4.9)", lambdas(p), swept(order), roundings(1000, 10),
+      {{swept(given), "They were swept as they stand: the order was not used."},
+       {swept(inverse), "The order says which row comes first, and not at which place row 0 comes."},
+       {swept(backwards), "This is the order backwards."},
+       {lambdas(moved_rows),
+        "The rows have changed places. Others know them by index: leave them where they are."},
+       {jacobi, "This is Jacobi's iteration: each row must see what those before it have done."},
+       {lambdas(start), "No row has changed."}});
+  Problem<6> other = in_order(start, order);
+  expect_near("what that sweep returns [m/s]", "Eq. (4.9)", returned, sweep(other.rows, other.V),
+              roundings(100, 10), {}, "As sweep() does: the largest S_kk |Δλ_k|.");
+}
+
+EXERCISE_TEST(SweepInOrder, IsSweepInTheOrderGiven) {
+  Random random;
+  Problem<6> p = random_problem(random, 4, 10), expected = p;
+  std::vector<int> order(10);
+  std::iota(order.begin(), order.end(), 0);
+  for (int n = 1; n <= 3; ++n) {
+    const double returned = sweep_in_order(order, p.rows, p.V), should = sweep(expected.rows, expected.V);
+    double impulse = 0;
+    for (const auto& row : p.rows) impulse = std::max(impulse, row.lambda);
+    expect_near("what sweep " + std::to_string(n) + " in the order 0, 1, 2 ... returns [m/s]", "Eq. (4.9)",
+                returned, should, roundings(100, 10),
+                {{n == 1 ? impulse : std::nan(""),
+                  "This is the largest |Δλ|, an impulse. Times S_kk it is a velocity."}},
+                "The largest S_kk |Δλ_k|, as sweep() returns it.");
+  }
+  expect_near_vector("λ after three sweeps of ten contacts [N s]", "Eq. (4.7)", lambdas(p), lambdas(expected),
+                     roundings(1000, 10));
+  expect_near_vector("V after them [m/s, rad/s]", "Eq. (4.5)", flat(p.V), flat(expected.V),
+                     roundings(1000, 10));
+}
+
+EXERCISE_TEST(SweepInOrder, DoesNotHideANaN) {
+  Problem<3> p = stack({1, 1, 1}, 0.1);
+  p.rows[1].B = std::nan("");
+  p.rows[2].i = p.rows[2].j = 0;  // a row after the broken one that is sound itself
+  expect_true("a sweep with a NaN in one row returns NaN", "Eq. (4.9)",
+              std::isnan(sweep_in_order({0, 1, 2}, p.rows, p.V)),
+              "std::max(a, NaN) is a. Once the largest is NaN, no later row may replace it.");
+  std::vector<Row<3>> none;
+  expect_near("what a sweep of no rows returns [m/s]", "Eq. (4.9)", sweep_in_order({}, none, p.V), 0,
+              {0, "exact"});
+}
+
+// The factor of a sweep without bounds and right sides: how far it takes each unit vector.
+double spectral_radius(Problem<3> p, const std::vector<int>& order) {
+  take_bounds_off(p);
+  const auto n = static_cast<Eigen::Index>(p.rows.size());
+  Eigen::MatrixXd T(n, n);
+  for (Row<3>& row : p.rows) row.B = 0;
+  for (Eigen::Index k = 0; k < n; ++k) {
+    set_lambda(p, Eigen::VectorXd::Unit(n, k));
+    sweep_in_order(order, p.rows, p.V);
+    T.col(k) = lambdas(p);
+  }
+  return Eigen::EigenSolver<Eigen::MatrixXd>(T, false).eigenvalues().cwiseAbs().maxCoeff();
+}
+
+EXERCISE_TEST(SweepInOrder, HasOneRateInEveryOrderOfATower) {
+  Random random;
+  std::vector<double> masses;
+  for (int k = 0; k < 6; ++k) masses.push_back(random.log_uniform(0.3, 3));
+  const Problem<3> p = stack(masses, 0.1, 0.01);
+  const Eigen::MatrixXd S = dense_S(p.rows);
+  const Eigen::VectorXd D = S.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::MatrixXd J = Eigen::MatrixXd::Identity(6, 6) - D.asDiagonal() * S * D.asDiagonal();
+  const double jacobi = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(J).eigenvalues().cwiseAbs().maxCoeff();
+  for (int repeat = 0; repeat < 5; ++repeat)
+    expect_near("factor of the error a sweep of a tower of six, in a random order", "Eq. (10.10)",
+                spectral_radius(p, shuffled(random, 6)), jacobi * jacobi,
+                {1e-7, "eigenvalues of a matrix that is not symmetric"},
+                {{jacobi, "This is Jacobi's factor: each row must see what those before it have done."}},
+                "The square of Jacobi's, whatever the order: the rows of a tower have no cycle.");
+}
+
+EXERCISE_TEST(SweepInOrder, GoingUpIsAheadBySweeps) {
+  Random random;
+  std::vector<double> masses;
+  for (int k = 0; k < 6; ++k) masses.push_back(random.log_uniform(0.3, 3));
+  const Problem<3> start = stack(masses, 0.1);
+  const std::vector<int> up = {0, 1, 2, 3, 4, 5}, down = {5, 4, 3, 2, 1, 0};
+  Problem<3> p = start;
+  for (int n = 0; n < 4; ++n) sweep_in_order(up, p.rows, p.V);
+  Problem<3> other = start;
+  for (int n = 1; n <= 9; ++n) {
+    sweep_in_order(down, other.rows, other.V);
+    const auto k = static_cast<std::size_t>(n - 4);
+    if (n >= 4)
+      expect_near("λ of row " + std::to_string(k) + " after 4 sweeps up, against " + std::to_string(n) +
+                      " sweeps down [N s]",
+                  "Eq. (10.11)", p.rows[k].lambda, other.rows[k].lambda, roundings(200, 10), {},
+                  "From λ = 0 going up is ahead by k sweeps in row k, and by no more later.");
+  }
+}
+
+}  // namespace

@@ -1,0 +1,106 @@
+// Beginning where the last step ended.
+#include "exercise_test.hpp"
+#include "systems.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(WarmStart, "10.2 warm_start");
+
+EXERCISE_TEST(WarmStart, SetsImpulsesAndWhatTheyDo) {
+  Random random;
+  Problem<6> p = random_problem(random, 4, 9);
+  Eigen::VectorXd impulses(9);
+  for (double& impulse : impulses) impulse = random.uniform(0.1, 1);
+  for (auto& row : p.rows) row.lambda = 3;
+  for (auto& V : p.V) V.setConstant(0.5);
+  const Eigen::VectorXd before = flat(p.V);
+  warm_start(as_std(impulses), p.rows, p.V);
+  expect_near_vector(
+      "λ of nine contacts [N s]", "Eq. (10.2)", lambdas(p), impulses, {0, "copies"},
+      {{impulses + Eigen::VectorXd::Constant(9, 3), "λ is assigned, not added to what was there."},
+       {Eigen::VectorXd::Constant(9, 3), "λ has not been set."}});
+  set_lambda(p, impulses);  // the expected V goes into p
+  const Eigen::VectorXd expected = flat(p.V);
+  for (auto& V : p.V) V.setConstant(0.5);
+  warm_start(as_std(impulses), p.rows, p.V);
+  expect_near_vector("V, all bodies [m/s, rad/s]", "Eq. (10.2)", flat(p.V), expected, roundings(100, 10),
+                     {{before, "V has not been touched. It must hold what the impulses do, M⁻¹ Gᵀ λ."},
+                      {Eigen::VectorXd::Zero(24),
+                       "V is zero: what the impulses do is missing, and the sweeps would do it once more."},
+                      {expected + before, "V held something before. It is assigned: set it to zero first."}},
+                     "V = M⁻¹ Gᵀ λ: begin at zero, then apply_impulse for every row.");
+}
+
+EXERCISE_TEST(WarmStart, StaysWithinTheBoundsOfNow) {
+  Problem<3> p = stack({1, 1, 1}, 0.1);
+  p.rows[1].hi = 0.5;
+  p.rows[2].lo = -0.25;
+  warm_start({-2, 2, -2}, p.rows, p.V);
+  expect_near_vector(
+      "λ, begun with (-2, 2, -2) within [0, ∞), [0, 0.5], [-0.25, ∞) [N s]", "Eq. (10.2)", lambdas(p),
+      Eigen::Vector3d(0, 0.5, -0.25), {0, "bounds"},
+      {{Eigen::Vector3d(-2, 2, -2), "The bounds are those of this step, and may have changed: clamp to them."},
+       {Eigen::Vector3d(0, 2, -0.25), "There is an upper bound, too."},
+       {Eigen::Vector3d(0, 0.5, 0), "The lower bound is the row's own `lo`, not always zero."}});
+  const Eigen::VectorXd expected = moved(p);
+  expect_near_vector("V [m/s]", "Eq. (10.2)", flat(p.V), expected, roundings(16, 4), {},
+                     "Scatter the clamped impulse: V must belong to the λ that the row has.");
+}
+
+EXERCISE_TEST(WarmStart, LeavesNothingToDoAtRest) {
+  Problem<3> p = stack({3, 1, 4, 1, 5}, 0.01);
+  std::vector<double> impulses;
+  double above = 14;
+  for (const double mass : {3, 1, 4, 1, 5}) {
+    impulses.push_back(0.01 * 9.81 * above);
+    above -= mass;
+  }
+  warm_start(impulses, p.rows, p.V);
+  expect_near("residual of a stack of five that begins with the impulses of the step before [m/s]",
+              "Eq. (10.2)", residual(p.rows, p.V), 0, roundings(100, 1), {},
+              "At rest the impulses of the last step are the answer: no sweep is needed.");
+}
+
+EXERCISE_TEST(WarmStart, SweepsOfManyStepsAddUp) {
+  const int steps = 5, sweeps = 4;
+  Problem<3> once = stack({1, 10, 3}, 0.1), now = once;
+  solve(once.rows, once.V, {.max_sweeps = steps * sweeps, .tolerance = 0});
+  std::vector<double> impulses(3, 0.0);
+  for (int step = 0; step < steps; ++step) {
+    now = stack({1, 10, 3}, 0.1);
+    warm_start(impulses, now.rows, now.V);
+    solve(now.rows, now.V, {.max_sweeps = sweeps, .tolerance = 0});
+    impulses = as_std(lambdas(now));
+  }
+  expect_near_vector("λ after 5 steps of 4 sweeps, against 20 sweeps at once; the same rows [N s]",
+                     "Eq. (10.2)", lambdas(now), lambdas(once), roundings(200, 10), {},
+                     "A step that begins where the last one ended goes on with its sweeps.");
+}
+
+EXERCISE_TEST(WarmStart, KeepsANaN) {
+  Problem<3> p = stack({1, 1}, 0.1);
+  warm_start({std::nan(""), 1}, p.rows, p.V);
+  expect_true("a λ that was NaN is one still", "Eq. (10.2)", std::isnan(p.rows[0].lambda),
+              "std::min and std::max make a number of a NaN; std::clamp keeps it.");
+}
+
+EXERCISE_TEST(WarmStart, WantsOneImpulseARow) {
+  Problem<3> p = stack({1, 1}, 0.1);
+  warm_start({1, 1}, p.rows, p.V);
+  expect_rejects("one impulse for two rows", "impulses", [&] { warm_start({1}, p.rows, p.V); });
+  expect_rejects(
+      "three impulses for two rows", "impulses",
+      [&] {
+        warm_start({1, 1, 1}, p.rows, p.V);
+      },
+      "Too many are as wrong as too few: they belong to other rows.");
+  std::vector<Row<3>> none;
+  warm_start({}, none, p.V);
+  expect_near("V of a warm start without rows [m/s]", "Eq. (10.2)", flat(p.V).norm(), 0, {0, "exact"}, {},
+              "V is what the rows do: without rows nothing.");
+}
+
+}  // namespace

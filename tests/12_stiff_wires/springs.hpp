@@ -1,0 +1,98 @@
+#pragma once
+// Points, rows and springs between them, for the tests of chapter 12.
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "12_stiff_wires/stiff_wires.hpp"
+#include "checks.hpp"
+#include "random_input.hpp"
+
+namespace spook::testing {
+
+/// What stiff_solve is given.
+struct Springs {
+  Motion<3> motion = {};
+  std::vector<Row<3>> rows = {};
+  std::vector<Stiffness> stiffness = {};
+  double h = 1;
+
+  int bodies() const { return static_cast<int>(motion.inverse_mass.size()); }
+  bool moves(int body) const { return motion.inverse_mass[static_cast<std::size_t>(body)].linear != 0; }
+  double mass(int body) const {
+    const double inverse = motion.inverse_mass[static_cast<std::size_t>(body)].linear;
+    return inverse == 0 ? 1 : 1 / inverse;  // as in Eq. (11.2)
+  }
+
+  void add(double inverse_mass, const Vec3& W, const Vec3& Wf) {
+    motion.inverse_mass.push_back({.linear = inverse_mass});
+    motion.W.push_back(W);
+    motion.Wf.push_back(inverse_mass == 0 ? Vec3::Zero() : Wf);
+  }
+
+  void add_row(int i, int j, const Vec3& n, double gap, const Spook& spook) {
+    rows.push_back(make_row<3>(
+        {.i = i, .j = j, .Gi = -n, .Gj = n, .gap = gap, .spook = spook, .lo = -infinity, .hi = infinity},
+        motion));
+  }
+};
+
+/// T/l across a direction.
+inline Mat3 across(const Vec3& n, double k) {
+  return k * (Mat3::Identity() - n * n.transpose());
+}
+
+/// A chain from the first body to the last, and some more springs between any two, in either order; `fixed` of the
+/// bodies do not move.
+inline Springs random_springs(Random& random, int bodies, int fixed, int more) {
+  Springs s{.h = random.log_uniform(1e-3, 0.1)};
+  for (int body = 0; body < bodies; ++body)
+    s.add(body < fixed ? 0 : 1 / random.log_uniform(0.1, 10), random.vector(3), random.vector(0.2));
+  std::vector<int> order;  // a fixed one may be anywhere in the chain
+  for (int body = 0; body < bodies; ++body) order.insert(order.begin() + random.integer(0, body), body);
+  const auto pair = [&](int i, int j) {
+    const Vec3 n = random.unit_vector();
+    s.stiffness.push_back({.i = i, .j = j, .K = across(n, random.log_uniform(0.1, 10) / (s.h * s.h))});
+    if (s.moves(i) || s.moves(j))
+      s.add_row(i, j, n, random.uniform(-0.01, 0.01), spook_parameters(s.h, 1 / (s.h * s.h), 3));
+  };
+  for (std::size_t k = 0; k + 1 < order.size(); ++k) pair(order[k], order[k + 1]);
+  for (int k = 0; k < more; ++k) {
+    const int i = random.integer(0, bodies - 1);
+    pair(i, (i + random.integer(1, bodies - 1)) % bodies);
+  }
+  return s;
+}
+
+/// The matrix of Eq. (12.5) in Eq. (11.2), both triangles, with so many times h² before K.
+inline Eigen::MatrixXd dense_matrix(const Springs& s, double times = 1) {
+  const int first = 3 * s.bodies(), n = first + static_cast<int>(s.rows.size());
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n);
+  for (int k = 0; k < first; ++k) A(k, k) = s.mass(k / 3);
+  for (const Stiffness& spring : s.stiffness) {
+    // The difference of the two ends' velocities, of those ends that move.
+    Eigen::MatrixXd ends = Eigen::MatrixXd::Zero(3, n);
+    if (s.moves(spring.i)) ends.block<3, 3>(0, 3 * spring.i) = -Mat3::Identity();
+    if (s.moves(spring.j)) ends.block<3, 3>(0, 3 * spring.j) = Mat3::Identity();
+    A += times * s.h * s.h * ends.transpose() * spring.K * ends;
+  }
+  for (std::size_t k = 0; k < s.rows.size(); ++k) {
+    const Row<3>& row = s.rows[k];
+    const int line = first + static_cast<int>(k);
+    if (s.moves(row.i)) A.block<1, 3>(line, 3 * row.i) = row.Gi.transpose();
+    if (s.moves(row.j)) A.block<1, 3>(line, 3 * row.j) = row.Gj.transpose();
+    A(line, line) = -row.Sigma;
+  }
+  return A.selfadjointView<Eigen::Lower>();
+}
+
+/// All entries that are there. Throws, in words, if the matrix has not the size that it should have.
+inline Eigen::MatrixXd entries(const SparseMatrix& A, const Springs& s) {
+  const auto n = 3 * s.bodies() + std::ssize(s.rows);
+  if (A.rows() != n || A.cols() != n)
+    throw std::logic_error("the matrix is " + std::to_string(A.rows()) + " x " + std::to_string(A.cols()) +
+                           "; three unknowns a body and one a row are " + std::to_string(n));
+  return Eigen::MatrixXd(A);
+}
+
+}  // namespace spook::testing

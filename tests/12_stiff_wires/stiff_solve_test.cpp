@@ -1,0 +1,189 @@
+// One solve with M̃: against dense algebra, and what it keeps.
+#include <Eigen/LU>
+
+#include "exercise_test.hpp"
+#include "springs.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(StiffSolve, "12.4 stiff_solve");
+
+struct Answer {
+  Eigen::VectorXd V, lambda;  ///< all bodies', all rows'
+};
+
+Answer solved(Springs& s) {
+  std::vector<Twist<3>> V(static_cast<std::size_t>(s.bodies()), Vec3(7, 7, 7));
+  for (Row<3>& row : s.rows) row.lambda = 7;
+  Factors factors;
+  expect_true("the factorisation of sound rows succeeds", "Eq. (12.6)",
+              stiff_solve(s.rows, s.motion, s.stiffness, s.h, V, factors),
+              "Return what factorise says: true when it has succeeded.");
+  if (std::ssize(V) != s.bodies()) throw std::logic_error("V has not one velocity a body any more");
+  Answer answer{.V = Eigen::VectorXd(3 * s.bodies()), .lambda = Eigen::VectorXd(std::ssize(s.rows))};
+  for (int body = 0; body < s.bodies(); ++body)
+    answer.V.segment<3>(3 * body) = V[static_cast<std::size_t>(body)];
+  for (std::size_t k = 0; k < s.rows.size(); ++k) answer.lambda[static_cast<int>(k)] = s.rows[k].lambda;
+  return answer;
+}
+
+/// By dense algebra, with so many times h²K in M̃, and K acting on these velocities.
+Answer dense(const Springs& s, double times, const std::vector<Vec3>& pushed) {
+  const Eigen::MatrixXd A = dense_matrix(s, times);
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(A.rows());
+  const auto of = [&](int body) -> Vec3 { return pushed[static_cast<std::size_t>(body)]; };
+  for (const Stiffness& spring : s.stiffness) {
+    const Vec3 push = s.h * s.h * spring.K * (of(spring.j) - of(spring.i));
+    if (s.moves(spring.i)) right.segment<3>(3 * spring.i) += push;
+    if (s.moves(spring.j)) right.segment<3>(3 * spring.j) -= push;
+  }
+  for (std::size_t k = 0; k < s.rows.size(); ++k) right[3 * s.bodies() + static_cast<int>(k)] = s.rows[k].B;
+  const Eigen::VectorXd unknowns = A.fullPivLu().solve(right);
+  return {.V = unknowns.head(3 * s.bodies()), .lambda = -unknowns.tail(std::ssize(s.rows))};
+}
+
+EXERCISE_TEST(StiffSolve, SolvesTheStep) {
+  Random random;
+  for (int repeat = 0; repeat < 10 && !::testing::Test::HasFailure(); ++repeat) {
+    Springs s = random_springs(random, random.integer(3, 8), random.integer(0, 2), random.integer(0, 4));
+    const std::vector<Vec3>&Wf = s.motion.Wf, none(Wf.size(), Vec3::Zero());
+    std::vector<Vec3> whole, back;
+    Eigen::VectorXd forces(3 * s.bodies());
+    for (std::size_t k = 0; k < Wf.size(); ++k) {
+      const bool moves = s.moves(static_cast<int>(k));
+      whole.push_back(moves ? Vec3(s.motion.W[k] + Wf[k]) : Vec3::Zero());
+      back.push_back(-Wf[k]);
+      forces.segment<3>(3 * static_cast<int>(k)) = Wf[k];
+    }
+    const Answer got = solved(s), right = dense(s, 1, Wf), unstiff = dense(s, 0, none),
+                 unpushed = dense(s, 1, none);
+    const Answer tournier = dense(s, 1, whole), backwards = dense(s, 1, back);
+    const std::string of = ", of " + std::to_string(s.bodies()) + " bodies with " +
+                           std::to_string(s.rows.size()) + " rows, h = " + show(s.h) + " s";
+    const std::string no_K = "This is the answer with M for M̃: there is no K in it.";
+    const std::string no_push =
+        "The forces' own part W_f is missing in what K resists: in terms of V the right side of the bodies is "
+        "M W_f - M̃ W_f = -h²K W_f, not 0.";
+    const std::string damps =
+        "This is Tournier's form, Eq. (12.8): K acts on the whole new velocity, and damps it. It should act on "
+        "the "
+        "change V + W_f.";
+    const std::string sign = "The sign of what the forces add: the right side of the bodies is -h²K W_f.";
+    expect_near_vector<Eigen::VectorXd>(
+        "V of all bodies" + of + " [m/s]", "Eq. (12.6)", got.V, right.V,
+        {1e-10 * right.V.norm(), "roundings times a condition of up to 1e5"},
+        {{unstiff.V, no_K},
+         {unpushed.V, no_push},
+         {tournier.V, damps},
+         {backwards.V, sign},
+         {right.V + forces, "This is V + W_f: V is what rows and springs add to W_f."},
+         {-right.V, "The sign of V."}},
+        "M̃ V - Gᵀλ = -h²K W_f and G V + Σ λ = B, whatever V and λ were before.");
+    expect_near_vector<Eigen::VectorXd>(
+        "λ of all rows" + of + " [N s]", "Eq. (12.6)", got.lambda, right.lambda,
+        {1e-10 * right.lambda.norm(), "roundings times a condition of up to 1e5"},
+        {{-right.lambda, "The unknowns of Eq. (11.2) are V and -λ."},
+         {unstiff.lambda, no_K},
+         {unpushed.lambda, no_push},
+         {tournier.lambda, damps},
+         {Eigen::VectorXd::Constant(right.lambda.size(), 7), "The rows still have the λ that they came with."}},
+        "M̃ V - Gᵀλ = -h²K W_f and G V + Σ λ = B, whatever V and λ were before.");
+  }
+}
+
+EXERCISE_TEST(StiffSolve, WithoutSpringsIsTheSaddlePoint) {
+  Random random;
+  Springs s = random_springs(random, 6, 1, 2);
+  s.stiffness.clear();
+  const Answer got = solved(s);
+  std::vector<Twist<3>> V(6);
+  Factors factors;
+  saddle_solve(s.rows, s.motion.inverse_mass, V, factors);
+  for (int body = 0; body < 6; ++body)
+    expect_near_vector<Vec3>("V of body " + std::to_string(body) + " without springs [m/s]", "Eq. (11.2)",
+                             got.V.segment<3>(3 * body), V[static_cast<std::size_t>(body)],
+                             {1e-10, "roundings times a condition of up to 1e5"});
+}
+
+EXERCISE_TEST(StiffSolve, KeepsMomentum) {
+  Random random;
+  for (int repeat = 0; repeat < 10 && !::testing::Test::HasFailure(); ++repeat) {
+    Springs s = random_springs(random, random.integer(3, 8), 0, random.integer(0, 4));
+    const Answer got = solved(s);
+    Vec3 sum = Vec3::Zero();
+    double size = 0;
+    for (int body = 0; body < s.bodies(); ++body) {
+      sum += s.mass(body) * got.V.segment<3>(3 * body);
+      size += s.mass(body) * got.V.segment<3>(3 * body).norm();
+    }
+    expect_near_vector<Vec3>("Σ m V of " + std::to_string(s.bodies()) + " free bodies [N s]", "Eq. (12.6)", sum,
+                             Vec3::Zero(), {1e-10 * size, "roundings times a condition of up to 1e5"}, {},
+                             "Rows and springs act between two bodies: what one gets the other gives.");
+  }
+}
+
+EXERCISE_TEST(StiffSolve, FeelsNoSteadyMotion) {
+  // Bodies that move apart, each at its own velocity, and fall alike: no velocity difference changes.
+  Random random;
+  Springs s = random_springs(random, 6, 0, 3);
+  s.rows.clear();
+  for (Vec3& Wf : s.motion.Wf) Wf = Vec3(0, 0, -0.16);
+  const Answer got = solved(s);
+  expect_near(
+      "largest of V of six bodies on springs, without rows [m/s]", "Eq. (12.6)", got.V.cwiseAbs().maxCoeff(), 0,
+      {1e-12, "roundings times a condition of up to 1e3"}, {},
+      "K acts on changes of velocity, and here none differs from another. What it does to a steady motion is "
+      "damping: the Tournier form, Eq. (12.8).");
+}
+
+EXERCISE_TEST(StiffSolve, MovesNothingThatIsFixed) {
+  Random random;
+  for (int repeat = 0; repeat < 5 && !::testing::Test::HasFailure(); ++repeat) {
+    Springs s = random_springs(random, 6, 2, 4);
+    const Answer got = solved(s);
+    for (int body = 0; body < 2; ++body)
+      expect_near_vector<Vec3>("V of body " + std::to_string(body) + ", which is fixed [m/s]", "Eq. (12.6)",
+                               got.V.segment<3>(3 * body), Vec3::Zero(), {0, "exact"}, {},
+                               "Its M is the identity, so its V is its right side: keep that at 0.");
+  }
+}
+
+EXERCISE_TEST(StiffSolve, LeavesAllAsItWasWhenItFails) {
+  Springs s{.h = 0.1};
+  s.add(0, Vec3::Zero(), Vec3::Zero());
+  s.add(0, Vec3::Zero(), Vec3::Zero());
+  s.add(1, Vec3::Zero(), Vec3(0, 0, -1));
+  s.add_row(0, 1, Vec3::UnitZ(), 0, {.a = 1, .b = 1, .Sigma = 0});  // asks two fixed bodies to move, with Σ = 0
+  s.rows[0].lambda = 7;
+  std::vector<Twist<3>> V(3, Vec3(1, 2, 3));
+  Factors factors;
+  expect_true("a row of which nothing moves, with Σ = 0, has no answer, and stiff_solve says so by false",
+              "Eq. (11.4)", !stiff_solve(s.rows, s.motion, s.stiffness, s.h, V, factors),
+              "factorise returns false for a pivot that is not sound: hand that on.");
+  expect_near("λ of that row, which was 7 N s before [N s]", "Eq. (12.6)", s.rows[0].lambda, 7, {0, "exact"},
+              {}, "Return before anything is written.");
+  for (const Vec3& velocity : V)
+    expect_near_vector<Vec3>("V of a body, which was (1, 2, 3) before [m/s]", "Eq. (12.6)", velocity,
+                             Vec3(1, 2, 3), {0, "exact"},
+                             {{Vec3::Zero(), "V has been cleared before it was known to be solved."}},
+                             "Return before anything is written.");
+}
+
+EXERCISE_TEST(StiffSolve, LooksForThePatternOnce) {
+  Random random;
+  Springs s = random_springs(random, 8, 1, 0);
+  std::vector<Twist<3>> V(8);
+  Factors factors;
+  for (int step = 0; step < 5; ++step) {
+    stiff_solve(s.rows, s.motion, s.stiffness, s.h, V, factors);
+    for (Stiffness& spring : s.stiffness) spring.K = across(random.unit_vector(), random.uniform(0, 100));
+  }
+  expect_near("analyses in five solves of the same wire under other tensions", "Eq. (11.3)", factors.analyses,
+              1, {0, "exact"}, {{0, "The factors that were given have not been used."}},
+              "Use the factors that are handed in: they remember the pattern.");
+}
+
+}  // namespace

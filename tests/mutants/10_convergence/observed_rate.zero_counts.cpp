@@ -1,0 +1,18 @@
+// Wrong: gives a rate to a history that ends at 0.
+// Killed by: ObservedRate.IsNoNumberWithoutTwoThatArePositive
+// Says: neither 0 nor infinity
+#include <cmath>
+
+#include "10_convergence/convergence.hpp"
+
+namespace spook {
+
+double observed_rate(const std::vector<double>& history) {
+  const std::size_t n = history.size();
+  if (n < 2) return std::nan("");
+  const std::size_t m = (n + 1) / 2;  // both count from 1, as sweeps do
+  const double first = history[m - 1], last = history[n - 1];
+  return std::pow(last / first, 1.0 / static_cast<double>(n - m));  // Eq. (10.5)
+}
+
+}  // namespace spook

@@ -1,0 +1,24 @@
+// Wrong: takes the maximum with std::max.
+// Killed by: SweepInOrder.DoesNotHideANaN
+// Says: std::max(a, NaN) is a
+#include <algorithm>
+#include <cmath>
+
+#include "10_convergence/convergence.hpp"
+
+namespace spook {
+
+template <int Dof>
+double sweep_in_order(const std::vector<int>& order, std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V) {
+  double largest = 0;
+  for (const int k : order) {
+    const double lacked = rows[k].diagonal * std::abs(update_row(rows[k], V));
+    largest = std::max(largest, lacked);
+  }
+  return largest;
+}
+
+template double sweep_in_order<3>(const std::vector<int>&, std::vector<Row<3>>&, std::vector<Twist<3>>&);
+template double sweep_in_order<6>(const std::vector<int>&, std::vector<Row<6>>&, std::vector<Twist<6>>&);
+
+}  // namespace spook

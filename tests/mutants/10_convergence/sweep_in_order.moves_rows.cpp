@@ -1,0 +1,25 @@
+// Wrong: puts the rows into that order and leaves them there.
+// Killed by: SweepInOrder.UpdatesTheRowsInThatOrder
+// Says: The rows have changed places
+#include <cmath>
+
+#include "10_convergence/convergence.hpp"
+
+namespace spook {
+
+template <int Dof>
+double sweep_in_order(const std::vector<int>& order, std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V) {
+  double largest = 0;
+  const std::vector<Row<Dof>> before = rows;
+  for (std::size_t k = 0; k < order.size(); ++k) rows[k] = before[order[k]];
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const double lacked = rows[k].diagonal * std::abs(update_row(rows[k], V));
+    if (std::isnan(lacked) || lacked > largest) largest = lacked;
+  }
+  return largest;
+}
+
+template double sweep_in_order<3>(const std::vector<int>&, std::vector<Row<3>>&, std::vector<Twist<3>>&);
+template double sweep_in_order<6>(const std::vector<int>&, std::vector<Row<6>>&, std::vector<Twist<6>>&);
+
+}  // namespace spook
