@@ -46,6 +46,11 @@ static void require_sound(const Body<Dof>& body) {
     for (const double moment : body.principal) require_positive("principal moment", moment);
     for (const Vec3& corner : body.corners) require_all_finite("corner", corner);
     if (!body.corners.empty() && body.radius != 0) reject("radius", body.radius, "0 for a body with corners");
+    if (body.half_sides.isZero(0)) return;
+    require_sides(body.half_sides);
+    if (body.radius != 0) reject("radius", body.radius, "0 for a body with half sides");
+    if (!body.corners.empty())
+      reject("number of corners", static_cast<double>(body.corners.size()), "0 for a body with half sides");
   }
 }
 

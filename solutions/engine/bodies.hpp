@@ -36,8 +36,9 @@ struct Body<6> {
   Quat q = Quat::Identity();       ///< body to world, of unit length
   Vec3 omega = Vec3::Zero();       ///< angular velocity, in world coordinates [rad/s]
   Vec3 principal = Vec3::Ones();   ///< moments of inertia about the body's own axes [kg m²]
+  Vec3 half_sides = Vec3::Zero();  ///< of its box, along the body's axes [m]; instead of a sphere
   std::vector<Vec3> corners = {};  ///< points of it that a plane stops, in the body's axes from its centre [m];
-                                   ///< instead of a sphere
+                                   ///< instead of either
 };
 
 /// The principal moments of a solid sphere, 2/5 m r² each [kg m²].

@@ -1,30 +1,29 @@
 #pragma once
-// Finding contacts: which spheres, planes and corners touch, how deep, and in which direction. Every pair is looked at,
-// but for corners, which only planes stop.
+// Finding contacts: which planes, spheres, boxes and corners touch, how deep, and in which direction: chapter 08.
 //
-//   gap   (x_j + r_j - x_i - r_i)·n, signed; a contact is a pair with gap <= 0          Eq. (3.1)
-//   n     unit normal, from body i to body j; out of a plane
-//   r     from a body's centre to its own deepest point, so that the formula above is the gap
+//   margin   contacts that are nearly closed are wanted, too: each shape grows by half the margin, and each gap by all
+//            of it
+//   planes   with every sphere, box and corner; nothing else stops a corner
+//   others   broad phase, then the contact set of each pair that it leaves:
+//              up to 32 of them    all pairs are looked at
+//              up to 2000          sweep and prune                                          Eq. (8.12)
+//              more                spatial hash                                             Eq. (8.13), (8.14)
 #include <vector>
 
+#include "08_pairs/pairs.hpp"
 #include "engine/bodies.hpp"
 
 namespace spook {
 
-/// Everything with n·x < offset is solid. A plane belongs to a fixed body.
-struct Plane {
+/// A sphere or a box about the centre of a body.
+struct Solid {
   int body;
-  Vec3 n;         ///< unit normal, outwards
-  double offset;  ///< along n, from the origin [m]
+  double radius;    ///< [m]; 0 for a box
+  Vec3 half_sides;  ///< [m]; of a box
+  bool fixed;       ///< it cannot move; two such have no contact
 };
 
-struct Sphere {
-  int body;
-  double radius;  ///< [m]
-  bool fixed;     ///< it cannot move; two such have no contact
-};
-
-/// Points of a rigid body: a box, a disc.
+/// Points of a rigid body: a disc, a box that meets planes only.
 struct Corners {
   int body;
   std::vector<Vec3> points;  ///< from the body's centre, in its axes [m]
@@ -32,19 +31,20 @@ struct Corners {
 
 struct Shapes {
   std::vector<Plane> planes;
-  std::vector<Sphere> spheres;
+  std::vector<Solid> solids;
   std::vector<Corners> corners;
 
   /// Whether anything can touch anything.
   bool may_touch() const {
-    return spheres.size() > 1 || (!planes.empty() && !(spheres.empty() && corners.empty()));
+    return solids.size() > 1 || (!planes.empty() && !(solids.empty() && corners.empty()));
   }
 };
 
-/// Replaces `contacts` with all that there are: of planes with spheres, with corners, then of spheres, in the order
-/// in which the shapes were added. Those of one pair of bodies follow each other. Returns how many pairs were
-/// looked at.
+/// Replaces `contacts` with all that have a gap of at most `margin` [m]: of planes with solids, of solids, of planes
+/// with corners, in the order in which the shapes were added. Those of one pair of bodies follow each other. Returns
+/// how many pairs of shapes were looked at closely.
 template <int Dof>
-int find_contacts(const Shapes& shapes, const Bodies<Dof>& bodies, std::vector<Contact>& contacts);
+int find_contacts(const Shapes& shapes, const Bodies<Dof>& bodies, double margin,
+                  std::vector<Contact>& contacts);
 
 }  // namespace spook

@@ -26,25 +26,46 @@ static int contacts_of_pair(const std::vector<Contact>& contacts, std::size_t fi
   return static_cast<int>(end - first);
 }
 
+/// Velocity of j's contact point relative to i's, that of the forces included.
+static Vec3 slip(const Contact& contact, const Motion<3>& motion) {
+  const auto v = [&](int body) { return motion.W[body] + motion.Wf[body]; };
+  return v(contact.j) - v(contact.i);
+}
+
+static Vec3 slip(const Contact& contact, const Motion<6>& motion) {
+  const auto v = [&](int body, const Vec3& r) {
+    const Twist<6> W = motion.W[body] + motion.Wf[body];
+    return Vec3(W.head<3>() + W.tail<3>().cross(r));
+  };
+  return v(contact.j, contact.r_j) - v(contact.i, contact.r_i);
+}
+
 template <int Dof>
 void add_contact_rows(const std::vector<Contact>& contacts, double h, const Spook& spook,
-                      const Friction& friction, const Motion<Dof>& motion, std::vector<Row<Dof>>& rows) {
+                      const Friction& friction, const Motion<Dof>& motion, std::vector<Row<Dof>>& rows,
+                      std::vector<Rubbing>& rubbing) {
   if (friction.mu == 0) {
     for (const Contact& contact : contacts)
       rows.push_back(make_row(contact_constraint<Dof>(contact, spook), motion));
     return;
   }
   const Spook rub = friction_parameters(h, friction.c);
+  const auto bound = [&](const Contact& contact, int count) {
+    if (friction.model != FrictionModel::box) return friction.model == FrictionModel::cone ? infinity : 0.0;
+    const double mass = representative_mass(motion.inverse_mass[contact.i].linear,
+                                            motion.inverse_mass[contact.j].linear, count);
+    return friction_bound(friction.mu, mass, std::abs(friction.gravity.dot(contact.n)), h);
+  };
   for (std::size_t first = 0; first < contacts.size();) {
     const int count = contacts_of_pair(contacts, first);
-    const double mass = representative_mass(motion.inverse_mass[contacts[first].i].linear,
-                                            motion.inverse_mass[contacts[first].j].linear, count);
     for (const std::size_t end = first + static_cast<std::size_t>(count); first < end; ++first) {
       const Contact& contact = contacts[first];
+      if (friction.model != FrictionModel::box) rubbing.push_back({.normal = rows.size(), .mu = friction.mu});
       rows.push_back(make_row(contact_constraint<Dof>(contact, spook), motion));
-      const double pressing = std::abs(friction.gravity.dot(contact.n));
-      const double bound = friction_bound(friction.mu, mass, pressing, h);
-      for (const Constraint<Dof>& row : friction_constraints<Dof>(contact, tangents(contact.n), bound, rub))
+      const Tangents along = friction.sliding_tangents ? sliding_tangents(contact.n, slip(contact, motion),
+                                                                          1e-3 * friction.gravity.norm() * h)
+                                                       : tangents(contact.n);
+      for (const Constraint<Dof>& row : friction_constraints<Dof>(contact, along, bound(contact, count), rub))
         rows.push_back(make_row(row, motion));
     }
   }
@@ -73,9 +94,9 @@ void add_joint_rows(const std::vector<Joint>& joints, double h, const Bodies<Dof
 template Constraint<3> contact_constraint<3>(const Contact&, const Spook&);
 template Constraint<6> contact_constraint<6>(const Contact&, const Spook&);
 template void add_contact_rows<3>(const std::vector<Contact>&, double, const Spook&, const Friction&,
-                                  const Motion<3>&, std::vector<Row<3>>&);
+                                  const Motion<3>&, std::vector<Row<3>>&, std::vector<Rubbing>&);
 template void add_contact_rows<6>(const std::vector<Contact>&, double, const Spook&, const Friction&,
-                                  const Motion<6>&, std::vector<Row<6>>&);
+                                  const Motion<6>&, std::vector<Row<6>>&, std::vector<Rubbing>&);
 template void add_joint_rows<3>(const std::vector<Joint>&, double, const Bodies<3>&, std::vector<Row<3>>&);
 template void add_joint_rows<6>(const std::vector<Joint>&, double, const Bodies<6>&, std::vector<Row<6>>&);
 

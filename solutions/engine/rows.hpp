@@ -4,11 +4,12 @@
 //   dg/dt = G W          G of a contact, Eq. (3.3), of a joint, Eq. (6.3), (6.6); of a point mass the linear part of it
 //   a, b, Σ              from h, k, d, Eq. (3.4)-(3.6); of friction 0, 1, Γ, Eq. (5.4)
 //   0 <= λ < ∞           a contact pushes, never pulls
-//   -Λ <= λ <= Λ         friction: two rows more, with the bound of Eq. (5.7)
+//   -Λ <= λ <= Λ         friction: two rows more, with the bound of Eq. (5.7), or of chapter 09
 //   -∞ < λ < ∞           a joint does both
 //   S_kk, B              Eq. (4.3), (4.4)
 #include <vector>
 
+#include "09_better_friction/better_friction.hpp"
 #include "engine/joints.hpp"
 
 namespace spook {
@@ -16,11 +17,21 @@ namespace spook {
 template <int Dof>
 Constraint<Dof> contact_constraint(const Contact& contact, const Spook& spook);
 
+/// Where the limit of friction comes from.
+enum class FrictionModel {
+  box,       ///< a mass and gravity: Eq. (5.6)-(5.8)
+  two_pass,  ///< the normal impulses of a first pass, without friction: Eq. (9.1)
+  cone       ///< the normal impulse of now, on Coulomb's cone: Eq. (9.3)-(9.6)
+};
+
 /// How rubbing is counted in; no friction, no rows.
 struct Friction {
   double mu = 0;                ///< coefficient μ
   double c = 1e12;              ///< viscosity that is left [N s/m]: what sticks creeps at F/c, Eq. (5.5)
   Vec3 gravity = Vec3::Zero();  ///< what presses, in Eq. (5.7) [m/s²]
+  FrictionModel model = FrictionModel::box;
+  bool sliding_tangents = false;  ///< along the slip, Eq. (9.2), where it is faster than a thousandth of what
+                                  ///< gravity does in a step
 };
 
 /// One for the normal, and with friction two for the tangents.
@@ -28,10 +39,12 @@ inline int rows_per_contact(double mu) {
   return mu > 0 ? 3 : 1;
 }
 
-/// Adds the rows of each contact in turn: the normal one, and with friction those of its two tangents.
+/// Adds the rows of each contact in turn: the normal one, and with friction those of its two tangents. The latter
+/// have the bounds of the box; without one, of 0 for two passes, and none for the cone, and are in `rubbing`.
 template <int Dof>
 void add_contact_rows(const std::vector<Contact>& contacts, double h, const Spook& spook,
-                      const Friction& friction, const Motion<Dof>& motion, std::vector<Row<Dof>>& rows);
+                      const Friction& friction, const Motion<Dof>& motion, std::vector<Row<Dof>>& rows,
+                      std::vector<Rubbing>& rubbing);
 
 /// Adds the rows of each joint in turn: one of a distance, three of a ball joint. Their k and d must be given.
 template <int Dof>

@@ -1,24 +1,70 @@
 #include "engine/solvers.hpp"
 
+#include <memory>
 #include <stdexcept>
 
+#include "10_convergence/convergence.hpp"
+#include "engine/islands.hpp"
 #include "engine/near_miss.hpp"
 
 namespace spook {
 
+namespace {
+
+template <int Dof>
+Solver<Dof> gauss_seidel() {
+  return &solve<Dof>;
+}
+
+template <int Dof>
+Solver<Dof> conjugate_gradients() {
+  return [](std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V, const StopRule& stop) {
+    Outcome outcome = conjugate_solve(rows, V, stop);
+    // An iteration is worth four sweeps: two of the preconditioner, one to look, one for S p.
+    outcome.row_updates = 4 * std::ssize(outcome.report.history) * std::ssize(rows);
+    return outcome;
+  };
+}
+
+template <int Dof>
+Solver<Dof> direct() {
+  const auto factors = std::make_shared<Factors>();
+  return [factors](std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V, const StopRule& stop) {
+    Outcome outcome = direct_solve(rows, V, stop, *factors);
+    outcome.row_updates = 0;
+    return outcome;
+  };
+}
+
+template <int Dof>
+Solver<Dof> by_island() {
+  const auto solver = std::make_shared<IslandSolver<Dof>>();
+  return [solver](std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V, const StopRule& stop) {
+    return (*solver)(rows, V, stop);
+  };
+}
+
+}  // namespace
+
 template <int Dof>
 const std::vector<NamedSolver<Dof>>& solvers() {
   static const std::vector<NamedSolver<Dof>> table = {
-      {"gauss_seidel", "projected Gauss-Seidel, rows in the order in which they were made", &solve<Dof>},
+      {"gauss_seidel", "projected Gauss-Seidel, row by row", &gauss_seidel<Dof>},
+      {"conjugate_gradients", "projected conjugate gradients, preconditioned by sweeps",
+       &conjugate_gradients<Dof>},
+      {"direct", "sparse factors of S; bounds by an interior point method", &direct<Dof>},
+      {"auto", "for each island of bodies the direct solver where it is sparse or stiff, else Gauss-Seidel",
+       &by_island<Dof>},
+      {"stiff", "as auto; point masses on tight links get their geometric stiffness", &by_island<Dof>, true},
   };
   return table;
 }
 
 template <int Dof>
-Solver<Dof> find_solver(const std::string& name) {
+const NamedSolver<Dof>& find_solver(const std::string& name) {
   std::vector<std::string> names;
   for (const NamedSolver<Dof>& known : solvers<Dof>()) {
-    if (known.name == name) return known.solver;
+    if (known.name == name) return known;
     names.push_back(known.name);
   }
   throw std::invalid_argument("unknown solver \"" + name + "\"" + did_you_mean(name, names));
@@ -26,7 +72,7 @@ Solver<Dof> find_solver(const std::string& name) {
 
 template const std::vector<NamedSolver<3>>& solvers<3>();
 template const std::vector<NamedSolver<6>>& solvers<6>();
-template Solver<3> find_solver<3>(const std::string&);
-template Solver<6> find_solver<6>(const std::string&);
+template const NamedSolver<3>& find_solver<3>(const std::string&);
+template const NamedSolver<6>& find_solver<6>(const std::string&);
 
 }  // namespace spook

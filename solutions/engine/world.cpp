@@ -1,5 +1,6 @@
 #include "engine/world.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "common/require.hpp"
@@ -11,13 +12,15 @@ void World<Dof>::step(double h) {
   require_positive("h", h);
   require_directions(h);
   rows_.clear();
+  rubbing_.clear();
+  trouble_.clear();
   first_contact_row_ = 0;
   impacts_ = sweeps_ = 0;
   if (shapes_.may_touch()) clock_.run(Stage::contacts, [&] { find_contacts(); });
   clock_.run(Stage::forces, [&] { evaluate_forces(h); });
   if (settings_.impacts && !contacts_.empty()) clock_.run(Stage::impacts, [&] { resolve_impacts(h); });
   if (!contacts_.empty() || !joints_.empty()) clock_.run(Stage::rows, [&] { build_rows(h); });
-  if (!rows_.empty()) clock_.run(Stage::solve, [&] { solve_rows(); });
+  if (!rows_.empty()) clock_.run(Stage::solve, [&] { solve_rows(h); });
   clock_.run(Stage::integrate, [&] { integrate(h); });
 }
 
@@ -34,7 +37,7 @@ void World<Dof>::require_directions(double h) const {
 
 template <int Dof>
 void World<Dof>::find_contacts() {
-  pairs_ = spook::find_contacts(shapes_, bodies_, contacts_);
+  pairs_ = spook::find_contacts(shapes_, bodies_, settings_.margin, contacts_);
 }
 
 template <int Dof>
@@ -64,7 +67,10 @@ template <int Dof>
 void World<Dof>::resolve_impacts(double h) {
   ImpactLaw law = *settings_.impacts;
   law.threshold += settings_.gravity.norm() * h;
-  impacts_ = spook::resolve_impacts(contacts_, law, bodies_.motion).impacts;
+  const auto open = [](const Contact& contact) { return contact.gap > 0; };
+  std::vector<Contact> closed = contacts_;
+  closed.erase(std::remove_if(closed.begin(), closed.end(), open), closed.end());
+  impacts_ = spook::resolve_impacts(closed, law, bodies_.motion).impacts;
   if (impacts_ > 0) prepare_motion(h);  // the gyroscopic torque goes with ω
 }
 
@@ -73,16 +79,13 @@ void World<Dof>::build_rows(double h) {
   add_joint_rows(joints_, h, bodies_, rows_);
   first_contact_row_ = rows_.size();
   if (contacts_.empty()) return;
-  const Friction friction{.mu = settings_.friction, .c = settings_.viscosity, .gravity = settings_.gravity};
-  add_contact_rows(contacts_, h, spook_parameters(h, settings_.k, settings_.d), friction, bodies_.motion,
-                   rows_);
-}
-
-template <int Dof>
-void World<Dof>::solve_rows() {
-  V_.assign(bodies_.size(), Twist<Dof>::Zero());
-  sweeps_ = static_cast<int>(settings_.solver(rows_, V_, settings_.stop).history.size());
-  row_updates_ += sweeps_ * static_cast<std::int64_t>(rows_.size());
+  const Friction friction{.mu = settings_.friction,
+                          .c = settings_.viscosity,
+                          .gravity = settings_.gravity,
+                          .model = settings_.friction_model,
+                          .sliding_tangents = settings_.sliding_tangents};
+  add_contact_rows(contacts_, h, spook_parameters(h, settings_.k, settings_.d), friction, bodies_.motion, rows_,
+                   rubbing_);
 }
 
 template <int Dof>

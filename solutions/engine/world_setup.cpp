@@ -1,28 +1,36 @@
 // What a world is told before it steps, and what it can be asked afterwards.
+#include "11_direct/direct.hpp"
 #include "common/require.hpp"
 #include "engine/world.hpp"
 
 namespace spook {
 
 template <int Dof>
-World<Dof>::World(Settings<Dof> settings) : settings_(std::move(settings)) {
+World<Dof>::World(Settings<Dof> settings) : settings_(std::move(settings)), random_(settings_.seed) {
   require_all_finite("gravity", settings_.gravity);
   require_positive("k", settings_.k);
   require_not_negative("d", settings_.d);
   require_not_negative("friction", settings_.friction);
+  require_not_negative("margin", settings_.margin);
   if (!(settings_.viscosity > 0)) reject("viscosity", settings_.viscosity, "positive; it may be infinite");
   if (settings_.impacts) spook::resolve_impacts<Dof>({}, *settings_.impacts, bodies_.motion);
   require_positive("max_sweeps", settings_.stop.max_sweeps);
   require_not_negative("tolerance", settings_.stop.tolerance);
+  if (Dof == 6 && settings_.geometric_stiffness)
+    throw std::invalid_argument("geometric_stiffness must be false for rigid bodies, but is true");
+  if (settings_.geometric_stiffness) stiff_factors_ = std::make_shared<Factors>();
   if (!settings_.solver) throw std::invalid_argument("solver must be one of solvers(), but is null");
 }
 
 template <int Dof>
 int World<Dof>::add(const Body<Dof>& body) {
   const int i = bodies_.add(body);
-  if (body.radius > 0) shapes_.spheres.push_back({.body = i, .radius = body.radius, .fixed = false});
-  if constexpr (Dof == 6)
+  Solid solid{.body = i, .radius = body.radius, .half_sides = Vec3::Zero(), .fixed = false};
+  if constexpr (Dof == 6) {
+    solid.half_sides = body.half_sides;
     if (!body.corners.empty()) shapes_.corners.push_back({.body = i, .points = body.corners});
+  }
+  if (solid.radius > 0 || !solid.half_sides.isZero(0)) shapes_.solids.push_back(solid);
   return i;
 }
 
@@ -30,7 +38,8 @@ template <int Dof>
 int World<Dof>::add_fixed(const Vec3& x, double radius) {
   require_not_negative("radius", radius);
   const int i = bodies_.add_fixed(x);
-  if (radius > 0) shapes_.spheres.push_back({.body = i, .radius = radius, .fixed = true});
+  if (radius > 0)
+    shapes_.solids.push_back({.body = i, .radius = radius, .half_sides = Vec3::Zero(), .fixed = true});
   return i;
 }
 
@@ -39,7 +48,7 @@ int World<Dof>::add_plane(const Vec3& n, double offset) {
   require_unit_length("n", n.norm());
   require_finite("offset", offset);
   const int i = bodies_.add_fixed(offset * n);
-  shapes_.planes.push_back({.body = i, .n = n, .offset = offset});
+  shapes_.planes.push_back({.body = i, .x = offset * n, .n = n, .offset = offset});
   return i;
 }
 
@@ -140,7 +149,10 @@ StepReport World<Dof>::report() const {
           .impacts = impacts_,
           .rows = static_cast<int>(rows_.size()),
           .sweeps = sweeps_,
-          .residual = rows_.empty() ? 0 : residual(rows_, V_)};
+          .residual = rows_.empty()                                     ? 0
+                      : settings_.friction_model == FrictionModel::cone ? residual_on_cones(rubbing_, rows_, V_)
+                                                                        : residual(rows_, V_),
+          .trouble = trouble_};
 }
 
 template class World<3>;

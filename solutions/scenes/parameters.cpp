@@ -105,6 +105,17 @@ Parameter bodies(double value, double most) {
           .limits = {.low = 1, .high = most, .whole = true}};
 }
 
+Parameter boxes(double value, double most) {
+  Parameter all = bodies(value, most);
+  all.name = "boxes";
+  all.meaning = "how many";
+  return all;
+}
+
+Parameter side() {
+  return {.name = "side", .meaning = "of a box", .unit = "m", .value = 1, .limits = positive};
+}
+
 Parameter friction(double value) {
   return {.name = "mu", .meaning = "friction coefficient", .value = value, .limits = not_negative};
 }
@@ -137,7 +148,9 @@ Parameter threshold() {
 }
 
 Parameter friction_law(std::vector<std::string> laws) {
-  return {.name = "answer", .meaning = "the law that the error is relative to", .choices = std::move(laws)};
+  return {.name = "answer",
+          .meaning = "the law that the error is relative to; model: that of the friction",
+          .choices = std::move(laws)};
 }
 
 Parameter weighing_gravity() {

@@ -66,6 +66,8 @@ Parameter relaxation();
 Parameter radius(double value = 0.5);
 Parameter start();
 Parameter bodies(double value, double most);
+Parameter boxes(double value, double most);
+Parameter side();
 Parameter friction(double value = 0.5);
 Parameter viscosity();
 Parameter speed(double value);

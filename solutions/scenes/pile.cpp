@@ -1,27 +1,17 @@
-// Spheres dropped into a box: a scene that has no closed form, but must come to rest.
+// Spheres or cubes dropped into a box: a scene that has no closed form, but must come to rest.
 //
 // At rest the floor carries all the weight: the walls, with g·n = 0, have no friction to help it, Eq. (5.7).
 // Two spheres overlap by the load of their contact over k, for which weight/k is a scale. The error is the
 // deepest overlap of the last second.
 #include <algorithm>
-#include <random>
 
 #include "engine/mechanics.hpp"
+#include "scenes/jitter.hpp"
 #include "scenes/registry.hpp"
 
 namespace spook {
 
 namespace {
-
-/// Numbers from -1 to 1 that are the same on every machine, which std::uniform_real_distribution's are not.
-class Jitter {
- public:
-  explicit Jitter(unsigned seed) : engine_(seed) {}
-  double next() { return std::ldexp(static_cast<double>(engine_() >> 11), -52) - 1; }
-
- private:
-  std::mt19937_64 engine_;
-};
 
 class Pile : public WorldScene<6> {
  public:
@@ -52,10 +42,21 @@ class Pile : public WorldScene<6> {
       const Vec3 place(column % side + 0.5 - side / 2.0, column / side + 0.5 - side / 2.0, layer + 0.5);
       Vec3 off;
       for (double& component : off) component = 0.2 * radius_ * jitter.next();
-      world_.add({.x = cell * place + off,
-                  .mass = m,
-                  .radius = radius_,
-                  .principal = solid_sphere_moments(m, radius_)});
+      if (p.choice("shape") == "sphere") {
+        world_.add({.x = cell * place + off,
+                    .mass = m,
+                    .radius = radius_,
+                    .principal = solid_sphere_moments(m, radius_)});
+      } else {
+        // A cube that fits into its cell however it is turned.
+        const Vec3 half_sides = Vec3::Constant(0.6 * radius_);
+        Quat q(jitter.next(), jitter.next(), jitter.next(), jitter.next());
+        world_.add({.x = cell * place + off,
+                    .mass = m,
+                    .q = q.norm() > 0 ? q.normalized() : Quat::Identity(),
+                    .principal = solid_box_moments(m, half_sides),
+                    .half_sides = half_sides});
+      }
     }
     overlaps_.resize(static_cast<std::size_t>(std::clamp(std::round(1 / h_), 1.0, 1e6)));
   }
@@ -118,13 +119,14 @@ SceneDescription pile() {
   Parameter k = parameter::stiffness();
   k.value = 1e5;
   return {.name = "pile",
-          .summary = "Spheres are dropped into a box, and come to rest.",
+          .summary = "Spheres or cubes are dropped into a box, and come to rest.",
           .answer =
               "There is no closed form. At rest the floor carries the whole weight, whatever mu, and spheres "
               "overlap by the load of a contact over k.",
           .error_name = "deepest overlap of the last second over the radius",
           .error_unit = "relative",
           .parameters = {parameter::bodies(20, 2000),
+                         {.name = "shape", .meaning = "of the bodies", .choices = {"sphere", "box"}},
                          parameter::friction(),
                          parameter::restitution(0.2),
                          parameter::threshold(),

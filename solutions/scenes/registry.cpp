@@ -7,10 +7,29 @@
 namespace spook {
 
 const std::vector<SceneDescription>& scenes() {
-  static const std::vector<SceneDescription> all = {
-      free_fall(), oscillator(),    orbit(),           top(),           resting_sphere(), stack(),
-      incline(),   sliding_block(), slide_to_roll(),   spinning_disc(), bouncing_ball(),  cradle(),
-      pile(),      pendulum(),      double_pendulum(), wire(),          rope(),           cloth()};
+  static const std::vector<SceneDescription> all = {free_fall(),
+                                                    oscillator(),
+                                                    orbit(),
+                                                    top(),
+                                                    resting_sphere(),
+                                                    stack(),
+                                                    incline(),
+                                                    sliding_block(),
+                                                    slide_to_roll(),
+                                                    spinning_disc(),
+                                                    bouncing_ball(),
+                                                    cradle(),
+                                                    pile(),
+                                                    pendulum(),
+                                                    double_pendulum(),
+                                                    wire(),
+                                                    rope(),
+                                                    cloth(),
+                                                    stiff_wire(),
+                                                    closed_loop(),
+                                                    tower(),
+                                                    wall(),
+                                                    flat_box_100_contacts()};
   return all;
 }
 

@@ -22,6 +22,11 @@ SceneDescription double_pendulum();
 SceneDescription wire();
 SceneDescription rope();
 SceneDescription cloth();
+SceneDescription stiff_wire();
+SceneDescription closed_loop();
+SceneDescription tower();
+SceneDescription wall();
+SceneDescription flat_box_100_contacts();
 
 const std::vector<SceneDescription>& scenes();
 

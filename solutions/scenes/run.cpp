@@ -37,7 +37,7 @@ static void observed_run(Scene& scene, std::int64_t steps, std::ostream* csv, co
 
 /// Of fresh worlds: at least three and 50 ms of them, but no more once a second is over, or a thousand.
 template <class Build>
-static std::vector<double> sorted_us_per_step(const Build& build, std::int64_t steps) {
+static std::vector<double> sorted_us(const Build& build, std::int64_t steps) {
   using Clock = std::chrono::steady_clock;
   std::vector<double> times;
   double total = 0;
@@ -46,7 +46,7 @@ static std::vector<double> sorted_us_per_step(const Build& build, std::int64_t s
     const auto start = Clock::now();
     scene->advance(steps);
     const double elapsed = std::chrono::duration<double, std::micro>(Clock::now() - start).count();
-    times.push_back(elapsed / static_cast<double>(steps));
+    times.push_back(elapsed);
     total += elapsed;
   }
   std::sort(times.begin(), times.end());
@@ -83,19 +83,21 @@ RunResult run(const SceneDescription& description, const Parameters& parameters,
   RunResult result;
   result.steps = step_count(settings.method.h, settings.time);
 
+  const std::int64_t substeps = result.steps * settings.method.substeps;
   const std::unique_ptr<Scene> scene = build();
-  observed_run(*scene, result.steps, csv, progress);
+  observed_run(*scene, substeps, csv, progress);
   result.error = scene->error();
   result.last = scene->report();
   result.columns = scene->columns();
   result.state = scene->sample();
   result.row_updates = scene->row_updates();
   if (result.steps == 0) return result;
-  const std::vector<double> times = sorted_us_per_step(build, result.steps);
-  result.us_per_step = times[times.size() / 2];
-  result.us_low = times[times.size() / 4];
-  result.us_high = times[times.size() * 3 / 4];
-  result.stages = stage_times(*build(), result.steps);
+  const std::vector<double> times = sorted_us(build, substeps);
+  const auto per_step = [&](double us) { return us / static_cast<double>(result.steps); };
+  result.us_per_step = per_step(times[times.size() / 2]);
+  result.us_low = per_step(times[times.size() / 4]);
+  result.us_high = per_step(times[times.size() * 3 / 4]);
+  result.stages = stage_times(*build(), substeps);
   return result;
 }
 

@@ -31,7 +31,7 @@ std::int64_t step_count(double h, double time);
 /// Is told now and then, in a long run, how many of the steps are done; and at its end.
 using Progress = std::function<void(std::int64_t done, std::int64_t steps)>;
 
-/// Builds the scene and runs it. With `csv`, writes a line of columns and one for each step, the start included.
+/// Builds the scene and runs it. With `csv`, writes a line of columns and one for each substep, the start included.
 /// Throws std::invalid_argument for bad settings before anything is written, and Blowup, with what was written up
 /// to then.
 RunResult run(const SceneDescription& scene, const Parameters& parameters, const RunSettings& settings,

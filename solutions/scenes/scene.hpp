@@ -45,9 +45,18 @@ class Scene {
 
 /// How a scene is stepped and solved.
 struct Method {
-  double h;  ///< [s]
+  double h;          ///< [s]
+  int substeps = 1;  ///< steps of h/substeps that a step is made of
   std::string solver = "gauss_seidel";
   StopRule stop = {};
+  FrictionModel friction_model = FrictionModel::box;
+  bool sliding_tangents = false;
+  RowOrder order = RowOrder::given;
+  std::uint64_t seed = 1;  ///< of a random order
+  bool warm_start = false;
+  double margin = 0;  ///< [m]
+
+  double step() const { return h / substeps; }  ///< [s]
 };
 
 struct SceneDescription {
@@ -62,9 +71,10 @@ struct SceneDescription {
   bool solves;  ///< has rows, so that solver, iterations and tolerance matter
   /// Throws std::invalid_argument for parameters that do not go together.
   std::unique_ptr<Scene> (*build)(const Parameters& parameters, const Method& method);
+  std::string solver = "gauss_seidel";  ///< the one that it is run with, unless another is asked for
 };
 
-/// What the scenes share: a world, stepped by h.
+/// What the scenes share: a world, stepped by h_.
 template <int Dof>
 class WorldScene : public Scene {
  public:
@@ -78,17 +88,25 @@ class WorldScene : public Scene {
 
  protected:
   WorldScene(Settings<Dof> settings, const Method& method)
-      : world_(with(std::move(settings), method)), h_(method.h) {}
+      : world_(with(std::move(settings), method)), h_(method.step()) {}
 
   double time() const { return static_cast<double>(world_.steps()) * h_; }
 
   World<Dof> world_;
-  double h_;
+  double h_;  ///< that it is stepped by: a substep's [s]
 
  private:
   static Settings<Dof> with(Settings<Dof> settings, const Method& method) {
-    settings.solver = find_solver<Dof>(method.solver);
+    const NamedSolver<Dof>& solver = find_solver<Dof>(method.solver);
+    settings.solver = solver.make();
+    settings.geometric_stiffness = solver.geometric_stiffness;
     settings.stop = method.stop;
+    settings.friction_model = method.friction_model;
+    settings.sliding_tangents = method.sliding_tangents;
+    settings.order = method.order;
+    settings.seed = method.seed;
+    settings.warm_start = method.warm_start;
+    settings.margin = method.margin;
     return settings;
   }
 };

@@ -31,7 +31,7 @@ class SpinningDisc : public WorldScene<6> {
                     .viscosity = p.number("viscosity")},
                    method),
         w0_(p.number("w0")),
-        answer_{w0_, rate(p)} {
+        answer_{w0_, rate(p, method)} {
     const int points = p.count("points"), rings = p.count("rings");
     if (points % 4 != 0)
       reject("points", points, "a multiple of 4, so that friction does not push it sideways");
@@ -67,9 +67,12 @@ class SpinningDisc : public WorldScene<6> {
 
  private:
   /// By which ω falls [rad/s²]: torque over m R²/2.
-  static double rate(const Parameters& p) {
+  static double rate(const Parameters& p, const Method& method) {
     const double coulomb = 4 * p.number("mu") * p.number("g") / (3 * p.number("radius"));
-    return p.choice("answer") == "coulomb" ? coulomb : coulomb * 4 / pi;
+    const std::string& law = p.choice("answer");
+    // The box has corners, unless it follows the sliding; the cone has none.
+    const bool has_corners = method.friction_model != FrictionModel::cone && !method.sliding_tangents;
+    return law == "coulomb" || (law == "model" && !has_corners) ? coulomb : coulomb * 4 / pi;
   }
 
   double spin() const { return angular_velocity(world_, disc_).z(); }
@@ -101,7 +104,7 @@ SceneDescription spinning_disc() {
                           .value = 10,
                           .limits = {.low = 0, .low_included = false}},
                          parameter::friction(),
-                         parameter::friction_law({"box", "coulomb"}),
+                         parameter::friction_law({"model", "box", "coulomb"}),
                          {.name = "rings",
                           .meaning = "of points",
                           .value = 2,

@@ -20,6 +20,13 @@ static void add_run(CLI::App& app, spook::RunCommand& run) {
   command->add_option("--solver", run.solver, "One of those at the end of ./course scenes");
   command->add_option("--iterations", run.iterations, "Most sweeps in a step");
   command->add_option("--tolerance", run.tolerance, "Stop sweeping at this [m/s]");
+  command->add_option("--substeps", run.substeps, "Steps that each step is made of");
+  command->add_option("--order", run.order, "Of the rows in a sweep: given, up, down, random");
+  command->add_option("--seed", run.seed, "Of a random order");
+  command->add_flag("--warm-start", run.warm_start, "Begin with the impulses of the last step");
+  command->add_option("--margin", run.margin, "Largest gap of a contact [m]");
+  command->add_option("--friction-model", run.friction_model, "Limits of friction: box, two_pass, cone");
+  command->add_option("--tangents", run.tangents, "Directions of friction: fixed, sliding");
   command->add_option("--csv", run.csv, "Write every step to this file");
   command->add_flag("--json", run.json, "Print one JSON object");
 }

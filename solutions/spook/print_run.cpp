@@ -1,6 +1,7 @@
 #include "spook/print_run.hpp"
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -10,6 +11,14 @@
 namespace spook {
 
 using Json = nlohmann::ordered_json;
+
+static const char* name_of(RowOrder order) {
+  return std::array{"given", "up", "down", "random"}[static_cast<std::size_t>(order)];
+}
+
+static const char* name_of(FrictionModel model) {
+  return std::array{"box", "two_pass", "cone"}[static_cast<std::size_t>(model)];
+}
 
 static Json to_json(const Parameter& parameter) {
   if (!parameter.choices.empty()) return parameter.choice;
@@ -33,6 +42,7 @@ static std::string method_text(const SceneDescription& scene, const RunSettings&
   const Method& method = settings.method;
   std::string text = counted(result.steps, "step") + " of " + short_text(method.h) + " s, " +
                      short_text(static_cast<double>(result.steps) * method.h) + " s";
+  if (method.substeps > 1) text += ", each of " + counted(method.substeps, "substep");
   if (!scene.solves) return text + "; no constraints, no solver";
   text += "; " + method.solver + ", at most " + counted(method.stop.max_sweeps, "sweep");
   if (method.stop.tolerance > 0) text += " or to " + short_text(method.stop.tolerance) + " m/s";
@@ -83,6 +93,7 @@ void print_text(std::ostream& out, const SceneDescription& scene, const Paramete
               result.us_per_step ? short_text(*result.us_per_step) + " µs a step" : "no step taken");
   if (result.us_per_step) print_entry(out, "stages", stages_text(result));
   if (scene.solves) print_entry(out, "residual", last_step_text(result.last));
+  if (!result.last.trouble.empty()) print_entry(out, "trouble", result.last.trouble);
 }
 
 void print_json(std::ostream& out, const SceneDescription& scene, const Parameters& parameters,
@@ -103,7 +114,13 @@ void print_json(std::ostream& out, const SceneDescription& scene, const Paramete
       {"solver", scene.solves ? settings.method.solver : "none"},
       {"iterations", scene.solves ? Json(settings.method.stop.max_sweeps) : Json()},
       {"tolerance", scene.solves ? Json(settings.method.stop.tolerance) : Json()},
+      {"order", scene.solves ? Json(name_of(settings.method.order)) : Json()},
+      {"warm_start", scene.solves ? Json(settings.method.warm_start) : Json()},
+      {"margin", scene.solves ? Json(settings.method.margin) : Json()},
+      {"friction_model", scene.solves ? Json(name_of(settings.method.friction_model)) : Json()},
+      {"tangents", scene.solves ? Json(settings.method.sliding_tangents ? "sliding" : "fixed") : Json()},
       {"h", h},
+      {"substeps", settings.method.substeps},
       {"steps", result.steps},
       {"time", static_cast<double>(result.steps) * h},
       {"us_per_step", result.us_per_step ? Json(*result.us_per_step) : Json()},
@@ -116,7 +133,8 @@ void print_json(std::ostream& out, const SceneDescription& scene, const Paramete
         {"contacts", result.last.contacts},
         {"impacts", result.last.impacts},
         {"rows", result.last.rows},
-        {"sweeps", result.last.sweeps}}},
+        {"sweeps", result.last.sweeps},
+        {"trouble", result.last.trouble}}},
   };
   out << object.dump() << '\n';
 }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "engine/near_miss.hpp"
 #include "scenes/number.hpp"
 #include "scenes/registry.hpp"
 #include "scenes/run.hpp"
@@ -25,8 +26,57 @@ static void assign(Parameters& parameters, const std::string& text) {
   parameters.set(name, text.substr(equals + 1));
 }
 
+/// The value that `text` names.
+template <class Value>
+static Value choose(const std::string& option, const std::string& text,
+                    const std::vector<std::pair<std::string, Value>>& choices) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : choices) {
+    if (name == text) return value;
+    names.push_back(name);
+  }
+  throw std::invalid_argument("unknown " + option + " \"" + text + "\"" + did_you_mean(text, names));
+}
+
+/// How the rows are made and swept.
+static void set_rows(const RunCommand& command, Method& method) {
+  if (command.order)
+    method.order = choose<RowOrder>("order", *command.order,
+                                    {{"given", RowOrder::given},
+                                     {"up", RowOrder::up},
+                                     {"down", RowOrder::down},
+                                     {"random", RowOrder::random}});
+  if (command.seed)
+    method.seed =
+        static_cast<std::uint64_t>(parse_whole("seed", *command.seed, 0, std::numeric_limits<int>::max()));
+  method.warm_start = command.warm_start;
+  if (command.margin) method.margin = parse_number("margin", *command.margin);
+  if (method.margin < 0) throw std::invalid_argument("margin must be at least 0, but is " + *command.margin);
+  if (command.friction_model)
+    method.friction_model = choose<FrictionModel>(
+        "friction-model", *command.friction_model,
+        {{"box", FrictionModel::box}, {"two_pass", FrictionModel::two_pass}, {"cone", FrictionModel::cone}});
+  if (command.tangents)
+    method.sliding_tangents =
+        choose<bool>("tangents", *command.tangents, {{"fixed", false}, {"sliding", true}});
+}
+
+static bool has_own_sweeps(const Method& method) {
+  return method.order != RowOrder::given || method.friction_model == FrictionModel::cone;
+}
+
+/// What has sweeps of its own can not have another solver as well.
+static void require_one_solver(const Method& method) {
+  if (method.solver == solvers<3>().front().name) return;  // Gauss-Seidel
+  if (method.order != RowOrder::given)
+    throw std::invalid_argument("an order of rows is for sweeps: solver must be gauss_seidel, but is " +
+                                method.solver);
+  if (method.friction_model == FrictionModel::cone)
+    throw std::invalid_argument("the cone is for sweeps: solver must be gauss_seidel, but is " + method.solver);
+}
+
 static RunSettings settings_of(const RunCommand& command, const SceneDescription& scene) {
-  RunSettings settings{.method = {.h = scene.h, .solver = solvers<3>().front().name}, .time = scene.time};
+  RunSettings settings{.method = {.h = scene.h, .solver = scene.solver}, .time = scene.time};
   Method& method = settings.method;
   if (command.h) method.h = parse_number("h", *command.h);
   if (command.time) settings.time = parse_number("time", *command.time);
@@ -38,7 +88,12 @@ static RunSettings settings_of(const RunCommand& command, const SceneDescription
     if (method.stop.tolerance < 0)
       throw std::invalid_argument("tolerance must be at least 0, but is " + *command.tolerance);
   }
+  if (command.substeps) method.substeps = parse_whole("substeps", *command.substeps, 1, 1'000'000);
+  set_rows(command, method);
+  // What has sweeps of its own is asked for instead of the scene's solver.
+  if (!command.solver && has_own_sweeps(method)) method.solver = solvers<3>().front().name;
   find_solver<3>(method.solver);
+  require_one_solver(method);
   step_count(method.h, settings.time);
   return settings;
 }

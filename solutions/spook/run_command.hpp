@@ -12,6 +12,8 @@ struct RunCommand {
   std::string scene;
   std::vector<std::string> set;
   std::optional<std::string> h, time, solver, iterations, tolerance, csv;
+  std::optional<std::string> substeps, order, seed, margin, friction_model, tangents;
+  bool warm_start = false;
   bool json = false;
 
   /// Runs and prints to `out`.

@@ -30,7 +30,8 @@ static Json to_json(const SceneDescription& scene) {
   return {{"name", scene.name},       {"summary", scene.summary},
           {"answer", scene.answer},   {"error", {{"name", scene.error_name}, {"unit", scene.error_unit}}},
           {"parameters", parameters}, {"h", scene.h},
-          {"time", scene.time},       {"solves", scene.solves}};
+          {"time", scene.time},       {"solves", scene.solves},
+          {"solver", scene.solver}};
 }
 
 static std::string joined(const std::vector<std::string>& names) {
@@ -50,7 +51,9 @@ static void print_scene(std::ostream& out, const SceneDescription& scene) {
   print_entry(out, "", scene.summary, 2);
   print_entry(out, "  answer", scene.answer);
   print_entry(out, "  error", scene.error_name + ", " + scene.error_unit);
-  print_entry(out, "  default", "--h " + short_text(scene.h) + " --time " + short_text(scene.time));
+  std::string defaults = "--h " + short_text(scene.h) + " --time " + short_text(scene.time);
+  if (scene.solves) defaults += " --solver " + scene.solver;
+  print_entry(out, "  default", defaults);
   for (const Parameter& parameter : scene.parameters) {
     std::string setting = "    " + parameter.name + "=" + parameter.text();
     if (!parameter.unit.empty()) setting += " " + parameter.unit;
@@ -73,7 +76,7 @@ void ScenesCommand::execute(std::ostream& out) const {
     out << '\n';
   }
   out << "solvers\n";
-  for (const auto& each : solvers<3>()) print_entry(out, "  " + each.name, each.summary, 18);
+  for (const auto& each : solvers<3>()) print_entry(out, "  " + each.name, each.summary, 22);
 }
 
 }  // namespace spook

@@ -28,10 +28,13 @@ struct SceneRun {
   double last(const std::string& column) const { return all(column).back(); }
 };
 
+/// By the scene's own solver, unless another is named.
 inline SceneRun run_of(const std::string& name, const SceneSettings& settings, double h, double time,
-                       const StopRule& stop = {}) {
+                       const StopRule& stop = {}, const std::string& solver = "") {
   const SceneDescription& description = find_scene(name);
-  const auto scene = description.build(with(description, settings), {.h = h, .stop = stop});
+  const auto scene =
+      description.build(with(description, settings),
+                        {.h = h, .solver = solver.empty() ? description.solver : solver, .stop = stop});
   const std::vector<std::string> names = scene->columns();
   SceneRun run;
   const std::int64_t steps = step_count(h, time);
@@ -46,8 +49,8 @@ inline SceneRun run_of(const std::string& name, const SceneSettings& settings, d
 }
 
 inline double error_of(const std::string& name, const SceneSettings& settings, double h, double time,
-                       const StopRule& stop = {}) {
-  return run_of(name, settings, h, time, stop).error;
+                       const StopRule& stop = {}, const std::string& solver = "") {
+  return run_of(name, settings, h, time, stop, solver).error;
 }
 
 }  // namespace spook

@@ -1,0 +1,217 @@
+#include "engine/islands.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace spook {
+
+namespace {
+
+template <int Dof>
+bool moves_i(const Row<Dof>& row) {
+  return !row.MinvGi.isZero(0);
+}
+template <int Dof>
+bool moves_j(const Row<Dof>& row) {
+  return !row.MinvGj.isZero(0);
+}
+
+/// Which of some things belong together.
+class Groups {
+ public:
+  explicit Groups(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0); }
+
+  int find(int a) {
+    while (parent_[a] != a) a = parent_[a] = parent_[parent_[a]];
+    return a;
+  }
+  void join(int a, int b) { parent_[find(a)] = find(b); }
+
+ private:
+  std::vector<int> parent_;
+};
+
+/// The bodies that move, and the rows on each.
+template <int Dof>
+struct Graph {
+  std::vector<std::vector<int>> rows_of_body;
+  std::vector<int> bodies;  ///< those that move
+
+  explicit Graph(const std::vector<Row<Dof>>& rows) {
+    const auto add = [&](int body, int row) {
+      if (body >= std::ssize(rows_of_body)) rows_of_body.resize(static_cast<std::size_t>(body) + 1);
+      if (rows_of_body[body].empty()) bodies.push_back(body);
+      rows_of_body[body].push_back(row);
+    };
+    for (int k = 0; k < std::ssize(rows); ++k) {
+      if (moves_i(rows[k])) add(rows[k].i, k);
+      if (moves_j(rows[k])) add(rows[k].j, k);
+    }
+  }
+};
+
+/// Level by level from `start`: the level of each row is that of the first of its bodies to be reached. The last body
+/// reached is left in `start`.
+template <int Dof>
+std::vector<int> row_levels(const std::vector<Row<Dof>>& rows, const Graph<Dof>& graph, int& start) {
+  std::vector<int> levels(rows.size(), -1), body_level(graph.rows_of_body.size(), -1), queue = {start};
+  body_level[start] = 0;
+  for (std::size_t next = 0; next < queue.size(); ++next) {
+    const int body = queue[next];
+    for (const int k : graph.rows_of_body[body]) {
+      if (levels[k] < 0) levels[k] = body_level[body];
+      const auto reach = [&](int other) {
+        if (body_level[other] >= 0) return;
+        body_level[other] = body_level[body] + 1;
+        queue.push_back(other);
+      };
+      if (moves_i(rows[k])) reach(rows[k].i);
+      if (moves_j(rows[k])) reach(rows[k].j);
+    }
+  }
+  start = queue.back();
+  return levels;
+}
+
+/// One island as a system of its own, with bodies of its own numbers.
+template <int Dof>
+struct Island {
+  std::vector<Row<Dof>> rows;
+  std::vector<Twist<Dof>> V;
+  std::vector<int> bodies;  ///< their numbers outside
+
+  /// `numbers` has -1 for every body, before and after.
+  Island(const std::vector<int>& members, const std::vector<Row<Dof>>& all,
+         const std::vector<Twist<Dof>>& outside, std::vector<int>& numbers) {
+    const auto number = [&](int body) {
+      if (numbers[body] < 0) {
+        numbers[body] = static_cast<int>(bodies.size());
+        bodies.push_back(body);
+        V.push_back(outside[body]);
+      }
+      return numbers[body];
+    };
+    for (const int k : members) {
+      rows.push_back(all[k]);
+      rows.back().i = number(all[k].i);
+      rows.back().j = number(all[k].j);
+    }
+    for (const int body : bodies) numbers[body] = -1;
+  }
+
+  void write_back(const std::vector<int>& members, std::vector<Row<Dof>>& all,
+                  std::vector<Twist<Dof>>& outside) const {
+    for (std::size_t k = 0; k < members.size(); ++k) all[members[k]].lambda = rows[k].lambda;
+    for (const Row<Dof>& row : rows) {
+      if (moves_i(row)) outside[bodies[row.i]] = V[row.i];
+      if (moves_j(row)) outside[bodies[row.j]] = V[row.j];
+    }
+  }
+};
+
+/// Entry by entry the larger, and the trouble of either.
+void merge(const Outcome& one, Outcome& all) {
+  std::vector<double>& history = all.report.history;
+  history.resize(std::max(history.size(), one.report.history.size()), 0);
+  for (std::size_t k = 0; k < one.report.history.size(); ++k)
+    history[k] = std::max(history[k], one.report.history[k]);
+  all.report.converged = all.report.converged && one.report.converged;
+  if (all.report.trouble.empty()) all.report.trouble = one.report.trouble;
+  all.row_updates += one.row_updates;
+}
+
+}  // namespace
+
+template <int Dof>
+std::vector<std::vector<int>> islands(const std::vector<Row<Dof>>& rows, std::size_t bodies) {
+  Groups groups(bodies);
+  for (const Row<Dof>& row : rows)
+    if (moves_i(row) && moves_j(row)) groups.join(row.i, row.j);
+  std::vector<std::vector<int>> all;
+  std::vector<int> number(bodies, -1);
+  for (int k = 0; k < std::ssize(rows); ++k) {
+    const bool i = moves_i(rows[k]), j = moves_j(rows[k]);
+    int* island = i ? &number[groups.find(rows[k].i)] : j ? &number[groups.find(rows[k].j)] : nullptr;
+    if (island && *island >= 0) {
+      all[*island].push_back(k);
+    } else {
+      if (island) *island = static_cast<int>(all.size());
+      all.push_back({k});
+    }
+  }
+  return all;
+}
+
+template <int Dof>
+int width(const std::vector<Row<Dof>>& rows) {
+  const Graph<Dof> graph(rows);
+  if (graph.bodies.empty()) return std::min<int>(1, static_cast<int>(rows.size()));
+  int end = graph.bodies.front();
+  row_levels(rows, graph, end);  // to one of its ends
+  std::vector<int> in_level;
+  for (const int level : row_levels(rows, graph, end)) {
+    if (level >= std::ssize(in_level)) in_level.resize(static_cast<std::size_t>(level) + 1, 0);
+    if (level >= 0) ++in_level[level];
+  }
+  int widest = in_level.front();
+  for (std::size_t level = 1; level < in_level.size(); ++level)
+    widest = std::max(widest, in_level[level - 1] + in_level[level]);
+  return widest;
+}
+
+template <int Dof>
+double mass_ratio(const std::vector<Row<Dof>>& rows) {
+  double largest = 1;
+  for (const Row<Dof>& row : rows) {
+    const double i = row.Gi.dot(row.MinvGi), j = row.Gj.dot(row.MinvGj);
+    if (i > 0 && j > 0) largest = std::max({largest, i / j, j / i});
+  }
+  return largest;
+}
+
+template <int Dof>
+bool wants_direct(const std::vector<Row<Dof>>& rows, const StopRule& stop) {
+  const double w = width(rows), sweeps = w * w / 25;
+  return sweeps <= stop.max_sweeps || (mass_ratio(rows) > stop.max_sweeps && sweeps <= 100.0 * stop.max_sweeps);
+}
+
+template <int Dof>
+Outcome IslandSolver<Dof>::operator()(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V,
+                                      const StopRule& stop) {
+  const std::vector<std::vector<int>> all = islands(rows, V.size());
+  while (factors_.size() < all.size()) factors_.emplace_back();
+  const auto solve_one = [&](std::vector<Row<Dof>>& some, std::vector<Twist<Dof>>& some_V, std::size_t n) {
+    if (!wants_direct(some, stop)) {
+      Outcome swept = solve(some, some_V, stop);
+      swept.row_updates = std::ssize(swept.report.history) * std::ssize(some);
+      return swept;
+    }
+    Outcome direct = direct_solve(some, some_V, stop, factors_[n]);
+    direct.row_updates = 0;
+    return direct;
+  };
+  if (all.size() == 1) return solve_one(rows, V, 0);
+
+  Outcome outcome{SolveReport{.history = {}, .converged = true}};
+  outcome.row_updates = 0;
+  std::vector<int> numbers(V.size(), -1);
+  for (std::size_t n = 0; n < all.size(); ++n) {
+    Island<Dof> island(all[n], rows, V, numbers);
+    merge(solve_one(island.rows, island.V, n), outcome);
+    island.write_back(all[n], rows, V);
+  }
+  return outcome;
+}
+
+template std::vector<std::vector<int>> islands<3>(const std::vector<Row<3>>&, std::size_t);
+template std::vector<std::vector<int>> islands<6>(const std::vector<Row<6>>&, std::size_t);
+template int width<3>(const std::vector<Row<3>>&);
+template int width<6>(const std::vector<Row<6>>&);
+template double mass_ratio<3>(const std::vector<Row<3>>&);
+template double mass_ratio<6>(const std::vector<Row<6>>&);
+template bool wants_direct<3>(const std::vector<Row<3>>&, const StopRule&);
+template bool wants_direct<6>(const std::vector<Row<6>>&, const StopRule&);
+template class IslandSolver<3>;
+template class IslandSolver<6>;
+
+}  // namespace spook

@@ -1,0 +1,39 @@
+#include "scenes/boxes.hpp"
+
+namespace spook {
+
+Settings<6> BoxesOnFloor::settings(const Parameters& p) {
+  return {.gravity = Vec3(0, 0, -p.number("g")),
+          .k = p.number("k"),
+          .d = p.number("d"),
+          .friction = p.number("mu"),
+          .viscosity = p.number("viscosity")};
+}
+
+BoxesOnFloor::BoxesOnFloor(const Parameters& p, const Method& method) : WorldScene(settings(p), method) {
+  floor_ = world_.add_plane(Vec3::UnitZ(), 0);
+  put_.push_back(world_.x(floor_));
+}
+
+int BoxesOnFloor::add_box(const Vec3& x, double mass, const Vec3& half_sides) {
+  put_.push_back(x);
+  return world_.add(
+      {.x = x, .mass = mass, .principal = solid_box_moments(mass, half_sides), .half_sides = half_sides});
+}
+
+double BoxesOnFloor::farthest_sideways() const {
+  double farthest = 0;
+  for (std::size_t body = 0; body < put_.size(); ++body)
+    farthest = largest(farthest, (world_.bodies().x[body] - put_[body]).head<2>().norm());
+  return farthest;
+}
+
+double BoxesOnFloor::floor_load() const {
+  double impulse = 0;
+  const int contacts = static_cast<int>(world_.contacts().size());
+  for (int c = 0; c < contacts; ++c)
+    if (world_.contacts()[static_cast<std::size_t>(c)].i == floor_) impulse += world_.lambda(c);
+  return impulse / h_;
+}
+
+}  // namespace spook

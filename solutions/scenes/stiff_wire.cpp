@@ -1,0 +1,110 @@
+// A wire of point masses with a heavy load, held straight at an angle and let go: its tension makes springs across it
+// that are faster than any step one would like.
+//
+//   ω = √(4 T/(m l))      the fastest of them, Eq. (12.1): without its stiffness in M, a step above 2/ω is lost
+//
+// Links keep their length, and nothing adds energy: that is the answer. All points begin with the acceleration g sin θ
+// across the wire, for which they are started half a step back, Eq. (1.5).
+#include "12_stiff_wires/stiff_wires.hpp"
+#include "scenes/degrees.hpp"
+#include "scenes/half_step_energy.hpp"
+#include "scenes/registry.hpp"
+
+namespace spook {
+
+namespace {
+
+class StiffWire : public WorldScene<3> {
+ public:
+  StiffWire(const Parameters& p, const Method& method)
+      : WorldScene({.gravity = Vec3(0, 0, -p.number("g")), .k = p.number("k"), .d = p.number("d")}, method),
+        links_(p.count("links")),
+        length_(p.number("length")),
+        g_(p.number("g")) {
+    const double m = p.number("m"), M = p.number("ratio") * m, angle = radians(p.number("angle"));
+    const Vec3 along(std::sin(angle), 0, -std::cos(angle)), across(-std::cos(angle), 0, -std::sin(angle));
+    world_.add_fixed(Vec3::Zero());
+    double from_start = 0;
+    for (int i = 1; i <= links_; ++i) {
+      const double mass = i == links_ ? M : m;
+      world_.add(
+          {.x = length_ * i / links_ * along, .v = -h_ / 2 * g_ * std::sin(angle) * across, .mass = mass});
+      world_.add_joint({.i = i - 1, .j = i, .length = length_ / links_});
+      start_energy_ += mass * g_ * world_.x(i).z();
+      from_start += mass * g_ * (world_.x(i).z() + length_ * i / links_);
+    }
+    scale_ = from_start;
+    const double tension = (M + (links_ - 1) * m) * g_ * std::cos(angle);
+    largest_step_ = 2 / transverse_frequency(tension, m, length_ / links_);
+  }
+
+  void observe() override {
+    double worst = 0;
+    for (int link = 0; link < links_; ++link) worst = largest(worst, std::abs(gap(link)));
+    now_ = worst * links_ / length_;
+    error_ = largest(error_, now_);
+  }
+  double error() const override { return error_; }
+
+  std::vector<std::string> columns() const override {
+    return {"time [s]",       "load x [m]",
+            "load z [m]",     "energy over the start's",
+            "worst link [-]", "largest step without stiffness [s]"};
+  }
+  std::vector<double> sample() const override {
+    const Vec3& load = world_.x(links_);
+    return {time(), load.x(), load.z(), energy(), now_, largest_step_};
+  }
+
+ private:
+  double gap(int joint) const {
+    const Joint& link = world_.joints()[static_cast<std::size_t>(joint)];
+    return distance(link, world_.bodies()) - *link.length;
+  }
+
+  /// That of half a step ago, over what there is to lose; 1 at the start.
+  double energy() const {
+    if (world_.steps() == 0) return 1;
+    return 1 + (half_step_energy(world_.bodies(), g_, h_) - start_energy_) / scale_;
+  }
+
+  int links_;
+  double length_, g_, start_energy_ = 0, scale_ = 0, largest_step_ = 0;
+  double now_ = 0, error_ = 0;
+};
+
+}  // namespace
+
+SceneDescription stiff_wire() {
+  Parameter ratio = parameter::ratio(), stiffness = parameter::stiffness(), length = parameter::length();
+  ratio.value = 1000;
+  stiffness.value = 1e9;
+  length.value = 10;
+  return {
+      .name = "stiff_wire",
+      .summary = "A wire with a heavy load is let go at an angle, and swings.",
+      .answer =
+          "No link changes its length, and no energy comes in. With steps above 2/ω, ω = √(4 T/(m l)), every "
+          "solver loses it, exact ones, too; but not \"stiff\", which has the tension's stiffness in M.",
+      .error_name = "largest error of any link's length so far over that length",
+      .error_unit = "relative",
+      .parameters = {parameter::links(100),
+                     ratio,
+                     {.name = "angle",
+                      .meaning = "from straight down, at the start",
+                      .unit = "degrees",
+                      .value = 30,
+                      .limits = {.low = 0, .high = 90, .high_included = false}},
+                     length,
+                     parameter::mass(0.01),
+                     parameter::weighing_gravity(),
+                     stiffness,
+                     parameter::relaxation()},
+      .h = 1.0 / 60,
+      .time = 5,
+      .solves = true,
+      .build = build_as<StiffWire>,
+      .solver = "stiff"};
+}
+
+}  // namespace spook

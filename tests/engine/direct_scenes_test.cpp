@@ -1,0 +1,140 @@
+// The direct solver and the stiff links in the engine: what neither sweeps nor small steps were needed for.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "checks.hpp"
+#include "refusals.hpp"
+#include "scene_runs.hpp"
+
+namespace spook {
+namespace {
+
+using testing::expect_order;
+
+constexpr double h = 1.0 / 60;
+
+TEST(DirectSolver, HoldsAWireOfAHundredLinksAtAHundredThousandToOne) {
+  // Of its length: roundings of 16,000 m/s, which each light point's two impulses make, are corrected by their residual.
+  const SceneSettings wire = {{"links", "100"}, {"ratio", "1e5"}, {"begin", "at_rest"}};
+  EXPECT_LE(error_of("wire", wire, h, 5, {}, "direct"), 1e-12);
+  EXPECT_GT(error_of("wire", wire, h, 5, {}, "gauss_seidel"), 1) << "which is rubber";
+}
+
+TEST(DirectSolver, ClosesStacksOfAnyRatio) {
+  for (const auto& [ratio, k] : {std::pair<std::string, std::string>{"1e6", "1e12"}, {"1e8", "1e14"}}) {
+    const SceneSettings stack = {{"bodies", "2"}, {"ratio", ratio}, {"k", k}};
+    // A gap of 1e-5 m is a difference of heights with roundings of 1e-16 m.
+    EXPECT_LE(error_of("stack", stack, h, 5, {}, "direct"), 1e-9) << ratio;
+  }
+}
+
+TEST(DirectSolver, HoldsATowerOfAHundredBoxes) {
+  const SceneRun tower = run_of("tower", {{"boxes", "100"}}, h, 2, {}, "direct");
+  EXPECT_LE(tower.error, 1e-9);
+  EXPECT_LE(tower.last("farthest sideways [m]"), 1e-9);
+  EXPECT_EQ(tower.last("contacts"), 400);
+}
+
+TEST(DirectSolver, SharesTheLoadOfAHundredContacts) {
+  EXPECT_LE(error_of("flat_box_100_contacts", {}, h, 2), 1e-8);
+  EXPECT_LE(error_of("flat_box_100_contacts", {{"mu", "0.5"}}, h, 1), 1e-8);
+  EXPECT_GT(error_of("flat_box_100_contacts", {}, h, 2, {}, "gauss_seidel"), 0.1) << "sweeps share slowly";
+}
+
+TEST(DirectSolver, SolvesContradictoryRows) {
+  for (const std::string solver : {"direct", "conjugate_gradients", "auto"})
+    for (const std::string links : {"3", "4", "20"})
+      EXPECT_LE(error_of("closed_loop", {{"links", links}}, h, 20, {}, solver), 1e-10)
+          << solver << " " << links;
+}
+
+TEST(DirectSolver, SaysWhenItCouldNot) {
+  // The same distance twice, with k so large that Σ is nothing beside S: no pivot is left for the second.
+  World<3> world({.k = 1e30, .solver = find_solver<3>("direct").make()});
+  world.add_fixed(Vec3::Zero());
+  world.add({.x = Vec3(0, 0, -1)});
+  for (int twice = 0; twice < 2; ++twice) world.add_joint({.i = 0, .j = 1, .length = 1});
+  world.step(h);
+  EXPECT_NE(world.report().trouble, "") << "it had to go on by sweeps, and must say so";
+  EXPECT_LE(world.report().residual, 1e-9) << "which solve two equal rows at once";
+  EXPECT_LE(world.v(1).norm(), 1e-9);
+}
+
+TEST(Solvers, AgreeOnWhatAllCanSolve) {
+  const StopRule stop{.max_sweeps = 200'000, .tolerance = 1e-13};
+  for (const NamedSolver<3>& solver : solvers<3>()) {
+    EXPECT_LE(error_of("wire", {{"ratio", "10"}}, h, 5, stop, solver.name), 1e-11) << solver.name;
+    EXPECT_LE(error_of("stack", {{"bodies", "4"}}, h, 5, stop, solver.name), 1e-9) << solver.name;
+  }
+}
+
+TEST(Solvers, CountTheirRowUpdates) {
+  const SceneDescription& wire = find_scene("wire");
+  const auto updates = [&](const std::string& solver) {
+    const auto scene = wire.build(Parameters(wire.parameters), {.h = h, .solver = solver});
+    scene->advance(1);
+    return scene->row_updates();
+  };
+  EXPECT_EQ(updates("gauss_seidel"), 50 * 5);
+  EXPECT_GT(updates("conjugate_gradients"), 0);
+  EXPECT_EQ(updates("direct"), 0) << "it does not sweep";
+}
+
+TEST(StiffLinks, HoldASwingingWire) {
+  // The issue of the whole chapter: h = 1/60 is far above 2/ω, and the direct solver alone loses it.
+  EXPECT_GT(error_of("stiff_wire", {}, h, 1, {}, "direct"), 0.1);
+  for (const std::string ratio : {"1000", "1e5"}) {
+    const SceneRun wire = run_of("stiff_wire", {{"ratio", ratio}}, h, 5);
+    EXPECT_GT(h, 5 * wire.last("largest step without stiffness [s]"));
+    EXPECT_LE(wire.error, 1e-3) << ratio;
+    const std::vector<double>& energy = wire.all("energy over the start's");
+    EXPECT_LE(*std::max_element(energy.begin(), energy.end()), 1 + 1e-9) << "it is never above the start's";
+    EXPECT_GE(*std::min_element(energy.begin(), energy.end()), 1 - 5e-3);
+  }
+}
+
+TEST(StiffLinks, LoseEnergyWithTheSquareOfTheStep) {
+  const auto loss = [](double step) {
+    return 1 - run_of("stiff_wire", {{"links", "20"}}, step, 2).last("energy over the start's");
+  };
+  expect_order("energy lost by a swinging wire", "Eq. (12.6)", loss, h, 2, 2, 0.3);
+}
+
+TEST(StiffLinks, AreNotForRigidBodies) {
+  expect_refusal({"geometric_stiffness"}, [] { World<6>({.geometric_stiffness = true}); });
+}
+
+TEST(StiffLinks, LeaveAloneWhatContactsHaveToDoWith) {
+  // One wire swings freely; the load of another lies on the ground: that one is solved without.
+  World<3> world({.k = 1e6,
+                  .solver = find_solver<3>("stiff").make(),
+                  .geometric_stiffness = true,
+                  .stop = {.max_sweeps = 1000, .tolerance = 1e-13}});
+  world.add_plane(Vec3::UnitZ(), 0);
+  const double radius = 0.1;
+  std::vector<int> ends;
+  for (const double x : {0., 5.}) {
+    int last = world.add_fixed(Vec3(x, 0, 2));
+    for (int point = 1; point <= 4; ++point) {
+      const bool lies = x > 0 && point == 4;
+      const Vec3 place = x > 0 ? Vec3(x, 0, 2 - 0.48 * point) : Vec3(0.3 * point, 0, 2 - 0.4 * point);
+      const int next = world.add(
+          {.x = lies ? Vec3(x, 0, radius) : place, .mass = lies ? 10.0 : 1.0, .radius = lies ? radius : 0.0});
+      world.add_joint({.i = last, .j = next, .length = x > 0 ? (lies ? 0.46 : 0.48) : 0.5});
+      last = next;
+    }
+    ends.push_back(last);
+  }
+  for (int step = 0; step < 120; ++step) {
+    world.step(h);
+    ASSERT_EQ(world.report().trouble, "") << "step " << step;
+    for (const Joint& joint : world.joints())
+      ASSERT_NEAR(distance(joint, world.bodies()), *joint.length, 2e-2) << "step " << step;
+  }
+  EXPECT_NEAR(world.x(ends[1]).z(), radius, 1e-3);
+}
+
+}  // namespace
+}  // namespace spook

@@ -1,0 +1,141 @@
+// Friction whose limit follows what presses: chapter 09 in the engine, against the box and against Coulomb.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/mechanics.hpp"
+#include "scene_runs.hpp"
+
+namespace spook {
+namespace {
+
+constexpr double g = 9.81, radius = 0.5, k = 1e6, h = 1.0 / 60;
+
+/// How something is rubbed.
+struct Way {
+  std::string name;
+  FrictionModel model;
+  bool sliding = false;
+};
+const std::vector<Way> better = {{"two passes", FrictionModel::two_pass},
+                                 {"two passes along the slip", FrictionModel::two_pass, true},
+                                 {"cone", FrictionModel::cone},
+                                 {"cone along the slip", FrictionModel::cone, true}};
+
+/// Speed of the fastest of n spheres, as points, one on the other on a slope, after a second from rest.
+double speed_of_pile_on_slope(int n, double mu, double angle, const Way& way) {
+  World<3> world({.gravity = g * Vec3(std::sin(angle), 0, -std::cos(angle)),
+                  .k = k,
+                  .friction = mu,
+                  .viscosity = infinity,
+                  .friction_model = way.model,
+                  .sliding_tangents = way.sliding,
+                  .stop = {.max_sweeps = 20'000, .tolerance = 1e-14}});
+  world.add_plane(Vec3::UnitZ(), 0);
+  double z = radius;
+  for (int i = 0; i < n; ++i) {
+    z -= (n - i) * g * std::cos(angle) / k;
+    world.add({.x = Vec3(0, 0, z), .radius = radius});
+    z += 2 * radius;
+  }
+  for (int step = 0; step < 60; ++step) world.step(h);
+  double fastest = 0;
+  for (int i = 1; i <= n; ++i) fastest = std::max(fastest, world.v(i).norm());
+  return fastest;
+}
+
+TEST(BetterFriction, APileOnASlopeNeedsNoMoreThanABody) {
+  // The box needs max(n, 2(n - 1)) tan θ: box_artefacts_test.cpp.
+  const double angle = 0.2;
+  for (const Way& way : better)
+    for (const int n : {1, 2, 3}) {
+      EXPECT_GT(speed_of_pile_on_slope(n, 0.99 * std::tan(angle), angle, way), 0.005 * g * std::sin(angle))
+          << n << " spheres, " << way.name;
+      EXPECT_LT(speed_of_pile_on_slope(n, 1.01 * std::tan(angle), angle, way), 1e-10)
+          << n << " spheres, " << way.name;
+    }
+}
+
+/// Where a block, as a point, that slides at 1 m/s at so many radians from the x axis comes to rest [m].
+Vec3 stop_of_block(double heading, const Way& way) {
+  const double mu = 0.3;
+  const Vec3 along(std::cos(heading), std::sin(heading), 0);
+  World<3> world({.k = k, .friction = mu, .friction_model = way.model, .sliding_tangents = way.sliding});
+  world.add_plane(Vec3::UnitZ(), 0);
+  const double step = 1e-3;
+  const int block =
+      world.add({.x = Vec3(0, 0, radius - g / k), .v = (1 + mu * g * step / 2) * along, .radius = radius});
+  for (int n = 0; n < 500; ++n) world.step(step);
+  return world.x(block) - Vec3(0, 0, radius - g / k);
+}
+
+TEST(BetterFriction, ABlockStopsAsCoulombSaysInEveryDirection) {
+  // v²/(2 μ g), to the order of the last step: v h with v = μ g h.
+  const double way_to_stop = 1 / (2 * 0.3 * g), tolerance = 0.3 * g * 1e-6;
+  for (double heading = 0.1; heading < 6.3; heading += 0.5) {
+    const Vec3 expected = way_to_stop * Vec3(std::cos(heading), std::sin(heading), 0);
+    for (const Way& way :
+         {Way{"box along the slip", FrictionModel::box, true}, better[1], better[2], better[3]})
+      EXPECT_LE((stop_of_block(heading, way) - expected).norm(), tolerance)
+          << way.name << ", heading " << heading;
+    EXPECT_GT((stop_of_block(heading, {"box", FrictionModel::box}) - expected).norm(), 100 * tolerance);
+  }
+}
+
+TEST(BetterFriction, ADiscStopsAtCoulombsTime) {
+  // ω falls linearly to 0 at 3Rω0/(4μg) under an even pressure; the box stops it at π/4 of that.
+  const SceneSettings coulomb = {{"answer", "coulomb"}};
+  const SceneDescription& disc = find_scene("spinning_disc");
+  const auto error = [&](FrictionModel model, bool sliding, const std::string& solver) {
+    const auto scene = disc.build(with(disc, coulomb), {.h = 0.01,
+                                                        .solver = solver,
+                                                        .stop = {.max_sweeps = 5000, .tolerance = 1e-12},
+                                                        .friction_model = model,
+                                                        .sliding_tangents = sliding});
+    for (int n = 0; n < 100; ++n) {
+      scene->observe();
+      scene->advance(1);
+    }
+    return scene->error();
+  };
+  EXPECT_GT(error(FrictionModel::box, false, "direct"), 0.2);
+  EXPECT_LT(error(FrictionModel::box, true, "direct"), 1e-9);
+  EXPECT_LT(error(FrictionModel::two_pass, true, "direct"), 1e-9);
+  EXPECT_LT(error(FrictionModel::cone, false, "gauss_seidel"), 1e-9);
+}
+
+TEST(BetterFriction, KeepsTheMomentaOfFreeBodies) {
+  // Two balls overlap and rub, far from anything. Their contact point is one, Eq. (8.3): nothing is lost of L.
+  for (const Way& way : better) {
+    World<6> world({.gravity = Vec3::Zero(),
+                    .k = 1e3,
+                    .friction = 0.5,
+                    .friction_model = way.model,
+                    .sliding_tangents = way.sliding});
+    const Vec3 moments = solid_sphere_moments(1, radius);
+    world.add({.x = Vec3(0, 0, 0), .radius = radius, .omega = Vec3(0, 3, 1), .principal = moments});
+    world.add({.x = Vec3(0.9, 0.1, 0), .v = Vec3(-1, 0.5, 0.2), .radius = radius, .principal = moments});
+    const Vec3 p = momentum(world.bodies()), L = angular_momentum(world.bodies());
+    for (int step = 0; step < 60; ++step) world.step(h);
+    EXPECT_GT((world.v(0)).norm(), 0.1) << "they were meant to meet";
+    EXPECT_LE((momentum(world.bodies()) - p).norm(), 1e-13) << way.name;
+    // The impulse is at the contact, x_n; L is summed with it at x_n, too: no error of order h is left.
+    EXPECT_LE((angular_momentum(world.bodies()) - L).norm(), 1e-13) << way.name;
+  }
+}
+
+TEST(BetterFriction, TheConeReportsItsOwnResidual) {
+  World<3> world({.k = k,
+                  .friction = 0.5,
+                  .friction_model = FrictionModel::cone,
+                  .stop = {.max_sweeps = 1000, .tolerance = 1e-14}});
+  world.add_plane(Vec3::UnitZ(), 0);
+  world.add({.x = Vec3(0, 0, radius), .v = Vec3(1, 0, 0), .radius = radius});
+  world.step(h);
+  EXPECT_LE(world.report().residual, 1e-13);
+  const Vec3 impulse = world.impulse(0);
+  EXPECT_NEAR(impulse.head<2>().norm(), 0.5 * impulse.z(), 1e-14) << "it slides: on the cone";
+}
+
+}  // namespace
+}  // namespace spook

@@ -1,0 +1,150 @@
+// Islands, how wide they are, and which solver they get.
+#include "engine/islands.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/world.hpp"
+
+namespace spook {
+namespace {
+
+constexpr double h = 1.0 / 60, g = 9.81;
+
+/// Points of 1 kg, but for those of infinite mass, with rows along x between them.
+struct Net {
+  Motion<3> motion;
+  std::vector<Row<3>> rows;
+  std::vector<Twist<3>> V;
+
+  int add_point(double inverse_mass = 1) {
+    motion.inverse_mass.push_back({inverse_mass});
+    motion.W.push_back(Twist<3>::Zero());
+    motion.Wf.push_back(inverse_mass > 0 ? Twist<3>(h * g, 0, 0) : Twist<3>::Zero());
+    V.push_back(Twist<3>::Zero());
+    return static_cast<int>(V.size()) - 1;
+  }
+  void join(int i, int j) {
+    rows.push_back(make_row<3>({.i = i,
+                                .j = j,
+                                .Gi = -Twist<3>::UnitX(),
+                                .Gj = Twist<3>::UnitX(),
+                                .gap = 0.01 * static_cast<double>(rows.size()),
+                                .spook = spook_parameters(h, 1e6, 3),
+                                .lo = -infinity,
+                                .hi = infinity},
+                               motion));
+  }
+  /// Hangs so many points on `on`, one below the other.
+  void hang(int on, int points, double inverse_mass = 1) {
+    for (int n = 0; n < points; ++n) {
+      const int next = add_point(inverse_mass);
+      join(on, next);
+      on = next;
+    }
+  }
+};
+
+TEST(Islands, AreWhatMovesTogether) {
+  Net net;
+  const int anchor = net.add_point(0);
+  net.hang(anchor, 2);
+  net.hang(anchor, 3);  // another island: what is fixed carries nothing over
+  const int free = net.add_point(), other = net.add_point();
+  net.join(free, other);
+  net.join(2, free);  // makes one island of the first and the last
+  const std::vector<std::vector<int>> all = islands(net.rows, net.V.size());
+  EXPECT_EQ(all, (std::vector<std::vector<int>>{{0, 1, 5, 6}, {2, 3, 4}}));
+  EXPECT_TRUE(islands(std::vector<Row<3>>{}, 3).empty());
+}
+
+TEST(Islands, ARowOfFixedBodiesIsOneOfItsOwn) {
+  Net net;
+  const int a = net.add_point(0), b = net.add_point(0);
+  net.join(a, b);
+  net.hang(a, 1);
+  EXPECT_EQ(islands(net.rows, net.V.size()), (std::vector<std::vector<int>>{{0}, {1}}));
+}
+
+TEST(Islands, AWireIsTwoWideAndARibbonOfKWiresTwoK) {
+  Net wire;
+  wire.hang(wire.add_point(0), 50);
+  EXPECT_EQ(width(wire.rows), 2);
+
+  // k rails with a rung each at every step: a level has k rails and k - 1 rungs, from end to end.
+  Net ribbon;
+  const int k = 4;
+  std::vector<int> last;
+  for (int rail = 0; rail < k; ++rail) last.push_back(ribbon.add_point());
+  for (int step = 0; step < 30; ++step) {
+    for (int& rail : last) {
+      const int next = ribbon.add_point();
+      ribbon.join(rail, next);
+      rail = next;
+    }
+    for (int rail = 1; rail < k; ++rail) ribbon.join(last[rail - 1], last[rail]);
+  }
+  // Levels are counted from a corner, so that they run aslant: still as many rails, and rungs, in two of them.
+  EXPECT_GE(width(ribbon.rows), 2 * k - 1);
+  EXPECT_LE(width(ribbon.rows), 2 * (2 * k - 1));
+}
+
+TEST(Islands, TheRuleIsThatOfItsHeader) {
+  Net wire;
+  wire.hang(wire.add_point(0), 100);
+  EXPECT_TRUE(wants_direct(wire.rows, {.max_sweeps = 1}));
+
+  // A hub with 60 spokes: all its rows meet in one body.
+  Net star;
+  const int hub = star.add_point();
+  for (int spoke = 0; spoke < 60; ++spoke) star.join(hub, star.add_point());
+  const double sweeps = std::pow(width(star.rows), 2) / 25;
+  ASSERT_GT(sweeps, 50);
+  EXPECT_FALSE(wants_direct(star.rows, {.max_sweeps = 50}));
+  EXPECT_TRUE(wants_direct(star.rows, {.max_sweeps = static_cast<int>(std::ceil(sweeps))}));
+
+  Net stiff;
+  const int heavy = stiff.add_point(1e-3);
+  for (int spoke = 0; spoke < 60; ++spoke) stiff.join(heavy, stiff.add_point());
+  EXPECT_NEAR(mass_ratio(stiff.rows), 1000, 1e-9);
+  EXPECT_TRUE(wants_direct(stiff.rows, {.max_sweeps = 50})) << "1000:1 is more than 50 sweeps can do";
+}
+
+TEST(Islands, AreSolvedAsIfAlone) {
+  Net net;
+  const int anchor = net.add_point(0);
+  net.hang(anchor, 5);
+  net.hang(anchor, 7, 100);
+  std::vector<Row<3>> rows = net.rows;
+  std::vector<Twist<3>> V = net.V;
+  IslandSolver<3> by_island;
+  const Outcome outcome = by_island(rows, V, {});
+  EXPECT_TRUE(outcome.report.converged);
+  EXPECT_EQ(outcome.row_updates, 0) << "both are wires: no sweeps";
+
+  Factors factors;
+  std::vector<Row<3>> whole = net.rows;
+  std::vector<Twist<3>> whole_V = net.V;
+  direct_solve(whole, whole_V, {}, factors);
+  double largest_impulse = 0;
+  for (const Row<3>& row : whole) largest_impulse = std::max(largest_impulse, std::abs(row.lambda));
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    EXPECT_NEAR(rows[k].lambda, whole[k].lambda, 1e-13 * largest_impulse) << "row " << k;
+  for (std::size_t body = 0; body < V.size(); ++body)
+    EXPECT_LE((V[body] - whole_V[body]).norm(), 1e-11) << "body " << body;
+}
+
+TEST(Islands, AreEachSolvedByTheirOwnSolver) {
+  Net net;
+  net.hang(net.add_point(0), 5);
+  const int hub = net.add_point();
+  for (int spoke = 0; spoke < 60; ++spoke) net.join(hub, net.add_point());
+  IslandSolver<3> by_island;
+  const Outcome outcome = by_island(net.rows, net.V, {.max_sweeps = 20});
+  EXPECT_EQ(outcome.row_updates, 20 * 60) << "the star is swept, the wire is not";
+  EXPECT_EQ(outcome.report.history.size(), 20U);
+}
+
+}  // namespace
+}  // namespace spook

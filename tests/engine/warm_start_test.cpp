@@ -1,0 +1,118 @@
+// What rows begin with, and in which order they are swept.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/world.hpp"
+
+namespace spook {
+namespace {
+
+constexpr double h = 1.0 / 60, g = 9.81, radius = 0.5, k = 1e6;
+
+/// Equal spheres at rest on each other.
+World<3> stack(int bodies, Settings<3> settings) {
+  settings.k = k;
+  World<3> world(std::move(settings));
+  world.add_plane(Vec3::UnitZ(), 0);
+  double z = radius;
+  for (int i = 0; i < bodies; ++i) {
+    z -= (bodies - i) * g / k;  // gap = -N/k, Eq. (3.13)
+    world.add({.x = Vec3(0, 0, z), .radius = radius});
+    z += 2 * radius;
+  }
+  return world;
+}
+
+TEST(WarmStart, AStackAtRestIsSolvedBeforeTheFirstSweep) {
+  const StopRule stop{.max_sweeps = 100'000, .tolerance = 1e-10};
+  World<3> cold = stack(10, {.stop = stop}), warm = stack(10, {.warm_start = true, .stop = stop});
+  for (int step = 0; step < 5; ++step) cold.step(h), warm.step(h);
+  EXPECT_GT(cold.report().sweeps, 500);
+  EXPECT_LE(warm.report().sweeps, 3);
+  for (int contact = 0; contact < 10; ++contact)
+    EXPECT_NEAR(warm.lambda(contact), h * (10 - contact) * g, 1e-8) << "contact " << contact;
+}
+
+TEST(WarmStart, IsTheSameMotionWhenSolvedToTheEnd) {
+  const StopRule stop{.max_sweeps = 100'000, .tolerance = 1e-13};
+  World<3> cold = stack(4, {.stop = stop}), warm = stack(4, {.warm_start = true, .stop = stop});
+  for (World<3>* world : {&cold, &warm})
+    world->add({.x = Vec3(0.1, 0, 6), .v = Vec3(0, 0, -2), .radius = radius});
+  for (int step = 0; step < 60; ++step) {
+    cold.step(h);
+    warm.step(h);
+    for (int body = 1; body <= 5; ++body)
+      ASSERT_LE((cold.x(body) - warm.x(body)).norm(), 1e-9) << "step " << step << " body " << body;
+  }
+}
+
+TEST(WarmStart, KeepsForcesWhenTheStepChanges) {
+  const StopRule stop{.max_sweeps = 100'000, .tolerance = 1e-10};
+  World<3> world = stack(10, {.warm_start = true, .stop = stop});
+  for (int step = 0; step < 3; ++step) world.step(h);
+  world.step(h / 2);
+  EXPECT_LE(world.report().sweeps, 50) << "cold it takes hundreds";
+  EXPECT_NEAR(world.lambda(0), h / 2 * 10 * g, 1e-8);
+}
+
+TEST(StartImpulses, FollowTheirContactsAndForgetTheRest) {
+  StartImpulses start;
+  EXPECT_TRUE(start.impulses(5, 1, {}, h).empty()) << "nothing is kept yet";
+
+  const auto contact = [](int i, int j, const Vec3& at) {
+    return Contact{.i = i, .j = j, .n = Vec3::UnitZ(), .gap = 0, .r_i = Vec3::Zero(), .r_j = at};
+  };
+  const auto row = [](double impulse) {
+    Row<3> made{};
+    made.lambda = impulse;
+    return made;
+  };
+  // One row of a joint, then two contacts of one pair with three rows each.
+  std::vector<Row<3>> rows;
+  for (const double impulse : {9., 1., 2., 3., 4., 5., 6.}) rows.push_back(row(impulse));
+  start.remember(rows, 1, {contact(0, 1, Vec3(1, 0, 0)), contact(0, 1, Vec3(-1, 0, 0))}, h);
+
+  // A joint more; the contacts in the other order, one of them moved; and one of another pair.
+  const std::vector<double> all = start.impulses(
+      11, 2, {contact(0, 1, Vec3(-1.1, 0, 0)), contact(0, 2, Vec3(1, 0, 0)), contact(0, 1, Vec3(1, 0, 0))},
+      2 * h);
+  EXPECT_EQ(all, (std::vector<double>{18, 0, 8, 10, 12, 0, 0, 0, 2, 4, 6})) << "all twice, as h is";
+}
+
+TEST(RowOrder, OneSweepShowsWhichWayItWent) {
+  // From the ground up each sphere knows its own weight and what is below; from the top down nothing arrives yet.
+  const auto after_a_sweep = [](RowOrder order) {
+    World<3> world = stack(3, {.order = order, .stop = {.max_sweeps = 1}});
+    world.step(h);
+    return std::vector<double>{world.lambda(0), world.lambda(1), world.lambda(2)};
+  };
+  const std::vector<double> up = after_a_sweep(RowOrder::up), down = after_a_sweep(RowOrder::down);
+  EXPECT_EQ(up, after_a_sweep(RowOrder::given)) << "a stack is listed from the ground up";
+  EXPECT_GT(up[0], 0);
+  EXPECT_NE(up, down);
+  EXPECT_GT(down[0], up[0]) << "what the upper contacts found presses on the lowest at once";
+}
+
+TEST(RowOrder, RandomIsTheSameForTheSameSeed) {
+  const auto run = [](std::uint64_t seed) {
+    World<3> world = stack(6, {.order = RowOrder::random, .seed = seed, .stop = {.max_sweeps = 3}});
+    for (int step = 0; step < 5; ++step) world.step(h);
+    return world.x(6).z();
+  };
+  EXPECT_EQ(run(1), run(1));
+  EXPECT_NE(run(1), run(2));
+}
+
+TEST(RowOrder, AllSolveTheSame) {
+  const StopRule stop{.max_sweeps = 100'000, .tolerance = 1e-13};
+  for (const RowOrder order : {RowOrder::given, RowOrder::up, RowOrder::down, RowOrder::random}) {
+    World<3> world = stack(5, {.order = order, .stop = stop});
+    world.step(h);
+    for (int contact = 0; contact < 5; ++contact)
+      EXPECT_NEAR(world.lambda(contact), h * (5 - contact) * g, 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace spook
