@@ -74,6 +74,17 @@ class Refusals(unittest.TestCase):
         self.refused("run stack --solver gauss_siedel", "gauss_siedel", '"gauss_seidel"')
         self.refused("run orbit --solver none_such", "none_such", "gauss_seidel")
 
+    def test_ways_of_solving(self):
+        self.refused("run stack --friction-model cones", "friction-model", '"cone"')
+        self.refused("run stack --tangents along", "tangents", "sliding")
+        self.refused("run stack --order upp", "order", '"up"')
+        self.refused("run stack --order up --solver direct", "order", "direct")
+        self.refused("run pile --friction-model cone --solver direct", "cone", "direct")
+        self.refused("run pile --solver stiff", "geometric_stiffness")
+        for option in ["substeps", "seed", "margin"]:
+            self.refused(f"run stack --{option} -1", option, "-1")
+        self.refused("run stack --substeps 0", "substeps")
+
     def test_csv(self):
         self.refused("run orbit --csv /no/such/folder/a.csv", "csv", "/no/such/folder/a.csv")
         with tempfile.TemporaryDirectory() as folder:
@@ -110,6 +121,27 @@ class Runs(unittest.TestCase):
         self.assertLessEqual(result["residual"], 1e-12)
         self.assertLessEqual(result["error"]["value"], 1e-9)
         self.assertEqual(result["last_step"]["rows"], 1)
+
+    def test_each_way_of_solving_is_said_and_done(self):
+        for solver in ["gauss_seidel", "conjugate_gradients", "direct", "auto", "stiff"]:
+            run = json.loads(spook("run", "wire", "--solver", solver, "--iterations", "1000", "--json").stdout)
+            self.assertEqual(run["solver"], solver)
+            self.assertLess(run["error"]["value"], 1e-6, solver)
+        # What has sweeps of its own replaces the scene's solver, unless one is named.
+        run = json.loads(spook("run", "tower", "--order", "random", "--seed", "3", "--json").stdout)
+        self.assertEqual((run["solver"], run["order"]), ("gauss_seidel", "random"))
+        run = json.loads(spook(*"run spinning_disc --friction-model cone --tangents sliding --warm-start --margin "
+                               "0.001 --json".split()).stdout)
+        self.assertEqual([run["friction_model"], run["tangents"], run["warm_start"], run["margin"]],
+                         ["cone", "sliding", True, 0.001])
+
+    def test_substeps_are_steps_of_a_part_of_h(self):
+        whole = json.loads(spook(*"run free_fall --h 0.1 --substeps 10 --json".split()).stdout)
+        parts = json.loads(spook(*"run free_fall --h 0.01 --json".split()).stdout)
+        self.assertEqual(whole["substeps"], 10)
+        self.assertEqual(10 * whole["steps"], parts["steps"])
+        self.assertEqual(whole["error"], parts["error"])
+        self.assertIn("each of 10 substeps", spook(*"run free_fall --h 0.1 --substeps 10".split()).stdout)
 
     def test_sweeps_are_stopped_by_iterations_and_tolerance(self):
         def sweeps(*options):
