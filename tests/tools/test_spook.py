@@ -77,7 +77,7 @@ class Refusals(unittest.TestCase):
     def test_ways_of_solving(self):
         self.refused("run stack --friction-model cones", "friction-model", '"cone"')
         self.refused("run stack --tangents along", "tangents", "sliding")
-        self.refused("run stack --order upp", "order", '"up"')
+        self.refused("run stack --order downn", "order", '"down"')
         self.refused("run stack --order up --solver direct", "order", "direct")
         self.refused("run pile --friction-model cone --solver direct", "cone", "direct")
         self.refused("run pile --solver stiff", "geometric_stiffness")

@@ -1,0 +1,114 @@
+#pragma once
+// Chapter 11 · The direct solver
+//
+// Writes S down after all, sparse, and factorises it: as exact as roundings allow, after a number of operations that is
+// known beforehand. Bounds are met from within: each row keeps off them by a push that fades, one factorisation a step.
+//
+//   Schur complement   S = G M⁻¹ Gᵀ + Σ,  S_kl of rows that share no body is 0          Eq. (11.1)   notes (16)
+//   saddle point       [M  Gᵀ; G  -Σ] [V; -λ] = [0; B]                                  Eq. (11.2)   notes, [1]
+//   factors            P A Pᵀ = L D Lᵀ                                                  Eq. (11.3)   notes, "direct"
+//   sound              |D_k| > 1e-14 (|A_kk| + Σ_j L_kj² |D_j|) for every pivot         Eq. (11.4)   not in the notes
+//   pushes             S λ = B + z⁻ - z⁺,  s⁻ = λ - lo > 0,  s⁺ = hi - λ > 0            Eq. (11.5)   not in the notes
+//   solved             s⁻ z⁻ = 0,  s⁺ z⁺ = 0                                            Eq. (11.6)   not in the notes
+//   barrier            S̃ = S + z⁻/s⁻ + z⁺/s⁺, on the diagonal                           Eq. (11.7)   not in the notes
+//   Newton's step      S̃ Δλ = B - S λ + τ⁻/s⁻ - τ⁺/s⁺,  towards s z = τ                 Eq. (11.8)   not in the notes
+//                      Δz⁻ = (τ⁻ - z⁻ Δλ)/s⁻ - z⁻,  Δz⁺ = (τ⁺ + z⁺ Δλ)/s⁺ - z⁺          Eq. (11.9)   not in the notes
+//   longest step       the largest part of it, up to 1, that keeps s >= 0 and z >= 0    Eq. (11.10)  not in the notes
+//   target             τ = 0 first; then (μ'/μ)³ μ - α Δs Δz, of the first step's Δ     Eq. (11.11)  not in the notes
+//   roundings          1e-13 max |B| + 1e-14 max S_kk |λ_k|: nothing solves better      Eq. (11.12)  not in the notes
+//   refined            S δ = B - G V - Σ λ,  then λ += δ and V += M⁻¹ Gᵀ δ              Eq. (11.13)  not in the notes
+//
+//   λ   impulses [N s]           M   mass matrix, a block a body      s   room to a bound [N s]
+//   V   their velocity changes   Σ   regularisation [1/kg]            z   push of a bound [m/s]
+//   P   an order with little fill                                     μ   mean of s z; μ' after the part α of a step
+//
+// Differs from the notes: its cost for a wire is O(N), not 1/N; and rows that repeat or contradict each other have an
+// answer, too, as soon as Σ > 0.
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include "10_convergence/convergence.hpp"
+
+namespace spook {
+
+using SparseMatrix = Eigen::SparseMatrix<double>;
+using Vector = Eigen::VectorXd;
+
+/// Exercise 11.1. S as its lower triangle, diagonal included [1/kg]: Eq. (11.1); notes (16). Entry (k, l) belongs
+/// to rows[k] and rows[l]. Rows that share no body that moves have no entry.
+template <int Dof>
+SparseMatrix schur_complement(const std::vector<Row<Dof>>& rows);
+
+/// Exercise 11.2. The matrix of Eq. (11.2), its lower triangle: first Dof unknowns for each body, then one for each
+/// row. A body that nothing moves has the identity for its M, and no entries of G.
+template <int Dof>
+SparseMatrix saddle_matrix(const std::vector<Row<Dof>>& rows,
+                           const std::vector<InverseMass<Dof>>& inverse_mass);
+
+/// L, D and P of a matrix, and the pattern that they were found for.
+struct Factors {
+  Eigen::SimplicialLDLT<SparseMatrix> ldlt;
+  std::vector<int> columns, entries;  ///< where the matrix had entries, as in Eigen's compressed storage
+  int analyses = 0;                   ///< how often P and the pattern of L were looked for
+};
+
+/// Exercise 11.3. Factorises a symmetric matrix, given as its lower triangle, compressed: Eq. (11.3). P and the
+/// pattern of L are looked for only when A has its entries elsewhere than the last one had. Returns false for a
+/// pivot that is not sound, Eq. (11.4), or not finite; the factors are then of no use.
+bool factorise(const SparseMatrix& A, Factors& factors);
+
+/// Exercise 11.4. Solves rows as if they had no bounds, by the saddle point, Eq. (11.2): λ into the rows, V into
+/// `V`, whatever they held. Returns false when the factorisation fails; rows and V are then as before. With Σ = 0 it
+/// may fail for rows that have an answer.
+template <int Dof>
+bool saddle_solve(std::vector<Row<Dof>>& rows, const std::vector<InverseMass<Dof>>& inverse_mass,
+                  std::vector<Twist<Dof>>& V, Factors& factors);
+
+/// Impulses strictly within their bounds: Eq. (11.5). Where there is no bound, its room is infinite and its push 0.
+struct Interior {
+  Vector lambda;            ///< [N s]
+  Vector room_lo, room_hi;  ///< s⁻, s⁺ [N s]
+  Vector push_lo, push_hi;  ///< z⁻, z⁺ [m/s]
+};
+
+/// Exercise 11.5. S̃, as its lower triangle with the pattern of S: Eq. (11.7).
+SparseMatrix barrier_matrix(const SparseMatrix& S, const Interior& now);
+
+/// What s z is to become, for each bound [N s m/s].
+struct Target {
+  Vector lo, hi;  ///< τ⁻, τ⁺
+};
+
+/// Exercise 11.6. The change of all five vectors towards `target`: Eq. (11.8), (11.9). `factors` are those of S̃.
+/// Where there is no bound, room and push do not change.
+Interior newton_step(const SparseMatrix& S, const Vector& B, const Interior& now, const Target& target,
+                     const Factors& factors);
+
+/// Exercise 11.7. How much of a step keeps all rooms and pushes >= 0, at most 1: Eq. (11.10).
+double longest_step(const Interior& now, const Interior& step);
+
+/// What roundings leave of S λ = B, as a velocity [m/s]: Eq. (11.12). Given.
+inline double roundings(const SparseMatrix& S, const Vector& B, const Vector& lambda) {
+  return 1e-13 * B.cwiseAbs().maxCoeff() +
+         1e-14 * Vector(S.diagonal()).cwiseProduct(lambda).cwiseAbs().maxCoeff();
+}
+
+/// Exercise 11.8. Solves S λ = B within lo and hi, lo < hi, by such steps: Eq. (11.5)-(11.11), until the residual,
+/// Eq. (4.8), is at most `stop.tolerance` or the roundings of Eq. (11.12). On entry `lambda` is a guess of how
+/// large the impulses are, or zero; on return the best that was found, within the bounds. The history has the
+/// residual after each factorisation, of which there are at most stop.max_sweeps. Where they do not suffice, or one
+/// fails, it has not converged and `trouble` says why. With no rows: no factorisation, converged. Throws as solve
+/// does.
+SolveReport interior_solve(const SparseMatrix& S, const Vector& B, const Vector& lo, const Vector& hi,
+                           const StopRule& stop, Vector& lambda, Factors& factors);
+
+/// Exercise 11.9. Solves S λ = B within the bounds of the rows, from scratch: λ into the rows, V into `V`. First as
+/// if there were no bounds, refined by Eq. (11.13) if that keeps them all: where that solution, clamped, solves
+/// them, one factorisation does. Else by interior_solve. Should that have trouble, chapter 04's solve goes on from
+/// there under the same rule, and `trouble` says so. A row with lo = hi has that λ. The history has the residual of
+/// Eq. (4.8) after each factorisation [m/s], and what each sweep returned. Throws as solve does.
+template <int Dof>
+SolveReport direct_solve(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V, const StopRule& stop,
+                         Factors& factors);
+
+}  // namespace spook

@@ -1,0 +1,204 @@
+// The direct solver on a hanging wire, against sweeps: how exact for which time; how it grows; and what bounds cost.
+//
+//   sweeps    100 links, largest relative error of an impulse after n sweeps from λ = 0, and their time
+//   direct    the same of direct_solve, in one go
+//   links     times of one sweep and of direct_solve, and the entries of L, against the number of links
+//   bounds    factorisations for towers of boxes with friction, that fly apart, the top one `ratio` times as heavy
+//
+// The wire hangs where it rests, each link stretched by T/k: λ is exactly -h T, Eq. (6.8).
+#include <cmath>
+#include <random>
+
+#include "05_friction_box/friction_box.hpp"
+#include "11_direct/direct.hpp"
+#include "machinery/experiment.hpp"
+#include "machinery/timing.hpp"
+
+namespace spook::plots {
+namespace {
+
+constexpr double g = 9.81, h = 1.0 / 60;
+constexpr StopRule to_roundings{.max_sweeps = 100, .tolerance = 0};
+
+struct Wire {
+  std::vector<spook::Row<3>> rows;
+  std::vector<Twist<3>> V;
+  std::vector<double> exact;
+};
+
+Wire hang(int links, double ratio) {
+  constexpr double k = 1e8;
+  const Twist<3> up(0, 0, 1);
+  Motion<3> motion;
+  motion.inverse_mass.push_back({.linear = 0});
+  motion.Wf.push_back(Twist<3>::Zero());
+  for (int point = 1; point <= links; ++point) {
+    motion.inverse_mass.push_back({.linear = point == links ? 1 / ratio : 1});
+    motion.Wf.push_back(-h * g * up);
+  }
+  motion.W.assign(motion.Wf.size(), Twist<3>::Zero());
+  Wire wire{.rows = {}, .V = motion.W, .exact = {}};
+  for (int link = 0; link < links; ++link) {
+    const double tension = (ratio + links - 1 - link) * g;
+    wire.exact.push_back(-h * tension);
+    wire.rows.push_back(make_row<3>({.i = link,
+                                     .j = link + 1,
+                                     .Gi = up,
+                                     .Gj = -up,
+                                     .gap = tension / k,
+                                     .spook = spook_parameters(h, k, 2),
+                                     .lo = -infinity,
+                                     .hi = infinity},
+                                    motion));
+  }
+  return wire;
+}
+
+double error(const Wire& wire) {
+  double largest = 0;
+  for (std::size_t k = 0; k < wire.rows.size(); ++k) {
+    const double one = std::abs(wire.rows[k].lambda / wire.exact[k] - 1);
+    if (!(one <= largest)) largest = one;
+  }
+  return largest;
+}
+
+Timing time_sweep(Wire& wire) {
+  return time_each(1, 20, [&] { sweep(wire.rows, wire.V); });
+}
+
+Timing time_direct(Wire& wire, Factors& factors) {
+  return time_each(1, 20, [&] { direct_solve(wire.rows, wire.V, to_roundings, factors); });
+}
+
+/// One column of boxes of 1 kg and 1 m, four contacts of three rows between two of them; each flies and turns at random,
+/// with up to 0.3 m/s and rad/s along each axis.
+double factorisations(int boxes, double ratio) {
+  Motion<6> motion;
+  for (int body = 0; body <= boxes; ++body) {
+    const double mass = body == boxes ? ratio : 1;
+    motion.inverse_mass.push_back(
+        body == 0 ? InverseMass<6>{}
+                  : InverseMass<6>{.linear = 1 / mass, .angular = 6 / mass * Mat3::Identity()});
+    motion.Wf.push_back((Twist<6>() << 0, 0, body == 0 ? 0 : -h * g, 0, 0, 0).finished());
+  }
+  motion.W.assign(motion.Wf.size(), Twist<6>::Zero());
+  std::mt19937_64 generator(static_cast<std::uint64_t>(boxes));
+  std::uniform_real_distribution<double> kick(-0.3, 0.3);
+  for (auto W = motion.W.begin() + 1; W != motion.W.end(); ++W)
+    *W = Twist<6>::NullaryExpr([&] { return kick(generator); });
+  std::vector<spook::Row<6>> rows;
+  const Spook normal{.a = 0, .b = 1, .Sigma = 1e-8}, friction{.a = 0, .b = 1, .Sigma = 1e-10};
+  for (int below = 0; below < boxes; ++below)
+    for (const double x : {-0.5, 0.5})
+      for (const double y : {-0.5, 0.5}) {
+        const Contact contact{.i = below,
+                              .j = below + 1,
+                              .n = Vec3(0, 0, 1),
+                              .gap = 0,
+                              .r_i = Vec3(x, y, 0.5),
+                              .r_j = Vec3(x, y, -0.5)};
+        const ContactJacobian G = contact_jacobian(contact);
+        rows.push_back(make_row<6>(
+            {.i = below, .j = below + 1, .Gi = G.Gi, .Gj = G.Gj, .gap = 0, .spook = normal}, motion));
+        const double bound = 0.3 * h * g * (ratio + boxes - 1 - below) / 4;
+        for (const Constraint<6>& one :
+             friction_constraints<6>(contact, {Vec3(1, 0, 0), Vec3(0, 1, 0)}, bound, friction))
+          rows.push_back(make_row(one, motion));
+      }
+  std::vector<Twist<6>> V(motion.W.size());
+  Factors factors;
+  const SolveReport report = direct_solve(rows, V, {.max_sweeps = 100, .tolerance = 1e-6}, factors);
+  return report.trouble.empty() ? static_cast<double>(report.history.size()) : infinity;
+}
+
+Experiment experiment(Size size) {
+  const bool quick = size == Size::quick;
+  Experiment e;
+  e.timed = true;
+  e.columns = {"what", "size", "ratio", "sweeps", "value", "us"};
+  for (const double ratio : {1e3, 1e5}) {
+    const std::string name = std::to_string(static_cast<int>(ratio));
+    e.points.push_back({"sweeps " + name, [=] {
+                          Wire timed = hang(100, ratio), wire = hang(100, ratio);
+                          const double us = time_sweep(timed).median / 1000;
+                          std::vector<Row> rows;
+                          double done = 0;
+                          for (double n = 1; n <= (quick ? 1e3 : 1e7); n = std::ceil(1.5 * n)) {
+                            for (; done < n; ++done) sweep(wire.rows, wire.V);
+                            rows.push_back({"sweeps", 100.0, ratio, n, error(wire), n * us});
+                            if (error(wire) < 1e-12) break;
+                          }
+                          return rows;
+                        }});
+    e.points.push_back({"direct " + name, [=]() -> std::vector<Row> {
+                          Wire wire = hang(100, ratio);
+                          Factors factors;
+                          const double us = time_direct(wire, factors).median / 1000;
+                          return {{"direct", 100.0, ratio, 0.0, error(wire), us}};
+                        }});
+  }
+  for (int links = 100; links <= (quick ? 1000 : 100000); links *= 10)
+    for (const int times : {1, 3}) {
+      const int n = times * links;
+      if (n > (quick ? 1000 : 100000)) continue;
+      e.points.push_back({"links " + std::to_string(n), [=]() -> std::vector<Row> {
+                            Wire wire = hang(n, 1000);
+                            Factors factors;
+                            const double swept = time_sweep(wire).median / 1000;
+                            const double direct = time_direct(wire, factors).median / 1000;
+                            const auto entries = factors.ldlt.matrixL().nestedExpression().nonZeros();
+                            return {{"a sweep", double(n), 1000.0, 1.0, 0.0, swept},
+                                    {"direct by links", double(n), 1000.0, 0.0, double(entries), direct}};
+                          }});
+    }
+  for (const int boxes : {1, 2, 5, 10, 20, 50, 100})
+    for (const double ratio : {1.0, 1e3, 1e6}) {
+      if (quick && boxes > 10) continue;
+      e.points.push_back({"bounds " + std::to_string(boxes) + " " + std::to_string(static_cast<int>(ratio)),
+                          [=]() -> std::vector<Row> {
+                            return {{"bounds", double(boxes), ratio, 0.0, factorisations(boxes, ratio), 0.0}};
+                          }});
+    }
+  e.check = [quick](const Table& table, Claims& claims) {
+    double gain = infinity;
+    for (const double ratio : {1e3, 1e5}) {
+      const Table swept = table.where("what", "sweeps").where("ratio", ratio);
+      const auto n = swept.numbers("sweeps"), errors = swept.numbers("value");
+      double after_twenty = 1;
+      for (std::size_t k = 0; k < n.size(); ++k)
+        if (n[k] <= 20) after_twenty = errors[k];
+      gain = std::min(gain, after_twenty / table.where("what", "direct").where("ratio", ratio).number("value"));
+    }
+    claims.at_least("on 100 links the direct solver is more than 10¹⁰ times as exact as up to 20 sweeps", gain,
+                    1e10);
+    if (!quick) {
+      double longest = 0;
+      for (const double ratio : {1e3, 1e5}) {
+        const Table swept = table.where("what", "sweeps").where("ratio", ratio);
+        const double one = swept.numbers("us").front() / swept.numbers("sweeps").front();
+        longest = std::max(longest, table.where("what", "direct").where("ratio", ratio).number("us") / one);
+      }
+      claims.at_most("it takes the time of 20 sweeps at most", longest, 20);
+    }
+    const Table grown = table.where("what", "direct by links");
+    const auto links = grown.numbers("size"), entries = grown.numbers("value");
+    double off = 0;
+    for (std::size_t k = 0; k < links.size(); ++k) off = std::max(off, std::abs(entries[k] - (links[k] - 1)));
+    claims.near("L has one entry less than the wire has links: nothing is filled in", off, 0, 0);
+    const auto found = table.where("what", "bounds").numbers("value");
+    claims.at_most(
+        "with friction at its bounds a solve to 10⁻⁶ m/s takes at most 40 factorisations, for 1 to 100 boxes "
+        "and "
+        "mass ratios to 10⁶",
+        *std::max_element(found.begin(), found.end()), 40);
+  };
+  return e;
+}
+
+}  // namespace
+}  // namespace spook::plots
+
+int main(int argc, char** argv) {
+  return spook::plots::run_experiment(argc, argv, spook::plots::experiment);
+}

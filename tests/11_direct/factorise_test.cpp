@@ -1,0 +1,186 @@
+// L, D and P: right, found for a pattern once, and refused when a pivot is roundings.
+#include "exercise_test.hpp"
+#include "systems.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(Factorise, "11.3 factorise");
+
+// A sparse positive definite matrix: an undirected graph with `edges` of the n(n-1)/2 pairs.
+MatrixXd random_spd(Random& random, int n, int edges) {
+  MatrixXd A = MatrixXd::Zero(n, n);
+  for (int edge = 0; edge < edges; ++edge) {
+    const int k = random.integer(0, n - 1), l = (k + random.integer(1, n - 1)) % n;
+    A(k, l) = A(l, k) = random.uniform(-1, 1);
+  }
+  for (int k = 0; k < n; ++k) A(k, k) = A.row(k).cwiseAbs().sum() + random.uniform(0.1, 1);
+  return A;
+}
+
+void expect_solves(const std::string& what, const MatrixXd& A, const Factors& factors) {
+  const VectorXd x = VectorXd::LinSpaced(A.rows(), 1, 2);
+  const VectorXd right = A * x;
+  expect_near_vector("x of A x = b, " + what, "Eq. (11.3)", VectorXd(factors.ldlt.solve(right)), x,
+                     {1e-11 * x.norm(), "1e-15 times a condition up to 1e3, and some"}, {},
+                     "The numbers are to be found anew for each matrix, whether its pattern is known or not.");
+}
+
+EXERCISE_TEST(Factorise, RebuildsTheMatrix) {
+  Random random;
+  for (const int n : {1, 2, 7, 30}) {
+    const MatrixXd A = n == 1 ? MatrixXd::Constant(1, 1, 3.0) : random_spd(random, n, 2 * n);
+    Factors factors;
+    expect_true("a positive definite matrix is sound", "Eq. (11.4)", factorise(lower_triangle(A), factors));
+    if (factors.ldlt.info() != Eigen::Success || factors.ldlt.vectorD().size() != n) return;
+    const MatrixXd L = SparseMatrix(factors.ldlt.matrixL());
+    const MatrixXd P = MatrixXd(factors.ldlt.permutationP().toDenseMatrix().cast<double>());
+    const MatrixXd rebuilt = L * VectorXd(factors.ldlt.vectorD()).asDiagonal() * L.transpose();
+    expect_near("|L D Lᵀ - P A Pᵀ|, n = " + std::to_string(n), "Eq. (11.3)",
+                (rebuilt - P * A * P.transpose()).norm(), 0, {1e-14 * A.norm() * n, "roundings"});
+    expect_solves("n = " + std::to_string(n), A, factors);
+  }
+}
+
+EXERCISE_TEST(Factorise, LooksForAPatternOnce) {
+  Random random;
+  const MatrixXd A = random_spd(random, 12, 20);
+  Factors factors;
+  expect_true("sound", "Eq. (11.4)", factorise(lower_triangle(A), factors));
+  for (int again = 0; again < 5; ++again) {
+    MatrixXd other = A * random.uniform(0.5, 2);
+    other.diagonal() *= random.uniform(1.5, 3);
+    expect_true("sound", "Eq. (11.4)", factorise(lower_triangle(other), factors));
+    expect_solves("other numbers in the same places", other, factors);
+  }
+  expect_near("analyses of 6 matrices with one pattern", "Eq. (11.3)", factors.analyses, 1, {0, "a count"},
+              {{6, "It is the places that count, not the numbers. What are `columns` and `entries` for?"},
+               {0, "`analyses` counts how often analyzePattern was called."}});
+}
+
+// Two hubs, 0 and 1, each tied to all others. To eliminate the others fills in (0, 1).
+MatrixXd two_hubs(int n) {
+  MatrixXd A = 4.0 * n * MatrixXd::Identity(n, n);
+  for (int k = 2; k < n; ++k)
+    for (const int hub : {0, 1}) A(k, hub) = A(hub, k) = 1 + 0.1 * k;
+  return A;
+}
+
+EXERCISE_TEST(Factorise, LooksAgainForAnotherPattern) {
+  Factors factors;
+  MatrixXd A = two_hubs(8);
+  expect_true("sound", "Eq. (11.4)", factorise(lower_triangle(A), factors));
+  A(2, 0) = A(0, 2) = 0, A(1, 0) = A(0, 1) = 1;  // as many entries, one of them elsewhere
+  expect_true("sound", "Eq. (11.4)", factorise(lower_triangle(A), factors));
+  expect_near("analyses of two patterns with as many entries", "Eq. (11.3)", factors.analyses, 2,
+              {0, "a count"}, {{1, "Compare where the entries are, not how many there are."}});
+  expect_solves("as many entries, elsewhere", A, factors);
+  A(2, 1) = A(1, 2) = 0;
+  expect_true("sound", "Eq. (11.4)", factorise(lower_triangle(A), factors));
+  expect_near("analyses after an entry is gone", "Eq. (11.3)", factors.analyses, 3, {0, "a count"});
+  expect_solves("an entry fewer", A, factors);
+}
+
+EXERCISE_TEST(Factorise, RefusesTheSameRowTwice) {
+  Random random;
+  const std::string what = "the same row twice, with Σ = 0, is refused";
+  const std::string clue =
+      "The second pivot is a difference of equal numbers: 0, or roundings. Its size says nothing; compare it "
+      "with the numbers that it is the difference of.";
+  for (int repeat = 0; repeat < 20; ++repeat) {
+    const double size = random.log_uniform(1e-8, 1e8);
+    Factors factors;
+    expect_true(what, "Eq. (11.4)", !factorise(lower_triangle(size * MatrixXd::Ones(2, 2)), factors), clue);
+  }
+  for (int repeat = 0; repeat < 20; ++repeat) {
+    MatrixXd G = MatrixXd::NullaryExpr(5, 4, [&] { return random.uniform(-1, 1); });  // 5 rows hold 4 motions
+    G.row(4) = G.row(0) + random.uniform(0.5, 2) * G.row(1);
+    Factors factors;
+    expect_true("a row that is the sum of two others, with Σ = 0, is refused", "Eq. (11.4)",
+                !factorise(lower_triangle(G * G.transpose()), factors), clue);
+  }
+}
+
+EXERCISE_TEST(Factorise, RefusesASingularSaddlePoint) {
+  Random random;
+  int refused = 0;
+  for (int repeat = 0; repeat < 20; ++repeat) {
+    // Two bodies, and two rows along the same G, to a factor: the diagonal has zeros where Σ is.
+    MatrixXd A = MatrixXd::Zero(4, 4);
+    A(0, 0) = random.uniform(0.5, 2), A(1, 1) = random.uniform(0.5, 2);
+    A(2, 0) = A(0, 2) = random.uniform(0.5, 1);
+    A(2, 1) = A(1, 2) = random.uniform(-1, -0.5);
+    A.row(3).head<3>() = random.uniform(0.3, 3) * A.row(2).head<3>();
+    A.col(3).head<3>() = A.row(3).head<3>().transpose();
+    Factors factors;
+    refused += !factorise(lower_triangle(A), factors);
+  }
+  expect_near("refused of 20 saddle points with the same row twice, and Σ = 0", "Eq. (11.4)", refused, 20,
+              {0, "a count"}, {},
+              "A_kk alone is 0 here, and no pivot is smaller. What did the elimination subtract?");
+}
+
+EXERCISE_TEST(Factorise, TakesWhatIsOnlyIllConditioned) {
+  Random random;
+  for (const double ratio : {1e3, 1e8, 1e16}) {
+    MatrixXd A = MatrixXd::Zero(3, 3);  // a heavy and a light body that do not touch, and one that does
+    A.diagonal() << 1, 1 / ratio, 2;
+    A(2, 0) = A(0, 2) = 0.5;
+    Factors factors;
+    expect_true("a mass ratio of " + show(ratio) + " is taken", "Eq. (11.4)",
+                factorise(lower_triangle(A), factors),
+                "A pivot is not unsound for being smaller than others: compare it with its own row.");
+  }
+  Factors factors;
+  const MatrixXd twice = MatrixXd::Ones(2, 2) + 1e-9 * MatrixXd::Identity(2, 2);
+  expect_true("the same row twice with Σ = 1e-9 is taken", "Eq. (11.4)",
+              factorise(lower_triangle(twice), factors), "Σ is far above roundings.");
+}
+
+EXERCISE_TEST(Factorise, TakesNegativePivots) {
+  MatrixXd A(3, 3);
+  A << 2, 0, 1, 0, 3, -1, 1, -1, -0.1;  // two bodies and a row
+  Factors factors;
+  expect_true("a saddle point is taken", "Eq. (11.4)", factorise(lower_triangle(A), factors),
+              "Its pivots have two signs: it is their size that counts.");
+  expect_solves("two signs", A, factors);
+}
+
+EXERCISE_TEST(Factorise, ComparesAPivotWithItsOwnRow) {
+  // A hub that is heavy on the diagonal: least fill takes it last, so that D is in another order than A.
+  const int n = 8;
+  MatrixXd A = MatrixXd::Identity(n, n);
+  A(0, 0) = 1e16;
+  for (int k = 1; k < n; ++k) A(k, 0) = A(0, k) = 0.5;
+  Factors factors;
+  expect_true("a diagonal of 1e16 and ones is taken", "Eq. (11.4)", factorise(lower_triangle(A), factors),
+              "D is in the order of P A Pᵀ, not of A.");
+}
+
+EXERCISE_TEST(Factorise, RefusesWhatIsNotFinite) {
+  for (const double bad : {std::nan(""), HUGE_VAL}) {
+    for (int k = 0; k < 3; ++k) {
+      MatrixXd A = MatrixXd::Identity(3, 3);
+      A(1, 0) = A(0, 1) = 0.5;
+      A(k, k) = bad;
+      SparseMatrix lower = lower_triangle(A);
+      Factors factors;
+      expect_true(
+          show(bad) + " on the diagonal is refused", "Eq. (11.4)", !factorise(lower, factors),
+          "Every comparison with NaN is false: ask whether a pivot is sound, not whether it is unsound.");
+    }
+  }
+}
+
+EXERCISE_TEST(Factorise, GoesOnAfterARefusal) {
+  Factors factors;
+  const MatrixXd singular = MatrixXd::Ones(2, 2), sound = singular + MatrixXd::Identity(2, 2);
+  expect_true("refused", "Eq. (11.4)", !factorise(lower_triangle(singular), factors));
+  expect_true("taken, after one with the same pattern was refused", "Eq. (11.4)",
+              factorise(lower_triangle(sound), factors));
+  expect_solves("after a refusal", sound, factors);
+}
+
+}  // namespace

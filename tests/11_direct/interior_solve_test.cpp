@@ -1,0 +1,323 @@
+// From within to the answer: against enumerated solutions, on hard rows, and honest where there is none.
+#include "exercise_test.hpp"
+#include "systems.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(InteriorSolve, "11.8 interior_solve");
+
+constexpr StopRule exact{.max_sweeps = 100, .tolerance = 0};
+
+struct Solved {
+  SolveReport report;
+  Vector lambda;
+  Factors factors;
+};
+
+void solve_bounded(const Bounded& p, const StopRule& stop, Solved& solved) {
+  if (solved.lambda.size() == 0) solved.lambda = Vector::Zero(p.B.size());
+  solved.report = interior_solve(lower_triangle(p.S), p.B, p.lo, p.hi, stop, solved.lambda, solved.factors);
+}
+
+void expect_solved(const std::string& what, const Solved& solved) {
+  expect_true(what + " is solved", "Eq. (11.12)", solved.report.converged,
+              solved.report.trouble.empty() ? "" : "It reports: " + solved.report.trouble + ".");
+  expect_true(what + " gave no trouble", "Eq. (11.12)", solved.report.trouble.empty(),
+              "trouble is for what did not converge.");
+}
+
+EXERCISE_TEST(InteriorSolve, AgreesWithEveryEnumeratedProblem) {
+  Random random;
+  for (int rows = 1; rows <= 6; ++rows)
+    for (int repeat = 0; repeat < 5; ++repeat) {
+      System<6> s = random_system(random, 2 + rows / 2, rows);
+      add_random_bounds(random, s.rows);
+      const Bounded p = bounded(s.rows);
+      Solved solved;
+      solve_bounded(p, exact, solved);
+      const std::string what = std::to_string(rows) + " rows with bounds";
+      expect_solved(what, solved);
+      const VectorXd expected = enumerate_solution(p), free = p.S.ldlt().solve(p.B);
+      expect_near_vector("λ of " + what + " [N s]", "Eq. (4.1)", VectorXd(solved.lambda), expected,
+                         {1e-11 * condition(p.S), "the residual of Eq. (11.12) times the condition of S"},
+                         {{VectorXd(free.cwiseMax(p.lo).cwiseMin(p.hi)),
+                           "This is the solution without bounds, clamped: the other rows do not know of it."},
+                          {free, "This is the solution without bounds."}},
+                         "Each set of bounds that could be active was tried; this is the one solution.");
+    }
+}
+
+EXERCISE_TEST(InteriorSolve, WithoutBoundsIsLinear) {
+  Random random;
+  for (int repeat = 0; repeat < 10; ++repeat) {
+    const Bounded p = bounded(random_system(random, 6, 15).rows);
+    Solved solved;
+    solve_bounded(p, exact, solved);
+    expect_solved("a system without bounds", solved);
+    const VectorXd expected = p.S.ldlt().solve(p.B);
+    expect_near_vector("λ of 15 rows without bounds [N s]", "Eq. (11.5)", VectorXd(solved.lambda), expected,
+                       {1e-11 * condition(p.S), "the residual of Eq. (11.12) times the condition of S"});
+  }
+}
+
+EXERCISE_TEST(InteriorSolve, SolvesManyRows) {
+  Random random;
+  for (int repeat = 0; repeat < 3; ++repeat) {
+    System<6> s = random_system(random, 40, 120);
+    add_random_bounds(random, s.rows);
+    const Bounded p = bounded(s.rows);
+    Solved solved;
+    solve_bounded(p, exact, solved);
+    expect_solved("a system of 120 rows with bounds", solved);
+    expect_at_most("residual, with all zeros of S written down [m/s]", "Eq. (4.8)",
+                   dense_residual(p, solved.lambda), 1e-11, "roundings of 120 rows");
+    // 3^120 sets of bounds that could be active; ours takes about 12 factorisations.
+    expect_at_most("factorisations", "Eq. (11.11)", static_cast<double>(solved.report.history.size()), 36,
+                   "three times as many as are needed",
+                   "Take 0.999 of the longest step, and the second step's target as Eq. (11.11) has it.");
+  }
+}
+
+EXERCISE_TEST(InteriorSolve, LooksForThePatternOnce) {
+  Random random;
+  System<6> s = random_system(random, 10, 20);
+  add_random_bounds(random, s.rows);
+  Solved solved;
+  solve_bounded(bounded(s.rows), exact, solved);
+  expect_near("analyses for one system", "Eq. (11.7)", solved.factors.analyses, 1,
+              {0, "S̃ has the pattern of S"});
+}
+
+// Contacts on a column of point masses: λ_k = h g times the mass above.
+Bounded column(const std::vector<double>& masses, double hg) {
+  const Eigen::Index n = std::ssize(masses);
+  Bounded p{.S = MatrixXd::Zero(n, n),
+            .B = VectorXd::Zero(n),
+            .lo = VectorXd::Zero(n),
+            .hi = VectorXd::Constant(n, infinity)};
+  p.B[0] = hg;
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const double below = k > 0 ? 1 / masses[k - 1] : 0;
+    p.S(k, k) = below + 1 / masses[k];
+    if (k > 0) p.S(k, k - 1) = p.S(k - 1, k) = -below;
+  }
+  return p;
+}
+
+EXERCISE_TEST(InteriorSolve, CarriesAnyMassRatio) {
+  for (const double ratio : {1.0, 1e4, 1e8})
+    for (const bool heavy_on_top : {true, false}) {
+      const double lower = heavy_on_top ? 1 : ratio, upper = heavy_on_top ? ratio : 1;
+      Solved solved;
+      solve_bounded(column({lower, upper}, 0.1), exact, solved);
+      const std::string what = show(upper) + " kg on " + show(lower) + " kg";
+      expect_solved(what, solved);
+      expect_near("λ under both, over h g (m + M), " + what, "Eq. (4.1)",
+                  solved.lambda[0] / (0.1 * (lower + upper)), 1,
+                  {1e-4, "1e-13 times a ratio of up to 1e8, and some"});
+      expect_near("λ between them, over h g M, " + what, "Eq. (4.1)", solved.lambda[1] / (0.1 * upper), 1,
+                  {1e-4, "1e-13 times a ratio of up to 1e8, and some"});
+    }
+}
+
+EXERCISE_TEST(InteriorSolve, LetsContactsOpen) {
+  Bounded p = column({1, 2, 3, 4}, 0.1);
+  p.B[2] = -5;  // the upper two are thrown up
+  Solved solved;
+  solve_bounded(p, exact, solved);
+  expect_solved("a column of which the upper half leaves", solved);
+  const double right[] = {0.1 * 3, 0.1 * 2, 0, 0};
+  for (Eigen::Index k = 0; k < 4; ++k)
+    expect_near("λ of contact " + std::to_string(k) + " [N s]", "Eq. (4.1)", solved.lambda[k], right[k],
+                {1e-11, "the residual of Eq. (11.12) times the condition of S"});
+}
+
+EXERCISE_TEST(InteriorSolve, SharesAmongRowsThatAreTheSame) {
+  // 8 friction rows hold 3 motions, with a Σ of 1e-10: singular, but for that.
+  Random random;
+  for (int repeat = 0; repeat < 10; ++repeat) {
+    const MatrixXd G = MatrixXd::NullaryExpr(8, 3, [&] { return random.uniform(-1, 1); });
+    const VectorXd slip = VectorXd::NullaryExpr(3, [&] { return random.uniform(-1, 1); });
+    const VectorXd bound = VectorXd::NullaryExpr(8, [&] { return random.uniform(0.01, 0.2); });
+    const Bounded p{
+        .S = G * G.transpose() + 1e-10 * MatrixXd::Identity(8, 8), .B = G * slip, .lo = -bound, .hi = bound};
+    Solved solved;
+    solve_bounded(p, exact, solved);
+    expect_solved("a box that 8 friction rows hold", solved);
+    expect_at_most("residual [m/s]", "Eq. (4.8)", dense_residual(p, solved.lambda), 1e-12,
+                   "roundings of 8 rows");
+  }
+  const int n = 50;
+  const Bounded p{.S = MatrixXd::Ones(n, n) + 1e-6 * MatrixXd::Identity(n, n),
+                  .B = VectorXd::Ones(n),
+                  .lo = VectorXd::Zero(n),
+                  .hi = VectorXd::Constant(n, infinity)};
+  Solved solved;
+  solve_bounded(p, exact, solved);
+  expect_solved("a body on 50 contacts that are the same", solved);
+  for (Eigen::Index k = 0; k < n; ++k)
+    expect_near("λ of each of 50 contacts that are the same, times 50", "Eq. (11.1)", n * solved.lambda[k],
+                1 / (1 + 1e-6 / n), {1e-4, "1e-13 over Σ, times 50 rows, and some"}, {},
+                "Σ > 0 makes the answer one, and even.");
+}
+
+EXERCISE_TEST(InteriorSolve, TakesBoundsNarrowAndWide) {
+  Random random;
+  for (int repeat = 0; repeat < 20; ++repeat) {
+    System<6> s = random_system(random, 4, 5);
+    for (Row<6>& row : s.rows) {
+      row.lo = repeat % 2 ? -random.log_uniform(1e-6, 10) : random.uniform(-0.2, 0.2);
+      row.hi = repeat % 2 ? random.log_uniform(1e-6, 10) : row.lo + random.log_uniform(1e-9, 1e6);
+    }
+    const Bounded p = bounded(s.rows);
+    Solved solved;
+    solve_bounded(p, exact, solved);
+    expect_solved("a system with bounds between 1e-9 and 1e6 apart", solved);
+    expect_near_vector("λ [N s]", "Eq. (4.1)", VectorXd(solved.lambda), enumerate_solution(p),
+                       {1e-11 * condition(p.S), "the residual of Eq. (11.12) times the condition of S"});
+  }
+}
+
+EXERCISE_TEST(InteriorSolve, TakesAnyGuess) {
+  Random random;
+  System<6> s = random_system(random, 6, 12);
+  add_random_bounds(random, s.rows);
+  const Bounded p = bounded(s.rows);
+  Solved cold;
+  solve_bounded(p, exact, cold);
+  for (const double size : {1e-6, 1.0, 1e4}) {
+    Solved guessed;
+    guessed.lambda = VectorXd::NullaryExpr(12, [&] { return size * random.uniform(-1, 1); });
+    solve_bounded(p, exact, guessed);
+    expect_solved("from a guess of size " + show(size), guessed);
+    expect_near_vector(
+        "λ from a guess of size " + show(size) + " [N s]", "Eq. (4.1)", guessed.lambda, cold.lambda,
+        {1e-11 * condition(p.S), "the residual of Eq. (11.12) times the condition of S"}, {},
+        "A guess may be outside the bounds: begin well within them, as far as the guess is large.");
+  }
+}
+
+EXERCISE_TEST(InteriorSolve, StaysWithinTheBounds) {
+  Random random;
+  for (const int sweeps : {1, 2, 4, 100}) {
+    System<6> s = random_system(random, 10, 25);
+    for (Row<6>& row : s.rows) row.lo = random.uniform(-0.3, 0), row.hi = random.uniform(0.01, 0.3);
+    const Bounded p = bounded(s.rows);
+    Solved solved;
+    solve_bounded(p, {.max_sweeps = sweeps, .tolerance = 0}, solved);
+    const std::string what = ", after at most " + std::to_string(sweeps) + " factorisations [N s]";
+    for (Eigen::Index k = 0; k < 25; ++k) {
+      expect_at_least("λ" + what, "Eq. (4.1)", solved.lambda[k], p.lo[k], "its bound below",
+                      "What is returned is within the bounds to the last digit: clamp it.");
+      expect_at_most("λ" + what, "Eq. (4.1)", solved.lambda[k], p.hi[k], "its bound above",
+                     "What is returned is within the bounds to the last digit: clamp it.");
+    }
+  }
+}
+
+EXERCISE_TEST(InteriorSolve, SaysWhenItStopsEarly) {
+  Random random;
+  System<6> s = random_system(random, 12, 30);
+  add_random_bounds(random, s.rows);
+  Solved solved;
+  solve_bounded(bounded(s.rows), {.max_sweeps = 2, .tolerance = 0}, solved);
+  expect_near("entries of the history after at most 2 factorisations", "Eq. (4.9)",
+              static_cast<double>(solved.report.history.size()), 2, {0, "one a factorisation"});
+  expect_true("what is not solved has not converged", "Eq. (11.12)", !solved.report.converged);
+  expect_true("why it stopped is told", "Eq. (11.12)", !solved.report.trouble.empty(),
+              "A solver that gives up in silence is worse than none: say so in `trouble`.");
+}
+
+EXERCISE_TEST(InteriorSolve, StopsAtTheTolerance) {
+  Random random;
+  System<6> s = random_system(random, 12, 30);
+  add_random_bounds(random, s.rows);
+  const Bounded p = bounded(s.rows);
+  Solved coarse, fine;
+  solve_bounded(p, {.max_sweeps = 100, .tolerance = 1e-3}, coarse);
+  solve_bounded(p, exact, fine);
+  expect_solved("a system, to 1e-3 m/s", coarse);
+  expect_at_most("residual of what was asked to 1e-3 m/s", "Eq. (4.8)", dense_residual(p, coarse.lambda), 1e-3,
+                 "the tolerance");
+  expect_true("to 1e-3 m/s takes fewer factorisations than to roundings", "Eq. (4.9)",
+              coarse.report.history.size() < fine.report.history.size(), "Where is the tolerance looked at?");
+}
+
+EXERCISE_TEST(InteriorSolve, RemembersTheResiduals) {
+  Random random;
+  System<6> s = random_system(random, 8, 16);
+  add_random_bounds(random, s.rows);
+  const Bounded p = bounded(s.rows);
+  Solved solved;
+  solve_bounded(p, exact, solved);
+  expect_solved("a system of 16 rows", solved);
+  if (solved.report.history.empty()) return expect_true("there is a history", "Eq. (4.8)", false);
+  expect_near("the last entry of the history [m/s]", "Eq. (4.8)", solved.report.history.back(),
+              dense_residual(p, solved.lambda), {1e-12, "roundings"}, {},
+              "An entry is the residual of what would be returned, clamped.");
+  // Which step brought which residual is free; but one factorisation does not go from all to nothing.
+  Solved two;
+  solve_bounded(p, {.max_sweeps = 2, .tolerance = 0}, two);
+  expect_near("least residual of 2 factorisations, and the residual of what was returned then [m/s]",
+              "Eq. (4.8)", *std::min_element(two.report.history.begin(), two.report.history.end()),
+              dense_residual(p, two.lambda), {1e-12, "roundings"}, {}, "The best that was found is returned.");
+}
+
+EXERCISE_TEST(InteriorSolve, EndsWithANaN) {
+  Random random;
+  for (int kind = 0; kind < 4; ++kind) {
+    System<6> s = random_system(random, 4, 5);
+    add_random_bounds(random, s.rows);
+    s.rows[2].lo = kind & 1 ? 0 : -infinity;
+    s.rows[2].hi = kind & 2 ? 1 : infinity;
+    Bounded p = bounded(s.rows);
+    p.B[2] = std::nan("");
+    Solved solved;
+    solve_bounded(p, {.max_sweeps = 30, .tolerance = 1e-6}, solved);
+    expect_true(
+        "a right side with a NaN has not converged", "Eq. (11.12)", !solved.report.converged,
+        "std::max, std::min and Eigen's cwiseMax drop a NaN: a bound takes its place. std::clamp keeps it.");
+    expect_true("and is reported", "Eq. (11.12)", !solved.report.trouble.empty());
+  }
+}
+
+EXERCISE_TEST(InteriorSolve, ReportsWhatHasNoAnswer) {
+  Bounded p{.S = MatrixXd::Ones(2, 2),
+            .B = VectorXd::Ones(2),
+            .lo = VectorXd::Constant(2, -infinity),
+            .hi = VectorXd::Constant(2, infinity)};
+  p.B[1] = 2;  // contradictory, with Σ = 0
+  Solved solved;
+  solve_bounded(p, exact, solved);
+  expect_true("contradictory rows with Σ = 0 and no bounds have not converged", "Eq. (11.4)",
+              !solved.report.converged, "factorise returned false: its factors are of no use.");
+  expect_true("and are reported", "Eq. (11.4)", !solved.report.trouble.empty(),
+              "factorise returned false: say so in `trouble`.");
+  expect_true("and leave λ finite", "Eq. (11.4)", solved.lambda.allFinite(),
+              "Do not solve with factors that are not sound.");
+}
+
+EXERCISE_TEST(InteriorSolve, OfNothingIsDone) {
+  const Bounded p{.S = MatrixXd(0, 0), .B = VectorXd(0), .lo = VectorXd(0), .hi = VectorXd(0)};
+  Solved solved;
+  solve_bounded(p, exact, solved);
+  expect_true("no rows: converged, without a factorisation", "Eq. (4.9)",
+              solved.report.converged && solved.report.history.empty() && solved.report.trouble.empty());
+}
+
+EXERCISE_TEST(InteriorSolve, RejectsARuleThatCannotBeMet) {
+  const Bounded p = column({1, 2}, 0.1);
+  Solved solved;
+  solve_bounded(p, exact, solved);
+  for (const int sweeps : {0, -5})
+    expect_rejects("max_sweeps = " + std::to_string(sweeps), "max_sweeps",
+                   [&] { solve_bounded(p, {.max_sweeps = sweeps, .tolerance = 0}, solved); });
+  for (const double tolerance : {-1e-9, std::nan(""), HUGE_VAL})
+    expect_rejects("tolerance = " + show(tolerance), "tolerance",
+                   [&] { solve_bounded(p, {.max_sweeps = 5, .tolerance = tolerance}, solved); });
+}
+
+}  // namespace

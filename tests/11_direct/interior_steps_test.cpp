@@ -1,0 +1,316 @@
+// The three parts of a step from within: S̃, Newton's step, and how much of it.
+#include "exercise_test.hpp"
+#include "interior.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(BarrierMatrix, "11.5 barrier_matrix");
+EXERCISE(NewtonStep, "11.6 newton_step");
+EXERCISE(LongestStep, "11.7 longest_step");
+
+std::string row(Eigen::Index k) {
+  return " of row " + std::to_string(k);
+}
+
+std::string bounds_of(const Interior& now, Eigen::Index k) {
+  const char* names[] = {" (no bound)", " (bound below)", " (bound above)", " (two bounds)"};
+  return names[has_lo(now, k) + 2 * has_hi(now, k)];
+}
+
+EXERCISE_TEST(BarrierMatrix, StiffensTheDiagonal) {
+  Random random;
+  for (int repeat = 0; repeat < 5; ++repeat) {
+    const Inside p = random_inside(random, 12);
+    const Vector got = barrier_matrix(lower_triangle(p.S), p.now).diagonal();
+    for (Eigen::Index k = 0; k < 12; ++k) {
+      const double S = p.S(k, k), lo = p.now.push_lo[k] / p.now.room_lo[k];
+      const double hi = p.now.push_hi[k] / p.now.room_hi[k];
+      const double flat_lo = has_lo(p.now, k) ? p.now.push_lo[k] * p.now.room_lo[k] : 0;
+      const double flat_hi = has_hi(p.now, k) ? p.now.push_hi[k] * p.now.room_hi[k] : 0;
+      expect_near("diagonal" + row(k) + bounds_of(p.now, k) + " [1/kg]", "Eq. (11.7)", got[k], S + lo + hi,
+                  roundings(10, S + lo + hi),
+                  {{S + lo, "The bound above makes it stiffer, too."},
+                   {S + hi, "The bound below makes it stiffer, too."},
+                   {S + lo - hi, "Both bounds make it stiffer: coming nearer to either, the push grows."},
+                   {S + flat_lo + flat_hi, "Push over room: [m/s]/[N s] is 1/kg."},
+                   {lo + hi, "It comes on top of S."}});
+    }
+  }
+}
+
+EXERCISE_TEST(BarrierMatrix, LeavesRowsWithoutBounds) {
+  Random random;
+  Inside p = random_inside(random, 8);
+  p.now.room_lo.setConstant(infinity), p.now.room_hi.setConstant(infinity);
+  p.now.push_lo.setZero(), p.now.push_hi.setZero();
+  const SparseMatrix S = lower_triangle(p.S);
+  const MatrixXd change = MatrixXd(barrier_matrix(S, p.now)) - MatrixXd(S);
+  expect_near("|S̃ - S| without any bound", "Eq. (11.7)", change.norm(), 0, {0, "0/∞ is 0"});
+}
+
+EXERCISE_TEST(BarrierMatrix, KeepsThePatternAndTheRest) {
+  Random random;
+  const Inside p = random_inside(random, 12);
+  const SparseMatrix S = lower_triangle(p.S), got = barrier_matrix(S, p.now);
+  expect_true("S̃ is compressed", "Eq. (11.7)", got.isCompressed());
+  expect_near("entries of S̃", "Eq. (11.7)", static_cast<double>(got.nonZeros()),
+              static_cast<double>(S.nonZeros()), {0, "as many as S has"}, {},
+              "Its pattern is that of S: else L's would be looked for again in every step.");
+  MatrixXd off = MatrixXd(got) - MatrixXd(S);
+  off.diagonal().setZero();
+  expect_near("change off the diagonal [1/kg]", "Eq. (11.7)", off.norm(), 0, {0, "exact"}, {},
+              "A bound belongs to one row.");
+}
+
+EXERCISE_TEST(BarrierMatrix, IsAsStiffAsThePushIsSteep) {
+  // With s z = τ kept, z = τ/s, and -dz/ds = τ/s² = z/s.
+  Interior now{.lambda = Vector::Zero(1),
+               .room_lo = Vector::Constant(1, 0.01),
+               .room_hi = Vector::Constant(1, infinity),
+               .push_lo = Vector::Constant(1, 3),
+               .push_hi = Vector::Zero(1)};
+  const SparseMatrix S = lower_triangle(MatrixXd::Constant(1, 1, 2));
+  expect_near("diagonal of a row 0.01 N s from its bound, which pushes with 3 m/s [1/kg]", "Eq. (11.7)",
+              barrier_matrix(S, now).coeff(0, 0), 302, roundings(4, 302));
+}
+
+// Newton's step with the numbers of `p`, S̃ factorised here.
+Interior step_of(const Inside& p) {
+  Factors factors;
+  factors.ldlt.compute(lower_triangle(dense_barrier(p)));
+  return newton_step(lower_triangle(p.S), p.B, p.now, p.target, factors);
+}
+
+bool has_size(const Interior& step, Eigen::Index n) {
+  const bool right = step.lambda.size() == n && step.room_lo.size() == n && step.room_hi.size() == n &&
+                     step.push_lo.size() == n && step.push_hi.size() == n;
+  expect_true("all five vectors have an entry a row", "Eq. (11.9)", right);
+  return right;
+}
+
+EXERCISE_TEST(NewtonStep, SolvesTheRowsWithTheNewPushes) {
+  Random random;
+  for (int repeat = 0; repeat < 10; ++repeat) {
+    const Inside p = random_inside(random, 12);
+    const Interior step = step_of(p);
+    if (!has_size(step, 12)) return;
+    const VectorXd lambda = p.now.lambda + step.lambda;
+    const VectorXd lo = p.now.push_lo + step.push_lo, hi = p.now.push_hi + step.push_hi;
+    const VectorXd missing = p.B + lo - hi - p.S * lambda;
+    for (Eigen::Index k = 0; k < 12; ++k)
+      expect_near("B + z⁻ - z⁺ - S λ after the whole step," + row(k) + bounds_of(p.now, k) + " [m/s]",
+                  "Eq. (11.5)", missing[k], 0, {1e-12, "roundings times stiffnesses up to 20"}, {},
+                  "It is linear, so that one whole step gets it right, wherever it began.");
+  }
+}
+
+EXERCISE_TEST(NewtonStep, MissesTheTargetByItsSecondOrderOnly) {
+  Random random;
+  for (int repeat = 0; repeat < 10; ++repeat) {
+    const Inside p = random_inside(random, 12);
+    const Interior step = step_of(p);
+    if (!has_size(step, 12)) return;
+    const auto product_error = [](double room, double push, double target, double dr, double dp) {
+      return (room + dr) * (push + dp) - target - dr * dp;
+    };
+    for (Eigen::Index k = 0; k < 12; ++k) {
+      if (has_lo(p.now, k))
+        expect_near(
+            "(s + Δs)(z + Δz) - τ - Δs Δz below," + row(k), "Eq. (11.9)",
+            product_error(p.now.room_lo[k], p.now.push_lo[k], p.target.lo[k], step.room_lo[k], step.push_lo[k]),
+            0, {1e-12, "roundings times 1e2"}, {}, "s Δz + z Δs is to be τ - s z, with Δs = Δλ.");
+      if (has_hi(p.now, k))
+        expect_near(
+            "(s + Δs)(z + Δz) - τ - Δs Δz above," + row(k), "Eq. (11.9)",
+            product_error(p.now.room_hi[k], p.now.push_hi[k], p.target.hi[k], step.room_hi[k], step.push_hi[k]),
+            0, {1e-12, "roundings times 1e2"}, {},
+            "s Δz + z Δs is to be τ - s z, with Δs = -Δλ: the room above shrinks as λ grows.");
+    }
+  }
+}
+
+EXERCISE_TEST(NewtonStep, RoomsFollowTheImpulse) {
+  Random random;
+  const Inside p = random_inside(random, 12);
+  const Interior step = step_of(p);
+  if (!has_size(step, 12)) return;
+  for (Eigen::Index k = 0; k < 12; ++k) {
+    const double change = step.lambda[k];
+    if (has_lo(p.now, k))
+      expect_near("Δs below," + row(k) + " [N s]", "Eq. (11.5)", step.room_lo[k], change, {0, "s = λ - lo"});
+    if (has_hi(p.now, k))
+      expect_near("Δs above," + row(k) + " [N s]", "Eq. (11.5)", step.room_hi[k], -change, {0, "s = hi - λ"},
+                  {{change, "The room above shrinks as λ grows."}});
+  }
+}
+
+EXERCISE_TEST(NewtonStep, LeavesBoundsThatAreNotThere) {
+  Random random;
+  const Inside p = random_inside(random, 12);
+  const Interior step = step_of(p);
+  if (!has_size(step, 12)) return;
+  for (Eigen::Index k = 0; k < 12; ++k) {
+    const std::string what = row(k) + bounds_of(p.now, k);
+    const std::string clue = "Where there is no bound, room and push stay as they are.";
+    if (!has_lo(p.now, k)) {
+      expect_near("Δs below," + what + " [N s]", "Eq. (11.5)", step.room_lo[k], 0, {0, "exact"}, {}, clue);
+      expect_near("Δz below," + what + " [m/s]", "Eq. (11.9)", step.push_lo[k], 0, {0, "exact"}, {}, clue);
+    }
+    if (!has_hi(p.now, k)) {
+      expect_near("Δs above," + what + " [N s]", "Eq. (11.5)", step.room_hi[k], 0, {0, "exact"}, {}, clue);
+      expect_near("Δz above," + what + " [m/s]", "Eq. (11.9)", step.push_hi[k], 0, {0, "exact"}, {}, clue);
+    }
+  }
+}
+
+EXERCISE_TEST(NewtonStep, IsThatOfAllFiveVectorsAtOnce) {
+  Random random;
+  const int n = 8;
+  Inside p = random_inside(random, n);
+  for (Eigen::Index k = 0; k < n; ++k) {  // two bounds for all
+    p.now.room_lo[k] = random.uniform(0.1, 2), p.now.room_hi[k] = random.uniform(0.1, 2);
+    p.now.push_lo[k] = random.uniform(0.1, 2), p.now.push_hi[k] = random.uniform(0.1, 2);
+  }
+  // Unknowns Δλ, Δz⁻, Δz⁺; lines: Eq. (11.5), then (11.6) of the bounds below and above, each to first order.
+  const MatrixXd one = MatrixXd::Identity(n, n);
+  MatrixXd A = MatrixXd::Zero(3 * n, 3 * n);
+  A.topRows(n) << p.S, -one, one;
+  A.middleRows(n, n) << MatrixXd(p.now.push_lo.asDiagonal()), MatrixXd(p.now.room_lo.asDiagonal()),
+      MatrixXd::Zero(n, n);
+  A.bottomRows(n) << -MatrixXd(p.now.push_hi.asDiagonal()), MatrixXd::Zero(n, n),
+      MatrixXd(p.now.room_hi.asDiagonal());
+  VectorXd right(3 * n);
+  right << p.B + p.now.push_lo - p.now.push_hi - p.S * p.now.lambda,
+      p.target.lo - p.now.room_lo.cwiseProduct(p.now.push_lo),
+      p.target.hi - p.now.room_hi.cwiseProduct(p.now.push_hi);
+  const VectorXd expected = A.fullPivLu().solve(right);
+  const Interior step = step_of(p);
+  if (!has_size(step, n)) return;
+  const Tolerance tolerance{1e-10 * (1 + expected.norm()), "roundings times a condition of 1e3, and some"};
+  expect_near_vector("Δλ [N s]", "Eq. (11.8)", VectorXd(step.lambda), VectorXd(expected.head(n)), tolerance, {},
+                     "τ/s stands for z + Δz, but for what Δλ does to it, and that is in S̃ already.");
+  expect_near_vector("Δz⁻ [m/s]", "Eq. (11.9)", VectorXd(step.push_lo), VectorXd(expected.segment(n, n)),
+                     tolerance);
+  expect_near_vector("Δz⁺ [m/s]", "Eq. (11.9)", VectorXd(step.push_hi), VectorXd(expected.tail(n)), tolerance);
+}
+
+EXERCISE_TEST(NewtonStep, StaysWhereAllIsRight) {
+  Random random;
+  Inside p = random_inside(random, 12);
+  p.B = p.S * p.now.lambda - p.now.push_lo + p.now.push_hi;
+  for (Eigen::Index k = 0; k < 12; ++k) {
+    if (has_lo(p.now, k)) p.target.lo[k] = p.now.room_lo[k] * p.now.push_lo[k];
+    if (has_hi(p.now, k)) p.target.hi[k] = p.now.room_hi[k] * p.now.push_hi[k];
+  }
+  const Interior step = step_of(p);
+  if (!has_size(step, 12)) return;
+  const Tolerance tolerance{1e-12, "roundings times stiffnesses up to 20"};
+  const std::string clue = "Nothing is missing and s z is what it shall be: there is no reason to move.";
+  expect_near("|Δλ| [N s]", "Eq. (11.8)", step.lambda.norm(), 0, tolerance, {}, clue);
+  expect_near("|Δz⁻| [m/s]", "Eq. (11.9)", step.push_lo.norm(), 0, tolerance, {}, clue);
+  expect_near("|Δz⁺| [m/s]", "Eq. (11.9)", step.push_hi.norm(), 0, tolerance, {}, clue);
+}
+
+// Vectors of four rows: room and push 1 on both sides, and no change.
+Interior four(double value) {
+  const Vector all = Vector::Constant(4, value);
+  return {.lambda = all, .room_lo = all, .room_hi = all, .push_lo = all, .push_hi = all};
+}
+
+struct Part {
+  const char* name;
+  Vector Interior::*vector;
+};
+
+constexpr Part parts[] = {{"room below", &Interior::room_lo},
+                          {"room above", &Interior::room_hi},
+                          {"push below", &Interior::push_lo},
+                          {"push above", &Interior::push_hi}};
+
+EXERCISE_TEST(LongestStep, IsWholeWhereNothingShrinks) {
+  expect_near("the part of a step that changes nothing", "Eq. (11.10)", longest_step(four(1), four(0)), 1,
+              {0, "exact"});
+  expect_near("the part of a step in which all grows", "Eq. (11.10)", longest_step(four(1), four(5)), 1,
+              {0, "exact"}, {{0.2, "What grows is no limit: only a negative change is."}});
+  Interior step = four(0);
+  step.lambda.setConstant(-5);
+  expect_near("the part of a step in which λ alone shrinks", "Eq. (11.10)", longest_step(four(1), step), 1,
+              {0, "exact"}, {{0.2, "λ may have any sign: it is its room that is kept."}});
+}
+
+EXERCISE_TEST(LongestStep, EndsAtTheFirstBound) {
+  for (const Part& part : parts)
+    for (Eigen::Index k = 0; k < 4; ++k) {
+      Interior now = four(1), step = four(0);
+      (now.*part.vector)[k] = 0.3;
+      (step.*part.vector)[k] = -0.4;
+      (step.*part.vector)[(k + 1) % 4] = -1.1;  // 1/1.1 is later
+      expect_near("the part of a step in which the " + std::string(part.name) + row(k) +
+                      " goes from 0.3 to -0.1, and the next from 1 to -0.1",
+                  "Eq. (11.10)", longest_step(now, step), 0.75, roundings(4),
+                  {{1, "This one is no limit? Four vectors are to stay >= 0: two rooms, two pushes."},
+                   {1 / 1.1, "The first to reach 0 counts, not the last."}},
+                  "0.3 - share 0.4 = 0.");
+    }
+}
+
+EXERCISE_TEST(LongestStep, IsNeverMoreThanWhole) {
+  for (const Part& part : parts) {
+    Interior step = four(0);
+    (step.*part.vector)[2] = -0.01;
+    expect_near("the part of a step in which the " + std::string(part.name) + " goes from 1 to 0.99",
+                "Eq. (11.10)", longest_step(four(1), step), 1, {0, "exact"},
+                {{100, "A whole step is what Newton asks for: at most 1."}});
+    (step.*part.vector)[2] = -1;
+    expect_near("the part of a step in which the " + std::string(part.name) + " goes from 1 to 0",
+                "Eq. (11.10)", longest_step(four(1), step), 1, {0, "exact"}, {},
+                "Down to 0, but not below; interior_solve keeps a distance by itself.");
+  }
+}
+
+EXERCISE_TEST(LongestStep, IsNoneFromABoundOutwards) {
+  Interior now = four(1), step = four(0);
+  now.push_hi[1] = 0;
+  step.push_hi[1] = -2;
+  expect_near("the part of a step that takes a push from 0 to -2", "Eq. (11.10)", longest_step(now, step), 0,
+              {0, "exact"});
+}
+
+EXERCISE_TEST(LongestStep, IgnoresBoundsThatAreNotThere) {
+  Interior now = four(1), step = four(0);
+  now.room_lo.setConstant(infinity), now.push_lo.setZero();
+  now.room_hi[0] = infinity, now.push_hi[0] = 0;
+  step.room_hi[3] = -4;
+  expect_near("the part of a step with rows that have no bound", "Eq. (11.10)", longest_step(now, step), 0.25,
+              {0, "exact"});
+}
+
+EXERCISE_TEST(LongestStep, KeepsAllAndCannotBeLonger) {
+  Random random;
+  for (int repeat = 0; repeat < 50; ++repeat) {
+    Interior now = four(1), step = four(0);
+    for (const Part& part : parts)
+      for (Eigen::Index k = 0; k < 4; ++k) {
+        (now.*part.vector)[k] = random.log_uniform(1e-6, 1e3);
+        (step.*part.vector)[k] = random.uniform(-1, 1);
+      }
+    const double share = longest_step(now, step);
+    double least = infinity, a_little_more = infinity;
+    for (const Part& part : parts) {
+      const Vector &value = now.*part.vector, &change = step.*part.vector;
+      least = std::min(least, ((value + share * change).array() / value.array()).minCoeff());
+      a_little_more = std::min(a_little_more, (value + (share + 1e-9) * change).minCoeff());
+    }
+    expect_at_least("least of rooms and pushes after that part, over what it was", "Eq. (11.10)", least, -1e-9,
+                    "0, and roundings of a change 1e6 times as large");
+    if (share < 1)
+      expect_at_most("least of rooms and pushes after a part that is 1e-9 longer", "Eq. (11.10)", a_little_more,
+                     0, "it would be negative", "It could have been longer.");
+    expect_at_most("the part", "Eq. (11.10)", share, 1, "a whole step");
+  }
+}
+
+}  // namespace

@@ -1,0 +1,217 @@
+// What is written down: S, and the saddle point that it comes from.
+#include "exercise_test.hpp"
+#include "systems.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(SchurComplement, "11.1 schur_complement");
+EXERCISE(SaddleMatrix, "11.2 saddle_matrix");
+
+std::string entry(std::size_t k, std::size_t l) {
+  return "entry (" + std::to_string(k) + ", " + std::to_string(l) + ")";
+}
+
+// Whether two rows meet at i and i, i and j ... : what a wrong entry depends on.
+std::string meeting(const Row<6>& a, const Row<6>& b) {
+  const auto body = [](const Row<6>& row) { return std::to_string(row.i) + "-" + std::to_string(row.j); };
+  return ", rows between bodies " + body(a) + " and " + body(b);
+}
+
+EXERCISE_TEST(SchurComplement, AgreesWithTheDenseMatrix) {
+  Random random;
+  for (int repeat = 0; repeat < 10; ++repeat) {
+    const System<6> s = random_system(random, 5, 12);
+    const MatrixXd S = full(schur_complement(s.rows)), expected = dense_S(s.rows);
+    for (std::size_t k = 0; k < s.rows.size(); ++k)
+      for (std::size_t l = 0; l <= k; ++l) {
+        const Row<6>&a = s.rows[k], &b = s.rows[l];
+        const auto as_if_i = [](const Row<6>& one, const Row<6>& other) {
+          return (one.i == other.i || one.i == other.j ? one.MinvGi.dot(other.Gi) : 0) +
+                 (one.j == other.i || one.j == other.j ? one.MinvGj.dot(other.Gi) : 0);
+        };
+        const std::string one_block = "Row l's block is Gi on its body i, and Gj on its body j.";
+        expect_near(entry(k, l) + " of S" + meeting(a, b) + " [1/kg]", "Eq. (11.1)", S(k, l), expected(k, l),
+                    roundings(40, 10),
+                    {{expected(k, l) - (k == l ? a.Sigma : 0), "Σ is missing from the diagonal."},
+                     {expected(k, l) + (k == l ? 0 : a.Sigma), "Σ belongs to the diagonal only."},
+                     {as_if_i(a, b), one_block},
+                     {as_if_i(b, a), one_block}},
+                    "Each body that the two rows share gives M⁻¹Gᵀ of one row times G of the other.");
+      }
+  }
+}
+
+EXERCISE_TEST(SchurComplement, AddsBothBodiesOfTheSamePair) {
+  Random random;
+  System<6> two = random_system(random, 3, 0);
+  for (int repeat = 0; repeat < 4; ++repeat) {
+    const Twist<6> Gi = (Twist<6>() << random.vector(), random.vector()).finished();
+    const Twist<6> Gj = (Twist<6>() << random.vector(), random.vector()).finished();
+    const bool turned = repeat % 2 == 1;  // the same pair from the other side
+    two.add({.i = turned ? 2 : 1,
+             .j = turned ? 1 : 2,
+             .Gi = Gi,
+             .Gj = Gj,
+             .gap = 0,
+             .spook = {.a = 0, .b = 1, .Sigma = 0.1}});
+  }
+  const MatrixXd S = full(schur_complement(two.rows)), expected = dense_S(two.rows);
+  for (std::size_t k = 0; k < 4; ++k)
+    for (std::size_t l = 0; l < k; ++l)
+      expect_near(entry(k, l) + " of S" + meeting(two.rows[k], two.rows[l]) + " [1/kg]", "Eq. (11.1)", S(k, l),
+                  expected(k, l), roundings(40, 20), {},
+                  "Rows that share two bodies have a share from each: add them up.");
+}
+
+EXERCISE_TEST(SchurComplement, IsALowerTriangle) {
+  Random random;
+  const System<6> s = random_system(random, 4, 10);
+  const SparseMatrix S = schur_complement(s.rows);
+  expect_true("S is 10 by 10", "Eq. (11.1)", S.rows() == 10 && S.cols() == 10);
+  expect_true("S is compressed", "Eq. (11.1)", S.isCompressed(),
+              "setFromTriplets leaves it compressed; after insert, call makeCompressed.");
+  int above = 0, diagonal = 0;
+  for (int column = 0; column < S.cols(); ++column)
+    for (SparseMatrix::InnerIterator at(S, column); at; ++at) {
+      above += at.row() < at.col();
+      diagonal += at.row() == at.col();
+    }
+  expect_near("entries above the diagonal", "Eq. (11.1)", above, 0, {0, "a count"}, {},
+              "What reads the matrix takes the upper triangle from the lower.");
+  expect_near("entries on the diagonal", "Eq. (11.1)", diagonal, 10, {0, "a count"});
+}
+
+EXERCISE_TEST(SchurComplement, OfAWireHasTwoEntriesALink) {
+  for (const int links : {1, 2, 50, 1000}) {
+    const System<3> wire = HangingWire{.links = links, .ratio = 10, .k = 1e6, .h = 0.01}.system();
+    const SparseMatrix S = schur_complement(wire.rows);
+    expect_near("entries of S for a wire of " + std::to_string(links) + " links", "Eq. (11.1)",
+                static_cast<double>(S.nonZeros()), 2 * links - 1, {0, "each link, and each pair of neighbours"},
+                {{links * (links + 1) / 2.0, "Every pair of rows has an entry, most of them 0."},
+                 {3.0 * links - 2, "Both triangles are stored."}},
+                "Rows that share no body that moves have no entry.");
+  }
+}
+
+EXERCISE_TEST(SchurComplement, RowsThatShareOnlyTheFloorHaveNoEntry) {
+  System<3> s;
+  const Twist<3> up(0, 0, 1);
+  s.add(0, Twist<3>::Zero());
+  for (int body = 1; body <= 20; ++body) {
+    s.add(0.5, -0.1 * up);
+    const bool turned = body % 2 == 0;
+    s.add({.i = turned ? body : 0,
+           .j = turned ? 0 : body,
+           .Gi = turned ? up : -up,
+           .Gj = turned ? -up : up,
+           .gap = 0,
+           .spook = {.a = 0, .b = 1, .Sigma = 0.5}});
+  }
+  const SparseMatrix S = schur_complement(s.rows);
+  expect_near("entries of S for 20 bodies side by side on a floor", "Eq. (11.1)",
+              static_cast<double>(S.nonZeros()), 20, {0, "no two rows share a body that moves"}, {},
+              "What nothing moves passes nothing on: M⁻¹Gᵀ is 0 there, and so is the entry. Leave it out.");
+}
+
+EXERCISE_TEST(SchurComplement, OfAStarHasAllPairs) {
+  Random random;
+  for (const int points : {1, 10, 60}) {
+    const System<3> s = star(random, points);
+    expect_near("entries of S for a star of " + std::to_string(points) + " points", "Eq. (11.1)",
+                static_cast<double>(schur_complement(s.rows).nonZeros()), points * (points + 1) / 2.0,
+                {0, "every row shares the middle with every other"});
+  }
+}
+
+// Eq. (11.2) with all its zeros.
+MatrixXd dense_saddle(const std::vector<Row<6>>& rows, const std::vector<InverseMass<6>>& inverse_mass) {
+  const auto bodies = std::ssize(inverse_mass), n = 6 * bodies + std::ssize(rows);
+  MatrixXd A = MatrixXd::Zero(n, n);
+  for (Eigen::Index body = 0; body < bodies; ++body) {
+    const InverseMass<6>& inverse = inverse_mass[body];
+    Eigen::Matrix<double, 6, 6> M = Eigen::Matrix<double, 6, 6>::Identity();
+    if (inverse.linear > 0) {
+      M.topLeftCorner<3, 3>() /= inverse.linear;
+      M.bottomRightCorner<3, 3>() = inverse.angular.inverse();
+    }
+    A.block<6, 6>(6 * body, 6 * body) = M;
+  }
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const Eigen::Index line = 6 * bodies + static_cast<Eigen::Index>(k);
+    const Row<6>& row = rows[k];
+    if (inverse_mass[row.i].linear > 0) A.block<1, 6>(line, 6 * row.i) = row.Gi.transpose();
+    if (inverse_mass[row.j].linear > 0) A.block<1, 6>(line, 6 * row.j) = row.Gj.transpose();
+    A(line, line) = -row.Sigma;
+  }
+  return MatrixXd(A.selfadjointView<Eigen::Lower>());
+}
+
+std::string part_of(Eigen::Index line, Eigen::Index column, Eigen::Index velocities) {
+  if (column >= velocities) return line == column ? " (on the diagonal of -Σ)" : " (between rows)";
+  return line >= velocities ? " (in G)" : " (in M)";
+}
+
+EXERCISE_TEST(SaddleMatrix, AgreesWithTheDenseMatrix) {
+  Random random;
+  for (int repeat = 0; repeat < 5; ++repeat) {
+    const System<6> s = random_system(random, 3, 4);
+    const SparseMatrix A = saddle_matrix(s.rows, s.motion.inverse_mass);
+    const MatrixXd expected = dense_saddle(s.rows, s.motion.inverse_mass);
+    expect_true("the matrix has 6 unknowns for each of 3 bodies, and 4 for the rows", "Eq. (11.2)",
+                A.rows() == 22 && A.cols() == 22);
+    if (A.rows() != 22 || A.cols() != 22) return;
+    const MatrixXd got = MatrixXd(A).triangularView<Eigen::Lower>();
+    for (Eigen::Index line = 0; line < 22; ++line)
+      for (Eigen::Index column = 0; column <= line; ++column) {
+        const double right = expected(line, column);
+        expect_near(entry(line, column) + part_of(line, column, 18), "Eq. (11.2)", got(line, column), right,
+                    {1e-13, "an inverse of 3 by 3 with a condition up to 10"},
+                    {{line >= 18 ? -right : right, "The sign: it is +G, and -Σ."},
+                     {line < 18 && right != 0 ? 1 / right : right, "This is of M⁻¹; here stands M."}},
+                    "First six unknowns for each body, then one for each row.");
+      }
+  }
+}
+
+EXERCISE_TEST(SaddleMatrix, WhatNothingMovesStandsStill) {
+  Random random;
+  System<6> s = random_system(random, 2, 3);
+  const MatrixXd A = full(saddle_matrix(s.rows, s.motion.inverse_mass));
+  expect_near_vector("M of a body that nothing moves, its diagonal", "Eq. (11.2)",
+                     VectorXd(A.diagonal().head<6>()), VectorXd::Ones(6), {0, "exact"},
+                     {{VectorXd::Zero(6), "Its mass is not 0 but infinite. The identity keeps its V at 0."}});
+  expect_near_vector("what the rows have of that body, each the norm of a block of G", "Eq. (11.2)",
+                     VectorXd(A.block(12, 0, 3, 6).rowwise().norm()), VectorXd::Zero(3), {0, "exact"}, {},
+                     "With its G there, the identity would be its mass.");
+}
+
+EXERCISE_TEST(SaddleMatrix, IsALowerTriangle) {
+  Random random;
+  const System<6> s = random_system(random, 4, 5);
+  const SparseMatrix A = saddle_matrix(s.rows, s.motion.inverse_mass);
+  int above = 0;
+  for (int column = 0; column < A.cols(); ++column)
+    for (SparseMatrix::InnerIterator at(A, column); at; ++at) above += at.row() < at.col();
+  expect_true("the matrix is compressed", "Eq. (11.2)", A.isCompressed());
+  expect_near("entries above the diagonal", "Eq. (11.2)", above, 0, {0, "a count"}, {},
+              "G is in the lower triangle, Gᵀ in the upper: only G is stored.");
+}
+
+EXERCISE_TEST(SaddleMatrix, OfAStarGrowsWithItsRows) {
+  Random random;
+  for (const int points : {10, 100, 1000}) {
+    const System<3> s = star(random, points);
+    const SparseMatrix A = saddle_matrix(s.rows, s.motion.inverse_mass);
+    // S of the same star has n(n+1)/2.
+    expect_at_most("entries for a star of " + std::to_string(points) + " points", "Eq. (11.2)",
+                   static_cast<double>(A.nonZeros()), 6 * (points + 1) + 7 * points,
+                   "at most 6 for each body, 6 for G and 1 for Σ for each row");
+    expect_at_least("entries for a star of " + std::to_string(points) + " points", "Eq. (11.2)",
+                    static_cast<double>(A.nonZeros()), 3 * (points + 1) + 6 * points, "M and G of each");
+  }
+}
+
+}  // namespace

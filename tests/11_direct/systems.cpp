@@ -1,0 +1,196 @@
+#include "systems.hpp"
+
+#include <stdexcept>
+
+#include "05_friction_box/friction_box.hpp"
+
+namespace spook::testing {
+
+namespace {
+
+InverseMass<6> random_body(Random& random) {
+  const Vec3 inverse_moments(random.uniform(0.2, 2), random.uniform(0.2, 2), random.uniform(0.2, 2));
+  const Mat3 R = random.rotation().toRotationMatrix();
+  return {.linear = 1 / random.uniform(0.5, 3), .angular = R * inverse_moments.asDiagonal() * R.transpose()};
+}
+
+enum State { at_lo, free_row, at_hi };
+
+// λ with the free rows solved and the others at their bounds; false when it is not the solution.
+bool solves(const Bounded& problem, const std::vector<State>& states, VectorXd& lambda) {
+  const auto n = problem.B.size();
+  MatrixXd A = MatrixXd::Identity(n, n);
+  VectorXd right = problem.B;
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const State state = states[k];
+    if (state == free_row) A.row(k) = problem.S.row(k);
+    if (state == at_lo) right[k] = problem.lo[k];
+    if (state == at_hi) right[k] = problem.hi[k];
+  }
+  if (!right.allFinite()) return false;
+  lambda = A.partialPivLu().solve(right);
+  const VectorXd lacking = problem.B - problem.S * lambda;
+  const double slack = 1e-12 * (1 + problem.B.norm());
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const State state = states[k];
+    if (lambda[k] < problem.lo[k] - slack || lambda[k] > problem.hi[k] + slack) return false;
+    if (state == at_lo && lacking[k] > slack) return false;
+    if (state == at_hi && lacking[k] < -slack) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+System<6> random_system(Random& random, int bodies, int rows) {
+  System<6> s;
+  for (int body = 0; body < bodies; ++body) {
+    s.motion.inverse_mass.push_back(body == 0 ? InverseMass<6>{} : random_body(random));
+    s.motion.W.push_back((Twist<6>() << random.vector(), random.vector()).finished());
+    s.motion.Wf.push_back((Twist<6>() << random.vector(0.3), random.vector(0.3)).finished());
+    if (body == 0) s.motion.W[0].setZero(), s.motion.Wf[0].setZero();
+    s.V.push_back(Twist<6>::Zero());
+  }
+  for (int k = 0; k < rows; ++k) {
+    const int i = random.integer(0, bodies - 1), j = (i + random.integer(1, bodies - 1)) % bodies;
+    const ContactJacobian G = contact_jacobian(
+        {.i = i, .j = j, .n = random.unit_vector(), .gap = 0, .r_i = random.vector(), .r_j = random.vector()});
+    const Spook spook{
+        .a = random.uniform(1, 10), .b = random.uniform(0.5, 1), .Sigma = random.uniform(0.05, 0.2)};
+    s.add({.i = i,
+           .j = j,
+           .Gi = G.Gi,
+           .Gj = G.Gj,
+           .gap = random.uniform(-0.1, 0.1),
+           .spook = spook,
+           .lo = -infinity,
+           .hi = infinity});
+  }
+  return s;
+}
+
+void add_random_bounds(Random& random, std::vector<Row<6>>& rows) {
+  for (Row<6>& row : rows) {
+    const int kind = random.integer(0, 3);
+    if (kind & 1) row.lo = random.uniform(-0.3, 0.1);
+    if (kind & 2) row.hi = random.uniform(0.11, 0.5);
+  }
+}
+
+System<3> HangingWire::system() const {
+  System<3> s;
+  const Twist<3> down(0, 0, -1);
+  s.add(0, Twist<3>::Zero());
+  for (int point = 1; point <= links; ++point) s.add(1 / mass(point), h * g * down);
+  for (int link = 0; link < links; ++link)
+    s.add({.i = link,
+           .j = link + 1,
+           .Gi = -down,
+           .Gj = down,
+           .gap = tension(link) / k,
+           .spook = spook_parameters(h, k, d),
+           .lo = -infinity,
+           .hi = infinity});
+  return s;
+}
+
+System<3> star(Random& random, int points) {
+  System<3> s;
+  s.add(1, Twist<3>::Zero());
+  for (int point = 1; point <= points; ++point) {
+    s.add(1 / random.uniform(0.5, 2), random.vector());
+    const Vec3 n = random.unit_vector();
+    s.add({.i = 0,
+           .j = point,
+           .Gi = -n,
+           .Gj = n,
+           .gap = random.uniform(-0.1, 0.1),
+           .spook = {.a = 5, .b = 0.8, .Sigma = 0.1},
+           .lo = -infinity,
+           .hi = infinity});
+  }
+  return s;
+}
+
+System<6> box_tower(int boxes, double h, double mu, const Vec3& slide) {
+  constexpr double g = 9.81;
+  System<6> s;
+  for (int body = 0; body <= boxes; ++body) {
+    s.motion.inverse_mass.push_back(body == 0 ? InverseMass<6>{}
+                                              : InverseMass<6>{.linear = 1, .angular = 6 * Mat3::Identity()});
+    const double moves = body == 0 ? 0 : 1;
+    s.motion.W.push_back((Twist<6>() << moves * slide, 0, 0, 0).finished());
+    s.motion.Wf.push_back((Twist<6>() << 0, 0, -moves * h * g, 0, 0, 0).finished());
+    s.V.push_back(Twist<6>::Zero());
+  }
+  const Spook normal{.a = 0, .b = 1, .Sigma = 1e-8};
+  const Spook friction{.a = 0, .b = 1, .Sigma = 1e-10};
+  for (int below = 0; below < boxes; ++below)
+    for (const double x : {-0.5, 0.5})
+      for (const double y : {-0.5, 0.5}) {
+        const Contact contact{.i = below,
+                              .j = below + 1,
+                              .n = Vec3(0, 0, 1),
+                              .gap = 0,
+                              .r_i = Vec3(x, y, 0.5),
+                              .r_j = Vec3(x, y, -0.5)};
+        const ContactJacobian G = contact_jacobian(contact);
+        s.add({.i = below, .j = below + 1, .Gi = G.Gi, .Gj = G.Gj, .gap = 0, .spook = normal});
+        const double bound = mu * h * g * (boxes - below) / 4;
+        for (const Constraint<6>& one :
+             friction_constraints<6>(contact, {Vec3(1, 0, 0), Vec3(0, 1, 0)}, bound, friction))
+          s.add(one);
+      }
+  return s;
+}
+
+SparseMatrix lower_triangle(const MatrixXd& A) {
+  SparseMatrix lower = MatrixXd(A.triangularView<Eigen::Lower>()).sparseView();
+  lower.makeCompressed();
+  return lower;
+}
+
+MatrixXd full(const SparseMatrix& lower) {
+  const MatrixXd A = lower;
+  return MatrixXd(A.selfadjointView<Eigen::Lower>());
+}
+
+Bounded bounded(const std::vector<Row<6>>& rows) {
+  return {.S = dense_S(rows),
+          .B = gathered(rows, &Row<6>::B),
+          .lo = gathered(rows, &Row<6>::lo),
+          .hi = gathered(rows, &Row<6>::hi)};
+}
+
+double dense_residual(const Bounded& problem, const VectorXd& lambda) {
+  const VectorXd lacking = problem.B - problem.S * lambda;
+  double largest = 0;
+  for (Eigen::Index k = 0; k < lambda.size(); ++k) {
+    const double diagonal = problem.S(k, k);
+    const double next = std::clamp(lambda[k] + lacking[k] / diagonal, problem.lo[k], problem.hi[k]);
+    const double one = diagonal * std::abs(next - lambda[k]);
+    if (std::isnan(one)) return one;
+    largest = std::max(largest, one);
+  }
+  return largest;
+}
+
+VectorXd enumerate_solution(const Bounded& problem) {
+  const std::size_t n = static_cast<std::size_t>(problem.B.size());
+  std::vector<State> states(n, at_lo);
+  VectorXd lambda;
+  for (;;) {
+    if (solves(problem, states, lambda)) return lambda;
+    std::size_t k = 0;
+    while (k < n && states[k] == at_hi) states[k++] = at_lo;
+    if (k == n) throw std::logic_error("no set of active bounds solves the problem");
+    states[k] = static_cast<State>(states[k] + 1);
+  }
+}
+
+double condition(const MatrixXd& S) {
+  const VectorXd eigenvalues = Eigen::SelfAdjointEigenSolver<MatrixXd>(S).eigenvalues();
+  return (1 + eigenvalues.maxCoeff()) / eigenvalues.minCoeff();
+}
+
+}  // namespace spook::testing

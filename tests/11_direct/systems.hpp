@@ -1,0 +1,133 @@
+#pragma once
+// Rows whose solutions are known, and what solves any rows slowly, for the tests of chapter 11.
+#include <Eigen/Dense>
+#include <string>
+#include <vector>
+
+#include "11_direct/direct.hpp"
+#include "random_input.hpp"
+
+namespace spook::testing {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Bodies, the rows between them, and room for V.
+template <int Dof>
+struct System {
+  Motion<Dof> motion;
+  std::vector<Row<Dof>> rows;
+  std::vector<Twist<Dof>> V;
+
+  int add(double inverse, const Twist<Dof>& Wf);
+  void add(const Constraint<Dof>& constraint) { rows.push_back(make_row(constraint, motion)); }
+};
+
+template <>
+inline int System<3>::add(double inverse, const Twist<3>& Wf) {
+  motion.inverse_mass.push_back({.linear = inverse});
+  motion.W.push_back(Twist<3>::Zero());
+  motion.Wf.push_back(Wf);
+  V.push_back(Twist<3>::Zero());
+  return static_cast<int>(V.size()) - 1;
+}
+
+/// Rigid bodies, the first of which nothing moves, and rows of contacts anywhere between two of them, without bounds.
+System<6> random_system(Random& random, int bodies, int rows);
+
+/// For each row one of: no bound, one below, one above, two. They hold about half of the rows.
+void add_random_bounds(Random& random, std::vector<Row<6>>& rows);
+
+/// Points that hang straight down in `links` links, from a point that nothing moves, at rest where the links have
+/// stretched by T/k each; the last is `ratio` times as heavy as the others, of 1 kg. λ of link k, 0 at the top, is -h
+/// tension(k).
+struct HangingWire {
+  int links;
+  double ratio, k, h, d = 2, g = 9.81;
+
+  double mass(int point) const { return point == links ? ratio : 1; }
+  double tension(int link) const { return (ratio + links - 1 - link) * g; }  ///< [N]
+  System<3> system() const;
+};
+
+/// Points around one in the middle, each tied to it by a row along its own direction; Σ = 0.1.
+System<3> star(Random& random, int points);
+
+/// Boxes of 1 kg and edges of 1 m on a floor, one on the other, with four contacts each of three rows: normal, t1, t2.
+/// The friction rows have bounds ±mu h g/4 times the mass that rests on the contact, and Σ = 1e-10. The boxes slide
+/// as `slide` says.
+System<6> box_tower(int boxes, double h, double mu, const Vec3& slide);
+
+/// S = G M⁻¹ Gᵀ + Σ with all its zeros: Eq. (11.1).
+template <int Dof>
+MatrixXd dense_S(const std::vector<Row<Dof>>& rows) {
+  const auto n = std::ssize(rows);
+  MatrixXd S = MatrixXd::Zero(n, n);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    for (std::size_t l = 0; l < rows.size(); ++l) {
+      const Row<Dof>&a = rows[k], &b = rows[l];
+      if (a.i == b.i) S(k, l) += a.Gi.dot(b.MinvGi);
+      if (a.i == b.j) S(k, l) += a.Gi.dot(b.MinvGj);
+      if (a.j == b.i) S(k, l) += a.Gj.dot(b.MinvGi);
+      if (a.j == b.j) S(k, l) += a.Gj.dot(b.MinvGj);
+    }
+    S(k, k) += rows[k].Sigma;
+  }
+  return S;
+}
+
+/// The lower triangle, compressed.
+SparseMatrix lower_triangle(const MatrixXd& A);
+
+/// The symmetric matrix of which this is the lower triangle.
+MatrixXd full(const SparseMatrix& lower);
+
+template <int Dof>
+VectorXd gathered(const std::vector<Row<Dof>>& rows, double Row<Dof>::*member) {
+  VectorXd values(std::ssize(rows));
+  for (std::size_t k = 0; k < rows.size(); ++k) values[static_cast<Eigen::Index>(k)] = rows[k].*member;
+  return values;
+}
+
+/// V = M⁻¹ Gᵀ λ of the rows' λ.
+template <int Dof>
+std::vector<Twist<Dof>> velocities(const std::vector<Row<Dof>>& rows, std::size_t bodies) {
+  std::vector<Twist<Dof>> V(bodies, Twist<Dof>::Zero());
+  for (const Row<Dof>& row : rows) {
+    V[row.i] += row.lambda * row.MinvGi;
+    V[row.j] += row.lambda * row.MinvGj;
+  }
+  return V;
+}
+
+/// The largest difference of two lists of velocities; NaN if there is one.
+template <int Dof>
+double difference(const std::vector<Twist<Dof>>& a, const std::vector<Twist<Dof>>& b) {
+  double largest = a.size() == b.size() ? 0 : infinity;
+  for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k) {
+    const double one = (a[k] - b[k]).cwiseAbs().template maxCoeff<Eigen::PropagateNaN>();
+    if (!(one <= largest)) largest = one;
+    if (std::isnan(largest)) break;
+  }
+  return largest;
+}
+
+/// S λ = B within bounds.
+struct Bounded {
+  MatrixXd S;
+  VectorXd B, lo, hi;
+};
+
+Bounded bounded(const std::vector<Row<6>>& rows);
+
+/// Eq. (4.8).
+double dense_residual(const Bounded& problem, const VectorXd& lambda);
+
+/// The solution, of which there is one: tries every set of rows at their lower bound, at their upper bound, and free.
+/// For up to 7 rows.
+VectorXd enumerate_solution(const Bounded& problem);
+
+/// 1 over the smallest eigenvalue times the size: by what a residual may be multiplied in λ.
+double condition(const MatrixXd& S);
+
+}  // namespace spook::testing
