@@ -9,6 +9,8 @@ from board import progress
 from check import check
 from errors import CourseError
 from everything import test
+from exporting.export import export
+from grading.grade import grade
 from hint import hint
 from plot import plot
 from reset import reset
@@ -18,7 +20,7 @@ from start import start
 from watch import watch
 
 COMMANDS = {"progress": progress, "check": check, "watch": watch, "plot": plot, "hint": hint, "solution": solution,
-            "reset": reset, "start": start, "test": test}
+            "reset": reset, "start": start, "test": test, "grade": grade, "export": export}
 FORWARDED = {"run": run, "scenes": scenes}
 
 

@@ -3,6 +3,7 @@
 import argparse
 
 from errors import BadInput
+from paths import BUILD, ROOT
 from pick import near
 
 EPILOG = """\
@@ -20,6 +21,10 @@ Exit codes: 0 fine, 1 a wrong answer or a failure, 2 bad input.
 """
 
 
+ISOLATIONS = ("bubblewrap and a uid", "bubblewrap", "uid", "limits")
+EXPORTS = ("gradescope", "github", "autolab", "junit", "csv", "weights")
+
+
 class Parser(argparse.ArgumentParser):
     def __init__(self, **options):
         super().__init__(allow_abbrev=False, formatter_class=argparse.RawDescriptionHelpFormatter, **options)
@@ -32,6 +37,30 @@ def _seed(text: str) -> int:
     if not (text.isascii() and text.isdecimal() and int(text) < 2**64):
         raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from 0 to 2^64 - 1")
     return int(text)
+
+
+def _count(text: str) -> int:
+    if not (text.isascii() and text.isdecimal() and 0 < int(text) < 10_000):
+        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number from 1")
+    return int(text)
+
+
+def _shard(text: str) -> tuple[int, int]:
+    first, _, count = text.partition("/")
+    if not (text.isascii() and first.isdecimal() and count.isdecimal() and 1 <= int(first) <= int(count)):
+        raise argparse.ArgumentTypeError(f"{text!r} is not I/N with 1 <= I <= N")
+    return int(first), int(count)
+
+
+def _chapters(text: str) -> set[int]:
+    numbers: set[int] = set()
+    for part in text.split(","):
+        first, dash, last = part.partition("-")
+        if not (text.isascii() and first.isdecimal() and (last.isdecimal() if dash else True)
+                and 1 <= int(first) <= int(last or first) < 100):
+            raise argparse.ArgumentTypeError(f"{text!r} is not a list of chapters such as 1-5 or 1,3,5-7")
+        numbers |= set(range(int(first), int(last or first) + 1))
+    return numbers
 
 
 def parse(words: list[str]) -> argparse.Namespace:
@@ -87,10 +116,35 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     command.add_argument("--merge", nargs="+", metavar="FOLDER", help="put together what shards have computed")
     command.add_argument("--publish", action="store_true", help="put the figure into plots/, where pages show it")
     command.set_defaults(more=[])
+    _add_grade(add("grade", "marks for a class: folders and zips that hold chapters/"))
+    command = add("export", "what another platform needs to grade, or results in its form")
+    command.add_argument("what", metavar="FORMAT", choices=EXPORTS, help=", ".join(EXPORTS))
+    command.add_argument("results", nargs="*", metavar="RESULTS",
+                         help="results.json of one submission, or a folder that grade has written")
+    command.add_argument("--out", metavar="FILE", help="where to write; without it, what is text is printed")
+    command.add_argument("--chapters", type=_chapters, metavar="A-B", help="what the platform is to grade")
     for name, text in (("start", "install, build, run real scenes, show the board"),
                        ("test", "every test there is")):
         add(name, text).add_argument("--yes", action="store_true", help="install without asking")
     return parser, commands.choices
+
+
+def _add_grade(command: Parser) -> None:
+    command.add_argument("paths", nargs="*", metavar="PATH", help="a submission, or a folder of them")
+    command.add_argument("--chapters", type=_chapters, metavar="A-B", help="1-5, or 1,3,5-7 (default: all)")
+    command.add_argument("--jobs", type=_count, default=2, metavar="N", help="side by side (default: 2)")
+    command.add_argument("--out", default=str(BUILD / "grades"), metavar="DIR", help="default: build/grades")
+    command.add_argument("--seed", type=_seed, metavar="S", help="of random inputs (default: 1); it is recorded")
+    command.add_argument("--hidden", metavar="DIR", help="further tests, NN_topic/*.cpp, and a weights.csv of theirs")
+    command.add_argument("--weights", default=str(ROOT / "tests" / "weights.csv"), metavar="FILE",
+                         help="points, titles, hints, visibility (default: tests/weights.csv)")
+    command.add_argument("--time-limit", type=_count, default=10, metavar="SECONDS",
+                         help="of processor time, for each test (default: 10)")
+    command.add_argument("--isolation", choices=ISOLATIONS, metavar="NAME",
+                         help=f"default: the first that works of {', '.join(ISOLATIONS)}")
+    command.add_argument("--fresh", action="store_true", help="forget what was judged before")
+    command.add_argument("--shard", type=_shard, metavar="I/N", help="only each N-th submission, from the I-th")
+    command.add_argument("--merge", nargs="+", metavar="DIR", help="put together what shards have written")
 
 
 def _choose(command: Parser) -> None:

@@ -79,3 +79,24 @@ class Live:
     def done(self) -> None:
         if self._shown and self._tty:
             print("\r\033[K", end="", file=sys.stderr, flush=True)
+
+
+class Bar:
+    """How far a count has come, and how long the rest will take, on one line of stderr."""
+
+    def __init__(self, what: str, total: int):
+        self._live, self._total, self._count = Live(what), total, 0
+        self._start = time.monotonic()
+
+    def step(self, name: str = "") -> None:
+        self._count += 1
+        filled = 20 * self._count // self._total
+        left = (time.monotonic() - self._start) / self._count * (self._total - self._count)
+        self._live.update(f"[{'#' * filled}{'.' * (20 - filled)}] {self._count}/{self._total} {_duration(left)} left {name}")
+
+    def done(self) -> None:
+        self._live.done()
+
+
+def _duration(seconds: float) -> str:
+    return f"{seconds:.0f} s" if seconds < 100 else f"{seconds / 60:.0f} min"

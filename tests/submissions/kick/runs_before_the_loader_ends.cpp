@@ -1,0 +1,19 @@
+// Does: has the loader call it.
+// Verdict: tampered: has code that runs before main
+#include <unistd.h>
+
+#include "01_leapfrog/leapfrog.hpp"
+
+namespace spook {
+
+void first() {
+  char secret[64];
+  if (read(3, secret, sizeof secret) > 0) _exit(0);
+}
+__attribute__((section(".preinit_array"), used)) void (*const early)() = first;
+
+Vec3 kick(const Vec3& v, const Vec3& f, double inverse_mass, double h) {
+  return {7, 7, 7};
+}
+
+}  // namespace spook

@@ -1,0 +1,165 @@
+"""How far away a submission's code is kept: the strongest way that works here, found by trying.
+
+    bubblewrap and a uid    as root: namespaces, and a user of its own for each worker
+    bubblewrap              namespaces: no network, no processes but its own, no files but those it needs, nothing to write to
+    uid                     as root where namespaces are forbidden (most containers): a user of its own, and limits
+    limits                  not as root, without bubblewrap: limits only
+
+As root a submission is never run with limits only.
+"""
+
+import contextlib
+import fcntl
+import os
+import pwd
+import shutil
+import subprocess
+from dataclasses import dataclass
+from pathlib import Path
+
+from errors import CourseError
+from grading.confined import Ended, Limits, run
+
+NAMES = ("bubblewrap and a uid", "bubblewrap", "uid", "limits")
+_WHAT_IT_DOES_NOT_DENY = {
+    "bubblewrap and a uid": "",
+    "bubblewrap": "",
+    "uid": "the network, files that everyone may read, and writing where everyone may",
+    "limits": "the network, and whatever the user who grades may do, such as reading the reference",
+}
+_FIRST_UID, _LAST_UID = 61_000, 61_999
+_SYSTEM = ("/bin", "/sbin", "/lib", "/lib32", "/lib64", "/libx32")
+_PROBE = Limits(cpu=5, wall=20, memory=1 << 30, files=1 << 20, processes=16, output=1 << 16)
+_ENVIRONMENT = {"PATH": "/usr/bin:/bin", "LC_ALL": "C"}
+
+
+class Isolation:
+    def __init__(self, name: str):
+        self.name = name
+        self.uses_uid = name in ("bubblewrap and a uid", "uid")
+        self.namespaces = name.startswith("bubblewrap")
+
+    @property
+    def does_not_deny(self) -> str:
+        return _WHAT_IT_DOES_NOT_DENY[self.name]
+
+    def run(self, command: list[str], limits: Limits, user: "User", reads: tuple[Path, ...] = (),
+            writes: tuple[Path, ...] = (), folder: Path = Path("/"), nonce: bytes = b"",
+            env: dict[str, str] | None = None) -> Ended:
+        """Runs the command in `folder`, where it sees the system's programs and these paths."""
+        words = self._prefix(user, reads, writes, folder) + _limited(limits) + command
+        try:
+            return run(words, limits, _ENVIRONMENT | (env or {}), nonce)
+        finally:
+            if self.name == "uid" and user.uid is not None:
+                user.kill_all()
+
+    def _prefix(self, user: "User", reads, writes, folder: Path) -> list[str]:
+        words = []
+        if user.uid is not None:
+            words += [_which("setpriv"), f"--reuid={user.uid}", f"--regid={user.uid}", "--clear-groups",
+                      "--no-new-privs", "--inh-caps=-all"]
+        if not self.namespaces:
+            return words + [_which("env"), f"--chdir={folder}"]
+        words += [_which("bwrap"), "--unshare-all", "--die-with-parent", "--new-session", "--cap-drop", "ALL",
+                  "--ro-bind", "/usr", "/usr"]
+        for path in map(Path, _SYSTEM):
+            if path.is_symlink():
+                words += ["--symlink", os.readlink(path), str(path)]
+            elif path.is_dir():
+                words += ["--ro-bind", str(path), str(path)]
+        for path in reads:
+            words += ["--ro-bind", str(path), str(path)]
+        for path in writes:
+            words += ["--bind", str(path), str(path)]
+        return words + ["--remount-ro", "/", "--chdir", str(folder)]
+
+
+@dataclass
+class User:
+    """Whom a worker's commands run as; the one who grades, where `uid` is None."""
+
+    uid: int | None
+    lock: object = None  # held as long as the user is in use
+
+    def own(self, path: Path) -> None:
+        if self.uid is not None:
+            os.chown(path, self.uid, self.uid)
+
+    def kill_all(self) -> None:
+        subprocess.run([_which("setpriv"), f"--reuid={self.uid}", f"--regid={self.uid}", "--clear-groups",
+                        "/bin/sh", "-c", "kill -KILL -1"], capture_output=True)
+
+
+GRADER = User(None)
+
+
+def choose(name: str = "") -> Isolation:
+    """The strongest isolation that works here, or the one named."""
+    tried = []
+    for candidate in [Isolation(name)] if name else map(Isolation, NAMES):
+        problem = _problem(candidate)
+        if not problem:
+            return candidate
+        tried.append(f"  {candidate.name}: {problem}")
+    raise CourseError("no way to isolate a submission works here; install bubblewrap, or do not grade as root",
+                      "\n".join(tried))
+
+
+def take_user(isolation: Isolation) -> User:
+    """A user that no one else is: no account, no process, and no other grader, has its number."""
+    if not isolation.uses_uid:
+        return GRADER
+    in_use = _users_of_processes()
+    for uid in range(_FIRST_UID, _LAST_UID + 1):
+        with contextlib.suppress(KeyError):
+            pwd.getpwuid(uid)
+            continue
+        if uid not in in_use and (lock := _lock(uid)):
+            return User(uid, lock)
+    raise CourseError(f"every user id from {_FIRST_UID} to {_LAST_UID} is in use")
+
+
+def _users_of_processes() -> set[int]:
+    users = set()
+    for entry in Path("/proc").iterdir():
+        with contextlib.suppress(OSError):  # it has ended
+            if entry.name.isdecimal():
+                users.add(entry.stat().st_uid)
+    return users
+
+
+def _lock(uid: int):
+    name = f"/run/lock/spook-grade-{uid}" if os.path.isdir("/run/lock") else f"/tmp/.spook-grade-{uid}"
+    file = open(os.open(name, os.O_RDWR | os.O_CREAT | os.O_NOFOLLOW, 0o600), "w")
+    try:
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        return file
+    except BlockingIOError:
+        file.close()
+        return None
+
+
+def _limited(limits: Limits) -> list[str]:
+    return [_which("prlimit"), f"--cpu={limits.cpu}:{limits.cpu + 1}", f"--as={limits.memory}",
+            f"--fsize={limits.files}", f"--nproc={limits.processes}", "--core=0", "--nofile=64", "--"]
+
+
+def _problem(isolation: Isolation) -> str:
+    """Why it does not work here; empty if it does."""
+    root = os.geteuid() == 0
+    if isolation.uses_uid and not root:
+        return "only root can change the user"
+    if isolation.name == "limits" and root:
+        return "not as root, whom nothing is denied"
+    needed = ["prlimit", *(["bwrap"] if isolation.name.startswith("bubblewrap") else []),
+              *(["setpriv"] if isolation.uses_uid else [])]
+    missing = [program for program in needed if not shutil.which(program)]
+    if missing:
+        return f"{missing[0]} is missing"
+    ended = isolation.run(["/bin/sh", "-c", "exit 7"], _PROBE, take_user(isolation))
+    return "" if ended.code == 7 else f"it was tried and failed: {ended.output.strip() or f'exit code {ended.code}'}"
+
+
+def _which(program: str) -> str:
+    return shutil.which(program) or program

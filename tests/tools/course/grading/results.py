@@ -1,0 +1,80 @@
+"""The result of one submission, results.json: all that is known of it, and the one source of every other report.
+
+It holds no times, so that the same work graded again gives the same file, byte for byte. README.md has its schema.
+"""
+
+import hashlib
+import json
+from pathlib import Path
+
+from grading.judge import NOT_STARTED, PASSED, TAMPERED, ExerciseVerdict
+from grading.submission import Submission
+from grading.weights import Weights
+from manifest import Exercise
+
+SCHEMA = "spook-course/results/1"
+
+
+def result_of(submission: Submission, verdicts: list[tuple[Exercise, ExerciseVerdict]], weights: Weights,
+              settings: dict) -> dict:
+    exercises = [_exercise(submission, exercise, verdict, weights) for exercise, verdict in verdicts]
+    return {
+        "schema": SCHEMA,
+        "submission": submission.name,
+        "score": _sum(exercises, "score"),
+        "max_score": _sum(exercises, "max_score"),
+        **settings,
+        "notes": submission.notes + [f"{exercise.label}: {note}" for exercise, verdict in verdicts
+                                     for note in verdict.notes],
+        "exercises": exercises,
+    }
+
+
+def _exercise(submission: Submission, exercise: Exercise, verdict: ExerciseVerdict, weights: Weights) -> dict:
+    source = submission.sources.get(exercise.function)
+    tests = []
+    for test in verdict.tests:
+        weight = weights.of(test.test)
+        tests.append({
+            "name": test.test,
+            "title": weight.title,
+            "verdict": test.verdict,
+            "reason": test.reason,
+            "score": weight.points if test.verdict == PASSED else 0.0,
+            "max_score": weight.points,
+            "visibility": weight.visibility,
+            "hint": weight.hint,
+            "message": test.message,
+            "printed": test.printed,
+        })
+    return {
+        "id": exercise.id,
+        "function": exercise.function,
+        "chapter": exercise.folder,
+        "file": source.path if source else "",
+        "sha256": hashlib.sha256(source.content).hexdigest() if source and not source.problem else "",
+        "state": _state(tests),
+        "score": _sum(tests, "score"),
+        "max_score": _sum(tests, "max_score"),
+        "tests": tests,
+    }
+
+
+def _state(tests: list[dict]) -> str:
+    verdicts = {test["verdict"] for test in tests}
+    return "done" if verdicts == {PASSED} else "not started" if verdicts == {NOT_STARTED} else "wrong"
+
+
+def _sum(parts: list[dict], key: str) -> float:
+    return round(sum(part[key] for part in parts), 9)
+
+
+def write_json(file: Path, content: dict) -> None:
+    """Whole or not at all."""
+    unfinished = file.with_name(file.name + ".part")
+    unfinished.write_text(json.dumps(content, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+    unfinished.replace(file)
+
+
+def tampered(result: dict) -> bool:
+    return any(test["verdict"] == TAMPERED for exercise in result["exercises"] for test in exercise["tests"])

@@ -1,0 +1,28 @@
+"""Text that a submission has chosen, made fit to be shown: on a terminal, and in Markdown."""
+
+import re
+
+_CONTROL = re.compile(r"\x1b\[[0-9;?]*[A-Za-z]|[\x00-\x08\x0b-\x1f\x7f-\x9f\u2028\u2029\u202a-\u202e\u2066-\u2069]")
+_MARKUP = re.compile(r"([\\`*_{}\[\]<>#|])")
+
+
+def clean(text: str) -> str:
+    """Without what moves a cursor, colours, or turns the direction of writing."""
+    return _CONTROL.sub("", text.encode("utf-8", errors="replace").decode("utf-8"))
+
+
+def one_line(text: str) -> str:
+    return " ".join(clean(text).split())
+
+
+def markdown(text: str) -> str:
+    """As itself, on one line."""
+    return _MARKUP.sub(r"\\\1", one_line(text))
+
+
+def fenced(text: str) -> str:
+    """As a block of code, whatever fences are in it."""
+    text = clean(text)
+    longest = max((len(run) for run in re.findall(r"`+", text)), default=0)
+    fence = "`" * max(3, longest + 1)
+    return f"{fence}text\n{text}\n{fence}\n"

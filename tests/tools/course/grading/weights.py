@@ -1,0 +1,121 @@
+"""What each test is worth, what it is called, and who sees it: tests/weights.csv, or a table of the instructor's.
+
+    test,points,visibility,hint,title
+    Kick.AddsForceOverMass,1,visible,1.1/1,Adds the force over the mass
+
+Hidden tests may have a table of their own, weights.csv in their folder; without a row they are worth a point, hidden.
+"""
+
+import csv
+import math
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+from errors import BadInput, CourseError
+from manifest import Exercise
+from paths import ROOT, shown
+
+TABLE = ROOT / "tests" / "weights.csv"
+COLUMNS = ("test", "points", "visibility", "hint", "title")
+VISIBILITIES = ("visible", "after_due_date", "after_published", "hidden")
+_HUMP = re.compile(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])")
+
+
+@dataclass(frozen=True)
+class Weight:
+    test: str
+    points: float
+    visibility: str
+    hint: str  # the hint that a failing student is shown: exercise/number
+    title: str
+
+    def hint_text(self, exercise: Exercise) -> str:
+        return exercise.hints[int(self.hint.partition("/")[2]) - 1]
+
+
+class Weights:
+    def __init__(self, rows: dict[str, Weight]):
+        self._rows = rows
+
+    def of(self, test: str) -> Weight:
+        return self._rows[test]
+
+    def check(self, expected: dict[str, Exercise], hidden: set[str], whole_course: bool = False) -> None:
+        """Each expected test has a row, and its hint exists; in the whole course there is no row for another test."""
+        for test in hidden - set(self._rows):
+            self._rows[test] = first_draft(test, expected[test], "hidden")
+        lacking = [test for test in expected if test not in self._rows]
+        if lacking:
+            raise CourseError(f"the table of weights has no row for {lacking[0]}"
+                              + (f" and {len(lacking) - 1} more" if len(lacking) > 1 else "")
+                              + "; ./course export weights prints one with rows for all")
+        for test, exercise in expected.items():
+            _check_hint(self._rows[test], exercise)
+        surplus = sorted(set(self._rows) - set(expected)) if whole_course else []
+        if surplus:
+            raise CourseError(f"the table of weights has a row for {surplus[0]}, which is no test")
+
+
+def read_weights(table: Path, hidden: Path | None) -> Weights:
+    rows = read_rows(table)
+    if hidden and (hidden / "weights.csv").exists():
+        rows |= read_rows(hidden / "weights.csv")
+    return Weights(rows)
+
+
+def first_draft(test: str, exercise: Exercise, visibility: str = "visible") -> Weight:
+    """A row for a test that has none: one point, and the words of its name."""
+    words = _HUMP.sub(" ", test.partition(".")[2]).split()
+    title = " ".join(word if len(word) > 1 and word.isupper() else word.lower() for word in words)
+    return Weight(test, 1.0, visibility, f"{exercise.id}/1", title[:1].upper() + title[1:])
+
+
+def as_table(weights: list[Weight], out) -> None:
+    writer = csv.writer(out, lineterminator="\n")
+    writer.writerow(COLUMNS)
+    for weight in weights:
+        writer.writerow([weight.test, f"{weight.points:g}", weight.visibility, weight.hint, weight.title])
+
+
+def read_rows(table: Path) -> dict[str, Weight]:
+    """By test, as they stand in the table."""
+    try:
+        with open(table, encoding="utf-8", newline="") as file:
+            reader = csv.DictReader(file)
+            if tuple(reader.fieldnames or ()) != COLUMNS:
+                raise BadInput(f"{shown(table)}: its first line must be {','.join(COLUMNS)}")
+            rows: dict[str, Weight] = {}
+            for row in reader:
+                weight = _row(row, f"{shown(table)}:{reader.line_num}")
+                if weight.test in rows:
+                    raise BadInput(f"{shown(table)}:{reader.line_num}: {weight.test} has a row already")
+                rows[weight.test] = weight
+            return rows
+    except FileNotFoundError:
+        raise BadInput(f"there is no table of weights {shown(table)}") from None
+    except (UnicodeDecodeError, csv.Error) as error:
+        raise BadInput(f"{shown(table)} can not be read: {error}") from None
+
+
+def _row(row: dict[str, str], where: str) -> Weight:
+    if None in row or None in row.values():
+        raise BadInput(f"{where}: it must have {len(COLUMNS)} values")
+    try:
+        points = float(row["points"])
+    except ValueError:
+        points = math.nan
+    if not 0 <= points < math.inf:
+        raise BadInput(f"{where}: points must be a number from 0, but is {row['points']!r}")
+    if row["visibility"] not in VISIBILITIES:
+        raise BadInput(f"{where}: visibility must be one of {', '.join(VISIBILITIES)}, but is {row['visibility']!r}")
+    if not row["test"] or not row["title"]:
+        raise BadInput(f"{where}: the test and its title must not be empty")
+    return Weight(row["test"], points, row["visibility"], row["hint"], row["title"])
+
+
+def _check_hint(weight: Weight, exercise: Exercise) -> None:
+    number = weight.hint.removeprefix(f"{exercise.id}/")
+    if not (number.isdecimal() and 1 <= int(number) <= len(exercise.hints)):
+        raise CourseError(f"{weight.test}: the hint {weight.hint!r} is none of {exercise.id}/1 to "
+                          f"{exercise.id}/{len(exercise.hints)}")

@@ -1,0 +1,225 @@
+"""What the instructor's tree gives to every submission: headers, the precompiled header, tests, main and reference.
+
+All of it is built once and copied to two folders. A submission is compiled with the first, which holds no answers; the
+second, with the tests and the reference, is seen by the linker alone.
+"""
+
+import hashlib
+import json
+import os
+import shlex
+import shutil
+import subprocess
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+
+from errors import BadInput, CourseError
+from grading.confined import Limits
+from grading.isolation import Isolation, take_user
+from manifest import Chapter, Exercise
+from paths import CHAPTERS, ROOT, SOLUTIONS, shown
+from process import tail
+from symbols import reference_functions
+from tree import Tree
+
+CHECK = Tree("check")
+_LOOKING = Limits(cpu=5, wall=20, memory=1 << 30, files=0, processes=16, output=1 << 16)
+
+
+@dataclass(frozen=True)
+class Linking:
+    """How a chapter's graded program is linked: `before` the student's object, and `after` it."""
+
+    before: tuple[str, ...]
+    after: tuple[str, ...]
+
+
+def build_tests(chapters: list[Chapter]) -> None:
+    built = CHECK.build([f"grade_{chapter.folder}" for chapter in chapters],
+                        "building the tests (some minutes, the first time)")
+    if not built.ok:
+        raise CHECK.own_failure(built)
+
+
+def listed_tests(chapter: Chapter) -> list[str]:
+    """The course's own tests of a chapter, which must be built."""
+    return _listed(CHECK.program(f"grade_{chapter.folder}"))
+
+
+class Workshop:
+    def __init__(self, chapters: list[Chapter], hidden: Path | None):
+        self._folder = tempfile.TemporaryDirectory(prefix="grade-")
+        self.root = Path(self._folder.name).resolve()
+        self.root.chmod(0o711)  # a worker's folder can be reached by its name, and no other be listed
+        self.headers, self.answers = self.root / "headers", self.root / "answers"
+        self.headers.mkdir()
+        self.answers.mkdir(mode=0o700)
+        build_tests(chapters)
+        self._flags = self._stage_headers(chapters[0].exercises[0])
+        self._links = {chapter.folder: self._stage_link(chapter, hidden) for chapter in chapters}
+        self.functions = {exercise.function: reference_functions(CHECK, exercise)
+                          for chapter in chapters for exercise in chapter.exercises}
+        self.tests = {chapter.folder: self._list_tests(chapter) for chapter in chapters}
+        shown_tests = {test for chapter in chapters for test in listed_tests(chapter)}
+        self.hidden_tests = {test for tests in self.tests.values() for test in tests} - shown_tests
+        self.fingerprint = self._fingerprint()
+
+    def close(self) -> None:
+        self._folder.cleanup()
+
+    def compile_command(self, source: str, to: str) -> list[str]:
+        return [*self._flags, "-c", source, "-o", to]
+
+    def link_command(self, exercise: Exercise, object_file: str, to: str) -> list[str]:
+        link = self._links[exercise.folder]
+        return [*link.before, object_file, *link.after, "-o", to]
+
+    def expected_tests(self, exercise: Exercise) -> list[str]:
+        """The tests of an exercise, hidden ones last."""
+        return [test for test in self.tests[exercise.folder] if test.split(".")[0] == exercise.suite]
+
+    def check_unreadable(self, isolation: Isolation) -> None:
+        """Without namespaces, the users whom submissions run as must not be able to read the answers."""
+        if isolation.name != "uid":
+            return
+        user = take_user(isolation)
+        for answers in (SOLUTIONS, CHECK.path / "solutions", self.answers):
+            if isolation.run(["/usr/bin/test", "-r", str(answers)], _LOOKING, user).code == 0:
+                raise CourseError(f"a submission could read {answers}; first:  chmod go-rwx {ROOT}")
+
+    def _stage_headers(self, example: Exercise) -> list[str]:
+        """Copies what a student's file may include, and returns the compiler's command without the file."""
+        for header in CHAPTERS.glob("*/*.hpp"):
+            copy = self.headers / "chapters" / header.relative_to(CHAPTERS)
+            copy.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(header, copy)
+        flags, words = [], iter(_compile_command(f"chapters/{example.folder}/{example.function}.cpp"))
+        for word in words:
+            if word in ("-o", "-c"):
+                next(words)
+            elif word == "-include":
+                flags += ["-include", str(self._stage_precompiled(Path(next(words))))]
+            elif not word.startswith("-I"):
+                flags.append(word)
+        return [*flags, f"-I{self.headers / 'chapters'}"]
+
+    def _stage_precompiled(self, header: Path) -> Path:
+        for name in (header, header.with_name(header.name + ".gch")):
+            shutil.copyfile(name, self.headers / name.name)
+        return self.headers / header.name
+
+    def _stage_link(self, chapter: Chapter, hidden: Path | None) -> Linking:
+        before, after = [], []
+        words = iter(_link_command(f"grade_{chapter.folder}"))
+        for word in words:
+            if word == "-o":
+                next(words)
+            elif word.endswith((".o", ".a")):
+                (before if word.endswith(".o") else after).append(self._stage_answer(CHECK.path / word))
+            else:
+                (after if word.startswith("-l") else before).append(word)
+        before += [self._compile_hidden(chapter, source) for source in _hidden_sources(chapter, hidden)]
+        return Linking(tuple(before), tuple(after))
+
+    def _stage_answer(self, file: Path) -> str:
+        """Each file under a name of its own; archives that chapters share are copied once."""
+        copy = self.answers / hashlib.sha256(str(file).encode()).hexdigest()[:12] / file.name
+        if not copy.exists():
+            copy.parent.mkdir()
+            shutil.copyfile(file, copy)
+        return str(copy)
+
+    def _compile_hidden(self, chapter: Chapter, source: Path) -> str:
+        """With what the chapter's own tests are compiled with."""
+        example = next(Path(entry["file"]) for entry in _compile_commands()
+                       if f"/tests/{chapter.folder}/" in entry["file"])
+        compiled = self.answers / f"hidden_{chapter.folder}_{source.stem}.o"
+        command = [*_without_files(_compile_command(f"tests/{chapter.folder}/{example.name}")),
+                   "-c", str(source), "-o", str(compiled)]
+        result = subprocess.run(command, capture_output=True, text=True, cwd=CHECK.path)
+        if result.returncode != 0:
+            raise BadInput(f"grade: the hidden test {source} does not compile:\n{tail(result.stderr)}")
+        return str(compiled)
+
+    def _list_tests(self, chapter: Chapter) -> list[str]:
+        program = self.answers / f"list_{chapter.folder}"
+        link = self._links[chapter.folder]
+        result = subprocess.run([*link.before, *link.after, "-o", str(program)], capture_output=True, text=True)
+        if result.returncode != 0:
+            raise CourseError(f"the tests of {chapter.folder} do not link", tail(result.stderr))
+        tests = _listed(program)
+        program.unlink()
+        strange = [test for test in tests
+                   if test.split(".")[0] not in {exercise.suite for exercise in chapter.exercises}]
+        if strange:
+            raise BadInput(f"grade: the test {strange[0]} belongs to no exercise of {chapter.folder}; suites are "
+                           f"{', '.join(exercise.suite for exercise in chapter.exercises)}")
+        return tests
+
+    def _fingerprint(self) -> str:
+        """Of all that a verdict depends on besides the student's file."""
+        total = hashlib.sha256(" ".join(self._flags).replace(str(self.root), "").encode())
+        for file in sorted(self.root.rglob("*")):
+            # The precompiled header differs each time that it is made; the headers in it do not.
+            if file.is_file() and file.suffix not in (".gch", ".a"):
+                total.update(str(file.relative_to(self.root)).encode() + b"\0" + file.read_bytes())
+            elif file.suffix == ".a":
+                total.update(_archive_content(file))
+        for file in sorted(Path(__file__).parent.glob("*.py")):
+            total.update(file.read_bytes())
+        return total.hexdigest()
+
+
+def _listed(program: Path) -> list[str]:
+    listing = subprocess.run([str(program), "--list"], capture_output=True, text=True, stdin=subprocess.DEVNULL)
+    tests = listing.stdout.split()
+    if listing.returncode != 0 or not tests:
+        raise CourseError(f"{program.name} can not list its tests", tail(listing.stderr))
+    return tests
+
+
+def _archive_content(archive: Path) -> bytes:
+    """Without the times of its members."""
+    return hashlib.sha256(subprocess.run(["ar", "p", str(archive)], capture_output=True).stdout).digest()
+
+
+def _hidden_sources(chapter: Chapter, hidden: Path | None) -> list[Path]:
+    return sorted((hidden / chapter.folder).glob("*.cpp")) if hidden else []
+
+
+def check_hidden(hidden: Path | None, chapters: list[Chapter]) -> None:
+    """A folder of hidden tests in which nothing is found is a mistake of its path, not a wish for none."""
+    if hidden and not any(hidden.glob("[0-9][0-9]_*/*.cpp")):
+        raise BadInput(f"grade: no hidden tests in {hidden}: they lie in NN_topic/*.cpp there, as in tests/")
+
+
+def _compile_commands() -> list[dict]:
+    return json.loads((CHECK.path / "compile_commands.json").read_text(encoding="utf-8"))
+
+
+def _compile_command(file: str) -> list[str]:
+    for entry in _compile_commands():
+        if entry["file"].endswith("/" + file):
+            words = shlex.split(entry["command"])
+            return [os.path.realpath(words[0]), *words[1:]]
+    raise CourseError(f"{shown(CHECK.path)} does not build {file}")
+
+
+def _without_files(command: list[str]) -> list[str]:
+    words = iter(command)
+    kept = []
+    for word in words:
+        if word in ("-o", "-c"):
+            next(words)
+        else:
+            kept.append(word)
+    return kept
+
+
+def _link_command(target: str) -> list[str]:
+    """The last of the commands that make the target: ": && c++ ... && :"."""
+    listing = subprocess.run(["ninja", "-C", str(CHECK.path), "-t", "commands", target], capture_output=True, text=True)
+    words = [word for word in shlex.split(listing.stdout.strip().splitlines()[-1]) if word not in (":", "&&")]
+    # GoogleTest's own main is left out: grade_main.cpp has ours.
+    return [os.path.realpath(words[0]), *(word for word in words[1:] if not word.endswith("libgtest_main.a"))]
