@@ -123,6 +123,8 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
                          help="results.json of one submission, or a folder that grade has written")
     command.add_argument("--out", metavar="FILE", help="where to write; without it, what is text is printed")
     command.add_argument("--chapters", type=_chapters, metavar="A-B", help="what the platform is to grade")
+    command.add_argument("--hidden", metavar="DIR", help="hidden tests that the platform gets")
+    command.add_argument("--seed", type=_seed, metavar="S", help="the seed with which it grades")
     for name, text in (("start", "install, build, run real scenes, show the board"),
                        ("test", "every test there is")):
         add(name, text).add_argument("--yes", action="store_true", help="install without asking")
@@ -143,6 +145,9 @@ def _add_grade(command: Parser) -> None:
     command.add_argument("--isolation", choices=ISOLATIONS, metavar="NAME",
                          help=f"default: the first that works of {', '.join(ISOLATIONS)}")
     command.add_argument("--fresh", action="store_true", help="forget what was judged before")
+    command.add_argument("--prepare", action="store_true", help="install what is missing, build, try the reference")
+    command.add_argument("--yes", action="store_true", help="install without asking")
+    command.add_argument("--gradescope", metavar="FILE", help="of one submission: Gradescope's results, as they come")
     command.add_argument("--shard", type=_shard, metavar="I/N", help="only each N-th submission, from the I-th")
     command.add_argument("--merge", nargs="+", metavar="DIR", help="put together what shards have written")
 

@@ -27,7 +27,8 @@ PACKAGES = {
     "python3-numpy": "module numpy",
     "python3-matplotlib": "module matplotlib",
 }
-TEST_PACKAGES = {"clang-format": "command clang-format"}
+GRADE_PACKAGES = {"bubblewrap": "command bwrap"}
+TEST_PACKAGES = GRADE_PACKAGES | {"clang-format": "command clang-format"}
 
 
 def install(packages: dict[str, str], yes: bool) -> None:

@@ -6,6 +6,7 @@ what a graded program has to say, and a nonce waits for it on descriptor 3: see 
 
 import contextlib
 import fcntl
+import functools
 import os
 import select
 import signal
@@ -38,7 +39,8 @@ class Ended:
 
 
 def run(command: list[str], limits: Limits, env: dict[str, str], nonce: bytes = b"") -> Ended:
-    """The command's last process is gone when this returns, if the command brings its own namespace of processes."""
+    """What the command leaves behind is killed, if the command brings its own namespace of processes."""
+    _keep_to_ourselves()
     with contextlib.ExitStack() as open_ends:
         def pipe():
             # Numbers well above those that the command will see them at, so that none is overwritten by another.
@@ -65,6 +67,15 @@ def run(command: list[str], limits: Limits, env: dict[str, str], nonce: bytes = 
             secret_in.write(nonce)
         secret_in.close()
         return _watch(process, printed.fileno(), answer.fileno(), limits)
+
+
+@functools.cache
+def _keep_to_ourselves() -> None:
+    """Python hands on no descriptor that it opens, but might those that it was started with."""
+    for descriptor in map(int, os.listdir("/proc/self/fd")):
+        with contextlib.suppress(OSError):
+            if descriptor > 2:
+                os.set_inheritable(descriptor, False)
 
 
 def _watch(process: int, printed: int, answer: int, limits: Limits) -> Ended:

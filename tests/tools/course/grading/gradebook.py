@@ -38,12 +38,12 @@ def _write_grades(file: Path, results: list[dict]) -> None:
             scores = [sum(exercise["score"] for exercise in result["exercises"] if exercise["chapter"] == chapter)
                       for chapter in chapters]
             look = "; ".join((["tampered"] if tampered(result) else []) + result["notes"])
-            writer.writerow([_cell(result["submission"]), f"{result['score']:g}", f"{result['max_score']:g}",
+            writer.writerow([cell(result["submission"]), f"{result['score']:g}", f"{result['max_score']:g}",
                              f"{percent:.2f}", *(states.count(state) for state in ("done", "wrong", "not started")),
-                             *(f"{score:g}" for score in scores), _cell(look)])
+                             *(f"{score:g}" for score in scores), cell(look)])
 
 
-def _cell(text: str) -> str:
+def cell(text: str) -> str:
     """A spreadsheet takes a cell that begins like a formula for one."""
     text = one_line(text)
     return "'" + text if text[:1] in ("=", "+", "-", "@") else text

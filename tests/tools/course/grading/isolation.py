@@ -86,6 +86,10 @@ class User:
         if self.uid is not None:
             os.chown(path, self.uid, self.uid)
 
+    def release(self) -> None:
+        if self.lock:
+            self.lock.close()
+
     def kill_all(self) -> None:
         subprocess.run([_which("setpriv"), f"--reuid={self.uid}", f"--regid={self.uid}", "--clear-groups",
                         "/bin/sh", "-c", "kill -KILL -1"], capture_output=True)
@@ -157,7 +161,9 @@ def _problem(isolation: Isolation) -> str:
     missing = [program for program in needed if not shutil.which(program)]
     if missing:
         return f"{missing[0]} is missing"
-    ended = isolation.run(["/bin/sh", "-c", "exit 7"], _PROBE, take_user(isolation))
+    user = take_user(isolation)
+    ended = isolation.run(["/bin/sh", "-c", "exit 7"], _PROBE, user)
+    user.release()
     return "" if ended.code == 7 else f"it was tried and failed: {ended.output.strip() or f'exit code {ended.code}'}"
 
 

@@ -55,6 +55,9 @@ class Judge:
                               output=1 << 20)
         self._memory = memory
 
+    def unjudged(self, exercise: Exercise) -> ExerciseVerdict:
+        return _all(self._workshop.expected_tests(exercise), NOT_STARTED, "not graded yet")
+
     def judge(self, exercise: Exercise, source: Source | None, user: User) -> ExerciseVerdict:
         tests = self._workshop.expected_tests(exercise)
         if source is None:

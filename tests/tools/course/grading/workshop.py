@@ -87,6 +87,7 @@ class Workshop:
         for answers in (SOLUTIONS, CHECK.path / "solutions", self.answers):
             if isolation.run(["/usr/bin/test", "-r", str(answers)], _LOOKING, user).code == 0:
                 raise CourseError(f"a submission could read {answers}; first:  chmod go-rwx {ROOT}")
+        user.release()
 
     def _stage_headers(self, example: Exercise) -> list[str]:
         """Copies what a student's file may include, and returns the compiler's command without the file."""

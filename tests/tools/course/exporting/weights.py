@@ -1,20 +1,23 @@
 """The table of weights, with a first draft of a row for each test that has none."""
 
+import io
+
 from grading.weights import TABLE, as_table, first_draft, read_rows
 from grading.workshop import build_tests, listed_tests
 from manifest import read_chapters
 
 
-def print_weights(out) -> int:
+def table() -> str:
     """What was changed by hand stays; a row for what is no test any more goes."""
     rows = read_rows(TABLE) if TABLE.exists() else {}
     chapters = read_chapters()
     build_tests(chapters)
-    table = []
+    weights = []
     for chapter in chapters:
         tests = listed_tests(chapter)
         for exercise in chapter.exercises:
             own = [test for test in tests if test.partition(".")[0] == exercise.suite]
-            table += [rows.get(test) or first_draft(test, exercise) for test in own]
-    as_table(table, out)
-    return 0
+            weights += [rows.get(test) or first_draft(test, exercise) for test in own]
+    text = io.StringIO()
+    as_table(weights, text)
+    return text.getvalue()

@@ -1,0 +1,100 @@
+"""Submissions for the tests of the grader, and the grader, run as an instructor runs it."""
+
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from sandbox import ROOT
+
+CORPUS = ROOT / "tests" / "submissions"
+SECONDS_A_TEST = 2  # of processor time: loops are to end soon, and memory to be filled before
+_CALL = re.compile(r"^(?:Vec3|void) \w+\(.*\) \{$", re.MULTILINE)
+
+
+class Classroom:
+    """A folder with submissions; everything in it is gone with it."""
+
+    def __init__(self):
+        self._folder = tempfile.TemporaryDirectory(prefix="classroom-")
+        self.root = Path(self._folder.name).resolve()
+        self.handed_in = self.root / "handed in"
+        self.handed_in.mkdir()
+
+    def close(self) -> None:
+        self._folder.cleanup()
+
+    def hand_in(self, name: str, sources: dict[str, str | bytes], chapter: str = "01_leapfrog") -> Path:
+        """`sources` by file name."""
+        folder = self.handed_in / name / "chapters" / chapter
+        folder.mkdir(parents=True, exist_ok=True)
+        for file, content in sources.items():
+            (folder / file).write_bytes(content.encode() if isinstance(content, str) else content)
+        return self.handed_in / name
+
+    def run(self, *words: str | Path, **env: str) -> subprocess.CompletedProcess:
+        return run_course("grade", *words, cwd=self.root, **env)
+
+    def grade(self, *words: str | Path, out: str = "marks", chapters: str = "1") -> "Marks":
+        folder = self.root / out
+        run = self.run(*(words or (self.handed_in,)), "--chapters", chapters, "--time-limit", str(SECONDS_A_TEST),
+                       "--out", folder)
+        if run.returncode != 0:
+            raise AssertionError(f"./course grade ends with {run.returncode}:\n{run.stdout}{run.stderr}")
+        return Marks(folder, run.stdout)
+
+
+class Marks:
+    def __init__(self, folder: Path, said: str = ""):
+        self.folder, self.said = folder, said
+
+    def result(self, name: str) -> dict:
+        return json.loads((self.folder / "submissions" / name / "results.json").read_text(encoding="utf-8"))
+
+    def report(self, name: str) -> str:
+        return (self.folder / "submissions" / name / "report.md").read_text(encoding="utf-8")
+
+    def verdicts(self, name: str, function: str = "kick") -> set[str]:
+        """Those of an exercise's tests, with their reasons."""
+        for exercise in self.result(name)["exercises"]:
+            if exercise["function"] == function:
+                return {_said(test) for test in exercise["tests"]}
+        raise AssertionError(f"{name} has no result for {function}")
+
+
+def _said(test: dict) -> str:
+    return test["verdict"] + (f": {test['reason']}" if test["reason"] else "")
+
+
+def run_course(*words: str | Path, cwd: Path, **env: str) -> subprocess.CompletedProcess:
+    clean = {name: value for name, value in os.environ.items()
+             if name == "COURSE_BUILD" or not name.startswith(("COURSE_", "SPOOK_"))}
+    return subprocess.run([str(ROOT / "course"), *map(str, words)], capture_output=True, text=True, cwd=cwd,
+                          env=clean | env, stdin=subprocess.DEVNULL)
+
+
+def corpus() -> dict[str, tuple[Path, str]]:
+    """Each answer to 1.1: its file, and how the verdict of each of its tests begins."""
+    found = {}
+    for file in sorted((CORPUS / "kick").glob("*.cpp")):
+        verdict = re.search(r"^// Verdict: (.+)$", file.read_text(encoding="utf-8"), re.MULTILINE)
+        if not verdict:
+            sys.exit(f"{file} does not say its verdict")
+        found[file.stem] = (file, verdict[1])
+    return found
+
+
+def right(function: str, style: str = "reference") -> str:
+    folder = ROOT / "solutions" if style == "reference" else CORPUS / "styles" / style
+    return (folder / "01_leapfrog" / f"{function}.cpp").read_text(encoding="utf-8")
+
+
+def beginning_with(statement: str, function: str, *includes: str) -> str:
+    """The right answer, but for the statement that it begins with."""
+    source, count = _CALL.subn(lambda call: f"{call[0]}\n  {statement}", right(function), count=1)
+    if count != 1:
+        sys.exit(f"{function} begins in an unknown way")
+    return "".join(f"#include <{header}>\n" for header in includes) + source

@@ -1,0 +1,36 @@
+"""GitHub Classroom: a workflow, and the JSON, in base64, that its reporter reads. Students own the workflow: advisory."""
+
+import base64
+import json
+from pathlib import Path
+
+from errors import BadInput
+from exporting.kit import filled, options
+
+
+def write_kit(arguments) -> list[Path]:
+    if arguments.hidden:
+        raise BadInput("export: hidden tests can not be kept from those who own the workflow; grade them yourself")
+    out = Path(arguments.out or "classroom.yml")
+    out.write_text(filled("classroom.yml", options=options(arguments, "")), encoding="utf-8")
+    return [out]
+
+
+def of_result(result: dict) -> str:
+    return base64.b64encode(json.dumps(converted(result)).encode()).decode() + "\n"
+
+
+def converted(result: dict) -> dict:
+    """A test an exercise; the reporter divides by the number of tests, so that there must be one."""
+    tests = [_test(exercise) for exercise in result["exercises"]] or [
+        {"name": "no exercise was graded", "status": "error", "score": 0, "message": ""}]
+    passed = all(test["status"] == "pass" for test in tests)
+    return {"version": 1, "status": "pass" if passed else "fail", "max_score": result["max_score"], "tests": tests}
+
+
+def _test(exercise: dict) -> dict:
+    failing = [test for test in exercise["tests"] if test["verdict"] != "passed" and test["visibility"] == "visible"]
+    message = "\n\n".join(f"{test['name']}: {test['verdict']}\n{test['message']}" for test in failing[:1])
+    return {"name": f"{exercise['id']} {exercise['function']}", "score": exercise["score"],
+            "max_score": exercise["max_score"], "status": "pass" if exercise["state"] == "done" else "fail",
+            "message": message, "filename": exercise["file"]}

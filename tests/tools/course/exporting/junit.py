@@ -1,0 +1,32 @@
+"""JUnit XML, for continuous integration and whatever else reads it: a suite an exercise."""
+
+import xml.etree.ElementTree as ET
+
+from grading.text import clean
+
+
+def of_results(results: list[dict]) -> str:
+    root = ET.Element("testsuites", name="course")
+    for result in results:
+        for exercise in result["exercises"]:
+            _add_suite(root, result["submission"], exercise)
+    for key in ("tests", "failures", "errors", "skipped"):
+        root.set(key, str(sum(int(suite.get(key)) for suite in root)))
+    ET.indent(root)
+    return '<?xml version="1.0" encoding="UTF-8"?>\n' + ET.tostring(root, encoding="unicode") + "\n"
+
+
+def _add_suite(root: ET.Element, submission: str, exercise: dict) -> None:
+    name = f"{exercise['id']} {exercise['function']}"
+    suite = ET.SubElement(root, "testsuite", name=f"{clean(submission)}: {name}")
+    counts = {"failure": 0, "error": 0, "skipped": 0}
+    for test in exercise["tests"]:
+        case = ET.SubElement(suite, "testcase", classname=f"{clean(submission)}.{name}", name=test["name"])
+        kind = {"passed": "", "failed": "failure", "not started": "skipped"}.get(test["verdict"], "error")
+        if kind:
+            counts[kind] += 1
+            said = test["verdict"] + (f": {test['reason']}" if test["reason"] else "")
+            ET.SubElement(case, kind, message=clean(said)).text = clean(test["message"])
+    suite.set("tests", str(len(exercise["tests"])))
+    for key, count in (("failures", "failure"), ("errors", "error"), ("skipped", "skipped")):
+        suite.set(key, str(counts[count]))

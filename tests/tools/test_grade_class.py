@@ -1,0 +1,119 @@
+"""A class of two hundred, drawn from right and broken answers: each mark, interrupted, in shards, and once more."""
+
+import random
+import resource
+import signal
+import subprocess
+import unittest
+
+from classroom import SECONDS_A_TEST, Classroom, Marks, beginning_with, right
+from sandbox import ROOT, all_exercises
+
+CLASS = 200
+SEED = 20  # of the draw
+FUNCTIONS = [exercise.function for exercise in all_exercises() if exercise.chapter == 1]
+
+
+def answers(function: str) -> dict[str, tuple[str | None, str]]:
+    """Source (None: not handed in) and the verdict that every test of the exercise must get."""
+    text = right(function)
+    found = {
+        "right": (text, "passed"),
+        "right by components": (right(function, "components"), "passed"),
+        "right in folds": (right(function, "folded"), "passed"),
+        "right with Windows' line ends": (text.replace("\n", "\r\n"), "passed"),
+        "right with a byte order mark": ("\ufeff" + text, "passed"),
+        "missing": (None, "not started: file missing"),
+        "stub": ('#include "common/not_implemented.hpp"\n' + beginning_with('not_implemented("");', function),
+                 "not started"),
+        "no semicolon": (beginning_with("int i = 0", function), "does not compile"),
+        "throws": (beginning_with("throw 42;", function), "failed"),
+        "exits": (beginning_with("std::exit(0);", function, "cstdlib"), "ended early: exit code 0"),
+        "traps": (beginning_with("__builtin_trap();", function), "crashed: SIGILL"),
+        "loops": (beginning_with("for (volatile int i = 0;; i = 1 - i) {}", function), "timed out"),
+        "floods": (beginning_with('for (;;) std::puts("forever and ever");', function, "cstdio"), "too much output"),
+        "hogs": (beginning_with("throw std::bad_alloc();", function, "new"), "out of memory"),
+        "forks": (beginning_with("fork();", function, "unistd.h"), "tampered: calls fork()"),
+    }
+    return found
+
+
+class GradeClass(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.room = Classroom()
+        cls.addClassCleanup(cls.room.close)
+        draw = random.Random(SEED)
+        known = {function: answers(function) for function in FUNCTIONS}
+        cls.expected: dict[str, dict[str, str]] = {}
+        for number in range(CLASS):
+            name = f"student {number:03d} Åsa Öberg" if number % 7 == 0 else f"s{number:03d}"
+            sources, cls.expected[name] = {}, {}
+            for function in FUNCTIONS:
+                kinds = list(known[function])
+                kind = kinds[0] if draw.random() < 0.5 else draw.choice(kinds)
+                source, cls.expected[name][function] = known[function][kind]
+                if source is not None:
+                    sources[f"{function}.cpp"] = source
+            cls.room.hand_in(name, sources)
+        cls.marks = cls.room.grade()
+
+    def test_each_has_the_right_mark(self):
+        for name, functions in self.expected.items():
+            result = self.marks.result(name)
+            points = 0
+            for exercise in result["exercises"]:
+                expected = functions[exercise["function"]]
+                for verdict in self.marks.verdicts(name, exercise["function"]):
+                    self.assertEqual(verdict, expected, f"{name}: {exercise['function']} (drawn with seed {SEED})")
+                points += exercise["max_score"] if expected == "passed" else 0
+            self.assertEqual(result["score"], points, name)
+
+    def test_the_grades_are_a_row_each(self):
+        rows = (self.marks.folder / "grades.csv").read_text(encoding="utf-8").splitlines()[1:]
+        self.assertEqual([row.split(",")[0] for row in rows], sorted(self.expected))
+        for row in rows:
+            name, score = row.split(",")[:2]
+            self.assertEqual(float(score), self.marks.result(name)["score"])
+
+    def test_once_more_gives_the_same_bytes(self):
+        again = self.room.grade(out="again")
+        self.assert_same(self.marks, again)
+
+    def test_shards_merged_are_the_whole(self):
+        for part in (1, 2, 3):
+            self.room.grade(self.room.handed_in, "--shard", f"{part}/3", out=f"shard {part}")
+        parts = [self.room.root / f"shard {part}" for part in (1, 2, 3)]
+        merged = self.room.run("--merge", *parts, "--out", self.room.root / "merged")
+        self.assertEqual(merged.returncode, 0, merged.stderr)
+        self.assert_same(self.marks, Marks(self.room.root / "merged"))
+
+    def test_interrupted_it_keeps_what_is_done_and_goes_on(self):
+        folder = self.room.root / "interrupted"
+        command = [str(ROOT / "course"), "grade", str(self.room.handed_in), "--chapters", "1", "--time-limit",
+                   str(SECONDS_A_TEST), "--out", str(folder), "--seed", "5"]  # another seed: nothing is known yet
+        process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, start_new_session=True)
+        while process.poll() is None and not list(folder.glob("submissions/*/report.md")):
+            pass
+        process.send_signal(signal.SIGINT)
+        _, said = process.communicate(timeout=120)
+        self.assertNotIn(b"Traceback", said)
+        self.assertEqual(process.returncode, 130)
+        done = list(folder.glob("submissions/*/results.json"))
+        self.assertTrue(0 < len(done) < CLASS)
+        self.assertEqual([], list(folder.glob("submissions/*/*.part")))
+
+    def test_it_needs_little_memory(self):
+        """Of the grader and of the largest thing that it runs, the compiler: 1 GiB is a small machine's."""
+        self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss * 1024, 1 << 30)
+
+    def assert_same(self, first: Marks, second: Marks):
+        files = sorted(path.relative_to(first.folder) for path in first.folder.rglob("*") if path.is_file())
+        self.assertEqual(files, sorted(path.relative_to(second.folder) for path in second.folder.rglob("*")
+                                       if path.is_file()))
+        for file in files:
+            self.assertEqual((first.folder / file).read_bytes(), (second.folder / file).read_bytes(), file)
+
+
+if __name__ == "__main__":
+    unittest.main()

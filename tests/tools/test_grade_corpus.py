@@ -1,0 +1,74 @@
+"""The grader on every answer that we could think of: right, broken, and cheating."""
+
+import platform
+import unittest
+
+from classroom import Classroom, corpus, right
+from sandbox import all_exercises
+
+
+class GradeCorpus(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.room = Classroom()
+        cls.addClassCleanup(cls.room.close)
+        for name, (file, _) in corpus().items():
+            cls.room.hand_in(name, {"kick.cpp": file.read_bytes()})
+        cls.functions = [exercise.function for exercise in all_exercises() if exercise.chapter == 1]
+        for style in ("reference", "components", "folded"):
+            cls.room.hand_in(f"style {style}", {f"{name}.cpp": right(name, style) for name in cls.functions})
+        cls.marks = cls.room.grade()
+
+    def test_every_answer_gets_its_verdict(self):
+        for name, (_, expected) in corpus().items():
+            if name.endswith("_by_hand") and platform.machine() != "x86_64":
+                continue  # it calls the kernel in that machine's way
+            with self.subTest(name):
+                for verdict in self.marks.verdicts(name):
+                    self.assertTrue(verdict.startswith(expected), f"{verdict}, and not {expected}")
+
+    def test_right_answers_have_all_points_in_any_style(self):
+        for style in ("reference", "components", "folded"):
+            result = self.marks.result(f"style {style}")
+            self.assertEqual(result["score"], result["max_score"], style)
+            self.assertEqual({exercise["state"] for exercise in result["exercises"]}, {"done"})
+
+    def test_only_passed_tests_have_points(self):
+        for name in corpus():
+            for exercise in self.marks.result(name)["exercises"]:
+                for test in exercise["tests"]:
+                    self.assertEqual(test["score"], test["max_score"] if test["verdict"] == "passed" else 0)
+
+    def test_every_test_that_does_not_pass_says_why(self):
+        for name in corpus():
+            for exercise in self.marks.result(name)["exercises"]:
+                for test in exercise["tests"]:
+                    self.assertTrue(test["verdict"] == "passed" or test["message"], f"{name}: {test['name']}")
+
+    def test_the_report_leads_with_the_first_failure(self):
+        report = self.marks.report("wrong")
+        start = report.partition("## Start here")[2]
+        for text in ("### 1.1 kick: failed", "expected", "got       (7, 7, 7)", "tolerance", "Hint: ",
+                     "./course check 1.1 --seed 1"):
+            self.assertIn(text, start)
+        self.assertIn("| · | 1.2 drift | not started |", report)
+
+    def test_what_was_printed_and_what_the_compiler_said_is_in_the_report(self):
+        self.assertIn("v is ", self.marks.report("floods"))
+        self.assertIn("chapters/01_leapfrog/kick.cpp:", self.marks.report("does_not_compile"))
+        self.assertNotIn("/tmp", self.marks.report("does_not_compile"))
+
+    def test_the_class_is_counted(self):
+        rows = (self.marks.folder / "grades.csv").read_text(encoding="utf-8").splitlines()
+        self.assertEqual(len(rows), 1 + len(corpus()) + 3)
+        counts = (self.marks.folder / "tests.csv").read_text(encoding="utf-8").splitlines()
+        header, first = counts[0].split(","), counts[1].split(",")
+        self.assertEqual(sum(map(int, first[1:])), len(rows) - 1)
+        expected = sum(verdict == "timed out" for _, verdict in corpus().values())
+        self.assertEqual(int(first[header.index("timed out")]), expected)
+        self.assertTrue((self.marks.folder / "histogram.png").read_bytes().startswith(b"\x89PNG"))
+        self.assertIn("forks: **tampered**", (self.marks.folder / "summary.md").read_text(encoding="utf-8"))
+
+
+if __name__ == "__main__":
+    unittest.main()

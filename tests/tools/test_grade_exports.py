@@ -1,0 +1,143 @@
+"""Results in the forms of other platforms, and the kits, run in an imitation of the platform's folders."""
+
+import base64
+import csv
+import io
+import json
+import os
+import shutil
+import subprocess
+import unittest
+import xml.etree.ElementTree as ET
+import zipfile
+from pathlib import Path
+
+from classroom import Classroom, corpus, right, run_course
+from sandbox import ROOT
+
+
+def unpack(archive: Path, folder: Path) -> None:
+    """As unzip does: what may be run stays so."""
+    with zipfile.ZipFile(archive) as content:
+        for info in content.infolist():
+            os.chmod(content.extract(info, folder), info.external_attr >> 16)
+
+
+class Exports(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.room = Classroom()
+        cls.addClassCleanup(cls.room.close)
+        answers = corpus()
+        for name in ("right", "wrong", "forks", "floods"):
+            cls.room.hand_in(name, {"kick.cpp": answers[name][0].read_bytes(), "drift.cpp": right("drift")})
+        cls.room.hand_in("control \x07 and <b>&amp;", {"kick.cpp": right("kick").replace(
+            "return", 'throw std::runtime_error("\\x1b[31m\\x01 ]]> </failure>"); return')})
+        cls.marks = cls.room.grade()
+
+    def export(self, *words) -> str:
+        run = run_course("export", *words, cwd=self.room.root)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        return run.stdout
+
+    def file(self, name: str):
+        return self.marks.folder / "submissions" / name / "results.json"
+
+    def test_junit(self):
+        root = ET.fromstring(self.export("junit", self.marks.folder).encode())
+        cases = root.findall(".//testcase")
+        tests = sum(len(exercise["tests"]) for exercise in self.marks.result("right")["exercises"])
+        self.assertEqual(len(cases), 5 * tests)
+        self.assertEqual(int(root.get("tests")), len(cases))
+        for kind, tag in (("failures", "failure"), ("errors", "error"), ("skipped", "skipped")):
+            self.assertEqual(int(root.get(kind)), len(root.findall(f".//{tag}")), kind)
+        wrong = [case for case in cases if case.get("classname") == "wrong.1.1 kick"]
+        self.assertTrue(all("expected" in case.find("failure").text for case in wrong))
+
+    def test_csv(self):
+        rows = list(csv.DictReader(io.StringIO(self.export("csv", self.file("right"), self.file("forks")))))
+        self.assertEqual({row["verdict"] for row in rows if row["function"] == "drift"}, {"passed"})
+        self.assertEqual({row["reason"] for row in rows if (row["submission"], row["function"]) == ("forks", "kick")},
+                         {"calls fork()"})
+
+    def test_github(self):
+        said = json.loads(base64.b64decode(self.export("github", self.file("wrong"))))
+        self.assertEqual((said["version"], said["status"]), (1, "fail"))
+        self.assertEqual(said["max_score"], sum(test["max_score"] for test in said["tests"]))
+        self.assertEqual([test["status"] for test in said["tests"][:2]], ["fail", "pass"])
+        self.assertIn("got       (7, 7, 7)", said["tests"][0]["message"])
+
+    def test_autolab(self):
+        last = self.export("autolab", self.file("right")).splitlines()[-1]
+        self.assertEqual(json.loads(last)["scores"]["1.1 kick"], 3)
+
+    def test_gradescopes_form(self):
+        said = json.loads(self.export("gradescope", self.file("floods")))
+        self.assertEqual(said["score"], self.marks.result("floods")["score"])
+        self.assertEqual(said["score"], sum(test["score"] for test in said["tests"]))
+        for test in said["tests"]:
+            self.assertIn(test["visibility"], ("visible", "hidden", "after_due_date", "after_published"))
+            self.assertIn(test["status"], ("passed", "failed"))
+            self.assertEqual(test["score"], test["max_score"] if test["status"] == "passed" else 0)
+        self.assertTrue(said["tests"][0]["output"].startswith("too much output"))
+
+    def test_what_makes_no_sense_is_said(self):
+        for words, said in ((("junit",), "junit needs results"), (("github", self.marks.folder), "but these are 5"),
+                            (("csv", self.room.root / "nowhere"), "can not be read"), (("pdf",), "invalid choice"),
+                            (("gradescope", "--hidden", self.room.root / "nowhere"), "no hidden tests in"),
+                            (("github", "--hidden", self.room.root), "can not be kept from those")):
+            run = run_course("export", *words, cwd=self.room.root)
+            self.assertEqual(run.returncode, 2, run.stdout)
+            self.assertIn(said, run.stderr)
+            self.assertEqual(len(run.stderr.splitlines()), 1)
+
+    def test_github_kit_is_a_workflow(self):
+        self.export("github", "--chapters", "1-3", "--out", "classroom.yml")
+        text = (self.room.root / "classroom.yml").read_text()
+        self.assertIn("grade submission --out results --chapters 1,2,3\n", text)
+        self.assertNotIn("@", text.replace("actions/checkout@v4", "").replace("autograding-grading-reporter@v1", ""))
+        self.assertEqual(text.count("\t"), 0)
+
+    def test_autolab_kit(self):
+        """The recipe up to the grading, which the other tests do."""
+        self.export("autolab", "--chapters", "1", "--out", "autolab")
+        folder = self.room.root / "autolab"
+        recipe = [line.removeprefix("\t@") for line in (folder / "autograde-Makefile").read_text().splitlines()
+                  if line.startswith("\t@")]
+        self.assertIn("./course/course grade handin.zip --out graded --chapters 1 1>&2", recipe)
+        subprocess.run(["sh", "-ec", recipe[0] + "; " + recipe[1]], cwd=folder, check=True)
+        self.assertTrue(os.access(folder / "course" / "course", os.X_OK))
+        self.assertEqual((folder / "course" / "README.md").read_bytes(), (ROOT / "README.md").read_bytes())
+
+    def test_gradescope_from_zip_to_results(self):
+        """setup.sh once, run_autograder for each submission, in folders that are laid out as Gradescope's."""
+        self.export("gradescope", "--chapters", "1", "--seed", "4", "--out", "autograder.zip")
+        root = self.room.root / "autograder"
+        source = root / "source"
+        unpack(self.room.root / "autograder.zip", source)
+        for folder in ("results", "submission"):
+            (root / folder).mkdir()
+        (root / "submission_metadata.json").write_text("{}")
+        env = {name: value for name, value in os.environ.items() if not name.startswith(("COURSE_", "SPOOK_"))}
+        env["AUTOGRADER_ROOT"] = str(root)
+        shutil.copyfile(source / "run_autograder", root / "run_autograder")
+        os.chmod(root / "run_autograder", 0o755)
+        setup = subprocess.run(["bash", str(source / "setup.sh")], capture_output=True, text=True, env=env)
+        self.assertEqual(setup.returncode, 0, setup.stdout + setup.stderr)
+        self.assertIn("Ready to grade 4 exercises", setup.stdout)
+        for files, score in (({"kick.cpp": right("kick"), "drift.cpp": right("drift")}, 5),
+                             ({"chapters/01_leapfrog/kick.cpp": right("kick")}, 3),
+                             ({"repository/chapters/01_leapfrog/drift.cpp": right("drift")}, 2), ({"nothing.txt": ""}, 0)):
+            shutil.rmtree(root / "submission")
+            for name, text in files.items():
+                (root / "submission" / name).parent.mkdir(parents=True, exist_ok=True)
+                (root / "submission" / name).write_text(text)
+            run = subprocess.run([str(root / "run_autograder")], capture_output=True, text=True, env=env)
+            self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+            said = json.loads((root / "results" / "results.json").read_text())
+            self.assertEqual(said["score"], score, files)
+            self.assertEqual(said["extra_data"]["seed"], 4)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,184 @@
+"""What a submission can reach, tried in every isolation that works here; and how a verdict is read."""
+
+import contextlib
+import os
+import signal
+import socket
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+from sandbox import ROOT
+
+from errors import CourseError
+from grading.confined import Ended, Limits, run
+from grading.isolation import NAMES, Isolation, choose, take_user
+from grading.judge import read_verdict
+
+LIMITS = Limits(cpu=5, wall=20, memory=1 << 30, files=1 << 20, processes=16, output=1 << 16)
+NONCE = b"0123456789abcdef" * 2
+
+
+def works(name: str) -> bool:
+    try:
+        return choose(name).name == name
+    except CourseError:
+        return False
+
+
+WORKING = [name for name in NAMES if works(name)]
+WITH_NAMESPACES = [name for name in WORKING if name.startswith("bubblewrap")]
+PYTHON = "/usr/bin/python3"
+
+
+class InIsolation(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="isolation-")
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name).resolve()
+        self.folder.chmod(0o755)
+
+    def python(self, name: str, code: str, limits: Limits = LIMITS) -> Ended:
+        """Runs the code isolated; it sees the folder, and may not write to it."""
+        user = take_user(Isolation(name))
+        self.addCleanup(user.release)
+        return Isolation(name).run([PYTHON, "-c", code], limits, user, (self.folder,), folder=self.folder, nonce=NONCE)
+
+    def test_one_works_and_root_is_never_without(self):
+        self.assertTrue(WORKING, "bubblewrap is missing")
+        if os.geteuid() == 0:
+            with self.assertRaisesRegex(CourseError, "do not grade as root"):
+                choose("limits")
+
+    def test_the_nonce_and_the_verdict_pass(self):
+        for name in WORKING:
+            ended = self.python(name, "import os; os.write(4, os.read(3, 64)[::-1])")
+            self.assertEqual((ended.code, ended.answer), (0, NONCE[::-1]), f"{name}: {ended.output}")
+
+    def test_no_other_descriptor_does(self):
+        for name in WORKING:
+            ended = self.python(name, "import os; print(*sorted(os.readlink(f'/proc/self/fd/{d}') for d in range(5, 64) "
+                                      "if os.path.exists(f'/proc/self/fd/{d}')) if os.path.exists('/proc') else [])")
+            self.assertEqual(ended.output.strip(), "", name)
+
+    def test_nothing_of_the_graders_is_seen_or_written(self):
+        secret = self.folder.parent / f"{self.folder.name}-secret"
+        secret.write_text("secret")
+        self.addCleanup(secret.unlink)
+        code = f"""
+import os
+for path in {[str(secret), str(ROOT / "course"), "/etc/passwd", "/proc/1/environ", str(Path.home())]!r}:
+    if os.path.exists(path): print("sees", path)
+for path in ("/x", "/tmp/x", "/usr/x", "/dev/shm/x", {str(self.folder / "x")!r}):
+    try: open(path, "w").write("x"); print("writes", path)
+    except OSError: pass
+"""
+        for name in WITH_NAMESPACES:
+            self.assertEqual(self.python(name, code).output, "", name)
+
+    def test_no_network(self):
+        with socket.create_server(("127.0.0.1", 0)) as server:
+            code = f"import socket; socket.create_connection(('127.0.0.1', {server.getsockname()[1]}), 5)"
+            for name in WITH_NAMESPACES:
+                self.assertIn("Error", self.python(name, code).output, name)
+
+    def test_no_process_outside_is_reached(self):
+        for name in WORKING:
+            if name == "limits":
+                continue
+            code = f"import os; os.kill({os.getpid()}, 15)"
+            self.assertIn("Error", self.python(name, code).output, name)
+
+    def test_what_is_left_behind_ends_with_the_program(self):
+        for name in WORKING:
+            if name == "limits":
+                continue
+            mark = f"left-{os.getpid()}-{WORKING.index(name)}"
+            code = ("import os, time\n"
+                    f"if os.fork() == 0:\n  os.setsid()\n  if os.fork() == 0: os.execv({PYTHON!r}, "
+                    f"['{mark}', '-c', 'import time; time.sleep(60)'])\n  os._exit(0)\n"
+                    "time.sleep(0.3)")
+            self.assertEqual(self.python(name, code).code, 0, name)
+            deadline = time.monotonic() + 10  # the kernel kills what is in the namespace, soon
+            while (left := _running(mark)) and time.monotonic() < deadline:
+                time.sleep(0.01)
+            self.assertEqual(left, [], name)
+
+    def test_limits_hold(self):
+        for name in WORKING:
+            with self.subTest(name):
+                spins = self.python(name, "while True: pass", Limits(1, 20, 1 << 30, 1 << 20, 16, 1 << 16))
+                self.assertEqual(read_verdict(spins, NONCE, 1)[0], "timed out")
+                waits = self.python(name, "import time; time.sleep(60)", Limits(5, 1, 1 << 30, 1 << 20, 16, 1 << 16))
+                self.assertEqual(read_verdict(waits, NONCE, 5)[0], "timed out")
+                floods = self.python(name, "while True: print('x' * 1000)")
+                self.assertEqual(read_verdict(floods, NONCE, 5)[0], "too much output")
+                hogs = self.python(name, "bytearray(2 << 30)")
+                self.assertIn("MemoryError", hogs.output)
+                forks = self.python(name, "import os, signal\nfor _ in range(100):\n  if os.fork() == 0: signal.pause()\n",
+                                    Limits(2, 5, 1 << 30, 1 << 20, 16, 1 << 16))
+                # Without a uid of its own: root is exempt, and of a user all processes are counted.
+                if name != "limits" and (os.geteuid() != 0 or "uid" in name):
+                    self.assertIn("BlockingIOError", forks.output)
+
+    def test_memory_is_not_given_to_what_prints_much(self):
+        ended = run([PYTHON, "-c", "import os\nwhile True: os.write(1, b'x' * 65536)"], LIMITS, {})
+        self.assertTrue(ended.too_much)
+        self.assertLessEqual(len(ended.output), 1 << 17)
+
+
+class ReadVerdict(unittest.TestCase):
+    """By hand, what only broken or hostile programs send."""
+
+    def read(self, answer: bytes = b"", code: int = 0, output: str = "", cpu: float = 0, **more: bool) -> str:
+        ended = Ended(code, output, answer, more.get("timed_out", False), more.get("too_much", False), cpu)
+        verdict, reason, _ = read_verdict(ended, NONCE, 10)
+        return f"{verdict}: {reason}" if reason else verdict
+
+    def fields(self, *fields: bytes) -> bytes:
+        return b"".join(field + b"\0" for field in (NONCE, *fields, NONCE))
+
+    def test_verdicts(self):
+        self.assertEqual(self.read(self.fields(b"0", b"1", b"")), "passed")
+        self.assertEqual(self.read(self.fields(b"1", b"1", b"", b"Failed\nwhy")), "failed")
+        self.assertEqual(self.read(self.fields(b"0", b"1", b"", b"Failed\nwhy")), "failed")
+        self.assertEqual(self.read(self.fields(b"0", b"0", b"")), "failed: no test ran")
+        self.assertEqual(self.read(self.fields(b"0", b"2", b"")), "failed: no test ran")
+        self.assertEqual(self.read(self.fields(b"1", b"1", b"")), "failed: no test ran")
+        self.assertEqual(self.read(self.fields(b"0", b"1", b"skipped")), "failed: skipped")
+        self.assertEqual(self.read(self.fields(b"1", b"1", b"", b"got std::bad_alloc")), "out of memory")
+
+    def test_forgeries(self):
+        whole = self.fields(b"0", b"1", b"")
+        for answer in (b"passed", b"x" + whole, whole + b"x", whole + whole[:-40], whole[:-1], NONCE + b"\0",
+                       self.fields(b"0"), whole.replace(b"0123", b"3210"), b"\0" * 100):
+            self.assertEqual(self.read(answer), "tampered: a forged verdict", answer)
+
+    def test_without_a_verdict(self):
+        self.assertEqual(self.read(code=0), "ended early: exit code 0")
+        self.assertEqual(self.read(code=3), "ended early: exit code 3")
+        self.assertEqual(self.read(code=-signal.SIGSEGV), "crashed: SIGSEGV")
+        self.assertEqual(self.read(code=128 + signal.SIGFPE), "crashed: SIGFPE")
+        self.assertEqual(self.read(code=128 + signal.SIGXCPU), "timed out")
+        self.assertEqual(self.read(code=-signal.SIGKILL, cpu=10.5), "timed out")
+        self.assertEqual(self.read(code=-signal.SIGKILL, cpu=1), "crashed: SIGKILL")
+        self.assertEqual(self.read(code=128 + signal.SIGABRT, output="what():  std::bad_alloc"), "out of memory")
+        self.assertEqual(self.read(timed_out=True), "timed out")
+        self.assertEqual(self.read(self.fields(b"0", b"1", b""), too_much=True), "too much output")
+
+
+def _running(mark: str) -> list[Path]:
+    """The processes whose command line holds the mark."""
+    found = []
+    for path in Path("/proc").glob("[0-9]*/cmdline"):
+        with contextlib.suppress(OSError):  # it has ended
+            if mark in path.read_text(errors="replace"):
+                found.append(path)
+    return found
+
+
+if __name__ == "__main__":
+    print(f"isolation that works here: {', '.join(WORKING)}", file=sys.stderr)
+    unittest.main()
