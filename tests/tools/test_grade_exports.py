@@ -127,7 +127,8 @@ class Exports(unittest.TestCase):
         self.assertIn("Ready to grade 4 exercises", setup.stdout)
         for files, score in (({"kick.cpp": right("kick"), "drift.cpp": right("drift")}, 5),
                              ({"chapters/01_leapfrog/kick.cpp": right("kick")}, 3),
-                             ({"repository/chapters/01_leapfrog/drift.cpp": right("drift")}, 2), ({"nothing.txt": ""}, 0)):
+                             ({"repository/chapters/01_leapfrog/drift.cpp": right("drift")}, 2),
+                             ({"nothing.txt": ""}, 0)):
             shutil.rmtree(root / "submission")
             for name, text in files.items():
                 (root / "submission" / name).parent.mkdir(parents=True, exist_ok=True)

@@ -132,7 +132,8 @@ EXERCISE_TEST(Kick, HoldsForHugeForces) {
 """)
         self.room.hand_in("right", {"kick.cpp": right("kick")})
         # Right for every test that is shown.
-        self.room.hand_in("clipped", {"kick.cpp": right("kick").replace("* f;", "* f.cwiseMin(1e20).cwiseMax(-1e20);")})
+        clip = right("kick").replace("* f;", "* f.cwiseMin(1e20).cwiseMax(-1e20);")
+        self.room.hand_in("clipped", {"kick.cpp": clip})
         marks = self.room.grade(self.room.handed_in, "--hidden", hidden.parent)
         kick = marks.result("right")["exercises"][0]
         self.assertEqual([test["visibility"] for test in kick["tests"]].count("hidden"), 1)
@@ -183,10 +184,11 @@ EXERCISE_TEST(Kick, HoldsForHugeForces) {
                 (("handed in", "--chapters", "1", "--weights", header), "no row for Kick."),
                 (("handed in", "--chapters", "1", "--weights", header + "Kick.X,nan,visible,1.1/1,X\n"),
                  "table.csv:2: points must be a number from 0, but is 'nan'"),
-                (("handed in", "--chapters", "1", "--weights", header + "Kick.X,1,always,1.1/1,X\n"), "but is 'always'"),
+                (("handed in", "--chapters", "1", "--weights", header + "Kick.X,1,always,1.1/1,X\n"), "'always'"),
                 (("handed in", "--chapters", "1", "--weights", header + "Kick.X,1\n"), "must have 5 values"),
                 (("handed in", "--chapters", "1", "--weights", "a,b\n"), "its first line must be"),
-                (("handed in", "--chapters", "1", "--weights", header + "K.X,1,hidden,1.1/1,X\n" * 2), "has a row already")):
+                (("handed in", "--chapters", "1", "--weights", header + "K.X,1,hidden,1.1/1,X\n" * 2),
+                 "has a row already")):
             with self.subTest(words):
                 if words and words[-1].startswith(("test,", "a,b")):
                     table.write_text(words[-1])

@@ -59,8 +59,7 @@ class InIsolation(unittest.TestCase):
 
     def test_no_other_descriptor_does(self):
         for name in WORKING:
-            ended = self.python(name, "import os; print(*sorted(os.readlink(f'/proc/self/fd/{d}') for d in range(5, 64) "
-                                      "if os.path.exists(f'/proc/self/fd/{d}')) if os.path.exists('/proc') else [])")
+            ended = self.python(name, "import os\nfor d in range(5, 64):\n  try: print(d, os.fstat(d))\n  except OSError: pass")
             self.assertEqual(ended.output.strip(), "", name)
 
     def test_nothing_of_the_graders_is_seen_or_written(self):
@@ -117,8 +116,8 @@ for path in ("/x", "/tmp/x", "/usr/x", "/dev/shm/x", {str(self.folder / "x")!r})
                 self.assertEqual(read_verdict(floods, NONCE, 5)[0], "too much output")
                 hogs = self.python(name, "bytearray(2 << 30)")
                 self.assertIn("MemoryError", hogs.output)
-                forks = self.python(name, "import os, signal\nfor _ in range(100):\n  if os.fork() == 0: signal.pause()\n",
-                                    Limits(2, 5, 1 << 30, 1 << 20, 16, 1 << 16))
+                bomb = "import os, signal\nfor _ in range(100):\n  if os.fork() == 0: signal.pause()\n"
+                forks = self.python(name, bomb, Limits(2, 5, 1 << 30, 1 << 20, 16, 1 << 16))
                 # Without a uid of its own: root is exempt, and of a user all processes are counted.
                 if name != "limits" and (os.geteuid() != 0 or "uid" in name):
                     self.assertIn("BlockingIOError", forks.output)

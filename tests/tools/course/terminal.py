@@ -92,7 +92,8 @@ class Bar:
         self._count += 1
         filled = 20 * self._count // self._total
         left = (time.monotonic() - self._start) / self._count * (self._total - self._count)
-        self._live.update(f"[{'#' * filled}{'.' * (20 - filled)}] {self._count}/{self._total} {_duration(left)} left {name}")
+        bar = f"[{'#' * filled}{'.' * (20 - filled)}]"
+        self._live.update(f"{bar} {self._count}/{self._total} {_duration(left)} left {name}")
 
     def done(self) -> None:
         self._live.done()

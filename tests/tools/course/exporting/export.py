@@ -8,7 +8,8 @@ from errors import BadInput
 from exporting import autolab, github, gradescope, junit, table, weights
 from grading.merge import read_result, read_results
 
-_KITS: dict[str, Callable] = {"gradescope": gradescope.write_kit, "github": github.write_kit, "autolab": autolab.write_kit}
+_KITS: dict[str, Callable] = {"gradescope": gradescope.write_kit, "github": github.write_kit,
+                              "autolab": autolab.write_kit}
 # What the results of several submissions can be written as, and what holds one submission only.
 _OF_MANY = {"junit": junit.of_results, "csv": table.of_results}
 _OF_ONE = {"gradescope": gradescope.of_result, "github": github.of_result, "autolab": autolab.of_result}

@@ -1,4 +1,7 @@
-"""GitHub Classroom: a workflow, and the JSON, in base64, that its reporter reads. Students own the workflow: advisory."""
+"""GitHub Classroom: a workflow, and the JSON, in base64, that its reporter reads.
+
+Students own the workflow, so that what it says is advice.
+"""
 
 import base64
 import json

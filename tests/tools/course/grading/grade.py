@@ -31,7 +31,7 @@ def grade(arguments) -> int:
     if arguments.merge:
         results = merge([Path(folder) for folder in arguments.merge], out)
         write_gradebook(out, results)
-        print(f"{statistics_line(results)}\nThe marks are in {shown(out / 'grades.csv')}, the class in {shown(out / 'summary.md')}.")
+        print(f"{statistics_line(results)}.\n{_where(out)}.")
         return 0
     if arguments.prepare:
         return _prepare(arguments)
@@ -57,9 +57,12 @@ def grade(arguments) -> int:
         raise CourseError(f"{len(grading.failures)} of {len(handed)} submissions could not be graded; the others were, "
                           f"and grading again goes on from there", "\n".join(grading.failures))
     print(f"{statistics_line(results)}; {took / len(results):.2g} s each.")
-    print(f"The marks are in {shown(out / 'grades.csv')}, the class in {shown(out / 'summary.md')},\n"
-          f"and each student's report in {shown(out / 'submissions')}/NAME/report.md.")
+    print(f"{_where(out)},\nand each student's report in {shown(out / 'submissions')}/NAME/report.md.")
     return 0
+
+
+def _where(out: Path) -> str:
+    return f"The marks are in {shown(out / 'grades.csv')}, the class in {shown(out / 'summary.md')}"
 
 
 def _prepare(arguments) -> int:
@@ -181,7 +184,7 @@ class Grading:
 
     def _result(self, submission: Submission, judged: dict[Exercise, ExerciseVerdict]) -> dict:
         settings = {"seed": self.seed, "seconds_a_test": self._seconds, "isolation": self.isolation.name,
-                    "not_denied": self.isolation.does_not_deny, "tests": self._workshop.fingerprint}
+                    "not_denied": self.isolation.does_not_deny, "tests": self._workshop.sources}
         return result_of(submission, list(judged.items()), self._weights, settings)
 
     def _grade_reference(self) -> None:

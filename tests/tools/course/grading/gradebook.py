@@ -32,7 +32,8 @@ def _write_grades(file: Path, results: list[dict]) -> None:
     chapters = sorted({exercise["chapter"] for result in results for exercise in result["exercises"]})
     with open(file, "w", encoding="utf-8", newline="") as out:
         writer = csv.writer(out, lineterminator="\n")
-        writer.writerow(["submission", "score", "max_score", "percent", "done", "wrong", "not started", *chapters, "look"])
+        writer.writerow(["submission", "score", "max_score", "percent", "done", "wrong", "not started", *chapters,
+                         "look"])
         for result, percent in zip(results, _percents(results)):
             states = [exercise["state"] for exercise in result["exercises"]]
             scores = [sum(exercise["score"] for exercise in result["exercises"] if exercise["chapter"] == chapter)
@@ -93,10 +94,12 @@ def _summary(results: list[dict], counts: dict[str, dict[str, int]], figure: boo
              f"{', '.join(sorted({result['isolation'] for result in results}))}.\n"]
     if figure:
         lines.append("![Histogram of the points](histogram.png)\n")
-    looks = [(result, (["**tampered**"] if tampered(result) else []) + result["notes"]) for result in results]
-    looks = [(result["submission"], notes) for result, notes in looks if notes]
+    looks = [(result["submission"], ["**tampered**"] * tampered(result) + [markdown(note) for note in result["notes"]])
+             for result in results]
+    looks = [(name, notes) for name, notes in looks if notes]
     if looks:
-        lines += ["## To look at\n", *(f"- {markdown(name)}: {'; '.join(map(markdown, notes))}" for name, notes in looks), ""]
+        lines.append("## To look at\n")
+        lines += [f"- {markdown(name)}: {'; '.join(notes)}" for name, notes in looks] + [""]
     shown = [verdict for verdict in VERDICTS if any(verdicts[verdict] for verdicts in counts.values())]
     lines += ["## Each test\n", "| test | " + " | ".join(shown) + " |", "|---|" + "---|" * len(shown)]
     for test, verdicts in counts.items():

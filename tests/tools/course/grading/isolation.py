@@ -1,9 +1,9 @@
 """How far away a submission's code is kept: the strongest way that works here, found by trying.
 
-    bubblewrap and a uid    as root: namespaces, and a user of its own for each worker
-    bubblewrap              namespaces: no network, no processes but its own, no files but those it needs, nothing to write to
-    uid                     as root where namespaces are forbidden (most containers): a user of its own, and limits
-    limits                  not as root, without bubblewrap: limits only
+    bubblewrap and a uid   as root: as below, and a user of its own for each worker
+    bubblewrap             namespaces: no network, no process but its own, no file but those it needs, none to write
+    uid                    as root where namespaces are forbidden (most containers): a user of its own, and limits
+    limits                 not as root, without bubblewrap: limits only
 
 As root a submission is never run with limits only.
 """

@@ -61,9 +61,11 @@ class Judge:
     def judge(self, exercise: Exercise, source: Source | None, user: User) -> ExerciseVerdict:
         tests = self._workshop.expected_tests(exercise)
         if source is None:
-            return _all(tests, NOT_STARTED, "file missing", f"chapters/{exercise.folder}/{exercise.file.name} was not handed in.")
+            missing = f"chapters/{exercise.folder}/{exercise.file.name} was not handed in."
+            return _all(tests, NOT_STARTED, "file missing", missing)
         if source.problem:
-            return _all(tests, TAMPERED if "link" in source.problem else DOES_NOT_COMPILE, "file not taken", source.problem)
+            verdict = TAMPERED if source.is_link else DOES_NOT_COMPILE
+            return _all(tests, verdict, "file not taken", source.problem)
         if is_stub(source.content.decode("utf-8", errors="replace")):
             return _all(tests, NOT_STARTED, message="The file still calls not_implemented().")
         key = self._key(exercise, source)
@@ -98,7 +100,7 @@ class Judge:
                 not ended.timed_out)
 
     def _key(self, exercise: Exercise, source: Source) -> str:
-        parts = [self._workshop.fingerprint, exercise.label, str(self._seed), repr(self._limits), self._isolation.name]
+        parts = [self._workshop.build, exercise.label, str(self._seed), repr(self._limits), self._isolation.name]
         return hashlib.sha256("\0".join(parts).encode() + b"\0" + source.content).hexdigest()
 
     def _recall(self, key: str) -> ExerciseVerdict | None:

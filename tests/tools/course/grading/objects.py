@@ -1,8 +1,8 @@
-"""A student's file, compiled and linked with the instructor's tests: inside the isolation, and what its object may hold.
+"""A student's file, compiled and linked with the instructor's tests inside the isolation; what its object may hold.
 
-Of its symbols only the exercise's functions stay visible: a `sqrt` or a `main` of the student's own reaches no test, and
-a helper may have any name. `ld -r` comes first, to dissolve groups of inline functions: the linker keeps one copy of
-each, and it must not be the student's.
+Of its symbols only the exercise's functions stay visible: a `sqrt` or a `main` of the student's own reaches no test,
+and a helper may have any name. `ld -r` comes first, to dissolve groups of inline functions: the linker keeps one copy
+of each, and it must not be the student's.
 """
 
 import re
@@ -23,8 +23,8 @@ _OF_GOOGLETEST = re.compile(r"NK?(?:5spook)?7testing")
 _EARLY = re.compile(r"\.(preinit_array|init_array\.\S+|fini_array\.\S+|ctors\S*|dtors\S*)")
 # No exercise starts a process, looks into one, opens the net, or loads code; each has its reason to be refused.
 _REACHING_OUT = frozenset(
-    "fork vfork clone clone3 daemon posix_spawn posix_spawnp system popen execl execle execlp execv execve execvp execvpe "
-    "kill killpg tgkill pthread_kill sigqueue ptrace process_vm_readv process_vm_writev prctl syscall mprotect "
+    "fork vfork clone clone3 daemon posix_spawn posix_spawnp system popen execl execle execlp execv execve execvp "
+    "execvpe kill killpg tgkill pthread_kill sigqueue ptrace process_vm_readv process_vm_writev prctl syscall mprotect "
     "dlopen dlmopen dlsym dlvsym dl_iterate_phdr socket connect setrlimit prlimit prlimit64 unshare setns".split())
 
 
@@ -39,7 +39,8 @@ class Made:
     notes: tuple[str, ...] = ()
 
 
-def make(exercise: Exercise, source: Source, workshop: Workshop, isolation: Isolation, user: User, folder: Path) -> Made:
+def make(exercise: Exercise, source: Source, workshop: Workshop, isolation: Isolation, user: User,
+         folder: Path) -> Made:
     compiling, linking = folder / "compile", folder / "link"
     for path in (compiling, linking):
         path.mkdir(mode=0o755)
@@ -52,7 +53,8 @@ def make(exercise: Exercise, source: Source, workshop: Workshop, isolation: Isol
     ended = isolation.run(command, _COMPILING, user, (workshop.headers,), (compiling,), compiling)
     if ended.code != 0:
         stopped = "the compiler was stopped by a limit on its time, memory or output\n" if (
-            ended.timed_out or ended.too_much or ended.code in (-9, 137, -24, 152)) else ""
+            ended.timed_out or ended.too_much or ended.code in (-9, 137, -24, 152)
+            or "signal terminated program" in ended.output) else ""
         return Made(None, "does not compile", message=stopped + "\n".join(
             diagnostics.first_error(ended.output, exercise)))
     student = compiling / "student.o"
@@ -72,14 +74,14 @@ def _link(exercise: Exercise, workshop: Workshop, isolation: Isolation, student:
     script = [["ld", "-r", "--force-group-allocation", str(student), "-o", "whole.o"],
               ["objcopy", *(f"--keep-global-symbol={name}" for name in sorted(wanted)), "whole.o", "local.o"],
               workshop.link_command(exercise, "local.o", "graded")]
-    commands = "set -e; " + "; ".join(shlex.join(words) for words in script)
+    shell = ["/bin/sh", "-c", "set -e; " + "; ".join(shlex.join(words) for words in script)]
     # The linker runs none of the student's code, but reads what the student may not: the tests and the reference. So it
     # runs as the grader, and where there are no namespaces to put it into, without isolation.
     if isolation.namespaces:
-        ended = isolation.run(["/bin/sh", "-c", commands], _COMPILING, GRADER, (workshop.answers, student), (folder,), folder)
+        ended = isolation.run(shell, _COMPILING, GRADER, (workshop.answers, student), (folder,), folder)
         code, output = ended.code, ended.output
     else:
-        result = subprocess.run(["/bin/sh", "-c", commands], capture_output=True, text=True, errors="replace", cwd=folder)
+        result = subprocess.run(shell, capture_output=True, text=True, errors="replace", cwd=folder)
         code, output = result.returncode, result.stdout + result.stderr
     if code != 0:
         return Made(None, "does not compile", "does not link", "\n".join(diagnostics.first_error(output, exercise)))

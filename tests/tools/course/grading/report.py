@@ -1,4 +1,4 @@
-"""report.md: what a student reads. The first failure in full, with its hint; of hidden tests only how many there are."""
+"""report.md: what a student reads. The first failure in full, with its hint; of hidden tests only their number."""
 
 from grading.text import fenced, markdown
 from manifest import Exercise
@@ -10,7 +10,8 @@ _PRINTED_LINES = 20
 
 def report_of(result: dict, exercises: dict[str, Exercise]) -> str:
     """`exercises` by their function."""
-    parts = [f"# {markdown(result['submission'])}: {result['score']:g} of {result['max_score']:g} points\n", _board(result)]
+    points = f"{result['score']:g} of {result['max_score']:g} points"
+    parts = [f"# {markdown(result['submission'])}: {points}\n", _board(result)]
     hidden = [test for test in _tests(result) if test["visibility"] != "visible"]
     if hidden:
         passed = sum(test["verdict"] == "passed" for test in hidden)
@@ -27,8 +28,8 @@ def report_of(result: dict, exercises: dict[str, Exercise]) -> str:
         parts += [_in_a_line(exercise, tests) for exercise, tests in seen[_MORE_IN_FULL:]]
     unseen = [exercise["id"] for exercise, tests in wrong if not tests]
     if unseen:
-        parts.append(f"Every test that is shown passes in {', '.join(unseen)}, but a hidden one does not: read the lesson "
-                     "once more for what the tests here do not ask.\n")
+        parts.append(f"Every test that is shown passes in {', '.join(unseen)}, but a hidden one does not: read the "
+                     "lesson once more for what the tests here do not ask.\n")
     if result["notes"]:
         parts += ["## Notes\n", *(f"- {markdown(note)}" for note in result["notes"]), ""]
     return "\n".join(parts)
@@ -64,7 +65,8 @@ def _in_full(exercise: dict, tests: list[dict], exercises: dict[str, Exercise], 
     others = [] if alone else [f"`{test['name']}` ({_said(test)})" for test in tests[1:]]
     if others:
         lines.append(f"Also: {', '.join(others)}.\n")
-    lines.append(f"Try it: `./course check {exercise['id']} --seed {seed}`; the lesson: `chapters/{known.folder}/README.md`\n")
+    lines.append(f"Try it: `./course check {exercise['id']} --seed {seed}`; "
+                 f"the lesson: `chapters/{known.folder}/README.md`\n")
     return "\n".join(lines)
 
 

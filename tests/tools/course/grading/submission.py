@@ -27,6 +27,7 @@ class Source:
     path: str
     content: bytes = b""
     problem: str = ""
+    is_link: bool = False
 
 
 @dataclass
@@ -200,9 +201,10 @@ def _note_others(submission: Submission, others: list[str]) -> None:
 
 def _read(entry: _Entry) -> Source:
     path = str(entry.path)
+    if entry.kind == "link":
+        return Source(path, problem=f"{path} is a symbolic link, and those are not followed", is_link=True)
     if entry.kind != "file":
-        return Source(path, problem=f"{path} is {'a symbolic link' if entry.kind == 'link' else 'not a regular file'}, "
-                                    "which is never followed or read")
+        return Source(path, problem=f"{path} is no regular file")
     try:
         content = entry.read() if entry.size <= LARGEST else b"x" * (LARGEST + 1)
     except Exception as error:  # as above

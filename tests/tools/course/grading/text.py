@@ -2,7 +2,8 @@
 
 import re
 
-_CONTROL = re.compile(r"\x1b\[[0-9;?]*[A-Za-z]|[\x00-\x08\x0b-\x1f\x7f-\x9f\u2028\u2029\u202a-\u202e\u2066-\u2069\ufffe\uffff]")
+_CONTROL = re.compile(r"\x1b\[[0-9;?]*[A-Za-z]"
+                      r"|[\x00-\x08\x0b-\x1f\x7f-\x9f\u2028\u2029\u202a-\u202e\u2066-\u2069\ufffe\uffff]")
 _MARKUP = re.compile(r"([\\`*_{}\[\]<>#|])")
 
 

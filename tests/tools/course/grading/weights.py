@@ -19,7 +19,7 @@ from paths import ROOT, shown
 TABLE = ROOT / "tests" / "weights.csv"
 COLUMNS = ("test", "points", "visibility", "hint", "title")
 VISIBILITIES = ("visible", "after_due_date", "after_published", "hidden")
-_HUMP = re.compile(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])")
+_HUMP = re.compile(r"(?<=[a-z0-9])(?=[A-Z])|(?<=[A-Z])(?=[A-Z][a-z])|(?<=[a-z])(?=[0-9])(?<![0-9]e)")
 
 
 @dataclass(frozen=True)

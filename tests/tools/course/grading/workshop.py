@@ -11,6 +11,7 @@ import shlex
 import shutil
 import subprocess
 import tempfile
+from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -63,7 +64,8 @@ class Workshop:
         self.tests = {chapter.folder: self._list_tests(chapter) for chapter in chapters}
         shown_tests = {test for chapter in chapters for test in listed_tests(chapter)}
         self.hidden_tests = {test for tests in self.tests.values() for test in tests} - shown_tests
-        self.fingerprint = self._fingerprint()
+        self.build = self._fingerprint_of_build()
+        self.sources = _fingerprint_of_sources(chapters, hidden)
 
     def close(self) -> None:
         self._folder.cleanup()
@@ -158,8 +160,8 @@ class Workshop:
                            f"{', '.join(exercise.suite for exercise in chapter.exercises)}")
         return tests
 
-    def _fingerprint(self) -> str:
-        """Of all that a verdict depends on besides the student's file."""
+    def _fingerprint_of_build(self) -> str:
+        """Of all that a verdict depends on here besides the student's file."""
         total = hashlib.sha256(" ".join(self._flags).replace(str(self.root), "").encode())
         for file in sorted(self.root.rglob("*")):
             # The precompiled header differs each time that it is made; the headers in it do not.
@@ -170,6 +172,23 @@ class Workshop:
         for file in sorted(Path(__file__).parent.glob("*.py")):
             total.update(file.read_bytes())
         return total.hexdigest()
+
+
+def _add_files(total, name: str, files: Iterable[Path]) -> None:
+    for file in sorted(files):
+        total.update(f"{name}/{file.parent.name}/{file.name}".encode() + b"\0" + file.read_bytes())
+
+
+def _fingerprint_of_sources(chapters: list[Chapter], hidden: Path | None) -> str:
+    """Of what is graded against: the same on every machine that has the same course and the same hidden tests."""
+    total = hashlib.sha256()
+    for chapter in chapters:
+        for root, pattern in ((CHAPTERS, "*.hpp"), (SOLUTIONS, "*.[ch]pp"), (ROOT / "tests", "*.[ch]pp")):
+            _add_files(total, root.name, (root / chapter.folder).glob(pattern))
+        if hidden:
+            _add_files(total, "hidden", (hidden / chapter.folder).glob("*.[ch]pp"))
+    _add_files(total, "support", (ROOT / "tests" / "support").iterdir())
+    return total.hexdigest()
 
 
 def _listed(program: Path) -> list[str]:

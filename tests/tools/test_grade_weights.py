@@ -1,0 +1,44 @@
+"""The table of weights is complete, and says something of each test."""
+
+import unittest
+from collections import Counter
+
+from classroom import run_course
+from sandbox import ROOT, all_exercises
+
+from grading.weights import TABLE, first_draft, read_rows
+
+
+class Weights(unittest.TestCase):
+    def test_the_table_has_a_row_for_every_test_and_no_other(self):
+        """If not: ./course export weights > new.csv, look at what is new, and put it in tests/weights.csv."""
+        run = run_course("export", "weights", cwd=ROOT)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        present = TABLE.read_text(encoding="utf-8")
+        changed = sorted(set(run.stdout.splitlines()) ^ set(present.splitlines()))
+        self.assertEqual(run.stdout, present, "\n".join(["rows that are new or gone:", *changed]))
+
+    def test_every_exercise_has_points_and_every_hint_exists(self):
+        rows = read_rows(TABLE).values()
+        points = Counter()
+        hints = {f"{exercise.id}/{number}" for exercise in all_exercises()
+                 for number in range(1, len(exercise.hints) + 1)}
+        suites = {exercise.suite: exercise for exercise in all_exercises()}
+        for row in rows:
+            exercise = suites[row.test.partition(".")[0]]
+            points[exercise.id] += row.points
+            self.assertIn(row.hint, hints, row.test)
+            self.assertTrue(row.hint.startswith(f"{exercise.id}/"), row.test)
+            self.assertTrue(row.title[0].isupper() or not row.title[0].isalpha(), row.title)
+        self.assertEqual([exercise.id for exercise in all_exercises() if not points[exercise.id] > 0], [])
+
+    def test_a_first_draft_takes_the_words_of_the_name(self):
+        kick = next(exercise for exercise in all_exercises() if exercise.function == "kick")
+        for test, title in (("Kick.AddsForceOverMass", "Adds force over mass"),
+                            ("Kick.KeepsEnergyFor1e5Steps", "Keeps energy for 1e5 steps"),
+                            ("Kick.IsGMInvGT", "Is GM inv GT")):
+            self.assertEqual(first_draft(test, kick).title, title)
+
+
+if __name__ == "__main__":
+    unittest.main()
