@@ -8,6 +8,7 @@ import unittest
 from sandbox import ROOT, our_files
 
 CLANG_FORMAT_VERSION = "14"  # others lay out a few things differently
+TEXT_WIDTH = 120
 
 
 def find_clang_format() -> str | None:
@@ -44,6 +45,17 @@ class Format(unittest.TestCase):
                 self.assertIsNone(re.search(rb"[ ]$", content, re.MULTILINE), "a space at the end of a line")
                 self.assertTrue(content.endswith(b"\n"), "no newline at the end")
                 self.assertFalse(content.endswith(b"\n\n"), "an empty line at the end")
+
+    def test_text_is_no_wider_than_it_may_be(self):
+        for name in our_files():
+            if name.suffix != ".md":
+                continue
+            fenced = False
+            for number, line in enumerate((ROOT / name).read_text(encoding="utf-8").splitlines(), 1):
+                fenced ^= line.startswith("```")
+                # Formulas, tables and images can not be broken.
+                if not fenced and not line.startswith(("|", "![")):
+                    self.assertLessEqual(len(line), TEXT_WIDTH, f"{name}, line {number}: {line}")
 
 
 if __name__ == "__main__":
