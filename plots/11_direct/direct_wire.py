@@ -2,6 +2,7 @@
 
 import sys
 from pathlib import Path
+from statistics import median
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
 import figures  # noqa: E402
@@ -49,11 +50,27 @@ def _times(axes, table):
 
 
 def _bounds(axes, table):
+    """Medians and all of the range of the draws in which a bound holds a row, and the others one by one."""
     for ratio, style in zip(table.values("ratio"), figures.STYLES):
-        some = table.only("ratio", ratio)
-        axes.plot(some["size"], some["value"], label=f"{figures.number(ratio)}:1", **style)
-    axes.set(xscale="log", ylim=(0, 50), xlabel="boxes", ylabel="factorisations", title="friction boxes, to 10⁻⁶ m/s")
-    axes.legend(fontsize=8, loc="upper right")
+        some, name = table.only("ratio", ratio), f"{figures.number(ratio)}:1"
+        sizes = some.values("size")
+        counts = [_counts(some.only("size", size)) for size in sizes]
+        axes.plot(sizes, [median(held) for held, _ in counts], label=name, **style)
+        axes.fill_between(sizes, [min(held) for held, _ in counts], [max(held) for held, _ in counts],
+                          color=style["color"], alpha=0.15, linewidth=0)
+        free = [(size, count) for size, (_, ones) in zip(sizes, counts) for count in ones]
+        if free:
+            axes.plot(*zip(*free), label=f"{name}, no bound holds",
+                      **style | {"linestyle": "none", "fillstyle": "none"})
+    axes.set(xscale="log", ylim=(0, 50), xlabel="boxes", ylabel="factorisations",
+             title="friction boxes, to 10⁻⁶ m/s")
+    axes.legend(fontsize=8, loc="upper left")
+
+
+def _counts(table):
+    """Factorisations of the draws in which a bound holds a row, and of those in which none does."""
+    draws = list(zip(table["value"], table["held"]))
+    return [count for count, held in draws if held > 0], [count for count, held in draws if held == 0]
 
 
 if __name__ == "__main__":
