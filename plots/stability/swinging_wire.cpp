@@ -7,11 +7,10 @@
 // The law. A link holds its length implicitly, but the tension's pull across the wire is taken at x_n, as any force:
 // neighbours that stand out on either side are pulled back with 4T/l, so h <= 2/ω, ω = √(4T/(m l)), Eq. (1.8). T is
 // largest at the top, as the wire swings through: at most (3 - 2 cos 30°) times what hangs there.
-//
-// A wire's rows each share a point with the next: S is tridiagonal, and two passes solve it.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "engine/world.hpp"
 #include "machinery/experiment.hpp"
@@ -22,25 +21,6 @@ namespace spook::plots {
 namespace {
 
 constexpr double g = 9.81, load = 1, k = 1e9, angle = std::numbers::pi / 6, seconds = 1;
-
-/// Elimination from the top down, substitution from the bottom up.
-SolveReport solve_chain(std::vector<spook::Row<3>>& rows, std::vector<Twist<3>>& V, const StopRule&) {
-  std::vector<double> diagonal, right, beside(rows.size());
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    diagonal.push_back(rows[r].diagonal);
-    right.push_back(rows[r].B);
-    if (r == 0) continue;
-    beside[r] = rows[r - 1].Gj.dot(rows[r].MinvGi);
-    diagonal[r] -= beside[r] * beside[r] / diagonal[r - 1];
-    right[r] -= beside[r] * right[r - 1] / diagonal[r - 1];
-  }
-  for (std::size_t r = rows.size(); r-- > 0;) {
-    if (r + 1 < rows.size()) right[r] -= beside[r + 1] * rows[r + 1].lambda;
-    rows[r].lambda = right[r] / diagonal[r];
-    apply_impulse(rows[r], rows[r].lambda, V);
-  }
-  return {.history = {0}, .converged = true};
-}
 
 struct Wire {
   int links;
@@ -59,8 +39,8 @@ struct Outcome {
   double residual;  // the largest of any step [m/s]
 };
 
-Outcome swing(const Wire& wire, int steps, Solver<3> solver, const StopRule& stop = {}) {
-  World<3> world({.gravity = Vec3(0, 0, -g), .k = k, .solver = solver, .stop = stop});
+Outcome swing(const Wire& wire, int steps, const std::string& solver, const StopRule& stop = {}) {
+  World<3> world({.gravity = Vec3(0, 0, -g), .k = k, .solver = find_solver<3>(solver).make(), .stop = stop});
   const Vec3 along(std::sin(angle), 0, -std::cos(angle));
   world.add_fixed(Vec3::Zero());
   for (int point = 1; point <= wire.links; ++point) {
@@ -90,10 +70,10 @@ Experiment experiment(Size size) {
                             const Wire wire{links, ratio};
                             const double fine = std::min(wire.largest_step() / 8, 1.0 / 4000);
                             const Vec3 right =
-                                swing(wire, static_cast<int>(std::ceil(seconds / fine)), &solve_chain).load;
+                                swing(wire, static_cast<int>(std::ceil(seconds / fine)), "direct").load;
                             std::vector<Row> rows;
                             for (const int rate : rates) {
-                              const Outcome found = swing(wire, rate, &solve_chain);
+                              const Outcome found = swing(wire, rate, "direct");
                               const double error = (found.load - right).norm();
                               rows.push_back({"map", double(links), ratio, 1.0 / rate, error,
                                               double(!(error <= 0.05)), wire.largest_step(), found.residual});
@@ -104,8 +84,8 @@ Experiment experiment(Size size) {
     e.points.push_back({"sweeps " + std::to_string(sweeps), [=]() -> std::vector<Row> {
                           const Wire wire{10, 10};
                           const int rate = 120;
-                          const double away = (swing(wire, rate, &solve<3>, {.max_sweeps = sweeps}).load -
-                                               swing(wire, rate, &solve_chain).load)
+                          const double away = (swing(wire, rate, "gauss_seidel", {.max_sweeps = sweeps}).load -
+                                               swing(wire, rate, "direct").load)
                                                   .norm();
                           return {{"sweeps", 10.0, 10.0, 1.0 / rate, away, 0.0, wire.largest_step(), 0.0}};
                         }});
