@@ -1,5 +1,7 @@
 #include "scenes/boxes.hpp"
 
+#include "scenes/load.hpp"
+
 namespace spook {
 
 Settings<6> BoxesOnFloor::settings(const Parameters& p) {
@@ -29,11 +31,7 @@ double BoxesOnFloor::farthest_sideways() const {
 }
 
 double BoxesOnFloor::floor_load() const {
-  double impulse = 0;
-  const int contacts = static_cast<int>(world_.contacts().size());
-  for (int c = 0; c < contacts; ++c)
-    if (world_.contacts()[static_cast<std::size_t>(c)].i == floor_) impulse += world_.lambda(c);
-  return impulse / h_;
+  return load_on(floor_, world_, h_);
 }
 
 }  // namespace spook

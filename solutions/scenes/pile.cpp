@@ -7,6 +7,7 @@
 
 #include "engine/mechanics.hpp"
 #include "scenes/jitter.hpp"
+#include "scenes/load.hpp"
 #include "scenes/registry.hpp"
 
 namespace spook {
@@ -80,7 +81,7 @@ class Pile : public WorldScene<6> {
             deepest(),
             kinetic_energy(world_.bodies()),
             fastest(),
-            load(),
+            relative(load_on(floor_, world_, h_), weight_),
             static_cast<double>(world_.contacts().size()),
             static_cast<double>(world_.report().impacts)};
   }
@@ -97,14 +98,6 @@ class Pile : public WorldScene<6> {
     double v = 0;
     for (const Twist<6>& W : world_.bodies().motion.W) v = largest(v, W.head<3>().norm());
     return v;
-  }
-
-  double load() const {
-    double impulse = 0;
-    const int contacts = static_cast<int>(world_.contacts().size());
-    for (int c = 0; c < contacts; ++c)
-      if (world_.contacts()[static_cast<std::size_t>(c)].i == floor_) impulse += world_.lambda(c);
-    return relative(impulse / h_, weight_);
   }
 
   double radius_, weight_;
