@@ -91,7 +91,9 @@ SceneDescription stiff_wire() {
       .parameters = {parameter::links(100),
                      ratio,
                      {.name = "angle",
-                      .meaning = "from straight down, at the start",
+                      .meaning =
+                          "from straight down, at the start; from 90 on the wire would fall slack, and be lost "
+                          "where it is tight again within a step",
                       .unit = "degrees",
                       .value = 30,
                       .limits = {.low = 0, .high = 90, .high_included = false}},
