@@ -1,10 +1,6 @@
 #pragma once
 // Systems of rows with known solutions, for the tests of chapter 04.
-#include <Eigen/Dense>
-#include <vector>
-
-#include "04_gauss_seidel/gauss_seidel.hpp"
-#include "random_input.hpp"
+#include "dense_rows.hpp"
 
 namespace spook::testing {
 
@@ -15,12 +11,6 @@ struct Problem {
   std::vector<Row<Dof>> rows;
   std::vector<Twist<Dof>> V;
 };
-
-inline InverseMass<6> random_body(Random& random) {
-  const Vec3 inverse_moments(random.uniform(0.2, 2), random.uniform(0.2, 2), random.uniform(0.2, 2));
-  const Mat3 R = random.rotation().toRotationMatrix();
-  return {.linear = 1 / random.uniform(0.5, 3), .angular = R * inverse_moments.asDiagonal() * R.transpose()};
-}
 
 /// Rigid bodies that nothing holds, all moving.
 inline Motion<6> random_motion(Random& random, int bodies) {
@@ -70,35 +60,6 @@ inline Problem<3> stack(const std::vector<double>& masses, double h, double Sigm
         p.motion));
   return p;
 }
-
-/// S = G M⁻¹ Gᵀ + Σ as a dense matrix, which the solver itself never forms.
-template <int Dof>
-Eigen::MatrixXd dense_S(const std::vector<Row<Dof>>& rows) {
-  const auto n = static_cast<Eigen::Index>(rows.size());
-  Eigen::MatrixXd S = Eigen::MatrixXd::Zero(n, n);
-  for (Eigen::Index k = 0; k < n; ++k)
-    for (Eigen::Index l = 0; l < n; ++l) {
-      const Row<Dof>&a = rows[static_cast<std::size_t>(k)], &b = rows[static_cast<std::size_t>(l)];
-      if (a.i == b.i) S(k, l) += a.Gi.dot(b.MinvGi);
-      if (a.i == b.j) S(k, l) += a.Gi.dot(b.MinvGj);
-      if (a.j == b.i) S(k, l) += a.Gj.dot(b.MinvGi);
-      if (a.j == b.j) S(k, l) += a.Gj.dot(b.MinvGj);
-      if (k == l) S(k, l) += a.Sigma;
-    }
-  return S;
-}
-
-template <int Dof, class Member>
-Eigen::VectorXd gathered(const std::vector<Row<Dof>>& rows, Member member) {
-  Eigen::VectorXd values(static_cast<Eigen::Index>(rows.size()));
-  for (std::size_t k = 0; k < rows.size(); ++k) values[static_cast<Eigen::Index>(k)] = rows[k].*member;
-  return values;
-}
-
-/// The one λ with lo <= λ <= hi that solves S λ = B where no bound holds it: tries every set of rows at their lower
-/// bound, at their upper bound, and free. For up to 8 rows.
-Eigen::VectorXd enumerate_solution(const Eigen::MatrixXd& S, const Eigen::VectorXd& B,
-                                   const Eigen::VectorXd& lo, const Eigen::VectorXd& hi);
 
 /// Sets λ in the rows, and the V that belongs to it.
 template <int Dof>

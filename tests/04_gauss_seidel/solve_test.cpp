@@ -9,23 +9,15 @@ namespace {
 
 EXERCISE(Solve, "4.6 solve");
 
-// |λ - λ*| <= (1 + |S|)/μ times the residual, μ the smallest eigenvalue: the error bound of a complementarity problem.
-double condition(const Eigen::MatrixXd& S) {
-  const Eigen::VectorXd eigenvalues = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(S).eigenvalues();
-  return (1 + eigenvalues.maxCoeff()) / eigenvalues.minCoeff();
-}
-
 void compare_with_enumeration(Problem<6>& p, const std::string& what) {
-  const Eigen::MatrixXd S = dense_S(p.rows);
-  const Eigen::VectorXd B = gathered(p.rows, &Row<6>::B);
-  const Eigen::VectorXd lo = gathered(p.rows, &Row<6>::lo), hi = gathered(p.rows, &Row<6>::hi);
+  const Bounded problem = bounded(p.rows);
   const double tolerance = 1e-13;
   const SolveReport report = solve(p.rows, p.V, {.max_sweeps = 200000, .tolerance = tolerance});
   expect_true("converged within 200000 sweeps", "Eq. (4.9)", report.converged);
   const double n = static_cast<double>(p.rows.size());
   expect_near_vector("λ of " + what + " [N s]", "Eq. (4.1)", gathered(p.rows, &Row<6>::lambda),
-                     enumerate_solution(S, B, lo, hi),
-                     {10 * n * condition(S) * (tolerance + 1e-14), "residual times condition of S"}, {},
+                     enumerate_solution(problem),
+                     {10 * n * condition(problem.S) * (tolerance + 1e-14), "residual times condition of S"}, {},
                      "Each set of bounds that could be active was tried; this is the one solution.");
 }
 

@@ -115,8 +115,7 @@ EXERCISE_TEST(Sweep, DoesNotHideANaN) {
 EXERCISE_TEST(Residual, IsZeroAtTheSolution) {
   Random random;
   Problem<6> p = random_problem(random, 3, 7);
-  set_lambda(p, enumerate_solution(dense_S(p.rows), gathered(p.rows, &Row<6>::B), gathered(p.rows, &Row<6>::lo),
-                                   gathered(p.rows, &Row<6>::hi)));
+  set_lambda(p, enumerate_solution(bounded(p.rows)));
   double unprojected = 0;
   for (const Row<6>& row : p.rows)
     unprojected = std::max(unprojected,

@@ -115,25 +115,17 @@ double energy(const Eigen::MatrixXd& S, const Eigen::VectorXd& B, const Eigen::V
   return 0.5 * lambda.dot(S * lambda) - B.dot(lambda);
 }
 
-// As in chapter 04: |λ - λ*| <= (1 + |S|)/μ times the residual, μ the smallest eigenvalue.
-double condition(const Eigen::MatrixXd& S) {
-  const Eigen::VectorXd eigenvalues = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(S).eigenvalues();
-  return (1 + eigenvalues.maxCoeff()) / eigenvalues.minCoeff();
-}
-
 void compare_with_enumeration(Problem<6>& p, const std::string& what) {
   const double tolerance = 1e-13;
   const SolveReport report = conjugate_solve(p.rows, p.V, {.max_sweeps = 5000, .tolerance = tolerance});
-  const Eigen::MatrixXd S = dense_S(p.rows);
+  const Bounded problem = bounded(p.rows);
   expect_true(
       what + ": converged within 5000 iterations", "Eq. (4.9)", report.converged,
       "Rows that are at a bound and should leave it are put off it by sweeps only: after a step that was "
       "projected, and when one of them lacks most.");
   const double n = static_cast<double>(p.rows.size());
-  expect_near_vector("λ of " + what + " [N s]", "Eq. (4.1)", lambdas(p),
-                     enumerate_solution(S, gathered(p.rows, &Row<6>::B), gathered(p.rows, &Row<6>::lo),
-                                        gathered(p.rows, &Row<6>::hi)),
-                     {10 * n * condition(S) * (tolerance + 1e-14), "residual times condition of S"}, {},
+  expect_near_vector("λ of " + what + " [N s]", "Eq. (4.1)", lambdas(p), enumerate_solution(problem),
+                     {10 * n * condition(problem.S) * (tolerance + 1e-14), "residual times condition of S"}, {},
                      "Each set of bounds that could be active was tried; this is the one solution.");
 }
 
@@ -275,8 +267,7 @@ EXERCISE_TEST(ConjugateSolve, BeginsWhereItIs) {
   const Problem<6> start = p;
   conjugate_solve(p.rows, p.V, {.max_sweeps = 1, .tolerance = 0});
   p = start;
-  set_lambda(p, enumerate_solution(dense_S(p.rows), gathered(p.rows, &Row<6>::B), gathered(p.rows, &Row<6>::lo),
-                                   gathered(p.rows, &Row<6>::hi)));
+  set_lambda(p, enumerate_solution(bounded(p.rows)));
   const SolveReport report = conjugate_solve(p.rows, p.V, {.max_sweeps = 100, .tolerance = 1e-9});
   expect_near("iterations from the solution", "Eq. (10.2)", static_cast<double>(report.history.size()), 1,
               {0, "a count"}, {}, "λ and V on entry are a warm start: neither is set to zero.");

@@ -1,46 +1,8 @@
 #include "systems.hpp"
 
-#include <stdexcept>
-
 #include "05_friction_box/friction_box.hpp"
 
 namespace spook::testing {
-
-namespace {
-
-InverseMass<6> random_body(Random& random) {
-  const Vec3 inverse_moments(random.uniform(0.2, 2), random.uniform(0.2, 2), random.uniform(0.2, 2));
-  const Mat3 R = random.rotation().toRotationMatrix();
-  return {.linear = 1 / random.uniform(0.5, 3), .angular = R * inverse_moments.asDiagonal() * R.transpose()};
-}
-
-enum State { at_lo, free_row, at_hi };
-
-// λ with the free rows solved and the others at their bounds; false when it is not the solution.
-bool solves(const Bounded& problem, const std::vector<State>& states, VectorXd& lambda) {
-  const auto n = problem.B.size();
-  MatrixXd A = MatrixXd::Identity(n, n);
-  VectorXd right = problem.B;
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const State state = states[k];
-    if (state == free_row) A.row(k) = problem.S.row(k);
-    if (state == at_lo) right[k] = problem.lo[k];
-    if (state == at_hi) right[k] = problem.hi[k];
-  }
-  if (!right.allFinite()) return false;
-  lambda = A.partialPivLu().solve(right);
-  const VectorXd lacking = problem.B - problem.S * lambda;
-  const double slack = 1e-12 * (1 + problem.B.norm());
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const State state = states[k];
-    if (lambda[k] < problem.lo[k] - slack || lambda[k] > problem.hi[k] + slack) return false;
-    if (state == at_lo && lacking[k] > slack) return false;
-    if (state == at_hi && lacking[k] < -slack) return false;
-  }
-  return true;
-}
-
-}  // namespace
 
 System<6> random_system(Random& random, int bodies, int rows) {
   System<6> s;
@@ -155,13 +117,6 @@ MatrixXd full(const SparseMatrix& lower) {
   return MatrixXd(A.selfadjointView<Eigen::Lower>());
 }
 
-Bounded bounded(const std::vector<Row<6>>& rows) {
-  return {.S = dense_S(rows),
-          .B = gathered(rows, &Row<6>::B),
-          .lo = gathered(rows, &Row<6>::lo),
-          .hi = gathered(rows, &Row<6>::hi)};
-}
-
 double dense_residual(const Bounded& problem, const VectorXd& lambda) {
   const VectorXd lacking = problem.B - problem.S * lambda;
   double largest = 0;
@@ -173,24 +128,6 @@ double dense_residual(const Bounded& problem, const VectorXd& lambda) {
     largest = std::max(largest, one);
   }
   return largest;
-}
-
-VectorXd enumerate_solution(const Bounded& problem) {
-  const std::size_t n = static_cast<std::size_t>(problem.B.size());
-  std::vector<State> states(n, at_lo);
-  VectorXd lambda;
-  for (;;) {
-    if (solves(problem, states, lambda)) return lambda;
-    std::size_t k = 0;
-    while (k < n && states[k] == at_hi) states[k++] = at_lo;
-    if (k == n) throw std::logic_error("no set of active bounds solves the problem");
-    states[k] = static_cast<State>(states[k] + 1);
-  }
-}
-
-double condition(const MatrixXd& S) {
-  const VectorXd eigenvalues = Eigen::SelfAdjointEigenSolver<MatrixXd>(S).eigenvalues();
-  return (1 + eigenvalues.maxCoeff()) / eigenvalues.minCoeff();
 }
 
 }  // namespace spook::testing

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "11_direct/direct.hpp"
-#include "random_input.hpp"
+#include "dense_rows.hpp"
 
 namespace spook::testing {
 
@@ -58,36 +58,11 @@ System<3> star(Random& random, int points);
 /// as `slide` says.
 System<6> box_tower(int boxes, double h, double mu, const Vec3& slide);
 
-/// S = G M⁻¹ Gᵀ + Σ with all its zeros: Eq. (11.1).
-template <int Dof>
-MatrixXd dense_S(const std::vector<Row<Dof>>& rows) {
-  const auto n = std::ssize(rows);
-  MatrixXd S = MatrixXd::Zero(n, n);
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    for (std::size_t l = 0; l < rows.size(); ++l) {
-      const Row<Dof>&a = rows[k], &b = rows[l];
-      if (a.i == b.i) S(k, l) += a.Gi.dot(b.MinvGi);
-      if (a.i == b.j) S(k, l) += a.Gi.dot(b.MinvGj);
-      if (a.j == b.i) S(k, l) += a.Gj.dot(b.MinvGi);
-      if (a.j == b.j) S(k, l) += a.Gj.dot(b.MinvGj);
-    }
-    S(k, k) += rows[k].Sigma;
-  }
-  return S;
-}
-
 /// The lower triangle, compressed.
 SparseMatrix lower_triangle(const MatrixXd& A);
 
 /// The symmetric matrix of which this is the lower triangle.
 MatrixXd full(const SparseMatrix& lower);
-
-template <int Dof>
-VectorXd gathered(const std::vector<Row<Dof>>& rows, double Row<Dof>::*member) {
-  VectorXd values(std::ssize(rows));
-  for (std::size_t k = 0; k < rows.size(); ++k) values[static_cast<Eigen::Index>(k)] = rows[k].*member;
-  return values;
-}
 
 /// V = M⁻¹ Gᵀ λ of the rows' λ.
 template <int Dof>
@@ -112,22 +87,7 @@ double difference(const std::vector<Twist<Dof>>& a, const std::vector<Twist<Dof>
   return largest;
 }
 
-/// S λ = B within bounds.
-struct Bounded {
-  MatrixXd S;
-  VectorXd B, lo, hi;
-};
-
-Bounded bounded(const std::vector<Row<6>>& rows);
-
 /// Eq. (4.8).
 double dense_residual(const Bounded& problem, const VectorXd& lambda);
-
-/// The solution, of which there is one: tries every set of rows at their lower bound, at their upper bound, and free.
-/// For up to 7 rows.
-VectorXd enumerate_solution(const Bounded& problem);
-
-/// 1 over the smallest eigenvalue times the size: by what a residual may be multiplied in λ.
-double condition(const MatrixXd& S);
 
 }  // namespace spook::testing

@@ -1,0 +1,66 @@
+#pragma once
+// Rows written down as S λ = B with all zeros, and solved by trying everything: what no solver of the course does.
+#include <Eigen/Dense>
+#include <vector>
+
+#include "04_gauss_seidel/gauss_seidel.hpp"
+#include "random_input.hpp"
+
+namespace spook::testing {
+
+/// A rigid body of 0.5 to 3 kg, with axes anywhere.
+inline InverseMass<6> random_body(Random& random) {
+  const Vec3 inverse_moments(random.uniform(0.2, 2), random.uniform(0.2, 2), random.uniform(0.2, 2));
+  const Mat3 R = random.rotation().toRotationMatrix();
+  return {.linear = 1 / random.uniform(0.5, 3), .angular = R * inverse_moments.asDiagonal() * R.transpose()};
+}
+
+/// S = G M⁻¹ Gᵀ + Σ, with all its zeros: Eq. (11.1).
+template <int Dof>
+Eigen::MatrixXd dense_S(const std::vector<Row<Dof>>& rows) {
+  const auto n = std::ssize(rows);
+  Eigen::MatrixXd S = Eigen::MatrixXd::Zero(n, n);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    for (std::size_t l = 0; l < rows.size(); ++l) {
+      const Row<Dof>&a = rows[k], &b = rows[l];
+      if (a.i == b.i) S(k, l) += a.Gi.dot(b.MinvGi);
+      if (a.i == b.j) S(k, l) += a.Gi.dot(b.MinvGj);
+      if (a.j == b.i) S(k, l) += a.Gj.dot(b.MinvGi);
+      if (a.j == b.j) S(k, l) += a.Gj.dot(b.MinvGj);
+    }
+    S(k, k) += rows[k].Sigma;
+  }
+  return S;
+}
+
+/// One of the numbers of each row: their λ, their B, ...
+template <int Dof>
+Eigen::VectorXd gathered(const std::vector<Row<Dof>>& rows, double Row<Dof>::*member) {
+  Eigen::VectorXd values(std::ssize(rows));
+  for (std::size_t k = 0; k < rows.size(); ++k) values[static_cast<Eigen::Index>(k)] = rows[k].*member;
+  return values;
+}
+
+/// S λ = B within bounds, Eq. (4.1).
+struct Bounded {
+  Eigen::MatrixXd S;
+  Eigen::VectorXd B, lo, hi;
+};
+
+template <int Dof>
+Bounded bounded(const std::vector<Row<Dof>>& rows) {
+  return {.S = dense_S(rows),
+          .B = gathered(rows, &Row<Dof>::B),
+          .lo = gathered(rows, &Row<Dof>::lo),
+          .hi = gathered(rows, &Row<Dof>::hi)};
+}
+
+/// The solution, of which there is one: tries every set of rows at their lower bound, at their upper bound, and free.
+/// For up to 8 rows.
+Eigen::VectorXd enumerate_solution(const Bounded& problem);
+
+/// |λ - λ*| is at most this times the residual: (1 + |S|)/μ, μ the smallest eigenvalue. It is the error bound of a
+/// complementarity problem.
+double condition(const Eigen::MatrixXd& S);
+
+}  // namespace spook::testing
