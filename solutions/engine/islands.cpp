@@ -31,34 +31,32 @@ class Groups {
   std::vector<int> parent_;
 };
 
-/// The bodies that move, and the rows on each.
-template <int Dof>
-struct Graph {
-  std::vector<std::vector<int>> rows_of_body;
-  std::vector<int> bodies;  ///< those that move
+/// The rows on each body, as far as it moves.
+using RowsOnBodies = std::vector<std::vector<int>>;
 
-  explicit Graph(const std::vector<Row<Dof>>& rows) {
-    const auto add = [&](int body, int row) {
-      if (body >= std::ssize(rows_of_body)) rows_of_body.resize(static_cast<std::size_t>(body) + 1);
-      if (rows_of_body[body].empty()) bodies.push_back(body);
-      rows_of_body[body].push_back(row);
-    };
-    for (int k = 0; k < std::ssize(rows); ++k) {
-      if (moves_i(rows[k])) add(rows[k].i, k);
-      if (moves_j(rows[k])) add(rows[k].j, k);
-    }
+template <int Dof>
+RowsOnBodies rows_on_bodies(const std::vector<Row<Dof>>& rows) {
+  RowsOnBodies all;
+  const auto add = [&](int body, int row) {
+    if (body >= std::ssize(all)) all.resize(static_cast<std::size_t>(body) + 1);
+    all[body].push_back(row);
+  };
+  for (int k = 0; k < std::ssize(rows); ++k) {
+    if (moves_i(rows[k])) add(rows[k].i, k);
+    if (moves_j(rows[k])) add(rows[k].j, k);
   }
-};
+  return all;
+}
 
 /// Level by level from `start`: the level of each row is that of the first of its bodies to be reached. The last body
 /// reached is left in `start`.
 template <int Dof>
-std::vector<int> row_levels(const std::vector<Row<Dof>>& rows, const Graph<Dof>& graph, int& start) {
-  std::vector<int> levels(rows.size(), -1), body_level(graph.rows_of_body.size(), -1), queue = {start};
+std::vector<int> row_levels(const std::vector<Row<Dof>>& rows, const RowsOnBodies& on_bodies, int& start) {
+  std::vector<int> levels(rows.size(), -1), body_level(on_bodies.size(), -1), queue = {start};
   body_level[start] = 0;
   for (std::size_t next = 0; next < queue.size(); ++next) {
     const int body = queue[next];
-    for (const int k : graph.rows_of_body[body]) {
+    for (const int k : on_bodies[body]) {
       if (levels[k] < 0) levels[k] = body_level[body];
       const auto reach = [&](int other) {
         if (body_level[other] >= 0) return;
@@ -109,17 +107,6 @@ struct Island {
   }
 };
 
-/// Entry by entry the larger, and the trouble of either.
-void merge(const Outcome& one, Outcome& all) {
-  std::vector<double>& history = all.report.history;
-  history.resize(std::max(history.size(), one.report.history.size()), 0);
-  for (std::size_t k = 0; k < one.report.history.size(); ++k)
-    history[k] = std::max(history[k], one.report.history[k]);
-  all.report.converged = all.report.converged && one.report.converged;
-  if (all.report.trouble.empty()) all.report.trouble = one.report.trouble;
-  all.row_updates += one.row_updates;
-}
-
 }  // namespace
 
 template <int Dof>
@@ -144,12 +131,12 @@ std::vector<std::vector<int>> islands(const std::vector<Row<Dof>>& rows, std::si
 
 template <int Dof>
 int width(const std::vector<Row<Dof>>& rows) {
-  const Graph<Dof> graph(rows);
-  if (graph.bodies.empty()) return std::min<int>(1, static_cast<int>(rows.size()));
-  int end = graph.bodies.front();
-  row_levels(rows, graph, end);  // to one of its ends
+  const RowsOnBodies on_bodies = rows_on_bodies(rows);
+  if (on_bodies.empty()) return std::min<int>(1, static_cast<int>(rows.size()));
+  int end = moves_i(rows.front()) ? rows.front().i : rows.front().j;
+  row_levels(rows, on_bodies, end);  // to one of its ends
   std::vector<int> in_level;
-  for (const int level : row_levels(rows, graph, end)) {
+  for (const int level : row_levels(rows, on_bodies, end)) {
     if (level >= std::ssize(in_level)) in_level.resize(static_cast<std::size_t>(level) + 1, 0);
     if (level >= 0) ++in_level[level];
   }
@@ -183,7 +170,7 @@ Outcome IslandSolver<Dof>::operator()(std::vector<Row<Dof>>& rows, std::vector<T
   const auto solve_one = [&](std::vector<Row<Dof>>& some, std::vector<Twist<Dof>>& some_V, std::size_t n) {
     if (!wants_direct(some, stop)) {
       Outcome swept = solve(some, some_V, stop);
-      swept.row_updates = std::ssize(swept.report.history) * std::ssize(some);
+      swept.row_updates = swept.updates(some.size());
       return swept;
     }
     Outcome direct = direct_solve(some, some_V, stop, factors_[n]);
@@ -197,7 +184,7 @@ Outcome IslandSolver<Dof>::operator()(std::vector<Row<Dof>>& rows, std::vector<T
   std::vector<int> numbers(V.size(), -1);
   for (std::size_t n = 0; n < all.size(); ++n) {
     Island<Dof> island(all[n], rows, V, numbers);
-    merge(solve_one(island.rows, island.V, n), outcome);
+    outcome = side_by_side(std::move(outcome), solve_one(island.rows, island.V, n));
     island.write_back(all[n], rows, V);
   }
   return outcome;

@@ -15,7 +15,18 @@ struct Outcome {
 
   SolveReport report;
   std::int64_t row_updates = -1;  ///< that were made; -1: one of each row for each entry of the history
+
+  /// Row updates that were made, of so many rows.
+  std::int64_t updates(std::size_t rows) const;
 };
+
+/// Of two solves, one after the other. A history goes on where the other ends; the second says whether it converged.
+/// Where one does not count its row updates, they are of so many rows.
+Outcome in_turn(Outcome first, const Outcome& second, std::size_t rows);
+
+/// Of two solves that have no part in each other, and count their row updates. A history has the larger of their
+/// entries, or a NaN; both must have converged.
+Outcome side_by_side(Outcome one, const Outcome& other);
 
 /// Brings the rows' λ to S λ = B within their bounds, and V to M⁻¹ Gᵀ λ. Both start from what the caller left in
 /// them. May keep what helps it in the next step.

@@ -13,24 +13,10 @@ void World<Dof>::solve_rows(double h) {
   }
   const Outcome outcome = settings_.geometric_stiffness ? solve_with_stiff_links(h) : solve_by_friction_model();
   sweeps_ = static_cast<int>(outcome.report.history.size());
-  row_updates_ += outcome.row_updates >= 0 ? outcome.row_updates : sweeps_ * std::ssize(rows_);
+  row_updates_ += outcome.updates(rows_.size());
   trouble_ = outcome.report.trouble;
   if (settings_.warm_start || settings_.geometric_stiffness)
     start_.remember(rows_, first_contact_row_, contacts_, h);
-}
-
-/// One after the other.
-static Outcome both(Outcome first, const Outcome& second, std::size_t rows) {
-  const auto updates = [&](const Outcome& of) {
-    return of.row_updates >= 0 ? of.row_updates
-                               : std::ssize(of.report.history) * static_cast<std::int64_t>(rows);
-  };
-  first.row_updates = updates(first) + updates(second);
-  first.report.history.insert(first.report.history.end(), second.report.history.begin(),
-                              second.report.history.end());
-  first.report.converged = second.report.converged;
-  if (first.report.trouble.empty()) first.report.trouble = second.report.trouble;
-  return first;
 }
 
 template <int Dof>
@@ -40,7 +26,7 @@ Outcome World<Dof>::solve_by_friction_model() {
   // Two passes, as chapter 09's, with any solver: so far the friction rows have bounds of 0.
   Outcome first = solve_by(rows_, V_);
   limit_friction(rubbing_, rows_);  // Eq. (9.1)
-  return both(std::move(first), solve_by(rows_, V_), rows_.size());
+  return in_turn(std::move(first), solve_by(rows_, V_), rows_.size());
 }
 
 template <int Dof>
@@ -73,13 +59,14 @@ Outcome World<Dof>::solve_with_stiff_links(double h) {
         outcome.row_updates = 0;
       } else {
         outcome = settings_.solver(links, V_, settings_.stop);
+        outcome.row_updates = outcome.updates(links.size());
         outcome.report.trouble = "the stiff links could not be factorised";
       }
     }
     if (!others.empty()) {
       std::vector<Twist<3>> V(V_.size(), Twist<3>::Zero());
       for (const Row<3>& row : others) apply_impulse(row, row.lambda, V);
-      outcome = both(std::move(outcome), settings_.solver(others, V, settings_.stop), others.size());
+      outcome = in_turn(std::move(outcome), settings_.solver(others, V, settings_.stop), others.size());
       for (const Row<3>& row : others) {
         if (!row.MinvGi.isZero(0)) V_[row.i] = V[row.i];
         if (!row.MinvGj.isZero(0)) V_[row.j] = V[row.j];

@@ -146,5 +146,33 @@ TEST(Islands, AreEachSolvedByTheirOwnSolver) {
   EXPECT_EQ(outcome.report.history.size(), 20U);
 }
 
+TEST(Outcomes, InTurnGoOn) {
+  const Outcome swept{SolveReport{.history = {3, 2}, .converged = true}};
+  Outcome direct{SolveReport{.history = {1}, .converged = false, .trouble = "why"}};
+  direct.row_updates = 0;
+  const Outcome both = in_turn(swept, direct, 10);
+  EXPECT_EQ(both.report.history, (std::vector<double>{3, 2, 1}));
+  EXPECT_FALSE(both.report.converged) << "the second says";
+  EXPECT_EQ(both.report.trouble, "why");
+  EXPECT_EQ(both.row_updates, 20) << "of two sweeps of 10 rows; factors have none";
+  EXPECT_TRUE(in_turn(direct, swept, 10).report.converged);
+}
+
+TEST(Outcomes, SideBySideAreAsFarAsTheWorse) {
+  Outcome one{SolveReport{.history = {3, 1}, .converged = true}};
+  Outcome other{SolveReport{.history = {2, std::nan(""), 1}, .converged = false, .trouble = "why"}};
+  one.row_updates = 20;
+  other.row_updates = 30;
+  for (const Outcome& both : {side_by_side(one, other), side_by_side(other, one)}) {
+    ASSERT_EQ(both.report.history.size(), 3U);
+    EXPECT_EQ(both.report.history[0], 3);
+    EXPECT_TRUE(std::isnan(both.report.history[1])) << "a NaN is not lost beside a number";
+    EXPECT_EQ(both.report.history[2], 1);
+    EXPECT_FALSE(both.report.converged);
+    EXPECT_EQ(both.report.trouble, "why");
+    EXPECT_EQ(both.row_updates, 50);
+  }
+}
+
 }  // namespace
 }  // namespace spook
