@@ -81,13 +81,14 @@ Outcome side_by_side(Outcome one, const Outcome& other) {
 template <int Dof>
 const std::vector<NamedSolver<Dof>>& solvers() {
   static const std::vector<NamedSolver<Dof>> table = {
-      {"gauss_seidel", "projected Gauss-Seidel, row by row", &gauss_seidel<Dof>},
-      {"conjugate_gradients", "projected conjugate gradients, preconditioned by sweeps",
+      {"gauss_seidel", "projected Gauss-Seidel, row by row", "sweep", &gauss_seidel<Dof>},
+      {"conjugate_gradients", "projected conjugate gradients, preconditioned by sweeps", "iteration",
        &conjugate_gradients<Dof>},
-      {"direct", "sparse factors of S; bounds by an interior point method", &direct<Dof>},
+      {"direct", "sparse factors of S; bounds by an interior point method", "factorisation", &direct<Dof>},
       {"auto", "for each island of bodies the direct solver where it is sparse or stiff, else Gauss-Seidel",
-       &by_island<Dof>},
-      {"stiff", "as auto; point masses on tight links get their geometric stiffness", &by_island<Dof>, true},
+       "iteration", &by_island<Dof>},
+      {"stiff", "as auto; point masses on tight links get their geometric stiffness", "iteration",
+       &by_island<Dof>, true},
   };
   return table;
 }

@@ -38,6 +38,7 @@ template <int Dof>
 struct NamedSolver {
   std::string name;
   std::string summary;
+  std::string iteration;             ///< what an entry of its history is of, one of them
   Solver<Dof> (*make)();             ///< with nothing kept yet
   bool geometric_stiffness = false;  ///< to be used with Settings::geometric_stiffness
 };

@@ -15,7 +15,7 @@ void World<Dof>::step(double h) {
   rubbing_.clear();
   trouble_.clear();
   first_contact_row_ = 0;
-  impacts_ = sweeps_ = 0;
+  impacts_ = iterations_ = 0;
   if (shapes_.may_touch()) clock_.run(Stage::contacts, [&] { find_contacts(); });
   clock_.run(Stage::forces, [&] { evaluate_forces(h); });
   if (settings_.impacts && !contacts_.empty()) clock_.run(Stage::impacts, [&] { resolve_impacts(h); });

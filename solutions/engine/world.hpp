@@ -62,7 +62,7 @@ struct StepReport {
   int contacts = 0;
   int impacts = 0;
   int rows = 0;
-  int sweeps = 0;
+  int iterations = 0;   ///< sweeps, factorisations, whatever the solver makes
   double residual = 0;  ///< how far λ is from a solution [m/s], Eq. (4.8) or (9.7); 0 when there are no rows
   std::string trouble;  ///< why a solver had to go on by other means; empty: it had not
 };
@@ -169,7 +169,7 @@ class World {
   double time_ = 0;
   int pairs_ = 0;
   int impacts_ = 0;
-  int sweeps_ = 0;
+  int iterations_ = 0;
   std::int64_t row_updates_ = 0;
 };
 

@@ -148,7 +148,7 @@ StepReport World<Dof>::report() const {
           .contacts = static_cast<int>(contacts_.size()),
           .impacts = impacts_,
           .rows = static_cast<int>(rows_.size()),
-          .sweeps = sweeps_,
+          .iterations = iterations_,
           .residual = rows_.empty()                                     ? 0
                       : settings_.friction_model == FrictionModel::cone ? residual_on_cones(rubbing_, rows_, V_)
                                                                         : residual(rows_, V_),

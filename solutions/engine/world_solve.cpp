@@ -12,7 +12,7 @@ void World<Dof>::solve_rows(double h) {
     if (!impulses.empty()) spook::warm_start(impulses, rows_, V_);  // Eq. (10.2)
   }
   const Outcome outcome = settings_.geometric_stiffness ? solve_with_stiff_links(h) : solve_by_friction_model();
-  sweeps_ = static_cast<int>(outcome.report.history.size());
+  iterations_ = static_cast<int>(outcome.report.history.size());
   row_updates_ += outcome.updates(rows_.size());
   trouble_ = outcome.report.trouble;
   if (settings_.warm_start || settings_.geometric_stiffness)

@@ -18,7 +18,7 @@ static void add_run(CLI::App& app, spook::RunCommand& run) {
   command->add_option("--h", run.h, "Time step [s], such as 0.02 or 1/60");
   command->add_option("--time", run.time, "How long to simulate [s]");
   command->add_option("--solver", run.solver, "One of those at the end of ./course scenes");
-  command->add_option("--iterations", run.iterations, "Most sweeps in a step");
+  command->add_option("--iterations", run.iterations, "Most sweeps, or what else the solver makes, in a step");
   command->add_option("--tolerance", run.tolerance, "Stop sweeping at this [m/s]");
   command->add_option("--substeps", run.substeps, "Steps that each step is made of");
   command->add_option("--order", run.order, "Of the rows in a sweep: given, up, down, random");

@@ -44,15 +44,20 @@ static std::string method_text(const SceneDescription& scene, const RunSettings&
                      short_text(static_cast<double>(result.steps) * method.h) + " s";
   if (method.substeps > 1) text += ", each of " + counted(method.substeps, "substep");
   if (!scene.solves) return text + "; no constraints, no solver";
-  text += "; " + method.solver + ", at most " + counted(method.stop.max_sweeps, "sweep");
+  text += "; " + method.solver + ", at most " +
+          counted(method.stop.max_sweeps, find_solver<3>(method.solver).iteration);
   if (method.stop.tolerance > 0) text += " or to " + short_text(method.stop.tolerance) + " m/s";
   return text;
 }
 
-static std::string last_step_text(const StepReport& last) {
-  return short_text(last.residual) + " m/s in the last step, after " + counted(last.sweeps, "sweep") + "; " +
-         counted(last.pairs, "pair") + ", " + counted(last.contacts, "contact") + ", " +
-         counted(last.impacts, "impact") + ", " + counted(last.rows, "row");
+static std::string last_step_text(const std::string& solver, const StepReport& last) {
+  // In trouble a solver goes on by other means.
+  const std::string what = last.trouble.empty() ? find_solver<3>(solver).iteration : "iteration";
+  // Stiff links, and what has no rows, are solved without any.
+  const std::string after = last.iterations > 0 ? ", after " + counted(last.iterations, what) : "";
+  return short_text(last.residual) + " m/s in the last step" + after + "; " + counted(last.pairs, "pair") +
+         ", " + counted(last.contacts, "contact") + ", " + counted(last.impacts, "impact") + ", " +
+         counted(last.rows, "row");
 }
 
 /// Of the stages that ran, in the order of the step.
@@ -92,7 +97,7 @@ void print_text(std::ostream& out, const SceneDescription& scene, const Paramete
   print_entry(out, "speed",
               result.us_per_step ? short_text(*result.us_per_step) + " µs a step" : "no step taken");
   if (result.us_per_step) print_entry(out, "stages", stages_text(result));
-  if (scene.solves) print_entry(out, "residual", last_step_text(result.last));
+  if (scene.solves) print_entry(out, "residual", last_step_text(settings.method.solver, result.last));
   if (!result.last.trouble.empty()) print_entry(out, "trouble", result.last.trouble);
 }
 
@@ -133,7 +138,7 @@ void print_json(std::ostream& out, const SceneDescription& scene, const Paramete
         {"contacts", result.last.contacts},
         {"impacts", result.last.impacts},
         {"rows", result.last.rows},
-        {"sweeps", result.last.sweeps},
+        {"iterations", result.last.iterations},
         {"trouble", result.last.trouble}}},
   };
   out << object.dump() << '\n';

@@ -109,7 +109,7 @@ TEST(Stack, SweepsGoWithTheTheoryOfTwoBodies) {
   const auto sweeps = [&](double tolerance, bool heavy_on_top) {
     World<3> world = pile<3>(2, M, heavy_on_top, {.max_sweeps = 100'000, .tolerance = tolerance});
     world.step(h);
-    return world.report().sweeps;
+    return world.report().iterations;
   };
   EXPECT_NEAR(sweeps(1e-8, true) - sweeps(1e-6, true), std::log(100) / -std::log(rate), 2);
   EXPECT_LE(sweeps(1e-8, false), 10);
@@ -198,7 +198,7 @@ TEST(Step, DoesNothingForWhatASceneDoesNotHave) {
   EXPECT_EQ(apart.report().pairs, 1);
   EXPECT_EQ(apart.report().contacts, 0);
   EXPECT_EQ(apart.report().rows, 0);
-  EXPECT_EQ(apart.report().sweeps, 0);
+  EXPECT_EQ(apart.report().iterations, 0);
   EXPECT_EQ(apart.report().residual, 0);
   EXPECT_EQ(solver_calls, 0) << "no rows: no solve";
 }
@@ -211,7 +211,7 @@ TEST(Step, ForgetsContactsThatAreOver) {
   EXPECT_EQ(world.report().rows, 1);
   world.step(0.1);
   EXPECT_EQ(world.report().rows, 0);
-  EXPECT_EQ(world.report().sweeps, 0);
+  EXPECT_EQ(world.report().iterations, 0);
   EXPECT_TRUE(world.contacts().empty());
 }
 

@@ -201,7 +201,7 @@ int sweeps_of_wire(int N, double ratio, double tolerance, bool top_down) {
     world.add_joint({.i = i - 1, .j = i, .length = 1});
   }
   world.step(1.0 / 60);
-  return world.report().sweeps;
+  return world.report().iterations;
 }
 
 /// What a sweep leaves of the slowest part of the error: the largest eigenvalue of Gauss-Seidel's matrix.

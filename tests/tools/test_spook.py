@@ -143,12 +143,29 @@ class Runs(unittest.TestCase):
         self.assertEqual(whole["error"], parts["error"])
         self.assertIn("each of 10 substeps", spook(*"run free_fall --h 0.1 --substeps 10".split()).stdout)
 
-    def test_sweeps_are_stopped_by_iterations_and_tolerance(self):
-        def sweeps(*options):
-            return json.loads(spook("run", "stack", "--time", "1", "--json", *options).stdout)["last_step"]["sweeps"]
+    def test_a_solver_is_stopped_by_iterations_and_tolerance(self):
+        def made(*options):
+            run = json.loads(spook("run", "stack", "--time", "1", "--json", *options).stdout)
+            return run["last_step"]["iterations"]
 
-        self.assertEqual(sweeps("--iterations", "5"), 5)
-        self.assertLess(sweeps("--iterations", "1000", "--tolerance", "1e-3"), sweeps("--iterations", "1000"))
+        self.assertEqual(made("--iterations", "5"), 5)
+        self.assertLess(made("--iterations", "1000", "--tolerance", "1e-3"), made("--iterations", "1000"))
+
+    def test_iterations_are_called_what_they_are(self):
+        def said(scene, *options):
+            return " ".join(spook("run", scene, "--time", "0.1", *options).stdout.split())
+
+        for solver, what in [("gauss_seidel", "sweep"), ("conjugate_gradients", "iteration"), ("auto", "iteration")]:
+            text = said("stack", "--solver", solver, "--iterations", "2")
+            self.assertIn(f"{solver}, at most 2 {what}s", text)
+            self.assertRegex(text, f"after (1 {what}|2 {what}s);")
+        text = said("wire", "--solver", "direct")
+        self.assertIn("direct, at most 50 factorisations", text)
+        self.assertIn("after 1 factorisation;", text)
+        # Stiff links are solved at once, whatever else may be iterated.
+        text = said("stiff_wire")
+        self.assertIn("stiff, at most 50 iterations", text)
+        self.assertIn("m/s in the last step;", text)
 
     def test_no_step_is_fine(self):
         result = json.loads(spook("run", "orbit", "--time", "0", "--json").stdout)
