@@ -62,8 +62,10 @@ def time_limit() -> float:
     return limit
 
 
-def run_tests(program: Path, test_filter: str, seed: int | None = None) -> Trial:
-    env = {name: value for name, value in os.environ.items() if not name.startswith("GTEST_")}
+def run_tests(program: Path, test_filter: str, seed: int | None = None, *, limit: float | None = None,
+              more: dict[str, str] | None = None) -> Trial:
+    """In an environment without GoogleTest's variables, but with `more`; `limit` stands for time_limit()."""
+    env = {name: value for name, value in os.environ.items() if not name.startswith("GTEST_")} | (more or {})
     if seed is not None:
         env["SPOOK_SEED"] = str(seed)
     with tempfile.TemporaryDirectory(prefix="course-") as folder:
@@ -71,12 +73,12 @@ def run_tests(program: Path, test_filter: str, seed: int | None = None) -> Trial
         command = [str(program), f"--gtest_filter={test_filter}", f"--gtest_output=json:{report}",
                    "--gtest_color=no"]
         with open(printed, "wb") as out:
-            code, timed_out = _run_limited(command, out, env, folder)
+            code, timed_out = _run_limited(command, out, env, folder, limit or time_limit())
         tests = _read_report(report) if report.exists() else None
         return Trial(tests, code, timed_out, printed.read_text(encoding="utf-8", errors="replace"))
 
 
-def _run_limited(command: list[str], out, env: dict[str, str], folder: str) -> tuple[int, bool]:
+def _run_limited(command: list[str], out, env: dict[str, str], folder: str, limit: float) -> tuple[int, bool]:
     process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.STDOUT,
                                env=env, cwd=folder)
     try:
@@ -88,7 +90,7 @@ def _run_limited(command: list[str], out, env: dict[str, str], folder: str) -> t
         pass  # it has ended already
     timed_out = False
     try:
-        process.wait(time_limit())
+        process.wait(limit)
     except subprocess.TimeoutExpired:
         timed_out = True
     finally:

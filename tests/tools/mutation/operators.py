@@ -1,0 +1,40 @@
+"""Another operator, or a sign that is lost or one too many."""
+
+from collections.abc import Iterator
+
+from cpp_source import Source
+from mutant import Mutant
+
+_BINARY = {
+    "+": ("-",), "-": ("+",), "*": ("/",), "/": ("*",), "+=": ("-=", "="), "-=": ("+=", "="),
+    "*=": ("/=", "="), "/=": ("*=", "="), "<": ("<=", ">="), "<=": ("<", ">"),
+    ">": (">=", "<="), ">=": (">", "<"),
+    "==": ("!=",), "!=": ("==",), "&&": ("||",), "||": ("&&",), "=": ("+=", "-="),
+}
+_BEFORE_AN_OPERAND = {"(", "=", "return", ",", "?", ":", "+=", "*", "/", "<", ">", "<=", ">=", "{"}
+_NO_OPERAND = {"const", "auto", "int", "double", "bool", "return", "static_cast", "true", "false", "using",
+               "if", "for", "while", "else", "static", "constexpr", "template", "typename", "break",
+               "continue"}
+
+
+def operators(source: Source) -> Iterator[Mutant]:
+    for k in source.code:
+        token = source.tokens[k]
+        if token.kind == "sign" and source.spaced(k) and source.text[token.end] in " \n":
+            if token.text == "=" and not source.is_assignment(k):
+                continue
+            for other in _BINARY.get(token.text, ()):
+                yield Mutant("operator", token.start, token.end, other)
+        elif token.text in ("-", "!"):
+            yield Mutant("sign", token.start, token.end, "")
+        elif token.text in ("++", "--"):
+            yield Mutant("operator", token.start, token.end, "--" if token.text == "++" else "++")
+
+
+def added_signs(source: Source) -> Iterator[Mutant]:
+    for k in source.code:
+        token, before = source.tokens[k], source.tokens[k - 1].text
+        starts = token.kind == "name" and token.text not in _NO_OPERAND and before in _BEFORE_AN_OPERAND
+        is_sign = before in ("*", "/", "<", ">") and not source.spaced(k - 1)  # a pointer's, a template's
+        if starts and not is_sign:
+            yield Mutant("sign", token.start, token.start, "-")
