@@ -49,6 +49,7 @@ class Mutations(unittest.TestCase):
         self.assertEqual(changed("return -x;", "sign"), {"return x;"})
         self.assertIn("return -x * y;", changed("return x * y;", "sign"))
         self.assertIn("if (x) ;", changed("if (!x) ;", "sign"))
+        self.assertEqual(changed('require_all_finite("x", x);', "sign"), {'-require_all_finite("x", x);'})
 
     def test_what_is_no_operator(self):
         self.assertEqual(changed("const auto& x = static_cast<int>(*y);", "operator"), set())
@@ -66,6 +67,7 @@ class Mutations(unittest.TestCase):
     def test_indices(self):
         self.assertEqual(changed("return x[k];", "index"), {"return x[k + 1];"})
         self.assertEqual(changed("return A.col(k);", "index"), {"return A.col(k + 1);"})
+        self.assertEqual(changed("return f(row.hi);", "index"), set())
 
     def test_names(self):
         self.assertEqual(changed("return contact.i;", "name"), {"return contact.j;"})
@@ -102,6 +104,7 @@ class Mutations(unittest.TestCase):
         text = "#include <a+b>\nnamespace spook {\n// 1 + 1\nint f(int i = 1);\ntemplate int f<3>(int);\n}\n"
         self.assertEqual(mutants_of(text), [])
         self.assertEqual(changed('f("1 + 1");', "operator"), set())
+        self.assertEqual(changed('if (x) reject("k", k + 1, "at least 1");', "constant"), set())
 
 
 class ManyInOne(unittest.TestCase):

@@ -37,6 +37,6 @@ def indices(source: Source) -> Iterator[Mutant]:
         token = source.tokens[k]
         if token.kind == "name" and source.is_at(k + 1, "]") and source.is_at(k - 1, "["):
             yield Mutant("index", token.end, token.end, " + 1")
-        elif (token.kind == "name" and source.is_at(k + 1, ")")
+        elif (token.kind == "name" and source.is_at(k + 1, ")") and source.is_at(k - 1, "(")
               and source.tokens[k - 2].text in ("row", "col", "Unit")):
             yield Mutant("index", token.end, token.end, " + 1")

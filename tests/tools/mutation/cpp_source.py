@@ -71,7 +71,16 @@ class Source:
             k += 1
             if text in (";", "{", "}"):
                 begin = k
-        return [k for k in inside if k not in self._in_angles]
+        return [k for k in inside if k not in self._in_angles and k not in self._in_errors]
+
+    @cached_property
+    def _in_errors(self) -> set[int]:
+        """What an error says of a number, beside the parameter's name, is nobody's contract."""
+        inside: set[int] = set()
+        for k in range(len(self.tokens)):
+            if self.is_at(k, "reject", "("):
+                inside |= set(range(k + 2, self.partner[k + 1]))
+        return inside
 
     @cached_property
     def _in_angles(self) -> set[int]:
