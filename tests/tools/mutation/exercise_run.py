@@ -43,7 +43,8 @@ class ExerciseRun:
     def results(self) -> list[Result]:
         """Of each mutant, in the order of the file."""
         self._commands = commands(self._tree, self._exercise)
-        self._built_from = _hash(self._text, *self._commands.compiler, *map(_file_hash, _headers()))
+        self._built_from = _hash(self._text, *self._commands.compiler,
+                                 *map(_file_hash, _headers(self._exercise.chapter)))
         mutants = mutants_of(self._text)
         key = _hash(self._built_from, repr(mutants), *map(_file_hash, self._commands.inputs()))
         kept = self._folder / "results.json"
@@ -84,18 +85,23 @@ class ExerciseRun:
             good = {1: None} if compiled else {}
         else:
             program, good = self._crowd(folder, texts)
-        results = []
-        for k, mutant in enumerate(mutants, 1):
-            result = self._judge(mutant, program, good[k]) if k in good else Result(mutant, NOT_COMPILED)
-            results.append(result)
-            self._on_done(1)
-        return results
+        # A program that is what it was, whatever else has been built since, does what it did.
+        kept, key = folder / "outcomes.json", _file_hash(program) if good else ""
+        known = _read(kept)
+        if known.get("key") != key:
+            found = []
+            for k, mutant in enumerate(mutants, 1):
+                found.append(self._judge(mutant, program, good[k]) if k in good else (NOT_COMPILED, ""))
+                self._on_done(1)
+            known = {"key": key, "outcomes": found}
+            kept.write_text(json.dumps(known))
+        else:
+            self._on_done(len(mutants))
+        return [Result(mutant, *found) for mutant, found in zip(mutants, known["outcomes"])]
 
-    def _judge(self, mutant: Mutant, program: Path, number: int | None) -> Result:
+    def _judge(self, mutant: Mutant, program: Path, number: int | None) -> tuple[str, str]:
         found = outcome(program, self._exercise.suite, self._limit, number, crowd.VARIABLE)
-        if found[0] == SURVIVED:
-            found = self._judge_alone(mutant)
-        return Result(mutant, *found)
+        return self._judge_alone(mutant) if found[0] == SURVIVED else found
 
     def _judge_alone(self, mutant: Mutant) -> tuple[str, str]:
         """A survivor is compiled by itself, exactly as a student's file is: to see whether it is one, and not
@@ -185,9 +191,11 @@ def _file_hash(path: Path) -> str:
     return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
-def _headers() -> list[Path]:
+def _headers(chapter: int) -> list[Path]:
     """What decides, with the texts, what is compiled: the headers, and how a crowd is put together."""
-    return sorted([*CHAPTERS.rglob("*.hpp"), *SOLUTIONS.glob("[0-9]*/*.hpp"), Path(crowd.__file__)])
+    of_chapters = [*CHAPTERS.glob("[0-9]*/*.hpp"), *SOLUTIONS.glob("[0-9]*/*.hpp")]
+    return sorted([*(path for path in of_chapters if int(path.parent.name[:2]) <= chapter),
+                   *CHAPTERS.glob("common/*.hpp"), Path(crowd.__file__)])
 
 
 def _read(path: Path) -> dict:
