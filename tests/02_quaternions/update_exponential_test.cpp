@@ -82,14 +82,14 @@ EXERCISE_TEST(UpdateExponential, LeavesABodyAtRestAlone) {
 
 EXERCISE_TEST(UpdateExponential, DropsNoSmallTurn) {
   for (const double speed : {1e-12, 1e-10, 1e-8, 1e-6, 1e-4}) {
-    const Vec3 omega = speed * Vec3(0.6, 0, 0.8);
-    const Quat got = update_exponential(Quat(1, 0, 0, 0), omega, 1);
+    const Vec3 axis(0.6, 0, 0.8);
+    const Quat got = update_exponential(Quat(1, 0, 0, 0), speed * axis, 1);
     expect_near_vector<Vec3>(
         "axis part of q = 1 after 1 s at |ω| = " + show(speed) + " rad/s, over |ω|/2", "Eq. (2.6)",
-        got.vec() / (speed / 2), {0.6, 0, 0.8},
-        {speed * speed / 24 + 16 * 2.3e-16, "the next term of the sine, (h|ω|)²/24, and 16 roundings"},
+        got.vec() / (speed / 2), std::sin(speed / 2) / (speed / 2) * axis, roundings(16),
         {{Vec3::Zero(), "The turn was dropped for being small: a million of them add up to a lot."}},
-        "For a small angle, the axis part tends to (h/2) ω.");
+        "For a small angle, the axis part tends to (h/2) ω. From h|ω| = 1e-7 on the next term of the sine, "
+        "(h|ω|)²/24 of it, is more than a rounding, and may not be left out.");
   }
 }
 
@@ -116,6 +116,22 @@ EXERCISE_TEST(UpdateExponential, KeepsUnitLength) {
   for (int n = 0; n < steps; ++n) q = update_exponential(q, random.vector(5), 0.1);
   expect_near("|q| after 1e4 random turns", "Eq. (2.6)", q.norm(), 1, roundings(4 * steps), {},
               "The turn must be a unit quaternion: cos² + sin² = 1 needs an axis of length 1.");
+}
+
+// A turn's own error, a rounding or two, goes the same way at every step while the turn stays the same.
+EXERCISE_TEST(UpdateExponential, LetsNoRoundingsOfTheLengthAddUp) {
+  Random random;
+  double farthest = 0;
+  for (int trial = 0; trial < 10; ++trial) {
+    const Vec3 omega = random.vector(5);
+    Quat q = random.rotation();
+    for (int n = 0; n < 10000; ++n) q = update_exponential(q, omega, 0.1);
+    farthest = std::max(farthest, std::abs(q.norm() - 1));
+  }
+  expect_at_most("| |q| - 1 | after 1e4 equal turns, the largest of ten", "Eq. (2.6)", farthest, 16 * 2.3e-16,
+                 "16 roundings, those of the last step: each coefficient has a few, whatever was before",
+                 "The product of two unit quaternions is one, but for a rounding a step, and those add up: "
+                 "normalise it. (2.7) takes q for a unit quaternion.");
 }
 
 EXERCISE_TEST(UpdateExponential, BackwardsUndoesForwards) {
