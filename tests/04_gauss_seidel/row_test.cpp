@@ -68,6 +68,9 @@ EXERCISE_TEST(MakeRow, DividesTheJacobianByTheMasses) {
 
 EXERCISE_TEST(MakeRow, CarriesTheRestOver) {
   TwoBodies t;
+  t.motion = random_motion(t.random, 3);
+  t.c.i = 2;  // and none is 0, which could stand for a number that was never set
+  t.c.j = 1;
   t.c.lo = -0.25;
   t.c.hi = 0.75;
   const Row<6> row = make_row(t.c, t.motion);

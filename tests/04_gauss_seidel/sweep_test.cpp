@@ -160,6 +160,33 @@ EXERCISE_TEST(Residual, SeesAPullAndALackAlike) {
   }
 }
 
+EXERCISE_TEST(Residual, ProjectsOnTheRowsOwnBounds) {
+  Problem<3> p = stack({2}, 0.1, 0.125, 10);  // S_kk = 5/8, and without bounds λ = 1.6 B
+  struct Case {
+    double B, lo, hi, lambda, next;
+  };
+  for (const Case& c : {Case{1, -0.5, 0.75, 0.75, 0.75},
+                        {1, -0.5, 0.75, 0.25, 0.75},
+                        {-1, -0.25, 0.75, -0.25, -0.25},
+                        {-1, -0.25, 0.75, 0.5, -0.25},
+                        {1, 2, 3, 2.5, 2},
+                        {1, 2, 3, 2, 2},
+                        {-1, -3, -2, -3, -2}}) {
+    p.rows[0].B = c.B;
+    p.rows[0].lo = c.lo;
+    p.rows[0].hi = c.hi;
+    set_lambda(p, Eigen::VectorXd::Constant(1, c.lambda));
+    const auto lacks = [&](double next) { return 0.625 * std::abs(next - c.lambda); };
+    expect_near("residual of one row with B = " + show(c.B) + " m/s, " + show(c.lo) + " <= λ <= " + show(c.hi) +
+                    " and λ = " + show(c.lambda) + " N s [m/s]",
+                "Eq. (4.8)", residual(p.rows, p.V), lacks(c.next), roundings(16, 4),
+                {{lacks(1.6 * c.B), "This row was not projected at all."},
+                 {lacks(std::max(1.6 * c.B, 0.0)),
+                  "This row was projected on 0 and infinity, a contact's bounds: others have others."}},
+                "The next update projects on this row's own bounds, row.lo and row.hi, both as they stand.");
+  }
+}
+
 EXERCISE_TEST(Residual, OfNothingIsZeroAndOfNaNIsNaN) {
   Problem<3> p = stack({1, 1, 1}, 0.1);
   expect_near("residual of no rows [m/s]", "Eq. (4.8)", residual<3>({}, p.V), 0, {0, "exact"});
