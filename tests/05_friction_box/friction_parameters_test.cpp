@@ -108,6 +108,13 @@ EXERCISE_TEST(FrictionParameters, MayBeRigid) {
               roundings(10000 * 8, h * h * F / m), {}, "F/c is 0 for c = ∞: a stuck body stays where it is.");
 }
 
+EXERCISE_TEST(FrictionParameters, TakeAnyPositiveViscosity) {
+  for (const double c : {1e-9, 0.01, 1.0, 1e12})
+    expect_near("Γ for h = 0.01 s and c = " + show(c) + " N s/m [1/kg]", "Eq. (5.4)",
+                friction_parameters(0.01, c).Sigma, 100 / c, roundings(8, 100 / c), {},
+                "Any positive c is a viscosity, however small: what is in N s/m has no natural size.");
+}
+
 EXERCISE_TEST(FrictionParameters, FollowTheUnitsOfTheStep) {
   const Input in;
   const double whole = friction_parameters(in.h, in.c).Sigma;
