@@ -11,8 +11,8 @@ std::array<Constraint<Dof>, 3> ball_joint_constraints(const Attachment& i, const
     const Contact along{
         .i = i.body, .j = j.body, .n = Vec3::Unit(axis), .gap = apart[axis], .r_i = i.r, .r_j = j.r};
     const ContactJacobian G = contact_jacobian(along);  // Eq. (6.6)
-    rows[static_cast<std::size_t>(axis)] = {.i = i.body,
-                                            .j = j.body,
+    rows[static_cast<std::size_t>(axis)] = {.i = along.i,
+                                            .j = along.j,
                                             .Gi = G.Gi.head<Dof>(),
                                             .Gj = G.Gj.head<Dof>(),
                                             .gap = along.gap,

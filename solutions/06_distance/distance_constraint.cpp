@@ -18,8 +18,8 @@ Constraint<Dof> distance_constraint(const Attachment& i, const Attachment& j, do
                       .r_i = i.r,
                       .r_j = j.r};
   const ContactJacobian G = contact_jacobian(along);  // Eq. (6.3)
-  return {.i = i.body,
-          .j = j.body,
+  return {.i = along.i,
+          .j = along.j,
           .Gi = G.Gi.head<Dof>(),
           .Gj = G.Gj.head<Dof>(),
           .gap = along.gap,
