@@ -32,8 +32,8 @@ namespace spook {
 /// All bodies that meet have some mass: K can be inverted.
 Vec3 stick_impulse(const Mat3& K, const Vec3& u, const Vec3& n, double e);
 
-/// Exercise 7.2. Whether an impulse pushes and lies inside the friction cone about n, or on it: Eq. (7.4); notes
-/// (3). False for a NaN.
+/// Exercise 7.2. Whether an impulse does not pull and lies inside the friction cone about n, or on it, as zero does,
+/// its tip: Eq. (7.4); notes (3). False for a NaN.
 bool inside_cone(const Vec3& J, const Vec3& n, double mu);
 
 /// Exercise 7.3. The impulse on the cone's edge, against the slip of before: Eq. (7.5); notes (4), (5). Without

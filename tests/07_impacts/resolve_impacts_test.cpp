@@ -33,6 +33,30 @@ EXERCISE_TEST(ResolveImpacts, TakesTheMassesOfBoth) {
       "J = (1+e) 4 m/s / (1/m_i + 1/m_j) = 9 N s: 9/2 m/s less, and 9/6 m/s more.");
 }
 
+// u = (-3, 0, -1.5) m/s, u·n = -3 m/s, u_t = (-1, -1, 0.5) m/s, and 1/(1/m_i + 1/m_j) = 1.5 kg. The arms are long.
+EXERCISE_TEST(ResolveImpacts, LetsPointMassesMeetAtAnyAngle) {
+  const Vec3 n = Vec3(2, -1, 2) / 3, slip(-1, -1, 0.5), t = slip / 1.5;
+  for (const double mu : {0.0, 0.25, 0.5}) {
+    Motion<3> motion = row_of_balls({3, 0}, {2, 6});
+    motion.W[1] = Vec3(0, 0, -1.5);
+    resolve_impacts({contact_along(0, 1, n)}, {.restitution = 0.5, .friction = mu}, motion);
+    const auto after = [&](const Vec3& J) {
+      return (Eigen::VectorXd(6) << Vec3(3, 0, 0) - J / 2, Vec3(0, 0, -1.5) + J / 6).finished();
+    };
+    const Vec3 smooth = 6.75 * n, slides = smooth - 6.75 * mu * t, sticks = smooth - 1.5 * slip;
+    expect_near_vector(
+        "velocities of points of 2 and 6 kg that meet at an angle, n = (2, -1, 2)/3, e = 0.5, μ = " + show(mu) +
+            " [m/s]",
+        "Eq. (7.1), (7.3), (7.5)", Eigen::VectorXd((Eigen::VectorXd(6) << motion.W[0], motion.W[1]).finished()),
+        after(mu < 1.0 / 3 ? slides : sticks), roundings(64, 10),
+        {{after(smooth), "The friction of the law is not used."},
+         {after(slides), "It slides, though it can stick: |J_t| = J_n/3 for Eq. (7.3)."},
+         {after(sticks), "It sticks, though |J_t| = J_n/3 for Eq. (7.3) is more than μ J_n."}},
+        "Between point masses K = (1/m_i + 1/m_j) 1, in all directions alike, and u has no ω × r, whatever r_i "
+        "and r_j: a point does not turn.");
+  }
+}
+
 EXERCISE_TEST(ResolveImpacts, EqualMassesExchangeTheirVelocities) {
   Motion<3> motion = row_of_balls({3, 1}, {2, 2});
   const ImpactReport report = resolve_impacts(contacts_of_row(2), {.restitution = 1}, motion);

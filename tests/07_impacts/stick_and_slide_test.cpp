@@ -119,6 +119,9 @@ EXERCISE_TEST(InsideCone, HasItsEdgeInside) {
   expect_inside(Vec3(3, 4, 10), Vec3(0, 0, 1), 0.5, true, edge);
   expect_inside(Vec3(0.75, 1.5, 0), Vec3(0, 1, 0), 0.5, true, edge);
   expect_inside(Vec3(-2, 0, 0), Vec3(-1, 0, 0), 0, true, edge);
+  for (const double mu : {0.0, 0.5})
+    expect_inside(Vec3::Zero(), Vec3(0, 0, 1), mu, true,
+                  "J = 0 is the tip of the cone: |J_t| = μ J_n = 0. Nothing pulls, as J·n is not negative.");
 }
 
 EXERCISE_TEST(InsideCone, HasNoSlack) {
@@ -247,6 +250,11 @@ EXERCISE_TEST(SlidingImpulse, IsAlongTheNormalWithoutSlip) {
   const auto J = sliding_impulse(K_of_rod(), Vec3(0, 0, -2), Vec3(0, 0, 1), 0.25, 0.5);
   expect_near_vector("J of a rod that comes straight down, u_t = 0 [N s]", "Eq. (7.5)", value(J, 2.5, rule),
                      Vec3(0, 0, 1), roundings(16), {}, rule);
+  // |u_t| = 1e-12 |u| = 0: neither less nor more.
+  const auto at_rest = sliding_impulse(K_of_rod(), Vec3::Zero(), Vec3(0, 0, 1), 0.25, 0.5);
+  const std::string none = "At rest the slip is 0, and so is 1e-12 |u|: that is no slip, <= and not <. ";
+  expect_near_vector("J of a rod at rest on the floor, u = 0 [N s]", "Eq. (7.5)",
+                     value(at_rest, 2.5, none + rule), Vec3::Zero(), {0, "exact"}, {}, none + rule);
 }
 
 EXERCISE_TEST(SlidingImpulse, TakesASlipOfRoundingsForNone) {
