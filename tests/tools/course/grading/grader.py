@@ -1,0 +1,143 @@
+"""The instructor's side of a grading: tests, weights, isolation and the judge."""
+
+import queue
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor, as_completed
+from pathlib import Path
+
+from errors import BadInput, CourseError
+from grading.isolation import choose, take_user
+from grading.judge import ExerciseVerdict, Judge
+from grading.report import report_of
+from grading.results import result_of, write_json
+from grading.submission import Handed, Source, Submission, read_submission
+from grading.text import one_line
+from grading.weights import read_weights
+from grading.workshop import Workshop, check_hidden
+from manifest import Chapter, Exercise, read_chapters
+from paths import BUILD, SOLUTIONS
+from terminal import Bar
+
+_MEMORY = BUILD / "grade"
+
+
+class Grader:
+    """Grades with one choice of chapters, tests, seed and limits; the reference first."""
+
+    def __init__(self, arguments):
+        self.seed = arguments.seed if arguments.seed is not None else 1
+        self.chapters = _chosen(arguments.chapters)
+        self.exercises = [exercise for chapter in self.chapters for exercise in chapter.exercises]
+        self.failures: list[str] = []
+        self._jobs = arguments.jobs
+        self._seconds = arguments.time_limit
+        hidden = Path(arguments.hidden).absolute() if arguments.hidden else None
+        check_hidden(hidden, self.chapters)
+        self._weights = read_weights(Path(arguments.weights), hidden)
+        self.isolation = choose(arguments.isolation or "")
+        self._users: queue.SimpleQueue = queue.SimpleQueue()
+        self._workshop = Workshop(self.chapters, hidden)
+        try:
+            self._workshop.check_unreadable(self.isolation)
+            expected = {test: exercise for exercise in self.exercises
+                        for test in self._workshop.expected_tests(exercise)}
+            self._weights.check(expected, self._workshop.hidden_tests)
+            self._judge = Judge(self._workshop, self.isolation, self.seed, self._seconds,
+                                None if arguments.fresh else _MEMORY)
+            for _ in range(self._jobs):
+                self._users.put(take_user(self.isolation))
+            self._grade_reference()
+        except BaseException:
+            self._workshop.close()
+            raise
+
+    def __enter__(self) -> "Grader":
+        return self
+
+    def __exit__(self, *_) -> None:
+        while not self._users.empty():
+            self._users.get().release()
+        self._workshop.close()
+
+    def grade(self, handed: list[Handed], out: Path) -> list[dict]:
+        """In the order of `handed`; each submission's folder is written as soon as it is known.
+
+        What goes wrong in the grader itself stops no other submission; it is kept in `failures`.
+        """
+        bar = Bar("grading", len(handed))
+        results: dict[str, dict] = {}
+        pool = ThreadPoolExecutor(self._jobs)
+        try:
+            waiting = {pool.submit(self.grade_one, one, out): one for one in handed}
+            for done in as_completed(waiting):
+                one = waiting[done]
+                if error := done.exception():
+                    self.failures.append(f"{one_line(one.name)}: {type(error).__name__}: {error}")
+                else:
+                    results[one.name] = done.result()
+                bar.step(one_line(one.name))
+        finally:
+            pool.shutdown(cancel_futures=True)
+            bar.done()
+        return [results[one.name] for one in handed if one.name in results]
+
+    def grade_one(self, handed: Handed, out: Path, on_exercise: Callable[[dict, int], None] | None = None) -> dict:
+        """`on_exercise` is given what is known so far, and how many exercises are left."""
+        submission = read_submission(handed, self.exercises)
+        judged = {exercise: self._judge.unjudged(exercise) for exercise in self.exercises}
+        user = self._users.get()
+        try:
+            for count, exercise in enumerate(self.exercises):
+                if on_exercise:
+                    on_exercise(self._result(submission, judged), len(self.exercises) - count)
+                judged[exercise] = self._judge.judge(exercise, submission.sources.get(exercise.function), user)
+        finally:
+            self._users.put(user)
+        result = self._result(submission, judged)
+        if on_exercise:
+            on_exercise(result, 0)
+        self._write(result, out / "submissions" / handed.name)
+        return result
+
+    def _write(self, result: dict, folder: Path) -> None:
+        folder.mkdir(parents=True, exist_ok=True)
+        write_json(folder / "results.json", result)
+        by_function = {exercise.function: exercise for exercise in self.exercises}
+        (folder / "report.md").write_text(report_of(result, by_function), encoding="utf-8")
+
+    def _result(self, submission: Submission, judged: dict[Exercise, ExerciseVerdict]) -> dict:
+        settings = {"seed": self.seed, "seconds_a_test": self._seconds, "isolation": self.isolation.name,
+                    "not_denied": self.isolation.does_not_deny, "tests": self._workshop.sources}
+        return result_of(submission, list(judged.items()), self._weights, settings)
+
+    def _grade_reference(self) -> None:
+        """A test that the reference fails, here and with this seed, would fail everyone."""
+        sources = {exercise.function: Source(str(exercise.reference.relative_to(SOLUTIONS.parent)),
+                                             exercise.reference.read_bytes()) for exercise in self.exercises}
+        bar = Bar("trying the tests on the reference", len(self.exercises))
+        with ThreadPoolExecutor(self._jobs) as pool:
+            for tests in pool.map(lambda exercise: self._reference_tests(exercise, sources[exercise.function]),
+                                  self.exercises):
+                bar.step()
+                for test in tests:
+                    if test.verdict != "passed":
+                        raise CourseError(f"the reference itself does not pass {test.test} ({test.verdict}) with seed "
+                                          f"{self.seed}; nobody is graded", test.message)
+        bar.done()
+
+    def _reference_tests(self, exercise: Exercise, source: Source):
+        user = self._users.get()
+        try:
+            return self._judge.judge(exercise, source, user).tests
+        finally:
+            self._users.put(user)
+
+
+def _chosen(numbers: set[int] | None) -> list[Chapter]:
+    chapters = read_chapters()
+    if numbers is None:
+        return chapters
+    unknown = numbers - {chapter.number for chapter in chapters}
+    if unknown:
+        raise BadInput(f"grade: there is no chapter {min(unknown)}; chapters are 1 to {chapters[-1].number}")
+    return [chapter for chapter in chapters if chapter.number in numbers]
