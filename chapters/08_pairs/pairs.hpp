@@ -89,17 +89,19 @@ struct SeparatingAxis {
 /// first where several are alike to a millionth of the smallest half side; the same of those of j; and the best of
 /// the pairs of edges. Then j's takes the place of i's, and that of the edges the place of either, only if its gap is
 /// larger by more than this millionth and 5 per cent of the gap before. Edges that are parallel, |e × e'| <= 1e-6,
-/// have no axis. Where some of the axes have g > 0, any of those may be returned.
+/// have no axis. Where some of the axes have g > 0, one of those is returned, whichever: it needs no margin.
 SeparatingAxis separating_axis(const Box& i, const Box& j);
 
 /// Exercise 8.6. What is left of a convex polygon, three or more corners in order, where n·x <= offset: Eq. (8.8);
-/// not in the notes. Its corners, again in order, each once; a corner on the plane stays. Empty when nothing is left.
+/// not in the notes. Its corners, in the order of the polygon, beginning anywhere, each once; a corner on the plane
+/// stays. Empty when nothing is left.
 std::vector<Vec3> clip(const std::vector<Vec3>& polygon, const Vec3& n, double offset);
 
 /// Exercise 8.7. Of contacts of one pair, all with the same normal, at most four, in any order: Eq. (8.10); not in
 /// the notes. Four or fewer stay as they are. Of more, which are not all on one line, four are kept: the deepest (or
 /// one that is less deep by a millionth of their distances) is among them, the mean of all points is within them, to
-/// roundings, and they span at least half the largest area that four such can span.
+/// roundings, and they span at least half the largest area of Eq. (8.10). Roundings don't choose: of contacts, and of
+/// fours, that are alike the same stay while gaps and points move by 1e-9 of their distances.
 std::vector<Contact> well_spread(const std::vector<Contact>& contacts);
 
 /// Exercise 8.8. Appends the contacts of two boxes, at most four, and at least one if they overlap: Eq. (8.3),
@@ -110,7 +112,8 @@ std::vector<Contact> well_spread(const std::vector<Contact>& contacts);
 ///   neither if the face leaves nothing: one contact, at the corner of the other box that is deepest along n
 /// The sides are moved outwards by a millionth of the smallest half side, so that sides that lie on each other stay
 /// whole. A box of a lower body number counts as i wherever i and j are not treated alike: box_box(j, i) gives what
-/// box_box(i, j) does, with the two bodies exchanged and n reversed.
+/// box_box(i, j) does, with the two bodies exchanged and n reversed. Only x_j - x_i counts, not where the boxes are:
+/// far from the origin nothing is lost.
 void box_box(const Box& i, const Box& j, std::vector<Contact>& contacts);
 
 /// A box along the axes of the world.

@@ -20,7 +20,11 @@ EXERCISE_TEST(PlaneBall, PressesIntoTheFloor) {
       "given the floor z < 1 of body 7, whose centre is (2, 3, -5), and a ball of radius 0.5 at (4, 5, 1.4)";
   const Plane floor{.body = 7, .x = Vec3(2, 3, -5), .n = Vec3::UnitZ(), .offset = 1};
   const auto found = plane_ball(floor, {.body = 3, .x = Vec3(4, 5, 1.4), .radius = 0.5});
-  if (!expect_some("they", "Eq. (8.1)", found)) return;
+  if (!expect_some(
+          "they", "Eq. (8.1)", found,
+          "The centre is 1.4 - 1 = 0.4 m above the plane, and the ball's surface nearer by 0.5 m: g = -0.1 m. "
+          "No contact is right for g > 0 only."))
+    return;
   expect_contact(
       "ball in the floor", "Eq. (8.1), (8.3)", *found,
       {7, 3, Vec3::UnitZ(), -0.1, Vec3(4, 5, 0.9), floor.x, Vec3(4, 5, 1.4)},
@@ -89,7 +93,11 @@ EXERCISE_TEST(BallBall, OverlapInTheMiddle) {
   given() = "given body 4, a ball of radius 2 at (1, 1, 1), and body 9, one of radius 0.5 at (1, 1, 3.3)";
   const Ball i{.body = 4, .x = Vec3(1, 1, 1), .radius = 2}, j{.body = 9, .x = Vec3(1, 1, 3.3), .radius = 0.5};
   const auto found = ball_ball(i, j);
-  if (!expect_some("they", "Eq. (8.2)", found)) return;
+  if (!expect_some(
+          "they", "Eq. (8.2)", found,
+          "The centres are 2.3 m apart, the radii together 2.5 m: g = -0.2 m. No contact is right for g > 0 "
+          "only."))
+    return;
   expect_contact(
       "two balls", "Eq. (8.2), (8.3)", *found, {4, 9, Vec3::UnitZ(), -0.2, Vec3(1, 1, 2.9), i.x, j.x},
       {{0.2, "This is a depth. The gap has a sign, and is negative where they overlap."},
@@ -160,6 +168,25 @@ EXERCISE_TEST(BallBall, PartsCentresAtOnePlace) {
               "0/0 is NaN: where there is no direction choose one.");
   expect_true("their arms are finite", "Eq. (8.3)", found->r_i.allFinite() && found->r_j.allFinite());
   expect_common_point(*found, x, x);
+}
+
+EXERCISE_TEST(BallBall, FollowsCentresThatAreNear) {
+  Random random;
+  for (const double distance : {1e-3, 1e-7, 1e-12, 1e-100}) {
+    // At the origin, where x_j - x_i has no roundings but those of its own size.
+    const Vec3 n = random.unit_vector();
+    given() = "given balls of radius 1 and 0.25, the second's centre " + show(distance) +
+              " m from the first's along\n" + show(n);
+    const auto found =
+        ball_ball({.body = 0, .x = Vec3::Zero(), .radius = 1}, {.body = 1, .x = distance * n, .radius = 0.25});
+    if (!expect_some("they", "Eq. (8.2)", found)) return;
+    expect_near_vector(
+        "n", "Eq. (8.2)", found->n, n, roundings(16),
+        {{Vec3(-n), "n points from i to j: this is from j to i."}},
+        "Only centres at one place have no direction. However near, n is along x_j - x_i: another one "
+        "would turn the contact around while they pass through each other.");
+    if (::testing::Test::HasFailure()) return;
+  }
 }
 
 EXERCISE_TEST(BallBall, GapChangesAtTheRateOfItsRow) {

@@ -34,7 +34,7 @@ bool expect_count(const std::string& what, const std::vector<Contact>& got, int 
 
 /// Each of `wanted`, points in the world, is the point of one contact, with that gap and normal.
 bool expect_points(const std::string& what, const Box& i, const Box& j, const std::vector<Contact>& got,
-                   const std::vector<Vec3>& wanted, const Vec3& n, double gap) {
+                   const std::vector<Vec3>& wanted, const Vec3& n, double gap, double size = 1) {
   for (const Vec3& p : wanted) {
     const auto nearest = std::min_element(got.begin(), got.end(), [&](const Contact& a, const Contact& b) {
       return (i.x + a.r_i - p).norm() < (i.x + b.r_i - p).norm();
@@ -42,7 +42,8 @@ bool expect_points(const std::string& what, const Box& i, const Box& j, const st
     const std::string which = what + ", the contact nearest to " + show(p);
     expect_true(which + ": i = " + std::to_string(nearest->i) + ", j = " + std::to_string(nearest->j),
                 "Eq. (8.3)", nearest->i == i.body && nearest->j == j.body,
-                "The bodies of the two boxes, the first one's as i.");
+                "i is the body of the first box, " + std::to_string(i.body) + ", and j that of the second, " +
+                    std::to_string(j.body) + ". Where the face is j's exchange them again at the end.");
     expect_near_vector(which + ": n", "Eq. (8.7)", nearest->n, n, {1e-9, "roundings"},
                        {{Vec3(-n), "n points from i to j: where the face is j's its outward normal is -n."}});
     expect_near(which + ": gap [m]", "Eq. (8.6), (8.8)", nearest->gap, gap, {1e-9, "roundings"},
@@ -55,7 +56,7 @@ bool expect_points(const std::string& what, const Box& i, const Box& j, const st
         "against the sign of the gap.";
     expect_near_vector(
         which + ": the point x_i + r_i [m]", "Eq. (8.3), (8.8)", Vec3(i.x + nearest->r_i), p,
-        {4e-6, "two of the planes that cut, moved out by a millionth of the smallest half side"},
+        {4e-6 * size, "two of the planes that cut, moved out by a millionth of the smallest half side"},
         {{Vec3(p + gap / 2 * n), surface},
          {Vec3(p - gap / 2 * n), surface},
          {Vec3(p + gap * n), sign},
@@ -83,16 +84,52 @@ EXERCISE_TEST(BoxBox, LiesOnALargerOne) {
 
 EXERCISE_TEST(BoxBox, CarriesALargerOne) {
   // Now the corners of i are under the face of j: those of j hang over.
-  const Box stand = straight(3, Vec3(1, 2, 3), Vec3(0.5, 0.5, 1)),
-            plate = straight(8, Vec3(1, 2, 4.24), Vec3(2, 2, 0.25));
-  given() = describe_both(stand, plate);
-  const auto got = contacts_of(stand, plate);
-  if (!expect_count("a plate on a stand", got, 4,
-                    "The lower face of j, cut by the sides of i, has four corners."))
+  for (const double size : {1.0, 1e-6}) {
+    const Box stand = straight(3, size * Vec3(1, 2, 3), size * Vec3(0.5, 0.5, 1)),
+              plate = straight(8, size * Vec3(1, 2, 4.24), size * Vec3(2, 2, 0.25));
+    given() = describe_both(stand, plate);
+    const auto got = contacts_of(stand, plate);
+    if (!expect_count("a plate on a stand", got, 4,
+                      "The lower face of j, cut by the sides of i, has four corners."))
+      return;
+    std::vector<Vec3> corners;
+    for (const double x : {0.5, 1.5})
+      for (const double y : {1.5, 2.5}) corners.push_back(size * Vec3(x, y, 3.995));
+    if (!expect_points("a plate on a stand", stand, plate, got, corners, Vec3::UnitZ(), -0.01 * size, size))
+      return;
+  }
+}
+
+EXERCISE_TEST(BoxBox, TouchesFromZeroGapOn) {
+  const Box below = straight(0, Vec3::Zero(), Vec3(0.5, 0.5, 0.5));
+  const auto at = [&](double z) {
+    return static_cast<double>(contacts_of(below, straight(1, Vec3(0, 0, z), below.half_sides)).size());
+  };
+  expect_near("contacts of a cube that just touches another, g = 0", "Eq. (8.6), (8.8)", at(1), 4,
+              {0, "a count"}, {}, "g <= 0: exactly zero counts.");
+  expect_near("contacts of a cube that is 1e-12 m above another", "Eq. (8.6), (8.8)", at(1 + 1e-12), 0,
+              {0, "a count"}, {}, "With a gap along some axis there is none.");
+}
+
+EXERCISE_TEST(BoxBox, PiercesAThinPlate) {
+  // Deeper than the plate is thick: its corner is a contact all the same, and only the four sides cut.
+  const Box plate = straight(0, Vec3::Zero(), Vec3(2, 2, 0.01));
+  Box cube =
+      turned(turned(straight(1, Vec3::Zero(), Vec3(0.5, 0.5, 0.5)), 0.7, Vec3::UnitX()), 0.5, Vec3::UnitY());
+  const double reach = (cube.axes.row(2).cwiseAbs() * cube.half_sides)(0);
+  cube.x = Vec3(0.1, -0.1, reach + 0.01 - 0.05);
+  given() = describe_both(plate, cube);
+  Vec3 lowest = cube.x;
+  for (const Vec3& corner : corners(cube))
+    if (corner.z() < lowest.z()) lowest = corner;
+  const auto got = contacts_of(plate, cube);
+  if (!expect_count(
+          "a corner that pierces a plate", got, 1,
+          "One corner is behind the upper face of the plate. The four sides around that face cut, and neither "
+          "it nor its opposite."))
     return;
-  expect_points("a plate on a stand", stand, plate, got,
-                {Vec3(0.5, 1.5, 3.995), Vec3(1.5, 1.5, 3.995), Vec3(0.5, 2.5, 3.995), Vec3(1.5, 2.5, 3.995)},
-                Vec3::UnitZ(), -0.01);
+  expect_points("a corner that pierces a plate", plate, cube, got, {Vec3(lowest + 0.025 * Vec3::UnitZ())},
+                Vec3::UnitZ(), -0.05);
 }
 
 EXERCISE_TEST(BoxBox, HangsOverTheRim) {
@@ -103,10 +140,9 @@ EXERCISE_TEST(BoxBox, HangsOverTheRim) {
     const auto got = contacts_of(table, box);
     const std::string what = "a box " + show(out) + " m of whose 2 m hang over the rim";
     if (!expect_count(what, got, 4, "Cut the lower face by the four sides around the upper one.")) return;
-    const double rim = out > 0 ? 2 : 1 + out + 1;
     if (!expect_points(
             what, table, box, got,
-            {Vec3(out, -0.5, 0.995), Vec3(out, 1.5, 0.995), Vec3(rim, -0.5, 0.995), Vec3(rim, 1.5, 0.995)},
+            {Vec3(out, -0.5, 0.995), Vec3(out, 1.5, 0.995), Vec3(2, -0.5, 0.995), Vec3(2, 1.5, 0.995)},
             Vec3::UnitZ(), -0.01))
       return;
   }
@@ -149,6 +185,17 @@ EXERCISE_TEST(BoxBox, NeedsNoMoreThanFour) {
     expect_near("distance of a corner of the octagon from its middle [m]", "Eq. (8.8)",
                 contact.r_i.head<2>().norm(), 0.5 / std::cos(std::numbers::pi / 8),
                 {2e-6, "the planes that cut"});
+  if (::testing::Test::HasFailure()) return;
+  // Around the middle each of four is in a quarter of its own, or nearly so.
+  std::vector<double> angles;
+  for (const Contact& contact : got) angles.push_back(std::atan2(contact.r_i.y(), contact.r_i.x()));
+  std::sort(angles.begin(), angles.end());
+  double widest = angles.front() + 2 * std::numbers::pi - angles.back();
+  for (std::size_t k = 1; k < angles.size(); ++k) widest = std::max(widest, angles[k] - angles[k - 1]);
+  expect_at_most(
+      "the widest angle between neighbours of the four, as seen from the middle [rad]", "Eq. (8.10)", widest,
+      std::numbers::pi + 1e-6, "half a turn: the middle of all is within them",
+      "The cube would tip over these four: not any four of the eight, but those that well_spread chooses.");
 }
 
 EXERCISE_TEST(BoxBox, EdgesCrossAtAPoint) {
@@ -266,13 +313,29 @@ EXERCISE_TEST(BoxBox, BoxesApartHaveNone) {
                 {{0, "What was in `contacts` before is lost: append."}},
                 "With a gap along some axis there is none.");
   }
+}
+
+EXERCISE_TEST(BoxBox, KeepsWhatWasFoundBefore) {
   const Box below = straight(0, Vec3::Zero(), Vec3(1, 1, 1)),
             above = straight(1, Vec3(0, 0, 1.9), Vec3(1, 1, 1));
-  std::vector<Contact> contacts = contacts_of(below, above);
-  const auto alone = static_cast<double>(contacts.size());
-  box_box(below, above, contacts);
-  expect_near("contacts, after the same pair a second time", "Eq. (8.8)", static_cast<double>(contacts.size()),
-              2 * alone, {0, "a count"}, {{alone, "What was in `contacts` before is lost: append."}});
+  for (const auto& [i, j] : {std::pair(below, above), std::pair(above, below)}) {
+    given() = describe_both(i, j);
+    std::vector<Contact> contacts = contacts_of(i, j);
+    const std::vector<Contact> before = contacts;
+    const auto alone = static_cast<double>(contacts.size());
+    box_box(i, j, contacts);
+    expect_near("contacts, after the same pair a second time", "Eq. (8.8)",
+                static_cast<double>(contacts.size()), 2 * alone, {0, "a count"},
+                {{alone, "What was in `contacts` before is lost: append."}},
+                "well_spread chooses among the contacts of this pair, and not among those of others.");
+    if (::testing::Test::HasFailure()) return;
+    for (std::size_t k = 0; k < before.size(); ++k)
+      expect_true("contact " + std::to_string(k) + ", which was there before, is still as it was", "Eq. (8.8)",
+                  contacts[k].i == before[k].i && contacts[k].j == before[k].j &&
+                      contacts[k].n == before[k].n && contacts[k].r_i == before[k].r_i &&
+                      contacts[k].r_j == before[k].r_j,
+                  "Append, and exchange the bodies of the new ones only.");
+  }
 }
 
 struct Position {
@@ -374,6 +437,30 @@ EXERCISE_TEST(BoxBox, DoesNotMindWhichIsFirst) {
   }
 }
 
+EXERCISE_TEST(BoxBox, MeetsTheFaceOfTheLowerNumber) {
+  // Two faces that are alike to 5 per cent of the gap: that of the lower body number is met, in either order.
+  const Box table = straight(4, Vec3::Zero(), Vec3(0.5, 0.5, 0.5));
+  Box box = turned(straight(7, Vec3(0, 0, 0.9), Vec3(0.5, 0.5, 0.5)), 1e-3, Vec3(1, 2, 0));
+  for (const int number : {7, 2}) {
+    box.body = number;
+    const Vec3 face = number == 7 ? Vec3(Vec3::UnitZ()) : Vec3(box.axes.col(2));
+    for (const bool table_first : {true, false}) {
+      const Box &i = table_first ? table : box, &j = table_first ? box : table;
+      given() = "given i, body " + std::to_string(i.body) + ", " + describe(i) + "\nand j, body " +
+                std::to_string(j.body) + ", " + describe(j);
+      const auto got = contacts_of(i, j);
+      if (!expect_count("two cubes, nearly square on each other", got, 4, "All of one face is over the other."))
+        return;
+      expect_near_vector(
+          "n", "Eq. (8.7)", got[0].n, Vec3(table_first ? face : -face), roundings(64),
+          {{Vec3(table_first ? -face : face), "n points from i to j."}},
+          "Where both faces are as good it is that of the box with the lower body number, whichever comes "
+          "first.");
+      if (::testing::Test::HasFailure()) return;
+    }
+  }
+}
+
 EXERCISE_TEST(BoxBox, GapChangesAtTheRateOfItsRow) {
   Random random;
   // A corner of j in a face of i, and edges that cross: points of the bodies, which stay where they are on them.
@@ -406,16 +493,23 @@ EXERCISE_TEST(BoxBox, IsTheSameFarFromTheOrigin) {
     Box far_i = i, far_j = j;
     far_i.x += far;
     far_j.x += far;
-    const auto near = contacts_of(i, j), there = contacts_of(far_i, far_j);
+    // Adding `far` rounds x_j, but the difference of the two is exact: around it the boxes are where these are.
+    Box near_i = i, near_j = j;
+    near_i.x = Vec3::Zero();
+    near_j.x = far_j.x - far_i.x;
+    const auto near = contacts_of(near_i, near_j), there = contacts_of(far_i, far_j);
     given() = describe_both(far_i, far_j);
+    const std::string clue =
+        "Work with places from the centre of one box: far away only x_j - x_i is exact, and of p - x little is "
+        "left.";
     expect_near("contacts of " + what + ", 2000 km away", "Eq. (8.8)", static_cast<double>(there.size()),
-                static_cast<double>(near.size()), {0, "as many as at the origin"}, {},
-                "Work with places from the centre of one box: far away little is left of p - x.");
+                static_cast<double>(near.size()), {0, "as many as at the origin"}, {}, clue);
     if (::testing::Test::HasFailure()) return;
     for (const Contact& contact : there)
-      expect_at_most("how far a contact of " + what + " is from where it is at the origin", "Eq. (8.8)",
-                     nearest(contact, near), 1e-8, "what rounding x_j costs, 5e-10 m",
-                     "Work with places from the centre of one box: far away little is left of p - x.");
+      expect_at_most("how far a contact of " + what + ", 2000 km away, is from where it is at the origin [m]",
+                     "Eq. (8.8)", nearest(contact, near), 1e-13,
+                     "roundings of the boxes, not of where they are", clue);
+    if (::testing::Test::HasFailure()) return;
   }
 }
 

@@ -79,14 +79,14 @@ EXERCISE_TEST(Clip, KeepsACornerOnThePlaneOnce) {
 }
 
 /// A convex polygon of n corners in a random plane.
-std::vector<Vec3> random_polygon(Random& random, int n) {
-  const Vec3 normal = random.unit_vector(), centre = random.vector();
+std::vector<Vec3> random_polygon(Random& random, int n, double size) {
+  const Vec3 normal = random.unit_vector(), centre = random.vector(size);
   const auto [t1, t2] = tangents(normal);
   std::vector<double> angles;
   for (int k = 0; k < n; ++k) angles.push_back(2 * std::numbers::pi * (k + random.uniform(0, 0.8)) / n);
   std::vector<Vec3> polygon;
   for (const double angle : angles)
-    polygon.push_back(centre + std::cos(angle) * t1 + 0.6 * std::sin(angle) * t2);
+    polygon.push_back(centre + size * (std::cos(angle) * t1 + 0.6 * std::sin(angle) * t2));
   return polygon;
 }
 
@@ -95,17 +95,19 @@ EXERCISE_TEST(Clip, CutsAnyPolygonInTwo) {
   int cut = 0;
   for (int trial = 0; trial < 500 && !::testing::Test::HasFailure(); ++trial) {
     const int corners = random.integer(3, 9);
-    const std::vector<Vec3> polygon = random_polygon(random, corners);
+    const double size = trial % 2 ? 1 : random.log_uniform(1e-9, 1e9);
+    const std::vector<Vec3> polygon = random_polygon(random, corners, size);
     const Vec3 n = random.unit_vector();
-    const double offset = n.dot(polygon[0]) + random.uniform(-1, 1);
+    const double offset = n.dot(polygon[0]) + size * random.uniform(-1, 1);
     const std::vector<Vec3> left = clip(polygon, n, offset), rest = clip(polygon, -n, -offset);
-    given() = "given a polygon of " + std::to_string(corners) + " corners and n = " + show(n) + ", offset " +
-              show(offset);
+    given() = "given a polygon of " + std::to_string(corners) + " corners, about " + show(size) +
+              " m in radius, and n = " + show(n) + ", offset " + show(offset);
     cut += !left.empty() && !rest.empty();
     double outside = 0;
     for (const Vec3& corner : left) outside = std::max(outside, n.dot(corner) - offset);
-    expect_near("how far what is left reaches beyond the plane [m]", "Eq. (8.8)", outside, 0, roundings(32, 4),
-                {}, "The point where a side is cut has n·x = offset.");
+    expect_near("how far what is left reaches beyond the plane [m]", "Eq. (8.8)", outside, 0,
+                roundings(32, 4 * size), {},
+                "The point where a side is cut has n·x = offset, and a corner stays only where n·x <= offset.");
     const double whole = area(polygon).norm();
     expect_near("area left, and that left by the opposite plane, over the whole", "Eq. (8.8)",
                 (area(left).norm() + area(rest).norm()) / whole, 1, roundings(4000), {},
@@ -114,7 +116,7 @@ EXERCISE_TEST(Clip, CutsAnyPolygonInTwo) {
     if (!left.empty())
       expect_near_vector("vector area of both parts together [m²]", "Eq. (8.8)", Vec3(area(left) + area(rest)),
                          area(polygon), roundings(4000 * whole), {},
-                         "Corners come in the order of the polygon.");
+                         "Corners come in the order of the polygon, and go round in the same sense.");
     if (!left.empty() && !rest.empty())
       expect_near(
           "corners of both parts, beyond those of the whole", "Eq. (8.8)",
@@ -140,9 +142,13 @@ bool same(const Contact& a, const Contact& b) {
 /// Some of what was given, each at most once.
 bool expect_some_of(const std::vector<Contact>& kept, const std::vector<Contact>& given_contacts,
                     std::size_t count) {
-  expect_near("contacts kept of " + std::to_string(given_contacts.size()), "Eq. (8.10)",
-              static_cast<double>(kept.size()), static_cast<double>(count), {0, "a count"}, {},
-              "Four of more than four; four or fewer stay as they are.");
+  expect_near(
+      "contacts kept of " + std::to_string(given_contacts.size()), "Eq. (8.10)",
+      static_cast<double>(kept.size()), static_cast<double>(count), {0, "a count"},
+      {{0,
+        "None at all. Where the mean is on one of the points, or on a line between two, a term is zero but for "
+        "roundings, which may make it negative: allow for those."}},
+      "Four of more than four; four or fewer stay as they are.");
   if (::testing::Test::HasFailure()) return false;
   std::vector<bool> taken(given_contacts.size(), false);
   for (const Contact& contact : kept) {
@@ -223,6 +229,16 @@ double depth_of_origin(const std::vector<Eigen::Vector2d>& points) {
   return depth;
 }
 
+/// Eq. (8.10) for four points around the origin. Where one is within the other three it is less than their hull.
+double area_around_the_origin(std::vector<Eigen::Vector2d> four) {
+  std::sort(four.begin(), four.end(),
+            [](const auto& a, const auto& b) { return std::atan2(a.y(), a.x()) < std::atan2(b.y(), b.x()); });
+  double twice = 0;
+  for (std::size_t k = 0; k < 4; ++k)
+    twice += four[k].x() * four[(k + 1) % 4].y() - four[k].y() * four[(k + 1) % 4].x();
+  return twice / 2;
+}
+
 /// The largest area of four with the deepest and the mean, by trying all.
 double largest_area(const std::vector<Eigen::Vector2d>& points, std::size_t deepest) {
   double largest = 0;
@@ -232,13 +248,15 @@ double largest_area(const std::vector<Eigen::Vector2d>& points, std::size_t deep
       for (std::size_t c = b + 1; c < n; ++c) {
         if (a == deepest || b == deepest || c == deepest) continue;
         const std::vector<Eigen::Vector2d> four = {points[deepest], points[a], points[b], points[c]};
-        if (depth_of_origin(four) >= 0) largest = std::max(largest, hull_area(four));
+        if (depth_of_origin(four) >= 0) largest = std::max(largest, area_around_the_origin(four));
       }
   return largest;
 }
 
 void expect_well_spread(const std::vector<Contact>& contacts, const std::string& what) {
   const std::vector<Contact> kept = well_spread(contacts);
+  given() = "given " + what + ", r_i and gap:";
+  for (const Contact& contact : contacts) given() += "\n  " + show(contact.r_i) + "  " + show(contact.gap);
   if (!expect_some_of(kept, contacts, 4)) return;
   Vec3 mean = Vec3::Zero();
   for (const Contact& contact : contacts) mean += contact.r_i / static_cast<double>(contacts.size());
@@ -262,29 +280,34 @@ void expect_well_spread(const std::vector<Contact>& contacts, const std::string&
     if (contacts[k].gap < contacts[deepest].gap) deepest = k;
   expect_at_least("area that the four span, of " + what + " [m²]", "Eq. (8.10)", hull_area(four),
                   0.5 * largest_area(all, deepest) - 1e-5 * extent * extent,
-                  "half of the largest with the deepest and the mean",
+                  "half of the largest by Eq. (8.10), with the deepest and the mean",
                   "Points beside each other hold no more than one: take such that are far from each other.");
 }
 
 EXERCISE_TEST(WellSpread, TakesTheCornersOfASquare) {
   // Four corners and the middles of the sides, the deepest a corner; then more points than there is use for, at one side.
-  std::vector<Contact> contacts;
-  for (int k = 0; k < 8; ++k) {
-    const double angle = std::numbers::pi / 4 * k, reach = k % 2 ? std::sqrt(2.0) : 1;
-    contacts.push_back(at(reach * Vec3(std::cos(angle), std::sin(angle), 0), k == 3 ? -0.02 : -0.01));
+  for (const double size : {1.0, 1e-6}) {
+    std::vector<Contact> contacts;
+    for (int k = 0; k < 8; ++k) {
+      const double angle = std::numbers::pi / 4 * k, reach = k % 2 ? std::sqrt(2.0) : 1;
+      contacts.push_back(
+          at(size * reach * Vec3(std::cos(angle), std::sin(angle), 0), size * (k == 3 ? -0.02 : -0.01)));
+    }
+    expect_well_spread(contacts, "a square's corners and middles");
+    for (int k = 0; k < 6; ++k)
+      contacts.insert(contacts.begin(), at(size * Vec3(1 + 0.01 * k, 0.3 - 0.001 * k, 0), -0.01 * size));
+    expect_well_spread(contacts, "a square's corners and middles, and a crowd at one side");
+    if (::testing::Test::HasFailure()) return;
   }
-  expect_well_spread(contacts, "a square's corners and middles");
-  for (int k = 0; k < 6; ++k)
-    contacts.insert(contacts.begin(), at(Vec3(1 + 0.01 * k, 0.3 - 0.001 * k, 0), -0.01));
-  expect_well_spread(contacts, "a square's corners and middles, and a crowd at one side");
 }
 
 EXERCISE_TEST(WellSpread, KeepsTheDeepestAndHoldsTheMean) {
   Random random;
   for (int trial = 0; trial < 300 && !::testing::Test::HasFailure(); ++trial) {
-    const Vec3 n = random.unit_vector();
+    // Along the axes of the world, too, where two of three coordinates are all that differs.
+    const Vec3 n = trial % 3 ? random.unit_vector() : Vec3((trial % 2 ? 1 : -1) * Vec3::Unit(trial / 3 % 3));
     const auto [t1, t2] = tangents(n);
-    const double size = random.log_uniform(1e-3, 1e3);
+    const double size = random.log_uniform(1e-9, 1e3);
     const int count = random.integer(5, 12);
     const bool round = random.integer(0, 1), crowd = random.integer(0, 1);
     std::vector<Contact> contacts;
@@ -292,9 +315,27 @@ EXERCISE_TEST(WellSpread, KeepsTheDeepestAndHoldsTheMean) {
       const double angle = crowd && k > 3 ? random.uniform(0, 0.5) : random.uniform(0, 2 * std::numbers::pi);
       const double reach = round ? 1 : random.uniform(0, 1);
       const Vec3 r = size * (Vec3(5, -3, 2) + reach * (std::cos(angle) * t1 + 0.7 * std::sin(angle) * t2));
-      contacts.push_back(at(r, -size * random.uniform(0, 0.1), n));
+      // Nearly touching counts, too, and is least deep of all: by its gap, not by how large that is.
+      contacts.push_back(at(r, size * random.uniform(-0.1, 0.15), n));
     }
     expect_well_spread(contacts, std::to_string(count) + " random contacts");
+  }
+}
+
+EXERCISE_TEST(WellSpread, HoldsTheMeanWhereTheDeepestIs) {
+  // Around the deepest, with the mean on it but for roundings: none of the angles from it is certain, nor any sign.
+  Random random;
+  for (int trial = 0; trial < 100 && !::testing::Test::HasFailure(); ++trial) {
+    const Vec3 n = random.unit_vector(), middle = random.vector();
+    const auto [t1, t2] = tangents(n);
+    const int count = random.integer(4, 7);
+    const double start = random.uniform(0, 6);
+    std::vector<Contact> contacts = {at(middle, -0.02, n)};
+    for (int k = 0; k < count; ++k) {
+      const double angle = start + 2 * std::numbers::pi * k / count;
+      contacts.push_back(at(middle + std::cos(angle) * t1 + std::sin(angle) * t2, -0.01, n));
+    }
+    expect_well_spread(contacts, "a ring of " + std::to_string(count) + " around the deepest");
   }
 }
 
@@ -308,6 +349,54 @@ EXERCISE_TEST(WellSpread, DoesNotMindDepthsThatAreAlike) {
     }
     std::rotate(contacts.begin(), contacts.begin() + random.integer(0, 7), contacts.end());
     expect_well_spread(contacts, "an octagon's corners");
+  }
+}
+
+EXERCISE_TEST(WellSpread, KeepsTheSameWhileTheyTremble) {
+  // Eight that are as deep, and eight of which the deepest has as good a four on either side.
+  Random random;
+  for (const bool middle : {false, true}) {
+    std::vector<Contact> contacts;
+    for (int k = 0; k < 8; ++k) {
+      const double angle = std::numbers::pi / 4 * k, reach = middle && k % 2 ? std::sqrt(2.0) : 1;
+      contacts.push_back(
+          at(reach * Vec3(std::cos(angle), std::sin(angle), 0), middle && k == 2 ? -0.02 : -0.01));
+    }
+    const auto numbers_of_those_kept = [&] {
+      std::vector<int> numbers;
+      for (const Contact& kept : well_spread(contacts))
+        for (int k = 0; k < 8; ++k)
+          if (same(kept, contacts[static_cast<std::size_t>(k)])) numbers.push_back(k);
+      std::sort(numbers.begin(), numbers.end());
+      return numbers;
+    };
+    const auto listed = [](const std::vector<int>& numbers) {
+      std::string text;
+      for (const int k : numbers) text += " " + std::to_string(k);
+      return text;
+    };
+    given() =
+        middle
+            ? "given the corners and the middles of a square with sides of 2 m, one of the middles the deepest"
+            : "given the corners of a regular octagon with a radius of 1 m, all as deep";
+    const auto still = contacts;
+    const auto first = numbers_of_those_kept();
+    for (int trial = 0; trial < 100; ++trial) {
+      contacts = still;
+      for (Contact& contact : contacts) {
+        contact.r_i += random.vector(1e-9);
+        contact.gap += random.uniform(-1e-9, 1e-9);
+      }
+      const auto now = numbers_of_those_kept();
+      expect_true(
+          "of the contacts 0 to 7 those kept," + listed(now) +
+              ", are the same as before they moved by 1e-9 m," + listed(first),
+          "Eq. (8.10)", now == first,
+          "Roundings have chosen, and a box would tremble. Of points that are as deep to a millionth of the "
+          "distances take one by a rule of its own, and let another four win only if its area is larger by as "
+          "much.");
+      if (::testing::Test::HasFailure()) return;
+    }
   }
 }
 

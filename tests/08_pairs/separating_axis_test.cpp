@@ -59,6 +59,25 @@ std::string describe_both(const Box& i, const Box& j) {
   return "given i, " + describe(i) + "\nand j, " + describe(j);
 }
 
+/// Two choices by a margin, and one among the faces of a box: the axis may be behind the best by three of them.
+void expect_best(const spook::SeparatingAxis& got, const Box& i, const Box& j) {
+  const auto all = all_axes(i, j);
+  const double faces_i = best_of(all, 0), faces_j = best_of(all, 1), edges = best_of(all, 2);
+  const double faces = std::max(faces_i, faces_j), best = std::max(faces, edges);
+  expect_at_least(
+      "g along the axis that is chosen [m], where the best of i's faces has " + show(faces_i) + ", of j's " +
+          show(faces_j) + ", of the edges " + show(edges),
+      "Eq. (8.7)", got.gap,
+      best - 3 * margin(best, i, j) - roundings(64, i.half_sides.norm() + j.half_sides.norm()).value,
+      "the largest, less 5 per cent of it and a millionth of the smallest half side at each choice",
+      std::abs(got.gap - faces) <= 1e-12 * std::abs(faces) && edges > faces
+          ? "This is the best of the faces; the axes across an edge of each are left out, or held "
+            "to too large a margin."
+          : "The least deep has the largest gap, the one nearest to zero. What another has to be "
+            "better by is 5 per "
+            "cent of the gap, and a millionth of the smallest half side of the two boxes.");
+}
+
 /// What is said of the axis fits to the axis.
 bool expect_sound(const spook::SeparatingAxis& got, const Box& i, const Box& j) {
   const double size = i.half_sides.norm() + j.half_sides.norm() + (j.x - i.x).norm();
@@ -104,14 +123,18 @@ EXERCISE_TEST(SeparatingAxis, FindsTheFacesOfStraightBoxes) {
       j.x[k] += side * (i.half_sides[k] + 0.5 - 0.1);
       given() = describe_both(i, j);
       const auto got = separating_axis(i, j);
-      if (!expect_sound(got, i, j)) return;
+      expect_near(
+          "g [m]", "Eq. (8.6)", got.gap, -0.1, roundings(64, 4),
+          {{0.1, "This is a depth: the gap is negative where they overlap."},
+           {3.4 - 0.5, "h_k are halves of the sides."},
+           {-0.5 - i.half_sides[k == 0 ? 1 : 0],
+            "This is along an axis across which they are not displaced. Along that where they are take the "
+            "absolute value of n·(x_j - x_i), or turn n around before."}},
+          "The least deep of all axes is that with the largest gap.");
+      if (::testing::Test::HasFailure() || !expect_sound(got, i, j)) return;
       expect_near_vector("n", "Eq. (8.6)", got.n, Vec3(side * Vec3::Unit(k)), roundings(16),
                          {{Vec3(-side * Vec3::Unit(k)), "n points from i to j."}},
                          "They overlap by 0.1 m along this axis, and by more along the others.");
-      expect_near("g [m]", "Eq. (8.6)", got.gap, -0.1, roundings(64, 4),
-                  {{0.1, "This is a depth: the gap is negative where they overlap."},
-                   {3.4 - 0.5, "h_k are halves of the sides."}},
-                  "The least deep of all axes is that with the largest gap.");
       if (::testing::Test::HasFailure()) return;
       expect_true("its face is one of i, axis " + std::to_string(k), "Eq. (8.7)", got.face_i == k,
                   "Both have a face there. Where they are alike, i's is taken.");
@@ -155,16 +178,7 @@ EXERCISE_TEST(SeparatingAxis, IsTheBestOfFifteen) {
       continue;
     }
     if (!expect_sound(got, i, j)) return;
-    const std::string faces_only =
-        "This is the best of the faces; the axes across an edge of each are left out.";
-    expect_near("g along the axis that is chosen [m]: the best of i's faces has " + show(faces_i) +
-                    ", of j's " + show(faces_j) + ", of the edges " + show(edges),
-                "Eq. (8.7)", std::max(got.gap, best - 3 * margin(best, i, j)), got.gap,
-                {0, "5 per cent of a gap, and a millionth of the smallest half side, at each choice"}, {},
-                got.gap <= std::max(faces_i, faces_j) + 1e-12 &&
-                        got.gap >= std::max(faces_i, faces_j) - 1e-12 && edges > std::max(faces_i, faces_j)
-                    ? faces_only
-                    : "The least deep has the largest gap, the one nearest to zero.");
+    expect_best(got, i, j);
     if (::testing::Test::HasFailure()) return;
     const int kind = got.face_i >= 0 ? 0 : got.face_j >= 0 ? 1 : 2;
     ++kinds[kind];
@@ -184,6 +198,83 @@ EXERCISE_TEST(SeparatingAxis, IsTheBestOfFifteen) {
     expect_at_least("times, of 5000, that a face of i, a face of j, and edges were chosen", "Eq. (8.7)",
                     kinds[kind], 200, "each is often the best",
                     "All of the 15 axes are looked at: three faces of each box, nine pairs of edges.");
+}
+
+EXERCISE_TEST(SeparatingAxis, IsTheBestForAnySizes) {
+  // The margins are measured by the smallest half side: a grain on a mountain, too, is met where it is least deep.
+  Random random;
+  int looked_at = 0;
+  for (int trial = 0; trial < 2000 && !::testing::Test::HasFailure(); ++trial) {
+    Box i = random_box(random, 0), j = random_box(random, 1);
+    i.half_sides *= random.log_uniform(1e-6, 1e3);
+    j.half_sides *= random.log_uniform(1e-6, 1e3);
+    // The smaller one's centre is somewhere at an edge or a corner of the larger.
+    Box& large = i.half_sides.norm() > j.half_sides.norm() ? i : j;
+    Box& small = &large == &i ? j : i;
+    const Vec3 corner = Vec3(random.integer(-1, 1), random.integer(-1, 1), random.integer(-1, 1))
+                            .cwiseProduct(large.half_sides);
+    small.x = large.x + large.axes * corner + random.vector(0.5 * small.half_sides.minCoeff());
+    const auto got = separating_axis(i, j);
+    const auto all = all_axes(i, j);
+    if (std::max({best_of(all, 0), best_of(all, 1), best_of(all, 2)}) > 0) continue;
+    ++looked_at;
+    given() = describe_both(i, j);
+    if (!expect_sound(got, i, j)) return;
+    expect_best(got, i, j);
+  }
+  expect_at_least("pairs, of 2000, that overlap", "Eq. (8.7)", looked_at, 500, "nearly all");
+}
+
+EXERCISE_TEST(SeparatingAxis, TakesTheFirstOfFacesThatAreAlike) {
+  Random random;
+  const Box cube{.body = 0, .x = Vec3::Zero(), .axes = Mat3::Identity(), .half_sides = Vec3(1, 1, 1)};
+  // In its corner: a small one, turned by 45 degrees, so that no axis of its own is better.
+  const Box turned_one =
+      turned({.body = 1, .x = Vec3(0.7, 0.7, 0), .axes = Mat3::Identity(), .half_sides = Vec3(0.1, 0.1, 0.1)},
+             std::numbers::pi / 4, Vec3::UnitZ());
+  for (int trial = 0; trial < 100 && !::testing::Test::HasFailure(); ++trial) {
+    Box beside = cube;
+    beside.x = Vec3(1.9, 1.9, trial % 2 ? 1.9 : 0) + random.vector(1e-9);
+    const std::string clue =
+        "Faces of one box that are alike, to a millionth of the smallest half side: the first one stays, and "
+        "roundings "
+        "don't choose.";
+    given() =
+        "given two cubes that overlap in a corner, to 1e-9 m alike in each direction: " + describe(beside);
+    const auto got = separating_axis(cube, beside);
+    if (!expect_sound(got, cube, beside)) return;
+    expect_true("face_i = " + std::to_string(got.face_i) + ": the first face of i is taken", "Eq. (8.7)",
+                got.face_i == 0, clue);
+    Box corner = turned_one;
+    corner.x += random.vector(1e-9);
+    given() = "given i, a small box in the corner of a cube j, as near to one face as to another: " +
+              describe(corner);
+    const auto of_j = separating_axis(corner, cube);
+    if (!expect_sound(of_j, corner, cube)) return;
+    expect_true("face_j = " + std::to_string(of_j.face_j) + ": the first face of j is taken", "Eq. (8.7)",
+                of_j.face_j == 0, clue);
+  }
+}
+
+EXERCISE_TEST(SeparatingAxis, MeetsEdgesThatAreNearlyParallel) {
+  // Two rails on their edges, one upon the other at a small angle: only the cross product says how deep they are.
+  for (const double angle : {1e-2, 1e-3, 1e-4}) {
+    const double length = 2 / angle;
+    Box i = turned({.body = 0, .x = Vec3::Zero(), .axes = Mat3::Identity(), .half_sides = Vec3(length, 1, 1)},
+                   std::numbers::pi / 4, Vec3::UnitX());
+    Box j = turned(i, angle, Vec3::UnitZ());
+    j.body = 1;
+    j.x = Vec3(0, 0, 2 * std::sqrt(2.0) - 0.02);
+    const auto got = separating_axis(i, j);
+    given() = "given two rails, " + show(2 * length) +
+              " m long, 0.02 m deep in each other where their edges cross at " + show(angle) + " rad";
+    if (!expect_sound(got, i, j)) return;
+    expect_near("g [m]", "Eq. (8.6), (8.7)", got.gap, -0.02, {1e-8, "roundings of the length of a rail"}, {},
+                "The edges cross at a small angle, and yet at one: a cross product is left out only where its "
+                "length is "
+                "1e-6 or less.");
+    if (::testing::Test::HasFailure()) return;
+  }
 }
 
 EXERCISE_TEST(SeparatingAxis, NoDirectionIsMoreOpen) {
@@ -239,15 +330,39 @@ EXERCISE_TEST(SeparatingAxis, PartsWhatIsApart) {
   expect_at_least("boxes, of 500 pairs, that are not", "Eq. (8.7)", together, 50, "many are");
 }
 
+EXERCISE_TEST(SeparatingAxis, PartsWhatIsApartByLessThanAMargin) {
+  // Tilted by so little that the face of i still overlaps, and that of j is just free.
+  const double tilt = 1e-8;
+  const Box cube{.body = 0, .x = Vec3::Zero(), .axes = Mat3::Identity(), .half_sides = Vec3(1, 1, 1)};
+  for (const double side : {-1.0, 1.0}) {
+    const Box i = turned(cube, side * tilt, Vec3::UnitX());
+    const Box j{
+        .body = 1, .x = Vec3(0, side * 1.5, 2 + 1.5 * tilt), .axes = cube.axes, .half_sides = cube.half_sides};
+    const auto got = separating_axis(i, j);
+    given() =
+        "given two cubes that are 5e-9 m apart along z, the axis of j, and overlap along that of i, tilted "
+        "by\n" +
+        show(side * tilt) + " rad; j is at " + show(j.x);
+    expect_at_least(
+        "g [m]", "Eq. (8.7)", got.gap, 1e-300, "positive",
+        "One axis with a positive gap is enough: nothing overlaps along it. It need not beat anything by a "
+        "margin.");
+    if (::testing::Test::HasFailure()) return;
+  }
+}
+
 EXERCISE_TEST(SeparatingAxis, StaysWithFacesThatLieOnEachOther) {
   Random random;
   const Box i{.body = 0, .x = Vec3::Zero(), .axes = Mat3::Identity(), .half_sides = Vec3(1, 1, 0.5)};
-  for (int trial = 0; trial < 300 && !::testing::Test::HasFailure(); ++trial) {
-    Box j{.body = 1, .x = Vec3(0.3, 0.2, 0.999), .axes = Mat3::Identity(), .half_sides = Vec3(1, 1, 0.5)};
-    if (trial > 100) j = turned(j, trial > 200 ? random.uniform(-3, 3) : std::numbers::pi / 4, Vec3::UnitZ());
+  for (int trial = 0; trial < 600 && !::testing::Test::HasFailure(); ++trial) {
+    // So little that 5 per cent of it are less than what it trembles by: the millionth has to hold the face then.
+    const double depth = trial % 2 ? 1e-3 : 2e-9;
+    Box j{.body = 1, .x = Vec3(0.3, 0.2, 1 - depth), .axes = Mat3::Identity(), .half_sides = Vec3(1, 1, 0.5)};
+    if (trial > 200) j = turned(j, trial > 400 ? random.uniform(-3, 3) : std::numbers::pi / 4, Vec3::UnitZ());
     j.x += random.vector(1e-9);
     j = turned(j, random.uniform(-1e-9, 1e-9), random.unit_vector());
-    given() = "given a box that lies on another, 0.001 m deep, and trembles by 1e-9: " + describe(j);
+    given() =
+        "given a box that lies on another, " + show(depth) + " m deep, and trembles by 1e-9: " + describe(j);
     const auto got = separating_axis(i, j);
     if (!expect_sound(got, i, j)) return;
     expect_true(

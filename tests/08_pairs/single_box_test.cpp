@@ -58,6 +58,7 @@ bool expect_corners(const Plane& plane, const Box& box, const std::vector<Contac
 EXERCISE_TEST(PlaneBox, StandsOnFourCorners) {
   const Plane floor{.body = 5, .x = Vec3(3, 0, -1), .n = Vec3::UnitZ(), .offset = 0.25};
   const Box box{.body = 2, .x = Vec3(1, 2, 1.2), .axes = Mat3::Identity(), .half_sides = Vec3(0.5, 2, 1)};
+  given() = "given the floor z < 0.25 of a body at (3, 0, -1), and " + describe(box);
   std::vector<Contact> contacts;
   plane_box(floor, box, contacts);
   expect_corners(floor, box, contacts);
@@ -95,6 +96,22 @@ EXERCISE_TEST(PlaneBox, KeepsWhatWasFoundBefore) {
             contacts);
   expect_near("contacts, after one more box, which doesn't touch", "Eq. (8.4)",
               static_cast<double>(contacts.size()), 5, {0, "a count"}, {}, "A contact is what has g <= 0.");
+}
+
+EXERCISE_TEST(PlaneBox, TouchesFromZeroGapOn) {
+  const Plane floor{.body = 0, .x = Vec3::Zero(), .n = Vec3::UnitZ(), .offset = 0};
+  const auto at = [&](double z) {
+    std::vector<Contact> contacts;
+    plane_box(floor, {.body = 1, .x = Vec3(3, 0, z), .axes = Mat3::Identity(), .half_sides = Vec3(1, 1, 1)},
+              contacts);
+    return static_cast<double>(contacts.size());
+  };
+  expect_near("contacts of a box on the floor, g = 0", "Eq. (8.4)", at(1), 4, {0, "a count"}, {},
+              "g <= 0: exactly zero counts.");
+  expect_near("contacts of a box that is 1e-12 m above the floor", "Eq. (8.4)", at(1 + 1e-12), 0,
+              {0, "a count"}, {}, "Only g <= 0 is a contact.");
+  expect_near("contacts of a box at NaN", "Eq. (8.4)", at(std::nan("")), 0, {0, "a count"}, {},
+              "`if (gap <= 0)`, and not `if (!(gap > 0))`, stops a NaN.");
 }
 
 EXERCISE_TEST(PlaneBox, GapChangesAtTheRateOfItsRow) {
@@ -239,6 +256,50 @@ EXERCISE_TEST(BoxBall, LeavesThroughTheNearestFace) {
   }
 }
 
+EXERCISE_TEST(BoxBall, LeavesFromTheMiddle) {
+  // A coordinate of 0 has no sign, and either face is as near.
+  const Box box{.body = 0, .x = Vec3(1, 2, 3), .axes = Mat3::Identity(), .half_sides = Vec3(2, 1, 3)};
+  for (const Vec3& seen : {Vec3(0, 0, 0), Vec3(0.5, 0, -2), Vec3(-0.5, -0.0, 0)}) {
+    given() = "given a box with half sides (2, 1, 3) along x, y and z, and a ball of radius 0.5 at " +
+              show(seen) + " from its centre";
+    const auto found = box_ball(box, {.body = 1, .x = box.x + seen, .radius = 0.5});
+    if (!expect_some(found, "A ball whose centre is in the box touches it, whatever its radius.")) return;
+    expect_near(
+        "|n·e_2|, of the nearest two faces", "Eq. (8.5)", std::abs(found->n.y()), 1, roundings(4),
+        {{0, "The sign of a coordinate of 0 is neither 1 nor -1: n is to be a face's normal here, too."}},
+        "The nearest faces are those across y, 1 m away.");
+    expect_near("gap [m]", "Eq. (8.5)", found->gap, -1.5, roundings(16));
+    if (::testing::Test::HasFailure()) return;
+    expect_near_vector(
+        "the point x_i + r_i [m]", "Eq. (8.3), (8.5)", Vec3(box.x + found->r_i),
+        Vec3(box.x + seen + 0.25 * found->n), roundings(64, 8),
+        {{Vec3(box.x + seen - 0.75 * found->n),
+          "This is half a gap from the ball's centre: c is on the face."}},
+        "p is in the middle between the face, 1 m along n from the ball's centre, and the ball's "
+        "farthest point, 0.5 m against n.");
+    if (::testing::Test::HasFailure() || !expect_common_point(*found, box.x, Vec3(box.x + seen))) return;
+  }
+}
+
+EXERCISE_TEST(BoxBall, FollowsACentreThatIsNearACorner) {
+  const Box box{.body = 0, .x = Vec3::Zero(), .axes = Mat3::Identity(), .half_sides = Vec3(1, 1, 1)};
+  for (const Vec3& way : {Vec3(2, -1, 2), Vec3(0, 3, -4), Vec3(12, 3, 4)})
+    for (const double distance : {1e-2, 1e-7, 1e-9}) {
+      const Vec3 n = way.normalized(), corner = n.cwiseSign();
+      const Ball ball{.body = 1, .x = corner + distance * n, .radius = 0.5};
+      given() = "given a cube of 2 m around the origin, and a ball of radius 0.5 whose centre is " +
+                show(distance) + " m from the cube's\nedge or corner " + show(corner) + ", along " + show(n);
+      const auto found = box_ball(box, ball);
+      if (!expect_some(found)) return;
+      expect_near_vector("n", "Eq. (8.5)", found->n, n,
+                         {1e-15 / distance, "roundings of x_j, over its distance"}, {},
+                         "Only a centre in the box, or on it, is pushed out along a face's normal. Outside, "
+                         "however near, n is along "
+                         "x_j - c.");
+      if (::testing::Test::HasFailure()) return;
+    }
+}
+
 EXERCISE_TEST(BoxBall, GoesSmoothlyThroughTheSurface) {
   Random random;
   for (int trial = 0; trial < 50 && !::testing::Test::HasFailure(); ++trial) {
@@ -273,6 +334,8 @@ EXERCISE_TEST(BoxBall, TouchesFromZeroGapOn) {
               "Only g <= 0 is a contact.");
   expect_true("a ball that is 1 m away has none", "Eq. (8.5)", !at(4.5).has_value(),
               "Only g <= 0 is a contact.");
+  expect_true("a ball at NaN has none", "Eq. (8.5)", !at(std::nan("")).has_value(),
+              "`if (!(gap <= 0))`, and not `if (gap > 0)`, stops a NaN.");
 }
 
 EXERCISE_TEST(BoxBall, GapChangesAtTheRateOfItsRow) {
