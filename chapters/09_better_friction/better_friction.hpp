@@ -43,8 +43,9 @@ template <int Dof>
 void limit_friction(const std::vector<Rubbing>& contacts, std::vector<Row<Dof>>& rows);
 
 /// Exercise 9.3. Two passes: first without friction (its rows have bounds and λ of 0), then with the limits of Eq.
-/// (9.1), from where the first ended. Each has the whole stop rule; the history has both. Converged if the second
-/// pass is. Throws as solve does. V as in solve: what friction rows bring in λ must leave V, too.
+/// (9.1), from where the first ended. All other rows begin with the λ that they bring. Each pass has the whole stop
+/// rule; the history has both. Converged if the second pass is. Throws as solve does. V as in solve: what friction rows
+/// bring in λ must leave V, too, before the first pass.
 template <int Dof>
 SolveReport two_pass_solve(const std::vector<Rubbing>& contacts, std::vector<Row<Dof>>& rows,
                            std::vector<Twist<Dof>>& V, const StopRule& stop);
@@ -54,7 +55,7 @@ SolveReport two_pass_solve(const std::vector<Rubbing>& contacts, std::vector<Row
 Vec2 onto_disc(const Vec2& lambda, double radius);
 
 /// Exercise 9.5. Brings the two friction rows of a contact up to date, with μ times the normal impulse of now for a
-/// radius: Eq. (9.5), (9.6). Their bounds `lo` and `hi` are not looked at. Returns s |Δλ_t| [m/s].
+/// radius: Eq. (9.5), (9.6). Their bounds `lo` and `hi` are neither looked at nor set. Returns s |Δλ_t| [m/s].
 template <int Dof>
 double update_friction(const Rubbing& contact, std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V);
 

@@ -43,6 +43,24 @@ EXERCISE_TEST(ConeSolve, FindsCoulombsLaw) {
   }
 }
 
+EXERCISE_TEST(ConeSolve, WithoutContactsIsChapter04s) {
+  Random random;
+  System<6> s = random_bodies(random, 3);
+  for (int k = 0; k < 4; ++k) add_random_joint(s, random);
+  System<6> plain = s;
+  const StopRule stop{.max_sweeps = 20, .tolerance = 1e-9};
+  const SolveReport report = cone_solve(s.contacts, s.rows, s.V, stop),
+                    expected = solve(plain.rows, plain.V, stop);
+  expect_true("four joints' rows and no contact take " + std::to_string(expected.history.size()) +
+                  " sweeps, and not " + std::to_string(report.history.size()),
+              "Eq. (4.9)",
+              report.history.size() == expected.history.size() && report.converged == expected.converged,
+              "Rows that are no contact's are swept, too: only without *rows* there is nothing to do.");
+  expect_near_vector("λ of four joints' rows after it [N s]", "Eq. (4.7)", all_lambda(s.rows),
+                     all_lambda(plain.rows), roundings(1e4, 5), {},
+                     "Without contacts it is chapter 04's solve.");
+}
+
 EXERCISE_TEST(ConeSolve, NeverAddsEnergy) {
   Random random;
   for (int trial = 0; trial < 20 && !::testing::Test::HasFailure(); ++trial) {
@@ -244,10 +262,13 @@ EXERCISE_TEST(ConeSolve, RefusesABadStopRule) {
   expect_rejects("a rule of no sweeps, without rows", "max_sweeps", [&] { with(none, 0, 0); });
   const SolveReport report = cone_solve(none.contacts, none.rows, none.V, {.max_sweeps = 5, .tolerance = 0});
   expect_true("without rows it has converged without a sweep", "Eq. (4.9)",
-              report.converged && report.history.empty());
+              report.converged && report.history.empty(),
+              "There is nothing to solve: `converged` starts as rows.empty().");
   s.rows[0].B = std::nan("");
   const SolveReport broken = cone_solve(s.contacts, s.rows, s.V, {.max_sweeps = 5, .tolerance = 1});
-  expect_true("a NaN has not converged", "Eq. (4.9)", !broken.converged && broken.history.size() == 5);
+  expect_true("a NaN has not converged, and is swept 5 times of 5 at most", "Eq. (4.9)",
+              !broken.converged && broken.history.size() == 5,
+              "Ask whether it is at most the tolerance: a NaN is not at most anything, nor is it more.");
 }
 
 }  // namespace

@@ -52,6 +52,15 @@ EXERCISE_TEST(OntoDisc, IsTheNearestPoint) {
   }
 }
 
+EXERCISE_TEST(OntoDisc, TakesInWhatIsJustOutside) {
+  for (const double beyond : {1e-12, 1e-9, 1e-6, 1e-3})
+    for (const Vec2& edge : {Vec2(3, 4), Vec2(-5, 0)})
+      expect_near_vector(
+          "λ_t = (1 + " + show(beyond) + ") " + show(Eigen::MatrixXd(edge)) + " N s, onto a disc of 5",
+          "Eq. (9.4)", onto_disc((1 + beyond) * edge, 5), edge, roundings(16, 5), {},
+          "However little it is outside, it is to be shortened: |λ_t| <= Λ has no slack of its own.");
+}
+
 EXERCISE_TEST(OntoDisc, IsNothingForNoRadius) {
   for (const Vec2& lambda : {Vec2(0, 0), Vec2(3, -4), Vec2(1e-12, 0)})
     expect_near_vector("λ_t = " + show(Eigen::MatrixXd(lambda)) + " N s, onto a disc of 0", "Eq. (9.4)",

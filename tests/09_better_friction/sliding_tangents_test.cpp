@@ -63,16 +63,19 @@ EXERCISE_TEST(SlidingTangents, StayAcrossTheNormalWhenMostOfUIsAlongIt) {
 }
 
 EXERCISE_TEST(SlidingTangents, TakeAnyWhereNothingSlides) {
-  const Vec3 n(0, 0, 1);
+  Random random;
   const std::string clue =
       "There is no direction in a slip of 0, or of roundings: 0/0. Compare |u_t| with `slow`, and take chapter "
       "05's "
       "tangents where it is at most that.";
-  for (const double slow : {0.0, 1e-6}) {
-    const std::string with = ", slow = " + show(slow) + " m/s";
-    expect_frame("u = 0" + with, n, sliding_tangents(n, Vec3::Zero(), slow), clue);
-    expect_frame("u = (0, 0, -5) m/s, along n" + with, n, sliding_tangents(n, Vec3(0, 0, -5), slow), clue);
-  }
+  // Along the axes, where u - (n·u) n is 0 exactly; and anywhere, where it is roundings.
+  for (const Vec3& n : {Vec3(0, 0, 1), Vec3(0, -1, 0), Vec3(1, 0, 0), random.unit_vector()})
+    for (const double slow : {0.0, 1e-6}) {
+      const std::string with = ", n = " + show(n) + ", slow = " + show(slow) + " m/s";
+      expect_frame("u = 0" + with, n, sliding_tangents(n, Vec3::Zero(), slow), clue);
+      expect_frame("u = -5 m/s along n" + with, n, sliding_tangents(n, -5 * n, slow), clue);
+      if (::testing::Test::HasFailure()) return;
+    }
 }
 
 EXERCISE_TEST(SlidingTangents, FollowAsSoonAsItIsNotSlow) {

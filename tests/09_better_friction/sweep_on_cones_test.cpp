@@ -137,12 +137,12 @@ EXERCISE_TEST(SweepOnCones, OfNothingIsZeroAndOfNaNIsNaN) {
   expect_near("what a sweep of no rows returns [m/s]", "Eq. (4.9)",
               sweep_on_cones(none.contacts, none.rows, none.V), 0, {0, "exact"});
   for (const std::size_t broken : {0u, 1u, 3u, 5u}) {
-    System<3> s;  // points on a floor each: a NaN in one is no neighbour's
+    System<3> s;  // points on a floor each, as 0 times NaN is a NaN in a floor's V, too: it is no neighbour's
     for (int k = 0; k < 3; ++k) add_body<3>(s, {.linear = 1}, Vec3(1, 1, -1));
     const Vec3 up = Vec3::UnitZ(), zero = Vec3::Zero();
-    add_body<3>(s, {});
+    for (int k = 0; k < 3; ++k) add_body<3>(s, {});
     for (int j = 0; j < 3; ++j)
-      add_contact(s, {.i = 3, .j = j, .n = up, .gap = 0, .r_i = zero, .r_j = zero}, tangents(up), 0.5);
+      add_contact(s, {.i = 3 + j, .j = j, .n = up, .gap = 0, .r_i = zero, .r_j = zero}, tangents(up), 0.5);
     s.rows[broken].B = std::nan("");
     expect_true(
         "a sweep with a NaN in row " + std::to_string(broken) + " of 9 returns NaN", "Eq. (4.9)",
@@ -248,6 +248,15 @@ EXERCISE_TEST(ResidualOnCones, IsWhatEachUpdateByItselfWouldChange) {
           "each is compared with this λ and this V."}},
         "Each row, or pair, against the same λ and V; nothing is scattered; the largest counts.");
   }
+}
+
+EXERCISE_TEST(ResidualOnCones, WithoutContactsIsChapter04s) {
+  Random random;
+  System<6> s = random_bodies(random, 3);
+  for (int k = 0; k < 6; ++k) add_random_joint(s, random);
+  expect_near("residual of six joints' rows [m/s]", "Eq. (4.8), (9.7)",
+              residual_on_cones(s.contacts, s.rows, s.V), residual(s.rows, s.V), roundings(1000, 5), {},
+              "Without contacts, every row by Eq. (4.8).");
 }
 
 EXERCISE_TEST(ResidualOnCones, SeesFrictionThatHasTheWrongDirection) {

@@ -70,6 +70,32 @@ EXERCISE_TEST(UpdateFriction, DividesByTheStiffestDirection) {
               "s |Δλ_t|.");
 }
 
+// In the tests by hand the floor does not move, and i has no part in S12. Here both bodies do.
+EXERCISE_TEST(UpdateFriction, CountsBothBodies) {
+  Random random;
+  for (int trial = 0; trial < 20 && !::testing::Test::HasFailure(); ++trial) {
+    System<6> s = random_bodies(random, 2);
+    add_random_contact(s, random, 1);
+    s.begin_with(0, 100);  // far inside the cone
+    const Vec2 lacks = s.slip_lacks(s.contacts[0]);
+    const Row<6>&a = s.rows[1], &b = s.rows[2];
+    const Eigen::Matrix2d S = tangential_S(s, s.contacts[0]);
+    const auto with = [&](double S12) {
+      return Vec2(lacks / larger_eigenvalue((Eigen::Matrix2d() << S(0, 0), S12, S12, S(1, 1)).finished()));
+    };
+    update_friction(s.contacts[0], s.rows, s.V);
+    expect_near_vector(
+        "λ_t [N s] from 0 of a contact of two bodies that both move, far inside the cone", "Eq. (9.5), (9.6)",
+        s.tangential(s.contacts[0]), with(S(0, 1)), roundings(64, 5),
+        {{with(a.Gj.dot(b.MinvGj)), "S12 has a part of each body: that of i is missing."},
+         {with(a.Gi.dot(b.MinvGi)), "S12 has a part of each body: that of j is missing."},
+         {with(a.Gi.dot(b.Gi) + a.Gj.dot(b.Gj)), "S12 has M⁻¹ between the two rows: `MinvGi` and `MinvGj`."},
+         {with(a.Gi.dot(b.MinvGi) - a.Gj.dot(b.MinvGj)), "The parts of i and j in S12 are added."},
+         {with(0), "S12 is missing."}},
+        "λ_t + r_t/s, with S12 = G_1,i M⁻¹ G_2,i + G_1,j M⁻¹ G_2,j.");
+  }
+}
+
 EXERCISE_TEST(UpdateFriction, KeepsTheConeOfTheNormalImpulseOfNow) {
   System<3> s = by_hand(Vec2(30, -40), 2, 0.25);
   const double got = update_friction(s.contacts[0], s.rows, s.V);
@@ -87,6 +113,28 @@ EXERCISE_TEST(UpdateFriction, KeepsTheConeOfTheNormalImpulseOfNow) {
   expect_near("what it returns: s |Δλ_t| with |Δλ_t| = 0.5 N s [m/s]", "Eq. (9.6)", got, 0.5 * stiffest,
               roundings(32, 3),
               {{50, "This is what was lacking before the projection. Return the change that was made."}});
+}
+
+EXERCISE_TEST(UpdateFriction, LetsGoWhereNothingPresses) {
+  // Friction of before, in λ and in V, and a contact that has come apart since; or one on ice.
+  for (const auto& [press, mu] : {std::pair(0.0, 0.5), std::pair(2.0, 0.0)}) {
+    System<3> s = by_hand(Vec2(3, 1), press, mu);
+    s.begin_with(1, 0.6);
+    s.begin_with(2, -0.8);
+    const double got = update_friction(s.contacts[0], s.rows, s.V);
+    const std::string with = ", μ = " + show(mu) + ", λ_n = " + show(press) + " N s";
+    expect_near_vector(
+        "λ_t [N s] that was (0.6, -0.8)" + with, "Eq. (9.3), (9.6)", s.tangential(s.contacts[0]), Vec2::Zero(),
+        {0, "exact"},
+        {{Vec2(0.6, -0.8),
+          "It holds on to the friction of before. A disc of radius 0 is a point, and λ_t goes there."}},
+        "Where nothing presses there is no friction.");
+    expect_near("what it returns: s times 1 N s" + with + " [m/s]", "Eq. (9.6)", got, 3 + std::numbers::sqrt2,
+                roundings(32, 5));
+    expect_near_vector("V after it" + with, "Eq. (4.5)", all_V(s.V), V_of_lambda(s.rows, 2), roundings(64, 5),
+                       {}, "What λ_t was has to leave V, too: scatter the change.");
+    if (::testing::Test::HasFailure()) return;
+  }
 }
 
 EXERCISE_TEST(UpdateFriction, ProjectsTheImpulseNotItsChange) {
@@ -126,6 +174,10 @@ EXERCISE_TEST(UpdateFriction, ScattersWhatItChanges) {
                        "Both rows scatter their change of λ to both bodies: V is M⁻¹ Gᵀ λ at all times.");
     expect_near("λ of the normal row [N s]", "Eq. (9.6)", s.rows[0].lambda, normal, {0, "untouched"}, {},
                 "It is read, not changed.");
+    for (const std::size_t k : {1u, 2u})
+      expect_true("bounds of row " + std::to_string(k) + " are still those of before", "Eq. (9.6)",
+                  s.rows[k].lo == -infinity && s.rows[k].hi == infinity,
+                  "The rows' own bounds play no part: they are neither looked at nor set.");
   }
 }
 
