@@ -32,7 +32,7 @@ struct OldContact {
 };
 
 /// Exercise 10.1. For each contact the index of the old one that it continues, or -1: Eq. (10.1). They are of the
-/// same pair (i, j), and their points at most `reach` [m] apart. Of all that could be joined, the two that are
+/// same pair (i, j), in this order, and their points at most `reach` [m] apart. Of all that could be joined, the two that are
 /// nearest to each other come first, then the nearest two of those that are left, and so on: no old contact is
 /// continued twice.
 std::vector<int> match_contacts(const std::vector<Contact>& contacts, const std::vector<OldContact>& old,
@@ -45,7 +45,7 @@ template <int Dof>
 void warm_start(const std::vector<double>& impulses, std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V);
 
 /// Exercise 10.3. The indices of `heights` [m] from the lowest to the highest; equal ones stay in order: Eq.
-/// (10.3). A NaN is higher than any.
+/// (10.3). A NaN is higher than any, ∞ as well.
 std::vector<int> order_along(const std::vector<double>& heights);
 
 /// Exercise 10.4. The indices 0 to n - 1 in an order that is random, each of the n! as likely: Eq. (10.4). n >= 0.
@@ -57,7 +57,7 @@ template <int Dof>
 double sweep_in_order(const std::vector<int>& order, std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V);
 
 /// Exercise 10.6. The factor by which the entries of a history shrink, over its second half: Eq. (10.5).
-/// NaN for fewer than two entries, or when one of the two that count is not positive.
+/// NaN for fewer than two entries, or when one of the two that count, e_m and e_n, is not positive.
 double observed_rate(const std::vector<double>& history);
 
 /// Exercise 10.7. z of Eq. (10.6) [N s]: what a sweep over the free rows, first to last, and one last to first make

@@ -90,6 +90,9 @@ EXERCISE_TEST(Precondition, LeavesTheOthersAlone) {
   for (Eigen::Index k = 0; k < 7; ++k)
     if (free[static_cast<std::size_t>(k)]) expected[k] = expected_some[next++];
   const Eigen::MatrixXd whole = dense_S(p.rows);
+  expect_true("asked again, it gives the same z", "Eq. (10.6)",
+              precondition(p.rows, as_std(r), free, p.V.size()) == z,
+              "Something is kept from call to call: V begins at zero in each of them, and so does z.");
   expect_near_vector("z of seven rows, of which 1, 4 and 6 are not free [N s]", "Eq. (10.6)", as_eigen(z),
                      expected, roundings(1000, 10),
                      {{and_back(whole, r, forth(whole, r)), "All rows were taken for free."}},
@@ -122,7 +125,7 @@ void compare_with_enumeration(Problem<6>& p, const std::string& what) {
   expect_true(
       what + ": converged within 5000 iterations", "Eq. (4.9)", report.converged,
       "Rows that are at a bound and should leave it are put off it by sweeps only: after a step that was "
-      "projected, and when one of them lacks most.");
+      "projected, and when one of them lacks most. And a sweep ends what p was conjugate to: β = 0 there.");
   const double n = static_cast<double>(p.rows.size());
   expect_near_vector("λ of " + what + " [N s]", "Eq. (4.1)", lambdas(p), enumerate_solution(problem),
                      {10 * n * condition(problem.S) * (tolerance + 1e-14), "residual times condition of S"}, {},
@@ -173,6 +176,47 @@ EXERCISE_TEST(ConjugateSolve, NeedsFewIterationsForAHeavyLoad) {
               {1e-3, "tolerance 1e-9 m/s times a condition of 1e5"});
 }
 
+// The rows of a wire are coloured like a chessboard, so Jacobi's eigenvalues come in pairs ±μ. What is left of S behind
+// the two sweeps of (10.6) has one eigenvalue for each pair: half as many steps do, and the load is one more. (Plain
+// directions, z = r, have one for each row.)
+EXERCISE_TEST(ConjugateSolve, NeedsHalfAsManyIterationsAsAWireHasLinks) {
+  for (const double load : {1.0, 1e3, 1e6}) {
+    std::vector<double> masses(100, 1.0);
+    masses.back() = load;
+    Problem<3> p = stack(masses, 0.01);
+    take_bounds_off(p);
+    const SolveReport report = conjugate_solve(p.rows, p.V, {.max_sweeps = 1000, .tolerance = 1e-9});
+    expect_at_most("iterations of a wire of 100 links with a load of " + show(load) + ":1, to 1e-9 m/s",
+                   "Eq. (10.6)", report.converged ? static_cast<double>(report.history.size()) : HUGE_VAL, 60,
+                   "half as many as links, and some for roundings; without preconditioner about 100",
+                   "Is p made of z, both sweeps of the preconditioner, or of r, or of r/S_kk?");
+  }
+}
+
+// A row at a bound that its neighbours press it against is no part of the directions.
+EXERCISE_TEST(ConjugateSolve, LeavesRowsAtTheirBoundsOutOfTheDirections) {
+  for (const bool below : {true, false}) {
+    std::vector<double> masses(20, 1.0);
+    masses.back() = 1000;
+    Problem<3> p = stack(masses, 0.01);
+    take_bounds_off(p);
+    for (std::size_t k = 0; k < 20; k += 2) {
+      Row<3> held = p.rows[k];  // it asks for what it does not get: λ = 0 at its bound
+      held.B = below ? -100 : 100;
+      (below ? held.lo : held.hi) = 0;
+      p.rows.push_back(held);
+    }
+    const SolveReport report = conjugate_solve(p.rows, p.V, {.max_sweeps = 1000, .tolerance = 1e-9});
+    expect_at_most(
+        "iterations of 20 rows without bounds, and ten held at a bound from " +
+            std::string(below ? "below" : "above"),
+        "Eq. (10.7)", report.converged ? static_cast<double>(report.history.size()) : HUGE_VAL, 22,
+        "as many steps as free rows, one iteration to see it, and one that met bounds",
+        "Free is a row strictly between its bounds, both of them. One that is at a bound has r = 0 and "
+        "p = 0: else every step is projected, and its direction is lost.");
+  }
+}
+
 EXERCISE_TEST(ConjugateSolve, NeverGainsEnergy) {
   Random random;
   for (int repeat = 0; repeat < 10; ++repeat) {
@@ -196,6 +240,82 @@ EXERCISE_TEST(ConjugateSolve, NeverGainsEnergy) {
           "α and t each stop at the lowest E along their way: α = p·r/p·Sp, t = d·r/d·Sd, at most 1.");
       before = now;
     }
+  }
+}
+
+// The point that was aimed at is far away, and most of the way to its projection goes uphill.
+EXERCISE_TEST(ConjugateSolve, StopsAtTheLowestEnergyOnTheWayToAProjection) {
+  for (const double limit : {0.1, 1.0, 10.0}) {
+    std::vector<double> masses(12, 1.0);
+    masses.back() = 1000;
+    Problem<3> start = stack(masses, 0.01);
+    take_bounds_off(start);
+    start.rows[5].hi = limit;  // a link that breaks under more
+    const Eigen::MatrixXd S = dense_S(start.rows);
+    const Eigen::VectorXd B = gathered(start.rows, &Row<3>::B);
+    double before = 0;
+    for (int iterations = 1; iterations <= 20; ++iterations) {
+      Problem<3> p = start;
+      conjugate_solve(p.rows, p.V, {.max_sweeps = iterations, .tolerance = 0});
+      const double now = energy(S, B, lambdas(p));
+      expect_at_most("E of a wire whose link 5 takes no more than " + show(limit) + " N s, after " +
+                         std::to_string(iterations) + " iterations [J]",
+                     "Eq. (10.8)", now, before + 1e-12 * (1 + std::abs(before)),
+                     "that of one iteration before, and roundings",
+                     "Not the whole way to the projected point: t = d·r/d·Sd, within [0, 1].");
+      before = now;
+    }
+  }
+}
+
+// What the header says of the second iteration, from what the first must have been.
+EXERCISE_TEST(ConjugateSolve, SweepsWhenABoundWasMetOrLacksMost) {
+  Random random;
+  for (int repeat = 0; repeat < 40; ++repeat) {
+    Problem<6> swept = random_problem(random, 5, 10);
+    give_bounds(random, swept);
+    const Problem<6> start = swept;
+    sweep(swept.rows, swept.V);
+    std::vector<bool> free(10);
+    const Eigen::MatrixXd S = dense_S(start.rows);
+    Eigen::VectorXd r = gathered(start.rows, &Row<6>::B) - S * lambdas(swept);
+    for (std::size_t k = 0; k < 10; ++k) {
+      const Row<6>& row = swept.rows[k];
+      free[k] = row.lo < row.lambda && row.lambda < row.hi;
+      if (!free[k]) r[static_cast<Eigen::Index>(k)] = 0;
+    }
+    const Eigen::VectorXd z = as_eigen(precondition(swept.rows, as_std(r), free, swept.V.size()));
+    const double zSz = z.dot(S * z);
+    if (!(zSz > 0)) continue;
+    const Eigen::VectorXd aim = lambdas(swept) + z.dot(r) / zSz * z;
+    bool projected = false;
+    for (Eigen::Index k = 0; k < 10; ++k) {
+      const Row<6>& row = start.rows[static_cast<std::size_t>(k)];
+      projected = projected || aim[k] < row.lo || aim[k] > row.hi;
+    }
+
+    Problem<6> once = start, twice = start;
+    conjugate_solve(once.rows, once.V, {.max_sweeps = 1, .tolerance = 0});
+    const SolveReport report = conjugate_solve(twice.rows, twice.V, {.max_sweeps = 2, .tolerance = 0});
+    double of_free = 0, of_others = 0;
+    for (const Row<6>& row : once.rows) {
+      const double lacks = residual(std::vector<Row<6>>{row}, once.V);
+      double& largest = row.lo < row.lambda && row.lambda < row.hi ? of_free : of_others;
+      largest = std::max(largest, lacks);
+    }
+    const double lacked = residual(once.rows, once.V), returned = sweep(once.rows, once.V);
+    const bool sweeps = projected || of_others > of_free;
+    expect_near(
+        "the second entry of the history [m/s], after a step that was " +
+            std::string(projected ? "projected" : "whole") +
+            (of_others > of_free ? "; a bound lacks most" : ""),
+        "Eq. (4.9)", report.history.size() == 2 ? report.history[1] : std::nan(""), sweeps ? returned : lacked,
+        roundings(1000, 10),
+        {{lacked, projected ? "There was no sweep, but the step before was projected: rows that should leave "
+                              "their bounds wait for one."
+                            : "There was no sweep, but a row at a bound lacks more than every free one."},
+         {returned, "There was a sweep, but no bound was met and none lacks most: it spoils the directions."}},
+        "What a sweep returned, or, where there was none, the residual of Eq. (4.8).");
   }
 }
 
@@ -250,6 +370,29 @@ EXERCISE_TEST(ConjugateSolve, StopsAtTheFirstIterationThatIsGoodEnough) {
                     report.history[k], 1e-6, "not good enough", "It could have stopped earlier.");
   expect_at_most("residual at the end [m/s]", "Eq. (4.8)", residual(p.rows, p.V), 1e-5,
                  "of the size of the tolerance");
+}
+
+EXERCISE_TEST(ConjugateSolve, HasConvergedInTheLastIterationThatIsAllowed) {
+  std::vector<double> masses(12, 1.0);
+  Problem<3> p = stack(masses, 0.1);
+  take_bounds_off(p);
+  const Problem<3> start = p;
+  const int needed =
+      static_cast<int>(conjugate_solve(p.rows, p.V, {.max_sweeps = 100, .tolerance = 1e-6}).history.size());
+  p = start;
+  const SolveReport report =
+      conjugate_solve(p.rows, p.V, {.max_sweeps = std::max(needed, 1), .tolerance = 1e-6});
+  expect_true(
+      "allowed the " + std::to_string(needed) + " iterations that it took before: converged", "Eq. (4.9)",
+      report.converged,
+      "The stop rule comes after the sweep of an iteration, or its look, and before its step. Not at the "
+      "begin of the next iteration: there may be none.");
+  for (Row<3>& row : p.rows) row.B = 0;
+  set_lambda(p, Eigen::VectorXd::Zero(12));
+  const SolveReport nothing = conjugate_solve(p.rows, p.V, {.max_sweeps = 100, .tolerance = 0});
+  expect_true("rows that lack nothing, tolerance 0: converged in one iteration", "Eq. (4.9)",
+              nothing.converged && nothing.history.size() == 1,
+              "At most the tolerance is <=, and 0 counts, too.");
 }
 
 EXERCISE_TEST(ConjugateSolve, StopsAtMaxIterations) {

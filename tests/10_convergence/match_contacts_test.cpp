@@ -82,6 +82,16 @@ EXERCISE_TEST(MatchContacts, KnowsNewOnesAndForgetsLostOnes) {
                  "An index into the old ones for the first and the last, -1 for the others.");
 }
 
+EXERCISE_TEST(MatchContacts, TakesThePairInItsOrder) {
+  const std::vector<OldContact> old = {{5, 2, Vec3(0, 0, 0)}, {2, 5, Vec3(0.2, 0, 0)}};
+  expect_matches(
+      "a contact of bodies 2 and 5; the nearest old one is of 5 and 2, another of 2 and 5",
+      match_contacts({contact(2, 5, Vec3(0, 0, 0))}, old, 1), {1},
+      {{as_eigen(std::vector<int>{0}),
+        "The pair (5, 2) is not (2, 5): its point is relative to the other body, and so is its impulse."}},
+      "The same pair (i, j), in this order.");
+}
+
 EXERCISE_TEST(MatchContacts, GivesEachOldOneToTheNearest) {
   const std::vector<OldContact> old = {{0, 1, Vec3(0, 0, 0)}};
   const std::vector<Contact> far_first = {contact(0, 1, Vec3(0.2, 0, 0)), contact(0, 1, Vec3(0.1, 0, 0))};

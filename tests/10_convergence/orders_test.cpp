@@ -52,7 +52,8 @@ EXERCISE_TEST(OrderAlong, KeepsEqualHeightsInOrder) {
     if (k % 3 != 0) expected.push_back(k);
   expect_order_of(
       "60 rows at two heights", order_along(heights), expected, {},
-      "Equal heights stay in order (the three rows of a contact belong together): std::stable_sort.");
+      "Equal heights stay in order (the three rows of a contact belong together): std::stable_sort, and a "
+      "comparison that is false for equals: <, not <=.");
 }
 
 EXERCISE_TEST(OrderAlong, PutsANaNLast) {
@@ -61,6 +62,11 @@ EXERCISE_TEST(OrderAlong, PutsANaNLast) {
       "the order of heights 2, NaN, 1, NaN, 3, 0", order_along({2, nan, 1, nan, 3, 0}), {5, 2, 0, 4, 1, 3}, {},
       "Every comparison with NaN is false, and a sort by < alone leaves the others unsorted around it. "
       "Compare so that a NaN is above every number.");
+  expect_order_of("the order of heights NaN, ∞, 1, -∞", order_along({nan, infinity, 1, -infinity}),
+                  {3, 2, 1, 0},
+                  {{as_eigen(std::vector<int>{3, 2, 0, 1}),
+                    "A NaN is higher than any, ∞ as well: it is not to be taken for ∞."}},
+                  "A NaN is higher than any.");
   expect_true("no rows have an empty order", "Eq. (10.3)", order_along({}).empty());
 }
 
@@ -83,7 +89,9 @@ EXERCISE_TEST(RandomOrder, MakesEveryOrderAsLikely) {
               static_cast<double>(seen.size()), orders, {0, "each has 1,000 draws to be expected"},
               {{6, "Six: those that go round through all. An element must also be able to stay where it is."},
                {4, "Four: a random start, and then round in order."},
-               {1, "Always the same: the generator has not been used, or begins anew in each call."}});
+               {12, "Twelve, one half: the last exchange, between two that are left, is missing."},
+               {1, "Always the same: the generator has not been used, or begins anew in each call."}},
+              "Some never come up: every place has to be open to every index that is not placed yet.");
   double chi2 = 0;
   const double expected = static_cast<double>(draws) / orders;
   for (const auto& [order, count] : seen) chi2 += (count - expected) * (count - expected) / expected;

@@ -64,6 +64,14 @@ EXERCISE_TEST(ObservedRate, FindsTheRateOfAStack) {
               {1e-9, "the history's roundings over its smallest entry"});
 }
 
+EXERCISE_TEST(ObservedRate, AsksNothingOfTheOthers) {
+  // Six entries: the third and the last count.
+  for (const double other : {0.0, -1.0, std::nan("")})
+    expect_near("rate of six entries, of which those that do not count are " + show(other), "Eq. (10.5)",
+                observed_rate({other, other, 0.8, other, other, 0.1}), 0.5, roundings(8), {},
+                "Only e_m and e_n have to be positive: the others have no part in it.");
+}
+
 EXERCISE_TEST(ObservedRate, IsNoNumberWithoutTwoThatArePositive) {
   const double nan = std::nan("");
   const std::string short_one = "Fewer than two entries have no rate: NaN.";

@@ -90,13 +90,17 @@ EXERCISE_TEST(WarmStart, KeepsANaN) {
 EXERCISE_TEST(WarmStart, WantsOneImpulseARow) {
   Problem<3> p = stack({1, 1}, 0.1);
   warm_start({1, 1}, p.rows, p.V);
-  expect_rejects("one impulse for two rows", "impulses", [&] { warm_start({1}, p.rows, p.V); });
+  const std::string other_rows =
+      "Too many are as wrong as too few: they belong to other rows. Compare the sizes before anything else.";
+  // Too many first: without any check too few end beyond the list, and with it the program.
   expect_rejects(
       "three impulses for two rows", "impulses",
       [&] {
         warm_start({1, 1, 1}, p.rows, p.V);
       },
-      "Too many are as wrong as too few: they belong to other rows.");
+      other_rows);
+  expect_rejects(
+      "one impulse for two rows", "impulses", [&] { warm_start({1}, p.rows, p.V); }, other_rows);
   std::vector<Row<3>> none;
   warm_start({}, none, p.V);
   expect_near("V of a warm start without rows [m/s]", "Eq. (10.2)", flat(p.V).norm(), 0, {0, "exact"}, {},
