@@ -35,7 +35,8 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 using Vector = Eigen::VectorXd;
 
 /// Exercise 11.1. S as its lower triangle, diagonal included [1/kg]: Eq. (11.1); notes (16). Entry (k, l) belongs
-/// to rows[k] and rows[l]. Rows that share no body that moves have no entry.
+/// to rows[k] and rows[l]. Rows that share no body that moves have no entry. It takes as long as there are entries,
+/// not as there are pairs of rows.
 template <int Dof>
 SparseMatrix schur_complement(const std::vector<Row<Dof>>& rows);
 
@@ -53,8 +54,8 @@ struct Factors {
 };
 
 /// Exercise 11.3. Factorises a symmetric matrix, given as its lower triangle, compressed: Eq. (11.3). P and the
-/// pattern of L are looked for only when A has its entries elsewhere than the last one had. Returns false for a
-/// pivot that is not sound, Eq. (11.4), or not finite; the factors are then of no use.
+/// pattern of L are looked for only when A has its entries elsewhere than the last one had; an entry of 0 is one.
+/// Returns false for a pivot that is not sound, Eq. (11.4), or not finite; the factors are then of no use.
 bool factorise(const SparseMatrix& A, Factors& factors);
 
 /// Exercise 11.4. Solves rows as if they had no bounds, by the saddle point, Eq. (11.2): λ into the rows, V into
@@ -98,15 +99,16 @@ inline double roundings(const SparseMatrix& S, const Vector& B, const Vector& la
 /// large the impulses are, or zero; on return the best that was found, within the bounds. The history has the
 /// residual after each factorisation, of which there are at most stop.max_sweeps. Where they do not suffice, or one
 /// fails, it has not converged and `trouble` says why. With no rows: no factorisation, converged. Throws as solve
-/// does.
+/// does, rows or not.
 SolveReport interior_solve(const SparseMatrix& S, const Vector& B, const Vector& lo, const Vector& hi,
                            const StopRule& stop, Vector& lambda, Factors& factors);
 
 /// Exercise 11.9. Solves S λ = B within the bounds of the rows, from scratch: λ into the rows, V into `V`. First as
 /// if there were no bounds, refined by Eq. (11.13) if that keeps them all: where that solution, clamped, solves
 /// them, one factorisation does. Else by interior_solve. Should that have trouble, chapter 04's solve goes on from
-/// there under the same rule, and `trouble` says so. A row with lo = hi has that λ. The history has the residual of
-/// Eq. (4.8) after each factorisation [m/s], and what each sweep returned. Throws as solve does.
+/// there, and `trouble` says so. Each of the two has the rule to itself: stop.max_sweeps factorisations, and as
+/// many sweeps. A row with lo = hi has that λ. The history has the residual of Eq. (4.8) after each factorisation
+/// [m/s], and what each sweep returned. Throws as solve does.
 template <int Dof>
 SolveReport direct_solve(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V, const StopRule& stop,
                          Factors& factors);

@@ -48,7 +48,8 @@ EXERCISE_TEST(BarrierMatrix, LeavesRowsWithoutBounds) {
   p.now.push_lo.setZero(), p.now.push_hi.setZero();
   const SparseMatrix S = lower_triangle(p.S);
   const MatrixXd change = MatrixXd(barrier_matrix(S, p.now)) - MatrixXd(S);
-  expect_near("|S̃ - S| without any bound", "Eq. (11.7)", change.norm(), 0, {0, "0/∞ is 0"});
+  expect_near("|S̃ - S| without any bound", "Eq. (11.7)", change.norm(), 0, {0, "0/∞ is 0"}, {},
+              "Only the diagonal changes, and without bounds not even that: S̃ is a lower triangle, as S is.");
 }
 
 EXERCISE_TEST(BarrierMatrix, KeepsThePatternAndTheRest) {
@@ -63,6 +64,15 @@ EXERCISE_TEST(BarrierMatrix, KeepsThePatternAndTheRest) {
   off.diagonal().setZero();
   expect_near("change off the diagonal [1/kg]", "Eq. (11.7)", off.norm(), 0, {0, "exact"}, {},
               "A bound belongs to one row.");
+  // Rows that share a body, with G at right angles to each other: an entry that happens to be 0.
+  Inside two = random_inside(random, 2);
+  SparseMatrix zero(2, 2);
+  zero.insert(0, 0) = zero.insert(1, 1) = 1;
+  zero.insert(1, 0) = 0;
+  zero.makeCompressed();
+  expect_near("entries of S̃ when one of the three of S is 0", "Eq. (11.7)",
+              static_cast<double>(barrier_matrix(zero, two.now).nonZeros()), 3, {0, "as many as S has"}, {},
+              "An entry that is 0 is part of the pattern: without it `factorise` has to look again.");
 }
 
 EXERCISE_TEST(BarrierMatrix, IsAsStiffAsThePushIsSteep) {
