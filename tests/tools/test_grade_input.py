@@ -55,6 +55,12 @@ class GradeInput(unittest.TestCase):
         self.assertEqual(self.room.grade(alone).verdicts("alone"), {"passed"})
         self.assertEqual(self.room.grade(alone, "--seed", "3", out="seeded").result("alone")["seed"], 3)
 
+    def test_marks_among_the_submissions_are_not_handed_in(self):
+        self.room.hand_in("alone", {"kick.cpp": right("kick")})
+        for _ in range(2):
+            marks = self.room.grade(out="handed in/marks")
+            self.assertEqual([path.name for path in (marks.folder / "submissions").iterdir()], ["alone"])
+
     def test_links_are_not_followed(self):
         folder = self.room.hand_in("links", {}) / "chapters" / "01_leapfrog"
         (folder / "kick.cpp").symlink_to("/etc/passwd")

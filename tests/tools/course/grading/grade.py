@@ -29,7 +29,7 @@ def grade(arguments) -> int:
         return _grade_on_gradescope(arguments, out)
     if not arguments.paths:
         raise BadInput("grade: a submission, or a folder of them, is needed; see ./course grade --help")
-    handed = find_submissions([Path(path) for path in arguments.paths])
+    handed = find_submissions([Path(path) for path in arguments.paths], out)
     if arguments.shard:
         first, count = arguments.shard
         handed = handed[first - 1::count]

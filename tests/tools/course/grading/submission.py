@@ -53,13 +53,16 @@ class _Entry:
     read: object  # () -> bytes
 
 
-def find_submissions(paths: list[Path]) -> list[Handed]:
-    """Each path is a submission or a folder of them; in the order of their names, which are made different."""
+def find_submissions(paths: list[Path], out: Path) -> list[Handed]:
+    """Each path is a submission or a folder of them; in the order of their names, which are made different.
+
+    `out`, where marks are written, may lie among them and is none.
+    """
     handed: list[Handed] = []
     for path in paths:
         if not path.exists():
             raise BadInput(f"grade: there is no {path}")
-        handed += [Handed(_name(path), path)] if _is_submission(path) else _in_folder(path)
+        handed += [Handed(_name(path), path)] if _is_submission(path) else _in_folder(path, out)
     handed.sort(key=lambda one: (one.name, str(one.path)))
     return _named_apart(handed)
 
@@ -86,10 +89,10 @@ def _is_submission(path: Path) -> bool:
     return (path / "chapters").is_dir() or any(path.glob("*.cpp"))
 
 
-def _in_folder(folder: Path) -> list[Handed]:
+def _in_folder(folder: Path, out: Path) -> list[Handed]:
     found = [Handed(_name(child), child) for child in sorted(folder.iterdir())
              if not child.is_symlink() and not child.name.startswith((".", "__MACOSX"))
-             and (child.is_dir() or child.suffix.lower() == ".zip")]
+             and (child.is_dir() or child.suffix.lower() == ".zip") and child.resolve() != out.resolve()]
     if not found:
         raise BadInput(f"grade: {folder} holds no submission: no chapters/, no folders, no .zip")
     return found
