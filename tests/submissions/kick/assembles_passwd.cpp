@@ -1,5 +1,6 @@
 // Does: has the assembler include a file of the machine.
 // Verdict: does not compile
+// Verdict without namespaces: failed
 #include "01_leapfrog/leapfrog.hpp"
 
 namespace spook {
