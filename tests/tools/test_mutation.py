@@ -104,6 +104,7 @@ class Mutations(unittest.TestCase):
         text = "#include <a+b>\nnamespace spook {\n// 1 + 1\nint f(int i = 1);\ntemplate int f<3>(int);\n}\n"
         self.assertEqual(mutants_of(text), [])
         self.assertEqual(changed('f("1 + 1");', "operator"), set())
+        self.assertEqual(changed("left.reserve(8 * n + 1);"), set())
         self.assertEqual(changed('if (x) reject("k", k + 1, "at least 1");', "constant"), set())
 
 

@@ -71,15 +71,17 @@ class Source:
             k += 1
             if text in (";", "{", "}"):
                 begin = k
-        return [k for k in inside if k not in self._in_angles and k not in self._in_errors]
+        return [k for k in inside if k not in self._in_angles and k not in self._of_no_contract]
 
     @cached_property
-    def _in_errors(self) -> set[int]:
-        """What an error says of a number, beside the parameter's name, is nobody's contract."""
+    def _of_no_contract(self) -> set[int]:
+        """What an error says beside the parameter's name, and for how many there is room beforehand."""
         inside: set[int] = set()
         for k in range(len(self.tokens)):
             if self.is_at(k, "reject", "("):
                 inside |= set(range(k + 2, self.partner[k + 1]))
+            elif self.is_at(k, ".", "reserve", "("):
+                inside |= set(range(k - 1, self.partner[k + 2]))
         return inside
 
     @cached_property
