@@ -108,6 +108,21 @@ EXERCISE_TEST(StiffSolve, WithoutSpringsIsTheSaddlePoint) {
                              {1e-10, "roundings times a condition of up to 1e5"});
 }
 
+EXERCISE_TEST(StiffSolve, KnowsNoBounds) {
+  Random random;
+  for (int repeat = 0; repeat < 5; ++repeat) {
+    Springs s = random_springs(random, 6, 1, 2);
+    const Answer free = solved(s);
+    for (Row<3>& row : s.rows) row.lo = -1e-9, row.hi = 1e-9;  // less than any of them needs
+    const Answer bounded = solved(s);
+    expect_near_vector("λ of rows with bounds, against the same rows without [N s]", "Eq. (12.6)",
+                       bounded.lambda, free.lambda, {0, "the same numbers"},
+                       {{free.lambda.cwiseMax(-1e-9).cwiseMin(1e-9),
+                         "It is clamped, and V, found with the others, does not belong to it."}},
+                       "It solves rows as if they had no bounds.");
+  }
+}
+
 EXERCISE_TEST(StiffSolve, KeepsMomentum) {
   Random random;
   for (int repeat = 0; repeat < 10 && !::testing::Test::HasFailure(); ++repeat) {
