@@ -1,7 +1,7 @@
 // Both broad phases: against all pairs, on random scenes of every kind, and against the time that all pairs take.
 #include <algorithm>
-#include <ctime>
 
+#include "processor_time.hpp"
 #include "shapes.hpp"
 
 using namespace spook;
@@ -204,25 +204,14 @@ std::vector<spook::Bounds> crowd(Random& random, int count) {
   return bounds;
 }
 
-/// The shortest of a few times [s], of the processor: whatever else the machine does has no part in it.
-double seconds(int repeats, const std::function<void()>& work) {
-  double least = infinity;
-  for (int repeat = 0; repeat < repeats; ++repeat) {
-    const std::clock_t start = std::clock();
-    work();
-    least = std::min(least, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
-  }
-  return least;
-}
-
 /// Not how long it takes, but that it is another kind of method: with so many bodies all pairs take ten times as long.
 void expect_faster(BroadPhase find, const std::string& equation, const std::string& scene,
                    const std::vector<spook::Bounds>& bounds, const std::string& clue) {
   std::vector<Pair> got, want;
   got = find(bounds);
-  const double all = seconds(2, [&] { want = all_pairs(bounds); });
+  const double all = least_seconds(2, [&] { want = all_pairs(bounds); });
   if (!expect_all(equation, scene, bounds, got, want)) return;
-  const double mine = seconds(3, [&] { got = find(bounds); });
+  const double mine = least_seconds(3, [&] { got = find(bounds); });
   expect_at_most("time for " + std::to_string(bounds.size()) + " bounds, " + scene + ", over that of all pairs",
                  equation, mine / all, 0.25, "a quarter; ours takes less than a tenth", clue);
 }

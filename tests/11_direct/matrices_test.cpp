@@ -1,8 +1,8 @@
 // What is written down: S, and the saddle point that it comes from.
-#include <ctime>
 #include <functional>
 
 #include "exercise_test.hpp"
+#include "processor_time.hpp"
 #include "systems.hpp"
 
 using namespace spook;
@@ -103,29 +103,18 @@ EXERCISE_TEST(SchurComplement, OfAWireHasTwoEntriesALink) {
   }
 }
 
-/// The shortest of three times [s], of the processor.
-double seconds(const std::function<void()>& work) {
-  double least = infinity;
-  for (int repeat = 0; repeat < 3; ++repeat) {
-    const std::clock_t start = std::clock();
-    work();
-    least = std::min(least, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
-  }
-  return least;
-}
-
 // Not how long it takes, but that it does not look at all pairs.
 EXERCISE_TEST(SchurComplement, DoesNotCompareAllPairs) {
   const System<3> wire = HangingWire{.links = 3000, .ratio = 10, .k = 1e6, .h = 0.01}.system();
   int meet = 0;
-  const double all = seconds([&] {
+  const double all = least_seconds(3, [&] {
     meet = 0;
     for (const Row<3>& a : wire.rows)
       for (const Row<3>& b : wire.rows) meet += a.i == b.i || a.i == b.j || a.j == b.i || a.j == b.j;
   });
   expect_near("pairs that meet in a wire of 3,000 links, each seen twice and with itself", "Eq. (11.1)", meet,
               3 * 3000 - 2, {0, "a count"});
-  const double mine = seconds([&] { schur_complement(wire.rows); });
+  const double mine = least_seconds(3, [&] { schur_complement(wire.rows); });
   expect_at_most("time for a wire of 3,000 links, over that of comparing all pairs of its rows", "Eq. (11.1)",
                  mine / all, 0.25, "a quarter; a list of the rows of each body takes less than a tenth",
                  "All pairs are compared, or something as long. Make a list of the rows of each body first.");

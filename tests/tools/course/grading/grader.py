@@ -113,7 +113,8 @@ class Grader:
     def _grade_reference(self) -> None:
         """A test that the reference fails, here and with this seed, would fail everyone."""
         sources = {exercise.function: Source(str(exercise.reference.relative_to(SOLUTIONS.parent)),
-                                             exercise.reference.read_bytes()) for exercise in self.exercises}
+                                             exercise.reference.read_bytes(), is_reference=True)
+                   for exercise in self.exercises}
         bar = Bar("trying the tests on the reference", len(self.exercises))
         with ThreadPoolExecutor(self._jobs) as pool:
             for tests in pool.map(lambda exercise: self._reference_tests(exercise, sources[exercise.function]),

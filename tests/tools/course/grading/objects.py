@@ -49,8 +49,11 @@ def make(exercise: Exercise, source: Source, workshop: Workshop, isolation: Isol
     (compiling / file).write_bytes(source.content)
     user.own(compiling)
 
-    command = workshop.compile_command(str(file), "student.o")
-    ended = isolation.run(command, _COMPILING, user, (workshop.headers,), (compiling,), compiling)
+    command, reads = workshop.compile_command(str(file), "student.o"), [workshop.headers]
+    if source.is_reference:
+        command.append(f"-I{workshop.reference_headers}")
+        reads.append(workshop.reference_headers)
+    ended = isolation.run(command, _COMPILING, user, tuple(reads), (compiling,), compiling)
     if ended.code != 0:
         stopped = "the compiler was stopped by a limit on its time, memory or output\n" if (
             ended.timed_out or ended.too_much or ended.code in (-9, 137, -24, 152)

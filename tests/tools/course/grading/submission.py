@@ -28,6 +28,7 @@ class Source:
     content: bytes = b""
     problem: str = ""
     is_link: bool = False
+    is_reference: bool = False
 
 
 @dataclass

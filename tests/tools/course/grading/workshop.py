@@ -54,8 +54,10 @@ class Workshop:
         self.root = Path(self._folder.name).resolve()
         self.root.chmod(0o711)  # a worker's folder can be reached by its name, and no other be listed
         self.headers, self.answers = self.root / "headers", self.root / "answers"
-        self.headers.mkdir()
         self.answers.mkdir(mode=0o700)
+        self.reference_headers = self.root / "reference"  # which its own helpers have, and no submission sees
+        _copy_headers(CHAPTERS, self.headers / "chapters")
+        _copy_headers(SOLUTIONS, self.reference_headers)
         build_tests(chapters)
         self._flags = self._stage_headers(chapters[0].exercises[0])
         self._links = {chapter.folder: self._stage_link(chapter, hidden) for chapter in chapters}
@@ -92,11 +94,7 @@ class Workshop:
         user.release()
 
     def _stage_headers(self, example: Exercise) -> list[str]:
-        """Copies what a student's file may include, and returns the compiler's command without the file."""
-        for header in CHAPTERS.glob("*/*.hpp"):
-            copy = self.headers / "chapters" / header.relative_to(CHAPTERS)
-            copy.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copyfile(header, copy)
+        """Adds the precompiled header, and returns the compiler's command without the file."""
         flags, words = [], iter(_compile_command(f"chapters/{example.folder}/{example.function}.cpp"))
         for word in words:
             if word in ("-o", "-c"):
@@ -105,7 +103,9 @@ class Workshop:
                 flags += ["-include", str(self._stage_precompiled(Path(next(words))))]
             elif not word.startswith("-I"):
                 flags.append(word)
-        return [*flags, f"-I{self.headers / 'chapters'}"]
+        # Unique symbols, as GCC makes of the library's static tables, would stay global whatever objcopy is told.
+        unique = ["-fno-gnu-unique"] if "clang" not in Path(flags[0]).name else []
+        return [*flags, *unique, f"-I{self.headers / 'chapters'}"]
 
     def _stage_precompiled(self, header: Path) -> Path:
         for name in (header, header.with_name(header.name + ".gch")):
@@ -189,6 +189,13 @@ def _fingerprint_of_sources(chapters: list[Chapter], hidden: Path | None) -> str
             _add_files(total, "hidden", (hidden / chapter.folder).glob("*.[ch]pp"))
     _add_files(total, "support", (ROOT / "tests" / "support").iterdir())
     return total.hexdigest()
+
+
+def _copy_headers(folder: Path, to: Path) -> None:
+    for header in folder.glob("*/*.hpp"):
+        copy = to / header.relative_to(folder)
+        copy.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(header, copy)
 
 
 def _listed(program: Path) -> list[str]:
