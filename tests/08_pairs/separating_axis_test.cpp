@@ -256,6 +256,42 @@ EXERCISE_TEST(SeparatingAxis, TakesTheFirstOfFacesThatAreAlike) {
   }
 }
 
+EXERCISE_TEST(SeparatingAxis, TouchingIsNotApart) {
+  // A gap of exactly 0: it parts nothing, and needs its margin as any other.
+  const Box cube{.body = 0, .x = Vec3::Zero(), .axes = Mat3::Identity(), .half_sides = Vec3(1, 1, 1)};
+  for (const auto& [x, face] : {std::pair(Vec3(0, 0, 2), 2), std::pair(Vec3(2 - 1e-9, 2, 0), 0)}) {
+    Box other = cube;
+    other.body = 1;
+    other.x = x;
+    given() = "given two cubes of 2 m with straight sides, the second at " + show(x) + " from the first";
+    const auto got = separating_axis(cube, other);
+    if (!expect_sound(got, cube, other)) return;
+    expect_true(
+        "face_i = " + std::to_string(got.face_i) + ": face " + std::to_string(face) + " of i is taken",
+        "Eq. (8.7)", got.face_i == face,
+        "Only a gap above 0 parts them. With a gap of 0 the others are alike, to a millionth, and not better.");
+    if (::testing::Test::HasFailure()) return;
+  }
+}
+
+EXERCISE_TEST(SeparatingAxis, MeasuresItsMarginsByTheThinnestSide) {
+  // A sheet of 2 micrometres, and a cube at its edge, less deep in its face than in its edge: by half a micrometre.
+  const Box sheet{.body = 0, .x = Vec3::Zero(), .axes = Mat3::Identity(), .half_sides = Vec3(1, 1, 1e-6)};
+  const Box cube{.body = 1, .x = Vec3(2 - 8e-7, 0, 1 + 7e-7), .axes = sheet.axes, .half_sides = Vec3(1, 1, 1)};
+  for (const auto& [i, j] : {std::pair(sheet, cube), std::pair(cube, sheet)}) {
+    const auto got = separating_axis(i, j);
+    given() = describe_both(i, j);
+    if (!expect_sound(got, i, j)) return;
+    expect_near(
+        "g [m]", "Eq. (8.7)", got.gap, -3e-7, {1e-14, "roundings of the cube's side"},
+        {{-8e-7,
+          "This is along x. Half a micrometre is more than a millionth of the smallest half side of the "
+          "two boxes: of the cube it would be less."}},
+        "They overlap by 0.3 micrometres along z, and by more along x.");
+    if (::testing::Test::HasFailure()) return;
+  }
+}
+
 EXERCISE_TEST(SeparatingAxis, MeetsEdgesThatAreNearlyParallel) {
   // Two rails on their edges, one upon the other at a small angle: only the cross product says how deep they are.
   for (const double angle : {1e-2, 1e-3, 1e-4}) {
