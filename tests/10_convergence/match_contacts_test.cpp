@@ -108,6 +108,18 @@ EXERCISE_TEST(MatchContacts, GivesEachOldOneToTheNearest) {
                  "The nearer gets it; the other is new.");
 }
 
+EXERCISE_TEST(MatchContacts, TakesTheNearestOfTwo) {
+  const std::vector<OldContact> old = {{0, 1, Vec3(0, 0, 0)}, {0, 1, Vec3(0.3, 0, 0)}};
+  const std::vector<OldContact> turned = {old[1], old[0]};
+  const std::vector<Contact> one = {contact(0, 1, Vec3(0.1, 0, 0))};
+  const std::string has_one =
+      "The contact has the nearer one already, of index 0: what is farther does not replace it.";
+  expect_matches("one contact, and two old ones within reach, the nearer first", match_contacts(one, old, 0.5),
+                 {0}, {}, has_one);
+  expect_matches("one contact, and two old ones within reach, the farther first",
+                 match_contacts(one, turned, 0.5), {1}, {}, "The nearer of the two.");
+}
+
 EXERCISE_TEST(MatchContacts, LeavesTheNextBestToTheLoser) {
   const std::vector<OldContact> old = {{0, 1, Vec3(0, 0, 0)}, {0, 1, Vec3(0.6, 0, 0)}};
   const std::vector<Contact> contacts = {contact(0, 1, Vec3(0.2, 0, 0)), contact(0, 1, Vec3(0.1, 0, 0))};
