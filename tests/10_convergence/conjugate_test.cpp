@@ -297,6 +297,16 @@ EXERCISE_TEST(ConjugateSolve, SweepsWhenABoundWasMetOrLacksMost) {
     Problem<6> once = start, twice = start;
     conjugate_solve(once.rows, once.V, {.max_sweeps = 1, .tolerance = 0});
     const SolveReport report = conjugate_solve(twice.rows, twice.V, {.max_sweeps = 2, .tolerance = 0});
+    const Eigen::VectorXd lo = gathered(start.rows, &Row<6>::lo), hi = gathered(start.rows, &Row<6>::hi);
+    const Eigen::VectorXd from = lambdas(swept), d = aim.cwiseMax(lo).cwiseMin(hi) - from;
+    const double t = d.isZero(0) ? 0 : std::clamp(d.dot(r) / d.dot(S * d), 0.0, 1.0);
+    expect_near_vector("λ after the first iteration, whose step is " +
+                           std::string(projected ? "projected" : "whole") + " [N s]",
+                       "Eq. (10.8)", lambdas(once), projected ? Eigen::VectorXd(from + t * d) : aim,
+                       roundings(1000, 10),
+                       {{from, "This is what the sweep left: there was no step."},
+                        {from + d, "This is the whole way to the projected point, and not the part t of it."}},
+                       "d leads to the projected point; go the part t = d·r/d·Sd of it, within [0, 1].");
     double of_free = 0, of_others = 0;
     for (const Row<6>& row : once.rows) {
       const double lacks = residual(std::vector<Row<6>>{row}, once.V);
