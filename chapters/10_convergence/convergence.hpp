@@ -32,9 +32,9 @@ struct OldContact {
 };
 
 /// Exercise 10.1. For each contact the index of the old one that it continues, or -1: Eq. (10.1). They are of the
-/// same pair (i, j), in this order, and their points at most `reach` [m] apart. Of all that could be joined, the two that are
-/// nearest to each other come first, then the nearest two of those that are left, and so on: no old contact is
-/// continued twice.
+/// same pair (i, j), in this order, and their points at most `reach` [m] apart. Of all that could be joined, the two
+/// that are nearest to each other come first, then the nearest two of those that are left, and so on: no old contact
+/// is continued twice.
 std::vector<int> match_contacts(const std::vector<Contact>& contacts, const std::vector<OldContact>& old,
                                 double reach);
 

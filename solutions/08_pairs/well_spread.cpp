@@ -44,21 +44,19 @@ std::vector<Seen> around_the_mean(const std::vector<Contact>& contacts, const Ve
   return ring;
 }
 
-/// Twice the areas of triangles between the mean and two of a ring, positive where the second is to the left.
+/// Areas of what lies around the mean, in order.
 struct Area {
   const std::vector<Seen>& ring;
   Vec3 n = ring.front().contact->n;
 
+  /// Twice that of the triangle with the mean, positive where the second is to the left of the first.
   double between(std::size_t a, std::size_t b) const {
     return n.dot(ring[a].from_mean.cross(ring[b].from_mean));
   }
-  double of(std::size_t a, std::size_t b, std::size_t c) const {
-    return between(a, b) + between(b, c) + between(c, a);
-  }
 
-  /// Of all that is between four, which are in order; one of them may be within the other three.
+  /// Twice that of four which surround the mean: Eq. (8.10).
   double of(std::size_t a, std::size_t b, std::size_t c, std::size_t d) const {
-    return std::max({of(a, b, c) + of(a, c, d), of(a, b, c), of(b, c, d), of(c, d, a), of(d, a, b)});
+    return between(a, b) + between(b, c) + between(c, d) + between(d, a);
   }
 
   /// Whether the mean is within four: from there each turns left to the next.
@@ -80,13 +78,13 @@ std::vector<Contact> well_spread(const std::vector<Contact>& contacts) {
 
   const Area area{ring};
   const double square = extent * extent;
-  std::array<std::size_t, 4> best = {0, 1, 2, 3};
+  std::array<std::size_t, 4> best{};
   double largest = -infinity;
   for (std::size_t a = 1; a < ring.size(); ++a)
     for (std::size_t b = a + 1; b < ring.size(); ++b)
       for (std::size_t c = b + 1; c < ring.size(); ++c)
         if (area.surround(0, a, b, c, 1e-12 * square) && area.of(0, a, b, c) > largest + 1e-6 * square) {
-          largest = area.of(0, a, b, c);  // Eq. (8.10)
+          largest = area.of(0, a, b, c);
           best = {0, a, b, c};
         }
   std::vector<Contact> kept;
