@@ -279,7 +279,7 @@ EXERCISE_TEST(SpatialHash, IsNotHeldUpByAGiant) {
 EXERCISE_TEST(SpatialHash, SortsSizesByLevels) {
   Random random;
   std::vector<spook::Bounds> bounds;
-  for (int k = 0; k < 8000; ++k) {
+  for (int k = 0; k < 16000; ++k) {
     // Each level as crowded as the others: a body of size s has its place within 8 s.
     const double size = random.log_uniform(1e-3, 1e3);
     bounds.push_back(around(40 * size * Vec3(1, 1, 1) + 6 * size * random.vector(), Vec3::Constant(size / 2)));
