@@ -288,13 +288,16 @@ EXERCISE_TEST(DirectSolve, SweepsOnWhenStoppedEarly) {
   const SolveReport report = solve_directly(s, {.max_sweeps = 2, .tolerance = 0});
   expect_true("2 factorisations do not suffice, and that is told", "Eq. (11.12)", !report.trouble.empty(),
               "interior_solve says why in its `trouble`: pass it on.");
-  expect_near("entries of the history", "Eq. (4.9)", static_cast<double>(report.history.size()), 5,
-              {0, "one without bounds, two from within, two sweeps"},
-              {{4,
-                "One is missing. Has the try without bounds taken one of those of interior_solve? Each of the "
-                "three has the whole rule to itself."},
-               {3, "The history has that of each of the three: without bounds, from within, sweeps."}},
-              "Chapter 04's solve goes on from there, under the same rule, and its history is added.");
+  expect_near(
+      "entries of the history", "Eq. (4.9)", static_cast<double>(report.history.size()), 5,
+      {0, "one without bounds, two from within, two sweeps"},
+      {{4,
+        "One is missing. Has the try without bounds taken one of those of interior_solve? Each of the "
+        "three has the whole rule to itself."},
+       {3,
+        "Chapter 04's solve goes on from there, and the history has that of each of the three: without bounds, "
+        "from within, sweeps."}},
+      "Chapter 04's solve goes on from there, under the same rule, and its history is added.");
   expect_near("largest difference of V and M⁻¹Gᵀλ [m/s, rad/s]", "Eq. (4.5)",
               difference(s.V, velocities(s.rows, s.V.size())), 0, roundings(200, 5));
 }
