@@ -1,9 +1,11 @@
 """Runs one exercise's tests in a process of their own, with limits, and says what happened."""
 
 import json
+import math
 import os
 import re
 import resource
+import signal
 import subprocess
 import tempfile
 from dataclasses import dataclass, field
@@ -14,6 +16,7 @@ from errors import BadInput
 _MARK = re.compile(r"^\[ *(RUN|OK|FAILED|SKIPPED) *\] (\S+?)(?: \(\d+ ms\))?$")
 _MEMORY = 4 << 30
 _OUTPUT = 64 << 20
+_PATIENCE = 20  # on the clock, for what waits, or is kept waiting by others
 
 
 @dataclass
@@ -62,9 +65,12 @@ def time_limit() -> float:
     return limit
 
 
-def run_tests(program: Path, test_filter: str, seed: int | None = None, *, limit: float | None = None,
+def run_tests(program: Path, test_filter: str, seed: int | None = None, *, processor: float | None = None,
               more: dict[str, str] | None = None) -> Trial:
-    """In an environment without GoogleTest's variables, but with `more`; `limit` stands for time_limit()."""
+    """In an environment without GoogleTest's variables, but with `more`.
+
+    With `processor` seconds given, those count, whatever else the machine does, and time_limit() does not.
+    """
     env = {name: value for name, value in os.environ.items() if not name.startswith("GTEST_")} | (more or {})
     if seed is not None:
         env["SPOOK_SEED"] = str(seed)
@@ -73,12 +79,13 @@ def run_tests(program: Path, test_filter: str, seed: int | None = None, *, limit
         command = [str(program), f"--gtest_filter={test_filter}", f"--gtest_output=json:{report}",
                    "--gtest_color=no"]
         with open(printed, "wb") as out:
-            code, timed_out = _run_limited(command, out, env, folder, limit or time_limit())
+            code, timed_out = _run_limited(command, out, env, folder, processor)
         tests = _read_report(report) if report.exists() else None
         return Trial(tests, code, timed_out, printed.read_text(encoding="utf-8", errors="replace"))
 
 
-def _run_limited(command: list[str], out, env: dict[str, str], folder: str, limit: float) -> tuple[int, bool]:
+def _run_limited(command: list[str], out, env: dict[str, str], folder: str,
+                 processor: float | None) -> tuple[int, bool]:
     process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.STDOUT,
                                env=env, cwd=folder)
     try:
@@ -86,18 +93,21 @@ def _run_limited(command: list[str], out, env: dict[str, str], folder: str, limi
         resource.prlimit(process.pid, resource.RLIMIT_AS, (_MEMORY, _MEMORY))
         resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (_OUTPUT, _OUTPUT))
         resource.prlimit(process.pid, resource.RLIMIT_CORE, (0, 0))
+        if processor:
+            seconds = math.ceil(processor)
+            resource.prlimit(process.pid, resource.RLIMIT_CPU, (seconds, seconds + 1))
     except ProcessLookupError:
         pass  # it has ended already
     timed_out = False
     try:
-        process.wait(limit)
+        process.wait(_PATIENCE * processor if processor else time_limit())
     except subprocess.TimeoutExpired:
         timed_out = True
     finally:
         if process.poll() is None:
             process.kill()
             process.wait()
-    return process.returncode, timed_out
+    return process.returncode, timed_out or process.returncode == -signal.SIGXCPU
 
 
 def _read_report(report: Path) -> list[Test] | None:
