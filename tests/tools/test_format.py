@@ -40,7 +40,8 @@ class Format(unittest.TestCase):
             if b"\0" in content or not content:
                 continue
             with self.subTest(str(name)):
-                self.assertNotIn(b"\t", content, "a tab")
+                if not name.name.endswith("Makefile"):  # whose recipes begin with one
+                    self.assertNotIn(b"\t", content, "a tab")
                 self.assertNotIn(b"\r", content, "a carriage return")
                 self.assertIsNone(re.search(rb"[ ]$", content, re.MULTILINE), "a space at the end of a line")
                 self.assertTrue(content.endswith(b"\n"), "no newline at the end")
