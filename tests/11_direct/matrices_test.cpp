@@ -220,6 +220,24 @@ EXERCISE_TEST(SaddleMatrix, WhatNothingMovesStandsStill) {
                      "With its G there, the identity would be its mass.");
 }
 
+EXERCISE_TEST(SaddleMatrix, OfPointsHasThreeUnknownsForEach) {
+  const System<3> s = HangingWire{.links = 3, .ratio = 7, .k = 1e4, .h = 0.01}.system();
+  const MatrixXd A = full(saddle_matrix(s.rows, s.motion.inverse_mass));
+  expect_near("unknowns of a wire: three for each of 4 points, and 3 rows", "Eq. (11.2)",
+              static_cast<double>(A.rows()), 15, {0, "a count"});
+  if (A.rows() != 15) return;
+  for (int line = 0; line < 12; ++line)
+    for (int column = 0; column <= line; ++column) {
+      const double expected = line != column ? 0 : line >= 9 ? 7 : 1;
+      expect_near(
+          entry(static_cast<std::size_t>(line), static_cast<std::size_t>(column)) +
+              ", of the masses of points [kg]: the first stands still, the last has 7 kg",
+          "Eq. (11.2)", A(line, column), expected, roundings(4, 7),
+          {{1.0 / 7, "This is of M⁻¹; here stands M."}},
+          "M of a point is its mass times the identity, 3 by 3; that of what nothing moves is the identity.");
+    }
+}
+
 EXERCISE_TEST(SaddleMatrix, IsALowerTriangle) {
   Random random;
   const System<6> s = random_system(random, 4, 5);
