@@ -13,24 +13,12 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(TOOLS / "course"))
 
 from errors import CourseError  # noqa: E402
+from files import course_files  # noqa: E402
 from manifest import Exercise, all_exercises  # noqa: E402
 from reset import stub_of  # noqa: E402
 from watching import Watching  # noqa: E402
 
 _IDENTITY = ("-c", "user.name=Sandbox", "-c", "user.email=sandbox@localhost", "-c", "commit.gpgsign=false")
-_NOT_OURS = {".git", "build", ".course"}
-
-
-def course_files() -> list[Path]:
-    """Every file of the course, relative to its root: tracked, or new and not ignored."""
-    listing = subprocess.run(["git", "-C", str(ROOT), "ls-files", "-coz", "--exclude-standard"],
-                             capture_output=True, text=True)
-    if listing.returncode == 0:
-        names = sorted({Path(name) for name in listing.stdout.split("\0") if name})
-    else:  # an archive without history
-        names = sorted(path.relative_to(ROOT) for path in ROOT.rglob("*"))
-        names = [name for name in names if not _NOT_OURS & set(name.parts)]
-    return [name for name in names if (ROOT / name).is_file() and ".cpp.mine-" not in name.name]
 
 
 def our_files() -> list[Path]:

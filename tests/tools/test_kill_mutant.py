@@ -1,6 +1,5 @@
 """kill_mutant.py accepts a failed check that says what was promised, and nothing else."""
 
-import json
 import os
 import subprocess
 import sys

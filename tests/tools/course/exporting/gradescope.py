@@ -4,7 +4,8 @@ import json
 import zipfile
 from pathlib import Path
 
-from exporting.kit import course_files, filled, hidden_files, options
+from exporting.kit import filled, hidden_files, options
+from files import course_files
 from paths import ROOT
 
 _EXECUTABLE = 0o100755 << 16

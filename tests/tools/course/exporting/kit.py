@@ -1,23 +1,11 @@
-"""What every kit holds: the instructor's tree, as it is now, and the words with which its grader is called."""
+"""What the kits share: hidden tests, and the words with which the grader is called."""
 
 import shlex
-import subprocess
 from pathlib import Path
 
-from errors import BadInput, CourseError
-from paths import ROOT
+from errors import BadInput
 
 KITS = Path(__file__).resolve().parent / "kits"
-
-
-def course_files() -> list[Path]:
-    """What git knows of, and what is new and not ignored; relative to the root."""
-    listing = subprocess.run(["git", "-C", str(ROOT), "ls-files", "-coz", "--exclude-standard"],
-                             capture_output=True, text=True)
-    if listing.returncode != 0:
-        raise CourseError(f"git can not list the files of {ROOT}: {listing.stderr.strip()}")
-    return [Path(name) for name in sorted(set(listing.stdout.split("\0")))
-            if name and (ROOT / name).is_file() and ".cpp.mine-" not in name]
 
 
 def hidden_files(arguments) -> list[Path]:
