@@ -15,6 +15,7 @@ from pathlib import Path
 from sandbox import ROOT
 
 from grading.isolation import choose
+from grading.results import said
 
 CORPUS = ROOT / "tests" / "submissions"
 SECONDS_A_TEST = 2  # of processor time: loops are to end soon, and memory to be filled before
@@ -70,12 +71,8 @@ class Marks:
         """Those of an exercise's tests, with their reasons."""
         for exercise in self.result(name)["exercises"]:
             if exercise["function"] == function:
-                return {_said(test) for test in exercise["tests"]}
+                return {said(test) for test in exercise["tests"]}
         raise AssertionError(f"{name} has no result for {function}")
-
-
-def _said(test: dict) -> str:
-    return test["verdict"] + (f": {test['reason']}" if test["reason"] else "")
 
 
 def run_course(*words: str | Path, cwd: Path, **env: str) -> subprocess.CompletedProcess:

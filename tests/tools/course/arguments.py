@@ -3,7 +3,9 @@
 import argparse
 
 from errors import BadInput
-from paths import BUILD, ROOT
+from grading.isolation import NAMES
+from grading.weights import TABLE
+from paths import BUILD
 from pick import near
 
 EPILOG = """\
@@ -21,7 +23,6 @@ Exit codes: 0 fine, 1 a wrong answer or a failure, 2 bad input.
 """
 
 
-ISOLATIONS = ("bubblewrap and a uid", "bubblewrap", "uid", "limits")
 EXPORTS = ("gradescope", "github", "autolab", "junit", "csv", "weights")
 
 
@@ -138,12 +139,12 @@ def _add_grade(command: Parser) -> None:
     command.add_argument("--out", default=str(BUILD / "grades"), metavar="DIR", help="default: build/grades")
     command.add_argument("--seed", type=_seed, metavar="S", help="of random inputs (default: 1); it is recorded")
     command.add_argument("--hidden", metavar="DIR", help="further tests, NN_topic/*.cpp, and a weights.csv of theirs")
-    command.add_argument("--weights", default=str(ROOT / "tests" / "weights.csv"), metavar="FILE",
+    command.add_argument("--weights", default=str(TABLE), metavar="FILE",
                          help="points, titles, hints, visibility (default: tests/weights.csv)")
     command.add_argument("--time-limit", type=_count, default=10, metavar="SECONDS",
                          help="of processor time, for each test (default: 10)")
-    command.add_argument("--isolation", choices=ISOLATIONS, metavar="NAME",
-                         help=f"default: the first that works of {', '.join(ISOLATIONS)}")
+    command.add_argument("--isolation", choices=NAMES, metavar="NAME",
+                         help=f"default: the first that works of {', '.join(NAMES)}")
     command.add_argument("--fresh", action="store_true", help="forget what was judged before")
     command.add_argument("--prepare", action="store_true", help="install what is missing, build, try the reference")
     command.add_argument("--yes", action="store_true", help="install without asking")

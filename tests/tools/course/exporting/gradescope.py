@@ -6,6 +6,7 @@ from pathlib import Path
 
 from exporting.kit import filled, hidden_files, options
 from files import course_files
+from grading.results import said
 from paths import ROOT
 
 _EXECUTABLE = 0o100755 << 16
@@ -44,9 +45,8 @@ def converted(result: dict, output: str = "") -> dict:
 
 
 def _test(exercise: dict, test: dict) -> dict:
-    said = test["verdict"] + (f": {test['reason']}" if test["reason"] else "")
     printed = f"\n\nYour code printed:\n{test['printed']}" if test["printed"] else ""
-    output = "" if test["verdict"] == "passed" else f"{said}\n\n{test['message']}{printed}".strip()
+    output = "" if test["verdict"] == "passed" else f"{said(test)}\n\n{test['message']}{printed}".strip()
     return {"number": exercise["id"], "name": f"{exercise['function']}: {test['title']}", "score": test["score"],
             "max_score": test["max_score"], "status": "passed" if test["verdict"] == "passed" else "failed",
             "output": output, "output_format": "text", "visibility": test["visibility"],

@@ -2,6 +2,7 @@
 
 import xml.etree.ElementTree as ET
 
+from grading.results import said
 from grading.text import clean
 
 
@@ -25,8 +26,7 @@ def _add_suite(root: ET.Element, submission: str, exercise: dict) -> None:
         kind = {"passed": "", "failed": "failure", "not started": "skipped"}.get(test["verdict"], "error")
         if kind:
             counts[kind] += 1
-            said = test["verdict"] + (f": {test['reason']}" if test["reason"] else "")
-            ET.SubElement(case, kind, message=clean(said)).text = clean(test["message"])
+            ET.SubElement(case, kind, message=clean(said(test))).text = clean(test["message"])
     suite.set("tests", str(len(exercise["tests"])))
     for key, count in (("failures", "failure"), ("errors", "error"), ("skipped", "skipped")):
         suite.set(key, str(counts[count]))

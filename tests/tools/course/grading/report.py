@@ -1,5 +1,6 @@
 """report.md: what a student reads. The first failure in full, with its hint; of hidden tests only their number."""
 
+from grading.results import said
 from grading.text import fenced, markdown
 from manifest import Exercise
 
@@ -54,7 +55,7 @@ def _failing(exercise: dict) -> list[dict]:
 def _in_full(exercise: dict, tests: list[dict], exercises: dict[str, Exercise], seed: int) -> str:
     first = tests[0]
     known = exercises[exercise["function"]]
-    lines = [f"### {exercise['id']} {exercise['function']}: {_said(first)}\n"]
+    lines = [f"### {exercise['id']} {exercise['function']}: {said(first)}\n"]
     if first["verdict"] == "failed":
         lines.append(f"{first['title']} (`{first['name']}`).\n")
     lines.append(fenced(first["message"]))
@@ -62,7 +63,7 @@ def _in_full(exercise: dict, tests: list[dict], exercises: dict[str, Exercise], 
         lines += ["Your code printed:\n", fenced("\n".join(first["printed"].splitlines()[:_PRINTED_LINES]))]
     lines.append(f"Hint: {known.hints[int(first['hint'].partition('/')[2]) - 1]}\n")
     alone = len({test["verdict"] for test in tests}) == 1 and first["verdict"] in ("does not compile", "tampered")
-    others = [] if alone else [f"`{test['name']}` ({_said(test)})" for test in tests[1:]]
+    others = [] if alone else [f"`{test['name']}` ({said(test)})" for test in tests[1:]]
     if others:
         lines.append(f"Also: {', '.join(others)}.\n")
     lines.append(f"Try it: `./course check {exercise['id']} --seed {seed}`; "
@@ -71,8 +72,6 @@ def _in_full(exercise: dict, tests: list[dict], exercises: dict[str, Exercise], 
 
 
 def _in_a_line(exercise: dict, tests: list[dict]) -> str:
-    return f"- {exercise['id']} {exercise['function']}: {_said(tests[0])} in `{tests[0]['name']}`\n"
+    return f"- {exercise['id']} {exercise['function']}: {said(tests[0])} in `{tests[0]['name']}`\n"
 
 
-def _said(test: dict) -> str:
-    return f"{test['verdict']}: {test['reason']}" if test["reason"] else test["verdict"]

@@ -69,6 +69,11 @@ def _sum(parts: list[dict], key: str) -> float:
     return round(sum(part[key] for part in parts), 9)
 
 
+def said(test: dict) -> str:
+    """The verdict with its reason, as everyone is told it."""
+    return test["verdict"] + (f": {test['reason']}" if test["reason"] else "")
+
+
 def write_json(file: Path, content: dict) -> None:
     """Whole or not at all."""
     unfinished = file.with_name(file.name + ".part")
