@@ -73,5 +73,3 @@ def _in_full(exercise: dict, tests: list[dict], exercises: dict[str, Exercise], 
 
 def _in_a_line(exercise: dict, tests: list[dict]) -> str:
     return f"- {exercise['id']} {exercise['function']}: {said(tests[0])} in `{tests[0]['name']}`\n"
-
-
