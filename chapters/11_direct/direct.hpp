@@ -15,12 +15,14 @@
 //                      Δz⁻ = (τ⁻ - z⁻ Δλ)/s⁻ - z⁻,  Δz⁺ = (τ⁺ + z⁺ Δλ)/s⁺ - z⁺          Eq. (11.9)   not in the notes
 //   longest step       the largest part of it, up to 1, that keeps s >= 0 and z >= 0    Eq. (11.10)  not in the notes
 //   target             τ = 0 first; then (μ'/μ)³ μ - α Δs Δz, of the first step's Δ     Eq. (11.11)  not in the notes
-//   roundings          1e-13 max |B| + 1e-14 max S_kk |λ_k|: nothing solves better      Eq. (11.12)  not in the notes
-//   refined            S δ = B - G V - Σ λ,  then λ += δ and V += M⁻¹ Gᵀ δ              Eq. (11.13)  not in the notes
+//   start              s z = E for every bound, s = min(√(E/S_kk), (hi - lo)/2)         Eq. (11.12)  not in the notes
+//   roundings          1e-13 max |B| + 1e-14 max S_kk |λ_k|: nothing solves better      Eq. (11.13)  not in the notes
+//   refined            S δ = B - G V - Σ λ,  then λ += δ and V += M⁻¹ Gᵀ δ              Eq. (11.14)  not in the notes
 //
 //   λ   impulses [N s]           M   mass matrix, a block a body      s   room to a bound [N s]
 //   V   their velocity changes   Σ   regularisation [1/kg]            z   push of a bound [m/s]
 //   P   an order with little fill                                     μ   mean of s z; μ' after the part α of a step
+//   E   the largest of B²/S_kk + S_kk (λ₀² + λ₁²), an energy [J]
 //
 // Differs from the notes: its cost for a wire is O(N), not 1/N; and rows that repeat or contradict each other have an
 // answer, too, as soon as Σ > 0.
@@ -88,23 +90,35 @@ Interior newton_step(const SparseMatrix& S, const Vector& B, const Interior& now
 /// Exercise 11.7. How much of a step keeps all rooms and pushes >= 0, at most 1: Eq. (11.10).
 double longest_step(const Interior& now, const Interior& step);
 
-/// What roundings leave of S λ = B, as a velocity [m/s]: Eq. (11.12). Given.
+/// Exercise 11.8. Where to begin: Eq. (11.12). λ₀ is what is nearest to 0 within the bounds, and λ₁ what is nearest to
+/// `guess`, which tells how large the impulses may be and not where they are. The room is that to `lo`; to `hi` where
+/// there is no `lo`. Without bounds λ = 0. Where E is 0 nothing tells a size: then it is 1 J.
+Interior interior_start(const SparseMatrix& S, const Vector& B, const Vector& lo, const Vector& hi,
+                        const Vector& guess);
+
+/// Exercise 11.9. The next point, by two Newton steps with `factors`, those of S̃: Eq. (11.11). The second is taken,
+/// 0.999 of its longest part, or all of it if nothing limits it; and then the smallest of |λ|, s⁻ and s⁺ of each row
+/// sets the other two.
+Interior interior_step(const SparseMatrix& S, const Vector& B, const Vector& lo, const Vector& hi,
+                       const Interior& now, const Factors& factors);
+
+/// What roundings leave of S λ = B, as a velocity [m/s]: Eq. (11.13). Given.
 inline double roundings(const SparseMatrix& S, const Vector& B, const Vector& lambda) {
   return 1e-13 * B.cwiseAbs().maxCoeff() +
          1e-14 * Vector(S.diagonal()).cwiseProduct(lambda).cwiseAbs().maxCoeff();
 }
 
-/// Exercise 11.8. Solves S λ = B within lo and hi, lo < hi, by such steps: Eq. (11.5)-(11.11), until the residual,
-/// Eq. (4.8), is at most `stop.tolerance` or the roundings of Eq. (11.12). On entry `lambda` is a guess of how
-/// large the impulses are, or zero; on return the best that was found, within the bounds. The history has the
-/// residual after each factorisation, of which there are at most stop.max_sweeps. Where they do not suffice, or one
-/// fails, it has not converged and `trouble` says why. With no rows: no factorisation, converged. Throws as solve
-/// does, rows or not.
+/// Exercise 11.10. Solves S λ = B within lo and hi, lo < hi: from interior_start by interior_step, until the residual,
+/// Eq. (4.8), is at most `stop.tolerance` or the roundings of Eq. (11.13). On entry `lambda` is a guess of how
+/// large the impulses are, or zero; on return the best that was found, within the bounds: the guess, clamped, where the
+/// first factorisation fails. The history has the residual after each factorisation, of which there are at most
+/// stop.max_sweeps. Where they do not suffice, or one fails, it has not converged and `trouble` says why. With no
+/// rows: no factorisation, converged. Throws as solve does, rows or not.
 SolveReport interior_solve(const SparseMatrix& S, const Vector& B, const Vector& lo, const Vector& hi,
                            const StopRule& stop, Vector& lambda, Factors& factors);
 
-/// Exercise 11.9. Solves S λ = B within the bounds of the rows, from scratch: λ into the rows, V into `V`. First as
-/// if there were no bounds, refined by Eq. (11.13) if that keeps them all: where that solution, clamped, solves
+/// Exercise 11.11. Solves S λ = B within the bounds of the rows, from scratch: λ into the rows, V into `V`. First as
+/// if there were no bounds, refined by Eq. (11.14) if that keeps them all: where that solution, clamped, solves
 /// them, one factorisation does. Else by interior_solve. Should that have trouble, chapter 04's solve goes on from
 /// there, and `trouble` says so. Each of the two has the rule to itself: stop.max_sweeps factorisations, and as
 /// many sweeps. A row with lo = hi has that λ. The history has the residual of Eq. (4.8) after each factorisation

@@ -7,7 +7,7 @@ template <int Dof>
 SolveReport direct_solve(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V, const StopRule& stop,
                          Factors& factors) {
   // Eq. (11.1), (11.3), (11.5); what goes in and out, and in which units, is in direct.hpp.
-  not_implemented("11.9 direct_solve", rows, V, stop, factors);
+  not_implemented("11.11 direct_solve", rows, V, stop, factors);
 }
 
 // Compiles the template for point masses (3) and for rigid bodies (6): leave these two lines as they are.

@@ -5,8 +5,8 @@ namespace spook {
 
 SolveReport interior_solve(const SparseMatrix& S, const Vector& B, const Vector& lo, const Vector& hi,
                            const StopRule& stop, Vector& lambda, Factors& factors) {
-  // Eq. (11.5)-(11.12); what goes in and out, and in which units, is in direct.hpp.
-  not_implemented("11.8 interior_solve", S, B, lo, hi, stop, lambda, factors);
+  // Eq. (4.8), (11.13); what goes in and out, and in which units, is in direct.hpp.
+  not_implemented("11.10 interior_solve", S, B, lo, hi, stop, lambda, factors);
 }
 
 }  // namespace spook

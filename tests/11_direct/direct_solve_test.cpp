@@ -9,7 +9,7 @@ using namespace spook::testing;
 
 namespace {
 
-EXERCISE(DirectSolve, "11.9 direct_solve");
+EXERCISE(DirectSolve, "11.11 direct_solve");
 
 constexpr StopRule exact{.max_sweeps = 100, .tolerance = 0};
 
@@ -20,7 +20,7 @@ SolveReport solve_directly(System<Dof>& s, const StopRule& stop = exact) {
 }
 
 void expect_solved(const std::string& what, const SolveReport& report) {
-  expect_true(what + ": solved, and without trouble", "Eq. (11.12)", report.converged && report.trouble.empty(),
+  expect_true(what + ": solved, and without trouble", "Eq. (11.13)", report.converged && report.trouble.empty(),
               report.trouble.empty() ? "" : "It reports: " + report.trouble + ".");
 }
 
@@ -70,7 +70,7 @@ EXERCISE_TEST(DirectSolve, StretchesAWireByItsTensions) {
   expect_near("stretch of a wire of 1 m after 200 steps, 1e5:1 [m]", "Eq. (6.9)", -z.back() - 1, right,
               {1e-12, "roundings of 100 positions below 1 m, and a decay of 0.8 a step"}, {},
               "λ of 1e4 N s has roundings that move 1 kg: a last solve for what the rows still lack, which V "
-              "takes up, makes them good, Eq. (11.13).");
+              "takes up, makes them good, Eq. (11.14).");
   expect_near("analyses in 200 steps", "Eq. (11.3)", factors.analyses, 1,
               {0, "the pattern is that of the wire"}, {},
               "The factors are handed in, so that the pattern need not be looked for again.");
@@ -102,7 +102,7 @@ EXERCISE_TEST(DirectSolve, ClosesAStackOfAnyRatio) {
     const std::string what = ", " + show(ratio) + ":1 [m]";
     const Tolerance tolerance{1e-9 * lower, "roundings of the condition, which Σ bounds by 1e8"};
     const std::string clue =
-        "Where no bound is met, a last solve for what the rows lack, Eq. (11.13): V += M⁻¹ Gᵀ δ with δ itself. "
+        "Where no bound is met, a last solve for what the rows lack, Eq. (11.14): V += M⁻¹ Gᵀ δ with δ itself. "
         "Of "
         "(λ + δ) - λ the last digits are gone.";
     expect_near("depth at the floor" + what, "Eq. (3.13)", -gaps[0], lower, tolerance, {}, clue);
@@ -155,7 +155,32 @@ EXERCISE_TEST(DirectSolve, AgreesWithManySweeps) {
     expect_near_vector(
         "λ, against sweeps to 1e-14 m/s [N s]", "Eq. (4.1)", gathered(s.rows, &Row<6>::lambda),
         gathered(swept.rows, &Row<6>::lambda),
-        {1e-11 * condition(dense_S(s.rows)), "the residual of Eq. (11.12) times the condition of S"});
+        {1e-11 * condition(dense_S(s.rows)), "the residual of Eq. (11.13) times the condition of S"});
+  }
+}
+
+EXERCISE_TEST(DirectSolve, IsContentWithWhatIsToleratedClamped) {
+  Random random;
+  for (int repeat = 0; repeat < 10; ++repeat) {
+    System<6> s = random_system(random, 4, 6);
+    const VectorXd free = bounded(s.rows).S.ldlt().solve(bounded(s.rows).B);
+    s.rows[2].hi = free[2] - 1e-5;
+    VectorXd clamped = free;
+    clamped[2] = s.rows[2].hi;
+    System<6> to_roundings = s;
+    const double residual = dense_residual(bounded(s.rows), clamped);
+    const SolveReport report = solve_directly(s, {.max_sweeps = 100, .tolerance = 2 * residual});
+    expect_solved("a row that passes its bound by 1e-5 N s, to twice the residual of that", report);
+    expect_near("factorisations, where the solution without bounds, clamped, will do", "Eq. (4.9)",
+                static_cast<double>(report.history.size()), 1, {0, "a count"});
+    expect_near("λ of the row that passed its bound [N s]", "Eq. (4.1)", s.rows[2].lambda, s.rows[2].hi,
+                {0, "exact"});
+    const SolveReport fine = solve_directly(to_roundings);
+    expect_solved("the same, to roundings", fine);
+    if (fine.history.empty()) return;
+    expect_near("first entry of the history, over the residual of the solution without bounds, clamped",
+                "Eq. (4.8)", fine.history.front() / residual, 1, {1e-6, "roundings of λ over the 1e-5 N s"}, {},
+                "Clamp λ to its bounds, take V from it, and then look.");
   }
 }
 
@@ -286,7 +311,7 @@ EXERCISE_TEST(DirectSolve, SweepsOnWhenStoppedEarly) {
   System<6> s = random_system(random, 12, 30);
   add_random_bounds(random, s.rows);
   const SolveReport report = solve_directly(s, {.max_sweeps = 2, .tolerance = 0});
-  expect_true("2 factorisations do not suffice, and that is told", "Eq. (11.12)", !report.trouble.empty(),
+  expect_true("2 factorisations do not suffice, and that is told", "Eq. (11.13)", !report.trouble.empty(),
               "interior_solve says why in its `trouble`: pass it on.");
   expect_near(
       "entries of the history", "Eq. (4.9)", static_cast<double>(report.history.size()), 5,
@@ -321,7 +346,7 @@ EXERCISE_TEST(DirectSolve, IsNotFooledByHugeImpulses) {
     }
     const SolveReport report = solve_directly(s);
     expect_at_most("residual [m/s]", "Eq. (4.8)", residual(s.rows, s.V), 1e-11, "roundings",
-                   "The roundings of Eq. (11.12) are those of the λ that is returned, within its bounds.");
+                   "The roundings of Eq. (11.13) are those of the λ that is returned, within its bounds.");
     expect_solved("rows that are nearly the same", report);
   }
 }
@@ -334,9 +359,9 @@ EXERCISE_TEST(DirectSolve, EndsWithANaN) {
     s.rows[2].B = std::nan("");
     const SolveReport report = solve_directly(s, {.max_sweeps = 20, .tolerance = 1e-6});
     expect_true(
-        "a right side with a NaN has not converged", "Eq. (11.12)", !report.converged,
+        "a right side with a NaN has not converged", "Eq. (11.13)", !report.converged,
         "std::max, std::min and Eigen's cwiseMax drop a NaN: a bound takes its place. std::clamp keeps it.");
-    expect_true("and is reported", "Eq. (11.12)", !report.trouble.empty());
+    expect_true("and is reported", "Eq. (11.13)", !report.trouble.empty());
   }
 }
 

@@ -124,6 +124,26 @@ EXERCISE_TEST(Factorise, RefusesTheSameRowTwice) {
   }
 }
 
+EXERCISE_TEST(Factorise, WeighsAPivotAgainstWhatItIsMadeOf) {
+  // The second pivot of [a a; a a(1+δ)] is aδ, and what it was subtracted from is a(1+δ) and a.
+  for (const double a : {1.0, -1.0, 1e6, -1e-6})
+    for (const double delta : {1.5e-14, 3e-14}) {
+      MatrixXd A = MatrixXd::Constant(2, 2, a);
+      A(1, 1) += a * delta;
+      Factors factors;
+      const bool sound = factorise(lower_triangle(A), factors);
+      const std::string numbers = show(a) + " times [1 1; 1 1+δ], δ = " + show(delta);
+      if (delta < 2e-14)
+        expect_true(
+            numbers + ", is refused", "Eq. (11.4)", !sound,
+            "The pivot δ is less than 1e-14 (|1 + δ| + |1|): the sum is over all columns before it, the "
+            "first as well, and of what is negative the size counts.");
+      else
+        expect_true(numbers + ", is sound", "Eq. (11.4)", sound,
+                    "The pivot δ is more than 1e-14 (|1 + δ| + |1|).");
+    }
+}
+
 EXERCISE_TEST(Factorise, RefusesASingularSaddlePoint) {
   Random random;
   int refused = 0;

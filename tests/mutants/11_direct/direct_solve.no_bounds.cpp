@@ -51,7 +51,7 @@ void store(const OpenRows<Dof>& open, Vector& lambda, std::vector<Row<Dof>>& row
   for (const Row<Dof>& row : rows) apply_impulse(row, row.lambda, V);
 }
 
-/// V has the roundings of λ/m, and the rows feel them: Eq. (11.13) makes up for it.
+/// V has the roundings of λ/m, and the rows feel them: Eq. (11.14) makes up for it.
 template <int Dof>
 void refine(const OpenRows<Dof>& open, const Factors& factors, std::vector<Row<Dof>>& rows,
             std::vector<Twist<Dof>>& V) {

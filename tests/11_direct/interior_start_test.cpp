@@ -1,0 +1,186 @@
+// Where the interior point method begins: one energy for every bound, and a room that goes with it.
+#include "exercise_test.hpp"
+#include "interior.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(InteriorStart, "11.8 interior_start");
+
+Interior start_of(const Bounded& p, const VectorXd& guess) {
+  return interior_start(lower_triangle(p.S), p.B, p.lo, p.hi, guess);
+}
+
+/// What E of Eq. (11.12) is made of, each the largest of all rows.
+struct Energies {
+  double all = 0, of_B = 0, without_guess = 0, without_least = 0, outside = 0, sum = 0;
+};
+
+Energies energies(const Bounded& p, const VectorXd& guess) {
+  Energies e;
+  for (Eigen::Index k = 0; k < p.B.size(); ++k) {
+    const double S = p.S(k, k), of_B = p.B[k] * p.B[k] / S;
+    const auto of = [&](double lambda) { return S * lambda * lambda; };
+    const double least = of(std::clamp(0.0, p.lo[k], p.hi[k]));
+    const double likely = of(std::clamp(guess[k], p.lo[k], p.hi[k]));
+    e.all = std::max(e.all, of_B + least + likely);
+    e.of_B = std::max(e.of_B, of_B);
+    e.without_guess = std::max(e.without_guess, of_B + least);
+    e.without_least = std::max(e.without_least, of_B + likely);
+    e.outside = std::max(e.outside, of_B + least + of(guess[k]));
+    e.sum += of_B + least + likely;
+  }
+  return e;
+}
+
+bool has_size(const Interior& start, Eigen::Index n) {
+  const bool right = start.lambda.size() == n && start.room_lo.size() == n && start.room_hi.size() == n &&
+                     start.push_lo.size() == n && start.push_hi.size() == n;
+  expect_true("all five vectors have an entry a row", "Eq. (11.12)", right);
+  return right;
+}
+
+/// One row, of which S is 2.
+Bounded one_row(double B, double lo, double hi) {
+  return {.S = MatrixXd::Constant(1, 1, 2),
+          .B = VectorXd::Constant(1, B),
+          .lo = VectorXd::Constant(1, lo),
+          .hi = VectorXd::Constant(1, hi)};
+}
+
+const Tolerance close{1e-12, "roundings of bounds up to 0.5, over rooms of 0.005 and more"};
+
+/// Every number of a start, from Eq. (11.12) and the energy.
+void expect_start(const Bounded& p, const VectorXd& guess) {
+  const Interior start = start_of(p, guess);
+  if (!has_size(start, p.B.size())) return;
+  const Energies e = energies(p, guess);
+  for (Eigen::Index k = 0; k < p.B.size(); ++k) {
+    const std::string what =
+        " of row " + std::to_string(k) + ", lo = " + show(p.lo[k]) + ", hi = " + show(p.hi[k]);
+    const auto expect_energy = [&](const std::string& side, double room, double push) {
+      expect_near(
+          "s z " + side + what + ", over E", "Eq. (11.12)", room * push / e.all, 1, close,
+          {{e.of_B / e.all, "This knows B only: the guess and the bounds may ask for more."},
+           {e.without_guess / e.all, "The guess is forgotten."},
+           {e.without_least / e.all, "The bounds may keep λ from 0, and S λ² is then needed in any case."},
+           {e.outside / e.all, "The guess is outside the bounds: the nearest λ within them counts."},
+           {e.sum / e.all, "The largest of all rows, and not their sum."}},
+          "Every bound begins with the same s z, the largest of all rows' B²/S + S (λ₀² + λ₁²).");
+    };
+    const bool below = std::isfinite(p.lo[k]), above = std::isfinite(p.hi[k]);
+    if (below) expect_energy("below", start.room_lo[k], start.push_lo[k]);
+    if (above) expect_energy("above", start.room_hi[k], start.push_hi[k]);
+
+    const double free = std::sqrt(e.all / p.S(k, k)), half = (p.hi[k] - p.lo[k]) / 2;
+    const double room = std::min(free, half), got = below ? start.room_lo[k] : start.room_hi[k];
+    if (below || above)
+      expect_near(
+          "s" + what + ", over min(√(E/S), (hi - lo)/2)", "Eq. (11.12)", got / room, 1, close,
+          {{free / room, "That is more than half of the way to the other bound."},
+           {half / room, "As much as there is may be far too much: √(E/S) goes with the row."}},
+          "√(E/S) to the lower bound, or to the upper where there is no lower; half the way if that is less.");
+    const double lambda = below ? p.lo[k] + room : above ? p.hi[k] - room : 0;
+    expect_near(
+        "λ" + what + " [N s]", "Eq. (11.5)", start.lambda[k], lambda,
+        {1e-12 * (1 + std::abs(lambda)), "a rounding of a bound and a room"}, {},
+        below || above ? "s⁻ = λ - lo, s⁺ = hi - λ." : "Without bounds it begins at 0, whatever the guess.");
+    if (below && above)
+      expect_near("s⁻ + s⁺" + what + " [N s]", "Eq. (11.5)", start.room_lo[k] + start.room_hi[k], 2 * half,
+                  {1e-12 * (1 + 2 * half), "roundings of the bounds"}, {}, "Together they are hi - lo.");
+    const std::string clue = "Where there is no bound its room is infinite, and it does not push.";
+    if (!below)
+      expect_true("no bound below" + what, "Eq. (11.5)", start.room_lo[k] == infinity && start.push_lo[k] == 0,
+                  clue);
+    if (!above)
+      expect_true("no bound above" + what, "Eq. (11.5)", start.room_hi[k] == infinity && start.push_hi[k] == 0,
+                  clue);
+  }
+}
+
+EXERCISE_TEST(InteriorStart, GivesEveryBoundTheSameEnergy) {
+  Random random;
+  for (int repeat = 0; repeat < 10; ++repeat) {
+    System<6> s = random_system(random, 4, 12);
+    add_random_bounds(random, s.rows);
+    // In turn B, the guess and the bounds tell the size.
+    const double size = repeat % 3 == 1 ? 10 : 1e-3;
+    const Bounded p = bounded(s.rows);
+    const VectorXd guess = VectorXd::NullaryExpr(12, [&] { return size * random.uniform(-1, 1); });
+    expect_start(p, guess);
+    Bounded quiet = p;
+    quiet.B *= 1e-3;
+    expect_start(quiet, guess);
+  }
+}
+
+EXERCISE_TEST(InteriorStart, TakesTheLargestOfTheRows) {
+  // The row that tells the size is each in turn.
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    Bounded p{.S = VectorXd::Constant(3, 2).asDiagonal(),
+              .B = VectorXd::Constant(3, 0.1),
+              .lo = VectorXd::Zero(3),
+              .hi = VectorXd::Constant(3, infinity)};
+    expect_start(p, VectorXd::Unit(3, k));
+    p.B[k] = -1;
+    expect_start(p, VectorXd::Zero(3));
+    p.lo[k] = 3;
+    expect_start(p, 5 * VectorXd::Unit(3, k));
+    p.lo[k] = -infinity, p.hi[k] = -4;
+    expect_start(p, -5 * VectorXd::Unit(3, k));
+  }
+}
+
+EXERCISE_TEST(InteriorStart, IsInTheMiddleOfANarrowWay) {
+  for (const double width : {1e-9, 1e-3, 0.4}) {
+    const Interior start = start_of(one_row(3, 1, 1 + width), VectorXd::Zero(1));
+    if (!has_size(start, 1)) return;
+    const double half = ((1 + width) - 1) / 2;
+    expect_near("s⁻ between bounds that are " + show(width) + " apart, over the half", "Eq. (11.12)",
+                start.room_lo[0] / half, 1, {1e-15 / half, "roundings of a bound of 1, over the room"});
+    expect_near("s⁺ between bounds that are " + show(width) + " apart, over the half", "Eq. (11.12)",
+                start.room_hi[0] / half, 1, {1e-15 / half, "roundings of a bound of 1, over the room"});
+  }
+}
+
+EXERCISE_TEST(InteriorStart, BeginsSomewhereWithNothingToGoBy) {
+  for (const double hi : {infinity, 0.25}) {
+    const Interior start = start_of(one_row(0, 0, hi), VectorXd::Zero(1));
+    if (!has_size(start, 1)) return;
+    const double room = std::min(std::sqrt(0.5), hi / 2);
+    const std::string clue =
+        "No B, no guess, and bounds that let λ be 0: take 1 J, for there must be some room.";
+    expect_near("s⁻ with nothing to go by, S = 2, hi = " + show(hi) + " [N s]", "Eq. (11.12)", start.room_lo[0],
+                room, roundings(4), {}, clue);
+    expect_near("s⁻ z⁻ with nothing to go by [J]", "Eq. (11.12)", start.room_lo[0] * start.push_lo[0], 1,
+                roundings(4), {}, clue);
+  }
+  const Interior little = start_of(one_row(1e-9, 0, infinity), VectorXd::Zero(1));
+  if (has_size(little, 1))
+    expect_near("s⁻ of a row with S = 2, B = 1e-9 m/s, over 5e-10 N s", "Eq. (11.12)",
+                little.room_lo[0] / 5e-10, 1, roundings(8), {},
+                "That is little, and something to go by: 1 J is for an E of 0.");
+}
+
+EXERCISE_TEST(InteriorStart, IsTheSameInAnyUnits) {
+  Random random;
+  System<6> s = random_system(random, 4, 8);
+  add_random_bounds(random, s.rows);
+  const Bounded p = bounded(s.rows);
+  const VectorXd guess = VectorXd::NullaryExpr(8, [&] { return random.uniform(-1, 1); });
+  const VectorXd c = VectorXd::NullaryExpr(8, [&] { return random.log_uniform(1e-3, 1e3); });
+  const Bounded scaled{.S = c.asDiagonal() * p.S * c.asDiagonal(),
+                       .B = c.cwiseProduct(p.B),
+                       .lo = p.lo.cwiseQuotient(c),
+                       .hi = p.hi.cwiseQuotient(c)};
+  const Interior one = start_of(p, guess), other = start_of(scaled, guess.cwiseQuotient(c));
+  if (!has_size(one, 8) || !has_size(other, 8)) return;
+  for (Eigen::Index k = 0; k < 8; ++k)
+    expect_near("λ of row " + std::to_string(k) + " in other units, taken back [N s]", "Eq. (11.12)",
+                c[k] * other.lambda[k], one.lambda[k], {1e-12, "roundings of λ about 1"}, {},
+                "S_kk takes the square of the scale, B the scale, λ its inverse: energies do not change.");
+}
+
+}  // namespace

@@ -1,0 +1,255 @@
+// The step from within: against dense algebra, kept off the bounds, and with λ and its rooms in one place.
+#include "exercise_test.hpp"
+#include "interior.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(InteriorStep, "11.9 interior_step");
+
+struct Bounds {
+  VectorXd lo, hi;
+};
+
+Bounds bounds_of(const Interior& now) {
+  return {now.lambda - now.room_lo, now.lambda + now.room_hi};
+}
+
+constexpr Vector Interior::*parts[] = {&Interior::room_lo, &Interior::room_hi, &Interior::push_lo,
+                                       &Interior::push_hi};
+
+Interior moved(const Interior& now, const Interior& step, double share) {
+  Interior next = now;
+  next.lambda += share * step.lambda;
+  for (const auto part : parts) next.*part += share * (step.*part);
+  return next;
+}
+
+/// Eq. (11.8), (11.9).
+Interior dense_newton_step(const Inside& p, const Target& target) {
+  const Interior& now = p.now;
+  const VectorXd right =
+      p.B - p.S * now.lambda + target.lo.cwiseQuotient(now.room_lo) - target.hi.cwiseQuotient(now.room_hi);
+  const VectorXd none = VectorXd::Zero(p.B.size());
+  Interior step{.lambda = dense_barrier(p).fullPivLu().solve(right),
+                .room_lo = none,
+                .room_hi = none,
+                .push_lo = none,
+                .push_hi = none};
+  for (Eigen::Index k = 0; k < none.size(); ++k) {
+    if (has_lo(now, k)) {
+      step.room_lo[k] = step.lambda[k];
+      step.push_lo[k] = (target.lo[k] - now.push_lo[k] * step.lambda[k]) / now.room_lo[k] - now.push_lo[k];
+    }
+    if (has_hi(now, k)) {
+      step.room_hi[k] = -step.lambda[k];
+      step.push_hi[k] = (target.hi[k] + now.push_hi[k] * step.lambda[k]) / now.room_hi[k] - now.push_hi[k];
+    }
+  }
+  return step;
+}
+
+/// Eq. (11.10).
+double longest_part(const Interior& now, const Interior& step) {
+  double part = 1;
+  for (const auto vector : parts)
+    for (Eigen::Index k = 0; k < now.lambda.size(); ++k) {
+      const double change = (step.*vector)[k];
+      if (change < 0) part = std::min(part, (now.*vector)[k] / -change);
+    }
+  return part;
+}
+
+/// Eq. (11.11), and what it is easily mistaken for.
+struct Way {
+  double power = 3, second_order = -1, share = 0.999;
+  bool look = true, counts_rows = false;
+};
+
+/// The point before λ and its rooms are brought together.
+Interior dense_interior_step(const Inside& p, const Way& way = {}) {
+  const Eigen::Index n = p.B.size();
+  const auto mean = [&](const Interior& now) {
+    double sum = 0, bounds = 0;
+    for (Eigen::Index k = 0; k < n; ++k) {
+      if (has_lo(now, k)) sum += now.room_lo[k] * now.push_lo[k], bounds += 1;
+      if (has_hi(now, k)) sum += now.room_hi[k] * now.push_hi[k], bounds += 1;
+    }
+    return sum / (way.counts_rows ? static_cast<double>(n) : std::max(bounds, 1.0));
+  };
+  Target target{.lo = VectorXd::Zero(n), .hi = VectorXd::Zero(n)};
+  if (way.look) {
+    const Interior straight = dense_newton_step(p, target);
+    const double part = longest_part(p.now, straight);
+    const double before = mean(p.now), after = mean(moved(p.now, straight, part));
+    const double centre = before > 0 ? std::pow(after / before, way.power) * before : 0;
+    for (Eigen::Index k = 0; k < n; ++k) {
+      target.lo[k] = centre + way.second_order * part * straight.room_lo[k] * straight.push_lo[k];
+      target.hi[k] = centre + way.second_order * part * straight.room_hi[k] * straight.push_hi[k];
+    }
+  }
+  const Interior step = dense_newton_step(p, target);
+  const double longest = longest_part(p.now, step);
+  return moved(p.now, step, longest < 1 ? way.share * longest : 1);
+}
+
+/// λ, s⁻ and s⁺ of one row.
+struct Place {
+  double lambda, below, above;
+};
+
+/// The smallest of the three sets the other two.
+Place reconciled(const Place& drifted, double lo, double hi) {
+  const double smallest = std::min({std::abs(drifted.lambda), drifted.below, drifted.above});
+  const double lambda = smallest == drifted.below   ? lo + drifted.below
+                        : smallest == drifted.above ? hi - drifted.above
+                                                    : drifted.lambda;
+  return {lambda, smallest == drifted.below ? drifted.below : lambda - lo,
+          smallest == drifted.above ? drifted.above : hi - lambda};
+}
+
+Interior step_of(const Inside& p, const Bounds& bounds) {
+  Factors factors;
+  if (!factorise(lower_triangle(dense_barrier(p)), factors))
+    ADD_FAILURE() << "the test's own S̃ could not be factorised";
+  return interior_step(lower_triangle(p.S), p.B, bounds.lo, bounds.hi, p.now, factors);
+}
+
+bool has_size(const Interior& next, Eigen::Index n) {
+  const bool right = next.lambda.size() == n && next.room_lo.size() == n && next.room_hi.size() == n &&
+                     next.push_lo.size() == n && next.push_hi.size() == n;
+  expect_true("all five vectors have an entry a row", "Eq. (11.11)", right);
+  return right;
+}
+
+/// Infinities as zeros: the rooms of bounds that there are.
+VectorXd finite(const VectorXd& v) {
+  return v.unaryExpr([](double x) { return std::isinf(x) ? 0 : x; });
+}
+
+const Tolerance close{1e-10, "roundings times a condition of 1e3, and some"};
+
+EXERCISE_TEST(InteriorStep, LooksBeforeItGoes) {
+  Random random;
+  for (int repeat = 0; repeat < 10; ++repeat) {
+    const Inside p = random_inside(random, 14);  // with 13 bounds
+    const Interior got = step_of(p, bounds_of(p.now));
+    if (!has_size(got, 14)) return;
+    const Interior right = dense_interior_step(p);
+    const auto otherwise = [&](const Way& way) { return dense_interior_step(p, way).lambda; };
+    expect_near_vector(
+        "λ of the next point [N s]", "Eq. (11.11)", got.lambda, right.lambda, close,
+        {{otherwise({.look = false}), "This is the straight step, τ = 0: it only tells what τ shall be."},
+         {otherwise({.second_order = 0}), "The product of the two changes is left out of τ."},
+         {otherwise({.second_order = 1}), "The product of the two changes is taken from τ, and not added."},
+         {otherwise({.power = 2}), "(μ'/μ)³ μ: this has the square."},
+         {otherwise({.power = 4}), "(μ'/μ)³ μ: this has the fourth power."},
+         {otherwise({.power = 0}), "This aims at μ itself: (μ'/μ)³ is left out."},
+         {otherwise({.counts_rows = true}), "μ is the mean over bounds: a row has none, one or two."},
+         {otherwise({.share = 1}), "Take 0.999 of the longest part: here a room, or a push, is exactly 0."},
+         {otherwise({.share = 0.5}), "Take 0.999 of the longest part: this is half of it."}},
+        "First the step with τ = 0, as far as it goes; then τ from what that would do, and the step that is "
+        "taken.");
+    expect_near_vector("z⁻ of the next point [m/s]", "Eq. (11.9)", got.push_lo, right.push_lo, close);
+    expect_near_vector("z⁺ of the next point [m/s]", "Eq. (11.9)", got.push_hi, right.push_hi, close);
+    expect_near_vector("s⁻ of the next point [N s]", "Eq. (11.5)", finite(got.room_lo), finite(right.room_lo),
+                       close);
+    expect_near_vector("s⁺ of the next point [N s]", "Eq. (11.5)", finite(got.room_hi), finite(right.room_hi),
+                       close);
+    for (Eigen::Index k = 0; k < 14; ++k)
+      expect_true("row " + std::to_string(k) + " has the bounds that it had, and no others", "Eq. (11.5)",
+                  has_lo(got, k) == has_lo(p.now, k) && has_hi(got, k) == has_hi(p.now, k),
+                  "Where there is no bound, the room stays infinite.");
+  }
+}
+
+EXERCISE_TEST(InteriorStep, KeepsAThousandthOfEveryRoomAndPush) {
+  Random random;
+  for (int repeat = 0; repeat < 10; ++repeat) {
+    const Inside p = random_inside(random, 12);
+    const Interior got = step_of(p, bounds_of(p.now));
+    if (!has_size(got, 12)) return;
+    double least = infinity;
+    for (const auto part : parts)
+      for (Eigen::Index k = 0; k < 12; ++k)
+        if ((p.now.*part)[k] > 0 && std::isfinite((p.now.*part)[k]))
+          least = std::min(least, (got.*part)[k] / (p.now.*part)[k]);
+    expect_at_least("the least of rooms and pushes, over what it was", "Eq. (11.10)", least, 0.001 - 1e-10,
+                    "1 - 0.999, and roundings",
+                    "A room or a push of 0 is a division by zero in the next S̃: 0.999 of the longest part.");
+  }
+}
+
+EXERCISE_TEST(InteriorStep, IsTheSolutionWithoutBounds) {
+  Random random;
+  Inside p = random_inside(random, 10);
+  p.now.room_lo.setConstant(infinity), p.now.room_hi.setConstant(infinity);
+  p.now.push_lo.setZero(), p.now.push_hi.setZero();
+  const Interior got = step_of(p, bounds_of(p.now));
+  if (!has_size(got, 10)) return;
+  expect_near_vector(
+      "λ after one step without bounds [N s]", "Eq. (11.5)", got.lambda, VectorXd(p.S.ldlt().solve(p.B)), close,
+      {},
+      "Nothing limits the step, so it is taken whole. And there is no mean of no products: μ'/μ must "
+      "not be 0/0.");
+  expect_true("rooms stay infinite, pushes 0", "Eq. (11.5)",
+              (got.room_lo.array() == infinity).all() && (got.room_hi.array() == infinity).all() &&
+                  got.push_lo.isZero(0) && got.push_hi.isZero(0));
+}
+
+EXERCISE_TEST(InteriorStep, LetsTheSmallestOfThreeSetTheOthers) {
+  Random random;
+  for (int repeat = 0; repeat < 10; ++repeat) {
+    Inside p = random_inside(random, 12);
+    p.now.room_lo[0] = p.now.room_hi[0] = 0.5, p.now.push_lo[0] = p.now.push_hi[0] = 1;
+    const Bounds bounds = bounds_of(p.now);
+    for (Eigen::Index k = 0; k < 12; ++k) p.now.lambda[k] += random.uniform(-1e-3, 1e-3);
+    const Interior got = step_of(p, bounds), drifted = dense_interior_step(p);
+    if (!has_size(got, 12)) return;
+    for (Eigen::Index k = 0; k < 12; ++k) {
+      const Place before{drifted.lambda[k], drifted.room_lo[k], drifted.room_hi[k]};
+      const Place right = reconciled(before, bounds.lo[k], bounds.hi[k]);
+      const std::string what = " of row " + std::to_string(k) + ", as it would be λ = " + show(before.lambda) +
+                               ", s⁻ = " + show(before.below) + ", s⁺ = " + show(before.above) + " [N s]";
+      const std::string clue =
+          "λ had drifted from its rooms before the step. The smallest of |λ|, s⁻, s⁺ is right: the other two "
+          "follow, by s⁻ = λ - lo, s⁺ = hi - λ.";
+      expect_near("λ" + what, "Eq. (11.5)", got.lambda[k], right.lambda, close,
+                  {{before.lambda, clue + " This λ did not."}}, clue);
+      if (has_lo(p.now, k))
+        expect_near("s⁻" + what, "Eq. (11.5)", got.room_lo[k], right.below, close,
+                    {{before.below, clue + " This room did not."}}, clue);
+      if (has_hi(p.now, k))
+        expect_near("s⁺" + what, "Eq. (11.5)", got.room_hi[k], right.above, close,
+                    {{before.above, clue + " This room did not."}}, clue);
+    }
+  }
+}
+
+EXERCISE_TEST(InteriorStep, KeepsTheDigitsOfASmallRoom) {
+  const VectorXd one = VectorXd::Ones(1);
+  for (const bool above : {false, true}) {
+    const double room = 1e-9, push = 0.8, side = above ? -1 : 1;
+    Inside p{.S = MatrixXd::Ones(1, 1),
+             .B = (1 - side * 0.6) * one,  // a push of 0.6 would do: the room is to shrink to a quarter
+             .now = {.lambda = (1 + side * room) * one,
+                     .room_lo = (above ? infinity : room) * one,
+                     .room_hi = (above ? room : infinity) * one,
+                     .push_lo = (above ? 0 : push) * one,
+                     .push_hi = (above ? push : 0) * one},
+             .target = {}};
+    const Bounds bounds{(above ? -infinity : 1) * one, (above ? 1 : infinity) * one};
+    const Interior got = step_of(p, bounds), right = dense_interior_step(p);
+    if (!has_size(got, 1)) return;
+    const auto part = above ? &Interior::room_hi : &Interior::room_lo;
+    expect_near("room " + std::string(above ? "above" : "below") +
+                    " a bound of 1, 1e-9 before the step, over what is right",
+                "Eq. (11.5)", (got.*part)[0] / (right.*part)[0], 1,
+                {1e-11, "roundings of the room itself; those of λ would be 1e-7 of it"}, {},
+                "The room is the smallest of the three, so it stays: λ - lo knows seven digits of it.");
+  }
+}
+
+}  // namespace
