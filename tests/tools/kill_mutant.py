@@ -1,11 +1,13 @@
-"""kill_mutant.py SOURCE PROGRAM: passes if the wrong answer in SOURCE fails the test that its header names.
+"""kill_mutant.py SOURCE PROGRAM NUMBER: passes if the wrong answer in SOURCE fails the test that its header
+names.
 
     // Wrong: adds the force alone.
     // Killed by: Kick.AddsForceOverMass
     // Says: the force has not been divided by the mass
 
 The test must fail by one of its checks, and the failure must say what the header promises: that is what the
-student will read. A crash, a skip or running out of time doesn't count.
+student will read. A crash, a skip or running out of time doesn't count. PROGRAM holds it as mutant NUMBER: see
+mutants_together.py.
 """
 
 import re
@@ -13,7 +15,9 @@ import signal
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent / "course"))
+TOOLS = Path(__file__).resolve().parent
+sys.path[:0] = [str(TOOLS / "mutation"), str(TOOLS / "course")]
+from crowd import VARIABLE  # noqa: E402
 from errors import CourseError  # noqa: E402
 from manifest import Exercise, all_exercises  # noqa: E402
 from trial import Trial, run_tests, time_limit  # noqa: E402
@@ -47,7 +51,7 @@ def mutated(source: Path) -> Exercise:
     raise CourseError(f"{source.parent.name} has no exercise {function}")
 
 
-def judge(source: Path, program: Path) -> str:
+def judge(source: Path, program: Path, number: str) -> str:
     """Why the mutant is not killed as promised; empty if it is."""
     fields = header(source)
     absent = [name for name in ("Wrong", "Killed by", "Says") if not fields.get(name)]
@@ -57,7 +61,7 @@ def judge(source: Path, program: Path) -> str:
     # `./course check` runs no other suite: if only another noticed, the student would be told "done".
     if test.split(".")[0] != exercise.suite:
         return f"'Killed by: {test}' is not a test of {exercise.label}; its suite is {exercise.suite}"
-    trial = run_tests(program, test)
+    trial = run_tests(program, test, more={VARIABLE: number})
     return _not_failed(test, trial) or _not_said(fields["Says"], trial)
 
 
@@ -81,12 +85,12 @@ def _not_said(text: str, trial: Trial) -> str:
 
 
 def main(arguments: list[str]) -> int:
-    if len(arguments) != 2:
-        print("usage: kill_mutant.py SOURCE PROGRAM", file=sys.stderr)
+    if len(arguments) != 3:
+        print("usage: kill_mutant.py SOURCE PROGRAM NUMBER", file=sys.stderr)
         return 2
     source = Path(arguments[0]).resolve()
     try:
-        reason = judge(source, Path(arguments[1]).resolve())
+        reason = judge(source, Path(arguments[1]).resolve(), arguments[2])
     except CourseError as error:
         reason = str(error)
     except OSError as error:

@@ -36,7 +36,7 @@ class KillMutant(unittest.TestCase):
         source.write_text(header)
         program.write_text(PROGRAM.format(python=sys.executable, body=body, tests=list(tests), code=code))
         program.chmod(0o755)
-        result = subprocess.run([sys.executable, str(TOOLS / "kill_mutant.py"), str(source), str(program)],
+        result = subprocess.run([sys.executable, str(TOOLS / "kill_mutant.py"), str(source), str(program), "7"],
                                 capture_output=True, text=True, env=os.environ | {"COURSE_TIME_LIMIT": "1"})
         return result.returncode, result.stderr
 
@@ -48,6 +48,9 @@ class KillMutant(unittest.TestCase):
 
     def test_a_failure_that_says_the_promised_text(self):
         self.assertEqual(self.kill(), (0, ""))
+
+    def test_the_program_is_told_which_mutant(self):
+        self.assertEqual(self.kill(body="if os.environ['SPOOK_MUTANT'] != '7': sys.exit(0)"), (0, ""))
 
     def test_a_mutant_that_passes(self):
         self.assert_refused("the mutant lives", tests=[FAILED | {"failures": []}], code=0)
@@ -81,7 +84,7 @@ class KillMutant(unittest.TestCase):
         self.assert_refused("has no exercise punch", name="punch.half.cpp")
 
     def test_files_that_do_not_exist(self):
-        result = subprocess.run([sys.executable, str(TOOLS / "kill_mutant.py"), "nowhere.cpp", "nothing"],
+        result = subprocess.run([sys.executable, str(TOOLS / "kill_mutant.py"), "nowhere.cpp", "nothing", "1"],
                                 capture_output=True, text=True)
         self.assertEqual((result.returncode, result.stderr.count("\n")), (1, 1), result.stderr)
 

@@ -114,10 +114,19 @@ class ManyInOne(unittest.TestCase):
     def test_errors_are_told_apart_by_their_lines(self):
         everyone = Crowd({0: self.TEXT, 3: self.TEXT, 7: self.TEXT})
         lines = everyone.source().splitlines()
-        self.assertEqual([k for k, line in enumerate(lines, 1) if "return" in line], [5, 11, 17])
-        self.assertEqual(everyone.culprits("crowd.cpp:11:3: error: no"), {3})
-        template = "crowd.cpp:17:3:   required from here\nx.h:5:1: error: no\ncrowd.cpp:5:3: note: f"
+        self.assertEqual([k for k, line in enumerate(lines, 1) if "return" in line], [4, 10, 16])
+        self.assertEqual(everyone.culprits("crowd.cpp:10:3: error: no"), {3})
+        template = "crowd.cpp:16:3:   required from here\nx.h:5:1: error: no\ncrowd.cpp:4:3: note: f"
         self.assertEqual(everyone.culprits(template), {7})
+
+    def test_all_that_any_of_them_includes_comes_first_and_once(self):
+        other = "// Wrong: ...\n#include <b>\n#include <a>\n" + self.TEXT.partition("\n")[2]
+        lines = Crowd({1: self.TEXT, 2: other}, {2: Path("f.cpp")}).source().splitlines()
+        self.assertEqual(lines[:2], ["#include <a>", "#include <b>"])
+        self.assertEqual(sum("#include" in line for line in lines), 2)
+        # The compiler's next line is where `namespace spook {` is in the file.
+        place = lines.index('#line 5 "f.cpp"')
+        self.assertTrue(lines[place + 1].startswith("namespace spook {"), lines)
 
     def test_what_has_to_be_compiled_alone(self):
         self.assertTrue(Crowd.can_hold(self.TEXT))

@@ -24,10 +24,11 @@ def _namespace(k: int) -> str:
 
 
 class Crowd:
-    """The texts by number; 0 is the unchanged file."""
+    """The texts by number."""
 
-    def __init__(self, texts: dict[int, str]):
-        self.texts = texts
+    def __init__(self, texts: dict[int, str], files: dict[int, Path] | None = None):
+        """A compiler's complaint names the file, and the line in it, of those that are in `files`."""
+        self.texts, self._files = texts, files or {}
 
     @staticmethod
     def can_hold(text: str) -> bool:
@@ -36,19 +37,25 @@ class Crowd:
                 and all(not line or line.startswith(("#include", "//")) for line in head.splitlines()))
 
     def source(self) -> str:
-        heads = [_BEGIN.split(text)[0] for text in self.texts.values()]
-        return heads[0] + "".join(self._bodies())
+        return self._head() + "".join(self._bodies())
+
+    def _head(self) -> str:
+        """What any of them includes, once."""
+        lines = {line: None for text in self.texts.values() for line in _BEGIN.split(text)[0].splitlines()
+                 if line.startswith("#include")}
+        return "".join(f"{line}\n" for line in lines)
 
     def _bodies(self) -> list[str]:
         bodies = []
         for k, text in self.texts.items():
-            body = _BEGIN.split(text)[1].replace(_END, "}}")
-            bodies.append(f"namespace spook {{ namespace {_namespace(k)} {{{body}")
+            head, body = _BEGIN.split(text)
+            place = f'#line {head.count(chr(10)) + 1} "{self._files[k]}"\n' if k in self._files else ""
+            bodies.append(f"{place}namespace spook {{ namespace {_namespace(k)} {{{body.replace(_END, '}}')}")
         return bodies
 
     def culprits(self, errors: str) -> set[int]:
         """Which of the texts the compiler complains about."""
-        ends, line = [], _BEGIN.split(next(iter(self.texts.values())))[0].count("\n") + 1
+        ends, line = [], self._head().count("\n") + 1
         for k, body in zip(self.texts, self._bodies()):
             line += body.count("\n")
             ends.append((line, k))

@@ -1,0 +1,54 @@
+"""Puts the wrong answers to an exercise into one program, each in a namespace of its own.
+
+    mutants_together.py source RESULT MUTANT...                    their texts, to be compiled as one
+    mutants_together.py switch RESULT REFERENCE OBJECT MUTANT...   the exercise's functions, which call one of them
+
+SPOOK_MUTANT in the environment of the program chooses which, by its number in the list, from 1. REFERENCE is an
+archive with the right functions. Compiled one by one, mutants take five times as long.
+"""
+
+import argparse
+import sys
+from pathlib import Path
+
+TOOLS = Path(__file__).resolve().parent
+sys.path[:0] = [str(TOOLS / "mutation"), str(TOOLS / "course")]
+from crowd import Crowd  # noqa: E402
+from errors import CourseError  # noqa: E402
+from symbols import functions_in  # noqa: E402
+
+
+def together(mutants: list[Path]) -> Crowd:
+    texts = {k: mutant.read_text(encoding="utf-8") for k, mutant in enumerate(mutants, 1)}
+    for mutant, text in zip(mutants, texts.values()):
+        if not Crowd.can_hold(text):
+            raise CourseError(f"{mutant}: it must have one `namespace spook`, and nothing but comments and "
+                              "includes before it")
+    return Crowd(texts, dict(enumerate(mutants, 1)))
+
+
+def main(words: list[str]) -> int:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    commands = parser.add_subparsers(dest="command", required=True)
+    for name, inputs in (("source", ()), ("switch", ("reference", "object"))):
+        command = commands.add_parser(name)
+        for argument in ("result", *inputs):
+            command.add_argument(argument, type=Path)
+        command.add_argument("mutants", type=Path, nargs="+")
+    options = parser.parse_args(words)
+    try:
+        crowd = together(options.mutants)
+        if options.command == "source":
+            text = crowd.source()
+        else:
+            function = options.mutants[0].name.split(".")[0]
+            text = crowd.switch(options.object, functions_in(options.reference, function))
+        options.result.write_text(text, encoding="utf-8")
+    except (CourseError, OSError) as error:
+        print(f"mutants_together.py: {error}", file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
