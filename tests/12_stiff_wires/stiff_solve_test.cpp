@@ -164,6 +164,13 @@ EXERCISE_TEST(StiffSolve, MovesNothingThatIsFixed) {
                                got.V.segment<3>(3 * body), Vec3::Zero(), {0, "exact"}, {},
                                "Its M is the identity, so its V is its right side: keep that at 0.");
   }
+  Springs s{.h = 0.1};
+  s.add(1, Vec3::Zero(), Vec3(0, 0, -1));
+  s.add(0, Vec3::Zero(), Vec3::Zero());
+  s.stiffness.push_back({0, 1, 50 * Mat3::Identity()});
+  expect_near_vector<Vec3>("V of the second of two bodies, which is fixed [m/s]", "Eq. (12.6)",
+                           solved(s).V.segment<3>(3), Vec3::Zero(), {0, "exact"}, {},
+                           "Any body may be the fixed one, and the last as well.");
 }
 
 EXERCISE_TEST(StiffSolve, LeavesAllAsItWasWhenItFails) {

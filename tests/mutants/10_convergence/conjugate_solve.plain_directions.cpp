@@ -30,7 +30,7 @@ std::vector<double> S_times(const std::vector<double>& x, const std::vector<Row<
 
 /// What the rows lack.
 struct Look {
-  std::vector<double> r;     ///< of the free rows; 0 for the others [m/s]
+  std::vector<double> r;     ///< Eq. (4.6) [m/s]
   std::vector<bool> free;    ///< lo < λ < hi
   double residual = 0;       ///< Eq. (4.8)
   bool left_behind = false;  ///< a row at a bound lacks more than every free one
@@ -38,7 +38,7 @@ struct Look {
 
 template <int Dof>
 Look look_at(const std::vector<Row<Dof>>& rows, const std::vector<Twist<Dof>>& V) {
-  Look seen{.r = std::vector<double>(rows.size(), 0), .free = std::vector<bool>(rows.size())};
+  Look seen{.r = std::vector<double>(rows.size()), .free = std::vector<bool>(rows.size())};
   double of_free = 0, of_others = 0;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const Row<Dof>& row = rows[k];
@@ -47,7 +47,7 @@ Look look_at(const std::vector<Row<Dof>>& rows, const std::vector<Twist<Dof>>& V
     const double lacks = row.diagonal * std::abs(next - row.lambda);
     if (std::isnan(lacks) || lacks > seen.residual) seen.residual = lacks;
     seen.free[k] = row.lambda > row.lo && row.lambda < row.hi;
-    if (seen.free[k]) seen.r[k] = r;
+    seen.r[k] = r;
     double& largest = seen.free[k] ? of_free : of_others;
     largest = std::max(largest, lacks);
   }
