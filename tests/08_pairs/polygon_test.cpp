@@ -132,7 +132,7 @@ EXERCISE_TEST(Clip, CutsAnyPolygonInTwo) {
 }
 
 Contact at(const Vec3& r, double gap, const Vec3& n = Vec3::UnitZ()) {
-  return {.i = 3, .j = 5, .n = n, .gap = gap, .r_i = r, .r_j = r - Vec3(0, 0, 2)};
+  return {.i = 3, .j = 5, .n = n, .gap = gap, .r_i = r, .r_j = r - Vec3(0.7, -0.4, 2)};
 }
 
 bool same(const Contact& a, const Contact& b) {
@@ -169,6 +169,13 @@ EXERCISE_TEST(WellSpread, LeavesFourAsTheyAre) {
   for (int count = 0; count <= 4; ++count) {
     if (!expect_some_of(well_spread(contacts), contacts, static_cast<std::size_t>(count))) return;
     contacts.push_back(at(Vec3(count % 2, count / 2, 0), -0.1 * count));
+  }
+  // Four in one corner, as near to each other as numbers are: whether the mean is within is roundings, and not asked.
+  Random random;
+  for (int trial = 0; trial < 200; ++trial) {
+    contacts.clear();
+    while (contacts.size() < 4) contacts.push_back(at(Vec3(0.5, 0.3, 0.1) + random.vector(2e-16), -0.01));
+    if (!expect_some_of(well_spread(contacts), contacts, 4)) return;
   }
 }
 
@@ -301,25 +308,64 @@ EXERCISE_TEST(WellSpread, TakesTheCornersOfASquare) {
   }
 }
 
+/// Places across n, in units of about the largest distance from the middle.
+std::vector<Eigen::Vector2d> random_places(Random& random, int count) {
+  // Anywhere; on a circle; all but four in one direction; four corners, and all others at one of them.
+  const int kind = random.integer(0, 3);
+  const auto towards = [](double angle, double reach) {
+    return Eigen::Vector2d(reach * std::cos(angle), reach * std::sin(angle));
+  };
+  std::vector<Eigen::Vector2d> places;
+  const int crowded = random.integer(0, 3);
+  for (int k = 0; k < 4; ++k) {
+    const double turn = kind == 3 ? std::numbers::pi / 2 * (k + random.uniform(-0.3, 0.3))
+                                  : random.uniform(0, 2 * std::numbers::pi);
+    places.push_back(towards(turn, kind == 1 ? 1 : random.uniform(0.1, 1)));
+  }
+  while (static_cast<int>(places.size()) < count)
+    if (kind == 3)
+      places.push_back(places[static_cast<std::size_t>(crowded)] +
+                       towards(random.uniform(0, 2 * std::numbers::pi), 1e-3));
+    else
+      places.push_back(towards(kind == 2 ? random.uniform(0, 0.5) : random.uniform(0, 2 * std::numbers::pi),
+                               kind == 1 ? 1 : random.uniform(0, 1)));
+  // The order in which they are given says nothing.
+  for (int k = count - 1; k > 0; --k)
+    std::swap(places[static_cast<std::size_t>(k)], places[static_cast<std::size_t>(random.integer(0, k))]);
+  return places;
+}
+
 EXERCISE_TEST(WellSpread, KeepsTheDeepestAndHoldsTheMean) {
   Random random;
-  for (int trial = 0; trial < 300 && !::testing::Test::HasFailure(); ++trial) {
+  for (int trial = 0; trial < 600 && !::testing::Test::HasFailure(); ++trial) {
     // Along the axes of the world, too, where two of three coordinates are all that differs.
     const Vec3 n = trial % 3 ? random.unit_vector() : Vec3((trial % 2 ? 1 : -1) * Vec3::Unit(trial / 3 % 3));
     const auto [t1, t2] = tangents(n);
     const double size = random.log_uniform(1e-9, 1e3);
-    const int count = random.integer(5, 12);
-    const bool round = random.integer(0, 1), crowd = random.integer(0, 1);
+    const int count = random.integer(5, random.integer(0, 1) ? 12 : 6);
+    // A hundredth as wide as long, as the edge of a board is: what is small beside a square is not beside this.
+    const double width = random.integer(0, 1) ? 0.7 : 0.007;
+    // As deep to a ten-thousandth: more than a millionth, so that it is still clear which is the deepest.
+    const bool alike = random.integer(0, 1);
     std::vector<Contact> contacts;
-    for (int k = 0; k < count; ++k) {
-      const double angle = crowd && k > 3 ? random.uniform(0, 0.5) : random.uniform(0, 2 * std::numbers::pi);
-      const double reach = round ? 1 : random.uniform(0, 1);
-      const Vec3 r = size * (Vec3(5, -3, 2) + reach * (std::cos(angle) * t1 + 0.7 * std::sin(angle) * t2));
+    for (const Eigen::Vector2d& place : random_places(random, count)) {
+      const Vec3 r = size * (Vec3(5, -3, 2) + place.x() * t1 + width * place.y() * t2);
       // At least one is deep. What is nearly touching is the least deep of all: by its gap, not by how large that is.
-      contacts.push_back(at(r, size * random.uniform(-0.1, k == 0 ? -0.01 : 0.15), n));
+      const double gap =
+          alike ? -0.01 + random.uniform(-1e-4, 1e-4) : random.uniform(-0.1, contacts.empty() ? -0.01 : 0.15);
+      contacts.push_back(at(r, size * gap, n));
     }
     expect_well_spread(contacts, std::to_string(count) + " random contacts");
   }
+}
+
+EXERCISE_TEST(WellSpread, HoldsTheMeanToRoundings) {
+  // The largest four with the deepest, at (±1, 0) and (±1, 1), have the mean 4 nm behind one of their sides.
+  const double outside = 4e-9;
+  std::vector<Contact> contacts = {at(Vec3(-1, 0, 0), -0.02), at(Vec3(1, 0, 0), -0.01),
+                                   at(Vec3(-1, 1, 0), -0.01), at(Vec3(1, 1, 0), -0.01)};
+  for (int k = 0; k < 8; ++k) contacts.push_back(at(Vec3(0.01 * (k - 3.5), -(2 + 12 * outside) / 8, 0), -0.01));
+  expect_well_spread(contacts, "four at the corners of a rectangle and eight beside it");
 }
 
 EXERCISE_TEST(WellSpread, HoldsTheMeanWhereTheDeepestIs) {
@@ -352,52 +398,67 @@ EXERCISE_TEST(WellSpread, DoesNotMindDepthsThatAreAlike) {
   }
 }
 
-EXERCISE_TEST(WellSpread, KeepsTheSameWhileTheyTremble) {
-  // Eight that are as deep, and eight of which the deepest has as good a four on either side.
-  Random random;
-  for (const bool middle : {false, true}) {
-    std::vector<Contact> contacts;
-    for (int k = 0; k < 8; ++k) {
-      const double angle = std::numbers::pi / 4 * k, reach = middle && k % 2 ? std::sqrt(2.0) : 1;
-      contacts.push_back(
-          at(reach * Vec3(std::cos(angle), std::sin(angle), 0), middle && k == 2 ? -0.02 : -0.01));
+/// The numbers of those that are kept, in order.
+std::vector<int> numbers_of_those_kept(const std::vector<Contact>& contacts) {
+  std::vector<int> numbers;
+  for (const Contact& kept : well_spread(contacts))
+    for (std::size_t k = 0; k < contacts.size(); ++k)
+      if (same(kept, contacts[k])) numbers.push_back(static_cast<int>(k));
+  std::sort(numbers.begin(), numbers.end());
+  return numbers;
+}
+
+/// `size` is what is meant by their distances.
+bool expect_the_same_while_they_tremble(Random& random, const std::vector<Contact>& still, double size) {
+  const auto listed = [](const std::vector<int>& numbers) {
+    std::string text;
+    for (const int k : numbers) text += " " + std::to_string(k);
+    return text;
+  };
+  const std::vector<int> first = numbers_of_those_kept(still);
+  for (int trial = 0; trial < 100; ++trial) {
+    std::vector<Contact> moved = still;
+    for (Contact& contact : moved) {
+      contact.r_i += random.vector(1e-9 * size);
+      contact.gap += random.uniform(-1e-9, 1e-9) * size;
     }
-    const auto numbers_of_those_kept = [&] {
-      std::vector<int> numbers;
-      for (const Contact& kept : well_spread(contacts))
-        for (int k = 0; k < 8; ++k)
-          if (same(kept, contacts[static_cast<std::size_t>(k)])) numbers.push_back(k);
-      std::sort(numbers.begin(), numbers.end());
-      return numbers;
-    };
-    const auto listed = [](const std::vector<int>& numbers) {
-      std::string text;
-      for (const int k : numbers) text += " " + std::to_string(k);
-      return text;
-    };
-    given() =
-        middle
-            ? "given the corners and the middles of a square with sides of 2 m, one of the middles the deepest"
-            : "given the corners of a regular octagon with a radius of 1 m, all as deep";
-    const auto still = contacts;
-    const auto first = numbers_of_those_kept();
-    for (int trial = 0; trial < 100; ++trial) {
-      contacts = still;
-      for (Contact& contact : contacts) {
-        contact.r_i += random.vector(1e-9);
-        contact.gap += random.uniform(-1e-9, 1e-9);
-      }
-      const auto now = numbers_of_those_kept();
-      expect_true(
-          "of the contacts 0 to 7 those kept," + listed(now) +
-              ", are the same as before they moved by 1e-9 m," + listed(first),
-          "Eq. (8.10)", now == first,
-          "Roundings have chosen, and a box would tremble. Of points that are as deep to a millionth of the "
-          "distances take one by a rule of its own, and let another four win only if its area is larger by as "
-          "much.");
-      if (::testing::Test::HasFailure()) return;
-    }
+    const std::vector<int> now = numbers_of_those_kept(moved);
+    expect_true(
+        "of the contacts 0 to 8 those kept," + listed(now) + ", are the same as before they moved by " +
+            show(1e-9 * size) + " m," + listed(first),
+        "Eq. (8.10)", now == first,
+        "Roundings have chosen, and a box would tremble. Of points that are as deep to a millionth of the "
+        "distances take one by a rule of its own, and let another four win only if its area is larger by as "
+        "much.");
+    if (::testing::Test::HasFailure()) return false;
   }
+  return true;
+}
+
+EXERCISE_TEST(WellSpread, KeepsTheSameWhileTheyTremble) {
+  // Eight that are as deep, on a circle or a square; or of which the deepest has as good a four on either side. And one
+  // in the middle, not as deep, from which it can not be told how far they are from each other.
+  Random random;
+  for (const double size : {1.0, 1e-6, 1e3})
+    for (int direction = 0; direction < 3; ++direction)
+      for (const bool cornered : {false, true})
+        for (const bool middle : {false, true}) {
+          // A face of a box that stands straight: across its normal two coordinates are all that differs.
+          const Vec3 n = Vec3::Unit(direction), t1 = Vec3::Unit((direction + 1) % 3), t2 = n.cross(t1);
+          std::vector<Contact> contacts;
+          for (int k = 0; k < 8; ++k) {
+            const double angle = std::numbers::pi / 4 * k, reach = cornered && k % 2 ? std::sqrt(2.0) : 1;
+            contacts.push_back(at(size * reach * (std::cos(angle) * t1 + std::sin(angle) * t2),
+                                  size * (middle && k == 2 ? -0.02 : -0.01), n));
+          }
+          contacts.push_back(at(Vec3::Zero(), -0.001 * size, n));
+          given() =
+              "given the middle and " +
+              (cornered ? "the corners and the middles of a square with sides of " + show(2 * size) + " m, "
+                        : "the corners of a regular octagon with a radius of " + show(size) + " m, ") +
+              (middle ? "one the deepest" : "all as deep") + ", across " + show(n);
+          if (!expect_the_same_while_they_tremble(random, contacts, size)) return;
+        }
 }
 
 }  // namespace

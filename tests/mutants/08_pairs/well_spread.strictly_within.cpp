@@ -2,6 +2,7 @@
 // Killed by: WellSpread.HoldsTheMeanWhereTheDeepestIs
 // Says: allow for those
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "08_pairs/pairs.hpp"
@@ -19,55 +20,44 @@ struct Seen {
 
 /// Of those that are as deep as the deepest, to within `tolerance`, always the same: the farthest in a direction that
 /// is special to no box.
-std::size_t choose_deepest(const std::vector<Contact>& contacts, double tolerance) {
-  const Vec3 direction(1, 0.618, 0.303);
+const Contact* choose_deepest(const std::vector<Contact>& contacts, double tolerance) {
   double deepest = infinity;
   for (const Contact& contact : contacts) deepest = std::min(deepest, contact.gap);
-  std::size_t chosen = contacts.size();
-  for (std::size_t k = 0; k < contacts.size(); ++k)
-    if (contacts[k].gap <= deepest + tolerance &&
-        (chosen == contacts.size() || direction.dot(contacts[k].r_i) > direction.dot(contacts[chosen].r_i)))
-      chosen = k;
-  return chosen;
+  const auto rank = [&](const Contact& contact) {
+    return contact.gap <= deepest + tolerance ? contact.r_i.dot(Vec3(1, 0.618, 0.303)) : -infinity;
+  };
+  return &*std::max_element(contacts.begin(), contacts.end(),
+                            [&](const Contact& a, const Contact& b) { return rank(a) < rank(b); });
 }
 
 /// All contacts in order of their angle around the mean, beginning with `first`.
-std::vector<Seen> around_the_mean(const std::vector<Contact>& contacts, const Vec3& mean, std::size_t first) {
-  const Vec3 n = contacts.front().n;
-  const auto [t1, t2] = tangents(n);
+std::vector<Seen> around_the_mean(const std::vector<Contact>& contacts, const Vec3& mean,
+                                  const Contact* first) {
+  const auto [t1, t2] = tangents(first->n);
   std::vector<Seen> ring;
   for (const Contact& contact : contacts) {
     const Vec3 from_mean = contact.r_i - mean;
     ring.push_back({&contact, from_mean, std::atan2(t2.dot(from_mean), t1.dot(from_mean))});
   }
   std::sort(ring.begin(), ring.end(), [](const Seen& a, const Seen& b) { return a.angle < b.angle; });
-  const auto is_first = [&](const Seen& seen) { return seen.contact == &contacts[first]; };
+  const auto is_first = [&](const Seen& seen) { return seen.contact == first; };
   std::rotate(ring.begin(), std::find_if(ring.begin(), ring.end(), is_first), ring.end());
   return ring;
 }
 
-/// Twice the areas of triangles between the mean and two of a ring, positive where the second is to the left.
-struct Area {
-  const std::vector<Seen>& ring;
-  Vec3 n = ring.front().contact->n;
+using Four = std::array<std::size_t, 4>;
 
-  double between(std::size_t a, std::size_t b) const {
-    return n.dot(ring[a].from_mean.cross(ring[b].from_mean));
+/// Twice the area of four, in order: Eq. (8.10). -infinity if a term is below -tolerance: then the mean is outside.
+double area(const std::vector<Seen>& ring, const Four& four, double tolerance) {
+  double sum = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Seen &one = ring[four[k]], &other = ring[four[(k + 1) % 4]];
+    const double term = one.contact->n.dot(one.from_mean.cross(other.from_mean));
+    if (term < -tolerance) return -infinity;
+    sum += term;
   }
-  double of(std::size_t a, std::size_t b, std::size_t c) const {
-    return between(a, b) + between(b, c) + between(c, a);
-  }
-
-  /// Of all that is between four, which are in order; one of them may be within the other three.
-  double of(std::size_t a, std::size_t b, std::size_t c, std::size_t d) const {
-    return std::max({of(a, b, c) + of(a, c, d), of(a, b, c), of(b, c, d), of(c, d, a), of(d, a, b)});
-  }
-
-  /// Whether the mean is within four: from there each turns left to the next.
-  bool surround(std::size_t a, std::size_t b, std::size_t c, std::size_t d, double tolerance) const {
-    return std::min({between(a, b), between(b, c), between(c, d), between(d, a)}) >= -tolerance;
-  }
-};
+  return sum;
+}
 
 }  // namespace
 
@@ -77,20 +67,20 @@ std::vector<Contact> well_spread(const std::vector<Contact>& contacts) {
   for (const Contact& contact : contacts) mean += contact.r_i / static_cast<double>(contacts.size());
   double extent = 0;
   for (const Contact& contact : contacts) extent = std::max(extent, (contact.r_i - mean).norm());
-  const std::size_t deepest = choose_deepest(contacts, 1e-6 * extent);
-  const std::vector<Seen> ring = around_the_mean(contacts, mean, deepest);
+  const std::vector<Seen> ring = around_the_mean(contacts, mean, choose_deepest(contacts, 1e-6 * extent));
 
-  const Area area{ring};
-  const double square = extent * extent;
   std::vector<std::size_t> best;
   double largest = -infinity;
   for (std::size_t a = 1; a < ring.size(); ++a)
     for (std::size_t b = a + 1; b < ring.size(); ++b)
-      for (std::size_t c = b + 1; c < ring.size(); ++c)
-        if (area.surround(0, a, b, c, -1e-12 * square) && area.of(0, a, b, c) > largest + 1e-6 * square) {
-          largest = area.of(0, a, b, c);  // Eq. (8.10)
-          best = {0, a, b, c};
+      for (std::size_t c = b + 1; c < ring.size(); ++c) {
+        const Four four = {0, a, b, c};
+        const double found = area(ring, four, -1e-12 * extent * extent);
+        if (found > largest + 1e-6 * extent * extent) {
+          largest = found;
+          best.assign(four.begin(), four.end());
         }
+      }
   std::vector<Contact> kept;
   for (const std::size_t k : best) kept.push_back(*ring[k].contact);
   return kept;
