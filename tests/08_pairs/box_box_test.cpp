@@ -82,6 +82,40 @@ EXERCISE_TEST(BoxBox, LiesOnALargerOne) {
                 Vec3::UnitZ(), -0.01);
 }
 
+EXERCISE_TEST(BoxBox, LiesOnAnyOfItsFaces) {
+  // Which of its axes is the vertical one makes no difference, nor where the vertical is.
+  Random random;
+  for (int up_i = 0; up_i < 3; ++up_i)
+    for (int up_j = 0; up_j < 3; ++up_j)
+      for (const int side : {1, -1}) {
+        const Mat3 world = random.rotation().toRotationMatrix();
+        // `half_sides` are those along x, y and z before the world is turned.
+        const auto standing = [&](int body, int up, int which, const Vec3& x, const Vec3& half_sides) {
+          Box box = straight(body, world * x, half_sides);
+          for (int k = 0; k < 3; ++k) {
+            const int along = (k + 2 - up + 3) % 3;
+            box.axes.col(k) = world.col(along) * (along == 0 ? 1 : which);
+            box.half_sides[k] = half_sides[along];
+          }
+          return box;
+        };
+        const Box table = standing(3, up_i, side, Vec3(1, 2, 3), Vec3(2, 3, 1)),
+                  box = standing(8, up_j, -side, Vec3(1.5, 2, 4.29), Vec3(0.5, 0.4, 0.3));
+        given() = describe_both(table, box);
+        const std::string what = "a box, whose axis " + std::to_string(up_j) + " is vertical, on a table";
+        const auto got = contacts_of(table, box);
+        if (!expect_count(
+                what, got, 4,
+                "The four corners of the lower face of j, the one that looks most against n, are under "
+                "the table's top."))
+          return;
+        std::vector<Vec3> wanted;
+        for (const double x : {1.0, 2.0})
+          for (const double y : {1.6, 2.4}) wanted.push_back(world * Vec3(x, y, 3.995));
+        if (!expect_points(what, table, box, got, wanted, world.col(2), -0.01)) return;
+      }
+}
+
 EXERCISE_TEST(BoxBox, CarriesALargerOne) {
   // Now the corners of i are under the face of j: those of j hang over.
   for (const double size : {1.0, 1e-6}) {
@@ -98,6 +132,67 @@ EXERCISE_TEST(BoxBox, CarriesALargerOne) {
     if (!expect_points("a plate on a stand", stand, plate, got, corners, Vec3::UnitZ(), -0.01 * size, size))
       return;
   }
+}
+
+EXERCISE_TEST(BoxBox, MovesTheSidesOutByAMillionth) {
+  // A plate on a stand, once with each of the six half sides as the smallest. Where the plate does not hang over, its
+  // own corners stay.
+  for (int smallest = 0; smallest < 6; ++smallest) {
+    Box stand = straight(3, Vec3::Zero(), Vec3(0.5, 0.6, 0.8)),
+        plate = straight(8, Vec3::Zero(), Vec3(2, 3, 0.7));
+    (smallest < 3 ? stand : plate).half_sides[smallest % 3] = 0.2;
+    plate.x.z() = stand.half_sides.z() + plate.half_sides.z() - 0.01;
+    given() = describe_both(stand, plate);
+    const auto got = contacts_of(stand, plate);
+    if (!expect_count("a plate on a stand", got, 4,
+                      "The lower face of j, cut by the sides of i, has four corners."))
+      return;
+    const double slack = 1e-6 * 0.2;
+    for (int k = 0; k < 2; ++k)
+      for (const Contact& contact : got) {
+        const double side = stand.half_sides[k], hangs = plate.half_sides[k];
+        expect_near(
+            std::string("distance of a contact from the middle, along ") + "xy"[k] + " [m]", "Eq. (8.8)",
+            std::abs(contact.r_i[k]), std::min(hangs, side + slack), roundings(64, 4),
+            {{side, "The sides are where they are: move them outwards."},
+             {side - slack, "The sides have been moved inwards."}},
+            "What hangs over is cut by the sides of i, moved outwards by a millionth of the smallest half "
+            "side, of the six.");
+        if (::testing::Test::HasFailure()) return;
+      }
+  }
+}
+
+EXERCISE_TEST(BoxBox, TouchesWhereTheFaceLeavesNothing) {
+  // The face of j that looks down most leads from its lowest corner away from i. That corner is beside the top of i, by
+  // more than the millionth by which sides are moved, and below it, by less than makes up for the head start that the
+  // faces of i have. What overlaps is the other lower face, which is steeper.
+  const Box i = straight(2, Vec3(1, 2, 3), Vec3::Constant(0.5));
+  const double millionth = 1e-6 * 0.5;
+  Box j = turned(straight(7, Vec3::Zero(), i.half_sides), 45.1 / 180 * std::numbers::pi, Vec3::UnitY());
+  j = turned(j, 1e-8,
+             Vec3::UnitX());  // one end of the lowest edge is the lower one, by 2 per cent of the millionth
+  Vec3 lowest = Vec3::Zero();
+  for (const Vec3& corner : corners(j))
+    if (corner.z() < lowest.z()) lowest = corner;
+  const Vec3 beside = i.x + Vec3(0.5 + 1.01 * millionth, lowest.y(), 0.5 - 1.08 * millionth);
+  j.x = beside - lowest;
+  given() = describe_both(i, j);
+  const std::string what =
+      "a cube on its edge, beside the rim of another, which overlap by less than a millionth";
+  const auto got = contacts_of(i, j);
+  if (!expect_count(
+          what, got, 1,
+          "They overlap along all fifteen axes. Where the face that looks most against n leaves nothing take "
+          "the corner that is deepest along n."))
+    return;
+  expect_near(what + ": gap [m]", "Eq. (8.6)", got[0].gap, -1.08 * millionth, roundings(64, 4), {},
+              "How far the deepest corner of j is in front of the face of i.");
+  expect_near_vector(what + ": n", "Eq. (8.7)", got[0].n, Vec3(Vec3::UnitZ()), roundings(16));
+  expect_near_vector(what + ": the point x_i + r_i [m]", "Eq. (8.3)", Vec3(i.x + got[0].r_i),
+                     Vec3(beside + 0.54 * millionth * Vec3::UnitZ()), roundings(64, 4), {},
+                     "The corner of j that is deepest along n, and from there half a gap back.");
+  expect_common_point(got[0], i.x, j.x);
 }
 
 EXERCISE_TEST(BoxBox, TouchesFromZeroGapOn) {
@@ -200,10 +295,10 @@ EXERCISE_TEST(BoxBox, NeedsNoMoreThanFour) {
 
 EXERCISE_TEST(BoxBox, EdgesCrossAtAPoint) {
   const double half = 0.5, ridge = half * std::sqrt(2.0), depth = 0.02;
-  const Box cube = straight(0, Vec3(1, -1, 2), Vec3::Constant(half));
+  const Box cube = straight(4, Vec3(1, -1, 2), Vec3::Constant(half));
   const Box i = turned(cube, std::numbers::pi / 4, Vec3::UnitX());
   Box j = turned(cube, std::numbers::pi / 4, Vec3::UnitY());
-  j.body = 1;
+  j.body = 9;
   j.x += Vec3(0.1, -0.2, 2 * ridge - depth);
   given() = describe_both(i, j);
   const auto got = contacts_of(i, j);

@@ -1,7 +1,6 @@
 // Wrong: keeps more than four.
 // Killed by: BoxBox.NeedsNoMoreThanFour
 // Says: well_spread leaves four
-#include <algorithm>
 #include <cmath>
 
 #include "08_pairs/pairs.hpp"
@@ -10,27 +9,24 @@ namespace spook {
 
 namespace {
 
-double smallest_half_side(const Box& i, const Box& j) {
-  return std::min(i.half_sides.minCoeff(), j.half_sides.minCoeff());
-}
-
 /// n·(p - x) is largest at this corner of a box; here p - x.
 Vec3 deepest_corner(const Box& box, const Vec3& n) {
-  Vec3 r = Vec3::Zero();
-  for (int k = 0; k < 3; ++k) r += std::copysign(box.half_sides[k], n.dot(box.axes.col(k))) * box.axes.col(k);
-  return r;
+  Vec3 corner = box.half_sides;
+  for (int k = 0; k < 3; ++k) corner[k] = std::copysign(corner[k], n.dot(box.axes.col(k)));
+  return box.axes * corner;
 }
 
-/// The corners of the face that looks along n most, in order, from the centre of the box. Of faces that do so alike,
-/// to a millionth, the first.
+/// The corners of the face that looks along n most, in order, from the centre of the box.
 std::vector<Vec3> face_towards(const Box& box, const Vec3& n) {
-  int axis = 0;
-  for (int k = 1; k < 3; ++k)
-    if (std::abs(n.dot(box.axes.col(k))) > std::abs(n.dot(box.axes.col(axis))) + 1e-6) axis = k;
-  const int next = (axis + 1) % 3, last = (axis + 2) % 3;
-  const Vec3 middle = std::copysign(box.half_sides[axis], n.dot(box.axes.col(axis))) * box.axes.col(axis);
-  const Vec3 u = box.half_sides[next] * box.axes.col(next), v = box.half_sides[last] * box.axes.col(last);
-  return {middle + u + v, middle - u + v, middle - u - v, middle + u - v};
+  int axis;
+  (box.axes.transpose() * n).cwiseAbs().maxCoeff(&axis);
+  std::vector<Vec3> corners = {deepest_corner(box, n)};
+  for (const int along :
+       {1, 2, 1}) {  // around: each is the one before, mirrored along one of the other two axes
+    const Vec3 e = box.axes.col((axis + along) % 3);
+    corners.push_back(corners.back() - 2 * e.dot(corners.back()) * e);
+  }
+  return corners;
 }
 
 /// Contacts of the face of `box` along its axis `face`, which n looks out of, with the box `other`: those of i = box.
@@ -38,7 +34,7 @@ std::vector<Contact> face_contacts(const Box& box, int face, const Vec3& n, cons
   const Vec3 apart = other.x - box.x;
   std::vector<Vec3> corners = face_towards(other, -n);
   for (Vec3& corner : corners) corner += apart;
-  const double slack = 1e-6 * smallest_half_side(box, other);
+  const double slack = 1e-6 * box.half_sides.cwiseMin(other.half_sides).minCoeff();
   for (int k = 0; k < 3; ++k)
     if (k != face)
       for (const double side : {-1.0, 1.0})
