@@ -17,9 +17,7 @@ namespace {
 /// Which bodies have been entered in a cell. Cells that hash alike share a list, in which a body stands once.
 class Table {
  public:
-  explicit Table(std::size_t bodies) : last_(std::bit_ceil(8 * bodies + 1), -1) {
-    entries_.reserve(8 * bodies);
-  }
+  explicit Table(std::size_t bodies) : last_(std::bit_ceil(8 * bodies), -1) { entries_.reserve(8 * bodies); }
 
   void enter(int body, const Cell& cell, int level) {
     int& last = last_[slot(cell, level)];

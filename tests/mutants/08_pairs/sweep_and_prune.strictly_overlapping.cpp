@@ -17,11 +17,10 @@ struct Entry {
 
 /// The axis along which the centres are farthest spread: there the fewest overlap.
 int widest_axis(const std::vector<Bounds>& bounds) {
-  Vec3 mean = Vec3::Zero(), squares = Vec3::Zero();
-  for (const Bounds& one : bounds) mean += (one.lower / 2 + one.upper / 2) / static_cast<double>(bounds.size());
-  for (const Bounds& one : bounds) squares += (one.lower / 2 + one.upper / 2 - mean).cwiseAbs2();
+  Eigen::Matrix3Xd centres(3, bounds.size());  // twice as far out as they are
+  for (std::size_t k = 0; k < bounds.size(); ++k) centres.col(k) = bounds[k].lower + bounds[k].upper;
   int axis;
-  squares.maxCoeff(&axis);
+  (centres.colwise() - centres.rowwise().mean()).rowwise().squaredNorm().maxCoeff(&axis);
   return axis;
 }
 
@@ -30,7 +29,6 @@ int widest_axis(const std::vector<Bounds>& bounds) {
 std::vector<Pair> sweep_and_prune(const std::vector<Bounds>& bounds) {
   require_sound(bounds);
   std::vector<Pair> pairs;
-  if (bounds.empty()) return pairs;
   const int axis = widest_axis(bounds);
   std::vector<Entry> entries;
   for (std::size_t k = 0; k < bounds.size(); ++k) entries.push_back({bounds[k], static_cast<int>(k)});
