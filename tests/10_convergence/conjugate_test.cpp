@@ -434,6 +434,17 @@ EXERCISE_TEST(ConjugateSolve, LetsASeparatingContactGo) {
   expect_near("λ under a body that leaves [N s]", "Eq. (4.1)", p.rows[2].lambda, 0, {0, "exact"});
   expect_near("λ under the two that stay [N s]", "Eq. (4.1)", p.rows[0].lambda, 0.01 * 9.81 * 2,
               roundings(100));
+  // The others thrown up as well: after the first sweep no row is free, and no direction is left.
+  Problem<3> all = stack({1, 1, 1}, 0.01);
+  for (Row<3>& row : all.rows) row.B = -1;
+  set_lambda(all, Eigen::VectorXd::Constant(3, 2));
+  const SolveReport report = conjugate_solve(all.rows, all.V, {.max_sweeps = 10, .tolerance = 1e-14});
+  expect_near_vector(
+      "λ under three bodies that leave [N s]", "Eq. (4.1)", lambdas(all), Eigen::VectorXd::Zero(3),
+      {0, "exact"}, {},
+      "With no free row p is 0, and α = 0/0. There is nowhere to go: the next iteration sweeps.");
+  expect_near("entries of its history", "Eq. (4.9)", static_cast<double>(report.history.size()), 2,
+              {0, "a sweep that lets them go, and one that sees it"});
 }
 
 EXERCISE_TEST(ConjugateSolve, DoesNotTakeANaNForConverged) {
