@@ -21,8 +21,8 @@ std::vector<Vec3> face_towards(const Box& box, const Vec3& n) {
   int axis;
   (box.axes.transpose() * n).cwiseAbs().maxCoeff(&axis);
   std::vector<Vec3> corners = {deepest_corner(box, n)};
-  for (const int along :
-       {1, 2, 1}) {  // around: each is the one before, mirrored along one of the other two axes
+  // Around: each is the one before, mirrored along one of the other two axes.
+  for (const int along : {1, 2, 1}) {
     const Vec3 e = box.axes.col((axis + along) % 3);
     corners.push_back(corners.back() - 2 * e.dot(corners.back()) * e);
   }
