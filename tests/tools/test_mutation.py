@@ -1,6 +1,7 @@
 """The mutation run: the mutants that it makes of small files, the survivor that it finds, the equivalents."""
 
 import os
+import subprocess
 import sys
 import tempfile
 import textwrap
@@ -127,6 +128,18 @@ class ManyInOne(unittest.TestCase):
         # The compiler's next line is where `namespace spook {` is in the file.
         place = lines.index('#line 5 "f.cpp"')
         self.assertTrue(lines[place + 1].startswith("namespace spook {"), lines)
+
+    def test_one_that_does_not_define_the_function_is_named(self):
+        other = self.TEXT.replace("int f()", "int g()")
+        with tempfile.TemporaryDirectory() as folder:
+            source, compiled = Path(folder, "crowd.cpp"), Path(folder, "crowd.o")
+            crowd = Crowd({1: self.TEXT.replace("#include <a>", ""), 2: other.replace("#include <a>", "")},
+                          {2: Path("f.other.cpp")})
+            source.write_text(crowd.source())
+            compiler = os.environ.get("CXX", "c++")
+            subprocess.run([compiler, "-o", str(compiled), "-c", str(source)], check=True)
+            with self.assertRaisesRegex(CourseError, r"f\.other\.cpp does not define spook::f\(\)"):
+                crowd.switch(compiled, {"_ZN5spook1fEv"})
 
     def test_what_has_to_be_compiled_alone(self):
         self.assertTrue(Crowd.can_hold(self.TEXT))

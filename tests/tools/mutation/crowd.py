@@ -83,8 +83,10 @@ class Crowd:
         for number, (readable, mangled) in enumerate(functions.items()):
             slot, table = f"spook_slot_{number}", []
             for k in self.texts:
-                name = next(iter(_inside(readable, _namespace(k)) & symbol.keys()))
-                lines.append(f'extern "C" void target_{number}_{k}() __asm__("{symbol[name]}");')
+                found = _inside(readable, _namespace(k)) & symbol.keys()
+                if not found:
+                    raise CourseError(f"{self._files.get(k, f'mutant {k}')} does not define {readable}")
+                lines.append(f'extern "C" void target_{number}_{k}() __asm__("{symbol[found.pop()]}");')
                 table.append(f"{{{k}, target_{number}_{k}}}")
             lines.append(f'extern "C" {{ void (*{slot})(); }}')
             text = f".globl {mangled}\\n{mangled}:\\n {jump.format(slot=slot)}\\n"
