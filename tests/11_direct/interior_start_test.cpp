@@ -64,11 +64,15 @@ void expect_start(const Bounded& p, const VectorXd& guess) {
       expect_near(
           "s z " + side + what + ", over E", "Eq. (11.12)", room * push / e.all, 1, close,
           {{e.of_B / e.all, "This knows B only: the guess and the bounds may ask for more."},
-           {e.without_guess / e.all, "The guess is forgotten."},
+           {e.without_guess / e.all, e.without_guess == e.without_least
+                                         ? "λ₀ and λ₁ are the same here, and both count: S λ² is in E twice."
+                                         : "The guess is forgotten."},
            {e.without_least / e.all, "The bounds may keep λ from 0, and S λ² is then needed in any case."},
            {e.outside / e.all, "The guess is outside the bounds: the nearest λ within them counts."},
-           {e.sum / e.all, "The largest of all rows, and not their sum."}},
-          "Every bound begins with the same s z, the largest of all rows' B²/S + S (λ₀² + λ₁²).");
+           {e.sum / e.all, "The largest of all rows, and not their sum."},
+           {1 / e.all, "This is 1 J, which is for an E of 0: B, the guess or the bounds tell a size."}},
+          room > 0 ? "Every bound begins with the same s z, the largest of all rows' B²/S + S (λ₀² + λ₁²)."
+                   : "There is no room: take at most half of what is between two bounds, and z is finite.");
     };
     const bool below = std::isfinite(p.lo[k]), above = std::isfinite(p.hi[k]);
     if (below) expect_energy("below", start.room_lo[k], start.push_lo[k]);
@@ -146,6 +150,10 @@ EXERCISE_TEST(InteriorStart, IsInTheMiddleOfANarrowWay) {
 }
 
 EXERCISE_TEST(InteriorStart, BeginsSomewhereWithNothingToGoBy) {
+  // B = 0, and something to go by all the same: the guess alone, and a bound alone.
+  expect_start(one_row(0, 0, infinity), VectorXd::Constant(1, 3));
+  expect_start(one_row(0, 3, infinity), VectorXd::Zero(1));
+  expect_start(one_row(0, -infinity, -3), VectorXd::Zero(1));
   for (const double hi : {infinity, 0.25}) {
     const Interior start = start_of(one_row(0, 0, hi), VectorXd::Zero(1));
     if (!has_size(start, 1)) return;
@@ -157,11 +165,13 @@ EXERCISE_TEST(InteriorStart, BeginsSomewhereWithNothingToGoBy) {
     expect_near("s⁻ z⁻ with nothing to go by [J]", "Eq. (11.12)", start.room_lo[0] * start.push_lo[0], 1,
                 roundings(4), {}, clue);
   }
-  const Interior little = start_of(one_row(1e-9, 0, infinity), VectorXd::Zero(1));
-  if (has_size(little, 1))
-    expect_near("s⁻ of a row with S = 2, B = 1e-9 m/s, over 5e-10 N s", "Eq. (11.12)",
-                little.room_lo[0] / 5e-10, 1, roundings(8), {},
+  for (const double B : {1e-9, 1e-150}) {  // B² is far from underflow
+    const Interior little = start_of(one_row(B, 0, infinity), VectorXd::Zero(1));
+    if (!has_size(little, 1)) return;
+    expect_near("s⁻ of a row with S = 2, B = " + show(B) + " m/s, over B/2", "Eq. (11.12)",
+                little.room_lo[0] / (B / 2), 1, roundings(8), {},
                 "That is little, and something to go by: 1 J is for an E of 0.");
+  }
 }
 
 EXERCISE_TEST(InteriorStart, IsTheSameInAnyUnits) {
