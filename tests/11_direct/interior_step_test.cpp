@@ -66,6 +66,8 @@ double longest_part(const Interior& now, const Interior& step) {
 struct Way {
   double power = 3, second_order = -1, share = 0.999;
   bool look = true, counts_rows = false;
+  double look_share = 1;  // of what the first step may do
+  bool whole_mean = false, whole_product = false, above_by_lambda = false;
 };
 
 /// The point before λ and its rooms are brought together.
@@ -82,12 +84,14 @@ Interior dense_interior_step(const Inside& p, const Way& way = {}) {
   Target target{.lo = VectorXd::Zero(n), .hi = VectorXd::Zero(n)};
   if (way.look) {
     const Interior straight = dense_newton_step(p, target);
-    const double part = longest_part(p.now, straight);
-    const double before = mean(p.now), after = mean(moved(p.now, straight, part));
+    const double part = way.look_share * longest_part(p.now, straight);
+    const double before = mean(p.now), after = mean(moved(p.now, straight, way.whole_mean ? 1 : part));
     const double centre = before > 0 ? std::pow(after / before, way.power) * before : 0;
+    const double product = way.second_order * (way.whole_product ? 1 : part);
+    const double above = way.above_by_lambda ? -product : product;
     for (Eigen::Index k = 0; k < n; ++k) {
-      target.lo[k] = centre + way.second_order * part * straight.room_lo[k] * straight.push_lo[k];
-      target.hi[k] = centre + way.second_order * part * straight.room_hi[k] * straight.push_hi[k];
+      target.lo[k] = centre + product * straight.room_lo[k] * straight.push_lo[k];
+      target.hi[k] = centre + above * straight.room_hi[k] * straight.push_hi[k];
     }
   }
   const Interior step = dense_newton_step(p, target);
@@ -147,6 +151,11 @@ EXERCISE_TEST(InteriorStep, LooksBeforeItGoes) {
          {otherwise({.power = 2}), "(μ'/μ)³ μ: this has the square."},
          {otherwise({.power = 4}), "(μ'/μ)³ μ: this has the fourth power."},
          {otherwise({.power = 0}), "This aims at μ itself: (μ'/μ)³ is left out."},
+         {otherwise({.look_share = 0.999}), "α is all that the first step may do: 0.999 is for the second."},
+         {otherwise({.whole_mean = true}),
+          "μ' is the mean after the part α of the first step, not after all of it."},
+         {otherwise({.whole_product = true}), "-α Δs Δz: here α is left out."},
+         {otherwise({.above_by_lambda = true}), "Δs⁺ is -Δλ: here the product above has the other sign."},
          {otherwise({.counts_rows = true}), "μ is the mean over bounds: a row has none, one or two."},
          {otherwise({.share = 1}), "Take 0.999 of the longest part: here a room, or a push, is exactly 0."},
          {otherwise({.share = 0.5}), "Take 0.999 of the longest part: this is half of it."}},
@@ -205,7 +214,8 @@ EXERCISE_TEST(InteriorStep, LetsTheSmallestOfThreeSetTheOthers) {
     Inside p = random_inside(random, 12);
     p.now.room_lo[0] = p.now.room_hi[0] = 0.5, p.now.push_lo[0] = p.now.push_hi[0] = 1;
     const Bounds bounds = bounds_of(p.now);
-    for (Eigen::Index k = 0; k < 12; ++k) p.now.lambda[k] += random.uniform(-1e-3, 1e-3);
+    for (Vector* each : {&p.now.lambda, &p.now.room_lo, &p.now.room_hi})
+      for (double& value : *each) value += random.uniform(-1e-3, 1e-3);
     const Interior got = step_of(p, bounds), drifted = dense_interior_step(p);
     if (!has_size(got, 12)) return;
     for (Eigen::Index k = 0; k < 12; ++k) {
@@ -214,8 +224,8 @@ EXERCISE_TEST(InteriorStep, LetsTheSmallestOfThreeSetTheOthers) {
       const std::string what = " of row " + std::to_string(k) + ", as it would be λ = " + show(before.lambda) +
                                ", s⁻ = " + show(before.below) + ", s⁺ = " + show(before.above) + " [N s]";
       const std::string clue =
-          "λ had drifted from its rooms before the step. The smallest of |λ|, s⁻, s⁺ is right: the other two "
-          "follow, by s⁻ = λ - lo, s⁺ = hi - λ.";
+          "λ had drifted from its rooms, and they apart, before the step. The smallest of |λ|, s⁻, s⁺ is "
+          "right: the other two follow, by s⁻ = λ - lo, s⁺ = hi - λ.";
       expect_near("λ" + what, "Eq. (11.5)", got.lambda[k], right.lambda, close,
                   {{before.lambda, clue + " This λ did not."}}, clue);
       if (has_lo(p.now, k))
