@@ -111,9 +111,9 @@ inline double roundings(const SparseMatrix& S, const Vector& B, const Vector& la
 /// Exercise 11.10. Solves S λ = B within lo and hi, lo < hi: from interior_start by interior_step, until the residual,
 /// Eq. (4.8), is at most `stop.tolerance` or the roundings of Eq. (11.13). On entry `lambda` is a guess of how
 /// large the impulses are, or zero; on return the best that was found, within the bounds: the guess, clamped, where the
-/// first factorisation fails. The history has the residual after each factorisation, of which there are at most
-/// stop.max_sweeps. Where they do not suffice, or one fails, it has not converged and `trouble` says why. With no
-/// rows: no factorisation, converged. Throws as solve does, rows or not.
+/// first factorisation fails, or every residual is NaN. The history has the residual after each factorisation, of which
+/// there are at most stop.max_sweeps. Where they do not suffice, or one fails, it has not converged and `trouble` says
+/// which. With no rows: no factorisation, converged. Throws as solve does, rows or not.
 SolveReport interior_solve(const SparseMatrix& S, const Vector& B, const Vector& lo, const Vector& hi,
                            const StopRule& stop, Vector& lambda, Factors& factors);
 
