@@ -94,6 +94,11 @@ EXERCISE_TEST(InteriorSolve, LooksForThePatternOnce) {
   expect_near("analyses for one system", "Eq. (11.7)", solved.factors.analyses, 1,
               {0, "S̃ has the pattern of S"},
               {{0, "The caller's `factors` were not used: they are to keep the pattern for the next step."}});
+  for (Row<6>& row : s.rows) row.B *= -0.7;
+  solve_bounded(bounded(s.rows), exact, solved);
+  expect_near("analyses for two systems of one pattern", "Eq. (11.7)", solved.factors.analyses, 1,
+              {0, "the pattern is that of the system before"}, {},
+              "`factors` come with what they know: a wire keeps its pattern from step to step.");
 }
 
 // Contacts on a column of point masses: λ_k = h g times the mass above.
@@ -300,6 +305,11 @@ EXERCISE_TEST(InteriorSolve, StopsAtTheTolerance) {
               static_cast<double>(same.report.history.size()),
               static_cast<double>(coarse.report.history.size()), {0, "a count"}, {},
               "At most the tolerance: a residual that is just that will do.");
+  Solved any;
+  solve_bounded(p, {.max_sweeps = 100, .tolerance = 1e9}, any);
+  expect_solved("a system, to 1e9 m/s,", any);
+  expect_at_most("factorisations to 1e9 m/s", "Eq. (4.9)", static_cast<double>(any.report.history.size()), 1,
+                 "the first will do", "Look at the residual after each of them, the first as well.");
   Solved tiny;
   solve_bounded(p, {.max_sweeps = 100, .tolerance = 1e-300}, tiny);
   expect_solved("a system, to 1e-300 m/s,", tiny);
