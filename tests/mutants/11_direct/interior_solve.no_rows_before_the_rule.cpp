@@ -35,6 +35,7 @@ SolveReport interior_solve(const SparseMatrix& S, const Vector& B, const Vector&
 
   SolveReport report;
   report.converged = B.size() == 0;
+  if (report.converged) return report;
   Interior now = interior_start(S, B, lo, hi, lambda);
   double best = infinity;
   lambda = clamped(lambda, lo, hi);
