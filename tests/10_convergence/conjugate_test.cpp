@@ -313,8 +313,15 @@ EXERCISE_TEST(ConjugateSolve, SweepsWhenABoundWasMetOrLacksMost) {
       double& largest = row.lo < row.lambda && row.lambda < row.hi ? of_free : of_others;
       largest = std::max(largest, lacks);
     }
-    const double lacked = residual(once.rows, once.V), returned = sweep(once.rows, once.V);
     const bool sweeps = projected || of_others > of_free;
+    if (sweeps) {
+      Problem<6> anew = once;
+      conjugate_solve(anew.rows, anew.V, {.max_sweeps = 1, .tolerance = 0});
+      expect_near_vector("λ after a second iteration that sweeps, against one that begins anew [N s]",
+                         "Eq. (10.7)", lambdas(twice), lambdas(anew), roundings(1000, 10), {},
+                         "After a sweep p is z alone: the direction of before is of no use any more, β = 0.");
+    }
+    const double lacked = residual(once.rows, once.V), returned = sweep(once.rows, once.V);
     expect_near(
         "the second entry of the history [m/s], after a step that was " +
             std::string(projected ? "projected" : "whole") +
