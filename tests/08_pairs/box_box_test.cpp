@@ -170,8 +170,8 @@ EXERCISE_TEST(BoxBox, TouchesWhereTheFaceLeavesNothing) {
   const Box i = straight(2, Vec3(1, 2, 3), Vec3::Constant(0.5));
   const double millionth = 1e-6 * 0.5;
   Box j = turned(straight(7, Vec3::Zero(), i.half_sides), 45.1 / 180 * std::numbers::pi, Vec3::UnitY());
-  j = turned(j, 1e-8,
-             Vec3::UnitX());  // one end of the lowest edge is the lower one, by 2 per cent of the millionth
+  // One end of the lowest edge is the lower one, by 2 per cent of the millionth.
+  j = turned(j, 1e-8, Vec3::UnitX());
   Vec3 lowest = Vec3::Zero();
   for (const Vec3& corner : corners(j))
     if (corner.z() < lowest.z()) lowest = corner;

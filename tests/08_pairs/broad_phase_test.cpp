@@ -277,8 +277,7 @@ EXERCISE_TEST(SpatialHash, TellsCellsApartByAllBits) {
   }
   expect_faster(spatial_hash, "Eq. (8.14)", "each 2^20 m from the next", lattice,
                 "Cells that are far from each other have the same index in the table, and its lists grow long: "
-                "let all bits "
-                "of the three numbers count, and not only the low ones.");
+                "let all bits of the three numbers count, and not only the low ones.");
 }
 
 EXERCISE_TEST(SpatialHash, IsNotHeldUpByAGiant) {

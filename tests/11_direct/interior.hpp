@@ -1,5 +1,6 @@
 #pragma once
 // Points between bounds, for the tests of the steps that an interior point is made of.
+#include "checks.hpp"
 #include "systems.hpp"
 
 namespace spook::testing {
@@ -39,6 +40,25 @@ inline MatrixXd dense_barrier(const Inside& p) {
   S.diagonal() += p.now.push_lo.cwiseQuotient(p.now.room_lo) + p.now.push_hi.cwiseQuotient(p.now.room_hi);
   return S;
 }
+
+/// A point, or a step, has as many entries in each of its vectors as there are rows.
+inline bool has_size(const Interior& got, Eigen::Index rows, const std::string& equation) {
+  const bool right = got.lambda.size() == rows && got.room_lo.size() == rows && got.room_hi.size() == rows &&
+                     got.push_lo.size() == rows && got.push_hi.size() == rows;
+  expect_true("all five vectors have an entry a row", equation, right);
+  return right;
+}
+
+/// What has to stay positive.
+struct Part {
+  const char* name;
+  Vector Interior::*vector;
+};
+
+inline constexpr Part parts[] = {{"room below", &Interior::room_lo},
+                                 {"room above", &Interior::room_hi},
+                                 {"push below", &Interior::push_lo},
+                                 {"push above", &Interior::push_hi}};
 
 inline bool has_lo(const Interior& now, Eigen::Index k) {
   return std::isfinite(now.room_lo[k]);

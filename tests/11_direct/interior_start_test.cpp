@@ -35,13 +35,6 @@ Energies energies(const Bounded& p, const VectorXd& guess) {
   return e;
 }
 
-bool has_size(const Interior& start, Eigen::Index n) {
-  const bool right = start.lambda.size() == n && start.room_lo.size() == n && start.room_hi.size() == n &&
-                     start.push_lo.size() == n && start.push_hi.size() == n;
-  expect_true("all five vectors have an entry a row", "Eq. (11.12)", right);
-  return right;
-}
-
 /// One row, of which S is 2.
 Bounded one_row(double B, double lo, double hi) {
   return {.S = MatrixXd::Constant(1, 1, 2),
@@ -55,7 +48,7 @@ const Tolerance close{1e-12, "roundings of bounds up to 0.5, over rooms of 0.005
 /// Every number of a start, from Eq. (11.12) and the energy.
 void expect_start(const Bounded& p, const VectorXd& guess) {
   const Interior start = start_of(p, guess);
-  if (!has_size(start, p.B.size())) return;
+  if (!has_size(start, p.B.size(), "Eq. (11.12)")) return;
   const Energies e = energies(p, guess);
   for (Eigen::Index k = 0; k < p.B.size(); ++k) {
     const std::string what =
@@ -140,7 +133,7 @@ EXERCISE_TEST(InteriorStart, TakesTheLargestOfTheRows) {
 EXERCISE_TEST(InteriorStart, IsInTheMiddleOfANarrowWay) {
   for (const double width : {1e-9, 1e-3, 0.4}) {
     const Interior start = start_of(one_row(3, 1, 1 + width), VectorXd::Zero(1));
-    if (!has_size(start, 1)) return;
+    if (!has_size(start, 1, "Eq. (11.12)")) return;
     const double half = ((1 + width) - 1) / 2;
     expect_near("s⁻ between bounds that are " + show(width) + " apart, over the half", "Eq. (11.12)",
                 start.room_lo[0] / half, 1, {1e-15 / half, "roundings of a bound of 1, over the room"});
@@ -156,7 +149,7 @@ EXERCISE_TEST(InteriorStart, BeginsSomewhereWithNothingToGoBy) {
   expect_start(one_row(0, -infinity, -3), VectorXd::Zero(1));
   for (const double hi : {infinity, 0.25}) {
     const Interior start = start_of(one_row(0, 0, hi), VectorXd::Zero(1));
-    if (!has_size(start, 1)) return;
+    if (!has_size(start, 1, "Eq. (11.12)")) return;
     const double room = std::min(std::sqrt(0.5), hi / 2);
     const std::string clue =
         "No B, no guess, and bounds that let λ be 0: take 1 J, for there must be some room.";
@@ -167,7 +160,7 @@ EXERCISE_TEST(InteriorStart, BeginsSomewhereWithNothingToGoBy) {
   }
   for (const double B : {1e-9, 1e-150}) {  // B² is far from underflow
     const Interior little = start_of(one_row(B, 0, infinity), VectorXd::Zero(1));
-    if (!has_size(little, 1)) return;
+    if (!has_size(little, 1, "Eq. (11.12)")) return;
     expect_near("s⁻ of a row with S = 2, B = " + show(B) + " m/s, over B/2", "Eq. (11.12)",
                 little.room_lo[0] / (B / 2), 1, roundings(8), {},
                 "That is little, and something to go by: 1 J is for an E of 0.");
@@ -186,7 +179,7 @@ EXERCISE_TEST(InteriorStart, IsTheSameInAnyUnits) {
                        .lo = p.lo.cwiseQuotient(c),
                        .hi = p.hi.cwiseQuotient(c)};
   const Interior one = start_of(p, guess), other = start_of(scaled, guess.cwiseQuotient(c));
-  if (!has_size(one, 8) || !has_size(other, 8)) return;
+  if (!has_size(one, 8, "Eq. (11.12)") || !has_size(other, 8, "Eq. (11.12)")) return;
   for (Eigen::Index k = 0; k < 8; ++k)
     expect_near("λ of row " + std::to_string(k) + " in other units, taken back [N s]", "Eq. (11.12)",
                 c[k] * other.lambda[k], one.lambda[k], {1e-12, "roundings of λ about 1"}, {},

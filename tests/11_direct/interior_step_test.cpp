@@ -17,13 +17,10 @@ Bounds bounds_of(const Interior& now) {
   return {now.lambda - now.room_lo, now.lambda + now.room_hi};
 }
 
-constexpr Vector Interior::*parts[] = {&Interior::room_lo, &Interior::room_hi, &Interior::push_lo,
-                                       &Interior::push_hi};
-
 Interior moved(const Interior& now, const Interior& step, double share) {
   Interior next = now;
   next.lambda += share * step.lambda;
-  for (const auto part : parts) next.*part += share * (step.*part);
+  for (const Part& part : parts) next.*part.vector += share * (step.*part.vector);
   return next;
 }
 
@@ -53,13 +50,13 @@ Interior dense_newton_step(const Inside& p, const Target& target) {
 
 /// Eq. (11.10).
 double longest_part(const Interior& now, const Interior& step) {
-  double part = 1;
-  for (const auto vector : parts)
+  double longest = 1;
+  for (const Part& part : parts)
     for (Eigen::Index k = 0; k < now.lambda.size(); ++k) {
-      const double change = (step.*vector)[k];
-      if (change < 0) part = std::min(part, (now.*vector)[k] / -change);
+      const double change = (step.*part.vector)[k];
+      if (change < 0) longest = std::min(longest, (now.*part.vector)[k] / -change);
     }
-  return part;
+  return longest;
 }
 
 /// Eq. (11.11), and what it is easily mistaken for.
@@ -121,13 +118,6 @@ Interior step_of(const Inside& p, const Bounds& bounds) {
   return interior_step(lower_triangle(p.S), p.B, bounds.lo, bounds.hi, p.now, factors);
 }
 
-bool has_size(const Interior& next, Eigen::Index n) {
-  const bool right = next.lambda.size() == n && next.room_lo.size() == n && next.room_hi.size() == n &&
-                     next.push_lo.size() == n && next.push_hi.size() == n;
-  expect_true("all five vectors have an entry a row", "Eq. (11.11)", right);
-  return right;
-}
-
 /// Infinities as zeros: the rooms of bounds that there are.
 VectorXd finite(const VectorXd& v) {
   return v.unaryExpr([](double x) { return std::isinf(x) ? 0 : x; });
@@ -140,14 +130,15 @@ EXERCISE_TEST(InteriorStep, LooksBeforeItGoes) {
   for (int repeat = 0; repeat < 10; ++repeat) {
     const Inside p = random_inside(random, 14);  // with 13 bounds
     const Interior got = step_of(p, bounds_of(p.now));
-    if (!has_size(got, 14)) return;
+    if (!has_size(got, 14, "Eq. (11.11)")) return;
     const Interior right = dense_interior_step(p);
     const auto otherwise = [&](const Way& way) { return dense_interior_step(p, way).lambda; };
     expect_near_vector(
         "λ of the next point [N s]", "Eq. (11.11)", got.lambda, right.lambda, close,
         {{otherwise({.look = false}), "This is the straight step, τ = 0: it only tells what τ shall be."},
          {otherwise({.second_order = 0}), "The product of the two changes is left out of τ."},
-         {otherwise({.second_order = 1}), "The product of the two changes is taken from τ, and not added."},
+         {otherwise({.second_order = 1}),
+          "The product of the two changes is added to τ: it has to be taken away."},
          {otherwise({.power = 2}), "(μ'/μ)³ μ: this has the square."},
          {otherwise({.power = 4}), "(μ'/μ)³ μ: this has the fourth power."},
          {otherwise({.power = 0}), "This aims at μ itself: (μ'/μ)³ is left out."},
@@ -179,12 +170,13 @@ EXERCISE_TEST(InteriorStep, KeepsAThousandthOfEveryRoomAndPush) {
   for (int repeat = 0; repeat < 10; ++repeat) {
     const Inside p = random_inside(random, 12);
     const Interior got = step_of(p, bounds_of(p.now));
-    if (!has_size(got, 12)) return;
+    if (!has_size(got, 12, "Eq. (11.11)")) return;
     double least = infinity;
-    for (const auto part : parts)
-      for (Eigen::Index k = 0; k < 12; ++k)
-        if ((p.now.*part)[k] > 0 && std::isfinite((p.now.*part)[k]))
-          least = std::min(least, (got.*part)[k] / (p.now.*part)[k]);
+    for (const Part& part : parts)
+      for (Eigen::Index k = 0; k < 12; ++k) {
+        const double before = (p.now.*part.vector)[k], left = (got.*part.vector)[k] / before;
+        if (before > 0 && std::isfinite(before) && !(left >= least)) least = left;
+      }
     expect_at_least("the least of rooms and pushes, over what it was", "Eq. (11.10)", least, 0.001 - 1e-10,
                     "1 - 0.999, and roundings",
                     "A room or a push of 0 is a division by zero in the next S̃: 0.999 of the longest part.");
@@ -197,7 +189,7 @@ EXERCISE_TEST(InteriorStep, IsTheSolutionWithoutBounds) {
   p.now.room_lo.setConstant(infinity), p.now.room_hi.setConstant(infinity);
   p.now.push_lo.setZero(), p.now.push_hi.setZero();
   const Interior got = step_of(p, bounds_of(p.now));
-  if (!has_size(got, 10)) return;
+  if (!has_size(got, 10, "Eq. (11.11)")) return;
   expect_near_vector(
       "λ after one step without bounds [N s]", "Eq. (11.5)", got.lambda, VectorXd(p.S.ldlt().solve(p.B)), close,
       {},
@@ -217,7 +209,7 @@ EXERCISE_TEST(InteriorStep, LetsTheSmallestOfThreeSetTheOthers) {
     for (Vector* each : {&p.now.lambda, &p.now.room_lo, &p.now.room_hi})
       for (double& value : *each) value += random.uniform(-1e-3, 1e-3);
     const Interior got = step_of(p, bounds), drifted = dense_interior_step(p);
-    if (!has_size(got, 12)) return;
+    if (!has_size(got, 12, "Eq. (11.11)")) return;
     for (Eigen::Index k = 0; k < 12; ++k) {
       const Place before{drifted.lambda[k], drifted.room_lo[k], drifted.room_hi[k]};
       const Place right = reconciled(before, bounds.lo[k], bounds.hi[k]);
@@ -252,7 +244,7 @@ EXERCISE_TEST(InteriorStep, KeepsTheDigitsOfASmallRoom) {
              .target = {}};
     const Bounds bounds{(above ? -infinity : 1) * one, (above ? 1 : infinity) * one};
     const Interior got = step_of(p, bounds), right = dense_interior_step(p);
-    if (!has_size(got, 1)) return;
+    if (!has_size(got, 1, "Eq. (11.11)")) return;
     const auto part = above ? &Interior::room_hi : &Interior::room_lo;
     expect_near("room " + std::string(above ? "above" : "below") +
                     " a bound of 1, 1e-9 before the step, over what is right",

@@ -94,19 +94,12 @@ Interior step_of(const Inside& p) {
   return newton_step(lower_triangle(p.S), p.B, p.now, p.target, factors);
 }
 
-bool has_size(const Interior& step, Eigen::Index n) {
-  const bool right = step.lambda.size() == n && step.room_lo.size() == n && step.room_hi.size() == n &&
-                     step.push_lo.size() == n && step.push_hi.size() == n;
-  expect_true("all five vectors have an entry a row", "Eq. (11.9)", right);
-  return right;
-}
-
 EXERCISE_TEST(NewtonStep, SolvesTheRowsWithTheNewPushes) {
   Random random;
   for (int repeat = 0; repeat < 10; ++repeat) {
     const Inside p = random_inside(random, 12);
     const Interior step = step_of(p);
-    if (!has_size(step, 12)) return;
+    if (!has_size(step, 12, "Eq. (11.9)")) return;
     const VectorXd lambda = p.now.lambda + step.lambda;
     const VectorXd lo = p.now.push_lo + step.push_lo, hi = p.now.push_hi + step.push_hi;
     const VectorXd missing = p.B + lo - hi - p.S * lambda;
@@ -122,7 +115,7 @@ EXERCISE_TEST(NewtonStep, MissesTheTargetByItsSecondOrderOnly) {
   for (int repeat = 0; repeat < 10; ++repeat) {
     const Inside p = random_inside(random, 12);
     const Interior step = step_of(p);
-    if (!has_size(step, 12)) return;
+    if (!has_size(step, 12, "Eq. (11.9)")) return;
     const auto product_error = [](double room, double push, double target, double dr, double dp) {
       return (room + dr) * (push + dp) - target - dr * dp;
     };
@@ -146,7 +139,7 @@ EXERCISE_TEST(NewtonStep, RoomsFollowTheImpulse) {
   Random random;
   const Inside p = random_inside(random, 12);
   const Interior step = step_of(p);
-  if (!has_size(step, 12)) return;
+  if (!has_size(step, 12, "Eq. (11.9)")) return;
   for (Eigen::Index k = 0; k < 12; ++k) {
     const double change = step.lambda[k];
     if (has_lo(p.now, k))
@@ -161,7 +154,7 @@ EXERCISE_TEST(NewtonStep, LeavesBoundsThatAreNotThere) {
   Random random;
   const Inside p = random_inside(random, 12);
   const Interior step = step_of(p);
-  if (!has_size(step, 12)) return;
+  if (!has_size(step, 12, "Eq. (11.9)")) return;
   for (Eigen::Index k = 0; k < 12; ++k) {
     const std::string what = row(k) + bounds_of(p.now, k);
     const std::string clue = "Where there is no bound, room and push stay as they are.";
@@ -198,7 +191,7 @@ EXERCISE_TEST(NewtonStep, IsThatOfAllFiveVectorsAtOnce) {
       p.target.hi - p.now.room_hi.cwiseProduct(p.now.push_hi);
   const VectorXd expected = A.fullPivLu().solve(right);
   const Interior step = step_of(p);
-  if (!has_size(step, n)) return;
+  if (!has_size(step, n, "Eq. (11.9)")) return;
   const Tolerance tolerance{1e-10 * (1 + expected.norm()), "roundings times a condition of 1e3, and some"};
   expect_near_vector("Δλ [N s]", "Eq. (11.8)", VectorXd(step.lambda), VectorXd(expected.head(n)), tolerance, {},
                      "τ/s stands for z + Δz, but for what Δλ does to it, and that is in S̃ already.");
@@ -216,7 +209,7 @@ EXERCISE_TEST(NewtonStep, StaysWhereAllIsRight) {
     if (has_hi(p.now, k)) p.target.hi[k] = p.now.room_hi[k] * p.now.push_hi[k];
   }
   const Interior step = step_of(p);
-  if (!has_size(step, 12)) return;
+  if (!has_size(step, 12, "Eq. (11.9)")) return;
   const Tolerance tolerance{1e-12, "roundings times stiffnesses up to 20"};
   const std::string clue = "Nothing is missing and s z is what it shall be: there is no reason to move.";
   expect_near("|Δλ| [N s]", "Eq. (11.8)", step.lambda.norm(), 0, tolerance, {}, clue);
@@ -229,16 +222,6 @@ Interior four(double value) {
   const Vector all = Vector::Constant(4, value);
   return {.lambda = all, .room_lo = all, .room_hi = all, .push_lo = all, .push_hi = all};
 }
-
-struct Part {
-  const char* name;
-  Vector Interior::*vector;
-};
-
-constexpr Part parts[] = {{"room below", &Interior::room_lo},
-                          {"room above", &Interior::room_hi},
-                          {"push below", &Interior::push_lo},
-                          {"push above", &Interior::push_hi}};
 
 EXERCISE_TEST(LongestStep, IsWholeWhereNothingShrinks) {
   expect_near("the part of a step that changes nothing", "Eq. (11.10)", longest_step(four(1), four(0)), 1,

@@ -1,6 +1,6 @@
 // Wrong: adds the product of the two changes to the target.
 // Killed by: InteriorStep.LooksBeforeItGoes
-// Says: is taken from τ, and not added
+// Says: it has to be taken away
 #include <algorithm>
 #include <cmath>
 
