@@ -187,6 +187,7 @@ int run_experiment(int argc, char** argv, const std::function<Experiment(Size)>&
                    const std::function<void(CLI::App&)>& more_options) {
   Options options;
   CLI::App app("An experiment: writes table.csv and claims.json, and fails when a claim is false.");
+  app.set_help_flag("--help", "Print this help and exit");  // not -h, which CLI11 takes for --h, too
   app.add_option("--out", options.out, "folder to write to")->required();
   app.add_flag("--quick", options.quick, "the size that the tests run");
   app.add_option("--shard", options.shard, "i/n: only every n-th point, from the i-th");

@@ -45,7 +45,7 @@ static void require_nothing_left(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options())
     if (!option->get_lnames().empty()) names.push_back("--" + option->get_lnames().front());
-  const auto is_option = [](const std::string& text) { return text.rfind("--", 0) == 0; };
+  const auto is_option = [](const std::string& text) { return text.rfind('-', 0) == 0; };
   const auto option = std::find_if(left.begin(), left.end(), is_option);
   if (option != left.end())
     throw std::invalid_argument("unknown option " + *option + spook::did_you_mean(*option, names));
@@ -67,6 +67,7 @@ static int complain(int status, const std::string& what) {
 
 int main(int argc, char** argv) {
   CLI::App app("A rigid-body engine by the SPOOK method: scenes with known answers.", "spook");
+  app.set_help_flag("--help", "Print this help and exit");  // not -h, which CLI11 takes for --h, too
   app.require_subcommand(0, 1);
   app.allow_extras();
   spook::RunCommand run;
