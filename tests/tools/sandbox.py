@@ -8,7 +8,7 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(os.environ.get("COURSE_SOURCE") or Path(__file__).resolve().parents[2]).resolve()
-TOOLS = ROOT / "tests" / "tools"
+TOOLS = ROOT / "tools"
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(TOOLS / "course"))
 

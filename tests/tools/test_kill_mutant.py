@@ -1,4 +1,4 @@
-"""kill_mutant.py accepts a failed check that says what was promised, and nothing else."""
+"""kill.py accepts a failed check that says what was promised, and nothing else."""
 
 import os
 import subprocess
@@ -36,7 +36,7 @@ class KillMutant(unittest.TestCase):
         source.write_text(header)
         program.write_text(PROGRAM.format(python=sys.executable, body=body, tests=list(tests), code=code))
         program.chmod(0o755)
-        result = subprocess.run([sys.executable, str(TOOLS / "kill_mutant.py"), str(source), str(program), "7"],
+        result = subprocess.run([sys.executable, str(TOOLS / "mutants" / "kill.py"), str(source), str(program), "7"],
                                 capture_output=True, text=True, env=os.environ | {"COURSE_TIME_LIMIT": "1"})
         return result.returncode, result.stderr
 
@@ -84,7 +84,7 @@ class KillMutant(unittest.TestCase):
         self.assert_refused("has no exercise punch", name="punch.half.cpp")
 
     def test_files_that_do_not_exist(self):
-        result = subprocess.run([sys.executable, str(TOOLS / "kill_mutant.py"), "nowhere.cpp", "nothing", "1"],
+        result = subprocess.run([sys.executable, str(TOOLS / "mutants" / "kill.py"), "nowhere.cpp", "nothing", "1"],
                                 capture_output=True, text=True)
         self.assertEqual((result.returncode, result.stderr.count("\n")), (1, 1), result.stderr)
 

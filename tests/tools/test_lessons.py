@@ -150,7 +150,7 @@ class Lessons(unittest.TestCase):
     def test_every_equation_that_is_referred_to_exists(self):
         tags = set(all_tags())
         places = [name for name in our_files()
-                  if name.parts[0] in ("chapters", "solutions", "tests", "plots")
+                  if name.parts[0] in ("chapters", "solutions", "tests", "tools", "plots")
                   and name.suffix in (".cpp", ".hpp", ".md", ".py") and name != self._this()]
         for name in places:
             text = (ROOT / name).read_text(encoding="utf-8", errors="replace")

@@ -1,4 +1,4 @@
-"""kill_mutant.py SOURCE PROGRAM NUMBER: passes if the wrong answer in SOURCE fails the test that its header
+"""kill.py SOURCE PROGRAM NUMBER: passes if the wrong answer in SOURCE fails the test that its header
 names.
 
     // Wrong: adds the force alone.
@@ -7,7 +7,7 @@ names.
 
 The test must fail by one of its checks, and the failure must say what the header promises: that is what the
 student will read. A crash, a skip or running out of time doesn't count. PROGRAM holds it as mutant NUMBER: see
-mutants_together.py.
+together.py.
 """
 
 import re
@@ -15,7 +15,7 @@ import signal
 import sys
 from pathlib import Path
 
-TOOLS = Path(__file__).resolve().parent
+TOOLS = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(TOOLS / "mutation"), str(TOOLS / "course")]
 from crowd import VARIABLE  # noqa: E402
 from errors import CourseError  # noqa: E402
@@ -86,7 +86,7 @@ def _not_said(text: str, trial: Trial) -> str:
 
 def main(arguments: list[str]) -> int:
     if len(arguments) != 3:
-        print("usage: kill_mutant.py SOURCE PROGRAM NUMBER", file=sys.stderr)
+        print("usage: kill.py SOURCE PROGRAM NUMBER", file=sys.stderr)
         return 2
     source = Path(arguments[0]).resolve()
     try:

@@ -1,7 +1,7 @@
 """Puts the wrong answers to an exercise into one program, each in a namespace of its own.
 
-    mutants_together.py source RESULT MUTANT...                    their texts, to be compiled as one
-    mutants_together.py switch RESULT REFERENCE OBJECT MUTANT...   the exercise's functions, which call one of them
+    together.py source RESULT MUTANT...                    their texts, to be compiled as one
+    together.py switch RESULT REFERENCE OBJECT MUTANT...   the exercise's functions, which call one of them
 
 SPOOK_MUTANT in the environment of the program chooses which, by its number in the list, from 1. REFERENCE is an
 archive with the right functions. Compiled one by one, mutants take five times as long.
@@ -11,7 +11,7 @@ import argparse
 import sys
 from pathlib import Path
 
-TOOLS = Path(__file__).resolve().parent
+TOOLS = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(TOOLS / "mutation"), str(TOOLS / "course")]
 from crowd import Crowd  # noqa: E402
 from errors import CourseError  # noqa: E402
@@ -45,7 +45,7 @@ def main(words: list[str]) -> int:
             text = crowd.switch(options.object, functions_in(options.reference, function))
         options.result.write_text(text, encoding="utf-8")
     except (CourseError, OSError) as error:
-        print(f"mutants_together.py: {error}", file=sys.stderr)
+        print(f"together.py: {error}", file=sys.stderr)
         return 1
     return 0
 

@@ -1,6 +1,6 @@
 """The tests under test: every small change to a reference must fail its exercise's own tests.
 
-    python3 tests/tools/mutation [--chapters 1-3] [--exercise NAME] [--jobs 2] [--list]
+    python3 tools/mutation [--chapters 1-3] [--exercise NAME] [--jobs 2] [--list]
 
 Survivors are printed as the line before and after. Equivalent, 3+1, are those that compile to the same
 object, and those that tests/mutants/equivalent.txt lists with a reason. Exit code 1 if a chapter's score is
