@@ -33,13 +33,14 @@ const std::vector<SceneDescription>& scenes() {
   return all;
 }
 
-const SceneDescription& find_scene(const std::string& name) {
+const SceneDescription& find_scene(std::string_view name) {
   std::vector<std::string> names;
   for (const SceneDescription& scene : scenes()) {
     if (scene.name == name) return scene;
     names.push_back(scene.name);
   }
-  throw std::invalid_argument("unknown scene \"" + name + "\"" + did_you_mean(name, names));
+  const std::string given(name);
+  throw std::invalid_argument("unknown scene \"" + given + "\"" + did_you_mean(given, names));
 }
 
 }  // namespace spook

@@ -1,5 +1,7 @@
 #pragma once
 // All scenes. A new one is a file of its own, a line here, and a line in registry.cpp.
+#include <string_view>
+
 #include "scenes/scene.hpp"
 
 namespace spook {
@@ -31,7 +33,7 @@ SceneDescription flat_box_100_contacts();
 const std::vector<SceneDescription>& scenes();
 
 /// Throws std::invalid_argument, with the nearest name there is, for a name that is no scene's.
-const SceneDescription& find_scene(const std::string& name);
+const SceneDescription& find_scene(std::string_view name);
 
 /// For SceneDescription::build.
 template <class SomeScene>
