@@ -2,18 +2,22 @@
 
 import contextlib
 import io
+import tempfile
 import unittest
+from pathlib import Path
 from unittest import mock
 
 import sandbox  # noqa: F401  (finds the course's modules)
 
 import everything
 import install
+import needs
 import speed_error
 import terminal
 from errors import CourseError
 from manifest import numbered_items
 from marker import is_stub, marker_line
+from needs import NEEDS, Need
 
 
 class Marker(unittest.TestCase):
@@ -62,20 +66,21 @@ class Installing(unittest.TestCase):
     def refused(self, *, root: bool, there=(), yes=False, apt_works=False) -> str:
         """What install() says when it can't go on."""
         stream = mock.Mock(return_value=(0 if apt_works else 100, "E: no network\n"))
-        with mock.patch.object(install, "_there", return_value=False), \
+        with mock.patch.object(Need, "there", return_value=False), \
              mock.patch.object(install, "_is_root", return_value=root), \
              mock.patch.object(install.shutil, "which", lambda name: name if name in there else None), \
              mock.patch.object(install, "stream", stream), contextlib.redirect_stderr(io.StringIO()), \
              mock.patch("sys.stdin", io.StringIO("")):
             with self.assertRaises(CourseError) as caught:
-                install.install({"cmake": "command cmake", "g++": "command c++"}, yes)
+                install.install((Need("cmake", "command", "cmake"), Need("g++", "command", "c++")), yes)
         self.commands = [" ".join(call.args[0]) for call in stream.call_args_list]
         return str(caught.exception)
 
     def test_nothing_to_install_calls_nothing(self):
-        with mock.patch.object(install, "_there", return_value=True), \
+        with mock.patch.object(Need, "there", return_value=True), \
+             mock.patch.object(Need, "version", return_value="99"), \
              mock.patch.object(install, "stream", side_effect=AssertionError):
-            install.install(install.PACKAGES, yes=False)
+            install.install(NEEDS, yes=False)
 
     def test_without_apt_the_line_is_printed(self):
         self.assertIn("apt-get update && apt-get install -y --no-install-recommends cmake g++",
@@ -100,6 +105,44 @@ class Installing(unittest.TestCase):
         self.assertIn("still missing", self.refused(root=True, there=["apt-get"], apt_works=True))
         self.assertEqual(self.commands[1], "env DEBIAN_FRONTEND=noninteractive apt-get install -y "
                                            "--no-install-recommends cmake g++")
+
+    def test_what_is_too_old_is_named_with_both_versions(self):
+        with mock.patch.object(Need, "there", return_value=True), \
+             mock.patch.object(Need, "version", return_value="3.9.9"), self.assertRaises(CourseError) as caught:
+            install.install((Need("cmake", "command", "cmake", "3.22"), Need("numpy", "module", "numpy", "1.21"),
+                             Need("old", "command", "old", "3.10")), yes=True)
+        self.assertEqual(str(caught.exception), "cmake 3.9.9 was found, and the course needs 3.22 or newer; "
+                                                "old 3.9.9 was found, and the course needs 3.10 or newer")
+
+
+class Versions(unittest.TestCase):
+    def header_version(self, need: Need, **files: str) -> str:
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text in files.items():
+                Path(folder, name).write_text(text)
+            with mock.patch.object(needs, "_HEADER_FOLDERS", (folder,)):
+                return need.version()
+
+    def test_of_headers(self):
+        digits = Need("eigen", "header", "Core", "3.4", ("Version", "Macros.h"), "E_(?:WORLD|MAJOR)")
+        self.assertEqual(self.header_version(digits, **{"Macros.h": "#define E_WORLD 3\n#define E_MAJOR 4\n"}), "3.4")
+        self.assertEqual(self.header_version(digits, Version="#define E_WORLD 3\n#define E_MAJOR 5\n"), "3.5")
+        self.assertEqual(self.header_version(digits, Version="#define OTHER 3\n"), "")
+        text = Need("cli", "header", "CLI", "2.1", ("Version",), "V")
+        self.assertEqual(self.header_version(text, Version='#define V "2.1.2"\n'), "2.1.2")
+
+    def test_of_commands(self):
+        for line, version in (("c++ (Ubuntu 11.4.0-1ubuntu1~22.04) 11.4.0", "11.4.0"), ("1.11.1", "1.11.1"),
+                              ("Debian clang version 19.1.7 (3)", "19.1.7"), ("cmake version 3.31.6", "3.31.6"),
+                              ("no number", "")):
+            self.assertEqual(needs._number(line), version)
+
+    def test_all_that_the_course_needs_say_their_version(self):
+        for need in NEEDS:
+            if need.least and need.there():
+                with self.subTest(need.package):
+                    self.assertRegex(need.version(), r"^\d+\.\d+")
+                    self.assertEqual(need.too_old(), "")
 
 
 class Totals(unittest.TestCase):

@@ -6,7 +6,7 @@ import unittest
 
 from sandbox import Sandbox, all_exercises
 
-import install
+from needs import NEEDS
 
 STILL = """#include "01_leapfrog/leapfrog.hpp"
 namespace spook {
@@ -161,7 +161,7 @@ class CourseRun(unittest.TestCase):
             source.write_text(text)
 
     def test_start(self):
-        if not all(install._there(sign) for sign in install.PACKAGES.values()):
+        if not all(need.there() for need in NEEDS):
             self.skipTest("start would install packages")
         result = self.box.course("start", cwd="/")
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)

@@ -3,7 +3,8 @@
 import re
 from dataclasses import dataclass
 
-from install import PACKAGES, TEST_PACKAGES, install
+from install import install
+from needs import NEEDS, TEST_NEEDS
 from paths import shown
 from process import stream
 from terminal import paint
@@ -22,7 +23,7 @@ class Outcome:
 
 
 def test(arguments) -> int:
-    install(PACKAGES | TEST_PACKAGES, arguments.yes)
+    install(NEEDS + TEST_NEEDS, arguments.yes)
     trees = [Tree("check"), Tree("sanitize")]
     for tree in trees:
         print(f"Building {shown(tree.path)}.", flush=True)

@@ -1,62 +1,40 @@
-"""What the course needs of the system, and how it gets there."""
+"""Installs what the course needs and the system lacks."""
 
-import importlib.util
+import importlib
 import os
 import shutil
 import subprocess
 import sys
-from pathlib import Path
 
 from errors import CourseError
+from needs import Need
 from paths import BUILD, shown
 from process import stream, tail
 from terminal import Live
 
-_HEADER_FOLDERS = ("/usr/include", "/usr/local/include", "/usr/include/eigen3", "/usr/local/include/eigen3")
 
-# Package of Debian and Ubuntu -> what shows that it, or the same thing from elsewhere, is there.
-PACKAGES = {
-    "cmake": "command cmake",
-    "ninja-build": "command ninja",
-    "g++": "command c++",
-    "git": "command git",
-    "libeigen3-dev": "header Eigen/Core",
-    "libgtest-dev": "header gtest/gtest.h",
-    "libcli11-dev": "header CLI/CLI.hpp",
-    "nlohmann-json3-dev": "header nlohmann/json.hpp",
-    "python3-numpy": "module numpy",
-    "python3-matplotlib": "module matplotlib",
-}
-GRADE_PACKAGES = {"bubblewrap": "command bwrap"}
-TEST_PACKAGES = GRADE_PACKAGES | {"clang-format": "command clang-format"}
+def install(needs: tuple[Need, ...], yes: bool) -> None:
+    """Returns when everything is there, and new enough; asks first, unless root or told not to."""
+    lacking = [need for need in needs if not need.there()]
+    if lacking:
+        _install([need.package for need in lacking], yes)
+        importlib.invalidate_caches()
+        still = [need.package for need in lacking if not need.there()]
+        if still:
+            raise CourseError(f"still missing after installing: {' '.join(still)}; try:  {_command(still)}")
+    too_old = [said for need in needs if (said := need.too_old())]
+    if too_old:
+        raise CourseError("; ".join(too_old))
 
 
-def install(packages: dict[str, str], yes: bool) -> None:
-    """Returns when everything is there; asks first, unless root or told not to."""
-    needed = [package for package, sign in packages.items() if not _there(sign)]
-    if not needed:
-        return
-    how = _command(needed)
-    instead = CourseError(f"missing: {' '.join(needed)}; install with:  {how}")
+def _install(packages: list[str], yes: bool) -> None:
+    instead = CourseError(f"missing: {' '.join(packages)}; install with:  {_command(packages)}")
     if not shutil.which("apt-get") or not (_is_root() or shutil.which("sudo")):
         raise instead
-    if not (_is_root() or yes or _agreed(needed)):
+    if not (_is_root() or yes or _agreed(packages)):
         raise instead
     _apt(["update"], "updating the list of packages", instead)
-    _apt(["install", "-y", "--no-install-recommends", *needed], f"installing {' '.join(needed)}", instead)
-    importlib.invalidate_caches()
-    still = [package for package in needed if not _there(packages[package])]
-    if still:
-        raise CourseError(f"still missing after installing: {' '.join(still)}; try:  {how}")
-
-
-def _there(sign: str) -> bool:
-    kind, name = sign.split()
-    if kind == "command":
-        return shutil.which(name) is not None
-    if kind == "header":
-        return any(Path(folder, name).exists() for folder in _HEADER_FOLDERS)
-    return importlib.util.find_spec(name) is not None
+    _apt(["install", "-y", "--no-install-recommends", *packages], f"installing {' '.join(packages)}", instead)
 
 
 def _is_root() -> bool:

@@ -7,8 +7,9 @@ from pathlib import Path
 
 from board import progress
 from errors import CourseError
-from install import PACKAGES, install
+from install import install
 from manifest import read_chapters
+from needs import NEEDS
 from paths import BUILD, ROOT, shown
 from run import program
 from speed_error import measure, show_table
@@ -17,7 +18,7 @@ from verdict import CHECK
 
 
 def start(arguments) -> int:
-    install(PACKAGES, arguments.yes)
+    install(NEEDS, arguments.yes)
     spook = program("spook")
     _build_tests()
     print(f"{paint('Speed against error', 'bold')}, measured now, with the reference engine:\n", flush=True)

@@ -11,7 +11,8 @@ from grading.isolation import Isolation
 from grading.merge import merge
 from grading.results import write_json
 from grading.submission import Handed, find_submissions
-from install import GRADE_PACKAGES, PACKAGES, install
+from install import install
+from needs import GRADE_NEEDS, NEEDS
 from paths import shown
 from terminal import fold
 
@@ -56,7 +57,7 @@ def _where(out: Path) -> str:
 
 
 def _prepare(arguments) -> int:
-    install(PACKAGES | GRADE_PACKAGES, arguments.yes)
+    install(NEEDS + GRADE_NEEDS, arguments.yes)
     with Grader(arguments) as grader:
         print(f"Ready to grade {len(grader.exercises)} exercises; isolation: {grader.isolation.name}.")
         _say_what_is_open(grader.isolation)

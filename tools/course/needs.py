@@ -1,0 +1,97 @@
+"""What the course needs of the system: Debian's name of it, what shows that it is there, and the oldest that will do."""
+
+import importlib.metadata
+import importlib.util
+import os
+import re
+import shutil
+import subprocess
+from dataclasses import dataclass
+from pathlib import Path
+
+_HEADER_FOLDERS = ("/usr/include", "/usr/local/include", "/usr/include/eigen3", "/usr/local/include/eigen3")
+
+
+@dataclass(frozen=True)
+class Need:
+    package: str  # of Debian and Ubuntu
+    kind: str  # command, header or module
+    name: str  # of the command, header or module that the package, or the same thing from elsewhere, brings
+    least: str = ""  # version; empty: any will do
+    versions: tuple[str, ...] = ()  # of a header: files that may hold its version, as macros
+    macros: str = ""  # of a header: which macros these are, a pattern
+
+    def there(self) -> bool:
+        if self.kind == "command":
+            return shutil.which(self.name) is not None
+        if self.kind == "header":
+            return _find_header(self.name) is not None
+        return importlib.util.find_spec(self.name) is not None
+
+    def version(self) -> str:
+        """As 3.25.1; empty if it does not say."""
+        if self.kind == "command":
+            said = subprocess.run([self.name, "--version"], capture_output=True, text=True, errors="replace").stdout
+            return _number((said.splitlines() or [""])[0])
+        if self.kind == "module":
+            try:
+                return importlib.metadata.version(self.name)
+            except importlib.metadata.PackageNotFoundError:
+                return ""
+        return self._header_version()
+
+    def _header_version(self) -> str:
+        for name in self.versions:
+            file = _find_header(name)
+            text = file.read_text(encoding="utf-8", errors="replace") if file else ""
+            found = re.findall(rf"^#\s*define\s+(?:{self.macros})\s+\"?([0-9.]+)", text, re.MULTILINE)
+            if found:
+                return ".".join(found)
+        return ""
+
+    def too_old(self) -> str:
+        """One sentence; empty when it will do, or does not say how old it is."""
+        version = self.version() if self.least else ""
+        if not version or _parts(version) >= _parts(self.least):
+            return ""
+        return f"{self.package} {version} was found, and the course needs {self.least} or newer"
+
+
+def _find_header(name: str) -> Path | None:
+    return next((path for folder in _HEADER_FOLDERS if (path := Path(folder, name)).exists()), None)
+
+
+def _number(line: str) -> str:
+    """The last version in a line such as `c++ (Debian 12.2.0-14) 12.2.0`."""
+    found = re.findall(r"\b\d+(?:\.\d+)+", line)
+    return found[-1] if found else ""
+
+
+def _parts(version: str) -> tuple[int, ...]:
+    return tuple(int(part) for part in re.findall(r"\d+", version))
+
+
+def compiler() -> Need:
+    """What CMake will take: the environment's CXX, or the system's c++."""
+    name = os.environ.get("CXX") or "c++"
+    is_clang = "clang" in Path(os.path.realpath(shutil.which(name) or name)).name
+    return Need("clang", "command", name, "14") if is_clang else Need("g++", "command", name, "11")
+
+
+# The oldest of each are those of Ubuntu 22.04 and Debian 12, where all tests are run.
+NEEDS = (
+    Need("cmake", "command", "cmake", "3.22"),
+    Need("ninja-build", "command", "ninja", "1.10"),
+    compiler(),
+    Need("git", "command", "git"),
+    Need("libeigen3-dev", "header", "Eigen/Core", "3.4", ("Eigen/Version", "Eigen/src/Core/util/Macros.h"),
+         "EIGEN_(?:WORLD|MAJOR|MINOR)_VERSION"),
+    Need("libgtest-dev", "header", "gtest/gtest.h"),
+    Need("libcli11-dev", "header", "CLI/CLI.hpp", "2.1", ("CLI/Version.hpp",), "CLI11_VERSION"),
+    Need("nlohmann-json3-dev", "header", "nlohmann/json.hpp", "3.10",
+         ("nlohmann/json.hpp", "nlohmann/detail/abi_macros.hpp"), "NLOHMANN_JSON_VERSION_(?:MAJOR|MINOR|PATCH)"),
+    Need("python3-numpy", "module", "numpy", "1.21"),
+    Need("python3-matplotlib", "module", "matplotlib", "3.5"),
+)
+GRADE_NEEDS = (Need("bubblewrap", "command", "bwrap"),)
+TEST_NEEDS = (*GRADE_NEEDS, Need("clang-format", "command", "clang-format"))
