@@ -118,6 +118,8 @@ class Workshop:
         for word in words:
             if word == "-o":
                 next(words)
+            elif word.startswith("-Wl,--dependency-file="):  # CMake's since 3.27: a file in its own build tree
+                continue
             elif word.endswith((".o", ".a")):
                 (before if word.endswith(".o") else after).append(self._stage_answer(CHECK.path / word))
             else:
