@@ -14,6 +14,7 @@ sys.path.insert(0, str(TOOLS / "course"))
 
 from errors import CourseError  # noqa: E402
 from files import course_files  # noqa: E402
+from layer import Layer  # noqa: E402
 from manifest import Exercise, all_exercises  # noqa: E402
 from reset import stub_of  # noqa: E402
 from watching import Watching  # noqa: E402
@@ -31,14 +32,36 @@ def _clean_environment() -> dict[str, str]:
     return {name: value for name, value in os.environ.items() if not name.startswith(("COURSE_", "SPOOK_"))}
 
 
+def _copy(root: Path) -> Path:
+    for name in course_files():
+        (root / name).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy2(ROOT / name, root / name)
+    return root
+
+
+def _layer(scratch: Path) -> Layer | None:
+    """With the course's files and build trees, and without its history and what is remembered of the student."""
+    try:
+        layer = Layer(ROOT, scratch)
+    except OSError:
+        return None
+    ours = {"build", *(name.parts[0] for name in course_files())}
+    for path in layer.root.iterdir():
+        if path.name not in ours:
+            shutil.rmtree(path) if path.is_dir() and not path.is_symlink() else path.unlink()
+    return layer
+
+
 class Sandbox:
-    def __init__(self):
+    """With `built`, the course's build trees are there, too, where a layer can be laid over it; else they are built
+    when something asks for them."""
+
+    def __init__(self, built: bool = False):
         self._folder = tempfile.TemporaryDirectory(prefix="course-sandbox-")
         # Resolved, as the course finds its own folder.
-        self.root = Path(self._folder.name).resolve() / "course"
-        for name in course_files():
-            (self.root / name).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy2(ROOT / name, self.root / name)
+        scratch = Path(self._folder.name).resolve()
+        self._layer = _layer(scratch) if built else None
+        self.root = self._layer.root if self._layer else _copy(scratch / "course")
         for exercise in all_exercises():
             if exercise.started():
                 self._restore(exercise)
@@ -46,16 +69,26 @@ class Sandbox:
             subprocess.run(["git", "-C", str(self.root), *command], check=True, capture_output=True)
 
     def close(self) -> None:
+        if self._layer:
+            self._layer.close()
         self._folder.cleanup()
 
     def course(self, *words: str, cwd: Path | None = None, command: Path | None = None,
                **env: str) -> subprocess.CompletedProcess:
         """Runs the course command; the output as text."""
-        return subprocess.run([str(command or self.root / "course"), *words], capture_output=True, text=True,
-                              cwd=cwd or self.root, env=_clean_environment() | env, stdin=subprocess.DEVNULL)
+        line, options = self._command(words, cwd, command)
+        return subprocess.run(line, capture_output=True, text=True, stdin=subprocess.DEVNULL,
+                              env=_clean_environment() | env, **options)
 
     def watch(self, *words: str) -> Watching:
-        return Watching([str(self.root / "course"), "watch", *words], cwd=self.root, env=_clean_environment())
+        line, options = self._command(("watch", *words))
+        return Watching(line, env=_clean_environment(), **options)
+
+    def _command(self, words: tuple[str, ...], cwd: Path | None = None,
+                 command: Path | None = None) -> tuple[list[str], dict]:
+        if self._layer:
+            return self._layer.inside([str(command or ROOT / "course"), *words], cwd), {}
+        return [str(command or self.root / "course"), *words], {"cwd": cwd or self.root}
 
     def file(self, exercise: Exercise) -> Path:
         return self.root / exercise.file.relative_to(ROOT)

@@ -18,7 +18,7 @@ Vec3 kick(const Vec3& v, const Vec3&, double, double) { return v; }
 class CourseRun(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.box = Sandbox()
+        cls.box = Sandbox(built=True)
         cls.addClassCleanup(cls.box.close)
         cls.kick = next(exercise for exercise in all_exercises() if exercise.function == "kick")
 
