@@ -1,5 +1,6 @@
 #include "machinery/experiment.hpp"
 
+#include <CLI/CLI.hpp>
 #include <atomic>
 #include <exception>
 #include <fstream>

@@ -4,7 +4,6 @@
 // run_experiment() makes a program of one. It computes the points on all cores, goes on where it was interrupted, and
 // can take a share of them (--shard i/n); it writes the table as CSV and the claims as JSON, and says with its exit
 // code whether they hold.
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
 #include <variant>
@@ -12,6 +11,10 @@
 
 #include "machinery/claims.hpp"
 #include "machinery/table.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace spook::plots {
 

@@ -5,6 +5,7 @@
 //
 // The error is the scene's own. The cost is the median of the microseconds a step with its quartiles, and, the same on
 // every machine, the row updates of a second.
+#include <CLI/CLI.hpp>
 #include <limits>
 #include <sstream>
 

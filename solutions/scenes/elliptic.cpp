@@ -3,13 +3,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace spook {
 
 // The means converge quadratically; this is beyond what any k' needs.
 static constexpr int max_levels = 40;
 static constexpr double epsilon = std::numeric_limits<double>::epsilon();
-static constexpr double pi = 3.14159265358979323846;
 
 Jacobi jacobi(double u, double complement) {
   if (complement == 0) return {std::tanh(u), 1 / std::cosh(u), 1 / std::cosh(u)};
@@ -37,14 +37,15 @@ Jacobi jacobi(double u, double complement) {
 }
 
 double elliptic_integral(double phi, double complement) {
-  if (complement == 0) return std::abs(phi) < pi / 2 ? std::atanh(std::sin(phi)) : std::copysign(INFINITY, phi);
+  if (complement == 0)
+    return std::abs(phi) < std::numbers::pi / 2 ? std::atanh(std::sin(phi)) : std::copysign(INFINITY, phi);
 
   double a = 1, b = std::sqrt(complement);
   int n = 0;
   for (; n < max_levels && std::abs(a - b) > epsilon * a; ++n) {
     // Landen: tan(φ' - φ) = (b/a) tan φ, in the quadrant that φ is in.
     const double turn = std::atan2(b * std::sin(phi), a * std::cos(phi));
-    phi += turn + 2 * pi * std::round((phi - turn) / (2 * pi));
+    phi += turn + 2 * std::numbers::pi * std::round((phi - turn) / (2 * std::numbers::pi));
     const double mean = (a + b) / 2;
     b = std::sqrt(a * b);
     a = mean;
@@ -53,7 +54,7 @@ double elliptic_integral(double phi, double complement) {
 }
 
 double quarter_period(double complement) {
-  return elliptic_integral(pi / 2, complement);
+  return elliptic_integral(std::numbers::pi / 2, complement);
 }
 
 }  // namespace spook
