@@ -86,7 +86,8 @@ class KillMutant(unittest.TestCase):
         self.assert_refused("there is no test Kick.Adds", tests=[], code=0)
 
     def test_a_header_without_its_promise(self):
-        self.assert_refused("must have 'Wrong: ...', 'Killed by: ...', 'Says: ...'", header="// Wrong: a\n// Killed by: Kick.Adds\n")
+        self.assert_refused("must have 'Wrong: ...', 'Killed by: ...', 'Says: ...'",
+                            header="// Wrong: a\n// Killed by: Kick.Adds\n")
 
     def test_a_test_of_another_exercise(self):
         self.assert_refused("is not a test of 1.2 drift", name="drift.half.cpp")

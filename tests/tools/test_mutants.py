@@ -83,16 +83,18 @@ class Changes(unittest.TestCase):
                          REFERENCE.replace("    x = 9;", "x = 8;").replace("  x += 1;", "x += 3;"))
 
     def test_what_it_includes_stands_at_the_top(self):
-        self.assertEqual(self.mutated("+#include <cmath>", "-x += 1;"),
-                         "#include <cmath>\n" + REFERENCE.replace("  x += 1;\n", ""))
+        expected = "#include <cmath>\n" + REFERENCE.replace("  x += 1;\n", "")
+        self.assertEqual(self.mutated("+#include <cmath>", "-x += 1;"), expected)
+        self.assertEqual(self.mutated("+#include <cmath>", "", "-x += 1;"), expected)
 
     def test_lines_that_are_not_in_the_reference(self):
-        self.assert_refused(HALF + "-x += 2;\n", 3, f"half: the lines of before are in {self.reference} nowhere")
-        self.assert_refused(HALF + "-x = x / 2;\n x += 1;\n", 3, "half: the lines of before")
+        self.assert_refused(HALF + " return x;\n-x += 2;\n", 4, f"half: this is not in {self.reference}: x += 2;")
+        self.assert_refused(HALF + "-x = x / 2;\n x += 1;\n", 3,
+                            f"half: in {self.reference} these lines do not follow one another")
 
-    def test_lines_that_are_there_twice(self):
-        self.assert_refused(HALF + "-x += 1;\n\n-}\n", 5, f"half: the lines of before are in {self.reference} "
-                            "4 times, at lines 10, 15, 17, 19: say what stays beside them")
+    def test_lines_that_are_there_more_than_once(self):
+        self.assert_refused(HALF + "-x += 1;\n\n+x += 2;\n-}\n", 6, f"half: this is 4 times in {self.reference}, "
+                            "at lines 10, 15, 17, 19: say what stays beside it")
 
     def test_a_change_without_a_place(self):
         self.assert_refused(HALF + "+x = 0;\n\n-x += 1;\n", 3, "half: a change needs a line of the reference")

@@ -13,7 +13,6 @@ from pathlib import Path
 
 TOOLS = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(TOOLS / "mutation"), str(TOOLS / "course")]
-from answer import WrongAnswer  # noqa: E402
 from answers import exercise_of, read_answers  # noqa: E402
 from crowd import VARIABLE  # noqa: E402
 from errors import CourseError  # noqa: E402

@@ -30,6 +30,12 @@ def together(files: list[Path]) -> Crowd:
     return Crowd(texts, answers)
 
 
+def _write(file: Path, text: str) -> None:
+    """What reads the same is not compiled again."""
+    if not file.exists() or file.read_text(encoding="utf-8") != text:
+        file.write_text(text, encoding="utf-8")
+
+
 def main(words: list[str]) -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     commands = parser.add_subparsers(dest="command", required=True)
@@ -46,7 +52,7 @@ def main(words: list[str]) -> int:
         else:
             function = options.files[0].name.split(".")[0]
             text = crowd.switch(options.object, functions_in(options.reference, function))
-        options.result.write_text(text, encoding="utf-8")
+        _write(options.result, text)
     except CourseError as error:
         print(error, file=sys.stderr)
         return 1
