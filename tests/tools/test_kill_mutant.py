@@ -9,6 +9,7 @@ from pathlib import Path
 
 from sandbox import TOOLS
 
+KILL = TOOLS / "mutants" / "kill.py"
 HEADER = "// Wrong: half a kick.\n// Killed by: Kick.Adds\n// Says: this is half\n//   a kick\nint x;\n"
 PROGRAM = """#!{python}
 import json, os, sys, time
@@ -31,26 +32,36 @@ class KillMutant(unittest.TestCase):
         self.folder.mkdir()
 
     def kill(self, *, header=HEADER, name="kick.half.cpp", body="", tests=(FAILED,), code=1):
-        """The exit code, and what was said."""
-        source, program = self.folder / name, self.folder / "program"
-        source.write_text(header)
+        """The exit code, and what was said; of more than one mutant if more than one is in the folder."""
+        (self.folder / name).write_text(header)
+        program = self.folder / f"mutants_{name.split('.')[0]}"
         program.write_text(PROGRAM.format(python=sys.executable, body=body, tests=list(tests), code=code))
         program.chmod(0o755)
-        result = subprocess.run([sys.executable, str(TOOLS / "mutants" / "kill.py"), str(source), str(program), "7"],
+        files = sorted(str(file) for file in self.folder.glob("*.*"))
+        result = subprocess.run([sys.executable, str(KILL), str(self.folder), *files],
                                 capture_output=True, text=True, env=os.environ | {"COURSE_TIME_LIMIT": "1"})
-        return result.returncode, result.stderr
+        return result.returncode, result.stderr, result.stdout
 
     def assert_refused(self, reason: str, **mutant):
-        code, said = self.kill(**mutant)
+        code, said, count = self.kill(**mutant)
         self.assertEqual(code, 1, said)
         self.assertIn(reason, said)
         self.assertEqual(said.count("\n"), 1, said)
+        self.assertIn(count, ("0 of 1 mutants killed\n", ""))
 
     def test_a_failure_that_says_the_promised_text(self):
-        self.assertEqual(self.kill(), (0, ""))
+        self.assertEqual(self.kill(), (0, "", "1 of 1 mutants killed\n"))
 
     def test_the_program_is_told_which_mutant(self):
-        self.assertEqual(self.kill(body="if os.environ['SPOOK_MUTANT'] != '7': sys.exit(0)"), (0, ""))
+        (self.folder / "kick.diff").write_text(
+            '@@ third @@ a third. Killed by Kick.Adds, which says "half a kick"\n'
+            "-  return v + h * inverse_mass * f;\n+  return v;\n\n"
+            '@@ whole @@ a whole. Killed by Kick.Adds, which says "half a kick"\n'
+            "-  return v + h * inverse_mass * f;\n+  return f;\n")
+        code, said, count = self.kill(body="if os.environ['SPOOK_MUTANT'] != '3': sys.exit(0)")
+        self.assertEqual((code, count), (1, "1 of 3 mutants killed\n"))
+        self.assertRegex(said, r"\A.*kick\.diff:1: third: .*\n.*kick\.diff:5: whole: .*\n\Z")
+        self.assertEqual(self.kill(), (0, "", "3 of 3 mutants killed\n"))
 
     def test_a_mutant_that_passes(self):
         self.assert_refused("the mutant lives", tests=[FAILED | {"failures": []}], code=0)
@@ -75,7 +86,8 @@ class KillMutant(unittest.TestCase):
         self.assert_refused("there is no test Kick.Adds", tests=[], code=0)
 
     def test_a_header_without_its_promise(self):
-        self.assert_refused("lacks 'Says", header="// Wrong: a\n// Killed by: Kick.Adds\n")
+        self.assert_refused("must have 'Wrong: ...', 'Killed by: ...', 'Says: ...'",
+                            header="// Wrong: a\n// Killed by: Kick.Adds\n")
 
     def test_a_test_of_another_exercise(self):
         self.assert_refused("is not a test of 1.2 drift", name="drift.half.cpp")
@@ -84,7 +96,7 @@ class KillMutant(unittest.TestCase):
         self.assert_refused("has no exercise punch", name="punch.half.cpp")
 
     def test_files_that_do_not_exist(self):
-        result = subprocess.run([sys.executable, str(TOOLS / "mutants" / "kill.py"), "nowhere.cpp", "nothing", "1"],
+        result = subprocess.run([sys.executable, str(KILL), str(self.folder), str(self.folder / "kick.diff")],
                                 capture_output=True, text=True)
         self.assertEqual((result.returncode, result.stderr.count("\n")), (1, 1), result.stderr)
 

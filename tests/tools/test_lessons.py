@@ -2,13 +2,17 @@
 
 import itertools
 import re
+import sys
 import unittest
 from collections import Counter
 from pathlib import Path
 
-from sandbox import ROOT, Exercise, all_exercises, our_files
+from sandbox import ROOT, TOOLS, Exercise, all_exercises, our_files
 
-from manifest import read_chapters
+sys.path.insert(0, str(TOOLS / "mutants"))
+
+from answers import files_of, read_answers  # noqa: E402
+from manifest import read_chapters  # noqa: E402
 
 SECTIONS = ("What you will be able to do", "See it run", "The idea", "The equations",
             "Predict before you code", "Exercises", "Check", "Experiment", "Questions", "Further")
@@ -137,8 +141,11 @@ class Lessons(unittest.TestCase):
     def test_every_exercise_has_mutants(self):
         for exercise in self.exercises:
             with self.subTest(exercise.label):
-                mutants = list(ROOT.glob(f"tests/mutants/{exercise.folder}/{exercise.function}.*.cpp"))
-                self.assertGreaterEqual(len(mutants), LEAST_MUTANTS)
+                files = files_of(exercise)
+                self.assertGreaterEqual(len(read_answers(files)) if files else 0, LEAST_MUTANTS)
+                changes = [file for file in files if file.suffix == ".diff"]
+                self.assertEqual([file.read_text(encoding="utf-8").splitlines()[0] for file in changes],
+                                 [f"# {exercise.label}"] * len(changes))
 
     def test_equation_tags_are_unique_and_of_their_chapter(self):
         self.assertEqual([tag for tag, count in Counter(all_tags()).items() if count > 1], [])

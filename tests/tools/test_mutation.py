@@ -7,6 +7,7 @@ import tempfile
 import textwrap
 import unittest
 from pathlib import Path
+from types import SimpleNamespace
 from unittest import mock
 
 import sandbox  # finds the course's modules
@@ -122,23 +123,25 @@ class ManyInOne(unittest.TestCase):
 
     def test_all_that_any_of_them_includes_comes_first_and_once(self):
         other = "// Wrong: ...\n#include <b>\n#include <a>\n" + self.TEXT.partition("\n")[2]
-        lines = Crowd({1: self.TEXT, 2: other}, {2: Path("f.cpp")}).source().splitlines()
+        lines = Crowd({1: self.TEXT, 2: other}).source().splitlines()
         self.assertEqual(lines[:2], ["#include <a>", "#include <b>"])
         self.assertEqual(sum("#include" in line for line in lines), 2)
-        # The compiler's next line is where `namespace spook {` is in the file.
-        place = lines.index('#line 5 "f.cpp"')
-        self.assertTrue(lines[place + 1].startswith("namespace spook {"), lines)
+
+    def test_a_name_stands_in_what_the_compiler_calls_it(self):
+        source = Crowd({1: self.TEXT, 2: self.TEXT}, {2: SimpleNamespace(name="half")}).source()
+        self.assertIn("namespace mutant_000001 {", source)
+        self.assertIn("namespace mutant_000002_half {", source)
 
     def test_one_that_does_not_define_the_function_is_named(self):
         other = self.TEXT.replace("int f()", "int g()")
         with tempfile.TemporaryDirectory() as folder:
             source, compiled = Path(folder, "crowd.cpp"), Path(folder, "crowd.o")
             crowd = Crowd({1: self.TEXT.replace("#include <a>", ""), 2: other.replace("#include <a>", "")},
-                          {2: Path("f.other.cpp")})
+                          {2: SimpleNamespace(name="half", place="f.diff:5: half")})
             source.write_text(crowd.source())
             compiler = os.environ.get("CXX", "c++")
             subprocess.run([compiler, "-o", str(compiled), "-c", str(source)], check=True)
-            with self.assertRaisesRegex(CourseError, r"f\.other\.cpp does not define spook::f\(\)"):
+            with self.assertRaisesRegex(CourseError, r"f\.diff:5: half: it does not define spook::f\(\)"):
                 crowd.switch(compiled, {"_ZN5spook1fEv"})
 
     def test_what_has_to_be_compiled_alone(self):

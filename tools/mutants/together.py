@@ -1,10 +1,11 @@
 """Puts the wrong answers to an exercise into one program, each in a namespace of its own.
 
-    together.py source RESULT MUTANT...                    their texts, to be compiled as one
-    together.py switch RESULT REFERENCE OBJECT MUTANT...   the exercise's functions, which call one of them
+    together.py source RESULT FILE...                    their texts, to be compiled as one
+    together.py switch RESULT REFERENCE OBJECT FILE...   the exercise's functions, which call one of them
 
-SPOOK_MUTANT in the environment of the program chooses which, by its number in the list, from 1. REFERENCE is an
-archive with the right functions. Compiled one by one, mutants take five times as long.
+FILE is a .diff or one wrong answer: see answers.py. SPOOK_MUTANT in the environment of the program chooses which, by
+its number, from 1. REFERENCE is an archive with the right functions. Compiled one by one, mutants take five times as
+long.
 """
 
 import argparse
@@ -13,18 +14,26 @@ from pathlib import Path
 
 TOOLS = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(TOOLS / "mutation"), str(TOOLS / "course")]
+from answers import read_answers  # noqa: E402
 from crowd import Crowd  # noqa: E402
 from errors import CourseError  # noqa: E402
 from symbols import functions_in  # noqa: E402
 
 
-def together(mutants: list[Path]) -> Crowd:
-    texts = {k: mutant.read_text(encoding="utf-8") for k, mutant in enumerate(mutants, 1)}
-    for mutant, text in zip(mutants, texts.values()):
-        if not Crowd.can_hold(text):
-            raise CourseError(f"{mutant}: it must have one `namespace spook`, and nothing but comments and "
+def together(files: list[Path]) -> Crowd:
+    answers = dict(enumerate(read_answers(files), 1))
+    texts = {k: answer.source() for k, answer in answers.items()}
+    for k, answer in answers.items():
+        if not Crowd.can_hold(texts[k]):
+            raise CourseError(f"{answer.place}: it must have one `namespace spook`, and nothing but comments and "
                               "includes before it")
-    return Crowd(texts, dict(enumerate(mutants, 1)))
+    return Crowd(texts, answers)
+
+
+def _write(file: Path, text: str) -> None:
+    """What reads the same is not compiled again."""
+    if not file.exists() or file.read_text(encoding="utf-8") != text:
+        file.write_text(text, encoding="utf-8")
 
 
 def main(words: list[str]) -> int:
@@ -34,18 +43,21 @@ def main(words: list[str]) -> int:
         command = commands.add_parser(name)
         for argument in ("result", *inputs):
             command.add_argument(argument, type=Path)
-        command.add_argument("mutants", type=Path, nargs="+")
+        command.add_argument("files", type=Path, nargs="+")
     options = parser.parse_args(words)
     try:
-        crowd = together(options.mutants)
+        crowd = together(options.files)
         if options.command == "source":
             text = crowd.source()
         else:
-            function = options.mutants[0].name.split(".")[0]
+            function = options.files[0].name.split(".")[0]
             text = crowd.switch(options.object, functions_in(options.reference, function))
-        options.result.write_text(text, encoding="utf-8")
-    except (CourseError, OSError) as error:
-        print(f"together.py: {error}", file=sys.stderr)
+        _write(options.result, text)
+    except CourseError as error:
+        print(error, file=sys.stderr)
+        return 1
+    except OSError as error:
+        print(f"{error.filename}: {error.strerror}", file=sys.stderr)
         return 1
     return 0
 

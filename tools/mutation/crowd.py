@@ -7,7 +7,9 @@ a variable of the environment, when the program starts: the exercise's function 
 import platform
 import re
 import subprocess
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Protocol
 
 from errors import CourseError
 
@@ -19,16 +21,19 @@ _JUMP = {"x86_64": "jmp *{slot}(%rip)",
          "aarch64": "adrp x16, {slot}\\n ldr x16, [x16, :lo12:{slot}]\\n br x16"}
 
 
-def _namespace(k: int) -> str:
-    return f"mutant_{k:06d}"  # all names as long as each other
+class Named(Protocol):
+    """A mutant that has a name, and a place in a file."""
+
+    name: str
+    place: str
 
 
 class Crowd:
     """The texts by number."""
 
-    def __init__(self, texts: dict[int, str], files: dict[int, Path] | None = None):
-        """A compiler's complaint names the file, and the line in it, of those that are in `files`."""
-        self.texts, self._files = texts, files or {}
+    def __init__(self, texts: dict[int, str], named: Mapping[int, Named] | None = None):
+        """A complaint calls those in `named` by their names."""
+        self.texts, self._named = texts, named or {}
 
     @staticmethod
     def can_hold(text: str) -> bool:
@@ -48,10 +53,13 @@ class Crowd:
     def _bodies(self) -> list[str]:
         bodies = []
         for k, text in self.texts.items():
-            head, body = _BEGIN.split(text)
-            place = f'#line {head.count(chr(10)) + 1} "{self._files[k]}"\n' if k in self._files else ""
-            bodies.append(f"{place}namespace spook {{ namespace {_namespace(k)} {{{body.replace(_END, '}}')}")
+            body = _BEGIN.split(text)[1]
+            bodies.append(f"namespace spook {{ namespace {self._namespace(k)} {{{body.replace(_END, '}}')}")
         return bodies
+
+    def _namespace(self, k: int) -> str:
+        """Of those without a name, all are as long as each other."""
+        return f"mutant_{k:06d}" + (f"_{self._named[k].name}" if k in self._named else "")
 
     def culprits(self, errors: str) -> set[int]:
         """Which of the texts the compiler complains about."""
@@ -83,9 +91,10 @@ class Crowd:
         for number, (readable, mangled) in enumerate(functions.items()):
             slot, table = f"spook_slot_{number}", []
             for k in self.texts:
-                found = _inside(readable, _namespace(k)) & symbol.keys()
+                found = _inside(readable, self._namespace(k)) & symbol.keys()
                 if not found:
-                    raise CourseError(f"{self._files.get(k, f'mutant {k}')} does not define {readable}")
+                    place = self._named[k].place if k in self._named else f"mutant {k}"
+                    raise CourseError(f"{place}: it does not define {readable}")
                 lines.append(f'extern "C" void target_{number}_{k}() __asm__("{symbol[found.pop()]}");')
                 table.append(f"{{{k}, target_{number}_{k}}}")
             lines.append(f'extern "C" {{ void (*{slot})(); }}')

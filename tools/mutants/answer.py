@@ -1,0 +1,63 @@
+"""A wrong answer to an exercise, line by line, and what must become of it."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+from errors import CourseError
+from paths import shown
+
+
+@dataclass(frozen=True)
+class Line:
+    """A line, and where it stands."""
+
+    file: Path
+    number: int
+    text: str
+
+    @property
+    def code(self) -> str:
+        """Without indentation and comment."""
+        return self.text.split("//")[0].strip()
+
+    @property
+    def shown(self) -> str:
+        return shown(self.file)
+
+
+@dataclass(frozen=True)
+class WrongAnswer:
+    file: Path
+    line: int  # where it begins in the file
+    name: str
+    wrong: str
+    test: str  # must fail
+    says: str  # the failure, somewhere
+    lines: tuple[Line, ...]
+
+    @property
+    def place(self) -> str:
+        return f"{shown(self.file)}:{self.line}: {self.name}"
+
+    def source(self) -> str:
+        """The text, with directives by which a compiler's complaint names the file and the line."""
+        texts: list[str] = []
+        inside, expected = False, None
+        for line in self.lines:
+            if inside and (line.file, line.number) != expected:
+                texts.append(f'#line {line.number} "{line.file}"')
+            texts.append(line.text)
+            expected = (line.file, line.number + 1) if inside else None
+            inside = inside or line.code == "namespace spook {"
+        return "\n".join(texts) + "\n"
+
+
+def code_of(lines: Iterable[Line]) -> list[str]:
+    """What is compiled, but for what is included."""
+    return [line.code for line in lines if line.code and not line.code.startswith("#include")]
+
+
+def refused(file: Path, line: int, reason: str, name: str = "") -> CourseError:
+    """What is wrong with a mutant, in the form of a compiler."""
+    return CourseError(f"{shown(file)}:{line}: {f'{name}: ' if name else ''}{reason}")
