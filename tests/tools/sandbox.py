@@ -66,7 +66,7 @@ class Sandbox:
             if exercise.started():
                 self._restore(exercise)
         for command in (["init", "-q"], ["add", "-A"], [*_IDENTITY, "commit", "-qm", "The course"]):
-            subprocess.run(["git", "-C", str(self.root), *command], check=True, capture_output=True)
+            self._git(*command)
 
     def close(self) -> None:
         if self._layer:
@@ -84,11 +84,21 @@ class Sandbox:
         line, options = self._command(("watch", *words))
         return Watching(line, env=_clean_environment(), **options)
 
+    def _git(self, *words: str) -> None:
+        """From inside: git would follow the layer's path to the folder below it, and change that."""
+        line, options = self._inside(["git", *words])
+        subprocess.run(line, check=True, capture_output=True, **options)
+
     def _command(self, words: tuple[str, ...], cwd: Path | None = None,
                  command: Path | None = None) -> tuple[list[str], dict]:
+        course = command or (ROOT if self._layer else self.root) / "course"
+        return self._inside([str(course), *words], cwd)
+
+    def _inside(self, line: list[str], cwd: Path | None = None) -> tuple[list[str], dict]:
+        """The command line, and what to start it with."""
         if self._layer:
-            return self._layer.inside([str(command or ROOT / "course"), *words], cwd), {}
-        return [str(command or self.root / "course"), *words], {"cwd": cwd or self.root}
+            return self._layer.inside(line, cwd), {}
+        return line, {"cwd": cwd or self.root}
 
     def file(self, exercise: Exercise) -> Path:
         return self.root / exercise.file.relative_to(ROOT)
@@ -97,8 +107,7 @@ class Sandbox:
         shutil.copyfile(exercise.reference, self.file(exercise))
 
     def restore(self, exercise: Exercise) -> None:
-        path = self.file(exercise).relative_to(self.root)
-        subprocess.run(["git", "-C", str(self.root), "checkout", "-q", "--", str(path)], check=True)
+        self._git("checkout", "-q", "--", str(exercise.file.relative_to(ROOT)))
 
     def _restore(self, exercise: Exercise) -> None:
         """The student's copy may hold answers; the sandbox starts from the stub."""
