@@ -5,6 +5,7 @@ import io
 import tempfile
 import unittest
 from pathlib import Path
+from types import SimpleNamespace
 from unittest import mock
 
 import sandbox  # noqa: F401  (finds the course's modules)
@@ -153,8 +154,17 @@ class Totals(unittest.TestCase):
     def test_failed_tests_are_named(self):
         with mock.patch.object(everything, "stream", return_value=(8, self.CLOSING)), \
              contextlib.redirect_stdout(io.StringIO()):
-            outcome = everything._run(everything.Tree("check"))
-        self.assertEqual(outcome, everything.Outcome("check", 3, ["mutant.kick.half (Failed)"], False))
+            outcome = everything._run(SimpleNamespace(preset="check", path=Path("nowhere")))
+        self.assertEqual(outcome, everything.Outcome("check", 3, ["mutant.kick.half (Failed)"], [], False))
+
+    def test_each_reason_to_skip_is_said_once(self):
+        with tempfile.NamedTemporaryFile("w", suffix=".log") as log:
+            log.write("test_a (__main__.A.test_a) ... skipped 'no browser is installed'\ntest_b ... ok\n"
+                      "test_c (__main__.A.test_c)\nWith words. ... skipped 'no browser is installed'\n"
+                      "test_d ... skipped \"clang-format 14 isn't installed\"\n")
+            log.flush()
+            self.assertEqual(everything._skipped(Path(log.name)),
+                             ["no browser is installed", "clang-format 14 isn't installed"])
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Every stub compiles with warnings as errors, and passes no test: all are skipped."""
+"""Every stub compiles, where the course is held to it without a warning, and passes no test: all are skipped."""
 
 import concurrent.futures
 import json
@@ -28,13 +28,14 @@ def pristine() -> list[Exercise]:
 
 
 def strict_command(exercise: Exercise, database: list[dict]) -> tuple[list[str], str] | None:
-    """How CMake compiles the stub, with every warning an error, and without an object as result."""
+    """How CMake compiles the stub, with warnings as errors where its own code has them, without an object as result."""
     for entry in database:
         if Path(entry["file"]) == exercise.file:
             words = shlex.split(entry["command"])
             output = words.index("-o")
             del words[output:output + 2]
-            return [*words, "-Werror", "-fsyntax-only"], entry["directory"]
+            strict = ["-Werror"] if CHECK.setting("SPOOK_WERROR") == "ON" else []
+            return [*words, *strict, "-fsyntax-only"], entry["directory"]
     return None
 
 
@@ -49,7 +50,7 @@ class Stubs(unittest.TestCase):
         if not built.ok:
             raise AssertionError(built.output)
 
-    def test_they_compile_without_a_warning(self):
+    def test_they_compile(self):
         database = json.loads((CHECK.path / "compile_commands.json").read_text())
         with concurrent.futures.ThreadPoolExecutor(jobs()) as pool:
             outcomes = list(pool.map(lambda exercise: self._compile(exercise, database), self.stubs))
@@ -62,8 +63,9 @@ class Stubs(unittest.TestCase):
         if not found:
             return "is not compiled by CMake"
         command, folder = found
-        return subprocess.run(command, cwd=folder, capture_output=True, text=True,
-                              env=os.environ | {"LC_ALL": "C"}).stderr
+        compiled = subprocess.run(command, cwd=folder, capture_output=True, text=True,
+                                  env=os.environ | {"LC_ALL": "C"})
+        return compiled.stderr if compiled.returncode != 0 else ""
 
     def test_they_pass_nothing(self):
         for exercise in self.stubs:

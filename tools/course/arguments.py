@@ -128,7 +128,10 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     command.add_argument("--seed", type=_seed, metavar="S", help="the seed with which it grades")
     for name, text in (("start", "install, build, run real scenes, show the board"),
                        ("test", "every test there is")):
-        add(name, text).add_argument("--yes", action="store_true", help="install without asking")
+        command = add(name, text)
+        command.add_argument("--yes", action="store_true", help="install without asking")
+    command.add_argument("--quick", action="store_true", help="those that find most in two minutes")
+    command.add_argument("--strict", action="store_true", help="a compiler's warning in the course's code is an error")
     return parser, commands.choices
 
 
