@@ -39,5 +39,5 @@ class Layer:
 
     def inside(self, command: list[str], cwd: Path | None = None) -> list[str]:
         """The command line that runs it in there, from the folder's root or from another folder."""
-        return ["nsenter", "--target", str(self._holder.pid), "--mount", *self._user,
+        return ["nsenter", "--target", str(self._holder.pid), "--mount", "--root", *self._user,
                 "sh", "-c", 'cd "$0" && exec "$@"', str(cwd or self._below), *command]
