@@ -47,12 +47,22 @@ def experiments() -> list[Experiment]:
 
 def plot(arguments) -> int:
     if arguments.which is None:
+        _require_no_options(arguments)
         return _list()
     chosen = _pick(arguments.which)
     if len(chosen) > 1 and (arguments.more or arguments.merge):
         raise BadInput("--merge and options after -- are for one experiment")
     codes = [_one(experiment, arguments) for experiment in chosen]
     return max(codes)
+
+
+def _require_no_options(arguments) -> None:
+    """What would be left aside without an experiment to apply it to."""
+    for name in ("mine", "quick", "shard", "merge", "publish"):
+        if getattr(arguments, name):
+            raise BadInput(f"plot: --{name} wants the NAME of an experiment; ./course plot lists them")
+    if arguments.more:
+        raise BadInput("plot: options after -- want the NAME of an experiment; ./course plot lists them")
 
 
 def _list() -> int:
