@@ -10,8 +10,8 @@
 #include <cstdint>
 #include <cstdlib>
 
-extern "C" const char
-    __executable_start;  // the linker's: addresses are told from here, wherever the program was put
+// The linker's: addresses are told from here, wherever the program was put.
+extern "C" const char __executable_start;
 
 namespace {
 
