@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <numeric>
 
 #include "common/require.hpp"
 #include "scenes/number.hpp"
@@ -67,13 +68,17 @@ static double seconds_of_a_look_at_the_clock() {
   return least;
 }
 
-static StageTimes stage_times(Scene& scene, std::int64_t steps) {
+/// What each stage has of the run's `seconds`: its share of the time in all of them, less what the clock itself took.
+static StageTimes stage_times(Scene& scene, std::int64_t steps, double seconds) {
   scene.time_stages();
   scene.advance(steps);
   StageTimes times = scene.stage_times();
   const double look = seconds_of_a_look_at_the_clock();
   for (std::size_t s = 0; s < stage_names.size(); ++s)
     times.seconds[s] = std::max(0.0, times.seconds[s] - look * static_cast<double>(times.runs[s]));
+  const double measured = std::accumulate(times.seconds.begin(), times.seconds.end(), 0.0);
+  if (measured > 0)
+    for (double& stage : times.seconds) stage *= seconds / measured;
   return times;
 }
 
@@ -97,7 +102,7 @@ RunResult run(const SceneDescription& description, const Parameters& parameters,
   result.us_per_step = per_step(times[times.size() / 2]);
   result.us_low = per_step(times[times.size() / 4]);
   result.us_high = per_step(times[times.size() * 3 / 4]);
-  result.stages = stage_times(*build(), substeps);
+  result.stages = stage_times(*build(), substeps, 1e-6 * times[times.size() / 2]);
   return result;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
-// Runs a scene: once with looking, for its error, and a few times without, for its speed.
+// Runs a scene: once with looking, for its error, a few times without, for its speed, and once with a clock around each
+// stage. A look at that clock may take longer than the step of a point mass: the speed is measured without it, and the
+// stages are told as their shares of the speed, so that they add up to it.
 #include <functional>
 #include <optional>
 #include <ostream>
@@ -22,7 +24,7 @@ struct RunResult {
   std::int64_t row_updates = 0;       ///< of all steps
   std::optional<double> us_per_step;  ///< median of several runs [µs]; none when no step was taken
   double us_low = 0, us_high = 0;     ///< their quartiles [µs]
-  StageTimes stages;                  ///< of one run more, less what the clock itself takes
+  StageTimes stages;                  ///< their shares of us_per_step
 };
 
 /// time/h, rounded. Throws std::invalid_argument unless h > 0 and time >= 0, and for more than 1e9 steps.

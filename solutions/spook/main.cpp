@@ -38,6 +38,12 @@ static void add_scenes(CLI::App& app, spook::ScenesCommand& scenes) {
   command->add_flag("--json", scenes.json, "Print one JSON object");
 }
 
+/// -h could be meant for either; CLI11 would miss the scene first. Throws std::invalid_argument.
+static void refuse_short_help(int argc, char** argv) {
+  if (std::find(argv, argv + argc, std::string("-h")) != argv + argc)
+    throw std::invalid_argument("-h is no option: --help shows them, and run has --h for the time step");
+}
+
 /// Throws std::invalid_argument for what no option or argument took.
 static void require_nothing_left(const CLI::App& app) {
   const std::vector<std::string> left = app.remaining();
@@ -68,6 +74,7 @@ static int complain(int status, const std::string& what) {
 int main(int argc, char** argv) {
   CLI::App app("A rigid-body engine by the SPOOK method: scenes with known answers.", "spook");
   app.set_help_flag("--help", "Print this help and exit");  // not -h, which CLI11 takes for --h, too
+  app.get_formatter()->column_width(26);                    // so that no line is wider than a terminal
   app.require_subcommand(0, 1);
   app.allow_extras();
   spook::RunCommand run;
@@ -76,6 +83,7 @@ int main(int argc, char** argv) {
   add_scenes(app, scenes);
 
   try {
+    refuse_short_help(argc, argv);
     app.parse(argc, argv);
     require_command(app);
     require_nothing_left(*app.get_subcommands().front());

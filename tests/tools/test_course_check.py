@@ -53,7 +53,10 @@ class CourseCheck(unittest.TestCase):
 
     def test_a_right_answer(self):
         self.write(RIGHT)
-        self.assertIn("1.1 kick is done: ", self.check("1.1", code=0))
+        said = self.check("1.1", code=0)
+        for text in ("1.1 kick is done: ", "What was tested: adds force over mass times step;", "Next: 1.2 drift",
+                     "read   chapters/01_leapfrog/README.md"):
+            self.assertIn(text, said)
         self.assertIn("All that you have started is right.", self.check(code=0))
         self.assertIn("Chapter 1: 1 of ", self.check("1", code=1))
         self.assertIn("1 of ", self.box.course().stdout)
@@ -88,7 +91,22 @@ class CourseCheck(unittest.TestCase):
 
     def test_one_that_crashes(self):
         self.write("(void)f; (void)h; (void)inverse_mass; *(volatile int*)8 = 1; return v;")
-        self.assert_wrong("crashed (SIGSEGV) in Kick.")
+        said = self.assert_wrong("crashed (SIGSEGV) in Kick.")
+        self.assertIn("chapters/01_leapfrog/kick.cpp:8: ", said)
+
+    def test_a_crash_inside_a_library_names_the_student_s_line(self):
+        for body, told in (
+                ("std::vector<double> m(1, inverse_mass); return v + h * m[m.size() + (h > 0)] * f;",
+                 "an index is past the end of a std::vector"),
+                ("Eigen::VectorXd all(3); all << f; return v + h * inverse_mass * all[all.size()] * f;",
+                 "an index or a block is not inside its vector or matrix"),
+                ("return h > -1 ? kick(v, f, inverse_mass, h) + v : v;", "a function that calls itself without end")):
+            with self.subTest(told=told):
+                self.write(body)
+                said = " ".join(self.assert_wrong("crashed (SIG").split())
+                self.assertIn("chapters/01_leapfrog/kick.cpp:8: ", said)
+                self.assertIn(told, said)
+                self.assertNotIn("Assertion", said)
 
     def test_one_that_never_ends(self):
         self.write("for (volatile bool on = true; on;) {} " + RIGHT)
@@ -172,6 +190,7 @@ class CourseCheck(unittest.TestCase):
         self.check("1.1", code=0)
         with self.box.watch("1.1") as watching:
             watching.wait_for("1.1 kick is done")
+            watching.wait_for("Next: 1.2 drift")
             self.write(WRONG)
             watching.wait_for("1.1 kick is wrong")
             code, said = watching.interrupt()

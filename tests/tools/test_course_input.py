@@ -6,6 +6,8 @@ import unittest
 
 from sandbox import Sandbox, all_exercises
 
+from arguments import _parsers
+
 BAD_INPUT = (
     (["chek", "1.1"], "'chek'", "did you mean check"),
     (["frobnicate"], "'frobnicate'"),
@@ -40,6 +42,7 @@ BAD_INPUT = (
     (["--jsn"], "'--jsn'"),
     (["start", "--no"], "'--no'"),
     (["test", "quick"], "'quick'"),
+    (["plot", "--shard", "1/2"], "--shard", "NAME"),
 )
 
 
@@ -167,7 +170,8 @@ class CourseInput(unittest.TestCase):
         self.assertIn(self.first.reference.read_text(), shown.stdout)
 
     def test_help(self):
-        for words in (["--help"], ["-h"], ["check", "--help"], ["start", "--help"]):
+        commands = set(_parsers()[1]) - {"run", "scenes"}  # theirs is the engine's: see test_course_run.py
+        for words in (["--help"], ["-h"], *([command, "--help"] for command in sorted(commands))):
             result = self.box.course(*words)
             self.assertEqual((result.returncode, result.stderr), (0, ""))
             self.assertLessEqual(max(map(len, result.stdout.splitlines())), 80)

@@ -10,6 +10,8 @@ from unittest import mock
 
 import sandbox  # noqa: F401  (finds the course's modules)
 
+import board
+import crash
 import everything
 import install
 import needs
@@ -36,6 +38,39 @@ class Marker(unittest.TestCase):
 
     def test_line(self):
         self.assertEqual(marker_line("/* \n */\n\nnot_implemented();"), 4)
+
+
+class Crash(unittest.TestCase):
+    VECTOR = ("/usr/include/c++/12/bits/stl_vector.h:1123: std::vector<_Tp, _Alloc>::reference std::vector<_Tp, "
+              "_Alloc>::operator[](size_type) [with _Tp = int]: Assertion '__n < this->size()' failed.")
+    EIGEN = ("check_kick: /usr/include/eigen3/Eigen/src/Core/DenseCoeffsBase.h:410: Scalar& operator[](Eigen::Index): "
+             "Assertion `index >= 0 && index < size()' failed.")
+
+    def test_an_assertion_is_told_as_what_it_means(self):
+        for said, told in ((self.VECTOR, "An index is past the end of a std::vector."),
+                           (self.EIGEN, "An index or a block is not inside its vector or matrix."),
+                           ("a.cpp:3: int f(): Assertion `mass > 0' failed.", "It is asserted that mass > 0"),
+                           ("h is 3", "That is most often")):
+            self.assertIn(told, crash.explained("SIGABRT", f"before\n{said}\n", None))
+        self.assertEqual(crash.without_assertion(f"h is 3\n{self.EIGEN}\n").strip(), "h is 3")
+
+    def test_a_signal_is_told_as_what_it_means(self):
+        self.assertIn("divided by 0", crash.explained("SIGFPE", "", None))
+
+    def test_without_a_trace_there_is_no_place(self):
+        self.assertIsNone(crash.place(Path("/nowhere"), Path("/nowhere"), []))
+
+
+class Next(unittest.TestCase):
+    def test_the_next_that_is_not_begun_comes_after_and_then_before(self):
+        first, second, third = board.all_exercises()[:3]
+        for begun, told in (((first,), second), ((first, second), third), ((first, second, third), None)):
+            with mock.patch.object(board, "all_exercises", return_value=[first, second, third]), \
+                 mock.patch.object(board.Exercise, "started", lambda exercise: exercise in begun):
+                self.assertEqual(board.next_after(first), told)
+        with mock.patch.object(board, "all_exercises", return_value=[first, second, third]), \
+             mock.patch.object(board.Exercise, "started", lambda exercise: exercise == third):
+            self.assertEqual(board.next_after(third), first)
 
 
 class Hints(unittest.TestCase):

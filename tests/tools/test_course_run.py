@@ -50,24 +50,33 @@ class CourseRun(unittest.TestCase):
         self.assertGreater(error, 0.1)  # a body that is never kicked doesn't fall
         self.assertIn("Yours, right or wrong: 1.1; the rest is the reference.", said)
         self.assertLess(self.run_free_fall()[0], 1e-9)
+        # One compilation serves check and run.
+        compiled = "chapters/CMakeFiles/exercise_kick.dir/01_leapfrog/kick.cpp.o"
+        self.assertTrue((self.box.root / "build/check" / compiled).exists())
+        self.assertFalse((self.box.root / "build/release" / compiled).exists())
         self.box.solve(self.kick)
         self.assertLess(self.run_free_fall("--mine")[0], 1e-9)
 
     def test_mine_that_does_not_compile_or_define(self):
         for source, told in (("not C++", "does not compile: chapters/01_leapfrog/kick.cpp:1:"),
-                             ("", "is not defined")):
+                             ("", "is not defined"),
+                             (STILL.replace("Vec3 kick", "Vec3 helper(Vec3);\nVec3 kick").replace("v;", "helper(v);"),
+                              "undefined reference to `spook::helper")):
             self.box.file(self.kick).write_text(source)
             result = self.box.course("run", "free_fall", "--mine")
             self.assertEqual((result.returncode, result.stdout), (1, ""))
-            self.assertIn(f"course: 1.1 kick {told}", result.stderr)
+            self.assertIn(told, result.stderr)
+            self.assertRegex(result.stderr, r"course: (1\.1 kick|your functions) [^\n]*\n\Z")
             self.assertNotIn("Traceback", result.stderr)
 
     def test_mine_that_crashes_is_told_to_be_mine(self):
-        self.box.file(self.kick).write_text(STILL.replace("return v;", "__builtin_trap();"))
-        result = self.box.course("run", "free_fall", "--mine")
-        self.assertEqual(result.returncode, 1)
-        self.assertRegex(result.stderr, r"the run crashed \(SIG\w+\) in one of your functions; ./course check")
-        self.assertNotIn("Traceback", result.stderr)
+        for crash in ("(void)v; __builtin_trap();", "std::vector<Vec3> all(1, v); return all[all.size()];"):
+            self.box.file(self.kick).write_text(STILL.replace("return v;", crash))
+            result = self.box.course("run", "free_fall", "--mine")
+            self.assertEqual(result.returncode, 1)
+            self.assertRegex(result.stderr, r"course: the run crashed \(SIG\w+\) at chapters/01_leapfrog/kick.cpp:3; "
+                                            r"see ./course check 1.1\n\Z")
+            self.assertNotIn("Traceback", result.stderr)
 
     def test_bad_input_is_the_engine_s_to_refuse(self):
         self.run_free_fall()
@@ -78,6 +87,23 @@ class CourseRun(unittest.TestCase):
                 self.assertEqual((result.returncode, result.stdout), (2, ""))
                 self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
                 self.assertIn(told, result.stderr)
+
+    def test_an_error_with_mine_is_one_line_too(self):
+        self.run_free_fall("--mine")
+        for solved in (False, True):
+            if solved:
+                self.box.solve(self.kick)
+                self.run_free_fall("--mine")
+            for words in (["free_fal"], ["free_fall", "--h", "0"], ["free_fall", "-h"]):
+                result = self.box.course("run", *words, "--mine")
+                self.assertEqual((result.returncode, result.stdout), (2, ""))
+                self.assertRegex(result.stderr, r"\Aspook: [^\n]+\n\Z")
+
+    def test_help_fits_a_terminal(self):
+        for words in (["run", "--help"], ["scenes", "--help"]):
+            result = self.box.course(*words)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertLessEqual(max(map(len, result.stdout.splitlines())), 80)
 
     def test_scenes(self):
         result = self.box.course("scenes")
@@ -103,7 +129,10 @@ class CourseRun(unittest.TestCase):
                             (["energy", "--quick", "--shard", "x"], "shard"), (["energy", "--merge", "/nowhere"], "/nowhere"),
                             (["all", "--merge", "/nowhere"], "one experiment"),
                             (["work_precision", "--quick", "--", "--scene", "stak"], "stak"),
-                            (["energy", "--", "--bogus"], "--bogus")):
+                            (["energy", "--", "--bogus"], "--bogus"), (["--shard", "1/2"], "--shard wants the NAME"),
+                            (["--mine"], "--mine wants the NAME"), (["--quick"], "--quick wants the NAME"),
+                            (["--merge", "energy"], "--merge wants the NAME"),
+                            (["--publish"], "--publish wants the NAME"), (["--", "--h", "1"], "want the NAME")):
             with self.subTest(words=words):
                 result = self.box.course("plot", *words)
                 self.assertEqual(result.returncode, 2, result.stderr)

@@ -40,6 +40,10 @@ class Refusals(unittest.TestCase):
         self.refused("run orbit --itertions 4", "--itertions", '"--iterations"')
         self.refused("scenes obrit", "obrit", '"orbit"')
 
+    def test_short_help_is_neither(self):
+        for call in ["-h", "run -h", "run orbit -h 0.1", "scenes -h"]:
+            self.refused(call, "--help", "--h ")
+
     def test_numbers(self):
         for text in ["1/0", "abc", "1e", "nan", "NaN", "inf", "-inf", "1e999", "", " 1", "1 s", "0x1", "1/2/3"]:
             for option in ["h", "time", "tolerance", "iterations"]:
@@ -135,6 +139,12 @@ class Runs(unittest.TestCase):
         self.assertEqual([run["friction_model"], run["tangents"], run["warm_start"], run["margin"]],
                          ["cone", "sliding", True, 0.001])
 
+    def test_stages_add_up_to_the_speed(self):
+        for scene in ["orbit", "tower"]:
+            run = json.loads(spook("run", scene, "--time", "0.5", "--json").stdout)
+            stages = [time for time in run["us_per_step_of_stage"].values() if time is not None]
+            self.assertTrue(math.isclose(sum(stages), run["us_per_step"], rel_tol=1e-9), run)
+
     def test_substeps_are_steps_of_a_part_of_h(self):
         whole = json.loads(spook(*"run free_fall --h 0.1 --substeps 10 --json".split()).stdout)
         parts = json.loads(spook(*"run free_fall --h 0.01 --json".split()).stdout)
@@ -177,7 +187,8 @@ class Runs(unittest.TestCase):
         self.assertIsNone(json.loads(done.stdout)["error"]["value"])
 
     def test_text_fits_a_terminal(self):
-        for call in [["run", name] for name in self.names()] + [["scenes"], ["scenes", "top"]]:
+        helps = [["--help"], ["run", "--help"], ["scenes", "--help"]]
+        for call in [["run", name] for name in self.names()] + [["scenes"], ["scenes", "top"], *helps]:
             done = spook(*call)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
             for line in done.stdout.splitlines():

@@ -2,7 +2,7 @@
 
 import json
 
-from manifest import Chapter, Exercise, read_chapters
+from manifest import Chapter, Exercise, all_exercises, read_chapters
 from paths import shown
 from terminal import WIDTH, paint, symbol
 from verdict import Verdict, judge_all
@@ -51,6 +51,13 @@ def show_board(chapters: list[Chapter], verdicts: list[Verdict]) -> None:
 def board_line(verdict: Verdict) -> str:
     state = f"{verdict.state}: {verdict.reason}" if verdict.reason else verdict.state
     return f"  {symbol(verdict.state)} {verdict.exercise.id:>5} {verdict.exercise.function:<22} {state}"
+
+
+def next_after(exercise: Exercise) -> Exercise | None:
+    """The first that is not begun: from here on, and if there is none, of all."""
+    exercises = all_exercises()
+    here = exercises.index(exercise)
+    return next((other for other in exercises[here:] + exercises[:here] if not other.started()), None)
 
 
 def show_next(exercise: Exercise) -> None:

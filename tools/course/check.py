@@ -2,14 +2,16 @@
 
 import textwrap
 
-from board import board_line, count_done, show_next
-from manifest import all_exercises
+from board import board_line, count_done, next_after, show_next
+from grading.weights import TABLE, read_rows
+from manifest import Exercise, all_exercises
 from paths import shown
 from pick import pick
 from terminal import fold, fold_lines, paint, symbol
 from verdict import Verdict, judge, judge_all
 
 _PRINTED_LINES = 20
+_SHOWN = 4  # tests that are named after a pass
 
 
 def check(arguments) -> int:
@@ -23,11 +25,25 @@ def check_which(which: str | None, seed: int | None) -> int:
     if len(exercises) == 1:
         verdict = judge(exercises[0], seed)
         show(verdict)
-        return 0 if verdict.state == "done" else 1
+        if verdict.state != "done":
+            return 1
+        _show_what_follows(exercises[0])
+        return 0
     verdicts = judge_all(exercises, seed)
     _show_many(verdicts)
     print(f"\nChapter {exercises[0].chapter}: {count_done(verdicts)} of {len(verdicts)} done.")
-    return 0 if count_done(verdicts) == len(verdicts) else 1
+    if count_done(verdicts) < len(verdicts):
+        return 1
+    _show_what_follows(exercises[-1])
+    return 0
+
+
+def _show_what_follows(exercise: Exercise) -> None:
+    waiting = next_after(exercise)
+    if waiting:
+        show_next(waiting)
+    else:
+        print("\nThat was the last to begin; ./course shows the board.")
 
 
 def _check_started(seed: int | None) -> int:
@@ -76,6 +92,17 @@ def show(verdict: Verdict) -> None:
     if verdict.others or verdict.warnings:
         print()
     print(fold(f"{symbol(verdict.state)} {exercise.label} {_summary(verdict)}"))
+    if verdict.state == "done":
+        print(fold(_what_was_shown(exercise), "  "))
+
+
+def _what_was_shown(exercise: Exercise) -> str:
+    """The first few tests, by what they are called for people."""
+    rows = read_rows(TABLE).values()
+    titles = [row.title for row in rows if row.test.partition(".")[0] == exercise.suite]
+    titles = [title[:1].lower() + title[1:] if title[1:2].islower() else title for title in titles]
+    more = [f"and {len(titles) - _SHOWN} more"] if len(titles) > _SHOWN else []
+    return f"What was tested: {'; '.join(titles[:_SHOWN] + more)}." if titles else ""
 
 
 def _shortened(text: str) -> str:

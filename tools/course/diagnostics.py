@@ -26,11 +26,17 @@ def first_error(output: str, exercise: Exercise) -> list[str]:
             led_there = [] if found["file"].endswith(name) else [
                 earlier for earlier in lines[:k] if f"/{name}:" in earlier and "FAILED" not in earlier][-1:]
             return led_there + _with_details(lines, k)
-    for line in lines:
+    does_not_link = linker_error(output)
+    return [does_not_link] if does_not_link else lines[-3:]
+
+
+def linker_error(output: str) -> str | None:
+    """What is undefined, or defined twice."""
+    for line in _lines(output):
         found = _LINKER.search(line)
         if found:
-            return [found[0]]
-    return lines[-3:]
+            return found[0]
+    return None
 
 
 def warnings(output: str, exercise: Exercise) -> list[str]:

@@ -7,12 +7,13 @@ import textwrap
 from dataclasses import dataclass
 from pathlib import Path
 
+from engine import program
 from errors import BadInput, CourseError
-from manifest import all_exercises
+from manifest import Exercise
+from mine import begun, fast_program, told
 from paths import BUILD, ROOT, shown
 from pick import near
 from process import stream, tail
-from run import program
 from terminal import Live, fold, paint
 
 PLOTS = ROOT / "plots"
@@ -47,12 +48,22 @@ def experiments() -> list[Experiment]:
 
 def plot(arguments) -> int:
     if arguments.which is None:
+        _require_no_options(arguments)
         return _list()
     chosen = _pick(arguments.which)
     if len(chosen) > 1 and (arguments.more or arguments.merge):
         raise BadInput("--merge and options after -- are for one experiment")
     codes = [_one(experiment, arguments) for experiment in chosen]
     return max(codes)
+
+
+def _require_no_options(arguments) -> None:
+    """What would be left aside without an experiment to apply it to."""
+    for name in ("mine", "quick", "shard", "merge", "publish"):
+        if getattr(arguments, name):
+            raise BadInput(f"plot: --{name} wants the NAME of an experiment; ./course plot lists them")
+    if arguments.more:
+        raise BadInput("plot: options after -- want the NAME of an experiment; ./course plot lists them")
 
 
 def _list() -> int:
@@ -79,36 +90,34 @@ def _pick(word: str) -> list[Experiment]:
 
 def _one(experiment: Experiment, arguments) -> int:
     print(paint(experiment.name, "bold"), experiment.title, flush=True)
-    code = _run(experiment, arguments, mine=False)
-    mine = [exercise for exercise in all_exercises() if exercise.started() and exercise.file.exists()]
+    code = _run(experiment, arguments, [])
+    mine = begun() if arguments.mine else []
     if arguments.mine and not mine:
         print("No exercise of yours is written yet: there is no curve of yours to draw.", file=sys.stderr)
-    draws_mine = bool(arguments.mine and mine)
-    if draws_mine:
-        print(fold(f"Yours, right or wrong: {', '.join(exercise.id for exercise in mine)}; the rest is the reference. "
-                   "What it claims of yours:"), flush=True)
-        _run(experiment, arguments, mine=True)
+    if mine:
+        print(fold(f"{told(mine)} What it claims of yours:"), flush=True)
+        _run(experiment, arguments, mine)
     if not (experiment.folder(False) / "table.csv").exists():
         return code  # a shard
-    figures = _draw(experiment, draws_mine)
+    figures = _draw(experiment, bool(mine))
     if arguments.publish:
-        if code != 0 or draws_mine or arguments.quick:
+        if code != 0 or mine or arguments.quick:
             raise CourseError("only true claims of the reference in full size are put in the tree")
         figures = [Path(shutil.copy(figures[0], experiment.source.parent))]
     print(f"figure: {shown(figures[0])}\n", flush=True)
     return code
 
 
-def _run(experiment: Experiment, arguments, mine: bool) -> int:
-    exercises = [exercise for exercise in all_exercises() if exercise.started()] if mine else []
-    path = program(f"plot_{experiment.name}" + ("_mine" if mine else ""), exercises)
-    folder = experiment.folder(mine)
+def _run(experiment: Experiment, arguments, mine: list[Exercise]) -> int:
+    target = f"plot_{experiment.name}"
+    path = fast_program(f"{target}_mine", mine) if mine else program(target)
+    folder = experiment.folder(bool(mine))
     folder.mkdir(parents=True, exist_ok=True)
     for result in ("table.csv", "claims.json"):
         (folder / result).unlink(missing_ok=True)
     for other in arguments.merge or []:
         _merge(Path(other), folder)
-    command = [path, "--out", str(folder), *arguments.more]
+    command = [str(path), "--out", str(folder), *arguments.more]
     command += ["--quick"] if arguments.quick else []
     command += ["--shard", arguments.shard] if arguments.shard else []
     live = Live(experiment.name)

@@ -4,70 +4,59 @@ import os
 import signal
 import subprocess
 import sys
+import tempfile
+from pathlib import Path
 
-import diagnostics
+import crash
+from engine import program
 from errors import CourseError
-from exercise_object import drop_if_stale
-from manifest import Exercise, all_exercises
-from symbols import missing_functions
+from manifest import Exercise
+from mine import begun, checked_program, told
+from paths import shown
 from terminal import fold
-from tree import Tree
 
-RELEASE = Tree("release")
+_CHECKS = "Their checks are on, as in ./course check, which takes time: their speed is not the best there is."
 
 
 def run(arguments: list[str]) -> int:
-    mine = [exercise for exercise in all_exercises() if exercise.started() and exercise.file.exists()]
     if "--mine" not in arguments:
-        return _become("spook", ["run", *arguments])
-    forwarded = [argument for argument in arguments if argument != "--mine"]
-    if not mine:
-        print("No exercise of yours is written yet: all of it is the reference.", file=sys.stderr)
-        return _become("spook", ["run", *forwarded])
-    ids = ", ".join(exercise.id for exercise in mine)
-    print(fold(f"Yours, right or wrong: {ids}; the rest is the reference."), file=sys.stderr)
-    return _with_yours(["run", *forwarded], mine)
+        return _become(["run", *arguments])
+    forwarded = ["run", *(argument for argument in arguments if argument != "--mine")]
+    mine = begun()
+    code = _with_yours(forwarded, mine) if mine else _call([str(program("spook")), *forwarded])
+    if code == 0:  # an error stands alone
+        print(fold(f"{told(mine)} {_CHECKS}") if mine else
+              "No exercise of yours is written yet: all of it is the reference.", file=sys.stderr)
+    return code
 
 
 def _with_yours(arguments: list[str], mine: list[Exercise]) -> int:
     """A crash is told as what it is: an error in one of the student's functions."""
-    sys.stdout.flush()
-    code = subprocess.run([program("spook_mine", mine), *arguments]).returncode
-    if code < 0:
-        raise CourseError(f"the run crashed ({signal.Signals(-code).name}) in one of your functions; "
-                          "./course check finds which")
-    return code
+    path = checked_program(mine)
+    with tempfile.TemporaryDirectory(prefix="course-") as folder:
+        trace = Path(folder, "trace")
+        code = _call([str(path), *arguments], **{crash.VARIABLE: str(trace)})
+        where = crash.place(path, trace, mine)
+    if code >= 0:
+        return code
+    name = signal.Signals(-code).name
+    if where:
+        raise CourseError(f"the run crashed ({name}) at {shown(where[0].file)}:{where[1]}; "
+                          f"see ./course check {where[0].id}")
+    raise CourseError(f"the run crashed ({name}) in one of your functions; ./course check finds which")
 
 
 def scenes(arguments: list[str]) -> int:
-    return _become("spook", ["scenes", *arguments])
+    return _become(["scenes", *arguments])
 
 
-def program(target: str, mine: list[Exercise] = []) -> str:
-    """The path of the program, up to date."""
-    if mine:
-        wanted = ";".join(exercise.function for exercise in mine)
-        if RELEASE.setting("SPOOK_MINE") != wanted:
-            RELEASE.configure(f"-DSPOOK_MINE={wanted}")
-        for exercise in mine:
-            drop_if_stale(RELEASE, exercise)
-    first = "" if RELEASE.program("spook").exists() else " (a minute or so, the first time)"
-    built = RELEASE.build([target], f"building the engine{first}", keep_going=True)
-    if not built.ok:
-        for exercise in mine:
-            if RELEASE.failed(built, f"exercise_{exercise.function}"):
-                raise CourseError(f"{exercise.label} does not compile: "
-                                  f"{diagnostics.first_error(built.output, exercise)[0]}")
-        raise RELEASE.own_failure(built)
-    for exercise in mine:
-        if missing_functions(RELEASE, exercise):
-            raise CourseError(f"{exercise.label} is not defined in its file; "
-                              f"see ./course check {exercise.id}")
-    return str(RELEASE.program(target))
+def _call(command: list[str], **env: str) -> int:
+    sys.stdout.flush()
+    return subprocess.run(command, env=os.environ | env).returncode
 
 
-def _become(target: str, arguments: list[str]) -> int:
+def _become(arguments: list[str]) -> int:
     """Exit code, signals and terminal are the program's own."""
-    path = program(target)
+    path = str(program("spook"))
     sys.stdout.flush()
     os.execv(path, [path, *arguments])

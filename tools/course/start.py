@@ -6,12 +6,12 @@ import sys
 from pathlib import Path
 
 from board import progress
+from engine import program
 from errors import CourseError
 from install import install
 from manifest import read_chapters
 from needs import NEEDS
 from paths import BUILD, ROOT, shown
-from run import program
 from speed_error import measure, show_table
 from terminal import paint
 from verdict import CHECK
@@ -22,7 +22,7 @@ def start(arguments) -> int:
     spook = program("spook")
     _build_tests()
     print(f"{paint('Speed against error', 'bold')}, measured now, with the reference engine:\n", flush=True)
-    results = measure(spook)
+    results = measure(str(spook))
     show_table(results)
     print(f"\nThe same as a figure: {shown(_draw(results))}", flush=True)
     arguments.json = False

@@ -4,6 +4,7 @@ The linker fills whatever is missing from the reference. Without this check an e
 another name or signature, would be tested as the reference, and pass.
 """
 
+import functools
 import subprocess
 from pathlib import Path
 
@@ -12,9 +13,12 @@ from manifest import Exercise
 from tree import Tree
 
 
-def missing_functions(tree: Tree, exercise: Exercise) -> list[str]:
-    """The functions, readable, which the reference defines for the exercise and the student doesn't."""
-    missing = sorted(reference_functions(tree, exercise)
+def missing_functions(tree: Tree, exercise: Exercise, built: Tree | None = None) -> list[str]:
+    """The functions, readable, which the reference defines for the exercise and the student doesn't.
+
+    The student's object is in `tree`; the reference is there, too, or in `built`.
+    """
+    missing = sorted(reference_functions(built or tree, exercise)
                      - functions_in(object_file(tree, exercise), exercise.function))
     if not missing:
         return []
@@ -28,6 +32,13 @@ def reference_functions(tree: Tree, exercise: Exercise) -> set[str]:
 def functions_in(file: Path, name: str) -> set[str]:
     """The functions spook::`name` that other objects can call: overloads, and a template's instances, too."""
     mangled = f"_ZN5spook{len(name)}{name}"
+    written = file.stat().st_mtime_ns if file.exists() else 0
+    return {symbol for symbol in _defined_in(file, written) if symbol.startswith(mangled)}
+
+
+@functools.cache
+def _defined_in(file: Path, _written: int) -> frozenset[str]:
+    """All that others can call; the archive of the reference is asked once, however many exercises there are."""
     listing = subprocess.run(["nm", "-P", "--defined-only", str(file)], capture_output=True, text=True)
-    lines = [line.split() for line in listing.stdout.splitlines() if line.startswith(mangled)]
-    return {words[0] for words in lines if words[1].isupper()}
+    lines = [line.split() for line in listing.stdout.splitlines() if line.startswith("_ZN5spook")]
+    return frozenset(words[0] for words in lines if words[1].isupper())

@@ -11,7 +11,9 @@ import tempfile
 from dataclasses import dataclass, field
 from pathlib import Path
 
+import crash
 from errors import BadInput
+from manifest import Exercise
 
 _MARK = re.compile(r"^\[ *(RUN|OK|FAILED|SKIPPED) *\] (\S+?)(?: \(\d+ ms\))?$")
 _MEMORY = 4 << 30
@@ -32,6 +34,7 @@ class Trial:
     exit_code: int
     timed_out: bool
     output: str
+    crashed_at: tuple[Exercise, int] | None = None  # the student's file and line, if that is known
     unfinished: str = field(init=False)  # the test that was running at the end
 
     def __post_init__(self):
@@ -66,8 +69,8 @@ def time_limit() -> float:
 
 
 def run_tests(program: Path, test_filter: str, seed: int | None = None, *, processor: float | None = None,
-              more: dict[str, str] | None = None) -> Trial:
-    """In an environment without GoogleTest's variables, but with `more`.
+              more: dict[str, str] | None = None, exercise: Exercise | None = None) -> Trial:
+    """In an environment without GoogleTest's variables, but with `more`. A crash is looked for in the exercise's file.
 
     With `processor` seconds given, those count, whatever else the machine does, and time_limit() does not.
     """
@@ -76,12 +79,16 @@ def run_tests(program: Path, test_filter: str, seed: int | None = None, *, proce
         env["SPOOK_SEED"] = str(seed)
     with tempfile.TemporaryDirectory(prefix="course-") as folder:
         report, printed = Path(folder, "report.json"), Path(folder, "output")
+        trace = Path(folder, "trace")
+        if exercise:
+            env[crash.VARIABLE] = str(trace)
         command = [str(program), f"--gtest_filter={test_filter}", f"--gtest_output=json:{report}",
                    "--gtest_color=no"]
         with open(printed, "wb") as out:
             code, timed_out = _run_limited(command, out, env, folder, processor)
         tests = _read_report(report) if report.exists() else None
-        return Trial(tests, code, timed_out, printed.read_text(encoding="utf-8", errors="replace"))
+        crashed_at = crash.place(program, trace, [exercise]) if exercise else None
+        return Trial(tests, code, timed_out, printed.read_text(encoding="utf-8", errors="replace"), crashed_at)
 
 
 def _run_limited(command: list[str], out, env: dict[str, str], folder: str,

@@ -5,6 +5,7 @@ import signal
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 
+import crash
 import diagnostics
 from exercise_object import drop_if_stale
 from manifest import Exercise
@@ -83,7 +84,7 @@ def _judge_built(exercise: Exercise, built: Built, seed: int | None) -> Verdict:
     if missing:
         return _without_function(exercise, missing)
     program = CHECK.program(_targets(exercise)[0])
-    verdict = _judge_trial(exercise, run_tests(program, f"{exercise.suite}.*", seed))
+    verdict = _judge_trial(exercise, run_tests(program, f"{exercise.suite}.*", seed, exercise=exercise))
     verdict.warnings = diagnostics.warnings(built.output, exercise)
     return verdict
 
@@ -112,8 +113,9 @@ def _judge_trial(exercise: Exercise, trial: Trial) -> Verdict:
     if trial.timed_out:
         return _broken_off(exercise, trial, f"timed out after {time_limit():g} s", "Does a loop never end?")
     if trial.exit_code < 0:
-        return _broken_off(exercise, trial, f"crashed ({signal.Signals(-trial.exit_code).name})",
-                           "That is most often an index past the end, or a function that calls itself without end.")
+        name = signal.Signals(-trial.exit_code).name
+        return _broken_off(exercise, trial, f"crashed ({name})",
+                           crash.explained(name, trial.output, trial.crashed_at))
     if trial.tests is None:
         return _broken_off(exercise, trial, f"ended early (exit code {trial.exit_code})", "Does it call exit?")
     skipped = [test.name for test in trial.tests if test.skipped]
@@ -142,4 +144,5 @@ def _failing(exercise: Exercise, trial: Trial, failed: list[Test]) -> Verdict:
 
 def _broken_off(exercise: Exercise, trial: Trial, what: str, question: str) -> Verdict:
     where = f" in {trial.unfinished}" if trial.unfinished else ""
-    return Verdict(exercise, "wrong", what + where, question, printed=trial.printed_by(trial.unfinished).strip())
+    return Verdict(exercise, "wrong", what + where, question,
+                   printed=crash.without_assertion(trial.printed_by(trial.unfinished)).strip())

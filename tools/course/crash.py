@@ -1,0 +1,75 @@
+"""Where in a student's file a program crashed, and why, as far as the program told."""
+
+import re
+import subprocess
+from pathlib import Path
+
+from manifest import Exercise
+from paths import shown
+
+VARIABLE = "SPOOK_CRASH_TRACE"  # names the file that chapters/common/crash_trace.cpp writes
+
+_PLACE = re.compile(r"^(\S.*):(\d+)(?: \(discriminator \d+\))?$")
+_ASSERTION = re.compile(r"^(?P<where>.*:\d+: .*)Assertion [`'](?P<claim>.*)' failed\.?$", re.MULTILINE)
+_CLAIMS = (  # what the libraries assert, and what it means to a student
+    (r"__n < this->size\(\)|__n < _Nm|__n < size\(\)", "an index is past the end of a {kind}"),
+    (r"!this->empty\(\)|!empty\(\)", "a {kind} is empty, and has neither a first nor a last element"),
+    (r"index >= 0 && index < |row >= 0 && row < |startRow >= 0|start >= 0 |i>=0 && ",
+     "an index or a block is not inside its vector or matrix"),
+    (r"you mixed different sizes|lhs.cols\(\) == rhs.rows\(\)|rows\(\) == other.rows\(\)|aLhs.rows\(\) == aRhs.rows\(\)",
+     "two vectors or matrices have sizes that do not go together"),
+    (r"_M_is_engaged\(\)", "an optional is empty, and its value is asked for"),
+    (r"__lo < __hi|!\(__hi < __lo\)", "std::clamp has a lower bound above the upper one"),
+)
+_SIGNALS = {"SIGFPE": "a whole number is divided by 0",
+            "SIGSEGV": "nothing is at that address: an index far past the end, a reference to what is gone, or a "
+                       "function that calls itself without end"}
+_KINDS = ("vector", "array", "span", "deque", "basic_string")
+
+
+def place(program: Path, trace: Path, exercises: list[Exercise]) -> tuple[Exercise, int] | None:
+    """The student's line that was being done: of all that the calls went through, the innermost in a student's file."""
+    addresses = trace.read_text(encoding="ascii").split() if trace.exists() else []
+    if not addresses:
+        return None
+    try:
+        told = subprocess.run(["addr2line", "-i", "-e", str(program), *addresses], capture_output=True, text=True)
+    except FileNotFoundError:
+        return None
+    by_file = {str(exercise.file): exercise for exercise in exercises}
+    for line in told.stdout.splitlines():
+        found = _PLACE.match(line)
+        if found and found[1] in by_file:
+            return by_file[found[1]], int(found[2])
+    return None
+
+
+def explained(signal_name: str, output: str, where: tuple[Exercise, int] | None) -> str:
+    """ "chapters/01_leapfrog/kick.cpp:7: an index is past the end of a std::vector", and the line itself."""
+    why = _cause(output) or _SIGNALS.get(signal_name, "")
+    if where is None:
+        return (f"{why[:1].upper()}{why[1:]}." if why else
+                "That is most often an index past the end, or a function that calls itself without end.")
+    exercise, number = where
+    lines = (exercise.source() or "").splitlines()
+    text = lines[number - 1].strip() if number <= len(lines) else ""
+    return f"{shown(exercise.file)}:{number}: {why or 'it crashed here'}\n    {text}".rstrip()
+
+
+def without_assertion(printed: str) -> str:
+    """What the student's code printed, and no library in its name."""
+    return _ASSERTION.sub("", printed)
+
+
+def _cause(output: str) -> str:
+    """What an assertion that failed means, or what it says; empty if there was none."""
+    found = None
+    for found in _ASSERTION.finditer(output):
+        pass  # the last is the one that ended it
+    if not found:
+        return ""
+    for claim, meaning in _CLAIMS:
+        if re.search(claim, found["claim"]):
+            kinds = [kind for kind in _KINDS if f"std::{kind}<" in found["where"] or f"/{kind}:" in found["where"]]
+            return meaning.format(kind=f"std::{kinds[0]}" if kinds else "container")
+    return f"it is asserted that {found['claim']}, which is not so"

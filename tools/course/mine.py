@@ -1,0 +1,63 @@
+"""--mine: programs of the engine that take what a student has written so far in place of the reference's."""
+
+from pathlib import Path
+
+import diagnostics
+from engine import RELEASE, program
+from errors import CourseError
+from exercise_object import drop_if_stale, object_file
+from manifest import Exercise, all_exercises
+from symbols import missing_functions
+from tree import Tree
+from verdict import CHECK
+
+
+def begun() -> list[Exercise]:
+    return [exercise for exercise in all_exercises() if exercise.started() and exercise.file.exists()]
+
+
+def told(mine: list[Exercise]) -> str:
+    return f"Yours, right or wrong: {', '.join(exercise.id for exercise in mine)}; the rest is the reference."
+
+
+def checked_program(mine: list[Exercise]) -> Path:
+    """The program spook_mine, of the objects that `check` tests: after a check there is nothing to compile, only to link.
+
+    They have their checks on, and are slower for it.
+    """
+    _compile(CHECK, mine)
+    _set("SPOOK_MINE_OBJECTS", [str(object_file(CHECK, exercise)) for exercise in mine])
+    return _complete(program("spook_mine"), CHECK, mine)
+
+
+def fast_program(target: str, mine: list[Exercise]) -> Path:
+    """The target, with the student's functions at full speed, too."""
+    _set("SPOOK_MINE", [exercise.function for exercise in mine])
+    _compile(RELEASE, mine)
+    return _complete(program(target), RELEASE, mine)
+
+
+def _compile(tree: Tree, mine: list[Exercise]) -> None:
+    for exercise in mine:
+        drop_if_stale(tree, exercise)
+    built = tree.build([f"exercise_{exercise.function}" for exercise in mine], "building your functions", keep_going=True)
+    for exercise in mine:
+        if tree.failed(built, f"exercise_{exercise.function}"):
+            raise CourseError(f"{exercise.label} does not compile: "
+                              f"{diagnostics.first_error(built.output, exercise)[0]}")
+    if not built.ok:
+        raise tree.own_failure(built)
+
+
+def _complete(path: Path, compiled: Tree, mine: list[Exercise]) -> Path:
+    """The program, if the reference had to fill no function of these exercises."""
+    for exercise in mine:
+        if missing_functions(compiled, exercise, RELEASE):
+            raise CourseError(f"{exercise.label} is not defined in its file; see ./course check {exercise.id}")
+    return path
+
+
+def _set(name: str, values: list[str]) -> None:
+    wanted = ";".join(values)
+    if RELEASE.setting(name) != wanted:
+        RELEASE.configure(f"-D{name}={wanted}")
