@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "common/require.hpp"
 
@@ -102,7 +103,7 @@ void World<Dof>::solve_rows(double h) {
                                                   .last = start_,
                                                   .gravity = settings_.gravity,
                                                   .h = h,
-                                                  .stop = settings_.stop});
+                                                  .stop = stop_rule(h)});
   iterations_ = static_cast<int>(outcome.report.history.size());
   row_updates_ += outcome.updates(rows_.size());
   trouble_ = outcome.report.trouble;
@@ -114,6 +115,17 @@ template <int Dof>
 void World<Dof>::begin_with_last_impulses(double h) {
   const std::vector<double> impulses = start_.impulses(rows_.size(), first_contact_row_, contacts_, h);
   if (!impulses.empty()) warm_start(impulses, rows_, V_);  // Eq. (10.2)
+}
+
+/// What a row lacks, Eq. (4.6), is a sum of four terms; where gravity presses the largest are no smaller than |gravity| h,
+/// and each is rounded. A sweep that returns no more than that has found nothing.
+template <int Dof>
+StopRule World<Dof>::stop_rule(double h) const {
+  using Limits = std::numeric_limits<double>;
+  const double four_roundings = (2 * Limits::epsilon() * settings_.gravity).stableNorm() * h;
+  StopRule stop = settings_.stop;
+  stop.tolerance = std::max(stop.tolerance, std::min(four_roundings, Limits::max()));
+  return stop;
 }
 
 template <int Dof>

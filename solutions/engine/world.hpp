@@ -43,7 +43,8 @@ struct Settings {
                             ///< a step solves the part 1/(1 + d) of what it lacks, Eq. (10.12)
   double margin = 0;  ///< largest gap of a contact [m]: one that opens by a hair keeps its row and its impulse
   [[no_unique_address]] RotationRule<Dof> rotation = {};  ///< rigid bodies only: how they turn
-  StopRule stop = {};                                     ///< when the solver stops
+  /// When the solver stops; at the latest where nothing changes any more but four roundings of |gravity| h.
+  StopRule stop = {};
 };
 
 /// What the last step did.
@@ -128,6 +129,7 @@ class World {
   void build_rows(double h);
   void solve_rows(double h);
   void begin_with_last_impulses(double h);
+  StopRule stop_rule(double h) const;
   void integrate(double h);
 
   Vec3 force(std::size_t i) const;

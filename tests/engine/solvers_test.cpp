@@ -196,6 +196,21 @@ TEST(StiffSolver, ByItsNameIsEquationTwelveSix) {
   }
 }
 
+TEST(Sweeps, EndWhereOnlyRoundingsChange) {
+  // One row that swings: the first sweep solves it, the second finds roundings. In any units, and as long as it may.
+  for (const double unit : {1.0, 0x1p40, 0x1p-40}) {
+    World<3> world({.gravity = Vec3(0, 0, -g * unit), .stop = {.max_sweeps = 1000}});
+    world.add_fixed(Vec3::Zero());
+    world.add({.x = Vec3(unit, 0, 0)});
+    world.add_joint({.i = 0, .j = 1, .length = unit});
+    for (int step = 0; step < 100; ++step) {
+      world.step(h);
+      ASSERT_LE(world.report().iterations, 3) << "step " << step << " unit " << unit;
+      ASSERT_LE(world.report().residual, 1e-15 * g * h * unit);
+    }
+  }
+}
+
 /// Spheres in a stack that is a bit too high, so that they move.
 World<3> stack(Solver<3> solver, bool warm = false) {
   World<3> world({.k = k, .solver = std::move(solver), .warm_start = warm, .stop = {.max_sweeps = 3}});
