@@ -7,15 +7,6 @@ namespace spook {
 
 namespace {
 
-template <int Dof>
-bool moves_i(const Row<Dof>& row) {
-  return !row.MinvGi.isZero(0);
-}
-template <int Dof>
-bool moves_j(const Row<Dof>& row) {
-  return !row.MinvGj.isZero(0);
-}
-
 /// Which of some things belong together.
 class Groups {
  public:
@@ -70,42 +61,6 @@ std::vector<int> row_levels(const std::vector<Row<Dof>>& rows, const RowsOnBodie
   start = queue.back();
   return levels;
 }
-
-/// One island as a system of its own, with bodies of its own numbers.
-template <int Dof>
-struct Island {
-  std::vector<Row<Dof>> rows;
-  std::vector<Twist<Dof>> V;
-  std::vector<int> bodies;  ///< their numbers outside
-
-  /// `numbers` has -1 for every body, before and after.
-  Island(const std::vector<int>& members, const std::vector<Row<Dof>>& all,
-         const std::vector<Twist<Dof>>& outside, std::vector<int>& numbers) {
-    const auto number = [&](int body) {
-      if (numbers[body] < 0) {
-        numbers[body] = static_cast<int>(bodies.size());
-        bodies.push_back(body);
-        V.push_back(outside[body]);
-      }
-      return numbers[body];
-    };
-    for (const int k : members) {
-      rows.push_back(all[k]);
-      rows.back().i = number(all[k].i);
-      rows.back().j = number(all[k].j);
-    }
-    for (const int body : bodies) numbers[body] = -1;
-  }
-
-  void write_back(const std::vector<int>& members, std::vector<Row<Dof>>& all,
-                  std::vector<Twist<Dof>>& outside) const {
-    for (std::size_t k = 0; k < members.size(); ++k) all[members[k]].lambda = rows[k].lambda;
-    for (const Row<Dof>& row : rows) {
-      if (moves_i(row)) outside[bodies[row.i]] = V[row.i];
-      if (moves_j(row)) outside[bodies[row.j]] = V[row.j];
-    }
-  }
-};
 
 }  // namespace
 
@@ -162,34 +117,6 @@ bool wants_direct(const std::vector<Row<Dof>>& rows, const StopRule& stop) {
   return sweeps <= stop.max_sweeps || (mass_ratio(rows) > stop.max_sweeps && sweeps <= 100.0 * stop.max_sweeps);
 }
 
-template <int Dof>
-Outcome IslandSolver<Dof>::operator()(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V,
-                                      const StopRule& stop) {
-  const std::vector<std::vector<int>> all = islands(rows, V.size());
-  while (factors_.size() < all.size()) factors_.emplace_back();
-  const auto solve_one = [&](std::vector<Row<Dof>>& some, std::vector<Twist<Dof>>& some_V, std::size_t n) {
-    if (!wants_direct(some, stop)) {
-      Outcome swept = solve(some, some_V, stop);
-      swept.row_updates = swept.updates(some.size());
-      return swept;
-    }
-    Outcome direct = direct_solve(some, some_V, stop, factors_[n]);
-    direct.row_updates = 0;
-    return direct;
-  };
-  if (all.size() == 1) return solve_one(rows, V, 0);
-
-  Outcome outcome{SolveReport{.history = {}, .converged = true}};
-  outcome.row_updates = 0;
-  std::vector<int> numbers(V.size(), -1);
-  for (std::size_t n = 0; n < all.size(); ++n) {
-    Island<Dof> island(all[n], rows, V, numbers);
-    outcome = side_by_side(std::move(outcome), solve_one(island.rows, island.V, n));
-    island.write_back(all[n], rows, V);
-  }
-  return outcome;
-}
-
 template std::vector<std::vector<int>> islands<3>(const std::vector<Row<3>>&, std::size_t);
 template std::vector<std::vector<int>> islands<6>(const std::vector<Row<6>>&, std::size_t);
 template int width<3>(const std::vector<Row<3>>&);
@@ -198,7 +125,5 @@ template double mass_ratio<3>(const std::vector<Row<3>>&);
 template double mass_ratio<6>(const std::vector<Row<6>>&);
 template bool wants_direct<3>(const std::vector<Row<3>>&, const StopRule&);
 template bool wants_direct<6>(const std::vector<Row<6>>&, const StopRule&);
-template class IslandSolver<3>;
-template class IslandSolver<6>;
 
 }  // namespace spook

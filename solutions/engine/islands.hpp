@@ -6,13 +6,21 @@
 //   cost    of factors, in sweeps: (w/5)² at most, as a sweep of n rows takes some 25 n operations, and factors w² n
 //   rule    direct where that is at most the sweeps that are allowed; where the masses that rows join differ by more than
 //           that number, so that so many sweeps can not suffice, it may cost a hundred times as much
-#include <deque>
 #include <vector>
 
-#include "11_direct/direct.hpp"
-#include "engine/solvers.hpp"
+#include "04_gauss_seidel/gauss_seidel.hpp"
 
 namespace spook {
+
+/// Whether a row acts on a body i, or j, that moves.
+template <int Dof>
+bool moves_i(const Row<Dof>& row) {
+  return !row.MinvGi.isZero(0);
+}
+template <int Dof>
+bool moves_j(const Row<Dof>& row) {
+  return !row.MinvGj.isZero(0);
+}
 
 /// The rows of each island, in order; islands in the order of their first row. Rows without a body that moves are
 /// islands of their own.
@@ -30,15 +38,5 @@ double mass_ratio(const std::vector<Row<Dof>>& rows);
 /// The rule.
 template <int Dof>
 bool wants_direct(const std::vector<Row<Dof>>& rows, const StopRule& stop);
-
-/// Solves each island by itself, with the solver that the rule says.
-template <int Dof>
-class IslandSolver {
- public:
-  Outcome operator()(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V, const StopRule& stop);
-
- private:
-  std::deque<Factors> factors_;  // of each island, in order
-};
 
 }  // namespace spook

@@ -7,6 +7,7 @@
 //   -Λ <= λ <= Λ         friction: two rows more, with the bound of Eq. (5.7), or of chapter 09
 //   -∞ < λ < ∞           a joint does both
 //   S_kk, B              Eq. (4.3), (4.4)
+#include <string>
 #include <vector>
 
 #include "09_better_friction/better_friction.hpp"
@@ -23,6 +24,10 @@ enum class FrictionModel {
   two_pass,  ///< the normal impulses of a first pass, without friction: Eq. (9.1)
   cone       ///< the normal impulse of now, on Coulomb's cone: Eq. (9.3)-(9.6)
 };
+
+inline std::string name_of(FrictionModel model) {
+  return model == FrictionModel::box ? "box" : model == FrictionModel::cone ? "cone" : "two_pass";
+}
 
 /// How rubbing is counted in; no friction, no rows.
 struct Friction {

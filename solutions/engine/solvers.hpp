@@ -1,46 +1,77 @@
 #pragma once
-// The solvers, behind one signature, so that an experiment can swap them by name.
+// The solvers, one file each in engine/solvers/, all with the signature of System.
+//
+//   on their own     gauss_seidel, conjugate_gradients, direct, by_island, in_order, cone
+//   with another     two_pass(solver), stiff(solver): the outer one says which rows, with which bounds, the inner one solves
+//
+//   two_pass(direct<6>())                                 friction limited by normal forces that are exact
+//   two_pass(in_order<3>(RowOrder::random, 1))            by those of sweeps in a random order
+//   stiff(by_island<3>())                                 geometric stiffness for the links that swing freely
+//
+// The cone and an order are sweeps themselves, and take no other solver.
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
-#include "04_gauss_seidel/gauss_seidel.hpp"
+#include "engine/system.hpp"
 
 namespace spook {
 
-/// What a solver did.
-struct Outcome {
-  Outcome(SolveReport done) : report(std::move(done)) {}  // NOLINT: a chapter's solver is one, too
+/// Projected Gauss-Seidel, chapter 04's.
+template <int Dof>
+Solver<Dof> gauss_seidel();
 
-  SolveReport report;
-  std::int64_t row_updates = -1;  ///< that were made; -1: one of each row for each entry of the history
+/// Chapter 10's.
+template <int Dof>
+Solver<Dof> conjugate_gradients();
 
-  /// Row updates that were made, of so many rows.
-  std::int64_t updates(std::size_t rows) const;
+/// Chapter 11's; keeps its factors for the next step.
+template <int Dof>
+Solver<Dof> direct();
+
+/// Each island of bodies with direct or gauss_seidel, by the rule of engine/islands.hpp.
+template <int Dof>
+Solver<Dof> by_island();
+
+/// In which order the sweeps go through the rows.
+enum class RowOrder {
+  given,  ///< as they come
+  up,     ///< by the height of what a row acts on, against gravity: Eq. (10.3)
+  down,   ///< along it
+  random  ///< another one in every solve: Eq. (10.4)
 };
 
-/// Of two solves, one after the other. A history goes on where the other ends; the second says whether it converged.
-/// Where one does not count its row updates, they are of so many rows.
-Outcome in_turn(Outcome first, const Outcome& second, std::size_t rows);
-
-/// Of two solves that have no part in each other, and count their row updates. A history has the larger of their
-/// entries, or a NaN; both must have converged.
-Outcome side_by_side(Outcome one, const Outcome& other);
-
-/// Brings the rows' λ to S λ = B within their bounds, and V to M⁻¹ Gᵀ λ. Both start from what the caller left in
-/// them. May keep what helps it in the next step.
+/// Projected Gauss-Seidel in that order. A copy goes on with the same random orders.
 template <int Dof>
-using Solver =
-    std::function<Outcome(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V, const StopRule& stop)>;
+Solver<Dof> in_order(RowOrder order, std::uint64_t seed = 1);
 
+/// Sweeps in that order, which has every row once, by the rule of chapter 04's solve.
+template <int Dof>
+SolveReport solve_in_order(const std::vector<int>& order, std::vector<Row<Dof>>& rows,
+                           std::vector<Twist<Dof>>& V, const StopRule& stop);
+
+/// Sweeps on Coulomb's cones, chapter 09's.
+template <int Dof>
+Solver<Dof> cone();
+
+/// Friction limited by the normal impulses of a first pass: chapter 09's two passes, with `inner` for both.
+/// Throws std::invalid_argument for an inner solver that is null, or has limits of its own.
+template <int Dof>
+Solver<Dof> two_pass(Solver<Dof> inner);
+
+/// Chapter 12's, for the links of point masses that no contact has to do with; `inner` for all other rows.
+/// Throws std::invalid_argument for rigid bodies, and for an inner solver that is null, or stiff itself.
+template <int Dof>
+Solver<Dof> stiff(Solver<Dof> inner);
+
+/// A solver as it is asked for.
 template <int Dof>
 struct NamedSolver {
   std::string name;
   std::string summary;
-  std::string iteration;             ///< what an entry of its history is of, one of them
-  Solver<Dof> (*make)();             ///< with nothing kept yet
-  bool geometric_stiffness = false;  ///< to be used with Settings::geometric_stiffness
+  std::string iteration;  ///< what an entry of its history is of, one of them
+  Solver<Dof> (
+      *make)();  ///< with nothing kept yet; throws std::invalid_argument where it is not for such bodies
 };
 
 /// All there are; the first is the default. The names do not depend on Dof.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "common/require.hpp"
 
@@ -82,10 +83,49 @@ void World<Dof>::build_rows(double h) {
   const Friction friction{.mu = settings_.friction,
                           .c = settings_.viscosity,
                           .gravity = settings_.gravity,
-                          .model = settings_.friction_model,
+                          .model = settings_.solver.friction,
                           .sliding_tangents = settings_.sliding_tangents};
   add_contact_rows(contacts_, h, spook_parameters(h, settings_.k, settings_.d), friction, bodies_.motion, rows_,
                    rubbing_);
+}
+
+template <int Dof>
+void World<Dof>::solve_rows(double h) {
+  V_.assign(bodies_.size(), Twist<Dof>::Zero());
+  if (settings_.warm_start) begin_with_last_impulses(h);
+  const Outcome outcome = settings_.solver.solve({.rows = rows_,
+                                                  .V = V_,
+                                                  .rubbing = rubbing_,
+                                                  .joints = joints_,
+                                                  .contacts = contacts_,
+                                                  .first_contact_row = first_contact_row_,
+                                                  .bodies = bodies_,
+                                                  .last = start_,
+                                                  .gravity = settings_.gravity,
+                                                  .h = h,
+                                                  .stop = stop_rule(h)});
+  iterations_ = static_cast<int>(outcome.report.history.size());
+  row_updates_ += outcome.updates(rows_.size());
+  trouble_ = outcome.report.trouble;
+  if (settings_.warm_start || settings_.solver.wants_last)
+    start_.remember(rows_, first_contact_row_, contacts_, h);
+}
+
+template <int Dof>
+void World<Dof>::begin_with_last_impulses(double h) {
+  const std::vector<double> impulses = start_.impulses(rows_.size(), first_contact_row_, contacts_, h);
+  if (!impulses.empty()) warm_start(impulses, rows_, V_);  // Eq. (10.2)
+}
+
+/// What a row lacks, Eq. (4.6), is a sum of four terms; where gravity presses the largest are no smaller than |gravity| h,
+/// and each is rounded. A sweep that returns no more than that has found nothing.
+template <int Dof>
+StopRule World<Dof>::stop_rule(double h) const {
+  using Limits = std::numeric_limits<double>;
+  const double four_roundings = (2 * Limits::epsilon() * settings_.gravity).stableNorm() * h;
+  StopRule stop = settings_.stop;
+  stop.tolerance = std::max(stop.tolerance, std::min(four_roundings, Limits::max()));
+  return stop;
 }
 
 template <int Dof>

@@ -12,7 +12,6 @@
 // Each stage calls the functions of the chapters. One for which a scene has nothing does not run: no shapes, no search;
 // no restitution, no impacts; no friction, one row a contact; no rows, no solve; point masses, nothing that turns.
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -20,15 +19,12 @@
 #include "engine/blowup.hpp"
 #include "engine/contacts.hpp"
 #include "engine/joints.hpp"
-#include "engine/row_order.hpp"
 #include "engine/rows.hpp"
 #include "engine/solvers.hpp"
 #include "engine/stages.hpp"
 #include "engine/start_impulses.hpp"
 
 namespace spook {
-
-struct Factors;
 
 template <int Dof>
 struct Settings {
@@ -38,22 +34,17 @@ struct Settings {
   double d = 3;                      ///< relaxation of contacts and joints [steps]
   double friction = 0;               ///< μ of the friction box; 0: no friction rows
   double viscosity = 1e12;  ///< what a stuck contact creeps against, c of Eq. (5.4) [N s/m]; may be infinite
-  std::optional<ImpactLaw> impacts =
-      {};  ///< none unless given. To its threshold |gravity| h is added: what gravity
-           ///< does in a step is no impact
-  FrictionModel friction_model = FrictionModel::box;  ///< where the limit of friction comes from
-  bool sliding_tangents = false;                      ///< friction along the slip, Eq. (9.2)
-  Solver<Dof> solver =
-      &solve<Dof>;  ///< any of solvers<Dof>(). The cone, and an order of rows, have their own sweeps
-  bool geometric_stiffness =
-      false;  ///< links of point masses that no contact has to do with get it, Eq. (12.5)
-  RowOrder order = RowOrder::given;  ///< of the rows, in sweeps
-  std::uint64_t seed = 1;            ///< of a random order
-  bool warm_start = false;           ///< rows begin with the impulses of the last step. Safe where
-                                     ///< a step solves the part 1/(1 + d) of what it lacks, Eq. (10.12)
+  /// None unless given. To its threshold |gravity| h is added: what gravity does in a step is no impact.
+  std::optional<ImpactLaw> impacts = {};
+  bool sliding_tangents = false;  ///< friction along the slip, Eq. (9.2)
+  /// Any of engine/solvers.hpp, or one of your own. Where the limit of friction comes from is its word, too.
+  Solver<Dof> solver = gauss_seidel<Dof>();
+  bool warm_start = false;  ///< rows begin with the impulses of the last step. Safe where
+                            ///< a step solves the part 1/(1 + d) of what it lacks, Eq. (10.12)
   double margin = 0;  ///< largest gap of a contact [m]: one that opens by a hair keeps its row and its impulse
   [[no_unique_address]] RotationRule<Dof> rotation = {};  ///< rigid bodies only: how they turn
-  StopRule stop = {};                                     ///< when the solver stops
+  /// When the solver stops; at the latest where nothing changes any more but four roundings of |gravity| h.
+  StopRule stop = {};
 };
 
 /// What the last step did.
@@ -67,12 +58,12 @@ struct StepReport {
   std::string trouble;  ///< why a solver had to go on by other means; empty: it had not
 };
 
+/// A copy has a copy of all, its solver included: it goes on as the first would have, and shares nothing with it.
 template <int Dof>
 class World {
  public:
   /// Throws std::invalid_argument, naming the parameter, unless gravity is finite, k > 0, d >= 0, friction >= 0,
-  /// viscosity > 0, and the impact law, the solver and its stop rule are sound; and for rigid bodies with geometric
-  /// stiffness.
+  /// viscosity > 0, and the impact law, the solver and its stop rule are sound.
   explicit World(Settings<Dof> settings);
 
   /// Adds a body and returns its index; see Bodies::add for what is refused.
@@ -137,9 +128,8 @@ class World {
   void resolve_impacts(double h);
   void build_rows(double h);
   void solve_rows(double h);
-  Outcome solve_by_friction_model();
-  Outcome solve_by(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V);
-  Outcome solve_with_stiff_links(double h);
+  void begin_with_last_impulses(double h);
+  StopRule stop_rule(double h) const;
   void integrate(double h);
 
   Vec3 force(std::size_t i) const;
@@ -158,11 +148,9 @@ class World {
   std::vector<Contact> contacts_;  // of the last step
   std::vector<Row<Dof>> rows_;     // of the joints, then of the contacts
   std::size_t first_contact_row_ = 0;
-  std::vector<Rubbing> rubbing_;            // where friction follows what presses
-  std::vector<Twist<Dof>> V_;               // what the rows add to each velocity
-  StartImpulses start_;                     // for the rows of the next step
-  std::mt19937_64 random_;                  // for a random order
-  std::shared_ptr<Factors> stiff_factors_;  // of the stiff links; a copy of the world shares them
+  std::vector<Rubbing> rubbing_;  // where friction follows what presses
+  std::vector<Twist<Dof>> V_;     // what the rows add to each velocity
+  StartImpulses start_;           // for the rows of the next step
   std::string trouble_;
   StageClock clock_;
   std::int64_t steps_ = 0;

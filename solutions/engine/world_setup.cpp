@@ -1,12 +1,11 @@
 // What a world is told before it steps, and what it can be asked afterwards.
-#include "11_direct/direct.hpp"
 #include "common/require.hpp"
 #include "engine/world.hpp"
 
 namespace spook {
 
 template <int Dof>
-World<Dof>::World(Settings<Dof> settings) : settings_(std::move(settings)), random_(settings_.seed) {
+World<Dof>::World(Settings<Dof> settings) : settings_(std::move(settings)) {
   require_all_finite("gravity", settings_.gravity);
   require_positive("k", settings_.k);
   require_not_negative("d", settings_.d);
@@ -16,10 +15,7 @@ World<Dof>::World(Settings<Dof> settings) : settings_(std::move(settings)), rand
   if (settings_.impacts) spook::resolve_impacts<Dof>({}, *settings_.impacts, bodies_.motion);
   require_positive("max_sweeps", settings_.stop.max_sweeps);
   require_not_negative("tolerance", settings_.stop.tolerance);
-  if (Dof == 6 && settings_.geometric_stiffness)
-    throw std::invalid_argument("geometric_stiffness must be false for rigid bodies, but is true");
-  if (settings_.geometric_stiffness) stiff_factors_ = std::make_shared<Factors>();
-  if (!settings_.solver) throw std::invalid_argument("solver must be one of solvers(), but is null");
+  if (!settings_.solver.solve) throw std::invalid_argument("solver must be one of solvers(), but is null");
 }
 
 template <int Dof>
@@ -149,9 +145,10 @@ StepReport World<Dof>::report() const {
           .impacts = impacts_,
           .rows = static_cast<int>(rows_.size()),
           .iterations = iterations_,
-          .residual = rows_.empty()                                     ? 0
-                      : settings_.friction_model == FrictionModel::cone ? residual_on_cones(rubbing_, rows_, V_)
-                                                                        : residual(rows_, V_),
+          .residual = rows_.empty() ? 0
+                      : settings_.solver.friction == FrictionModel::cone
+                          ? residual_on_cones(rubbing_, rows_, V_)
+                          : residual(rows_, V_),
           .trouble = trouble_};
 }
 

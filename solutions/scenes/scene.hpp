@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/world.hpp"
+#include "scenes/method.hpp"
 #include "scenes/parameters.hpp"
 
 namespace spook {
@@ -41,22 +42,6 @@ class Scene {
   /// From now on the stages of each step are timed.
   virtual void time_stages() = 0;
   virtual StageTimes stage_times() const = 0;
-};
-
-/// How a scene is stepped and solved.
-struct Method {
-  double h;          ///< [s]
-  int substeps = 1;  ///< steps of h/substeps that a step is made of
-  std::string solver = "gauss_seidel";
-  StopRule stop = {};
-  FrictionModel friction_model = FrictionModel::box;
-  bool sliding_tangents = false;
-  RowOrder order = RowOrder::given;
-  std::uint64_t seed = 1;  ///< of a random order
-  bool warm_start = false;
-  double margin = 0;  ///< [m]
-
-  double step() const { return h / substeps; }  ///< [s]
 };
 
 struct SceneDescription {
@@ -97,14 +82,9 @@ class WorldScene : public Scene {
 
  private:
   static Settings<Dof> with(Settings<Dof> settings, const Method& method) {
-    const NamedSolver<Dof>& solver = find_solver<Dof>(method.solver);
-    settings.solver = solver.make();
-    settings.geometric_stiffness = solver.geometric_stiffness;
+    settings.solver = make_solver<Dof>(method);
     settings.stop = method.stop;
-    settings.friction_model = method.friction_model;
     settings.sliding_tangents = method.sliding_tangents;
-    settings.order = method.order;
-    settings.seed = method.seed;
     settings.warm_start = method.warm_start;
     settings.margin = method.margin;
     return settings;

@@ -16,10 +16,6 @@ static const char* name_of(RowOrder order) {
   return std::array{"given", "up", "down", "random"}[static_cast<std::size_t>(order)];
 }
 
-static const char* name_of(FrictionModel model) {
-  return std::array{"box", "two_pass", "cone"}[static_cast<std::size_t>(model)];
-}
-
 static Json to_json(const Parameter& parameter) {
   if (!parameter.choices.empty()) return parameter.choice;
   if (parameter.limits.whole) return static_cast<std::int64_t>(parameter.value);

@@ -61,20 +61,6 @@ static void set_rows(const RunCommand& command, Method& method) {
         choose<bool>("tangents", *command.tangents, {{"fixed", false}, {"sliding", true}});
 }
 
-static bool has_own_sweeps(const Method& method) {
-  return method.order != RowOrder::given || method.friction_model == FrictionModel::cone;
-}
-
-/// What has sweeps of its own can not have another solver as well.
-static void require_one_solver(const Method& method) {
-  if (method.solver == solvers<3>().front().name) return;  // Gauss-Seidel
-  if (method.order != RowOrder::given)
-    throw std::invalid_argument("an order of rows is for sweeps: solver must be gauss_seidel, but is " +
-                                method.solver);
-  if (method.friction_model == FrictionModel::cone)
-    throw std::invalid_argument("the cone is for sweeps: solver must be gauss_seidel, but is " + method.solver);
-}
-
 static RunSettings settings_of(const RunCommand& command, const SceneDescription& scene) {
   RunSettings settings{.method = {.h = scene.h, .solver = scene.solver}, .time = scene.time};
   Method& method = settings.method;
@@ -91,9 +77,8 @@ static RunSettings settings_of(const RunCommand& command, const SceneDescription
   if (command.substeps) method.substeps = parse_whole("substeps", *command.substeps, 1, 1'000'000);
   set_rows(command, method);
   // What has sweeps of its own is asked for instead of the scene's solver.
-  if (!command.solver && has_own_sweeps(method)) method.solver = solvers<3>().front().name;
-  find_solver<3>(method.solver);
-  require_one_solver(method);
+  if (!command.solver && method.has_own_sweeps()) method.solver = solvers<3>().front().name;
+  make_solver<3>(method);
   step_count(method.h, settings.time);
   return settings;
 }

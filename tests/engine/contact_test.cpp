@@ -180,10 +180,10 @@ TEST(Spheres, AtOnePlaceArePartedWithoutANaN) {
 int solver_calls = 0;
 
 TEST(Step, DoesNothingForWhatASceneDoesNotHave) {
-  const Solver<3> counting = [](std::vector<Row<3>>& rows, std::vector<Twist<3>>& V, const StopRule& stop) {
+  const Solver<3> counting{.solve = [](const System<3>& system) {
     ++solver_calls;
-    return solve(rows, V, stop);
-  };
+    return gauss_seidel<3>().solve(system);
+  }};
   solver_calls = 0;
 
   World<3> plain({.solver = counting});

@@ -16,6 +16,8 @@ struct Way {
   std::string name;
   FrictionModel model;
   bool sliding = false;
+
+  Solver<3> solver() const { return make_solver<3>({.h = h, .friction_model = model}); }
 };
 const std::vector<Way> better = {{"two passes", FrictionModel::two_pass},
                                  {"two passes along the slip", FrictionModel::two_pass, true},
@@ -28,8 +30,8 @@ double speed_of_pile_on_slope(int n, double mu, double angle, const Way& way) {
                   .k = k,
                   .friction = mu,
                   .viscosity = infinity,
-                  .friction_model = way.model,
                   .sliding_tangents = way.sliding,
+                  .solver = way.solver(),
                   .stop = {.max_sweeps = 20'000, .tolerance = 1e-14}});
   world.add_plane(Vec3::UnitZ(), 0);
   double z = radius;
@@ -60,7 +62,7 @@ TEST(BetterFriction, APileOnASlopeNeedsNoMoreThanABody) {
 Vec3 stop_of_block(double heading, const Way& way) {
   const double mu = 0.3;
   const Vec3 along(std::cos(heading), std::sin(heading), 0);
-  World<3> world({.k = k, .friction = mu, .friction_model = way.model, .sliding_tangents = way.sliding});
+  World<3> world({.k = k, .friction = mu, .sliding_tangents = way.sliding, .solver = way.solver()});
   world.add_plane(Vec3::UnitZ(), 0);
   const double step = 1e-3;
   const int block =
@@ -110,8 +112,8 @@ TEST(BetterFriction, KeepsTheMomentaOfFreeBodies) {
     World<6> world({.gravity = Vec3::Zero(),
                     .k = 1e3,
                     .friction = 0.5,
-                    .friction_model = way.model,
-                    .sliding_tangents = way.sliding});
+                    .sliding_tangents = way.sliding,
+                    .solver = make_solver<6>({.h = h, .friction_model = way.model})});
     const Vec3 moments = solid_sphere_moments(1, radius);
     world.add({.x = Vec3(0, 0, 0), .radius = radius, .omega = Vec3(0, 3, 1), .principal = moments});
     world.add({.x = Vec3(0.9, 0.1, 0), .v = Vec3(-1, 0.5, 0.2), .radius = radius, .principal = moments});
@@ -125,10 +127,8 @@ TEST(BetterFriction, KeepsTheMomentaOfFreeBodies) {
 }
 
 TEST(BetterFriction, TheConeReportsItsOwnResidual) {
-  World<3> world({.k = k,
-                  .friction = 0.5,
-                  .friction_model = FrictionModel::cone,
-                  .stop = {.max_sweeps = 1000, .tolerance = 1e-14}});
+  World<3> world(
+      {.k = k, .friction = 0.5, .solver = cone<3>(), .stop = {.max_sweeps = 1000, .tolerance = 1e-14}});
   world.add_plane(Vec3::UnitZ(), 0);
   world.add({.x = Vec3(0, 0, radius), .v = Vec3(1, 0, 0), .radius = radius});
   world.step(h);

@@ -5,7 +5,9 @@
 
 #include <cmath>
 
+#include "11_direct/direct.hpp"
 #include "engine/world.hpp"
+#include "raw_system.hpp"
 
 namespace spook {
 namespace {
@@ -118,8 +120,7 @@ TEST(Islands, AreSolvedAsIfAlone) {
   net.hang(anchor, 7, 100);
   std::vector<Row<3>> rows = net.rows;
   std::vector<Twist<3>> V = net.V;
-  IslandSolver<3> by_island;
-  const Outcome outcome = by_island(rows, V, {});
+  const Outcome outcome = solve_by(by_island<3>(), rows, V);
   EXPECT_TRUE(outcome.report.converged);
   EXPECT_EQ(outcome.row_updates, 0) << "both are wires: no sweeps";
 
@@ -140,8 +141,7 @@ TEST(Islands, AreEachSolvedByTheirOwnSolver) {
   net.hang(net.add_point(0), 5);
   const int hub = net.add_point();
   for (int spoke = 0; spoke < 60; ++spoke) net.join(hub, net.add_point());
-  IslandSolver<3> by_island;
-  const Outcome outcome = by_island(net.rows, net.V, {.max_sweeps = 20});
+  const Outcome outcome = solve_by(by_island<3>(), net.rows, net.V, {.max_sweeps = 20});
   EXPECT_EQ(outcome.row_updates, 20 * 60) << "the star is swept, the wire is not";
   EXPECT_EQ(outcome.report.history.size(), 20U);
 }

@@ -83,7 +83,7 @@ TEST(StartImpulses, FollowTheirContactsAndForgetTheRest) {
 TEST(RowOrder, OneSweepShowsWhichWayItWent) {
   // From the ground up each sphere knows its own weight and what is below; from the top down nothing arrives yet.
   const auto after_a_sweep = [](RowOrder order) {
-    World<3> world = stack(3, {.order = order, .stop = {.max_sweeps = 1}});
+    World<3> world = stack(3, {.solver = in_order<3>(order), .stop = {.max_sweeps = 1}});
     world.step(h);
     return std::vector<double>{world.lambda(0), world.lambda(1), world.lambda(2)};
   };
@@ -96,7 +96,7 @@ TEST(RowOrder, OneSweepShowsWhichWayItWent) {
 
 TEST(RowOrder, RandomIsTheSameForTheSameSeed) {
   const auto run = [](std::uint64_t seed) {
-    World<3> world = stack(6, {.order = RowOrder::random, .seed = seed, .stop = {.max_sweeps = 3}});
+    World<3> world = stack(6, {.solver = in_order<3>(RowOrder::random, seed), .stop = {.max_sweeps = 3}});
     for (int step = 0; step < 5; ++step) world.step(h);
     return world.x(6).z();
   };
@@ -107,7 +107,7 @@ TEST(RowOrder, RandomIsTheSameForTheSameSeed) {
 TEST(RowOrder, AllSolveTheSame) {
   const StopRule stop{.max_sweeps = 100'000, .tolerance = 1e-13};
   for (const RowOrder order : {RowOrder::given, RowOrder::up, RowOrder::down, RowOrder::random}) {
-    World<3> world = stack(5, {.order = order, .stop = stop});
+    World<3> world = stack(5, {.solver = in_order<3>(order), .stop = stop});
     world.step(h);
     for (int contact = 0; contact < 5; ++contact)
       EXPECT_NEAR(world.lambda(contact), h * (5 - contact) * g, 1e-9);

@@ -1,0 +1,38 @@
+#include "engine/outcome.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spook {
+
+std::int64_t Outcome::updates(std::size_t rows) const {
+  return row_updates >= 0 ? row_updates : std::ssize(report.history) * static_cast<std::int64_t>(rows);
+}
+
+static void add_trouble(const SolveReport& of, SolveReport& all) {
+  if (all.trouble.empty()) all.trouble = of.trouble;
+}
+
+Outcome in_turn(Outcome first, const Outcome& second, std::size_t rows) {
+  SolveReport& all = first.report;
+  first.row_updates = first.updates(rows) + second.updates(rows);
+  all.history.insert(all.history.end(), second.report.history.begin(), second.report.history.end());
+  all.converged = second.report.converged;
+  add_trouble(second.report, all);
+  return first;
+}
+
+Outcome side_by_side(Outcome one, const Outcome& other) {
+  SolveReport& all = one.report;
+  one.row_updates += other.row_updates;
+  all.history.resize(std::max(all.history.size(), other.report.history.size()), 0);
+  for (std::size_t k = 0; k < other.report.history.size(); ++k) {
+    const double entry = other.report.history[k];
+    if (std::isnan(entry) || entry > all.history[k]) all.history[k] = entry;
+  }
+  all.converged = all.converged && other.report.converged;
+  add_trouble(other.report, all);
+  return one;
+}
+
+}  // namespace spook

@@ -1,0 +1,27 @@
+#pragma once
+// What a solver did, and how that of several is put together.
+#include <cstdint>
+
+#include "04_gauss_seidel/gauss_seidel.hpp"
+
+namespace spook {
+
+struct Outcome {
+  Outcome(SolveReport done) : report(std::move(done)) {}  // NOLINT: a chapter's solver is one, too
+
+  SolveReport report;
+  std::int64_t row_updates = -1;  ///< that were made; -1: one of each row for each entry of the history
+
+  /// Row updates that were made, of so many rows.
+  std::int64_t updates(std::size_t rows) const;
+};
+
+/// Of two solves, one after the other. A history goes on where the other ends; the second says whether it converged.
+/// Where one does not count its row updates, they are of so many rows.
+Outcome in_turn(Outcome first, const Outcome& second, std::size_t rows);
+
+/// Of two solves that have no part in each other, and count their row updates. A history has the larger of their
+/// entries, or a NaN; both must have converged.
+Outcome side_by_side(Outcome one, const Outcome& other);
+
+}  // namespace spook

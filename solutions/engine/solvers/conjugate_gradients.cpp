@@ -1,0 +1,22 @@
+// Projected conjugate gradients, preconditioned by sweeps: chapter 10, Eq. (10.6)-(10.9); notes, "conjugate gradient".
+//
+// One entry of its history is of an iteration, that costs four sweeps: two of the preconditioner, one to look, one for
+// S p. Keeps nothing.
+#include "10_convergence/convergence.hpp"
+#include "engine/solvers.hpp"
+
+namespace spook {
+
+template <int Dof>
+Solver<Dof> conjugate_gradients() {
+  return {.solve = [](const System<Dof>& s) {
+    Outcome outcome = conjugate_solve(s.rows, s.V, s.stop);
+    outcome.row_updates = 4 * std::ssize(outcome.report.history) * std::ssize(s.rows);
+    return outcome;
+  }};
+}
+
+template Solver<3> conjugate_gradients<3>();
+template Solver<6> conjugate_gradients<6>();
+
+}  // namespace spook

@@ -1,0 +1,16 @@
+// Projected Gauss-Seidel: chapter 04, Eq. (4.6), (4.7), in the order in which the rows come; notes, "Gauss-Seidel".
+//
+// One entry of its history is what a sweep returned. Keeps nothing.
+#include "engine/solvers.hpp"
+
+namespace spook {
+
+template <int Dof>
+Solver<Dof> gauss_seidel() {
+  return {.solve = [](const System<Dof>& s) -> Outcome { return solve(s.rows, s.V, s.stop); }};
+}
+
+template Solver<3> gauss_seidel<3>();
+template Solver<6> gauss_seidel<6>();
+
+}  // namespace spook

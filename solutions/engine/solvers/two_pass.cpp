@@ -1,0 +1,33 @@
+// Two passes: chapter 09, Eq. (9.1); notes, "normal forces as limits".
+//
+//   first     without friction: its rows come with bounds of 0
+//   second    with the limits ±μ λ_n that the first found, from where it ended
+//
+// As chapter 09's two_pass_solve, but with any solver for a pass. Each has the whole stop rule, and the history has both.
+// Where nothing rubs there is one pass.
+#include <stdexcept>
+
+#include "engine/solvers.hpp"
+
+namespace spook {
+
+template <int Dof>
+Solver<Dof> two_pass(Solver<Dof> inner) {
+  if (!inner.solve) throw std::invalid_argument("two_pass's solver must be one of solvers(), but is null");
+  if (inner.friction != FrictionModel::box)
+    throw std::invalid_argument("two_pass's solver must leave the limits of friction alone, but has those of " +
+                                name_of(inner.friction));
+  const bool wants_last = inner.wants_last;
+  auto solve_twice = [inner = std::move(inner)](const System<Dof>& s) {
+    Outcome first = inner.solve(s);
+    if (s.rubbing.empty()) return first;
+    limit_friction(s.rubbing, s.rows);  // Eq. (9.1)
+    return in_turn(std::move(first), inner.solve(s), s.rows.size());
+  };
+  return {.solve = std::move(solve_twice), .friction = FrictionModel::two_pass, .wants_last = wants_last};
+}
+
+template Solver<3> two_pass<3>(Solver<3>);
+template Solver<6> two_pass<6>(Solver<6>);
+
+}  // namespace spook

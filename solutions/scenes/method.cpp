@@ -1,0 +1,34 @@
+#include "scenes/method.hpp"
+
+#include <stdexcept>
+
+namespace spook {
+
+/// What has sweeps of its own can not have another solver, or other sweeps, as well.
+static void require_one_solver(const Method& method) {
+  if (!method.has_own_sweeps()) return;
+  const bool ordered = method.order != RowOrder::given;
+  if (method.solver != solvers<3>().front().name)  // Gauss-Seidel
+    throw std::invalid_argument(std::string(ordered ? "an order of rows" : "the cone") +
+                                " is for sweeps: solver must be gauss_seidel, but is " + method.solver);
+  if (ordered && method.friction_model == FrictionModel::cone)
+    throw std::invalid_argument(
+        "the cone sweeps in the order that is given: friction-model must be box or two_pass for another order, "
+        "but is "
+        "cone");
+}
+
+template <int Dof>
+Solver<Dof> make_solver(const Method& method) {
+  const NamedSolver<Dof>& named = find_solver<Dof>(method.solver);
+  require_one_solver(method);
+  if (method.friction_model == FrictionModel::cone) return cone<Dof>();
+  Solver<Dof> solver =
+      method.order == RowOrder::given ? named.make() : in_order<Dof>(method.order, method.seed);
+  return method.friction_model == FrictionModel::two_pass ? two_pass(std::move(solver)) : solver;
+}
+
+template Solver<3> make_solver<3>(const Method&);
+template Solver<6> make_solver<6>(const Method&);
+
+}  // namespace spook

@@ -1,0 +1,30 @@
+#pragma once
+// How a scene is stepped and solved, in the words in which it is asked for.
+#include "engine/solvers.hpp"
+
+namespace spook {
+
+struct Method {
+  double h;          ///< [s]
+  int substeps = 1;  ///< steps of h/substeps that a step is made of
+  std::string solver = "gauss_seidel";
+  StopRule stop = {};
+  FrictionModel friction_model = FrictionModel::box;
+  bool sliding_tangents = false;
+  RowOrder order = RowOrder::given;
+  std::uint64_t seed = 1;  ///< of a random order
+  bool warm_start = false;
+  double margin = 0;  ///< [m]
+
+  double step() const { return h / substeps; }  ///< [s]
+
+  /// Whether it asks for sweeps that take no other solver: an order, or the cone.
+  bool has_own_sweeps() const { return order != RowOrder::given || friction_model == FrictionModel::cone; }
+};
+
+/// The solver that its `solver`, `friction_model`, `order` and `seed` make together.
+/// Throws std::invalid_argument, naming them, for an unknown solver, and for two that do not go together.
+template <int Dof>
+Solver<Dof> make_solver(const Method& method);
+
+}  // namespace spook

@@ -1,0 +1,248 @@
+// Solvers by one signature: each by its word, one within another, copied, and what must not be put together.
+#include "engine/solvers.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "12_stiff_wires/stiff_wires.hpp"
+#include "engine/world.hpp"
+#include "raw_system.hpp"
+#include "refusals.hpp"
+#include "scenes/method.hpp"
+
+namespace spook {
+namespace {
+
+constexpr double h = 1.0 / 60, g = 9.81, k = 1e6, rigid = 1e12, radius = 0.5;
+const StopRule to_the_end{.max_sweeps = 200'000, .tolerance = 1e-14};
+
+/// A point mass that is pushed over a floor, and one on top of it: three rows each, μ = 0.5.
+struct Rubbed {
+  std::vector<Row<3>> rows;
+  std::vector<Twist<3>> V = std::vector<Twist<3>>(3, Twist<3>::Zero());
+  std::vector<Rubbing> rubbing;
+
+  explicit Rubbed(double bound) {
+    Motion<3> motion;
+    motion.inverse_mass = {{.linear = 0}, {.linear = 1}, {.linear = 1}};
+    motion.W.assign(3, Twist<3>::Zero());
+    motion.Wf = {Vec3::Zero(), h * Vec3(3, 1, -g), h * Vec3(-1, 2, -g)};
+    for (int i = 0; i < 2; ++i) {
+      const Contact contact{
+          .i = i, .j = i + 1, .n = Vec3::UnitZ(), .gap = 0, .r_i = Vec3::Zero(), .r_j = Vec3::Zero()};
+      rubbing.push_back({.normal = rows.size(), .mu = 0.5});
+      rows.push_back(make_row(contact_constraint<3>(contact, spook_parameters(h, rigid, 3)), motion));
+      for (const Constraint<3>& row :
+           friction_constraints<3>(contact, tangents(contact.n), bound, friction_parameters(h, 1e9)))
+        rows.push_back(make_row(row, motion));
+    }
+  }
+
+  std::vector<double> impulses() const {
+    std::vector<double> all;
+    for (const Row<3>& row : rows) all.push_back(row.lambda);
+    return all;
+  }
+};
+
+/// What `solver` makes of rows with such bounds of friction.
+std::vector<double> by(const Solver<3>& solver, double bound, const StopRule& stop = {}) {
+  Rubbed s(bound);
+  solve_by(solver, s.rows, s.V, stop, s.rubbing);
+  return s.impulses();
+}
+
+TEST(Solvers, AreTheirChaptersFunctions) {
+  Rubbed swept(0.1), conjugate(0.1), direct_(0.1), on_cones(infinity), twice(0);
+  solve(swept.rows, swept.V, {});
+  conjugate_solve(conjugate.rows, conjugate.V, {});
+  Factors factors;
+  direct_solve(direct_.rows, direct_.V, {}, factors);
+  cone_solve(on_cones.rubbing, on_cones.rows, on_cones.V, {});
+  two_pass_solve(twice.rubbing, twice.rows, twice.V, {});
+  EXPECT_EQ(by(gauss_seidel<3>(), 0.1), swept.impulses());
+  EXPECT_EQ(by(conjugate_gradients<3>(), 0.1), conjugate.impulses());
+  EXPECT_EQ(by(direct<3>(), 0.1), direct_.impulses());
+  EXPECT_EQ(by(by_island<3>(), 0.1), direct_.impulses()) << "so small an island wants the direct solver";
+  EXPECT_EQ(by(cone<3>(), infinity), on_cones.impulses());
+  EXPECT_EQ(by(two_pass(gauss_seidel<3>()), 0), twice.impulses());
+}
+
+TEST(Solvers, TwoPassesTakeAnyOther) {
+  // One on the other, both slide: the second pass has limits of μ times what the first found, h g and 2 h g.
+  const std::vector<double> sweeps = by(two_pass(gauss_seidel<3>()), 0, to_the_end);
+  EXPECT_NEAR(sweeps[0], 2 * h * g, 1e-8);
+  EXPECT_GT(std::abs(sweeps[1]) + std::abs(sweeps[2]), 0.01) << "they rub";
+  for (const Solver<3>& inner :
+       {conjugate_gradients<3>(), direct<3>(), by_island<3>(), in_order<3>(RowOrder::random, 4)}) {
+    const std::vector<double> other = by(two_pass(inner), 0, to_the_end);
+    for (std::size_t row = 0; row < sweeps.size(); ++row) EXPECT_NEAR(other[row], sweeps[row], 1e-12);
+  }
+  Rubbed s(0);
+  const Outcome outcome = solve_by(two_pass(direct<3>()), s.rows, s.V, {}, s.rubbing);
+  EXPECT_EQ(outcome.row_updates, 0) << "neither pass sweeps";
+  EXPECT_GE(outcome.report.history.size(), 2U) << "a factorisation each, at least";
+  Rubbed smooth(0);
+  EXPECT_EQ(solve_by(two_pass(gauss_seidel<3>()), smooth.rows, smooth.V, {.max_sweeps = 3}).updates(6), 3 * 6)
+      << "where nothing rubs there is one pass";
+}
+
+TEST(Solvers, SayWhichLimitsTheirRowsComeWith) {
+  for (const NamedSolver<3>& named : solvers<3>())
+    EXPECT_EQ(named.make().friction, FrictionModel::box) << named.name;
+  EXPECT_EQ(cone<6>().friction, FrictionModel::cone);
+  EXPECT_EQ(two_pass(direct<6>()).friction, FrictionModel::two_pass);
+  EXPECT_EQ(stiff(cone<3>()).friction, FrictionModel::cone);
+}
+
+TEST(Solvers, OneOfYourOwnIsOneMore) {
+  // A floor that pushes back by halves: whoever is handed the system may do with it what he likes.
+  World<3> world({.k = rigid, .solver = {.solve = [](const System<3>& s) {
+                                Outcome outcome = gauss_seidel<3>().solve(s);
+                                for (Row<3>& row : s.rows) row.lambda /= 2;
+                                for (Twist<3>& V : s.V) V /= 2;
+                                EXPECT_EQ(s.contacts.size(), s.rows.size());
+                                EXPECT_EQ(s.bodies.size(), s.V.size());
+                                EXPECT_EQ(s.h, h);
+                                return outcome;
+                              }}});
+  world.add_plane(Vec3::UnitZ(), 0);
+  world.add({.x = Vec3(0, 0, radius), .radius = radius});
+  world.step(h);
+  EXPECT_NEAR(world.v(1).z(), -h * g / 2, 1e-9);
+}
+
+TEST(Solvers, RefuseWhatTheyCanNotTake) {
+  expect_refusal({"two_pass", "null"}, [] { two_pass<3>({}); });
+  expect_refusal({"two_pass", "limits", "cone"}, [] { two_pass(cone<6>()); });
+  expect_refusal({"two_pass", "limits", "two_pass"}, [] { two_pass(two_pass(direct<3>())); });
+  expect_refusal({"stiff", "null"}, [] { stiff<3>({}); });
+  expect_refusal({"stiff", "wants_last", "true"}, [] { stiff(stiff(direct<3>())); });
+  expect_refusal({"stiff", "rigid"}, [] { stiff(direct<6>()); });
+}
+
+TEST(Methods, RefuseTwoSolversAtOnce) {
+  expect_refusal({"solver", "dirct", "direct"}, [] { make_solver<3>({.h = h, .solver = "dirct"}); });
+  expect_refusal({"order", "solver", "gauss_seidel", "direct"},
+                 [] { make_solver<3>({.h = h, .solver = "direct", .order = RowOrder::up}); });
+  expect_refusal({"cone", "solver", "gauss_seidel", "auto"},
+                 [] { make_solver<6>({.h = h, .solver = "auto", .friction_model = FrictionModel::cone}); });
+  expect_refusal({"friction-model", "order", "cone"}, [] {
+    make_solver<6>({.h = h, .friction_model = FrictionModel::cone, .order = RowOrder::down});
+  });
+  expect_refusal({"solver", "stiff", "geometric_stiffness"},
+                 [] { make_solver<6>({.h = h, .solver = "stiff"}); });
+}
+
+/// A wire that swings freely beside a ball on the floor, which rubs.
+World<3> wire_and_ball(Solver<3> solver) {
+  World<3> world({.k = k, .friction = 0.5, .viscosity = infinity, .solver = std::move(solver)});
+  world.add_plane(Vec3::UnitZ(), -5);
+  int last = world.add_fixed(Vec3::Zero());
+  for (int point = 1; point <= 6; ++point) {
+    const int next = world.add({.x = point * Vec3(0.3, 0, -0.4), .mass = point == 6 ? 100.0 : 1.0});
+    world.add_joint({.i = last, .j = next, .length = 0.5});
+    last = next;
+  }
+  world.add({.x = Vec3(9, 0, radius - 5 - g / k), .v = Vec3(1, 0, 0), .radius = radius});
+  return world;
+}
+constexpr int load = 7, ball = 8;
+
+TEST(StiffSolver, LeavesTheOthersToItsInnerOne) {
+  // The ball is braked by μ g, as if it were alone, whatever limits its friction; the wire swings as if it were.
+  World<3> smooth = wire_and_ball(stiff(direct<3>()));
+  for (int step = 0; step < 10; ++step) smooth.step(h);
+  for (const Solver<3>& solver : {stiff(two_pass(direct<3>())), two_pass(stiff(direct<3>())), stiff(cone<3>()),
+                                  stiff(in_order<3>(RowOrder::down))}) {
+    World<3> world = wire_and_ball(solver);
+    for (int step = 0; step < 10; ++step) world.step(h);
+    EXPECT_NEAR(world.v(ball).x(), 1 - 10 * h * 0.5 * g, 1e-9);
+    EXPECT_LE((world.x(load) - smooth.x(load)).norm(), 1e-12);
+    EXPECT_EQ(world.report().trouble, "");
+  }
+}
+
+TEST(StiffSolver, ByItsNameIsEquationTwelveSix) {
+  // Step by step what stiff_solve makes of the wire's rows, with K from the impulses of the step before.
+  const int points = 3;
+  World<3> world({.k = k, .solver = find_solver<3>("stiff").make()});
+  world.add_fixed(Vec3::Zero());
+  for (int point = 1; point <= points; ++point) {
+    world.add({.x = point * Vec3(0.3, 0, -0.4), .mass = point == points ? 50.0 : 1.0});
+    world.add_joint({.i = point - 1, .j = point, .length = 0.5});
+  }
+  std::vector<double> tension(points, 0);
+  Factors factors;
+  for (int step = 0; step < 5; ++step) {
+    Bodies<3> bodies = world.bodies();
+    for (int point = 1; point <= points; ++point) bodies.motion.Wf[point] = Vec3(0, 0, -g * h);
+    std::vector<Row<3>> rows;
+    add_joint_rows(world.joints(), h, bodies, rows);
+    std::vector<Stiffness> springs;
+    for (int link = 0; link < points; ++link) {
+      const Vec3 along = bodies.x[link + 1] - bodies.x[link];
+      const Mat3 K = geometric_stiffness(along.normalized(), along.norm(), tension[link]);
+      springs.push_back({.i = link, .j = link + 1, .K = K});
+    }
+    std::vector<Twist<3>> V(points + 1, Twist<3>::Zero());
+    ASSERT_TRUE(stiff_solve(rows, bodies.motion, springs, h, V, factors));
+    world.step(h);
+    for (int link = 0; link < points; ++link) {
+      EXPECT_NEAR(world.joint_lambda(link), rows[link].lambda, 1e-9) << "step " << step << " link " << link;
+      tension[link] = -rows[link].lambda / h;
+    }
+  }
+}
+
+TEST(Sweeps, EndWhereOnlyRoundingsChange) {
+  // One row that swings: the first sweep solves it, the second finds roundings. In any units, and as long as it may.
+  for (const double unit : {1.0, 0x1p40, 0x1p-40}) {
+    World<3> world({.gravity = Vec3(0, 0, -g * unit), .stop = {.max_sweeps = 1000}});
+    world.add_fixed(Vec3::Zero());
+    world.add({.x = Vec3(unit, 0, 0)});
+    world.add_joint({.i = 0, .j = 1, .length = unit});
+    for (int step = 0; step < 100; ++step) {
+      world.step(h);
+      ASSERT_LE(world.report().iterations, 3) << "step " << step << " unit " << unit;
+      ASSERT_LE(world.report().residual, 1e-15 * g * h * unit);
+    }
+  }
+}
+
+/// Spheres in a stack that is a bit too high, so that they move.
+World<3> stack(Solver<3> solver, bool warm = false) {
+  World<3> world({.k = k, .solver = std::move(solver), .warm_start = warm, .stop = {.max_sweeps = 3}});
+  world.add_plane(Vec3::UnitZ(), 0);
+  for (int i = 0; i < 6; ++i) world.add({.x = Vec3(0, 0, radius * (2 * i + 1)), .radius = radius});
+  return world;
+}
+
+TEST(CopiesOfAWorld, GoOnAlikeAndShareNothing) {
+  for (const Solver<3>& solver :
+       {gauss_seidel<3>(), in_order<3>(RowOrder::random, 5), direct<3>(), by_island<3>(),
+        two_pass(in_order<3>(RowOrder::random, 5)), stiff(by_island<3>())}) {
+    World<3> first = stack(solver, true), alone = stack(solver, true);
+    for (int step = 0; step < 5; ++step) first.step(h), alone.step(h);
+    World<3> copy = first;
+    for (int step = 0; step < 5; ++step) first.step(h);  // what it draws must not be lost to the copy
+    for (int step = 0; step < 5; ++step) copy.step(h), alone.step(h);
+    for (int body = 1; body <= 6; ++body) {
+      EXPECT_EQ(first.x(body), alone.x(body)) << body;
+      EXPECT_EQ(copy.x(body), alone.x(body)) << body;
+    }
+  }
+}
+
+TEST(CopiesOfAWorld, OfAWireKeepItsTension) {
+  World<3> first = wire_and_ball(find_solver<3>("stiff").make());
+  for (int step = 0; step < 5; ++step) first.step(h);
+  World<3> copy = first;
+  for (int step = 0; step < 5; ++step) first.step(h);
+  for (int step = 0; step < 5; ++step) copy.step(h);
+  EXPECT_EQ(first.x(load), copy.x(load));
+}
+
+}  // namespace
+}  // namespace spook
