@@ -36,6 +36,7 @@ BAD_INPUT = (
     (["hint", "1.1", "--agian"], "'--agian'", "did you mean --again"),
     (["solution", "x"], "'x'"),
     (["reset", "1"], "'1'", "1.1 to"),
+    (["reset", "01_leapfrog"], "'01_leapfrog'", "1.1 to"),
     (["reset"], "N.M"),
     (["progress", "--jsn"], "'--jsn'", "did you mean --json"),
     (["progress", "now"], "'now'"),
@@ -97,10 +98,11 @@ class CourseInput(unittest.TestCase):
         self.assertEqual(self.box.course(cwd="/", command=link).stdout, there.stdout)
 
     def test_a_stub_is_not_started(self):
-        for words in (["check"], ["check", "1.1"], ["check", "01.01"], ["check", self.first.function]):
+        for words in (["check"], ["check", "1.1"], ["check", "01.01"], ["check", self.first.function],
+                      ["check", self.first.folder]):
             result = self.box.course(*words)
             self.assertEqual((result.returncode, result.stderr), (1, ""))
-            self.assertRegex(result.stdout, "is not started|Nothing is started")
+            self.assertRegex(result.stdout, "not started|Nothing is started")
 
     def test_hints_come_one_at_a_time(self):
         count = len(self.first.hints)

@@ -11,12 +11,13 @@ from grading.weights import TABLE, first_draft, read_rows
 
 class Weights(unittest.TestCase):
     def test_the_table_has_a_row_for_every_test_and_no_other(self):
-        """If not: ./course export weights > new.csv, look at what is new, and put it in tests/weights.csv."""
+        """If not: ./course export weights --out tests/weights.csv, and look at what is new."""
         run = run_course("export", "weights", cwd=ROOT)
         self.assertEqual(run.returncode, 0, run.stderr)
         present = TABLE.read_text(encoding="utf-8")
         changed = sorted(set(run.stdout.splitlines()) ^ set(present.splitlines()))
-        self.assertEqual(run.stdout, present, "\n".join(["rows that are new or gone:", *changed]))
+        if run.stdout != present:
+            self.fail("\n".join(["rows that are new, gone or elsewhere:", *changed]))
 
     def test_every_exercise_has_points_and_every_hint_exists(self):
         rows = read_rows(TABLE).values()
@@ -30,7 +31,8 @@ class Weights(unittest.TestCase):
             self.assertIn(row.hint, hints, row.test)
             self.assertTrue(row.hint.startswith(f"{exercise.id}/"), row.test)
             self.assertTrue(row.title[0].isupper() or not row.title[0].isalpha(), row.title)
-        self.assertEqual([exercise.id for exercise in all_exercises() if not points[exercise.id] > 0], [])
+        self.assertEqual([exercise.id for exercise in all_exercises() if not points[exercise.id] > 0], [],
+                         "no row of tests/weights.csv gives these any points")
 
     def test_a_first_draft_takes_the_words_of_the_name(self):
         kick = next(exercise for exercise in all_exercises() if exercise.function == "kick")

@@ -76,11 +76,9 @@ class Lessons(unittest.TestCase):
 
     def test_every_folder_of_exercises_is_listed(self):
         listed = {(exercise.folder, exercise.function) for exercise in self.exercises}
-        for place in ("chapters", "solutions"):
-            there = {(path.parent.name, path.stem) for path in ROOT.glob(f"{place}/[0-9][0-9]_*/*.cpp")
-                     if ".cpp" == "".join(path.suffixes)}
-            missing = listed - there
-            self.assertEqual(missing, set(), f"listed in hints.md, but not in {place}")
+        missing = [f"{place}/{folder}/{function}.cpp" for place in ("chapters", "solutions")
+                   for folder, function in sorted(listed) if not (ROOT / place / folder / f"{function}.cpp").exists()]
+        self.assertEqual(missing, [], "listed in hints.md, but not there")
         stubs = {(path.parent.name, path.stem) for path in ROOT.glob("chapters/[0-9][0-9]_*/*.cpp")
                  if "not_implemented(" in path.read_text(encoding="utf-8", errors="replace")}
         self.assertEqual(stubs - listed, set(), "a stub, but not listed in hints.md")
@@ -103,6 +101,11 @@ class Lessons(unittest.TestCase):
                               f"unknown section: {heading}") for heading in headings]
                 self.assertEqual(known, list(SECTIONS))
 
+    def test_the_front_page_lists_every_chapter(self):
+        page = (ROOT / "README.md").read_text(encoding="utf-8")
+        for chapter in self.chapters:
+            self.assertTrue(f"(chapters/{chapter.folder}/README.md)" in page, f"README.md does not list {chapter.folder}")
+
     def test_every_exercise_has_its_place_in_the_lesson(self):
         for exercise in self.exercises:
             with self.subTest(exercise.label):
@@ -115,8 +118,8 @@ class Lessons(unittest.TestCase):
     def test_every_exercise_has_hints(self):
         for exercise in self.exercises:
             with self.subTest(exercise.label):
-                self.assertGreaterEqual(len(exercise.hints), LEAST_HINTS)
-                self.assertTrue(all(exercise.hints))
+                self.assertGreaterEqual(len(exercise.hints), LEAST_HINTS, "too few numbered hints in hints.md")
+                self.assertTrue(all(exercise.hints), "a hint in hints.md is empty")
 
     def test_headers_name_exercise_and_equation(self):
         for exercise in self.exercises:
@@ -134,15 +137,16 @@ class Lessons(unittest.TestCase):
     def test_tests_name_the_exercise(self):
         for exercise in self.exercises:
             with self.subTest(exercise.label):
-                sources = "".join(path.read_text(encoding="utf-8")
-                                  for path in sorted(ROOT.glob(f"tests/{exercise.folder}/*.cpp")))
-                self.assertIn(f'EXERCISE({exercise.suite}, "{exercise.label}")', sources)
+                folder, line = f"tests/{exercise.folder}", f'EXERCISE({exercise.suite}, "{exercise.label}");'
+                self.assertTrue(any(line in path.read_text(encoding="utf-8") for path in ROOT.glob(f"{folder}/*.cpp")),
+                                f"no file of {folder}/ has {line}")
 
     def test_every_exercise_has_mutants(self):
         for exercise in self.exercises:
             with self.subTest(exercise.label):
                 files = files_of(exercise)
-                self.assertGreaterEqual(len(read_answers(files)) if files else 0, LEAST_MUTANTS)
+                self.assertGreaterEqual(len(read_answers(files)) if files else 0, LEAST_MUTANTS,
+                                        f"too few mutants in tests/mutants/{exercise.folder}/{exercise.function}.diff")
                 changes = [file for file in files if file.suffix == ".diff"]
                 self.assertEqual([file.read_text(encoding="utf-8").splitlines()[0] for file in changes],
                                  [f"# {exercise.label}"] * len(changes))

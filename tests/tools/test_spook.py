@@ -3,6 +3,7 @@
 import json
 import math
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -11,6 +12,7 @@ import unittest
 from pathlib import Path
 
 SPOOK = os.environ.get("SPOOK", "spook")
+SCENES = Path(__file__).resolve().parents[2] / "solutions" / "scenes"
 
 
 def spook(*arguments):
@@ -195,6 +197,12 @@ class Runs(unittest.TestCase):
                 self.assertLessEqual(len(line), 80, line)
         for word in ["answer", "end       time", "error", "µs a step", "stages", "residual"]:
             self.assertIn(word, spook("run", "stack").stdout)
+
+    def test_every_scene_that_is_written_is_listed(self):
+        written = {name for file in SCENES.glob("*.cpp")
+                   for name in re.findall(r"^SceneDescription (\w+)\(\)", file.read_text(encoding="utf-8"), re.MULTILINE)}
+        self.assertGreater(len(written), 0)
+        self.assertEqual(written - set(self.names()), set(), "they lack a line in registry.hpp and in registry.cpp")
 
     def test_scenes_are_listed_with_parameters_and_answers(self):
         listed = json.loads(spook("scenes", "--json").stdout)

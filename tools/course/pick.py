@@ -1,4 +1,4 @@
-"""From what the user typed, 4 or 4.2 or update_row, to exercises."""
+"""From what the user typed, 4 or 4.2 or update_row, to exercises; 04_gauss_seidel will do, too, as editors fill it in."""
 
 import difflib
 import re
@@ -19,6 +19,8 @@ def pick(text: str) -> list[Exercise]:
     """The exercise, or all of the chapter."""
     chapters = read_chapters()
     for chapter in chapters:
+        if chapter.folder == text:
+            return list(chapter.exercises)
         for exercise in chapter.exercises:
             if exercise.function == text:
                 return [exercise]
@@ -34,7 +36,7 @@ def pick(text: str) -> list[Exercise]:
 
 def pick_one(text: str) -> Exercise:
     exercises = pick(text)
-    if _NUMBER.fullmatch(text) and "." not in text:
+    if text == exercises[0].folder or _NUMBER.fullmatch(text) and "." not in text:
         raise BadInput(f"{text!r} is a chapter; name one exercise, {exercises[0].id} to {exercises[-1].id}")
     return exercises[0]
 
