@@ -7,7 +7,10 @@ namespace spook {
 /// Whether they overlap, or share at least a point.
 inline bool touch(const Bounds& a, const Bounds& b) {
   bool all = true;  // & and not &&: six comparisons cost less than one branch that is guessed wrong
-  for (int k = 0; k < 3; ++k) all &= (a.lower[k] <= b.upper[k]) & (b.lower[k] <= a.upper[k]);
+  for (int k = 0; k < 3; ++k) {
+    all &= a.lower[k] <= b.upper[k];
+    all &= b.lower[k] <= a.upper[k];
+  }
   return all;
 }
 

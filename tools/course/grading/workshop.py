@@ -99,6 +99,9 @@ class Workshop:
         for word in words:
             if word in ("-o", "-c"):
                 next(words)
+            elif word == "-Xclang":  # CMake hands clang both the precompiled header and the header, word by word
+                option, _, name = next(words), next(words), next(words)
+                flags += ["-include", str(self._stage_precompiled(Path(name)))] if option == "-include" else []
             elif word == "-include":
                 flags += ["-include", str(self._stage_precompiled(Path(next(words))))]
             elif not word.startswith("-I"):
@@ -108,8 +111,10 @@ class Workshop:
         return [*flags, *unique, f"-I{self.headers / 'chapters'}"]
 
     def _stage_precompiled(self, header: Path) -> Path:
+        """GCC's; clang's would have to stay where it was made, so that clang reads the header itself."""
         for name in (header, header.with_name(header.name + ".gch")):
-            shutil.copyfile(name, self.headers / name.name)
+            if name.exists():
+                shutil.copyfile(name, self.headers / name.name)
         return self.headers / header.name
 
     def _stage_link(self, chapter: Chapter, hidden: Path | None) -> Linking:
