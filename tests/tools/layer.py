@@ -9,7 +9,7 @@ import subprocess
 from pathlib import Path
 
 _MOUNT = """mount -t overlay overlay -o "lowerdir=$0,upperdir=$1/upper,workdir=$1/work$2" "$0" &&
-echo mounted && exec sleep infinity"""
+echo mounted && exec cat"""  # until this process closes the pipe, or ends
 
 
 class Layer:
@@ -25,7 +25,7 @@ class Layer:
         alone = ["unshare", "--mount"] if root else ["unshare", "--user", "--map-root-user", "--mount"]
         self._holder = subprocess.Popen(
             [*alone, "sh", "-c", _MOUNT, str(below), str(scratch), "" if root else ",userxattr"],
-            stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+            stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
         if self._holder.stdout.readline() != "mounted\n":
             self.close()
             raise OSError("no overlay can be mounted here")
@@ -33,7 +33,7 @@ class Layer:
         self.root = Path(f"/proc/{self._holder.pid}/root{below}")
 
     def close(self) -> None:
-        self._holder.kill()
+        self._holder.stdin.close()
         self._holder.wait()
         self._holder.stdout.close()
 
