@@ -236,7 +236,7 @@ def _compile_command(file: str) -> list[str]:
     for entry in _compile_commands():
         if entry["file"].endswith("/" + file):
             words = shlex.split(entry["command"])
-            return [os.path.realpath(words[0]), *words[1:]]
+            return [*_compiler(words[0]), *words[1:]]
     raise CourseError(f"{shown(CHECK.path)} does not build {file}")
 
 
@@ -256,4 +256,11 @@ def _link_command(target: str) -> list[str]:
     listing = subprocess.run(["ninja", "-C", str(CHECK.path), "-t", "commands", target], capture_output=True, text=True)
     words = [word for word in shlex.split(listing.stdout.strip().splitlines()[-1]) if word not in (":", "&&")]
     # GoogleTest's own main is left out: grade_main.cpp has ours.
-    return [os.path.realpath(words[0]), *(word for word in words[1:] if not word.endswith("libgtest_main.a"))]
+    return [*_compiler(words[0]), *(word for word in words[1:] if not word.endswith("libgtest_main.a"))]
+
+
+def _compiler(name: str) -> list[str]:
+    """As it is called where only /usr can be seen, and no alternatives in /etc. clang++ is clang by another name."""
+    path = os.path.realpath(name)
+    is_clang = "clang" in Path(path).name
+    return [path, "--driver-mode=g++"] if is_clang else [path]
