@@ -25,7 +25,7 @@ class Layer:
         alone = ["unshare", "--mount"] if root else ["unshare", "--user", "--map-root-user", "--mount"]
         self._holder = subprocess.Popen(
             [*alone, "sh", "-c", _MOUNT, str(below), str(scratch), "" if root else ",userxattr"],
-            stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+            stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True, cwd="/")
         if self._holder.stdout.readline() != "mounted\n":
             self.close()
             raise OSError("no overlay can be mounted here")
@@ -39,5 +39,5 @@ class Layer:
 
     def inside(self, command: list[str], cwd: Path | None = None) -> list[str]:
         """The command line that runs it in there, from the folder's root or from another folder."""
-        return ["nsenter", "--target", str(self._holder.pid), "--mount", "--root", *self._user,
+        return ["nsenter", "--target", str(self._holder.pid), "--mount", "--root", "--wd", *self._user,
                 "sh", "-c", 'cd "$0" && exec "$@"', str(cwd or self._below), *command]

@@ -104,7 +104,8 @@ class CourseCheck(unittest.TestCase):
             with self.subTest(told=told):
                 self.write(body)
                 said = " ".join(self.assert_wrong("crashed (SIG").split())
-                self.assertIn("chapters/01_leapfrog/kick.cpp:8: ", said)
+                # Which of the function's lines the stack ends in is chance.
+                self.assertRegex(said, r"chapters/01_leapfrog/kick\.cpp:[78]: ")
                 self.assertIn(told, said)
                 self.assertNotIn("Assertion", said)
 
