@@ -139,7 +139,7 @@ class ManyInOne(unittest.TestCase):
             crowd = Crowd({1: self.TEXT.replace("#include <a>", ""), 2: other.replace("#include <a>", "")},
                           {2: SimpleNamespace(name="half", place="f.diff:5: half")})
             source.write_text(crowd.source())
-            compiler = os.environ.get("CXX", "c++")
+            compiler = os.environ.get("CXX") or "c++"
             subprocess.run([compiler, "-o", str(compiled), "-c", str(source)], check=True)
             with self.assertRaisesRegex(CourseError, r"f\.diff:5: half: it does not define spook::f\(\)"):
                 crowd.switch(compiled, {"_ZN5spook1fEv"})
@@ -208,7 +208,7 @@ class Small(unittest.TestCase):
         """What became of the mutants, by how they read."""
         self.tree.path.mkdir(exist_ok=True)
         (self.tree.path / "tests.cpp").write_text(textwrap.dedent(self.TESTS).replace("CHECK", check))
-        compiler = os.environ.get("CXX", "c++")
+        compiler = os.environ.get("CXX") or "c++"
         given = Commands(self.tree.path, (compiler, "-std=c++20"),
                          (compiler, "own.o", "tests.cpp", "-o", "program"), "own.o")
         with mock.patch.object(Commands, "inputs", lambda _: [self.tree.path / "tests.cpp"]), \
