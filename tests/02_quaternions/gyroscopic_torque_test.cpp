@@ -9,7 +9,7 @@ namespace {
 
 EXERCISE(GyroscopicTorque, "2.5 gyroscopic_torque");
 
-struct SpinningBody {
+struct FreeTop {
   Random random;
   Quat q = random.rotation();
   Vec3 principal = {random.uniform(2, 2.4), random.uniform(3, 3.4), random.uniform(4, 4.4)};
@@ -33,7 +33,7 @@ EXERCISE_TEST(GyroscopicTorque, IsEulersInBodyAxes) {
 }
 
 EXERCISE_TEST(GyroscopicTorque, IsMinusOmegaCrossL) {
-  const SpinningBody b;
+  const FreeTop b;
   const Vec3 got = gyroscopic_torque(b.inertia, b.omega);
   // Euler's equations in body coordinates, then into the world's.
   const Vec3 w = b.R.transpose() * b.omega, I = b.principal;
@@ -62,7 +62,7 @@ EXERCISE_TEST(GyroscopicTorque, IsZeroForASphere) {
 }
 
 EXERCISE_TEST(GyroscopicTorque, IsZeroAboutAPrincipalAxis) {
-  const SpinningBody b;
+  const FreeTop b;
   for (int c = 0; c < 3; ++c)
     expect_near_vector<Vec3>(
         "gyroscopic torque at 3 rad/s about the body's axis " + std::to_string(c + 1) + " [N m]", "Eq. (2.9)",
@@ -71,7 +71,7 @@ EXERCISE_TEST(GyroscopicTorque, IsZeroAboutAPrincipalAxis) {
 }
 
 EXERCISE_TEST(GyroscopicTorque, DoesNoWork) {
-  const SpinningBody b;
+  const FreeTop b;
   const Vec3 got = gyroscopic_torque(b.inertia, b.omega);
   expect_near("power ω · τ [W]", "Eq. (2.9)", b.omega.dot(got), 0, roundings(64, 100), {},
               "The torque must be at right angles to ω: nothing feeds a body that spins freely.");
@@ -80,7 +80,7 @@ EXERCISE_TEST(GyroscopicTorque, DoesNoWork) {
 }
 
 EXERCISE_TEST(GyroscopicTorque, GrowsWithTheSquareOfOmega) {
-  const SpinningBody b;
+  const FreeTop b;
   const Vec3 once = gyroscopic_torque(b.inertia, b.omega);
   expect_near_vector<Vec3>("torque at -3 ω, for one of 9 τ(ω) [N m]", "Eq. (2.9)",
                            gyroscopic_torque(b.inertia, -3 * b.omega), 9 * once, roundings(64, 400), {},

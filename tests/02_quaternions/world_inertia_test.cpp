@@ -1,6 +1,6 @@
 // Inertia seen from the world: its axes turn with the body, its moments do not.
-#include <Eigen/Eigenvalues>
 
+#include "algebra.hpp"
 #include "exercise_test.hpp"
 #include "rotations.hpp"
 
@@ -69,7 +69,7 @@ EXERCISE_TEST(WorldInertia, KeepsThePrincipalMoments) {
               "An inertia is symmetric, in any coordinates.");
   expect_near("trace [kg m²]", "Eq. (2.7)", got.trace(), b.principal.sum(), roundings(64, 5), {},
               "Turning keeps the trace, I1 + I2 + I3.");
-  const Vec3 moments = Eigen::SelfAdjointEigenSolver<Mat3>(got).eigenvalues();  // smallest first, as ours are
+  const Vec3 moments = eigenvalues(got);  // smallest first, as ours are
   expect_near_vector<Vec3>("eigenvalues [kg m²]", "Eq. (2.7)", moments, b.principal, roundings(128, 5), {},
                            "Turning keeps the eigenvalues: they are the principal moments.");
 }

@@ -1,7 +1,7 @@
 // The collision matrix: how easily two contact points move apart.
-#include <Eigen/Eigenvalues>
 
 #include "03_single_contact/single_contact.hpp"
+#include "algebra.hpp"
 #include "bodies.hpp"
 #include "exercise_test.hpp"
 
@@ -118,7 +118,7 @@ EXERCISE_TEST(CollisionMatrix, IsSymmetricAndPositiveDefinite) {
     const Mat3 skew = K - K.transpose();
     expect_near("|K - Kᵀ| [1/kg]", "Eq. (3.8)", skew.norm(), 0, roundings(64, pair.size()), {},
                 "K is symmetric: the transpose of [r] I⁻¹ [r] is itself. [r] and I⁻¹ may not change places.");
-    const double smallest = Eigen::SelfAdjointEigenSolver<Mat3>(K).eigenvalues().minCoeff();
+    const double smallest = eigenvalues(K).minCoeff();
     expect_at_least(
         "smallest eigenvalue of K [1/kg]", "Eq. (3.8)", smallest,
         1 / pair.i.mass + 1 / pair.j.mass - roundings(64, pair.size()).value,

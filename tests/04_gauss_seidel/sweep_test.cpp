@@ -1,4 +1,5 @@
 // All rows once, and how far they still are.
+#include "algebra.hpp"
 #include "exercise_test.hpp"
 #include "problems.hpp"
 
@@ -46,7 +47,7 @@ EXERCISE_TEST(Sweep, ContractsTheStackAtItsExactRate) {
   for (const double Sigma : {0.0, 0.1})
     for (const double ratio : {0.01, 1.0, 10.0, 100.0}) {
       Problem<3> p = stack({1, ratio}, 0.1, Sigma);
-      const Eigen::VectorXd exact = dense_S(p.rows).ldlt().solve(gathered(p.rows, &Row<3>::B));
+      const Eigen::VectorXd exact = solution_of(dense_S(p.rows), gathered(p.rows, &Row<3>::B));
       const double rho = 1 / ((1 + Sigma) * (1 + 1 / ratio + Sigma));
       for (int n = 1; n <= 5; ++n) {
         sweep(p.rows, p.V);

@@ -15,7 +15,7 @@ Twist<6> twist(const Vec3& linear, const Vec3& angular) {
 
 const Spook rigid{.a = 0, .b = 1, .Sigma = 0};
 
-struct Touch {
+struct AnyContact {
   Random random;
   Tangents t = random_tangents(random);
   Contact contact{
@@ -23,7 +23,7 @@ struct Touch {
 };
 
 EXERCISE_TEST(FrictionConstraints, PointAlongTheTangents) {
-  const Touch touch;
+  const AnyContact touch;
   const Contact& contact = touch.contact;
   const auto constraints = friction_constraints<6>(contact, touch.t, 0.5, rigid);
   const Vec3 &r_i = contact.r_i, &r_j = contact.r_j, &n = contact.n;
@@ -61,7 +61,7 @@ EXERCISE_TEST(FrictionConstraints, PointAlongTheTangents) {
 }
 
 EXERCISE_TEST(FrictionConstraints, TakePointMasses) {
-  const Touch touch;
+  const AnyContact touch;
   const auto constraints = friction_constraints<3>(touch.contact, touch.t, 0.5, rigid);
   for (std::size_t k = 0; k < 2; ++k) {
     const Vec3& t = k == 0 ? touch.t.t1 : touch.t.t2;
@@ -74,7 +74,7 @@ EXERCISE_TEST(FrictionConstraints, TakePointMasses) {
 }
 
 EXERCISE_TEST(FrictionConstraints, CarryTheRestOver) {
-  const Touch touch;
+  const AnyContact touch;
   const Spook spook{.a = 3, .b = 0.75, .Sigma = 0.125};  // not friction's own, but a copy does not ask
   for (const auto& constraint : friction_constraints<6>(touch.contact, touch.t, 0.75, spook)) {
     expect_true("the constraint has the contact's bodies", "Eq. (5.2)", constraint.i == 3 && constraint.j == 1,
@@ -91,7 +91,7 @@ EXERCISE_TEST(FrictionConstraints, CarryTheRestOver) {
 }
 
 EXERCISE_TEST(FrictionConstraints, AreBoundedOnBothSides) {
-  const Touch touch;
+  const AnyContact touch;
   const std::string half_bound = "Half of the bound: λ may be as large as Λ either way, from -Λ to Λ.";
   for (const auto& constraint : friction_constraints<6>(touch.contact, touch.t, 0.75, rigid)) {
     expect_near("lower bound of λ, Λ = 0.75 N s [N s]", "Eq. (5.8)", constraint.lo, -0.75, {0, "a sign"},
@@ -106,7 +106,7 @@ EXERCISE_TEST(FrictionConstraints, AreBoundedOnBothSides) {
 }
 
 EXERCISE_TEST(FrictionConstraints, HaveNoGap) {
-  const Touch touch;
+  const AnyContact touch;
   for (const auto& constraint : friction_constraints<6>(touch.contact, touch.t, 0.75, rigid))
     expect_near(
         "gap of a friction constraint [m]", "Eq. (5.3)", constraint.gap, 0, {0, "exact"},
@@ -116,7 +116,7 @@ EXERCISE_TEST(FrictionConstraints, HaveNoGap) {
 }
 
 EXERCISE_TEST(FrictionConstraints, AskForTheVelocityOfTheContactToVanish) {
-  Touch touch;
+  AnyContact touch;
   touch.contact.i = 0;
   const auto constraints = friction_constraints<6>(touch.contact, touch.t, 0.5, rigid);
   Random& random = touch.random;
@@ -210,19 +210,19 @@ EXERCISE_TEST(FrictionConstraints, TakeNoMomentum) {
   }
 }
 
-constexpr double g = 9.81, m = 2;
+constexpr double gravity = 9.81, mass = 2;
 
 // The whole contact of a point mass on a slope, a normal row and the friction rows solved together.
 // Returns the speed down the slope after that many steps, beginning at rest, at the depth of Eq. (3.13).
 double speed_on_slope(int steps, double h, double mu, double theta, const Tangents& t) {
-  const double k = 1e5, g_n = g * std::cos(theta);
+  const double k = 1e5, g_n = gravity * std::cos(theta);
   Contact contact = contact_between(0, 1, t);
-  contact.gap = -m * g_n / k;
-  const auto friction = friction_constraints<3>(contact, t, mu * m * g_n * h, rigid);
+  contact.gap = -mass * g_n / k;
+  const auto friction = friction_constraints<3>(contact, t, mu * mass * g_n * h, rigid);
   const Vec3 n = normal_of(t), zero = Vec3::Zero(),
-             v_f = h * g * (std::sin(theta) * t.t1 - std::cos(theta) * n);
+             v_f = h * gravity * (std::sin(theta) * t.t1 - std::cos(theta) * n);
   const Spook spook = spook_parameters(h, k, 3);
-  Motion<3> motion{.inverse_mass = {{.linear = 0}, {.linear = 1 / m}}, .W = {zero, zero}, .Wf = {zero, v_f}};
+  Motion<3> motion{.inverse_mass = {{.linear = 0}, {.linear = 1 / mass}}, .W = {zero, zero}, .Wf = {zero, v_f}};
   for (int step = 0; step < steps; ++step) {
     const Constraint<3> normal{.i = 0, .j = 1, .Gi = -n, .Gj = n, .gap = contact.gap, .spook = spook};
     motion.W[1] += v_f + solved<3>({normal, friction[0], friction[1]}, motion)[1];
@@ -232,10 +232,10 @@ double speed_on_slope(int steps, double h, double mu, double theta, const Tangen
 }
 
 EXERCISE_TEST(FrictionConstraints, HoldABlockOnASlopeUpToTanTheta) {
-  const Touch touch;
+  const AnyContact touch;
   const double h = 1.0 / 60;
   for (const double theta : {0.1, 0.7, 1.2}) {
-    const double tangent = std::tan(theta), unit = h * g;
+    const double tangent = std::tan(theta), unit = h * gravity;
     expect_near("speed after 1000 steps on a slope, θ = " + show(theta) + ", μ = tan θ (1 + 1e-9) [m/s]",
                 "Eq. (5.9)", speed_on_slope(1000, h, tangent * (1 + 1e-9), theta, touch.t), 0,
                 roundings(64, unit), {},
@@ -243,38 +243,38 @@ EXERCISE_TEST(FrictionConstraints, HoldABlockOnASlopeUpToTanTheta) {
     const double mu = tangent * (1 - 1e-9);
     expect_near("speed after 100 steps on a slope, θ = " + show(theta) + ", μ = tan θ (1 - 1e-9) [m/s]",
                 "Eq. (5.9)", speed_on_slope(100, h, mu, theta, touch.t),
-                100 * h * g * (std::sin(theta) - mu * std::cos(theta)), roundings(64 * 100, unit),
+                100 * h * gravity * (std::sin(theta) - mu * std::cos(theta)), roundings(64 * 100, unit),
                 {{0, "It sticks, and should slide: is the bound kept on both sides?"}},
                 "With μ < tan θ it slides, by 1e-9 of g sin θ.");
   }
 }
 
 EXERCISE_TEST(FrictionConstraints, LetABlockStayForTenThousandSteps) {
-  const Touch touch;
+  const AnyContact touch;
   const double h = 1.0 / 60, F = 5;
-  Block block{.m = m, .h = h, .constraints = {}};
-  block.add(friction_constraints<3>(contact_between(0, 1, touch.t), touch.t, 0.5 * m * g * h, rigid));
+  Block block{.m = mass, .h = h, .constraints = {}};
+  block.add(friction_constraints<3>(contact_between(0, 1, touch.t), touch.t, 0.5 * mass * gravity * h, rigid));
   for (int n = 0; n < 10000; ++n) block.step(F * touch.t.t1);
   expect_near("creep in 10,000 steps of a block pushed by 5 N, c = ∞ [m]", "Eq. (5.5)", block.x.dot(touch.t.t1),
-              0, roundings(10000 * 16, h * h * F / m), {},
+              0, roundings(10000 * 16, h * h * F / mass), {},
               "Stuck is stuck: the push stays below μ m g = 9.81 N, and 1/c is 0.");
 }
 
 // A solid sphere, I = 2/5 m R², sent off along t1 without spin, by leapfrog from half a step early. Friction
 // brakes it by μ g and spins it up by 5 μ g/(2R); u, at the contact, falls by 7/2 μ g.
 EXERCISE_TEST(FrictionConstraints, LetASlidingSphereRoll) {
-  const Touch touch;
+  const AnyContact touch;
   const Tangents& t = touch.t;
   const double h = 0.01, mu = 0.2, R = 0.25;
   const int sliding = 40;  // steps: v0 is such that it rolls after exactly these
-  const double v0 = 3.5 * mu * g * h * sliding;
+  const double v0 = 3.5 * mu * gravity * h * sliding;
   const Contact contact{
       .i = 0, .j = 1, .n = normal_of(t), .gap = 0, .r_i = Vec3::Zero(), .r_j = -R * normal_of(t)};
-  const auto friction = friction_constraints<6>(contact, t, mu * m * g * h, rigid);
+  const auto friction = friction_constraints<6>(contact, t, mu * mass * gravity * h, rigid);
   const Twist<6> still = Twist<6>::Zero();
-  const Twist<6> start = twist((v0 + mu * g * h / 2) * t.t1, -2.5 * mu * g / R * h / 2 * t.t2);
-  const Mat3 inverse_inertia = Mat3::Identity() / (0.4 * m * R * R);
-  Motion<6> motion{.inverse_mass = {{}, {.linear = 1 / m, .angular = inverse_inertia}},
+  const Twist<6> start = twist((v0 + mu * gravity * h / 2) * t.t1, -2.5 * mu * gravity / R * h / 2 * t.t2);
+  const Mat3 inverse_inertia = Mat3::Identity() / (0.4 * mass * R * R);
+  Motion<6> motion{.inverse_mass = {{}, {.linear = 1 / mass, .angular = inverse_inertia}},
                    .W = {still, start},
                    .Wf = {still, still}};
   Vec3 x = Vec3::Zero();
@@ -284,8 +284,8 @@ EXERCISE_TEST(FrictionConstraints, LetASlidingSphereRoll) {
   };
   for (int n = 0; n < sliding; ++n) step();
   expect_near("distance of a sphere after 2 v0/(7 μ g) [m]", "Eq. (5.11)", x.dot(t.t1),
-              12 * v0 * v0 / (49 * mu * g), roundings(64 * sliding, v0 * h * sliding),
-              {{(v0 + mu * g * h / 2) * h * sliding, "Nothing has braked it."}},
+              12 * v0 * v0 / (49 * mu * gravity), roundings(64 * sliding, v0 * h * sliding),
+              {{(v0 + mu * gravity * h / 2) * h * sliding, "Nothing has braked it."}},
               "12 v0²/(49 μ g): until then it slides, braked by μ g.");
   step();
   const Vec3 v = motion.W[1].head<3>(), omega = motion.W[1].tail<3>();
@@ -294,7 +294,7 @@ EXERCISE_TEST(FrictionConstraints, LetASlidingSphereRoll) {
                      "Friction stops the contact point, v + ω × r, not the centre.");
   expect_near_vector("velocity of the sphere once it rolls [m/s]", "Eq. (5.11)", v, Vec3(5 * v0 / 7 * t.t1),
                      roundings(64 * sliding, v0),
-                     {{(v0 - mu * g * h * (sliding + 0.5)) * t.t1,
+                     {{(v0 - mu * gravity * h * (sliding + 0.5)) * t.t1,
                        "It has been braked as a block. Friction must turn it, too: r × t."}},
                      "5/7 of v0, whatever μ: the angular momentum about the contact stays.");
   for (int n = 0; n < 1000; ++n) step();
@@ -310,16 +310,16 @@ double across(double phi) {
 }
 
 EXERCISE_TEST(FrictionConstraints, AreStrongerAlongTheDiagonal) {
-  const Touch touch;
+  const AnyContact touch;
   const double h = 1.0 / 60, mu = 0.5;
-  Block block{.m = m, .h = h, .constraints = {}};
-  block.add(friction_constraints<3>(contact_between(0, 1, touch.t), touch.t, mu * m * g * h, rigid));
+  Block block{.m = mass, .h = h, .constraints = {}};
+  block.add(friction_constraints<3>(contact_between(0, 1, touch.t), touch.t, mu * mass * gravity * h, rigid));
   const double quarter = std::acos(0) / 2;
   Random random;
   std::vector<double> angles = {0, quarter, 2 * quarter, 3 * quarter, 5 * quarter};
   for (int k = 0; k < 10; ++k) angles.push_back(random.uniform(0, 8 * quarter));
   for (const double phi : angles) {
-    const double F = mu * m * g / across(phi);
+    const double F = mu * mass * gravity / across(phi);
     const std::string text = ", pushed at φ = " + show(phi) + " from t1 by μ m g/max(|cos φ|, |sin φ|) times ";
     Block below = block, above = block;
     for (int n = 0; n < 100; ++n) {
@@ -327,11 +327,11 @@ EXERCISE_TEST(FrictionConstraints, AreStrongerAlongTheDiagonal) {
       above.step((1 + 1e-9) * F * heading(touch.t, phi));
     }
     expect_near("speed after 100 steps" + text + "1 - 1e-9 [m/s]", "Eq. (5.8), (5.12)",
-                std::hypot(below.v.dot(touch.t.t1), below.v.dot(touch.t.t2)), 0, roundings(64, h * F / m), {},
-                "It should stick: each row has the bound Λ for itself, and at 45° that makes √2 Λ.");
+                std::hypot(below.v.dot(touch.t.t1), below.v.dot(touch.t.t2)), 0, roundings(64, h * F / mass),
+                {}, "It should stick: each row has the bound Λ for itself, and at 45° that makes √2 Λ.");
     const double slip = std::max(std::abs(above.v.dot(touch.t.t1)), std::abs(above.v.dot(touch.t.t2)));
     expect_near("its larger component after 100 steps" + text + "1 + 1e-9 [m/s]", "Eq. (5.8), (5.12)", slip,
-                1e-9 * 100 * h * mu * g, roundings(64 * 100, h * F / m),
+                1e-9 * 100 * h * mu * gravity, roundings(64 * 100, h * F / mass),
                 {{0, "It should slide: is the bound kept, on both sides?"}},
                 "The row with the larger share of the push gives way first.");
     if (::testing::Test::HasFailure()) return;
@@ -339,11 +339,11 @@ EXERCISE_TEST(FrictionConstraints, AreStrongerAlongTheDiagonal) {
 }
 
 EXERCISE_TEST(FrictionConstraints, StopEachComponentForItself) {
-  const Touch touch;
+  const AnyContact touch;
   const Tangents& t = touch.t;
-  const double h = 0.005, mu = 0.5, A = mu * g;
-  Block block{.m = m, .h = h, .constraints = {}};
-  block.add(friction_constraints<3>(contact_between(0, 1, t), t, mu * m * g * h, rigid));
+  const double h = 0.005, mu = 0.5, A = mu * gravity;
+  Block block{.m = mass, .h = h, .constraints = {}};
+  block.add(friction_constraints<3>(contact_between(0, 1, t), t, mu * mass * gravity * h, rigid));
   const Vec3 ahead = t.t1 + t.t2;
   Random random;
   for (int trial = 0; trial < 20 && !::testing::Test::HasFailure(); ++trial) {
@@ -378,13 +378,13 @@ EXERCISE_TEST(FrictionConstraints, StopEachComponentForItself) {
 // exactly 2/3 μ m g R. With 4q spokes, none along a tangent, the mean of |cos φ| + |sin φ| is
 // 1/(q sin(π/(4q))), which tends to 4/π.
 EXERCISE_TEST(FrictionConstraints, StopASpinningDiscEarly) {
-  const Touch touch;
+  const AnyContact touch;
   const Tangents& t = touch.t;
   const Vec3 n = normal_of(t);
   const double h = 1.0 / 60, mu = 0.4, R = 0.5, pi = 2 * std::acos(0);
   const int rings = 3, q = 6, contacts = rings * 4 * q;
   std::vector<Constraint<6>> constraints;
-  const double bound = mu * m / contacts * g * h;
+  const double bound = mu * mass / contacts * gravity * h;
   for (int ring = 0; ring < rings; ++ring) {
     const double a = std::sqrt(ring / 3.0), b = std::sqrt((ring + 1) / 3.0);
     const double radius = 2.0 / 3 * R * (b * b * b - a * a * a) / (b * b - a * a);
@@ -394,14 +394,14 @@ EXERCISE_TEST(FrictionConstraints, StopASpinningDiscEarly) {
       for (const auto& row : friction_constraints<6>(contact, t, bound, rigid)) constraints.push_back(row);
     }
   }
-  const double coulomb = 4 * mu * g / (3 * R);  // [rad/s²]
+  const double coulomb = 4 * mu * gravity / (3 * R);  // [rad/s²]
   const double box = coulomb / (q * std::sin(pi / (4 * q)));
   const int steps = 10;
   const double omega0 = (steps + 0.3) * box * h;
   const Mat3 along = n * n.transpose();
-  const Mat3 inverse_inertia = (2 * along + 4 * (Mat3::Identity() - along)) / (m * R * R);
+  const Mat3 inverse_inertia = (2 * along + 4 * (Mat3::Identity() - along)) / (mass * R * R);
   const Twist<6> still = Twist<6>::Zero();
-  Motion<6> motion{.inverse_mass = {{}, {.linear = 1 / m, .angular = inverse_inertia}},
+  Motion<6> motion{.inverse_mass = {{}, {.linear = 1 / mass, .angular = inverse_inertia}},
                    .W = {still, twist(Vec3::Zero(), omega0 * n)},
                    .Wf = {still, still}};
   const auto step = [&] { motion.W[1] += solved(constraints, motion)[1]; };

@@ -15,7 +15,7 @@ namespace {
 EXERCISE(Cloth, "6.4 cloth");
 
 /// More cells one way than the other, and u and v at any angle but a small one.
-struct Input {
+struct ClothInput {
   Random random;
   Vec3 corner = random.vector(2);
   Vec3 u = random.uniform(0.5, 2) * random.unit_vector();
@@ -23,7 +23,7 @@ struct Input {
   int cells_u = random.integer(2, 5), cells_v = cells_u + random.integer(1, 3);
   double mass = random.uniform(0.5, 5);
 
-  explicit Input(bool exchanged = false) {
+  explicit ClothInput(bool exchanged = false) {
     if (exchanged) std::swap(cells_u, cells_v);
     given() = "given a cloth of " + std::to_string(cells_u) + " × " + std::to_string(cells_v) + " cells and " +
               show(mass) + " kg, corner = " + show(corner) + ", u = " + show(u) + ", v = " + show(v) + " m";
@@ -35,7 +35,7 @@ struct Input {
   static std::string name(int a, int b) { return "(" + std::to_string(a) + ", " + std::to_string(b) + ")"; }
 };
 
-bool has_its_points(const Net& net, const Input& in) {
+bool has_its_points(const Net& net, const ClothInput& in) {
   const double cells = in.cells_u * in.cells_v;
   expect_near("points of the cloth", "Eq. (6.11)", static_cast<double>(net.x.size()), in.points(),
               {0, "a count"},
@@ -51,7 +51,7 @@ bool has_its_points(const Net& net, const Input& in) {
 
 EXERCISE_TEST(Cloth, LiesFlat) {
   for (const bool exchanged : {false, true}) {
-    const Input in(exchanged);
+    const ClothInput in(exchanged);
     const Net net = in.net();
     if (!has_its_points(net, in)) return;
     const auto place = [&](double a, double b) -> Vec3 {
@@ -81,7 +81,7 @@ EXERCISE_TEST(Cloth, LiesFlat) {
 }
 
 EXERCISE_TEST(Cloth, PutsAQuarterOfEachCellOnEachCorner) {
-  const Input in;
+  const ClothInput in;
   const Net net = in.net();
   if (!has_its_points(net, in)) return;
   const double cell = in.mass / in.cells_u / in.cells_v;
@@ -155,7 +155,7 @@ EXERCISE_TEST(Cloth, PutsAQuarterOfEachCellOnEachCorner) {
 }
 
 EXERCISE_TEST(Cloth, KeepsItsMassAndCentre) {
-  const Input in;
+  const ClothInput in;
   const Net net = in.net();
   if (!has_its_points(net, in)) return;
   double mass = 0;
@@ -178,7 +178,7 @@ bool are_neighbours(const Link& link, int per_row) {
 }
 
 // Whether every link is one between neighbours. A wrong index function joins others, as many as there should be.
-bool joins_neighbours(const Net& net, const Input& in) {
+bool joins_neighbours(const Net& net, const ClothInput& in) {
   const int per_row = in.cells_u + 1;
   const auto inside = [&](const Link& link) {
     return 0 <= std::min(link.i, link.j) && std::max(link.i, link.j) < in.points();
@@ -215,7 +215,7 @@ bool joins_neighbours(const Net& net, const Input& in) {
 
 EXERCISE_TEST(Cloth, JoinsTheCornersOfEachCellAlongItsSides) {
   for (const bool exchanged : {false, true}) {
-    const Input in(exchanged);
+    const ClothInput in(exchanged);
     const Net net = in.net();
     if (!has_its_points(net, in)) return;
     const double cells = in.cells_u * in.cells_v;
@@ -250,7 +250,7 @@ EXERCISE_TEST(Cloth, JoinsTheCornersOfEachCellAlongItsSides) {
 }
 
 EXERCISE_TEST(Cloth, IsAtRestAsItLies) {
-  const Input in;
+  const ClothInput in;
   const Net net = in.net();
   if (!has_its_points(net, in)) return;
   const double along_u = in.u.norm() / in.cells_u, along_v = in.v.norm() / in.cells_v;

@@ -1,4 +1,6 @@
 // A point on a rod without mass, and a bar in a ball joint, let go from the horizontal: their period and tension.
+#include <numbers>
+
 #include "exercise_test.hpp"
 #include "systems.hpp"
 
@@ -10,7 +12,6 @@ namespace {
 EXERCISE(DistanceConstraint, "6.1 distance_constraint");
 EXERCISE(BallJointConstraints, "6.2 ball_joint_constraints");
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double stiffness = 1e10;  // stretches by 3 mg/k = 3e-9 m
 constexpr double l = 1;
 
@@ -22,9 +23,9 @@ double period(double angle) {
     b = std::sqrt(a * b);
     a = mean;
   }
-  return 4 * std::sqrt(l / gravity) * pi / 2 / a;
+  return 4 * std::sqrt(l / gravity) * std::numbers::pi / 2 / a;
 }
-const double exact_period = period(pi / 2);  // 2.34524 s
+const double exact_period = period(std::numbers::pi / 2);  // 2.34524 s
 
 /// Times at which the pendulum is straight below the hook.
 class Crossings {
@@ -104,7 +105,7 @@ EXERCISE_TEST(DistanceConstraint, SwingsWithTheExactPeriod) {
         "period of a pendulum from 90°, l = 1 m, g = 10 m/s², h = 1 ms, d = " + show(d) + " [s]", "Eq. (6.13)",
         swing_on_a_rod(h, d).period, exact_period,
         {lateness(h, d), "3 (1 + 2d) h² √(g/2l), from the gap that a turning rod keeps"},
-        {{2 * pi * std::sqrt(l / gravity), "This is the period of small swings."}},
+        {{2 * std::numbers::pi * std::sqrt(l / gravity), "This is the period of small swings."}},
         "It swings at another length, or not at all. NaN: it has not come by three times within two periods.");
     if (::testing::Test::HasFailure()) return;
   }

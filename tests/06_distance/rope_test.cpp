@@ -1,7 +1,8 @@
 // A rope: where its points are, what they weigh, what is joined, and how many sweeps it takes to hang.
-#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <numbers>
 
+#include "algebra.hpp"
 #include "exercise_test.hpp"
 #include "systems.hpp"
 
@@ -12,14 +13,14 @@ namespace {
 
 EXERCISE(Rope, "6.3 rope");
 
-struct Input {
+struct RopeInput {
   Random random;
   Vec3 from = random.vector(2), to = random.vector(2);
   int links = random.integer(3, 12);
   double mass = random.uniform(0.5, 5);
   double length = (to - from).norm();
 
-  Input() {
+  RopeInput() {
     given() = "given a rope of " + std::to_string(links) + " links and " + show(mass) + " kg from " +
               show(from) + " to " + show(to) + " m";
   }
@@ -42,7 +43,7 @@ bool has_its_parts(const Net& net, int links) {
 }
 
 EXERCISE_TEST(Rope, LiesInAStraightLine) {
-  const Input in;
+  const RopeInput in;
   const Net net = in.net();
   if (!has_its_parts(net, in.links)) return;
   for (int k = 0; k <= in.links && !::testing::Test::HasFailure(); ++k) {
@@ -59,7 +60,7 @@ EXERCISE_TEST(Rope, LiesInAStraightLine) {
 }
 
 EXERCISE_TEST(Rope, JoinsNeighbours) {
-  const Input in;
+  const RopeInput in;
   const Net net = in.net();
   if (!has_its_parts(net, in.links)) return;
   const double each = in.length / in.links;
@@ -80,7 +81,7 @@ EXERCISE_TEST(Rope, JoinsNeighbours) {
 }
 
 EXERCISE_TEST(Rope, PutsHalfOfEachLinkOnEitherEnd) {
-  const Input in;
+  const RopeInput in;
   const Net net = in.net();
   if (!has_its_parts(net, in.links)) return;
   const double link = in.mass / in.links;
@@ -111,7 +112,7 @@ EXERCISE_TEST(Rope, PutsHalfOfEachLinkOnEitherEnd) {
 }
 
 EXERCISE_TEST(Rope, KeepsItsMassAndCentre) {
-  const Input in;
+  const RopeInput in;
   const Net net = in.net();
   if (!has_its_parts(net, in.links)) return;
   double mass = 0;
@@ -185,7 +186,7 @@ double exact_rate(int links, double m, double M) {
   const Eigen::VectorXd scale = S.diagonal().cwiseSqrt().cwiseInverse();
   const Eigen::MatrixXd jacobi =
       Eigen::MatrixXd::Identity(links, links) - Eigen::MatrixXd(scale.asDiagonal() * S * scale.asDiagonal());
-  const double largest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(jacobi).eigenvalues().maxCoeff();
+  const double largest = eigenvalues(jacobi).maxCoeff();
   return largest * largest;
 }
 
@@ -234,7 +235,7 @@ std::string wire_text(int links, double M, bool from_below) {
 }
 
 EXERCISE_TEST(Rope, NeedsSweepsLikeTheSquareOfItsLinks) {
-  const double epsilon = 1e-6, pi = std::acos(-1.0);
+  const double epsilon = 1e-6, pi = std::numbers::pi;
   for (const int links : {10, 20, 40}) {
     const Net net = rope(Vec3::Zero(), Vec3(0, 0, -1), links, links);
     if (!has_its_parts(net, links)) return;

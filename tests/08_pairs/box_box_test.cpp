@@ -17,10 +17,6 @@ std::vector<Contact> contacts_of(const Box& i, const Box& j) {
   return found;
 }
 
-std::string describe_both(const Box& i, const Box& j) {
-  return "given i, " + describe(i) + "\nand j, " + describe(j);
-}
-
 Box straight(int body, const Vec3& x, const Vec3& half_sides) {
   return {.body = body, .x = x, .axes = Mat3::Identity(), .half_sides = half_sides};
 }

@@ -55,10 +55,6 @@ double margin(double gap, const Box& i, const Box& j) {
   return 0.05 * std::abs(gap) + 1e-6 * smallest(i, j);
 }
 
-std::string describe_both(const Box& i, const Box& j) {
-  return "given i, " + describe(i) + "\nand j, " + describe(j);
-}
-
 /// Two choices by a margin, and one among the faces of a box: the axis may be behind the best by three of them.
 void expect_best(const spook::SeparatingAxis& got, const Box& i, const Box& j) {
   const auto all = all_axes(i, j);

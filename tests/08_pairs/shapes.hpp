@@ -29,6 +29,10 @@ inline std::string describe(const Box& box) {
          show(box.axes);
 }
 
+inline std::string describe_both(const Box& i, const Box& j) {
+  return "given i, " + describe(i) + "\nand j, " + describe(j);
+}
+
 /// How far a point is from a box; 0 within.
 inline double distance(const Box& box, const Vec3& p) {
   const Vec3 seen = box.axes.transpose() * (p - box.x);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "09_better_friction/better_friction.hpp"
+#include "algebra.hpp"
 #include "checks.hpp"
 #include "random_input.hpp"
 
@@ -174,7 +175,7 @@ Eigen::Matrix2d tangential_S(const System<Dof>& s, const Rubbing& contact) {
 }
 
 inline double larger_eigenvalue(const Eigen::Matrix2d& S) {
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(S).eigenvalues()[1];
+  return eigenvalues(S)[1];
 }
 
 template <int Dof>

@@ -209,7 +209,7 @@ EXERCISE_TEST(UpdateFriction, SolvesAContactThatIsAlikeInAllDirectionsAtOnce) {
 /// The minimum of ½ λ·Sλ - B·λ on a disc: inside it, or where (S + ν) λ = B has the length of the radius. ν by
 /// bisection.
 Vec2 solve_on_disc(const Eigen::Matrix2d& S, const Vec2& B, double radius) {
-  const auto at = [&](double nu) { return Vec2((S + nu * Eigen::Matrix2d::Identity()).ldlt().solve(B)); };
+  const auto at = [&](double nu) { return Vec2((S + nu * Eigen::Matrix2d::Identity()).inverse() * B); };
   if (at(0).norm() <= radius) return at(0);
   double low = 0, high = B.norm() / radius;
   for (int n = 0; n < 200; ++n) {

@@ -1,6 +1,7 @@
 // Rows in, the answer out: wires, stacks, towers, and rows that repeat or contradict each other.
 #include <numeric>
 
+#include "algebra.hpp"
 #include "exercise_test.hpp"
 #include "systems.hpp"
 
@@ -10,8 +11,6 @@ using namespace spook::testing;
 namespace {
 
 EXERCISE(DirectSolve, "11.11 direct_solve");
-
-constexpr StopRule exact{.max_sweeps = 100, .tolerance = 0};
 
 template <int Dof>
 SolveReport solve_directly(System<Dof>& s, const StopRule& stop = exact) {
@@ -163,7 +162,7 @@ EXERCISE_TEST(DirectSolve, IsContentWithWhatIsToleratedClamped) {
   Random random;
   for (int repeat = 0; repeat < 10; ++repeat) {
     System<6> s = random_system(random, 4, 6);
-    const VectorXd free = bounded(s.rows).S.ldlt().solve(bounded(s.rows).B);
+    const VectorXd free = solution_of(bounded(s.rows).S, bounded(s.rows).B);
     s.rows[2].hi = free[2] - 1e-5;
     VectorXd clamped = free;
     clamped[2] = s.rows[2].hi;

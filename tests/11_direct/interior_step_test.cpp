@@ -1,4 +1,5 @@
 // The step from within: against dense algebra, kept off the bounds, and with λ and its rooms in one place.
+#include "algebra.hpp"
 #include "exercise_test.hpp"
 #include "interior.hpp"
 
@@ -30,7 +31,7 @@ Interior dense_newton_step(const Inside& p, const Target& target) {
   const VectorXd right =
       p.B - p.S * now.lambda + target.lo.cwiseQuotient(now.room_lo) - target.hi.cwiseQuotient(now.room_hi);
   const VectorXd none = VectorXd::Zero(p.B.size());
-  Interior step{.lambda = dense_barrier(p).fullPivLu().solve(right),
+  Interior step{.lambda = solution_of(dense_barrier(p), right),
                 .room_lo = none,
                 .room_hi = none,
                 .push_lo = none,
@@ -123,7 +124,7 @@ VectorXd finite(const VectorXd& v) {
   return v.unaryExpr([](double x) { return std::isinf(x) ? 0 : x; });
 }
 
-const Tolerance close{1e-10, "roundings times a condition of 1e3, and some"};
+const Tolerance conditioned{1e-10, "roundings times a condition of 1e3, and some"};
 
 EXERCISE_TEST(InteriorStep, LooksBeforeItGoes) {
   Random random;
@@ -134,7 +135,7 @@ EXERCISE_TEST(InteriorStep, LooksBeforeItGoes) {
     const Interior right = dense_interior_step(p);
     const auto otherwise = [&](const Way& way) { return dense_interior_step(p, way).lambda; };
     expect_near_vector(
-        "λ of the next point [N s]", "Eq. (11.11)", got.lambda, right.lambda, close,
+        "λ of the next point [N s]", "Eq. (11.11)", got.lambda, right.lambda, conditioned,
         {{otherwise({.look = false}), "This is the straight step, τ = 0: it only tells what τ shall be."},
          {otherwise({.second_order = 0}), "The product of the two changes is left out of τ."},
          {otherwise({.second_order = 1}),
@@ -152,12 +153,12 @@ EXERCISE_TEST(InteriorStep, LooksBeforeItGoes) {
          {otherwise({.share = 0.5}), "Take 0.999 of the longest part: this is half of it."}},
         "First the step with τ = 0, as far as it goes; then τ from what that would do, and the step that is "
         "taken.");
-    expect_near_vector("z⁻ of the next point [m/s]", "Eq. (11.9)", got.push_lo, right.push_lo, close);
-    expect_near_vector("z⁺ of the next point [m/s]", "Eq. (11.9)", got.push_hi, right.push_hi, close);
+    expect_near_vector("z⁻ of the next point [m/s]", "Eq. (11.9)", got.push_lo, right.push_lo, conditioned);
+    expect_near_vector("z⁺ of the next point [m/s]", "Eq. (11.9)", got.push_hi, right.push_hi, conditioned);
     expect_near_vector("s⁻ of the next point [N s]", "Eq. (11.5)", finite(got.room_lo), finite(right.room_lo),
-                       close);
+                       conditioned);
     expect_near_vector("s⁺ of the next point [N s]", "Eq. (11.5)", finite(got.room_hi), finite(right.room_hi),
-                       close);
+                       conditioned);
     for (Eigen::Index k = 0; k < 14; ++k)
       expect_true("row " + std::to_string(k) + " has the bounds that it had, and no others", "Eq. (11.5)",
                   has_lo(got, k) == has_lo(p.now, k) && has_hi(got, k) == has_hi(p.now, k),
@@ -191,8 +192,7 @@ EXERCISE_TEST(InteriorStep, IsTheSolutionWithoutBounds) {
   const Interior got = step_of(p, bounds_of(p.now));
   if (!has_size(got, 10, "Eq. (11.11)")) return;
   expect_near_vector(
-      "λ after one step without bounds [N s]", "Eq. (11.5)", got.lambda, VectorXd(p.S.ldlt().solve(p.B)), close,
-      {},
+      "λ after one step without bounds [N s]", "Eq. (11.5)", got.lambda, solution_of(p.S, p.B), conditioned, {},
       "Nothing limits the step, so it is taken whole. And there is no mean of no products: μ'/μ must "
       "not be 0/0.");
   expect_true("rooms stay infinite, pushes 0", "Eq. (11.5)",
@@ -218,13 +218,13 @@ EXERCISE_TEST(InteriorStep, LetsTheSmallestOfThreeSetTheOthers) {
       const std::string clue =
           "λ had drifted from its rooms, and they apart, before the step. The smallest of |λ|, s⁻, s⁺ is "
           "right: the other two follow, by s⁻ = λ - lo, s⁺ = hi - λ.";
-      expect_near("λ" + what, "Eq. (11.5)", got.lambda[k], right.lambda, close,
+      expect_near("λ" + what, "Eq. (11.5)", got.lambda[k], right.lambda, conditioned,
                   {{before.lambda, clue + " This λ did not."}}, clue);
       if (has_lo(p.now, k))
-        expect_near("s⁻" + what, "Eq. (11.5)", got.room_lo[k], right.below, close,
+        expect_near("s⁻" + what, "Eq. (11.5)", got.room_lo[k], right.below, conditioned,
                     {{before.below, clue + " This room did not."}}, clue);
       if (has_hi(p.now, k))
-        expect_near("s⁺" + what, "Eq. (11.5)", got.room_hi[k], right.above, close,
+        expect_near("s⁺" + what, "Eq. (11.5)", got.room_hi[k], right.above, conditioned,
                     {{before.above, clue + " This room did not."}}, clue);
     }
   }

@@ -1,4 +1,5 @@
 // The three parts of a step from within: S̃, Newton's step, and how much of it.
+#include "algebra.hpp"
 #include "exercise_test.hpp"
 #include "interior.hpp"
 
@@ -189,7 +190,7 @@ EXERCISE_TEST(NewtonStep, IsThatOfAllFiveVectorsAtOnce) {
   right << p.B + p.now.push_lo - p.now.push_hi - p.S * p.now.lambda,
       p.target.lo - p.now.room_lo.cwiseProduct(p.now.push_lo),
       p.target.hi - p.now.room_hi.cwiseProduct(p.now.push_hi);
-  const VectorXd expected = A.fullPivLu().solve(right);
+  const VectorXd expected = solution_of(A, right);
   const Interior step = step_of(p);
   if (!has_size(step, n, "Eq. (11.9)")) return;
   const Tolerance tolerance{1e-10 * (1 + expected.norm()), "roundings times a condition of 1e3, and some"};

@@ -12,6 +12,9 @@ namespace spook::testing {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// To roundings.
+constexpr StopRule exact{.max_sweeps = 100, .tolerance = 0};
+
 /// Bodies, the rows between them, and room for V.
 template <int Dof>
 struct System {

@@ -1,7 +1,7 @@
 // The spring across a tight link: against the change of its pull, and in its eigenvalues.
-#include <Eigen/Eigenvalues>
 
 #include "12_stiff_wires/stiff_wires.hpp"
+#include "algebra.hpp"
 #include "exercise_test.hpp"
 
 using namespace spook;
@@ -82,7 +82,7 @@ EXERCISE_TEST(GeometricStiffness, IsTheSameAllAround) {
     const double k = link.T / link.l;
     expect_near_vector<Mat3>("K and its transpose, " + text(link) + " [N/m]", "Eq. (12.3)", K, K.transpose(),
                              roundings(8, k), {}, "A force that has an energy has a symmetric stiffness.");
-    const Vec3 found = Eigen::SelfAdjointEigenSolver<Mat3>(K).eigenvalues();
+    const Vec3 found = eigenvalues(K);
     expect_near_vector<Vec3>("eigenvalues of K, from the smallest, " + text(link) + " [N/m]", "Eq. (12.3)",
                              found, Vec3(0, k, k), roundings(50, k), {{Vec3(-k, -k, 0), "The sign of K."}},
                              "None along the link, and T/l in both directions across it.");

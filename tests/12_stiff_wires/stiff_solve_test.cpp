@@ -1,6 +1,7 @@
 // One solve with M̃: against dense algebra, and what it keeps.
 #include <Eigen/LU>
 
+#include "algebra.hpp"
 #include "exercise_test.hpp"
 #include "springs.hpp"
 
@@ -41,7 +42,7 @@ Answer dense(const Springs& s, double times, const std::vector<Vec3>& pushed) {
     if (s.moves(spring.j)) right.segment<3>(3 * spring.j) -= push;
   }
   for (std::size_t k = 0; k < s.rows.size(); ++k) right[3 * s.bodies() + static_cast<int>(k)] = s.rows[k].B;
-  const Eigen::VectorXd unknowns = A.fullPivLu().solve(right);
+  const Eigen::VectorXd unknowns = solution_of(A, right);
   return {.V = unknowns.head(3 * s.bodies()), .lambda = -unknowns.tail(std::ssize(s.rows))};
 }
 

@@ -1,8 +1,8 @@
 // The fastest frequency of a tight wire: by hand, against the modes of a string, and as what leapfrog can follow.
-#include <Eigen/Eigenvalues>
 #include <numbers>
 
 #include "12_stiff_wires/stiff_wires.hpp"
+#include "algebra.hpp"
 #include "exercise_test.hpp"
 
 using namespace spook;
@@ -42,8 +42,7 @@ EXERCISE_TEST(TransverseFrequency, IsTheEdgeOfTheModesOfAString) {
       A.diagonal(1).setConstant(-T / (m * l));
       A.diagonal(-1).setConstant(-T / (m * l));
     }
-    const double fastest =
-        std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A).eigenvalues().maxCoeff());
+    const double fastest = std::sqrt(eigenvalues(A).maxCoeff());
     const double share = std::sin(points * std::numbers::pi / (2 * (points + 1)));
     expect_near("fastest frequency of a string of " + std::to_string(points) +
                     " points between fixed ends, as ω sin(Nπ/(2(N+1))), T = " + show(T) + " N, m = " + show(m) +

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "algebra.hpp"
 #include "checks.hpp"
 #include "refusals.hpp"
 #include "scene_runs.hpp"
@@ -15,6 +16,8 @@ namespace spook {
 namespace {
 
 using testing::expect_order;
+using testing::solution_of;
+using testing::sweep_matrix;
 
 constexpr double epsilon = 2.2e-16;
 constexpr double g = 9.81;
@@ -334,13 +337,11 @@ TEST(WireScene, IsWrongByWhatTheSweepsLeave) {
     if (i > 0) S(i, i - 1) = S(i - 1, i) = -1 / m;
     T[i] = -(M + (N - 1 - i) * m) * g;  // a pull is negative
   }
-  const Eigen::MatrixXd lower = S.triangularView<Eigen::Lower>(),
-                        upper = S.triangularView<Eigen::StrictlyUpper>();
-  const Eigen::MatrixXd E = -lower.inverse() * upper;
+  const Eigen::MatrixXd E = sweep_matrix(S);
   Eigen::MatrixXd left = Eigen::MatrixXd::Identity(N, N);
   for (int sweep = 0; sweep < s; ++sweep) left = left * E;
   const Eigen::MatrixXd done = Eigen::MatrixXd::Identity(N, N) - left;
-  const double stretch = (-(S * done.inverse() * h * T + h * g * first) / spook.a).sum();
+  const double stretch = (-(S * solution_of(done, h * T) + h * g * first) / spook.a).sum();
 
   const SceneRun run = run_of("wire", {{"ratio", "4"}, {"begin", "at_rest"}}, h, 10, {.max_sweeps = s});
   EXPECT_NEAR(run.last("stretch [m]"), stretch, 1e-9);

@@ -1,10 +1,10 @@
 // Distances and ball joints in a world: what they hold, what they keep, and what is refused.
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <sstream>
 
+#include "algebra.hpp"
 #include "checks.hpp"
 #include "engine/mechanics.hpp"
 #include "engine/world.hpp"
@@ -212,9 +212,7 @@ double rate_of_wire(int N, double ratio) {
     S(i, i) = above + below;
     if (i > 0) S(i, i - 1) = S(i - 1, i) = -1;
   }
-  const Eigen::MatrixXd lower = S.triangularView<Eigen::Lower>();
-  const Eigen::MatrixXd upper = S.triangularView<Eigen::StrictlyUpper>();
-  return Eigen::MatrixXd(lower.triangularView<Eigen::Lower>().solve(upper)).eigenvalues().cwiseAbs().maxCoeff();
+  return testing::spectral_radius(testing::sweep_matrix(S));
 }
 
 TEST(Wire, NeedsTheSweepsOfTheTheory) {

@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "algebra.hpp"
+
 namespace spook::testing {
 
 using Eigen::MatrixXd;
@@ -51,8 +53,8 @@ VectorXd enumerate_solution(const Bounded& problem) {
 }
 
 double condition(const MatrixXd& S) {
-  const VectorXd eigenvalues = Eigen::SelfAdjointEigenSolver<MatrixXd>(S).eigenvalues();
-  return (1 + eigenvalues.maxCoeff()) / eigenvalues.minCoeff();
+  const VectorXd found = eigenvalues(S);
+  return (1 + found.maxCoeff()) / found.minCoeff();
 }
 
 }  // namespace spook::testing

@@ -1,10 +1,11 @@
 #pragma once
 // A test of an exercise, in three states: a stub is skipped ("not started"), a wrong answer fails, a right one passes.
 //
-//   EXERCISE(Kick, "1.1 kick");                      // once a suite: its number and its function
+//   EXERCISE(Kick, "1.1 kick");                      // once a file: a suite's number and its function
 //   EXERCISE_TEST(Kick, AddsForceOverMass) { ... }   // as TEST, with the checks of checks.hpp inside
 #include <gtest/gtest.h>
 
+#include <map>
 #include <string>
 
 #include "checks.hpp"
@@ -19,8 +20,19 @@ inline std::string& current_exercise() {
   return name;
 }
 
-inline void run_exercise(const char* exercise, void (*body)()) {
-  current_exercise() = exercise;
+/// The exercise of each suite.
+inline std::map<std::string, std::string>& exercises() {
+  static std::map<std::string, std::string> of_suites;
+  return of_suites;
+}
+
+inline bool name_exercise(const char* suite, const char* exercise) {
+  exercises()[suite] = exercise;
+  return true;
+}
+
+inline void run_exercise(const char* suite, void (*body)()) {
+  current_exercise() = exercises().at(suite);
   Random::forget_seed();
   given().clear();
   try {
@@ -41,11 +53,16 @@ inline void run_exercise(const char* exercise, void (*body)()) {
 
 }  // namespace spook::testing
 
-#define EXERCISE(Suite, number_and_function) static constexpr const char* Suite##_exercise = number_and_function
+// Files of one suite may be compiled as one: each name is used once.
+#define SPOOK_JOIN_AGAIN(a, b) a##b
+#define SPOOK_JOIN(a, b) SPOOK_JOIN_AGAIN(a, b)
+#define EXERCISE(Suite, number_and_function)                             \
+  [[maybe_unused]] static const bool SPOOK_JOIN(Suite##_, __COUNTER__) = \
+      spook::testing::name_exercise(#Suite, number_and_function)
 
-#define EXERCISE_TEST(Suite, Name)                                         \
-  static void Suite##_##Name##_body();                                     \
-  TEST(Suite, Name) {                                                      \
-    spook::testing::run_exercise(Suite##_exercise, Suite##_##Name##_body); \
-  }                                                                        \
+#define EXERCISE_TEST(Suite, Name)                               \
+  static void Suite##_##Name##_body();                           \
+  TEST(Suite, Name) {                                            \
+    spook::testing::run_exercise(#Suite, Suite##_##Name##_body); \
+  }                                                              \
   static void Suite##_##Name##_body()

@@ -11,7 +11,7 @@ import shlex
 import shutil
 import subprocess
 import tempfile
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -95,7 +95,7 @@ class Workshop:
 
     def _stage_headers(self, example: Exercise) -> list[str]:
         """Adds the precompiled header, and returns the compiler's command without the file."""
-        flags, words = [], iter(_compile_command(f"chapters/{example.folder}/{example.function}.cpp"))
+        flags, words = [], iter(_compile_command(lambda entry: Path(entry["file"]).match(f"chapters/{example.folder}/{example.function}.cpp")))
         for word in words:
             if word in ("-o", "-c"):
                 next(words)
@@ -142,10 +142,8 @@ class Workshop:
 
     def _compile_hidden(self, chapter: Chapter, source: Path) -> str:
         """With what the chapter's own tests are compiled with."""
-        example = next(Path(entry["file"]) for entry in _compile_commands()
-                       if f"/tests/{chapter.folder}/" in entry["file"])
         compiled = self.answers / f"hidden_{chapter.folder}_{source.stem}.o"
-        command = [*_without_files(_compile_command(f"tests/{chapter.folder}/{example.name}")),
+        command = [*_without_files(_compile_command(lambda entry: f"/tests_{chapter.folder}.dir/" in entry["command"])),
                    "-c", str(source), "-o", str(compiled)]
         result = subprocess.run(command, capture_output=True, text=True, cwd=CHECK.path)
         if result.returncode != 0:
@@ -228,16 +226,14 @@ def check_hidden(hidden: Path | None, chapters: list[Chapter]) -> None:
         raise BadInput(f"grade: no hidden tests in {hidden}: they lie in NN_topic/*.cpp there, as in tests/")
 
 
-def _compile_commands() -> list[dict]:
-    return json.loads((CHECK.path / "compile_commands.json").read_text(encoding="utf-8"))
-
-
-def _compile_command(file: str) -> list[str]:
-    for entry in _compile_commands():
-        if entry["file"].endswith("/" + file):
-            words = shlex.split(entry["command"])
-            return [*_compiler(words[0]), *words[1:]]
-    raise CourseError(f"{shown(CHECK.path)} does not build {file}")
+def _compile_command(wanted: Callable[[dict], bool]) -> list[str]:
+    """Of the first file that is wanted."""
+    entries = json.loads((CHECK.path / "compile_commands.json").read_text(encoding="utf-8"))
+    found = next(filter(wanted, entries), None)
+    if not found:
+        raise CourseError(f"{shown(CHECK.path)} does not build what grading starts from; ./course reset brings it back")
+    words = shlex.split(found["command"])
+    return [*_compiler(words[0]), *words[1:]]
 
 
 def _without_files(command: list[str]) -> list[str]:
