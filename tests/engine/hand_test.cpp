@@ -190,7 +190,8 @@ TEST(Recording, GhostsAreWhereTheAnswerIs) {
       EXPECT_NEAR((frame.x.at(body) - ghost.x).norm(), 0, allowed) << description.name << ", body " << body;
     }
     // Those whose answer turns.
-    if (description.name == "top" || description.name == "slide_to_roll" || description.name == "spinning_disc") {
+    if (description.name == "top" || description.name == "slide_to_roll" ||
+        description.name == "spinning_disc") {
       const Quat& q = frame.q.at(static_cast<std::size_t>(ghosts.at(0).body));
       // The disc starts without the half step: it is ahead by h ω/2, 0.05.
       EXPECT_LT(q.angularDistance(ghosts.at(0).q), 0.06) << description.name;
@@ -201,7 +202,8 @@ TEST(Recording, GhostsAreWhereTheAnswerIs) {
 
 TEST(Recording, KnowsWhereTheEnergyIs) {
   // Each of these keeps its energy, in two or three kinds that pass it to each other.
-  for (const char* name : {"free_fall", "oscillator", "orbit", "top", "pendulum", "double_pendulum", "cradle"}) {
+  for (const char* name :
+       {"free_fall", "oscillator", "orbit", "top", "pendulum", "double_pendulum", "cradle"}) {
     const SceneDescription& description = find_scene(name);
     const auto scene = description.build(Parameters(description.parameters),
                                          {.h = description.h, .solver = description.solver});
