@@ -110,7 +110,7 @@ class Recordings(unittest.TestCase):
 
     def test_much_is_said_beforehand(self):
         done = self.run_spook("cloth", "--time", "2", "--record", str(self.file), "--fps", "1000")
-        self.assertRegex(done.stderr, r"\Aspook: recording 501 frames, \d+ MB and more with contacts; --fps [^\n]+\n\Z")
+        self.assertRegex(done.stderr, r"\Aspook: recording 1001 frames, \d+ MB and more with contacts; --fps [^\n]+\n\Z")
         megabytes = int(done.stderr.split("frames, ")[1].split()[0])
         self.assertAlmostEqual(megabytes, self.file.stat().st_size / 1e6, delta=0.15 * megabytes)
         self.assertEqual(self.run_spook("stack", "--record", str(self.file)).stderr, "")
