@@ -81,6 +81,19 @@ class World {
   /// a distance whose two points coincide.
   int add_joint(const Joint& joint);
 
+  /// Takes a joint out; those after it move up by one. What the last step did is forgotten, as its rows are numbered
+  /// otherwise.
+  void remove_joint(int joint);
+
+  /// Puts a fixed body elsewhere. Throws std::invalid_argument for a body that moves, and for a plane.
+  void move_fixed(int body, const Vec3& x);
+
+  /// Gives a body an impulse through its centre [N s].
+  void push(int body, const Vec3& impulse);
+
+  /// The bodies that move in both are where they are in `other`, and move and turn as they do there; its time goes on.
+  void go_on_from(const World& other);
+
   /// Takes every velocity half a step back, to where leapfrog wants it: Eq. (1.5). Once, before the first step.
   /// What contacts and joints hold against is not known yet, and has no part in it.
   void start_half_step_back(double h);
@@ -89,9 +102,11 @@ class World {
   /// body is not finite afterwards, or the two points of a distance coincide before, or are infinitely far apart.
   void step(double h);
 
+  const Settings<Dof>& settings() const { return settings_; }
+  const Shapes& shapes() const { return shapes_; }
   const Bodies<Dof>& bodies() const { return bodies_; }
   std::int64_t steps() const { return steps_; }  ///< taken so far
-  double time() const { return time_; }          ///< their sum [s]
+  double time() const { return time_; }          ///< [s]
 
   /// Where a body's numbers are in bodies(). Throws std::invalid_argument for an index that is no body's.
   std::size_t index(int body) const;

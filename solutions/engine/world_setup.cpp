@@ -1,4 +1,6 @@
 // What a world is told before it steps, and what it can be asked afterwards.
+#include <algorithm>
+
 #include "common/require.hpp"
 #include "engine/world.hpp"
 
@@ -71,6 +73,52 @@ int World<Dof>::add_joint(const Joint& given) {
   joint_rows_.push_back(next_joint_row_);
   next_joint_row_ += static_cast<std::size_t>(joint.rows());
   return static_cast<int>(joints_.size()) - 1;
+}
+
+template <int Dof>
+void World<Dof>::remove_joint(int joint) {
+  if (joint < 0 || joint >= static_cast<int>(joints_.size()))
+    reject("joint", joint, "an index below " + std::to_string(joints_.size()));
+  joints_.erase(joints_.begin() + joint);
+  joint_rows_.clear();
+  next_joint_row_ = 0;
+  for (const Joint& left : joints_) {
+    joint_rows_.push_back(next_joint_row_);
+    next_joint_row_ += static_cast<std::size_t>(left.rows());
+  }
+  rows_.clear();
+  rubbing_.clear();
+  contacts_.clear();
+  first_contact_row_ = 0;
+  start_ = {};
+}
+
+template <int Dof>
+void World<Dof>::move_fixed(int body, const Vec3& x) {
+  const std::size_t i = index(body);
+  if (!bodies_.is_fixed(i)) reject("body", body, "a fixed one");
+  for (const Plane& plane : shapes_.planes)
+    if (plane.body == body) reject("body", body, "another than a plane");
+  require_all_finite("x", x);
+  bodies_.x[i] = x;
+}
+
+template <int Dof>
+void World<Dof>::push(int body, const Vec3& impulse) {
+  const std::size_t i = index(body);
+  require_all_finite("impulse", impulse);
+  bodies_.motion.W[i].template head<3>() += bodies_.motion.inverse_mass[i].linear * impulse;
+}
+
+template <int Dof>
+void World<Dof>::go_on_from(const World& other) {
+  for (std::size_t i = 0; i < std::min(bodies_.size(), other.bodies_.size()); ++i) {
+    if (bodies_.is_fixed(i) || other.bodies_.is_fixed(i)) continue;
+    bodies_.x[i] = other.bodies_.x[i];
+    bodies_.motion.W[i] = other.bodies_.motion.W[i];
+    if constexpr (Dof == 6) bodies_.orientations.q[i] = other.bodies_.orientations.q[i];
+  }
+  time_ = other.time_;
 }
 
 template <int Dof>

@@ -46,6 +46,18 @@ class BouncingBall : public WorldScene<3> {
     largest_error_ = largest(largest_error_, std::abs(peak() - answer_.peak(bounces_)));
   }
   double error() const override { return relative(largest_error_, h0_); }
+  std::vector<Ghost> ghosts() const override {
+    return {{.body = ball_, .x = Vec3(0, 0, radius_ + height_by_answer_)}};
+  }
+  std::vector<Curve> curves() const override {
+    std::vector<Curve> peaks;
+    for (int bounces = 0; bounces < 6; ++bounces) {
+      const double z = radius_ + answer_.peak(bounces);
+      peaks.push_back({.name = "peak after bounce " + std::to_string(bounces),
+                       .points = {Vec3(-2 * radius_, 0, z), Vec3(2 * radius_, 0, z)}});
+    }
+    return peaks;
+  }
 
   std::vector<std::string> columns() const override {
     return {"time [s]", "z [m]", "v [m/s]", "z by (7.11) [m]", "peak [m]", "last bounce [s]", "bounces"};

@@ -29,6 +29,13 @@ class ClosedLoop : public WorldScene<3> {
     for (int link = 0; link < short_links_; ++link) error_ = largest(error_, std::abs(gap(link) - pull_));
   }
   double error() const override { return relative(error_, misfit_); }
+  std::vector<Ghost> ghosts() const override {
+    std::vector<Ghost> points;
+    const double span = short_links_ * l_ + misfit_, link = l_ + pull_;
+    for (int point = 0; point <= short_links_; ++point)
+      points.push_back({.body = point, .x = Vec3(span / 2 + (point - short_links_ / 2.0) * link, 0, 0)});
+    return points;
+  }
 
   std::vector<std::string> columns() const override {
     return {"time [s]", "short link's stretch [m]", "answer [m]", "long link's stretch [m]"};

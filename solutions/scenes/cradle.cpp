@@ -43,6 +43,7 @@ class Cradle : public WorldScene<3> {
                   .v = Vec3(i == 0 ? v0 : 0, 0, 0),
                   .mass = p.number("m"),
                   .radius = touching});
+    start_x_ = world_.bodies().x;
     before_[0] = v0;
     after_ = pair_by_pair(before_, p.number("restitution"), rest * p.number("v0"));
   }
@@ -53,6 +54,14 @@ class Cradle : public WorldScene<3> {
     for (std::size_t i = 0; i < answer.size(); ++i) error_ = largest(error_, std::abs(v(i) - answer[i]));
   }
   double error() const override { return relative(error_, before_[0]); }
+  std::vector<Ghost> ghosts() const override {
+    const double until = touch * h_, since = std::max(0.0, time() - until);
+    std::vector<Ghost> balls;
+    for (std::size_t i = 0; i < start_x_.size(); ++i)
+      balls.push_back({.body = static_cast<int>(i),
+                       .x = start_x_[i] + Vec3(before_[i] * (time() - since) + after_[i] * since, 0, 0)});
+    return balls;
+  }
 
   std::vector<std::string> columns() const override {
     std::vector<std::string> names = {"time [s]", "energy [J]"};
@@ -78,6 +87,7 @@ class Cradle : public WorldScene<3> {
   static constexpr double roundings = 2 * touch * std::numeric_limits<double>::epsilon();
   static constexpr double rest = 1e-9;  // of v0: slower approaches are none
 
+  std::vector<Vec3> start_x_;
   std::vector<double> before_, after_;
   double error_ = 0;
 };

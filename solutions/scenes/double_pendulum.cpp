@@ -64,14 +64,17 @@ class DoublePendulum : public WorldScene<3> {
       v2 = v1 - h_ / 2 * rods_.l2 * rate[3] * across(y[1]);
     }
     const int anchor = world_.add_fixed(Vec3::Zero());
-    const int first = world_.add({.x = rods_.first(y), .v = v1, .mass = rods_.m1});
+    first_ = world_.add({.x = rods_.first(y), .v = v1, .mass = rods_.m1});
     second_ = world_.add({.x = rods_.second(y), .v = v2, .mass = rods_.m2});
-    world_.add_joint({.i = anchor, .j = first, .length = rods_.l1});
-    world_.add_joint({.i = first, .j = second_, .length = rods_.l2});
+    world_.add_joint({.i = anchor, .j = first_, .length = rods_.l1});
+    world_.add_joint({.i = first_, .j = second_, .length = rods_.l2});
   }
 
   void observe() override { largest_error_ = largest(largest_error_, (world_.x(second_) - answer()).norm()); }
   double error() const override { return relative(largest_error_, rods_.l1 + rods_.l2); }
+  std::vector<Ghost> ghosts() const override {
+    return {{.body = first_, .x = rods_.first(answer_.at(time()))}, {.body = second_, .x = answer()}};
+  }
 
   std::vector<std::string> columns() const override {
     return {"time [s]",     "x [m]",         "z [m]",         "answer x [m]",
@@ -100,7 +103,7 @@ class DoublePendulum : public WorldScene<3> {
 
   Rods rods_;
   mutable ReferenceMotion<4> answer_;  // goes on to the time it is asked for
-  int second_ = 0;
+  int first_ = 0, second_ = 0;
   double largest_error_ = 0;
 };
 

@@ -39,6 +39,7 @@ class FlatBox : public WorldScene<6> {
     for (int c = 0; c < contacts; ++c) error_ = largest(error_, std::abs(world_.lambda(c) - share_));
   }
   double error() const override { return relative(error_, share_); }
+  std::vector<Ghost> ghosts() const override { return {{.body = body_, .x = Vec3(0, 0, height_ + rest_gap_)}}; }
 
   std::vector<std::string> columns() const override {
     return {"time [s]", "gap [m]", "answer [m]", "largest error of λ [N s]", "contacts"};

@@ -19,6 +19,7 @@ class FreeFall : public WorldScene<3> {
 
   void observe() override { largest_error_ = largest(largest_error_, std::abs(world_.x(0).z() - answer())); }
   double error() const override { return relative(largest_error_, std::abs(answer())); }
+  std::vector<Ghost> ghosts() const override { return {{.body = 0, .x = Vec3(0, 0, answer())}}; }
 
   std::vector<std::string> columns() const override { return {"time [s]", "z [m]", "v [m/s]", "energy [J]"}; }
   std::vector<double> sample() const override {

@@ -36,6 +36,7 @@ class Incline : public WorldScene<Dof> {
     Body<Dof> body = lying<Dof>(block(p), m * slope(p).press, -friction * down_, p.number("k"));
     if (p.choice("start") == "half_step") body.v = -h_ / 2 * acceleration_ * down_;  // Eq. (1.5)
     block_ = world_.add(body);
+    start_ = body.x;
   }
 
   void observe() override {
@@ -45,6 +46,10 @@ class Incline : public WorldScene<Dof> {
   double error() const override {
     const double t = this->time();
     return relative(largest_error_, pull_ * t * t / 2);
+  }
+  std::vector<Ghost> ghosts() const override {
+    const double t = this->time();
+    return {{.body = block_, .x = start_ + acceleration_ * t * t / 2 * down_}};
   }
 
   std::vector<std::string> columns() const override {
@@ -76,6 +81,7 @@ class Incline : public WorldScene<Dof> {
   Vec3 down_ = down();
   double pull_, acceleration_;
   int block_ = 0;
+  Vec3 start_;
   double largest_error_ = 0;
 };
 

@@ -3,6 +3,7 @@
 //   x = a (cos E - e),  y = a √(1-e²) sin E,   E - e sin E = t √(GM/a³)
 //
 //   a   semi-major axis [m]     e   eccentricity     E   eccentric anomaly [rad]     GM   [m³/s²]
+#include "scenes/degrees.hpp"
 #include "scenes/registry.hpp"
 
 namespace spook {
@@ -39,6 +40,13 @@ class Orbit : public WorldScene<3> {
 
   void observe() override { largest_error_ = largest(largest_error_, (world_.x(0) - answer()).norm()); }
   double error() const override { return relative(largest_error_, axis_); }
+  std::vector<Ghost> ghosts() const override { return {{.body = 0, .x = answer()}}; }
+  std::vector<Curve> curves() const override {
+    return {curve("the ellipse", 0, 2 * pi, [this](double E) { return at_anomaly(E); })};
+  }
+  double field_energy(const std::vector<Vec3>& x) const override {
+    return -gm_ * world_.bodies().mass[0] / x[0].norm();
+  }
 
   std::vector<std::string> columns() const override {
     return {"time [s]", "x [m]", "y [m]", "energy [J]", "angular momentum [kg m²/s]"};
@@ -60,6 +68,9 @@ class Orbit : public WorldScene<3> {
 
   Vec3 answer() const {
     const double E = eccentric_anomaly(time() * std::sqrt(gm_ / axis_) / axis_, e_);
+    return at_anomaly(E);
+  }
+  Vec3 at_anomaly(double E) const {
     return axis_ * Vec3(std::cos(E) - e_, std::sqrt(1 - e_ * e_) * std::sin(E), 0);
   }
 

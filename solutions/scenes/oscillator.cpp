@@ -23,6 +23,10 @@ class Oscillator : public WorldScene<3> {
     largest_error_ = largest(largest_error_, std::abs(world_.x(0).x() - amplitude_ * std::cos(rate_ * time())));
   }
   double error() const override { return relative(largest_error_, amplitude_); }
+  std::vector<Ghost> ghosts() const override {
+    return {{.body = 0, .x = Vec3(amplitude_ * std::cos(rate_ * time()), 0, 0)}};
+  }
+  double field_energy(const std::vector<Vec3>& x) const override { return k_ * x[0].squaredNorm() / 2; }
 
   std::vector<std::string> columns() const override { return {"time [s]", "x [m]", "v [m/s]", "energy [J]"}; }
   std::vector<double> sample() const override {

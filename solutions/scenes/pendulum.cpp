@@ -63,6 +63,11 @@ class Pendulum : public WorldScene<Dof> {
 
   void observe() override { largest_error_ = largest(largest_error_, (world_.x(bob_) - answer()).norm()); }
   double error() const override { return relative(largest_error_, l_); }
+  std::vector<Ghost> ghosts() const override { return {{.body = bob_, .x = answer()}}; }
+  std::vector<Curve> curves() const override {
+    return {curve("the circle", 0, 2 * pi,
+                  [l = l_](double angle) -> Vec3 { return l * Vec3(std::sin(angle), 0, -std::cos(angle)); })};
+  }
 
   std::vector<std::string> columns() const override {
     return {"time [s]", "angle [degrees]", "answer [degrees]", "gap [m]", "tension [N]", "energy [J]"};

@@ -23,6 +23,9 @@ class RestingSphere : public WorldScene<6> {
 
   void observe() override { error_ = std::abs(gap() - rest_gap_); }
   double error() const override { return relative(error_, std::abs(rest_gap_)); }
+  std::vector<Ghost> ghosts() const override {
+    return {{.body = sphere_, .x = Vec3(0, 0, radius_ + rest_gap_)}};
+  }
 
   std::vector<std::string> columns() const override {
     return {"time [s]", "gap [m]", "v [m/s]", "lambda [N s]"};

@@ -44,6 +44,7 @@ class Rope : public WorldScene<3> {
       largest_error_ = largest(largest_error_, (world_.bodies().x[k] - answer_.x[k]).norm());
   }
   double error() const override { return relative(largest_error_, length_); }
+  std::vector<Curve> curves() const override { return {{.name = "the chain at rest", .points = answer_.x}}; }
 
   std::vector<std::string> columns() const override {
     return {"time [s]",         "lowest z [m]",        "end tension [N]", "middle tension [N]",

@@ -23,14 +23,32 @@ static void write_line(std::ostream& csv, const Values& values, const Text& text
   csv << '\n';
 }
 
-static void observed_run(Scene& scene, std::int64_t steps, std::ostream* csv, const Progress& progress) {
+static std::vector<std::string> columns(const Scene& scene, bool positions) {
+  std::vector<std::string> names = scene.columns();
+  if (!positions) return names;
+  for (std::size_t body = 0; body < scene.picture().bodies.size(); ++body)
+    for (const char* axis : {"x", "y", "z"})
+      names.push_back(std::string(axis) + " of body " + std::to_string(body) + " [m]");
+  return names;
+}
+
+static std::vector<double> sample(const Scene& scene, bool positions) {
+  std::vector<double> values = scene.sample();
+  if (!positions) return values;
+  for (const Vec3& x : scene.frame().x) values.insert(values.end(), {x.x(), x.y(), x.z()});
+  return values;
+}
+
+static void observed_run(Scene& scene, std::int64_t steps, const Watch& watch) {
   constexpr std::int64_t steps_between_reports = 100'000;
-  if (csv) write_line(*csv, scene.columns(), [](const std::string& name) { return name; });
+  if (watch.csv)
+    write_line(*watch.csv, columns(scene, watch.positions), [](const std::string& name) { return name; });
   for (std::int64_t n = 0;; ++n) {
     scene.observe();
-    if (csv) write_line(*csv, scene.sample(), exact_text);
-    if (progress && steps > steps_between_reports && (n % steps_between_reports == 0 || n == steps))
-      progress(n, steps);
+    if (watch.csv) write_line(*watch.csv, sample(scene, watch.positions), exact_text);
+    if (watch.look) watch.look(scene, n);
+    if (watch.progress && steps > steps_between_reports && (n % steps_between_reports == 0 || n == steps))
+      watch.progress(n, steps);
     if (n == steps) return;
     scene.advance(1);
   }
@@ -83,14 +101,14 @@ static StageTimes stage_times(Scene& scene, std::int64_t steps, double seconds) 
 }
 
 RunResult run(const SceneDescription& description, const Parameters& parameters, const RunSettings& settings,
-              std::ostream* csv, const Progress& progress) {
+              const Watch& watch) {
   const auto build = [&] { return description.build(parameters, settings.method); };
   RunResult result;
   result.steps = step_count(settings.method.h, settings.time);
 
   const std::int64_t substeps = result.steps * settings.method.substeps;
   const std::unique_ptr<Scene> scene = build();
-  observed_run(*scene, substeps, csv, progress);
+  observed_run(*scene, substeps, watch);
   result.error = scene->error();
   result.last = scene->report();
   result.columns = scene->columns();

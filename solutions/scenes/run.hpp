@@ -30,13 +30,20 @@ struct RunResult {
 /// time/h, rounded. Throws std::invalid_argument unless h > 0 and time >= 0, and for more than 1e9 steps.
 std::int64_t step_count(double h, double time);
 
-/// Is told now and then, in a long run, how many of the steps are done; and at its end.
-using Progress = std::function<void(std::int64_t done, std::int64_t steps)>;
+/// What is looked at on the way, in the first run.
+struct Watch {
+  std::ostream* csv = nullptr;  ///< a line of columns, and one for each substep, the start included
+  bool positions = false;       ///< each body's x, y, z in these lines, too
+  /// Is shown the scene at the start, and after each substep.
+  std::function<void(Scene& scene, std::int64_t substep)> look = nullptr;
+  /// Is told now and then, in a long run, how many of the steps are done; and at its end.
+  std::function<void(std::int64_t done, std::int64_t steps)> progress = nullptr;
+};
 
-/// Builds the scene and runs it. With `csv`, writes a line of columns and one for each substep, the start included.
+/// Builds the scene and runs it.
 /// Throws std::invalid_argument for bad settings before anything is written, and Blowup, with what was written up
 /// to then.
 RunResult run(const SceneDescription& scene, const Parameters& parameters, const RunSettings& settings,
-              std::ostream* csv = nullptr, const Progress& progress = nullptr);
+              const Watch& watch = {});
 
 }  // namespace spook

@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "engine/world.hpp"
+#include "recording/picture.hpp"
+#include "scenes/hand.hpp"
 #include "scenes/method.hpp"
 #include "scenes/parameters.hpp"
 
@@ -42,6 +44,24 @@ class Scene {
   /// From now on the stages of each step are timed.
   virtual void time_stages() = 0;
   virtual StageTimes stage_times() const = 0;
+
+  /// What it looks like, and what it looks like now.
+  virtual Picture picture() const = 0;
+  virtual Frame frame() const = 0;
+
+  /// Where the answer has bodies now, as of the last observe(); and lines on which it lies. None, unless the scene says.
+  virtual std::vector<Ghost> ghosts() const { return {}; }
+  virtual std::vector<Curve> curves() const { return {}; }
+
+  /// The energy of its force field, with bodies at `x` [J].
+  virtual double field_energy(const std::vector<Vec3>&) const { return 0; }
+
+  /// What a hand can do to it.
+  virtual Hand& hand() = 0;
+
+  /// Takes over the bodies of a scene that was built with other numbers: where they are, how they move, and what a hand
+  /// did. False, and nothing is done, where the two have not the same bodies.
+  virtual bool go_on_from(const Scene& other) = 0;
 };
 
 struct SceneDescription {
@@ -66,6 +86,22 @@ class WorldScene : public Scene {
   void advance(std::int64_t steps) final {
     for (std::int64_t n = 0; n < steps; ++n) world_.step(h_);
   }
+  Picture picture() const final { return picture_of(world_); }
+  Frame frame() const final {
+    Frame frame = frame_of(world_, h_);
+    std::vector<Vec3> x = frame.x;
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] -= h_ / 2 * frame.v[i];
+    frame.energy.field = field_energy(x);
+    return frame;
+  }
+  Hand& hand() final { return hand_; }
+  bool go_on_from(const Scene& other) final {
+    const auto* before = dynamic_cast<const WorldScene*>(&other);
+    if (!before || !hand_.take_over(before->hand_)) return false;
+    world_.go_on_from(before->world_);
+    since_ = before->time();
+    return true;
+  }
   StepReport report() const final { return world_.report(); }
   std::int64_t row_updates() const final { return world_.row_updates(); }
   void time_stages() final { world_.time_stages(); }
@@ -73,9 +109,9 @@ class WorldScene : public Scene {
 
  protected:
   WorldScene(Settings<Dof> settings, const Method& method)
-      : world_(with(std::move(settings), method)), h_(method.step()) {}
+      : world_(with(std::move(settings), method)), h_(method.step()), hand_(world_) {}
 
-  double time() const { return static_cast<double>(world_.steps()) * h_; }
+  double time() const { return since_ + static_cast<double>(world_.steps()) * h_; }
 
   World<Dof> world_;
   double h_;  ///< that it is stepped by: a substep's [s]
@@ -89,6 +125,9 @@ class WorldScene : public Scene {
     settings.margin = method.margin;
     return settings;
   }
+
+  HandIn<Dof> hand_;
+  double since_ = 0;  // when it took over [s]
 };
 
 /// The larger of the two; NaN when either is, where std::max would lose it.

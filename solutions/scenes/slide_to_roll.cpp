@@ -32,6 +32,7 @@ class SlideToRoll : public WorldScene<6> {
                           .radius = radius_,
                           .omega = spin_rate() * back * axis_,
                           .principal = solid_sphere_moments(m, radius_)});
+    start_ = world_.x(sphere_);
   }
 
   void observe() override {
@@ -42,6 +43,11 @@ class SlideToRoll : public WorldScene<6> {
   double error() const override {
     const double slid = sliding_.way(std::min(time(), rolls_after()));
     return largest(relative(x_error_, slid), relative(spin_error_, sliding_.v0 / radius_ * 5 / 7));
+  }
+  std::vector<Ghost> ghosts() const override {
+    const double t = time(), speeding_up = std::min(t, rolls_after());
+    const double angle = spin_rate() * speeding_up * (t - speeding_up / 2);
+    return {{.body = sphere_, .x = start_ + answer(t) * ahead_, .q = Quat(Eigen::AngleAxisd(angle, axis_))}};
   }
 
   std::vector<std::string> columns() const override {
@@ -72,6 +78,7 @@ class SlideToRoll : public WorldScene<6> {
   Vec3 ahead_ = tangents(Vec3::UnitZ()).t1;
   Vec3 axis_ = Vec3::UnitZ().cross(ahead_);
   int sphere_ = 0;
+  Vec3 start_;
   double x_error_ = 0, spin_error_ = 0;
 };
 

@@ -39,6 +39,7 @@ class SlidingBlock : public WorldScene<Dof> {
     body.v = coulomb_.v0 * heading_;
     if (p.choice("start") == "half_step") body.v += h_ / 2 * slowing;  // Eq. (1.5)
     block_ = world_.add(body);
+    start_ = body.x;
   }
 
   void observe() override {
@@ -46,6 +47,7 @@ class SlidingBlock : public WorldScene<Dof> {
     if (world_.v(block_).norm() > stands_still()) moving_ = this->time();
   }
   double error() const override { return relative(largest_error_, coulomb_.way(this->time())); }
+  std::vector<Ghost> ghosts() const override { return {{.body = block_, .x = start_ + answer()}}; }
 
   std::vector<std::string> columns() const override {
     return {"time [s]",       "x [m]",       "y [m]", "vx at t - h/2 [m/s]", "vy at t - h/2 [m/s]",
@@ -83,6 +85,7 @@ class SlidingBlock : public WorldScene<Dof> {
   Braking coulomb_;
   bool box_answer_;
   int block_ = 0;
+  Vec3 start_;
   double moving_ = 0;
   double largest_error_ = 0;
 };

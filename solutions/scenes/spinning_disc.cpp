@@ -44,6 +44,7 @@ class SpinningDisc : public WorldScene<6> {
                         .omega = Vec3(0, 0, w0_),
                         .principal = Vec3(about_z / 2, about_z / 2, about_z),
                         .corners = disc_points(R, rings, points)});
+    start_ = world_.x(disc_);
   }
 
   void observe() override {
@@ -51,6 +52,9 @@ class SpinningDisc : public WorldScene<6> {
     if (spin() > answer_.rate * h_ / 2) spinning_ = time();
   }
   double error() const override { return relative(largest_error_, w0_); }
+  std::vector<Ghost> ghosts() const override {
+    return {{.body = disc_, .x = start_, .q = Quat(Eigen::AngleAxisd(answer_.way(time()), Vec3::UnitZ()))}};
+  }
 
   std::vector<std::string> columns() const override {
     return {"time [s]", "spin [rad/s]", "answer [rad/s]", "spinning for [s]", "off the centre [m]", "contacts"};
@@ -80,6 +84,7 @@ class SpinningDisc : public WorldScene<6> {
   double w0_;
   Braking answer_;
   int disc_ = 0;
+  Vec3 start_;
   double spinning_ = 0;
   double largest_error_ = 0;
 };

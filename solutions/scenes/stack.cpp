@@ -34,6 +34,15 @@ class Stack : public WorldScene<3> {
       error_ = largest(error_, std::abs(gap(i) - rest_gap_[i]));
   }
   double error() const override { return relative(error_, std::abs(rest_gap_[0])); }
+  std::vector<Ghost> ghosts() const override {
+    std::vector<Ghost> balls;
+    double z = -radius_;
+    for (std::size_t i = 0; i < rest_gap_.size(); ++i) {
+      z += 2 * radius_ + rest_gap_[i];
+      balls.push_back({.body = static_cast<int>(i) + 1, .x = Vec3(0, 0, z)});
+    }
+    return balls;
+  }
 
   std::vector<std::string> columns() const override {
     std::vector<std::string> names = {"time [s]"};

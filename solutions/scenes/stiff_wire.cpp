@@ -45,6 +45,11 @@ class StiffWire : public WorldScene<3> {
     error_ = largest(error_, now_);
   }
   double error() const override { return error_; }
+  std::vector<Curve> curves() const override {
+    return {curve("where a wire of the right length ends", 0, 2 * pi, [l = length_](double angle) -> Vec3 {
+      return l * Vec3(std::sin(angle), 0, -std::cos(angle));
+    })};
+  }
 
   std::vector<std::string> columns() const override {
     return {"time [s]",       "load x [m]",

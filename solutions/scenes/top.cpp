@@ -3,6 +3,7 @@
 // ω in the body's own axes against the closed form of FreeTop; what the update does to ω and to q both count.
 #include "engine/mechanics.hpp"
 #include "scenes/free_top.hpp"
+#include "scenes/reference_motion.hpp"
 #include "scenes/registry.hpp"
 
 namespace spook {
@@ -40,6 +41,10 @@ class Top : public WorldScene<6> {
     largest_error_ = largest(largest_error_, (omega_in_body() - answer_.omega(time())).norm());
   }
   double error() const override { return relative(largest_error_, answer_.omega(0).norm()); }
+  std::vector<Ghost> ghosts() const override {
+    const Eigen::Matrix<double, 5, 1>& y = turned_.at(time());
+    return {{.body = 0, .x = Vec3::Zero(), .q = Quat(y[0], y[1], y[2], y[3]).normalized()}};
+  }
 
   std::vector<std::string> columns() const override {
     return {"time [s]",   "omega 1 [rad/s]", "omega 2 [rad/s]", "omega 3 [rad/s]",
@@ -55,6 +60,15 @@ class Top : public WorldScene<6> {
   Vec3 omega_in_body() const { return orientation(world_, 0).conjugate() * angular_velocity(world_, 0); }
 
   FreeTop answer_;
+  // q' = ½ q ω, with ω in the body's axes; the fifth number is the time.
+  mutable ReferenceMotion<5> turned_{
+      [this](const Eigen::Matrix<double, 5, 1>& y) {
+        const Quat q(y[0], y[1], y[2], y[3]);
+        const Vec3 w = answer_.omega(y[4]);
+        const Quat rate = q * Quat(0, w[0] / 2, w[1] / 2, w[2] / 2);
+        return Eigen::Matrix<double, 5, 1>({rate.w(), rate.x(), rate.y(), rate.z(), 1.0});
+      },
+      Eigen::Matrix<double, 5, 1>({1.0, 0.0, 0.0, 0.0, 0.0})};
   double largest_error_ = 0;
 };
 

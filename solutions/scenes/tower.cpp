@@ -35,6 +35,12 @@ class Tower : public BoxesOnFloor {
       error_ = largest(error_, std::abs(sinking(i) - rest_sinking_[i]));
   }
   double error() const override { return relative(error_, rest_sinking_.back()); }
+  std::vector<Ghost> ghosts() const override {
+    std::vector<Ghost> boxes;
+    for (std::size_t i = 0; i < rest_sinking_.size(); ++i)
+      boxes.push_back({.body = static_cast<int>(i) + 1, .x = put_[i + 1] - rest_sinking_[i] * Vec3::UnitZ()});
+    return boxes;
+  }
 
   std::vector<std::string> columns() const override {
     return {"time [s]",         "top's sinking [m]", "answer [m]", "farthest sideways [m]",

@@ -32,6 +32,12 @@ class Wall : public BoxesOnFloor {
 
   void observe() override {}
   double error() const override { return farthest_sideways() / length_; }
+  std::vector<Ghost> ghosts() const override {
+    std::vector<Ghost> bricks;
+    for (std::size_t body = 1; body < put_.size(); ++body)
+      bricks.push_back({.body = static_cast<int>(body), .x = put_[body]});
+    return bricks;
+  }
 
   std::vector<std::string> columns() const override {
     return {"time [s]", "farthest sideways [m]", "floor's load over the weight", "contacts"};

@@ -26,6 +26,7 @@ class Wire : public WorldScene<Dof> {
     const bool at_rest = p.choice("begin") == "at_rest";
 
     world_.add_fixed(Vec3::Zero());
+    rest_.push_back(Vec3::Zero());
     double end = 0;  // of the wire so far, below the anchor
     for (int i = 1; i <= links_; ++i) {
       const double stretch = (M + (links_ - i) * m) * p.number("g") / p.number("k");  // Eq. (6.8)
@@ -33,11 +34,17 @@ class Wire : public WorldScene<Dof> {
       const double begin = at_rest ? end + stretch : end;
       end = begin + link();
       add_link(begin, i == links_ ? M : m);
+      rest_.push_back(Vec3(0, 0, -i * link() - rest_stretch_) - to_end());
     }
   }
 
   void observe() override { error_ = std::abs(stretch() - rest_stretch_); }
   double error() const override { return relative(error_, length_); }
+  std::vector<Ghost> ghosts() const override {
+    std::vector<Ghost> bodies;
+    for (int i = 1; i <= links_; ++i) bodies.push_back({.body = i, .x = rest_[static_cast<std::size_t>(i)]});
+    return bodies;
+  }
 
   std::vector<std::string> columns() const override {
     return {"time [s]", "stretch [m]", "stretch over length [-]", "top tension [N]", "lowest tension [N]"};
@@ -84,6 +91,7 @@ class Wire : public WorldScene<Dof> {
   int links_;
   double length_;
   double rest_stretch_ = 0;
+  std::vector<Vec3> rest_;  // of each body
   double error_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// The spook program: `spook run SCENE` and `spook scenes`.
+// The spook program: `spook run SCENE`, `spook play SCENE` and `spook scenes`.
 //
 // Exit status: 0, done; 1, the run blew up or could not be finished; 2, the call made no sense. Complaints are one line
 // on stderr.
@@ -7,11 +7,14 @@
 #include <iostream>
 
 #include "engine/near_miss.hpp"
+#include "spook/play_command.hpp"
 #include "spook/run_command.hpp"
 #include "spook/scenes_command.hpp"
 
-static void add_run(CLI::App& app, spook::RunCommand& run) {
-  CLI::App* const command = app.add_subcommand("run", "Run a scene and compare it with its known answer");
+/// What run and play have in common.
+static CLI::App* add_scene_command(CLI::App& app, const std::string& name, const std::string& what,
+                                   spook::RunCommand& run) {
+  CLI::App* const command = app.add_subcommand(name, what);
   command->allow_extras();
   command->add_option("SCENE", run.scene, "One of ./course scenes")->required();
   command->add_option("--set", run.set, "Parameters of the scene, NAME=VALUE ...")->expected(1, 1000);
@@ -27,8 +30,23 @@ static void add_run(CLI::App& app, spook::RunCommand& run) {
   command->add_option("--margin", run.margin, "Largest gap of a contact [m]");
   command->add_option("--friction-model", run.friction_model, "Limits of friction: box, two_pass, cone");
   command->add_option("--tangents", run.tangents, "Directions of friction: fixed, sliding");
+  return command;
+}
+
+static void add_run(CLI::App& app, spook::RunCommand& run) {
+  CLI::App* const command =
+      add_scene_command(app, "run", "Run a scene and compare it with its known answer", run);
   command->add_option("--csv", run.csv, "Write every step to this file");
+  command->add_flag("--positions", run.positions, "Every body's position, too, with --csv");
+  command->add_option("--record", run.record, "Write what it takes to draw the run to this file");
+  command->add_option("--fps", run.fps, "Frames a second, with --record; 60 unless given");
   command->add_flag("--json", run.json, "Print one JSON object");
+}
+
+static void add_play(CLI::App& app, spook::PlayCommand& play) {
+  CLI::App* const command =
+      add_scene_command(app, "play", "Run a scene in real time, for a page that shows it", play.run);
+  command->add_option("--fps", play.run.fps, "Frames a second; 60 unless given");
 }
 
 static void add_scenes(CLI::App& app, spook::ScenesCommand& scenes) {
@@ -60,10 +78,11 @@ static void require_nothing_left(const CLI::App& app) {
 
 static void require_command(const CLI::App& app) {
   if (!app.get_subcommands().empty()) return;
-  if (app.remaining().empty()) throw std::invalid_argument("a command is missing; there are: run, scenes");
+  if (app.remaining().empty())
+    throw std::invalid_argument("a command is missing; there are: run, play, scenes");
   const std::string given = app.remaining().front();
   throw std::invalid_argument("unknown command \"" + given + "\"" +
-                              spook::did_you_mean(given, {"run", "scenes"}));
+                              spook::did_you_mean(given, {"run", "play", "scenes"}));
 }
 
 static int complain(int status, const std::string& what) {
@@ -78,8 +97,10 @@ int main(int argc, char** argv) {
   app.require_subcommand(0, 1);
   app.allow_extras();
   spook::RunCommand run;
+  spook::PlayCommand play;
   spook::ScenesCommand scenes;
   add_run(app, run);
+  add_play(app, play);
   add_scenes(app, scenes);
 
   try {
@@ -89,6 +110,8 @@ int main(int argc, char** argv) {
     require_nothing_left(*app.get_subcommands().front());
     if (app.got_subcommand("run"))
       run.execute(std::cout);
+    else if (app.got_subcommand("play"))
+      play.execute(std::cout);
     else
       scenes.execute(std::cout);
     if (!std::cout.flush()) return complain(1, "standard output could not be written");

@@ -1,26 +1,13 @@
 #include "spook/print_run.hpp"
 
 #include <algorithm>
-#include <array>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "scenes/number.hpp"
+#include "spook/json.hpp"
 #include "spook/text.hpp"
 
 namespace spook {
-
-using Json = nlohmann::ordered_json;
-
-static const char* name_of(RowOrder order) {
-  return std::array{"given", "up", "down", "random"}[static_cast<std::size_t>(order)];
-}
-
-static Json to_json(const Parameter& parameter) {
-  if (!parameter.choices.empty()) return parameter.choice;
-  if (parameter.limits.whole) return static_cast<std::int64_t>(parameter.value);
-  return parameter.value;
-}
 
 static std::string parameters_text(const Parameters& parameters) {
   std::string text;
@@ -99,31 +86,17 @@ void print_text(std::ostream& out, const SceneDescription& scene, const Paramete
 
 void print_json(std::ostream& out, const SceneDescription& scene, const Parameters& parameters,
                 const RunSettings& settings, const RunResult& result) {
-  Json set = Json::object();
-  for (const Parameter& parameter : parameters.all()) set[parameter.name] = to_json(parameter);
-
   Json stages = Json::object();
   for (std::size_t s = 0; s < stage_names.size(); ++s)
     stages[stage_names[s]] = result.stages.runs[s] > 0
                                  ? Json(1e6 * result.stages.seconds[s] / static_cast<double>(result.steps))
                                  : Json();
 
-  const double h = settings.method.h;
-  const Json object = {
-      {"scene", scene.name},
-      {"parameters", set},
-      {"solver", scene.solves ? settings.method.solver : "none"},
-      {"iterations", scene.solves ? Json(settings.method.stop.max_sweeps) : Json()},
-      {"tolerance", scene.solves ? Json(settings.method.stop.tolerance) : Json()},
-      {"order", scene.solves ? Json(name_of(settings.method.order)) : Json()},
-      {"warm_start", scene.solves ? Json(settings.method.warm_start) : Json()},
-      {"margin", scene.solves ? Json(settings.method.margin) : Json()},
-      {"friction_model", scene.solves ? Json(name_of(settings.method.friction_model)) : Json()},
-      {"tangents", scene.solves ? Json(settings.method.sliding_tangents ? "sliding" : "fixed") : Json()},
-      {"h", h},
-      {"substeps", settings.method.substeps},
+  Json object = {{"scene", scene.name}, {"parameters", to_json(parameters)}};
+  object.update(to_json(settings.method, scene.solves));
+  object.update({
       {"steps", result.steps},
-      {"time", static_cast<double>(result.steps) * h},
+      {"time", static_cast<double>(result.steps) * settings.method.h},
       {"us_per_step", result.us_per_step ? Json(*result.us_per_step) : Json()},
       {"us_per_step_of_stage", stages},
       {"row_updates", result.row_updates},
@@ -136,7 +109,7 @@ void print_json(std::ostream& out, const SceneDescription& scene, const Paramete
         {"rows", result.last.rows},
         {"iterations", result.last.iterations},
         {"trouble", result.last.trouble}}},
-  };
+  });
   out << object.dump() << '\n';
 }
 

@@ -2,12 +2,14 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iostream>
 #include <limits>
 #include <stdexcept>
 
 #include "engine/near_miss.hpp"
+#include "recording/recorder.hpp"
 #include "scenes/number.hpp"
 #include "scenes/registry.hpp"
 #include "scenes/run.hpp"
@@ -61,51 +63,104 @@ static void set_rows(const RunCommand& command, Method& method) {
         choose<bool>("tangents", *command.tangents, {{"fixed", false}, {"sliding", true}});
 }
 
-static RunSettings settings_of(const RunCommand& command, const SceneDescription& scene) {
-  RunSettings settings{.method = {.h = scene.h, .solver = scene.solver}, .time = scene.time};
+Parameters RunCommand::parameters(const SceneDescription& description) const {
+  Parameters parameters(description.parameters);
+  for (const std::string& text : set) assign(parameters, text);
+  return parameters;
+}
+
+RunSettings RunCommand::settings(const SceneDescription& description) const {
+  RunSettings settings{.method = {.h = description.h, .solver = description.solver}, .time = description.time};
   Method& method = settings.method;
-  if (command.h) method.h = parse_number("h", *command.h);
-  if (command.time) settings.time = parse_number("time", *command.time);
-  if (command.solver) method.solver = *command.solver;
-  if (command.iterations)
-    method.stop.max_sweeps = parse_whole("iterations", *command.iterations, 1, std::numeric_limits<int>::max());
-  if (command.tolerance) {
-    method.stop.tolerance = parse_number("tolerance", *command.tolerance);
+  if (h) method.h = parse_number("h", *h);
+  if (time) settings.time = parse_number("time", *time);
+  if (solver) method.solver = *solver;
+  if (iterations)
+    method.stop.max_sweeps = parse_whole("iterations", *iterations, 1, std::numeric_limits<int>::max());
+  if (tolerance) {
+    method.stop.tolerance = parse_number("tolerance", *tolerance);
     if (method.stop.tolerance < 0)
-      throw std::invalid_argument("tolerance must be at least 0, but is " + *command.tolerance);
+      throw std::invalid_argument("tolerance must be at least 0, but is " + *tolerance);
   }
-  if (command.substeps) method.substeps = parse_whole("substeps", *command.substeps, 1, 1'000'000);
-  set_rows(command, method);
+  if (substeps) method.substeps = parse_whole("substeps", *substeps, 1, 1'000'000);
+  set_rows(*this, method);
   // What has sweeps of its own is asked for instead of the scene's solver.
-  if (!command.solver && method.has_own_sweeps()) method.solver = solvers<3>().front().name;
+  if (!solver && method.has_own_sweeps()) method.solver = solvers<3>().front().name;
   make_solver<3>(method);
   step_count(method.h, settings.time);
   return settings;
 }
 
 /// A percentage on a terminal; nothing where nobody looks.
-static Progress progress_on_terminal() {
+static std::function<void(std::int64_t, std::int64_t)> progress_on_terminal() {
   if (!isatty(STDERR_FILENO)) return nullptr;
   return [](std::int64_t done, std::int64_t steps) {
     std::cerr << (done == steps ? "     " : std::to_string(100 * done / steps) + " %") << '\r' << std::flush;
   };
 }
 
+void RunCommand::retype(const std::string& name, const std::string& value) {
+  const std::vector<std::pair<std::string, std::optional<std::string>*>> options = {
+      {"h", &h}, {"solver", &solver}, {"iterations", &iterations}, {"friction_model", &friction_model}};
+  for (const auto& [option, typed] : options)
+    if (option == name) {
+      *typed = value;
+      return;
+    }
+  if (name == "warm_start") {
+    warm_start = choose<bool>(name, value, {{"on", true}, {"off", false}});
+    return;
+  }
+  const auto names_it = [&](const std::string& text) { return text.rfind(name + "=", 0) == 0; };
+  set.erase(std::remove_if(set.begin(), set.end(), names_it), set.end());
+  set.push_back(name + "=" + value);
+}
+
+/// A file to write to. It is made once nothing else can be refused, so that an older one stays until then.
+static void open(std::ofstream& file, const std::string& option, const std::optional<std::string>& name) {
+  if (!name) return;
+  file.open(*name);
+  if (!file) throw std::invalid_argument(option + " \"" + *name + "\" cannot be written");
+}
+
+static void close(std::ofstream& file, const std::string& option, const std::optional<std::string>& name) {
+  if (name && !file.flush())
+    throw std::invalid_argument(option + " \"" + *name + "\" cannot be written to its end");
+}
+
+/// A run that blows up leaves a recording that says so, with its frames up to there.
+template <class Run>
+static RunResult recorded(Recorder& recorder, bool records, const Run& run) {
+  try {
+    const RunResult result = run();
+    if (records) recorder.end();
+    return result;
+  } catch (const Blowup& blowup) {
+    if (records) recorder.end(blowup.what());
+    throw;
+  }
+}
+
 void RunCommand::execute(std::ostream& out) const {
   const SceneDescription& description = find_scene(scene);
-  Parameters parameters(description.parameters);
-  for (const std::string& text : set) assign(parameters, text);
-  const RunSettings settings = settings_of(*this, description);
+  const Parameters parameters = this->parameters(description);
+  const RunSettings settings = this->settings(description);
+  if (fps && !record) throw std::invalid_argument("fps is for --record");
+  if (positions && !csv) throw std::invalid_argument("positions is for --csv");
+  const double per_second = fps ? parse_number("fps", *fps) : 60;
+  steps_of_frame(settings.method.h, per_second);
 
-  std::ofstream file;
-  if (csv) {
-    description.build(parameters, settings.method);  // so that a refused scene leaves an older file alone
-    file.open(*csv);
-    if (!file) throw std::invalid_argument("csv \"" + *csv + "\" cannot be written");
-  }
+  std::ofstream table, recording;
+  if (csv || record) description.build(parameters, settings.method);
+  open(table, "csv", csv);
+  open(recording, "record", record);
+  Recorder recorder(recording, description, parameters, settings, per_second);
+  Watch watch{.csv = csv ? &table : nullptr, .positions = positions, .progress = progress_on_terminal()};
+  if (record) watch.look = [&](Scene& now, std::int64_t substep) { recorder.look(now, substep); };
   const RunResult result =
-      run(description, parameters, settings, csv ? &file : nullptr, progress_on_terminal());
-  if (csv && !file.flush()) throw std::invalid_argument("csv \"" + *csv + "\" cannot be written to its end");
+      recorded(recorder, record.has_value(), [&] { return run(description, parameters, settings, watch); });
+  close(table, "csv", csv);
+  close(recording, "record", record);
 
   const auto print = json ? print_json : print_text;
   print(out, description, parameters, settings, result);

@@ -113,7 +113,7 @@ TEST(InclineScene, ThatBlowsUpNamesStepAndBodyAndLeavesWhatWasWritten) {
   const SceneDescription& incline = find_scene("incline");
   std::ostringstream csv;
   try {
-    run(incline, with(incline, {{"g", "1e306"}}), {.method = {.h = 1}, .time = 1000}, &csv);
+    run(incline, with(incline, {{"g", "1e306"}}), {.method = {.h = 1}, .time = 1000}, {.csv = &csv});
     ADD_FAILURE() << "no Blowup";
   } catch (const Blowup& blowup) {
     EXPECT_EQ(blowup.body(), 1) << "the block; 0 is the slope";

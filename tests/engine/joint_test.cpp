@@ -434,7 +434,7 @@ TEST(Blowup, NamesTheBodyOfADistanceWithoutDirectionAndLeavesWhatWasWritten) {
   scene.build = build_as<Collapse>;
   std::ostringstream csv;
   try {
-    run(scene, Parameters({}), {.method = {.h = 0.25}, .time = 3}, &csv);
+    run(scene, Parameters({}), {.method = {.h = 0.25}, .time = 3}, {.csv = &csv});
     FAIL() << "no Blowup";
   } catch (const Blowup& blowup) {
     EXPECT_EQ(blowup.step(), 5) << "the first that begins where they coincide";

@@ -1,0 +1,44 @@
+#pragma once
+// Writes a recording, line by line: see README.md for its form.
+#include <ostream>
+
+#include "scenes/run.hpp"
+
+namespace spook {
+
+/// How often a frame is taken: the steps between two, so that there are about `per_second` of them in a simulated
+/// second, and at least one. Throws std::invalid_argument unless per_second is positive.
+std::int64_t steps_of_frame(double h, double per_second);
+
+class Recorder {
+ public:
+  /// `description`, `parameters` and `settings` must outlive it.
+  Recorder(std::ostream& out, const SceneDescription& description, const Parameters& parameters,
+           const RunSettings& settings, double per_second);
+
+  /// The first line. A live one tells what can be set.
+  void begin(const Scene& scene, bool live = false);
+
+  /// A frame, if it is time for one after so many substeps; before the first the header.
+  void look(Scene& scene, std::int64_t substep);
+
+  /// A frame now. Touched: a hand was laid on the scene.
+  void take(const Scene& scene, bool touched = false);
+
+  /// The last line, and why the run blew up, if it did.
+  void end(const std::string& why = "");
+
+ private:
+  void write(const std::string& line);
+  std::vector<double> us_since_last(const Scene& scene, std::int64_t step);
+
+  std::ostream& out_;
+  const SceneDescription& description_;
+  const Parameters& parameters_;
+  const RunSettings& settings_;
+  std::int64_t steps_;  // from frame to frame
+  StageTimes last_;     // at the last frame
+  std::int64_t last_step_ = 0;
+};
+
+}  // namespace spook

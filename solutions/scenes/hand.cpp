@@ -1,0 +1,67 @@
+#include "scenes/hand.hpp"
+
+#include "common/require.hpp"
+
+namespace spook {
+
+// Softer than what it pulls at, whatever that is: half a second to swing once.
+static constexpr double stiffness_of_mass = 160;  // [1/s²]
+
+template <int Dof>
+void HandIn<Dof>::pull(int body, const Vec3& point, const Vec3& to) {
+  if (world_.bodies().is_fixed(world_.index(body))) reject("body", body, "one that moves");
+  if (grip_ && grip_->body == body && grip_->point == point) return world_.move_fixed(grip_->anchor, to);
+  let_go();
+  if (!anchor_) {
+    anchor_ = world_.add_fixed(to);
+    later_.push_back({.body = *anchor_});
+  }
+  world_.move_fixed(*anchor_, to);
+  const double mass = world_.bodies().mass[world_.index(body)];
+  const Vec3 held = Dof == 3 ? Vec3::Zero() : point;
+  const int joint = world_.add_joint({.i = *anchor_, .j = body, .p_j = held, .k = stiffness_of_mass * mass});
+  grip_ = Grip{.body = body, .point = point, .anchor = *anchor_, .joint = joint};
+}
+
+template <int Dof>
+void HandIn<Dof>::let_go() {
+  if (grip_) world_.remove_joint(grip_->joint);
+  grip_.reset();
+}
+
+template <int Dof>
+void HandIn<Dof>::push(int body, const Vec3& impulse) {
+  world_.push(body, impulse);
+}
+
+template <int Dof>
+void HandIn<Dof>::drop(const Vec3& x, double radius, double mass) {
+  require_positive("radius", radius);
+  Body<Dof> ball;
+  ball.x = x;
+  ball.mass = mass;
+  ball.radius = radius;
+  if constexpr (Dof == 6) ball.principal = solid_sphere_moments(mass, radius);
+  later_.push_back({.body = world_.add(ball), .radius = radius, .mass = mass});
+}
+
+template <int Dof>
+bool HandIn<Dof>::take_over(const HandIn& other) {
+  if (scene_bodies() != other.scene_bodies()) return false;
+  for (const Later& later : other.later_) {
+    const Vec3& x = other.world_.x(later.body);
+    if (later.mass > 0) {
+      drop(x, later.radius, later.mass);
+    } else {
+      anchor_ = world_.add_fixed(x);
+      later_.push_back({.body = *anchor_});
+    }
+  }
+  if (other.grip_) pull(other.grip_->body, other.grip_->point, other.world_.x(other.grip_->anchor));
+  return true;
+}
+
+template class HandIn<3>;
+template class HandIn<6>;
+
+}  // namespace spook

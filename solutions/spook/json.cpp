@@ -1,0 +1,39 @@
+#include "spook/json.hpp"
+
+#include <array>
+
+namespace spook {
+
+static const char* name_of(RowOrder order) {
+  return std::array{"given", "up", "down", "random"}[static_cast<std::size_t>(order)];
+}
+
+Json to_json(const Parameter& parameter) {
+  if (!parameter.choices.empty()) return parameter.choice;
+  if (parameter.limits.whole) return static_cast<std::int64_t>(parameter.value);
+  return parameter.value;
+}
+
+Json to_json(const Parameters& parameters) {
+  Json set = Json::object();
+  for (const Parameter& parameter : parameters.all()) set[parameter.name] = to_json(parameter);
+  return set;
+}
+
+Json to_json(const Method& method, bool solves) {
+  const auto of_rows = [&](const Json& value) { return solves ? value : Json(); };
+  return {
+      {"solver", solves ? method.solver : "none"},
+      {"iterations", of_rows(method.stop.max_sweeps)},
+      {"tolerance", of_rows(method.stop.tolerance)},
+      {"order", of_rows(name_of(method.order))},
+      {"warm_start", of_rows(method.warm_start)},
+      {"margin", of_rows(method.margin)},
+      {"friction_model", of_rows(name_of(method.friction_model))},
+      {"tangents", of_rows(method.sliding_tangents ? "sliding" : "fixed")},
+      {"h", method.h},
+      {"substeps", method.substeps},
+  };
+}
+
+}  // namespace spook
