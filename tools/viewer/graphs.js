@@ -1,7 +1,7 @@
 "use strict";
 // Graphs in time with the picture. A click or a drag in one goes to that time.
 
-const PAD = { left: 46, right: 8, top: 6, bottom: 16 };  // around the curves [pixels]
+const PAD = { left: 52, right: 8, top: 6, bottom: 16 };  // around the curves [pixels]
 
 class Graph {
   /** `seek` is called with a time, `chooseColumn` with the index of a sample's column. */
@@ -179,8 +179,11 @@ function steps(low, high, count) {
   return found;
 }
 
-/** Where the values are over 0 and more than three decades apart, curves are read better on a logarithmic scale. */
+const DECADES = ["error", "residual"];  // what may go down by powers of ten
+
+/** Where values are over 0 and more than three decades apart, curves are read better on a logarithmic scale. */
 function spansDecades({ lines, key }) {
+  if (!DECADES.includes(key)) return false;
   let low = Infinity, high = 0;
   for (const line of lines)
     for (const frame of line.run.frames) {
@@ -190,7 +193,7 @@ function spansDecades({ lines, key }) {
       low = Math.min(low, value);
       high = Math.max(high, value);
     }
-  return key !== "us" && high > 1e3 * low;
+  return high > 1e3 * low;
 }
 
 function columnChoice(quantity, choose) {

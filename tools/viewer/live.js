@@ -23,6 +23,7 @@ class Live {
   take(line) {
     try {
       if ("said" in line) this.show(line.said);
+      else if ("state" in line) this.takeState(line.state);
       else if ("refused" in line) this.flash(`Refused: ${line.refused}`);
       else if ("end" in line) this.viewer.say(line.end === "done" ? "" : `The run ${line.end}: ${line.why || ""}`);
       else if ("format" in line) this.header(line);
@@ -30,6 +31,14 @@ class Live {
     } catch (error) {
       this.flash(`A line of the run can not be read: ${error.message}.`);
     }
+  }
+
+  /** How the run was left, when the page is loaded again. */
+  takeState({ pause, rate }) {
+    this.running = !pause;
+    const { speed } = this.viewer.controls;
+    speed.value = String(rate);
+    this.viewer.dirty();
   }
 
   /** What a build says: shown until a run goes on. */
@@ -65,15 +74,12 @@ class Live {
     const header = this.pending, first = !this.run;
     this.pending = null;
     // After a drop what was before stays in the graphs; a restart begins them anew.
-    const before = first || frame.time <= lastOf(this.run.frames).time ? [] : this.run.frames;
-    const shown = first || JSON.stringify(this.run.header.bodies) !== JSON.stringify(header.bodies);
+    const before = first || frame.time < lastOf(this.run.frames).time ? [] : this.run.frames;
+    const same = !first && this.run.header.bodies.length === header.bodies.length;
     this.run = { header, frames: [...before, frame], notice: "", label: "", live: true };
-    before.length ? this.run.frames.pop() : this.run.frames.pop();
-    this.run.frames.push(frame);
-    this.viewer.say("");
-    this.viewer.show([this.run], !first && !shown);
-    this.run.frames.pop();
-    this.firstSize = this.viewer.picture.box.size;
+    this.viewer.show([this.run], same || before.length > 0);
+    this.run.frames.pop();  // it is added as any other
+    if (!before.length) this.firstSize = this.viewer.picture.box.size;
     this.makeSliders(header.controls || []);
   }
 
@@ -165,7 +171,7 @@ function controlNode(control, send) {
     return label;
   }
   const { low, high, logarithmic, value } = control;
-  const whole = Number.isInteger(low) && Number.isInteger(value) && (control.whole || control.name === "iterations");
+  const whole = high > 1 && [low, high, value].every(Number.isInteger);
   const position = (number) => logarithmic ? Math.log(number / low) / Math.log(high / low) : (number - low) / (high - low);
   const shown = element("output", { textContent: inUnit(value, control.unit) });
   const slider = element("input", { type: "range", name: control.name, min: 0, max: 1, step: "any",

@@ -11,7 +11,7 @@ function short(value) {
   const size = Math.abs(value);
   if (size !== 0 && (size < 1e-3 || size >= 1e5)) {
     const [digits, power] = value.toExponential(1).split("e");
-    return `${minus(digits)}·10${superscript(Number(power))}`;
+    return `${minus(digits.replace(/\.0$/, ""))}·10${superscript(Number(power))}`;
   }
   return minus(String(Number(value.toPrecision(3))));
 }
