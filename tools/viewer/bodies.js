@@ -86,9 +86,9 @@ function* ghostsOf(frame) {
 }
 
 function crowdsOf(parent, forms, style, bodies) {
-  const fine = bodies > 200 ? 16 : 32;
+  const many = bodies > 200, ball = many ? [1, 14, 10] : [1, 32, 24];
   const disc = new THREE.CylinderBufferGeometry(1, 1, 2, 48).rotateX(Math.PI / 2);
-  const shapes = { ball: [new THREE.SphereBufferGeometry(1, fine, fine * 3 / 4), ["BALL"]],
+  const shapes = { ball: [new THREE.SphereBufferGeometry(...ball), ["BALL"]],
                    box: [new THREE.BoxBufferGeometry(2, 2, 2), ["BOX"]], disc: [disc, ["DISC"]],
                    point: [new THREE.SphereBufferGeometry(1, 16, 12), []] };
   const used = Object.keys(shapes).filter((kind) => forms.some((form) => form.kind === kind));
@@ -96,6 +96,8 @@ function crowdsOf(parent, forms, style, bodies) {
     const [geometry, marks] = shapes[kind];
     // A run beside another is see-through, and has no pattern that would hide its colour.
     const kinds = style.ghost ? [...marks.filter((mark) => mark === "BOX"), "GHOST"] : [...marks, "LIT"];
+    // Shadows are half of all corners, and need few of them.
+    if (many && kind === "ball") geometry.forShade = new THREE.IcosahedronBufferGeometry(1, 1);
     return [kind, new Crowd(parent, geometry, bodyMaterial(kinds, style.opacity), style.ghost ? 4 : style.order, style.shade)];
   }));
 }

@@ -8,7 +8,7 @@ function boundsOf(runs) {
   const places = [[], [], []], radii = [];
   for (const run of runs) {
     const forms = run.header.bodies.map(formOf);
-    const every = Math.ceil(run.frames.length * forms.length / 200000);
+    const every = Math.max(1, Math.ceil(run.frames.length * forms.length / 200000));
     for (let k = 0; k < run.frames.length; k += every) takePlaces(places, run.frames[k].x, forms);
     radii.push(...forms.filter((form) => form.kind).map((form) => form.radius));
     for (const curve of run.header.curves)

@@ -2,7 +2,7 @@
 // Many of one shape in one call of the graphics card: a matrix and a colour each.
 
 class Crowd {
-  /** With `shade`, a material, the same shapes are drawn a second time in that. */
+  /** With `shade`, a material, the same bodies are drawn a second time in that, of `geometry.forShade` if it is there. */
   constructor(parent, geometry, material, order = 0, shade = null) {
     Object.assign(this, { parent, geometry, material, order, shadeMaterial: shade });
     this.count = 0;
@@ -27,7 +27,7 @@ class Crowd {
   }
 
   shadeOf(mesh) {
-    const shade = new THREE.InstancedMesh(mesh.geometry, this.shadeMaterial, 0);
+    const shade = new THREE.InstancedMesh(this.geometry.forShade || mesh.geometry, this.shadeMaterial, 0);
     shade.instanceMatrix = mesh.instanceMatrix;
     shade.frustumCulled = false;
     shade.renderOrder = 2;  // after the floor that it falls on

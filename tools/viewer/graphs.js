@@ -1,12 +1,14 @@
 "use strict";
 // Graphs in time with the picture. A click or a drag in one goes to that time.
 
+const MOST_DECADES = 8;  // of a logarithmic scale: below are roundings
 const PAD = { left: 52, right: 8, top: 6, bottom: 16 };  // around the curves [pixels]
 
 class Graph {
   /** `seek` is called with a time, `chooseColumn` with the index of a sample's column. */
   constructor(parent, quantity, seek, chooseColumn) {
     this.quantity = quantity;
+    this.several = new Set(quantity.lines.map((line) => line.run)).size > 1;
     this.canvas = element("canvas", { className: "curves" });
     this.canvas.setAttribute("role", "img");
     this.canvas.setAttribute("aria-label", `${quantity.title} over time`);
@@ -15,7 +17,7 @@ class Graph {
     this.scaleButton.onclick = () => { this.logarithmic = !this.logarithmic; this.prepare(); this.drawCursor(this.at); };
     this.values = element("div", { className: "values" });
     const title = quantity.key === "sample" ? columnChoice(quantity, chooseColumn) : element("h2", {
-      textContent: quantity.title + (quantity.unit && quantity.unit !== "relative" ? ` [${quantity.unit}]` : "") });
+      title: quantity.title, textContent: quantity.title + (quantity.unit && quantity.unit !== "relative" ? ` [${quantity.unit}]` : "") });
     this.node = element("section", { className: "graph" }, element("div", { className: "title" }, title, this.scaleButton),
                         this.values, this.canvas);
     this.node.dataset.key = quantity.key;
@@ -28,15 +30,16 @@ class Graph {
     const number = element("b"), chip = element("span", { className: "chip" });
     const bar = element("i");
     bar.style.background = this.colour(line);
-    chip.append(bar, this.quantity.lines.length > 1 ? `${line.name} ` : "", number);
+    // Of several runs the colour says which: their names are in the picture.
+    chip.append(bar, this.quantity.lines.length > 1 && !this.several ? `${line.name} ` : "", number);
     this.values.append(chip);
     return number;
   }
 
   colour(line) {
     const { lines, runs } = palette();
-    const several = new Set(this.quantity.lines.map((each) => each.run)).size > 1;
-    return (several ? runs : lines)[line.colour % lines.length];
+    const colours = this.several ? runs : lines;
+    return colours[line.colour % colours.length];
   }
 
   listen(seek) {
@@ -81,7 +84,10 @@ class Graph {
 
   widened(low, high) {
     if (!(low <= high)) return this.logarithmic ? [-1, 0] : [0, 1];
-    if (this.logarithmic) return [Math.floor(Math.log10(low)), Math.max(Math.ceil(Math.log10(high)), Math.floor(Math.log10(low)) + 1)];
+    if (this.logarithmic) {
+      const top = Math.ceil(Math.log10(high)), bottom = Math.floor(Math.log10(low));
+      return [clamp(bottom, top - MOST_DECADES, top - 1), top];
+    }
     if (this.quantity.floor !== undefined) low = Math.min(low, this.quantity.floor);
     const room = high > low ? 0.06 * (high - low) : 0.1 * Math.abs(high) || 1;
     return [low === this.quantity.floor ? low : low - room, high + room];
@@ -126,6 +132,10 @@ class Graph {
   }
 
   drawLine(pen, line, width, height) {
+    pen.save();
+    pen.beginPath();
+    pen.rect(PAD.left, 0, width - PAD.left - PAD.right, height - PAD.bottom + 1);
+    pen.clip();
     pen.strokeStyle = this.colour(line);
     pen.lineWidth = line.colour === 0 ? 1.8 : 1.3;
     pen.lineJoin = "round";
@@ -137,6 +147,7 @@ class Graph {
       down = there;
     }
     pen.stroke();
+    pen.restore();
   }
 
   /** `at`: a time, and the frame of each run there. */
@@ -157,9 +168,11 @@ class Graph {
       const frame = at.frameOf(line.run), value = line.valueOf(frame);
       this.chips[k].textContent = short(value);
       if (!isNumber(value) || (this.logarithmic && value <= 0)) continue;
+      const y = this.yOf(value, height);
+      if (y > height - PAD.bottom + 1) continue;
       pen.fillStyle = this.colour(line);
       pen.beginPath();
-      pen.arc(this.xOf(frame.time, width), this.yOf(value, height), 2.8, 0, 7);
+      pen.arc(this.xOf(frame.time, width), y, 2.8, 0, 7);
       pen.fill();
     }
   }

@@ -30,7 +30,7 @@ function tensionScale(run) {
 class Joints {
   constructor(parent, run, style) {
     this.run = run;
-    const material = bodyMaterial(["LIT"], style.opacity);
+    const material = bodyMaterial([], style.opacity);  // unlit: a colour is a tension
     const pipe = new THREE.CylinderBufferGeometry(1, 1, 1, 8, 1, true).rotateX(Math.PI / 2).translate(0, 0, 0.5);
     this.rods = new Crowd(parent, pipe, material, style.order);
     this.dots = new Crowd(parent, new THREE.SphereBufferGeometry(1, 12, 8), material, style.order);

@@ -157,10 +157,10 @@ class Viewer {
   measure(pictures = 20) {
     const gl = this.picture.renderer.getContext(), pixel = new Uint8Array(4), start = performance.now();
     for (let k = 0; k < pictures; ++k) {
-      this.player.index = k % this.count;
       this.picture.draw(this.runs.map((run) => run.frames[k % run.frames.length]));
       gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
     }
+    this.dirty();
     return 1000 * pictures / (performance.now() - start);
   }
 }

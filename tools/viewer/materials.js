@@ -39,9 +39,10 @@ const BODY_FRAGMENT = `
     #ifdef BOX
       vec2 border = min(vUv, 1.0 - vUv) / max(fwidth(vUv), vec2(1e-5));
       float line = 1.0 - smoothstep(0.6, 1.6, min(border.x, border.y));
-      colour = mix(colour, edge, line * EDGE);
       #ifdef GHOST
         alpha = mix(alpha, 0.9, line);
+      #else
+        colour = mix(colour, edge, 0.75 * line);
       #endif
     #elif defined(GHOST)
       float rim = 1.0 - abs(dot(normal, normalize(vToEye)));
@@ -61,30 +62,31 @@ const SHADE_VERTEX = `
   }`;
 const SHADE_FRAGMENT = "uniform vec3 colour; uniform float opacity; void main() { gl_FragColor = vec4(colour, opacity); }";
 
-const PLANE_VERTEX = `
+const FLOOR_VERTEX = `
   varying vec2 vPlace;
   void main() {
     vPlace = position.xy;
     gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
   }`;
-const PLANE_FRAGMENT = `
-  uniform vec3 colour, line; uniform vec2 origin; uniform float opacity, spacing, radius, pale;
+const FLOOR_FRAGMENT = `
+  uniform vec3 colour, line; uniform vec2 origin; uniform float spacing, radius;
   varying vec2 vPlace;
   void main() {
     vec2 place = (vPlace + origin) / spacing, width = fwidth(place);
     vec2 off = abs(fract(place - 0.5) - 0.5) / max(width, vec2(1e-6));
     float grid = (1.0 - smoothstep(0.5, 1.5, min(off.x, off.y))) * (1.0 - smoothstep(0.15, 0.5, max(width.x, width.y)));
     float fade = 1.0 - smoothstep(0.45, 1.0, length(vPlace) / radius);
-    gl_FragColor = vec4(mix(colour, line, grid), fade * mix(opacity, max(opacity, pale), grid));
+    gl_FragColor = vec4(mix(colour, line, grid), 0.95 * fade);
   }`;
 
 /** Of a crowd of bodies: `kind` names what is drawn on them (BALL, BOX, DISC, LIT, GHOST). */
 function bodyMaterial(kinds, opacity = 1) {
   const defines = Object.fromEntries(kinds.map((kind) => [kind, 1]));
-  defines.EDGE = kinds.includes("GHOST") ? "1.0" : "0.75";
+  const isGhost = kinds.includes("GHOST");  // set back, so that it is not seen where a body is right
   return new THREE.ShaderMaterial({
     vertexShader: BODY_VERTEX, fragmentShader: BODY_FRAGMENT, defines, extensions: { derivatives: true },
     transparent: opacity < 1, depthWrite: opacity === 1,
+    polygonOffset: isGhost, polygonOffsetFactor: 2, polygonOffsetUnits: 8,
     uniforms: { mark: { value: colourOf(palette().mark) }, edge: { value: colourOf(palette().edge) },
                 opacity: { value: opacity } },
   });
@@ -101,12 +103,15 @@ function shadeMaterial(normal, offset) {
   });
 }
 
-function planeMaterial(opacity, spacing, radius, origin) {
+function floorMaterial(spacing, radius, origin) {
   return new THREE.ShaderMaterial({
-    vertexShader: PLANE_VERTEX, fragmentShader: PLANE_FRAGMENT, extensions: { derivatives: true },
+    vertexShader: FLOOR_VERTEX, fragmentShader: FLOOR_FRAGMENT, extensions: { derivatives: true },
     transparent: true, depthWrite: false,
     uniforms: { colour: { value: colourOf(palette().floor) }, line: { value: colourOf(palette().line) },
-                opacity: { value: opacity }, spacing: { value: spacing }, radius: { value: radius },
-                origin: { value: origin }, pale: { value: opacity < 1 ? 0.35 : 1 } },
+                spacing: { value: spacing }, radius: { value: radius }, origin: { value: origin } },
   });
+}
+
+function wallMaterial() {
+  return new THREE.MeshBasicMaterial({ color: palette().edge, transparent: true, opacity: 0.05, depthWrite: false });
 }
