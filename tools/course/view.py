@@ -51,10 +51,10 @@ def view(arguments) -> int:
 def _files(arguments) -> list[Recording]:
     if arguments.mine or arguments.beside or arguments.fps:
         raise BadInput("view: --mine, --beside and --fps are for scenes; a recording is shown as it is")
+    if option := next((word for word in arguments.words if word.startswith("-")), None):
+        raise BadInput(f"view: {option} does not go with a recording, which is shown as it is")
     recordings = []
     for name in arguments.words:
-        if name.startswith("-"):
-            raise BadInput(f"view: {name} does not go with a recording, which is shown as it is")
         try:
             content = Path(name).read_bytes()
         except OSError as error:

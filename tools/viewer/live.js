@@ -2,7 +2,7 @@
 // A run that is going on: frames come as server-sent events, commands go back.
 
 const KEPT = 1200;      // frames that one can go back to
-const GROWN = 1.1;      // the view is fitted anew when the bodies fill so much more
+const GROWN = 1.1;      // the view is fitted anew when the bodies fill so much more, as long as no hand was laid on them
 const FARTHEST = 4;     // but no more than so many times what they filled at first
 const GRAPHS_EVERY = 150;  // [ms]
 
@@ -89,7 +89,7 @@ class Live {
     if (now - (this.refreshed || 0) < GRAPHS_EVERY) return;
     this.refreshed = now;
     for (const graph of viewer.graphs) graph.prepare();
-    if (!viewer.picture.camera.untouched() || viewer.picture.hand) return;
+    if (!viewer.picture.camera.untouched() || lastOf(this.run.frames).touched) return;
     const box = boundsOf([this.run]);
     if (box.size > GROWN * viewer.picture.box.size && box.size < FARTHEST * this.firstSize) {
       viewer.picture.show([this.run]);

@@ -2,6 +2,7 @@
 
 import json
 import secrets
+import sys
 import threading
 from collections.abc import Callable
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
@@ -20,12 +21,11 @@ class Server:
     def __init__(self, port: int | None, page: Callable[[], str], hub: Hub, command: Callable[[dict], None]):
         self.token = secrets.token_urlsafe(24)
         handler = type("Handler", (_Handler,), {"token": self.token, "page": staticmethod(page), "hub": hub,
-                                                "command": staticmethod(command)})
+                                                "obey": staticmethod(command)})
         try:
-            self._server = ThreadingHTTPServer(("127.0.0.1", port or 0), handler)
+            self._server = _LocalServer(("127.0.0.1", port or 0), handler)
         except OSError as error:
             raise BadInput(f"play: port {port} can not be used: {error.strerror}") from None
-        self._server.daemon_threads = True
         threading.Thread(target=self._server.serve_forever, kwargs={"poll_interval": 0.1}, daemon=True).start()
 
     @property
@@ -37,12 +37,20 @@ class Server:
         self._server.server_close()
 
 
+class _LocalServer(ThreadingHTTPServer):
+    daemon_threads = True
+
+    def handle_error(self, request, client_address) -> None:
+        if not isinstance(sys.exc_info()[1], OSError):  # a page may go at any time
+            super().handle_error(request, client_address)
+
+
 class _Handler(BaseHTTPRequestHandler):
     protocol_version = "HTTP/1.1"
     token: str
     page: Callable[[], str]
     hub: Hub
-    command: Callable[[dict], None]
+    obey: Callable[[dict], None]
 
     def do_GET(self) -> None:
         what = self._asked()
@@ -69,7 +77,7 @@ class _Handler(BaseHTTPRequestHandler):
         if not isinstance(command, dict):
             self._answer(400, "A command is a JSON object.\n")
             return
-        self.command(command)
+        self.obey(command)
         self._answer(204, "")
 
     def _asked(self) -> str | None:
