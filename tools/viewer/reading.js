@@ -6,7 +6,8 @@
 //   frames   see frameOf
 //   notice   what a viewer must know of it; empty if all is well
 
-const LARGEST = 512 * 2 ** 20;  // characters; beyond, a tab runs out of memory
+// Characters; beyond, a tab runs out of memory.
+const LARGEST = 512 * 2 ** 20, LONGEST_LINE = 64 * 2 ** 20;
 const PER_BODY = { x: 3, v: 3, q: 4, omega: 3 };
 
 /** Reads a recording that comes as pieces of text. Never throws: what is wrong is the run's notice. */
@@ -39,15 +40,21 @@ function noticeOf(error, run, line) {
 
 /** The pieces as lines. Throws for a recording that is too large to be shown. */
 async function* lines(pieces) {
-  let rest = "", size = 0;
+  let begun = [], size = 0, length = 0;  // the pieces of a line that is not complete
   for await (const piece of pieces) {
+    const parts = piece.split("\n");
     size += piece.length;
-    if (size > LARGEST)
-      throw whole(`The recording is larger than ${LARGEST >> 20} MB: record it with fewer --fps, or a shorter --time.`);
-    const parts = (rest + piece).split("\n");
-    rest = parts.pop();
-    yield* parts;
+    length = parts.length > 1 ? lastOf(parts).length : length + piece.length;
+    if (size > LARGEST || length > LONGEST_LINE)
+      throw whole("The recording is too large to be shown: record it with a lower --fps or a shorter --time.");
+    while (parts.length > 1) {
+      begun.push(parts.shift());
+      yield begun.join("");
+      begun = [];
+    }
+    begun.push(parts[0]);
   }
+  const rest = begun.join("");
   if (rest) yield rest;
 }
 
