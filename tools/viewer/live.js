@@ -13,6 +13,7 @@ class Live {
     this.sent = Promise.resolve();
     document.body.classList.add("live");
     document.getElementById("drop").onclick = () => this.drop();
+    document.getElementById("next").title = "a step on (right)";
     this.source = new EventSource("frames");
     this.source.onmessage = (event) => this.take(JSON.parse(event.data));
     this.source.onerror = () => viewer.say("The run has ended: ./course play is no longer there.");

@@ -71,7 +71,7 @@ class Viewer {
     describe(runs);
     this.makeGraphs();
     this.legend.show(this.picture);
-    this.dirty();
+    this.draw();
   }
 
   makeGraphs() {

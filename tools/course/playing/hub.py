@@ -96,7 +96,9 @@ class Settings:
             self._pause = command["pause"]
 
     def commands(self) -> list[dict]:
-        return [*([{"set": self._set}] if self._set else []), {"rate": self._rate}, {"pause": self._pause}]
+        """From the start, with what was set."""
+        again = [{"set": self._set}, {"restart": True}] if self._set else []
+        return [*again, {"rate": self._rate}, {"pause": self._pause}]
 
     def state(self) -> str:
         return json.dumps({"state": {"rate": self._rate, "pause": self._pause}})
