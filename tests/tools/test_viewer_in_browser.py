@@ -212,7 +212,7 @@ class Time(Viewer):
                 width, height = graph.rect["width"], graph.rect["height"]
                 self.browser.run("viewer.scrubTo(0)")
                 self.browser.drag(graph, (width / 4, height / 2), (round(width / 2), 0))
-                part = (0.75 * width - 52) / (width - 60)
+                part = (0.75 * width - self.ask("PAD.left")) / (width - self.ask("PAD.left + PAD.right"))
                 self.assertAlmostEqual(self.ask("viewer.time"), part, delta=0.03)
 
     def test_numbers_at_the_cursor(self):

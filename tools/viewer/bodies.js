@@ -3,18 +3,21 @@
 
 const NO_TURN = [1, 0, 0, 0];
 
+const TURNING_POINT = 2.4;  // what has an orientation is drawn so much larger, with its pattern
+
 class Bodies {
-  /** `point` is the radius in which what has none is drawn. */
   constructor(parent, run, style) {
     this.run = run;
     this.forms = run.header.bodies.map((body) => formOf(body));
     this.style = style;
-    this.crowds = crowdsOf(parent, this.forms, style, run.header.bodies.length);
+    const turns = run.frames.some((frame) => frame.q);
+    this.crowds = crowdsOf(parent, this.forms, style, turns);
     this.places = new Array(this.forms.length).fill(null);  // [crowd, its index] of each body
     const own = colourOf(style.colour);
     this.colours = run.header.bodies.map((body) => body.fixed ? own.clone().lerp(colourOf(palette().line), 0.5) : own);
   }
 
+  /** `point` is the radius in which a point mass is drawn. */
   draw(frame, point) {
     const posed = this.style.ghost ? ghostsOf(frame) : posesOf(frame);
     for (const crowd of Object.values(this.crowds)) crowd.begin();
@@ -22,7 +25,8 @@ class Bodies {
     for (const { body, x, at, q, turn } of posed) {
       const form = this.forms[body];
       if (!form.kind || !Number.isFinite(x[at] + x[at + 1] + x[at + 2])) continue;
-      const [sx, sy, sz] = form.kind === "point" ? [point, point, point] : form.sides;
+      const r = frame.q ? TURNING_POINT * point : point;
+      const [sx, sy, sz] = form.kind === "point" ? [r, r, r] : form.sides;
       const crowd = this.crowds[form.kind];
       this.places[body] = [crowd, crowd.addPosed(x[at], x[at + 1], x[at + 2], q[turn], q[turn + 1], q[turn + 2],
                                                  q[turn + 3], sx, sy, sz, this.colours[body])];
@@ -85,12 +89,12 @@ function* ghostsOf(frame) {
   }
 }
 
-function crowdsOf(parent, forms, style, bodies) {
-  const many = bodies > 200, ball = many ? [1, 14, 10] : [1, 32, 24];
+function crowdsOf(parent, forms, style, turns) {
+  const many = forms.length > 200, ball = many ? [1, 14, 10] : [1, 32, 24];
   const disc = new THREE.CylinderBufferGeometry(1, 1, 2, 48).rotateX(Math.PI / 2);
   const shapes = { ball: [new THREE.SphereBufferGeometry(...ball), ["BALL"]],
                    box: [new THREE.BoxBufferGeometry(2, 2, 2), ["BOX"]], disc: [disc, ["DISC"]],
-                   point: [new THREE.SphereBufferGeometry(1, 16, 12), []] };
+                   point: [new THREE.SphereBufferGeometry(1, ...(forms.length > 50 ? [16, 12] : [32, 24])), turns ? ["BALL"] : []] };
   const used = Object.keys(shapes).filter((kind) => forms.some((form) => form.kind === kind));
   return Object.fromEntries(used.map((kind) => {
     const [geometry, marks] = shapes[kind];

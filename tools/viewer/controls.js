@@ -7,6 +7,7 @@ const SWITCHES = [
   ["friction", "friction limits", "the cone or the box that an impulse has to stay in"],
   ["velocities", "velocities", "velocity of each body"],
   ["pairs", "pairs", "lines between bodies in contact"],
+  ["paths", "paths", "the way that bodies have come"],
   ["ghosts", "answer", "where the answer says the bodies should be"],
 ];
 
@@ -62,7 +63,8 @@ class Controls {
     slider.hidden = shown.automatic;
     const button = this.toggle("automatic", "arrows fit", "the longest arrow of each frame has one length; else one scale for all",
                                () => shown.automatic, (on) => { shown.automatic = slider.hidden = on; this.viewer.rebuild(); });
-    return element("span", { className: "together" }, button, slider);
+    this.scaling = element("span", { className: "together" }, button, slider);
+    return this.scaling;
   }
 
   /** The state, as it is now. */
@@ -73,6 +75,8 @@ class Controls {
     this.play.setAttribute("aria-label", this.play.title);
     this.scrub.max = Math.max(0, player.count - 1);
     this.scrub.value = player.index;
+    const { shown } = this.viewer.picture;
+    if (this.scaling) this.scaling.hidden = !(shown.impulses || shown.friction || shown.velocities);
     this.now.textContent = player.count ? `${player.time.toFixed(3)} s · frame ${player.index}` : "";
   }
 
@@ -104,6 +108,7 @@ function whatIsThere(runs) {
   const there = contacts && (shaped || runs.some((run) => !run.live));
   return { contacts: there, impulses: there, pairs: there, velocities: any((frame) => frame.v),
            friction: there && runs.some((run) => run.header.parameters.mu > 0 || run.header.parameters.friction > 0),
+           paths: runs.every(hasPaths),
            ghosts: any((frame) => frame.ghostBodies.length > 0) || runs.some((run) => run.header.curves.length > 0) };
 }
 

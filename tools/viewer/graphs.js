@@ -2,7 +2,7 @@
 // Graphs in time with the picture. A click or a drag in one goes to that time.
 
 const MOST_DECADES = 8;  // of a logarithmic scale: below are roundings
-const PAD = { left: 52, right: 8, top: 6, bottom: 16 };  // around the curves [pixels]
+const PAD = { left: 60, right: 8, top: 6, bottom: 16 };  // around the curves [pixels]
 
 class Graph {
   /** `seek` is called with a time, `chooseColumn` with the index of a sample's column. */
@@ -110,10 +110,11 @@ class Graph {
     pen.lineWidth = 1;
     pen.textAlign = "right";
     pen.textBaseline = "middle";
-    for (const value of this.ticks()) {
+    const ticks = this.ticks();
+    for (const value of ticks) {
       const y = Math.round(this.yOf(value, height)) + 0.5;
       stroke(pen, PAD.left, y, width - PAD.right, y);
-      pen.fillText(this.logarithmic ? `10${superscript(Math.round(Math.log10(value)))}` : short(value), PAD.left - 5, y);
+      pen.fillText(this.logarithmic ? `10${superscript(Math.round(Math.log10(value)))}` : tickText(value, ticks), PAD.left - 5, y);
     }
     pen.textAlign = "center";
     pen.textBaseline = "alphabetic";
@@ -183,6 +184,12 @@ function stroke(pen, x, y, toX, toY) {
   pen.moveTo(x, y);
   pen.lineTo(toX, toY);
   pen.stroke();
+}
+
+/** With as many digits as it takes to tell neighbours apart. */
+function tickText(value, ticks) {
+  const digits = ticks.length > 1 && value ? Math.ceil(Math.log10(Math.abs(value) / (ticks[1] - ticks[0]))) + 1 : 0;
+  return digits > 3 ? minus(String(Number(value.toPrecision(Math.min(digits, 8))))) : short(value);
 }
 
 /** Round numbers between two, about so many. */

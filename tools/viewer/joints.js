@@ -42,7 +42,7 @@ class Joints {
     this.lengths = run.header.joints.map((joint) => joint.length).filter((length) => length > 0).sort((a, b) => a - b);
   }
 
-  /** Rods and points that stand close are thinner. */
+  /** Points that stand close are smaller, and rods thinner. */
   closeness(unit) {
     const typical = this.lengths[this.lengths.length >> 1];
     return typical ? Math.min(1, typical / (14 * unit)) : 1;
@@ -52,7 +52,7 @@ class Joints {
     this.rods.begin();
     this.dots.begin();
     this.curves.begin();
-    const pull = tensions(this.run, frame), width = ROD * unit * this.closeness(unit);
+    const pull = tensions(this.run, frame), width = ROD * unit * Math.max(0.6, this.closeness(unit));
     for (const [k, joint] of this.run.header.joints.entries()) {
       const a = placeOf(frame, joint.i, joint.p_i), b = placeOf(frame, joint.j, joint.p_j);
       const colour = this.colourOfTension(pull[k]);

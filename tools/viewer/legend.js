@@ -17,7 +17,8 @@ class Legend {
     })));
     const [part] = picture.parts, keys = [];
     const hasPlane = part && part.run.header.bodies.some((body) => body.shape === "plane");
-    if (hasPlane) keys.push(element("span", { textContent: `grid ${inUnit(part.spacing, "m")}` }));
+    if (!hasPlane && part) keys.push(element("span", { id: "height" }));
+    else if (part) keys.push(element("span", { textContent: `grid ${inUnit(part.spacing, "m")}` }));
     const scale = Math.max(0, ...picture.parts.map(({ joints }) => joints.scale));
     if (scale > 0) keys.push(tensionKey(scale));
     this.arrows = element("span", { id: "arrow-key" });
@@ -34,6 +35,8 @@ class Legend {
     if (shown.impulses && scale > 0) said.push(`longest impulse ${inUnit(shown.automatic ? length / scale
       : largestOf(impulsesOf(picture.frames[0])), "N s")}`);
     if (shown.velocities) said.push(`fastest ${inUnit(largestOf(velocitiesOf(picture.frames[0])), "m/s")}`);
+    const height = document.getElementById("height"), panel = picture.panel(0);
+    if (height) height.textContent = `from bottom to top ${inUnit(picture.camera.pixel(panel.height) * panel.height, "m")}`;
     this.arrows.textContent = said.join(" · ");
   }
 }

@@ -1,6 +1,8 @@
 "use strict";
 // The picture: the runs side by side under one camera, or laid over each other.
 
+const POINT = 5;      // the radius of a point mass on the screen [pixels]
+const ALONE = 0.12;   // the same where there is nothing but one that stays where it is, over the picture's size
 const RUN_OPACITY = 0.55;  // of the second run and those after it, where they lie over the first
 
 class Picture {
@@ -11,7 +13,7 @@ class Picture {
     this.renderer.setScissorTest(true);
     this.camera = new Camera(canvas);
     this.shown = { contacts: false, impulses: false, friction: false, velocities: false, pairs: false, ghosts: true,
-                   shadows: true, automatic: true, scale: 1, overlaid: false };
+                   paths: false, shadows: true, automatic: true, scale: 1, overlaid: false };
     this.hand = null;  // { from, to } of a pull
     this.runs = [];
   }
@@ -20,6 +22,7 @@ class Picture {
   show(runs, keep = false) {
     this.runs = runs;
     this.box = boundsOf(runs);
+    this.shown.paths = this.shown.paths || runs.every((run) => !run.live && movingBodies(run).length <= FEW);
     this.build();
     if (!keep) this.fit();
   }
@@ -46,7 +49,7 @@ class Picture {
     this.scene.add(group);
     return { run, group, spacing, bodies: new Bodies(group, run, style), joints: new Joints(group, run, style),
              ghosts: new Bodies(group, run, { ghost: true, opacity: 0.1, colour: palette().ghost }),
-             marks: new Marks(group, run, this.box.size) };
+             paths: new Paths(group, run), marks: new Marks(group, run, this.box.size) };
   }
 
   fit() {
@@ -62,10 +65,13 @@ class Picture {
     const [leader] = this.parts;
     if (this.camera.followed !== null && leader) this.camera.keepUpWith(placeOf(frames[0], this.camera.followed));
     for (const [k, part] of this.parts.entries()) {
-      const frame = frames[k], point = 5 * unit * part.joints.closeness(unit);
+      const frame = frames[k];
+      const point = this.box.empty ? ALONE * this.box.size : POINT * unit * part.joints.closeness(unit);
       part.bodies.draw(frame, point);
-      part.ghosts.draw(this.shown.ghosts ? frame : { ...frame, ghostBodies: [] }, 1.25 * point);
+      part.ghosts.draw(this.shown.ghosts ? frame : { ...frame, ghostBodies: [] },
+                       this.box.empty ? 1.03 * point : 1.25 * point);
       part.joints.draw(frame, unit, this.shown.ghosts);
+      part.paths.draw(frame, this.shown.paths);
       part.marks.draw(frame, this.shown, unit);
     }
     this.drawHand(unit);

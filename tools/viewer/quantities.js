@@ -26,7 +26,9 @@ function quantities(runs, column) {
                            (frame) => frame.us.length ? totalOf(frame.us) : NaN)
         : each((frame) => frame.us.length ? totalOf(frame.us) : NaN) },
   ];
-  return lists.filter((list) => list.lines.some((line) => line.run.frames.some((frame) => isNumber(line.valueOf(frame)))));
+  // Where nothing is solved the residual is nothing, too.
+  const solved = runs.some((run) => run.live || run.frames.some((frame) => frame.residual > 0));
+  return lists.filter((list) => list.key !== "residual" || solved).filter((list) => list.lines.some((line) => line.run.frames.some((frame) => isNumber(line.valueOf(frame)))));
 }
 
 const isNumber = (value) => typeof value === "number" && Number.isFinite(value);
