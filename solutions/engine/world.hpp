@@ -91,7 +91,8 @@ class World {
   /// Gives a body an impulse through its centre [N s].
   void push(int body, const Vec3& impulse);
 
-  /// The bodies that move in both are where they are in `other`, and move and turn as they do there; its time goes on.
+  /// The bodies that move in both are where they are in `other`, and move and turn as they do there; its time goes on,
+  /// and where there are as many joints, rows begin with its impulses.
   void go_on_from(const World& other);
 
   /// Takes every velocity half a step back, to where leapfrog wants it: Eq. (1.5). Once, before the first step.

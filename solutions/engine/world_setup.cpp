@@ -119,6 +119,7 @@ void World<Dof>::go_on_from(const World& other) {
     if constexpr (Dof == 6) bodies_.orientations.q[i] = other.bodies_.orientations.q[i];
   }
   time_ = other.time_;
+  if (joints_.size() == other.joints_.size()) start_ = other.start_;
 }
 
 template <int Dof>

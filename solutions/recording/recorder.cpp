@@ -187,7 +187,13 @@ void Recorder::take(const Scene& scene, bool touched) {
   line["pairs"] = report.pairs;
   line["us"] = us_since_last(scene, frame.step);
   if (touched) line["touched"] = true;
-  write(line.dump());
+  const std::string text = line.dump();
+  frame_bytes_ = static_cast<double>(text.size());
+  write(text);
+}
+
+std::int64_t Recorder::frames() const {
+  return step_count(settings_.method.h, settings_.time) / steps_ + 1;
 }
 
 void Recorder::end(const std::string& why) {

@@ -25,6 +25,10 @@ class Recorder {
   /// A frame now. Touched: a hand was laid on the scene.
   void take(const Scene& scene, bool touched = false);
 
+  /// How many frames there will be, and what they take, from the first one [bytes]. Contacts add to it.
+  std::int64_t frames() const;
+  double expected_bytes() const { return static_cast<double>(frames()) * frame_bytes_; }
+
   /// The last line, and why the run blew up, if it did.
   void end(const std::string& why = "");
 
@@ -39,6 +43,7 @@ class Recorder {
   std::int64_t steps_;  // from frame to frame
   StageTimes last_;     // at the last frame
   std::int64_t last_step_ = 0;
+  double frame_bytes_ = 0;  // of the last frame
 };
 
 }  // namespace spook

@@ -10,6 +10,8 @@ static constexpr double stiffness_of_mass = 160;  // [1/s²]
 template <int Dof>
 void HandIn<Dof>::pull(int body, const Vec3& point, const Vec3& to) {
   if (world_.bodies().is_fixed(world_.index(body))) reject("body", body, "one that moves");
+  require_all_finite("point", point);
+  require_all_finite("to", to);
   if (grip_ && grip_->body == body && grip_->point == point) return world_.move_fixed(grip_->anchor, to);
   let_go();
   if (!anchor_) {

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <iostream>
 #include <limits>
@@ -128,6 +129,14 @@ static void close(std::ofstream& file, const std::string& option, const std::opt
     throw std::invalid_argument(option + " \"" + *name + "\" cannot be written to its end");
 }
 
+/// Beforehand, where it is much.
+static void tell_size(const Recorder& recorder) {
+  const double megabytes = recorder.expected_bytes() / 1e6;
+  if (megabytes < 10) return;
+  std::cerr << "spook: recording " << recorder.frames() << " frames, " << std::lround(megabytes)
+            << " MB and more with contacts; --fps or --time make it less\n";
+}
+
 /// A run that blows up leaves a recording that says so, with its frames up to there.
 template <class Run>
 static RunResult recorded(Recorder& recorder, bool records, const Run& run) {
@@ -156,7 +165,11 @@ void RunCommand::execute(std::ostream& out) const {
   open(recording, "record", record);
   Recorder recorder(recording, description, parameters, settings, per_second);
   Watch watch{.csv = csv ? &table : nullptr, .positions = positions, .progress = progress_on_terminal()};
-  if (record) watch.look = [&](Scene& now, std::int64_t substep) { recorder.look(now, substep); };
+  if (record)
+    watch.look = [&](Scene& now, std::int64_t substep) {
+      recorder.look(now, substep);
+      if (substep == 0) tell_size(recorder);
+    };
   const RunResult result =
       recorded(recorder, record.has_value(), [&] { return run(description, parameters, settings, watch); });
   close(table, "csv", csv);

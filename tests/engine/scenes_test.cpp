@@ -46,8 +46,9 @@ TEST(Registry, EverySceneRunsWithItsDefaults) {
   for (const SceneDescription& scene : scenes()) {
     ASSERT_TRUE(bounds.count(scene.name)) << scene.name << " has no bound here";
     std::ostringstream csv;
-    const RunResult result = run(scene, Parameters(scene.parameters),
-                                 {.method = {.h = scene.h, .solver = scene.solver}, .time = scene.time}, {.csv = &csv});
+    const RunResult result =
+        run(scene, Parameters(scene.parameters),
+            {.method = {.h = scene.h, .solver = scene.solver}, .time = scene.time}, {.csv = &csv});
     EXPECT_LE(result.error, bounds.at(scene.name)) << scene.name;
     EXPECT_GE(result.error, 0) << scene.name;
     EXPECT_EQ(result.steps, std::lround(scene.time / scene.h));
