@@ -19,6 +19,18 @@ HEADER = json.dumps({"format": "spook recording", "version": 1})
 FRAME = json.dumps({"time": 1, "energy": {}})
 
 
+box: Sandbox  # shared: where no build tree can be laid over, it takes minutes to build
+
+
+def setUpModule():
+    global box
+    if not all(need.there() for need in VIEW_NEEDS):
+        raise unittest.SkipTest("libjs-three is not installed")
+    box = Sandbox(built=True)
+    unittest.addModuleCleanup(box.close)
+    box.course("run", "free_fall")
+
+
 class Page:
     """Asks a server as a browser would, or as none should."""
 
@@ -120,17 +132,11 @@ class LocalServer(unittest.TestCase):
 
 
 class Played(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        if not all(need.there() for need in VIEW_NEEDS):
-            raise unittest.SkipTest("libjs-three is not installed")
-        cls.box = Sandbox(built=True)
-        cls.addClassCleanup(cls.box.close)
-        cls.kick = next(exercise for exercise in all_exercises() if exercise.function == "kick")
+    """Starts ./course play."""
 
     def start(self, *words: str) -> tuple:
-        running = self.box.start("play", *words, "--no-open")
-        running.__enter__()
+        """What runs, and the address of its page."""
+        running = box.start("play", *words, "--no-open").__enter__()
         self.addCleanup(running.__exit__)
         return running, running.wait_for("http://127.0.0.1:", 300).strip()
 
@@ -169,7 +175,7 @@ class Play(Played):
 
     def test_a_port_that_is_taken_is_one_line(self):
         _, address = self.start("cradle")
-        result = self.box.course("play", "cradle", "--no-open", "--port", str(urlsplit(address).port))
+        result = box.course("play", "cradle", "--no-open", "--port", str(urlsplit(address).port))
         self.assertEqual((result.returncode, result.stdout, result.stderr.count("\n")), (2, "", 1), result.stderr)
 
     def test_commands_reach_the_engine(self):
@@ -186,20 +192,21 @@ class Play(Played):
         self.assertIn("nonsense", lines[-1]["refused"])
 
     def test_a_save_goes_on_with_what_was_saved(self):
-        self.addCleanup(self.box.restore, self.kick)
-        self.box.solve(self.kick)
+        kick = next(exercise for exercise in all_exercises() if exercise.function == "kick")
+        self.addCleanup(box.restore, kick)
+        box.solve(kick)
         _, address = self.start("free_fall", "--mine")
         page = Page(address)
         stream = page.listen()
         page.ask("POST", f"{page.path}command", json.dumps({"set": {"g": 5}}))
         while data(stream).get("parameters", {}).get("g") != 5:
             pass
-        good = self.box.file(self.kick).read_text()
-        self.box.file(self.kick).write_text(good.replace("return", "retrun"))
+        good = box.file(kick).read_text()
+        box.file(kick).write_text(good.replace("return", "retrun"))
         self.assertIn("Building", self.said(stream))
         self.assertIn("does not compile", self.said(stream))
         start = time.monotonic()
-        self.box.file(self.kick).write_text(good)
+        box.file(kick).write_text(good)
         while data(stream).get("parameters", {}).get("g") != 5:
             pass
         while data(stream)["time"] == 0:
@@ -217,7 +224,6 @@ class InBrowser(Played):
     def setUpClass(cls):
         cls.browser = Browser()
         cls.addClassCleanup(cls.browser.close)
-        super().setUpClass()
 
     def open(self, *words: str) -> None:
         _, address = self.start(*words)

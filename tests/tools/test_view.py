@@ -13,7 +13,7 @@ from types import SimpleNamespace
 from unittest import mock
 
 import recordings
-from sandbox import Sandbox
+from sandbox import Sandbox, all_exercises
 
 import view
 from beside import Run, label_of, variations
@@ -178,6 +178,22 @@ class Command(unittest.TestCase):
         self.assertEqual((header["scene"], end), ("pendulum", {"end": "done"}))
         self.assertAlmostEqual(frames[-1]["time"], 0.5, delta=0.02)
         self.assertEqual(json.loads(other.splitlines()[0])["parameters"]["angle"], 30)
+
+    def test_yours_beside_the_reference(self):
+        kick = next(exercise for exercise in all_exercises() if exercise.function == "kick")
+        self.addCleanup(self.box.restore, kick)
+        self.box.solve(kick)
+        wrong = self.box.file(kick).read_text().replace("return v +", "return v + 0.5 *")
+        self.box.file(kick).write_text(wrong)
+        result = self.box.course("view", "free_fall", "--beside", "mine", "--out", "both.html")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("Yours, right or wrong: 1.1;", result.stderr)
+        (ours, reference), (yours, mine) = contents((self.box.root / "both.html").read_text())
+        self.assertEqual((ours, yours), ("reference", "yours"))
+        errors = [json.loads(text.splitlines()[-2])["error"] for text in (reference, mine)]
+        self.assertLess(errors[0], 1e-9)
+        self.assertGreater(errors[1], 0.1)
+        self.assertIn("kick", str(json.loads(mine.splitlines()[0]).get("mine")))
 
     def test_recordings(self):
         file = self.box.root / "mine.jsonl"

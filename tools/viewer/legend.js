@@ -26,14 +26,11 @@ class Legend {
     this.update(picture);
   }
 
-  /** How long an arrow of a round number is, at the present scale. */
+  /** What the longest arrows are. */
   update(picture) {
     const [part] = picture.parts, { shown } = picture, said = [];
     if (!part || !picture.frames) return;
-    const length = LONGEST * picture.box.size;
-    const scale = part.marks.scaleOf(picture.frames[0], shown);
-    if (shown.impulses && scale > 0) said.push(`longest impulse ${inUnit(shown.automatic ? length / scale
-      : largestOf(impulsesOf(picture.frames[0])), "N s")}`);
+    if (shown.impulses) said.push(`longest impulse ${inUnit(largestOf(impulsesOf(picture.frames[0])), "N s")}`);
     if (shown.velocities) said.push(`fastest ${inUnit(largestOf(velocitiesOf(picture.frames[0])), "m/s")}`);
     const height = document.getElementById("height"), panel = picture.panel(0);
     if (height) height.textContent = `from bottom to top ${inUnit(picture.camera.pixel(panel.height) * panel.height, "m")}`;

@@ -44,6 +44,9 @@ class Marks {
     this.limits = new Crowd(parent, limitShape(run.header.method.friction_model), limits, 5);
     this.fixed = { impulse: LONGEST * size / typicalLargest(run, impulsesOf),
                    velocity: LONGEST * size / typicalLargest(run, velocitiesOf) };
+    const { contact, impulse, velocity, pair } = palette();
+    this.colours = { contact: colourOf(contact), impulse: colourOf(impulse), velocity: colourOf(velocity),
+                     pair: colourOf(pair) };
     this.mu = [run.header.parameters.mu, run.header.parameters.friction].find(Number.isFinite);
   }
 
@@ -51,24 +54,27 @@ class Marks {
   draw(frame, shown, unit) {
     const all = [this.arrows, this.points, this.pipes, this.limits];
     for (const crowd of all) crowd.begin();
-    const colours = palette(), scale = this.scaleOf(frame, shown);
-    for (let k = 0; 2 * k < frame.between.length; ++k) this.drawContact(frame, k, shown, unit, scale, colours);
-    if (shown.velocities) this.drawVelocities(frame, unit, shown, colourOf(colours.velocity));
+    if (shown.contacts || shown.impulses || shown.friction || shown.pairs) {
+      const scale = this.scaleOf(frame, shown);
+      for (let k = 0; 2 * k < frame.between.length; ++k) this.drawContact(frame, k, shown, unit, scale);
+    }
+    if (shown.velocities) this.drawVelocities(frame, unit, shown);
     for (const crowd of all) crowd.end();
   }
 
-  drawContact(frame, k, shown, unit, scale, colours) {
+  drawContact(frame, k, shown, unit, scale) {
+    const { colours } = this;
     const numbers = frame.contacts.subarray(10 * k, 10 * k + 10);
     const point = Array.from(numbers.subarray(0, 3)), normal = Array.from(numbers.subarray(3, 6));
     const impulse = Array.from(numbers.subarray(7, 10));
     if (shown.contacts) {
-      this.points.addBall(...point, 3 * unit, colourOf(colours.contact));
+      this.points.addBall(...point, 3 * unit, colours.contact);
       this.pipes.addBetween(...point, ...point.map((value, axis) => value + 18 * unit * normal[axis]), 0.8 * unit,
-                            colourOf(colours.contact));
+                            colours.contact);
     }
-    if (shown.pairs) this.drawPair(frame, k, point, unit, colourOf(colours.pair));
-    if (shown.friction && this.mu > 0) this.drawLimit(point, normal, impulse, scale, colourOf(colours.impulse));
-    if (shown.impulses) this.arrows.add(point, impulse, scale, unit, colourOf(colours.impulse));
+    if (shown.pairs) this.drawPair(frame, k, point, unit, colours.pair);
+    if (shown.friction && this.mu > 0) this.drawLimit(point, normal, impulse, scale, colours.impulse);
+    if (shown.impulses) this.arrows.add(point, impulse, scale, unit, colours.impulse);
   }
 
   drawPair(frame, k, point, unit, colour) {
@@ -94,12 +100,13 @@ class Marks {
                     ...normal.map((value) => height * value), ...point, colour);
   }
 
-  drawVelocities(frame, unit, shown, colour) {
+  drawVelocities(frame, unit, shown) {
     if (!frame.v) return;
     const scale = this.fixed.velocity * (shown.automatic ? 1 : shown.scale);
     for (let body = 0; 3 * body < frame.v.length; ++body)
       if (!this.run.header.bodies[body].fixed)
-        this.arrows.add(placeOf(frame, body), Array.from(frame.v.subarray(3 * body, 3 * body + 3)), scale, unit, colour);
+        this.arrows.add(placeOf(frame, body), Array.from(frame.v.subarray(3 * body, 3 * body + 3)), scale, unit,
+                        this.colours.velocity);
   }
 
   /** Metres a newton second. Automatic: the frame's longest arrow has one length; fixed: one scale for the whole run. */
