@@ -81,7 +81,11 @@ class Sandbox:
                               env=_clean_environment() | env, **options)
 
     def watch(self, *words: str) -> Watching:
-        line, options = self._command(("watch", *words))
+        return self.start("watch", *words)
+
+    def start(self, *words: str) -> Watching:
+        """A command that goes on until it is told to stop."""
+        line, options = self._command(words)
         return Watching(line, env=_clean_environment(), **options)
 
     def _git(self, *words: str) -> None:

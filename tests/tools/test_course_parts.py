@@ -181,6 +181,25 @@ class Versions(unittest.TestCase):
                     self.assertEqual(need.too_old(), "")
 
 
+class BrowserForTests(unittest.TestCase):
+    def said(self, offered: bool, error: CourseError | None = None) -> tuple[str, bool]:
+        """What is said, and whether something was to be installed."""
+        with mock.patch.object(Need, "there", return_value=False), \
+             mock.patch.object(everything, "is_offered", return_value=offered), \
+             mock.patch.object(everything, "install", side_effect=error) as installing, \
+             contextlib.redirect_stdout(io.StringIO()) as out:
+            everything._install_browser(yes=True)
+        return out.getvalue(), installing.called
+
+    def test_it_is_installed_where_the_system_has_it(self):
+        self.assertEqual(self.said(offered=True), ("", True))
+        self.assertEqual(self.said(offered=False), ("", False))
+
+    def test_tests_go_on_without_it(self):
+        said, _ = self.said(offered=True, error=CourseError("no network"))
+        self.assertIn("no network", said)
+
+
 class Totals(unittest.TestCase):
     CLOSING = ("1/3 Test #1: a ....   Passed    0.01 sec\n\n67% tests passed, 1 tests failed out of 3\n\n"
                "Total Test time (real) =   0.02 sec\n\nThe following tests FAILED:\n"

@@ -25,8 +25,8 @@ class Watching:
         self._process.stdout.close()
         self._process.stderr.close()
 
-    def wait_for(self, text: str, seconds: float = 120) -> None:
-        """Reads on until a line holds the text."""
+    def wait_for(self, text: str, seconds: float = 120) -> str:
+        """Reads on until a line holds the text, and returns it."""
         end = time.monotonic() + seconds
         seen = []
         while time.monotonic() < end:
@@ -35,7 +35,7 @@ class Watching:
             except queue.Empty:
                 continue
             if text in seen[-1]:
-                return
+                return seen[-1]
         raise AssertionError(f"no '{text}' in:\n{''.join(seen)}")
 
     def interrupt(self) -> tuple[int, str]:
@@ -43,6 +43,10 @@ class Watching:
         os.killpg(self._process.pid, signal.SIGINT)  # as a terminal does it
         code = self._process.wait(30)
         return code, self._process.stderr.read()
+
+    def end(self, seconds: float) -> int:
+        """Waits for it to end by itself."""
+        return self._process.wait(seconds)
 
     def _read(self) -> None:
         for line in self._process.stdout:

@@ -12,15 +12,18 @@ from everything import test
 from exporting.export import export
 from grading.grade import grade
 from hint import hint
+from play import play
 from plot import plot
 from reset import reset
 from run import run, scenes
 from solution import solution
 from start import start
+from view import view
 from watch import watch
 
 COMMANDS = {"progress": progress, "check": check, "watch": watch, "plot": plot, "hint": hint, "solution": solution,
-            "reset": reset, "start": start, "test": test, "grade": grade, "export": export}
+            "reset": reset, "start": start, "test": test, "grade": grade, "export": export, "view": view,
+            "play": play}
 FORWARDED = {"run": run, "scenes": scenes}
 
 

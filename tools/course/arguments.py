@@ -15,9 +15,10 @@ will do in place of its number.
 Without N, check takes every exercise that you have started, in order, and
 explains the first that is not right. watch does the same at every save.
 
-run and scenes hand everything to the engine: ./course run --help. With --mine,
-run takes the exercises that you have written so far, right or wrong, in place
-of the reference's. What stands after -- goes to plot's experiment itself.
+run and scenes hand everything to the engine: ./course run --help. view and
+play take run's options, too, after the scene. With --mine they take the
+exercises that you have written so far, right or wrong, in place of the
+reference's. What stands after -- goes to plot's experiment itself.
 
 Exit codes: 0 fine, 1 a wrong answer or a failure, 2 bad input.
 """
@@ -53,6 +54,12 @@ def _shard(text: str) -> tuple[int, int]:
     return int(first), int(count)
 
 
+def _port(text: str) -> int:
+    if not (text.isascii() and text.isdecimal() and 0 < int(text) < 2**16):
+        raise argparse.ArgumentTypeError(f"{text!r} is not a port from 1 to 65535")
+    return int(text)
+
+
 def _chapters(text: str) -> set[int]:
     numbers: set[int] = set()
     for part in text.split(","):
@@ -65,12 +72,15 @@ def _chapters(text: str) -> set[int]:
 
 
 def parse(words: list[str]) -> argparse.Namespace:
-    """`command` and its options; for run and scenes, `words` are what follows, untouched."""
+    """`command` and its options. `words` are what belongs to the engine: for run and scenes all that follows."""
     parser, commands = _parsers()
     if words and not words[0].startswith("-") and words[0] not in commands:
         raise BadInput(f"unknown command {words[0]!r}{near(words[0], list(commands))}; see ./course --help")
     if words and words[0] in ("run", "scenes"):
         return argparse.Namespace(command=words[0], words=words[1:])
+    if words and words[0] in ("view", "play"):
+        known, rest = commands[words[0]].parse_known_args(words[1:])
+        return argparse.Namespace(**{**vars(known), "command": words[0], "words": rest})
     # Options alone belong to the board: ./course --json
     if not words or (words[0].startswith("-") and words[0] not in ("-h", "--help")):
         words = ["progress", *words]
@@ -109,6 +119,8 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     add("reset", "put the stub back; your file is kept beside it").add_argument("which", metavar="N.M")
     add("run", "run a scene: ./course run SCENE --set name=value --h 1/60 [--mine] ...")
     add("scenes", "the scenes, their parameters, and the known answer of each")
+    _add_view(add("view", "a film of a scene, in one page for any browser"))
+    _add_play(add("play", "a scene live in the browser: pull, push, turn its parameters"))
     command = add("plot", "run an experiment, check its claims, draw it; without a name: list them")
     command.add_argument("which", nargs="?", metavar="NAME", help="an experiment, a topic, or all")
     command.add_argument("--mine", action="store_true", help="with a curve of your own functions beside ours")
@@ -133,6 +145,26 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     command.add_argument("--quick", action="store_true", help="those that find most in two minutes")
     command.add_argument("--strict", action="store_true", help="a compiler's warning in the course's code is an error")
     return parser, commands.choices
+
+
+def _add_view(command: Parser) -> None:
+    command.usage = "./course view SCENE [OPTION OF RUN ...] [OPTION ...]\n       ./course view FILE.jsonl ..."
+    command.epilog = "Any option of ./course run is taken, too. FILE.jsonl is what\n./course run SCENE --record writes."
+    command.add_argument("--mine", action="store_true", help="with what you have written so far")
+    command.add_argument("--beside", nargs="+", action="extend", metavar="WHAT",
+                         help="another run in the same picture, in step: mine, or one with NAME=VALUE[,NAME=VALUE] "
+                              "changed, an option of run or a parameter of the scene")
+    command.add_argument("--fps", metavar="N", help="frames a second of simulated time (default: 60)")
+    command.add_argument("--out", metavar="FILE", help="default: build/views/SCENE.html")
+
+
+def _add_play(command: Parser) -> None:
+    command.usage = "./course play SCENE [OPTION OF RUN ...] [OPTION ...]"
+    command.epilog = ("Any option of ./course run is taken, too. Only this machine can open the page;\n"
+                      "leaving it, or Ctrl-C, ends the run.")
+    command.add_argument("--mine", action="store_true", help="with what you have written so far; a save goes on with it")
+    command.add_argument("--port", type=_port, metavar="N", help="of the local server (default: any that is free)")
+    command.add_argument("--no-open", action="store_true", help="print the address, and open no browser")
 
 
 def _add_grade(command: Parser) -> None:

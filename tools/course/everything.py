@@ -6,8 +6,9 @@ from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
 
-from install import install
-from needs import NEEDS, TEST_NEEDS
+from errors import CourseError
+from install import install, is_offered
+from needs import BROWSER_NEEDS, NEEDS, TEST_NEEDS
 from paths import shown
 from process import stream
 from terminal import fold, paint
@@ -38,9 +39,20 @@ def test(arguments) -> int:
         code = _report([_run(check, ["-L", "quick"])])
         print(fold(f"Left out by --quick: {_left_out(check)}, and all tests under sanitizers."))
         return code
+    _install_browser(arguments.yes)
     for tree, targets in ((check, []), (release, _IN_RELEASE), (sanitize, [])):
         _build(tree, targets, arguments.strict)
     return _report([_run(tree) for tree in (check, sanitize)])
+
+
+def _install_browser(yes: bool) -> None:
+    """Where there is none, the tests that need one say that they are skipped."""
+    if not all(need.there() or is_offered(need.package) for need in BROWSER_NEEDS):
+        return
+    try:
+        install(BROWSER_NEEDS, yes)
+    except CourseError as error:
+        print(f"No browser for the tests: {error}")
 
 
 def _build(tree: Tree, targets: list[str], strict: bool) -> None:

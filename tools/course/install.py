@@ -37,6 +37,12 @@ def _install(packages: list[str], yes: bool) -> None:
     _apt(["install", "-y", "--no-install-recommends", *packages], f"installing {' '.join(packages)}", instead)
 
 
+def is_offered(package: str) -> bool:
+    """Whether the system's packages have it at all."""
+    return bool(shutil.which("apt-cache")) and subprocess.run(
+        ["apt-cache", "show", package], capture_output=True).returncode == 0
+
+
 def _is_root() -> bool:
     return os.geteuid() == 0
 

@@ -9,14 +9,16 @@ import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 
+# Debian's library for drawing in a browser, and where its files are.
+THREE = Path("/usr/share/javascript/three")
 _HEADER_FOLDERS = ("/usr/include", "/usr/local/include", "/usr/include/eigen3", "/usr/local/include/eigen3")
 
 
 @dataclass(frozen=True)
 class Need:
     package: str  # of Debian and Ubuntu
-    kind: str  # command, header or module
-    name: str  # of the command, header or module that the package, or the same thing from elsewhere, brings
+    kind: str  # command, header, module or file
+    name: str  # of the command, header, module or file that the package, or the same thing from elsewhere, brings
     least: str = ""  # version; empty: any will do
     versions: tuple[str, ...] = ()  # of a header: files that may hold its version, as macros
     macros: str = ""  # of a header: which macros these are, a pattern
@@ -26,6 +28,8 @@ class Need:
             return shutil.which(self.name) is not None
         if self.kind == "header":
             return _find_header(self.name) is not None
+        if self.kind == "file":
+            return Path(self.name).exists()
         return importlib.util.find_spec(self.name) is not None
 
     def version(self) -> str:
@@ -94,4 +98,8 @@ NEEDS = (
     Need("python3-matplotlib", "module", "matplotlib", "3.5"),
 )
 GRADE_NEEDS = (Need("bubblewrap", "command", "bwrap"),)
-TEST_NEEDS = (*GRADE_NEEDS, Need("clang-format", "command", "clang-format"))
+VIEW_NEEDS = (Need("libjs-three", "file", str(THREE / "three.min.js")),)
+TEST_NEEDS = (*GRADE_NEEDS, *VIEW_NEEDS, Need("clang-format", "command", "clang-format"))
+# A browser that tests can drive. Ubuntu has none but as a snap, which they can not: they are skipped there.
+BROWSER_NEEDS = (Need("python3-selenium", "module", "selenium"), Need("chromium", "command", "chromium"),
+                 Need("chromium-driver", "command", "chromedriver"))

@@ -23,27 +23,31 @@ def run(arguments: list[str]) -> int:
         return _become(["run", *arguments])
     forwarded = ["run", *(argument for argument in arguments if argument != "--mine")]
     mine = begun()
-    code = _with_yours(forwarded, mine) if mine else _call([str(program("spook")), *forwarded])
+    code = with_yours(forwarded, mine) if mine else _call([str(program("spook")), *forwarded])
     if code == 0:  # an error stands alone
         print(fold(f"{told(mine)} {_CHECKS}") if mine else
               "No exercise of yours is written yet: all of it is the reference.", file=sys.stderr)
     return code
 
 
-def _with_yours(arguments: list[str], mine: list[Exercise]) -> int:
-    """A crash is told as what it is: an error in one of the student's functions."""
+def with_yours(arguments: list[str], mine: list[Exercise], call=None) -> int:
+    """The exit code; `call` starts the program, as _call does. A crash is told as what it is."""
     path = checked_program(mine)
     with tempfile.TemporaryDirectory(prefix="course-") as folder:
         trace = Path(folder, "trace")
-        code = _call([str(path), *arguments], **{crash.VARIABLE: str(trace)})
-        where = crash.place(path, trace, mine)
-    if code >= 0:
-        return code
-    name = signal.Signals(-code).name
+        code = (call or _call)([str(path), *arguments], **{crash.VARIABLE: str(trace)})
+        if code < 0:
+            raise crashed(code, path, trace, mine)
+    return code
+
+
+def crashed(code: int, path: Path, trace: Path, mine: list[Exercise]) -> CourseError:
+    """An error in one of the student's functions: which, if the trace says so."""
+    name, where = signal.Signals(-code).name, crash.place(path, trace, mine)
     if where:
-        raise CourseError(f"the run crashed ({name}) at {shown(where[0].file)}:{where[1]}; "
-                          f"see ./course check {where[0].id}")
-    raise CourseError(f"the run crashed ({name}) in one of your functions; ./course check finds which")
+        return CourseError(f"the run crashed ({name}) at {shown(where[0].file)}:{where[1]}; "
+                           f"see ./course check {where[0].id}")
+    return CourseError(f"the run crashed ({name}) in one of your functions; ./course check finds which")
 
 
 def scenes(arguments: list[str]) -> int:

@@ -14,7 +14,7 @@ def watch(arguments) -> int:
     exercises = pick(arguments.which) if arguments.which else all_exercises()
     seen = None
     while True:
-        now = [_saved(exercise.file) for exercise in exercises]
+        now = [saved(exercise.file) for exercise in exercises]
         if now != seen:
             seen = now
             if sys.stdout.isatty():
@@ -24,7 +24,8 @@ def watch(arguments) -> int:
         time.sleep(_PERIOD)
 
 
-def _saved(file) -> int | None:
+def saved(file) -> int | None:
+    """When; None of a file that is not there."""
     try:
         return file.stat().st_mtime_ns
     except FileNotFoundError:

@@ -1,0 +1,351 @@
+"""The viewer's page in a browser: what is drawn, and what the controls do. Looks at pixels and the page's own numbers."""
+
+import gzip
+import json
+import tempfile
+import unittest
+from base64 import b64encode
+from pathlib import Path
+
+import recordings
+from browser import Browser
+
+from page import film
+
+FLOAT = 1e-6  # positions are float32
+
+
+class Viewer(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.browser = Browser()
+        cls.addClassCleanup(cls.browser.close)
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = Path(folder.name)
+
+    def open(self, *texts: str, labels: tuple[str, ...] = ("", "beside", "third"), plays: bool = False) -> None:
+        page = self.folder / "page.html"
+        page.write_text(film(list(zip(labels, (text.encode() for text in texts)))))
+        self.browser.open(page, plays)
+
+    def tearDown(self):
+        self.assertEqual(self.browser.messages(), [])
+
+    def click(self, name: str) -> None:
+        self.browser.driver.find_element("id", name).click()
+
+    def keys(self, *keys: str) -> None:
+        self.browser.driver.find_element("tag name", "body").send_keys(*keys)
+
+    def ask(self, expression: str):
+        return self.browser.run(f"return {expression}")
+
+
+class Picture(Viewer):
+    def test_bodies_stand_where_the_recording_says(self):
+        self.open(recordings.rolling_ball(speed=1))
+        self.assertEqual(self.ask("viewer.drawn()"), 1)
+        for frame in (0, 17, 60):
+            self.browser.run("viewer.scrubTo(arguments[0])", frame)
+            self.browser.drawn()
+            for got, wanted in zip(self.ask("viewer.drawnAt(1)"), (frame * recordings.H, 0, 0.2)):
+                self.assertAlmostEqual(got, wanted, delta=FLOAT)
+            for got, wanted in zip(self.ask("viewer.ghostAt(1)"), (frame * recordings.H, 0.3, 0.2)):
+                self.assertAlmostEqual(got, wanted, delta=FLOAT)
+
+    def test_pixels_show_a_body_and_that_it_moves(self):
+        self.open(recordings.rolling_ball())
+        places = []
+        for frame in (0, 60):
+            self.browser.run("viewer.scrubTo(arguments[0])", frame)
+            pixels = self.browser.pixels()
+            x, y = self.ask("viewer.project(1)")
+            around = pixels[round(y) - 30:round(y) + 30, round(x) - 30:round(x) + 30]
+            light = around.sum(axis=2)
+            # Two tones, both darker than the floor and the page.
+            self.assertLess(light.min(), 1.7)
+            self.assertGreater(light.max() - light.min(), 0.5)
+            places.append((x, y, pixels))
+        (x0, y0, first), (x1, y1, last) = places
+        self.assertGreater(abs(x1 - x0), 100)
+        for x, y in ((x0, y0), (x1, y1)):
+            self.assertGreater(abs(first[round(y), round(x)] - last[round(y), round(x)]).max(), 0.1)
+
+    def test_a_ball_shows_how_it_turns(self):
+        text = recordings.rolling_ball(speed=0)
+        lines = [json.loads(line) for line in text.splitlines()]
+        lines[30]["q"] = recordings.floats(1, 0, 0, 0, 0.7071, 0, 0.7071, 0)  # a quarter turn on the spot
+        self.open(recordings.text(*lines))
+        images = []
+        for frame in (28, 29):
+            self.browser.run("viewer.scrubTo(arguments[0])", frame)
+            images.append(self.browser.pixels())
+        x, y = map(round, self.ask("viewer.project(1)"))
+        changed = abs(images[0] - images[1])[y - 40:y + 40, x - 40:x + 40].max(axis=2) > 0.1
+        self.assertGreater(changed.mean(), 0.2)
+
+    def test_all_of_the_run_is_in_view(self):
+        for text, body in ((recordings.rolling_ball(), 1), (recordings.hanging_wire(), 12), (recordings.tower(), 6)):
+            self.open(text)
+            width, height = self.ask("[viewer.picture.canvas.clientWidth, viewer.picture.canvas.clientHeight]")
+            for frame in (0, 30, 60):
+                self.browser.run("viewer.scrubTo(arguments[0])", frame)
+                self.browser.drawn()
+                x, y = self.ask(f"viewer.project({body})")
+                self.assertTrue(0 < x < width and 0 < y < height, (x, y))
+
+    def test_switches_draw_more(self):
+        self.open(recordings.tower())
+        self.browser.run("viewer.scrubTo(30)")
+        before = self.browser.pixels()
+        for name in ("contacts", "impulses", "friction", "pairs"):
+            with self.subTest(name):
+                self.click(f"show-{name}")
+                with_it = self.browser.pixels()
+                self.assertGreater((abs(with_it - before).max(axis=2) > 0.1).sum(), 50)
+                self.click(f"show-{name}")
+                self.assertLess((abs(self.browser.pixels() - before).max(axis=2) > 0.1).sum(), 5)
+
+    def test_rods_take_the_colour_of_their_tension(self):
+        self.open(recordings.hanging_wire(amplitude=0.3))
+        self.browser.run("viewer.scrubTo(10)")
+        pixels = self.browser.pixels()
+        redness = []
+        for link in (0, 11):
+            ends = [self.ask(f"viewer.project({link + end})") for end in (0, 1)]
+            x, y = (round(sum(end[axis] for end in ends) / 2) for axis in (0, 1))
+            around = pixels[y - 2:y + 3, x - 2:x + 3]
+            redness.append((around[:, :, 0] - around[:, :, 1]).max())
+        self.assertGreater(redness[0], redness[1] + 0.2)
+
+    def test_a_thousand_bodies(self):
+        self.open(recordings.crowd(1000, frames=3))
+        self.assertEqual(self.ask("viewer.drawn()"), 1000)
+        self.open(recordings.empty_scene())
+        empty = self.ask("viewer.measure(5)")
+        self.open(recordings.crowd(1000, frames=3))
+        crowd = self.ask("viewer.measure(5)")
+        print(f"pictures a second, drawn in software: {crowd:.2f} of 1,000 balls, {crowd / empty:.4f} of an empty scene's")
+
+    def test_in_the_dark_and_on_a_phone(self):
+        self.open(recordings.tower())
+        light = self.browser.pixels().mean()
+        self.browser.emulate("Emulation.setEmulatedMedia",
+                             features=[{"name": "prefers-color-scheme", "value": "dark"}])
+        self.addCleanup(self.browser.emulate, "Emulation.setEmulatedMedia", features=[])
+        self.browser.wait("return matchMedia('(prefers-color-scheme: dark)').matches")
+        self.browser.run("viewer.rebuild()")
+        self.assertLess(self.browser.pixels().mean(), light - 0.3)
+        self.browser.emulate("Emulation.setDeviceMetricsOverride", width=390, height=844, deviceScaleFactor=1,
+                             mobile=True)
+        self.addCleanup(self.browser.emulate, "Emulation.setDeviceMetricsOverride", width=1280, height=800,
+                        deviceScaleFactor=1, mobile=False)
+        self.browser.wait("return viewer.picture.canvas.clientWidth <= 390")
+        self.assertLessEqual(self.ask("document.documentElement.scrollWidth"), 390)
+
+    def test_in_a_frame_of_another_page(self):
+        (self.folder / "inner.html").write_text(film([("", recordings.tower().encode())]))
+        outer = self.folder / "outer.html"
+        outer.write_text('<iframe src="inner.html" width="900" height="600"></iframe>')
+        self.browser.driver.get(outer.as_uri())
+        self.browser.driver.switch_to.frame(0)
+        self.addCleanup(self.browser.driver.switch_to.default_content)
+        self.browser.wait("return Boolean(window.viewer && viewer.ready)")
+        self.assertEqual(self.ask("viewer.drawn() || viewer.count"), 5 if self.ask("viewer.drawn()") else 61)
+
+
+class Time(Viewer):
+    def test_play_and_pause(self):
+        self.open(recordings.rolling_ball(), plays=True)
+        self.assertTrue(self.ask("viewer.playing"))
+        self.browser.wait("return viewer.index > 2")
+        self.click("play")
+        self.browser.drawn()
+        at = self.ask("viewer.index")
+        self.browser.run("viewer.dirty()")
+        self.browser.drawn()
+        self.assertEqual((self.ask("viewer.index"), self.ask("viewer.playing")), (at, False))
+
+    def test_it_ends_at_its_end_unless_it_loops(self):
+        self.open(recordings.rolling_ball(frames=5))
+        self.click("loop")
+        self.click("play")
+        self.browser.wait("return !viewer.playing && viewer.index === 4")
+        self.click("loop")
+        self.click("play")  # from the start, again and again
+        self.browser.wait("return viewer.playing && viewer.index < 4")
+        self.browser.wait("return viewer.index === 4")
+        self.browser.wait("return viewer.index < 4")
+
+    def test_keys(self):
+        from selenium.webdriver.common.keys import Keys
+        self.open(recordings.rolling_ball())
+        for keys, index in (((Keys.ARROW_RIGHT,), 1), ((Keys.ARROW_RIGHT,) * 2, 3), ((Keys.ARROW_LEFT,), 2),
+                            ((Keys.END,), 60), ((Keys.ARROW_RIGHT,), 60), ((Keys.HOME,), 0), ((Keys.ARROW_LEFT,), 0)):
+            self.keys(*keys)
+            self.assertEqual(self.ask("viewer.index"), index)
+        self.keys(" ")
+        self.assertTrue(self.ask("viewer.playing"))
+        self.keys(" ")
+        self.assertFalse(self.ask("viewer.playing"))
+        self.keys(Keys.ARROW_DOWN, Keys.ARROW_DOWN)
+        self.assertEqual(self.ask("viewer.player.rate"), 0.25)
+
+    def test_steps_and_the_scrub_bar(self):
+        self.open(recordings.rolling_ball())
+        self.click("next")
+        self.click("next")
+        self.click("back")
+        self.assertEqual(self.ask("viewer.index"), 1)
+        scrub = self.browser.driver.find_element("id", "scrub")
+        self.browser.drag(scrub, (scrub.rect["width"] / 2, scrub.rect["height"] / 2), (5, 0))
+        self.assertAlmostEqual(self.ask("viewer.index"), 30, delta=3)
+        self.click("start")
+        self.assertEqual(self.ask("viewer.index"), 0)
+
+    def test_a_graph_scrubs(self):
+        self.open(recordings.rolling_ball())
+        for key in ("error", "energy", "residual", "sample", "us"):
+            with self.subTest(key):
+                graph = self.browser.driver.find_element("css selector", f'.graph[data-key="{key}"] canvas')
+                width, height = graph.rect["width"], graph.rect["height"]
+                self.browser.run("viewer.scrubTo(0)")
+                self.browser.drag(graph, (width / 4, height / 2), (round(width / 2), 0))
+                part = (0.75 * width - self.ask("PAD.left")) / (width - self.ask("PAD.left + PAD.right"))
+                self.assertAlmostEqual(self.ask("viewer.time"), part, delta=0.03)
+
+    def test_numbers_at_the_cursor(self):
+        self.open(recordings.rolling_ball())
+        self.browser.run("viewer.scrubTo(60)")
+        self.browser.drawn()
+        values = {key: self.ask(f"document.querySelector('.graph[data-key=\"{key}\"] .values').textContent")
+                  for key in ("error", "energy", "sample")}
+        self.assertEqual(values["error"], "0.001")
+        self.assertIn("total 1", values["energy"])
+        self.assertEqual(values["sample"], "0.2")
+        self.assertIn("1.000 s", self.ask("document.getElementById('now').textContent"))
+
+
+class Runs(Viewer):
+    def test_they_are_in_step_and_part(self):
+        self.open(recordings.rolling_ball(), recordings.rolling_ball(speed=1.2), labels=("ours", "faster"))
+        size = self.ask("viewer.picture.box.size")
+        # They are 0.2 t apart: the first frame in which that is more than a thousandth of the scene's size.
+        since = next(k * recordings.H for k in range(61) if 0.2 * k * recordings.H > 1e-3 * size)
+        self.assertAlmostEqual(self.ask("viewer.since[0]"), since, delta=1e-9)
+        self.browser.run("viewer.scrubTo(60)")
+        self.browser.drawn()
+        self.assertAlmostEqual(self.ask("viewer.drawnAt(1, 1)[0] - viewer.drawnAt(1, 0)[0]"), 0.2, delta=FLOAT)
+        said = self.ask("document.getElementById('parting').textContent")
+        for text in ("faster", "ours", "since", "Now 0.2 m", "body 1"):
+            self.assertIn(text, said)
+
+    def test_side_by_side_and_in_one_picture(self):
+        self.open(recordings.rolling_ball(), recordings.rolling_ball(side=0.5))
+        width = self.ask("viewer.picture.canvas.clientWidth")
+        first, second = (self.ask(f"viewer.project(1, {run})")[0] for run in (0, 1))
+        self.assertTrue(first < width / 2 < second, (first, second))
+        apart = self.browser.pixels()
+        self.click("show-overlaid")
+        self.assertGreater((abs(self.browser.pixels() - apart).max(axis=2) > 0.1).sum(), 1000)
+        first, second = (self.ask(f"viewer.project(1, {run})")[0] for run in (0, 1))
+        self.assertLess(abs(first - second), width / 3)
+
+    def test_equal_runs_do_not_part_and_different_bodies_are_not_compared(self):
+        self.open(recordings.tower(), recordings.tower(), recordings.tower(boxes=3))
+        self.assertEqual(self.ask("viewer.since"), [None, None])
+        said = self.ask("document.getElementById('parting').textContent").splitlines()
+        self.assertIn("never more than", said[0])
+        self.assertIn("not compared", said[1])
+
+    def test_the_shorter_one_waits_at_its_end(self):
+        self.open(recordings.rolling_ball(frames=11), recordings.rolling_ball(frames=61))
+        self.browser.run("viewer.scrubTo(60)")
+        self.browser.drawn()
+        self.assertAlmostEqual(self.ask("viewer.drawnAt(1, 0)[0]"), 10 * recordings.H, delta=FLOAT)
+        self.assertAlmostEqual(self.ask("viewer.drawnAt(1, 1)[0]"), 60 * recordings.H, delta=FLOAT)
+
+    def test_a_double_click_follows_a_body(self):
+        from selenium.webdriver.common.action_chains import ActionChains
+        self.open(recordings.rolling_ball())
+        canvas = self.browser.driver.find_element("id", "picture")
+        x, y = self.ask("viewer.project(1)")
+        ActionChains(self.browser.driver).move_to_element_with_offset(
+            canvas, round(x - canvas.rect["width"] / 2), round(y - canvas.rect["height"] / 2)).double_click().perform()
+        self.browser.drawn()
+        before = self.ask("viewer.project(1)")
+        self.browser.run("viewer.scrubTo(60)")
+        self.browser.drawn()
+        for a, b in zip(before, self.ask("viewer.project(1)")):
+            self.assertAlmostEqual(a, b, delta=2)
+
+
+class Damage(Viewer):
+    def notice(self, *texts: str) -> str:
+        self.open(*texts)
+        said = self.ask("viewer.notice")
+        self.assertEqual(self.ask("document.getElementById('notice').textContent"), said)
+        self.assertNotIn("\n", said)
+        return said
+
+    def test_what_is_no_recording(self):
+        for text, told in (("", "empty"), ("x", "no recording"), ("[]\n", "no recording"), ("{}\n", "no recording"),
+                           ('{"format": "spook recording", "version": 7}\n', "version 7"),
+                           ('{"format": "spook recording", "version": 1}\n', "lists no bodies"),
+                           (recordings.rolling_ball().splitlines()[0], "no frames")):
+            self.assertIn(told, self.notice(text))
+
+    def test_what_is_cut_off_is_shown_up_to_there(self):
+        text = recordings.rolling_ball()
+        self.assertIn("cut off at 1 s", self.notice("".join(text.splitlines(keepends=True)[:-1])))
+        self.assertEqual(self.ask("viewer.count"), 61)
+        self.assertIn("Line 62", self.notice(text[:len(text) - 100]))
+        self.assertEqual(self.ask("viewer.count"), 60)
+
+    def test_what_is_damaged_is_shown_up_to_there(self):
+        good = [json.loads(line) for line in recordings.rolling_ball().splitlines()]
+        for change, told in (({"x": recordings.floats(1, 2)}, "x has 2 numbers, not 6"), ({"x": "?"}, "x can not be read"),
+                             ({"q": "AAA="}, "q can not be read"), ({"time": None}, "its time is missing"),
+                             ({"between": recordings.integers(0, 9)}, "body that is not there"),
+                             ({"contacts": recordings.floats(1)}, "contacts has 1 numbers, not 10")):
+            lines = [dict(line) for line in good]
+            lines[20] |= change
+            said = self.notice(recordings.text(*lines))
+            self.assertIn("Line 21", said)
+            if "between" not in change:
+                self.assertIn(told, said)
+            self.assertEqual(self.ask("viewer.count"), 19)
+
+    def test_a_run_that_blew_up_says_why(self):
+        lines = recordings.rolling_ball().splitlines()
+        lost = json.dumps({"end": "blown up", "why": "body 1 is not finite"})
+        self.assertIn("blown up: body 1 is not finite", self.notice("\n".join([*lines[:30], lost])))
+        self.assertEqual(self.ask("viewer.count"), 29)
+
+    def test_numbers_that_are_not_finite_are_no_exception(self):
+        lines = [json.loads(line) for line in recordings.rolling_ball().splitlines()]
+        for line in lines[30:-1]:
+            nan = float("nan")
+            line |= {"x": recordings.floats(0, 0, 0, nan, nan, 1e30), "error": None, "residual": None,
+                     "energy": {"motion": None}, "sample": [0.5, None], "us": [None] * 3}
+        self.assertEqual(self.notice(recordings.text(*lines)), "")
+        self.browser.run("viewer.scrubTo(40)")
+        self.browser.drawn()
+        self.assertEqual(self.ask("viewer.drawn()"), 0)
+
+    def test_what_is_too_large_is_not_read(self):
+        page = film([("", b"TOO LARGE")])
+        packed = b64encode(gzip.compress(recordings.rolling_ball().encode() + b" " * 65 * 2**20, 1)).decode()
+        (self.folder / "page.html").write_text(
+            page.replace(b64encode(gzip.compress(b"TOO LARGE", 6, mtime=0)).decode(), packed))
+        self.browser.open(self.folder / "page.html")
+        self.assertIn("too large", self.ask("viewer.notice"))
+
+    def test_one_damaged_run_leaves_the_other(self):
+        self.assertIn("beside: The recording is empty", self.notice(recordings.tower(), ""))
+        self.assertEqual(self.ask("viewer.runs.length"), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,89 @@
+"""--beside: further runs of a scene, each with something changed."""
+
+from dataclasses import dataclass
+
+from errors import BadInput
+
+# Options of run that may differ; any other name is one of the scene's parameters.
+_OPTIONS = ("h", "time", "solver", "iterations", "tolerance", "substeps", "order", "seed", "margin", "friction-model",
+            "tangents")
+_FLAG = "warm-start"
+_SWITCHED = {"on": True, "true": True, "yes": True, "1": True, "off": False, "false": False, "no": False, "0": False}
+
+
+@dataclass(frozen=True)
+class Run:
+    words: tuple[str, ...]  # of spook run
+    mine: bool
+    changed: tuple[tuple[str, str], ...] = ()  # name, value
+
+
+def variations(words: list[str], arguments) -> list[Run]:
+    """The run that was asked for, and those beside it."""
+    if "--record" in words:
+        raise BadInput("view: --record is for ./course run; view records by itself")
+    words = [*words, "--fps", arguments.fps] if arguments.fps else words
+    runs = [Run(tuple(words), arguments.mine)]
+    for what in arguments.beside or ():
+        if what == "mine" and arguments.mine:
+            raise BadInput("view: --beside mine is the same run as --mine; leave one of them out")
+        runs.append(Run(runs[0].words, True) if what == "mine" else _changed(runs[0], what))
+    return runs
+
+
+def _changed(run: Run, what: str) -> Run:
+    words, changed = list(run.words), []
+    for part in what.split(","):
+        name, equals, value = part.partition("=")
+        if not (name and equals and value):
+            raise BadInput(f"view: --beside wants mine or NAME=VALUE, but got {what!r}")
+        option = name.replace("_", "-")
+        if option == _FLAG:
+            words = _flagged(words, value)
+        elif option in _OPTIONS:
+            words = [*_without(words, f"--{option}"), f"--{option}", value]
+        else:
+            words += ["--set", f"{name}={value}"]
+        changed.append((name, value))
+    return Run(tuple(words), run.mine, tuple(changed))
+
+
+def _flagged(words: list[str], value: str) -> list[str]:
+    if value not in _SWITCHED:
+        raise BadInput(f"view: --beside {_FLAG} wants on or off, but got {value!r}")
+    return [word for word in words if word != f"--{_FLAG}"] + [f"--{_FLAG}"] * _SWITCHED[value]
+
+
+def _without(words: list[str], option: str) -> list[str]:
+    """Given twice the program would take neither."""
+    kept: list[str] = []
+    skip = False
+    for word in words:
+        if not skip and word != option and not word.startswith(f"{option}="):
+            kept.append(word)
+        skip = not skip and word == option
+    return kept
+
+
+def label_of(index: int, runs: list[Run], headers: list[dict]) -> str:
+    """What a run is called in the picture; nothing if it is alone."""
+    if len(runs) == 1:
+        return ""
+    run = runs[index]
+    if run.changed:
+        return ", ".join(f"{name} = {value}" for name, value in run.changed)
+    if run.mine or any(other.mine != run.mine for other in runs):
+        return "yours" if run.mine else "reference"
+    names = dict.fromkeys(name for other in runs for name, _ in other.changed)
+    return ", ".join(f"{name} = {_value(headers[index], name)}" for name in names)
+
+
+def _value(header: dict, name: str) -> str:
+    plain = name.replace("-", "_")
+    for place in (header.get("parameters", {}), header.get("method", {}), header):
+        if plain in place:
+            value = place[plain]
+            if isinstance(value, bool):
+                return "on" if value else "off"
+            return f"{value:.4g}" if isinstance(value, float) else str(value)
+    return "as it is"

@@ -1,0 +1,55 @@
+"""The viewer's page: tools/viewer, the libraries, and the data, in one file that needs no other."""
+
+import base64
+import gzip
+import html
+import re
+
+from errors import CourseError
+from needs import THREE
+from paths import ROOT
+
+VIEWER = ROOT / "tools" / "viewer"
+_LIBRARIES = {"three.min.js": THREE / "three.min.js",
+              "OrbitControls.js": THREE / "examples" / "js" / "controls" / "OrbitControls.js"}
+_STYLE = re.compile(r'<link rel="stylesheet" href="([\w.]+)">')
+_SCRIPT = re.compile(r'<script src="([\w.]+)"></script>')
+_LIBRARY_TAG = re.compile(r'<script data-library="([\w.]+)"></script>')
+_DATA = "<!-- data -->"
+
+
+def film(recordings: list[tuple[str, bytes]]) -> str:
+    """The page of recordings, each with what it is called; the first is the one that others are compared with."""
+    return _page("\n".join(f'<script type="application/gzip" data-recording="{html.escape(label)}">{_packed(content)}'
+                           "</script>" for label, content in recordings))
+
+
+def live() -> str:
+    """The page of a run that goes on: it asks for `frames` and sends to `command`, beside its own address."""
+    return _page('<script type="application/json" id="live">{}</script>')
+
+
+def _page(data: str) -> str:
+    text = (VIEWER / "viewer.html").read_text(encoding="utf-8")
+    text = _STYLE.sub(lambda found: f"<style>\n{_source(found[1])}</style>", text)
+    text = _SCRIPT.sub(lambda found: f"<script>\n{_source(found[1])}</script>", text)
+    text = _LIBRARY_TAG.sub(_library, text)
+    return text.replace(_DATA, data)
+
+
+def _source(name: str) -> str:
+    return (VIEWER / name).read_text(encoding="utf-8")
+
+
+def _library(found: re.Match) -> str:
+    path = _LIBRARIES[found[1]]
+    try:
+        content = path.read_bytes()
+    except OSError:
+        raise CourseError(f"{path} is missing; it comes with Debian's libjs-three") from None
+    return f'<script type="application/gzip" data-library="{found[1]}">{_packed(content)}</script>'
+
+
+def _packed(content: bytes) -> str:
+    # Without a time the same data make the same page.
+    return base64.b64encode(gzip.compress(content, 6, mtime=0)).decode()

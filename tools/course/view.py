@@ -1,0 +1,150 @@
+"""./course view: a film of a scene, or of several runs of it, in one page that opens by itself."""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+from beside import Run, label_of, variations
+from engine import program
+from errors import BadInput, CourseError
+from install import install
+from mine import begun, told
+from needs import VIEW_NEEDS
+from page import film
+from paths import BUILD, shown
+from run import with_yours
+from terminal import fold
+
+_LARGE = 50e6  # bytes; pages beyond it take long to open
+_ENOUGH = 12  # lines of a recording that say how long the rest will be
+_PERIOD = 0.1  # [s]
+
+
+@dataclass(frozen=True)
+class Recording:
+    label: str
+    content: bytes
+
+
+def view(arguments) -> int:
+    words, out = arguments.words, Path(arguments.out) if arguments.out else None
+    if not words or words[0].startswith("-"):
+        raise BadInput("view: a scene is missing; it comes first: ./course view SCENE [OPTION ...]")
+    is_file = "." in words[0] or "/" in words[0]
+    if is_file:
+        recordings, code = _files(arguments), 0
+        runs: list[Run] = []
+    else:
+        runs = variations(words, arguments)
+    out = _target(out or BUILD / "views" / f"{Path(words[0]).stem}.html", made=out is None)
+    install(VIEW_NEEDS, yes=False)
+    if not is_file:
+        recordings, code = _recorded(runs)
+    return _write(out, recordings) or code
+
+
+def _files(arguments) -> list[Recording]:
+    if arguments.mine or arguments.beside or arguments.fps:
+        raise BadInput("view: --mine, --beside and --fps are for scenes; a recording is shown as it is")
+    if option := next((word for word in arguments.words if word.startswith("-")), None):
+        raise BadInput(f"view: {option} does not go with a recording, which is shown as it is")
+    recordings = []
+    for name in arguments.words:
+        try:
+            content = Path(name).read_bytes()
+        except OSError as error:
+            raise BadInput(f"view: {name}: {error.strerror}") from None
+        if _header(content) is None:
+            raise BadInput(f"view: {name} is no recording; ./course run SCENE --record FILE makes one")
+        recordings.append(Recording(Path(name).stem if len(arguments.words) > 1 else "", content))
+    return recordings
+
+
+def _header(content: bytes) -> dict | None:
+    try:
+        header = json.loads(content.split(b"\n", 1)[0])
+    except ValueError:
+        return None
+    return header if isinstance(header, dict) and header.get("format") == "spook recording" else None
+
+
+def _target(path: Path, made: bool) -> Path:
+    """Where the page goes; looked at first, so that no run is made in vain."""
+    if made:
+        path.parent.mkdir(parents=True, exist_ok=True)
+    if path.is_dir() or not path.parent.is_dir() or not os.access(path if path.exists() else path.parent, os.W_OK):
+        raise BadInput(f"view: {path} cannot be written")
+    return path
+
+
+def _recorded(runs: list[Run]) -> tuple[list[Recording], int]:
+    """What was recorded, and the worst exit code. Ends the command where a run makes no sense."""
+    code, recordings = 0, []
+    mine = begun() if any(run.mine for run in runs) else []
+    if any(run.mine for run in runs):
+        print(fold(told(mine)) if mine else "No exercise of yours is written yet: all of it is the reference.",
+              file=sys.stderr)
+    with tempfile.TemporaryDirectory(prefix="course-") as folder:
+        for k, run in enumerate(runs):
+            file = Path(folder, f"{k}.jsonl")
+            words = ["run", *run.words, "--record", str(file)]
+            ended = (with_yours(words, mine, call=_Call(file)) if run.mine and mine
+                     else _Call(file)([str(program("spook")), *words]))
+            if ended == 2 or not file.exists():
+                raise SystemExit(ended or 1)  # the program has said why
+            code = max(code, ended)
+            recordings.append(file.read_bytes())
+    headers = [_header(content) or {} for content in recordings]
+    return [Recording(label_of(k, runs, headers), content) for k, content in enumerate(recordings)], code
+
+
+class _Call:
+    """Runs the program; says, as soon as that can be seen, that the recording will be large."""
+
+    def __init__(self, file: Path):
+        self._file, self._warned = file, False
+
+    def __call__(self, command: list[str], **env: str) -> int:
+        with subprocess.Popen(command, stdout=subprocess.DEVNULL, env=os.environ | env) as process:
+            while process.poll() is None:
+                self._look()
+                time.sleep(_PERIOD)
+        return process.returncode
+
+    def _look(self) -> None:
+        if self._warned or not self._file.exists() or not (size := expected_size(self._file)) > _LARGE:
+            return
+        self._warned = True
+        print(f"course: view: the page will have about {_megabytes(size)}; a lower --fps or a shorter --time "
+              "makes it smaller", file=sys.stderr)
+
+
+def expected_size(file: Path) -> float:
+    """Of the whole recording, once a few frames are there; 0 before that."""
+    with file.open("rb") as stream:
+        lines = [line for _, line in zip(range(_ENOUGH), stream)]
+    header = _header(lines[0]) if len(lines) == _ENOUGH else None
+    try:
+        return header["time"] / header["frame_time"] * max(map(len, lines[1:])) if header else 0
+    except (KeyError, TypeError, ZeroDivisionError):
+        return 0
+
+
+def _write(out: Path, recordings: list[Recording]) -> int:
+    text = film([(recording.label, recording.content) for recording in recordings])
+    try:
+        out.write_text(text, encoding="utf-8")
+    except OSError as error:
+        raise CourseError(f"view: {out}: {error.strerror}") from None
+    count = f"{len(recordings)} runs, " if len(recordings) > 1 else ""
+    print(f"{shown(out.absolute())}: {count}{_megabytes(out.stat().st_size)}. Open it in a browser.")
+    return 0
+
+
+def _megabytes(size: float) -> str:
+    return f"{size / 1e6:.1f} MB" if size < 1e7 else f"{size / 1e6:.0f} MB"

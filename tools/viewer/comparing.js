@@ -1,0 +1,51 @@
+"use strict";
+// Runs beside the first: how far their bodies are from its bodies at the same time, and since when.
+
+const PARTED = 1e-3;  // of the scene's size
+
+/** { distance, body } between two runs at a time of the first; null if they can not be compared. */
+function apart(first, other, frame) {
+  if (!comparable(first, other) || !other.frames.length) return null;
+  const last = lastOf(other.frames).time, slack = 1e-6 * (1 + Math.abs(frame.time));
+  if (frame.time > last + slack || frame.time < other.frames[0].time - slack) return null;
+  const [a, b, part] = around(other.frames, frame.time, slack);
+  let distance = 0, body = -1;
+  for (let k = 0; 3 * k < frame.x.length; ++k) {
+    let square = 0;
+    for (let c = 3 * k; c < 3 * k + 3; ++c) square += (frame.x[c] - (a.x[c] + part * (b.x[c] - a.x[c]))) ** 2;
+    if (!(square <= distance * distance)) [distance, body] = [Math.sqrt(square), k];
+  }
+  return { distance, body };
+}
+
+function comparable(first, other) {
+  return first.header.bodies.length === other.header.bodies.length;
+}
+
+/** The frames before and after a time, and which part of the way between them it is. */
+function around(frames, time, slack) {
+  const k = nearest(frames, time), at = frames[k].time;
+  if (Math.abs(at - time) <= slack) return [frames[k], frames[k], 0];
+  const [a, b] = at < time ? [frames[k], frames[k + 1]] : [frames[k - 1], frames[k]];
+  return [a, b, (time - a.time) / (b.time - a.time)];
+}
+
+/** The time from which they are apart by more than PARTED of the size; null if they never are. */
+function parting(first, other, size) {
+  for (const frame of first.frames) {
+    const found = apart(first, other, frame);
+    if (found && !(found.distance <= PARTED * size)) return frame.time;
+  }
+  return null;
+}
+
+/** What is said about a run beside the first, at the cursor. */
+function partingLine(first, other, size, since, frame) {
+  if (!comparable(first, other)) return `${other.label}: it has other bodies, so that their places are not compared.`;
+  const now = apart(first, other, frame);
+  const here = now ? `Now ${inUnit(now.distance, "m")}${now.body >= 0 ? `, at body ${now.body}` : ""}.`
+    : "At this time only one of them is there.";
+  const limit = inUnit(PARTED * size, "m");
+  return since === null ? `${other.label}: never more than ${limit} from ${first.label}. ${here}`
+    : `${other.label}: more than ${limit} from ${first.label} since ${inUnit(since, "s")}. ${here}`;
+}

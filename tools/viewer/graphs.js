@@ -1,0 +1,225 @@
+"use strict";
+// Graphs in time with the picture. A click or a drag in one goes to that time.
+
+const MOST_DECADES = 8;  // of a logarithmic scale: below are roundings
+const PAD = { left: 60, right: 8, top: 6, bottom: 16 };  // around the curves [pixels]
+
+class Graph {
+  /** `seek` is called with a time, `chooseColumn` with the index of a sample's column. */
+  constructor(parent, quantity, seek, chooseColumn) {
+    this.quantity = quantity;
+    this.several = new Set(quantity.lines.map((line) => line.run)).size > 1;
+    this.canvas = element("canvas", { className: "curves" });
+    this.canvas.setAttribute("role", "img");
+    this.canvas.setAttribute("aria-label", `${quantity.title} over time`);
+    this.scaleButton = element("button", { className: "scale", title: "linear or logarithmic" });
+    this.logarithmic = spansDecades(quantity);
+    this.scaleButton.onclick = () => { this.logarithmic = !this.logarithmic; this.prepare(); this.drawCursor(this.at); };
+    this.values = element("div", { className: "values" });
+    const title = quantity.key === "sample" ? columnChoice(quantity, chooseColumn) : element("h2", {
+      title: quantity.title, textContent: quantity.title + (quantity.unit && quantity.unit !== "relative" ? ` [${quantity.unit}]` : "") });
+    this.node = element("section", { className: "graph" }, element("div", { className: "title" }, title, this.scaleButton),
+                        this.values, this.canvas);
+    this.node.dataset.key = quantity.key;
+    this.chips = quantity.lines.map((line) => this.chip(line));
+    parent.append(this.node);
+    this.listen(seek);
+  }
+
+  chip(line) {
+    const number = element("b"), chip = element("span", { className: "chip" });
+    const bar = element("i");
+    bar.style.background = this.colour(line);
+    // Of several runs the colour says which: their names are in the picture.
+    chip.append(bar, this.quantity.lines.length > 1 && !this.several ? `${line.name} ` : "", number);
+    this.values.append(chip);
+    return number;
+  }
+
+  colour(line) {
+    const { lines, runs } = palette();
+    const colours = this.several ? runs : lines;
+    return colours[line.colour % colours.length];
+  }
+
+  listen(seek) {
+    const go = (event) => {
+      const { left } = this.canvas.getBoundingClientRect();
+      const part = (event.clientX - left - PAD.left) / (this.canvas.clientWidth - PAD.left - PAD.right);
+      seek(this.first + clamp(part, 0, 1) * (this.last - this.first));
+    };
+    this.canvas.onpointerdown = (event) => { this.canvas.setPointerCapture(event.pointerId); go(event); };
+    this.canvas.onpointermove = (event) => { if (event.buttons) go(event); };
+  }
+
+  /** Draws the curves, which stay; the cursor comes over them. */
+  prepare() {
+    this.scaleButton.textContent = this.logarithmic ? "log" : "lin";
+    const width = this.canvas.clientWidth, height = this.canvas.clientHeight, dense = window.devicePixelRatio || 1;
+    if (!width || !height) return;
+    this.canvas.width = Math.round(width * dense);
+    this.canvas.height = Math.round(height * dense);
+    this.still = element("canvas", { width: this.canvas.width, height: this.canvas.height });
+    const pen = this.still.getContext("2d");
+    pen.scale(dense, dense);
+    this.findRange();
+    this.drawAxes(pen, width, height);
+    for (const line of [...this.quantity.lines].reverse()) this.drawLine(pen, line, width, height);
+  }
+
+  findRange() {
+    const { lines } = this.quantity;
+    let low = Infinity, high = -Infinity;
+    for (const line of lines)
+      for (const frame of line.run.frames) {
+        const value = line.valueOf(frame);
+        if (!isNumber(value) || (this.logarithmic && value <= 0)) continue;
+        low = Math.min(low, value);
+        high = Math.max(high, value);
+      }
+    this.first = Math.min(...lines.map((line) => line.run.frames[0].time));
+    this.last = Math.max(...lines.map((line) => lastOf(line.run.frames).time), this.first + 1e-9);
+    [this.low, this.high] = this.widened(low, high);
+  }
+
+  widened(low, high) {
+    if (!(low <= high)) return this.logarithmic ? [-1, 0] : [0, 1];
+    if (this.logarithmic) {
+      const top = Math.ceil(Math.log10(high)), bottom = Math.floor(Math.log10(low));
+      return [clamp(bottom, top - MOST_DECADES, top - 1), top];
+    }
+    if (this.quantity.floor !== undefined) low = Math.min(low, this.quantity.floor);
+    const room = high > low ? 0.06 * (high - low) : 0.1 * Math.abs(high) || 1;
+    return [low === this.quantity.floor ? low : low - room, high + room];
+  }
+
+  xOf(time, width) {
+    return PAD.left + (time - this.first) / (this.last - this.first) * (width - PAD.left - PAD.right);
+  }
+
+  yOf(value, height) {
+    const part = ((this.logarithmic ? Math.log10(value) : value) - this.low) / (this.high - this.low);
+    return PAD.top + (1 - part) * (height - PAD.top - PAD.bottom);
+  }
+
+  drawAxes(pen, width, height) {
+    const style = getComputedStyle(this.canvas);
+    pen.font = `10.5px ${style.fontFamily}`;
+    pen.fillStyle = style.color;
+    pen.strokeStyle = palette().line;
+    pen.lineWidth = 1;
+    pen.textAlign = "right";
+    pen.textBaseline = "middle";
+    const ticks = this.ticks();
+    for (const value of ticks) {
+      const y = Math.round(this.yOf(value, height)) + 0.5;
+      stroke(pen, PAD.left, y, width - PAD.right, y);
+      pen.fillText(this.logarithmic ? `10${superscript(Math.round(Math.log10(value)))}` : tickText(value, ticks), PAD.left - 5, y);
+    }
+    pen.textAlign = "center";
+    pen.textBaseline = "alphabetic";
+    for (const time of steps(this.first, this.last, 5)) {
+      const x = Math.round(this.xOf(time, width)) + 0.5;
+      stroke(pen, x, height - PAD.bottom, x, height - PAD.bottom + 3);
+      pen.fillText(inUnit(time, "s"), clamp(x, PAD.left, width - 14), height - 2);
+    }
+  }
+
+  ticks() {
+    if (!this.logarithmic) return steps(this.low, this.high, 3);
+    const every = Math.ceil((this.high - this.low) / 3), powers = [];
+    for (let power = this.high; power >= this.low; power -= every) powers.push(10 ** power);
+    return powers;
+  }
+
+  drawLine(pen, line, width, height) {
+    pen.save();
+    pen.beginPath();
+    pen.rect(PAD.left, 0, width - PAD.left - PAD.right, height - PAD.bottom + 1);
+    pen.clip();
+    pen.strokeStyle = this.colour(line);
+    pen.lineWidth = line.colour === 0 ? 1.8 : 1.3;
+    pen.lineJoin = "round";
+    pen.beginPath();
+    let down = false;
+    for (const frame of line.run.frames) {
+      const value = line.valueOf(frame), there = isNumber(value) && !(this.logarithmic && value <= 0);
+      if (there) pen[down ? "lineTo" : "moveTo"](this.xOf(frame.time, width), this.yOf(value, height));
+      down = there;
+    }
+    pen.stroke();
+    pen.restore();
+  }
+
+  /** `at`: a time, and the frame of each run there. */
+  drawCursor(at) {
+    this.at = at;
+    if (!this.still || !at) return;
+    const pen = this.canvas.getContext("2d"), dense = window.devicePixelRatio || 1;
+    const width = this.canvas.clientWidth, height = this.canvas.clientHeight;
+    pen.setTransform(1, 0, 0, 1, 0, 0);
+    pen.clearRect(0, 0, this.canvas.width, this.canvas.height);
+    pen.drawImage(this.still, 0, 0);
+    pen.scale(dense, dense);
+    pen.strokeStyle = getComputedStyle(this.canvas).color;
+    pen.lineWidth = 1;
+    const x = Math.round(this.xOf(at.time, width)) + 0.5;
+    stroke(pen, x, PAD.top, x, height - PAD.bottom);
+    for (const [k, line] of this.quantity.lines.entries()) {
+      const frame = at.frameOf(line.run), value = line.valueOf(frame);
+      this.chips[k].textContent = short(value);
+      if (!isNumber(value) || (this.logarithmic && value <= 0)) continue;
+      const y = this.yOf(value, height);
+      if (y > height - PAD.bottom + 1) continue;
+      pen.fillStyle = this.colour(line);
+      pen.beginPath();
+      pen.arc(this.xOf(frame.time, width), y, 2.8, 0, 7);
+      pen.fill();
+    }
+  }
+}
+
+function stroke(pen, x, y, toX, toY) {
+  pen.beginPath();
+  pen.moveTo(x, y);
+  pen.lineTo(toX, toY);
+  pen.stroke();
+}
+
+/** With as many digits as it takes to tell neighbours apart. */
+function tickText(value, ticks) {
+  const digits = ticks.length > 1 && value ? Math.ceil(Math.log10(Math.abs(value) / (ticks[1] - ticks[0]))) + 1 : 0;
+  return digits > 3 ? minus(String(Number(value.toPrecision(Math.min(digits, 8))))) : short(value);
+}
+
+/** Round numbers between two, about so many. */
+function steps(low, high, count) {
+  const step = niceAbove((high - low) / count), found = [];
+  for (let k = Math.ceil(low / step - 1e-9); k * step <= high * (1 + 1e-12) + 1e-12 * step; ++k) found.push(k * step);
+  return found;
+}
+
+const DECADES = ["error", "residual"];  // what may go down by powers of ten
+
+/** Where values are over 0 and more than three decades apart, curves are read better on a logarithmic scale. */
+function spansDecades({ lines, key }) {
+  if (!DECADES.includes(key)) return false;
+  let low = Infinity, high = 0;
+  for (const line of lines)
+    for (const frame of line.run.frames) {
+      const value = line.valueOf(frame);
+      if (!isNumber(value) || value === 0) continue;
+      if (value < 0) return false;
+      low = Math.min(low, value);
+      high = Math.max(high, value);
+    }
+  return high > 1e3 * low;
+}
+
+function columnChoice(quantity, choose) {
+  const chosen = quantity.columns.indexOf(quantity.title);
+  const select = element("select", { title: "one of the scene's own numbers" }, ...quantity.columns.map(
+    (name, k) => element("option", { value: k, textContent: name, selected: k === chosen })));
+  select.onchange = () => choose(Number(select.value));
+  return select;
+}

@@ -1,0 +1,190 @@
+"use strict";
+// A run that is going on: frames come as server-sent events, commands go back.
+
+const KEPT = 1200;      // frames that one can go back to
+const GROWN = 1.1;      // the view is fitted anew when the bodies fill so much more, as long as no hand was laid on them
+const FARTHEST = 4;     // but no more than so many times what they filled at first
+const GRAPHS_EVERY = 150;  // [ms]
+
+class Live {
+  constructor(viewer) {
+    this.viewer = viewer;
+    this.running = true;
+    this.sent = Promise.resolve();
+    document.body.classList.add("live");
+    document.getElementById("drop").onclick = () => this.drop();
+    document.getElementById("next").title = "a step on (right)";
+    this.source = new EventSource("frames");
+    this.source.onmessage = (event) => this.take(JSON.parse(event.data));
+    this.source.onerror = () => viewer.say("The run has ended: ./course play is no longer there.");
+    this.source.onopen = () => viewer.say("");
+    window.addEventListener("pagehide", () => this.source.close());
+  }
+
+  take(line) {
+    try {
+      if ("said" in line) this.show(line.said);
+      else if ("state" in line) this.takeState(line.state);
+      else if ("refused" in line) this.flash(`Refused: ${line.refused}`);
+      else if ("end" in line) this.viewer.say(line.end === "done" ? "" : `The run ${line.end}: ${line.why || ""}`);
+      else if ("format" in line) this.header(line);
+      else this.frame(frameOf(line, this.pending || this.run.header));
+    } catch (error) {
+      this.flash(`A line of the run can not be read: ${error.message}.`);
+    }
+  }
+
+  /** How the run was left, when the page is loaded again. */
+  takeState({ pause, rate }) {
+    this.running = !pause;
+    const { speed } = this.viewer.controls;
+    speed.value = String(rate);
+    this.viewer.dirty();
+  }
+
+  /** What a build says: shown until a run goes on. */
+  show(text) {
+    const box = document.getElementById("said");
+    box.textContent = text;
+    box.hidden = !text;
+  }
+
+  flash(text) {
+    this.viewer.say(text);
+    clearTimeout(this.flashing);
+    this.flashing = setTimeout(() => this.viewer.say(""), 5000);
+  }
+
+  /** Taken with the frame that follows it. */
+  header(line) {
+    this.pending = checkedHeader(line);
+  }
+
+  frame(frame) {
+    if (this.pending) this.begin(frame);
+    const { frames } = this.run;
+    if (frames.length && frame.time < lastOf(frames).time) frames.length = 0;
+    frames.push(frame);
+    if (frames.length > KEPT) frames.splice(0, frames.length - KEPT);
+    this.viewer.player.goTo(frames.length - 1);
+    document.body.classList.toggle("touched", Boolean(frame.touched));
+    this.refresh();
+  }
+
+  begin(frame) {
+    const header = this.pending, first = !this.run;
+    this.pending = null;
+    // After a drop what was before stays in the graphs; a restart begins them anew.
+    const before = first || frame.time < lastOf(this.run.frames).time ? [] : this.run.frames;
+    const same = !first && this.run.header.bodies.length === header.bodies.length;
+    this.run = { header, frames: [...before, frame], notice: "", label: "", live: true };
+    this.viewer.show([this.run], same || before.length > 0);
+    this.run.frames.pop();  // it is added as any other
+    if (!before.length) this.firstSize = this.viewer.picture.box.size;
+    this.makeSliders(header.controls || []);
+  }
+
+  /** The graphs, and the view as long as nobody has turned it, now and then. */
+  refresh() {
+    const now = performance.now(), { viewer } = this;
+    if (now - (this.refreshed || 0) < GRAPHS_EVERY) return;
+    this.refreshed = now;
+    for (const graph of viewer.graphs) graph.prepare();
+    if (!viewer.picture.camera.untouched() || lastOf(this.run.frames).touched) return;
+    const box = boundsOf([this.run]);
+    if (box.size > GROWN * viewer.picture.box.size && box.size < FARTHEST * this.firstSize) {
+      viewer.picture.show([this.run]);
+      viewer.legend.show(viewer.picture);
+    }
+  }
+
+  makeSliders(controls) {
+    const parent = document.getElementById("sliders");
+    if (parent.contains(document.activeElement)) return;
+    parent.replaceChildren(...controls.map((control) => controlNode(control, (value) =>
+      this.send({ set: { [control.name]: value } }))));
+  }
+
+  /** One after the other, in the order in which they were given. */
+  send(command) {
+    this.sent = this.sent.then(() => fetch("command", { method: "POST", body: JSON.stringify(command) }))
+      .catch(() => this.viewer.say("The run has ended: ./course play is no longer there."));
+    return this.sent;
+  }
+
+  hold(on) {
+    this.running = !on;
+    this.viewer.dirty();
+    return this.send({ pause: on });
+  }
+
+  /** Forwards the engine steps; backwards one looks at what was. */
+  step(count) {
+    const { player } = this.viewer;
+    if (this.running) this.hold(true);
+    if (count > 0 && player.index === player.count - 1) this.send({ step: count });
+    else player.goTo(player.index + count);
+  }
+
+  restart() {
+    this.running = true;
+    this.send({ restart: true });
+    return this.send({ pause: false });
+  }
+
+  pull(hit, to) {
+    const { picture } = this.viewer, frame = lastOf(this.run.frames);
+    picture.hand = { from: placeOf(frame, hit.body, hit.local), to };
+    this.viewer.dirty();
+    this.wanted = { pull: { body: hit.body, point: hit.local, to } };
+    if (this.pulling) return;
+    this.pulling = true;  // the pointer is faster than the network: only its last place is sent
+    this.send(this.wanted).then(() => { this.pulling = false; });
+  }
+
+  release() {
+    this.viewer.picture.hand = null;
+    this.viewer.dirty();
+    this.send({ release: true });
+  }
+
+  /** Away from the eye, by an impulse that gives the scene's size a second to 1 kg. */
+  push(hit, eye) {
+    const along = eye.getWorldDirection(new THREE.Vector3()).multiplyScalar(this.viewer.picture.box.size);
+    this.send({ push: { body: hit.body, impulse: along.toArray() } });
+  }
+
+  drop() {
+    const { box } = this.viewer.picture, balls = this.run.header.bodies.filter((body) => body.shape === "ball" && !body.fixed);
+    const radius = balls.length ? balls[0].radius : 0.05 * box.size;
+    this.send({ drop: { x: [box.centre.x, box.centre.y, box.high.z + 2 * radius], radius, mass: 1 } });
+  }
+}
+
+function controlNode(control, send) {
+  const name = control.name.replaceAll("_", " ");
+  const label = element("label", {}, element("span", { textContent: name }));
+  if (control.choices) {
+    const select = element("select", { name: control.name }, ...control.choices.map((choice) => element("option", {
+      value: JSON.stringify(choice), textContent: String(choice), selected: choice === control.value })));
+    select.onchange = () => send(JSON.parse(select.value));
+    label.append(select);
+    return label;
+  }
+  const { low, high, logarithmic, value } = control;
+  const whole = high > 1 && [low, high, value].every(Number.isInteger);
+  const position = (number) => logarithmic ? Math.log(number / low) / Math.log(high / low) : (number - low) / (high - low);
+  const shown = element("output", { textContent: inUnit(value, control.unit) });
+  const slider = element("input", { type: "range", name: control.name, min: 0, max: 1, step: "any",
+                                    value: position(value) });
+  slider.oninput = () => {
+    const part = Number(slider.value);
+    let chosen = logarithmic ? low * (high / low) ** part : low + part * (high - low);
+    chosen = whole ? Math.round(chosen) : Number(chosen.toPrecision(3));
+    chosen = clamp(chosen, low, high);
+    shown.textContent = inUnit(chosen, control.unit);
+    send(chosen);
+  };
+  label.append(slider, shown);
+  return label;
+}

@@ -1,0 +1,190 @@
+"use strict";
+// Puts the parts together. `window.viewer` is the page's own account of itself: tests and notebooks read it.
+
+class Viewer {
+  constructor() {
+    this.ready = false;
+    this.draws = 0;
+    this.notice = "";
+    this.column = 1;
+    this.graphs = [];
+  }
+
+  /** Opens what the page holds: recordings, or a live run. */
+  async open() {
+    try {
+      if (typeof DecompressionStream === "undefined") throw new Error("This browser is too old to unpack the page.");
+      await loadLibraries();
+      this.start();
+      if (document.getElementById("live")) this.live = new Live(this);
+      else await this.openRecordings();
+    } catch (error) {
+      this.say(error.message);
+    }
+    this.ready = true;
+  }
+
+  start() {
+    try {
+      this.picture = new Picture(document.getElementById("picture"));
+    } catch {
+      throw new Error("This browser can not draw in three dimensions: WebGL is missing or switched off.");
+    }
+    this.player = new Player(() => this.dirty());
+    this.controls = new Controls(this);
+    this.legend = new Legend(document.getElementById("stage"));
+    this.picture.camera.orbit.addEventListener("change", () => this.dirty());
+    this.pointing = new Pointing(this);
+    new ResizeObserver(() => this.resize()).observe(document.getElementById("stage"));
+    IN_THE_DARK.addEventListener("change", () => this.rebuild());
+    const tick = (now) => {
+      this.player.advance((now - (this.lastTick || now)) / 1000);
+      this.lastTick = now;
+      if (this.stale) this.draw();
+      window.requestAnimationFrame(tick);
+    };
+    window.requestAnimationFrame(tick);
+  }
+
+  async openRecordings() {
+    const runs = [];
+    for (const node of document.querySelectorAll("script[data-recording]")) {
+      const run = await readRecording(unpacked(node));
+      run.label = node.dataset.recording;
+      const named = run.label ? `${run.label}: ` : "";
+      if (run.notice) this.say([this.notice, named + run.notice].filter(Boolean).join(" "));
+      if (run.frames.length) runs.push(run);
+      node.remove();
+    }
+    if (runs.length) this.show(runs);
+    if (runs.length) this.player.play(true);
+  }
+
+  /** Shows runs from their start. */
+  show(runs, keep = false) {
+    this.runs = runs;
+    this.picture.resize();
+    this.picture.show(runs, keep);
+    this.player.show(runs);
+    this.since = runs.slice(1).map((run) => comparable(runs[0], run) ? parting(runs[0], run, this.picture.box.size) : null);
+    this.controls.show(runs);
+    describe(runs);
+    this.makeGraphs();
+    this.legend.show(this.picture);
+    this.draw();
+  }
+
+  makeGraphs() {
+    const parent = document.getElementById("graphs");
+    parent.replaceChildren();
+    const columns = this.runs[0].header.columns;
+    this.column = clamp(this.column, 0, Math.max(0, columns.length - 1));
+    this.graphs = quantities(this.runs, this.column).map((quantity) => new Graph(
+      parent, quantity, (time) => this.seek(time), (column) => { this.column = column; this.makeGraphs(); this.dirty(); }));
+    for (const graph of this.graphs) graph.prepare();
+  }
+
+  rebuild() {
+    if (!this.runs) return;
+    this.picture.build();
+    this.makeGraphs();
+    this.legend.show(this.picture);
+    this.dirty();
+  }
+
+  resize() {
+    this.picture.resize();
+    for (const graph of this.graphs) graph.prepare();
+    if (this.runs) this.legend.show(this.picture);
+    if (this.runs) this.draw();
+  }
+
+  dirty() {
+    this.stale = true;
+  }
+
+  draw() {
+    this.stale = false;
+    this.controls.update();
+    if (!this.runs) return;
+    const frames = this.player.frames();
+    this.picture.draw(frames);
+    ++this.draws;
+    const at = { time: this.player.time, frameOf: (run) => this.player.frameOf(run) };
+    for (const graph of this.graphs) graph.drawCursor(at);
+    this.legend.update(this.picture);
+    document.getElementById("parting").textContent = this.runs.slice(1).map((run, k) =>
+      partingLine(this.runs[0], run, this.picture.box.size, this.since[k], frames[0])).join("\n");
+  }
+
+  say(notice) {
+    this.notice = notice;
+    const node = document.getElementById("notice");
+    node.textContent = notice;
+    node.hidden = !notice;
+  }
+
+  isRunning() { return this.live ? this.live.running : this.player.playing; }
+  togglePlay() { if (this.live) this.live.hold(this.live.running); else this.player.play(!this.player.playing); }
+  step(count) { if (this.live) this.live.step(count); else this.player.step(count); }
+  toStart() { if (this.live) this.live.restart(); else { this.player.play(false); this.player.goTo(0); } }
+  setRate(rate) { this.player.rate = rate; if (this.live) this.live.send({ rate }); }
+  scrubTo(index) { if (this.live) this.live.hold(true); this.player.play(false); this.player.goTo(index); }
+  seek(time) { this.scrubTo(nearest(this.player.lead.frames, time)); }
+
+  fit() {
+    this.picture.fit();
+    this.dirty();
+  }
+
+  follow(body) {
+    this.picture.camera.followed = body;
+    this.dirty();
+  }
+
+  // What tests ask.
+
+  get index() { return this.player.index; }
+  get time() { return this.player.time; }
+  get playing() { return this.isRunning(); }
+  get count() { return this.player.count; }
+  drawnAt(body, run = 0) { return this.picture.parts[run].bodies.drawnAt(body); }
+  ghostAt(body, run = 0) { return this.picture.parts[run].ghosts.drawnAt(body); }
+  drawn(run = 0) { return this.picture.parts[run].bodies.count(); }
+  project(body, run = 0) { return this.picture.project(this.drawnAt(body, run), run); }
+
+  /** Pictures a second, of frame after frame, each waited for. */
+  measure(pictures = 20) {
+    const gl = this.picture.renderer.getContext(), pixel = new Uint8Array(4), start = performance.now();
+    for (let k = 0; k < pictures; ++k) {
+      this.picture.draw(this.runs.map((run) => run.frames[k % run.frames.length]));
+      gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+    }
+    this.dirty();
+    return 1000 * pictures / (performance.now() - start);
+  }
+}
+
+/** The words above the picture. */
+function describe(runs) {
+  const { header } = runs[0], by = (id) => document.getElementById(id);
+  by("scene").textContent = (header.scene || "").replaceAll("_", " ");
+  by("summary").textContent = header.summary || "";
+  by("answer").textContent = header.answer ? `The answer: ${header.answer}` : "";
+  by("method").textContent = methodLine(header);
+  document.title = `${header.scene || "recording"} · spook`;
+}
+
+function methodLine(header) {
+  const { method, mine } = header, said = [];
+  if (method.h) said.push(`h = ${inUnit(method.h, "s")}`);
+  if (method.substeps > 1) said.push(`${method.substeps} substeps`);
+  if (method.solver) said.push(method.solver.replaceAll("_", " "));
+  if (method.iterations) said.push(`at most ${method.iterations} iterations`);
+  if (method.warm_start) said.push("warm start");
+  if (mine && mine.length) said.push(`yours: ${mine.join(", ")}`);
+  return said.join(" · ");
+}
+
+window.viewer = new Viewer();
+window.viewer.open();

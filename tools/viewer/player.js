@@ -1,0 +1,66 @@
+"use strict";
+// Time: which frame of each run is shown. Runs are in step by their times; the one that lasts longest leads.
+
+const SPEEDS = [1 / 32, 1 / 16, 1 / 8, 1 / 4, 1 / 2, 1, 2, 4];
+
+class Player {
+  constructor(changed) {
+    Object.assign(this, { changed, runs: [], index: 0, time: 0, playing: false, rate: 1, loop: true });
+  }
+
+  show(runs) {
+    this.runs = runs;
+    this.lead = runs.reduce((best, run) => lastOf(run.frames).time > lastOf(best.frames).time + 1e-9 ? run : best, runs[0]);
+    this.goTo(0);
+  }
+
+  get count() {
+    return this.lead ? this.lead.frames.length : 0;
+  }
+
+  goTo(index) {
+    this.index = clamp(Math.round(index), 0, this.count - 1);
+    this.time = this.clock = this.lead.frames[this.index].time;
+    this.changed();
+  }
+
+  seek(time) {
+    this.goTo(nearest(this.lead.frames, time));
+  }
+
+  step(count) {
+    this.play(false);
+    this.goTo(this.index + count);
+  }
+
+  play(on) {
+    if (on && !this.playing && this.index === this.count - 1) this.goTo(0);
+    this.playing = on;
+    this.changed();
+  }
+
+  /** So many seconds have passed. */
+  advance(seconds) {
+    if (!this.playing) return;
+    this.clock += Math.min(seconds, 0.25) * this.rate;
+    const { frames } = this.lead;
+    if (this.clock > lastOf(frames).time + 0.5 * (this.lead.header.frame_time || 0)) {
+      if (this.loop) return this.goTo(0);
+      this.goTo(this.count - 1);
+      return this.play(false);
+    }
+    const index = nearest(frames, this.clock);
+    if (index === this.index) return;
+    this.index = index;
+    this.time = frames[index].time;
+    this.changed();
+  }
+
+  frameOf(run) {
+    return run.frames[run === this.lead ? this.index : nearest(run.frames, this.time)];
+  }
+
+  frames() {
+    return this.runs.map((run) => this.frameOf(run));
+  }
+}

@@ -1,0 +1,34 @@
+"use strict";
+// What the graphs show: for each a name, a unit, and lines of a number over time.
+
+const KINDS = ["motion", "turning", "weight", "field", "springs"];
+
+const totalOf = (values) => values.reduce((sum, value) => sum + (value === null ? NaN : value), 0);
+const energyOf = (frame) => totalOf(Object.values(frame.energy));
+
+/** The graphs of these runs; `column` is the sample's that is shown. A graph has one line a run, or a single run's parts. */
+function quantities(runs, column) {
+  const { header } = runs[0], name = header.error.name || "error", alone = runs.length === 1;
+  const each = (valueOf) => runs.map((run, k) => ({ name: run.label, run, colour: k, valueOf }));
+  const parts = (names, valueOf, total) => [
+    { name: "total", run: runs[0], colour: 0, valueOf: total },
+    ...names.map((part, k) => ({ name: part, run: runs[0], colour: k + 1, valueOf: (frame) => valueOf(frame, part) }))];
+  const kinds = KINDS.filter((kind) => runs[0].frames.some((frame) => frame.energy[kind]));
+  const lists = [
+    { key: "error", title: `Error: ${name}`, unit: header.error.unit, lines: each((frame) => frame.error) },
+    { key: "energy", title: "Energy", unit: "J",
+      lines: alone ? parts(kinds, (frame, kind) => frame.energy[kind], energyOf) : each(energyOf) },
+    { key: "residual", title: "Residual", unit: "m/s", lines: each((frame) => frame.residual) },
+    { key: "sample", title: header.columns[column] || "", unit: "", columns: header.columns,
+      lines: each((frame) => frame.sample[column]) },
+    { key: "us", title: "Time a step", unit: "µs", floor: 0,
+      lines: alone ? parts(header.stages, (frame, stage) => frame.us[header.stages.indexOf(stage)],
+                           (frame) => frame.us.length ? totalOf(frame.us) : NaN)
+        : each((frame) => frame.us.length ? totalOf(frame.us) : NaN) },
+  ];
+  // Where nothing is solved the residual is nothing, too.
+  const solved = runs.some((run) => run.live || run.frames.some((frame) => frame.residual > 0));
+  return lists.filter((list) => list.key !== "residual" || solved).filter((list) => list.lines.some((line) => line.run.frames.some((frame) => isNumber(line.valueOf(frame)))));
+}
+
+const isNumber = (value) => typeof value === "number" && Number.isFinite(value);
