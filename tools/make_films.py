@@ -2,7 +2,7 @@
 """Makes the films at the head of the lessons: python3 tools/make_films.py [NAME ...].
 
 What is filmed stands in films.json: a scene with options of ./course view, how fast it is shown, and which of the viewer's
-switches are on. The viewer itself draws it, in a headless Chromium. A film is an animated WebP below 400 kB: film.webp
+switches are on, and how near it is seen (zoom). The viewer itself draws it, in a headless Chromium. A film is an animated WebP below 400 kB: film.webp
 in the chapter's folder, and plots/film.webp for README.
 """
 
@@ -16,7 +16,7 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-SIZE = (640, 360)
+SIZE = (520, 390)
 PER_SECOND = 15
 MOST_BYTES = 400_000
 
@@ -61,7 +61,7 @@ def _pictures(driver, film: dict) -> list:
         subprocess.run([ROOT / "course", "view", film["scene"], *film["options"], *beside, "--out", page], check=True)
         driver.get(page.as_uri())
         _wait(driver, "return Boolean(window.viewer && viewer.ready)")
-        driver.execute_script("viewer.film(arguments[0])", film.get("shows", []))
+        driver.execute_script("viewer.film(arguments[0], arguments[1])", film.get("shows", []), film.get("zoom", 1.4))
         end = driver.execute_script("return viewer.player.lead.frames.slice(-1)[0].time")
         pictures = []
         for k in range(int(end / film["rate"] * PER_SECOND) + 1):

@@ -142,6 +142,19 @@ class Viewer {
     this.dirty();
   }
 
+  /** The picture alone, held at its start, with these marks, from so many times nearer: for a film. */
+  film(marks, zoom) {
+    document.body.classList.add("film");
+    for (const mark of marks) this.picture.shown[mark] = true;
+    this.scrubTo(0);
+    this.resize();
+    this.fit();
+    const { eye, orbit } = this.picture.camera;
+    eye.position.sub(orbit.target).divideScalar(zoom).add(orbit.target);
+    orbit.update();
+    this.dirty();
+  }
+
   // What tests ask.
 
   get index() { return this.player.index; }
