@@ -198,6 +198,7 @@ class Play(Played):
         _, address = self.start("free_fall", "--mine")
         page = Page(address)
         stream = page.listen()
+        self.assertEqual([data(stream).get("mine") for _ in range(2)], [None, ["kick"]])
         page.ask("POST", f"{page.path}command", json.dumps({"set": {"g": 5}}))
         while data(stream).get("parameters", {}).get("g") != 5:
             pass
