@@ -248,6 +248,7 @@ class InBrowser(Played):
         self.assertFalse(self.ask("Boolean(window.turned)"), "the camera took the drag")
         self.assertTrue(self.ask("document.body.classList.contains('touched')"))
         self.browser.wait("return viewer.picture.hand === null")
+        self.assertEqual(self.ask("viewer.notice"), "")
 
     def test_a_push_and_a_ball(self):
         self.open("stack", "--set", "bodies=1")

@@ -75,10 +75,11 @@ class Live {
     const header = this.pending, first = !this.run;
     this.pending = null;
     // After a drop what was before stays in the graphs; a restart begins them anew.
-    const before = first || frame.time < lastOf(this.run.frames).time ? [] : this.run.frames;
-    const same = !first && this.run.header.bodies.length === header.bodies.length;
+    const more = first ? 0 : header.bodies.length - this.run.header.bodies.length;
+    const before = first || more < 0 || frame.time < lastOf(this.run.frames).time ? [] : this.run.frames;
+    const same = !first && more === 0;
     this.run = { header, frames: [...before, frame], notice: "", label: "", live: true };
-    this.viewer.show([this.run], same || before.length > 0);
+    this.viewer.show([this.run], same || before.length > 0 || frame.touched);
     this.run.frames.pop();  // it is added as any other
     if (!before.length) this.firstSize = this.viewer.picture.box.size;
     this.makeSliders(header.controls || []);
@@ -133,8 +134,7 @@ class Live {
   }
 
   pull(hit, to) {
-    const { picture } = this.viewer, frame = lastOf(this.run.frames);
-    picture.hand = { from: placeOf(frame, hit.body, hit.local), to };
+    this.viewer.picture.hand = { body: hit.body, local: hit.local, to };
     this.viewer.dirty();
     this.wanted = { pull: { body: hit.body, point: hit.local, to } };
     if (this.pulling) return;

@@ -60,7 +60,7 @@ class Viewer {
     if (runs.length) this.player.play(true);
   }
 
-  /** Shows runs from their start. */
+  /** Shows runs from their start; `keep` leaves the camera where it is. */
   show(runs, keep = false) {
     this.runs = runs;
     this.picture.resize();
