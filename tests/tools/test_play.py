@@ -258,7 +258,8 @@ class InBrowser(Played):
         start = self.ask("viewer.drawnAt(1)")
         canvas = self.browser.driver.find_element("id", "picture")
         self.browser.drag(canvas, self.ask("viewer.project(1)"), (0, 0), shift=True)
-        self.browser.wait(f"return Math.hypot(viewer.drawnAt(1)[0] - {start[0]}, viewer.drawnAt(1)[1] - {start[1]}) > 0.05")
+        self.browser.wait("const [x, y] = viewer.drawnAt(1);"
+                          f"return Math.hypot(x - {start[0]}, y - {start[1]}) > 0.05")
 
     def test_pause_step_and_restart(self):
         self.open("pendulum")

@@ -2,7 +2,7 @@
 // A run that is going on: frames come as server-sent events, commands go back.
 
 const KEPT = 1200;      // frames that one can go back to
-const GROWN = 1.1;      // the view is fitted anew when the bodies fill so much more, as long as no hand was laid on them
+const GROWN = 1.1;      // when the bodies fill so much more the view is fitted anew, unless a hand was laid on them
 const FARTHEST = 4;     // but no more than so many times what they filled at first
 const GRAPHS_EVERY = 150;  // [ms]
 
@@ -137,12 +137,22 @@ class Live {
     this.viewer.picture.hand = { body: hit.body, local: hit.local, to };
     this.viewer.dirty();
     this.wanted = { pull: { body: hit.body, point: hit.local, to } };
-    if (this.pulling) return;
-    this.pulling = true;  // the pointer is faster than the network: only its last place is sent
-    this.send(this.wanted).then(() => { this.pulling = false; });
+    if (!this.pulling) this.sendPulls();
+  }
+
+  /** The pointer may be faster than the network: places that it has left meanwhile are not sent. */
+  async sendPulls() {
+    this.pulling = true;
+    while (this.wanted) {
+      const { wanted } = this;
+      this.wanted = null;
+      await this.send(wanted);
+    }
+    this.pulling = false;
   }
 
   release() {
+    this.wanted = null;
     this.viewer.picture.hand = null;
     this.viewer.dirty();
     this.send({ release: true });
@@ -155,8 +165,8 @@ class Live {
   }
 
   drop() {
-    const { box } = this.viewer.picture, balls = this.run.header.bodies.filter((body) => body.shape === "ball" && !body.fixed);
-    const radius = balls.length ? balls[0].radius : 0.05 * box.size;
+    const { box } = this.viewer.picture, like = this.run.header.bodies.find((body) => body.shape === "ball");
+    const radius = like ? like.radius : 0.05 * box.size;
     this.send({ drop: { x: [box.centre.x, box.centre.y, box.high.z + 2 * radius], radius, mass: 1 } });
   }
 }
@@ -173,7 +183,8 @@ function controlNode(control, send) {
   }
   const { low, high, logarithmic, value } = control;
   const whole = high > 1 && [low, high, value].every(Number.isInteger);
-  const position = (number) => logarithmic ? Math.log(number / low) / Math.log(high / low) : (number - low) / (high - low);
+  const position = (number) =>
+    logarithmic ? Math.log(number / low) / Math.log(high / low) : (number - low) / (high - low);
   const shown = element("output", { textContent: inUnit(value, control.unit) });
   const slider = element("input", { type: "range", name: control.name, min: 0, max: 1, step: "any",
                                     value: position(value) });
