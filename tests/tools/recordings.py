@@ -34,8 +34,8 @@ def header(scene: str, bodies: list[dict], **more) -> dict:
 
 def frame(step: int, x: list[float], **more) -> dict:
     time = step * H
-    numbers = {"time": time, "step": step, "x": floats(*x), "v": floats(*(0 for _ in x)), "sample": [time, x[-1] if x else 0],
-               "error": 1e-3 * time, "energy": {"motion": 1 - math.cos(time), "weight": math.cos(time)},
+    numbers = {"time": time, "step": step, "x": floats(*x), "v": floats(*(0 for _ in x)),
+               "sample": [time, x[-1] if x else 0], "error": 1e-3 * time, "energy": {"motion": 1 - math.cos(time), "weight": math.cos(time)},
                "residual": 10 ** (-3 - time), "iterations": 50, "pairs": 1, "us": [1, 2, 10 + 5 * math.sin(9 * time)]}
     return numbers | more
 

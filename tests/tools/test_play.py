@@ -198,6 +198,7 @@ class Play(Played):
         _, address = self.start("free_fall", "--mine")
         page = Page(address)
         stream = page.listen()
+        self.assertEqual([data(stream).get("mine") for _ in range(2)], [None, ["kick"]])
         page.ask("POST", f"{page.path}command", json.dumps({"set": {"g": 5}}))
         while data(stream).get("parameters", {}).get("g") != 5:
             pass
@@ -247,6 +248,7 @@ class InBrowser(Played):
         self.assertFalse(self.ask("Boolean(window.turned)"), "the camera took the drag")
         self.assertTrue(self.ask("document.body.classList.contains('touched')"))
         self.browser.wait("return viewer.picture.hand === null")
+        self.assertEqual(self.ask("viewer.notice"), "")
 
     def test_a_push_and_a_ball(self):
         self.open("stack", "--set", "bodies=1")
@@ -256,7 +258,8 @@ class InBrowser(Played):
         start = self.ask("viewer.drawnAt(1)")
         canvas = self.browser.driver.find_element("id", "picture")
         self.browser.drag(canvas, self.ask("viewer.project(1)"), (0, 0), shift=True)
-        self.browser.wait(f"return Math.hypot(viewer.drawnAt(1)[0] - {start[0]}, viewer.drawnAt(1)[1] - {start[1]}) > 0.05")
+        self.browser.wait("const [x, y] = viewer.drawnAt(1);"
+                          f"return Math.hypot(x - {start[0]}, y - {start[1]}) > 0.05")
 
     def test_pause_step_and_restart(self):
         self.open("pendulum")

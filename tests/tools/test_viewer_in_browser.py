@@ -9,6 +9,7 @@ from pathlib import Path
 
 import recordings
 from browser import Browser
+from sandbox import Sandbox
 
 from page import film
 
@@ -153,6 +154,33 @@ class Picture(Viewer):
         self.addCleanup(self.browser.driver.switch_to.default_content)
         self.browser.wait("return Boolean(window.viewer && viewer.ready)")
         self.assertEqual(self.ask("viewer.drawn() || viewer.count"), 5 if self.ask("viewer.drawn()") else 61)
+
+
+class Films(Viewer):
+    """Of every scene there is, as the engine records it."""
+
+    def test_every_scene(self):
+        box = Sandbox(built=True)
+        self.addCleanup(box.close)
+        names = [scene["name"] for scene in json.loads(box.course("scenes", "--json").stdout)["scenes"]]
+        self.assertGreater(len(names), 20)
+        for name in names:
+            with self.subTest(name):
+                result = box.course("view", name, "--fps", "10", "--out", "film.html")
+                self.assertEqual(result.returncode, 0, result.stderr)
+                page = self.folder / "film.html"
+                page.write_text((box.root / "film.html").read_text())
+                self.browser.open(page)
+                self.browser.run("viewer.scrubTo(viewer.count >> 1)")
+                self.browser.drawn()
+                self.assertEqual((self.browser.messages(), self.ask("viewer.notice")), ([], ""))
+                header = self.ask("viewer.runs[0].header")
+                shapes = [body for body in header["bodies"] if body["shape"] != "plane"]
+                self.assertEqual(self.ask("viewer.drawn()"), len(shapes))
+                width, height = self.ask("[viewer.picture.canvas.clientWidth, viewer.picture.canvas.clientHeight]")
+                for body in (k for k, shape in enumerate(header["bodies"]) if shape["shape"] != "plane"):
+                    x, y = self.ask(f"viewer.project({body})")
+                    self.assertTrue(0 < x < width and 0 < y < height, f"body {body} is out of view")
 
 
 class Time(Viewer):

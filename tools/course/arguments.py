@@ -162,7 +162,7 @@ def _add_play(command: Parser) -> None:
     command.usage = "./course play SCENE [OPTION OF RUN ...] [OPTION ...]"
     command.epilog = ("Any option of ./course run is taken, too. Only this machine can open the page;\n"
                       "leaving it, or Ctrl-C, ends the run.")
-    command.add_argument("--mine", action="store_true", help="with what you have written so far; a save goes on with it")
+    command.add_argument("--mine", action="store_true", help="with what you have written; a save goes on with it")
     command.add_argument("--port", type=_port, metavar="N", help="of the local server (default: any that is free)")
     command.add_argument("--no-open", action="store_true", help="print the address, and open no browser")
 

@@ -1,5 +1,6 @@
 """--mine: programs of the engine that take what a student has written so far in place of the reference's."""
 
+import json
 from pathlib import Path
 
 import diagnostics
@@ -18,6 +19,11 @@ def begun() -> list[Exercise]:
 
 def told(mine: list[Exercise]) -> str:
     return f"Yours, right or wrong: {', '.join(exercise.id for exercise in mine)}; the rest is the reference."
+
+
+def signed(line: str, mine: list[Exercise]) -> str:
+    """The header of a recording, with which functions were the student's."""
+    return json.dumps(json.loads(line) | {"mine": [exercise.function for exercise in mine]})
 
 
 def checked_program(mine: list[Exercise]) -> Path:

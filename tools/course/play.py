@@ -14,11 +14,11 @@ from engine import program
 from errors import BadInput, CourseError
 from install import install
 from manifest import all_exercises
-from mine import begun, checked_program, told
+from mine import begun, checked_program, signed, told
 from needs import VIEW_NEEDS
 from page import live
 from playing.engine import PlayingEngine
-from playing.hub import Hub
+from playing.hub import Hub, is_header
 from playing.server import Server
 from run import crashed
 from terminal import fold
@@ -107,7 +107,7 @@ class _Session:
                                      os.environ | {crash.VARIABLE: str(self._trace)})
 
     def _line(self, line: str) -> None:
-        self._hub.take(line)
+        self._hub.take(signed(line, self._mine) if self._mine and is_header(line) else line)
         self._began.set()
 
     def _first_line(self) -> int | None:

@@ -91,10 +91,11 @@ function* ghostsOf(frame) {
 
 function crowdsOf(parent, forms, style, turns) {
   const many = forms.length > 200, ball = many ? [1, 14, 10] : [1, 32, 24];
+  const point = forms.length > 50 ? [1, 16, 12] : ball;
   const disc = new THREE.CylinderBufferGeometry(1, 1, 2, 48).rotateX(Math.PI / 2);
   const shapes = { ball: [new THREE.SphereBufferGeometry(...ball), ["BALL"]],
                    box: [new THREE.BoxBufferGeometry(2, 2, 2), ["BOX"]], disc: [disc, ["DISC"]],
-                   point: [new THREE.SphereBufferGeometry(1, ...(forms.length > 50 ? [16, 12] : [32, 24])), turns ? ["BALL"] : []] };
+                   point: [new THREE.SphereBufferGeometry(...point), turns ? ["BALL"] : []] };
   const used = Object.keys(shapes).filter((kind) => forms.some((form) => form.kind === kind));
   return Object.fromEntries(used.map((kind) => {
     const [geometry, marks] = shapes[kind];
@@ -102,6 +103,7 @@ function crowdsOf(parent, forms, style, turns) {
     const kinds = style.ghost ? [...marks.filter((mark) => mark === "BOX"), "GHOST"] : [...marks, "LIT"];
     // Shadows are half of all corners, and need few of them.
     if (many && kind === "ball") geometry.forShade = new THREE.IcosahedronBufferGeometry(1, 1);
-    return [kind, new Crowd(parent, geometry, bodyMaterial(kinds, style.opacity), style.ghost ? 4 : style.order, style.shade)];
+    const material = bodyMaterial(kinds, style.opacity);
+    return [kind, new Crowd(parent, geometry, material, style.ghost ? 4 : style.order, style.shade)];
   }));
 }

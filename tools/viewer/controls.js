@@ -32,7 +32,9 @@ class Controls {
     by("fit").onclick = () => viewer.fit();
     document.addEventListener("keydown", (event) => this.key(event));
     // Keys go on meaning what they mean here after a click on a button.
-    document.addEventListener("click", (event) => { if (event.detail && event.target.tagName === "BUTTON") event.target.blur(); });
+    document.addEventListener("click", ({ detail, target }) => {
+      if (detail && target.tagName === "BUTTON") target.blur();
+    });
   }
 
   /** The switches for what the runs have. */
@@ -44,7 +46,7 @@ class Controls {
     if (has.impulses || has.velocities) box.append(this.arrowScale());
     if (runs.length > 1)
       box.append(this.toggle("overlaid", "in one picture", "laid over each other, not side by side",
-                             () => picture.shown.overlaid, (on) => { picture.shown.overlaid = on; this.viewer.rebuild(); }));
+                             () => picture.shown.overlaid, (on) => this.rebuildWith({ overlaid: on })));
   }
 
   toggle(key, text, title, get, set) {
@@ -61,10 +63,18 @@ class Controls {
                                       title: "length of arrows, at a fixed scale", id: "arrow-scale" });
     slider.oninput = () => { shown.scale = 10 ** Number(slider.value); this.viewer.dirty(); };
     slider.hidden = shown.automatic;
-    const button = this.toggle("automatic", "arrows fit", "the longest arrow of each frame has one length; else one scale for all",
-                               () => shown.automatic, (on) => { shown.automatic = slider.hidden = on; this.viewer.rebuild(); });
+    const title = "the longest arrow of each frame has one length; else there is one scale for all frames";
+    const button = this.toggle("automatic", "arrows fit", title, () => shown.automatic, (on) => {
+      slider.hidden = on;
+      this.rebuildWith({ automatic: on });
+    });
     this.scaling = element("span", { className: "together" }, button, slider);
     return this.scaling;
+  }
+
+  rebuildWith(changed) {
+    Object.assign(this.viewer.picture.shown, changed);
+    this.viewer.rebuild();
   }
 
   /** The state, as it is now. */

@@ -2,7 +2,7 @@
 // Many of one shape in one call of the graphics card: a matrix and a colour each.
 
 class Crowd {
-  /** With `shade`, a material, the same bodies are drawn a second time in that, of `geometry.forShade` if it is there. */
+  /** With `shade`, a material, all is drawn a second time in that: of `geometry.forShade`, if it is there. */
   constructor(parent, geometry, material, order = 0, shade = null) {
     Object.assign(this, { parent, geometry, material, order, shadeMaterial: shade });
     this.count = 0;
@@ -58,7 +58,8 @@ class Crowd {
   addPosed(x, y, z, w, i, j, k, sx, sy, sz, colour) {
     return this.add(sx * (1 - 2 * (j * j + k * k)), sx * 2 * (i * j + w * k), sx * 2 * (i * k - w * j),
                     sy * 2 * (i * j - w * k), sy * (1 - 2 * (i * i + k * k)), sy * 2 * (j * k + w * i),
-                    sz * 2 * (i * k + w * j), sz * 2 * (j * k - w * i), sz * (1 - 2 * (i * i + j * j)), x, y, z, colour);
+                    sz * 2 * (i * k + w * j), sz * 2 * (j * k - w * i), sz * (1 - 2 * (i * i + j * j)),
+                    x, y, z, colour);
   }
 
   /** Its z axis from one point to another, with a width. */
@@ -92,7 +93,6 @@ function acrossOf(x, y, z) {
   const axis = size.indexOf(Math.min(...size));
   const unit = [0, 0, 0];
   unit[axis] = 1;
-  const cross = (p, q) => [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]];
   const first = cross([x, y, z], unit);
   const length = Math.hypot(...first);
   const a = first.map((value) => value / length);

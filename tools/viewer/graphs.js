@@ -14,16 +14,23 @@ class Graph {
     this.canvas.setAttribute("aria-label", `${quantity.title} over time`);
     this.scaleButton = element("button", { className: "scale", title: "linear or logarithmic" });
     this.logarithmic = spansDecades(quantity);
-    this.scaleButton.onclick = () => { this.logarithmic = !this.logarithmic; this.prepare(); this.drawCursor(this.at); };
+    this.scaleButton.onclick = () => this.changeScale();
     this.values = element("div", { className: "values" });
-    const title = quantity.key === "sample" ? columnChoice(quantity, chooseColumn) : element("h2", {
-      title: quantity.title, textContent: quantity.title + (quantity.unit && quantity.unit !== "relative" ? ` [${quantity.unit}]` : "") });
-    this.node = element("section", { className: "graph" }, element("div", { className: "title" }, title, this.scaleButton),
-                        this.values, this.canvas);
+    const unit = quantity.unit && quantity.unit !== "relative" ? ` [${quantity.unit}]` : "";
+    const title = quantity.key === "sample" ? columnChoice(quantity, chooseColumn)
+      : element("h2", { title: quantity.title, textContent: quantity.title + unit });
+    const head = element("div", { className: "title" }, title, this.scaleButton);
+    this.node = element("section", { className: "graph" }, head, this.values, this.canvas);
     this.node.dataset.key = quantity.key;
     this.chips = quantity.lines.map((line) => this.chip(line));
     parent.append(this.node);
     this.listen(seek);
+  }
+
+  changeScale() {
+    this.logarithmic = !this.logarithmic;
+    this.prepare();
+    this.drawCursor(this.at);
   }
 
   chip(line) {
@@ -114,7 +121,8 @@ class Graph {
     for (const value of ticks) {
       const y = Math.round(this.yOf(value, height)) + 0.5;
       stroke(pen, PAD.left, y, width - PAD.right, y);
-      pen.fillText(this.logarithmic ? `10${superscript(Math.round(Math.log10(value)))}` : tickText(value, ticks), PAD.left - 5, y);
+      const power = this.logarithmic && superscript(Math.round(Math.log10(value)));
+      pen.fillText(power ? `10${power}` : tickText(value, ticks), PAD.left - 5, y);
     }
     pen.textAlign = "center";
     pen.textBaseline = "alphabetic";

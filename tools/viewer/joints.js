@@ -55,6 +55,7 @@ class Joints {
     const pull = tensions(this.run, frame), width = ROD * unit * Math.max(0.6, this.closeness(unit));
     for (const [k, joint] of this.run.header.joints.entries()) {
       const a = placeOf(frame, joint.i, joint.p_i), b = placeOf(frame, joint.j, joint.p_j);
+      if (![...a, ...b].every(Number.isFinite)) continue;
       const colour = this.colourOfTension(pull[k]);
       if (joint.kind === "distance") this.rods.addBetween(...a, ...b, width, colour);
       else {
@@ -76,9 +77,9 @@ class Joints {
   }
 }
 
-/** Where a point of a body, in its axes, is; its centre without one. */
+/** Where a point of a body, in its axes, is; its centre without one. Not finite where it is not there. */
 function placeOf(frame, body, point) {
-  const x = Array.from(frame.x.subarray(3 * body, 3 * body + 3));
+  const x = [0, 1, 2].map((axis) => 3 * body < frame.x.length ? frame.x[3 * body + axis] : NaN);
   if (!point) return x;
   const turned = frame.q ? rotated(frame.q.subarray(4 * body, 4 * body + 4), point) : point;
   return x.map((value, axis) => value + turned[axis]);

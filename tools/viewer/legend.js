@@ -12,7 +12,8 @@ class Legend {
     this.names.replaceChildren(...(picture.runs.length < 2 ? [] : picture.runs.map((run, k) => {
       const name = element("span", { className: "run" }, element("i"), run.label), panel = picture.panel(k);
       name.firstChild.style.background = palette().runs[k % palette().runs.length];
-      if (!picture.shown.overlaid) Object.assign(name.style, { position: "absolute", left: `${panel.left + 12}px`, top: `${panel.top + 10}px` });
+      const place = { position: "absolute", left: `${panel.left + 12}px`, top: `${panel.top + 10}px` };
+      if (!picture.shown.overlaid) Object.assign(name.style, place);
       return name;
     })));
     const [part] = picture.parts, keys = [];
@@ -32,8 +33,8 @@ class Legend {
     if (!part || !picture.frames) return;
     if (shown.impulses) said.push(`longest impulse ${inUnit(largestOf(impulsesOf(picture.frames[0])), "N s")}`);
     if (shown.velocities) said.push(`fastest ${inUnit(largestOf(velocitiesOf(picture.frames[0])), "m/s")}`);
-    const height = document.getElementById("height"), panel = picture.panel(0);
-    if (height) height.textContent = `from bottom to top ${inUnit(picture.camera.pixel(panel.height) * panel.height, "m")}`;
+    const node = document.getElementById("height"), { height } = picture.panel(0);
+    if (node) node.textContent = `from bottom to top ${inUnit(picture.camera.pixel(height) * height, "m")}`;
     this.arrows.textContent = said.join(" · ");
   }
 }

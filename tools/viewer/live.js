@@ -2,7 +2,7 @@
 // A run that is going on: frames come as server-sent events, commands go back.
 
 const KEPT = 1200;      // frames that one can go back to
-const GROWN = 1.1;      // the view is fitted anew when the bodies fill so much more, as long as no hand was laid on them
+const GROWN = 1.1;      // when the bodies fill so much more the view is fitted anew, unless a hand was laid on them
 const FARTHEST = 4;     // but no more than so many times what they filled at first
 const GRAPHS_EVERY = 150;  // [ms]
 
@@ -75,10 +75,11 @@ class Live {
     const header = this.pending, first = !this.run;
     this.pending = null;
     // After a drop what was before stays in the graphs; a restart begins them anew.
-    const before = first || frame.time < lastOf(this.run.frames).time ? [] : this.run.frames;
-    const same = !first && this.run.header.bodies.length === header.bodies.length;
+    const more = first ? 0 : header.bodies.length - this.run.header.bodies.length;
+    const before = first || more < 0 || frame.time < lastOf(this.run.frames).time ? [] : this.run.frames;
+    const same = !first && more === 0;
     this.run = { header, frames: [...before, frame], notice: "", label: "", live: true };
-    this.viewer.show([this.run], same || before.length > 0);
+    this.viewer.show([this.run], same || before.length > 0 || frame.touched);
     this.run.frames.pop();  // it is added as any other
     if (!before.length) this.firstSize = this.viewer.picture.box.size;
     this.makeSliders(header.controls || []);
@@ -133,16 +134,25 @@ class Live {
   }
 
   pull(hit, to) {
-    const { picture } = this.viewer, frame = lastOf(this.run.frames);
-    picture.hand = { from: placeOf(frame, hit.body, hit.local), to };
+    this.viewer.picture.hand = { body: hit.body, local: hit.local, to };
     this.viewer.dirty();
     this.wanted = { pull: { body: hit.body, point: hit.local, to } };
-    if (this.pulling) return;
-    this.pulling = true;  // the pointer is faster than the network: only its last place is sent
-    this.send(this.wanted).then(() => { this.pulling = false; });
+    if (!this.pulling) this.sendPulls();
+  }
+
+  /** The pointer may be faster than the network: places that it has left meanwhile are not sent. */
+  async sendPulls() {
+    this.pulling = true;
+    while (this.wanted) {
+      const { wanted } = this;
+      this.wanted = null;
+      await this.send(wanted);
+    }
+    this.pulling = false;
   }
 
   release() {
+    this.wanted = null;
     this.viewer.picture.hand = null;
     this.viewer.dirty();
     this.send({ release: true });
@@ -155,8 +165,8 @@ class Live {
   }
 
   drop() {
-    const { box } = this.viewer.picture, balls = this.run.header.bodies.filter((body) => body.shape === "ball" && !body.fixed);
-    const radius = balls.length ? balls[0].radius : 0.05 * box.size;
+    const { box } = this.viewer.picture, like = this.run.header.bodies.find((body) => body.shape === "ball");
+    const radius = like ? like.radius : 0.05 * box.size;
     this.send({ drop: { x: [box.centre.x, box.centre.y, box.high.z + 2 * radius], radius, mass: 1 } });
   }
 }
@@ -173,7 +183,8 @@ function controlNode(control, send) {
   }
   const { low, high, logarithmic, value } = control;
   const whole = high > 1 && [low, high, value].every(Number.isInteger);
-  const position = (number) => logarithmic ? Math.log(number / low) / Math.log(high / low) : (number - low) / (high - low);
+  const position = (number) =>
+    logarithmic ? Math.log(number / low) / Math.log(high / low) : (number - low) / (high - low);
   const shown = element("output", { textContent: inUnit(value, control.unit) });
   const slider = element("input", { type: "range", name: control.name, min: 0, max: 1, step: "any",
                                     value: position(value) });

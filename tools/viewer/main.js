@@ -60,13 +60,13 @@ class Viewer {
     if (runs.length) this.player.play(true);
   }
 
-  /** Shows runs from their start. */
+  /** Shows runs from their start; `keep` leaves the camera where it is. */
   show(runs, keep = false) {
     this.runs = runs;
     this.picture.resize();
     this.picture.show(runs, keep);
     this.player.show(runs);
-    this.since = runs.slice(1).map((run) => comparable(runs[0], run) ? parting(runs[0], run, this.picture.box.size) : null);
+    this.since = runs.slice(1).map((run) => parting(runs[0], run, this.picture.box.size));
     this.controls.show(runs);
     describe(runs);
     this.makeGraphs();
@@ -79,8 +79,13 @@ class Viewer {
     parent.replaceChildren();
     const columns = this.runs[0].header.columns;
     this.column = clamp(this.column, 0, Math.max(0, columns.length - 1));
-    this.graphs = quantities(this.runs, this.column).map((quantity) => new Graph(
-      parent, quantity, (time) => this.seek(time), (column) => { this.column = column; this.makeGraphs(); this.dirty(); }));
+    const choose = (column) => {
+      this.column = column;
+      this.makeGraphs();
+      this.dirty();
+    };
+    this.graphs = quantities(this.runs, this.column).map((quantity) =>
+      new Graph(parent, quantity, (time) => this.seek(time), choose));
     for (const graph of this.graphs) graph.prepare();
   }
 

@@ -93,7 +93,7 @@ class Marks {
     let [a, b] = acrossOf(...normal);
     if (sliding) {
       a = along.map((value) => value / rubbing);
-      b = [normal[1] * a[2] - normal[2] * a[1], normal[2] * a[0] - normal[0] * a[2], normal[0] * a[1] - normal[1] * a[0]];
+      b = cross(normal, a);
     }
     const height = press * scale, wide = this.mu * height;
     this.limits.add(...a.map((value) => wide * value), ...b.map((value) => wide * value),
@@ -109,7 +109,7 @@ class Marks {
                         this.colours.velocity);
   }
 
-  /** Metres a newton second. Automatic: the frame's longest arrow has one length; fixed: one scale for the whole run. */
+  /** Metres a newton second. Automatic: the frame's longest arrow has one length. Fixed: one scale for the run. */
   scaleOf(frame, shown) {
     if (!shown.automatic) return this.fixed.impulse * shown.scale;
     const largest = largestOf(impulsesOf(frame));

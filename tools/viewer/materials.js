@@ -60,7 +60,9 @@ const SHADE_VERTEX = `
     world -= (dot(floor.xyz, world) - floor.w) * floor.xyz;
     gl_Position = projectionMatrix * viewMatrix * vec4(world, 1.0);
   }`;
-const SHADE_FRAGMENT = "uniform vec3 colour; uniform float opacity; void main() { gl_FragColor = vec4(colour, opacity); }";
+const SHADE_FRAGMENT = `
+  uniform vec3 colour; uniform float opacity;
+  void main() { gl_FragColor = vec4(colour, opacity); }`;
 
 const FLOOR_VERTEX = `
   varying vec2 vPlace;

@@ -4,6 +4,8 @@
 const lastOf = (list) => list[list.length - 1];
 const clamp = (value, low, high) => Math.min(high, Math.max(low, value));
 
+const cross = (p, q) => [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]];
+
 /** Three digits, and a power of ten where it is far from 1. */
 function short(value) {
   if (value === null || value === undefined || Number.isNaN(value)) return "–";

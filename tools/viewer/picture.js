@@ -14,7 +14,7 @@ class Picture {
     this.camera = new Camera(canvas);
     this.shown = { contacts: false, impulses: false, friction: false, velocities: false, pairs: false, ghosts: true,
                    paths: false, shadows: true, automatic: true, scale: 1, overlaid: false };
-    this.hand = null;  // { from, to } of a pull
+    this.hand = null;  // { body, local, to } of a pull: the point of the body, and where it is drawn to
     this.runs = [];
   }
 
@@ -81,8 +81,8 @@ class Picture {
   drawHand(unit) {
     this.pull.begin();
     if (this.hand) {
-      const along = this.hand.to.map((value, axis) => value - this.hand.from[axis]);
-      this.pull.add(this.hand.from, along, 1, unit, colourOf(palette().hand));
+      const from = placeOf(this.frames[0], this.hand.body, this.hand.local);
+      this.pull.add(from, this.hand.to.map((value, axis) => value - from[axis]), 1, unit, colourOf(palette().hand));
     }
     this.pull.end();
   }

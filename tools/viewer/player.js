@@ -10,7 +10,8 @@ class Player {
 
   show(runs) {
     this.runs = runs;
-    this.lead = runs.reduce((best, run) => lastOf(run.frames).time > lastOf(best.frames).time + 1e-9 ? run : best, runs[0]);
+    const end = (run) => lastOf(run.frames).time;
+    this.lead = runs.reduce((best, run) => end(run) > end(best) + 1e-9 ? run : best, runs[0]);
     this.goTo(0);
   }
 

@@ -1,5 +1,5 @@
 "use strict";
-// The pointer on the picture: a double click follows a body; in a live run a drag pulls one, with shift a click pushes it.
+// The pointer on the picture: a double click follows a body. In a live run a drag pulls one, and with shift pushes it.
 
 class Pointing {
   constructor(viewer) {

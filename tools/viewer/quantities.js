@@ -6,7 +6,7 @@ const KINDS = ["motion", "turning", "weight", "field", "springs"];
 const totalOf = (values) => values.reduce((sum, value) => sum + (value === null ? NaN : value), 0);
 const energyOf = (frame) => totalOf(Object.values(frame.energy));
 
-/** The graphs of these runs; `column` is the sample's that is shown. A graph has one line a run, or a single run's parts. */
+/** The graphs of these runs; `column` is the sample's that is shown. A line a run, or a single run's parts. */
 function quantities(runs, column) {
   const { header } = runs[0], name = header.error.name || "error", alone = runs.length === 1;
   const each = (valueOf) => runs.map((run, k) => ({ name: run.label, run, colour: k, valueOf }));
@@ -28,7 +28,8 @@ function quantities(runs, column) {
   ];
   // Where nothing is solved the residual is nothing, too.
   const solved = runs.some((run) => run.live || run.frames.some((frame) => frame.residual > 0));
-  return lists.filter((list) => list.key !== "residual" || solved).filter((list) => list.lines.some((line) => line.run.frames.some((frame) => isNumber(line.valueOf(frame)))));
+  return lists.filter((list) => list.key !== "residual" || solved).filter((list) => list.lines.some(hasNumbers));
 }
 
+const hasNumbers = (line) => line.run.frames.some((frame) => isNumber(line.valueOf(frame)));
 const isNumber = (value) => typeof value === "number" && Number.isFinite(value);

@@ -60,10 +60,10 @@ async function* lines(pieces) {
 
 /** Adds what a line says to the run. True for the last line of a recording. */
 function takeLine(run, text) {
-  const line = run.header ? parsed(text, new Error("it is no JSON")) : parsed(text, whole("This is no recording of a run."));
+  const line = parsed(text, run.header ? new Error("it is no JSON") : whole("This is no recording of a run."));
   if (!run.header) run.header = checkedHeader(line);
   else if ("end" in line) {
-    if (line.end !== "done") run.notice = `The run ${line.end}: ${line.why || "it says no more"}.`.replace(/\.\.$/, ".");
+    if (line.end !== "done") run.notice = `The run ${line.end}: ${line.why || "it does not say why"}.`;
     return true;
   } else run.frames.push(frameOf(line, run.header));
   return false;

@@ -8,6 +8,10 @@ from collections import deque
 _BACKLOG = 4  # frames that wait for a slow page; older ones are dropped
 
 
+def is_header(line: str) -> bool:
+    return '"spook recording"' in line
+
+
 class Listener:
     def __init__(self):
         self._lines: deque[tuple[str, bool]] = deque()
@@ -38,10 +42,10 @@ class Hub:
 
     def take(self, line: str) -> None:
         """A line of the engine."""
-        is_header = '"spook recording"' in line
-        is_frame = not is_header and '"energy"' in line
+        header = is_header(line)
+        is_frame = not header and '"energy"' in line
         with self._lock:
-            if is_header:
+            if header:
                 self._header, self._frame = line, ""
             elif is_frame:
                 self._frame = line
