@@ -4,10 +4,15 @@
 
 namespace spook {
 
-static Json slider(const std::string& name, double value, const std::string& unit, double low, double high,
-                   bool logarithmic) {
-  return {{"name", name}, {"value", value}, {"unit", unit},
-          {"low", low},   {"high", high},   {"logarithmic", logarithmic}};
+struct Range {
+  double low, high;
+  bool logarithmic, whole;
+};
+
+static Json slider(const std::string& name, double value, const std::string& unit, const Range& range) {
+  return {{"name", name},        {"value", value},     {"unit", unit},
+          {"low", range.low},    {"high", range.high}, {"logarithmic", range.logarithmic},
+          {"whole", range.whole}};
 }
 
 static Json choice(const std::string& name, const std::string& value, const std::vector<std::string>& choices) {
@@ -18,12 +23,14 @@ static Json choice(const std::string& name, const std::string& value, const std:
 static Json control(const Parameter& parameter) {
   if (!parameter.choices.empty()) return choice(parameter.name, parameter.choice, parameter.choices);
   const double value = parameter.value, size = std::max(1.0, 2 * std::abs(value));
-  const bool logarithmic = value > 0 && !(parameter.limits.high <= 1);
-  double low = logarithmic ? value / 30 : parameter.limits.low >= 0 ? 0 : -size;
-  double high = logarithmic ? value * 30 : size;
-  if (parameter.limits.whole) low = std::max(1.0, std::ceil(low)), high = std::ceil(high);
-  return slider(parameter.name, value, parameter.unit, std::max(low, parameter.limits.low),
-                std::min(high, parameter.limits.high), logarithmic);
+  const Limits& limits = parameter.limits;
+  Range range{.low = limits.low >= 0 ? 0 : -size, .high = size, .logarithmic = false, .whole = limits.whole};
+  if (value > 0 && !(limits.high <= 1)) range = {value / 30, value * 30, true, limits.whole};
+  if (limits.whole) range.low = std::max(1.0, std::ceil(range.low));
+  if (limits.whole) range.high = std::ceil(range.high);
+  range.low = std::max(range.low, limits.low);
+  range.high = std::min(range.high, limits.high);
+  return slider(parameter.name, value, parameter.unit, range);
 }
 
 static std::vector<std::string> solver_names() {
@@ -33,10 +40,10 @@ static std::vector<std::string> solver_names() {
 }
 
 Json controls(const SceneDescription& description, const Parameters& parameters, const Method& method) {
-  Json list = {slider("h", method.h, "s", description.h / 30, description.h * 10, true)};
+  Json list = {slider("h", method.h, "s", {description.h / 30, description.h * 10, true, false})};
   if (description.solves) {
     list.push_back(choice("solver", method.solver, solver_names()));
-    list.push_back(slider("iterations", method.stop.max_sweeps, "", 1, 1000, true));
+    list.push_back(slider("iterations", method.stop.max_sweeps, "", {1, 1000, true, true}));
     list.push_back(choice("friction_model", name_of(method.friction_model), {"box", "two_pass", "cone"}));
     list.push_back(choice("warm_start", method.warm_start ? "on" : "off", {"off", "on"}));
   }

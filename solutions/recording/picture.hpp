@@ -10,7 +10,7 @@ namespace spook {
 
 /// What a body looks like.
 struct Shape {
-  enum class Kind { point, ball, box, corners, plane };
+  enum class Kind { point, ball, box, corners, plane, hand };
   Kind kind = Kind::point;
   double radius = 0;               ///< of a ball [m]
   Vec3 half_sides = Vec3::Zero();  ///< of a box, along the body's axes [m]

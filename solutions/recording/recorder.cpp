@@ -21,7 +21,7 @@ static Json numbers(const std::vector<Vec3>& all) {
 }
 
 static Json to_json(const Shape& shape) {
-  static constexpr std::array names = {"point", "ball", "box", "corners", "plane"};
+  static constexpr std::array names = {"point", "ball", "box", "corners", "plane", "hand"};
   Json json = {{"shape", names[static_cast<std::size_t>(shape.kind)]}};
   if (shape.kind == Shape::Kind::ball) json["radius"] = shape.radius;
   if (shape.kind == Shape::Kind::box) json["half_sides"] = numbers(shape.half_sides);

@@ -4,8 +4,8 @@
 
 namespace spook {
 
-// Softer than what it pulls at, whatever that is: half a second to swing once.
-static constexpr double stiffness_of_mass = 160;  // [1/s²]
+// Softer than what it pulls at, whatever that is: a quarter of a second to swing once.
+static constexpr double stiffness_of_mass = 640;  // [1/s²]
 
 template <int Dof>
 void HandIn<Dof>::pull(int body, const Vec3& point, const Vec3& to) {

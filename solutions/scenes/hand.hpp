@@ -34,6 +34,9 @@ class HandIn final : public Hand {
   void push(int body, const Vec3& impulse) override;
   void drop(const Vec3& x, double radius, double mass) override;
 
+  /// The body that it holds on to, once it has held something.
+  std::optional<int> anchor() const { return anchor_; }
+
   /// Adds what the other hand has dropped, and holds what it holds. False where the other's scene has other bodies.
   bool take_over(const HandIn& other);
 

@@ -86,7 +86,11 @@ class WorldScene : public Scene {
   void advance(std::int64_t steps) final {
     for (std::int64_t n = 0; n < steps; ++n) world_.step(h_);
   }
-  Picture picture() const final { return picture_of(world_); }
+  Picture picture() const final {
+    Picture picture = picture_of(world_);
+    if (hand_.anchor()) picture.bodies[world_.index(*hand_.anchor())].kind = Shape::Kind::hand;
+    return picture;
+  }
   Frame frame() const final {
     Frame frame = frame_of(world_, h_);
     std::vector<Vec3> x = frame.x;

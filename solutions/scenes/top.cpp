@@ -17,6 +17,12 @@ Vec3 first_omega(const Parameters& p) {
   return {p.number("wx"), p.number("wy"), p.number("wz")};
 }
 
+/// Of a solid box of 1 kg with these moments, m/3 (b² + c²) and so on; of a thin one where there is none.
+Vec3 half_sides(const Vec3& principal) {
+  const double sum = principal.sum();
+  return (1.5 * (Vec3::Constant(sum) - 2 * principal)).cwiseMax(0.01 * sum).cwiseSqrt();
+}
+
 RotationRule<6> rotation_rule(const Parameters& p) {
   const std::string& update = p.choice("update");
   const bool gyroscopic = p.choice("gyroscopic") == "on";
@@ -34,7 +40,7 @@ class Top : public WorldScene<6> {
   Top(const Parameters& p, const Method& method)
       : WorldScene({.gravity = Vec3::Zero(), .rotation = rotation_rule(p)}, method),
         answer_(principal(p), first_omega(p)) {
-    world_.add({.omega = first_omega(p), .principal = principal(p)});
+    world_.add({.omega = first_omega(p), .principal = principal(p), .half_sides = half_sides(principal(p))});
   }
 
   void observe() override {

@@ -25,17 +25,17 @@ void step(auto& world, int steps) {
   for (int n = 0; n < steps; ++n) world.step(h);
 }
 
-TEST(Hand, HoldsABodyByASpringOf160NewtonAMetreAndKilogram) {
+TEST(Hand, HoldsABodyByASpringOf640NewtonAMetreAndKilogram) {
   for (const double mass : {0.001, 1.0, 500.0}) {
     World<3> world = world_with_a_body<3>(mass);
     HandIn<3> hand(world);
     hand.pull(0, Vec3::Zero(), Vec3(1, 2, 3));
     step(world, 1200);
     // It hangs where the spring carries its weight. The swing is gone: SPOOK's relaxation damps it.
-    EXPECT_NEAR((world.x(0) - Vec3(1, 2, 3 - g / 160)).norm(), 0, 1e-9) << mass << " kg";
+    EXPECT_NEAR((world.x(0) - Vec3(1, 2, 3 - g / 640)).norm(), 0, 1e-9) << mass << " kg";
     hand.pull(0, Vec3::Zero(), Vec3(-1, 0, 0));  // the place moves
     step(world, 1200);
-    EXPECT_NEAR((world.x(0) - Vec3(-1, 0, -g / 160)).norm(), 0, 1e-9) << mass << " kg";
+    EXPECT_NEAR((world.x(0) - Vec3(-1, 0, -g / 640)).norm(), 0, 1e-9) << mass << " kg";
     EXPECT_EQ(world.joints().size(), 1U);
 
     hand.let_go();
@@ -164,7 +164,7 @@ TEST(GoOn, TakesTheHandAlong) {
   EXPECT_EQ(second->frame().x, first->frame().x);
   EXPECT_EQ(second->picture().joints.size(), 1U);
   second->advance(100);
-  EXPECT_NEAR(second->frame().x[10].z(), 2 - g / 160, 1e-4) << "it is held still";
+  EXPECT_NEAR(second->frame().x[10].z(), 2 - g / 640, 1e-4) << "it is held still";
 
   const auto other = pile.build(with(pile, {{"bodies", "6"}}), method);
   EXPECT_FALSE(other->go_on_from(*first)) << "other bodies";

@@ -2,6 +2,7 @@
 
 import json
 
+from films import milestone
 from manifest import Chapter, Exercise, all_exercises, read_chapters
 from paths import shown
 from terminal import WIDTH, paint, symbol
@@ -39,6 +40,8 @@ def show_board(chapters: list[Chapter], verdicts: list[Verdict]) -> None:
         print(f"\n{paint(chapter.title, 'bold')}{count:>{WIDTH - len(chapter.title)}}")
         for verdict in own:
             print(board_line(verdict))
+        if count_done(own) == len(own):
+            show_milestone(chapter.folder)
     print(f"\n{count_done(verdicts)} of {len(verdicts)} done.")
     # What is begun and wrong comes before what is not begun.
     left = [verdict.exercise for state in ("wrong", "not started") for verdict in verdicts if verdict.state == state]
@@ -46,6 +49,11 @@ def show_board(chapters: list[Chapter], verdicts: list[Verdict]) -> None:
         show_next(left[0])
     else:
         print("Every exercise is right. Well done!")
+
+
+def show_milestone(folder: str) -> None:
+    if command := milestone(folder):
+        print(f"  See it move, on your functions:  {command}")
 
 
 def board_line(verdict: Verdict) -> str:

@@ -2,7 +2,7 @@
 
 import textwrap
 
-from board import board_line, count_done, next_after, show_next
+from board import board_line, count_done, next_after, show_milestone, show_next
 from grading.weights import TABLE, read_rows
 from manifest import Exercise, all_exercises
 from paths import shown
@@ -34,6 +34,7 @@ def check_which(which: str | None, seed: int | None) -> int:
     print(f"\nChapter {exercises[0].chapter}: {count_done(verdicts)} of {len(verdicts)} done.")
     if count_done(verdicts) < len(verdicts):
         return 1
+    show_milestone(exercises[0].folder)
     _show_what_follows(exercises[-1])
     return 0
 

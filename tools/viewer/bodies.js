@@ -53,7 +53,7 @@ function formOf(body) {
   if (body.shape === "box")
     return { kind: "box", sides: body.half_sides, radius: Math.hypot(...body.half_sides) };
   if (body.shape === "corners") return formOfCorners(triples(body.points));
-  if (body.shape === "plane") return { kind: "", sides: three(0), radius: 0 };
+  if (body.shape === "plane" || body.shape === "hand") return { kind: "", sides: three(0), radius: 0 };
   return { kind: "point", sides: three(0), radius: 0 };
 }
 

@@ -181,8 +181,7 @@ function controlNode(control, send) {
     label.append(select);
     return label;
   }
-  const { low, high, logarithmic, value } = control;
-  const whole = high > 1 && [low, high, value].every(Number.isInteger);
+  const { low, high, logarithmic, whole, value } = control;
   const position = (number) =>
     logarithmic ? Math.log(number / low) / Math.log(high / low) : (number - low) / (high - low);
   const shown = element("output", { textContent: inUnit(value, control.unit) });

@@ -1,0 +1,59 @@
+"""The films at the head of the lessons: they are there, small, move, and the command below each shows the same."""
+
+import os
+import re
+import subprocess
+import unittest
+from pathlib import Path
+
+from sandbox import ROOT
+
+from films import command, films, milestone
+
+MOST_BYTES = 400_000
+
+
+class Films(unittest.TestCase):
+    def setUp(self):
+        self.lessons = {folder: (ROOT / "chapters" / folder / "README.md").read_text(encoding="utf-8")
+                        for folder in films() if folder != "README"}
+
+    def test_every_chapter_begins_with_one(self):
+        folders = sorted(path.name for path in (ROOT / "chapters").glob("[0-9][0-9]_*"))
+        self.assertEqual(sorted(self.lessons), folders)
+        for folder, text in self.lessons.items():
+            with self.subTest(folder):
+                head = text.partition("\n## ")[0]
+                self.assertRegex(head, r"!\[[A-Z][^\]]{10,}\]\(film\.webp\)\n\n\*")
+                self.assertIn(f"```\n{command(films()[folder])}\n```", head)
+        self.assertIn("](plots/film.webp)", (ROOT / "README.md").read_text(encoding="utf-8").partition("\n## ")[0])
+
+    def test_they_move_and_are_small(self):
+        for folder in films():
+            with self.subTest(folder):
+                file = ROOT / ("plots" if folder == "README" else f"chapters/{folder}") / "film.webp"
+                data = file.read_bytes()
+                self.assertLess(len(data), MOST_BYTES)
+                # An animated WebP is a RIFF file with a chunk for the animation, and one for each picture.
+                self.assertEqual((data[:4], data[8:12]), (b"RIFF", b"WEBP"))
+                self.assertEqual(data.count(b"ANIM"), 1)
+                self.assertGreater(data.count(b"ANMF"), 10)  # equal ones are one
+
+    def test_what_is_filmed_runs(self):
+        spook = Path(os.environ["COURSE_BUILD"], "check", "solutions", "spook")
+        for folder, film in films().items():
+            with self.subTest(folder):
+                options = [word for word in film["options"]]
+                options[options.index("--time") + 1] = "0.02"
+                done = subprocess.run([spook, "run", film["scene"], *options], capture_output=True, text=True)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def test_a_milestone_is_short_enough_for_the_board(self):
+        for folder in self.lessons:
+            self.assertRegex(milestone(folder), re.compile(r"^\./course view \w+ --mine$"))
+            self.assertLessEqual(len(f"  See it move, on your functions:  {milestone(folder)}"), 80)
+        self.assertEqual(milestone("99_nothing"), "")
+
+
+if __name__ == "__main__":
+    unittest.main()

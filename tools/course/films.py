@@ -1,0 +1,24 @@
+"""What is filmed of each chapter, tools/films.json: what its reader will be able to simulate."""
+
+import json
+
+from paths import ROOT
+
+TABLE = ROOT / "tools" / "films.json"
+
+
+def films() -> dict[str, dict]:
+    """By the chapter's folder; README has one, too."""
+    return json.loads(TABLE.read_text(encoding="utf-8"))
+
+
+def command(film: dict) -> str:
+    """That shows what is filmed."""
+    beside = f" --beside {film['beside']}" if "beside" in film else ""
+    return f"./course view {' '.join([film['scene'], *film['options']])}{beside}"
+
+
+def milestone(folder: str) -> str:
+    """What shows a finished chapter's scene on the student's own functions; empty where nothing is filmed."""
+    film = films().get(folder)
+    return f"./course view {film['scene']} --mine" if film else ""
