@@ -142,6 +142,14 @@ class Installing(unittest.TestCase):
         self.assertEqual(self.commands[1], "env DEBIAN_FRONTEND=noninteractive apt-get install -y "
                                            "--no-install-recommends cmake g++")
 
+    def test_sanitizers_are_there_where_a_program_links_with_them(self):
+        self.assertTrue(Need("", "sanitizers", "c++").there())
+        with tempfile.TemporaryDirectory() as folder:
+            without = Path(folder, "clang++")
+            without.write_text("#!/bin/sh\necho cannot find libclang_rt.asan.a >&2\nexit 1\n")
+            without.chmod(0o755)
+            self.assertFalse(Need("", "sanitizers", str(without)).there())
+
     def test_what_is_too_old_is_named_with_both_versions(self):
         with mock.patch.object(Need, "there", return_value=True), \
              mock.patch.object(Need, "version", return_value="3.9.9"), self.assertRaises(CourseError) as caught:

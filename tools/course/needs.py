@@ -17,7 +17,7 @@ _HEADER_FOLDERS = ("/usr/include", "/usr/local/include", "/usr/include/eigen3", 
 @dataclass(frozen=True)
 class Need:
     package: str  # of Debian and Ubuntu
-    kind: str  # command, header, module or file
+    kind: str  # command, header, module, file, or sanitizers, which `name`, a compiler, can link
     name: str  # of the command, header, module or file that the package, or the same thing from elsewhere, brings
     least: str = ""  # version; empty: any will do
     versions: tuple[str, ...] = ()  # of a header: files that may hold its version, as macros
@@ -30,6 +30,8 @@ class Need:
             return _find_header(self.name) is not None
         if self.kind == "file":
             return Path(self.name).exists()
+        if self.kind == "sanitizers":
+            return _links_sanitizers(self.name)
         return importlib.util.find_spec(self.name) is not None
 
     def version(self) -> str:
@@ -75,11 +77,26 @@ def _parts(version: str) -> tuple[int, ...]:
     return tuple(int(part) for part in re.findall(r"\d+", version))
 
 
-def compiler() -> Need:
-    """What CMake will take: the environment's CXX, or the system's c++."""
+def _links_sanitizers(compiler: str) -> bool:
+    return subprocess.run([compiler, "-fsanitize=address,undefined", "-x", "c++", "-", "-o", os.devnull],
+                          input="int main() {}", text=True, capture_output=True).returncode == 0
+
+
+def _compiler() -> tuple[str, bool]:
+    """What CMake will take: the environment's CXX, or the system's c++; and whether it is clang by another name."""
     name = os.environ.get("CXX") or "c++"
-    is_clang = "clang" in Path(os.path.realpath(shutil.which(name) or name)).name
+    return name, "clang" in Path(os.path.realpath(shutil.which(name) or name)).name
+
+
+def compiler() -> Need:
+    name, is_clang = _compiler()
     return Need("clang", "command", name, "14") if is_clang else Need("g++", "command", name, "11")
+
+
+def sanitizers() -> tuple[Need, ...]:
+    """Debian's clang comes without them; g++ brings its own."""
+    name, is_clang = _compiler()
+    return (Need("libclang-rt-dev", "sanitizers", name),) if is_clang else ()
 
 
 # The oldest of each are those of Ubuntu 22.04 and Debian 12, where all tests are run.
@@ -99,7 +116,7 @@ NEEDS = (
 )
 GRADE_NEEDS = (Need("bubblewrap", "command", "bwrap"),)
 VIEW_NEEDS = (Need("libjs-three", "file", str(THREE / "three.min.js")),)
-TEST_NEEDS = (*GRADE_NEEDS, *VIEW_NEEDS, Need("clang-format", "command", "clang-format"))
+TEST_NEEDS = (*GRADE_NEEDS, *VIEW_NEEDS, Need("clang-format", "command", "clang-format"), *sanitizers())
 # A browser that tests can drive. Ubuntu has none but as a snap, which they can not: they are skipped there.
 BROWSER_NEEDS = (Need("python3-selenium", "module", "selenium"), Need("chromium", "command", "chromium"),
                  Need("chromium-driver", "command", "chromedriver"))
