@@ -32,6 +32,9 @@ BAD_INPUT = (
     (["view", "pendulum", "--record", "x"], "--record"),
     (["view", "pendulum", "--out", "/nowhere/x.html"], "/nowhere/x.html", "cannot be written"),
     (["view", "pendulum", "--out", "/"], "cannot be written"),
+    (["view", "pendulum", "--gltf", "x.gltf", "--out", "x.html"], "--gltf"),
+    (["view", "pendulum", "--gltf", "x.gltf", "--beside", "mine"], "--gltf"),
+    (["view", "pendulum", "--gltf", "/nowhere/x.gltf"], "/nowhere/x.gltf", "cannot be written"),
     (["view", "nothing.jsonl"], "nothing.jsonl", "No such file"),
     (["view", "README.md"], "README.md", "no recording"),
     (["view", "README.md", "--mine"], "--mine"),
@@ -43,13 +46,27 @@ BAD_INPUT = (
 
 
 def arguments(*words: str, **options) -> SimpleNamespace:
-    return SimpleNamespace(**{"words": list(words), "mine": False, "beside": None, "fps": None, "out": None} | options)
+    return SimpleNamespace(**{"words": list(words), "mine": False, "beside": None, "fps": None, "out": None,
+                              "gltf": None} | options)
 
 
 def contents(page: str) -> list[tuple[str, str]]:
     """What each recording in a page is called, and its text."""
     found = re.findall(r'data-recording="([^"]*)">([^<]+)<', page)
     return [(label, gzip.decompress(b64decode(packed)).decode()) for label, packed in found]
+
+
+class Gltf(unittest.TestCase):
+    def test_what_is_no_whole_recording_is_refused_in_one_line(self):
+        whole = recordings.rolling_ball().encode()
+        for content in (whole[:3000], whole.splitlines()[0], b"", b"{}", b"[1]\n[2]"):
+            with self.subTest(content=content[:20]), self.assertRaisesRegex(BadInput, r"\Aview: the recording [^\n]+\Z"):
+                view._as_gltf([view.Recording("", content)])
+        self.assertEqual(json.loads(view._as_gltf([view.Recording("", whole)]))["asset"]["version"], "2.0")
+
+    def test_it_takes_one_recording(self):
+        with self.assertRaisesRegex(BadInput, "one recording"):
+            view._as_gltf([view.Recording("a", b""), view.Recording("b", b"")])
 
 
 class Page(unittest.TestCase):

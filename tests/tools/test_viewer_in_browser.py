@@ -2,15 +2,19 @@
 
 import gzip
 import json
+import math
+import struct
 import tempfile
 import unittest
-from base64 import b64encode
+from base64 import b64decode, b64encode
 from pathlib import Path
 
 import recordings
 from browser import Browser
 from sandbox import Sandbox
 
+from gltf import gltf
+from needs import THREE
 from page import film
 
 FLOAT = 1e-6  # positions are float32
@@ -373,6 +377,63 @@ class Damage(Viewer):
     def test_one_damaged_run_leaves_the_other(self):
         self.assertIn("beside: The recording is empty", self.notice(recordings.tower(), ""))
         self.assertEqual(self.ask("viewer.runs.length"), 1)
+
+
+class Gltf(Viewer):
+    """What is written for other programs, as three.js' own reader of it understands it."""
+
+    LOADER = "examples/js/loaders/GLTFLoader.js"
+    POSES = """
+        const [text, times, names, done] = arguments;
+        new THREE.GLTFLoader().parse(text, "", (file) => {
+          const mixer = new THREE.AnimationMixer(file.scene);
+          for (const clip of file.animations) mixer.clipAction(clip).setLoop(THREE.LoopOnce).play().clampWhenFinished = true;
+          done(times.map((time) => {
+            mixer.setTime(time);
+            file.scene.updateMatrixWorld(true);
+            return names.map((name) => {
+              const node = file.scene.getObjectByName(name);
+              if (!node) return null;
+              const [x, q, s] = [new THREE.Vector3(), new THREE.Quaternion(), new THREE.Vector3()];
+              node.matrixWorld.decompose(x, q, s);
+              return { x: x.toArray(), up: new THREE.Vector3(0, 0, 1).applyQuaternion(q).toArray(), s: s.toArray() };
+            });
+          }));
+        }, (error) => done(String(error)));"""
+
+    def poses(self, recording: str, times: list[float], *names: str):
+        self.open(recording)
+        self.browser.run((THREE / self.LOADER).read_text())
+        found = self.browser.driver.execute_async_script(self.POSES, gltf(recording.encode()), times, names)
+        self.assertNotIsInstance(found, str, found)
+        return found
+
+    def assert_near(self, got, wanted, within=1e-5):
+        self.assertLess(max(abs(a - b) for a, b in zip(got, wanted, strict=True)), within, (got, wanted))
+
+    def test_a_ball_rolls_with_y_up(self):
+        times = [0, 0.5, 1]
+        for time, (ball, plane) in zip(times, self.poses(recordings.rolling_ball(), times, "ball_1", "plane_0")):
+            self.assert_near(ball["x"], (time, 0.2, 0))
+            self.assert_near(ball["s"], (0.2, 0.2, 0.2))
+            angle = time / 0.2  # about y, which is -z there
+            self.assert_near(ball["up"], (math.sin(angle), math.cos(angle), 0), 2e-3)  # between frames it is not exact
+            self.assert_near(plane["up"], (0, 1, 0))
+            self.assertAlmostEqual(plane["x"][1] + plane["s"][2], 0, 6)  # its top is the floor
+
+    def test_rods_go_from_point_to_point(self):
+        recording = recordings.hanging_wire(links=3)
+        header, *frames, _ = map(json.loads, recording.splitlines())
+        k = 30
+        x = [struct.unpack("<3f", b64decode(frames[k]["x"])[12 * body:12 * body + 12]) for body in range(4)]
+        (rods,) = self.poses(recording, [frames[k]["time"]], "rod_0-1", "rod_1-2", "rod_2-3")
+        for rod, (a, b) in zip(rods, zip(x, x[1:])):
+            middle, along = [(p + q) / 2 for p, q in zip(a, b)], [q - p for p, q in zip(a, b)]
+            length = math.sqrt(sum(number * number for number in along))
+            self.assert_near(rod["x"], (middle[0], middle[2], -middle[1]))
+            self.assertAlmostEqual(rod["s"][2], length / 2, 5)
+            self.assert_near(rod["up"], (along[0] / length, along[2] / length, -along[1] / length))
+
 
 
 if __name__ == "__main__":

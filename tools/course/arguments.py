@@ -156,6 +156,7 @@ def _add_view(command: Parser) -> None:
                               "changed, an option of run or a parameter of the scene")
     command.add_argument("--fps", metavar="N", help="frames a second of simulated time (default: 60)")
     command.add_argument("--out", metavar="FILE", help="default: build/views/SCENE.html")
+    command.add_argument("--gltf", metavar="FILE", help="for Blender, in place of a page: bodies and rods as they move")
 
 
 def _add_play(command: Parser) -> None:

@@ -12,6 +12,7 @@ from pathlib import Path
 from beside import Run, label_of, variations
 from engine import program
 from errors import BadInput, CourseError
+from gltf import gltf
 from install import install
 from manifest import Exercise
 from mine import begun, signed, told
@@ -33,7 +34,10 @@ class Recording:
 
 
 def view(arguments) -> int:
-    words, out = arguments.words, Path(arguments.out) if arguments.out else None
+    words = arguments.words
+    if arguments.gltf and (arguments.out or arguments.beside):
+        raise BadInput("view: --gltf is in place of a page, of one run: --out and --beside do not go with it")
+    out = Path(arguments.gltf or arguments.out) if arguments.gltf or arguments.out else None
     if not words or words[0].startswith("-"):
         raise BadInput("view: a scene is missing; it comes first: ./course view SCENE [OPTION ...]")
     is_file = "." in words[0] or "/" in words[0]
@@ -43,10 +47,27 @@ def view(arguments) -> int:
     else:
         runs = variations(words, arguments)
     out = _target(out or BUILD / "views" / f"{Path(words[0]).stem}.html", made=out is None)
-    install(VIEW_NEEDS, yes=False)
+    if not arguments.gltf:
+        install(VIEW_NEEDS, yes=False)
     if not is_file:
         recordings, code = _recorded(runs)
-    return _write(out, recordings) or code
+    if arguments.gltf:
+        _write(out, _as_gltf(recordings))
+        print(f"{shown(out.absolute())}: {_megabytes(out.stat().st_size)} of glTF.")
+        return code
+    _write(out, film([(recording.label, recording.content) for recording in recordings]))
+    count = f"{len(recordings)} runs, " if len(recordings) > 1 else ""
+    print(f"{shown(out.absolute())}: {count}{_megabytes(out.stat().st_size)}. Open it in a browser.")
+    return code
+
+
+def _as_gltf(recordings: list[Recording]) -> str:
+    if len(recordings) > 1:
+        raise BadInput("view: --gltf takes one recording")
+    try:
+        return gltf(recordings[0].content)
+    except (ValueError, KeyError, IndexError, TypeError) as error:
+        raise BadInput(f"view: the recording can not be read: {error}") from None
 
 
 def _files(arguments) -> list[Recording]:
@@ -143,16 +164,14 @@ def expected_size(file: Path) -> float:
         return 0
 
 
-def _write(out: Path, recordings: list[Recording]) -> int:
-    text = film([(recording.label, recording.content) for recording in recordings])
+def _write(out: Path, text: str) -> None:
     try:
         out.write_text(text, encoding="utf-8")
     except OSError as error:
         raise CourseError(f"view: {out}: {error.strerror}") from None
-    count = f"{len(recordings)} runs, " if len(recordings) > 1 else ""
-    print(f"{shown(out.absolute())}: {count}{_megabytes(out.stat().st_size)}. Open it in a browser.")
-    return 0
 
 
 def _megabytes(size: float) -> str:
+    if size < 1e5:
+        return f"{size / 1e3:.0f} kB"
     return f"{size / 1e6:.1f} MB" if size < 1e7 else f"{size / 1e6:.0f} MB"
