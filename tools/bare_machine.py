@@ -40,6 +40,8 @@ def make(release: str, compiler: str, folder: Path, log: Path) -> None:
     _do(["debootstrap", "--variant=minbase", f"--components={components}",
          f"--include=git,ca-certificates{COMPILERS[compiler][0]}", release, str(folder)], log)
     _do(["git", "clone", "--quiet", "--no-hardlinks", str(ROOT), str(folder / "course")], log)
+    # debootstrap names no hosts; an installed system does, and who drives a browser asks for this one.
+    (folder / "etc" / "hosts").write_text("127.0.0.1 localhost\n::1 localhost\n", encoding="utf-8")
 
 
 def run(command: str, compiler: str, folder: Path, log: Path) -> int:
@@ -84,9 +86,14 @@ def _options(words: list[str]) -> argparse.Namespace:
     return options
 
 
-def _report(release: str, compiler: str, rows: list[tuple[str, int, float]]) -> str:
-    commit = subprocess.run(["git", "-C", str(ROOT), "rev-parse", "--short", "HEAD"], capture_output=True, text=True)
-    lines = [f"{release}, {compiler}, {commit.stdout.strip() or 'no commit'}:"]
+def _commit(course: Path) -> str:
+    """Which was cloned."""
+    return subprocess.run(["git", "-C", str(course), "rev-parse", "--short", "HEAD"], capture_output=True,
+                          text=True).stdout.strip()
+
+
+def _report(release: str, compiler: str, commit: str, rows: list[tuple[str, int, float]]) -> str:
+    lines = [f"{release}, {compiler}, {commit}:"]
     for what, code, seconds in rows:
         held = "held" if code == 0 else f"failed, exit code {code}"
         lines.append(f"  {what:<16} {int(seconds) // 60:3d} min {int(seconds) % 60:2d} s   {held}")
@@ -101,11 +108,12 @@ def main(words: list[str]) -> int:
         started = time.monotonic()
         make(options.release, options.compiler, folder, logs / "make.log")
         rows.append(("the machine", 0, time.monotonic() - started))
+        commit = _commit(folder / "course")
         for name in [options.only] if options.only else COMMANDS:
             started = time.monotonic()
             code = run(COMMANDS[name], options.compiler, folder, logs / f"{name}.log")
             rows.append((COMMANDS[name], code, time.monotonic() - started))
-    print(f"\n{_report(options.release, options.compiler, rows)}\n  logs in {shown(logs)}")
+    print(f"\n{_report(options.release, options.compiler, commit, rows)}\n  logs in {shown(logs)}")
     return 0 if all(code == 0 for _, code, _ in rows) else 1
 
 
