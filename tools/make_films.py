@@ -1,55 +1,46 @@
 #!/usr/bin/env python3
 """Makes the films at the head of the lessons: python3 tools/make_films.py [NAME ...].
 
-What is filmed stands in films.json: a scene with options of ./course view, how fast it is shown, and which of the viewer's
-switches are on, and how near it is seen (zoom). The viewer itself draws it, in a headless Chromium. A film is an animated WebP below 400 kB: film.webp
-in the chapter's folder, and plots/film.webp for README.
+What is filmed stands in films.json: a scene with options of ./course view, how fast it is shown, which of the viewer's
+switches are on, and how near it is seen (zoom). The viewer itself draws it, in a headless Chromium. A film is an
+animated WebP below 400 kB: film.webp in the chapter's folder, and plots/film.webp for README.
 """
 
 import argparse
 import base64
 import io
-import json
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
+sys.path.append(str(ROOT / "tools" / "course"))
+
+from chromium import headless  # noqa: E402
+from films import films, words  # noqa: E402
+
 SIZE = (520, 390)
 PER_SECOND = 15
 MOST_BYTES = 400_000
 
 
 def main() -> int:
-    films = json.loads((ROOT / "tools" / "films.json").read_text(encoding="utf-8"))
+    table = films()
     parser = argparse.ArgumentParser(description="Makes the films at the head of the lessons.")
-    parser.add_argument("names", nargs="*", metavar="NAME", help=f"of {', '.join(films)}; all unless named")
-    names = parser.parse_args().names or list(films)
-    unknown = [name for name in names if name not in films]
+    parser.add_argument("names", nargs="*", metavar="NAME", help=f"of {', '.join(table)}; all unless named")
+    names = parser.parse_args().names or list(table)
+    unknown = [name for name in names if name not in table]
     if unknown:
-        parser.error(f"there is no film {unknown[0]}; there are {', '.join(films)}")
-    driver = _browser()
+        parser.error(f"there is no film {unknown[0]}; there are {', '.join(table)}")
+    driver = headless(*SIZE)
     try:
         for name in names:
             to = ROOT / ("plots" if name == "README" else f"chapters/{name}") / "film.webp"
-            _write(_pictures(driver, films[name]), to)
+            _write(_pictures(driver, table[name]), to)
     finally:
         driver.quit()
     return 0
-
-
-def _browser():
-    from selenium import webdriver
-    from selenium.webdriver.chrome.service import Service
-    options = webdriver.ChromeOptions()
-    for option in ("--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-                   "--hide-scrollbars", "--disable-dev-shm-usage"):
-        options.add_argument(option)
-    driver = webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
-    driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride",
-                           {"width": SIZE[0], "height": SIZE[1], "deviceScaleFactor": 1, "mobile": False})
-    return driver
 
 
 def _pictures(driver, film: dict) -> list:
@@ -57,8 +48,7 @@ def _pictures(driver, film: dict) -> list:
     from PIL import Image
     with tempfile.TemporaryDirectory() as folder:
         page = Path(folder, "film.html")
-        beside = ["--beside", film["beside"]] if "beside" in film else []
-        subprocess.run([ROOT / "course", "view", film["scene"], *film["options"], *beside, "--out", page], check=True)
+        subprocess.run([ROOT / "course", *words(film), "--out", page], check=True)
         driver.get(page.as_uri())
         _wait(driver, "return Boolean(window.viewer && viewer.ready)")
         driver.execute_script("viewer.film(arguments[0], arguments[1])", film.get("shows", []), film.get("zoom", 1.4))

@@ -153,6 +153,7 @@ class World {
   void require_directions(double h) const;
   void require_finite_bodies() const;
   std::size_t first_row(int contact) const;
+  std::size_t joint_index(int joint) const;
 
   Settings<Dof> settings_;
   Bodies<Dof> bodies_;

@@ -77,9 +77,7 @@ int World<Dof>::add_joint(const Joint& given) {
 
 template <int Dof>
 void World<Dof>::remove_joint(int joint) {
-  if (joint < 0 || joint >= static_cast<int>(joints_.size()))
-    reject("joint", joint, "an index below " + std::to_string(joints_.size()));
-  joints_.erase(joints_.begin() + joint);
+  joints_.erase(joints_.begin() + static_cast<std::ptrdiff_t>(joint_index(joint)));
   joint_rows_.clear();
   next_joint_row_ = 0;
   for (const Joint& left : joints_) {
@@ -178,10 +176,15 @@ Vec3 World<Dof>::impulse(int contact) const {
 }
 
 template <int Dof>
-double World<Dof>::joint_lambda(int joint, int row) const {
+std::size_t World<Dof>::joint_index(int joint) const {
   if (joint < 0 || joint >= static_cast<int>(joints_.size()))
     reject("joint", joint, "an index below " + std::to_string(joints_.size()));
-  const auto j = static_cast<std::size_t>(joint);
+  return static_cast<std::size_t>(joint);
+}
+
+template <int Dof>
+double World<Dof>::joint_lambda(int joint, int row) const {
+  const std::size_t j = joint_index(joint);
   if (row < 0 || row >= joints_[j].rows()) reject("row", row, "below " + std::to_string(joints_[j].rows()));
   const std::size_t r = joint_rows_[j] + static_cast<std::size_t>(row);
   return r < first_contact_row_ ? rows_[r].lambda : 0;  // a joint that is new has had none

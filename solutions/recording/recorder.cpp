@@ -139,7 +139,7 @@ void Recorder::begin(const Scene& scene, bool live) {
     header["controls"] = controls(description_, parameters_, settings_.method);
   }
   last_ = scene.stage_times();
-  last_step_ = 0;
+  last_step_ = scene.frame().step;
   write(header.dump());
 }
 

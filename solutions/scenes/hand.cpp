@@ -8,11 +8,14 @@ namespace spook {
 static constexpr double stiffness_of_mass = 640;  // [1/s²]
 
 template <int Dof>
-void HandIn<Dof>::pull(int body, const Vec3& point, const Vec3& to) {
+bool HandIn<Dof>::pull(int body, const Vec3& point, const Vec3& to) {
   if (world_.bodies().is_fixed(world_.index(body))) reject("body", body, "one that moves");
   require_all_finite("point", point);
   require_all_finite("to", to);
-  if (grip_ && grip_->body == body && grip_->point == point) return world_.move_fixed(grip_->anchor, to);
+  if (grip_ && grip_->body == body && grip_->point == point) {
+    world_.move_fixed(*anchor_, to);
+    return false;
+  }
   let_go();
   if (!anchor_) {
     anchor_ = world_.add_fixed(to);
@@ -22,13 +25,16 @@ void HandIn<Dof>::pull(int body, const Vec3& point, const Vec3& to) {
   const double mass = world_.bodies().mass[world_.index(body)];
   const Vec3 held = Dof == 3 ? Vec3::Zero() : point;
   const int joint = world_.add_joint({.i = *anchor_, .j = body, .p_j = held, .k = stiffness_of_mass * mass});
-  grip_ = Grip{.body = body, .point = point, .anchor = *anchor_, .joint = joint};
+  grip_ = Grip{.body = body, .point = point, .joint = joint};
+  return true;
 }
 
 template <int Dof>
-void HandIn<Dof>::let_go() {
-  if (grip_) world_.remove_joint(grip_->joint);
+bool HandIn<Dof>::let_go() {
+  if (!grip_) return false;
+  world_.remove_joint(grip_->joint);
   grip_.reset();
+  return true;
 }
 
 template <int Dof>
@@ -59,7 +65,7 @@ bool HandIn<Dof>::take_over(const HandIn& other) {
       later_.push_back({.body = *anchor_});
     }
   }
-  if (other.grip_) pull(other.grip_->body, other.grip_->point, other.world_.x(other.grip_->anchor));
+  if (other.grip_) pull(other.grip_->body, other.grip_->point, other.world_.x(*other.anchor_));
   return true;
 }
 

@@ -11,10 +11,13 @@ class Hand {
  public:
   virtual ~Hand() = default;
 
-  /// Holds a body's point, in its own axes [m], to a place [m]; from one pull to the next the place follows.
+  /// Holds a body's point, in its own axes [m], to a place [m]; from one pull to the next the place follows. True for a
+  /// new grip: there is another joint then.
   /// Throws std::invalid_argument for a body that nothing moves, or that is none.
-  virtual void pull(int body, const Vec3& point, const Vec3& to) = 0;
-  virtual void let_go() = 0;
+  virtual bool pull(int body, const Vec3& point, const Vec3& to) = 0;
+
+  /// True if there was something to let go.
+  virtual bool let_go() = 0;
 
   /// [N s], through the centre.
   virtual void push(int body, const Vec3& impulse) = 0;
@@ -29,8 +32,8 @@ class HandIn final : public Hand {
  public:
   explicit HandIn(World<Dof>& world) : world_(world) {}
 
-  void pull(int body, const Vec3& point, const Vec3& to) override;
-  void let_go() override;
+  bool pull(int body, const Vec3& point, const Vec3& to) override;
+  bool let_go() override;
   void push(int body, const Vec3& impulse) override;
   void drop(const Vec3& x, double radius, double mass) override;
 
@@ -49,7 +52,7 @@ class HandIn final : public Hand {
   struct Grip {
     int body;
     Vec3 point;
-    int anchor, joint;
+    int joint;
   };
 
   int scene_bodies() const { return static_cast<int>(world_.bodies().size() - later_.size()); }

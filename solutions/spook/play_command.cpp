@@ -145,22 +145,23 @@ class Play {
   }
 
   void touch(const std::string& name, const Json& value) {
+    Hand& hand = scene_->hand();
+    bool is_other_picture = false;
     if (name == "pull") {
-      scene_->hand().pull(value.at("body").get<int>(), vector(value.at("point")), vector(value.at("to")));
+      is_other_picture =
+          hand.pull(value.at("body").get<int>(), vector(value.at("point")), vector(value.at("to")));
     } else if (name == "release") {
-      scene_->hand().let_go();
+      is_other_picture = hand.let_go();
     } else if (name == "push") {
-      scene_->hand().push(value.at("body").get<int>(), vector(value.at("impulse")));
+      hand.push(value.at("body").get<int>(), vector(value.at("impulse")));
     } else if (name == "drop") {
-      scene_->hand().drop(vector(value.at("x")), value.at("radius").get<double>(),
-                          value.at("mass").get<double>());
+      hand.drop(vector(value.at("x")), value.at("radius").get<double>(), value.at("mass").get<double>());
+      is_other_picture = true;
     } else {
       throw std::invalid_argument("unknown command \"" + name + "\"");
     }
     touched_ = true;
-    const std::size_t things = scene_->picture().bodies.size() + scene_->picture().joints.size();
-    if (things != things_) begin();
-    things_ = things;
+    if (is_other_picture) begin();
   }
 
   static Vec3 vector(const Json& json) {
@@ -190,7 +191,6 @@ class Play {
   std::unique_ptr<Scene> scene_;
   std::optional<Recorder> recorder_;
   std::int64_t frame_steps_ = 1;
-  std::size_t things_ = 0;
   double rate_ = 1;
   bool paused_ = false, lost_ = false, touched_ = false;
 };

@@ -58,6 +58,20 @@ TEST(Hand, HoldsARigidBodyByThePointThatItTook) {
   EXPECT_NEAR(pull.normalized().dot(along.normalized()), 1, 0.2) << "and swings below the point";
 }
 
+TEST(Hand, SaysWhenThereIsAnotherJoint) {
+  World<3> world({.gravity = gravity});
+  world.add({.x = Vec3(0, 0, 0)});
+  world.add({.x = Vec3(1, 0, 0)});
+  HandIn<3> hand(world);
+  EXPECT_FALSE(hand.let_go());
+  EXPECT_TRUE(hand.pull(0, Vec3::Zero(), Vec3::Zero()));
+  EXPECT_FALSE(hand.pull(0, Vec3::Zero(), Vec3(0, 0, 1)));
+  EXPECT_TRUE(hand.pull(1, Vec3::Zero(), Vec3(0, 0, 1))) << "without a release";
+  ASSERT_EQ(world.joints().size(), 1U);
+  EXPECT_EQ(world.joints()[0].j, 1);
+  EXPECT_TRUE(hand.let_go());
+}
+
 TEST(Hand, PushesByMomentum) {
   World<6> world = world_with_a_body<6>(4);
   HandIn<6> hand(world);

@@ -5,6 +5,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import unittest
 from pathlib import Path
 
 ROOT = Path(os.environ.get("COURSE_SOURCE") or Path(__file__).resolve().parents[2]).resolve()
@@ -79,6 +80,15 @@ class Sandbox:
         line, options = self._command(words, cwd, command)
         return subprocess.run(line, capture_output=True, text=True, stdin=subprocess.DEVNULL,
                               env=_clean_environment() | env, **options)
+
+    def assert_refused(self, test: unittest.TestCase, words: list[str], told: list[str]) -> None:
+        """One line that names what is wrong, and exit code 2."""
+        with test.subTest(words=words):
+            result = self.course(*words)
+            test.assertEqual((result.returncode, result.stdout), (2, ""), result.stderr)
+            test.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+            for text in told:
+                test.assertIn(text, result.stderr)
 
     def watch(self, *words: str) -> Watching:
         return self.start("watch", *words)

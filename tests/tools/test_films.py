@@ -43,7 +43,7 @@ class Films(unittest.TestCase):
         spook = Path(os.environ["COURSE_BUILD"], "check", "solutions", "spook")
         for folder, film in films().items():
             with self.subTest(folder):
-                options = [word for word in film["options"]]
+                options = list(film["options"])
                 options[options.index("--time") + 1] = "0.02"
                 done = subprocess.run([spook, "run", film["scene"], *options], capture_output=True, text=True)
                 self.assertEqual((done.returncode, done.stderr), (0, ""))

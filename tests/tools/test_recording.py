@@ -225,6 +225,8 @@ class Play(unittest.TestCase):
         self.assertEqual(held["joints"][-1]["kind"], "ball")
         frame = self.until(process, lambda line: "x" in line and crowd(line["x"], 3)[ball, 2] > 2.5)
         self.assertTrue(frame["touched"])
+        self.tell(process, pull={"body": ball + 1, "point": [0, 0, 0], "to": [0, 0, 3]})  # another, without a release
+        self.assertEqual(self.until(process, lambda line: "format" in line)["joints"][-1]["j"], ball + 1)
         self.tell(process, release=True)
         self.assertEqual(self.until(process, lambda line: "format" in line)["joints"], [])
         self.until(process, lambda line: "x" in line and crowd(line["x"], 3)[ball, 2] < 2)

@@ -166,12 +166,7 @@ class Command(unittest.TestCase):
 
     def test_bad_input_is_one_line_that_names_it_and_exit_code_2(self):
         for words, *told in BAD_INPUT:
-            with self.subTest(words=words):
-                result = self.box.course(*words)
-                self.assertEqual((result.returncode, result.stdout), (2, ""), result.stderr)
-                self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
-                for text in told:
-                    self.assertIn(text, result.stderr)
+            self.box.assert_refused(self, words, told)
 
     def test_what_the_program_refuses_is_its_one_line(self):
         for words in (["pendulm"], ["pendulum", "--h", "0"], ["pendulum", "--hh", "1"], ["pendulum", "--fps", "x"],
@@ -179,10 +174,7 @@ class Command(unittest.TestCase):
             for command in ("view", "play"):
                 if command == "play" and "--beside" in words:
                     continue
-                result = self.box.course(command, *words)
-                self.assertEqual((result.returncode, result.stdout), (2, ""), result.stderr)
-                self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
-                self.assertIn("spook: ", result.stderr)
+                self.box.assert_refused(self, [command, *words], ["spook: "])
 
     def test_a_scene_and_what_it_is_beside(self):
         result = self.box.course("view", "pendulum", "--time", "0.5", "--beside", "h=1/240", "angle=30")

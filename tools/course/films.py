@@ -12,10 +12,13 @@ def films() -> dict[str, dict]:
     return json.loads(TABLE.read_text(encoding="utf-8"))
 
 
+def words(film: dict) -> list[str]:
+    """Of ./course, that show what is filmed."""
+    return ["view", film["scene"], *film["options"], *(["--beside", film["beside"]] if "beside" in film else [])]
+
+
 def command(film: dict) -> str:
-    """That shows what is filmed."""
-    beside = f" --beside {film['beside']}" if "beside" in film else ""
-    return f"./course view {' '.join([film['scene'], *film['options']])}{beside}"
+    return " ".join(["./course", *words(film)])
 
 
 def milestone(folder: str) -> str:
