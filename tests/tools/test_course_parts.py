@@ -2,6 +2,8 @@
 
 import contextlib
 import io
+import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
@@ -96,6 +98,14 @@ class Table(unittest.TestCase):
             speed_error.show_table([result, result | {"error": error | {"value": None, "unit": ""}}])
         self.assertLessEqual(max(map(len, out.getvalue().splitlines())), 80)
         self.assertIn("1/600", out.getvalue())
+
+
+class BeforeAnythingIsInstalled(unittest.TestCase):
+    def test_the_command_begins_with_the_standard_library_alone(self):
+        # -S: without site-packages, as on a machine where `start` has yet to install NumPy.
+        course = sandbox.ROOT / "tools" / "course"
+        done = subprocess.run([sys.executable, "-S", course, "--help"], capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
 
 
 class Installing(unittest.TestCase):

@@ -12,7 +12,6 @@ from pathlib import Path
 from beside import Run, label_of, variations
 from engine import program
 from errors import BadInput, CourseError
-from gltf import gltf
 from install import install
 from manifest import Exercise
 from mine import begun, signed, told
@@ -64,6 +63,8 @@ def view(arguments) -> int:
 def _as_gltf(recordings: list[Recording]) -> str:
     if len(recordings) > 1:
         raise BadInput("view: --gltf takes one recording")
+    from gltf import gltf  # NumPy, which is not there before `start` has run
+
     try:
         return gltf(recordings[0].content)
     except (ValueError, KeyError, IndexError, TypeError) as error:
