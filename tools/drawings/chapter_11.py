@@ -1,0 +1,128 @@
+"""Chapter 11: patterns of S and of its factors, a bound that stiffens, and the way from within."""
+
+import math
+
+import numpy as np
+
+from pen import Drawing, Frame
+
+_ROWS = 7
+
+
+def patterns() -> Drawing:
+    """Rows are links; two of them meet in S if they share a body that moves. L by elimination in order."""
+    d = Drawing(400, "A wire, a ring and a hub: how their links meet, the pattern of S, and that of its factor L")
+    scenes = (("wire", [(k, k + 1) for k in range(_ROWS - 1)]),
+              ("ring", [(k, (k + 1) % _ROWS) for k in range(_ROWS)]),
+              ("hub", [(k, n) for k in range(_ROWS) for n in range(k)]))
+    for column, (name, pairs) in enumerate(scenes):
+        middle = 130 + 230 * column
+        _scene(d, name, middle, 84)
+        S = np.eye(_ROWS, dtype=bool)
+        for k, n in pairs:
+            S[k, n] = S[n, k] = True
+        L = S.copy()
+        for k in range(_ROWS):
+            below = [n for n in range(k + 1, _ROWS) if L[n, k]]
+            for a in below:
+                for b in below:
+                    L[a, b] = True
+        _pattern(d, (middle - 100, 196), S, S, False)
+        _pattern(d, (middle + 8, 196), L, S, True)
+        d.text((middle - 54, 318), "$S$", "ink")
+        d.text((middle + 54, 318), "$L$", "ink")
+        d.text((middle, 178), name, "ink")
+    d.bar((206, 352), 12, 12, "body")
+    d.text((226, 363), "an entry of $S$", "soft", "start", "small")
+    d.bar((380, 352), 12, 12, "impulse")
+    d.text((400, 363), "filled in by elimination", "soft", "start", "small")
+    return d
+
+
+def _scene(d: Drawing, name: str, x: float, y: float) -> None:
+    if name == "wire":
+        places = [(x - 88 + 25 * k, y + 8 * math.sin(k)) for k in range(_ROWS + 1)]
+        links = list(zip(places, places[1:]))
+    else:
+        places = [(x + 52 * math.cos(2 * math.pi * k / _ROWS), y - 52 * math.sin(2 * math.pi * k / _ROWS))
+                  for k in range(_ROWS)]
+        links = list(zip(places, places[1:] + places[:1])) if name == "ring" else [((x, y), p) for p in places]
+    for a, b in links:
+        d.line(a, b, "impulse")
+    for p in places:
+        d.dot(p, "body", 6)
+    if name == "hub":
+        d.dot((x, y), "body", 10)
+    if name == "wire":
+        d.line((places[0][0], y - 16), (places[0][0], y + 16), "soft bold")
+
+
+def _pattern(d: Drawing, corner, filled, original, lower: bool) -> None:
+    cell = 13
+    d.box((corner[0] - 3, corner[1] - 3), cell * _ROWS + 4, cell * _ROWS + 4, "faint thin")
+    for k in range(_ROWS):
+        for n in range(k + 1 if lower else _ROWS):
+            if filled[k, n]:
+                d.bar((corner[0] + cell * n, corner[1] + cell * k), 11, 11, "body" if original[k, n] else "impulse")
+
+
+def bound_that_stiffens() -> Drawing:
+    """One row with a lower bound at 0: what it lacks, and what the bound pushes, z = τ/s, for three τ."""
+    d = Drawing(340, "A bound pushes more the nearer it is; as τ fades, it pushes only where it is touched")
+    f = Frame((90, 290), 105, 82)
+    d.box((50, 30), 40, 260, "faint fill")
+    d.line(f(0, 0), f(0, 3.15), "ink bold")
+    d.arrow(f(-0.38, 0), f(3.35, 0), "soft thin")
+    d.text((f(3.35, 0)[0], 316), "$s = λ − lo$, the room to the bound", "soft", "end", "small")
+    d.text((f(0, 3.15)[0] + 10, 40), "$z$, its push", "soft", "start", "small")
+    for tau, colour in ((1.0, "impulse"), (0.3, "gold"), (0.05, "good")):
+        d.curve(lambda s, tau=tau: f(s, tau / s), max(tau / 3.0, 0.01), 3.2, f"{colour} bold")
+    d.text((f(1.75, 0.57)[0], f(0, 0.72)[1]), "$s z = τ$", "impulse", "start")
+    d.text((f(0.78, 0.4)[0] + 2, f(0, 0.46)[1]), "smaller $τ$", "gold", "start", "small")
+    d.text((f(0.12, 0)[0], f(0, 1.9)[1]), "$τ → 0$", "good", "start", "small")
+    d.text((34, 170), "$lo$", "ink", "start")
+    d.spring((500, 92), (620, 92), "impulse", 7, 10)
+    d.line((500, 70), (500, 114), "ink bold")
+    d.dot((630, 92), "body", 11)
+    d.text((470, 150), "A Newton step sees the bound as", "ink", "start", "small")
+    d.text((470, 172), "a spring beside the row's own $Σ$,", "ink", "start", "small")
+    d.text((470, 196), "of $z/s$, which is added to $S_{kk}$:", "ink", "start", "small")
+    d.text((470, 230), "the nearer the bound, the larger,", "impulse", "start", "small")
+    d.text((470, 252), "and the less does $λ$ move.", "impulse", "start", "small")
+    return d
+
+
+def way_from_within() -> Drawing:
+    """Two rows, 0 <= λ <= 1; the points at which all s z are τ, as τ goes to 0."""
+    d = Drawing(350, "The central path leads through the inside of the bounds to the solution at one of them")
+    S, B = np.array([[1.0, 0.6], [0.6, 1.0]]), np.array([1.45, 0.85])
+    f = Frame((70, 290), 235)
+    d.box(f(0, 1), 235, 235, "faint fill")
+    d.text((f(0, 0)[0], 314), "$lo$", "soft")
+    d.text((f(1, 0)[0], 314), "$hi$", "soft")
+    d.text((f(0.5, 0)[0], 318), "$λ_1$", "ink")
+    d.text((44, f(0, 0.5)[1]), "$λ_2$", "ink", "end")
+    at, path = np.array([0.5, 0.5]), []
+    for k in range(61):
+        tau = 3.0 * 10 ** (-5 * k / 60)
+        for _ in range(60):
+            low, high = at, 1 - at
+            slope = B - S @ at + tau / low - tau / high
+            step = np.linalg.solve(S + np.diag(tau / low**2 + tau / high**2), slope)
+            reach = min([1.0, *(0.99 * (-at[n] / step[n] if step[n] < 0 else (1 - at[n]) / step[n])
+                                for n in range(2) if step[n])])
+            at = at + reach * step
+        path.append(f(*at))
+    d.path(path, "good bold")
+    for k, name in ((0, "large $τ$: the middle"), (24, ""), (36, ""), (60, "$τ → 0$: the solution")):
+        d.dot(path[k], "good", 6)
+        if name:
+            d.text((path[k][0] - 12, path[k][1] - 12 if not k else path[k][1] + 24), name, "good", "end", "small")
+    d.text((370, 92), "Guessing which rows are at a bound means", "ink", "start", "small")
+    d.text((370, 114), "walking from corner to corner of this box:", "ink", "start", "small")
+    d.text((370, 136), "$3^n$ cases for $n$ rows.", "ink", "start", "small")
+    d.text((370, 176), "The way from within is smooth. Each Newton", "good", "start", "small")
+    d.text((370, 198), "step aims at a point farther along it; ten to", "good", "start", "small")
+    d.text((370, 220), "thirty steps do for twelve rows or for twelve", "good", "start", "small")
+    d.text((370, 242), "hundred.", "good", "start", "small")
+    return d
