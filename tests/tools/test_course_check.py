@@ -55,7 +55,7 @@ class CourseCheck(unittest.TestCase):
         self.write(RIGHT)
         said = self.check("1.1", code=0)
         for text in ("1.1 kick is done: ", "What was tested: adds force over mass times step;", "Next: 1.2 drift",
-                     "read   chapters/01_leapfrog/README.md"):
+                     "read    chapters/01_leapfrog/README.md"):
             self.assertIn(text, said)
         self.assertIn("All that you have started is right.", self.check(code=0))
         self.assertIn("Chapter 1: 1 of ", self.check("1", code=1))

@@ -5,6 +5,8 @@ import json
 from films import milestone
 from manifest import Chapter, Exercise, all_exercises, read_chapters
 from paths import shown
+from predict import count_right, guesses
+from predictions import predictions_of
 from terminal import WIDTH, paint, symbol
 from verdict import Verdict, judge_all
 
@@ -13,7 +15,7 @@ def progress(arguments) -> int:
     chapters = read_chapters()
     verdicts = judge_all([exercise for chapter in chapters for exercise in chapter.exercises])
     if arguments.json:
-        print(json.dumps(as_json(verdicts), indent=2))
+        print(json.dumps(as_json(verdicts) | {"predictions": predictions_as_json(chapters)}, indent=2))
     else:
         show_board(chapters, verdicts)
     return 0
@@ -38,6 +40,7 @@ def show_board(chapters: list[Chapter], verdicts: list[Verdict]) -> None:
         own = [verdict for verdict in verdicts if verdict.exercise in chapter.exercises]
         count = f"{count_done(own)} of {len(own)} done"
         print(f"\n{paint(chapter.title, 'bold')}{count:>{WIDTH - len(chapter.title)}}")
+        print(prediction_line(chapter))
         for verdict in own:
             print(board_line(verdict))
         if count_done(own) == len(own):
@@ -61,6 +64,19 @@ def board_line(verdict: Verdict) -> str:
     return f"  {symbol(verdict.state)} {verdict.exercise.id:>5} {verdict.exercise.function:<22} {state}"
 
 
+def prediction_line(chapter: Chapter) -> str:
+    asked = predictions_of(chapter)
+    made = len(guesses(asked))
+    state = f"{count_right(asked)} of {len(asked)} right" if made == len(asked) else (
+        f"{made} of {len(asked)} made" if made else "not started")
+    return f"  {symbol('done' if made == len(asked) else 'not started')} {chapter.number:>5} {'predictions':<22} {state}"
+
+
+def predictions_as_json(chapters: list[Chapter]) -> list[dict]:
+    return [{"chapter": chapter.number, "made": len(guesses(asked)), "right": count_right(asked), "total": len(asked)}
+            for chapter in chapters for asked in [predictions_of(chapter)]]
+
+
 def next_after(exercise: Exercise) -> Exercise | None:
     """The first that is not begun: from here on, and if there is none, of all."""
     exercises = all_exercises()
@@ -70,6 +86,15 @@ def next_after(exercise: Exercise) -> Exercise | None:
 
 def show_next(exercise: Exercise) -> None:
     print(f"\nNext: {paint(exercise.label, 'bold')}")
-    for verb, what in (("read", shown(exercise.lesson)), ("write", shown(exercise.file)),
+    for verb, what in (("read", shown(exercise.lesson)), *_to_predict(exercise), ("write", shown(exercise.file)),
                        ("check", f"./course check {exercise.id}"), ("stuck", f"./course hint {exercise.id}")):
-        print(f"  {verb:<7}{what}")
+        print(f"  {verb:<8}{what}")
+
+
+def _to_predict(exercise: Exercise) -> list[tuple[str, str]]:
+    """The chapter's questions, before its first exercise, as long as one is open."""
+    if exercise.number != 1:
+        return []
+    chapter = next(chapter for chapter in read_chapters() if chapter.number == exercise.chapter)
+    asked = predictions_of(chapter)
+    return [("predict", f"./course predict {chapter.number}")] if len(guesses(asked)) < len(asked) else []

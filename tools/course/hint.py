@@ -1,14 +1,11 @@
 """./course hint: one more each time."""
 
-import json
-import os
-
+import remembered
 from manifest import Exercise
-from paths import STATE
 from pick import pick_one
 from terminal import fold, paint
 
-_FILE = STATE / "state.json"
+_FILE, _TABLE = "state.json", "hints"
 
 
 def hint(arguments) -> int:
@@ -16,7 +13,7 @@ def hint(arguments) -> int:
     given = _read()
     before = 0 if arguments.again else min(given.get(exercise.id, 0), len(exercise.hints))
     number = min(before + 1, len(exercise.hints))
-    _write(given | {exercise.id: number})
+    remembered.write(_FILE, _TABLE, given | {exercise.id: number})
     _show(exercise, number, repeated=before == number)
     return 0
 
@@ -33,16 +30,5 @@ def _show(exercise: Exercise, number: int, repeated: bool) -> None:
 
 
 def _read() -> dict[str, int]:
-    """How many hints of each exercise were given; none, if the file is not what was written."""
-    try:
-        given = json.loads(_FILE.read_text(encoding="utf-8"))["hints"]
-        return {str(key): value for key, value in given.items() if type(value) is int and value >= 0}
-    except (OSError, ValueError, KeyError, TypeError, AttributeError):
-        return {}
-
-
-def _write(given: dict[str, int]) -> None:
-    STATE.mkdir(exist_ok=True)
-    new = _FILE.with_suffix(".new")
-    new.write_text(json.dumps({"hints": given}, indent=2) + "\n", encoding="utf-8")
-    os.replace(new, _FILE)
+    """How many hints of each exercise were given."""
+    return {key: value for key, value in remembered.read(_FILE, _TABLE).items() if type(value) is int and value >= 0}

@@ -41,6 +41,17 @@ def pick_one(text: str) -> Exercise:
     return exercises[0]
 
 
+def pick_chapter(text: str) -> Chapter:
+    """4, or 04_gauss_seidel."""
+    chapters = read_chapters()
+    found = next((chapter for chapter in chapters if chapter.folder == text), None)
+    if found:
+        return found
+    if not (text.isascii() and text.isdecimal()):
+        raise BadInput(f"{text!r} is not a chapter, such as 4{near(text, [chapter.folder for chapter in chapters])}")
+    return _chapter(text, int(text), chapters)
+
+
 def _chapter(text: str, number: int, chapters: list[Chapter]) -> Chapter:
     for chapter in chapters:
         if chapter.number == number:
