@@ -24,7 +24,7 @@ from manifest import read_chapters  # noqa: E402
 
 _MARKED = re.compile(r"<!-- numbers: (\w+) -->(.*?)<!-- end of numbers -->", re.DOTALL)
 _EQUATION = re.compile(r"\(\d+\.\d+\)|\\tag\{[^}]*\}")
-_NUMBER = re.compile(r"(?<![\w.])-?\d+\.\d+(?![\d.])")
+_NUMBER = re.compile(r"(?<![\w.])-?\d+\.\d+(?!\d|\.\d)")
 
 
 def marked_numbers(lesson: str) -> list[tuple[str, list[str]]]:

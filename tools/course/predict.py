@@ -86,4 +86,3 @@ def _sum_up(chapter: Chapter, asked: list[Prediction]) -> None:
 def _plain(text: str) -> str:
     """Without the marks of Markdown."""
     return text.replace("`", "").replace("*", "")
-
