@@ -67,8 +67,7 @@ def board_line(verdict: Verdict) -> str:
 def prediction_line(chapter: Chapter) -> str:
     asked = predictions_of(chapter)
     made = len(guesses(asked))
-    state = f"{count_right(asked)} of {len(asked)} right" if made == len(asked) else (
-        f"{made} of {len(asked)} made" if made else "not started")
+    state = f"{made} of {len(asked)} made" if made < len(asked) else f"{count_right(asked)} of {len(asked)} right"
     return f"  {symbol('done' if made == len(asked) else 'not started')} {chapter.number:>5} {'predictions':<22} {state}"
 
 

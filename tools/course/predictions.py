@@ -11,7 +11,7 @@ from paths import CHAPTERS
 
 ANSWERS = CHAPTERS / "predictions.ini"
 HEADING = "## Predict before you code"
-_NUMBER = re.compile(r"([+-]?\d+(?:\.\d*)?(?:[eE][+-]?\d+)?|[+-]?\.\d+)(?:/(\d+(?:\.\d*)?))?(\s*%)?")
+_NUMBER = re.compile(r"([+-]?\d+(?:\.\d*)?(?:[eE][+-]?\d+)?|[+-]?\.\d+)(?:/(\d+(?:\.\d*)?))?(\s*%)?", re.ASCII)
 
 
 @dataclass(frozen=True)
