@@ -120,8 +120,24 @@ void many_contacts() {
   say("10.sweeps_to_be_safe", sweeps);
 }
 
+/// How far a block slides at 45° to its tangents, with a box of friction or with a disc, for μg = 1 and v0 = 1.
+double way_to_a_stop(bool box) {
+  const double h = 1e-4;
+  const Tangents t = tangents(up);
+  Vec3 u = (t.t1 + t.t2).normalized(), way = Vec3::Zero();
+  for (int n = 0; n < 20'000; ++n) {
+    const Vec3 J = friction_impulse(Mat3::Identity(), u, t, 0, box ? h : infinity);
+    u += box ? J
+             : onto_disc({t.t1.dot(J), t.t2.dot(J)}, h).x() * t.t1 +
+                   onto_disc({t.t1.dot(J), t.t2.dot(J)}, h).y() * t.t2;
+    way += h * u;
+  }
+  return way.norm();
+}
+
 void friction_and_joints() {
   say("5.between_boxes", 60 * friction_bound(0.5, representative_mass(1.0 / 100, 1, 1), 9.81, 1.0 / 60));
+  say("9.farther", std::round(100 * way_to_a_stop(false) / way_to_a_stop(true)) / 100);
   say("6.link", -10.0 / 60);
   say("6.two_rods", between(1, 1e4, 1.1, 1e4));
 }

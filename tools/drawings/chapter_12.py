@@ -32,7 +32,7 @@ def string_pulled_apart() -> Drawing:
     d.text((places[3][0] + 12, places[3][1] + 68), "pulled back", "velocity", "start", "small")
     d.line((places[2][0] + 22, base), (places[2][0] + 22, base + y), "good thin")
     d.text((places[2][0] + 30, base + 34), "$y$", "good", "start")
-    d.text((40, 310), "pulled apart by two fingers: no link need be longer, and yet each point is pulled back", "soft",
+    d.text((40, 310), "pulled apart by two fingers (drawn too large: the links hardly get longer), and pulled back", "soft",
            "start", "small")
     return d
 
