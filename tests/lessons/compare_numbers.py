@@ -78,8 +78,9 @@ class Numbers(unittest.TestCase):
 
 class Marks(unittest.TestCase):
     def test_numbers_are_found(self):
-        lesson = "0.1 <!-- numbers: x -->by (3.10), $a = 18.46$, u = -0.1; 12 \\tag{3.2}\n| 0.50 |<!-- end of numbers --> 7.5"
-        self.assertEqual(marked_numbers(lesson), [("x", ["18.46", "-0.1", "0.50"])])
+        lesson = ("0.1 <!-- numbers: x -->by (3.10), $a = 18.46$, u = -0.1; 12 \\tag{3.2}\n"
+                  "| 0.50 | and 7.25.<!-- end of numbers --> 7.5")
+        self.assertEqual(marked_numbers(lesson), [("x", ["18.46", "-0.1", "0.50", "7.25"])])
 
     def test_digits_that_are_shown_count(self):
         self.assertTrue(agrees("0.25", 0.2469))

@@ -60,8 +60,8 @@ class Answers(unittest.TestCase):
 
 class Guesses(unittest.TestCase):
     def test_numbers_as_people_write_them(self):
-        for text, value in (("0.2", 0.2), (" 2e-3 ", 2e-3), ("1/60", 1 / 60), ("-1/6", -1 / 6), ("5 %", 0.05), (".5", 0.5),
-                            ("\u22120.5", -0.5), ("+3", 3), ("20.", 20)):
+        for text, value in (("0.2", 0.2), (" 2e-3 ", 2e-3), ("1/60", 1 / 60), ("-1/6", -1 / 6), ("5 %", 0.05),
+                            (".5", 0.5), ("\u22120.5", -0.5), ("+3", 3), ("20.", 20)):
             self.assertAlmostEqual(number(text), value, delta=1e-12, msg=text)
         self.assertEqual((number("0.2 s", "s"), number("0.2s", "s"), number("4 mm", "m")), (0.2, 0.2, None))
         for text in ("", "x", "nan", "inf", "1e999", "1/0", "0.2.1", "1,5", "1_0", "--1", "1/60/2", "٣"):
@@ -78,7 +78,8 @@ class Guesses(unittest.TestCase):
 
     def test_letters(self):
         choice = Prediction("1.1", "?", "why", choices={"a": "this", "b": "that"}, right="b")
-        self.assertEqual([choice.read(text) for text in (" B ", "b)", "a.", "c", "", "ab")], ["b", "b", "a", None, None, None])
+        self.assertEqual([choice.read(text) for text in (" B ", "b)", "a.", "c", "", "ab")],
+                         ["b", "b", "a", None, None, None])
 
 
 class Asking(unittest.TestCase):
@@ -95,8 +96,8 @@ class Asking(unittest.TestCase):
 
     def ask(self, *words: str, lines: str, code: int) -> subprocess.CompletedProcess:
         """With lines for a terminal that is none."""
-        result = subprocess.run([self.box.root / "course", "predict", *words], input=lines, capture_output=True, text=True,
-                                cwd=self.box.root)
+        result = subprocess.run([self.box.root / "course", "predict", *words], input=lines, capture_output=True,
+                                text=True, cwd=self.box.root)
         self.assertEqual(result.returncode, code, result.stdout + result.stderr)
         self.assertLessEqual(max(map(len, result.stdout.splitlines()), default=0), 80)
         return result
@@ -127,7 +128,8 @@ class Asking(unittest.TestCase):
 
     def test_the_end_of_input_keeps_what_was_answered(self):
         result = self.ask("1", lines="0.002\n", code=1)
-        self.assertEqual(result.stderr, "course: the input ended at question 2 of 4; what was answered before is kept\n")
+        self.assertEqual(result.stderr,
+                         "course: the input ended at question 2 of 4; what was answered before is kept\n")
         self.assertIn("3 to make", self.ask("1", lines="", code=1).stdout)
 
     def test_a_spoilt_memory_is_none(self):
@@ -148,15 +150,17 @@ class Asking(unittest.TestCase):
 
     def test_refused(self):
         for words, told in ((["predict"], ["required: N"]), (["predict", "13"], ["13", "1 to 12"]),
-                            (["predict", "4.2"], ["4.2", "not a chapter"]), (["predict", "04_gauss"], ["04_gauss_seidel"]),
-                            (["predict", "1", "2"], ["2"]), (["predict", "1", "--agian"], ["--again"])):
+                            (["predict", "4.2"], ["4.2", "not a chapter"]),
+                            (["predict", "04_gauss"], ["04_gauss_seidel"]), (["predict", "1", "2"], ["2"]),
+                            (["predict", "1", "--agian"], ["--again"])):
             self.box.assert_refused(self, words, told)
 
     def test_a_file_of_answers_that_is_broken_is_named(self):
         answers = self.box.root / "chapters" / "predictions.ini"
         text = answers.read_text(encoding="utf-8")
         try:
-            for broken, told in (("nonsense\n" + text, "predictions.ini"), (text.replace("[1.2]", "[1.9]"), "no answer [1.2]")):
+            for broken, told in (("nonsense\n" + text, "predictions.ini"),
+                                 (text.replace("[1.2]", "[1.9]"), "no answer [1.2]")):
                 answers.write_text(broken, encoding="utf-8")
                 result = self.ask("1", lines="", code=1)
                 self.assertIn(told, result.stderr)

@@ -68,7 +68,8 @@ def prediction_line(chapter: Chapter) -> str:
     asked = predictions_of(chapter)
     made = len(guesses(asked))
     state = f"{made} of {len(asked)} made" if made < len(asked) else f"{count_right(asked)} of {len(asked)} right"
-    return f"  {symbol('done' if made == len(asked) else 'not started')} {chapter.number:>5} {'predictions':<22} {state}"
+    mark = symbol("done" if made == len(asked) else "not started")
+    return f"  {mark} {chapter.number:>5} {'predictions':<22} {state}"
 
 
 def predictions_as_json(chapters: list[Chapter]) -> list[dict]:

@@ -62,17 +62,15 @@ def middle_velocity() -> Drawing:
         f = Frame((left, 222), 230, 130)
         height = v(at)
         d.path([f(0, 0), f(0, height), f(1, height), f(1, 0)], "velocity fill", closed=True)
-        start = [(t / 20, v(t / 20)) for t in range(21)]
+        corner = round(20 * at)
+        below = [f(t / 20, v(t / 20)) for t in range(21)]
+        for piece, end in ((below[:corner + 1], 0), (below[corner:], 1)):
+            d.path([*piece, f(end, height)], "impulse fill thin", closed=True)
+        d.curve(lambda t, f=f: f(t, v(t)), -0.1, 1.12, "ink bold")
+        d.dot(f(at, height), "velocity", 6)
         if at:
-            d.path([f(x, y) for x, y in start[:11]] + [f(0, height)], "impulse fill thin", closed=True)
-            d.path([f(x, y) for x, y in start[10:]] + [f(1, height)], "impulse fill thin", closed=True)
-            d.curve(lambda t, f=f: f(t, v(t)), -0.1, 1.12, "ink bold")
-            d.dot(f(at, height), "velocity", 6)
             d.text((f(1, 0)[0] + 6, f(0, 0.42)[1]), "the two\npieces\ncancel", "soft", "start", "small")
         else:
-            d.path([f(x, y) for x, y in start] + [f(1, height)], "impulse fill thin", closed=True)
-            d.curve(lambda t, f=f: f(t, v(t)), -0.1, 1.12, "ink bold")
-            d.dot(f(0, height), "velocity", 6)
             d.text(f(0.69, 0.56), "missing", "impulse", size="small")
         d.text(f(0.5, height / 2 - 0.06), "$h v$", "velocity")
         d.arrow(f(-0.1, 0), f(1.22, 0), "soft thin")
@@ -112,12 +110,9 @@ def phase_plane() -> Drawing:
     d.arc(f(0, 0), 48, 0, -math.degrees(theta) + 2, "good", arrow=True)
     d.text(turned(f(0, 0), 66, -20), "$θ$", "good")
     d.text((500, 90), "explicit Euler", "impulse", "start")
-    d.text((500, 114), "energy times $1 + (hω)^2$", "impulse", "start", "small")
-    d.text((500, 134), "in each step", "impulse", "start", "small")
+    d.text((500, 114), "energy times $1 + (hω)^2$\nin each step", "impulse", "start", "small")
     d.text((500, 190), "leapfrog", "good", "start")
-    d.text((500, 214), "on one ellipse, for ever;", "good", "start", "small")
-    d.text((500, 234), "each step turns by $θ$:", "good", "start", "small")
-    d.text((500, 258), "$cos θ = 1 − (hω)^2/2$", "good", "start", "small")
-    d.text((500, 314), "the grey circle: what is true", "soft", "start", "small")
-    d.text((500, 334), "drawn for $hω = 0.7$", "soft", "start", "small")
+    d.text((500, 214),
+           "on one ellipse, for ever;\neach step turns by $θ$:\n$cos θ = 1 − (hω)^2/2$", "good", "start", "small")
+    d.text((500, 314), "the grey circle: what is true\ndrawn for $hω = 0.7$", "soft", "start", "small")
     return d

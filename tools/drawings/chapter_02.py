@@ -91,8 +91,7 @@ def back_to_length_one() -> Drawing:
     d.text(turned(centre, 104, start + angle / 2 - 1), "$α$", "ink")
     d.text((470, 120), "A right triangle:", "ink", "start")
     d.text((470, 148), "$tan α = h|ω|/2$", "ink", "start")
-    d.text((470, 194), "The body turns by twice $α$,", "ink", "start")
-    d.text((470, 218), "for $q$ acts from both sides:", "ink", "start")
+    d.text((470, 194), "The body turns by twice $α$,\nfor $q$ acts from both sides:", "ink", "start")
     d.text((470, 246), "$2 arctan(h|ω|/2)$", "ink", "start")
     return d
 

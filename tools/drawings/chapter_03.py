@@ -37,9 +37,8 @@ def contact() -> Drawing:
     d.text((128, 262), "body $i$", "soft")
     d.text((486, 52), "body $j$", "soft")
     d.text((500, 214), "$n$ points from $i$ to $j$.", "good", "start")
-    d.text((500, 248), "$g > 0$: apart, as here", "impulse", "start", "small")
-    d.text((500, 272), "$g = 0$: they touch", "impulse", "start", "small")
-    d.text((500, 296), "$g < 0$: they overlap", "impulse", "start", "small")
+    d.text((500, 248),
+           "$g > 0$: apart, as here\n$g = 0$: they touch\n$g < 0$: they overlap", "impulse", "start", "small")
     return d
 
 

@@ -6,11 +6,12 @@ from pen import Drawing, Frame, View, turned
 
 
 def tangents_and_box() -> Drawing:
-    d = Drawing(330, "Tangents t1 and t2 beside the normal, and the square of friction impulses that their bounds allow")
+    d = Drawing(330, "Tangents beside the normal, and the square of friction impulses that their bounds allow")
     view = View((185, 200), 92, 40, 26)
     ground = [view(x, y, 0) for x, y in ((1.25, 1.25), (1.25, -1.25), (-1.25, -1.25), (-1.25, 1.25))]
     d.path(ground, "body fill", closed=True)
-    for end, name, colour in (((0, 0, 1.35), "$n$", "good"), ((1.05, 0, 0), "$t_1$", "ink"), ((0, 1.05, 0), "$t_2$", "ink")):
+    for end, name, colour in (((0, 0, 1.35), "$n$", "good"), ((1.05, 0, 0), "$t_1$", "ink"),
+                              ((0, 1.05, 0), "$t_2$", "ink")):
         d.arrow(view(0, 0, 0), view(*end), f"{colour} bold")
         at = view(*(1.2 * c for c in end))
         d.text((at[0], at[1] + 5), name, colour)
@@ -57,10 +58,7 @@ def paths_that_bend() -> Drawing:
         d.path(points, "velocity")
         d.dot(points[-1], "velocity", 5)
     d.text((268, 92), "Coulomb: all\nstop on this\ncircle", "soft", "start", "small")
-    d.text((400, 92), "Each tangent brakes its own part", "ink", "start")
-    d.text((400, 114), "of the velocity by $μg$.", "ink", "start")
-    d.text((400, 156), "The smaller part is gone first,", "ink", "start")
-    d.text((400, 178), "and the path bends.", "ink", "start")
-    d.text((400, 220), "At 45° both end together: no bend,", "ink", "start")
-    d.text((400, 242), "and 0.71 of the way.", "ink", "start")
+    d.text((400, 92), "Each tangent brakes its own part\nof the velocity by $μg$.", "ink", "start")
+    d.text((400, 156), "The smaller part is gone first,\nand the path bends.", "ink", "start")
+    d.text((400, 220), "At 45° both end together: no bend,\nand 0.71 of the way.", "ink", "start")
     return d

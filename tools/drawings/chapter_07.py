@@ -21,7 +21,8 @@ def stick_and_slide() -> Drawing:
         d.dot(f(stick, J_n), "pair", 6)
         d.dot(f(chosen, J_n), "impulse", 6)
         d.text((f(chosen, J_n)[0] - 8, f(chosen, J_n)[1] - 14), "$J$", "impulse", "end")
-        d.text((f(stick, 0.35)[0] - 4, f(stick, 0.35)[1] + 20), "no slip", "pair", "end" if inside else "middle", "small")
+        d.text((f(stick, 0.35)[0] - 4, f(stick, 0.35)[1] + 20), "no slip", "pair", "end" if inside else "middle",
+               "small")
         d.text((middle, 28), title, "ink")
     return d
 
@@ -64,10 +65,9 @@ def no_energy_gained() -> Drawing:
     d.text((f(*J)[0] - 6, f(*J)[1] - 12), "$J$", "impulse", "end")
     d.text((450, 66), "$P$ stops the approach, without friction.", "ink", "start", "small")
     d.text((450, 94), "$Q$ stops everything.", "pair", "start", "small")
-    d.text((450, 130), "From $(1+e)P$ go along $Q − P$,", "impulse", "start", "small")
-    d.text((450, 152), "as far as the cone lets you: $κ(Q − P)$.", "impulse", "start", "small")
-    d.text((450, 188), "All the way the restitution is $e$:", "velocity", "start", "small")
-    d.text((450, 210), "blue is the line $n·KJ = −(1+e)u·n$.", "velocity", "start", "small")
-    d.text((450, 246), "It leans, for here $K$ couples:", "soft", "start", "small")
-    d.text((450, 268), "what stops the slip lifts, too.", "soft", "start", "small")
+    d.text((450, 130),
+           "From $(1+e)P$ go along $Q − P$,\nas far as the cone lets you: $κ(Q − P)$.", "impulse", "start", "small")
+    d.text((450, 188),
+           "All the way the restitution is $e$:\nblue is the line $n·KJ = −(1+e)u·n$.", "velocity", "start", "small")
+    d.text((450, 246), "It leans, for here $K$ couples:\nwhat stops the slip lifts, too.", "soft", "start", "small")
     return d

@@ -40,7 +40,7 @@ def one_point() -> Drawing:
 
 
 def box_and_ball() -> Drawing:
-    d = Drawing(362, "The point of a box that is nearest to a ball's centre: on a face, at a corner, or the centre itself")
+    d = Drawing(362, "The point of a box that is nearest to a ball: on a face, at a corner, or the ball's own centre")
     left, top, right, low = 130, 128, 440, 268
     for x in (left, right):
         d.line((x, 26), (x, 344), "faint thin dash")
@@ -66,49 +66,47 @@ def box_and_ball() -> Drawing:
 
 
 def shadows_on_an_axis() -> Drawing:
-    """Two squares; their shadows along an axis that parts them, and along one that does not."""
+    """Two boxes; their shadows along an axis that parts them, and along one that does not."""
     d = Drawing(366, "The shadows of two boxes along an axis: apart along one, overlapping along another")
     f = Frame((228, 176), 52)
-    boxes = (((-1.35, -0.35), (1.25, 0.75), 12, "body"), ((1.35, 0.75), (0.95, 0.8), 50, "body"))
-    for centre, half, lean, colour in boxes:
-        d.path([f(*p) for p in _corners(centre, half, lean)], f"{colour} fill", closed=True)
+    boxes = (_corners((-1.35, -0.35), (1.25, 0.75), 12), _corners((1.35, 0.75), (0.95, 0.8), 50))
+    for corners, centre, name in zip(boxes, ((-1.35, -0.35), (1.35, 0.75)), ("$i$", "$j$")):
+        d.path([f(*p) for p in corners], "body fill", closed=True)
         d.dot(f(*centre), "ink", 4)
-    d.text((f(-1.35, -0.35)[0] - 2, f(-1.35, -0.35)[1] + 24), "$i$", "ink")
-    d.text((f(1.35, 0.75)[0] + 4, f(1.35, 0.75)[1] + 24), "$j$", "ink")
-    for lean, distance, reach in ((12, -2.3, (2.9, 3.3)), (102, 3.2, (2.1, 2.6))):
-        n = (math.cos(math.radians(lean)), math.sin(math.radians(lean)))
-        m = (-n[1], n[0])
-
-        def on(t: float, off: float = 0.0, n=n, m=m, distance=distance):
-            return f(t * n[0] + (distance + off) * m[0], t * n[1] + (distance + off) * m[1])
-
-        d.arrow(on(-reach[0]), on(reach[1]), "soft thin")
-        spans = []
-        for centre, half, turn, _ in boxes:
-            values = [p[0] * n[0] + p[1] * n[1] for p in _corners(centre, half, turn)]
-            spans.append((min(values), max(values)))
-        for k, (low, high) in enumerate(spans):
-            shift = 0.0 if lean == 12 else 0.09 * (1 if k else -1)
-            d.line(on(low, shift), on(high, shift), "velocity bold" if k else "ink bold")
-        gap = (spans[0][1], spans[1][0])
-        if gap[1] > gap[0]:
-            d.line(on(gap[0], -0.16), on(gap[0], 0.16), "good")
-            d.line(on(gap[1], -0.16), on(gap[1], 0.16), "good")
-            at = on((gap[0] + gap[1]) / 2, -0.45)
-            d.text((at[0] + 6, at[1] + 6), "$g(n) > 0$", "good")
-            wall = (gap[0] + gap[1]) / 2
-            d.line(f(wall * n[0] - 2.0 * m[0], wall * n[1] - 2.0 * m[1]), f(wall * n[0] + 2.1 * m[0], wall * n[1] + 2.1 * m[1]),
-                   "good dash")
-        tip = on(reach[1])
+        d.text((f(*centre)[0], f(*centre)[1] + 24), name, "ink")
+    apart = _axis(f, 12, -2.3)
+    d.arrow(apart(-2.9), apart(3.3), "soft thin")
+    (low, end), (begin, high) = (_shadow(corners, 12) for corners in boxes)
+    d.line(apart(low), apart(end), "ink bold")
+    d.line(apart(begin), apart(high), "velocity bold")
+    for t in (end, begin):
+        d.line(apart(t, -0.16), apart(t, 0.16), "good")
+    middle = (begin + end) / 2
+    d.line(apart(middle, 0.3), apart(middle, 4.4), "good dash")
+    d.text((apart(middle, -0.45)[0] + 6, apart(middle, -0.45)[1] + 6), "$g(n) > 0$", "good")
+    over = _axis(f, 102, 3.2)
+    d.arrow(over(-2.1), over(2.6), "soft thin")
+    for corners, beside, colour in zip(boxes, (-0.09, 0.09), ("ink", "velocity")):
+        low, high = _shadow(corners, 102)
+        d.line(over(low, beside), over(high, beside), f"{colour} bold")
+    for tip in (apart(3.3), over(2.6)):
         d.text((tip[0] + 12, tip[1] + 2), "$n$", "soft")
-    d.text((462, 96), "Along this $n$ a gap is left:", "good", "start", "small")
-    d.text((462, 118), "a plane fits between, the boxes", "good", "start", "small")
-    d.text((462, 140), "do not touch. One such axis is", "good", "start", "small")
-    d.text((462, 162), "enough.", "good", "start", "small")
-    d.text((462, 206), "Along the other axis, on the left,", "soft", "start", "small")
-    d.text((462, 228), "the shadows overlap. That alone", "soft", "start", "small")
-    d.text((462, 250), "says nothing.", "soft", "start", "small")
+    d.text((462, 96), "Along this $n$ a gap is left:\na plane fits between, the boxes\ndo not touch. "
+           "One such axis is\nenough.", "good", "start", "small")
+    d.text((462, 206), "Along the other axis, on the left,\nthe shadows overlap. That alone\nsays nothing.",
+           "soft", "start", "small")
     return d
+
+
+def _axis(f: Frame, lean: float, distance: float):
+    """Places along a line that leans, so far from the origin, and perhaps a little beside it."""
+    c, s = math.cos(math.radians(lean)), math.sin(math.radians(lean))
+    return lambda t, beside=0.0: f(t * c - (distance + beside) * s, t * s + (distance + beside) * c)
+
+
+def _shadow(corners, lean: float) -> tuple[float, float]:
+    places = [x * math.cos(math.radians(lean)) + y * math.sin(math.radians(lean)) for x, y in corners]
+    return min(places), max(places)
 
 
 def _corners(centre, half, lean: float):
@@ -123,16 +121,18 @@ def edge_against_edge() -> Drawing:
     view = View((265, 178), 74, 34, 34)
     q_i, a = (2.1, 0.3, -0.1), (-4.2, -0.9, 0.0)
     q_j, b = (0.5, -1.9, 0.32), (-0.8, 3.8, 0.0)
+    edge_i, edge_j = ([view(*q), view(*(x + y for x, y in zip(q, e)))] for q, e in ((q_i, a), (q_j, b)))
     _ridge(d, view, q_i, a, -1)
+    d.path(edge_i, "velocity bold")
     _ridge(d, view, q_j, b, 1)
+    d.path(edge_i, "velocity thin dash")  # what the upper box hides of it
+    d.path(edge_j, "pair bold")
     w = tuple(y - x for x, y in zip(q_i, q_j))
     ab = _cross(a, b)
     size = _dot(ab, ab)
     s, t = _dot(_cross(w, b), ab) / size, _dot(_cross(w, a), ab) / size
     near_i = tuple(q + s * e for q, e in zip(q_i, a))
     near_j = tuple(q + t * e for q, e in zip(q_j, b))
-    d.line(view(*q_i), view(*(q + e for q, e in zip(q_i, a))), "velocity bold")
-    d.line(view(*q_j), view(*(q + e for q, e in zip(q_j, b))), "pair bold")
     d.line(view(*near_i), view(*near_j), "impulse")
     d.dot(view(*near_i), "velocity", 6)
     d.dot(view(*near_j), "pair", 6)
@@ -145,11 +145,9 @@ def edge_against_edge() -> Drawing:
         d.text((at[0] - 10, at[1] - 10), f"$q_{name}$", colour, "end")
         end = view(*(x + y for x, y in zip(q, e)))
         d.text((end[0] + 10, end[1] + 2), "$a$" if name == "i" else "$b$", colour, "start")
-    d.text((505, 92), "What joins the nearest points", "ink", "start", "small")
-    d.text((505, 114), "is at right angles to both edges:", "ink", "start", "small")
+    d.text((505, 92), "What joins the nearest points\nis at right angles to both edges:", "ink", "start", "small")
     d.text((505, 140), "$n$ is along $a × b$.", "good", "start")
-    d.text((505, 186), "(drawn apart; when they touch", "soft", "start", "small")
-    d.text((505, 208), "they have passed each other)", "soft", "start", "small")
+    d.text((505, 186), "(drawn apart; when they touch\nthey have passed each other)", "soft", "start", "small")
     return d
 
 
@@ -160,8 +158,8 @@ def _ridge(d: Drawing, view: View, q, e, side: int) -> None:
     end = tuple(x + y for x, y in zip(q, e))
     for turn in (1, -1):
         off = (turn * across[0], turn * across[1], 0.45 * side)
-        corners = [view(*q), view(*end), view(*(x + y for x, y in zip(end, off))), view(*(x + y for x, y in zip(q, off)))]
-        d.path(corners, "body fill", closed=True)
+        far = [view(*(x + y for x, y in zip(at, off))) for at in (end, q)]
+        d.path([view(*q), view(*end), *far], "body fill", closed=True)
 
 
 def _cross(a, b):

@@ -22,11 +22,12 @@ def face_that_is_met() -> Drawing:
     d.arrow(view(-0.55, -0.55, 0), view(-0.55, -0.55, 0.62), "good bold")
     at = view(-0.55, -0.55, 0.72)
     d.text((at[0], at[1] - 2), "$n$", "good")
-    for y, label, colour in ((64, "box $j$, drawn above its place", "pair"), (100, "its incident face: the one that\nlooks against $n$ most", "pair"),
-                             (166, "four planes, around", "velocity"), (202, "the face of $i$ that is met", "velocity")):
-        d.text((440, y), label, colour, "start")
-    d.text((440, 252), "What of the incident face lies\nbetween the four planes is where\nthe two boxes touch.", "soft", "start",
-           "small")
+    d.text((440, 64), "box $j$, drawn above its place", "pair", "start")
+    d.text((440, 100), "its incident face: the one that\nlooks against $n$ most", "pair", "start")
+    d.text((440, 166), "four planes, around", "velocity", "start")
+    d.text((440, 202), "the face of $i$ that is met", "velocity", "start")
+    d.text((440, 252), "What of the incident face lies\nbetween the four planes is where\nthe two boxes touch.",
+           "soft", "start", "small")
     return d
 
 
@@ -46,7 +47,7 @@ def _polygon(centre, half, lean: float) -> list[tuple[float, float]]:
 
 def clipping() -> Drawing:
     """The incident face of `face_that_is_met`, from above, cut by (8.8) by one plane after the other."""
-    d = Drawing(262, "The incident face is cut by one plane after the other; what is left lies over the face that is met")
+    d = Drawing(262, "The incident face is cut by one plane after the other, until it lies over the face that is met")
     polygon = _polygon((0.55, 0.35), (0.85, 0.85), 33)
     planes = (((1, 0), 1, "cut at the right"), ((0, 1), 1, "cut at the top"), ((-1, 0), 1, "nothing more to cut"))
     for k in range(4):
@@ -85,7 +86,8 @@ def _cut(polygon, n, offset: float):
 
 def four_of_eight() -> Drawing:
     d = Drawing(318, "Four of eight contacts: the deepest, far apart, with the mean within; and four that let it tip")
-    outline = [(1.0, 0.35), (0.55, 0.92), (-0.2, 1.0), (-0.92, 0.62), (-1.0, -0.2), (-0.5, -0.9), (0.25, -1.0), (0.95, -0.55)]
+    outline = [(1.0, 0.35), (0.55, 0.92), (-0.2, 1.0), (-0.92, 0.62), (-1.0, -0.2), (-0.5, -0.9), (0.25, -1.0),
+               (0.95, -0.55)]
     deepest = 5
     mean = (sum(p[0] for p in outline) / 8, sum(p[1] for p in outline) / 8)
     fours = [(5, *rest) for rest in _choices([0, 1, 2, 3, 4, 6, 7])]
@@ -139,7 +141,8 @@ def sorted_intervals() -> Drawing:
         d.text((x - r - 8, level + 5), "abcdefg"[place], "velocity", "end", "small")
     x, y, r = bodies[order[1]]
     d.line((x + r, 150), (x + r, 330), "impulse dash")
-    d.text((x + r + 8, 318), "b ends here. c begins before it: compare b with c.\nd begins behind it: nothing more for b.",
+    d.text((x + r + 8, 318),
+           "b ends here. c begins before it: compare b with c.\nd begins behind it: nothing more for b.",
            "impulse", "start", "small")
     return d
 
@@ -163,10 +166,9 @@ def cells_and_levels() -> Drawing:
     d.text((m[0] - 10, m[1] + 20), "$m$", "impulse", "end")
     d.box((left + 3.3 * cell, low - 4.2 * cell), 1.6 * cell, 1.5 * cell, "gold")
     d.text((left + 4.1 * cell, low - 3.4 * cell), "large", "gold", size="small")
-    d.text((400, 66), "Both $i$ and $j$ are in several cells, and", "ink", "start", "small")
-    d.text((400, 88), "share four of them. One cell speaks:", "ink", "start", "small")
-    d.text((400, 110), "the green one, that holds $m$,", "good", "start", "small")
-    d.text((400, 132), "the lower corner of what they share.", "good", "start", "small")
+    d.text((400, 66),
+           "Both $i$ and $j$ are in several cells, and\nshare four of them. One cell speaks:", "ink", "start", "small")
+    d.text((400, 110), "the green one, that holds $m$,\nthe lower corner of what they share.", "good", "start", "small")
     d.text((400, 176), "The large one enters a coarser grid:", "gold", "start", "small")
     for k in range(3):
         d.line((420 + 100 * k, 196), (420 + 100 * k, 316), "gold thin")

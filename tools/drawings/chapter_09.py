@@ -53,8 +53,9 @@ def _axes(d: Drawing, f: Frame) -> None:
 def leaning_rod() -> Drawing:
     d = Drawing(340, "A rod whose end is pushed ahead of it is pressed down by friction; dragged behind, it is lifted")
     ground = 244
-    for foot, lean, title, told in ((190, 63.4, "its end is pushed ahead", "friction presses it down: $ρ > 0$, it may jam"),
-                                    (540, 116.6, "its end is dragged behind", "friction lifts it: $ρ < 0$, sweeps may cycle")):
+    for foot, lean, title, told in (
+            (190, 63.4, "its end is pushed ahead", "friction presses it down: $ρ > 0$, it may jam"),
+            (540, 116.6, "its end is dragged behind", "friction lifts it: $ρ < 0$, sweeps may cycle")):
         at, side = (foot, ground), 1 if lean < 90 else -1
         top = turned(at, 200, lean)
         middle = between(at, top)
@@ -76,7 +77,7 @@ def leaning_rod() -> Drawing:
 
 def five_balls() -> Drawing:
     """A cut through two lower balls that face each other across the square, and the one on top."""
-    d = Drawing(338, "Five balls in a pyramid: the line between a lower ball's two contacts is 22.5 degrees off the normal")
+    d = Drawing(338, "Five balls in a pyramid: the line between a lower ball's contacts is 22.5° off the normal")
     f = Frame((235, 284), 72)
     half = math.sqrt(2)  # the lower balls' centres, from the middle, for a radius of 1
     for x, y in ((-half, 1), (half, 1), (0, 1 + half)):
@@ -92,11 +93,9 @@ def five_balls() -> Drawing:
     d.text((f(half, 0)[0] - 14, f(half, 0)[1] - 84), "$22.5°$", "ink", "end", "small")
     d.line(f(half, 1), f(0, 1 + half), "soft thin dash")
     d.text((f(half, 1.5)[0] + 12, f(half, 1.5)[1] + 6), "$n$", "good", "start")
-    d.text((480, 92), "A lower ball is touched twice.", "ink", "start")
-    d.text((480, 116), "No torque turns it if the two", "ink", "start")
-    d.text((480, 138), "impulses are along the line", "ink", "start")
-    d.text((480, 160), "between its contacts.", "ink", "start")
-    d.text((480, 200), "This line must be in the cone", "impulse", "start")
-    d.text((480, 222), "of friction: $μ ≥ tan 22.5°$", "impulse", "start")
+    d.text((480, 92),
+           "A lower ball is touched twice.\nNo torque turns it if the two\nimpulses are along the line\n"
+           "between its contacts.", "ink", "start")
+    d.text((480, 200), "This line must be in the cone\nof friction: $μ ≥ tan 22.5°$", "impulse", "start")
     d.text((240, 322), "a cut through opposite balls", "soft", size="small")
     return d

@@ -84,11 +84,10 @@ def bound_that_stiffens() -> Drawing:
     d.spring((500, 92), (620, 92), "impulse", 7, 10)
     d.line((500, 70), (500, 114), "ink bold")
     d.dot((630, 92), "body", 11)
-    d.text((470, 150), "A Newton step sees the bound as", "ink", "start", "small")
-    d.text((470, 172), "a spring beside the row's own $Σ$,", "ink", "start", "small")
-    d.text((470, 196), "of $z/s$, which is added to $S_{kk}$:", "ink", "start", "small")
-    d.text((470, 230), "the nearer the bound, the larger,", "impulse", "start", "small")
-    d.text((470, 252), "and the less does $λ$ move.", "impulse", "start", "small")
+    d.text((470, 150),
+           "A Newton step sees the bound as\na spring beside the row's own $Σ$,\n"
+           "of $z/s$, which is added to $S_{kk}$:", "ink", "start", "small")
+    d.text((470, 230), "the nearer the bound, the larger,\nand the less does $λ$ move.", "impulse", "start", "small")
     return d
 
 
@@ -118,11 +117,10 @@ def way_from_within() -> Drawing:
         d.dot(path[k], "good", 6)
         if name:
             d.text((path[k][0] - 12, path[k][1] - 12 if not k else path[k][1] + 24), name, "good", "end", "small")
-    d.text((370, 92), "Guessing which rows are at a bound means", "ink", "start", "small")
-    d.text((370, 114), "walking from corner to corner of this box:", "ink", "start", "small")
-    d.text((370, 136), "$3^n$ cases for $n$ rows.", "ink", "start", "small")
-    d.text((370, 176), "The way from within is smooth. Each Newton", "good", "start", "small")
-    d.text((370, 198), "step aims at a point farther along it; ten to", "good", "start", "small")
-    d.text((370, 220), "thirty steps do for twelve rows or for twelve", "good", "start", "small")
-    d.text((370, 242), "hundred.", "good", "start", "small")
+    d.text((370, 92),
+           "Guessing which rows are at a bound means\nwalking from corner to corner of this box:\n"
+           "$3^n$ cases for $n$ rows.", "ink", "start", "small")
+    d.text((370, 176),
+           "The way from within is smooth. Each Newton\nstep aims at a point farther along it; ten to\n"
+           "thirty steps do for twelve rows or for twelve\nhundred.", "good", "start", "small")
     return d

@@ -32,8 +32,8 @@ def string_pulled_apart() -> Drawing:
     d.text((places[3][0] + 12, places[3][1] + 68), "pulled back", "velocity", "start", "small")
     d.line((places[2][0] + 22, base), (places[2][0] + 22, base + y), "good thin")
     d.text((places[2][0] + 30, base + 34), "$y$", "good", "start")
-    d.text((40, 310), "pulled apart by two fingers (drawn too large: the links hardly get longer), and pulled back", "soft",
-           "start", "small")
+    d.text((40, 310), "pulled apart by two fingers (drawn too large: the links hardly get longer), and pulled back",
+           "soft", "start", "small")
     return d
 
 
@@ -58,6 +58,6 @@ def heavier_in_a_step() -> Drawing:
         at = f(2.5, 2.72) if alpha == 0 else f(8.2, 8.2 / math.sqrt(1 + alpha * 8.2**2))
         d.text((at[0] + 24, at[1]) if alpha == 0 else (at[0], at[1] + 24), label, colour,
                "start" if alpha == 0 else "end", "small")
-    d.text((500, 92), "Slow motion, on the left, is\nthe same for all three.\nWhat is fast is slowed down.", "soft", "start",
-           "small")
+    d.text((500, 92), "Slow motion, on the left, is\nthe same for all three.\nWhat is fast is slowed down.",
+           "soft", "start", "small")
     return d

@@ -66,7 +66,8 @@ class Drawing:
         if both:
             self._head(start, (-unit[0], -unit[1]), size, colour)
 
-    def arc(self, centre: Point, radius: float, start: float, end: float, style: str = "ink", arrow: bool = False) -> None:
+    def arc(self, centre: Point, radius: float, start: float, end: float, style: str = "ink",
+            arrow: bool = False) -> None:
         """Angles in degrees, counterclockwise from the right as one sees them; from start to end, either way around."""
         count = max(2, int(abs(end - start) / 4) + 1)
         last = end - math.copysign(math.degrees(8 / radius), end - start) if arrow else end
