@@ -101,6 +101,22 @@ class Lessons(unittest.TestCase):
                               f"unknown section: {heading}") for heading in headings]
                 self.assertEqual(known, list(SECTIONS))
 
+    def test_every_lesson_begins_with_what_it_takes(self):
+        for chapter in self.chapters:
+            with self.subTest(chapter.folder):
+                head = lesson(chapter.exercises[0]).partition("\n## ")[0]
+                self.assertRegex(head, r"(?s)\n\n\*\*What it takes\.\*\* .*\bhours\b.*\bOn\s+first\s+reading\b")
+
+    def test_what_is_folded_away_is_shown_as_markdown(self):
+        """GitHub wants an empty line below the summary and above the end."""
+        for chapter in self.chapters:
+            with self.subTest(chapter.folder):
+                text = lesson(chapter.exercises[0])
+                whole = re.findall(r"^<details>\n<summary>[^\n]+</summary>\n\n(?:(?!<details>).)*?\n\n</details>$", text,
+                                   re.MULTILINE | re.DOTALL)
+                self.assertGreater(len(whole), 0)
+                self.assertEqual((text.count("<details"), text.count("</details>")), (len(whole), len(whole)))
+
     def test_the_front_page_lists_every_chapter(self):
         page = (ROOT / "README.md").read_text(encoding="utf-8")
         for chapter in self.chapters:
