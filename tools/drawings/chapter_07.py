@@ -7,8 +7,8 @@ def stick_and_slide() -> Drawing:
     """A solid sphere on a plane, where K is 7/2 along the slip and 1 along n; e = 0.5, μ = 0.5, approach 1."""
     d = Drawing(356, "The impulse that sticks is taken if it is in the cone; else the impulse on the cone's edge")
     K_t, friction, e = 3.5, 0.5, 0.5
-    for middle, slip, title in ((180, 1.3, "a slow slip: it sticks"), (540, 4.2, "a fast slip: it slides")):
-        f = Frame((middle, 322), 145)
+    for middle, slip, title in ((178, 1.3, "a slow slip: it sticks"), (548, 3.6, "a fast slip: it slides")):
+        f = Frame((middle, 322), 140)
         _cone(d, f, friction, 1.78)
         J_n = 1 + e
         d.line(f(-1.16, J_n), f(0.95, J_n), "velocity dash")

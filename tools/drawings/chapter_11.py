@@ -116,7 +116,8 @@ def way_from_within() -> Drawing:
     for k, name in ((0, "large $τ$: the middle"), (24, ""), (36, ""), (60, "$τ → 0$: the solution")):
         d.dot(path[k], "good", 6)
         if name:
-            d.text((path[k][0] - 12, path[k][1] - 12 if not k else path[k][1] + 24), name, "good", "end", "small")
+            d.text((path[k][0] - (0 if k == 0 else 12), path[k][1] + (-14 if k == 0 else 24)), name, "good",
+                   "middle" if k == 0 else "end", "small")
     d.text((370, 92),
            "Guessing which rows are at a bound means\nwalking from corner to corner of this box:\n"
            "$3^n$ cases for $n$ rows.", "ink", "start", "small")
