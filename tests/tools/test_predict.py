@@ -132,6 +132,12 @@ class Asking(unittest.TestCase):
                          "course: the input ended at question 2 of 4; what was answered before is kept\n")
         self.assertIn("3 to make", self.ask("1", lines="", code=1).stdout)
 
+    def test_without_any_input_and_with_what_is_no_text(self):
+        for line in ("./course predict 1 <&-", "printf '\\377\\n' | PYTHONUTF8=1 ./course predict 1"):
+            result = subprocess.run(line, shell=True, capture_output=True, text=True, cwd=self.box.root)
+            self.assertEqual((result.returncode, result.stderr.count("\n")), (1, 1), result.stderr)
+            self.assertIn("the input ended at question 1 of 4", result.stderr)
+
     def test_a_spoilt_memory_is_none(self):
         for text in ("", "[]", '{"predictions": 3}', '{"predictions": {"1.1": {}, "1.2": "z", "1.4": "0.2"}}'):
             (self.box.root / ".course").mkdir(exist_ok=True)

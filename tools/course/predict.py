@@ -14,6 +14,8 @@ _FILE, _TABLE = "predictions.json", "predictions"
 
 def predict(arguments) -> int:
     chapter = pick_chapter(arguments.which)
+    if sys.stdin:
+        sys.stdin.reconfigure(errors="replace")
     asked = predictions_of(chapter)
     made = {} if arguments.again else guesses(asked)
     left = [each for each in asked if each.id not in made]
@@ -57,7 +59,7 @@ def _ask(each: Prediction, place: str) -> None:
 
 def _line(prompt: str, place: str) -> str:
     print(prompt, end="", flush=True)
-    text = sys.stdin.readline()
+    text = sys.stdin.readline() if sys.stdin else ""  # there is none where it was closed
     if not text:
         print()
         raise CourseError(f"the input ended at question {place}; what was answered before is kept")
