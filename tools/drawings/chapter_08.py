@@ -2,7 +2,7 @@
 
 import math
 
-from pen import Drawing, Frame, View, between, turned
+from pen import Drawing, Frame, View, between
 
 
 def one_point() -> Drawing:

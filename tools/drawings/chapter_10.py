@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from pen import Drawing, Frame, between
+from pen import Drawing, Frame
 
 
 def sweeps_up_and_down() -> Drawing:
