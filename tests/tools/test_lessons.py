@@ -117,6 +117,14 @@ class Lessons(unittest.TestCase):
                 self.assertGreater(len(whole), 0)
                 self.assertEqual((text.count("<details"), text.count("</details>")), (len(whole), len(whole)))
 
+    def test_mathematics_in_a_line_is_whole(self):
+        """GitHub takes a backslash before a sign, and an asterisk, for Markdown's own."""
+        for chapter in self.chapters:
+            text = re.sub(r"```.*?```|`[^`]*`", "", lesson(chapter.exercises[0]), flags=re.DOTALL)
+            for formula in re.findall(r"\$[^$]*\$", text):
+                with self.subTest(chapter.folder, formula=formula):
+                    self.assertNotRegex(formula, r"\\[^A-Za-z]|[*\n]")
+
     def test_the_front_page_lists_every_chapter(self):
         page = (ROOT / "README.md").read_text(encoding="utf-8")
         for chapter in self.chapters:
