@@ -188,6 +188,7 @@ class Versions(unittest.TestCase):
     def test_of_commands(self):
         for line, version in (("c++ (Ubuntu 11.4.0-1ubuntu1~22.04) 11.4.0", "11.4.0"), ("1.11.1", "1.11.1"),
                               ("Debian clang version 19.1.7 (3)", "19.1.7"), ("cmake version 3.31.6", "3.31.6"),
+                              ("v20.5.1", "20.5.1"),
                               ("no number", "")):
             self.assertEqual(needs._number(line), version)
 

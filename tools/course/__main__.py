@@ -6,6 +6,7 @@ import sys
 import terminal
 from arguments import parse
 from board import progress
+from book import book
 from check import check
 from errors import CourseError
 from everything import test
@@ -23,7 +24,7 @@ from watch import watch
 
 COMMANDS = {"progress": progress, "check": check, "watch": watch, "plot": plot, "hint": hint, "solution": solution,
             "reset": reset, "start": start, "test": test, "grade": grade, "export": export, "view": view,
-            "play": play}
+            "play": play, "book": book}
 FORWARDED = {"run": run, "scenes": scenes}
 
 
