@@ -1,5 +1,6 @@
 """./course book: what is in the site, which pages are refused, and where it is published."""
 
+import os
 import re
 import subprocess
 import tempfile
@@ -10,7 +11,8 @@ from urllib.parse import unquote
 
 from sandbox import ROOT, Sandbox, our_files
 
-from needs import BOOK_NEEDS
+from films import films
+from needs import BOOK_NEEDS, VIEW_NEEDS
 
 LESSON = "chapters/01_leapfrog/README.md"
 TAG = re.compile(r"\\tag\{([0-9.]+[a-z]?)\}")
@@ -252,6 +254,23 @@ class Refused(unittest.TestCase):
         self.assertEqual((self.box.root / "mine" / "work.txt").read_text(), "weeks of it")
         self.box.assert_refused(self, ["book", "--out", "no/where"], ["no/where", "no is no folder"])
         self.box.assert_refused(self, ["book", "--publish", "nowhere"], ["'nowhere'", "git remote"])
+
+
+class Views(unittest.TestCase):
+    def test_films_lead_to_pages_of_the_viewer(self):
+        bound(type(self))
+        if not VIEW_NEEDS[0].there():
+            self.skipTest(f"no views: {VIEW_NEEDS[0].package} not installed")
+        box = Sandbox(built=True)
+        self.addCleanup(box.close)
+        result = box.course("book", "--views", "--out", "site")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        for name in films():
+            page = "index.html" if name == "README" else f"chapters/{name}/index.html"
+            address = re.search(r'<figure class="film"><a href="([^"]+)"', (box.root / "site" / page).read_text())
+            view = (box.root / "site" / page).parent / address[1]
+            self.assertEqual(os.path.normpath(view), str(box.root / "site" / "views" / f"{name}.html"))
+            self.assertIn("data-recording", view.read_text())
 
 
 class Published(unittest.TestCase):
