@@ -187,7 +187,8 @@ int main() {}  // comment
                      '<a href="../01_leapfrog/index.html">Kick</a>', '<div class="equation" id="eq-99.1">',
                      '<a class="tag" href="#eq-99.2"', "<summary>Derivation of it</summary>", "<strong>Markdown</strong>",
                      '<a class="eqref" data-tag="99.1" href="#eq-99.1">(99.1)</a>', "Because of <em>this</em>.",
-                     'srcset="../01_leapfrog/film.webp"', "<figcaption>Its caption, with <code>code</code>.</figcaption></figure>",
+                     'srcset="../01_leapfrog/film.webp"',
+                     "<figcaption>Its caption, with <code>code</code>.</figcaption></figure>",
                      '<blockquote class="callout note">', '<strong class="title">Note</strong>',
                      '<h2 id="with-code-c">With code: <code>c++</code></h2>', '<span class="kt">int</span>',
                      '<div class="table" tabindex="0"><table>'):
@@ -278,7 +279,8 @@ class Published(unittest.TestCase):
         box = bound(type(self))
         with tempfile.TemporaryDirectory() as remote:
             def git(*words: str) -> str:
-                return subprocess.run(["git", "--git-dir", remote, *words], check=True, capture_output=True, text=True).stdout
+                done = subprocess.run(["git", "--git-dir", remote, *words], check=True, capture_output=True, text=True)
+                return done.stdout
 
             git("init", "-q", "--bare")
             subprocess.run(["git", "-C", str(box.root), "remote", "add", "host", remote], check=True)

@@ -75,9 +75,9 @@ class Code(unittest.TestCase):
             self.assertGreater(claims, 0)
             file, out = Path(folder, "main.cpp"), Path(folder, "main")
             file.write_text(source, encoding="utf-8")
-            built = subprocess.run([os.environ.get("CXX") or "c++", "-std=c++20", "-w", f"-I{PAGES}", "-I/usr/include/eigen3",
-                                    "-I/usr/local/include/eigen3", str(file), "-o", str(out)],
-                                   capture_output=True, text=True)
+            command = [os.environ.get("CXX") or "c++", "-std=c++20", "-w", f"-I{PAGES}", "-I/usr/include/eigen3",
+                       "-I/usr/local/include/eigen3", str(file), "-o", str(out)]
+            built = subprocess.run(command, capture_output=True, text=True)
             self.assertEqual(built.returncode, 0, built.stderr)
             return subprocess.run([str(out)], capture_output=True, text=True)
 
@@ -88,7 +88,8 @@ class Code(unittest.TestCase):
                 self.assertEqual((result.returncode, result.stdout), (0, ""))
 
     def test_what_is_not_so_is_told(self):
-        result = self.run_page("page.md", "Text\n\n```cpp\nVec3 a(1, 2, 3);\na;   // = (1, 2, 4)\n2 > 1;   // = false\n```\n")
+        text = "Text\n\n```cpp\nVec3 a(1, 2, 3);\na;   // = (1, 2, 4)\n2 > 1;   // = false\n```\n"
+        result = self.run_page("page.md", text)
         self.assertEqual(result.stdout.splitlines(), ["page.md:5: a is 1 2 3", "page.md:6: 2 > 1 is 1"])
 
 

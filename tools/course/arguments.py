@@ -132,7 +132,8 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     command = add("book", "the lessons and all pages as a site, which opens from the file system")
     command.add_argument("--out", metavar="DIR", help="default: build/book")
     command.add_argument("--views", action="store_true", help="with each film as a page of ./course view behind it")
-    command.add_argument("--publish", metavar="REMOTE", help="push it to branch gh-pages of this git remote, as its only commit")
+    command.add_argument("--publish", metavar="REMOTE",
+                         help="push it to branch gh-pages of this git remote, as its only commit")
     _add_grade(add("grade", "marks for a class: folders and zips that hold chapters/"))
     command = add("export", "what another platform needs to grade, or results in its form")
     command.add_argument("what", metavar="FORMAT", choices=EXPORTS, help=", ".join(EXPORTS))

@@ -4,7 +4,8 @@ import html
 import re
 from pathlib import Path
 
-_COMMAND = re.compile(r"^(?:sudo |for )?(?:\./|cmake|ninja|ctest|python3|git|gdb|sbatch|npm|docker|course)\b|^\./", re.MULTILINE)
+# What is not said to be in a language is a shell's if a line begins with one of these.
+_COMMAND = re.compile(r"^(?:sudo |for )?(?:\./|(?:cmake|ninja|ctest|python3|git|gdb|sbatch|docker)\b)", re.MULTILINE)
 
 
 def highlighted(code: str, language: str) -> str:
