@@ -14,6 +14,7 @@ from exporting.export import export
 from grading.grade import grade
 from hint import hint
 from play import play
+from playground import playground
 from plot import plot
 from reset import reset
 from run import run, scenes
@@ -24,7 +25,7 @@ from watch import watch
 
 COMMANDS = {"progress": progress, "check": check, "watch": watch, "plot": plot, "hint": hint, "solution": solution,
             "reset": reset, "start": start, "test": test, "grade": grade, "export": export, "view": view,
-            "play": play, "book": book}
+            "play": play, "book": book, "try": playground}
 FORWARDED = {"run": run, "scenes": scenes}
 
 

@@ -1,4 +1,4 @@
-"""The pages of the book: every Markdown file of the course but the hints, in the order in which one reads."""
+"""The pages of the book: every Markdown file of the course but hints and playgrounds, in the order in which one reads."""
 
 import os
 from dataclasses import dataclass
@@ -17,6 +17,8 @@ _GROUPS = (
     ("For contributors", ("CONTRIBUTING.md", "*.md", "*/**/*.md")),
 )
 
+_NO_PAGES = ("hints.md", "try.md")  # which ./course hint and ./course try show a piece of
+
 
 @dataclass(frozen=True)
 class Page:
@@ -34,7 +36,7 @@ class Page:
 
 
 def pages() -> list[Page]:
-    left = [name for name in course_files() if name.suffix == ".md" and name.name != "hints.md"]
+    left = [name for name in course_files() if name.suffix == ".md" and name.name not in _NO_PAGES]
     found = []
     for group, patterns in _GROUPS:
         for pattern in patterns:
