@@ -126,13 +126,13 @@ def _mark_callout(quote, following: list) -> None:
 
 def _set_figures(tokens: list, view: str) -> None:
     """A paragraph that is a picture, and the one below it if it is all emphasised: its caption. A film leads to the
-    view of it, if there is one."""
+    view of it, if there is one; another picture to itself, to be seen as large as it is."""
     for k, token in enumerate(tokens):
         if token.type == "paragraph_open" and _is_picture(tokens[k + 1]):
-            film = str(tokens[k + 1].children[0].attrGet("src")).endswith("film.webp")
-            link = view if film else ""
-            _become(token, f'<figure class="{"film" if film else "picture"}">'
-                           + (f'<a href="{link}" title="turn it, scrub it">' if link else ""))
+            address = str(tokens[k + 1].children[0].attrGet("src"))
+            film = address.endswith("film.webp")
+            link = view if film else address
+            _become(token, f'<figure class="{"film" if film else "picture"}">' + (f'<a href="{link}">' if link else ""))
             _become(tokens[k + 2], f"{'</a>' if link else ''}</figure>\n")
             _set_caption(tokens, k + 2)
         elif token.type == "html_block" and token.content.startswith("<figure>"):
