@@ -30,7 +30,7 @@ def draw(parts: list[dict]):
         _calm(axes, [value for curve in part["curves"] for value in curve["values"] if math.isfinite(value)])
         figures.tidy(axes)
         if 1 < len(part["curves"]) <= _NAMED:
-            axes.legend(loc="best", ncols=1 + (len(part["curves"]) > 4), frameon=True, framealpha=0.8, edgecolor="none")
+            axes.legend(loc="best", ncol=1 + (len(part["curves"]) > 4), frameon=True, framealpha=0.8, edgecolor="none")
     grid[-1, 0].set_xlabel("time [s]")
     return figure
 

@@ -4,14 +4,17 @@ import csv
 import io
 import json
 import math
+import re
+import shlex
 import unittest
 
-from sandbox import Sandbox, all_exercises
+from sandbox import ROOT, Sandbox, all_exercises
 
 from curves import matching
 from errors import BadInput
 from sweep import Result, as_table, orders
 
+_BLOCK = re.compile(r"^```\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 STILL = """#include "01_leapfrog/leapfrog.hpp"
 namespace spook {
 Vec3 kick(const Vec3& v, const Vec3&, double, double) { return v; }
@@ -60,6 +63,26 @@ class Columns(unittest.TestCase):
         for wanted in ("ga", "time", "gap 2", ""):
             with self.assertRaisesRegex(BadInput, "gap 0, gap 1, gaps, energy"):
                 matching(self.COLUMNS, wanted)
+
+
+class Lessons(unittest.TestCase):
+    """What a student copies from a lesson runs: each command, for no time at all."""
+
+    def test_the_commands_of_all_lessons(self):
+        box = Sandbox(built=True)
+        self.addCleanup(box.close)
+        commands = [(lesson.parent.name, line) for lesson in sorted(ROOT.glob("chapters/[0-9][0-9]_*/README.md"))
+                    for block in _BLOCK.findall(lesson.read_text(encoding="utf-8"))
+                    for line in block.splitlines() if line.startswith("./course run ")]
+        self.assertGreater(len(commands), 40)
+        for chapter, line in commands:
+            with self.subTest(chapter, line=line):
+                _, _, *words = shlex.split(line, comments=True)
+                words = [word for word in words if word != "--mine"]
+                if "--time" in words:
+                    del words[words.index("--time"):words.index("--time") + 2]
+                result = box.course("run", *words, "--time", "0")
+                self.assertEqual((result.returncode, result.stderr), (0, ""))
 
 
 class Runs(unittest.TestCase):
