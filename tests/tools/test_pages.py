@@ -11,6 +11,7 @@ from sandbox import ROOT
 
 PAGES = ROOT / "chapters"
 _BLOCK = re.compile(r"^```cpp\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+_DOCSTRING = re.compile(r"((?:^///.*\n)+)((?:(?!///).*\n)*?.*[;{])", re.MULTILINE)
 _CLAIM = re.compile(r"^(\s*)(\S.*);\s+// = (.+)$")
 _MAIN = """\
 #include <algorithm>
@@ -115,6 +116,19 @@ class Symbols(unittest.TestCase):
         for name in re.findall(r"`([^`]+)`", text):
             word = re.split(r"::|\.|\[", name)[-1 if "::" in name else 0]
             self.assertRegex(headers, rf"\b{re.escape(word)}\b", name)
+
+
+class Numbers(unittest.TestCase):
+    def test_headers_do_not_repeat_the_rules(self):
+        """A docstring speaks of NaN only where the page says that this function has a rule of its own."""
+        own = (PAGES / "NUMBERS.md").read_text(encoding="utf-8").partition("## Rules of their own")[2]
+        known = set(re.findall(r"^\| `(\w+)`", own, re.MULTILINE))
+        self.assertGreater(len(known), 3)
+        for header in sorted(PAGES.glob("[0-9][0-9]_*/*.hpp")):
+            for docstring, declared in _DOCSTRING.findall(header.read_text(encoding="utf-8")):
+                if "NaN" in docstring:
+                    function = re.search(r"(\w+)\(", declared)
+                    self.assertIn(function and function[1], known, f"{header.name}: {docstring}")
 
 
 class Linked(unittest.TestCase):
