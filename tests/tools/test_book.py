@@ -140,7 +140,7 @@ E = mc^2 \tag{99.1}
 $$
 
 <details>
-<summary>Derivation of it</summary>
+<summary>Derivation of (99.1), by (3.7)</summary>
 
 Inside, **Markdown** and (99.1).
 
@@ -185,7 +185,10 @@ int main() {}  // comment
         for part in ('<span class="katex">', "6 $. Code <code>a $x$ b</code>", "<code>(1.3)</code>",
                      '<a class="eqref" data-tag="1.3" href="../01_leapfrog/index.html#eq-1.3">(1.3)</a>',
                      '<a href="../01_leapfrog/index.html">Kick</a>', '<div class="equation" id="eq-99.1">',
-                     '<a class="tag" href="#eq-99.2"', "<summary>Derivation of it</summary>", "<strong>Markdown</strong>",
+                     '<a class="tag" href="#eq-99.2"',
+                     '<summary>Derivation of <a class="eqref" data-tag="99.1" href="#eq-99.1">(99.1)</a>, by '
+                     '<a class="eqref" data-tag="3.7" href="../03_single_contact/index.html#eq-3.7">(3.7)</a>',
+                     "<strong>Markdown</strong>",
                      '<a class="eqref" data-tag="99.1" href="#eq-99.1">(99.1)</a>', "Because of <em>this</em>.",
                      'srcset="../01_leapfrog/film.webp"',
                      "<figcaption>Its caption, with <code>code</code>.</figcaption></figure>",
@@ -234,6 +237,7 @@ class Refused(unittest.TestCase):
                      ("![no picture@](nowhere.png)", "'nowhere.png' is not there"),
                      ("![network@](https://example.org/x.png)", "on another machine"),
                      ("<details>\n<summary>x</summary>\n<img alt='x@' src='gone.svg'>\n</details>", "'gone.svg'"),
+                     ("<details>\n<summary>Where @(1.98) comes from</summary>\n</details>", "no lesson has an equation (1.98)"),
                      ("| a |\n|---|\n| [x@](gone.md) |", "'gone.md'"),
                      ("A footnote[^gone@].", "[^gone]"))
 

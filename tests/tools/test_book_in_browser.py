@@ -136,7 +136,7 @@ class Previews(InBrowser):
     def test_with_the_keyboard(self):
         from selenium.webdriver.common.keys import Keys
         self.open("chapters/04_gauss_seidel/index.html")
-        self.browser.run("document.querySelector('a.eqref').focus()")
+        self.browser.run("document.querySelector('a.eqref[data-tag=\"3.7\"]').focus()")
         self.browser.wait(f"return {self.PREVIEW}.includes('Σ')")
         self.assertEqual(self.ask("document.activeElement.getAttribute('aria-describedby')"), "preview")
         self.press(Keys.ESCAPE)

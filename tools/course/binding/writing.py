@@ -13,6 +13,7 @@ from binding.reading import (REFERENCE, Draft, anchor_of, display_formula, inlin
 from binding.views import page_of_film
 
 _CALLOUT = re.compile(r"^\[!(NOTE|TIP|IMPORTANT|WARNING|CAUTION)\]$")
+_TAG = re.compile(r"(<!--.*?-->|<[^>]*>)", re.DOTALL)
 _PICTURE = re.compile(r"^\s*<(?:picture|img)\b")
 
 
@@ -46,6 +47,7 @@ class _Writer:
                 _become(token, highlighted(token.content, token.info.strip()))
             elif token.type == "html_block":
                 inside = self._links.in_html(self._draft, token.content, line_of(token))
+                inside = self._references_in_html(inside, line_of(token))
                 _become(token, f"<figure>{inside}</figure>" if _PICTURE.match(inside) else inside)
             elif token.type == "table_open":
                 _become(token, '<div class="table" tabindex="0"><table>\n')
@@ -76,7 +78,8 @@ class _Writer:
             elif child.type == "text":
                 self._look_for_footnotes(child.content, line)
                 if REFERENCE.search(child.content) and not linked:
-                    _become(child, self._with_references(child.content, line), "html_inline")
+                    text = html.escape(child.content, quote=False)
+                    _become(child, self._with_references(text, line), "html_inline")
             yield child
 
     def _look_for_footnotes(self, text: str, line: int) -> None:
@@ -95,7 +98,15 @@ class _Writer:
             page = "" if home is self._draft else between(self._draft.page.target, home.page.target)
             return f'<a class="eqref" data-tag="{tag}" href="{page}#{anchor_of(tag)}">({tag})</a>'
 
-        return REFERENCE.sub(follow, html.escape(text, quote=False))
+        return REFERENCE.sub(follow, text)
+
+    def _references_in_html(self, text: str, line: int) -> str:
+        """Those between the tags, as of <summary>."""
+        parts = []
+        for part in _TAG.split(text):
+            parts.append(part if part.startswith("<") else self._with_references(part, line))
+            line += part.count("\n")
+        return "".join(parts)
 
     def _equation(self, token) -> str:
         formula, tags = display_formula(token)
