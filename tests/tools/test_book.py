@@ -237,7 +237,8 @@ class Refused(unittest.TestCase):
                      ("![no picture@](nowhere.png)", "'nowhere.png' is not there"),
                      ("![network@](https://example.org/x.png)", "on another machine"),
                      ("<details>\n<summary>x</summary>\n<img alt='x@' src='gone.svg'>\n</details>", "'gone.svg'"),
-                     ("<details>\n<summary>Where @(1.98) comes from</summary>\n</details>", "no lesson has an equation (1.98)"),
+                     ("<details>\n<summary>Where @(1.98) comes from</summary>\n</details>",
+                      "no lesson has an equation (1.98)"),
                      ("| a |\n|---|\n| [x@](gone.md) |", "'gone.md'"),
                      ("A footnote[^gone@].", "[^gone]"))
 

@@ -173,9 +173,12 @@ class Runs(unittest.TestCase):
                             (["orbit", "--plot", "x", "--plot", "y"], ["--plot is there twice"]),
                             (["--plot", "x"], ["a scene is missing"]), (["obrit", "--plot", "x"], ["orbit"]),
                             (["orbit", "--h", "0", "--plot", "x"], ["h must be positive"]),
-                            (["orbit", "--sweep", "h"], ["NAME=VALUE", "'h'"]), (["orbit", "--sweep", "h=1,,2"], ["1,,2"]),
-                            (["orbit", "--sweep", "h=0.1,0.1"], ["twice"]), (["orbit", "--sweep", "h=0.1,0"], ["h must be"]),
-                            (["orbit", "--sweep", "hh=0.1,1"], ["hh"]), (["stack", "--sweep", "warm_start=1,2"], ["'2'"]),
+                            (["orbit", "--sweep", "h"], ["NAME=VALUE", "'h'"]),
+                            (["orbit", "--sweep", "h=1,,2"], ["1,,2"]),
+                            (["orbit", "--sweep", "h=0.1,0.1"], ["twice"]),
+                            (["orbit", "--sweep", "h=0.1,0"], ["h must be"]),
+                            (["orbit", "--sweep", "hh=0.1,1"], ["hh"]),
+                            (["stack", "--sweep", "warm_start=1,2"], ["'2'"]),
                             (["orbit", "--sweep", "h=0.1,0.2", "--csv", "a.csv"], ["--csv is for one run"]),
                             (["orbit", "--sweep", "h=0.1,0.2", "--record=a"], ["--record is for one run"])):
             self.box.assert_refused(self, ["run", *words], told)

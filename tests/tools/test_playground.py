@@ -119,8 +119,8 @@ class Playgrounds(unittest.TestCase):
                 (first.replace("show(", "shwo(", 1), "01_leapfrog/try/try_kick.cpp:11:", "does not compile"),
                 (first.replace("int main() {", "int main() { std::vector<int> none; return none[3];"),
                  "try_kick.cpp:9: an index is past the end of a std::vector", "it crashed (SIGABRT)"),
-                (first.replace("int main() {", "int helper(); int main() { helper();"), "undefined reference to `helper()",
-                 "does not compile")):
+                (first.replace("int main() {", "int helper(); int main() { helper();"),
+                 "undefined reference to `helper()", "does not compile")):
             self.file.write_text(change)
             said = self.tried(code=1).stderr
             self.assertIn(told, said)

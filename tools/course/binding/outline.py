@@ -1,4 +1,4 @@
-"""The pages of the book: every Markdown file of the course but hints and playgrounds, in the order in which one reads."""
+"""The pages of the book: every Markdown file of the course but hints and playgrounds, in the order of reading."""
 
 import os
 from dataclasses import dataclass

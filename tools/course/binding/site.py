@@ -111,7 +111,8 @@ def _sidebar(outline: list[Page], target: Path, contents: str) -> str:
         current = ' aria-current="page"' if here else ""
         number, dot, name = page.title.partition(" · ")
         label = f'<span class="number">{number}</span> {html.escape(name)}' if dot else html.escape(page.title)
-        parts.append(f'<li><a href="{between(target, page.target)}"{current}>{label}</a>{contents if here else ""}</li>')
+        address = between(target, page.target)
+        parts.append(f'<li><a href="{address}"{current}>{label}</a>{contents if here else ""}</li>')
     return "".join(parts) + "</ul>"
 
 
