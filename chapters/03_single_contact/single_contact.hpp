@@ -78,8 +78,7 @@ struct InverseMass<6> {
 Mat3 collision_matrix(const InverseMass<6>& body_i, const Vec3& r_i, const InverseMass<6>& body_j,
                       const Vec3& r_j);
 
-/// Exercise 3.4. The impulse λ >= 0 [N s] of one frictionless contact: Eq. (3.10), (3.11); notes (26), (32). A NaN
-/// stays a NaN.
+/// Exercise 3.4. The impulse λ >= 0 [N s] of one frictionless contact: Eq. (3.10), (3.11); notes (26), (32).
 ///   nKn               n·Kn [1/kg]
 ///   gap               signed [m]; a contact that is still open may push, too, if it would close within the step
 ///   normal_velocity   G W, relative velocity along n before the step [m/s]; negative when approaching

@@ -69,20 +69,18 @@ template <int Dof>
 void apply_impulse(const Row<Dof>& row, double delta, std::vector<Twist<Dof>>& V);
 
 /// Exercise 4.3. Brings one row up to date and scatters what changed: Eq. (4.6), (4.7); notes (28), (31)-(34).
-/// Returns Δλ [N s], the change after projection on [lo, hi]. A NaN is not projected away: it stays a NaN.
+/// Returns Δλ [N s], the change after projection on [lo, hi].
 template <int Dof>
 double update_row(Row<Dof>& row, std::vector<Twist<Dof>>& V);
 
 /// Exercise 4.4. Updates every row once, in order; each uses what those before it have just done: Eq. (4.2); notes
 /// (18)-(20).
-/// Returns the largest S_kk |Δλ_k| [m/s], what the rows lacked when their turn came: Eq. (4.9); 0 when there are no
-/// rows, and NaN when any row has one.
+/// Returns the largest S_kk |Δλ_k| [m/s], what the rows lacked when their turn came: Eq. (4.9).
 template <int Dof>
 double sweep(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V);
 
 /// Exercise 4.5. How far λ is from solving S λ = B within its bounds, as a velocity [m/s]: Eq. (4.8). Zero exactly
-/// at a solution; a row held at a bound by the right sign counts as solved. Changes nothing; 0 when there are no
-/// rows, and NaN when any row has one.
+/// at a solution; a row held at a bound by the right sign counts as solved. Changes nothing.
 template <int Dof>
 double residual(const std::vector<Row<Dof>>& rows, const std::vector<Twist<Dof>>& V);
 
@@ -102,7 +100,7 @@ struct SolveReport {
 /// done: Eq. (4.9). With no rows: no sweep, converged. `V` must hold M⁻¹ Gᵀ λ of the rows' λ on entry (zero for λ =
 /// 0), and does so on return.
 /// Throws std::invalid_argument, rows or not, that names max_sweeps unless it is >= 1, and tolerance unless it is
-/// >= 0 and finite. A NaN has not converged.
+/// >= 0 and finite.
 template <int Dof>
 SolveReport solve(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V, const StopRule& stop);
 

@@ -58,7 +58,7 @@ std::array<Constraint<Dof>, 2> friction_constraints(const Contact& contact, cons
                                                     double bound, const Spook& spook);
 
 /// Exercise 5.6. The friction impulse J = λ1 t1 + λ2 t2 [N s] of one contact alone, + on j and - on i: Eq. (5.3),
-/// each row for itself as when t1·K t2 = 0, then (5.8). A NaN in K, u or Gamma stays a NaN.
+/// each row for itself as when t1·K t2 = 0, then (5.8).
 ///   K        collision matrix [1/kg]
 ///   u        relative velocity at the contact, that of the forces included [m/s]
 ///   Gamma    softness Γ [1/kg]

@@ -33,12 +33,12 @@ namespace spook {
 Vec3 stick_impulse(const Mat3& K, const Vec3& u, const Vec3& n, double e);
 
 /// Exercise 7.2. Whether an impulse does not pull and lies inside the friction cone about n, or on it, as zero does,
-/// its tip: Eq. (7.4); notes (3). False for a NaN.
+/// its tip: Eq. (7.4); notes (3).
 bool inside_cone(const Vec3& J, const Vec3& n, double mu);
 
 /// Exercise 7.3. The impulse on the cone's edge, against the slip of before: Eq. (7.5); notes (4), (5). Without
-/// slip, |u_t| <= 1e-12 |u|, whose direction would be noise, it is along n. Nothing when n·K(n - μt) <= 0 or NaN:
-/// then no such impulse reverses the approach.
+/// slip, |u_t| <= 1e-12 |u|, whose direction would be noise, it is along n. Nothing unless n·K(n - μt) > 0:
+/// else no such impulse reverses the approach.
 std::optional<Vec3> sliding_impulse(const Mat3& K, const Vec3& u, const Vec3& n, double e, double mu);
 
 /// Exercise 7.4. What an impulse adds to the energy of the two bodies [J]: Eq. (7.6); not in the notes.
@@ -50,7 +50,7 @@ Vec3 safe_impulse(const Mat3& K, const Vec3& u, const Vec3& n, double e, double 
 
 /// Exercise 7.6. The impulse of an impact. Zero for u·n >= 0. Else that of Eq. (7.3) if it is inside the cone, else
 /// that of Eq. (7.5); but that of Eq. (7.7) where there is none of (7.5), or where either adds energy, Eq. (7.6) >
-/// 0. A NaN in u stays a NaN. Notes (1)-(5).
+/// 0. Notes (1)-(5).
 Vec3 impact_impulse(const Mat3& K, const Vec3& u, const Vec3& n, double e, double mu);
 
 /// Exercise 7.7. Adds the velocity changes of the impulse J [N s] at a contact to its two bodies, in `motion.W`:

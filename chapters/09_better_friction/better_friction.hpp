@@ -50,8 +50,7 @@ template <int Dof>
 SolveReport two_pass_solve(const std::vector<Rubbing>& contacts, std::vector<Row<Dof>>& rows,
                            std::vector<Twist<Dof>>& V, const StopRule& stop);
 
-/// Exercise 9.4. The point of the disc |λ_t| <= radius that is nearest: Eq. (9.4). A NaN stays a NaN. Zero for a
-/// radius of 0.
+/// Exercise 9.4. The point of the disc |λ_t| <= radius that is nearest: Eq. (9.4). Zero for a radius of 0.
 Vec2 onto_disc(const Vec2& lambda, double radius);
 
 /// Exercise 9.5. Brings the two friction rows of a contact up to date, with μ times the normal impulse of now for a
@@ -61,13 +60,13 @@ double update_friction(const Rubbing& contact, std::vector<Row<Dof>>& rows, std:
 
 /// Exercise 9.6. One sweep: every row in order by Eq. (4.7), but the two friction rows of a contact together by Eq.
 /// (9.6), right after its normal row. `contacts` come in the order of their rows. Returns the largest S_kk |Δλ_k|
-/// or s |Δλ_t| [m/s]; 0 when there are no rows; a NaN, when there is one.
+/// or s |Δλ_t| [m/s].
 template <int Dof>
 double sweep_on_cones(const std::vector<Rubbing>& contacts, std::vector<Row<Dof>>& rows,
                       std::vector<Twist<Dof>>& V);
 
 /// Exercise 9.7. How far from solved, with the cones: the largest of Eq. (9.7) [m/s]. Each row, or pair, is compared
-/// with its own update from this λ and V. Changes nothing; 0 when there are no rows; a NaN, when there is one.
+/// with its own update from this λ and V. Changes nothing.
 template <int Dof>
 double residual_on_cones(const std::vector<Rubbing>& contacts, const std::vector<Row<Dof>>& rows,
                          const std::vector<Twist<Dof>>& V);

@@ -39,7 +39,7 @@ std::vector<int> match_contacts(const std::vector<Contact>& contacts, const std:
                                 double reach);
 
 /// Exercise 10.2. Begins the rows with these impulses [N s], each clamped to its row's bounds, and makes V what
-/// they do: Eq. (10.2); notes, "warm starting". V is assigned, whatever it held. A NaN stays a NaN.
+/// they do: Eq. (10.2); notes, "warm starting". V is assigned, whatever it held.
 /// Throws std::invalid_argument, naming impulses, unless there is one a row.
 template <int Dof>
 void warm_start(const std::vector<double>& impulses, std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V);

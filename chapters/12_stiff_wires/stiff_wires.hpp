@@ -26,7 +26,7 @@ namespace spook {
 double transverse_frequency(double tension, double mass, double length);
 
 /// Exercise 12.2. K of a link with unit direction `n` [N/m]: Eq. (12.3), (12.4). Zero for a tension [N] of zero or
-/// less; a NaN stays one.
+/// less.
 Mat3 geometric_stiffness(const Vec3& n, double length, double tension);
 
 /// A spring between two bodies, in all directions.

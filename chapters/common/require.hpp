@@ -1,5 +1,6 @@
 #pragma once
-// Checks for numbers where they enter: each throws std::invalid_argument with the parameter's name and its value.
+// Checks for numbers where they enter: each throws std::invalid_argument with the parameter's name and its value. None
+// lets a NaN in.
 #include <cmath>
 #include <sstream>
 #include <stdexcept>

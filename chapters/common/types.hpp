@@ -1,5 +1,6 @@
 #pragma once
 // The few types that every chapter speaks in. SI units and world coordinates, unless a comment says otherwise.
+// A NaN stays a NaN, and a question about one is answered by no: chapters/NUMBERS.md.
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 

@@ -167,9 +167,8 @@ def law(axes, x, y, text: str | None = None, **style) -> None:
     axes.plot(x, y, color="#D00000", path_effects=edge, label=text, **style)
 
 
-def caption(figure: Figure, title: str, claims: list[dict]) -> None:
+def caption(figure: Figure, title: str, text: str) -> None:
     """The title above, and below what the figure claims. The figure grows by what it takes."""
-    text = " ".join(_sentence(claim["text"]) for claim in claims)
     lines = textwrap.wrap(text, 118)
     if not _can_reserve_room(figure):
         figure.text(0.012, 1.02, title, fontsize=12, fontweight="bold", va="bottom")
@@ -220,9 +219,12 @@ def main(draw: Callable[[Data, Data | None], Figure], title: str) -> None:
         mine = Data.read(arguments.mine) if arguments.mine else None
     except (OSError, ValueError, IndexError) as error:
         sys.exit(f"{parser.prog}: {error!r}")
-    figure = draw(data, mine)
-    caption(figure, title, data.claims)
-    for path in arguments.out:
+    save(draw(data, mine), title, " ".join(_sentence(claim["text"]) for claim in data.claims), arguments.out)
+
+
+def save(figure: Figure, title: str, text: str, paths: list[Path]) -> None:
+    caption(figure, title, text)
+    for path in paths:
         path.parent.mkdir(parents=True, exist_ok=True)
         # Without a date or a version in it, the same numbers give the same bytes.
         metadata = {"Date": None, "Creator": None} if path.suffix == ".svg" else {"Software": None}

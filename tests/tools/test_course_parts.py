@@ -188,6 +188,7 @@ class Versions(unittest.TestCase):
     def test_of_commands(self):
         for line, version in (("c++ (Ubuntu 11.4.0-1ubuntu1~22.04) 11.4.0", "11.4.0"), ("1.11.1", "1.11.1"),
                               ("Debian clang version 19.1.7 (3)", "19.1.7"), ("cmake version 3.31.6", "3.31.6"),
+                              ("v20.5.1", "20.5.1"),
                               ("no number", "")):
             self.assertEqual(needs._number(line), version)
 
@@ -199,14 +200,14 @@ class Versions(unittest.TestCase):
                     self.assertEqual(need.too_old(), "")
 
 
-class BrowserForTests(unittest.TestCase):
+class WhatSomeTestsWant(unittest.TestCase):
     def said(self, offered: bool, error: CourseError | None = None) -> tuple[str, bool]:
         """What is said, and whether something was to be installed."""
         with mock.patch.object(Need, "there", return_value=False), \
              mock.patch.object(everything, "is_offered", return_value=offered), \
              mock.patch.object(everything, "install", side_effect=error) as installing, \
              contextlib.redirect_stdout(io.StringIO()) as out:
-            everything._install_browser(yes=True)
+            everything._install_if_offered((Need("chromium", "command", "chromium"),), "browser", yes=True)
         return out.getvalue(), installing.called
 
     def test_it_is_installed_where_the_system_has_it(self):

@@ -6,6 +6,7 @@ import sys
 import terminal
 from arguments import parse
 from board import progress
+from book import book
 from check import check
 from errors import CourseError
 from everything import test
@@ -13,6 +14,7 @@ from exporting.export import export
 from grading.grade import grade
 from hint import hint
 from play import play
+from playground import playground
 from plot import plot
 from predict import predict
 from reset import reset
@@ -24,7 +26,7 @@ from watch import watch
 
 COMMANDS = {"progress": progress, "check": check, "watch": watch, "plot": plot, "hint": hint, "solution": solution,
             "reset": reset, "start": start, "test": test, "grade": grade, "export": export, "view": view,
-            "play": play, "predict": predict}
+            "play": play, "predict": predict, "book": book, "try": playground}
 FORWARDED = {"run": run, "scenes": scenes}
 
 

@@ -37,24 +37,35 @@ def _changed(run: Run, what: str) -> Run:
         name, equals, value = part.partition("=")
         if not (name and equals and value):
             raise BadInput(f"view: --beside wants mine or NAME=VALUE, but got {what!r}")
-        option = name.replace("_", "-")
-        if option == _FLAG:
-            words = _flagged(words, value)
-        elif option in _OPTIONS:
-            words = [*_without(words, f"--{option}"), f"--{option}", value]
-        else:
-            words += ["--set", f"{name}={value}"]
+        words = with_changed(words, name, value)
         changed.append((name, value))
     return Run(tuple(words), run.mine, tuple(changed))
 
 
+def with_changed(words: list[str], name: str, value: str) -> list[str]:
+    """A run's words, with an option of run or else a parameter of the scene typed anew."""
+    option = name.replace("_", "-")
+    if option == _FLAG:
+        return _flagged(words, value)
+    if option in _OPTIONS:
+        return [*without(words, f"--{option}"), f"--{option}", value]
+    return [*_without_parameter(words, name), "--set", f"{name}={value}"]
+
+
 def _flagged(words: list[str], value: str) -> list[str]:
     if value not in _SWITCHED:
-        raise BadInput(f"view: --beside {_FLAG} wants on or off, but got {value!r}")
+        raise BadInput(f"{_FLAG} wants on or off, but got {value!r}")
     return [word for word in words if word != f"--{_FLAG}"] + [f"--{_FLAG}"] * _SWITCHED[value]
 
 
-def _without(words: list[str], option: str) -> list[str]:
+def _without_parameter(words: list[str], name: str) -> list[str]:
+    """Set twice the program would take neither."""
+    kept = [word for word in words if not word.startswith((f"{name}=", f"--set={name}="))]
+    return [word for k, word in enumerate(kept)
+            if word != "--set" or k + 1 < len(kept) and not kept[k + 1].startswith("-")]
+
+
+def without(words: list[str], option: str) -> list[str]:
     """Given twice the program would take neither."""
     kept: list[str] = []
     skip = False

@@ -11,6 +11,10 @@ from pathlib import Path
 
 # Debian's library for drawing in a browser, and where its files are.
 THREE = Path("/usr/share/javascript/three")
+# Its library for formulas, and the book's typeface.
+KATEX = Path("/usr/share/javascript/katex")
+_LIBERTINE = Path("/usr/share/fonts/opentype/linux-libertine")
+BOOK_FONTS = tuple(_LIBERTINE / f"LinLibertine_{style}.otf" for style in ("R", "RI", "RB", "RBI"))
 _HEADER_FOLDERS = ("/usr/include", "/usr/local/include", "/usr/include/eigen3", "/usr/local/include/eigen3")
 
 
@@ -68,8 +72,8 @@ def _find_header(name: str) -> Path | None:
 
 
 def _number(line: str) -> str:
-    """The last version in a line such as `c++ (Debian 12.2.0-14) 12.2.0`."""
-    found = re.findall(r"\b\d+(?:\.\d+)+", line)
+    """The last version in a line such as `c++ (Debian 12.2.0-14) 12.2.0` or `v18.19.0`."""
+    found = re.findall(r"(?<![\d.])\d+(?:\.\d+)+", line)
     return found[-1] if found else ""
 
 
@@ -117,6 +121,15 @@ NEEDS = (
 GRADE_NEEDS = (Need("bubblewrap", "command", "bwrap"),)
 VIEW_NEEDS = (Need("libjs-three", "file", str(THREE / "three.min.js")),)
 TEST_NEEDS = (*GRADE_NEEDS, *VIEW_NEEDS, Need("clang-format", "command", "clang-format"), *sanitizers())
+# Tests of the book are skipped where the system's packages have not all of these.
+BOOK_NEEDS = (
+    Need("python3-markdown-it", "module", "markdown_it"),
+    Need("python3-mdit-py-plugins", "module", "mdit_py_plugins"),
+    Need("python3-pygments", "module", "pygments"),
+    Need("nodejs", "command", "node", "12"),
+    Need("libjs-katex", "file", str(KATEX / "katex.js")),
+    Need("fonts-linuxlibertine", "file", str(BOOK_FONTS[0])),
+)
 # A browser that tests can drive. Ubuntu has none but as a snap, which they can not: they are skipped there.
 BROWSER_NEEDS = (Need("python3-selenium", "module", "selenium"), Need("chromium", "command", "chromium"),
                  Need("chromium-driver", "command", "chromedriver"))

@@ -10,24 +10,35 @@ from pathlib import Path
 import crash
 from engine import program
 from errors import CourseError
+from extras import HELP, taken
 from manifest import Exercise
 from mine import begun, checked_program, told
 from paths import shown
+from runs import Runs
 from terminal import fold
 
 _CHECKS = "Their checks are on, as in ./course check, which takes time: their speed is not the best there is."
 
 
 def run(arguments: list[str]) -> int:
-    if "--mine" not in arguments:
-        return _become(["run", *arguments])
-    forwarded = ["run", *(argument for argument in arguments if argument != "--mine")]
-    mine = begun()
-    code = with_yours(forwarded, mine) if mine else _call([str(program("spook")), *forwarded])
-    if code == 0:  # an error stands alone
+    extras, words = taken(arguments)
+    if "--help" in words:
+        code = _call([str(program("spook")), "run", *words])
+        print(HELP, end="")
+        return code
+    if not (extras.mine or extras.plot or extras.sweep):
+        return _become(["run", *words])
+    mine = begun() if extras.mine else []
+    several = Runs(words, extras, lambda words, call=None: _started(["run", *words], mine, call))
+    code = several.all() if extras.plot or extras.sweep else _started(["run", *words], mine)
+    if code == 0 and extras.mine:  # an error stands alone
         print(fold(f"{told(mine)} {_CHECKS}") if mine else
               "No exercise of yours is written yet: all of it is the reference.", file=sys.stderr)
     return code
+
+
+def _started(words: list[str], mine: list[Exercise], call=None) -> int:
+    return with_yours(words, mine, call) if mine else (call or _call)([str(program("spook")), *words])
 
 
 def with_yours(arguments: list[str], mine: list[Exercise], call=None) -> int:

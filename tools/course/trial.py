@@ -85,14 +85,15 @@ def run_tests(program: Path, test_filter: str, seed: int | None = None, *, proce
         command = [str(program), f"--gtest_filter={test_filter}", f"--gtest_output=json:{report}",
                    "--gtest_color=no"]
         with open(printed, "wb") as out:
-            code, timed_out = _run_limited(command, out, env, folder, processor)
+            code, timed_out = run_limited(command, out, env, folder, processor)
         tests = _read_report(report) if report.exists() else None
         crashed_at = crash.place(program, trace, [exercise]) if exercise else None
         return Trial(tests, code, timed_out, printed.read_text(encoding="utf-8", errors="replace"), crashed_at)
 
 
-def _run_limited(command: list[str], out, env: dict[str, str], folder: str,
-                 processor: float | None) -> tuple[int, bool]:
+def run_limited(command: list[str], out, env: dict[str, str], folder: str,
+                processor: float | None = None) -> tuple[int, bool]:
+    """Its exit code, and whether it ran for too long. Memory and what it may write are limited, too."""
     process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.STDOUT,
                                env=env, cwd=folder)
     try:

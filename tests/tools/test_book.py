@@ -1,0 +1,305 @@
+"""./course book: what is in the site, which pages are refused, and where it is published."""
+
+import os
+import re
+import subprocess
+import tempfile
+import unittest
+from html.parser import HTMLParser
+from pathlib import Path
+from urllib.parse import unquote
+
+from sandbox import ROOT, Sandbox, our_files
+
+from films import films
+from needs import BOOK_NEEDS, VIEW_NEEDS
+
+LESSON = "chapters/01_leapfrog/README.md"
+TAG = re.compile(r"\\tag\{([0-9.]+[a-z]?)\}")
+
+
+def bound(test: type[unittest.TestCase]) -> Sandbox:
+    """A sandbox for all tests of a class; skips them where the book can not be made."""
+    missing = [need.package for need in BOOK_NEEDS if not need.there()]
+    if missing:
+        raise unittest.SkipTest(f"no book: {', '.join(missing)} not installed")
+    box = Sandbox()
+    test.addClassCleanup(box.close)
+    return box
+
+
+class Site(HTMLParser):
+    """One page: its links, its anchors, and the text that is no code, formula or link."""
+
+    _VOID = {"meta", "link", "img", "input", "br", "hr", "source"}
+    _QUIET = {"code", "pre", "a", "script", "template", "title"}
+
+    def __init__(self, page: Path):
+        super().__init__()
+        self.addresses: list[str] = []
+        self.ids: set[str] = set()
+        self.text, self._quiet = "", []
+        self.feed(page.read_text(encoding="utf-8"))
+
+    def handle_starttag(self, tag, attributes):
+        found = dict(attributes)
+        self.addresses += [found[name] for name in ("href", "src") if found.get(name)]
+        self.addresses += [part.split()[0] for part in found.get("srcset", "").split(",") if part]
+        if "id" in found:
+            self.ids.add(found["id"])
+        if tag not in self._VOID and (self._quiet or tag in self._QUIET or found.get("class") == "formula"):
+            self._quiet.append(tag)
+
+    def handle_endtag(self, tag):
+        if self._quiet and tag not in self._VOID:
+            self._quiet.pop()
+
+    def handle_data(self, data):
+        self.text += "" if self._quiet else data
+
+
+class Book(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        box = bound(cls)
+        cls.result = box.course("book")
+        cls.folder = box.root / "build" / "book"
+        cls.pages = {page: Site(page) for page in sorted(cls.folder.rglob("*.html"))}
+
+    def test_it_is_made(self):
+        self.assertEqual((self.result.returncode, self.result.stderr), (0, ""))
+        self.assertIn("build/book/index.html", self.result.stdout)
+
+    def test_every_page_of_the_course_is_in_it(self):
+        sources = [name for name in our_files() if name.suffix == ".md" and name.name not in ("hints.md", "try.md")]
+        self.assertGreater(len(sources), 15)
+        for name in sources:
+            stem = "index" if name.name == "README.md" else name.stem
+            self.assertIn(self.folder / name.with_name(f"{stem}.html"), self.pages)
+
+    def test_every_link_leads_somewhere(self):
+        count = 0
+        for page, content in self.pages.items():
+            for address in content.addresses:
+                if address.startswith(("https:", "http:", "mailto:", "data:")):
+                    continue
+                count += 1
+                path, _, fragment = address.partition("#")
+                target = (page.parent / unquote(path)).resolve() if path else page
+                self.assertTrue(target.is_file(), f"{page}: {address}")
+                if fragment:
+                    self.assertIn(unquote(fragment), self.pages[target].ids, f"{page}: {address}")
+        self.assertGreater(count, 1000)
+
+    def test_every_equation_has_its_place_and_every_reference_its_link(self):
+        for lesson in sorted(ROOT.glob("chapters/[0-9][0-9]_*/README.md")):
+            page = self.pages[self.folder / lesson.relative_to(ROOT).with_name("index.html")]
+            tags = TAG.findall(lesson.read_text(encoding="utf-8"))
+            self.assertTrue(tags)
+            for tag in tags:
+                self.assertIn(f"eq-{tag}", page.ids)
+        for page, content in self.pages.items():
+            self.assertEqual(re.findall(r"\([0-9]+\.[0-9]+[a-z]?\)", content.text), [], page)
+
+    def test_an_equation_of_another_page_is_brought_along(self):
+        text = (self.folder / "chapters/04_gauss_seidel/index.html").read_text(encoding="utf-8")
+        self.assertIn('href="../03_single_contact/index.html#eq-3.7"', text)
+        self.assertIn('<template id="preview-3.7"><span class="katex-display">', text)
+        self.assertNotIn('<template id="preview-4.2">', text)
+
+    def test_one_page_leads_to_the_next(self):
+        page, seen = self.folder / "index.html", []
+        while page:
+            seen.append(page)
+            found = re.search(r'class="next" href="([^"]+)"', page.read_text(encoding="utf-8"))
+            page = (page.parent / found[1]).resolve() if found else None
+        self.assertEqual(len(seen), len(set(seen)))
+        self.assertEqual(set(seen), {page for page in self.pages if not page.name.endswith((".hpp.html", ".cpp.html"))})
+
+    def test_nothing_comes_from_the_network(self):
+        for page in self.pages:
+            for tag in re.findall(r"<(?:script|link|img|source)\b[^>]*>", page.read_text(encoding="utf-8")):
+                self.assertNotRegex(tag, r"""["' ](?:https?:)?//""", page)
+        for file in [*self.folder.rglob("*.css"), *(self.folder / "assets").glob("*.js")]:
+            if file.name != "index.js":
+                self.assertNotRegex(file.read_text(encoding="utf-8"), r"""https?://|\bfetch\(|XMLHttpRequest""", file)
+
+
+class Markdown(unittest.TestCase):
+    """As GitHub shows it."""
+
+    PAGE = r"""# A page
+
+Inline $\lambda_k \le h$ and a price of 5 and 6 $. Code `a $x$ b`. See (1.3), `(1.3)`, [Kick](../01_leapfrog/README.md).
+A remark[^why], and [further down](#with-code-c).
+
+[^why]: Because of *this*.
+
+$$
+E = mc^2 \tag{99.1}
+$$
+
+<details>
+<summary>Derivation of (99.1), by (3.7)</summary>
+
+Inside, **Markdown** and (99.1).
+
+```math
+x = \frac{1}{2} \tag{99.2}
+```
+
+</details>
+
+<picture>
+  <source media="(prefers-color-scheme: dark)" srcset="../01_leapfrog/film.webp">
+  <img alt="two" src="../01_leapfrog/film.webp">
+</picture>
+
+*Its caption, with `code`.*
+
+> [!NOTE]
+> Mind this.
+
+## With code: `c++`
+
+| a | b |
+|---|---|
+| `x` | (99.2) |
+
+```cpp
+int main() {}  // comment
+```
+"""
+
+    @classmethod
+    def setUpClass(cls):
+        box = bound(cls)
+        (box.root / "chapters" / "98_more").mkdir()
+        (box.root / "chapters" / "98_more" / "README.md").write_text(cls.PAGE, encoding="utf-8")
+        result = box.course("book")
+        if result.returncode:
+            raise AssertionError(result.stderr)
+        cls.html = (box.root / "build/book/chapters/98_more/index.html").read_text(encoding="utf-8")
+
+    def test_all_of_it(self):
+        for part in ('<span class="katex">', "6 $. Code <code>a $x$ b</code>", "<code>(1.3)</code>",
+                     '<a class="eqref" data-tag="1.3" href="../01_leapfrog/index.html#eq-1.3">(1.3)</a>',
+                     '<a href="../01_leapfrog/index.html">Kick</a>', '<div class="equation" id="eq-99.1">',
+                     '<a class="tag" href="#eq-99.2"',
+                     '<summary>Derivation of <a class="eqref" data-tag="99.1" href="#eq-99.1">(99.1)</a>, by '
+                     '<a class="eqref" data-tag="3.7" href="../03_single_contact/index.html#eq-3.7">(3.7)</a>',
+                     "<strong>Markdown</strong>",
+                     '<a class="eqref" data-tag="99.1" href="#eq-99.1">(99.1)</a>', "Because of <em>this</em>.",
+                     'srcset="../01_leapfrog/film.webp"',
+                     "<figcaption>Its caption, with <code>code</code>.</figcaption></figure>",
+                     '<blockquote class="callout note">', '<strong class="title">Note</strong>',
+                     '<h2 id="with-code-c">With code: <code>c++</code></h2>', '<span class="kt">int</span>',
+                     '<div class="table" tabindex="0"><table>'):
+            self.assertIn(part, self.html)
+        self.assertNotIn("[^why]", self.html)
+        self.assertNotIn("tag{", re.sub(r"<annotation.*?</annotation>", "", self.html))
+
+
+class Refused(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.box = bound(cls)
+
+    def refused(self, *planted: tuple[str, str]) -> None:
+        """Each piece of text, put at the end of a lesson, is found where it stands."""
+        lesson = self.box.root / LESSON
+        before = lesson.read_text(encoding="utf-8")
+        text, wanted = before, []
+        for piece, told in planted:
+            line = text.count("\n") + 2 + piece[:piece.index("@")].count("\n")
+            wanted.append((line, told))
+            text += "\n" + piece.replace("@", "") + "\n"
+        lesson.write_text(text, encoding="utf-8")
+        try:
+            result = self.box.course("book")
+        finally:
+            lesson.write_text(before, encoding="utf-8")
+        self.assertEqual((result.returncode, result.stdout), (1, ""), result.stderr)
+        *found, last = result.stderr.splitlines()
+        self.assertRegex(last, r"^course: book: .* nowhere, or can not be read$")
+        self.assertEqual(len(found), len(wanted), result.stderr)
+        for (line, told), said in zip(wanted, found):
+            self.assertTrue(said.startswith(f"{LESSON}:{line}: "), said)
+            self.assertIn(told, said)
+
+    def test_what_leads_nowhere(self):  # an @ marks the line that is to be named
+        self.refused(("A [link@](nowhere.md) in text.", "'nowhere.md'"),
+                     ("Two lines,\nand an [anchor@](../02_quaternions/README.md#nowhere).", "no heading #nowhere"),
+                     ("An [anchor@](#nowhere) of its own.", "no heading #nowhere"),
+                     ("[Up@](../../../elsewhere.md)", "elsewhere.md"),
+                     ("[Root@](/etc/passwd)", "/etc/passwd"),
+                     ("An equation,\n\nEq. @(1.99).", "no lesson has an equation (1.99)"),
+                     ("![no picture@](nowhere.png)", "'nowhere.png' is not there"),
+                     ("![network@](https://example.org/x.png)", "on another machine"),
+                     ("<details>\n<summary>x</summary>\n<img alt='x@' src='gone.svg'>\n</details>", "'gone.svg'"),
+                     ("<details>\n<summary>Where @(1.98) comes from</summary>\n</details>",
+                      "no lesson has an equation (1.98)"),
+                     ("| a |\n|---|\n| [x@](gone.md) |", "'gone.md'"),
+                     ("A footnote[^gone@].", "[^gone]"))
+
+    def test_what_can_not_be_read(self):
+        self.refused(("Inline $\\notamacro@$ formula.", "\\notamacro"),
+                     ("@```math\nx = \\frac{1 \\tag{1.98}\n```", "KaTeX parse error"),
+                     ("@```math\nx \\tag{1.96} \\tag{1.97}\n```", "2 tags"),
+                     ("@```math\nx = y \\tag{1.1}\n```", "equation (1.1) is there twice"))
+
+    def test_what_was_made_before_stays(self):
+        self.assertEqual(self.box.course("book").returncode, 0)
+        self.refused(("[x@](gone.md)", "gone.md"))
+        self.assertTrue((self.box.root / "build/book/index.html").exists())
+
+    def test_where_it_can_not_go(self):
+        (self.box.root / "mine").mkdir(exist_ok=True)
+        (self.box.root / "mine" / "work.txt").write_text("weeks of it")
+        self.box.assert_refused(self, ["book", "--out", "mine"], ["mine", "would be deleted"])
+        self.assertEqual((self.box.root / "mine" / "work.txt").read_text(), "weeks of it")
+        self.box.assert_refused(self, ["book", "--out", "no/where"], ["no/where", "no is no folder"])
+        self.box.assert_refused(self, ["book", "--publish", "nowhere"], ["'nowhere'", "git remote"])
+
+
+class Views(unittest.TestCase):
+    def test_films_lead_to_pages_of_the_viewer(self):
+        bound(type(self))
+        if not VIEW_NEEDS[0].there():
+            self.skipTest(f"no views: {VIEW_NEEDS[0].package} not installed")
+        box = Sandbox(built=True)
+        self.addCleanup(box.close)
+        result = box.course("book", "--views", "--out", "site")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        for name in films():
+            page = "index.html" if name == "README" else f"chapters/{name}/index.html"
+            address = re.search(r'<figure class="film"><a href="([^"]+)"', (box.root / "site" / page).read_text())
+            view = (box.root / "site" / page).parent / address[1]
+            self.assertEqual(os.path.normpath(view), str(box.root / "site" / "views" / f"{name}.html"))
+            self.assertIn("data-recording", view.read_text())
+
+
+class Published(unittest.TestCase):
+    def test_to_a_branch_that_holds_the_site_and_nothing_else(self):
+        box = bound(type(self))
+        with tempfile.TemporaryDirectory() as remote:
+            def git(*words: str) -> str:
+                done = subprocess.run(["git", "--git-dir", remote, *words], check=True, capture_output=True, text=True)
+                return done.stdout
+
+            git("init", "-q", "--bare")
+            subprocess.run(["git", "-C", str(box.root), "remote", "add", "host", remote], check=True)
+            for where in ("host", remote):  # by name, and by address
+                result = box.course("book", "--out", "site", "--publish", where)
+                self.assertEqual(result.returncode, 0, result.stderr)
+                self.assertIn("gh-pages", result.stdout)
+                names = git("ls-tree", "-r", "--name-only", "gh-pages").split()
+                for name in ("index.html", ".nojekyll", "assets/index.js", "chapters/01_leapfrog/film.webp"):
+                    self.assertIn(name, names)
+                self.assertEqual(git("rev-list", "--count", "gh-pages").strip(), "1")
+            self.assertEqual(set(names), {str(path.relative_to(box.root / "site"))
+                                          for path in (box.root / "site").rglob("*") if path.is_file()})
+
+
+if __name__ == "__main__":
+    unittest.main()

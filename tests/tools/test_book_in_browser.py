@@ -1,0 +1,179 @@
+"""The book in a browser: every page is quiet, fits a phone, and has its formulas; equations show themselves, and the
+search finds."""
+
+import unittest
+from pathlib import Path
+
+from browser import SIZE, Browser
+from test_book import bound
+
+PHONE = (360, 740)
+
+
+class InBrowser(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        box = bound(cls)
+        cls.browser = Browser()
+        cls.addClassCleanup(cls.browser.close)
+        if (result := box.course("book")).returncode:
+            raise AssertionError(result.stderr)
+        cls.folder = box.root / "build" / "book"
+
+    def setUp(self):
+        self.emulate()
+
+    def tearDown(self):
+        self.assertEqual(self.browser.messages(), [])
+
+    def emulate(self, size: tuple[int, int] = SIZE, scheme: str = "light", media: str = "") -> None:
+        self.browser.emulate("Emulation.setDeviceMetricsOverride", width=size[0], height=size[1], deviceScaleFactor=1,
+                             mobile=size == PHONE)
+        self.browser.emulate("Emulation.setEmulatedMedia", media=media,
+                             features=[{"name": "prefers-color-scheme", "value": scheme}])
+
+    def open(self, page: str | Path) -> None:
+        self.browser.driver.get((self.folder / page).as_uri() if isinstance(page, Path)
+                                else f"{(self.folder / 'index.html').as_uri().removesuffix('index.html')}{page}")
+
+    def ask(self, expression: str, *values):
+        return self.browser.run(f"return {expression}", *values)
+
+    def point_at(self, selector: str) -> None:
+        from selenium.webdriver.common.action_chains import ActionChains
+        element = self.browser.driver.find_element("css selector", selector)
+        self.browser.run("arguments[0].scrollIntoView({ block: 'center' })", element)
+        ActionChains(self.browser.driver).move_to_element(element).perform()
+
+    def press(self, *keys: str) -> None:
+        from selenium.webdriver.common.action_chains import ActionChains
+        ActionChains(self.browser.driver).send_keys(*keys).perform()
+
+
+class Pages(InBrowser):
+    def test_every_page_on_a_desk_and_on_a_phone(self):
+        pages = sorted(self.folder.rglob("*.html"))
+        self.assertGreater(len(pages), 15)
+        for page in pages:
+            for size in (SIZE, PHONE):
+                with self.subTest(page=str(page.relative_to(self.folder)), size=size):
+                    self.emulate(size)
+                    self.open(page)
+                    self.browser.run("return document.fonts.ready.then(() => 0)")
+                    self.assertEqual(self.browser.messages(), [])
+                    self.assertLessEqual(self.ask("document.documentElement.scrollWidth"), size[0])
+                    self.assertEqual(self.ask("[...document.images].filter((image) => !image.naturalWidth)"
+                                              ".map((image) => image.src)"), [])
+                    self.assertEqual(self.ask("document.querySelectorAll('.katex-error').length"), 0)
+                    self.assertTrue(self.ask("document.fonts.check('20px Book')"))
+
+    def test_formulas_are_set(self):
+        for page in sorted(self.folder.glob("chapters/[0-9][0-9]_*/index.html")):
+            self.open(page)
+            self.browser.run("return document.fonts.ready.then(() => 0)")
+            heights = self.ask("[...document.querySelectorAll('.equation .katex-html')]"
+                               ".map((formula) => formula.getBoundingClientRect().height)")
+            self.assertGreater(len(heights), 5, page)
+            self.assertTrue(all(10 < height < 300 for height in heights), (page, heights))
+            # In its own typeface: without its style sheet, a formula would show what it says to screen readers, too.
+            self.assertTrue(self.ask("[...document.fonts].some((font) => font.family === 'KaTeX_Math' && "
+                                     "font.status === 'loaded')"), page)
+
+    def test_dark_and_paper(self):
+        light = {}
+        for scheme, media in (("light", ""), ("dark", ""), ("dark", "print")):
+            self.emulate(scheme=scheme, media=media)
+            self.open("chapters/04_gauss_seidel/index.html")
+            light[scheme, media] = self.ask("getComputedStyle(document.body).backgroundColor.match(/[0-9]+/g)"
+                                            ".map(Number)")
+            shown = self.ask("getComputedStyle(document.getElementById('contents')).display !== 'none'")
+            self.assertEqual(shown, media != "print")
+        self.assertGreater(min(light["light", ""]), 200)
+        self.assertLess(max(light["dark", ""]), 60)
+        self.assertEqual(light["dark", "print"], [255, 255, 255])
+
+    def test_contents_on_a_phone(self):
+        self.emulate(PHONE)
+        self.open("chapters/02_quaternions/index.html")
+        shown = "getComputedStyle(document.getElementById('contents')).display !== 'none'"
+        self.assertFalse(self.ask(shown))
+        self.browser.driver.find_element("id", "menu").click()
+        self.assertTrue(self.ask(shown))
+        self.browser.driver.find_element("link text", "Check").click()
+        self.assertFalse(self.ask(shown))
+        self.assertEqual(self.ask("location.hash"), "#check")
+
+    def test_what_is_folded_away(self):
+        self.open("chapters/04_gauss_seidel/index.html")
+        self.browser.run("""const equation = document.getElementById("eq-4.10");
+            const details = document.createElement("details");
+            equation.replaceWith(details);
+            details.append(equation);""")
+        is_open = "document.getElementById('eq-4.10').parentElement.open"
+        self.browser.run("dispatchEvent(new Event('beforeprint'))")
+        self.assertTrue(self.ask(is_open))
+        self.browser.run("dispatchEvent(new Event('afterprint'))")
+        self.assertFalse(self.ask(is_open))
+        self.browser.run("location.hash = '#eq-4.10'")
+        self.browser.wait(f"return {is_open}")
+
+
+class Previews(InBrowser):
+    PREVIEW = "(document.getElementById('preview') || { textContent: '' }).textContent"
+
+    def test_an_equation_shows_itself_beside_its_reference(self):
+        self.open("chapters/04_gauss_seidel/index.html")
+        for tag, part in (("3.7", "Σ"), ("4.10", "ρ")):  # of another page, and of this one
+            self.point_at(f'a.eqref[data-tag="{tag}"]')
+            self.browser.wait(f"return {self.PREVIEW}.includes('{part}')")
+            left, top, right, bottom = self.ask(
+                "(({ left, top, right, bottom }) => [left, top, right, bottom])"
+                "(document.getElementById('preview').getBoundingClientRect())")
+            self.assertTrue(0 <= left < right <= SIZE[0] and 0 <= top < bottom <= SIZE[1], (left, top, right, bottom))
+        self.point_at("h1")
+        self.browser.wait(f"return {self.PREVIEW} === ''")
+
+    def test_with_the_keyboard(self):
+        from selenium.webdriver.common.keys import Keys
+        self.open("chapters/04_gauss_seidel/index.html")
+        self.browser.run("document.querySelector('a.eqref[data-tag=\"3.7\"]').focus()")
+        self.browser.wait(f"return {self.PREVIEW}.includes('Σ')")
+        self.assertEqual(self.ask("document.activeElement.getAttribute('aria-describedby')"), "preview")
+        self.press(Keys.ESCAPE)
+        self.assertEqual(self.ask(self.PREVIEW), "")
+        self.press(Keys.ENTER)
+        self.browser.wait("return location.hash === '#eq-3.7'")
+        self.assertTrue(self.ask("location.pathname").endswith("03_single_contact/index.html"))
+
+
+class Search(InBrowser):
+    def search(self, words: str) -> list[str]:
+        if not self.ask("document.getElementById('search').open"):
+            self.press("/")
+        self.browser.wait("return window.bookIndex")
+        box = self.browser.driver.find_element("css selector", "#search input")
+        box.clear()
+        box.send_keys(words)
+        return self.ask("[...document.querySelectorAll('#search li')].map((item) => item.textContent)")
+
+    def test_finds(self):
+        from selenium.webdriver.common.keys import Keys
+        self.open("index.html")
+        for words in ("Painlevé", "painleve", "PAINLEVÉ"):
+            found = self.search(words)
+            self.assertTrue(found, words)
+            self.assertTrue(all("Painlevé" in result for result in found), found)
+            self.assertEqual(self.ask("document.querySelector('#search mark').textContent"), "Painlevé")
+        self.assertTrue(any("warm start" in result for result in self.search("warm star")))
+        self.assertIn("4.10", "".join(self.search("(4.10)")))
+        self.assertEqual(self.search("noSuchWordAnywhere"), [])
+        self.assertIn("nothing", self.ask("document.querySelector('#search [role=status]').textContent"))
+        self.assertEqual(self.search("<b>"), [])
+        self.search("painleve")
+        self.press(Keys.ARROW_DOWN, Keys.ENTER)
+        self.browser.wait("return location.pathname.includes('09_better_friction')")
+        self.assertTrue(self.ask("document.getElementById(location.hash.slice(1)) !== null"))
+
+
+if __name__ == "__main__":
+    unittest.main()

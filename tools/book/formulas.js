@@ -1,0 +1,17 @@
+"use strict";
+// Reads [{tex, display}] and writes [{html} or {error}], by the KaTeX whose file is given.
+const katex = require(process.argv[2]);
+const formulas = JSON.parse(require("fs").readFileSync(0, "utf8"));
+
+// Plain letters such as λ and ⁻¹ stand in formulas as they do in text.
+const strict = (code) => (code === "unicodeTextInMathMode" || code === "mathVsTextUnits" ? "ignore" : "error");
+
+function render({ tex, display }) {
+  try {
+    return { html: katex.renderToString(tex, { displayMode: display, throwOnError: true, strict }) };
+  } catch (error) {
+    return { error: error.message };
+  }
+}
+
+process.stdout.write(JSON.stringify(formulas.map(render)));

@@ -1,0 +1,34 @@
+"""Code with its keywords, comments and strings marked: Pygments."""
+
+import html
+import re
+from pathlib import Path
+
+# What is not said to be in a language is a shell's if a line begins with one of these.
+_COMMAND = re.compile(r"^(?:sudo |for )?(?:\./|(?:cmake|ninja|ctest|python3|git|gdb|sbatch|docker)\b)", re.MULTILINE)
+
+
+def highlighted(code: str, language: str) -> str:
+    from pygments import highlight
+    from pygments.formatters import HtmlFormatter
+    from pygments.lexers import get_lexer_by_name
+    from pygments.util import ClassNotFound
+
+    language = language or ("bash" if _COMMAND.search(code) else "text")
+    try:
+        lexer = get_lexer_by_name(language, stripnl=False)
+    except ClassNotFound:
+        return f'<div class="code"><pre><code>{html.escape(code)}</code></pre></div>'
+    inner = highlight(code, lexer, HtmlFormatter(nowrap=True))
+    return f'<div class="code"><pre tabindex="0"><code>{inner}</code></pre></div>'
+
+
+def language_of(name: Path) -> str:
+    """As Pygments calls it; text, where the name does not tell."""
+    from pygments.lexers import get_lexer_for_filename
+    from pygments.util import ClassNotFound
+
+    try:
+        return get_lexer_for_filename(name.name).aliases[0]
+    except ClassNotFound:
+        return "text"

@@ -1,0 +1,63 @@
+"""The pages of the book: every Markdown file of the course but hints and playgrounds, in the order of reading."""
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+
+from files import course_files
+from paths import ROOT
+
+# Each group's title, and the files that it begins with; what no group asks for is in the last.
+_GROUPS = (
+    ("", ("README.md",)),
+    ("Chapters", ("chapters/[0-9][0-9]_*/README.md",)),
+    ("To look up", ("chapters/SYMBOLS.md", "chapters/EIGEN.md", "chapters/*.md")),
+    ("Experiments", ("plots/README.md", "plots/*/README.md")),
+    ("For instructors", ("tools/course/grading/README.md",)),
+    ("For contributors", ("CONTRIBUTING.md", "*.md", "*/**/*.md")),
+)
+
+_NO_PAGES = ("hints.md", "try.md")  # which ./course hint and ./course try show a piece of
+
+
+@dataclass(frozen=True)
+class Page:
+    source: Path  # from the root of the course
+    title: str
+    group: str
+
+    @property
+    def target(self) -> Path:
+        """From the root of the site, which has the folders of the course: so links and pictures stay as they are."""
+        return self.source.with_name("index.html" if self.source.name == "README.md" else f"{self.source.stem}.html")
+
+    def text(self) -> str:
+        return (ROOT / self.source).read_text(encoding="utf-8")
+
+
+def pages() -> list[Page]:
+    left = [name for name in course_files() if name.suffix == ".md" and name.name not in _NO_PAGES]
+    found = []
+    for group, patterns in _GROUPS:
+        for pattern in patterns:
+            here = [name for name in left if _matches(name, pattern)]
+            left = [name for name in left if name not in here]
+            found += [Page(name, _title(name), group) for name in here]
+    return found
+
+
+def _matches(name: Path, pattern: str) -> bool:
+    """With as many folders as the pattern has, or any number where it has **."""
+    return name.match(pattern) and ("**" in pattern or len(name.parts) == len(Path(pattern).parts))
+
+
+def _title(name: Path) -> str:
+    for line in (ROOT / name).read_text(encoding="utf-8").splitlines():
+        if line.startswith("# "):
+            return line[2:].strip().replace("`", "")
+    return name.stem
+
+
+def between(here: Path, there: Path) -> str:
+    """The way from one file of the site to another, as in an address."""
+    return Path(os.path.relpath(there, here.parent)).as_posix()

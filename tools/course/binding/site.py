@@ -1,0 +1,135 @@
+"""The site: every page written, with all that it needs beside it."""
+
+import html
+import json
+import shutil
+from pathlib import Path
+from string import Template
+
+from binding.code import highlighted, language_of
+from binding.formulas import files, rendered
+from binding.links import Links, code_page
+from binding.outline import Page, between, pages
+from binding.problems import Problem
+from binding.reading import Draft, read
+from binding.writing import Equations, written
+from errors import CourseError
+from needs import BOOK_FONTS
+from paths import ROOT
+
+BOOK = ROOT / "tools" / "book"
+_ASSETS = Path("assets")
+_STYLES_AND_SCRIPTS = ("book.css", "preview.js", "reading.js", "search.js")
+
+
+def build(folder: Path, views: bool = False) -> int:
+    """Writes the site into the folder, which holds nothing else; how many pages it has. With `views`, films are links
+    to pages that binding.views makes."""
+    drafts = [read(page) for page in pages()]
+    equations = _equations(drafts)
+    links = Links(drafts)
+    bodies = [written(draft, links, equations, views) for draft in drafts]
+    _refuse([problem for draft in drafts for problem in draft.problems])
+    shutil.rmtree(folder, ignore_errors=True)
+    template = Template((BOOK / "page.html").read_text(encoding="utf-8"))
+    outline = [draft.page for draft in drafts]
+    for draft, body in zip(drafts, bodies):
+        _write(folder / draft.page.target, _page(template, draft, body, outline))
+    for source in sorted(links.sources):
+        _write(folder / code_page(source), _code(template, source, outline))
+    for picture in links.pictures:
+        _copy(ROOT / picture, folder / picture)
+    for name in _STYLES_AND_SCRIPTS:
+        _copy(BOOK / name, folder / _ASSETS / name)
+    for place, file in (files() | {_ASSETS / "fonts" / font.name: font for font in BOOK_FONTS}).items():
+        _copy(file, folder / place)
+    _write(folder / _ASSETS / "index.js", _index(drafts))
+    (folder / ".nojekyll").touch()  # for hosts that would leave out files whose names begin with _
+    return len(drafts)
+
+
+def _equations(drafts: list[Draft]) -> Equations:
+    equations = Equations()
+    for draft in drafts:
+        for tag in draft.equations:
+            if tag in equations.home:
+                draft.wrong(1, f"equation ({tag}) is also in {equations.home[tag].page.source}")
+            equations.home[tag] = draft
+    results = rendered([formula for draft in drafts for formula, _ in draft.formulas])
+    for draft in drafts:
+        for formula, line in draft.formulas:
+            equations.html[formula], error = results[formula]
+            if error:
+                draft.wrong(line, error)
+    return equations
+
+
+def _refuse(problems: list[Problem]) -> None:
+    if problems:
+        count = f"{len(problems)} things in it lead" if len(problems) > 1 else "one thing in it leads"
+        raise CourseError(f"book: {count} nowhere, or can not be read", "\n".join(map(str, sorted(problems))))
+
+
+def _page(template: Template, draft: Draft, body: str, outline: list[Page]) -> str:
+    here = outline.index(draft.page)
+    inside = [section for section in draft.sections if section.level == 2]
+    contents = "".join(f'<li><a href="#{section.anchor}">{html.escape(section.title)}</a></li>' for section in inside)
+    return _filled(template, draft.page.target, draft.page.title, body, outline,
+                   contents=f"<ol>{contents}</ol>" if contents else "",
+                   before=outline[here - 1] if here else None,
+                   after=outline[here + 1] if here + 1 < len(outline) else None)
+
+
+def _code(template: Template, source: Path, outline: list[Page]) -> str:
+    """A file that a page links to."""
+    text = (ROOT / source).read_text(encoding="utf-8", errors="replace")
+    body = f"<h1><code>{html.escape(str(source))}</code></h1>\n{highlighted(text, language_of(source))}"
+    return _filled(template, code_page(source), str(source), body, outline)
+
+
+def _filled(template: Template, target: Path, title: str, body: str, outline: list[Page], contents: str = "",
+            before: Page | None = None, after: Page | None = None) -> str:
+    def step(page: Page | None, name: str, word: str) -> str:
+        if page is None:
+            return ""
+        return (f'<a rel="{name}" class="{name}" href="{between(target, page.target)}"><span>{word}</span> '
+                f"{html.escape(page.title)}</a>")
+
+    root = between(target, Path("index.html")).removesuffix("index.html")
+    return template.substitute(
+        title=html.escape(title), root=root, body=body, contents=_sidebar(outline, target, contents),
+        before=step(before, "prev", "Previous"), after=step(after, "next", "Next"))
+
+
+def _sidebar(outline: list[Page], target: Path, contents: str) -> str:
+    parts, group = [], None
+    for page in outline:
+        if page.group != group:
+            parts.append(("</ul>" if parts else "") + (f"<h2>{page.group}</h2>" if page.group else "") + "<ul>")
+            group = page.group
+        here = page.target == target
+        current = ' aria-current="page"' if here else ""
+        number, dot, name = page.title.partition(" · ")
+        label = f'<span class="number">{number}</span> {html.escape(name)}' if dot else html.escape(page.title)
+        address = between(target, page.target)
+        parts.append(f'<li><a href="{address}"{current}>{label}</a>{contents if here else ""}</li>')
+    return "".join(parts) + "</ul>"
+
+
+def _index(drafts: list[Draft]) -> str:
+    """What the search looks through: each section with its words. A script, since a page may not read other files."""
+    entries = [{"url": f"{draft.page.target.as_posix()}{f'#{section.anchor}' if section.anchor else ''}",
+                "page": draft.page.title, "section": section.title, "text": " ".join(" ".join(section.words).split())}
+               for draft in drafts for section in draft.sections]
+    kept = [entry for entry in entries if entry["text"] or entry["section"] != entry["page"]]
+    return f"window.bookIndex = {json.dumps(kept, ensure_ascii=False)};\n"
+
+
+def _write(path: Path, text: str) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(text, encoding="utf-8")
+
+
+def _copy(source: Path, target: Path) -> None:
+    target.parent.mkdir(parents=True, exist_ok=True)
+    shutil.copyfile(source, target)

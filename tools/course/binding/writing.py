@@ -1,0 +1,170 @@
+"""A page's tokens as HTML: links followed, formulas set, code marked, pictures with their captions."""
+
+import html
+import re
+from dataclasses import dataclass, field
+
+from binding.code import highlighted
+from binding.formulas import Formula
+from binding.links import Links
+from binding.outline import between
+from binding.reading import (REFERENCE, Draft, anchor_of, display_formula, inline_formula, is_display, line_of, parser,
+                             with_lines)
+from binding.views import page_of_film
+
+_CALLOUT = re.compile(r"^\[!(NOTE|TIP|IMPORTANT|WARNING|CAUTION)\]$")
+_TAG = re.compile(r"(<!--.*?-->|<[^>]*>)", re.DOTALL)
+_PICTURE = re.compile(r"^\s*<(?:picture|img)\b")
+
+
+@dataclass
+class Equations:
+    """Of all pages, as they are set."""
+    home: dict[str, Draft] = field(default_factory=dict)
+    html: dict[Formula, str] = field(default_factory=dict)
+
+    def of(self, tag: str) -> str:
+        return self.html[self.home[tag].equations[tag]]
+
+
+def written(draft: Draft, links: Links, equations: Equations, views: bool = False) -> str:
+    return _Writer(draft, links, equations).page(views)
+
+
+class _Writer:
+    def __init__(self, draft: Draft, links: Links, equations: Equations):
+        self._draft, self._links, self._equations = draft, links, equations
+        self._from_elsewhere: set[str] = set()  # tags of equations that are shown here, and stand on another page
+
+    def page(self, views: bool) -> str:
+        tokens = self._draft.tokens
+        for k, token in enumerate(tokens):
+            if token.type == "inline":
+                token.children = list(self._inline(token))
+            elif is_display(token):
+                _become(token, self._equation(token))
+            elif token.type in ("fence", "code_block"):
+                _become(token, highlighted(token.content, token.info.strip()))
+            elif token.type == "html_block":
+                inside = self._links.in_html(self._draft, token.content, line_of(token))
+                inside = self._references_in_html(inside, line_of(token))
+                _become(token, f"<figure>{inside}</figure>" if _PICTURE.match(inside) else inside)
+            elif token.type == "table_open":
+                _become(token, '<div class="table" tabindex="0"><table>\n')
+            elif token.type == "table_close":
+                _become(token, "</table></div>\n")
+            elif token.type == "blockquote_open":
+                _mark_callout(token, tokens[k + 1:k + 3])
+        target = self._draft.page.target
+        _set_figures(tokens, between(target, page_of_film(self._draft.page.source)) if views else "")
+        body = _renderer().render(tokens, parser().options, {})
+        return body + "".join(f'<template id="preview-{tag}">{self._equations.of(tag)}</template>\n'
+                              for tag in sorted(self._from_elsewhere))
+
+    def _inline(self, inline):
+        linked = 0
+        for child, line in with_lines(inline):
+            if child.type == "link_open":
+                linked += 1
+                child.attrSet("href", self._links.link(self._draft, str(child.attrGet("href")), line))
+            elif child.type == "link_close":
+                linked -= 1
+            elif child.type == "image":
+                child.attrSet("src", self._links.picture(self._draft, str(child.attrGet("src")), line))
+            elif child.type == "math_inline":
+                _become(child, self._equations.html[inline_formula(child)], "html_inline")
+            elif child.type == "html_inline":
+                child.content = self._links.in_html(self._draft, child.content, line)
+            elif child.type == "text":
+                self._look_for_footnotes(child.content, line)
+                if REFERENCE.search(child.content) and not linked:
+                    text = html.escape(child.content, quote=False)
+                    _become(child, self._with_references(text, line), "html_inline")
+            yield child
+
+    def _look_for_footnotes(self, text: str, line: int) -> None:
+        for name in re.findall(r"\[\^[^\]\s]+\]", text):
+            self._draft.wrong(line, f"the footnote {name} leads nowhere")
+
+    def _with_references(self, text: str, line: int) -> str:
+        def follow(found: re.Match) -> str:
+            tag = found[1]
+            home = self._equations.home.get(tag)
+            if home is None:
+                self._draft.wrong(line, f"the reference ({tag}) leads nowhere: no lesson has an equation ({tag})")
+                return found[0]
+            if home is not self._draft:
+                self._from_elsewhere.add(tag)
+            page = "" if home is self._draft else between(self._draft.page.target, home.page.target)
+            return f'<a class="eqref" data-tag="{tag}" href="{page}#{anchor_of(tag)}">({tag})</a>'
+
+        return REFERENCE.sub(follow, text)
+
+    def _references_in_html(self, text: str, line: int) -> str:
+        """Those between the tags, as of <summary>."""
+        parts = []
+        for part in _TAG.split(text):
+            parts.append(part if part.startswith("<") else self._with_references(part, line))
+            line += part.count("\n")
+        return "".join(parts)
+
+    def _equation(self, token) -> str:
+        formula, tags = display_formula(token)
+        number = "".join(f'<a class="tag" href="#{anchor_of(tag)}" aria-label="equation {tag}">({tag})</a>'
+                         for tag in tags[:1])
+        place = f' id="{anchor_of(tags[0])}"' if tags else ""
+        return (f'<div class="equation"{place}><div class="formula" tabindex="0">{self._equations.html[formula]}</div>'
+                f"{number}</div>\n")
+
+
+def _renderer():
+    return parser().renderer
+
+
+def _become(token, content: str, kind: str = "html_block") -> None:
+    token.type, token.content, token.tag, token.nesting, token.children = kind, content, "", 0, None
+
+
+def _mark_callout(quote, following: list) -> None:
+    """> [!NOTE] as GitHub has it."""
+    inline = following[-1]
+    first = inline.children[0] if inline.type == "inline" and inline.children else None
+    found = _CALLOUT.match(first.content) if first is not None and first.type == "text" else None
+    if found:
+        quote.attrSet("class", f"callout {found[1].lower()}")
+        _become(first, f'<strong class="title">{found[1].capitalize()}</strong>', "html_inline")
+
+
+def _set_figures(tokens: list, view: str) -> None:
+    """A paragraph that is a picture, and the one below it if it is all emphasised: its caption. A film leads to the
+    view of it, if there is one; another picture to itself, to be seen as large as it is."""
+    for k, token in enumerate(tokens):
+        if token.type == "paragraph_open" and _is_picture(tokens[k + 1]):
+            address = str(tokens[k + 1].children[0].attrGet("src"))
+            film = address.endswith("film.webp")
+            link = view if film else address
+            _become(token, f'<figure class="{"film" if film else "picture"}">' + (f'<a href="{link}">' if link else ""))
+            _become(tokens[k + 2], f"{'</a>' if link else ''}</figure>\n")
+            _set_caption(tokens, k + 2)
+        elif token.type == "html_block" and token.content.startswith("<figure>"):
+            _set_caption(tokens, k)
+
+
+def _set_caption(tokens: list, end: int) -> None:
+    """Takes the caption that follows into the figure that ends here."""
+    below = tokens[end + 1:end + 4]
+    if len(below) == 3 and below[0].type == "paragraph_open" and _is_emphasised(below[1]):
+        tokens[end].content = tokens[end].content.rsplit("</figure>", 1)[0]
+        below[1].children = below[1].children[1:-1]
+        _become(below[0], "<figcaption>")
+        _become(below[2], "</figcaption></figure>\n")
+
+
+def _is_picture(inline) -> bool:
+    return bool(inline.children) and [child.type for child in inline.children] == ["image"]
+
+
+def _is_emphasised(inline) -> bool:
+    kinds = [child.type for child in inline.children]
+    return (len(kinds) > 2 and kinds[0] == "em_open" and kinds[-1] == "em_close" and kinds.count("em_open") == 1
+            and kinds.count("em_close") == 1)

@@ -1,0 +1,68 @@
+"""./course book: all lessons and pages as a site that opens from the file system."""
+
+import subprocess
+import tempfile
+from pathlib import Path
+
+from binding.site import build
+from binding.views import film_pages
+from errors import BadInput, CourseError
+from install import install
+from needs import BOOK_NEEDS
+from paths import BUILD, ROOT, shown
+
+_BRANCH = "gh-pages"
+
+
+def book(arguments) -> int:
+    folder = _target(Path(arguments.out)) if arguments.out else BUILD / "book"
+    remote = _remote(arguments.publish) if arguments.publish else ""
+    install(BOOK_NEEDS, yes=False)
+    count = build(folder, arguments.views)
+    if arguments.views:
+        film_pages(folder)
+    print(f"{shown((folder / 'index.html').absolute())}: {count} pages. Open it in a browser.")
+    if remote:
+        _push(folder, remote)
+        print(f"Published: branch {_BRANCH} of {remote}.")
+    return 0
+
+
+def _target(folder: Path) -> Path:
+    """What is there is replaced, if it is a book or nothing."""
+    if folder.exists() and not (folder / "assets" / "index.js").exists() and not _is_empty(folder):
+        raise BadInput(f"book: {folder} holds something else than a book; it would be deleted")
+    if not folder.absolute().parent.is_dir():
+        raise BadInput(f"book: {folder} cannot be written: {folder.absolute().parent} is no folder")
+    return folder
+
+
+def _is_empty(folder: Path) -> bool:
+    return folder.is_dir() and not any(folder.iterdir())
+
+
+def _remote(name: str) -> str:
+    """The address of one of the course's remotes, or what is one itself."""
+    known = _git(["-C", str(ROOT), "remote", "get-url", name])
+    address = known.stdout.strip() if known.returncode == 0 else name
+    reached = _git(["ls-remote", address])
+    if reached.returncode != 0:
+        raise BadInput(f"book: --publish wants a git remote, and {name!r} is none that answers")
+    return address
+
+
+def _push(folder: Path, remote: str) -> None:
+    """One commit, in place of what the branch held: what was published before is made again from the course."""
+    with tempfile.TemporaryDirectory(prefix="course-") as scratch:
+        tree = ["--git-dir", scratch, "--work-tree", str(folder)]
+        for words in (["init", "-q"], ["add", "-A", "-f"],
+                      ["-c", "user.name=course", "-c", "user.email=course@localhost", "-c", "commit.gpgsign=false",
+                       "commit", "-q", "-m", "The book"],
+                      ["push", "-q", "--force", remote, f"HEAD:refs/heads/{_BRANCH}"]):
+            done = _git([*tree, *words])
+            if done.returncode != 0:
+                raise CourseError(f"book: git {words[0] if words[0] != '-c' else 'commit'} failed", done.stderr.strip())
+
+
+def _git(words: list[str]) -> subprocess.CompletedProcess:
+    return subprocess.run(["git", *words], capture_output=True, text=True, stdin=subprocess.DEVNULL)
