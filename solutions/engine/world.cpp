@@ -14,9 +14,9 @@ void World<Dof>::step(double h) {
   require_directions(h);
   rows_.clear();
   rubbing_.clear();
-  trouble_.clear();
+  solved_ = {.history = {}, .converged = true};
   first_contact_row_ = 0;
-  impacts_ = iterations_ = 0;
+  impacts_ = 0;
   if (shapes_.may_touch()) clock_.run(Stage::contacts, [&] { find_contacts(); });
   clock_.run(Stage::forces, [&] { evaluate_forces(h); });
   if (settings_.impacts && !contacts_.empty()) clock_.run(Stage::impacts, [&] { resolve_impacts(h); });
@@ -93,20 +93,19 @@ template <int Dof>
 void World<Dof>::solve_rows(double h) {
   V_.assign(bodies_.size(), Twist<Dof>::Zero());
   if (settings_.warm_start) begin_with_last_impulses(h);
-  const Outcome outcome = settings_.solver.solve({.rows = rows_,
-                                                  .V = V_,
-                                                  .rubbing = rubbing_,
-                                                  .joints = joints_,
-                                                  .contacts = contacts_,
-                                                  .first_contact_row = first_contact_row_,
-                                                  .bodies = bodies_,
-                                                  .last = start_,
-                                                  .gravity = settings_.gravity,
-                                                  .h = h,
-                                                  .stop = stop_rule(h)});
-  iterations_ = static_cast<int>(outcome.report.history.size());
+  Outcome outcome = settings_.solver.solve({.rows = rows_,
+                                            .V = V_,
+                                            .rubbing = rubbing_,
+                                            .joints = joints_,
+                                            .contacts = contacts_,
+                                            .first_contact_row = first_contact_row_,
+                                            .bodies = bodies_,
+                                            .last = start_,
+                                            .gravity = settings_.gravity,
+                                            .h = h,
+                                            .stop = stop_rule(h)});
   row_updates_ += outcome.updates(rows_.size());
-  trouble_ = outcome.report.trouble;
+  solved_ = std::move(outcome.report);
   if (settings_.warm_start || settings_.solver.wants_last)
     start_.remember(rows_, first_contact_row_, contacts_, h);
 }

@@ -128,6 +128,11 @@ class World {
   const std::vector<Joint>& joints() const { return joints_; }
   double joint_lambda(int joint, int row = 0) const;
 
+  /// The force on each body in the last step [N], its rows, and what the solver says of them; none of them before.
+  const std::vector<Vec3>& forces() const { return forces_; }
+  const std::vector<Row<Dof>>& rows() const { return rows_; }
+  const SolveReport& solved() const { return solved_; }
+
   /// What the last step did. The residual is computed here, not in the step.
   StepReport report() const;
 
@@ -168,13 +173,12 @@ class World {
   std::vector<Rubbing> rubbing_;  // where friction follows what presses
   std::vector<Twist<Dof>> V_;     // what the rows add to each velocity
   StartImpulses start_;           // for the rows of the next step
-  std::string trouble_;
+  SolveReport solved_;
   StageClock clock_;
   std::int64_t steps_ = 0;
   double time_ = 0;
   int pairs_ = 0;
   int impacts_ = 0;
-  int iterations_ = 0;
   std::int64_t row_updates_ = 0;
 };
 

@@ -196,12 +196,12 @@ StepReport World<Dof>::report() const {
           .contacts = static_cast<int>(contacts_.size()),
           .impacts = impacts_,
           .rows = static_cast<int>(rows_.size()),
-          .iterations = iterations_,
+          .iterations = static_cast<int>(solved_.history.size()),
           .residual = rows_.empty() ? 0
                       : settings_.solver.friction == FrictionModel::cone
                           ? residual_on_cones(rubbing_, rows_, V_)
                           : residual(rows_, V_),
-          .trouble = trouble_};
+          .trouble = solved_.trouble};
 }
 
 template class World<3>;

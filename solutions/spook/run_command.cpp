@@ -177,6 +177,8 @@ void RunCommand::execute(std::ostream& out) const {
 
   const auto print = json ? print_json : print_text;
   print(out, description, parameters, settings, result);
+  if (strict && result.verdict.state != State::sound)
+    throw std::runtime_error("the run is " + name_of(result.verdict.state) + ": " + result.verdict.reason);
 }
 
 }  // namespace spook
