@@ -5,7 +5,6 @@
 #include <cmath>
 #include <sstream>
 
-#include "10_convergence/convergence.hpp"
 #include "engine/mechanics.hpp"
 
 namespace spook {
@@ -105,10 +104,7 @@ void Soundness<Dof>::look_at_solve(const World<Dof>& world, double h) {
   const Bodies<Dof>& bodies = world.bodies();
   for (std::size_t i = 0; i < bodies.size(); ++i)
     asked = std::max(asked, h * bodies.motion.inverse_mass[i].linear * world.forces()[i].norm());
-  const double residual = world.report().residual;
-  // A rate of nearly 1 is told from 1 by its roundings alone; 1 and more is not known to end at all.
-  const double rate = observed_rate(world.solved().history);
-  const double left = residual / (rate < 1 ? std::max(1 - rate, 1e-8) : 1e-8);
+  const double left = left_by(world.report().residual, world.solved().history);
   if (left <= share_unsolved * asked) return;
   ++verdict_.unsolved;
   find(State::unsolved, world,

@@ -9,8 +9,7 @@
 //                constraints brought in energy: more than a tenth of the largest kinetic energy so far, and of what
 //                  it takes to lift every body by a size
 //
-//   what was left   r/(1 - ρ), of the residual r and the rate ρ of the last solve, Eq. (4.8), (10.5): a solver that
-//                   creeps leaves more than its last sweep tells
+//   what was left   of the residual, Eq. (4.8), and the rate at which it fell: engine/outcome.hpp
 //   asked for       the largest of |B| and of the kicks h f/m
 //   energy          T - T₀ - Σ h f·v, of what constraints and impacts did; ½ k gap² of the first step is theirs to give
 //
