@@ -38,7 +38,7 @@ struct Settings {
   std::optional<ImpactLaw> impacts = {};
   bool sliding_tangents = false;  ///< friction along the slip, Eq. (9.2)
   /// Any of engine/solvers.hpp, or one of your own. Where the limit of friction comes from is its word, too.
-  Solver<Dof> solver = gauss_seidel<Dof>();
+  Solver<Dof> solver = by_island<Dof>();
   bool warm_start = false;  ///< rows begin with the impulses of the last step. Safe where
                             ///< a step solves the part 1/(1 + d) of what it lacks, Eq. (10.12)
   double margin = 0;  ///< largest gap of a contact [m]: one that opens by a hair keeps its row and its impulse

@@ -70,7 +70,7 @@ TEST(RestingSphere, ContactPushesAndNeverPulls) {
 
 template <int Dof>
 World<Dof> pile(int count, double heavy, bool heavy_on_top, const StopRule& stop) {
-  World<Dof> world({.k = 1e6, .d = 3, .stop = stop});
+  World<Dof> world({.k = 1e6, .d = 3, .solver = gauss_seidel<Dof>(), .stop = stop});
   world.add_plane(Vec3::UnitZ(), 0);
   for (int i = 0; i < count; ++i) {
     Body<Dof> body;

@@ -193,7 +193,8 @@ TEST(Wire, OfTwoBodiesFollowsTheSolutionOfTwoEquations) {
 
 /// Sweeps of one step of a wire at rest from λ = 0, until a sweep changes less than the tolerance.
 int sweeps_of_wire(int N, double ratio, double tolerance, bool top_down) {
-  World<3> world({.k = 1e14, .stop = {.max_sweeps = 1'000'000, .tolerance = tolerance}});
+  World<3> world(
+      {.k = 1e14, .solver = gauss_seidel<3>(), .stop = {.max_sweeps = 1'000'000, .tolerance = tolerance}});
   world.add_fixed(Vec3::Zero());
   for (int i = 1; i <= N; ++i) world.add({.x = Vec3(0, 0, -i), .mass = i == N ? ratio : 1});
   for (int n = 1; n <= N; ++n) {
