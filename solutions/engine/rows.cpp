@@ -71,6 +71,26 @@ void add_contact_rows(const std::vector<Contact>& contacts, double h, const Spoo
   }
 }
 
+/// The rows of Eq. (6.6), with both lever arms to one point between the two: Eq. (6.15). There is one force then and no
+/// torque, and the gaps are as seen by somebody who turns with the joint.
+template <int Dof>
+static std::array<Constraint<Dof>, 3> ball_joint_at_one_point(Attachment i, Attachment j, const Spook& spook,
+                                                              const Motion<Dof>& motion) {
+  std::array<Constraint<Dof>, 3> rows = ball_joint_constraints<Dof>(i, j, spook);
+  if constexpr (Dof == 6) {
+    const Vec3 apart = (j.x + j.r) - (i.x + i.r);
+    const double of_i = motion.inverse_mass[i.body].linear, of_j = motion.inverse_mass[j.body].linear;
+    i.r += of_j / (of_i + of_j) * apart;
+    j.r -= of_i / (of_i + of_j) * apart;
+    const std::array<Constraint<6>, 3> shared = ball_joint_constraints<6>(i, j, spook);
+    for (std::size_t axis = 0; axis < rows.size(); ++axis) {
+      rows[axis].Gi = shared[axis].Gi;
+      rows[axis].Gj = shared[axis].Gj;
+    }
+  }
+  return rows;
+}
+
 template <int Dof>
 void add_joint_rows(const std::vector<Joint>& joints, double h, const Bodies<Dof>& bodies,
                     std::vector<Row<Dof>>& rows) {
@@ -85,7 +105,7 @@ void add_joint_rows(const std::vector<Joint>& joints, double h, const Bodies<Dof
     if (joint.length) {
       rows.push_back(make_row(distance_constraint<Dof>(i, j, *joint.length, spook), bodies.motion));
     } else {
-      for (const Constraint<Dof>& row : ball_joint_constraints<Dof>(i, j, spook))
+      for (const Constraint<Dof>& row : ball_joint_at_one_point<Dof>(i, j, spook, bodies.motion))
         rows.push_back(make_row(row, bodies.motion));
     }
   }

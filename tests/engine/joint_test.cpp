@@ -71,40 +71,28 @@ Vec3 gap(const World<6>& world, int joint) {
          orientation(world, ball.i) * ball.p_i;
 }
 
-TEST(FreeChain, OfBodiesKeepsMomentumAndItsGapsTurnIt) {
-  // J at i's point and -J at j's, which are a gap apart: a torque of gap × J, and no other.
+TEST(FreeChain, OfBodiesKeepsMomentumAndAngularMomentum) {
+  // J and -J at one point between i's and j's: no torque, however far the two are apart.
   World<6> world = necklace(4, 1e6);
   const Vec3 p = momentum(world.bodies());
   const Vec3 L = angular_momentum(world.bodies());
   const int steps = 10'000;
-  Vec3 turned = Vec3::Zero();
-  double reach = 0, largest_turn = 0;
+  Vec3 beside = Vec3::Zero();
+  double reach = 0, most_beside = 0;
   for (int step = 0; step < steps; ++step) {
     std::vector<Vec3> gaps;
     for (int joint = 0; joint < 3; ++joint) gaps.push_back(gap(world, joint));
     world.step(0.005);
     for (int joint = 0; joint < 3; ++joint)
-      turned += gaps[static_cast<std::size_t>(joint)].cross(impulse_of_ball_joint(world, joint));
-    largest_turn = std::max(largest_turn, turned.norm());
+      beside += gaps[static_cast<std::size_t>(joint)].cross(impulse_of_ball_joint(world, joint));
+    most_beside = std::max(most_beside, beside.norm());
     for (const Vec3& x : world.bodies().x) reach = std::max(reach, x.norm());
   }
   const double momenta = 10;  // no less than Σ |p|, and than Σ |I ω| over a metre
   EXPECT_LE((momentum(world.bodies()) - p).norm(), 10 * steps * epsilon * momenta);
   const double roundings = 10 * steps * epsilon * momenta * (1 + reach);
-  EXPECT_GT(largest_turn, 100 * roundings) << "the gaps were meant to turn it visibly";
-  EXPECT_LE((angular_momentum(world.bodies()) - L - turned).norm(), roundings);
-}
-
-TEST(FreeChain, OfBodiesTurnsAsTheSquareOfTheStep) {
-  // A gap is of the order h², an impulse of h, and there are t/h of them. Joints so stiff that T/k, which trails behind
-  // T by some steps, is no part of it.
-  const auto turn = [](double h) {
-    World<6> world = necklace(4, 1e11);
-    const Vec3 L = angular_momentum(world.bodies());
-    for (int step = 0; step < std::lround(2 / h); ++step) world.step(h);
-    return (angular_momentum(world.bodies()) - L).norm() / L.norm();
-  };
-  testing::expect_order("angular momentum of a free chain", "", turn, 0.01, 3, 2, 0.2);
+  EXPECT_GT(most_beside, 100 * roundings) << "J at one point and -J at the other would turn it visibly";
+  EXPECT_LE((angular_momentum(world.bodies()) - L).norm(), roundings);
 }
 
 TEST(Whirl, HasTheGapAndTensionOfTheDiscreteCircle) {
