@@ -33,6 +33,8 @@ struct Shapes {
   std::vector<Plane> planes;
   std::vector<Solid> solids;
   std::vector<Corners> corners;
+  /// Of what moves, from its centre: a sphere's radius, a box's least half side, the farthest of corners [m].
+  double smallest = infinity;
 
   /// Whether anything can touch anything.
   bool may_touch() const {

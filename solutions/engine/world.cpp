@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "common/require.hpp"
+#include "engine/impacts.hpp"
 
 namespace spook {
 
@@ -17,7 +18,7 @@ void World<Dof>::step(double h) {
   solved_ = {.history = {}, .converged = true};
   first_contact_row_ = 0;
   impacts_ = 0;
-  if (shapes_.may_touch()) clock_.run(Stage::contacts, [&] { find_contacts(); });
+  if (shapes_.may_touch()) clock_.run(Stage::contacts, [&] { find_contacts(h); });
   clock_.run(Stage::forces, [&] { evaluate_forces(h); });
   if (settings_.impacts && !contacts_.empty()) clock_.run(Stage::impacts, [&] { resolve_impacts(h); });
   if (!contacts_.empty() || !joints_.empty()) clock_.run(Stage::rows, [&] { build_rows(h); });
@@ -37,8 +38,16 @@ void World<Dof>::require_directions(double h) const {
 }
 
 template <int Dof>
-void World<Dof>::find_contacts() {
-  pairs_ = spook::find_contacts(shapes_, bodies_, settings_.margin, contacts_);
+void World<Dof>::find_contacts(double h) {
+  pairs_ = spook::find_contacts(shapes_, bodies_, margin(h), contacts_);
+}
+
+template <int Dof>
+double World<Dof>::margin(double h) const {
+  if (settings_.margin) return *settings_.margin;
+  const double size = shapes_.smallest;
+  if (!std::isfinite(size)) return 0;
+  return std::min(settings_.gravity.norm() * h * h, 1e-2 * size) + 1e-9 * size;
 }
 
 template <int Dof>
@@ -68,11 +77,14 @@ template <int Dof>
 void World<Dof>::resolve_impacts(double h) {
   ImpactLaw law = *settings_.impacts;
   law.threshold += settings_.gravity.norm() * h;
-  const auto open = [](const Contact& contact) { return contact.gap > 0; };
-  std::vector<Contact> closed = contacts_;
-  closed.erase(std::remove_if(closed.begin(), closed.end(), open), closed.end());
-  impacts_ = spook::resolve_impacts(closed, law, bodies_.motion).impacts;
+  impacts_ = resolve_late_impacts(
+      contacts_, [&](const Contact&) { return law; }, h, shapes_, bodies_);
   if (impacts_ > 0) prepare_motion(h);  // the gyroscopic torque goes with ω
+  // What is still open and comes as fast as an impact will be one: until then nothing holds it back.
+  const auto will_hit = [&](const Contact& contact) {
+    return contact.gap > 0 && separation_speed(contact, bodies_.motion) < -law.threshold;
+  };
+  contacts_.erase(std::remove_if(contacts_.begin(), contacts_.end(), will_hit), contacts_.end());
 }
 
 template <int Dof>

@@ -41,7 +41,10 @@ struct Settings {
   Solver<Dof> solver = by_island<Dof>();
   bool warm_start = false;  ///< rows begin with the impulses of the last step. Safe where
                             ///< a step solves the part 1/(1 + d) of what it lacks, Eq. (10.12)
-  double margin = 0;  ///< largest gap of a contact [m]: one that opens by a hair keeps its row and its impulse
+  /// Largest gap of a contact [m]: one that opens by a hair keeps its row and its impulse. Unless given, what a body
+  /// falls from rest in a step, |gravity| h², but no more than a hundredth of the smallest shape's size, of which a
+  /// millionth of a thousandth is added, so that what touches up to roundings does.
+  std::optional<double> margin = {};
   [[no_unique_address]] RotationRule<Dof> rotation = {};  ///< rigid bodies only: how they turn
   /// When the solver stops; at the latest where nothing changes any more but four roundings of |gravity| h.
   StopRule stop = {};
@@ -63,7 +66,8 @@ template <int Dof>
 class World {
  public:
   /// Throws std::invalid_argument, naming the parameter, unless gravity is finite, k > 0, d >= 0, friction >= 0,
-  /// viscosity > 0, and the impact law, the solver and its stop rule are sound.
+  /// viscosity > 0, and the impact law, the solver and its stop rule are sound; and for the friction box, whose bound
+  /// is of gravity, Eq. (5.7), where `force` is all that presses.
   explicit World(Settings<Dof> settings);
 
   /// Adds a body and returns its index; see Bodies::add for what is refused.
@@ -96,7 +100,8 @@ class World {
   void go_on_from(const World& other);
 
   /// Takes every velocity half a step back, to where leapfrog wants it: Eq. (1.5). Once, before the first step.
-  /// What contacts and joints hold against is not known yet, and has no part in it.
+  /// What contacts and joints hold against is not known yet, and has no part in it. Throws std::invalid_argument the
+  /// second time, and after a step.
   void start_half_step_back(double h);
 
   /// Moves the world on by `h` [s]. Throws std::invalid_argument unless h is positive and finite, and Blowup when a
@@ -144,7 +149,8 @@ class World {
   const StageTimes& stage_times() const { return clock_.times(); }
 
  private:
-  void find_contacts();
+  void find_contacts(double h);
+  double margin(double h) const;
   void evaluate_forces(double h);
   void resolve_impacts(double h);
   void build_rows(double h);
@@ -179,6 +185,7 @@ class World {
   double time_ = 0;
   int pairs_ = 0;
   int impacts_ = 0;
+  bool half_step_back_ = false;
   std::int64_t row_updates_ = 0;
 };
 

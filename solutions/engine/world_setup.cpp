@@ -12,12 +12,17 @@ World<Dof>::World(Settings<Dof> settings) : settings_(std::move(settings)) {
   require_positive("k", settings_.k);
   require_not_negative("d", settings_.d);
   require_not_negative("friction", settings_.friction);
-  require_not_negative("margin", settings_.margin);
+  if (settings_.margin) require_not_negative("margin", *settings_.margin);
   if (!(settings_.viscosity > 0)) reject("viscosity", settings_.viscosity, "positive; it may be infinite");
   if (settings_.impacts) spook::resolve_impacts<Dof>({}, *settings_.impacts, bodies_.motion);
   require_positive("max_sweeps", settings_.stop.max_sweeps);
   require_not_negative("tolerance", settings_.stop.tolerance);
   if (!settings_.solver.solve) throw std::invalid_argument("solver must be one of solvers(), but is null");
+  const bool boxed = settings_.friction > 0 && settings_.solver.friction == FrictionModel::box;
+  if (boxed && settings_.force && settings_.gravity.isZero(0))
+    throw std::invalid_argument(
+        "gravity must not be 0 where force presses bodies together: the friction box takes its bound from it; "
+        "solver cone() or two_pass() does not");
 }
 
 template <int Dof>
@@ -26,9 +31,18 @@ int World<Dof>::add(const Body<Dof>& body) {
   Solid solid{.body = i, .radius = body.radius, .half_sides = Vec3::Zero(), .fixed = false};
   if constexpr (Dof == 6) {
     solid.half_sides = body.half_sides;
-    if (!body.corners.empty()) shapes_.corners.push_back({.body = i, .points = body.corners});
+    if (!body.corners.empty()) {
+      shapes_.corners.push_back({.body = i, .points = body.corners});
+      double farthest = 0;
+      for (const Vec3& corner : body.corners) farthest = std::max(farthest, corner.norm());
+      shapes_.smallest = std::min(shapes_.smallest, farthest);
+    }
   }
-  if (solid.radius > 0 || !solid.half_sides.isZero(0)) shapes_.solids.push_back(solid);
+  if (solid.radius > 0 || !solid.half_sides.isZero(0)) {
+    shapes_.solids.push_back(solid);
+    shapes_.smallest =
+        std::min(shapes_.smallest, solid.radius > 0 ? solid.radius : solid.half_sides.minCoeff());
+  }
   return i;
 }
 
@@ -123,6 +137,10 @@ void World<Dof>::go_on_from(const World& other) {
 template <int Dof>
 void World<Dof>::start_half_step_back(double h) {
   require_positive("h", h);
+  if (half_step_back_ || steps_ > 0)
+    throw std::invalid_argument("start_half_step_back is for once, before the first step; steps so far: " +
+                                std::to_string(steps_));
+  half_step_back_ = true;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     Twist<Dof>& W = bodies_.motion.W[i];
     const double inverse_mass = bodies_.motion.inverse_mass[i].linear;

@@ -375,7 +375,8 @@ TEST(Input, JointsOfPoints) {
 
 TEST(Input, JointsOfBodies) {
   World<6> world({});
-  const int a = world.add({}), b = world.add({.x = Vec3(1, 0, 0)});
+  const int a = world.add({.principal = Vec3::Ones()}),
+            b = world.add({.x = Vec3(1, 0, 0), .principal = Vec3::Ones()});
   expect_refusal({"p_i", "inf"}, [&] { world.add_joint({.i = a, .j = b, .p_i = Vec3(infinity, 0, 0)}); });
   expect_refusal({"distance", "0"}, [&] {
     world.add_joint({.i = a, .j = b, .p_i = Vec3(0.5, 0, 0), .p_j = Vec3(-0.5, 0, 0), .length = 1});
