@@ -109,6 +109,21 @@ int Bodies<Dof>::add_fixed(const Vec3& position) {
   return static_cast<int>(size()) - 1;
 }
 
+template <int Dof>
+void Bodies<Dof>::remove(std::size_t i) {
+  const auto out_of = [&](auto& all) { all.erase(all.begin() + static_cast<std::ptrdiff_t>(i)); };
+  out_of(x);
+  out_of(mass);
+  out_of(motion.inverse_mass);
+  out_of(motion.W);
+  out_of(motion.Wf);
+  if constexpr (Dof == 6) {
+    out_of(orientations.q);
+    out_of(orientations.principal);
+    out_of(orientations.inverse_principal);
+  }
+}
+
 template struct Bodies<3>;
 template struct Bodies<6>;
 

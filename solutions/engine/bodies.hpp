@@ -69,6 +69,9 @@ struct Bodies {
 
   /// Adds a body that nothing moves.
   int add_fixed(const Vec3& position);
+
+  /// Takes a body out; those after it move up by one.
+  void remove(std::size_t i);
 };
 
 /// Throws std::invalid_argument unless |v| = 1, to 1e-9.

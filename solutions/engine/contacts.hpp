@@ -36,6 +36,9 @@ struct Shapes {
   /// Of what moves, from its centre: a sphere's radius, a box's least half side, the farthest of corners [m].
   double smallest = infinity;
 
+  /// Takes the shape of a body out; bodies after it move up by one.
+  void remove(int body);
+
   /// Whether anything can touch anything.
   bool may_touch() const {
     return solids.size() > 1 || (!planes.empty() && !(solids.empty() && corners.empty()));

@@ -20,7 +20,8 @@ void World<Dof>::step(double h) {
   impacts_ = 0;
   if (shapes_.may_touch()) clock_.run(Stage::contacts, [&] { find_contacts(h); });
   clock_.run(Stage::forces, [&] { evaluate_forces(h); });
-  if (settings_.impacts && !contacts_.empty()) clock_.run(Stage::impacts, [&] { resolve_impacts(h); });
+  if ((settings_.impacts || materials_.bounce()) && !contacts_.empty())
+    clock_.run(Stage::impacts, [&] { resolve_impacts(h); });
   if (!contacts_.empty() || !joints_.empty()) clock_.run(Stage::rows, [&] { build_rows(h); });
   if (!rows_.empty()) clock_.run(Stage::solve, [&] { solve_rows(h); });
   clock_.run(Stage::integrate, [&] { integrate(h); });
@@ -54,7 +55,31 @@ template <int Dof>
 void World<Dof>::evaluate_forces(double h) {
   forces_.resize(bodies_.size());
   for (std::size_t i = 0; i < bodies_.size(); ++i) forces_[i] = force(i);
+  if (settings_.wrench) add_wrenches();
   if (!contacts_.empty() || !joints_.empty()) prepare_motion(h);
+}
+
+template <int Dof>
+void World<Dof>::add_wrenches() {
+  if constexpr (Dof == 6) torques_.resize(bodies_.size());
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (bodies_.is_fixed(i)) continue;
+    const Twist<Dof> wrench = settings_.wrench(i, bodies_, time_);
+    forces_[i] += wrench.template head<3>();
+    if constexpr (Dof == 6) torques_[i] = wrench.template tail<3>();
+  }
+}
+
+/// What torques, and the gyroscopic one where the rule takes it for one, add to ω in a step.
+template <int Dof>
+Vec3 World<Dof>::turned_by_torques(std::size_t i, const Vec3& omega, double h) const {
+  Vec3 change = Vec3::Zero();
+  if constexpr (Dof == 6) {
+    change = gyroscopic_change(settings_.rotation, bodies_.orientations, i, omega, h);
+    if (settings_.wrench && !bodies_.is_fixed(i))
+      change += h * bodies_.orientations.inverse_inertia(i) * torques_[i];
+  }
+  return change;
 }
 
 /// What rows and impacts want to know of the bodies beside W: W_f and, of those that turn, the inertia.
@@ -66,8 +91,7 @@ void World<Dof>::prepare_motion(double h) {
     motion.Wf[i].template head<3>() = kick(Vec3::Zero(), forces_[i], motion.inverse_mass[i].linear, h);
     if constexpr (Dof == 6) {
       const Vec3 omega = motion.W[i].template tail<3>();
-      motion.Wf[i].template tail<3>() =
-          gyroscopic_change(settings_.rotation, bodies_.orientations, i, omega, h);
+      motion.Wf[i].template tail<3>() = turned_by_torques(i, omega, h);
       motion.inverse_mass[i].angular = bodies_.orientations.inverse_inertia(i);
     }
   }
@@ -75,10 +99,17 @@ void World<Dof>::prepare_motion(double h) {
 
 template <int Dof>
 void World<Dof>::resolve_impacts(double h) {
-  ImpactLaw law = *settings_.impacts;
+  ImpactLaw law = settings_.impacts.value_or(ImpactLaw{});
   law.threshold += settings_.gravity.norm() * h;
-  impacts_ = resolve_late_impacts(
-      contacts_, [&](const Contact&) { return law; }, h, shapes_, bodies_);
+  const auto law_of = [&](const Contact& contact) {
+    if (!materials_.any()) return law;
+    ImpactLaw of_pair = law;
+    const Touching touching = materials_.of(contact.i, contact.j);
+    of_pair.restitution = touching.restitution;
+    of_pair.friction = touching.friction;
+    return of_pair;
+  };
+  impacts_ = resolve_late_impacts(contacts_, law_of, h, shapes_, bodies_);
   if (impacts_ > 0) prepare_motion(h);  // the gyroscopic torque goes with ω
   // What is still open and comes as fast as an impact will be one: until then nothing holds it back.
   const auto will_hit = [&](const Contact& contact) {
@@ -92,13 +123,11 @@ void World<Dof>::build_rows(double h) {
   add_joint_rows(joints_, h, bodies_, rows_);
   first_contact_row_ = rows_.size();
   if (contacts_.empty()) return;
-  const Friction friction{.mu = settings_.friction,
-                          .c = settings_.viscosity,
+  const Friction friction{.c = settings_.viscosity,
                           .gravity = settings_.gravity,
                           .model = settings_.solver.friction,
                           .sliding_tangents = settings_.sliding_tangents};
-  add_contact_rows(contacts_, h, spook_parameters(h, settings_.k, settings_.d), friction, bodies_.motion, rows_,
-                   rubbing_);
+  add_contact_rows(contacts_, h, materials_, friction, bodies_.motion, rows_, rubbing_);
 }
 
 template <int Dof>
@@ -151,7 +180,7 @@ void World<Dof>::integrate(double h) {
     bodies_.x[i] = drift(bodies_.x[i], v, h);
     if constexpr (Dof == 6) {
       Vec3 omega = W.template tail<3>();
-      omega += gyroscopic_change(settings_.rotation, bodies_.orientations, i, omega, h);
+      omega += turned_by_torques(i, omega, h);
       if (!rows_.empty()) omega += V_[i].template tail<3>();
       rotate(settings_.rotation, bodies_.orientations, i, omega, h);
       W.template tail<3>() = omega;
@@ -159,6 +188,7 @@ void World<Dof>::integrate(double h) {
   }
   ++steps_;
   time_ += h;
+  h_ = h;
   require_finite_bodies();
 }
 

@@ -7,7 +7,12 @@
 namespace spook {
 
 template <int Dof>
-World<Dof>::World(Settings<Dof> settings) : settings_(std::move(settings)) {
+World<Dof>::World(Settings<Dof> settings)
+    : settings_(std::move(settings)),
+      materials_({.friction = settings_.friction,
+                  .restitution = settings_.impacts.value_or(ImpactLaw{}).restitution,
+                  .k = settings_.k,
+                  .d = settings_.d}) {
   require_all_finite("gravity", settings_.gravity);
   require_positive("k", settings_.k);
   require_not_negative("d", settings_.d);
@@ -19,7 +24,7 @@ World<Dof>::World(Settings<Dof> settings) : settings_(std::move(settings)) {
   require_not_negative("tolerance", settings_.stop.tolerance);
   if (!settings_.solver.solve) throw std::invalid_argument("solver must be one of solvers(), but is null");
   const bool boxed = settings_.friction > 0 && settings_.solver.friction == FrictionModel::box;
-  if (boxed && settings_.force && settings_.gravity.isZero(0))
+  if (boxed && (settings_.force || settings_.wrench) && settings_.gravity.isZero(0))
     throw std::invalid_argument(
         "gravity must not be 0 where force presses bodies together: the friction box takes its bound from it; "
         "solver cone() or two_pass() does not");
@@ -52,6 +57,16 @@ int World<Dof>::add_fixed(const Vec3& x, double radius) {
   const int i = bodies_.add_fixed(x);
   if (radius > 0)
     shapes_.solids.push_back({.body = i, .radius = radius, .half_sides = Vec3::Zero(), .fixed = true});
+  return i;
+}
+
+template <int Dof>
+int World<Dof>::add_fixed_box(const Vec3& x, const Vec3& half_sides, const Quat& q) requires(Dof == 6) {
+  for (const double half_side : half_sides) require_positive("half side", half_side);
+  require_unit_length("q", q.norm());
+  const int i = bodies_.add_fixed(x);
+  bodies_.orientations.q.back() = q.normalized();
+  shapes_.solids.push_back({.body = i, .radius = 0, .half_sides = half_sides, .fixed = true});
   return i;
 }
 
@@ -92,17 +107,69 @@ int World<Dof>::add_joint(const Joint& given) {
 template <int Dof>
 void World<Dof>::remove_joint(int joint) {
   joints_.erase(joints_.begin() + static_cast<std::ptrdiff_t>(joint_index(joint)));
+  forget_the_last_step();
+}
+
+template <int Dof>
+void World<Dof>::remove_body(int body) {
+  const std::size_t i = index(body);
+  bodies_.remove(i);
+  shapes_.remove(body);
+  materials_.remove(body);
+  const auto is_of_it = [&](const Joint& joint) { return joint.i == body || joint.j == body; };
+  joints_.erase(std::remove_if(joints_.begin(), joints_.end(), is_of_it), joints_.end());
+  for (Joint& joint : joints_) {
+    joint.i -= joint.i > body;
+    joint.j -= joint.j > body;
+  }
+  forget_the_last_step();
+}
+
+/// Its rows are numbered otherwise now.
+template <int Dof>
+void World<Dof>::forget_the_last_step() {
   joint_rows_.clear();
   next_joint_row_ = 0;
-  for (const Joint& left : joints_) {
+  for (const Joint& joint : joints_) {
     joint_rows_.push_back(next_joint_row_);
-    next_joint_row_ += static_cast<std::size_t>(left.rows());
+    next_joint_row_ += static_cast<std::size_t>(joint.rows());
   }
   rows_.clear();
   rubbing_.clear();
   contacts_.clear();
   first_contact_row_ = 0;
   start_ = {};
+}
+
+template <int Dof>
+void World<Dof>::set_material(int body, const Material& material) {
+  materials_.set(static_cast<int>(index(body)), material);
+}
+
+template <int Dof>
+void World<Dof>::set_material(int i, int j, const Material& material) {
+  if (index(i) == index(j)) reject("j", j, "another body than i");
+  materials_.set(i, j, material);
+}
+
+template <int Dof>
+void World<Dof>::place(int body, const Vec3& x, const Vec3& v) {
+  const std::size_t i = index(body);
+  if (bodies_.is_fixed(i)) reject("body", body, "one that moves; move_fixed is for the others");
+  require_all_finite("x", x);
+  require_all_finite("v", v);
+  bodies_.x[i] = x;
+  bodies_.motion.W[i].template head<3>() = v;
+}
+
+template <int Dof>
+void World<Dof>::turn(int body, const Quat& q, const Vec3& omega) requires(Dof == 6) {
+  const std::size_t i = index(body);
+  if (bodies_.is_fixed(i)) reject("body", body, "one that moves");
+  require_unit_length("q", q.norm());
+  require_all_finite("omega", omega);
+  bodies_.orientations.q[i] = q.normalized();
+  bodies_.motion.W[i].template tail<3>() = omega;
 }
 
 template <int Dof>
@@ -135,23 +202,6 @@ void World<Dof>::go_on_from(const World& other) {
 }
 
 template <int Dof>
-void World<Dof>::start_half_step_back(double h) {
-  require_positive("h", h);
-  if (half_step_back_ || steps_ > 0)
-    throw std::invalid_argument("start_half_step_back is for once, before the first step; steps so far: " +
-                                std::to_string(steps_));
-  half_step_back_ = true;
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    Twist<Dof>& W = bodies_.motion.W[i];
-    const double inverse_mass = bodies_.motion.inverse_mass[i].linear;
-    W.template head<3>() = half_step_start(W.template head<3>(), force(i), inverse_mass, h);  // Eq. (1.5)
-    if constexpr (Dof == 6)
-      W.template tail<3>() +=
-          gyroscopic_change(settings_.rotation, bodies_.orientations, i, W.template tail<3>(), -h / 2);
-  }
-}
-
-template <int Dof>
 Vec3 World<Dof>::force(std::size_t i) const {
   const Vec3 weight = bodies_.mass[i] * settings_.gravity;
   if (!settings_.force) return weight;
@@ -166,16 +216,10 @@ std::size_t World<Dof>::index(int body) const {
 }
 
 template <int Dof>
-Vec3 World<Dof>::v_beside_x(int body, double h) const {
-  const std::size_t i = index(body);
-  return half_step_start(v(body), force(i), bodies_.motion.inverse_mass[i].linear, -h);
-}
-
-template <int Dof>
 std::size_t World<Dof>::first_row(int contact) const {
   if (contact < 0 || contact >= static_cast<int>(contacts_.size()))
     reject("contact", contact, "an index below " + std::to_string(contacts_.size()));
-  return first_contact_row_ + static_cast<std::size_t>(contact * rows_per_contact(settings_.friction));
+  return first_contact_row_ + static_cast<std::size_t>(contact * rows_per_contact(materials_.rub()));
 }
 
 template <int Dof>
@@ -187,7 +231,7 @@ template <int Dof>
 Vec3 World<Dof>::impulse(int contact) const {
   Vec3 impulse = Vec3::Zero();
   const std::size_t first = first_row(contact);
-  for (std::size_t row = first; row < first + static_cast<std::size_t>(rows_per_contact(settings_.friction));
+  for (std::size_t row = first; row < first + static_cast<std::size_t>(rows_per_contact(materials_.rub()));
        ++row)
     impulse += rows_[row].lambda * rows_[row].Gj.template head<3>();
   return impulse;
@@ -206,6 +250,22 @@ double World<Dof>::joint_lambda(int joint, int row) const {
   if (row < 0 || row >= joints_[j].rows()) reject("row", row, "below " + std::to_string(joints_[j].rows()));
   const std::size_t r = joint_rows_[j] + static_cast<std::size_t>(row);
   return r < first_contact_row_ ? rows_[r].lambda : 0;  // a joint that is new has had none
+}
+
+template <int Dof>
+Vec3 World<Dof>::joint_force(int joint) const {
+  const std::size_t j = joint_index(joint);
+  Vec3 impulse = Vec3::Zero();
+  for (int k = 0; k < joints_[j].rows(); ++k) {
+    const std::size_t row = joint_rows_[j] + static_cast<std::size_t>(k);
+    if (row < first_contact_row_) impulse += rows_[row].lambda * rows_[row].Gj.template head<3>();
+  }
+  return h_ > 0 ? Vec3(impulse / h_) : impulse;
+}
+
+template <int Dof>
+Vec3 World<Dof>::contact_force(int contact) const {
+  return impulse(contact) / h_;
 }
 
 template <int Dof>
