@@ -38,8 +38,10 @@ struct Settings {
   ForceField force = nullptr;        ///< on each body, beside its weight [N]; none unless given
   Wrench<Dof> wrench = nullptr;      ///< more of them, and torques [N, N m]; none unless given
   double k = 1e6;                    ///< stiffness of contacts and joints [N/m]
-  double d = 3;                      ///< relaxation of contacts and joints [steps]
-  double friction = 0;               ///< μ of the friction box; 0: no friction rows
+  /// Relaxation of contacts and joints [steps]. Unless given, 3 for contacts, which settle, and 1/4 for joints, which swing:
+  /// what is relaxed more loses more energy: chapter 06.
+  std::optional<double> d = {};
+  double friction = 0;      ///< μ of the friction box; 0: no friction rows
   double viscosity = 1e12;  ///< what a stuck contact creeps against, c of Eq. (5.4) [N s/m]; may be infinite
   /// None unless given. To its threshold |gravity| h is added: what gravity does in a step is no impact.
   std::optional<ImpactLaw> impacts = {};

@@ -6,16 +6,18 @@
 
 namespace spook {
 
+static constexpr double relaxation_of_contacts = 3, relaxation_of_joints = 0.25;  // [steps]
+
 template <int Dof>
 World<Dof>::World(Settings<Dof> settings)
     : settings_(std::move(settings)),
       materials_({.friction = settings_.friction,
                   .restitution = settings_.impacts.value_or(ImpactLaw{}).restitution,
                   .k = settings_.k,
-                  .d = settings_.d}) {
+                  .d = settings_.d.value_or(relaxation_of_contacts)}) {
   require_all_finite("gravity", settings_.gravity);
   require_positive("k", settings_.k);
-  require_not_negative("d", settings_.d);
+  if (settings_.d) require_not_negative("d", *settings_.d);
   require_not_negative("friction", settings_.friction);
   if (settings_.margin) require_not_negative("margin", *settings_.margin);
   if (!(settings_.viscosity > 0)) reject("viscosity", settings_.viscosity, "positive; it may be infinite");
@@ -93,7 +95,7 @@ int World<Dof>::add_joint(const Joint& given) {
     if (!joint.p_j.isZero(0)) reject("|p_j|", joint.p_j.norm(), "0 for a point mass");
   }
   if (!joint.k) joint.k = settings_.k;
-  if (!joint.d) joint.d = settings_.d;
+  if (!joint.d) joint.d = settings_.d.value_or(relaxation_of_joints);
   const Spook spook = spook_parameters(1, *joint.k, *joint.d);
   if (joint.length)
     distance_constraint<Dof>(attachment(joint.i, joint.p_i, bodies_), attachment(joint.j, joint.p_j, bodies_),
