@@ -20,10 +20,11 @@ def draw(data, mine):
                     label=f"e = {e:g}")
     bounce.set(yscale="log", ylim=(2e-3, 2), xlabel="bounce", ylabel="peak [m]", title="peaks and h₀ e²ⁿ")
 
-    late = data.table.only("what", "seen")
+    late, in_time = data.table.only("what", "late"), data.table.only("what", "in time")
     steps = late["mu or h"]
-    seen.plot(steps, late["value"], **figures.STYLES[1])
-    figures.slope(seen, 1, (min(steps), min(steps) * 8), min(late["value"]) / 3, "1")
+    seen.plot(steps, late["value"], label="velocities only", **figures.STYLES[1])
+    seen.plot(steps, in_time["value"], label="put back, (7.16)", **figures.STYLES[2])
+    figures.slope(seen, 1, (min(steps), min(steps) * 8), min(late["value"]) / 30, "1")
     seen.set(xscale="log", yscale="log", xlabel="h [s]", ylabel="error of the peak [m]", title="third peak, e = 0.7")
 
     gains = data.table.only("what", "gain")
@@ -36,11 +37,11 @@ def draw(data, mine):
     if mine:
         own = mine.table.only("what", "bounce")
         bounce.plot(own["mu or h"], own["value"], **figures.MINE)
-        own = mine.table.only("what", "seen")
+        own = mine.table.only("what", "late")
         seen.plot(own["mu or h"], own["value"], **figures.MINE)
         own = mine.table.only("what", "gain")
         gain.plot(own["e"], [100 * share for share in own["value"]], **figures.MINE)
-        seen.legend(loc="upper left", fontsize=8)
+    seen.legend(loc="center right", fontsize=8)
     bounce.legend(loc="lower left", fontsize=8)
     gain.legend(fontsize=8)
     for axes in (bounce, seen, gain):

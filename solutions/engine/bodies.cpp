@@ -34,6 +34,23 @@ std::vector<Vec3> box_corners(const Vec3& half_sides) {
   return corners;
 }
 
+/// The moments that a body is given, or else those of its shape.
+static Vec3 moments_of(const Body<6>& body) {
+  if (body.principal) return *body.principal;
+  if (body.radius > 0) return solid_sphere_moments(body.mass, body.radius);
+  if (!body.half_sides.isZero(0)) return solid_box_moments(body.mass, body.half_sides);
+  throw std::invalid_argument(
+      "principal moments must be given for a body that is no sphere and no box, but are missing");
+}
+
+/// Each is a sum over two of three squares, so that none is more than the other two together.
+static void require_moments(const Body<6>& body) {
+  if (!body.principal) return;
+  for (const double moment : *body.principal) require_positive("principal moment", moment);
+  const double largest = body.principal->maxCoeff(), others = body.principal->sum() - largest;
+  if (largest > others * (1 + 1e-9)) reject("principal moment", largest, "at most the sum of the other two");
+}
+
 template <int Dof>
 static void require_sound(const Body<Dof>& body) {
   require_all_finite("x", body.x);
@@ -43,7 +60,7 @@ static void require_sound(const Body<Dof>& body) {
   if constexpr (Dof == 6) {
     require_unit_length("q", body.q.norm());
     require_all_finite("omega", body.omega);
-    for (const double moment : body.principal) require_positive("principal moment", moment);
+    require_moments(body);
     for (const Vec3& corner : body.corners) require_all_finite("corner", corner);
     if (!body.corners.empty() && body.radius != 0) reject("radius", body.radius, "0 for a body with corners");
     if (body.half_sides.isZero(0)) return;
@@ -66,13 +83,15 @@ static void add_at(Bodies<Dof>& bodies, const Vec3& x, double mass, double inver
 template <int Dof>
 int Bodies<Dof>::add(const Body<Dof>& body) {
   require_sound(body);
+  Vec3 principal;
+  if constexpr (Dof == 6) principal = moments_of(body);
   add_at(*this, body.x, body.mass, 1 / body.mass);
   motion.W.back().template head<3>() = body.v;
   if constexpr (Dof == 6) {
     motion.W.back().template tail<3>() = body.omega;
     orientations.q.push_back(body.q.normalized());
-    orientations.principal.push_back(body.principal);
-    orientations.inverse_principal.push_back(body.principal.cwiseInverse());
+    orientations.principal.push_back(principal);
+    orientations.inverse_principal.push_back(principal.cwiseInverse());
     motion.inverse_mass.back().angular = orientations.inverse_inertia(size() - 1);
   }
   return static_cast<int>(size()) - 1;
@@ -88,6 +107,21 @@ int Bodies<Dof>::add_fixed(const Vec3& position) {
     orientations.inverse_principal.push_back(Vec3::Zero());
   }
   return static_cast<int>(size()) - 1;
+}
+
+template <int Dof>
+void Bodies<Dof>::remove(std::size_t i) {
+  const auto out_of = [&](auto& all) { all.erase(all.begin() + static_cast<std::ptrdiff_t>(i)); };
+  out_of(x);
+  out_of(mass);
+  out_of(motion.inverse_mass);
+  out_of(motion.W);
+  out_of(motion.Wf);
+  if constexpr (Dof == 6) {
+    out_of(orientations.q);
+    out_of(orientations.principal);
+    out_of(orientations.inverse_principal);
+  }
 }
 
 template struct Bodies<3>;

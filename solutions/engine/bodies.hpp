@@ -8,6 +8,7 @@
 //   q   orientation, body to world, (w, x, y, z)     M   mass [kg], and moments about the body's own axes [kg m²]
 //
 // A fixed body has inverse mass zero: nothing moves it, and every formula holds for it as for the others.
+#include <optional>
 #include <vector>
 
 #include "04_gauss_seidel/gauss_seidel.hpp"
@@ -29,13 +30,15 @@ struct Body<3> {
 
 template <>
 struct Body<6> {
-  Vec3 x = Vec3::Zero();           ///< centre of mass [m]
-  Vec3 v = Vec3::Zero();           ///< [m/s]
-  double mass = 1;                 ///< [kg]
-  double radius = 0;               ///< of its sphere [m]; 0: it has no shape and touches nothing
-  Quat q = Quat::Identity();       ///< body to world, of unit length
-  Vec3 omega = Vec3::Zero();       ///< angular velocity, in world coordinates [rad/s]
-  Vec3 principal = Vec3::Ones();   ///< moments of inertia about the body's own axes [kg m²]
+  Vec3 x = Vec3::Zero();      ///< centre of mass [m]
+  Vec3 v = Vec3::Zero();      ///< [m/s]
+  double mass = 1;            ///< [kg]
+  double radius = 0;          ///< of its sphere [m]; 0: it has no shape and touches nothing
+  Quat q = Quat::Identity();  ///< body to world, of unit length
+  Vec3 omega = Vec3::Zero();  ///< angular velocity, in world coordinates [rad/s]
+  std::optional<Vec3> principal =
+      {};  ///< moments of inertia about the body's own axes [kg m²]; a solid sphere or box
+           ///< knows them, and any other body must say
   Vec3 half_sides = Vec3::Zero();  ///< of its box, along the body's axes [m]; instead of a sphere
   std::vector<Vec3> corners = {};  ///< points of it that a plane stops, in the body's axes from its centre [m];
                                    ///< instead of either
@@ -60,11 +63,15 @@ struct Bodies {
   bool is_fixed(std::size_t i) const { return mass[i] == 0; }
 
   /// Adds a body and returns its index. Throws std::invalid_argument for a number that is not finite, a mass or
-  /// moment that is not positive, and an orientation that is not of unit length.
+  /// moment that is not positive, moments of which one is more than the other two together, which no body has, a rigid
+  /// body without moments whose shape does not tell them, and an orientation that is not of unit length.
   int add(const Body<Dof>& body);
 
   /// Adds a body that nothing moves.
   int add_fixed(const Vec3& position);
+
+  /// Takes a body out; those after it move up by one.
+  void remove(std::size_t i);
 };
 
 /// Throws std::invalid_argument unless |v| = 1, to 1e-9.

@@ -2,6 +2,16 @@
 
 namespace spook {
 
+void Shapes::remove(int body) {
+  const auto from = [&](auto& all) {
+    std::erase_if(all, [&](const auto& shape) { return shape.body == body; });
+    for (auto& shape : all) shape.body -= shape.body > body;
+  };
+  from(planes);
+  from(solids);
+  from(corners);
+}
+
 namespace {
 
 /// The shapes, as they are now.

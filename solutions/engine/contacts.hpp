@@ -33,6 +33,11 @@ struct Shapes {
   std::vector<Plane> planes;
   std::vector<Solid> solids;
   std::vector<Corners> corners;
+  /// Of what moves, from its centre: a sphere's radius, a box's least half side, the farthest of corners [m].
+  double smallest = infinity;
+
+  /// Takes the shape of a body out; bodies after it move up by one.
+  void remove(int body);
 
   /// Whether anything can touch anything.
   bool may_touch() const {

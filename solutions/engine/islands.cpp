@@ -1,6 +1,7 @@
 #include "engine/islands.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace spook {
@@ -39,19 +40,18 @@ RowsOnBodies rows_on_bodies(const std::vector<Row<Dof>>& rows) {
   return all;
 }
 
-/// Level by level from `start`: the level of each row is that of the first of its bodies to be reached. The last body
-/// reached is left in `start`.
+/// Level by level from `start`: how far each body is from it, -1 where it is not reached. The last to be reached is left
+/// in `start`.
 template <int Dof>
-std::vector<int> row_levels(const std::vector<Row<Dof>>& rows, const RowsOnBodies& on_bodies, int& start) {
-  std::vector<int> levels(rows.size(), -1), body_level(on_bodies.size(), -1), queue = {start};
-  body_level[start] = 0;
+std::vector<int> body_levels(const std::vector<Row<Dof>>& rows, const RowsOnBodies& on_bodies, int& start) {
+  std::vector<int> levels(on_bodies.size(), -1), queue = {start};
+  levels[start] = 0;
   for (std::size_t next = 0; next < queue.size(); ++next) {
     const int body = queue[next];
     for (const int k : on_bodies[body]) {
-      if (levels[k] < 0) levels[k] = body_level[body];
       const auto reach = [&](int other) {
-        if (body_level[other] >= 0) return;
-        body_level[other] = body_level[body] + 1;
+        if (levels[other] >= 0) return;
+        levels[other] = levels[body] + 1;
         queue.push_back(other);
       };
       if (moves_i(rows[k])) reach(rows[k].i);
@@ -60,6 +60,24 @@ std::vector<int> row_levels(const std::vector<Row<Dof>>& rows, const RowsOnBodie
   }
   start = queue.back();
   return levels;
+}
+
+/// How many of some things are in two neighbouring levels, at most.
+int widest(const std::vector<int>& levels) {
+  std::vector<int> in_level(1, 0);
+  for (const int level : levels) {
+    if (level >= std::ssize(in_level)) in_level.resize(static_cast<std::size_t>(level) + 1, 0);
+    if (level >= 0) ++in_level[level];
+  }
+  int most = in_level.front();
+  for (std::size_t level = 1; level < in_level.size(); ++level)
+    most = std::max(most, in_level[level - 1] + in_level[level]);
+  return most;
+}
+
+int moving_bodies(const RowsOnBodies& on_bodies) {
+  const auto moves = [](const std::vector<int>& rows) { return !rows.empty(); };
+  return static_cast<int>(std::count_if(on_bodies.begin(), on_bodies.end(), moves));
 }
 
 }  // namespace
@@ -84,46 +102,46 @@ std::vector<std::vector<int>> islands(const std::vector<Row<Dof>>& rows, std::si
   return all;
 }
 
+/// Whether so many velocities are the cheaper unknowns. What has bounds counts twice: on rows they cost factorisations.
 template <int Dof>
-int width(const std::vector<Row<Dof>>& rows) {
+static bool fewer_than(const std::vector<Row<Dof>>& rows, int velocities) {
+  std::ptrdiff_t count = 0;
+  for (const Row<Dof>& row : rows) count += std::isfinite(row.lo) || std::isfinite(row.hi) ? 2 : 1;
+  return count > 2 * velocities;
+}
+
+template <int Dof>
+bool wants_bodies(const std::vector<Row<Dof>>& rows) {
+  return fewer_than(rows, Dof * moving_bodies(rows_on_bodies(rows)));
+}
+
+template <int Dof>
+double factor_cost(const std::vector<Row<Dof>>& rows) {
   const RowsOnBodies on_bodies = rows_on_bodies(rows);
-  if (on_bodies.empty()) return std::min<int>(1, static_cast<int>(rows.size()));
+  if (on_bodies.empty()) return 0;
+  const auto n = static_cast<double>(rows.size());
   int end = moves_i(rows.front()) ? rows.front().i : rows.front().j;
-  row_levels(rows, on_bodies, end);  // to one of its ends
-  std::vector<int> in_level;
-  for (const int level : row_levels(rows, on_bodies, end)) {
-    if (level >= std::ssize(in_level)) in_level.resize(static_cast<std::size_t>(level) + 1, 0);
-    if (level >= 0) ++in_level[level];
+  body_levels(rows, on_bodies, end);  // to one of its ends
+  const std::vector<int> levels = body_levels(rows, on_bodies, end);
+  if (const int velocities = Dof * moving_bodies(on_bodies); fewer_than(rows, velocities)) {
+    const double w = Dof * widest(levels);
+    return w * w * velocities / (25 * n);
   }
-  int widest = in_level.front();
-  for (std::size_t level = 1; level < in_level.size(); ++level)
-    widest = std::max(widest, in_level[level - 1] + in_level[level]);
-  return widest;
-}
-
-template <int Dof>
-double mass_ratio(const std::vector<Row<Dof>>& rows) {
-  double largest = 1;
+  // The level of a row is that of the first of its bodies to be reached.
+  std::vector<int> of_rows;
   for (const Row<Dof>& row : rows) {
-    const double i = row.Gi.dot(row.MinvGi), j = row.Gj.dot(row.MinvGj);
-    if (i > 0 && j > 0) largest = std::max({largest, i / j, j / i});
+    const int i = moves_i(row) ? levels[row.i] : levels[row.j], j = moves_j(row) ? levels[row.j] : i;
+    of_rows.push_back(std::min(i, j));
   }
-  return largest;
-}
-
-template <int Dof>
-bool wants_direct(const std::vector<Row<Dof>>& rows, const StopRule& stop) {
-  const double w = width(rows), sweeps = w * w / 25;
-  return sweeps <= stop.max_sweeps || (mass_ratio(rows) > stop.max_sweeps && sweeps <= 100.0 * stop.max_sweeps);
+  const double w = widest(of_rows);
+  return w * w / 25;
 }
 
 template std::vector<std::vector<int>> islands<3>(const std::vector<Row<3>>&, std::size_t);
 template std::vector<std::vector<int>> islands<6>(const std::vector<Row<6>>&, std::size_t);
-template int width<3>(const std::vector<Row<3>>&);
-template int width<6>(const std::vector<Row<6>>&);
-template double mass_ratio<3>(const std::vector<Row<3>>&);
-template double mass_ratio<6>(const std::vector<Row<6>>&);
-template bool wants_direct<3>(const std::vector<Row<3>>&, const StopRule&);
-template bool wants_direct<6>(const std::vector<Row<6>>&, const StopRule&);
+template bool wants_bodies<3>(const std::vector<Row<3>>&);
+template bool wants_bodies<6>(const std::vector<Row<6>>&);
+template double factor_cost<3>(const std::vector<Row<3>>&);
+template double factor_cost<6>(const std::vector<Row<6>>&);
 
 }  // namespace spook

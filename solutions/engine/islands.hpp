@@ -1,11 +1,10 @@
 #pragma once
 // Islands: rows that feel each other, through bodies that move. What happens on one island has no part in another.
 //
-//   w       how many rows meet where an island is widest: level by level from one of its ends, those of two neighbouring
-//           levels of bodies
-//   cost    of factors, in sweeps: (w/5)² at most, as a sweep of n rows takes some 25 n operations, and factors w² n
-//   rule    direct where that is at most the sweeps that are allowed; where the masses that rows join differ by more than
-//           that number, so that so many sweeps can not suffice, it may cost a hundred times as much
+//   w      how many unknowns meet where an island is widest: level by level from one of its ends, those of two
+//          neighbouring levels of bodies. Unknowns are its n rows, or the velocities of its bodies, if those are fewer
+//   cost   of factors, in sweeps: w²/25 at most on rows, as a sweep of n rows takes some 25 n operations, and factors w² n
+#include <cstddef>
 #include <vector>
 
 #include "04_gauss_seidel/gauss_seidel.hpp"
@@ -27,16 +26,12 @@ bool moves_j(const Row<Dof>& row) {
 template <int Dof>
 std::vector<std::vector<int>> islands(const std::vector<Row<Dof>>& rows, std::size_t bodies);
 
-/// w of these rows, which are one island.
+/// Whether velocities are the cheaper unknowns: fewer than the rows with bounds, than half of those without.
 template <int Dof>
-int width(const std::vector<Row<Dof>>& rows);
+bool wants_bodies(const std::vector<Row<Dof>>& rows);
 
-/// The largest ratio of two masses that one row joins.
+/// What factors of these rows, which are one island, cost at most, in sweeps of them.
 template <int Dof>
-double mass_ratio(const std::vector<Row<Dof>>& rows);
-
-/// The rule.
-template <int Dof>
-bool wants_direct(const std::vector<Row<Dof>>& rows, const StopRule& stop);
+double factor_cost(const std::vector<Row<Dof>>& rows);
 
 }  // namespace spook

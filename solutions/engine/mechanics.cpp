@@ -20,6 +20,13 @@ double kinetic_energy(const Bodies<Dof>& bodies) {
 }
 
 template <int Dof>
+double potential_energy(const Bodies<Dof>& bodies, const Vec3& gravity) {
+  double U = 0;
+  for (std::size_t i = 0; i < bodies.size(); ++i) U -= bodies.mass[i] * gravity.dot(bodies.x[i]);
+  return U;
+}
+
+template <int Dof>
 Vec3 momentum(const Bodies<Dof>& bodies) {
   Vec3 p = Vec3::Zero();
   for (std::size_t i = 0; i < bodies.size(); ++i) p += bodies.mass[i] * bodies.motion.W[i].template head<3>();
@@ -38,6 +45,8 @@ Vec3 angular_momentum(const Bodies<Dof>& bodies) {
 
 template double kinetic_energy<3>(const Bodies<3>&);
 template double kinetic_energy<6>(const Bodies<6>&);
+template double potential_energy<3>(const Bodies<3>&, const Vec3&);
+template double potential_energy<6>(const Bodies<6>&, const Vec3&);
 template Vec3 momentum<3>(const Bodies<3>&);
 template Vec3 momentum<6>(const Bodies<6>&);
 template Vec3 angular_momentum<3>(const Bodies<3>&);

@@ -11,6 +11,10 @@ namespace spook {
 template <int Dof>
 double kinetic_energy(const Bodies<Dof>& bodies);  ///< [J]
 
+/// -Σ m g·x [J], of the weight: 0 at the height of the origin.
+template <int Dof>
+double potential_energy(const Bodies<Dof>& bodies, const Vec3& gravity);
+
 template <int Dof>
 Vec3 momentum(const Bodies<Dof>& bodies);  ///< [kg m/s]
 

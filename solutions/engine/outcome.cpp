@@ -3,10 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "10_convergence/convergence.hpp"
+
 namespace spook {
 
 std::int64_t Outcome::updates(std::size_t rows) const {
   return row_updates >= 0 ? row_updates : std::ssize(report.history) * static_cast<std::int64_t>(rows);
+}
+
+double left_by(double residual, const std::vector<double>& history) {
+  // 1 - ρ of a hundred-millionth is a rounding.
+  constexpr double least = 1e-8;
+  const double rate = observed_rate(history);
+  return residual / (rate < 1 ? std::max(1 - rate, least) : least);
 }
 
 static void add_trouble(const SolveReport& of, SolveReport& all) {

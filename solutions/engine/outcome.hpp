@@ -16,6 +16,10 @@ struct Outcome {
   std::int64_t updates(std::size_t rows) const;
 };
 
+/// What a solve left [m/s]: its residual r as r/(1 - ρ), with the rate ρ of its history, Eq. (10.5). One that creeps has
+/// farther to go than its last sweep tells; where its rate is no rate, as if it would never end.
+double left_by(double residual, const std::vector<double>& history);
+
 /// Of two solves, one after the other. A history goes on where the other ends; the second says whether it converged.
 /// Where one does not count its row updates, they are of so many rows.
 Outcome in_turn(Outcome first, const Outcome& second, std::size_t rows);

@@ -12,6 +12,7 @@
 
 #include "09_better_friction/better_friction.hpp"
 #include "engine/joints.hpp"
+#include "engine/materials.hpp"
 
 namespace spook {
 
@@ -29,9 +30,8 @@ inline std::string name_of(FrictionModel model) {
   return model == FrictionModel::box ? "box" : model == FrictionModel::cone ? "cone" : "two_pass";
 }
 
-/// How rubbing is counted in; no friction, no rows.
+/// How rubbing is counted in.
 struct Friction {
-  double mu = 0;                ///< coefficient μ
   double c = 1e12;              ///< viscosity that is left [N s/m]: what sticks creeps at F/c, Eq. (5.5)
   Vec3 gravity = Vec3::Zero();  ///< what presses, in Eq. (5.7) [m/s²]
   FrictionModel model = FrictionModel::box;
@@ -39,15 +39,15 @@ struct Friction {
                                   ///< gravity does in a step
 };
 
-/// One for the normal, and with friction two for the tangents.
-inline int rows_per_contact(double mu) {
-  return mu > 0 ? 3 : 1;
+/// One for the normal, and where anything rubs two for the tangents.
+inline int rows_per_contact(bool rub) {
+  return rub ? 3 : 1;
 }
 
-/// Adds the rows of each contact in turn: the normal one, and with friction those of its two tangents. The latter
+/// Adds the rows of each contact in turn: the normal one, and where anything rubs those of its two tangents. The latter
 /// have the bounds of the box; without one, of 0 for two passes, and none for the cone, and are in `rubbing`.
 template <int Dof>
-void add_contact_rows(const std::vector<Contact>& contacts, double h, const Spook& spook,
+void add_contact_rows(const std::vector<Contact>& contacts, double h, const Materials& materials,
                       const Friction& friction, const Motion<Dof>& motion, std::vector<Row<Dof>>& rows,
                       std::vector<Rubbing>& rubbing);
 

@@ -60,7 +60,7 @@ template <int Dof>
 Solver<Dof> two_pass(Solver<Dof> inner);
 
 /// Chapter 12's, for the links of point masses that no contact has to do with; `inner` for all other rows.
-/// Throws std::invalid_argument for rigid bodies, and for an inner solver that is null, or stiff itself.
+/// Throws std::invalid_argument for rigid bodies, and for an inner solver that is null.
 template <int Dof>
 Solver<Dof> stiff(Solver<Dof> inner);
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "common/require.hpp"
+#include "engine/impacts.hpp"
 
 namespace spook {
 
@@ -14,12 +15,13 @@ void World<Dof>::step(double h) {
   require_directions(h);
   rows_.clear();
   rubbing_.clear();
-  trouble_.clear();
+  solved_ = {.history = {}, .converged = true};
   first_contact_row_ = 0;
-  impacts_ = iterations_ = 0;
-  if (shapes_.may_touch()) clock_.run(Stage::contacts, [&] { find_contacts(); });
+  impacts_ = 0;
+  if (shapes_.may_touch()) clock_.run(Stage::contacts, [&] { find_contacts(h); });
   clock_.run(Stage::forces, [&] { evaluate_forces(h); });
-  if (settings_.impacts && !contacts_.empty()) clock_.run(Stage::impacts, [&] { resolve_impacts(h); });
+  if ((settings_.impacts || materials_.bounce()) && !contacts_.empty())
+    clock_.run(Stage::impacts, [&] { resolve_impacts(h); });
   if (!contacts_.empty() || !joints_.empty()) clock_.run(Stage::rows, [&] { build_rows(h); });
   if (!rows_.empty()) clock_.run(Stage::solve, [&] { solve_rows(h); });
   clock_.run(Stage::integrate, [&] { integrate(h); });
@@ -37,15 +39,47 @@ void World<Dof>::require_directions(double h) const {
 }
 
 template <int Dof>
-void World<Dof>::find_contacts() {
-  pairs_ = spook::find_contacts(shapes_, bodies_, settings_.margin, contacts_);
+void World<Dof>::find_contacts(double h) {
+  pairs_ = spook::find_contacts(shapes_, bodies_, margin(h), contacts_);
+}
+
+template <int Dof>
+double World<Dof>::margin(double h) const {
+  if (settings_.margin) return *settings_.margin;
+  const double size = shapes_.smallest;
+  if (!std::isfinite(size)) return 0;
+  return std::min(settings_.gravity.norm() * h * h, 1e-2 * size) + 1e-9 * size;
 }
 
 template <int Dof>
 void World<Dof>::evaluate_forces(double h) {
   forces_.resize(bodies_.size());
   for (std::size_t i = 0; i < bodies_.size(); ++i) forces_[i] = force(i);
+  if (settings_.wrench) add_wrenches();
   if (!contacts_.empty() || !joints_.empty()) prepare_motion(h);
+}
+
+template <int Dof>
+void World<Dof>::add_wrenches() {
+  if constexpr (Dof == 6) torques_.resize(bodies_.size());
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (bodies_.is_fixed(i)) continue;
+    const Twist<Dof> wrench = settings_.wrench(i, bodies_, time_);
+    forces_[i] += wrench.template head<3>();
+    if constexpr (Dof == 6) torques_[i] = wrench.template tail<3>();
+  }
+}
+
+/// What torques, and the gyroscopic one where the rule takes it for one, add to ω in a step.
+template <int Dof>
+Vec3 World<Dof>::turned_by_torques(std::size_t i, const Vec3& omega, double h) const {
+  Vec3 change = Vec3::Zero();
+  if constexpr (Dof == 6) {
+    change = gyroscopic_change(settings_.rotation, bodies_.orientations, i, omega, h);
+    if (settings_.wrench && !bodies_.is_fixed(i))
+      change += h * bodies_.orientations.inverse_inertia(i) * torques_[i];
+  }
+  return change;
 }
 
 /// What rows and impacts want to know of the bodies beside W: W_f and, of those that turn, the inertia.
@@ -57,8 +91,7 @@ void World<Dof>::prepare_motion(double h) {
     motion.Wf[i].template head<3>() = kick(Vec3::Zero(), forces_[i], motion.inverse_mass[i].linear, h);
     if constexpr (Dof == 6) {
       const Vec3 omega = motion.W[i].template tail<3>();
-      motion.Wf[i].template tail<3>() =
-          gyroscopic_change(settings_.rotation, bodies_.orientations, i, omega, h);
+      motion.Wf[i].template tail<3>() = turned_by_torques(i, omega, h);
       motion.inverse_mass[i].angular = bodies_.orientations.inverse_inertia(i);
     }
   }
@@ -66,13 +99,23 @@ void World<Dof>::prepare_motion(double h) {
 
 template <int Dof>
 void World<Dof>::resolve_impacts(double h) {
-  ImpactLaw law = *settings_.impacts;
+  ImpactLaw law = settings_.impacts.value_or(ImpactLaw{});
   law.threshold += settings_.gravity.norm() * h;
-  const auto open = [](const Contact& contact) { return contact.gap > 0; };
-  std::vector<Contact> closed = contacts_;
-  closed.erase(std::remove_if(closed.begin(), closed.end(), open), closed.end());
-  impacts_ = spook::resolve_impacts(closed, law, bodies_.motion).impacts;
+  const auto law_of = [&](const Contact& contact) {
+    if (!materials_.any()) return law;
+    ImpactLaw of_pair = law;
+    const Touching touching = materials_.of(contact.i, contact.j);
+    of_pair.restitution = touching.restitution;
+    of_pair.friction = touching.friction;
+    return of_pair;
+  };
+  impacts_ = resolve_late_impacts(contacts_, law_of, h, shapes_, bodies_);
   if (impacts_ > 0) prepare_motion(h);  // the gyroscopic torque goes with ω
+  // What is still open and comes as fast as an impact will be one: until then nothing holds it back.
+  const auto will_hit = [&](const Contact& contact) {
+    return contact.gap > 0 && separation_speed(contact, bodies_.motion) < -law.threshold;
+  };
+  contacts_.erase(std::remove_if(contacts_.begin(), contacts_.end(), will_hit), contacts_.end());
 }
 
 template <int Dof>
@@ -80,33 +123,30 @@ void World<Dof>::build_rows(double h) {
   add_joint_rows(joints_, h, bodies_, rows_);
   first_contact_row_ = rows_.size();
   if (contacts_.empty()) return;
-  const Friction friction{.mu = settings_.friction,
-                          .c = settings_.viscosity,
+  const Friction friction{.c = settings_.viscosity,
                           .gravity = settings_.gravity,
                           .model = settings_.solver.friction,
                           .sliding_tangents = settings_.sliding_tangents};
-  add_contact_rows(contacts_, h, spook_parameters(h, settings_.k, settings_.d), friction, bodies_.motion, rows_,
-                   rubbing_);
+  add_contact_rows(contacts_, h, materials_, friction, bodies_.motion, rows_, rubbing_);
 }
 
 template <int Dof>
 void World<Dof>::solve_rows(double h) {
   V_.assign(bodies_.size(), Twist<Dof>::Zero());
   if (settings_.warm_start) begin_with_last_impulses(h);
-  const Outcome outcome = settings_.solver.solve({.rows = rows_,
-                                                  .V = V_,
-                                                  .rubbing = rubbing_,
-                                                  .joints = joints_,
-                                                  .contacts = contacts_,
-                                                  .first_contact_row = first_contact_row_,
-                                                  .bodies = bodies_,
-                                                  .last = start_,
-                                                  .gravity = settings_.gravity,
-                                                  .h = h,
-                                                  .stop = stop_rule(h)});
-  iterations_ = static_cast<int>(outcome.report.history.size());
+  Outcome outcome = settings_.solver.solve({.rows = rows_,
+                                            .V = V_,
+                                            .rubbing = rubbing_,
+                                            .joints = joints_,
+                                            .contacts = contacts_,
+                                            .first_contact_row = first_contact_row_,
+                                            .bodies = bodies_,
+                                            .last = start_,
+                                            .gravity = settings_.gravity,
+                                            .h = h,
+                                            .stop = stop_rule(h)});
   row_updates_ += outcome.updates(rows_.size());
-  trouble_ = outcome.report.trouble;
+  solved_ = std::move(outcome.report);
   if (settings_.warm_start || settings_.solver.wants_last)
     start_.remember(rows_, first_contact_row_, contacts_, h);
 }
@@ -140,7 +180,7 @@ void World<Dof>::integrate(double h) {
     bodies_.x[i] = drift(bodies_.x[i], v, h);
     if constexpr (Dof == 6) {
       Vec3 omega = W.template tail<3>();
-      omega += gyroscopic_change(settings_.rotation, bodies_.orientations, i, omega, h);
+      omega += turned_by_torques(i, omega, h);
       if (!rows_.empty()) omega += V_[i].template tail<3>();
       rotate(settings_.rotation, bodies_.orientations, i, omega, h);
       W.template tail<3>() = omega;
@@ -148,6 +188,7 @@ void World<Dof>::integrate(double h) {
   }
   ++steps_;
   time_ += h;
+  h_ = h;
   require_finite_bodies();
 }
 

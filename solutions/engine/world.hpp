@@ -19,6 +19,7 @@
 #include "engine/blowup.hpp"
 #include "engine/contacts.hpp"
 #include "engine/joints.hpp"
+#include "engine/materials.hpp"
 #include "engine/rows.hpp"
 #include "engine/solvers.hpp"
 #include "engine/stages.hpp"
@@ -26,22 +27,33 @@
 
 namespace spook {
 
+/// Force and torque on body i [N, N m], from all bodies as they are and the time [s]. Positions are those of x_n; leapfrog's
+/// velocities are half a step older, so that what depends on them is of first order.
+template <int Dof>
+using Wrench = std::function<Twist<Dof>(std::size_t i, const Bodies<Dof>& bodies, double time)>;
+
 template <int Dof>
 struct Settings {
   Vec3 gravity = Vec3(0, 0, -9.81);  ///< [m/s²]
   ForceField force = nullptr;        ///< on each body, beside its weight [N]; none unless given
+  Wrench<Dof> wrench = nullptr;      ///< more of them, and torques [N, N m]; none unless given
   double k = 1e6;                    ///< stiffness of contacts and joints [N/m]
-  double d = 3;                      ///< relaxation of contacts and joints [steps]
-  double friction = 0;               ///< μ of the friction box; 0: no friction rows
+  /// Relaxation of contacts and joints [steps]. Unless given, 3 for contacts, which settle, and 1/4 for joints, which swing:
+  /// what is relaxed more loses more energy: chapter 06.
+  std::optional<double> d = {};
+  double friction = 0;      ///< μ of the friction box; 0: no friction rows
   double viscosity = 1e12;  ///< what a stuck contact creeps against, c of Eq. (5.4) [N s/m]; may be infinite
   /// None unless given. To its threshold |gravity| h is added: what gravity does in a step is no impact.
   std::optional<ImpactLaw> impacts = {};
   bool sliding_tangents = false;  ///< friction along the slip, Eq. (9.2)
   /// Any of engine/solvers.hpp, or one of your own. Where the limit of friction comes from is its word, too.
-  Solver<Dof> solver = gauss_seidel<Dof>();
+  Solver<Dof> solver = by_island<Dof>();
   bool warm_start = false;  ///< rows begin with the impulses of the last step. Safe where
                             ///< a step solves the part 1/(1 + d) of what it lacks, Eq. (10.12)
-  double margin = 0;  ///< largest gap of a contact [m]: one that opens by a hair keeps its row and its impulse
+  /// Largest gap of a contact [m]: one that opens by a hair keeps its row and its impulse. Unless given, what a body
+  /// falls from rest in a step, |gravity| h², but no more than a hundredth of the smallest shape's size, of which a
+  /// millionth of a thousandth is added, so that what touches up to roundings does.
+  std::optional<double> margin = {};
   [[no_unique_address]] RotationRule<Dof> rotation = {};  ///< rigid bodies only: how they turn
   /// When the solver stops; at the latest where nothing changes any more but four roundings of |gravity| h.
   StopRule stop = {};
@@ -63,7 +75,8 @@ template <int Dof>
 class World {
  public:
   /// Throws std::invalid_argument, naming the parameter, unless gravity is finite, k > 0, d >= 0, friction >= 0,
-  /// viscosity > 0, and the impact law, the solver and its stop rule are sound.
+  /// viscosity > 0, and the impact law, the solver and its stop rule are sound; and for the friction box, whose bound
+  /// is of gravity, Eq. (5.7), where `force` is all that presses.
   explicit World(Settings<Dof> settings);
 
   /// Adds a body and returns its index; see Bodies::add for what is refused.
@@ -71,6 +84,9 @@ class World {
 
   /// Adds a body that nothing moves, with a sphere of that radius [m], or none for 0.
   int add_fixed(const Vec3& x, double radius = 0);
+
+  /// Adds a box that nothing moves, or with it a body of that place.
+  int add_fixed_box(const Vec3& x, const Vec3& half_sides, const Quat& q = Quat::Identity()) requires(Dof == 6);
 
   /// Adds the half-space n·x < offset as a fixed body. Throws std::invalid_argument unless |n| = 1.
   int add_plane(const Vec3& n, double offset);
@@ -80,6 +96,18 @@ class World {
   /// two fixed bodies, a point beside the centre of a point mass, a bad k or d, a length that is not positive, and
   /// a distance whose two points coincide.
   int add_joint(const Joint& joint);
+
+  /// What a body, or a pair of bodies, is where it touches; engine/materials.hpp says how those of two are put together.
+  /// An impact law's own restitution and friction are then those of pairs of which nothing was said.
+  void set_material(int body, const Material& material);
+  void set_material(int i, int j, const Material& material);
+
+  /// Puts a body somewhere, and lets it move and turn: velocities as leapfrog has them, half a step behind.
+  void place(int body, const Vec3& x, const Vec3& v);
+  void turn(int body, const Quat& q, const Vec3& omega) requires(Dof == 6);
+
+  /// Takes a body out, with its joints; those after it move up by one. What the last step did is forgotten.
+  void remove_body(int body);
 
   /// Takes a joint out; those after it move up by one. What the last step did is forgotten, as its rows are numbered
   /// otherwise.
@@ -96,8 +124,14 @@ class World {
   void go_on_from(const World& other);
 
   /// Takes every velocity half a step back, to where leapfrog wants it: Eq. (1.5). Once, before the first step.
-  /// What contacts and joints hold against is not known yet, and has no part in it.
+  /// What contacts and joints hold against has no part in it. Throws std::invalid_argument the
+  /// second time, and after a step.
   void start_half_step_back(double h);
+
+  /// The same, with what contacts and joints hold against: positions and velocities are those of time 0 then, the start of
+  /// second order that constraints want. Found by solving for the accelerations that G v = 0 asks for, contacts and
+  /// friction within their bounds.
+  void start_consistently(double h);
 
   /// Moves the world on by `h` [s]. Throws std::invalid_argument unless h is positive and finite, and Blowup when a
   /// body is not finite afterwards, or the two points of a distance coincide before, or are infinitely far apart.
@@ -118,6 +152,9 @@ class World {
   /// The velocity at the time of the position, from one that is half a step of `h` behind [m/s].
   Vec3 v_beside_x(int body, double h) const;
 
+  /// The same of what turns [rad/s]: by the gyroscopic torque, where the rule takes it for one.
+  Vec3 omega_beside_x(int body, double h) const requires(Dof == 6);
+
   /// The contacts of the last step, the impulse of each along its normal [N s], and all of it on body j, friction
   /// included.
   const std::vector<Contact>& contacts() const { return contacts_; }
@@ -127,6 +164,15 @@ class World {
   /// The joints, and the impulse of one row of a joint in the last step [N s].
   const std::vector<Joint>& joints() const { return joints_; }
   double joint_lambda(int joint, int row = 0) const;
+
+  /// What a joint, or a contact with its friction, did to body j in the last step, as a force [N]; zero before.
+  Vec3 joint_force(int joint) const;
+  Vec3 contact_force(int contact) const;
+
+  /// The force on each body in the last step [N], its rows, and what the solver says of them; none of them before.
+  const std::vector<Vec3>& forces() const { return forces_; }
+  const std::vector<Row<Dof>>& rows() const { return rows_; }
+  const SolveReport& solved() const { return solved_; }
 
   /// What the last step did. The residual is computed here, not in the step.
   StepReport report() const;
@@ -139,8 +185,11 @@ class World {
   const StageTimes& stage_times() const { return clock_.times(); }
 
  private:
-  void find_contacts();
+  void find_contacts(double h);
+  double margin(double h) const;
   void evaluate_forces(double h);
+  void add_wrenches();
+  Vec3 turned_by_torques(std::size_t i, const Vec3& omega, double h) const;
   void resolve_impacts(double h);
   void build_rows(double h);
   void solve_rows(double h);
@@ -149,6 +198,8 @@ class World {
   void integrate(double h);
 
   Vec3 force(std::size_t i) const;
+  void begin_half_a_step_back(const char* how, double h);
+  void forget_the_last_step();
   void prepare_motion(double h);
   void require_directions(double h) const;
   void require_finite_bodies() const;
@@ -158,23 +209,26 @@ class World {
   Settings<Dof> settings_;
   Bodies<Dof> bodies_;
   Shapes shapes_;
+  Materials materials_;
   std::vector<Joint> joints_;            // with k and d
   std::vector<std::size_t> joint_rows_;  // the first row of each joint
   std::size_t next_joint_row_ = 0;
   std::vector<Vec3> forces_;       // on each body at x_n [N]
+  std::vector<Vec3> torques_;      // with a wrench only [N m]
   std::vector<Contact> contacts_;  // of the last step
   std::vector<Row<Dof>> rows_;     // of the joints, then of the contacts
   std::size_t first_contact_row_ = 0;
   std::vector<Rubbing> rubbing_;  // where friction follows what presses
   std::vector<Twist<Dof>> V_;     // what the rows add to each velocity
   StartImpulses start_;           // for the rows of the next step
-  std::string trouble_;
+  SolveReport solved_;
   StageClock clock_;
   std::int64_t steps_ = 0;
   double time_ = 0;
+  double h_ = 0;  // of the last step [s]
   int pairs_ = 0;
   int impacts_ = 0;
-  int iterations_ = 0;
+  bool half_step_back_ = false;
   std::int64_t row_updates_ = 0;
 };
 

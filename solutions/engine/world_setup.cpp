@@ -6,18 +6,30 @@
 
 namespace spook {
 
+static constexpr double relaxation_of_contacts = 3, relaxation_of_joints = 0.25;  // [steps]
+
 template <int Dof>
-World<Dof>::World(Settings<Dof> settings) : settings_(std::move(settings)) {
+World<Dof>::World(Settings<Dof> settings)
+    : settings_(std::move(settings)),
+      materials_({.friction = settings_.friction,
+                  .restitution = settings_.impacts.value_or(ImpactLaw{}).restitution,
+                  .k = settings_.k,
+                  .d = settings_.d.value_or(relaxation_of_contacts)}) {
   require_all_finite("gravity", settings_.gravity);
   require_positive("k", settings_.k);
-  require_not_negative("d", settings_.d);
+  if (settings_.d) require_not_negative("d", *settings_.d);
   require_not_negative("friction", settings_.friction);
-  require_not_negative("margin", settings_.margin);
+  if (settings_.margin) require_not_negative("margin", *settings_.margin);
   if (!(settings_.viscosity > 0)) reject("viscosity", settings_.viscosity, "positive; it may be infinite");
   if (settings_.impacts) spook::resolve_impacts<Dof>({}, *settings_.impacts, bodies_.motion);
   require_positive("max_sweeps", settings_.stop.max_sweeps);
   require_not_negative("tolerance", settings_.stop.tolerance);
   if (!settings_.solver.solve) throw std::invalid_argument("solver must be one of solvers(), but is null");
+  const bool boxed = settings_.friction > 0 && settings_.solver.friction == FrictionModel::box;
+  if (boxed && (settings_.force || settings_.wrench) && settings_.gravity.isZero(0))
+    throw std::invalid_argument(
+        "gravity must not be 0 where force presses bodies together: the friction box takes its bound from it; "
+        "solver cone() or two_pass() does not");
 }
 
 template <int Dof>
@@ -26,9 +38,18 @@ int World<Dof>::add(const Body<Dof>& body) {
   Solid solid{.body = i, .radius = body.radius, .half_sides = Vec3::Zero(), .fixed = false};
   if constexpr (Dof == 6) {
     solid.half_sides = body.half_sides;
-    if (!body.corners.empty()) shapes_.corners.push_back({.body = i, .points = body.corners});
+    if (!body.corners.empty()) {
+      shapes_.corners.push_back({.body = i, .points = body.corners});
+      double farthest = 0;
+      for (const Vec3& corner : body.corners) farthest = std::max(farthest, corner.norm());
+      shapes_.smallest = std::min(shapes_.smallest, farthest);
+    }
   }
-  if (solid.radius > 0 || !solid.half_sides.isZero(0)) shapes_.solids.push_back(solid);
+  if (solid.radius > 0 || !solid.half_sides.isZero(0)) {
+    shapes_.solids.push_back(solid);
+    shapes_.smallest =
+        std::min(shapes_.smallest, solid.radius > 0 ? solid.radius : solid.half_sides.minCoeff());
+  }
   return i;
 }
 
@@ -38,6 +59,16 @@ int World<Dof>::add_fixed(const Vec3& x, double radius) {
   const int i = bodies_.add_fixed(x);
   if (radius > 0)
     shapes_.solids.push_back({.body = i, .radius = radius, .half_sides = Vec3::Zero(), .fixed = true});
+  return i;
+}
+
+template <int Dof>
+int World<Dof>::add_fixed_box(const Vec3& x, const Vec3& half_sides, const Quat& q) requires(Dof == 6) {
+  for (const double half_side : half_sides) require_positive("half side", half_side);
+  require_unit_length("q", q.norm());
+  const int i = bodies_.add_fixed(x);
+  bodies_.orientations.q.back() = q.normalized();
+  shapes_.solids.push_back({.body = i, .radius = 0, .half_sides = half_sides, .fixed = true});
   return i;
 }
 
@@ -64,7 +95,7 @@ int World<Dof>::add_joint(const Joint& given) {
     if (!joint.p_j.isZero(0)) reject("|p_j|", joint.p_j.norm(), "0 for a point mass");
   }
   if (!joint.k) joint.k = settings_.k;
-  if (!joint.d) joint.d = settings_.d;
+  if (!joint.d) joint.d = settings_.d.value_or(relaxation_of_joints);
   const Spook spook = spook_parameters(1, *joint.k, *joint.d);
   if (joint.length)
     distance_constraint<Dof>(attachment(joint.i, joint.p_i, bodies_), attachment(joint.j, joint.p_j, bodies_),
@@ -78,17 +109,69 @@ int World<Dof>::add_joint(const Joint& given) {
 template <int Dof>
 void World<Dof>::remove_joint(int joint) {
   joints_.erase(joints_.begin() + static_cast<std::ptrdiff_t>(joint_index(joint)));
+  forget_the_last_step();
+}
+
+template <int Dof>
+void World<Dof>::remove_body(int body) {
+  const std::size_t i = index(body);
+  bodies_.remove(i);
+  shapes_.remove(body);
+  materials_.remove(body);
+  const auto is_of_it = [&](const Joint& joint) { return joint.i == body || joint.j == body; };
+  joints_.erase(std::remove_if(joints_.begin(), joints_.end(), is_of_it), joints_.end());
+  for (Joint& joint : joints_) {
+    joint.i -= joint.i > body;
+    joint.j -= joint.j > body;
+  }
+  forget_the_last_step();
+}
+
+/// Its rows are numbered otherwise now.
+template <int Dof>
+void World<Dof>::forget_the_last_step() {
   joint_rows_.clear();
   next_joint_row_ = 0;
-  for (const Joint& left : joints_) {
+  for (const Joint& joint : joints_) {
     joint_rows_.push_back(next_joint_row_);
-    next_joint_row_ += static_cast<std::size_t>(left.rows());
+    next_joint_row_ += static_cast<std::size_t>(joint.rows());
   }
   rows_.clear();
   rubbing_.clear();
   contacts_.clear();
   first_contact_row_ = 0;
   start_ = {};
+}
+
+template <int Dof>
+void World<Dof>::set_material(int body, const Material& material) {
+  materials_.set(static_cast<int>(index(body)), material);
+}
+
+template <int Dof>
+void World<Dof>::set_material(int i, int j, const Material& material) {
+  if (index(i) == index(j)) reject("j", j, "another body than i");
+  materials_.set(i, j, material);
+}
+
+template <int Dof>
+void World<Dof>::place(int body, const Vec3& x, const Vec3& v) {
+  const std::size_t i = index(body);
+  if (bodies_.is_fixed(i)) reject("body", body, "one that moves; move_fixed is for the others");
+  require_all_finite("x", x);
+  require_all_finite("v", v);
+  bodies_.x[i] = x;
+  bodies_.motion.W[i].template head<3>() = v;
+}
+
+template <int Dof>
+void World<Dof>::turn(int body, const Quat& q, const Vec3& omega) requires(Dof == 6) {
+  const std::size_t i = index(body);
+  if (bodies_.is_fixed(i)) reject("body", body, "one that moves");
+  require_unit_length("q", q.norm());
+  require_all_finite("omega", omega);
+  bodies_.orientations.q[i] = q.normalized();
+  bodies_.motion.W[i].template tail<3>() = omega;
 }
 
 template <int Dof>
@@ -121,19 +204,6 @@ void World<Dof>::go_on_from(const World& other) {
 }
 
 template <int Dof>
-void World<Dof>::start_half_step_back(double h) {
-  require_positive("h", h);
-  for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    Twist<Dof>& W = bodies_.motion.W[i];
-    const double inverse_mass = bodies_.motion.inverse_mass[i].linear;
-    W.template head<3>() = half_step_start(W.template head<3>(), force(i), inverse_mass, h);  // Eq. (1.5)
-    if constexpr (Dof == 6)
-      W.template tail<3>() +=
-          gyroscopic_change(settings_.rotation, bodies_.orientations, i, W.template tail<3>(), -h / 2);
-  }
-}
-
-template <int Dof>
 Vec3 World<Dof>::force(std::size_t i) const {
   const Vec3 weight = bodies_.mass[i] * settings_.gravity;
   if (!settings_.force) return weight;
@@ -148,16 +218,10 @@ std::size_t World<Dof>::index(int body) const {
 }
 
 template <int Dof>
-Vec3 World<Dof>::v_beside_x(int body, double h) const {
-  const std::size_t i = index(body);
-  return half_step_start(v(body), force(i), bodies_.motion.inverse_mass[i].linear, -h);
-}
-
-template <int Dof>
 std::size_t World<Dof>::first_row(int contact) const {
   if (contact < 0 || contact >= static_cast<int>(contacts_.size()))
     reject("contact", contact, "an index below " + std::to_string(contacts_.size()));
-  return first_contact_row_ + static_cast<std::size_t>(contact * rows_per_contact(settings_.friction));
+  return first_contact_row_ + static_cast<std::size_t>(contact * rows_per_contact(materials_.rub()));
 }
 
 template <int Dof>
@@ -169,7 +233,7 @@ template <int Dof>
 Vec3 World<Dof>::impulse(int contact) const {
   Vec3 impulse = Vec3::Zero();
   const std::size_t first = first_row(contact);
-  for (std::size_t row = first; row < first + static_cast<std::size_t>(rows_per_contact(settings_.friction));
+  for (std::size_t row = first; row < first + static_cast<std::size_t>(rows_per_contact(materials_.rub()));
        ++row)
     impulse += rows_[row].lambda * rows_[row].Gj.template head<3>();
   return impulse;
@@ -191,17 +255,33 @@ double World<Dof>::joint_lambda(int joint, int row) const {
 }
 
 template <int Dof>
+Vec3 World<Dof>::joint_force(int joint) const {
+  const std::size_t j = joint_index(joint);
+  Vec3 impulse = Vec3::Zero();
+  for (int k = 0; k < joints_[j].rows(); ++k) {
+    const std::size_t row = joint_rows_[j] + static_cast<std::size_t>(k);
+    if (row < first_contact_row_) impulse += rows_[row].lambda * rows_[row].Gj.template head<3>();
+  }
+  return h_ > 0 ? Vec3(impulse / h_) : impulse;
+}
+
+template <int Dof>
+Vec3 World<Dof>::contact_force(int contact) const {
+  return impulse(contact) / h_;
+}
+
+template <int Dof>
 StepReport World<Dof>::report() const {
   return {.pairs = pairs_,
           .contacts = static_cast<int>(contacts_.size()),
           .impacts = impacts_,
           .rows = static_cast<int>(rows_.size()),
-          .iterations = iterations_,
+          .iterations = static_cast<int>(solved_.history.size()),
           .residual = rows_.empty() ? 0
                       : settings_.solver.friction == FrictionModel::cone
                           ? residual_on_cones(rubbing_, rows_, V_)
                           : residual(rows_, V_),
-          .trouble = trouble_};
+          .trouble = solved_.trouble};
 }
 
 template class World<3>;

@@ -184,6 +184,9 @@ void Recorder::take(const Scene& scene, bool touched) {
                     {"springs", energy.springs}};
   line["residual"] = report.residual;
   line["iterations"] = report.iterations;
+  const Verdict& verdict = scene.verdict();
+  line["state"] = name_of(verdict.state);
+  if (verdict.state != State::sound) line["why"] = verdict.reason;
   line["pairs"] = report.pairs;
   line["us"] = us_since_last(scene, frame.step);
   if (touched) line["touched"] = true;

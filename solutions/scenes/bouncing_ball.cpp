@@ -6,13 +6,8 @@
 // second only, the ball is soon at quite another height. A peak shows all along a flight, as z + v²/(2g), which
 // leapfrog keeps, v being of the time of z.
 //
-// A step finds the ball only when it is in the floor, by D < v h + g h²/2. By then it is too fast, too; it
-// leaves with e times that speed, but from -D:
-//
-//   h_1 = e² (h0 + D) - D = e² h0 - (1 - e²) D
-//
-// That is of first order in h, and nothing at e = 1. Where e < D/(d v h) SPOOK pushes the ball out, as well: of
-// its speed it may have 4/(1+4d), whatever h.
+// A step finds the ball only when it is in the floor. The engine goes back to where it touched, Eq. (7.15), (7.16), and
+// as leapfrog is on the parabola all along, the peaks are right to roundings, until a bounce takes less than a step.
 #include "scenes/bounces.hpp"
 #include "scenes/registry.hpp"
 
@@ -86,8 +81,8 @@ SceneDescription bouncing_ball() {
           .summary = "A ball is dropped, and bounces.",
           .answer =
               "Its peaks are h0 e^(2n), e the restitution, and all bounces end after √(2 h0/g) (1+e)/(1-e), "
-              "whatever its mass. A step finds it in the floor already, by D, which takes (1-e²) D from the "
-              "next peak: nothing for e = 1.",
+              "whatever its mass. A step finds it in the floor already; put back to where it touched, (7.15), "
+              "it has the right peak for any step.",
           .error_name = "largest error of a peak over h0",
           .error_unit = "relative",
           .parameters = {{.name = "h0",

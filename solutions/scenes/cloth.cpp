@@ -137,7 +137,8 @@ SceneDescription cloth() {
           .h = 0.002,
           .time = 0.3,
           .solves = true,
-          .build = build_model<Cloth>};
+          .build = build_model<Cloth>,
+          .solver = "auto"};
 }
 
 }  // namespace spook

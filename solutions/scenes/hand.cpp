@@ -6,6 +6,7 @@ namespace spook {
 
 // Softer than what it pulls at, whatever that is: a quarter of a second to swing once.
 static constexpr double stiffness_of_mass = 640;  // [1/s²]
+static constexpr double relaxation = 3;           // [steps]; so that it soon is quiet
 
 template <int Dof>
 bool HandIn<Dof>::pull(int body, const Vec3& point, const Vec3& to) {
@@ -24,7 +25,8 @@ bool HandIn<Dof>::pull(int body, const Vec3& point, const Vec3& to) {
   world_.move_fixed(*anchor_, to);
   const double mass = world_.bodies().mass[world_.index(body)];
   const Vec3 held = Dof == 3 ? Vec3::Zero() : point;
-  const int joint = world_.add_joint({.i = *anchor_, .j = body, .p_j = held, .k = stiffness_of_mass * mass});
+  const int joint =
+      world_.add_joint({.i = *anchor_, .j = body, .p_j = held, .k = stiffness_of_mass * mass, .d = relaxation});
   grip_ = Grip{.body = body, .point = point, .joint = joint};
   return true;
 }

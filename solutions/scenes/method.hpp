@@ -14,7 +14,7 @@ struct Method {
   RowOrder order = RowOrder::given;
   std::uint64_t seed = 1;  ///< of a random order
   bool warm_start = false;
-  double margin = 0;  ///< [m]
+  std::optional<double> margin = {};  ///< [m]; the world's own, unless given
 
   double step() const { return h / substeps; }  ///< [s]
 

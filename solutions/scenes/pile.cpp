@@ -136,7 +136,8 @@ SceneDescription pile() {
           .h = 0.01,
           .time = 4,
           .solves = true,
-          .build = build_as<Pile>};
+          .build = build_as<Pile>,
+          .solver = "auto"};
 }
 
 }  // namespace spook

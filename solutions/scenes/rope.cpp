@@ -99,7 +99,8 @@ SceneDescription rope() {
       .h = 1.0 / 240,
       .time = 2,
       .solves = true,
-      .build = build_as<Rope>};
+      .build = build_as<Rope>,
+      .solver = "auto"};
 }
 
 }  // namespace spook

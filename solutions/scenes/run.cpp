@@ -45,6 +45,7 @@ static void observed_run(Scene& scene, std::int64_t steps, const Watch& watch) {
     write_line(*watch.csv, columns(scene, watch.positions), [](const std::string& name) { return name; });
   for (std::int64_t n = 0;; ++n) {
     scene.observe();
+    scene.judge();
     if (watch.csv) write_line(*watch.csv, sample(scene, watch.positions), exact_text);
     if (watch.look) watch.look(scene, n);
     if (watch.progress && steps > steps_between_reports && (n % steps_between_reports == 0 || n == steps))
@@ -109,6 +110,7 @@ RunResult run(const SceneDescription& description, const Parameters& parameters,
   const std::int64_t substeps = result.steps * settings.method.substeps;
   const std::unique_ptr<Scene> scene = build();
   observed_run(*scene, substeps, watch);
+  result.verdict = scene->verdict();
   result.error = scene->error();
   result.last = scene->report();
   result.columns = scene->columns();

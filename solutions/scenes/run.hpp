@@ -18,6 +18,7 @@ struct RunSettings {
 struct RunResult {
   std::int64_t steps = 0;
   double error = 0;                   ///< in the scene's unit
+  Verdict verdict;                    ///< the worst of all steps
   StepReport last;                    ///< of the last step
   std::vector<std::string> columns;   ///< of the scene
   std::vector<double> state;          ///< the last, in these columns

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/world.hpp"
+#include "engine/soundness.hpp"
 #include "recording/picture.hpp"
 #include "scenes/hand.hpp"
 #include "scenes/method.hpp"
@@ -37,6 +37,10 @@ class Scene {
   virtual std::vector<double> sample() const = 0;
 
   virtual StepReport report() const = 0;
+
+  /// Whether the run still is the problem that was set, as of the steps that were judged: each right after it was taken.
+  virtual void judge() = 0;
+  virtual const Verdict& verdict() const = 0;
 
   /// Row updates since the start.
   virtual std::int64_t row_updates() const = 0;
@@ -98,7 +102,10 @@ class WorldScene : public Scene {
     frame.energy.field = field_energy(x);
     return frame;
   }
-  Hand& hand() final { return hand_; }
+  Hand& hand() final {
+    soundness_.begin_again();
+    return hand_;
+  }
   bool go_on_from(const Scene& other) final {
     const auto* before = dynamic_cast<const WorldScene*>(&other);
     if (!before || !hand_.take_over(before->hand_)) return false;
@@ -107,6 +114,8 @@ class WorldScene : public Scene {
     return true;
   }
   StepReport report() const final { return world_.report(); }
+  void judge() final { soundness_.look(world_, h_); }
+  const Verdict& verdict() const final { return soundness_.verdict(); }
   std::int64_t row_updates() const final { return world_.row_updates(); }
   void time_stages() final { world_.time_stages(); }
   StageTimes stage_times() const final { return world_.stage_times(); }
@@ -131,6 +140,7 @@ class WorldScene : public Scene {
   }
 
   HandIn<Dof> hand_;
+  Soundness<Dof> soundness_;
   double since_ = 0;  // when it took over [s]
 };
 

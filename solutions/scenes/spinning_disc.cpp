@@ -127,7 +127,8 @@ SceneDescription spinning_disc() {
           .h = 0.01,
           .time = 1,
           .solves = true,
-          .build = build_as<SpinningDisc>};
+          .build = build_as<SpinningDisc>,
+          .solver = "auto"};
 }
 
 }  // namespace spook

@@ -80,7 +80,7 @@ SceneDescription wall() {
       .time = 5,
       .solves = true,
       .build = build_as<Wall>,
-      .solver = "direct"};
+      .solver = "auto"};
 }
 
 }  // namespace spook

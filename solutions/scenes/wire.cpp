@@ -120,7 +120,8 @@ SceneDescription wire() {
           .h = 1.0 / 60,
           .time = 5,
           .solves = true,
-          .build = build_model<Wire>};
+          .build = build_model<Wire>,
+          .solver = "auto"};
 }
 
 }  // namespace spook

@@ -28,7 +28,7 @@ Json to_json(const Method& method, bool solves) {
       {"tolerance", of_rows(method.stop.tolerance)},
       {"order", of_rows(name_of(method.order))},
       {"warm_start", of_rows(method.warm_start)},
-      {"margin", of_rows(method.margin)},
+      {"margin", method.margin ? of_rows(*method.margin) : Json()},
       {"friction_model", of_rows(name_of(method.friction_model))},
       {"tangents", of_rows(method.sliding_tangents ? "sliding" : "fixed")},
       {"h", method.h},

@@ -41,6 +41,7 @@ static void add_run(CLI::App& app, spook::RunCommand& run) {
   command->add_option("--record", run.record, "Write what it takes to draw the run to this file");
   command->add_option("--fps", run.fps, "Frames a second, with --record; 60 unless given");
   command->add_flag("--json", run.json, "Print one JSON object");
+  command->add_flag("--strict", run.strict, "Fail unless the run is sound: solved, and not lost");
 }
 
 static void add_play(CLI::App& app, spook::PlayCommand& play) {

@@ -99,6 +99,7 @@ class Play {
     recorder_.emplace(out_, description_, *parameters_, *settings_, fps_);
     recorder_->begin(*scene_, true);
     scene_->observe();
+    scene_->judge();
     recorder_->take(*scene_, touched_);
     out_.flush();
   }
@@ -108,6 +109,7 @@ class Play {
       for (std::int64_t n = 0; n < steps * settings_->method.substeps; ++n) {
         scene_->advance(1);
         scene_->observe();
+        scene_->judge();
       }
       recorder_->take(*scene_, touched_);
     } catch (const std::runtime_error& error) {

@@ -69,6 +69,15 @@ static std::string state_text(const RunResult& result) {
   return text.str();
 }
 
+static std::string verdict_text(const Verdict& verdict) {
+  if (verdict.state == State::sound) return "sound";
+  const std::string where =
+      verdict.state == State::lost || verdict.unsolved == 1
+          ? "step " + std::to_string(verdict.step)
+          : counted(verdict.unsolved, "step") + ", the first " + std::to_string(verdict.step);
+  return name_of(verdict.state) + " in " + where + " (" + short_text(verdict.time) + " s): " + verdict.reason;
+}
+
 void print_text(std::ostream& out, const SceneDescription& scene, const Parameters& parameters,
                 const RunSettings& settings, const RunResult& result) {
   print_entry(out, "scene", scene.name + ": " + scene.summary);
@@ -77,6 +86,7 @@ void print_text(std::ostream& out, const SceneDescription& scene, const Paramete
   print_entry(out, "run", method_text(scene, settings, result));
   print_entry(out, "end", state_text(result));
   print_entry(out, "error", short_text(result.error) + " " + scene.error_unit + ": " + scene.error_name);
+  print_entry(out, "state", verdict_text(result.verdict));
   print_entry(out, "speed",
               result.us_per_step ? short_text(*result.us_per_step) + " µs a step" : "no step taken");
   if (result.us_per_step) print_entry(out, "stages", stages_text(result));
@@ -101,6 +111,12 @@ void print_json(std::ostream& out, const SceneDescription& scene, const Paramete
       {"us_per_step_of_stage", stages},
       {"row_updates", result.row_updates},
       {"error", {{"name", scene.error_name}, {"value", result.error}, {"unit", scene.error_unit}}},
+      {"state",
+       {{"name", name_of(result.verdict.state)},
+        {"step", result.verdict.step},
+        {"time", result.verdict.time},
+        {"unsolved_steps", result.verdict.unsolved},
+        {"reason", result.verdict.reason}}},
       {"residual", scene.solves ? Json(result.last.residual) : Json()},
       {"last_step",
        {{"pairs", result.last.pairs},

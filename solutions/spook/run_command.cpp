@@ -54,7 +54,8 @@ static void set_rows(const RunCommand& command, Method& method) {
         static_cast<std::uint64_t>(parse_whole("seed", *command.seed, 0, std::numeric_limits<int>::max()));
   method.warm_start = command.warm_start;
   if (command.margin) method.margin = parse_number("margin", *command.margin);
-  if (method.margin < 0) throw std::invalid_argument("margin must be at least 0, but is " + *command.margin);
+  if (method.margin && *method.margin < 0)
+    throw std::invalid_argument("margin must be at least 0, but is " + *command.margin);
   if (command.friction_model)
     method.friction_model = choose<FrictionModel>(
         "friction-model", *command.friction_model,
@@ -177,6 +178,8 @@ void RunCommand::execute(std::ostream& out) const {
 
   const auto print = json ? print_json : print_text;
   print(out, description, parameters, settings, result);
+  if (strict && result.verdict.state != State::sound)
+    throw std::runtime_error("the run is " + name_of(result.verdict.state) + ": " + result.verdict.reason);
 }
 
 }  // namespace spook

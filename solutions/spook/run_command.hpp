@@ -19,6 +19,7 @@ struct RunCommand {
   bool warm_start = false;
   bool positions = false;
   bool json = false;
+  bool strict = false;
 
   /// What was typed, as numbers. Throws std::invalid_argument for what makes no sense.
   Parameters parameters(const SceneDescription& description) const;
@@ -30,7 +31,7 @@ struct RunCommand {
 
   /// Runs and prints to `out`.
   /// Throws std::invalid_argument for whatever makes no sense, before anything is written; Blowup when the run
-  /// does.
+  /// does; and, with `strict`, std::runtime_error after a run that is not sound.
   void execute(std::ostream& out) const;
 };
 

@@ -49,7 +49,7 @@ TEST(RestingSphere, GapAndImpulseAreThoseOfTheWeightForAnyStepAndRelaxation) {
 }
 
 TEST(RestingSphere, ContactPushesAndNeverPulls) {
-  World<3> world({.k = 1e4, .d = 0.5});
+  World<3> world({.k = 1e4, .d = 0.5, .margin = 0.0});
   world.add_plane(Vec3::UnitZ(), 0);
   const int sphere = world.add({.x = Vec3(0, 0, 0.6), .v = Vec3(0, 0, -3), .radius = radius});
   bool touched = false, let_go = false;
@@ -70,7 +70,7 @@ TEST(RestingSphere, ContactPushesAndNeverPulls) {
 
 template <int Dof>
 World<Dof> pile(int count, double heavy, bool heavy_on_top, const StopRule& stop) {
-  World<Dof> world({.k = 1e6, .d = 3, .stop = stop});
+  World<Dof> world({.k = 1e6, .d = 3, .solver = gauss_seidel<Dof>(), .stop = stop});
   world.add_plane(Vec3::UnitZ(), 0);
   for (int i = 0; i < count; ++i) {
     Body<Dof> body;

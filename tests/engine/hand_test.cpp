@@ -17,6 +17,7 @@ World<Dof> world_with_a_body(double mass) {
   World<Dof> world({.gravity = gravity});
   Body<Dof> body;
   body.mass = mass;
+  if constexpr (Dof == 6) body.principal = Vec3::Ones();
   world.add(body);
   return world;
 }

@@ -58,50 +58,31 @@ TEST(BouncingBallScene, ComesBackForEverWithRestitution1) {
     }
 }
 
-/// How deep the ball is in the floor when a step first finds it there, dropped from 1 m [m].
-double first_depth(double h) {
-  const double t = h * std::ceil(std::sqrt(2 / g) / h);
-  return g * t * t / 2 - 1;
-}
-
-TEST(BouncingBallScene, LosesAtTheFirstBounceWhatTheFloorHid) {
+TEST(BouncingBallScene, HasTheRightPeaksWhateverTheStep) {
+  // Leapfrog is on the parabola, and an impact that is found late is put where the two parabolas meet: Eq. (7.15).
   for (const double h : {0.05, 1.0 / 60, 0.01, 1.0 / 600})
     for (const double e : {0.5, 0.8, 0.95}) {
       const SceneRun run = run_of("bouncing_ball", {{"restitution", exact_text(e)}}, h, 0.55);
       ASSERT_EQ(run.last("bounces"), 1);
-      EXPECT_NEAR(run.last("peak [m]"), e * e - (1 - e * e) * first_depth(h), 1e-12)
-          << "h " << h << ", e " << e;
-      EXPECT_NEAR(run.error, (1 - e * e) * first_depth(h), 1e-12);
+      EXPECT_NEAR(run.last("peak [m]"), e * e, 1e-13) << "h " << h << ", e " << e;
     }
 }
 
-TEST(BouncingBallScene, IsOfFirstOrder) {
-  // The first bounce comes a third of a step after one step, for every quarter of the step.
-  const double h = std::sqrt(2 / g) / (20 + 1.0 / 3);
-  const auto error = [](double step) { return error_of("bouncing_ball", {}, step, 0.6); };
-  EXPECT_NEAR(error(h) / error(h / 4), 4, 0.1);
-  EXPECT_NEAR(error(h / 4) / error(h / 16), 4, 0.03);
-}
-
-TEST(BouncingBallScene, IsOffByNoMoreThanTheDeepestItCanBe) {
-  const double fastest = std::sqrt(2 * g);
+TEST(BouncingBallScene, IsOffByTheBouncesThatTakeLessThanAStep) {
+  // Once it returns within a step of half of g h², two parabolas in one step are more than an impact a step can do.
   for (const double h : {1.0 / 60, 0.005, 0.001})
-    for (const std::string e : {"0.34", "0.5", "0.8", "0.99"})
-      // Of one bounce's error e² is left at the next, which adds at most 1 - e² of the depth.
-      EXPECT_LE(error_of("bouncing_ball", {{"restitution", e}}, h, 5), fastest * h + g * h * h)
+    for (const std::string e : {"0", "0.34", "0.5", "0.8", "0.99"})
+      EXPECT_LE(error_of("bouncing_ball", {{"restitution", e}}, h, 5), 2 * g * h * h)
           << "h " << h << ", e " << e;
 }
 
-TEST(BouncingBallScene, IsPushedOutOfTheFloorBySpookWhenItHardlyBounces) {
-  // e = 0: the impact stops it at x_n. Then the row makes of its depth D what it makes of any gap, Eq. (3.7).
+TEST(BouncingBallScene, StaysWhereItFallsWithoutRestitution) {
+  // It stops on the floor some time τ before x_n, and falls on for τ: so it is g τ²/2 deep, and as fast as that makes it.
   for (const double h : {1.0 / 60, 0.004, 0.0007}) {
-    const double D = first_depth(h);
-    const Spook s = spook_parameters(h, 1e6, 3);
-    const double W = g * h / 2;  // half a step behind, of what is at rest at x_n, Eq. (7.1)
-    const double after = W - g * h + (s.a * D - s.b * W + g * h) / (1 + s.Sigma);
     const double time = h * (std::ceil(std::sqrt(2 / g) / h) + 1);
     const SceneRun run = run_of("bouncing_ball", {{"restitution", "0"}}, h, time);
-    EXPECT_NEAR(run.last("v [m/s]"), after - g * h / 2, 1e-10) << "h " << h;
+    EXPECT_LE(std::abs(run.last("z [m]")), g * h * h) << "h " << h;
+    EXPECT_LE(std::abs(run.last("v [m/s]")), g * h) << "h " << h;
   }
 }
 
@@ -153,10 +134,13 @@ TEST(PairByPair, KeepsMomentumAndLeavesNoApproach) {
 TEST(CradleScene, OneInOneOut) {
   for (const std::string bodies : {"1", "2", "3", "5", "50"})
     for (const std::string radius : {"0.1", "0.3", "7"})
-      for (const double h : {1.0 / 60, 0.01, 1e-4})
-        // The overlap, some 40 roundings of its way of 10 v h, and a few of x; paid back as 4/(13 h) of it.
-        EXPECT_LE(error_of("cradle", {{"bodies", bodies}, {"radius", radius}}, h, 30 * h), 1e-13)
+      for (const double h : {1.0 / 60, 0.01, 1e-4}) {
+        // What is left to overlap, a few roundings of x, at most the length of all, is paid back as 4/(13 h) of it.
+        const double length = 2 * std::stod(bodies) * std::stod(radius) + 1;
+        EXPECT_LE(error_of("cradle", {{"bodies", bodies}, {"radius", radius}}, h, 30 * h),
+                  4 * epsilon * length * 4 / (13 * h))
             << bodies << " bodies, radius " << radius << ", h " << h;
+      }
 }
 
 TEST(CradleScene, ExchangesPairByPairForAnyRestitution) {
@@ -168,22 +152,30 @@ TEST(CradleScene, ExchangesPairByPairForAnyRestitution) {
           << "e " << e << ", " << bodies << " bodies";
 }
 
-TEST(CradleScene, LatenessIsPaidBackAsVelocityWhateverTheStep) {
-  for (const double h : {0.01, 0.001})
-    for (const double late : {0.1, 0.5, 0.9})
-      for (const double d : {2.0, 3.0, 10.0}) {
-        const SceneSettings settings = {
-            {"bodies", "3"}, {"late", exact_text(late)}, {"d", exact_text(d)}, {"k", "1e9"}};
-        const SceneRun run = run_of("cradle", settings, h, 12 * h);
-        const double q = 4 * late / ((1 + 4 * d) * (2 + spook_parameters(h, 1e9, d).Sigma));
-        SCOPED_TRACE("h " + exact_text(h) + ", late " + exact_text(late) + ", d " + exact_text(d));
-        EXPECT_NEAR(run.error, q, 1e-10);
-        EXPECT_NEAR(run.last("v 0 [m/s]"), -q, 1e-10);
-        EXPECT_NEAR(run.last("v 1 [m/s]"), q, 1e-10);
-        EXPECT_NEAR(run.last("v 2 [m/s]"), 1, 1e-10);
+TEST(CradleScene, LatenessIsMadeGoodWhateverTheStep) {
+  for (const std::string bodies : {"2", "3", "20"})
+    for (const double h : {0.01, 0.001})
+      for (const double late : {0.1, 0.5, 0.9}) {
+        const SceneSettings settings = {{"bodies", bodies}, {"late", exact_text(late)}};
+        EXPECT_LE(error_of("cradle", settings, h, 12 * h), 1e-12)
+            << bodies << " bodies, h " << h << ", late " << late;
       }
-  EXPECT_LE(error_of("cradle", {{"bodies", "2"}, {"late", "0.9"}}, 0.01, 0.2), 1e-15)
-      << "two that part need no push";
+}
+
+TEST(CradleScene, PutsTheBallsWhereTheyWouldBe) {
+  // Nobody had looked in time, and the last ball is as far as if somebody had.
+  const auto farthest = [](const std::string& late) {
+    const SceneDescription& cradle = find_scene("cradle");
+    const auto scene = cradle.build(with(cradle, {{"late", late}}), {.h = 0.01, .solver = "auto"});
+    scene->advance(30);
+    scene->observe();
+    double off = 0;
+    const std::vector<Vec3> x = scene->frame().x;
+    for (const Ghost& ghost : scene->ghosts())
+      off = std::max(off, (x[static_cast<std::size_t>(ghost.body)] - ghost.x).norm());
+    return off;
+  };
+  for (const std::string late : {"0", "0.5", "0.9"}) EXPECT_LE(farthest(late), 1e-12) << late;
 }
 
 TEST(CradleScene, RefusesBallsThatJumpThroughEachOther) {
@@ -215,7 +207,6 @@ TEST(PileScene, ErrorIsTheDeepestOfTheLastSecond) {
   const std::vector<double>& overlap = run.all("deepest overlap [m]");
   const double last = *std::max_element(overlap.end() - 100, overlap.end());
   EXPECT_EQ(run.error, last / 0.1);
-  EXPECT_LT(last, *std::max_element(overlap.begin(), overlap.end())) << "the first impacts were deeper";
   EXPECT_GT(last, overlap.back());
 }
 

@@ -72,7 +72,7 @@ TEST(Islands, ARowOfFixedBodiesIsOneOfItsOwn) {
 TEST(Islands, AWireIsTwoWideAndARibbonOfKWiresTwoK) {
   Net wire;
   wire.hang(wire.add_point(0), 50);
-  EXPECT_EQ(width(wire.rows), 2);
+  EXPECT_EQ(factor_cost(wire.rows), 2 * 2 / 25.0);
 
   // k rails with a rung each at every step: a level has k rails and k - 1 rungs, from end to end.
   Net ribbon;
@@ -88,29 +88,59 @@ TEST(Islands, AWireIsTwoWideAndARibbonOfKWiresTwoK) {
     for (int rail = 1; rail < k; ++rail) ribbon.join(last[rail - 1], last[rail]);
   }
   // Levels are counted from a corner, so that they run aslant: still as many rails, and rungs, in two of them.
-  EXPECT_GE(width(ribbon.rows), 2 * k - 1);
-  EXPECT_LE(width(ribbon.rows), 2 * (2 * k - 1));
+  EXPECT_GE(factor_cost(ribbon.rows), std::pow(2 * k - 1, 2) / 25);
+  EXPECT_LE(factor_cost(ribbon.rows), std::pow(2 * (2 * k - 1), 2) / 25);
 }
 
-TEST(Islands, TheRuleIsThatOfItsHeader) {
-  Net wire;
-  wire.hang(wire.add_point(0), 100);
-  EXPECT_TRUE(wants_direct(wire.rows, {.max_sweeps = 1}));
+TEST(Islands, BodiesAreTheUnknownsWhereRowsAreMore) {
+  Net pair;
+  const int a = pair.add_point(0), b = pair.add_point();
+  const auto join = [&](int rows) {
+    for (int n = 0; n < rows; ++n) pair.join(a, b);
+  };
+  join(6);  // of the three velocities of b, twice
+  EXPECT_FALSE(wants_bodies(pair.rows));
+  join(1);
+  EXPECT_TRUE(wants_bodies(pair.rows));
+  // All in one level, of one body: w = 3 velocities of 3, and 7 rows to sweep.
+  EXPECT_DOUBLE_EQ(factor_cost(pair.rows), 3.0 * 3 * 3 / (25 * 7));
+  pair.rows.resize(4);
+  EXPECT_FALSE(wants_bodies(pair.rows));
+  for (Row<3>& row : pair.rows) row.lo = 0;
+  EXPECT_TRUE(wants_bodies(pair.rows)) << "on rows, bounds cost factorisations";
+}
 
-  // A hub with 60 spokes: all its rows meet in one body.
-  Net star;
-  const int hub = star.add_point();
-  for (int spoke = 0; spoke < 60; ++spoke) star.join(hub, star.add_point());
-  const double sweeps = std::pow(width(star.rows), 2) / 25;
-  ASSERT_GT(sweeps, 50);
-  EXPECT_FALSE(wants_direct(star.rows, {.max_sweeps = 50}));
-  EXPECT_TRUE(wants_direct(star.rows, {.max_sweeps = static_cast<int>(std::ceil(sweeps))}));
+/// A hub with 60 spokes: all its rows meet in one body.
+Net star(double inverse_mass) {
+  Net net;
+  const int hub = net.add_point(inverse_mass);
+  for (int spoke = 0; spoke < 60; ++spoke) net.join(hub, net.add_point());
+  return net;
+}
 
-  Net stiff;
-  const int heavy = stiff.add_point(1e-3);
-  for (int spoke = 0; spoke < 60; ++spoke) stiff.join(heavy, stiff.add_point());
-  EXPECT_NEAR(mass_ratio(stiff.rows), 1000, 1e-9);
-  EXPECT_TRUE(wants_direct(stiff.rows, {.max_sweeps = 50})) << "1000:1 is more than 50 sweeps can do";
+TEST(Islands, WhatSweepsDoNotSolveGetsFactors) {
+  Net stiff = star(1000);
+  const StopRule few{.max_sweeps = 50};
+  ASSERT_GT(factor_cost(stiff.rows), few.max_sweeps) << "sweeps are to be tried first";
+  std::vector<Row<3>> exact = stiff.rows;
+  std::vector<Twist<3>> exact_V = stiff.V;
+  Factors factors;
+  direct_solve(exact, exact_V, {}, factors);
+
+  const Solver<3> solver = by_island<3>();
+  for (const std::int64_t updates : {50 * 60, 0}) {
+    std::vector<Row<3>> rows = stiff.rows;
+    std::vector<Twist<3>> V = stiff.V;
+    const Outcome outcome = solve_by(solver, stiff.motion, rows, V, few);
+    EXPECT_EQ(outcome.row_updates, updates) << "the second time it knows";
+    EXPECT_TRUE(outcome.report.converged);
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      EXPECT_NEAR(rows[k].lambda, exact[k].lambda, 1e-12 * std::abs(exact[k].lambda)) << "row " << k;
+  }
+  // Where factors cost more than a hundred times the sweeps, nobody waits for them.
+  const Outcome poor = solve_by(by_island<3>(), stiff.motion, stiff.rows, stiff.V, {.max_sweeps = 1});
+  EXPECT_EQ(poor.row_updates, 60);
+  EXPECT_FALSE(poor.report.converged);
 }
 
 TEST(Islands, AreSolvedAsIfAlone) {
@@ -120,7 +150,7 @@ TEST(Islands, AreSolvedAsIfAlone) {
   net.hang(anchor, 7, 100);
   std::vector<Row<3>> rows = net.rows;
   std::vector<Twist<3>> V = net.V;
-  const Outcome outcome = solve_by(by_island<3>(), rows, V);
+  const Outcome outcome = solve_by(by_island<3>(), net.motion, rows, V);
   EXPECT_TRUE(outcome.report.converged);
   EXPECT_EQ(outcome.row_updates, 0) << "both are wires: no sweeps";
 
@@ -141,9 +171,9 @@ TEST(Islands, AreEachSolvedByTheirOwnSolver) {
   net.hang(net.add_point(0), 5);
   const int hub = net.add_point();
   for (int spoke = 0; spoke < 60; ++spoke) net.join(hub, net.add_point());
-  const Outcome outcome = solve_by(by_island<3>(), net.rows, net.V, {.max_sweeps = 20});
-  EXPECT_EQ(outcome.row_updates, 20 * 60) << "the star is swept, the wire is not";
-  EXPECT_EQ(outcome.report.history.size(), 20U);
+  const Outcome outcome = solve_by(by_island<3>(), net.motion, net.rows, net.V, {.max_sweeps = 100});
+  EXPECT_EQ(outcome.row_updates, 100 * 60) << "the star is swept, the wire is not";
+  EXPECT_EQ(outcome.report.history.size(), 101U) << "and what that left is factorised";
 }
 
 TEST(Outcomes, InTurnGoOn) {

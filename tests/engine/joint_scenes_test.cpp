@@ -343,7 +343,8 @@ TEST(WireScene, IsWrongByWhatTheSweepsLeave) {
   const Eigen::MatrixXd done = Eigen::MatrixXd::Identity(N, N) - left;
   const double stretch = (-(S * solution_of(done, h * T) + h * g * first) / spook.a).sum();
 
-  const SceneRun run = run_of("wire", {{"ratio", "4"}, {"begin", "at_rest"}}, h, 10, {.max_sweeps = s});
+  const SceneRun run =
+      run_of("wire", {{"ratio", "4"}, {"begin", "at_rest"}}, h, 10, {.max_sweeps = s}, "gauss_seidel");
   EXPECT_NEAR(run.last("stretch [m]"), stretch, 1e-9);
   EXPECT_NEAR(run.error, stretch + T.sum() / k, 1e-9) << "of a wire of 1 m";
   EXPECT_GT(run.error, 1e-5) << "which the sweeps were meant to leave";
@@ -351,7 +352,7 @@ TEST(WireScene, IsWrongByWhatTheSweepsLeave) {
 
 TEST(WireScene, IsRubberWithFewSweepsAndManyLinks) {
   const auto stretched = [](const std::string& links, const std::string& ratio, double h, int sweeps) {
-    return run_of("wire", {{"links", links}, {"ratio", ratio}}, h, 1, {.max_sweeps = sweeps})
+    return run_of("wire", {{"links", links}, {"ratio", ratio}}, h, 1, {.max_sweeps = sweeps}, "gauss_seidel")
         .last("stretch over length [-]");
   };
   EXPECT_GT(stretched("50", "1000", 1.0 / 60, 50), 1);
@@ -483,7 +484,7 @@ TEST(ClothScene, OfPointsAndOfBodiesMovesAlike) {
                  bodies = run_of("cloth", small + SceneSettings{{"model", "body"}}, 0.002, 0.3);
   for (const std::string column : {"support z [N]", "largest strain [-]", "lowest z [m]", "energy [J]"})
     EXPECT_LE(largest_difference(points.all(column), bodies.all(column)), 1e-9) << column;
-  EXPECT_LT(points.last("lowest z [m]"), -0.05) << "it was meant to fall";
+  EXPECT_LT(points.last("lowest z [m]"), -0.02) << "it was meant to fall";
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ TEST(FreeFall, HalfStepStartGivesTheParabola) {
   const double h = 1.0 / 60;
   const Vec3 v0(1, -2, 3);
   World<6> world({.gravity = Vec3(0, 0, -g)});
-  world.add({.v = v0, .mass = 0.1});
+  world.add({.v = v0, .mass = 0.1, .principal = Vec3::Ones()});
   world.start_half_step_back(h);
   for (int n = 1; n <= 1000; ++n) {
     world.step(h);

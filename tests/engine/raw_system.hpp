@@ -5,9 +5,11 @@
 namespace spook {
 
 template <int Dof>
-Outcome solve_by(const Solver<Dof>& solver, std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V,
-                 const StopRule& stop = {}, const std::vector<Rubbing>& rubbing = {}) {
-  const Bodies<Dof> no_bodies;
+Outcome solve_by(const Solver<Dof>& solver, const Motion<Dof>& motion, std::vector<Row<Dof>>& rows,
+                 std::vector<Twist<Dof>>& V, const StopRule& stop = {},
+                 const std::vector<Rubbing>& rubbing = {}) {
+  Bodies<Dof> bodies;
+  bodies.motion = motion;
   const StartImpulses none;
   return solver.solve({.rows = rows,
                        .V = V,
@@ -15,7 +17,7 @@ Outcome solve_by(const Solver<Dof>& solver, std::vector<Row<Dof>>& rows, std::ve
                        .joints = {},
                        .contacts = {},
                        .first_contact_row = rows.size(),
-                       .bodies = no_bodies,
+                       .bodies = bodies,
                        .last = none,
                        .gravity = Vec3::Zero(),
                        .h = 1,

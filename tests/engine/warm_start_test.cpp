@@ -26,7 +26,8 @@ World<3> stack(int bodies, Settings<3> settings) {
 
 TEST(WarmStart, AStackAtRestIsSolvedBeforeTheFirstSweep) {
   const StopRule stop{.max_sweeps = 100'000, .tolerance = 1e-10};
-  World<3> cold = stack(10, {.stop = stop}), warm = stack(10, {.warm_start = true, .stop = stop});
+  World<3> cold = stack(10, {.solver = gauss_seidel<3>(), .stop = stop}),
+           warm = stack(10, {.solver = gauss_seidel<3>(), .warm_start = true, .stop = stop});
   for (int step = 0; step < 5; ++step) cold.step(h), warm.step(h);
   EXPECT_GT(cold.report().iterations, 500);
   EXPECT_LE(warm.report().iterations, 3);
@@ -36,7 +37,8 @@ TEST(WarmStart, AStackAtRestIsSolvedBeforeTheFirstSweep) {
 
 TEST(WarmStart, IsTheSameMotionWhenSolvedToTheEnd) {
   const StopRule stop{.max_sweeps = 100'000, .tolerance = 1e-13};
-  World<3> cold = stack(4, {.stop = stop}), warm = stack(4, {.warm_start = true, .stop = stop});
+  World<3> cold = stack(4, {.solver = gauss_seidel<3>(), .stop = stop}),
+           warm = stack(4, {.solver = gauss_seidel<3>(), .warm_start = true, .stop = stop});
   for (World<3>* world : {&cold, &warm})
     world->add({.x = Vec3(0.1, 0, 6), .v = Vec3(0, 0, -2), .radius = radius});
   for (int step = 0; step < 60; ++step) {

@@ -49,3 +49,10 @@ function partingLine(first, other, size, since, frame) {
   return since === null ? `${other.label}: never more than ${limit} from ${first.label}. ${here}`
     : `${other.label}: more than ${limit} from ${first.label} since ${inUnit(since, "s")}. ${here}`;
 }
+
+/** What is to be known of a run as of a frame; empty where it is sound. */
+function stateLine(run, frame) {
+  if (!frame || !frame.state || frame.state === "sound") return "";
+  const named = run.label ? `${run.label}: ` : "";
+  return `${named}${frame.state} by now: ${frame.why}.`;
+}

@@ -118,8 +118,10 @@ class Viewer {
     const at = { time: this.player.time, frameOf: (run) => this.player.frameOf(run) };
     for (const graph of this.graphs) graph.drawCursor(at);
     this.legend.update(this.picture);
-    document.getElementById("parting").textContent = this.runs.slice(1).map((run, k) =>
-      partingLine(this.runs[0], run, this.picture.box.size, this.since[k], frames[0])).join("\n");
+    const states = this.runs.map((run) => stateLine(run, this.player.frameOf(run)));
+    const partings = this.runs.slice(1).map((run, k) =>
+      partingLine(this.runs[0], run, this.picture.box.size, this.since[k], frames[0]));
+    document.getElementById("parting").textContent = [...states.filter(Boolean), ...partings].join("\n");
   }
 
   say(notice) {

@@ -1,20 +1,21 @@
-// The direct solver: chapter 11, sparse factors of S, Eq. (11.1), (11.3), and bounds from within, Eq. (11.5)-(11.14);
-// notes, "direct methods".
+// The direct solver: chapter 11, sparse factors, of rows or of bodies; notes, "direct methods".
 //
-// One entry of its history is of a factorisation; it updates no rows, unless it has trouble and goes on by sweeps. Keeps
-// the order and the pattern of the factors, which the next step most often has again.
-#include "11_direct/direct.hpp"
+// One entry of its history is of a factorisation; it updates no rows, unless it has trouble and goes on by sweeps. Begins
+// with the impulses of the last step, and keeps the order and the pattern of the factors.
+#include "engine/solve_directly.hpp"
 #include "engine/solvers.hpp"
 
 namespace spook {
 
 template <int Dof>
 Solver<Dof> direct() {
-  return {.solve = [factors = Kept<Factors>()](const System<Dof>& s) mutable {
-    Outcome outcome = direct_solve(s.rows, s.V, s.stop, *factors);
+  const auto solve = [factors = Kept<BothFactors>()](const System<Dof>& s) mutable {
+    begin_with(s.last.impulses(s.rows.size(), s.first_contact_row, s.contacts, s.h), s.rows, s.V);
+    Outcome outcome = solve_directly(s.rows, s.bodies.motion.inverse_mass, s.V, s.stop, *factors);
     outcome.row_updates = 0;
     return outcome;
-  }};
+  };
+  return {.solve = solve, .wants_last = true};
 }
 
 template Solver<3> direct<3>();

@@ -54,6 +54,7 @@ struct Part {
   std::vector<Joint> joints;
   std::vector<Contact> contacts;
   std::vector<Rubbing> rubbing;
+  StartImpulses none;  ///< those of the last step are numbered otherwise
 
   /// The rows for which `wanted` is `value`; the contacts if that is false.
   Part(const System<3>& s, const std::vector<bool>& wanted, bool value)
@@ -84,7 +85,7 @@ struct Part {
             .contacts = contacts,
             .first_contact_row = static_cast<std::size_t>(joint_rows),
             .bodies = s.bodies,
-            .last = s.last,
+            .last = none,
             .gravity = s.gravity,
             .h = s.h,
             .stop = s.stop};
@@ -143,8 +144,6 @@ template <int Dof>
 Solver<Dof> stiff(Solver<Dof> inner) {
   if constexpr (Dof == 3) {
     if (!inner.solve) throw std::invalid_argument("stiff's solver must be one of solvers(), but is null");
-    if (inner.wants_last)
-      throw std::invalid_argument("stiff's solver must do without the last impulses, but wants_last is true");
     const FrictionModel friction = inner.friction;
     return {.solve = Stiff(std::move(inner)), .friction = friction, .wants_last = true};
   }

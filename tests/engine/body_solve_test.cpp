@@ -1,0 +1,132 @@
+// Factors on bodies: the same answer as chapter 11's on rows, whatever the bounds.
+#include "engine/body_solve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace spook {
+namespace {
+
+constexpr double h = 1.0 / 60;
+
+/// Rows between random bodies of a random net, some of which are fixed.
+template <int Dof>
+struct Random {
+  Motion<Dof> motion;
+  std::vector<Row<Dof>> rows;
+  std::vector<Twist<Dof>> V;
+
+  /// `rub` bounds two of three rows; Σ is that of a contact, and of friction with `viscosity`.
+  Random(unsigned seed, int bodies, int contacts, double rub, double viscosity) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    const auto any = [&] {
+      Twist<Dof> twist;
+      for (double& component : twist) component = uniform(random);
+      return twist;
+    };
+    for (int b = 0; b < bodies; ++b) {
+      InverseMass<Dof> inverse{};
+      inverse.linear = b % 5 == 0 ? 0 : std::exp(2 * uniform(random));
+      if constexpr (Dof == 6)
+        if (inverse.linear > 0) {
+          const Mat3 root = Mat3::Identity() + 0.3 * Mat3::Random();
+          inverse.angular = inverse.linear * root * root.transpose();
+        }
+      motion.inverse_mass.push_back(inverse);
+      motion.W.push_back(any());
+      motion.Wf.push_back(h * any());
+    }
+    V.assign(motion.W.size(), Twist<Dof>::Zero());
+    for (int c = 0; c < contacts; ++c) {
+      const int i = static_cast<int>(random() % static_cast<unsigned>(bodies));
+      const int j = (i + 1 + static_cast<int>(random() % static_cast<unsigned>(bodies - 1))) % bodies;
+      if (i % 5 == 0 && j % 5 == 0) continue;
+      for (int k = 0; k < 3; ++k)
+        rows.push_back(
+            make_row<Dof>({.i = i,
+                           .j = j,
+                           .Gi = any(),
+                           .Gj = any(),
+                           .gap = 0.01 * uniform(random),
+                           .spook = k == 0 ? spook_parameters(h, 1e6, 3) : friction_parameters(h, viscosity),
+                           .lo = k == 0 ? 0 : -rub,
+                           .hi = k == 0 ? infinity : rub},
+                          motion));
+    }
+  }
+};
+
+/// The largest |Δλ| of two answers, over the largest |λ|.
+template <int Dof>
+double apart(const std::vector<Row<Dof>>& some, const std::vector<Row<Dof>>& others) {
+  double most = 0, largest = 0;
+  for (std::size_t k = 0; k < some.size(); ++k) {
+    most = std::max(most, std::abs(some[k].lambda - others[k].lambda));
+    largest = std::max(largest, std::abs(others[k].lambda));
+  }
+  return most / largest;
+}
+
+template <int Dof>
+void expect_answers_of_rows() {
+  for (unsigned seed = 1; seed <= 30; ++seed)
+    for (const double rub : {infinity, 0.3, 0.01}) {
+      Random<Dof> on_bodies(seed, 8, 20, rub, 1e3);
+      auto on_rows = on_bodies;
+      Factors factors, others;
+      const auto report = body_solve(on_bodies.rows, on_bodies.motion.inverse_mass, on_bodies.V, {}, factors);
+      ASSERT_TRUE(report) << "seed " << seed << ", rub " << rub;
+      ASSERT_TRUE(report->converged);
+      ASSERT_TRUE(direct_solve(on_rows.rows, on_rows.V, {}, others).converged);
+      // Both stop at roundings of B, Eq. (11.13), and the least stiff direction of S turns those into λ: it is a
+      // friction row's, of which Σ is 1/(h c) = 0.06, some hundredth of S_kk.
+      EXPECT_LE(apart(on_bodies.rows, on_rows.rows), 1e-9) << "seed " << seed << ", rub " << rub;
+      std::vector<Twist<Dof>> V(on_bodies.V.size(), Twist<Dof>::Zero());
+      for (const Row<Dof>& row : on_bodies.rows) apply_impulse(row, row.lambda, V);
+      for (std::size_t b = 0; b < V.size(); ++b) EXPECT_LE((V[b] - on_bodies.V[b]).norm(), 1e-11);
+    }
+}
+
+TEST(BodySolve, HasTheAnswersOfRows) {
+  expect_answers_of_rows<3>();
+  expect_answers_of_rows<6>();
+}
+
+TEST(BodySolve, FromItsOwnAnswerTakesOneFactorisation) {
+  Random<6> s(7, 8, 20, 0.3, 1e3);
+  Factors factors;
+  ASSERT_TRUE(body_solve(s.rows, s.motion.inverse_mass, s.V, {}, factors));
+  const auto again = body_solve(s.rows, s.motion.inverse_mass, s.V, {}, factors);
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->history.size(), 1U);
+  EXPECT_EQ(factors.analyses, 1) << "the pattern is that of the bodies, whatever row is held";
+}
+
+TEST(BodySolve, RefinesWhatASmallSigmaLeaves) {
+  // Σ = 1/(h c) = 6e-11: λ = Σ⁻¹ (B - G V) has lost ten digits when it is first found.
+  Random<6> s(3, 8, 12, infinity, 1e12);
+  Factors factors;
+  const auto report = body_solve(s.rows, s.motion.inverse_mass, s.V, {}, factors);
+  ASSERT_TRUE(report);
+  // B is of velocities of about 1 m/s, of which Eq. (11.13) allows a few 1e-13.
+  EXPECT_LE(residual(s.rows, s.V), 1e-12);
+}
+
+TEST(BodySolve, LeavesWhatItCanNotDo) {
+  Random<6> s(5, 8, 12, 0.3, 1e3);
+  s.rows[4].Sigma = 0;
+  const auto before = s;
+  Factors factors;
+  EXPECT_FALSE(body_solve(s.rows, s.motion.inverse_mass, s.V, {}, factors));
+  Random<6> hurried(5, 8, 12, 0.01, 1e3);
+  EXPECT_FALSE(body_solve(hurried.rows, hurried.motion.inverse_mass, hurried.V, {.max_sweeps = 1}, factors));
+  for (const Row<6>& row : hurried.rows) EXPECT_EQ(row.lambda, 0);
+  for (std::size_t b = 0; b < s.V.size(); ++b) EXPECT_EQ(s.V[b], before.V[b]);
+}
+
+}  // namespace
+}  // namespace spook
