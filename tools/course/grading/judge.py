@@ -4,16 +4,16 @@ import hashlib
 import json
 import os
 import re
-import secrets
 import shutil
 import signal
 import tempfile
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
-from grading.confined import Ended, Limits
+from grading.confined import Limits
 from grading.isolation import Isolation, User
 from grading.objects import make
+from grading.pair import Pair, Ran
 from grading.submission import Source
 from grading.workshop import Workshop
 from manifest import Exercise
@@ -28,7 +28,6 @@ VERDICTS = (PASSED, FAILED, NOT_STARTED, DOES_NOT_COMPILE, TIMED_OUT, CRASHED, O
 _PRINTED = 4000  # characters kept of what the student's code printed
 _MESSAGE = 20_000
 _PREFIX = re.compile(r"\AFailed\n")
-_NONCE_BYTES = 16  # twice as many hexadecimal digits
 
 
 @dataclass
@@ -85,19 +84,35 @@ class Judge:
             made = make(exercise, source, self._workshop, self._isolation, user, folder)
             if not made.program:
                 return _all(tests, made.verdict, made.reason, made.message), "stopped by a limit" not in made.message
-            ran = [self._run(test, made.program, user) for test in tests]
+            ran = self._run_all(exercise, tests, made.program, user)
             return ExerciseVerdict([verdict for verdict, _ in ran], list(made.notes)), all(sure for _, sure in ran)
         finally:
             shutil.rmtree(folder, ignore_errors=True)
 
-    def _run(self, test: str, program: Path, user: User) -> tuple[TestVerdict, bool]:
-        nonce = secrets.token_hex(_NONCE_BYTES).encode()
-        ended = self._isolation.run([str(program), test], self._limits, user, (program,), nonce=nonce,
-                                    env={"SPOOK_SEED": str(self._seed)})
-        verdict, reason, failures = read_verdict(ended, nonce, self._limits.cpu)
+    def _run_all(self, exercise: Exercise, tests: list[str], program: Path, user: User) -> list[tuple[TestVerdict, bool]]:
+        """With one pair of processes, and another where the last could not go on."""
+        ran: list[tuple[TestVerdict, bool]] = []
+        pair = None
+        try:
+            for test in tests:
+                if pair and not pair.alive and not pair.was_asked:
+                    # It ends before it can be asked anything, and would for every test.
+                    ran.append((replace(ran[-1][0], test=test), ran[-1][1]))
+                    continue
+                if not pair or not pair.alive:
+                    pair = Pair(self._isolation, user, self._workshop.test_program(exercise), exercise.function, program,
+                                self._limits, {"SPOOK_SEED": str(self._seed)})
+                ran.append(self._verdict(test, pair.run(test)))
+        finally:
+            if pair and pair.alive:
+                pair.close()
+        return ran
+
+    def _verdict(self, test: str, ran: Ran) -> tuple[TestVerdict, bool]:
+        verdict, reason, failures = read_verdict(ran, self._limits.cpu)
         message = "\n\n".join(_PREFIX.sub("", failure).rstrip() for failure in failures)
-        return (TestVerdict(test, verdict, reason, message[:_MESSAGE], ended.output[:_PRINTED].strip()),
-                not ended.timed_out)
+        return (TestVerdict(test, verdict, reason, message[:_MESSAGE], ran.output[:_PRINTED].strip()),
+                not ran.timed_out)
 
     def _key(self, exercise: Exercise, source: Source) -> str:
         parts = [self._workshop.build, exercise.label, str(self._seed), repr(self._limits), self._isolation.name]
@@ -120,39 +135,52 @@ class Judge:
             os.replace(file.name, self._memory / f"{key}.json")
 
 
-def read_verdict(ended: Ended, nonce: bytes, cpu_limit: int) -> tuple[str, str, list[str]]:
+def read_verdict(ran: Ran, cpu_limit: int) -> tuple[str, str, list[str]]:
     """The verdict, its reason in a few words, and the failures."""
-    if ended.too_much:
+    if ran.too_much:
         return TOO_MUCH_OUTPUT, "", ["It printed more than the limit, and was stopped."]
-    if ended.timed_out:
+    if ran.timed_out:
         return TIMED_OUT, "", ["It was stopped: it waited for something that never came."]
-    fields = ended.answer.split(b"\0")
-    if ended.answer and not (len(fields) >= 6 and fields[0] == nonce and fields[-2] == nonce and not fields[-1]):
-        return TAMPERED, "a forged verdict", ["Something else than the tests wrote to the grader."]
-    if not ended.answer:
-        return _without_verdict(ended, cpu_limit)
-    result, ran, skipped = (field.decode() for field in fields[1:4])
-    failures = [field.decode("utf-8", errors="replace") for field in fields[4:-2]]
+    if ran.nonsense:
+        return TAMPERED, "a forged answer", ["Something else than the function's answer came back to the tests."]
+    if ran.verdict is None:
+        return _without_verdict(ran, cpu_limit)
+    result, ran_count, skipped = (field.decode() for field in ran.verdict[:3])
+    failures = [field.decode("utf-8", errors="replace") for field in ran.verdict[3:]]
     if any("std::bad_alloc" in failure for failure in failures):
         return OUT_OF_MEMORY, "", failures
     if failures:
         return FAILED, "", failures
-    if ran != "1" or skipped or result != "0":
+    if ran_count != "1" or skipped or result != "0":
         return FAILED, "skipped" if skipped else "no test ran", ["The test was not run to its end."]
     return PASSED, "", []
 
 
-def _without_verdict(ended: Ended, cpu_limit: int) -> tuple[str, str, list[str]]:
-    # A program inside bubblewrap that a signal ends is reported with 128 and the signal.
-    number = -ended.code if ended.code < 0 else ended.code - 128 if 128 < ended.code < 128 + signal.NSIG else 0
-    if number == signal.SIGXCPU or (number == signal.SIGKILL and ended.cpu >= cpu_limit):
+def _without_verdict(ran: Ran, cpu_limit: int) -> tuple[str, str, list[str]]:
+    number = _signal(ran.code)
+    if number == signal.SIGXCPU or (number == signal.SIGKILL and ran.cpu >= cpu_limit):
         return TIMED_OUT, "", [f"It was stopped after {cpu_limit} s of processor time. Does a loop never end?"]
-    if number == signal.SIGABRT and "std::bad_alloc" in ended.output:
+    if number == signal.SIGABRT and "std::bad_alloc" in ran.output:
         return OUT_OF_MEMORY, "", ["It asked for more memory than there is."]
     if number:
-        name = signal.Signals(number).name if number in set(signal.Signals) else f"signal {number}"
-        return CRASHED, name, ["That is most often an index past the end, or a function that calls itself without end."]
-    return ENDED_EARLY, f"exit code {ended.code}", ["The program ended before the test did. Does it call exit?"]
+        return CRASHED, _name(number), [
+            "That is most often an index past the end, or a function that calls itself without end."]
+    if ran.tests_code:  # the test, and not the function: it could not work with what it got
+        of_test = _signal(ran.tests_code)
+        if of_test in (signal.SIGXCPU, signal.SIGKILL):
+            return TIMED_OUT, "", [f"The test was stopped after {cpu_limit} s: it could not work with what it got."]
+        return CRASHED, _name(of_test) if of_test else f"exit code {ran.tests_code}", [
+            "The test could not work with what it got: a size or an index that makes no sense."]
+    return ENDED_EARLY, f"exit code {ran.code}", ["The program ended before the test did. Does it call exit?"]
+
+
+def _signal(code: int) -> int:
+    """A program inside bubblewrap that a signal ends is reported with 128 and the signal."""
+    return -code if code < 0 else code - 128 if 128 < code < 128 + signal.NSIG else 0
+
+
+def _name(number: int) -> str:
+    return signal.Signals(number).name if number in set(signal.Signals) else f"signal {number}"
 
 
 def _all(tests: list[str], verdict: str, reason: str = "", message: str = "") -> ExerciseVerdict:
