@@ -19,6 +19,8 @@ from grading.workshop import Workshop
 from manifest import Exercise
 
 _COMPILING = Limits(cpu=60, wall=240, memory=3 << 30, files=256 << 20, processes=32, output=4 << 20)
+_NOT_NEEDED = ("{} calls {}(), which no exercise needs. An answer may call the C++ library, mathematics, text, memory, and "
+               "what the chapters' headers declare.")
 
 
 @dataclass(frozen=True)
@@ -60,8 +62,10 @@ def make(exercise: Exercise, source: Source, workshop: Workshop, isolation: Isol
     if refused:
         return Made(None, "tampered", refused, f"{file} {refused}. No exercise needs that; it is not run.")
     stranger = "" if source.is_reference else not_allowed(found, workshop.declared)
+    if stranger.startswith("_Z"):
+        return Made(None, "does not compile", "does not link", f"undefined reference to `{_readable(stranger)}'")
     if stranger:
-        return Made(None, "does not compile", "calls what no exercise needs", _stranger(file, stranger))
+        return Made(None, "does not compile", "calls what no exercise needs", _NOT_NEEDED.format(file, stranger))
     missing = sorted(name for name in wanted if not found.defines(name))
     if missing:
         return Made(None, "does not compile", "function not defined", _not_defined(file, missing))
@@ -95,13 +99,10 @@ def _notes(found: Object) -> tuple[str, ...]:
     return tuple(note for note, holds in notes.items() if holds)
 
 
-def _stranger(file: Path, symbol: str) -> str:
-    readable = subprocess.run(["c++filt", symbol], capture_output=True, text=True).stdout.strip()
-    return (f"{file} calls {readable}, which no exercise needs. What an answer may call is the C++ library, mathematics, "
-            "text, memory, and what the chapters' headers declare.")
+def _readable(*symbols: str) -> str:
+    return subprocess.run(["c++filt", *symbols], capture_output=True, text=True).stdout.strip()
 
 
 def _not_defined(file: Path, missing: list[str]) -> str:
-    readable = subprocess.run(["c++filt", *missing], capture_output=True, text=True).stdout.splitlines()
-    return "\n".join([f"{file} compiles, but does not define", *(f"  {name}" for name in readable),
+    return "\n".join([f"{file} compiles, but does not define", *(f"  {name}" for name in _readable(*missing).splitlines()),
                       "Name, parameters and namespace must be as the chapter's header declares them."])
