@@ -23,7 +23,8 @@ inline constexpr bool is_force = std::is_same_v<std::remove_cvref_t<T>, ForceFie
 
 /// What a function may change: it comes back with the answer.
 template <class T>
-inline constexpr bool is_changed = std::is_lvalue_reference_v<T> && !std::is_const_v<std::remove_reference_t<T>>;
+inline constexpr bool is_changed =
+    std::is_lvalue_reference_v<T> && !std::is_const_v<std::remove_reference_t<T>>;
 
 template <int number, class Function>
 struct Asked;

@@ -33,8 +33,8 @@ Message receive_begun(int& process);
 
 /// How a process ended, as Ended carries it.
 struct Ending {
-  int status;       ///< of wait(2)
-  double seconds;   ///< of processor time
+  int status;      ///< of wait(2)
+  double seconds;  ///< of processor time
 };
 
 }  // namespace spook::remote

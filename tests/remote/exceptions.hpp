@@ -40,11 +40,16 @@ inline void describe_exception(Thrown& kind, std::string& text) {
   pass(reader, kind);
   pass(reader, text);
   switch (static_cast<Thrown>(kind)) {
-    case Thrown::not_implemented: throw NotImplemented(text);
-    case Thrown::invalid_argument: throw std::invalid_argument(text);
-    case Thrown::bad_alloc: throw std::bad_alloc();
-    case Thrown::standard: throw Standard(text);
-    case Thrown::unknown: throw Unknown{};
+    case Thrown::not_implemented:
+      throw NotImplemented(text);
+    case Thrown::invalid_argument:
+      throw std::invalid_argument(text);
+    case Thrown::bad_alloc:
+      throw std::bad_alloc();
+    case Thrown::standard:
+      throw Standard(text);
+    case Thrown::unknown:
+      throw Unknown{};
   }
   throw Nonsense{};
 }

@@ -104,6 +104,8 @@ void run_apart(char* program, const std::string& test) {
   send(Kind::begin);
   int partner = 0, status = 0;
   Message message = receive_begun(partner);
+  while (message.kind != Kind::begun && message.kind != Kind::closed)
+    message = receive_begun(partner);  // what is left of an earlier test
   if (message.kind == Kind::begun) {
     const pid_t process = fork();
     if (process == 0) run(program, test, partner);

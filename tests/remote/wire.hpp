@@ -54,15 +54,24 @@ class Reader {
   std::size_t at_ = 0;
 };
 
-template <class T> inline constexpr bool is_dense = std::is_base_of_v<Eigen::MatrixBase<T>, T>;
-template <class T> inline constexpr bool is_vector = false;
-template <class T> inline constexpr bool is_vector<std::vector<T>> = true;
-template <class T> inline constexpr bool is_array = false;
-template <class T, std::size_t N> inline constexpr bool is_array<std::array<T, N>> = true;
-template <class T> inline constexpr bool is_optional = false;
-template <class T> inline constexpr bool is_optional<std::optional<T>> = true;
-template <class T> inline constexpr bool is_pair = false;
-template <class A, class B> inline constexpr bool is_pair<std::pair<A, B>> = true;
+template <class T>
+inline constexpr bool is_dense = std::is_base_of_v<Eigen::MatrixBase<T>, T>;
+template <class T>
+inline constexpr bool is_vector = false;
+template <class T>
+inline constexpr bool is_vector<std::vector<T>> = true;
+template <class T>
+inline constexpr bool is_array = false;
+template <class T, std::size_t N>
+inline constexpr bool is_array<std::array<T, N>> = true;
+template <class T>
+inline constexpr bool is_optional = false;
+template <class T>
+inline constexpr bool is_optional<std::optional<T>> = true;
+template <class T>
+inline constexpr bool is_pair = false;
+template <class A, class B>
+inline constexpr bool is_pair<std::pair<A, B>> = true;
 
 template <class Wire, class T>
 void pass(Wire& wire, T& value);
@@ -129,7 +138,8 @@ void pass_sparse(Wire& wire, Eigen::SparseMatrix<Scalar>& value) {
   pass_vector(wire, indices);
   pass_vector(wire, entries);
   if constexpr (Wire::reads) {
-    wire.expect(0 <= rows && rows < (1 << 24) && 0 <= columns && starts.size() == static_cast<std::size_t>(columns) + 1);
+    wire.expect(0 <= rows && rows < (1 << 24) && 0 <= columns &&
+                starts.size() == static_cast<std::size_t>(columns) + 1);
     wire.expect(indices.size() == entries.size() && starts.front() == 0 &&
                 starts.back() == static_cast<int>(entries.size()));
     for (std::size_t c = 0; c + 1 < starts.size(); ++c) {
@@ -161,7 +171,9 @@ void pass_permutation(Wire& wire, Permutation& value) {
 
 /// Eigen's factors have no public way in: a class that inherits from them may name what they protect.
 struct OpenSolver : Eigen::SparseSolverBase<Eigen::SimplicialLDLT<SparseMatrix>> {
-  static bool& is_initialised(Eigen::SimplicialLDLT<SparseMatrix>& f) { return f.*(&OpenSolver::m_isInitialized); }
+  static bool& is_initialised(Eigen::SimplicialLDLT<SparseMatrix>& f) {
+    return f.*(&OpenSolver::m_isInitialized);
+  }
 };
 
 struct Open : Eigen::SimplicialLDLT<SparseMatrix> {
@@ -194,7 +206,8 @@ struct Open : Eigen::SimplicialLDLT<SparseMatrix> {
     const bool used = f.*(&Open::m_factorizationIsOk);
     return is((f.*(&Open::m_diag)).size()) && is((f.*(&Open::m_parent)).size()) &&
            is((f.*(&Open::m_nonZerosPerCol)).size()) && is((f.*(&Open::m_P)).size()) &&
-           (f.*(&Open::m_P)).size() == (f.*(&Open::m_Pinv)).size() && (!used || (f.*(&Open::m_diag)).size() == n);
+           (f.*(&Open::m_P)).size() == (f.*(&Open::m_Pinv)).size() &&
+           (!used || (f.*(&Open::m_diag)).size() == n);
   }
 };
 
@@ -231,8 +244,10 @@ void pass(Wire& wire, T& value) {
     bool there = value.has_value();
     pass_bool(wire, there);
     if constexpr (Wire::reads) {
-      if (there) value.emplace();
-      else value.reset();
+      if (there)
+        value.emplace();
+      else
+        value.reset();
     }
     if (there) pass(wire, *value);
   } else if constexpr (is_dense<T>) {

@@ -1,4 +1,4 @@
-"""Runs commands that are not trusted to their end, whatever they do: limits in time and output, and nothing left over."""
+"""Runs commands that are not trusted to their end, whatever they do, and leaves nothing over: limits in time and output."""
 
 import contextlib
 import fcntl

@@ -89,7 +89,8 @@ class Judge:
         finally:
             shutil.rmtree(folder, ignore_errors=True)
 
-    def _run_all(self, exercise: Exercise, tests: list[str], program: Path, user: User) -> list[tuple[TestVerdict, bool]]:
+    def _run_all(self, exercise: Exercise, tests: list[str], program: Path,
+                 user: User) -> list[tuple[TestVerdict, bool]]:
         """With one pair of processes, and another where the last could not go on."""
         ran: list[tuple[TestVerdict, bool]] = []
         pair = None
@@ -100,8 +101,8 @@ class Judge:
                     ran.append((replace(ran[-1][0], test=test), ran[-1][1]))
                     continue
                 if not pair or not pair.alive:
-                    pair = Pair(self._isolation, user, self._workshop.test_program(exercise), exercise.function, program,
-                                self._limits, {"SPOOK_SEED": str(self._seed)})
+                    pair = Pair(self._isolation, user, self._workshop.test_program(exercise), exercise.function,
+                                program, self._limits, {"SPOOK_SEED": str(self._seed)})
                 ran.append(self._verdict(test, pair.run(test)))
         finally:
             if pair and pair.alive:

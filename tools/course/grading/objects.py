@@ -19,8 +19,8 @@ from grading.workshop import Workshop
 from manifest import Exercise
 
 _COMPILING = Limits(cpu=60, wall=240, memory=3 << 30, files=256 << 20, processes=32, output=4 << 20)
-_NOT_NEEDED = ("{} calls {}(), which no exercise needs. An answer may call the C++ library, mathematics, text, memory, and "
-               "what the chapters' headers declare.")
+_NOT_NEEDED = ("{} calls {}(), which no exercise needs. An answer may call the C++ library, mathematics, text, memory, "
+               "and what the chapters' headers declare.")
 
 
 @dataclass(frozen=True)
@@ -104,5 +104,6 @@ def _readable(*symbols: str) -> str:
 
 
 def _not_defined(file: Path, missing: list[str]) -> str:
-    return "\n".join([f"{file} compiles, but does not define", *(f"  {name}" for name in _readable(*missing).splitlines()),
+    names = _readable(*missing).splitlines()
+    return "\n".join([f"{file} compiles, but does not define", *(f"  {name}" for name in names),
                       "Name, parameters and namespace must be as the chapter's header declares them."])

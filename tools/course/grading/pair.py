@@ -24,7 +24,7 @@ _LINGER = 2.0  # seconds that a process has to end after its socket has closed
 class Ran:
     """One test: what the tests say of it, and how the process of the student's function ended."""
 
-    verdict: tuple[bytes, ...] | None = None  # GoogleTest's result, tests that ran, "skipped", failures; None: none came
+    verdict: tuple[bytes, ...] | None = None  # GoogleTest's result, tests that ran, "skipped", failures
     nonsense: bool = False  # something came back that is no answer
     code: int = 0  # of the student's process: exit code, or minus the signal
     tests_code: int = 0  # of the test's own process
@@ -95,8 +95,8 @@ class Pair:
         elif not timed_out:
             code, cpu = self._last_words(too_much)
         of_test = os.waitstatus_to_exitcode(int(found.get(b"done", (b"0",))[0]))
-        ran = Ran(found.get(b"verdict"), b"nonsense" in found, code, 0 if of_test == _TOLD else of_test, text_of(printed),
-                  timed_out, too_much, cpu)
+        ran = Ran(found.get(b"verdict"), b"nonsense" in found, code, 0 if of_test == _TOLD else of_test,
+                  text_of(printed), timed_out, too_much, cpu)
         if timed_out or too_much or b"partner" not in found or b"nonsense" in found:
             self.close()
         return ran
@@ -104,7 +104,8 @@ class Pair:
     def _last_words(self, at_once: bool) -> tuple[int, float]:
         """How the student's program ended that has not told; if it goes on without its socket, it is ended."""
         deadline = time.monotonic() + (0 if at_once else _LINGER)
-        while time.monotonic() < deadline and not os.waitid(os.P_PID, self._answers, os.WEXITED | os.WNOHANG | os.WNOWAIT):
+        look = os.WEXITED | os.WNOHANG | os.WNOWAIT
+        while time.monotonic() < deadline and not os.waitid(os.P_PID, self._answers, look):
             time.sleep(0.005)
         self._running.discard(self._answers)
         return reap(self._answers)

@@ -104,7 +104,8 @@ class Workshop:
 
     def _stage_headers(self, example: Exercise) -> list[str]:
         """Adds the precompiled header, and returns the compiler's command without the file."""
-        flags, words = [], iter(_compile_command(lambda entry: Path(entry["file"]).match(f"chapters/{example.folder}/{example.function}.cpp")))
+        file = f"chapters/{example.folder}/{example.function}.cpp"
+        flags, words = [], iter(_compile_command(lambda entry: Path(entry["file"]).match(file)))
         for word in words:
             if word in ("-o", "-c"):
                 next(words)
