@@ -74,11 +74,29 @@ struct Asked<number, Result(Arguments...)> {
   }
 };
 
+/// A function that does nothing: zeros, and nothing changed. A test that it passes shows nothing of an answer.
+template <class Function>
+struct Idle;
+
+template <class Result, class... Arguments>
+struct Idle<Result(Arguments...)> {
+  static Result call(Arguments...) {
+    if constexpr (!std::is_void_v<Result>) {
+      const std::string zeros(1024, '\0');
+      Reader reader(zeros);
+      Result result{};
+      pass(reader, result);
+      return result;
+    }
+  }
+};
+
 /// One function of the chapter: the slot through which its callers jump, and what may stand in it.
 struct Graded {
   const char* exercise;
   void (**slot)();
   void (*asked)();
+  void (*idle)();
 };
 
 /// Of the chapter, and how many: written by tools/remote.

@@ -4,6 +4,7 @@ import argparse
 
 from errors import BadInput
 from grading.isolation import NAMES
+from grading.results import RULES
 from grading.weights import TABLE
 from paths import BUILD
 from pick import near
@@ -177,6 +178,8 @@ def _add_grade(command: Parser) -> None:
     command.add_argument("--hidden", metavar="DIR", help="further tests, NN_topic/*.cpp, and a weights.csv of theirs")
     command.add_argument("--weights", default=str(TABLE), metavar="FILE",
                          help="points, titles, hints, visibility (default: tests/weights.csv)")
+    command.add_argument("--points", choices=RULES, default=RULES[0],
+                         help="what counts: exercises that are right (default), or each test")
     command.add_argument("--time-limit", type=_count, default=10, metavar="SECONDS",
                          help="of processor time, for each test (default: 10)")
     command.add_argument("--isolation", choices=NAMES, metavar="NAME",
@@ -186,6 +189,7 @@ def _add_grade(command: Parser) -> None:
     command.add_argument("--yes", action="store_true", help="install without asking")
     command.add_argument("--gradescope", metavar="FILE", help="of one submission: Gradescope's results, as they come")
     command.add_argument("--shard", type=_shard, metavar="I/N", help="only each N-th submission, from the I-th")
+    command.add_argument("--roster", metavar="FILE", help="the class as Canvas, Moodle or a CSV lists it")
     command.add_argument("--merge", nargs="+", metavar="DIR", help="put together what shards have written")
 
 

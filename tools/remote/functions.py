@@ -41,7 +41,8 @@ def asking(header: str, found: list[tuple[str, str, str]]) -> str:
                   f'extern "C" {{ void (*{slot})() = reinterpret_cast<void (*)()>(reference_{number}); }}',
                   jump_through(slot, f"__wrap_{symbol}")]
         table.append(f'    {{"{exercise}", &{slot}, reinterpret_cast<void (*)()>('
-                     f"spook::remote::Asked<{number}, decltype({function})>::call)}},")
+                     f"spook::remote::Asked<{number}, decltype({function})>::call), reinterpret_cast<void (*)()>("
+                     f"spook::remote::Idle<decltype({function})>::call)}},")
     return "\n".join([*lines, "", "namespace spook::remote {", "extern const Graded graded_functions[] = {", *table,
                       "};", f"extern const int graded_count = {len(found)};", "}  // namespace spook::remote", ""])
 

@@ -5,12 +5,16 @@ from pathlib import Path
 
 from errors import BadInput, CourseError
 from exporting import gradescope
-from grading.gradebook import statistics_line, write_gradebook
+from grading.delivery import find_submissions
+from grading.gradebook import Class, not_graded, statistics_line, write_gradebook
 from grading.grader import Grader
 from grading.isolation import Isolation
-from grading.merge import merge
+from grading.merge import merge, missing_shards, set_aside, write_delivery
 from grading.results import write_json
-from grading.submission import Handed, find_submissions
+from grading.roster import Roster, read_roster
+from grading.names import Student
+from grading.submission import Handed, Place
+from grading.text import one_line
 from install import install
 from needs import GRADE_NEEDS, NEEDS
 from paths import shown
@@ -19,37 +23,60 @@ from terminal import fold
 
 def grade(arguments) -> int:
     out = Path(arguments.out)
+    roster = read_roster(Path(arguments.roster)) if arguments.roster else None
     if arguments.merge:
-        results = merge([Path(folder) for folder in arguments.merge], out)
-        write_gradebook(out, results)
-        print(f"{statistics_line(results)}.\n{_where(out)}.")
-        return 0
+        return _merge([Path(folder) for folder in arguments.merge], out, roster)
     if arguments.prepare:
         return _prepare(arguments)
     if arguments.gradescope:
         return _grade_on_gradescope(arguments, out)
     if not arguments.paths:
         raise BadInput("grade: a submission, or a folder of them, is needed; see ./course grade --help")
-    handed = find_submissions([Path(path) for path in arguments.paths], out)
-    if arguments.shard:
-        first, count = arguments.shard
-        handed = handed[first - 1::count]
-        if not handed:
-            print("This shard has no submissions.")
-            return 0
+    delivery = find_submissions([Path(path) for path in arguments.paths], out)
+    names = [one.name for one in delivery.handed]
+    first, count = arguments.shard or (1, 1)
+    handed = delivery.handed[first - 1::count]
     with Grader(arguments) as grader:
+        write_delivery(out, names, delivery.left_out, (first, count))
+        gone = set_aside(out, names)
         _say_how(grader, len(handed))
         start = time.monotonic()
         results = grader.grade(handed, out)
         took = time.monotonic() - start
+    of_class = Class(delivery.left_out, roster if count == 1 else None)
     if results:
-        write_gradebook(out, results)
+        write_gradebook(out, results, of_class)
     if grader.failures:
         raise CourseError(f"{len(grader.failures)} of {len(handed)} submissions could not be graded; the others were, "
                           f"and grading again goes on from there", "\n".join(grader.failures))
+    _say_who_is_missing(not_graded(results, of_class) + [f"{one_line(name)}: graded before, and not handed in now; "
+                                                         "its results are set aside" for name in gone])
+    if not results:
+        print("This shard has no submissions.")
+        return 0
     print(f"{statistics_line(results)}; {took / len(results):.2g} s each.")
     print(f"{_where(out)},\nand each student's report in {shown(out / 'submissions')}/NAME/report.md.")
     return 0
+
+
+def _merge(folders: list[Path], out: Path, roster: Roster | None) -> int:
+    results, left_out = merge(folders, out)
+    of_class = Class(left_out, roster)
+    write_gradebook(out, results, of_class)
+    _say_who_is_missing(not_graded(results, of_class))
+    missing = missing_shards(folders)
+    print(f"{statistics_line(results)}.\n{_where(out)}.")
+    if missing:
+        raise CourseError(f"shard {', '.join(missing)} of this grading is missing: grade it, and merge again"
+                          if len(missing) == 1 else f"the shards {', '.join(missing)} of this grading are missing")
+    return 0
+
+
+def _say_who_is_missing(lines: list[str]) -> None:
+    if lines:
+        print("Not graded, or nobody's:")
+        for line in lines:
+            print(fold(f"- {line}", "  "))
 
 
 def _where(out: Path) -> str:
@@ -75,7 +102,7 @@ def _grade_on_gradescope(arguments, out: Path) -> int:
         write_json(file, gradescope.converted(result, unfinished))
 
     with Grader(arguments) as grader:
-        result = grader.grade_one(Handed("submission", path), out, write)
+        result = grader.grade_one(Handed("submission", (Place(path),), Student("submission")), out, write)
     print(f"{result['score']:g} of {result['max_score']:g} points")
     return 0
 

@@ -31,6 +31,7 @@ class Grader:
         self.failures: list[str] = []
         self._jobs = arguments.jobs
         self._seconds = arguments.time_limit
+        self._points = arguments.points
         hidden = Path(arguments.hidden).absolute() if arguments.hidden else None
         check_hidden(hidden, self.chapters)
         self._weights = read_weights(Path(arguments.weights), hidden)
@@ -41,7 +42,8 @@ class Grader:
             self._workshop.check_unreadable(self.isolation)
             expected = {test: exercise for exercise in self.exercises
                         for test in self._workshop.expected_tests(exercise)}
-            self._weights.check(expected, self._workshop.hidden_tests)
+            idle = self._workshop.idle_tests() if hidden else set()
+            self._weights.check(expected, self._workshop.hidden_tests, idle)
             self._judge = Judge(self._workshop, self.isolation, self.seed, self._seconds,
                                 None if arguments.fresh else _MEMORY)
             for _ in range(self._jobs):
@@ -106,7 +108,7 @@ class Grader:
         (folder / "report.md").write_text(report_of(result, by_function), encoding="utf-8")
 
     def _result(self, submission: Submission, judged: dict[Exercise, ExerciseVerdict]) -> dict:
-        settings = {"seed": self.seed, "seconds_a_test": self._seconds, "isolation": self.isolation.name,
+        settings = {"points": self._points, "seed": self.seed, "seconds_a_test": self._seconds, "isolation": self.isolation.name,
                     "not_denied": self.isolation.does_not_deny, "tests": self._workshop.sources}
         return result_of(submission, list(judged.items()), self._weights, settings)
 

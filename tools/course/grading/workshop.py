@@ -20,7 +20,7 @@ from pathlib import Path
 from errors import BadInput, CourseError
 from grading.confined import Limits
 from grading.isolation import Isolation, take_user
-from manifest import Chapter, Exercise
+from manifest import Chapter, Exercise, all_exercises
 from paths import CHAPTERS, ROOT, SOLUTIONS, shown
 from process import tail
 from symbols import reference_functions
@@ -48,7 +48,24 @@ def build_tests(chapters: list[Chapter]) -> None:
 
 def listed_tests(chapter: Chapter) -> list[str]:
     """The course's own tests of a chapter, which must be built."""
-    return _listed(CHECK.program(f"grade_{chapter.folder}"))
+    return _listed(test_program(chapter))
+
+
+def test_program(chapter: Chapter) -> Path:
+    """Of the course's own tests."""
+    return CHECK.program(f"grade_{chapter.folder}")
+
+
+def idle_tests(program: Path, tests: list[str]) -> list[str]:
+    """Of a chapter's tests those that pass although the function of their exercise does nothing."""
+    passing = []
+    for exercise in all_exercises():
+        own = [test for test in tests if test.partition(".")[0] == exercise.suite]
+        if own:
+            told = subprocess.run([str(program), "--idle", exercise.function], input="\n".join(own) + "\n", text=True,
+                                  capture_output=True, errors="replace").stdout
+            passing += [line for line in told.splitlines() if line in own]
+    return passing
 
 
 class Workshop:
@@ -91,6 +108,10 @@ class Workshop:
     def expected_tests(self, exercise: Exercise) -> list[str]:
         """The tests of an exercise, hidden ones last."""
         return [test for test in self.tests[exercise.folder] if test.split(".")[0] == exercise.suite]
+
+    def idle_tests(self) -> set[str]:
+        """Those that a function passes which does nothing."""
+        return {test for folder, tests in self.tests.items() for test in idle_tests(self._programs[folder], tests)}
 
     def check_unreadable(self, isolation: Isolation) -> None:
         """Without namespaces, the users whom submissions run as must not be able to read the answers."""
