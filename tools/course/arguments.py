@@ -182,6 +182,10 @@ def _add_grade(command: Parser) -> None:
                          help="what counts: exercises that are right (default), or each test")
     command.add_argument("--time-limit", type=_count, default=10, metavar="SECONDS",
                          help="of processor time, for each test (default: 10)")
+    command.add_argument("--exercise-time", type=_count, default=60, metavar="SECONDS",
+                         help="that time-outs may cost of an exercise; then the rest is not run (default: 60)")
+    command.add_argument("--submission-time", type=_count, default=600, metavar="SECONDS",
+                         help="the same of a submission (default: 600)")
     command.add_argument("--isolation", choices=NAMES, metavar="NAME",
                          help=f"default: the first that works of {', '.join(NAMES)}")
     command.add_argument("--fresh", action="store_true", help="forget what was judged before")

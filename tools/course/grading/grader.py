@@ -1,11 +1,13 @@
 """The instructor's side of a grading: tests, weights, isolation and the judge."""
 
 import queue
+import sys
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
 from errors import BadInput, CourseError
+from grading.confined import STOP
 from grading.isolation import choose, take_user
 from grading.judge import ExerciseVerdict, Judge
 from grading.report import report_of
@@ -32,6 +34,7 @@ class Grader:
         self._jobs = arguments.jobs
         self._seconds = arguments.time_limit
         self._points = arguments.points
+        self._of_submission = arguments.submission_time
         hidden = Path(arguments.hidden).absolute() if arguments.hidden else None
         check_hidden(hidden, self.chapters)
         self._weights = read_weights(Path(arguments.weights), hidden)
@@ -44,7 +47,7 @@ class Grader:
                         for test in self._workshop.expected_tests(exercise)}
             idle = self._workshop.idle_tests() if hidden else set()
             self._weights.check(expected, self._workshop.hidden_tests, idle)
-            self._judge = Judge(self._workshop, self.isolation, self.seed, self._seconds,
+            self._judge = Judge(self._workshop, self.isolation, self.seed, self._seconds, arguments.exercise_time,
                                 None if arguments.fresh else _MEMORY)
             for _ in range(self._jobs):
                 self._users.put(take_user(self.isolation))
@@ -79,7 +82,7 @@ class Grader:
                     results[one.name] = done.result()
                 bar.step(one_line(one.name))
         finally:
-            pool.shutdown(cancel_futures=True)
+            _end(pool)
             bar.done()
         return [results[one.name] for one in handed if one.name in results]
 
@@ -87,12 +90,15 @@ class Grader:
         """`on_exercise` is given what is known so far, and how many exercises are left."""
         submission = read_submission(handed, self.exercises)
         judged = {exercise: self._judge.unjudged(exercise) for exercise in self.exercises}
-        user = self._users.get()
+        user, lost = self._users.get(), 0.0
         try:
             for count, exercise in enumerate(self.exercises):
                 if on_exercise:
                     on_exercise(self._result(submission, judged), len(self.exercises) - count)
-                judged[exercise] = self._judge.judge(exercise, submission.sources.get(exercise.function), user)
+                judged[exercise] = (self._judge.judge(exercise, submission.sources.get(exercise.function), user)
+                                    if lost < self._of_submission or exercise.function not in submission.sources
+                                    else self._judge.without_time(exercise))
+                lost += self._judge.lost(judged[exercise])
         finally:
             self._users.put(user)
         result = self._result(submission, judged)
@@ -118,7 +124,8 @@ class Grader:
                                              exercise.reference.read_bytes(), is_reference=True)
                    for exercise in self.exercises}
         bar = Bar("trying the tests on the reference", len(self.exercises))
-        with ThreadPoolExecutor(self._jobs) as pool:
+        pool = ThreadPoolExecutor(self._jobs)
+        try:
             for tests in pool.map(lambda exercise: self._reference_tests(exercise, sources[exercise.function]),
                                   self.exercises):
                 bar.step()
@@ -126,7 +133,9 @@ class Grader:
                     if test.verdict != "passed":
                         raise CourseError(f"the reference itself does not pass {test.test} ({test.verdict}) with seed "
                                           f"{self.seed}; nobody is graded", test.message)
-        bar.done()
+        finally:
+            _end(pool)
+            bar.done()
 
     def _reference_tests(self, exercise: Exercise, source: Source):
         user = self._users.get()
@@ -134,6 +143,13 @@ class Grader:
             return self._judge.judge(exercise, source, user).tests
         finally:
             self._users.put(user)
+
+
+def _end(pool: ThreadPoolExecutor) -> None:
+    """Lets what runs come to its end, unless something has gone wrong: then it is broken off."""
+    if sys.exc_info()[0] is not None:
+        STOP.set()
+    pool.shutdown(cancel_futures=True)
 
 
 def _chosen(numbers: set[int] | None) -> list[Chapter]:

@@ -25,8 +25,10 @@ TOO_MUCH_OUTPUT, ENDED_EARLY, TAMPERED = "too much output", "ended early", "tamp
 VERDICTS = (PASSED, FAILED, NOT_STARTED, DOES_NOT_COMPILE, TIMED_OUT, CRASHED, OUT_OF_MEMORY, TOO_MUCH_OUTPUT,
             ENDED_EARLY, TAMPERED)
 
+LOOPED, WAITED, NOT_RUN = "looped", "waited", "not run"  # reasons of TIMED_OUT
 _PRINTED = 4000  # characters kept of what the student's code printed
 _MESSAGE = 20_000
+_WORKED = 0.5  # seconds of processor time, above which what the clock has stopped did more than wait
 _PREFIX = re.compile(r"\AFailed\n")
 
 
@@ -48,14 +50,25 @@ class ExerciseVerdict:
 class Judge:
     """Judges with fixed limits and a fixed seed, and remembers: the same file always gets the same verdict."""
 
-    def __init__(self, workshop: Workshop, isolation: Isolation, seed: int, seconds: int, memory: Path | None):
-        self._workshop, self._isolation, self._seed = workshop, isolation, seed
+    def __init__(self, workshop: Workshop, isolation: Isolation, seed: int, seconds: int, of_exercise: int,
+                 memory: Path | None):
+        """Seconds of a test, and what time-outs may cost of an exercise, after which no more of its tests are run."""
+        self._workshop, self._isolation, self._seed, self._of_exercise = workshop, isolation, seed, of_exercise
         self._limits = Limits(cpu=seconds, wall=3 * seconds + 2, memory=1 << 30, files=1 << 20, processes=16,
                               output=1 << 20)
         self._memory = memory
 
     def unjudged(self, exercise: Exercise) -> ExerciseVerdict:
         return _all(self._workshop.expected_tests(exercise), NOT_STARTED, "not graded yet")
+
+    def without_time(self, exercise: Exercise) -> ExerciseVerdict:
+        return _all(self._workshop.expected_tests(exercise), TIMED_OUT, NOT_RUN,
+                    "The submission's time was up: too many of its tests had to be stopped before.")
+
+    def lost(self, verdict: ExerciseVerdict) -> float:
+        """Seconds that its time-outs cost, by their kind: the same on any machine."""
+        cost = {LOOPED: self._limits.cpu, WAITED: self._limits.wall}
+        return sum(cost.get(test.reason, 0) for test in verdict.tests if test.verdict == TIMED_OUT)
 
     def judge(self, exercise: Exercise, source: Source | None, user: User) -> ExerciseVerdict:
         tests = self._workshop.expected_tests(exercise)
@@ -71,13 +84,12 @@ class Judge:
         known = self._recall(key)
         if known is None or [test.test for test in known.tests] != tests:
             known, certain = self._judge_anew(exercise, source, tests, user)
-            if certain:
-                self._remember(key, known)
+            self._remember(key, known, 0.0 if certain else _load())
         return known
 
     def _judge_anew(self, exercise: Exercise, source: Source, tests: list[str],
                     user: User) -> tuple[ExerciseVerdict, bool]:
-        """The verdict, and whether it would be the same on any machine: running out of time on the clock would not."""
+        """The verdict, and whether it would be the same on a machine with less to do."""
         folder = Path(tempfile.mkdtemp(dir=self._workshop.root))
         folder.chmod(0o755)
         try:
@@ -103,6 +115,11 @@ class Judge:
                 if not pair or not pair.alive:
                     pair = Pair(self._isolation, user, self._workshop.test_program(exercise), exercise.function,
                                 program, self._limits, {"SPOOK_SEED": str(self._seed)})
+                if self.lost(ExerciseVerdict([verdict for verdict, _ in ran], [])) >= self._of_exercise:
+                    verdict = TestVerdict(test, TIMED_OUT, NOT_RUN, "The exercise's time was up: too many of its tests "
+                                          "had to be stopped before.")
+                    ran.append((verdict, True))
+                    continue
                 ran.append(self._verdict(test, pair.run(test)))
         finally:
             if pair and pair.alive:
@@ -113,7 +130,7 @@ class Judge:
         verdict, reason, failures = read_verdict(ran, self._limits.cpu)
         message = "\n\n".join(_PREFIX.sub("", failure).rstrip() for failure in failures)
         return (TestVerdict(test, verdict, reason, message[:_MESSAGE], ran.output[:_PRINTED].strip()),
-                not ran.timed_out)
+                not ran.timed_out or reason == WAITED)
 
     def _key(self, exercise: Exercise, source: Source) -> str:
         parts = [self._workshop.build, exercise.label, str(self._seed), repr(self._limits), self._isolation.name]
@@ -124,15 +141,18 @@ class Judge:
             return None
         try:
             found = json.loads((self._memory / f"{key}.json").read_text(encoding="utf-8"))
+            if found["load"] > 1 and _load() < found["load"] / 2:
+                return None  # it was stopped by the clock, on a machine that was busy, and is less so now
             return ExerciseVerdict([TestVerdict(**test) for test in found["tests"]], found["notes"])
         except (OSError, ValueError, TypeError, KeyError):
             return None  # never written, or cut off
 
-    def _remember(self, key: str, verdict: ExerciseVerdict) -> None:
+    def _remember(self, key: str, verdict: ExerciseVerdict, load: float) -> None:
+        """With the load under which the clock has stopped one of its tests; 0 if none."""
         if self._memory:
             self._memory.mkdir(parents=True, exist_ok=True)
             with tempfile.NamedTemporaryFile("w", dir=self._memory, delete=False, encoding="utf-8") as file:
-                json.dump(asdict(verdict), file)
+                json.dump(asdict(verdict) | {"load": load}, file)
             os.replace(file.name, self._memory / f"{key}.json")
 
 
@@ -140,8 +160,10 @@ def read_verdict(ran: Ran, cpu_limit: int) -> tuple[str, str, list[str]]:
     """The verdict, its reason in a few words, and the failures."""
     if ran.too_much:
         return TOO_MUCH_OUTPUT, "", ["It printed more than the limit, and was stopped."]
+    if ran.timed_out and ran.cpu < _WORKED:
+        return TIMED_OUT, WAITED, ["It was stopped: it waited for something that never came."]
     if ran.timed_out:
-        return TIMED_OUT, "", ["It was stopped: it waited for something that never came."]
+        return TIMED_OUT, LOOPED, ["It was still computing when its time on the clock was up. Does a loop never end?"]
     if ran.nonsense:
         return TAMPERED, "a forged answer", ["Something else than the function's answer came back to the tests."]
     if ran.verdict is None:
@@ -160,7 +182,7 @@ def read_verdict(ran: Ran, cpu_limit: int) -> tuple[str, str, list[str]]:
 def _without_verdict(ran: Ran, cpu_limit: int) -> tuple[str, str, list[str]]:
     number = _signal(ran.code)
     if number == signal.SIGXCPU or (number == signal.SIGKILL and ran.cpu >= cpu_limit):
-        return TIMED_OUT, "", [f"It was stopped after {cpu_limit} s of processor time. Does a loop never end?"]
+        return TIMED_OUT, LOOPED, [f"It was stopped after {cpu_limit} s of processor time. Does a loop never end?"]
     if number == signal.SIGABRT and "std::bad_alloc" in ran.output:
         return OUT_OF_MEMORY, "", ["It asked for more memory than there is."]
     if number:
@@ -169,10 +191,15 @@ def _without_verdict(ran: Ran, cpu_limit: int) -> tuple[str, str, list[str]]:
     if ran.tests_code:  # the test, and not the function: it could not work with what it got
         of_test = _signal(ran.tests_code)
         if of_test in (signal.SIGXCPU, signal.SIGKILL):
-            return TIMED_OUT, "", [f"The test was stopped after {cpu_limit} s: it could not work with what it got."]
+            return TIMED_OUT, LOOPED, [f"The test was stopped after {cpu_limit} s: it could not work with what it got."]
         return CRASHED, _name(of_test) if of_test else f"exit code {ran.tests_code}", [
             "The test could not work with what it got: a size or an index that makes no sense."]
     return ENDED_EARLY, f"exit code {ran.code}", ["The program ended before the test did. Does it call exit?"]
+
+
+def _load() -> float:
+    """How many processes want each processor."""
+    return os.getloadavg()[0] / (os.cpu_count() or 1)
 
 
 def _signal(code: int) -> int:
