@@ -25,7 +25,7 @@ Exit codes: 0 fine, 1 a wrong answer or a failure, 2 bad input.
 """
 
 
-EXPORTS = ("gradescope", "github", "autolab", "junit", "csv", "weights")
+EXPORTS = ("gradescope", "github", "autolab", "junit", "csv", "canvas", "moodle", "weights")
 
 
 class Parser(argparse.ArgumentParser):
@@ -139,6 +139,11 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     command.add_argument("--chapters", type=_chapters, metavar="A-B", help="what the platform is to grade")
     command.add_argument("--hidden", metavar="DIR", help="hidden tests that the platform gets")
     command.add_argument("--seed", type=_seed, metavar="S", help="the seed with which it grades")
+    command.add_argument("--weights", metavar="FILE", help="points by this table: of a kit, or of results once more")
+    command.add_argument("--points", choices=RULES, help="what counts: exercises that are right, or each test")
+    command.add_argument("--time-limit", type=_count, metavar="SECONDS", help="of a test, where the platform grades")
+    command.add_argument("--roster", metavar="FILE", help="for canvas and moodle: the table that the platform gave")
+    command.add_argument("--assignment", default="Assignment", metavar="TITLE", help="of its column in Canvas: Name (number)")
     for name, text in (("start", "install, build, run real scenes, show the board"),
                        ("test", "every test there is")):
         command = add(name, text)

@@ -39,6 +39,9 @@ class Weights:
     def of(self, test: str) -> Weight:
         return self._rows[test]
 
+    def rows(self) -> dict[str, Weight]:
+        return self._rows
+
     def check(self, expected: dict[str, Exercise], hidden: set[str], idle: set[str]) -> None:
         """Each expected test has a row, and its hint exists; no row is of a test that there is not.
 
