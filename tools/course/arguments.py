@@ -198,6 +198,7 @@ def _add_grade(command: Parser) -> None:
     command.add_argument("--yes", action="store_true", help="install without asking")
     command.add_argument("--gradescope", metavar="FILE", help="of one submission: Gradescope's results, as they come")
     command.add_argument("--shard", type=_shard, metavar="I/N", help="only each N-th submission, from the I-th")
+    command.add_argument("--similarity", action="store_true", help="compare the works: similarity.html")
     command.add_argument("--roster", metavar="FILE", help="the class as Canvas, Moodle or a CSV lists it")
     command.add_argument("--merge", nargs="+", metavar="DIR", help="put together what shards have written")
 

@@ -6,6 +6,7 @@ import shutil
 import stat
 import subprocess
 import tarfile
+import tempfile
 import zipfile
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -148,10 +149,11 @@ def _of_seven(file) -> Iterator[Entry]:
     bsdtar = shutil.which("bsdtar")
     if not bsdtar:
         raise ValueError("7z needs bsdtar, of the package libarchive-tools")
-    content = file.read_bytes() if isinstance(file, Path) else file.read()
-    process = subprocess.Popen([bsdtar, "--format=gnutar", "-cf", "-", "@-"], stdin=subprocess.PIPE,
-                               stdout=subprocess.PIPE, stderr=subprocess.PIPE)
-    made, said = process.communicate(content)
-    if process.returncode != 0:
-        raise ValueError(said.decode(errors="replace").strip() or "bsdtar can not read it")
-    yield from _of_tar(tarfile.open(fileobj=io.BytesIO(made)))
+    with tempfile.NamedTemporaryFile() as copy:
+        copy.write(file.read_bytes() if isinstance(file, Path) else file.read())
+        copy.flush()
+        made = subprocess.run(["prlimit", "--cpu=20", f"--as={1 << 30}", "--", bsdtar, "--format=gnutar", "-cf", "-",
+                               f"@{copy.name}"], capture_output=True)
+    if made.returncode != 0 or len(made.stdout) > 4 * _LARGEST_ARCHIVE:
+        raise ValueError(made.stderr.decode(errors="replace").strip() or "bsdtar can not read it")
+    yield from _of_tar(tarfile.open(fileobj=io.BytesIO(made.stdout)))

@@ -15,9 +15,11 @@ from grading.merge import merge, missing_shards, set_aside, write_delivery
 from grading.results import write_json
 from grading.roster import Roster, read_roster
 from grading.names import Student
+from grading.similar_page import write_similarity
 from grading.submission import Handed, Place
 from grading.text import one_line
 from install import install
+from manifest import all_exercises
 from needs import GRADE_NEEDS, NEEDS
 from paths import shown
 from terminal import fold
@@ -41,7 +43,7 @@ def _grade(arguments) -> int:
     out = Path(arguments.out)
     roster = read_roster(Path(arguments.roster)) if arguments.roster else None
     if arguments.merge:
-        return _merge([Path(folder) for folder in arguments.merge], out, roster)
+        return _merge([Path(folder) for folder in arguments.merge], out, roster, arguments.similarity)
     if arguments.prepare:
         return _prepare(arguments)
     if arguments.gradescope:
@@ -65,6 +67,8 @@ def _grade(arguments) -> int:
     if grader.failures:
         raise CourseError(f"{len(grader.failures)} of {len(handed)} submissions could not be graded; the others were, "
                           f"and grading again goes on from there", "\n".join(grader.failures))
+    if arguments.similarity:
+        _compare(out, results)
     _say_who_is_missing(not_graded(results, of_class) + [f"{one_line(name)}: graded before, and not handed in now; "
                                                          "its results are set aside" for name in gone])
     if not results:
@@ -75,10 +79,12 @@ def _grade(arguments) -> int:
     return 0
 
 
-def _merge(folders: list[Path], out: Path, roster: Roster | None) -> int:
+def _merge(folders: list[Path], out: Path, roster: Roster | None, compare: bool) -> int:
     results, left_out = merge(folders, out)
     of_class = Class(left_out, roster)
     write_gradebook(out, results, of_class)
+    if compare:
+        _compare(out, results)
     _say_who_is_missing(not_graded(results, of_class))
     missing = missing_shards(folders)
     print(f"{statistics_line(results)}.\n{_where(out)}.")
@@ -86,6 +92,14 @@ def _merge(folders: list[Path], out: Path, roster: Roster | None) -> int:
         raise CourseError(f"shard {', '.join(missing)} of this grading is missing: grade it, and merge again"
                           if len(missing) == 1 else f"the shards {', '.join(missing)} of this grading are missing")
     return 0
+
+
+def _compare(out: Path, results: list[dict]) -> None:
+    graded = {exercise["function"] for result in results for exercise in result["exercises"]}
+    found = write_similarity(out, [exercise for exercise in all_exercises() if exercise.function in graded])
+    pairs = f"{len(found.pairs)} pair{'' if len(found.pairs) == 1 else 's'}"
+    print(fold(f"{pairs} of works stand out by what they share, and {len(found.references)} are the reference's: "
+               f"{shown(out / 'similarity.html')}."))
 
 
 def _say_who_is_missing(lines: list[str]) -> None:

@@ -1,6 +1,7 @@
 """The instructor's side of a grading: tests, weights, isolation and the judge."""
 
 import queue
+import shutil
 import sys
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor, as_completed
@@ -104,11 +105,15 @@ class Grader:
         result = self._result(submission, judged)
         if on_exercise:
             on_exercise(result, 0)
-        self._write(result, out / "submissions" / handed.name)
+        self._write(result, out / "submissions" / handed.name, submission)
         return result
 
-    def _write(self, result: dict, folder: Path) -> None:
-        folder.mkdir(parents=True, exist_ok=True)
+    def _write(self, result: dict, folder: Path, submission: Submission) -> None:
+        shutil.rmtree(folder / "taken", ignore_errors=True)
+        (folder / "taken").mkdir(parents=True)
+        for function, source in submission.sources.items():
+            if not source.problem:
+                (folder / "taken" / f"{function}.cpp").write_bytes(source.content)
         write_json(folder / "results.json", result)
         by_function = {exercise.function: exercise for exercise in self.exercises}
         (folder / "report.md").write_text(report_of(result, by_function), encoding="utf-8")
