@@ -198,7 +198,7 @@ class Records(InFolder):
         results, left_out = merge(folders, self.root / "whole")
         self.assertEqual([result["submission"] for result in results], ["s0", "s2", "s3", "s5", "s6"])
         self.assertEqual(missing_shards(folders), ["2/3"])
-        self.assertEqual(left_out, [("x", "why"), ("s1", "its shard is missing: 2/3"), ("s4", "its shard is missing: 2/3")])
+        self.assertEqual(left_out, [("x", "why"), ("s1", "its shard is not done: 2/3"), ("s4", "its shard is not done: 2/3")])
 
     def test_who_is_removed_leaves_the_results(self):
         folder = self.graded(1, ["ann", "bo"], count=1)

@@ -128,6 +128,7 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     command.add_argument("--quick", action="store_true", help="the size that the tests run")
     command.add_argument("--shard", metavar="I/N", help="compute only each N-th point, from the I-th")
     command.add_argument("--merge", nargs="+", metavar="FOLDER", help="put together what shards have computed")
+    command.add_argument("--slurm", type=_count, metavar="N", help="compute as an array of N on an existing Slurm")
     command.add_argument("--publish", action="store_true", help="put the figure into plots/, where pages show it")
     command.set_defaults(more=[])
     _add_grade(add("grade", "marks for a class: folders and zips that hold chapters/"))
@@ -200,6 +201,7 @@ def _add_grade(command: Parser) -> None:
     command.add_argument("--shard", type=_shard, metavar="I/N", help="only each N-th submission, from the I-th")
     command.add_argument("--similarity", action="store_true", help="compare the works: similarity.html")
     command.add_argument("--roster", metavar="FILE", help="the class as Canvas, Moodle or a CSV lists it")
+    command.add_argument("--slurm", type=_count, metavar="N", help="grade as an array of N on an existing Slurm")
     command.add_argument("--merge", nargs="+", metavar="DIR", help="put together what shards have written")
 
 

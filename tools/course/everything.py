@@ -8,7 +8,7 @@ from pathlib import Path
 
 from errors import CourseError
 from install import install, is_offered
-from needs import BROWSER_NEEDS, NEEDS, TEST_NEEDS
+from needs import BROWSER_NEEDS, NEEDS, SLURM_NEEDS, TEST_NEEDS, Need
 from paths import shown
 from process import stream
 from terminal import fold, paint
@@ -39,20 +39,21 @@ def test(arguments) -> int:
         code = _report([_run(check, ["-L", "quick"])])
         print(fold(f"Left out by --quick: {_left_out(check)}, and all tests under sanitizers."))
         return code
-    _install_browser(arguments.yes)
+    _install_if_offered(BROWSER_NEEDS, "browser", arguments.yes)
+    _install_if_offered(SLURM_NEEDS, "Slurm", arguments.yes)
     for tree, targets in ((check, []), (release, _IN_RELEASE), (sanitize, [])):
         _build(tree, targets, arguments.strict)
     return _report([_run(tree) for tree in (check, sanitize)])
 
 
-def _install_browser(yes: bool) -> None:
+def _install_if_offered(needs: tuple[Need, ...], what: str, yes: bool) -> None:
     """Where there is none, the tests that need one say that they are skipped."""
-    if not all(need.there() or is_offered(need.package) for need in BROWSER_NEEDS):
+    if not all(need.there() or is_offered(need.package) for need in needs):
         return
     try:
-        install(BROWSER_NEEDS, yes)
+        install(needs, yes)
     except CourseError as error:
-        print(f"No browser for the tests: {error}")
+        print(f"No {what} for the tests: {error}")
 
 
 def _build(tree: Tree, targets: list[str], strict: bool) -> None:

@@ -118,6 +118,8 @@ GRADE_NEEDS = (Need("bubblewrap", "command", "bwrap"),)
 VIEW_NEEDS = (Need("libjs-three", "file", str(THREE / "three.min.js")),)
 TEST_NEEDS = (*GRADE_NEEDS, *VIEW_NEEDS, Need("libarchive-tools", "command", "bsdtar"),
               Need("clang-format", "command", "clang-format"), *sanitizers())
+# One node of it, which the tests of --slurm start for themselves.
+SLURM_NEEDS = (Need("slurm-wlm", "command", "sbatch"), Need("munge", "command", "munge"))
 # A browser that tests can drive. Ubuntu has none but as a snap, which they can not: they are skipped there.
 BROWSER_NEEDS = (Need("python3-selenium", "module", "selenium"), Need("chromium", "command", "chromium"),
                  Need("chromium-driver", "command", "chromedriver"))

@@ -1,5 +1,6 @@
 """./course grade: marks for a class of submissions."""
 
+import shutil
 import signal
 import sys
 import time
@@ -21,7 +22,8 @@ from grading.text import one_line
 from install import install
 from manifest import all_exercises
 from needs import GRADE_NEEDS, NEEDS
-from paths import shown
+from paths import ROOT, shown
+from slurm import run_array
 from terminal import fold
 
 
@@ -52,6 +54,8 @@ def _grade(arguments) -> int:
         raise BadInput("grade: a submission, or a folder of them, is needed; see ./course grade --help")
     delivery = find_submissions([Path(path) for path in arguments.paths], out)
     names = [one.name for one in delivery.handed]
+    if arguments.slurm:
+        return _grade_on_slurm(arguments, out, roster, names)
     first, count = arguments.shard or (1, 1)
     handed = delivery.handed[first - 1::count]
     with Grader(arguments) as grader:
@@ -79,14 +83,55 @@ def _grade(arguments) -> int:
     return 0
 
 
-def _merge(folders: list[Path], out: Path, roster: Roster | None, compare: bool) -> int:
+def _grade_on_slurm(arguments, out: Path, roster: Roster | None, names: list[str]) -> int:
+    """Builds and tries the reference here, grades a shard in each part, and merges what came of them."""
+    if arguments.shard:
+        raise BadInput("grade: --slurm makes shards of its own, and goes with no --shard")
+    with Grader(arguments):
+        pass
+    count, shards = min(arguments.slurm, len(names)), out.absolute() / "shards"
+    shutil.rmtree(shards, ignore_errors=True)
+    command = [str(ROOT / "course"), "grade", *(str(Path(path).absolute()) for path in arguments.paths),
+               *_for_a_shard(arguments), "--shard", f"@I@/{count}", "--out", f"{shards}/@I@"]
+    failed = run_array(command, count, out.absolute() / "slurm", "grading on Slurm")
+    set_aside(out, names)
+    done = [folder for k in range(1, count + 1) if (folder := shards / str(k)) and _has_results(folder)]
+    if not done:
+        raise CourseError("no part has graded anything", "\n".join(f"part {part}: {why}" for part, why in failed.items()))
+    code = _merge(done, out, roster, arguments.similarity, names)
+    if failed:
+        raise CourseError(f"{len(failed)} of {count} parts failed; the same command again grades what is missing",
+                          "\n".join(f"part {part}: {why}" for part, why in failed.items()))
+    return code
+
+
+def _has_results(folder: Path) -> bool:
+    return any(folder.glob("submissions/*/results.json"))
+
+
+def _for_a_shard(arguments) -> list[str]:
+    """The options that a shard is graded with, as they were given here."""
+    words = ["--jobs", str(arguments.jobs), "--points", arguments.points, "--weights", str(Path(arguments.weights).absolute())]
+    for name in ("seed", "time_limit", "exercise_time", "submission_time", "isolation"):
+        if (value := getattr(arguments, name)) is not None:
+            words += [f"--{name.replace('_', '-')}", str(value)]
+    if arguments.chapters:
+        words += ["--chapters", ",".join(map(str, sorted(arguments.chapters)))]
+    if arguments.hidden:
+        words += ["--hidden", str(Path(arguments.hidden).absolute())]
+    return words + (["--fresh"] if arguments.fresh else [])
+
+
+def _merge(folders: list[Path], out: Path, roster: Roster | None, compare: bool,
+           names: list[str] | None = None) -> int:
+    """`names` are all that were handed in, where they are known; whoever was graded before and is none is gone."""
     results, left_out = merge(folders, out)
     of_class = Class(left_out, roster)
     write_gradebook(out, results, of_class)
     if compare:
         _compare(out, results)
     _say_who_is_missing(not_graded(results, of_class))
-    missing = missing_shards(folders)
+    missing = missing_shards(folders) if names is None else []
     print(f"{statistics_line(results)}.\n{_where(out)}.")
     if missing:
         raise CourseError(f"shard {', '.join(missing)} of this grading is missing: grade it, and merge again"

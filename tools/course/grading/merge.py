@@ -57,7 +57,7 @@ def merge(folders: list[Path], out: Path) -> tuple[list[dict], list[tuple[str, s
     names = sorted({name for record in records for name in record["names"]} | set(results))
     left_out = list(dict.fromkeys(tuple(one) for record in records for one in record["left_out"]))
     write_delivery(out, names, left_out, (1, 1))
-    lacking = [(name, f"its shard is missing{_which(name, records)}") for name in names if name not in results]
+    lacking = [(name, f"its shard is not done{_which(name, records)}") for name in names if name not in results]
     return [results[name] for name in sorted(results)], left_out + lacking
 
 
