@@ -52,7 +52,7 @@ TaskPlugin=task/none
 SelectType=select/cons_tres
 SelectTypeParameters=CR_CPU
 SchedulerType=sched/backfill
-SchedulerParameters=sched_interval=1
+SchedulerParameters=batch_sched_delay=0,sched_interval=1,bf_interval=1,sched_min_interval=10000
 MpiDefault=none
 ReturnToService=2
 SlurmdTimeout=10
@@ -77,7 +77,7 @@ PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP
         while process > 1 and process != os.getpid():
             family.append(process)
             process = int(Path("/proc", str(process), "stat").read_text().rpartition(")")[2].split()[1])
-        for one in {self._node.pid, *family}:
+        for one in (self._node.pid, *reversed(family)):  # from the outside in: nobody notes how another ended
             with contextlib.suppress(ProcessLookupError):
                 os.kill(one, signal.SIGKILL)
         self._node.wait()

@@ -22,7 +22,7 @@ import terminal
 from errors import CourseError
 from manifest import numbered_items
 from marker import is_stub, marker_line
-from needs import NEEDS, Need
+from needs import BROWSER_NEEDS, NEEDS, Need
 
 
 class Marker(unittest.TestCase):
@@ -206,7 +206,7 @@ class BrowserForTests(unittest.TestCase):
              mock.patch.object(everything, "is_offered", return_value=offered), \
              mock.patch.object(everything, "install", side_effect=error) as installing, \
              contextlib.redirect_stdout(io.StringIO()) as out:
-            everything._install_browser(yes=True)
+            everything._install_if_offered(BROWSER_NEEDS, "browser", yes=True)
         return out.getvalue(), installing.called
 
     def test_it_is_installed_where_the_system_has_it(self):
