@@ -42,7 +42,7 @@ bool tell_force(const Message& question, const ForceField* force) {
 
 void end_for_nonsense() {
   report({"nonsense"});
-  _exit(0);
+  _exit(stream_is_lost);
 }
 
 Message answer_to(const std::string& call, const ForceField* force) {

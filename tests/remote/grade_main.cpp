@@ -112,7 +112,12 @@ void run_apart(char* program, const std::string& test) {
     const pid_t process = fork();
     if (process == 0) run(program, test, partner);
     if (process < 0 || waitpid(process, &status, 0) < 0) _exit(3);
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != partner_has_ended) end_partner();
+    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
+    if (code != partner_has_ended && code != stream_is_lost) end_partner();
+    if (code == stream_is_lost) {
+      report({"done", "0"});
+      _exit(0);
+    }
   }
   report({"done", std::to_string(status)});
 }

@@ -15,6 +15,8 @@ namespace spook::remote {
 inline constexpr int report_descriptor = 4;
 inline constexpr int partner_has_ended = 77;  ///< exit code of a test that has told so itself
 
+inline constexpr int stream_is_lost = 78;  ///< of one to which came what is no message: nothing can follow it
+
 /// One record, its length before it.
 void report(const std::vector<std::string>& fields);
 

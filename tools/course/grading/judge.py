@@ -26,6 +26,8 @@ VERDICTS = (PASSED, FAILED, NOT_STARTED, DOES_NOT_COMPILE, TIMED_OUT, CRASHED, O
             ENDED_EARLY, TAMPERED)
 
 LOOPED, WAITED, NOT_RUN = "looped", "waited", "not run"  # reasons of TIMED_OUT
+# The same, whether its processor time was up or, on a busy machine, that on the clock.
+_DOES_IT_END = "It was stopped: it was still computing when its time was up. Does a loop never end?"
 _PRINTED = 4000  # characters kept of what the student's code printed
 _MESSAGE = 20_000
 _WORKED = 0.5  # seconds of processor time, above which what the clock has stopped did more than wait
@@ -163,7 +165,7 @@ def read_verdict(ran: Ran, cpu_limit: int) -> tuple[str, str, list[str]]:
     if ran.timed_out and ran.cpu < _WORKED:
         return TIMED_OUT, WAITED, ["It was stopped: it waited for something that never came."]
     if ran.timed_out:
-        return TIMED_OUT, LOOPED, ["It was still computing when its time on the clock was up. Does a loop never end?"]
+        return TIMED_OUT, LOOPED, [_DOES_IT_END]
     if ran.nonsense:
         return TAMPERED, "a forged answer", ["Something else than the function's answer came back to the tests."]
     if ran.verdict is None:
@@ -182,7 +184,7 @@ def read_verdict(ran: Ran, cpu_limit: int) -> tuple[str, str, list[str]]:
 def _without_verdict(ran: Ran, cpu_limit: int) -> tuple[str, str, list[str]]:
     number = _signal(ran.code)
     if number == signal.SIGXCPU or (number == signal.SIGKILL and ran.cpu >= cpu_limit):
-        return TIMED_OUT, LOOPED, [f"It was stopped after {cpu_limit} s of processor time. Does a loop never end?"]
+        return TIMED_OUT, LOOPED, [_DOES_IT_END]
     if number == signal.SIGABRT and "std::bad_alloc" in ran.output:
         return OUT_OF_MEMORY, "", ["It asked for more memory than there is."]
     if number:
@@ -191,7 +193,7 @@ def _without_verdict(ran: Ran, cpu_limit: int) -> tuple[str, str, list[str]]:
     if ran.tests_code:  # the test, and not the function: it could not work with what it got
         of_test = _signal(ran.tests_code)
         if of_test in (signal.SIGXCPU, signal.SIGKILL):
-            return TIMED_OUT, LOOPED, [f"The test was stopped after {cpu_limit} s: it could not work with what it got."]
+            return TIMED_OUT, LOOPED, ["The test was still computing when its time was up: it could not work with what it got."]
         return CRASHED, _name(of_test) if of_test else f"exit code {ran.tests_code}", [
             "The test could not work with what it got: a size or an index that makes no sense."]
     return ENDED_EARLY, f"exit code {ran.code}", ["The program ended before the test did. Does it call exit?"]
