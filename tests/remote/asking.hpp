@@ -18,6 +18,9 @@ Message answer_to(const std::string& call, const ForceField* force);
 
 [[noreturn]] void end_for_nonsense();
 
+/// After a test: the only thing that may come unasked is that the other side has ended. Ends this process.
+[[noreturn]] void take_what_has_arrived();
+
 template <class T>
 inline constexpr bool is_force = std::is_same_v<std::remove_cvref_t<T>, ForceField>;
 

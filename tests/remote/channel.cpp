@@ -3,6 +3,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -16,13 +17,24 @@ namespace {
 // Length and kind, before each message.
 constexpr std::size_t head_size = 5;
 
+// What has been read and not yet taken: most messages come whole, and cost one call of the system.
+std::array<char, 1 << 16> arrived;
+std::size_t taken = 0, filled = 0;
+
 bool receive_exactly(char* to, std::size_t size) {
   while (size > 0) {
-    const ssize_t count = read(channel, to, size);
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return false;
-    to += count;
-    size -= static_cast<std::size_t>(count);
+    if (taken == filled) {
+      const ssize_t count = read(channel, arrived.data(), arrived.size());
+      if (count < 0 && errno == EINTR) continue;
+      if (count <= 0) return false;
+      taken = 0;
+      filled = static_cast<std::size_t>(count);
+    }
+    const std::size_t part = std::min(size, filled - taken);
+    std::memcpy(to, arrived.data() + taken, part);
+    taken += part;
+    to += part;
+    size -= part;
   }
   return true;
 }
@@ -60,7 +72,12 @@ bool send(Kind kind, const std::string& bytes) {
   return true;
 }
 
+bool something_has_arrived() {
+  return taken < filled;
+}
+
 Message receive_begun(int& process) {
+  if (something_has_arrived()) return receive();
   const int on = 1, off = 0;
   setsockopt(channel, SOL_SOCKET, SO_PASSCRED, &on, sizeof on);
   std::array<char, head_size> head;

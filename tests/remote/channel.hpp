@@ -25,6 +25,9 @@ inline constexpr std::uint32_t longest_message = 64u << 20u;  ///< bytes
 /// Waits for the next message; throws Nonsense for what is none.
 Message receive();
 
+/// Whether more than was taken has come already.
+bool something_has_arrived();
+
 /// Whether there was somebody to take it.
 bool send(Kind kind, const std::string& bytes = "");
 

@@ -84,6 +84,7 @@ double seconds_of_partner() {
   listeners.Append(recorder);
   const int result = RUN_ALL_TESTS();
   report_verdict(result, *recorder);
+  if (something_has_arrived()) take_what_has_arrived();
   _exit(0);
 }
 
