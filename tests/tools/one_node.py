@@ -1,4 +1,4 @@
-"""A Slurm of one node in a folder of its own: munge's key and socket, a controller and a node on free ports, no systemd."""
+"""A Slurm of one node in a folder of its own: munge's key and socket, a controller and a node on free ports."""
 
 import contextlib
 import os
@@ -118,7 +118,8 @@ PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP
         words = ["--foreground", f"--key-file={key}", f"--socket={folder / 'socket'}", f"--pid-file={folder / 'pid'}",
                  f"--log-file={folder / 'log'}", f"--seed-file={folder / 'seed'}", "--num-threads=2", "--force"]
         self._processes.append(subprocess.Popen(
-            [_which("setpriv"), f"--reuid={user.pw_uid}", f"--regid={user.pw_gid}", "--clear-groups", _which("munged"), *words],
+            [_which("setpriv"), f"--reuid={user.pw_uid}", f"--regid={user.pw_gid}", "--clear-groups",
+             _which("munged"), *words],
             stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL))
         _wait(lambda: (folder / "socket").exists(), "munge does not answer", 20)
 

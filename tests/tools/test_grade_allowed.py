@@ -34,8 +34,8 @@ class Allowed(unittest.TestCase):
                 self.assertEqual(bool(tampering(self.made(f'.section {section},"a"\n.long 0'))), refused)
 
     def test_calls(self):
-        for name in ("fork", "_Fork", "fexecve", "pkey_mprotect", "execveat", "posix_spawn", "socket", "syscall", "write",
-                     "dlsym", "_Unwind_Backtrace", "__bss_start", "_end", "longjmp", "sigaction"):
+        for name in ("fork", "_Fork", "fexecve", "pkey_mprotect", "execveat", "posix_spawn", "socket", "syscall",
+                     "write", "dlsym", "_Unwind_Backtrace", "__bss_start", "_end", "longjmp", "sigaction"):
             for how in (f".globl {name}\n.quad {name}", f".weak {name}\n.quad {name}",
                         f".globl other\n.set other, {name}\n.quad other",
                         f".globl mine\n.symver mine, {name}@GLIBC_2.2.5\n.quad mine"):
@@ -55,9 +55,9 @@ class Allowed(unittest.TestCase):
                 self.assertNotEqual(tampering(self.made(assembly)), "")
 
     def test_what_an_answer_calls(self):
-        for name in ("sqrt", "hypotf", "memcpy", "printf", "__printf_chk", "_Znwm", "_ZdlPvm", "_ZSt4cout", "_ZTISt9exception",
-                     "_ZTVN10__cxxabiv120__si_class_type_infoE", "__cxa_throw", "_Unwind_Resume", "pthread_create",
-                     "_ZN5spook5driftERKN5Eigen6MatrixE", "clock_gettime", "_ZNSt6thread4joinEv", "__muldc3"):
+        for name in ("sqrt", "hypotf", "memcpy", "printf", "__printf_chk", "_Znwm", "_ZdlPvm", "_ZSt4cout",
+                     "_ZTISt9exception", "_ZTVN10__cxxabiv120__si_class_type_infoE", "__cxa_throw", "_Unwind_Resume",
+                     "pthread_create", "_ZN5spook5driftERKN5Eigen6MatrixE", "clock_gettime", "_ZNSt6thread4joinEv", "__muldc3"):
             with self.subTest(name):
                 made = self.made(f".quad {name}")
                 self.assertEqual((tampering(made), not_allowed(made, COURSE)), ("", ""))

@@ -1,4 +1,4 @@
-"""What platforms deliver, in all its shapes: who it is of, what is taken, and that nobody vanishes. Nothing is graded."""
+"""What platforms deliver, in all its shapes: who it is of, what is taken, and that nobody vanishes."""
 
 import io
 import shutil
@@ -91,7 +91,8 @@ class Delivered(InFolder):
 
     def test_canvas(self):
         submissions, left = self.found(self.put({
-            "leeann_12_55_kick.cpp": KICK, "leeann_12_56_drift-2.cpp": b"d", "ekbo_LATE_13_57_work.zip": zipped({WHERE: KICK}),
+            "leeann_12_55_kick.cpp": KICK, "leeann_12_56_drift-2.cpp": b"d",
+            "ekbo_LATE_13_57_work.zip": zipped({WHERE: KICK}),
             "ohcy_late_14_58_kick-1.cpp": KICK, "notes.pdf": b"x"}))
         self.assertEqual(set(submissions), {"leeann", "ekbo", "ohcy"})
         self.assert_kicks(submissions, "leeann", "ekbo", "ohcy")
@@ -120,7 +121,8 @@ class Delivered(InFolder):
         if not shutil.which("bsdtar"):
             self.skipTest("bsdtar (libarchive-tools) is not installed")
         folder = self.put({WHERE: KICK}, "ann")
-        subprocess.run(["bsdtar", "--format=7zip", "-cf", str(self.root / "ann.7z"), "-C", str(folder), "chapters"], check=True)
+        subprocess.run(["bsdtar", "--format=7zip", "-cf", str(self.root / "ann.7z"), "-C", str(folder), "chapters"],
+                       check=True)
         self.assert_kicks(self.found(self.root / "ann.7z")[0], "ann")
 
     def test_a_loose_file_makes_no_class_one_submission(self):
@@ -138,7 +140,8 @@ class Delivered(InFolder):
 
     def test_everything_is_somewhere(self):
         """Whatever lies in a folder is a submission's or is left out, with its name."""
-        folder = self.put({"ann/" + WHERE: KICK, "bo.rar": b"Rar!", "cy.zip": b"", "readme.txt": b"x", ".hidden/x": b"x"})
+        folder = self.put({"ann/" + WHERE: KICK, "bo.rar": b"Rar!", "cy.zip": b"", "readme.txt": b"x",
+                           ".hidden/x": b"x"})
         (folder / "di").mkdir()
         (folder / "link").symlink_to(folder / "ann")
         submissions, left = self.found(folder)
@@ -168,7 +171,8 @@ class Rosters(InFolder):
                              '"Öberg, Åsa",13,ao2,A\n"Ek, Bo",14,be3,A\n"Student, Test",99,,A\n')
         found, missing, strangers = roster.matched([
             self.result("leeann", identifier="12"), self.result("Asa Oberg"), self.result("be3"), self.result("Zed")])
-        self.assertEqual({name: row["ID"] for name, row in found.items()}, {"leeann": "12", "Asa Oberg": "13", "be3": "14"})
+        self.assertEqual({name: row["ID"] for name, row in found.items()},
+                         {"leeann": "12", "Asa Oberg": "13", "be3": "14"})
         self.assertEqual((missing, strangers), ([], ["Zed"]))
 
     def test_two_of_one_name_are_not_guessed(self):
@@ -198,7 +202,8 @@ class Records(InFolder):
         results, left_out = merge(folders, self.root / "whole")
         self.assertEqual([result["submission"] for result in results], ["s0", "s2", "s3", "s5", "s6"])
         self.assertEqual(missing_shards(folders), ["2/3"])
-        self.assertEqual(left_out, [("x", "why"), ("s1", "its shard is not done: 2/3"), ("s4", "its shard is not done: 2/3")])
+        self.assertEqual(left_out, [("x", "why"), ("s1", "its shard is not done: 2/3"),
+                                    ("s4", "its shard is not done: 2/3")])
 
     def test_who_is_removed_leaves_the_results(self):
         folder = self.graded(1, ["ann", "bo"], count=1)

@@ -132,7 +132,8 @@ class Exports(unittest.TestCase):
     def test_results_are_weighed_again(self):
         """By another table and rule, and nothing is run again."""
         table = self.room.root / "table.csv"
-        table.write_text("test,points,visibility,hint,title\nDrift.BackwardsUndoesForwards,9,hidden,1.2/1,Secret words\n")
+        table.write_text("test,points,visibility,hint,title\n"
+                         "Drift.BackwardsUndoesForwards,9,hidden,1.2/1,Secret words\n")
         rows = list(csv.DictReader(io.StringIO(self.export("csv", self.file("wrong"), "--weights", table))))
         self.assertEqual([row["score"] for row in rows if row["test"] == "Drift.BackwardsUndoesForwards"], ["9"])
         junit = self.export("junit", self.file("wrong"), "--weights", table)
@@ -153,7 +154,8 @@ class Exports(unittest.TestCase):
         self.assertEqual([row[-1] for row in rows[1:]], [most, "5", "2", "0"])
         self.assertIn("forks", run.stderr)
         moodle = self.room.root / "moodle.csv"
-        moodle.write_text('Identifier,"Full name",Grade,"Maximum Grade","Feedback comments"\nParticipant 1,right,,100.00,\n'
+        moodle.write_text('Identifier,"Full name",Grade,"Maximum Grade","Feedback comments"\n'
+                          'Participant 1,right,,100.00,\n'
                           'Participant 2,Ned,,100.00,\n', encoding="utf-8-sig")
         rows = list(csv.DictReader(io.StringIO(self.export("moodle", self.marks.folder, "--roster", moodle))))
         self.assertEqual([row["Grade"] for row in rows], [f"{500 / float(most):.2f}", ""])

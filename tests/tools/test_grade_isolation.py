@@ -54,7 +54,8 @@ class InIsolation(unittest.TestCase):
 
     def test_it_has_no_descriptor_but_the_usual_three(self):
         for name in WORKING:
-            ended = self.python(name, "import os\nfor d in range(3, 64):\n  try: print(d, os.fstat(d))\n  except OSError: pass")
+            ended = self.python(name, "import os\nfor d in range(3, 64):\n  try: print(d, os.fstat(d))\n"
+                                "  except OSError: pass")
             self.assertEqual(ended.output.strip(), "", name)
 
     def test_nothing_of_the_graders_is_seen_or_written(self):

@@ -31,7 +31,8 @@ class Tests:
         theirs, self.socket = socket.socketpair()
         read, write = os.pipe()
         os.set_inheritable(write, True)
-        command = ["/bin/sh", "-c", f'exec "$0" "$1" 3<&{theirs.fileno()} 4>&{write}', str(test_program(self.chapter)), function]
+        command = ["/bin/sh", "-c", f'exec "$0" "$1" 3<&{theirs.fileno()} 4>&{write}',
+                   str(test_program(self.chapter)), function]
         self.process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.DEVNULL,
                                         stderr=subprocess.DEVNULL, pass_fds=(theirs.fileno(), write))
         theirs.close()
@@ -111,7 +112,8 @@ class Hostile(unittest.TestCase):
 
     def test_noise(self):
         draw = random.Random(SEED)
-        self.assert_none_passes(lambda to, _: to.send(RETURNED, draw.randbytes(draw.choice((0, 1, 7, 24, 25, 100, 5000)))))
+        sizes = (0, 1, 7, 24, 25, 100, 5000)
+        self.assert_none_passes(lambda to, _: to.send(RETURNED, draw.randbytes(draw.choice(sizes))))
 
     def test_sizes_that_are_none(self):
         huge = struct.pack("=Q", 2**63)
@@ -131,7 +133,8 @@ class Hostile(unittest.TestCase):
         draw = random.Random(SEED)
         tests = Tests("drift")
         with contextlib.closing(tests):
-            for answer, passes in ((lambda to, _: to.send(RETURNED, draw.randbytes(24)), False), (self.drift, True)) * 3:
+            noise = (lambda to, _: to.send(RETURNED, draw.randbytes(24)), False)
+            for answer, passes in (noise, (self.drift, True)) * 3:
                 kinds = tests.run("Drift.MovesByVelocityTimesStep", answer)
                 self.assertEqual([b"verdict", b"0", b"1", b"", b""] in kinds, passes)
 

@@ -42,8 +42,9 @@ def disguised(source: str, draw: random.Random) -> str:
     source = re.sub(r"\b\w+\b", lambda word: other.get(word[0], word[0]), source)
     lines = []
     for line in source.split("\n"):
-        lines += [line.replace(" = ", "=").replace(", ", ",  ")] + (["  // what I thought about this"] if draw.random() < 0.3
-                                                                   else [])
+        lines.append(line.replace(" = ", "=").replace(", ", ",  "))
+        if draw.random() < 0.3:
+            lines.append("  // what I thought about this")
         if draw.random() < 0.08 and line.endswith(";"):
             lines.append("  my_check(my_x);")
     return "\n".join(lines)
@@ -57,7 +58,8 @@ class Similarity(unittest.TestCase):
         works["1"]["s08"] = disguised(works["1"]["s09"], draw)
         works["3"]["s08"] = disguised(works["3"]["s09"], draw)
         found = similar(works, {exercise: [STUB, written(draw)] for exercise in works})
-        self.assertEqual({(pair.first, pair.second) for pair in found.pairs}, {("s05", "s31"), ("s08", "s09")}, f"seed {SEED}")
+        self.assertEqual({(pair.first, pair.second) for pair in found.pairs}, {("s05", "s31"), ("s08", "s09")},
+                         f"seed {SEED}")
         self.assertEqual(found.references, [])
         both = next(pair for pair in found.pairs if pair.first == "s08")
         self.assertEqual(set(both.shared), {"1", "3"})
@@ -78,7 +80,8 @@ class Similarity(unittest.TestCase):
         draw = random.Random(SEED)
         reference = written(draw)
         works = {"1": {f"s{k}": written(draw) for k in range(8)} | {"cheat": disguised(reference, draw)}}
-        self.assertEqual([(who, what) for who, what, _ in similar(works, {"1": [STUB, reference]}).references], [("cheat", "1")])
+        found = similar(works, {"1": [STUB, reference]})
+        self.assertEqual([(who, what) for who, what, _ in found.references], [("cheat", "1")])
 
     def test_names_comments_and_spaces_do_not_count(self):
         draw = random.Random(SEED)

@@ -43,7 +43,7 @@ class Weights(unittest.TestCase):
         chapters = read_chapters()
         build_tests(chapters)
         with ThreadPoolExecutor(2) as pool:
-            idle = set().union(*pool.map(lambda chapter: idle_tests(test_program(chapter), listed_tests(chapter)), chapters))
+            idle = set().union(*pool.map(lambda one: idle_tests(test_program(one), listed_tests(one)), chapters))
         self.assertGreater(len(idle), 20)
         self.assertEqual({test for test, row in rows.items() if row.points == 0}, idle)
 

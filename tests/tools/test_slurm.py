@@ -1,4 +1,4 @@
-"""--slurm on a real Slurm of one node: the same marks and tables as without, and what fails is told and costs no more."""
+"""--slurm on a real Slurm of one node: the same marks and tables as without, and what fails is told."""
 
 import filecmp
 import os
@@ -40,7 +40,8 @@ class Slurm(unittest.TestCase):
                                    "drift.cpp": right("drift") if k % 2 else f"wrong {k}"})
         here = room.grade(out="here")
         there = room.root / "there"
-        run = room.run(room.handed_in, "--chapters", "1", "--time-limit", str(SECONDS_A_TEST), "--slurm", "3", "--out", there)
+        run = room.run(room.handed_in, "--chapters", "1", "--time-limit", str(SECONDS_A_TEST), "--slurm", "3",
+                       "--out", there)
         self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
         self.assertIn("an array of 3. Its nodes must see ", run.stdout)
         for name in ("grades.csv", "tests.csv", "summary.md", *(f"submissions/s{k}/{file}" for k in range(5)

@@ -144,7 +144,8 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     command.add_argument("--points", choices=RULES, help="what counts: exercises that are right, or each test")
     command.add_argument("--time-limit", type=_count, metavar="SECONDS", help="of a test, where the platform grades")
     command.add_argument("--roster", metavar="FILE", help="for canvas and moodle: the table that the platform gave")
-    command.add_argument("--assignment", default="Assignment", metavar="TITLE", help="of its column in Canvas: Name (number)")
+    command.add_argument("--assignment", default="Assignment", metavar="TITLE",
+                         help="of its column in Canvas: Name (number)")
     for name, text in (("start", "install, build, run real scenes, show the board"),
                        ("test", "every test there is")):
         command = add(name, text)

@@ -144,7 +144,7 @@ def _run(experiment: Experiment, arguments, mine: list[Exercise]) -> int:
 
 
 def _compute_on_slurm(experiment: Experiment, arguments) -> None:
-    """Each part is written into the experiment's own folder; what a part has not computed is computed here, afterwards."""
+    """Each part is written into the experiment's own folder; what is missing afterwards is computed here."""
     if arguments.mine or arguments.shard or arguments.merge:
         raise BadInput("plot: --slurm divides the experiment itself: it goes with neither --mine, --shard nor --merge")
     path, folder = program(f"plot_{experiment.name}"), experiment.folder(False)

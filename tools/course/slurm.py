@@ -1,7 +1,7 @@
 """Runs a command as an array of an existing Slurm, waits, and says what became of each part.
 
 Nothing is copied: the course, its build trees and the folder of results must lie where every node sees them under the
-same path. Which queue, how long, for whom: sbatch reads the variables SBATCH_PARTITION, SBATCH_TIMELIMIT, SBATCH_ACCOUNT.
+same path. Which queue, how long, for whom: sbatch reads SBATCH_PARTITION, SBATCH_TIMELIMIT and SBATCH_ACCOUNT.
 """
 
 import os

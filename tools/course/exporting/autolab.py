@@ -14,7 +14,8 @@ def write_kit(arguments) -> list[Path]:
     folder = Path(arguments.out or ".")
     folder.mkdir(parents=True, exist_ok=True)
     makefile, archive = folder / "autograde-Makefile", folder / "autograde.tar"
-    makefile.write_text(filled("autograde-Makefile", options=options(arguments, "hidden", "weights.csv")), encoding="utf-8")
+    words = options(arguments, "hidden", "weights.csv")
+    makefile.write_text(filled("autograde-Makefile", options=words), encoding="utf-8")
     with tarfile.open(archive, "w") as tar:
         for name in course_files():
             _add(tar, f"course/{name}", ROOT / name)

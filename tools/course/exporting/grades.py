@@ -20,13 +20,14 @@ def for_canvas(results: list[dict], roster: Roster, assignment: str) -> str:
         raise BadInput("export: canvas wants the gradebook that Canvas exports, with columns Student and ID")
     by_row = _scores(results, roster)
     possible = ["Points Possible", *([""] * (len(titles) - 1)), f"{results[0]['max_score']:g}"]
-    lines = [[row[title] for title in titles] + [f"{by_row.get(id(row), {'score': 0})['score']:g}"] for row in roster.rows]
+    lines = [[row[title] for title in titles] + [f"{by_row.get(id(row), {'score': 0})['score']:g}"]
+             for row in roster.rows]
     return _table([[*titles, assignment], possible, *lines])
 
 
 def for_moodle(results: list[dict], roster: Roster) -> str:
     if "Identifier" not in roster.columns or "Grade" not in roster.columns:
-        raise BadInput("export: moodle wants the grading worksheet of the assignment, with columns Identifier and Grade")
+        raise BadInput("export: moodle wants the assignment's grading worksheet, with columns Identifier and Grade")
     by_row = _scores(results, roster)
     lines = []
     for row in roster.rows:

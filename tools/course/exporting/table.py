@@ -9,8 +9,8 @@ from grading.gradebook import cell
 def of_results(results: list[dict]) -> str:
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(["submission", "student", "identifier", "late", "exercise", "function", "test", "verdict", "reason", "score", "max_score",
-                     "visibility"])
+    writer.writerow(["submission", "student", "identifier", "late", "exercise", "function", "test", "verdict", "reason",
+                     "score", "max_score", "visibility"])
     for result in results:
         for exercise in result["exercises"]:
             for test in exercise["tests"]:

@@ -17,7 +17,8 @@ _LIBRARY = re.compile(
     r"|_ZT[ISVT](?:[a-z]|P\w*|N?St|N?10__cxxabiv1|N9__gnu_cxx)|_ZN?K?(?:V|R)?S[tabsiod]|_ZNK?S|_ZNK?9__gnu_cxx"
     r"|_ZNK?10__cxxabiv1|_ZGTt|__cxa_|__gxx_personality_v0$|_Unwind_Resume$|__stack_chk_fail$|__dso_handle$"
     r"|__dynamic_cast$|_GLOBAL_OFFSET_TABLE_$|__tls_get_addr$|__assert_fail$|__glibcxx_assert_fail$|__errno_location$"
-    r"|__signbit|__(?:mul|div|pow|add|sub|float|fix|ext|trunc|popcount|parity|clz|ctz|bswap|udiv|umod|mod|ash|lsh)[a-z]*\d?$"
+    r"|__signbit|__(?:mul|div|pow|add|sub|float|fix|ext|trunc|popcount|parity|clz|ctz|bswap|udiv|umod|mod|ash|lsh)"
+    r"[a-z]*\d?$"
     r"|__ctype_\w+_loc$|__\w+_chk$|__isoc\d\d_\w+$|__gthrw_|__libc_single_threaded$|__once_proxy$|__aarch64_\w+$")
 _MATHS = ("acos acosh asin asinh atan atan2 atanh cbrt ceil copysign cos cosh erf erfc exp exp10 exp2 expm1 fabs fdim "
           "floor fma fmax fmin fmod frexp hypot ilogb isinf isnan finite j0 j1 jn ldexp lgamma llrint llround log "

@@ -69,7 +69,8 @@ def _entries(path: Path) -> Iterator[Entry]:
     if is_archive(path.name):
         return _of_archive(path.name, path)
     found = path.lstat()
-    return iter([Entry(PurePosixPath(text(path.name)), _kind(found.st_mode), found.st_size, lambda: _read_regular(path))])
+    return iter([Entry(PurePosixPath(text(path.name)), _kind(found.st_mode), found.st_size,
+                       lambda: _read_regular(path))])
 
 
 def _expanded(entries: Iterator[Entry], depth: int) -> Iterator[Entry]:
@@ -127,8 +128,8 @@ def _of_archive(name: str, file) -> Iterator[Entry]:
 def _of_zip(archive: zipfile.ZipFile) -> Iterator[Entry]:
     for info in archive.infolist():
         if not info.is_dir():
-            yield Entry(PurePosixPath(info.filename.replace("\\", "/")), _kind(info.external_attr >> 16), info.file_size,
-                        lambda info=info: _read_up_to(archive.open(info), info.filename))
+            yield Entry(PurePosixPath(info.filename.replace("\\", "/")), _kind(info.external_attr >> 16),
+                        info.file_size, lambda info=info: _read_up_to(archive.open(info), info.filename))
 
 
 def _of_tar(archive: tarfile.TarFile) -> Iterator[Entry]:

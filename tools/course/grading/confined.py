@@ -1,4 +1,4 @@
-"""Runs commands that are not trusted to their end, whatever they do, and leaves nothing over: limits in time and output."""
+"""Runs commands that are not trusted to their end, whatever they do, and leaves nothing over."""
 
 import contextlib
 import fcntl

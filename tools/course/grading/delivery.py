@@ -14,6 +14,8 @@ from grading.names import Student, student_of
 from grading.submission import Handed, Place, rank_of
 from manifest import Exercise, all_exercises
 
+_LOOSE = "a loose file, and its name does not say whose it is"
+
 
 @dataclass
 class Delivery:
@@ -112,8 +114,8 @@ def _take_folder(delivery: Delivery, folder: Path, out: Path, exercises: list[Ex
             else:
                 delivery.add(_student(child), Place(child))
         else:
-            why = ("a loose file, and its name does not say whose it is" if rank_of(PurePosixPath(child.name), exercises)
-                   else "neither a folder nor an archive")
+            is_loose = rank_of(PurePosixPath(child.name), exercises)
+            why = _LOOSE if is_loose else "neither a folder nor an archive"
             delivery.left_out.append((shown, why))
     if not taken:
         raise BadInput(f"grade: {folder} holds no submission: no chapters/, no folders, no archives")
@@ -130,7 +132,7 @@ def _take_archive(delivery: Delivery, archive: Path, names: Iterable[PurePosixPa
         if known and (is_file or is_archive(top)):
             loose.setdefault(known[0], []).append(Place(archive, top))
         elif is_file and not is_archive(top):
-            delivery.left_out.append((f"{archive.name}/{top}", "a loose file, and its name does not say whose it is"))
+            delivery.left_out.append((f"{archive.name}/{top}", _LOOSE))
         else:
             delivery.add(known[0] if known else Student(without_suffix(top)), Place(archive, top))
     for student, places in loose.items():

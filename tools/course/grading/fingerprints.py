@@ -13,7 +13,8 @@ from marker import blanked
 K, W = 14, 6
 _TOKEN = re.compile(r"[A-Za-z_]\w*|\d[\w.']*|::|->|<<|>>|&&|\|\||[-+*/%<>=!&|^]=|\+\+|--|[^\s\w]")
 _KEPT = frozenset("auto bool break case catch const continue do double else false float for if int new nullptr return "
-                  "size_t static std struct switch template throw true try typename using void while Vec3 Mat3 Quat".split())
+                  "size_t static std struct switch template throw true try typename "
+                  "using void while Vec3 Mat3 Quat".split())
 
 
 @dataclass(frozen=True)

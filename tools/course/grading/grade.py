@@ -97,12 +97,16 @@ def _grade_on_slurm(arguments, out: Path, roster: Roster | None, names: list[str
     set_aside(out, names)
     done = [folder for k in range(1, count + 1) if (folder := shards / str(k)) and _has_results(folder)]
     if not done:
-        raise CourseError("no part has graded anything", "\n".join(f"part {part}: {why}" for part, why in failed.items()))
+        raise CourseError("no part has graded anything", _told(failed))
     code = _merge(done, out, roster, arguments.similarity, names)
     if failed:
         raise CourseError(f"{len(failed)} of {count} parts failed; the same command again grades what is missing",
-                          "\n".join(f"part {part}: {why}" for part, why in failed.items()))
+                          _told(failed))
     return code
+
+
+def _told(failed: dict[int, str]) -> str:
+    return "\n".join(f"part {part}: {why}" for part, why in failed.items())
 
 
 def _has_results(folder: Path) -> bool:
@@ -111,7 +115,8 @@ def _has_results(folder: Path) -> bool:
 
 def _for_a_shard(arguments) -> list[str]:
     """The options that a shard is graded with, as they were given here."""
-    words = ["--jobs", str(arguments.jobs), "--points", arguments.points, "--weights", str(Path(arguments.weights).absolute())]
+    words = ["--jobs", str(arguments.jobs), "--points", arguments.points,
+             "--weights", str(Path(arguments.weights).absolute())]
     for name in ("seed", "time_limit", "exercise_time", "submission_time", "isolation"):
         if (value := getattr(arguments, name)) is not None:
             words += [f"--{name.replace('_', '-')}", str(value)]

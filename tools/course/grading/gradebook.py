@@ -143,7 +143,8 @@ def _summary(results: list[dict], counts: dict[str, dict[str, int]], figure: boo
 
 
 def _exercises(results: list[dict]) -> list[str]:
-    lines = ["## Each exercise\n", "| exercise | done | wrong | not started | points, the mean | of |", "|---|---|---|---|---|---|"]
+    lines = ["## Each exercise\n",
+             "| exercise | done | wrong | not started | points, the mean | of |", "|---|---|---|---|---|---|"]
     for k, exercise in enumerate(results[0]["exercises"]):
         all_of_it = [result["exercises"][k] for result in results]
         states = [one["state"] for one in all_of_it]

@@ -119,7 +119,8 @@ class Grader:
         (folder / "report.md").write_text(report_of(result, by_function), encoding="utf-8")
 
     def _result(self, submission: Submission, judged: dict[Exercise, ExerciseVerdict]) -> dict:
-        settings = {"points": self._points, "seed": self.seed, "seconds_a_test": self._seconds, "isolation": self.isolation.name,
+        settings = {"points": self._points, "seed": self.seed, "seconds_a_test": self._seconds,
+                    "isolation": self.isolation.name,
                     "not_denied": self.isolation.does_not_deny, "tests": self._workshop.sources}
         return result_of(submission, list(judged.items()), self._weights, settings)
 

@@ -193,7 +193,7 @@ def _without_verdict(ran: Ran, cpu_limit: int) -> tuple[str, str, list[str]]:
     if ran.tests_code:  # the test, and not the function: it could not work with what it got
         of_test = _signal(ran.tests_code)
         if of_test in (signal.SIGXCPU, signal.SIGKILL):
-            return TIMED_OUT, LOOPED, ["The test was still computing when its time was up: it could not work with what it got."]
+            return TIMED_OUT, LOOPED, ["The test was still computing when its time was up, with what it had got."]
         return CRASHED, _name(of_test) if of_test else f"exit code {ran.tests_code}", [
             "The test could not work with what it got: a size or an index that makes no sense."]
     return ENDED_EARLY, f"exit code {ran.code}", ["The program ended before the test did. Does it call exit?"]

@@ -21,7 +21,8 @@ def write_delivery(out: Path, names: list[str], left_out: list[tuple[str, str]],
 
 def set_aside(out: Path, names: list[str]) -> list[str]:
     """Moves the results of those who are not among the names, and were graded into this folder before."""
-    gone = [file.parent for file in sorted((out / "submissions").glob("*/results.json")) if file.parent.name not in names]
+    gone = [file.parent for file in sorted((out / "submissions").glob("*/results.json"))
+            if file.parent.name not in names]
     for folder in gone:
         target = out / _REMOVED / folder.name
         target.parent.mkdir(exist_ok=True)

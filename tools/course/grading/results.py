@@ -19,7 +19,8 @@ RULES = ("exercises", "tests")  # what counts: an exercise that is right, or eac
 def result_of(submission: Submission, verdicts: list[tuple[Exercise, ExerciseVerdict]], weights: Weights,
               settings: dict) -> dict:
     """`settings` are how it was graded, with the rule by which points are given among them."""
-    exercises = [_exercise(submission, exercise, verdict, weights, settings["points"]) for exercise, verdict in verdicts]
+    exercises = [_exercise(submission, exercise, verdict, weights, settings["points"])
+                 for exercise, verdict in verdicts]
     return {
         "schema": SCHEMA,
         "submission": submission.name,

@@ -13,7 +13,8 @@ from pathlib import Path
 
 from errors import BadInput
 
-_NAMES = ("student", "full name", "name", "login", "sis login id", "username", "email address", "email", "github username")
+_NAMES = ("student", "full name", "name", "login", "sis login id", "username", "email address", "email",
+          "github username")
 _NUMBERS = ("id", "identifier", "number", "participant")
 
 

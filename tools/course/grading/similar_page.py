@@ -25,7 +25,8 @@ mark { background: #ffd98a } h2 { margin-top: 2em }
 def write_similarity(folder: Path, exercises: list[Exercise]) -> Similarity:
     """Of the works that a grading has kept in its folder."""
     works = {exercise.label: _works(folder, exercise) for exercise in exercises}
-    given = {exercise.label: [_stub(exercise), exercise.reference.read_text(encoding="utf-8")] for exercise in exercises}
+    given = {exercise.label: [_stub(exercise), exercise.reference.read_text(encoding="utf-8")]
+             for exercise in exercises}
     found = similar({label: of for label, of in works.items() if of}, given)
     (folder / "similarity.html").write_text(_page(found), encoding="utf-8")
     return found
@@ -44,9 +45,9 @@ def _stub(exercise: Exercise) -> str:
 
 def _page(found: Similarity) -> str:
     parts = [_HEAD, "<h1>Works that have more in common than chance gives</h1>",
-             "<p>Compared are fingerprints of tokens: names, comments and spaces do not count, and neither does what the "
-             "stubs and the reference have. A fingerprint that few have counts more. A pair is shown when its likeness is "
-             f"above {found.threshold:.1f}, far from what the pairs of this class usually have. "
+             "<p>Compared are fingerprints of tokens: names, comments and spaces do not count, and neither does what "
+             "the stubs and the reference have. A fingerprint that few have counts more. A pair is shown when its "
+             f"likeness is above {found.threshold:.1f}, far from what the pairs of this class usually have. "
              "It is a reason to read both, and proves nothing.</p>"]
     if not found.pairs:
         parts.append("<p>No pair stands out.</p>")
