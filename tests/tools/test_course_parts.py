@@ -22,7 +22,7 @@ import terminal
 from errors import CourseError
 from manifest import numbered_items
 from marker import is_stub, marker_line
-from needs import NEEDS, Need
+from needs import BROWSER_NEEDS, NEEDS, Need
 
 
 class Marker(unittest.TestCase):

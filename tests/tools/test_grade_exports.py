@@ -7,6 +7,7 @@ import json
 import os
 import shutil
 import subprocess
+import tarfile
 import unittest
 import xml.etree.ElementTree as ET
 import zipfile
@@ -84,6 +85,10 @@ class Exports(unittest.TestCase):
     def test_what_makes_no_sense_is_said(self):
         for words, said in ((("junit",), "junit needs results"), (("github", self.marks.folder), "but these are 5"),
                             (("csv", self.room.root / "nowhere"), "can not be read"), (("pdf",), "invalid choice"),
+                            (("canvas", self.marks.folder), "wants --roster FILE"),
+                            (("moodle", self.marks.folder, "--roster", self.room.root / "nowhere"), "can not be read"),
+                            (("csv", self.marks.folder, "--time-limit", "3"), "graded with 2 s a test"),
+                            (("gradescope", "--weights", self.room.root / "none.csv"), "no table of weights"),
                             (("gradescope", "--hidden", self.room.root / "nowhere"), "no hidden tests in"),
                             (("github", "--hidden", self.room.root), "can not be kept from those")):
             run = run_course("export", *words, cwd=self.room.root)
@@ -95,8 +100,65 @@ class Exports(unittest.TestCase):
         self.export("github", "--chapters", "1-3", "--out", "classroom.yml")
         text = (self.room.root / "classroom.yml").read_text()
         self.assertIn("grade submission --out results --chapters 1,2,3\n", text)
+        self.assertIn("token: ${{ secrets.COURSE_TOKEN || github.token }}", text)
         self.assertNotIn("@", text.replace("actions/checkout@v4", "").replace("autograding-grading-reporter@v1", ""))
         self.assertEqual(text.count("\t"), 0)
+
+    def test_kits_take_weights_hidden_tests_and_limits(self):
+        room = self.room.root
+        hidden = room / "hidden" / "01_leapfrog"
+        hidden.mkdir(parents=True)
+        (hidden / "one_test.cpp").write_text("// a test")
+        table = room / "my_weights.csv"
+        table.write_text("test,points,visibility,hint,title\nKick.LeavesAFixedBodyAlone,7,visible,1.1/1,Fixed\n")
+        words = ("--chapters", "1", "--weights", table, "--time-limit", "3", "--points", "tests")
+        self.export("gradescope", *words, "--hidden", hidden.parent, "--out", "kit.zip")
+        with zipfile.ZipFile(room / "kit.zip") as archive:
+            self.assertEqual(archive.read("weights.csv"), table.read_bytes())
+            self.assertEqual(archive.read("hidden/01_leapfrog/one_test.cpp"), b"// a test")
+            called = archive.read("run_autograder").decode()
+        for option in ("--time-limit 3", "--points tests", '--weights "$root/source/weights.csv"',
+                       '--hidden "$root/source/hidden"'):
+            self.assertIn(option, called)
+        self.export("autolab", *words, "--hidden", hidden.parent, "--out", "kit")
+        with tarfile.open(room / "kit" / "autograde.tar") as archive:
+            self.assertEqual(archive.extractfile("weights.csv").read(), table.read_bytes())
+        self.assertIn('--time-limit 3 --points tests --weights "weights.csv" --hidden "hidden" 1>&2',
+                      (room / "kit" / "autograde-Makefile").read_text())
+        self.export("github", *words, "--out", "weighed.yml")
+        self.assertIn('--weights "course/tests/classroom_weights.csv"', (room / "weighed.yml").read_text())
+        self.assertEqual((room / "classroom_weights.csv").read_bytes(), table.read_bytes())
+
+    def test_results_are_weighed_again(self):
+        """By another table and rule, and nothing is run again."""
+        table = self.room.root / "table.csv"
+        table.write_text("test,points,visibility,hint,title\n"
+                         "Drift.BackwardsUndoesForwards,9,hidden,1.2/1,Secret words\n")
+        rows = list(csv.DictReader(io.StringIO(self.export("csv", self.file("wrong"), "--weights", table))))
+        self.assertEqual([row["score"] for row in rows if row["test"] == "Drift.BackwardsUndoesForwards"], ["9"])
+        junit = self.export("junit", self.file("wrong"), "--weights", table)
+        self.assertNotIn("BackwardsUndoesForwards\"", junit.partition("1.2 drift")[2].partition("1.3")[0])
+        self.assertIn("hidden test 2", junit)
+        by_test = json.loads(self.export("gradescope", self.file("wrong"), "--points", "tests"))
+        self.assertEqual(by_test["score"], sum(test["score"] for test in by_test["tests"]))
+
+    def test_canvas_and_moodle(self):
+        canvas = self.room.root / "canvas.csv"
+        canvas.write_text('Student,ID,SIS User ID,SIS Login ID,Section,Old (1)\n"    Points Possible",,,,,10\n'
+                          '"Right, Ray",1,,right,A,5\n"Wrong, Wu",2,,wrong,A,\n"Nobody, Ned",3,,ned,A,\n')
+        run = run_course("export", "canvas", self.marks.folder, "--roster", canvas, "--assignment", "Chapter 1 (77)",
+                         cwd=self.room.root)
+        rows = list(csv.reader(io.StringIO(run.stdout)))
+        self.assertEqual(rows[0], ["Student", "ID", "SIS User ID", "SIS Login ID", "Section", "Chapter 1 (77)"])
+        most = f"{self.marks.result('right')['max_score']:g}"
+        self.assertEqual([row[-1] for row in rows[1:]], [most, "5", "2", "0"])
+        self.assertIn("forks", run.stderr)
+        moodle = self.room.root / "moodle.csv"
+        moodle.write_text('Identifier,"Full name",Grade,"Maximum Grade","Feedback comments"\n'
+                          'Participant 1,right,,100.00,\n'
+                          'Participant 2,Ned,,100.00,\n', encoding="utf-8-sig")
+        rows = list(csv.DictReader(io.StringIO(self.export("moodle", self.marks.folder, "--roster", moodle))))
+        self.assertEqual([row["Grade"] for row in rows], [f"{500 / float(most):.2f}", ""])
 
     def test_autolab_kit(self):
         """The recipe up to the grading, which the other tests do."""

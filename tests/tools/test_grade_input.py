@@ -109,7 +109,7 @@ class GradeInput(unittest.TestCase):
         self.room.hand_in("extra", {"kick.cpp": right("kick"), "helper.cpp": "int x;", "kick (copy).cpp": WRONG})
         marks = self.room.grade()
         self.assertEqual(marks.verdicts("extra"), {"passed"})
-        self.assertIn("helper.cpp", marks.result("extra")["notes"][0])
+        self.assertIn("helper.cpp", " ".join(marks.result("extra")["notes"]))
 
     def test_names_that_are_the_same_are_told_apart(self):
         first = self.room.hand_in("Ann", {"kick.cpp": right("kick")})
@@ -145,7 +145,7 @@ EXERCISE_TEST(Kick, HoldsForHugeForces) {
         self.assertEqual([test["visibility"] for test in kick["tests"]].count("hidden"), 1)
         self.assertEqual(kick["score"], kick["max_score"])
         clipped = marks.result("clipped")["exercises"][0]
-        self.assertEqual(clipped["score"], clipped["max_score"] - 1)
+        self.assertEqual((clipped["score"], clipped["state"]), (0, "wrong"))
         report = marks.report("clipped")
         self.assertIn("1 further test", report)
         self.assertIn("a hidden one does not", report)
@@ -176,7 +176,7 @@ EXERCISE_TEST(Kick, HoldsForHugeForces) {
         for words, said in (
                 (("nowhere",), "there is no nowhere"),
                 (("empty",), "empty holds no submission"),
-                (("text.txt",), "neither a folder nor a .zip"),
+                (("text.txt",), "neither a folder nor a zip, tar.gz or 7z"),
                 ((), "a submission, or a folder of them, is needed"),
                 (("handed in", "--chapters", "5-2"), "'5-2' is not a list of chapters"),
                 (("handed in", "--chapters", "77"), "there is no chapter 77"),
@@ -188,6 +188,12 @@ EXERCISE_TEST(Kick, HoldsForHugeForces) {
                 (("handed in", "--weights", "nowhere.csv"), "there is no table of weights"),
                 (("--merge", "empty"), "empty holds no results"),
                 (("handed in", "--chapters", "1", "--weights", header), "no row for Kick."),
+                (("handed in", "--chapters", "1", "--weights", header
+                  + "Kcik.AddsForceOverMassTimesStep,1,visible,1.1/1,X\n"),
+                 "there is no such test; did you mean Kick.AddsForceOverMassTimesStep?"),
+                (("handed in", "--roster", "text.txt"), "has no column of names"),
+                (("handed in", "--roster", "nowhere.csv"), "can not be read"),
+                (("handed in", "--points", "luck"), "invalid choice: 'luck'"),
                 (("handed in", "--chapters", "1", "--weights", header + "Kick.X,nan,visible,1.1/1,X\n"),
                  "table.csv:2: points must be a number from 0, but is 'nan'"),
                 (("handed in", "--chapters", "1", "--weights", header + "Kick.X,1,always,1.1/1,X\n"), "'always'"),

@@ -2,11 +2,14 @@
 
 import unittest
 from collections import Counter
+from concurrent.futures import ThreadPoolExecutor
 
 from classroom import run_course
 from sandbox import ROOT, all_exercises
 
 from grading.weights import TABLE, first_draft, read_rows
+from grading.workshop import build_tests, idle_tests, listed_tests, test_program
+from manifest import read_chapters
 
 
 class Weights(unittest.TestCase):
@@ -33,6 +36,16 @@ class Weights(unittest.TestCase):
             self.assertTrue(row.title[0].isupper() or not row.title[0].isalpha(), row.title)
         self.assertEqual([exercise.id for exercise in all_exercises() if not points[exercise.id] > 0], [],
                          "no row of tests/weights.csv gives these any points")
+
+    def test_what_an_idle_function_passes_has_no_points(self):
+        """And all else has some: those who write nothing have nothing."""
+        rows = read_rows(TABLE)
+        chapters = read_chapters()
+        build_tests(chapters)
+        with ThreadPoolExecutor(2) as pool:
+            idle = set().union(*pool.map(lambda one: idle_tests(test_program(one), listed_tests(one)), chapters))
+        self.assertGreater(len(idle), 20)
+        self.assertEqual({test for test, row in rows.items() if row.points == 0}, idle)
 
     def test_a_first_draft_takes_the_words_of_the_name(self):
         kick = next(exercise for exercise in all_exercises() if exercise.function == "kick")

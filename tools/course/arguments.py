@@ -4,6 +4,7 @@ import argparse
 
 from errors import BadInput
 from grading.isolation import NAMES
+from grading.results import RULES
 from grading.weights import TABLE
 from paths import BUILD
 from pick import near
@@ -24,7 +25,7 @@ Exit codes: 0 fine, 1 a wrong answer or a failure, 2 bad input.
 """
 
 
-EXPORTS = ("gradescope", "github", "autolab", "junit", "csv", "weights")
+EXPORTS = ("gradescope", "github", "autolab", "junit", "csv", "canvas", "moodle", "weights")
 
 
 class Parser(argparse.ArgumentParser):
@@ -133,6 +134,7 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     command.add_argument("--quick", action="store_true", help="the size that the tests run")
     command.add_argument("--shard", metavar="I/N", help="compute only each N-th point, from the I-th")
     command.add_argument("--merge", nargs="+", metavar="FOLDER", help="put together what shards have computed")
+    command.add_argument("--slurm", type=_count, metavar="N", help="compute as an array of N on an existing Slurm")
     command.add_argument("--publish", action="store_true", help="put the figure into plots/, where pages show it")
     command.set_defaults(more=[])
     command = add("book", "the lessons and all pages as a site, which opens from the file system")
@@ -149,6 +151,12 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     command.add_argument("--chapters", type=_chapters, metavar="A-B", help="what the platform is to grade")
     command.add_argument("--hidden", metavar="DIR", help="hidden tests that the platform gets")
     command.add_argument("--seed", type=_seed, metavar="S", help="the seed with which it grades")
+    command.add_argument("--weights", metavar="FILE", help="points by this table: of a kit, or of results once more")
+    command.add_argument("--points", choices=RULES, help="what counts: exercises that are right, or each test")
+    command.add_argument("--time-limit", type=_count, metavar="SECONDS", help="of a test, where the platform grades")
+    command.add_argument("--roster", metavar="FILE", help="for canvas and moodle: the table that the platform gave")
+    command.add_argument("--assignment", default="Assignment", metavar="TITLE",
+                         help="of its column in Canvas: Name (number)")
     for name, text in (("start", "install, build, run real scenes, show the board"),
                        ("test", "every test there is")):
         command = add(name, text)
@@ -188,8 +196,14 @@ def _add_grade(command: Parser) -> None:
     command.add_argument("--hidden", metavar="DIR", help="further tests, NN_topic/*.cpp, and a weights.csv of theirs")
     command.add_argument("--weights", default=str(TABLE), metavar="FILE",
                          help="points, titles, hints, visibility (default: tests/weights.csv)")
+    command.add_argument("--points", choices=RULES, default=RULES[0],
+                         help="what counts: exercises that are right (default), or each test")
     command.add_argument("--time-limit", type=_count, default=10, metavar="SECONDS",
                          help="of processor time, for each test (default: 10)")
+    command.add_argument("--exercise-time", type=_count, default=60, metavar="SECONDS",
+                         help="that time-outs may cost of an exercise; then the rest is not run (default: 60)")
+    command.add_argument("--submission-time", type=_count, default=600, metavar="SECONDS",
+                         help="the same of a submission (default: 600)")
     command.add_argument("--isolation", choices=NAMES, metavar="NAME",
                          help=f"default: the first that works of {', '.join(NAMES)}")
     command.add_argument("--fresh", action="store_true", help="forget what was judged before")
@@ -197,6 +211,9 @@ def _add_grade(command: Parser) -> None:
     command.add_argument("--yes", action="store_true", help="install without asking")
     command.add_argument("--gradescope", metavar="FILE", help="of one submission: Gradescope's results, as they come")
     command.add_argument("--shard", type=_shard, metavar="I/N", help="only each N-th submission, from the I-th")
+    command.add_argument("--similarity", action="store_true", help="compare the works: similarity.html")
+    command.add_argument("--roster", metavar="FILE", help="the class as Canvas, Moodle or a CSV lists it")
+    command.add_argument("--slurm", type=_count, metavar="N", help="grade as an array of N on an existing Slurm")
     command.add_argument("--merge", nargs="+", metavar="DIR", help="put together what shards have written")
 
 

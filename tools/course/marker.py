@@ -18,6 +18,11 @@ def code_of(source: str) -> str:
     return _COMMENT_OR_LITERAL.sub(lambda match: " " + "\n" * match.group().count("\n"), source)
 
 
+def blanked(source: str) -> str:
+    """The same with spaces in their place: everything keeps its line and column."""
+    return _COMMENT_OR_LITERAL.sub(lambda match: re.sub(r"[^\n]", " ", match.group()), source)
+
+
 def marker_line(source: str) -> int | None:
     """The line of the first call of not_implemented(), counted from 1."""
     found = _MARKER.search(code_of(source))

@@ -120,7 +120,8 @@ NEEDS = (
 )
 GRADE_NEEDS = (Need("bubblewrap", "command", "bwrap"),)
 VIEW_NEEDS = (Need("libjs-three", "file", str(THREE / "three.min.js")),)
-TEST_NEEDS = (*GRADE_NEEDS, *VIEW_NEEDS, Need("clang-format", "command", "clang-format"), *sanitizers())
+TEST_NEEDS = (*GRADE_NEEDS, *VIEW_NEEDS, Need("libarchive-tools", "command", "bsdtar"),
+              Need("clang-format", "command", "clang-format"), *sanitizers())
 # Tests of the book are skipped where the system's packages have not all of these.
 BOOK_NEEDS = (
     Need("python3-markdown-it", "module", "markdown_it"),
@@ -130,6 +131,8 @@ BOOK_NEEDS = (
     Need("libjs-katex", "file", str(KATEX / "katex.js")),
     Need("fonts-linuxlibertine", "file", str(BOOK_FONTS[0])),
 )
+# One node of it, which the tests of --slurm start for themselves.
+SLURM_NEEDS = (Need("slurm-wlm", "command", "sbatch"), Need("munge", "command", "munge"))
 # A browser that tests can drive. Ubuntu has none but as a snap, which they can not: they are skipped there.
 BROWSER_NEEDS = (Need("python3-selenium", "module", "selenium"), Need("chromium", "command", "chromium"),
                  Need("chromium-driver", "command", "chromedriver"))

@@ -14,7 +14,8 @@ from mine import begun, fast_program, told
 from paths import BUILD, ROOT, shown
 from pick import near
 from process import stream, tail
-from terminal import Live, fold, paint
+from slurm import run_array
+from terminal import Live, fold, fold_lines, paint
 
 PLOTS = ROOT / "plots"
 _TITLE = re.compile(r'^TITLE = "(.+)"$', re.MULTILINE)
@@ -59,7 +60,7 @@ def plot(arguments) -> int:
 
 def _require_no_options(arguments) -> None:
     """What would be left aside without an experiment to apply it to."""
-    for name in ("mine", "quick", "shard", "merge", "publish"):
+    for name in ("mine", "quick", "shard", "merge", "slurm", "publish"):
         if getattr(arguments, name):
             raise BadInput(f"plot: --{name} wants the NAME of an experiment; ./course plot lists them")
     if arguments.more:
@@ -90,6 +91,8 @@ def _pick(word: str) -> list[Experiment]:
 
 def _one(experiment: Experiment, arguments) -> int:
     print(paint(experiment.name, "bold"), experiment.title, flush=True)
+    if arguments.slurm:
+        _compute_on_slurm(experiment, arguments)
     code = _run(experiment, arguments, [])
     mine = begun() if arguments.mine else []
     if arguments.mine and not mine:
@@ -138,6 +141,18 @@ def _run(experiment: Experiment, arguments, mine: list[Exercise]) -> int:
     if code == 1 and not (folder / "claims.json").exists():
         raise CourseError(f"{experiment.name} failed", tail(output))
     return code
+
+
+def _compute_on_slurm(experiment: Experiment, arguments) -> None:
+    """Each part is written into the experiment's own folder; what is missing afterwards is computed here."""
+    if arguments.mine or arguments.shard or arguments.merge:
+        raise BadInput("plot: --slurm divides the experiment itself: it goes with neither --mine, --shard nor --merge")
+    path, folder = program(f"plot_{experiment.name}"), experiment.folder(False)
+    command = [str(path), "--out", str(folder), "--shard", f"@I@/{arguments.slurm}", *arguments.more]
+    failed = run_array(command + (["--quick"] if arguments.quick else []), arguments.slurm, folder / "slurm",
+                       f"{experiment.name} on Slurm")
+    for part, why in failed.items():
+        print(fold_lines(f"part {part} of {arguments.slurm} failed: {why}", "  "), file=sys.stderr)
 
 
 def _merge(other: Path, folder: Path) -> None:

@@ -79,9 +79,6 @@ class Crowd:
 
     def switch(self, compiled: Path, wanted: set[str]) -> str:
         """The source of the functions `wanted`, given as symbols: each jumps to one of the mutants."""
-        jump = _JUMP.get(platform.machine())
-        if not jump:
-            raise CourseError(f"mutants can't be compiled together on {platform.machine()}")
         functions = dict(zip(_readable(sorted(wanted)), sorted(wanted)))
         listing = subprocess.run(["nm", "-P", "--defined-only", str(compiled)],
                                  capture_output=True, text=True)
@@ -98,8 +95,7 @@ class Crowd:
                 lines.append(f'extern "C" void target_{number}_{k}() __asm__("{symbol[found.pop()]}");')
                 table.append(f"{{{k}, target_{number}_{k}}}")
             lines.append(f'extern "C" {{ void (*{slot})(); }}')
-            text = f".globl {mangled}\\n{mangled}:\\n {jump.format(slot=slot)}\\n"
-            lines.append(f'__asm__(".pushsection .text\\n{text}.popsection");')
+            lines.append(jump_through(slot, mangled))
             tables.append(f"  for (const Entry entry : {{{', '.join(f'Entry{one}' for one in table)}}})\n"
                           f"    if (entry.number == number) {slot} = entry.target;\n")
         return ("#include <cstdlib>\n#include <initializer_list>\n"
@@ -108,6 +104,15 @@ class Crowd:
                 + "\n__attribute__((constructor(101))) static void choose() {\n"
                 + f'  const char* chosen = std::getenv("{VARIABLE}");\n'
                 + "  const int number = chosen ? std::atoi(chosen) : 0;\n" + "".join(tables) + "}\n")
+
+
+def jump_through(slot: str, symbol: str) -> str:
+    """The source of a function that goes on in whatever the pointer `slot` points to, whatever its arguments are."""
+    jump = _JUMP.get(platform.machine())
+    if not jump:
+        raise CourseError(f"functions can't be made to jump on {platform.machine()}")
+    text = f".globl {symbol}\\n{symbol}:\\n {jump.format(slot=slot)}\\n"
+    return f'__asm__(".pushsection .text\\n{text}.popsection");'
 
 
 def _readable(symbols: list[str]) -> list[str]:

@@ -1,5 +1,5 @@
 // Does: closes the grader's descriptor, and is wrong.
-// Verdict: ended early: exit code 3
+// Verdict: tampered: calls close()
 #include <unistd.h>
 
 #include "01_leapfrog/leapfrog.hpp"

@@ -1,5 +1,5 @@
 // Does: writes a verdict when the program ends, and is wrong.
-// Verdict: failed
+// Verdict: tampered: calls write()
 #include <unistd.h>
 
 #include "01_leapfrog/leapfrog.hpp"

@@ -1,5 +1,5 @@
 // Does: writes a verdict of its own to every descriptor before main begins, and ends.
-// Verdict: tampered: a forged verdict
+// Verdict: tampered: calls write()
 #include <unistd.h>
 
 #include "01_leapfrog/leapfrog.hpp"

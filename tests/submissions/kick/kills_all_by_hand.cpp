@@ -1,5 +1,5 @@
 // Does: kills every process that it may, without calling a function for it.
-// Verdict: crashed: SIGABRT
+// Verdict: crashed: SIGKILL
 #include <cstdlib>
 
 #include "01_leapfrog/leapfrog.hpp"

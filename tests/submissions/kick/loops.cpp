@@ -1,5 +1,5 @@
 // Does: never returns.
-// Verdict: timed out
+// Verdict: timed out: looped
 #include "01_leapfrog/leapfrog.hpp"
 
 namespace spook {

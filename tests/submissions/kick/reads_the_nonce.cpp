@@ -1,5 +1,5 @@
-// Does: looks for the grader's secret before main begins: it has been read, and its descriptor is closed.
-// Verdict: failed
+// Does: looks for the grader's secret before main begins.
+// Verdict: tampered: calls read()
 #include <unistd.h>
 
 #include "01_leapfrog/leapfrog.hpp"

@@ -1,5 +1,5 @@
-// Does: runs a command.
-// Verdict: tampered: calls system()
+// Does: runs a command, which is taken out of it.
+// Verdict: passed
 #include <cstdlib>
 
 #include "01_leapfrog/leapfrog.hpp"

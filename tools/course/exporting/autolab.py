@@ -5,7 +5,7 @@ import json
 import tarfile
 from pathlib import Path
 
-from exporting.kit import filled, hidden_files, options
+from exporting.kit import check_weights, filled, hidden_files, options
 from files import course_files
 from paths import ROOT
 
@@ -14,12 +14,15 @@ def write_kit(arguments) -> list[Path]:
     folder = Path(arguments.out or ".")
     folder.mkdir(parents=True, exist_ok=True)
     makefile, archive = folder / "autograde-Makefile", folder / "autograde.tar"
-    makefile.write_text(filled("autograde-Makefile", options=options(arguments, "hidden")), encoding="utf-8")
+    words = options(arguments, "hidden", "weights.csv")
+    makefile.write_text(filled("autograde-Makefile", options=words), encoding="utf-8")
     with tarfile.open(archive, "w") as tar:
         for name in course_files():
             _add(tar, f"course/{name}", ROOT / name)
         for name in hidden_files(arguments):
             _add(tar, f"hidden/{name}", Path(arguments.hidden) / name)
+        if check_weights(arguments):
+            _add(tar, "weights.csv", Path(arguments.weights))
     return [makefile, archive]
 
 

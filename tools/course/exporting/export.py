@@ -5,14 +5,20 @@ from collections.abc import Callable
 from pathlib import Path
 
 from errors import BadInput
-from exporting import autolab, github, gradescope, junit, table, weights
+from exporting import autolab, github, gradescope, grades, junit, table, weights
 from grading.merge import read_result, read_results
+from grading.results import scored
+from grading.roster import read_roster
+from grading.text import one_line
+from grading.weights import TABLE, read_weights
 
 _KITS: dict[str, Callable] = {"gradescope": gradescope.write_kit, "github": github.write_kit,
                               "autolab": autolab.write_kit}
 # What the results of several submissions can be written as, and what holds one submission only.
 _OF_MANY = {"junit": junit.of_results, "csv": table.of_results}
 _OF_ONE = {"gradescope": gradescope.of_result, "github": github.of_result, "autolab": autolab.of_result}
+# What fills in a table that the platform has given, and where that is found.
+_OF_A_ROSTER = {"canvas": "the gradebook that Canvas exports", "moodle": "the assignment's grading worksheet"}
 
 
 def export(arguments) -> int:
@@ -21,6 +27,9 @@ def export(arguments) -> int:
         return _write(weights.table(), out)
     if arguments.results:
         results = [result for path in arguments.results for result in _read(Path(path))]
+        _weigh_again(results, arguments)
+        if what in _OF_A_ROSTER:
+            return _grades(what, results, arguments)
         if what in _OF_MANY:
             return _write(_OF_MANY[what](results), out)
         if len(results) != 1:
@@ -31,6 +40,38 @@ def export(arguments) -> int:
     written = _KITS[what](arguments)
     print(f"Written: {', '.join(map(str, written))}")
     return 0
+
+
+def _grades(what: str, results: list[dict], arguments) -> int:
+    if not arguments.roster:
+        raise BadInput(f"export: {what} wants --roster FILE: {_OF_A_ROSTER[what]}")
+    roster = read_roster(Path(arguments.roster))
+    for name in grades.not_on_it(results, roster):
+        print(f"not in {arguments.roster}, and so not in the import: {one_line(name)}", file=sys.stderr)
+    if what == "canvas":
+        return _write(grades.for_canvas(results, roster, arguments.assignment), arguments.out)
+    return _write(grades.for_moodle(results, roster), arguments.out)
+
+
+def _weigh_again(results: list[dict], arguments) -> None:
+    """Points by another table, or another rule, than they were graded with; what was run stays as it was."""
+    if arguments.time_limit is not None:
+        raise BadInput("export: --time-limit is for grading; these are results, graded with "
+                       f"{results[0]['seconds_a_test']} s a test")
+    hidden = Path(arguments.hidden) if arguments.hidden else None
+    if not (arguments.weights or hidden or arguments.points):
+        return
+    weights = read_weights(Path(arguments.weights or TABLE), hidden).rows()
+    for result in results:
+        result["points"] = arguments.points or result["points"]
+        for exercise in result["exercises"]:
+            for test in exercise["tests"]:
+                if weight := weights.get(test["name"]):
+                    test |= {"max_score": weight.points, "visibility": weight.visibility, "title": weight.title}
+            exercise["score"] = scored(exercise["tests"], result["points"])
+            exercise["max_score"] = round(sum(test["max_score"] for test in exercise["tests"]), 9)
+        for key in ("score", "max_score"):
+            result[key] = round(sum(exercise[key] for exercise in result["exercises"]), 9)
 
 
 def _read(path: Path) -> list[dict]:

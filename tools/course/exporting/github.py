@@ -8,15 +8,22 @@ import json
 from pathlib import Path
 
 from errors import BadInput
-from exporting.kit import filled, options
+from exporting.kit import check_weights, filled, options
 
 
 def write_kit(arguments) -> list[Path]:
     if arguments.hidden:
         raise BadInput("export: hidden tests can not be kept from those who own the workflow; grade them yourself")
     out = Path(arguments.out or "classroom.yml")
-    out.write_text(filled("classroom.yml", options=options(arguments, "")), encoding="utf-8")
-    return [out]
+    words = options(arguments, "", "course/tests/classroom_weights.csv")
+    out.write_text(filled("classroom.yml", options=words), encoding="utf-8")
+    table = check_weights(arguments)
+    if not table:
+        return [out]
+    beside = out.with_name("classroom_weights.csv")
+    beside.write_bytes(table)
+    print("Put classroom_weights.csv into tests/ of your copy of the course: the workflow reads it there.")
+    return [out, beside]
 
 
 def of_result(result: dict) -> str:

@@ -4,7 +4,7 @@ import json
 import zipfile
 from pathlib import Path
 
-from exporting.kit import filled, hidden_files, options
+from exporting.kit import check_weights, filled, hidden_files, options
 from files import course_files
 from grading.results import said
 from paths import ROOT
@@ -15,7 +15,7 @@ _PLAIN = 0o100644 << 16
 
 def write_kit(arguments) -> list[Path]:
     out = Path(arguments.out or "autograder.zip")
-    words = options(arguments, "$root/source/hidden")
+    words = options(arguments, "$root/source/hidden", "$root/source/weights.csv")
     with zipfile.ZipFile(out, "w", zipfile.ZIP_DEFLATED) as archive:
         _add(archive, "setup.sh", filled("gradescope_setup.sh", options=words).encode(), True)
         _add(archive, "run_autograder", filled("gradescope_run.sh", options=words).encode(), True)
@@ -23,6 +23,8 @@ def write_kit(arguments) -> list[Path]:
             _add(archive, f"course/{name}", (ROOT / name).read_bytes(), (ROOT / name).stat().st_mode & 0o100 != 0)
         for name in hidden_files(arguments):
             _add(archive, f"hidden/{name}", (Path(arguments.hidden) / name).read_bytes(), False)
+        if table := check_weights(arguments):
+            _add(archive, "weights.csv", table, False)
     return [out]
 
 

@@ -21,12 +21,14 @@ def _add_suite(root: ET.Element, submission: str, exercise: dict) -> None:
     name = f"{exercise['id']} {exercise['function']}"
     suite = ET.SubElement(root, "testsuite", name=f"{clean(submission)}: {name}")
     counts = {"failure": 0, "error": 0, "skipped": 0}
-    for test in exercise["tests"]:
-        case = ET.SubElement(suite, "testcase", classname=f"{clean(submission)}.{name}", name=test["name"])
+    for number, test in enumerate(exercise["tests"], 1):
+        shown = test["visibility"] == "visible"  # of the others nobody who reads this may see a word
+        case = ET.SubElement(suite, "testcase", classname=f"{clean(submission)}.{name}",
+                             name=test["name"] if shown else f"hidden test {number}")
         kind = {"passed": "", "failed": "failure", "not started": "skipped"}.get(test["verdict"], "error")
         if kind:
             counts[kind] += 1
-            ET.SubElement(case, kind, message=clean(said(test))).text = clean(test["message"])
+            ET.SubElement(case, kind, message=clean(said(test))).text = clean(test["message"]) if shown else ""
     suite.set("tests", str(len(exercise["tests"])))
     for key, count in (("failures", "failure"), ("errors", "error"), ("skipped", "skipped")):
         suite.set(key, str(counts[count]))

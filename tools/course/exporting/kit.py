@@ -4,6 +4,7 @@ import shlex
 from pathlib import Path
 
 from errors import BadInput
+from grading.weights import read_rows
 
 KITS = Path(__file__).resolve().parent / "kits"
 
@@ -19,15 +20,29 @@ def hidden_files(arguments) -> list[Path]:
     return [file.relative_to(folder) for file in files]
 
 
-def options(arguments, hidden_at: str) -> str:
+def check_weights(arguments) -> bytes | None:
+    """The table of weights that the platform gets, which must be one."""
+    if not arguments.weights:
+        return None
+    read_rows(Path(arguments.weights))
+    return Path(arguments.weights).read_bytes()
+
+
+def options(arguments, hidden_at: str, weights_at: str) -> str:
     """Of ./course grade, for a shell."""
     words = []
     if arguments.chapters:
         words += ["--chapters", ",".join(map(str, sorted(arguments.chapters)))]
     if arguments.seed is not None:
         words += ["--seed", str(arguments.seed)]
-    quoted = shlex.join(words)
-    return f'{quoted} --hidden "{hidden_at}"'.strip() if arguments.hidden else quoted
+    if arguments.time_limit is not None:
+        words += ["--time-limit", str(arguments.time_limit)]
+    if arguments.points:
+        words += ["--points", arguments.points]
+    quoted = [shlex.join(words)] if words else []
+    quoted += [f'--weights "{weights_at}"'] if arguments.weights else []
+    quoted += [f'--hidden "{hidden_at}"'] if arguments.hidden else []
+    return " ".join(quoted)
 
 
 def filled(name: str, **values: str) -> str:

@@ -3,7 +3,7 @@
 import io
 
 from grading.weights import TABLE, as_table, first_draft, read_rows
-from grading.workshop import build_tests, listed_tests
+from grading.workshop import build_tests, idle_tests, listed_tests, test_program
 from manifest import read_chapters
 
 
@@ -15,9 +15,11 @@ def table() -> str:
     weights = []
     for chapter in chapters:
         tests = listed_tests(chapter)
+        idle = idle_tests(test_program(chapter), [test for test in tests if test not in rows])
         for exercise in chapter.exercises:
             own = [test for test in tests if test.partition(".")[0] == exercise.suite]
-            weights += [rows.get(test) or first_draft(test, exercise) for test in own]
+            weights += [rows.get(test) or first_draft(test, exercise, points=0.0 if test in idle else 1.0)
+                        for test in own]
     text = io.StringIO()
     as_table(weights, text)
     return text.getvalue()

@@ -1,8 +1,4 @@
-"""Runs a command that is not trusted to its end, whatever it does: limits in time and output, and one private answer.
-
-The command's standard output and error come back together, cut at a limit. A second pipe, on descriptor 4, carries
-what a graded program has to say, and a nonce waits for it on descriptor 3: see tests/support/grade_main.cpp.
-"""
+"""Runs commands that are not trusted to their end, whatever they do, and leaves nothing over."""
 
 import contextlib
 import fcntl
@@ -10,12 +6,33 @@ import functools
 import os
 import select
 import signal
+import threading
 import time
 from dataclasses import dataclass
 
-_NONCE_DESCRIPTOR, _VERDICT_DESCRIPTOR = 3, 4
-_LARGEST_VERDICT = 1 << 20
 _KEPT = 64 << 10
+
+
+class Interrupted(Exception):
+    """The whole grading is to end now."""
+
+
+class Stop:
+    """Ends every wait, in whatever thread, at once."""
+
+    def __init__(self):
+        self._event, self.descriptor = threading.Event(), os.eventfd(0)
+
+    def set(self) -> None:
+        self._event.set()
+        os.eventfd_write(self.descriptor, 1)
+
+    def check(self) -> None:
+        if self._event.is_set():
+            raise Interrupted
+
+
+STOP = Stop()
 
 
 @dataclass(frozen=True)
@@ -32,41 +49,56 @@ class Limits:
 class Ended:
     code: int  # exit code, or minus the signal
     output: str
-    answer: bytes
     timed_out: bool  # on the clock
     too_much: bool
     cpu: float
 
 
-def run(command: list[str], limits: Limits, env: dict[str, str], nonce: bytes = b"") -> Ended:
+def run(command: list[str], limits: Limits, env: dict[str, str]) -> Ended:
     """What the command leaves behind is killed, if the command brings its own namespace of processes."""
-    _keep_to_ourselves()
     with contextlib.ExitStack() as open_ends:
-        def pipe():
-            # Numbers well above those that the command will see them at, so that none is overwritten by another.
-            ends = []
-            for end in os.pipe():
-                high = fcntl.fcntl(end, fcntl.F_DUPFD_CLOEXEC, 16)
-                os.close(end)
-                ends.append(os.fdopen(high, "rb" if not ends else "wb", buffering=0))
-                open_ends.enter_context(ends[-1])
-            return ends
+        printed, printed_in = pipe(open_ends)
+        process = spawn(command, env, {1: printed_in.fileno(), 2: printed_in.fileno()})
+        printed_in.close()
+        timed_out, too_much, received = True, False, bytearray()
+        ending = os.pidfd_open(process)
+        try:
+            deadline = time.monotonic() + limits.wall
+            for ready in waits([ending, printed.fileno()], deadline):
+                if ready == ending:
+                    timed_out = False
+                    break
+                received += os.read(ready, 1 << 16)
+                if len(received) > limits.output:
+                    timed_out, too_much = False, True
+                    break
+            code, cpu = reap(process)
+        finally:
+            os.close(ending)
+            kill(process)
+        return Ended(code, text_of(received + rest_of(printed.fileno())), timed_out, too_much, cpu)
 
-        printed, printed_in = pipe()
-        answer, answer_in = pipe()
-        secret, secret_in = pipe()
-        null = open_ends.enter_context(open(os.devnull, "rb"))
-        actions = [(os.POSIX_SPAWN_DUP2, null.fileno(), 0), (os.POSIX_SPAWN_DUP2, printed_in.fileno(), 1),
-                   (os.POSIX_SPAWN_DUP2, printed_in.fileno(), 2),
-                   (os.POSIX_SPAWN_DUP2, secret.fileno(), _NONCE_DESCRIPTOR),
-                   (os.POSIX_SPAWN_DUP2, answer_in.fileno(), _VERDICT_DESCRIPTOR)]
-        process = os.posix_spawn(command[0], command, env, file_actions=actions, setsid=True)
-        for end in (printed_in, answer_in, secret):
-            end.close()
-        with contextlib.suppress(BrokenPipeError):
-            secret_in.write(nonce)
-        secret_in.close()
-        return _watch(process, printed.fileno(), answer.fileno(), limits)
+
+def pipe(stack: contextlib.ExitStack) -> list:
+    """Two files, closed with the stack."""
+    return [stack.enter_context(os.fdopen(high(end), "rb" if not k else "wb", buffering=0))
+            for k, end in enumerate(os.pipe())]
+
+
+def high(descriptor: int) -> int:
+    """Under a number above those that a command sees, so that none is overwritten by another."""
+    copy = fcntl.fcntl(descriptor, fcntl.F_DUPFD_CLOEXEC, 16)
+    os.close(descriptor)
+    return copy
+
+
+def spawn(command: list[str], env: dict[str, str], descriptors: dict[int, int]) -> int:
+    """Starts it in a session of its own with these descriptors and no others; what is not given leads nowhere."""
+    _keep_to_ourselves()
+    with open(os.devnull, "r+b", buffering=0) as null:
+        given = {0: null.fileno(), 1: null.fileno(), 2: null.fileno()} | descriptors
+        actions = [(os.POSIX_SPAWN_DUP2, source, target) for target, source in given.items()]
+        return os.posix_spawn(command[0], command, env, file_actions=actions, setsid=True)
 
 
 @functools.cache
@@ -78,45 +110,45 @@ def _keep_to_ourselves() -> None:
                 os.set_inheritable(descriptor, False)
 
 
-def _watch(process: int, printed: int, answer: int, limits: Limits) -> Ended:
-    ending = os.pidfd_open(process)
-    try:
-        received = {printed: bytearray(), answer: bytearray()}
-        timed_out, too_much = _read_until_end(ending, received, printed, answer, limits)
-        for group_or_process in (os.killpg, os.kill):
-            with contextlib.suppress(ProcessLookupError, PermissionError):
-                group_or_process(process, signal.SIGKILL)
-        _, status, usage = os.wait4(process, 0)
-    finally:
-        os.close(ending)
-    for pipe, content in received.items():
-        # Whatever lived on may hold the other end open: what is there now is all that counts.
-        os.set_blocking(pipe, False)
-        with contextlib.suppress(BlockingIOError):
-            while len(content) < _LARGEST_VERDICT and (more := os.read(pipe, 1 << 16)):
-                content += more
-    text = bytes(received[printed][:_KEPT]).decode("utf-8", errors="replace")
-    return Ended(os.waitstatus_to_exitcode(status), text, bytes(received[answer]), timed_out, too_much,
-                 usage.ru_utime + usage.ru_stime)
-
-
-def _read_until_end(ending: int, received: dict[int, bytearray], printed: int, answer: int,
-                    limits: Limits) -> tuple[bool, bool]:
-    """Whether the time was up, and whether the command printed or answered too much."""
+def waits(descriptors: list[int], deadline: float):
+    """Each descriptor that something has come to, as it comes, until the deadline; one that is at its end, once."""
     poll = select.poll()
-    for descriptor in (ending, printed, answer):
+    for descriptor in descriptors:
         poll.register(descriptor, select.POLLIN)
-    deadline = time.monotonic() + limits.wall
-    count = 0
+    poll.register(STOP.descriptor, select.POLLIN)
     while (left := deadline - time.monotonic()) > 0:
-        for descriptor, _ in poll.poll(left * 1000):
-            if descriptor == ending:
-                return False, False
-            more = os.read(descriptor, 1 << 16)
-            if not more:
+        STOP.check()
+        for descriptor, event in poll.poll(min(left, 1.0) * 1000):
+            if descriptor == STOP.descriptor:
+                continue
+            if not event & select.POLLIN:
                 poll.unregister(descriptor)
-            count += len(more) if descriptor == printed else 0
-            received[descriptor] += more
-            if count > limits.output or len(received[answer]) > _LARGEST_VERDICT:
-                return False, True
-    return True, False
+            yield descriptor
+
+
+def kill(process: int) -> None:
+    for group_or_process in (os.killpg, os.kill):
+        with contextlib.suppress(ProcessLookupError, PermissionError):
+            group_or_process(process, signal.SIGKILL)
+
+
+def reap(process: int) -> tuple[int, float]:
+    """Kills it; its exit code, or minus the signal, and its processor time."""
+    kill(process)
+    _, status, usage = os.wait4(process, 0)
+    return os.waitstatus_to_exitcode(status), usage.ru_utime + usage.ru_stime
+
+
+def rest_of(descriptor: int) -> bytes:
+    """What is there now: whatever lived on may hold the other end open."""
+    found = bytearray()
+    os.set_blocking(descriptor, False)
+    with contextlib.suppress(BlockingIOError):
+        while len(found) < _KEPT and (more := os.read(descriptor, 1 << 16)):
+            found += more
+    os.set_blocking(descriptor, True)
+    return bytes(found)
+
+
+def text_of(printed: bytes) -> str:
+    return bytes(printed[:_KEPT]).decode("utf-8", errors="replace")

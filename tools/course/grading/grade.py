@@ -1,55 +1,162 @@
 """./course grade: marks for a class of submissions."""
 
+import shutil
+import signal
+import sys
 import time
 from pathlib import Path
 
 from errors import BadInput, CourseError
 from exporting import gradescope
-from grading.gradebook import statistics_line, write_gradebook
+from grading.delivery import find_submissions
+from grading.gradebook import Class, not_graded, statistics_line, write_gradebook
 from grading.grader import Grader
 from grading.isolation import Isolation
-from grading.merge import merge
+from grading.merge import merge, missing_shards, set_aside, write_delivery
 from grading.results import write_json
-from grading.submission import Handed, find_submissions
+from grading.roster import Roster, read_roster
+from grading.names import Student
+from grading.similar_page import write_similarity
+from grading.submission import Handed, Place
+from grading.text import one_line
 from install import install
+from manifest import all_exercises
 from needs import GRADE_NEEDS, NEEDS
-from paths import shown
+from paths import ROOT, shown
+from slurm import run_array
 from terminal import fold
 
 
 def grade(arguments) -> int:
+    """Ctrl-C, or SIGTERM, ends it at once; nothing is left but the results of those who are done."""
+    def interrupt(*_):
+        raise KeyboardInterrupt
+    before = signal.signal(signal.SIGTERM, interrupt)
+    try:
+        return _grade(arguments)
+    except KeyboardInterrupt:
+        print("\nInterrupted. What is graded is kept: the same command again goes on from there.", file=sys.stderr)
+        return 130
+    finally:
+        signal.signal(signal.SIGTERM, before)
+
+
+def _grade(arguments) -> int:
     out = Path(arguments.out)
+    roster = read_roster(Path(arguments.roster)) if arguments.roster else None
     if arguments.merge:
-        results = merge([Path(folder) for folder in arguments.merge], out)
-        write_gradebook(out, results)
-        print(f"{statistics_line(results)}.\n{_where(out)}.")
-        return 0
+        return _merge([Path(folder) for folder in arguments.merge], out, roster, arguments.similarity)
     if arguments.prepare:
         return _prepare(arguments)
     if arguments.gradescope:
         return _grade_on_gradescope(arguments, out)
     if not arguments.paths:
         raise BadInput("grade: a submission, or a folder of them, is needed; see ./course grade --help")
-    handed = find_submissions([Path(path) for path in arguments.paths], out)
-    if arguments.shard:
-        first, count = arguments.shard
-        handed = handed[first - 1::count]
-        if not handed:
-            print("This shard has no submissions.")
-            return 0
+    delivery = find_submissions([Path(path) for path in arguments.paths], out)
+    names = [one.name for one in delivery.handed]
+    if arguments.slurm:
+        return _grade_on_slurm(arguments, out, roster, names)
+    first, count = arguments.shard or (1, 1)
+    handed = delivery.handed[first - 1::count]
     with Grader(arguments) as grader:
+        write_delivery(out, names, delivery.left_out, (first, count))
+        gone = set_aside(out, names)
         _say_how(grader, len(handed))
         start = time.monotonic()
         results = grader.grade(handed, out)
         took = time.monotonic() - start
+    of_class = Class(delivery.left_out, roster if count == 1 else None)
     if results:
-        write_gradebook(out, results)
+        write_gradebook(out, results, of_class)
     if grader.failures:
         raise CourseError(f"{len(grader.failures)} of {len(handed)} submissions could not be graded; the others were, "
                           f"and grading again goes on from there", "\n".join(grader.failures))
+    if arguments.similarity:
+        _compare(out, results)
+    _say_who_is_missing(not_graded(results, of_class) + [f"{one_line(name)}: graded before, and not handed in now; "
+                                                         "its results are set aside" for name in gone])
+    if not results:
+        print("This shard has no submissions.")
+        return 0
     print(f"{statistics_line(results)}; {took / len(results):.2g} s each.")
     print(f"{_where(out)},\nand each student's report in {shown(out / 'submissions')}/NAME/report.md.")
     return 0
+
+
+def _grade_on_slurm(arguments, out: Path, roster: Roster | None, names: list[str]) -> int:
+    """Builds and tries the reference here, grades a shard in each part, and merges what came of them."""
+    if arguments.shard:
+        raise BadInput("grade: --slurm makes shards of its own, and goes with no --shard")
+    with Grader(arguments):
+        pass
+    count, shards = min(arguments.slurm, len(names)), out.absolute() / "shards"
+    shutil.rmtree(shards, ignore_errors=True)
+    command = [str(ROOT / "course"), "grade", *(str(Path(path).absolute()) for path in arguments.paths),
+               *_for_a_shard(arguments), "--shard", f"@I@/{count}", "--out", f"{shards}/@I@"]
+    failed = run_array(command, count, out.absolute() / "slurm", "grading on Slurm")
+    set_aside(out, names)
+    done = [folder for k in range(1, count + 1) if (folder := shards / str(k)) and _has_results(folder)]
+    if not done:
+        raise CourseError("no part has graded anything", _told(failed))
+    code = _merge(done, out, roster, arguments.similarity, names)
+    if failed:
+        raise CourseError(f"{len(failed)} of {count} parts failed; the same command again grades what is missing",
+                          _told(failed))
+    return code
+
+
+def _told(failed: dict[int, str]) -> str:
+    return "\n".join(f"part {part}: {why}" for part, why in failed.items())
+
+
+def _has_results(folder: Path) -> bool:
+    return any(folder.glob("submissions/*/results.json"))
+
+
+def _for_a_shard(arguments) -> list[str]:
+    """The options that a shard is graded with, as they were given here."""
+    words = ["--jobs", str(arguments.jobs), "--points", arguments.points,
+             "--weights", str(Path(arguments.weights).absolute())]
+    for name in ("seed", "time_limit", "exercise_time", "submission_time", "isolation"):
+        if (value := getattr(arguments, name)) is not None:
+            words += [f"--{name.replace('_', '-')}", str(value)]
+    if arguments.chapters:
+        words += ["--chapters", ",".join(map(str, sorted(arguments.chapters)))]
+    if arguments.hidden:
+        words += ["--hidden", str(Path(arguments.hidden).absolute())]
+    return words + (["--fresh"] if arguments.fresh else [])
+
+
+def _merge(folders: list[Path], out: Path, roster: Roster | None, compare: bool,
+           names: list[str] | None = None) -> int:
+    """`names` are all that were handed in, where they are known; whoever was graded before and is none is gone."""
+    results, left_out = merge(folders, out)
+    of_class = Class(left_out, roster)
+    write_gradebook(out, results, of_class)
+    if compare:
+        _compare(out, results)
+    _say_who_is_missing(not_graded(results, of_class))
+    missing = missing_shards(folders) if names is None else []
+    print(f"{statistics_line(results)}.\n{_where(out)}.")
+    if missing:
+        raise CourseError(f"shard {', '.join(missing)} of this grading is missing: grade it, and merge again"
+                          if len(missing) == 1 else f"the shards {', '.join(missing)} of this grading are missing")
+    return 0
+
+
+def _compare(out: Path, results: list[dict]) -> None:
+    graded = {exercise["function"] for result in results for exercise in result["exercises"]}
+    found = write_similarity(out, [exercise for exercise in all_exercises() if exercise.function in graded])
+    pairs = f"{len(found.pairs)} pair{'' if len(found.pairs) == 1 else 's'}"
+    print(fold(f"{pairs} of works stand out by what they share, and {len(found.references)} are the reference's: "
+               f"{shown(out / 'similarity.html')}."))
+
+
+def _say_who_is_missing(lines: list[str]) -> None:
+    if lines:
+        print("Not graded, or nobody's:")
+        for line in lines:
+            print(fold(f"- {line}", "  "))
 
 
 def _where(out: Path) -> str:
@@ -75,7 +182,7 @@ def _grade_on_gradescope(arguments, out: Path) -> int:
         write_json(file, gradescope.converted(result, unfinished))
 
     with Grader(arguments) as grader:
-        result = grader.grade_one(Handed("submission", path), out, write)
+        result = grader.grade_one(Handed("submission", (Place(path),), Student("submission")), out, write)
     print(f"{result['score']:g} of {result['max_score']:g} points")
     return 0
 

@@ -2,20 +2,38 @@
 
 import csv
 import statistics
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from grading.judge import VERDICTS
+from grading.report import RULE
 from grading.results import tampered
+from grading.roster import Roster
 from grading.text import markdown, one_line
 
 
-def write_gradebook(folder: Path, results: list[dict]) -> None:
+@dataclass
+class Class:
+    """What is known of a class besides the results."""
+
+    left_out: list[tuple[str, str]] = field(default_factory=list)  # what lay there and was not graded, and why
+    roster: Roster | None = None
+
+    def matched(self, results: list[dict]) -> tuple[dict[str, dict], list[str], list[str]]:
+        """Rows of the roster by submission; who has handed in nothing; which submissions are nobody's."""
+        if not self.roster:
+            return {}, [], []
+        found, missing, strangers = self.roster.matched(results)
+        return found, [self.roster.name_of(row) for row in missing], strangers
+
+
+def write_gradebook(folder: Path, results: list[dict], of_class: Class) -> None:
     results = sorted(results, key=lambda result: result["submission"])
-    _write_grades(folder / "grades.csv", results)
+    _write_grades(folder / "grades.csv", results, of_class)
     counts = _count_tests(results)
     _write_tests(folder / "tests.csv", counts)
     figure = _draw(folder / "histogram.png", results)
-    (folder / "summary.md").write_text(_summary(results, counts, figure), encoding="utf-8")
+    (folder / "summary.md").write_text(_summary(results, counts, figure, of_class), encoding="utf-8")
 
 
 def statistics_line(results: list[dict]) -> str:
@@ -24,16 +42,25 @@ def statistics_line(results: list[dict]) -> str:
             f"mean {statistics.fmean(shares):.0f} %, from {min(shares):.0f} to {max(shares):.0f} %")
 
 
+def not_graded(results: list[dict], of_class: Class) -> list[str]:
+    """A line for all that is in the class or lay in its folder and has no mark: nobody vanishes."""
+    _, missing, strangers = of_class.matched(results)
+    return ([f"{one_line(what)}: {one_line(why)}" for what, why in of_class.left_out]
+            + [f"{one_line(name)}: on the roster, and nothing was handed in" for name in missing]
+            + [f"{one_line(name)}: graded, and not on the roster" for name in strangers])
+
+
 def _percents(results: list[dict]) -> list[float]:
     return [100 * result["score"] / result["max_score"] if result["max_score"] else 0.0 for result in results]
 
 
-def _write_grades(file: Path, results: list[dict]) -> None:
+def _write_grades(file: Path, results: list[dict], of_class: Class) -> None:
     chapters = sorted({exercise["chapter"] for result in results for exercise in result["exercises"]})
+    _, missing, _ = of_class.matched(results)
     with open(file, "w", encoding="utf-8", newline="") as out:
         writer = csv.writer(out, lineterminator="\n")
         writer.writerow(["submission", "score", "max_score", "percent", "done", "wrong", "not started", *chapters,
-                         "look"])
+                         "student", "identifier", "late", "look"])
         for result, percent in zip(results, _percents(results)):
             states = [exercise["state"] for exercise in result["exercises"]]
             scores = [sum(exercise["score"] for exercise in result["exercises"] if exercise["chapter"] == chapter)
@@ -41,7 +68,12 @@ def _write_grades(file: Path, results: list[dict]) -> None:
             look = "; ".join((["tampered"] if tampered(result) else []) + result["notes"])
             writer.writerow([cell(result["submission"]), f"{result['score']:g}", f"{result['max_score']:g}",
                              f"{percent:.2f}", *(states.count(state) for state in ("done", "wrong", "not started")),
-                             *(f"{score:g}" for score in scores), cell(look)])
+                             *(f"{score:g}" for score in scores), cell(result["student"]), result["identifier"],
+                             "late" if result["late"] else "", cell(look)])
+        for name in missing:
+            writer.writerow([cell(name), "0", f"{results[0]['max_score']:g}", "0.00", 0, 0,
+                             len(results[0]["exercises"]), *("0" for _ in chapters), cell(name), "", "",
+                             "nothing was handed in"])
 
 
 def cell(text: str) -> str:
@@ -87,21 +119,36 @@ def _draw(file: Path, results: list[dict]) -> bool:
     return True
 
 
-def _summary(results: list[dict], counts: dict[str, dict[str, int]], figure: bool) -> str:
+def _summary(results: list[dict], counts: dict[str, dict[str, int]], figure: bool, of_class: Class) -> str:
     settings = results[0]
-    lines = ["# The class\n", statistics_line(results) + ".\n",
+    lines = ["# The class\n", f"{statistics_line(results)}. {RULE[settings['points']]}\n",
              f"Seed {settings['seed']}; {settings['seconds_a_test']} s of processor time a test; isolation: "
              f"{', '.join(sorted({result['isolation'] for result in results}))}.\n"]
     if figure:
         lines.append("![Histogram of the points](histogram.png)\n")
+    if left_out := not_graded(results, of_class):
+        lines += ["## Not graded, or nobody's\n", *(f"- {markdown(line)}" for line in left_out), ""]
     looks = [(result["submission"], ["**tampered**"] * tampered(result) + [markdown(note) for note in result["notes"]])
              for result in results]
     looks = [(name, notes) for name, notes in looks if notes]
     if looks:
         lines.append("## To look at\n")
         lines += [f"- {markdown(name)}: {'; '.join(notes)}" for name, notes in looks] + [""]
+    lines += _exercises(results)
     shown = [verdict for verdict in VERDICTS if any(verdicts[verdict] for verdicts in counts.values())]
     lines += ["## Each test\n", "| test | " + " | ".join(shown) + " |", "|---|" + "---|" * len(shown)]
     for test, verdicts in counts.items():
         lines.append(f"| {test} | " + " | ".join(str(verdicts[verdict]) for verdict in shown) + " |")
     return "\n".join(lines) + "\n"
+
+
+def _exercises(results: list[dict]) -> list[str]:
+    lines = ["## Each exercise\n",
+             "| exercise | done | wrong | not started | points, the mean | of |", "|---|---|---|---|---|---|"]
+    for k, exercise in enumerate(results[0]["exercises"]):
+        all_of_it = [result["exercises"][k] for result in results]
+        states = [one["state"] for one in all_of_it]
+        lines.append(f"| {exercise['id']} {exercise['function']} | "
+                     + " | ".join(str(states.count(state)) for state in ("done", "wrong", "not started"))
+                     + f" | {statistics.fmean(one['score'] for one in all_of_it):.2f} | {exercise['max_score']:g} |")
+    return lines + [""]

@@ -1,11 +1,14 @@
 """The instructor's side of a grading: tests, weights, isolation and the judge."""
 
 import queue
+import shutil
+import sys
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
 from errors import BadInput, CourseError
+from grading.confined import STOP
 from grading.isolation import choose, take_user
 from grading.judge import ExerciseVerdict, Judge
 from grading.report import report_of
@@ -31,6 +34,8 @@ class Grader:
         self.failures: list[str] = []
         self._jobs = arguments.jobs
         self._seconds = arguments.time_limit
+        self._points = arguments.points
+        self._of_submission = arguments.submission_time
         hidden = Path(arguments.hidden).absolute() if arguments.hidden else None
         check_hidden(hidden, self.chapters)
         self._weights = read_weights(Path(arguments.weights), hidden)
@@ -41,8 +46,9 @@ class Grader:
             self._workshop.check_unreadable(self.isolation)
             expected = {test: exercise for exercise in self.exercises
                         for test in self._workshop.expected_tests(exercise)}
-            self._weights.check(expected, self._workshop.hidden_tests)
-            self._judge = Judge(self._workshop, self.isolation, self.seed, self._seconds,
+            idle = self._workshop.idle_tests() if hidden else set()
+            self._weights.check(expected, self._workshop.hidden_tests, idle)
+            self._judge = Judge(self._workshop, self.isolation, self.seed, self._seconds, arguments.exercise_time,
                                 None if arguments.fresh else _MEMORY)
             for _ in range(self._jobs):
                 self._users.put(take_user(self.isolation))
@@ -77,7 +83,7 @@ class Grader:
                     results[one.name] = done.result()
                 bar.step(one_line(one.name))
         finally:
-            pool.shutdown(cancel_futures=True)
+            _end(pool)
             bar.done()
         return [results[one.name] for one in handed if one.name in results]
 
@@ -85,28 +91,36 @@ class Grader:
         """`on_exercise` is given what is known so far, and how many exercises are left."""
         submission = read_submission(handed, self.exercises)
         judged = {exercise: self._judge.unjudged(exercise) for exercise in self.exercises}
-        user = self._users.get()
+        user, lost = self._users.get(), 0.0
         try:
             for count, exercise in enumerate(self.exercises):
                 if on_exercise:
                     on_exercise(self._result(submission, judged), len(self.exercises) - count)
-                judged[exercise] = self._judge.judge(exercise, submission.sources.get(exercise.function), user)
+                judged[exercise] = (self._judge.judge(exercise, submission.sources.get(exercise.function), user)
+                                    if lost < self._of_submission or exercise.function not in submission.sources
+                                    else self._judge.without_time(exercise))
+                lost += self._judge.lost(judged[exercise])
         finally:
             self._users.put(user)
         result = self._result(submission, judged)
         if on_exercise:
             on_exercise(result, 0)
-        self._write(result, out / "submissions" / handed.name)
+        self._write(result, out / "submissions" / handed.name, submission)
         return result
 
-    def _write(self, result: dict, folder: Path) -> None:
-        folder.mkdir(parents=True, exist_ok=True)
+    def _write(self, result: dict, folder: Path, submission: Submission) -> None:
+        shutil.rmtree(folder / "taken", ignore_errors=True)
+        (folder / "taken").mkdir(parents=True)
+        for function, source in submission.sources.items():
+            if not source.problem:
+                (folder / "taken" / f"{function}.cpp").write_bytes(source.content)
         write_json(folder / "results.json", result)
         by_function = {exercise.function: exercise for exercise in self.exercises}
         (folder / "report.md").write_text(report_of(result, by_function), encoding="utf-8")
 
     def _result(self, submission: Submission, judged: dict[Exercise, ExerciseVerdict]) -> dict:
-        settings = {"seed": self.seed, "seconds_a_test": self._seconds, "isolation": self.isolation.name,
+        settings = {"points": self._points, "seed": self.seed, "seconds_a_test": self._seconds,
+                    "isolation": self.isolation.name,
                     "not_denied": self.isolation.does_not_deny, "tests": self._workshop.sources}
         return result_of(submission, list(judged.items()), self._weights, settings)
 
@@ -116,7 +130,8 @@ class Grader:
                                              exercise.reference.read_bytes(), is_reference=True)
                    for exercise in self.exercises}
         bar = Bar("trying the tests on the reference", len(self.exercises))
-        with ThreadPoolExecutor(self._jobs) as pool:
+        pool = ThreadPoolExecutor(self._jobs)
+        try:
             for tests in pool.map(lambda exercise: self._reference_tests(exercise, sources[exercise.function]),
                                   self.exercises):
                 bar.step()
@@ -124,7 +139,9 @@ class Grader:
                     if test.verdict != "passed":
                         raise CourseError(f"the reference itself does not pass {test.test} ({test.verdict}) with seed "
                                           f"{self.seed}; nobody is graded", test.message)
-        bar.done()
+        finally:
+            _end(pool)
+            bar.done()
 
     def _reference_tests(self, exercise: Exercise, source: Source):
         user = self._users.get()
@@ -132,6 +149,13 @@ class Grader:
             return self._judge.judge(exercise, source, user).tests
         finally:
             self._users.put(user)
+
+
+def _end(pool: ThreadPoolExecutor) -> None:
+    """Lets what runs come to its end, unless something has gone wrong: then it is broken off."""
+    if sys.exc_info()[0] is not None:
+        STOP.set()
+    pool.shutdown(cancel_futures=True)
 
 
 def _chosen(numbers: set[int] | None) -> list[Chapter]:

@@ -30,7 +30,7 @@ _WHAT_IT_DOES_NOT_DENY = {
 _FIRST_UID, _LAST_UID = 61_000, 61_999
 _SYSTEM = ("/bin", "/sbin", "/lib", "/lib32", "/lib64", "/libx32")
 _PROBE = Limits(cpu=5, wall=20, memory=1 << 30, files=1 << 20, processes=16, output=1 << 16)
-_ENVIRONMENT = {"PATH": "/usr/bin:/bin", "LC_ALL": "C"}
+ENVIRONMENT = {"PATH": "/usr/bin:/bin", "LC_ALL": "C"}
 
 
 class Isolation:
@@ -44,35 +44,56 @@ class Isolation:
         return _WHAT_IT_DOES_NOT_DENY[self.name]
 
     def run(self, command: list[str], limits: Limits, user: "User", reads: tuple[Path, ...] = (),
-            writes: tuple[Path, ...] = (), folder: Path = Path("/"), nonce: bytes = b"",
-            env: dict[str, str] | None = None) -> Ended:
+            writes: tuple[Path, ...] = (), folder: Path = Path("/")) -> Ended:
         """Runs the command in `folder`, where it sees the system's programs and these paths."""
-        words = self._prefix(user, reads, writes, folder) + _limited(limits) + command
         try:
-            return run(words, limits, _ENVIRONMENT | (env or {}), nonce)
+            return run(self.command(command, limits, user, reads, writes, folder), limits, ENVIRONMENT)
         finally:
-            if self.name == "uid" and user.uid is not None:
-                user.kill_all()
+            self.clear(user)
 
-    def _prefix(self, user: "User", reads, writes, folder: Path) -> list[str]:
+    def command(self, command: list[str], limits: Limits, user: "User", reads: tuple[Path, ...] = (),
+                writes: tuple[Path, ...] = (), folder: Path = Path("/")) -> list[str]:
+        """The command line that runs it isolated."""
         words = []
         if user.uid is not None:
             words += [_which("setpriv"), f"--reuid={user.uid}", f"--regid={user.uid}", "--clear-groups",
                       "--no-new-privs", "--inh-caps=-all"]
-        if not self.namespaces:
-            return words + [_which("env"), f"--chdir={folder}"]
-        words += [_which("bwrap"), "--unshare-all", "--die-with-parent", "--new-session", "--cap-drop", "ALL",
-                  "--ro-bind", "/usr", "/usr"]
-        for path in map(Path, _SYSTEM):
-            if path.is_symlink():
-                words += ["--symlink", os.readlink(path), str(path)]
-            elif path.is_dir():
-                words += ["--ro-bind", str(path), str(path)]
-        for path in reads:
+        if self.namespaces:
+            words += _namespaces(["--unshare-all"], reads, writes, folder)
+        else:
+            words += [_which("env"), f"--chdir={folder}"]
+        # Without namespaces the processes of all that the grader does would count.
+        own = self.uses_uid or self.namespaces
+        return words + _limited(limits) + ([f"--nproc={limits.processes}"] if own else []) + ["--", *command]
+
+    def command_of_tests(self, command: list[str], limits: Limits, reads: tuple[Path, ...]) -> list[str]:
+        """For the tests, which are ours and read what hostile code sends: as the grader, and without files or network.
+
+        They may see processes: how long the student's has worked is asked of the kernel by its number.
+        """
+        alone = ["--unshare-user", "--unshare-ipc", "--unshare-net", "--unshare-uts"]
+        return (_namespaces(alone, reads, (), Path("/")) if self.namespaces else []) + [
+            *_limited(limits), "--", *command]
+
+    def clear(self, user: "User") -> None:
+        """Ends whatever the user still runs; a namespace does so by itself."""
+        if self.name == "uid" and user.uid is not None:
+            user.kill_all()
+
+
+def _namespaces(kinds: list[str], reads, writes, folder: Path) -> list[str]:
+    words = [_which("bwrap"), *kinds, "--die-with-parent", "--new-session", "--cap-drop", "ALL",
+             "--ro-bind", "/usr", "/usr"]
+    for path in map(Path, _SYSTEM):
+        if path.is_symlink():
+            words += ["--symlink", os.readlink(path), str(path)]
+        elif path.is_dir():
             words += ["--ro-bind", str(path), str(path)]
-        for path in writes:
-            words += ["--bind", str(path), str(path)]
-        return words + ["--remount-ro", "/", "--chdir", str(folder)]
+    for path in reads:
+        words += ["--ro-bind", str(path), str(path)]
+    for path in writes:
+        words += ["--bind", str(path), str(path)]
+    return words + ["--remount-ro", "/", "--chdir", str(folder)]
 
 
 @dataclass
@@ -146,7 +167,7 @@ def _lock(uid: int):
 
 def _limited(limits: Limits) -> list[str]:
     return [_which("prlimit"), f"--cpu={limits.cpu}:{limits.cpu + 1}", f"--as={limits.memory}",
-            f"--fsize={limits.files}", f"--nproc={limits.processes}", "--core=0", "--nofile=64", "--"]
+            f"--fsize={limits.files}", "--core=0", "--nofile=64"]
 
 
 def _problem(isolation: Isolation) -> str:

@@ -4,16 +4,16 @@ import hashlib
 import json
 import os
 import re
-import secrets
 import shutil
 import signal
 import tempfile
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
-from grading.confined import Ended, Limits
+from grading.confined import Limits
 from grading.isolation import Isolation, User
 from grading.objects import make
+from grading.pair import Pair, Ran
 from grading.submission import Source
 from grading.workshop import Workshop
 from manifest import Exercise
@@ -25,10 +25,13 @@ TOO_MUCH_OUTPUT, ENDED_EARLY, TAMPERED = "too much output", "ended early", "tamp
 VERDICTS = (PASSED, FAILED, NOT_STARTED, DOES_NOT_COMPILE, TIMED_OUT, CRASHED, OUT_OF_MEMORY, TOO_MUCH_OUTPUT,
             ENDED_EARLY, TAMPERED)
 
+LOOPED, WAITED, NOT_RUN = "looped", "waited", "not run"  # reasons of TIMED_OUT
+# The same, whether its processor time was up or, on a busy machine, that on the clock.
+_DOES_IT_END = "It was stopped: it was still computing when its time was up. Does a loop never end?"
 _PRINTED = 4000  # characters kept of what the student's code printed
 _MESSAGE = 20_000
+_WORKED = 0.5  # seconds of processor time, above which what the clock has stopped did more than wait
 _PREFIX = re.compile(r"\AFailed\n")
-_NONCE_BYTES = 16  # twice as many hexadecimal digits
 
 
 @dataclass
@@ -49,14 +52,25 @@ class ExerciseVerdict:
 class Judge:
     """Judges with fixed limits and a fixed seed, and remembers: the same file always gets the same verdict."""
 
-    def __init__(self, workshop: Workshop, isolation: Isolation, seed: int, seconds: int, memory: Path | None):
-        self._workshop, self._isolation, self._seed = workshop, isolation, seed
+    def __init__(self, workshop: Workshop, isolation: Isolation, seed: int, seconds: int, of_exercise: int,
+                 memory: Path | None):
+        """Seconds of a test, and what time-outs may cost of an exercise, after which no more of its tests are run."""
+        self._workshop, self._isolation, self._seed, self._of_exercise = workshop, isolation, seed, of_exercise
         self._limits = Limits(cpu=seconds, wall=3 * seconds + 2, memory=1 << 30, files=1 << 20, processes=16,
                               output=1 << 20)
         self._memory = memory
 
     def unjudged(self, exercise: Exercise) -> ExerciseVerdict:
         return _all(self._workshop.expected_tests(exercise), NOT_STARTED, "not graded yet")
+
+    def without_time(self, exercise: Exercise) -> ExerciseVerdict:
+        return _all(self._workshop.expected_tests(exercise), TIMED_OUT, NOT_RUN,
+                    "The submission's time was up: too many of its tests had to be stopped before.")
+
+    def lost(self, verdict: ExerciseVerdict) -> float:
+        """Seconds that its time-outs cost, by their kind: the same on any machine."""
+        cost = {LOOPED: self._limits.cpu, WAITED: self._limits.wall}
+        return sum(cost.get(test.reason, 0) for test in verdict.tests if test.verdict == TIMED_OUT)
 
     def judge(self, exercise: Exercise, source: Source | None, user: User) -> ExerciseVerdict:
         tests = self._workshop.expected_tests(exercise)
@@ -72,32 +86,53 @@ class Judge:
         known = self._recall(key)
         if known is None or [test.test for test in known.tests] != tests:
             known, certain = self._judge_anew(exercise, source, tests, user)
-            if certain:
-                self._remember(key, known)
+            self._remember(key, known, 0.0 if certain else _load())
         return known
 
     def _judge_anew(self, exercise: Exercise, source: Source, tests: list[str],
                     user: User) -> tuple[ExerciseVerdict, bool]:
-        """The verdict, and whether it would be the same on any machine: running out of time on the clock would not."""
+        """The verdict, and whether it would be the same on a machine with less to do."""
         folder = Path(tempfile.mkdtemp(dir=self._workshop.root))
         folder.chmod(0o755)
         try:
             made = make(exercise, source, self._workshop, self._isolation, user, folder)
             if not made.program:
                 return _all(tests, made.verdict, made.reason, made.message), "stopped by a limit" not in made.message
-            ran = [self._run(test, made.program, user) for test in tests]
+            ran = self._run_all(exercise, tests, made.program, user)
             return ExerciseVerdict([verdict for verdict, _ in ran], list(made.notes)), all(sure for _, sure in ran)
         finally:
             shutil.rmtree(folder, ignore_errors=True)
 
-    def _run(self, test: str, program: Path, user: User) -> tuple[TestVerdict, bool]:
-        nonce = secrets.token_hex(_NONCE_BYTES).encode()
-        ended = self._isolation.run([str(program), test], self._limits, user, (program,), nonce=nonce,
-                                    env={"SPOOK_SEED": str(self._seed)})
-        verdict, reason, failures = read_verdict(ended, nonce, self._limits.cpu)
+    def _run_all(self, exercise: Exercise, tests: list[str], program: Path,
+                 user: User) -> list[tuple[TestVerdict, bool]]:
+        """With one pair of processes, and another where the last could not go on."""
+        ran: list[tuple[TestVerdict, bool]] = []
+        pair = None
+        try:
+            for test in tests:
+                if pair and not pair.alive and not pair.was_asked:
+                    # It ends before it can be asked anything, and would for every test.
+                    ran.append((replace(ran[-1][0], test=test), ran[-1][1]))
+                    continue
+                if not pair or not pair.alive:
+                    pair = Pair(self._isolation, user, self._workshop.test_program(exercise), exercise.function,
+                                program, self._limits, {"SPOOK_SEED": str(self._seed)})
+                if self.lost(ExerciseVerdict([verdict for verdict, _ in ran], [])) >= self._of_exercise:
+                    verdict = TestVerdict(test, TIMED_OUT, NOT_RUN, "The exercise's time was up: too many of its tests "
+                                          "had to be stopped before.")
+                    ran.append((verdict, True))
+                    continue
+                ran.append(self._verdict(test, pair.run(test)))
+        finally:
+            if pair and pair.alive:
+                pair.close()
+        return ran
+
+    def _verdict(self, test: str, ran: Ran) -> tuple[TestVerdict, bool]:
+        verdict, reason, failures = read_verdict(ran, self._limits.cpu)
         message = "\n\n".join(_PREFIX.sub("", failure).rstrip() for failure in failures)
-        return (TestVerdict(test, verdict, reason, message[:_MESSAGE], ended.output[:_PRINTED].strip()),
-                not ended.timed_out)
+        return (TestVerdict(test, verdict, reason, message[:_MESSAGE], ran.output[:_PRINTED].strip()),
+                not ran.timed_out or reason == WAITED)
 
     def _key(self, exercise: Exercise, source: Source) -> str:
         parts = [self._workshop.build, exercise.label, str(self._seed), repr(self._limits), self._isolation.name]
@@ -108,51 +143,74 @@ class Judge:
             return None
         try:
             found = json.loads((self._memory / f"{key}.json").read_text(encoding="utf-8"))
+            if found["load"] > 1 and _load() < found["load"] / 2:
+                return None  # it was stopped by the clock, on a machine that was busy, and is less so now
             return ExerciseVerdict([TestVerdict(**test) for test in found["tests"]], found["notes"])
         except (OSError, ValueError, TypeError, KeyError):
             return None  # never written, or cut off
 
-    def _remember(self, key: str, verdict: ExerciseVerdict) -> None:
+    def _remember(self, key: str, verdict: ExerciseVerdict, load: float) -> None:
+        """With the load under which the clock has stopped one of its tests; 0 if none."""
         if self._memory:
             self._memory.mkdir(parents=True, exist_ok=True)
             with tempfile.NamedTemporaryFile("w", dir=self._memory, delete=False, encoding="utf-8") as file:
-                json.dump(asdict(verdict), file)
+                json.dump(asdict(verdict) | {"load": load}, file)
             os.replace(file.name, self._memory / f"{key}.json")
 
 
-def read_verdict(ended: Ended, nonce: bytes, cpu_limit: int) -> tuple[str, str, list[str]]:
+def read_verdict(ran: Ran, cpu_limit: int) -> tuple[str, str, list[str]]:
     """The verdict, its reason in a few words, and the failures."""
-    if ended.too_much:
+    if ran.too_much:
         return TOO_MUCH_OUTPUT, "", ["It printed more than the limit, and was stopped."]
-    if ended.timed_out:
-        return TIMED_OUT, "", ["It was stopped: it waited for something that never came."]
-    fields = ended.answer.split(b"\0")
-    if ended.answer and not (len(fields) >= 6 and fields[0] == nonce and fields[-2] == nonce and not fields[-1]):
-        return TAMPERED, "a forged verdict", ["Something else than the tests wrote to the grader."]
-    if not ended.answer:
-        return _without_verdict(ended, cpu_limit)
-    result, ran, skipped = (field.decode() for field in fields[1:4])
-    failures = [field.decode("utf-8", errors="replace") for field in fields[4:-2]]
+    if ran.timed_out and ran.cpu < _WORKED:
+        return TIMED_OUT, WAITED, ["It was stopped: it waited for something that never came."]
+    if ran.timed_out:
+        return TIMED_OUT, LOOPED, [_DOES_IT_END]
+    if ran.nonsense:
+        return TAMPERED, "a forged answer", ["Something else than the function's answer came back to the tests."]
+    if ran.verdict is None:
+        return _without_verdict(ran, cpu_limit)
+    result, ran_count, skipped = (field.decode() for field in ran.verdict[:3])
+    failures = [field.decode("utf-8", errors="replace") for field in ran.verdict[3:]]
     if any("std::bad_alloc" in failure for failure in failures):
         return OUT_OF_MEMORY, "", failures
     if failures:
         return FAILED, "", failures
-    if ran != "1" or skipped or result != "0":
+    if ran_count != "1" or skipped or result != "0":
         return FAILED, "skipped" if skipped else "no test ran", ["The test was not run to its end."]
     return PASSED, "", []
 
 
-def _without_verdict(ended: Ended, cpu_limit: int) -> tuple[str, str, list[str]]:
-    # A program inside bubblewrap that a signal ends is reported with 128 and the signal.
-    number = -ended.code if ended.code < 0 else ended.code - 128 if 128 < ended.code < 128 + signal.NSIG else 0
-    if number == signal.SIGXCPU or (number == signal.SIGKILL and ended.cpu >= cpu_limit):
-        return TIMED_OUT, "", [f"It was stopped after {cpu_limit} s of processor time. Does a loop never end?"]
-    if number == signal.SIGABRT and "std::bad_alloc" in ended.output:
+def _without_verdict(ran: Ran, cpu_limit: int) -> tuple[str, str, list[str]]:
+    number = _signal(ran.code)
+    if number == signal.SIGXCPU or (number == signal.SIGKILL and ran.cpu >= cpu_limit):
+        return TIMED_OUT, LOOPED, [_DOES_IT_END]
+    if number == signal.SIGABRT and "std::bad_alloc" in ran.output:
         return OUT_OF_MEMORY, "", ["It asked for more memory than there is."]
     if number:
-        name = signal.Signals(number).name if number in set(signal.Signals) else f"signal {number}"
-        return CRASHED, name, ["That is most often an index past the end, or a function that calls itself without end."]
-    return ENDED_EARLY, f"exit code {ended.code}", ["The program ended before the test did. Does it call exit?"]
+        return CRASHED, _name(number), [
+            "That is most often an index past the end, or a function that calls itself without end."]
+    if ran.tests_code:  # the test, and not the function: it could not work with what it got
+        of_test = _signal(ran.tests_code)
+        if of_test in (signal.SIGXCPU, signal.SIGKILL):
+            return TIMED_OUT, LOOPED, ["The test was still computing when its time was up, with what it had got."]
+        return CRASHED, _name(of_test) if of_test else f"exit code {ran.tests_code}", [
+            "The test could not work with what it got: a size or an index that makes no sense."]
+    return ENDED_EARLY, f"exit code {ran.code}", ["The program ended before the test did. Does it call exit?"]
+
+
+def _load() -> float:
+    """How many processes want each processor."""
+    return os.getloadavg()[0] / (os.cpu_count() or 1)
+
+
+def _signal(code: int) -> int:
+    """A program inside bubblewrap that a signal ends is reported with 128 and the signal."""
+    return -code if code < 0 else code - 128 if 128 < code < 128 + signal.NSIG else 0
+
+
+def _name(number: int) -> str:
+    return signal.Signals(number).name if number in set(signal.Signals) else f"signal {number}"
 
 
 def _all(tests: list[str], verdict: str, reason: str = "", message: str = "") -> ExerciseVerdict:

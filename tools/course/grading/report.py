@@ -5,6 +5,8 @@ from grading.text import fenced, markdown
 from manifest import Exercise
 
 _SYMBOL = {"done": "✓", "wrong": "✗", "not started": "·"}
+RULE = {"exercises": "An exercise has its points when all of its tests pass.",
+        "tests": "Each test that passes has its points; those that a function passes which does nothing have none."}
 _MORE_IN_FULL = 5
 _PRINTED_LINES = 20
 
@@ -12,7 +14,7 @@ _PRINTED_LINES = 20
 def report_of(result: dict, exercises: dict[str, Exercise]) -> str:
     """`exercises` by their function."""
     points = f"{result['score']:g} of {result['max_score']:g} points"
-    parts = [f"# {markdown(result['submission'])}: {points}\n", _board(result)]
+    parts = [f"# {markdown(result['submission'])}: {points}\n", _board(result), f"{RULE[result['points']]}\n"]
     hidden = [test for test in _tests(result) if test["visibility"] != "visible"]
     if hidden:
         passed = sum(test["verdict"] == "passed" for test in hidden)
@@ -61,7 +63,8 @@ def _in_full(exercise: dict, tests: list[dict], exercises: dict[str, Exercise], 
     lines.append(fenced(first["message"]))
     if first["printed"]:
         lines += ["Your code printed:\n", fenced("\n".join(first["printed"].splitlines()[:_PRINTED_LINES]))]
-    lines.append(f"Hint: {known.hints[int(first['hint'].partition('/')[2]) - 1]}\n")
+    if first["verdict"] == "failed":  # what does not compile or crashes has no mistake in its physics yet
+        lines.append(f"Hint: {known.hints[int(first['hint'].partition('/')[2]) - 1]}\n")
     alone = len({test["verdict"] for test in tests}) == 1 and first["verdict"] in ("does not compile", "tampered")
     others = [] if alone else [f"`{test['name']}` ({said(test)})" for test in tests[1:]]
     if others:

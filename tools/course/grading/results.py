@@ -12,15 +12,21 @@ from grading.submission import Submission
 from grading.weights import Weights
 from manifest import Exercise
 
-SCHEMA = "spook-course/results/1"
+SCHEMA = "spook-course/results/2"
+RULES = ("exercises", "tests")  # what counts: an exercise that is right, or each test
 
 
 def result_of(submission: Submission, verdicts: list[tuple[Exercise, ExerciseVerdict]], weights: Weights,
               settings: dict) -> dict:
-    exercises = [_exercise(submission, exercise, verdict, weights) for exercise, verdict in verdicts]
+    """`settings` are how it was graded, with the rule by which points are given among them."""
+    exercises = [_exercise(submission, exercise, verdict, weights, settings["points"])
+                 for exercise, verdict in verdicts]
     return {
         "schema": SCHEMA,
         "submission": submission.name,
+        "student": submission.student.name,
+        "identifier": submission.student.identifier,
+        "late": submission.student.late,
         "score": _sum(exercises, "score"),
         "max_score": _sum(exercises, "max_score"),
         **settings,
@@ -30,7 +36,16 @@ def result_of(submission: Submission, verdicts: list[tuple[Exercise, ExerciseVer
     }
 
 
-def _exercise(submission: Submission, exercise: Exercise, verdict: ExerciseVerdict, weights: Weights) -> dict:
+def scored(tests: list[dict], rule: str) -> float:
+    """Gives each test its score by the rule, and returns their sum."""
+    counts = rule == "tests" or all(test["verdict"] == PASSED for test in tests)
+    for test in tests:
+        test["score"] = test["max_score"] if counts and test["verdict"] == PASSED else 0.0
+    return _sum(tests, "score")
+
+
+def _exercise(submission: Submission, exercise: Exercise, verdict: ExerciseVerdict, weights: Weights,
+              rule: str) -> dict:
     source = submission.sources.get(exercise.function)
     tests = []
     for test in verdict.tests:
@@ -40,13 +55,14 @@ def _exercise(submission: Submission, exercise: Exercise, verdict: ExerciseVerdi
             "title": weight.title,
             "verdict": test.verdict,
             "reason": test.reason,
-            "score": weight.points if test.verdict == PASSED else 0.0,
+            "score": 0.0,
             "max_score": weight.points,
             "visibility": weight.visibility,
             "hint": weight.hint,
             "message": test.message,
             "printed": test.printed,
         })
+    score = scored(tests, rule)
     return {
         "id": exercise.id,
         "function": exercise.function,
@@ -54,7 +70,7 @@ def _exercise(submission: Submission, exercise: Exercise, verdict: ExerciseVerdi
         "file": source.path if source else "",
         "sha256": hashlib.sha256(source.content).hexdigest() if source and not source.problem else "",
         "state": _state(tests),
-        "score": _sum(tests, "score"),
+        "score": score,
         "max_score": _sum(tests, "max_score"),
         "tests": tests,
     }

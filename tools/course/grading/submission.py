@@ -1,23 +1,19 @@
-"""What was handed in: the files with an exercise's name, out of a folder or a zip, and nothing else.
+"""What was handed in: the files with an exercise's name, out of a folder or an archive, and nothing else."""
 
-Taken are regular files chapters/NN_topic/FUNCTION.cpp, at the top or below folders of any name, and FUNCTION.cpp at the
-top, where an upload has dropped the folders. Nothing is ever unpacked.
-"""
-
-import os
-import stat
-import zipfile
-from collections.abc import Iterator
+import re
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 
-from errors import BadInput
+from grading.archives import LARGEST, Entry, entries_of
+from grading.names import Student, student_of
 from manifest import Exercise
+from marker import is_stub
 from paths import CHAPTERS
 
-LARGEST = 256 << 10  # bytes; the reference's longest answer has a twentieth of that
-_MOST_ENTRIES = 20_000
-_NAMES_IN_A_NOTE = 5
+_NAMES_IN_A_NOTE = 8
+# Where a copy of the course keeps its own, which are not the student's.
+_NOT_THEIRS = {"solutions", "tests", "plots", "tools", "build", ".git", ".course"}
+_COPY = re.compile(r"(?: ?\(\d+\)| - copy(?: ?\(\d+\))?| copy(?: \d+)?| ?\(copy(?: \d+)?\)|~\d?)$")
 
 
 @dataclass(frozen=True)
@@ -31,11 +27,10 @@ class Source:
     is_reference: bool = False
 
 
-@dataclass
-class Submission:
-    name: str
-    sources: dict[str, Source]  # by the exercise's function
-    notes: list[str] = field(default_factory=list)
+@dataclass(frozen=True)
+class Place:
+    path: Path
+    inside: str = ""  # of an archive: the folder, archive or file at its top
 
 
 @dataclass(frozen=True)
@@ -43,167 +38,124 @@ class Handed:
     """A submission that is not read yet."""
 
     name: str
-    path: Path
+    places: tuple[Place, ...]
+    student: Student
+
+
+@dataclass
+class Submission:
+    name: str
+    student: Student
+    sources: dict[str, Source]  # by the exercise's function
+    notes: list[str] = field(default_factory=list)
 
 
 @dataclass(frozen=True)
-class _Entry:
-    path: PurePosixPath
-    kind: str  # file, link, other
-    size: int
-    read: object  # () -> bytes
-
-
-def find_submissions(paths: list[Path], out: Path) -> list[Handed]:
-    """Each path is a submission or a folder of them; in the order of their names, which are made different.
-
-    `out`, where marks are written, may lie among them and is none.
-    """
-    handed: list[Handed] = []
-    for path in paths:
-        if not path.exists():
-            raise BadInput(f"grade: there is no {path}")
-        handed += [Handed(_name(path), path)] if _is_submission(path) else _in_folder(path, out)
-    handed.sort(key=lambda one: (one.name, str(one.path)))
-    return _named_apart(handed)
+class _Candidate:
+    rank: int  # 0: where it belongs; the higher, the more is guessed
+    entry: Entry
 
 
 def read_submission(handed: Handed, exercises: list[Exercise]) -> Submission:
-    """Never raises for what is in it: a damaged zip is a submission without files, and its notes say why."""
-    submission = Submission(handed.name, {})
-    try:
-        if handed.path.is_dir():
-            _take(submission, _entries_of_folder(handed.path), exercises)
-        else:
-            with zipfile.ZipFile(handed.path) as archive:
-                _take(submission, _entries_of_zip(archive), exercises)
-    except Exception as error:  # a damaged archive has the library raise whatever its decoders do
-        submission.notes.append(f"{handed.path.name} can not be read: {error}")
+    """Never raises for what is in it: a damaged archive is a submission without files, and its notes say why."""
+    submission = Submission(handed.name, handed.student, {})
+    if handed.student.late:
+        submission.notes.append("late, by the platform's name of it")
+    seen: list[str] = []
+    found: dict[str, list[_Candidate]] = {}
+    for place in handed.places:
+        try:
+            for entry in entries_of(place.path):
+                if place.inside:
+                    if entry.path.parts[0] != place.inside:
+                        continue
+                    entry = _moved(entry, "/".join(entry.path.parts[1:]))
+                _look(submission, entry, exercises, seen, found)
+        except Exception as error:  # a damaged archive has the library raise whatever its decoders do
+            submission.notes.append(f"{place.path.name} can not be read: {error}")
+    for function, candidates in found.items():
+        _choose(submission, function, candidates)
+    if not found:
+        submission.notes.append("no file of an exercise was found" + (f" in {_listed(seen)}" if seen else
+                                                                      "; there is nothing in it"))
+    else:
+        others = [name for name in seen if _is_worth_a_line(name)]
+        if others:
+            submission.notes.append(f"not an exercise's file, so not taken: {_listed(others)}")
     return submission
 
 
-def _is_submission(path: Path) -> bool:
-    if not path.is_dir():
-        if path.suffix.lower() != ".zip":
-            raise BadInput(f"grade: {path} is neither a folder nor a .zip")
-        return True
-    return (path / "chapters").is_dir() or any(path.glob("*.cpp"))
+def rank_of(path: PurePosixPath, exercises: list[Exercise]) -> tuple[Exercise, int] | None:
+    """Which exercise's file it is, and how much is guessed.
+
+    0 where it belongs, or alone; 1 by its folder; 2 by its name; 3 by other capitals or marks; 4 a copy.
+    """
+    parts = [part.lower() for part in path.parts]
+    if (".." in parts or path.is_absolute() or _NOT_THEIRS & set(parts[:-1])
+            or not parts[-1].endswith((".cpp", ".cc", ".cxx"))):
+        return None
+    known = student_of(path.name)
+    stem = PurePosixPath((known[1] if known else path.name)).stem
+    plain = _COPY.sub("", stem.lower()).strip().replace("-", "_").replace(" ", "_")
+    exercise = next((one for one in exercises if one.function == plain), None)
+    if not exercise:
+        return None
+    if _COPY.search(stem.lower()):
+        return exercise, 4
+    if stem != exercise.function or path.suffix != ".cpp":
+        return exercise, 3
+    if path.parts[-3:-1] == ("chapters", exercise.folder) or len(parts) == 1:
+        return exercise, 0
+    return exercise, 1 if parts[-2] == exercise.folder else 2
 
 
-def _in_folder(folder: Path, out: Path) -> list[Handed]:
-    found = [Handed(_name(child), child) for child in sorted(folder.iterdir())
-             if not child.is_symlink() and not child.name.startswith((".", "__MACOSX"))
-             and (child.is_dir() or child.suffix.lower() == ".zip") and child.resolve() != out.resolve()]
-    if not found:
-        raise BadInput(f"grade: {folder} holds no submission: no chapters/, no folders, no .zip")
-    return found
+def _look(submission: Submission, entry: Entry, exercises: list[Exercise], seen: list[str],
+          found: dict[str, list[_Candidate]]) -> None:
+    if entry.kind == "damaged":
+        submission.notes.append(entry.problem)
+        return
+    ranked = rank_of(entry.path, exercises)
+    if ranked:
+        found.setdefault(ranked[0].function, []).append(_Candidate(ranked[1], entry))
+    else:
+        seen.append(str(entry.path))
 
 
-def _name(path: Path) -> str:
-    resolved = path.resolve()
-    return _text(resolved.stem if resolved.suffix.lower() == ".zip" else resolved.name)
+def _choose(submission: Submission, function: str, candidates: list[_Candidate]) -> None:
+    """The least guessed; of those the first that is no stub."""
+    candidates.sort(key=lambda one: (one.rank, len(one.entry.path.parts), str(one.entry.path)))
+    sources = [_read(one.entry) for one in candidates]
+    chosen = next((k for k, source in enumerate(sources) if not source.problem
+                   and not is_stub(source.content.decode("utf-8", errors="replace"))), 0)
+    if sources[0].problem:
+        chosen = 0  # what is where it belongs is what was handed in, and says why it can't be taken
+    submission.sources[function] = sources[chosen]
+    if candidates[chosen].rank > 0 or len(candidates) > 1:
+        others = [source.path for k, source in enumerate(sources) if k != chosen]
+        note = f"taken for {function}: {sources[chosen].path}"
+        submission.notes.append(note + (f"; there is also {_listed(others)}" if others else ""))
 
 
-def _text(name: str) -> str:
-    """A file's name may hold bytes that are no letters."""
-    return os.fsencode(name).decode("utf-8", errors="replace")
-
-
-def _named_apart(handed: list[Handed]) -> list[Handed]:
-    taken: set[str] = set()
-    apart = []
-    for one in handed:
-        name, count = one.name, 1
-        while name.casefold() in taken:
-            count += 1
-            name = f"{one.name} ({count})"
-        taken.add(name.casefold())
-        apart.append(Handed(name, one.path))
-    return apart
-
-
-def _entries_of_folder(root: Path) -> Iterator[_Entry]:
-    count = 0
-    for folder, folders, files in os.walk(root):
-        # A link to a folder is listed among the folders, and never followed.
-        folders.sort()
-        for name in sorted(files + [name for name in folders if Path(folder, name).is_symlink()]):
-            count += 1
-            if count > _MOST_ENTRIES:
-                raise ValueError(f"it holds more than {_MOST_ENTRIES} files")
-            path = Path(folder, name)
-            found = path.lstat()
-            kind = ("link" if stat.S_ISLNK(found.st_mode) else "file" if stat.S_ISREG(found.st_mode) else "other")
-            yield _Entry(PurePosixPath(_text(path.relative_to(root).as_posix())), kind, found.st_size,
-                         lambda path=path: _read_regular(path))
-
-
-def _read_regular(path: Path) -> bytes:
-    """What is a link or a pipe by the time that it is opened is an error, and does not block."""
-    with open(os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK), "rb") as file:
-        if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
-            raise OSError("not a regular file")
-        return file.read(LARGEST + 1)
-
-
-def _entries_of_zip(archive: zipfile.ZipFile) -> Iterator[_Entry]:
-    if len(archive.infolist()) > _MOST_ENTRIES:
-        raise ValueError(f"it holds more than {_MOST_ENTRIES} files")
-    for info in archive.infolist():
-        if info.is_dir():
-            continue
-        mode = info.external_attr >> 16
-        kind = "link" if stat.S_ISLNK(mode) else "file" if not stat.S_IFMT(mode) or stat.S_ISREG(mode) else "other"
-        yield _Entry(PurePosixPath(info.filename.replace("\\", "/")), kind, info.file_size,
-                     lambda info=info: _read_member(archive, info))
-
-
-def _read_member(archive: zipfile.ZipFile, info: zipfile.ZipInfo) -> bytes:
-    with archive.open(info) as file:
-        return file.read(LARGEST + 1)
-
-
-def _take(submission: Submission, entries: Iterator[_Entry], exercises: list[Exercise]) -> None:
-    wanted = {f"{exercise.folder}/{exercise.function}.cpp": exercise for exercise in exercises}
-    alone = {f"{exercise.function}.cpp": exercise for exercise in exercises}
-    others: list[str] = []
-    found: dict[str, list[_Entry]] = {}
-    for entry in entries:
-        parts = entry.path.parts
-        exercise = None
-        if ".." not in parts and not entry.path.is_absolute():
-            if len(parts) >= 3 and parts[-3] == "chapters":
-                exercise = wanted.get("/".join(parts[-2:]))
-            elif len(parts) == 1:
-                exercise = alone.get(parts[0])
-        if exercise:
-            found.setdefault(exercise.function, []).append(entry)
-        elif "chapters" in parts[:-1] and parts[-1].endswith((".cpp", ".hpp", ".h")) or ".." in parts:
-            others.append(str(entry.path))
-    for function, candidates in found.items():
-        candidates.sort(key=lambda entry: ("chapters" not in entry.path.parts, len(entry.path.parts), str(entry.path)))
-        submission.sources[function] = _read(candidates[0])
-        if len(candidates) > 1:
-            ignored = ", ".join(str(entry.path) for entry in candidates[1:])
-            submission.notes.append(f"taken is {candidates[0].path}; there is also {ignored}")
-    if not found:
-        submission.notes.append("no file chapters/NN_topic/FUNCTION.cpp was found")
-    _note_others(submission, [name for name in others if not _is_ours(name)])
-
-
-def _is_ours(name: str) -> bool:
+def _is_worth_a_line(name: str) -> bool:
     """The course's own files come along with every fork; the instructor's are used."""
-    return ".." not in name and (CHAPTERS / "/".join(PurePosixPath(name).parts[-2:])).exists()
+    path = PurePosixPath(name)
+    if ".." in path.parts or path.is_absolute():
+        return True
+    if _NOT_THEIRS & set(path.parts[:-1]) or not name.endswith((".cpp", ".hpp", ".h", ".cc", ".cxx")):
+        return False
+    return not (CHAPTERS / "/".join(path.parts[-2:])).exists()
 
 
-def _note_others(submission: Submission, others: list[str]) -> None:
-    if others:
-        more = len(others) - _NAMES_IN_A_NOTE
-        listed = ", ".join(sorted(others)[:_NAMES_IN_A_NOTE]) + (f" and {more} more" if more > 0 else "")
-        submission.notes.append(f"not an exercise's file, so not taken: {listed}")
+def _listed(names: list[str]) -> str:
+    more = len(names) - _NAMES_IN_A_NOTE
+    return ", ".join(sorted(names)[:_NAMES_IN_A_NOTE]) + (f" and {more} more" if more > 0 else "")
 
 
-def _read(entry: _Entry) -> Source:
+def _moved(entry: Entry, path: str) -> Entry:
+    return Entry(PurePosixPath(path or entry.path.name), entry.kind, entry.size, entry.read, entry.problem)
+
+
+def _read(entry: Entry) -> Source:
     path = str(entry.path)
     if entry.kind == "link":
         return Source(path, problem=f"{path} is a symbolic link, and those are not followed", is_link=True)

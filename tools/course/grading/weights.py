@@ -13,8 +13,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from errors import BadInput, CourseError
-from manifest import Exercise
+from manifest import Exercise, all_exercises
 from paths import ROOT, shown
+from pick import near
 
 TABLE = ROOT / "tests" / "weights.csv"
 COLUMNS = ("test", "points", "visibility", "hint", "title")
@@ -38,10 +39,23 @@ class Weights:
     def of(self, test: str) -> Weight:
         return self._rows[test]
 
-    def check(self, expected: dict[str, Exercise], hidden: set[str]) -> None:
-        """Each expected test has a row, and its hint exists; a hidden one without a row gets a first draft."""
+    def rows(self) -> dict[str, Weight]:
+        return self._rows
+
+    def check(self, expected: dict[str, Exercise], hidden: set[str], idle: set[str]) -> None:
+        """Each expected test has a row, and its hint exists; no row is of a test that there is not.
+
+        A hidden one without a row gets a first draft, without points for one of the `idle`.
+        """
         for test in hidden - set(self._rows):
-            self._rows[test] = first_draft(test, expected[test], "hidden")
+            self._rows[test] = first_draft(test, expected[test], "hidden", 0.0 if test in idle else 1.0)
+        suites = {exercise.suite for exercise in expected.values()}
+        known = {exercise.suite for exercise in all_exercises()}
+        for test in self._rows:
+            suite = test.partition(".")[0]
+            if suite not in known or (suite in suites and test not in expected):
+                raise BadInput(f"the table of weights has a row for {test}, and there is no such test"
+                               f"{near(test, list(expected))}")
         lacking = [test for test in expected if test not in self._rows]
         if lacking:
             raise CourseError(f"the table of weights has no row for {lacking[0]}"
@@ -58,11 +72,11 @@ def read_weights(table: Path, hidden: Path | None) -> Weights:
     return Weights(rows)
 
 
-def first_draft(test: str, exercise: Exercise, visibility: str = "visible") -> Weight:
-    """A row for a test that has none: one point, and the words of its name."""
+def first_draft(test: str, exercise: Exercise, visibility: str = "visible", points: float = 1.0) -> Weight:
+    """A row for a test that has none: the words of its name, and a point, unless what does nothing passes it."""
     words = _HUMP.sub(" ", test.partition(".")[2]).split()
     title = " ".join(word if len(word) > 1 and word.isupper() else word.lower() for word in words)
-    return Weight(test, 1.0, visibility, f"{exercise.id}/1", title[:1].upper() + title[1:])
+    return Weight(test, points, visibility, f"{exercise.id}/1", title[:1].upper() + title[1:])
 
 
 def as_table(weights: list[Weight], out) -> None:

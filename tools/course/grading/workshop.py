@@ -1,12 +1,14 @@
-"""What the instructor's tree gives to every submission: headers, the precompiled header, tests, main and reference.
+"""What the instructor's tree gives to every submission: headers, the precompiled header, reference and tests.
 
-All of it is built once and copied to two folders. A submission is compiled with the first, which holds no answers; the
-second, with the tests and the reference, is seen by the linker alone.
+All of it is built once and copied to two folders. A submission is compiled with the first, which holds no answers. The
+second has the reference, which the linker sees, and a program with each chapter's tests, which are never linked with
+what a student wrote.
 """
 
 import hashlib
 import json
 import os
+import re
 import shlex
 import shutil
 import subprocess
@@ -18,26 +20,27 @@ from pathlib import Path
 from errors import BadInput, CourseError
 from grading.confined import Limits
 from grading.isolation import Isolation, take_user
-from manifest import Chapter, Exercise
+from manifest import Chapter, Exercise, all_exercises
 from paths import CHAPTERS, ROOT, SOLUTIONS, shown
 from process import tail
 from symbols import reference_functions
 from tree import Tree
 
 CHECK = Tree("check")
+_WORD = re.compile(r"\w+")
 _LOOKING = Limits(cpu=5, wall=20, memory=1 << 30, files=0, processes=16, output=1 << 16)
 
 
 @dataclass(frozen=True)
 class Linking:
-    """How a chapter's graded program is linked: `before` the student's object, and `after` it."""
+    """How a chapter's program is linked: `before` the student's object, or the hidden tests, and `after` it."""
 
     before: tuple[str, ...]
     after: tuple[str, ...]
 
 
 def build_tests(chapters: list[Chapter]) -> None:
-    built = CHECK.build([f"grade_{chapter.folder}" for chapter in chapters],
+    built = CHECK.build([f"{side}_{chapter.folder}" for chapter in chapters for side in ("grade", "answer")],
                         "building the tests (some minutes, the first time)")
     if not built.ok:
         raise CHECK.own_failure(built)
@@ -45,7 +48,24 @@ def build_tests(chapters: list[Chapter]) -> None:
 
 def listed_tests(chapter: Chapter) -> list[str]:
     """The course's own tests of a chapter, which must be built."""
-    return _listed(CHECK.program(f"grade_{chapter.folder}"))
+    return _listed(test_program(chapter))
+
+
+def test_program(chapter: Chapter) -> Path:
+    """Of the course's own tests."""
+    return CHECK.program(f"grade_{chapter.folder}")
+
+
+def idle_tests(program: Path, tests: list[str]) -> list[str]:
+    """Of a chapter's tests those that pass although the function of their exercise does nothing."""
+    passing = []
+    for exercise in all_exercises():
+        own = [test for test in tests if test.partition(".")[0] == exercise.suite]
+        if own:
+            told = subprocess.run([str(program), "--idle", exercise.function], input="\n".join(own) + "\n", text=True,
+                                  capture_output=True, errors="replace").stdout
+            passing += [line for line in told.splitlines() if line in own]
+    return passing
 
 
 class Workshop:
@@ -60,9 +80,12 @@ class Workshop:
         _copy_headers(SOLUTIONS, self.reference_headers)
         build_tests(chapters)
         self._flags = self._stage_headers(chapters[0].exercises[0])
-        self._links = {chapter.folder: self._stage_link(chapter, hidden) for chapter in chapters}
+        self._links = {chapter.folder: self._stage_link(f"answer_{chapter.folder}") for chapter in chapters}
+        self._programs = {chapter.folder: self._stage_tests(chapter, hidden) for chapter in chapters}
         self.functions = {exercise.function: reference_functions(CHECK, exercise)
                           for chapter in chapters for exercise in chapter.exercises}
+        self.declared = frozenset(_WORD.findall("".join(
+            header.read_text(encoding="utf-8") for header in CHAPTERS.glob("*/*.hpp"))))
         self.tests = {chapter.folder: self._list_tests(chapter) for chapter in chapters}
         shown_tests = {test for chapter in chapters for test in listed_tests(chapter)}
         self.hidden_tests = {test for tests in self.tests.values() for test in tests} - shown_tests
@@ -79,9 +102,16 @@ class Workshop:
         link = self._links[exercise.folder]
         return [*link.before, object_file, *link.after, "-o", to]
 
+    def test_program(self, exercise: Exercise) -> Path:
+        return self._programs[exercise.folder]
+
     def expected_tests(self, exercise: Exercise) -> list[str]:
         """The tests of an exercise, hidden ones last."""
         return [test for test in self.tests[exercise.folder] if test.split(".")[0] == exercise.suite]
+
+    def idle_tests(self) -> set[str]:
+        """Those that a function passes which does nothing."""
+        return {test for folder, tests in self.tests.items() for test in idle_tests(self._programs[folder], tests)}
 
     def check_unreadable(self, isolation: Isolation) -> None:
         """Without namespaces, the users whom submissions run as must not be able to read the answers."""
@@ -95,7 +125,8 @@ class Workshop:
 
     def _stage_headers(self, example: Exercise) -> list[str]:
         """Adds the precompiled header, and returns the compiler's command without the file."""
-        flags, words = [], iter(_compile_command(lambda entry: Path(entry["file"]).match(f"chapters/{example.folder}/{example.function}.cpp")))
+        file = f"chapters/{example.folder}/{example.function}.cpp"
+        flags, words = [], iter(_compile_command(lambda entry: Path(entry["file"]).match(file)))
         for word in words:
             if word in ("-o", "-c"):
                 next(words)
@@ -117,9 +148,9 @@ class Workshop:
                 shutil.copyfile(name, self.headers / name.name)
         return self.headers / header.name
 
-    def _stage_link(self, chapter: Chapter, hidden: Path | None) -> Linking:
+    def _stage_link(self, target: str) -> Linking:
         before, after = [], []
-        words = iter(_link_command(f"grade_{chapter.folder}"))
+        words = iter(_link_command(target))
         for word in words:
             if word == "-o":
                 next(words)
@@ -129,8 +160,21 @@ class Workshop:
                 (before if word.endswith(".o") else after).append(self._stage_answer(CHECK.path / word))
             else:
                 (after if word.startswith("-l") else before).append(word)
-        before += [self._compile_hidden(chapter, source) for source in _hidden_sources(chapter, hidden)]
         return Linking(tuple(before), tuple(after))
+
+    def _stage_tests(self, chapter: Chapter, hidden: Path | None) -> Path:
+        """The chapter's tests as a program, linked anew where there are hidden ones."""
+        program = self.answers / f"grade_{chapter.folder}"
+        sources = _hidden_sources(chapter, hidden)
+        if not sources:
+            shutil.copy2(CHECK.program(program.name), program)
+            return program
+        link = self._stage_link(program.name)
+        command = [*link.before, *(self._compile_hidden(chapter, source) for source in sources), *link.after]
+        result = subprocess.run([*command, "-o", str(program)], capture_output=True, text=True)
+        if result.returncode != 0:
+            raise CourseError(f"the tests of {chapter.folder} do not link", tail(result.stderr))
+        return program
 
     def _stage_answer(self, file: Path) -> str:
         """Each file under a name of its own; archives that chapters share are copied once."""
@@ -151,13 +195,7 @@ class Workshop:
         return str(compiled)
 
     def _list_tests(self, chapter: Chapter) -> list[str]:
-        program = self.answers / f"list_{chapter.folder}"
-        link = self._links[chapter.folder]
-        result = subprocess.run([*link.before, *link.after, "-o", str(program)], capture_output=True, text=True)
-        if result.returncode != 0:
-            raise CourseError(f"the tests of {chapter.folder} do not link", tail(result.stderr))
-        tests = _listed(program)
-        program.unlink()
+        tests = _listed(self._programs[chapter.folder])
         strange = [test for test in tests
                    if test.split(".")[0] not in {exercise.suite for exercise in chapter.exercises}]
         if strange:
@@ -251,7 +289,7 @@ def _link_command(target: str) -> list[str]:
     """The last of the commands that make the target: ": && c++ ... && :"."""
     listing = subprocess.run(["ninja", "-C", str(CHECK.path), "-t", "commands", target], capture_output=True, text=True)
     words = [word for word in shlex.split(listing.stdout.strip().splitlines()[-1]) if word not in (":", "&&")]
-    # GoogleTest's own main is left out: grade_main.cpp has ours.
+    # GoogleTest's own main is left out: tests/remote has ours.
     return [*_compiler(words[0]), *(word for word in words[1:] if not word.endswith("libgtest_main.a"))]
 
 

@@ -1,0 +1,69 @@
+"""What an object may hold and call: objects made by hand, each with one thing that no answer has."""
+
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+import sandbox  # noqa: F401
+
+from grading.allowed import not_allowed, read_object, tampering
+
+COURSE = frozenset({"drift"})
+
+
+class Allowed(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def made(self, assembly: str):
+        file = self.folder / "made.o"
+        subprocess.run(["as", "-o", str(file), "-"], input=assembly + "\n", text=True, check=True)
+        return read_object(file)
+
+    def test_sections(self):
+        for section, refused in ((".text.hot", False), (".data.rel.ro.local", False), (".init_array", False),
+                                 (".rodata.str1.1", False), (".gcc_except_table", False), (".tbss", False),
+                                 (".init", True), (".fini", True), (".preinit_array", True), (".fini_array", True),
+                                 (".init_array.00001", True), (".ctors", True), (".dtors.65535", True),
+                                 (".gnu.lto_.decls", True), (".gnu.warning.kick", True), (".got.plt", True),
+                                 (".interp", True), (".dynamic", True), ("hidden", True), (".textual", True)):
+            with self.subTest(section):
+                self.assertEqual(bool(tampering(self.made(f'.section {section},"a"\n.long 0'))), refused)
+
+    def test_calls(self):
+        for name in ("fork", "_Fork", "fexecve", "pkey_mprotect", "execveat", "posix_spawn", "socket", "syscall",
+                     "write", "dlsym", "_Unwind_Backtrace", "__bss_start", "_end", "longjmp", "sigaction"):
+            for how in (f".globl {name}\n.quad {name}", f".weak {name}\n.quad {name}",
+                        f".globl other\n.set other, {name}\n.quad other",
+                        f".globl mine\n.symver mine, {name}@GLIBC_2.2.5\n.quad mine"):
+                with self.subTest(how):
+                    self.assertEqual(tampering(self.made(how)), f"calls {name}()")
+
+    def test_system_is_no_crime_unless_it_hides(self):
+        self.assertEqual(tampering(self.made(".quad system")), "")
+        self.assertEqual(not_allowed(self.made(".quad system"), COURSE), "")
+        self.assertEqual(tampering(self.made(".weak system\n.quad system")), "calls system()")
+
+    def test_what_replaces_another_programs(self):
+        for assembly in (".globl write\n.type write,@gnu_unique_object\nwrite: .quad 0", ".comm write,8",
+                         ".type resolve,@gnu_indirect_function\n.globl resolve\nresolve: .quad 0",
+                         "_ZN7testing8UnitTest11GetInstanceEv: .quad 0", ".weak anything\n.quad anything"):
+            with self.subTest(assembly):
+                self.assertNotEqual(tampering(self.made(assembly)), "")
+
+    def test_what_an_answer_calls(self):
+        for name in ("sqrt", "hypotf", "memcpy", "printf", "__printf_chk", "_Znwm", "_ZdlPvm", "_ZSt4cout",
+                     "_ZTISt9exception", "_ZTVN10__cxxabiv120__si_class_type_infoE", "__cxa_throw", "_Unwind_Resume",
+                     "pthread_create", "_ZN5spook5driftERKN5Eigen6MatrixE", "clock_gettime", "_ZNSt6thread4joinEv", "__muldc3"):
+            with self.subTest(name):
+                made = self.made(f".quad {name}")
+                self.assertEqual((tampering(made), not_allowed(made, COURSE)), ("", ""))
+        for name in ("setenv", "_ZN5spook6secretEv", "getpid", "my_own", "chmod"):
+            self.assertEqual(not_allowed(self.made(f".quad {name}"), COURSE), name)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,216 @@
+"""What platforms deliver, in all its shapes: who it is of, what is taken, and that nobody vanishes."""
+
+import io
+import shutil
+import subprocess
+import tarfile
+import tempfile
+import unittest
+import zipfile
+from pathlib import Path
+
+import sandbox  # noqa: F401
+
+from errors import BadInput
+from grading.delivery import find_submissions
+from grading.merge import merge, missing_shards, set_aside, write_delivery
+from grading.names import student_of
+from grading.results import SCHEMA, write_json
+from grading.roster import read_roster
+from grading.submission import read_submission
+from manifest import all_exercises
+
+KICK, WHERE = b"Vec3 kick;", "chapters/01_leapfrog/kick.cpp"
+STUB = b'Vec3 kick() { not_implemented("1.1 kick"); }'
+
+
+def zipped(files: dict[str, bytes]) -> bytes:
+    content = io.BytesIO()
+    with zipfile.ZipFile(content, "w") as archive:
+        for name, text in files.items():
+            archive.writestr(name, text)
+    return content.getvalue()
+
+
+def tarred(files: dict[str, bytes], how: str) -> bytes:
+    content = io.BytesIO()
+    with tarfile.open(fileobj=content, mode=f"w:{how}") as archive:
+        for name, text in files.items():
+            info = tarfile.TarInfo(name)
+            info.size = len(text)
+            archive.addfile(info, io.BytesIO(text))
+    return content.getvalue()
+
+
+class InFolder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="delivery-")
+        self.addCleanup(folder.cleanup)
+        self.root = Path(folder.name).resolve()
+
+    def put(self, files: dict[str, bytes], under: str = "in") -> Path:
+        for name, content in files.items():
+            (self.root / under / name).parent.mkdir(parents=True, exist_ok=True)
+            (self.root / under / name).write_bytes(content)
+        return self.root / under
+
+
+class Delivered(InFolder):
+    def found(self, path: Path):
+        """Each submission by its name, and what is left out."""
+        delivery = find_submissions([path], self.root / "out")
+        exercises = all_exercises()
+        return ({one.name: read_submission(one, exercises) for one in delivery.handed},
+                {what.rpartition("/")[2] for what, _ in delivery.left_out})
+
+    def assert_kicks(self, submissions: dict, *names: str) -> None:
+        for name in names:
+            with self.subTest(name):
+                self.assertEqual(submissions[name].sources["kick"].content, KICK)
+
+    MOODLE = {"Åsa Öberg_101_assignsubmission_file_/work.zip": zipped({WHERE: KICK}),
+              "Bo Ek_102_assignsubmission_file_/kick.cpp": KICK,
+              "Cy_103_assignsubmission_file_/all.zip": zipped({"inner.zip": zipped({f"my/{WHERE}": KICK})}),
+              "Di_104_assignsubmission_file_/w.tar.gz": tarred({"w/Chapters/01_Leapfrog/KICK.CPP": KICK}, "gz"),
+              "Ed_105_assignsubmission_file_/essay.docx": b"x", "Flo_106_assignsubmission_onlinetext_/text.html": b"x",
+              "Gus_107_assignsubmission_file_/cut.zip": b"PK nothing"}
+
+    def test_moodle(self):
+        folder = self.put(self.MOODLE | {"kick.cpp": KICK, "grades.xlsx": b"x", "__MACOSX/._kick.cpp": b"x"})
+        whole = self.root / "download.zip"
+        whole.write_bytes(zipped(self.MOODLE))
+        for path, left_out in ((folder, {"kick.cpp", "grades.xlsx"}), (whole, set())):
+            submissions, left = self.found(path)
+            self.assertEqual(set(submissions), {"Åsa Öberg", "Bo Ek", "Cy", "Di", "Ed", "Flo", "Gus"})
+            self.assert_kicks(submissions, "Åsa Öberg", "Bo Ek", "Cy", "Di")
+            self.assertEqual(submissions["Bo Ek"].student.identifier, "102")
+            self.assertEqual(left, left_out)
+            self.assertIn("essay.docx", submissions["Ed"].notes[0])
+            self.assertIn("can not be read", submissions["Gus"].notes[0])
+            self.assertIn("taken for kick", submissions["Di"].notes[0])
+
+    def test_canvas(self):
+        submissions, left = self.found(self.put({
+            "leeann_12_55_kick.cpp": KICK, "leeann_12_56_drift-2.cpp": b"d",
+            "ekbo_LATE_13_57_work.zip": zipped({WHERE: KICK}),
+            "ohcy_late_14_58_kick-1.cpp": KICK, "notes.pdf": b"x"}))
+        self.assertEqual(set(submissions), {"leeann", "ekbo", "ohcy"})
+        self.assert_kicks(submissions, "leeann", "ekbo", "ohcy")
+        self.assertEqual(set(submissions["leeann"].sources), {"kick", "drift"})
+        self.assertEqual([submissions[name].student.late for name in ("leeann", "ekbo", "ohcy")], [False, True, True])
+        self.assertEqual(left, {"notes.pdf"})
+
+    def test_folders_of_every_shape(self):
+        submissions, left = self.found(self.put({
+            "hw/ann-fork/" + WHERE: KICK, "hw/ann-fork/solutions/01_leapfrog/kick.cpp": b"ours",
+            "hw/bo/kick (1).cpp": KICK, "hw/cy/01_leapfrog/kick.cpp": KICK, "hw/di/Kick - Copy.cpp": KICK,
+            "hw/ed/" + WHERE: STUB, "hw/ed/kick (2).cpp": KICK, "hw/flo/src/deep/kick.cpp": KICK}))
+        self.assertEqual(left, set())
+        self.assert_kicks(submissions, "ann-fork", "bo", "cy", "di", "ed", "flo")
+        self.assertEqual(submissions["ann-fork"].notes, [])
+        for name in ("bo", "cy", "di", "ed", "flo"):
+            self.assertIn("taken for kick: ", submissions[name].notes[0])
+
+    def test_archives(self):
+        for name, content in (("a.zip", zipped({WHERE: KICK})), ("a.tar", tarred({WHERE: KICK}, "")),
+                              ("a.tar.xz", tarred({WHERE: KICK}, "xz")), ("a.tgz", tarred({"kick.cpp": KICK}, "gz"))):
+            submissions, _ = self.found(self.put({name: content}, name) / name)
+            self.assert_kicks(submissions, "a")
+
+    def test_seven_zip(self):
+        if not shutil.which("bsdtar"):
+            self.skipTest("bsdtar (libarchive-tools) is not installed")
+        folder = self.put({WHERE: KICK}, "ann")
+        subprocess.run(["bsdtar", "--format=7zip", "-cf", str(self.root / "ann.7z"), "-C", str(folder), "chapters"],
+                       check=True)
+        self.assert_kicks(self.found(self.root / "ann.7z")[0], "ann")
+
+    def test_a_loose_file_makes_no_class_one_submission(self):
+        files = {f"s{k:02d}/{WHERE}": KICK for k in range(30)}
+        submissions, left = self.found(self.put(files | {"kick.cpp": b"x", "drift.cpp": b"x"}))
+        self.assertEqual((len(submissions), left), (30, {"kick.cpp", "drift.cpp"}))
+        submissions, left = self.found(self.put({"kick.cpp": KICK, "drift.cpp": b"d"}, "alone"))
+        self.assertEqual((set(submissions), left), ({"alone"}, set()))
+
+    def test_one_who_works_in_folders_is_one(self):
+        archive = self.root / "ann.zip"
+        archive.write_bytes(zipped({"week1/kick.cpp": KICK, "week2/drift.cpp": b"d"}))
+        submissions, _ = self.found(archive)
+        self.assertEqual(set(submissions["ann"].sources), {"kick", "drift"})
+
+    def test_everything_is_somewhere(self):
+        """Whatever lies in a folder is a submission's or is left out, with its name."""
+        folder = self.put({"ann/" + WHERE: KICK, "bo.rar": b"Rar!", "cy.zip": b"", "readme.txt": b"x",
+                           ".hidden/x": b"x"})
+        (folder / "di").mkdir()
+        (folder / "link").symlink_to(folder / "ann")
+        submissions, left = self.found(folder)
+        self.assertEqual(set(submissions), {"ann", "bo", "cy", "di"})
+        self.assertEqual(left, {"readme.txt", ".hidden", "link"})
+        for name in ("bo", "cy", "di"):
+            self.assertTrue(submissions[name].notes, name)
+
+    def test_names(self):
+        for name, expected in (("A B_1_assignsubmission_file_", ("A B", "1", False, "")),
+                               ("A B_1_assignsubmission_file_w.zip", ("A B", "1", False, "w.zip")),
+                               ("leeann_late_12_3_my_kick.cpp", ("leeann", "12", True, "my_kick.cpp")),
+                               ("kick.cpp", None), ("01_leapfrog", None), ("half_step_start.cpp", None)):
+            found = student_of(name)
+            self.assertEqual((found[0].name, found[0].identifier, found[0].late, found[1]) if found else None, expected)
+
+
+class Rosters(InFolder):
+    def result(self, name: str, student: str = "", identifier: str = "") -> dict:
+        return {"submission": name, "student": student or name, "identifier": identifier, "score": 3, "max_score": 5}
+
+    def roster(self, text: str):
+        return read_roster(self.put({"roster.csv": text.encode("utf-8-sig")}) / "roster.csv")
+
+    def test_by_number_name_and_login(self):
+        roster = self.roster('Student,ID,SIS Login ID,Section\n"    Points Possible",,,\n"Lee, Ann",12,al1,A\n'
+                             '"Öberg, Åsa",13,ao2,A\n"Ek, Bo",14,be3,A\n"Student, Test",99,,A\n')
+        found, missing, strangers = roster.matched([
+            self.result("leeann", identifier="12"), self.result("Asa Oberg"), self.result("be3"), self.result("Zed")])
+        self.assertEqual({name: row["ID"] for name, row in found.items()},
+                         {"leeann": "12", "Asa Oberg": "13", "be3": "14"})
+        self.assertEqual((missing, strangers), ([], ["Zed"]))
+
+    def test_two_of_one_name_are_not_guessed(self):
+        found, missing, strangers = self.roster("Name\nAnn Lee\nAnn Lee\n").matched([self.result("Ann Lee")])
+        self.assertEqual((found, len(missing), strangers), ({}, 2, ["Ann Lee"]))
+
+    def test_what_is_none_is_said(self):
+        for text in ("", "a,b\n1,2\n"):
+            with self.assertRaisesRegex(BadInput, "no column of names"):
+                self.roster(text)
+
+
+class Records(InFolder):
+    def graded(self, shard: int, names: list[str], count: int = 3) -> Path:
+        folder = self.root / f"shard{shard}"
+        write_delivery(folder, names, [("x", "why")], (shard, count))
+        for name in names[shard - 1::count]:
+            (folder / "submissions" / name).mkdir(parents=True)
+            write_json(folder / "submissions" / name / "results.json", {
+                "schema": SCHEMA, "submission": name, "points": "tests", "seed": 1, "seconds_a_test": 1, "tests": "t",
+                "max_score": 1})
+        return folder
+
+    def test_missing_shards_are_named(self):
+        names = [f"s{k}" for k in range(7)]
+        folders = [self.graded(shard, names) for shard in (1, 3)]
+        results, left_out = merge(folders, self.root / "whole")
+        self.assertEqual([result["submission"] for result in results], ["s0", "s2", "s3", "s5", "s6"])
+        self.assertEqual(missing_shards(folders), ["2/3"])
+        self.assertEqual(left_out, [("x", "why"), ("s1", "its shard is not done: 2/3"),
+                                    ("s4", "its shard is not done: 2/3")])
+
+    def test_who_is_removed_leaves_the_results(self):
+        folder = self.graded(1, ["ann", "bo"], count=1)
+        self.assertEqual(set_aside(folder, ["bo"]), ["ann"])
+        self.assertEqual([path.name for path in (folder / "submissions").iterdir()], ["bo"])
+        self.assertTrue((folder / "no longer handed in" / "ann" / "results.json").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()

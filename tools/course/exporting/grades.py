@@ -1,0 +1,66 @@
+"""Marks for the import of Canvas and of Moodle: the table that the platform has given, with a column filled in.
+
+Canvas:  Grades > Export; its first columns are handed back, and a column with the assignment's name and the points.
+Moodle:  the assignment > Download grading worksheet; its column Grade is filled in, scaled to Maximum grade.
+"""
+
+import csv
+import io
+
+from errors import BadInput
+from grading.roster import Roster
+
+_CANVAS = ("Student", "ID", "SIS User ID", "SIS Login ID", "Section")
+
+
+def for_canvas(results: list[dict], roster: Roster, assignment: str) -> str:
+    """`assignment` is the title of its column, "Chapter 1 (4711)", which Canvas knows by the number."""
+    titles = [title for title in _CANVAS if title in roster.columns]
+    if "Student" not in titles or "ID" not in titles:
+        raise BadInput("export: canvas wants the gradebook that Canvas exports, with columns Student and ID")
+    by_row = _scores(results, roster)
+    possible = ["Points Possible", *([""] * (len(titles) - 1)), f"{results[0]['max_score']:g}"]
+    lines = [[row[title] for title in titles] + [f"{by_row.get(id(row), {'score': 0})['score']:g}"]
+             for row in roster.rows]
+    return _table([[*titles, assignment], possible, *lines])
+
+
+def for_moodle(results: list[dict], roster: Roster) -> str:
+    if "Identifier" not in roster.columns or "Grade" not in roster.columns:
+        raise BadInput("export: moodle wants the assignment's grading worksheet, with columns Identifier and Grade")
+    by_row = _scores(results, roster)
+    lines = []
+    for row in roster.rows:
+        result = by_row.get(id(row))
+        row = dict(row)
+        if result:
+            score, most = result["score"], result["max_score"]
+            if maximum := _number(row.get("Maximum Grade") or row.get("Maximum grade") or ""):
+                score, most = score * maximum / most if most else 0.0, maximum
+            row["Grade"] = f"{score:.2f}"
+        lines.append([row[title] for title in roster.columns])
+    return _table([list(roster.columns), *lines])
+
+
+def not_on_it(results: list[dict], roster: Roster) -> list[str]:
+    """The submissions that no row is of: their marks are in no import."""
+    return roster.matched(results)[2]
+
+
+def _scores(results: list[dict], roster: Roster) -> dict[int, dict]:
+    found, _, _ = roster.matched(results)
+    by_name = {result["submission"]: result for result in results}
+    return {id(row): by_name[name] for name, row in found.items()}
+
+
+def _number(text: str) -> float:
+    try:
+        return float(text.replace(",", "."))
+    except ValueError:
+        return 0.0
+
+
+def _table(rows: list[list[str]]) -> str:
+    text = io.StringIO()
+    csv.writer(text, lineterminator="\n").writerows(rows)
+    return text.getvalue()

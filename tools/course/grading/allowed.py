@@ -1,0 +1,132 @@
+"""What the object of a student's file may hold, and what it may call: all else is refused.
+
+An answer works out numbers. It needs the C++ library, mathematics, memory, text, and the course's own functions; no
+section but those that compilers write, and no symbol that replaces another program's.
+"""
+
+import re
+import subprocess
+from dataclasses import dataclass
+from pathlib import Path
+
+_SECTIONS = re.compile(
+    r"(?:\.rela?)?\.(text|data|bss|rodata|tdata|tbss|gcc_except_table|eh_frame|group|comment|debug_\w+|symtab|strtab"
+    r"|shstrtab|symtab_shndx|note\.GNU-stack|note\.gnu\.property|llvm_addrsig|linker-options|init_array)(\..*)?")
+_LIBRARY = re.compile(
+    r"_Zn[wa]|_Zd[la]"  # operator new and delete
+    r"|_ZT[ISVT](?:[a-z]|P\w*|N?St|N?10__cxxabiv1|N9__gnu_cxx)|_ZN?K?(?:V|R)?S[tabsiod]|_ZNK?S|_ZNK?9__gnu_cxx"
+    r"|_ZNK?10__cxxabiv1|_ZGTt|__cxa_|__gxx_personality_v0$|_Unwind_Resume$|__stack_chk_fail$|__dso_handle$"
+    r"|__dynamic_cast$|_GLOBAL_OFFSET_TABLE_$|__tls_get_addr$|__assert_fail$|__glibcxx_assert_fail$|__errno_location$"
+    r"|__signbit|__(?:mul|div|pow|add|sub|float|fix|ext|trunc|popcount|parity|clz|ctz|bswap|udiv|umod|mod|ash|lsh)"
+    r"[a-z]*\d?$"
+    r"|__ctype_\w+_loc$|__\w+_chk$|__isoc\d\d_\w+$|__gthrw_|__libc_single_threaded$|__once_proxy$|__aarch64_\w+$")
+_MATHS = ("acos acosh asin asinh atan atan2 atanh cbrt ceil copysign cos cosh erf erfc exp exp10 exp2 expm1 fabs fdim "
+          "floor fma fmax fmin fmod frexp hypot ilogb isinf isnan finite j0 j1 jn ldexp lgamma llrint llround log "
+          "log10 log1p log2 logb lrint lround modf nan nearbyint nextafter nexttoward pow remainder remquo rint round "
+          "roundeven cabs carg cexp clog conj cpow cproj csin ccos ctan csinh ccosh ctanh casin cacos catan csqrt "
+          "cacosh casinh catanh cimag creal scalbln scalbn sin sincos sinh sqrt tan tanh tgamma trunc y0 y1 yn")
+_C = ("abort abs aligned_alloc atexit atof atoi atol atoll bcmp bsearch calloc clock clock_gettime clock_nanosleep "
+      "difftime div drand48 exit fclose feof ferror fflush fgets fopen fprintf fputc fputs fread free fscanf fseek "
+      "ftell fwrite getc getchar getenv gettimeofday gmtime imaxabs isalnum isalpha isdigit isspace labs ldiv llabs "
+      "lldiv localtime malloc memchr memcmp memcpy memmove memset mktime nanosleep perror posix_memalign printf putc "
+      "putchar puts qsort quick_exit rand rand_r random realloc rewind scanf setbuf setlocale setvbuf sleep snprintf "
+      "sprintf srand srand48 srandom sscanf stderr stdin stdout stpcpy strcat strchr strcmp strcpy strdup strerror "
+      "strftime strlen strncat strncmp strncpy strpbrk strrchr strspn strcspn strstr strtod strtof strtok strtol "
+      "strtold strtoll strtoul strtoull time tolower toupper ungetc usleep vfprintf vprintf vsnprintf vsprintf wcslen "
+      "wmemchr wmemcmp wmemcpy wmemmove wmemset sched_yield raise _Exit _exit")
+_THREADS = re.compile(r"pthread_(create|join|detach|self|equal|once|key_create|key_delete|getspecific|setspecific"
+                      r"|(mutex|cond|rwlock|mutexattr|attr)_\w+)|sem_\w+")
+_KNOWN = frozenset(_C.split()) | {name + kind for name in _MATHS.split() for kind in ("", "f", "l")}
+# Each has its reason: it starts processes, looks into them, opens the net, loads code, or changes what memory is for.
+_REACHING_OUT = frozenset(
+    "fork vfork _Fork clone clone3 daemon posix_spawn posix_spawnp system popen execl execle execlp execv execve "
+    "execvp execvpe execveat fexecve kill killpg tgkill tkill pthread_kill sigqueue ptrace process_vm_readv "
+    "process_vm_writev prctl arch_prctl syscall mmap mmap64 munmap mremap mprotect pkey_mprotect pkey_set pkey_alloc "
+    "dlopen dlmopen dlsym dlvsym dl_iterate_phdr socket socketpair connect accept bind listen send sendto sendmsg "
+    "recv recvfrom recvmsg setrlimit prlimit prlimit64 unshare setns sigaction signal bsd_signal sysv_signal "
+    "sigaltstack sigprocmask pthread_sigmask read write pread pwrite readv writev close dup dup2 dup3 fcntl ioctl "
+    "environ __environ _dl_open __libc_dlopen_mode _Unwind_Backtrace _Unwind_ForcedUnwind _Unwind_RaiseException "
+    "_Unwind_SetIP _Unwind_SetGR _Unwind_GetIP _Unwind_GetCFA longjmp _longjmp siglongjmp setjmp _setjmp sigsetjmp "
+    "__sigsetjmp __longjmp_chk setcontext swapcontext makecontext getcontext __bss_start _end _edata edata end "
+    "__data_start _start main __libc_start_main backtrace".split())
+_HARMLESS_IF_WEAK = ("_ITM_", "__gmon_start__", "__cxa_", "__gthrw_", "pthread_", "__pthread_key_create", "_ZGTt",
+                     "_ZNSt", "_ZSt", "__tls_init", "_ZTH", "_ZTW")
+_OF_TESTS = re.compile(r"NK?(?:5spook)?7testing|N?5spook6remote|6googletest")
+REMOVED = "system"  # as in system("pause"), which keeps a window open elsewhere
+
+
+@dataclass(frozen=True)
+class Symbol:
+    name: str  # without a version
+    defined: bool
+    binding: str  # LOCAL, GLOBAL, WEAK, UNIQUE …
+    kind: str  # FUNC, OBJECT, IFUNC …
+    section: str  # its number, UND, COM, ABS
+
+
+@dataclass(frozen=True)
+class Object:
+    sections: tuple[str, ...]
+    symbols: tuple[Symbol, ...]
+
+    def defines(self, name: str) -> bool:
+        return any(symbol.name == name and symbol.defined and symbol.binding in ("GLOBAL", "WEAK")
+                   and symbol.kind in ("FUNC", "NOTYPE") for symbol in self.symbols)
+
+    def calls(self, name: str) -> bool:
+        return any(symbol.name == name and not symbol.defined for symbol in self.symbols)
+
+
+def read_object(file: Path) -> Object:
+    told = subprocess.run(["readelf", "--sections", "--symbols", "--wide", str(file)], capture_output=True, text=True,
+                          errors="replace", env={"LC_ALL": "C", "PATH": "/usr/bin:/bin"}).stdout
+    sections, symbols = [], []
+    for line in told.splitlines():
+        if found := re.match(r"  \[ *[1-9]\d*\] (\S+)", line):
+            sections.append(found[1])
+        elif found := re.match(r" *\d+: [0-9a-f]+ +\S+ (\S+) +(\S+) +\S+ +(?:\[[^]]*\] +)?(\S+) (\S+)", line):
+            kind, binding, section, name = found.groups()
+            symbols.append(Symbol(name.split("@")[0], section != "UND", binding, kind, section))
+    return Object(tuple(sections), tuple(symbols))
+
+
+def tampering(found: Object) -> str:
+    """What no answer does by accident; empty if nothing."""
+    for section in found.sections:
+        if not _SECTIONS.fullmatch(section) or ".init_array." in section:
+            early = re.match(r"(?:\.rela?)?\.(init|fini|preinit_array|init_array|fini_array|ctors|dtors)\b", section)
+            return (f"has code that runs before main or after it, in {section}" if early
+                    else f"has a section {section}, which no compiler makes of an answer")
+    for symbol in found.symbols:
+        if _OF_TESTS.search(symbol.name):
+            return "names GoogleTest's or the tests' own functions"
+        if symbol.kind == "IFUNC":
+            return "has a function that the loader resolves"
+        if symbol.binding not in ("LOCAL", "GLOBAL", "WEAK") or symbol.section == "COM":
+            return f"defines {symbol.name} in place of another program's"
+    for symbol in found.symbols:
+        if not symbol.defined and symbol.binding != "LOCAL":
+            weak = symbol.binding == "WEAK"
+            if symbol.name in _REACHING_OUT and (weak or symbol.name != REMOVED):
+                return f"calls {symbol.name}()"
+            if weak and not symbol.name.startswith(_HARMLESS_IF_WEAK):
+                return f"calls {symbol.name}() if there is one"
+    return ""
+
+
+def not_allowed(found: Object, course: frozenset[str]) -> str:
+    """What it calls that is on no list, by its name; empty if nothing. `course`: the names that headers declare."""
+    for symbol in found.symbols:
+        if symbol.defined or symbol.binding == "LOCAL" or symbol.name in _KNOWN or symbol.name == REMOVED:
+            continue
+        if _LIBRARY.match(symbol.name) or _THREADS.fullmatch(symbol.name) or symbol.name.startswith(_HARMLESS_IF_WEAK):
+            continue
+        if not _of_the_course(symbol.name, course):
+            return symbol.name
+    return ""
+
+
+def _of_the_course(symbol: str, names: frozenset[str]) -> bool:
+    """Whether it is spook::NAME, or a member of what is called so."""
+    found = re.match(r"_Z(?:T[ISV])?N?K?N?K?5spook(\d+)", symbol)
+    return bool(found) and symbol[found.end(): found.end() + int(found[1])] in names

@@ -1,0 +1,163 @@
+"""Finds the submissions in what an instructor names: one, a folder of them, or what a platform has delivered.
+
+Nobody vanishes: what lies there and is part of no submission is returned, too, with the reason.
+"""
+
+from collections import Counter
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from pathlib import Path, PurePosixPath
+
+from errors import BadInput
+from grading.archives import entries_of, is_archive, is_litter, text, without_suffix
+from grading.names import Student, student_of
+from grading.submission import Handed, Place, rank_of
+from manifest import Exercise, all_exercises
+
+_LOOSE = "a loose file, and its name does not say whose it is"
+
+
+@dataclass
+class Delivery:
+    handed: list[Handed] = field(default_factory=list)
+    left_out: list[tuple[str, str]] = field(default_factory=list)  # what, and why
+
+    def add(self, student: Student, *places: Place) -> None:
+        self.handed.append(Handed(student.name, places, student))
+
+
+def find_submissions(paths: list[Path], out: Path) -> Delivery:
+    """Each path is a submission or many; in the order of their names, which are made different.
+
+    `out`, where marks are written, may lie among them and is none.
+    """
+    delivery = Delivery()
+    exercises = all_exercises()
+    for path in paths:
+        if not path.exists():
+            raise BadInput(f"grade: there is no {path}")
+        if not path.is_dir() and not is_archive(path.name):
+            raise BadInput(f"grade: {path} is neither a folder nor a zip, tar.gz or 7z")
+        names = _names(path, out)
+        if path.is_dir() and _is_class(names, exercises, at_top=True):
+            _take_folder(delivery, path, out, exercises)
+        elif not path.is_dir() and _is_class(names, exercises, at_top=False):
+            _take_archive(delivery, path, names)
+        elif path.is_dir() and not _is_one(names, exercises):
+            _take_folder(delivery, path, out, exercises)
+        else:
+            delivery.add(_student(path), Place(path))
+    delivery.handed = _named_apart(sorted(delivery.handed, key=lambda one: (one.name, str(one.places[0].path))))
+    return delivery
+
+
+def _names(path: Path, out: Path) -> list[PurePosixPath]:
+    """What is in it, archives inside it unopened; none of what cannot be read."""
+    if path.is_dir():
+        out = out.resolve()
+        return [PurePosixPath(text(found.relative_to(path).as_posix())) for found in sorted(path.rglob("*"))
+                if not found.is_dir() and out not in found.resolve().parents]
+    try:
+        return [entry.path for entry in entries_of(path)]
+    except Exception:  # it is a submission that can't be read, and will be said to be
+        return []
+
+
+def _is_one(names: list[PurePosixPath], exercises: list[Exercise]) -> bool:
+    """Whether there is something of one submission at the very top."""
+    return any(name.parts[0] == "chapters" or (len(name.parts) == 1 and rank_of(name, exercises)) for name in names)
+
+
+def _is_class(names: list[PurePosixPath], exercises: list[Exercise], at_top: bool) -> bool:
+    """Whether several students' work lies in it: a platform's names, or an exercise in more than one place.
+
+    `at_top`: of a folder that the instructor names, where each folder and archive is somebody's.
+    """
+    if any(name.parts[0].lower() == "chapters" for name in names):
+        return False
+    tops = list(dict.fromkeys(name.parts[0] for name in names if not is_litter(name)))
+    if 2 * sum(student_of(top) is not None for top in tops) >= max(len(tops), 1):
+        return True
+    archives = [top for top in tops if is_archive(top)]
+    held = {(found[0].function, name.parts[0]) for name in names
+            if len(name.parts) > 1 and (found := rank_of(name, exercises))}
+    loose = sum(len(name.parts) == 1 and rank_of(name, exercises) is not None for name in names)
+    if at_top and (count := len(set(archives) | {top for _, top in held})):
+        return count > 1 or loose <= 1
+    return loose == 0 and max(Counter(function for function, _ in held).values(), default=0) > 1
+
+
+def _take_folder(delivery: Delivery, folder: Path, out: Path, exercises: list[Exercise]) -> None:
+    loose: dict[Student, list[Place]] = {}
+    taken = False
+    for child in sorted(folder.iterdir()):
+        shown = f"{folder.name}/{text(child.name)}"
+        if child.resolve() == out.resolve() or is_litter(PurePosixPath(child.name)):
+            continue
+        taken = True
+        if child.is_symlink():
+            delivery.left_out.append((shown, "a link, and those are not followed"))
+        elif child.name.startswith("."):
+            delivery.left_out.append((shown, "hidden by its name"))
+        elif child.is_dir():
+            names = _names(child, out)
+            if not student_of(child.name) and _is_class(names, exercises, at_top=False):
+                _take_folder(delivery, child, out, exercises)
+            else:
+                delivery.add(_student(child), Place(child))
+        elif known := student_of(child.name):
+            loose.setdefault(known[0], []).append(Place(child))
+        elif is_archive(child.name):
+            names = _names(child, out)
+            if _is_class(names, exercises, at_top=False):
+                _take_archive(delivery, child, names)
+            else:
+                delivery.add(_student(child), Place(child))
+        else:
+            is_loose = rank_of(PurePosixPath(child.name), exercises)
+            why = _LOOSE if is_loose else "neither a folder nor an archive"
+            delivery.left_out.append((shown, why))
+    if not taken:
+        raise BadInput(f"grade: {folder} holds no submission: no chapters/, no folders, no archives")
+    for student, places in loose.items():
+        delivery.add(student, *places)
+
+
+def _take_archive(delivery: Delivery, archive: Path, names: Iterable[PurePosixPath]) -> None:
+    """A submission for each folder or archive at its top, and for each student whose loose files lie there."""
+    loose: dict[Student, list[Place]] = {}
+    for top in dict.fromkeys(name.parts[0] for name in names):
+        known = student_of(top)
+        is_file = any(name.parts == (top,) for name in names)
+        if known and (is_file or is_archive(top)):
+            loose.setdefault(known[0], []).append(Place(archive, top))
+        elif is_file and not is_archive(top):
+            delivery.left_out.append((f"{archive.name}/{top}", _LOOSE))
+        else:
+            delivery.add(known[0] if known else Student(without_suffix(top)), Place(archive, top))
+    for student, places in loose.items():
+        delivery.add(student, *places)
+
+
+def _student(path: Path) -> Student:
+    name = text(path.resolve().name)
+    known = student_of(name)
+    return known[0] if known else Student(without_suffix(name) if not path.is_dir() else name)
+
+
+def _named_apart(handed: list[Handed]) -> list[Handed]:
+    """Two students of one name by the platform's number, and else by a count."""
+    count = Counter(one.name.casefold() for one in handed)
+    taken: set[str] = set()
+    apart = []
+    for one in handed:
+        base = one.name
+        if count[base.casefold()] > 1 and one.student.identifier:
+            base = f"{one.name} ({one.student.identifier})"
+        name, number = base, 1
+        while name.casefold() in taken:
+            number += 1
+            name = f"{base} ({number})"
+        taken.add(name.casefold())
+        apart.append(Handed(name, one.places, one.student))
+    return apart

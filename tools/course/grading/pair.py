@@ -1,0 +1,137 @@
+"""The tests and a student's function, each in a process of its own; see tests/remote.
+
+The tests are ours, and run as the grader. The student's function is isolated, and knows no test: it is asked, over a
+socket, and answers. What it is asked, and whether the answer is right, is decided where it can reach nothing.
+"""
+
+import contextlib
+import os
+import socket
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+from grading.confined import Limits, high, pipe, reap, rest_of, spawn, text_of, waits
+from grading.isolation import ENVIRONMENT, Isolation, User
+
+_LARGEST_REPORT = 1 << 20
+_CHANNEL, _REPORT = 3, 4
+_TOLD = 77  # exit code of a test that has told how the other ended: tests/remote/report.hpp
+_LINGER = 2.0  # seconds that a process has to end after its socket has closed
+
+
+@dataclass(frozen=True)
+class Ran:
+    """One test: what the tests say of it, and how the process of the student's function ended."""
+
+    verdict: tuple[bytes, ...] | None = None  # GoogleTest's result, tests that ran, "skipped", failures
+    nonsense: bool = False  # something came back that is no answer
+    code: int = 0  # of the student's process: exit code, or minus the signal
+    tests_code: int = 0  # of the test's own process
+    output: str = ""
+    timed_out: bool = False  # on the clock
+    too_much: bool = False
+    cpu: float = 0.0  # seconds of the student's process
+
+
+class Pair:
+    def __init__(self, isolation: Isolation, user: User, tests: Path, exercise: str, answers: Path, limits: Limits,
+                 env: dict[str, str]):
+        self._isolation, self._user, self._limits = isolation, user, limits
+        self._stack = contextlib.ExitStack()
+        self.was_asked = False  # whether the student's program came as far as its main
+        self._printed, printed_in = pipe(self._stack)
+        self._report, report_in = pipe(self._stack)
+        tests_to, self._tests_from = pipe(self._stack)
+        ours, theirs = socket.socketpair()
+        ours_high, theirs_high = high(ours.detach()), high(theirs.detach())
+        self._answers = spawn(isolation.command([str(answers)], limits, user, (answers,)), ENVIRONMENT,
+                              {1: printed_in.fileno(), 2: printed_in.fileno(), _CHANNEL: theirs_high})
+        self._tests = spawn(isolation.command_of_tests([str(tests), exercise], limits, (tests,)),
+                            ENVIRONMENT | env,
+                            {0: tests_to.fileno(), _CHANNEL: ours_high, _REPORT: report_in.fileno()})
+        for end in (printed_in, report_in, tests_to):
+            end.close()
+        os.close(ours_high)
+        os.close(theirs_high)
+        self._running = {self._answers, self._tests}
+        self.alive = True
+
+    def close(self) -> None:
+        for process in self._running:
+            reap(process)
+        self._running.clear()
+        self.alive = False
+        self._stack.close()
+        self._isolation.clear(self._user)
+
+    def run(self, test: str) -> Ran:
+        """When it can not go on, it is closed afterwards."""
+        with contextlib.suppress(BrokenPipeError):
+            self._tests_from.write(test.encode() + b"\n")
+        printed, records, state = bytearray(), [], bytearray()
+        timed_out, too_much = True, False
+        report = self._report.fileno()
+        for ready in waits([self._printed.fileno(), report], time.monotonic() + self._limits.wall):
+            more = os.read(ready, 1 << 16)
+            if ready == report:
+                state += more
+                records += _records(state)
+                if not more or (records and records[-1][0] == b"done"):
+                    timed_out = False
+                    break
+            else:
+                printed += more
+            if len(printed) > self._limits.output or len(state) > _LARGEST_REPORT:
+                timed_out, too_much = False, True
+                break
+        printed += rest_of(self._printed.fileno())
+        found = {record[0]: record[1:] for record in records}
+        self.was_asked = self.was_asked or b"partner" in found or b"verdict" in found
+        cpu = _processor_time(self._answers) if timed_out else 0.0
+        code = 0
+        if b"partner" in found:
+            code, cpu = os.waitstatus_to_exitcode(int(found[b"partner"][0])), float(found[b"partner"][1])
+        elif not timed_out:
+            code, cpu = self._last_words(too_much)
+        of_test = os.waitstatus_to_exitcode(int(found.get(b"done", (b"0",))[0]))
+        ran = Ran(found.get(b"verdict"), b"nonsense" in found, code, 0 if of_test == _TOLD else of_test,
+                  text_of(printed), timed_out, too_much, cpu)
+        if timed_out or too_much or b"partner" not in found or b"nonsense" in found:
+            self.close()
+        return ran
+
+    def _last_words(self, at_once: bool) -> tuple[int, float]:
+        """How the student's program ended that has not told; if it goes on without its socket, it is ended."""
+        deadline = time.monotonic() + (0 if at_once else _LINGER)
+        look = os.WEXITED | os.WNOHANG | os.WNOWAIT
+        while time.monotonic() < deadline and not os.waitid(os.P_PID, self._answers, look):
+            time.sleep(0.005)
+        self._running.discard(self._answers)
+        return reap(self._answers)
+
+
+def _records(state: bytearray) -> list[tuple[bytes, ...]]:
+    """Takes the whole ones off the front: a length on a line, and fields that each end with a NUL."""
+    found = []
+    while (line_end := state.find(b"\n")) >= 0 and len(state) > line_end + int(state[:line_end]):
+        body = bytes(state[line_end + 1: line_end + 1 + int(state[:line_end])])
+        found.append(tuple(body.split(b"\0")[:-1]))
+        del state[: line_end + 1 + len(body)]
+    return found
+
+
+def _processor_time(process: int) -> float:
+    """Of it and all that it has started, as far as they still run."""
+    parents, times = {}, {}
+    for entry in os.listdir("/proc"):
+        if entry.isdecimal():
+            with contextlib.suppress(OSError):
+                fields = Path("/proc", entry, "stat").read_text(errors="replace").rpartition(")")[2].split()
+                parents[int(entry)], times[int(entry)] = int(fields[1]), int(fields[11]) + int(fields[12])
+    family, grows = {process}, True
+    while grows:
+        found = {one for one, parent in parents.items() if parent in family} - family
+        grows = bool(found)
+        family |= found
+    return sum(times.get(one, 0) for one in family) / os.sysconf("SC_CLK_TCK")
