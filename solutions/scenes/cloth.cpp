@@ -10,8 +10,8 @@
 //
 //   l + T/k        under the tension T = -λ/h, as in Eq. (6.9)
 //
-// What a solved step leaves of that is the lag of a distance, of the order h², while h √(T/(m l)) < 1, as in rope.cpp.
-// Beyond that threads leap about, and no solver helps.
+// What a solved step leaves of that is the lag of a distance, h² A (1 + 2d)/(4 l), and that λ is late by some d steps;
+// while h √(T/(m l)) < 1, as in rope.cpp. Beyond that threads leap about, and no solver helps.
 //
 // The corners are held by ball joints of no length to fixed points, whose λ are h R. As bodies, the points are spheres
 // with the same distances between their centres: nothing turns, they move alike, and only cost more.
