@@ -15,6 +15,7 @@ namespace {
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double share_gained = 0.1;  // of the energy that there is
 constexpr int steps = 120;
+constexpr double reach = 3;  // farthest from the origin, about [m]
 
 template <int Dof>
 Body<Dof> draw_body(Random& random, const Vec3& place, double room) {
@@ -100,7 +101,11 @@ template <int Dof>
 class Watch {
  public:
   explicit Watch(const RandomScene<Dof>& scene)
-      : scene_(scene), before_(scene.world.bodies().motion.W), p0_(momentum(scene.world.bodies())) {
+      : scene_(scene),
+        before_(scene.world.bodies().motion.W),
+        p0_(momentum(scene.world.bodies())),
+        L_(angular_momentum(scene.world.bodies())),
+        x_(scene.world.bodies().x) {
     soundness_.look(scene.world, scene.h);
     started_ = most_ = kinetic_energy(scene.world.bodies());
     for (const double mass : scene.world.bodies().mass) mass_ += mass;
@@ -123,8 +128,7 @@ class Watch {
   const World<Dof>& world() const { return scene_.world; }
 
   void compare(const std::string& what, double value, double allowed) {
-    double& worst = findings_.worst[what];
-    if (const double share = value / allowed; !(share <= worst)) worst = share;  // a NaN, too
+    if (allowed > 0) findings_.worst[what] = std::max(findings_.worst[what], value / allowed);
     std::ostringstream text;
     text << "step " << world().steps() << ": " << value << ", more than " << allowed;
     if (!(value <= allowed) && findings_.wrong[what].empty()) findings_.wrong[what] = text.str();
@@ -163,6 +167,18 @@ class Watch {
     if (!scene_.free) return;
     const Vec3 p = p0_ + mass_ * world().time() * world().settings().gravity;
     compare("momentum", (momentum(bodies) - p).norm(), 10 * epsilon * pushed_);
+    for (std::size_t b = 0; b < bodies.size(); ++b) L_ += scene_.h * x_[b].cross(world().forces()[b]);
+    x_ = bodies.x;
+    if (keeps_angular_momentum())
+      compare("angular momentum", (angular_momentum(bodies) - L_).norm(), 10 * epsilon * reach * pushed_);
+  }
+
+  /// Friction turns balls that do not turn, and a ball joint acts on two points that are not quite one.
+  bool keeps_angular_momentum() const {
+    const auto is_ball_joint = [](const Joint& joint) { return !joint.length; };
+    const std::vector<Joint>& joints = world().joints();
+    return (Dof == 6 || world().settings().friction == 0) &&
+           std::none_of(joints.begin(), joints.end(), is_ball_joint);
   }
 
   void look_at_energy() {
@@ -186,7 +202,8 @@ class Watch {
   Findings findings_;
   Soundness<Dof> soundness_;
   std::vector<Twist<Dof>> before_;
-  Vec3 p0_;
+  Vec3 p0_, L_;  // what they should be
+  std::vector<Vec3> x_;
   double mass_ = 0, started_ = 0, given_ = 0, most_ = 0, pushed_ = 0;
 };
 

@@ -16,7 +16,7 @@ TEST(RandomScenes, AThousandDoAsTheyShould) {
     for (const auto& [what, share] : found.worst) worst[what] = std::max(worst[what], share);
   }
   // A look that never sees anything is none.
-  for (const std::string what : {"solve", "momentum", "energy"})
+  for (const std::string what : {"solve", "momentum", "angular momentum", "energy"})
     EXPECT_GT(worst[what], 1e-6) << what << " was not looked at";
 }
 
