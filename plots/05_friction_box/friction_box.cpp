@@ -22,8 +22,12 @@ Vec3 direction(double phi) {
 }
 
 World<3> block(double friction, const Vec3& gravity, ForceField force = nullptr, const Vec3& v = Vec3::Zero()) {
-  World<3> world(
-      {.gravity = gravity, .force = std::move(force), .k = k, .friction = friction, .viscosity = infinity});
+  World<3> world({.gravity = gravity,
+                  .force = std::move(force),
+                  .k = k,
+                  .friction = friction,
+                  .viscosity = infinity,
+                  .solver = gauss_seidel<3>()});
   world.add_plane(Vec3::UnitZ(), 0);
   world.add({.x = Vec3(0, 0, radius + gravity.z() / k), .v = v, .radius = radius});
   return world;

@@ -24,7 +24,8 @@ constexpr double g = 9.81, h0 = 1, radius = 0.1;
 /// The heights of the first peaks after the start; infinite for those that do not come in 20 s, as with impacts or
 /// kicks of a student that are wrong.
 std::vector<double> peaks(double e, double h, std::size_t count) {
-  World<3> world({.gravity = Vec3(0, 0, -g), .impacts = ImpactLaw{.restitution = e}});
+  World<3> world(
+      {.gravity = Vec3(0, 0, -g), .impacts = ImpactLaw{.restitution = e}, .solver = gauss_seidel<3>()});
   world.add_plane(Vec3::UnitZ(), 0);
   const int ball = world.add({.x = Vec3(0, 0, h0 + radius), .radius = radius});
   world.start_half_step_back(h);

@@ -9,7 +9,8 @@ import figures  # noqa: E402
 
 TITLE = "Limits from what presses right the stack; the cone rights the directions, too"
 MODELS = ("box", "two passes", "sliding tangents", "cone")
-SIZES = dict(zip(MODELS, (7, 4, 7, 4)))  # where two are alike, both are seen
+# Where two are alike both are seen: a thin dark line on a wide pale one. In a stack others are alike than elsewhere.
+WIDE, WIDE_IN_STACK = ("box", "sliding tangents"), ("box", "two passes")
 
 
 def draw(data, mine):
@@ -21,16 +22,15 @@ def draw(data, mine):
                               (distance, "distance", "way to a stop, v²/(2μg) = 1")):
         _by_direction(axes, data.table.only("what", what), mine and mine.table.only("what", what))
         axes.set_title(title, pad=10)
-    for model, style in _styles():
-        for axes, what in ((stack, "stack"), (spin, "spin")):
+    for axes, what, wide in ((stack, "stack", WIDE_IN_STACK), (spin, "spin", WIDE)):
+        for model, style in _styles(wide):
             some = data.table.only("what", what).only("model", model)
             marks = style | ({"markevery": max(1, len(some.rows) // 12)} if what == "spin" else {})
             axes.plot(some["at"], some["value"], label=model, **marks)
             if mine:
                 own = mine.table.only("what", what).only("model", model)
                 axes.plot(own["at"], own["value"], markevery=marks.get("markevery"),
-                          **(figures.MINE | {
-    "label" : "yours" if model == "cone" else None}))
+                          **(figures.MINE | {"label": "yours" if model == "cone" else None}))
     stack.set(title="μ that holds n points on a slope, tan θ = 1", xlabel="points", ylabel="μ / tan θ")
     spin.set(title="spin of a disc on its flat side", xlabel="time, 3Rω/(4μg) = 1", ylabel="ω, at first 1")
     spin.plot((0, 1), (1, 0), color="#777777", linewidth=1, zorder=1)
@@ -40,14 +40,17 @@ def draw(data, mine):
     return figure
 
 
-def _styles():
+def _styles(wide):
     for model, style in zip(MODELS, figures.STYLES):
-        yield model, style | {"markersize": SIZES[model], "linewidth": 1.2}
+        if model in wide:
+            yield model, style | {"linewidth": 6, "linestyle": "-", "marker": "", "alpha": 0.35, "zorder": 1.5}
+        else:
+            yield model, style | {"linewidth": 1.4, "linestyle": "-", "markersize": 4}
 
 
 def _by_direction(axes, table, own):
     closed = sorted(table.values("at"))
-    for model, style in _styles():
+    for model, style in _styles(WIDE):
         some = table.only("model", model)
         axes.plot([*some["at"], closed[0] + 2 * math.pi], [*some["value"], some["value"][0]], **style)
         if own:

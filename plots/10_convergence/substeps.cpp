@@ -72,8 +72,9 @@ struct Method {
 
 double error_of(const Chain& chain, const Method& method, int updates) {
   const double h = 1.0 / 60 / (method.substeps ? updates : 1);
-  World<3> world = chain.world(
-      {.warm_start = method.warm, .stop = {.max_sweeps = method.substeps ? 1 : updates, .tolerance = 0}});
+  World<3> world = chain.world({.solver = gauss_seidel<3>(),
+                                .warm_start = method.warm,
+                                .stop = {.max_sweeps = method.substeps ? 1 : updates, .tolerance = 0}});
   const int n = static_cast<int>(chain.mass.size()), steps = static_cast<int>(std::lround(seconds / h));
   std::vector<double> sums(chain.mass.size(), 0);
   for (int step = 0; step < steps; ++step) {

@@ -1,4 +1,4 @@
-"""Energy of a swinging wire, its errors against the step, and its links' errors against the load."""
+"""Energy of a swinging wire, its links' errors against the load, and its loss and its path's error against the step."""
 
 import math
 import sys
@@ -9,25 +9,30 @@ import figures  # noqa: E402
 
 TITLE = "A wire that swings under a load, with h²K and without"
 NAMES = {"change": "K on the change", "velocity": "K on the velocity", "none": "no K"}
+RATES = (480, 240, 120, 60, 30)
 TOP = 3  # where what is lost is drawn
 
 
 def draw(data, mine):
-    figure, (energy, step, ratio) = figures.new(columns=3, height=3.8)
+    figure, ((energy, ratio), (loss, path)) = figures.new(columns=2, rows=2, height=6.6)
     _energies(energy, data.table.only("what", "energy"))
-    _steps(step, data.table.only("what", "step").only("ratio", 1000))
     _ratios(ratio, data.table.only("what", "ratio"))
+    steps = data.table.only("what", "step").only("ratio", 1000)
+    _steps(loss, steps, "value", 8e-6, 4e-3)
+    loss.set(ylabel="energy lost, over m g l (1 - cos 30°)", title="loss of energy in 5 s, 1000:1")
+    _steps(path, steps, "path or time", 3e-5, 5e-3)
+    path.set(ylabel="largest error of the load's path [m]", title="path of the load in 5 s, 1000:1")
     if mine:
         own = mine.table.only("what", "energy").only("form", "change")
         energy.plot(own["path or time"], own["value"], markevery=25, **figures.MINE)
         own = mine.table.only("what", "step").only("ratio", 1000).only("form", "change")
-        step.plot(own["h"], own["value"], **figures.MINE)
-        step.plot(own["h"], own["path or time"], **figures.MINE | {"label": None})
+        loss.plot(own["h"], own["value"], **figures.MINE)
+        path.plot(own["h"], own["path or time"], **figures.MINE)
         own = mine.table.only("what", "ratio").only("form", "change")
         ratio.plot(own["ratio"], [min(value, TOP) for value in own["value"]], **figures.MINE)
-    for axes in (energy, step, ratio):
+    for axes, place in ((energy, "lower left"), (ratio, "center right"), (loss, "lower right"), (path, "lower right")):
         figures.tidy(axes)
-        axes.legend(fontsize=8, loc="lower left" if axes is energy else "upper left" if axes is step else "center right")
+        axes.legend(fontsize=8, loc=place)
     return figure
 
 
@@ -40,14 +45,17 @@ def _energies(axes, table):
     axes.set(ylim=(-0.16, 0.02), xlabel="t [s]", ylabel="energy gained, over m g l (1 - cos 30°)", title="1000:1, h = 1/60 s")
 
 
-def _steps(axes, table):
+def _steps(axes, table, what, second, first):
+    """One column of the table against h, with slopes that begin at these heights."""
     for form, style in zip(("change", "velocity"), figures.STYLES):
         some = table.only("form", form)
-        axes.plot(some["h"], some["value"], label=f"loss, {NAMES[form]}", **style)
-        axes.plot(some["h"], some["path or time"], label="path [m]", fillstyle="none", linewidth=0.9, **style)
-    figures.slope(axes, 2, (1 / 480, 1 / 160), 8e-6, "2")
-    figures.slope(axes, 1, (1 / 480, 1 / 160), 4e-3, "1")
-    axes.set(xscale="log", yscale="log", ylim=(5e-6, 30), xlabel="h [s]", title="1000:1, 5 s")
+        axes.plot(some["h"], some[what], label=NAMES[form], **style)
+    figures.slope(axes, 2, (1 / 480, 1 / 160), second, "2")
+    figures.slope(axes, 1, (1 / 480, 1 / 160), first, "1")
+    axes.set(xscale="log", yscale="log", xlabel="h [s]")
+    axes.set_xticks([1 / rate for rate in RATES])
+    axes.set_xticklabels([f"1/{rate}" for rate in RATES])
+    axes.xaxis.set_minor_formatter(figures.NullFormatter())
 
 
 def _ratios(axes, table):

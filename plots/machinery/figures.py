@@ -6,7 +6,7 @@ TITLE, and, at its end,
     if __name__ == "__main__":
         figures.main(draw, TITLE)
 
-    NAME.py --data FOLDER [--mine FOLDER] --out FIGURE.png [--out FIGURE.svg]
+    NAME.py --data FOLDER [--mine FOLDER] --out FIGURE.png [--out FIGURE.svg]     .pdf will do, too
 """
 
 import argparse
@@ -161,6 +161,13 @@ def _sides(centres: list[float]) -> np.ndarray:
     return np.exp([2 * log[0] - between[0], *between, 2 * log[-1] - between[-1]])
 
 
+def say_lost(axes, where: str, **place) -> None:
+    """What the hatching of a map means, in a legend."""
+    patch = Rectangle((0, 0), 1, 1, facecolor="white", edgecolor="#888888", hatch="////", linewidth=0.5)
+    axes.legend([*axes.get_legend_handles_labels()[0], patch], [*axes.get_legend_handles_labels()[1], where],
+                facecolor="white", framealpha=1, frameon=True, fontsize=8, **place)
+
+
 def law(axes, x, y, text: str | None = None, **style) -> None:
     """The line of a law over a map: seen on dark and on light cells."""
     edge = [withStroke(linewidth=3.5, foreground="white")]
@@ -189,7 +196,9 @@ def _can_reserve_room(figure: Figure) -> bool:
 
 
 def _sentence(text: str) -> str:
-    return text[0].upper() + text[1:] + "."
+    """With a capital, unless it begins with a symbol: n sweeps are not N."""
+    begins_with_symbol = len(text.split()[0]) == 1 and text[0] != "a"
+    return (text[0] if begins_with_symbol else text[0].upper()) + text[1:] + "."
 
 
 def number(value: float) -> str:
@@ -212,7 +221,7 @@ def main(draw: Callable[[Data, Data | None], Figure], title: str) -> None:
     parser = argparse.ArgumentParser(description=title)
     parser.add_argument("--data", type=Path, required=True, help="the folder that the experiment wrote")
     parser.add_argument("--mine", type=Path, help="the same, of a student's functions")
-    parser.add_argument("--out", type=Path, action="append", required=True, help="a figure, .png or .svg")
+    parser.add_argument("--out", type=Path, action="append", required=True, help="a figure: .png, .svg or .pdf")
     arguments = parser.parse_args()
     try:
         data = Data.read(arguments.data)
@@ -227,7 +236,8 @@ def save(figure: Figure, title: str, text: str, paths: list[Path]) -> None:
     for path in paths:
         path.parent.mkdir(parents=True, exist_ok=True)
         # Without a date or a version in it, the same numbers give the same bytes.
-        metadata = {"Date": None, "Creator": None} if path.suffix == ".svg" else {"Software": None}
+        metadata = {".svg": {"Date": None, "Creator": None}, ".pdf": {"CreationDate": None, "Creator": None}}.get(
+            path.suffix, {"Software": None})
         box = {} if _can_reserve_room(figure) else {"bbox_inches": "tight", "pad_inches": 0.1}
         figure.savefig(path, dpi=120, metadata=metadata, **box)
         if path.suffix == ".svg":

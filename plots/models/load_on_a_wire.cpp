@@ -48,7 +48,7 @@ std::vector<double> answer(double h) {
 
 template <int Dof>
 Settings<Dof> settings(int sweeps) {
-  return {.gravity = Vec3(0, 0, -g), .k = 1e9, .stop = {.max_sweeps = sweeps}};
+  return {.gravity = Vec3(0, 0, -g), .k = 1e9, .solver = gauss_seidel<Dof>(), .stop = {.max_sweeps = sweeps}};
 }
 
 /// A world with the load as its last body.

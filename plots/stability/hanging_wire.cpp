@@ -54,7 +54,11 @@ double predicted(const Wire& wire, const Solve& with) {
 /// A spring k' comes with a damper d h k', Eq. (3.10): a swing of ω has the damping ratio ζ = ω d h/2. The first swing
 /// has a mean that is ζ² off, and is the widest.
 double stretch(const Wire& wire, const Solve& with) {
-  World<3> world({.gravity = Vec3(0, 0, -g), .k = k, .d = d, .stop = {.max_sweeps = with.sweeps}});
+  World<3> world({.gravity = Vec3(0, 0, -g),
+                  .k = k,
+                  .d = d,
+                  .solver = gauss_seidel<3>(),
+                  .stop = {.max_sweeps = with.sweeps}});
   world.add_fixed(Vec3::Zero());
   for (int point = 1; point <= wire.links; ++point) {
     world.add({.x = Vec3(0, 0, -double(point) / wire.links), .mass = point == wire.links ? wire.ratio * m : m});

@@ -14,7 +14,7 @@ U, G = 2.0**-54, 9.81
 
 def draw(data, mine):
     steps = data.table.values("h")
-    figure, parts = figures.maps(data, mine, rows=2, columns=len(steps), height=5.2, sharex=True, sharey=True)
+    figure, parts = figures.maps(data, mine, rows=2, columns=len(steps), height=5.6, sharex=True, sharey=True)
     for table, part, (depths, impulses) in parts:
         for depth, impulse, h in zip(depths, impulses, steps):
             some = table.only("h", h)
@@ -26,9 +26,10 @@ def draw(data, mine):
             _depths(depth, h, table.values("d"))
             _impulses(impulse, h, table)
         impulses[0].legend(loc="upper left", facecolor="white", framealpha=1, frameon=True, fontsize=8)
-        depths[0].set_ylabel("depth:  d [steps]")
-        impulses[0].set_ylabel("impulse:  d [steps]")
-        part.colorbar(mesh, ax=[*depths, *impulses], label="relative error", extend="min")
+        depths[0].set_ylabel("d [steps]")
+        impulses[0].set_ylabel("d [steps]")
+        part.colorbar(mesh, ax=list(depths), label="error of the depth, over mg/k", extend="min")
+        part.colorbar(mesh, ax=list(impulses), label="error of λ, over h m g", extend="min")
     return figure
 
 

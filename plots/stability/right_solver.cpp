@@ -20,9 +20,14 @@ namespace {
 
 using Values = std::vector<std::pair<std::string, double>>;
 
-/// The scene's error after `seconds`; infinite when it was lost.
-double error(const std::string& name, const Values& values,
-             const std::vector<std::pair<std::string, std::string>>& choices, double h, double seconds) {
+/// The scene's error after `seconds`, infinite when it blew up; and its state, engine/soundness.hpp.
+struct Outcome {
+  double error;
+  State state;
+};
+
+Outcome outcome(const std::string& name, const Values& values,
+                const std::vector<std::pair<std::string, std::string>>& choices, double h, double seconds) {
   const SceneDescription& scene = find_scene(name);
   Parameters parameters(scene.parameters);
   for (const auto& [parameter, value] : values) parameters.set(parameter, exact_text(value));
@@ -30,47 +35,50 @@ double error(const std::string& name, const Values& values,
   const std::string solver = name == "stiff_wire" ? "stiff" : "direct";
   const auto run = scene.build(parameters, {.h = h, .solver = solver, .stop = {.max_sweeps = 200}});
   try {
+    run->judge();
     for (int n = 0; n < std::lround(seconds / h); ++n) {
       run->advance(1);
       run->observe();
+      run->judge();
     }
   } catch (const Blowup&) {
-    return infinity;
+    return {infinity, State::lost};
   }
-  return run->error();
+  return {run->error(), run->verdict().state};
 }
 
 Experiment experiment(Size size) {
   const bool quick = size == Size::quick;
   Experiment e;
-  e.columns = {"what", "across", "up", "error", "lost", "law"};
+  e.columns = {"what", "across", "up", "error", "lost", "law", "state"};
   const auto add = [&](const std::string& what, double across, double up, double law, double lost_above,
                        auto measure) {
     e.points.push_back({what + " " + exact_text(across) + " " + exact_text(up), [=]() -> std::vector<Row> {
-                          const double found = measure();
-                          return {{what, across, up, found, double(!(found <= lost_above)), law}};
+                          const Outcome found = measure();
+                          return {{what, across, up, found.error, double(!(found.error <= lost_above)), law,
+                                   name_of(found.state)}};
                         }});
   };
   for (const double links : quick ? std::vector<double>{10, 100} : std::vector<double>{10, 100, 1000, 10'000})
     for (const double ratio : log_spaced(1, 1e8, quick ? 3 : 9))
       add("hanging", links, ratio, 0, 1, [=] {
         const double loaded = ratio + links;
-        return error("wire", {{"links", links}, {"ratio", ratio}, {"k", 1e4 * links * loaded}},
-                     {{"begin", "at_rest"}}, 1.0 / 60, links > 1000 ? 0.25 : 2);
+        return outcome("wire", {{"links", links}, {"ratio", ratio}, {"k", 1e4 * links * loaded}},
+                       {{"begin", "at_rest"}}, 1.0 / 60, links > 1000 ? 0.25 : 2);
       });
   for (const double ratio : log_spaced(1, 1e6, quick ? 3 : 13))
     for (const double rate :
          quick ? std::vector<double>{60, 240} : std::vector<double>{30, 60, 120, 240, 480, 1000}) {
       const double tension = (ratio + 99) * 0.01 * 9.81 * std::cos(std::acos(-1.0) / 6);
       add("swinging", ratio, 1 / rate, 2 / std::sqrt(4 * tension / (0.01 * 0.1)), 0.5, [=] {
-        return error("stiff_wire", {{"ratio", ratio}, {"k", 1e12}}, {}, 1 / rate, 2);
+        return outcome("stiff_wire", {{"ratio", ratio}, {"k", 1e12}}, {}, 1 / rate, 2);
       });
     }
   for (const double boxes : quick ? std::vector<double>{2, 10} : std::vector<double>{2, 5, 10, 20, 50, 100})
     for (const double ratio : log_spaced(1, 1e8, quick ? 3 : 5))
       add("towers", boxes, ratio, 0, 1, [=] {
-        return error("tower", {{"boxes", boxes}, {"ratio", ratio}, {"k", 1e5 * boxes * (ratio + boxes)}}, {},
-                     1.0 / 60, 2);
+        return outcome("tower", {{"boxes", boxes}, {"ratio", ratio}, {"k", 1e5 * boxes * (ratio + boxes)}}, {},
+                       1.0 / 60, 2);
       });
   e.check = [](const Table& table, Claims& claims) {
     const auto worst = [&](const std::string& what, const std::function<bool(double, double)>& counts) {

@@ -33,7 +33,8 @@ World<3> by_force(double k, double h) {
 
 /// Along the line to its anchor, `length` away, a distance is as linear as the spring.
 World<3> by_distance(double k) {
-  World<3> world({.gravity = Vec3::Zero(), .k = k, .d = d, .stop = {.max_sweeps = 1}});
+  World<3> world(
+      {.gravity = Vec3::Zero(), .k = k, .d = d, .solver = gauss_seidel<3>(), .stop = {.max_sweeps = 1}});
   world.add({.x = Vec3::UnitX()});
   world.add_fixed(Vec3(-length, 0, 0));
   world.add_joint({.i = 1, .j = 0, .length = length});

@@ -49,7 +49,11 @@ struct Tower {
 
 /// Depth of the lowest contact over N/k, less 1; infinite if it is lost.
 double measured(const Tower& tower, int sweeps) {
-  World<3> world({.gravity = Vec3(0, 0, -g), .k = tower.k, .d = d, .stop = {.max_sweeps = sweeps}});
+  World<3> world({.gravity = Vec3(0, 0, -g),
+                  .k = tower.k,
+                  .d = d,
+                  .solver = gauss_seidel<3>(),
+                  .stop = {.max_sweeps = sweeps}});
   world.add_plane(Vec3::UnitZ(), 0);
   const int count = static_cast<int>(tower.masses.size());
   for (int i = 0; i < count; ++i)

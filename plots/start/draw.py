@@ -94,6 +94,10 @@ def draw_errors(axes, styled) -> None:
         if max(series.errors) >= ROUNDINGS:
             axes.plot(*zip(*shown), color=colour, marker=marker, linestyle=dash, linewidth=1.6, markersize=6.5,
                       markeredgecolor="white", markeredgewidth=0.7)
+            doubtful = [(cost(point), error) for point, error in zip(series.points, series.errors)
+                        if error > 0 and point["state"]["name"] != "sound"]
+            axes.plot([x for x, _ in doubtful], [y for _, y in doubtful], color=colour, marker=marker, markersize=6.5,
+                      linestyle="none", markerfacecolor="white")
     errors = [error for series, _ in styled for error in series.errors if error >= ROUNDINGS]
     axes.set_ylim(min(errors) / 8, max(errors) * 8)
     axes.yaxis.set_major_locator(LogLocator(numticks=12))
@@ -171,6 +175,8 @@ def subtitle(all_series: list[Series]) -> str:
     said = [f"A point for each step h, from {1000 * steps[-1]:.3g} to {1000 * steps[0]:.3g} ms"] if steps else []
     said += [f"{series.label}: for each number of sweeps, h = {1000 * series.points[0]['h']:.3g} ms"
              for series in all_series if not series.varies_h and len(series.points) > 1]
+    if any(point["state"]["name"] != "sound" for series in all_series for point in series.points):
+        said.append("hollow: not solved")
     return "; ".join(said)
 
 

@@ -1,10 +1,11 @@
-// Speed against error for any scene: a point for each solver, number of sweeps, and step.
+// Speed against error for any scene: a point for each way to step and to solve it.
 //
 //   --scene NAME --set name=value ...     a scene and its parameters (a stack of ten spheres)
-//   --solver A,B --iterations 10,100 --h 1/60,1/120
+//   --solver A,B --iterations 10,100 --h 1/60,1/120 --order up,random --warm-start=off,on ...
 //
-// The error is the scene's own. The cost is the median of the microseconds a step with its quartiles, and, the same on
-// every machine, the row updates of a second.
+// All options of ./course run, each with several values if one likes: a point for each of their combinations. The error
+// is the scene's own. The cost is the median of the microseconds a step with its quartiles, and, the same on every
+// machine, the row updates of a second.
 #include <CLI/CLI.hpp>
 #include <limits>
 #include <sstream>
@@ -12,16 +13,40 @@
 #include "machinery/experiment.hpp"
 #include "scenes/number.hpp"
 #include "scenes/registry.hpp"
-#include "scenes/run.hpp"
+#include "scenes/typed_run.hpp"
 
 namespace spook::plots {
 namespace {
 
+/// An option of run, and the values that it shall have, with commas.
+struct Option {
+  std::string name, values, meaning;
+  std::optional<std::string> TypedRun::*typed;
+  bool tells = true;  ///< it belongs to the name of a line
+};
+
 struct Chosen {
   std::string scene = "stack";
-  std::vector<std::string> set = {"bodies=10"};
-  std::string solvers, iterations = "10,30,100,300,1000", steps = "1/60,1/120,1/240";
-  std::string time;
+  std::vector<std::string> set;
+  std::string time, warm_start = "off";
+  std::vector<Option> options = {
+      {"solver", "gauss_seidel", "solvers", &TypedRun::solver},
+      {"h", "1/60,1/120,1/240", "steps [s]", &TypedRun::h, false},
+      {"substeps", "", "steps that each step is made of", &TypedRun::substeps},
+      {"order", "", "of the rows: given, up, down, random", &TypedRun::order},
+      {"seed", "", "of a random order", &TypedRun::seed},
+      {"margin", "", "largest gaps of a contact [m]", &TypedRun::margin},
+      {"friction-model", "", "box, two_pass, cone", &TypedRun::friction_model},
+      {"tangents", "", "fixed, sliding", &TypedRun::tangents},
+      {"tolerance", "", "stop sweeping at this [m/s]", &TypedRun::tolerance},
+      {"iterations", "10,30,100,300,1000", "most sweeps in a step", &TypedRun::iterations, false}};
+};
+
+/// A run, and what sets its line apart from others.
+struct Asked {
+  TypedRun run;
+  std::string line;
+  std::string all_have;  ///< what all have that run would not have by itself
 };
 
 std::vector<std::string> parts(const std::string& list) {
@@ -31,46 +56,66 @@ std::vector<std::string> parts(const std::string& list) {
   return found;
 }
 
-Parameters parameters(const SceneDescription& scene, const std::vector<std::string>& set) {
-  Parameters result(scene.parameters);
-  for (const std::string& text : set) {
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos)
-      throw std::invalid_argument("--set wants NAME=VALUE, but got \"" + text + "\"");
-    result.set(text.substr(0, equals), text.substr(equals + 1));
+/// Each of these with each value of the option.
+std::vector<Asked> times(const std::vector<Asked>& some, const Option& option, std::size_t most) {
+  std::vector<std::string> values = parts(option.values);
+  if (values.empty()) return some;
+  values.resize(std::min(values.size(), most));
+  std::vector<Asked> all;
+  for (const Asked& asked : some)
+    for (const std::string& value : values) {
+      all.push_back(asked);
+      all.back().run.*option.typed = value;
+      if (!option.tells) continue;
+      std::string& text = values.size() > 1 || option.name == "solver" ? all.back().line : all.back().all_have;
+      text += (text.empty() ? "" : " ") + (option.name == "solver" ? "" : option.name + " ") + value;
+    }
+  return all;
+}
+
+std::vector<Asked> all_runs(const Chosen& chosen, bool solves, bool quick) {
+  TypedRun first;
+  first.scene = chosen.scene;
+  first.set = chosen.set;
+  if (chosen.set.empty() && chosen.scene == Chosen().scene) first.set = {"bodies=10"};
+  if (!chosen.time.empty()) first.time = chosen.time;
+  std::vector<Asked> all = {{first, "", ""}};
+  for (const Option& option : chosen.options) {
+    if (!solves && option.name == "iterations") continue;
+    all =
+        times(all, option, quick && option.name == "iterations" ? 3 : std::numeric_limits<std::size_t>::max());
   }
-  return result;
+  std::vector<Asked> with_starts;
+  for (const Asked& asked : all)
+    for (const std::string& start : parts(chosen.warm_start)) {
+      with_starts.push_back(asked);
+      with_starts.back().run.retype("warm_start", start);
+      if (start == "on") with_starts.back().line += " warm";
+    }
+  return with_starts;
+}
+
+std::vector<Row> measured(const Asked& asked, const SceneDescription& scene, const Parameters& set,
+                          const RunSettings& settings) {
+  const RunResult result = run(scene, set, settings);
+  return {{scene.name, asked.line, asked.all_have, double(settings.method.stop.max_sweeps), settings.method.h,
+           result.error, name_of(result.verdict.state), result.us_per_step.value_or(0), result.us_low,
+           result.us_high, double(result.row_updates) / settings.time}};
 }
 
 Experiment experiment(Size size, const Chosen& chosen) {
   const SceneDescription& scene = find_scene(chosen.scene);
-  const Parameters set = parameters(scene, chosen.set);
-  const double time = chosen.time.empty() ? scene.time : parse_number("time", chosen.time);
-  const bool quick = size == Size::quick;
-  std::vector<std::string> names = parts(chosen.solvers);
-  if (names.empty()) names = {solvers<3>().front().name};
-  std::vector<std::string> sweeps = scene.solves ? parts(chosen.iterations) : std::vector<std::string>{"1"};
-  if (quick) sweeps.resize(std::min<std::size_t>(sweeps.size(), 3));
-
   Experiment e;
   e.timed = true;
-  e.columns = {"scene",          "solver",         "iterations",          "h", "error", "us a step",
-               "quartile below", "quartile above", "row updates a second"};
-  for (const std::string& solver : names)
-    for (const std::string& h_text : parts(chosen.steps))
-      for (const std::string& most : sweeps) {
-        find_solver<3>(solver);
-        const double h = parse_number("h", h_text);
-        const int iterations = parse_whole("iterations", most, 1, std::numeric_limits<int>::max());
-        e.points.push_back(
-            {scene.name + " " + solver + " " + most + " " + h_text, [=]() -> std::vector<Row> {
-               const RunSettings settings{
-                   .method = {.h = h, .solver = solver, .stop = {.max_sweeps = iterations}}, .time = time};
-               const RunResult result = run(scene, set, settings);
-               return {{scene.name, solver, double(iterations), h, result.error, result.us_per_step.value_or(0),
-                        result.us_low, result.us_high, double(result.row_updates) / time}};
-             }});
-      }
+  e.columns = {"scene",     "line",           "all have",       "iterations",          "h", "error", "state",
+               "us a step", "quartile below", "quartile above", "row updates a second"};
+  for (const Asked& asked : all_runs(chosen, scene.solves, size == Size::quick)) {
+    const Parameters set = asked.run.parameters(scene);
+    const RunSettings settings = asked.run.settings(scene);
+    e.points.push_back({scene.name + " " + asked.line + " " + asked.run.iterations.value_or("") + " " +
+                            asked.run.h.value_or(""),
+                        [=] { return measured(asked, scene, set, settings); }});
+  }
   e.check = [scene](const Table& table, Claims& claims) {
     const auto errors = table.numbers("error");
     double finite = 1;
@@ -96,9 +141,9 @@ int main(int argc, char** argv) {
   return spook::plots::run_experiment(argc, argv, make, [&](CLI::App& app) {
     app.add_option("--scene", chosen.scene, "one of ./course scenes");
     app.add_option("--set", chosen.set, "its parameters, NAME=VALUE ...");
-    app.add_option("--solver", chosen.solvers, "solvers, with commas");
-    app.add_option("--iterations", chosen.iterations, "most sweeps in a step, with commas");
-    app.add_option("--h", chosen.steps, "steps [s], with commas");
     app.add_option("--time", chosen.time, "how long [s]");
+    app.add_flag("--warm-start{on}", chosen.warm_start, "begin with the last impulses; =off,on for both");
+    for (spook::plots::Option& option : chosen.options)
+      app.add_option("--" + option.name, option.values, option.meaning + "; several with commas");
   });
 }

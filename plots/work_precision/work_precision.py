@@ -1,4 +1,5 @@
-"""Error against time and against row updates: a line for each solver and step, a point for each number of sweeps."""
+"""Error against time and against row updates: a line for each way to solve and each step, a point for each number of
+sweeps."""
 
 import sys
 from pathlib import Path
@@ -11,19 +12,17 @@ TITLE = "Speed against error"
 
 def draw(data, mine):
     figure, (time, updates) = figures.new(columns=2, sharey=True)
-    lines = sorted({(row[1], row[3]) for row in data.table.rows}, reverse=True)
-    if len({h for _, h in lines}) == len(data.table.rows) / max(1, len({solver for solver, _ in lines})):
-        lines = [(solver, None) for solver in data.table.values("solver")]  # no sweeps to tell apart: a line over h
-    for (solver, h), style in zip(lines, figures.STYLES * len(lines)):
-        some = data.table.only("solver", solver)
+    for (name, h), style in zip(_lines(data.table), figures.STYLES * len(data.table.rows)):
+        some = data.table.only("line", name)
         some = some if h is None else some.only("h", h)
-        label = solver if h is None else f"{solver}, h = {h:.4g} s"
+        label = name if h is None else f"{name}, h = {_step(h)}"
         cost = [us / step for us, step in zip(some["us a step"], some["h"])]
         spread = [[max(0, (us - low) / step) for us, low, step in zip(some["us a step"], some["quartile below"], some["h"])],
                   [max(0, (high - us) / step) for us, high, step in zip(some["us a step"], some["quartile above"], some["h"])]]
-        time.errorbar(cost, some["error"], xerr=spread, label=label, capsize=2, **style)
+        time.errorbar(cost, some["error"], xerr=spread, capsize=2, **style | {"marker": ""})
+        _marked(time, cost, some, label, style)
         if any(some["row updates a second"]):
-            updates.plot(some["row updates a second"], some["error"], label=label, **style)
+            _marked(updates, some["row updates a second"], some, label, style)
     if mine:
         own = mine.table
         time.plot([us / step for us, step in zip(own["us a step"], own["h"])], own["error"], **figures.MINE)
@@ -34,8 +33,30 @@ def draw(data, mine):
     for axes in (time, updates):
         axes.set(xscale="log", yscale="log")
         figures.tidy(axes)
-    time.legend(fontsize=8)
+    if any(state != "sound" for state in data.table["state"]):
+        time.plot([], [], color=figures.INK, marker="o", linestyle="none", fillstyle="none",
+                  label="hollow: not sound")
+    time.legend(fontsize=8, title=str(data.table["all have"][0]) or None, title_fontsize=8)
     return figure
+
+
+def _lines(table):
+    """Their names and steps; no step where there are no sweeps to tell apart: a line over h."""
+    lines = list(dict.fromkeys(zip(table["line"], table["h"])))
+    if len(lines) == len(table.rows):
+        return [(name, None) for name in table.values("line")]
+    return sorted(lines, key=lambda line: -line[1])
+
+
+def _marked(axes, cost, some, label, style):
+    """A line whose points are hollow where the run was not sound."""
+    axes.plot(cost, some["error"], label=label, **style | {"fillstyle": "none"})
+    sound = [k for k, state in enumerate(some["state"]) if state == "sound"]
+    axes.plot([cost[k] for k in sound], [some["error"][k] for k in sound], **style | {"linestyle": "none"})
+
+
+def _step(h):
+    return f"1/{1 / h:.0f} s" if abs(1 / h - round(1 / h)) < 1e-6 and h < 1 else f"{h:.4g} s"
 
 
 if __name__ == "__main__":

@@ -1,11 +1,9 @@
 // Spheres or cubes dropped into a box: a scene that has no closed form, but must come to rest.
 //
-// At rest the floor carries all the weight: the walls, with g·n = 0, have no friction to help it, Eq. (5.7).
-// Two spheres overlap by the load of their contact over k, for which weight/k is a scale. The error is the
-// deepest overlap of the last second.
-#include <algorithm>
-
+// At rest the floor carries all the weight: the walls, with g·n = 0, have no friction to help it, Eq. (5.7). Where the
+// bodies lie nobody knows beforehand; but wherever it is, what their overlaps say must hold each of them: balance.hpp.
 #include "engine/mechanics.hpp"
+#include "scenes/balance.hpp"
 #include "scenes/jitter.hpp"
 #include "scenes/load.hpp"
 #include "scenes/registry.hpp"
@@ -27,7 +25,8 @@ class Pile : public WorldScene<6> {
                                          .threshold = p.number("threshold")}},
                    method),
         radius_(p.number("radius")),
-        weight_(p.number("bodies") * p.number("m") * p.number("g")) {
+        weight_(p.number("m") * p.number("g")),
+        all_(p.count("bodies") * weight_) {
     const int n = p.count("bodies");
     // Layers of side × side, as high as they are wide or a little higher.
     const int side = std::max(1, static_cast<int>(std::cbrt(n)));
@@ -59,13 +58,10 @@ class Pile : public WorldScene<6> {
                     .half_sides = half_sides});
       }
     }
-    overlaps_.resize(static_cast<std::size_t>(std::clamp(std::round(1 / h_), 1.0, 1e6)));
   }
 
-  void observe() override {
-    overlaps_[static_cast<std::size_t>(world_.steps()) % overlaps_.size()] = deepest();
-  }
-  double error() const override { return *std::max_element(overlaps_.begin(), overlaps_.end()) / radius_; }
+  void observe() override {}
+  double error() const override { return relative(largest_unbalanced(world_, radius_, h_), weight_); }
 
   std::vector<std::string> columns() const override {
     return {"time [s]",
@@ -81,7 +77,7 @@ class Pile : public WorldScene<6> {
             deepest(),
             kinetic_energy(world_.bodies()),
             fastest(),
-            relative(load_on(floor_, world_, h_), weight_),
+            relative(load_on(floor_, world_, h_), all_),
             static_cast<double>(world_.contacts().size()),
             static_cast<double>(world_.report().impacts)};
   }
@@ -100,9 +96,8 @@ class Pile : public WorldScene<6> {
     return v;
   }
 
-  double radius_, weight_;
+  double radius_, weight_, all_;  // [m]; of a body, and of all of them [N]
   int floor_ = 0;
-  std::vector<double> overlaps_;  // of the last second, at each step [m]
 };
 
 }  // namespace
@@ -111,33 +106,34 @@ SceneDescription pile() {
   // Ten times as stiff, and fifty sweeps a step would leave it simmering.
   Parameter k = parameter::stiffness();
   k.value = 1e5;
-  return {.name = "pile",
-          .summary = "Spheres or cubes are dropped into a box, and come to rest.",
-          .answer =
-              "There is no closed form. At rest the floor carries the whole weight, whatever mu, and spheres "
-              "overlap by the load of a contact over k.",
-          .error_name = "deepest overlap of the last second over the radius",
-          .error_unit = "relative",
-          .parameters = {parameter::bodies(20, 2000),
-                         {.name = "shape", .meaning = "of the bodies", .choices = {"sphere", "box"}},
-                         parameter::friction(),
-                         parameter::restitution(0.2),
-                         parameter::threshold(),
-                         {.name = "seed",
-                          .meaning = "of the jitter that they start with",
-                          .value = 1,
-                          .limits = {.low = 0, .high = 1e9, .whole = true}},
-                         parameter::mass(),
-                         parameter::radius(0.1),
-                         parameter::gravity(),
-                         k,
-                         parameter::relaxation(),
-                         parameter::viscosity()},
-          .h = 0.01,
-          .time = 4,
-          .solves = true,
-          .build = build_as<Pile>,
-          .solver = "auto"};
+  return {
+      .name = "pile",
+      .summary = "Spheres or cubes are dropped into a box, and come to rest.",
+      .answer =
+          "There is no closed form. But at rest the floor carries the whole weight, whatever mu, and k times "
+          "the overlaps, with friction, balance each body. (While it falls they do not.)",
+      .error_name = "largest force or torque that its overlaps leave on a body, over its weight",
+      .error_unit = "relative",
+      .parameters = {parameter::bodies(20, 2000),
+                     {.name = "shape", .meaning = "of the bodies", .choices = {"sphere", "box"}},
+                     parameter::friction(),
+                     parameter::restitution(0.2),
+                     parameter::threshold(),
+                     {.name = "seed",
+                      .meaning = "of the jitter that they start with",
+                      .value = 1,
+                      .limits = {.low = 0, .high = 1e9, .whole = true}},
+                     parameter::mass(),
+                     parameter::radius(0.1),
+                     parameter::gravity(),
+                     k,
+                     parameter::relaxation(),
+                     parameter::viscosity()},
+      .h = 0.01,
+      .time = 4,
+      .solves = true,
+      .build = build_as<Pile>,
+      .solver = "auto"};
 }
 
 }  // namespace spook

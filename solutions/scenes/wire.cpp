@@ -47,10 +47,14 @@ class Wire : public WorldScene<Dof> {
   }
 
   std::vector<std::string> columns() const override {
-    return {"time [s]", "stretch [m]", "stretch over length [-]", "top tension [N]", "lowest tension [N]"};
+    return {
+        "time [s]",        "stretch [m]",       "stretch over length [-]", "error over the right stretch [-]",
+        "top tension [N]", "lowest tension [N]"};
   }
   std::vector<double> sample() const override {
-    return {this->time(), stretch(), stretch() / length_, tension(0), tension(links_ - 1)};
+    const double error = std::abs(stretch() - rest_stretch_);
+    return {this->time(), stretch(),          stretch() / length_, relative(error, rest_stretch_),
+            tension(0),   tension(links_ - 1)};
   }
 
  private:

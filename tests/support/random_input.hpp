@@ -12,6 +12,7 @@ namespace spook::testing {
 class Random {
  public:
   Random() : engine_(seed()) { used_ = true; }
+  explicit Random(std::uint64_t seed) : engine_(seed) {}  ///< of one's own, which a failure has to name
 
   double uniform(double lo, double hi) { return std::uniform_real_distribution<double>(lo, hi)(engine_); }
   int integer(int lo, int hi) { return std::uniform_int_distribution<int>(lo, hi)(engine_); }

@@ -1,0 +1,233 @@
+#include "random_scenes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include "engine/mechanics.hpp"
+#include "engine/soundness.hpp"
+#include "random_input.hpp"
+
+namespace spook::testing {
+namespace {
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr double share_gained = 0.1;  // of the energy that there is
+constexpr int steps = 120;
+constexpr double reach = 3;  // farthest from the origin, about [m]
+
+template <int Dof>
+Body<Dof> draw_body(Random& random, const Vec3& place, double room) {
+  Body<Dof> body;
+  body.x = place + random.vector(0.1 * room);
+  body.v = random.vector(1 / std::sqrt(3));
+  const double density = random.log_uniform(200, 5000);
+  const double radius = random.uniform(0.5, 1) * room / 4;
+  body.mass = density * 4 / 3 * std::numbers::pi * std::pow(radius, 3);
+  if constexpr (Dof == 3) {
+    body.radius = radius;
+  } else {
+    body.omega = random.vector(4 / std::sqrt(3));
+    body.q = random.rotation();
+    if (random.integer(0, 1)) {
+      body.radius = radius;
+      body.principal = solid_sphere_moments(body.mass, radius);
+    } else {
+      for (double& half : body.half_sides) half = random.uniform(0.5, 1) * room / 4;
+      body.mass = density * 8 * body.half_sides.prod();
+      body.principal = solid_box_moments(body.mass, body.half_sides);
+    }
+  }
+  return body;
+}
+
+/// Between the points where it begins: nothing is pulled at the start.
+template <int Dof>
+void join(World<Dof>& world, Random& random, int i, int j) {
+  Joint joint{.i = i, .j = j};
+  const Vec3 apart = world.x(j) - world.x(i);
+  if (Dof == 3 || random.integer(0, 1)) {
+    joint.length = apart.norm();
+  } else if constexpr (Dof == 6) {
+    const Vec3 middle = world.x(i) + random.uniform(0, 1) * apart;
+    joint.p_i = orientation(world, i).conjugate() * (middle - world.x(i));
+    joint.p_j = orientation(world, j).conjugate() * (middle - world.x(j));
+  }
+  world.add_joint(joint);
+}
+
+template <int Dof>
+struct RandomScene {
+  World<Dof> world;
+  double h;
+  bool free;  ///< nothing is fixed
+
+  static RandomScene draw(Random& random) {
+    Settings<Dof> settings;
+    settings.gravity = Vec3(0, 0, random.integer(0, 3) ? -9.81 : 0);
+    settings.k = random.log_uniform(1e5, 1e9);
+    settings.d = random.uniform(1, 5);
+    if (random.integer(0, 3)) settings.friction = random.uniform(0, 1);
+    if (random.integer(0, 1))
+      settings.impacts = ImpactLaw{.restitution = random.uniform(0, 0.8), .friction = settings.friction};
+    World<Dof> world(std::move(settings));
+    const double h = random.log_uniform(1.0 / 480, 1.0 / 120), room = 0.5;
+    const bool floor = random.integer(0, 2) > 0;
+    if (floor) world.add_plane(Vec3::UnitZ(), 0);
+
+    // In cells of their own, side by side and above each other.
+    const int first = static_cast<int>(world.bodies().size()), bodies = random.integer(1, 8);
+    for (int b = 0; b < bodies; ++b) {
+      const Vec3 cell(b % 2, b / 2 % 2, b / 4);
+      world.add(draw_body<Dof>(random, room * (cell + Vec3(0, 0, 0.6)), room));
+    }
+    bool free = !floor;
+    const int joints = random.integer(0, 1) ? random.integer(0, bodies) : 0;
+    for (int n = 0; n < joints; ++n) {
+      const int i = first + random.integer(0, bodies - 1), j = first + random.integer(0, bodies - 1);
+      if (i != j) join(world, random, i, j);
+    }
+    if (random.integer(0, 3) == 0) {
+      const int anchor = world.add_fixed(room * Vec3(0.5, 0.5, 2.5));
+      join(world, random, anchor, first + random.integer(0, bodies - 1));
+      free = false;
+    }
+    return {std::move(world), h, free};
+  }
+};
+
+template <int Dof>
+class Watch {
+ public:
+  explicit Watch(const RandomScene<Dof>& scene)
+      : scene_(scene),
+        before_(scene.world.bodies().motion.W),
+        p0_(momentum(scene.world.bodies())),
+        L_(angular_momentum(scene.world.bodies())),
+        x_(scene.world.bodies().x) {
+    soundness_.look(scene.world, scene.h);
+    started_ = most_ = kinetic_energy(scene.world.bodies());
+    for (const double mass : scene.world.bodies().mass) mass_ += mass;
+  }
+
+  Findings look() {
+    look_at_rows();
+    look_at_momentum();
+    look_at_energy();
+    soundness_.look(world(), scene_.h);
+    if (const Verdict& verdict = soundness_.verdict(); verdict.state != State::sound) {
+      std::string& found = findings_.wrong[name_of(verdict.state)];
+      if (found.empty()) found = "step " + std::to_string(verdict.step) + ": " + verdict.reason;
+    }
+    before_ = world().bodies().motion.W;
+    return findings_;
+  }
+
+ private:
+  const World<Dof>& world() const { return scene_.world; }
+
+  void compare(const std::string& what, double value, double allowed) {
+    if (allowed > 0) findings_.worst[what] = std::max(findings_.worst[what], value / allowed);
+    std::ostringstream text;
+    text << "step " << world().steps() << ": " << value << ", more than " << allowed;
+    if (!(value <= allowed) && findings_.wrong[what].empty()) findings_.wrong[what] = text.str();
+  }
+
+  /// λ within its bounds, and each body moved by what it says.
+  void look_at_rows() {
+    const Bodies<Dof>& bodies = world().bodies();
+    std::vector<Vec3> impulse(bodies.size(), Vec3::Zero());
+    std::vector<double> size(bodies.size(), 0);
+    for (const Row<Dof>& row : world().rows()) {
+      compare("bounds", std::max(row.lo - row.lambda, row.lambda - row.hi), 0);
+      const auto add = [&](int body, const Twist<Dof>& G) {
+        impulse[world().index(body)] += row.lambda * G.template head<3>();
+        size[world().index(body)] += std::abs(row.lambda) * G.template head<3>().norm();
+      };
+      add(row.i, row.Gi);
+      add(row.j, row.Gj);
+    }
+    if (world().report().impacts > 0) return;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      if (bodies.is_fixed(b)) continue;
+      const Vec3 v = bodies.motion.W[b].template head<3>(), was = before_[b].template head<3>();
+      const Vec3 kick = scene_.h * world().forces()[b] + impulse[b];
+      // Some rounding for each row, of what it adds; rows of a solve by factors were there before.
+      const double scale =
+          bodies.mass[b] * (v.norm() + was.norm()) + scene_.h * world().forces()[b].norm() + size[b];
+      compare("solve", (bodies.mass[b] * (v - was) - kick).norm(), 1000 * epsilon * scale);
+    }
+  }
+
+  void look_at_momentum() {
+    const Bodies<Dof>& bodies = world().bodies();
+    for (std::size_t b = 0; b < bodies.size(); ++b) pushed_ += bodies.mass[b] * bodies.motion.W[b].norm();
+    for (const Row<Dof>& row : world().rows()) pushed_ += std::abs(row.lambda);
+    if (!scene_.free) return;
+    const Vec3 p = p0_ + mass_ * world().time() * world().settings().gravity;
+    compare("momentum", (momentum(bodies) - p).norm(), 10 * epsilon * pushed_);
+    for (std::size_t b = 0; b < bodies.size(); ++b) L_ += scene_.h * x_[b].cross(world().forces()[b]);
+    x_ = bodies.x;
+    if (keeps_angular_momentum())
+      compare("angular momentum", (angular_momentum(bodies) - L_).norm(), 10 * epsilon * reach * pushed_);
+  }
+
+  /// Friction turns balls that do not turn, and a ball joint acts on two points that are not quite one.
+  bool keeps_angular_momentum() const {
+    const auto is_ball_joint = [](const Joint& joint) { return !joint.length; };
+    const std::vector<Joint>& joints = world().joints();
+    return (Dof == 6 || world().settings().friction == 0) &&
+           std::none_of(joints.begin(), joints.end(), is_ball_joint);
+  }
+
+  void look_at_energy() {
+    const Bodies<Dof>& bodies = world().bodies();
+    double lift = 0;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      const Vec3 way = scene_.h / 2 * (before_[b] + bodies.motion.W[b]).template head<3>();
+      const Vec3 force = bodies.is_fixed(b) ? Vec3::Zero() : world().forces()[b];
+      given_ += force.dot(way);
+      lift += force.norm() * 0.1;  // by as much as the smallest is wide
+    }
+    const double T = kinetic_energy(bodies);
+    most_ = std::max(most_, T);
+    if (world().steps() == 1)
+      for (const Contact& contact : world().contacts())
+        given_ += world().settings().k * std::pow(std::min(0.0, contact.gap), 2) / 2;
+    compare("energy", T - started_ - given_, share_gained * (most_ + lift));
+  }
+
+  const RandomScene<Dof>& scene_;
+  Findings findings_;
+  Soundness<Dof> soundness_;
+  std::vector<Twist<Dof>> before_;
+  Vec3 p0_, L_;  // what they should be
+  std::vector<Vec3> x_;
+  double mass_ = 0, started_ = 0, given_ = 0, most_ = 0, pushed_ = 0;
+};
+
+template <int Dof>
+Findings run(Random& random) {
+  RandomScene<Dof> scene = RandomScene<Dof>::draw(random);
+  Watch<Dof> watch(scene);
+  Findings findings;
+  try {
+    for (int n = 0; n < steps; ++n) {
+      scene.world.step(scene.h);
+      findings = watch.look();
+    }
+  } catch (const Blowup& blowup) {
+    findings.wrong["blowup"] = blowup.what();
+  }
+  return findings;
+}
+
+}  // namespace
+
+Findings run_random_scene(std::uint64_t seed) {
+  Random random(seed);
+  return random.integer(0, 3) == 0 ? run<3>(random) : run<6>(random);
+}
+
+}  // namespace spook::testing

@@ -1,0 +1,32 @@
+// For long runs of random scenes: random_scenes FIRST COUNT runs those of COUNT seeds from FIRST, prints each that
+// something is wrong with, and at the end how often, and how near the others came. Exit code 1 if there was one.
+#include <cstdio>
+#include <cstdlib>
+
+#include "random_scenes.hpp"
+
+int main(int argc, char** argv) {
+  if (argc != 3) {
+    std::fprintf(stderr, "random_scenes FIRST COUNT: the first seed, and how many\n");
+    return 2;
+  }
+  const std::uint64_t first = std::strtoull(argv[1], nullptr, 10), count = std::strtoull(argv[2], nullptr, 10);
+  std::map<std::string, std::uint64_t> times;
+  std::map<std::string, std::pair<double, std::uint64_t>> worst;
+  for (std::uint64_t seed = first; seed < first + count; ++seed) {
+    const spook::testing::Findings found = spook::testing::run_random_scene(seed);
+    for (const auto& [what, text] : found.wrong) {
+      ++times[what];
+      std::printf("seed %llu, %s: %s\n", static_cast<unsigned long long>(seed), what.c_str(), text.c_str());
+    }
+    for (const auto& [what, share] : found.worst)
+      if (!(share <= worst[what].first)) worst[what] = {share, seed};
+  }
+  std::printf("%llu scenes\n", static_cast<unsigned long long>(count));
+  for (const auto& [what, n] : times)
+    std::printf("%s: %llu\n", what.c_str(), static_cast<unsigned long long>(n));
+  for (const auto& [what, most] : worst)
+    std::printf("the most of what is allowed, %s: %g, seed %llu\n", what.c_str(), most.first,
+                static_cast<unsigned long long>(most.second));
+  return times.empty() ? 0 : 1;
+}

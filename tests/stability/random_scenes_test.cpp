@@ -1,0 +1,30 @@
+#include <gtest/gtest.h>
+
+#include "random_input.hpp"
+#include "random_scenes.hpp"
+
+namespace spook::testing {
+namespace {
+
+TEST(RandomScenes, AThousandDoAsTheyShould) {
+  std::map<std::string, double> worst;
+  for (std::uint64_t n = 0; n < 1000; ++n) {
+    const std::uint64_t seed = Random::seed() + n;
+    const Findings found = run_random_scene(seed);
+    for (const auto& [what, text] : found.wrong)
+      ADD_FAILURE() << what << ": " << text << "\n  random_scenes " << seed << " 1 runs it again";
+    for (const auto& [what, share] : found.worst) worst[what] = std::max(worst[what], share);
+  }
+  // A look that never sees anything is none.
+  for (const std::string what : {"solve", "momentum", "angular momentum", "energy"})
+    EXPECT_GT(worst[what], 1e-6) << what << " was not looked at";
+}
+
+TEST(RandomScenes, AreTheSameForTheSameSeed) {
+  for (const std::uint64_t seed : {1, 2, 3, 4})
+    EXPECT_EQ(run_random_scene(seed).worst, run_random_scene(seed).worst);
+  EXPECT_NE(run_random_scene(1).worst, run_random_scene(2).worst);
+}
+
+}  // namespace
+}  // namespace spook::testing
