@@ -88,13 +88,17 @@ double seconds_of_partner() {
   _exit(0);
 }
 
-/// Brings the student's side to an end, and reports on it, unless the test has done so.
-void end_partner() {
+/// Brings the student's side to an end, and reports on it, unless the test has done so. After a test that has come to
+/// its end nobody has asked for another answer.
+void end_partner(bool at_its_end) {
   send(Kind::end);
   for (;;) {
     const Message message = receive();
     if (message.kind == Kind::closed) return;
-    if (message.kind != Kind::ended) continue;  // an answer that nobody waits for any more
+    if (message.kind != Kind::ended) {
+      if (at_its_end) report({"nonsense"});
+      continue;
+    }
     Ending ending{};
     if (message.bytes.size() != sizeof ending) throw Nonsense{};
     std::memcpy(&ending, message.bytes.data(), sizeof ending);
@@ -114,7 +118,7 @@ void run_apart(char* program, const std::string& test) {
     if (process == 0) run(program, test, partner);
     if (process < 0 || waitpid(process, &status, 0) < 0) _exit(3);
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
-    if (code != partner_has_ended && code != stream_is_lost) end_partner();
+    if (code != partner_has_ended && code != stream_is_lost) end_partner(code == 0);
     if (code == stream_is_lost) {
       report({"done", "0"});
       _exit(0);

@@ -1,5 +1,5 @@
 // Does: sends more answers than it is asked for, without calling a function for it.
-// Verdict: failed
+// Verdict: tampered: a forged answer
 #include "01_leapfrog/leapfrog.hpp"
 
 namespace spook {
