@@ -128,6 +128,7 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     command.add_argument("--shard", metavar="I/N", help="compute only each N-th point, from the I-th")
     command.add_argument("--merge", nargs="+", metavar="FOLDER", help="put together what shards have computed")
     command.add_argument("--publish", action="store_true", help="put the figure into plots/, where pages show it")
+    command.add_argument("--format", choices=("png", "svg", "pdf"), help="of the figure; png unless given")
     command.set_defaults(more=[])
     _add_grade(add("grade", "marks for a class: folders and zips that hold chapters/"))
     command = add("export", "what another platform needs to grade, or results in its form")
