@@ -109,7 +109,7 @@ class Recordings(unittest.TestCase):
         self.assertEqual([frame["step"] for frame in frames], [4 * n for n in range(31)])
 
     def test_much_is_said_beforehand(self):
-        done = self.run_spook("cloth", "--time", "2", "--record", str(self.file), "--fps", "1000")
+        done = self.run_spook("cloth", "--h", "0.002", "--time", "2", "--record", str(self.file), "--fps", "1000")
         self.assertRegex(done.stderr, r"\Aspook: recording 1001 frames, \d+ MB and more with contacts; --fps [^\n]+\n\Z")
         megabytes = int(done.stderr.split("frames, ")[1].split()[0])
         self.assertAlmostEqual(megabytes, self.file.stat().st_size / 1e6, delta=0.15 * megabytes)

@@ -136,6 +136,7 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     command.add_argument("--merge", nargs="+", metavar="FOLDER", help="put together what shards have computed")
     command.add_argument("--slurm", type=_count, metavar="N", help="compute as an array of N on an existing Slurm")
     command.add_argument("--publish", action="store_true", help="put the figure into plots/, where pages show it")
+    command.add_argument("--format", choices=("png", "svg", "pdf"), help="of the figure; png unless given")
     command.set_defaults(more=[])
     command = add("book", "the lessons and all pages as a site, which opens from the file system")
     command.add_argument("--out", metavar="DIR", help="default: build/book")

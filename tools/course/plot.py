@@ -52,6 +52,8 @@ def plot(arguments) -> int:
         _require_no_options(arguments)
         return _list()
     chosen = _pick(arguments.which)
+    if arguments.publish and arguments.format not in (None, "png"):
+        raise BadInput(f"plot: --publish puts a png into the tree, but --format is {arguments.format}")
     if len(chosen) > 1 and (arguments.more or arguments.merge):
         raise BadInput("--merge and options after -- are for one experiment")
     codes = [_one(experiment, arguments) for experiment in chosen]
@@ -60,7 +62,7 @@ def plot(arguments) -> int:
 
 def _require_no_options(arguments) -> None:
     """What would be left aside without an experiment to apply it to."""
-    for name in ("mine", "quick", "shard", "merge", "slurm", "publish"):
+    for name in ("mine", "quick", "shard", "merge", "slurm", "publish", "format"):
         if getattr(arguments, name):
             raise BadInput(f"plot: --{name} wants the NAME of an experiment; ./course plot lists them")
     if arguments.more:
@@ -102,12 +104,12 @@ def _one(experiment: Experiment, arguments) -> int:
         _run(experiment, arguments, mine)
     if not (experiment.folder(False) / "table.csv").exists():
         return code  # a shard
-    figures = _draw(experiment, bool(mine))
+    figure = _draw(experiment, bool(mine), arguments.format or "png")
     if arguments.publish:
         if code != 0 or mine or arguments.quick:
             raise CourseError("only true claims of the reference in full size are put in the tree")
-        figures = [Path(shutil.copy(figures[0], experiment.source.parent))]
-    print(f"figure: {shown(figures[0])}\n", flush=True)
+        figure = Path(shutil.copy(figure, experiment.source.parent))
+    print(f"figure: {shown(figure)}\n", flush=True)
     return code
 
 
@@ -172,14 +174,13 @@ def _merge(other: Path, folder: Path) -> None:
         shutil.copyfile(part, folder / "parts" / part.name)
 
 
-def _draw(experiment: Experiment, mine: bool) -> list[Path]:
+def _draw(experiment: Experiment, mine: bool, kind: str) -> Path:
     folder = experiment.folder(False)
-    figures = [folder / f"{experiment.name}.{kind}" for kind in ("png", "svg")]
+    figure = folder / f"{experiment.name}.{kind}"
     command = [sys.executable, str(experiment.drawing), "--data", str(folder)]
     command += ["--mine", str(experiment.folder(True))] if mine else []
-    for figure in figures:
-        command += ["--out", str(figure)]
+    command += ["--out", str(figure)]
     code, output = stream(command, lambda line: None)
     if code != 0:
         raise CourseError(f"{experiment.name} could not be drawn", tail(output))
-    return figures
+    return figure
