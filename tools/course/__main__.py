@@ -14,6 +14,7 @@ from grading.grade import grade
 from hint import hint
 from play import play
 from plot import plot
+from python import python
 from reset import reset
 from run import run, scenes
 from solution import solution
@@ -23,7 +24,7 @@ from watch import watch
 
 COMMANDS = {"progress": progress, "check": check, "watch": watch, "plot": plot, "hint": hint, "solution": solution,
             "reset": reset, "start": start, "test": test, "grade": grade, "export": export, "view": view,
-            "play": play}
+            "play": play, "python": python}
 FORWARDED = {"run": run, "scenes": scenes}
 
 

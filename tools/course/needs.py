@@ -6,6 +6,7 @@ import os
 import re
 import shutil
 import subprocess
+import sys
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -116,7 +117,11 @@ NEEDS = (
 )
 GRADE_NEEDS = (Need("bubblewrap", "command", "bwrap"),)
 VIEW_NEEDS = (Need("libjs-three", "file", str(THREE / "three.min.js")),)
-TEST_NEEDS = (*GRADE_NEEDS, *VIEW_NEEDS, Need("clang-format", "command", "clang-format"), *sanitizers())
+# The Python module's; ./course python installs them.
+PYTHON_NEEDS = (Need("pybind11-dev", "header", "pybind11/pybind11.h", "2.9", ("pybind11/detail/common.h",),
+                     "PYBIND11_VERSION_(?:MAJOR|MINOR)"),
+                Need("python3-dev", "header", f"python{sys.version_info.major}.{sys.version_info.minor}/Python.h"))
+TEST_NEEDS = (*GRADE_NEEDS, *VIEW_NEEDS, *PYTHON_NEEDS, Need("clang-format", "command", "clang-format"), *sanitizers())
 # A browser that tests can drive. Ubuntu has none but as a snap, which they can not: they are skipped there.
 BROWSER_NEEDS = (Need("python3-selenium", "module", "selenium"), Need("chromium", "command", "chromium"),
                  Need("chromium-driver", "command", "chromedriver"))
