@@ -11,6 +11,7 @@
 #include "scenes/registry.hpp"
 #include "scenes/run.hpp"
 #include "spook/run_command.hpp"
+#include "spook/scene_file.hpp"
 
 namespace spook {
 
@@ -50,7 +51,7 @@ RunCommand command_of(const std::string& scene, const Texts& parameters, const T
 }
 
 py::dict describe(const std::string& name) {
-  const SceneDescription& scene = find_scene(name);
+  const SceneDescription scene = scene_named(name);
   py::dict parameters;
   for (const Parameter& parameter : scene.parameters)
     parameters[parameter.name.c_str()] =
@@ -63,7 +64,7 @@ py::dict describe(const std::string& name) {
 
 /// Refuses what a run would refuse, without one.
 void check(const std::string& name, const Texts& set, const Texts& options) {
-  const SceneDescription& scene = find_scene(name);
+  const SceneDescription scene = scene_named(name);
   const RunCommand command = command_of(name, set, options);
   scene.build(command.parameters(scene), command.settings(scene).method);
 }
@@ -77,7 +78,7 @@ Samples as_rows(const std::vector<double>& numbers, std::size_t columns) {
 }
 
 py::dict run_scene(const std::string& name, const Texts& set, const Texts& options) {
-  const SceneDescription& scene = find_scene(name);
+  const SceneDescription scene = scene_named(name);
   const RunCommand command = command_of(name, set, options);
   const Parameters parameters = command.parameters(scene);
   const RunSettings settings = command.settings(scene);
@@ -101,7 +102,7 @@ py::dict run_scene(const std::string& name, const Texts& set, const Texts& optio
 
 /// What `spook run --record` writes; of a run that blows up, up to there.
 py::bytes record(const std::string& name, const Texts& set, const Texts& options, double fps) {
-  const SceneDescription& scene = find_scene(name);
+  const SceneDescription scene = scene_named(name);
   const RunCommand command = command_of(name, set, options);
   const Parameters parameters = command.parameters(scene);
   const RunSettings settings = command.settings(scene);
