@@ -110,7 +110,10 @@ void World<Dof>::resolve_impacts(double h) {
     return of_pair;
   };
   impacts_ = resolve_late_impacts(contacts_, law_of, h, shapes_, bodies_);
-  if (impacts_ > 0) prepare_motion(h);  // the gyroscopic torque goes with ω
+  if (impacts_ > 0) {
+    find_contacts(h);   // bodies have been put elsewhere
+    prepare_motion(h);  // the gyroscopic torque goes with ω
+  }
   // What is still open and comes as fast as an impact will be one: until then nothing holds it back.
   const auto will_hit = [&](const Contact& contact) {
     return contact.gap > 0 && separation_speed(contact, bodies_.motion) < -law.threshold;

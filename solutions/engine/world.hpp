@@ -19,6 +19,7 @@
 #include "engine/blowup.hpp"
 #include "engine/contacts.hpp"
 #include "engine/joints.hpp"
+#include "engine/layout.hpp"
 #include "engine/materials.hpp"
 #include "engine/rows.hpp"
 #include "engine/solvers.hpp"

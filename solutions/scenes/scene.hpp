@@ -6,6 +6,7 @@
 // motion, the last where it is a state of rest.
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -60,6 +61,10 @@ class Scene {
   /// The energy of its force field, with bodies at `x` [J].
   virtual double field_energy(const std::vector<Vec3>&) const { return 0; }
 
+  /// Its world: of point masses or of rigid bodies, and null for the other.
+  virtual const World<3>* points() const = 0;
+  virtual const World<6>* rigid_bodies() const = 0;
+
   /// What a hand can do to it.
   virtual Hand& hand() = 0;
 
@@ -79,7 +84,7 @@ struct SceneDescription {
   double time;  ///< default duration [s]
   bool solves;  ///< has rows, so that solver, iterations and tolerance matter
   /// Throws std::invalid_argument for parameters that do not go together.
-  std::unique_ptr<Scene> (*build)(const Parameters& parameters, const Method& method);
+  std::function<std::unique_ptr<Scene>(const Parameters& parameters, const Method& method)> build;
   std::string solver = "gauss_seidel";  ///< the one that it is run with, unless another is asked for
 };
 
@@ -102,6 +107,8 @@ class WorldScene : public Scene {
     frame.energy.field = field_energy(x);
     return frame;
   }
+  const World<3>* points() const final { return this_if<3>(); }
+  const World<6>* rigid_bodies() const final { return this_if<6>(); }
   Hand& hand() final {
     soundness_.begin_again();
     return hand_;
@@ -130,6 +137,13 @@ class WorldScene : public Scene {
   double h_;  ///< that it is stepped by: a substep's [s]
 
  private:
+  template <int Wanted>
+  const World<Wanted>* this_if() const {
+    if constexpr (Wanted == Dof)
+      return &world_;
+    else
+      return nullptr;
+  }
   static Settings<Dof> with(Settings<Dof> settings, const Method& method) {
     settings.solver = make_solver<Dof>(method);
     settings.stop = method.stop;

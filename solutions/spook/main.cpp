@@ -16,7 +16,7 @@ static CLI::App* add_scene_command(CLI::App& app, const std::string& name, const
                                    spook::RunCommand& run) {
   CLI::App* const command = app.add_subcommand(name, what);
   command->allow_extras();
-  command->add_option("SCENE", run.scene, "One of ./course scenes")->required();
+  command->add_option("SCENE", run.scene, "One of ./course scenes, or a file.json")->required();
   command->add_option("--set", run.set, "Parameters of the scene, NAME=VALUE ...")->expected(1, 1000);
   command->add_option("--h", run.h, "Time step [s], such as 0.02 or 1/60");
   command->add_option("--time", run.time, "How long to simulate [s]");
@@ -55,6 +55,8 @@ static void add_scenes(CLI::App& app, spook::ScenesCommand& scenes) {
   command->allow_extras();
   command->add_option("SCENE", scenes.scene, "Only this one");
   command->add_flag("--json", scenes.json, "Print one JSON object");
+  command->add_flag("--export", scenes.as_file, "Print the scene as a file, for run, view and play");
+  command->add_option("--set", scenes.set, "Parameters of the exported scene")->expected(1, 1000);
 }
 
 /// -h could be meant for either; CLI11 would miss the scene first. Throws std::invalid_argument.

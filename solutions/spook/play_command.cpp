@@ -12,6 +12,7 @@
 #include "scenes/number.hpp"
 #include "scenes/registry.hpp"
 #include "spook/json.hpp"
+#include "spook/scene_file.hpp"
 
 namespace spook {
 
@@ -51,7 +52,7 @@ class Play {
       : run_(command.run),
         fps_(run_.fps ? parse_number("fps", *run_.fps) : 60),
         out_(out),
-        description_(find_scene(run_.scene)) {
+        description_(scene_named(run_.scene)) {
     build(nullptr);
   }
 
@@ -187,7 +188,7 @@ class Play {
   RunCommand run_;
   double fps_;
   std::ostream& out_;
-  const SceneDescription& description_;
+  const SceneDescription description_;
   std::optional<Parameters> parameters_;
   std::optional<RunSettings> settings_;
   std::unique_ptr<Scene> scene_;

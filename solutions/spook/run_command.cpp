@@ -12,6 +12,7 @@
 #include "scenes/registry.hpp"
 #include "scenes/run.hpp"
 #include "spook/print_run.hpp"
+#include "spook/scene_file.hpp"
 
 namespace spook {
 
@@ -57,7 +58,7 @@ static RunResult recorded(Recorder& recorder, bool records, const Run& run) {
 }
 
 void RunCommand::execute(std::ostream& out) const {
-  const SceneDescription& description = find_scene(scene);
+  const SceneDescription description = scene_named(scene);
   const Parameters parameters = this->parameters(description);
   const RunSettings settings = this->settings(description);
   if (fps && !record) throw std::invalid_argument("fps is for --record");

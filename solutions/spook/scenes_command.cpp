@@ -5,13 +5,13 @@
 
 #include "scenes/number.hpp"
 #include "scenes/registry.hpp"
+#include "spook/run_command.hpp"
+#include "spook/scene_file.hpp"
 #include "spook/text.hpp"
 
 namespace spook {
 
-using Json = nlohmann::ordered_json;
-
-static Json to_json(const Parameter& parameter) {
+static Json about(const Parameter& parameter) {
   Json object = {{"name", parameter.name}, {"meaning", parameter.meaning}};
   if (!parameter.choices.empty()) {
     object["default"] = parameter.choice;
@@ -24,9 +24,9 @@ static Json to_json(const Parameter& parameter) {
   return object;
 }
 
-static Json to_json(const SceneDescription& scene) {
+static Json about(const SceneDescription& scene) {
   Json parameters = Json::array();
-  for (const Parameter& parameter : scene.parameters) parameters.push_back(to_json(parameter));
+  for (const Parameter& parameter : scene.parameters) parameters.push_back(about(parameter));
   return {{"name", scene.name},       {"summary", scene.summary},
           {"answer", scene.answer},   {"error", {{"name", scene.error_name}, {"unit", scene.error_unit}}},
           {"parameters", parameters}, {"h", scene.h},
@@ -61,11 +61,25 @@ static void print_scene(std::ostream& out, const SceneDescription& scene) {
   }
 }
 
+/// The same scene, as ./course run would begin with it.
+static void print_as_file(std::ostream& out, const std::string& scene, const std::vector<std::string>& set) {
+  const SceneDescription description = scene_named(scene);
+  RunCommand command;
+  command.set = set;
+  const Method method = command.settings(description).method;
+  out << scene_as_file(description, command.parameters(description), method).dump(1) << '\n';
+}
+
 void ScenesCommand::execute(std::ostream& out) const {
+  if (as_file) {
+    if (scene.empty() || json) throw std::invalid_argument("--export wants one scene, and no --json");
+    return print_as_file(out, scene, set);
+  }
+  if (!set.empty()) throw std::invalid_argument("--set is for --export");
   const std::vector<SceneDescription> listed = scene.empty() ? scenes() : std::vector{find_scene(scene)};
   if (json) {
     Json all = {{"scenes", Json::array()}, {"solvers", Json::array()}};
-    for (const SceneDescription& each : listed) all["scenes"].push_back(to_json(each));
+    for (const SceneDescription& each : listed) all["scenes"].push_back(about(each));
     for (const auto& each : solvers<3>())
       all["solvers"].push_back({{"name", each.name}, {"summary", each.summary}});
     out << all.dump() << '\n';

@@ -17,6 +17,7 @@ from play import play
 from playground import playground
 from plot import plot
 from predict import predict
+from python import python
 from reset import reset
 from run import run, scenes
 from solution import solution
@@ -26,7 +27,7 @@ from watch import watch
 
 COMMANDS = {"progress": progress, "check": check, "watch": watch, "plot": plot, "hint": hint, "solution": solution,
             "reset": reset, "start": start, "test": test, "grade": grade, "export": export, "view": view,
-            "play": play, "predict": predict, "book": book, "try": playground}
+            "play": play, "predict": predict, "book": book, "try": playground, "python": python}
 FORWARDED = {"run": run, "scenes": scenes}
 
 

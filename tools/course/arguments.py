@@ -73,12 +73,16 @@ def _chapters(text: str) -> set[int]:
 
 
 def parse(words: list[str]) -> argparse.Namespace:
-    """`command` and its options. `words` are what belongs to the engine: for run and scenes all that follows."""
+    """`command` and its options. `words` are what belongs to the engine or to Python: for run, scenes, python all that
+    follows."""
     parser, commands = _parsers()
     if words and not words[0].startswith("-") and words[0] not in commands:
         raise BadInput(f"unknown command {words[0]!r}{near(words[0], list(commands))}; see ./course --help")
     if words and words[0] in ("run", "scenes"):
         return argparse.Namespace(command=words[0], words=words[1:])
+    if words and words[0] == "python" and words[1:2] not in (["-h"], ["--help"]):
+        yes = words[1:2] == ["--yes"]
+        return argparse.Namespace(command="python", yes=yes, words=words[1 + yes:])
     if words and words[0] in ("view", "play"):
         known, rest = commands[words[0]].parse_known_args(words[1:])
         return argparse.Namespace(**{**vars(known), "command": words[0], "words": rest})
@@ -143,6 +147,10 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     command.add_argument("--views", action="store_true", help="with each film as a page of ./course view behind it")
     command.add_argument("--publish", metavar="REMOTE",
                          help="push it to branch gh-pages of this git remote, as its only commit")
+    command = add("python", "the Python module: build it, or run a file that imports spook")
+    command.usage = "./course python [--yes] [FILE ...]"
+    command.add_argument("--yes", action="store_true", help="install without asking")
+    command.add_argument("words", nargs="*", metavar="FILE ...", help="what Python runs, with spook to import")
     _add_grade(add("grade", "marks for a class: folders and zips that hold chapters/"))
     command = add("export", "what another platform needs to grade, or results in its form")
     command.add_argument("what", metavar="FORMAT", choices=EXPORTS, help=", ".join(EXPORTS))

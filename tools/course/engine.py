@@ -21,4 +21,4 @@ def program(target: str) -> Path:
 
 
 def _how_long() -> str:
-    return "" if (RELEASE.path / "solutions" / "libspook_engine.a").exists() else " (a minute or so, the first time)"
+    return "" if (RELEASE.path / "solutions" / "libspook_scenes.a").exists() else " (a minute or so, the first time)"

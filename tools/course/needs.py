@@ -6,6 +6,7 @@ import os
 import re
 import shutil
 import subprocess
+import sys
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -120,7 +121,11 @@ NEEDS = (
 )
 GRADE_NEEDS = (Need("bubblewrap", "command", "bwrap"),)
 VIEW_NEEDS = (Need("libjs-three", "file", str(THREE / "three.min.js")),)
-TEST_NEEDS = (*GRADE_NEEDS, *VIEW_NEEDS, Need("libarchive-tools", "command", "bsdtar"),
+# The Python module's; ./course python installs them.
+PYTHON_NEEDS = (Need("pybind11-dev", "header", "pybind11/pybind11.h", "2.9", ("pybind11/detail/common.h",),
+                     "PYBIND11_VERSION_(?:MAJOR|MINOR)"),
+                Need("python3-dev", "header", f"python{sys.version_info.major}.{sys.version_info.minor}/Python.h"))
+TEST_NEEDS = (*GRADE_NEEDS, *VIEW_NEEDS, *PYTHON_NEEDS, Need("libarchive-tools", "command", "bsdtar"),
               Need("clang-format", "command", "clang-format"), *sanitizers())
 # Tests of the book are skipped where the system's packages have not all of these.
 BOOK_NEEDS = (

@@ -4,6 +4,7 @@ import base64
 import gzip
 import html
 import re
+import sys
 
 from errors import CourseError
 from needs import THREE
@@ -53,3 +54,11 @@ def _library(found: re.Match) -> str:
 def _packed(content: bytes) -> str:
     # Without a time the same data make the same page.
     return base64.b64encode(gzip.compress(content, 6, mtime=0)).decode()
+
+
+# The Python module's way to a film: the recording comes in, the page goes out.
+if __name__ == "__main__":
+    try:
+        sys.stdout.buffer.write(film([("", sys.stdin.buffer.read())]).encode())
+    except CourseError as missing:
+        sys.exit(str(missing))

@@ -39,7 +39,7 @@ def view(arguments) -> int:
     out = Path(arguments.gltf or arguments.out) if arguments.gltf or arguments.out else None
     if not words or words[0].startswith("-"):
         raise BadInput("view: a scene is missing; it comes first: ./course view SCENE [OPTION ...]")
-    is_file = "." in words[0] or "/" in words[0]
+    is_file = ("." in words[0] or "/" in words[0]) and not words[0].endswith(".json")  # which is a scene
     if is_file:
         recordings, code = _files(arguments), 0
         runs: list[Run] = []

@@ -1,0 +1,8 @@
+#include "engine/layout.hpp"
+
+namespace spook {
+
+template <>
+const char Layout::found = 1;
+
+}  // namespace spook

@@ -1,0 +1,157 @@
+// Bodies and joints of a file, each mistake told with its place.
+#include "spook/file_world.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace spook {
+
+namespace {
+
+void read(const std::optional<Place>& place, double& number) {
+  if (place) number = place->number();
+}
+void read(const std::optional<Place>& place, Vec3& v) {
+  if (place) v = place->vector();
+}
+void read(const std::optional<Place>& place, std::optional<double>& number) {
+  if (place) number = place->number();
+}
+
+/// Does something with a place; what the engine refuses is told with it: bodies[3].mass must be ...
+template <class Action>
+void at(const Place& place, const Action& action) {
+  try {
+    action();
+  } catch (const std::invalid_argument& error) {
+    const std::string what = error.what();
+    if (what.rfind(place.path(), 0) == 0) throw;
+    const bool names_key = place.has(what.substr(0, what.find(' ')));
+    throw std::invalid_argument(place.path() + (names_key ? "." : ": ") + what);
+  }
+}
+
+double volume(const Place& place, double radius, const Vec3& half_sides) {
+  if (radius > 0) return 4.0 / 3 * std::acos(-1) * radius * radius * radius;
+  if (!half_sides.isZero(0)) return 8 * half_sides.prod();
+  place.reject("left out for what is no sphere and no box");
+}
+
+template <int Dof>
+void add_moving(const Place& place, World<Dof>& world) {
+  Body<Dof> body;
+  read(place.find("x"), body.x);
+  read(place.find("v"), body.v);
+  read(place.find("radius"), body.radius);
+  Vec3 half_sides = Vec3::Zero();
+  if constexpr (Dof == 3) {
+    place.require_keys({"name", "x", "v", "mass", "density", "radius"});
+  } else {
+    place.require_keys(
+        {"name", "x", "v", "mass", "density", "radius", "q", "omega", "principal", "half_sides", "corners"});
+    if (const auto q = place.find("q")) body.q = q->quaternion();
+    read(place.find("omega"), body.omega);
+    if (const auto moments = place.find("principal")) body.principal = moments->vector();
+    read(place.find("half_sides"), body.half_sides);
+    if (const auto corners = place.find("corners"))
+      for (const Place& corner : corners->list()) body.corners.push_back(corner.vector());
+    half_sides = body.half_sides;
+  }
+  const auto density = place.find("density");
+  if (density && place.has("mass")) density->reject("left out where mass is given");
+  body.mass = density ? density->number() * volume(*density, body.radius, half_sides) : place["mass"].number();
+  world.add(body);
+}
+
+template <int Dof>
+void add_body(const Place& place, World<Dof>& world) {
+  if (const auto plane = place.find("plane")) {
+    place.require_keys({"name", "plane"});
+    plane->require_keys({"n", "offset"});
+    at(*plane, [&] { world.add_plane((*plane)["n"].vector(), (*plane)["offset"].number()); });
+  } else if (place.has("fixed") && place["fixed"].flag()) {
+    place.require_keys({"name", "fixed", "x", "radius"});
+    double radius = 0;
+    read(place.find("radius"), radius);
+    world.add_fixed(place["x"].vector(), radius);
+  } else {
+    add_moving(place, world);
+  }
+}
+
+/// Bodies by number or by name.
+
+template <int Dof>
+void add_joint(const Place& place, const BodyNames& names, World<Dof>& world) {
+  place.require_keys({"i", "j", "p_i", "p_j", "length", "k", "d"});
+  Joint joint{.i = names.index(place["i"]), .j = names.index(place["j"])};
+  read(place.find("p_i"), joint.p_i);
+  read(place.find("p_j"), joint.p_j);
+  read(place.find("length"), joint.length);
+  read(place.find("k"), joint.k);
+  read(place.find("d"), joint.d);
+  world.add_joint(joint);
+}
+
+}  // namespace
+
+BodyNames::BodyNames(const Place& bodies) {
+  for (const Place& body : bodies.list()) {
+    if (const auto name = body.find("name"))
+      if (!indices_.emplace(name->text(), count_).second) name->reject("another name than those before");
+    ++count_;
+  }
+}
+
+int BodyNames::index(const Place& place) const {
+  const int i = place.holds_text() ? one_of(place, indices_) : place.whole();
+  if (i < 0 || i >= count_) place.reject("the number of a body, less than " + std::to_string(count_));
+  return i;
+}
+
+template <int Dof>
+Settings<Dof> settings_in(const Place& file) {
+  Settings<Dof> settings;
+  const std::optional<Place> place = file.find("settings");
+  if (!place) return settings;
+  place->require_keys(
+      {"gravity", "k", "d", "friction", "viscosity", "impacts", "rotation", "gyroscopic_torque"});
+  read(place->find("gravity"), settings.gravity);
+  read(place->find("k"), settings.k);
+  read(place->find("d"), settings.d);
+  read(place->find("friction"), settings.friction);
+  read(place->find("viscosity"), settings.viscosity);
+  if (const auto impacts = place->find("impacts")) {
+    impacts->require_keys({"restitution", "friction", "threshold", "max_passes"});
+    ImpactLaw law;
+    read(impacts->find("restitution"), law.restitution);
+    read(impacts->find("friction"), law.friction);
+    read(impacts->find("threshold"), law.threshold);
+    if (const auto passes = impacts->find("max_passes")) law.max_passes = passes->whole();
+    settings.impacts = law;
+  }
+  if constexpr (Dof == 6) {
+    if (const auto update = place->find("rotation"))
+      settings.rotation.update =
+          one_of<RotationUpdate>(*update, {{"splitting", RotationUpdate::splitting},
+                                           {"first_order", RotationUpdate::first_order},
+                                           {"exponential", RotationUpdate::exponential}});
+    if (const auto torque = place->find("gyroscopic_torque"))
+      settings.rotation.gyroscopic_torque = torque->flag();
+  }
+  return settings;
+}
+
+template <int Dof>
+void add_all(const Place& file, const BodyNames& names, World<Dof>& world) {
+  for (const Place& body : file["bodies"].list()) at(body, [&] { add_body(body, world); });
+  if (const auto joints = file.find("joints"))
+    for (const Place& joint : joints->list()) at(joint, [&] { add_joint(joint, names, world); });
+}
+
+template Settings<3> settings_in(const Place&);
+template Settings<6> settings_in(const Place&);
+template void add_all(const Place&, const BodyNames&, World<3>&);
+template void add_all(const Place&, const BodyNames&, World<6>&);
+
+}  // namespace spook

@@ -1,0 +1,140 @@
+// A world from a file, built anew for each run, and the answer that the file carries.
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+
+#include "scenes/registry.hpp"
+#include "spook/file_world.hpp"
+#include "spook/scene_file.hpp"
+
+namespace spook {
+
+namespace {
+
+/// Where a body should be, and when.
+struct Expected {
+  int body;
+  double time;  ///< [s]
+  Vec3 x;       ///< [m]
+  double tolerance;
+  double error = std::numeric_limits<double>::quiet_NaN();  ///< in tolerances; until its time has come, none
+};
+
+template <int Dof>
+class FileScene : public WorldScene<Dof> {
+ public:
+  FileScene(const Json& json, const Method& method) : WorldScene<Dof>(settings_in<Dof>({json, ""}), method) {
+    const Place file(json, "");
+    const BodyNames names(file["bodies"]);
+    add_all(file, names, this->world_);
+    if (const auto start = file.find("half_step_start"); start && start->flag())
+      this->world_.start_half_step_back(this->h_);
+    if (const auto expected = file.find("expected"))
+      for (const Place& each : expected->list()) {
+        each.require_keys({"body", "time", "x", "tolerance"});
+        expected_.push_back(
+            {names.index(each["body"]), each["time"].number(), each["x"].vector(), each["tolerance"].number()});
+        if (!(expected_.back().tolerance > 0)) each["tolerance"].reject("positive");
+      }
+  }
+
+  void observe() override {
+    for (Expected& each : expected_)
+      if (std::abs(each.time - this->time()) <= this->h_ / 2)
+        each.error = (this->world_.x(each.body) - each.x).norm() / each.tolerance;
+  }
+  double error() const override {
+    if (expected_.empty()) return std::numeric_limits<double>::quiet_NaN();
+    double error = 0;
+    for (const Expected& each : expected_) error = largest(error, each.error);
+    return error;
+  }
+
+  std::vector<std::string> columns() const override {
+    std::vector<std::string> names = {"time [s]"};
+    for (std::size_t i = 0; i < this->world_.bodies().size(); ++i)
+      if (!this->world_.bodies().is_fixed(i))
+        for (const char* axis : {"x", "y", "z"})
+          names.push_back(std::string(axis) + " of body " + std::to_string(i) + " [m]");
+    return names;
+  }
+  std::vector<double> sample() const override {
+    std::vector<double> values = {this->time()};
+    for (std::size_t i = 0; i < this->world_.bodies().size(); ++i)
+      if (!this->world_.bodies().is_fixed(i))
+        for (const double number : this->world_.bodies().x[i]) values.push_back(number);
+    return values;
+  }
+
+ private:
+  std::vector<Expected> expected_;
+};
+
+Json parsed(const std::string& file) {
+  std::ifstream in(file);
+  if (!in) throw std::invalid_argument("the file can not be read");
+  try {
+    return Json::parse(in);
+  } catch (const Json::parse_error& error) {
+    // "[json.exception.parse_error.101] parse error at line 1, column 2: ..."
+    const std::string what = error.what();
+    const std::size_t where = what.find("line ");
+    throw std::invalid_argument(where == std::string::npos ? what : what.substr(where));
+  }
+}
+
+SceneDescription described(const std::string& name, const Json& json) {
+  const Place file(json, "");
+  file.require_keys({"format", "version", "summary", "model", "h", "time", "solver", "half_step_start",
+                     "settings", "bodies", "joints", "expected"});
+  if (file["format"].text() != "spook scene") file["format"].reject("\"spook scene\"");
+  if (file["version"].whole() != 1) file["version"].reject("1");
+  const bool points = one_of<bool>(file["model"], {{"point", true}, {"rigid", false}});
+  const bool answered = file.has("expected");
+  SceneDescription scene{
+      .name = name,
+      .summary = file.has("summary") ? file["summary"].text() : "A scene of a file.",
+      .answer =
+          answered ? "Where bodies should be at certain times, as the file says." : "None: the file has none.",
+      .error_name = answered ? "largest distance from where a body should be" : "no answer to compare with",
+      .error_unit = answered ? "tolerances" : "of nothing",
+      .parameters = {},
+      .h = file["h"].number(),
+      .time = file["time"].number(),
+      .solves = true,
+      .build = [json, points](const Parameters&, const Method& method) -> std::unique_ptr<Scene> {
+        if (points) return std::make_unique<FileScene<3>>(json, method);
+        return std::make_unique<FileScene<6>>(json, method);
+      }};
+  scene.solver = file.has("solver") ? file["solver"].text() : "auto";
+  return scene;
+}
+
+}  // namespace
+
+bool is_scene_file(const std::string& name) {
+  return name.size() > 5 && name.compare(name.size() - 5, 5, ".json") == 0;
+}
+
+SceneDescription read_scene(const std::string& file) {
+  const auto told = [&file](const auto& action) {
+    try {
+      return action();
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(file + ": " + error.what());
+    }
+  };
+  const std::size_t slash = file.find_last_of('/') + 1;  // 0 without one
+  SceneDescription scene =
+      told([&] { return described(file.substr(slash, file.size() - 5 - slash), parsed(file)); });
+  told([&] { return scene.build(Parameters({}), {.h = scene.h, .solver = scene.solver}); });
+  return scene;
+}
+
+SceneDescription scene_named(const std::string& name) {
+  return is_scene_file(name) ? read_scene(name) : find_scene(name);
+}
+
+}  // namespace spook

@@ -1,0 +1,110 @@
+// A scene as a file: its world at the start, number by number, so that a run of the file is that of the scene.
+#include <array>
+#include <stdexcept>
+
+#include "spook/scene_file.hpp"
+
+namespace spook {
+
+static Json numbers(const Vec3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+/// JSON has no infinity.
+static Json number(double value) {
+  return std::isinf(value) ? Json("inf") : Json(value);
+}
+
+template <int Dof>
+static Json to_json(const Settings<Dof>& settings) {
+  Json json = {{"gravity", numbers(settings.gravity)},
+               {"k", settings.k},
+               {"friction", settings.friction},
+               {"viscosity", number(settings.viscosity)}};
+  if (settings.d) json["d"] = *settings.d;
+  if (const auto& law = settings.impacts)
+    json["impacts"] = {{"restitution", law->restitution},
+                       {"friction", law->friction},
+                       {"threshold", law->threshold},
+                       {"max_passes", law->max_passes}};
+  if constexpr (Dof == 6) {
+    constexpr std::array updates = {"splitting", "first_order", "exponential"};
+    json["rotation"] = updates[static_cast<std::size_t>(settings.rotation.update)];
+    json["gyroscopic_torque"] = settings.rotation.gyroscopic_torque;
+  }
+  return json;
+}
+
+/// Without its shape.
+template <int Dof>
+static Json body_to_json(const Bodies<Dof>& bodies, std::size_t i) {
+  if (bodies.is_fixed(i)) return {{"fixed", true}, {"x", numbers(bodies.x[i])}};
+  const Twist<Dof>& W = bodies.motion.W[i];
+  Json json = {{"x", numbers(bodies.x[i])}, {"v", numbers(W.template head<3>())}, {"mass", bodies.mass[i]}};
+  if constexpr (Dof == 6) {
+    const Quat& q = bodies.orientations.q[i];
+    json["q"] = {q.w(), q.x(), q.y(), q.z()};
+    json["omega"] = numbers(W.template tail<3>());
+    json["principal"] = numbers(bodies.orientations.principal[i]);
+  }
+  return json;
+}
+
+template <int Dof>
+static Json to_json(const Bodies<Dof>& bodies, const Shapes& shapes) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < bodies.size(); ++i) list.push_back(body_to_json(bodies, i));
+  for (const Plane& plane : shapes.planes)
+    list[static_cast<std::size_t>(plane.body)] = {
+        {"plane", {{"n", numbers(plane.n)}, {"offset", plane.offset}}}};
+  for (const Solid& solid : shapes.solids) {
+    Json& body = list[static_cast<std::size_t>(solid.body)];
+    if (solid.radius > 0)
+      body["radius"] = solid.radius;
+    else
+      body["half_sides"] = numbers(solid.half_sides);
+  }
+  for (const Corners& corners : shapes.corners)
+    for (const Vec3& point : corners.points)
+      list[static_cast<std::size_t>(corners.body)]["corners"].push_back(numbers(point));
+  return list;
+}
+
+static Json to_json(const std::vector<Joint>& joints) {
+  Json list = Json::array();
+  for (const Joint& joint : joints) {
+    Json json = {{"i", joint.i}, {"j", joint.j}, {"p_i", numbers(joint.p_i)}, {"p_j", numbers(joint.p_j)}};
+    if (joint.length) json["length"] = *joint.length;
+    json["k"] = *joint.k;
+    json["d"] = *joint.d;
+    list.push_back(json);
+  }
+  return list;
+}
+
+template <int Dof>
+static void put_world(Json& json, const World<Dof>& world, const std::string& name) {
+  if (world.settings().force)
+    throw std::invalid_argument(name + " can not be written as a file: its force is a formula");
+  json["settings"] = to_json(world.settings());
+  json["bodies"] = to_json(world.bodies(), world.shapes());
+  if (!world.joints().empty()) json["joints"] = to_json(world.joints());
+}
+
+Json scene_as_file(const SceneDescription& description, const Parameters& parameters, const Method& method) {
+  const std::unique_ptr<Scene> scene = description.build(parameters, method);
+  Json json = {{"format", "spook scene"},
+               {"version", 1},
+               {"summary", description.summary},
+               {"model", scene->points() ? "point" : "rigid"},
+               {"h", method.h},
+               {"time", description.time},
+               {"solver", method.solver}};
+  if (scene->points())
+    put_world(json, *scene->points(), description.name);
+  else
+    put_world(json, *scene->rigid_bodies(), description.name);
+  return json;
+}
+
+}  // namespace spook

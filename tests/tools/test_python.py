@@ -1,0 +1,339 @@
+"""The Python module: worlds, arrays that look at them, scenes, sweeps, films, and what is refused."""
+
+import ast
+import contextlib
+import copy
+import gc
+import importlib
+import io
+import json
+import math
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import threading
+import unittest
+import zipfile
+from pathlib import Path
+from unittest import mock
+
+from sandbox import ROOT
+
+import numpy as np
+from needs import PYTHON_NEEDS, VIEW_NEEDS
+from python import built
+
+lacking = [need.package for need in PYTHON_NEEDS if not need.there() or need.too_old()]
+if not lacking:
+    SITE = built()
+    sys.path.insert(0, str(SITE))
+    spook = importlib.import_module("spook")
+STUB = ROOT / "tools" / "python" / "spook" / "_spook.pyi"
+
+
+class WithModule(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        if lacking:
+            raise unittest.SkipTest(f"the Python module needs {' and '.join(lacking)}")
+
+    def refused(self, what: str, call, *arguments, **named) -> None:
+        with self.assertRaises(ValueError) as caught:
+            call(*arguments, **named)
+        self.assertEqual(str(caught.exception), what)
+
+
+def falling(bodies: int = 1):
+    world = spook.PointWorld(gravity=(0, 0, -10))
+    for k in range(bodies):
+        world.add(x=(k, 0, 0))
+    return world
+
+
+class Worlds(WithModule):
+    def test_a_body_falls_as_leapfrog_says(self):
+        world, h, n = falling(), 0.25, 8  # all of it is exact in binary
+        world.step(h, steps=n)
+        self.assertEqual(world.x[0, 2], -10 * h * h * n * (n + 1) / 2)
+        self.assertEqual(world.v[0, 2], -10 * h * n)
+        self.assertEqual((world.time, world.steps, len(world)), (n * h, n, 1))
+
+    def test_many_steps_in_one_call_are_as_many_calls(self):
+        one, other = box_on_plane(), box_on_plane()
+        one.step(1 / 60, steps=30)
+        for _ in range(30):
+            other.step(1 / 60)
+        np.testing.assert_array_equal(one.x, other.x)
+        np.testing.assert_array_equal(one.q, other.q)
+
+    def test_a_box_at_rest_is_held_by_its_weight(self):
+        world, h = box_on_plane(), 1 / 60
+        world.step(h, steps=240)
+        contacts = world.contacts()
+        self.assertEqual(len(contacts["gap"]), 4)
+        # λ = h m g in all, to what is left of the settling after 240 steps.
+        np.testing.assert_allclose(contacts["impulse"].sum(axis=0), [0, 0, h * 2 * 9.81], atol=1e-9)
+        np.testing.assert_allclose(contacts["normal_impulse"].sum(), h * 2 * 9.81, rtol=1e-9)
+        np.testing.assert_array_equal(contacts["normal"], np.tile([0, 0, 1], (4, 1)))
+        self.assertEqual(world.report()["contacts"], 4)
+
+    def test_a_pendulum_at_rest_pulls_with_its_weight(self):
+        world, h = spook.PointWorld(), 1 / 60
+        fixed, bob = world.add_fixed((0, 0, 0)), world.add(x=(0, 0, -1), mass=3)
+        joint = world.add_joint(fixed, bob, length=1)
+        world.step(h, steps=240)
+        np.testing.assert_allclose(np.abs(world.joint_impulse(joint)), [h * 3 * 9.81], rtol=1e-9)
+        world.remove_joint(joint)
+        self.refused("joint must be an index below 0, but is 0", world.joint_impulse, joint)
+
+    def test_a_copy_shares_nothing(self):
+        world = falling()
+        for other in (copy.copy(world), copy.deepcopy(world)):
+            other.step(0.1)
+            self.assertEqual((world.steps, world.x[0, 2]), (0, 0))
+
+    def test_a_blowup_is_said_and_is_no_value_error(self):
+        world = spook.PointWorld(gravity=(0, 0, -1e308))
+        world.add()
+        with self.assertRaisesRegex(spook.Blowup, r"blew up in step \d+ .*body 0 is not finite"):
+            world.step(1, steps=10)
+
+    def test_what_makes_no_sense_is_refused_in_the_engines_words(self):
+        world = falling()
+        self.refused("mass must be positive and finite, but is -1", world.add, mass=-1)
+        self.refused("h must be positive and finite, but is 0", world.step, 0)
+        self.refused("steps must be at least 0, but is -1", world.step, 0.1, steps=-1)
+        self.refused("k must be positive and finite, but is nan", spook.World, k=math.nan)
+        self.refused('unknown solver "dirct"; did you mean "direct"?', spook.World, solver="dirct")
+
+
+def box_on_plane():
+    world = spook.World(friction=0.5)
+    world.add_plane()
+    world.add(x=(0, 0, 0.1), mass=2, half_sides=(0.3, 0.2, 0.1))
+    return world
+
+
+class Arrays(WithModule):
+    def test_they_are_the_engines_numbers_and_can_only_be_read(self):
+        world = falling()
+        x = world.x
+        world.step(0.5)
+        self.assertEqual(x[0, 2], world.x[0, 2])
+        self.assertEqual(x.__array_interface__["data"], world.x.__array_interface__["data"])
+        with self.assertRaisesRegex(ValueError, "read-only"):
+            x[0, 2] = 1
+
+    def test_they_keep_the_world_alive(self):
+        world = falling(1000)
+        world.step(0.5)
+        kept, same = world.v[::2].T, world.v.copy()
+        del world
+        gc.collect()
+        filler = [falling(1000) for _ in range(20)]  # what would take freed memory
+        np.testing.assert_array_equal(kept.T, same[::2])
+        del filler
+
+    def test_no_body_is_added_while_there_is_one(self):
+        world = box_on_plane()
+        part = world.omega[1:]
+        for add in (world.add, world.add_plane, lambda: world.add_fixed((0, 0, 0))):
+            with self.assertRaisesRegex(BufferError, "arrays that look at the bodies"):
+                add()
+        self.assertEqual(len(world), 2)
+        del part
+        world.add_fixed((0, 0, 9))
+        self.assertEqual(world.x.shape, (3, 3))
+
+    def test_an_empty_world_has_empty_ones(self):
+        world = spook.World()
+        self.assertEqual([world.x.shape, world.v.shape, world.omega.shape, world.q.shape],
+                         [(0, 3), (0, 3), (0, 3), (0, 4)])
+        world.add(radius=1)
+
+    def test_velocities_are_of_their_bodies_and_orientations_begin_with_w(self):
+        world = spook.World()
+        world.add(radius=1, v=(1, 2, 3), omega=(4, 5, 6), q=(0.5, -0.5, 0.5, -0.5))
+        world.add(radius=1, v=(7, 8, 9))
+        np.testing.assert_array_equal(world.v, [[1, 2, 3], [7, 8, 9]])
+        np.testing.assert_array_equal(world.omega, [[4, 5, 6], [0, 0, 0]])
+        np.testing.assert_array_equal(world.q, [[0.5, -0.5, 0.5, -0.5], [1, 0, 0, 0]])
+
+
+class Scenes(WithModule):
+    def test_a_run_is_that_of_the_program(self):
+        run = spook.scene("stack", bodies=4, ratio=100).run(h="1/60", time=1, solver="direct")
+        self.assertEqual((run.steps, run.h, run.solver, run.state), (60, 1 / 60, "direct", "sound"))
+        self.assertEqual(run["time"].shape, (61,))
+        # -N/k, N the weight of all above, and the scene's error is the largest difference from it over the first.
+        gaps = [run[f"gap {k} [m]"][-1] for k in range(4)]
+        weights = 9.81 * np.array([103, 102, 101, 100])
+        self.assertAlmostEqual(run.error, max(abs(gaps + weights / 1e6)) / (weights[0] / 1e6), delta=1e-12)
+        with self.assertRaisesRegex(KeyError, "no column; there are: time"):
+            run["gap 9"]
+
+    def test_a_step_may_be_a_number_a_fraction_or_a_text(self):
+        from fractions import Fraction
+        scene = spook.scene("orbit")
+        errors = {scene.run(h=h, time=1).error for h in (1 / 64, Fraction(1, 64), "1/64", np.float64(1 / 64))}
+        self.assertEqual(len(errors), 1)
+
+    def test_all_scenes_and_solvers_are_there(self):
+        self.assertLessEqual({"stack", "orbit", "tower", "wire"}, set(spook.scenes()))
+        for name in spook.scenes():
+            self.assertTrue(spook.scene(name).about["answer"])
+        self.assertLessEqual({"gauss_seidel", "direct", "auto"}, set(spook.solvers()))
+
+    def test_what_makes_no_sense_is_refused_in_the_programs_words(self):
+        stack = spook.scene("stack")
+        self.refused('unknown scene "stak"; did you mean "stack"?', spook.scene, "stak")
+        self.refused('unknown parameter "bodis"; did you mean "bodies"?', spook.scene, "stack", bodis=3)
+        self.refused('h must be a finite number such as 0.02, 1e6 or 1/60, but is "x"', stack.run, h="x")
+        self.refused('unknown solver "dirct"; did you mean "direct"?', stack.run, solver="dirct")
+        self.refused('unknown option "sovler"; did you mean "solver"?', stack.run_with, {"sovler": "direct"})
+        with self.assertRaisesRegex(ValueError, "ratio must be"):
+            spook.scene("stack", ratio=-1)
+
+    def test_other_threads_go_on_during_a_run(self):
+        stack, done = spook.scene("stack", bodies=50), []
+        running = threading.Thread(target=lambda: done.append(stack.run(iterations=200)))
+        running.start()
+        counted = 0
+        while running.is_alive():
+            counted += 1
+        running.join()
+        self.assertEqual(len(done), 1)
+        self.assertGreater(counted, 1000)  # a run that kept the others out would leave a few
+
+
+class Sweeps(WithModule):
+    def test_orders_are_observed_between_rows_that_differ_in_h_only(self):
+        table = spook.sweep(spook.scene("orbit"), start=["half_step", "unshifted"], h=["1/120", "1/240", "1/480"])
+        self.assertEqual(len(table), 6)
+        # Errors are C h^p (1 + O(h)): within a few hundredths at these steps.
+        for start, order in (("half_step", 2), ("unshifted", 1)):
+            rows = table.where(start=start)
+            self.assertTrue(math.isnan(rows.rows[0]["order"]))
+            np.testing.assert_allclose(rows["order"][1:], order, atol=0.05)
+            np.testing.assert_array_equal(rows["h"], [1 / 120, 1 / 240, 1 / 480])
+
+    def test_a_row_is_what_the_run_alone_says(self):
+        stack = spook.scene("stack", bodies=5)
+        table = spook.sweep(stack, solver=["gauss_seidel", "direct"], ratio=[1, 1000], iterations=20, time=1)
+        for row in table:
+            alone = spook.scene("stack", bodies=5, ratio=row["ratio"]).run(solver=row["solver"], iterations=20, time=1)
+            self.assertEqual((row["error"], row["state"], row["row_updates"]),
+                             (alone.error, alone.state, alone.row_updates))
+
+    def test_what_makes_no_sense_is_refused_before_anything_runs(self):
+        with mock.patch("spook._spook.run") as run:
+            self.refused('unknown solver "dirct"; did you mean "direct"?', spook.sweep, spook.scene("stack"),
+                         solver=["direct", "dirct"])
+            self.refused("jobs must be at least 1, but is 0", spook.sweep, spook.scene("stack"), jobs=0)
+        run.assert_not_called()
+
+    def test_a_run_that_blows_up_has_a_row_that_says_so(self):
+        with mock.patch("spook._spook.run", side_effect=spook.Blowup("blew up in step 1")):
+            table = spook.sweep(spook.scene("orbit"), h=[0.1, 0.2])
+        self.assertEqual([row["state"] for row in table], ["blew up"] * 2)
+        self.assertTrue(np.isnan(table["error"]).all() and np.isnan(table["order"]).all())
+
+    def test_it_is_a_table_to_look_at(self):
+        table = spook.sweep(spook.scene("orbit"), h=["1/60"], time=1)
+        self.assertIn("us_per_step", repr(table).splitlines()[0])
+        self.assertIn("<th>error</th>", table._repr_html_())
+
+
+class Films(WithModule):
+    def setUp(self):
+        if lacks := [need.package for need in VIEW_NEEDS if not need.there()]:
+            self.skipTest(f"films need {' and '.join(lacks)}")
+
+    def test_a_run_shows_its_film_in_a_notebook_and_as_a_page(self):
+        run = spook.scene("pendulum").run(time=0.5)
+        shown = run._repr_html_()
+        self.assertTrue(shown.startswith('<iframe srcdoc="&lt;!DOCTYPE html'), shown[:100])
+        self.assertTrue("data-recording=&quot;" in shown)
+        with tempfile.TemporaryDirectory() as folder:
+            page = Path(run.view(f"{folder}/film.html")).read_text()
+        self.assertTrue('data-recording="' in page)
+
+    def test_where_the_library_that_draws_it_is_missing_it_says_so(self):
+        run = spook.scene("pendulum").run(time=0.5)
+        with mock.patch("spook.scene.page", side_effect=RuntimeError("three.min.js is missing")):
+            self.assertRegex(run._repr_html_(), "three.min.js is missing")
+
+    def test_a_recording_has_a_header_its_frames_and_an_end(self):
+        lines = [json.loads(line) for line in spook.scene("pendulum").record({"time": 0.5}, fps=20).splitlines()]
+        self.assertEqual((lines[0]["format"], lines[0]["scene"]), ("spook recording", "pendulum"))
+        self.assertEqual(len(lines), 1 + 11 + 1)  # a frame each 0.05 s, the start included
+
+class Page(WithModule):
+    def test_the_examples_of_the_page_run(self):
+        page = (ROOT / "tools" / "python" / "README.md").read_text(encoding="utf-8")
+        blocks = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
+        self.assertEqual(len(blocks), 2)
+        with mock.patch("spook.Run.view"), contextlib.redirect_stdout(io.StringIO()) as said:
+            exec("\n".join(blocks), {})
+        self.assertRegex(said.getvalue(), r"(?s)^\[.* sound .*half_step")
+
+    def test_the_example_draws_its_figure(self):
+        example = ROOT / "tools" / "python" / "examples" / "work_precision.py"
+        self.assertLessEqual(len(example.read_text().splitlines()), 36)
+        with tempfile.TemporaryDirectory() as folder:
+            env = os.environ | {"PYTHONPATH": str(SITE), "MPLBACKEND": "agg"}
+            done = subprocess.run([sys.executable, example], cwd=folder, env=env, capture_output=True, text=True)
+            self.assertTrue(Path(folder, "work_precision.png").exists(), done.stderr)
+
+
+class Stub(WithModule):
+    def test_it_has_all_names_there_are_with_their_arguments(self):
+        module = sys.modules["spook._spook"]
+        stub = {node.name: node for node in ast.parse(STUB.read_text()).body if hasattr(node, "name")}
+        shared = functions(stub.pop("_EitherWorld"))
+        self.assertEqual(set(stub), {name for name in vars(module) if not name.startswith("_")})
+        for name in ("World", "PointWorld"):
+            said = shared | functions(stub[name])
+            has = {member for member in vars(getattr(module, name))
+                   if not member.startswith("_") or member in ("__len__", "__copy__", "__deepcopy__", "__init__")}
+            self.assertEqual(set(said), has)
+            for member in has:
+                if found := re.match(rf"{member}\((.*)\) -> ", getattr(module, name).__dict__[member].__doc__ or ""):
+                    takes = re.findall(r"(?:^|, )(\w+)(?=:)", found[1])
+                    self.assertEqual(takes[1:] if takes[:1] == ["self"] else takes, said[member], member)
+
+
+def functions(node: ast.ClassDef) -> dict[str, list[str]]:
+    return {item.name: [argument.arg for argument in item.args.args[1:] + item.args.kwonlyargs]
+            for item in node.body if isinstance(item, ast.FunctionDef)}
+
+
+class Installing(WithModule):
+    def test_the_command_runs_a_file_with_the_module_to_import(self):
+        done = subprocess.run([ROOT / "course", "python", "-c", "import spook; print(spook.World())"],
+                              capture_output=True, text=True, env=os.environ)
+        self.assertEqual(done.stdout.strip(), "<spook.World: 0 bodies, 0 joints, 0.0 s>", done.stderr)
+
+    def test_a_wheel_holds_the_module_and_says_what_it_is(self):
+        sys.path.insert(0, str(ROOT / "tools" / "python"))
+        backend = importlib.import_module("backend")
+        with tempfile.TemporaryDirectory() as folder:
+            copied = mock.patch.object(backend, "_install", lambda to: subprocess.run(
+                ["cp", "-r", f"{SITE}/.", to], check=True))
+            with copied:
+                wheel = Path(folder, backend.build_wheel(folder))
+            self.assertRegex(wheel.name, r"^spook-1\.0\.0-cp3\d+-cp3\d+-linux_\w+\.whl$")
+            with zipfile.ZipFile(wheel) as content:
+                content.extractall(f"{folder}/there")
+                recorded = content.read("spook-1.0.0.dist-info/RECORD").decode().splitlines()
+                self.assertEqual(sorted(line.split(",")[0] for line in recorded), sorted(content.namelist()))
+            code = "import spook; print(spook.__file__); spook.World().step(0.1)"
+            done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=folder,
+                                  env=os.environ | {"PYTHONPATH": f"{folder}/there"})
+            self.assertIn(f"{folder}/there/spook", done.stdout, done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,156 @@
+"""Scenes as files: what is read, what is refused and where, and that what is exported runs as the scene itself."""
+
+import copy
+import json
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+SPOOK = sys.argv.pop(1) if len(sys.argv) > 1 and not sys.argv[1].startswith("-") else ""
+PAGE = ROOT / "solutions" / "spook" / "SCENES.md"
+EXAMPLE = json.loads(re.search(r"```json\n(.*?)```", PAGE.read_text(encoding="utf-8"), re.DOTALL)[1])
+# Where something is put, or with None taken out, and what is said of it.
+REFUSED = (
+    ("bodies.3.mass", -1, "bodies[3].mass must be positive and finite, but is -1"),
+    ("bodies.3.mass", "x", 'bodies[3].mass must be a finite number such as 0.02, 1e6 or 1/60, but is "x"'),
+    ("bodies.3.mass", None, "bodies[3].mass is missing"),
+    ("bodies.3.mas", 1, 'bodies[3].mas is unknown; did you mean "mass"?'),
+    ("bodies.3.x", [1, 2], "bodies[3].x must be a list of 3 numbers, but is [1,2]"),
+    ("bodies.3.x", [1, None, 2], "bodies[3].x[1] must be a number, but is null"),
+    ("bodies.3.density", 1, "bodies[3].density must be left out where mass is given, but is 1"),
+    ("bodies.3.q", [2, 0, 0, 0], "bodies[3]: length of q must be 1, but is 2"),
+    ("bodies.2.radius", None, "bodies[2].density must be left out for what is no sphere and no box, but is 1000"),
+    ("bodies.3.name", "ball", 'bodies[3].name must be another name than those before, but is "ball"'),
+    ("bodies.0.plane.n", [0, 0, 2], "bodies[0].plane: length of n must be 1, but is 2"),
+    ("bodies.1.fixed", 1, "bodies[1].fixed must be true or false, but is 1"),
+    ("bodies", {}, "bodies must be a list, but is {}"),
+    ("joints.0.j", 9, "joints[0].j must be the number of a body, less than 4, but is 9"),
+    ("joints.0.j", "bal", 'joints[0].j must be ball or box or floor or nail, but is "bal"'),
+    ("joints.0.i", "ball", "joints[0]: joint's j must be another body than its i, but is 2"),
+    ("joints.0.length", -1, "joints[0].length must be positive"),
+    ("settings.k", 0, "k must be positive and finite, but is 0"),
+    ("settings.friktion", 0, 'settings.friktion is unknown; did you mean "friction"?'),
+    ("settings.rotation", "slow", 'settings.rotation must be exponential or first_order or splitting, but is "slow"'),
+    ("expected.0.tolerance", 0, "expected[0].tolerance must be positive, but is 0"),
+    ("expected.0.time", None, "expected[0].time is missing"),
+    ("model", "soft", 'model must be point or rigid, but is "soft"'),
+    ("format", "x", 'format must be "spook scene", but is "x"'),
+    ("version", 2, "version must be 1, but is 2"),
+    ("h", 0, "h must be positive and finite, but is 0"),
+    ("solver", "dirct", 'unknown solver "dirct"; did you mean "direct"?'),
+)
+
+
+def changed(path: str, value) -> dict:
+    scene = copy.deepcopy(EXAMPLE)
+    *folders, last = [int(part) if part.isdecimal() else part for part in path.split(".")]
+    at = scene
+    for part in folders:
+        at = at[part]
+    if value is None:
+        del at[last]
+    else:
+        at[last] = value
+    return scene
+
+
+class SceneFiles(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="spook-scenes-")
+        self.addCleanup(folder.cleanup)
+        self.file = Path(folder.name, "mine.json")
+        self.table = Path(folder.name, "table.csv")
+
+    def spook(self, *words) -> subprocess.CompletedProcess:
+        return subprocess.run([SPOOK, *map(str, words)], capture_output=True, text=True)
+
+    def run_of(self, scene: dict, *words) -> dict:
+        self.file.write_text(json.dumps(scene))
+        done = self.spook("run", self.file, "--json", *words)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return json.loads(done.stdout)
+
+    def positions(self, scene, *words) -> list[list[str]]:
+        done = self.spook("run", scene, "--csv", self.table, "--positions", *words)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        rows = [line.split(",") for line in self.table.read_text().splitlines()]
+        bodies = 1 + int(re.search(r"of body (\d+)", rows[0][-1])[1])
+        self.assertGreater(len(rows), 2)
+        return [row[-3 * bodies:] for row in rows]
+
+    def test_the_pages_example_runs_and_is_right(self):
+        result = self.run_of(EXAMPLE)
+        self.assertEqual((result["state"]["name"], result["solver"], result["steps"]), ("sound", "auto", 240))
+        # The box sinks by m g/(4 k) = 12 µm, an eighth of the tolerance.
+        self.assertAlmostEqual(result["error"]["value"], 5 * 9.81 / 4e6 / 1e-4, delta=0.01)
+
+    def test_a_wrong_answer_is_off_by_its_tolerances(self):
+        scene = changed("expected.0.x", [2, 0, 0.3])
+        # 0.2 m and the sinking, in tenths of a millimetre.
+        self.assertAlmostEqual(self.run_of(scene)["error"]["value"], (0.2 + 5 * 9.81 / 4e6) / 1e-4, delta=0.01)
+
+    def test_without_an_answer_or_before_its_time_there_is_no_error(self):
+        self.assertIsNone(self.run_of(changed("expected", None))["error"]["value"])
+        self.assertIsNone(self.run_of(EXAMPLE, "--time", "1")["error"]["value"])
+
+    def test_density_is_mass_by_volume(self):
+        runs = []
+        for of in ({"density": 2}, {"mass": 16}):  # of 8 m³
+            self.file.write_text(json.dumps(changed("bodies.2", {"name": "ball", "x": [0, 0, 2],
+                                                                 "half_sides": [1, 1, 1], **of})))
+            runs.append(self.positions(self.file, "--time", "0.5"))
+        self.assertEqual(*runs)
+
+    def test_what_makes_no_sense_is_refused_with_its_place(self):
+        for path, value, said in REFUSED:
+            with self.subTest(f"{path}: {value}"):
+                scene = changed(path, value)
+                if path == "bodies.3.x" and value[1] is None:
+                    self.assertIsNone(scene["bodies"][3]["x"][1])
+                self.file.write_text(json.dumps(scene))
+                done = self.spook("run", self.file)
+                self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+                self.assertIn(said, done.stderr)
+                self.assertEqual(len(done.stderr.splitlines()), 1)
+
+    def test_what_is_no_json_is_told_with_its_line(self):
+        self.file.write_text('{"format":\n  "spook scene",,}')
+        self.assertRegex(self.spook("run", self.file).stderr, r"^spook: \S+/mine.json: line 2, column 17: ")
+        self.assertIn("missing.json: the file can not be read", self.spook("run", "missing.json").stderr)
+
+    def test_every_scene_that_is_exported_runs_the_same_to_the_last_bit(self):
+        names = [scene["name"] for scene in json.loads(self.spook("scenes", "--json").stdout)["scenes"]]
+        of_formulas = []
+        for name in names:
+            exported = self.spook("scenes", name, "--export")
+            if exported.returncode != 0:
+                self.assertEqual(exported.stderr, f"spook: {name} can not be written as a file: its force is a formula\n")
+                of_formulas.append(name)
+                continue
+            with self.subTest(name):
+                self.file.write_text(exported.stdout)
+                self.assertEqual(self.positions(name, "--time", "0.1")[1:],
+                                 self.positions(self.file, "--time", "0.1")[1:])
+        self.assertEqual(of_formulas, ["oscillator", "orbit"])
+
+    def test_parameters_are_exported_too(self):
+        exported = json.loads(self.spook("scenes", "tower", "--export", "--set", "boxes=3", "ratio=7").stdout)
+        self.assertEqual(len(exported["bodies"]), 4)
+        self.assertEqual(max(body.get("mass", 0) for body in exported["bodies"]),
+                         7 * min(body["mass"] for body in exported["bodies"] if "mass" in body))
+        for words in (["scenes", "--export"], ["scenes", "tower", "--set", "boxes=3"]):
+            self.assertEqual(self.spook(*words).returncode, 2)
+
+    def test_it_is_recorded_as_any_scene(self):
+        self.file.write_text(json.dumps(EXAMPLE))
+        record = self.table.with_suffix(".jsonl")
+        self.assertEqual(self.spook("run", self.file, "--record", record).returncode, 0)
+        self.assertEqual(json.loads(record.read_text().splitlines()[0])["scene"], "mine")
+
+
+if __name__ == "__main__":
+    unittest.main()

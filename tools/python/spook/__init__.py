@@ -1,0 +1,20 @@
+"""A rigid-body engine by the SPOOK method: worlds to build, and scenes that know their own answers.
+
+    world = spook.World(friction=0.5)
+    world.add_plane()
+    box = world.add(x=(0, 0, 1), half_sides=(0.3, 0.2, 0.1))
+    world.step(1 / 60, steps=120)
+    print(world.x[box])
+
+    run = spook.scene("stack", bodies=10, ratio=1000).run(h="1/60", time=5, solver="direct")
+    print(run.error, run.state, run.us_per_step)
+
+Numbers are in SI units, angular velocities in world coordinates, quaternions (w, x, y, z). What makes no sense is a
+ValueError that names the parameter and its value; a world that is no longer finite is a Blowup.
+"""
+
+from ._spook import Blowup, PointWorld, World, scenes, solvers
+from .scene import Run, Scene, scene
+from .sweep import Table, sweep
+
+__all__ = ["Blowup", "PointWorld", "Run", "Scene", "Table", "World", "scene", "scenes", "solvers", "sweep"]

@@ -1,0 +1,96 @@
+"""The extension module: worlds of the engine, and scenes in the words of ./course run."""
+
+from typing import Any, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+from typing_extensions import Self
+
+Vector = Sequence[float] | NDArray[np.float64]  # of three numbers
+Array = NDArray[np.float64]
+
+class Blowup(RuntimeError):
+    """A position or velocity is no longer finite, or a distance has lost its direction."""
+
+class _EitherWorld:
+    """What the two have in common."""
+
+    def __init__(self, *, gravity: Vector = (0, 0, -9.81), k: float = 1e6, d: float | None = None, friction: float = 0,
+                 viscosity: float = 1e12, restitution: float | None = None, threshold: float = 1e-9,
+                 solver: str = "auto", iterations: int = 50, tolerance: float = 0, warm_start: bool = False,
+                 margin: float | None = None) -> None:
+        """gravity [m/s²]; k [N/m] and d [steps] of contacts and joints; friction is μ; impacts only with a restitution,
+        beyond the threshold [m/s]; tolerance [m/s]; margin [m]. Raises ValueError for what makes no sense."""
+    def add_fixed(self, x: Vector, radius: float = 0) -> int:
+        """Adds a body that nothing moves; a sphere, if it has a radius [m]."""
+    def add_plane(self, n: Vector = (0, 0, 1), offset: float = 0) -> int:
+        """Adds the half-space n·x < offset as a fixed body; |n| = 1."""
+    def add_joint(self, i: int, j: int, p_i: Vector = ..., p_j: Vector = ..., length: float | None = None,
+                  k: float | None = None, d: float | None = None) -> int:
+        """Joins points p_i, p_j of two bodies, in their axes [m]: a distance if length is given, else a ball joint."""
+    def remove_joint(self, joint: int) -> None:
+        """Takes a joint out; the indices of those after it go down by one."""
+    def push(self, body: int, impulse: Vector) -> None:
+        """An impulse through the body's centre [N s]."""
+    def move_fixed(self, body: int, x: Vector) -> None:
+        """Puts a fixed body elsewhere [m]."""
+    def start_half_step_back(self, h: float) -> None:
+        """Takes the velocities half a step back, under gravity alone; once, before the first step."""
+    def step(self, h: float, steps: int = 1) -> None:
+        """Moves on by so many steps of h [s]. Raises ValueError for h, and Blowup."""
+    @property
+    def time(self) -> float:
+        """[s]"""
+    @property
+    def steps(self) -> int:
+        """Taken so far."""
+    @property
+    def x(self) -> Array:
+        """Positions, a row a body [m]. The engine's own numbers, to be read only: they change with each step. While
+        such an array is there no body can be added."""
+    @property
+    def v(self) -> Array:
+        """Velocities, half a step before the positions [m/s]; as x."""
+    def contacts(self) -> dict[str, NDArray[Any]]:
+        """Of the last step, copies: i, j, gap [m], point [m], normal, normal_impulse and impulse [N s] on j."""
+    def joint_impulse(self, joint: int) -> Array:
+        """Of each row of a joint in the last step [N s], a copy."""
+    def report(self) -> dict[str, Any]:
+        """Of the last step: pairs, contacts, impacts, rows, iterations, residual [m/s], trouble."""
+    def __len__(self) -> int: ...
+    def __copy__(self) -> Self: ...
+    def __deepcopy__(self, memo: dict) -> Self: ...
+
+class PointWorld(_EitherWorld):
+    """Point masses, by the SPOOK method: as World, without all that turns, and cheaper."""
+
+    def add(self, *, x: Vector = ..., v: Vector = ..., mass: float = 1, radius: float = 0) -> int:
+        """Adds a point mass, with a sphere about it if it has a radius, and returns its index. Raises BufferError
+        while there are arrays that look at the bodies."""
+
+class World(_EitherWorld):
+    """Rigid bodies, by the SPOOK method."""
+
+    def add(self, *, x: Vector = ..., v: Vector = ..., mass: float = 1, radius: float = 0,
+            q: Sequence[float] = (1, 0, 0, 0), omega: Vector = ..., principal: Vector | None = None,
+            half_sides: Vector = ..., corners: Sequence[Vector] = ()) -> int:
+        """Adds a rigid body and returns its index: a sphere of a radius, a box of half_sides, or corners that planes
+        stop [m]. principal are its moments of inertia [kg m²]; a sphere and a box know theirs. Raises BufferError
+        while there are arrays that look at the bodies."""
+    @property
+    def omega(self) -> Array:
+        """Angular velocities, in world coordinates [rad/s]; as x."""
+    @property
+    def q(self) -> Array:
+        """Orientations (w, x, y, z), body to world. A copy: the engine keeps its quaternions in another order."""
+
+def scenes() -> list[str]:
+    """Their names."""
+
+def solvers() -> list[str]:
+    """Their names."""
+
+def describe(scene: str) -> dict[str, Any]: ...
+def check(scene: str, parameters: dict[str, str], options: dict[str, str]) -> None: ...
+def run(scene: str, parameters: dict[str, str], options: dict[str, str]) -> dict[str, Any]: ...
+def record(scene: str, parameters: dict[str, str], options: dict[str, str], fps: float) -> bytes: ...

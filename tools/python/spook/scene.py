@@ -1,0 +1,135 @@
+"""Scenes and their runs."""
+
+from __future__ import annotations
+
+import html
+import numbers
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+
+from . import _spook
+from .film import page, show
+
+OPTIONS = ("h", "time", "solver", "iterations", "tolerance", "substeps", "order", "seed", "warm_start", "margin",
+           "friction_model", "tangents")
+
+
+def as_typed(value: Any) -> str:
+    """As one types it after `./course run`: 1/60 may be a number, a Fraction, or a text."""
+    if isinstance(value, (bool, np.bool_)):
+        return "on" if value else "off"
+    if isinstance(value, (numbers.Integral, Fraction)):
+        return str(value)
+    return repr(float(value)) if isinstance(value, numbers.Real) else str(value)
+
+
+class Scene:
+    """A scene with its parameters set. `about` has what it is, its known answer, and the parameters it has."""
+
+    def __init__(self, name: str, **parameters: Any):
+        """Raises ValueError for a scene, a parameter or a value that there is not."""
+        self.name = name
+        self.about: dict[str, Any] = _spook.describe(name)
+        self.parameters = parameters
+        self.check({})
+
+    def run(self, *, h: Any = None, time: Any = None, solver: str | None = None, iterations: int | None = None,
+            tolerance: float | None = None, substeps: int | None = None, order: str | None = None,
+            seed: int | None = None, warm_start: bool | None = None, margin: float | None = None,
+            friction_model: str | None = None, tangents: str | None = None) -> Run:
+        """Runs it and compares it with its answer; then runs it again without looking, for its speed.
+
+        What is not given is the scene's own. h and time are in seconds. Raises ValueError for what makes no sense, and
+        Blowup. Other threads of Python go on in the meantime.
+        """
+        given = {name: value for name, value in locals().items() if name in OPTIONS and value is not None}
+        return self.run_with(given)
+
+    def run_with(self, options: dict[str, Any]) -> Run:
+        """The same, with the options in a dict."""
+        done = _spook.run(self.name, *self._typed(options))
+        return Run(scene=self, options=dict(options), **done)
+
+    def check(self, options: dict[str, Any]) -> None:
+        """Raises the ValueError that a run would, without one."""
+        _spook.check(self.name, *self._typed(options))
+
+    def with_parameters(self, **parameters: Any) -> Scene:
+        return Scene(self.name, **{**self.parameters, **parameters})
+
+    def record(self, options: dict[str, Any], fps: float = 60) -> bytes:
+        """What `./course run --record` writes: lines of JSON, one a frame."""
+        return _spook.record(self.name, *self._typed(options), fps)
+
+    def _typed(self, options: dict[str, Any]) -> tuple[dict[str, str], dict[str, str]]:
+        return ({name: as_typed(value) for name, value in self.parameters.items()},
+                {name: as_typed(value) for name, value in options.items()})
+
+    def __repr__(self) -> str:
+        return f"spook.scene({', '.join([repr(self.name), *_named(self.parameters)])})"
+
+    def _repr_html_(self) -> str:
+        return (f"<p><b>{html.escape(self.name)}</b>: {html.escape(self.about['summary'])}</p>"
+                f"<p>{html.escape(self.about['answer'])}</p>")
+
+
+def scene(name: str, **parameters: Any) -> Scene:
+    """A scene of spook.scenes(), with its parameters."""
+    return Scene(name, **parameters)
+
+
+@dataclass(frozen=True)
+class Run:
+    """What a run found. In a notebook it shows its film."""
+
+    scene: Scene
+    options: dict[str, Any]
+    error: float  #: against the known answer, in the unit that scene.about["error_unit"] names
+    state: str  #: sound, unsolved, or lost: whether it still is the problem that was set
+    reason: str  #: why, where it is not sound
+    h: float  #: [s]
+    steps: int
+    solver: str
+    us_per_step: float | None  #: median of several runs [µs]; None without a step
+    residual: float  #: of the last step [m/s]
+    row_updates: int
+    columns: list[str] = field(repr=False)  #: names of the samples' columns, units in brackets
+    samples: np.ndarray = field(repr=False)  #: a row for each substep, the start included
+
+    @property
+    def seconds(self) -> float:
+        """What it takes to compute all of it [s]."""
+        return 1e-6 * (self.us_per_step or 0) * self.steps
+
+    def __getitem__(self, column: str) -> np.ndarray:
+        """A column of the samples, by its name with or without its unit: run["time"]."""
+        for k, name in enumerate(self.columns):
+            if column in (name, name.split(" [")[0]):
+                return self.samples[:, k]
+        raise KeyError(f"{column!r} is no column; there are: {', '.join(self.columns)}")
+
+    def view(self, file: str | None = None, fps: float = 60) -> str:
+        """Writes the film's page and opens it in a browser, unless a file is named; returns where the page is."""
+        return show(self.scene.record(self.options, fps), self.scene.name, file)
+
+    def _repr_html_(self) -> str:
+        said = html.escape(f"{self!r}")
+        try:
+            film = html.escape(page(self.scene.record(self.options)))
+        except RuntimeError as error:
+            return f"<p>{said}</p><p>{html.escape(str(error))}</p>"
+        return f'<iframe srcdoc="{film}" width="100%" height="480" frameborder="0"></iframe><p>{said}</p>'
+
+    def __repr__(self) -> str:
+        speed = "" if self.us_per_step is None else f", {self.us_per_step:.3g} µs a step"
+        why = f" ({self.reason})" if self.reason else ""
+        unit = self.scene.about["error_unit"]
+        return (f"<{self.scene.name}: {self.state}{why}, error {self.error:.3g} {unit}, {self.steps} steps of "
+                f"{self.h:.4g} s{speed}>")
+
+
+def _named(values: dict[str, Any]) -> list[str]:
+    return [f"{name}={value!r}" for name, value in values.items()]
