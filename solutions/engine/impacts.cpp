@@ -86,8 +86,16 @@ int resolve_late_impacts(std::vector<Contact>& contacts, const LawOf& law, doubl
   const std::vector<double> radii = radii_of(shapes, bodies.size());
   const auto move = [&](int body, const Vec3& by) {
     bodies.x[body] += by;
-    for (const std::size_t c : touching[body])
-      contacts[c].gap += (contacts[c].j == body ? 1 : -1) * contacts[c].n.dot(by);
+    for (const std::size_t c : touching[body]) {
+      Contact& contact = contacts[c];
+      const Vec3 apart = contact.j == body ? by : Vec3(-by);
+      contact.gap += contact.n.dot(apart);
+      // The two lever arms go on to meet in one point, and a sphere's stays as it is.
+      if (radii[contact.j] > 0)
+        contact.r_i += apart;
+      else
+        contact.r_j -= apart;
+    }
   };
 
   // What touches up to roundings takes part in what happens at once.
