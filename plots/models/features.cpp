@@ -23,6 +23,7 @@ World<Dof> falling(Settings<Dof> settings, int bodies, double radius = 0) {
     Body<Dof> body;
     body.x = Vec3(k % 10, k / 10 % 10, k / 100);
     body.radius = radius;
+    if constexpr (Dof == 6) body.principal = Vec3::Ones();
     world.add(body);
   }
   return world;

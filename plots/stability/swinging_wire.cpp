@@ -40,7 +40,8 @@ struct Outcome {
 };
 
 Outcome swing(const Wire& wire, int steps, const std::string& solver, const StopRule& stop = {}) {
-  World<3> world({.gravity = Vec3(0, 0, -g), .k = k, .solver = find_solver<3>(solver).make(), .stop = stop});
+  World<3> world(
+      {.gravity = Vec3(0, 0, -g), .k = k, .d = 3.0, .solver = find_solver<3>(solver).make(), .stop = stop});
   const Vec3 along(std::sin(angle), 0, -std::cos(angle));
   world.add_fixed(Vec3::Zero());
   for (int point = 1; point <= wire.links; ++point) {
