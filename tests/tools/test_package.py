@@ -126,6 +126,7 @@ class Page(unittest.TestCase):
     def test_it_has_every_function_of_a_world_and_every_setting(self):
         text, page = HEADER.read_text(encoding="utf-8"), PAGE.read_text(encoding="utf-8")
         public = re.search(r"class World \{.*?public:(.*?)\n private:", text, re.DOTALL)[1]
+        public = re.sub(r" = [\w:]+\(\)", "", public)  # what an argument is unless given
         functions = set(re.findall(r"^  [^/\n]*?\b(\w+)\([^()\n]*\)(?: const)?(?: \{.*)?;?.*$", public, re.MULTILINE))
         self.assertLessEqual({"add", "step", "x", "report", "row_updates", "remove_joint"}, functions)
         for name in functions - {"World"}:
