@@ -52,8 +52,8 @@ struct Settings {
   bool warm_start = false;  ///< rows begin with the impulses of the last step. Safe where
                             ///< a step solves the part 1/(1 + d) of what it lacks, Eq. (10.12)
   /// Largest gap of a contact [m]: one that opens by a hair keeps its row and its impulse. Unless given, what a body
-  /// falls from rest in a step, |gravity| h², but no more than a hundredth of the smallest shape's size, of which a
-  /// millionth of a thousandth is added, so that what touches up to roundings does.
+  /// falls from rest in a step, |gravity| h², but no more than a hundredth of the smallest shape's size; and 1e-9 of
+  /// that size more, so that bodies that touch up to roundings do.
   std::optional<double> margin = {};
   [[no_unique_address]] RotationRule<Dof> rotation = {};  ///< rigid bodies only: how they turn
   /// When the solver stops; at the latest where nothing changes any more but four roundings of |gravity| h.
