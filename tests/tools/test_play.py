@@ -100,7 +100,7 @@ class LocalServer(unittest.TestCase):
         self.hub.say("hello")
         stream = self.page.listen()
         self.assertEqual([sorted(data(stream)) for _ in range(4)],
-                         [["state"], ["format", "version"], ["energy", "time"], ["said"]])
+                         [["clock"], ["format", "version"], ["energy", "time"], ["said"]])
         self.hub.take(FRAME)
         self.assertEqual(data(stream)["time"], 1)
 
@@ -167,7 +167,7 @@ class Play(Played):
     def test_leaving_the_page_ends_it(self):
         running, address = self.start("cradle", "--time", "7.5")
         stream = Page(address).listen()
-        self.assertEqual(data(stream), {"state": {"rate": 1, "pause": False}})
+        self.assertEqual(data(stream), {"clock": {"rate": 1, "pause": False}})
         self.assertTrue(data(stream)["live"])
         stream.close()
         self.assertEqual(running.end(40), 0)

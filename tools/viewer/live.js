@@ -24,7 +24,7 @@ class Live {
   take(line) {
     try {
       if ("said" in line) this.show(line.said);
-      else if ("state" in line) this.takeState(line.state);
+      else if ("clock" in line) this.takeClock(line.clock);
       else if ("refused" in line) this.flash(`Refused: ${line.refused}`);
       else if ("end" in line) this.viewer.say(line.end === "done" ? "" : `The run ${line.end}: ${line.why || ""}`);
       else if ("format" in line) this.header(line);
@@ -34,8 +34,8 @@ class Live {
     }
   }
 
-  /** How the run was left, when the page is loaded again. */
-  takeState({ pause, rate }) {
+  /** How the clock was left, when the page is loaded again. */
+  takeClock({ pause, rate }) {
     this.running = !pause;
     const { speed } = this.viewer.controls;
     speed.value = String(rate);

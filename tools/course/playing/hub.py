@@ -66,7 +66,7 @@ class Hub:
         self.on_first()
         self.on_first = lambda: None
         with self._lock:
-            for line in (self.settings.state(), self._header, self._frame, self._said):
+            for line in (self.settings.clock(), self._header, self._frame, self._said):
                 if line:
                     listener.put(line, False)
             self._listeners.append(listener)
@@ -104,5 +104,5 @@ class Settings:
         again = [{"set": self._set}, {"restart": True}] if self._set else []
         return [*again, {"rate": self._rate}, {"pause": self._pause}]
 
-    def state(self) -> str:
-        return json.dumps({"state": {"rate": self._rate, "pause": self._pause}})
+    def clock(self) -> str:
+        return json.dumps({"clock": {"rate": self._rate, "pause": self._pause}})
