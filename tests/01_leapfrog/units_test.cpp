@@ -8,11 +8,11 @@ using namespace spook::testing;
 
 namespace spook::testing {
 
-static void visit(Visitor& visitor, Particles& bodies, ByField) {
+static void each_number(Visitor& visitor, Particles& bodies, ByField) {
   using namespace units;
-  visit(visitor, bodies.x, m);
-  visit(visitor, bodies.v, m / s);
-  visit(visitor, bodies.inverse_mass, 1 / kg);
+  each_number(visitor, bodies.x, m);
+  each_number(visitor, bodies.v, m / s);
+  each_number(visitor, bodies.inverse_mass, 1 / kg);
 }
 
 }  // namespace spook::testing

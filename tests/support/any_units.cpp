@@ -26,8 +26,10 @@ const UnitSystem systems[] = {
 constexpr double room = 1e-12;
 
 const char* const clue =
-    "Only the units were changed, so the answer may not change, either. Is a number compared with one that has no "
-    "unit, an absolute threshold such as `if (x < 1e-9)`? What is small in one unit is large in another. Compare "
+    "Only the units were changed, so the answer may not change, either. Is a number compared with one that has "
+    "no "
+    "unit, an absolute threshold such as `if (x < 1e-9)`? What is small in one unit is large in another. "
+    "Compare "
     "with something of the same unit, or do without. Else: is something added to what has another unit?";
 
 bool same_bits(double a, double b) {
@@ -62,8 +64,9 @@ std::string difference(const Outcome& got, const Outcome& expected) {
     const Unit& unit = got.units[k];
     const double a = got.numbers[k], b = expected.numbers[k], allowed = room * size_of(expected, unit);
     if (a == b || same_bits(a, b) || std::abs(a - b) <= allowed) continue;
-    return "  expected  " + quantity(b, unit) + "\n  got       " + quantity(a, unit) + ", counted in SI units again" +
-           "\n  tolerance " + show(allowed) + " (powers of two change no digit; room for a logarithm)\n";
+    return "  expected  " + quantity(b, unit) + "\n  got       " + quantity(a, unit) +
+           ", counted in SI units again" + "\n  tolerance " + show(allowed) +
+           " (powers of two change no digit; room for a logarithm)\n";
   }
   return "";
 }
@@ -91,8 +94,13 @@ double UnitSystem::factor(const Unit& unit) const {
 }
 
 void Reading::number(double& value, const Unit& unit) {
+  if (!everything_ && !fixed_) return;
   outcome_.numbers.push_back(value);
   outcome_.units.push_back(unit);
+}
+
+void Reading::count(long long value) {
+  if (everything_ || fixed_) outcome_.counts.push_back(value);
 }
 
 bool same_bits(const Outcome& a, const Outcome& b) {
@@ -109,9 +117,11 @@ bool compare_calls(const std::string& equation, const std::function<Outcome(cons
     return false;
   }
   if (!first.inputs_stayed) {
-    report_failure("what is given as const, after the call", equation,
-                   "  expected  the same as before\n  got       something else\n",
-                   "An input was changed. It is const: whoever asks still needs it. Work on a copy.");
+    report_failure(
+        "what is given, after the call", equation,
+        "  expected  the same as before\n  got       something else\n",
+        "An input was changed. It is const, or a part that is given, such as a mass: whoever asks still "
+        "needs it. Work on a copy.");
     return false;
   }
   for (const UnitSystem& system : systems) {
@@ -121,10 +131,11 @@ bool compare_calls(const std::string& equation, const std::function<Outcome(cons
     return false;
   }
   if (!same_bits(call({}), first)) {
-    report_failure("the same call again, after others", equation,
-                   "  expected  the same to the last digit\n  got       something else\n",
-                   "Something lives on from one call to the next: a static or a global variable? All that counts "
-                   "is in the arguments.");
+    report_failure(
+        "the same call again, after others", equation,
+        "  expected  the same to the last digit\n  got       something else\n",
+        "Something lives on from one call to the next: a static or a global variable? All that counts "
+        "is in the arguments.");
     return false;
   }
   return true;

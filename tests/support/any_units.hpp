@@ -35,6 +35,9 @@ struct Outcome {
   std::string thrown = {};
 };
 
+/// Whether two outcomes are the same to the last bit.
+bool same_bits(const Outcome& a, const Outcome& b);
+
 /// Counts all numbers in other units, or in SI units again.
 class Converting : public Visitor {
  public:
@@ -49,19 +52,28 @@ class Converting : public Visitor {
   bool back_;
 };
 
-/// Writes everything down.
+/// Writes everything down, or only what is fixed.
 class Reading : public Visitor {
  public:
-  explicit Reading(Outcome& outcome) : outcome_(outcome) {}
+  explicit Reading(Outcome& outcome, bool everything = true) : outcome_(outcome), everything_(everything) {}
   void number(double& value, const Unit& unit) override;
-  void count(long long value) override { outcome_.counts.push_back(value); }
+  void count(long long value) override;
+  void fixed(bool is) override { fixed_ = is; }
 
  private:
   Outcome& outcome_;
+  bool everything_, fixed_ = false;
 };
 
-/// Whether two outcomes are the same to the last bit.
-bool same_bits(const Outcome& a, const Outcome& b);
+/// Whether an input is as it was before the call; of one that may change, the parts that are fixed.
+template <class Quantity>
+bool stayed(Quantity& before, Quantity& after, bool may_change) {
+  Outcome then, now;
+  Reading old(then, !may_change), recent(now, !may_change);
+  each_number(old, before.value, before.units);
+  each_number(recent, after.value, after.units);
+  return same_bits(then, now);
+}
 
 /// Calls the function in SI units, in others, and in SI units again; false, and a failure, if it makes a difference.
 bool compare_calls(const std::string& equation, const std::function<Outcome(const UnitSystem&)>& call);
@@ -73,8 +85,9 @@ template <class Result, class... All>
 struct Parameters<Result (*)(All...)> {
   using result = Result;
   template <std::size_t k>
-  static constexpr bool may_change = std::is_lvalue_reference_v<std::tuple_element_t<k, std::tuple<All...>>> &&
-                                     !std::is_const_v<std::remove_reference_t<std::tuple_element_t<k, std::tuple<All...>>>>;
+  static constexpr bool may_change =
+      std::is_lvalue_reference_v<std::tuple_element_t<k, std::tuple<All...>>> &&
+      !std::is_const_v<std::remove_reference_t<std::tuple_element_t<k, std::tuple<All...>>>>;
 };
 template <class Result, class Class, class... All>
 struct Parameters<Result (Class::*)(All...) const> : Parameters<Result (*)(All...)> {};
@@ -91,8 +104,9 @@ struct ElementOf<std::array<Value, size>> : ElementOf<Value> {};
 
 template <class Value>
 concept HasFields = requires(Visitor& visitor, typename ElementOf<Value>::type& all) {
-  visit(visitor, all, ByField{});
-} && !std::is_arithmetic_v<typename ElementOf<Value>::type>;
+  each_number(visitor, all, ByField{});
+}
+&&!std::is_arithmetic_v<typename ElementOf<Value>::type>;
 
 /// What comes without a unit: plain numbers, or what has its own fields.
 template <class Value>
@@ -111,8 +125,8 @@ auto as_quantity(const Quantity<Value, Units>& quantity) {
 /// The function gives the same in any units. `units_of_result` is a unit, or by_field, or nothing; then come the
 /// arguments, each with its unit. What the function changes in them is compared, too.
 template <class Function, class Units, class... All>
-bool expect_same_in_any_units(const std::string& equation, const Function& function, const Units& units_of_result,
-                              const All&... all) {
+bool expect_same_in_any_units(const std::string& equation, const Function& function,
+                              const Units& units_of_result, const All&... all) {
   using Known = Parameters<std::decay_t<Function>>;
   const auto call = [&](const UnitSystem& system) {
     auto arguments = std::tuple(as_quantity(all)...);
@@ -120,10 +134,10 @@ bool expect_same_in_any_units(const std::string& equation, const Function& funct
     Converting there(system, false), back(system, true);
     const auto read = [&](auto& value, const auto& units) {
       Reading reading(outcome);
-      visit(back, value, units);
-      visit(reading, value, units);
+      each_number(back, value, units);
+      each_number(reading, value, units);
     };
-    std::apply([&](auto&... each) { (visit(there, each.value, each.units), ...); }, arguments);
+    std::apply([&](auto&... each) { (each_number(there, each.value, each.units), ...); }, arguments);
     auto given = arguments;
     const auto ask = [&](auto&... each) { return function(each.value...); };
     try {
@@ -143,18 +157,12 @@ bool expect_same_in_any_units(const std::string& equation, const Function& funct
       const auto look = [&]<std::size_t at>(std::integral_constant<std::size_t, at>) {
         auto& after = std::get<at>(arguments);
         auto& before = std::get<at>(given);
-        if constexpr (Known::template may_change<at>) {
-          read(after.value, after.units);
-        } else {
-          Outcome then, now;
-          Reading old(then), recent(now);
-          visit(old, before.value, before.units);
-          visit(recent, after.value, after.units);
-          outcome.inputs_stayed = outcome.inputs_stayed && same_bits(then, now);
-        }
+        outcome.inputs_stayed = outcome.inputs_stayed && stayed(before, after, Known::template may_change<at>);
+        if constexpr (Known::template may_change<at>) read(after.value, after.units);
       };
       (look(std::integral_constant<std::size_t, k>{}), ...);
-    }(std::index_sequence_for<All...>{});
+    }
+    (std::index_sequence_for<All...>{});
     return outcome;
   };
   return compare_calls(equation, call);
