@@ -4,6 +4,7 @@
 #include "algebra.hpp"
 #include "bodies.hpp"
 #include "exercise_test.hpp"
+#include "regions.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -142,6 +143,36 @@ EXERCISE_TEST(CollisionMatrix, AlongTheNormalIsTheMassThatTheRowSees) {
                  {linear, "The rotation is missing."},
                  {2 * linear - from_i - from_j, "The sign of the rotation: it makes n·Kn larger."}},
                 "With G of Eq. (3.3), G M⁻¹ Gᵀ is n·Kn.");
+  }
+}
+
+EXERCISE_TEST(CollisionMatrix, CountsLinearAndAngularApart) {
+  // A body on a pin turns and does not move; one in a sleeve moves and does not turn.
+  Random random;
+  Regions regions(
+      {"i does not move", "i does not turn", "j does not move", "j does not turn", "neither moves"});
+  while (regions.lack_draws()) {
+    RandomPair pair(random);
+    InverseMass<6>&i = pair.i.inverse_mass, &j = pair.j.inverse_mass;
+    for (InverseMass<6>* body : {&i, &j}) {
+      if (random.integer(0, 2) == 0) body->linear = 0;
+      if (random.integer(0, 2) == 0) body->angular.setZero();
+    }
+    regions.draw({{"i does not move", i.linear == 0},
+                  {"i does not turn", i.angular.isZero(0)},
+                  {"j does not move", j.linear == 0},
+                  {"j does not turn", j.angular.isZero(0)},
+                  {"neither moves", i.linear + j.linear == 0}});
+    const Vec3 J = random.vector(), r_i = pair.contact.r_i, r_j = pair.contact.r_j;
+    const auto share = [&](const InverseMass<6>& body, const Vec3& r) -> Vec3 {
+      return body.linear * J + (body.angular * r.cross(J)).cross(r);
+    };
+    const Vec3 expected = share(i, r_i) + share(j, r_j);
+    expect_near_vector(
+        "K J, for J = " + show(Eigen::MatrixXd(J)) + " N s [m/s]", "Eq. (3.8)",
+        Vec3(collision_matrix(i, r_i, j, r_j) * J), expected, roundings(64, pair.size()),
+        {{share(i, r_i), "This is body i's share alone."}, {share(j, r_j), "This is body j's share alone."}},
+        "1/m and I⁻¹ are two things: where one of them is zero, the other still counts.");
   }
 }
 

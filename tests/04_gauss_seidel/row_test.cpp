@@ -66,6 +66,27 @@ EXERCISE_TEST(MakeRow, DividesTheJacobianByTheMasses) {
   expect_near_vector("M⁻¹ Gjᵀ", "Eq. (4.5)", row.MinvGj, t.MinvGj, roundings(16, 10), {{t.c.Gj, copy}});
 }
 
+EXERCISE_TEST(MakeRow, FeelsABodyThatMovesAndThatNothingMoves) {
+  TwoBodies t;  // a conveyor: it has a velocity, which no impulse changes
+  for (const int belt : {t.c.i, t.c.j}) {
+    Motion<6> motion = t.motion;
+    motion.inverse_mass[static_cast<std::size_t>(belt)] = {};
+    const Row<6> row = make_row(t.c, motion);
+    const Twist<6>& G = belt == t.c.i ? t.c.Gi : t.c.Gj;
+    const double b = t.c.spook.b, GW = t.along(motion.W), GWf = t.along(motion.Wf), ag = t.c.spook.a * t.c.gap;
+    const double without = G.dot(t.at(motion.W, belt)), without_f = G.dot(t.at(motion.Wf, belt));
+    expect_near("B of a contact with a body that moves, but has an infinite mass [m/s]", "Eq. (4.4)", row.B,
+                -ag - b * GW - GWf, roundings(32, 10),
+                {{-ag - b * (GW - without) - (GWf - without_f),
+                  "The velocity of the body without inverse mass has been left out: it counts, though nothing "
+                  "changes it."}},
+                "B = -a g - b G W - G W_f, with both bodies' velocities.");
+    const double share = belt == t.c.i ? t.c.Gj.dot(t.MinvGj) : t.c.Gi.dot(t.MinvGi);
+    expect_near("its diagonal: the other body's share, and Σ [1/kg]", "Eq. (4.3)", row.diagonal,
+                share + t.c.spook.Sigma, roundings(32, 20));
+  }
+}
+
 EXERCISE_TEST(MakeRow, CarriesTheRestOver) {
   TwoBodies t;
   t.motion = random_motion(t.random, 3);

@@ -51,7 +51,7 @@ struct Nothing {};
 
 namespace units {
 inline constexpr Unit pure{}, kg{1, 0, 0}, m{0, 1, 0}, s{0, 0, 1}, N = kg * m / (s * s), J = N * m;
-inline constexpr TwistUnits velocity{m / s, 1 / s};         // W, V
+inline constexpr TwistUnits velocity{m / s, 1 / s};           // W, V
 inline constexpr TwistUnits jacobian{pure, m};                // a block of G
 inline constexpr TwistUnits responses{1 / kg, 1 / (kg * m)};  // M⁻¹ Gᵀ
 inline constexpr ByField by_field;
