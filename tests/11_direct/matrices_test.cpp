@@ -191,10 +191,14 @@ EXERCISE_TEST(SaddleMatrix, AgreesWithTheDenseMatrix) {
     for (Eigen::Index line = 0; line < 22; ++line)
       for (Eigen::Index column = 0; column <= line; ++column) {
         const double right = expected(line, column);
+        const bool turns = line < 18 && line / 6 == column / 6 && line % 6 > 2 && column % 6 > 2;
+        const auto& inverse = s.motion.inverse_mass[static_cast<std::size_t>(column / 6 % 3)].angular;
+        const double inverted = turns ? inverse(line % 6 - 3, column % 6 - 3) : right;
         expect_near(
             entry(line, column) + part_of(line, column, 18), "Eq. (11.2)", got(line, column), right,
             {1e-13, "an inverse of 3 by 3 with a condition up to 10"},
-            {{line >= 18 ? -right : right, "The sign: it is +G, and -Σ."},
+            {{inverted, "This is of I⁻¹, as InverseMass has it; here stands I, its inverse, 3 by 3."},
+             {line >= 18 ? -right : right, "The sign: it is +G, and -Σ."},
              {line < 18 && right != 0 ? 1 / right : right, "This is of M⁻¹; here stands M."},
              {right == 0 ? HUGE_VAL : 0,
               line >= 18

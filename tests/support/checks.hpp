@@ -43,6 +43,9 @@ std::string explain(const Value& got, std::initializer_list<Clue<Value>> clues, 
   return otherwise;
 }
 
+/// What is asked about a number that is right to the digits of a float, but not to those of a double; else empty.
+std::string digits_clue(double error, double size, const Tolerance& tolerance);
+
 std::string show(double value);
 
 /// A vector on one line, a matrix as rows below each other.
@@ -77,7 +80,8 @@ void expect_near_vector(const std::string& what, const std::string& equation, co
   if (distance(got, expected) <= tolerance.value) return;
   const double close = std::max(10 * tolerance.value, 1e-9 * expected.norm());
   report_difference(what, equation, show(Eigen::MatrixXd(expected)), show(Eigen::MatrixXd(got)), tolerance,
-                    explain(got, clues, distance, close, otherwise));
+                    explain(got, clues, distance, close,
+                            otherwise + digits_clue(distance(got, expected), expected.norm(), tolerance)));
 }
 
 /// got <= bound, and not NaN. `why` says where the bound comes from.

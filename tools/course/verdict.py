@@ -130,7 +130,7 @@ def _judge_trial(exercise: Exercise, trial: Trial) -> Verdict:
 
 
 def _failing(exercise: Exercise, trial: Trial, failed: list[Test]) -> Verdict:
-    first = failed[0]
+    first = next((test for test in failed if test.explains), failed[0])
     printed = trial.printed_by(first.name)
     for failure in first.failures:
         place, _, text = failure.partition("\n")
@@ -139,7 +139,7 @@ def _failing(exercise: Exercise, trial: Trial, failed: list[Test]) -> Verdict:
     if len(first.failures) > 1:
         details += f"\n(and {len(first.failures) - 1} more in this test)"
     return Verdict(exercise, "wrong", f"fails {first.name}", details, printed.strip(),
-                   [test.name for test in failed[1:]], len(trial.tests))
+                   [test.name for test in failed if test is not first], len(trial.tests))
 
 
 def _broken_off(exercise: Exercise, trial: Trial, what: str, question: str) -> Verdict:
