@@ -87,12 +87,15 @@ EXERCISE_TEST(Sweep, ReturnsTheLargestLack) {
               "The largest S_kk |Δλ_k| of the sweep.");
 }
 
-/// Twenty rows with bounds of all kinds between so many bodies, and λ anywhere.
+/// Twenty rows with bounds of all kinds between so many bodies, and λ anywhere, or at its lower bound.
 Problem<6> any_rows(Random& random, int bodies) {
   Problem<6> p = random_problem(random, bodies, 20);
   Eigen::VectorXd lambda(20);
-  for (double& each : lambda) each = random.uniform(-0.5, 0.5);
-  for (Row<6>& row : p.rows) give_any_bounds(random, row);
+  for (Eigen::Index k = 0; k < 20; ++k) {
+    Row<6>& row = p.rows[static_cast<std::size_t>(k)];
+    give_any_bounds(random, row);
+    lambda[k] = random.integer(0, 1) && row.lo > -infinity ? row.lo : random.uniform(-0.5, 0.5);
+  }
   set_lambda(p, lambda);
   return p;
 }
