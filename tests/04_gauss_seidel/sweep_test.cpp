@@ -175,16 +175,20 @@ EXERCISE_TEST(Residual, IsZeroAtTheSolution) {
   Random random;
   Problem<6> p = random_problem(random, 3, 7);
   set_lambda(p, enumerate_solution(bounded(p.rows)));
-  double unprojected = 0;
-  for (const Row<6>& row : p.rows)
-    unprojected = std::max(unprojected,
-                           std::abs(row.B - row.Gi.dot(p.V[static_cast<std::size_t>(row.i)]) -
-                                    row.Gj.dot(p.V[static_cast<std::size_t>(row.j)]) - row.Sigma * row.lambda));
+  double unprojected = 0, without_sigma = 0;
+  for (const Row<6>& row : p.rows) {
+    const double r = row.B - row.Gi.dot(p.V[static_cast<std::size_t>(row.i)]) -
+                     row.Gj.dot(p.V[static_cast<std::size_t>(row.j)]) - row.Sigma * row.lambda;
+    unprojected = std::max(unprojected, std::abs(r));
+    const double next = std::max(0.0, row.lambda + (r + row.Sigma * row.lambda) / row.diagonal);
+    without_sigma = std::max(without_sigma, row.diagonal * std::abs(next - row.lambda));
+  }
   expect_near("residual at the exact solution of 7 contacts [m/s]", "Eq. (4.8)", residual(p.rows, p.V), 0,
               roundings(3000, 10),
               {{unprojected,
                 "This is the largest |r|, which counts contacts that rightly come apart. A row at its bound "
-                "with r pointing outwards is solved."}});
+                "with r pointing outwards is solved."},
+               {without_sigma, "Σ λ is missing in r = B - G V - Σ λ."}});
 }
 
 EXERCISE_TEST(Residual, IsWhatTheNextUpdateWouldChange) {

@@ -1,7 +1,5 @@
 #include "any_units.hpp"
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -118,10 +116,8 @@ bool compare_calls(const std::string& equation, const std::function<Outcome(cons
                    "  expected  no exception\n  got       one that says: " + first.thrown + "\n", "");
     return false;
   }
-  // `./course check` shows a failure first that explains others: see Test.explains in tools/course/trial.py.
-  const auto explains = [] { ::testing::Test::RecordProperty("explains", 1); };
   if (!first.inputs_stayed) {
-    explains();
+    this_failure_explains();
     report_failure(
         "what is given, after the call", equation,
         "  expected  the same as before\n  got       something else\n",
@@ -130,18 +126,19 @@ bool compare_calls(const std::string& equation, const std::function<Outcome(cons
     return false;
   }
   for (const UnitSystem& system : systems) {
-    const std::string differs = difference(call(system), first);
+    const Outcome other = call(system);
+    if (!same_bits(call({}), first) || !same_bits(call(system), other)) {
+      this_failure_explains();
+      report_failure(
+          "the same call again, after others", equation,
+          "  expected  the same to the last digit\n  got       something else\n",
+          "Something lives on from one call to the next: a static or a global variable, or one that never "
+          "got a value? All that counts is in the arguments.");
+      return false;
+    }
+    const std::string differs = difference(other, first);
     if (differs.empty()) continue;
     report_failure(std::string("the same, with ") + system.name, equation, differs, clue);
-    return false;
-  }
-  if (!same_bits(call({}), first)) {
-    explains();
-    report_failure(
-        "the same call again, after others", equation,
-        "  expected  the same to the last digit\n  got       something else\n",
-        "Something lives on from one call to the next: a static or a global variable? All that counts "
-        "is in the arguments.");
     return false;
   }
   return true;

@@ -12,6 +12,14 @@
 
 namespace spook::testing {
 
+void this_failure_explains() {
+  ::testing::Test::RecordProperty("rank", 2);
+}
+
+void this_failure_has_a_clue_that_fits() {
+  if (!::testing::Test::HasFailure()) ::testing::Test::RecordProperty("rank", 1);
+}
+
 std::string show(double value) {
   if (std::isnan(value)) return "NaN";
   std::ostringstream out;
@@ -60,7 +68,7 @@ void report_failure(const std::string& what, const std::string& equation, const 
 }
 
 std::string digits_clue(double error, double size, const Tolerance& tolerance) {
-  const bool as_a_float = error <= 1e-6 * size && tolerance.value <= 1e-10 * size;
+  const bool as_a_float = error <= 1.2e-7 * size && tolerance.value <= 1e-12 * size;
   return as_a_float
              ? " It is right to the seven digits of a float: is there one on the way? All numbers are double."
              : "";

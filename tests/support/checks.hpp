@@ -34,12 +34,20 @@ struct Clue {
   std::string text;
 };
 
+/// Of the failures of an exercise `./course check` shows one: the first of those that explain the others, or else of
+/// those where a known mistake fits, or else of all. See Test in tools/course/trial.py.
+void this_failure_explains();
+void this_failure_has_a_clue_that_fits();
+
 /// The text of the first clue whose wrong value is what we got, to within `close`; else `otherwise`.
 template <class Value, class Distance>
 std::string explain(const Value& got, std::initializer_list<Clue<Value>> clues, const Distance& distance,
                     double close, const std::string& otherwise) {
   for (const Clue<Value>& known : clues)
-    if (distance(got, known.wrong) <= close) return known.text;
+    if (distance(got, known.wrong) <= close) {
+      this_failure_has_a_clue_that_fits();
+      return known.text;
+    }
   return otherwise;
 }
 
