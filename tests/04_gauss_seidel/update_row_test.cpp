@@ -150,7 +150,7 @@ EXERCISE_TEST(UpdateRow, KeepsBothBounds) {
 
 EXERCISE_TEST(UpdateRow, TakesAnyBoundsAndAnyStart) {
   Random random;
-  Regions regions({"free", "held at lo", "held at hi", "hi = 0", "lo = hi", "λ begins below lo",
+  Regions regions({"free", "held at lo", "held at hi", "held at hi = 0", "lo = hi", "λ begins below lo",
                    "λ begins above hi", "Δλ < 0"});
   while (regions.lack_draws()) {
     Problem<6> p = random_problem(random, 2, 1);
@@ -168,7 +168,7 @@ EXERCISE_TEST(UpdateRow, TakesAnyBoundsAndAnyStart) {
     regions.draw({{"free", old.lo < wanted && wanted < old.hi},
                   {"held at lo", wanted <= old.lo},
                   {"held at hi", wanted >= old.hi},
-                  {"hi = 0", old.hi == 0},
+                  {"held at hi = 0", old.hi == 0},
                   {"lo = hi", old.lo == old.hi},
                   {"λ begins below lo", old.lambda < old.lo},
                   {"λ begins above hi", old.lambda > old.hi},

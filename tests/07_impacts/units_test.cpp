@@ -3,6 +3,7 @@
 #include "collisions.hpp"
 #include "exercise_test.hpp"
 #include "quantities.hpp"
+#include "regions.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -89,8 +90,13 @@ EXERCISE_TEST(SafeImpulse, IsTheSameInAnyUnits) {
 EXERCISE_TEST(ImpactImpulse, IsTheSameInAnyUnits) {
   using namespace units;
   Random random;
-  for (int k = 0; k < impacts; ++k) {
+  Regions regions({"sticks", "slides", "would add energy"});
+  while (regions.lack_draws()) {
     const Impact impact = impact_of_any_K(random);
+    const bool sticks = impact.inside(impact.stick());
+    const Vec3 J = sticks ? impact.stick() : impact.slide();
+    const bool adds = impact.eased() > 0 && impact.work(J) > 0;
+    regions.draw({{"sticks", sticks && !adds}, {"slides", !sticks && !adds}, {"would add energy", adds}});
     if (!expect_same_in_any_units("Eq. (7.3), (7.5), (7.7)", impact_impulse, N * s, impact.K * (1 / kg),
                                   impact.u * (m / s), impact.n, impact.e, impact.mu))
       return;

@@ -298,7 +298,8 @@ EXERCISE_TEST(SpatialHash, TellsCellsApartByAllBits) {
 EXERCISE_TEST(SpatialHash, TellsPointsApart) {
   Random random;
   std::vector<spook::Bounds> points;
-  for (int k = 0; k < 6000; ++k) points.push_back(around(1e-3 * random.vector(), Vec3::Zero()));
+  for (int k = 0; k < 6000; ++k)
+    points.push_back(around(Vec3(0.5, 0.5, 0.5) + 1e-3 * random.vector(), Vec3::Zero()));
   expect_faster(
       spatial_hash, "Eq. (8.13)", "points within a millimetre", points,
       "A point has no size, and no cell is too small for it. In cells of a size that has nothing to do "
