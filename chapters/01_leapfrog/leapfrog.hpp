@@ -7,7 +7,7 @@
 //   drift    x_{n+1}   = x_n + h v_{n+1/2}               Eq. (1.4)      notes (37)
 //   start    v_{-1/2}  = v_0 - (h/2) f(x_0) / m          Eq. (1.5)      not in the notes
 //
-//   x   position [m]        f   force [N]          1/m  inverse mass [1/kg]; 0 is a body that nothing moves
+//   x   position [m]        f   force [N]          1/m  inverse mass [1/kg]; with 0 no force changes v
 //   v   velocity [m/s]      h   time step [s]
 //
 // The notes' (15) has h⁻¹ where h belongs: check its units.

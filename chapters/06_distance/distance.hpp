@@ -60,7 +60,7 @@ struct Net {
 /// Exercise 6.3. A straight rope of so many equal links, links + 1 points from `from` to `to`: Eq. (6.10). Point k
 /// is joined to point k + 1 by link k, at rest as it lies. `mass` [kg] is the whole rope's.
 /// Throws std::invalid_argument, naming the parameter, unless links >= 1, mass is positive and finite, the ends are
-/// finite, and length, from one to the other, is positive.
+/// finite, and length, the distance of the two, is positive.
 Net rope(const Vec3& from, const Vec3& to, int links, double mass);
 
 /// Exercise 6.4. A flat cloth of cells_u × cells_v cells, with links along the sides of every cell, each once, and
@@ -68,7 +68,7 @@ Net rope(const Vec3& from, const Vec3& to, int links, double mass);
 /// a from 0 to cells_u along u and b from 0 to cells_v along v, has the index a + b (cells_u + 1). `mass` [kg] is
 /// the whole cloth's. The links, at rest as they lie, come in any order.
 /// Throws std::invalid_argument, naming the parameter, unless cells_u >= 1, cells_v >= 1, mass is positive and
-/// finite, corner, u and v are finite, and the area |u × v| is positive.
+/// finite, corner, u and v are finite, and area, |u × v|, is positive.
 Net cloth(const Vec3& corner, const Vec3& u, const Vec3& v, int cells_u, int cells_v, double mass);
 
 }  // namespace spook

@@ -26,8 +26,8 @@
 //
 // Differs from the notes: (21) is the gap of two points, one on each surface. Here the gap is a number of its own, and
 // r_i and r_j end at one and the same point, so that no impulse changes the angular momentum of the two bodies.
-// Shapes are not checked: unit vectors have length 1, axes are at right angles, radii and half sides are positive, and
-// what is given is finite. Only the broad phase looks at its input.
+// Shapes are not checked: unit vectors have length 1, axes are at right angles, radii and half sides are positive. What
+// is at NaN touches nothing, as chapters/NUMBERS.md has it for every question. Only the broad phase looks at its input.
 #include <optional>
 #include <utility>
 #include <vector>

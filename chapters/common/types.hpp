@@ -1,6 +1,8 @@
 #pragma once
 // The few types that every chapter speaks in. SI units and world coordinates, unless a comment says otherwise.
 // A NaN stays a NaN, and a question about one is answered by no: chapters/NUMBERS.md.
+// Of every function: its answer depends on its arguments alone, and not on the units they are counted in; what is given
+// as const, and masses and Jacobians that are handed in, stay as they were.
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 

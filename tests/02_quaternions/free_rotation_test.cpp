@@ -142,4 +142,30 @@ EXERCISE_TEST(FreeRotation, OfASymmetricTopPrecesses) {
                       "Its axis goes round L at |L|/I1, at a fixed angle. Order 0 is another speed.");
 }
 
+EXERCISE_TEST(FreeRotation, TakesMomentsInAnyOrder) {
+  Random random;
+  const double a = 2, b = 3, c = 4, time = 1;
+  for (const Vec3& principal : {Vec3(a, b, c),
+                                {a, c, b},
+                                {b, a, c},
+                                {b, c, a},
+                                {c, a, b},
+                                {c, b, a},
+                                {a, a, c},
+                                {a, c, a},
+                                {c, a, a},
+                                {c, c, a},
+                                {c, a, c},
+                                {a, c, c}}) {
+    Top top = random_top(random);
+    top.principal = principal;
+    const Top truth = true_motion(top, time, 400);
+    const auto error = [&](double h) { return distance(after(top, time, h), truth); };
+    given() = "given the moments " + show(Eigen::MatrixXd(principal)) + " kg m²";
+    expect_second_order("error of q and ω after 1 s", "Eq. (2.11)", error, 0.1, 1e-9,
+                        "No axis is special, and two moments may be equal: each turn takes its own axis's.");
+    if (::testing::Test::HasFailure()) return;
+  }
+}
+
 }  // namespace

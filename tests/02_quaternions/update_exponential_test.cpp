@@ -1,5 +1,6 @@
 // The exact turn about a constant ω: any angle, however large or small.
 #include "exercise_test.hpp"
+#include "regions.hpp"
 #include "rotations.hpp"
 
 using namespace spook;
@@ -143,6 +144,28 @@ EXERCISE_TEST(UpdateExponential, BackwardsUndoesForwards) {
       "q after an update of h and one of -h (w, x, y, z)", "Eq. (2.6)", update_exponential(there, omega, -0.7),
       q, roundings(32), {},
       "The angle h|ω| is negative when h is. A test for a small angle must not take it for small.");
+}
+
+EXERCISE_TEST(UpdateExponential, TurnsFromAnyOrientation) {
+  Random random;
+  Regions regions({"w < 0", "w > 0", "backwards", "more than half a turn", "comes to w < 0"});
+  while (regions.lack_draws()) {
+    const Quat q = random.rotation();
+    const Vec3 axis = random.unit_vector();
+    const double speed = random.uniform(0, 20), h = random.uniform(-0.4, 0.4);
+    const Quat turned = turn_about(axis, h * speed) * q;
+    regions.draw({{"w < 0", q.w() < 0},
+                  {"w > 0", q.w() > 0},
+                  {"backwards", h < 0},
+                  {"more than half a turn", std::abs(h * speed) > std::acos(-1)},
+                  {"comes to w < 0", turned.w() < 0}});
+    expect_same_rotation(
+        "q after h = " + show(h) + " s at " + show(speed) + " rad/s (w, x, y, z)", "Eq. (2.6)",
+        update_exponential(q, speed * axis, h), turned, roundings(32),
+        {{turn_about(axis, -h * speed) * q, "It turned the other way."},
+         {q * turn_about(axis, h * speed), "The turn stands left of q: ω is in world coordinates."}},
+        "The turn by h|ω| about ω, from any q: w may have either sign.");
+  }
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // The notes' update: a step along the tangent, and back to the unit sphere. It turns by 2 atan(h|ω|/2).
 #include "exercise_test.hpp"
+#include "regions.hpp"
 #include "rotations.hpp"
 
 using namespace spook;
@@ -102,6 +103,24 @@ EXERCISE_TEST(UpdateFirstOrder, BackwardsUndoesForwards) {
   expect_same_rotation("q after an update of h and one of -h (w, x, y, z)", "Eq. (2.4)",
                        update_first_order(there, s.omega, -s.h), s.q, roundings(32), {},
                        "The atan in Eq. (2.5) is odd: a step of -h turns back by the same angle.");
+}
+
+EXERCISE_TEST(UpdateFirstOrder, TurnsFromAnyOrientation) {
+  Random random;
+  Regions regions({"w < 0", "w > 0", "backwards", "comes to w < 0"});
+  while (regions.lack_draws()) {
+    const Quat q = random.rotation();
+    const Vec3 axis = random.unit_vector();
+    const double speed = random.uniform(0, 5), h = random.uniform(-0.4, 0.4);
+    const Quat turned = turn_about(axis, 2 * std::atan(h * speed / 2)) * q;
+    regions.draw(
+        {{"w < 0", q.w() < 0}, {"w > 0", q.w() > 0}, {"backwards", h < 0}, {"comes to w < 0", turned.w() < 0}});
+    expect_same_rotation("q after h = " + show(h) + " s at " + show(speed) + " rad/s (w, x, y, z)",
+                         "Eq. (2.4), (2.5)", update_first_order(q, speed * axis, h), turned, roundings(32),
+                         {{turn_about(axis, -2 * std::atan(h * speed / 2)) * q, "It turned the other way."},
+                          {turn_about(axis, h * speed) * q, "This is the exact turn, Eq. (2.6)."}},
+                         "A turn by 2 atan(h|ω|/2) about ω, from any q: w may have either sign.");
+  }
 }
 
 }  // namespace

@@ -27,13 +27,15 @@ EXERCISE_TEST(WorldInertia, QuarterTurnSwapsTwoMoments) {
                              "This is the inverse inertia. Whoever wants it passes inverse moments."}},
                            "With q = 1, body and world coordinates are the same.");
   const Mat3 turned = world_inertia(turn_about(Vec3::UnitZ(), std::acos(0.0)), Vec3(1, 2, 3));
-  expect_near_vector<Mat3>("the same after a quarter turn about z [kg m²]", "Eq. (2.7)", turned,
-                           Vec3(2, 1, 3).asDiagonal().toDenseMatrix(), roundings(16, 3),
-                           {{Vec3(1, 2, 3).asDiagonal().toDenseMatrix(),
-                             "These are the body's own coordinates: q has not been used."},
-                            {Vec3(-2, 1, 3).asDiagonal().toDenseMatrix(),
-                             "The moments are no vector: they belong to axes, and the axes turn."}},
-                           "The body's axis 1 points along y now, so the moment about y is I1.");
+  expect_near_vector<Mat3>(
+      "the same after a quarter turn about z [kg m²]", "Eq. (2.7)", turned,
+      Vec3(2, 1, 3).asDiagonal().toDenseMatrix(), roundings(16, 3),
+      {{Vec3(1, 2, 3).asDiagonal().toDenseMatrix(),
+        "These are the body's own coordinates: q has not been used."},
+       {Vec3(-2, -1, 3).asDiagonal().toDenseMatrix(), "This is R I R: the right one must be transposed."},
+       {Vec3(-2, 1, 3).asDiagonal().toDenseMatrix(),
+        "The moments are no vector: they belong to axes, and the axes turn."}},
+      "The body's axis 1 points along y now, so the moment about y is I1.");
 }
 
 EXERCISE_TEST(WorldInertia, IsTheSumOverTheBodysAxes) {
@@ -59,6 +61,35 @@ EXERCISE_TEST(WorldInertia, IsTheSumOverTheBodysAxes) {
         "The three moments were turned like a vector. They belong to axes: it is the axes that turn."},
        {expected.inverse(), "This is the inverse inertia. Whoever wants it passes inverse moments."}},
       "Eq. (2.7): R diag(I1, I2, I3) Rᵀ with R = R(q).");
+}
+
+EXERCISE_TEST(WorldInertia, TakesMomentsInAnyOrder) {
+  TurnedBody b;
+  const double x = 2, y = 3, z = 4;
+  for (const Vec3& principal : {Vec3(x, y, z),
+                                {x, z, y},
+                                {y, x, z},
+                                {y, z, x},
+                                {z, x, y},
+                                {z, y, x},
+                                {x, x, z},
+                                {x, z, x},
+                                {z, x, x},
+                                {z, z, x},
+                                {z, x, z},
+                                {x, z, z},
+                                {x, x, x}}) {
+    Vec3 sorted = principal;
+    std::sort(sorted.begin(), sorted.end());
+    const auto with = [&](const Vec3& moments) -> Mat3 { return b.R * moments.asDiagonal() * b.R.transpose(); };
+    expect_near_vector<Mat3>(
+        "inertia of a body with the moments " + show(Eigen::MatrixXd(principal)) + " [kg m²]", "Eq. (2.7)",
+        world_inertia(b.q, principal), with(principal), roundings(64, 5),
+        {{with(sorted), "The moments have been sorted: each belongs to its own axis."},
+         {with(sorted.reverse()), "The moments have been sorted: each belongs to its own axis."}},
+        "No axis is special, and two moments may be equal.");
+    if (::testing::Test::HasFailure()) return;
+  }
 }
 
 EXERCISE_TEST(WorldInertia, KeepsThePrincipalMoments) {

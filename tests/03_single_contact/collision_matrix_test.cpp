@@ -4,6 +4,7 @@
 #include "algebra.hpp"
 #include "bodies.hpp"
 #include "exercise_test.hpp"
+#include "regions.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -67,6 +68,15 @@ EXERCISE_TEST(CollisionMatrix, TimesImpulseIsTheChangeOfRelativeVelocity) {
         "The order matters: [r] I⁻¹ [r], read from the right: torque, then ω, then velocity of the point."},
        {linear - (Ai * Ri * Ri + Aj * Rj * Rj) * J,
         "The order matters: [r] I⁻¹ [r], read from the right: torque, then ω, then velocity of the point."},
+       {linear - (Ri * Ri * Ai + Rj * Aj * Rj) * J,
+        "The order matters: [r] I⁻¹ [r], read from the right: torque, then ω, then velocity of the point."},
+       {linear - (Ri * Ai * Ri + Rj * Ai * Rj) * J, "This used body i's I⁻¹ for both bodies."},
+       {linear - (Ri * Aj * Ri + Rj * Aj * Rj) * J, "This used body j's I⁻¹ for both bodies."},
+       {linear - (Ri * Aj * Ri + Rj * Ai * Rj) * J, "The two I⁻¹ are swapped: each belongs to its own body."},
+       {linear - (Rj * Aj * Rj - Ri * Ai * Ri) * J, "The sign of body i's rotation: both have a minus."},
+       {linear - (Ri * Ai * Ri - Rj * Aj * Rj) * J, "The sign of body j's rotation: both have a minus."},
+       {linear - (Ri * Ai * Ri + Rj * Aj * Rj).diagonal().cwiseProduct(J),
+        "Only the diagonal of K: a push along x moves the point along y and z, too."},
        {linear - (Ri * Ai.inverse() * Ri + Rj * Aj.inverse() * Rj) * J,
         "InverseMass::angular is I⁻¹ already: do not invert it."}},
       "J turns a body by I⁻¹ (r × J), and its contact point then moves by ω × r.");
@@ -142,6 +152,36 @@ EXERCISE_TEST(CollisionMatrix, AlongTheNormalIsTheMassThatTheRowSees) {
                  {linear, "The rotation is missing."},
                  {2 * linear - from_i - from_j, "The sign of the rotation: it makes n·Kn larger."}},
                 "With G of Eq. (3.3), G M⁻¹ Gᵀ is n·Kn.");
+  }
+}
+
+EXERCISE_TEST(CollisionMatrix, CountsLinearAndAngularApart) {
+  // A body on a pin turns and does not move; one in a sleeve moves and does not turn.
+  Random random;
+  Regions regions(
+      {"i does not move", "i does not turn", "j does not move", "j does not turn", "neither moves"});
+  while (regions.lack_draws()) {
+    RandomPair pair(random);
+    InverseMass<6>&i = pair.i.inverse_mass, &j = pair.j.inverse_mass;
+    for (InverseMass<6>* body : {&i, &j}) {
+      if (random.integer(0, 2) == 0) body->linear = 0;
+      if (random.integer(0, 2) == 0) body->angular.setZero();
+    }
+    regions.draw({{"i does not move", i.linear == 0},
+                  {"i does not turn", i.angular.isZero(0)},
+                  {"j does not move", j.linear == 0},
+                  {"j does not turn", j.angular.isZero(0)},
+                  {"neither moves", i.linear + j.linear == 0}});
+    const Vec3 J = random.vector(), r_i = pair.contact.r_i, r_j = pair.contact.r_j;
+    const auto share = [&](const InverseMass<6>& body, const Vec3& r) -> Vec3 {
+      return body.linear * J + (body.angular * r.cross(J)).cross(r);
+    };
+    const Vec3 expected = share(i, r_i) + share(j, r_j);
+    expect_near_vector(
+        "K J, for J = " + show(Eigen::MatrixXd(J)) + " N s [m/s]", "Eq. (3.8)",
+        Vec3(collision_matrix(i, r_i, j, r_j) * J), expected, roundings(64, pair.size()),
+        {{share(i, r_i), "This is body i's share alone."}, {share(j, r_j), "This is body j's share alone."}},
+        "1/m and I⁻¹ are two things: where one of them is zero, the other still counts.");
   }
 }
 

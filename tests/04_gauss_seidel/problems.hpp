@@ -41,6 +41,14 @@ inline Problem<6> random_problem(Random& random, int bodies, int rows) {
   return p;
 }
 
+/// Bounds of one of all kinds: a contact's, its mirror image, two-sided, without room, none.
+inline void give_any_bounds(Random& random, Row<6>& row) {
+  const int kind = random.integer(0, 4);
+  const double lo = random.uniform(-0.3, 0.1), room = random.uniform(0, 0.4);
+  row.lo = kind == 0 ? 0 : kind == 2 || kind == 3 ? lo : -infinity;
+  row.hi = kind == 1 ? 0 : kind == 2 ? lo + room : kind == 3 ? lo : infinity;
+}
+
 /// Point masses on a floor, one on the other, at rest under gravity; from the bottom up. The exact λ of row k is
 /// h g times the mass above the contact, with Σ = 0 and a = 0.
 inline Problem<3> stack(const std::vector<double>& masses, double h, double Sigma = 0, double g = 9.81) {

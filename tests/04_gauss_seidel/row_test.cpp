@@ -27,12 +27,21 @@ struct TwoBodies {
 EXERCISE_TEST(MakeRow, CountsBothBodiesAndSigmaInTheDiagonal) {
   const TwoBodies t;
   const double share_i = t.c.Gi.dot(t.MinvGi), share_j = t.c.Gj.dot(t.MinvGj), Sigma = t.c.spook.Sigma;
-  expect_near("S_kk of a contact between two rigid bodies [1/kg]", "Eq. (4.3)",
-              make_row(t.c, t.motion).diagonal, share_i + share_j + Sigma, roundings(32, 20),
-              {{share_i + Sigma, "This is body i's share alone. The impulse moves body j, too."},
-               {share_j + Sigma, "This is body j's share alone. The impulse moves body i, too."},
-               {share_i + share_j, "Σ is missing: S = G M⁻¹ Gᵀ + Σ."},
-               {t.c.Gi.dot(t.c.Gi) + t.c.Gj.dot(t.c.Gj) + Sigma, "The masses are missing: this is G·G + Σ."}});
+  const double linear = t.c.Gi.head<3>().dot(t.MinvGi.head<3>()) + t.c.Gj.head<3>().dot(t.MinvGj.head<3>());
+  expect_near(
+      "S_kk of a contact between two rigid bodies [1/kg]", "Eq. (4.3)", make_row(t.c, t.motion).diagonal,
+      share_i + share_j + Sigma, roundings(32, 20),
+      {{share_i + Sigma, "This is body i's share alone. The impulse moves body j, too."},
+       {share_j + Sigma, "This is body j's share alone. The impulse moves body i, too."},
+       {share_i + share_j, "Σ is missing: S = G M⁻¹ Gᵀ + Σ."},
+       {t.c.Gi.dot(t.c.Gi) + t.c.Gj.dot(t.c.Gj) + Sigma, "The masses are missing: this is G·G + Σ."},
+       {share_i + share_j - Sigma, "The sign of Σ: it is added."},
+       {share_i + share_j + 2 * Sigma, "Σ is there twice: once for the row, not once for each body."},
+       {share_j - share_i + Sigma, "Gi has its sign twice in Gi·M⁻¹Gi: both shares are positive."},
+       {t.MinvGi.dot(t.MinvGi) + t.MinvGj.dot(t.MinvGj) + Sigma, "M⁻¹ is there twice: this is M⁻¹G·M⁻¹G + Σ."},
+       {linear + Sigma, "The angular parts are missing: all six numbers of a block count."},
+       {1 / (share_i + share_j + Sigma), "This is one over it: the diagonal is an inverse mass, [1/kg]."}},
+      "S_kk = Gi·M⁻¹Giᵀ + Gj·M⁻¹Gjᵀ + Σ, each block with its own body's M⁻¹.");
 }
 
 double difference(const TwoBodies& t, const std::vector<Twist<6>>& W) {
@@ -66,6 +75,27 @@ EXERCISE_TEST(MakeRow, DividesTheJacobianByTheMasses) {
   expect_near_vector("M⁻¹ Gjᵀ", "Eq. (4.5)", row.MinvGj, t.MinvGj, roundings(16, 10), {{t.c.Gj, copy}});
 }
 
+EXERCISE_TEST(MakeRow, FeelsABodyThatMovesAndThatNothingMoves) {
+  TwoBodies t;  // a conveyor: it has a velocity, which no impulse changes
+  for (const int belt : {t.c.i, t.c.j}) {
+    Motion<6> motion = t.motion;
+    motion.inverse_mass[static_cast<std::size_t>(belt)] = {};
+    const Row<6> row = make_row(t.c, motion);
+    const Twist<6>& G = belt == t.c.i ? t.c.Gi : t.c.Gj;
+    const double b = t.c.spook.b, GW = t.along(motion.W), GWf = t.along(motion.Wf), ag = t.c.spook.a * t.c.gap;
+    const double without = G.dot(t.at(motion.W, belt)), without_f = G.dot(t.at(motion.Wf, belt));
+    expect_near("B of a contact with a body that moves, but has an infinite mass [m/s]", "Eq. (4.4)", row.B,
+                -ag - b * GW - GWf, roundings(32, 10),
+                {{-ag - b * (GW - without) - (GWf - without_f),
+                  "The velocity of the body without inverse mass has been left out: it counts, though nothing "
+                  "changes it."}},
+                "B = -a g - b G W - G W_f, with both bodies' velocities.");
+    const double share = belt == t.c.i ? t.c.Gj.dot(t.MinvGj) : t.c.Gi.dot(t.MinvGi);
+    expect_near("its diagonal: the other body's share, and Σ [1/kg]", "Eq. (4.3)", row.diagonal,
+                share + t.c.spook.Sigma, roundings(32, 20));
+  }
+}
+
 EXERCISE_TEST(MakeRow, CarriesTheRestOver) {
   TwoBodies t;
   t.motion = random_motion(t.random, 3);
@@ -97,7 +127,8 @@ EXERCISE_TEST(MakeRow, TakesPointMasses) {
 
 EXERCISE_TEST(ApplyImpulse, MovesBothBodies) {
   const TwoBodies t;
-  const Row<6> row = make_row(t.c, t.motion);
+  Row<6> row = make_row(t.c, t.motion);
+  row.lambda = 0.3;
   const double delta = 0.7;
   const Twist<6> so_far = Twist<6>::Constant(0.5);  // what other rows have done
   std::vector<Twist<6>> V(2, so_far);
@@ -108,18 +139,23 @@ EXERCISE_TEST(ApplyImpulse, MovesBothBodies) {
   const std::string sign = "The sign is in Gi and Gj already: both are added.";
   const std::string idle = "This body has not moved. An impulse acts on both, Newton's third law.";
   const std::string unscaled = "Δλ is missing: this is M⁻¹G alone.";
+  const std::string whole = "This is the row's own λ, times M⁻¹G. The impulse to scatter is `delta`.";
   const std::string lost = "What was there before must stay: add, do not assign.";
   expect_near_vector("velocity change of body i", "Eq. (4.5)", change_i, delta * row.MinvGi, roundings(16, 10),
                      {{delta * row.Gi, masses},
                       {-delta * row.MinvGi, sign},
                       {Twist<6>::Zero(), idle},
                       {row.MinvGi, unscaled},
+                      {row.lambda * row.MinvGi, whole},
+                      {(row.lambda + delta) * row.MinvGi, whole},
                       {delta * row.MinvGi - so_far, lost}});
   expect_near_vector("velocity change of body j", "Eq. (4.5)", change_j, delta * row.MinvGj, roundings(16, 10),
                      {{delta * row.Gj, masses},
                       {-delta * row.MinvGj, sign},
                       {Twist<6>::Zero(), idle},
                       {row.MinvGj, unscaled},
+                      {row.lambda * row.MinvGj, whole},
+                      {(row.lambda + delta) * row.MinvGj, whole},
                       {delta * row.MinvGj - so_far, lost}});
 }
 

@@ -1,6 +1,7 @@
 // Sweeps until it is good enough: against enumerated solutions, and counted.
 #include "exercise_test.hpp"
 #include "problems.hpp"
+#include "stop_rule.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -136,6 +137,19 @@ EXERCISE_TEST(Solve, RemembersWhatEachSweepReturned) {
                 {{residual(by_hand.rows, by_hand.V),
                   "This is the residual after the sweep. The rule and the history "
                   "look at what sweep() returned, which costs nothing."}});
+  }
+}
+
+EXERCISE_TEST(Solve, StopsByTheRule) {
+  Random random;
+  for (const double size : {1e-3, 1.0, 1e3}) {  // of B: the tolerance is a velocity, and not a part of it
+    Problem<6> p = random_problem(random, 10, 14);
+    for (Row<6>& row : p.rows) row.B *= size;
+    const auto anew = [&](const StopRule& stop) {
+      Problem<6> again = p;
+      return solve(again.rows, again.V, stop);
+    };
+    if (!expect_stops_by_the_rule("Eq. (4.9)", 12, anew)) return;
   }
 }
 

@@ -2,6 +2,7 @@
 #include "algebra.hpp"
 #include "exercise_test.hpp"
 #include "problems.hpp"
+#include "regions.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -86,6 +87,63 @@ EXERCISE_TEST(Sweep, ReturnsTheLargestLack) {
               "The largest S_kk |Δλ_k| of the sweep.");
 }
 
+/// Twenty rows with bounds of all kinds between so many bodies, and λ anywhere, or at its lower bound.
+Problem<6> any_rows(Random& random, int bodies) {
+  Problem<6> p = random_problem(random, bodies, 20);
+  Eigen::VectorXd lambda(20);
+  for (Eigen::Index k = 0; k < 20; ++k) {
+    Row<6>& row = p.rows[static_cast<std::size_t>(k)];
+    give_any_bounds(random, row);
+    lambda[k] = random.integer(0, 1) && row.lo > -infinity ? row.lo : random.uniform(-0.5, 0.5);
+  }
+  set_lambda(p, lambda);
+  return p;
+}
+
+EXERCISE_TEST(Sweep, TakesAnyBoundsAndAnyStart) {
+  Random random;
+  Regions regions({"is off, and pushed later in the sweep", "was off, and pushes in the next", "lets go again",
+                   "more than eight bodies"});
+  while (regions.lack_draws()) {
+    const int bodies = random.integer(2, 14);
+    Problem<6> p = any_rows(random, bodies);
+    const Bounded problem = bounded(p.rows);
+    Eigen::VectorXd lambda = gathered(p.rows, &Row<6>::lambda);
+    bool pushed_later = false, pushes_next = false, lets_go = false;
+    std::vector<double> largest;
+    for (int round = 0; round < 3; ++round) {
+      const Eigen::VectorXd old = lambda;
+      double most = 0;
+      for (Eigen::Index k = 0; k < lambda.size(); ++k) {
+        const double r = problem.B[k] - problem.S.row(k).dot(lambda);
+        const double next = std::min(problem.hi[k], std::max(problem.lo[k], lambda[k] + r / problem.S(k, k)));
+        most = std::max(most, problem.S(k, k) * std::abs(next - lambda[k]));
+        lambda[k] = next;
+      }
+      largest.push_back(most);
+      const Eigen::VectorXd r = problem.B - problem.S * lambda;
+      for (Eigen::Index k = 0; k < lambda.size(); ++k) {
+        const bool is_contact = problem.lo[k] == 0 && problem.hi[k] == infinity, off = lambda[k] == 0;
+        pushed_later = pushed_later || (is_contact && off && r[k] > 0);
+        pushes_next = pushes_next || (is_contact && round > 0 && old[k] == 0 && !off);
+        lets_go = lets_go || (is_contact && round > 0 && old[k] > 0 && off);
+      }
+    }
+    regions.draw({{"is off, and pushed later in the sweep", pushed_later},
+                  {"was off, and pushes in the next", pushes_next},
+                  {"lets go again", lets_go},
+                  {"more than eight bodies", bodies > 8}});
+    for (const double expected : largest)
+      expect_near(
+          "what one of three sweeps over 20 rows between " + std::to_string(bodies) + " bodies returns [m/s]",
+          "Eq. (4.9)", sweep(p.rows, p.V), expected, roundings(1e5, 10), {},
+          "The largest S_kk |Δλ_k|. Every row is updated in every sweep: one that is off may be pushed later.");
+    expect_near_vector("λ after three sweeps [N s]", "Eq. (4.2), (4.7)", gathered(p.rows, &Row<6>::lambda),
+                       lambda, roundings(1e5, 10), {},
+                       "Every row is updated in every sweep, within its own bounds, from what V is then.");
+  }
+}
+
 EXERCISE_TEST(Sweep, CountsARowThatLetsGo) {
   Problem<3> p = stack({1}, 0.1);
   p.rows[0].lambda = 5;
@@ -117,16 +175,20 @@ EXERCISE_TEST(Residual, IsZeroAtTheSolution) {
   Random random;
   Problem<6> p = random_problem(random, 3, 7);
   set_lambda(p, enumerate_solution(bounded(p.rows)));
-  double unprojected = 0;
-  for (const Row<6>& row : p.rows)
-    unprojected = std::max(unprojected,
-                           std::abs(row.B - row.Gi.dot(p.V[static_cast<std::size_t>(row.i)]) -
-                                    row.Gj.dot(p.V[static_cast<std::size_t>(row.j)]) - row.Sigma * row.lambda));
+  double unprojected = 0, without_sigma = 0;
+  for (const Row<6>& row : p.rows) {
+    const double r = row.B - row.Gi.dot(p.V[static_cast<std::size_t>(row.i)]) -
+                     row.Gj.dot(p.V[static_cast<std::size_t>(row.j)]) - row.Sigma * row.lambda;
+    unprojected = std::max(unprojected, std::abs(r));
+    const double next = std::max(0.0, row.lambda + (r + row.Sigma * row.lambda) / row.diagonal);
+    without_sigma = std::max(without_sigma, row.diagonal * std::abs(next - row.lambda));
+  }
   expect_near("residual at the exact solution of 7 contacts [m/s]", "Eq. (4.8)", residual(p.rows, p.V), 0,
               roundings(3000, 10),
               {{unprojected,
                 "This is the largest |r|, which counts contacts that rightly come apart. A row at its bound "
-                "with r pointing outwards is solved."}});
+                "with r pointing outwards is solved."},
+               {without_sigma, "Σ λ is missing in r = B - G V - Σ λ."}});
 }
 
 EXERCISE_TEST(Residual, IsWhatTheNextUpdateWouldChange) {
@@ -185,6 +247,30 @@ EXERCISE_TEST(Residual, ProjectsOnTheRowsOwnBounds) {
                  {lacks(std::max(1.6 * c.B, 0.0)),
                   "This row was projected on 0 and infinity, a contact's bounds: others have others."}},
                 "The next update projects on this row's own bounds, row.lo and row.hi, both as they stand.");
+  }
+}
+
+EXERCISE_TEST(Residual, TakesAnyBoundsAndAnyStart) {
+  Random random;
+  for (int trial = 0; trial < 50 && !::testing::Test::HasFailure(); ++trial) {
+    const Problem<6> p = any_rows(random, random.integer(2, 14));
+    const Bounded problem = bounded(p.rows);
+    const Eigen::VectorXd lambda = gathered(p.rows, &Row<6>::lambda), r = problem.B - problem.S * lambda;
+    double largest = 0, without_sigma = 0;
+    for (Eigen::Index k = 0; k < lambda.size(); ++k) {
+      const double S_kk = problem.S(k, k), Sigma = p.rows[static_cast<std::size_t>(k)].Sigma;
+      const auto lacks = [&](double lacking) {
+        const double next = std::min(problem.hi[k], std::max(problem.lo[k], lambda[k] + lacking / S_kk));
+        return S_kk * std::abs(next - lambda[k]);
+      };
+      largest = std::max(largest, lacks(r[k]));
+      without_sigma = std::max(without_sigma, lacks(r[k] + Sigma * lambda[k]));
+    }
+    expect_near(
+        "residual of 20 rows with bounds of all kinds, λ within them or not [m/s]", "Eq. (4.8)",
+        residual(p.rows, p.V), largest, roundings(1e4, 10),
+        {{without_sigma, "Σ λ is missing in r = B - G V - Σ λ."}},
+        "What an update would change, of every row, times its S_kk: also of those that are at a bound.");
   }
 }
 

@@ -1,6 +1,7 @@
 // One row brought up to date: solved, projected, scattered.
 #include "exercise_test.hpp"
 #include "problems.hpp"
+#include "regions.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -144,6 +145,53 @@ EXERCISE_TEST(UpdateRow, KeepsBothBounds) {
                 roundings(8, 5),
                 {{0, "The lower bound is the row's own `lo`, not always zero."},
                  {60, "The upper bound, the row's own `hi`, has been left out."}});
+  }
+}
+
+EXERCISE_TEST(UpdateRow, TakesAnyBoundsAndAnyStart) {
+  Random random;
+  Regions regions({"free", "held at lo", "held at hi", "held at hi = 0", "lo = hi", "λ begins below lo",
+                   "λ begins above hi", "Δλ < 0"});
+  while (regions.lack_draws()) {
+    Problem<6> p = random_problem(random, 2, 1);
+    Row<6>& row = p.rows[0];
+    give_any_bounds(random, row);
+    row.lambda = random.uniform(-0.5, 0.5);
+    for (auto& V : p.V) V = (Twist<6>() << random.vector(0.3), random.vector(0.3)).finished();
+    const Row<6> old = row;
+    const std::vector<Twist<6>> before = p.V;
+    const auto along = [&](const std::vector<Twist<6>>& V) {
+      return old.Gi.dot(V[static_cast<std::size_t>(old.i)]) + old.Gj.dot(V[static_cast<std::size_t>(old.j)]);
+    };
+    const double wanted = old.lambda + (old.B - along(before) - old.Sigma * old.lambda) / old.diagonal;
+    const double expected = std::min(old.hi, std::max(old.lo, wanted)), change = expected - old.lambda;
+    regions.draw({{"free", old.lo < wanted && wanted < old.hi},
+                  {"held at lo", wanted <= old.lo},
+                  {"held at hi", wanted >= old.hi},
+                  {"held at hi = 0", old.hi == 0},
+                  {"lo = hi", old.lo == old.hi},
+                  {"λ begins below lo", old.lambda < old.lo},
+                  {"λ begins above hi", old.lambda > old.hi},
+                  {"Δλ < 0", change < 0}});
+    const double delta = update_row(row, p.V);
+    const std::string bounds = "[" + show(old.lo) + ", " + show(old.hi) + "]";
+    expect_near(
+        "λ within " + bounds + ", from " + show(old.lambda) + " [N s]", "Eq. (4.6), (4.7)", row.lambda,
+        expected, roundings(100, 5),
+        {{wanted, "This has not been projected: look at both of the row's bounds."},
+         {old.lambda, "λ stayed where it was. Where it begins outside its bounds, it is brought inside."},
+         {std::max(0.0, wanted), "Projected on a contact's bounds: this row has its own."}},
+        "λ + r/S_kk, projected on [lo, hi], wherever it comes from.");
+    expect_near("the returned change Δλ [N s]", "Eq. (4.7)", delta, change, roundings(100, 5),
+                {{std::abs(change), "Return the change with its sign."},
+                 {expected, "This is λ: return what changed."},
+                 {wanted - old.lambda, "Return the change after projection, not before."}});
+    expect_near("what G V changed by [m/s]", "Eq. (4.5)", along(p.V) - along(before),
+                change * (old.diagonal - old.Sigma), roundings(1000, 10),
+                {{(wanted - old.lambda) * (old.diagonal - old.Sigma), "The unprojected change was scattered."},
+                 {expected * (old.diagonal - old.Sigma), "All of λ was scattered, not its change."},
+                 {0, "Nothing was scattered."}},
+                "What is scattered is Δλ, of which the bodies feel S_kk - Σ.");
   }
 }
 

@@ -428,4 +428,42 @@ EXERCISE_TEST(ResolveImpacts, IsPairByPairInOrder) {
                        "u is at the time of the contact; W itself stays half a step behind.");
 }
 
+// A roller that no impulse slows: it comes up to a ball, and turns below it.
+EXERCISE_TEST(ResolveImpacts, FeelsABodyThatMovesAndThatNothingMoves) {
+  const Vec3 up = Vec3::UnitZ(), zero = Vec3::Zero(), lift(0, 0, 1), spin(0, 8, 0);
+  const ImpactLaw law{.restitution = 0.5, .friction = 0.2};
+  for (const bool roller_is_i : {true, false}) {
+    Motion<6> motion;
+    motion.inverse_mass = {{}, {.linear = 0.5, .angular = 10 * Mat3::Identity()}};
+    motion.W = {(Twist<6>() << lift, spin).finished(), Twist<6>::Zero()};
+    motion.Wf = {Twist<6>::Zero(), Twist<6>::Zero()};
+    Contact contact{.i = 0, .j = 1, .n = up, .gap = 0, .r_i = 0.25 * up, .r_j = -0.1 * up};
+    if (!roller_is_i) contact = {.i = 1, .j = 0, .n = -up, .gap = 0, .r_i = -0.1 * up, .r_j = 0.25 * up};
+    const Motion<6> before = motion;
+    // The point of the roller goes up at 1 m/s, and at ω × r = 2 m/s along x.
+    const Vec3 u = (roller_is_i ? -1 : 1) * (lift + spin.cross(0.25 * up));
+    const Mat3 K = collision_matrix(motion.inverse_mass[1], -0.1 * up, {}, zero);
+    const Vec3 J = impact_impulse(K, u, contact.n, law.restitution, law.friction);
+    const ImpactReport report = resolve_impacts<6>({contact}, law, motion);
+    const std::string as = roller_is_i ? ", which is i" : ", which is j";
+    expect_near(
+        "impacts of a ball at rest with a roller" + as + ", that comes at 1 m/s", "Eq. (7.1), (7.10)",
+        report.impacts, 1, {0, "a count"},
+        {{0,
+          "The velocity of the body without inverse mass has been left out: it counts, though no impulse "
+          "changes it."}});
+    if (::testing::Test::HasFailure()) return;
+    expect_near_vector(
+        "velocity of the ball after it [m/s]", "Eq. (7.1), (7.9)", Vec3(motion.W[1].head<3>()),
+        Vec3((roller_is_i ? 0.5 : -0.5) * J), roundings(64, 5),
+        {{Vec3(0, 0, 1.5),
+          "It goes straight up: how the roller turns, ω × r, is a part of the velocity at the contact, too."}},
+        "1.5 m/s up, and friction takes it along with the turning roller.");
+    expect_near_vector("velocity of the roller", "Eq. (7.9)", motion.W[0], before.W[0],
+                       {0, "nothing moves it"});
+    expect_near("energy that was added [J]", "Eq. (7.6)", report.energy, impact_work(K, u, J),
+                roundings(64, 5));
+  }
+}
+
 }  // namespace

@@ -250,9 +250,24 @@ EXERCISE_TEST(SweepAndPrune, SortsAlongTheLongestAxis) {
       expect_faster(
           sweep_and_prune, "Eq. (8.12)", what + "xyz"[k], tower,
           "Along this axis they are apart, along the others they all overlap: sort along the axis in which "
-          "their centres are spread farthest, around where they are on average.");
+          "their centres are spread farthest, around where they are on average. And stop at the first that "
+          "begins "
+          "behind the end of one: all after it do, too.");
       if (::testing::Test::HasFailure()) return;
     }
+}
+
+/// Cubes of 0.7 m in 100 layers of 100: along each axis many begin alike.
+std::vector<spook::Bounds> layers() {
+  std::vector<spook::Bounds> bounds;
+  for (int k = 0; k < 10000; ++k)
+    bounds.push_back(around(Vec3(k % 100, k / 100 % 10, k / 1000), Vec3::Constant(0.35)));
+  return bounds;
+}
+
+EXERCISE_TEST(SweepAndPrune, SortsManyThatBeginAlike) {
+  expect_faster(sweep_and_prune, "Eq. (8.12)", "of which a hundred begin alike", layers(),
+                "Many begin at the same place: a sort has to be fast with equal keys, too. std::sort is.");
 }
 
 EXERCISE_TEST(SpatialHash, FindsWhatAllPairsFind) {
@@ -278,6 +293,17 @@ EXERCISE_TEST(SpatialHash, TellsCellsApartByAllBits) {
   expect_faster(spatial_hash, "Eq. (8.14)", "each 2^20 m from the next", lattice,
                 "Cells that are far from each other have the same index in the table, and its lists grow long: "
                 "let all bits of the three numbers count, and not only the low ones.");
+}
+
+EXERCISE_TEST(SpatialHash, TellsPointsApart) {
+  Random random;
+  std::vector<spook::Bounds> points;
+  for (int k = 0; k < 6000; ++k)
+    points.push_back(around(Vec3(0.5, 0.5, 0.5) + 1e-3 * random.vector(), Vec3::Zero()));
+  expect_faster(
+      spatial_hash, "Eq. (8.13)", "points within a millimetre", points,
+      "A point has no size, and no cell is too small for it. In cells of a size that has nothing to do "
+      "with the points they are all in one.");
 }
 
 EXERCISE_TEST(SpatialHash, IsNotHeldUpByAGiant) {

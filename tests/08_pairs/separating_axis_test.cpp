@@ -128,12 +128,14 @@ EXERCISE_TEST(SeparatingAxis, FindsTheFacesOfStraightBoxes) {
                    {3.4 - 0.5, "h_k are halves of the sides."}},
                   "The least deep of all axes is that with the largest gap.");
       if (::testing::Test::HasFailure()) return;
-      expect_true("its face is one of i, axis " + std::to_string(k), "Eq. (8.7)", got.face_i == k,
-                  got.edge_i >= 0
-                      ? "These are edges, whose n is along the same line. Their gap is that of the faces "
-                        "and no larger, unless n·(x_j - x_i) has been taken with its sign: take the "
-                        "absolute value."
-                      : "Both have a face there. Where they are alike, i's is taken.");
+      expect_true(
+          "its face is one of i, axis " + std::to_string(k), "Eq. (8.7)", got.face_i == k,
+          got.edge_i >= 0
+              ? "These are edges, whose n is along the same line. Their gap is that of the faces "
+                "and no larger, unless n·(x_j - x_i) has been taken with its sign: take the "
+                "absolute value. Or the margin of 5 per cent has: it is of |gap|, and of a gap below 0 it "
+                "would help the edges."
+              : "Both have a face there. Where they are alike, i's is taken.");
     }
 }
 

@@ -1,6 +1,7 @@
 // Sweeps on cones until it is good enough: Coulomb's law, and scenes that know their answer.
 #include "exercise_test.hpp"
 #include "rubbing.hpp"
+#include "stop_rule.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -248,6 +249,19 @@ EXERCISE_TEST(ConeSolve, RemembersWhatEachSweepReturnedAndStops) {
                                     {.max_sweeps = 1000, .tolerance = expected[expected.size() / 2]});
   expect_true("a sweep that returns the tolerance itself is good enough", "Eq. (4.9)",
               at.history.size() == expected.size() / 2 + 1, "At most the tolerance: <=.");
+}
+
+EXERCISE_TEST(ConeSolve, StopsByTheRule) {
+  Random random;
+  for (const double size : {1e-3, 1.0, 1e3}) {  // of B: the tolerance is a velocity, and not a part of it
+    System<6> s = random_system(random, 10, 6, 0.5);
+    for (Row<6>& row : s.rows) row.B *= size;
+    const auto anew = [&](const StopRule& stop) {
+      System<6> again = s;
+      return cone_solve(again.contacts, again.rows, again.V, stop);
+    };
+    if (!expect_stops_by_the_rule("Eq. (4.9)", 12, anew)) return;
+  }
 }
 
 EXERCISE_TEST(ConeSolve, RefusesABadStopRule) {

@@ -1,5 +1,6 @@
 // Conjugate gradients: what prepares them, and the solver.
 #include "exercise_test.hpp"
+#include "stop_rule.hpp"
 #include "systems.hpp"
 
 using namespace spook;
@@ -55,6 +56,23 @@ EXERCISE_TEST(Precondition, SweepsForthAndBack) {
        {and_back(S, B, forth(S, B)), "The right side is r, and not the rows' B."},
        {forgetful, "Σ z is missing in what a row lacks: r - G V - Σ z."}},
       "Start at z = 0 and V = 0. For each row: lacks = r - G V - Σ z, z += lacks/S_kk, scatter.");
+}
+
+EXERCISE_TEST(Precondition, SweepsAnyNumberOfBodies) {
+  Random random;
+  for (const int bodies : {2, 9, 30}) {
+    const Problem<6> p = random_problem(random, bodies, 12);
+    const Eigen::MatrixXd S = dense_S(p.rows);
+    Eigen::VectorXd r(12);
+    for (double& each : r) each = random.uniform(-1, 1);
+    // Forth and back from zero: (D + U)⁻¹ D (D + L)⁻¹ r.
+    const Eigen::VectorXd forth = S.triangularView<Eigen::Lower>().solve(r);
+    const Eigen::VectorXd both = S.triangularView<Eigen::Upper>().solve(S.diagonal().cwiseProduct(forth));
+    const auto z = precondition(p.rows, as_std(r), std::vector<bool>(12, true), p.V.size());
+    expect_near_vector("z of 12 rows between " + std::to_string(bodies) + " bodies [N s]", "Eq. (10.6)",
+                       as_eigen(z), both, roundings(1e4, 10), {{forth, "This is the sweep forth alone."}},
+                       "One sweep first to last and one last to first.");
+  }
 }
 
 EXERCISE_TEST(Precondition, KnowsNoBounds) {
@@ -422,6 +440,19 @@ EXERCISE_TEST(ConjugateSolve, HasConvergedInTheLastIterationThatIsAllowed) {
               "At most the tolerance is <=, and 0 counts, too.");
 }
 
+EXERCISE_TEST(ConjugateSolve, StopsByTheRule) {
+  Random random;
+  for (const double size : {1e-3, 1.0, 1e3}) {  // of B: the tolerance is a velocity, and not a part of it
+    Problem<6> p = random_problem(random, 10, 20);
+    for (Row<6>& row : p.rows) row.B *= size;
+    const auto anew = [&](const StopRule& stop) {
+      Problem<6> again = p;
+      return conjugate_solve(again.rows, again.V, stop);
+    };
+    if (!expect_stops_by_the_rule("Eq. (4.9)", 12, anew)) return;
+  }
+}
+
 EXERCISE_TEST(ConjugateSolve, StopsAtMaxIterations) {
   std::vector<double> masses(40, 1.0);
   Problem<3> p = stack(masses, 0.1);
@@ -471,6 +502,42 @@ EXERCISE_TEST(ConjugateSolve, DoesNotTakeANaNForConverged) {
   expect_true("a solve of NaN has not converged, and says so in its history", "Eq. (4.9)",
               !report.converged && !report.history.empty() && std::isnan(report.history.back()),
               "Every comparison with NaN is false: ask whether it is <= the tolerance.");
+}
+
+EXERCISE_TEST(ConjugateSolve, SeesANaNThatIsAloneInItsIsland) {
+  // Four pairs of bodies, a row each. The NaN is in one of them, and no other row ever meets it; nor does one without a
+  // bound: it is free, and goes into the direction.
+  for (const bool bounds : {true, false})
+    for (std::size_t broken = 0; broken < 4; ++broken) {
+      Problem<3> p;
+      const Twist<3> up(0, 0, 1);
+      p.motion = {.inverse_mass = std::vector<InverseMass<3>>(8, {.linear = 1}),
+                  .W = std::vector<Twist<3>>(8, -up),
+                  .Wf = std::vector<Twist<3>>(8, Twist<3>::Zero())};
+      p.V = p.motion.Wf;
+      for (int k = 0; k < 4; ++k) {
+        p.motion.W[static_cast<std::size_t>(2 * k)].setZero();
+        p.rows.push_back(make_row<3>({.i = 2 * k,
+                                      .j = 2 * k + 1,
+                                      .Gi = -up,
+                                      .Gj = up,
+                                      .gap = 0,
+                                      .spook = {.a = 0, .b = 1, .Sigma = 0.1}},
+                                     p.motion));
+      }
+      if (!bounds) take_bounds_off(p);
+      p.rows[broken].B = std::nan("");
+      const SolveReport report = conjugate_solve(p.rows, p.V, {.max_sweeps = 6, .tolerance = 1e-6});
+      const bool all =
+          std::all_of(report.history.begin(), report.history.end(), [](double r) { return std::isnan(r); });
+      expect_true(
+          "a NaN in row " + std::to_string(broken) +
+              " of four that share no body: each entry of the history is "
+              "NaN, and it has not converged",
+          "Eq. (4.9)", !report.converged && !report.history.empty() && all,
+          "A NaN was lost. std::max(a, NaN) is a, also where the maximum of the free rows meets that of the "
+          "others; and once the largest is NaN no later row may replace it.");
+    }
 }
 
 EXERCISE_TEST(ConjugateSolve, RejectsARuleThatCannotBeMet) {

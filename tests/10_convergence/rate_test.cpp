@@ -29,7 +29,10 @@ EXERCISE_TEST(ObservedRate, OfAGeometricHistoryIsItsFactor) {
          {std::log(rate), "This is the logarithm of the rate."},
          {std::pow(rate, double(n - m) / (n - m + 1)),
           "From entry m to entry n there are n - m sweeps, not one more."},
-         {std::pow(rate, double(n - m) / n), "The root is that of the n - m sweeps between the two entries."}});
+         {std::pow(rate, double(n - m) / n), "The root is that of the n - m sweeps between the two entries."},
+         {std::pow(rate, 2.0 * (n - m) / n), "The root is that of n - m, which is n/2 for even n only."},
+         {1 - rate, "This is what a sweep takes away. The rate is what it leaves."}},
+        "(e_n/e_m)^(1/(n - m)), with m = ⌈n/2⌉.");
   }
 }
 
@@ -51,7 +54,8 @@ EXERCISE_TEST(ObservedRate, LooksAtTheSecondHalf) {
                 {{drop(1), "This is over the whole history; the first sweeps are not typical, and m is ⌈n/2⌉."},
                  {drop(history.size() - 1), "These are the last two entries alone, which may be roundings."},
                  {drop(m - 1), "m = ⌈n/2⌉, counted from 1: this began one entry too early."},
-                 {drop(m + 1), "m = ⌈n/2⌉, counted from 1: this began one entry too late."}});
+                 {drop(m + 1), "m = ⌈n/2⌉, counted from 1: this began one entry too late."}},
+                "(e_n/e_m)^(1/(n - m)), of these two entries alone: no mean, and no fit.");
   }
 }
 
@@ -81,7 +85,8 @@ EXERCISE_TEST(ObservedRate, IsNoNumberWithoutTwoThatArePositive) {
   expect_true("the last is 0: NaN", "Eq. (10.5)", std::isnan(observed_rate({1, 0.5, 0.1, 0})), zero);
   expect_true("the one in the middle is 0: NaN", "Eq. (10.5)", std::isnan(observed_rate({1, 0, 0.1, 0.1})),
               zero);
-  expect_true("a NaN at the end: NaN", "Eq. (10.5)", std::isnan(observed_rate({1, 0.5, nan})));
+  expect_true("a NaN at the end: NaN", "Eq. (10.5)", std::isnan(observed_rate({1, 0.5, nan})),
+              "Ask whether both are > 0, which a NaN is not; whether one is <= 0 it is not, either.");
   expect_true("two below 0: NaN", "Eq. (10.5)", std::isnan(observed_rate({1, -0.5, 0.2, -0.1})),
               "What a sweep returns is never negative: such a history is none.");
 }

@@ -1,6 +1,7 @@
 // From within to the answer: against enumerated solutions, on hard rows, and honest where there is none.
 #include "algebra.hpp"
 #include "exercise_test.hpp"
+#include "stop_rule.hpp"
 #include "systems.hpp"
 
 using namespace spook;
@@ -283,6 +284,23 @@ EXERCISE_TEST(InteriorSolve, SaysWhenItStopsEarly) {
   expect_true("one factorisation less than it takes is not enough", "Eq. (11.13)",
               !nearly.report.converged && !nearly.report.trouble.empty(),
               "A tolerance of 0 asks for roundings: what is good is not good enough.");
+}
+
+EXERCISE_TEST(InteriorSolve, StopsByTheRule) {
+  Random random;
+  for (const double size :
+       {1e-3, 1.0, 1e3}) {  // of B and the bounds: the tolerance is a velocity, and not a part of it
+    System<6> s = random_system(random, 8, 20);
+    add_random_bounds(random, s.rows);
+    Bounded p = bounded(s.rows);
+    p.B *= size, p.lo *= size, p.hi *= size;
+    const auto anew = [&](const StopRule& stop) {
+      Solved solved;
+      solve_bounded(p, stop, solved);
+      return solved.report;
+    };
+    if (!expect_stops_by_the_rule("Eq. (4.9)", 50, anew)) return;
+  }
 }
 
 EXERCISE_TEST(InteriorSolve, StopsAtTheTolerance) {

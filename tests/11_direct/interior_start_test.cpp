@@ -167,7 +167,7 @@ EXERCISE_TEST(InteriorStart, BeginsSomewhereWithNothingToGoBy) {
   }
 }
 
-EXERCISE_TEST(InteriorStart, IsTheSameInAnyUnits) {
+EXERCISE_TEST(InteriorStart, DoesNotCareForTheScaleOfARow) {
   Random random;
   System<6> s = random_system(random, 4, 8);
   add_random_bounds(random, s.rows);

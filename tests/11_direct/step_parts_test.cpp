@@ -270,7 +270,8 @@ EXERCISE_TEST(LongestStep, IsNoneFromABoundOutwards) {
   now.push_hi[1] = 0;
   step.push_hi[1] = -2;
   expect_near("the part of a step that takes a push from 0 to -2", "Eq. (11.10)", longest_step(now, step), 0,
-              {0, "exact"});
+              {0, "exact"}, {{1, "What is 0 already and falls is at its end: 0/2 is a limit as any other."}},
+              "No part of the step is left.");
 }
 
 EXERCISE_TEST(LongestStep, IgnoresBoundsThatAreNotThere) {
@@ -278,8 +279,12 @@ EXERCISE_TEST(LongestStep, IgnoresBoundsThatAreNotThere) {
   now.room_lo.setConstant(infinity), now.push_lo.setZero();
   now.room_hi[0] = infinity, now.push_hi[0] = 0;
   step.room_hi[3] = -4;
-  expect_near("the part of a step with rows that have no bound", "Eq. (11.10)", longest_step(now, step), 0.25,
-              {0, "exact"});
+  expect_near(
+      "the part of a step with rows that have no bound", "Eq. (11.10)", longest_step(now, step), 0.25,
+      {0, "exact"},
+      {{1, "The row with a bound was left out: where one of two bounds is not there, the other still is."},
+       {0, "A push of 0 that does not change is no limit: there is no bound."}},
+      "An infinite room ends nowhere, and a push that stays 0 does not, either.");
 }
 
 EXERCISE_TEST(LongestStep, KeepsAllAndCannotBeLonger) {
@@ -299,11 +304,14 @@ EXERCISE_TEST(LongestStep, KeepsAllAndCannotBeLonger) {
       a_little_more = std::min(a_little_more, (value + (share + 1e-9) * change).minCoeff());
     }
     expect_at_least("least of rooms and pushes after that part, over what it was", "Eq. (11.10)", least, -1e-9,
-                    "0, and roundings of a change 1e6 times as large");
+                    "0, and roundings of a change 1e6 times as large",
+                    "Something goes below 0: all four vectors, and of each all rows, are a limit. The smallest "
+                    "-value/change of those that fall.");
     if (share < 1)
       expect_at_most("least of rooms and pushes after a part that is 1e-9 longer", "Eq. (11.10)", a_little_more,
                      0, "it would be negative", "It could have been longer.");
-    expect_at_most("the part", "Eq. (11.10)", share, 1, "a whole step");
+    expect_at_most("the part", "Eq. (11.10)", share, 1, "a whole step",
+                   "At most 1, also where nothing limits it.");
   }
 }
 

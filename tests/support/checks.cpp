@@ -12,6 +12,14 @@
 
 namespace spook::testing {
 
+void this_failure_explains() {
+  ::testing::Test::RecordProperty("rank", 2);
+}
+
+void this_failure_has_a_clue_that_fits() {
+  if (!::testing::Test::HasFailure()) ::testing::Test::RecordProperty("rank", 1);
+}
+
 std::string show(double value) {
   if (std::isnan(value)) return "NaN";
   std::ostringstream out;
@@ -59,6 +67,13 @@ void report_failure(const std::string& what, const std::string& equation, const 
   ADD_FAILURE() << out.str();
 }
 
+std::string digits_clue(double error, double size, const Tolerance& tolerance) {
+  const bool as_a_float = error <= 1.2e-7 * size && tolerance.value <= 1e-12 * size;
+  return as_a_float
+             ? " It is right to the seven digits of a float: is there one on the way? All numbers are double."
+             : "";
+}
+
 void report_difference(const std::string& what, const std::string& equation, const std::string& expected,
                        const std::string& got, const Tolerance& tolerance, const std::string& clue) {
   report_failure(what, equation,
@@ -74,7 +89,8 @@ void expect_near(const std::string& what, const std::string& equation, double go
   if (distance(got, expected) <= tolerance.value) return;
   const double close = std::max(10 * tolerance.value, 1e-9 * std::abs(expected));
   report_difference(what, equation, show(expected), show(got), tolerance,
-                    explain(got, clues, distance, close, otherwise));
+                    explain(got, clues, distance, close,
+                            otherwise + digits_clue(distance(got, expected), std::abs(expected), tolerance)));
 }
 
 void expect_at_most(const std::string& what, const std::string& equation, double got, double bound,

@@ -34,14 +34,25 @@ struct Clue {
   std::string text;
 };
 
+/// Of the failures of an exercise `./course check` shows one: the first of those that explain the others, or else of
+/// those where a known mistake fits, or else of all. See Test in tools/course/trial.py.
+void this_failure_explains();
+void this_failure_has_a_clue_that_fits();
+
 /// The text of the first clue whose wrong value is what we got, to within `close`; else `otherwise`.
 template <class Value, class Distance>
 std::string explain(const Value& got, std::initializer_list<Clue<Value>> clues, const Distance& distance,
                     double close, const std::string& otherwise) {
   for (const Clue<Value>& known : clues)
-    if (distance(got, known.wrong) <= close) return known.text;
+    if (distance(got, known.wrong) <= close) {
+      this_failure_has_a_clue_that_fits();
+      return known.text;
+    }
   return otherwise;
 }
+
+/// What is asked about a number that is right to the digits of a float, but not to those of a double; else empty.
+std::string digits_clue(double error, double size, const Tolerance& tolerance);
 
 std::string show(double value);
 
@@ -77,7 +88,8 @@ void expect_near_vector(const std::string& what, const std::string& equation, co
   if (distance(got, expected) <= tolerance.value) return;
   const double close = std::max(10 * tolerance.value, 1e-9 * expected.norm());
   report_difference(what, equation, show(Eigen::MatrixXd(expected)), show(Eigen::MatrixXd(got)), tolerance,
-                    explain(got, clues, distance, close, otherwise));
+                    explain(got, clues, distance, close,
+                            otherwise + digits_clue(distance(got, expected), expected.norm(), tolerance)));
 }
 
 /// got <= bound, and not NaN. `why` says where the bound comes from.

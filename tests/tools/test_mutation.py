@@ -34,6 +34,43 @@ def changed(body: str, kind: str | None = None) -> set[str]:
     return {mutant.after(text) for mutant in mutants_of(text) if kind in (None, mutant.kind)}
 
 
+def subtly_changed(body: str, kind: str, head: str = "double f()") -> set[str]:
+    text = f"namespace spook {{\n{head} {{\n{body}\n}}\n}}\n"
+    return {mutant.after(text) for mutant in mutants_of(text, subtle=True) if mutant.kind == kind}
+
+
+class SubtleMutations(unittest.TestCase):
+    def test_thresholds(self):
+        self.assertEqual(subtly_changed("if (x > 0) ;", "threshold"), {"if (x > 1e-9) ;", "if (x > -1e-9) ;"})
+        self.assertEqual(subtly_changed("return x;", "threshold"),
+                         {"return [](double x) { return x < 1e-9 && x > -1e-9 ? 0 : x; }(x);"})
+        self.assertEqual(subtly_changed("return 1;", "threshold", "int f()"), set())
+
+    def test_floats(self):
+        self.assertEqual(subtly_changed("const double x = y * z;\nreturn;", "float"),
+                         {"const double x = static_cast<float>(y * z);"})
+        self.assertEqual(subtly_changed("return x;", "float", "Vec3 f()"),
+                         {"return Vec3(Vec3(x).cast<float>().cast<double>());"})
+
+    def test_what_lives_on(self):
+        self.assertEqual(subtly_changed("std::vector<double> x;", "static"), {"static std::vector<double> x;"})
+        self.assertEqual(subtly_changed("const Vec3 x = y;", "static"), {"static const Vec3 x = y;"})
+        self.assertEqual(subtly_changed("x = y;", "static"), set())
+
+    def test_inputs(self):
+        head = "double f(const Vec3& x, double y, const std::vector<int>& z)"
+        changes = " ".join(subtly_changed("return y;", "input", head))
+        self.assertIn("const_cast<Vec3&>(x) *= 2;", changes)
+        self.assertIn("const_cast<std::vector<int>&>(z).front()", changes)
+        self.assertEqual(subtly_changed("return y;", "input", "double f(Vec3& x, double y)"), set())
+
+    def test_pairs_are_the_same_each_time(self):
+        body = "x = y + 2;\nz = x * x;\nw = z - 1;"
+        found = subtly_changed(body, "pair")
+        self.assertTrue(found)
+        self.assertEqual(found, subtly_changed(body, "pair"))
+
+
 class Mutations(unittest.TestCase):
     def test_operators(self):
         self.assertEqual(changed("x = y + 2;", "operator"), {"x += y + 2;", "x -= y + 2;", "x = y - 2;"})
@@ -177,6 +214,7 @@ class Small(unittest.TestCase):
     FILE = "namespace spook {\nint twice(int x) {\n  return x + x;\n}\n\n}  // namespace spook\n"
     TESTS = """\
         #include <cstdio>
+        #include <cstdlib>
         #include <cstring>
         namespace spook { int twice(int x); }
         int main(int count, char** words) {
@@ -204,7 +242,7 @@ class Small(unittest.TestCase):
         self.exercise = Exercise(1, 1, "twice", "01_small", ())
         self.tree = mock.Mock(path=self.root / "build")
 
-    def results(self, check: str) -> dict[str, str]:
+    def results(self, check: str, seeds: tuple[int, ...] = (1,)) -> dict[str, str]:
         """What became of the mutants, by how they read."""
         self.tree.path.mkdir(exist_ok=True)
         (self.tree.path / "tests.cpp").write_text(textwrap.dedent(self.TESTS).replace("CHECK", check))
@@ -215,7 +253,7 @@ class Small(unittest.TestCase):
                 mock.patch.object(exercise_run, "commands", lambda *_: given), \
                 mock.patch.object(exercise_run, "reference_functions", lambda *_: {"_ZN5spook5twiceEi"}), \
                 mock.patch.object(Exercise, "reference", self.root / "solutions" / "01_small" / "twice.cpp"):
-            found = ExerciseRun(self.tree, self.exercise, 1).results()
+            found = ExerciseRun(self.tree, self.exercise, 1, seeds=seeds).results()
         return {result.mutant.after(self.FILE): result.outcome for result in found}
 
     def test_a_survivor_is_found_and_then_killed_by_a_better_check(self):
@@ -223,6 +261,11 @@ class Small(unittest.TestCase):
                          {"return x - x;": outcome.SURVIVED, "return -x + x;": outcome.SURVIVED})
         self.assertEqual(self.results("spook::twice(1) == 2"),
                          {"return x - x;": outcome.KILLED, "return -x + x;": outcome.KILLED})
+
+    def test_what_is_caught_with_one_seed_only_is_a_survivor(self):
+        check = '*std::getenv("SPOOK_SEED") == \'2\' || spook::twice(1) == 2'
+        found = {seeds: set(self.results(check, seeds).values()) for seeds in ((1,), (1, 2))}
+        self.assertEqual(found, {(1,): {outcome.KILLED}, (1, 2): {outcome.SURVIVED}})
 
     def test_a_crash_counts_as_one(self):
         found = self.results("spook::twice(1) != 0 || (__builtin_trap(), true)")

@@ -26,6 +26,7 @@ class Test:
     name: str  # Suite.Name
     skipped: bool
     failures: list[str]
+    rank: int = 0  # 2: it explains why others fail, too; 1: it fits a mistake that is known; see tests/support/checks.hpp
 
 
 @dataclass
@@ -124,7 +125,7 @@ def _read_report(report: Path) -> list[Test] | None:
     except ValueError:
         return None
     return [Test(f"{suite['name']}.{test['name']}", test.get("result") == "SKIPPED",
-                 [_as_utf8(failure["failure"]) for failure in test.get("failures", [])])
+                 [_as_utf8(failure["failure"]) for failure in test.get("failures", [])], int(test.get("rank", 0)))
             for suite in suites for test in suite["testsuite"] if test.get("status") == "RUN"]
 
 

@@ -4,6 +4,7 @@ import re
 import signal
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
+from pathlib import Path
 
 import crash
 import diagnostics
@@ -84,7 +85,11 @@ def _judge_built(exercise: Exercise, built: Built, seed: int | None) -> Verdict:
     if missing:
         return _without_function(exercise, missing)
     program = CHECK.program(_targets(exercise)[0])
-    verdict = _judge_trial(exercise, run_tests(program, f"{exercise.suite}.*", seed, exercise=exercise))
+    trial = run_tests(program, f"{exercise.suite}.*", seed, exercise=exercise)
+    verdict = _judge_trial(exercise, trial)
+    if verdict.details and _depends_on_calls_before(program, trial, seed):
+        verdict.details += ("\n\nRun alone, this test does not fail so. Something lives on from one call to the next: a "
+                            "static\nor a global variable? Or does one never get a value?")
     verdict.warnings = diagnostics.warnings(built.output, exercise)
     return verdict
 
@@ -129,8 +134,28 @@ def _judge_trial(exercise: Exercise, trial: Trial) -> Verdict:
     return Verdict(exercise, "done", tests=len(trial.tests))
 
 
+def _first(failed: list[Test]) -> Test:
+    """The failure to show: that with the highest rank, and of those that are alike the first."""
+    return max(failed, key=lambda test: test.rank)
+
+
+def _depends_on_calls_before(program: Path, trial: Trial, seed: int | None) -> bool:
+    """Whether the failure that is shown is another one, or none, when its test is run alone."""
+    failed = [test for test in trial.tests or [] if test.failures]
+    if not failed:
+        return False
+    first = _first(failed)
+    alone = run_tests(program, first.name, seed)
+    return bool(alone.tests) and _what(alone.tests[0]) != _what(first)
+
+
+def _what(test: Test) -> list[str]:
+    """What each failure looked at, without numbers: times differ."""
+    return [re.sub(r"[\d.e+-]+", "", _BOILERPLATE.sub("", failure).partition("\n")[0]) for failure in test.failures]
+
+
 def _failing(exercise: Exercise, trial: Trial, failed: list[Test]) -> Verdict:
-    first = failed[0]
+    first = _first(failed)
     printed = trial.printed_by(first.name)
     for failure in first.failures:
         place, _, text = failure.partition("\n")
@@ -139,7 +164,7 @@ def _failing(exercise: Exercise, trial: Trial, failed: list[Test]) -> Verdict:
     if len(first.failures) > 1:
         details += f"\n(and {len(first.failures) - 1} more in this test)"
     return Verdict(exercise, "wrong", f"fails {first.name}", details, printed.strip(),
-                   [test.name for test in failed[1:]], len(trial.tests))
+                   [test.name for test in failed if test is not first], len(trial.tests))
 
 
 def _broken_off(exercise: Exercise, trial: Trial, what: str, question: str) -> Verdict:

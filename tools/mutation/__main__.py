@@ -1,6 +1,10 @@
 """The tests under test: every small change to a reference must fail its exercise's own tests.
 
-    python3 tools/mutation [--chapters 1-3] [--exercise NAME] [--jobs 2] [--list]
+    python3 tools/mutation [--chapters 1-3] [--exercise NAME] [--seeds 1,2,3] [--subtle] [--jobs 2] [--list]
+
+With several seeds each must be noticed with all of them: one that is caught with luck is a survivor. --subtle makes
+other mutants: thresholds without a unit, floats for doubles, state that lives on, inputs that are changed, and pairs
+of small changes.
 
 Survivors are printed as the line before and after. Equivalent, 3+1, are those that compile to the same
 object, and those that tests/mutants/equivalent.txt lists with a reason. Exit code 1 if a chapter's score is
@@ -33,7 +37,7 @@ def main(words: list[str]) -> int:
     if options.list:
         for _, exercises in chosen:
             for exercise in exercises:
-                _list(exercise)
+                _list(exercise, options.subtle)
         return 0
     tree, known = Tree("check"), read_equivalents()
     _build(tree, chosen)
@@ -41,7 +45,7 @@ def main(words: list[str]) -> int:
     for chapter, exercises in chosen:
         everything: list[Result] = []
         for exercise in exercises:
-            results, wrong = exempted(exercise, _run(tree, exercise, options.jobs), known)
+            results, wrong = exempted(exercise, _run(tree, exercise, options), known, options.subtle)
             everything += results
             complaints += wrong
             _show_survivors(exercise, results)
@@ -60,9 +64,18 @@ def _options(words: list[str]) -> argparse.Namespace:
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--chapters", default="1-99", help="a chapter, 4, or some, 1-3")
     parser.add_argument("--exercise", help="by its function, update_row, or its number, 4.2")
+    parser.add_argument("--seeds", type=_seeds, default=(1,), help="of random inputs: 1,2,3")
+    parser.add_argument("--subtle", action="store_true", help="the mistakes that look right")
     parser.add_argument("--jobs", type=int, default=jobs(), help="compilers and tests side by side")
     parser.add_argument("--list", action="store_true", help="the mutants, without running them")
     return parser.parse_args(words)
+
+
+def _seeds(text: str) -> tuple[int, ...]:
+    words = text.split(",")
+    if not all(word.isdecimal() for word in words):
+        raise argparse.ArgumentTypeError(f"{text!r} are no seeds, such as 1,2,3")
+    return tuple(map(int, words))
 
 
 def _chosen(chapters: str, name: str | None) -> list[tuple[Chapter, tuple[Exercise, ...]]]:
@@ -79,9 +92,9 @@ def _chosen(chapters: str, name: str | None) -> list[tuple[Chapter, tuple[Exerci
     return found
 
 
-def _list(exercise: Exercise) -> None:
+def _list(exercise: Exercise, subtle: bool) -> None:
     text = exercise.reference.read_text(encoding="utf-8")
-    for mutant in mutants_of(text):
+    for mutant in mutants_of(text, subtle):
         print(f"{shown(exercise.reference)}:{mutant.line(text)}  {mutant.kind}\n"
               f"- {mutant.before(text)}\n+ {mutant.after(text)}")
 
@@ -93,8 +106,8 @@ def _build(tree: Tree, chosen: list[tuple[Chapter, tuple[Exercise, ...]]]) -> No
         raise tree.own_failure(built)
 
 
-def _run(tree: Tree, exercise: Exercise, count: int) -> list[Result]:
-    total = len(mutants_of(exercise.reference.read_text(encoding="utf-8")))
+def _run(tree: Tree, exercise: Exercise, options: argparse.Namespace) -> list[Result]:
+    total = len(mutants_of(exercise.reference.read_text(encoding="utf-8"), options.subtle))
     live, done = Live(f"mutants of {exercise.label}"), 0
 
     def on_done(more: int) -> None:
@@ -102,7 +115,7 @@ def _run(tree: Tree, exercise: Exercise, count: int) -> list[Result]:
         done += more
         live.update(f"[{done}/{total}]")
 
-    results = ExerciseRun(tree, exercise, count, on_done).results()
+    results = ExerciseRun(tree, exercise, options.jobs, on_done, options.subtle, options.seeds).results()
     live.done()
     return results
 
@@ -112,7 +125,7 @@ def _show_survivors(exercise: Exercise, results: list[Result]) -> None:
     for result in results:
         if result.outcome == SURVIVED:
             mutant = result.mutant
-            print(f"{shown(exercise.reference)}:{mutant.line(text)}  {mutant.kind}\n"
+            print(f"{shown(exercise.reference)}:{mutant.line(text)}  {mutant.kind}  {result.by}\n"
                   f"- {mutant.before(text)}\n+ {mutant.after(text)}", flush=True)
 
 

@@ -12,6 +12,7 @@ from pathlib import Path
 from errors import CourseError
 from manifest import Exercise
 from exercise_run import Result
+from mutate import SUBTLE_KINDS
 from outcome import LISTED, SURVIVED
 from paths import ROOT, shown
 
@@ -59,11 +60,12 @@ def read_equivalents(file: Path = LIST) -> list[Equivalent]:
 
 
 def exempted(exercise: Exercise, results: list[Result],
-             known: list[Equivalent]) -> tuple[list[Result], list[str]]:
+             known: list[Equivalent], subtle: bool = False) -> tuple[list[Result], list[str]]:
     """The results with the listed survivors marked; and what is wrong with the list."""
     text = exercise.reference.read_text(encoding="utf-8")
     path = str(exercise.reference.relative_to(ROOT))
-    entries = {(entry.kind, entry.before, entry.after): entry for entry in known if entry.path == path}
+    entries = {(entry.kind, entry.before, entry.after): entry for entry in known
+               if entry.path == path and (entry.kind in SUBTLE_KINDS) == subtle}
     marked, used, wrong = [], set(), []
     for result in results:
         entry = entries.get((result.mutant.kind, result.mutant.before(text), result.mutant.after(text)))

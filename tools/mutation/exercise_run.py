@@ -31,7 +31,10 @@ class Result:
 
 class ExerciseRun:
     def __init__(self, tree: Tree, exercise: Exercise, jobs: int,
-                 on_done: Callable[[int], None] = lambda count: None):
+                 on_done: Callable[[int], None] = lambda count: None, subtle: bool = False,
+                 seeds: tuple[int, ...] = (1,)):
+        """A mutant has to be noticed with each of the seeds."""
+        self._subtle, self._seeds = subtle, seeds
         self._exercise, self._jobs, self._on_done = exercise, jobs, on_done
         self._text = exercise.reference.read_text(encoding="utf-8")
         self._commands = commands(tree, exercise)
@@ -41,9 +44,9 @@ class ExerciseRun:
 
     def results(self) -> list[Result]:
         """Of each mutant, in the order of the file."""
-        mutants = mutants_of(self._text)
-        key = content(self._building.made_from, repr(mutants), *map(content_of, self._commands.inputs()))
-        kept = self._folder / "results.json"
+        mutants = mutants_of(self._text, self._subtle)
+        key = content(self._building.made_from, repr(mutants), repr(self._seeds), *map(content_of, self._commands.inputs()))
+        kept = self._folder / ("subtle.json" if self._subtle else "results.json")
         known = read_json(kept)
         if known.get("key") == key:
             self._on_done(len(mutants))
@@ -65,10 +68,12 @@ class ExerciseRun:
         program = compiled.with_name("program")
         self._building.link([compiled], program)
         begin = time.monotonic()
-        found = outcome(program, self._exercise.suite, 600, None, VARIABLE)
-        self._limit = max(_SHORTEST_LIMIT, 10 * (time.monotonic() - begin))
-        if found[0] != SURVIVED:
-            raise CourseError(f"{self._exercise.label}: the reference fails its own tests: {' '.join(found)}")
+        self._limit = 600.0
+        for seed in self._seeds:
+            found = self._with_seed(program, None, seed)
+            if found[0] != SURVIVED:
+                raise CourseError(f"{self._exercise.label}: the reference fails its own tests: {' '.join(found)}")
+        self._limit = max(_SHORTEST_LIMIT, 10 * (time.monotonic() - begin) / len(self._seeds))
         self._reference = stripped(compiled)
 
     def _group(self, mutants: list[Mutant]) -> list[Result]:
@@ -85,7 +90,7 @@ class ExerciseRun:
                 raise CourseError(f"{self._exercise.label}: among mutants it fails, unchanged: "
                                   + " ".join(found))
         # A program that is what it was, whatever else has been built since, does what it did.
-        kept, key = folder / "outcomes.json", content_of(program) if good else ""
+        kept, key = folder / "outcomes.json", f"{content_of(program)} {self._seeds}" if good else ""
         known = read_json(kept)
         if known.get("key") != key:
             found = []
@@ -124,4 +129,14 @@ class ExerciseRun:
         return self._outcome(program, None)
 
     def _outcome(self, program: Path, number: int | None) -> tuple[str, str]:
-        return outcome(program, self._exercise.suite, self._limit, number, VARIABLE)
+        """With the first seed; or that it survived, and with which."""
+        found = [self._with_seed(program, number, self._seeds[0])]
+        for seed in self._seeds[1:]:
+            if found[-1][0] == SURVIVED:
+                break
+            found.append(self._with_seed(program, number, seed))
+        return found[-1] if found[-1][0] == SURVIVED else found[0]
+
+    def _with_seed(self, program: Path, number: int | None, seed: int) -> tuple[str, str]:
+        found = outcome(program, self._exercise.suite, self._limit, number, VARIABLE, seed)
+        return (SURVIVED, f"with seed {seed}") if found[0] == SURVIVED else found

@@ -1,4 +1,4 @@
-"""All first-order mutants of a file."""
+"""All mutants of a file: every small change, or those of subtle.py."""
 
 from calls import calls
 from constants import constants, indices
@@ -7,16 +7,21 @@ from mutant import Mutant
 from names import names
 from operators import added_signs, operators
 from statements import conditions, loops, statements
+from subtle import floats, inputs, pairs, statics, thresholds
 
 _KINDS = (operators, added_signs, constants, indices, names, calls, statements, conditions, loops)
+_SUBTLE = (thresholds, floats, statics, inputs)
+SUBTLE_KINDS = {"threshold", "float", "static", "input", "pair"}
 
 
-def mutants_of(text: str) -> list[Mutant]:
+def mutants_of(text: str, subtle: bool = False) -> list[Mutant]:
     """In the order of the lines; what reads the same is one mutant."""
     source = Source(text)
+    made = [mutant for kind in (_SUBTLE if subtle else _KINDS) for mutant in kind(source)]
+    if subtle:
+        made += pairs(source, mutants_of(text))
     found: dict[str, Mutant] = {}
-    for kind in _KINDS:
-        for mutant in kind(source):
-            found.setdefault("".join(mutant.of(text).split()), mutant)
+    for mutant in made:
+        found.setdefault("".join(mutant.of(text).split()), mutant)
     found.pop("".join(text.split()), None)
     return sorted(found.values(), key=lambda mutant: (mutant.start, mutant.end, mutant.kind, mutant.text))

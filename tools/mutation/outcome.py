@@ -9,10 +9,11 @@ KILLED, CRASHED, TIMED_OUT, SURVIVED = "killed", "crashed", "timed out", "surviv
 NOT_COMPILED, EQUIVALENT, LISTED = "does not compile", "same object", "listed"
 
 
-def outcome(program: Path, suite: str, seconds: float, number: int | None, variable: str) -> tuple[str, str]:
+def outcome(program: Path, suite: str, seconds: float, number: int | None, variable: str,
+            seed: int | None = None) -> tuple[str, str]:
     """And the test that noticed, or how it crashed; `seconds` are the processor's."""
     more = {"GTEST_FAIL_FAST": "1"} | ({} if number is None else {variable: str(number)})
-    return judged(run_tests(program, f"{suite}.*", processor=seconds, more=more))
+    return judged(run_tests(program, f"{suite}.*", seed, processor=seconds, more=more))
 
 
 def judged(trial: Trial) -> tuple[str, str]:

@@ -1,0 +1,147 @@
+#include "any_units.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include "checks.hpp"
+
+namespace spook::testing {
+
+namespace {
+
+// 2^60 is about 1e18: far enough that no threshold that anyone would write lies beyond, and near enough that the fourth
+// power of a volume is still a number.
+const UnitSystem systems[] = {
+    {-60, 0, 0, "masses counted in 2^60 kg, a million billion tonnes"},
+    {60, 0, 0, "masses counted in 2^-60 kg, about a femtogram"},
+    {0, -60, 0, "lengths counted in 2^60 m, about 120 light years"},
+    {0, 60, 0, "lengths counted in 2^-60 m, a thousandth of a proton"},
+    {0, 0, -60, "times counted in 2^60 s, 37 billion years"},
+    {0, 0, 60, "times counted in 2^-60 s, about an attosecond"},
+};
+
+// Powers of two change no digit. The room is for answers on the way to which a logarithm is taken, or a power.
+constexpr double room = 1e-12;
+
+const char* const clue =
+    "Only the units were changed, so the answer may not change, either. Is a number compared with one that has "
+    "no "
+    "unit, an absolute threshold such as `if (x < 1e-9)`? What is small in one unit is large in another. "
+    "Compare "
+    "with something of the same unit, or do without. Else: is something added to what has another unit?";
+
+bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (std::isnan(a) && std::isnan(b));
+}
+
+// The largest number of the same unit: what a difference is measured by.
+double size_of(const Outcome& outcome, const Unit& unit) {
+  double largest = 0;
+  for (std::size_t k = 0; k < outcome.numbers.size(); ++k)
+    if (outcome.units[k] == unit && std::isfinite(outcome.numbers[k]))
+      largest = std::max(largest, std::abs(outcome.numbers[k]));
+  return largest;
+}
+
+std::string quantity(double value, const Unit& unit) {
+  return show(value) + (unit == Unit{} ? "" : " " + show(unit));
+}
+
+// The lines that say what differs; empty if nothing does.
+std::string difference(const Outcome& got, const Outcome& expected) {
+  if (!got.thrown.empty()) return "  expected  no exception\n  got       one that says: " + got.thrown + "\n";
+  if (got.counts != expected.counts || got.units != expected.units) {
+    std::string text = "  another count: a size, an index, a yes or no\n";
+    for (std::size_t k = 0; k < std::min(got.counts.size(), expected.counts.size()); ++k)
+      if (got.counts[k] != expected.counts[k])
+        return text + "  expected  " + std::to_string(expected.counts[k]) + "\n  got       " +
+               std::to_string(got.counts[k]) + "\n";
+    return text;
+  }
+  for (std::size_t k = 0; k < got.numbers.size(); ++k) {
+    const Unit& unit = got.units[k];
+    const double a = got.numbers[k], b = expected.numbers[k], allowed = room * size_of(expected, unit);
+    if (a == b || same_bits(a, b) || std::abs(a - b) <= allowed) continue;
+    return "  expected  " + quantity(b, unit) + "\n  got       " + quantity(a, unit) +
+           ", counted in SI units again" + "\n  tolerance " + show(allowed) +
+           " (powers of two change no digit; room for a logarithm)\n";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string show(const Unit& unit) {
+  std::string above, below;
+  const auto add = [&](const char* name, int power) {
+    std::string& side = power > 0 ? above : below;
+    if (power == 0) return;
+    side += (side.empty() ? "" : " ") + std::string(name);
+    if (std::abs(power) > 1) side += "^" + std::to_string(std::abs(power));
+  };
+  add("kg", unit.mass);
+  add("m", unit.length);
+  add("s", unit.time);
+  if (below.empty()) return above;
+  if (below.find(' ') != std::string::npos) below = "(" + below + ")";
+  return (above.empty() ? "1" : above) + "/" + below;
+}
+
+double UnitSystem::factor(const Unit& unit) const {
+  return std::ldexp(1.0, mass * unit.mass + length * unit.length + time * unit.time);
+}
+
+void Reading::number(double& value, const Unit& unit) {
+  if (!everything_ && !fixed_) return;
+  outcome_.numbers.push_back(value);
+  outcome_.units.push_back(unit);
+}
+
+void Reading::count(long long value) {
+  if (everything_ || fixed_) outcome_.counts.push_back(value);
+}
+
+bool same_bits(const Outcome& a, const Outcome& b) {
+  return a.counts == b.counts && a.units == b.units &&
+         std::equal(a.numbers.begin(), a.numbers.end(), b.numbers.begin(), b.numbers.end(),
+                    [](double x, double y) { return same_bits(x, y); });
+}
+
+bool compare_calls(const std::string& equation, const std::function<Outcome(const UnitSystem&)>& call) {
+  const Outcome first = call({});
+  if (!first.thrown.empty()) {
+    report_failure("a call with numbers that nothing is wrong with", equation,
+                   "  expected  no exception\n  got       one that says: " + first.thrown + "\n", "");
+    return false;
+  }
+  if (!first.inputs_stayed) {
+    this_failure_explains();
+    report_failure(
+        "what is given, after the call", equation,
+        "  expected  the same as before\n  got       something else\n",
+        "An input was changed. It is const, or a part that is given, such as a mass: whoever asks still "
+        "needs it. Work on a copy.");
+    return false;
+  }
+  for (const UnitSystem& system : systems) {
+    const Outcome other = call(system);
+    if (!same_bits(call({}), first) || !same_bits(call(system), other)) {
+      this_failure_explains();
+      report_failure(
+          "the same call again, after others", equation,
+          "  expected  the same to the last digit\n  got       something else\n",
+          "Something lives on from one call to the next: a static or a global variable, or one that never "
+          "got a value? All that counts is in the arguments.");
+      return false;
+    }
+    const std::string differs = difference(other, first);
+    if (differs.empty()) continue;
+    report_failure(std::string("the same, with ") + system.name, equation, differs, clue);
+    return false;
+  }
+  return true;
+}
+
+}  // namespace spook::testing

@@ -1,0 +1,171 @@
+#pragma once
+// A law of nature does not know what a kilogram is. So a function that computes one gives the same answer when masses,
+// lengths and times are counted in other units; and as these are powers of two, the same to the last digit. What it
+// gives away is an absolute threshold, such as `if (x < 1e-9)`: which numbers are small depends on the units.
+//
+//   expect_same_in_any_units("Eq. (1.3)", kick, m / s,                         // the unit of what it returns
+//                            v * (m / s), f * N, 1 / mass * (1 / kg), h * s);  // and those of its arguments
+//
+// Two more promises are looked at on the way: what is given as const stays as it was, and the same call gives the same
+// answer again, whatever was asked in between.
+#include <functional>
+#include <tuple>
+#include <type_traits>
+
+#include "common/not_implemented.hpp"
+#include "units.hpp"
+
+namespace spook::testing {
+
+/// A choice of units: how many kilograms, metres and seconds, as powers of two, and in words.
+struct UnitSystem {
+  int mass = 0, length = 0, time = 0;
+  const char* name = "kilograms, metres and seconds";
+
+  /// What to multiply a number by that was counted in SI units.
+  double factor(const Unit& unit) const;
+};
+
+/// What a call gave, in SI units again.
+struct Outcome {
+  std::vector<double> numbers = {};
+  std::vector<Unit> units = {};
+  std::vector<long long> counts = {};
+  bool inputs_stayed = true;
+  std::string thrown = {};
+};
+
+/// Whether two outcomes are the same to the last bit.
+bool same_bits(const Outcome& a, const Outcome& b);
+
+/// Counts all numbers in other units, or in SI units again.
+class Converting : public Visitor {
+ public:
+  Converting(const UnitSystem& system, bool back) : system_(system), back_(back) {}
+  void number(double& value, const Unit& unit) override {
+    value *= back_ ? 1 / system_.factor(unit) : system_.factor(unit);
+  }
+  void count(long long) override {}
+
+ private:
+  const UnitSystem& system_;
+  bool back_;
+};
+
+/// Writes everything down, or only what is fixed.
+class Reading : public Visitor {
+ public:
+  explicit Reading(Outcome& outcome, bool everything = true) : outcome_(outcome), everything_(everything) {}
+  void number(double& value, const Unit& unit) override;
+  void count(long long value) override;
+  void fixed(bool is) override { fixed_ = is; }
+
+ private:
+  Outcome& outcome_;
+  bool everything_, fixed_ = false;
+};
+
+/// Whether an input is as it was before the call; of one that may change, the parts that are fixed.
+template <class Quantity>
+bool stayed(Quantity& before, Quantity& after, bool may_change) {
+  Outcome then, now;
+  Reading old(then, !may_change), recent(now, !may_change);
+  each_number(old, before.value, before.units);
+  each_number(recent, after.value, after.units);
+  return same_bits(then, now);
+}
+
+/// Calls the function in SI units, in others, and in SI units again; false, and a failure, if it makes a difference.
+bool compare_calls(const std::string& equation, const std::function<Outcome(const UnitSystem&)>& call);
+
+/// A function's parameters.
+template <class Function>
+struct Parameters : Parameters<decltype(&Function::operator())> {};
+template <class Result, class... All>
+struct Parameters<Result (*)(All...)> {
+  using result = Result;
+  template <std::size_t k>
+  static constexpr bool may_change =
+      std::is_lvalue_reference_v<std::tuple_element_t<k, std::tuple<All...>>> &&
+      !std::is_const_v<std::remove_reference_t<std::tuple_element_t<k, std::tuple<All...>>>>;
+};
+template <class Result, class Class, class... All>
+struct Parameters<Result (Class::*)(All...) const> : Parameters<Result (*)(All...)> {};
+
+/// What a list is a list of.
+template <class Value>
+struct ElementOf {
+  using type = Value;
+};
+template <class Value>
+struct ElementOf<std::vector<Value>> : ElementOf<Value> {};
+template <class Value, std::size_t size>
+struct ElementOf<std::array<Value, size>> : ElementOf<Value> {};
+
+template <class Value>
+concept HasFields = requires(Visitor& visitor, typename ElementOf<Value>::type& all) {
+  each_number(visitor, all, ByField{});
+}
+&&!std::is_arithmetic_v<typename ElementOf<Value>::type>;
+
+/// What comes without a unit: plain numbers, or what has its own fields.
+template <class Value>
+auto as_quantity(const Value& value) {
+  using Units = std::conditional_t<HasFields<Value>, ByField, Unit>;
+  if constexpr (requires { typename Value::PlainObject; })
+    return Quantity<typename Value::PlainObject, Unit>{value, {}};
+  else
+    return Quantity<Value, Units>{value, {}};
+}
+template <class Value, class Units>
+auto as_quantity(const Quantity<Value, Units>& quantity) {
+  return quantity;
+}
+
+/// The function gives the same in any units. `units_of_result` is a unit, or by_field, or nothing; then come the
+/// arguments, each with its unit. What the function changes in them is compared, too.
+template <class Function, class Units, class... All>
+bool expect_same_in_any_units(const std::string& equation, const Function& function,
+                              const Units& units_of_result, const All&... all) {
+  using Known = Parameters<std::decay_t<Function>>;
+  const auto call = [&](const UnitSystem& system) {
+    auto arguments = std::tuple(as_quantity(all)...);
+    Outcome outcome;
+    Converting there(system, false), back(system, true);
+    const auto read = [&](auto& value, const auto& units) {
+      Reading reading(outcome);
+      each_number(back, value, units);
+      each_number(reading, value, units);
+    };
+    std::apply([&](auto&... each) { (each_number(there, each.value, each.units), ...); }, arguments);
+    auto given = arguments;
+    const auto ask = [&](auto&... each) { return function(each.value...); };
+    try {
+      if constexpr (std::is_void_v<typename Known::result>) {
+        std::apply(ask, arguments);
+      } else {
+        auto result = std::apply(ask, arguments);
+        read(result, units_of_result);
+      }
+    } catch (const NotImplemented&) {
+      throw;
+    } catch (const std::exception& error) {
+      outcome.thrown = error.what();
+      return outcome;
+    }
+    [&]<std::size_t... k>(std::index_sequence<k...>) {
+      const auto look = [&]<std::size_t at>(std::integral_constant<std::size_t, at>) {
+        auto& after = std::get<at>(arguments);
+        auto& before = std::get<at>(given);
+        outcome.inputs_stayed = outcome.inputs_stayed && stayed(before, after, Known::template may_change<at>);
+        if constexpr (Known::template may_change<at>) read(after.value, after.units);
+      };
+      (look(std::integral_constant<std::size_t, k>{}), ...);
+    }
+    (std::index_sequence_for<All...>{});
+    return outcome;
+  };
+  return compare_calls(equation, call);
+}
+
+}  // namespace spook::testing

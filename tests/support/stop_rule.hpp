@@ -1,0 +1,16 @@
+#pragma once
+// The contract of solve(), which later solvers share: where the sweeps end, and what they say then.
+#include <functional>
+
+#include "04_gauss_seidel/gauss_seidel.hpp"
+
+namespace spook::testing {
+
+/// The problem of a test, always from the same start, by this rule.
+using SolvesBy = std::function<SolveReport(const StopRule&)>;
+
+/// It stops at the first entry of its history that is at most the tolerance, in m/s; has converged then, also when this
+/// is the last that is allowed; has not when one fewer is; and its history has every entry. Of so many entries.
+bool expect_stops_by_the_rule(const std::string& equation, int entries, const SolvesBy& solve);
+
+}  // namespace spook::testing

@@ -1,0 +1,98 @@
+"""Mistakes that look right, and are with most numbers: a threshold without a unit, a float for a double, what lives on
+from one call to the next, an input that is changed, and two small changes at once."""
+
+import random
+import re
+from collections.abc import Iterator
+
+from cpp_source import Source
+from mutant import Mutant
+
+PAIRS = 15  # of an exercise
+_SMALL = "1e-9"
+_TYPES = {"double", "Vec3", "Vec2", "Mat3", "Vector"}
+# The beginning of a function at the begin of a line, and what it returns.
+_FUNCTION = re.compile(r"^(?:static |inline )*(\w+) \w+(?:<\w+>)?\(", re.MULTILINE)
+_VECTOR = re.compile(r"const (std::vector<[\w<>:]+>)& (\w+)")
+_MATRIX = re.compile(r"const (Vec3|Mat3|Vec2|Vector)& (\w+)")
+
+
+def thresholds(source: Source) -> Iterator[Mutant]:
+    """What is small is taken for zero: in a comparison, in a value, in a result."""
+    for k in source.code:
+        token, before = source.tokens[k], source.tokens[k - 1].text
+        if token.text == "0" and before in ("<", "<=", ">", ">=") and source.spaced(k):
+            yield Mutant("threshold", token.start, token.end, _SMALL)
+            yield Mutant("threshold", token.start, token.end, f"-{_SMALL}")
+    for kind, begin, end in _values(source):
+        value = source.text[begin:end]
+        if kind == "double":
+            yield Mutant("threshold", begin, end,
+                         f"[](double x) {{ return x < {_SMALL} && x > -{_SMALL} ? 0 : x; }}({value})")
+        elif kind == "Vec3":
+            yield Mutant("threshold", begin, end,
+                         f"[](Vec3 x) -> Vec3 {{ return (x.norm() < {_SMALL} ? 0.0 : 1.0) * x; }}({value})")
+
+
+def floats(source: Source) -> Iterator[Mutant]:
+    for kind, begin, end in _values(source):
+        value = source.text[begin:end]
+        rounded = (f"static_cast<float>({value})" if kind == "double"
+                   else f"{kind}({kind}({value}).cast<float>().cast<double>())")
+        yield Mutant("float", begin, end, rounded)
+
+
+def statics(source: Source) -> Iterator[Mutant]:
+    """A value that is computed once, and a list that keeps what it held."""
+    for k in source.code:
+        if not source.begins_statement(k):
+            continue
+        text = source.text[source.tokens[k].start:]
+        if re.match(rf"(const )?({'|'.join(_TYPES)}|std::vector<[\w<>:]+>) \w+( =|;|\()", text):
+            yield Mutant("static", source.tokens[k].start, source.tokens[k].start, "static ")
+
+
+def inputs(source: Source) -> Iterator[Mutant]:
+    """A parameter that is const is another one after the call."""
+    for function in _FUNCTION.finditer(source.text):
+        opens = next((k for k, token in enumerate(source.tokens) if token.start == function.end() - 1), None)
+        if opens is None or not source.is_at(source.partner[opens] + 1, "{"):
+            continue
+        body = source.tokens[source.partner[opens] + 1].end
+        parameters = source.text[function.end():source.tokens[source.partner[opens]].start]
+        found = [(type_, name, f"const_cast<{type_}&>({name}) *= 2;") for type_, name in _MATRIX.findall(parameters)]
+        found += [(type_, name, f"if (!{name}.empty()) std::swap(const_cast<{type_}&>({name}).front(), "
+                                f"const_cast<{type_}&>({name}).back());")
+                  for type_, name in _VECTOR.findall(parameters)]
+        for _, name, spoils in found:
+            yield Mutant("input", body, body,
+                         f" const std::shared_ptr<void> at_the_end_{name}(nullptr, [&](void*) {{ {spoils} }});")
+
+
+def pairs(source: Source, singles: list[Mutant]) -> Iterator[Mutant]:
+    """Two of the first-order changes, the same ones for the same text."""
+    chosen = random.Random(source.text)
+    for _ in range(PAIRS if len(singles) > 1 else 0):
+        one, other = sorted(chosen.sample(singles, 2), key=lambda mutant: mutant.start)
+        if one.end < other.start:
+            between = source.text[one.end:other.start]
+            yield Mutant("pair", one.start, other.end, one.text + between + other.text)
+
+
+def _values(source: Source) -> Iterator[tuple[str, int, int]]:
+    """The type of each value that a constant gets, or a function returns, and where it stands."""
+    for k in source.code:
+        token = source.tokens[k]
+        if not source.begins_statement(k):
+            continue
+        end = source.up_to(k, ";")
+        if not source.is_at(end, ";"):
+            continue
+        if token.text == "const" and source.tokens[k + 1].text in _TYPES and source.is_at(k + 3, "="):
+            first = source.up_to(k + 4, ",")
+            if first >= end:  # one value
+                yield source.tokens[k + 1].text, source.tokens[k + 4].start, source.tokens[end - 1].end
+        elif token.text == "return" and k + 1 < end:
+            before = [found[1] for found in _FUNCTION.finditer(source.text, 0, token.start)]
+            if before and before[-1] in _TYPES:
+                yield before[-1], source.tokens[k + 1].start, source.tokens[end - 1].end
