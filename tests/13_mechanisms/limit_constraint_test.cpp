@@ -9,7 +9,7 @@ namespace {
 
 EXERCISE(LimitConstraint, "13.4 limit_constraint");
 
-constexpr double h = 0.01;
+constexpr double limit_step = 0.01;
 const Spook numbers{.a = 30, .b = 0.9, .Sigma = 0.02};
 const JointLimits limits{.lower = -0.5, .upper = 2};
 
@@ -22,7 +22,7 @@ Coordinate at(double value) {
 }
 
 Constraint<6> row_at(double value) {
-  return limit_constraint(at(value), limits, numbers, h);
+  return limit_constraint(at(value), limits, numbers, limit_step);
 }
 
 EXERCISE_TEST(LimitConstraint, HasTheGapToTheNearerLimit) {
@@ -67,7 +67,7 @@ EXERCISE_TEST(LimitConstraint, LetsComeAsFarAsTheLimit) {
   for (const double value : {-0.4, 1.0, 1.99}) {
     const Spook got = row_at(value).spook;
     expect_near(
-        "a, before the limit [1/s]", "Eq. (13.11)", got.a, 1 / h, roundings(2, 1 / h),
+        "a, before the limit [1/s]", "Eq. (13.11)", got.a, 1 / limit_step, roundings(2, 1 / limit_step),
         {{numbers.a, "This is SPOOK's a. It brakes what is still on its way: the limit would begin too early."},
          {0, "Without a it stops where it is, before the limit."},
          {1, "It is 1/h: in a step it may use up the gap, g + h dg/dt >= 0."}},
@@ -83,9 +83,10 @@ EXERCISE_TEST(LimitConstraint, LetsComeAsFarAsTheLimit) {
 EXERCISE_TEST(LimitConstraint, IsASpringBeyondIt) {
   for (const double value : {-0.6, 2.2, -0.5}) {  // at the limit, too
     const Spook got = row_at(value).spook;
-    expect_near("a, beyond the limit or at it [1/s]", "Eq. (13.11)", got.a, numbers.a, {0, "a copy"},
-                {{1 / h, "This is 1/h: it would bring back the whole gap in one step, and throw it off."}},
-                "Beyond the limit a is that of SPOOK.");
+    expect_near(
+        "a, beyond the limit or at it [1/s]", "Eq. (13.11)", got.a, numbers.a, {0, "a copy"},
+        {{1 / limit_step, "This is 1/h: it would bring back the whole gap in one step, and throw it off."}},
+        "Beyond the limit a is that of SPOOK.");
     expect_near("b, beyond the limit or at it", "Eq. (13.11)", got.b, 1, {0, "exact"},
                 {{numbers.b,
                   "SPOOK's b leaves 1 - b of the speed of what has just arrived, and that goes on into it."}},
@@ -96,8 +97,8 @@ EXERCISE_TEST(LimitConstraint, IsASpringBeyondIt) {
 }
 
 EXERCISE_TEST(LimitConstraint, MayHaveOneLimitOnly) {
-  const Constraint<6> low = limit_constraint(at(7), {.lower = 5}, numbers, h),
-                      high = limit_constraint(at(7), {.upper = 5}, numbers, h);
+  const Constraint<6> low = limit_constraint(at(7), {.lower = 5}, numbers, limit_step),
+                      high = limit_constraint(at(7), {.upper = 5}, numbers, limit_step);
   expect_near("gap above a lower limit, without an upper one", "Eq. (13.10)", low.gap, 2, roundings(16, 7), {},
               "A limit that is infinite is infinitely far away, and never the nearer one.");
   expect_near("gap beyond an upper limit, without a lower one", "Eq. (13.10)", high.gap, -2, roundings(16, 7),
@@ -107,22 +108,23 @@ EXERCISE_TEST(LimitConstraint, MayHaveOneLimitOnly) {
 // A wheel that turns towards its limit, by hand: one row, solved exactly in every step.
 EXERCISE_TEST(LimitConstraint, StopsAWheelWhereItShould) {
   const double I = 2, limit = 0.237;
-  const Spook spook = spook_parameters(h, 1e9, 3);
+  const Spook spook = spook_parameters(limit_step, 1e9, 3);
   double angle = 0, omega = 1.3, farthest = 0, given = 0;
   for (int n = 1; n <= 60; ++n) {
     const Coordinate free{
         .i = 0, .j = 1, .Gi = Twist<6>::Zero(), .Gj = velocity_of(Vec3::Zero(), Vec3::UnitZ()), .value = angle};
-    const Constraint<6> row = limit_constraint(free, {.upper = limit}, spook, h);
+    const Constraint<6> row = limit_constraint(free, {.upper = limit}, spook, limit_step);
     const double G = row.Gj[5];
     const double B = -row.spook.a * row.gap - row.spook.b * G * omega;
     const double lambda = std::clamp(B / (G * G / I + row.spook.Sigma), row.lo, row.hi);
     omega += G * lambda / I;
-    angle += h * omega;
+    angle += limit_step * omega;
     given -= G * lambda;
     farthest = std::max(farthest, angle);
-    if (n * h * 1.3 < limit - h * 1.3)
-      expect_near("angle on the way, after " + show(n * h) + " s [rad]", "Eq. (13.11)", angle, n * h * 1.3,
-                  roundings(64), {}, "Nothing slows it before the step in which it arrives.");
+    if (n * limit_step * 1.3 < limit - limit_step * 1.3)
+      expect_near("angle on the way, after " + show(n * limit_step) + " s [rad]", "Eq. (13.11)", angle,
+                  n * limit_step * 1.3, roundings(64), {},
+                  "Nothing slows it before the step in which it arrives.");
     if (::testing::Test::HasFailure()) return;
   }
   expect_near("the farthest that it came [rad]", "Eq. (13.11)", farthest, limit,

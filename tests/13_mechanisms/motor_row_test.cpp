@@ -9,7 +9,7 @@ namespace {
 
 EXERCISE(MotorRow, "13.5 motor_row");
 
-constexpr double h = 0.02;
+constexpr double motor_step = 0.02;
 
 struct Driven {
   Random random;
@@ -29,7 +29,7 @@ struct Driven {
       motion.Wf.push_back(velocity_of(random.vector(), random.vector()));
     }
   }
-  Row<6> row() const { return motor_row(free, motor, h, motion); }
+  Row<6> row() const { return motor_row(free, motor, motor_step, motion); }
   double along(const std::vector<Twist<6>>& of) const { return rate_by(free, of[0], of[1]); }
 };
 
@@ -43,8 +43,8 @@ EXERCISE_TEST(MotorRow, AsksForTheSpeedThatIsLacking) {
        {w, "The speed that it has already is missing."},
        {w + GW + GWf, "The sign: what it has already is taken from what is wanted."},
        {-w - GW - GWf, "The sign of the wanted speed."},
-       {h * w - GW - GWf, "This is the angle of a step, h w. The row is about a speed."},
-       {w - GW - GWf - t.free.value / h,
+       {motor_step * w - GW - GWf, "This is the angle of a step, h w. The row is about a speed."},
+       {w - GW - GWf - t.free.value / motor_step,
         "The angle is corrected, too. A motor has none that it wants: a = 0."}},
       "B = w - G W - G W_f.");
 }
@@ -60,11 +60,11 @@ EXERCISE_TEST(MotorRow, DoesNotLookAtTheAngle) {
 EXERCISE_TEST(MotorRow, IsAsStrongAsItIs) {
   Driven t;
   const Row<6> row = t.row();
-  const double most = h * t.motor.strength;
+  const double most = motor_step * t.motor.strength;
+  expect_true("a motor of 3 N m has bounds; here hi = " + show(row.hi), "Eq. (13.13)", std::isfinite(row.hi),
+              "The motor has no bound: it would be at speed in one step.");
   expect_near("largest impulse of a motor of 3 N m in 0.02 s [N m s]", "Eq. (13.13)", row.hi, most,
-              roundings(4),
-              {{t.motor.strength, "This is the torque. λ is an impulse: in a step it is h T."},
-               {infinity, "The motor has no bound: it would be at speed in one step."}},
+              roundings(4), {{t.motor.strength, "This is the torque. λ is an impulse: in a step it is h T."}},
               "|λ| <= h T.");
   expect_near("smallest impulse [N m s]", "Eq. (13.13)", row.lo, -most, roundings(4),
               {{0, "It can not brake: a motor pushes both ways."}}, "-h T <= λ.");
@@ -75,9 +75,10 @@ EXERCISE_TEST(MotorRow, IsAsStrongAsItIs) {
 
 EXERCISE_TEST(MotorRow, LagsByItsTorqueOverItsViscosity) {
   const Driven t;
-  expect_near("Σ of a motor of viscosity 40", "Eq. (13.12)", t.row().Sigma, 1 / (h * 40), roundings(8, 2),
+  expect_near("Σ of a motor of viscosity 40", "Eq. (13.12)", t.row().Sigma, 1 / (motor_step * 40),
+              roundings(8, 2),
               {{0, "Σ is missing: what is left of SPOOK's numbers is 1/(h c)."},
-               {h / 40, "This is h/c. Put a steady speed into S λ = B: Σ λ is the lack, and λ = h T."},
+               {motor_step / 40, "This is h/c. Put a steady speed into S λ = B: Σ λ is the lack, and λ = h T."},
                {1.0 / 40, "The h is missing: λ is an impulse."}},
               "Σ = 1/(h c).");
 }
@@ -97,7 +98,9 @@ EXERCISE_TEST(MotorRow, IsARowOfTheCoordinate) {
 
 EXERCISE_TEST(MotorRow, RejectsMotorsThatMakeNoSense) {
   const Driven t;
-  const auto with = [&](const Motor& motor, double step = h) { motor_row(t.free, motor, step, t.motion); };
+  const auto with = [&](const Motor& motor, double step = motor_step) {
+    motor_row(t.free, motor, step, t.motion);
+  };
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double bad : {infinity, nan})
     expect_rejects("a speed of " + show(bad), "speed", [&] { with({.speed = bad}); });
@@ -119,11 +122,11 @@ EXERCISE_TEST(MotorRow, BringsAFlywheelToSpeed) {
   const Twist<6> G = velocity_of(Vec3::Zero(), Vec3::UnitZ());
   const Coordinate free{.i = 0, .j = 1, .Gi = -G, .Gj = G, .value = 0};
   for (int n = 1; n <= 700 && !::testing::Test::HasFailure(); ++n) {
-    const Row<6> row = motor_row(free, {.speed = w, .strength = T}, h, motion);
+    const Row<6> row = motor_row(free, {.speed = w, .strength = T}, motor_step, motion);
     motion.W[1] += std::clamp(row.B / row.diagonal, row.lo, row.hi) * row.MinvGj;
     expect_near("speed of a flywheel after " + std::to_string(n) + " steps [rad/s]", "Eq. (13.14)",
-                motion.W[1][5], std::min(n * h * T / I, w), {1e-9, "roundings, and 1/(h c) of 1e-11"}, {},
-                "It gains h T/I a step, until it has the speed that is wanted, and keeps it.");
+                motion.W[1][5], std::min(n * motor_step * T / I, w), {1e-9, "roundings, and 1/(h c) of 1e-11"},
+                {}, "It gains h T/I a step, until it has the speed that is wanted, and keeps it.");
   }
 }
 
