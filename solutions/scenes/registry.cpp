@@ -29,7 +29,12 @@ const std::vector<SceneDescription>& scenes() {
                                                     closed_loop(),
                                                     tower(),
                                                     wall(),
-                                                    flat_box_100_contacts()};
+                                                    flat_box_100_contacts(),
+                                                    door(),
+                                                    physical_pendulum(),
+                                                    flywheel(),
+                                                    gyroscope(),
+                                                    bead()};
   return all;
 }
 

@@ -29,6 +29,11 @@ SceneDescription closed_loop();
 SceneDescription tower();
 SceneDescription wall();
 SceneDescription flat_box_100_contacts();
+SceneDescription door();
+SceneDescription physical_pendulum();
+SceneDescription flywheel();
+SceneDescription gyroscope();
+SceneDescription bead();
 
 const std::vector<SceneDescription>& scenes();
 
