@@ -8,6 +8,10 @@ namespace spook {
 
 static constexpr double relaxation_of_contacts = 3, relaxation_of_joints = 0.25;  // [steps]
 
+static void require_no_relaxation(double d) {
+  if (d > 0) reject("d", d, "0 with compose 4: what relaxation loses, a step backwards does not give back");
+}
+
 template <int Dof>
 World<Dof>::World(Settings<Dof> settings)
     : settings_(std::move(settings)),
@@ -25,11 +29,30 @@ World<Dof>::World(Settings<Dof> settings)
   require_positive("max_sweeps", settings_.stop.max_sweeps);
   require_not_negative("tolerance", settings_.stop.tolerance);
   if (!settings_.solver.solve) throw std::invalid_argument("solver must be one of solvers(), but is null");
+  require_smooth();
   const bool boxed = settings_.friction > 0 && settings_.solver.friction == FrictionModel::box;
   if (boxed && (settings_.force || settings_.wrench) && settings_.gravity.isZero(0))
     throw std::invalid_argument(
         "gravity must not be 0 where force presses bodies together: the friction box takes its bound from it; "
         "solver cone() or two_pass() does not");
+}
+
+/// Throws std::invalid_argument for what steps that are composed can not have.
+template <int Dof>
+void World<Dof>::require_smooth() const {
+  if (settings_.compose == 2) return;
+  if (settings_.compose != 4) reject("compose", settings_.compose, "2 or 4");
+  if (settings_.d) require_no_relaxation(*settings_.d);
+  const std::string refused = "compose must be 2 with ", reason = ", but is 4: ";
+  if (settings_.wrench)
+    throw std::invalid_argument(refused + "a wrench" + reason + "it may see velocities, and force does not");
+  if constexpr (Dof == 6)
+    if (settings_.rotation.update != RotationUpdate::splitting)
+      throw std::invalid_argument(refused + "another rotation than splitting" + reason +
+                                  "the others are not symmetric in time");
+  if (shapes_.may_touch())
+    throw std::invalid_argument(refused + "bodies that may touch" + reason +
+                                "a contact that opens or closes is not smooth, and friction and impacts have no way back");
 }
 
 template <int Dof>
@@ -50,6 +73,7 @@ int World<Dof>::add(const Body<Dof>& body) {
     shapes_.smallest =
         std::min(shapes_.smallest, solid.radius > 0 ? solid.radius : solid.half_sides.minCoeff());
   }
+  require_smooth();
   return i;
 }
 
@@ -59,6 +83,7 @@ int World<Dof>::add_fixed(const Vec3& x, double radius) {
   const int i = bodies_.add_fixed(x);
   if (radius > 0)
     shapes_.solids.push_back({.body = i, .radius = radius, .half_sides = Vec3::Zero(), .fixed = true});
+  require_smooth();
   return i;
 }
 
@@ -69,6 +94,7 @@ int World<Dof>::add_fixed_box(const Vec3& x, const Vec3& half_sides, const Quat&
   const int i = bodies_.add_fixed(x);
   bodies_.orientations.q.back() = q.normalized();
   shapes_.solids.push_back({.body = i, .radius = 0, .half_sides = half_sides, .fixed = true});
+  require_smooth();
   return i;
 }
 
@@ -78,6 +104,7 @@ int World<Dof>::add_plane(const Vec3& n, double offset) {
   require_finite("offset", offset);
   const int i = bodies_.add_fixed(offset * n);
   shapes_.planes.push_back({.body = i, .x = offset * n, .n = n, .offset = offset});
+  require_smooth();
   return i;
 }
 
@@ -95,7 +122,8 @@ int World<Dof>::add_joint(const Joint& given) {
     if (!joint.p_j.isZero(0)) reject("|p_j|", joint.p_j.norm(), "0 for a point mass");
   }
   if (!joint.k) joint.k = settings_.k;
-  if (!joint.d) joint.d = settings_.d.value_or(relaxation_of_joints);
+  if (!joint.d) joint.d = settings_.d.value_or(settings_.compose == 4 ? 0 : relaxation_of_joints);
+  if (settings_.compose == 4) require_no_relaxation(*joint.d);
   const Spook spook = spook_parameters(1, *joint.k, *joint.d);
   if (joint.length)
     distance_constraint<Dof>(attachment(joint.i, joint.p_i, bodies_), attachment(joint.j, joint.p_j, bodies_),
@@ -277,7 +305,8 @@ StepReport World<Dof>::report() const {
           .impacts = impacts_,
           .rows = static_cast<int>(rows_.size()),
           .iterations = static_cast<int>(solved_.history.size()),
-          .residual = rows_.empty() ? 0
+          .residual = rows_.empty()             ? 0
+                      : settings_.compose == 4 ? solved_.history.back()
                       : settings_.solver.friction == FrictionModel::cone
                           ? residual_on_cones(rubbing_, rows_, V_)
                           : residual(rows_, V_),

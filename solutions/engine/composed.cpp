@@ -1,0 +1,156 @@
+#include "engine/composed.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "engine/rows.hpp"
+
+namespace spook {
+
+static constexpr std::size_t few = 12;     // rows
+static constexpr double softness = 1e-12;  // Σ, of the diagonal
+
+/// The entry of S of two rows, without Σ.
+template <int Dof>
+static double coupling(const Row<Dof>& k, const Row<Dof>& l) {
+  double sum = 0;
+  if (k.i == l.i) sum += k.MinvGi.dot(l.Gi);
+  if (k.i == l.j) sum += k.MinvGi.dot(l.Gj);
+  if (k.j == l.i) sum += k.MinvGj.dot(l.Gi);
+  if (k.j == l.j) sum += k.MinvGj.dot(l.Gj);
+  return sum;
+}
+
+template <int Dof>
+bool RowFactors::factorise(const std::vector<Row<Dof>>& rows) {
+  dense_ = rows.size() <= few;
+  if (!dense_) return spook::factorise(schur_complement(rows), sparse_);
+  const auto n = static_cast<Eigen::Index>(rows.size());
+  S_.resize(n, n);
+  for (Eigen::Index l = 0; l < n; ++l) {
+    for (Eigen::Index k = l; k < n; ++k)
+      S_(k, l) = coupling(rows[static_cast<std::size_t>(k)], rows[static_cast<std::size_t>(l)]);
+    S_(l, l) += rows[static_cast<std::size_t>(l)].Sigma;
+  }
+  return Eigen::internal::llt_inplace<double, Eigen::Lower>::unblocked(S_) < 0;
+}
+
+void RowFactors::solve(Vector& right) const {
+  if (dense_) {
+    S_.triangularView<Eigen::Lower>().solveInPlace(right);
+    S_.triangularView<Eigen::Lower>().adjoint().solveInPlace(right);
+  } else {
+    right = sparse_.ldlt.solve(right);
+  }
+}
+
+template <int Dof>
+double gap_speeds(const std::vector<Joint>& joints, const Bodies<Dof>& bodies, double h, Vector& speeds) {
+  double reach = 0;
+  Eigen::Index row = 0;
+  for (const Joint& joint : joints) {
+    const Attachment i = attachment(joint.i, joint.p_i, bodies), j = attachment(joint.j, joint.p_j, bodies);
+    const Vec3 apart = (j.x + j.r) - (i.x + i.r);
+    reach = std::max({reach, (j.x + j.r).cwiseAbs().maxCoeff(), (i.x + i.r).cwiseAbs().maxCoeff()});
+    if (joint.length) {
+      speeds[row++] = (apart.norm() - *joint.length) / h;
+    } else {
+      speeds.segment<3>(row) = apart / h;
+      row += 3;
+    }
+  }
+  return 8 * std::numeric_limits<double>::epsilon() * reach / std::abs(h);
+}
+
+template <int Dof>
+void Held<Dof>::begin(const std::vector<Joint>& joints, const Bodies<Dof>& bodies, std::vector<Row<Dof>>& rows,
+                      SolveReport& report) {
+  if (joints.empty()) return;
+  lambda_.setZero(rows.size());
+  for (std::size_t k = 0; k < rows.size(); ++k) lambda_[static_cast<Eigen::Index>(k)] = rows[k].lambda;
+  rows.clear();
+  add_joint_rows(joints, 1, bodies, rows);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    rows[k].B = 0;
+    rows[k].Sigma = softness * rows[k].diagonal;
+    if (lambda_.size() > 0) rows[k].lambda = lambda_[static_cast<Eigen::Index>(k)];
+  }
+  lacking_.resize(static_cast<Eigen::Index>(rows.size()));
+  if (factors_.factorise(rows)) return;
+  report.converged = false;
+  report.trouble = "the rows of the joints could not be factorised";
+}
+
+/// The impulses `lacking_`.
+template <int Dof>
+void Held<Dof>::apply(std::vector<Row<Dof>>& rows, Motion<Dof>& motion) const {
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const double impulse = lacking_[static_cast<Eigen::Index>(k)];
+    apply_impulse(rows[k], impulse, motion.W);
+    rows[k].lambda += impulse;
+  }
+}
+
+/// Where bodies of those velocities are after `h`.
+template <int Dof>
+static void move(const Bodies<Dof>& bodies, double h, const RotationRule<Dof>& rotation, Bodies<Dof>& ahead) {
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (bodies.is_fixed(i)) continue;
+    ahead.x[i] = drift(bodies.x[i], bodies.motion.W[i].template head<3>(), h);
+    if constexpr (Dof == 6) {
+      ahead.orientations.q[i] = bodies.orientations.q[i];
+      Vec3 omega = bodies.motion.W[i].template tail<3>();
+      rotate(rotation, ahead.orientations, i, omega, h);
+      ahead.motion.W[i].template tail<3>() = omega;
+    }
+  }
+}
+
+template <int Dof>
+void Held<Dof>::drift(const std::vector<Joint>& joints, double h, const StopRule& stop,
+                      const RotationRule<Dof>& rotation, std::vector<Row<Dof>>& rows, Bodies<Dof>& bodies,
+                      SolveReport& report) {
+  ahead_ = bodies;
+  double last = infinity;
+  for (int n = 0;; ++n) {
+    move(bodies, h, rotation, ahead_);
+    if (rows.empty()) break;
+    const double roundings = gap_speeds(joints, ahead_, h, lacking_);
+    const double most = lacking_.cwiseAbs().maxCoeff();
+    report.history.push_back(most);
+    if (most <= std::max(roundings, stop.tolerance)) break;
+    if (n == stop.max_sweeps || !(most < last)) {
+      report.converged = false;
+      break;
+    }
+    last = most;
+    lacking_ = -lacking_;
+    factors_.solve(lacking_);
+    apply(rows, bodies.motion);
+  }
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    bodies.x[i] = ahead_.x[i];
+    if constexpr (Dof == 6) {
+      bodies.orientations.q[i] = ahead_.orientations.q[i];
+      bodies.motion.W[i].template tail<3>() = ahead_.motion.W[i].template tail<3>();
+    }
+  }
+}
+
+template <int Dof>
+void Held<Dof>::stop(std::vector<Row<Dof>>& rows, Bodies<Dof>& bodies) {
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    lacking_[static_cast<Eigen::Index>(k)] =
+        -rows[k].Gi.dot(bodies.motion.W[rows[k].i]) - rows[k].Gj.dot(bodies.motion.W[rows[k].j]);
+  factors_.solve(lacking_);
+  apply(rows, bodies.motion);
+}
+
+template bool RowFactors::factorise<3>(const std::vector<Row<3>>&);
+template bool RowFactors::factorise<6>(const std::vector<Row<6>>&);
+template double gap_speeds<3>(const std::vector<Joint>&, const Bodies<3>&, double, Vector&);
+template double gap_speeds<6>(const std::vector<Joint>&, const Bodies<6>&, double, Vector&);
+template class Held<3>;
+template class Held<6>;
+
+}  // namespace spook
