@@ -23,25 +23,27 @@ static double coupling(const Row<Dof>& k, const Row<Dof>& l) {
 
 template <int Dof>
 bool RowFactors::factorise(const std::vector<Row<Dof>>& rows) {
-  dense_ = rows.size() <= few;
-  if (!dense_) return spook::factorise(schur_complement(rows), sparse_);
+  few_ = rows.size() <= few;
+  if (!few_) return spook::factorise(schur_complement(rows), many_);
   const auto n = static_cast<Eigen::Index>(rows.size());
+  const auto row = [&](Eigen::Index k) -> const Row<Dof>& { return rows[static_cast<std::size_t>(k)]; };
   S_.resize(n, n);
   for (Eigen::Index l = 0; l < n; ++l) {
-    for (Eigen::Index k = l; k < n; ++k)
-      S_(k, l) = coupling(rows[static_cast<std::size_t>(k)], rows[static_cast<std::size_t>(l)]);
-    S_(l, l) += rows[static_cast<std::size_t>(l)].Sigma;
+    for (Eigen::Index k = l; k < n; ++k) S_(k, l) = coupling(row(k), row(l));
+    S_(l, l) += row(l).Sigma;
   }
-  return Eigen::internal::llt_inplace<double, Eigen::Lower>::unblocked(S_) < 0;
+  const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factors(S_);  // in its own place
+  if (factors.info() != Eigen::Success) return false;
+  inverse_.setIdentity(n, n);
+  for (auto column : inverse_.colwise()) factors.solveInPlace(column);
+  return true;
 }
 
-void RowFactors::solve(Vector& right) const {
-  if (dense_) {
-    S_.triangularView<Eigen::Lower>().solveInPlace(right);
-    S_.triangularView<Eigen::Lower>().adjoint().solveInPlace(right);
-  } else {
-    right = sparse_.ldlt.solve(right);
-  }
+void RowFactors::solve(const Vector& right, Vector& x) const {
+  if (few_)
+    x.noalias() = inverse_.lazyProduct(right);
+  else
+    x = many_.ldlt.solve(right);
 }
 
 template <int Dof>
@@ -81,11 +83,12 @@ void Held<Dof>::begin(const std::vector<Joint>& joints, const Bodies<Dof>& bodie
   report.trouble = "the rows of the joints could not be factorised";
 }
 
-/// The impulses `lacking_`.
+/// Takes out what is lacking, as far as G stays what it is.
 template <int Dof>
-void Held<Dof>::apply(std::vector<Row<Dof>>& rows, Motion<Dof>& motion) const {
+void Held<Dof>::make_up(std::vector<Row<Dof>>& rows, Motion<Dof>& motion) {
+  factors_.solve(lacking_, impulses_);
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    const double impulse = lacking_[static_cast<Eigen::Index>(k)];
+    const double impulse = -impulses_[static_cast<Eigen::Index>(k)];
     apply_impulse(rows[k], impulse, motion.W);
     rows[k].lambda += impulse;
   }
@@ -110,7 +113,6 @@ template <int Dof>
 void Held<Dof>::drift(const std::vector<Joint>& joints, double h, const StopRule& stop,
                       const RotationRule<Dof>& rotation, std::vector<Row<Dof>>& rows, Bodies<Dof>& bodies,
                       SolveReport& report) {
-  ahead_ = bodies;
   double last = infinity;
   for (int n = 0;; ++n) {
     move(bodies, h, rotation, ahead_);
@@ -124,9 +126,7 @@ void Held<Dof>::drift(const std::vector<Joint>& joints, double h, const StopRule
       break;
     }
     last = most;
-    lacking_ = -lacking_;
-    factors_.solve(lacking_);
-    apply(rows, bodies.motion);
+    make_up(rows, bodies.motion);
   }
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     bodies.x[i] = ahead_.x[i];
@@ -141,9 +141,8 @@ template <int Dof>
 void Held<Dof>::stop(std::vector<Row<Dof>>& rows, Bodies<Dof>& bodies) {
   for (std::size_t k = 0; k < rows.size(); ++k)
     lacking_[static_cast<Eigen::Index>(k)] =
-        -rows[k].Gi.dot(bodies.motion.W[rows[k].i]) - rows[k].Gj.dot(bodies.motion.W[rows[k].j]);
-  factors_.solve(lacking_);
-  apply(rows, bodies.motion);
+        rows[k].Gi.dot(bodies.motion.W[rows[k].i]) + rows[k].Gj.dot(bodies.motion.W[rows[k].j]);
+  make_up(rows, bodies.motion);
 }
 
 template bool RowFactors::factorise<3>(const std::vector<Row<3>>&);

@@ -35,26 +35,29 @@ inline const std::array<double, 5>& parts_of_order_four() {
   return parts;
 }
 
-/// S of rows, factorised: dense where there are few of them, sparse where there are many.
+/// S of rows: its inverse where they are few, its factors where they are many.
 class RowFactors {
  public:
   /// Returns false where a pivot is not sound.
   template <int Dof>
   bool factorise(const std::vector<Row<Dof>>& rows);
 
-  /// S x = right, in place.
-  void solve(Vector& right) const;
+  /// S x = right.
+  void solve(const Vector& right, Vector& x) const;
 
  private:
-  bool dense_ = true;
-  Eigen::MatrixXd S_;  // its lower triangle; L then
-  Factors sparse_;
+  bool few_ = true;
+  Eigen::MatrixXd S_, inverse_;
+  Factors many_;
 };
 
 /// The joints of a step that is composed.
 template <int Dof>
 class Held {
  public:
+  /// Once a step, before all that follows.
+  void begin_step(const Bodies<Dof>& bodies) { ahead_ = bodies; }
+
   /// Rows of the joints, where the bodies are. They go on with the λ that they had.
   void begin(const std::vector<Joint>& joints, const Bodies<Dof>& bodies, std::vector<Row<Dof>>& rows,
              SolveReport& report);
@@ -62,23 +65,25 @@ class Held {
   /// Moves the bodies on by `h` of either sign, with impulses such that no joint has a gap then. They are added to the
   /// rows, and what was lacking before each correction [m/s] into the report, which has not converged where they do not
   /// suffice.
-  void drift(const std::vector<Joint>& joints, double h, const StopRule& stop, const RotationRule<Dof>& rotation,
-             std::vector<Row<Dof>>& rows, Bodies<Dof>& bodies, SolveReport& report);
+  void drift(const std::vector<Joint>& joints, double h, const StopRule& stop,
+             const RotationRule<Dof>& rotation, std::vector<Row<Dof>>& rows, Bodies<Dof>& bodies,
+             SolveReport& report);
 
   /// Takes out what velocities have along the rows.
   void stop(std::vector<Row<Dof>>& rows, Bodies<Dof>& bodies);
 
  private:
-  void apply(std::vector<Row<Dof>>& rows, Motion<Dof>& motion) const;
+  void make_up(std::vector<Row<Dof>>& rows, Motion<Dof>& motion);
 
   RowFactors factors_;
-  Bodies<Dof> ahead_;  // after the drift
-  Vector lacking_;     // of each row [m/s]; then what makes up for it [N s]
+  Bodies<Dof> ahead_;  // after the drift; what does not move is where it is
+  Vector lacking_;     // of each row [m/s]
+  Vector impulses_;    // that make up for it [N s]
   Vector lambda_;      // so far in the step [N s]
 };
 
-/// Adds the gap of every row of the joints, in the order of add_joint_rows, divided by `h` [m/s]; returns by how much
-/// roundings blur them.
+/// The gap of every row of the joints, in the order of add_joint_rows, divided by `h` [m/s], into `speeds`, which has as
+/// many entries; returns by how much roundings blur them.
 template <int Dof>
 double gap_speeds(const std::vector<Joint>& joints, const Bodies<Dof>& bodies, double h, Vector& speeds);
 

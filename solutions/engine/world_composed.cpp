@@ -9,6 +9,7 @@ void World<Dof>::step_composed(double h) {
   solved_ = {.history = std::move(solved_.history), .converged = true};
   solved_.history.clear();
   impulses_.assign(bodies_.size(), Vec3::Zero());
+  held_.begin_step(bodies_);
   double before = 0;
   for (const double share : parts_of_order_four()) {
     const double part = share * h;

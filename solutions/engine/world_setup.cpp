@@ -51,8 +51,9 @@ void World<Dof>::require_smooth() const {
       throw std::invalid_argument(refused + "another rotation than splitting" + reason +
                                   "the others are not symmetric in time");
   if (shapes_.may_touch())
-    throw std::invalid_argument(refused + "bodies that may touch" + reason +
-                                "a contact that opens or closes is not smooth, and friction and impacts have no way back");
+    throw std::invalid_argument(
+        refused + "bodies that may touch" + reason +
+        "a contact that opens or closes is not smooth, and friction and impacts have no way back");
 }
 
 template <int Dof>
@@ -305,7 +306,7 @@ StepReport World<Dof>::report() const {
           .impacts = impacts_,
           .rows = static_cast<int>(rows_.size()),
           .iterations = static_cast<int>(solved_.history.size()),
-          .residual = rows_.empty()             ? 0
+          .residual = rows_.empty()            ? 0
                       : settings_.compose == 4 ? solved_.history.back()
                       : settings_.solver.friction == FrictionModel::cone
                           ? residual_on_cones(rubbing_, rows_, V_)

@@ -65,8 +65,9 @@ static void refuse_solver_beside_composed(const TypedRun& typed, const Method& m
                                                      {"warm-start", typed.warm_start}};
   for (const auto& [option, given] : of_solvers)
     if (given)
-      throw std::invalid_argument(std::string(option) +
-                                  " is for steps that a solver solves: leave it out with compose 4, which does without");
+      throw std::invalid_argument(
+          std::string(option) +
+          " is for steps that a solver solves: leave it out with compose 4, which does without");
 }
 
 Parameters TypedRun::parameters(const SceneDescription& description) const {
