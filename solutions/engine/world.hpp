@@ -83,9 +83,9 @@ class World {
  public:
   /// Throws std::invalid_argument, naming the parameter, unless gravity is finite, k > 0, d >= 0, friction >= 0,
   /// viscosity > 0, and the impact law, the solver and its stop rule are sound; and for the friction box, whose bound
-  /// is of gravity, Eq. (5.7), where `force` is all that presses. With steps that are composed also for d > 0, a wrench,
-  /// which may see velocities, and another rotation than splitting, which are not symmetric in time; from then on whatever
-  /// would let two bodies touch is refused.
+  /// is of gravity, Eq. (5.7), where `force` is all that presses. With steps that are composed also for d > 0
+  /// and another rotation than splitting, which are not symmetric in time; from then on whatever would let two bodies
+  /// touch is refused, and in the first step a wrench that sees velocities.
   explicit World(Settings<Dof> settings);
 
   /// Adds a body and returns its index; see Bodies::add for what is refused.
@@ -210,8 +210,10 @@ class World {
   void integrate(double h);
   void end_step(double h);
   void step_composed(double h);
-  void kick_all(double h);
+  void kick_all(double h, double time);
   void require_smooth() const;
+  void require_no_relaxation(double d) const;
+  void require_wrench_of_places() const;
 
   Vec3 force(std::size_t i) const;
   void begin_half_a_step_back(const char* how, double h);

@@ -8,10 +8,6 @@ namespace spook {
 
 static constexpr double relaxation_of_contacts = 3, relaxation_of_joints = 0.25;  // [steps]
 
-static void require_no_relaxation(double d) {
-  if (d > 0) reject("d", d, "0 with compose 4: what relaxation loses, a step backwards does not give back");
-}
-
 template <int Dof>
 World<Dof>::World(Settings<Dof> settings)
     : settings_(std::move(settings)),
@@ -35,25 +31,6 @@ World<Dof>::World(Settings<Dof> settings)
     throw std::invalid_argument(
         "gravity must not be 0 where force presses bodies together: the friction box takes its bound from it; "
         "solver cone() or two_pass() does not");
-}
-
-/// Throws std::invalid_argument for what steps that are composed can not have.
-template <int Dof>
-void World<Dof>::require_smooth() const {
-  if (settings_.compose == 2) return;
-  if (settings_.compose != 4) reject("compose", settings_.compose, "2 or 4");
-  if (settings_.d) require_no_relaxation(*settings_.d);
-  const std::string refused = "compose must be 2 with ", reason = ", but is 4: ";
-  if (settings_.wrench)
-    throw std::invalid_argument(refused + "a wrench" + reason + "it may see velocities, and force does not");
-  if constexpr (Dof == 6)
-    if (settings_.rotation.update != RotationUpdate::splitting)
-      throw std::invalid_argument(refused + "another rotation than splitting" + reason +
-                                  "the others are not symmetric in time");
-  if (shapes_.may_touch())
-    throw std::invalid_argument(
-        refused + "bodies that may touch" + reason +
-        "a contact that opens or closes is not smooth, and friction and impacts have no way back");
 }
 
 template <int Dof>
@@ -124,7 +101,7 @@ int World<Dof>::add_joint(const Joint& given) {
   }
   if (!joint.k) joint.k = settings_.k;
   if (!joint.d) joint.d = settings_.d.value_or(settings_.compose == 4 ? 0 : relaxation_of_joints);
-  if (settings_.compose == 4) require_no_relaxation(*joint.d);
+  require_no_relaxation(*joint.d);
   const Spook spook = spook_parameters(1, *joint.k, *joint.d);
   if (joint.length)
     distance_constraint<Dof>(attachment(joint.i, joint.p_i, bodies_), attachment(joint.j, joint.p_j, bodies_),

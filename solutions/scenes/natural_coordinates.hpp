@@ -50,7 +50,9 @@ class NaturalCoordinates {
   /// The nearest y with what is held: lengths in q, and their rates in q'.
   Vector projected(const Vector& y) const;
 
-  Vec3 at(const Place& place, const Vector& y) const { return difference(place, fixed(Vec3::Zero()), y, false); }
+  Vec3 at(const Place& place, const Vector& y) const {
+    return difference(place, fixed(Vec3::Zero()), y, false);
+  }
   double energy(const Vector& y) const;
 
  private:

@@ -96,6 +96,23 @@ TEST(Composed, BodiesThatTurnAreOfOrderFour) {
   expect_order("three boxes on ball joints, x(h) - x(h/2) [m]", "Eq. (1.13)", difference, 0.01, 3, 4, 0.15);
 }
 
+TEST(Composed, TorquesThatChangeInTimeAreOfOrderFour) {
+  // I θ'' = T cos t - c sin θ of a wheel with a spring that winds about it, against two halves of each step.
+  const auto turned = [](double h) {
+    World<6> world({.gravity = Vec3::Zero(),
+                    .wrench = [](std::size_t, const Bodies<6>& bodies, double time) -> Twist<6> {
+                      const Vec3 across = bodies.orientations.q[0] * Vec3::UnitX();
+                      return (Twist<6>() << 0, 0, 0, 0, 0, std::cos(3 * time) - 4 * across.y()).finished();
+                    },
+                    .compose = 4});
+    world.add({.principal = Vec3(0.3, 0.4, 0.5)});
+    for (std::int64_t n = step_count(h, 2); n > 0; --n) world.step(h);
+    return Vec3(orientation(world, 0) * Vec3::UnitX());
+  };
+  const auto difference = [&](double h) { return (turned(h) - turned(h / 2)).norm(); };
+  expect_order("a wheel that is driven to and fro, x(h) - x(h/2)", "Eq. (1.13)", difference, 0.1, 3, 4, 0.15);
+}
+
 TEST(Composed, RowsThatRepeatEachOtherDoNotMatter) {
   // Two ball joints on one line leave a body one angle, and hold its place along the line twice.
   const auto swung = [](double h) {
@@ -228,9 +245,12 @@ TEST(Composed, RefusesWhatHasNoWayBack) {
   using Solids = World<6>;
   expect_refusal({"compose", "2 or 4", "3"}, [] { Points world({.compose = 3}); });
   expect_refusal({"d must be 0", "compose 4", "2"}, [] { Points world({.d = 2, .compose = 4}); });
-  expect_refusal({"compose", "wrench", "velocities"}, [] {
-    Points world({.wrench = [](auto, const auto&, double) { return Twist<3>::Zero(); }, .compose = 4});
-  });
+  Points braked({.wrench = [](std::size_t i, const Bodies<3>& bodies, double) -> Twist<3> {
+                   return -0.1 * bodies.motion.W[i];
+                 },
+                 .compose = 4});
+  braked.add({});
+  expect_refusal({"compose", "wrench", "velocities"}, [&] { braked.step(0.1); });
   for (const RotationUpdate update : {RotationUpdate::first_order, RotationUpdate::exponential})
     expect_refusal({"compose", "rotation", "symmetric"},
                    [&] { Solids world({.rotation = {.update = update}, .compose = 4}); });

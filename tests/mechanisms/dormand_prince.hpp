@@ -19,16 +19,15 @@ using Numbers = Eigen::VectorXd;
 inline Numbers dormand_prince(
     const std::function<Numbers(const Numbers&)>& rate, Numbers y, double time, double tolerance,
     const std::function<Numbers(const Numbers&)>& settle = [](const Numbers& now) { return now; }) {
-  static constexpr double a[7][6] = {
-      {},
-      {1.0 / 5},
-      {3.0 / 40, 9.0 / 40},
-      {44.0 / 45, -56.0 / 15, 32.0 / 9},
-      {19372.0 / 6561, -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729},
-      {9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656},
-      {35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84}};
-  static constexpr double e[7] = {71.0 / 57600,        0, -71.0 / 16695, 71.0 / 1920, -17253.0 / 339200,
-                                  22.0 / 525, -1.0 / 40};
+  static constexpr double a[7][6] = {{},
+                                     {1.0 / 5},
+                                     {3.0 / 40, 9.0 / 40},
+                                     {44.0 / 45, -56.0 / 15, 32.0 / 9},
+                                     {19372.0 / 6561, -25360.0 / 2187, 64448.0 / 6561, -212.0 / 729},
+                                     {9017.0 / 3168, -355.0 / 33, 46732.0 / 5247, 49.0 / 176, -5103.0 / 18656},
+                                     {35.0 / 384, 0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84}};
+  static constexpr double e[7] = {71.0 / 57600,      0,          -71.0 / 16695, 71.0 / 1920,
+                                  -17253.0 / 339200, 22.0 / 525, -1.0 / 40};
   double t = 0, h = time / 100;
   while (t < time) {
     h = std::min(h, time - t);
