@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <limits>
 
-#include "engine/rows.hpp"
+#include "engine/joint_rows.hpp"
 
 namespace spook {
 
 static constexpr std::size_t few = 12;     // rows
 static constexpr double softness = 1e-12;  // Σ, of the diagonal
+static constexpr double many = 100;        // roundings: gaps that fall no more are as small as they get
 
 /// The entry of S of two rows, without Σ.
 template <int Dof>
@@ -46,22 +47,42 @@ void RowFactors::solve(const Vector& right, Vector& x) const {
     x = many_.ldlt.solve(right);
 }
 
+/// The gaps that a hinge, a slider or a weld holds at zero, from `row` on; how many there are.
+static Eigen::Index add_guided(const Joint& joint, const Bodies<6>& bodies, const Vec3& apart, Eigen::Index row,
+                               Vector& gaps) {
+  const JointFrames at = frames(joint, bodies);
+  const std::array<Coordinate, 3> turned = turned_apart(at.i, at.j);
+  Eigen::Index n = row;
+  if (joint.kind == JointKind::slider)
+    for (int axis = 0; axis < 2; ++axis) gaps[n++] = shift_along(at.i, at.j, axis).value;
+  else
+    for (const double gap : apart) gaps[n++] = gap;
+  for (std::size_t axis = 0; n < row + joint.holding_rows(); ++axis) gaps[n++] = turned[axis].value;
+  return n - row;
+}
+
 template <int Dof>
-double gap_speeds(const std::vector<Joint>& joints, const Bodies<Dof>& bodies, double h, Vector& speeds) {
+double joint_gaps(const std::vector<Joint>& joints, const Bodies<Dof>& bodies, Vector& gaps) {
   double reach = 0;
   Eigen::Index row = 0;
   for (const Joint& joint : joints) {
     const Attachment i = attachment(joint.i, joint.p_i, bodies), j = attachment(joint.j, joint.p_j, bodies);
-    const Vec3 apart = (j.x + j.r) - (i.x + i.r);
-    reach = std::max({reach, (j.x + j.r).cwiseAbs().maxCoeff(), (i.x + i.r).cwiseAbs().maxCoeff()});
+    const Vec3 at_i = i.x + i.r, at_j = j.x + j.r, apart = at_j - at_i;
+    reach = std::max({reach, at_j.cwiseAbs().maxCoeff(), at_i.cwiseAbs().maxCoeff()});
     if (joint.length) {
-      speeds[row++] = (apart.norm() - *joint.length) / h;
-    } else {
-      speeds.segment<3>(row) = apart / h;
-      row += 3;
+      gaps[row++] = apart.norm() - *joint.length;
+      continue;
     }
+    if constexpr (Dof == 6)
+      if (joint.is_guided()) {
+        row += add_guided(joint, bodies, apart, row, gaps);
+        reach = std::max(reach, 1.0);  // rad
+        continue;
+      }
+    gaps.segment<3>(row) = apart;
+    row += 3;
   }
-  return 8 * std::numeric_limits<double>::epsilon() * reach / std::abs(h);
+  return 8 * std::numeric_limits<double>::epsilon() * reach;
 }
 
 template <int Dof>
@@ -117,12 +138,13 @@ void Held<Dof>::drift(const std::vector<Joint>& joints, double h, const StopRule
   for (int n = 0;; ++n) {
     move(bodies, h, rotation, ahead_);
     if (rows.empty()) break;
-    const double roundings = gap_speeds(joints, ahead_, h, lacking_);
+    const double roundings = joint_gaps(joints, ahead_, lacking_) / std::abs(h);
+    lacking_ /= h;
     const double most = lacking_.cwiseAbs().maxCoeff();
     report.history.push_back(most);
     if (most <= std::max(roundings, stop.tolerance)) break;
     if (n == stop.max_sweeps || !(most < last)) {
-      report.converged = false;
+      report.converged = report.converged && most <= many * roundings;
       break;
     }
     last = most;
@@ -147,8 +169,8 @@ void Held<Dof>::stop(std::vector<Row<Dof>>& rows, Bodies<Dof>& bodies) {
 
 template bool RowFactors::factorise<3>(const std::vector<Row<3>>&);
 template bool RowFactors::factorise<6>(const std::vector<Row<6>>&);
-template double gap_speeds<3>(const std::vector<Joint>&, const Bodies<3>&, double, Vector&);
-template double gap_speeds<6>(const std::vector<Joint>&, const Bodies<6>&, double, Vector&);
+template double joint_gaps<3>(const std::vector<Joint>&, const Bodies<3>&, Vector&);
+template double joint_gaps<6>(const std::vector<Joint>&, const Bodies<6>&, Vector&);
 template class Held<3>;
 template class Held<6>;
 

@@ -82,9 +82,9 @@ class Held {
   Vector lambda_;      // so far in the step [N s]
 };
 
-/// The gap of every row of the joints, in the order of add_joint_rows, divided by `h` [m/s], into `speeds`, which has as
-/// many entries; returns by how much roundings blur them.
+/// The gap of every row that holds a joint, in the order of add_joint_rows [m or rad], into `gaps`, which has as many
+/// entries; returns by how much roundings blur them.
 template <int Dof>
-double gap_speeds(const std::vector<Joint>& joints, const Bodies<Dof>& bodies, double h, Vector& speeds);
+double joint_gaps(const std::vector<Joint>& joints, const Bodies<Dof>& bodies, Vector& gaps);
 
 }  // namespace spook

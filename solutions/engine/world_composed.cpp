@@ -72,6 +72,17 @@ void World<Dof>::require_smooth() const {
 }
 
 template <int Dof>
+void World<Dof>::require_smooth(const Joint& joint) const {
+  if (settings_.compose == 2) return;
+  require_no_relaxation(*joint.d);
+  if (joint.limits)
+    throw std::invalid_argument(refused + "a limit" + reason +
+                                "a row of one side that begins to push is not smooth");
+  if (joint.motor)
+    throw std::invalid_argument(refused + "a motor" + reason + "it sees a velocity, and has bounds");
+}
+
+template <int Dof>
 void World<Dof>::require_no_relaxation(double d) const {
   if (settings_.compose == 4 && d > 0)
     reject("d", d, "0 with compose 4: what relaxation loses, a step backwards does not give back");
