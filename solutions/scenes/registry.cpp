@@ -29,7 +29,11 @@ const std::vector<SceneDescription>& scenes() {
                                                     closed_loop(),
                                                     tower(),
                                                     wall(),
-                                                    flat_box_100_contacts()};
+                                                    flat_box_100_contacts(),
+                                                    four_bar(),
+                                                    andrews(),
+                                                    bricard(),
+                                                    slider_crank()};
   return all;
 }
 

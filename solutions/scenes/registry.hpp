@@ -29,6 +29,10 @@ SceneDescription closed_loop();
 SceneDescription tower();
 SceneDescription wall();
 SceneDescription flat_box_100_contacts();
+SceneDescription four_bar();
+SceneDescription andrews();
+SceneDescription bricard();
+SceneDescription slider_crank();
 
 const std::vector<SceneDescription>& scenes();
 
