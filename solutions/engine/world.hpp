@@ -206,6 +206,7 @@ class World {
 
   /// The force on each body in the last step [N], the mean of it where steps are composed, its rows, and what the solver says of them; none of them before.
   const std::vector<Vec3>& forces() const { return forces_; }
+  const std::vector<Vec3>& torques() const { return torques_; }  ///< with a wrench only [N m]
   const std::vector<Row<Dof>>& rows() const { return rows_; }
   const SolveReport& solved() const { return solved_; }
 
@@ -279,6 +280,7 @@ class World {
   std::int64_t row_updates_ = 0;
   Held<Dof> held_;              // joints of steps that are composed
   std::vector<Vec3> impulses_;  // of the forces, in one of them [N s]
+  std::vector<Vec3> spins_;     // of the torques [N m s]
 };
 
 /// Orientation, and angular velocity in world coordinates [rad/s], of a rigid body.

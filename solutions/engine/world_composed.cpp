@@ -11,6 +11,7 @@ void World<Dof>::step_composed(double h) {
   solved_ = {.history = std::move(solved_.history), .converged = true};
   solved_.history.clear();
   impulses_.assign(bodies_.size(), Vec3::Zero());
+  spins_.assign(settings_.wrench ? bodies_.size() : 0, Vec3::Zero());
   held_.begin_step(bodies_);
   double before = 0, now = time_;
   for (const double share : parts_of_order_four()) {
@@ -28,7 +29,9 @@ void World<Dof>::step_composed(double h) {
   clock_.run(Stage::solve, [&] { held_.stop(rows_, bodies_); });
   first_contact_row_ = rows_.size();
   forces_.resize(bodies_.size());
+  torques_.resize(spins_.size());
   for (std::size_t i = 0; i < bodies_.size(); ++i) forces_[i] = impulses_[i] / h;
+  for (std::size_t i = 0; i < spins_.size(); ++i) torques_[i] = spins_[i] / h;
   row_updates_ += static_cast<std::int64_t>(solved_.history.size() * rows_.size());
   end_step(h);
 }
@@ -45,8 +48,11 @@ void World<Dof>::kick_all(double h, double time) {
     if (settings_.wrench) {
       const Twist<Dof> wrench = settings_.wrench(i, bodies_, time);
       f += wrench.template head<3>();
-      if constexpr (Dof == 6)
-        W.template tail<3>() += h * bodies_.orientations.inverse_inertia(i) * wrench.template tail<3>();
+      if constexpr (Dof == 6) {
+        const Vec3 spin = h * wrench.template tail<3>();
+        W.template tail<3>() += bodies_.orientations.inverse_inertia(i) * spin;
+        spins_[i] += spin;
+      }
     }
     W.template head<3>() = kick(W.template head<3>(), f, bodies_.motion.inverse_mass[i].linear, h);
     impulses_[i] += h * f;

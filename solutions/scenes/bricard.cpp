@@ -13,18 +13,18 @@ namespace spook {
 
 namespace {
 
-constexpr std::size_t corners = 6, moving_rods = 5;
+constexpr std::size_t corner_count = 6, moving_rods = 5;
 
-const std::array<Vec3, corners>& places() {
-  static const std::array<Vec3, corners> places = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0),
-                                                   Vec3(1, 1, 1), Vec3(0, 1, 1), Vec3(0, 0, 1)};
+const std::array<Vec3, corner_count>& places() {
+  static const std::array<Vec3, corner_count> places = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0),
+                                                        Vec3(1, 1, 1), Vec3(0, 1, 1), Vec3(0, 0, 1)};
   return places;
 }
 
 /// Across the rods that meet there.
-const std::array<Vec3, corners>& axes() {
-  static const std::array<Vec3, corners> axes = {Vec3::UnitY(), Vec3::UnitZ(), Vec3::UnitX(),
-                                                 Vec3::UnitY(), Vec3::UnitZ(), Vec3::UnitX()};
+const std::array<Vec3, corner_count>& axes() {
+  static const std::array<Vec3, corner_count> axes = {Vec3::UnitY(), Vec3::UnitZ(), Vec3::UnitX(),
+                                                      Vec3::UnitY(), Vec3::UnitZ(), Vec3::UnitX()};
   return axes;
 }
 
@@ -33,9 +33,9 @@ NaturalCoordinates natural(double l, double mass, double thickness, const Vec3& 
   using Place = NaturalCoordinates::Place;
   NaturalCoordinates ring;
   const Place origin = NaturalCoordinates::fixed(Vec3::Zero());
-  std::array<Place, corners> P, u;
-  for (std::size_t n = 0; n < corners; ++n) {
-    const bool stays = n == 0 || n == corners - 1;
+  std::array<Place, corner_count> P, u;
+  for (std::size_t n = 0; n < corner_count; ++n) {
+    const bool stays = n == 0 || n == corner_count - 1;
     P[n] = stays ? NaturalCoordinates::fixed(l * places()[n]) : ring.add(l * places()[n]);
     u[n] = stays ? NaturalCoordinates::fixed(axes()[n]) : ring.add(axes()[n]);
     if (!stays) ring.hold(u[n], origin, u[n], origin);

@@ -31,13 +31,13 @@ class FourBar : public WorldScene<6> {
     const double mass = p.number("m"), spin = p.number("speed") / l_;
     const int ground = world_.add_fixed(Vec3::Zero());
     for (int n = 0; n <= loops; ++n) {
-      Body<6> crank = rod(n * side, n * side + up, turning, mass, 0.05 * l_);
+      Body<6> crank = thin_rod(n * side, n * side + up, turning, mass);
       crank.omega = spin * turning;
       crank.v = crank.omega.cross(Vec3(up / 2));
       cranks_.push_back(world_.add(crank));
       hinge(ground, cranks_.back(), n * side);
       if (n == 0) continue;
-      Body<6> coupler = rod((n - 1) * side + up, n * side + up, turning, mass, 0.05 * l_);
+      Body<6> coupler = thin_rod((n - 1) * side + up, n * side + up, turning, mass);
       coupler.v = 2 * crank.v;
       const int between = world_.add(coupler);
       for (const int m : {n - 1, n}) hinge(cranks_[static_cast<std::size_t>(m)], between, m * side + up);

@@ -20,6 +20,14 @@ inline Body<6> rod(const Vec3& from, const Vec3& to, const Vec3& across, double 
           .principal = mass / 12 * Vec3(2 * t2, l2 + t2, l2 + t2)};
 }
 
+/// A uniform rod whose mass is all on its line. About that line it has a thousandth of the moment that it has across, for
+/// a body must have one; it is of no account where nothing turns it about itself.
+inline Body<6> thin_rod(const Vec3& from, const Vec3& to, const Vec3& across, double mass) {
+  Body<6> thin = rod(from, to, across, mass, 0);
+  thin.principal = mass * (to - from).squaredNorm() / 12 * Vec3(1e-3, 1, 1);
+  return thin;
+}
+
 /// A joint of two bodies as they are, at a place in the world; for a hinge or slider with an axis, in the world, too.
 inline Joint joint_at(const World<6>& world, JointKind kind, int i, int j, const Vec3& place,
                       const Vec3& axis = Vec3::UnitZ()) {

@@ -45,11 +45,11 @@ class SliderCrank : public WorldScene<6> {
         answer_(motion_of(natural(end_velocity(p), Vec3(0, 0, -g_)))) {
     const Vec3 v = end_velocity(p), slides = slider_velocity(v), across = Vec3::UnitX();
     const int ground = world_.add_fixed(Vec3::Zero());
-    Body<6> crank = rod(pivot, crank_end, across, crank_mass, thin);
+    Body<6> crank = thin_rod(pivot, crank_end, across, crank_mass);
     crank.v = v / 2;
     crank.omega = p.number("spin") * Vec3::UnitX();
     const Vec3 along = crank_end - slider_at;
-    Body<6> between = rod(slider_at, crank_end, along.cross(Vec3::UnitX()).normalized(), rod_mass, thin);
+    Body<6> between = thin_rod(slider_at, crank_end, along.cross(Vec3::UnitX()).normalized(), rod_mass);
     between.v = (v + slides) / 2;
     between.omega = along.cross(v - slides) / along.squaredNorm();
     const Body<6> slider{.x = slider_at, .v = slides, .mass = slider_mass, .principal = Vec3::Constant(1e-3)};
@@ -75,8 +75,6 @@ class SliderCrank : public WorldScene<6> {
   }
 
  private:
-  static constexpr double thin = 1e-3;  // a rod's thickness, of no account [m]
-
   static Vec3 end_velocity(const Parameters& p) {
     return p.number("spin") * Vec3::UnitX().cross(Vec3(crank_end - pivot));
   }
