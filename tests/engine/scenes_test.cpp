@@ -43,7 +43,12 @@ TEST(Registry, EverySceneRunsWithItsDefaults) {
       {"tower", 1e-9},
       {"wall", 1e-5},
       // λ is a difference of gaps over their scale, m g/(n k) = 1e-7 m, at roundings of the height, 1e-17 m.
-      {"flat_box_100_contacts", 1e-8}};
+      {"flat_box_100_contacts", 1e-8},
+      // Of second order, with constants that the motion tells: published in plots/mechanisms.
+      {"four_bar", 1e-4},
+      {"andrews", 1e-3},
+      {"bricard", 1e-4},
+      {"slider_crank", 2e-4}};
   EXPECT_EQ(scenes().size(), bounds.size());
   for (const SceneDescription& scene : scenes()) {
     ASSERT_TRUE(bounds.count(scene.name)) << scene.name << " has no bound here";
