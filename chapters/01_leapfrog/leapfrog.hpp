@@ -7,6 +7,9 @@
 //   drift    x_{n+1}   = x_n + h v_{n+1/2}               Eq. (1.4)      notes (37)
 //   start    v_{-1/2}  = v_0 - (h/2) f(x_0) / m          Eq. (1.5)      not in the notes
 //
+//   order four   drift h/2, kick h, drift h/2; then parts w, …, w₀, …, w of h, one of them backwards in time:
+//                w = 1/(2N - ∛(2N)),  w₀ = 1 - 2N w       Eq. (1.11), (1.13)               not in the notes
+//
 //   x   position [m]        f   force [N]          1/m  inverse mass [1/kg]; with 0 no force changes v
 //   v   velocity [m/s]      h   time step [s]
 //
@@ -44,5 +47,11 @@ using ForceField = std::function<Vec3(std::size_t i, const std::vector<Vec3>& x)
 /// Eq. (1.3), (1.4). Throws std::invalid_argument that names h unless it is positive and finite:
 /// require_positive("h", h) of common/require.hpp.
 void leapfrog_step(Particles& bodies, const ForceField& force, double h);
+
+/// Exercise 1.5. One step of order four: 2N + 1 leapfrogs of uneven length, the middle one backwards in time, with N
+/// `pairs` of others about it: Eq. (1.11)-(1.13); not in the notes. Here `v` is of the time of `x`, before and after: no
+/// half-step start. Throws std::invalid_argument that names h unless it is positive and finite, and pairs unless it is at
+/// least 1: reject("pairs", pairs, "at least 1").
+void composed_step(Particles& bodies, const ForceField& force, double h, int pairs);
 
 }  // namespace spook

@@ -33,6 +33,7 @@ struct Chosen {
       {"solver", "gauss_seidel", "solvers", &TypedRun::solver},
       {"h", "1/60,1/120,1/240", "steps [s]", &TypedRun::h, false},
       {"substeps", "", "steps that each step is made of", &TypedRun::substeps},
+      {"compose", "", "order of a step: 2, or 4, composed of five leapfrogs", &TypedRun::compose},
       {"order", "", "of the rows: given, up, down, random", &TypedRun::order},
       {"seed", "", "of a random order", &TypedRun::seed},
       {"margin", "", "largest gaps of a contact [m]", &TypedRun::margin},

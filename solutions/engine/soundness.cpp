@@ -169,6 +169,9 @@ void Soundness<Dof>::look_at_energy(const World<Dof>& world, double h, double T)
     const Vec3 force = bodies.is_fixed(i) ? Vec3::Zero() : world.forces()[i];
     const Twist<Dof> both = before_[i] + bodies.motion.W[i];
     given_ += h / 2 * force.dot(both.template head<3>());
+    if constexpr (Dof == 6)
+      if (!world.torques().empty() && !bodies.is_fixed(i))
+        given_ += h / 2 * world.torques()[i].dot(both.template tail<3>());
     lift += force.norm();
   }
   given_ += work_of_motors(world, before_);

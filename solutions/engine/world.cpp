@@ -13,6 +13,7 @@ template <int Dof>
 void World<Dof>::step(double h) {
   require_positive("h", h);
   require_directions(h);
+  if (settings_.compose == 4) return step_composed(h);
   rows_.clear();
   rubbing_.clear();
   solved_ = {.history = {}, .converged = true};
@@ -189,6 +190,11 @@ void World<Dof>::integrate(double h) {
       W.template tail<3>() = omega;
     }
   }
+  end_step(h);
+}
+
+template <int Dof>
+void World<Dof>::end_step(double h) {
   ++steps_;
   time_ += h;
   h_ = h;

@@ -11,12 +11,15 @@
 //
 // Each stage calls the functions of the chapters. One for which a scene has nothing does not run: no shapes, no search;
 // no restitution, no impacts; no friction, one row a contact; no rows, no solve; point masses, nothing that turns.
+//
+// Where forces and joints are all there is, a step can be composed of five to be of order four: engine/composed.hpp.
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "07_impacts/impacts.hpp"
 #include "engine/blowup.hpp"
+#include "engine/composed.hpp"
 #include "engine/contacts.hpp"
 #include "engine/joint_rows.hpp"
 #include "engine/layout.hpp"
@@ -56,6 +59,9 @@ struct Settings {
   /// that size more, so that bodies that touch up to roundings do.
   std::optional<double> margin = {};
   [[no_unique_address]] RotationRule<Dof> rotation = {};  ///< rigid bodies only: how they turn
+  /// The order that leapfrogs are composed to: 2, themselves, or 4, engine/composed.hpp. With 4 velocities are those of the
+  /// time of the positions, joints are rigid, and the solver has no part in it.
+  int compose = 2;
   /// When the solver stops; at the latest where nothing changes any more but four roundings of |gravity| h.
   StopRule stop = {};
 };
@@ -80,7 +86,9 @@ class World {
  public:
   /// Throws std::invalid_argument, naming the parameter, unless gravity is finite, k > 0, d >= 0, friction >= 0,
   /// viscosity > 0, and the impact law, the solver and its stop rule are sound; and for the friction box, whose bound
-  /// is of gravity, Eq. (5.7), where `force` is all that presses.
+  /// is of gravity, Eq. (5.7), where `force` is all that presses. With steps that are composed also for d > 0
+  /// and another rotation than splitting, which are not symmetric in time; from then on whatever would let two bodies
+  /// touch is refused, and in the first step a wrench that sees velocities.
   explicit World(Settings<Dof> settings);
 
   /// Adds a body and returns its index; see Bodies::add for what is refused.
@@ -131,8 +139,8 @@ class World {
   /// and where there are as many joints, rows begin with its impulses.
   void go_on_from(const World& other);
 
-  /// Takes every velocity half a step back, to where leapfrog wants it: Eq. (1.5). Once, before the first step.
-  /// What contacts and joints hold against has no part in it. Throws std::invalid_argument the
+  /// Takes every velocity half a step back, to where leapfrog wants it: Eq. (1.5). Once, before the first step. Steps that
+  /// are composed want them where they are. What contacts and joints hold against has no part in it. Throws std::invalid_argument the
   /// second time, and after a step.
   void start_half_step_back(double h);
 
@@ -156,6 +164,9 @@ class World {
 
   const Vec3& x(int body) const { return bodies_.x[index(body)]; }                     ///< [m]
   Vec3 v(int body) const { return bodies_.motion.W[index(body)].template head<3>(); }  ///< [m/s]
+
+  /// How far velocities are behind positions [s]: half a step of `h`, and not at all where steps are composed.
+  double behind(double h) const { return settings_.compose == 4 ? 0 : h / 2; }
 
   /// The velocity at the time of the position, from one that is half a step of `h` behind [m/s].
   Vec3 v_beside_x(int body, double h) const;
@@ -193,8 +204,9 @@ class World {
   Vec3 joint_force(int joint) const;
   Vec3 contact_force(int contact) const;
 
-  /// The force on each body in the last step [N], its rows, and what the solver says of them; none of them before.
+  /// The force on each body in the last step [N], the mean of it where steps are composed, its rows, and what the solver says of them; none of them before.
   const std::vector<Vec3>& forces() const { return forces_; }
+  const std::vector<Vec3>& torques() const { return torques_; }  ///< with a wrench only [N m]
   const std::vector<Row<Dof>>& rows() const { return rows_; }
   const SolveReport& solved() const { return solved_; }
 
@@ -220,6 +232,13 @@ class World {
   void begin_with_last_impulses(double h);
   StopRule stop_rule(double h) const;
   void integrate(double h);
+  void end_step(double h);
+  void step_composed(double h);
+  void kick_all(double h, double time);
+  void require_smooth() const;
+  void require_smooth(const Joint& joint) const;
+  void require_no_relaxation(double d) const;
+  void require_wrench_of_places() const;
 
   Vec3 force(std::size_t i) const;
   void begin_half_a_step_back(const char* how, double h);
@@ -259,6 +278,9 @@ class World {
   int impacts_ = 0;
   bool half_step_back_ = false;
   std::int64_t row_updates_ = 0;
+  Held<Dof> held_;              // joints of steps that are composed
+  std::vector<Vec3> impulses_;  // of the forces, in one of them [N s]
+  std::vector<Vec3> spins_;     // of the torques [N m s]
 };
 
 /// Orientation, and angular velocity in world coordinates [rad/s], of a rigid body.

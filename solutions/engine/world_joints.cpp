@@ -34,7 +34,7 @@ int World<Dof>::add_joint(const Joint& given) {
     if (!joint.p_j.isZero(0)) reject("|p_j|", joint.p_j.norm(), "0 for a point mass");
   }
   if (!joint.k) joint.k = settings_.k;
-  if (!joint.d) joint.d = settings_.d.value_or(relaxation_of_joints);
+  if (!joint.d) joint.d = settings_.d.value_or(settings_.compose == 4 ? 0 : relaxation_of_joints);
   const Spook spook = spook_parameters(1, *joint.k, *joint.d);
   if (joint.length) {
     if (joint.kind == JointKind::ball) joint.kind = JointKind::distance;
@@ -48,6 +48,7 @@ int World<Dof>::add_joint(const Joint& given) {
   if (joint.limits) require_kind(leaves_free, joint, "hinge or slider, where it has limits");
   if (joint.motor) require_kind(leaves_free, joint, "hinge or slider, where it has a motor");
   if (joint.is_guided()) complete(joint);
+  require_smooth(joint);
   joints_.push_back(joint);
   joint_rows_.push_back(next_joint_row_);
   next_joint_row_ += static_cast<std::size_t>(joint.rows());
@@ -85,6 +86,7 @@ void World<Dof>::set_motor(int joint, const std::optional<Motor>& motor) require
   require_kind(driven.kind == JointKind::hinge || driven.kind == JointKind::slider, driven,
                "hinge or slider, where it has a motor");
   if (motor) require_sound(*motor);
+  if (motor) require_smooth({.i = 0, .j = 0, .d = 0, .motor = motor});
   const bool as_many_rows = motor.has_value() == driven.motor.has_value();
   driven.motor = motor;
   if (!as_many_rows) forget_the_last_step();

@@ -23,6 +23,7 @@ World<Dof>::World(Settings<Dof> settings)
   require_positive("max_sweeps", settings_.stop.max_sweeps);
   require_not_negative("tolerance", settings_.stop.tolerance);
   if (!settings_.solver.solve) throw std::invalid_argument("solver must be one of solvers(), but is null");
+  require_smooth();
   const bool boxed = settings_.friction > 0 && settings_.solver.friction == FrictionModel::box;
   if (boxed && (settings_.force || settings_.wrench) && settings_.gravity.isZero(0))
     throw std::invalid_argument(
@@ -48,6 +49,7 @@ int World<Dof>::add(const Body<Dof>& body) {
     shapes_.smallest =
         std::min(shapes_.smallest, solid.radius > 0 ? solid.radius : solid.half_sides.minCoeff());
   }
+  require_smooth();
   return i;
 }
 
@@ -57,6 +59,7 @@ int World<Dof>::add_fixed(const Vec3& x, double radius) {
   const int i = bodies_.add_fixed(x);
   if (radius > 0)
     shapes_.solids.push_back({.body = i, .radius = radius, .half_sides = Vec3::Zero(), .fixed = true});
+  require_smooth();
   return i;
 }
 
@@ -67,6 +70,7 @@ int World<Dof>::add_fixed_box(const Vec3& x, const Vec3& half_sides, const Quat&
   const int i = bodies_.add_fixed(x);
   bodies_.orientations.q.back() = q.normalized();
   shapes_.solids.push_back({.body = i, .radius = 0, .half_sides = half_sides, .fixed = true});
+  require_smooth();
   return i;
 }
 
@@ -76,6 +80,7 @@ int World<Dof>::add_plane(const Vec3& n, double offset) {
   require_finite("offset", offset);
   const int i = bodies_.add_fixed(offset * n);
   shapes_.planes.push_back({.body = i, .x = offset * n, .n = n, .offset = offset});
+  require_smooth();
   return i;
 }
 
@@ -204,7 +209,8 @@ StepReport World<Dof>::report() const {
           .impacts = impacts_,
           .rows = static_cast<int>(rows_.size()),
           .iterations = static_cast<int>(solved_.history.size()),
-          .residual = rows_.empty() ? 0
+          .residual = rows_.empty()            ? 0
+                      : settings_.compose == 4 ? solved_.history.back()
                       : settings_.solver.friction == FrictionModel::cone
                           ? residual_on_cones(rubbing_, rows_, V_)
                           : residual(rows_, V_),

@@ -27,12 +27,13 @@ static Energy energy_of(const World<Dof>& world, double h) {
     if (bodies.is_fixed(i)) continue;
     const Vec3 v = bodies.motion.W[i].template head<3>();
     energy.motion += bodies.mass[i] * v.squaredNorm() / 2;
-    energy.weight -= bodies.mass[i] * world.settings().gravity.dot(bodies.x[i] - h / 2 * v);
+    energy.weight -= bodies.mass[i] * world.settings().gravity.dot(bodies.x[i] - world.behind(h) * v);
     if constexpr (Dof == 6) {
       const Vec3 in_body = bodies.orientations.q[i].conjugate() * bodies.motion.W[i].template tail<3>();
       energy.turning += bodies.orientations.principal[i].dot(in_body.cwiseAbs2()) / 2;
     }
   }
+  if (world.settings().compose == 4) return energy;  // joints are rigid
   const auto held = [&](double lambda, double k) { return lambda * lambda / (2 * h * h * k); };
   const auto joints = static_cast<int>(world.joints().size()),
              contacts = static_cast<int>(world.contacts().size());

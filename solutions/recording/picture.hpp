@@ -34,7 +34,7 @@ struct Touch {
   Vec3 impulse;   ///< on j, friction included [N s]
 };
 
-/// Where the energy is [J]. That of half a step ago, as v is, and x - h v/2 for it.
+/// Where the energy is [J]. That of half a step ago, as v is, and x - h v/2 for it; of now, where steps are composed.
 struct Energy {
   double motion = 0, turning = 0;
   double weight = 0;  ///< 0 at the height of the origin

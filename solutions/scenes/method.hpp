@@ -14,6 +14,8 @@ struct Method {
   RowOrder order = RowOrder::given;
   std::uint64_t seed = 1;  ///< of a random order
   bool warm_start = false;
+  std::optional<int> compose =
+      {};  ///< the order that steps are composed to, 2 or 4; the scene's own, unless given
   std::optional<double> margin = {};  ///< [m]; the world's own, unless given
 
   double step() const { return h / substeps; }  ///< [s]

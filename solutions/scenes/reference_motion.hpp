@@ -24,9 +24,10 @@ class ReferenceMotion {
   using Rate = std::function<State(const State&)>;
 
   /// From `start` at time 0. `tolerance` is on what the last extrapolation of a step changes, relative to the
-  /// largest number of the state or to 1.
-  ReferenceMotion(Rate rate, const State& start, double tolerance = 1e-13)
-      : rate_(std::move(rate)), state_(start), tolerance_(tolerance) {}
+  /// largest number of the state or to 1. After each step `settle`, if there is one, may bring the state back to what it
+  /// knows to be kept.
+  ReferenceMotion(Rate rate, const State& start, double tolerance = 1e-13, Rate settle = nullptr)
+      : rate_(std::move(rate)), settle_(std::move(settle)), state_(start), tolerance_(tolerance) {}
 
   /// The state at `t`, which must not be before that of the last call.
   /// Throws std::runtime_error where no step is short enough: the motion is not smooth, or not finite.
@@ -74,7 +75,7 @@ class ReferenceMotion {
       if (k == 0) continue;
       const double change = (better - row[static_cast<std::size_t>(k - 1)]).cwiseAbs().maxCoeff();
       if (better.allFinite() && change <= tolerance_ * std::max(1.0, state_.cwiseAbs().maxCoeff())) {
-        state_ = better;
+        state_ = settle_ ? settle_(better) : better;
         extrapolations = k;
         return true;
       }
@@ -82,7 +83,7 @@ class ReferenceMotion {
     return false;
   }
 
-  Rate rate_;
+  Rate rate_, settle_;
   State state_;
   double tolerance_;
   double time_ = 0;

@@ -34,7 +34,11 @@ const std::vector<SceneDescription>& scenes() {
                                                     physical_pendulum(),
                                                     flywheel(),
                                                     gyroscope(),
-                                                    bead()};
+                                                    bead(),
+                                                    four_bar(),
+                                                    andrews(),
+                                                    bricard(),
+                                                    slider_crank()};
   return all;
 }
 

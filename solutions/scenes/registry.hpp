@@ -34,6 +34,10 @@ SceneDescription physical_pendulum();
 SceneDescription flywheel();
 SceneDescription gyroscope();
 SceneDescription bead();
+SceneDescription four_bar();
+SceneDescription andrews();
+SceneDescription bricard();
+SceneDescription slider_crank();
 
 const std::vector<SceneDescription>& scenes();
 

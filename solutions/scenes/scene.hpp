@@ -103,7 +103,7 @@ class WorldScene : public Scene {
   Frame frame() const final {
     Frame frame = frame_of(world_, h_);
     std::vector<Vec3> x = frame.x;
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] -= h_ / 2 * frame.v[i];
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] -= behind() * frame.v[i];
     frame.energy.field = field_energy(x);
     return frame;
   }
@@ -131,6 +131,9 @@ class WorldScene : public Scene {
   WorldScene(Settings<Dof> settings, const Method& method)
       : world_(with(std::move(settings), method)), h_(method.step()), hand_(world_) {}
 
+  /// How far velocities are behind positions [s].
+  double behind() const { return world_.behind(h_); }
+
   double time() const { return since_ + static_cast<double>(world_.steps()) * h_; }
 
   World<Dof> world_;
@@ -150,6 +153,7 @@ class WorldScene : public Scene {
     settings.sliding_tangents = method.sliding_tangents;
     settings.warm_start = method.warm_start;
     settings.margin = method.margin;
+    if (method.compose) settings.compose = *method.compose;
     return settings;
   }
 

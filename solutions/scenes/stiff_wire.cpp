@@ -28,7 +28,7 @@ class StiffWire : public WorldScene<3> {
     for (int i = 1; i <= links_; ++i) {
       const double mass = i == links_ ? M : m;
       world_.add(
-          {.x = length_ * i / links_ * along, .v = -h_ / 2 * g_ * std::sin(angle) * across, .mass = mass});
+          {.x = length_ * i / links_ * along, .v = -behind() * g_ * std::sin(angle) * across, .mass = mass});
       world_.add_joint({.i = i - 1, .j = i, .length = length_ / links_});
       start_energy_ += mass * g_ * world_.x(i).z();
       from_start += mass * g_ * (world_.x(i).z() + length_ * i / links_);
@@ -70,7 +70,7 @@ class StiffWire : public WorldScene<3> {
   /// That of half a step ago, over what there is to lose; 1 at the start.
   double energy() const {
     if (world_.steps() == 0) return 1;
-    return 1 + (half_step_energy(world_.bodies(), g_, h_) - start_energy_) / scale_;
+    return 1 + (half_step_energy(world_.bodies(), g_, 2 * behind()) - start_energy_) / scale_;
   }
 
   int links_;

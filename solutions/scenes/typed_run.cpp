@@ -55,6 +55,21 @@ static void set_rows(const TypedRun& typed, Method& method) {
     method.sliding_tangents = choose<bool>("tangents", *typed.tangents, {{"fixed", false}, {"sliding", true}});
 }
 
+/// Steps that are composed hold joints in a way of their own.
+static void refuse_solver_beside_composed(const TypedRun& typed, const Method& method) {
+  if (method.compose != 4) return;
+  const std::pair<const char*, bool> of_solvers[] = {{"solver", typed.solver.has_value()},
+                                                     {"order", typed.order.has_value()},
+                                                     {"friction-model", typed.friction_model.has_value()},
+                                                     {"tangents", typed.tangents.has_value()},
+                                                     {"warm-start", typed.warm_start}};
+  for (const auto& [option, given] : of_solvers)
+    if (given)
+      throw std::invalid_argument(
+          std::string(option) +
+          " is for steps that a solver solves: leave it out with compose 4, which does without");
+}
+
 Parameters TypedRun::parameters(const SceneDescription& description) const {
   Parameters parameters(description.parameters);
   for (const std::string& text : set) assign(parameters, text);
@@ -75,7 +90,9 @@ RunSettings TypedRun::settings(const SceneDescription& description) const {
       throw std::invalid_argument("tolerance must be at least 0, but is " + *tolerance);
   }
   if (substeps) method.substeps = parse_whole("substeps", *substeps, 1, 1'000'000);
+  if (compose) method.compose = choose<int>("compose", *compose, {{"2", 2}, {"4", 4}});
   set_rows(*this, method);
+  refuse_solver_beside_composed(*this, method);
   // What has sweeps of its own is asked for instead of the scene's solver.
   if (!solver && method.has_own_sweeps()) method.solver = solvers<3>().front().name;
   make_solver<3>(method);

@@ -144,12 +144,13 @@ Settings<Dof> settings_in(const Place& file) {
   const std::optional<Place> place = file.find("settings");
   if (!place) return settings;
   place->require_keys(
-      {"gravity", "k", "d", "friction", "viscosity", "impacts", "rotation", "gyroscopic_torque"});
+      {"gravity", "k", "d", "friction", "viscosity", "compose", "impacts", "rotation", "gyroscopic_torque"});
   read(place->find("gravity"), settings.gravity);
   read(place->find("k"), settings.k);
   read(place->find("d"), settings.d);
   read(place->find("friction"), settings.friction);
   read(place->find("viscosity"), settings.viscosity);
+  if (const auto compose = place->find("compose")) settings.compose = compose->whole();
   if (const auto impacts = place->find("impacts")) {
     impacts->require_keys({"restitution", "friction", "threshold", "max_passes"});
     ImpactLaw law;

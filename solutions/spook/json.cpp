@@ -33,6 +33,7 @@ Json to_json(const Method& method, bool solves) {
       {"tangents", of_rows(method.sliding_tangents ? "sliding" : "fixed")},
       {"h", method.h},
       {"substeps", method.substeps},
+      {"compose", method.compose.value_or(2)},
   };
 }
 

@@ -36,6 +36,7 @@ static CLI::App* add_scene_command(CLI::App& app, const std::string& name, const
 static void add_run(CLI::App& app, spook::RunCommand& run) {
   CLI::App* const command =
       add_scene_command(app, "run", "Run a scene and compare it with its known answer", run);
+  command->add_option("--compose", run.compose, "Order of a step: 2, or 4, composed of five leapfrogs");
   command->add_option("--csv", run.csv, "Write every step to this file");
   command->add_flag("--positions", run.positions, "Every body's position, too, with --csv");
   command->add_option("--record", run.record, "Write what it takes to draw the run to this file");

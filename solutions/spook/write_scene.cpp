@@ -26,6 +26,7 @@ static Json to_json(const Settings<Dof>& settings) {
                {"friction", settings.friction},
                {"viscosity", number(settings.viscosity)}};
   if (settings.d) json["d"] = *settings.d;
+  if (settings.compose != 2) json["compose"] = settings.compose;
   if (const auto& law = settings.impacts)
     json["impacts"] = {{"restitution", law->restitution},
                        {"friction", law->friction},

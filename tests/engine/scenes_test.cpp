@@ -53,7 +53,12 @@ TEST(Registry, EverySceneRunsWithItsDefaults) {
       // (h ω)²/24 is 4e-4, of a spin that a step of 1/1000 s turns by a tenth; 4.9 rad of precession feel a part of it.
       {"gyroscope", 2e-4},
       // (1 + 2d) h² ω² / 4 and the like, with 5/s.
-      {"bead", 5e-5}};
+      {"bead", 5e-5},
+      // Of second order, with constants that the motion tells: published in plots/mechanisms.
+      {"four_bar", 1e-4},
+      {"andrews", 1e-3},
+      {"bricard", 1e-4},
+      {"slider_crank", 2e-4}};
   EXPECT_EQ(scenes().size(), bounds.size());
   for (const SceneDescription& scene : scenes()) {
     ASSERT_TRUE(bounds.count(scene.name)) << scene.name << " has no bound here";

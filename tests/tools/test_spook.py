@@ -91,6 +91,15 @@ class Refusals(unittest.TestCase):
             self.refused(f"run stack --{option} -1", option, "-1")
         self.refused("run stack --substeps 0", "substeps")
 
+    def test_steps_are_composed_only_where_that_is_of_order_four(self):
+        self.refused("run orbit --compose 3", "compose", "3", "2, 4")
+        self.refused("run double_pendulum --compose 4", "d must be 0 with compose 4", "3")
+        self.refused("run stack --compose 4 --set d=0", "compose", "touch")
+        self.refused("run top --compose 4 --set update=first_order", "compose", "rotation")
+        for option in ["solver direct", "order up", "friction-model cone", "tangents sliding", "warm-start"]:
+            self.refused(f"run orbit --compose 4 --{option}", option.split()[0], "compose 4")
+        self.refused("play orbit --compose 4", "--compose")
+
     def test_csv(self):
         self.refused("run orbit --csv /no/such/folder/a.csv", "csv", "/no/such/folder/a.csv")
         with tempfile.TemporaryDirectory() as folder:
@@ -154,6 +163,13 @@ class Runs(unittest.TestCase):
         self.assertEqual(10 * whole["steps"], parts["steps"])
         self.assertEqual(whole["error"], parts["error"])
         self.assertIn("each of 10 substeps", spook(*"run free_fall --h 0.1 --substeps 10".split()).stdout)
+
+    def test_composed_steps_say_so(self):
+        words = "run double_pendulum --set d=0 --compose 4 --h 1/60"
+        self.assertIn("composed to order four, joints rigid", spook(*words.split()).stdout)
+        run = json.loads(spook(*words.split(), "--json").stdout)
+        self.assertEqual(run["compose"], 4)
+        self.assertLess(run["error"]["value"], 1.5e-6)  # 3e-6 m of 2 m
 
     def test_a_solver_is_stopped_by_iterations_and_tolerance(self):
         def made(*options):

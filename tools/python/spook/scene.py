@@ -13,7 +13,7 @@ import numpy as np
 from . import _spook
 from .film import page, show
 
-OPTIONS = ("h", "time", "solver", "iterations", "tolerance", "substeps", "order", "seed", "warm_start", "margin",
+OPTIONS = ("h", "time", "solver", "iterations", "tolerance", "substeps", "compose", "order", "seed", "warm_start", "margin",
            "friction_model", "tangents")
 
 
@@ -37,8 +37,8 @@ class Scene:
         self.check({})
 
     def run(self, *, h: Any = None, time: Any = None, solver: str | None = None, iterations: int | None = None,
-            tolerance: float | None = None, substeps: int | None = None, order: str | None = None,
-            seed: int | None = None, warm_start: bool | None = None, margin: float | None = None,
+            tolerance: float | None = None, substeps: int | None = None, compose: int | None = None,
+            order: str | None = None, seed: int | None = None, warm_start: bool | None = None, margin: float | None = None,
             friction_model: str | None = None, tangents: str | None = None) -> Run:
         """Runs it and compares it with its answer; then runs it again without looking, for its speed.
 

@@ -1,0 +1,190 @@
+// Order four from leapfrogs: parts that make a whole step, the order of both compositions, reversal, energy.
+#include "01_leapfrog/leapfrog.hpp"
+#include "exercise_test.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(ComposedStep, "1.5 composed_step");
+
+const ForceField no_force = [](std::size_t, const std::vector<Vec3>&) -> Vec3 { return Vec3::Zero(); };
+
+/// A mass of 1 kg on a spring of 1 N/m, from 1 m: x = cos t.
+const ForceField unit_spring = [](std::size_t i, const std::vector<Vec3>& x) -> Vec3 { return -x[i]; };
+Particles mass_on_it() {
+  return {{Vec3(1, 0, 0)}, {Vec3::Zero()}, {1}};
+}
+
+/// An orbit around the origin with GM = 1 m³/s² and a semi-major axis of 1 m: its period is 2π s.
+constexpr double flatness = 0.3;
+const double round_trip = 2 * std::acos(-1.0);
+const ForceField star = [](std::size_t i, const std::vector<Vec3>& x) -> Vec3 {
+  return -x[i] / std::pow(x[i].norm(), 3);
+};
+Particles planet() {
+  return {{Vec3(1 - flatness, 0, 0)}, {Vec3(0, std::sqrt((1 + flatness) / (1 - flatness)), 0)}, {1}};
+}
+
+/// Three bodies of different masses on springs to each other.
+const ForceField net = [](std::size_t i, const std::vector<Vec3>& x) -> Vec3 {
+  Vec3 f = Vec3::Zero();
+  for (const Vec3& other : x) f += 4 * (other - x[i]);
+  return f;
+};
+Particles three_in_it(Random& random) {
+  Particles p;
+  for (int i = 0; i < 3; ++i) {
+    p.x.push_back(random.vector());
+    p.v.push_back(random.vector());
+    p.inverse_mass.push_back(1 / random.uniform(1, 3));
+  }
+  return p;
+}
+
+/// The distance from where it began after one round.
+double error_of_a_round(double h, int pairs) {
+  Particles p = planet();
+  const int steps = static_cast<int>(std::lround(round_trip / h));
+  for (int n = 0; n < steps; ++n) composed_step(p, star, h, pairs);
+  return (p.x[0] - planet().x[0]).norm();
+}
+
+EXERCISE_TEST(ComposedStep, TakesAFreeBodyOnByAWholeStep) {
+  const double h = 0.3;
+  for (const int pairs : {1, 2, 3}) {
+    Particles p{{Vec3(1, 2, 3)}, {Vec3(4, 0, 0)}, {0.5}};
+    composed_step(p, no_force, h, pairs);
+    const double w = 1 / (2 * pairs - std::cbrt(2 * pairs));
+    expect_near(
+        "x of a free body at 4 m/s, from 1 m, after one step of 0.3 s, pairs = " + show(pairs) + " [m]",
+        "Eq. (1.12)", p.x[0].x(), 2.2, roundings(20, 5),
+        {{1 + 4 * h * (4 * pairs * w - 1),
+          "The part in the middle went forwards. It is negative: what the others have too much."},
+         {1 + 4 * h * 2 * pairs * w, "The part in the middle is missing: pairs, one, pairs."},
+         {1 + 4 * h / 2, "Half a step: there are two drifts of half a part, before and after the kick."},
+         {1, "Nothing moved."}},
+        "The parts must add up to h.");
+  }
+}
+
+EXERCISE_TEST(ComposedStep, IsExactInFreeFall) {
+  const double g = 9.81, h = 0.1, mass = 3;
+  const ForceField weight = [&](std::size_t, const std::vector<Vec3>&) -> Vec3 { return {0, 0, -mass * g}; };
+  for (const int pairs : {1, 2}) {
+    Particles p{{Vec3::Zero()}, {Vec3::Zero()}, {1 / mass}};
+    for (int n = 0; n < 10; ++n) composed_step(p, weight, h, pairs);
+    const double w = 1 / (2 * pairs - std::cbrt(2 * pairs)), w0 = 1 - 2 * pairs * w;
+    const double squares = 2 * pairs * w * w + w0 * w0;
+    const double late = -g * h * h * 10 * squares / 2;  // ½ g Σ (part)²
+    expect_near(
+        "height 1 s after a fall from rest, pairs = " + show(pairs) + " [m]", "Eq. (1.11)", p.x[0].z(), -g / 2,
+        roundings(200, 20),
+        {{-g / 2 + late,
+          "Each part kicks and then drifts all the way: here v is of the time of x, so half the drift "
+          "comes before the kick."},
+         {-g / 2 - late, "Each part drifts all the way and then kicks: half the drift comes after the kick."},
+         {-mass * g / 2, "A factor m too much: the inverse mass has not been used."}},
+        "With a constant force (1.11) is exact, and so are any parts of it.");
+    expect_near("its speed then [m/s]", "Eq. (1.11)", p.v[0].z(), -g, roundings(200, 20), {},
+                "The kicks of all parts must add up to h f/m.");
+  }
+}
+
+EXERCISE_TEST(ComposedStep, HasOrderFourOnAnOscillator) {
+  for (const int pairs : {1, 2}) {
+    const auto error = [&](double h) {
+      Particles p = mass_on_it();
+      const int steps = static_cast<int>(std::lround(10 / h));
+      for (int n = 0; n < steps; ++n) composed_step(p, unit_spring, h, pairs);
+      return std::abs(p.x[0].x() - std::cos(10.0));
+    };
+    expect_order("oscillator, |x - cos t| at t = 10 s, pairs = " + show(pairs), "Eq. (1.12), (1.13)", error,
+                 0.2, 3, 4, 0.15,
+                 "Order 2 means that the cubes of the parts do not add up to 0: is it the cube root, of 2N?");
+  }
+}
+
+EXERCISE_TEST(ComposedStep, HasOrderFourOnAnOrbit) {
+  for (const int pairs : {1, 2}) {
+    const auto error = [&](double h) { return error_of_a_round(h, pairs); };
+    expect_order(
+        "Kepler orbit, distance from the start after one period [m], pairs = " + show(pairs),
+        "Eq. (1.12), (1.13)", error, round_trip / 100, 3, 4, 0.2,
+        "Order 2 means that the cubes of the parts do not add up to 0, or that all parts took their force "
+        "from one place.");
+  }
+}
+
+EXERCISE_TEST(ComposedStep, TakesAsManyPartsAsItIsAskedFor) {
+  const double h = round_trip / 200;
+  expect_at_most("error of five parts over that of three, on an orbit with 200 steps a round", "Eq. (1.13)",
+                 error_of_a_round(h, 2) / error_of_a_round(h, 1), 0.1,
+                 "the parts of the triple jump are three times as long, and their errors go with a high power",
+                 "A ratio of 1 means that pairs was not used.");
+}
+
+EXERCISE_TEST(ComposedStep, ConservesMomentum) {
+  Random random;
+  Particles p = three_in_it(random);
+  const auto momentum = [&] {
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 0; i < 3; ++i) sum += p.v[i] / p.inverse_mass[i];
+    return sum;
+  };
+  const Vec3 before = momentum();
+  const int steps = 100;
+  for (int n = 0; n < steps; ++n) composed_step(p, net, 0.05, 2);
+  expect_near_vector(
+      "momentum of three coupled bodies after 100 steps [kg m/s]", "Eq. (1.3)", momentum(), before,
+      roundings(100 * steps, 10), {},
+      "The springs pull both ends alike. Body by body the second would feel the first where it has "
+      "already gone: all drifts, all kicks, all drifts.");
+}
+
+EXERCISE_TEST(ComposedStep, RunsBackToWhereItCameFrom) {
+  const int steps = 300;
+  Particles p = planet();
+  for (int n = 0; n < steps; ++n) composed_step(p, star, 0.1, 2);
+  p.v[0] = -p.v[0];
+  for (int n = 0; n < steps; ++n) composed_step(p, star, 0.1, 2);
+  expect_near_vector("x after 300 steps forth and 300 back [m]", "Eq. (1.11)", p.x[0], planet().x[0],
+                     {1e-9, "roundings, which grow with the square of the 600 steps"}, {},
+                     "The parts must read the same from either end: N of them, the one backwards, N again.");
+}
+
+EXERCISE_TEST(ComposedStep, KeepsTheOrbitsEnergyInItsBand) {
+  const double h = round_trip / 60;
+  Particles p = planet();
+  double first_orbits = 0, all = 0;
+  for (int n = 0; n < 12000; ++n) {
+    composed_step(p, star, h, 2);
+    const double error = std::abs(p.v[0].squaredNorm() / 2 - 1 / p.x[0].norm() + 0.5);
+    if (std::isnan(error) || error > all) all = error;
+    if (n < 600) first_orbits = all;
+  }
+  expect_at_most("largest energy error of an orbit over 200 rounds, over that of the first 10", "Eq. (1.11)",
+                 all / first_orbits, 1.1, "the band does not widen; 10 % for where in the orbit the steps fall",
+                 "What is made of leapfrogs keeps its energy as they do.");
+}
+
+EXERCISE_TEST(ComposedStep, RejectsAStepThatIsNotPositive) {
+  Particles p = mass_on_it();
+  composed_step(p, unit_spring, 0.1, 2);
+  for (const double h : {0.0, -0.1, std::nan(""), HUGE_VAL})
+    expect_rejects(
+        "h = " + show(h), "h", [&] { composed_step(p, unit_spring, h, 2); },
+        "See require_positive in common/require.hpp.");
+}
+
+EXERCISE_TEST(ComposedStep, RejectsLessThanOnePair) {
+  Particles p = mass_on_it();
+  composed_step(p, unit_spring, 0.1, 1);
+  for (const int pairs : {0, -1})
+    expect_rejects(
+        "pairs = " + show(pairs), "pairs", [&] { composed_step(p, unit_spring, 0.1, pairs); },
+        "See reject in common/require.hpp.");
+}
+
+}  // namespace

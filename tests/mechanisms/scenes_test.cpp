@@ -1,0 +1,96 @@
+// The engine on mechanisms: published angles, energy over ten seconds, and the order of its steps.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/scene_runs.hpp"
+#include "scenes/andrews_squeezer.hpp"
+
+namespace spook {
+namespace {
+
+/// A scene by steps that are composed, so that what is left is no error of second order.
+class Composed {
+ public:
+  Composed(const std::string& name, SceneSettings settings, double h) : h_(h) {
+    settings.emplace_back("d", "0");
+    const SceneDescription& description = find_scene(name);
+    scene_ =
+        description.build(with(description, settings), {.h = h, .solver = description.solver, .compose = 4});
+    scene_->observe();
+  }
+
+  /// The error after `time`, and the energy that came or went, the largest so far.
+  double error_after(double time) {
+    const auto energy = [&] {
+      const Energy now = scene_->frame().energy;
+      return now.motion + now.turning + now.weight;
+    };
+    const double first = energy();
+    for (std::int64_t n = step_count(h_, time); n > 0; --n) {
+      scene_->advance(1);
+      scene_->observe();
+      scene_->judge();
+      energy_change_ = largest(energy_change_, std::abs(energy() - first));
+    }
+    return scene_->error();
+  }
+  double energy_change() const { return energy_change_; }
+  const Verdict& verdict() const { return scene_->verdict(); }
+  const World<6>& world() const { return *scene_->rigid_bodies(); }
+
+ private:
+  double h_;
+  std::unique_ptr<Scene> scene_;
+  double energy_change_ = 0;
+};
+
+TEST(Mechanisms, AndrewsSqueezerReachesThePublishedAngles) {
+  using namespace squeezer;
+  Angles published;
+  published << 15.81077119629904, -15.75637105984298, 0.04082224013073101, -0.5347301163226948,
+      0.5244099658805304, 0.5347301163226948, 1.048080741042263;
+  Composed run("andrews", {}, 2e-5);
+  run.error_after(0.03);
+  EXPECT_EQ(run.verdict().state, State::sound) << run.verdict().reason;
+  const Angles wanted = of_bodies(published);
+  for (int body = 1; body <= 7; ++body) {
+    const Quat right(Eigen::AngleAxisd(wanted[body - 1], Vec3::UnitZ()));
+    // The published ones are right to 1.2e-9, answers_test.cpp; steps of 2e-5 s leave 1e-9.
+    EXPECT_LE(orientation(run.world(), body).angularDistance(right), 3e-9) << "body " << body;
+  }
+  EXPECT_NEAR(run.world().joints()[0].angle + start()[0], published[0], 3e-9) << "β, with its turns";
+}
+
+TEST(Mechanisms, BricardsKeepsItsEnergyForTenSeconds) {
+  Composed run("bricard", {}, 0.01);
+  EXPECT_LE(run.error_after(10), 2e-6);
+  EXPECT_EQ(run.verdict().state, State::sound) << run.verdict().reason;
+  EXPECT_LE(run.energy_change(), 1e-3) << "what the problem allows [J]; it is far less";
+}
+
+TEST(Mechanisms, FourBarsPassPlacesWithTwoWaysOn) {
+  for (const auto& [loops, time] : {std::pair("2", 10.0), std::pair("40", 1.5)}) {
+    Composed run("four_bar", {{"loops", loops}}, 0.001);
+    EXPECT_LE(run.error_after(time), 1e-6) << loops;
+    EXPECT_LE(run.energy_change(), 1e-6 * 40) << loops;
+  }
+}
+
+TEST(Mechanisms, LeapfrogHasOrderTwoThere) {
+  for (const std::string name : {"four_bar", "bricard", "slider_crank"}) {
+    const double coarse = error_of(name, {}, 0.002, 0.6), fine = error_of(name, {}, 0.001, 0.6);
+    EXPECT_NEAR(std::log2(coarse / fine), 2, 0.15) << name;
+  }
+}
+
+TEST(Mechanisms, ComposedStepsHaveOrderFourThere) {
+  for (const std::string name : {"four_bar", "bricard", "slider_crank"}) {
+    const double coarse = Composed(name, {}, 0.01).error_after(0.6),
+                 fine = Composed(name, {}, 0.005).error_after(0.6);
+    EXPECT_NEAR(std::log2(coarse / fine), 4, 0.2) << name;
+  }
+}
+
+}  // namespace
+}  // namespace spook
