@@ -230,11 +230,13 @@ class Pile : public Judge {
   double error() const override {
     const ProblemBody& body = problem_.bodies[static_cast<std::size_t>(first_that_moves(problem_))];
     const double size = size_of(body);
+    double moved = 0;
     for (std::size_t i = 0; i < now_.size(); ++i) {
-      if (!((now_[i] - before_[i]).norm() <= h_ * size)) return 1;
+      moved += (now_[i] - before_[i]).norm() / static_cast<double>(now_.size());
       for (const Plane& plane : problem_.planes)
         if (problem_.bodies[i].moves && plane.n.dot(now_[i]) < plane.offset) return 1;
     }
+    if (!(moved <= h_ * size)) return 1;
     const std::vector<double> depths = this->depths();
     double sum = 0;
     for (const double depth : depths) sum += depth;

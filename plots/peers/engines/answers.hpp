@@ -44,7 +44,7 @@ std::unique_ptr<Judge> turns_by_euler(const Problem& problem, const Vec3& omega)
 std::unique_ptr<Judge> bounces_to(const Problem& problem, double h0);
 
 /// Of what was dropped into a box: the mean depth of those contacts that overlap, at the end, over a body's size. 1
-/// where a body has left the box, or the fastest still goes farther than its size in a second.
+/// where a body has left the box, or where they still go farther than their size in a second on average.
 std::unique_ptr<Judge> lies_without_overlap(const Problem& problem);
 
 }  // namespace spook::peers

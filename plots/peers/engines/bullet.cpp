@@ -3,8 +3,10 @@
 //   sequential   btSequentialImpulseConstraintSolver: warm projected Gauss-Seidel with so many sweeps
 //   dantzig      btMLCPSolver with btDantzigSolver: all rows at once, by pivoting on a dense matrix
 //
-// The margin around boxes is as small as it may be, since gaps are what is measured; overlaps are taken back by
-// positions (split impulse, its default), which adds no energy; friction follows the slip, with two directions.
+// The margin around boxes is as small as it may be, since gaps are what is measured; friction follows the slip, with
+// two directions. For what bounces, contacts count from when they touch, and every overlap is taken back by positions: by
+// default a ball is held 2 cm too early, and thrown out by its overlap, so that peaks are off by a quarter at any step.
+// For what rests the defaults are better: with these a tower of twenty falls.
 // It has no distance between two points: the one row that this is stands here, as a constraint of ours in Bullet's form.
 #include <btBulletDynamicsCommon.h>
 #include <BulletDynamics/MLCPSolvers/btDantzigSolver.h>
@@ -63,6 +65,7 @@ class Bullet : public Engine {
     settings.m_numIterations = std::max(1, way.sweeps);
     settings.m_restitutionVelocityThreshold = problem.threshold;
     settings.m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
+    if (problem.restitution > 0) settings.m_splitImpulsePenetrationThreshold = 0;
     if (way.solver == "dantzig") settings.m_minimumSolverBatchSize = 1;
     for (const ProblemBody& body : problem.bodies) add_body(body, problem);
     for (const Plane& plane : problem.planes) set_plane(plane);
@@ -108,6 +111,7 @@ class Bullet : public Engine {
     bodies_.push_back(std::make_unique<btRigidBody>(info));
     bodies_.back()->setLinearVelocity(bullet(body.v));
     bodies_.back()->setAngularVelocity(bullet(body.omega));
+    if (problem.restitution > 0) bodies_.back()->setContactProcessingThreshold(0);
     bodies_.back()->setActivationState(DISABLE_DEACTIVATION);
   }
   void set_plane(const Plane& plane) {

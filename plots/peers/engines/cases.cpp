@@ -5,7 +5,8 @@
 //                    k is so large that no one sees it.
 //   swinging wire    spook's stiff solver has the tension's stiffness in M (chapter 12). Others want steps below 2/ω.
 //   stacks           heavy on light: as the wire
-//   tower            few sweeps and many, warm, and all at once
+//   tower            few sweeps and many, warm, and all at once. Our sweeps want a k of which they see something: with
+//                    1e6 N/m the tower sinks by 1e-3 of half a side, and 200 sweeps find that to 1e-5.
 //   sliding          Coulomb's cone, and in the others the slip's direction as the first of a box
 //   top              whatever integrates rotations; no rows at all
 //   double pendulum  spook: d = 0, with which rods are of second order
@@ -85,18 +86,26 @@ std::vector<Case> cases() {
        .time = 5,
        .error = "farthest of the load over the length",
        .judge = judge(swings_as_rods),
-       .ours = {{"stiff", many}},
+       .ours = {{"stiff", many}, {"direct", {many.begin() + 1, many.end()}}},
        .theirs = {{"ODE", "step", many}, {"Bullet", "dantzig", many}, {"Bullet", "sequential", many, {200}},
                   {"DART", "reduced", many}}},
       stack("stack 1000:1", "1000"),
       stack("stack 1e6:1", "1e6"),
+      {.name = "two boxes 1e6:1",
+       .scene = "tower",
+       .set = {{"boxes=2", "ratio=1e6", "k=1e14"}},
+       .time = 2,
+       .error = "farthest move over half a side",
+       .judge = judge(stays_in_place),
+       .ours = {{"direct", few}},
+       .theirs = all_at_once_or_sweeps(few, {50, 1000})},
       {.name = "tower of 20",
        .scene = "tower",
        .set = {{"boxes=20", "k=1e12"}},
        .time = 3,
        .error = "farthest move over half a side",
        .judge = judge(stays_in_place),
-       .ours = {{"direct", few}, {"gauss_seidel", few, {10, 50, 200}, false, true, 0.001}},
+       .ours = {{"direct", few}, {"gauss_seidel", few, {10, 50, 200}, false, true, 0.001, {"k=1e6"}}},
        .theirs = all_at_once_or_sweeps(few, {10, 50, 200})},
       {.name = "sliding at four headings",
        .scene = "sliding_block",
@@ -105,7 +114,7 @@ std::vector<Case> cases() {
        .time = 1,
        .error = "error of the way over it",
        .judge = judge<double>(stops_by_coulomb, 3.0),
-       .ours = {{"gauss_seidel", many, {50}, true}},
+       .ours = {{"gauss_seidel", many, {5, 50}, true}},
        .theirs = all_at_once_or_sweeps(many, {50})},
       {.name = "asymmetric top",
        .scene = "top",
@@ -153,7 +162,7 @@ std::vector<Case> small_cases() {
   std::vector<Case> small;
   for (Case one : cases()) {
     const bool heap = one.scene == "pile", heavy = one.scene == "wire" || one.scene == "stiff_wire" || one.scene == "stack";
-    if (heap || heavy) continue;
+    if (heap || heavy || one.name == "two boxes 1e6:1") continue;
     one.time = std::min(one.time, 3.0);
     if (one.scene == "tower") one.set = {{"boxes=2", "k=1e12"}};
     one.theirs = each;
@@ -167,10 +176,11 @@ std::vector<Case> small_cases() {
 std::unique_ptr<Scene> our_scene(const Case& one, std::size_t set, const OurWay& way, double h, int sweeps) {
   const SceneDescription& description = find_scene(one.scene);
   Parameters parameters(description.parameters);
-  for (const std::string& text : one.set[set]) {
-    const std::size_t equals = text.find('=');
-    parameters.set(text.substr(0, equals), text.substr(equals + 1));
-  }
+  for (const auto& texts : {one.set[set], way.set})
+    for (const std::string& text : texts) {
+      const std::size_t equals = text.find('=');
+      parameters.set(text.substr(0, equals), text.substr(equals + 1));
+    }
   Method method{.h = h, .solver = way.solver, .warm_start = way.warm};
   if (sweeps > 0) method.stop.max_sweeps = sweeps;
   if (way.cone) method.friction_model = FrictionModel::cone;

@@ -16,6 +16,7 @@ struct OurWay {
   bool cone = false;              ///< Coulomb's friction, not the box
   bool warm = false;
   double margin = -1;             ///< [m]; less than 0: the world's own
+  std::vector<std::string> set = {};  ///< of the scene, beside the case's
 };
 
 /// The same of another engine.

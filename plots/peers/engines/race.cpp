@@ -29,6 +29,8 @@ const std::map<std::string, Maker>& makers() {
   return known;
 }
 
+constexpr double long_run = 1;  // [s]; it has a second round, and no more
+
 /// Processor time of all threads of this program [s].
 double processor_time() {
   timespec now;
@@ -142,11 +144,11 @@ std::vector<Lap> race(const Case& one, int rounds) {
     double seconds = 0;
     for (std::size_t set = 0; set < one.set.size(); ++set)
       runner.error = largest(runner.error, judged(one, runner, set, seconds));
-    if (seconds > 5) runner.seconds = seconds;  // long enough: a look at the clock in each step is nothing to it
+    if (seconds > long_run) runner.seconds = seconds;  // a look at the clock in each step is nothing to it
   }
   for (int round = 0; round < rounds; ++round)
     for (Runner& runner : runners)
-      if (std::isfinite(runner.error) && !(round > 0 && runner.seconds > 5))
+      if (std::isfinite(runner.error) && !(round > 0 && runner.seconds > long_run))
         runner.seconds = std::min(runner.seconds, timed(one, runner));
   std::vector<Lap> laps;
   const double simulated = one.time * static_cast<double>(one.set.size());

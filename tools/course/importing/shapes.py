@@ -2,7 +2,7 @@
 
 import itertools
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from xml.etree.ElementTree import Element
 
 import numpy as np
@@ -17,16 +17,31 @@ _AROUND = 8  # points on a circle: between two of them a lying cylinder of radiu
 @dataclass
 class Geom:
     kind: str
-    x: np.ndarray  # centre, in the body's axes [m]
-    R: np.ndarray  # its axes in those
+    x: np.ndarray  # centre [m]
+    R: np.ndarray  # its axes
     size: np.ndarray  # radius, and half length without the caps; or half sides [m]
     mass: float  # [kg]
     moments: np.ndarray  # about its centre, along its axes [kg m²]
-    stops: bool  # it touches planes, and other geoms of this kind
+    friction: float
+    masks: tuple[int, int]  # contype and conaffinity
+
+    def moved(self, x: np.ndarray, R: np.ndarray) -> "Geom":
+        return replace(self, x=x + R @ self.x, R=R @ self.R)
+
+    def touches(self, masks: tuple[int, int]) -> bool:
+        return bool(self.masks[0] & masks[1] or masks[0] & self.masks[1])
 
     def points(self) -> np.ndarray:
-        """What a plane stops, in the body's axes, a row each."""
+        """What a plane stops, a row each."""
         return self.x + _surface(self.kind, self.size) @ self.R.T
+
+
+def masks_of(element: Element) -> tuple[int, int]:
+    return int(element.get("contype", "1")), int(element.get("conaffinity", "1"))
+
+
+def friction_of(element: Element) -> float:
+    return float(numbers(element, "friction", None, "1")[0])
 
 
 def geom_of(element: Element, in_degrees: bool, euler_order: str) -> Geom | None:
@@ -48,8 +63,7 @@ def geom_of(element: Element, in_degrees: bool, euler_order: str) -> Geom | None
     volume, moments = _VOLUME[kind](size)
     mass = numbers(element, "mass", 1)[0] if "mass" in element.attrib else (
         numbers(element, "density", 1, str(DENSITY))[0] * volume)
-    stops = int(element.get("contype", "1")) != 0 or int(element.get("conaffinity", "1")) != 0
-    return Geom(kind, x, R, size, mass, mass * moments, stops)
+    return Geom(kind, x, R, size, float(mass), mass * moments, friction_of(element), masks_of(element))
 
 
 # Volume [m³], and moments for each kilogram [m²].

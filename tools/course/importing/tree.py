@@ -16,7 +16,7 @@ from importing.turning import IDENTITY, from_matrix, inverse, matrix, numbers, p
 
 
 @dataclass
-class Hinge:
+class ModelJoint:
     """One joint of MJCF, at the start."""
 
     kind: str  # hinge, slide or ball
@@ -25,7 +25,6 @@ class Hinge:
     axis: np.ndarray  # in the world
     limits: tuple[float, float] | None  # of angle or shift from where it begins [rad or m]
     damping: float  # [N m s/rad or N s/m]
-    armature: float  # [kg m² or kg]
 
 
 @dataclass
@@ -35,16 +34,14 @@ class Part:
     name: str
     parent: "Part | None"  # None: it is free, or hangs on the world
     free: bool
-    joints: list[Hinge]
-    geoms: list[tuple[Geom, np.ndarray, np.ndarray]] = field(default_factory=list)  # and where: x, R in the world
-    inertial: list[tuple[float, np.ndarray, np.ndarray]] = field(default_factory=list)  # mass, x, inertia in the world
-    measured: bool = True  # its mass is that of its geoms
+    joints: list[ModelJoint]
+    geoms: list[Geom] = field(default_factory=list)  # in the world
+    inertial: list[tuple[float, np.ndarray, np.ndarray]] = field(default_factory=list)  # mass, centre, inertia in the world
 
     def mass_and_inertia(self) -> tuple[float, np.ndarray, np.ndarray]:
         """Mass, centre [m] and inertia about it, in the world's axes [kg m²]."""
         masses = list(self.inertial)
-        for geom, x, R in self.geoms:
-            masses.append((geom.mass, x, R @ np.diag(geom.moments) @ R.T))
+        masses += [(geom.mass, geom.x, geom.R @ np.diag(geom.moments) @ geom.R.T) for geom in self.geoms]
         mass = sum(m for m, _, _ in masses)
         if not mass > 0:
             raise BadInput(f"body \"{self.name}\" moves, but has no mass: give it a geom with a volume, or an inertial")
@@ -71,7 +68,8 @@ class Model:
         self.world = Part("world", None, False, [])
         self.planes: list[Element] = []
         self.parts: list[Part] = []
-        self.of_body: dict[str, Part] = {"world": self.world}
+        # Of each body the part that it belongs to, and its own place and turn.
+        self.bodies: dict[str, tuple[Part, np.ndarray, np.ndarray]] = {"world": (self.world, np.zeros(3), IDENTITY)}
         for world in root.findall("worldbody"):
             self._read(world, self.world, np.zeros(3), IDENTITY, None)
 
@@ -100,22 +98,21 @@ class Model:
             above = None if free or parent is self.world else parent
             part = Part(name, above, free, [] if free else [self._joint(each, x, q) for each in joints])
             self.parts.append(part)
-        self.of_body[name] = part
+        self.bodies[name] = part, x, q
         self._read(body, part, x, q, childclass)
 
-    def _joint(self, joint: Element, x: np.ndarray, q: np.ndarray) -> Hinge:
+    def _joint(self, joint: Element, x: np.ndarray, q: np.ndarray) -> ModelJoint:
         kind, name = joint.get("type", "hinge"), joint.get("name", "without a name")
         if kind not in ("hinge", "slide", "ball"):
             raise BadInput(f"joint \"{name}\" must be a hinge, slide, ball or free joint, but is \"{kind}\"")
-        for key, value in (("stiffness", "0"), ("frictionloss", "0")):
-            if numbers(joint, key, 1, value)[0] != 0:
-                self._say_once(key)
+        for key in ("stiffness", "frictionloss", "armature"):
+            if numbers(joint, key, None, "0")[0] != 0:
+                self.leave_out(f"{key} of joints")
         damping = numbers(joint, "damping", None, "0")[0]
         if kind == "ball" and damping != 0:
-            self._say_once("damping of ball joints")
-        return Hinge(kind, name, x + matrix(q) @ numbers(joint, "pos", 3, "0 0 0"),
-                     matrix(q) @ unit(numbers(joint, "axis", 3, "0 0 1")), self._limits(joint, kind), damping,
-                     numbers(joint, "armature", 1, "0")[0])
+            self.leave_out("damping of ball joints")
+        return ModelJoint(kind, name, x + matrix(q) @ numbers(joint, "pos", 3, "0 0 0"),
+                     matrix(q) @ unit(numbers(joint, "axis", 3, "0 0 1")), self._limits(joint, kind), float(damping))
 
     def _limits(self, joint: Element, kind: str) -> tuple[float, float] | None:
         limited = joint.get("limited", "auto")
@@ -124,7 +121,7 @@ class Model:
         if limited != "true":
             return None
         if kind == "ball":
-            self._say_once("limits of ball joints")
+            self.leave_out("limits of ball joints")
             return None
         per_unit = np.pi / 180 if kind == "hinge" and self.in_degrees else 1
         lower, upper = (numbers(joint, "range", 2) - numbers(joint, "ref", 1, "0")) * per_unit
@@ -143,7 +140,7 @@ class Model:
             if geom is not None:
                 if given:
                     geom.mass, geom.moments = 0.0, np.zeros(3)
-                part.geoms.append((geom, x + R @ geom.x, R @ geom.R))
+                part.geoms.append(geom.moved(x, R))
             elif kind == "plane" and part is self.world:
                 self.planes.append(self._placed(whole, x, q))
             else:
@@ -167,7 +164,14 @@ class Model:
         placed.set("offset", repr(float(R[:, 2] @ at)))
         return placed
 
-    def _say_once(self, what: str) -> None:
+    def body(self, name: str, who: str) -> tuple[Part, np.ndarray, np.ndarray]:
+        """Its part, its place and its turn."""
+        if name not in self.bodies:
+            raise BadInput(f"{who} names a body that there is not: \"{name}\"")
+        return self.bodies[name]
+
+    def leave_out(self, what: str) -> None:
+        """Once, however often it is there."""
         if what not in self.left_out:
             self.left_out.append(what)
 
