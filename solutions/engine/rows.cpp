@@ -2,6 +2,8 @@
 
 #include <cassert>
 
+#include "engine/spook_of.hpp"
+
 namespace spook {
 
 template <int Dof>
@@ -40,21 +42,6 @@ static Vec3 slip(const Contact& contact, const Motion<6>& motion) {
   return v(contact.j, contact.r_j) - v(contact.i, contact.r_i);
 }
 
-/// Most contacts of a scene share their k and d.
-class SpookOf {
- public:
-  explicit SpookOf(double h) : h_(h) {}
-  const Spook& operator()(double k, double d) {
-    if (k != k_ || d != d_) spook_ = spook_parameters(h_, k, d);
-    k_ = k, d_ = d;
-    return spook_;
-  }
-
- private:
-  double h_, k_ = 0, d_ = 0;  // no k is 0
-  Spook spook_{};
-};
-
 template <int Dof>
 void add_contact_rows(const std::vector<Contact>& contacts, double h, const Materials& materials,
                       const Friction& friction, const Motion<Dof>& motion, std::vector<Row<Dof>>& rows,
@@ -92,50 +79,11 @@ void add_contact_rows(const std::vector<Contact>& contacts, double h, const Mate
   }
 }
 
-/// The rows of Eq. (6.6), with both lever arms to one point between the two: Eq. (6.15). There is one force then and no
-/// torque, and the gaps are as seen by somebody who turns with the joint.
-template <int Dof>
-static std::array<Constraint<Dof>, 3> ball_joint_at_one_point(Attachment i, Attachment j, const Spook& spook,
-                                                              const Motion<Dof>& motion) {
-  std::array<Constraint<Dof>, 3> rows = ball_joint_constraints<Dof>(i, j, spook);
-  if constexpr (Dof == 6) {
-    const Vec3 apart = (j.x + j.r) - (i.x + i.r);
-    const double of_i = motion.inverse_mass[i.body].linear, of_j = motion.inverse_mass[j.body].linear;
-    i.r += of_j / (of_i + of_j) * apart;
-    j.r -= of_i / (of_i + of_j) * apart;
-    const std::array<Constraint<6>, 3> shared = ball_joint_constraints<6>(i, j, spook);
-    for (std::size_t axis = 0; axis < rows.size(); ++axis) {
-      rows[axis].Gi = shared[axis].Gi;
-      rows[axis].Gj = shared[axis].Gj;
-    }
-  }
-  return rows;
-}
-
-template <int Dof>
-void add_joint_rows(const std::vector<Joint>& joints, double h, const Bodies<Dof>& bodies,
-                    std::vector<Row<Dof>>& rows) {
-  SpookOf spook_of(h);
-  for (const Joint& joint : joints) {
-    const Spook& spook = spook_of(*joint.k, *joint.d);
-    // (World::step has seen to it that every distance has a direction.)
-    const Attachment i = attachment(joint.i, joint.p_i, bodies), j = attachment(joint.j, joint.p_j, bodies);
-    if (joint.length) {
-      rows.push_back(make_row(distance_constraint<Dof>(i, j, *joint.length, spook), bodies.motion));
-    } else {
-      for (const Constraint<Dof>& row : ball_joint_at_one_point<Dof>(i, j, spook, bodies.motion))
-        rows.push_back(make_row(row, bodies.motion));
-    }
-  }
-}
-
 template Constraint<3> contact_constraint<3>(const Contact&, const Spook&);
 template Constraint<6> contact_constraint<6>(const Contact&, const Spook&);
 template void add_contact_rows<3>(const std::vector<Contact>&, double, const Materials&, const Friction&,
                                   const Motion<3>&, std::vector<Row<3>>&, std::vector<Rubbing>&);
 template void add_contact_rows<6>(const std::vector<Contact>&, double, const Materials&, const Friction&,
                                   const Motion<6>&, std::vector<Row<6>>&, std::vector<Rubbing>&);
-template void add_joint_rows<3>(const std::vector<Joint>&, double, const Bodies<3>&, std::vector<Row<3>>&);
-template void add_joint_rows<6>(const std::vector<Joint>&, double, const Bodies<6>&, std::vector<Row<6>>&);
 
 }  // namespace spook

@@ -1,17 +1,15 @@
 #pragma once
-// From contacts and joints to rows.
+// From contacts to rows; joint_rows.hpp has those of joints.
 //
-//   dg/dt = G W          G of a contact, Eq. (3.3), of a joint, Eq. (6.3), (6.6); of a point mass the linear part of it
+//   dg/dt = G W          G of a contact, Eq. (3.3); of a point mass the linear part of it
 //   a, b, Σ              from h, k, d, Eq. (3.4)-(3.6); of friction 0, 1, Γ, Eq. (5.4)
 //   0 <= λ < ∞           a contact pushes, never pulls
 //   -Λ <= λ <= Λ         friction: two rows more, with the bound of Eq. (5.7), or of chapter 09
-//   -∞ < λ < ∞           a joint does both
 //   S_kk, B              Eq. (4.3), (4.4)
 #include <string>
 #include <vector>
 
 #include "09_better_friction/better_friction.hpp"
-#include "engine/joints.hpp"
 #include "engine/materials.hpp"
 
 namespace spook {
@@ -50,10 +48,5 @@ template <int Dof>
 void add_contact_rows(const std::vector<Contact>& contacts, double h, const Materials& materials,
                       const Friction& friction, const Motion<Dof>& motion, std::vector<Row<Dof>>& rows,
                       std::vector<Rubbing>& rubbing);
-
-/// Adds the rows of each joint in turn: one of a distance, three of a ball joint. Their k and d must be given.
-template <int Dof>
-void add_joint_rows(const std::vector<Joint>& joints, double h, const Bodies<Dof>& bodies,
-                    std::vector<Row<Dof>>& rows);
 
 }  // namespace spook

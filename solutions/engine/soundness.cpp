@@ -50,21 +50,31 @@ static double largest_size(const std::vector<double>& sizes, const std::vector<J
   return largest;
 }
 
-/// From where its point on i is to that on j, less the length along it [m].
-template <int Dof>
-static Vec3 gap_of(const Joint& joint, const Bodies<Dof>& bodies) {
-  const Attachment i = attachment(joint.i, joint.p_i, bodies), j = attachment(joint.j, joint.p_j, bodies);
-  const Vec3 apart = (j.x + j.r) - (i.x + i.r);
-  return joint.length ? Vec3(apart - *joint.length * apart.normalized()) : apart;
-}
-
 /// ½ k gap² of all joints [J].
 template <int Dof>
 static double energy_of_joints(const World<Dof>& world) {
   double energy = 0;
-  for (const Joint& joint : world.joints())
-    energy += *joint.k * gap_of(joint, world.bodies()).squaredNorm() / 2;
+  for (const Joint& joint : world.joints()) {
+    const JointGap gap = gap_of(joint, world.bodies());
+    energy += *joint.k * gap.apart.squaredNorm() / 2;
+    if (joint.is_guided()) energy += *joint.k_turn * gap.turned.squaredNorm() / 2;
+  }
   return energy;
+}
+
+/// What motors gave in the last step [J], with the velocities before it.
+template <int Dof>
+static double work_of_motors(const World<Dof>& world, const std::vector<Twist<Dof>>& before) {
+  double work = 0;
+  for (int n = 0; n < static_cast<int>(world.joints().size()); ++n) {
+    const Joint& joint = world.joints()[static_cast<std::size_t>(n)];
+    if (!joint.motor) continue;
+    const Row<Dof>* row = world.joint_row(n, joint.rows() - 1);
+    if (!row) continue;
+    const auto both = [&](int body) { return Twist<Dof>(before[body] + world.bodies().motion.W[body]); };
+    work += row->lambda * (row->Gi.dot(both(row->i)) + row->Gj.dot(both(row->j))) / 2;
+  }
+  return work;
 }
 
 /// ½ k gap² of the contacts that are pressed [J].
@@ -126,13 +136,21 @@ void Soundness<Dof>::look_at_gaps(const World<Dof>& world, double h) {
   }
   for (int n = 0; n < static_cast<int>(world.joints().size()); ++n) {
     const Joint& joint = world.joints()[static_cast<std::size_t>(n)];
-    const Vec3 gap = gap_of(joint, world.bodies());
-    double force = 0;
-    for (int row = 0; row < joint.rows(); ++row) force = std::hypot(force, world.joint_lambda(n, row) / h);
+    const JointGap gap = gap_of(joint, world.bodies());
+    double force = 0, torque = 0;
+    for (int row = 0; row < joint.holding_rows(); ++row) {
+      double& of = joint.is_guided() && joint.turns(row) ? torque : force;
+      of = std::hypot(of, world.joint_lambda(n, row) / h);
+    }
     const double size = size_of(joint);
-    if (size > 0 && gap.norm() - force / *joint.k > size)
-      return find(State::lost, world,
-                  "joint " + std::to_string(n) + " is off by " + text(gap.norm()) + " m, more than its size");
+    if (size > 0 && gap.apart.norm() - force / *joint.k > size)
+      return find(
+          State::lost, world,
+          "joint " + std::to_string(n) + " is off by " + text(gap.apart.norm()) + " m, more than its size");
+    if (joint.is_guided() && gap.turned.norm() - torque / *joint.k_turn > 1)
+      return find(
+          State::lost, world,
+          "joint " + std::to_string(n) + " is turned by " + text(gap.turned.norm()) + ", more than 1 rad");
   }
 }
 
@@ -146,6 +164,7 @@ void Soundness<Dof>::look_at_energy(const World<Dof>& world, double h, double T)
     given_ += h / 2 * force.dot(both.template head<3>());
     lift += force.norm();
   }
+  given_ += work_of_motors(world, before_);
   if (first_) given_ += energy_of_contacts(world);
   most_ = std::max(most_, T);
   const double gained = T - started_ - given_;

@@ -11,7 +11,8 @@
 //
 //   what was left   of the residual, Eq. (4.8), and the rate at which it fell: engine/outcome.hpp
 //   asked for       the largest of |B| and of the kicks h f/m
-//   energy          T - T₀ - Σ h f·v, of what constraints and impacts did; ½ k gap² of the first step is theirs to give
+//   energy          T - T₀ - Σ h f·v, of what constraints and impacts did; ½ k gap² of the first step is theirs to give,
+//                   and the work of motors
 //
 // A look costs about as much as a sweep; a run that is only timed takes none.
 #include <cstdint>

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "engine/bodies.hpp"
+#include "engine/joints.hpp"
 #include "engine/outcome.hpp"
 #include "engine/rows.hpp"
 #include "engine/start_impulses.hpp"

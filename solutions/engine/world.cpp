@@ -193,6 +193,15 @@ void World<Dof>::integrate(double h) {
   time_ += h;
   h_ = h;
   require_finite_bodies();
+  count_turns();
+}
+
+/// An angle is followed from step to step, as it shows within a turn only: Eq. (13.9).
+template <int Dof>
+void World<Dof>::count_turns() {
+  if constexpr (Dof == 6)
+    for (const std::size_t hinge : hinges_)
+      joints_[hinge].angle = free_coordinate(joints_[hinge], bodies_).value;
 }
 
 template <int Dof>

@@ -18,7 +18,7 @@
 #include "07_impacts/impacts.hpp"
 #include "engine/blowup.hpp"
 #include "engine/contacts.hpp"
-#include "engine/joints.hpp"
+#include "engine/joint_rows.hpp"
 #include "engine/layout.hpp"
 #include "engine/materials.hpp"
 #include "engine/rows.hpp"
@@ -60,6 +60,9 @@ struct Settings {
   StopRule stop = {};
 };
 
+/// The relaxation of contacts and joints, unless another is set [steps].
+inline constexpr double relaxation_of_contacts = 3, relaxation_of_joints = 0.25;
+
 /// What the last step did.
 struct StepReport {
   int pairs = 0;  ///< pairs of shapes that were looked at
@@ -94,9 +97,13 @@ class World {
 
   /// Adds a joint and returns its index.
   /// Throws std::invalid_argument, naming the parameter, for an index that is no body's, a body joined to itself,
-  /// two fixed bodies, a point beside the centre of a point mass, a bad k or d, a length that is not positive, and
-  /// a distance whose two points coincide.
+  /// two fixed bodies, a point beside the centre of a point mass, a bad k or d, a length that is not positive, a
+  /// distance whose two points coincide, and a hinge, slider or weld of point masses, or whose axis or rest is not of unit
+  /// length; for limits that leave no room, a motor that makes no sense, and either where nothing is left free.
   int add_joint(const Joint& joint);
+
+  /// Drives a hinge or slider otherwise from now on, or with {} no longer. Throws std::invalid_argument as add_joint.
+  void set_motor(int joint, const std::optional<Motor>& motor) requires(Dof == 6);
 
   /// What a body, or a pair of bodies, is where it touches; engine/materials.hpp says how those of two are put together.
   /// An impact law's own restitution and friction are then those of pairs of which nothing was said.
@@ -166,6 +173,22 @@ class World {
   const std::vector<Joint>& joints() const { return joints_; }
   double joint_lambda(int joint, int row = 0) const;
 
+  /// The angle of a hinge, its turns counted [rad], or the shift of a slider [m]; and how fast it changes, half a step
+  /// before [rad/s, m/s]. Both are of j as i sees it.
+  double joint_position(int joint) const requires(Dof == 6);
+  double joint_speed(int joint) const requires(Dof == 6);
+
+  /// What a hinge's or slider's motor, and its limit, did to body j in the last step, along what is free [N m or N]; zero
+  /// before, and for what is not there.
+  double motor_force(int joint) const requires(Dof == 6);
+  double limit_force(int joint) const requires(Dof == 6);
+
+  /// Beside its force, the torque of a joint on body j in the last step [N m]: about the point where the force acts.
+  Vec3 joint_torque(int joint) const requires(Dof == 6);
+
+  /// A row of a joint as the last step had it; null before.
+  const Row<Dof>* joint_row(int joint, int row) const;
+
   /// What a joint, or a contact with its friction, did to body j in the last step, as a force [N]; zero before.
   Vec3 joint_force(int joint) const;
   Vec3 contact_force(int contact) const;
@@ -203,6 +226,10 @@ class World {
   void forget_the_last_step();
   void prepare_motion(double h);
   void require_directions(double h) const;
+  void count_turns();
+  void complete(Joint& joint) const;
+  const Joint& free_joint(int joint) const;
+  double along_free(int joint, int row) const;
   void require_finite_bodies() const;
   std::size_t first_row(int contact) const;
   std::size_t joint_index(int joint) const;
@@ -214,10 +241,11 @@ class World {
   std::vector<Joint> joints_;            // with k and d
   std::vector<std::size_t> joint_rows_;  // the first row of each joint
   std::size_t next_joint_row_ = 0;
-  std::vector<Vec3> forces_;       // on each body at x_n [N]
-  std::vector<Vec3> torques_;      // with a wrench only [N m]
-  std::vector<Contact> contacts_;  // of the last step
-  std::vector<Row<Dof>> rows_;     // of the joints, then of the contacts
+  std::vector<std::size_t> hinges_;  // which joints they are
+  std::vector<Vec3> forces_;         // on each body at x_n [N]
+  std::vector<Vec3> torques_;        // with a wrench only [N m]
+  std::vector<Contact> contacts_;    // of the last step
+  std::vector<Row<Dof>> rows_;       // of the joints, then of the contacts
   std::size_t first_contact_row_ = 0;
   std::vector<Rubbing> rubbing_;  // where friction follows what presses
   std::vector<Twist<Dof>> V_;     // what the rows add to each velocity

@@ -6,8 +6,6 @@
 
 namespace spook {
 
-static constexpr double relaxation_of_contacts = 3, relaxation_of_joints = 0.25;  // [steps]
-
 template <int Dof>
 World<Dof>::World(Settings<Dof> settings)
     : settings_(std::move(settings)),
@@ -82,37 +80,6 @@ int World<Dof>::add_plane(const Vec3& n, double offset) {
 }
 
 template <int Dof>
-int World<Dof>::add_joint(const Joint& given) {
-  Joint joint = given;
-  const std::size_t i = index(joint.i), j = index(joint.j);
-  if (i == j) reject("joint's j", joint.j, "another body than its i");
-  if (bodies_.is_fixed(i) && bodies_.is_fixed(j))
-    reject("joint's j", joint.j, "a body that moves, as i does not");
-  require_all_finite("p_i", joint.p_i);
-  require_all_finite("p_j", joint.p_j);
-  if constexpr (Dof == 3) {
-    if (!joint.p_i.isZero(0)) reject("|p_i|", joint.p_i.norm(), "0 for a point mass");
-    if (!joint.p_j.isZero(0)) reject("|p_j|", joint.p_j.norm(), "0 for a point mass");
-  }
-  if (!joint.k) joint.k = settings_.k;
-  if (!joint.d) joint.d = settings_.d.value_or(relaxation_of_joints);
-  const Spook spook = spook_parameters(1, *joint.k, *joint.d);
-  if (joint.length)
-    distance_constraint<Dof>(attachment(joint.i, joint.p_i, bodies_), attachment(joint.j, joint.p_j, bodies_),
-                             *joint.length, spook);
-  joints_.push_back(joint);
-  joint_rows_.push_back(next_joint_row_);
-  next_joint_row_ += static_cast<std::size_t>(joint.rows());
-  return static_cast<int>(joints_.size()) - 1;
-}
-
-template <int Dof>
-void World<Dof>::remove_joint(int joint) {
-  joints_.erase(joints_.begin() + static_cast<std::ptrdiff_t>(joint_index(joint)));
-  forget_the_last_step();
-}
-
-template <int Dof>
 void World<Dof>::remove_body(int body) {
   const std::size_t i = index(body);
   bodies_.remove(i);
@@ -125,22 +92,6 @@ void World<Dof>::remove_body(int body) {
     joint.j -= joint.j > body;
   }
   forget_the_last_step();
-}
-
-/// Its rows are numbered otherwise now.
-template <int Dof>
-void World<Dof>::forget_the_last_step() {
-  joint_rows_.clear();
-  next_joint_row_ = 0;
-  for (const Joint& joint : joints_) {
-    joint_rows_.push_back(next_joint_row_);
-    next_joint_row_ += static_cast<std::size_t>(joint.rows());
-  }
-  rows_.clear();
-  rubbing_.clear();
-  contacts_.clear();
-  first_contact_row_ = 0;
-  start_ = {};
 }
 
 template <int Dof>
@@ -200,7 +151,9 @@ void World<Dof>::go_on_from(const World& other) {
     if constexpr (Dof == 6) bodies_.orientations.q[i] = other.bodies_.orientations.q[i];
   }
   time_ = other.time_;
-  if (joints_.size() == other.joints_.size()) start_ = other.start_;
+  if (joints_.size() != other.joints_.size()) return;
+  start_ = other.start_;
+  for (const std::size_t hinge : hinges_) joints_[hinge].angle = other.joints_[hinge].angle;
 }
 
 template <int Dof>
@@ -237,32 +190,6 @@ Vec3 World<Dof>::impulse(int contact) const {
        ++row)
     impulse += rows_[row].lambda * rows_[row].Gj.template head<3>();
   return impulse;
-}
-
-template <int Dof>
-std::size_t World<Dof>::joint_index(int joint) const {
-  if (joint < 0 || joint >= static_cast<int>(joints_.size()))
-    reject("joint", joint, "an index below " + std::to_string(joints_.size()));
-  return static_cast<std::size_t>(joint);
-}
-
-template <int Dof>
-double World<Dof>::joint_lambda(int joint, int row) const {
-  const std::size_t j = joint_index(joint);
-  if (row < 0 || row >= joints_[j].rows()) reject("row", row, "below " + std::to_string(joints_[j].rows()));
-  const std::size_t r = joint_rows_[j] + static_cast<std::size_t>(row);
-  return r < first_contact_row_ ? rows_[r].lambda : 0;  // a joint that is new has had none
-}
-
-template <int Dof>
-Vec3 World<Dof>::joint_force(int joint) const {
-  const std::size_t j = joint_index(joint);
-  Vec3 impulse = Vec3::Zero();
-  for (int k = 0; k < joints_[j].rows(); ++k) {
-    const std::size_t row = joint_rows_[j] + static_cast<std::size_t>(k);
-    if (row < first_contact_row_) impulse += rows_[row].lambda * rows_[row].Gj.template head<3>();
-  }
-  return h_ > 0 ? Vec3(impulse / h_) : impulse;
 }
 
 template <int Dof>

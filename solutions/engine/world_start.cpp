@@ -55,6 +55,17 @@ static std::vector<double> turning_rows(const std::vector<Joint>& joints, double
   return rates;
 }
 
+/// Which of so many rows are those of motors.
+static std::vector<bool> rows_of_motors(const std::vector<Joint>& joints, std::size_t rows) {
+  std::vector<bool> drives(rows, false);
+  std::size_t end = 0;
+  for (const Joint& joint : joints) {
+    end += static_cast<std::size_t>(joint.rows());
+    if (joint.motor) drives[end - 1] = true;
+  }
+  return drives;
+}
+
 template <int Dof>
 void World<Dof>::start_consistently(double h) {
   begin_half_a_step_back("start_consistently", h);
@@ -66,12 +77,13 @@ void World<Dof>::start_consistently(double h) {
   build_rows(h);
   const std::vector<double> turning = turning_rows(joints_, h, settings_.rotation, bodies_);
   const Motion<Dof>& motion = bodies_.motion;
+  const std::vector<bool> drives = rows_of_motors(joints_, rows_.size());
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     Row<Dof>& row = rows_[k];
     const auto along = [&](const std::vector<Twist<Dof>>& of) {
       return row.Gi.dot(of[row.i]) + row.Gj.dot(of[row.j]);
     };
-    row.B = -along(motion.Wf);
+    if (!drives[k]) row.B = -along(motion.Wf);  // a motor has a speed to come to
     if (k < turning.size()) row.B -= h * turning[k];
     const bool rubs = row.lo < 0 && k >= first_contact_row_;
     if (rubs) row.B -= along(motion.W);                  // what slips is braked

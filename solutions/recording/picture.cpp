@@ -39,7 +39,7 @@ static Energy energy_of(const World<Dof>& world, double h) {
   for (int joint = 0; joint < joints; ++joint) {
     const Joint& pulled = world.joints()[static_cast<std::size_t>(joint)];
     for (int row = 0; row < pulled.rows(); ++row)
-      energy.springs += held(world.joint_lambda(joint, row), *pulled.k);
+      energy.springs += held(world.joint_lambda(joint, row), pulled.stiffness(row));
   }
   for (int c = 0; c < contacts; ++c) energy.springs += held(world.lambda(c), world.settings().k);
   return energy;

@@ -35,12 +35,15 @@ static Json to_json(const Shape& shape) {
 }
 
 static Json to_json(const Joint& joint) {
-  Json json = {{"kind", joint.length ? "distance" : "ball"},
-               {"i", joint.i},
-               {"j", joint.j},
-               {"p_i", numbers(joint.p_i)},
-               {"p_j", numbers(joint.p_j)}};
+  Json json = {{"kind", name_of(joint.kind)}, {"rows", joint.rows()},     {"i", joint.i}, {"j", joint.j},
+               {"p_i", numbers(joint.p_i)},   {"p_j", numbers(joint.p_j)}};
   if (joint.length) json["length"] = *joint.length;
+  if (joint.is_guided()) {
+    json["axis"] = numbers(joint.axis);
+    json["rest"] = {joint.rest->w(), joint.rest->x(), joint.rest->y(), joint.rest->z()};
+  }
+  if (joint.limits) json["limits"] = {joint.limits->lower, joint.limits->upper};
+  if (joint.motor) json["motor"] = {{"speed", joint.motor->speed}, {"strength", joint.motor->strength}};
   return json;
 }
 

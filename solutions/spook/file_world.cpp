@@ -79,17 +79,46 @@ void add_body(const Place& place, World<Dof>& world) {
   }
 }
 
-/// Bodies by number or by name.
+JointLimits limits_in(const Place& place) {
+  place.require_keys({"lower", "upper"});
+  JointLimits limits;
+  read(place.find("lower"), limits.lower);
+  read(place.find("upper"), limits.upper);
+  return limits;
+}
+
+Motor motor_in(const Place& place) {
+  place.require_keys({"speed", "strength", "viscosity"});
+  Motor motor;
+  read(place.find("speed"), motor.speed);
+  read(place.find("strength"), motor.strength);
+  read(place.find("viscosity"), motor.viscosity);
+  return motor;
+}
 
 template <int Dof>
 void add_joint(const Place& place, const BodyNames& names, World<Dof>& world) {
-  place.require_keys({"i", "j", "p_i", "p_j", "length", "k", "d"});
+  place.require_keys({"i", "j", "p_i", "p_j", "length", "k", "d", "kind", "axis", "rest", "k_turn", "limits",
+                      "limit_d", "motor", "angle"});
   Joint joint{.i = names.index(place["i"]), .j = names.index(place["j"])};
   read(place.find("p_i"), joint.p_i);
   read(place.find("p_j"), joint.p_j);
   read(place.find("length"), joint.length);
   read(place.find("k"), joint.k);
   read(place.find("d"), joint.d);
+  if (const auto kind = place.find("kind"))
+    joint.kind = one_of<JointKind>(*kind, {{"ball", JointKind::ball},
+                                           {"distance", JointKind::distance},
+                                           {"hinge", JointKind::hinge},
+                                           {"slider", JointKind::slider},
+                                           {"weld", JointKind::weld}});
+  read(place.find("axis"), joint.axis);
+  if (const auto rest = place.find("rest")) joint.rest = rest->quaternion();
+  read(place.find("k_turn"), joint.k_turn);
+  if (const auto limits = place.find("limits")) joint.limits = limits_in(*limits);
+  read(place.find("limit_d"), joint.limit_d);
+  if (const auto motor = place.find("motor")) joint.motor = motor_in(*motor);
+  read(place.find("angle"), joint.angle);
   world.add_joint(joint);
 }
 

@@ -24,7 +24,8 @@ void Place::reject(const std::string& rule) const {
 double Place::number() const {
   if (value_.is_number()) return value_.get<double>();
   if (!value_.is_string()) reject("a number");
-  return value_ == "inf" ? infinity : parse_number(path_, value_.get<std::string>());
+  if (value_ == "inf") return infinity;
+  return value_ == "-inf" ? -infinity : parse_number(path_, value_.get<std::string>());
 }
 
 int Place::whole() const {

@@ -10,9 +10,13 @@ static Json numbers(const Vec3& v) {
   return {v.x(), v.y(), v.z()};
 }
 
+static Json numbers(const Quat& q) {
+  return {q.w(), q.x(), q.y(), q.z()};
+}
+
 /// JSON has no infinity.
 static Json number(double value) {
-  return std::isinf(value) ? Json("inf") : Json(value);
+  return std::isinf(value) ? Json(value > 0 ? "inf" : "-inf") : Json(value);
 }
 
 template <int Dof>
@@ -42,8 +46,7 @@ static Json body_to_json(const Bodies<Dof>& bodies, std::size_t i) {
   const Twist<Dof>& W = bodies.motion.W[i];
   Json json = {{"x", numbers(bodies.x[i])}, {"v", numbers(W.template head<3>())}, {"mass", bodies.mass[i]}};
   if constexpr (Dof == 6) {
-    const Quat& q = bodies.orientations.q[i];
-    json["q"] = {q.w(), q.x(), q.y(), q.z()};
+    json["q"] = numbers(bodies.orientations.q[i]);
     json["omega"] = numbers(W.template tail<3>());
     json["principal"] = numbers(bodies.orientations.principal[i]);
   }
@@ -70,6 +73,23 @@ static Json to_json(const Bodies<Dof>& bodies, const Shapes& shapes) {
   return list;
 }
 
+/// What hinges, sliders and welds have beside the others.
+static void put_guide(Json& json, const Joint& joint) {
+  json["kind"] = name_of(joint.kind);
+  json["axis"] = numbers(joint.axis);
+  json["rest"] = numbers(*joint.rest);
+  json["k_turn"] = *joint.k_turn;
+  if (joint.kind == JointKind::hinge) json["angle"] = joint.angle;
+  if (joint.limits) {
+    json["limits"] = {{"lower", number(joint.limits->lower)}, {"upper", number(joint.limits->upper)}};
+    json["limit_d"] = *joint.limit_d;
+  }
+  if (joint.motor)
+    json["motor"] = {{"speed", joint.motor->speed},
+                     {"strength", number(joint.motor->strength)},
+                     {"viscosity", number(joint.motor->viscosity)}};
+}
+
 static Json to_json(const std::vector<Joint>& joints) {
   Json list = Json::array();
   for (const Joint& joint : joints) {
@@ -77,6 +97,7 @@ static Json to_json(const std::vector<Joint>& joints) {
     if (joint.length) json["length"] = *joint.length;
     json["k"] = *joint.k;
     json["d"] = *joint.d;
+    if (joint.is_guided()) put_guide(json, joint);
     list.push_back(json);
   }
   return list;

@@ -88,6 +88,26 @@ class Worlds(WithModule):
         world.remove_joint(joint)
         self.refused("joint must be an index below 0, but is 0", world.joint_impulse, joint)
 
+    def test_a_motor_turns_a_wheel_to_its_limit(self):
+        world, h = spook.World(gravity=(0, 0, 0)), 0.01
+        fixed, wheel = world.add_fixed((0, 0, 0)), world.add(mass=1, principal=(1, 2, 2))
+        hinge = world.add_hinge(fixed, wheel, axis=(1, 0, 0), limits=(-1, 2), motor=(0.5, 3))
+        world.step(h, steps=100)
+        np.testing.assert_allclose(world.joint_speed(hinge), 0.5, rtol=1e-9)  # in a third of a second
+        world.step(h, steps=900)
+        np.testing.assert_allclose(world.joint_position(hinge), 2 + 3 / 1e6, atol=1e-9)
+        np.testing.assert_allclose([world.motor_force(hinge), world.limit_force(hinge)], [3, -3], rtol=1e-6)
+        world.set_motor(hinge, (-1, 1))
+        world.step(h, steps=100)
+        np.testing.assert_allclose(world.joint_speed(hinge), -1, rtol=1e-9)
+        slider = world.add_slider(fixed, world.add(principal=(1, 1, 1)))
+        weld = world.add_weld(fixed, world.add(principal=(1, 1, 1)))
+        world.push(2, (1, 1, 1))
+        world.step(h)
+        np.testing.assert_allclose(world.joint_position(slider), h, rtol=1e-9)
+        np.testing.assert_allclose(world.joint_torque(weld), 0, atol=1e-12)
+        np.testing.assert_allclose(world.joint_force(slider), [-1 / h, -1 / h, 0], rtol=1e-3)
+
     def test_a_copy_shares_nothing(self):
         world = falling()
         for other in (copy.copy(world), copy.deepcopy(world)):

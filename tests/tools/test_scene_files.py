@@ -1,8 +1,11 @@
 """Scenes as files: what is read, what is refused and where, and that what is exported runs as the scene itself."""
 
+import base64
 import copy
 import json
+import math
 import re
+import struct
 import subprocess
 import sys
 import tempfile
@@ -32,6 +35,14 @@ REFUSED = (
     ("joints.0.j", "bal", 'joints[0].j must be ball or box or floor or nail, but is "bal"'),
     ("joints.0.i", "ball", "joints[0]: joint's j must be another body than its i, but is 2"),
     ("joints.0.length", -1, "joints[0].length must be positive"),
+    ("joints.0.kind", "hing", 'joints[0].kind must be ball or distance or hinge or slider or weld, but is "hing"'),
+    ("joints.0.kind", "hinge", "joints[0].kind must be distance, where it has a length, but is hinge"),
+    ("joints.0", {"i": "nail", "j": "ball", "kind": "hinge", "axis": [0, 0, 2]},
+     "joints[0]: length of axis must be 1, but is 2"),
+    ("joints.0", {"i": "nail", "j": "ball", "kind": "hinge", "limits": {"lower": 1, "upper": 0}},
+     "joints[0]: upper must be more than lower, which is 1"),
+    ("joints.0", {"i": "nail", "j": "ball", "kind": "slider", "motor": {"sped": 1}},
+     'joints[0].motor.sped is unknown; did you mean "speed"?'),
     ("settings.k", 0, "k must be positive and finite, but is 0"),
     ("settings.friktion", 0, 'settings.friktion is unknown; did you mean "friction"?'),
     ("settings.rotation", "slow", 'settings.rotation must be exponential or first_order or splitting, but is "slow"'),
@@ -136,6 +147,20 @@ class SceneFiles(unittest.TestCase):
                 self.assertEqual(self.positions(name, "--time", "0.1")[1:],
                                  self.positions(self.file, "--time", "0.1")[1:])
         self.assertEqual(of_formulas, ["oscillator", "orbit"])
+
+    def test_mechanisms_are_read(self):
+        # A motor turns a wheel to its upper limit, -inf being no lower one, and holds it there.
+        wheel = {"i": "nail", "j": "ball", "p_j": [0, 0, 1], "kind": "hinge", "axis": [0, 0, 1],
+                 "limits": {"lower": "-inf", "upper": 0.5}, "motor": {"speed": 1, "strength": 10}}
+        self.file.write_text(json.dumps({**changed("joints.0", wheel), "bodies": [
+            EXAMPLE["bodies"][1], {"name": "ball", "x": [0, 0, 2], "radius": 0.2, "mass": 1, "q": [1, 0, 0, 0]}],
+            "expected": [{"body": "ball", "time": 2, "x": [0, 0, 2], "tolerance": 1e-4}]}))
+        record = self.table.with_suffix(".jsonl")
+        self.assertEqual(self.spook("run", self.file, "--record", record).returncode, 0)
+        header, *_, frame, _ = (json.loads(line) for line in record.read_text().splitlines())
+        self.assertEqual((header["joints"][0]["kind"], header["joints"][0]["rows"]), ("hinge", 7))
+        w, *_, z = struct.unpack("<8f", base64.b64decode(frame["q"]))[4:]
+        self.assertAlmostEqual(2 * math.atan2(z, w), 0.5, 3)  # and 10 N m/k_turn beyond
 
     def test_parameters_are_exported_too(self):
         exported = json.loads(self.spook("scenes", "tower", "--export", "--set", "boxes=3", "ratio=7").stdout)

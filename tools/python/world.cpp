@@ -121,6 +121,72 @@ int add_joint(PythonWorld<Dof>& self, int i, int j, const Vec3& p_i, const Vec3&
   return self.world.add_joint({.i = i, .j = j, .p_i = p_i, .p_j = p_j, .length = length, .k = k, .d = d});
 }
 
+/// A pair of numbers as a struct of theirs.
+template <class Of>
+std::optional<Of> pair_as(const std::optional<std::array<double, 2>>& pair) {
+  if (!pair) return {};
+  return Of{(*pair)[0], (*pair)[1]};
+}
+
+/// A hinge, slider or weld.
+int add_guided(PythonWorld<6>& self, JointKind kind, int i, int j, const Vec3& p_i, const Vec3& p_j,
+               const Vec3& axis, std::optional<std::array<double, 2>> limits,
+               std::optional<std::array<double, 2>> motor, std::optional<double> k, std::optional<double> d,
+               std::optional<double> k_turn) {
+  return self.world.add_joint({.i = i,
+                               .j = j,
+                               .p_i = p_i,
+                               .p_j = p_j,
+                               .k = k,
+                               .d = d,
+                               .kind = kind,
+                               .axis = axis,
+                               .k_turn = k_turn,
+                               .limits = pair_as<JointLimits>(limits),
+                               .motor = pair_as<Motor>(motor)});
+}
+
+void bind_guided(py::class_<PythonWorld<6>>& type) {
+  using Self = PythonWorld<6>;
+  const Vec3 zero = Vec3::Zero(), up = Vec3::UnitZ();
+  const auto add = [](JointKind kind) {
+    return [kind](Self& self, int i, int j, const Vec3& p_i, const Vec3& p_j, const Vec3& axis,
+                  std::optional<std::array<double, 2>> limits, std::optional<std::array<double, 2>> motor,
+                  std::optional<double> k, std::optional<double> d, std::optional<double> k_turn) {
+      return add_guided(self, kind, i, j, p_i, p_j, axis, limits, motor, k, d, k_turn);
+    };
+  };
+  for (const JointKind kind : {JointKind::hinge, JointKind::slider})
+    type.def(("add_" + name_of(kind)).c_str(), add(kind), "i"_a, "j"_a, "p_i"_a = zero, "p_j"_a = zero,
+             "axis"_a = up, "limits"_a = py::none(), "motor"_a = py::none(), "k"_a = py::none(),
+             "d"_a = py::none(), "k_turn"_a = py::none());
+  type.def(
+          "add_weld",
+          [](Self& self, int i, int j, const Vec3& p_i, const Vec3& p_j, std::optional<double> k,
+             std::optional<double> d, std::optional<double> k_turn) {
+            return add_guided(self, JointKind::weld, i, j, p_i, p_j, Vec3::UnitZ(), {}, {}, k, d, k_turn);
+          },
+          "i"_a, "j"_a, "p_i"_a = zero, "p_j"_a = zero, "k"_a = py::none(), "d"_a = py::none(),
+          "k_turn"_a = py::none())
+      .def(
+          "set_motor",
+          [](Self& self, int joint, std::optional<std::array<double, 2>> motor) {
+            self.world.set_motor(joint, pair_as<Motor>(motor));
+          },
+          "joint"_a, "motor"_a)
+      .def(
+          "joint_position", [](const Self& self, int joint) { return self.world.joint_position(joint); },
+          "joint"_a)
+      .def(
+          "joint_speed", [](const Self& self, int joint) { return self.world.joint_speed(joint); }, "joint"_a)
+      .def(
+          "joint_torque", [](const Self& self, int joint) { return self.world.joint_torque(joint); }, "joint"_a)
+      .def(
+          "motor_force", [](const Self& self, int joint) { return self.world.motor_force(joint); }, "joint"_a)
+      .def(
+          "limit_force", [](const Self& self, int joint) { return self.world.limit_force(joint); }, "joint"_a);
+}
+
 template <int Dof>
 Eigen::VectorXd joint_impulse(const PythonWorld<Dof>& self, int joint) {
   const auto& joints = self.world.joints();
@@ -170,6 +236,8 @@ py::class_<PythonWorld<Dof>> bind(py::module_& module, const char* name, const c
       .def_property_readonly("steps", [](const Self& self) { return self.world.steps(); })
       .def("contacts", &contacts<Dof>)
       .def("joint_impulse", &joint_impulse<Dof>, "joint"_a)
+      .def(
+          "joint_force", [](const Self& self, int joint) { return self.world.joint_force(joint); }, "joint"_a)
       .def("report", &report<Dof>)
       .def("__len__", [](const Self& self) { return self.world.bodies().size(); })
       .def("__copy__", [](const Self& self) { return Self(self); })
@@ -199,7 +267,9 @@ void bind_worlds(py::module_& module) {
   const Vec3 zero = Vec3::Zero();
   bind<3>(module, "PointWorld", "Point masses, by the SPOOK method.")
       .def("add", &add_point, py::kw_only(), "x"_a = zero, "v"_a = zero, "mass"_a = 1.0, "radius"_a = 0.0);
-  bind<6>(module, "World", "Rigid bodies, by the SPOOK method.")
+  py::class_<PythonWorld<6>> rigid = bind<6>(module, "World", "Rigid bodies, by the SPOOK method.");
+  bind_guided(rigid);
+  rigid
       .def("add", &add_rigid, py::kw_only(), "x"_a = zero, "v"_a = zero, "mass"_a = 1.0, "radius"_a = 0.0,
            "q"_a = std::array<double, 4>{1, 0, 0, 0}, "omega"_a = zero, "principal"_a = py::none(),
            "half_sides"_a = zero, "corners"_a = std::vector<Vec3>{})

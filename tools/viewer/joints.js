@@ -1,18 +1,20 @@
 "use strict";
-// Joints: rods coloured by tension, ball joints as dots, and the curves on which an answer lies.
+// Joints: rods coloured by tension, others as dots with the axes of hinges and sliders, and the curves on which an answer
+// lies.
 
 const ROD = 2;  // half the width of a rod on the screen [pixels]
-const ROWS = { distance: 1, ball: 3 };
+const FORCES = { distance: 1, ball: 3, hinge: 3, slider: 2, weld: 3 };  // which of its first rows are forces
 
-/** The tension of each joint [N], T = -λ/h as in Eq. (6.7); of a ball joint the size of its force. */
+/** The tension of each joint [N], T = -λ/h as in Eq. (6.7); of another than a distance the size of its force. */
 function tensions(run, frame) {
   const h = run.header.method.h / (run.header.method.substeps || 1);
   let row = 0;
   return run.header.joints.map((joint) => {
     const first = row;
-    row += ROWS[joint.kind] || 0;
+    const forces = FORCES[joint.kind] || 0;
+    row += joint.rows || forces;
     if (row > frame.jointImpulses.length) return 0;
-    const lambda = frame.jointImpulses.subarray(first, row);
+    const lambda = frame.jointImpulses.subarray(first, first + forces);
     return (lambda.length === 1 ? -lambda[0] : Math.hypot(...lambda)) / h;
   });
 }
@@ -36,7 +38,8 @@ class Joints {
     this.dots = new Crowd(parent, new THREE.SphereBufferGeometry(1, 12, 8), material, style.order);
     this.curves = new Crowd(parent, pipe, bodyMaterial([], 0.6), 4);
     this.colours = { rod: colourOf(palette().rod), pull: colourOf(palette().pull), push: colourOf(palette().push),
-                     curve: colourOf(palette().curve), dot: colourOf(palette().edge) };
+                     curve: colourOf(palette().curve), dot: colourOf(palette().edge),
+                     motor: colourOf(palette().impulse) };
     this.lines = run.header.curves.map((curve) => triples(curve.points));
     this.scale = tensionScale(run);
     this.lengths = run.header.joints.map((joint) => joint.length).filter((length) => length > 0).sort((a, b) => a - b);
@@ -62,6 +65,7 @@ class Joints {
         this.rods.addBetween(...placeOf(frame, joint.i), ...a, 0.6 * width, colour);
         this.rods.addBetween(...placeOf(frame, joint.j), ...b, 0.6 * width, colour);
         this.dots.addBall(...a, 1.6 * width, this.colours.dot);
+        if (joint.kind === "hinge" || joint.kind === "slider") this.drawFree(joint, frame, unit);
       }
     }
     if (withCurves)
@@ -69,6 +73,13 @@ class Joints {
         for (let k = 1; k < points.length; ++k)
           this.curves.addBetween(...points[k - 1], ...points[k], 0.8 * unit, this.colours.curve);
     for (const crowd of [this.rods, this.dots, this.curves]) crowd.end();
+  }
+
+  /** What is left free; in the colour of impulses where a motor drives it. */
+  drawFree(joint, frame, unit) {
+    const { axis, marks } = linesOf(joint, frame, unit);
+    this.rods.addBetween(...axis[0], ...axis[1], 0.8 * unit, joint.motor ? this.colours.motor : this.colours.dot);
+    for (const [from, to] of marks) this.rods.addBetween(...from, ...to, 0.8 * unit, this.colours.dot);
   }
 
   colourOfTension(tension) {

@@ -55,6 +55,8 @@ class _EitherWorld:
         """Of the last step, copies: i, j, gap [m], point [m], normal, normal_impulse and impulse [N s] on j."""
     def joint_impulse(self, joint: int) -> Array:
         """Of each row of a joint in the last step [N s], a copy."""
+    def joint_force(self, joint: int) -> Array:
+        """What a joint did to body j in the last step [N]."""
     def report(self) -> dict[str, Any]:
         """Of the last step: pairs, contacts, impacts, rows, iterations, residual [m/s], trouble."""
     def __len__(self) -> int: ...
@@ -77,6 +79,31 @@ class World(_EitherWorld):
         """Adds a rigid body and returns its index: a sphere of a radius, a box of half_sides, or corners that planes
         stop [m]. principal are its moments of inertia [kg m²]; a sphere and a box know theirs. Raises BufferError
         while there are arrays that look at the bodies."""
+    def add_hinge(self, i: int, j: int, p_i: Vector = ..., p_j: Vector = ..., axis: Vector = (0, 0, 1),
+                  limits: Sequence[float] | None = None, motor: Sequence[float] | None = None,
+                  k: float | None = None, d: float | None = None, k_turn: float | None = None) -> int:
+        """Points p_i, p_j of two bodies, in their axes [m], together, and free to turn about an axis of i's. The angle is
+        0 as they are now. limits: from, to [rad]; motor: its speed [rad/s] and its largest torque [N m]; k_turn: stiffness
+        of what must not turn [N m/rad]."""
+    def add_slider(self, i: int, j: int, p_i: Vector = ..., p_j: Vector = ..., axis: Vector = (0, 0, 1),
+                   limits: Sequence[float] | None = None, motor: Sequence[float] | None = None,
+                   k: float | None = None, d: float | None = None, k_turn: float | None = None) -> int:
+        """Free to slide along an axis of i's, and not to turn. limits [m]; motor: its speed [m/s], its largest force [N]."""
+    def add_weld(self, i: int, j: int, p_i: Vector = ..., p_j: Vector = ..., k: float | None = None,
+                 d: float | None = None, k_turn: float | None = None) -> int:
+        """Points of two bodies together, and neither turns from how it is now."""
+    def set_motor(self, joint: int, motor: Sequence[float] | None) -> None:
+        """Drives a hinge or slider otherwise from now on, or with None no longer."""
+    def joint_position(self, joint: int) -> float:
+        """The angle of a hinge, its turns counted [rad], or the shift of a slider [m]."""
+    def joint_speed(self, joint: int) -> float:
+        """How fast it changes, half a step before [rad/s, m/s]."""
+    def joint_torque(self, joint: int) -> Array:
+        """Beside its force, the torque of a joint on body j in the last step [N m]."""
+    def motor_force(self, joint: int) -> float:
+        """What its motor did to body j in the last step, along what is free [N m, N]."""
+    def limit_force(self, joint: int) -> float:
+        """The same of its limit."""
     @property
     def omega(self) -> Array:
         """Angular velocities, in world coordinates [rad/s]; as x."""

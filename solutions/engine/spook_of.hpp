@@ -1,0 +1,22 @@
+#pragma once
+// SPOOK's numbers of many rows, of which most share their k and d.
+#include "03_single_contact/single_contact.hpp"
+
+namespace spook {
+
+/// Those of the last k and d are kept.
+class SpookOf {
+ public:
+  explicit SpookOf(double h) : h_(h) {}
+  const Spook& operator()(double k, double d) {
+    if (k != k_ || d != d_) spook_ = spook_parameters(h_, k, d);
+    k_ = k, d_ = d;
+    return spook_;
+  }
+
+ private:
+  double h_, k_ = 0, d_ = 0;  // no k is 0
+  Spook spook_{};
+};
+
+}  // namespace spook
