@@ -14,8 +14,8 @@ namespace {
 std::vector<Row> rows_of(const peers::Case& one, int rounds) {
   std::vector<Row> rows;
   for (const peers::Lap& lap : peers::race(one, rounds))
-    rows.push_back({one.name, one.error, lap.way.engine, lap.way.solver, double(lap.way.sweeps), lap.way.h, lap.error,
-                    lap.us_a_second});
+    rows.push_back({one.name, one.error, lap.way.engine, lap.way.solver, double(lap.way.sweeps), lap.way.h,
+                    lap.error, lap.us_a_second});
   return rows;
 }
 
@@ -34,9 +34,11 @@ const std::vector<std::string> all = {"spook", "Bullet", "ODE", "DART"};
 
 /// With every engine a closed form comes out: what an adapter says to it, it understands.
 void check_small(const Table& table, Claims& claims) {
-  const auto at_most = [&](const std::string& text, const std::string& scene, const std::vector<std::string>& engines,
+  const auto at_most = [&](const std::string& text, const std::string& scene,
+                           const std::vector<std::string>& engines,
                            double bound) { claims.at_most(text, worst(table, scene, engines), bound); };
-  at_most("at 1/480 s two cubes stay in place in every engine, to 1e-4 of half a side", "tower of 20", all, 1e-4);
+  at_most("at 1/480 s two cubes stay in place in every engine, to 1e-4 of half a side", "tower of 20", all,
+          1e-4);
   at_most("a thrown block stops by Coulomb's law, to 1e-5 in spook, ODE and DART", "sliding at four headings",
           {"spook", "ODE", "DART"}, 1e-5);
   at_most("and to 5 per cent in Bullet", "sliding at four headings", {"Bullet"}, 0.05);
@@ -76,7 +78,6 @@ void check_all(const Table& table, Claims& claims) {
     return time_to(error, laps(table, scene, false)) / time_to(error, laps(table, scene, true));
   };
   const auto ours = [&](const std::string& scene) { return laps(table, scene, true); };
-
 }
 
 struct Chosen {

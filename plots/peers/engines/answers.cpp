@@ -44,7 +44,9 @@ class Length : public Judge {
  public:
   Length(const Problem& problem, double time)
       : begin_(problem.joints.front().i), end_(problem.joints.back().j), after_(time / 2) {
-    length_ = (problem.bodies[static_cast<std::size_t>(end_)].x - problem.bodies[static_cast<std::size_t>(begin_)].x).norm();
+    length_ =
+        (problem.bodies[static_cast<std::size_t>(end_)].x - problem.bodies[static_cast<std::size_t>(begin_)].x)
+            .norm();
   }
   void look(const Engine& engine, double time) override {
     if (time < after_) return;
@@ -67,14 +69,16 @@ class Chain : public Judge {
   using State = typename Angles::State;
   using Vector = Eigen::Matrix<double, Rods, 1>;
 
-  explicit Chain(const Problem& problem) : g_(-problem.gravity.z()), top_(problem.bodies[0].x), motion_(nullptr, State::Zero()) {
+  explicit Chain(const Problem& problem)
+      : g_(-problem.gravity.z()), top_(problem.bodies[0].x), motion_(nullptr, State::Zero()) {
     State start = State::Zero();
     for (int k = 0; k < Rods; ++k) {
       const Vec3 rod = body(problem, k + 1).x - body(problem, k).x;
       l_[k] = rod.norm();
       start[k] = std::atan2(rod.x(), -rod.z());
     }
-    for (int k = Rods - 1; k >= 0; --k) below_[k] = body(problem, k + 1).mass + (k + 1 < Rods ? below_[k + 1] : 0);
+    for (int k = Rods - 1; k >= 0; --k)
+      below_[k] = body(problem, k + 1).mass + (k + 1 < Rods ? below_[k + 1] : 0);
     motion_ = Angles([this](const State& y) { return rate(y); }, start);
   }
   Chain(const Chain&) = delete;
@@ -89,7 +93,9 @@ class Chain : public Judge {
   double error() const override { return error_; }
 
  private:
-  static const ProblemBody& body(const Problem& problem, int i) { return problem.bodies[static_cast<std::size_t>(i)]; }
+  static const ProblemBody& body(const Problem& problem, int i) {
+    return problem.bodies[static_cast<std::size_t>(i)];
+  }
 
   State rate(const State& y) const {
     Eigen::Matrix<double, Rods, Rods> M;
@@ -133,7 +139,9 @@ class Thrown : public Judge {
 class Rolling : public Judge {
  public:
   Rolling(const Problem& problem, double v0)
-      : body_(first_that_moves(problem)), v0_(v0), rate_(problem.friction * problem.gravity.norm()),
+      : body_(first_that_moves(problem)),
+        v0_(v0),
+        rate_(problem.friction * problem.gravity.norm()),
         start_(problem.bodies[static_cast<std::size_t>(body_)].x) {}
   void look(const Engine& engine, double time) override {
     const Vec3 way = engine.x(body_) - start_;
@@ -187,7 +195,9 @@ class Turning : public Judge {
 class Peaks : public Judge {
  public:
   Peaks(const Problem& problem, double h0)
-      : body_(first_that_moves(problem)), h0_(h0), answer_(h0, problem.gravity.norm(), problem.restitution),
+      : body_(first_that_moves(problem)),
+        h0_(h0),
+        answer_(h0, problem.gravity.norm(), problem.restitution),
         floor_(size_of(problem.bodies[static_cast<std::size_t>(body_)])) {}
   void look(const Engine& engine, double) override {
     const double z = engine.x(body_).z() - floor_;

@@ -8,9 +8,9 @@
 // default a ball is held 2 cm too early, and thrown out by its overlap, so that peaks are off by a quarter at any step.
 // For what rests the defaults are better: with these a tower of twenty falls.
 // It has no distance between two points: the one row that this is stands here, as a constraint of ours in Bullet's form.
-#include <btBulletDynamicsCommon.h>
 #include <BulletDynamics/MLCPSolvers/btDantzigSolver.h>
 #include <BulletDynamics/MLCPSolvers/btMLCPSolver.h>
+#include <btBulletDynamicsCommon.h>
 
 #include "peers/engines/engine.hpp"
 
@@ -59,7 +59,8 @@ class Bullet : public Engine {
       solver_ = std::make_unique<btMLCPSolver>(&dantzig_);
     else
       solver_ = std::make_unique<btSequentialImpulseConstraintSolver>();
-    world_ = std::make_unique<btDiscreteDynamicsWorld>(dispatcher_.get(), &pairs_, solver_.get(), &configuration_);
+    world_ =
+        std::make_unique<btDiscreteDynamicsWorld>(dispatcher_.get(), &pairs_, solver_.get(), &configuration_);
     world_->setGravity(bullet(problem.gravity));
     btContactSolverInfo& settings = world_->getSolverInfo();
     settings.m_numIterations = std::max(1, way.sweeps);
@@ -102,7 +103,8 @@ class Bullet : public Engine {
     } else {
       shapes_.push_back(std::make_unique<btEmptyShape>());
     }
-    btRigidBody::btRigidBodyConstructionInfo info(body.mass, nullptr, shapes_.back().get(), bullet(body.principal));
+    btRigidBody::btRigidBodyConstructionInfo info(body.mass, nullptr, shapes_.back().get(),
+                                                  bullet(body.principal));
     info.m_startWorldTransform =
         btTransform(btQuaternion(body.q.x(), body.q.y(), body.q.z(), body.q.w()), bullet(body.x));
     // Of two bodies the product counts.
@@ -120,7 +122,8 @@ class Bullet : public Engine {
     bodies_[body]->setCollisionShape(shapes_.back().get());
   }
   void add_joint(const Joint& joint) {
-    btRigidBody &i = *bodies_[static_cast<std::size_t>(joint.i)], &j = *bodies_[static_cast<std::size_t>(joint.j)];
+    btRigidBody &i = *bodies_[static_cast<std::size_t>(joint.i)],
+                &j = *bodies_[static_cast<std::size_t>(joint.j)];
     if (joint.length)
       joints_.push_back(std::make_unique<Rod>(i, j, *joint.length));
     else

@@ -87,7 +87,9 @@ std::vector<Case> cases() {
        .error = "farthest of the load over the length",
        .judge = judge(swings_as_rods),
        .ours = {{"stiff", many}, {"direct", {many.begin() + 1, many.end()}}},
-       .theirs = {{"ODE", "step", many}, {"Bullet", "dantzig", many}, {"Bullet", "sequential", many, {200}},
+       .theirs = {{"ODE", "step", many},
+                  {"Bullet", "dantzig", many},
+                  {"Bullet", "sequential", many, {200}},
                   {"DART", "reduced", many}}},
       stack("stack 1000:1", "1000"),
       stack("stack 1e6:1", "1e6"),
@@ -109,7 +111,9 @@ std::vector<Case> cases() {
        .theirs = all_at_once_or_sweeps(few, {10, 50, 200})},
       {.name = "sliding at four headings",
        .scene = "sliding_block",
-       .set = {{"model=box", "heading=0"}, {"model=box", "heading=20"}, {"model=box", "heading=45"},
+       .set = {{"model=box", "heading=0"},
+               {"model=box", "heading=20"},
+               {"model=box", "heading=45"},
                {"model=box", "heading=70"}},
        .time = 1,
        .error = "error of the way over it",
@@ -149,7 +153,9 @@ std::vector<Case> cases() {
        .error = "farthest of the lower mass over both rods",
        .judge = judge(swings_as_rods),
        .ours = {{"direct", many}},
-       .theirs = {{"ODE", "step", many}, {"Bullet", "dantzig", many}, {"Bullet", "sequential", many, {50}},
+       .theirs = {{"ODE", "step", many},
+                  {"Bullet", "dantzig", many},
+                  {"Bullet", "sequential", many, {50}},
                   {"DART", "reduced", many}}},
       pile("1000 spheres", "sphere"),
       pile("1000 boxes", "box"),
@@ -158,10 +164,12 @@ std::vector<Case> cases() {
 
 std::vector<Case> small_cases() {
   const std::vector<double> h = {1.0 / 480};
-  const std::vector<TheirWay> each = {{"ODE", "step", h}, {"Bullet", "sequential", h, {50}}, {"DART", "reduced", h}};
+  const std::vector<TheirWay> each = {
+      {"ODE", "step", h}, {"Bullet", "sequential", h, {50}}, {"DART", "reduced", h}};
   std::vector<Case> small;
   for (Case one : cases()) {
-    const bool heap = one.scene == "pile", heavy = one.scene == "wire" || one.scene == "stiff_wire" || one.scene == "stack";
+    const bool heap = one.scene == "pile",
+               heavy = one.scene == "wire" || one.scene == "stiff_wire" || one.scene == "stack";
     if (heap || heavy || one.name == "two boxes 1e6:1") continue;
     one.time = std::min(one.time, 3.0);
     if (one.scene == "tower") one.set = {{"boxes=2", "k=1e12"}};

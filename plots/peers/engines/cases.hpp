@@ -15,7 +15,7 @@ struct OurWay {
   std::vector<int> sweeps = {0};  ///< 0: it does not sweep
   bool cone = false;              ///< Coulomb's friction, not the box
   bool warm = false;
-  double margin = -1;             ///< [m]; less than 0: the world's own
+  double margin = -1;                 ///< [m]; less than 0: the world's own
   std::vector<std::string> set = {};  ///< of the scene, beside the case's
 };
 
@@ -29,9 +29,10 @@ struct TheirWay {
 struct Case {
   std::string name;
   std::string scene;
-  std::vector<std::vector<std::string>> set;  ///< of the scene, as after --set; several: the worst of them counts
-  double time;                                ///< simulated [s]
-  std::string error;                          ///< what the error is, in words
+  std::vector<std::vector<std::string>>
+      set;            ///< of the scene, as after --set; several: the worst of them counts
+  double time;        ///< simulated [s]
+  std::string error;  ///< what the error is, in words
   MakeJudge judge;
   std::vector<OurWay> ours;
   std::vector<TheirWay> theirs;

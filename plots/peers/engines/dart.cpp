@@ -50,8 +50,7 @@ class Dart : public Engine {
     for (const Plane& plane : problem.planes)
       add_fixed_shape(std::make_shared<PlaneShape>(plane.n, plane.offset), Vec3::Zero());
     for (const ProblemBody& body : problem.bodies)
-      if (!body.moves && body.radius > 0)
-        add_fixed_shape(std::make_shared<SphereShape>(body.radius), body.x);
+      if (!body.moves && body.radius > 0) add_fixed_shape(std::make_shared<SphereShape>(body.radius), body.x);
     if (hung_ != problem.joints.size()) throw std::runtime_error("this adapter has no loops of joints");
   }
 
@@ -64,7 +63,8 @@ class Dart : public Engine {
   }
   Vec3 x(int body) const override {
     const BodyNode* node = nodes_[static_cast<std::size_t>(body)];
-    return node ? Vec3(node->getWorldTransform().translation()) : problem_.bodies[static_cast<std::size_t>(body)].x;
+    return node ? Vec3(node->getWorldTransform().translation())
+                : problem_.bodies[static_cast<std::size_t>(body)].x;
   }
   Quat q(int body) const override {
     const BodyNode* node = nodes_[static_cast<std::size_t>(body)];
@@ -88,8 +88,8 @@ class Dart : public Engine {
   void add_free(int body) {
     const ProblemBody& it = problem_.bodies[static_cast<std::size_t>(body)];
     const SkeletonPtr tree = new_tree();
-    const auto made = tree->createJointAndBodyNodePair<FreeJoint>(nullptr, FreeJoint::Properties(),
-                                                                  properties(body, false));
+    const auto made =
+        tree->createJointAndBodyNodePair<FreeJoint>(nullptr, FreeJoint::Properties(), properties(body, false));
     Eigen::Isometry3d T = moved(it.x);
     T.linear() = it.q.toRotationMatrix();
     made.first->setPositions(FreeJoint::convertToPositions(T));
@@ -112,7 +112,8 @@ class Dart : public Engine {
     auto* const with = node->createShapeNodeWith<CollisionAspect, DynamicsAspect>(shape);
     with->getDynamicsAspect()->setFrictionCoeff(problem_.friction);
     with->getDynamicsAspect()->setFirstFrictionDirectionFrame(dart::dynamics::Frame::World());
-    with->getDynamicsAspect()->setRestitutionCoeff(std::sqrt(problem_.restitution));  // of two the product counts
+    with->getDynamicsAspect()->setRestitutionCoeff(
+        std::sqrt(problem_.restitution));  // of two the product counts
   }
 
   void put(int body, BodyNode* node) {
@@ -133,7 +134,8 @@ class Dart : public Engine {
     for (BodyNode* node : nodes_) {
       if (!node || node->getNumShapeNodes() == 0) continue;
       const Vec3 v = node->getLinearVelocity();
-      if (v.norm() > 1e-6) node->getShapeNode(0)->getDynamicsAspect()->setFirstFrictionDirection(v.normalized());
+      if (v.norm() > 1e-6)
+        node->getShapeNode(0)->getDynamicsAspect()->setFirstFrictionDirection(v.normalized());
     }
   }
 
@@ -143,11 +145,13 @@ class Dart : public Engine {
       if (joint.i != body && joint.j != body) continue;
       const bool first = joint.i == body;
       const int child = first ? joint.j : joint.i;
-      if (!problem_.bodies[static_cast<std::size_t>(child)].moves || nodes_[static_cast<std::size_t>(child)]) continue;
+      if (!problem_.bodies[static_cast<std::size_t>(child)].moves || nodes_[static_cast<std::size_t>(child)])
+        continue;
       const SkeletonPtr here = tree ? tree : new_tree();
       const Vec3 above = first ? joint.p_i : joint.p_j, below = first ? joint.p_j : joint.p_i;
       ++hung_;
-      put(child, joint.length ? on_rod(*here, node, body, child) : on_ball(*here, node, body, child, above, below));
+      put(child,
+          joint.length ? on_rod(*here, node, body, child) : on_ball(*here, node, body, child, above, below));
       add_what_hangs_on(child, here, nodes_[static_cast<std::size_t>(child)]);
       if (tree) continue;
       set_velocities(here);

@@ -48,7 +48,8 @@ class Ode : public Engine {
 
   void advance(std::int64_t steps) override {
     for (std::int64_t n = 0; n < steps; ++n) {
-      dSpaceCollide(space_, this, [](void* self, dGeomID a, dGeomID b) { static_cast<Ode*>(self)->touch(a, b); });
+      dSpaceCollide(space_, this,
+                    [](void* self, dGeomID a, dGeomID b) { static_cast<Ode*>(self)->touch(a, b); });
       if (quick_)
         dWorldQuickStep(world_, h_);
       else
@@ -72,7 +73,8 @@ class Ode : public Engine {
   dBodyID moving(const ProblemBody& body) {
     const dBodyID it = dBodyCreate(world_);
     dMass mass;
-    dMassSetParameters(&mass, body.mass, 0, 0, 0, body.principal.x(), body.principal.y(), body.principal.z(), 0, 0, 0);
+    dMassSetParameters(&mass, body.mass, 0, 0, 0, body.principal.x(), body.principal.y(), body.principal.z(), 0,
+                       0, 0);
     dBodySetMass(it, &mass);
     dBodySetPosition(it, body.x.x(), body.x.y(), body.x.z());
     const dQuaternion q = {body.q.w(), body.q.x(), body.q.y(), body.q.z()};
@@ -102,7 +104,8 @@ class Ode : public Engine {
       return it.x + it.q * p;
     };
     const Vec3 i = at(joint.i, joint.p_i), j = at(joint.j, joint.p_j);
-    const dBodyID a = bodies_[static_cast<std::size_t>(joint.i)], b = bodies_[static_cast<std::size_t>(joint.j)];
+    const dBodyID a = bodies_[static_cast<std::size_t>(joint.i)],
+                  b = bodies_[static_cast<std::size_t>(joint.j)];
     if (joint.length) {
       const dJointID rod = dJointCreateDBall(world_, nullptr);
       dJointAttach(rod, a, b);

@@ -13,13 +13,13 @@ namespace spook::peers {
 
 struct ProblemBody {
   bool moves = false;
-  Vec3 x = Vec3::Zero(), v = Vec3::Zero();       ///< [m], [m/s]
-  Quat q = Quat::Identity();                     ///< body to world
-  Vec3 omega = Vec3::Zero();                     ///< in world coordinates [rad/s]
-  double mass = 0;                               ///< [kg]
-  Vec3 principal = Vec3::Zero();                 ///< [kg m²]; of a point mass those of a small ball, which never turns
-  double radius = 0;                             ///< of its sphere [m], or 0
-  Vec3 half_sides = Vec3::Zero();                ///< of its box [m], or 0
+  Vec3 x = Vec3::Zero(), v = Vec3::Zero();  ///< [m], [m/s]
+  Quat q = Quat::Identity();                ///< body to world
+  Vec3 omega = Vec3::Zero();                ///< in world coordinates [rad/s]
+  double mass = 0;                          ///< [kg]
+  Vec3 principal = Vec3::Zero();   ///< [kg m²]; of a point mass those of a small ball, which never turns
+  double radius = 0;               ///< of its sphere [m], or 0
+  Vec3 half_sides = Vec3::Zero();  ///< of its box [m], or 0
 };
 
 struct Problem {

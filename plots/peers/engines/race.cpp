@@ -66,7 +66,8 @@ std::vector<Runner> runners_of_theirs(const Case& one) {
       for (const int sweeps : way.sweeps) {
         const Way chosen{way.engine, way.solver, h, sweeps};
         runners.push_back({chosen, [&one, chosen, make = maker->second](std::size_t set) {
-                             return make(problem_of(*our_scene(one, set, one.ours.front(), chosen.h, 0)), chosen);
+                             return make(problem_of(*our_scene(one, set, one.ours.front(), chosen.h, 0)),
+                                         chosen);
                            }});
       }
   }
@@ -153,8 +154,8 @@ std::vector<Lap> race(const Case& one, int rounds) {
   std::vector<Lap> laps;
   const double simulated = one.time * static_cast<double>(one.set.size());
   for (const Runner& runner : runners)
-    laps.push_back({runner.way, runner.error,
-                    std::isfinite(runner.error) ? 1e6 * runner.seconds / simulated : 0});
+    laps.push_back(
+        {runner.way, runner.error, std::isfinite(runner.error) ? 1e6 * runner.seconds / simulated : 0});
   return laps;
 }
 

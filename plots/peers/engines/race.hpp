@@ -7,8 +7,8 @@ namespace spook::peers {
 
 struct Lap {
   Way way;
-  double error;         ///< as the case's judge says; infinite where it was lost on the way
-  double us_a_second;   ///< of processor time for a simulated second [µs]; 0 where it was lost
+  double error;        ///< as the case's judge says; infinite where it was lost on the way
+  double us_a_second;  ///< of processor time for a simulated second [µs]; 0 where it was lost
 };
 
 /// The engines that this program was built with, ours first.
