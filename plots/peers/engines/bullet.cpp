@@ -120,6 +120,7 @@ class Bullet : public Engine {
     const auto body = static_cast<std::size_t>(plane.body);
     shapes_.push_back(std::make_unique<btStaticPlaneShape>(bullet(plane.n), plane.offset));
     bodies_[body]->setCollisionShape(shapes_.back().get());
+    bodies_[body]->setWorldTransform(btTransform::getIdentity());  // from which its offset counts
   }
   void add_joint(const Joint& joint) {
     btRigidBody &i = *bodies_[static_cast<std::size_t>(joint.i)],

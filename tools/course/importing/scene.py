@@ -85,9 +85,9 @@ class SceneWriter:
 
     def _write_part(self, part: Part) -> None:
         mass, x, inertia = part.mass_and_inertia()
-        links = len(part.joints) - 1
-        if links > 0:
-            mass, inertia = mass * (1 - links * _LINK), inertia * (1 - links * _LINK)
+        links = max(0, len(part.joints) - 1)
+        of_link = _LINK * mass
+        mass, inertia = mass * (1 - links * _LINK), inertia * (1 - links * _LINK)
         moments, q = principal(inertia)
         shape = self._shape(part, x, q)
         if "half_sides" in shape:  # along the box's own axes
@@ -98,7 +98,7 @@ class SceneWriter:
         for k, joint in enumerate(part.joints):
             below = number
             if k < links:
-                below = self._add({"x": _list(joint.point), "mass": _LINK * mass,
+                below = self._add({"x": _list(joint.point), "mass": of_link,
                                    "principal": [_LINK * float(moments.max())] * 3},
                                   f"{part.name}, link {k + 1}", joint.point, IDENTITY)
                 self._stand_in(f"of several joints at a body all but the last lead to a link, of {_LINK:g} of its mass")
@@ -123,7 +123,7 @@ class SceneWriter:
             return {"half_sides": _list(geoms[0].size)}
         self._model.leave_out("contacts of bodies with joints, or of several geoms, with anything but planes")
         for kind in sorted({geom.kind for geom in geoms} - {"box"}):
-            self._stand_in(f"a {kind} there is points on its surface, {len(_points(geoms, kind))}, which planes stop")
+            self._stand_in(f"{kind}s there are points on their surface, {len(_points(geoms, kind))} each, which planes stop")
         points = np.vstack([geom.points() for geom in geoms])
         return {"corners": [_list(in_axes(q, point - x)) for point in points]}
 
