@@ -122,6 +122,10 @@ class World {
   void place(int body, const Vec3& x, const Vec3& v);
   void turn(int body, const Quat& q, const Vec3& omega) requires(Dof == 6);
 
+  /// Another force and torque from now on, in place of `wrench` in the settings; none for null. Throws as the settings'
+  /// would.
+  void set_wrench(Wrench<Dof> wrench);
+
   /// Takes a body out, with its joints; those after it move up by one. What the last step did is forgotten.
   void remove_body(int body);
 

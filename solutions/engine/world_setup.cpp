@@ -6,6 +6,16 @@
 
 namespace spook {
 
+/// Throws std::invalid_argument where friction would have no bound, though a force may press bodies together.
+template <int Dof>
+static void require_weight_in_box(const Settings<Dof>& settings, bool forced) {
+  const bool boxed = settings.friction > 0 && settings.solver.friction == FrictionModel::box;
+  if (boxed && forced && settings.gravity.isZero(0))
+    throw std::invalid_argument(
+        "gravity must not be 0 where force presses bodies together: the friction box takes its bound from it; "
+        "solver cone() or two_pass() does not");
+}
+
 template <int Dof>
 World<Dof>::World(Settings<Dof> settings)
     : settings_(std::move(settings)),
@@ -24,11 +34,7 @@ World<Dof>::World(Settings<Dof> settings)
   require_not_negative("tolerance", settings_.stop.tolerance);
   if (!settings_.solver.solve) throw std::invalid_argument("solver must be one of solvers(), but is null");
   require_smooth();
-  const bool boxed = settings_.friction > 0 && settings_.solver.friction == FrictionModel::box;
-  if (boxed && (settings_.force || settings_.wrench) && settings_.gravity.isZero(0))
-    throw std::invalid_argument(
-        "gravity must not be 0 where force presses bodies together: the friction box takes its bound from it; "
-        "solver cone() or two_pass() does not");
+  require_weight_in_box(settings_, settings_.force || settings_.wrench);
 }
 
 template <int Dof>
@@ -128,6 +134,12 @@ void World<Dof>::turn(int body, const Quat& q, const Vec3& omega) requires(Dof =
   require_all_finite("omega", omega);
   bodies_.orientations.q[i] = q.normalized();
   bodies_.motion.W[i].template tail<3>() = omega;
+}
+
+template <int Dof>
+void World<Dof>::set_wrench(Wrench<Dof> wrench) {
+  require_weight_in_box(settings_, settings_.force || wrench);
+  settings_.wrench = std::move(wrench);
 }
 
 template <int Dof>

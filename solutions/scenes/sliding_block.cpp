@@ -29,9 +29,12 @@ class SlidingBlock : public WorldScene<Dof> {
         heading_(heading(p.number("heading"))),
         coulomb_{p.number("v0"), p.number("mu") * p.number("g")},
         box_answer_(p.choice("answer") == "box") {
-    // The box's deceleration: what the motion starts with, whatever the answer.
+    // What the motion starts with, whatever the answer: the box's deceleration, or Coulomb's.
     Vec3 slowing = Vec3::Zero();
-    for (const Vec3& t : {tangents_.t1, tangents_.t2}) slowing += coulomb_.rate * sign(heading_.dot(t)) * t;
+    if (method.friction_model == FrictionModel::cone || method.sliding_tangents)
+      slowing = coulomb_.rate * heading_;
+    else
+      for (const Vec3& t : {tangents_.t1, tangents_.t2}) slowing += coulomb_.rate * sign(heading_.dot(t)) * t;
 
     const double m = p.number("m");
     world_.add_plane(Vec3::UnitZ(), 0);

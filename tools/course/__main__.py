@@ -13,6 +13,7 @@ from everything import test
 from exporting.export import export
 from grading.grade import grade
 from hint import hint
+from importing.command import import_model
 from play import play
 from playground import playground
 from plot import plot
@@ -27,7 +28,8 @@ from watch import watch
 
 COMMANDS = {"progress": progress, "check": check, "watch": watch, "plot": plot, "hint": hint, "solution": solution,
             "reset": reset, "start": start, "test": test, "grade": grade, "export": export, "view": view,
-            "play": play, "predict": predict, "book": book, "try": playground, "python": python}
+            "play": play, "predict": predict, "book": book, "try": playground, "python": python,
+            "import": import_model}
 FORWARDED = {"run": run, "scenes": scenes}
 
 

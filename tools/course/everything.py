@@ -8,7 +8,7 @@ from pathlib import Path
 
 from errors import CourseError
 from install import install, is_offered
-from needs import BOOK_NEEDS, BROWSER_NEEDS, NEEDS, SLURM_NEEDS, TEST_NEEDS, Need
+from needs import BOOK_NEEDS, BROWSER_NEEDS, NEEDS, PEER_NEEDS, SLURM_NEEDS, TEST_NEEDS, Need
 from paths import shown
 from process import stream
 from terminal import fold, paint
@@ -42,6 +42,7 @@ def test(arguments) -> int:
     _install_if_offered(BROWSER_NEEDS, "browser for the tests", arguments.yes)
     _install_if_offered(BOOK_NEEDS, "book to test", arguments.yes)
     _install_if_offered(SLURM_NEEDS, "Slurm for the tests", arguments.yes)
+    _install_if_offered(PEER_NEEDS, "other engines to compare with", arguments.yes)
     for tree, targets in ((check, []), (release, _IN_RELEASE), (sanitize, [])):
         _build(tree, targets, arguments.strict)
     return _report([_run(tree) for tree in (check, sanitize)])

@@ -125,6 +125,10 @@ VIEW_NEEDS = (Need("libjs-three", "file", str(THREE / "three.min.js")),)
 PYTHON_NEEDS = (Need("pybind11-dev", "header", "pybind11/pybind11.h", "2.9", ("pybind11/detail/common.h",),
                      "PYBIND11_VERSION_(?:MAJOR|MINOR)"),
                 Need("python3-dev", "header", f"python{sys.version_info.major}.{sys.version_info.minor}/Python.h"))
+# Other engines, for ./course plot peers; any of them will do. DART finds contacts by ODE's functions.
+PEER_NEEDS = (Need("libbullet-dev", "header", "bullet/btBulletDynamicsCommon.h"),
+              Need("libode-dev", "header", "ode/ode.h"),
+              Need("libdart-collision-ode-dev", "header", "dart/collision/ode/OdeCollisionDetector.hpp"))
 TEST_NEEDS = (*GRADE_NEEDS, *VIEW_NEEDS, *PYTHON_NEEDS, Need("libarchive-tools", "command", "bsdtar"),
               Need("clang-format", "command", "clang-format"), *sanitizers())
 # Tests of the book are skipped where the system's packages have not all of these.

@@ -7,6 +7,7 @@ import textwrap
 from dataclasses import dataclass
 from pathlib import Path
 
+import peers
 from engine import program
 from errors import BadInput, CourseError
 from manifest import Exercise
@@ -52,6 +53,8 @@ def plot(arguments) -> int:
         _require_no_options(arguments)
         return _list()
     chosen = _pick(arguments.which)
+    if arguments.mine and len(chosen) > 1:
+        chosen = [experiment for experiment in chosen if experiment.name != peers.NAME]  # which has no curve of theirs
     if arguments.publish and arguments.format not in (None, "png"):
         raise BadInput(f"plot: --publish puts a png into the tree, but --format is {arguments.format}")
     if len(chosen) > 1 and (arguments.more or arguments.merge):
@@ -83,6 +86,9 @@ def _list() -> int:
 def _pick(word: str) -> list[Experiment]:
     known = experiments()
     if word == "all":
+        if not peers.any_there():
+            print(f"Without {peers.NAME}: no other engine is installed; ./course plot {peers.NAME} says which.\n")
+            known = [experiment for experiment in known if experiment.name != peers.NAME]
         return known
     chosen = [experiment for experiment in known if word in (experiment.name, experiment.source.parent.name)]
     if not chosen:
@@ -93,6 +99,10 @@ def _pick(word: str) -> list[Experiment]:
 
 def _one(experiment: Experiment, arguments) -> int:
     print(paint(experiment.name, "bold"), experiment.title, flush=True)
+    if experiment.name == peers.NAME:
+        if arguments.mine:
+            raise BadInput(f"plot: {peers.NAME} compares engines, and has no --mine")
+        peers.require()
     if arguments.slurm:
         _compute_on_slurm(experiment, arguments)
     code = _run(experiment, arguments, [])

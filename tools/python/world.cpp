@@ -2,6 +2,7 @@
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
+#include "common/require.hpp"
 #include "engine/near_miss.hpp"
 #include "engine/world.hpp"
 #include "module.hpp"
@@ -17,6 +18,25 @@ using MaybeVec3 = std::optional<Vec3>;
 /// Steps between two looks at Ctrl-C.
 constexpr std::int64_t patience = 1024;
 
+/// What Python puts on each body; a world without any has none of it. The world's copy has a copy.
+template <int Dof>
+class Loads {
+ public:
+  Loads() : loads_(std::make_shared<std::vector<Twist<Dof>>>()) {}
+  Loads(const Loads& other) : loads_(std::make_shared<std::vector<Twist<Dof>>>(*other.loads_)) {}
+  Loads& operator=(const Loads&) = delete;
+  Twist<Dof> operator()(std::size_t i, const Bodies<Dof>&, double) const {
+    return i < loads_->size() ? (*loads_)[i] : Twist<Dof>::Zero().eval();
+  }
+  void set(std::size_t i, const Twist<Dof>& load) const {
+    if (i >= loads_->size()) loads_->resize(i + 1, Twist<Dof>::Zero());
+    (*loads_)[i] = load;
+  }
+
+ private:
+  std::shared_ptr<std::vector<Twist<Dof>>> loads_;
+};
+
 template <int Dof>
 struct PythonWorld {
   World<Dof> world;
@@ -24,6 +44,17 @@ struct PythonWorld {
 
   PythonWorld(World<Dof> made) : world(std::move(made)) {}
   PythonWorld(const PythonWorld& other) : world(other.world) {}
+
+  /// Throws std::invalid_argument for what is not finite, and for a body that does not move.
+  void put_load(int body, const Twist<Dof>& load) {
+    const std::size_t i = world.index(body);
+    if (world.bodies().is_fixed(i))
+      throw std::invalid_argument("body must be one that moves, but is " + std::to_string(body));
+    require_all_finite("force", load.template head<3>());
+    if constexpr (Dof == 6) require_all_finite("torque", load.template tail<3>());
+    if (!world.settings().wrench) world.set_wrench(Loads<Dof>());
+    world.settings().wrench.template target<Loads<Dof>>()->set(i, load);
+  }
 };
 
 template <int Dof>
@@ -51,6 +82,18 @@ void step(PythonWorld<Dof>& self, double h, std::int64_t steps) {
     self.world.step(h);
     if (n % patience == 0 && PyErr_CheckSignals() != 0) throw py::error_already_set();
   }
+}
+
+/// What is left out stays as it is.
+template <int Dof>
+void place(PythonWorld<Dof>& self, int body, const MaybeVec3& x, const MaybeVec3& v) {
+  self.world.place(body, x.value_or(self.world.x(body)), v.value_or(self.world.v(body)));
+}
+
+void turn(PythonWorld<6>& self, int body, const std::optional<std::array<double, 4>>& q,
+          const MaybeVec3& omega) {
+  const Quat turned = q ? Quat((*q)[0], (*q)[1], (*q)[2], (*q)[3]) : orientation(self.world, body);
+  self.world.turn(body, turned, omega.value_or(angular_velocity(self.world, body)));
 }
 
 int add_point(PythonWorld<3>& self, const Vec3& x, const Vec3& v, double mass, double radius) {
@@ -226,11 +269,17 @@ py::class_<PythonWorld<Dof>> bind(py::module_& module, const char* name, const c
       .def(
           "push", [](Self& self, int body, const Vec3& impulse) { self.world.push(body, impulse); }, "body"_a,
           "impulse"_a)
+      .def("place", &place<Dof>, "body"_a, "x"_a = py::none(), "v"_a = py::none())
       .def(
           "move_fixed", [](Self& self, int body, const Vec3& x) { self.world.move_fixed(body, x); }, "body"_a,
           "x"_a)
       .def(
           "start_half_step_back", [](Self& self, double h) { self.world.start_half_step_back(h); }, "h"_a)
+      .def(
+          "start_consistently", [](Self& self, double h) { self.world.start_consistently(h); }, "h"_a)
+      .def(
+          "v_beside_x", [](const Self& self, int body, double h) { return self.world.v_beside_x(body, h); },
+          "body"_a, "h"_a)
       .def("step", &step<Dof>, "h"_a, "steps"_a = 1)
       .def_property_readonly("time", [](const Self& self) { return self.world.time(); })
       .def_property_readonly("steps", [](const Self& self) { return self.world.steps(); })
@@ -266,13 +315,29 @@ py::class_<PythonWorld<Dof>> bind(py::module_& module, const char* name, const c
 void bind_worlds(py::module_& module) {
   const Vec3 zero = Vec3::Zero();
   bind<3>(module, "PointWorld", "Point masses, by the SPOOK method.")
-      .def("add", &add_point, py::kw_only(), "x"_a = zero, "v"_a = zero, "mass"_a = 1.0, "radius"_a = 0.0);
+      .def("add", &add_point, py::kw_only(), "x"_a = zero, "v"_a = zero, "mass"_a = 1.0, "radius"_a = 0.0)
+      .def(
+          "set_force", [](PythonWorld<3>& self, int body, const Vec3& force) { self.put_load(body, force); },
+          "body"_a, "force"_a);
   py::class_<PythonWorld<6>> rigid = bind<6>(module, "World", "Rigid bodies, by the SPOOK method.");
   bind_guided(rigid);
   rigid
       .def("add", &add_rigid, py::kw_only(), "x"_a = zero, "v"_a = zero, "mass"_a = 1.0, "radius"_a = 0.0,
            "q"_a = std::array<double, 4>{1, 0, 0, 0}, "omega"_a = zero, "principal"_a = py::none(),
            "half_sides"_a = zero, "corners"_a = std::vector<Vec3>{})
+      .def(
+          "set_force",
+          [](PythonWorld<6>& self, int body, const Vec3& force, const Vec3& torque) {
+            Twist<6> load;
+            load << force, torque;
+            self.put_load(body, load);
+          },
+          "body"_a, "force"_a = zero, "torque"_a = zero)
+      .def("turn", &turn, "body"_a, "q"_a = py::none(), "omega"_a = py::none())
+      .def(
+          "omega_beside_x",
+          [](const PythonWorld<6>& self, int body, double h) { return self.world.omega_beside_x(body, h); },
+          "body"_a, "h"_a)
       .def_property_readonly("q", &orientations);
 }
 

@@ -32,10 +32,16 @@ class _EitherWorld:
         """Takes a joint out; the indices of those after it go down by one."""
     def push(self, body: int, impulse: Vector) -> None:
         """An impulse through the body's centre [N s]."""
+    def place(self, body: int, x: Vector | None = None, v: Vector | None = None) -> None:
+        """Puts a body that moves somewhere [m], and lets it move [m/s]; what is left out stays as it is."""
     def move_fixed(self, body: int, x: Vector) -> None:
         """Puts a fixed body elsewhere [m]."""
     def start_half_step_back(self, h: float) -> None:
         """Takes the velocities half a step back, under gravity alone; once, before the first step."""
+    def start_consistently(self, h: float) -> None:
+        """The same, with what contacts and joints hold against; once, before the first step."""
+    def v_beside_x(self, body: int, h: float) -> Array:
+        """The velocity at the time of the position, from the one half a step of h before [m/s]."""
     def step(self, h: float, steps: int = 1) -> None:
         """Moves on by so many steps of h [s]. Raises ValueError for h, and Blowup."""
     @property
@@ -70,6 +76,9 @@ class PointWorld(_EitherWorld):
         """Adds a point mass, with a sphere about it if it has a radius, and returns its index. Raises BufferError
         while there are arrays that look at the bodies."""
 
+    def set_force(self, body: int, force: Vector) -> None:
+        """On a body from now on, beside its weight [N]; until it is set anew."""
+
 class World(_EitherWorld):
     """Rigid bodies, by the SPOOK method."""
 
@@ -79,6 +88,12 @@ class World(_EitherWorld):
         """Adds a rigid body and returns its index: a sphere of a radius, a box of half_sides, or corners that planes
         stop [m]. principal are its moments of inertia [kg m²]; a sphere and a box know theirs. Raises BufferError
         while there are arrays that look at the bodies."""
+    def set_force(self, body: int, force: Vector = (0, 0, 0), torque: Vector = (0, 0, 0)) -> None:
+        """At its centre from now on, beside its weight [N, N m], in world coordinates; until it is set anew."""
+    def turn(self, body: int, q: Sequence[float] | None = None, omega: Vector | None = None) -> None:
+        """Gives a body that moves an orientation, and lets it turn [rad/s]; what is left out stays as it is."""
+    def omega_beside_x(self, body: int, h: float) -> Array:
+        """The angular velocity at the time of the position, as v_beside_x."""
     def add_hinge(self, i: int, j: int, p_i: Vector = ..., p_j: Vector = ..., axis: Vector = (0, 0, 1),
                   limits: Sequence[float] | None = None, motor: Sequence[float] | None = None,
                   k: float | None = None, d: float | None = None, k_turn: float | None = None) -> int:

@@ -1,0 +1,199 @@
+// The scenes, and each engine's best settings: what its makers recommend for such a scene, and where that was not the best
+// on it, what was. A setting that holds for all scenes stands in the engine's own file.
+//
+//   hanging wire     all rows at once, in every engine that can; sweeps need some (N - 1) M/m of them, Eq. (6.12).
+//                    k is so large that no one sees it.
+//   swinging wire    spook's stiff solver has the tension's stiffness in M (chapter 12). Others want steps below 2/ω.
+//   stacks           heavy on light: as the wire
+//   tower            few sweeps and many, warm, and all at once. Our sweeps want a k of which they see something: with
+//                    1e6 N/m the tower sinks by 1e-3 of half a side, and 200 sweeps find that to 1e-5.
+//   sliding          Coulomb's cone, and in the others the slip's direction as the first of a box
+//   top              whatever integrates rotations; no rows at all
+//   double pendulum  spook: d = 0, with which rods are of second order
+//   piles            sweeps, warm, margin 1 mm: a direct solve of thousands of rows in a heap is for nobody
+#include "peers/engines/cases.hpp"
+
+#include "scenes/registry.hpp"
+
+namespace spook::peers {
+
+namespace {
+
+const std::vector<double> few = {1.0 / 60, 1.0 / 240};
+const std::vector<double> many = {1.0 / 60, 1.0 / 120, 1.0 / 240, 1.0 / 480, 1.0 / 960, 1.0 / 1920};
+
+std::vector<double> steps(std::initializer_list<double> per_second) {
+  std::vector<double> h;
+  for (const double each : per_second) h.push_back(1 / each);
+  return h;
+}
+
+MakeJudge judge(std::unique_ptr<Judge> (*make)(const Problem&)) {
+  return make;
+}
+template <class Number>
+MakeJudge judge(std::unique_ptr<Judge> (*make)(const Problem&, Number), const auto& number) {
+  return [make, number](const Problem& problem) { return make(problem, number); };
+}
+
+/// What holds a wire or a stack: everyone at once, and with sweeps those who sweep.
+std::vector<TheirWay> all_at_once_or_sweeps(const std::vector<double>& h, const std::vector<int>& sweeps) {
+  return {{"ODE", "step", h},
+          {"ODE", "quick", h, sweeps},
+          {"Bullet", "dantzig", h},
+          {"Bullet", "sequential", h, sweeps},
+          {"DART", "reduced", h}};
+}
+
+Case stack(const std::string& name, const std::string& ratio) {
+  return {.name = name,
+          .scene = "stack",
+          .set = {{"bodies=2", "ratio=" + ratio, "k=1e14"}},
+          .time = 2,
+          .error = "farthest move over a radius",
+          .judge = judge(stays_in_place),
+          .ours = {{"direct", few}},
+          .theirs = all_at_once_or_sweeps(few, {50, 1000})};
+}
+
+Case pile(const std::string& name, const std::string& shape) {
+  return {.name = name,
+          .scene = "pile",
+          .set = {{"bodies=1000", "shape=" + shape, "k=1e6", "d=10", "restitution=0"}},
+          .time = 3,
+          .error = "mean overlap over a size",
+          .judge = judge(lies_without_overlap),
+          .ours = {{"gauss_seidel", steps({60, 120}), {5, 20}, false, true, 0.001}},
+          .theirs = {{"ODE", "quick", steps({60, 120}), {10, 30}},
+                     {"Bullet", "sequential", steps({60, 120}), {10, 30}}}};
+}
+
+}  // namespace
+
+std::vector<Case> cases() {
+  return {
+      {.name = "wire 1000:1",
+       .scene = "wire",
+       .set = {{"links=100", "ratio=1000", "k=1e13"}},
+       .time = 2,
+       .error = "stretch over the length",
+       .judge = judge<double>(keeps_its_length, 2.0),
+       .ours = {{"direct", few}},
+       .theirs = all_at_once_or_sweeps(few, {50, 1000})},
+      {.name = "swinging wire 1000:1",
+       .scene = "stiff_wire",
+       .set = {{"links=10", "ratio=1000"}},
+       .time = 5,
+       .error = "farthest of the load over the length",
+       .judge = judge(swings_as_rods),
+       .ours = {{"stiff", many}, {"direct", {many.begin() + 1, many.end()}}},
+       .theirs = {{"ODE", "step", many},
+                  {"Bullet", "dantzig", many},
+                  {"Bullet", "sequential", many, {200}},
+                  {"DART", "reduced", many}}},
+      stack("stack 1000:1", "1000"),
+      stack("stack 1e6:1", "1e6"),
+      {.name = "two boxes 1e6:1",
+       .scene = "tower",
+       .set = {{"boxes=2", "ratio=1e6", "k=1e14"}},
+       .time = 2,
+       .error = "farthest move over half a side",
+       .judge = judge(stays_in_place),
+       .ours = {{"direct", few}},
+       .theirs = all_at_once_or_sweeps(few, {50, 1000})},
+      {.name = "tower of 20",
+       .scene = "tower",
+       .set = {{"boxes=20", "k=1e12"}},
+       .time = 3,
+       .error = "farthest move over half a side",
+       .judge = judge(stays_in_place),
+       .ours = {{"direct", few}, {"gauss_seidel", few, {10, 50, 200}, false, true, 0.001, {"k=1e6"}}},
+       .theirs = all_at_once_or_sweeps(few, {10, 50, 200})},
+      {.name = "sliding at four headings",
+       .scene = "sliding_block",
+       .set = {{"model=box", "heading=0"},
+               {"model=box", "heading=20"},
+               {"model=box", "heading=45"},
+               {"model=box", "heading=70"}},
+       .time = 1,
+       .error = "error of the way over it",
+       .judge = judge<double>(stops_by_coulomb, 3.0),
+       .ours = {{"gauss_seidel", many, {5, 50}, true}},
+       .theirs = all_at_once_or_sweeps(many, {50})},
+      {.name = "asymmetric top",
+       .scene = "top",
+       .set = {{}},
+       .time = 40,
+       .error = "largest angle to the answer [rad]",
+       .judge = judge<const Vec3&>(turns_by_euler, Vec3(0.01, 1, 0.01)),
+       .ours = {{"auto", steps({2, 4, 8, 15, 30, 60, 120, 240, 480})}},
+       .theirs = {{"ODE", "step", steps({60, 240, 960, 3840})},
+                  {"Bullet", "sequential", steps({60, 240, 960, 3840}), {1}},
+                  {"DART", "reduced", steps({60, 240, 960, 3840})}}},
+      {.name = "bounces with e = 0.8",
+       .scene = "bouncing_ball",
+       .set = {{}},
+       .time = 5,
+       .error = "largest error of five peaks over the first height",
+       .judge = judge<double>(bounces_to, 1.0),
+       .ours = {{"gauss_seidel", many, {50}}},
+       .theirs = {{"ODE", "step", many}, {"Bullet", "sequential", many, {10}}, {"DART", "reduced", many}}},
+      {.name = "slide to roll",
+       .scene = "slide_to_roll",
+       .set = {{}},
+       .time = 1,
+       .error = "farthest along its way over the sliding part",
+       .judge = judge<double>(slides_then_rolls, 3.0),
+       .ours = {{"gauss_seidel", many, {50}}},
+       .theirs = {{"ODE", "step", many}, {"Bullet", "sequential", many, {20}}, {"DART", "reduced", many}}},
+      {.name = "double pendulum",
+       .scene = "double_pendulum",
+       .set = {{"d=0"}},
+       .time = 2,
+       .error = "farthest of the lower mass over both rods",
+       .judge = judge(swings_as_rods),
+       .ours = {{"direct", many}},
+       .theirs = {{"ODE", "step", many},
+                  {"Bullet", "dantzig", many},
+                  {"Bullet", "sequential", many, {50}},
+                  {"DART", "reduced", many}}},
+      pile("1000 spheres", "sphere"),
+      pile("1000 boxes", "box"),
+  };
+}
+
+std::vector<Case> small_cases() {
+  const std::vector<double> h = {1.0 / 480};
+  const std::vector<TheirWay> each = {
+      {"ODE", "step", h}, {"Bullet", "sequential", h, {50}}, {"DART", "reduced", h}};
+  std::vector<Case> small;
+  for (Case one : cases()) {
+    const bool heap = one.scene == "pile",
+               heavy = one.scene == "wire" || one.scene == "stiff_wire" || one.scene == "stack";
+    if (heap || heavy || one.name == "two boxes 1e6:1") continue;
+    one.time = std::min(one.time, 3.0);
+    if (one.scene == "tower") one.set = {{"boxes=2", "k=1e12"}};
+    one.theirs = each;
+    for (OurWay& way : one.ours) way.h = h;
+    one.ours.resize(1);
+    small.push_back(one);
+  }
+  return small;
+}
+
+std::unique_ptr<Scene> our_scene(const Case& one, std::size_t set, const OurWay& way, double h, int sweeps) {
+  const SceneDescription& description = find_scene(one.scene);
+  Parameters parameters(description.parameters);
+  for (const auto& texts : {one.set[set], way.set})
+    for (const std::string& text : texts) {
+      const std::size_t equals = text.find('=');
+      parameters.set(text.substr(0, equals), text.substr(equals + 1));
+    }
+  Method method{.h = h, .solver = way.solver, .warm_start = way.warm};
+  if (sweeps > 0) method.stop.max_sweeps = sweeps;
+  if (way.cone) method.friction_model = FrictionModel::cone;
+  if (way.margin >= 0) method.margin = way.margin;
+  return description.build(parameters, method);
+}
+
+}  // namespace spook::peers

@@ -1,0 +1,163 @@
+#include "peers/engines/race.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <limits>
+#include <map>
+
+#include "peers/engines/spook.hpp"
+
+namespace spook::peers {
+
+namespace {
+
+using Maker = std::function<std::unique_ptr<Engine>(const Problem&, const Way&)>;
+
+const std::map<std::string, Maker>& makers() {
+  static const std::map<std::string, Maker> known = {
+#ifdef PEER_BULLET
+      {"Bullet", make_bullet},
+#endif
+#ifdef PEER_ODE
+      {"ODE", make_ode},
+#endif
+#ifdef PEER_DART
+      {"DART", make_dart},
+#endif
+  };
+  return known;
+}
+
+constexpr double long_run = 1,
+                 very_long_run = 5;  // [s]; the first has one more round than the look at it, the other none
+
+/// Processor time of all threads of this program [s].
+double processor_time() {
+  timespec now;
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+struct Runner {
+  Way way;
+  std::function<std::unique_ptr<Engine>(std::size_t set)> make;
+  double error = 0, seconds = std::numeric_limits<double>::infinity();  // of all sets
+};
+
+std::vector<Runner> runners_of_ours(const Case& one) {
+  std::vector<Runner> runners;
+  for (const OurWay& way : one.ours)
+    for (const double h : way.h)
+      for (const int sweeps : way.sweeps) {
+        const std::string name = way.cone ? "cone" : way.solver;
+        runners.push_back({{"spook", name, h, sweeps}, [&one, way, h, sweeps](std::size_t set) {
+                             return make_spook(our_scene(one, set, way, h, sweeps));
+                           }});
+      }
+  return runners;
+}
+
+std::vector<Runner> runners_of_theirs(const Case& one) {
+  std::vector<Runner> runners;
+  for (const TheirWay& way : one.theirs) {
+    const auto maker = makers().find(way.engine);
+    if (maker == makers().end()) continue;
+    for (const double h : way.h)
+      for (const int sweeps : way.sweeps) {
+        const Way chosen{way.engine, way.solver, h, sweeps};
+        runners.push_back({chosen, [&one, chosen, make = maker->second](std::size_t set) {
+                             return make(problem_of(*our_scene(one, set, one.ours.front(), chosen.h, 0)),
+                                         chosen);
+                           }});
+      }
+  }
+  return runners;
+}
+
+/// Ours, theirs, ours, theirs, ...; what is left of the longer list at the end.
+std::vector<Runner> in_turns(const std::vector<Runner>& ours, const std::vector<Runner>& theirs) {
+  std::vector<Runner> all;
+  for (std::size_t k = 0; k < std::max(ours.size(), theirs.size()); ++k) {
+    if (k < ours.size()) all.push_back(ours[k]);
+    if (k < theirs.size()) all.push_back(theirs[k]);
+  }
+  return all;
+}
+
+bool lost(const Engine& engine, const Problem& problem) {
+  constexpr double far_away = 1e4;  // [m]; in a scene of a few metres
+  for (std::size_t i = 0; i < problem.bodies.size(); ++i)
+    if (!(engine.x(static_cast<int>(i)).norm() < far_away)) return true;
+  return false;
+}
+
+std::int64_t steps_of(const Case& one, const Way& way) {
+  return static_cast<std::int64_t>(std::llround(one.time / way.h));
+}
+
+/// With a look after every step; what the steps took counts as a round, too.
+double judged(const Case& one, const Runner& runner, std::size_t set, double& seconds) {
+  const Problem problem = problem_of(*our_scene(one, set, one.ours.front(), runner.way.h, 0));
+  const std::unique_ptr<Engine> engine = runner.make(set);
+  const std::unique_ptr<Judge> judge = one.judge(problem);
+  judge->look(*engine, 0);
+  for (std::int64_t n = 1; n <= steps_of(one, runner.way); ++n) {
+    const double start = processor_time();
+    try {
+      engine->advance(1);
+    } catch (const Blowup&) {
+      return infinity;
+    } catch (const Lost&) {
+      return infinity;
+    }
+    seconds += processor_time() - start;
+    if (lost(*engine, problem)) return infinity;
+    judge->look(*engine, static_cast<double>(n) * runner.way.h);
+  }
+  return judge->error();
+}
+
+/// Without a look, so often that 20 ms are over; the mean of them [s].
+double timed(const Case& one, const Runner& runner) {
+  double total = 0;
+  int runs = 0;
+  for (; runs == 0 || (total < 0.02 && runs < 100); ++runs)
+    for (std::size_t set = 0; set < one.set.size(); ++set) {
+      const std::unique_ptr<Engine> engine = runner.make(set);
+      const double start = processor_time();
+      engine->advance(steps_of(one, runner.way));
+      total += processor_time() - start;
+    }
+  return total / runs;
+}
+
+}  // namespace
+
+std::vector<std::string> engines() {
+  std::vector<std::string> names = {"spook"};
+  for (const auto& [name, make] : makers()) names.push_back(name);
+  return names;
+}
+
+std::vector<Lap> race(const Case& one, int rounds) {
+  std::vector<Runner> runners = in_turns(runners_of_ours(one), runners_of_theirs(one));
+  for (Runner& runner : runners) {
+    double seconds = 0;
+    for (std::size_t set = 0; set < one.set.size(); ++set)
+      runner.error = largest(runner.error, judged(one, runner, set, seconds));
+    if (seconds > long_run) runner.seconds = seconds;  // a look at the clock in each step is nothing to it
+  }
+  for (int round = 0; round < rounds; ++round)
+    for (Runner& runner : runners)
+      if (std::isfinite(runner.error) && runner.seconds < (round == 0 ? very_long_run : long_run))
+        runner.seconds = std::min(runner.seconds, timed(one, runner));
+  std::vector<Lap> laps;
+  const double simulated = one.time * static_cast<double>(one.set.size());
+  for (const Runner& runner : runners)
+    laps.push_back(
+        {runner.way, runner.error, std::isfinite(runner.error) ? 1e6 * runner.seconds / simulated : 0});
+  return laps;
+}
+
+}  // namespace spook::peers

@@ -1,0 +1,245 @@
+"""./course import: small models of each kind that MJCF has, against closed forms and what Lagrange's equations say."""
+
+import csv
+import json
+import math
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+ROOT = Path(os.environ.get("COURSE_SOURCE", Path(__file__).resolve().parents[2]))
+MODELS = ROOT / "tests" / "models"
+sys.path.insert(0, str(ROOT / "tools" / "course"))
+
+from importing.shapes import _VOLUME, _surface  # noqa: E402
+from importing.turning import about, from_matrix, matrix, product, turn_of  # noqa: E402
+from xml.etree.ElementTree import fromstring  # noqa: E402
+
+WHOLE = """<mujoco><compiler {compiler}/><option {option}/><default>{default}</default>
+<worldbody>{world}</worldbody>{rest}</mujoco>"""
+
+
+class Import(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="spook-import-")
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def course(self, *words) -> subprocess.CompletedProcess:
+        return subprocess.run([str(ROOT / "course"), *map(str, words)], capture_output=True, text=True)
+
+    def imported(self, model: Path) -> tuple[dict, str]:
+        done = self.course("import", model)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(done.stdout), done.stderr
+
+    def written(self, world: str, **parts: str) -> Path:
+        path = self.folder / "model.xml"
+        path.write_text(WHOLE.format(**{"compiler": "", "option": "", "default": "", "rest": ""} | parts, world=world))
+        return path
+
+    def refused(self, world: str, words: str, **parts: str) -> None:
+        done = self.course("import", self.written(world, **parts))
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
+        self.assertIn(words, done.stderr)
+
+    def run_of(self, scene: dict, *words) -> tuple[dict, dict[str, np.ndarray]]:
+        """What a run says, and columns of positions."""
+        file, table = self.folder / "scene.json", self.folder / "table.csv"
+        file.write_text(json.dumps(scene))
+        done = self.course("run", file, "--json", "--csv", table, "--positions", *words)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        rows = list(csv.reader(table.read_text().splitlines()))
+        return json.loads(done.stdout), dict(zip(rows[0], np.array(rows[1:], dtype=float).T))
+
+    def at(self, table: dict, scene: dict, name: str) -> np.ndarray:
+        """Where a body was, a row a step."""
+        k = next(k for k, body in enumerate(scene["bodies"]) if body["name"] == name)
+        return np.column_stack([table[f"{axis} of body {k} [m]"] for axis in "xyz"])
+
+    # What a geom weighs, and where it ends
+
+    def test_moments_are_those_of_points_spread_through_the_shape(self):
+        random = np.random.default_rng(1)
+        inside = {"sphere": lambda p, s: (p**2).sum(1) < s[0]**2,
+                  "ellipsoid": lambda p, s: ((p / s)**2).sum(1) < 1,
+                  "box": lambda p, s: (abs(p) < s).all(1),
+                  "cylinder": lambda p, s: (p[:, 0]**2 + p[:, 1]**2 < s[0]**2) & (abs(p[:, 2]) < s[1]),
+                  "capsule": lambda p, s: p[:, 0]**2 + p[:, 1]**2 + np.maximum(0, abs(p[:, 2]) - s[1])**2 < s[0]**2}
+        for kind, test in inside.items():
+            size = np.array([0.3, 0.5, 0.2])[:{"sphere": 1, "capsule": 2, "cylinder": 2}.get(kind, 3)]
+            points = random.uniform(-1, 1, (400_000, 3))
+            within = points[test(points, size)]
+            volume, moments = _VOLUME[kind](size)
+            # 8 m³ of which the part p is hit: four standard deviations of a mean of so many.
+            part = volume / 8
+            self.assertAlmostEqual(len(within) / len(points), part, delta=4 * math.sqrt(part / len(points)), msg=kind)
+            squares = within**2
+            found = squares.sum(1)[:, None] - squares
+            margin = 4 * found.std(axis=0) / math.sqrt(len(within))
+            self.assertTrue((abs(found.mean(axis=0) - moments) < margin).all(), f"{kind}: {found.mean(axis=0)}, {moments}")
+
+    def test_points_lie_on_the_surface_and_reach_as_far(self):
+        for kind, size in (("sphere", [0.3]), ("ellipsoid", [0.3, 0.2, 0.1]), ("capsule", [0.1, 0.4]),
+                           ("cylinder", [0.1, 0.4]), ("box", [0.1, 0.2, 0.3])):
+            points = _surface(kind, np.array(size))
+            ends = {"sphere": [0.3] * 3, "ellipsoid": size, "capsule": [0.1, 0.1, 0.5], "cylinder": [0.1, 0.1, 0.4],
+                    "box": size}[kind]
+            np.testing.assert_allclose(points.max(axis=0), ends, atol=1e-12)
+            np.testing.assert_allclose(points.min(axis=0), -np.array(ends), atol=1e-12)
+            if kind in ("sphere", "ellipsoid"):
+                np.testing.assert_allclose(((points / ends)**2).sum(1), 1, atol=1e-12)
+
+    # How it is turned
+
+    def test_a_turn_is_the_same_however_it_is_written(self):
+        half = math.sqrt(0.5)
+        for text in ("quat='2 0 0 2'", "axisangle='0 0 3 90'", "euler='0 0 90'", "xyaxes='0 2 0 -1 5 0'"):
+            turned = turn_of(fromstring(f"<geom {text}/>"), True, "xyz")
+            np.testing.assert_allclose(turned, [half, 0, 0, half], atol=1e-12, err_msg=text)
+        turned = matrix(turn_of(fromstring("<geom zaxis='1 1 0'/>"), True, "xyz"))
+        np.testing.assert_allclose(turned[:, 2], [half, half, 0], atol=1e-12)
+
+    def test_euler_angles_are_about_moving_axes_or_fixed_ones(self):
+        x, y = about(np.eye(3)[0], 0.3), about(np.eye(3)[1], 0.5)
+        element = fromstring("<geom euler='0.3 0.5 0'/>")
+        np.testing.assert_allclose(turn_of(element, False, "xyz"), product(x, y), atol=1e-12)
+        np.testing.assert_allclose(turn_of(element, False, "XYZ"), product(y, x), atol=1e-12)
+
+    def test_a_matrix_gives_its_quaternion_at_every_angle(self):
+        random = np.random.default_rng(2)
+        for angle in (0, 1e-9, 1, math.pi - 1e-9, math.pi):
+            q = about(random.normal(size=3), angle)
+            np.testing.assert_allclose(matrix(from_matrix(matrix(q))), matrix(q), atol=1e-12)
+
+    # What comes out
+
+    def test_defaults_go_down_the_classes_and_the_childclass_holds(self):
+        scene, _ = self.imported(self.written(
+            "<body childclass='a'><freejoint/><geom/><geom class='b' pos='0 0 1'/><geom density='1' pos='0 0 2'/></body>",
+            default="<geom size='0.1'/><default class='a'><geom type='box' size='.1 .1 .1'/>"
+                    "<default class='b'><geom density='2000'/></default></default>"))
+        self.assertAlmostEqual(scene["bodies"][0]["mass"], 0.008 * (1000 + 2000 + 1), places=12)
+        self.assertAlmostEqual(scene["bodies"][0]["x"][2], (2000 * 1 + 2) / 3001, places=12)
+
+    def test_a_free_sphere_and_a_free_box_are_what_they_are(self):
+        scene, said = self.imported(MODELS / "ant.xml")
+        bodies = {body["name"]: body for body in scene["bodies"]}
+        self.assertEqual(bodies["ball"]["radius"], 0.2)
+        self.assertEqual(bodies["crate"]["half_sides"], [0.2, 0.3, 0.1])
+        np.testing.assert_allclose(bodies["crate"]["x"], [3, 0, 0.6], atol=1e-12)
+        np.testing.assert_allclose(bodies["crate"]["q"], about(np.eye(3)[2], math.pi / 6), atol=1e-9)
+        np.testing.assert_allclose(bodies["crate"]["principal"], 24 / 3 * np.array([0.1, 0.05, 0.13]), atol=1e-9)
+        self.assertIn("armature of joints", said)
+
+    def test_what_was_left_out_is_said(self):
+        _, said = self.imported(self.written(
+            "<geom type='plane' size='1 1 1'/><geom name='ground' type='hfield' hfield='x'/>"
+            "<body><joint stiffness='1' frictionloss='2'/><joint type='ball' range='0 1' damping='1'/>"
+            "<geom size='.1'/></body>",
+            rest="<tendon><fixed/></tendon><sensor><gyro/></sensor><include file='there_is_none.xml'/>"
+                 "<equality><tendon name='t'/></equality>"))
+        for words in ("include of there_is_none.xml", "edges of planes", "geom \"ground\" of type hfield",
+                      "stiffness of joints", "frictionloss of joints", "limits of ball joints", "damping of ball joints",
+                      "equality tendon \"t\"", "tendon: 1", "of several joints at a body"):
+            self.assertIn(words, said)
+        self.assertNotIn("sensor", said)
+
+    def test_bad_models_are_refused_in_one_line(self):
+        self.refused("<body name='b'><joint/></body>", "body \"b\" moves, but has no mass")
+        self.refused("<body><joint type='screw'/><geom size='1'/></body>", "hinge, slide, ball or free joint")
+        self.refused("<body><joint axis='0 0 0'/><geom size='1'/></body>", "a direction has the length 0")
+        self.refused("<body><freejoint/><geom size='1' class='c'/></body>", "class \"c\" has no default")
+        self.refused("<body pos='0 0'/>", "pos of a body must be 3 numbers, but is \"0 0\"")
+        self.refused("<body pos='0 0 x'/>", "pos of a body must be 3 numbers")
+        self.refused("<geom type='capsule' size='1'/>", "must have 2 positive sizes")
+        self.refused("", "coordinate=\"global\"", compiler="coordinate='global'")
+        self.refused("", "body that there is not", rest="<equality><connect body1='b' anchor='0 0 0'/></equality>")
+        for text, words in (("<robot/>", "MJCF begins with <mujoco>"), ("<mujoco>", "no element found")):
+            (self.folder / "other.xml").write_text(text)
+            done = self.course("import", self.folder / "other.xml")
+            self.assertEqual((done.returncode, len(done.stderr.splitlines())), (2, 1), done.stderr)
+            self.assertIn(words, done.stderr)
+        self.assertEqual(self.course("import", self.folder / "none.xml").returncode, 2)
+
+    # How it moves
+
+    def test_a_cart_with_a_pole_moves_by_lagrange(self):
+        scene, _ = self.imported(MODELS / "cart_pole.xml")
+        result, table = self.run_of(scene, "--h", "1/2000", "--time", "1")
+        self.assertEqual(result["state"]["name"], "sound")
+        moment = next(body for body in scene["bodies"] if body["name"] == "pole")["principal"]
+        M, m, l, inertia, g = 2.0, 0.5, 0.4, max(moment), 9.81
+
+        def rate(y):
+            _, angle, v, turn = y
+            sin, cos = math.sin(angle), math.cos(angle)
+            a = np.linalg.solve([[M + m, m * l * cos], [m * l * cos, inertia + m * l * l]],
+                                [m * l * sin * turn * turn, m * g * l * sin])
+            return np.array([v, turn, *a])
+
+        y, h = np.array([0, math.radians(5), 0, 0]), 1 / 2000
+        for _ in range(2000):  # Runge and Kutta: an error of some 1e-12
+            k1 = rate(y)
+            k2 = rate(y + h / 2 * k1)
+            k3 = rate(y + h / 2 * k2)
+            y = y + h / 6 * (k1 + 2 * k2 + 2 * k3 + rate(y + h * k3))
+        # The engine's error: 1e-5 m with this h, a start of first order included.
+        np.testing.assert_allclose(self.at(table, scene, "cart")[-1], [y[0], 0, 0.5], atol=1e-3)
+        pole = [y[0] + l * math.sin(y[1]), 0, 0.5 + l * math.cos(y[1])]
+        np.testing.assert_allclose(self.at(table, scene, "pole")[-1], pole, atol=1e-3)
+
+    def test_a_chain_is_held_at_both_ends_and_keeps_its_plate(self):
+        scene, said = self.imported(MODELS / "chain.xml")
+        result, table = self.run_of(scene, "--time", "2")
+        self.assertEqual(result["state"]["name"], "sound", result["state"])
+        self.assertNotIn("together", said)  # it is not active
+        # Straight between ends 1.2 m apart: it sags by what its joints give way, some 3 cm, as no tension is enough.
+        for link in range(1, 5):
+            x = self.at(table, scene, f"link {link}")
+            np.testing.assert_allclose(x[-1], [0.3 * link - 0.15, 0, 1], atol=0.05)
+        apart = self.at(table, scene, "plate") - self.at(table, scene, "link 3")
+        np.testing.assert_allclose(np.linalg.norm(apart, axis=1), np.linalg.norm(apart[0]), atol=1e-3)
+
+    def test_a_hopper_stays_in_its_plane_and_falls(self):
+        scene, _ = self.imported(MODELS / "hopper.xml")
+        self.assertEqual(scene["settings"]["friction"], 0.9)  # the larger of two
+        result, table = self.run_of(scene, "--time", "2")
+        self.assertEqual(result["state"]["name"], "sound", result["state"])
+        trunk = self.at(table, scene, "trunk")
+        self.assertLess(abs(trunk[:, 1]).max(), 1e-3)
+        self.assertGreater(trunk[-1, 2], 0)
+
+    def test_a_figure_and_an_ant_fall_on_the_floor_and_stay_there(self):
+        for model, most in (("humanoid.xml", 1.4), ("ant.xml", 0.7)):
+            scene, _ = self.imported(MODELS / model)
+            result, table = self.run_of(scene, "--time", "2")
+            self.assertEqual(result["state"]["name"], "sound", (model, result["state"]))
+            for body in scene["bodies"]:
+                if "mass" in body:
+                    z = self.at(table, scene, body["name"])[:, 2]
+                    self.assertGreater(z.min(), 0, (model, body["name"]))
+                    self.assertLess(z.max(), most + 0.3, (model, body["name"]))
+
+    def test_a_model_keeps_its_mass_whatever_its_joints(self):
+        scene, _ = self.imported(MODELS / "humanoid.xml")
+        alone, _ = self.imported(self.without_joints(MODELS / "humanoid.xml"))
+        self.assertEqual(sum("mass" in body for body in alone["bodies"]), 1)
+        self.assertAlmostEqual(sum(body.get("mass", 0) for body in scene["bodies"]), alone["bodies"][-1]["mass"], places=9)
+        self.assertEqual(len(scene["joints"]), 21)
+
+    def without_joints(self, model: Path) -> Path:
+        """All of it one body: what has no joint is part of its parent."""
+        lines = [line for line in model.read_text().splitlines() if "<joint name" not in line and "<motor" not in line]
+        (self.folder / "alone.xml").write_text("\n".join(lines))
+        return self.folder / "alone.xml"
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,36 @@
+"""./course import: a model in MJCF as a scene file, and a list of what was left out."""
+
+import json
+import sys
+from pathlib import Path
+
+from errors import BadInput, CourseError
+
+
+def import_model(arguments) -> int:
+    try:
+        from importing.defaults import read
+        from importing.scene import SceneWriter
+    except ImportError as error:
+        raise CourseError(f"{error}; ./course start installs what is missing") from None
+    path = Path(arguments.model)
+    left_out: list[str] = []
+    try:
+        writer = SceneWriter(read(path, left_out), path.stem)
+    except BadInput as error:
+        raise BadInput(str(error) if str(error).startswith(str(path)) else f"{path}: {error}") from None
+    text = json.dumps(writer.scene, indent=1, ensure_ascii=False) + "\n"
+    if arguments.out:
+        Path(arguments.out).write_text(text, encoding="utf-8")
+    else:
+        print(text, end="")
+    print(_told(writer.scene, [*left_out, *writer.left_out], writer.instead), end="", file=sys.stderr)
+    return 0
+
+
+def _told(scene: dict, left_out: list[str], instead: list[str]) -> str:
+    moving = sum("mass" in body for body in scene["bodies"])
+    lines = [f"{moving} bodies that move, {len(scene.get('joints', []))} joints"]
+    for title, found in (("left out:", left_out), ("instead:", instead)):
+        lines += [title, *(f"  {what}" for what in found)] if found else []
+    return "\n".join(lines) + "\n"

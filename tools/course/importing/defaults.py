@@ -1,0 +1,78 @@
+"""MJCF's defaults: classes within classes, each with attributes for some elements; and files within files."""
+
+from pathlib import Path
+from xml.etree import ElementTree
+from xml.etree.ElementTree import Element
+
+from errors import BadInput
+
+_TOP = "main"
+
+
+def read(path: Path, left_out: list[str]) -> Element:
+    """The model, with what it includes in its place."""
+    root = _parse(path)
+    if root.tag != "mujoco":
+        raise BadInput(f"{path}: MJCF begins with <mujoco>, but this with <{root.tag}>")
+    _include(root, path.parent, left_out)
+    return root
+
+
+def _parse(path: Path) -> Element:
+    try:
+        return ElementTree.parse(path).getroot()
+    except OSError as error:
+        raise BadInput(f"{path}: {error.strerror}") from None
+    except ElementTree.ParseError as error:
+        raise BadInput(f"{path}: {error}") from None
+
+
+def _include(element: Element, folder: Path, left_out: list[str], depth: int = 0) -> None:
+    for child in list(element):
+        if child.tag != "include":
+            _include(child, folder, left_out, depth)
+            continue
+        path = folder / child.get("file", "")
+        place = list(element).index(child)
+        element.remove(child)
+        if not path.is_file():
+            left_out.append(f"include of {child.get('file')}: there is no such file")
+            continue
+        if depth > 20:
+            raise BadInput(f"{path}: files include each other without an end")
+        included = _parse(path)
+        _include(included, path.parent, left_out, depth + 1)
+        element[place:place] = list(included)
+
+
+class Defaults:
+    def __init__(self, root: Element):
+        self._classes: dict[str, dict[str, dict[str, str]]] = {_TOP: {}}
+        for default in root.findall("default"):
+            self._add(default, default.get("class", _TOP), {})
+
+    def _add(self, default: Element, name: str, above: dict[str, dict[str, str]]) -> None:
+        here = {tag: dict(attributes) for tag, attributes in self._classes.get(name, above).items()}
+        for child in default:
+            if child.tag != "default":
+                tag = "joint" if child.tag == "freejoint" else child.tag
+                here[tag] = here.get(tag, {}) | {key: value for key, value in child.attrib.items() if key != "class"}
+        self._classes[name] = here
+        for child in default.findall("default"):
+            if not child.get("class"):
+                raise BadInput("a default within another has no class")
+            self._add(child, child.get("class"), here)
+
+    def applied(self, element: Element, childclass: str | None) -> Element:
+        """The element with what its class, or else the body's, gives to it."""
+        name = element.get("class") or childclass or _TOP
+        if name not in self._classes:
+            raise BadInput(f"class \"{name}\" has no default")
+        whole = Element(element.tag, self._classes[name].get(element.tag, {}) | element.attrib)
+        # What is placed anew, is not placed as by default.
+        for group in (("quat", "axisangle", "euler", "xyaxes", "zaxis"),):
+            if any(key in element.attrib for key in group):
+                for key in group:
+                    if key not in element.attrib:
+                        whole.attrib.pop(key, None)
+        return whole

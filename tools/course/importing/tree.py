@@ -1,0 +1,189 @@
+"""The bodies of an MJCF model: which geoms move as one, how heavy they are, and what joins them.
+
+A body without joints is part of its parent. A body with several joints hangs on its parent by as many: the engine has one
+between two bodies, and so between them come links, which are light and small.
+"""
+
+from dataclasses import dataclass, field
+from xml.etree.ElementTree import Element
+
+import numpy as np
+
+from errors import BadInput
+from importing.defaults import Defaults
+from importing.shapes import Geom, geom_of
+from importing.turning import IDENTITY, from_matrix, inverse, matrix, numbers, product, turn_of, unit
+
+
+@dataclass
+class ModelJoint:
+    """One joint of MJCF, at the start."""
+
+    kind: str  # hinge, slide or ball
+    name: str
+    point: np.ndarray  # in the world [m]
+    axis: np.ndarray  # in the world
+    limits: tuple[float, float] | None  # of angle or shift from where it begins [rad or m]
+    damping: float  # [N m s/rad or N s/m]
+
+
+@dataclass
+class Part:
+    """What moves as one."""
+
+    name: str
+    parent: "Part | None"  # None: it is free, or hangs on the world
+    free: bool
+    joints: list[ModelJoint]
+    geoms: list[Geom] = field(default_factory=list)  # in the world
+    inertial: list[tuple[float, np.ndarray, np.ndarray]] = field(default_factory=list)  # mass, centre, inertia in the world
+
+    def mass_and_inertia(self) -> tuple[float, np.ndarray, np.ndarray]:
+        """Mass, centre [m] and inertia about it, in the world's axes [kg m²]."""
+        masses = list(self.inertial)
+        masses += [(geom.mass, geom.x, geom.R @ np.diag(geom.moments) @ geom.R.T) for geom in self.geoms]
+        mass = sum(m for m, _, _ in masses)
+        if not mass > 0:
+            raise BadInput(f"body \"{self.name}\" moves, but has no mass: give it a geom with a volume, or an inertial")
+        centre = sum(m * x for m, x, _ in masses) / mass
+        inertia = sum(I + m * ((x - centre) @ (x - centre) * np.eye(3) - np.outer(x - centre, x - centre))
+                      for m, x, I in masses)
+        return mass, centre, inertia
+
+
+class Model:
+    def __init__(self, root: Element, left_out: list[str]):
+        self.left_out = left_out
+        self.defaults = Defaults(root)
+        compiler = {key: value for each in root.findall("compiler") for key, value in each.attrib.items()}
+        self.in_degrees = compiler.get("angle", "degree") == "degree"
+        self.euler_order = compiler.get("eulerseq", "xyz")
+        self._from_geoms = compiler.get("inertiafromgeom", "auto")
+        self._autolimits = compiler.get("autolimits", "true") == "true"
+        if compiler.get("coordinate", "local") != "local":
+            raise BadInput("coordinate=\"global\" was given up by MJCF itself: save the model with MuJoCo 2.3 first")
+        for name in ("settotalmass", "boundmass", "boundinertia"):
+            if float(compiler.get(name, "-1").split()[0]) > 0:
+                left_out.append(f"compiler {name}")
+        self.world = Part("world", None, False, [])
+        self.planes: list[Element] = []
+        self.parts: list[Part] = []
+        # Of each body the part that it belongs to, and its own place and turn.
+        self.bodies: dict[str, tuple[Part, np.ndarray, np.ndarray]] = {"world": (self.world, np.zeros(3), IDENTITY)}
+        for world in root.findall("worldbody"):
+            self._read(world, self.world, np.zeros(3), IDENTITY, None)
+
+    def _read(self, body: Element, part: Part, x: np.ndarray, q: np.ndarray, childclass: str | None) -> None:
+        """What is in a body at x, turned by q: geoms go to the part, bodies are parts of their own or of this one."""
+        R = matrix(q)
+        self._take_masses(body, part, x, q, childclass)
+        for child in body:
+            if child.tag == "frame":
+                self._read(child, part, x + R @ numbers(child, "pos", 3, "0 0 0"),
+                           product(q, turn_of(child, self.in_degrees, self.euler_order)),
+                           child.get("childclass", childclass))
+            elif child.tag == "body":
+                at = x + R @ numbers(child, "pos", 3, "0 0 0")
+                turned = product(q, turn_of(child, self.in_degrees, self.euler_order))
+                self._read_body(child, part, at, turned, child.get("childclass", childclass))
+            elif child.tag in ("composite", "flexcomp", "replicate", "attach"):
+                self.left_out.append(f"{child.tag} \"{child.get('name', child.get('prefix', ''))}\"")
+
+    def _read_body(self, body: Element, parent: Part, x: np.ndarray, q: np.ndarray, childclass: str | None) -> None:
+        joints = [self.defaults.applied(joint, childclass) for joint in body.findall("joint")]
+        free = body.find("freejoint") is not None or any(joint.get("type") == "free" for joint in joints)
+        name = body.get("name") or f"body {len(self.parts) + 1}"
+        part = parent
+        if joints or free:
+            above = None if free or parent is self.world else parent
+            part = Part(name, above, free, [] if free else [self._joint(each, x, q) for each in joints])
+            self.parts.append(part)
+        self.bodies[name] = part, x, q
+        self._read(body, part, x, q, childclass)
+
+    def _joint(self, joint: Element, x: np.ndarray, q: np.ndarray) -> ModelJoint:
+        kind, name = joint.get("type", "hinge"), joint.get("name", "without a name")
+        if kind not in ("hinge", "slide", "ball"):
+            raise BadInput(f"joint \"{name}\" must be a hinge, slide, ball or free joint, but is \"{kind}\"")
+        for key in ("stiffness", "frictionloss", "armature"):
+            if numbers(joint, key, None, "0")[0] != 0:
+                self.leave_out(f"{key} of joints")
+        damping = numbers(joint, "damping", None, "0")[0]
+        if kind == "ball" and damping != 0:
+            self.leave_out("damping of ball joints")
+        return ModelJoint(kind, name, x + matrix(q) @ numbers(joint, "pos", 3, "0 0 0"),
+                     matrix(q) @ unit(numbers(joint, "axis", 3, "0 0 1")), self._limits(joint, kind), float(damping))
+
+    def _limits(self, joint: Element, kind: str) -> tuple[float, float] | None:
+        limited = joint.get("limited", "auto")
+        if limited == "auto":
+            limited = "true" if self._autolimits and "range" in joint.attrib else "false"
+        if limited != "true":
+            return None
+        if kind == "ball":
+            self.leave_out("limits of ball joints")
+            return None
+        per_unit = np.pi / 180 if kind == "hinge" and self.in_degrees else 1
+        lower, upper = (numbers(joint, "range", 2) - numbers(joint, "ref", 1, "0")) * per_unit
+        return float(lower), float(upper)
+
+    def _take_masses(self, body: Element, part: Part, x: np.ndarray, q: np.ndarray, childclass: str | None) -> None:
+        R = matrix(q)
+        inertial = body.find("inertial")
+        given = inertial is not None and self._from_geoms != "true"
+        if given:
+            part.inertial.append(self._inertial(inertial, x, q))
+        for element in body.findall("geom"):
+            whole = self.defaults.applied(element, childclass)
+            kind = whole.get("type", "sphere")
+            geom = geom_of(whole, self.in_degrees, self.euler_order)
+            if geom is not None:
+                if given:
+                    geom.mass, geom.moments = 0.0, np.zeros(3)
+                part.geoms.append(geom.moved(x, R))
+            elif kind == "plane" and part is self.world:
+                self.planes.append(self._placed(whole, x, q))
+            else:
+                self.left_out.append(f"geom \"{whole.get('name', '')}\" of type {kind}: its shape and its mass")
+
+    def _inertial(self, inertial: Element, x: np.ndarray, q: np.ndarray) -> tuple[float, np.ndarray, np.ndarray]:
+        R = matrix(product(q, turn_of(inertial, self.in_degrees, self.euler_order)))
+        if "fullinertia" in inertial.attrib:
+            xx, yy, zz, xy, xz, yz = numbers(inertial, "fullinertia", 6)
+            own = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+        else:
+            own = np.diag(numbers(inertial, "diaginertia", 3))
+        return numbers(inertial, "mass", 1)[0], x + matrix(q) @ numbers(inertial, "pos", 3), R @ own @ R.T
+
+    def _placed(self, plane: Element, x: np.ndarray, q: np.ndarray) -> Element:
+        """A plane with its place in the world."""
+        R = matrix(product(q, turn_of(plane, self.in_degrees, self.euler_order)))
+        at = x + matrix(q) @ numbers(plane, "pos", 3, "0 0 0")
+        placed = Element("plane", plane.attrib)
+        placed.set("n", " ".join(map(repr, map(float, R[:, 2]))))
+        placed.set("offset", repr(float(R[:, 2] @ at)))
+        return placed
+
+    def body(self, name: str, who: str) -> tuple[Part, np.ndarray, np.ndarray]:
+        """Its part, its place and its turn."""
+        if name not in self.bodies:
+            raise BadInput(f"{who} names a body that there is not: \"{name}\"")
+        return self.bodies[name]
+
+    def leave_out(self, what: str) -> None:
+        """Once, however often it is there."""
+        if what not in self.left_out:
+            self.left_out.append(what)
+
+
+def principal(inertia: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Moments, and the turn from their axes to the world's."""
+    moments, axes = np.linalg.eigh(inertia)
+    if np.linalg.det(axes) < 0:
+        axes[:, 0] *= -1
+    return moments, from_matrix(axes)
+
+
+def in_axes(q: np.ndarray, v: np.ndarray) -> np.ndarray:
+    """A vector of the world in the axes of a body that is turned by q."""
+    return matrix(inverse(q)) @ v

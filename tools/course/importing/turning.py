@@ -1,0 +1,95 @@
+"""Rotations as MJCF writes them, and as the engine wants them: quaternions (w, x, y, z)."""
+
+import math
+from xml.etree.ElementTree import Element
+
+import numpy as np
+
+from errors import BadInput
+
+IDENTITY = np.array([1.0, 0, 0, 0])
+
+
+def product(p: np.ndarray, q: np.ndarray) -> np.ndarray:
+    return np.array([p[0] * q[0] - p[1:] @ q[1:], *(p[0] * q[1:] + q[0] * p[1:] + np.cross(p[1:], q[1:]))])
+
+
+def inverse(q: np.ndarray) -> np.ndarray:
+    return q * (1, -1, -1, -1)
+
+
+def matrix(q: np.ndarray) -> np.ndarray:
+    w, x, y, z = q
+    return np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+                     [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+                     [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
+
+
+def from_matrix(R: np.ndarray) -> np.ndarray:
+    """The eigenvector of the largest eigenvalue of Shepperd's matrix: good for every angle."""
+    K = np.array([[R[0, 0] + R[1, 1] + R[2, 2], R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]],
+                  [0, R[0, 0] - R[1, 1] - R[2, 2], R[1, 0] + R[0, 1], R[0, 2] + R[2, 0]],
+                  [0, 0, R[1, 1] - R[0, 0] - R[2, 2], R[2, 1] + R[1, 2]],
+                  [0, 0, 0, R[2, 2] - R[0, 0] - R[1, 1]]])
+    q = np.linalg.eigh(K, UPLO="U")[1][:, -1]
+    return q if q[0] >= 0 else -q
+
+
+def about(axis: np.ndarray, angle: float) -> np.ndarray:
+    return np.array([math.cos(angle / 2), *(math.sin(angle / 2) * unit(axis))])
+
+
+def unit(v: np.ndarray) -> np.ndarray:
+    length = np.linalg.norm(v)
+    if not 0 < length < math.inf:
+        raise BadInput(f"a direction has the length {length:g}")
+    return v / length
+
+
+def z_to(direction: np.ndarray) -> np.ndarray:
+    """The shortest turn that takes the z axis there."""
+    z = unit(direction)
+    axis = np.cross((0, 0, 1), z)
+    if np.linalg.norm(axis) < 1e-10:
+        return IDENTITY if z[2] > 0 else np.array([0.0, 1, 0, 0])
+    return about(axis, math.atan2(np.linalg.norm(axis), z[2]))
+
+
+def turn_of(element: Element, in_degrees: bool, euler_order: str) -> np.ndarray:
+    """By quat, axisangle, euler, xyaxes or zaxis, whichever it has; none of them: not turned."""
+    per_unit = math.pi / 180 if in_degrees else 1
+    if "quat" in element.attrib:
+        return unit(numbers(element, "quat", 4))
+    if "axisangle" in element.attrib:
+        *axis, angle = numbers(element, "axisangle", 4)
+        return about(np.array(axis), angle * per_unit)
+    if "euler" in element.attrib:
+        q = IDENTITY
+        for axis, angle in zip(euler_order, numbers(element, "euler", 3) * per_unit):
+            turn = about(np.eye(3)["xyz".index(axis.lower())], angle)
+            q = product(q, turn) if axis.islower() else product(turn, q)  # about moving axes, or fixed ones
+        return q
+    if "xyaxes" in element.attrib:
+        both = numbers(element, "xyaxes", 6)
+        x = unit(both[:3])
+        y = unit(both[3:] - (both[3:] @ x) * x)
+        return from_matrix(np.column_stack([x, y, np.cross(x, y)]))
+    return z_to(numbers(element, "zaxis", 3)) if "zaxis" in element.attrib else IDENTITY
+
+
+def numbers(element: Element, name: str, count: int | None = None, default: str | None = None) -> np.ndarray:
+    """An attribute as numbers. Raises BadInput, naming it, where it is missing, or not so many, or none."""
+    text = element.get(name, default)
+    if text is None:
+        raise BadInput(f"{_named(element)} has no {name}")
+    try:
+        values = np.array([float(word) for word in text.split()])
+    except ValueError:
+        values = np.array([math.nan])
+    if not np.all(np.isfinite(values)) or (count is not None and len(values) != count):
+        raise BadInput(f"{name} of {_named(element)} must be {count or 'finite'} numbers, but is \"{text}\"")
+    return values
+
+
+def _named(element: Element) -> str:
+    return f"{element.tag} \"{element.get('name')}\"" if element.get("name") else f"a {element.tag}"
