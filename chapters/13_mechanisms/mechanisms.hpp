@@ -64,9 +64,9 @@ Constraint<6> limit_constraint(const Coordinate& free, const JointLimits& limits
 
 /// What drives a joint. Torques are about the hinge, forces along the slider.
 struct Motor {
-  double speed = 0;             ///< wanted of j, as i sees it [rad/s or m/s]
-  double strength = infinity;   ///< the largest torque or force [N m or N]
-  double viscosity = 1e12;      ///< torque or force per speed that is lacking [N m s/rad or N s/m]
+  double speed = 0;            ///< wanted of j, as i sees it [rad/s or m/s]
+  double strength = infinity;  ///< the largest torque or force [N m or N]
+  double viscosity = 1e12;     ///< torque or force per speed that is lacking [N m s/rad or N s/m]
 };
 
 /// Exercise 13.5. The row of a motor: Eq. (13.12), (13.13).

@@ -40,7 +40,7 @@ struct Joint {
   std::optional<double> k_turn =
       {};  ///< stiffness of what must not turn [N m/rad]; the number of k, unless given
   std::optional<JointLimits> limits = {};  ///< of the angle [rad] or shift [m]
-  std::optional<double> limit_d = {};      ///< relaxation of a limit [steps]; that of contacts, unless given
+  std::optional<double> limit_d = {};      ///< relaxation of a limit [steps]; 3, unless given: it settles
   std::optional<Motor> motor = {};
   double angle =
       0;  ///< of a hinge, its turns counted [rad]: after the last step. To begin with, the turns that it has

@@ -71,7 +71,7 @@ void World<Dof>::complete(Joint& joint) const {
       const JointLimits& limits = *joint.limits;
       if (!(limits.lower < limits.upper))
         reject("upper", limits.upper, "more than lower, which is " + std::to_string(limits.lower));
-      if (!joint.limit_d) joint.limit_d = settings_.d.value_or(relaxation_of_contacts);
+      if (!joint.limit_d) joint.limit_d = relaxation_of_contacts;
       require_not_negative("limit_d", *joint.limit_d);
     }
     if (joint.motor) require_sound(*joint.motor);

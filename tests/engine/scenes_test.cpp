@@ -44,6 +44,16 @@ TEST(Registry, EverySceneRunsWithItsDefaults) {
       {"wall", 1e-5},
       // λ is a difference of gaps over their scale, m g/(n k) = 1e-7 m, at roundings of the height, 1e-17 m.
       {"flat_box_100_contacts", 1e-8},
+      // Leapfrog is late by (hω)²/24 of the way, 16 rad at ω = 1.6/s, and the hinges' lag (1 + 2d) h² A/(4 l) is three
+      // times as much, for 10 s. The rod's ω is 3.8/s, with a tenth of the step.
+      {"door", 2e-3},
+      {"physical_pendulum", 2e-4},
+      // T/(c w) is 2.5e-13.
+      {"flywheel", 1e-12},
+      // (h ω)²/24 is 4e-4, of a spin that a step of 1/1000 s turns by a tenth; 4.9 rad of precession feel a part of it.
+      {"gyroscope", 2e-4},
+      // (1 + 2d) h² ω² / 4 and the like, with 5/s.
+      {"bead", 5e-5},
       // Of second order, with constants that the motion tells: published in plots/mechanisms.
       {"four_bar", 1e-4},
       {"andrews", 1e-3},

@@ -1,8 +1,10 @@
 // What the lessons ask their readers to predict, computed by the reference: see chapters/predictions.ini.
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 
 #include "12_stiff_wires/stiff_wires.hpp"
+#include "13_mechanisms/mechanisms.hpp"
 #include "numbers.hpp"
 
 namespace spook::lessons {
@@ -198,6 +200,43 @@ void matrices() {
   say("12.heavier_load", transverse_frequency(1e7, 0.01, 0.1) / transverse_frequency(1e4, 0.01, 0.1));
 }
 
+JointFrame frame(int body, const Vec3& x, double angle) {
+  return {{.body = body, .x = x}, Quat(Eigen::AngleAxisd(angle, up))};
+}
+
+void mechanisms() {
+  const JointFrame post = frame(0, Vec3::Zero(), 0), door = frame(1, Vec3::Zero(), 0);
+  const std::size_t a_hinge = ball_joint_constraints<6>(post.at, door.at, {}).size() + 2, needed = a_hinge;
+  say("13.rows_too_many", double(3 * a_hinge - needed));
+
+  const double h = 0.001, I = 2;
+  Motion<6> wheel{.inverse_mass = {{}, {.linear = 1, .angular = Mat3::Identity() / I}},
+                  .W = {Twist<6>::Zero(), Twist<6>::Zero()},
+                  .Wf = {Twist<6>::Zero(), Twist<6>::Zero()}};
+  const Coordinate angle = hinge_angle(post, door, 0);
+  double time = 0;
+  for (; wheel.W[1][5] < 20 * (1 - 1e-9); time += h) {
+    const Row<6> row = motor_row(angle, {.speed = 20, .strength = 5}, h, wheel);
+    wheel.W[1] += std::clamp(row.B / row.diagonal, row.lo, row.hi) * row.MinvGj;
+  }
+  say("13.flywheel", time);
+
+  // A bead that was pushed out along a rod, each of 1 kg or 1 kg m²: the row across the rod, solved in each step.
+  double turned = 0, omega = 5;
+  Vec3 x = Vec3::Zero(), v(1, 0, 0);
+  while (x.norm() < 1) {
+    const Coordinate across = shift_along(frame(0, Vec3::Zero(), turned), frame(1, x, turned), 1);
+    const double arm = across.Gi[5];
+    const Vec3 n = across.Gj.head<3>();
+    const double lambda = -(across.value / h + arm * omega + n.dot(v)) / (arm * arm + 1);
+    omega += arm * lambda;
+    v += lambda * n;
+    turned += h * omega;
+    x += h * v;
+  }
+  say("13.slower", omega);
+}
+
 }  // namespace
 
 void predicted_numbers() {
@@ -209,6 +248,7 @@ void predicted_numbers() {
   impacts();
   pairs();
   matrices();
+  mechanisms();
 }
 
 }  // namespace spook::lessons

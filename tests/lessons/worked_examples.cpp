@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "11_direct/direct.hpp"
+#include "13_mechanisms/mechanisms.hpp"
 #include "numbers.hpp"
 
 namespace spook::lessons {
@@ -168,6 +169,24 @@ void boxes() {
   for (const Contact& contact : contacts) say_all(name + "contact", contact.r_i);
 }
 
+/// Chapter 13: a hinge that is a little open.
+void open_hinge() {
+  const std::string name = "open_hinge.";
+  const Quat turned(Eigen::AngleAxisd(1, Vec3::UnitZ())), opened(Eigen::AngleAxisd(0.02, Vec3::UnitX()));
+  const JointFrame i{{.body = 0, .x = Vec3::Zero()}, Quat::Identity()},
+      j{{.body = 1, .x = Vec3::Zero()}, opened * turned};
+  say(name + "turned", 1);
+  say(name + "opened", 0.02);
+  say_all(name + "Q", i.axes.conjugate() * j.axes);
+  const std::array<Coordinate, 3> apart = turned_apart(i, j);
+  for (int k = 0; k < 2; ++k) say(name + "gap", apart[k].value);
+  say(name + "opening", std::hypot(apart[0].value, apart[1].value));
+  for (int k = 0; k < 2; ++k) say_all(name + "a", apart[k].Gj.tail<3>());
+  say(name + "angle", hinge_angle(i, j, 0).value);
+  say(name + "speed", 1);
+  for (int k = 0; k < 2; ++k) say(name + "rate", apart[k].Gj[3]);
+}
+
 }  // namespace
 
 void worked_examples() {
@@ -176,6 +195,7 @@ void worked_examples() {
   three_rows();
   boxes();
   interior();
+  open_hinge();
 }
 
 }  // namespace spook::lessons

@@ -3,6 +3,7 @@
 import base64
 import csv
 import json
+import math
 import os
 import select
 import subprocess
@@ -50,7 +51,7 @@ class Recordings(unittest.TestCase):
 
     def test_every_key_is_described(self):
         text = FORMAT.read_text(encoding="utf-8")
-        for scene in ("pile", "cloth", "orbit", "pendulum", "incline"):
+        for scene in ("pile", "cloth", "orbit", "pendulum", "incline", "flywheel", "door"):
             header, frames, end = self.record(scene, "--time", "0.2")
             shapes = {key for body in header["bodies"] for key in body}
             joints = {key for joint in header["joints"] for key in joint}
@@ -93,6 +94,14 @@ class Recordings(unittest.TestCase):
         m, ratio, g = (header["parameters"][name] for name in ("m", "ratio", "g"))
         np.testing.assert_allclose(pulls, [(ratio + k) * m * g for k in (2, 1, 0)], rtol=1e-4)
         self.assertEqual([joint["kind"] for joint in header["joints"]], ["distance"] * 3)
+
+    def test_a_hinge_tells_its_axis_and_its_rows(self):
+        header, frames, _ = self.record("physical_pendulum", "--set", "stop=30", "--time", "0.1")
+        joint, = header["joints"]
+        self.assertEqual((joint["kind"], joint["rows"], joint["axis"]), ("hinge", 6, [0, -1, 0]))
+        self.assertEqual(joint["limits"][0], None)  # no lower one
+        self.assertAlmostEqual(joint["limits"][1], math.radians(30), 12)
+        self.assertEqual(len(crowd(frames[-1]["joint_impulses"], 1)), 6)
 
     def test_turning_bodies_have_unit_quaternions(self):
         _, frames, _ = self.record("top", "--time", "2")

@@ -1,0 +1,39 @@
+"""What is lost without the second term, and the errors of four mechanisms over the step."""
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
+import figures  # noqa: E402
+
+TITLE = "Mechanisms: nothing left out, and second order"
+SCENES = {"door": "door [rad]", "physical_pendulum": "physical pendulum [rad]", "gyroscope": "gyroscope [rad]",
+          "bead": "bead [relative]"}
+
+
+def draw(data, mine):
+    figure, (momentum, errors) = figures.new(columns=2, height=3.6)
+    for style, (which, label) in zip(figures.STYLES, (("with", "with the second term"), ("without", "without it"))):
+        some = data.table.only("what", which).only("h [s]", 1e-3)
+        momentum.plot(some["time [s]"], some["value"], color=style["color"], label=label)
+        if mine:
+            own = mine.table.only("what", which).only("h [s]", 1e-3)
+            momentum.plot(own["time [s]"], own["value"], **figures.MINE)
+    momentum.set(title="A bead slides out along a rod", xlabel="time [s]", ylabel="angular momentum, 1 at the start",
+                 ylim=(0.9, 2.1))
+    momentum.legend(loc="upper left", fontsize=8)
+    for style, (name, label) in zip(figures.STYLES, SCENES.items()):
+        some = data.table.only("what", name)
+        errors.plot(some["h [s]"], some["value"], label=label, **style)
+        if mine:
+            own = mine.table.only("what", name)
+            errors.plot(own["h [s]"], own["value"], **figures.MINE)
+    errors.set(title="Errors fall with h²", xlabel="h [s]", ylabel="largest error", xscale="log", yscale="log")
+    errors.legend(loc="lower right", fontsize=8)
+    for axes in (momentum, errors):
+        figures.tidy(axes)
+    return figure
+
+
+if __name__ == "__main__":
+    figures.main(draw, TITLE)

@@ -1,0 +1,103 @@
+// The angle of a hinge: its sign, its turns, and its row.
+#include "exercise_test.hpp"
+#include "frames.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(HingeAngle, "13.3 hinge_angle");
+
+constexpr double turn = 2 * 3.14159265358979323846;
+
+double angle_at(double angle, double last) {
+  RandomFrames t;
+  t.close_hinge(angle);
+  return hinge_angle(t.i, t.j, last).value;
+}
+
+EXERCISE_TEST(HingeAngle, IsHowFarJIsTurnedAsISeesIt) {
+  for (const double angle : {0.0, 0.3, -0.3, 1.5, -2.0, 3.1, -3.1})
+    expect_near("angle of a hinge that is turned by " + show(angle) + " rad, last seen at 0", "Eq. (13.8)",
+                angle_at(angle, 0), angle, roundings(64),
+                {{-angle, "The sign: this is how i is turned as j sees it."},
+                 {angle / 2, "This is half of it: w and v_3 are cosine and sine of half the angle."},
+                 {2 * std::sin(angle / 2), "This is 2v_3, the chord. The angle is 2 atan2(v_3, w)."}},
+                "θ = 2 atan2(v_3, w), with Q = P_i* P_j.");
+}
+
+EXERCISE_TEST(HingeAngle, GoesOnBeyondHalfATurn) {
+  for (const double sign : {1.0, -1.0}) {
+    const double last = sign * 3.1, angle = sign * 3.2;
+    expect_near(
+        "angle of a hinge last seen at " + show(last) + " rad, at " + show(angle) + " rad", "Eq. (13.9)",
+        angle_at(angle, last), angle, roundings(64),
+        {{angle - sign * turn,
+          "A turn is missing: at half a turn it has jumped to the other side. Which of the angles that look "
+          "alike is nearest to the last one?"}},
+        "It turned by 0.1 rad since it was last seen, not by almost a turn back.");
+  }
+}
+
+EXERCISE_TEST(HingeAngle, CountsManyTurns) {
+  Random random;
+  double angle = 0, last = 0;
+  for (int n = 0; n < 300 && !::testing::Test::HasFailure(); ++n) {
+    angle += random.uniform(-1.5, 3.1);  // less than half a turn, and forwards on the whole
+    last = angle_at(angle, last);
+    expect_near(
+        "angle after " + std::to_string(n + 1) + " looks [rad]", "Eq. (13.9)", last, angle, roundings(64, 300),
+        {},
+        "From look to look it turns by less than half a turn. However many turns it has made already, the "
+        "new angle is the one nearest to the last.");
+  }
+}
+
+EXERCISE_TEST(HingeAngle, IsTheSameForMinusTheQuaternion) {
+  RandomFrames t;
+  for (const double angle : {0.4, -2.5}) {
+    t.close_hinge(angle);
+    t.j.axes.coeffs() *= -1;
+    expect_near(
+        "angle of a hinge at " + show(angle) + " rad, whose j has the quaternion -q", "Eq. (13.8), (13.9)",
+        hinge_angle(t.i, t.j, 0).value, angle, roundings(64),
+        {{angle + turn, "A turn too many: q and -q are the same orientation."},
+         {angle - turn, "A turn too few: q and -q are the same orientation."}},
+        "q and -q are the same orientation, and 2 atan2 sees them a turn apart. (13.9) takes that away.");
+  }
+}
+
+EXERCISE_TEST(HingeAngle, TimesVelocityIsItsRate) {
+  RandomFrames t;
+  t.close_hinge(2.1);
+  const auto value = [](const JointFrame& i, const JointFrame& j) { return hinge_angle(i, j, 2.1).value; };
+  for (int trial = 0; trial < 10 && !::testing::Test::HasFailure(); ++trial) {
+    const Twist<6> Wi = velocity_of(t.random.vector(), t.random.vector()),
+                   Wj = velocity_of(t.random.vector(), t.random.vector());
+    const double rate = rate_of(value, t, Wi, Wj);
+    expect_near("G W, against the angle of two bodies that turn, differentiated numerically [rad/s]",
+                "Eq. (13.8)", rate_by(hinge_angle(t.i, t.j, 2.1), Wi, Wj), rate, of_differences,
+                {{-rate, "The sign: j comes with a plus, i with a minus."},
+                 {Wj[5] - Wi[5], "This is about the world's z. The axis is the third of i's frame."},
+                 {rate / 2, "This is the rate of half the angle."},
+                 {(t.i.axes * Vec3::UnitX()).dot(Vec3(Wj.tail<3>() - Wi.tail<3>())),
+                  "This is about the frame's first axis. The hinge is along the third."}},
+                "The angle changes as the part of ω_j - ω_i along the axis.");
+  }
+  expect_pure_torque("the row of an angle", "Eq. (13.8)", hinge_angle(t.i, t.j, 0));
+  expect_between("the row of an angle", hinge_angle(t.i, t.j, 0), t);
+}
+
+EXERCISE_TEST(HingeAngle, TurnsAboutTheAxisOfI) {
+  // Of a hinge that is a little open, too.
+  RandomFrames t;
+  t.close_hinge(0.5);
+  t.j.axes = t.j.axes * turn_about(Vec3(1, 2, 0), 0.01);
+  const Vec3 a = hinge_angle(t.i, t.j, 0).Gj.tail<3>(), axis = t.i.axes * Vec3::UnitZ();
+  expect_near_vector(
+      "angular block Gj of a hinge that is open by 0.01 rad", "Eq. (13.8)", a, axis, roundings(16),
+      {{Vec3(t.j.axes * Vec3::UnitZ()), "This is the third axis of j's frame. n is i's."}}, "n = P_i e_3.");
+}
+
+}  // namespace

@@ -1,0 +1,139 @@
+// The row of a limit: which one, which way, and when it begins to act.
+#include "exercise_test.hpp"
+#include "frames.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(LimitConstraint, "13.4 limit_constraint");
+
+constexpr double limit_step = 0.01;
+const Spook numbers{.a = 30, .b = 0.9, .Sigma = 0.02};
+const JointLimits limits{.lower = -0.5, .upper = 2};
+
+Coordinate at(double value) {
+  return {.i = 3,
+          .j = 1,
+          .Gi = velocity_of(Vec3(1, 2, 3), Vec3(4, 5, 6)),
+          .Gj = velocity_of(Vec3(-1, 0, 2), Vec3(0.5, 7, 1)),
+          .value = value};
+}
+
+Constraint<6> row_at(double value) {
+  return limit_constraint(at(value), limits, numbers, limit_step);
+}
+
+EXERCISE_TEST(LimitConstraint, HasTheGapToTheNearerLimit) {
+  struct Case {
+    double value, gap;
+    const char* where;
+  };
+  for (const Case& c : {Case{-0.3, 0.2, "above the lower limit"}, Case{-0.7, -0.2, "below the lower limit"},
+                        Case{1.9, 0.1, "below the upper limit"}, Case{2.3, -0.3, "above the upper limit"}})
+    expect_near("gap of a coordinate at " + show(c.value) + ", " + c.where + " (from -0.5 to 2)", "Eq. (13.10)",
+                row_at(c.value).gap, c.gap, roundings(16, 2),
+                {{-c.gap, "The sign: the gap is positive within the limits, negative beyond."},
+                 {c.value - limits.lower, "This is the gap to the lower limit. The upper one is nearer."},
+                 {limits.upper - c.value, "This is the gap to the upper limit. The lower one is nearer."},
+                 {c.value, "This is the coordinate itself. The gap is what is left to the limit."},
+                 {0, "Beyond the limit the gap is negative: nothing would bring it back."}},
+                "Above the lower limit s - lower, below the upper one upper - s; the smaller of the two.");
+}
+
+EXERCISE_TEST(LimitConstraint, PushesBackFromEither) {
+  for (const double value : {-0.4, -0.6, 1.8, 2.1}) {
+    const bool low = value < 0.75;
+    const Constraint<6> row = row_at(value);
+    const Coordinate free = at(value);
+    const double sign = low ? 1 : -1;
+    const std::string of = std::string(" at the ") + (low ? "lower" : "upper") + " limit";
+    const std::string clue =
+        low ? "At the lower limit the gap grows with the coordinate."
+            : "At the upper limit the gap falls as the coordinate grows: both blocks turn their sign.";
+    expect_near_vector("Gj" + of, "Eq. (13.10)", row.Gj, Twist<6>(sign * free.Gj), {0, "exact"}, {}, clue);
+    expect_near_vector("Gi" + of, "Eq. (13.10)", row.Gi, Twist<6>(sign * free.Gi), {0, "exact"}, {}, clue);
+    expect_true(
+        "the row" + of + " has lo = 0 and hi = ∞; here lo = " + show(row.lo) + ", hi = " + show(row.hi),
+        "Eq. (13.10)", row.lo == 0 && row.hi == infinity,
+        row.lo < 0 ? "It also pulls this way: a limit is a contact, and lets go." : "λ is a push: 0 <= λ < ∞.");
+    expect_true("the row" + of + " is between bodies 3 and 1; here " + show(row.i) + " and " + show(row.j),
+                "Eq. (13.10)", row.i == 3 && row.j == 1, "Copy the bodies of the coordinate.");
+  }
+}
+
+EXERCISE_TEST(LimitConstraint, LetsComeAsFarAsTheLimit) {
+  for (const double value : {-0.4, 1.0, 1.99}) {
+    const Spook got = row_at(value).spook;
+    expect_near(
+        "a, before the limit [1/s]", "Eq. (13.11)", got.a, 1 / limit_step, roundings(2, 1 / limit_step),
+        {{numbers.a, "This is SPOOK's a. It brakes what is still on its way: the limit would begin too early."},
+         {0, "Without a it stops where it is, before the limit."},
+         {1, "It is 1/h: in a step it may use up the gap, g + h dg/dt >= 0."}},
+        "g + h dg/dt >= 0 asks for dg/dt >= -g/h: a = 1/h.");
+    expect_near(
+        "b, before the limit", "Eq. (13.11)", got.b, 1, {0, "exact"},
+        {{numbers.b, "This is SPOOK's b: it leaves 1 - b of the speed, and that goes beyond the limit."}},
+        "The whole speed counts: b = 1.");
+    expect_near("Σ, before the limit", "Eq. (3.6)", got.Sigma, numbers.Sigma, {0, "a copy"}, {}, "Copy Σ.");
+  }
+}
+
+EXERCISE_TEST(LimitConstraint, IsASpringBeyondIt) {
+  for (const double value : {-0.6, 2.2, -0.5}) {  // at the limit, too
+    const Spook got = row_at(value).spook;
+    expect_near(
+        "a, beyond the limit or at it [1/s]", "Eq. (13.11)", got.a, numbers.a, {0, "a copy"},
+        {{1 / limit_step, "This is 1/h: it would bring back the whole gap in one step, and throw it off."}},
+        "Beyond the limit a is that of SPOOK.");
+    expect_near("b, beyond the limit or at it", "Eq. (13.11)", got.b, 1, {0, "exact"},
+                {{numbers.b,
+                  "SPOOK's b leaves 1 - b of the speed of what has just arrived, and that goes on into it."}},
+                "What arrives is stopped in one step: b = 1.");
+    expect_near("Σ, beyond the limit or at it", "Eq. (3.6)", got.Sigma, numbers.Sigma, {0, "a copy"}, {},
+                "Copy Σ.");
+  }
+}
+
+EXERCISE_TEST(LimitConstraint, MayHaveOneLimitOnly) {
+  const Constraint<6> low = limit_constraint(at(7), {.lower = 5}, numbers, limit_step),
+                      high = limit_constraint(at(7), {.upper = 5}, numbers, limit_step);
+  expect_near("gap above a lower limit, without an upper one", "Eq. (13.10)", low.gap, 2, roundings(16, 7), {},
+              "A limit that is infinite is infinitely far away, and never the nearer one.");
+  expect_near("gap beyond an upper limit, without a lower one", "Eq. (13.10)", high.gap, -2, roundings(16, 7),
+              {}, "A limit that is infinite is infinitely far away, and never the nearer one.");
+}
+
+// A wheel that turns towards its limit, by hand: one row, solved exactly in every step.
+EXERCISE_TEST(LimitConstraint, StopsAWheelWhereItShould) {
+  const double I = 2, limit = 0.237;
+  const Spook spook = spook_parameters(limit_step, 1e9, 3);
+  double angle = 0, omega = 1.3, farthest = 0, given = 0;
+  for (int n = 1; n <= 60; ++n) {
+    const Coordinate free{
+        .i = 0, .j = 1, .Gi = Twist<6>::Zero(), .Gj = velocity_of(Vec3::Zero(), Vec3::UnitZ()), .value = angle};
+    const Constraint<6> row = limit_constraint(free, {.upper = limit}, spook, limit_step);
+    const double G = row.Gj[5];
+    const double B = -row.spook.a * row.gap - row.spook.b * G * omega;
+    const double lambda = std::clamp(B / (G * G / I + row.spook.Sigma), row.lo, row.hi);
+    omega += G * lambda / I;
+    angle += limit_step * omega;
+    given -= G * lambda;
+    farthest = std::max(farthest, angle);
+    if (n * limit_step * 1.3 < limit - limit_step * 1.3)
+      expect_near("angle on the way, after " + show(n * limit_step) + " s [rad]", "Eq. (13.11)", angle,
+                  n * limit_step * 1.3, roundings(64), {},
+                  "Nothing slows it before the step in which it arrives.");
+    if (::testing::Test::HasFailure()) return;
+  }
+  expect_near("the farthest that it came [rad]", "Eq. (13.11)", farthest, limit,
+              {1e-6, "h Σ I ω is below 1e-6"}, {},
+              "What arrives within a step is stopped at the limit, not beyond.");
+  expect_near("angle at the end [rad]", "Eq. (13.11)", angle, limit, {1e-6, "h Σ I ω is below 1e-6"}, {},
+              "It stays there: a limit does not throw it back.");
+  expect_near("impulse that the limit has given [N m s]", "Eq. (13.10)", given, I * 1.3,
+              {1e-4, "Σ of 1e-5 of it"}, {}, "It took all of I ω.");
+}
+
+}  // namespace

@@ -1,0 +1,133 @@
+// The row of a motor: what it asks for, what it can, and what it does not look at.
+#include "exercise_test.hpp"
+#include "frames.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(MotorRow, "13.5 motor_row");
+
+constexpr double motor_step = 0.02;
+
+struct Driven {
+  Random random;
+  Motion<6> motion;
+  Coordinate free{.i = 0,
+                  .j = 1,
+                  .Gi = velocity_of(random.vector(), random.vector()),
+                  .Gj = velocity_of(random.vector(), random.vector()),
+                  .value = 100};
+  Motor motor{.speed = 1.7, .strength = 3, .viscosity = 40};
+
+  Driven() {
+    for (int body = 0; body < 2; ++body) {
+      const Mat3 A = Mat3::Random();
+      motion.inverse_mass.push_back({.linear = 0.3 + body, .angular = A * A.transpose() + Mat3::Identity()});
+      motion.W.push_back(velocity_of(random.vector(), random.vector()));
+      motion.Wf.push_back(velocity_of(random.vector(), random.vector()));
+    }
+  }
+  Row<6> row() const { return motor_row(free, motor, motor_step, motion); }
+  double along(const std::vector<Twist<6>>& of) const { return rate_by(free, of[0], of[1]); }
+};
+
+EXERCISE_TEST(MotorRow, AsksForTheSpeedThatIsLacking) {
+  const Driven t;
+  const double GW = t.along(t.motion.W), GWf = t.along(t.motion.Wf), w = t.motor.speed;
+  expect_near(
+      "B, what the motor asks for [rad/s]", "Eq. (13.13)", t.row().B, w - GW - GWf, roundings(64, 10),
+      {{-GW - GWf, "The wanted speed is missing: it only brakes."},
+       {w - GW, "What forces add in this step, G W_f, is missing: a load would slow it a little, always."},
+       {w, "The speed that it has already is missing."},
+       {w + GW + GWf, "The sign: what it has already is taken from what is wanted."},
+       {-w - GW - GWf, "The sign of the wanted speed."},
+       {motor_step * w - GW - GWf, "This is the angle of a step, h w. The row is about a speed."},
+       {w - GW - GWf - t.free.value / motor_step,
+        "The angle is corrected, too. A motor has none that it wants: a = 0."}},
+      "B = w - G W - G W_f.");
+}
+
+EXERCISE_TEST(MotorRow, DoesNotLookAtTheAngle) {
+  Driven t;
+  const double before = t.row().B;
+  t.free.value = -3;
+  expect_near("B at another angle [rad/s]", "Eq. (13.12)", t.row().B, before, {0, "the same"}, {},
+              "A motor wants a speed, and has no angle to come back to: a = 0.");
+}
+
+EXERCISE_TEST(MotorRow, IsAsStrongAsItIs) {
+  Driven t;
+  const Row<6> row = t.row();
+  const double most = motor_step * t.motor.strength;
+  expect_true("a motor of 3 N m has bounds; here hi = " + show(row.hi), "Eq. (13.13)", std::isfinite(row.hi),
+              "The motor has no bound: it would be at speed in one step.");
+  expect_near("largest impulse of a motor of 3 N m in 0.02 s [N m s]", "Eq. (13.13)", row.hi, most,
+              roundings(4), {{t.motor.strength, "This is the torque. λ is an impulse: in a step it is h T."}},
+              "|λ| <= h T.");
+  expect_near("smallest impulse [N m s]", "Eq. (13.13)", row.lo, -most, roundings(4),
+              {{0, "It can not brake: a motor pushes both ways."}}, "-h T <= λ.");
+  t.motor.strength = infinity;
+  expect_true("a motor of any strength has no bounds; here hi = " + show(t.row().hi), "Eq. (13.13)",
+              t.row().hi == infinity && t.row().lo == -infinity, "h ∞ is ∞.");
+}
+
+EXERCISE_TEST(MotorRow, LagsByItsTorqueOverItsViscosity) {
+  const Driven t;
+  expect_near("Σ of a motor of viscosity 40", "Eq. (13.12)", t.row().Sigma, 1 / (motor_step * 40),
+              roundings(8, 2),
+              {{0, "Σ is missing: what is left of SPOOK's numbers is 1/(h c)."},
+               {motor_step / 40, "This is h/c. Put a steady speed into S λ = B: Σ λ is the lack, and λ = h T."},
+               {1.0 / 40, "The h is missing: λ is an impulse."}},
+              "Σ = 1/(h c).");
+}
+
+EXERCISE_TEST(MotorRow, IsARowOfTheCoordinate) {
+  const Driven t;
+  const Row<6> row = t.row();
+  expect_near_vector("Gi of the motor's row", "Eq. (13.13)", row.Gi, t.free.Gi, {0, "a copy"}, {}, "Copy Gi.");
+  expect_near_vector("Gj of the motor's row", "Eq. (13.13)", row.Gj, t.free.Gj, {0, "a copy"}, {}, "Copy Gj.");
+  const double S = t.free.Gi.dot(t.motion.inverse_mass[0].times(t.free.Gi)) +
+                   t.free.Gj.dot(t.motion.inverse_mass[1].times(t.free.Gj)) + row.Sigma;
+  expect_near("diagonal of the motor's row", "Eq. (4.3)", row.diagonal, S, roundings(64, S), {},
+              "make_row of chapter 04 fills it in.");
+  expect_near("λ to begin with", "Eq. (4.1)", row.lambda, 0, {0, "exact"});
+  expect_true("the row is between bodies 0 and 1", "Eq. (13.13)", row.i == 0 && row.j == 1, "Copy them.");
+}
+
+EXERCISE_TEST(MotorRow, RejectsMotorsThatMakeNoSense) {
+  const Driven t;
+  const auto with = [&](const Motor& motor, double step = motor_step) {
+    motor_row(t.free, motor, step, t.motion);
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double bad : {infinity, nan})
+    expect_rejects("a speed of " + show(bad), "speed", [&] { with({.speed = bad}); });
+  for (const double bad : {-1.0, nan})
+    expect_rejects("a strength of " + show(bad), "strength", [&] { with({.strength = bad}); });
+  for (const double bad : {0.0, -1.0, nan})
+    expect_rejects("a viscosity of " + show(bad), "viscosity", [&] { with({.viscosity = bad}); });
+  for (const double bad : {0.0, -0.1, nan})
+    expect_rejects("a step of " + show(bad), "h", [&] { with({}, bad); });
+  with({.speed = 1, .strength = 0, .viscosity = infinity});  // all of this makes sense
+}
+
+// By hand: one row, solved exactly in every step.
+EXERCISE_TEST(MotorRow, BringsAFlywheelToSpeed) {
+  const double I = 2, T = 0.7, w = 3.1;
+  Motion<6> motion{.inverse_mass = {{}, {.linear = 1, .angular = Mat3::Identity() / I}},
+                   .W = {Twist<6>::Zero(), Twist<6>::Zero()},
+                   .Wf = {Twist<6>::Zero(), Twist<6>::Zero()}};
+  const Twist<6> G = velocity_of(Vec3::Zero(), Vec3::UnitZ());
+  const Coordinate free{.i = 0, .j = 1, .Gi = -G, .Gj = G, .value = 0};
+  for (int n = 1; n <= 700 && !::testing::Test::HasFailure(); ++n) {
+    const Row<6> row = motor_row(free, {.speed = w, .strength = T}, motor_step, motion);
+    motion.W[1] += std::clamp(row.B / row.diagonal, row.lo, row.hi) * row.MinvGj;
+    expect_near("speed of a flywheel after " + std::to_string(n) + " steps [rad/s]", "Eq. (13.14)",
+                motion.W[1][5], std::min(n * motor_step * T / I, w), {1e-9, "roundings, and 1/(h c) of 1e-11"},
+                {}, "It gains h T/I a step, until it has the speed that is wanted, and keeps it.");
+  }
+}
+
+}  // namespace

@@ -1,0 +1,121 @@
+// How far one body has slid along another: the value, its row, and the term that the notes leave out.
+#include "exercise_test.hpp"
+#include "frames.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(ShiftAlong, "13.2 shift_along");
+
+EXERCISE_TEST(ShiftAlong, MeasuresAlongAnAxisOfI) {
+  const RandomFrames t;
+  for (int axis = 0; axis < 3 && !::testing::Test::HasFailure(); ++axis) {
+    const Vec3 n = t.i.axes * Vec3::Unit(axis);
+    const double shift = n.dot(t.apart), centres = n.dot(t.j.at.x - t.i.at.x);
+    expect_near(
+        "shift along axis " + std::to_string(axis) + " [m]", "Eq. (13.5)", shift_along(t.i, t.j, axis).value,
+        shift, roundings(64, t.size()),
+        {{-shift, "The sign: d goes from i's point to j's."},
+         {t.apart.norm(), "This is the distance. The shift is its part along n."},
+         {t.apart[axis], "This is along an axis of the world. n is an axis of the joint, and turns with i."},
+         {(t.j.axes * Vec3::Unit(axis)).dot(t.apart), "This is along j's axis. n is fixed to i."},
+         {centres, "This is from centre to centre. The points are beside them, at x + r."},
+         {(t.i.axes.conjugate() * Vec3::Unit(axis)).dot(t.apart),
+          "The turn goes the wrong way: n is P_i e, not P_i* e."}},
+        "g = n·d with n = P_i e and d = p_j - p_i.");
+  }
+}
+
+EXERCISE_TEST(ShiftAlong, HasFourBlocks) {
+  const RandomFrames t;
+  for (int axis = 0; axis < 3 && !::testing::Test::HasFailure(); ++axis) {
+    const Coordinate c = shift_along(t.i, t.j, axis);
+    const Vec3 n = t.i.axes * Vec3::Unit(axis), r_i = t.i.at.r, r_j = t.j.at.r;
+    expect_near_vector(
+        "Gj along axis " + std::to_string(axis), "Eq. (13.6)", c.Gj, velocity_of(n, r_j.cross(n)),
+        roundings(32, 2),
+        {{velocity_of(-n, -r_j.cross(n)), "The sign: the shift is of j, so j comes with a plus."},
+         {velocity_of(n, Vec3::Zero()), "The angular block is missing: its point turns with j."},
+         {velocity_of(n, -r_j.cross(n)), "The sign of the angular block: it is r_j × n."},
+         {velocity_of(n, (r_j - t.apart).cross(n)),
+          "d belongs to i: its axis turns with it. j's lever arm is r_j."}},
+        "Gj = (n, r_j × n).");
+    const Vec3 short_arm = -r_i.cross(n), full = -(r_i + t.apart).cross(n);
+    expect_near_vector(
+        "Gi along axis " + std::to_string(axis), "Eq. (13.6)", c.Gi, velocity_of(-n, full), roundings(32, 4),
+        {{velocity_of(-n, short_arm),
+          "The second term is missing: n turns with i, and d, along which it is measured, is not small."},
+         {velocity_of(-n, -(r_i - t.apart).cross(n)), "The sign of the second term: the arm is r_i + d."},
+         {velocity_of(n, -full), "i is pushed the other way: both parts of Gi have a minus."},
+         {velocity_of(-n, -full), "The sign of the angular block: both parts of Gi have a minus."}},
+        "Gi = (-n, -(r_i + d) × n).");
+  }
+}
+
+EXERCISE_TEST(ShiftAlong, TimesVelocityIsItsRate) {
+  RandomFrames t;
+  for (int trial = 0; trial < 12 && !::testing::Test::HasFailure(); ++trial) {
+    const int axis = trial % 3;
+    const Twist<6> Wi = velocity_of(t.random.vector(), t.random.vector()),
+                   Wj = velocity_of(t.random.vector(), t.random.vector());
+    const auto value = [axis](const JointFrame& i, const JointFrame& j) {
+      return shift_along(i, j, axis).value;
+    };
+    const double rate = rate_of(value, t, Wi, Wj);
+    const Vec3 n = t.i.axes * Vec3::Unit(axis), omega = Wi.tail<3>();
+    expect_near("G W, against the shift of two moving, turning bodies, differentiated numerically [m/s]",
+                "Eq. (13.6)", rate_by(shift_along(t.i, t.j, axis), Wi, Wj), rate, of_differences,
+                {{rate - t.apart.dot(omega.cross(n)),
+                  "What is missing is d·(ω_i × n): the second term of (22) in the notes."}},
+                "The points move as v + ω × r, and n as ω_i × n.");
+  }
+}
+
+EXERCISE_TEST(ShiftAlong, TakesNoMomentum) {
+  const RandomFrames t;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Coordinate c = shift_along(t.i, t.j, axis);
+    const Vec3 n = t.i.axes * Vec3::Unit(axis);
+    expect_near_vector("sum of the linear blocks", "Eq. (13.6)", Vec3(c.Gi.head<3>() + c.Gj.head<3>()),
+                       Vec3::Zero(), roundings(4), {}, "Action equals reaction: n on j, -n on i.");
+    const Vec3 torque =
+        t.i.at.x.cross(c.Gi.head<3>()) + c.Gi.tail<3>() + t.j.at.x.cross(c.Gj.head<3>()) + c.Gj.tail<3>();
+    expect_near_vector(
+        "angular momentum about the origin that an impulse of 1 N s adds [kg m²/s]", "Eq. (13.7)", torque,
+        Vec3::Zero(), roundings(64, t.size()),
+        {{Vec3(t.apart.cross(n)),
+          "The pair turns by d × n: i is pushed at its own point, not where j is. The second term does "
+          "that."}},
+        "Both arms end at j's point, so that push and push back are on one line.");
+    expect_between("a shift", c, t);
+  }
+}
+
+// A bead on a rod that turns freely about z, by hand: the rod's row across, solved exactly in every step.
+EXERCISE_TEST(ShiftAlong, KeepsTheAngularMomentumOfABeadOnARod) {
+  const double I = 1, m = 0.5, h = 1e-3;
+  double angle = 0, omega = 2;
+  Vec3 x(0.2, 0, 0), v(0, 0.4, 0);
+  const double L = I * omega + m * 0.2 * 0.4;
+  for (int n = 0; n < 500; ++n) {
+    const JointFrame rod{{.body = 0, .x = Vec3::Zero()}, turn_about(Vec3::UnitZ(), angle)};
+    const JointFrame bead{{.body = 1, .x = x}, Quat::Identity()};
+    const Coordinate c = shift_along(rod, bead, 1);
+    const double arm = c.Gi[5];
+    const Vec3 along = c.Gj.head<3>();
+    const double S = arm * arm / I + along.squaredNorm() / m;
+    const double lambda = -(c.value / h + arm * omega + along.dot(v)) / S;
+    omega += arm * lambda / I;
+    v += along * lambda / m;
+    angle += h * omega;
+    x += h * v;
+  }
+  const double kept = I * omega + m * x.cross(v).z();
+  expect_near("angular momentum of rod and bead after half a second [kg m²/s]", "Eq. (13.7)", kept, L,
+              {500 * 16 * 2.3e-16 * 10 * L, "some roundings a step"}, {},
+              "The rod must be pushed back where the bead is, not at its own point: by the arm r_i + d.");
+}
+
+}  // namespace

@@ -1,0 +1,119 @@
+// How two frames are turned from each other: three numbers, their rows, and what they leave to a hinge.
+#include "exercise_test.hpp"
+#include "frames.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(TurnedApart, "13.1 turned_apart");
+
+Vec3 values_of(const std::array<Coordinate, 3>& apart) {
+  return {apart[0].value, apart[1].value, apart[2].value};
+}
+
+EXERCISE_TEST(TurnedApart, IsZeroWhereBothAreTurnedAlike) {
+  RandomFrames t;
+  t.j.axes = t.i.axes;
+  const auto apart = turned_apart(t.i, t.j);
+  expect_near_vector("how far apart two frames are turned that are turned alike [rad]", "Eq. (13.3)",
+                     values_of(apart), Vec3::Zero(), roundings(16), {},
+                     "Q of (13.1) is (1, 0, 0, 0) here, wherever the two frames point.");
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 axis = t.i.axes * Vec3::Unit(k), got = apart[static_cast<std::size_t>(k)].Gj.tail<3>();
+    expect_near_vector(
+        "angular block Gj of axis " + std::to_string(k + 1) + ", turned alike", "Eq. (13.4)", got, axis,
+        roundings(16),
+        {{-axis, "The sign: j comes with a plus, i with a minus."},
+         {axis / 2, "This is a half of it: g is 2v, and half of the 2 is in the quaternion's rate."},
+         {2 * axis, "This is twice as much. The ½ of dQ/dt = ½ u Q is missing."},
+         {Vec3::Unit(k),
+          "This is the axis in the joint's own coordinates. Rows are in the world's: turn it by P_i."}},
+        "With w = 1 and v = 0 a_k is the k-th axis of i's frame, in the world.");
+  }
+}
+
+EXERCISE_TEST(TurnedApart, IsTheAngleOfASmallTurn) {
+  RandomFrames t;
+  const double angle = 1e-3;
+  for (int k = 0; k < 3 && !::testing::Test::HasFailure(); ++k) {
+    const Vec3 e = Vec3::Unit(k);
+    t.j.axes = t.i.axes * turn_about(e, angle);
+    const Vec3 expected = 2 * std::sin(angle / 2) * e;
+    expect_near_vector(
+        "how far j is turned by 0.001 rad about axis " + std::to_string(k + 1) + " [rad]", "Eq. (13.1), (13.3)",
+        values_of(turned_apart(t.i, t.j)), expected, roundings(32),
+        {{expected / 2, "This is v, half of it: v has the sine of half the angle. The gap is 2v."},
+         {-expected, "The sign: this is how i is turned as j sees it. Q is P_i* P_j."},
+         {2 * t.i.axes.toRotationMatrix() * (std::sin(angle / 2) * e),
+          "This is in world coordinates, by P_j P_i*. The joint's axes turn with i: Q is P_i* P_j."}},
+        "The part v of Q = P_i* P_j is (half the angle) times the axis, and g is 2v.");
+  }
+}
+
+EXERCISE_TEST(TurnedApart, TimesVelocityIsTheirRate) {
+  RandomFrames t;  // turned far apart
+  const auto apart = turned_apart(t.i, t.j);
+  for (int trial = 0; trial < 10 && !::testing::Test::HasFailure(); ++trial) {
+    const Twist<6> Wi = velocity_of(t.random.vector(), t.random.vector()),
+                   Wj = velocity_of(t.random.vector(), t.random.vector());
+    const Vec3 u = t.i.axes.conjugate() * Vec3(Wj.tail<3>() - Wi.tail<3>());
+    const Quat Q = t.i.axes.conjugate() * t.j.axes;
+    Vec3 got, rate;
+    for (int k = 0; k < 3; ++k) {
+      const auto value = [k](const JointFrame& i, const JointFrame& j) {
+        return turned_apart(i, j)[static_cast<std::size_t>(k)].value;
+      };
+      got[k] = rate_by(apart[static_cast<std::size_t>(k)], Wi, Wj);
+      rate[k] = rate_of(value, t, Wi, Wj);
+    }
+    expect_near_vector(
+        "G W, against the values of two bodies that turn, differentiated numerically [rad/s]",
+        "Eq. (13.2), (13.4)", got, rate, of_differences,
+        {{u, "This is u alone, right only where the two are turned alike. (13.4) has w and v in it."},
+         {Vec3(Q.w() * u), "The part v × e_k is missing from a_k."},
+         {Vec3(Q.w() * u - u.cross(Q.vec())), "The sign of the cross product: e_k·(u × v) is u·(v × e_k)."},
+         {Vec3(u + u.cross(Q.vec())), "The w is missing from a_k."},
+         {Vec3(-rate), "The sign: j comes with a plus, i with a minus."},
+         {Vec3(rate / 2), "This is the rate of v. The gap is 2v."},
+         {Vec3(2 * rate), "The ½ of dQ/dt = ½ u Q is missing."}},
+        "The rate of 2v is w u + u × v, with u = P_i* (ω_j - ω_i).");
+  }
+}
+
+EXERCISE_TEST(TurnedApart, IsATorqueAndNoForce) {
+  const RandomFrames t;
+  for (const Coordinate& c : turned_apart(t.i, t.j)) {
+    expect_pure_torque("a row of what turns", "Eq. (13.4)", c);
+    expect_between("a row of what turns", c, t);
+  }
+}
+
+EXERCISE_TEST(TurnedApart, LeavesAHingeItsAngle) {
+  // About the third axis by any angle: the first two stay zero, and their rows have nothing along it.
+  RandomFrames t;
+  const Vec3 axis = t.i.axes * Vec3::UnitZ();
+  for (const double angle : {0.3, -1.2, 2.9, 3.5, -6.0}) {
+    t.close_hinge(angle);
+    const auto apart = turned_apart(t.i, t.j);
+    for (int k = 0; k < 2; ++k) {
+      const Coordinate& c = apart[static_cast<std::size_t>(k)];
+      const std::string of = " of a hinge at " + show(angle) + " rad, across its axis";
+      expect_near("value" + of + " [rad]", "Eq. (13.3)", c.value, 0, roundings(32));
+      const Vec3 a = c.Gj.tail<3>(),
+                 halfway = t.i.axes * (turn_about(Vec3::UnitZ(), angle / 2) * Vec3::Unit(k));
+      expect_near("part along the axis" + of, "Eq. (13.4)", a.dot(axis), 0, roundings(32), {},
+                  "A hinge would not turn freely.");
+      expect_near_vector(
+          "angular block Gj" + of, "Eq. (13.4)", a, halfway, roundings(64),
+          {{Vec3(t.i.axes * Vec3::Unit(k)), "This is i's axis. It lies halfway between i's and j's."},
+           {Vec3(t.j.axes * Vec3::Unit(k)), "This is j's axis. It lies halfway between i's and j's."},
+           {Vec3(-halfway),
+            "The sign of w has been dropped: beyond half a turn w is negative, and so is the value."}},
+          "w e_k + v × e_k is e_k turned by half the angle of the hinge.");
+    }
+  }
+}
+
+}  // namespace
