@@ -9,9 +9,10 @@ namespace spook {
 
 static constexpr std::size_t few = 12;     // rows
 static constexpr double softness = 1e-12;  // Σ, of the diagonal
-static constexpr double many = 100;        // roundings: gaps that fall no more are as small as they get
+static constexpr double many =
+    1e4;  // roundings: gaps that fall no more are as small as a place with two ways on lets them
 
-/// The entry of S of two rows, without Σ.
+/// G_l M⁻¹ G_kᵀ: the entry of S of two rows, without Σ.
 template <int Dof>
 static double coupling(const Row<Dof>& k, const Row<Dof>& l) {
   double sum = 0;
@@ -104,10 +105,25 @@ void Held<Dof>::begin(const std::vector<Joint>& joints, const Bodies<Dof>& bodie
   report.trouble = "the rows of the joints could not be factorised";
 }
 
-/// Takes out what is lacking, as far as G stays what it is.
+/// The impulses that make up for what is lacking by the rows as they are ahead: what corrections shrink too slowly, as
+/// where rows come to say the same as others.
 template <int Dof>
-void Held<Dof>::make_up(std::vector<Row<Dof>>& rows, Motion<Dof>& motion) {
-  factors_.solve(lacking_, impulses_);
+void Held<Dof>::turn_with_the_rows(const std::vector<Joint>& joints, const std::vector<Row<Dof>>& rows) {
+  std::vector<Row<Dof>> ahead;
+  add_joint_rows(joints, 1, ahead_, ahead);
+  const auto n = static_cast<Eigen::Index>(rows.size());
+  Eigen::MatrixXd A(n, n);
+  for (Eigen::Index k = 0; k < n; ++k)
+    for (Eigen::Index l = 0; l < n; ++l)
+      A(k, l) = coupling(rows[static_cast<std::size_t>(l)], ahead[static_cast<std::size_t>(k)]);
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors;
+  factors.setThreshold(1e-10);
+  impulses_ = factors.compute(A).solve(lacking_);
+}
+
+/// Gives the rows the impulses that make up for what is lacking.
+template <int Dof>
+void Held<Dof>::apply(std::vector<Row<Dof>>& rows, Motion<Dof>& motion) const {
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const double impulse = -impulses_[static_cast<Eigen::Index>(k)];
     apply_impulse(rows[k], impulse, motion.W);
@@ -135,6 +151,7 @@ void Held<Dof>::drift(const std::vector<Joint>& joints, double h, const StopRule
                       const RotationRule<Dof>& rotation, std::vector<Row<Dof>>& rows, Bodies<Dof>& bodies,
                       SolveReport& report) {
   double last = infinity;
+  bool turned = false;
   for (int n = 0;; ++n) {
     move(bodies, h, rotation, ahead_);
     if (rows.empty()) break;
@@ -143,12 +160,19 @@ void Held<Dof>::drift(const std::vector<Joint>& joints, double h, const StopRule
     const double most = lacking_.cwiseAbs().maxCoeff();
     report.history.push_back(most);
     if (most <= std::max(roundings, stop.tolerance)) break;
-    if (n == stop.max_sweeps || !(most < last)) {
-      report.converged = report.converged && most <= many * roundings;
+    const bool shrinks = most < last / 2;
+    if (!shrinks && most <= many * roundings) break;
+    if (n == stop.max_sweeps || (turned && !(most < last))) {
+      report.converged = false;
       break;
     }
+    turned = turned || !shrinks;
     last = most;
-    make_up(rows, bodies.motion);
+    if (turned)
+      turn_with_the_rows(joints, rows);
+    else
+      factors_.solve(lacking_, impulses_);
+    apply(rows, bodies.motion);
   }
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     bodies.x[i] = ahead_.x[i];
@@ -164,7 +188,8 @@ void Held<Dof>::stop(std::vector<Row<Dof>>& rows, Bodies<Dof>& bodies) {
   for (std::size_t k = 0; k < rows.size(); ++k)
     lacking_[static_cast<Eigen::Index>(k)] =
         rows[k].Gi.dot(bodies.motion.W[rows[k].i]) + rows[k].Gj.dot(bodies.motion.W[rows[k].j]);
-  make_up(rows, bodies.motion);
+  factors_.solve(lacking_, impulses_);
+  apply(rows, bodies.motion);
 }
 
 template bool RowFactors::factorise<3>(const std::vector<Row<3>>&);

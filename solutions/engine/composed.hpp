@@ -16,7 +16,8 @@
 //
 //   λ       the gaps after the drift are a function of λ, and what each correction lacks is solved for with
 //           S = G M⁻¹ Gᵀ at the start of the part, factorised once; each leaves about the share h ω of the one before,
-//           with ω of what turns
+//           with ω of what turns. Where it does not shrink by half, as near places where a mechanism could go on in two
+//           ways, the next are with G after the drift on the left, G₁ M⁻¹ Gᵀ, which is dense and slow and seldom wanted
 //   Σ       1e-12 of the diagonal, so that rows that repeat each other share their load; it slows the corrections by no
 //           more than that, and the gaps are 0 to roundings with it or without
 #include <array>
@@ -73,7 +74,8 @@ class Held {
   void stop(std::vector<Row<Dof>>& rows, Bodies<Dof>& bodies);
 
  private:
-  void make_up(std::vector<Row<Dof>>& rows, Motion<Dof>& motion);
+  void turn_with_the_rows(const std::vector<Joint>& joints, const std::vector<Row<Dof>>& rows);
+  void apply(std::vector<Row<Dof>>& rows, Motion<Dof>& motion) const;
 
   RowFactors factors_;
   Bodies<Dof> ahead_;  // after the drift; what does not move is where it is
