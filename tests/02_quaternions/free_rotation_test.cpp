@@ -44,6 +44,22 @@ EXERCISE_TEST(FreeRotation, TurnsByOmegaTimesStep) {
       "Each axis c turns by h L_c/I_c in all. Is h in every angle, and I_c?");
 }
 
+EXERCISE_TEST(FreeRotation, DropsNoSmallTurn) {
+  // From q = 1 the turn is in the small numbers of q, which keep all their digits.
+  Random random;
+  for (const double h : {1e-9, 1e-15, 1e-30}) {
+    Top top = random_top(random);
+    top.q = Quat::Identity();
+    const Vec3 omega = top.omega;
+    top.step(h);
+    expect_near_vector<Vec3>(
+        "turn from q = 1 in a step of " + show(h) + " s, over the step [rad/s]", "Eq. (2.11)",
+        Vec3(2 * top.q.vec() / h), omega, {10 * h * omega.squaredNorm() + 1e-13, "h|ω|², and roundings"},
+        {{Vec3::Zero(), "So small a turn has been dropped. Many small steps make a large one."}});
+    if (::testing::Test::HasFailure()) return;
+  }
+}
+
 EXERCISE_TEST(FreeRotation, KeepsAngularMomentum) {
   Random random;
   const Top start = random_top(random);
