@@ -212,7 +212,7 @@ int main() {}  // comment
         cls.html = (box.root / "build/book/chapters/98_more/index.html").read_text(encoding="utf-8")
 
     def test_all_of_it(self):
-        for part in ('<span class="katex">', "6 $. Code <code>a $x$ b</code>", "<code>(1.3)</code>",
+        for part in ('<span class="katex">', "6 $. Code <code class=\"whole\">a $x$ b</code>", "<code>(1.3)</code>",
                      '<a class="eqref" data-tag="1.3" href="../01_leapfrog/index.html#eq-1.3">(1.3)</a>',
                      '<a href="../01_leapfrog/index.html">Kick</a>', '<div class="equation" id="eq-99.1">',
                      '<a class="tag" href="#eq-99.2"',
