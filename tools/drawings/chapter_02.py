@@ -132,7 +132,7 @@ def splitting() -> Drawing:
         x += wide * 1.2
     d.text((left, 200), "A turn about $e_c$ moves $L$, as the\nbody sees it, on a circle around $e_c$.", "ink", "start",
            "small")
-    d.text((left, 258), "black: the path in truth", "ink", "start", "small")
+    d.text((left, 258), "the bold line: the path in truth", "ink", "start", "small")
     d.text((left, 280), "The same way there and back: what\nthe first half leaves out, the second\nputs in again.",
            "soft", "start", "small")
     return d

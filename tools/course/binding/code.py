@@ -26,7 +26,8 @@ def highlighted(code: str, language: str) -> str:
 def code_in_text(code: str) -> str:
     """A line breaks between words only, and not within what is short: an option such as --out stays in one piece."""
     if len(code) <= 20:
-        return f'<code class="whole">{html.escape(code)}</code>'
+        whole = ' class="whole"' if " " in code or "-" in code else ""
+        return f"<code{whole}>{html.escape(code)}</code>"
     words = (html.escape(word) if "-" not in word else f'<span class="whole">{html.escape(word)}</span>'
              for word in code.split(" "))
     return f"<code>{' '.join(words)}</code>"

@@ -17,9 +17,10 @@ _RULES = tuple((re.compile(pattern), by) for pattern, by in (
     (r'(?<![^\s(\[])"', "“"),
     (r'"', "”"),
     # A minus sign, where a hyphen stands for one.
-    (r" -(?: |$)", "\u00a0−\u00a0"),
+    (r" - ", "\u00a0−\u00a0"),
+    (r" -$", "\u00a0−"),
     (r"(?<=[\s(\[=,/+±|≤≥:×·])-(?=[^\s-])", "−"),
-    (r"(?<![A-Za-z\d])([A-Za-z])-(?=\d)", r"\1−"),
+    (r"(?<![A-Za-z\d])([A-Za-z])-(?=\d)|(?<=\d)(e)-(?=\d)", r"\1\2−"),
     # Powers and indices.
     (r"\^\(([^()]*)\)|\^(\w)", r"<sup>\1\2</sup>"),
     (rf"({_LETTER})_([A-Za-z]{{1,5}}|\d{{1,2}})(?![A-Za-z_\d])", r"\1<sub>\2</sub>"),
