@@ -168,7 +168,7 @@ EXERCISE_TEST(UpdateRow, TakesAnyBoundsAndAnyStart) {
     regions.draw({{"free", old.lo < wanted && wanted < old.hi},
                   {"held at lo", wanted <= old.lo},
                   {"held at hi", wanted >= old.hi},
-                  {"held at hi = 0", old.hi == 0},
+                  {"held at hi = 0", old.hi == 0 && wanted > 0},
                   {"lo = hi", old.lo == old.hi},
                   {"λ begins below lo", old.lambda < old.lo},
                   {"λ begins above hi", old.lambda > old.hi},

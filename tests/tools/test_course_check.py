@@ -71,6 +71,17 @@ class CourseCheck(unittest.TestCase):
         self.assertNotIn("_test.cpp", said)
         self.assertIn("fails Kick.", self.check(code=1))
 
+    def test_what_explains_the_others_is_shown_first(self):
+        self.write("return const_cast<Vec3&>(v) += h * inverse_mass * f;")
+        self.assertIn("An input was changed.", self.assert_wrong("fails Kick.IsTheSameInAnyUnits"))
+
+    def test_what_lives_on_is_seen_when_a_test_is_run_alone(self):
+        self.write("static const double first = inverse_mass; return v + h * first * f;")
+        self.assertIn("Run alone, this test does not fail as it does here.",
+                      " ".join(self.assert_wrong("fails Kick.LeavesAFixedBodyAlone").split()))
+        self.write("return v + h * f;")
+        self.assertNotIn("Run alone", self.assert_wrong("fails Kick.AddsForceOverMassTimesStep"))
+
     def test_the_seed_is_handed_on(self):
         self.write(WRONG)
         self.assertIn("seed 77", self.check("1.1", "--seed", "77", code=1))

@@ -88,8 +88,8 @@ def _judge_built(exercise: Exercise, built: Built, seed: int | None) -> Verdict:
     trial = run_tests(program, f"{exercise.suite}.*", seed, exercise=exercise)
     verdict = _judge_trial(exercise, trial)
     if verdict.details and _depends_on_calls_before(program, trial, seed):
-        verdict.details += ("\n\nRun alone, this test does not fail so. Something lives on from one call to the next: a "
-                            "static\nor a global variable? Or does one never get a value?")
+        verdict.details = ("Run alone, this test does not fail as it does here. So something lives on from one call to the "
+                           "next: a static or a global variable? Or does one never get a value?\n\n" + verdict.details)
     verdict.warnings = diagnostics.warnings(built.output, exercise)
     return verdict
 
