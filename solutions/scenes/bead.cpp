@@ -108,7 +108,7 @@ SceneDescription bead() {
            k,
            d},
       .h = 0.001,
-      .time = 1,
+      .time = 0.6,
       .solves = true,
       .build = build_as<Bead>,
       .solver = "direct"};
