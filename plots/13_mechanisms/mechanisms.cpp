@@ -64,7 +64,7 @@ Experiment experiment(Size size) {
                             return momentum(which, h, static_cast<int>(std::lround(0.01 / h)));
                           }});
   const std::vector<double> steps =
-      size == Size::quick ? std::vector<double>{500, 1000} : std::vector<double>{125, 250, 500, 1000, 2000};
+      size == Size::quick ? std::vector<double>{500, 1000} : std::vector<double>{125, 250, 500, 1000};
   for (const std::string& name : scenes_of_order_two)
     for (const double a_second : steps)
       e.points.push_back({name + " " + std::to_string(a_second), [=]() -> std::vector<Row> {
@@ -80,8 +80,8 @@ Experiment experiment(Size size) {
     const double predicted = (inertia + mass * r * r) / (inertia + mass * r0 * r0);
     claims.near("without it the rod turns on as fast as before: after 0.6 s there is 1.99 ± 0.01 times as much",
                 at_end("without", 1e-4), predicted, 0.005);
-    claims.near("a tenth of the step changes that by less than 1 per cent",
-                at_end("without", 1e-3) / at_end("without", 1e-4), 1, 0.01);
+    claims.near("a tenth of the step changes that by less than 3 per cent",
+                at_end("without", 1e-3) / at_end("without", 1e-4), 1, 0.03);
     for (const std::string& name : scenes_of_order_two) {
       const Table some = table.where("what", name);
       claims.near("the error of " + name + " falls with h²: slope 2.0 ± 0.1",

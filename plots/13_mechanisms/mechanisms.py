@@ -29,7 +29,7 @@ def draw(data, mine):
             own = mine.table.only("what", name)
             errors.plot(own["h [s]"], own["value"], **figures.MINE)
     errors.set(title="Errors fall with h²", xlabel="h [s]", ylabel="largest error", xscale="log", yscale="log")
-    errors.legend(loc="lower right", fontsize=8)
+    errors.legend(loc="upper left", fontsize=8)
     for axes in (momentum, errors):
         figures.tidy(axes)
     return figure

@@ -9,8 +9,8 @@ namespace spook {
 
 static constexpr std::size_t few = 12;     // rows
 static constexpr double softness = 1e-12;  // Σ, of the diagonal
-static constexpr double many =
-    1e4;  // roundings: gaps that fall no more are as small as a place with two ways on lets them
+// In roundings, where gaps fall no more: as small as they get, and as small as places with two ways on let them get.
+static constexpr double blurred = 100, stuck = 1e4;
 
 /// G_l M⁻¹ G_kᵀ: the entry of S of two rows, without Σ.
 template <int Dof>
@@ -116,9 +116,7 @@ void Held<Dof>::turn_with_the_rows(const std::vector<Joint>& joints, const std::
   for (Eigen::Index k = 0; k < n; ++k)
     for (Eigen::Index l = 0; l < n; ++l)
       A(k, l) = coupling(rows[static_cast<std::size_t>(l)], ahead[static_cast<std::size_t>(k)]);
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors;
-  factors.setThreshold(1e-10);
-  impulses_ = factors.compute(A).solve(lacking_);
+  impulses_ = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(A).solve(lacking_);
 }
 
 /// Gives the rows the impulses that make up for what is lacking.
@@ -161,7 +159,7 @@ void Held<Dof>::drift(const std::vector<Joint>& joints, double h, const StopRule
     report.history.push_back(most);
     if (most <= std::max(roundings, stop.tolerance)) break;
     const bool shrinks = most < last / 2;
-    if (!shrinks && most <= many * roundings) break;
+    if (!shrinks && most <= (turned ? stuck : blurred) * roundings) break;
     if (n == stop.max_sweeps || (turned && !(most < last))) {
       report.converged = false;
       break;

@@ -282,7 +282,7 @@ class World {
   int impacts_ = 0;
   bool half_step_back_ = false;
   std::int64_t row_updates_ = 0;
-  Held<Dof> held_;              // joints of steps that are composed
+  Kept<Held<Dof>> held_;        // joints of steps that are composed
   std::vector<Vec3> impulses_;  // of the forces, in one of them [N s]
   std::vector<Vec3> spins_;     // of the torques [N m s]
 };

@@ -12,21 +12,21 @@ void World<Dof>::step_composed(double h) {
   solved_.history.clear();
   impulses_.assign(bodies_.size(), Vec3::Zero());
   spins_.assign(settings_.wrench ? bodies_.size() : 0, Vec3::Zero());
-  held_.begin_step(bodies_);
+  Held<Dof>& held = *held_;
+  held.begin_step(bodies_);
   double before = 0, now = time_;
   for (const double share : parts_of_order_four()) {
     const double part = share * h;
     clock_.run(Stage::forces, [&] { kick_all((before + part) / 2, now); });
-    clock_.run(Stage::rows, [&] { held_.begin(joints_, bodies_, rows_, solved_); });
-    clock_.run(Stage::solve, [&] {
-      held_.drift(joints_, part, settings_.stop, settings_.rotation, rows_, bodies_, solved_);
-    });
+    clock_.run(Stage::rows, [&] { held.begin(joints_, bodies_, rows_, solved_); });
+    clock_.run(Stage::solve,
+               [&] { held.drift(joints_, part, settings_.stop, settings_.rotation, rows_, bodies_, solved_); });
     now += part;
     before = part;
   }
   clock_.run(Stage::forces, [&] { kick_all(before / 2, now); });
-  clock_.run(Stage::rows, [&] { held_.begin(joints_, bodies_, rows_, solved_); });
-  clock_.run(Stage::solve, [&] { held_.stop(rows_, bodies_); });
+  clock_.run(Stage::rows, [&] { held.begin(joints_, bodies_, rows_, solved_); });
+  clock_.run(Stage::solve, [&] { held.stop(rows_, bodies_); });
   first_contact_row_ = rows_.size();
   forces_.resize(bodies_.size());
   torques_.resize(spins_.size());

@@ -1,4 +1,5 @@
-// A bead slides out along a rod that turns freely, and slows it as an ice skater does who opens her arms.
+// A bead slides out along a rod that turns freely in the plane y = 0, and slows it as an ice skater does who opens her
+// arms. Nothing has a weight.
 //
 //   r'' = r ω²,   ω = L/(I + m r²)        L is kept; I of the rod and of the bead about itself
 //
@@ -21,15 +22,15 @@ class Bead : public WorldScene<6> {
       : WorldScene({.gravity = Vec3::Zero(), .k = p.number("k"), .d = p.number("d")}, method),
         m_(p.number("m")) {
     const double r0 = p.number("r0"), spin = p.number("spin"), radius = p.number("radius");
-    const Vec3 half(p.number("length"), rail_thickness, rail_thickness), omega(0, 0, spin);
+    const Vec3 half(p.number("length"), rail_thickness, rail_thickness), omega(0, -spin, 0);
     const Vec3 of_rod = solid_box_moments(p.number("rod"), half), of_bead = solid_sphere_moments(m_, radius);
-    inertia_ = of_rod.z() + of_bead.z();
+    inertia_ = of_rod.y() + of_bead.y();
     const int frame = world_.add_fixed(Vec3::Zero());
     const int rod = world_.add(
         {.mass = p.number("rod"), .omega = omega, .principal = of_rod, .corners = box_corners(half)});
     bead_ = world_.add(
         {.x = Vec3(r0, 0, 0), .v = omega.cross(Vec3(r0, 0, 0)), .mass = m_, .radius = radius, .omega = omega});
-    world_.add_joint({.i = frame, .j = rod, .kind = JointKind::hinge});
+    world_.add_joint({.i = frame, .j = rod, .kind = JointKind::hinge, .axis = -Vec3::UnitY()});
     world_.add_joint({.i = rod, .j = bead_, .kind = JointKind::slider, .axis = Vec3::UnitX()});
     world_.start_consistently(h_);
     momentum_ = (inertia_ + m_ * r0 * r0) * spin;
@@ -49,7 +50,7 @@ class Bead : public WorldScene<6> {
   }
   double error() const override { return largest_error_; }
   std::vector<Ghost> ghosts() const override {
-    return {{.body = bead_, .x = place(), .q = Quat(Eigen::AngleAxisd(angle_, Vec3::UnitZ()))}};
+    return {{.body = bead_, .x = place(), .q = Quat(Eigen::AngleAxisd(angle_, -Vec3::UnitY()))}};
   }
 
   std::vector<std::string> columns() const override {
@@ -57,13 +58,13 @@ class Bead : public WorldScene<6> {
   }
   std::vector<double> sample() const override {
     return {time(), world_.joint_position(1), radius_, world_.joint_speed(0),
-            angular_momentum(world_.bodies()).z()};
+            -angular_momentum(world_.bodies()).y()};
   }
 
  private:
   using State = Eigen::Vector3d;  // r, r', the angle of the rod
 
-  Vec3 place() const { return radius_ * Vec3(std::cos(angle_), std::sin(angle_), 0); }
+  Vec3 place() const { return radius_ * Vec3(std::cos(angle_), 0, std::sin(angle_)); }
 
   double m_, inertia_ = 0, momentum_ = 0;
   std::optional<ReferenceMotion<3>> answer_;
@@ -107,7 +108,7 @@ SceneDescription bead() {
            k,
            d},
       .h = 0.001,
-      .time = 1,
+      .time = 0.6,
       .solves = true,
       .build = build_as<Bead>,
       .solver = "direct"};

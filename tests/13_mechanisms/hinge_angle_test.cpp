@@ -19,12 +19,14 @@ double angle_at(double angle, double last) {
 
 EXERCISE_TEST(HingeAngle, IsHowFarJIsTurnedAsISeesIt) {
   for (const double angle : {0.0, 0.3, -0.3, 1.5, -2.0, 3.1, -3.1})
-    expect_near("angle of a hinge that is turned by " + show(angle) + " rad, last seen at 0", "Eq. (13.8)",
-                angle_at(angle, 0), angle, roundings(64),
-                {{-angle, "The sign: this is how i is turned as j sees it."},
-                 {angle / 2, "This is half of it: w and v_3 are cosine and sine of half the angle."},
-                 {2 * std::sin(angle / 2), "This is 2v_3, the chord. The angle is 2 atan2(v_3, w)."}},
-                "θ = 2 atan2(v_3, w), with Q = P_i* P_j.");
+    expect_near(
+        "angle of a hinge that is turned by " + show(angle) + " rad, last seen at 0", "Eq. (13.8)",
+        angle_at(angle, 0), angle, roundings(64),
+        {{std::abs(angle), "The sign is lost, as it is where only the cosine is asked. atan2 has both."},
+         {-angle, "The sign: this is how i is turned as j sees it."},
+         {angle / 2, "This is half of it: w and v_3 are cosine and sine of half the angle."},
+         {2 * std::sin(angle / 2), "This is 2v_3, the chord. The angle is 2 atan2(v_3, w)."}},
+        "θ = 2 atan2(v_3, w), with Q = P_i* P_j.");
 }
 
 EXERCISE_TEST(HingeAngle, GoesOnBeyondHalfATurn) {

@@ -61,7 +61,8 @@ EXERCISE_TEST(ShiftAlong, TimesVelocityIsItsRate) {
     const Twist<6> Wi = velocity_of(t.random.vector(), t.random.vector()),
                    Wj = velocity_of(t.random.vector(), t.random.vector());
     const auto value = [axis](const JointFrame& i, const JointFrame& j) {
-      return shift_along(i, j, axis).value;
+      const Vec3 d = (j.at.x + j.at.r) - (i.at.x + i.at.r);
+      return (i.axes * Vec3::Unit(axis)).dot(d);
     };
     const double rate = rate_of(value, t, Wi, Wj);
     const Vec3 n = t.i.axes * Vec3::Unit(axis), omega = Wi.tail<3>();

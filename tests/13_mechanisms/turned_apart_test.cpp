@@ -63,7 +63,7 @@ EXERCISE_TEST(TurnedApart, TimesVelocityIsTheirRate) {
     Vec3 got, rate;
     for (int k = 0; k < 3; ++k) {
       const auto value = [k](const JointFrame& i, const JointFrame& j) {
-        return turned_apart(i, j)[static_cast<std::size_t>(k)].value;
+        return 2 * (i.axes.conjugate() * j.axes).vec()[k];
       };
       got[k] = rate_by(apart[static_cast<std::size_t>(k)], Wi, Wj);
       rate[k] = rate_of(value, t, Wi, Wj);

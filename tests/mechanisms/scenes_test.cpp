@@ -52,7 +52,7 @@ TEST(Mechanisms, AndrewsSqueezerReachesThePublishedAngles) {
       0.5244099658805304, 0.5347301163226948, 1.048080741042263;
   Composed run("andrews", {}, 2e-5);
   run.error_after(0.03);
-  EXPECT_EQ(run.verdict().state, State::sound) << run.verdict().reason;
+  EXPECT_EQ(run.verdict().state, spook::State::sound) << run.verdict().reason;
   const Angles wanted = of_bodies(published);
   for (int body = 1; body <= 7; ++body) {
     const Quat right(Eigen::AngleAxisd(wanted[body - 1], Vec3::UnitZ()));
@@ -65,7 +65,7 @@ TEST(Mechanisms, AndrewsSqueezerReachesThePublishedAngles) {
 TEST(Mechanisms, BricardsKeepsItsEnergyForTenSeconds) {
   Composed run("bricard", {}, 0.01);
   EXPECT_LE(run.error_after(10), 2e-6);
-  EXPECT_EQ(run.verdict().state, State::sound) << run.verdict().reason;
+  EXPECT_EQ(run.verdict().state, spook::State::sound) << run.verdict().reason;
   EXPECT_LE(run.energy_change(), 1e-3) << "what the problem allows [J]; it is far less";
 }
 

@@ -294,7 +294,7 @@ class Page(WithModule):
     def test_the_examples_of_the_page_run(self):
         page = (ROOT / "tools" / "python" / "README.md").read_text(encoding="utf-8")
         blocks = re.findall(r"```python\n(.*?)```", page, re.DOTALL)
-        self.assertEqual(len(blocks), 2)
+        self.assertEqual(len(blocks), 3)
         with mock.patch("spook.Run.view"), contextlib.redirect_stdout(io.StringIO()) as said:
             exec("\n".join(blocks), {})
         self.assertRegex(said.getvalue(), r"(?s)^\[.* sound .*half_step")
