@@ -1,4 +1,4 @@
-"""Error against the time to simulate a second, a part for each scene: a line for each engine and each of its solvers."""
+"""Error against the time to simulate a second, a part for each scene: a line for each engine's solver and sweeps."""
 
 import math
 import sys
@@ -11,8 +11,8 @@ TITLE = "Ours beside Bullet, ODE and DART: speed against error"
 
 COLOURS = {"spook": "#0072B2", "Bullet": "#D55E00", "ODE": "#009E73", "DART": "#CC79A7"}
 # All at once, by sweeps, or what no other has: told apart without colour, too.
-SOLVERS = {"direct": "o", "stiff": "*", "auto": "o", "gauss_seidel": "s", "cone": "s", "dantzig": "o", "sequential": "s",
-           "step": "o", "quick": "s", "reduced": "D"}
+SOLVERS = {"direct": "o", "stiff": "*", "auto": "o", "gauss_seidel": "s", "cone": "s", "dantzig": "o",
+           "sequential": "s", "step": "o", "quick": "s", "reduced": "D"}
 BEST, LOST = 1e-15, 1.0  # errors are drawn between these
 
 

@@ -66,13 +66,15 @@ class Peers(unittest.TestCase):
         else:
             RELEASE.configure("-DSPOOK_PEERS=ON")
         with tempfile.TemporaryDirectory() as folder:
-            done = subprocess.run([str(program("plot_peers")), "--quick", "--out", folder], capture_output=True, text=True)
+            done = subprocess.run([str(program("plot_peers")), "--quick", "--out", folder],
+                                  capture_output=True, text=True)
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
             self.assertNotIn("FALSE", done.stdout)
             self.assertEqual(claims_not_shown(Path(folder, "claims.json"), FOLDER / "peers.cpp"), [])
             self.assertGreater(len(json.loads(Path(folder, "claims.json").read_text())), 4)
             figure = Path(folder, "peers.png")
-            subprocess.run([sys.executable, str(FOLDER / "peers.py"), "--data", folder, "--out", str(figure)], check=True)
+            subprocess.run([sys.executable, str(FOLDER / "peers.py"), "--data", folder, "--out", str(figure)],
+                           check=True)
             self.assertGreater(figure.stat().st_size, 10_000)
         missing = [need.package for need in PEER_NEEDS if not need.there()]
         if missing:
