@@ -30,7 +30,7 @@ class Recordings(unittest.TestCase):
         self.file = Path(folder.name, "run.jsonl")
 
     def run_spook(self, *arguments: str, code: int = 0) -> subprocess.CompletedProcess:
-        done = subprocess.run([SPOOK, "run", *arguments], capture_output=True, text=True, timeout=120)
+        done = subprocess.run([SPOOK, "run", *arguments], capture_output=True, text=True, timeout=600)
         self.assertEqual(done.returncode, code, done.stderr)
         return done
 
@@ -148,7 +148,7 @@ class Play(unittest.TestCase):
     def end(self, process: subprocess.Popen):
         process.stdin.close()
         try:
-            self.assertEqual(process.wait(timeout=10), 0, "the end of its input is the end of it")
+            self.assertEqual(process.wait(timeout=60), 0, "the end of its input is the end of it")
         finally:
             process.kill()
             process.stdout.close()
@@ -270,7 +270,7 @@ class Play(unittest.TestCase):
 
     def test_bad_options_are_refused_before_anything_is_written(self):
         for call in ("obrit", "orbit --h x", "orbit --csv file", "orbit --fps -3", ""):
-            done = subprocess.run([SPOOK, "play", *call.split()], capture_output=True, text=True, timeout=30,
+            done = subprocess.run([SPOOK, "play", *call.split()], capture_output=True, text=True, timeout=120,
                                   stdin=subprocess.DEVNULL)
             self.assertEqual((done.returncode, done.stdout), (2, ""), call)
             self.assertRegex(done.stderr, r"\Aspook: [^\n]+\n\Z")

@@ -16,7 +16,7 @@ SCENES = Path(__file__).resolve().parents[2] / "solutions" / "scenes"
 
 
 def spook(*arguments):
-    return subprocess.run([SPOOK, *arguments], capture_output=True, text=True, timeout=120)
+    return subprocess.run([SPOOK, *arguments], capture_output=True, text=True, timeout=600)
 
 
 class Refusals(unittest.TestCase):
