@@ -2,10 +2,12 @@
 
 import math
 import sys
+import textwrap
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
 import figures  # noqa: E402
+from matplotlib.ticker import NullFormatter  # noqa: E402
 
 TITLE = "Ours beside Bullet, ODE and DART: speed against error"
 
@@ -30,12 +32,14 @@ def draw(data, mine):
         axes.axhline(LOST, color=figures.INK, linewidth=0.8)
         axes.set(xscale="log", yscale="log")
         axes.set_title(f"{scene}\n{_at_equal_error(some)}", fontsize=8.5)
-        axes.set_ylabel(some["error is"][0], fontsize=7.5)
+        axes.set_ylabel(textwrap.fill(some["error is"][0], 30), fontsize=7.5)
+        axes.xaxis.set_minor_formatter(NullFormatter())
+        axes.tick_params(labelsize=8)
         figures.tidy(axes)
     for axes in parts[len(scenes):]:
         axes.axis("off")
     for axes in parts[max(0, len(scenes) - columns):len(scenes)]:
-        axes.set_xlabel("time for a simulated second [µs]")
+        axes.set_xlabel("time for a simulated second [µs]", fontsize=8.5)
     _legend(parts[-1], data.table)
     return figure
 
