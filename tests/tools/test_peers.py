@@ -1,5 +1,6 @@
 """./course plot peers: what it says without other engines, what it draws, and its claims with those that are there."""
 
+import importlib.util
 import json
 import os
 import subprocess
@@ -12,18 +13,17 @@ from unittest import mock
 ROOT = Path(os.environ.get("COURSE_SOURCE", Path(__file__).resolve().parents[2]))
 BUILD = Path(os.environ.get("COURSE_BUILD", ROOT / "build"))
 FOLDER = ROOT / "plots" / "peers"
-sys.path[:0] = [str(ROOT / "tools" / "course"), str(ROOT / "tests" / "tools"), str(FOLDER)]
+sys.path[:0] = [str(ROOT / "tools" / "course"), str(ROOT / "tests" / "tools")]
 
-import peers as drawing  # noqa: E402
-
-sys.modules.pop("peers")
-sys.path.remove(str(FOLDER))
 import peers  # noqa: E402
 from engine import RELEASE, program  # noqa: E402
 from errors import CourseError  # noqa: E402
 from needs import Need, PEER_NEEDS  # noqa: E402
 from try_experiment import claims_not_shown  # noqa: E402
 
+_spec = importlib.util.spec_from_file_location("drawing", FOLDER / "peers.py")
+drawing = importlib.util.module_from_spec(_spec)
+_spec.loader.exec_module(drawing)
 NOWHERE = tuple(Need(need.package, "header", "there/is/none.h") for need in PEER_NEEDS)
 
 
