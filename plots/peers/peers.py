@@ -1,18 +1,21 @@
-"""Error against the time to simulate a second, a part for each scene: a line for each engine and each of its solvers."""
+"""Error against the time to simulate a second, a part for each scene: a line for each engine's solver and sweeps."""
 
 import math
 import sys
+import textwrap
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
 import figures  # noqa: E402
+from matplotlib.ticker import NullFormatter  # noqa: E402
 
 TITLE = "Ours beside Bullet, ODE and DART: speed against error"
 
 COLOURS = {"spook": "#0072B2", "Bullet": "#D55E00", "ODE": "#009E73", "DART": "#CC79A7"}
+LINES = {"spook": "-", "Bullet": "--", "ODE": "-.", "DART": ":"}
 # All at once, by sweeps, or what no other has: told apart without colour, too.
-SOLVERS = {"direct": "o", "stiff": "*", "auto": "o", "gauss_seidel": "s", "cone": "s", "dantzig": "o", "sequential": "s",
-           "step": "o", "quick": "s", "reduced": "D"}
+SOLVERS = {"direct": "o", "stiff": "*", "auto": "o", "gauss_seidel": "s", "cone": "s", "dantzig": "o",
+           "sequential": "s", "step": "o", "quick": "s", "reduced": "D"}
 BEST, LOST = 1e-15, 1.0  # errors are drawn between these
 
 
@@ -29,13 +32,15 @@ def draw(data, mine):
                 _draw_line(axes, some.only("engine", engine).only("solver", solver), engine, solver)
         axes.axhline(LOST, color=figures.INK, linewidth=0.8)
         axes.set(xscale="log", yscale="log")
-        axes.set_title(f"{scene}\n{_at_equal_error(some)}", fontsize=8.5)
-        axes.set_ylabel(some["error is"][0], fontsize=7.5)
+        axes.set_title(f"{scene}\n{_at_equal_error(some)}", fontsize=7.2)
+        axes.set_ylabel(textwrap.fill(some["error is"][0], 30), fontsize=7.5)
+        axes.xaxis.set_minor_formatter(NullFormatter())
+        axes.tick_params(labelsize=8)
         figures.tidy(axes)
     for axes in parts[len(scenes):]:
         axes.axis("off")
     for axes in parts[max(0, len(scenes) - columns):len(scenes)]:
-        axes.set_xlabel("time for a simulated second [µs]")
+        axes.set_xlabel("time for a simulated second [µs]", fontsize=8.5)
     _legend(parts[-1], data.table)
     return figure
 
@@ -46,10 +51,14 @@ def _draw_line(axes, some, engine, solver):
     for sweeps in sorted({point[0] for point in points}):
         kept = [(time, max(error, BEST)) for count, time, error in points if count == sweeps and error < LOST]
         if kept:
-            axes.plot(*zip(*kept), color=COLOURS[engine], marker=SOLVERS[solver], markersize=4.5, linewidth=1)
+            axes.plot(*zip(*kept), **_style(engine, solver))
     lost = [time for _, time, error in points if not error < LOST and time > 0]
-    axes.plot(lost, [LOST] * len(lost), color=COLOURS[engine], marker=SOLVERS[solver], markersize=4.5, linestyle="none",
-              fillstyle="none")
+    axes.plot(lost, [LOST] * len(lost), **_style(engine, solver) | {"linestyle": "none", "fillstyle": "none"})
+
+
+def _style(engine, solver) -> dict:
+    return {"color": COLOURS[engine], "linestyle": LINES[engine], "marker": SOLVERS[solver], "markersize": 4.5,
+            "linewidth": 1}
 
 
 def _at_equal_error(some) -> str:
@@ -69,7 +78,7 @@ def _at_equal_error(some) -> str:
         else:
             missed = True
     said = f"spook / fastest other: {_range(ratios)}" if ratios else ""
-    return said + (", and not so right" if missed and ratios else "spook is not so right" if missed else "")
+    return said + (", not so right" if missed and ratios else "spook is not so right" if missed else "")
 
 
 def _range(ratios) -> str:
@@ -79,8 +88,7 @@ def _range(ratios) -> str:
 
 def _legend(axes, table):
     for engine, solver in dict.fromkeys(zip(table["engine"], table["solver"])):
-        axes.plot([], [], color=COLOURS[engine], marker=SOLVERS[solver], markersize=4.5, linewidth=1,
-                  label=f"{engine} {solver}")
+        axes.plot([], [], label=f"{engine} {solver}", **_style(engine, solver))
     axes.plot([], [], color=figures.INK, marker="o", linestyle="none", fillstyle="none", label="hollow: lost")
     axes.legend(loc="center", fontsize=8)
 

@@ -1,5 +1,6 @@
 """./course plot peers: what it says without other engines, what it draws, and its claims with those that are there."""
 
+import importlib.util
 import json
 import os
 import subprocess
@@ -12,18 +13,17 @@ from unittest import mock
 ROOT = Path(os.environ.get("COURSE_SOURCE", Path(__file__).resolve().parents[2]))
 BUILD = Path(os.environ.get("COURSE_BUILD", ROOT / "build"))
 FOLDER = ROOT / "plots" / "peers"
-sys.path[:0] = [str(ROOT / "tools" / "course"), str(ROOT / "tests" / "tools"), str(FOLDER)]
+sys.path[:0] = [str(ROOT / "tools" / "course"), str(ROOT / "tests" / "tools")]
 
-import peers as drawing  # noqa: E402
-
-sys.modules.pop("peers")
-sys.path.remove(str(FOLDER))
 import peers  # noqa: E402
 from engine import RELEASE, program  # noqa: E402
 from errors import CourseError  # noqa: E402
 from needs import Need, PEER_NEEDS  # noqa: E402
 from try_experiment import claims_not_shown  # noqa: E402
 
+_spec = importlib.util.spec_from_file_location("drawing", FOLDER / "peers.py")
+drawing = importlib.util.module_from_spec(_spec)
+_spec.loader.exec_module(drawing)
 NOWHERE = tuple(Need(need.package, "header", "there/is/none.h") for need in PEER_NEEDS)
 
 
@@ -66,13 +66,15 @@ class Peers(unittest.TestCase):
         else:
             RELEASE.configure("-DSPOOK_PEERS=ON")
         with tempfile.TemporaryDirectory() as folder:
-            done = subprocess.run([str(program("plot_peers")), "--quick", "--out", folder], capture_output=True, text=True)
+            done = subprocess.run([str(program("plot_peers")), "--quick", "--out", folder],
+                                  capture_output=True, text=True)
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
             self.assertNotIn("FALSE", done.stdout)
             self.assertEqual(claims_not_shown(Path(folder, "claims.json"), FOLDER / "peers.cpp"), [])
             self.assertGreater(len(json.loads(Path(folder, "claims.json").read_text())), 4)
             figure = Path(folder, "peers.png")
-            subprocess.run([sys.executable, str(FOLDER / "peers.py"), "--data", folder, "--out", str(figure)], check=True)
+            subprocess.run([sys.executable, str(FOLDER / "peers.py"), "--data", folder, "--out", str(figure)],
+                           check=True)
             self.assertGreater(figure.stat().st_size, 10_000)
         missing = [need.package for need in PEER_NEEDS if not need.there()]
         if missing:

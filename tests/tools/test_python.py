@@ -108,6 +108,43 @@ class Worlds(WithModule):
         np.testing.assert_allclose(world.joint_torque(weld), 0, atol=1e-12)
         np.testing.assert_allclose(world.joint_force(slider), [-1 / h, -1 / h, 0], rtol=1e-3)
 
+    def test_a_force_pushes_and_a_torque_turns_until_they_are_set_anew(self):
+        world = spook.World(gravity=(0, 0, 0))
+        body = world.add(mass=2, principal=(4, 4, 4))
+        world.set_force(body, (8, 0, 0), torque=(0, 0, 2))
+        other = copy.copy(world)
+        other.set_force(body)
+        world.step(0.25, steps=4)
+        other.step(0.25, steps=4)
+        self.assertEqual((world.v[body].tolist(), world.omega[body].tolist()), ([4, 0, 0], [0, 0, 0.5]))
+        self.assertEqual((other.v[body].tolist(), other.omega[body].tolist()), ([0, 0, 0], [0, 0, 0]))
+        world.set_force(body)
+        world.step(0.25)
+        self.assertEqual(world.v[body, 0], 4)
+        points = falling(2)
+        points.set_force(1, (0, 0, 10))  # the weight of 1 kg
+        points.step(0.25, steps=8)
+        self.assertEqual(points.v[:, 2].tolist(), [-20, 0])
+
+    def test_bodies_can_be_put_elsewhere_and_what_is_left_out_stays(self):
+        world = spook.World(gravity=(0, 0, 0))
+        body = world.add(x=(1, 2, 3), v=(4, 5, 6), principal=(1, 1, 1), omega=(0, 0, 1))
+        x = world.x  # numbers change in their place
+        world.place(body, v=(0, 0, 0))
+        self.assertEqual((x[body].tolist(), world.v[body].tolist()), ([1, 2, 3], [0, 0, 0]))
+        world.place(body, x=(7, 8, 9))
+        world.turn(body, q=(0, 1, 0, 0))
+        self.assertEqual((x[body].tolist(), world.omega[body].tolist()), ([7, 8, 9], [0, 0, 1]))
+        world.turn(body, omega=(0, 2, 0))
+        self.assertEqual((world.q[body].tolist(), world.omega[body].tolist()), ([0, 1, 0, 0], [0, 2, 0]))
+
+    def test_velocities_are_there_beside_the_positions_too(self):
+        world = falling()
+        world.start_half_step_back(0.25)
+        world.step(0.25, steps=4)
+        self.assertEqual(world.v_beside_x(0, 0.25).tolist(), [0, 0, -10])
+        self.assertEqual(world.x[0, 2], -5)
+
     def test_a_copy_shares_nothing(self):
         world = falling()
         for other in (copy.copy(world), copy.deepcopy(world)):
@@ -127,6 +164,12 @@ class Worlds(WithModule):
         self.refused("steps must be at least 0, but is -1", world.step, 0.1, steps=-1)
         self.refused("k must be positive and finite, but is nan", spook.World, k=math.nan)
         self.refused('unknown solver "dirct"; did you mean "direct"?', spook.World, solver="dirct")
+        self.refused("iterations must be at least 1, but is 0", spook.World, iterations=0)
+        self.refused("force must be finite, but is nan", world.set_force, 0, (0, 0, math.nan))
+        self.refused("body must be an index below 1, but is 1", world.set_force, 1, (0, 0, 0))
+        floor = world.add_plane()
+        self.refused(f"body must be one that moves, but is {floor}", world.set_force, floor, (0, 0, 1))
+        self.refused("x must be finite, but is inf", world.place, 0, x=(0, 0, math.inf))
 
 
 def box_on_plane():

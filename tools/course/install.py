@@ -21,17 +21,17 @@ def install(needs: tuple[Need, ...], yes: bool) -> None:
         importlib.invalidate_caches()
         still = [need.package for need in lacking if not need.there()]
         if still:
-            raise CourseError(f"still missing after installing: {' '.join(still)}; try:  {_command(still)}")
+            raise CourseError(f"still missing after installing: {' '.join(still)}; try:  {apt_line(still)}")
     too_old = [said for need in needs if (said := need.too_old())]
     if too_old:
         raise CourseError("; ".join(too_old))
 
 
 def _install(packages: list[str], yes: bool) -> None:
-    instead = CourseError(f"missing: {' '.join(packages)}; install with:  {_command(packages)}")
-    if not shutil.which("apt-get") or not (is_root() or shutil.which("sudo")):
+    instead = CourseError(f"missing: {' '.join(packages)}; install with:  {apt_line(packages)}")
+    if not shutil.which("apt-get") or not (_is_root() or shutil.which("sudo")):
         raise instead
-    if not (is_root() or yes or _agreed(packages)):
+    if not (_is_root() or yes or _agreed(packages)):
         raise instead
     _apt(["update"], "updating the list of packages", instead)
     _apt(["install", "-y", "--no-install-recommends", *packages], f"installing {' '.join(packages)}", instead)
@@ -43,12 +43,12 @@ def is_offered(package: str) -> bool:
         ["apt-cache", "show", package], capture_output=True).returncode == 0
 
 
-def is_root() -> bool:
+def _is_root() -> bool:
     return os.geteuid() == 0
 
 
-def _command(packages: list[str]) -> str:
-    sudo = "" if is_root() else "sudo "
+def apt_line(packages: list[str]) -> str:
+    sudo = "" if _is_root() else "sudo "
     return (f"{sudo}apt-get update && {sudo}apt-get install -y --no-install-recommends {' '.join(packages)}")
 
 
@@ -70,7 +70,7 @@ def _apt(arguments: list[str], what: str, instead: CourseError) -> None:
     live = Live(what, delay=0)
     live.update()
     log = BUILD / f"apt-{arguments[0]}.log"
-    if not is_root():
+    if not _is_root():
         command.insert(0, "sudo")
     code, output = stream(command, lambda line: live.update(line.strip()), log)
     live.done()

@@ -4,7 +4,7 @@ import sys
 
 from engine import RELEASE
 from errors import CourseError
-from install import is_root
+from install import apt_line
 from needs import PEER_NEEDS
 from terminal import fold
 
@@ -14,11 +14,11 @@ NAME = "peers"  # the experiment, and its folder in plots/
 def require() -> None:
     """Raises CourseError, with what to install, where there is none of them; says which are missing where some are."""
     missing = [need.package for need in PEER_NEEDS if not need.there()]
-    instead = f"{'' if is_root() else 'sudo '}apt-get install --no-install-recommends {' '.join(missing)}"
     if len(missing) == len(PEER_NEEDS):
-        raise CourseError(f"{NAME} wants at least one other engine, which ./course start does not install:  {instead}")
+        raise CourseError(f"{NAME} wants another engine, one at least, and ./course start installs none:  "
+                          f"{apt_line(missing)}")
     if missing:
-        print(fold(f"Without {', '.join(missing)}:  {instead}"), file=sys.stderr)
+        print(fold(f"Without {', '.join(missing)}:  {apt_line(missing)}"), file=sys.stderr)
     # CMake looks anew for what it had not found, and forgets nothing that it had.
     found = " ".join(need.package for need in PEER_NEEDS if need.there())
     if RELEASE.setting("SPOOK_PEERS") != "ON" or RELEASE.setting("SPOOK_PEERS_FOUND") != found:

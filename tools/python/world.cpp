@@ -61,6 +61,8 @@ template <int Dof>
 PythonWorld<Dof> make(const Vec3& gravity, double k, std::optional<double> d, double friction, double viscosity,
                       std::optional<double> restitution, double threshold, const std::string& solver,
                       int iterations, double tolerance, bool warm_start, std::optional<double> margin) {
+  if (iterations < 1)
+    throw std::invalid_argument("iterations must be at least 1, but is " + std::to_string(iterations));
   Settings<Dof> settings{.gravity = gravity,
                          .k = k,
                          .d = d,

@@ -13,6 +13,8 @@
 //   piles            sweeps, warm, margin 1 mm: a direct solve of thousands of rows in a heap is for nobody
 #include "peers/engines/cases.hpp"
 
+#include <map>
+
 #include "scenes/registry.hpp"
 
 namespace spook::peers {
@@ -184,11 +186,13 @@ std::vector<Case> small_cases() {
 std::unique_ptr<Scene> our_scene(const Case& one, std::size_t set, const OurWay& way, double h, int sweeps) {
   const SceneDescription& description = find_scene(one.scene);
   Parameters parameters(description.parameters);
-  for (const auto& texts : {one.set[set], way.set})
+  std::map<std::string, std::string> values;
+  for (const auto& texts : {way.set, one.set[set]})  // the way's own come first, and stay
     for (const std::string& text : texts) {
       const std::size_t equals = text.find('=');
-      parameters.set(text.substr(0, equals), text.substr(equals + 1));
+      values.emplace(text.substr(0, equals), text.substr(equals + 1));
     }
+  for (const auto& [name, value] : values) parameters.set(name, value);
   Method method{.h = h, .solver = way.solver, .warm_start = way.warm};
   if (sweeps > 0) method.stop.max_sweeps = sweeps;
   if (way.cone) method.friction_model = FrictionModel::cone;

@@ -29,8 +29,10 @@ const std::map<std::string, Maker>& makers() {
   return known;
 }
 
-constexpr double long_run = 1,
-                 very_long_run = 5;  // [s]; the first has one more round than the look at it, the other none
+/// How often a run is timed, beside the look at it, which took so long [s]: where that is long it counts itself.
+int rounds_of(double seconds, int wanted) {
+  return seconds > 5 ? 0 : seconds > 1 ? 1 : wanted;
+}
 
 /// Processor time of all threads of this program [s].
 double processor_time() {
@@ -43,6 +45,7 @@ struct Runner {
   Way way;
   std::function<std::unique_ptr<Engine>(std::size_t set)> make;
   double error = 0, seconds = std::numeric_limits<double>::infinity();  // of all sets
+  int rounds = 0;
 };
 
 std::vector<Runner> runners_of_ours(const Case& one) {
@@ -146,12 +149,12 @@ std::vector<Lap> race(const Case& one, int rounds) {
     double seconds = 0;
     for (std::size_t set = 0; set < one.set.size(); ++set)
       runner.error = largest(runner.error, judged(one, runner, set, seconds));
-    if (seconds > long_run) runner.seconds = seconds;  // a look at the clock in each step is nothing to it
+    runner.rounds = std::isfinite(runner.error) ? rounds_of(seconds, rounds) : 0;
+    if (runner.rounds < rounds) runner.seconds = seconds;
   }
   for (int round = 0; round < rounds; ++round)
     for (Runner& runner : runners)
-      if (std::isfinite(runner.error) && runner.seconds < (round == 0 ? very_long_run : long_run))
-        runner.seconds = std::min(runner.seconds, timed(one, runner));
+      if (round < runner.rounds) runner.seconds = std::min(runner.seconds, timed(one, runner));
   std::vector<Lap> laps;
   const double simulated = one.time * static_cast<double>(one.set.size());
   for (const Runner& runner : runners)

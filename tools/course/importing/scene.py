@@ -80,8 +80,7 @@ class SceneWriter:
         if self._touches and any(any(geom.masks) for geom in self._model.world.geoms):
             self._model.leave_out("what stands still and is no plane")
         if any(part.joints and part.parent is None for part in self._model.parts):
-            number = self._add({"fixed": True, "x": [0.0, 0.0, 0.0]}, "world", np.zeros(3), IDENTITY)
-            self._part_number[id(self._model.world)] = number
+            self._number(self._model.world)
 
     def _write_part(self, part: Part) -> None:
         mass, x, inertia = part.mass_and_inertia()
@@ -123,17 +122,18 @@ class SceneWriter:
             return {"half_sides": _list(geoms[0].size)}
         self._model.leave_out("contacts of bodies with joints, or of several geoms, with anything but planes")
         for kind in sorted({geom.kind for geom in geoms} - {"box"}):
-            self._stand_in(f"{kind}s there are points on their surface, {len(_points(geoms, kind))} each, which planes stop")
+            count = len(_points(geoms, kind))
+            self._stand_in(f"{kind}s there are points on their surface, {count} each, which planes stop")
         points = np.vstack([geom.points() for geom in geoms])
         return {"corners": [_list(in_axes(q, point - x)) for point in points]}
 
     def _write_equality(self, equality: Element) -> None:
         whole = self._model.defaults.applied(equality, None)
         name = f"equality {whole.tag} \"{whole.get('name', '')}\""
+        if whole.get("active", "true") == "false":
+            return
         if whole.tag not in ("connect", "weld") or "body1" not in whole.attrib:
             self.left_out.append(name)
-            return
-        if whole.get("active", "true") == "false":
             return
         (one, x, q), (two, _, _) = (self._model.body(whole.get(key, "world"), name) for key in ("body1", "body2"))
         if one is two:
@@ -145,7 +145,8 @@ class SceneWriter:
 
     def _number(self, part: Part) -> int:
         if id(part) not in self._part_number:  # the world, on which nothing hung so far
-            self._part_number[id(part)] = self._add({"fixed": True, "x": [0.0, 0.0, 0.0]}, "world", np.zeros(3), IDENTITY)
+            fixed = {"fixed": True, "x": [0.0, 0.0, 0.0]}
+            self._part_number[id(part)] = self._add(fixed, "world", np.zeros(3), IDENTITY)
         return self._part_number[id(part)]
 
     def _stand_in(self, what: str) -> None:
@@ -154,7 +155,7 @@ class SceneWriter:
 
 
 def _held_by(joint: ModelJoint, to_axes: np.ndarray) -> dict:
-    """What a joint has beside its point. Damping is a motor that wants to stand still, with a torque of so much a speed."""
+    """What a joint has beside its point. Damping is a motor that wants to stand still, with a torque for each speed."""
     if joint.kind == "ball":
         return {}
     held: dict = {"kind": "hinge" if joint.kind == "hinge" else "slider", "axis": _list(to_axes @ joint.axis)}

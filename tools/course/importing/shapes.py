@@ -11,7 +11,7 @@ from errors import BadInput
 from importing.turning import matrix, numbers, turn_of, z_to
 
 DENSITY = 1000.0  # [kg/m³], unless given
-_AROUND = 8  # points on a circle: between two of them a lying cylinder of radius r is too low by r (1 - cos(π/8)) = 0.08 r
+_AROUND = 8  # points on a circle: on two of them a lying cylinder of radius r is r (1 - cos(π/8)) = 0.08 r too low
 
 
 @dataclass

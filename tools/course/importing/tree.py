@@ -1,7 +1,7 @@
 """The bodies of an MJCF model: which geoms move as one, how heavy they are, and what joins them.
 
-A body without joints is part of its parent. A body with several joints hangs on its parent by as many: the engine has one
-between two bodies, and so between them come links, which are light and small.
+A body without joints is part of its parent. A body with several joints hangs on its parent by as many: in the engine
+there is a light link between two of them.
 """
 
 from dataclasses import dataclass, field
@@ -36,7 +36,8 @@ class Part:
     free: bool
     joints: list[ModelJoint]
     geoms: list[Geom] = field(default_factory=list)  # in the world
-    inertial: list[tuple[float, np.ndarray, np.ndarray]] = field(default_factory=list)  # mass, centre, inertia in the world
+    # Mass, centre and inertia about it, in the world.
+    inertial: list[tuple[float, np.ndarray, np.ndarray]] = field(default_factory=list)
 
     def mass_and_inertia(self) -> tuple[float, np.ndarray, np.ndarray]:
         """Mass, centre [m] and inertia about it, in the world's axes [kg m²]."""
