@@ -99,8 +99,7 @@ void Soundness<Dof>::look(const World<Dof>& world, double h) {
 template <int Dof>
 void Soundness<Dof>::look_at_solve(const World<Dof>& world, double h) {
   if (world.solved().converged) return;
-  double asked = 0;
-  for (const Row<Dof>& row : world.rows()) asked = std::max(asked, std::abs(row.B));
+  double asked = asked_for(world.rows());
   const Bodies<Dof>& bodies = world.bodies();
   for (std::size_t i = 0; i < bodies.size(); ++i)
     asked = std::max(asked, h * bodies.motion.inverse_mass[i].linear * world.forces()[i].norm());
