@@ -82,7 +82,7 @@ Mat3 collision_matrix(const InverseMass<6>& body_i, const Vec3& r_i, const Inver
 ///   nKn               n·Kn [1/kg]
 ///   gap               signed [m]; a contact that is still open may push, too, if it would close within the step
 ///   normal_velocity   G W, relative velocity along n before the step [m/s]; negative when approaching
-///   force_velocity    h G M⁻¹ f, what the forces of this step add to it [m/s]; -h g for a sphere on a floor
+///   force_velocity    h G M⁻¹ f, what the forces of this step add to it [m/s]; for a sphere on a floor -h 9.81 m/s²
 double contact_impulse(const Spook& spook, double nKn, double gap, double normal_velocity,
                        double force_velocity);
 

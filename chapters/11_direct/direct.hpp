@@ -113,13 +113,14 @@ inline double roundings(const SparseMatrix& S, const Vector& B, const Vector& la
 /// large the impulses are, or zero; on return the best that was found, within the bounds: the guess, clamped, where the
 /// first factorisation fails, or every residual is NaN. The history has the residual after each factorisation, of which
 /// there are at most stop.max_sweeps. Where they do not suffice, or one fails, it has not converged and `trouble` says
-/// which. With no rows: no factorisation, converged. Throws as solve does, rows or not.
+/// which. With no rows: no factorisation, converged. Throws
+/// std::invalid_argument that names max_sweeps or tolerance as solve does, rows or not.
 SolveReport interior_solve(const SparseMatrix& S, const Vector& B, const Vector& lo, const Vector& hi,
                            const StopRule& stop, Vector& lambda, Factors& factors);
 
 /// Exercise 11.11. Solves S λ = B within the bounds of the rows, from scratch: λ into the rows, V into `V`. First as
-/// if there were no bounds, refined by Eq. (11.14) if that keeps them all: where that solution, clamped, solves
-/// them, one factorisation does. Else by interior_solve. Should that have trouble, chapter 04's solve goes on from
+/// if there were no bounds. If all λ are within theirs, refined by Eq. (11.14). Where that, clamped, solves the rows,
+/// one factorisation does. Else by interior_solve, with that λ as its guess. Should that have trouble, chapter 04's solve goes on from
 /// there, and `trouble` says so. Each of the two has the rule to itself: stop.max_sweeps factorisations, and as
 /// many sweeps. A row with lo = hi has that λ. The history has the residual of Eq. (4.8) after each factorisation
 /// [m/s], and what each sweep returned. Throws as solve does.

@@ -6,7 +6,7 @@ namespace spook {
 template <int Dof>
 SolveReport direct_solve(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V, const StopRule& stop,
                          Factors& factors) {
-  // Eq. (11.1), (11.3), (11.5); what goes in and out, and in which units, is in direct.hpp.
+  // Eq. (11.1), (11.3), (11.14); what goes in and out, and in which units, is in direct.hpp.
   not_implemented("11.11 direct_solve", rows, V, stop, factors);
 }
 

@@ -3,14 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "engine/mechanics.hpp"
 
 namespace spook {
 
-static constexpr double share_unsolved = 1e-2;  // of what a step asks for
-static constexpr double share_gained = 0.1;     // of the energy that there is
+static constexpr double share_unsolved = 1e-2;                                    // of what a step asks for
+static constexpr double roundings = 16 * std::numeric_limits<double>::epsilon();  // of a row's twelve products
+static constexpr double share_gained = 0.1;                                       // of the energy that there is
 
 std::string name_of(State state) {
   return std::array{"sound", "unsolved", "lost"}[static_cast<std::size_t>(state)];
@@ -99,8 +101,12 @@ void Soundness<Dof>::look(const World<Dof>& world, double h) {
 template <int Dof>
 void Soundness<Dof>::look_at_solve(const World<Dof>& world, double h) {
   if (world.solved().converged) return;
-  double asked = asked_for(world.rows());
   const Bodies<Dof>& bodies = world.bodies();
+  double asked = asked_for(world.rows()), speed = 0;
+  for (const Row<Dof>& row : world.rows())
+    speed = std::max(speed, row.Gi.norm() * bodies.motion.W[world.index(row.i)].norm() +
+                                row.Gj.norm() * bodies.motion.W[world.index(row.j)].norm());
+  if (world.report().residual <= roundings * speed) return;
   for (std::size_t i = 0; i < bodies.size(); ++i)
     asked = std::max(asked, h * bodies.motion.inverse_mass[i].linear * world.forces()[i].norm());
   const double left = left_by(world.report().residual, world.solved().history);

@@ -35,8 +35,8 @@ Verdict judged(const std::string& name, const SceneSettings& settings, double ti
 }
 
 /// A heavy ball on a light one on the floor. Sweeps leave (m/M) of its fall each, Eq. (4.10).
-World<3> heavy_on_light(double ratio, int sweeps, double unit = 1) {
-  World<3> world({.gravity = Vec3(0, 0, -g) * unit,
+World<3> heavy_on_light(double ratio, int sweeps, double unit = 1, double gravity = g) {
+  World<3> world({.gravity = Vec3(0, 0, -gravity) * unit,
                   .k = 1e9 * unit,
                   .solver = gauss_seidel<3>(),
                   .stop = {.max_sweeps = sweeps}});
@@ -57,6 +57,17 @@ TEST(Soundness, SweepsThatStopEarlyAreUnsolved) {
   EXPECT_EQ(judged(patient, 2).state, State::sound);
   World<3> equal = heavy_on_light(1, 50);
   EXPECT_EQ(judged(equal, 2).state, State::sound);
+}
+
+TEST(Soundness, WhatIsBelowTheRoundingsOfItsVelocitiesIsSolved) {
+  const auto flying = [](double speed) {
+    World<3> world = heavy_on_light(1000, 2, 1, 0);
+    for (const int i : {1, 2}) world.push(i, (i == 1 ? 1 : 1000) * Vec3(speed, 0, i == 1 ? 0 : -1e-20));
+    return world;
+  };
+  World<3> fast = flying(1), slow = flying(1e-20);
+  EXPECT_EQ(judged(fast, 3).state, State::sound);
+  EXPECT_EQ(judged(slow, 3).state, State::unsolved);
 }
 
 TEST(Soundness, ASmallResidualOfSweepsThatCreepIsNoSolution) {
