@@ -11,6 +11,8 @@ from urllib.parse import unquote
 
 from sandbox import ROOT, Sandbox, our_files
 
+from binding.code import code_in_text
+from binding.typography import typeset
 from films import films
 from needs import BOOK_NEEDS, VIEW_NEEDS
 
@@ -126,6 +128,33 @@ class Book(unittest.TestCase):
                 self.assertNotRegex(file.read_text(encoding="utf-8"), r"""https?://|\bfetch\(|XMLHttpRequest""", file)
 
 
+class Text(unittest.TestCase):
+    """As it is typed, and as the book sets it; ~ is a space at which no line ends."""
+
+    def test_typing(self):
+        for typed, expected in {
+                "x_n and ω_c, hω_k, S_kk, λ_1": "x<sub>n</sub> and ω<sub>c</sub>, hω<sub>k</sub>, S<sub>kk</sub>, "
+                                                "λ<sub>1</sub>",
+                "half_step, max_sweeps": "half_step, max_sweeps",
+                "2^l of N^(5/3)": "2<sup>l</sup> of N<sup>5/3</sup>",
+                "from -1 to n-1, (-q), 2 - d": "from −1 to n−1, (−q), 2~−~d",
+                "first-order, UTF-8, 1e-9": "first-order, UTF-8, 1e−9",
+                "the body's u' and bodies' \"own\"": "the body’s u′ and bodies’ “own”",
+                "u_t', S' + k'": "u<sub>t</sub>′, S′ + k′",
+                "for h = 1/60 and d &gt; 3": "for h~=~1/60 and d~&gt;~3",
+                "5 N s in 3 per cent of chapter 09": "5~N~s in 3~per cent of chapter~09",
+        }.items():
+            self.assertEqual(typeset(typed).replace("\u00a0", "~"), expected)
+
+    def test_a_hyphen_after_code_stays_one(self):
+        self.assertEqual((typeset("-axis"), typeset("-a", begins_a_line=True)), ("-axis", "−a"))
+
+    def test_an_option_stays_in_one_piece(self):
+        self.assertEqual(code_in_text("--views"), '<code class="whole">--views</code>')
+        self.assertEqual(code_in_text("./course run a --plot energy"),
+                         '<code>./course run a <span class="whole">--plot</span> energy</code>')
+
+
 class Markdown(unittest.TestCase):
     """As GitHub shows it."""
 
@@ -183,7 +212,7 @@ int main() {}  // comment
         cls.html = (box.root / "build/book/chapters/98_more/index.html").read_text(encoding="utf-8")
 
     def test_all_of_it(self):
-        for part in ('<span class="katex">', "6 $. Code <code>a $x$ b</code>", "<code>(1.3)</code>",
+        for part in ('<span class="katex">', "6 $. Code <code class=\"whole\">a $x$ b</code>", "<code>(1.3)</code>",
                      '<a class="eqref" data-tag="1.3" href="../01_leapfrog/index.html#eq-1.3">(1.3)</a>',
                      '<a href="../01_leapfrog/index.html">Kick</a>', '<div class="equation" id="eq-99.1">',
                      '<a class="tag" href="#eq-99.2"',

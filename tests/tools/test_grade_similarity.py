@@ -64,6 +64,13 @@ class Similarity(unittest.TestCase):
         both = next(pair for pair in found.pairs if pair.first == "s08")
         self.assertEqual(set(both.shared), {"1", "3"})
 
+    def test_a_copy_in_a_class_of_three_is_found(self):
+        draw = random.Random(SEED)
+        works = {"1": {name: written(draw) for name in "abc"}}
+        works["1"]["c"] = disguised(works["1"]["a"], draw)
+        pairs = similar(works, {"1": [STUB, written(draw)]}).pairs
+        self.assertEqual([(pair.first, pair.second) for pair in pairs], [("a", "c")])
+
     def test_a_class_that_wrote_alone_is_left_alone(self):
         for seed in range(5):
             draw = random.Random(seed)

@@ -14,9 +14,10 @@ def what_q_does() -> Drawing:
     d = Drawing(300, "The quaternion takes a point from the body's axes to the axes of the world")
     half = np.array([0.7, 1.0, 0.45])
     point = np.array([0.7, -1.0, 0.45])
-    turn = _about((0, 0, 1), math.radians(22)) @ _about((1, 0, 0), math.radians(-27))
-    for left, orientation, title in ((165, np.eye(3), "in the body's axes"), (540, turn, "in the world's axes")):
-        view = View((left, 172), 72, 36, 26)
+    turn = _about((0, 0, 1), math.radians(-24)) @ _about((1, 0, 0), math.radians(-20))
+    for left, low, orientation, title in ((165, 172, np.eye(3), "in the body's axes"),
+                                          (540, 162, turn, "in the world's axes")):
+        view = View((left, low), 72, 36, 26)
         world = orientation is turn
         if world:
             for axis, name in zip(np.eye(3), ("$x$", "$y$", "$z$")):
@@ -131,7 +132,7 @@ def splitting() -> Drawing:
         x += wide * 1.2
     d.text((left, 200), "A turn about $e_c$ moves $L$, as the\nbody sees it, on a circle around $e_c$.", "ink", "start",
            "small")
-    d.text((left, 258), "black: the path in truth", "ink", "start", "small")
+    d.text((left, 258), "the bold line: the path in truth", "ink", "start", "small")
     d.text((left, 280), "The same way there and back: what\nthe first half leaves out, the second\nputs in again.",
            "soft", "start", "small")
     return d

@@ -31,7 +31,7 @@ def gather_and_scatter() -> Drawing:
                                      (524, "3", "$V_i$ += $M_i^{−1}G_i^T Δλ$", "impulse")):
         d.circle((x, 284), 11, colour)
         d.text((x, 289), number, colour, size="small")
-        d.text((x + 20, 290), label.replace("_i^T", "_i"), colour, "start", "small")
+        d.text((x + 20, 290), label, colour, "start", "small")
     return d
 
 

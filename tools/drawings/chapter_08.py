@@ -43,7 +43,7 @@ def box_and_ball() -> Drawing:
     d = Drawing(362, "The point of a box that is nearest to a ball: on a face, at a corner, or the ball's own centre")
     left, top, right, low = 130, 128, 440, 268
     for x in (left, right):
-        d.line((x, 26), (x, 344), "faint thin dash")
+        d.line((x, 26), (x, 284), "faint thin dash")
     for y in (top, low):
         d.line((24, y), (600, y), "faint thin dash")
     d.box((left, top), right - left, low - top, "body fill")

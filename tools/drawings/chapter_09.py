@@ -53,9 +53,9 @@ def _axes(d: Drawing, f: Frame) -> None:
 def leaning_rod() -> Drawing:
     d = Drawing(340, "A rod whose end is pushed ahead of it is pressed down by friction; dragged behind, it is lifted")
     ground = 244
-    for foot, lean, title, told in (
-            (190, 63.4, "its end is pushed ahead", "friction presses it down: $ρ > 0$, it may jam"),
-            (540, 116.6, "its end is dragged behind", "friction lifts it: $ρ < 0$, sweeps may cycle")):
+    for foot, lean, turn, title, told in (
+            (190, 63.4, (-58, 28), "its end is pushed ahead", "friction presses it down: $ρ > 0$, it may jam"),
+            (540, 116.6, (16, 98), "its end is dragged behind", "friction lifts it: $ρ < 0$, sweeps may cycle")):
         at, side = (foot, ground), 1 if lean < 90 else -1
         top = turned(at, 200, lean)
         middle = between(at, top)
@@ -71,7 +71,7 @@ def leaning_rod() -> Drawing:
         d.text((foot, 298), title, "ink")
         d.text((foot, 324), told, "soft", size="small")
         # Friction at the foot, towards the right, turns either rod counterclockwise.
-        d.arc(middle, 56, -58, 28, "impulse", arrow=True)
+        d.arc(middle, 56, *turn, "impulse", arrow=True)
     return d
 
 

@@ -9,9 +9,8 @@ def string_pulled_apart() -> Drawing:
     d = Drawing(330, "A tight string, pulled apart at two points, pulls each back: twice T times the sine of its slope")
     xs = [40 + 128 * k for k in range(6)]
     base = 78
-    for k, x in enumerate(xs):
-        if k:
-            d.line((xs[k - 1], base), (x, base), "ink")
+    d.line((xs[0], base), (xs[5], base), "ink")
+    for x in xs:
         d.dot((x, base), "body", 9)
     d.text((40, 46), "at rest: tension $T$ along it, and no force across", "soft", "start", "small")
     base, y = 216, 46

@@ -23,6 +23,16 @@ def highlighted(code: str, language: str) -> str:
     return f'<div class="code"><pre tabindex="0"><code>{inner}</code></pre></div>'
 
 
+def code_in_text(code: str) -> str:
+    """A line breaks between words only, and not within what is short: an option such as --out stays in one piece."""
+    if len(code) <= 20:
+        whole = ' class="whole"' if " " in code or "-" in code else ""
+        return f"<code{whole}>{html.escape(code)}</code>"
+    words = (html.escape(word) if "-" not in word else f'<span class="whole">{html.escape(word)}</span>'
+             for word in code.split(" "))
+    return f"<code>{' '.join(words)}</code>"
+
+
 def language_of(name: Path) -> str:
     """As Pygments calls it; text, where the name does not tell."""
     from pygments.lexers import get_lexer_for_filename

@@ -4,12 +4,13 @@ import html
 import re
 from dataclasses import dataclass, field
 
-from binding.code import highlighted
+from binding.code import code_in_text, highlighted
 from binding.formulas import Formula
 from binding.links import Links
 from binding.outline import between
 from binding.reading import (REFERENCE, Draft, anchor_of, display_formula, inline_formula, is_display, line_of, parser,
                              with_lines)
+from binding.typography import typeset
 from binding.views import page_of_film
 
 _CALLOUT = re.compile(r"^\[!(NOTE|TIP|IMPORTANT|WARNING|CAUTION)\]$")
@@ -62,7 +63,7 @@ class _Writer:
                               for tag in sorted(self._from_elsewhere))
 
     def _inline(self, inline):
-        linked = 0
+        linked, begins = 0, True
         for child, line in with_lines(inline):
             if child.type == "link_open":
                 linked += 1
@@ -77,9 +78,11 @@ class _Writer:
                 child.content = self._links.in_html(self._draft, child.content, line)
             elif child.type == "text":
                 self._look_for_footnotes(child.content, line)
-                if REFERENCE.search(child.content) and not linked:
-                    text = html.escape(child.content, quote=False)
-                    _become(child, self._with_references(text, line), "html_inline")
+                text = typeset(html.escape(child.content, quote=False), begins)
+                _become(child, text if linked else self._with_references(text, line), "html_inline")
+            elif child.type == "code_inline":
+                _become(child, code_in_text(child.content), "html_inline")
+            begins = child.type == "softbreak"
             yield child
 
     def _look_for_footnotes(self, text: str, line: int) -> None:
@@ -104,7 +107,7 @@ class _Writer:
         """Those between the tags, as of <summary>."""
         parts = []
         for part in _TAG.split(text):
-            parts.append(part if part.startswith("<") else self._with_references(part, line))
+            parts.append(part if part.startswith("<") else self._with_references(typeset(part), line))
             line += part.count("\n")
         return "".join(parts)
 

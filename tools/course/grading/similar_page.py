@@ -3,7 +3,7 @@
 import html
 from pathlib import Path
 
-from grading.similarity import Pair, Similarity, Work, similar
+from grading.similarity import MOST_ALONE, Pair, Similarity, Work, similar
 from grading.text import clean
 from manifest import Exercise
 from marker import is_stub
@@ -47,8 +47,8 @@ def _page(found: Similarity) -> str:
     parts = [_HEAD, "<h1>Works that have more in common than chance gives</h1>",
              "<p>Compared are fingerprints of tokens: names, comments and spaces do not count, and neither does what "
              "the stubs and the reference have. A fingerprint that few have counts more. A pair is shown when its "
-             f"likeness is above {found.threshold:.1f}, far from what the pairs of this class usually have. "
-             "It is a reason to read both, and proves nothing.</p>"]
+             f"likeness is above {found.threshold:.1f}, far from what the pairs of this class usually have, or when the two "
+             f"share more than {MOST_ALONE:.0%} of what few have. It is a reason to read both, and proves nothing.</p>"]
     if not found.pairs:
         parts.append("<p>No pair stands out.</p>")
     else:
