@@ -9,14 +9,16 @@ double stiffest_direction(const Row<Dof>& row1, const Row<Dof>& row2) {
   const double S12 = row1.Gi.dot(row2.MinvGi) + row1.Gj.dot(row2.MinvGj);
   const double mean = (row1.diagonal + row2.diagonal) / 2,
                half_difference = (row1.diagonal - row2.diagonal) / 2;
-  return mean + std::hypot(half_difference, S12);  // Eq. (9.5)
+  return mean + std::sqrt(half_difference * half_difference + S12 * S12);  // Eq. (9.5)
 }
 
 template <int Dof>
 Vec2 next_friction(const Rubbing& contact, const std::vector<Row<Dof>>& rows, const std::vector<Twist<Dof>>& V,
                    double s) {
+  const double mass = 1 / s;
   const auto unprojected = [&](const Row<Dof>& row) {
-    return row.lambda + (row.B - row.Gi.dot(V[row.i]) - row.Gj.dot(V[row.j]) - row.Sigma * row.lambda) / s;
+    const double r = row.B - row.Gi.dot(V[row.i]) - row.Gj.dot(V[row.j]) - row.Sigma * row.lambda;
+    return row.lambda + mass * r;
   };
   const Vec2 wanted(unprojected(rows[contact.normal + 1]), unprojected(rows[contact.normal + 2]));
   return onto_disc(wanted, contact.mu * rows[contact.normal].lambda);  // Eq. (9.6)

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <compare>
+#include <numeric>
 
 #include "10_convergence/convergence.hpp"
 
@@ -9,37 +11,50 @@ namespace {
 struct Candidate {
   double distance;
   int contact, old;
+  auto operator<=>(const Candidate&) const = default;
 };
+
+/// The numbers 0 to n - 1 by the pair that each of them has; equal ones in order.
+template <class PairOf>
+std::vector<int> sorted(std::size_t n, const PairOf& pair) {
+  std::vector<int> numbers(n);
+  std::iota(numbers.begin(), numbers.end(), 0);
+  const auto before = [&](int a, int b) { return pair(a) < pair(b); };
+  if (!std::is_sorted(numbers.begin(), numbers.end(), before))
+    std::stable_sort(numbers.begin(), numbers.end(), before);
+  return numbers;
+}
 
 }  // namespace
 
 std::vector<int> match_contacts(const std::vector<Contact>& contacts, const std::vector<OldContact>& old,
                                 double reach) {
-  // Both lists have the contacts of a pair together, but the pairs in any order: find a pair's old ones by search.
-  std::vector<int> by_pair(old.size());
-  for (std::size_t k = 0; k < old.size(); ++k) by_pair[k] = static_cast<int>(k);
   const auto pair = [&](int k) { return std::pair(old[k].i, old[k].j); };
-  std::stable_sort(by_pair.begin(), by_pair.end(), [&](int a, int b) { return pair(a) < pair(b); });
-
-  std::vector<Candidate> candidates;
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    const std::pair wanted(contacts[c].i, contacts[c].j);
-    auto k = std::lower_bound(by_pair.begin(), by_pair.end(), wanted,
-                              [&](int a, const auto& value) { return pair(a) < value; });
-    for (; k != by_pair.end() && pair(*k) == wanted; ++k) {
-      const double distance = (contacts[c].r_j - old[*k].point).norm();
-      if (distance <= reach) candidates.push_back({distance, static_cast<int>(c), *k});
-    }
-  }
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.distance < b.distance; });
+  const auto pair_now = [&](int c) { return std::pair(contacts[c].i, contacts[c].j); };
+  const std::vector<int> by_pair = sorted(old.size(), pair), now = sorted(contacts.size(), pair_now);
 
   std::vector<int> match(contacts.size(), -1);
   std::vector<bool> taken(old.size(), false);
-  for (const Candidate& candidate : candidates) {
-    if (match[candidate.contact] >= 0 || taken[candidate.old]) continue;
-    match[candidate.contact] = candidate.old;
-    taken[candidate.old] = true;
+  std::vector<Candidate> candidates;
+  for (std::size_t first = 0, last; first < now.size(); first = last) {
+    for (last = first + 1; last < now.size() && pair_now(now[last]) == pair_now(now[first]);) ++last;
+    candidates.clear();
+    for (std::size_t n = first; n < last; ++n) {
+      const int c = now[n];
+      const std::pair wanted(contacts[c].i, contacts[c].j);
+      auto k = std::lower_bound(by_pair.begin(), by_pair.end(), wanted,
+                                [&](int a, const auto& value) { return pair(a) < value; });
+      for (; k != by_pair.end() && pair(*k) == wanted; ++k) {
+        const double distance = (contacts[c].r_j - old[*k].point).norm();
+        if (distance <= reach) candidates.push_back({distance, c, *k});
+      }
+    }
+    std::sort(candidates.begin(), candidates.end());
+    for (const Candidate& candidate : candidates) {
+      if (match[candidate.contact] >= 0 || taken[candidate.old]) continue;
+      match[candidate.contact] = candidate.old;
+      taken[candidate.old] = true;
+    }
   }
   return match;
 }

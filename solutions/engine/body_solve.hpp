@@ -5,6 +5,8 @@
 //   velocities      (M + Gᵀ Σ⁻¹ G) V = Gᵀ Σ⁻¹ B + Gᵀ λ_bound                                          Eq. (11.15)
 //   bounds          rows at a bound are held there, the others are free, and solved; then as far that way as
 //                   ½ λᵀ S λ - Bᵀ λ falls, clamped; then a few sweeps, which take rows to their bounds and off them
+//   from within     where that gets nowhere, since many rows with friction hold the same few bodies and it hardly matters
+//                   which of them slide: engine/body_interior.hpp
 //   roundings       Σ⁻¹ is large, and λ a small difference: what its rows still lack is solved for in the same way, a few
 //                   times, Eq. (11.14)
 //
@@ -18,7 +20,7 @@
 namespace spook {
 
 /// Solves the rows within their bounds, from the λ that they have, which is within them, and its V. Nothing, and rows
-/// and V as they were, where Σ is 0 in a row, a pivot is not sound, or stop.max_sweeps factorisations do not suffice.
+/// and V as they were, where Σ is 0 in a row, a pivot is not sound, or stop.max_sweeps factorisations of either kind do not suffice.
 /// The history has the residual of Eq. (4.8) after each factorisation.
 template <int Dof>
 std::optional<SolveReport> body_solve(std::vector<Row<Dof>>& rows,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 namespace spook {
 
@@ -23,22 +24,40 @@ class Groups {
   std::vector<int> parent_;
 };
 
-/// The rows on each body, as far as it moves.
-using RowsOnBodies = std::vector<std::vector<int>>;
+/// Calls `each` with those bodies of a row that move.
+template <int Dof, class Each>
+void for_moving(const Row<Dof>& row, const Each& each) {
+  if (moves_i(row)) each(row.i);
+  if (moves_j(row)) each(row.j);
+}
 
 template <int Dof>
-RowsOnBodies rows_on_bodies(const std::vector<Row<Dof>>& rows) {
-  RowsOnBodies all;
-  const auto add = [&](int body, int row) {
-    if (body >= std::ssize(all)) all.resize(static_cast<std::size_t>(body) + 1);
-    all[body].push_back(row);
-  };
-  for (int k = 0; k < std::ssize(rows); ++k) {
-    if (moves_i(rows[k])) add(rows[k].i, k);
-    if (moves_j(rows[k])) add(rows[k].j, k);
-  }
-  return all;
+std::size_t bodies_of(const std::vector<Row<Dof>>& rows) {
+  int last = -1;
+  for (const Row<Dof>& row : rows) last = std::max({last, row.i, row.j});
+  return static_cast<std::size_t>(last) + 1;
 }
+
+/// The rows on each body, as far as it moves: those of all bodies in one list, one body after the other.
+class RowsOnBodies {
+ public:
+  template <int Dof>
+  explicit RowsOnBodies(const std::vector<Row<Dof>>& rows) : first_(bodies_of(rows) + 1, 0) {
+    for (const Row<Dof>& row : rows) for_moving(row, [&](int body) { ++first_[body + 1]; });
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    all_.resize(first_.back());
+    std::vector<int> next = first_;
+    for (int k = 0; k < std::ssize(rows); ++k) for_moving(rows[k], [&](int body) { all_[next[body]++] = k; });
+  }
+
+  std::size_t size() const { return first_.size() - 1; }
+  std::span<const int> operator[](int body) const {
+    return std::span(all_).subspan(first_[body], first_[body + 1] - first_[body]);
+  }
+
+ private:
+  std::vector<int> first_, all_;
+};
 
 /// Level by level from `start`: how far each body is from it, -1 where it is not reached. The last to be reached is left
 /// in `start`.
@@ -48,15 +67,12 @@ std::vector<int> body_levels(const std::vector<Row<Dof>>& rows, const RowsOnBodi
   levels[start] = 0;
   for (std::size_t next = 0; next < queue.size(); ++next) {
     const int body = queue[next];
-    for (const int k : on_bodies[body]) {
-      const auto reach = [&](int other) {
+    for (const int k : on_bodies[body])
+      for_moving(rows[k], [&](int other) {
         if (levels[other] >= 0) return;
         levels[other] = levels[body] + 1;
         queue.push_back(other);
-      };
-      if (moves_i(rows[k])) reach(rows[k].i);
-      if (moves_j(rows[k])) reach(rows[k].j);
-    }
+      });
   }
   start = queue.back();
   return levels;
@@ -75,9 +91,16 @@ int widest(const std::vector<int>& levels) {
   return most;
 }
 
-int moving_bodies(const RowsOnBodies& on_bodies) {
-  const auto moves = [](const std::vector<int>& rows) { return !rows.empty(); };
-  return static_cast<int>(std::count_if(on_bodies.begin(), on_bodies.end(), moves));
+template <int Dof>
+int moving_bodies(const std::vector<Row<Dof>>& rows) {
+  std::vector<bool> moves(bodies_of(rows), false);
+  int count = 0;
+  const auto note = [&](int body) {
+    count += !moves[body];
+    moves[body] = true;
+  };
+  for (const Row<Dof>& row : rows) for_moving(row, note);
+  return count;
 }
 
 }  // namespace
@@ -112,18 +135,19 @@ static bool fewer_than(const std::vector<Row<Dof>>& rows, int velocities) {
 
 template <int Dof>
 bool wants_bodies(const std::vector<Row<Dof>>& rows) {
-  return fewer_than(rows, Dof * moving_bodies(rows_on_bodies(rows)));
+  return fewer_than(rows, Dof * moving_bodies(rows));
 }
 
 template <int Dof>
 double factor_cost(const std::vector<Row<Dof>>& rows) {
-  const RowsOnBodies on_bodies = rows_on_bodies(rows);
-  if (on_bodies.empty()) return 0;
+  const int bodies = moving_bodies(rows);
+  if (bodies == 0) return 0;
+  const RowsOnBodies on_bodies(rows);
   const auto n = static_cast<double>(rows.size());
   int end = moves_i(rows.front()) ? rows.front().i : rows.front().j;
   body_levels(rows, on_bodies, end);  // to one of its ends
   const std::vector<int> levels = body_levels(rows, on_bodies, end);
-  if (const int velocities = Dof * moving_bodies(on_bodies); fewer_than(rows, velocities)) {
+  if (const int velocities = Dof * bodies; fewer_than(rows, velocities)) {
     const double w = Dof * widest(levels);
     return w * w * velocities / (25 * n);
   }

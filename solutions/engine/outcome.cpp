@@ -18,6 +18,13 @@ double left_by(double residual, const std::vector<double>& history) {
   return residual / (rate < 1 ? std::max(1 - rate, least) : least);
 }
 
+template <int Dof>
+double asked_for(const std::vector<Row<Dof>>& rows) {
+  double most = 0;
+  for (const Row<Dof>& row : rows) most = std::max(most, std::abs(row.B));
+  return most;
+}
+
 static void add_trouble(const SolveReport& of, SolveReport& all) {
   if (all.trouble.empty()) all.trouble = of.trouble;
 }
@@ -43,5 +50,8 @@ Outcome side_by_side(Outcome one, const Outcome& other) {
   add_trouble(other.report, all);
   return one;
 }
+
+template double asked_for<3>(const std::vector<Row<3>>&);
+template double asked_for<6>(const std::vector<Row<6>>&);
 
 }  // namespace spook

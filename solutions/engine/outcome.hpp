@@ -20,6 +20,10 @@ struct Outcome {
 /// farther to go than its last sweep tells; where its rate is no rate, as if it would never end.
 double left_by(double residual, const std::vector<double>& history);
 
+/// What the rows of a step ask for: the largest |B| [m/s].
+template <int Dof>
+double asked_for(const std::vector<Row<Dof>>& rows);
+
 /// Of two solves, one after the other. A history goes on where the other ends; the second says whether it converged.
 /// Where one does not count its row updates, they are of so many rows.
 Outcome in_turn(Outcome first, const Outcome& second, std::size_t rows);

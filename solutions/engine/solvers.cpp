@@ -12,11 +12,18 @@ static Solver<Dof> stiff_by_island() {
 }
 
 template <int Dof>
+static Solver<Dof> anderson_of_rows() {
+  return anderson<Dof>();
+}
+
+template <int Dof>
 const std::vector<NamedSolver<Dof>>& solvers() {
   static const std::vector<NamedSolver<Dof>> table = {
       {"gauss_seidel", "projected Gauss-Seidel, row by row", "sweep", &gauss_seidel<Dof>},
       {"conjugate_gradients", "projected conjugate gradients, preconditioned by sweeps", "iteration",
        &conjugate_gradients<Dof>},
+      {"anderson", "Gauss-Seidel, accelerated by what its last sweeps changed", "sweep",
+       &anderson_of_rows<Dof>},
       {"direct", "sparse factors of S; bounds by an interior point method", "factorisation", &direct<Dof>},
       {"auto", "for each island of bodies the direct solver where it is sparse or stiff, else Gauss-Seidel",
        "iteration", &by_island<Dof>},

@@ -113,12 +113,10 @@ template <int Dof>
 void Soundness<Dof>::look_at_solve(const World<Dof>& world, double h) {
   if (world.solved().converged) return;
   const Bodies<Dof>& bodies = world.bodies();
-  double asked = 0, speed = 0;
-  for (const Row<Dof>& row : world.rows()) {
-    asked = std::max(asked, std::abs(row.B));
+  double asked = asked_for(world.rows()), speed = 0;
+  for (const Row<Dof>& row : world.rows())
     speed = std::max(speed, row.Gi.norm() * bodies.motion.W[world.index(row.i)].norm() +
                                 row.Gj.norm() * bodies.motion.W[world.index(row.j)].norm());
-  }
   if (world.report().residual <= share_of_roundings * speed) return;
   for (std::size_t i = 0; i < bodies.size(); ++i)
     asked = std::max(asked, h * bodies.motion.inverse_mass[i].linear * world.forces()[i].norm());

@@ -4,13 +4,17 @@
 
 namespace spook {
 
+static constexpr const char* accelerated = "anderson";
+
 /// What has sweeps of its own can not have another solver, or other sweeps, as well.
 static void require_one_solver(const Method& method) {
   if (!method.has_own_sweeps()) return;
   const bool ordered = method.order != RowOrder::given;
-  if (method.solver != solvers<3>().front().name)  // Gauss-Seidel
+  const bool plain = method.solver == solvers<3>().front().name;  // Gauss-Seidel
+  if (!plain && (ordered || method.solver != accelerated))
     throw std::invalid_argument(std::string(ordered ? "an order of rows" : "the cone") +
-                                " is for sweeps: solver must be gauss_seidel, but is " + method.solver);
+                                " is for sweeps: solver must be gauss_seidel" +
+                                (ordered ? "" : " or anderson") + ", but is " + method.solver);
   if (ordered && method.friction_model == FrictionModel::cone)
     throw std::invalid_argument(
         "the cone sweeps in the order that is given: friction-model must be box or two_pass for another order, "
@@ -22,7 +26,8 @@ template <int Dof>
 Solver<Dof> make_solver(const Method& method) {
   const NamedSolver<Dof>& named = find_solver<Dof>(method.solver);
   require_one_solver(method);
-  if (method.friction_model == FrictionModel::cone) return cone<Dof>();
+  if (method.friction_model == FrictionModel::cone)
+    return method.solver == accelerated ? anderson<Dof>(FrictionModel::cone) : cone<Dof>();
   Solver<Dof> solver =
       method.order == RowOrder::given ? named.make() : in_order<Dof>(method.order, method.seed);
   return method.friction_model == FrictionModel::two_pass ? two_pass(std::move(solver)) : solver;

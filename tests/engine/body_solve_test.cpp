@@ -7,6 +7,8 @@
 #include <cmath>
 #include <random>
 
+#include "engine/body_interior.hpp"
+
 namespace spook {
 namespace {
 
@@ -114,6 +116,48 @@ TEST(BodySolve, RefinesWhatASmallSigmaLeaves) {
   ASSERT_TRUE(report);
   // B is of velocities of about 1 m/s, of which Eq. (11.13) allows a few 1e-13.
   EXPECT_LE(residual(s.rows, s.V), 1e-12);
+}
+
+/// By body_interior alone, which body_solve asks only where Newton's method does not get on.
+template <int Dof>
+SolveReport from_within(Random<Dof>& s) {
+  OnBodies<Dof> on(s.rows, s.motion.inverse_mass);
+  Factors factors;
+  return body_interior(s.rows, on, s.V, {}, factors);
+}
+
+template <int Dof>
+void expect_answers_of_rows_from_within() {
+  for (unsigned seed = 1; seed <= 30; ++seed)
+    for (const double rub : {infinity, 0.3, 0.01}) {
+      Random<Dof> on_bodies(seed, 8, 20, rub, 1e3);
+      on_bodies.rows[3].lo = on_bodies.rows[3].hi = 0.05;  // one that has no room
+      auto on_rows = on_bodies;
+      ASSERT_TRUE(from_within(on_bodies).converged) << "seed " << seed << ", rub " << rub;
+      Factors factors;
+      ASSERT_TRUE(direct_solve(on_rows.rows, on_rows.V, {}, factors).converged);
+      EXPECT_LE(apart(on_bodies.rows, on_rows.rows), 1e-9) << "seed " << seed << ", rub " << rub;  // as above
+      for (std::size_t b = 0; b < on_rows.V.size(); ++b)
+        EXPECT_LE((on_bodies.V[b] - on_rows.V[b]).norm(), 1e-9 * (1 + on_rows.V[b].norm()));
+    }
+}
+
+TEST(BodyInterior, HasTheAnswersOfRows) {
+  expect_answers_of_rows_from_within<3>();
+  expect_answers_of_rows_from_within<6>();
+}
+
+TEST(BodySolve, SolvesFrictionThatIsMoreThanEnough) {
+  // A hundred rows on six bodies that move, with Σ = 6e-11 of friction: which of them are at their bounds hardly matters
+  // to the energy, and Newton's method on those that are free never settles.
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    Random<6> s(seed, 8, 40, 0.1, 1e12);
+    Factors factors;
+    const auto report = body_solve(s.rows, s.motion.inverse_mass, s.V, {}, factors);
+    ASSERT_TRUE(report) << "seed " << seed;
+    EXPECT_TRUE(report->converged);
+    EXPECT_LE(residual(s.rows, s.V), 1e-12) << "seed " << seed;
+  }
 }
 
 TEST(BodySolve, LeavesWhatItCanNotDo) {

@@ -3,13 +3,12 @@
 //   factors     at once where they cost less than the sweeps that are allowed, Eq. (11.1)-(11.15)
 //   sweeps      else: projected Gauss-Seidel, chapter 04, as many as are allowed
 //   and factors where those left more than a thousandth of what was asked for, if they cost no more than a hundred times
-//               as much; its bodies have factors at once then, for the next hundred steps
+//               as much, until they leave a millionth; its bodies have factors at once then, for the next hundred steps
 //
 // One entry of its history is the worst of all islands, after as many sweeps or factorisations of each. The number of sweeps
 // is asked for, and that of factorisations is not. Row updates are those of the sweeps. Keeps the factors of each island,
 // in order.
 #include <algorithm>
-#include <cmath>
 #include <deque>
 
 #include "engine/islands.hpp"
@@ -84,15 +83,16 @@ class ByIsland {
 
  private:
   static constexpr int calls_until_forgotten = 100;
-  static constexpr double worth_of_a_solution = 100;  // sweeps for one
-  static constexpr double share_left = 1e-3;
+  static constexpr double worth_of_a_solution = 100;                   // sweeps for one
+  static constexpr double share_left = 1e-3, share_of_factors = 1e-6;  // of what was asked for
 
   Outcome solve_one(Island<Dof>& island, const StopRule& stop, BothFactors& factors) {
     const double cost = factor_cost(island.rows), sweeps = stop.max_sweeps;
     const bool may = cost <= worth_of_a_solution * sweeps;
-    if (cost <= sweeps || (may && is_hard(island))) {
+    const bool at_once = cost <= sweeps;
+    if (at_once || (may && is_hard(island))) {
       begin_with(island.last, island.rows, island.V);
-      return factorised(island, stop, factors);
+      return factorised(island, at_once ? stop.tolerance : enough(island, stop), factors);
     }
     Outcome swept = solve(island.rows, island.V, stop);
     swept.row_updates = swept.updates(island.rows.size());
@@ -100,12 +100,16 @@ class ByIsland {
         left_by(swept.report.history.back(), swept.report.history) <= share_left * asked_for(island.rows))
       return swept;
     for (const int body : island.bodies) hard_[body] = true;
-    return in_turn(std::move(swept), factorised(island, stop, factors), island.rows.size());
+    return in_turn(std::move(swept), factorised(island, enough(island, stop), factors), island.rows.size());
   }
 
-  static Outcome factorised(Island<Dof>& island, const StopRule& stop, BothFactors& factors) {
-    const StopRule enough{.tolerance = stop.tolerance};
-    Outcome outcome = solve_directly(island.rows, island.inverse_mass, island.V, enough, factors);
+  static double enough(const Island<Dof>& island, const StopRule& stop) {
+    return std::max(stop.tolerance, share_of_factors * asked_for(island.rows));
+  }
+
+  static Outcome factorised(Island<Dof>& island, double tolerance, BothFactors& factors) {
+    const StopRule stop{.tolerance = tolerance};
+    Outcome outcome = solve_directly(island.rows, island.inverse_mass, island.V, stop, factors);
     outcome.row_updates = 0;
     return outcome;
   }
@@ -114,12 +118,6 @@ class ByIsland {
     for (std::size_t b = 0; b < island.bodies.size(); ++b)
       if (island.inverse_mass[b].linear > 0 && hard_[island.bodies[b]]) return true;
     return false;
-  }
-
-  static double asked_for(const std::vector<Row<Dof>>& rows) {
-    double most = 0;
-    for (const Row<Dof>& row : rows) most = std::max(most, std::abs(row.B));
-    return most;
   }
 
   std::vector<bool> hard_;  // bodies of islands that sweeps did not solve
