@@ -186,7 +186,7 @@ class Exports(unittest.TestCase):
         os.chmod(root / "run_autograder", 0o755)
         setup = subprocess.run(["bash", str(source / "setup.sh")], capture_output=True, text=True, env=env)
         self.assertEqual(setup.returncode, 0, setup.stdout + setup.stderr)
-        self.assertIn("Ready to grade 4 exercises", setup.stdout)
+        self.assertIn("Ready to grade 5 exercises", setup.stdout)
         for files, score in (({"kick.cpp": right("kick"), "drift.cpp": right("drift")}, 5),
                              ({"chapters/01_leapfrog/kick.cpp": right("kick")}, 3),
                              ({"repository/chapters/01_leapfrog/drift.cpp": right("drift")}, 2),

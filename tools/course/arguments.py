@@ -147,7 +147,7 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     command.add_argument("--views", action="store_true", help="with each film as a page of ./course view behind it")
     command.add_argument("--publish", metavar="REMOTE",
                          help="push it to branch gh-pages of this git remote, as its only commit")
-    command = add("import", "a model in MJCF, MuJoCo's format, as a scene file: ./course import model.xml > model.json")
+    command = add("import", "a model in MJCF, MuJoCo's format, as a scene file")
     command.add_argument("model", metavar="FILE.xml")
     command.add_argument("--out", metavar="FILE.json", help="default: to standard output")
     command = add("python", "the Python module: build it, or run a file that imports spook")
