@@ -9,7 +9,7 @@
 //                    1e6 N/m the tower sinks by 1e-3 of half a side, and 200 sweeps find that to 1e-5.
 //   sliding          Coulomb's cone, and in the others the slip's direction as the first of a box
 //   top              whatever integrates rotations; no rows at all
-//   double pendulum  spook: d = 0, with which rods are of second order
+//   double pendulum  spook: d = 0, with which rods are of second order; and steps composed to the fourth
 //   piles            sweeps, warm, margin 1 mm: a direct solve of thousands of rows in a heap is for nobody
 #include "peers/engines/cases.hpp"
 
@@ -154,7 +154,7 @@ std::vector<Case> cases() {
        .time = 2,
        .error = "farthest of the lower mass over both rods",
        .judge = judge(swings_as_rods),
-       .ours = {{"direct", many}},
+       .ours = {{"direct", many}, {.solver = "gauss_seidel", .h = steps({60, 120, 240, 480}), .compose = 4}},
        .theirs = {{"ODE", "step", many},
                   {"Bullet", "dantzig", many},
                   {"Bullet", "sequential", many, {50}},
@@ -197,6 +197,7 @@ std::unique_ptr<Scene> our_scene(const Case& one, std::size_t set, const OurWay&
   if (sweeps > 0) method.stop.max_sweeps = sweeps;
   if (way.cone) method.friction_model = FrictionModel::cone;
   if (way.margin >= 0) method.margin = way.margin;
+  if (way.compose != 2) method.compose = way.compose;
   return description.build(parameters, method);
 }
 

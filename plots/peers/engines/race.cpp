@@ -53,7 +53,7 @@ std::vector<Runner> runners_of_ours(const Case& one) {
   for (const OurWay& way : one.ours)
     for (const double h : way.h)
       for (const int sweeps : way.sweeps) {
-        const std::string name = way.cone ? "cone" : way.solver;
+        const std::string name = way.cone ? "cone" : way.compose == 4 ? "composed" : way.solver;
         runners.push_back({{"spook", name, h, sweeps}, [&one, way, h, sweeps](std::size_t set) {
                              return make_spook(our_scene(one, set, way, h, sweeps));
                            }});
