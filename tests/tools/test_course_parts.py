@@ -13,6 +13,7 @@ from unittest import mock
 import sandbox  # noqa: F401  (finds the course's modules)
 
 import board
+import check
 import crash
 import everything
 import install
@@ -61,6 +62,26 @@ class Crash(unittest.TestCase):
 
     def test_without_a_trace_there_is_no_place(self):
         self.assertIsNone(crash.place(Path("/nowhere"), Path("/nowhere"), []))
+
+
+class Done(unittest.TestCase):
+    def test_the_last_right_answer_is_told_as_such(self):
+        exercises = board.all_exercises()
+        for wrong, told in ((0, "Every exercise is right. Well done!"), (1, f"Next: {exercises[-1].label}")):
+            verdicts = [check.Verdict(exercise, "done") for exercise in exercises]
+            if wrong:
+                verdicts[-1].state = "wrong"
+            with contextlib.redirect_stdout(io.StringIO()) as said:
+                board.show_board(board.read_chapters(), verdicts)
+            self.assertIn(told, said.getvalue())
+
+    def test_check_tells_it_too(self):
+        with mock.patch.object(check, "judge_all", lambda exercises, seed: [check.Verdict(exercise, "done")
+                                                                             for exercise in exercises]), \
+             mock.patch.object(board.Exercise, "started", lambda exercise: True), \
+             contextlib.redirect_stdout(io.StringIO()) as said:
+            self.assertEqual(check._check_started(None), 0)
+        self.assertIn("Every exercise is right. Well done!", said.getvalue())
 
 
 class Next(unittest.TestCase):
