@@ -86,8 +86,8 @@ TEST(Mechanisms, LeapfrogHasOrderTwoThere) {
 
 TEST(Mechanisms, ComposedStepsHaveOrderFourThere) {
   for (const std::string name : {"four_bar", "bricard", "slider_crank"}) {
-    const double coarse = Composed(name, {}, 0.01).error_after(0.6),
-                 fine = Composed(name, {}, 0.005).error_after(0.6);
+    const double coarse = Composed(name, {}, 0.005).error_after(0.6),
+                 fine = Composed(name, {}, 0.0025).error_after(0.6);
     EXPECT_NEAR(std::log2(coarse / fine), 4, 0.2) << name;
   }
 }
