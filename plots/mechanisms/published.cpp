@@ -22,9 +22,10 @@ struct Mechanism {
   double h, time;  ///< the longest step, and how long it runs [s]
 };
 
-const std::vector<Mechanism> mechanisms = {{"pendulum", {}, 1.0 / 50, 4}, {"double_pendulum", {}, 1.0 / 60, 2},
-                                           {"four_bar", {}, 1.0 / 50, 2}, {"slider_crank", {}, 1.0 / 400, 2},
-                                           {"bricard", {}, 1.0 / 100, 2}, {"andrews", {}, 4e-5, 0.03}};
+const std::vector<Mechanism> mechanisms = {{"pendulum", {}, 1.0 / 50, 4},  {"double_pendulum", {}, 1.0 / 60, 2},
+                                           {"four_bar", {}, 1.0 / 50, 2},  {"slider_crank", {}, 1.0 / 400, 2},
+                                           {"governor", {}, 1.0 / 200, 2}, {"bricard", {}, 1.0 / 100, 2},
+                                           {"andrews", {}, 4e-5, 0.03}};
 
 Parameters parameters(const Mechanism& mechanism) {
   Parameters p(find_scene(mechanism.scene).parameters);

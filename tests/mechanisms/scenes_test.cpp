@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 
 #include "engine/scene_runs.hpp"
 #include "scenes/andrews_squeezer.hpp"
@@ -77,15 +79,26 @@ TEST(Mechanisms, FourBarsPassPlacesWithTwoWaysOn) {
   }
 }
 
+TEST(Mechanisms, AGovernorStaysWhereItTurnsSteadily) {
+  // cos 40° = (1 + sleeve/(2 m)) g/(l ω²). Of a governor that swings such steps leave 3e-11 m.
+  const double angle = 40 * std::acos(-1) / 180, spin = std::sqrt(2 * 9.81 / (0.3 * std::cos(angle)));
+  std::ostringstream exact;
+  exact << std::setprecision(17) << spin;
+  Composed run("governor", {{"angle", "40"}, {"spin", exact.str()}}, 0.001);
+  run.error_after(2);
+  EXPECT_NEAR(run.world().x(2).z(), -0.3 * std::cos(angle), 1e-10) << "the sleeve";
+  EXPECT_NEAR(run.world().joint_speed(0), spin, 1e-10 * spin);
+}
+
 TEST(Mechanisms, LeapfrogHasOrderTwoThere) {
-  for (const std::string name : {"four_bar", "bricard", "slider_crank"}) {
+  for (const std::string name : {"four_bar", "bricard", "slider_crank", "governor"}) {
     const double coarse = error_of(name, {}, 0.002, 0.6), fine = error_of(name, {}, 0.001, 0.6);
     EXPECT_NEAR(std::log2(coarse / fine), 2, 0.15) << name;
   }
 }
 
 TEST(Mechanisms, ComposedStepsHaveOrderFourThere) {
-  for (const std::string name : {"four_bar", "bricard", "slider_crank"}) {
+  for (const std::string name : {"four_bar", "bricard", "slider_crank", "governor"}) {
     const double coarse = Composed(name, {}, 0.005).error_after(0.6),
                  fine = Composed(name, {}, 0.0025).error_after(0.6);
     EXPECT_NEAR(std::log2(coarse / fine), 4, 0.2) << name;
