@@ -25,10 +25,10 @@ class FourBar : public WorldScene<6> {
         g_(p.number("g")),
         angle_(
             [rate = rate(p)](const Eigen::Vector2d& y) { return Eigen::Vector2d(y[1], rate * std::sin(y[0])); },
-            Eigen::Vector2d(0, p.number("speed") / p.number("l"))) {
+            Eigen::Vector2d(0, p.number("v0") / p.number("l"))) {
     const int loops = p.count("loops");
     const Vec3 up = l_ * Vec3::UnitZ(), side = l_ * Vec3::UnitX(), turning = Vec3::UnitY();
-    const double mass = p.number("m"), spin = p.number("speed") / l_;
+    const double mass = p.number("m"), spin = p.number("v0") / l_;
     const int ground = world_.add_fixed(Vec3::Zero());
     for (int n = 0; n <= loops; ++n) {
       Body<6> crank = thin_rod(n * side, n * side + up, turning, mass);
@@ -85,6 +85,8 @@ class FourBar : public WorldScene<6> {
 
 SceneDescription four_bar() {
   const Limits positive = {.low = 0, .low_included = false};
+  Parameter speed = parameter::speed(1);
+  speed.meaning = "of the cranks' ends at first";
   return {
       .name = "four_bar",
       .summary = "A chain of four-bar linkages turns over, through places where it could go on in two ways.",
@@ -98,11 +100,7 @@ SceneDescription four_bar() {
                       .value = 2,
                       .limits = {.low = 1, .high = 100, .whole = true}},
                      {.name = "l", .meaning = "of each bar", .unit = "m", .value = 1, .limits = positive},
-                     {.name = "speed",
-                      .meaning = "of the cranks' ends at first",
-                      .unit = "m/s",
-                      .value = 1,
-                      .limits = positive},
+                     speed,
                      parameter::mass(),
                      parameter::gravity(),
                      parameter::stiff_joints(1e10),

@@ -96,13 +96,19 @@ TEST(Registry, AnErrorTellsWhatTheSolverLeftUndone) {
   };
   // One contact, or one rod: a sweep is a solution. In the cradle impacts do it all, and rows have nothing left to do.
   const std::set<std::string> one_sweep_solves = {
-      "resting_sphere", "incline", "sliding_block", "slide_to_roll", "bouncing_ball", "pendulum", "cradle"};
+      "resting_sphere", "incline", "sliding_block", "slide_to_roll", "bouncing_ball", "pendulum", "cradle",
+      // The rows of a hinge at a body's centre, and its motor, do not see each other.
+      "flywheel"};
+  // One hinge, and a rod with a bead: their steps leave as much as the rest of a sweep does.
+  const std::set<std::string> steps_leave_as_much = {"door", "bead"};
   for (const SceneDescription& scene : scenes()) {
     if (!scene.solves) continue;
     const double solved = error(scene.name, {}, scene.solver, StopRule().max_sweeps);
     const double swept = error(scene.name, {}, "gauss_seidel", 1);
     if (one_sweep_solves.count(scene.name))
       EXPECT_NEAR(swept, solved, 1e-6 * solved + 1e-13) << scene.name;
+    else if (steps_leave_as_much.count(scene.name))
+      EXPECT_GE(std::abs(swept - solved), 1e-2 * solved) << scene.name;
     else
       EXPECT_GE(swept, 2 * solved) << scene.name;
   }
