@@ -9,25 +9,29 @@ import figures  # noqa: E402
 TITLE = "Mechanisms with answers from elsewhere: steps of order two and of order four"
 
 
+METHODS = {"composed": {"linestyle": "-"}, "leapfrog": {"linestyle": ":", "fillstyle": "none"}}
+
+
 def draw(data, mine):
-    figure, axes = figures.new(columns=3, height=4.0)
+    figure, ((over_step, over_time), (energy, key)) = figures.new(columns=2, rows=2, height=6.6)
+    panels = (over_step, "h [s]", "error"), (over_time, "us a second", "error"), (energy, "h [s]", "energy change")
     for scene, style in zip(data.table.values("scene"), figures.STYLES):
-        for method, changed in (("composed", {}), ("leapfrog", {"linestyle": ":", "fillstyle": "none"})):
+        for method, changed in METHODS.items():
             some = data.table.only("scene", scene).only("method", method)
-            label = scene if method == "composed" else None
-            for panel, across, along in zip(axes, ("h [s]", "us a second", "h [s]"),
-                                            ("error", "error", "energy change")):
+            for panel, across, along in panels:
                 if along == "error" or scene != "andrews":
-                    panel.plot(some[across], some[along], **style | changed, label=label)
-    for panel in axes:
+                    panel.plot(some[across], some[along], **style | changed)
+        key.plot([], [], **style | METHODS["composed"], label=scene.replace("_", " "))
+    for panel, across, along in panels:
         panel.set(xscale="log", yscale="log")
         figures.tidy(panel)
-    axes[0].set(xlabel="h [s]", ylabel="error of the scene")
-    axes[1].set(xlabel="time to compute a second of it [µs]")
-    axes[2].set(xlabel="h [s]", ylabel="largest change of energy, over the largest kinetic energy")
-    axes[0].plot([], [], color=figures.INK, label="composed")
-    axes[0].plot([], [], color=figures.INK, linestyle=":", label="leapfrog")
-    axes[0].legend(fontsize=8)
+    over_step.set(title="The error, over the step", xlabel="h [s]", ylabel="error of the scene")
+    over_time.set(title="The error, over time", xlabel="time to compute a second of it [µs]")
+    energy.set(title="The energy that comes and goes", xlabel="h [s]", ylabel="of the largest kinetic energy")
+    key.plot([], [], color=figures.INK, **METHODS["composed"], label="composed, order four")
+    key.plot([], [], color=figures.INK, **METHODS["leapfrog"], label="leapfrog, five steps for one")
+    key.legend(loc="center", fontsize=10)
+    key.axis("off")
     return figure
 
 

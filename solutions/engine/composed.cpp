@@ -23,6 +23,25 @@ static double coupling(const Row<Dof>& k, const Row<Dof>& l) {
   return sum;
 }
 
+/// The inverse of a symmetric matrix by its closed form, where it has N lines; false where no definite one is there.
+template <int N>
+static bool invert(const Eigen::MatrixXd& S, Eigen::MatrixXd& inverse) {
+  const Eigen::Matrix<double, N, N> all = S.topLeftCorner<N, N>().template selfadjointView<Eigen::Lower>();
+  inverse = all.inverse();
+  return all.determinant() > 0;
+}
+
+/// The same by Cholesky's factors, of any number of lines; S is then of no use.
+static bool invert(Eigen::MatrixXd& S, Eigen::MatrixXd& inverse) {
+  if (S.rows() == 1) return invert<1>(S, inverse);
+  if (S.rows() == 2) return invert<2>(S, inverse);
+  const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factors(S);  // in its own place
+  if (factors.info() != Eigen::Success) return false;
+  inverse.setIdentity(S.rows(), S.rows());
+  for (auto column : inverse.colwise()) factors.solveInPlace(column);
+  return true;
+}
+
 template <int Dof>
 bool RowFactors::factorise(const std::vector<Row<Dof>>& rows) {
   few_ = rows.size() <= few;
@@ -34,11 +53,7 @@ bool RowFactors::factorise(const std::vector<Row<Dof>>& rows) {
     for (Eigen::Index k = l; k < n; ++k) S_(k, l) = coupling(row(k), row(l));
     S_(l, l) += row(l).Sigma;
   }
-  const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factors(S_);  // in its own place
-  if (factors.info() != Eigen::Success) return false;
-  inverse_.setIdentity(n, n);
-  for (auto column : inverse_.colwise()) factors.solveInPlace(column);
-  return true;
+  return invert(S_, inverse_);
 }
 
 void RowFactors::solve(const Vector& right, Vector& x) const {
@@ -154,8 +169,11 @@ void Held<Dof>::drift(const std::vector<Joint>& joints, double h, const StopRule
     move(bodies, h, rotation, ahead_);
     if (rows.empty()) break;
     const double roundings = joint_gaps(joints, ahead_, lacking_) / std::abs(h);
-    lacking_ /= h;
-    const double most = lacking_.cwiseAbs().maxCoeff();
+    double most = 0;
+    for (double& lacking : lacking_) {
+      lacking /= h;
+      most = std::max(most, std::abs(lacking));
+    }
     report.history.push_back(most);
     if (most <= std::max(roundings, stop.tolerance)) break;
     const bool shrinks = most < last / 2;

@@ -85,11 +85,14 @@ class FourBar : public WorldScene<6> {
 
 SceneDescription four_bar() {
   const Limits positive = {.low = 0, .low_included = false};
+  Parameter speed = parameter::speed(1);
+  speed.meaning = "of the cranks' ends at first";
   return {
       .name = "four_bar",
       .summary = "A chain of four-bar linkages turns over, through places where it could go on in two ways.",
       .answer =
-          "One angle: θ'' = (g/l) ((N + 1)/2 + N)/((N + 1)/3 + N) sin θ from upright, integrated to roundings.",
+          "One angle: θ'' = (g/l) ((N + 1)/2 + N)/((N + 1)/3 + N) sin θ from upright, integrated to roundings. "
+          "The problem is A02 of La Coruña's library of multibody benchmarks.",
       .error_name = "largest position error of the first crank's end over its length",
       .error_unit = "relative",
       .parameters = {{.name = "loops",
@@ -97,7 +100,7 @@ SceneDescription four_bar() {
                       .value = 2,
                       .limits = {.low = 1, .high = 100, .whole = true}},
                      {.name = "l", .meaning = "of each bar", .unit = "m", .value = 1, .limits = positive},
-                     parameter::speed(1),
+                     speed,
                      parameter::mass(),
                      parameter::gravity(),
                      parameter::stiff_joints(1e10),

@@ -38,7 +38,8 @@ const std::vector<SceneDescription>& scenes() {
                                                     four_bar(),
                                                     andrews(),
                                                     bricard(),
-                                                    slider_crank()};
+                                                    slider_crank(),
+                                                    governor()};
   return all;
 }
 

@@ -38,6 +38,7 @@ SceneDescription four_bar();
 SceneDescription andrews();
 SceneDescription bricard();
 SceneDescription slider_crank();
+SceneDescription governor();
 
 const std::vector<SceneDescription>& scenes();
 

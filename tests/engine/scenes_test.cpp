@@ -58,7 +58,8 @@ TEST(Registry, EverySceneRunsWithItsDefaults) {
       {"four_bar", 1e-4},
       {"andrews", 1e-3},
       {"bricard", 1e-4},
-      {"slider_crank", 2e-4}};
+      {"slider_crank", 2e-4},
+      {"governor", 1e-4}};
   EXPECT_EQ(scenes().size(), bounds.size());
   for (const SceneDescription& scene : scenes()) {
     ASSERT_TRUE(bounds.count(scene.name)) << scene.name << " has no bound here";

@@ -2,11 +2,13 @@
 //
 //   pendulum     x, y at 10 s and the period, from horizontal       A01 of the library of benchmark problems for multibody
 //                                                                   dynamics, Universidad de La Coruña
+//   governor     cos θ = (1 + m/(2M)) g/(l ω²), and its swings      closed form; scenes/governor_motion.hpp in two ways
 //   squeezer     seven angles at 0.03 s                             Mazzia and Magherini, Test Set for IVP Solvers, andrews
 #include <gtest/gtest.h>
 
 #include "dormand_prince.hpp"
 #include "scenes/andrews_squeezer.hpp"
+#include "scenes/governor_motion.hpp"
 #include "scenes/mechanism.hpp"
 #include "scenes/plane_pendulum.hpp"
 
@@ -94,6 +96,31 @@ TEST(NaturalCoordinates, ExtrapolationAndDormandPrinceAgree) {
   const NaturalCoordinates point = pendulum();
   NaturalMotion motion = motion_of(point);
   EXPECT_LE((motion.at(3) - by_dormand_prince(point, 3, 1e-12)).cwiseAbs().maxCoeff(), 1e-10);
+}
+
+// A governor of a steady speed that is known, and of any other.
+
+const Governor watts{.l = 0.3, .M = 0.5, .J = 3.2e-4, .m = 1, .I0 = 0.011, .g = 9.81};
+
+TEST(FlyballGovernor, ExtrapolationAndDormandPrinceAgree) {
+  const Governor::State start(0.5, 0, 0);
+  const double L = watts.moment(start[0]) * 11;
+  const auto rate = [&](const Governor::State& y) { return watts.rate(y, L); };
+  ReferenceMotion<3> extrapolated(rate, start);
+  const Numbers end = dormand_prince([&](const Numbers& y) -> Numbers { return rate(y); }, start, 2, 1e-13);
+  EXPECT_GT(std::abs(end[0] - start[0]), 0.01) << "it was meant to swing";
+  EXPECT_LE((extrapolated.at(2) - end).cwiseAbs().maxCoeff(), 1e-10);
+  EXPECT_NEAR(watts.energy(end, L), watts.energy(start, L), 1e-11);
+}
+
+TEST(FlyballGovernor, StaysWhereItTurnsSteadily) {
+  for (const double theta : {0.2, 0.7, 1.4}) {
+    const double spin = watts.steady(theta);
+    EXPECT_NEAR(std::cos(theta), (1 + watts.m / (2 * watts.M)) * watts.g / (watts.l * spin * spin), 1e-14);
+    const Governor::State rate = watts.rate({theta, 0, 0}, watts.moment(theta) * spin);
+    EXPECT_NEAR(rate[1], 0, 1e-12 * spin * spin) << theta;
+    EXPECT_NEAR(rate[2], spin, 1e-14 * spin) << theta;
+  }
 }
 
 }  // namespace

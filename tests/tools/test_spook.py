@@ -95,6 +95,9 @@ class Refusals(unittest.TestCase):
         self.refused("run orbit --compose 3", "compose", "3", "2, 4")
         self.refused("run double_pendulum --compose 4", "d must be 0 with compose 4", "3")
         self.refused("run stack --compose 4 --set d=0", "compose", "touch")
+        self.refused("run sliding_block --compose 4 --set d=0", "compose", "touch", "friction")
+        self.refused("run physical_pendulum --compose 4 --set d=0 stop=30", "compose", "limit")
+        self.refused("run flywheel --compose 4 --set d=0", "compose", "motor")
         self.refused("run top --compose 4 --set update=first_order", "compose", "rotation")
         for option in ["solver direct", "order up", "friction-model cone", "tangents sliding", "warm-start"]:
             self.refused(f"run orbit --compose 4 --{option}", option.split()[0], "compose 4")
