@@ -2,6 +2,7 @@
 #include "exercise_test.hpp"
 #include "problems.hpp"
 #include "regions.hpp"
+#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -131,6 +132,23 @@ EXERCISE_TEST(UpdateRow, StopsAtZeroOnItsWayDown) {
                {0, "λ fell from 2 to 0: that is a change of -2."}});
   expect_near("velocity of the body [m/s]", "Eq. (4.7)", V[1].z(), 10.5 - 0.5, roundings(16, 10),
               {{10.5 - 4, "The unprojected change was scattered: project first."}});
+}
+
+EXERCISE_TEST(UpdateRow, StaysOffABoundThatIsNear) {
+  for (const double part : small_parts)
+    for (const double side : {-1.0, 1.0}) {
+      Row<3> row = by_hand(3 * (1 + side * part), 0);
+      row.lo = side < 0 ? 0 : 6;
+      row.hi = side < 0 ? 6 : infinity;
+      std::vector<Twist<3>> V(2, Twist<3>::Zero());
+      update_row(row, V);
+      expect_near(
+          "λ, less the bound of 6 N s, where it should be " + show(side * part) + " of that off it [N s]",
+          "Eq. (4.7)", row.lambda - 6, 6 * side * part, roundings(4, 6),
+          {{0, "It is at the bound, because that is near? A row that is nearly at its bound is free."}},
+          small_is_dropped);
+      if (::testing::Test::HasFailure()) return;
+    }
 }
 
 EXERCISE_TEST(UpdateRow, KeepsBothBounds) {

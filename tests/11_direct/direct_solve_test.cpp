@@ -326,6 +326,37 @@ EXERCISE_TEST(DirectSolve, SweepsOnWhenStoppedEarly) {
               difference(s.V, velocities(s.rows, s.V.size())), 0, roundings(200, 5));
 }
 
+EXERCISE_TEST(DirectSolve, HandsItsFirstTryOnAsTheGuess) {
+  Random random;
+  for (int repeat = 0; repeat < 5 && !::testing::Test::HasFailure(); ++repeat) {
+    System<6> s = random_system(random, 12, 30);
+    add_random_bounds(random, s.rows);
+    for (Row<6>& row : s.rows)
+      row.B *= 0.01, row.hi = row.lo < 0 ? row.hi : infinity;  // the bounds say more than B
+    s.rows[0].B *= 1e4;
+    const Bounded p = bounded(s.rows);
+    const auto first_of = [&](const VectorXd& guess) {
+      Vector lambda = guess;
+      Factors factors;
+      const auto history = interior_solve(lower_triangle(p.S), p.B, p.lo, p.hi,
+                                          {.max_sweeps = 2, .tolerance = 0}, lambda, factors)
+                               .history;
+      return history.empty() ? std::nan("") : history[0];
+    };
+    const double right = first_of(solution_of(p.S, p.B)), from_zero = first_of(VectorXd::Zero(p.B.size()));
+    const SolveReport report = solve_directly(s, {.max_sweeps = 2, .tolerance = 0});
+    if (report.history.size() < 2) continue;
+    expect_near(
+        "what interior_solve leaves after its first factorisation, the second entry of the history [m/s]",
+        "Eq. (11.12)", report.history[1], right, {1e-7 * right, "the condition of S, times roundings"},
+        {{from_zero,
+          "interior_solve has begun with a guess of 0. The λ of the try without bounds knows more: it "
+          "tells how large the impulses may be."}},
+        "interior_solve gets S, B and the bounds of the rows, and the λ of the try without bounds for its "
+        "guess.");
+  }
+}
+
 EXERCISE_TEST(DirectSolve, IsNotFooledByHugeImpulses) {
   // Rows that differ by 1e-13: without bounds they ask for impulses of 1e9 N s. Clamped, that is not the solution.
   for (const bool turned : {false, true}) {
