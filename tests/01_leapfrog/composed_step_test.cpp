@@ -227,7 +227,10 @@ EXERCISE_TEST(ComposedStep, RejectsAStepThatIsNotPositive) {
   for (const double h : {0.0, -0.1, std::nan(""), HUGE_VAL})
     expect_rejects(
         "h = " + show(h), "h", [&] { composed_step(p, unit_spring, h, 2); },
-        "See require_positive in common/require.hpp.");
+        "See require_positive in common/require.hpp.",
+        [&] {
+          return std::vector<double>{p.x[0].x(), p.v[0].x()};
+        });
 }
 
 EXERCISE_TEST(ComposedStep, RejectsLessThanOnePair) {
@@ -236,19 +239,10 @@ EXERCISE_TEST(ComposedStep, RejectsLessThanOnePair) {
   for (const int pairs : {0, -1})
     expect_rejects(
         "pairs = " + show(pairs), "pairs", [&] { composed_step(p, unit_spring, 0.1, pairs); },
-        "See reject in common/require.hpp.");
-  const Particles before = p;
-  const auto refused = [&](double h, int pairs) {
-    try {
-      composed_step(p, unit_spring, h, pairs);
-    } catch (const std::invalid_argument&) {
-    }
-    expect_true("after a step that is refused, h = " + show(h) + " s and pairs = " + show(pairs) +
-                    ", x and v are as they were",
-                "Eq. (1.13)", p.x == before.x && p.v == before.v, "Both checks come first.");
-  };
-  refused(-0.1, 2);
-  refused(0.1, 0);
+        "See reject in common/require.hpp.",
+        [&] {
+          return std::vector<double>{p.x[0].x(), p.v[0].x()};
+        });
 }
 
 }  // namespace

@@ -229,17 +229,10 @@ EXERCISE_TEST(LeapfrogStep, RejectsAStepThatIsNotPositive) {
   for (const double h : {0.0, -0.1, std::nan(""), HUGE_VAL})
     expect_rejects(
         "h = " + show(h), "h", [&] { leapfrog_step(p, spring, h); },
-        "See require_positive in common/require.hpp.");
-  const Particles before = p;
-  for (const double h : {-0.1, std::nan("")}) {
-    try {
-      leapfrog_step(p, spring, h);
-    } catch (const std::invalid_argument&) {
-    }
-    expect_true("after a step of " + show(h) + " s, which is refused, x and v are as they were",
-                "Eq. (1.3), (1.4)", p.x == before.x && p.v == before.v,
-                "Check h first, before anything is kicked.");
-  }
+        "See require_positive in common/require.hpp.",
+        [&] {
+          return std::vector<double>{p.x[0].x(), p.v[0].x()};
+        });
 }
 
 }  // namespace

@@ -202,6 +202,12 @@ EXERCISE_TEST(UpdateRow, TakesAnyBoundsAndAnyStart) {
         "λ + r/S_kk, projected on [lo, hi], wherever it comes from.");
     expect_near("the returned change Δλ [N s]", "Eq. (4.7)", delta, change, roundings(100, 5),
                 {{std::abs(change), "Return the change with its sign."},
+                 {expected - std::min(old.hi, std::max(old.lo, old.lambda)),
+                  old.hi == 0 || old.lo == 0
+                      ? "This is λ, or the change from the old λ brought within its bounds: what "
+                        "changed is counted from the old λ as it was, within its bounds or not."
+                      : "This is the change from the old λ brought within its bounds. It is "
+                        "counted from the old λ as it was, for that is what V has of it."},
                  {expected, "This is λ: return what changed."},
                  {wanted - old.lambda, "Return the change after projection, not before."}});
     expect_near("what G V changed by [m/s]", "Eq. (4.5)", along(p.V) - along(before),

@@ -3,6 +3,7 @@
 
 #include "algebra.hpp"
 #include "exercise_test.hpp"
+#include "stop_rule.hpp"
 #include "systems.hpp"
 
 using namespace spook;
@@ -160,7 +161,7 @@ EXERCISE_TEST(DirectSolve, AgreesWithManySweeps) {
 
 EXERCISE_TEST(DirectSolve, IsContentWithWhatIsToleratedClamped) {
   Random random;
-  for (int repeat = 0; repeat < 10; ++repeat) {
+  for (int met = 0; met < 10;) {
     System<6> s = random_system(random, 4, 6);
     const VectorXd free = solution_of(bounded(s.rows).S, bounded(s.rows).B);
     s.rows[2].hi = free[2] - 1e-5;
@@ -168,6 +169,8 @@ EXERCISE_TEST(DirectSolve, IsContentWithWhatIsToleratedClamped) {
     clamped[2] = s.rows[2].hi;
     System<6> to_roundings = s;
     const double residual = dense_residual(bounded(s.rows), clamped);
+    if (residual < 1e-7) continue;  // a row that shares no body: clamped it is solved
+    ++met;
     const SolveReport report = solve_directly(s, {.max_sweeps = 100, .tolerance = 2 * residual});
     expect_solved("a row that passes its bound by 1e-5 N s, to twice the residual of that", report);
     expect_near("factorisations, where the solution without bounds, clamped, will do", "Eq. (4.9)",
@@ -411,11 +414,13 @@ EXERCISE_TEST(DirectSolve, RejectsARuleThatCannotBeMet) {
   System<6> s = random_system(random, 3, 2), none;
   solve_directly(s);
   for (const int sweeps : {0, -5})
-    expect_rejects("max_sweeps = " + std::to_string(sweeps), "max_sweeps",
-                   [&] { solve_directly(s, {.max_sweeps = sweeps, .tolerance = 0}); });
+    expect_rejects(
+        "max_sweeps = " + std::to_string(sweeps), "max_sweeps",
+        [&] { solve_directly(s, {.max_sweeps = sweeps, .tolerance = 0}); }, "", state_of(s.rows, s.V));
   for (const double tolerance : {-1e-9, std::nan(""), HUGE_VAL})
-    expect_rejects("tolerance = " + show(tolerance), "tolerance",
-                   [&] { solve_directly(s, {.max_sweeps = 5, .tolerance = tolerance}); });
+    expect_rejects(
+        "tolerance = " + show(tolerance), "tolerance",
+        [&] { solve_directly(s, {.max_sweeps = 5, .tolerance = tolerance}); }, "", state_of(s.rows, s.V));
   expect_rejects("max_sweeps = 0, with no rows", "max_sweeps",
                  [&] { solve_directly(none, {.max_sweeps = 0, .tolerance = 0}); });
 }

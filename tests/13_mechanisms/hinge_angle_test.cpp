@@ -46,7 +46,7 @@ EXERCISE_TEST(HingeAngle, GoesOnBeyondHalfATurn) {
 EXERCISE_TEST(HingeAngle, KnowsOnlyTheLastAngleThatItIsGiven) {
   RandomFrames t;
   t.close_hinge(0.3);
-  double before = 0.3;
+  double before = hinge_angle(t.i, t.j, 0.4).value;
   for (const double turns : {0.0, 3.0, -2.0, 3.0, 0.0}) {
     const double right = 0.3 + turns * turn, got = hinge_angle(t.i, t.j, right + 0.1).value;
     const double nearest = 0.3 + std::round((before - 0.3) / turn) * turn;
