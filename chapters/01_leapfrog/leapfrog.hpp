@@ -30,7 +30,7 @@ Vec3 kick(const Vec3& v, const Vec3& f, double inverse_mass, double h);
 Vec3 drift(const Vec3& x, const Vec3& v, double h);
 
 /// Exercise 1.3. Takes the velocity `v` [m/s] of time 0 half a step back, to where leapfrog wants it: Eq. (1.5).
-/// `f` [N] is the force at time 0.
+/// `f` [N] is the force at time 0. Any sign of `h` is fine.
 Vec3 half_step_start(const Vec3& v, const Vec3& f, double inverse_mass, double h);
 
 /// Point masses: x[i], v[i] and inverse_mass[i] belong to body i. `v` is half a step behind `x`.

@@ -1,10 +1,13 @@
 #include "09_better_friction/better_friction.hpp"
+#include "common/require.hpp"
 
 namespace spook {
 
 template <int Dof>
 SolveReport two_pass_solve(const std::vector<Rubbing>& contacts, std::vector<Row<Dof>>& rows,
                            std::vector<Twist<Dof>>& V, const StopRule& stop) {
+  require_positive("max_sweeps", stop.max_sweeps);
+  require_not_negative("tolerance", stop.tolerance);
   for (const Rubbing& contact : contacts)
     for (const std::size_t k : {contact.normal + 1, contact.normal + 2}) {
       apply_impulse(rows[k], -rows[k].lambda, V);

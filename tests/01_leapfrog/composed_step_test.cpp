@@ -55,7 +55,16 @@ EXERCISE_TEST(ComposedStep, TakesAFreeBodyOnByAWholeStep) {
   const double h = 0.3;
   for (const int pairs : {1, 2, 3}) {
     Particles p{{Vec3(1, 2, 3)}, {Vec3(4, 0, 0)}, {0.5}};
-    composed_step(p, no_force, h, pairs);
+    try {
+      composed_step(p, no_force, h, pairs);
+    } catch (const std::invalid_argument& error) {
+      report_failure(
+          "a step of 0.3 s, pairs = " + show(pairs), "Eq. (1.11)",
+          "  expected  no exception\n  got       one that says: " + std::string(error.what()) + "\n",
+          "The part in the middle is negative, and leapfrog_step refuses such a step. kick and drift take "
+          "steps of either sign.");
+      return;
+    }
     const double w = 1 / (2 * pairs - std::cbrt(2 * pairs));
     expect_near(
         "x of a free body at 4 m/s, from 1 m, after one step of 0.3 s, pairs = " + show(pairs) + " [m]",
@@ -125,6 +134,49 @@ EXERCISE_TEST(ComposedStep, TakesAsManyPartsAsItIsAskedFor) {
                  "A ratio of 1 means that pairs was not used.");
 }
 
+// With one number of pairs after the other: parts that were worked out for another call would show.
+EXERCISE_TEST(ComposedStep, TakesThePartsOfThisCall) {
+  const double h = 0.1;
+  const auto by_hand = [&](int pairs, double w) {
+    Particles p = mass_on_it();
+    for (int n = 0; n <= 2 * pairs; ++n) {
+      const double part = h * (n == pairs ? 1 - 2 * pairs * w : w);
+      p.x[0] += part / 2 * p.v[0];
+      p.v[0] -= part * p.x[0];
+      p.x[0] += part / 2 * p.v[0];
+    }
+    return p.x[0].x();
+  };
+  const auto w_of = [](int pairs) { return 1 / (2 * pairs - std::cbrt(2 * pairs)); };
+  for (const int pairs : {1, 2, 3, 5, 2, 1}) {
+    Particles p = mass_on_it();
+    composed_step(p, unit_spring, h, pairs);
+    const std::string other =
+        "These are as many parts as should be, each as long as for another number of pairs: does "
+        "something live on from an earlier call, a static variable?";
+    expect_near("x of an oscillator after a step of 0.1 s, pairs = " + show(pairs) + " [m]",
+                "Eq. (1.11), (1.13)", p.x[0].x(), by_hand(pairs, w_of(pairs)), roundings(200),
+                {{by_hand(pairs, w_of(pairs == 1 ? 2 : 1)), other},
+                 {by_hand(pairs, w_of(pairs == 3 ? 2 : 3)), other},
+                 {by_hand(pairs, w_of(5)), other}},
+                "Parts of w h, the middle one of (1 - 2N w) h, w of Eq. (1.13).");
+    if (::testing::Test::HasFailure()) return;
+  }
+}
+
+EXERCISE_TEST(ComposedStep, MovesABodyThatNoForceMoves) {
+  const double h = 0.1;
+  Particles p{{Vec3(1, 0, 0), Vec3(2, 0, 0)}, {Vec3(0, 3, 0), Vec3::Zero()}, {0, 1}};
+  composed_step(p, unit_spring, h, 2);
+  expect_near_vector(
+      "x of a body with 1/m = 0 that moves at 3 m/s, after 0.1 s [m]", "Eq. (1.11)", p.x[0], Vec3(1, 0.3, 0),
+      roundings(20, 2),
+      {{Vec3(1, 0, 0), "It has not moved. Also a body that no force moves goes on with its velocity."}},
+      "No force changes its velocity, and it drifts by h v.");
+  expect_near_vector("its velocity [m/s]", "Eq. (1.3)", p.v[0], Vec3(0, 3, 0), {0, "exact"}, {},
+                     "With an inverse mass of 0 no force changes v.");
+}
+
 EXERCISE_TEST(ComposedStep, ConservesMomentum) {
   Random random;
   Particles p = three_in_it(random);
@@ -175,7 +227,10 @@ EXERCISE_TEST(ComposedStep, RejectsAStepThatIsNotPositive) {
   for (const double h : {0.0, -0.1, std::nan(""), HUGE_VAL})
     expect_rejects(
         "h = " + show(h), "h", [&] { composed_step(p, unit_spring, h, 2); },
-        "See require_positive in common/require.hpp.");
+        "See require_positive in common/require.hpp.",
+        [&] {
+          return std::vector<double>{p.x[0].x(), p.v[0].x()};
+        });
 }
 
 EXERCISE_TEST(ComposedStep, RejectsLessThanOnePair) {
@@ -184,7 +239,10 @@ EXERCISE_TEST(ComposedStep, RejectsLessThanOnePair) {
   for (const int pairs : {0, -1})
     expect_rejects(
         "pairs = " + show(pairs), "pairs", [&] { composed_step(p, unit_spring, 0.1, pairs); },
-        "See reject in common/require.hpp.");
+        "See reject in common/require.hpp.",
+        [&] {
+          return std::vector<double>{p.x[0].x(), p.v[0].x()};
+        });
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Kick, drift and the half-step start, one body at a time.
 #include "01_leapfrog/leapfrog.hpp"
 #include "exercise_test.hpp"
+#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -23,6 +24,19 @@ struct OneBody {
               " N, 1/m = " + show(1 / mass) + " /kg, h = " + show(h) + " s";
   }
 };
+
+/// What is (1, 1, 1) changes by a small part of itself, to a rounding or two.
+void expect_small_change(const std::string& what, const std::string& equation,
+                         const std::function<Vec3(const Vec3&, const Vec3&)>& step) {
+  const Vec3 large(1, 1, 1);
+  for (const double part : small_parts) {
+    const Vec3 change = part * Vec3(0.5, -1, 0.25);
+    expect_near_vector(what + " that changes by " + show(part) + " of itself", equation, step(large, change),
+                       large + change, roundings(3), {{large, "It has not changed. " + small_is_dropped}},
+                       small_is_dropped);
+    if (::testing::Test::HasFailure()) return;
+  }
+}
 
 EXERCISE_TEST(Kick, AddsForceOverMassTimesStep) {
   const OneBody b;
@@ -55,6 +69,11 @@ EXERCISE_TEST(Kick, BackwardsUndoesForwards) {
                      b.v, roundings(8, 5), {}, "The change must be proportional to h, for either sign of it.");
 }
 
+EXERCISE_TEST(Kick, DropsNoSmallChange) {
+  expect_small_change("a velocity [m/s]", "Eq. (1.3)",
+                      [](const Vec3& v, const Vec3& change) { return kick(v, change / 0.5, 4, 0.125); });
+}
+
 EXERCISE_TEST(Drift, MovesByVelocityTimesStep) {
   const OneBody b;
   const Vec3 got = drift(b.x, b.v, b.h);
@@ -75,6 +94,11 @@ EXERCISE_TEST(Drift, BackwardsUndoesForwards) {
                      "The change must be proportional to h, for either sign of it.");
 }
 
+EXERCISE_TEST(Drift, DropsNoSmallChange) {
+  expect_small_change("a position [m]", "Eq. (1.4)",
+                      [](const Vec3& x, const Vec3& change) { return drift(x, 8 * change, 0.125); });
+}
+
 EXERCISE_TEST(HalfStepStart, GoesBackHalfAStep) {
   const OneBody b;
   const Vec3 change = b.h * b.f / b.mass;
@@ -91,6 +115,23 @@ EXERCISE_TEST(HalfStepStart, GoesBackHalfAStep) {
                       {b.v + change, "This is a whole step forwards: go back, and half a step only."},
                       {b.v - b.h * b.f / 2, "The force has not been divided by the mass."}},
                      "Eq. (1.5) subtracts (h/2) f/m from v.");
+}
+
+EXERCISE_TEST(HalfStepStart, DropsNoSmallChange) {
+  expect_small_change("a velocity [m/s]", "Eq. (1.5)", [](const Vec3& v, const Vec3& change) {
+    return half_step_start(v, -8 * change, 2, 0.125);
+  });
+}
+
+EXERCISE_TEST(HalfStepStart, TakesStepsOfEitherSign) {
+  const OneBody b;
+  const Vec3 back = half_step_start(b.v, b.f, 1 / b.mass, b.h);
+  expect_near_vector(
+      "v half a step of -h before the start [m/s]", "Eq. (1.5)", half_step_start(b.v, b.f, 1 / b.mass, -b.h),
+      b.v + b.h / 2 * b.f / b.mass, roundings(8, 5),
+      {{back, "The sign of h has been lost. For a film that runs backwards, half a step back lies ahead."},
+       {b.v, "Nothing has changed: a negative h is a step, too."}},
+      "Eq. (1.5) with -h for h.");
 }
 
 EXERCISE_TEST(HalfStepStart, MakesFreeFallExact) {

@@ -229,7 +229,10 @@ EXERCISE_TEST(LeapfrogStep, RejectsAStepThatIsNotPositive) {
   for (const double h : {0.0, -0.1, std::nan(""), HUGE_VAL})
     expect_rejects(
         "h = " + show(h), "h", [&] { leapfrog_step(p, spring, h); },
-        "See require_positive in common/require.hpp.");
+        "See require_positive in common/require.hpp.",
+        [&] {
+          return std::vector<double>{p.x[0].x(), p.v[0].x()};
+        });
 }
 
 }  // namespace

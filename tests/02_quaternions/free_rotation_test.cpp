@@ -110,21 +110,30 @@ EXERCISE_TEST(FreeRotation, RunsBackToWhereItCameFrom) {
 
 EXERCISE_TEST(FreeRotation, SpinsOnAboutAPrincipalAxis) {
   Random random;
-  for (int c = 0; c < 3; ++c) {
-    Top top = random_top(random);
-    const Vec3 axis = top.q * Vec3::Unit(c);
-    top.omega = 2 * axis;
-    const Quat expected = turn_about(axis, 2 * 1.0) * top.q;
-    const Top end = after(top, 1, 0.01);
-    expect_near_vector<Vec3>("ω after 1 s about the body's axis " + std::to_string(c + 1) + " [rad/s]",
-                             "Eq. (2.11)", end.omega, top.omega, roundings(64 * 100, 2), {},
-                             "About a principal axis nothing changes: ω stays along L.");
-    expect_same_rotation(
-        "q after 1 s at 2 rad/s about the body's axis " + std::to_string(c + 1) + " (w, x, y, z)", "Eq. (2.10)",
-        end.q, expected, {0.02 * 0.02 * 2, "(hω)² of the angle, 2 rad"},
-        {{turn_about(axis, 4) * top.q, "Twice the angle."}, {turn_about(axis, 1) * top.q, "Half the angle."}},
-        "About a principal axis this is a plain turn by hω a step.");
-  }
+  for (const bool round : {false, true})
+    for (int c = 0; c < 3; ++c) {
+      Top top = random_top(random);
+      if (round) top.principal.setConstant(0.4);
+      const Vec3 axis = top.q * Vec3::Unit(c);
+      top.omega = 2 * axis;
+      const auto turned = [&](double angle) { return turn_about(axis, angle) * top.q; };
+      const Top end = after(top, 1, 0.5);
+      const std::string body = round ? " of a sphere" : "";
+      expect_near_vector<Vec3>(
+          "ω" + body + " after 1 s about the body's axis " + std::to_string(c + 1) + " [rad/s]", "Eq. (2.11)",
+          end.omega, top.omega, roundings(64 * 2, 2), {},
+          "About a principal axis nothing changes: ω stays along L.");
+      expect_same_rotation(
+          "q" + body + " after two steps of 0.5 s at 2 rad/s about the body's axis " + std::to_string(c + 1) +
+              " (w, x, y, z)",
+          "Eq. (2.10)", end.q, turned(2), roundings(64),
+          {{turned(4), "Twice the angle."},
+           {turned(1), "Half the angle."},
+           {turned(4 * std::atan(0.5)),
+            "This is Eq. (2.4): each step turns by 2 atan(h|ω|/2). The turns of Eq. (2.10) are exact, "
+            "also for a sphere."}},
+          "About a principal axis this is a plain turn by hω a step, exact for any h: Eq. (2.6).");
+    }
 }
 
 EXERCISE_TEST(FreeRotation, OfASphereIsAPlainTurn) {

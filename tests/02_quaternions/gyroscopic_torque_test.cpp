@@ -1,6 +1,7 @@
 // The gyroscopic torque by itself: Euler's equations, where it is zero, and that it does no work.
 #include "exercise_test.hpp"
 #include "rotations.hpp"
+#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -68,6 +69,23 @@ EXERCISE_TEST(GyroscopicTorque, IsZeroAboutAPrincipalAxis) {
         "gyroscopic torque at 3 rad/s about the body's axis " + std::to_string(c + 1) + " [N m]", "Eq. (2.9)",
         gyroscopic_torque(b.inertia, b.R * (3 * Vec3::Unit(c))), Vec3::Zero(), roundings(64, 40), {},
         "About a principal axis L is along ω: the body does not wobble.");
+}
+
+EXERCISE_TEST(GyroscopicTorque, DropsNoSmallTorque) {
+  for (const double part : small_parts) {
+    // Euler's equations again: a body that is nearly round, and one that nearly spins about an axis of its own.
+    const Vec3 round(1, 1 + part, 1 - part),
+        differences(round[1] - round[2], round[2] - round[0], round[0] - round[1]);
+    expect_near_vector<Vec3>(
+        "gyroscopic torque for moments 1, 1 + p and 1 - p, p = " + show(part) + ", and ω = (1, 1, 1) [N m]",
+        "Eq. (2.9)", gyroscopic_torque(round.asDiagonal().toDenseMatrix(), Vec3(1, 1, 1)), differences,
+        roundings(4), {{Vec3::Zero(), "There is none. " + small_is_dropped}}, small_is_dropped);
+    expect_near_vector<Vec3>(
+        "gyroscopic torque for moments 1, 2, 4 and ω = (1, p, 0), p = " + show(part) + " [N m]", "Eq. (2.9)",
+        gyroscopic_torque(Vec3(1, 2, 4).asDiagonal().toDenseMatrix(), Vec3(1, part, 0)), Vec3(0, 0, -part),
+        roundings(4, part), {{Vec3::Zero(), "There is none. " + small_is_dropped}}, small_is_dropped);
+    if (::testing::Test::HasFailure()) return;
+  }
 }
 
 EXERCISE_TEST(GyroscopicTorque, DoesNoWork) {

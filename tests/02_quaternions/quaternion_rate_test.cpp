@@ -44,7 +44,10 @@ EXERCISE_TEST(QuaternionRate, IsHalfOmegaTimesQ) {
         "This is ½ q ω: right if ω were in body coordinates. Ours is in world coordinates: ω stands on the "
         "left."},
        {2 * expected, "This is ω q: the ½ is missing."},
-       {-expected, "The sign: this body turns backwards."},
+       {-expected,
+        b.q.w() < 0 ? "The sign: this body turns backwards. If it does so for w < 0 only, this is the rate of "
+                      "-q: take q as it is given."
+                    : "The sign: this body turns backwards."},
        {expected.normalized(),
         "The rate has been normalised. Only orientations have length 1; this is a rate, of length |ω|/2."},
        {Vec4(w, v.x() / 2, v.y() / 2, v.z() / 2), "The ½ belongs to all four numbers; here w has not got it."},

@@ -44,7 +44,10 @@ EXERCISE_TEST(UpdateFirstOrder, TurnsByTwiceTheArcTangent) {
        {s.q, "q has not moved."},
        {turned_by(x),
         "This turns by h|ω|, exactly: that is exercise 2.3. Here the notes' update is asked for, to compare."}},
-      "Eq. (2.4): q plus h times quaternion_rate, then normalised.");
+      std::abs(coefficients(got).norm() - 1) > 1e-12
+          ? "Its length is not 1: divide by the length of q + h q', itself, by the root and not by a few terms "
+            "of it."
+          : "Eq. (2.4): q plus h times quaternion_rate, then normalised.");
 }
 
 // An odd number of steps: who divides by |q|² where |q| belongs comes back at every even one.

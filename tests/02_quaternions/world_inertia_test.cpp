@@ -3,6 +3,7 @@
 #include "algebra.hpp"
 #include "exercise_test.hpp"
 #include "rotations.hpp"
+#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -61,6 +62,19 @@ EXERCISE_TEST(WorldInertia, IsTheSumOverTheBodysAxes) {
         "The three moments were turned like a vector. They belong to axes: it is the axes that turn."},
        {expected.inverse(), "This is the inverse inertia. Whoever wants it passes inverse moments."}},
       "Eq. (2.7): R diag(I1, I2, I3) Rᵀ with R = R(q).");
+}
+
+EXERCISE_TEST(WorldInertia, OfABodyThatIsNearlyRoundIsNotThatOfASphere) {
+  const TurnedBody b;
+  for (const double part : small_parts) {
+    const Vec3 more = part * Vec3(1, -0.5, 0.25);
+    const Mat3 got = world_inertia(b.q, Vec3::Ones() + more) - Mat3::Identity();
+    expect_near_vector<Mat3>(
+        "inertia of a body with moments that differ by " + show(part) + " of 1 kg m², less 1 kg m²",
+        "Eq. (2.7)", got, b.R * more.asDiagonal() * b.R.transpose(), roundings(32),
+        {{Mat3::Zero(), "This is a sphere's. " + small_is_dropped}}, small_is_dropped);
+    if (::testing::Test::HasFailure()) return;
+  }
 }
 
 EXERCISE_TEST(WorldInertia, TakesMomentsInAnyOrder) {

@@ -110,14 +110,16 @@ EXERCISE_TEST(CollisionMatrix, OfAFixedBodyAndAnotherIsTheOthersShare) {
   Mat3 share;
   for (int k = 0; k < 3; ++k) share.col(k) = point_kick(free, r, Vec3::Unit(k));
   const std::string missing = "The share of the free body is missing.";
+  const std::string short_arm =
+      "This is 1/m alone: the free body's arm has been left out. It counts, however long the other one is.";
   const std::string rule =
       "All zero is a body that nothing moves: it adds nothing. Multiply; never divide by 0.";
   expect_near_vector("K when body i is fixed, column by column [1/kg]", "Eq. (3.8)",
                      collision_matrix(fixed, far, free, r), share, roundings(64, pair.size()),
-                     {{Mat3::Zero(), missing}}, rule);
+                     {{Mat3::Zero(), missing}, {free.linear * Mat3::Identity(), short_arm}}, rule);
   expect_near_vector("K when body j is fixed, column by column [1/kg]", "Eq. (3.8)",
                      collision_matrix(free, r, fixed, far), share, roundings(64, pair.size()),
-                     {{Mat3::Zero(), missing}}, rule);
+                     {{Mat3::Zero(), missing}, {free.linear * Mat3::Identity(), short_arm}}, rule);
 }
 
 EXERCISE_TEST(CollisionMatrix, IsSymmetricAndPositiveDefinite) {

@@ -69,7 +69,9 @@ EXERCISE_TEST(ContactImpulse, NeverPulls) {
           "λ [N s] of a contact that lets go, for " + c.text(), "Eq. (3.11)", lambda, 0, {0, "exact"},
           {{-unprojected,
             "This is |λ|: a contact that should let go kicks its bodies apart. Take the larger of λ and 0."}},
-          "Where the equation wants λ < 0, the contact lets go: λ = 0.");
+          "Where the equation wants λ < 0, the contact lets go: λ = 0. What is kept from pulling is the sum of "
+          "all that "
+          "it wants, not each part of it.");
   }
 }
 

@@ -42,6 +42,23 @@ EXERCISE_TEST(ContactJacobian, TurnsABodyAboutItsContactPoint) {
       "Gi = (-n, -r_i × n).");
 }
 
+EXERCISE_TEST(ContactJacobian, DoesNotMindTheBodiesNumbers) {
+  Random random;
+  Contact contact = RandomPair(random).contact;
+  const ContactJacobian G = contact_jacobian(contact);
+  for (const auto& [i, j] : {std::pair(1, 0), std::pair(7, 3), std::pair(3, 7)}) {
+    contact.i = i, contact.j = j;
+    const ContactJacobian same = contact_jacobian(contact);
+    const std::string clue =
+        "n points from i to j, whichever of the two numbers is the lower: G of j has +n, and G of i has -n.";
+    const std::string pair = " for bodies i = " + std::to_string(i) + " and j = " + std::to_string(j);
+    expect_near_vector("Gi" + pair, "Eq. (3.3)", same.Gi, G.Gi, {0, "the numbers of bodies say nothing"}, {},
+                       clue);
+    expect_near_vector("Gj" + pair, "Eq. (3.3)", same.Gj, G.Gj, {0, "the numbers of bodies say nothing"}, {},
+                       clue);
+  }
+}
+
 EXERCISE_TEST(ContactJacobian, HasFourBlocks) {
   Random random;
   const RandomPair pair(random);

@@ -1,6 +1,7 @@
 // What a row holds before the sweeps, and what an impulse along it does.
 #include "exercise_test.hpp"
 #include "problems.hpp"
+#include "regions.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -49,21 +50,42 @@ double difference(const TwoBodies& t, const std::vector<Twist<6>>& W) {
 }
 
 EXERCISE_TEST(MakeRow, FillsTheRightSide) {
-  const TwoBodies t;
-  const double ag = t.c.spook.a * t.c.gap, GW = t.along(t.motion.W), GWf = t.along(t.motion.Wf);
-  const double b = t.c.spook.b;
-  expect_near(
-      "B of a contact between two rigid bodies [m/s]", "Eq. (4.4)", make_row(t.c, t.motion).B,
-      -ag - b * GW - GWf, roundings(32, 10),
-      {{ag - b * GW - GWf, "The sign of the gap: with +a g a penetrating contact pulls the bodies together."},
-       {-ag - GW - GWf, "b is missing in front of G W."},
-       {-ag - b * GW, "What the forces add in this step, G W_f, is missing."},
-       {-ag - b * (GW + GWf), "b belongs to the old velocity alone; G W_f counts in full."},
-       {-ag + b * GW + GWf, "The sign of the velocities: an approaching contact has G W < 0 and must push."},
-       {-b * GW - GWf, "The gap is missing: nothing would bring a violation back."},
-       {-ag - b * difference(t, t.motion.W) - difference(t, t.motion.Wf),
-        "Gi has its sign already: add both bodies' shares."}},
-      "B = -a g - b G W - G W_f, with the blocks Gi and Gj each on its own body.");
+  TwoBodies t;
+  Regions regions(
+      {"open", "overlaps", "i is at rest, and nothing pulls at it", "j is at rest, and nothing pulls at it"});
+  while (regions.lack_draws()) {
+    t.motion = random_motion(t.random, 2);
+    t.c = random_constraint(t.random, 2);
+    const int rests = t.random.integer(-4, 1);
+    const auto at_rest = [&](int body) { return body == rests; };
+    if (rests >= 0) t.motion.W[static_cast<std::size_t>(rests)].setZero();
+    if (rests >= 0) t.motion.Wf[static_cast<std::size_t>(rests)].setZero();
+    regions.draw({{"open", t.c.gap > 0},
+                  {"overlaps", t.c.gap < 0},
+                  {"i is at rest, and nothing pulls at it", at_rest(t.c.i)},
+                  {"j is at rest, and nothing pulls at it", at_rest(t.c.j)}});
+    const double ag = t.c.spook.a * t.c.gap, GW = t.along(t.motion.W), GWf = t.along(t.motion.Wf);
+    const double b = t.c.spook.b;
+    const Row<6> row = make_row(t.c, t.motion);
+    expect_near(
+        "B of a contact between two rigid bodies [m/s]", "Eq. (4.4)", row.B, -ag - b * GW - GWf,
+        roundings(32, 10),
+        {{ag - b * GW - GWf, "The sign of the gap: with +a g a penetrating contact pulls the bodies together."},
+         {-ag - GW - GWf, "b is missing in front of G W."},
+         {-ag - b * GW, "What the forces add in this step, G W_f, is missing."},
+         {-ag - b * (GW + GWf), "b belongs to the old velocity alone; G W_f counts in full."},
+         {-ag + b * GW + GWf, "The sign of the velocities: an approaching contact has G W < 0 and must push."},
+         {-b * GW - GWf,
+          "The gap is missing: it counts above 0, where a contact may close within the step, and below."},
+         {-ag - b * difference(t, t.motion.W) - difference(t, t.motion.Wf),
+          "Gi has its sign already: add both bodies' shares."}},
+        "B = -a g - b G W - G W_f, with the blocks Gi and Gj each on its own body.");
+    const double shares = t.c.Gi.dot(t.at(t.motion.inverse_mass, t.c.i).times(t.c.Gi)) +
+                          t.c.Gj.dot(t.at(t.motion.inverse_mass, t.c.j).times(t.c.Gj));
+    expect_near(
+        "its diagonal [1/kg]", "Eq. (4.3)", row.diagonal, shares + t.c.spook.Sigma, roundings(32, 20), {},
+        "The masses say how easily the row moves, and nothing else does: a body at rest can be pushed, too.");
+  }
 }
 
 EXERCISE_TEST(MakeRow, DividesTheJacobianByTheMasses) {
@@ -129,34 +151,42 @@ EXERCISE_TEST(ApplyImpulse, MovesBothBodies) {
   const TwoBodies t;
   Row<6> row = make_row(t.c, t.motion);
   row.lambda = 0.3;
-  const double delta = 0.7;
-  const Twist<6> so_far = Twist<6>::Constant(0.5);  // what other rows have done
-  std::vector<Twist<6>> V(2, so_far);
-  apply_impulse(row, delta, V);
-  const Twist<6> change_i = V[static_cast<std::size_t>(row.i)] - so_far;
-  const Twist<6> change_j = V[static_cast<std::size_t>(row.j)] - so_far;
-  const std::string masses = "The masses are missing: use MinvGi and MinvGj.";
-  const std::string sign = "The sign is in Gi and Gj already: both are added.";
-  const std::string idle = "This body has not moved. An impulse acts on both, Newton's third law.";
-  const std::string unscaled = "Δλ is missing: this is M⁻¹G alone.";
-  const std::string whole = "This is the row's own λ, times M⁻¹G. The impulse to scatter is `delta`.";
-  const std::string lost = "What was there before must stay: add, do not assign.";
-  expect_near_vector("velocity change of body i", "Eq. (4.5)", change_i, delta * row.MinvGi, roundings(16, 10),
-                     {{delta * row.Gi, masses},
-                      {-delta * row.MinvGi, sign},
-                      {Twist<6>::Zero(), idle},
-                      {row.MinvGi, unscaled},
-                      {row.lambda * row.MinvGi, whole},
-                      {(row.lambda + delta) * row.MinvGi, whole},
-                      {delta * row.MinvGi - so_far, lost}});
-  expect_near_vector("velocity change of body j", "Eq. (4.5)", change_j, delta * row.MinvGj, roundings(16, 10),
-                     {{delta * row.Gj, masses},
-                      {-delta * row.MinvGj, sign},
-                      {Twist<6>::Zero(), idle},
-                      {row.MinvGj, unscaled},
-                      {row.lambda * row.MinvGj, whole},
-                      {(row.lambda + delta) * row.MinvGj, whole},
-                      {delta * row.MinvGj - so_far, lost}});
+  for (const double delta : {0.7, -0.7, 1e-20, -1e-20}) {
+    // What other rows have done; beside the smallest impulses nothing, as they would be lost in roundings.
+    const Twist<6> so_far = Twist<6>::Constant(std::abs(delta) < 0.1 ? 0 : 0.5);
+    const double size = std::abs(delta) < 0.1 ? std::abs(delta) * 10 : 10;
+    std::vector<Twist<6>> V(2, so_far);
+    apply_impulse(row, delta, V);
+    const Twist<6> change_i = V[static_cast<std::size_t>(row.i)] - so_far;
+    const Twist<6> change_j = V[static_cast<std::size_t>(row.j)] - so_far;
+    const std::string masses = "The masses are missing: use MinvGi and MinvGj.";
+    const std::string sign = "The sign is in Gi and Gj already: both are added.";
+    const std::string idle =
+        "This body has not moved, for Δλ = " + show(delta) +
+        " N s. An impulse acts on both, Newton's third law, and Δλ may have either sign and any size.";
+    const std::string unscaled = "Δλ is missing: this is M⁻¹G alone.";
+    const std::string whole = "This is the row's own λ, times M⁻¹G. The impulse to scatter is `delta`.";
+    const std::string lost = "What was there before must stay: add, do not assign.";
+    expect_near_vector("velocity change of body i", "Eq. (4.5)", change_i, delta * row.MinvGi,
+                       roundings(16, size),
+                       {{delta * row.Gi, masses},
+                        {-delta * row.MinvGi, sign},
+                        {Twist<6>::Zero(), idle},
+                        {row.MinvGi, unscaled},
+                        {row.lambda * row.MinvGi, whole},
+                        {(row.lambda + delta) * row.MinvGi, whole},
+                        {delta * row.MinvGi - so_far, lost}});
+    expect_near_vector("velocity change of body j", "Eq. (4.5)", change_j, delta * row.MinvGj,
+                       roundings(16, size),
+                       {{delta * row.Gj, masses},
+                        {-delta * row.MinvGj, sign},
+                        {Twist<6>::Zero(), idle},
+                        {row.MinvGj, unscaled},
+                        {row.lambda * row.MinvGj, whole},
+                        {(row.lambda + delta) * row.MinvGj, whole},
+                        {delta * row.MinvGj - so_far, lost}});
+    if (::testing::Test::HasFailure()) return;
+  }
 }
 
 EXERCISE_TEST(ApplyImpulse, ConservesMomentum) {

@@ -117,7 +117,7 @@ EXERCISE_TEST(Solve, StopsAtTheFirstSweepThatIsGoodEnough) {
       "A sweep that returns at most the tolerance is the last one, and `converged` says that there was one.");
   if (!stopped) return;
   expect_at_most("what the last sweep returned [m/s]", "Eq. (4.9)", report.history[n - 1], 1e-6,
-                 "the tolerance");
+                 "the tolerance", "Is the sweep that was good enough in the history, too?");
   expect_at_least("what the sweep before it returned [m/s]", "Eq. (4.9)", report.history[n - 2], 1e-6,
                   "not good enough", "It could have stopped earlier.");
   for (std::size_t k = 2; k < n; ++k)
@@ -151,6 +151,22 @@ EXERCISE_TEST(Solve, StopsByTheRule) {
     };
     if (!expect_stops_by_the_rule("Eq. (4.9)", 12, anew)) return;
   }
+}
+
+// Swept from the top down, a stack hears of the ground one row a sweep: at first every sweep returns the same.
+EXERCISE_TEST(Solve, GoesOnWhenTwoSweepsReturnTheSame) {
+  Problem<3> p = stack({1, 1, 1, 1, 1, 1}, 0.1);
+  std::reverse(p.rows.begin(), p.rows.end());
+  Problem<3> again = p;
+  for (int k = 0; k < 40; ++k) sweep(again.rows, again.V);
+  const SolveReport report = solve(p.rows, p.V, {.max_sweeps = 40, .tolerance = 0});
+  expect_near("sweeps of a stack of six, from the top down, of 40 that are allowed", "Eq. (4.9)",
+              static_cast<double>(report.history.size()), 40, {0, "a count"}, {},
+              "Its first sweeps all return the same, for the news from the ground goes up by one row a sweep. "
+              "That is no "
+              "sign that nothing happens: only the tolerance and max_sweeps end it.");
+  expect_near_vector("λ after them [N s]", "Eq. (4.2)", gathered(p.rows, &Row<3>::lambda),
+                     gathered(again.rows, &Row<3>::lambda), {0, "the same 40 sweeps"});
 }
 
 EXERCISE_TEST(Solve, StopsWhenASweepChangesNothing) {
@@ -200,12 +216,16 @@ EXERCISE_TEST(Solve, OfNothingIsDone) {
 EXERCISE_TEST(Solve, RejectsARuleThatCannotBeMet) {
   Problem<3> p = stack({1}, 0.1);
   solve(p.rows, p.V, {.max_sweeps = 1, .tolerance = 0});
+  p = stack({1}, 0.1);
+  const auto state = state_of(p.rows, p.V);
   for (const int sweeps : {0, -5})
-    expect_rejects("max_sweeps = " + std::to_string(sweeps), "max_sweeps",
-                   [&] { solve(p.rows, p.V, {.max_sweeps = sweeps, .tolerance = 0}); });
+    expect_rejects(
+        "max_sweeps = " + std::to_string(sweeps), "max_sweeps",
+        [&] { solve(p.rows, p.V, {.max_sweeps = sweeps, .tolerance = 0}); }, "", state);
   for (const double tolerance : {-1e-9, std::nan(""), HUGE_VAL})
-    expect_rejects("tolerance = " + show(tolerance), "tolerance",
-                   [&] { solve(p.rows, p.V, {.max_sweeps = 5, .tolerance = tolerance}); });
+    expect_rejects(
+        "tolerance = " + show(tolerance), "tolerance",
+        [&] { solve(p.rows, p.V, {.max_sweeps = 5, .tolerance = tolerance}); }, "", state);
   std::vector<Row<3>> none;
   expect_rejects(
       "max_sweeps = 0, with no rows", "max_sweeps",

@@ -2,6 +2,7 @@
 #include "exercise_test.hpp"
 #include "problems.hpp"
 #include "regions.hpp"
+#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -133,6 +134,23 @@ EXERCISE_TEST(UpdateRow, StopsAtZeroOnItsWayDown) {
               {{10.5 - 4, "The unprojected change was scattered: project first."}});
 }
 
+EXERCISE_TEST(UpdateRow, StaysOffABoundThatIsNear) {
+  for (const double part : small_parts)
+    for (const double side : {-1.0, 1.0}) {
+      Row<3> row = by_hand(3 * (1 + side * part), 0);
+      row.lo = side < 0 ? 0 : 6;
+      row.hi = side < 0 ? 6 : infinity;
+      std::vector<Twist<3>> V(2, Twist<3>::Zero());
+      update_row(row, V);
+      expect_near(
+          "λ, less the bound of 6 N s, where it should be " + show(side * part) + " of that off it [N s]",
+          "Eq. (4.7)", row.lambda - 6, 6 * side * part, roundings(4, 6),
+          {{0, "It is at the bound, because that is near? A row that is nearly at its bound is free."}},
+          small_is_dropped);
+      if (::testing::Test::HasFailure()) return;
+    }
+}
+
 EXERCISE_TEST(UpdateRow, KeepsBothBounds) {
   for (const double B : {-30.0, 0.5, 30.0}) {
     Row<3> row = by_hand(B, 0);
@@ -184,6 +202,12 @@ EXERCISE_TEST(UpdateRow, TakesAnyBoundsAndAnyStart) {
         "λ + r/S_kk, projected on [lo, hi], wherever it comes from.");
     expect_near("the returned change Δλ [N s]", "Eq. (4.7)", delta, change, roundings(100, 5),
                 {{std::abs(change), "Return the change with its sign."},
+                 {expected - std::min(old.hi, std::max(old.lo, old.lambda)),
+                  old.hi == 0 || old.lo == 0
+                      ? "This is λ, or the change from the old λ brought within its bounds: what "
+                        "changed is counted from the old λ as it was, within its bounds or not."
+                      : "This is the change from the old λ brought within its bounds. It is "
+                        "counted from the old λ as it was, for that is what V has of it."},
                  {expected, "This is λ: return what changed."},
                  {wanted - old.lambda, "Return the change after projection, not before."}});
     expect_near("what G V changed by [m/s]", "Eq. (4.5)", along(p.V) - along(before),

@@ -105,6 +105,24 @@ EXERCISE_TEST(FrictionConstraints, AreBoundedOnBothSides) {
   }
 }
 
+EXERCISE_TEST(FrictionConstraints, DoNotAskWhetherTheContactIsOpen) {
+  AnyContact touch;
+  for (const double gap : {-0.02, 0.0, 0.02}) {
+    touch.contact.gap = gap;
+    for (const auto& constraint : friction_constraints<6>(touch.contact, touch.t, 0.75, rigid)) {
+      const std::string text = " bound of λ at a contact with a gap of " + show(gap) + " m, Λ = 0.75 N s [N s]";
+      const std::string clue =
+          "A contact that is still open may close within the step, and rub. How much it may is `bound`, and "
+          "comes in.";
+      expect_near("lower" + text, "Eq. (5.8)", constraint.lo, -0.75, {0, "a sign"}, {}, clue);
+      expect_near("upper" + text, "Eq. (5.8)", constraint.hi, 0.75, {0, "a copy"}, {}, clue);
+      expect_near("gap of a friction constraint where the contact's is " + show(gap) + " m", "Eq. (5.3)",
+                  constraint.gap, 0, {0, "exact"}, {}, "Friction wants a velocity to be zero, not a place.");
+    }
+    if (::testing::Test::HasFailure()) return;
+  }
+}
+
 EXERCISE_TEST(FrictionConstraints, HaveNoGap) {
   const AnyContact touch;
   for (const auto& constraint : friction_constraints<6>(touch.contact, touch.t, 0.75, rigid))

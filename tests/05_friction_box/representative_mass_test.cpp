@@ -1,6 +1,7 @@
 // The mass that stands in for the load on a contact: closed forms, and what becomes of it.
 #include "exercise_test.hpp"
 #include "sliding.hpp"
+#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -22,6 +23,16 @@ EXERCISE_TEST(RepresentativeMass, IsTheReducedMassOfTwoBodies) {
                {6, "This is the mass of body j alone. Both give way: m is less than either."},
                {1.0 / 9, "This took the inverse masses for masses: what comes in is 1/m already."}},
               "m = 1/(1/m_i + 1/m_j) for one contact.");
+}
+
+EXERCISE_TEST(RepresentativeMass, FeelsAHeavyBodyGiveWay) {
+  for (const double part : small_parts)
+    for (const bool i_is_light : {false, true})
+      expect_near("m of one contact between 1 kg and " + show(1 / part) + " kg, less 1 kg [kg]", "Eq. (5.6)",
+                  (i_is_light ? representative_mass(1, part, 1) : representative_mass(part, 1, 1)) - 1,
+                  -part / (1 + part), roundings(4),
+                  {{0, "The heavy body counts as fixed. Only an inverse mass of 0 is that of a fixed body."}},
+                  small_is_dropped);
 }
 
 EXERCISE_TEST(RepresentativeMass, IsSharedByTheContacts) {

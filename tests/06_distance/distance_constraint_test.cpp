@@ -1,6 +1,7 @@
 // The row of a distance: its gap, its Jacobian, its bounds.
 #include "attachments.hpp"
 #include "exercise_test.hpp"
+#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -37,6 +38,26 @@ EXERCISE_TEST(DistanceConstraint, MeasuresPointMasses) {
                       {-5 * n, "This is p_i - p_j: n is a unit vector."},
                       {-5.0 / 4 * n, by_length}},
                      "Gi = -n.");
+}
+
+EXERCISE_TEST(DistanceConstraint, GoesFromPointToPointHoweverShortTheArms) {
+  const Spook spook{.a = 1, .b = 1, .Sigma = 0};
+  for (const double part : small_parts) {
+    // 1 m along z between the centres; the points are beside them, across that.
+    const Vec3 r_i(part, 0, 0), r_j(0, part, 0), d = Vec3(0, 0, 1) + r_j - r_i, n = d.normalized();
+    const Attachment i{.body = 0, .x = Vec3::Zero(), .r = r_i}, j{.body = 1, .x = Vec3(0, 0, 1), .r = r_j};
+    const Constraint<6> c = distance_constraint<6>(i, j, 1, spook);
+    expect_near_vector(
+        "Gj of points at arms of " + show(part) + " m, 1 m apart", "Eq. (6.3)", c.Gj, twist(n, r_j.cross(n)),
+        roundings(4),
+        {{twist(Vec3::UnitZ(), r_j.cross(Vec3::UnitZ())),
+          "n goes from centre to centre here. It goes from point to point, however near they are to them."},
+         {twist(n, Vec3::Zero()), "The arm has been left out: it is short, and it counts."}},
+        small_is_dropped);
+    expect_near_vector("Gi of points at arms of " + show(part) + " m, 1 m apart", "Eq. (6.3)", c.Gi,
+                       twist(-n, -r_i.cross(n)), roundings(4), {}, small_is_dropped);
+    if (::testing::Test::HasFailure()) return;
+  }
 }
 
 EXERCISE_TEST(DistanceConstraint, HasANegativeGapWhenCompressed) {

@@ -49,6 +49,28 @@ EXERCISE_TEST(ApplyImpact, MovesBothBodies) {
   }
 }
 
+EXERCISE_TEST(ApplyImpact, CountsLinearAndAngularApart) {
+  Random random;
+  for (const bool linear : {false, true}) {
+    Boxes bodies(random, 2);
+    for (InverseMass<6>& body : bodies.motion.inverse_mass)  // each can only shift, or only turn
+      body =
+          linear ? InverseMass<6>{.linear = body.linear} : InverseMass<6>{.linear = 0, .angular = body.angular};
+    const Contact contact = bodies.contact(random, 0, 1);
+    const Vec3 J = random.vector(2);
+    const std::vector<Twist<6>> before = bodies.motion.W;
+    apply_impact(contact, J, bodies.motion);
+    for (const int b : {0, 1}) {
+      const Twist<6> right =
+          change(bodies.motion.inverse_mass[b], b ? contact.r_j : contact.r_i, b ? J : Vec3(-J));
+      expect_near_vector("velocity change of a body that can only " + std::string(linear ? "shift" : "turn"),
+                         "Eq. (7.9)", Twist<6>(bodies.motion.W[b] - before[b]), right,
+                         roundings(64, before[b].norm() + right.norm()), {},
+                         "1/m and I⁻¹ are two things: where one of them is zero, the other still counts.");
+    }
+  }
+}
+
 EXERCISE_TEST(ApplyImpact, ChangesTheVelocityOfTheContactByKJ) {
   Random random;
   for (int trial = 0; trial < 100 && !::testing::Test::HasFailure(); ++trial) {

@@ -1,6 +1,7 @@
 // The two impulses of Coulomb's friction, and the cone that decides between them.
 #include "collisions.hpp"
 #include "exercise_test.hpp"
+#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -317,6 +318,22 @@ EXERCISE_TEST(SlidingImpulse, DoesNotExistWhereFrictionWins) {
     value(sliding_impulse(K, behind, n, 0.5, mu), 2.5 + 1.5 * mu);
   }
   value(sliding_impulse(K, ahead, n, 0.5, 1.6), 0.1);
+}
+
+EXERCISE_TEST(SlidingImpulse, ExistsWhereTheDenominatorIsSmall) {
+  // n·K(n - μt) = 2.5 - 1.25 μ, with μ just below 2.
+  const Mat3 K = (Mat3() << 2.5, 0, -1.25, 0, 4, 0, -1.25, 0, 2.5).finished();
+  for (const double part : small_parts) {
+    const double mu = 2 - part, eased = 2.5 - 1.25 * mu, j = 1.5 / eased;
+    const auto J = sliding_impulse(K, Vec3(-4, 0, -1), Vec3(0, 0, 1), 0.5, mu);
+    const std::string rule =
+        "Wherever the denominator is above zero there is such an impulse: however small it is, and however "
+        "large J.";
+    expect_near_vector("J where n·K(n - μt) = " + show(eased) + " /kg, over j", "Eq. (7.5)",
+                       Vec3(value(J, eased, rule) / j), Vec3(mu, 0, 1), roundings(16, 3 + 2.5 / eased), {},
+                       rule);
+    if (::testing::Test::HasFailure()) return;
+  }
 }
 
 EXERCISE_TEST(SlidingImpulse, DoesNotExistWhereTheDenominatorIsZero) {

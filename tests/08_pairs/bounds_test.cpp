@@ -15,7 +15,11 @@ EXERCISE_TEST(Bounds, AreTheBoxIfItLiesStraight) {
                      {{Vec3(1.5, 4, 7), "This is the upper corner."},
                       {Vec3(-0.5, -2, -4), "The centre is missing."},
                       {Vec3(0.75, 1, 1), "h_k are halves already: no further half."},
-                      {Vec3(0, -2, -5), "h_k are halves of the sides, not sides."}});
+                      {Vec3(0, -2, -5), "h_k are halves of the sides, not sides."}},
+                     got.lower.x() < 0.5
+                         ? "They are larger than they need be. The smallest bounds are asked for, without "
+                           "room for roundings."
+                         : "x - Σ h_k |e_k|.");
   expect_near_vector("upper [m]", "Eq. (8.11)", got.upper, Vec3(1.5, 4, 7), roundings(8, 4),
                      {{Vec3(0.5, 2, 4), "The centre is missing."}});
 }

@@ -303,7 +303,8 @@ EXERCISE_TEST(SpatialHash, TellsPointsApart) {
   expect_faster(
       spatial_hash, "Eq. (8.13)", "points within a millimetre", points,
       "A point has no size, and no cell is too small for it. In cells of a size that has nothing to do "
-      "with the points they are all in one.");
+      "with the points they are all in one, and so they are where the numbers of cells do not fit into their "
+      "type.");
 }
 
 EXERCISE_TEST(SpatialHash, IsNotHeldUpByAGiant) {

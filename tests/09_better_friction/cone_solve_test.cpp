@@ -266,6 +266,10 @@ EXERCISE_TEST(ConeSolve, StopsByTheRule) {
 
 EXERCISE_TEST(ConeSolve, RefusesABadStopRule) {
   System<3> s = points_on_a_slope(1, 0.1, 0.5, 0, 0.1), none;
+  expect_rejects(
+      "a rule of no sweeps", "max_sweeps",
+      [&] { cone_solve(s.contacts, s.rows, s.V, {.max_sweeps = 0, .tolerance = 0}); }, "",
+      state_of(s.rows, s.V));
   const auto with = [](System<3> system, int max_sweeps, double tolerance) {
     cone_solve(system.contacts, system.rows, system.V, {.max_sweeps = max_sweeps, .tolerance = tolerance});
   };

@@ -1,6 +1,7 @@
 // Limits from what presses: set, and used in two passes.
 #include "exercise_test.hpp"
 #include "rubbing.hpp"
+#include "stop_rule.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -276,10 +277,18 @@ EXERCISE_TEST(TwoPassSolve, HasConvergedWhenTheSecondPassHas) {
 
 EXERCISE_TEST(TwoPassSolve, RefusesABadStopRule) {
   System<3> s = points_on_a_slope(1, 0.1, 0.5, 0, 0.1), none;
-  expect_rejects("a rule of no sweeps", "max_sweeps",
-                 [&] { two_pass_solve(s.contacts, s.rows, s.V, {.max_sweeps = 0, .tolerance = 0}); });
-  expect_rejects("a negative tolerance", "tolerance",
-                 [&] { two_pass_solve(s.contacts, s.rows, s.V, {.max_sweeps = 5, .tolerance = -1}); });
+  for (std::size_t k = 0; k < s.rows.size(); ++k) {
+    s.rows[k].lambda = 0.1 * static_cast<double>(k + 1);
+    apply_impulse(s.rows[k], s.rows[k].lambda, s.V);
+  }
+  const auto state = state_of(s.rows, s.V);
+  const std::string late = "Look at the rule yourself: when solve throws, the friction rows have been touched.";
+  expect_rejects(
+      "a rule of no sweeps", "max_sweeps",
+      [&] { two_pass_solve(s.contacts, s.rows, s.V, {.max_sweeps = 0, .tolerance = 0}); }, late, state);
+  expect_rejects(
+      "a negative tolerance", "tolerance",
+      [&] { two_pass_solve(s.contacts, s.rows, s.V, {.max_sweeps = 5, .tolerance = -1}); }, late, state);
   expect_rejects("a rule of no sweeps, without rows", "max_sweeps",
                  [&] { two_pass_solve(none.contacts, none.rows, none.V, {.max_sweeps = 0, .tolerance = 0}); });
   const SolveReport report =

@@ -51,6 +51,8 @@ EXERCISE_TEST(UpdateFriction, DividesByTheStiffestDirection) {
         "and the disc is no longer the one it is for."},
        {Vec2(7.0 / 4, -3.0 / 2 - 7.0 / 8),
         "These are two updates of Eq. (4.7), one after the other. The two rows go together."},
+       {Vec2(7 / s_right, (-3 - 7 / s_right) / s_right),
+        "The second row has seen what the first one did. Compute what both lack first, and then change both."},
        {Vec2(B / (3 - root)), "The sign of the root: this is the softest direction, and the step overshoots."},
        {Vec2(B / 3), "This is the mean of S11 and S22. Along the stiffest direction that is too long a step."},
        {Vec2(B / 4),

@@ -549,6 +549,10 @@ EXERCISE_TEST(ConjugateSolve, RejectsARuleThatCannotBeMet) {
   expect_rejects(
       "max_sweeps = 0", "max_sweeps", [&] { conjugate_solve(none, V, {.max_sweeps = 0, .tolerance = 0}); },
       "The contract is that of solve(): a rule that makes no sense is refused, rows or not.");
+  Problem<3> p = stack({1, 2}, 0.1);
+  expect_rejects(
+      "max_sweeps = 0, with rows", "max_sweeps",
+      [&] { conjugate_solve(p.rows, p.V, {.max_sweeps = 0, .tolerance = 0}); }, "", state_of(p.rows, p.V));
   for (const double tolerance : {-1e-9, std::nan(""), HUGE_VAL})
     expect_rejects("tolerance = " + show(tolerance), "tolerance",
                    [&] { conjugate_solve(none, V, {.max_sweeps = 5, .tolerance = tolerance}); });

@@ -103,6 +103,20 @@ EXERCISE_TEST(RandomOrder, MakesEveryOrderAsLikely) {
       "equally likely ways to n! orders, which can't be fair: exchange with those that are not placed yet.");
 }
 
+// Of two neighbours in a random order the first is the lower one half of the times, however many there are.
+EXERCISE_TEST(RandomOrder, IsAsRandomForManyRows) {
+  std::mt19937_64 generator(Random::seed());
+  const int n = 100000;
+  const auto order = random_order(n, generator);
+  int rises = 0;
+  for (std::size_t k = 1; k < order.size(); ++k) rises += order[k - 1] < order[k];
+  expect_near(
+      "part of the neighbours that rise, in a random order of 100,000", "Eq. (10.4)",
+      static_cast<double>(rises) / n, 0.5, {0.006, "6.5 times √(1/(12 n))"}, {},
+      "Are there as many random numbers as there are rows? If they are drawn from too few, many are alike, and "
+      "rows with equal numbers stay in order.");
+}
+
 EXERCISE_TEST(RandomOrder, ComesFromTheGenerator) {
   std::mt19937_64 one(Random::seed()), same(Random::seed());
   const auto first = random_order(50, one), again = random_order(50, same);

@@ -1,6 +1,7 @@
 // Beginning where the last step ended.
 #include "exercise_test.hpp"
 #include "regions.hpp"
+#include "stop_rule.hpp"
 #include "systems.hpp"
 
 using namespace spook;
@@ -132,9 +133,10 @@ EXERCISE_TEST(WarmStart, WantsOneImpulseARow) {
       [&] {
         warm_start({1, 1, 1}, p.rows, p.V);
       },
-      other_rows);
+      other_rows, state_of(p.rows, p.V));
   expect_rejects(
-      "one impulse for two rows", "impulses", [&] { warm_start({1}, p.rows, p.V); }, other_rows);
+      "one impulse for two rows", "impulses", [&] { warm_start({1}, p.rows, p.V); }, other_rows,
+      state_of(p.rows, p.V));
   std::vector<Row<3>> none;
   warm_start({}, none, p.V);
   expect_near("V of a warm start without rows [m/s]", "Eq. (10.2)", flat(p.V).norm(), 0, {0, "exact"}, {},

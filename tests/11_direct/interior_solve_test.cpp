@@ -24,7 +24,10 @@ void solve_bounded(const Bounded& p, const StopRule& stop, Solved& solved) {
 
 void expect_solved(const std::string& what, const Solved& solved) {
   expect_true(what + " is solved", "Eq. (11.13)", solved.report.converged,
-              solved.report.trouble.empty() ? "" : "It reports: " + solved.report.trouble + ".");
+              (solved.report.trouble.empty() ? "" : "It reports: " + solved.report.trouble + ". ") +
+                  "With a tolerance of 0 it is solved when only the roundings of Eq. (11.13) are left: to go "
+                  "on from there "
+                  "is to divide by rooms of 0.");
   expect_true(what + " gave no trouble", "Eq. (11.13)", solved.report.trouble.empty(),
               "trouble is for what did not converge.");
 }

@@ -53,10 +53,15 @@ void expect_start(const Bounded& p, const VectorXd& guess) {
   for (Eigen::Index k = 0; k < p.B.size(); ++k) {
     const std::string what =
         " of row " + std::to_string(k) + ", lo = " + show(p.lo[k]) + ", hi = " + show(p.hi[k]);
+    const double least = std::clamp(0.0, p.lo[k], p.hi[k]), guessed = std::clamp(guess[k], p.lo[k], p.hi[k]);
+    const double own = p.B[k] * p.B[k] / p.S(k, k) + p.S(k, k) * (least * least + guessed * guessed);
     const auto expect_energy = [&](const std::string& side, double room, double push) {
       expect_near(
           "s z " + side + what + ", over E", "Eq. (11.12)", room * push / e.all, 1, close,
-          {{e.of_B / e.all, "This knows B only: the guess and the bounds may ask for more."},
+          {{own / e.all,
+            "This is the row's own energy, or that of B alone. E is the largest of all rows', one for all, "
+            "and the guess and the bounds count in it."},
+           {e.of_B / e.all, "This knows B only: the guess and the bounds may ask for more."},
            {e.without_guess / e.all, e.without_guess == e.without_least
                                          ? "λ₀ and λ₁ are the same here, and both count: S λ² is in E twice."
                                          : "The guess is forgotten."},
@@ -78,7 +83,8 @@ void expect_start(const Bounded& p, const VectorXd& guess) {
           "s" + what + ", over min(√(E/S), (hi - lo)/2)", "Eq. (11.12)", got / room, 1, close,
           {{free / room, "That is more than half of the way to the other bound."},
            {half / room, "As much as there is may be far too much: √(E/S) goes with the row."}},
-          "√(E/S) to the lower bound, or to the upper where there is no lower; half the way if that is less.");
+          "√(E/S) to the lower bound, or to the upper where there is no lower; half the way if that is less. "
+          "The guess tells a size, and not where to begin.");
     const double lambda = below ? p.lo[k] + room : above ? p.hi[k] - room : 0;
     expect_near(
         "λ" + what + " [N s]", "Eq. (11.5)", start.lambda[k], lambda,

@@ -2,6 +2,7 @@
 #include "algebra.hpp"
 #include "exercise_test.hpp"
 #include "interior.hpp"
+#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -107,7 +108,9 @@ EXERCISE_TEST(NewtonStep, SolvesTheRowsWithTheNewPushes) {
     for (Eigen::Index k = 0; k < 12; ++k)
       expect_near("B + z⁻ - z⁺ - S λ after the whole step," + row(k) + bounds_of(p.now, k) + " [m/s]",
                   "Eq. (11.5)", missing[k], 0, {1e-12, "roundings times stiffnesses up to 20"}, {},
-                  "It is linear, so that one whole step gets it right, wherever it began.");
+                  "It is linear, so that one whole step gets it right, wherever it began. S comes as its lower "
+                  "triangle: in "
+                  "the product S λ the other half counts, too.");
   }
 }
 
@@ -248,6 +251,21 @@ EXERCISE_TEST(LongestStep, EndsAtTheFirstBound) {
                   {{1, "This one is no limit? Four vectors are to stay >= 0: two rooms, two pushes."},
                    {1 / 1.1, "The first to reach 0 counts, not the last."}},
                   "0.3 - share 0.4 = 0.");
+    }
+}
+
+// At a solution some rooms are 1e-12 of others, and the last steps are about them.
+EXERCISE_TEST(LongestStep, LooksAtTheSmallestToo) {
+  for (const double part : small_parts)
+    for (const Part& of : parts) {
+      Interior now = four(1), step = four(0);
+      (now.*of.vector)[1] = part;
+      (step.*of.vector)[1] = -4 * part;
+      expect_near("the part of a step in which the " + std::string(of.name) + row(1) + " falls from " +
+                      show(part) + " to -3 times that, beside others of 1",
+                  "Eq. (11.10)", longest_step(now, step), 0.25, roundings(4),
+                  {{1, "It is no limit? " + small_is_dropped}}, small_is_dropped);
+      if (::testing::Test::HasFailure()) return;
     }
 }
 

@@ -3,6 +3,7 @@
 #include "12_stiff_wires/stiff_wires.hpp"
 #include "algebra.hpp"
 #include "exercise_test.hpp"
+#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -43,6 +44,18 @@ EXERCISE_TEST(GeometricStiffness, ByHand) {
   const Link link{.n = Vec3::UnitZ(), .l = 3, .T = 12};
   expect_stiffness("K of a link of 3 m along z, under 12 N [N/m]", link,
                    geometric_stiffness(link.n, link.l, link.T), Vec3(4, 4, 0).asDiagonal(), roundings(8, 4));
+}
+
+EXERCISE_TEST(GeometricStiffness, FollowsALinkThatNearlyLiesAlongAnAxis) {
+  for (const double part : small_parts) {
+    const Vec3 n = Vec3(part, -part / 2, 1).normalized();
+    const Mat3 K = geometric_stiffness(n, 3, 12);
+    expect_near_vector<Vec3>(
+        "K of a link of 3 m that leans by " + show(part) + " from z, under 12 N, times z [N/m]", "Eq. (12.3)",
+        K.col(2), 4 * Vec3(-n.x() * n.z(), -n.y() * n.z(), n.x() * n.x() + n.y() * n.y()), roundings(8, 4),
+        {{Vec3::Zero(), "It has been taken to lie along z. " + small_is_dropped}}, small_is_dropped);
+    if (::testing::Test::HasFailure()) return;
+  }
 }
 
 EXERCISE_TEST(GeometricStiffness, IsHowThePullTurns) {

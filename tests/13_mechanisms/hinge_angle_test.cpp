@@ -42,6 +42,26 @@ EXERCISE_TEST(HingeAngle, GoesOnBeyondHalfATurn) {
   }
 }
 
+// Two hinges are looked at in turn: what is known of the one says nothing about the other.
+EXERCISE_TEST(HingeAngle, KnowsOnlyTheLastAngleThatItIsGiven) {
+  RandomFrames t;
+  t.close_hinge(0.3);
+  double before = hinge_angle(t.i, t.j, 0.4).value;
+  for (const double turns : {0.0, 3.0, -2.0, 3.0, 0.0}) {
+    const double right = 0.3 + turns * turn, got = hinge_angle(t.i, t.j, right + 0.1).value;
+    const double nearest = 0.3 + std::round((before - 0.3) / turn) * turn;
+    if (nearest != right && std::abs(got - nearest) < 1e-9) this_failure_explains();
+    expect_near("angle of a hinge at 0.3 rad, last seen at " + show(right + 0.1) + " rad", "Eq. (13.9)", got,
+                right, roundings(64, 20),
+                {{nearest,
+                  "This is nearest to what an earlier call has returned. A static variable? There are many "
+                  "hinges: only `last` tells of this one."}},
+                "Of the angles that look alike, the one nearest to `last`.");
+    if (::testing::Test::HasFailure()) return;
+    before = right;
+  }
+}
+
 EXERCISE_TEST(HingeAngle, CountsManyTurns) {
   Random random;
   double angle = 0, last = 0;

@@ -23,7 +23,8 @@ struct Driven {
 
   Driven() {
     for (int body = 0; body < 2; ++body) {
-      const Mat3 A = Mat3::Random();
+      Mat3 A;
+      A << random.vector(), random.vector(), random.vector();
       motion.inverse_mass.push_back({.linear = 0.3 + body, .angular = A * A.transpose() + Mat3::Identity()});
       motion.W.push_back(velocity_of(random.vector(), random.vector()));
       motion.Wf.push_back(velocity_of(random.vector(), random.vector()));
@@ -81,6 +82,15 @@ EXERCISE_TEST(MotorRow, LagsByItsTorqueOverItsViscosity) {
                {motor_step / 40, "This is h/c. Put a steady speed into S λ = B: Σ λ is the lack, and λ = h T."},
                {1.0 / 40, "The h is missing: λ is an impulse."}},
               "Σ = 1/(h c).");
+}
+
+EXERCISE_TEST(MotorRow, DoesNotLagWithoutViscosityToLose) {
+  Driven t;
+  t.motor.viscosity = infinity;
+  expect_near("Σ of a motor of infinite viscosity", "Eq. (13.12)", t.row().Sigma, 0, {0, "1/∞"}, {},
+              "1/(h c) is 0 for c = ∞ by itself: such a motor holds its speed whatever the load. 1e12 is only "
+              "what `Motor` "
+              "has where nothing is said.");
 }
 
 EXERCISE_TEST(MotorRow, IsARowOfTheCoordinate) {

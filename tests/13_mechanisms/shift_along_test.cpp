@@ -1,6 +1,7 @@
 // How far one body has slid along another: the value, its row, and the term that the notes leave out.
 #include "exercise_test.hpp"
 #include "frames.hpp"
+#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -51,6 +52,27 @@ EXERCISE_TEST(ShiftAlong, HasFourBlocks) {
          {velocity_of(n, -full), "i is pushed the other way: both parts of Gi have a minus."},
          {velocity_of(-n, -full), "The sign of the angular block: both parts of Gi have a minus."}},
         "Gi = (-n, -(r_i + d) × n).");
+  }
+}
+
+EXERCISE_TEST(ShiftAlong, CountsAShortWayToo) {
+  RandomFrames t;
+  const Vec3 apart = t.apart;
+  for (const double part : small_parts) {
+    t.j.at.x = t.i.at.x + t.i.at.r + part * apart - t.j.at.r;
+    const Vec3 d = (t.j.at.x + t.j.at.r) - (t.i.at.x + t.i.at.r);
+    for (int axis = 0; axis < 3; ++axis) {
+      const Coordinate c = shift_along(t.i, t.j, axis);
+      const Vec3 n = t.i.axes * Vec3::Unit(axis), r_i = t.i.at.r;
+      expect_near_vector(
+          "angular part of Gi, for points that are " + show(d.norm()) + " m apart [m]", "Eq. (13.6)",
+          Vec3(c.Gi.tail<3>()), Vec3(-(r_i + d).cross(n)), roundings(16, t.size()),
+          {{Vec3(-r_i.cross(n)), "d is missing in the arm, where it is short. " + small_is_dropped}},
+          small_is_dropped);
+      expect_near("the shift [m]", "Eq. (13.5)", c.value, n.dot(d), roundings(16, t.size()), {},
+                  small_is_dropped);
+    }
+    if (::testing::Test::HasFailure()) return;
   }
 }
 

@@ -148,7 +148,8 @@ static bool names(const std::string& text, const std::string& name) {
 }
 
 void expect_rejects(const std::string& what, const std::string& parameter, const std::function<void()>& call,
-                    const std::string& clue) {
+                    const std::string& clue, const std::function<std::vector<double>()>& state) {
+  const std::vector<double> before = state ? state() : std::vector<double>();
   std::string got = "nothing was thrown";
   try {
     call();
@@ -156,7 +157,13 @@ void expect_rejects(const std::string& what, const std::string& parameter, const
     throw;
   } catch (const std::invalid_argument& error) {
     const std::string text = error.what();
-    if (names(text, parameter)) return;
+    if (names(text, parameter)) {
+      if (state && state() != before)
+        report_failure(
+            what + ": refused, but not before something was changed", "", "",
+            "What is refused leaves everything as it was: look at " + parameter + " before anything else.");
+      return;
+    }
     got = "std::invalid_argument that does not name it: " + text;
   } catch (const std::exception& error) {
     got = std::string("another exception: ") + error.what();

@@ -109,8 +109,9 @@ void expect_order(const std::string& what, const std::string& equation,
                   const std::function<double(double)>& error, double coarsest_h, int halvings, double order,
                   double margin, const std::string& clue = "");
 
-/// `call` throws std::invalid_argument whose text names the parameter. A stub still counts as not started.
+/// `call` throws std::invalid_argument whose text names the parameter, and what `state` lists is as it was before. A stub
+/// still counts as not started.
 void expect_rejects(const std::string& what, const std::string& parameter, const std::function<void()>& call,
-                    const std::string& clue = "");
+                    const std::string& clue = "", const std::function<std::vector<double>()>& state = {});
 
 }  // namespace spook::testing

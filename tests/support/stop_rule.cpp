@@ -28,6 +28,7 @@ bool expect_as_said(const std::string& equation, const Case& c, const std::vecto
   const auto state = [](bool converged) { return converged ? "converged" : "not converged"; };
   const bool right = got.history.size() == c.entries && got.converged == c.converged;
   if (right && begins_with(all, got.history)) return true;
+  if (!right) this_failure_explains();
   report_failure(
       "max_sweeps = " + std::to_string(c.stop.max_sweeps) + " and a tolerance of " + show(c.stop.tolerance) +
           " m/s, with the history " +
