@@ -44,7 +44,7 @@ double update_pack(Pack<Dof>& pack, std::vector<Twist<Dof>>& V) {
   for (LaneRows<Dof>& row : pack.rows) {
     const Lanes mass = 1 / row.diagonal;
     const Lanes r = row.B - dot<Dof>(row.Gi, Vi) - dot<Dof>(row.Gj, Vj) - row.Sigma * row.lambda;
-    // In this order a NaN stays: what a comparison with it is not chosen.
+    // A comparison with a NaN is false: in this order it stays.
     const Lanes wanted = row.lambda + mass * r;
     const Lanes above = (wanted < row.lo).select(row.lo, wanted);
     const Lanes projected = (row.hi < above).select(row.hi, above);
@@ -55,7 +55,7 @@ double update_pack(Pack<Dof>& pack, std::vector<Twist<Dof>>& V) {
       Vj.col(d) += delta * row.MinvGj.col(d);
     }
     const Lanes lacked = row.diagonal * delta.abs();
-    largest = (lacked <= largest).select(largest, lacked);
+    largest = (lacked > largest || lacked.isNaN()).select(lacked, largest);
   }
   scatter<Dof>(Vi, pack.i, V);
   scatter<Dof>(Vj, pack.j, V);

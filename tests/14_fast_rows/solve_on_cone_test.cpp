@@ -87,7 +87,7 @@ void expect_coulomb(const Mat3& S, const Vec3& q, double mu, const Vec3& lambda)
   if (q[0] <= 0) return;  // see PartsWhereNothingPresses
   const Vec3 stuck = S.inverse() * q;
   expect_near("what the normal row lacks in the end [m/s]", "Eq. (14.5)", lacks[0], 0, close,
-              {{q[0] - S(0, 0) * stuck[0], "This λ_n does not feel the friction."},
+              {{-S.row(0).tail<2>().dot(lambda.tail<2>()), "This λ_n does not feel the friction."},
                {S.row(0).tail<2>().dot(stuck.tail<2>() - lambda.tail<2>()),
                 "λ_n is still that of sticking. With less friction there is another one: solve for both."}},
               "Where it slides the normal row holds as well, with the friction that there is.");
