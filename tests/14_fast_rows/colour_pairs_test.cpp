@@ -116,7 +116,8 @@ EXERCISE_TEST(ColourPairs, SweepsAreTheSameInAnyOrderWithinAColour) {
     std::vector<Pair> pairs;
     for (const Row<6>& row : heap.rows) pairs.emplace_back(row.i == 0 ? -1 : row.i, row.j == 0 ? -1 : row.j);
     const std::vector<int> colour = colour_pairs(pairs, heap.V.size());
-    if (colour.size() != pairs.size()) return;  // see NoTwoOfAColourShareABody
+    expect_true("each row has a colour", "Eq. (14.7)", colour.size() == pairs.size());
+    if (colour.size() != pairs.size()) return;
     std::vector<int> forth, back;
     for (int c = 0; c < static_cast<int>(pairs.size()); ++c)
       for (int k = 0; k < std::ssize(colour); ++k)

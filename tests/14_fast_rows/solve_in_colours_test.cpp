@@ -50,6 +50,7 @@ EXERCISE_TEST(SolveInColours, IsTheSameOnAnyNumberOfThreads) {
   for (int trial = 0; trial < 5 && !::testing::Test::HasFailure(); ++trial) {
     const Heap heap(random, 40, 150);
     const Solved alone = solved(heap, {.max_sweeps = 20}, 1);
+    expect_true("20 sweeps have been made", "Eq. (4.9)", alone.report.history.size() == 20);
     for (const int threads : {2, 3, 5, 8}) {
       const Solved together = solved(heap, {.max_sweeps = 20}, threads);
       const std::string on = "on " + std::to_string(threads) + " threads ";

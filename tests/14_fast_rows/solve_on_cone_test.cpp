@@ -143,6 +143,7 @@ EXERCISE_TEST(SolveOnCone, TurnsWithTheTangents) {
     const Mat3 S = coupled_block(random), R = Eigen::AngleAxisd(random.uniform(0, 6), Vec3::UnitX()).matrix();
     const Vec3 q(random.uniform(0.1, 1), random.uniform(-2, 2), random.uniform(-2, 2));
     const Vec3 before = solve_on_cone(S, q, 0.5);
+    expect_true("λ_n of a contact that is pressed is positive", "Eq. (14.5)", before[0] > 0);
     if (before[0] > 10) continue;  // nearly jammed
     expect_near_vector("λ with other tangents [N s]", "Eq. (14.5)",
                        Vec3(solve_on_cone(R * S * R.transpose(), R * q, 0.5)), Vec3(R * before),

@@ -65,7 +65,9 @@ EXERCISE_TEST(UpdateContact, ScattersWhatHasChanged) {
   Random random;
   for (int trial = 0; trial < 10 && !::testing::Test::HasFailure(); ++trial) {
     System<6> s = busy_system(random);
+    const Eigen::VectorXd V = all_V(s.V);
     for (const Rubbing& contact : s.contacts) update_contact(contact, s.rows, s.V);
+    expect_true("an update of every contact changes V", "Eq. (4.5)", all_V(s.V) != V, "Nothing was scattered.");
     expect_near_vector("V after an update of every contact", "Eq. (4.5)", all_V(s.V),
                        V_of_lambda(s.rows, s.V.size()), roundings(1e4, 10), {},
                        "V = M⁻¹ Gᵀ λ, always: scatter Δλ, and not λ.");
@@ -76,11 +78,11 @@ EXERCISE_TEST(UpdateContact, ReturnsWhatItLacked) {
   Random random;
   System<6> s = busy_system(random);
   for (const Rubbing& contact : s.contacts) {
-    const Vec3 before = impulses_of(s, contact);
+    const Mat3 S = block_of(s, contact);
+    const Vec3 before = impulses_of(s, contact),
+               change = solve_on_cone(S, lacks_of(s, contact) + S * before, contact.mu) - before;
     const double got = update_contact(contact, s.rows, s.V);
-    const Vec3 change = impulses_of(s, contact) - before;
-    expect_near("what update_contact returned [m/s]", "Eq. (14.2)", got, (block_of(s, contact) * change).norm(),
-                roundings(1e3, 5),
+    expect_near("what update_contact returned [m/s]", "Eq. (14.2)", got, (S * change).norm(), roundings(1e3, 5),
                 {{change.norm(), "This is |Δλ|, an impulse. A velocity is asked for: |S_cc Δλ|."}},
                 "|S_cc Δλ|.");
     const double again = update_contact(contact, s.rows, s.V);
