@@ -8,6 +8,7 @@
 #include "09_better_friction/better_friction.hpp"
 #include "algebra.hpp"
 #include "checks.hpp"
+#include "dense_rows.hpp"
 #include "random_input.hpp"
 
 namespace spook::testing {
@@ -76,12 +77,6 @@ inline Tangents turned(const Vec3& n, double angle) {
   const Tangents t = tangents(n);
   const Vec3 t1 = std::cos(angle) * t.t1 + std::sin(angle) * t.t2;
   return {.t1 = t1, .t2 = n.cross(t1)};
-}
-
-inline InverseMass<6> random_body(Random& random) {
-  const Vec3 inverse_moments(random.uniform(0.2, 2), random.uniform(0.2, 2), random.uniform(0.2, 2));
-  const Mat3 R = random.rotation().toRotationMatrix();
-  return {.linear = 1 / random.uniform(0.5, 3), .angular = R * inverse_moments.asDiagonal() * R.transpose()};
 }
 
 inline Contact random_contact(Random& random, int bodies) {

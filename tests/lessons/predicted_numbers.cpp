@@ -5,6 +5,7 @@
 
 #include "12_stiff_wires/stiff_wires.hpp"
 #include "13_mechanisms/mechanisms.hpp"
+#include "14_fast_rows/fast_rows.hpp"
 #include "numbers.hpp"
 
 namespace spook::lessons {
@@ -237,6 +238,27 @@ void mechanisms() {
   say("13.slower", omega);
 }
 
+/// A block S of the rod of (9.8), and what it asks for.
+int updates_of_the_rod(double mu) {
+  const Mat3 S = (Mat3() << 1.6, -1.2, 0, -1.2, 3.4, 0, 0, 0, 4).finished();
+  const Vec3 q(0.16, -3, 0);
+  Vec3 lambda = Vec3::Zero();
+  for (int updates = 0;; ++updates) {
+    const Vec3 next = solve_on_cone(S, q, mu);
+    if ((next - lambda).norm() <= 1e-12) return updates;
+    lambda = next;
+  }
+}
+
+void fast_rows() {
+  std::vector<Pair> links;
+  for (int k = 0; k < 99; ++k) links.emplace_back(k, k + 1);
+  const std::vector<int> colours = colour_pairs(links, 100);
+  say("14.colours_of_a_chain", 1 + *std::max_element(colours.begin(), colours.end()));
+  say("14.from_memory", double(sizeof(LaneRows<6>)) / lane_count / 10);
+  say("14.updates_of_the_rod", updates_of_the_rod(2));
+}
+
 }  // namespace
 
 void predicted_numbers() {
@@ -249,6 +271,7 @@ void predicted_numbers() {
   pairs();
   matrices();
   mechanisms();
+  fast_rows();
 }
 
 }  // namespace spook::lessons

@@ -55,7 +55,7 @@ class Reader {
 };
 
 template <class T>
-inline constexpr bool is_dense = std::is_base_of_v<Eigen::MatrixBase<T>, T>;
+inline constexpr bool is_dense = std::is_base_of_v<Eigen::DenseBase<T>, T>;
 template <class T>
 inline constexpr bool is_vector = false;
 template <class T>

@@ -1,0 +1,109 @@
+// Between rows and packs of them.
+#include <algorithm>
+
+#include "14_fast_rows/fast_rows.hpp"
+
+namespace spook {
+
+namespace {
+
+/// Rows of the same two bodies that follow each other.
+struct Run {
+  int first, count;
+};
+
+template <int Dof>
+std::vector<Run> runs_of(const std::vector<Row<Dof>>& rows) {
+  std::vector<Run> runs;
+  for (int k = 0; k < std::ssize(rows); ++k) {
+    if (k > 0 && rows[k - 1].i == rows[k].i && rows[k - 1].j == rows[k].j)
+      ++runs.back().count;
+    else
+      runs.push_back({.first = k, .count = 1});
+  }
+  return runs;
+}
+
+template <int Dof>
+Pack<Dof> empty_pack(int rows) {
+  const LaneTwists<Dof> none = LaneTwists<Dof>::Zero();
+  const Lanes zero = Lanes::Zero(), one = Lanes::Ones();
+  Pack<Dof> pack;
+  pack.i.fill(-1), pack.j.fill(-1), pack.first.fill(-1);
+  pack.rows.assign(static_cast<std::size_t>(rows), {.Gi = none,
+                                                    .Gj = none,
+                                                    .MinvGi = none,
+                                                    .MinvGj = none,
+                                                    .B = zero,
+                                                    .Sigma = zero,
+                                                    .diagonal = one,
+                                                    .lo = zero,
+                                                    .hi = zero,
+                                                    .lambda = zero});
+  return pack;
+}
+
+template <int Dof>
+void put(const Row<Dof>& row, int lane, LaneRows<Dof>& into) {
+  into.Gi.row(lane) = row.Gi.array();
+  into.Gj.row(lane) = row.Gj.array();
+  into.MinvGi.row(lane) = row.MinvGi.array();
+  into.MinvGj.row(lane) = row.MinvGj.array();
+  into.B[lane] = row.B, into.Sigma[lane] = row.Sigma, into.diagonal[lane] = row.diagonal;
+  into.lo[lane] = row.lo, into.hi[lane] = row.hi, into.lambda[lane] = row.lambda;
+}
+
+}  // namespace
+
+template <int Dof>
+std::vector<Colour<Dof>> packed(const std::vector<Row<Dof>>& rows, std::size_t bodies) {
+  const std::vector<Run> runs = runs_of(rows);
+  std::vector<Pair> pairs;
+  for (const Run& run : runs) {
+    const Row<Dof>& row = rows[run.first];
+    pairs.emplace_back(row.MinvGi.isZero(0) ? -1 : row.i, row.MinvGj.isZero(0) ? -1 : row.j);
+  }
+  const std::vector<int> colour = colour_pairs(pairs, bodies);
+  std::vector<std::vector<int>> members(
+      colour.empty() ? 0 : static_cast<std::size_t>(*std::max_element(colour.begin(), colour.end())) + 1);
+  for (int k = 0; k < std::ssize(runs); ++k) members[colour[k]].push_back(k);
+
+  std::vector<Colour<Dof>> all(members.size());
+  for (std::size_t c = 0; c < all.size(); ++c) {
+    // The longest first: those side by side are about as long.
+    std::stable_sort(members[c].begin(), members[c].end(),
+                     [&](int a, int b) { return runs[a].count > runs[b].count; });
+    for (std::size_t k = 0; k < members[c].size(); ++k) {
+      const int lane = static_cast<int>(k % lane_count), run = members[c][k];
+      if (lane == 0) all[c].push_back(empty_pack<Dof>(runs[run].count));
+      Pack<Dof>& pack = all[c].back();
+      pack.i[lane] = pairs[run].first;
+      pack.j[lane] = pairs[run].second;
+      pack.first[lane] = runs[run].first;
+      for (int m = 0; m < runs[run].count; ++m) put(rows[runs[run].first + m], lane, pack.rows[m]);
+    }
+  }
+  return all;
+}
+
+template <int Dof>
+void unpack(const std::vector<Colour<Dof>>& colours, std::vector<Row<Dof>>& rows) {
+  for (const Colour<Dof>& colour : colours)
+    for (const Pack<Dof>& pack : colour)
+      for (int lane = 0; lane < lane_count; ++lane) {
+        if (pack.first[lane] < 0) continue;
+        const Row<Dof>& first = rows[pack.first[lane]];
+        for (std::size_t m = 0; m < pack.rows.size(); ++m) {
+          const std::size_t k = static_cast<std::size_t>(pack.first[lane]) + m;
+          if (k == rows.size() || rows[k].i != first.i || rows[k].j != first.j) break;
+          rows[k].lambda = pack.rows[m].lambda[lane];
+        }
+      }
+}
+
+template std::vector<Colour<3>> packed<3>(const std::vector<Row<3>>&, std::size_t);
+template std::vector<Colour<6>> packed<6>(const std::vector<Row<6>>&, std::size_t);
+template void unpack<3>(const std::vector<Colour<3>>&, std::vector<Row<3>>&);
+template void unpack<6>(const std::vector<Colour<6>>&, std::vector<Row<6>>&);
+
+}  // namespace spook

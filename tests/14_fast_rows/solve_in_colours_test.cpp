@@ -1,0 +1,137 @@
+// Sweeps by colour, on any number of threads: the same numbers.
+#include "14_fast_rows/fast_rows.hpp"
+#include "exercise_test.hpp"
+#include "packs.hpp"
+#include "stop_rule.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(SolveInColours, "14.5 solve_in_colours");
+
+/// What a solve left: impulses in the rows, velocities, and the history.
+struct Solved {
+  Heap heap;
+  SolveReport report;
+};
+
+Solved solved(Heap heap, const StopRule& stop, int threads) {
+  std::vector<Colour<6>> colours = packed(heap.rows, heap.V.size());
+  const SolveReport report = solve_in_colours(colours, heap.V, stop, threads);
+  unpack(colours, heap.rows);
+  return {heap, report};
+}
+
+EXERCISE_TEST(SolveInColours, GoesColourByColour) {
+  Random random;
+  const Heap heap(random, 20, 60);
+  std::vector<Colour<6>> by_hand = packed(heap.rows, heap.V.size());
+  std::vector<Twist<6>> V = heap.V;
+  std::vector<double> history;
+  for (int n = 0; n < 4; ++n) {
+    history.push_back(0);
+    for (Colour<6>& colour : by_hand)
+      for (Pack<6>& pack : colour) history.back() = std::max(history.back(), update_pack(pack, V));
+  }
+  const Solved got = solved(heap, {.max_sweeps = 4}, 1);
+  expect_true("four sweeps make a history of four, and not of " + std::to_string(got.report.history.size()),
+              "Eq. (4.9)", got.report.history.size() == 4, "One entry a sweep, not one a colour.");
+  for (std::size_t n = 0; n < std::min<std::size_t>(4, got.report.history.size()); ++n)
+    expect_near("entry " + std::to_string(n) + " of the history [m/s]", "Eq. (4.9)", got.report.history[n],
+                history[n], {0, "the same updates"}, {}, "The largest that any pack of this sweep returned.");
+  expect_true("V is that of one pack after the other, to the last bit", "Eq. (14.10)", same_bits(got.heap.V, V),
+              "All packs of a colour, then the next colour, in order.");
+}
+
+EXERCISE_TEST(SolveInColours, IsTheSameOnAnyNumberOfThreads) {
+  Random random;
+  for (int trial = 0; trial < 5 && !::testing::Test::HasFailure(); ++trial) {
+    const Heap heap(random, 40, 150);
+    const Solved alone = solved(heap, {.max_sweeps = 20}, 1);
+    expect_true("20 sweeps have been made", "Eq. (4.9)", alone.report.history.size() == 20);
+    for (const int threads : {2, 3, 5, 8}) {
+      const Solved together = solved(heap, {.max_sweeps = 20}, threads);
+      const std::string on = "on " + std::to_string(threads) + " threads ";
+      expect_true(on + "λ and V are the same as on one, to the last bit", "Eq. (14.10)",
+                  same_bits(alone.heap, together.heap),
+                  "Has every pack been updated once, and does no colour begin before the last one is done?");
+      expect_true(on + "so is the history", "Eq. (4.9)", alone.report.history == together.report.history,
+                  "The largest of all threads, and of this sweep only.");
+    }
+  }
+}
+
+EXERCISE_TEST(SolveInColours, HasThreadsWithNothingToDo) {
+  Random random;
+  const Heap heap(random, 3, 2);
+  const Solved alone = solved(heap, {.max_sweeps = 3}, 1), many = solved(heap, {.max_sweeps = 3}, 16);
+  expect_true("16 threads for a pack or two give the same", "Eq. (14.10)",
+              same_bits(alone.heap, many.heap) && alone.report.history == many.report.history,
+              "A share may be empty.");
+}
+
+EXERCISE_TEST(SolveInColours, HasChapter04sSolution) {
+  Random random;
+  for (const int threads : {1, 2}) {
+    Heap heap(random, 12, 20), plain = heap;
+    const StopRule stop{.max_sweeps = 100'000, .tolerance = 1e-12};
+    const Solved got = solved(heap, stop, threads);
+    const SolveReport slow = solve(plain.rows, plain.V, stop);
+    expect_true("it converged, as chapter 04's does", "Eq. (4.9)", got.report.converged && slow.converged);
+    expect_at_most("residual of what is left [m/s]", "Eq. (4.8)", residual(got.heap.rows, got.heap.V), 1e-10,
+                   "the tolerance, times how the rows are coupled", "V and λ must belong together.");
+    for (std::size_t body = 0; body < plain.V.size(); ++body)
+      expect_near_vector("V of body " + std::to_string(body), "Eq. (4.1)", got.heap.V[body], plain.V[body],
+                         {1e-8, "the tolerance, times the condition"}, {},
+                         "In another order the sweeps arrive at the same solution.");
+  }
+}
+
+EXERCISE_TEST(SolveInColours, StopsByTheRule) {
+  Random random;
+  const Heap heap(random, 10, 25);
+  for (const int threads : {1, 3}) {
+    const auto anew = [&](const StopRule& stop) { return solved(heap, stop, threads).report; };
+    if (!expect_stops_by_the_rule("Eq. (4.9)", 8, anew)) return;
+  }
+}
+
+EXERCISE_TEST(SolveInColours, DoesNothingWithoutPacks) {
+  std::vector<Colour<6>> none, empty(2);
+  std::vector<Twist<6>> V(1, Twist<6>::Constant(3));
+  for (std::vector<Colour<6>>* colours : {&none, &empty}) {
+    const SolveReport report = solve_in_colours(*colours, V, {.max_sweeps = 5}, 2);
+    expect_true("without packs there is no sweep, and it has converged", "Eq. (4.9)",
+                report.converged && report.history.empty());
+  }
+}
+
+EXERCISE_TEST(SolveInColours, RefusesBadRules) {
+  Random random;
+  const Heap heap(random, 4, 4);
+  expect_rejects("a rule of no sweeps", "max_sweeps", [&] { solved(heap, {.max_sweeps = 0}, 1); });
+  expect_rejects("a negative tolerance", "tolerance", [&] { solved(heap, {.tolerance = -1}, 1); });
+  expect_rejects("a tolerance of NaN", "tolerance", [&] { solved(heap, {.tolerance = std::nan("")}, 1); });
+  for (const int bad : {0, -1, 257})
+    expect_rejects(std::to_string(bad) + " threads", "threads", [&] { solved(heap, {}, bad); });
+  std::vector<Colour<6>> none;
+  std::vector<Twist<6>> V;
+  expect_rejects("no threads, where there is nothing to do either", "threads",
+                 [&] { solve_in_colours(none, V, {}, 0); });
+}
+
+EXERCISE_TEST(SolveInColours, KeepsANaN) {
+  Random random;
+  for (const int threads : {1, 2}) {
+    Heap heap(random, 20, 60);
+    heap.rows[0].B = std::nan("");
+    const Solved got = solved(heap, {.max_sweeps = 2, .tolerance = 1}, threads);
+    expect_true("a NaN is in the history, and it has not converged", "Eq. (4.9)",
+                !got.report.converged && !got.report.history.empty() && std::isnan(got.report.history[0]),
+                "std::max drops a NaN.");
+  }
+}
+
+}  // namespace

@@ -1,0 +1,182 @@
+// One contact, solved at once: it parts, it sticks, or it slides on its cone.
+#include <Eigen/Dense>
+#include <numbers>
+
+#include "14_fast_rows/fast_rows.hpp"
+#include "exercise_test.hpp"
+#include "regions.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(SolveOnCone, "14.1 solve_on_cone");
+
+/// Symmetric, with eigenvalues from 0.3 to 3 in any directions: normal and tangents are coupled.
+Mat3 coupled_block(Random& random) {
+  const Mat3 R = random.rotation().toRotationMatrix();
+  const Vec3 values(random.uniform(0.3, 3), random.uniform(0.3, 3), random.uniform(0.3, 3));
+  return R * values.asDiagonal() * R.transpose();
+}
+
+double friction_of(const Vec3& lambda) {
+  return lambda.tail<2>().norm();
+}
+
+EXERCISE_TEST(SolveOnCone, PartsWhereNothingPresses) {
+  Random random;
+  for (const double q_n : {0.0, -1e-3, -2.0}) {
+    const Vec3 q(q_n, 1, -0.5);
+    const Mat3 S = coupled_block(random);
+    expect_near_vector(
+        "λ of a contact that asks for q_n = " + show(q_n) + " m/s [N s]", "Eq. (14.3)",
+        solve_on_cone(S, q, 0.5), Vec3::Zero(), {0, "it parts"},
+        {{S.inverse() * q, "This is S⁻¹ q, as if it stuck. Where q_n <= 0 it parts, and λ is 0."}},
+        "Where nothing presses, nothing rubs: all three are 0.");
+  }
+}
+
+EXERCISE_TEST(SolveOnCone, SticksWhereTheConeIsWideEnough) {
+  Random random;
+  for (int trial = 0; trial < 20 && !::testing::Test::HasFailure(); ++trial) {
+    const Mat3 S = coupled_block(random);
+    const double mu = random.uniform(0.2, 1), press = random.uniform(0.1, 2), angle = random.uniform(0, 6);
+    const Vec3 lambda = press * Vec3(1, 0.9 * mu * std::cos(angle), 0.9 * mu * std::sin(angle));
+    const Vec3 q = S * lambda;
+    if (q[0] <= 0.01) continue;
+    expect_near_vector("λ of a contact that sticks [N s]", "Eq. (14.4)", solve_on_cone(S, q, mu), lambda,
+                       roundings(400, 2),
+                       {{q.cwiseQuotient(Vec3(S.diagonal())),
+                         "Each has been divided by its own diagonal: the rows of a contact are coupled."}},
+                       "Inside the cone nothing holds it back: S λ = q, all three rows.");
+  }
+}
+
+EXERCISE_TEST(SolveOnCone, SlidesLikeABall) {
+  // Normal and tangents of a ball are not coupled, and no direction across is stiffer than another.
+  const Mat3 S = Vec3(0.5, 1.75, 1.75).asDiagonal();
+  const double mu = 0.4;
+  const Vec3 q(2, -30, 40);
+  const Vec2 along = Vec2(-0.6, 0.8) * mu * 4;
+  expect_near_vector(
+      "λ of a ball that slides [N s]", "Eq. (14.5)", solve_on_cone(S, q, mu), Vec3(4, along[0], along[1]),
+      roundings(100, 4),
+      {{Vec3(4, -30 / 1.75, 40 / 1.75), "It sticks, with more friction than μ λ_n."},
+       {Vec3(4, -mu * 4, mu * 4), "This is a box of ±μ λ_n."},
+       {Vec3(4, -along[0], -along[1]), "The sign: q is what is asked for, and λ_t goes that way."},
+       {Vec3(4, along[0] / mu, along[1] / mu), "μ is missing: |λ_t| = λ_n."}},
+      "λ_n = q_n/S_nn, and μ times that along q_t.");
+}
+
+EXERCISE_TEST(SolveOnCone, DoesWithoutFriction) {
+  Random random;
+  const Mat3 S = coupled_block(random);
+  const Vec3 q(1.5, 1, -2);
+  expect_near_vector("λ with μ = 0 [N s]", "Eq. (14.5)", solve_on_cone(S, q, 0), Vec3(q[0] / S(0, 0), 0, 0),
+                     roundings(10, q[0] / S(0, 0)), {}, "Nothing rubs: chapter 04's single row.");
+}
+
+/// What Eq. (14.3)-(14.5) say of an answer.
+void expect_coulomb(const Mat3& S, const Vec3& q, double mu, const Vec3& lambda) {
+  const Vec3 lacks = q - S * lambda;
+  const Tolerance close = roundings(1e4, q.norm() + lambda.norm());
+  expect_at_least("λ_n [N s]", "Eq. (14.3)", lambda[0], 0, "contacts never pull");
+  expect_at_most("|λ_t| - μ λ_n [N s]", "Eq. (14.5)", friction_of(lambda) - mu * lambda[0], close.value,
+                 "the cone, but for " + close.reason, "More friction than Coulomb allows.");
+  if (q[0] <= 0) return;  // see PartsWhereNothingPresses
+  const Vec3 stuck = S.inverse() * q;
+  expect_near("what the normal row lacks in the end [m/s]", "Eq. (14.5)", lacks[0], 0, close,
+              {{-S.row(0).tail<2>().dot(lambda.tail<2>()), "This λ_n does not feel the friction."},
+               {S.row(0).tail<2>().dot(stuck.tail<2>() - lambda.tail<2>()),
+                "λ_n is still that of sticking. With less friction there is another one: solve for both."}},
+              "Where it slides the normal row holds as well, with the friction that there is.");
+  if (friction_of(lambda) < mu * lambda[0] - close.value) {
+    expect_near("what the tangents of a contact inside its cone lack [m/s]", "Eq. (14.4)",
+                lacks.tail<2>().norm(), 0, close, {}, "Inside the cone it sticks.");
+    return;
+  }
+  const double across = lacks[1] * lambda[2] - lacks[2] * lambda[1];
+  expect_near("what the tangents lack, across their friction [m²/s² kg]", "Eq. (14.5)", across, 0,
+              {close.value * (q.norm() + lambda.norm()), close.reason}, {},
+              "Friction is along what is still lacking: (S_tt + α) λ_t = q_t - S_tn λ_n, with one α for both.");
+  expect_at_least("α [1/kg]", "Eq. (14.5)",
+                  (lacks.tail<2>().dot(lambda.tail<2>()) + close.value) / lambda.tail<2>().squaredNorm(), 0,
+                  "friction brakes", "It is driven, not braked.");
+}
+
+EXERCISE_TEST(SolveOnCone, ObeysCoulombsLaw) {
+  Random random;
+  Regions regions(
+      {"parts", "sticks", "slides", "slides with a friction that lifts", "slides and is pressed down"}, 10);
+  while (regions.lack_draws()) {
+    const Mat3 S = coupled_block(random);
+    const double mu = random.log_uniform(0.05, 3);
+    const Vec3 q(random.uniform(-0.3, 1), random.uniform(-2, 2), random.uniform(-2, 2));
+    const Vec3 stuck = S.inverse() * q;
+    const bool presses = q[0] > 0, sticks = presses && friction_of(stuck) <= mu * stuck[0];
+    const bool slides = presses && !sticks;
+    const Vec3 lambda = solve_on_cone(S, q, mu);
+    regions.draw({{"parts", !presses},
+                  {"sticks", sticks},
+                  {"slides", slides},
+                  {"slides with a friction that lifts", slides && lambda[0] < 0.8 * q[0] / S(0, 0)},
+                  {"slides and is pressed down", slides && lambda[0] > 1.2 * q[0] / S(0, 0)}});
+    expect_coulomb(S, q, mu, lambda);
+  }
+}
+
+EXERCISE_TEST(SolveOnCone, FindsWhatSweepsDoNot) {
+  // The rod of (9.8) with ρ = -1.5, dragged at 3 m/s: rows one by one find λ_n, none, λ_n, none, for ever.
+  const Mat3 S = (Mat3() << 1.6, -1.2, 0, -1.2, 3.4, 0, 0, 0, 4).finished();
+  const double mu = 2, q_n = 0.16, expected = q_n / (1.6 + 1.2 * mu);
+  const Vec3 lambda = solve_on_cone(S, Vec3(q_n, -3, 0), mu);
+  expect_near("λ_n of a rod that is dragged with μ = 2 [N s]", "Eq. (9.8), (14.5)", lambda[0], expected,
+              roundings(100, 1), {{q_n / 1.6, "This is the one without friction."}},
+              "λ_n = q_n/(S_nn (1 - ρ)): put λ_1 = -μ λ_n into the first row.");
+  expect_near("λ_1 of it [N s]", "Eq. (14.5)", lambda[1], -mu * expected, roundings(100, 1), {}, "-μ λ_n.");
+}
+
+EXERCISE_TEST(SolveOnCone, TurnsWithTheTangents) {
+  Random random;
+  for (int trial = 0; trial < 20 && !::testing::Test::HasFailure(); ++trial) {
+    const Mat3 S = coupled_block(random), R = Eigen::AngleAxisd(random.uniform(0, 6), Vec3::UnitX()).matrix();
+    const Vec3 q(random.uniform(0.1, 1), random.uniform(-2, 2), random.uniform(-2, 2));
+    const Vec3 before = solve_on_cone(S, q, 0.5);
+    expect_true("λ_n of a contact that is pressed is positive", "Eq. (14.5)", before[0] > 0);
+    if (before[0] > 10) continue;  // nearly jammed
+    expect_near_vector("λ with other tangents [N s]", "Eq. (14.5)",
+                       Vec3(solve_on_cone(R * S * R.transpose(), R * q, 0.5)), Vec3(R * before),
+                       {1e-9, "roundings, times how nearly it jams"}, {}, "A cone has no corners.");
+  }
+}
+
+EXERCISE_TEST(SolveOnCone, DoesNotMindMuchSlip) {
+  Random random;
+  for (const double fast : {1e3, 1e6, 1e9}) {
+    const Mat3 S = coupled_block(random);
+    const double mu = 0.1;
+    const Vec3 lambda = solve_on_cone(S, Vec3(1, -0.6 * fast, 0.8 * fast), mu);
+    const Vec3 ahead(1, -0.6 * mu, 0.8 * mu);
+    expect_near_vector("λ at a slip of " + show(fast) + " m/s, over λ_n", "Eq. (14.5)",
+                       Vec3(lambda / lambda[0]), ahead,
+                       {10 / fast + 1e-12, "α is about the slip over the friction, S is 3 at most"}, {},
+                       "The faster it slides, the more is friction against that alone.");
+    expect_near("what the normal row lacks then [m/s]", "Eq. (14.5)", 1 - S.row(0).dot(lambda), 0,
+                roundings(1e3, 1 + lambda.norm()), {}, "It holds, however fast it slides.");
+  }
+}
+
+EXERCISE_TEST(SolveOnCone, KeepsANaN) {
+  const Mat3 S = Vec3(1, 2, 2).asDiagonal();
+  for (const double q_n : {1.0, -1.0})
+    for (int k = 0; k < 3; ++k) {
+      Vec3 q(q_n, 0.1, 5);
+      q[k] = std::nan("");
+      expect_true(
+          "a q of " + show(q_n) + " with NaN in its entry " + std::to_string(k) + " makes a λ with a NaN",
+          "Eq. (14.3)", solve_on_cone(S, q, 0.5).hasNaN(), "A NaN went in and none came out.");
+    }
+}
+
+}  // namespace

@@ -1,0 +1,144 @@
+// Three rows of a contact at once, in a system of others.
+#include "../09_better_friction/rubbing.hpp"
+#include "14_fast_rows/fast_rows.hpp"
+#include "dense_rows.hpp"
+#include "exercise_test.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(UpdateContact, "14.2 update_contact");
+
+/// Some contacts and joints among a few bodies, with impulses already.
+System<6> busy_system(Random& random) {
+  System<6> s = random_system(random, 4, 4, 0.6);
+  for (const Rubbing& contact : s.contacts) s.begin_with(contact.normal, random.uniform(0.2, 1));
+  for (const Rubbing& contact : s.contacts) s.begin_with(contact.normal + 1, random.uniform(-0.1, 0.1));
+  return s;
+}
+
+/// The block of a contact, from all of S.
+Mat3 block_of(const System<6>& s, const Rubbing& contact) {
+  const auto k = static_cast<Eigen::Index>(contact.normal);
+  return dense_S(s.rows).block<3, 3>(k, k);
+}
+
+Vec3 impulses_of(const System<6>& s, const Rubbing& contact) {
+  return {s.rows[contact.normal].lambda, s.rows[contact.normal + 1].lambda, s.rows[contact.normal + 2].lambda};
+}
+
+Vec3 lacks_of(const System<6>& s, const Rubbing& contact) {
+  return {s.lacks(contact.normal), s.lacks(contact.normal + 1), s.lacks(contact.normal + 2)};
+}
+
+EXERCISE_TEST(UpdateContact, SolvesTheThreeRowsTogether) {
+  Random random;
+  for (int trial = 0; trial < 10 && !::testing::Test::HasFailure(); ++trial) {
+    System<6> s = busy_system(random);
+    for (const Rubbing& contact : s.contacts) {
+      const Mat3 S = block_of(s, contact);
+      const Vec3 before = impulses_of(s, contact), r = lacks_of(s, contact);
+      Mat3 of_j = S, without_softness = S, alone = S.diagonal().asDiagonal();
+      for (int k = 0; k < 3; ++k)
+        for (int l = 0; l < 3; ++l)
+          of_j(k, l) -= s.rows[contact.normal + k].Gi.dot(s.rows[contact.normal + l].MinvGi);
+      for (int k = 0; k < 3; ++k) without_softness(k, k) -= s.rows[contact.normal + k].Sigma;
+      const auto with = [&](const Mat3& block, const Vec3& q) { return solve_on_cone(block, q, contact.mu); };
+      update_contact(contact, s.rows, s.V);
+      expect_near_vector(
+          "λ of a contact between two bodies that move, after its update [N s]", "Eq. (14.1), (14.2)",
+          impulses_of(s, contact), with(S, r + S * before), roundings(1e4, 5),
+          {{with(S, r), "q is what it lacks only: what its λ of before do, S_cc λ, is missing."},
+           {Vec3(before + with(S, r)), "This adds the λ of what it lacks, on its cone, to the λ of before."},
+           {with(of_j, r + of_j * before), "S_cc has the part of body j only."},
+           {with(without_softness, r + without_softness * before), "S_cc is without Σ and Γ on its diagonal."},
+           {with(alone, r + alone * before),
+            "S_cc has its diagonal only: how the rows feel each other is missing."}},
+          "q = r + S_cc λ, on the cone of μ.");
+    }
+  }
+}
+
+EXERCISE_TEST(UpdateContact, ScattersWhatHasChanged) {
+  Random random;
+  for (int trial = 0; trial < 10 && !::testing::Test::HasFailure(); ++trial) {
+    System<6> s = busy_system(random);
+    const Eigen::VectorXd V = all_V(s.V);
+    for (const Rubbing& contact : s.contacts) update_contact(contact, s.rows, s.V);
+    expect_true("an update of every contact changes V", "Eq. (4.5)", all_V(s.V) != V, "Nothing was scattered.");
+    expect_near_vector("V after an update of every contact", "Eq. (4.5)", all_V(s.V),
+                       V_of_lambda(s.rows, s.V.size()), roundings(1e4, 10), {},
+                       "V = M⁻¹ Gᵀ λ, always: scatter Δλ, and not λ.");
+  }
+}
+
+EXERCISE_TEST(UpdateContact, ReturnsWhatItLacked) {
+  Random random;
+  System<6> s = busy_system(random);
+  for (const Rubbing& contact : s.contacts) {
+    const Mat3 S = block_of(s, contact);
+    const Vec3 before = impulses_of(s, contact),
+               change = solve_on_cone(S, lacks_of(s, contact) + S * before, contact.mu) - before;
+    const double got = update_contact(contact, s.rows, s.V);
+    expect_near("what update_contact returned [m/s]", "Eq. (14.2)", got, (S * change).norm(), roundings(1e3, 5),
+                {{change.norm(), "This is |Δλ|, an impulse. A velocity is asked for: |S_cc Δλ|."}},
+                "|S_cc Δλ|.");
+    const double again = update_contact(contact, s.rows, s.V);
+    expect_at_most("what a second update of it returned [m/s]", "Eq. (14.2)", again, 1e-11,
+                   "one update solves it, but for roundings", "It was not solved by one update.");
+  }
+}
+
+EXERCISE_TEST(UpdateContact, SolvesTheDraggedRodAtOnce) {
+  for (const double mu : {0.5, 1.0, 2.0}) {
+    System<6> s = leaning_rod(mu, 3, 0.16);
+    update_contact(s.contacts[0], s.rows, s.V);
+    expect_near(
+        "λ_n of a rod that is dragged, μ = " + show(mu) + " [N s]", "Eq. (9.8)", s.rows[0].lambda,
+        0.16 / (rod_Knn - rod_Knx * mu), roundings(100, 1),
+        {{0.16 / rod_Knn, "This is the one without friction."}},
+        "λ_n = q_n/(n·Kn (1 - ρ)), by one update, where rows one by one take many, or go round for ever.");
+  }
+}
+
+EXERCISE_TEST(UpdateContact, FindsItsRows) {
+  Random random;
+  System<6> s = busy_system(random);
+  const Eigen::VectorXd before = all_lambda(s.rows);
+  const Rubbing& second = s.contacts[1];
+  update_contact(second, s.rows, s.V);
+  for (std::size_t k = 0; k < s.rows.size(); ++k) {
+    if (k >= second.normal && k <= second.normal + 2) continue;
+    expect_near("λ of row " + std::to_string(k) + ", of another contact or a joint [N s]", "Eq. (14.2)",
+                s.rows[k].lambda, before[static_cast<Eigen::Index>(k)], {0, "it is not touched"}, {},
+                "Its rows are contact.normal and the two after it.");
+  }
+}
+
+EXERCISE_TEST(UpdateContact, DoesNotLookAtBounds) {
+  Random random;
+  const System<6> s = busy_system(random);
+  for (const Rubbing& contact : s.contacts) {
+    System<6> free = s, bounded_too = s;
+    for (std::size_t k = contact.normal + 1; k <= contact.normal + 2; ++k)
+      bounded_too.rows[k].lo = bounded_too.rows[k].hi = 0;
+    update_contact(contact, free.rows, free.V);
+    update_contact(contact, bounded_too.rows, bounded_too.V);
+    expect_near_vector("λ where the friction rows have bounds of 0 [N s]", "Eq. (14.5)",
+                       impulses_of(bounded_too, contact), impulses_of(free, contact), {0, "the same"}, {},
+                       "The limit is μ λ_n of now, not the rows' bounds.");
+  }
+}
+
+EXERCISE_TEST(UpdateContact, KeepsANaN) {
+  Random random;
+  System<6> s = busy_system(random);
+  const Rubbing& contact = s.contacts[0];
+  s.rows[contact.normal].B = std::nan("");
+  expect_true("a right side of NaN makes it return NaN", "Eq. (14.2)",
+              std::isnan(update_contact(contact, s.rows, s.V)), "A NaN went in and none came out.");
+}
+
+}  // namespace

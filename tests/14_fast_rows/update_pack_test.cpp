@@ -1,0 +1,189 @@
+// Four lanes, each of which is chapter 04's update.
+#include "14_fast_rows/fast_rows.hpp"
+#include "exercise_test.hpp"
+#include "packs.hpp"
+#include "regions.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(UpdatePack, "14.4 update_pack");
+
+/// Four pairs of eight bodies that move, so many rows each, with impulses and velocities already.
+struct FourPairs {
+  Motion<6> motion;
+  std::vector<Twist<6>> V;
+  std::array<std::vector<Row<6>>, lane_count> lanes;
+
+  FourPairs(Random& random, int rows) {
+    for (int k = 0; k < 2 * lane_count; ++k) {
+      motion.inverse_mass.push_back(random_body(random));
+      Twist<6> v;
+      for (int n = 0; n < 6; ++n) v[n] = random.uniform(-0.3, 0.3);
+      V.push_back(v);
+    }
+    motion.W.assign(V.size(), Twist<6>::Zero()), motion.Wf = motion.W;
+    for (int lane = 0; lane < lane_count; ++lane)
+      for (int m = 0; m < rows; ++m) {
+        lanes[lane].push_back(some_row(random, 2 * lane + 1, 2 * lane, motion));
+        lanes[lane].back().lambda = random.uniform(lanes[lane].back().lo, lanes[lane].back().hi);
+      }
+  }
+};
+
+/// What is left of the order of sums: 12 products in each scalar product, of numbers of about 1.
+const Tolerance other_order = roundings(500, 1);
+
+EXERCISE_TEST(UpdatePack, IsUpdateRowInEachLane) {
+  Random random;
+  Regions regions({"free", "at lo", "at hi"}, 20);
+  while (regions.lack_draws()) {
+    FourPairs t(random, 1);
+    Pack<6> pack = pack_of(t.lanes, 1);
+    std::vector<Twist<6>> V = t.V;
+    update_pack(pack, V);
+    for (int lane = 0; lane < lane_count; ++lane) {
+      Row<6> row = t.lanes[lane][0];
+      const double before = row.lambda, GVi = row.Gi.dot(t.V[row.i]), GVj = row.Gj.dot(t.V[row.j]),
+                   GV = GVi + GVj, S = row.diagonal;
+      const double r = row.B - GV - row.Sigma * before;
+      update_row(row, t.V);
+      const double at = row.lambda;
+      regions.draw({{"free", row.lo < at && at < row.hi}, {"at lo", at == row.lo}, {"at hi", at == row.hi}});
+      const std::string where = " in lane " + std::to_string(lane);
+      const auto clamped = [&](double x) { return std::clamp(x, row.lo, row.hi); };
+      expect_near(
+          "λ" + where + " [N s]", "Eq. (14.9), (4.7)", pack.rows[0].lambda[lane], at, other_order,
+          {{clamped(before + (row.B - GV) / S), "Σ λ is missing in what the row lacks."},
+           {clamped(before + (r + GVi) / S), "What body i does is missing."},
+           {clamped(before + (r + GVj) / S), "What body j does is missing."},
+           {clamped(before + (row.B - row.Sigma * before) / S), "Neither body has been gathered."},
+           {before + r / S, at == row.lo ? "The lower bound is missing." : "The upper bound is missing."},
+           {before + clamped(r / S), "Δλ has been clamped, and not λ."}},
+          "Chapter 04's update_row, in this lane.");
+      expect_near_vector("V of body i" + where, "Eq. (4.5)", V[row.i], t.V[row.i], other_order, {},
+                         "Gather, update, then write the velocity back.");
+      expect_near_vector("V of body j" + where, "Eq. (4.5)", V[row.j], t.V[row.j], other_order, {},
+                         "Gather, update, then write the velocity back.");
+    }
+  }
+}
+
+EXERCISE_TEST(UpdatePack, TakesRowsInTheirOrder) {
+  Random random;
+  for (int trial = 0; trial < 20 && !::testing::Test::HasFailure(); ++trial) {
+    FourPairs t(random, 3);
+    for (std::vector<Row<6>>& rows : t.lanes)
+      for (Row<6>& row : rows) row.lo = -infinity, row.hi = infinity;
+    Pack<6> pack = pack_of(t.lanes, 3);
+    const std::vector<Twist<6>> V0 = t.V;
+    std::vector<Twist<6>> V = t.V;
+    update_pack(pack, V);
+    for (int lane = 0; lane < lane_count; ++lane)
+      for (int m = 0; m < 3; ++m) {
+        Row<6>&row = t.lanes[lane][m], blind = row;
+        std::vector<Twist<6>> unseen = V0;
+        update_row(blind, unseen);
+        update_row(row, t.V);
+        expect_near("λ of row " + std::to_string(m) + " in lane " + std::to_string(lane) + " [N s]",
+                    "Eq. (14.9), (4.2)", pack.rows[m].lambda[lane], row.lambda, roundings(5000, 1),
+                    {{blind.lambda, "It has not seen what the rows before it have just done to its bodies."}},
+                    "Keep the velocities up to date from row to row.");
+      }
+    for (std::size_t body = 0; body < V.size(); ++body)
+      expect_near_vector("V of body " + std::to_string(body) + " after three rows", "Eq. (4.5)", V[body],
+                         t.V[body], roundings(5000, 1), {}, "All rows, then the scatter.");
+  }
+}
+
+EXERCISE_TEST(UpdatePack, LeavesBodiesThatDoNotMoveAlone) {
+  Random random;
+  FourPairs t(random, 2);
+  for (std::vector<Row<6>>& rows : t.lanes)
+    for (Row<6>& row : rows) row.MinvGi.setZero();  // body i stands still: it has no velocity to look up
+  for (int lane = 0; lane < lane_count; ++lane) t.V[2 * lane + 1].setZero();
+  Pack<6> pack = pack_of(t.lanes, 2);
+  std::vector<Twist<6>> V = t.V;
+  for (int lane = 0; lane < lane_count; ++lane) V[2 * lane + 1].setConstant(77);
+  update_pack(pack, V);
+  for (int lane = 0; lane < lane_count; ++lane) {
+    for (Row<6>& row : t.lanes[lane]) update_row(row, t.V);
+    expect_near("λ in lane " + std::to_string(lane) + ", body i does not move [N s]", "Eq. (14.9)",
+                pack.rows[1].lambda[lane], t.lanes[lane][1].lambda, roundings(5000, 1), {},
+                "Where pack.i is -1 the velocity is 0.");
+    expect_near_vector("V of a body that is in no lane", "Eq. (14.9)", V[2 * lane + 1],
+                       Twist<6>(Twist<6>::Constant(77)), {0, "it is not touched"}, {},
+                       "Where pack.i is -1 nothing is written.");
+  }
+}
+
+EXERCISE_TEST(UpdatePack, LeavesEmptyLanesEmpty) {
+  Random random;
+  for (int filled = 0; filled <= lane_count; ++filled) {
+    FourPairs t(random, 2);
+    const auto all = t.lanes;
+    for (int lane = filled; lane < lane_count; ++lane) t.lanes[lane].clear();
+    if (filled == 3) t.lanes[1].pop_back();  // its second row is not there
+    Pack<6> pack = pack_of(t.lanes, 2);
+    std::vector<Twist<6>> V = t.V;
+    const double got = update_pack(pack, V);
+    const std::string with = " with " + std::to_string(filled) + " lanes filled";
+    expect_true("it returns a number," + with, "Eq. (14.9)", std::isfinite(got),
+                "An empty lane has a diagonal of 1, and asks for nothing.");
+    for (int lane = 0; lane < lane_count; ++lane) {
+      for (Row<6>& row : t.lanes[lane]) update_row(row, t.V);
+      for (std::size_t m = t.lanes[lane].size(); m < 2; ++m)
+        expect_near("λ of an empty lane," + with + " [N s]", "Eq. (14.9)", pack.rows[m].lambda[lane], 0,
+                    {0, "exact"});
+    }
+    for (std::size_t body = 0; body < V.size(); ++body)
+      expect_near_vector("V of body " + std::to_string(body) + "," + with, "Eq. (14.9)", V[body], t.V[body],
+                         roundings(5000, 1), {}, "Only bodies of lanes that are filled change.");
+  }
+}
+
+EXERCISE_TEST(UpdatePack, ReturnsTheLargest) {
+  Random random;
+  for (int trial = 0; trial < 20 && !::testing::Test::HasFailure(); ++trial) {
+    FourPairs t(random, 2);
+    Pack<6> pack = pack_of(t.lanes, 2);
+    std::vector<Twist<6>> V = t.V;
+    double expected = 0, impulse = 0, last = 0;
+    for (int m = 0; m < 2; ++m) {
+      last = 0;
+      for (int lane = 0; lane < lane_count; ++lane) {
+        Row<6>& row = t.lanes[lane][m];
+        const double change = std::abs(update_row(row, t.V));
+        expected = std::max(expected, row.diagonal * change);
+        last = std::max(last, row.diagonal * change);
+        impulse = std::max(impulse, change);
+      }
+    }
+    expect_near("what update_pack returned [m/s]", "Eq. (4.9)", update_pack(pack, V), expected,
+                roundings(5000, 3),
+                {{impulse, "This is the largest |Δλ|, an impulse: S_kk times it is asked for."},
+                 {last, "This is that of the last rows only."}},
+                "The largest S_kk |Δλ_k| of all lanes and rows.");
+  }
+}
+
+EXERCISE_TEST(UpdatePack, KeepsANaNInItsLane) {
+  Random random;
+  for (int lane = 0; lane < lane_count; ++lane) {
+    FourPairs t(random, 2);
+    t.lanes[lane][0].B = std::nan("");
+    Pack<6> pack = pack_of(t.lanes, 2);
+    const double got = update_pack(pack, t.V);
+    const std::string clue = "min(), max() and select() with the NaN on the wrong side lose it.";
+    expect_true("a right side of NaN in lane " + std::to_string(lane) + " makes it return NaN", "Eq. (4.9)",
+                std::isnan(got), clue);
+    for (int other = 0; other < lane_count; ++other)
+      expect_true("λ in lane " + std::to_string(other) + " is " + (other == lane ? "NaN" : "a number") +
+                      ", where a NaN is in lane " + std::to_string(lane),
+                  "Eq. (4.7)", std::isnan(pack.rows[0].lambda[other]) == (other == lane), clue);
+  }
+}
+
+}  // namespace
