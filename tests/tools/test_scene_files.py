@@ -146,7 +146,7 @@ class SceneFiles(unittest.TestCase):
                 self.file.write_text(exported.stdout)
                 self.assertEqual(self.positions(name, "--time", "0.1")[1:],
                                  self.positions(self.file, "--time", "0.1")[1:])
-        self.assertEqual(of_formulas, ["oscillator", "orbit"])
+        self.assertEqual(of_formulas, ["oscillator", "orbit", "andrews"])
 
     def test_mechanisms_are_read(self):
         # A motor turns a wheel to its upper limit, -inf being no lower one, and holds it there.
