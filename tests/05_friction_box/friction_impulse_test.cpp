@@ -1,5 +1,6 @@
 // The friction impulse of one contact: by hand, at its bounds, and step by step.
 #include "exercise_test.hpp"
+#include "regions.hpp"
 #include "sliding.hpp"
 
 using namespace spook;
@@ -150,12 +151,22 @@ EXERCISE_TEST(FrictionImpulse, KeepsItsBoundBothWays) {
 
 EXERCISE_TEST(FrictionImpulse, IsBoundedByABox) {
   Random random;
-  for (int trial = 0; trial < 200 && !::testing::Test::HasFailure(); ++trial) {
+  Regions regions({"both rows stick", "λ1 at Λ", "λ1 at -Λ", "λ2 at Λ", "λ2 at -Λ", "both at a bound", "Λ = 0"},
+                  20);
+  while (regions.lack_draws()) {
     const Touch touch(random);
     const auto& [t1, t2] = touch.t;
     const double Gamma = random.uniform(0, 0.5);
     const double free1 = -touch.u.dot(t1) / (touch.k1 + Gamma), free2 = -touch.u.dot(t2) / (touch.k2 + Gamma);
-    const double size = std::hypot(free1, free2), bound = size * random.uniform(0.3, 1.2);
+    const double size = std::hypot(free1, free2), bound = size * std::max(0.0, random.uniform(-0.1, 1.2));
+    const bool held1 = std::abs(free1) >= bound, held2 = std::abs(free2) >= bound;
+    regions.draw({{"both rows stick", !held1 && !held2},
+                  {"λ1 at Λ", free1 >= bound},
+                  {"λ1 at -Λ", free1 <= -bound},
+                  {"λ2 at Λ", free2 >= bound},
+                  {"λ2 at -Λ", free2 <= -bound},
+                  {"both at a bound", held1 && held2},
+                  {"Λ = 0", bound == 0}});
     const Vec3 free = free1 * t1 + free2 * t2, u_t = touch.u.dot(t1) * t1 + touch.u.dot(t2) * t2;
     const Vec3 expected = std::clamp(free1, -bound, bound) * t1 + std::clamp(free2, -bound, bound) * t2;
     const std::string cone =

@@ -130,10 +130,15 @@ EXERCISE_TEST(Rope, KeepsItsMassAndCentre) {
 EXERCISE_TEST(Rope, OfOneLinkIsItsTwoEnds) {
   const Net net = rope(Vec3(1, 0, 2), Vec3(1, 0, -1), 1, 5);
   if (!has_its_parts(net, 1)) return;
+  const std::string
+      whole = "This is all of the link's mass. One link is no special case: each of its ends has a half.",
+      halves = "Each end has half of the one link there is.";
   expect_near_vector("first point [m]", "Eq. (6.10)", net.x[0], Vec3(1, 0, 2), roundings(8, 2));
   expect_near_vector("last point [m]", "Eq. (6.10)", net.x[1], Vec3(1, 0, -1), roundings(8, 2));
-  expect_near("mass of the first point, of 5 kg [kg]", "Eq. (6.10)", net.mass[0], 2.5, roundings(8, 5));
-  expect_near("mass of the last point, of 5 kg [kg]", "Eq. (6.10)", net.mass[1], 2.5, roundings(8, 5));
+  expect_near("mass of the first point, of 5 kg [kg]", "Eq. (6.10)", net.mass[0], 2.5, roundings(8, 5),
+              {{5, whole}}, halves);
+  expect_near("mass of the last point, of 5 kg [kg]", "Eq. (6.10)", net.mass[1], 2.5, roundings(8, 5),
+              {{5, whole}}, halves);
   expect_near("length of the link [m]", "Eq. (6.10)", net.links[0].length, 3, roundings(8, 3));
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <numbers>
 
+#include "regions.hpp"
 #include "shapes.hpp"
 
 using namespace spook;
@@ -500,8 +501,19 @@ EXERCISE_TEST(BoxBox, TremblesNoMoreThanItsBoxes) {
 EXERCISE_TEST(BoxBox, DoesNotMindWhichIsFirst) {
   Random random;
   std::vector<Position> positions = common_positions();
-  for (int trial = 0; trial < 300; ++trial)
-    positions.push_back({"random boxes", random_box(random, 0, 0.7), random_box(random, 1, 0.7)});
+  Regions regions({"a face of i is met", "a face of j is met", "two edges are met", "j has the lower number"},
+                  30);
+  while (regions.lack_draws()) {
+    const int number = random.integer(0, 1);
+    const Box one = random_box(random, number, 0.7), other = random_box(random, 1 - number, 0.7);
+    positions.push_back({"random boxes", one, other});
+    const SeparatingAxis axis = separating_axis(one, other);
+    const bool touch = axis.gap <= 0;
+    regions.draw({{"a face of i is met", touch && axis.face_i >= 0},
+                  {"a face of j is met", touch && axis.face_j >= 0},
+                  {"two edges are met", touch && axis.edge_i >= 0},
+                  {"j has the lower number", number == 1}});
+  }
   for (const auto& [what, i, j] : positions) {
     const auto one = contacts_of(i, j), other = contacts_of(j, i);
     given() = describe_both(i, j);

@@ -271,10 +271,11 @@ void expect_well_spread(const std::vector<Contact>& contacts, const std::string&
   double extent = 0;
   for (const auto& place : all) extent = std::max(extent, place.norm());
 
-  expect_at_most(
-      "gap of the deepest that is kept, of " + what + " [m]", "Eq. (8.10)", deepest_of(kept),
-      deepest_of(contacts) + 1e-6 * extent, "that of the deepest of all, and a millionth of the distances",
-      "The deepest has most to say about how far they overlap: of all that come in, however many, it is kept.");
+  expect_at_most("gap of the deepest that is kept, of " + what + " [m]", "Eq. (8.10)", deepest_of(kept),
+                 deepest_of(contacts) + 1e-6 * extent,
+                 "that of the deepest of all, and a millionth of the distances",
+                 "The deepest has most to say about how far they overlap: of all that come in, however many, "
+                 "it is always kept.");
   if (::testing::Test::HasFailure()) return;
   expect_at_least(
       "how far the mean of all points is within the four, of " + what + " [m]", "Eq. (8.10)",

@@ -1,5 +1,6 @@
 // Two friction rows brought up to date together: by hand, against bisection, and whichever the tangents are.
 #include "exercise_test.hpp"
+#include "regions.hpp"
 #include "rubbing.hpp"
 
 using namespace spook;
@@ -186,17 +187,27 @@ EXERCISE_TEST(UpdateFriction, ScattersWhatItChanges) {
 // With S = s 1 there is nothing between the two rows: a point mass, or a ball on a plane.
 EXERCISE_TEST(UpdateFriction, SolvesAContactThatIsAlikeInAllDirectionsAtOnce) {
   Random random;
-  for (int trial = 0; trial < 100 && !::testing::Test::HasFailure(); ++trial) {
+  Regions regions({"sticks", "slides", "nothing presses", "begins outside the disc", "Γ = 0"}, 20);
+  while (regions.lack_draws()) {
     System<3> s;
     add_body<3>(s, {.linear = random.uniform(0.2, 2)}, random.vector());
     add_body<3>(s, {.linear = random.uniform(0.2, 2)}, random.vector());
     const Vec3 n = random.unit_vector(), zero = Vec3::Zero();
-    const double Gamma = random.uniform(0, 1), press = random.uniform(0.1, 2);
+    const double Gamma = std::max(0.0, random.uniform(-0.2, 1)), press = std::max(0.0, random.uniform(-0.2, 2));
     add_contact(s, {.i = 0, .j = 1, .n = n, .gap = 0, .r_i = zero, .r_j = zero},
                 turned(n, random.uniform(0, 6)), random.uniform(0.1, 1), 0, Gamma);
     s.begin_with(0, press);
     const Vec2 sticks = Vec2(s.rows[1].B, s.rows[2].B) / s.rows[1].diagonal;
     const double radius = s.contacts[0].mu * press;
+    if (random.integer(0, 1)) {
+      s.begin_with(1, random.uniform(-2, 2));
+      s.begin_with(2, random.uniform(-2, 2));
+    }
+    regions.draw({{"sticks", sticks.norm() < radius},
+                  {"slides", press > 0 && sticks.norm() > radius},
+                  {"nothing presses", press == 0},
+                  {"begins outside the disc", s.tangential(s.contacts[0]).norm() > radius},
+                  {"Γ = 0", Gamma == 0}});
     const Vec2 expected = sticks.norm() <= radius ? sticks : Vec2(radius * sticks.normalized());
     update_friction(s.contacts[0], s.rows, s.V);
     expect_near_vector("λ_t [N s] after one update; it would stick with |λ_t| = " + show(sticks.norm()) +
@@ -224,12 +235,15 @@ Vec2 solve_on_disc(const Eigen::Matrix2d& S, const Vec2& B, double radius) {
 // Each update shortens the error by 1 - s_min/s at least. The random bodies have s_min/s above 0.01.
 EXERCISE_TEST(UpdateFriction, ConvergesToCoulombsLaw) {
   Random random;
-  for (int trial = 0; trial < 100 && !::testing::Test::HasFailure(); ++trial) {
+  Regions regions({"sticks", "slides"}, 20);
+  while (regions.lack_draws()) {
     System<6> s = random_touch(random);
     const Rubbing contact = s.contacts[0];
     const Eigen::Matrix2d S = tangential_S(s, contact);
     const Vec2 B = s.slip_lacks(contact);
     const double radius = contact.mu * s.rows[0].lambda;
+    const bool sticks = Vec2(S.inverse() * B).norm() < radius;
+    regions.draw({{"sticks", sticks}, {"slides", !sticks}});
     for (int n = 0; n < 4000; ++n) update_friction(contact, s.rows, s.V);
     expect_near_vector(
         "λ_t [N s] after 4000 updates of one contact, radius " + show(radius), "Eq. (9.6)",

@@ -348,7 +348,10 @@ EXERCISE_TEST(DirectSolve, HandsItsFirstTryOnAsTheGuess) {
     };
     const double right = first_of(solution_of(p.S, p.B)), from_zero = first_of(VectorXd::Zero(p.B.size()));
     const SolveReport report = solve_directly(s, {.max_sweeps = 2, .tolerance = 0});
-    if (report.history.size() < 2) continue;
+    expect_true("the history has the try without bounds, and what interior_solve left", "Eq. (4.9)",
+                report.history.size() > 2,
+                "An entry after each factorisation: the first is that without bounds.");
+    if (report.history.size() < 2) return;
     expect_near(
         "what interior_solve leaves after its first factorisation, the second entry of the history [m/s]",
         "Eq. (11.12)", report.history[1], right, {1e-7 * right, "the condition of S, times roundings"},

@@ -1,6 +1,7 @@
 // Where the interior point method begins: one energy for every bound, and a room that goes with it.
 #include "exercise_test.hpp"
 #include "interior.hpp"
+#include "regions.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -105,13 +106,42 @@ void expect_start(const Bounded& p, const VectorXd& guess) {
 
 EXERCISE_TEST(InteriorStart, GivesEveryBoundTheSameEnergy) {
   Random random;
-  for (int repeat = 0; repeat < 10; ++repeat) {
+  Regions regions(
+      {"no bound", "a bound below", "a bound above", "two bounds", "0 is not allowed",
+       "the guess is not allowed", "the guess is allowed", "B tells the size", "the guess tells the size",
+       "half the way to the other bound", "the root of E/S between two bounds"},
+      10);
+  while (regions.lack_draws()) {
     System<6> s = random_system(random, 4, 12);
     add_random_bounds(random, s.rows);
-    // In turn B, the guess and the bounds tell the size.
-    const double size = repeat % 3 == 1 ? 10 : 1e-3;
+    if (random.integer(0, 1))  // two bounds that are far from each other
+      for (Row<6>& row : s.rows)
+        if (std::isfinite(row.lo) && std::isfinite(row.hi)) row.hi = row.lo + 100;
+    const double size = random.integer(0, 1) ? 10 : 1e-3;
     const Bounded p = bounded(s.rows);
     const VectorXd guess = VectorXd::NullaryExpr(12, [&] { return size * random.uniform(-1, 1); });
+    const Energies e = energies(p, guess);
+    bool none = false, below = false, above = false, both = false, no_zero = false, out = false, in = false,
+         half_way = false, by_root = false;
+    for (Eigen::Index k = 0; k < 12; ++k) {
+      const bool lo = std::isfinite(p.lo[k]), hi = std::isfinite(p.hi[k]);
+      const double half = (p.hi[k] - p.lo[k]) / 2, root = std::sqrt(e.all / p.S(k, k));
+      const bool allowed = p.lo[k] <= guess[k] && guess[k] <= p.hi[k];
+      none |= !lo && !hi, below |= lo && !hi, above |= !lo && hi, both |= lo && hi;
+      no_zero |= p.lo[k] > 0 || p.hi[k] < 0, out |= !allowed, in |= allowed;
+      half_way |= lo && hi && half < root, by_root |= lo && hi && root < half;
+    }
+    regions.draw({{"no bound", none},
+                  {"a bound below", below},
+                  {"a bound above", above},
+                  {"two bounds", both},
+                  {"0 is not allowed", no_zero},
+                  {"the guess is not allowed", out},
+                  {"the guess is allowed", in},
+                  {"B tells the size", e.of_B > e.all / 2},
+                  {"the guess tells the size", e.without_guess < e.all / 2},
+                  {"half the way to the other bound", half_way},
+                  {"the root of E/S between two bounds", by_root}});
     expect_start(p, guess);
     Bounded quiet = p;
     quiet.B *= 1e-3;

@@ -1,8 +1,11 @@
 // M̃ in the saddle-point matrix: by hand, against a dense assembly, and what springs do not do.
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <numbers>
+#include <set>
 
 #include "exercise_test.hpp"
+#include "regions.hpp"
 #include "springs.hpp"
 
 using namespace spook;
@@ -48,8 +51,22 @@ EXERCISE_TEST(StiffenedMatrix, PutsASpringBetweenTwoPoints) {
 
 EXERCISE_TEST(StiffenedMatrix, IsTheDenseAssembly) {
   Random random;
-  for (int repeat = 0; repeat < 10 && !::testing::Test::HasFailure(); ++repeat) {
+  Regions regions({"i above j", "i below j", "a spring to a fixed i", "a spring to a fixed j",
+                   "a pair with two springs", "nothing is fixed"});
+  while (regions.lack_draws()) {
     const Springs s = random_springs(random, random.integer(3, 8), random.integer(0, 2), random.integer(0, 6));
+    const auto any = [&](const auto& is) { return std::any_of(s.stiffness.begin(), s.stiffness.end(), is); };
+    std::set<std::pair<int, int>> pairs;
+    for (const Stiffness& one : s.stiffness) pairs.insert(std::minmax(one.i, one.j));
+    regions.draw(
+        {{"i above j", any([](const Stiffness& one) { return one.i > one.j; })},
+         {"i below j", any([](const Stiffness& one) { return one.i < one.j; })},
+         {"a spring to a fixed i",
+          any([&](const Stiffness& one) { return !s.moves(one.i) && s.moves(one.j); })},
+         {"a spring to a fixed j",
+          any([&](const Stiffness& one) { return s.moves(one.i) && !s.moves(one.j); })},
+         {"a pair with two springs", pairs.size() < s.stiffness.size()},
+         {"nothing is fixed", !any([&](const Stiffness& one) { return !s.moves(one.i) || !s.moves(one.j); })}});
     const Eigen::MatrixXd A = stiffened(s), right = dense_matrix(s);
     const double size = right.cwiseAbs().maxCoeff();
     for (Eigen::Index column = 0; column < A.cols(); ++column)

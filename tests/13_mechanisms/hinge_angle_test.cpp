@@ -1,6 +1,7 @@
 // The angle of a hinge: its sign, its turns, and its row.
 #include "exercise_test.hpp"
 #include "frames.hpp"
+#include "regions.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -59,6 +60,33 @@ EXERCISE_TEST(HingeAngle, KnowsOnlyTheLastAngleThatItIsGiven) {
                 "Of the angles that look alike, the one nearest to `last`.");
     if (::testing::Test::HasFailure()) return;
     before = right;
+  }
+}
+
+EXERCISE_TEST(HingeAngle, IsTheNearestWhateverTheSignsOfTheQuaternions) {
+  RandomFrames t;
+  Regions regions({"w below 0", "w above 0", "v_3 below 0", "v_3 above 0", "turns forwards", "turns backwards",
+                   "some turns ahead", "some turns back"},
+                  10);
+  while (regions.lack_draws()) {
+    const double angle = t.random.uniform(-40, 40), last = angle + t.random.uniform(-3, 3);
+    t.i.axes = t.random.rotation();
+    t.close_hinge(angle);
+    if (t.random.integer(0, 1)) t.j.axes.coeffs() *= -1;  // the same orientation
+    const Quat Q = t.i.axes.conjugate() * t.j.axes;
+    regions.draw({{"w below 0", Q.w() < 0},
+                  {"w above 0", Q.w() > 0},
+                  {"v_3 below 0", Q.z() < 0},
+                  {"v_3 above 0", Q.z() > 0},
+                  {"turns forwards", angle > last},
+                  {"turns backwards", angle < last},
+                  {"some turns ahead", angle > turn},
+                  {"some turns back", angle < -turn}});
+    expect_near("angle of a hinge at " + show(angle) + " rad, last seen at " + show(last) + " rad",
+                "Eq. (13.9)", hinge_angle(t.i, t.j, last).value, angle, roundings(64, 40), {},
+                "q and -q are one orientation, so the angle of atan2 is right but for whole turns, of either "
+                "sign: take "
+                "the nearest to `last`.");
   }
 }
 

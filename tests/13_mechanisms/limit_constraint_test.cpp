@@ -1,6 +1,7 @@
 // The row of a limit: which one, which way, and when it begins to act.
 #include "exercise_test.hpp"
 #include "frames.hpp"
+#include "regions.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -103,6 +104,37 @@ EXERCISE_TEST(LimitConstraint, MayHaveOneLimitOnly) {
               "A limit that is infinite is infinitely far away, and never the nearer one.");
   expect_near("gap beyond an upper limit, without a lower one", "Eq. (13.10)", high.gap, -2, roundings(16, 7),
               {}, "A limit that is infinite is infinitely far away, and never the nearer one.");
+}
+
+EXERCISE_TEST(LimitConstraint, IsThatOfTheNearerAtAnyPlace) {
+  Random random;
+  Regions regions({"nearer the lower one", "nearer the upper one", "below the lower one", "above the upper one",
+                   "only a lower one", "only an upper one", "at a limit"},
+                  5);
+  while (regions.lack_draws()) {
+    const double lower = random.uniform(-3, 3), upper = lower + random.uniform(0.5, 3);
+    const int kind = random.integer(0, 4);
+    const JointLimits some{.lower = kind == 0 ? -infinity : lower, .upper = kind == 1 ? infinity : upper};
+    const double value = kind == 2 ? lower : kind == 3 ? upper : random.uniform(lower - 1, upper + 1);
+    const double above = value - some.lower, below = some.upper - value, gap = std::min(above, below);
+    regions.draw({{"nearer the lower one", above > 0 && above < below},
+                  {"nearer the upper one", below > 0 && below < above},
+                  {"below the lower one", above < 0},
+                  {"above the upper one", below < 0},
+                  {"only a lower one", kind == 1},
+                  {"only an upper one", kind == 0},
+                  {"at a limit", gap == 0}});
+    const Constraint<6> row = limit_constraint(at(value), some, numbers, limit_step);
+    const std::string where =
+        " of a coordinate at " + show(value) + ", between " + show(some.lower) + " and " + show(some.upper);
+    expect_near("gap" + where, "Eq. (13.10)", row.gap, gap, roundings(4, 8), {},
+                "Above the lower limit s - lower, below the upper one upper - s; the smaller of the two.");
+    expect_near_vector("Gj" + where, "Eq. (13.10)", row.Gj, Twist<6>((above < below ? 1 : -1) * at(value).Gj),
+                       {0, "exact"}, {}, "The sign of the row whose gap it has.");
+    expect_near("a" + where + " [1/s]", "Eq. (13.11)", row.spook.a, gap > 0 ? 1 / limit_step : numbers.a,
+                roundings(2, 100), {}, "1/h before the limit, that of SPOOK beyond it.");
+    expect_near("b" + where, "Eq. (13.11)", row.spook.b, 1, {0, "exact"}, {}, "b = 1 either way.");
+  }
 }
 
 // A wheel that turns towards its limit, by hand: one row, solved exactly in every step.

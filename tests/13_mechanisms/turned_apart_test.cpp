@@ -1,6 +1,7 @@
 // How two frames are turned from each other: three numbers, their rows, and what they leave to a hinge.
 #include "exercise_test.hpp"
 #include "frames.hpp"
+#include "regions.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -53,9 +54,18 @@ EXERCISE_TEST(TurnedApart, IsTheAngleOfASmallTurn) {
 }
 
 EXERCISE_TEST(TurnedApart, TimesVelocityIsTheirRate) {
-  RandomFrames t;  // turned far apart
-  const auto apart = turned_apart(t.i, t.j);
-  for (int trial = 0; trial < 10 && !::testing::Test::HasFailure(); ++trial) {
+  RandomFrames t;
+  Regions regions({"w below 0", "w above 0", "turned by little", "turned far apart"});
+  while (regions.lack_draws()) {
+    t.i.axes = t.random.rotation();
+    t.j.axes =
+        t.random.integer(0, 2) ? t.random.rotation() : t.i.axes * turn_about(t.random.unit_vector(), 0.05);
+    const auto apart = turned_apart(t.i, t.j);
+    const double w = (t.i.axes.conjugate() * t.j.axes).w();
+    regions.draw({{"w below 0", w < 0},
+                  {"w above 0", w > 0},
+                  {"turned by little", std::abs(w) > 0.999},
+                  {"turned far apart", std::abs(w) < 0.9}});
     const Twist<6> Wi = velocity_of(t.random.vector(), t.random.vector()),
                    Wj = velocity_of(t.random.vector(), t.random.vector());
     const Vec3 u = t.i.axes.conjugate() * Vec3(Wj.tail<3>() - Wi.tail<3>());

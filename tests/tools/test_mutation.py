@@ -46,6 +46,12 @@ class SubtleMutations(unittest.TestCase):
                          {"return [](double x) { return x < 1e-9 && x > -1e-9 ? 0 : x; }(x);"})
         self.assertEqual(subtly_changed("return 1;", "threshold", "int f()"), set())
 
+    def test_small_parts(self):
+        self.assertEqual(subtly_changed("return x;", "part", "Vec3 f()"),
+                         {"return [](Vec3 x) -> Vec3 { return (x.array().abs() < 1e-6 * x.norm())"
+                          ".select(0, x.array()); }(x);"})
+        self.assertEqual(subtly_changed("return x;", "part"), set())
+
     def test_floats(self):
         self.assertEqual(subtly_changed("const double x = y * z;\nreturn;", "float"),
                          {"const double x = static_cast<float>(y * z);"})

@@ -3,8 +3,8 @@
     python3 tools/mutation [--chapters 1-3] [--exercise NAME] [--seeds 1,2,3] [--subtle] [--jobs 2] [--list]
 
 With several seeds each must be noticed with all of them: one that is caught with luck is a survivor. --subtle makes
-other mutants: thresholds without a unit, floats for doubles, state that lives on, inputs that are changed, and pairs
-of small changes.
+other mutants: thresholds without a unit or as a part of something, floats for doubles, state that lives on, inputs that
+are changed, and pairs of small changes.
 
 Survivors are printed as the line before and after. Equivalent, 3+1, are those that compile to the same
 object, and those that tests/mutants/equivalent.txt lists with a reason. Exit code 1 if a chapter's score is

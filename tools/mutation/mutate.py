@@ -7,11 +7,11 @@ from mutant import Mutant
 from names import names
 from operators import added_signs, operators
 from statements import conditions, loops, statements
-from subtle import floats, inputs, pairs, statics, thresholds
+from subtle import floats, inputs, pairs, small_parts, statics, thresholds
 
 _KINDS = (operators, added_signs, constants, indices, names, calls, statements, conditions, loops)
-_SUBTLE = (thresholds, floats, statics, inputs)
-SUBTLE_KINDS = {"threshold", "float", "static", "input", "pair"}
+_SUBTLE = (thresholds, small_parts, floats, statics, inputs)
+SUBTLE_KINDS = {"threshold", "part", "float", "static", "input", "pair"}
 
 
 def mutants_of(text: str, subtle: bool = False) -> list[Mutant]:

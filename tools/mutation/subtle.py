@@ -1,5 +1,5 @@
-"""Mistakes that look right, and are with most numbers: a threshold without a unit, a float for a double, what lives on
-from one call to the next, an input that is changed, and two small changes at once."""
+"""Mistakes that look right, and are with most numbers: a threshold without a unit, or a part of something, a float for a
+double, what lives on from one call to the next, an input that is changed, and two small changes at once."""
 
 import random
 import re
@@ -32,6 +32,15 @@ def thresholds(source: Source) -> Iterator[Mutant]:
         elif kind == "Vec3":
             yield Mutant("threshold", begin, end,
                          f"[](Vec3 x) -> Vec3 {{ return (x.norm() < {_SMALL} ? 0.0 : 1.0) * x; }}({value})")
+
+
+def small_parts(source: Source) -> Iterator[Mutant]:
+    """What is a millionth of the rest is taken for zero: in any units, and as wrong."""
+    for kind, begin, end in _values(source):
+        if kind in ("Vec3", "Mat3"):
+            yield Mutant("part", begin, end,
+                         f"[]({kind} x) -> {kind} {{ return (x.array().abs() < 1e-6 * x.norm())"
+                         f".select(0, x.array()); }}({source.text[begin:end]})")
 
 
 def floats(source: Source) -> Iterator[Mutant]:
