@@ -52,7 +52,6 @@ Vec3 solve_on_cone(const Mat3& S, const Vec3& q, double mu) {
     if (next == alpha) break;
     alpha = next;
   }
-  along *= mu * press / along.norm();
   return {press, along[0], along[1]};
 }
 

@@ -72,9 +72,9 @@ EXERCISE_TEST(SolveOnCone, SlidesLikeABall) {
 EXERCISE_TEST(SolveOnCone, DoesWithoutFriction) {
   Random random;
   const Mat3 S = coupled_block(random);
-  const Vec3 q(1.5, 1, -2);
-  expect_near_vector("λ with μ = 0 [N s]", "Eq. (14.5)", solve_on_cone(S, q, 0), Vec3(q[0] / S(0, 0), 0, 0),
-                     roundings(10, q[0] / S(0, 0)), {}, "Nothing rubs: chapter 04's single row.");
+  for (const Vec3& q : {Vec3(1.5, 1, -2), Vec3(1.5, 0, 0)})
+    expect_near_vector("λ with μ = 0 [N s]", "Eq. (14.5)", solve_on_cone(S, q, 0), Vec3(q[0] / S(0, 0), 0, 0),
+                       roundings(10, q[0] / S(0, 0)), {}, "Nothing rubs: chapter 04's single row.");
 }
 
 /// What Eq. (14.3)-(14.5) say of an answer.
