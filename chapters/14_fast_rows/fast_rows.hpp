@@ -57,14 +57,13 @@ struct LaneRows {
 /// Four pairs of bodies that share none that moves, and the rows between them: the first of each pair, the second ...
 template <int Dof>
 struct Pack {
-  std::array<int, lane_count> i, j;  ///< -1: it does not move, or the lane is empty
-  std::array<int, lane_count>
-      first;  ///< which row is the first of each lane, those that follow come next; -1: none
+  std::array<int, lane_count> i, j;   ///< -1: it does not move, or the lane is empty
+  std::array<int, lane_count> first;  ///< each lane's first row in the list that was packed; -1: none
   std::vector<LaneRows<Dof>> rows;
 };
 
 /// Exercise 14.4. Brings all rows of a pack up to date, in their order: Eq. (14.9), that is Eq. (4.6), (4.7) in each
-/// lane. Bodies that do not move have no entry in `V`, and nothing is written for them. Returns the largest S_kk |Δλ_k|
+/// lane. Where the index of a body is -1 its velocity is 0, and nothing is written. Returns the largest S_kk |Δλ_k|
 /// [m/s].
 template <int Dof>
 double update_pack(Pack<Dof>& pack, std::vector<Twist<Dof>>& V);

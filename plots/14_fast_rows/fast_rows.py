@@ -21,15 +21,16 @@ def draw(data, mine):
         if mine:
             own = mine.table.only("what", "rod").only("case", which)
             rod.plot(own["x"], own["value"], **figures.MINE)
-    rod.set(title="A rod that is dragged", xlabel="μ", ylabel="sweeps to 1e-9 m/s", yscale="log")
-    rod.legend(loc="center left", fontsize=8)
+    rod.set(title="A rod that is dragged", xlabel="μ", ylabel="sweeps to 1e-9 m/s", yscale="log",
+            ylim=(1, 20_000))
+    rod.legend(loc="upper left", fontsize=8)
 
     names = [name for name in data.table.only("what", "rows")["case"] if name.endswith("balls") or "tower" in name]
     for style, (which, label) in zip(figures.STYLES, (("rows", "rows"), ("in order", "chain, in order"),
                                                       ("by colour", "chain, by colour"))):
         heights = [data.table.only("what", which).only("case", name)["value"][0] for name in names]
         chains.plot(range(len(names)), heights, color=style["color"], marker=style["marker"], linestyle="", label=label)
-    chains.set(title="Who waits for whom", ylabel="updates", yscale="log", xticks=range(len(names)),
+    chains.set(title="Who waits for whom", ylabel="updates", yscale="log", ylim=(5, 1e6), xticks=range(len(names)),
                xlim=(-0.5, len(names) - 0.5))
     chains.set_xticklabels(names, fontsize=7, rotation=15)
     chains.legend(loc="upper left", fontsize=8)
@@ -41,8 +42,9 @@ def draw(data, mine):
             axes[2].plot(some["x"], some["value"], label=label, **style)
         for line, (which, label) in zip((":", "--"), FLOORS.items()):
             axes[2].axhline(times.only("case", which)["value"][0], color="grey", linestyle=line, label=label)
-        axes[2].set(title="One update, on one machine", xlabel="rows", ylabel="ns", xscale="log", yscale="log")
-        axes[2].legend(loc="best", fontsize=7)
+        axes[2].set(title="One update, on one machine", xlabel="rows", ylabel="ns", xscale="log", yscale="log",
+                    ylim=(0.2, 200))
+        axes[2].legend(loc="lower left", fontsize=7)
     for one in axes:
         figures.tidy(one)
     return figure

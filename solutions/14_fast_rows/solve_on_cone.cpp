@@ -32,7 +32,7 @@ struct Sliding {
 Vec3 solve_on_cone(const Mat3& S, const Vec3& q, double mu) {
   if (q[0] <= 0) return 0 * q;  // Eq. (14.3); a NaN stays one
   const Sliding slide(S, q);
-  if (mu == 0) return {slide.free, 0, 0};
+  if (mu == 0) return {slide.free, 0 * q[1], 0 * q[2]};
 
   // Newton's method on μ λ_n/|λ_t| - 1, which is nearly a line in α, and halving where it would leave low < α < high.
   double alpha = 0, low = 0, high = slide.c.norm() * (1 + mu * slide.s.norm()) / (mu * slide.free);
@@ -52,7 +52,6 @@ Vec3 solve_on_cone(const Mat3& S, const Vec3& q, double mu) {
     if (next == alpha) break;
     alpha = next;
   }
-  along *= mu * press / along.norm();
   return {press, along[0], along[1]};
 }
 

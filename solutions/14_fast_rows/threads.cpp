@@ -35,11 +35,16 @@ void in_rounds(int threads, const std::function<void(int thread)>& work, const s
       all_done.arrive_and_wait();
     }
   };
-  {
-    std::vector<std::jthread> others;
+  std::vector<std::jthread> others;
+  try {
     for (int thread = 1; thread < threads; ++thread) others.emplace_back(member, thread);
     member(0);
+  } catch (...) {  // no more threads are to be had: those that are there go home after a round
+    thrown[0] = std::current_exception();
+    for (int missing = static_cast<int>(others.size()); missing < threads; ++missing)
+      all_done.arrive_and_drop();
   }
+  others.clear();  // waits for them
   for (const std::exception_ptr& what : thrown)
     if (what) std::rethrow_exception(what);
 }

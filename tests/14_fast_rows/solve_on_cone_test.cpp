@@ -72,9 +72,9 @@ EXERCISE_TEST(SolveOnCone, SlidesLikeABall) {
 EXERCISE_TEST(SolveOnCone, DoesWithoutFriction) {
   Random random;
   const Mat3 S = coupled_block(random);
-  const Vec3 q(1.5, 1, -2);
-  expect_near_vector("λ with μ = 0 [N s]", "Eq. (14.5)", solve_on_cone(S, q, 0), Vec3(q[0] / S(0, 0), 0, 0),
-                     roundings(10, q[0] / S(0, 0)), {}, "Nothing rubs: chapter 04's single row.");
+  for (const Vec3& q : {Vec3(1.5, 1, -2), Vec3(1.5, 0, 0)})
+    expect_near_vector("λ with μ = 0 [N s]", "Eq. (14.5)", solve_on_cone(S, q, 0), Vec3(q[0] / S(0, 0), 0, 0),
+                       roundings(10, q[0] / S(0, 0)), {}, "Nothing rubs: chapter 04's single row.");
 }
 
 /// What Eq. (14.3)-(14.5) say of an answer.
@@ -169,13 +169,13 @@ EXERCISE_TEST(SolveOnCone, DoesNotMindMuchSlip) {
 
 EXERCISE_TEST(SolveOnCone, KeepsANaN) {
   const Mat3 S = Vec3(1, 2, 2).asDiagonal();
-  for (const double q_n : {1.0, -1.0})
+  for (const auto& [q_n, mu] : {std::pair(1.0, 0.5), {-1.0, 0.5}, {1.0, 0.0}})
     for (int k = 0; k < 3; ++k) {
       Vec3 q(q_n, 0.1, 5);
       q[k] = std::nan("");
       expect_true(
           "a q of " + show(q_n) + " with NaN in its entry " + std::to_string(k) + " makes a λ with a NaN",
-          "Eq. (14.3)", solve_on_cone(S, q, 0.5).hasNaN(), "A NaN went in and none came out.");
+          "Eq. (14.3)", solve_on_cone(S, q, mu).hasNaN(), "A NaN went in and none came out.");
     }
 }
 

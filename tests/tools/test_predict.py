@@ -155,7 +155,7 @@ class Asking(unittest.TestCase):
         self.assertEqual(told[0], {"chapter": 1, "made": 4, "right": 3, "total": 4})
 
     def test_refused(self):
-        for words, told in ((["predict"], ["required: N"]), (["predict", "14"], ["14", "1 to 13"]),
+        for words, told in ((["predict"], ["required: N"]), (["predict", "15"], ["15", "1 to 14"]),
                             (["predict", "4.2"], ["4.2", "not a chapter"]),
                             (["predict", "04_gauss"], ["04_gauss_seidel"]), (["predict", "1", "2"], ["2"]),
                             (["predict", "1", "--agian"], ["--again"])):
