@@ -1,6 +1,7 @@
 // The row of a motor: what it asks for, what it can, and what it does not look at.
 #include "exercise_test.hpp"
 #include "frames.hpp"
+#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -137,6 +138,19 @@ EXERCISE_TEST(MotorRow, BringsAFlywheelToSpeed) {
     expect_near("speed of a flywheel after " + std::to_string(n) + " steps [rad/s]", "Eq. (13.14)",
                 motion.W[1][5], std::min(n * motor_step * T / I, w), {1e-9, "roundings, and 1/(h c) of 1e-11"},
                 {}, "It gains h T/I a step, until it has the speed that is wanted, and keeps it.");
+  }
+}
+
+EXERCISE_TEST(MotorRow, DropsNothingSmall) {
+  Driven t;
+  t.motor.speed = 0;
+  const double without = t.row().B;
+  for (const double part : small_parts) {
+    t.motor.speed = part;
+    expect_near("what a wanted speed of " + show(part) + " rad/s adds to B [rad/s]", "Eq. (13.13)",
+                t.row().B - without, part, roundings(4, without), {{0, "It adds nothing. " + small_is_dropped}},
+                small_is_dropped);
+    if (::testing::Test::HasFailure()) return;
   }
 }
 
