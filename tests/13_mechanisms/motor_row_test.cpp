@@ -115,7 +115,7 @@ EXERCISE_TEST(MotorRow, RejectsMotorsThatMakeNoSense) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double bad : {infinity, nan})
     expect_rejects("a speed of " + show(bad), "speed", [&] { with({.speed = bad}); });
-  for (const double bad : {-1.0, nan})
+  for (const double bad : {-1.0, -1e-12, nan})
     expect_rejects("a strength of " + show(bad), "strength", [&] { with({.strength = bad}); });
   for (const double bad : {0.0, -1.0, nan})
     expect_rejects("a viscosity of " + show(bad), "viscosity", [&] { with({.viscosity = bad}); });
