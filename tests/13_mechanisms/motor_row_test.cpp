@@ -104,7 +104,12 @@ EXERCISE_TEST(MotorRow, IsARowOfTheCoordinate) {
   expect_near("diagonal of the motor's row", "Eq. (4.3)", row.diagonal, S, roundings(64, S), {},
               "make_row of chapter 04 fills it in.");
   expect_near("λ to begin with", "Eq. (4.1)", row.lambda, 0, {0, "exact"});
-  expect_true("the row is between bodies 0 and 1", "Eq. (13.13)", row.i == 0 && row.j == 1, "Copy them.");
+  Driven other = t;
+  other.free.i = 2, other.free.j = 1;
+  other.motion.inverse_mass.push_back(t.motion.inverse_mass[0]);
+  other.motion.W.push_back(t.motion.W[0]), other.motion.Wf.push_back(t.motion.Wf[0]);
+  expect_true("the row is between bodies 2 and 1", "Eq. (13.13)", other.row().i == 2 && other.row().j == 1,
+              "Copy them.");
 }
 
 EXERCISE_TEST(MotorRow, RejectsMotorsThatMakeNoSense) {
