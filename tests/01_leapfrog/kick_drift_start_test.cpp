@@ -34,6 +34,10 @@ void expect_small_change(const std::string& what, const std::string& equation,
     expect_near_vector(what + " that changes by " + show(part) + " of itself", equation, step(large, change),
                        large + change, roundings(3), {{large, "It has not changed. " + small_is_dropped}},
                        small_is_dropped);
+    const Vec3 uneven(1, part, -1);
+    expect_near(what + " whose second number is " + show(part) + " of the others, that number", equation,
+                step(uneven, Vec3::Zero()).y(), part, roundings(2, part),
+                {{0, "It is gone. " + small_is_dropped}}, small_is_dropped);
     if (::testing::Test::HasFailure()) return;
   }
 }

@@ -2,6 +2,7 @@
 #include "exercise_test.hpp"
 #include "regions.hpp"
 #include "rotations.hpp"
+#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -123,6 +124,18 @@ EXERCISE_TEST(UpdateFirstOrder, TurnsFromAnyOrientation) {
                          {{turn_about(axis, -2 * std::atan(h * speed / 2)) * q, "It turned the other way."},
                           {turn_about(axis, h * speed) * q, "This is the exact turn, Eq. (2.6)."}},
                          "A turn by 2 atan(h|ω|/2) about ω, from any q: w may have either sign.");
+  }
+}
+
+EXERCISE_TEST(UpdateFirstOrder, DropsNothingSmall) {
+  const Vec3 axis(0.6, 0, 0.8);
+  for (const double part : small_parts) {
+    const Quat got = update_first_order(Quat(1, 0, 0, 0), part * axis, 1);
+    expect_near_vector<Vec3>("axis part of q = 1 after a turn by " + show(part) + " rad, over half of that",
+                             "Eq. (2.4)", Vec3(got.vec() / (part / 2)), axis / std::hypot(1, part / 2),
+                             roundings(8), {{Vec3::Zero(), "It has not turned. " + small_is_dropped}},
+                             small_is_dropped);
+    if (::testing::Test::HasFailure()) return;
   }
 }
 

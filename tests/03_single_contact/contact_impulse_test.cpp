@@ -2,6 +2,7 @@
 #include "03_single_contact/single_contact.hpp"
 #include "exercise_test.hpp"
 #include "regions.hpp"
+#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -130,6 +131,16 @@ EXERCISE_TEST(ContactImpulse, KeepsANaN) {
               std::isnan(contact_impulse(spook, 1, std::nan(""), 0, 0)),
               "std::max(0.0, NaN) is 0: the number that should have warned you has become a contact at rest. "
               "std::max(NaN, 0.0), in this order, is NaN.");
+}
+
+EXERCISE_TEST(ContactImpulse, DropsNothingSmall) {
+  for (const double part :
+       small_parts) {  // the gap asks for 1 m/s, and the velocity takes nearly all of it back
+    expect_near("λ of a contact that wants " + show(part) + " m/s, a difference of two large wants [N s]",
+                "Eq. (3.10)", contact_impulse({.a = 1, .b = 1, .Sigma = 0}, 1, -1, 1 - part, 0), part,
+                roundings(4), {{0, "There is none. " + small_is_dropped}}, small_is_dropped);
+    if (::testing::Test::HasFailure()) return;
+  }
 }
 
 }  // namespace

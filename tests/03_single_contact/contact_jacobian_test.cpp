@@ -2,6 +2,7 @@
 #include "03_single_contact/single_contact.hpp"
 #include "bodies.hpp"
 #include "exercise_test.hpp"
+#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -134,6 +135,19 @@ EXERCISE_TEST(ContactJacobian, GivesNoAngularMomentum) {
       "Eq. (3.3), (3.12)", Vec3(about_origin(x_i, G.Gi) + about_origin(x_j, G.Gj)), Vec3::Zero(),
       roundings(32, 4), {},
       "Two opposite pushes at one point have no torque. Look at r × n of both bodies, and the signs.");
+}
+
+EXERCISE_TEST(ContactJacobian, DropsNothingSmall) {
+  for (const double part : small_parts) {
+    const ContactJacobian G = contact_jacobian({0, 1, Vec3::UnitZ(), 0, Vec3(0, part, 1), Vec3(part, 0, 1)});
+    expect_near_vector("angular part of Gj, for r_j that is nearly along n", "Eq. (3.3)", Vec3(G.Gj.tail<3>()),
+                       Vec3(0, -part, 0), roundings(4, part), {{Vec3::Zero(), small_is_dropped}},
+                       small_is_dropped);
+    expect_near_vector("angular part of Gi, for r_i that is nearly along n", "Eq. (3.3)", Vec3(G.Gi.tail<3>()),
+                       Vec3(-part, 0, 0), roundings(4, part), {{Vec3::Zero(), small_is_dropped}},
+                       small_is_dropped);
+    if (::testing::Test::HasFailure()) return;
+  }
 }
 
 }  // namespace

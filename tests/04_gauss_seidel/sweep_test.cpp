@@ -3,6 +3,7 @@
 #include "exercise_test.hpp"
 #include "problems.hpp"
 #include "regions.hpp"
+#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -282,6 +283,31 @@ EXERCISE_TEST(Residual, OfNothingIsZeroAndOfNaNIsNaN) {
               "A NaN went in and did not come out. std::max(a, NaN) is a, in the running maximum and in a "
               "projection alike "
               "(std::clamp keeps a NaN); and once the largest is NaN, no later row may replace it.");
+}
+
+EXERCISE_TEST(Residual, DropsNothingSmall) {
+  const Twist<3> up(0, 0, 1);
+  for (const double part : small_parts) {  // a light body, whose row is solved, and a heavy one
+    const auto row = [&](double inverse_mass, double B) {
+      return Row<3>{.i = 0,
+                    .j = 1,
+                    .Gi = Twist<3>::Zero(),
+                    .Gj = up,
+                    .MinvGi = Twist<3>::Zero(),
+                    .MinvGj = inverse_mass * up,
+                    .B = B,
+                    .Sigma = 0,
+                    .diagonal = inverse_mass,
+                    .lo = 0,
+                    .hi = infinity};
+    };
+    const std::vector<Twist<3>> V(2, Twist<3>::Zero());
+    expect_near("residual of a row that lacks 3 m/s, beside one with a diagonal that is " + show(1 / part) +
+                    " times as large [m/s]",
+                "Eq. (4.8)", residual<3>({row(1, 0), row(part, 3)}, V), 3, roundings(8, 3),
+                {{0, "It has been left out. " + small_is_dropped}}, small_is_dropped);
+    if (::testing::Test::HasFailure()) return;
+  }
 }
 
 }  // namespace

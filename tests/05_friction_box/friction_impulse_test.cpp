@@ -2,6 +2,7 @@
 #include "exercise_test.hpp"
 #include "regions.hpp"
 #include "sliding.hpp"
+#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -332,6 +333,19 @@ EXERCISE_TEST(FrictionImpulse, StopsASlidingBlock) {
                 {1e-12 * z * v0 * h, "a few roundings of v in each of up to 400 steps, added up"}, {},
                 "Full strength Λ until less is enough, then exactly that: it stops, and does not turn round.");
   }
+}
+
+EXERCISE_TEST(FrictionImpulse, DropsNothingSmall) {
+  const Tangents t{Vec3::UnitX(), Vec3::UnitY()};
+  for (const double part : small_parts)
+    for (const bool first : {true, false}) {
+      const Vec3 along = first ? t.t1 : t.t2, u = part * along + Vec3::UnitZ();
+      expect_near_vector("J, for a slip of " + show(part) + " of the speed along the normal [N s]", "Eq. (5.3)",
+                         friction_impulse(Vec3(2, 2, 3).asDiagonal(), u, t, 0, 10), Vec3(-part / 2 * along),
+                         roundings(4, part), {{Vec3::Zero(), "There is none. " + small_is_dropped}},
+                         small_is_dropped);
+      if (::testing::Test::HasFailure()) return;
+    }
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // The three rows of a ball joint: gaps, Jacobians, bounds, and what they do to two bodies.
 #include "attachments.hpp"
 #include "exercise_test.hpp"
+#include "small_parts.hpp"
 #include "systems.hpp"
 
 using namespace spook;
@@ -209,6 +210,18 @@ EXERCISE_TEST(BallJointConstraints, LetsThePointsMoveAsOne) {
                      Vec3(s.lambda[0], s.lambda[1], s.lambda[2]), -K.inverse() * u,
                      {tolerance.value * K.inverse().norm(), tolerance.reason}, {},
                      "To change the relative velocity by -u takes the impulse -K⁻¹ u.");
+}
+
+EXERCISE_TEST(BallJointConstraints, DropsNothingSmall) {
+  for (const double part : small_parts) {
+    const Attachment i{.body = 0, .x = Vec3::Zero(), .r = Vec3(1, 0, 0)},
+        j{.body = 1, .x = Vec3(1, part, 1), .r = Vec3(0, 0, -1)};
+    const auto rows = ball_joint_constraints<6>(i, j, {.a = 1, .b = 1, .Sigma = 0});
+    expect_near("gap along y of two points that are " + show(part) + " m apart, at arms of 1 m [m]",
+                "Eq. (6.5)", rows[1].gap, part, roundings(2, part),
+                {{0, "It counts as closed. " + small_is_dropped}}, small_is_dropped);
+    if (::testing::Test::HasFailure()) return;
+  }
 }
 
 }  // namespace

@@ -355,4 +355,15 @@ EXERCISE_TEST(SlidingImpulse, DoesNotComeOutOfANaN) {
               !sliding_impulse(K_of_rod(), u, n, 0.5, NaN).has_value(), clue);
 }
 
+EXERCISE_TEST(StickImpulse, DropsNothingSmall) {
+  for (const double part : small_parts) {
+    const Vec3 J = stick_impulse(Mat3::Identity(), Vec3(1, 0, -part), Vec3::UnitZ(), 0.5);
+    expect_near("J·n of 1 kg that slips at 1 m/s, and approaches at " + show(part) + " of that [N s]",
+                "Eq. (7.2), (7.3)", J.z(), 1.5 * part, roundings(8, part),
+                {{part, "It has no restitution. " + small_is_dropped}, {0, small_is_dropped}},
+                small_is_dropped);
+    if (::testing::Test::HasFailure()) return;
+  }
+}
+
 }  // namespace

@@ -1,6 +1,7 @@
 // What an impulse does to the energy, and an impulse that never adds any.
 #include "collisions.hpp"
 #include "exercise_test.hpp"
+#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -249,6 +250,16 @@ EXERCISE_TEST(SafeImpulse, StopsTheContactWhenItMay) {
     expect_near_vector("u' = u + K J for e = 0 and a huge μ [m/s]", "Eq. (7.7)", Vec3(impact.u + impact.K * J),
                        Vec3::Zero(), impact.velocity_roundings(64, J), {},
                        "Then κ = 1 and J = P + (Q - P) = Q = -K⁻¹ u, which stops slip and approach.");
+  }
+}
+
+EXERCISE_TEST(ImpactWork, DropsNothingSmall) {
+  for (const double part : small_parts) {  // J·u = -2 (1 + p), and ½ J·KJ is larger by the part p
+    const double work = impact_work(Mat3::Identity(), Vec3(0, 0, -1), Vec3(0, 0, 2 * (1 + part)));
+    expect_near("ΔE, which is " + show(part) + " of either of its terms [J]", "Eq. (7.6)", work,
+                2 * (1 + part) * part, roundings(16), {{0, "There is none. " + small_is_dropped}},
+                small_is_dropped);
+    if (::testing::Test::HasFailure()) return;
   }
 }
 

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "shapes.hpp"
+#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -462,6 +463,21 @@ EXERCISE_TEST(WellSpread, KeepsTheSameWhileTheyTremble) {
               (middle ? "one the deepest" : "all as deep") + ", across " + show(n);
           if (!expect_the_same_while_they_tremble(random, contacts, size)) return;
         }
+}
+
+EXERCISE_TEST(Clip, DropsNothingSmall) {
+  for (const double part : small_parts) {
+    const std::vector<Vec3> corners{Vec3(-1, 0, 0), Vec3(part, 0, 0), Vec3(part, 1, 0), Vec3(-1, 1, 0)};
+    const std::vector<Vec3> left = clip(corners, Vec3::UnitX(), 0);
+    double highest = -1;
+    for (const Vec3& p : left) highest = std::max(highest, p.x());
+    expect_near("corners of a square that is " + show(part) + " m over the plane", "Eq. (8.8)",
+                static_cast<double>(left.size()), 4, {0, "a count"}, {}, small_is_dropped);
+    expect_near("the highest corner that is left [m]", "Eq. (8.8)", highest, 0, roundings(2),
+                {{part, "A corner over the plane has stayed, as if it were on it. " + small_is_dropped}},
+                small_is_dropped);
+    if (::testing::Test::HasFailure()) return;
+  }
 }
 
 }  // namespace

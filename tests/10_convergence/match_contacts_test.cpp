@@ -1,5 +1,6 @@
 // Which contact of now was which of the last step's.
 #include "exercise_test.hpp"
+#include "small_parts.hpp"
 #include "systems.hpp"
 
 using namespace spook;
@@ -173,6 +174,22 @@ EXERCISE_TEST(MatchContacts, OfNothingIsNothing) {
               match_contacts({}, {{0, 1, Vec3::Zero()}}, 1).empty());
   expect_true("no old ones: all are new", "Eq. (10.1)",
               match_contacts(contacts, {}, 1) == std::vector<int>(contacts.size(), -1));
+}
+
+EXERCISE_TEST(MatchContacts, TellsBodiesOfAnyNumbersApart) {
+  for (const int many : {10, 16, 100, 256, 1000, 1024, 4096, 10000, 65536, 100000, 1000000}) {
+    const Contact now{
+        .i = 0, .j = many + 5, .n = Vec3::UnitZ(), .gap = 0, .r_i = Vec3::Zero(), .r_j = Vec3::Zero()};
+    expect_true(
+        "bodies 0 and " + std::to_string(many + 5) + " are no bodies 1 and 5, nor 5 and " +
+            std::to_string(many),
+        "Eq. (10.1)",
+        match_contacts({now}, {{1, 5, Vec3::Zero()}, {5, many, Vec3::Zero()}}, 1) == std::vector<int>{-1},
+        "There may be more bodies than this: a pair is two numbers, and one made of them may be that of "
+        "another "
+        "pair.");
+    if (::testing::Test::HasFailure()) return;
+  }
 }
 
 }  // namespace

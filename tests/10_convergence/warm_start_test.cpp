@@ -1,6 +1,7 @@
 // Beginning where the last step ended.
 #include "exercise_test.hpp"
 #include "regions.hpp"
+#include "small_parts.hpp"
 #include "stop_rule.hpp"
 #include "systems.hpp"
 
@@ -141,6 +142,16 @@ EXERCISE_TEST(WarmStart, WantsOneImpulseARow) {
   warm_start({}, none, p.V);
   expect_near("V of a warm start without rows [m/s]", "Eq. (10.2)", flat(p.V).norm(), 0, {0, "exact"}, {},
               "V is what the rows do: without rows nothing.");
+}
+
+EXERCISE_TEST(WarmStart, DropsNothingSmall) {
+  for (const double part : small_parts) {
+    Problem<3> p = stack({1, 1}, 0.1);
+    warm_start({1, part}, p.rows, p.V);
+    expect_near("λ that was " + show(part) + " N s, beside one of 1 N s [N s]", "Eq. (10.2)", p.rows[1].lambda,
+                part, {0, "a copy"}, {{0, "It begins with 0. " + small_is_dropped}}, small_is_dropped);
+    if (::testing::Test::HasFailure()) return;
+  }
 }
 
 }  // namespace

@@ -333,4 +333,16 @@ EXERCISE_TEST(LongestStep, KeepsAllAndCannotBeLonger) {
   }
 }
 
+EXERCISE_TEST(BarrierMatrix, DropsNothingSmall) {
+  for (const double part : small_parts) {
+    Interior now = four(1);
+    now.push_lo.setConstant(part), now.push_hi.setConstant(part);
+    const SparseMatrix S = lower_triangle(MatrixXd::Identity(4, 4));
+    expect_near("what bounds that push with " + show(part) + " m/s add to the diagonal [1/kg]", "Eq. (11.7)",
+                barrier_matrix(S, now).coeff(2, 2) - 1, 2 * part, roundings(4),
+                {{0, "They add nothing. " + small_is_dropped}}, small_is_dropped);
+    if (::testing::Test::HasFailure()) return;
+  }
+}
+
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "exercise_test.hpp"
 #include "regions.hpp"
+#include "small_parts.hpp"
 #include "springs.hpp"
 
 using namespace spook;
@@ -189,6 +190,19 @@ EXERCISE_TEST(StiffenedMatrix, MakesEachModeOfAStringHeavier) {
                     " s, T = " + show(T) + " N, m = " + show(m) + " kg, l = " + show(l) + " m [kg]",
                 "Eq. (12.5), (12.10)", mode.dot(M * mode) / mode.squaredNorm(), expected,
                 roundings(500, expected), {{m, "There is no K in it."}}, "m (1 + h²ω²), with ω of that mode.");
+  }
+}
+
+EXERCISE_TEST(StiffenedMatrix, DropsNothingSmall) {
+  for (const double part : small_parts) {
+    Springs s{.h = 0.5};
+    s.add(1, Vec3::Zero(), Vec3::Zero());
+    s.add(1, Vec3::Zero(), Vec3::Zero());
+    s.stiffness = {{.i = 0, .j = 1, .K = 4 * part * Mat3::Identity()}};
+    expect_near("entry (3, 0), -h²K, for h²K of " + show(part) + " of the masses", "Eq. (12.5)",
+                stiffened(s)(3, 0), -part, roundings(2, part),
+                {{0, "The spring has been left out. " + small_is_dropped}}, small_is_dropped);
+    if (::testing::Test::HasFailure()) return;
   }
 }
 

@@ -2,6 +2,7 @@
 #include "exercise_test.hpp"
 #include "frames.hpp"
 #include "regions.hpp"
+#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -148,6 +149,17 @@ EXERCISE_TEST(HingeAngle, TurnsAboutTheAxisOfI) {
   expect_near_vector(
       "angular block Gj of a hinge that is open by 0.01 rad", "Eq. (13.8)", a, axis, roundings(16),
       {{Vec3(t.j.axes * Vec3::UnitZ()), "This is the third axis of j's frame. n is i's."}}, "n = P_i e_3.");
+}
+
+EXERCISE_TEST(HingeAngle, DropsNothingSmall) {
+  for (const double part : small_parts) {
+    JointFrame i{{.body = 0, .x = Vec3::Zero()}, Quat::Identity()}, j = i;
+    j.axes = turn_about(Vec3::UnitZ(), part);
+    expect_near("angle of a hinge at " + show(part) + " rad, last seen at 0 [rad]", "Eq. (13.8)",
+                hinge_angle(i, j, 0).value, part, roundings(4, part),
+                {{0, "It has not turned. " + small_is_dropped}}, small_is_dropped);
+    if (::testing::Test::HasFailure()) return;
+  }
 }
 
 }  // namespace

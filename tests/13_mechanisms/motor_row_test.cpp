@@ -1,6 +1,7 @@
 // The row of a motor: what it asks for, what it can, and what it does not look at.
 #include "exercise_test.hpp"
 #include "frames.hpp"
+#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -103,7 +104,12 @@ EXERCISE_TEST(MotorRow, IsARowOfTheCoordinate) {
   expect_near("diagonal of the motor's row", "Eq. (4.3)", row.diagonal, S, roundings(64, S), {},
               "make_row of chapter 04 fills it in.");
   expect_near("λ to begin with", "Eq. (4.1)", row.lambda, 0, {0, "exact"});
-  expect_true("the row is between bodies 0 and 1", "Eq. (13.13)", row.i == 0 && row.j == 1, "Copy them.");
+  Driven other = t;
+  other.free.i = 2, other.free.j = 1;
+  other.motion.inverse_mass.push_back(t.motion.inverse_mass[0]);
+  other.motion.W.push_back(t.motion.W[0]), other.motion.Wf.push_back(t.motion.Wf[0]);
+  expect_true("the row is between bodies 2 and 1", "Eq. (13.13)", other.row().i == 2 && other.row().j == 1,
+              "Copy them.");
 }
 
 EXERCISE_TEST(MotorRow, RejectsMotorsThatMakeNoSense) {
@@ -114,7 +120,7 @@ EXERCISE_TEST(MotorRow, RejectsMotorsThatMakeNoSense) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double bad : {infinity, nan})
     expect_rejects("a speed of " + show(bad), "speed", [&] { with({.speed = bad}); });
-  for (const double bad : {-1.0, nan})
+  for (const double bad : {-1.0, -1e-12, nan})
     expect_rejects("a strength of " + show(bad), "strength", [&] { with({.strength = bad}); });
   for (const double bad : {0.0, -1.0, nan})
     expect_rejects("a viscosity of " + show(bad), "viscosity", [&] { with({.viscosity = bad}); });
@@ -137,6 +143,19 @@ EXERCISE_TEST(MotorRow, BringsAFlywheelToSpeed) {
     expect_near("speed of a flywheel after " + std::to_string(n) + " steps [rad/s]", "Eq. (13.14)",
                 motion.W[1][5], std::min(n * motor_step * T / I, w), {1e-9, "roundings, and 1/(h c) of 1e-11"},
                 {}, "It gains h T/I a step, until it has the speed that is wanted, and keeps it.");
+  }
+}
+
+EXERCISE_TEST(MotorRow, DropsNothingSmall) {
+  Driven t;
+  t.motor.speed = 0;
+  const double without = t.row().B;
+  for (const double part : small_parts) {
+    t.motor.speed = part;
+    expect_near("what a wanted speed of " + show(part) + " rad/s adds to B [rad/s]", "Eq. (13.13)",
+                t.row().B - without, part, roundings(4, without), {{0, "It adds nothing. " + small_is_dropped}},
+                small_is_dropped);
+    if (::testing::Test::HasFailure()) return;
   }
 }
 

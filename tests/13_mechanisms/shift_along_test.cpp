@@ -141,4 +141,20 @@ EXERCISE_TEST(ShiftAlong, KeepsTheAngularMomentumOfABeadOnARod) {
               "The rod must be pushed back where the bead is, not at its own point: by the arm r_i + d.");
 }
 
+EXERCISE_TEST(ShiftAlong, DropsNothingSmall) {
+  for (const double part : small_parts) {
+    JointFrame i{{.body = 0, .x = Vec3::Zero()}, Quat::Identity()};
+    const JointFrame j{{.body = 1, .x = Vec3(1, part, 0)}, Quat::Identity()};
+    expect_near("shift along axis 1 of a point at (1, " + show(part) + ", 0) [m]", "Eq. (13.5)",
+                shift_along(i, j, 1).value, part, roundings(4, part),
+                {{0, "There is none. " + small_is_dropped}}, small_is_dropped);
+    i.axes = turn_about(Vec3::UnitZ(), part);
+    const Vec3 n = shift_along(i, j, 0).Gj.head<3>();
+    expect_near("y of n, an axis that is turned by " + show(part) + " rad about z", "Eq. (13.5)", n.y(),
+                std::sin(part), roundings(4, part), {{0, "It counts as straight. " + small_is_dropped}},
+                small_is_dropped);
+    if (::testing::Test::HasFailure()) return;
+  }
+}
+
 }  // namespace

@@ -2,6 +2,7 @@
 #include "exercise_test.hpp"
 #include "frames.hpp"
 #include "regions.hpp"
+#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -123,6 +124,17 @@ EXERCISE_TEST(TurnedApart, LeavesAHingeItsAngle) {
             "The sign of w has been dropped: beyond half a turn w is negative, and so is the value."}},
           "w e_k + v × e_k is e_k turned by half the angle of the hinge.");
     }
+  }
+}
+
+EXERCISE_TEST(TurnedApart, DropsNothingSmall) {
+  for (const double part : small_parts) {
+    JointFrame i{{.body = 0, .x = Vec3::Zero()}, Quat::Identity()}, j = i;
+    j.axes = turn_about(Vec3::UnitY(), part);
+    expect_near("how far j is turned by " + show(part) + " rad about axis 2 [rad]", "Eq. (13.3)",
+                turned_apart(i, j)[1].value, 2 * std::sin(part / 2), roundings(4, part),
+                {{0, "It counts as closed. " + small_is_dropped}}, small_is_dropped);
+    if (::testing::Test::HasFailure()) return;
   }
 }
 
