@@ -120,6 +120,7 @@ EXERCISE_TEST(SolveInColours, RefusesBadRules) {
   std::vector<Twist<6>> V;
   expect_rejects("no threads, where there is nothing to do either", "threads",
                  [&] { solve_in_colours(none, V, {}, 0); });
+  expect_true("256 threads are allowed", "Eq. (14.10)", solve_in_colours(none, V, {}, 256).converged);
 }
 
 EXERCISE_TEST(SolveInColours, KeepsANaN) {
