@@ -272,13 +272,13 @@ TEST(Composed, RefusesWhatHasNoWayBack) {
   const int wall = joined.add_fixed(Vec3::Zero());
   joined.add({.radius = 0.5});
   expect_refusal({"d must be 0", "compose 4"}, [&] { joined.add_joint({.i = wall, .j = ball + 1, .d = 1}); });
-  const Joint hinge{.i = wall, .j = ball + 1, .kind = JointKind::hinge};
-  Joint limited = hinge, driven = hinge;
+  const auto hinge = [&] { return Joint{.i = wall, .j = ball + 1, .kind = JointKind::hinge}; };
+  Joint limited = hinge(), driven = hinge();
   limited.limits = JointLimits{.lower = -1, .upper = 1};
   driven.motor = Motor{.speed = 1};
   expect_refusal({"compose", "limit", "smooth"}, [&] { joined.add_joint(limited); });
   expect_refusal({"compose", "motor"}, [&] { joined.add_joint(driven); });
-  const int free = joined.add_joint(hinge);
+  const int free = joined.add_joint(hinge());
   expect_refusal({"compose", "motor"}, [&] { joined.set_motor(free, driven.motor); });
 }
 
