@@ -44,6 +44,10 @@ class Exports(unittest.TestCase):
     def file(self, name: str):
         return self.marks.folder / "submissions" / name / "results.json"
 
+    def points(self, *functions: str) -> float:
+        return sum(exercise["max_score"] for exercise in self.marks.result("right")["exercises"]
+                   if exercise["function"] in functions)
+
     def test_junit(self):
         root = ET.fromstring(self.export("junit", self.marks.folder).encode())
         cases = root.findall(".//testcase")
@@ -70,7 +74,7 @@ class Exports(unittest.TestCase):
 
     def test_autolab(self):
         last = self.export("autolab", self.file("right")).splitlines()[-1]
-        self.assertEqual(json.loads(last)["scores"]["1.1 kick"], 3)
+        self.assertEqual(json.loads(last)["scores"]["1.1 kick"], self.points("kick"))
 
     def test_gradescopes_form(self):
         said = json.loads(self.export("gradescope", self.file("floods")))
@@ -151,14 +155,15 @@ class Exports(unittest.TestCase):
         rows = list(csv.reader(io.StringIO(run.stdout)))
         self.assertEqual(rows[0], ["Student", "ID", "SIS User ID", "SIS Login ID", "Section", "Chapter 1 (77)"])
         most = f"{self.marks.result('right')['max_score']:g}"
-        self.assertEqual([row[-1] for row in rows[1:]], [most, "5", "2", "0"])
+        both, one = (f"{self.points(*functions):g}" for functions in (("kick", "drift"), ("drift",)))
+        self.assertEqual([row[-1] for row in rows[1:]], [most, both, one, "0"])
         self.assertIn("forks", run.stderr)
         moodle = self.room.root / "moodle.csv"
         moodle.write_text('Identifier,"Full name",Grade,"Maximum Grade","Feedback comments"\n'
                           'Participant 1,right,,100.00,\n'
                           'Participant 2,Ned,,100.00,\n', encoding="utf-8-sig")
         rows = list(csv.DictReader(io.StringIO(self.export("moodle", self.marks.folder, "--roster", moodle))))
-        self.assertEqual([row["Grade"] for row in rows], [f"{500 / float(most):.2f}", ""])
+        self.assertEqual([row["Grade"] for row in rows], [f"{100 * float(both) / float(most):.2f}", ""])
 
     def test_autolab_kit(self):
         """The recipe up to the grading, which the other tests do."""
@@ -187,9 +192,9 @@ class Exports(unittest.TestCase):
         setup = subprocess.run(["bash", str(source / "setup.sh")], capture_output=True, text=True, env=env)
         self.assertEqual(setup.returncode, 0, setup.stdout + setup.stderr)
         self.assertIn("Ready to grade 5 exercises", setup.stdout)
-        for files, score in (({"kick.cpp": right("kick"), "drift.cpp": right("drift")}, 5),
-                             ({"chapters/01_leapfrog/kick.cpp": right("kick")}, 3),
-                             ({"repository/chapters/01_leapfrog/drift.cpp": right("drift")}, 2),
+        for files, score in (({"kick.cpp": right("kick"), "drift.cpp": right("drift")}, self.points("kick", "drift")),
+                             ({"chapters/01_leapfrog/kick.cpp": right("kick")}, self.points("kick")),
+                             ({"repository/chapters/01_leapfrog/drift.cpp": right("drift")}, self.points("drift")),
                              ({"nothing.txt": ""}, 0)):
             shutil.rmtree(root / "submission")
             for name, text in files.items():
