@@ -47,18 +47,18 @@ using Lanes = Eigen::Array<double, lane_count, 1>;
 template <int Dof>
 using LaneTwists = Eigen::Array<double, lane_count, Dof>;
 
-/// A row in each lane, of as many different pairs of bodies. An empty lane has all zeros, but a diagonal of 1.
+/// A row in each lane, of as many different pairs of bodies. At first all lanes are empty: zeros, but a diagonal of 1.
 template <int Dof>
 struct LaneRows {
-  LaneTwists<Dof> Gi, Gj, MinvGi, MinvGj;
-  Lanes B, Sigma, diagonal, lo, hi, lambda;
+  LaneTwists<Dof> Gi = LaneTwists<Dof>::Zero(), Gj = Gi, MinvGi = Gi, MinvGj = Gi;
+  Lanes B = Lanes::Zero(), Sigma = B, diagonal = Lanes::Ones(), lo = B, hi = B, lambda = B;
 };
 
 /// Four pairs of bodies that share none that moves, and the rows between them: the first of each pair, the second ...
 template <int Dof>
 struct Pack {
-  std::array<int, lane_count> i, j;   ///< -1: it does not move, or the lane is empty
-  std::array<int, lane_count> first;  ///< each lane's first row in the list that was packed; -1: none
+  std::array<int, lane_count> i = {-1, -1, -1, -1}, j = i;  ///< -1: it does not move, or the lane is empty
+  std::array<int, lane_count> first = i;  ///< each lane's first row in the list that was packed; -1: none
   std::vector<LaneRows<Dof>> rows;
 };
 

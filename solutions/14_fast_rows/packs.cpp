@@ -25,25 +25,6 @@ std::vector<Run> runs_of(const std::vector<Row<Dof>>& rows) {
 }
 
 template <int Dof>
-Pack<Dof> empty_pack(int rows) {
-  const LaneTwists<Dof> none = LaneTwists<Dof>::Zero();
-  const Lanes zero = Lanes::Zero(), one = Lanes::Ones();
-  Pack<Dof> pack;
-  pack.i.fill(-1), pack.j.fill(-1), pack.first.fill(-1);
-  pack.rows.assign(static_cast<std::size_t>(rows), {.Gi = none,
-                                                    .Gj = none,
-                                                    .MinvGi = none,
-                                                    .MinvGj = none,
-                                                    .B = zero,
-                                                    .Sigma = zero,
-                                                    .diagonal = one,
-                                                    .lo = zero,
-                                                    .hi = zero,
-                                                    .lambda = zero});
-  return pack;
-}
-
-template <int Dof>
 void put(const Row<Dof>& row, int lane, LaneRows<Dof>& into) {
   into.Gi.row(lane) = row.Gi.array();
   into.Gj.row(lane) = row.Gj.array();
@@ -75,7 +56,8 @@ std::vector<Colour<Dof>> packed(const std::vector<Row<Dof>>& rows, std::size_t b
                      [&](int a, int b) { return runs[a].count > runs[b].count; });
     for (std::size_t k = 0; k < members[c].size(); ++k) {
       const int lane = static_cast<int>(k % lane_count), run = members[c][k];
-      if (lane == 0) all[c].push_back(empty_pack<Dof>(runs[run].count));
+      if (lane == 0)
+        all[c].push_back({.rows = std::vector<LaneRows<Dof>>(static_cast<std::size_t>(runs[run].count))});
       Pack<Dof>& pack = all[c].back();
       pack.i[lane] = pairs[run].first;
       pack.j[lane] = pairs[run].second;

@@ -54,20 +54,7 @@ inline bool same_bits(const Heap& a, const Heap& b) {
 
 /// A pack of rows, by which lane each is in; all lists are as long. Lanes without rows are empty.
 inline Pack<6> pack_of(const std::array<std::vector<Row<6>>, lane_count>& lanes, std::size_t rows) {
-  Pack<6> pack;
-  pack.i.fill(-1), pack.j.fill(-1), pack.first.fill(-1);
-  const LaneTwists<6> none = LaneTwists<6>::Zero();
-  const Lanes zero = Lanes::Zero(), one = Lanes::Ones();
-  pack.rows.assign(rows, {.Gi = none,
-                          .Gj = none,
-                          .MinvGi = none,
-                          .MinvGj = none,
-                          .B = zero,
-                          .Sigma = zero,
-                          .diagonal = one,
-                          .lo = zero,
-                          .hi = zero,
-                          .lambda = zero});
+  Pack<6> pack{.rows = std::vector<LaneRows<6>>(rows)};
   for (int lane = 0; lane < lane_count; ++lane)
     for (std::size_t m = 0; m < lanes[lane].size(); ++m) {
       const Row<6>& row = lanes[lane][m];
