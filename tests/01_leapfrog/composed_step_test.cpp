@@ -1,6 +1,7 @@
 // Order four from leapfrogs: parts that make a whole step, the order of both compositions, reversal, energy.
 #include "01_leapfrog/leapfrog.hpp"
 #include "exercise_test.hpp"
+#include "systems.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -11,44 +12,14 @@ EXERCISE(ComposedStep, "1.5 composed_step");
 
 const ForceField no_force = [](std::size_t, const std::vector<Vec3>&) -> Vec3 { return Vec3::Zero(); };
 
-/// A mass of 1 kg on a spring of 1 N/m, from 1 m: x = cos t.
-const ForceField unit_spring = [](std::size_t i, const std::vector<Vec3>& x) -> Vec3 { return -x[i]; };
-Particles mass_on_it() {
-  return {{Vec3(1, 0, 0)}, {Vec3::Zero()}, {1}};
-}
-
-/// An orbit around the origin with GM = 1 m³/s² and a semi-major axis of 1 m: its period is 2π s.
-constexpr double flatness = 0.3;
 const double round_trip = 2 * std::acos(-1.0);
-const ForceField star = [](std::size_t i, const std::vector<Vec3>& x) -> Vec3 {
-  return -x[i] / std::pow(x[i].norm(), 3);
-};
-Particles planet() {
-  return {{Vec3(1 - flatness, 0, 0)}, {Vec3(0, std::sqrt((1 + flatness) / (1 - flatness)), 0)}, {1}};
-}
-
-/// Three bodies of different masses on springs to each other.
-const ForceField net = [](std::size_t i, const std::vector<Vec3>& x) -> Vec3 {
-  Vec3 f = Vec3::Zero();
-  for (const Vec3& other : x) f += 4 * (other - x[i]);
-  return f;
-};
-Particles three_in_it(Random& random) {
-  Particles p;
-  for (int i = 0; i < 3; ++i) {
-    p.x.push_back(random.vector());
-    p.v.push_back(random.vector());
-    p.inverse_mass.push_back(1 / random.uniform(1, 3));
-  }
-  return p;
-}
 
 /// The distance from where it began after one round.
 double error_of_a_round(double h, int pairs) {
-  Particles p = planet();
+  Particles p = orbit();
   const int steps = static_cast<int>(std::lround(round_trip / h));
-  for (int n = 0; n < steps; ++n) composed_step(p, star, h, pairs);
-  return (p.x[0] - planet().x[0]).norm();
+  for (int n = 0; n < steps; ++n) composed_step(p, sun, h, pairs);
+  return (p.x[0] - orbit().x[0]).norm();
 }
 
 EXERCISE_TEST(ComposedStep, TakesAFreeBodyOnByAWholeStep) {
@@ -104,9 +75,9 @@ EXERCISE_TEST(ComposedStep, IsExactInFreeFall) {
 EXERCISE_TEST(ComposedStep, HasOrderFourOnAnOscillator) {
   for (const int pairs : {1, 2}) {
     const auto error = [&](double h) {
-      Particles p = mass_on_it();
+      Particles p = oscillator();
       const int steps = static_cast<int>(std::lround(10 / h));
-      for (int n = 0; n < steps; ++n) composed_step(p, unit_spring, h, pairs);
+      for (int n = 0; n < steps; ++n) composed_step(p, spring, h, pairs);
       return std::abs(p.x[0].x() - std::cos(10.0));
     };
     expect_order("oscillator, |x - cos t| at t = 10 s, pairs = " + show(pairs), "Eq. (1.12), (1.13)", error,
@@ -138,7 +109,7 @@ EXERCISE_TEST(ComposedStep, TakesAsManyPartsAsItIsAskedFor) {
 EXERCISE_TEST(ComposedStep, TakesThePartsOfThisCall) {
   const double h = 0.1;
   const auto by_hand = [&](int pairs, double w) {
-    Particles p = mass_on_it();
+    Particles p = oscillator();
     for (int n = 0; n <= 2 * pairs; ++n) {
       const double part = h * (n == pairs ? 1 - 2 * pairs * w : w);
       p.x[0] += part / 2 * p.v[0];
@@ -149,8 +120,8 @@ EXERCISE_TEST(ComposedStep, TakesThePartsOfThisCall) {
   };
   const auto w_of = [](int pairs) { return 1 / (2 * pairs - std::cbrt(2 * pairs)); };
   for (const int pairs : {1, 2, 3, 5, 2, 1}) {
-    Particles p = mass_on_it();
-    composed_step(p, unit_spring, h, pairs);
+    Particles p = oscillator();
+    composed_step(p, spring, h, pairs);
     const std::string other =
         "These are as many parts as should be, each as long as for another number of pairs: does "
         "something live on from an earlier call, a static variable?";
@@ -168,7 +139,7 @@ EXERCISE_TEST(ComposedStep, MovesEveryBody) {
   const double h = 0.1;
   Particles p{
       {Vec3(2, 0, 0), Vec3(1, 0, 0), Vec3(5, 6, 7)}, {Vec3::Zero(), Vec3(0, 3, 0), Vec3(1, 2, 3)}, {1, 0, 0}};
-  composed_step(p, unit_spring, h, 2);
+  composed_step(p, spring, h, 2);
   for (const std::size_t k : {1u, 2u}) {
     const Vec3 x = k == 1 ? Vec3(1, 0, 0) : Vec3(5, 6, 7), v = k == 1 ? Vec3(0, 3, 0) : Vec3(1, 2, 3);
     expect_near_vector("x of a body with 1/m = 0 that moves at " + show(v) + " m/s, after 0.1 s [m]",
@@ -182,7 +153,7 @@ EXERCISE_TEST(ComposedStep, MovesEveryBody) {
 
 EXERCISE_TEST(ComposedStep, ConservesMomentum) {
   Random random;
-  Particles p = three_in_it(random);
+  Particles p = three_bodies(random);
   const auto momentum = [&] {
     Vec3 sum = Vec3::Zero();
     for (std::size_t i = 0; i < 3; ++i) sum += p.v[i] / p.inverse_mass[i];
@@ -190,7 +161,7 @@ EXERCISE_TEST(ComposedStep, ConservesMomentum) {
   };
   const Vec3 before = momentum();
   const int steps = 100;
-  for (int n = 0; n < steps; ++n) composed_step(p, net, 0.05, 2);
+  for (int n = 0; n < steps; ++n) composed_step(p, web, 0.05, 2);
   expect_near_vector(
       "momentum of three coupled bodies after 100 steps [kg m/s]", "Eq. (1.3)", momentum(), before,
       roundings(100 * steps, 10), {},
@@ -200,21 +171,21 @@ EXERCISE_TEST(ComposedStep, ConservesMomentum) {
 
 EXERCISE_TEST(ComposedStep, RunsBackToWhereItCameFrom) {
   const int steps = 300;
-  Particles p = planet();
-  for (int n = 0; n < steps; ++n) composed_step(p, star, 0.1, 2);
+  Particles p = orbit();
+  for (int n = 0; n < steps; ++n) composed_step(p, sun, 0.1, 2);
   p.v[0] = -p.v[0];
-  for (int n = 0; n < steps; ++n) composed_step(p, star, 0.1, 2);
-  expect_near_vector("x after 300 steps forth and 300 back [m]", "Eq. (1.11)", p.x[0], planet().x[0],
+  for (int n = 0; n < steps; ++n) composed_step(p, sun, 0.1, 2);
+  expect_near_vector("x after 300 steps forth and 300 back [m]", "Eq. (1.11)", p.x[0], orbit().x[0],
                      {1e-9, "roundings, which grow with the square of the 600 steps"}, {},
                      "The parts must read the same from either end: N of them, the one backwards, N again.");
 }
 
 EXERCISE_TEST(ComposedStep, KeepsTheOrbitsEnergyInItsBand) {
   const double h = round_trip / 60;
-  Particles p = planet();
+  Particles p = orbit();
   double first_orbits = 0, all = 0;
   for (int n = 0; n < 12000; ++n) {
-    composed_step(p, star, h, 2);
+    composed_step(p, sun, h, 2);
     const double error = std::abs(p.v[0].squaredNorm() / 2 - 1 / p.x[0].norm() + 0.5);
     if (std::isnan(error) || error > all) all = error;
     if (n < 600) first_orbits = all;
@@ -225,11 +196,11 @@ EXERCISE_TEST(ComposedStep, KeepsTheOrbitsEnergyInItsBand) {
 }
 
 EXERCISE_TEST(ComposedStep, RejectsAStepThatIsNotPositive) {
-  Particles p = mass_on_it();
-  composed_step(p, unit_spring, 0.1, 2);
+  Particles p = oscillator();
+  composed_step(p, spring, 0.1, 2);
   for (const double h : {0.0, -0.1, std::nan(""), HUGE_VAL})
     expect_rejects(
-        "h = " + show(h), "h", [&] { composed_step(p, unit_spring, h, 2); },
+        "h = " + show(h), "h", [&] { composed_step(p, spring, h, 2); },
         "See require_positive in common/require.hpp.",
         [&] {
           return std::vector<double>{p.x[0].x(), p.v[0].x()};
@@ -237,11 +208,11 @@ EXERCISE_TEST(ComposedStep, RejectsAStepThatIsNotPositive) {
 }
 
 EXERCISE_TEST(ComposedStep, RejectsLessThanOnePair) {
-  Particles p = mass_on_it();
-  composed_step(p, unit_spring, 0.1, 1);
+  Particles p = oscillator();
+  composed_step(p, spring, 0.1, 1);
   for (const int pairs : {0, -1})
     expect_rejects(
-        "pairs = " + show(pairs), "pairs", [&] { composed_step(p, unit_spring, 0.1, pairs); },
+        "pairs = " + show(pairs), "pairs", [&] { composed_step(p, spring, 0.1, pairs); },
         "See reject in common/require.hpp.",
         [&] {
           return std::vector<double>{p.x[0].x(), p.v[0].x()};

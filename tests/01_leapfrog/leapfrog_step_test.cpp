@@ -1,6 +1,7 @@
 // The step of a whole system: exact discrete solutions, order, energy, reversal.
 #include "01_leapfrog/leapfrog.hpp"
 #include "exercise_test.hpp"
+#include "systems.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -14,38 +15,6 @@ void start_half_step_back(Particles& p, const ForceField& force, double h) {
   const std::vector<Vec3> x = p.x;
   for (std::size_t i = 0; i < x.size(); ++i)
     p.v[i] = half_step_start(p.v[i], force(i, x), p.inverse_mass[i], h);
-}
-
-// A mass of 1 kg on a spring of 1 N/m: ω = 1 rad/s.
-const ForceField spring = [](std::size_t i, const std::vector<Vec3>& x) -> Vec3 { return -x[i]; };
-Particles oscillator() {
-  return {{Vec3(1, 0, 0)}, {Vec3(0, 0, 0)}, {1}};
-}
-
-// An orbit around the origin, GM = 1 m³/s², semi-major axis 1 m: period 2π s. Starts at its nearest point.
-constexpr double eccentricity = 0.3;
-const ForceField sun = [](std::size_t i, const std::vector<Vec3>& x) -> Vec3 {
-  return -x[i] / std::pow(x[i].norm(), 3);
-};
-Particles orbit() {
-  return {
-      {Vec3(1 - eccentricity, 0, 0)}, {Vec3(0, std::sqrt((1 + eccentricity) / (1 - eccentricity)), 0)}, {1}};
-}
-
-// Three bodies on springs to each other.
-const ForceField web = [](std::size_t i, const std::vector<Vec3>& x) -> Vec3 {
-  Vec3 f = Vec3::Zero();
-  for (const Vec3& other : x) f += 4 * (other - x[i]);
-  return f;
-};
-Particles three_bodies(Random& random) {
-  Particles p;
-  for (int i = 0; i < 3; ++i) {
-    p.x.push_back(random.vector());
-    p.v.push_back(random.vector());
-    p.inverse_mass.push_back(1 / random.uniform(1, 3));
-  }
-  return p;
 }
 
 EXERCISE_TEST(HalfStepStart, GivesOrderTwoOnAnOscillator) {
