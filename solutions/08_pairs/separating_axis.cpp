@@ -34,7 +34,9 @@ SeparatingAxis separating_axis(const Box& i, const Box& j) {
   const double margin = 1e-6 * std::min(i.half_sides.minCoeff(), j.half_sides.minCoeff());
   Best face_i{i, j, margin}, face_j{i, j, margin}, edges{i, j, 0};
   for (int k = 0; k < 3; ++k) face_i.consider({.n = i.axes.col(k), .gap = 0, .face_i = k});
+  if (face_i.axis.gap > 0) return face_i.axis;  // what parts them is enough
   for (int k = 0; k < 3; ++k) face_j.consider({.n = j.axes.col(k), .gap = 0, .face_j = k});
+  if (face_j.axis.gap > 0) return face_j.axis;
   for (int a = 0; a < 3; ++a)
     for (int b = 0; b < 3; ++b) {
       const Vec3 across = i.axes.col(a).cross(j.axes.col(b));

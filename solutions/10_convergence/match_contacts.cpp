@@ -36,15 +36,15 @@ std::vector<int> match_contacts(const std::vector<Contact>& contacts, const std:
   std::vector<int> match(contacts.size(), -1);
   std::vector<bool> taken(old.size(), false);
   std::vector<Candidate> candidates;
+  auto first_old = by_pair.begin();
   for (std::size_t first = 0, last; first < now.size(); first = last) {
     for (last = first + 1; last < now.size() && pair_now(now[last]) == pair_now(now[first]);) ++last;
+    const std::pair wanted = pair_now(now[first]);
+    first_old = std::find_if(first_old, by_pair.end(), [&](int k) { return pair(k) >= wanted; });
     candidates.clear();
     for (std::size_t n = first; n < last; ++n) {
       const int c = now[n];
-      const std::pair wanted(contacts[c].i, contacts[c].j);
-      auto k = std::lower_bound(by_pair.begin(), by_pair.end(), wanted,
-                                [&](int a, const auto& value) { return pair(a) < value; });
-      for (; k != by_pair.end() && pair(*k) == wanted; ++k) {
+      for (auto k = first_old; k != by_pair.end() && pair(*k) == wanted; ++k) {
         const double distance = (contacts[c].r_j - old[*k].point).norm();
         if (distance <= reach) candidates.push_back({distance, c, *k});
       }

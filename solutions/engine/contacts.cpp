@@ -1,5 +1,7 @@
 #include "engine/contacts.hpp"
 
+#include <algorithm>
+
 namespace spook {
 
 void Shapes::remove(int body) {
@@ -51,7 +53,10 @@ void add(const std::optional<Contact>& contact, std::vector<Contact>& contacts) 
 template <int Dof>
 void touch(const Plane& plane, const Solid& solid, const Now<Dof>& now, std::vector<Contact>& contacts) {
   if (solid.radius > 0) return add(plane_ball(plane, now.ball(solid)), contacts);
-  plane_box(plane, now.box(solid), contacts);
+  const Box box = now.box(solid);
+  const bool in_reach =
+      plane.n.dot(box.x) - plane.offset <= 1.001 * box.half_sides.norm();  // more than roundings
+  if (in_reach) plane_box(plane, box, contacts);
 }
 
 template <int Dof>
@@ -77,28 +82,38 @@ void touch(const Plane& plane, const Corners& corners, const Bodies<6>& bodies, 
   }
 }
 
-/// The pairs of solids that are worth a closer look.
-template <int Dof>
-std::vector<Pair> broad_phase(const std::vector<Solid>& solids, const Now<Dof>& now) {
-  const auto n = static_cast<int>(solids.size());
-  std::vector<Pair> pairs;
-  if (n <= 32) {
-    for (int a = 0; a < n; ++a)
-      for (int b = a + 1; b < n; ++b) pairs.emplace_back(a, b);
-    return pairs;
+/// Those that were found of two solids, which are in the order of their pairs.
+class Former {
+ public:
+  Former(const std::vector<Contact>& contacts, std::size_t begin, std::size_t end)
+      : contacts_(contacts), next_(begin), end_(std::min(end, contacts.size())) {}
+
+  /// Those of a pair that comes after all that were asked for before.
+  void add_those_of(const Pair& bodies, std::vector<Contact>& contacts) {
+    while (next_ < end_ && pair_of_next() < bodies) ++next_;
+    for (; next_ < end_ && pair_of_next() == bodies; ++next_) contacts.push_back(contacts_[next_]);
   }
-  std::vector<Bounds> all;
-  all.reserve(solids.size());
-  for (const Solid& solid : solids) all.push_back(now.bounds_of(solid));
-  return n <= 2000 ? sweep_and_prune(all) : spatial_hash(all);
-}
+
+ private:
+  Pair pair_of_next() const { return std::minmax(contacts_[next_].i, contacts_[next_].j); }
+
+  const std::vector<Contact>& contacts_;
+  std::size_t next_, end_;
+};
 
 }  // namespace
 
 template <int Dof>
-int find_contacts(const Shapes& shapes, const Bodies<Dof>& bodies, double margin,
-                  std::vector<Contact>& contacts) {
+int ContactFinder::find(const Shapes& shapes, const Bodies<Dof>& bodies, double margin,
+                        std::vector<Contact>& contacts) {
+  return find_moved(std::vector<bool>(bodies.size(), true), shapes, bodies, margin, contacts);
+}
+
+template <int Dof>
+int ContactFinder::find_moved(const std::vector<bool>& moved, const Shapes& shapes, const Bodies<Dof>& bodies,
+                              double margin, std::vector<Contact>& contacts) {
   const Now<Dof> now{bodies, margin / 2};
+  last_.swap(contacts);
   contacts.clear();
   int pairs = 0;
   for (Plane plane : shapes.planes) {
@@ -112,15 +127,31 @@ int find_contacts(const Shapes& shapes, const Bodies<Dof>& bodies, double margin
   for (Contact& contact : contacts) {
     contact.r_i += now.grown * contact.n;
     contact.r_j += now.grown * contact.n;
+    contact.gap += margin;
   }
-  if (shapes.solids.size() > 1)
-    for (const auto& [a, b] : broad_phase(shapes.solids, now)) {
+
+  Former former(last_, first_of_solids_, end_of_solids_);
+  first_of_solids_ = contacts.size();
+  if (shapes.solids.size() > 1) {
+    bounds_.clear();
+    for (const Solid& solid : shapes.solids) bounds_.push_back(now.bounds_of(solid));
+    for (const auto& [a, b] : neighbours_.touching(bounds_)) {
       const Solid& one = shapes.solids[static_cast<std::size_t>(a)];
       const Solid& other = shapes.solids[static_cast<std::size_t>(b)];
       ++pairs;
-      if (!(one.fixed && other.fixed)) touch(one, other, now, contacts);
+      if (one.fixed && other.fixed) continue;
+      const auto has_moved = [&](const Solid& solid) { return moved[static_cast<std::size_t>(solid.body)]; };
+      if (!has_moved(one) && !has_moved(other)) {
+        former.add_those_of({one.body, other.body}, contacts);
+        continue;
+      }
+      const std::size_t first = contacts.size();
+      touch(one, other, now, contacts);
+      for (std::size_t c = first; c < contacts.size(); ++c) contacts[c].gap += margin;
     }
-  for (Contact& contact : contacts) contact.gap += margin;
+  }
+  end_of_solids_ = contacts.size();
+
   if constexpr (Dof == 6)
     for (const Plane& plane : shapes.planes)
       for (const Corners& corners : shapes.corners) {
@@ -130,7 +161,11 @@ int find_contacts(const Shapes& shapes, const Bodies<Dof>& bodies, double margin
   return pairs;
 }
 
-template int find_contacts<3>(const Shapes&, const Bodies<3>&, double, std::vector<Contact>&);
-template int find_contacts<6>(const Shapes&, const Bodies<6>&, double, std::vector<Contact>&);
+template int ContactFinder::find<3>(const Shapes&, const Bodies<3>&, double, std::vector<Contact>&);
+template int ContactFinder::find<6>(const Shapes&, const Bodies<6>&, double, std::vector<Contact>&);
+template int ContactFinder::find_moved<3>(const std::vector<bool>&, const Shapes&, const Bodies<3>&, double,
+                                          std::vector<Contact>&);
+template int ContactFinder::find_moved<6>(const std::vector<bool>&, const Shapes&, const Bodies<6>&, double,
+                                          std::vector<Contact>&);
 
 }  // namespace spook

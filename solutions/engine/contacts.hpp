@@ -5,13 +5,14 @@
 //            of it
 //   planes   with every sphere, box and corner; nothing else stops a corner
 //   others   broad phase, then the contact set of each pair that it leaves:
-//              up to 32 of them    all pairs are looked at
+//              up to 32 of them    all pairs whose bounds touch                             Eq. (8.11)
 //              up to 2000          sweep and prune                                          Eq. (8.12)
 //              more                spatial hash                                             Eq. (8.13), (8.14)
 #include <vector>
 
 #include "08_pairs/pairs.hpp"
 #include "engine/bodies.hpp"
+#include "engine/neighbours.hpp"
 
 namespace spook {
 
@@ -45,11 +46,26 @@ struct Shapes {
   }
 };
 
-/// Replaces `contacts` with all that have a gap of at most `margin` [m]: of planes with solids, of solids, of planes
-/// with corners, in the order in which the shapes were added. Those of one pair of bodies follow each other. Returns
-/// how many pairs of shapes were looked at closely.
-template <int Dof>
-int find_contacts(const Shapes& shapes, const Bodies<Dof>& bodies, double margin,
-                  std::vector<Contact>& contacts);
+/// Finds contacts, in one step after another.
+class ContactFinder {
+ public:
+  /// Replaces `contacts` with all that have a gap of at most `margin` [m]: of planes with solids, of solids, of planes
+  /// with corners, in the order in which the shapes were added. Those of one pair of bodies follow each other. Returns
+  /// how many pairs of shapes were looked at closely.
+  template <int Dof>
+  int find(const Shapes& shapes, const Bodies<Dof>& bodies, double margin, std::vector<Contact>& contacts);
+
+  /// The same, where only the bodies that `moved` says are elsewhere than at the last call, and `contacts` are those that
+  /// it found, in their order: what two solids have that did not move is kept.
+  template <int Dof>
+  int find_moved(const std::vector<bool>& moved, const Shapes& shapes, const Bodies<Dof>& bodies, double margin,
+                 std::vector<Contact>& contacts);
+
+ private:
+  Neighbours neighbours_;
+  std::vector<Bounds> bounds_;  // of the solids
+  std::vector<Contact> last_;
+  std::size_t first_of_solids_ = 0, end_of_solids_ = 0;  // which of the contacts are those of two solids
+};
 
 }  // namespace spook

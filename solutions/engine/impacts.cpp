@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace spook {
 
@@ -74,19 +75,25 @@ class ContactsOfBodies {
 
 template <int Dof>
 double separation_speed(const Contact& contact, const Motion<Dof>& motion) {
-  const auto W = [&](int body) { return Twist<Dof>(motion.W[body] + motion.Wf[body] / 2); };
-  return row_of_i<Dof>(contact).dot(W(contact.i)) + row_of_j<Dof>(contact).dot(W(contact.j));
+  const auto along_n = [&](int body, const Vec3& r) {
+    const Twist<Dof>&W = motion.W[body], &Wf = motion.Wf[body];
+    Vec3 v = W.template head<3>() + Wf.template head<3>() / 2;
+    if constexpr (Dof == 6) v += (W.template tail<3>() + Wf.template tail<3>() / 2).cross(r);
+    return contact.n.dot(v);
+  };
+  return along_n(contact.j, contact.r_j) - along_n(contact.i, contact.r_i);
 }
 
 template <int Dof>
 int resolve_late_impacts(std::vector<Contact>& contacts, const LawOf& law, double h, const Shapes& shapes,
                          Bodies<Dof>& bodies) {
   Motion<Dof>& motion = bodies.motion;
-  const ContactsOfBodies touching(contacts, bodies.size());
+  std::optional<ContactsOfBodies> touching;  // most steps have no impact, and don't want it
   const std::vector<double> radii = radii_of(shapes, bodies.size());
   const auto move = [&](int body, const Vec3& by) {
     bodies.x[body] += by;
-    for (const std::size_t c : touching[body]) {
+    if (!touching) touching.emplace(contacts, bodies.size());
+    for (const std::size_t c : (*touching)[body]) {
       Contact& contact = contacts[c];
       const Vec3 apart = contact.j == body ? by : Vec3(-by);
       contact.gap += contact.n.dot(apart);
@@ -102,13 +109,19 @@ int resolve_late_impacts(std::vector<Contact>& contacts, const LawOf& law, doubl
   const double touching_gap = std::isfinite(shapes.smallest) ? 1e-9 * shapes.smallest : 0;
   std::vector<Contact> one(1);
   int impacts = 0;
+  // How many impacts there had been at the last one of each body, and when each contact was looked at.
+  std::vector<int> last_of(bodies.size(), 0), looked_at(contacts.size(), -1);
   bool quiet = false;
   for (int pass = 0; !quiet; ++pass) {
     quiet = true;
-    for (const Contact& contact : contacts) {
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+      const Contact& contact = contacts[c];
       if (contact.gap > touching_gap) continue;
-      ImpactLaw of_pair = law(contact);
+      if (looked_at[c] >= std::max(last_of[contact.i], last_of[contact.j])) continue;  // it is as it was
+      looked_at[c] = impacts;
       const double u_n = separation_speed(contact, motion);
+      if (u_n >= 0) continue;
+      ImpactLaw of_pair = law(contact);
       if (pass >= of_pair.max_passes || u_n >= -of_pair.threshold) continue;
       const int i = contact.i, j = contact.j;
       const double late = lateness(contact, u_n, h, motion);
@@ -122,6 +135,8 @@ int resolve_late_impacts(std::vector<Contact>& contacts, const LawOf& law, doubl
       motion.W[j] += since_j;
       if (!hit) continue;
       ++impacts;
+      for (const int body : {i, j})
+        if (!bodies.is_fixed(static_cast<std::size_t>(body))) last_of[body] = impacts;
       quiet = false;
       move(i, late * change_i.template head<3>());  // Eq. (7.16)
       move(j, late * change_j.template head<3>());

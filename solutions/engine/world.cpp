@@ -41,7 +41,7 @@ void World<Dof>::require_directions(double h) const {
 
 template <int Dof>
 void World<Dof>::find_contacts(double h) {
-  pairs_ = spook::find_contacts(shapes_, bodies_, margin(h), contacts_);
+  pairs_ = finder_.find(shapes_, bodies_, margin(h), contacts_);
 }
 
 template <int Dof>
@@ -110,9 +110,12 @@ void World<Dof>::resolve_impacts(double h) {
     of_pair.friction = touching.friction;
     return of_pair;
   };
+  const std::vector<Vec3> before = bodies_.x;
   impacts_ = resolve_late_impacts(contacts_, law_of, h, shapes_, bodies_);
   if (impacts_ > 0) {
-    find_contacts(h);   // bodies have been put elsewhere
+    std::vector<bool> moved(before.size());
+    for (std::size_t i = 0; i < moved.size(); ++i) moved[i] = bodies_.x[i] != before[i];
+    pairs_ = finder_.find_moved(moved, shapes_, bodies_, margin(h), contacts_);
     prepare_motion(h);  // the gyroscopic torque goes with ω
   }
   // What is still open and comes as fast as an impact will be one: until then nothing holds it back.

@@ -260,6 +260,7 @@ class World {
   Settings<Dof> settings_;
   Bodies<Dof> bodies_;
   Shapes shapes_;
+  ContactFinder finder_;
   Materials materials_;
   std::vector<Joint> joints_;            // with k and d
   std::vector<std::size_t> joint_rows_;  // the first row of each joint

@@ -269,7 +269,7 @@ class Pile : public Judge {
                  .half_sides = body.half_sides});
     }
     std::vector<Contact> contacts;
-    find_contacts(still.shapes(), still.bodies(), 0, contacts);
+    ContactFinder().find(still.shapes(), still.bodies(), 0, contacts);
     std::vector<double> found;
     for (const Contact& contact : contacts)
       if (contact.gap < 0) found.push_back(-contact.gap);

@@ -1,0 +1,24 @@
+#pragma once
+// Which solids are near each other, remembered from step to step.
+//
+// Most bodies move by little in a step. Bounds with some room around them have pairs, from a broad phase; as long as nothing
+// has left its own, no other pair can touch. What lies still is never sought again.
+#include <vector>
+
+#include "08_pairs/pairs.hpp"
+
+namespace spook {
+
+class Neighbours {
+ public:
+  /// The pairs whose bounds touch, in order. Throws std::invalid_argument that names lower or upper if one is not finite.
+  const std::vector<Pair>& touching(const std::vector<Bounds>& bounds);
+
+ private:
+  bool still_hold(const std::vector<Bounds>& bounds) const;
+
+  std::vector<Bounds> roomy_;  // what near_ are the pairs of
+  std::vector<Pair> near_, touching_;
+};
+
+}  // namespace spook
