@@ -19,7 +19,7 @@ from paths import CHAPTERS, shown
 from pick import pick_one
 from symbols import missing_functions
 from terminal import fold
-from trial import run_limited, time_limit
+from trial import clock_limit, run_limited, time_limit
 from verdict import CHECK
 from watch import saved
 
@@ -120,7 +120,8 @@ def _run(ours: Playground) -> int:
         output = printed.read_text(encoding="utf-8", errors="replace")
         print(crash.without_assertion(output).rstrip(), flush=True)
         if timed_out:
-            raise CourseError(f"it did not end within {time_limit():g} s; does a loop never end?")
+            raise CourseError(f"it did not end within {time_limit():g} s of processor time, or {clock_limit():g} s; "
+                              "does a loop never end?")
         if code < 0:
             where = crash.place(program, trace, [ours, *mine])
             name = signal.Signals(-code).name

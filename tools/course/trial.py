@@ -18,7 +18,8 @@ from manifest import Exercise
 _MARK = re.compile(r"^\[ *(RUN|OK|FAILED|SKIPPED) *\] (\S+?)(?: \(\d+ ms\))?$")
 _MEMORY = 4 << 30
 _OUTPUT = 64 << 20
-_PATIENCE = 20  # on the clock, for what waits, or is kept waiting by others
+_WAITING = 3  # on the clock, over processor time: for what waits, or is kept waiting by others
+_PATIENCE = 20  # the same where nobody looks on
 
 
 @dataclass
@@ -33,7 +34,7 @@ class Test:
 class Trial:
     tests: list[Test] | None  # None if the program did not live to report them
     exit_code: int
-    timed_out: bool
+    timed_out: bool  # of processor time; or of the clock: then its exit code is that of a killed program
     output: str
     crashed_at: tuple[Exercise, int] | None = None  # the student's file and line, if that is known
     unfinished: str = field(init=False)  # the test that was running at the end
@@ -58,7 +59,7 @@ class Trial:
 
 
 def time_limit() -> float:
-    """Seconds for all tests of an exercise."""
+    """Seconds of processor time for all tests of an exercise."""
     given = os.environ.get("COURSE_TIME_LIMIT", "20")
     try:
         limit = float(given)
@@ -69,11 +70,17 @@ def time_limit() -> float:
     return limit
 
 
+def clock_limit() -> float:
+    """Seconds on the clock for all tests of an exercise."""
+    return _WAITING * time_limit()
+
+
 def run_tests(program: Path, test_filter: str, seed: int | None = None, *, processor: float | None = None,
               more: dict[str, str] | None = None, exercise: Exercise | None = None) -> Trial:
     """In an environment without GoogleTest's variables, but with `more`. A crash is looked for in the exercise's file.
 
-    With `processor` seconds given, those count, whatever else the machine does, and time_limit() does not.
+    Processor time counts, whatever else the machine does: time_limit(), or the `processor` seconds given, for which a
+    busy machine has all the time that it wants.
     """
     env = {name: value for name, value in os.environ.items() if not name.startswith("GTEST_")} | (more or {})
     if seed is not None:
@@ -102,14 +109,13 @@ def run_limited(command: list[str], out, env: dict[str, str], folder: str,
         resource.prlimit(process.pid, resource.RLIMIT_AS, (_MEMORY, _MEMORY))
         resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (_OUTPUT, _OUTPUT))
         resource.prlimit(process.pid, resource.RLIMIT_CORE, (0, 0))
-        if processor:
-            seconds = math.ceil(processor)
-            resource.prlimit(process.pid, resource.RLIMIT_CPU, (seconds, seconds + 1))
+        seconds = math.ceil(processor or time_limit())
+        resource.prlimit(process.pid, resource.RLIMIT_CPU, (seconds, seconds + 1))
     except ProcessLookupError:
         pass  # it has ended already
     timed_out = False
     try:
-        process.wait(_PATIENCE * processor if processor else time_limit())
+        process.wait(_PATIENCE * processor if processor else clock_limit())
     except subprocess.TimeoutExpired:
         timed_out = True
     finally:

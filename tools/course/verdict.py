@@ -14,7 +14,7 @@ from marker import marker_line
 from paths import shown
 from symbols import missing_functions
 from tree import Built, Tree, jobs
-from trial import Test, Trial, run_tests, time_limit
+from trial import Test, Trial, clock_limit, run_tests, time_limit
 
 CHECK = Tree("check")
 _BOILERPLATE = re.compile(r"\A[^\n]*:\d+\n(?:Failed\n)?")
@@ -115,6 +115,9 @@ def _without_function(exercise: Exercise, missing: list[str]) -> Verdict:
 
 
 def _judge_trial(exercise: Exercise, trial: Trial) -> Verdict:
+    if trial.timed_out and trial.exit_code == -signal.SIGKILL:
+        return _broken_off(exercise, trial, f"timed out after {clock_limit():g} s on the clock",
+                           "Does it wait for something, such as another thread?")
     if trial.timed_out:
         return _broken_off(exercise, trial, f"timed out after {time_limit():g} s", "Does a loop never end?")
     if trial.exit_code < 0:
