@@ -8,6 +8,7 @@
 //              up to 32 of them    all pairs whose bounds touch                             Eq. (8.11)
 //              up to 2000          sweep and prune                                          Eq. (8.12)
 //              more                spatial hash                                             Eq. (8.13), (8.14)
+//            of bounds with room around them, which hold as long as nothing leaves its own: engine/neighbours.hpp
 #include <vector>
 
 #include "08_pairs/pairs.hpp"

@@ -3,6 +3,7 @@
 import os
 import re
 import subprocess
+import sys
 import tempfile
 import unittest
 from pathlib import Path
@@ -110,10 +111,11 @@ class Package(unittest.TestCase):
         lists = block("cmake").replace("find_package(spook 1.0 REQUIRED)", SUBDIRECTORY.format(ROOT))
         self.assertIn("add_subdirectory", lists)
         consumer = self.consumer("subdirectory", lists)
-        launcher = Tree("check").setting("CMAKE_CXX_COMPILER_LAUNCHER")
+        launcher = [sys.executable, Path(__file__).with_name("copy_object.py"), Tree("release").path / "compile_commands.json"]
         self.configured(consumer, "-DCMAKE_BUILD_TYPE=Debug", "-DCMAKE_CXX_FLAGS=-O0 -g0", "-DBUILD_SHARED_LIBS=ON",
+                        "-DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON",
                         *(f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON" for name in ("CLI11", "nlohmann_json", "GTest")),
-                        f"-DCMAKE_CXX_COMPILER_LAUNCHER={launcher}")
+                        f"-DCMAKE_CXX_COMPILER_LAUNCHER={';'.join(map(str, launcher))}")
         self.built(consumer)
         commands = run("ninja", "-C", consumer.folder / "build", "-t", "commands", "slope").stdout
         self.assertNotIn("-Werror", commands)

@@ -33,7 +33,9 @@ An environment of yours:               pip install {ROOT}""")
 
 def built() -> Path:
     """The folder to import from, up to date."""
-    tree = Tree("python")
+    tree = Tree("release")
+    if tree.setting("SPOOK_PYTHON") != "ON":
+        tree.configure("-DSPOOK_PYTHON=ON")
     done = tree.build(["python_module"], "building the Python module")
     if not done.ok:
         raise tree.own_failure(done)
