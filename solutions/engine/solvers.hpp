@@ -29,6 +29,10 @@ Solver<Dof> conjugate_gradients();
 template <int Dof>
 Solver<Dof> anderson(FrictionModel model = FrictionModel::box);
 
+/// Newton's method on the cone or the box, by factors on bodies; accelerated sweeps where it does not help.
+template <int Dof>
+Solver<Dof> newton(FrictionModel model = FrictionModel::box);
+
 /// Chapter 11's; keeps its factors for the next step.
 template <int Dof>
 Solver<Dof> direct();
