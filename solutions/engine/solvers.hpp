@@ -1,7 +1,7 @@
 #pragma once
 // The solvers, one file each in engine/solvers/, all with the signature of System.
 //
-//   on their own     gauss_seidel, conjugate_gradients, anderson, direct, by_island, in_order, cone
+//   on their own     gauss_seidel, conjugate_gradients, anderson, newton, direct, by_island, in_order, cone
 //   with another     two_pass(solver), stiff(solver): the outer one says which rows, with which bounds, the inner one solves
 //
 //   two_pass(direct<6>())                                 friction limited by normal forces that are exact

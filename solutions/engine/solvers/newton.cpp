@@ -1,12 +1,7 @@
 // Newton's method on what an update leaves: rows of a contact inside Coulomb's cone, or rows within their bounds.
 //
-//   open       λ_n + r_n/S_nn <= 0:                  Δλ = -λ
-//   sticks     |q| <= μ λ̂_n:                         G v + Σ Δλ = r
-//   slides     λ_t = μ λ_n q/|q|, and its change when q turns:  Δλ_t = μ Δλ_n d + c P (Δλ_t + Δr_t/s) - (λ_t - μ λ_n d)
-//   of bodies  Δλ = k - K G v, a 3 x 3 block K of each contact:  (M + Gᵀ K G) v = Gᵀ k          as Eq. (11.15)
-//
-//   λ̂_n   λ_n + r_n/S_nn, at least 0      q   λ_t + r_t/s, Eq. (9.6)     d   q/|q|,  P = 1 - d dᵀ
-//   c     μ λ̂_n/|q|, less than 1          v   what Δλ adds to V
+//   of a contact   Δλ = k - K G v, with a block K of 3 x 3, by whether it is open, sticks or slides: engine/linearised.hpp
+//   of bodies      (M + Gᵀ K G) v = Gᵀ k, v what Δλ adds to V: engine/coupled_bodies.hpp                  as Eq. (11.15)
 //
 // K is not symmetric: what presses more rubs more. Where the law leaves it open which of many contacts bears how much,
 // Δλ would be anything, so Σ is taken for larger by a part of S_kk, a thousandth of what is left of that asked for: it
@@ -25,21 +20,14 @@
 #include "09_better_friction/cone_rows.hpp"
 #include "engine/body_interior.hpp"
 #include "engine/coupled_bodies.hpp"
+#include "engine/islands.hpp"
+#include "engine/linearised.hpp"
 #include "engine/solve_directly.hpp"
 #include "engine/solvers.hpp"
 
 namespace spook {
 
 namespace {
-
-/// The rows of a contact that rubs, or one row by itself.
-struct Part {
-  std::size_t row;
-  int count;
-  double mu, s;           ///< of friction: μ, and Eq. (9.5)
-  Mat3 K = Mat3::Zero();  ///< Δλ = k - K G v
-  Vec3 k = Vec3::Zero();
-};
 
 template <int Dof>
 class Newton {
@@ -49,7 +37,7 @@ class Newton {
     auto contact = s.rubbing.begin();
     for (std::size_t k = 0; k < s.rows.size(); k += static_cast<std::size_t>(parts_.back().count)) {
       const bool rubs = on_cones && contact != s.rubbing.end() && contact->normal == k;
-      parts_.push_back({.row = k, .count = rubs ? 3 : 1, .mu = 0, .s = 0});
+      parts_.push_back({.row = k, .count = rubs ? 3 : 1});
       if (!rubs) continue;
       parts_.back().mu = contact++->mu;
       parts_.back().s = stiffest_direction(s.rows[k + 1], s.rows[k + 2]);
@@ -117,10 +105,9 @@ class Newton {
   bool find_step(double softer) {
     bodies_.begin();
     for (Part& part : parts_) {
-      if (part.count == 1)
-        linearise_row(part, softer);
-      else
-        linearise_contact(part, softer);
+      Vec3 r = Vec3::Zero();
+      for (int n = 0; n < part.count; ++n) r[n] = lacking(part.row + n);
+      linearise(&s_.rows[part.row], r, softer, part);
       bodies_.add(&s_.rows[part.row], part.count, part.K, part.k);
     }
     if (!bodies_.solve()) return false;
@@ -132,42 +119,6 @@ class Newton {
       std::copy_n(change.data(), part.count, step_.begin() + static_cast<std::ptrdiff_t>(part.row));
     }
     return true;
-  }
-
-  /// A row that is free, else to its bound; what it aims at.
-  double linearise_row(Part& part, double softer) const {
-    const Row<Dof>& row = s_.rows[part.row];
-    const double r = lacking(part.row), aim = row.lambda + r / row.diagonal;
-    part.K.setZero();
-    part.k.setZero();
-    if (row.lo < aim && aim < row.hi) {
-      part.K(0, 0) = 1 / (row.Sigma + softer * row.diagonal);
-      part.k[0] = part.K(0, 0) * r;
-    } else {
-      part.k[0] = std::clamp(aim, row.lo, row.hi) - row.lambda;
-    }
-    return aim;
-  }
-
-  void linearise_contact(Part& part, double softer) const {
-    const Row<Dof>* rows = &s_.rows[part.row];
-    const double limit = part.mu * linearise_row(part, softer);
-    const Vec2 along(rows[1].lambda, rows[2].lambda), r(lacking(part.row + 1), lacking(part.row + 2));
-    const Vec2 q = along + r / part.s;
-    const double soft = rows[1].Sigma + softer * part.s, size = q.norm();
-    if (limit <= 0) {  // open
-      part.k.tail<2>() = -along;
-    } else if (size <= limit) {  // sticks
-      part.K(1, 1) = part.K(2, 2) = 1 / soft;
-      part.k.tail<2>() = r / soft;
-    } else {  // slides
-      const Vec2 d = q / size, across(-d[1], d[0]);
-      const double c = limit / size, turns = 1 - c + c * soft / part.s;
-      part.K.block<2, 2>(1, 1) = c / part.s / turns * across * across.transpose();
-      part.K.block<2, 1>(1, 0) = part.mu * part.K(0, 0) * d;
-      part.k.tail<2>() =
-          (part.mu * (rows[0].lambda + part.k[0]) - along.dot(d)) * d - along.dot(across) / turns * across;
-    }
   }
 
   std::vector<double> impulses() const {
@@ -191,9 +142,10 @@ Solver<Dof> newton(FrictionModel model) {
   const bool on_cones = model == FrictionModel::cone;
   auto solve = [on_cones, sweeps = anderson<Dof>(model)](const System<Dof>& s) {
     begin_with(s.last.impulses(s.rows.size(), s.first_contact_row, s.contacts, s.h), s.rows, s.V);
-    const bool soft =
-        std::all_of(s.rows.begin(), s.rows.end(), [](const Row<Dof>& row) { return row.Sigma > 0; });
-    if (!soft) return sweeps.solve(s);
+    const auto soft = [](const Row<Dof>& row) { return row.Sigma > 0; };
+    const auto moves = [](const Row<Dof>& row) { return moves_i(row) || moves_j(row); };
+    if (!std::all_of(s.rows.begin(), s.rows.end(), soft) || !std::any_of(s.rows.begin(), s.rows.end(), moves))
+      return sweeps.solve(s);
     Newton<Dof> method(s, on_cones);
     Outcome outcome = method.solve(std::max(s.stop.tolerance, 1e-13 * asked_for(s.rows)));
     outcome.row_updates = method.updates();
