@@ -142,6 +142,11 @@ TEST(Newton, LeavesNoMoreThanSweepsDo) {
   }
 }
 
+TEST(Newton, GoesOnBySweepsWhereItsFactorisationsAreUsedUp) {
+  const World<6> world = pushed_tower(on_cones(), {.max_sweeps = 5}, 1000);
+  EXPECT_EQ(world.report().iterations, 5 + 5);
+}
+
 TEST(Newton, SweepsWhereNoSigmaSoftensARow) {
   // An infinite viscosity makes Σ of friction 0: there is no K to go by.
   World<6> world({.friction = mu, .viscosity = infinity, .solver = on_cones(), .stop = {.max_sweeps = 200}});
