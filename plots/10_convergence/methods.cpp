@@ -24,14 +24,14 @@
 namespace spook::plots {
 namespace {
 
-/// What factors cost, in row updates.
+/// What factors cost, on bodies or on rows, and the blocks of a matrix of bodies, in row updates.
 template <int Dof>
 struct FactorCost {
   double factor, solve, blocks = 0, coupled_blocks = 0;
 
-  explicit FactorCost(const Problem<Dof>& problem) {
+  FactorCost(const Problem<Dof>& problem, bool on_bodies) {
     Factors factors;
-    if (wants_bodies(problem.rows)) {
+    if (on_bodies) {
       OnBodies<Dof> on(problem.rows, problem.bodies.motion.inverse_mass);
       factorise(on.matrix(problem.rows, Vector::Ones(std::ssize(problem.rows))), factors);
     } else {
@@ -68,7 +68,7 @@ std::vector<Method<Dof>> methods(const Problem<Dof>& problem, FrictionModel mode
   const auto counted = [](const Outcome& outcome, double, int) {
     return static_cast<double>(outcome.row_updates);
   };
-  const FactorCost<Dof> work(problem);
+  const FactorCost<Dof> work(problem, wants_bodies(problem.rows)), of_bodies(problem, true);
   // Of each: the matrix, three solves with what they want of the rows, four sweeps, and two to look at the energy.
   const auto factors = [work](const Outcome& outcome, double rows, int) {
     return static_cast<double>(outcome.report.history.size()) *
@@ -76,9 +76,9 @@ std::vector<Method<Dof>> methods(const Problem<Dof>& problem, FrictionModel mode
   };
   // Of each: the matrix, a solve with what it wants of the rows; and for ten sweeps three more to set impulses, and to
   // look at what is left.
-  const auto coupled = [work](const Outcome& outcome, double rows, int most) {
+  const auto coupled = [of_bodies](const Outcome& outcome, double rows, int most) {
     const auto times = std::min(static_cast<double>(outcome.report.history.size()), double(most));
-    return times * (2 * work.factor + work.coupled_blocks + 2 * work.solve + rows) +
+    return times * (2 * of_bodies.factor + of_bodies.coupled_blocks + 2 * of_bodies.solve + rows) +
            1.3 * static_cast<double>(outcome.row_updates);
   };
   const int most = size == Size::quick ? 1024 : 4096, few = 1024;
