@@ -3,7 +3,8 @@
 //   wire    9 points of 1 kg on a wire of ten links and 1 m, and 100 kg at its end
 //   stack   10 point masses of 1 kg, one on the other
 //
-// k = 1e8, d = 3. The error is that of the worst gap, its mean over the second half of 10 s against T/k or N/k, over
+// k = 1e8, d = 3. Two more ways of substeps, of methods/small_steps.hpp: XPBD, and relaxed ones, which are half as many as
+// they update each row twice. The error is that of the worst gap, its mean over the second half of 10 s against T/k or N/k, over
 // the length of a link; a million when it is lost. (A link that swings up past the point above it has turned over, and
 // is as long as it should be with a gap of -2 lengths: a wire that is lost need not be off by more.) "needed" are the
 // sweeps that a warm start needs by Eq. (10.12), with the rate that a long solve has at its end.
@@ -13,50 +14,12 @@
 #include "engine/world.hpp"
 #include "machinery/experiment.hpp"
 #include "machinery/lost.hpp"
+#include "methods/small_steps.hpp"
 
 namespace spook::plots {
 namespace {
 
-constexpr double g = 9.81, k = 1e8, d = 3, link = 0.1, seconds = 10, lost = 1e6;
-
-/// Point masses in a line, body 0 is fixed; each is joined to the one before: by a link below it, or by a contact above
-/// it, where it is a sphere.
-struct Chain {
-  bool hangs;
-  std::vector<double> mass;  ///< of bodies 1, 2 ...
-
-  World<3> world(Settings<3> settings) const {
-    settings.gravity = Vec3(0, 0, -g);
-    settings.k = k;
-    settings.d = d;
-    settings.margin = link / 2;  // what hops by less is the same contact when it lands
-    World<3> world(std::move(settings));
-    if (hangs)
-      world.add_fixed(Vec3::Zero());
-    else
-      world.add_plane(Vec3::UnitZ(), link / 2);
-    for (const double each : mass) {
-      const int last = static_cast<int>(world.bodies().size()) - 1;
-      const double z = (hangs ? -link : link) * (last + 1);
-      const int next = world.add({.x = Vec3(0, 0, z), .mass = each, .radius = hangs ? 0 : link / 2});
-      if (hangs) world.add_joint({.i = last, .j = next, .length = link});
-    }
-    return world;
-  }
-
-  double gap(const World<3>& world, int n) const {
-    const double below = n == 1 ? 0 : world.x(n - 1).z(), z = world.x(n).z();
-    return (hangs ? below - z : z - below) - link;
-  }
-
-  /// What a gap is at rest, from what it carries.
-  double right(int n) const {
-    double load = 0;
-    for (std::size_t above = static_cast<std::size_t>(n) - 1; above < mass.size(); ++above)
-      load += mass[above] * g;
-    return (hangs ? load : -load) / k;
-  }
-};
+constexpr double d = Chain::d, link = Chain::link, seconds = 10, lost = 1e6;
 
 Chain wire() {
   return {true, {1, 1, 1, 1, 1, 1, 1, 1, 1, 100}};
@@ -65,22 +28,21 @@ Chain stack() {
   return {false, {1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
 }
 
+/// What a method does with so many updates of each row in 1/60 s.
 struct Method {
   std::string name;
   bool substeps, warm;
 };
 
-double error_of(const Chain& chain, const Method& method, int updates) {
-  const double h = 1.0 / 60 / (method.substeps ? updates : 1);
-  World<3> world = chain.world({.solver = gauss_seidel<3>(),
-                                .warm_start = method.warm,
-                                .stop = {.max_sweeps = method.substeps ? 1 : updates, .tolerance = 0}});
+/// The worst gap, from its mean over the second half, over a link.
+template <class Step>
+double error_of(const Chain& chain, const World<3>& world, double h, const Step& step) {
   const int n = static_cast<int>(chain.mass.size()), steps = static_cast<int>(std::lround(seconds / h));
   std::vector<double> sums(chain.mass.size(), 0);
-  for (int step = 0; step < steps; ++step) {
-    if (step >= steps / 2)
+  for (int now = 0; now < steps; ++now) {
+    if (now >= steps / 2)
       for (int body = 1; body <= n; ++body) sums[body - 1] += chain.gap(world, body);
-    world.step(h);
+    step(h);
   }
   double worst = 0;
   for (int body = 1; body <= n; ++body) {
@@ -88,6 +50,33 @@ double error_of(const Chain& chain, const Method& method, int updates) {
     if (!(off <= worst)) worst = off;  // a NaN, too
   }
   return worst;
+}
+
+double error_of(const Chain& chain, const Method& method, int updates) {
+  if (method.name == "relaxed substeps") {
+    Relaxed relaxed(chain);
+    return error_of(chain, relaxed.world(), 1.0 / 60 / (updates / 2), [&](double h) { relaxed.step(h); });
+  }
+  const bool is_xpbd = method.name == "XPBD";
+  World<3> world = chain.world({.d = is_xpbd ? 0.75 : d,
+                                .solver = is_xpbd ? xpbd() : gauss_seidel<3>(),
+                                .warm_start = method.warm,
+                                .stop = {.max_sweeps = method.substeps ? 1 : updates, .tolerance = 0}});
+  return error_of(chain, world, 1.0 / 60 / (method.substeps ? updates : 1), [&](double h) { world.step(h); });
+}
+
+/// How far XPBD with positions is from xpbd() in a second of 16 substeps to the 1/60 s, over a link.
+double positions_apart(const Chain& chain) {
+  World<3> world = chain.world({.d = 0.75, .solver = xpbd(), .stop = {.max_sweeps = 1, .tolerance = 0}});
+  Positions positions(chain);
+  double most = 0;
+  for (int step = 0; step < 16 * 60; ++step) {
+    world.step(1.0 / 60 / 16);
+    positions.step(1.0 / 60 / 16);
+    for (int body = 1; body <= static_cast<int>(chain.mass.size()); ++body)
+      most = std::max(most, std::abs(positions.z(body) - world.x(body).z()) / link);
+  }
+  return most;
 }
 
 /// By the rate of a solver that tells what its sweeps returned.
@@ -126,19 +115,30 @@ void check(const Table& table, Claims& claims) {
   claims.at_most("with 512 it is right, to 1e-9 of a link", error("wire", "warm sweeps", 512), 1e-9);
   claims.near("the least by Eq. (10.12) is 264 ± 5",
               table.where("scene", "wire").where("method", "needed").number("updates"), 264, 5);
+  claims.at_most("XPBD with positions is a sweep of rows with b = 1 and d = 3/4, to 1e-11 of a link",
+                 std::max(error("wire", "positions", 16), error("stack", "positions", 16)), 1e-11);
+  for (const std::string scene : {"wire", "stack"})
+    claims.near("by Eq. (10.13) that makes the " + scene + " 13/4 ± 0.1 times as stiff as substeps with d = 3",
+                error(scene, "substeps", 64) / error(scene, "XPBD", 64), 3.25, 0.1);
+  claims.near("with 32 updates relaxed substeps leave the stack 4.8 ± 0.2 times less than warm ones",
+              error("stack", "warm substeps", 32) / error("stack", "relaxed substeps", 32), 4.8, 0.2);
+  claims.at_least("XPBD leaves it less than either",
+                  error("stack", "relaxed substeps", 32) / error("stack", "XPBD", 32), 1);
+  claims.at_least("the wire is lost with 64, as it is with warm ones", error("wire", "relaxed substeps", 64),
+                  0.5);
 }
 
 Experiment experiment(Size size) {
   Experiment e;
   e.columns = {"scene", "method", "updates", "error"};
-  const std::vector<Method> methods = {{"sweeps", false, false},
-                                       {"substeps", true, false},
-                                       {"warm sweeps", false, true},
-                                       {"warm substeps", true, true}};
+  const std::vector<Method> methods = {{"sweeps", false, false},     {"substeps", true, false},
+                                       {"warm sweeps", false, true}, {"warm substeps", true, true},
+                                       {"XPBD", true, false},        {"relaxed substeps", true, true}};
   for (const std::string scene : {"wire", "stack"}) {
     const Chain chain = scene == "wire" ? wire() : stack();
     for (const Method& method : methods)
-      for (int updates = 1; updates <= (size == Size::quick && method.substeps ? 64 : 512); updates *= 2)
+      for (int updates = method.name == "relaxed substeps" ? 2 : 1;
+           updates <= (size == Size::quick && method.substeps ? 64 : 512); updates *= 2)
         e.points.push_back(
             {scene + " " + method.name + " " + std::to_string(updates), [=]() -> std::vector<Row> {
                const double error = or_infinity([&] { return error_of(chain, method, updates); });
@@ -146,6 +146,9 @@ Experiment experiment(Size size) {
              }});
     e.points.push_back({scene + " needed", [=]() -> std::vector<Row> {
                           return {{scene, "needed", needed(chain), 0.0}};
+                        }});
+    e.points.push_back({scene + " positions", [=]() -> std::vector<Row> {
+                          return {{scene, "positions", 16.0, positions_apart(chain)}};
                         }});
   }
   e.check = check;

@@ -1,4 +1,4 @@
-"""The error that so many row updates in each step leave, as sweeps or as substeps, cold or warm."""
+"""The error that so many row updates in each step leave, as sweeps or as substeps, cold, warm, or as games take them."""
 
 import sys
 from pathlib import Path
@@ -7,7 +7,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
 import figures  # noqa: E402
 
 TITLE = "Many sweeps, or many steps of one sweep; and when a warm start is safe"
-METHODS = ("sweeps", "substeps", "warm sweeps", "warm substeps")
+METHODS = ("sweeps", "substeps", "warm sweeps", "warm substeps", "XPBD", "relaxed substeps")
 LEAST, LOST = 1e-12, 1e6  # drawn at the lower edge, and at the upper one
 
 

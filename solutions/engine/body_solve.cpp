@@ -77,7 +77,8 @@ State<Dof> projected(const std::vector<Row<Dof>>& rows, const State<Dof>& from, 
   return state;
 }
 
-/// As far towards the solution of the rows that are free as the energy falls.
+/// As far towards the solution of the rows that are free as the energy falls, or rises by no more than roundings: what
+/// starts where the last step ended has nothing else to gain.
 template <int Dof>
 State<Dof> step(const std::vector<Row<Dof>>& rows, const OnBodies<Dof>& on, const Vector& stiffness,
                 const Factors& factors, const State<Dof>& now) {
@@ -85,8 +86,9 @@ State<Dof> step(const std::vector<Row<Dof>>& rows, const OnBodies<Dof>& on, cons
   solve_free(rows, on, stiffness, factors, there);
   double share = 1;
   State<Dof> inside = projected(rows, now, there, share);
-  const double energy = now.energy(rows);
-  while (inside.energy(rows) > energy && share > 1e-2) inside = projected(rows, now, there, share /= 2);
+  constexpr double rounding = 1e-14;  // of a sum, most of whose terms have one sign
+  const double energy = now.energy(rows), most = energy + rounding * std::abs(energy);
+  while (inside.energy(rows) > most && share > 1e-2) inside = projected(rows, now, there, share /= 2);
   return inside;
 }
 

@@ -17,6 +17,11 @@ static Solver<Dof> anderson_of_rows() {
 }
 
 template <int Dof>
+static Solver<Dof> newton_of_rows() {
+  return newton<Dof>();
+}
+
+template <int Dof>
 const std::vector<NamedSolver<Dof>>& solvers() {
   static const std::vector<NamedSolver<Dof>> table = {
       {"gauss_seidel", "projected Gauss-Seidel, row by row", "sweep", &gauss_seidel<Dof>},
@@ -24,6 +29,8 @@ const std::vector<NamedSolver<Dof>>& solvers() {
        &conjugate_gradients<Dof>},
       {"anderson", "Gauss-Seidel, accelerated by what its last sweeps changed", "sweep",
        &anderson_of_rows<Dof>},
+      {"newton", "Newton's method on bounds or cones, by factors on bodies; accelerated sweeps where it fails",
+       "factorisation", &newton_of_rows<Dof>},
       {"direct", "sparse factors of S; bounds by an interior point method", "factorisation", &direct<Dof>},
       {"auto", "for each island of bodies the direct solver where it is sparse or stiff, else Gauss-Seidel",
        "iteration", &by_island<Dof>},

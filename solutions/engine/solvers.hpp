@@ -1,7 +1,7 @@
 #pragma once
 // The solvers, one file each in engine/solvers/, all with the signature of System.
 //
-//   on their own     gauss_seidel, conjugate_gradients, anderson, direct, by_island, in_order, cone
+//   on their own     gauss_seidel, conjugate_gradients, anderson, newton, direct, by_island, in_order, cone
 //   with another     two_pass(solver), stiff(solver): the outer one says which rows, with which bounds, the inner one solves
 //
 //   two_pass(direct<6>())                                 friction limited by normal forces that are exact
@@ -28,6 +28,10 @@ Solver<Dof> conjugate_gradients();
 /// Sweeps of chapter 04, or on cones, accelerated. The model is box or cone.
 template <int Dof>
 Solver<Dof> anderson(FrictionModel model = FrictionModel::box);
+
+/// Newton's method on the cone or the box, by factors on bodies; accelerated sweeps where it does not help.
+template <int Dof>
+Solver<Dof> newton(FrictionModel model = FrictionModel::box);
 
 /// Chapter 11's; keeps its factors for the next step.
 template <int Dof>

@@ -4,17 +4,20 @@
 
 namespace spook {
 
-static constexpr const char* accelerated = "anderson";
+static constexpr const char *accelerated = "anderson", *by_newton = "newton";
 
-/// What has sweeps of its own can not have another solver, or other sweeps, as well.
+/// What has sweeps of its own can not have any other solver, or other sweeps, as well.
 static void require_one_solver(const Method& method) {
   if (!method.has_own_sweeps()) return;
   const bool ordered = method.order != RowOrder::given;
   const bool plain = method.solver == solvers<3>().front().name;  // Gauss-Seidel
-  if (!plain && (ordered || method.solver != accelerated))
-    throw std::invalid_argument(std::string(ordered ? "an order of rows" : "the cone") +
-                                " is for sweeps: solver must be gauss_seidel" +
-                                (ordered ? "" : " or anderson") + ", but is " + method.solver);
+  if (ordered && !plain)
+    throw std::invalid_argument("an order of rows is for sweeps: solver must be gauss_seidel, but is " +
+                                method.solver);
+  if (!ordered && !plain && method.solver != accelerated && method.solver != by_newton)
+    throw std::invalid_argument(
+        "the cone is for sweeps and Newton's method: solver must be gauss_seidel, anderson or newton, but is " +
+        method.solver);
   if (ordered && method.friction_model == FrictionModel::cone)
     throw std::invalid_argument(
         "the cone sweeps in the order that is given: friction-model must be box or two_pass for another order, "
@@ -26,8 +29,10 @@ template <int Dof>
 Solver<Dof> make_solver(const Method& method) {
   const NamedSolver<Dof>& named = find_solver<Dof>(method.solver);
   require_one_solver(method);
-  if (method.friction_model == FrictionModel::cone)
+  if (method.friction_model == FrictionModel::cone) {
+    if (method.solver == by_newton) return newton<Dof>(FrictionModel::cone);
     return method.solver == accelerated ? anderson<Dof>(FrictionModel::cone) : cone<Dof>();
+  }
   Solver<Dof> solver =
       method.order == RowOrder::given ? named.make() : in_order<Dof>(method.order, method.seed);
   return method.friction_model == FrictionModel::two_pass ? two_pass(std::move(solver)) : solver;

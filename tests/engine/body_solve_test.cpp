@@ -8,6 +8,7 @@
 #include <random>
 
 #include "engine/body_interior.hpp"
+#include "engine/world.hpp"
 
 namespace spook {
 namespace {
@@ -106,6 +107,27 @@ TEST(BodySolve, FromItsOwnAnswerTakesOneFactorisation) {
   ASSERT_TRUE(again);
   EXPECT_EQ(again->history.size(), 1U);
   EXPECT_EQ(factors.analyses, 1) << "the pattern is that of the bodies, whatever row is held";
+}
+
+TEST(BodySolve, WhatStandsTakesOneFactorisationAStep) {
+  // After the first steps all that changes is roundings; the energy, of which they are all, must not ask for more.
+  for (const double ratio : {1.0, 1e3, 1e6}) {
+    World<6> world({.k = 1e6 * ratio, .friction = 0.5, .solver = direct<6>()});
+    world.add_plane(Vec3::UnitZ(), 0);
+    for (int n = 0; n < 5; ++n) {
+      const double mass = n == 4 ? ratio : 1;
+      world.add({.x = Vec3(0, 0, n + 0.5),
+                 .mass = mass,
+                 .principal = solid_box_moments(mass, Vec3::Constant(0.5)),
+                 .half_sides = Vec3::Constant(0.5)});
+    }
+    int most = 0;
+    for (int step = 0; step < 200; ++step) {
+      world.step(h);
+      if (step >= 20) most = std::max(most, world.report().iterations);
+    }
+    EXPECT_EQ(most, 1) << ratio << ":1";
+  }
 }
 
 TEST(BodySolve, RefinesWhatASmallSigmaLeaves) {

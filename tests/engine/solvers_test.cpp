@@ -136,6 +136,14 @@ TEST(Methods, RefuseTwoSolversAtOnce) {
                  [] { make_solver<6>({.h = h, .solver = "stiff"}); });
 }
 
+TEST(Methods, SolveConesBySweepsOrByNewton) {
+  for (const std::string solver : {"gauss_seidel", "anderson", "newton"})
+    EXPECT_EQ(make_solver<6>({.h = h, .solver = solver, .friction_model = FrictionModel::cone}).friction,
+              FrictionModel::cone)
+        << solver;
+  EXPECT_EQ(make_solver<6>({.h = h, .solver = "newton"}).friction, FrictionModel::box);
+}
+
 /// A wire that swings freely beside a ball on the floor, which rubs.
 World<3> wire_and_ball(Solver<3> solver) {
   World<3> world({.k = k, .friction = 0.5, .viscosity = infinity, .solver = std::move(solver)});

@@ -141,7 +141,7 @@ class Runs(unittest.TestCase):
         self.assertEqual(result["last_step"]["rows"], 1)
 
     def test_each_way_of_solving_is_said_and_done(self):
-        for solver in ["gauss_seidel", "conjugate_gradients", "anderson", "direct", "auto", "stiff"]:
+        for solver in ["gauss_seidel", "conjugate_gradients", "anderson", "newton", "direct", "auto", "stiff"]:
             run = json.loads(spook("run", "wire", "--solver", solver, "--iterations", "1000", "--json").stdout)
             self.assertEqual(run["solver"], solver)
             self.assertLess(run["error"]["value"], 1e-6, solver)

@@ -1,0 +1,62 @@
+#pragma once
+// The rows of one step of some scenes, and the velocities that solve them.
+#include <cmath>
+
+#include "engine/on_bodies.hpp"
+#include "engine/solvers.hpp"
+
+namespace spook::plots {
+
+/// The rows of a step, as a solver is handed them.
+template <int Dof>
+struct Problem {
+  std::vector<spook::Row<Dof>> rows;
+  std::vector<Rubbing> rubbing;
+  Bodies<Dof> bodies;
+  std::vector<Twist<Dof>> answer;  ///< velocities that are exact
+
+  struct Solved {
+    Outcome outcome;
+    std::vector<spook::Row<Dof>> rows;
+    std::vector<Twist<Dof>> V;
+  };
+  Solved solve(const Solver<Dof>& solver, const StopRule& stop) const {
+    Solved all{SolveReport{}, rows, std::vector<Twist<Dof>>(bodies.size(), Twist<Dof>::Zero())};
+    const StartImpulses none;
+    all.outcome = solver.solve({.rows = all.rows,
+                                .V = all.V,
+                                .rubbing = rubbing,
+                                .joints = {},
+                                .contacts = {},
+                                .first_contact_row = rows.size(),
+                                .bodies = bodies,
+                                .last = none,
+                                .gravity = Vec3::Zero(),
+                                .h = 1.0 / 60,
+                                .stop = stop});
+    return all;
+  }
+  double energy(const std::vector<Twist<Dof>>& V) const {
+    double sum = 0;
+    for (std::size_t b = 0; b < V.size(); ++b)
+      if (bodies.motion.inverse_mass[b].linear > 0)
+        sum += V[b].dot(mass_of(bodies.motion.inverse_mass[b]) * V[b]);
+    return sum;
+  }
+  double error(std::vector<Twist<Dof>> V) const {
+    for (std::size_t b = 0; b < V.size(); ++b) V[b] -= answer[b];
+    return std::sqrt(energy(V) / energy(answer));
+  }
+};
+
+/// Spheres on each other, the top one of that mass [kg]; a wire of 20 links with 1000 kg at its end; and boxes with friction: a
+/// tower of 20 cubes, a wall of 60 bricks, a block that slides and spins on four contacts, and a pile of 60 cubes that have
+/// fallen into a box.
+Problem<3> stack(double top);
+Problem<3> wire();
+Problem<6> tower(FrictionModel model);
+Problem<6> wall(FrictionModel model);
+Problem<6> block();
+Problem<6> pile();
+
+}  // namespace spook::plots

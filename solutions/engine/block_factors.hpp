@@ -1,0 +1,108 @@
+#pragma once
+// Factors of a matrix of blocks whose pattern is symmetric, and whose numbers are not: A = L U, a block a body.
+//
+//   order      of bodies, for little fill: Eigen's AMD                                              as Eq. (11.3)
+//   pattern    the later neighbours of a body; when it goes, they become neighbours
+//   numbers    U_pj = D_p⁻¹ A_pj,  A_ij -= A_ip U_pj for all later neighbours i and j of p; L is what is left below
+//
+// A block D_p is factorised with pivots; there are none between blocks: what a body brings itself, its mass, keeps D_p
+// away from 0, if not from below where friction presses more than it brakes.
+#include <Eigen/LU>
+#include <Eigen/OrderingMethods>
+#include <Eigen/SparseCore>
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+namespace spook {
+
+template <int Dof>
+class BlockFactors {
+ public:
+  using Block = Eigen::Matrix<double, Dof, Dof>;
+  using Part = Eigen::Matrix<double, Dof, 1>;
+
+  BlockFactors() = default;
+
+  /// Of `count` bodies, and the pairs of them that share a row.
+  BlockFactors(int count, const std::vector<std::pair<int, int>>& pairs)
+      : place_(count), later_(count), first_(count), diagonal_(count), factors_(count) {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int b = 0; b < count; ++b) entries.emplace_back(b, b, 1);
+    for (const auto& [i, j] : pairs) {
+      entries.emplace_back(i, j, 1);
+      entries.emplace_back(j, i, 1);
+    }
+    Eigen::SparseMatrix<double> graph(count, count);
+    graph.setFromTriplets(entries.begin(), entries.end());
+    Eigen::AMDOrdering<int>::PermutationType order;
+    Eigen::AMDOrdering<int>()(graph, order);  // which body comes first, which second
+    for (int p = 0; p < count; ++p) place_[order.indices()[p]] = p;
+
+    for (const auto& [i, j] : pairs) {
+      const auto [low, high] = std::minmax(place_[i], place_[j]);
+      later_[low].push_back(high);
+    }
+    int blocks = 0;
+    for (int p = 0; p < count; ++p) {
+      std::vector<int>& all = later_[p];
+      std::sort(all.begin(), all.end());
+      all.erase(std::unique(all.begin(), all.end()), all.end());
+      if (!all.empty()) later_[all.front()].insert(later_[all.front()].end(), all.begin() + 1, all.end());
+      first_[p] = blocks;
+      blocks += static_cast<int>(all.size());
+    }
+    lower_.resize(blocks);
+    upper_.resize(blocks);
+  }
+
+  void set_zero() {
+    for (std::vector<Block>* all : {&diagonal_, &lower_, &upper_})
+      std::fill(all->begin(), all->end(), Block::Zero());
+  }
+
+  /// The block in the lines of one body and the columns of another, of a pair or of one twice.
+  Block& block(int lines, int columns) { return at(place_[lines], place_[columns]); }
+
+  void factorise() {
+    for (int p = 0; p < std::ssize(later_); ++p) {
+      factors_[p].compute(diagonal_[p]);
+      const std::vector<int>& all = later_[p];
+      const int first = first_[p], count = static_cast<int>(all.size());
+      for (int j = 0; j < count; ++j) {
+        upper_[first + j] = factors_[p].solve(upper_[first + j]).eval();
+        for (int i = 0; i < count; ++i) at(all[i], all[j]).noalias() -= lower_[first + i] * upper_[first + j];
+      }
+    }
+  }
+
+  /// Solves A x = b, a part a body, in place; the parts are not finite where a block has no inverse.
+  void solve(std::vector<Part>& x) const {
+    const int count = static_cast<int>(later_.size());
+    std::vector<Part> y(x.size());
+    for (std::size_t b = 0; b < x.size(); ++b) y[place_[b]] = x[b];
+    for (int p = 0; p < count; ++p) {
+      y[p] = factors_[p].solve(y[p]).eval();
+      for (std::size_t i = 0; i < later_[p].size(); ++i) y[later_[p][i]] -= lower_[first_[p] + i] * y[p];
+    }
+    for (int p = count - 1; p >= 0; --p)
+      for (std::size_t i = 0; i < later_[p].size(); ++i) y[p] -= upper_[first_[p] + i] * y[later_[p][i]];
+    for (std::size_t b = 0; b < x.size(); ++b) x[b] = y[place_[b]];
+  }
+
+ private:
+  Block& at(int line, int column) {
+    if (line == column) return diagonal_[line];
+    const auto [low, high] = std::minmax(line, column);
+    const auto found = std::lower_bound(later_[low].begin(), later_[low].end(), high);
+    return (line > column ? lower_ : upper_)[first_[low] + (found - later_[low].begin())];
+  }
+
+  std::vector<int> place_;               // of each body in the order
+  std::vector<std::vector<int>> later_;  // neighbours of each place
+  std::vector<int> first_;               // of the blocks of each place
+  std::vector<Block> diagonal_, lower_, upper_;
+  std::vector<Eigen::PartialPivLU<Block>> factors_;
+};
+
+}  // namespace spook
