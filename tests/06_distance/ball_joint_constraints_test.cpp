@@ -222,6 +222,14 @@ EXERCISE_TEST(BallJointConstraints, DropsNothingSmall) {
                 {{0, "It counts as closed. " + small_is_dropped}}, small_is_dropped);
     if (::testing::Test::HasFailure()) return;
   }
+  for (const double part : small_parts)
+    for (const Vec3& apart : lopsided(part)) {
+      const auto rows = ball_joint_constraints<6>({.body = 0, .x = Vec3::Zero()}, {.body = 1, .x = apart},
+                                                  {.a = 1, .b = 1, .Sigma = 0});
+      expect_each_near<Vec3>("gaps of two points that are 1 m apart, nearly along an axis [m]", "Eq. (6.5)",
+                             Vec3(rows[0].gap, rows[1].gap, rows[2].gap), apart, 2);
+      if (::testing::Test::HasFailure()) return;
+    }
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "regions.hpp"
 #include "shapes.hpp"
+#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -141,6 +142,25 @@ bool expect_some(const std::optional<Contact>& contact,
                  const std::string& clue = "A contact is what has g <= 0.") {
   expect_true("the box and the ball have a contact", "Eq. (8.5)", contact.has_value(), clue);
   return contact.has_value();
+}
+
+EXERCISE_TEST(PlaneBox, DropsNothingSmall) {
+  for (const double part : small_parts)
+    for (const Vec3& size : lopsided(part)) {
+      const Vec3 half_sides = size.cwiseAbs();
+      std::vector<Contact> found;
+      plane_box({.body = 0, .x = Vec3::Zero(), .n = Vec3::UnitZ(), .offset = 2},
+                {.body = 1, .x = Vec3::Zero(), .axes = Mat3::Identity(), .half_sides = half_sides}, found);
+      expect_near("contacts of a needle that is all behind a plane", "Eq. (8.4)",
+                  static_cast<double>(found.size()), 8, {0, "its corners"});
+      for (const Contact& contact : found) {
+        expect_each_near<Vec3>("arm of a needle's corner, without its signs [m]", "Eq. (8.3), (8.4)",
+                               contact.r_j.cwiseAbs(), half_sides, 4);
+        expect_each_near<Vec3>("the same corner from the plane's body, at the same place [m]",
+                               "Eq. (8.3), (8.4)", contact.r_i, contact.r_j, 4);
+      }
+      if (::testing::Test::HasFailure()) return;
+    }
 }
 
 EXERCISE_TEST(BoxBall, MeetsAFaceAnEdgeAndACorner) {
@@ -348,6 +368,21 @@ EXERCISE_TEST(BoxBall, TouchesFromZeroGapOn) {
               "Only g <= 0 is a contact.");
   expect_true("a ball at NaN has none", "Eq. (8.5)", !at(std::nan("")).has_value(),
               "`if (!(gap <= 0))`, and not `if (gap > 0)`, stops a NaN.");
+}
+
+EXERCISE_TEST(BoxBall, DropsNothingSmall) {
+  const Box cube{.body = 0, .x = Vec3::Zero(), .axes = Mat3::Identity(), .half_sides = Vec3::Constant(0.875)};
+  for (const double part : small_parts)
+    for (const Vec3& beside : lopsided(part)) {
+      const auto found = box_ball(cube, {.body = 1, .x = beside, .radius = 0.5});
+      if (!expect_some(found)) return;
+      const auto at_face = [&](double height) {  // under the ball's centre
+        return Vec3((beside.array() == 1).select(height, beside));
+      };
+      expect_each_near<Vec3>("r_i of a ball on a cube, near the middle of its face [m]", "Eq. (8.3), (8.5)",
+                             found->r_i, at_face(0.6875), 4);
+      if (::testing::Test::HasFailure()) return;
+    }
 }
 
 EXERCISE_TEST(BoxBall, GapChangesAtTheRateOfItsRow) {
