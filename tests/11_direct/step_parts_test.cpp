@@ -265,6 +265,11 @@ EXERCISE_TEST(LongestStep, LooksAtTheSmallestToo) {
                       show(part) + " to -3 times that, beside others of 1",
                   "Eq. (11.10)", longest_step(now, step), 0.25, roundings(4),
                   {{1, "It is no limit? " + small_is_dropped}}, small_is_dropped);
+      (step.*of.vector)[1] = -1;
+      expect_near("the part of a step in which the " + std::string(of.name) + row(1) + " falls from " +
+                      show(part) + " by 1",
+                  "Eq. (11.10)", longest_step(now, step), part, roundings(4, part),
+                  {{0, "It has been taken for none. " + small_is_dropped}}, small_is_dropped);
       if (::testing::Test::HasFailure()) return;
     }
 }

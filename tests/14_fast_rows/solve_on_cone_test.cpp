@@ -5,6 +5,7 @@
 #include "14_fast_rows/fast_rows.hpp"
 #include "exercise_test.hpp"
 #include "regions.hpp"
+#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -72,9 +73,25 @@ EXERCISE_TEST(SolveOnCone, SlidesLikeABall) {
 EXERCISE_TEST(SolveOnCone, DoesWithoutFriction) {
   Random random;
   const Mat3 S = coupled_block(random);
-  for (const Vec3& q : {Vec3(1.5, 1, -2), Vec3(1.5, 0, 0)})
+  for (const Vec3& q : {Vec3(1.5, 1, -2), Vec3(1.5, 0, 0), Vec3(1.5e-12, 1, -2)})
     expect_near_vector("λ with μ = 0 [N s]", "Eq. (14.5)", solve_on_cone(S, q, 0), Vec3(q[0] / S(0, 0), 0, 0),
                        roundings(10, q[0] / S(0, 0)), {}, "Nothing rubs: chapter 04's single row.");
+}
+
+EXERCISE_TEST(SolveOnCone, DropsNothingSmall) {
+  const Mat3 S = Vec3(2, 4, 4).asDiagonal();
+  for (const double part : small_parts) {
+    const double length = std::hypot(1, part);
+    expect_each_near<Vec3>("λ of a contact that sticks, where little is asked of its friction [N s]",
+                           "Eq. (14.4)", solve_on_cone(S, Vec3(2, part, -part / 2), 0.5),
+                           Vec3(1, part / 4, -part / 8), 16);
+    expect_each_near<Vec3>("λ of a contact that slides nearly along a tangent [N s]", "Eq. (14.5)",
+                           solve_on_cone(S, Vec3(2, 40, 40 * part), 0.5),
+                           Vec3(1, 0.5 / length, 0.5 * part / length), 100);
+    expect_each_near<Vec3>("λ of a contact that slides with μ = " + show(part) + " [N s]", "Eq. (14.5)",
+                           solve_on_cone(S, Vec3(2, -30, 40), part), Vec3(1, -0.6 * part, 0.8 * part), 100);
+    if (::testing::Test::HasFailure()) return;
+  }
 }
 
 /// What Eq. (14.3)-(14.5) say of an answer.

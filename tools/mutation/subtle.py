@@ -54,7 +54,7 @@ def floats(source: Source) -> Iterator[Mutant]:
 def statics(source: Source) -> Iterator[Mutant]:
     """A value that is computed once, and a list that keeps what it held."""
     for k in source.code:
-        if not source.begins_statement(k):
+        if not source.begins_statement(k) or source.is_member(k):
             continue
         text = source.text[source.tokens[k].start:]
         if re.match(rf"(const )?({'|'.join(_TYPES)}|std::vector<[\w<>:]+>) \w+( =|;|\()", text):
