@@ -167,6 +167,33 @@ EXERCISE_TEST(DistanceConstraint, HasFourBlocks) {
       "Gi = (-n, -r_i × n).");
 }
 
+EXERCISE_TEST(DistanceConstraint, HoldsPointsOfAnyKind) {
+  RandomPair t;
+  std::vector<std::string> names = {"too far apart", "too near"};
+  for (const auto& kind : kinds_of(t)) names.push_back(kind.first);
+  Regions regions(names);
+  while (regions.lack_draws()) {
+    t = any_pair(t.random);
+    auto kinds = kinds_of(t);
+    kinds.emplace_back("too far apart", t.distance > t.length);
+    kinds.emplace_back("too near", t.distance < t.length);
+    const std::string numbers = given();
+    regions.draw(kinds);
+    given() = numbers + "\n" + given();
+    const Constraint<6> c = row_of(t);
+    const Tolerance close = roundings(64, t.size() / t.distance);
+    expect_near("gap [m]", "Eq. (6.1), (6.2)", c.gap, t.distance - t.length, roundings(32, t.size()),
+                {{t.length - t.distance, "The sign: g is the distance minus the length."}},
+                "g = |p_j - p_i| - l.");
+    expect_near_vector("Gj", "Eq. (6.3)", c.Gj, twist(t.n, t.j.r.cross(t.n)),
+                       {close.value * (1 + t.j.r.norm()), close.reason}, {}, "Gj = (n, r_j × n).");
+    expect_near_vector("Gi", "Eq. (6.3)", c.Gi, twist(-t.n, -t.i.r.cross(t.n)),
+                       {close.value * (1 + t.i.r.norm()), close.reason}, {}, "Gi = (-n, -r_i × n).");
+    expect_pulls_and_pushes("a distance", c);
+    expect_carries("a distance", c, t);
+  }
+}
+
 EXERCISE_TEST(DistanceConstraint, PullsAndPushes) {
   const RandomPair t;
   expect_pulls_and_pushes("a distance of rigid bodies", row_of(t));
