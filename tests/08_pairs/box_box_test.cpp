@@ -229,7 +229,7 @@ EXERCISE_TEST(BoxBox, DropsNothingSmall) {
 }
 
 EXERCISE_TEST(BoxBox, FindsWhereEdgesCrossToTheLastDigits) {
-  // A ridge along x, and one along y upon it; the one below is shifted, and the one above is turned, a little.
+  // A ridge along x, and one along y upon it; both are shifted, and the one above is turned, a little.
   const Box cube = straight(0, Vec3::Zero(), Vec3::Constant(0.5));
   const double ridge = std::sqrt(0.5), depth = 0.02;
   for (const double part : small_parts) {
@@ -238,11 +238,11 @@ EXERCISE_TEST(BoxBox, FindsWhereEdgesCrossToTheLastDigits) {
     j = turned(j, part, Vec3::UnitZ());
     i.x.y() = part;
     j.body = 1;
-    j.x = Vec3(0.1, -0.2, 2 * ridge - depth);
+    j.x = Vec3(part, -0.2, 2 * ridge - depth);
     given() = describe_both(i, j);
     const auto got = contacts_of(i, j);
     if (!expect_count("two ridges that cross", got, 1, "Where edges cross there is one contact.")) return;
-    const Vec3 p(0.1 - (part + 0.2) * std::tan(part), part, ridge - depth / 2);
+    const Vec3 p(part - (part + 0.2) * std::tan(part), part, ridge - depth / 2);
     const Tolerance close = roundings(64, 2);
     expect_near_vector("x_i + r_i where two ridges cross [m]", "Eq. (8.3), (8.9)", Vec3(i.x + got[0].r_i), p,
                        close, {}, small_is_dropped);

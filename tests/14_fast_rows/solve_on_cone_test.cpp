@@ -143,6 +143,30 @@ EXERCISE_TEST(SolveOnCone, ObeysCoulombsLaw) {
   }
 }
 
+EXERCISE_TEST(SolveOnCone, ObeysCoulombsLawWhereItNearlyJams) {
+  // Blocks that are up to ten thousand times as soft one way as another: friction lifts, or presses, a hundredfold.
+  Random random;
+  Regions regions({"parts", "sticks", "slides", "slides with a friction that lifts", "nearly jams"}, 200);
+  while (regions.lack_draws()) {
+    const Mat3 R = random.rotation().toRotationMatrix();
+    Vec3 values;
+    for (double& value : values) value = random.log_uniform(3e-4, 3);
+    const Mat3 S = R * values.asDiagonal() * R.transpose();
+    const double mu = random.log_uniform(0.05, 3);
+    const Vec3 q(random.uniform(-0.3, 1), random.uniform(-2, 2), random.uniform(-2, 2)),
+        stuck = S.inverse() * q;
+    const bool presses = q[0] > 0, slides = presses && !(friction_of(stuck) <= mu * stuck[0]);
+    const Vec3 lambda = solve_on_cone(S, q, mu);
+    const double share = lambda[0] / (q[0] / S(0, 0));  // of what it is without friction
+    regions.draw({{"parts", !presses},
+                  {"sticks", presses && !slides},
+                  {"slides", slides},
+                  {"slides with a friction that lifts", slides && share < 0.4},
+                  {"nearly jams", slides && share > 20}});
+    expect_coulomb(S, q, mu, lambda);
+  }
+}
+
 EXERCISE_TEST(SolveOnCone, FindsWhatSweepsDoNot) {
   // The rod of (9.8) with ρ = -1.5, dragged at 3 m/s: rows one by one find λ_n, none, λ_n, none, for ever.
   const Mat3 S = (Mat3() << 1.6, -1.2, 0, -1.2, 3.4, 0, 0, 0, 4).finished();
