@@ -275,7 +275,7 @@ EXERCISE_TEST(SweepAndPrune, SortsManyThatBeginAlike) {
 bool hash_takes_the_longest_side() {
   Random random;
   for (int thin = 0; thin < 3; ++thin) {
-    std::vector<spook::Bounds> boards = crowd(random, 2000);
+    std::vector<spook::Bounds> boards = crowd(random, 5000);
     for (spook::Bounds& one : boards) one.upper[thin] = one.lower[thin] + 0.04;
     expect_faster(spatial_hash, "Eq. (8.13)", std::string("boards that are thin along ") + "xyz"[thin], boards,
                   "A body's size is its longest side: in cells of 2^l that are not below it, it is in two "
