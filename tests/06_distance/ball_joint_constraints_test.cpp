@@ -255,6 +255,17 @@ EXERCISE_TEST(BallJointConstraints, DropsNothingSmall) {
                 {{0, "It counts as closed. " + small_is_dropped}}, small_is_dropped);
     if (::testing::Test::HasFailure()) return;
   }
+  for (const double part : small_parts)  // one of the bodies is nearly at the origin
+    for (const bool i_is_near : {true, false}) {
+      const Attachment near{.body = 0, .x = part * Vec3(1, 2, 3)}, far{.body = 1, .x = Vec3(3, 1, 2)};
+      const auto rows = i_is_near ? ball_joint_constraints<6>(near, far, {.a = 1, .b = 1, .Sigma = 0})
+                                  : ball_joint_constraints<6>(far, near, {.a = 1, .b = 1, .Sigma = 0});
+      const Vec3 expected = (i_is_near ? 1 : -1) * (far.x - near.x);
+      expect_near_vector("gaps where a body is " + show(near.x.norm()) + " m from the origin [m]", "Eq. (6.5)",
+                         Vec3(rows[0].gap, rows[1].gap, rows[2].gap), expected, roundings(4), {},
+                         small_is_dropped);
+      if (::testing::Test::HasFailure()) return;
+    }
   for (const double part : small_parts)
     for (const Vec3& apart : lopsided(part)) {
       const auto rows = ball_joint_constraints<6>({.body = 0, .x = Vec3::Zero()}, {.body = 1, .x = apart},

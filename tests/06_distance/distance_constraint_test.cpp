@@ -60,6 +60,19 @@ EXERCISE_TEST(DistanceConstraint, GoesFromPointToPointHoweverShortTheArms) {
   }
 }
 
+EXERCISE_TEST(DistanceConstraint, MeasuresFromABodyThatIsNearTheOrigin) {
+  for (const double part : small_parts)
+    for (const bool i_is_near : {true, false}) {
+      const Attachment near{.body = 0, .x = Vec3(0, 0, part)}, far{.body = 1, .x = Vec3(0, 0, 2)};
+      const Constraint<3> c = i_is_near ? distance_constraint<3>(near, far, 1, {.a = 1, .b = 1, .Sigma = 0})
+                                        : distance_constraint<3>(far, near, 1, {.a = 1, .b = 1, .Sigma = 0});
+      expect_near("gap of points at heights of " + show(part) + " m and 2 m, l = 1 m [m]", "Eq. (6.2)", c.gap,
+                  1 - part, roundings(4), {{1, "It is measured from the origin. " + small_is_dropped}},
+                  small_is_dropped);
+      if (::testing::Test::HasFailure()) return;
+    }
+}
+
 EXERCISE_TEST(DistanceConstraint, HasANegativeGapWhenCompressed) {
   // The points of the test above, 5 m from each other, held at 7.
   const Attachment i{.body = 0, .x = Vec3(1, 2, -1)}, j{.body = 1, .x = Vec3(4, 2, 3)};

@@ -461,6 +461,24 @@ EXERCISE_TEST(ResolveImpacts, DropsNothingSmall) {
                                        " m/s and is hit at " + show(Eigen::MatrixXd(r)) + " m",
                                    "Eq. (7.3), (7.9)", body.W[1], expected.W[1], roundings(64), {},
                                    small_is_dropped);
+      // And both move, one of them slowly; and both spin, slowly.
+      for (const bool j_is_fast : {true, false}) {
+        const Vec3 r_i = 0.4 * along, slow = part * Vec3(0.3, -0.2, 0.1), spin = part * Vec3(0.2, 0.3, -0.5);
+        const Vec3 v_i = j_is_fast ? slow : leaning, v_j = j_is_fast ? Vec3(-leaning) : slow;
+        const Twist<6> W_i = (Twist<6>() << v_i, spin).finished(),
+                       W_j = (Twist<6>() << v_j, -2 * spin).finished();
+        Motion<6> both{
+            .inverse_mass = {free, free}, .W = {W_i, W_j}, .Wf = {Twist<6>::Zero(), Twist<6>::Zero()}};
+        const Contact between{.i = 0, .j = 1, .n = along, .gap = 0, .r_i = r_i, .r_j = r};
+        Motion<6> after = both;
+        const Vec3 u = v_j - 2 * spin.cross(r) - v_i - spin.cross(r_i);
+        apply_impact(between, impact_impulse(collision_matrix(free, r_i, free, r), u, along, 0.5, 0.5), after);
+        resolve_impacts({between}, law, both);
+        for (const std::size_t b : {0U, 1U})
+          expect_near_vector<Twist<6>>(
+              "v and ω of a body, where one is " + show(part) + " times as fast as the other",
+              "Eq. (7.1), (7.9)", both.W[b], after.W[b], roundings(64), {}, small_is_dropped);
+      }
       if (::testing::Test::HasFailure()) return;
     }
 }

@@ -376,11 +376,15 @@ EXERCISE_TEST(SlidingImpulse, DropsNothingSmall) {
     for (int c = 0; c < 3; ++c) {
       const Vec3 n = Vec3::Unit(c), ahead = Vec3::Unit((c + 1) % 3), aside = part * Vec3::Unit((c + 2) % 3);
       const Vec3 slip = ahead + aside;
-      for (const double mu : {0.5, part})
+      for (const double mu : {0.5, part, 1 / part})
         expect_each_near<Vec3>("J of 1 kg that comes at 1 m/s and slips at " + show(Eigen::MatrixXd(slip)) +
                                    " m/s, e = 0.5, μ = " + show(mu) + " [N s]",
                                "Eq. (7.5)", value(sliding_impulse(Mat3::Identity(), slip - n, n, 0.5, mu), 1),
                                1.5 * (n - mu * slip.normalized()), 16);
+      expect_each_near<Vec3>(
+          "J of 1 kg that slips at 1 m/s and comes at " + show(part) + " m/s, e = 0.5, μ = 0.5 [N s]",
+          "Eq. (7.5)", value(sliding_impulse(Mat3::Identity(), ahead - part * n, n, 0.5, 0.5), 1),
+          1.5 * part * (n - 0.5 * ahead), 16);
       if (::testing::Test::HasFailure()) return;
     }
 }

@@ -269,7 +269,20 @@ EXERCISE_TEST(SafeImpulse, DropsNothingSmall) {
       expect_each_near<Vec3>("J of 1 kg that comes at " + show(part) + " of its slip, e = 0.5, μ = 1/2 [N s]",
                              "Eq. (7.7), (7.8)", safe_impulse(K, ahead - part * n, n, 0.5, 0.5),
                              1.5 * part * (n - 0.5 * ahead), 16);
+      expect_each_near<Vec3>("J of 1 kg that slips at " + show(part) + " of its approach, e = 0.5, μ = 1 [N s]",
+                             "Eq. (7.7)", safe_impulse(K, part * ahead - n, n, 0.5, 1), 1.5 * n - part * ahead,
+                             16);
+      expect_each_near<Vec3>(
+          "J of 1 kg that comes at " + show(part) + " of its slip, and is stopped, e = 0.5 [N s]", "Eq. (7.7)",
+          safe_impulse(K, ahead - part * n, n, 0.5, 2 / part), 1.5 * part * n - ahead, 16);
     }
+    for (const double slip : {-2.0, 2.0})
+      for (const double mu : {part, 1 / part}) {
+        const Impact rod{K_of_rod(), Vec3(slip, 0, -1), Vec3::UnitZ(), 0.5, mu};
+        expect_each_near<Vec3>(
+            "J of a rod that slips at " + show(slip) + " m/s, e = 0.5, μ = " + show(mu) + " [N s]",
+            "Eq. (7.7), (7.8)", safe_impulse(rod.K, rod.u, rod.n, rod.e, rod.mu), rod.safe(), 256);
+      }
     if (::testing::Test::HasFailure()) return;
   }
 }

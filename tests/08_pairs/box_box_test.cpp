@@ -228,6 +228,28 @@ EXERCISE_TEST(BoxBox, DropsNothingSmall) {
   }
 }
 
+EXERCISE_TEST(BoxBox, CountsWhatIsSmall) {
+  // A box that hardly touches a table, one whose lower face is hardly over the table's middle, and the table hardly off
+  // the origin.
+  for (const double part : small_parts)
+    for (const double low : {1 - part, 2 * part}) {
+      const Box table = straight(0, Vec3(part, part, part), Vec3(3, 3, 1)),
+                box = straight(1, Vec3(0, 0, low + 0.5), Vec3(0.5, 0.5, 0.5));
+      const std::string what = "a box whose lower face is " + show(1 - low) + " m below a table's top";
+      const auto got = contacts_of(table, box);
+      if (!expect_count(what, got, 4, "The four corners of its lower face.")) return;
+      for (const Contact& contact : got) {
+        expect_near("gap of " + what + " [m]", "Eq. (8.6), (8.8)", contact.gap, low - 1 - part, roundings(8),
+                    {}, small_is_dropped);
+        expect_near("height of a contact over the table's centre, of " + what + " [m]", "Eq. (8.3)",
+                    contact.r_i.z(), (low - part + 1) / 2, roundings(8), {}, small_is_dropped);
+        expect_near("|x| of a contact, of " + what + ", from the origin [m]", "Eq. (8.3)",
+                    std::abs(contact.r_i.x() + part), 0.5, roundings(8), {}, small_is_dropped);
+      }
+      if (::testing::Test::HasFailure()) return;
+    }
+}
+
 EXERCISE_TEST(BoxBox, FindsWhereEdgesCrossToTheLastDigits) {
   // A ridge along x, and one along y upon it; both are shifted, and the one above is turned, a little.
   const Box cube = straight(0, Vec3::Zero(), Vec3::Constant(0.5));

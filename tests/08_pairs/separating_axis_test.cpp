@@ -421,6 +421,7 @@ EXERCISE_TEST(SeparatingAxis, PartsWhatIsApartByHardlyAnything) {
     j.body = 1;
     j.x[k] = size * (1 + 1e-10) + half_width(j, Vec3::Unit(k));
     j.x[across] = size * (1 - 1e-8) + half_width(j, Vec3::Unit(across));
+    j.x[3 - k - across] = random.uniform(-1, 1) * size;
     const Box &first = trial % 4 < 2 ? i : j, &second = trial % 4 < 2 ? j : i;
     given() = describe_both(first, second);
     expect_at_least("g of cubes that are apart by 1e-10 of their size [m]", "Eq. (8.7)",

@@ -163,6 +163,28 @@ EXERCISE_TEST(PlaneBox, DropsNothingSmall) {
     }
 }
 
+EXERCISE_TEST(PlaneBox, CountsWhatIsSmall) {
+  // Of the box's place, its half side and the plane's offset one is small.
+  for (const double part : small_parts)
+    for (const auto& [z, half, offset] : {std::tuple(1.0, part, 2.0), {part, 1.0, 2.0}, {1.0, 2.0, part}}) {
+      const Box box{.body = 1, .x = Vec3(0, 0, z), .axes = Mat3::Identity(), .half_sides = Vec3(1, 1, half)};
+      std::vector<Contact> found;
+      plane_box({.body = 0, .x = Vec3::Zero(), .n = Vec3::UnitZ(), .offset = offset}, box, found);
+      const std::string of = " of a box of height " + show(2 * half) + " m, its centre at " + show(z) +
+                             " m, in a plane at " + show(offset) + " m [m]";
+      double lowest = infinity, deepest = infinity;
+      for (const Contact& contact : found) {
+        lowest = std::min(lowest, contact.r_i.z());
+        deepest = std::min(deepest, contact.gap);
+      }
+      expect_near("height of the lowest corner" + of, "Eq. (8.3)", lowest, z - half, roundings(4), {},
+                  small_is_dropped);
+      expect_near("gap of the lowest corner" + of, "Eq. (8.4)", deepest, z - half - offset, roundings(8), {},
+                  small_is_dropped);
+      if (::testing::Test::HasFailure()) return;
+    }
+}
+
 EXERCISE_TEST(BoxBall, MeetsAFaceAnEdgeAndACorner) {
   const Box box{.body = 6, .x = Vec3(1, 2, 3), .axes = Mat3::Identity(), .half_sides = Vec3(1, 2, 3)};
   struct Case {
@@ -381,6 +403,20 @@ EXERCISE_TEST(BoxBall, DropsNothingSmall) {
       };
       expect_each_near<Vec3>("r_i of a ball on a cube, near the middle of its face [m]", "Eq. (8.3), (8.5)",
                              found->r_i, at_face(0.6875), 4);
+      if (::testing::Test::HasFailure()) return;
+    }
+}
+
+EXERCISE_TEST(BoxBall, CountsWhatIsSmall) {
+  // A ball just over a face, and a grain within.
+  const Box cube{.body = 0, .x = Vec3::Zero(), .axes = Mat3::Identity(), .half_sides = Vec3::Constant(1)};
+  for (const double part : small_parts)
+    for (const auto& [z, radius] : {std::pair(1 + part, 0.5), {0.75, part}}) {
+      const auto found = box_ball(cube, {.body = 1, .x = Vec3(0, 0, z), .radius = radius});
+      if (!expect_some(found)) return;
+      expect_near(
+          "gap of a ball of radius " + show(radius) + " m, its centre " + show(z - 1) + " m over a face [m]",
+          "Eq. (8.5)", found->gap, z - 1 - radius, roundings(8), {}, small_is_dropped);
       if (::testing::Test::HasFailure()) return;
     }
 }

@@ -104,6 +104,12 @@ EXERCISE_TEST(SlidingTangents, DropNothingSmall) {
                              16);
       expect_each_near<Vec3>("t2 of a slip that is nearly along an axis", "Eq. (9.2)", t.t2,
                              n.cross(slip.normalized()), 16);
+      const Vec3 slow = sliding_tangents(n, part * slip - n, 0).t1,
+                 fast = sliding_tangents(n, slip - part * n, 0).t1;
+      expect_each_near<Vec3>("t1 of a slip that is slow beside the approach", "Eq. (9.2)", slow,
+                             slip.normalized(), 16);
+      expect_each_near<Vec3>("t1 of a slip that is fast beside the approach", "Eq. (9.2)", fast,
+                             slip.normalized(), 16);
       if (::testing::Test::HasFailure()) return;
     }
 }
