@@ -247,6 +247,14 @@ EXERCISE_TEST(UpdateRow, DropsNothingSmall) {
     expect_near("velocity of body j, where λ = 1 N s grows by " + show(part / 3) + " of itself [m/s]",
                 "Eq. (4.7)", nearly.V[1].z(), part / 3, roundings(8),
                 {{0, "It has been left alone. " + small_is_dropped}}, small_is_dropped);
+    // And it loses all of it but for a little.
+    nearly.V = {Twist<3>::Zero(), Twist<3>::Zero()};
+    nearly.row.lambda = 1;
+    nearly.row.B = 3 * part - 2;
+    update_row(nearly.row, nearly.V);
+    expect_near("velocity of body j, where " + show(part) + " of λ = 1 N s is left [m/s]", "Eq. (4.7)",
+                nearly.V[1].z(), part - 1, roundings(8),
+                {{-1, "It has been taken for nothing. " + small_is_dropped}}, small_is_dropped);
     if (::testing::Test::HasFailure()) return;
   }
 }

@@ -283,6 +283,11 @@ EXERCISE_TEST(SafeImpulse, DropsNothingSmall) {
             "J of a rod that slips at " + show(slip) + " m/s, e = 0.5, μ = " + show(mu) + " [N s]",
             "Eq. (7.7), (7.8)", safe_impulse(rod.K, rod.u, rod.n, rod.e, rod.mu), rod.safe(), 256);
       }
+    // It leaves the cone by the tip: |D_t| is small beside μ D_n, and κ less than 1.
+    const Impact steep{K_of_rod(), Vec3(20, 0, -1), Vec3::UnitZ(), 0.5, 1 / part};
+    expect_near_vector("J of a rod that slips at 20 m/s, e = 0.5, μ = " + show(1 / part) + " [N s]",
+                       "Eq. (7.7), (7.8)", safe_impulse(steep.K, steep.u, steep.n, steep.e, steep.mu),
+                       steep.safe(), roundings(256), {}, small_is_dropped);
     if (::testing::Test::HasFailure()) return;
   }
 }
