@@ -134,7 +134,8 @@ using Pair = std::pair<int, int>;
 std::vector<Pair> sweep_and_prune(const std::vector<Bounds>& bounds);
 
 /// Exercise 8.11. The same by the cells of grids, one for each level of size: Eq. (8.13), (8.14); notes, "spatial
-/// hashing". Time goes with the number of bodies and of pairs that share a cell, however different their sizes.
+/// hashing". A body's size is its longest side. Time goes with the number of bodies and of pairs that share a cell,
+/// however different their sizes.
 /// Throws as sweep_and_prune does.
 std::vector<Pair> spatial_hash(const std::vector<Bounds>& bounds);
 

@@ -1,4 +1,5 @@
 // Free rotation, the promises of one step: how far it turns, L, reversal, second order.
+#include "small_parts.hpp"
 #include "top.hpp"
 
 using namespace spook;
@@ -165,6 +166,27 @@ EXERCISE_TEST(FreeRotation, OfASymmetricTopPrecesses) {
   const auto error = [&](double h) { return distance(after(top, time, h), truth); };
   expect_second_order("symmetric top, error of q and ω after 2 s", "Eq. (2.8), (2.11)", error, 0.1, 1e-10,
                       "Its axis goes round L at |L|/I1, at a fixed angle. Order 0 is another speed.");
+}
+
+EXERCISE_TEST(FreeRotation, DropsNothingSmall) {
+  const double h = 1e-3;
+  for (const double part : small_parts)
+    for (const Vec3& omega : lopsided(part)) {
+      const Top start{Vec3(2, 3, 4), Quat::Identity(), omega};
+      Top top = start;
+      top.step(h);
+      const std::string of = " of ω = " + show(Eigen::MatrixXd(omega)) + " rad/s";
+      expect_near_vector<Vec3>("L after 1 ms" + of + ", less L before [kg m²/s]", "Eq. (2.8)",
+                               top.L() - start.L(), Vec3::Zero(), roundings(64, start.L().norm()), {},
+                               "L is fixed in the world, each coefficient of it. " + small_is_dropped);
+      const Vec3 mean = 2 * top.q.vec() / h;
+      for (int c = 0; c < 3; ++c)
+        expect_near("mean ω about axis " + std::to_string(c + 1) + " in 1 ms" + of + ", over what it was",
+                    "Eq. (2.10), (2.11)", mean[c] / omega[c], 1,
+                    {10 * h, "ω changes by some h|ω|² within the step, and its small part by that part of it"},
+                    {{0, "It has not turned about this axis. " + small_is_dropped}}, small_is_dropped);
+      if (::testing::Test::HasFailure()) return;
+    }
 }
 
 EXERCISE_TEST(FreeRotation, TakesMomentsInAnyOrder) {

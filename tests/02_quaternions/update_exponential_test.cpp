@@ -2,6 +2,7 @@
 #include "exercise_test.hpp"
 #include "regions.hpp"
 #include "rotations.hpp"
+#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -92,6 +93,16 @@ EXERCISE_TEST(UpdateExponential, DropsNoSmallTurn) {
         "For a small angle, the axis part tends to (h/2) ω. From h|ω| = 1e-7 on the next term of the sine, "
         "(h|ω|)²/24 of it, is more than a rounding, and may not be left out.");
   }
+}
+
+EXERCISE_TEST(UpdateExponential, DropsNoSmallPartOfOmega) {
+  for (const double part : small_parts)
+    for (const Vec3& omega : lopsided(part)) {
+      const Quat got = update_exponential(Quat(1, 0, 0, 0), omega, 1);
+      expect_each_near<Vec3>("axis part of q = 1 after 1 s", "Eq. (2.6)", got.vec(),
+                             std::sin(omega.norm() / 2) / omega.norm() * omega, 16);
+      if (::testing::Test::HasFailure()) return;
+    }
 }
 
 EXERCISE_TEST(UpdateExponential, ClosesTheCircleInAnyNumberOfSteps) {

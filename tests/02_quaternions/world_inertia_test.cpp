@@ -77,6 +77,21 @@ EXERCISE_TEST(WorldInertia, OfABodyThatIsNearlyRoundIsNotThatOfASphere) {
   }
 }
 
+EXERCISE_TEST(WorldInertia, OfABodyThatHasHardlyTurnedIsNotThatOfOneThatHasNot) {
+  const Vec3 I(1, 2, 4);
+  for (const double part : small_parts)
+    for (int c = 0; c < 3 && !::testing::Test::HasFailure(); ++c) {
+      const int a = (c + 1) % 3, b = (c + 2) % 3;
+      Mat3 expected = I.asDiagonal();  // turned about its axis c
+      expected(a, a) += std::pow(std::sin(part), 2) * (I[b] - I[a]);
+      expected(b, b) += std::pow(std::sin(part), 2) * (I[a] - I[b]);
+      expected(a, b) = expected(b, a) = std::sin(2 * part) / 2 * (I[a] - I[b]);
+      expect_each_near<Mat3>(
+          "inertia of moments 1, 2, 4, turned by " + show(part) + " rad about axis " + std::to_string(c + 1),
+          "Eq. (2.7)", world_inertia(turn_about(Vec3::Unit(c), part), I), expected, 32);
+    }
+}
+
 EXERCISE_TEST(WorldInertia, TakesMomentsInAnyOrder) {
   TurnedBody b;
   const double x = 2, y = 3, z = 4;

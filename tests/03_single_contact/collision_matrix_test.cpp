@@ -5,6 +5,7 @@
 #include "bodies.hpp"
 #include "exercise_test.hpp"
 #include "regions.hpp"
+#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -120,6 +121,21 @@ EXERCISE_TEST(CollisionMatrix, OfAFixedBodyAndAnotherIsTheOthersShare) {
   expect_near_vector("K when body j is fixed, column by column [1/kg]", "Eq. (3.8)",
                      collision_matrix(free, r, fixed, far), share, roundings(64, pair.size()),
                      {{Mat3::Zero(), missing}, {free.linear * Mat3::Identity(), short_arm}}, rule);
+}
+
+EXERCISE_TEST(CollisionMatrix, DropsNothingSmall) {
+  const InverseMass<6> fixed, ball{0.5, 2 * Mat3::Identity()};
+  for (const double part : small_parts)
+    for (const Vec3& r : lopsided(part)) {
+      Mat3 expected = -2 * r * r.transpose();  // -[r] 2 [r] = 2 (|r|² - r rᵀ)
+      for (int k = 0; k < 3; ++k)
+        expected(k, k) = 0.5 + 2 * (std::pow(r[(k + 1) % 3], 2) + std::pow(r[(k + 2) % 3], 2));
+      expect_each_near<Mat3>("K of a fixed body and one of 2 kg [1/kg]", "Eq. (3.8)",
+                             collision_matrix(fixed, r, ball, r), expected, 8);
+      expect_each_near<Mat3>("K of one of 2 kg and a fixed body [1/kg]", "Eq. (3.8)",
+                             collision_matrix(ball, r, fixed, r), expected, 8);
+      if (::testing::Test::HasFailure()) return;
+    }
 }
 
 EXERCISE_TEST(CollisionMatrix, IsSymmetricAndPositiveDefinite) {

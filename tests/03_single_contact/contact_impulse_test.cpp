@@ -141,6 +141,18 @@ EXERCISE_TEST(ContactImpulse, DropsNothingSmall) {
                 roundings(4), {{0, "There is none. " + small_is_dropped}}, small_is_dropped);
     if (::testing::Test::HasFailure()) return;
   }
+  for (const double part : small_parts)  // of the three that are wanted one is large, and another small
+    for (int large = 0; large < 3; ++large)
+      for (const int more : {1, 2}) {
+        double want[3] = {0, 0, 0};
+        want[large] = 1, want[(large + more) % 3] = part;
+        expect_near("λ of 1 kg, for which gap, velocity and force ask for " + show(want[0]) + ", " +
+                        show(want[1]) + " and " + show(want[2]) + " m/s [N s]",
+                    "Eq. (3.10)",
+                    contact_impulse({.a = 1, .b = 1, .Sigma = 0}, 1, -want[0], -want[1], -want[2]), 1 + part,
+                    roundings(4), {{1, "The small one is missing. " + small_is_dropped}}, small_is_dropped);
+        if (::testing::Test::HasFailure()) return;
+      }
 }
 
 }  // namespace

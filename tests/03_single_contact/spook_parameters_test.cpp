@@ -118,6 +118,21 @@ EXERCISE_TEST(SpookParameters, NeedNoRelaxation) {
               "d = 0 is allowed: 1 + 4d is then 1, and Σ = 4/(h² k).");
 }
 
+EXERCISE_TEST(SpookParameters, TakeAnyRelaxation) {
+  const double h = 0.01, k = 1e4;
+  for (const double d : {1e-12, 1e-8, 1e-4, 1.0, 1e4, 1e8, 1e12}) {
+    const auto [a, b, Sigma] = spook_parameters(h, k, d);
+    const double upsilon = 1 / (1 + 4 * d), count = 8 * (1 + 4 * d);
+    const std::string of = " for d = " + show(d);
+    const std::string clue = "It has been dropped for being small. d may be any number from 0 on.";
+    expect_near("a h" + of, "Eq. (3.4)", a * h, 4 * upsilon, roundings(count, upsilon), {{0, clue}}, clue);
+    expect_near("b" + of, "Eq. (3.5)", b, 4 * d * upsilon, roundings(8, 4 * d * upsilon), {{0, clue}}, clue);
+    expect_near("Σ h² k" + of, "Eq. (3.6)", Sigma * h * h * k, 4 * upsilon, roundings(count, upsilon),
+                {{0, clue}}, clue);
+    if (::testing::Test::HasFailure()) return;
+  }
+}
+
 // A violation y without forces, pushed and pulled freely: v <- v - σ (a y + b v), y <- y + h v, σ = S/(S + Σ).
 EXERCISE_TEST(SpookParameters, LetAViolationDecayAtTheRateOfD) {
   const double h = 1.0 / 60, k = 1e12, inverse_mass = 1;

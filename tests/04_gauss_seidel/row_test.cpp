@@ -2,6 +2,7 @@
 #include "exercise_test.hpp"
 #include "problems.hpp"
 #include "regions.hpp"
+#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -211,6 +212,35 @@ EXERCISE_TEST(ApplyImpulse, LeavesTheOtherBodiesAndTheFloorAlone) {
   expect_near("speed of the floor, whose inverse mass is 0 [m/s]", "Eq. (4.5)", V[0].z(), 0, {0, "exact"});
   expect_near("speed of a body that the row does not touch [m/s]", "Eq. (4.5)", V[2].norm() + V[3].norm(), 0,
               {0, "exact"});
+}
+
+EXERCISE_TEST(MakeRow, DropsNothingSmall) {
+  const Twist<3> up(0, 0, 1);
+  const std::string names[] = {"gap", "velocity of i", "velocity of j", "forces on i", "forces on j"};
+  for (const double part : small_parts)  // of the five that B is made of one is large, and another small
+    for (int large = 0; large < 5; ++large)
+      for (int more = 1; more < 5; ++more) {
+        const int small = (large + more) % 5;
+        double want[5] = {0, 0, 0, 0, 0};
+        want[large] = 1, want[small] = part;
+        const Motion<3> motion{.inverse_mass = {{.linear = 1}, {.linear = 1}},
+                               .W = {want[1] * up, -want[2] * up},
+                               .Wf = {want[3] * up, -want[4] * up}};
+        const Row<3> row = make_row<3>({.i = 0,
+                                        .j = 1,
+                                        .Gi = -up,
+                                        .Gj = up,
+                                        .gap = -want[0],
+                                        .spook = {.a = 1, .b = 1, .Sigma = 0},
+                                        .lo = 0,
+                                        .hi = infinity},
+                                       motion);
+        expect_near("B, where the " + names[large] + " asks for 1 m/s and the " + names[small] + " for " +
+                        show(part) + " m/s [m/s]",
+                    "Eq. (4.3)", row.B, 1 + part, roundings(4),
+                    {{1, "The small one is missing. " + small_is_dropped}}, small_is_dropped);
+        if (::testing::Test::HasFailure()) return;
+      }
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include "exercise_test.hpp"
 #include "problems.hpp"
 #include "regions.hpp"
-#include "small_parts.hpp"
+#include "unlike_terms.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -306,6 +306,9 @@ EXERCISE_TEST(Residual, DropsNothingSmall) {
                     " times as large [m/s]",
                 "Eq. (4.8)", residual<3>({row(1, 0), row(part, 3)}, V), 3, roundings(8, 3),
                 {{0, "It has been left out. " + small_is_dropped}}, small_is_dropped);
+    for (const UnlikeTerms& of : unlike_terms(part))
+      expect_near("residual of a row with " + of.text + " [m/s]", "Eq. (4.8)", residual<3>({of.row}, of.V),
+                  std::abs(of.lacks), roundings(8), {}, small_is_dropped);
     if (::testing::Test::HasFailure()) return;
   }
 }

@@ -2,7 +2,7 @@
 #include "exercise_test.hpp"
 #include "problems.hpp"
 #include "regions.hpp"
-#include "small_parts.hpp"
+#include "unlike_terms.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -227,6 +227,36 @@ EXERCISE_TEST(UpdateRow, KeepsANaN) {
       "a right side that is NaN gives a λ that is NaN", "Eq. (4.7)", std::isnan(row.lambda),
       "std::min and std::max return their first argument when the other is NaN, and so made a number of it. "
       "std::clamp keeps a NaN.");
+}
+
+EXERCISE_TEST(UpdateRow, DropsNothingSmall) {
+  for (const double part : small_parts) {
+    for (UnlikeTerms of : unlike_terms(part)) {
+      const double before = of.row.lambda, delta = update_row(of.row, of.V);
+      expect_near("Δλ of a row with " + of.text + " [N s]", "Eq. (4.6)", delta, of.lacks / 3, roundings(4), {},
+                  small_is_dropped);
+      expect_near("λ of a row with " + of.text + " [N s]", "Eq. (4.7)", of.row.lambda, before + of.lacks / 3,
+                  roundings(4), {}, small_is_dropped);
+    }
+    // λ = 1 N s holds but for a little.
+    UnlikeTerms nearly = unlike_terms(part).back();
+    nearly.V = {Twist<3>::Zero(), Twist<3>::Zero()};
+    nearly.row.lambda = 1;
+    nearly.row.B = 1 + part;
+    update_row(nearly.row, nearly.V);
+    expect_near("velocity of body j, where λ = 1 N s grows by " + show(part / 3) + " of itself [m/s]",
+                "Eq. (4.7)", nearly.V[1].z(), part / 3, roundings(8),
+                {{0, "It has been left alone. " + small_is_dropped}}, small_is_dropped);
+    // And it loses all of it but for a little.
+    nearly.V = {Twist<3>::Zero(), Twist<3>::Zero()};
+    nearly.row.lambda = 1;
+    nearly.row.B = 3 * part - 2;
+    update_row(nearly.row, nearly.V);
+    expect_near("velocity of body j, where " + show(part) + " of λ = 1 N s is left [m/s]", "Eq. (4.7)",
+                nearly.V[1].z(), part - 1, roundings(8),
+                {{-1, "It has been taken for nothing. " + small_is_dropped}}, small_is_dropped);
+    if (::testing::Test::HasFailure()) return;
+  }
 }
 
 }  // namespace

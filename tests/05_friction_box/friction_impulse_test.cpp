@@ -346,6 +346,20 @@ EXERCISE_TEST(FrictionImpulse, DropsNothingSmall) {
                          small_is_dropped);
       if (::testing::Test::HasFailure()) return;
     }
+  for (const double part : small_parts)
+    for (const Vec3& u : lopsided(part)) {
+      expect_each_near<Vec3>("J, for a slip that is nearly along a tangent, or across both [N s]", "Eq. (5.3)",
+                             friction_impulse(Vec3(2, 2, 3).asDiagonal(), u, t, 0, 10),
+                             Vec3(-u[0] / 2, -u[1] / 2, 0), 4);
+      if (::testing::Test::HasFailure()) return;
+    }
+  for (const double part : small_parts)  // tangents that nearly lie along an axis
+    for (const Vec3& leaning : lopsided(part)) {
+      const Vec3 t1 = leaning.normalized(), n = t1.unitOrthogonal();
+      expect_each_near<Vec3>("J, for a slip of 1 m/s along t1 [N s]", "Eq. (5.3)",
+                             friction_impulse(2 * Mat3::Identity(), t1, {t1, n.cross(t1)}, 0, 10), -t1 / 2, 16);
+      if (::testing::Test::HasFailure()) return;
+    }
 }
 
 }  // namespace

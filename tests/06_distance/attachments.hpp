@@ -1,10 +1,14 @@
 #pragma once
 // Two points of two bodies, and what is asked of every row between them.
+#include <algorithm>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "06_distance/distance.hpp"
 #include "checks.hpp"
 #include "random_input.hpp"
+#include "regions.hpp"
 
 namespace spook::testing {
 
@@ -22,7 +26,10 @@ struct RandomPair {
   double length = random.uniform(0.5, 2.5);
   Spook spook{.a = random.uniform(1, 10), .b = random.uniform(0.5, 1), .Sigma = random.uniform(0.05, 0.2)};
 
-  RandomPair() {
+  explicit RandomPair(const Random& stream = Random()) : random(stream) { put(); }
+
+  /// j to where the others want it.
+  void put() {
     j.x = i.x + i.r + distance * n - j.r;
     given() = "given x_i = " + show(i.x) + ", r_i = " + show(i.r) + ", x_j = " + show(j.x) +
               ", r_j = " + show(j.r) + " m";
@@ -32,6 +39,33 @@ struct RandomPair {
   /// The size of the numbers that are added up in the gap [m].
   double size() const { return i.x.norm() + i.r.norm() + j.x.norm() + j.r.norm() + length; }
 };
+
+/// The next of a stream of them, of any kind: bodies in either order, arms of any length or none, points near each other
+/// or far, and further apart than they should be or nearer.
+inline RandomPair any_pair(const Random& stream) {
+  RandomPair t(stream);
+  Random& random = t.random;
+  t.i.body = random.integer(0, 9);
+  t.j.body = (t.i.body + random.integer(1, 9)) % 10;
+  for (Vec3* r : {&t.i.r, &t.j.r}) *r *= random.integer(0, 2) == 0 ? 0 : random.log_uniform(0.1, 10);
+  t.distance = random.log_uniform(0.1, 10);
+  t.length = random.log_uniform(0.1, 10) * t.distance;
+  t.put();
+  return t;
+}
+
+/// What kinds there are of pairs, and of which this one is.
+inline std::vector<std::pair<std::string, bool>> kinds_of(const RandomPair& t) {
+  const bool at_i = t.i.r.norm() == 0, at_j = t.j.r.norm() == 0;
+  const double arms = std::max(t.i.r.norm(), t.j.r.norm());
+  return {{"i before j", t.i.body < t.j.body},
+          {"j before i", t.j.body < t.i.body},
+          {"i's point is its centre, j's is not", at_i && !at_j},
+          {"j's point is its centre, i's is not", at_j && !at_i},
+          {"both points are their bodies' centres", at_i && at_j},
+          {"arms shorter than the distance", !at_i && !at_j && arms < t.distance},
+          {"arms longer than the distance", arms > t.distance}};
+}
 
 /// Eq. (6.1) a time t later, when the body moves and turns as W says.
 inline Vec3 point_after(double t, const Attachment& at, const Twist<6>& W) {

@@ -78,6 +78,39 @@ EXERCISE_TEST(BallJointConstraints, HasARowAlongEachAxis) {
   }
 }
 
+EXERCISE_TEST(BallJointConstraints, HoldsPointsOfAnyKind) {
+  RandomPair t;
+  std::vector<std::string> names = {"gaps of both signs", "no gap below 0", "no gap above 0"};
+  for (const auto& kind : kinds_of(t)) names.push_back(kind.first);
+  Regions regions(names);
+  while (regions.lack_draws()) {
+    t = any_pair(t.random);
+    const Vec3 apart = t.apart();
+    auto kinds = kinds_of(t);
+    kinds.emplace_back("gaps of both signs", apart.minCoeff() < 0 && apart.maxCoeff() > 0);
+    kinds.emplace_back("no gap below 0", apart.minCoeff() >= 0);
+    kinds.emplace_back("no gap above 0", apart.maxCoeff() <= 0);
+    const std::string numbers = given();
+    regions.draw(kinds);
+    given() = numbers + "\n" + given();
+    const auto rows = rows_between(t);
+    for (int k = 0; k < 3 && !::testing::Test::HasFailure(); ++k) {
+      const Constraint<6>& row = rows[static_cast<std::size_t>(k)];
+      const std::string of = " of the row along " + axis_names[static_cast<std::size_t>(k)];
+      const Vec3 e = Vec3::Unit(k);
+      expect_near("gap" + of + " [m]", "Eq. (6.5)", row.gap, apart[k], roundings(32, t.size()),
+                  {{-apart[k], "The sign: g goes from i's point to j's."}},
+                  "g = p_j - p_i, one coefficient a row.");
+      expect_near_vector("Gj" + of, "Eq. (6.6)", row.Gj, twist(e, t.j.r.cross(e)), roundings(4, t.size()), {},
+                         "Gj = (e, r_j × e).");
+      expect_near_vector("Gi" + of, "Eq. (6.6)", row.Gi, twist(-e, -t.i.r.cross(e)), roundings(4, t.size()), {},
+                         "Gi = (-e, -r_i × e).");
+      expect_pulls_and_pushes("the row along " + axis_names[static_cast<std::size_t>(k)], row);
+      expect_carries("the row along " + axis_names[static_cast<std::size_t>(k)], row, t);
+    }
+  }
+}
+
 EXERCISE_TEST(BallJointConstraints, PullsAndPushes) {
   const RandomPair t;
   for (const Constraint<6>& row : rows_between(t)) expect_pulls_and_pushes("a row of a ball joint", row);
@@ -222,6 +255,25 @@ EXERCISE_TEST(BallJointConstraints, DropsNothingSmall) {
                 {{0, "It counts as closed. " + small_is_dropped}}, small_is_dropped);
     if (::testing::Test::HasFailure()) return;
   }
+  for (const double part : small_parts)  // one of the bodies is nearly at the origin
+    for (const bool i_is_near : {true, false}) {
+      const Attachment near{.body = 0, .x = part * Vec3(1, 2, 3)}, far{.body = 1, .x = Vec3(3, 1, 2)};
+      const auto rows = i_is_near ? ball_joint_constraints<6>(near, far, {.a = 1, .b = 1, .Sigma = 0})
+                                  : ball_joint_constraints<6>(far, near, {.a = 1, .b = 1, .Sigma = 0});
+      const Vec3 expected = (i_is_near ? 1 : -1) * (far.x - near.x);
+      expect_near_vector("gaps where a body is " + show(near.x.norm()) + " m from the origin [m]", "Eq. (6.5)",
+                         Vec3(rows[0].gap, rows[1].gap, rows[2].gap), expected, roundings(4), {},
+                         small_is_dropped);
+      if (::testing::Test::HasFailure()) return;
+    }
+  for (const double part : small_parts)
+    for (const Vec3& apart : lopsided(part)) {
+      const auto rows = ball_joint_constraints<6>({.body = 0, .x = Vec3::Zero()}, {.body = 1, .x = apart},
+                                                  {.a = 1, .b = 1, .Sigma = 0});
+      expect_each_near<Vec3>("gaps of two points that are 1 m apart, nearly along an axis [m]", "Eq. (6.5)",
+                             Vec3(rows[0].gap, rows[1].gap, rows[2].gap), apart, 2);
+      if (::testing::Test::HasFailure()) return;
+    }
 }
 
 }  // namespace

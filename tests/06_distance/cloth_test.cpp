@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "exercise_test.hpp"
+#include "regions.hpp"
 #include "systems.hpp"
 
 using namespace spook;
@@ -23,8 +24,23 @@ struct ClothInput {
   int cells_u = random.integer(2, 5), cells_v = cells_u + random.integer(1, 3);
   double mass = random.uniform(0.5, 5);
 
-  explicit ClothInput(bool exchanged = false) {
+  explicit ClothInput(bool exchanged = false, const Random& stream = Random()) : random(stream) {
     if (exchanged) std::swap(cells_u, cells_v);
+    tell();
+  }
+
+  /// The next of a stream of them, of any kind: from one cell on, heavy or light, long or square.
+  static ClothInput any(const Random& stream) {
+    ClothInput in(false, stream);
+    in.cells_u = in.random.integer(1, 4);
+    in.cells_v = in.random.integer(1, 4);
+    in.mass = in.random.log_uniform(1e-3, 1e3);
+    in.u *= in.random.log_uniform(1e-2, 1e2);
+    in.tell();
+    return in;
+  }
+
+  void tell() const {
     given() = "given a cloth of " + std::to_string(cells_u) + " × " + std::to_string(cells_v) + " cells and " +
               show(mass) + " kg, corner = " + show(corner) + ", u = " + show(u) + ", v = " + show(v) + " m";
   }
@@ -246,6 +262,53 @@ EXERCISE_TEST(Cloth, JoinsTheCornersOfEachCellAlongItsSides) {
         if (b > 0) expect_once(a, b - 1, a, b);
       }
     if (::testing::Test::HasFailure()) return;
+  }
+}
+
+EXERCISE_TEST(Cloth, IsOfAnyCellsMassAndSize) {
+  Regions regions({"one cell", "one cell wide along u", "one cell wide along v", "more cells along u",
+                   "more cells along v", "as many both ways", "cells lighter than 10 g",
+                   "cells heavier than 10 kg", "u much longer than v", "v much longer than u"});
+  ClothInput in;
+  while (regions.lack_draws()) {
+    in = ClothInput::any(in.random);
+    const double cell = in.mass / in.cells_u / in.cells_v, u = in.u.norm(), v = in.v.norm();
+    const std::string numbers = given();
+    regions.draw({{"one cell", in.cells_u == 1 && in.cells_v == 1},
+                  {"one cell wide along u", in.cells_u == 1 && in.cells_v > 1},
+                  {"one cell wide along v", in.cells_v == 1 && in.cells_u > 1},
+                  {"more cells along u", in.cells_u > in.cells_v},
+                  {"more cells along v", in.cells_v > in.cells_u},
+                  {"as many both ways", in.cells_u == in.cells_v && in.cells_u > 1},
+                  {"cells lighter than 10 g", cell < 0.01},
+                  {"cells heavier than 10 kg", cell > 10},
+                  {"u much longer than v", u > 10 * v},
+                  {"v much longer than u", v > 10 * u}});
+    given() = numbers + "\n" + given();
+    const Net net = in.net();
+    if (!has_its_points(net, in)) return;
+    const double size = in.corner.norm() + u + v;
+    for (int b = 0; b <= in.cells_v; ++b)
+      for (int a = 0; a <= in.cells_u && !::testing::Test::HasFailure(); ++a) {
+        const auto k = static_cast<std::size_t>(in.index(a, b));
+        const int cells = (a == 0 || a == in.cells_u ? 1 : 2) * (b == 0 || b == in.cells_v ? 1 : 2);
+        expect_near_vector("point " + in.name(a, b) + " [m]", "Eq. (6.11)", net.x[k],
+                           Vec3(in.corner + a * in.u / in.cells_u + b * in.v / in.cells_v), roundings(32, size),
+                           {}, "corner + (a/cells_u) u + (b/cells_v) v.");
+        expect_near("mass of point " + in.name(a, b) + " [kg]", "Eq. (6.11)", net.mass[k], cells * cell / 4,
+                    roundings(32, cell), {}, "A quarter of the mass of each cell on each of its corners.");
+      }
+    if (::testing::Test::HasFailure()) return;
+    expect_near("links of the cloth", "Eq. (6.11)", static_cast<double>(net.links.size()), in.sides(),
+                {0, "a count"}, {}, "cells_u (cells_v + 1) along u, (cells_u + 1) cells_v along v.");
+    if (!joins_neighbours(net, in)) return;
+    for (const Link& link : net.links) {
+      const bool along_u = std::abs(link.i - link.j) == 1;
+      expect_near("length of the link from point " + std::to_string(link.i) + " to point " +
+                      std::to_string(link.j) + " [m]",
+                  "Eq. (6.11)", link.length, along_u ? u / in.cells_u : v / in.cells_v, roundings(64, size), {},
+                  "At rest as it lies: the distance of its two points.");
+    }
   }
 }
 

@@ -60,6 +60,19 @@ EXERCISE_TEST(DistanceConstraint, GoesFromPointToPointHoweverShortTheArms) {
   }
 }
 
+EXERCISE_TEST(DistanceConstraint, MeasuresFromABodyThatIsNearTheOrigin) {
+  for (const double part : small_parts)
+    for (const bool i_is_near : {true, false}) {
+      const Attachment near{.body = 0, .x = Vec3(0, 0, part)}, far{.body = 1, .x = Vec3(0, 0, 2)};
+      const Constraint<3> c = i_is_near ? distance_constraint<3>(near, far, 1, {.a = 1, .b = 1, .Sigma = 0})
+                                        : distance_constraint<3>(far, near, 1, {.a = 1, .b = 1, .Sigma = 0});
+      expect_near("gap of points at heights of " + show(part) + " m and 2 m, l = 1 m [m]", "Eq. (6.2)", c.gap,
+                  1 - part, roundings(4), {{1, "It is measured from the origin. " + small_is_dropped}},
+                  small_is_dropped);
+      if (::testing::Test::HasFailure()) return;
+    }
+}
+
 EXERCISE_TEST(DistanceConstraint, HasANegativeGapWhenCompressed) {
   // The points of the test above, 5 m from each other, held at 7.
   const Attachment i{.body = 0, .x = Vec3(1, 2, -1)}, j{.body = 1, .x = Vec3(4, 2, 3)};
@@ -165,6 +178,33 @@ EXERCISE_TEST(DistanceConstraint, HasFourBlocks) {
        {block(-t.apart(), t.i.r), length},
        {block(-t.apart() / t.length, t.i.r), by_length}},
       "Gi = (-n, -r_i × n).");
+}
+
+EXERCISE_TEST(DistanceConstraint, HoldsPointsOfAnyKind) {
+  RandomPair t;
+  std::vector<std::string> names = {"too far apart", "too near"};
+  for (const auto& kind : kinds_of(t)) names.push_back(kind.first);
+  Regions regions(names);
+  while (regions.lack_draws()) {
+    t = any_pair(t.random);
+    auto kinds = kinds_of(t);
+    kinds.emplace_back("too far apart", t.distance > t.length);
+    kinds.emplace_back("too near", t.distance < t.length);
+    const std::string numbers = given();
+    regions.draw(kinds);
+    given() = numbers + "\n" + given();
+    const Constraint<6> c = row_of(t);
+    const Tolerance close = roundings(64, t.size() / t.distance);
+    expect_near("gap [m]", "Eq. (6.1), (6.2)", c.gap, t.distance - t.length, roundings(32, t.size()),
+                {{t.length - t.distance, "The sign: g is the distance minus the length."}},
+                "g = |p_j - p_i| - l.");
+    expect_near_vector("Gj", "Eq. (6.3)", c.Gj, twist(t.n, t.j.r.cross(t.n)),
+                       {close.value * (1 + t.j.r.norm()), close.reason}, {}, "Gj = (n, r_j × n).");
+    expect_near_vector("Gi", "Eq. (6.3)", c.Gi, twist(-t.n, -t.i.r.cross(t.n)),
+                       {close.value * (1 + t.i.r.norm()), close.reason}, {}, "Gi = (-n, -r_i × n).");
+    expect_pulls_and_pushes("a distance", c);
+    expect_carries("a distance", c, t);
+  }
 }
 
 EXERCISE_TEST(DistanceConstraint, PullsAndPushes) {

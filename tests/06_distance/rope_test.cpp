@@ -4,6 +4,7 @@
 
 #include "algebra.hpp"
 #include "exercise_test.hpp"
+#include "regions.hpp"
 #include "systems.hpp"
 
 using namespace spook;
@@ -20,7 +21,20 @@ struct RopeInput {
   double mass = random.uniform(0.5, 5);
   double length = (to - from).norm();
 
-  RopeInput() {
+  explicit RopeInput(const Random& stream = Random()) : random(stream) { tell(); }
+
+  /// The next of a stream of them, of any kind: from one link on, heavy or light, short or long.
+  static RopeInput any(const Random& stream) {
+    RopeInput in(stream);
+    in.links = in.random.integer(1, 15);
+    in.mass = in.random.log_uniform(1e-3, 1e3);
+    in.to = in.from + in.random.log_uniform(1e-2, 1e2) * (in.to - in.from);
+    in.length = (in.to - in.from).norm();
+    in.tell();
+    return in;
+  }
+
+  void tell() const {
     given() = "given a rope of " + std::to_string(links) + " links and " + show(mass) + " kg from " +
               show(from) + " to " + show(to) + " m";
   }
@@ -109,6 +123,50 @@ EXERCISE_TEST(Rope, PutsHalfOfEachLinkOnEitherEnd) {
        {link * upper, one_end},
        {link * lower, one_end}},
       "Half of each link's mass on either of its ends.");
+}
+
+EXERCISE_TEST(Rope, IsOfAnyLinksMassAndLength) {
+  Regions regions({"one link", "two links", "more than ten links", "links lighter than 10 g",
+                   "links heavier than 10 kg", "links shorter than 1 cm", "links longer than 1 m", "upwards",
+                   "downwards"});
+  RopeInput in;
+  while (regions.lack_draws()) {
+    in = RopeInput::any(in.random);
+    const double link = in.mass / in.links, each = in.length / in.links;
+    const std::string numbers = given();
+    regions.draw({{"one link", in.links == 1},
+                  {"two links", in.links == 2},
+                  {"more than ten links", in.links > 10},
+                  {"links lighter than 10 g", link < 0.01},
+                  {"links heavier than 10 kg", link > 10},
+                  {"links shorter than 1 cm", each < 0.01},
+                  {"links longer than 1 m", each > 1},
+                  {"upwards", in.to.z() > in.from.z()},
+                  {"downwards", in.to.z() < in.from.z()}});
+    given() = numbers + "\n" + given();
+    const Net net = in.net();
+    if (!has_its_parts(net, in.links)) return;
+    const double size = in.from.norm() + in.to.norm();
+    for (int k = 0; k <= in.links && !::testing::Test::HasFailure(); ++k) {
+      const auto at = static_cast<std::size_t>(k);
+      const bool end = k == 0 || k == in.links;
+      expect_near_vector("point " + std::to_string(k) + " [m]", "Eq. (6.10)", net.x[at],
+                         Vec3(in.from + k * (in.to - in.from) / in.links), roundings(16, size), {},
+                         "Equal steps from `from` to `to`.");
+      expect_near("mass of point " + std::to_string(k) + " [kg]", "Eq. (6.10)", net.mass[at],
+                  end ? link / 2 : link, roundings(16, link), {},
+                  "Half of each link's mass on either of its ends.");
+      if (k == in.links || ::testing::Test::HasFailure()) break;
+      const Link& joined = net.links[at];
+      expect_true("link " + std::to_string(k) + " joins points " + std::to_string(k) + " and " +
+                      std::to_string(k + 1) + "; here " + std::to_string(joined.i) + " and " +
+                      std::to_string(joined.j),
+                  "Eq. (6.10)", std::minmax(joined.i, joined.j) == std::minmax(k, k + 1),
+                  "Point k is joined to point k + 1 by link k.");
+      expect_near("length of link " + std::to_string(k) + " [m]", "Eq. (6.10)", joined.length, each,
+                  roundings(32, size), {}, "At rest as it lies: the distance of its two points.");
+    }
+  }
 }
 
 EXERCISE_TEST(Rope, KeepsItsMassAndCentre) {

@@ -1,5 +1,6 @@
 // Distances under load: tensions, stretch, and two distances that contradict each other.
 #include "exercise_test.hpp"
+#include "regions.hpp"
 #include "systems.hpp"
 
 using namespace spook;
@@ -100,10 +101,16 @@ EXERCISE_TEST(DistanceConstraint, StretchesByTensionOverStiffness) {
 
 EXERCISE_TEST(DistanceConstraint, FindsTheMeanOfTwoLengths) {
   Random random;
-  for (int repeat = 0; repeat < 5 && !::testing::Test::HasFailure(); ++repeat) {
+  Regions regions(
+      {"the first is longer", "the second is longer", "the first is stiffer", "the second is stiffer"}, 2);
+  while (regions.lack_draws()) {
     const double l1 = random.uniform(1, 2), l2 = random.uniform(1, 2);
     const double k1 = random.log_uniform(1e2, 1e4), k2 = random.log_uniform(1e2, 1e4), h = 1.0 / 60, d = 3;
     const Vec3 along = random.unit_vector();
+    regions.draw({{"the first is longer", l1 > l2},
+                  {"the second is longer", l2 > l1},
+                  {"the first is stiffer", k1 > k2},
+                  {"the second is stiffer", k2 > k1}});
     Points points{.g = 0};
     points.add(Vec3::Zero(), 0);
     points.add(1.5 * along, 1);

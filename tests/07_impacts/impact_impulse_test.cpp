@@ -2,6 +2,7 @@
 #include "collisions.hpp"
 #include "exercise_test.hpp"
 #include "regions.hpp"
+#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -252,6 +253,29 @@ EXERCISE_TEST(ImpactImpulse, IsTheSameWhicheverBodyIsCalledI) {
                        -J, impact.safe_roundings(64), {{J, "J must change its sign with u and n."}},
                        "The same impact, seen from the other body.");
   }
+}
+
+EXERCISE_TEST(ImpactImpulse, DropsNothingSmall) {
+  // Turned so that J nearly lies along an axis: one that sticks, one that slides, and one that can do neither.
+  const Mat3 odd = (Mat3() << 2, 0.75, 1, 0.75, 1, 0, 1, 0, 1).finished();
+  for (const Impact& straight : {Impact{K_of_rod(), Vec3(-0.1, 0.2, -1), Vec3::UnitZ(), 0.5, 0.8},
+                                 Impact{K_of_rod(), Vec3(9, 8, -1), Vec3::UnitZ(), 0.5, 0.1},
+                                 Impact{odd, Vec3(4, 0, -1), Vec3::UnitZ(), 0, 1.125}})
+    for (const double part : small_parts)
+      for (const Vec3& leaning : lopsided(part)) {
+        const Vec3 J = straight.inside(straight.stick()) ? straight.stick()
+                       : straight.eased() > 0            ? straight.slide()
+                                                         : straight.safe();
+        const Mat3 R = Quat::FromTwoVectors(J, leaning).toRotationMatrix();
+        Impact turned = straight;
+        turned.K = R * straight.K * R.transpose(), turned.u = R * straight.u, turned.n = R * straight.n;
+        given() = turned.text();
+        expect_near_vector(
+            "J of an impact, turned so that J is along " + show(Eigen::MatrixXd(leaning)) + " [N s]",
+            "Eq. (7.3)-(7.8)", impulse_of(turned), Vec3(J.norm() * leaning.normalized()),
+            straight.safe_roundings(64), {}, small_is_dropped);
+        if (::testing::Test::HasFailure()) return;
+      }
 }
 
 EXERCISE_TEST(ImpactImpulse, KeepsANaN) {

@@ -4,6 +4,7 @@
 #include "balls.hpp"
 #include "collisions.hpp"
 #include "exercise_test.hpp"
+#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -358,9 +359,9 @@ EXERCISE_TEST(ResolveImpacts, RejectsALawThatMakesNoSense) {
   for (const double e : {0.0, 1.0})
     resolve_impacts(contacts_of_row(2), {.restitution = e, .friction = 0, .threshold = 1e-9, .max_passes = 1},
                     motion);
-  for (const double e : {-0.1, 1.001, 2.0, std::nan(""), HUGE_VAL})
+  for (const double e : {-0.1, -1e-300, 1 + 1e-15, 2.0, std::nan(""), HUGE_VAL})
     expect_law_rejected("restitution = " + show(e), "restitution", {.restitution = e});
-  for (const double bad : {-0.1, std::nan(""), HUGE_VAL}) {
+  for (const double bad : {-0.1, -1e-300, std::nan(""), HUGE_VAL}) {
     expect_law_rejected("friction = " + show(bad), "friction", {.friction = bad});
     expect_law_rejected("threshold = " + show(bad), "threshold", {.threshold = bad});
   }
@@ -429,6 +430,59 @@ EXERCISE_TEST(ResolveImpacts, IsPairByPairInOrder) {
 }
 
 // A roller that no impulse slows: it comes up to a ball, and turns below it.
+EXERCISE_TEST(ResolveImpacts, DropsNothingSmall) {
+  const ImpactLaw law{.restitution = 0.5, .friction = 0.5, .threshold = 0, .max_passes = 1};
+  for (const double part : small_parts)
+    for (const Vec3& leaning : lopsided(part)) {
+      // A ball of 1 kg against a wall that is nearly across an axis, fast or slow.
+      const Vec3 n = leaning.normalized();
+      for (const double speed : {1.0, 1e-12}) {
+        Motion<3> ball{.inverse_mass = {{}, {.linear = 1}},
+                       .W = {Vec3::Zero(), -2 * speed * n},
+                       .Wf = {Vec3::Zero(), Vec3::Zero()}};
+        resolve_impacts({{.i = 0, .j = 1, .n = n, .gap = 0, .r_i = Vec3::Zero(), .r_j = Vec3::Zero()}}, law,
+                        ball);
+        expect_each_near<Vec3>(
+            "velocity of a ball that came straight at " + show(2 * speed) + " m/s, e = 0.5 [m/s]",
+            "Eq. (7.2), (7.10)", ball.W[1], speed * n, 32);
+      }
+      // A body that is hit nearly at the end of its axis, and comes nearly along it.
+      const Vec3 along = leaning.cwiseEqual(1).cast<double>(), r = -0.5 * leaning;
+      const InverseMass<6> free{.linear = 0.5, .angular = 2 * Mat3::Identity()};
+      Motion<6> body{.inverse_mass = {{}, free},
+                     .W = {Twist<6>::Zero(), (Twist<6>() << -leaning, Vec3::Zero()).finished()},
+                     .Wf = {Twist<6>::Zero(), Twist<6>::Zero()}};
+      const Contact contact{.i = 0, .j = 1, .n = along, .gap = 0, .r_i = Vec3::Zero(), .r_j = r};
+      Motion<6> expected = body;
+      const Mat3 K = collision_matrix({}, Vec3::Zero(), free, r);
+      apply_impact(contact, impact_impulse(K, -leaning, along, 0.5, 0.5), expected);
+      resolve_impacts({contact}, law, body);
+      expect_near_vector<Twist<6>>("v and ω of a body that comes along " + show(Eigen::MatrixXd(-leaning)) +
+                                       " m/s and is hit at " + show(Eigen::MatrixXd(r)) + " m",
+                                   "Eq. (7.3), (7.9)", body.W[1], expected.W[1], roundings(64), {},
+                                   small_is_dropped);
+      // And both move, one of them slowly; and both spin, slowly.
+      for (const bool j_is_fast : {true, false}) {
+        const Vec3 r_i = 0.4 * along, slow = part * Vec3(0.3, -0.2, 0.1), spin = part * Vec3(0.2, 0.3, -0.5);
+        const Vec3 v_i = j_is_fast ? slow : leaning, v_j = j_is_fast ? Vec3(-leaning) : slow;
+        const Twist<6> W_i = (Twist<6>() << v_i, spin).finished(),
+                       W_j = (Twist<6>() << v_j, -2 * spin).finished();
+        Motion<6> both{
+            .inverse_mass = {free, free}, .W = {W_i, W_j}, .Wf = {Twist<6>::Zero(), Twist<6>::Zero()}};
+        const Contact between{.i = 0, .j = 1, .n = along, .gap = 0, .r_i = r_i, .r_j = r};
+        Motion<6> after = both;
+        const Vec3 u = v_j - 2 * spin.cross(r) - v_i - spin.cross(r_i);
+        apply_impact(between, impact_impulse(collision_matrix(free, r_i, free, r), u, along, 0.5, 0.5), after);
+        resolve_impacts({between}, law, both);
+        for (const std::size_t b : {0U, 1U})
+          expect_near_vector<Twist<6>>(
+              "v and ω of a body, where one is " + show(part) + " times as fast as the other",
+              "Eq. (7.1), (7.9)", both.W[b], after.W[b], roundings(64), {}, small_is_dropped);
+      }
+      if (::testing::Test::HasFailure()) return;
+    }
+}
+
 EXERCISE_TEST(ResolveImpacts, FeelsABodyThatMovesAndThatNothingMoves) {
   const Vec3 up = Vec3::UnitZ(), zero = Vec3::Zero(), lift(0, 0, 1), spin(0, 8, 0);
   const ImpactLaw law{.restitution = 0.5, .friction = 0.2};

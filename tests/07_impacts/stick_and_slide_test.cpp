@@ -136,7 +136,7 @@ EXERCISE_TEST(InsideCone, HasNoSlack) {
                   "|J_t| is 1e-12 of it less than μ J_n here. " + slack);
     expect_inside(size * Vec3(0, 0.8, 1), n, 0.5, false,
                   "|J_t| = 0.8 J_n is more than μ J_n = 0.5 J_n. " + slack);
-    expect_inside(size * Vec3(0, 0, -1), n, 0.5, false, "It pulls. " + slack);
+    for (const double mu : {0.0, 0.5}) expect_inside(size * Vec3(0, 0, -1), n, mu, false, "It pulls. " + slack);
   }
 }
 
@@ -362,8 +362,31 @@ EXERCISE_TEST(StickImpulse, DropsNothingSmall) {
                 "Eq. (7.2), (7.3)", J.z(), 1.5 * part, roundings(8, part),
                 {{part, "It has no restitution. " + small_is_dropped}, {0, small_is_dropped}},
                 small_is_dropped);
+    for (const Vec3& leaning : lopsided(part)) {
+      const Vec3 n = leaning.normalized();
+      expect_each_near<Vec3>("J of 1 kg that comes straight at 2 m/s, e = 0.5 [N s]", "Eq. (7.2), (7.3)",
+                             stick_impulse(Mat3::Identity(), -2 * n, n, 0.5), 3 * n, 16);
+    }
     if (::testing::Test::HasFailure()) return;
   }
+}
+
+EXERCISE_TEST(SlidingImpulse, DropsNothingSmall) {
+  for (const double part : small_parts)
+    for (int c = 0; c < 3; ++c) {
+      const Vec3 n = Vec3::Unit(c), ahead = Vec3::Unit((c + 1) % 3), aside = part * Vec3::Unit((c + 2) % 3);
+      const Vec3 slip = ahead + aside;
+      for (const double mu : {0.5, part, 1 / part})
+        expect_each_near<Vec3>("J of 1 kg that comes at 1 m/s and slips at " + show(Eigen::MatrixXd(slip)) +
+                                   " m/s, e = 0.5, μ = " + show(mu) + " [N s]",
+                               "Eq. (7.5)", value(sliding_impulse(Mat3::Identity(), slip - n, n, 0.5, mu), 1),
+                               1.5 * (n - mu * slip.normalized()), 16);
+      expect_each_near<Vec3>(
+          "J of 1 kg that slips at 1 m/s and comes at " + show(part) + " m/s, e = 0.5, μ = 0.5 [N s]",
+          "Eq. (7.5)", value(sliding_impulse(Mat3::Identity(), ahead - part * n, n, 0.5, 0.5), 1),
+          1.5 * part * (n - 0.5 * ahead), 16);
+      if (::testing::Test::HasFailure()) return;
+    }
 }
 
 }  // namespace

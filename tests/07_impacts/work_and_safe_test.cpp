@@ -253,6 +253,45 @@ EXERCISE_TEST(SafeImpulse, StopsTheContactWhenItMay) {
   }
 }
 
+EXERCISE_TEST(SafeImpulse, DropsNothingSmall) {
+  const Mat3 K = Mat3::Identity();
+  for (const double part : small_parts) {
+    for (const Vec3& leaning : lopsided(part)) {
+      const Vec3 n = leaning.normalized();
+      expect_each_near<Vec3>("J of 1 kg that comes straight at 2 m/s, e = 0.5 [N s]", "Eq. (7.7)",
+                             safe_impulse(K, -2 * n, n, 0.5, 0), 3 * n, 16);
+    }
+    for (int c = 0; c < 3; ++c) {
+      const Vec3 n = Vec3::Unit(c), ahead = Vec3::Unit((c + 1) % 3), aside = part * Vec3::Unit((c + 2) % 3);
+      const Vec3 slip = ahead + aside;
+      expect_each_near<Vec3>("J of 1 kg that comes at 1 m/s, slips, and is stopped, e = 0.5, μ = 1 [N s]",
+                             "Eq. (7.7)", safe_impulse(K, slip - n, n, 0.5, 1), 1.5 * n - slip, 16);
+      expect_each_near<Vec3>("J of 1 kg that comes at " + show(part) + " of its slip, e = 0.5, μ = 1/2 [N s]",
+                             "Eq. (7.7), (7.8)", safe_impulse(K, ahead - part * n, n, 0.5, 0.5),
+                             1.5 * part * (n - 0.5 * ahead), 16);
+      expect_each_near<Vec3>("J of 1 kg that slips at " + show(part) + " of its approach, e = 0.5, μ = 1 [N s]",
+                             "Eq. (7.7)", safe_impulse(K, part * ahead - n, n, 0.5, 1), 1.5 * n - part * ahead,
+                             16);
+      expect_each_near<Vec3>(
+          "J of 1 kg that comes at " + show(part) + " of its slip, and is stopped, e = 0.5 [N s]", "Eq. (7.7)",
+          safe_impulse(K, ahead - part * n, n, 0.5, 2 / part), 1.5 * part * n - ahead, 16);
+    }
+    for (const double slip : {-2.0, 2.0})
+      for (const double mu : {part, 1 / part}) {
+        const Impact rod{K_of_rod(), Vec3(slip, 0, -1), Vec3::UnitZ(), 0.5, mu};
+        expect_each_near<Vec3>(
+            "J of a rod that slips at " + show(slip) + " m/s, e = 0.5, μ = " + show(mu) + " [N s]",
+            "Eq. (7.7), (7.8)", safe_impulse(rod.K, rod.u, rod.n, rod.e, rod.mu), rod.safe(), 256);
+      }
+    // It leaves the cone by the tip: |D_t| is small beside μ D_n, and κ less than 1.
+    const Impact steep{K_of_rod(), Vec3(20, 0, -1), Vec3::UnitZ(), 0.5, 1 / part};
+    expect_near_vector("J of a rod that slips at 20 m/s, e = 0.5, μ = " + show(1 / part) + " [N s]",
+                       "Eq. (7.7), (7.8)", safe_impulse(steep.K, steep.u, steep.n, steep.e, steep.mu),
+                       steep.safe(), roundings(256), {}, small_is_dropped);
+    if (::testing::Test::HasFailure()) return;
+  }
+}
+
 EXERCISE_TEST(ImpactWork, DropsNothingSmall) {
   for (const double part : small_parts) {  // J·u = -2 (1 + p), and ½ J·KJ is larger by the part p
     const double work = impact_work(Mat3::Identity(), Vec3(0, 0, -1), Vec3(0, 0, 2 * (1 + part)));

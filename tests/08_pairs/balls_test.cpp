@@ -1,5 +1,6 @@
 // A ball on a plane, and two balls: the gap, the normal and the one point that both bodies share.
 #include "shapes.hpp"
+#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -76,6 +77,40 @@ EXERCISE_TEST(PlaneBall, TouchesFromZeroGapOn) {
               "Only g <= 0 is a contact.");
   expect_true("a ball at NaN has none", "Eq. (8.1)", !at(std::nan("")).has_value(),
               "`if (!(gap <= 0))`, and not `if (gap > 0)`, stops a NaN.");
+}
+
+EXERCISE_TEST(PlaneBall, DropsNothingSmall) {
+  for (const double part : small_parts)
+    for (const Vec3& leaning : lopsided(part)) {
+      const Vec3 n = leaning.normalized();
+      const auto found = plane_ball({.body = 0, .x = Vec3::Zero(), .n = n, .offset = 0},
+                                    {.body = 1, .x = Vec3::Zero(), .radius = 0.5});
+      if (!expect_some("a plane and a ball in it", "Eq. (8.1)", found)) return;
+      for (const Vec3& arm : {found->r_i, found->r_j})
+        expect_each_near<Vec3>("arm of a ball on a plane that leans a little [m]", "Eq. (8.3)", arm, -0.5 * n,
+                               8);
+      if (::testing::Test::HasFailure()) return;
+    }
+}
+
+EXERCISE_TEST(PlaneBall, CountsWhatIsSmall) {
+  // Of the ball's place, its radius and the plane's offset one is small, or two are.
+  for (const double part : small_parts)
+    for (const auto& [z, radius, offset] : {std::tuple(1.0, part, 2.0),
+                                            {part, 1.0, 0.5},
+                                            {1.0, 2.0, part},
+                                            {part, 1.0, 0.0},
+                                            {part, part, 1.0}}) {
+      const auto found = plane_ball({.body = 0, .x = Vec3::Zero(), .n = Vec3::UnitZ(), .offset = offset},
+                                    {.body = 1, .x = Vec3(0, 0, z), .radius = radius});
+      if (!expect_some("a plane and a ball in it", "Eq. (8.1)", found)) return;
+      const std::string of = " of a ball of radius " + show(radius) + " m at a height of " + show(z) +
+                             " m, in a plane at " + show(offset) + " m [m]";
+      expect_near("gap" + of, "Eq. (8.1)", found->gap, z - offset - radius, roundings(8), {}, small_is_dropped);
+      expect_near("height of its deepest point" + of, "Eq. (8.3)", found->r_i.z(), z - radius, roundings(4), {},
+                  small_is_dropped);
+      if (::testing::Test::HasFailure()) return;
+    }
 }
 
 EXERCISE_TEST(PlaneBall, GapChangesAtTheRateOfItsRow) {
@@ -187,6 +222,40 @@ EXERCISE_TEST(BallBall, FollowsCentresThatAreNear) {
         "would turn the contact around while they pass through each other.");
     if (::testing::Test::HasFailure()) return;
   }
+}
+
+EXERCISE_TEST(BallBall, DropsNothingSmall) {
+  for (const double part : small_parts)
+    for (const Vec3& leaning : lopsided(part)) {
+      const Vec3 n = leaning.normalized();
+      const auto found =
+          ball_ball({.body = 0, .x = Vec3::Zero(), .radius = 1}, {.body = 1, .x = 1.5 * n, .radius = 0.75});
+      if (!expect_some("two balls", "Eq. (8.2)", found)) return;
+      expect_each_near<Vec3>("n of balls that are nearly side by side along an axis", "Eq. (8.2)", found->n, n,
+                             8);
+      expect_each_near<Vec3>("r_i of balls that are nearly side by side along an axis [m]", "Eq. (8.3)",
+                             found->r_i, 0.875 * n, 16);
+      expect_each_near<Vec3>("r_j of balls that are nearly side by side along an axis [m]", "Eq. (8.3)",
+                             found->r_j, -0.625 * n, 16);
+      if (::testing::Test::HasFailure()) return;
+    }
+}
+
+EXERCISE_TEST(BallBall, CountsWhatIsSmall) {
+  // A small ball at the rim of another, and one whose centre is nearly at the origin.
+  for (const double part : small_parts)
+    for (const bool i_is_small : {true, false}) {
+      const Ball large{.body = 0, .x = Vec3(0, 0, part), .radius = 1},
+          small{.body = 1, .x = Vec3(0, 0, 1), .radius = 2 * part};
+      const auto found = i_is_small ? ball_ball(small, large) : ball_ball(large, small);
+      if (!expect_some("a ball and one of radius " + show(2 * part) + " m", "Eq. (8.2)", found)) return;
+      expect_near("gap of a ball and one of radius " + show(2 * part) + " m at its rim [m]", "Eq. (8.2)",
+                  found->gap, -3 * part, roundings(8), {}, small_is_dropped);
+      expect_near("height of their common point over the large one's centre [m]", "Eq. (8.3)",
+                  (i_is_small ? found->r_j : found->r_i).z(), 1 - 1.5 * part, roundings(8), {},
+                  small_is_dropped);
+      if (::testing::Test::HasFailure()) return;
+    }
 }
 
 EXERCISE_TEST(BallBall, GapChangesAtTheRateOfItsRow) {

@@ -1,5 +1,6 @@
 // Bounds of a box: along the axes of the world, no larger than they must be.
 #include "shapes.hpp"
+#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -53,6 +54,18 @@ EXERCISE_TEST(Bounds, HoldEveryCornerAndNoMore) {
         {{Vec3(box.x - once), "This is one corner, where all signs are -. Others may be farther out."}},
         otherwise);
   }
+}
+
+EXERCISE_TEST(Bounds, DropNothingSmall) {
+  for (const double part : small_parts)
+    for (const Vec3& size : lopsided(part)) {
+      const Vec3 half_sides = size.cwiseAbs();
+      const spook::Bounds got =
+          bounds({.body = 0, .x = Vec3::Zero(), .axes = Mat3::Identity(), .half_sides = half_sides});
+      expect_each_near<Vec3>("upper bound of a needle [m]", "Eq. (8.11)", got.upper, half_sides, 4);
+      expect_each_near<Vec3>("lower bound of a needle [m]", "Eq. (8.11)", got.lower, -half_sides, 4);
+      if (::testing::Test::HasFailure()) return;
+    }
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "regions.hpp"
 #include "shapes.hpp"
+#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -190,6 +191,88 @@ EXERCISE_TEST(BoxBox, TouchesWhereTheFaceLeavesNothing) {
                      Vec3(beside + 0.54 * millionth * Vec3::UnitZ()), roundings(64, 4), {},
                      "The corner of j that is deepest along n, and from there half a gap back.");
   expect_common_point(got[0], i.x, j.x);
+}
+
+EXERCISE_TEST(BoxBox, DropsNothingSmall) {
+  const Box table = straight(0, Vec3::Zero(), Vec3(2, 2, 1));
+  const std::string turned_a_little = "a box that is turned, or shifted, a little on a table";
+  for (const double part : small_parts) {
+    for (const Vec3& size : lopsided(part)) {
+      const Vec3 h = size.cwiseAbs();
+      const auto got = contacts_of(table, straight(1, Vec3(0, 0, 1 + 0.9 * h.z()), h));
+      if (!expect_count("a needle on a table", got, 4, "The four corners of its lower face.")) return;
+      for (const Contact& contact : got) {
+        expect_each_near<Eigen::Vector2d>(
+            "corner of a needle, from its centre, along x and y, without signs [m]", "Eq. (8.3), (8.8)",
+            contact.r_j.head<2>().cwiseAbs(), h.head<2>(), 4);
+        expect_each_near<Eigen::Vector2d>("the same from the table's centre, straight below [m]",
+                                          "Eq. (8.3), (8.8)", contact.r_i.head<2>(), contact.r_j.head<2>(), 4);
+      }
+      if (::testing::Test::HasFailure()) return;
+    }
+    // Turned about the vertical by p, and shifted by p: each corner is 0.5 ± 0.25 p from the middle, and p more.
+    const double c = std::cos(part), s = std::sin(part);
+    const Box box = turned(straight(1, Vec3(part, -part, 1.25), Vec3(0.5, 0.25, 0.3)), part, Vec3::UnitZ());
+    const auto got = contacts_of(table, box);
+    if (!expect_count(turned_a_little, got, 4, "The four corners of its lower face.")) return;
+    for (const double x : {-0.5, 0.5})
+      for (const double y : {-0.25, 0.25}) {
+        const Vec3 corner(c * x - s * y + part, s * x + c * y - part, 0.975);
+        const auto nearest = std::min_element(got.begin(), got.end(), [&](const Contact& a, const Contact& b) {
+          return (a.r_i - corner).norm() < (b.r_i - corner).norm();
+        });
+        expect_near_vector("r_i of the corner near " + show(corner) + " of " + turned_a_little + " [m]",
+                           "Eq. (8.3), (8.8)", nearest->r_i, corner, roundings(32), {}, small_is_dropped);
+      }
+    if (::testing::Test::HasFailure()) return;
+  }
+}
+
+EXERCISE_TEST(BoxBox, CountsWhatIsSmall) {
+  // A box that hardly touches a table, one whose lower face is hardly over the table's middle, and the table hardly off
+  // the origin.
+  for (const double part : small_parts)
+    for (const double low : {1 - part, 2 * part}) {
+      const Box table = straight(0, Vec3(part, part, part), Vec3(3, 3, 1)),
+                box = straight(1, Vec3(0, 0, low + 0.5), Vec3(0.5, 0.5, 0.5));
+      const std::string what = "a box whose lower face is " + show(1 - low) + " m below a table's top";
+      const auto got = contacts_of(table, box);
+      if (!expect_count(what, got, 4, "The four corners of its lower face.")) return;
+      for (const Contact& contact : got) {
+        expect_near("gap of " + what + " [m]", "Eq. (8.6), (8.8)", contact.gap, low - 1 - part, roundings(8),
+                    {}, small_is_dropped);
+        expect_near("height of a contact over the table's centre, of " + what + " [m]", "Eq. (8.3)",
+                    contact.r_i.z(), (low - part + 1) / 2, roundings(8), {}, small_is_dropped);
+        expect_near("|x| of a contact, of " + what + ", from the origin [m]", "Eq. (8.3)",
+                    std::abs(contact.r_i.x() + part), 0.5, roundings(8), {}, small_is_dropped);
+      }
+      if (::testing::Test::HasFailure()) return;
+    }
+}
+
+EXERCISE_TEST(BoxBox, FindsWhereEdgesCrossToTheLastDigits) {
+  // A ridge along x, and one along y upon it; both are shifted, and the one above is turned, a little.
+  const Box cube = straight(0, Vec3::Zero(), Vec3::Constant(0.5));
+  const double ridge = std::sqrt(0.5), depth = 0.02;
+  for (const double part : small_parts) {
+    Box i = turned(cube, std::numbers::pi / 4, Vec3::UnitX()),
+        j = turned(cube, std::numbers::pi / 4, Vec3::UnitY());
+    j = turned(j, part, Vec3::UnitZ());
+    i.x.y() = part;
+    j.body = 1;
+    j.x = Vec3(part, -0.2, 2 * ridge - depth);
+    given() = describe_both(i, j);
+    const auto got = contacts_of(i, j);
+    if (!expect_count("two ridges that cross", got, 1, "Where edges cross there is one contact.")) return;
+    const Vec3 p(part - (part + 0.2) * std::tan(part), part, ridge - depth / 2);
+    const Tolerance close = roundings(64, 2);
+    expect_near_vector("x_i + r_i where two ridges cross [m]", "Eq. (8.3), (8.9)", Vec3(i.x + got[0].r_i), p,
+                       close, {}, small_is_dropped);
+    expect_near_vector("x_j + r_j where two ridges cross [m]", "Eq. (8.3), (8.9)", Vec3(j.x + got[0].r_j), p,
+                       close, {}, small_is_dropped);
+    expect_near("gap where two ridges cross [m]", "Eq. (8.6)", got[0].gap, -depth, close);
+    if (::testing::Test::HasFailure()) return;
+  }
 }
 
 EXERCISE_TEST(BoxBox, TouchesFromZeroGapOn) {

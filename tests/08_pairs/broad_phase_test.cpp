@@ -270,8 +270,27 @@ EXERCISE_TEST(SweepAndPrune, SortsManyThatBeginAlike) {
                 "Many begin at the same place: a sort has to be fast with equal keys, too. std::sort is.");
 }
 
+/// Boards, thin along one axis: whoever takes that for their size has a board in hundreds of cells, and a sheet in more
+/// than can be counted. So this comes before sheets do.
+bool hash_takes_the_longest_side() {
+  Random random;
+  for (int thin = 0; thin < 3; ++thin) {
+    std::vector<spook::Bounds> boards = crowd(random, 5000);
+    for (spook::Bounds& one : boards) one.upper[thin] = one.lower[thin] + 0.04;
+    expect_faster(spatial_hash, "Eq. (8.13)", std::string("boards that are thin along ") + "xyz"[thin], boards,
+                  "A body's size is its longest side: in cells of 2^l that are not below it, it is in two "
+                  "along each axis, at "
+                  "most. Here its level seems to come from another side, so that it is in very many.");
+    if (::testing::Test::HasFailure()) return false;
+  }
+  return true;
+}
+
+EXERCISE_TEST(SpatialHash, TakesTheLongestSideForTheSize) {
+  hash_takes_the_longest_side();
+}
 EXERCISE_TEST(SpatialHash, FindsWhatAllPairsFind) {
-  expect_all_pairs(spatial_hash, "Eq. (8.14)");
+  if (hash_takes_the_longest_side()) expect_all_pairs(spatial_hash, "Eq. (8.14)");
 }
 EXERCISE_TEST(SpatialHash, RefusesWhatIsNoBox) {
   expect_refusals(spatial_hash);

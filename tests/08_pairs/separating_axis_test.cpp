@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "shapes.hpp"
+#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -225,32 +226,37 @@ EXERCISE_TEST(SeparatingAxis, IsTheBestForAnySizes) {
 
 EXERCISE_TEST(SeparatingAxis, TakesTheFirstOfFacesThatAreAlike) {
   Random random;
-  const Box cube{.body = 0, .x = Vec3::Zero(), .axes = Mat3::Identity(), .half_sides = Vec3(1, 1, 1)};
-  // In its corner: a small one, turned by 45 degrees, so that no axis of its own is better.
-  const Box turned_one =
-      turned({.body = 1, .x = Vec3(0.7, 0.7, 0), .axes = Mat3::Identity(), .half_sides = Vec3(0.1, 0.1, 0.1)},
-             std::numbers::pi / 4, Vec3::UnitZ());
-  for (int trial = 0; trial < 100 && !::testing::Test::HasFailure(); ++trial) {
-    Box beside = cube;
-    beside.x = Vec3(1.9, 1.9, trial % 2 ? 1.9 : 0) + random.vector(1e-9);
-    const std::string clue =
-        "Faces of one box that are alike, to a millionth of the smallest half side: the first one stays, and "
-        "roundings "
-        "don't choose.";
-    given() =
-        "given two cubes that overlap in a corner, to 1e-9 m alike in each direction: " + describe(beside);
-    const auto got = separating_axis(cube, beside);
-    if (!expect_sound(got, cube, beside)) return;
-    expect_true("face_i = " + std::to_string(got.face_i) + ": the first face of i is taken", "Eq. (8.7)",
-                got.face_i == 0, clue);
-    Box corner = turned_one;
-    corner.x += random.vector(1e-9);
-    given() = "given i, a small box in the corner of a cube j, as near to one face as to another: " +
-              describe(corner);
-    const auto of_j = separating_axis(corner, cube);
-    if (!expect_sound(of_j, corner, cube)) return;
-    expect_true("face_j = " + std::to_string(of_j.face_j) + ": the first face of j is taken", "Eq. (8.7)",
-                of_j.face_j == 0, clue);
+  for (const double size : {1.0, 1e-6}) {
+    const Box cube{.body = 0, .x = Vec3::Zero(), .axes = Mat3::Identity(), .half_sides = Vec3::Constant(size)};
+    // In its corner: a small one, turned by 45 degrees, so that no axis of its own is better.
+    const Box turned_one = turned({.body = 1,
+                                   .x = size * Vec3(0.7, 0.7, 0),
+                                   .axes = Mat3::Identity(),
+                                   .half_sides = Vec3::Constant(0.1 * size)},
+                                  std::numbers::pi / 4, Vec3::UnitZ());
+    for (int trial = 0; trial < 100 && !::testing::Test::HasFailure(); ++trial) {
+      Box beside = cube;
+      beside.x = size * (Vec3(1.9, 1.9, trial % 2 ? 1.9 : 0) + random.vector(1e-9));
+      const std::string clue =
+          "Faces of one box that are alike, to a millionth of the smallest half side: the first one stays, and "
+          "roundings "
+          "don't choose.";
+      given() =
+          "given two cubes that overlap in a corner, to a billionth of their size alike in each direction: " +
+          describe(beside);
+      const auto got = separating_axis(cube, beside);
+      if (!expect_sound(got, cube, beside)) return;
+      expect_true("face_i = " + std::to_string(got.face_i) + ": the first face of i is taken", "Eq. (8.7)",
+                  got.face_i == 0, clue);
+      Box corner = turned_one;
+      corner.x += size * random.vector(1e-9);
+      given() = "given i, a small box in the corner of a cube j, as near to one face as to another: " +
+                describe(corner);
+      const auto of_j = separating_axis(corner, cube);
+      if (!expect_sound(of_j, corner, cube)) return;
+      expect_true("face_j = " + std::to_string(of_j.face_j) + ": the first face of j is taken", "Eq. (8.7)",
+                  of_j.face_j == 0, clue);
+    }
   }
 }
 
@@ -311,6 +317,24 @@ EXERCISE_TEST(SeparatingAxis, MeetsEdgesThatAreNearlyParallel) {
   }
 }
 
+EXERCISE_TEST(SeparatingAxis, DropsNothingSmall) {
+  // A ridge along x, and upon it one along y that leans by a little: n leans with it.
+  const Box cube{.body = 0, .x = Vec3::Zero(), .axes = Mat3::Identity(), .half_sides = Vec3::Constant(0.5)};
+  const Box i = turned(cube, std::numbers::pi / 4, Vec3::UnitX());
+  for (const double part : small_parts) {
+    Box j = turned(turned(cube, std::numbers::pi / 4, Vec3::UnitY()), part, Vec3::UnitX());
+    j.body = 1;
+    j.x = Vec3(0.1, -0.2 * part, std::sqrt(2.0) - 0.02);
+    given() = describe_both(i, j);
+    const auto got = separating_axis(i, j);
+    expect_true("edges " + std::to_string(got.edge_i) + " of i and " + std::to_string(got.edge_j) + " of j",
+                "Eq. (8.7)", got.edge_i == 0 && got.edge_j == 1, "The ridges are i's x axis and j's y axis.");
+    expect_near_vector("n between two ridges of which one leans by " + show(part) + " rad", "Eq. (8.6), (8.7)",
+                       got.n, Vec3(0, -std::sin(part), std::cos(part)), roundings(16), {}, small_is_dropped);
+    if (::testing::Test::HasFailure() || !expect_sound(got, i, j)) return;
+  }
+}
+
 EXERCISE_TEST(SeparatingAxis, NoDirectionIsMoreOpen) {
   Random random;
   for (int trial = 0; trial < 100 && !::testing::Test::HasFailure(); ++trial) {
@@ -368,20 +392,41 @@ EXERCISE_TEST(SeparatingAxis, PartsWhatIsApartByLessThanAMargin) {
   // Tilted by so little that the face of i still overlaps, and that of j is just free.
   const double tilt = 1e-8;
   const Box cube{.body = 0, .x = Vec3::Zero(), .axes = Mat3::Identity(), .half_sides = Vec3(1, 1, 1)};
-  for (const double side : {-1.0, 1.0}) {
-    const Box i = turned(cube, side * tilt, Vec3::UnitX());
-    const Box j{
+  for (const auto& [side, size] : {std::pair(-1.0, 1.0), {1.0, 1.0}, {1.0, 1e-6}}) {
+    Box i = turned(cube, side * tilt, Vec3::UnitX());
+    Box j{
         .body = 1, .x = Vec3(0, side * 1.5, 2 + 1.5 * tilt), .axes = cube.axes, .half_sides = cube.half_sides};
+    j.x *= size, i.half_sides *= size, j.half_sides *= size;
     const auto got = separating_axis(i, j);
-    given() =
-        "given two cubes that are 5e-9 m apart along z, the axis of j, and overlap along that of i, tilted "
-        "by\n" +
-        show(side * tilt) + " rad; j is at " + show(j.x);
+    given() = "given two cubes of " + show(2 * size) +
+              " m that are 2.5e-9 of that apart along z, the axis of j, and overlap along that of i, tilted "
+              "by\n" +
+              show(side * tilt) + " rad; j is at " + show(j.x);
     expect_at_least(
         "g [m]", "Eq. (8.7)", got.gap, 1e-300, "positive",
         "One axis with a positive gap is enough: nothing overlaps along it. It need not beat anything by a "
         "margin.");
     if (::testing::Test::HasFailure()) return;
+  }
+}
+
+EXERCISE_TEST(SeparatingAxis, PartsWhatIsApartByHardlyAnything) {
+  // Nearly straight cubes, apart along one axis of the first; along another they overlap by less than a margin.
+  Random random;
+  for (int trial = 0; trial < 200 && !::testing::Test::HasFailure(); ++trial) {
+    const double size = trial % 2 ? 1 : 1e-6;
+    const int k = random.integer(0, 2), across = (k + random.integer(1, 2)) % 3;
+    const Box i{.body = 0, .x = Vec3::Zero(), .axes = Mat3::Identity(), .half_sides = Vec3::Constant(size)};
+    Box j = turned(i, 1e-8, random.unit_vector());
+    j.body = 1;
+    j.x[k] = size * (1 + 1e-10) + half_width(j, Vec3::Unit(k));
+    j.x[across] = size * (1 - 1e-8) + half_width(j, Vec3::Unit(across));
+    j.x[3 - k - across] = random.uniform(-1, 1) * size;
+    const Box &first = trial % 4 < 2 ? i : j, &second = trial % 4 < 2 ? j : i;
+    given() = describe_both(first, second);
+    expect_at_least("g of cubes that are apart by 1e-10 of their size [m]", "Eq. (8.7)",
+                    separating_axis(first, second).gap, 1e-300, "positive",
+                    "One axis with a positive gap is enough, however small it is: it needs no margin.");
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include "regions.hpp"
 #include "shapes.hpp"
+#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -141,6 +142,47 @@ bool expect_some(const std::optional<Contact>& contact,
                  const std::string& clue = "A contact is what has g <= 0.") {
   expect_true("the box and the ball have a contact", "Eq. (8.5)", contact.has_value(), clue);
   return contact.has_value();
+}
+
+EXERCISE_TEST(PlaneBox, DropsNothingSmall) {
+  for (const double part : small_parts)
+    for (const Vec3& size : lopsided(part)) {
+      const Vec3 half_sides = size.cwiseAbs();
+      std::vector<Contact> found;
+      plane_box({.body = 0, .x = Vec3::Zero(), .n = Vec3::UnitZ(), .offset = 2},
+                {.body = 1, .x = Vec3::Zero(), .axes = Mat3::Identity(), .half_sides = half_sides}, found);
+      expect_near("contacts of a needle that is all behind a plane", "Eq. (8.4)",
+                  static_cast<double>(found.size()), 8, {0, "its corners"});
+      for (const Contact& contact : found) {
+        expect_each_near<Vec3>("arm of a needle's corner, without its signs [m]", "Eq. (8.3), (8.4)",
+                               contact.r_j.cwiseAbs(), half_sides, 4);
+        expect_each_near<Vec3>("the same corner from the plane's body, at the same place [m]",
+                               "Eq. (8.3), (8.4)", contact.r_i, contact.r_j, 4);
+      }
+      if (::testing::Test::HasFailure()) return;
+    }
+}
+
+EXERCISE_TEST(PlaneBox, CountsWhatIsSmall) {
+  // Of the box's place, its half side and the plane's offset one is small.
+  for (const double part : small_parts)
+    for (const auto& [z, half, offset] : {std::tuple(1.0, part, 2.0), {part, 1.0, 2.0}, {1.0, 2.0, part}}) {
+      const Box box{.body = 1, .x = Vec3(0, 0, z), .axes = Mat3::Identity(), .half_sides = Vec3(1, 1, half)};
+      std::vector<Contact> found;
+      plane_box({.body = 0, .x = Vec3::Zero(), .n = Vec3::UnitZ(), .offset = offset}, box, found);
+      const std::string of = " of a box of height " + show(2 * half) + " m, its centre at " + show(z) +
+                             " m, in a plane at " + show(offset) + " m [m]";
+      double lowest = infinity, deepest = infinity;
+      for (const Contact& contact : found) {
+        lowest = std::min(lowest, contact.r_i.z());
+        deepest = std::min(deepest, contact.gap);
+      }
+      expect_near("height of the lowest corner" + of, "Eq. (8.3)", lowest, z - half, roundings(4), {},
+                  small_is_dropped);
+      expect_near("gap of the lowest corner" + of, "Eq. (8.4)", deepest, z - half - offset, roundings(8), {},
+                  small_is_dropped);
+      if (::testing::Test::HasFailure()) return;
+    }
 }
 
 EXERCISE_TEST(BoxBall, MeetsAFaceAnEdgeAndACorner) {
@@ -348,6 +390,35 @@ EXERCISE_TEST(BoxBall, TouchesFromZeroGapOn) {
               "Only g <= 0 is a contact.");
   expect_true("a ball at NaN has none", "Eq. (8.5)", !at(std::nan("")).has_value(),
               "`if (!(gap <= 0))`, and not `if (gap > 0)`, stops a NaN.");
+}
+
+EXERCISE_TEST(BoxBall, DropsNothingSmall) {
+  const Box cube{.body = 0, .x = Vec3::Zero(), .axes = Mat3::Identity(), .half_sides = Vec3::Constant(0.875)};
+  for (const double part : small_parts)
+    for (const Vec3& beside : lopsided(part)) {
+      const auto found = box_ball(cube, {.body = 1, .x = beside, .radius = 0.5});
+      if (!expect_some(found)) return;
+      const auto at_face = [&](double height) {  // under the ball's centre
+        return Vec3((beside.array() == 1).select(height, beside));
+      };
+      expect_each_near<Vec3>("r_i of a ball on a cube, near the middle of its face [m]", "Eq. (8.3), (8.5)",
+                             found->r_i, at_face(0.6875), 4);
+      if (::testing::Test::HasFailure()) return;
+    }
+}
+
+EXERCISE_TEST(BoxBall, CountsWhatIsSmall) {
+  // A ball just over a face, and a grain within.
+  const Box cube{.body = 0, .x = Vec3::Zero(), .axes = Mat3::Identity(), .half_sides = Vec3::Constant(1)};
+  for (const double part : small_parts)
+    for (const auto& [z, radius] : {std::pair(1 + part, 0.5), {0.75, part}}) {
+      const auto found = box_ball(cube, {.body = 1, .x = Vec3(0, 0, z), .radius = radius});
+      if (!expect_some(found)) return;
+      expect_near(
+          "gap of a ball of radius " + show(radius) + " m, its centre " + show(z - 1) + " m over a face [m]",
+          "Eq. (8.5)", found->gap, z - 1 - radius, roundings(8), {}, small_is_dropped);
+      if (::testing::Test::HasFailure()) return;
+    }
 }
 
 EXERCISE_TEST(BoxBall, GapChangesAtTheRateOfItsRow) {

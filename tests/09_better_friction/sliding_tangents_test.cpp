@@ -1,6 +1,7 @@
 // Tangents that follow the sliding, and what they make of the box.
 #include "exercise_test.hpp"
 #include "rubbing.hpp"
+#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -92,6 +93,25 @@ EXERCISE_TEST(SlidingTangents, FollowAsSoonAsItIsNotSlow) {
           "These are chapter 05's tangents, though the slip is more than `slow`. Compare |u_t| with "
           "`slow` itself: not its square, and no threshold of your own."}});
   }
+}
+
+EXERCISE_TEST(SlidingTangents, DropNothingSmall) {
+  for (const double part : small_parts)
+    for (int c = 0; c < 3; ++c) {
+      const Vec3 n = Vec3::Unit(c), slip = Vec3::Unit((c + 1) % 3) + part * Vec3::Unit((c + 2) % 3);
+      const Tangents t = sliding_tangents(n, slip - 2 * n, 0);
+      expect_each_near<Vec3>("t1 of a slip that is nearly along an axis", "Eq. (9.2)", t.t1, slip.normalized(),
+                             16);
+      expect_each_near<Vec3>("t2 of a slip that is nearly along an axis", "Eq. (9.2)", t.t2,
+                             n.cross(slip.normalized()), 16);
+      const Vec3 slow = sliding_tangents(n, part * slip - n, 0).t1,
+                 fast = sliding_tangents(n, slip - part * n, 0).t1;
+      expect_each_near<Vec3>("t1 of a slip that is slow beside the approach", "Eq. (9.2)", slow,
+                             slip.normalized(), 16);
+      expect_each_near<Vec3>("t1 of a slip that is fast beside the approach", "Eq. (9.2)", fast,
+                             slip.normalized(), 16);
+      if (::testing::Test::HasFailure()) return;
+    }
 }
 
 EXERCISE_TEST(SlidingTangents, StopABlockAtTheSameDistanceInEveryDirection) {

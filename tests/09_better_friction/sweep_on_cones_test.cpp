@@ -1,6 +1,7 @@
 // All rows once, each contact with its cone, and how far they still are.
 #include "exercise_test.hpp"
 #include "rubbing.hpp"
+#include "unlike_terms.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -257,6 +258,16 @@ EXERCISE_TEST(ResidualOnCones, WithoutContactsIsChapter04s) {
   expect_near("residual of six joints' rows [m/s]", "Eq. (4.8), (9.7)",
               residual_on_cones(s.contacts, s.rows, s.V), residual(s.rows, s.V), roundings(1000, 5), {},
               "Without contacts, every row by Eq. (4.8).");
+}
+
+EXERCISE_TEST(ResidualOnCones, DropsNothingSmall) {
+  for (const double part : small_parts)
+    for (const UnlikeTerms& of : unlike_terms(part)) {
+      expect_near("residual of a row with " + of.text + " [m/s]", "Eq. (9.7)",
+                  residual_on_cones<3>({}, {of.row}, of.V), std::abs(of.lacks), roundings(8), {},
+                  small_is_dropped);
+      if (::testing::Test::HasFailure()) return;
+    }
 }
 
 EXERCISE_TEST(ResidualOnCones, SeesFrictionThatHasTheWrongDirection) {

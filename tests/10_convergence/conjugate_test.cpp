@@ -1,5 +1,6 @@
 // Conjugate gradients: what prepares them, and the solver.
 #include "exercise_test.hpp"
+#include "small_parts.hpp"
 #include "stop_rule.hpp"
 #include "systems.hpp"
 
@@ -73,6 +74,66 @@ EXERCISE_TEST(Precondition, SweepsAnyNumberOfBodies) {
                        as_eigen(z), both, roundings(1e4, 10), {{forth, "This is the sweep forth alone."}},
                        "One sweep first to last and one last to first.");
   }
+}
+
+/// Three rows around three bodies, some of them so heavy that they hardly move, with B = 1 m/s or a part of it; every such
+/// system, and some with a small Σ. S stays well conditioned.
+std::vector<Problem<3>> unlike_problems(double part) {
+  const Twist<3> up(0, 0, 1);
+  std::vector<Problem<3>> all;
+  for (int bits = 0; bits < 64; ++bits) {
+    const auto size = [&](int bit) { return bits >> bit & 1 ? part : 1; };
+    Problem<3> p;
+    p.V.assign(3, Twist<3>::Zero());
+    for (int k = 0; k < 3; ++k) {
+      const int i = k, j = (k + 1) % 3;
+      p.rows.push_back({.i = i,
+                        .j = j,
+                        .Gi = -up,
+                        .Gj = up,
+                        .MinvGi = -size(i) * up,
+                        .MinvGj = size(j) * up,
+                        .B = size(3 + k),
+                        .Sigma = 1,
+                        .diagonal = size(i) + size(j) + 1,
+                        .lo = -infinity,
+                        .hi = infinity});
+    }
+    all.push_back(p);
+    if (bits % 8 == 0) {  // where all bodies are light, Σ of one row may be small, too
+      p.rows[2].Sigma = part, p.rows[2].diagonal = 2 + part;
+      all.push_back(p);
+    }
+  }
+  return all;
+}
+
+EXERCISE_TEST(Precondition, DropsNothingSmall) {
+  for (const double part : small_parts)
+    for (const Problem<3>& p : unlike_problems(part)) {
+      const Eigen::MatrixXd S = dense_S(p.rows);
+      const Eigen::VectorXd r = gathered(p.rows, &Row<3>::B);
+      const auto z = precondition(p.rows, as_std(r), all_free(3), 3);
+      expect_near_vector("z of three rows, for r = " + show(Eigen::MatrixXd(r)) +
+                             " m/s and S_kk = " + show(Eigen::MatrixXd(S.diagonal())) + " /kg [N s]",
+                         "Eq. (10.6)", as_eigen(z), and_back(S, r, forth(S, r)), roundings(32), {},
+                         small_is_dropped);
+      if (::testing::Test::HasFailure()) return;
+    }
+}
+
+EXERCISE_TEST(ConjugateSolve, DropsNothingSmall) {
+  for (const double part : small_parts)
+    for (Problem<3>& p : unlike_problems(part)) {
+      const Eigen::MatrixXd S = dense_S(p.rows);
+      const Eigen::VectorXd B = gathered(p.rows, &Row<3>::B);
+      conjugate_solve(p.rows, p.V, {.max_sweeps = 30, .tolerance = 1e-15});
+      expect_near_vector("λ of three rows, for B = " + show(Eigen::MatrixXd(B)) +
+                             " m/s and S_kk = " + show(Eigen::MatrixXd(S.diagonal())) + " /kg [N s]",
+                         "Eq. (10.7)", gathered(p.rows, &Row<3>::lambda), Eigen::VectorXd(S.inverse() * B),
+                         {2e-14, "some roundings an iteration, times a condition of 4"}, {}, small_is_dropped);
+      if (::testing::Test::HasFailure()) return;
+    }
 }
 
 EXERCISE_TEST(Precondition, KnowsNoBounds) {

@@ -121,6 +121,19 @@ EXERCISE_TEST(MatchContacts, TakesTheNearestOfTwo) {
                  match_contacts(one, turned, 0.5), {1}, {}, "The nearer of the two.");
 }
 
+EXERCISE_TEST(MatchContacts, TakesTheNearestHoweverLittleItIsNearer) {
+  for (const double part : small_parts) {
+    const std::vector<OldContact> old = {{0, 1, Vec3(-1 - part, 0, 0)}, {0, 1, Vec3(0, 1, 0)}};
+    const std::vector<Contact> one = {contact(0, 1, Vec3::Zero())};
+    const std::string of =
+        "one contact, and two old ones, of which the first is farther by " + show(part) + " of ";
+    expect_matches(of + "that", match_contacts(one, old, 2), {1}, {}, small_is_dropped);
+    expect_matches(of + "the reach, and out of it", match_contacts(one, {old[0]}, 1), {-1}, {},
+                   small_is_dropped);
+    if (::testing::Test::HasFailure()) return;
+  }
+}
+
 EXERCISE_TEST(MatchContacts, LeavesTheNextBestToTheLoser) {
   const std::vector<OldContact> old = {{0, 1, Vec3(0, 0, 0)}, {0, 1, Vec3(0.6, 0, 0)}};
   const std::vector<Contact> contacts = {contact(0, 1, Vec3(0.2, 0, 0)), contact(0, 1, Vec3(0.1, 0, 0))};

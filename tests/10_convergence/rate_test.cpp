@@ -1,5 +1,6 @@
 // How fast a history falls.
 #include "exercise_test.hpp"
+#include "small_parts.hpp"
 #include "systems.hpp"
 
 using namespace spook;
@@ -34,6 +35,13 @@ EXERCISE_TEST(ObservedRate, OfAGeometricHistoryIsItsFactor) {
          {1 - rate, "This is what a sweep takes away. The rate is what it leaves."}},
         "(e_n/e_m)^(1/(n - m)), with m = ⌈n/2⌉.");
   }
+}
+
+EXERCISE_TEST(ObservedRate, DropsNothingSmall) {
+  for (const double part : small_parts)
+    expect_near("rate of entries that shrink by " + show(part), "Eq. (10.5)",
+                observed_rate(falling(0.3, part, 4)), part, {1e-13 * part, "powers up to 3"},
+                {{0, small_is_dropped}}, small_is_dropped);
 }
 
 EXERCISE_TEST(ObservedRate, LooksAtTheSecondHalf) {

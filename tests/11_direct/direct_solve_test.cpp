@@ -401,6 +401,36 @@ EXERCISE_TEST(DirectSolve, EndsWithANaN) {
   }
 }
 
+EXERCISE_TEST(DirectSolve, RemembersNoCallBefore) {
+  // The same contact so many times, Σ = 0: S can not be factorised, and what is there to begin with is zero, always.
+  const auto impulses = [](int contacts) {
+    System<3> s;
+    s.add(0, Twist<3>::Zero());
+    s.add(0.5, Twist<3>(-1, 0, 0));
+    const Twist<3> out(1, 0, 0);
+    for (int k = 0; k < contacts; ++k)
+      s.add({.i = 0,
+             .j = 1,
+             .Gi = -out,
+             .Gj = out,
+             .gap = 0,
+             .spook = {.a = 1, .b = 1, .Sigma = 0},
+             .lo = 0,
+             .hi = infinity});
+    solve_directly(s);
+    Eigen::VectorXd lambda(contacts);
+    for (int k = 0; k < contacts; ++k) lambda[k] = s.rows[static_cast<std::size_t>(k)].lambda;
+    return lambda;
+  };
+  const Eigen::VectorXd first = impulses(3), second = impulses(3), other = impulses(7), third = impulses(3);
+  expect_near("sum of the impulses of a contact that is there 7 times [N s]", "Eq. (11.13)", other.sum(), 2,
+              {1e-9, "what interior_solve leaves of it"}, {}, "2 kg lose 1 m/s.");
+  for (const Eigen::VectorXd& again : {second, third})
+    expect_near_vector("impulses of a contact that is there 3 times, asked for again [N s]", "Eq. (11.13)",
+                       again, first, {0, "the same question, the same answer"}, {},
+                       "Something is left over from the call before: a static variable, perhaps.");
+}
+
 EXERCISE_TEST(DirectSolve, OfNothingIsDone) {
   System<6> s;
   s.V.assign(2, Twist<6>::Constant(3));

@@ -2,6 +2,7 @@
 #include "algebra.hpp"
 #include "exercise_test.hpp"
 #include "interior.hpp"
+#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -125,6 +126,30 @@ VectorXd finite(const VectorXd& v) {
 }
 
 const Tolerance conditioned{1e-10, "roundings times a condition of 1e3, and some"};
+
+EXERCISE_TEST(InteriorStep, TakesTheSmallestStep) {
+  // λ = 0 of 1 kg that is to lose 1 m/s, just above its bound: it goes as far as it may.
+  const VectorXd one = VectorXd::Ones(1), none = VectorXd::Zero(1), unbounded = infinity * one;
+  for (const double part : small_parts) {
+    const Inside p{.S = MatrixXd::Identity(1, 1),
+                   .B = -one,
+                   .now = {.lambda = none,
+                           .room_lo = part * one,
+                           .room_hi = unbounded,
+                           .push_lo = part * part * one,
+                           .push_hi = none},
+                   .target = {.lo = none, .hi = none}};
+    const Interior got = step_of(p, {-part * one, unbounded});
+    if (!has_size(got, 1, "Eq. (11.11)")) return;
+    expect_near("room below, of " + show(part) + " N s where 1 N s is wanted, over what it was", "Eq. (11.10)",
+                got.room_lo[0] / part, 0.001, {1e-12, "1000 roundings: 1 - 0.999"},
+                {{1, "It has not moved. " + small_is_dropped}},
+                "0.999 of its longest part. " + small_is_dropped);
+    expect_near("λ, over the room that there was", "Eq. (11.10)", got.lambda[0] / part, -0.999, roundings(8),
+                {}, small_is_dropped);
+    if (::testing::Test::HasFailure()) return;
+  }
+}
 
 EXERCISE_TEST(InteriorStep, LooksBeforeItGoes) {
   Random random;

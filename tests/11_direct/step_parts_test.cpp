@@ -265,6 +265,11 @@ EXERCISE_TEST(LongestStep, LooksAtTheSmallestToo) {
                       show(part) + " to -3 times that, beside others of 1",
                   "Eq. (11.10)", longest_step(now, step), 0.25, roundings(4),
                   {{1, "It is no limit? " + small_is_dropped}}, small_is_dropped);
+      (step.*of.vector)[1] = -1;
+      expect_near("the part of a step in which the " + std::string(of.name) + row(1) + " falls from " +
+                      show(part) + " by 1",
+                  "Eq. (11.10)", longest_step(now, step), part, roundings(4, part),
+                  {{0, "It has been taken for none. " + small_is_dropped}}, small_is_dropped);
       if (::testing::Test::HasFailure()) return;
     }
 }
@@ -343,6 +348,33 @@ EXERCISE_TEST(BarrierMatrix, DropsNothingSmall) {
                 {{0, "They add nothing. " + small_is_dropped}}, small_is_dropped);
     if (::testing::Test::HasFailure()) return;
   }
+}
+
+EXERCISE_TEST(NewtonStep, DropsNothingSmall) {
+  // One row, λ between two bounds; of the four that ask for a change one is large, and another small.
+  const VectorXd one = VectorXd::Ones(1);
+  const std::string names[] = {"B", "S λ", "τ⁻/s⁻", "τ⁺/s⁺"};
+  for (const double part : small_parts)
+    for (int large = 0; large < 4; ++large)
+      for (int more = 1; more < 4; ++more) {
+        const int small = (large + more) % 4;
+        double term[4] = {0, 0, 0, 0};
+        term[large] = 1, term[small] = part;
+        const Inside p{
+            .S = MatrixXd::Identity(1, 1),
+            .B = term[0] * one,
+            .now = {.lambda = term[1] * one, .room_lo = one, .room_hi = one, .push_lo = one, .push_hi = one},
+            .target = {.lo = term[2] * one, .hi = term[3] * one}};
+        Factors factors;
+        factorise(lower_triangle(dense_barrier(p)), factors);
+        const Interior step = newton_step(lower_triangle(p.S), p.B, p.now, p.target, factors);
+        if (!has_size(step, 1, "Eq. (11.8)")) return;
+        expect_near(
+            "Δλ, where " + names[large] + " = 1 m/s and " + names[small] + " = " + show(part) + " m/s [N s]",
+            "Eq. (11.8)", step.lambda[0], (term[0] - term[1] + term[2] - term[3]) / 3, roundings(4), {},
+            small_is_dropped);
+        if (::testing::Test::HasFailure()) return;
+      }
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "algebra.hpp"
 #include "exercise_test.hpp"
+#include "small_parts.hpp"
 #include "springs.hpp"
 
 using namespace spook;
@@ -122,6 +123,20 @@ EXERCISE_TEST(StiffSolve, KnowsNoBounds) {
                          "It is clamped, and V, found with the others, does not belong to it."}},
                        "It solves rows as if they had no bounds.");
   }
+}
+
+EXERCISE_TEST(StiffSolve, DropsNothingSmall) {
+  for (const double part : small_parts)
+    for (const Vec3& apart : lopsided(part)) {
+      Springs s{.h = 0.5};
+      s.add(1, Vec3::Zero(), Vec3::Zero());
+      s.add(1, Vec3::Zero(), apart);
+      s.stiffness = {{.i = 0, .j = 1, .K = 4 * Mat3::Identity()}};  // h²K is 1 kg, as are the masses
+      expect_each_near<Eigen::VectorXd>("V of two bodies that forces part nearly along an axis [m/s]",
+                                        "Eq. (12.6)", solved(s).V,
+                                        (Eigen::VectorXd(6) << apart / 3, -apart / 3).finished(), 16);
+      if (::testing::Test::HasFailure()) return;
+    }
 }
 
 EXERCISE_TEST(StiffSolve, KeepsMomentum) {

@@ -148,6 +148,13 @@ EXERCISE_TEST(ShiftAlong, DropsNothingSmall) {
     expect_near("shift along axis 1 of a point at (1, " + show(part) + ", 0) [m]", "Eq. (13.5)",
                 shift_along(i, j, 1).value, part, roundings(4, part),
                 {{0, "There is none. " + small_is_dropped}}, small_is_dropped);
+    for (const bool i_is_near : {true, false}) {
+      const JointFrame near{{.body = 0, .x = Vec3(part, 0, 0)}, Quat::Identity()},
+          far{{.body = 1, .x = Vec3(2, 0, 0)}, Quat::Identity()};
+      expect_near("shift of two points, " + show(part) + " m and 2 m from the origin [m]", "Eq. (13.5)",
+                  (i_is_near ? shift_along(near, far, 0) : shift_along(far, near, 0)).value,
+                  (i_is_near ? 1 : -1) * (2 - part), roundings(4), {}, small_is_dropped);
+    }
     i.axes = turn_about(Vec3::UnitZ(), part);
     const Vec3 n = shift_along(i, j, 0).Gj.head<3>();
     expect_near("y of n, an axis that is turned by " + show(part) + " rad about z", "Eq. (13.5)", n.y(),

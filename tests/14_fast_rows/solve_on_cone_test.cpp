@@ -5,6 +5,7 @@
 #include "14_fast_rows/fast_rows.hpp"
 #include "exercise_test.hpp"
 #include "regions.hpp"
+#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -72,9 +73,25 @@ EXERCISE_TEST(SolveOnCone, SlidesLikeABall) {
 EXERCISE_TEST(SolveOnCone, DoesWithoutFriction) {
   Random random;
   const Mat3 S = coupled_block(random);
-  for (const Vec3& q : {Vec3(1.5, 1, -2), Vec3(1.5, 0, 0)})
+  for (const Vec3& q : {Vec3(1.5, 1, -2), Vec3(1.5, 0, 0), Vec3(1.5e-12, 1, -2)})
     expect_near_vector("λ with μ = 0 [N s]", "Eq. (14.5)", solve_on_cone(S, q, 0), Vec3(q[0] / S(0, 0), 0, 0),
                        roundings(10, q[0] / S(0, 0)), {}, "Nothing rubs: chapter 04's single row.");
+}
+
+EXERCISE_TEST(SolveOnCone, DropsNothingSmall) {
+  const Mat3 S = Vec3(2, 4, 4).asDiagonal();
+  for (const double part : small_parts) {
+    const double length = std::hypot(1, part);
+    expect_each_near<Vec3>("λ of a contact that sticks, where little is asked of its friction [N s]",
+                           "Eq. (14.4)", solve_on_cone(S, Vec3(2, part, -part / 2), 0.5),
+                           Vec3(1, part / 4, -part / 8), 16);
+    expect_each_near<Vec3>("λ of a contact that slides nearly along a tangent [N s]", "Eq. (14.5)",
+                           solve_on_cone(S, Vec3(2, 40, 40 * part), 0.5),
+                           Vec3(1, 0.5 / length, 0.5 * part / length), 100);
+    expect_each_near<Vec3>("λ of a contact that slides with μ = " + show(part) + " [N s]", "Eq. (14.5)",
+                           solve_on_cone(S, Vec3(2, -30, 40), part), Vec3(1, -0.6 * part, 0.8 * part), 100);
+    if (::testing::Test::HasFailure()) return;
+  }
 }
 
 /// What Eq. (14.3)-(14.5) say of an answer.
@@ -122,6 +139,30 @@ EXERCISE_TEST(SolveOnCone, ObeysCoulombsLaw) {
                   {"slides", slides},
                   {"slides with a friction that lifts", slides && lambda[0] < 0.8 * q[0] / S(0, 0)},
                   {"slides and is pressed down", slides && lambda[0] > 1.2 * q[0] / S(0, 0)}});
+    expect_coulomb(S, q, mu, lambda);
+  }
+}
+
+EXERCISE_TEST(SolveOnCone, ObeysCoulombsLawWhereItNearlyJams) {
+  // Blocks that are up to ten thousand times as soft one way as another: friction lifts, or presses, a hundredfold.
+  Random random;
+  Regions regions({"parts", "sticks", "slides", "slides with a friction that lifts", "nearly jams"}, 200);
+  while (regions.lack_draws()) {
+    const Mat3 R = random.rotation().toRotationMatrix();
+    Vec3 values;
+    for (double& value : values) value = random.log_uniform(3e-4, 3);
+    const Mat3 S = R * values.asDiagonal() * R.transpose();
+    const double mu = random.log_uniform(0.05, 3);
+    const Vec3 q(random.uniform(-0.3, 1), random.uniform(-2, 2), random.uniform(-2, 2)),
+        stuck = S.inverse() * q;
+    const bool presses = q[0] > 0, slides = presses && !(friction_of(stuck) <= mu * stuck[0]);
+    const Vec3 lambda = solve_on_cone(S, q, mu);
+    const double share = lambda[0] / (q[0] / S(0, 0));  // of what it is without friction
+    regions.draw({{"parts", !presses},
+                  {"sticks", presses && !slides},
+                  {"slides", slides},
+                  {"slides with a friction that lifts", slides && share < 0.4},
+                  {"nearly jams", slides && share > 20}});
     expect_coulomb(S, q, mu, lambda);
   }
 }

@@ -52,6 +52,16 @@ class SubtleMutations(unittest.TestCase):
                           ".select(0, x.array()); }(x);"})
         self.assertEqual(subtly_changed("return x;", "part"), set())
 
+    def test_small_addends(self):
+        found = subtly_changed("return a * b - f(c + d) + e;", "part", "Vec3 f()")
+        large_y = "if (x.norm() < 1e-6 * y.norm())"
+        self.assertIn(f"return [](Vec3 x, Vec3 y) -> Vec3 {{ {large_y} return -y; return x - y; }}"
+                      "(a * b, f(c + d)) + e;", found)
+        self.assertIn(f"return [](Vec3 x, Vec3 y) -> Vec3 {{ {large_y} return +y; return x + y; }}"
+                      "(a * b - f(c + d), e);", found)
+        self.assertEqual(len(found), 1 + 2 * 2)
+        self.assertEqual(subtly_changed("return a > 0 ? a + b : c;", "part"), set())
+
     def test_floats(self):
         self.assertEqual(subtly_changed("const double x = y * z;\nreturn;", "float"),
                          {"const double x = static_cast<float>(y * z);"})
@@ -62,6 +72,7 @@ class SubtleMutations(unittest.TestCase):
         self.assertEqual(subtly_changed("std::vector<double> x;", "static"), {"static std::vector<double> x;"})
         self.assertEqual(subtly_changed("const Vec3 x = y;", "static"), {"static const Vec3 x = y;"})
         self.assertEqual(subtly_changed("x = y;", "static"), set())
+        self.assertEqual(subtly_changed("class A {\nstd::vector<int> x;\n};\nx = y;", "static"), set())
 
     def test_inputs(self):
         head = "double f(const Vec3& x, double y, const std::vector<int>& z)"

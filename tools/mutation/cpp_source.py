@@ -128,6 +128,11 @@ class Source:
             return self.tokens[self.partner[k - 1] - 1].text in ("if", "for", "while", "constexpr")
         return before in (";", "{", "}", "else")
 
+    def is_member(self, k: int) -> bool:
+        """Whether the statement at k declares a member of a struct or a class."""
+        opens = max((at for at in self.partner if at < k < self.partner[at] and self.is_at(at, "{")), default=0)
+        return self.is_at(opens - 2, "struct") or self.is_at(opens - 2, "class")
+
     def is_expression(self, k: int) -> bool:
         """Whether the statement that begins at k is an expression, and declares nothing."""
         if self.tokens[k].kind != "name":

@@ -7,10 +7,10 @@ from mutant import Mutant
 from names import names
 from operators import added_signs, operators
 from statements import conditions, loops, statements
-from subtle import floats, inputs, pairs, small_parts, statics, thresholds
+from subtle import addends, floats, inputs, pairs, small_parts, statics, thresholds
 
 _KINDS = (operators, added_signs, constants, indices, names, calls, statements, conditions, loops)
-_SUBTLE = (thresholds, small_parts, floats, statics, inputs)
+_SUBTLE = (thresholds, small_parts, addends, floats, statics, inputs)
 SUBTLE_KINDS = {"threshold", "part", "float", "static", "input", "pair"}
 
 

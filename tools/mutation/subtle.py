@@ -43,6 +43,36 @@ def small_parts(source: Source) -> Iterator[Mutant]:
                          f".select(0, x.array()); }}({source.text[begin:end]})")
 
 
+def addends(source: Source) -> Iterator[Mutant]:
+    """Of two that are added, one is taken for zero where it is a millionth of the other."""
+    size = {"double": "({0} < 0 ? -{0} : {0})", "Vec3": "{0}.norm()", "Vector": "{0}.norm()"}
+    for kind, begin, end in _values(source):
+        signs = _sum(source, begin, end) if kind in size else []
+        for n, k in enumerate(signs):
+            stop = source.tokens[signs[n + 1]].start if n + 1 < len(signs) else end
+            sign, x, y = source.tokens[k].text, size[kind].format("x"), size[kind].format("y")
+            left = source.text[begin:source.tokens[k].start].strip()
+            right = source.text[source.tokens[k].end:stop].strip()
+            for small, large, rest in ((y, x, "x"), (x, y, f"{sign}y")):
+                yield Mutant("part", begin, stop,
+                             f"[]({kind} x, {kind} y) -> {kind} {{ if ({small} < 1e-6 * {large}) return {rest}; "
+                             f"return x {sign} y; }}({left}, {right})" + " " * (stop < end))
+
+
+def _sum(source: Source, begin: int, end: int) -> list[int]:
+    """The signs between the terms, if that is all that holds the value together."""
+    found = []
+    k = next(k for k, token in enumerate(source.tokens) if token.start == begin)
+    while source.tokens[k].start < end:
+        text, binary = source.tokens[k].text, source.spaced(k) and source.spaced(k + 1)
+        if text in ("+", "-") and binary and source.tokens[k].start > begin:
+            found.append(k)
+        elif text in ("?", "&&", "||", "==", "!=", "<=", ">=") or (text in ("<", ">") and binary):
+            return []
+        k = max(source.partner.get(k, k), k) + 1
+    return found
+
+
 def floats(source: Source) -> Iterator[Mutant]:
     for kind, begin, end in _values(source):
         value = source.text[begin:end]
@@ -54,7 +84,7 @@ def floats(source: Source) -> Iterator[Mutant]:
 def statics(source: Source) -> Iterator[Mutant]:
     """A value that is computed once, and a list that keeps what it held."""
     for k in source.code:
-        if not source.begins_statement(k):
+        if not source.begins_statement(k) or source.is_member(k):
             continue
         text = source.text[source.tokens[k].start:]
         if re.match(rf"(const )?({'|'.join(_TYPES)}|std::vector<[\w<>:]+>) \w+( =|;|\()", text):
