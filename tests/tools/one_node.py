@@ -3,6 +3,7 @@
 import contextlib
 import os
 import pwd
+import re
 import shutil
 import signal
 import socket
@@ -62,6 +63,8 @@ SlurmdParameters=config_overrides
 NodeName={host} NodeAddr=127.0.0.1 CPUs={tasks} State=UNKNOWN
 PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP
 """)
+        if _slurm_version() >= (24, 5):  # since then it wants cgroups unless told not to, which a container may lack
+            (folder / "cgroup.conf").write_text("CgroupPlugin=disabled\n")
         self.environment = os.environ | {"SLURM_CONF": str(conf)}
         self.host = host
         self._start("slurmctld", "-D", "-f", str(conf))
@@ -129,6 +132,12 @@ PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP
                                   capture_output=True, text=True).stdout
             return "State=IDLE" in told
         _wait(idle, "the node does not become idle", 60, self.log)
+
+
+def _slurm_version() -> tuple[int, int]:
+    said = subprocess.run([_which("slurmd"), "-V"], capture_output=True, text=True, check=True).stdout
+    year, month = re.search(r"(\d+)\.(\d+)", said).groups()
+    return int(year), int(month)
 
 
 def _wait(holds, otherwise: str, seconds: float, more=lambda: "") -> None:
