@@ -23,13 +23,14 @@ class CoupledBodies {
       if (both && (pairs.empty() || pairs.back() != pair)) pairs.push_back(pair);
     }
     factors_ = BlockFactors<Dof>(static_cast<int>(mass_.size()), pairs);
+    v_.resize(mass_.size());
   }
 
   /// M, and a right side of 0.
   void begin() {
     factors_.set_zero();
     for (int b = 0; b < std::ssize(mass_); ++b) factors_.block(b, b) = mass_[b];
-    v_.assign(mass_.size(), Twist<Dof>::Zero());
+    std::fill(v_.begin(), v_.end(), Twist<Dof>::Zero());
   }
 
   /// Adds what `count` rows between the same two bodies bring.
