@@ -18,7 +18,7 @@ from manifest import Exercise
 _MARK = re.compile(r"^\[ *(RUN|OK|FAILED|SKIPPED) *\] (\S+?)(?: \(\d+ ms\))?$")
 _MEMORY = 4 << 30
 _OUTPUT = 64 << 20
-_WAITING = 3  # on the clock, over processor time: for what waits, or is kept waiting by others
+_WAITING = 5  # on the clock, over processor time: for what waits, or is kept waiting by others
 _PATIENCE = 20  # the same where nobody looks on
 
 
@@ -72,7 +72,7 @@ def time_limit() -> float:
 
 def clock_limit() -> float:
     """Seconds on the clock for all tests of an exercise."""
-    return _WAITING * time_limit()
+    return _WAITING * math.ceil(time_limit())
 
 
 def run_tests(program: Path, test_filter: str, seed: int | None = None, *, processor: float | None = None,
