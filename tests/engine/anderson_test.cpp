@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engine/world.hpp"
+#include "velocities.hpp"
 
 namespace spook {
 namespace {
@@ -26,16 +27,6 @@ World<6> pushed_tower(const Solver<6>& solver, const StopRule& stop, double top 
   }
   world.step(1.0 / 60);
   return world;
-}
-
-/// The largest difference of two velocities [m/s, rad/s].
-double apart(const World<6>& one, const World<6>& other) {
-  double most = 0;
-  for (std::size_t b = 0; b < one.bodies().size(); ++b) {
-    const double difference = (one.bodies().motion.W[b] - other.bodies().motion.W[b]).norm();
-    if (std::isnan(difference) || difference > most) most = difference;
-  }
-  return most;
 }
 
 TEST(Anderson, HasTheAnswerOfSweepsAfterFewer) {

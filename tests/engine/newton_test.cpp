@@ -7,6 +7,7 @@
 
 #include "engine/world.hpp"
 #include "raw_system.hpp"
+#include "velocities.hpp"
 
 namespace spook {
 namespace {
@@ -52,16 +53,6 @@ void expect_inside(const World<6>& world) {
     const Vec2 along(world.rows()[k + 1].lambda, world.rows()[k + 2].lambda);
     EXPECT_LE(along.norm(), mu * normal * (1 + 1e-15) + 1e-300) << "row " << k;
   }
-}
-
-/// The largest difference of two velocities [m/s, rad/s].
-double apart(const World<6>& one, const World<6>& other) {
-  double most = 0;
-  for (std::size_t b = 0; b < one.bodies().size(); ++b) {
-    const double difference = (one.bodies().motion.W[b] - other.bodies().motion.W[b]).norm();
-    if (std::isnan(difference) || difference > most) most = difference;
-  }
-  return most;
 }
 
 TEST(Newton, SlidesAsCoulombSaysInEveryDirection) {
