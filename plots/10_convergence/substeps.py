@@ -24,8 +24,8 @@ def draw(data, mine):
             panel.plot(some["updates"], [max(error, LEAST) for error in some["error"]], **figures.MINE)
         least = table.only("method", "needed")["updates"][0]
         panel.axvline(least, color="#777777", linewidth=1)
-        panel.annotate(f"n of (10.12): {least:.3g}", (least, 3e-9), xytext=(-3, 0), textcoords="offset points",
-                       ha="right", va="center", rotation=90, fontsize=8)
+        panel.annotate(f"n of (10.12): {least:.3g}", (least, 3e3), xytext=(3, 0), textcoords="offset points",
+                       ha="left", va="center", rotation=90, fontsize=8)
         panel.set(xscale="log", yscale="log", ylim=(LEAST / 3, 2 * LOST), xlabel="n, updates of each row in 1/60 s",
                   title=f"{scene}: {title}")
         panel.axhline(1, color="#BBBBBB", linewidth=0.8)
