@@ -1,10 +1,52 @@
-#include <barrier>
+#include <atomic>
 #include <exception>
 #include <thread>
 
 #include "14_fast_rows/fast_rows.hpp"
 
 namespace spook {
+
+namespace {
+
+/// Where threads wait until all have come; the last one does first what is to be done between two rounds. Who waits looks
+/// again and again for a while, since to sleep and be woken takes longer than many a round.
+class MeetingPoint {
+ public:
+  MeetingPoint(int threads, const std::function<void()>& between)
+      : threads_(threads), missing_(threads), between_(between) {}
+
+  void meet() {
+    const int round = round_;
+    if (come()) return;
+    for (int look = 0; look < looks; ++look)
+      if (round_ != round) return;
+    round_.wait(round);
+  }
+
+  /// One who will never come again.
+  void leave() {
+    --threads_;
+    come();
+  }
+
+ private:
+  static constexpr int looks = 10'000;  // some tens of microseconds
+
+  /// Whether it was the last one.
+  bool come() {
+    if (--missing_ > 0) return false;
+    between_();
+    missing_ = threads_.load();
+    ++round_;
+    round_.notify_all();
+    return true;
+  }
+
+  std::atomic<int> threads_, missing_, round_ = 0;
+  const std::function<void()>& between_;
+};
+
+}  // namespace
 
 void in_rounds(int threads, const std::function<void(int thread)>& work, const std::function<bool()>& next) {
   if (threads == 1) {
@@ -14,7 +56,7 @@ void in_rounds(int threads, const std::function<void(int thread)>& work, const s
   }
   bool go_on = true;
   std::vector<std::exception_ptr> thrown(static_cast<std::size_t>(threads));
-  const auto between = [&]() noexcept {  // alone, when all have come
+  const std::function<void()> between = [&] {  // alone, when all have come
     for (const std::exception_ptr& what : thrown)
       if (what) go_on = false;
     try {
@@ -24,7 +66,7 @@ void in_rounds(int threads, const std::function<void(int thread)>& work, const s
       go_on = false;
     }
   };
-  std::barrier all_done(threads, between);
+  MeetingPoint all_done(threads, between);
   const auto member = [&](int thread) {
     while (go_on) {
       try {
@@ -32,7 +74,7 @@ void in_rounds(int threads, const std::function<void(int thread)>& work, const s
       } catch (...) {
         thrown[static_cast<std::size_t>(thread)] = std::current_exception();
       }
-      all_done.arrive_and_wait();
+      all_done.meet();
     }
   };
   std::vector<std::jthread> others;
@@ -41,8 +83,7 @@ void in_rounds(int threads, const std::function<void(int thread)>& work, const s
     member(0);
   } catch (...) {  // no more threads are to be had: those that are there go home after a round
     thrown[0] = std::current_exception();
-    for (int missing = static_cast<int>(others.size()); missing < threads; ++missing)
-      all_done.arrive_and_drop();
+    for (int missing = static_cast<int>(others.size()); missing < threads; ++missing) all_done.leave();
   }
   others.clear();  // waits for them
   for (const std::exception_ptr& what : thrown)

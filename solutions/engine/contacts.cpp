@@ -1,6 +1,9 @@
 #include "engine/contacts.hpp"
 
 #include <algorithm>
+#include <optional>
+
+#include "engine/shares.hpp"
 
 namespace spook {
 
@@ -82,36 +85,46 @@ void touch(const Plane& plane, const Corners& corners, const Bodies<6>& bodies, 
   }
 }
 
+Pair pair_of(const Contact& contact) {
+  return std::minmax(contact.i, contact.j);
+}
+
 /// Those that were found of two solids, which are in the order of their pairs.
 class Former {
  public:
   Former(const std::vector<Contact>& contacts, std::size_t begin, std::size_t end)
-      : contacts_(contacts), next_(begin), end_(std::min(end, contacts.size())) {}
+      : next_(contacts.begin() + static_cast<std::ptrdiff_t>(begin)),
+        end_(contacts.begin() + static_cast<std::ptrdiff_t>(std::min(end, contacts.size()))) {}
+
+  /// The same from a pair on.
+  Former from(const Pair& bodies) const {
+    Former rest = *this;
+    const auto before = [](const Contact& contact, const Pair& pair) { return pair_of(contact) < pair; };
+    rest.next_ = std::lower_bound(next_, end_, bodies, before);
+    return rest;
+  }
 
   /// Those of a pair that comes after all that were asked for before.
   void add_those_of(const Pair& bodies, std::vector<Contact>& contacts) {
-    while (next_ < end_ && pair_of_next() < bodies) ++next_;
-    for (; next_ < end_ && pair_of_next() == bodies; ++next_) contacts.push_back(contacts_[next_]);
+    while (next_ < end_ && pair_of(*next_) < bodies) ++next_;
+    for (; next_ < end_ && pair_of(*next_) == bodies; ++next_) contacts.push_back(*next_);
   }
 
  private:
-  Pair pair_of_next() const { return std::minmax(contacts_[next_].i, contacts_[next_].j); }
-
-  const std::vector<Contact>& contacts_;
-  std::size_t next_, end_;
+  std::vector<Contact>::const_iterator next_, end_;
 };
 
 }  // namespace
 
 template <int Dof>
 int ContactFinder::find(const Shapes& shapes, const Bodies<Dof>& bodies, double margin,
-                        std::vector<Contact>& contacts) {
-  return find_moved(std::vector<bool>(bodies.size(), true), shapes, bodies, margin, contacts);
+                        std::vector<Contact>& contacts, int threads) {
+  return find_moved(std::vector<bool>(bodies.size(), true), shapes, bodies, margin, contacts, threads);
 }
 
 template <int Dof>
 int ContactFinder::find_moved(const std::vector<bool>& moved, const Shapes& shapes, const Bodies<Dof>& bodies,
-                              double margin, std::vector<Contact>& contacts) {
+                              double margin, std::vector<Contact>& contacts, int threads) {
   const Now<Dof> now{bodies, margin / 2};
   last_.swap(contacts);
   contacts.clear();
@@ -130,25 +143,35 @@ int ContactFinder::find_moved(const std::vector<bool>& moved, const Shapes& shap
     contact.gap += margin;
   }
 
-  Former former(last_, first_of_solids_, end_of_solids_);
+  const Former former(last_, first_of_solids_, end_of_solids_);
   first_of_solids_ = contacts.size();
   if (shapes.solids.size() > 1) {
     bounds_.clear();
     for (const Solid& solid : shapes.solids) bounds_.push_back(now.bounds_of(solid));
-    for (const auto& [a, b] : neighbours_.touching(bounds_)) {
-      const Solid& one = shapes.solids[static_cast<std::size_t>(a)];
-      const Solid& other = shapes.solids[static_cast<std::size_t>(b)];
-      ++pairs;
-      if (one.fixed && other.fixed) continue;
-      const auto has_moved = [&](const Solid& solid) { return moved[static_cast<std::size_t>(solid.body)]; };
-      if (!has_moved(one) && !has_moved(other)) {
-        former.add_those_of({one.body, other.body}, contacts);
-        continue;
+    const std::vector<Pair>& near = neighbours_.touching(bounds_);
+    pairs += static_cast<int>(near.size());
+    found_.resize(shares_of(threads, near.size()));
+    in_shares(threads, near.size(), [&](std::size_t share, std::size_t first, std::size_t end) {
+      std::vector<Contact>& found = found_[share];
+      found.clear();
+      std::optional<Former> of_share;
+      for (; first < end; ++first) {
+        const Solid& one = shapes.solids[static_cast<std::size_t>(near[first].first)];
+        const Solid& other = shapes.solids[static_cast<std::size_t>(near[first].second)];
+        if (one.fixed && other.fixed) continue;
+        const auto has_moved = [&](const Solid& solid) { return moved[static_cast<std::size_t>(solid.body)]; };
+        if (!has_moved(one) && !has_moved(other)) {
+          if (!of_share) of_share = former.from({one.body, other.body});
+          of_share->add_those_of({one.body, other.body}, found);
+          continue;
+        }
+        const std::size_t before = found.size();
+        touch(one, other, now, found);
+        for (std::size_t c = before; c < found.size(); ++c) found[c].gap += margin;
       }
-      const std::size_t first = contacts.size();
-      touch(one, other, now, contacts);
-      for (std::size_t c = first; c < contacts.size(); ++c) contacts[c].gap += margin;
-    }
+    });
+    for (const std::vector<Contact>& found : found_)
+      contacts.insert(contacts.end(), found.begin(), found.end());
   }
   end_of_solids_ = contacts.size();
 
@@ -161,11 +184,11 @@ int ContactFinder::find_moved(const std::vector<bool>& moved, const Shapes& shap
   return pairs;
 }
 
-template int ContactFinder::find<3>(const Shapes&, const Bodies<3>&, double, std::vector<Contact>&);
-template int ContactFinder::find<6>(const Shapes&, const Bodies<6>&, double, std::vector<Contact>&);
+template int ContactFinder::find<3>(const Shapes&, const Bodies<3>&, double, std::vector<Contact>&, int);
+template int ContactFinder::find<6>(const Shapes&, const Bodies<6>&, double, std::vector<Contact>&, int);
 template int ContactFinder::find_moved<3>(const std::vector<bool>&, const Shapes&, const Bodies<3>&, double,
-                                          std::vector<Contact>&);
+                                          std::vector<Contact>&, int);
 template int ContactFinder::find_moved<6>(const std::vector<bool>&, const Shapes&, const Bodies<6>&, double,
-                                          std::vector<Contact>&);
+                                          std::vector<Contact>&, int);
 
 }  // namespace spook

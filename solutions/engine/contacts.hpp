@@ -52,20 +52,22 @@ class ContactFinder {
  public:
   /// Replaces `contacts` with all that have a gap of at most `margin` [m]: of planes with solids, of solids, of planes
   /// with corners, in the order in which the shapes were added. Those of one pair of bodies follow each other. Returns
-  /// how many pairs of shapes were looked at closely.
+  /// how many pairs of shapes were looked at closely. What is found does not depend on `threads`.
   template <int Dof>
-  int find(const Shapes& shapes, const Bodies<Dof>& bodies, double margin, std::vector<Contact>& contacts);
+  int find(const Shapes& shapes, const Bodies<Dof>& bodies, double margin, std::vector<Contact>& contacts,
+           int threads = 1);
 
   /// The same, where only the bodies that `moved` says are elsewhere than at the last call, and `contacts` are those that
   /// it found, in their order: what two solids have that did not move is kept.
   template <int Dof>
   int find_moved(const std::vector<bool>& moved, const Shapes& shapes, const Bodies<Dof>& bodies, double margin,
-                 std::vector<Contact>& contacts);
+                 std::vector<Contact>& contacts, int threads = 1);
 
  private:
   Neighbours neighbours_;
   std::vector<Bounds> bounds_;  // of the solids
   std::vector<Contact> last_;
+  std::vector<std::vector<Contact>> found_;              // of two solids, by each thread
   std::size_t first_of_solids_ = 0, end_of_solids_ = 0;  // which of the contacts are those of two solids
 };
 

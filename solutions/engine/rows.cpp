@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "engine/shares.hpp"
 #include "engine/spook_of.hpp"
 
 namespace spook {
@@ -20,11 +21,14 @@ Constraint<Dof> contact_constraint(const Contact& contact, const Spook& spook) {
           .hi = infinity};
 }
 
-/// How many contacts there are from `first` on between the same two bodies.
-static int contacts_of_pair(const std::vector<Contact>& contacts, std::size_t first) {
-  std::size_t end = first;
-  while (end < contacts.size() && contacts[end].i == contacts[first].i && contacts[end].j == contacts[first].j)
-    ++end;
+/// How many contacts there are between the two bodies of contact c; they follow each other.
+static int contacts_of_pair(const std::vector<Contact>& contacts, std::size_t c) {
+  const auto of_pair = [&](std::size_t other) {
+    return contacts[other].i == contacts[c].i && contacts[other].j == contacts[c].j;
+  };
+  std::size_t first = c, end = c + 1;
+  while (first > 0 && of_pair(first - 1)) --first;
+  while (end < contacts.size() && of_pair(end)) ++end;
   return static_cast<int>(end - first);
 }
 
@@ -44,46 +48,52 @@ static Vec3 slip(const Contact& contact, const Motion<6>& motion) {
 
 template <int Dof>
 void add_contact_rows(const std::vector<Contact>& contacts, double h, const Materials& materials,
-                      const Friction& friction, const Motion<Dof>& motion, std::vector<Row<Dof>>& rows,
-                      std::vector<Rubbing>& rubbing) {
-  SpookOf spook_of(h);
-  if (!materials.rub()) {
-    for (const Contact& contact : contacts) {
-      const Touching touching = materials.of(contact.i, contact.j);
-      rows.push_back(make_row(contact_constraint<Dof>(contact, spook_of(touching.k, touching.d)), motion));
-    }
-    return;
-  }
-  const Spook rub = friction_parameters(h, friction.c);
+                      const Friction& friction, const Motion<Dof>& motion, int threads, std::size_t first_row,
+                      std::vector<Row<Dof>>& rows, std::vector<Rubbing>& rubbing) {
+  const bool rub = materials.rub(), box = friction.model == FrictionModel::box;
+  const Spook of_friction = rub ? friction_parameters(h, friction.c) : Spook{};
   const auto bound = [&](const Contact& contact, double mu, int count) {
-    if (friction.model != FrictionModel::box) return friction.model == FrictionModel::cone ? infinity : 0.0;
+    if (!box) return friction.model == FrictionModel::cone ? infinity : 0.0;
     const double mass = representative_mass(motion.inverse_mass[contact.i].linear,
                                             motion.inverse_mass[contact.j].linear, count);
     return friction_bound(mu, mass, std::abs(friction.gravity.dot(contact.n)), h);
   };
-  for (std::size_t first = 0; first < contacts.size();) {
-    const int count = contacts_of_pair(contacts, first);
-    const Touching touching = materials.of(contacts[first].i, contacts[first].j);
-    for (const std::size_t end = first + static_cast<std::size_t>(count); first < end; ++first) {
-      const Contact& contact = contacts[first];
-      if (friction.model != FrictionModel::box)
-        rubbing.push_back({.normal = rows.size(), .mu = touching.friction});
-      rows.push_back(make_row(contact_constraint<Dof>(contact, spook_of(touching.k, touching.d)), motion));
+  const std::size_t rows_of_one = rows_per_contact(rub);
+  rows.resize(first_row + rows_of_one * contacts.size());
+  rubbing.resize(rub && !box ? contacts.size() : 0);
+
+  in_shares(threads, contacts.size(), [&](std::size_t, std::size_t first, std::size_t end) {
+    SpookOf spook_of(h);
+    Touching touching{};
+    int count = 0;  // contacts of the pair
+    for (std::size_t c = first; c < end; ++c) {
+      const Contact& contact = contacts[c];
+      if (c == first || contact.i != contacts[c - 1].i || contact.j != contacts[c - 1].j) {
+        touching = materials.of(contact.i, contact.j);
+        if (rub) count = contacts_of_pair(contacts, c);
+      }
+      const std::size_t normal = first_row + rows_of_one * c;
+      rows[normal] = make_row(contact_constraint<Dof>(contact, spook_of(touching.k, touching.d)), motion);
+      if (!rub) continue;
       const Tangents along = friction.sliding_tangents ? sliding_tangents(contact.n, slip(contact, motion),
                                                                           1e-3 * friction.gravity.norm() * h)
                                                        : tangents(contact.n);
-      for (const Constraint<Dof>& row :
-           friction_constraints<Dof>(contact, along, bound(contact, touching.friction, count), rub))
-        rows.push_back(make_row(row, motion));
+      const auto limit = bound(contact, touching.friction, count);
+      const auto tangential = friction_constraints<Dof>(contact, along, limit, of_friction);
+      for (std::size_t t = 0; t < tangential.size(); ++t)
+        rows[normal + 1 + t] = make_row(tangential[t], motion);
+      if (!box) rubbing[c] = {.normal = normal, .mu = touching.friction};
     }
-  }
+  });
 }
 
 template Constraint<3> contact_constraint<3>(const Contact&, const Spook&);
 template Constraint<6> contact_constraint<6>(const Contact&, const Spook&);
 template void add_contact_rows<3>(const std::vector<Contact>&, double, const Materials&, const Friction&,
-                                  const Motion<3>&, std::vector<Row<3>>&, std::vector<Rubbing>&);
+                                  const Motion<3>&, int, std::size_t, std::vector<Row<3>>&,
+                                  std::vector<Rubbing>&);
 template void add_contact_rows<6>(const std::vector<Contact>&, double, const Materials&, const Friction&,
-                                  const Motion<6>&, std::vector<Row<6>>&, std::vector<Rubbing>&);
+                                  const Motion<6>&, int, std::size_t, std::vector<Row<6>>&,
+                                  std::vector<Rubbing>&);
 
 }  // namespace spook

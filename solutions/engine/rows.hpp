@@ -43,10 +43,11 @@ inline int rows_per_contact(bool rub) {
 }
 
 /// Adds the rows of each contact in turn: the normal one, and where anything rubs those of its two tangents. The latter
-/// have the bounds of the box; without one, of 0 for two passes, and none for the cone, and are in `rubbing`.
+/// have the bounds of the box; without one, of 0 for two passes, and none for the cone, and are in `rubbing`. The rows do not
+/// depend on `threads`.
 template <int Dof>
 void add_contact_rows(const std::vector<Contact>& contacts, double h, const Materials& materials,
-                      const Friction& friction, const Motion<Dof>& motion, std::vector<Row<Dof>>& rows,
-                      std::vector<Rubbing>& rubbing);
+                      const Friction& friction, const Motion<Dof>& motion, int threads, std::size_t first_row,
+                      std::vector<Row<Dof>>& rows, std::vector<Rubbing>& rubbing);
 
 }  // namespace spook

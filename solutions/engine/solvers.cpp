@@ -31,6 +31,8 @@ const std::vector<NamedSolver<Dof>>& solvers() {
        &anderson_of_rows<Dof>},
       {"newton", "Newton's method on bounds or cones, by factors on bodies; accelerated sweeps where it fails",
        "factorisation", &newton_of_rows<Dof>},
+      {"stripes", "Gauss-Seidel in stripes of space: for large piles on several threads", "sweep",
+       &stripes<Dof>},
       {"direct", "sparse factors of S; bounds by an interior point method", "factorisation", &direct<Dof>},
       {"auto", "for each island of bodies the direct solver where it is sparse or stiff, else Gauss-Seidel",
        "iteration", &by_island<Dof>},

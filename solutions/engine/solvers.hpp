@@ -1,7 +1,7 @@
 #pragma once
 // The solvers, one file each in engine/solvers/, all with the signature of System.
 //
-//   on their own     gauss_seidel, conjugate_gradients, anderson, newton, direct, by_island, in_order, cone
+//   on their own     gauss_seidel, conjugate_gradients, anderson, newton, direct, by_island, in_order, stripes, cone
 //   with another     two_pass(solver), stiff(solver): the outer one says which rows, with which bounds, the inner one solves
 //
 //   two_pass(direct<6>())                                 friction limited by normal forces that are exact
@@ -40,6 +40,10 @@ Solver<Dof> direct();
 /// Each island of bodies with direct or gauss_seidel, by the rule of engine/islands.hpp.
 template <int Dof>
 Solver<Dof> by_island();
+
+/// Projected Gauss-Seidel in stripes of space, on as many threads as it may use.
+template <int Dof>
+Solver<Dof> stripes();
 
 /// In which order the sweeps go through the rows.
 enum class RowOrder {

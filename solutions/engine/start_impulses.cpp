@@ -2,16 +2,21 @@
 
 #include <algorithm>
 
+#include "engine/shares.hpp"
+
 namespace spook {
 
 template <int Dof>
 void StartImpulses::remember(const std::vector<Row<Dof>>& rows, std::size_t first,
-                             const std::vector<Contact>& contacts, double h) {
-  joints_.clear();
-  contact_rows_.clear();
-  contacts_.clear();
-  for (std::size_t k = 0; k < rows.size(); ++k) (k < first ? joints_ : contact_rows_).push_back(rows[k].lambda);
-  for (const Contact& contact : contacts) contacts_.push_back({contact.i, contact.j, contact.r_j});
+                             const std::vector<Contact>& contacts, double h, int threads) {
+  joints_.resize(first);
+  contact_rows_.resize(rows.size() - first);
+  contacts_.resize(contacts.size());
+  in_shares(threads, rows.size(), [&](std::size_t, std::size_t k, std::size_t end) {
+    for (; k < end; ++k) (k < first ? joints_[k] : contact_rows_[k - first]) = rows[k].lambda;
+  });
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    contacts_[c] = {contacts[c].i, contacts[c].j, contacts[c].r_j};
   h_ = h;
 }
 
@@ -34,8 +39,8 @@ std::vector<double> StartImpulses::impulses(std::size_t rows, std::size_t first,
 }
 
 template void StartImpulses::remember<3>(const std::vector<Row<3>>&, std::size_t, const std::vector<Contact>&,
-                                         double);
+                                         double, int);
 template void StartImpulses::remember<6>(const std::vector<Row<6>>&, std::size_t, const std::vector<Contact>&,
-                                         double);
+                                         double, int);
 
 }  // namespace spook

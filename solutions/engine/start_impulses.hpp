@@ -15,7 +15,7 @@ class StartImpulses {
   /// Keeps the impulses of a step that is done: `first` rows of joints, then those of the contacts.
   template <int Dof>
   void remember(const std::vector<Row<Dof>>& rows, std::size_t first, const std::vector<Contact>& contacts,
-                double h);
+                double h, int threads = 1);
 
   /// One for each row of the next step; 0 for what is new. Empty when nothing is kept.
   std::vector<double> impulses(std::size_t rows, std::size_t first, const std::vector<Contact>& contacts,

@@ -32,6 +32,7 @@ struct System {
   Vec3 gravity;               ///< [m/s²]
   double h;                   ///< [s]
   StopRule stop;
+  int threads = 1;  ///< that a solver may use; its result does not depend on it
 };
 
 /// May keep what helps it in the next step. A copy has a state of its own: copies of a world share nothing.

@@ -14,8 +14,6 @@ void World<Dof>::step(double h) {
   require_positive("h", h);
   require_directions(h);
   if (settings_.compose == 4) return step_composed(h);
-  rows_.clear();
-  rubbing_.clear();
   solved_ = {.history = {}, .converged = true};
   first_contact_row_ = 0;
   impacts_ = 0;
@@ -23,7 +21,10 @@ void World<Dof>::step(double h) {
   clock_.run(Stage::forces, [&] { evaluate_forces(h); });
   if ((settings_.impacts || materials_.bounce()) && !contacts_.empty())
     clock_.run(Stage::impacts, [&] { resolve_impacts(h); });
-  if (!contacts_.empty() || !joints_.empty()) clock_.run(Stage::rows, [&] { build_rows(h); });
+  if (contacts_.empty() && joints_.empty())
+    rows_.clear(), rubbing_.clear();
+  else
+    clock_.run(Stage::rows, [&] { build_rows(h); });
   if (!rows_.empty()) clock_.run(Stage::solve, [&] { solve_rows(h); });
   clock_.run(Stage::integrate, [&] { integrate(h); });
 }
@@ -41,7 +42,7 @@ void World<Dof>::require_directions(double h) const {
 
 template <int Dof>
 void World<Dof>::find_contacts(double h) {
-  pairs_ = finder_.find(shapes_, bodies_, margin(h), contacts_);
+  pairs_ = finder_.find(shapes_, bodies_, margin(h), contacts_, settings_.threads);
 }
 
 template <int Dof>
@@ -115,7 +116,7 @@ void World<Dof>::resolve_impacts(double h) {
   if (impacts_ > 0) {
     std::vector<bool> moved(before.size());
     for (std::size_t i = 0; i < moved.size(); ++i) moved[i] = bodies_.x[i] != before[i];
-    pairs_ = finder_.find_moved(moved, shapes_, bodies_, margin(h), contacts_);
+    pairs_ = finder_.find_moved(moved, shapes_, bodies_, margin(h), contacts_, settings_.threads);
     prepare_motion(h);  // the gyroscopic torque goes with ω
   }
   // What is still open and comes as fast as an impact will be one: until then nothing holds it back.
@@ -127,14 +128,17 @@ void World<Dof>::resolve_impacts(double h) {
 
 template <int Dof>
 void World<Dof>::build_rows(double h) {
-  add_joint_rows(joints_, h, bodies_, rows_);
-  first_contact_row_ = rows_.size();
-  if (contacts_.empty()) return;
+  if (!joints_.empty()) {
+    rows_.clear();
+    add_joint_rows(joints_, h, bodies_, rows_);
+    first_contact_row_ = rows_.size();
+  }
   const Friction friction{.c = settings_.viscosity,
                           .gravity = settings_.gravity,
                           .model = settings_.solver.friction,
                           .sliding_tangents = settings_.sliding_tangents};
-  add_contact_rows(contacts_, h, materials_, friction, bodies_.motion, rows_, rubbing_);
+  add_contact_rows(contacts_, h, materials_, friction, bodies_.motion, settings_.threads, first_contact_row_,
+                   rows_, rubbing_);
 }
 
 template <int Dof>
@@ -151,11 +155,12 @@ void World<Dof>::solve_rows(double h) {
                                             .last = start_,
                                             .gravity = settings_.gravity,
                                             .h = h,
-                                            .stop = stop_rule(h)});
+                                            .stop = stop_rule(h),
+                                            .threads = settings_.threads});
   row_updates_ += outcome.updates(rows_.size());
   solved_ = std::move(outcome.report);
   if (settings_.warm_start || settings_.solver.wants_last)
-    start_.remember(rows_, first_contact_row_, contacts_, h);
+    start_.remember(rows_, first_contact_row_, contacts_, h, settings_.threads);
 }
 
 template <int Dof>

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "common/require.hpp"
+#include "engine/shares.hpp"
 #include "engine/world.hpp"
 
 namespace spook {
@@ -32,6 +33,8 @@ World<Dof>::World(Settings<Dof> settings)
   if (settings_.impacts) spook::resolve_impacts<Dof>({}, *settings_.impacts, bodies_.motion);
   require_positive("max_sweeps", settings_.stop.max_sweeps);
   require_not_negative("tolerance", settings_.stop.tolerance);
+  if (settings_.threads < 1 || settings_.threads > most_threads)
+    reject("threads", settings_.threads, "from 1 to " + std::to_string(most_threads));
   if (!settings_.solver.solve) throw std::invalid_argument("solver must be one of solvers(), but is null");
   require_smooth();
   require_weight_in_box(settings_, settings_.force || settings_.wrench);

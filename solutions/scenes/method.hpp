@@ -16,6 +16,7 @@ struct Method {
   bool warm_start = false;
   std::optional<int> compose =
       {};  ///< the order that steps are composed to, 2 or 4; the scene's own, unless given
+  int threads = 1;
   std::optional<double> margin = {};  ///< [m]; the world's own, unless given
 
   double step() const { return h / substeps; }  ///< [s]

@@ -114,7 +114,7 @@ SceneDescription pile() {
           "the overlaps, with friction, balance each body. (While it falls they do not.)",
       .error_name = "largest force or torque that its overlaps leave on a body, over its weight",
       .error_unit = "relative",
-      .parameters = {parameter::bodies(20, 2000),
+      .parameters = {parameter::bodies(20, 100000),
                      {.name = "shape", .meaning = "of the bodies", .choices = {"sphere", "box"}},
                      parameter::friction(),
                      parameter::restitution(0.2),

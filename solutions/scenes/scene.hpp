@@ -154,6 +154,7 @@ class WorldScene : public Scene {
     settings.warm_start = method.warm_start;
     settings.margin = method.margin;
     if (method.compose) settings.compose = *method.compose;
+    settings.threads = method.threads;
     return settings;
   }
 

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "engine/near_miss.hpp"
+#include "engine/shares.hpp"
 #include "scenes/number.hpp"
 
 namespace spook {
@@ -90,6 +91,7 @@ RunSettings TypedRun::settings(const SceneDescription& description) const {
       throw std::invalid_argument("tolerance must be at least 0, but is " + *tolerance);
   }
   if (substeps) method.substeps = parse_whole("substeps", *substeps, 1, 1'000'000);
+  if (threads) method.threads = parse_whole("threads", *threads, 1, most_threads);
   if (compose) method.compose = choose<int>("compose", *compose, {{"2", 2}, {"4", 4}});
   set_rows(*this, method);
   refuse_solver_beside_composed(*this, method);

@@ -34,6 +34,7 @@ Json to_json(const Method& method, bool solves) {
       {"h", method.h},
       {"substeps", method.substeps},
       {"compose", method.compose.value_or(2)},
+      {"threads", method.threads},
   };
 }
 

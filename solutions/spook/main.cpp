@@ -30,6 +30,7 @@ static CLI::App* add_scene_command(CLI::App& app, const std::string& name, const
   command->add_option("--margin", run.margin, "Largest gap of a contact [m]");
   command->add_option("--friction-model", run.friction_model, "Limits of friction: box, two_pass, cone");
   command->add_option("--tangents", run.tangents, "Directions of friction: fixed, sliding");
+  command->add_option("--threads", run.threads, "That share the work, where it can be shared");
   return command;
 }
 

@@ -25,6 +25,7 @@ static std::string method_text(const SceneDescription& scene, const RunSettings&
   const Method& method = settings.method;
   std::string text = counted(result.steps, "step") + " of " + short_text(method.h) + " s, " +
                      short_text(static_cast<double>(result.steps) * method.h) + " s";
+  if (method.threads > 1) text += " on " + counted(method.threads, "thread");
   if (method.substeps > 1) text += ", each of " + counted(method.substeps, "substep");
   if (method.compose == 4) return text + "; composed to order four" + (scene.solves ? ", joints rigid" : "");
   if (!scene.solves) return text + "; no constraints, no solver";

@@ -32,11 +32,13 @@ RunCommand command_of(const std::string& scene, const Texts& parameters, const T
       {"iterations", &command.iterations},
       {"tolerance", &command.tolerance},
       {"substeps", &command.substeps},
+      {"compose", &command.compose},
       {"order", &command.order},
       {"seed", &command.seed},
       {"margin", &command.margin},
       {"friction_model", &command.friction_model},
-      {"tangents", &command.tangents}};
+      {"tangents", &command.tangents},
+      {"threads", &command.threads}};
   for (const auto& [name, value] : options) {
     std::vector<std::string> names = {"warm_start"};
     bool found = name == "warm_start";
