@@ -68,6 +68,16 @@ class Worlds(WithModule):
         np.testing.assert_array_equal(one.x, other.x)
         np.testing.assert_array_equal(one.q, other.q)
 
+    def test_threads_change_no_bit(self):
+        worlds = [spook.World(friction=0.5, solver="stripes", threads=threads) for threads in (1, 2)]
+        for world in worlds:
+            world.add_plane((0, 0, 1), 0)
+            for k in range(1000):
+                world.add(x=(0.199 * (k % 10), 0.199 * (k // 10 % 10), 0.1 + 0.199 * (k // 100)), radius=0.1)
+            world.step(1 / 240, steps=5)
+        np.testing.assert_array_equal(worlds[0].x, worlds[1].x)
+        self.refused("threads must be from 1 to 256, but is 0", lambda: spook.World(threads=0))
+
     def test_a_box_at_rest_is_held_by_its_weight(self):
         world, h = box_on_plane(), 1 / 60
         world.step(h, steps=240)

@@ -90,6 +90,8 @@ class Refusals(unittest.TestCase):
         for option in ["substeps", "seed", "margin"]:
             self.refused(f"run stack --{option} -1", option, "-1")
         self.refused("run stack --substeps 0", "substeps")
+        for threads in ["0", "257", "two"]:
+            self.refused(f"run stack --threads {threads}", "threads", threads)
 
     def test_steps_are_composed_only_where_that_is_of_order_four(self):
         self.refused("run orbit --compose 3", "compose", "3", "2, 4")
@@ -166,6 +168,14 @@ class Runs(unittest.TestCase):
         self.assertEqual(10 * whole["steps"], parts["steps"])
         self.assertEqual(whole["error"], parts["error"])
         self.assertIn("each of 10 substeps", spook(*"run free_fall --h 0.1 --substeps 10".split()).stdout)
+
+    def test_threads_change_the_time_alone(self):
+        words = "run pile --set bodies=300 mu=0.3 --solver stripes --iterations 10 --time 0.3 --h 1/240".split()
+        self.assertIn("on 2 threads; stripes", spook(*words, "--threads", "2").stdout)
+        one, two = (json.loads(spook(*words, "--threads", n, "--json").stdout) for n in "12")
+        self.assertEqual([one["threads"], two["threads"]], [1, 2])
+        for what in ["error", "residual", "row_updates", "last_step"]:
+            self.assertEqual(one[what], two[what])
 
     def test_composed_steps_say_so(self):
         words = "run double_pendulum --set d=0 --compose 4 --h 1/60"

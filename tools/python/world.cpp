@@ -60,7 +60,8 @@ struct PythonWorld {
 template <int Dof>
 PythonWorld<Dof> make(const Vec3& gravity, double k, std::optional<double> d, double friction, double viscosity,
                       std::optional<double> restitution, double threshold, const std::string& solver,
-                      int iterations, double tolerance, bool warm_start, std::optional<double> margin) {
+                      int iterations, double tolerance, bool warm_start, std::optional<double> margin,
+                      int threads) {
   if (iterations < 1)
     throw std::invalid_argument("iterations must be at least 1, but is " + std::to_string(iterations));
   Settings<Dof> settings{.gravity = gravity,
@@ -71,6 +72,7 @@ PythonWorld<Dof> make(const Vec3& gravity, double k, std::optional<double> d, do
                          .solver = find_solver<Dof>(solver).make(),
                          .warm_start = warm_start,
                          .margin = margin,
+                         .threads = threads,
                          .stop = {.max_sweeps = iterations, .tolerance = tolerance}};
   if (restitution)
     settings.impacts = ImpactLaw{.restitution = *restitution, .friction = friction, .threshold = threshold};
@@ -249,7 +251,7 @@ py::class_<PythonWorld<Dof>> bind(py::module_& module, const char* name, const c
   type.def(py::init(&make<Dof>), py::kw_only(), "gravity"_a = Settings<Dof>{}.gravity, "k"_a = 1e6,
            "d"_a = py::none(), "friction"_a = 0.0, "viscosity"_a = 1e12, "restitution"_a = py::none(),
            "threshold"_a = ImpactLaw{}.threshold, "solver"_a = "auto", "iterations"_a = StopRule{}.max_sweeps,
-           "tolerance"_a = 0.0, "warm_start"_a = false, "margin"_a = py::none())
+           "tolerance"_a = 0.0, "warm_start"_a = false, "margin"_a = py::none(), "threads"_a = 1)
       .def(
           "add_fixed",
           [](Self& self, const Vec3& x, double radius) {

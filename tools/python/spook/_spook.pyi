@@ -18,7 +18,7 @@ class _EitherWorld:
     def __init__(self, *, gravity: Vector = (0, 0, -9.81), k: float = 1e6, d: float | None = None, friction: float = 0,
                  viscosity: float = 1e12, restitution: float | None = None, threshold: float = 1e-9,
                  solver: str = "auto", iterations: int = 50, tolerance: float = 0, warm_start: bool = False,
-                 margin: float | None = None) -> None:
+                 margin: float | None = None, threads: int = 1) -> None:
         """gravity [m/s²]; k [N/m] and d [steps] of contacts and joints; friction is μ; impacts only with a restitution,
         beyond the threshold [m/s]; tolerance [m/s]; margin [m]. Raises ValueError for what makes no sense."""
     def add_fixed(self, x: Vector, radius: float = 0) -> int:

@@ -1,0 +1,185 @@
+// What larger scenes cost: time and memory for each link, body and contact; and what a second thread gains.
+//
+//   link       a wire that hangs, solved directly: time of a step for each link [us], and the top link's tension over the
+//              weight below
+//   body       balls in a pyramid's layers between walls, 10 sweeps a step of 1/240 s: time of a step for each ball [us],
+//              in the order that is given, in stripes, and in stripes on two threads
+//   stands     how far any ball is from its place after a second, and how far they have sunk in the mean, in radii
+//   memory     for each link, ball, and contact with friction [bytes]
+//   same       whether two threads have every bit as one has it: 1, or 0
+#include <malloc.h>
+
+#include <cmath>
+
+#include "engine/world.hpp"
+#include "machinery/experiment.hpp"
+#include "machinery/timing.hpp"
+
+namespace spook::plots {
+namespace {
+
+constexpr double g = 9.81, h = 1.0 / 240, radius = 0.1;
+
+/// All that is allocated now [bytes].
+double allocated() {
+  const struct mallinfo2 all = mallinfo2();
+  return static_cast<double>(all.uordblks + all.hblkhd);
+}
+
+/// So stiff that a pull at its top is felt at its end within a step.
+World<3> wire(int links) {
+  World<3> world({.k = 1e13 * links * links, .solver = direct<3>()});
+  int above = world.add_fixed(Vec3::Zero());
+  for (int k = 1; k <= links; ++k) {
+    const int below = world.add({.x = Vec3(0, 0, -0.1 * k), .mass = 1});
+    world.add_joint({.i = above, .j = below, .length = 0.1});
+    above = below;
+  }
+  return world;
+}
+
+std::vector<Row> of_wire(int links, bool timed) {
+  const double before = allocated();
+  World<3> world = wire(links);
+  world.step(h);
+  const double bytes = allocated() - before, n = links;
+  std::vector<Row> rows = {{"link", "tension", n, world.joint_force(0).norm() / (n * g)},
+                           {"memory", "link", n, bytes / n}};
+  if (timed) rows.push_back({"link", "time", n, time_each(n, 5, [&] { world.step(h); }).low / 1e3});
+  return rows;
+}
+
+/// Square layers, each ball on four of the layer below; all of them touch, and the floor and the walls hold them.
+World<6> stack(int across, int layers, const Solver<6>& solver, int threads, double apart = 1) {
+  World<6> world(
+      {.friction = 0.5, .solver = solver, .warm_start = true, .threads = threads, .stop = {.max_sweeps = 10}});
+  const double half = apart * radius * across;
+  world.add_plane(Vec3::UnitZ(), 0);
+  for (const Vec3& inwards : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0)})
+    world.add_plane(inwards, -half);
+  for (int z = 0; z < layers; ++z) {
+    const int shift = z % 2, side = across - shift;
+    const auto place = [&](int k) { return apart * radius * (2 * k + 1 + shift) - half; };
+    for (int y = 0; y < side; ++y)
+      for (int x = 0; x < side; ++x)
+        world.add({.x = Vec3(place(x), place(y), radius * (1 + apart * std::sqrt(2) * z)),
+                   .mass = 1,
+                   .radius = radius,
+                   .principal = Vec3::Constant(0.4 * radius * radius)});
+  }
+  return world;
+}
+
+double balls(const World<6>& world) {
+  return static_cast<double>(world.bodies().size()) - 5;
+}
+
+std::vector<Row> of_memory(int across, int layers) {
+  double before = allocated();
+  World<6> alone = stack(across, layers, stripes<6>(), 1, 1.2);
+  alone.add_plane(-Vec3::UnitZ(), -1e3);
+  alone.step(h);
+  const double n = balls(alone) - 1, a_ball = (allocated() - before) / n;
+  before = allocated();
+  World<6> touching = stack(across, layers, stripes<6>(), 1);
+  for (int k = 0; k < 2; ++k) touching.step(h);
+  const double all = allocated() - before, contacts = static_cast<double>(touching.contacts().size());
+  return {{"memory", "ball", n, a_ball}, {"memory", "contact", n, (all - n * a_ball) / contacts}};
+}
+
+std::vector<Row> of_standing(int across, int layers) {
+  World<6> world = stack(across, layers, stripes<6>(), 2);
+  const std::vector<Vec3> before = world.bodies().x;
+  for (int n = 0; n < 240; ++n) world.step(h);
+  double farthest = 0, sunk = 0;
+  for (std::size_t b = 0; b < before.size(); ++b) {
+    const Vec3 way = world.bodies().x[b] - before[b];
+    farthest = std::max(farthest, way.norm());
+    sunk -= way.z();
+  }
+  return {{"stands", "farthest", balls(world), farthest / radius},
+          {"stands", "sunk", balls(world), sunk / balls(world) / radius}};
+}
+
+std::vector<Row> of_threads(int across, int layers) {
+  World<6> one = stack(across, layers, stripes<6>(), 1), two = stack(across, layers, stripes<6>(), 2);
+  bool same = true;
+  for (int n = 0; n < 5; ++n) {
+    one.step(h);
+    two.step(h);
+    same = same && one.bodies().x == two.bodies().x && one.solved().history == two.solved().history;
+  }
+  return {{"same", "bits", balls(one), same ? 1.0 : 0.0}};
+}
+
+std::vector<Row> of_times(int across, int layers) {
+  World<6> swept = stack(across, layers, gauss_seidel<6>(), 1), one = stack(across, layers, stripes<6>(), 1),
+           two = stack(across, layers, stripes<6>(), 2);
+  const double n = balls(swept);
+  std::vector<Row> rows;
+  const auto time = [&](const std::string& name, World<6>& world) {
+    for (int step = 0; step < 10; ++step) world.step(h);  // until every contact is there
+    rows.push_back({"body", name, n, time_each(n, 15, [&] { world.step(h); }).low / 1e3});
+  };
+  time("as given", swept);
+  time("stripes", one);
+  time("two threads", two);
+  return rows;
+}
+
+struct Stack {
+  int across, layers;
+};
+
+std::string name_of(const Stack& stack) {
+  return std::to_string(stack.across) + " x " + std::to_string(stack.layers);
+}
+
+Experiment experiment(Size size) {
+  const bool full = size == Size::full;
+  const std::vector<int> links =
+      full ? std::vector<int>{100, 1000, 10'000, 100'000} : std::vector<int>{100, 1000};
+  const std::vector<Stack> small = {{6, 7}, {10, 11}},
+                           stacks = full ? std::vector<Stack>{{6, 7}, {10, 11}, {16, 17}, {25, 27}} : small;
+  Experiment e;
+  e.columns = {"what", "case", "n", "value"};
+  e.timed = true;  // what is allocated is counted of one point at a time
+  for (const int n : links) e.points.push_back({"wire " + std::to_string(n), [=] { return of_wire(n, full); }});
+  for (const Stack& s : stacks) {
+    e.points.push_back({"memory " + name_of(s), [s] { return of_memory(s.across, s.layers); }});
+    e.points.push_back({"standing " + name_of(s), [s] { return of_standing(s.across, s.layers); }});
+    e.points.push_back({"threads " + name_of(s), [s] { return of_threads(s.across, s.layers); }});
+  }
+  if (full) {
+    std::vector<Stack> timed = stacks;
+    timed.push_back({40, 42});
+    for (const Stack& s : timed)
+      e.points.push_back({"times " + name_of(s), [s] { return of_times(s.across, s.layers); }});
+  }
+  e.check = [](const Table& table, Claims& claims) {
+    const auto largest_of = [&](const std::string& what, const std::string& which) {
+      const std::vector<double> all = table.where("what", what).where("case", which).numbers("value");
+      return *std::max_element(all.begin(), all.end());
+    };
+    const std::vector<double> tensions = table.where("what", "link").where("case", "tension").numbers("value");
+    double off = 0;
+    for (const double tension : tensions) off = std::max(off, std::abs(tension - 1));
+    claims.at_most("the top link of every wire carries all of its weight, to 1e-6", off, 1e-6);
+    claims.at_most("a link takes less than 1.5 kilobytes, whatever their number", largest_of("memory", "link"),
+                   1500);
+    claims.at_most("a ball less than 1.5 as well", largest_of("memory", "ball"), 1500);
+    claims.at_most("and a contact with friction less than 2.5", largest_of("memory", "contact"), 2500);
+    claims.at_most("with 10 sweeps a step no stack sinks by a hundredth of a radius in a second",
+                   largest_of("stands", "sunk"), 0.01);
+    const std::vector<double> same = table.where("what", "same").numbers("value");
+    claims.near("two threads have every bit as one has it", *std::min_element(same.begin(), same.end()), 1, 0);
+  };
+  return e;
+}
+
+}  // namespace
+}  // namespace spook::plots
+
+int main(int argc, char** argv) {
+  return spook::plots::run_experiment(argc, argv, spook::plots::experiment);
+}

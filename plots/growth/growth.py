@@ -1,0 +1,42 @@
+"""Larger scenes: time for each link and ball, and how far a stack sinks."""
+
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
+import figures  # noqa: E402
+
+TITLE = "Growth: what a link and a ball cost, and whether stacks stand"
+WAYS = {"as given": "sweeps in the given order", "stripes": "in stripes", "two threads": "in stripes, two threads"}
+
+
+def draw(data, mine):
+    timed = "body" in set(data.table["what"])
+    figure, axes = figures.new(columns=3 if timed else 1, height=3.6)
+    stands = axes[-1] if timed else axes
+    for style, (which, label) in zip(figures.STYLES, (("farthest", "farthest from its place"), ("sunk", "sunk, in the mean"))):
+        some = data.table.only("what", "stands").only("case", which)
+        stands.plot(some["n"], [abs(value) for value in some["value"]], label=label, **style)
+        if mine:
+            own = mine.table.only("what", "stands").only("case", which)
+            stands.plot(own["n"], [abs(value) for value in own["value"]], **figures.MINE)
+    stands.set(title="A stack after 1 s, 10 sweeps a step", xlabel="balls", ylabel="radii", xscale="log", yscale="log")
+    stands.legend(fontsize=8)
+    if timed:
+        link = data.table.only("what", "link").only("case", "time")
+        axes[0].plot(link["n"], link["value"], **figures.STYLES[0])
+        axes[0].set(title="A wire, solved directly", xlabel="links", ylabel="µs a step and link", xscale="log", yscale="log",
+                    ylim=(0.05, 5))
+        for style, (which, label) in zip(figures.STYLES, WAYS.items()):
+            some = data.table.only("what", "body").only("case", which)
+            axes[1].plot(some["n"], some["value"], label=label, **style)
+        axes[1].set(title="Balls in a stack", xlabel="balls", ylabel="µs a step and ball", xscale="log", yscale="log",
+                    ylim=(1, 50))
+        axes[1].legend(loc="lower left", fontsize=8)
+    for one in axes if timed else [axes]:
+        figures.tidy(one)
+    return figure
+
+
+if __name__ == "__main__":
+    figures.main(draw, TITLE)
