@@ -14,14 +14,13 @@ def draw(data, mine):
     timed = "body" in set(data.table["what"])
     figure, axes = figures.new(columns=3 if timed else 1, height=3.6)
     stands = axes[-1] if timed else axes
-    for style, (which, label) in zip(figures.STYLES, (("farthest", "farthest from its place"), ("sunk", "sunk, in the mean"))):
-        some = data.table.only("what", "stands").only("case", which)
-        stands.plot(some["n"], [abs(value) for value in some["value"]], label=label, **style)
-        if mine:
-            own = mine.table.only("what", "stands").only("case", which)
-            stands.plot(own["n"], [abs(value) for value in own["value"]], **figures.MINE)
-    stands.set(title="A stack after 1 s, 10 sweeps a step", xlabel="balls", ylabel="radii", xscale="log", yscale="log")
-    stands.legend(fontsize=8)
+    sunk = data.table.only("what", "stands").only("case", "sunk")
+    stands.plot(sunk["n"], sunk["value"], **figures.STYLES[0])
+    if mine:
+        own = mine.table.only("what", "stands").only("case", "sunk")
+        stands.plot(own["n"], own["value"], **figures.MINE)
+    stands.set(title="Sunk after 1 s, 20 sweeps a step", xlabel="balls", ylabel="radii", xscale="log", yscale="log",
+               ylim=(1e-3, 1e-1))
     if timed:
         link = data.table.only("what", "link").only("case", "time")
         axes[0].plot(link["n"], link["value"], **figures.STYLES[0])
