@@ -255,9 +255,10 @@ EXERCISE_TEST(Residual, ProjectsOnTheRowsOwnBounds) {
 EXERCISE_TEST(Residual, TakesAnyBoundsAndAnyStart) {
   Random random;
   // Whatever an answer leaves out, it misses nothing else as much as the row that lacks most.
-  Regions regions({"most lacks a row between its bounds", "most lacks a row at its lower bound",
-                   "most lacks a row at its upper bound", "most lacks a row below its lower bound",
-                   "most lacks a row above its upper bound"});
+  Regions regions(
+      {"the row that lacks most is between its bounds", "the row that lacks most is at its lower bound",
+       "the row that lacks most is at its upper bound", "the row that lacks most is below its lower bound",
+       "the row that lacks most is above its upper bound"});
   while (regions.lack_draws()) {
     const Problem<6> p = any_rows(random, random.integer(2, 14));
     const Bounded problem = bounded(p.rows);
@@ -275,11 +276,11 @@ EXERCISE_TEST(Residual, TakesAnyBoundsAndAnyStart) {
       without_sigma = std::max(without_sigma, lacks(r[k] + Sigma * lambda[k]));
     }
     const double at = lambda[most], lo = problem.lo[most], hi = problem.hi[most];
-    regions.draw({{"most lacks a row between its bounds", lo < at && at < hi},
-                  {"most lacks a row at its lower bound", at == lo},
-                  {"most lacks a row at its upper bound", at == hi},
-                  {"most lacks a row below its lower bound", at < lo},
-                  {"most lacks a row above its upper bound", at > hi}});
+    regions.draw({{"the row that lacks most is between its bounds", lo < at && at < hi},
+                  {"the row that lacks most is at its lower bound", at == lo},
+                  {"the row that lacks most is at its upper bound", at == hi},
+                  {"the row that lacks most is below its lower bound", at < lo},
+                  {"the row that lacks most is above its upper bound", at > hi}});
     expect_near(
         "residual of 20 rows with bounds of all kinds, λ within them or not [m/s]", "Eq. (4.8)",
         residual(p.rows, p.V), largest, roundings(1e4, 10),

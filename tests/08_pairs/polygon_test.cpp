@@ -365,17 +365,20 @@ EXERCISE_TEST(WellSpread, KeepsTheDeepestAndHoldsTheMean) {
 
 EXERCISE_TEST(WellSpread, HoldsTheMeanToRoundings) {
   // The largest four with the deepest, at (±1, 0) and (±1, 1), have the mean 4 nm behind one of their sides. Turned any
-  // way, so that no coordinate is small.
+  // way, so that no coordinate is small. The centre of the body may be anywhere: in the middle, and 20 nm from a corner.
   const double outside = 4e-9;
   Random random;
-  for (const Mat3& R : {Mat3(Mat3::Identity()), random.rotation().toRotationMatrix()}) {
-    const auto turned = [&](double x, double y, double gap) { return at(R * Vec3(x, y, 0), gap, R.col(2)); };
-    std::vector<Contact> contacts = {turned(-1, 0, -0.02), turned(1, 0, -0.01), turned(-1, 1, -0.01),
-                                     turned(1, 1, -0.01)};
-    for (int k = 0; k < 8; ++k) contacts.push_back(turned(0.01 * (k - 3.5), -(2 + 12 * outside) / 8, -0.01));
-    expect_well_spread(contacts, "four at the corners of a rectangle and eight beside it");
-    if (::testing::Test::HasFailure()) return;
-  }
+  for (const Mat3& R : {Mat3(Mat3::Identity()), random.rotation().toRotationMatrix()})
+    for (const auto& centre : {Eigen::Vector2d(0, 0), {-1, 2e-8}, {-1, -2e-8}, {1, 2e-8}, {1, -2e-8}}) {
+      const auto turned = [&](double x, double y, double gap) {
+        return at(R * Vec3(x - centre.x(), y - centre.y(), 0), gap, R.col(2));
+      };
+      std::vector<Contact> contacts = {turned(-1, 0, -0.02), turned(1, 0, -0.01), turned(-1, 1, -0.01),
+                                       turned(1, 1, -0.01)};
+      for (int k = 0; k < 8; ++k) contacts.push_back(turned(0.01 * (k - 3.5), -(2 + 12 * outside) / 8, -0.01));
+      expect_well_spread(contacts, "four at the corners of a rectangle and eight beside it");
+      if (::testing::Test::HasFailure()) return;
+    }
 }
 
 EXERCISE_TEST(WellSpread, HoldsTheMeanWhereTheDeepestIs) {
