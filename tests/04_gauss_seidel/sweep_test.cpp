@@ -88,20 +88,6 @@ EXERCISE_TEST(Sweep, ReturnsTheLargestLack) {
               "The largest S_kk |Δλ_k| of the sweep.");
 }
 
-/// Twenty rows with bounds of all kinds between so many bodies, and λ anywhere, or at one of its bounds.
-Problem<6> any_rows(Random& random, int bodies) {
-  Problem<6> p = random_problem(random, bodies, 20);
-  Eigen::VectorXd lambda(20);
-  for (Eigen::Index k = 0; k < 20; ++k) {
-    Row<6>& row = p.rows[static_cast<std::size_t>(k)];
-    give_any_bounds(random, row);
-    const double bound = random.integer(0, 1) ? row.lo : row.hi;
-    lambda[k] = random.integer(0, 1) && std::abs(bound) < infinity ? bound : random.uniform(-0.5, 0.5);
-  }
-  set_lambda(p, lambda);
-  return p;
-}
-
 EXERCISE_TEST(Sweep, TakesAnyBoundsAndAnyStart) {
   Random random;
   Regions regions({"is off, and pushed later in the sweep", "was off, and pushes in the next", "lets go again",

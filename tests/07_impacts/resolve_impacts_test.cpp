@@ -98,6 +98,19 @@ EXERCISE_TEST(ResolveImpacts, CradleGivesTheSpeedToTheLastBall) {
   }
 }
 
+EXERCISE_TEST(ResolveImpacts, TakesAnyNumberOfContacts) {
+  const int balls = 300;
+  std::vector<double> v(balls, 0.0), after = v;
+  v.front() = after.back() = 1;
+  Motion<3> motion = row_of_balls(v);
+  const ImpactReport report =
+      resolve_impacts(contacts_of_row(balls), {.restitution = 1, .threshold = 1e-9}, motion);
+  const std::string clue = "Every contact that is listed, however many there are.";
+  expect_near("impacts in a cradle of 300", "Eq. (7.13)", report.impacts, balls - 1, {0, "a count"}, {}, clue);
+  expect_near_vector("velocities in a cradle of 300, 1 m/s of the first before [m/s]", "Eq. (7.13)",
+                     speeds(motion), numbers(after), roundings(64 * balls), {}, clue);
+}
+
 EXERCISE_TEST(ResolveImpacts, CradleSortsAnyVelocities) {
   Random random;
   for (int trial = 0; trial < 50 && !::testing::Test::HasFailure(); ++trial) {
@@ -436,7 +449,7 @@ EXERCISE_TEST(ResolveImpacts, DropsNothingSmall) {
     for (const Vec3& leaning : lopsided(part)) {
       // A ball of 1 kg against a wall that is nearly across an axis, fast or slow.
       const Vec3 n = leaning.normalized();
-      for (const double speed : {1.0, 1e-12}) {
+      for (const double speed : {1.0, 1e-12, 1e-100}) {
         Motion<3> ball{.inverse_mass = {{}, {.linear = 1}},
                        .W = {Vec3::Zero(), -2 * speed * n},
                        .Wf = {Vec3::Zero(), Vec3::Zero()}};

@@ -132,6 +132,24 @@ EXERCISE_TEST(Clip, CutsAnyPolygonInTwo) {
   expect_at_least("polygons, of 500, that were cut in two", "Eq. (8.8)", cut, 100, "more than a half are");
 }
 
+EXERCISE_TEST(Clip, TakesAnyNumberOfCorners) {
+  Random random;
+  for (const int corners : {20, 300}) {
+    const std::vector<Vec3> polygon = random_polygon(random, corners, 1);
+    Vec3 middle = Vec3::Zero();
+    for (const Vec3& corner : polygon) middle += corner / corners;
+    const Vec3 n = random.unit_vector();
+    const std::vector<Vec3> left = clip(polygon, n, n.dot(middle)), rest = clip(polygon, -n, -n.dot(middle));
+    const std::string of = " of a polygon of " + std::to_string(corners) + " corners, cut through its middle";
+    const std::string clue = "Every corner counts, however many there are.";
+    expect_near("corners of both parts" + of + ", beyond those of the whole", "Eq. (8.8)",
+                static_cast<double>(left.size() + rest.size()) - corners, 4,
+                {0, "two sides are cut, for each part"}, {}, clue);
+    expect_near("area of both parts" + of + ", over the whole", "Eq. (8.8)",
+                (area(left).norm() + area(rest).norm()) / area(polygon).norm(), 1, roundings(4000), {}, clue);
+  }
+}
+
 Contact at(const Vec3& r, double gap, const Vec3& n = Vec3::UnitZ()) {
   return {.i = 3, .j = 5, .n = n, .gap = gap, .r_i = r, .r_j = r - Vec3(0.7, -0.4, 2)};
 }

@@ -117,6 +117,25 @@ EXERCISE_TEST(RandomOrder, IsAsRandomForManyRows) {
       "rows with equal numbers stay in order.");
 }
 
+// Where an index comes to stand is 0 to n - 1, each as likely: (n - 1)/2 in the mean, and n/√12 about it.
+EXERCISE_TEST(RandomOrder, TakesEveryIndexAnywhere) {
+  std::mt19937_64 generator(Random::seed());
+  const int n = 1000, draws = 300;
+  Eigen::VectorXd place = Eigen::VectorXd::Zero(n);
+  for (int draw = 0; draw < draws; ++draw) {
+    const auto order = random_order(n, generator);
+    if (!has_each_once(order, n)) return;  // another test says so
+    for (int k = 0; k < n; ++k) place[order[static_cast<std::size_t>(k)]] += static_cast<double>(k) / draws;
+  }
+  for (const int k : {0, 1, 100, 300, 500, 900, 998, 999})
+    expect_near("the mean place of index " + std::to_string(k) + " in " + std::to_string(draws) +
+                    " random orders of 1000",
+                "Eq. (10.4)", place[k], (n - 1) / 2.0,
+                {6 * n / std::sqrt(12.0 * draws), "six times n/√12 over the root of the draws"}, {},
+                "An index may come to stand anywhere, however many there are. Is a random number as large as n "
+                "can be?");
+}
+
 EXERCISE_TEST(RandomOrder, ComesFromTheGenerator) {
   std::mt19937_64 one(Random::seed()), same(Random::seed());
   const auto first = random_order(50, one), again = random_order(50, same);
@@ -202,6 +221,22 @@ EXERCISE_TEST(SweepInOrder, IsSweepInTheOrderGiven) {
                      roundings(1000, 10));
   expect_near_vector("V after them [m/s, rad/s]", "Eq. (4.5)", flat(p.V), flat(expected.V),
                      roundings(1000, 10));
+}
+
+EXERCISE_TEST(SweepInOrder, TakesAnyBoundsAndAnyStart) {
+  Random random;
+  for (int trial = 0; trial < 20 && !::testing::Test::HasFailure(); ++trial) {
+    Problem<6> p = any_rows(random, random.integer(2, 14));
+    const std::vector<int> order = shuffled(random, 20);
+    Problem<6> expected = in_order(p, order);
+    const double should = sweep(expected.rows, expected.V);
+    expect_near("what a sweep in a random order returns, of 20 rows with bounds of all kinds [m/s]",
+                "Eq. (4.9)", sweep_in_order(order, p.rows, p.V), should, roundings(100, 10), {},
+                "The largest S_kk |Δλ_k|, also of rows that begin at a bound, at either, and leave it.");
+    expect_near_vector("λ after it, within their bounds before or not [N s]", "Eq. (4.7)", lambdas(p),
+                       put_back(lambdas(expected), order), roundings(1000, 10), {},
+                       "Every row is updated, also one that begins at a bound.");
+  }
 }
 
 EXERCISE_TEST(SweepInOrder, DoesNotHideANaN) {
