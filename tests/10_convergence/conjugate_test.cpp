@@ -505,6 +505,72 @@ EXERCISE_TEST(ConjugateSolve, SweepsWhenABoundWasMetOrLacksMost) {
   }
 }
 
+/// λ after each iteration, in matrices, as the header has it; until little is lacking, where roundings would decide.
+std::vector<Eigen::VectorXd> iterated(const Bounded& of, int iterations) {
+  const Eigen::Index n = of.B.size();
+  const auto clamped = [&](const Eigen::VectorXd& x) { return x.cwiseMax(of.lo).cwiseMin(of.hi).eval(); };
+  Eigen::VectorXd lambda = Eigen::VectorXd::Zero(n), p = lambda, r;
+  std::vector<Eigen::Index> free;
+  std::vector<Eigen::VectorXd> all;
+  double zr = 0, lacking = 0;
+  bool whole = false, left_behind = false;
+  const auto look = [&] {
+    r = of.B - of.S * lambda;
+    const Eigen::VectorXd next = clamped(lambda + r.cwiseQuotient(of.S.diagonal())),
+                          lacks = of.S.diagonal().cwiseProduct(next - lambda).cwiseAbs();
+    double of_free = 0, of_others = 0;
+    free.clear();
+    for (Eigen::Index k = 0; k < n; ++k) {
+      const bool is_free = of.lo[k] < lambda[k] && lambda[k] < of.hi[k];
+      if (is_free) free.push_back(k);
+      (is_free ? of_free : of_others) = std::max(is_free ? of_free : of_others, lacks[k]);
+    }
+    left_behind = of_others > of_free;
+    lacking = lacks.maxCoeff();
+  };
+  for (int done = 0; done < iterations; ++done) {
+    look();
+    if (lacking < 1e-6) break;
+    const bool sweeps = !whole || left_behind;
+    for (Eigen::Index k = 0; sweeps && k < n; ++k)
+      lambda[k] = std::clamp(lambda[k] + (of.B[k] - of.S.row(k).dot(lambda)) / of.S(k, k), of.lo[k], of.hi[k]);
+    look();
+    if (lacking < 1e-6) break;
+    Eigen::VectorXd z = Eigen::VectorXd::Zero(n);
+    const Eigen::MatrixXd S = of.S(free, free);
+    z(free) = and_back(S, r(free), forth(S, r(free)));
+    const double before = std::exchange(zr, z.dot(r));
+    p = sweeps ? z : Eigen::VectorXd(z + zr / before * p);
+    const double alpha = p.dot(r) / p.dot(of.S * p);
+    whole = false;
+    if (alpha > 0) {
+      const Eigen::VectorXd aim = lambda + alpha * p, d = clamped(aim) - lambda;
+      whole = aim == clamped(aim);
+      lambda = whole ? aim : Eigen::VectorXd(lambda + std::clamp(d.dot(r) / d.dot(of.S * d), 0.0, 1.0) * d);
+    }
+    all.push_back(lambda);
+  }
+  return all;
+}
+
+EXERCISE_TEST(ConjugateSolve, GoesByTheEquationsInEveryIteration) {
+  Random random;
+  for (int trial = 0; trial < 40 && !::testing::Test::HasFailure(); ++trial) {
+    Problem<6> start = random_problem(random, 5, 12);
+    give_bounds(random, start);
+    const auto expected = iterated(bounded(start.rows), 8);
+    for (std::size_t n = 0; n < expected.size() && !::testing::Test::HasFailure(); ++n) {
+      Problem<6> p = start;
+      conjugate_solve(p.rows, p.V, {.max_sweeps = static_cast<int>(n) + 1, .tolerance = 0});
+      expect_near_vector(
+          "λ of 12 rows with bounds after iteration " + std::to_string(n + 1) + " [N s]", "Eq. (10.6)-(10.8)",
+          lambdas(p), expected[n], {1e-9, "roundings, over what is lacking"}, {},
+          "Up to here it was right. Whether there is a sweep depends on the step before alone, and "
+          "on what rows at bounds lack; and after a sweep p is z alone.");
+    }
+  }
+}
+
 EXERCISE_TEST(ConjugateSolve, KeepsVAndImpulsesTogether) {
   Random random;
   for (int iterations = 1; iterations <= 12; ++iterations) {
