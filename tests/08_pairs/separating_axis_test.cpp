@@ -365,6 +365,21 @@ Vec3 shortest_way(const Box& i, const Box& j) {
   return q - p;
 }
 
+EXERCISE_TEST(SeparatingAxis, PartsWhatTouchesAlongAnotherAxis) {
+  // Along x, an axis of i, the gap is exactly 0, and along one of j's own axes the boxes are apart.
+  const Box i{.body = 0, .x = Vec3::Zero(), .axes = Mat3::Identity(), .half_sides = Vec3::Constant(0.25)};
+  Box j{.body = 1, .x = Vec3::Zero(), .axes = Mat3::Identity(), .half_sides = Vec3(1, 1, 1)};
+  j.axes.col(0) = Vec3(0.6, 0, 0.8), j.axes.col(2) = Vec3(-0.8, 0, 0.6);
+  j.x = Vec3(0.25 + half_width(j, Vec3::UnitX()), 0, 1);
+  for (const bool exchanged : {false, true}) {
+    const Box &first = exchanged ? j : i, &second = exchanged ? i : j;
+    given() = describe_both(first, second);
+    expect_at_least("g of boxes that just touch along one axis, and are apart along another [m]", "Eq. (8.7)",
+                    separating_axis(first, second).gap, 1e-300, "positive",
+                    "A gap of 0 parts nothing: look on, as long as none is positive.");
+  }
+}
+
 EXERCISE_TEST(SeparatingAxis, PartsWhatIsApart) {
   Random random;
   int apart = 0, together = 0;
