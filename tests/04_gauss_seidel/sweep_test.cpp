@@ -126,9 +126,11 @@ EXERCISE_TEST(Sweep, TakesAnyBoundsAndAnyStart) {
           "what one of three sweeps over 20 rows between " + std::to_string(bodies) + " bodies returns [m/s]",
           "Eq. (4.9)", sweep(p.rows, p.V), expected, roundings(1e5, 10), {},
           "The largest S_kk |Δλ_k|. Every row is updated in every sweep: one that is off may be pushed later.");
-    expect_near_vector("λ after three sweeps [N s]", "Eq. (4.2), (4.7)", gathered(p.rows, &Row<6>::lambda),
-                       lambda, roundings(1e5, 10), {},
-                       "Every row is updated in every sweep, within its own bounds, from what V is then.");
+    expect_near_vector(
+        "λ after three sweeps [N s]", "Eq. (4.2), (4.7)", gathered(p.rows, &Row<6>::lambda), lambda,
+        roundings(1e5, 10), {},
+        "Every row is updated in every sweep, within its own bounds, from what V is then: one that is off "
+        "may be pushed later.");
   }
 }
 
