@@ -381,6 +381,17 @@ EXERCISE_TEST(WellSpread, KeepsTheDeepestAndHoldsTheMean) {
   }
 }
 
+EXERCISE_TEST(WellSpread, TakesAnyNumber) {
+  Random random;
+  for (int trial = 0; trial < 4 && !::testing::Test::HasFailure(); ++trial) {
+    std::vector<Contact> contacts;
+    for (const Eigen::Vector2d& place : random_places(random, 30))
+      contacts.push_back(at(Vec3(place.x(), place.y(), 0), random.uniform(-0.1, -0.01)));
+    contacts.back().gap = -0.2;
+    expect_well_spread(contacts, "30 random contacts, the last the deepest");
+  }
+}
+
 EXERCISE_TEST(WellSpread, HoldsTheMeanToRoundings) {
   // The largest four with the deepest, at (±1, 0) and (±1, 1), have the mean 4 nm behind one of their sides. Turned any
   // way, so that no coordinate is small. The centre of the body may be anywhere: in the middle, and 20 nm from a corner.
