@@ -126,7 +126,8 @@ EXERCISE_TEST(RandomOrder, TakesEveryIndexAnywhere) {
   Eigen::VectorXd place = Eigen::VectorXd::Zero(n);
   for (int draw = 0; draw < draws; ++draw) {
     const auto order = random_order(n, generator);
-    if (!has_each_once(order, n)) return;  // another test says so
+    expect_true("a random order of 1000 has each index once", "Eq. (10.4)", has_each_once(order, n));
+    if (!has_each_once(order, n)) return;
     for (int k = 0; k < n; ++k) place[order[static_cast<std::size_t>(k)]] += static_cast<double>(k) / draws;
   }
   for (const int k : {0, 1, 100, 300, 500, 900, 998, 999})
