@@ -327,20 +327,23 @@ EXERCISE_TEST(ResolveImpacts, StopsAtMaxPasses) {
 
 EXERCISE_TEST(ResolveImpacts, ReportsTheEnergyOfAllImpacts) {
   Random random;
-  Boxes boxes(random, 4);
-  std::vector<Contact> contacts;
-  for (int k = 0; k < 3; ++k) contacts.push_back(boxes.contact(random, k, k + 1));
-  const double before = boxes.kinetic_energy(0.5), early = boxes.kinetic_energy(0);
-  const ImpactLaw law{.restitution = 0.3, .friction = 0.5, .threshold = 0.01};
-  const ImpactReport report = resolve_impacts(contacts, law, boxes.motion);
-  const double change = boxes.kinetic_energy(0.5) - before;
-  expect_near("energy that all impacts of four boxes add [J]", "Eq. (7.1), (7.6)", report.energy, change,
-              roundings(5000, before),
-              {{-change, "The sign: what they add, negative when they lose."},
-               {boxes.kinetic_energy(0) - early,
-                "This is of the velocities W, half a step before the contact. Take the u of Eq. (7.1)."},
-               {0, "Add up impact_work over all impacts."}},
-              "The sum of impact_work over all impacts, each with its own u before and its own J.");
+  for (int trial = 0; trial < 30 && !::testing::Test::HasFailure(); ++trial) {  // of one pass, or of several
+    Boxes boxes(random, 4);
+    std::vector<Contact> contacts;
+    for (int k = 0; k < 3; ++k) contacts.push_back(boxes.contact(random, k, k + 1));
+    const double before = boxes.kinetic_energy(0.5), early = boxes.kinetic_energy(0);
+    const ImpactLaw law{.restitution = 0.3, .friction = 0.5, .threshold = 0.01};
+    const ImpactReport report = resolve_impacts(contacts, law, boxes.motion);
+    const double change = boxes.kinetic_energy(0.5) - before;
+    expect_near(
+        "energy that all impacts of four boxes add [J]", "Eq. (7.1), (7.6)", report.energy, change,
+        roundings(5000, before),
+        {{-change, "The sign: what they add, negative when they lose."},
+         {boxes.kinetic_energy(0) - early,
+          "This is of the velocities W, half a step before the contact. Take the u of Eq. (7.1)."},
+         {0, "Add up impact_work over all impacts."}},
+        "The sum of impact_work over all impacts, in every pass, each with its own u before and its own J.");
+  }
 }
 
 EXERCISE_TEST(ResolveImpacts, OfNothingDoesNothing) {
