@@ -52,7 +52,8 @@ double representative_mass(double inverse_mass_i, double inverse_mass_j, int con
 double friction_bound(double mu, double mass, double normal_gravity, double h);
 
 /// Exercise 5.5. The two friction constraints of a contact, along t1 and t2 in this order, with bounds ±`bound` [N
-/// s] and the numbers of `spook`: Eq. (5.2), (5.3), (5.8); notes (42)-(44). Their gap is 0. Nothing is checked.
+/// s] and the numbers of `spook`: Eq. (5.2), (5.3), (5.8); notes (42)-(44). A bound of 0 is one, too: ice. Their gap
+/// is 0. Nothing is checked.
 template <int Dof>
 std::array<Constraint<Dof>, 2> friction_constraints(const Contact& contact, const Tangents& tangents,
                                                     double bound, const Spook& spook);

@@ -51,15 +51,15 @@ Coordinate shift_along(const JointFrame& i, const JointFrame& j, int axis);
 /// steps ago [rad]; since then it has turned by less than half a turn.
 Coordinate hinge_angle(const JointFrame& i, const JointFrame& j, double last);
 
-/// How far a hinge may turn, or a slider may slide. Either may be infinite.
+/// How far a hinge may turn, or a slider may slide. Either may be infinite, and lower = upper holds it where it is.
 struct JointLimits {
   double lower = -infinity;  ///< [rad] or [m]
   double upper = infinity;
 };
 
-/// Exercise 13.4. The row of the nearer limit, with λ >= 0 [N m s or N s]: Eq. (13.10), (13.11). Before the limit it lets
-/// come what comes as far as the limit in a step of `h` [s], and no farther; beyond, a and Σ are those of `spook`. Either
-/// way it takes all of the speed, b = 1.
+/// Exercise 13.4. The row of the limit with the smaller gap, so of the one that is passed, if one is; λ >= 0 [N m s or
+/// N s]: Eq. (13.10), (13.11). Before the limit it lets come what comes as far as the limit in a step of `h` [s], and no
+/// farther; beyond, a and Σ are those of `spook`. Either way it takes all of the speed, b = 1.
 Constraint<6> limit_constraint(const Coordinate& free, const JointLimits& limits, const Spook& spook, double h);
 
 /// What drives a joint. Torques are about the hinge, forces along the slider.

@@ -33,8 +33,8 @@ template <int Dof>
 double update_contact(const Rubbing& contact, std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V);
 
 /// Exercise 14.3. A colour, 0, 1, 2 ..., for each pair of bodies, so that two pairs of one colour share none that moves:
-/// Eq. (14.7). A body that does not move is -1 here. The pairs take their colours in the order in which they come.
-/// `bodies`: how many there are.
+/// Eq. (14.7). A body that does not move is -1 here. The pairs take their colours in the order in which they come; a
+/// body may be in any number of them. `bodies`: how many there are.
 std::vector<int> colour_pairs(const std::vector<Pair>& pairs, std::size_t bodies);
 
 /// How many numbers lie side by side.

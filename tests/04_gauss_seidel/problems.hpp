@@ -41,14 +41,6 @@ inline Problem<6> random_problem(Random& random, int bodies, int rows) {
   return p;
 }
 
-/// Bounds of one of all kinds: a contact's, its mirror image, two-sided, without room, none.
-inline void give_any_bounds(Random& random, Row<6>& row) {
-  const int kind = random.integer(0, 4);
-  const double lo = random.uniform(-0.3, 0.1), room = random.uniform(0, 0.4);
-  row.lo = kind == 0 ? 0 : kind == 2 || kind == 3 ? lo : -infinity;
-  row.hi = kind == 1 ? 0 : kind == 2 ? lo + room : kind == 3 ? lo : infinity;
-}
-
 /// Point masses on a floor, one on the other, at rest under gravity; from the bottom up. The exact λ of row k is
 /// h g times the mass above the contact, with Σ = 0 and a = 0.
 inline Problem<3> stack(const std::vector<double>& masses, double h, double Sigma = 0, double g = 9.81) {
@@ -79,6 +71,20 @@ void set_lambda(Problem<Dof>& p, const Eigen::VectorXd& lambda) {
     p.V[static_cast<std::size_t>(row.i)] += row.lambda * row.MinvGi;
     p.V[static_cast<std::size_t>(row.j)] += row.lambda * row.MinvGj;
   }
+}
+
+/// Twenty rows with bounds of all kinds between so many bodies, and λ anywhere, or at one of its bounds.
+inline Problem<6> any_rows(Random& random, int bodies) {
+  Problem<6> p = random_problem(random, bodies, 20);
+  Eigen::VectorXd lambda(20);
+  for (Eigen::Index k = 0; k < 20; ++k) {
+    Row<6>& row = p.rows[static_cast<std::size_t>(k)];
+    give_any_bounds(random, row);
+    const double bound = random.integer(0, 1) ? row.lo : row.hi;
+    lambda[k] = random.integer(0, 1) && std::abs(bound) < infinity ? bound : random.uniform(-0.5, 0.5);
+  }
+  set_lambda(p, lambda);
+  return p;
 }
 
 }  // namespace spook::testing

@@ -105,6 +105,20 @@ EXERCISE_TEST(FrictionConstraints, AreBoundedOnBothSides) {
   }
 }
 
+EXERCISE_TEST(FrictionConstraints, AreBoundedOnIceToo) {
+  const AnyContact touch;
+  for (const double bound : {0.0, 1e-300, 1e300}) {
+    const std::string of = " bound of λ, Λ = " + show(bound) + " N s [N s]";
+    const std::string clue =
+        "Λ is a bound, whatever it is. Zero is one, too, and not none: on ice λ is 0, and nothing rubs.";
+    for (const auto& constraint : friction_constraints<6>(touch.contact, touch.t, bound, rigid)) {
+      expect_near("lower" + of, "Eq. (5.8)", constraint.lo, -bound, {0, "a sign"}, {}, clue);
+      expect_near("upper" + of, "Eq. (5.8)", constraint.hi, bound, {0, "a copy"}, {}, clue);
+    }
+    if (::testing::Test::HasFailure()) return;
+  }
+}
+
 EXERCISE_TEST(FrictionConstraints, DoNotAskWhetherTheContactIsOpen) {
   AnyContact touch;
   for (const double gap : {-0.02, 0.0, 0.02}) {

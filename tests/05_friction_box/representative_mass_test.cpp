@@ -47,7 +47,9 @@ EXERCISE_TEST(RepresentativeMass, IsSharedByTheContacts) {
   Random random;
   const double inverse_i = random.uniform(0.1, 2), inverse_j = random.uniform(0.1, 2);
   const double whole = representative_mass(inverse_i, inverse_j, 1);
-  for (int contacts = 1; contacts <= 100; ++contacts)
+  std::vector<int> numbers = {1000, 100'000, 2'000'000'000};
+  for (int contacts = 1; contacts <= 100; ++contacts) numbers.push_back(contacts);
+  for (const int contacts : numbers)
     expect_near("N m over m of a single contact, N = " + std::to_string(contacts), "Eq. (5.6)",
                 contacts * representative_mass(inverse_i, inverse_j, contacts) / whole, 1, roundings(16), {},
                 "Together the contacts stand for what one alone would.");

@@ -26,7 +26,7 @@ struct RopeInput {
   /// The next of a stream of them, of any kind: from one link on, heavy or light, short or long.
   static RopeInput any(const Random& stream) {
     RopeInput in(stream);
-    in.links = in.random.integer(1, 15);
+    in.links = in.random.integer(0, 9) ? in.random.integer(1, 15) : in.random.integer(300, 3000);
     in.mass = in.random.log_uniform(1e-3, 1e3);
     in.to = in.from + in.random.log_uniform(1e-2, 1e2) * (in.to - in.from);
     in.length = (in.to - in.from).norm();
@@ -126,9 +126,9 @@ EXERCISE_TEST(Rope, PutsHalfOfEachLinkOnEitherEnd) {
 }
 
 EXERCISE_TEST(Rope, IsOfAnyLinksMassAndLength) {
-  Regions regions({"one link", "two links", "more than ten links", "links lighter than 10 g",
-                   "links heavier than 10 kg", "links shorter than 1 cm", "links longer than 1 m", "upwards",
-                   "downwards"});
+  Regions regions({"one link", "two links", "more than ten links", "more than a thousand links",
+                   "links lighter than 10 g", "links heavier than 10 kg", "links shorter than 1 cm",
+                   "links longer than 1 m", "upwards", "downwards"});
   RopeInput in;
   while (regions.lack_draws()) {
     in = RopeInput::any(in.random);
@@ -137,6 +137,7 @@ EXERCISE_TEST(Rope, IsOfAnyLinksMassAndLength) {
     regions.draw({{"one link", in.links == 1},
                   {"two links", in.links == 2},
                   {"more than ten links", in.links > 10},
+                  {"more than a thousand links", in.links > 1000},
                   {"links lighter than 10 g", link < 0.01},
                   {"links heavier than 10 kg", link > 10},
                   {"links shorter than 1 cm", each < 0.01},

@@ -102,6 +102,21 @@ EXERCISE_TEST(ImpactImpulse, IsThatOfTheNotesWhereItLosesEnergy) {
   }
 }
 
+EXERCISE_TEST(ImpactImpulse, SlidesOnIce) {
+  Random random;
+  for (int trial = 0; trial < 20 && !::testing::Test::HasFailure(); ++trial) {
+    Impact impact = random_impact(random);
+    impact.mu = 0;
+    given() = impact.text();
+    const double j = (1 + impact.e) * impact.approach() / impact.n.dot(impact.K * impact.n);
+    expect_near_vector(
+        "J of two boxes on ice, μ = 0 [N s]", "Eq. (7.4), (7.5)", impulse_of(impact), Vec3(j * impact.n),
+        roundings(256 * impact.condition(), j),
+        {{impact.stick(), "This sticks, though |J_t| > μ J_n = 0: the cone has not been asked."}},
+        "μ = 0 is a coefficient like any other: nothing sticks, and J is along n.");
+  }
+}
+
 // Masses of any size: what counts is whether ΔE is positive, not whether it is large.
 constexpr double rod_masses[] = {1, 1e-9};
 

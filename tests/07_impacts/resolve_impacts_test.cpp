@@ -98,6 +98,19 @@ EXERCISE_TEST(ResolveImpacts, CradleGivesTheSpeedToTheLastBall) {
   }
 }
 
+EXERCISE_TEST(ResolveImpacts, TakesAnyNumberOfContacts) {
+  const int balls = 300;
+  std::vector<double> v(balls, 0.0), after = v;
+  v.front() = after.back() = 1;
+  Motion<3> motion = row_of_balls(v);
+  const ImpactReport report =
+      resolve_impacts(contacts_of_row(balls), {.restitution = 1, .threshold = 1e-9}, motion);
+  const std::string clue = "Every contact that is listed, however many there are.";
+  expect_near("impacts in a cradle of 300", "Eq. (7.13)", report.impacts, balls - 1, {0, "a count"}, {}, clue);
+  expect_near_vector("velocities in a cradle of 300, 1 m/s of the first before [m/s]", "Eq. (7.13)",
+                     speeds(motion), numbers(after), roundings(64 * balls), {}, clue);
+}
+
 EXERCISE_TEST(ResolveImpacts, CradleSortsAnyVelocities) {
   Random random;
   for (int trial = 0; trial < 50 && !::testing::Test::HasFailure(); ++trial) {
@@ -314,20 +327,23 @@ EXERCISE_TEST(ResolveImpacts, StopsAtMaxPasses) {
 
 EXERCISE_TEST(ResolveImpacts, ReportsTheEnergyOfAllImpacts) {
   Random random;
-  Boxes boxes(random, 4);
-  std::vector<Contact> contacts;
-  for (int k = 0; k < 3; ++k) contacts.push_back(boxes.contact(random, k, k + 1));
-  const double before = boxes.kinetic_energy(0.5), early = boxes.kinetic_energy(0);
-  const ImpactLaw law{.restitution = 0.3, .friction = 0.5, .threshold = 0.01};
-  const ImpactReport report = resolve_impacts(contacts, law, boxes.motion);
-  const double change = boxes.kinetic_energy(0.5) - before;
-  expect_near("energy that all impacts of four boxes add [J]", "Eq. (7.1), (7.6)", report.energy, change,
-              roundings(5000, before),
-              {{-change, "The sign: what they add, negative when they lose."},
-               {boxes.kinetic_energy(0) - early,
-                "This is of the velocities W, half a step before the contact. Take the u of Eq. (7.1)."},
-               {0, "Add up impact_work over all impacts."}},
-              "The sum of impact_work over all impacts, each with its own u before and its own J.");
+  for (int trial = 0; trial < 30 && !::testing::Test::HasFailure(); ++trial) {  // of one pass, or of several
+    Boxes boxes(random, 4);
+    std::vector<Contact> contacts;
+    for (int k = 0; k < 3; ++k) contacts.push_back(boxes.contact(random, k, k + 1));
+    const double before = boxes.kinetic_energy(0.5), early = boxes.kinetic_energy(0);
+    const ImpactLaw law{.restitution = 0.3, .friction = 0.5, .threshold = 0.01};
+    const ImpactReport report = resolve_impacts(contacts, law, boxes.motion);
+    const double change = boxes.kinetic_energy(0.5) - before;
+    expect_near(
+        "energy that all impacts of four boxes add [J]", "Eq. (7.1), (7.6)", report.energy, change,
+        roundings(5000, before),
+        {{-change, "The sign: what they add, negative when they lose."},
+         {boxes.kinetic_energy(0) - early,
+          "This is of the velocities W, half a step before the contact. Take the u of Eq. (7.1)."},
+         {0, "Add up impact_work over all impacts."}},
+        "The sum of impact_work over all impacts, in every pass, each with its own u before and its own J.");
+  }
 }
 
 EXERCISE_TEST(ResolveImpacts, OfNothingDoesNothing) {
@@ -436,7 +452,7 @@ EXERCISE_TEST(ResolveImpacts, DropsNothingSmall) {
     for (const Vec3& leaning : lopsided(part)) {
       // A ball of 1 kg against a wall that is nearly across an axis, fast or slow.
       const Vec3 n = leaning.normalized();
-      for (const double speed : {1.0, 1e-12}) {
+      for (const double speed : {1.0, 1e-12, 1e-100}) {
         Motion<3> ball{.inverse_mass = {{}, {.linear = 1}},
                        .W = {Vec3::Zero(), -2 * speed * n},
                        .Wf = {Vec3::Zero(), Vec3::Zero()}};

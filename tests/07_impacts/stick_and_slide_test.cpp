@@ -115,6 +115,14 @@ EXERCISE_TEST(InsideCone, WidensWithMu) {
                 "part.");
 }
 
+EXERCISE_TEST(InsideCone, IsAsWideAsMuSays) {
+  for (const double mu : {1e-9, 1e-3, 1e3, 1e9}) {
+    const std::string clue = "μ is any number from 0 on, however small or large.";
+    expect_inside(Vec3(0, 0.9 * mu, 1), Vec3(0, 0, 1), mu, true, clue);
+    expect_inside(Vec3(0, 1.1 * mu, 1), Vec3(0, 0, 1), mu, false, clue);
+  }
+}
+
 EXERCISE_TEST(InsideCone, HasItsEdgeInside) {
   const std::string edge = "|J_t| = μ J_n exactly: on the cone counts as inside, <= and not <.";
   expect_inside(Vec3(3, 4, 10), Vec3(0, 0, 1), 0.5, true, edge);
@@ -242,6 +250,21 @@ EXERCISE_TEST(SlidingImpulse, IsOnTheEdgeOfTheConeAgainstTheSlip) {
                         {-mu * impact.slip(), "t is a direction: divide u_t by its length."},
                         {Vec3::Zero(), "The friction, -μ j t, is missing."}},
                        "A contact that slides has the largest friction, |J_t| = μ J_n, against the slip.");
+  }
+}
+
+EXERCISE_TEST(SlidingImpulse, IsAlongTheNormalWithoutFriction) {
+  Random random;
+  for (int trial = 0; trial < 20 && !::testing::Test::HasFailure(); ++trial) {
+    Impact impact = random_impact(random);
+    impact.mu = 0;
+    given() = impact.text();
+    const auto& [K, u, n, e, mu] = impact;
+    const double nKn = n.dot(K * n), j = (1 + e) * impact.approach() / nKn;
+    expect_near_vector("J of two boxes on ice, μ = 0 [N s]", "Eq. (7.5)",
+                       value(sliding_impulse(K, u, n, e, mu), nKn), Vec3(j * n),
+                       roundings(256 * impact.condition(), j), {},
+                       "μ = 0 is a coefficient like any other: n - μt is n.");
   }
 }
 

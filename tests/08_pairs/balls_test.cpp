@@ -242,20 +242,31 @@ EXERCISE_TEST(BallBall, DropsNothingSmall) {
 }
 
 EXERCISE_TEST(BallBall, CountsWhatIsSmall) {
-  // A small ball at the rim of another, and one whose centre is nearly at the origin.
+  // Of the distance and the radii one is small, or two are; or two are nearly alike. One of the centres is hardly off
+  // the origin.
   for (const double part : small_parts)
-    for (const bool i_is_small : {true, false}) {
-      const Ball large{.body = 0, .x = Vec3(0, 0, part), .radius = 1},
-          small{.body = 1, .x = Vec3(0, 0, 1), .radius = 2 * part};
-      const auto found = i_is_small ? ball_ball(small, large) : ball_ball(large, small);
-      if (!expect_some("a ball and one of radius " + show(2 * part) + " m", "Eq. (8.2)", found)) return;
-      expect_near("gap of a ball and one of radius " + show(2 * part) + " m at its rim [m]", "Eq. (8.2)",
-                  found->gap, -3 * part, roundings(8), {}, small_is_dropped);
-      expect_near("height of their common point over the large one's centre [m]", "Eq. (8.3)",
-                  (i_is_small ? found->r_j : found->r_i).z(), 1 - 1.5 * part, roundings(8), {},
-                  small_is_dropped);
-      if (::testing::Test::HasFailure()) return;
-    }
+    for (const auto& [distance, one, other] : {std::tuple(1 - part, 1.0, 2 * part),
+                                               {part, 1.0, 0.25},
+                                               {part, 1.0, part},
+                                               {0.25, 1.0, part},
+                                               {1 - part, 1.0, 0.5},
+                                               {1 + part, 1.0, 0.5}})
+      for (const auto& [exchanged, at] : {std::pair(false, part), {true, part}, {false, part - distance}}) {
+        const double R_i = exchanged ? other : one, R_j = exchanged ? one : other;
+        const Ball i{.body = 0, .x = Vec3(0, 0, at), .radius = R_i},
+            j{.body = 1, .x = Vec3(0, 0, at + distance), .radius = R_j};
+        const auto found = ball_ball(i, j);
+        const std::string of = " of balls of " + show(R_i) + " m and " + show(R_j) + " m, their centres " +
+                               show(distance, 14) + " m apart [m]";
+        const double gap = distance - R_i - R_j;
+        if (!expect_some("balls with g = " + show(gap) + " m", "Eq. (8.2)", found)) return;
+        expect_near("gap" + of, "Eq. (8.2)", found->gap, gap, roundings(8), {}, small_is_dropped);
+        expect_near("height of their common point over the first's centre," + of, "Eq. (8.3)", found->r_i.z(),
+                    R_i + gap / 2, roundings(8), {}, small_is_dropped);
+        expect_near("height of their common point over the second's centre," + of, "Eq. (8.3)", found->r_j.z(),
+                    -R_j - gap / 2, roundings(8), {}, small_is_dropped);
+        if (::testing::Test::HasFailure()) return;
+      }
 }
 
 EXERCISE_TEST(BallBall, GapChangesAtTheRateOfItsRow) {

@@ -229,23 +229,50 @@ EXERCISE_TEST(BoxBox, DropsNothingSmall) {
 }
 
 EXERCISE_TEST(BoxBox, CountsWhatIsSmall) {
-  // A box that hardly touches a table, one whose lower face is hardly over the table's middle, and the table hardly off
-  // the origin.
+  // A box that hardly touches a table, and one whose lower face is hardly over the table's middle. The table is hardly
+  // off the origin, or the box is.
   for (const double part : small_parts)
-    for (const double low : {1 - part, 2 * part}) {
-      const Box table = straight(0, Vec3(part, part, part), Vec3(3, 3, 1)),
-                box = straight(1, Vec3(0, 0, low + 0.5), Vec3(0.5, 0.5, 0.5));
-      const std::string what = "a box whose lower face is " + show(1 - low) + " m below a table's top";
-      const auto got = contacts_of(table, box);
-      if (!expect_count(what, got, 4, "The four corners of its lower face.")) return;
-      for (const Contact& contact : got) {
-        expect_near("gap of " + what + " [m]", "Eq. (8.6), (8.8)", contact.gap, low - 1 - part, roundings(8),
-                    {}, small_is_dropped);
-        expect_near("height of a contact over the table's centre, of " + what + " [m]", "Eq. (8.3)",
-                    contact.r_i.z(), (low - part + 1) / 2, roundings(8), {}, small_is_dropped);
-        expect_near("|x| of a contact, of " + what + ", from the origin [m]", "Eq. (8.3)",
-                    std::abs(contact.r_i.x() + part), 0.5, roundings(8), {}, small_is_dropped);
+    for (const double low : {1 - part, 2 * part})
+      for (const Vec3& origin : {Vec3(0, 0, 0), Vec3(part, part, part + low + 0.5)}) {
+        const Box table = straight(0, Vec3(part, part, part) - origin, Vec3(3, 3, 1)),
+                  box = straight(1, Vec3(0, 0, low + 0.5) - origin, Vec3(0.5, 0.5, 0.5));
+        const std::string what = "a box whose lower face is " + show(1 - low) + " m below a table's top";
+        const auto got = contacts_of(table, box);
+        if (!expect_count(what, got, 4, "The four corners of its lower face.")) return;
+        for (const Contact& contact : got) {
+          expect_near("gap of " + what + " [m]", "Eq. (8.6), (8.8)", contact.gap, low - 1 - part, roundings(8),
+                      {}, small_is_dropped);
+          expect_near("height of a contact over the table's centre, of " + what + " [m]", "Eq. (8.3)",
+                      contact.r_i.z(), (low - part + 1) / 2, roundings(8), {}, small_is_dropped);
+          expect_near("|x| of a contact, of " + what + ", from the box's centre [m]", "Eq. (8.3)",
+                      std::abs(contact.r_i.x() + part), 0.5, roundings(8), {}, small_is_dropped);
+        }
+        if (::testing::Test::HasFailure()) return;
       }
+}
+
+EXERCISE_TEST(BoxBox, CountsWhatIsSmallInAPlate) {
+  // A corner of a cube goes right through a plate that is thin beside its depth, or ends near the middle of one.
+  const Box cube =
+      turned(turned(straight(1, Vec3::Zero(), Vec3(0.5, 0.5, 0.5)), 0.7, Vec3::UnitX()), 0.5, Vec3::UnitY());
+  Vec3 lowest = Vec3::Zero();
+  for (const Vec3& corner : corners(cube))
+    if (corner.z() < lowest.z()) lowest = corner;
+  for (const double part : small_parts)
+    for (const auto& [half, corner] :
+         {std::pair(part, Vec3(0.1, -0.1, -0.05)), {0.125, Vec3(part, -part, -part / 2)}}) {
+      const Box plate = straight(0, Vec3::Zero(), Vec3(2, 2, half));
+      Box above = cube;
+      above.x = corner - lowest;
+      const double gap = corner.z() - half;
+      const std::string what =
+          "a corner at " + show(corner) + " from the middle of a plate of 2 x " + show(half) + " m";
+      const auto got = contacts_of(plate, above);
+      if (!expect_count(what, got, 1, "One corner is behind the upper face of the plate.")) return;
+      expect_near("gap of " + what + " [m]", "Eq. (8.6), (8.8)", got[0].gap, gap, roundings(64), {},
+                  small_is_dropped);
+      expect_near_vector("r_i of " + what + " [m]", "Eq. (8.3)", got[0].r_i,
+                         Vec3(corner - gap / 2 * Vec3::UnitZ()), roundings(64), {}, small_is_dropped);
       if (::testing::Test::HasFailure()) return;
     }
 }
@@ -284,6 +311,18 @@ EXERCISE_TEST(BoxBox, TouchesFromZeroGapOn) {
               {0, "a count"}, {}, "g <= 0: exactly zero counts.");
   expect_near("contacts of a cube that is 1e-12 m above another", "Eq. (8.6), (8.8)", at(1 + 1e-12), 0,
               {0, "a count"}, {}, "With a gap along some axis there is none.");
+  // Ridges that cross, where no corner is near: edges have a gap, too.
+  const Box i = turned(below, std::numbers::pi / 4, Vec3::UnitX());
+  Box j = turned(below, std::numbers::pi / 4, Vec3::UnitY());
+  j.body = 1;
+  for (const double apart : {1e-12, -1e-12}) {
+    j.x.z() = std::sqrt(2.0) + apart;
+    expect_near("contacts of two cubes whose ridges cross, " + show(std::abs(apart)) + " m " +
+                    (apart > 0 ? "apart" : "deep"),
+                "Eq. (8.6), (8.9)", static_cast<double>(contacts_of(i, j).size()), apart > 0 ? 0 : 1,
+                {0, "a count"}, {},
+                "Only g <= 0 is a contact, also where edges cross: with a gap along some axis there is none.");
+  }
 }
 
 EXERCISE_TEST(BoxBox, PiercesAThinPlate) {

@@ -132,6 +132,24 @@ EXERCISE_TEST(Clip, CutsAnyPolygonInTwo) {
   expect_at_least("polygons, of 500, that were cut in two", "Eq. (8.8)", cut, 100, "more than a half are");
 }
 
+EXERCISE_TEST(Clip, TakesAnyNumberOfCorners) {
+  Random random;
+  for (const int corners : {20, 300}) {
+    const std::vector<Vec3> polygon = random_polygon(random, corners, 1);
+    Vec3 middle = Vec3::Zero();
+    for (const Vec3& corner : polygon) middle += corner / corners;
+    const Vec3 n = random.unit_vector();
+    const std::vector<Vec3> left = clip(polygon, n, n.dot(middle)), rest = clip(polygon, -n, -n.dot(middle));
+    const std::string of = " of a polygon of " + std::to_string(corners) + " corners, cut through its middle";
+    const std::string clue = "Every corner counts, however many there are.";
+    expect_near("corners of both parts" + of + ", beyond those of the whole", "Eq. (8.8)",
+                static_cast<double>(left.size() + rest.size()) - corners, 4,
+                {0, "two sides are cut, for each part"}, {}, clue);
+    expect_near("area of both parts" + of + ", over the whole", "Eq. (8.8)",
+                (area(left).norm() + area(rest).norm()) / area(polygon).norm(), 1, roundings(4000), {}, clue);
+  }
+}
+
 Contact at(const Vec3& r, double gap, const Vec3& n = Vec3::UnitZ()) {
   return {.i = 3, .j = 5, .n = n, .gap = gap, .r_i = r, .r_j = r - Vec3(0.7, -0.4, 2)};
 }
@@ -363,19 +381,33 @@ EXERCISE_TEST(WellSpread, KeepsTheDeepestAndHoldsTheMean) {
   }
 }
 
+EXERCISE_TEST(WellSpread, TakesAnyNumber) {
+  Random random;
+  for (int trial = 0; trial < 4 && !::testing::Test::HasFailure(); ++trial) {
+    std::vector<Contact> contacts;
+    for (const Eigen::Vector2d& place : random_places(random, 30))
+      contacts.push_back(at(Vec3(place.x(), place.y(), 0), random.uniform(-0.1, -0.01)));
+    contacts.back().gap = -0.2;
+    expect_well_spread(contacts, "30 random contacts, the last the deepest");
+  }
+}
+
 EXERCISE_TEST(WellSpread, HoldsTheMeanToRoundings) {
   // The largest four with the deepest, at (±1, 0) and (±1, 1), have the mean 4 nm behind one of their sides. Turned any
-  // way, so that no coordinate is small.
+  // way, so that no coordinate is small. The centre of the body may be anywhere: in the middle, and 20 nm from a corner.
   const double outside = 4e-9;
   Random random;
-  for (const Mat3& R : {Mat3(Mat3::Identity()), random.rotation().toRotationMatrix()}) {
-    const auto turned = [&](double x, double y, double gap) { return at(R * Vec3(x, y, 0), gap, R.col(2)); };
-    std::vector<Contact> contacts = {turned(-1, 0, -0.02), turned(1, 0, -0.01), turned(-1, 1, -0.01),
-                                     turned(1, 1, -0.01)};
-    for (int k = 0; k < 8; ++k) contacts.push_back(turned(0.01 * (k - 3.5), -(2 + 12 * outside) / 8, -0.01));
-    expect_well_spread(contacts, "four at the corners of a rectangle and eight beside it");
-    if (::testing::Test::HasFailure()) return;
-  }
+  for (const Mat3& R : {Mat3(Mat3::Identity()), random.rotation().toRotationMatrix()})
+    for (const auto& centre : {Eigen::Vector2d(0, 0), {-1, 2e-8}, {-1, -2e-8}, {1, 2e-8}, {1, -2e-8}}) {
+      const auto turned = [&](double x, double y, double gap) {
+        return at(R * Vec3(x - centre.x(), y - centre.y(), 0), gap, R.col(2));
+      };
+      std::vector<Contact> contacts = {turned(-1, 0, -0.02), turned(1, 0, -0.01), turned(-1, 1, -0.01),
+                                       turned(1, 1, -0.01)};
+      for (int k = 0; k < 8; ++k) contacts.push_back(turned(0.01 * (k - 3.5), -(2 + 12 * outside) / 8, -0.01));
+      expect_well_spread(contacts, "four at the corners of a rectangle and eight beside it");
+      if (::testing::Test::HasFailure()) return;
+    }
 }
 
 EXERCISE_TEST(WellSpread, HoldsTheMeanWhereTheDeepestIs) {

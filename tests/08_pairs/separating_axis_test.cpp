@@ -365,6 +365,21 @@ Vec3 shortest_way(const Box& i, const Box& j) {
   return q - p;
 }
 
+EXERCISE_TEST(SeparatingAxis, PartsWhatTouchesAlongAnotherAxis) {
+  // Along x, an axis of i, the gap is exactly 0, and along one of j's own axes the boxes are apart.
+  const Box i{.body = 0, .x = Vec3::Zero(), .axes = Mat3::Identity(), .half_sides = Vec3::Constant(0.25)};
+  Box j{.body = 1, .x = Vec3::Zero(), .axes = Mat3::Identity(), .half_sides = Vec3(1, 1, 1)};
+  j.axes.col(0) = Vec3(0.6, 0, 0.8), j.axes.col(2) = Vec3(-0.8, 0, 0.6);
+  j.x = Vec3(0.25 + half_width(j, Vec3::UnitX()), 0, 1);
+  for (const bool exchanged : {false, true}) {
+    const Box &first = exchanged ? j : i, &second = exchanged ? i : j;
+    given() = describe_both(first, second);
+    expect_at_least("g of boxes that just touch along one axis, and are apart along another [m]", "Eq. (8.7)",
+                    separating_axis(first, second).gap, 1e-300, "positive",
+                    "A gap of 0 parts nothing: look on, as long as none is positive.");
+  }
+}
+
 EXERCISE_TEST(SeparatingAxis, PartsWhatIsApart) {
   Random random;
   int apart = 0, together = 0;
@@ -428,6 +443,37 @@ EXERCISE_TEST(SeparatingAxis, PartsWhatIsApartByHardlyAnything) {
                     separating_axis(first, second).gap, 1e-300, "positive",
                     "One axis with a positive gap is enough, however small it is: it needs no margin.");
   }
+}
+
+EXERCISE_TEST(SeparatingAxis, PartsEdgesThatAreApartByHardlyAnything) {
+  // The rim of a cube, and across it the edge of another that is tilted so little that the faces of both still overlap,
+  // by less than a margin. Each of the nine pairs of edges.
+  Random random;
+  for (int pair = 0; pair < 9; ++pair)
+    for (const double size : {1.0, 1e-6}) {
+      const Mat3 world = random.rotation().toRotationMatrix();
+      const double tilt = 1e-8, gap = 1e-10;
+      const auto cube = [&](int body, const Mat3& axes, int first) {
+        Box box{.body = body, .x = Vec3::Zero(), .axes = axes, .half_sides = Vec3::Constant(size)};
+        for (int k = 0; k < 3; ++k) box.axes.col((first + k) % 3) = axes.col(k);
+        return box;
+      };
+      const Box i = cube(0, world, pair % 3);
+      // Its edge along x goes down outwards, over the rim along y; from there its lower face goes up.
+      const Mat3 tilted =
+          world *
+          (Eigen::AngleAxisd(tilt, Vec3::UnitX()) * Eigen::AngleAxisd(tilt, Vec3::UnitY())).toRotationMatrix();
+      Box j = cube(1, tilted, pair / 3);
+      j.x = size * (world * Vec3(1, 0.5, 1 + gap) - tilted * Vec3(-0.5, -1, -1));
+      given() = describe_both(i, j);
+      const auto all = all_axes(i, j);
+      expect_true("(of this test) faces overlap, and edges do not", "Eq. (8.6)",
+                  std::max(best_of(all, 0), best_of(all, 1)) < 0 && best_of(all, 2) > 0);
+      expect_at_least("g of cubes whose edges are apart by 1e-10 of their size [m]", "Eq. (8.7)",
+                      separating_axis(i, j).gap, 1e-300, "positive",
+                      "One axis with a positive gap is enough, however small it is: it needs no margin.");
+      if (::testing::Test::HasFailure()) return;
+    }
 }
 
 EXERCISE_TEST(SeparatingAxis, StaysWithFacesThatLieOnEachOther) {

@@ -164,13 +164,18 @@ EXERCISE_TEST(PlaneBox, DropsNothingSmall) {
 }
 
 EXERCISE_TEST(PlaneBox, CountsWhatIsSmall) {
-  // Of the box's place, its half side and the plane's offset one is small.
+  // Of the box's place, its half sides and the plane's offset one is small; or what two of them leave of each other is.
   for (const double part : small_parts)
-    for (const auto& [z, half, offset] : {std::tuple(1.0, part, 2.0), {part, 1.0, 2.0}, {1.0, 2.0, part}}) {
-      const Box box{.body = 1, .x = Vec3(0, 0, z), .axes = Mat3::Identity(), .half_sides = Vec3(1, 1, half)};
+    for (const auto& [z, half_sides, offset] : {std::tuple(1.0, Vec3(1, 1, part), 2.0),
+                                                {1.0, Vec3(part, part, part), 2.0},
+                                                {part, Vec3(1, 1, 1), 2.0},
+                                                {1.0, Vec3(1, 1, 2), part},
+                                                {1 + part, Vec3(1, 1, 1), 2.0}}) {
+      const Box box{.body = 1, .x = Vec3(0, 0, z), .axes = Mat3::Identity(), .half_sides = half_sides};
       std::vector<Contact> found;
       plane_box({.body = 0, .x = Vec3::Zero(), .n = Vec3::UnitZ(), .offset = offset}, box, found);
-      const std::string of = " of a box of height " + show(2 * half) + " m, its centre at " + show(z) +
+      const double half = half_sides.z();
+      const std::string of = " of a box of height " + show(2 * half) + " m, its centre at " + show(z, 14) +
                              " m, in a plane at " + show(offset) + " m [m]";
       double lowest = infinity, deepest = infinity;
       for (const Contact& contact : found) {

@@ -1,5 +1,6 @@
 // All rows once, each contact with its cone, and how far they still are.
 #include "exercise_test.hpp"
+#include "regions.hpp"
 #include "rubbing.hpp"
 #include "unlike_terms.hpp"
 
@@ -133,6 +134,50 @@ EXERCISE_TEST(SweepOnCones, ReturnsTheLargestChange) {
   }
 }
 
+/// Contacts among joints' rows that have bounds of any kind; their λ is anywhere, or at one of the bounds.
+System<6> system_with_bounds(Random& random) {
+  System<6> s = random_system(random, 4, 3, 1);
+  std::size_t contact = 0;
+  for (std::size_t k = 0; k < s.rows.size(); ++k) {
+    if (contact < s.contacts.size() && s.contacts[contact].normal == k) {
+      for (const std::size_t each : {k, k + 1, k + 2}) s.begin_with(each, random.uniform(0, 0.3));
+      ++contact;
+      k += 2;
+      continue;
+    }
+    give_any_bounds(random, s.rows[k]);
+    const double bound = random.integer(0, 1) ? s.rows[k].lo : s.rows[k].hi;
+    s.begin_with(k, random.integer(0, 1) && std::abs(bound) < infinity ? bound : random.uniform(-0.5, 0.5));
+  }
+  return s;
+}
+
+const std::string any_row =
+    "Every row that is no contact's goes by Eq. (4.7), with its own bounds: also one that begins at a bound, "
+    "at "
+    "either, and leaves it.";
+
+EXERCISE_TEST(SweepOnCones, TakesAnyBoundsOfTheOtherRows) {
+  Random random;
+  for (int trial = 0; trial < 30 && !::testing::Test::HasFailure(); ++trial) {
+    System<6> s = system_with_bounds(random), expected = s;
+    double largest = 0;
+    std::size_t contact = 0;
+    for (std::size_t k = 0; k < s.rows.size(); ++k) {
+      Row<6>& row = expected.rows[k];
+      largest = std::max(largest, row.diagonal * std::abs(update_row(row, expected.V)));
+      if (contact == s.contacts.size() || s.contacts[contact].normal != k) continue;
+      largest = std::max(largest, update_friction(s.contacts[contact++], expected.rows, expected.V));
+      k += 2;
+    }
+    const double got = sweep_on_cones(s.contacts, s.rows, s.V);
+    expect_near_vector("λ after a sweep over three contacts and four rows with bounds of all kinds [N s]",
+                       "Eq. (4.7), (9.6)", all_lambda(s.rows), all_lambda(expected.rows), roundings(1000, 5),
+                       {}, any_row);
+    expect_near("what it returned [m/s]", "Eq. (4.9)", got, largest, roundings(1000, 30), {}, any_row);
+  }
+}
+
 EXERCISE_TEST(SweepOnCones, OfNothingIsZeroAndOfNaNIsNaN) {
   System<3> none;
   expect_near("what a sweep of no rows returns [m/s]", "Eq. (4.9)",
@@ -248,6 +293,43 @@ EXERCISE_TEST(ResidualOnCones, IsWhatEachUpdateByItselfWouldChange) {
           "This is what the next sweep returns: there a row sees what those before it have just done. Here "
           "each is compared with this λ and this V."}},
         "Each row, or pair, against the same λ and V; nothing is scattered; the largest counts.");
+  }
+}
+
+EXERCISE_TEST(ResidualOnCones, TakesAnyBoundsOfTheOtherRows) {
+  Random random;
+  // Whatever an answer leaves out, it misses nothing else as much as the row that lacks most.
+  Regions regions(
+      {"the row that lacks most is between its bounds", "the row that lacks most is at its lower bound",
+       "the row that lacks most is at its upper bound", "the row that lacks most is out of its bounds",
+       "the row that lacks most goes to a lower bound above 0", "friction lacks most"});
+  while (regions.lack_draws()) {
+    const System<6> s = system_with_bounds(random);
+    double rows = 0, pairs = 0;
+    Row<6> most{};
+    double next_of_most = 0;
+    for (std::size_t k = 0, contact = 0; k < s.rows.size(); ++k) {
+      System<6> next = s;
+      const double lacks = s.rows[k].diagonal * std::abs(update_row(next.rows[k], next.V));
+      if (lacks > rows) most = s.rows[k], next_of_most = next.rows[k].lambda;
+      rows = std::max(rows, lacks);
+      if (contact == s.contacts.size() || s.contacts[contact].normal != k) continue;
+      next = s;
+      pairs = std::max(pairs, update_friction(s.contacts[contact++], next.rows, next.V));
+      k += 2;
+    }
+    const bool is_row = rows > pairs;
+    const double at = most.lambda;
+    regions.draw({{"the row that lacks most is between its bounds", is_row && most.lo < at && at < most.hi},
+                  {"the row that lacks most is at its lower bound", is_row && at == most.lo},
+                  {"the row that lacks most is at its upper bound", is_row && at == most.hi},
+                  {"the row that lacks most is out of its bounds", is_row && (at < most.lo || at > most.hi)},
+                  {"the row that lacks most goes to a lower bound above 0",
+                   is_row && most.lo > 0 && next_of_most == most.lo},
+                  {"friction lacks most", !is_row}});
+    expect_near("residual of three contacts and four rows with bounds of all kinds [m/s]", "Eq. (4.8), (9.7)",
+                residual_on_cones(s.contacts, s.rows, s.V), std::max(rows, pairs), roundings(1000, 30), {},
+                any_row);
   }
 }
 

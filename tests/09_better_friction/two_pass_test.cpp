@@ -86,6 +86,23 @@ EXERCISE_TEST(LimitFriction, LeavesNothingToWhatDoesNotPress) {
   }
 }
 
+EXERCISE_TEST(LimitFriction, KeepsANaN) {
+  System<3> s = points_on_a_slope(2, 0, 0.5, 0, 0.1);
+  const double nan = std::nan("");
+  s.rows[s.contacts[0].normal].lambda = 4;
+  s.rows[s.contacts[1].normal].lambda = nan;
+  limit_friction(s.contacts, s.rows);
+  for (const std::size_t k : {s.contacts[1].normal + 1, s.contacts[1].normal + 2})
+    expect_true(
+        "bounds of row " + std::to_string(k) + " where λ_n is NaN: here from " + show(s.rows[k].lo) + " to " +
+            show(s.rows[k].hi) + " N s, and to be NaN",
+        "Eq. (9.1)", std::isnan(s.rows[k].lo) && std::isnan(s.rows[k].hi),
+        "A NaN went in and did not come out: std::max(0.0, NaN) is 0, and a comparison with NaN is false. "
+        "Where something is wrong, friction would quietly be none.");
+  expect_near("upper bound beside it, μ = 0.5, λ_n = 4 N s [N s]", "Eq. (9.1)",
+              s.rows[s.contacts[0].normal + 1].hi, 2, roundings(2, 2), {}, "The other contact is sound.");
+}
+
 EXERCISE_TEST(LimitFriction, ChangesNothingElse) {
   Random random;
   System<6> s = random_system(random, 3, 2, 1);

@@ -76,8 +76,33 @@ EXERCISE_TEST(Precondition, SweepsAnyNumberOfBodies) {
   }
 }
 
+/// Two rows with S_kk = 3/kg that share a body. After a sweep B - G V of the first is this part of its Σ λ: two large
+/// numbers all but cancel.
+Problem<3> cancelling_problem(double part) {
+  Problem<3> p;
+  p.V.assign(3, Twist<3>::Zero());
+  const Twist<3> up(0, 0, 1);
+  for (int k = 0; k < 2; ++k)
+    p.rows.push_back({.i = k,
+                      .j = k + 1,
+                      .Gi = -up,
+                      .Gj = up,
+                      .MinvGi = -up,
+                      .MinvGj = up,
+                      .B = 0,
+                      .Sigma = 1,
+                      .diagonal = 3,
+                      .lo = -infinity,
+                      .hi = infinity});
+  // λ1 = B1/3 and λ2 = (B2 + λ1)/3; B1 - G V = B1 - 2 λ1 + λ2 = λ1 + λ2.
+  const double first = 0.7, second = first * (part - 1);
+  p.rows[0].B = 3 * first;
+  p.rows[1].B = 3 * second - first;
+  return p;
+}
+
 /// Three rows around three bodies, some of them so heavy that they hardly move, with B = 1 m/s or a part of it; every such
-/// system, and some with a small Σ. S stays well conditioned.
+/// system, some with a small Σ, and one with terms that all but cancel. S stays well conditioned.
 std::vector<Problem<3>> unlike_problems(double part) {
   const Twist<3> up(0, 0, 1);
   std::vector<Problem<3>> all;
@@ -105,6 +130,7 @@ std::vector<Problem<3>> unlike_problems(double part) {
       all.push_back(p);
     }
   }
+  all.push_back(cancelling_problem(part));
   return all;
 }
 
@@ -113,8 +139,8 @@ EXERCISE_TEST(Precondition, DropsNothingSmall) {
     for (const Problem<3>& p : unlike_problems(part)) {
       const Eigen::MatrixXd S = dense_S(p.rows);
       const Eigen::VectorXd r = gathered(p.rows, &Row<3>::B);
-      const auto z = precondition(p.rows, as_std(r), all_free(3), 3);
-      expect_near_vector("z of three rows, for r = " + show(Eigen::MatrixXd(r)) +
+      const auto z = precondition(p.rows, as_std(r), all_free(p.rows.size()), 3);
+      expect_near_vector("z of some rows, for r = " + show(Eigen::MatrixXd(r)) +
                              " m/s and S_kk = " + show(Eigen::MatrixXd(S.diagonal())) + " /kg [N s]",
                          "Eq. (10.6)", as_eigen(z), and_back(S, r, forth(S, r)), roundings(32), {},
                          small_is_dropped);
@@ -133,6 +159,70 @@ EXERCISE_TEST(ConjugateSolve, DropsNothingSmall) {
                          "Eq. (10.7)", gathered(p.rows, &Row<3>::lambda), Eigen::VectorXd(S.inverse() * B),
                          {2e-14, "some roundings an iteration, times a condition of 4"}, {}, small_is_dropped);
       if (::testing::Test::HasFailure()) return;
+    }
+}
+
+/// λ after each of some iterations, without bounds and from 0: Eq. (10.6)-(10.8) in matrices.
+std::vector<Eigen::VectorXd> iterated(const Eigen::MatrixXd& S, const Eigen::VectorXd& B, int iterations) {
+  Eigen::VectorXd lambda = forth(S, B), p = Eigen::VectorXd::Zero(B.size());
+  double zr = infinity;
+  std::vector<Eigen::VectorXd> all;
+  for (int n = 0; n < iterations; ++n) {
+    const Eigen::VectorXd r = B - S * lambda, z = and_back(S, r, forth(S, r));
+    const double before = std::exchange(zr, z.dot(r));
+    p = z + zr / before * p;
+    if (p.isZero(0)) break;
+    lambda += p.dot(r) / p.dot(S * p) * p;
+    all.push_back(lambda);
+  }
+  return all;
+}
+
+EXERCISE_TEST(ConjugateSolve, CountsWhatIsSmallInEveryStep) {
+  for (const double part : {1e-1, 1e-2, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11})
+    for (const Problem<3>& start : unlike_problems(part)) {
+      const Eigen::MatrixXd S = dense_S(start.rows);
+      const Eigen::VectorXd B = gathered(start.rows, &Row<3>::B);
+      const std::string of = ", for B = " + show(Eigen::MatrixXd(B)) +
+                             " m/s and S_kk = " + show(Eigen::MatrixXd(S.diagonal())) + " /kg [N s]";
+      const auto expected = iterated(S, B, 3);
+      for (int n = 0; n < static_cast<int>(expected.size()); ++n) {
+        Problem<3> p = start;
+        conjugate_solve(p.rows, p.V, {.max_sweeps = n + 1, .tolerance = 0});
+        expect_near_vector("λ after iteration " + std::to_string(n + 1) + " of some rows" + of, "Eq. (10.7)",
+                           lambdas(p), expected[static_cast<std::size_t>(n)],
+                           {2e-14, "some roundings an iteration, times a condition of 4"}, {},
+                           small_is_dropped);
+        if (::testing::Test::HasFailure()) return;
+      }
+    }
+}
+
+EXERCISE_TEST(ConjugateSolve, CountsWhatIsSmallWhereABoundIsMet) {
+  for (const double part : small_parts)
+    for (const Problem<3>& start : unlike_problems(part)) {
+      const Eigen::MatrixXd S = dense_S(start.rows);
+      const Eigen::VectorXd B = gathered(start.rows, &Row<3>::B), from = forth(S, B), r = B - S * from;
+      const Eigen::VectorXd z = and_back(S, r, forth(S, r));
+      if (!(z.dot(S * z) > 1e-20)) continue;
+      const Eigen::VectorXd aim = from + z.dot(r) / z.dot(S * z) * z;
+      for (Eigen::Index k = 0; k < B.size(); ++k) {  // half way there is a bound of row k
+        if (std::abs(aim[k] - from[k]) < 1e-2) continue;
+        Problem<3> p = start;
+        Row<3>& row = p.rows[static_cast<std::size_t>(k)];
+        const double bound = (from[k] + aim[k]) / 2;
+        (aim[k] > from[k] ? row.hi : row.lo) = bound;
+        Eigen::VectorXd d = aim - from;
+        d[k] = bound - from[k];
+        const double t = std::clamp(d.dot(r) / d.dot(S * d), 0.0, 1.0);
+        conjugate_solve(p.rows, p.V, {.max_sweeps = 1, .tolerance = 0});
+        expect_near_vector("λ after a step that meets a bound of row " + std::to_string(k) +
+                               ", for B = " + show(Eigen::MatrixXd(B)) +
+                               " m/s and S_kk = " + show(Eigen::MatrixXd(S.diagonal())) + " /kg [N s]",
+                           "Eq. (10.8)", lambdas(p), Eigen::VectorXd(from + t * d),
+                           {2e-14, "some roundings, times a condition of 4"}, {}, small_is_dropped);
+        if (::testing::Test::HasFailure()) return;
+      }
     }
 }
 
@@ -412,6 +502,72 @@ EXERCISE_TEST(ConjugateSolve, SweepsWhenABoundWasMetOrLacksMost) {
                             : "There was no sweep, but a row at a bound lacks more than every free one."},
          {returned, "There was a sweep, but no bound was met and none lacks most: it spoils the directions."}},
         "What a sweep returned, or, where there was none, the residual of Eq. (4.8).");
+  }
+}
+
+/// λ after each iteration, in matrices, as the header has it; until little is lacking, where roundings would decide.
+std::vector<Eigen::VectorXd> iterated(const Bounded& of, int iterations) {
+  const Eigen::Index n = of.B.size();
+  const auto clamped = [&](const Eigen::VectorXd& x) { return x.cwiseMax(of.lo).cwiseMin(of.hi).eval(); };
+  Eigen::VectorXd lambda = Eigen::VectorXd::Zero(n), p = lambda, r;
+  std::vector<Eigen::Index> free;
+  std::vector<Eigen::VectorXd> all;
+  double zr = 0, lacking = 0;
+  bool whole = false, left_behind = false;
+  const auto look = [&] {
+    r = of.B - of.S * lambda;
+    const Eigen::VectorXd next = clamped(lambda + r.cwiseQuotient(of.S.diagonal())),
+                          lacks = of.S.diagonal().cwiseProduct(next - lambda).cwiseAbs();
+    double of_free = 0, of_others = 0;
+    free.clear();
+    for (Eigen::Index k = 0; k < n; ++k) {
+      const bool is_free = of.lo[k] < lambda[k] && lambda[k] < of.hi[k];
+      if (is_free) free.push_back(k);
+      (is_free ? of_free : of_others) = std::max(is_free ? of_free : of_others, lacks[k]);
+    }
+    left_behind = of_others > of_free;
+    lacking = lacks.maxCoeff();
+  };
+  for (int done = 0; done < iterations; ++done) {
+    look();
+    if (lacking < 1e-6) break;
+    const bool sweeps = !whole || left_behind;
+    for (Eigen::Index k = 0; sweeps && k < n; ++k)
+      lambda[k] = std::clamp(lambda[k] + (of.B[k] - of.S.row(k).dot(lambda)) / of.S(k, k), of.lo[k], of.hi[k]);
+    look();
+    if (lacking < 1e-6) break;
+    Eigen::VectorXd z = Eigen::VectorXd::Zero(n);
+    const Eigen::MatrixXd S = of.S(free, free);
+    z(free) = and_back(S, r(free), forth(S, r(free)));
+    const double before = std::exchange(zr, z.dot(r));
+    p = sweeps ? z : Eigen::VectorXd(z + zr / before * p);
+    const double alpha = p.dot(r) / p.dot(of.S * p);
+    whole = false;
+    if (alpha > 0) {
+      const Eigen::VectorXd aim = lambda + alpha * p, d = clamped(aim) - lambda;
+      whole = aim == clamped(aim);
+      lambda = whole ? aim : Eigen::VectorXd(lambda + std::clamp(d.dot(r) / d.dot(of.S * d), 0.0, 1.0) * d);
+    }
+    all.push_back(lambda);
+  }
+  return all;
+}
+
+EXERCISE_TEST(ConjugateSolve, GoesByTheEquationsInEveryIteration) {
+  Random random;
+  for (int trial = 0; trial < 40 && !::testing::Test::HasFailure(); ++trial) {
+    Problem<6> start = random_problem(random, 5, 12);
+    give_bounds(random, start);
+    const auto expected = iterated(bounded(start.rows), 8);
+    for (std::size_t n = 0; n < expected.size() && !::testing::Test::HasFailure(); ++n) {
+      Problem<6> p = start;
+      conjugate_solve(p.rows, p.V, {.max_sweeps = static_cast<int>(n) + 1, .tolerance = 0});
+      expect_near_vector(
+          "λ of 12 rows with bounds after iteration " + std::to_string(n + 1) + " [N s]", "Eq. (10.6)-(10.8)",
+          lambdas(p), expected[n], {1e-9, "roundings, over what is lacking"}, {},
+          "Up to here it was right. Whether there is a sweep depends on the step before alone, and "
+          "on what rows at bounds lack; and after a sweep p is z alone.");
+    }
   }
 }
 

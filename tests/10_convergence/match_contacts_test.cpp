@@ -40,13 +40,16 @@ EXERCISE_TEST(MatchContacts, FindsThemInAnyOrder) {
     old[static_cast<std::size_t>(place[k])] = {contacts[k].i, contacts[k].j, contacts[k].r_j};
   std::vector<int> same(8);
   std::iota(same.begin(), same.end(), 0);
-  const auto got = match_contacts(contacts, old, 0.1);
-  expect_matches(
-      "old contacts of two boxes at rest, listed in another order", got, place,
-      {{as_eigen(same), "These are the contacts' own indices. Lists come in any order: look at the points."},
-       {Eigen::VectorXd::Constant(8, -1),
-        "Nothing was found. Points are compared with r_j, which is relative to body j."}},
-      "Both boxes have a corner at the same r_j: compare only those of the same pair (i, j).");
+  for (const double reach : {0.1, 0.0})
+    expect_matches(
+        "old contacts of two boxes at rest, listed in another order; reach " + show(reach) + " m",
+        match_contacts(contacts, old, reach), place,
+        {{as_eigen(same), "These are the contacts' own indices. Lists come in any order: look at the points."},
+         {Eigen::VectorXd::Constant(8, -1),
+          reach > 0
+              ? "Nothing was found. Points are compared with r_j, which is relative to body j."
+              : "Nothing was found. They are at the same places, 0 m apart: that is within a reach of 0."}},
+        "Both boxes have a corner at the same r_j: compare only those of the same pair (i, j).");
 }
 
 EXERCISE_TEST(MatchContacts, FollowsPointsThatMoved) {

@@ -33,15 +33,17 @@ EXERCISE_TEST(OrderAlong, GoesFromTheLowestToTheHighest) {
 
 EXERCISE_TEST(OrderAlong, SortsAnything) {
   Random random;
-  std::vector<double> heights;
-  for (int k = 0; k < 100; ++k) heights.push_back(random.uniform(-5, 5));
-  const auto order = order_along(heights);
-  expect_true("each of 100 indices once", "Eq. (10.3)", has_each_once(order, 100));
-  if (!has_each_once(order, 100)) return;
-  for (std::size_t k = 1; k < order.size(); ++k)
-    expect_at_least("height of row " + std::to_string(order[k]) + " at place " + std::to_string(k) + " [m]",
-                    "Eq. (10.3)", heights[static_cast<std::size_t>(order[k])],
-                    heights[static_cast<std::size_t>(order[k - 1])], "that of the place before");
+  for (const int n : {100, 100'000}) {
+    std::vector<double> heights;
+    for (int k = 0; k < n; ++k) heights.push_back(random.uniform(-5, 5));
+    const auto order = order_along(heights);
+    expect_true("each of " + std::to_string(n) + " indices once", "Eq. (10.3)", has_each_once(order, n));
+    if (!has_each_once(order, n)) return;
+    for (std::size_t k = 1; k < order.size() && !::testing::Test::HasFailure(); ++k)
+      expect_at_least("height of row " + std::to_string(order[k]) + " at place " + std::to_string(k) + " [m]",
+                      "Eq. (10.3)", heights[static_cast<std::size_t>(order[k])],
+                      heights[static_cast<std::size_t>(order[k - 1])], "that of the place before");
+  }
 }
 
 EXERCISE_TEST(OrderAlong, KeepsEqualHeightsInOrder) {
@@ -115,6 +117,26 @@ EXERCISE_TEST(RandomOrder, IsAsRandomForManyRows) {
       static_cast<double>(rises) / n, 0.5, {0.006, "6.5 times √(1/(12 n))"}, {},
       "Are there as many random numbers as there are rows? If they are drawn from too few, many are alike, and "
       "rows with equal numbers stay in order.");
+}
+
+// Where an index comes to stand is 0 to n - 1, each as likely: (n - 1)/2 in the mean, and n/√12 about it.
+EXERCISE_TEST(RandomOrder, TakesEveryIndexAnywhere) {
+  std::mt19937_64 generator(Random::seed());
+  const int n = 1000, draws = 300;
+  Eigen::VectorXd place = Eigen::VectorXd::Zero(n);
+  for (int draw = 0; draw < draws; ++draw) {
+    const auto order = random_order(n, generator);
+    expect_true("a random order of 1000 has each index once", "Eq. (10.4)", has_each_once(order, n));
+    if (!has_each_once(order, n)) return;
+    for (int k = 0; k < n; ++k) place[order[static_cast<std::size_t>(k)]] += static_cast<double>(k) / draws;
+  }
+  for (const int k : {0, 1, 100, 300, 500, 900, 998, 999})
+    expect_near("the mean place of index " + std::to_string(k) + " in " + std::to_string(draws) +
+                    " random orders of 1000",
+                "Eq. (10.4)", place[k], (n - 1) / 2.0,
+                {6 * n / std::sqrt(12.0 * draws), "six times n/√12 over the root of the draws"}, {},
+                "An index may come to stand anywhere, however many there are. Is a random number as large as n "
+                "can be?");
 }
 
 EXERCISE_TEST(RandomOrder, ComesFromTheGenerator) {
@@ -202,6 +224,22 @@ EXERCISE_TEST(SweepInOrder, IsSweepInTheOrderGiven) {
                      roundings(1000, 10));
   expect_near_vector("V after them [m/s, rad/s]", "Eq. (4.5)", flat(p.V), flat(expected.V),
                      roundings(1000, 10));
+}
+
+EXERCISE_TEST(SweepInOrder, TakesAnyBoundsAndAnyStart) {
+  Random random;
+  for (int trial = 0; trial < 20 && !::testing::Test::HasFailure(); ++trial) {
+    Problem<6> p = any_rows(random, random.integer(2, 14));
+    const std::vector<int> order = shuffled(random, 20);
+    Problem<6> expected = in_order(p, order);
+    const double should = sweep(expected.rows, expected.V);
+    expect_near("what a sweep in a random order returns, of 20 rows with bounds of all kinds [m/s]",
+                "Eq. (4.9)", sweep_in_order(order, p.rows, p.V), should, roundings(100, 10), {},
+                "The largest S_kk |Δλ_k|, also of rows that begin at a bound, at either, and leave it.");
+    expect_near_vector("λ after it, within their bounds before or not [N s]", "Eq. (4.7)", lambdas(p),
+                       put_back(lambdas(expected), order), roundings(1000, 10), {},
+                       "Every row is updated, also one that begins at a bound.");
+  }
 }
 
 EXERCISE_TEST(SweepInOrder, DoesNotHideANaN) {

@@ -55,31 +55,36 @@ EXERCISE_TEST(WarmStart, StaysWithinTheBoundsOfNow) {
 
 EXERCISE_TEST(WarmStart, TakesAnyBounds) {
   Random random;
-  Regions regions({"below lo", "above hi", "within", "above hi = 0", "lo = hi", "more than eight bodies"});
+  Regions regions({"below lo", "above hi", "within", "above hi = 0", "lo = hi", "of 0, where λ is another",
+                   "more than eight bodies"});
   while (regions.lack_draws()) {
     const int bodies = random.integer(2, 14);
     Problem<6> p = random_problem(random, bodies, 12);
     std::vector<double> impulses;
     Eigen::VectorXd expected(12);
-    bool below = false, above = false, within = false, to_zero = false, no_room = false;
+    bool below = false, above = false, within = false, to_zero = false, no_room = false, nothing = false;
     for (std::size_t k = 0; k < p.rows.size(); ++k) {
       Row<6>& row = p.rows[k];
       give_any_bounds(random, row);
-      const double impulse = impulses.emplace_back(random.uniform(-0.5, 0.5));
+      row.lambda = random.uniform(-0.5, 0.5);
+      const double impulse = impulses.emplace_back(random.integer(0, 3) * random.uniform(-0.2, 0.2));
       expected[static_cast<Eigen::Index>(k)] = std::min(row.hi, std::max(row.lo, impulse));
       below = below || impulse < row.lo, above = above || impulse > row.hi;
       within = within || (row.lo < impulse && impulse < row.hi);
       to_zero = to_zero || (row.hi == 0 && impulse > 0), no_room = no_room || row.lo == row.hi;
+      nothing = nothing || (impulse == 0 && row.lambda != std::clamp(0.0, row.lo, row.hi));
     }
     regions.draw({{"below lo", below},
                   {"above hi", above},
                   {"within", within},
                   {"above hi = 0", to_zero},
                   {"lo = hi", no_room},
+                  {"of 0, where λ is another", nothing},
                   {"more than eight bodies", bodies > 8}});
     warm_start(impulses, p.rows, p.V);
     expect_near_vector("λ of twelve rows [N s]", "Eq. (10.2)", lambdas(p), expected, {0, "copies and bounds"},
-                       {{as_eigen(impulses), "They have not been clamped to the rows' bounds."}});
+                       {{as_eigen(impulses), "They have not been clamped to the rows' bounds."}},
+                       "λ is the impulse, clamped: also where that is 0, whatever the row had before.");
     const Eigen::VectorXd V = flat(p.V);
     expect_near_vector("V of all bodies [m/s, rad/s]", "Eq. (10.2)", V, moved(p), roundings(1000, 5), {},
                        "V = M⁻¹ Gᵀ λ, of the clamped λ, for every body.");

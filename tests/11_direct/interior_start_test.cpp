@@ -107,9 +107,10 @@ void expect_start(const Bounded& p, const VectorXd& guess) {
 EXERCISE_TEST(InteriorStart, GivesEveryBoundTheSameEnergy) {
   Random random;
   Regions regions(
-      {"no bound", "a bound below", "a bound above", "two bounds", "0 is not allowed",
-       "the guess is not allowed", "the guess is allowed", "B tells the size", "the guess tells the size",
-       "half the way to the other bound", "the root of E/S between two bounds"},
+      {"no bound", "a bound below", "a bound above", "two bounds", "a bound below, of 0", "a bound above, of 0",
+       "two bounds, one of them 0", "0 is not allowed", "the guess is not allowed", "the guess is allowed",
+       "B tells the size", "the guess tells the size", "half the way to the other bound",
+       "the root of E/S between two bounds"},
       10);
   while (regions.lack_draws()) {
     System<6> s = random_system(random, 4, 12);
@@ -122,19 +123,24 @@ EXERCISE_TEST(InteriorStart, GivesEveryBoundTheSameEnergy) {
     const VectorXd guess = VectorXd::NullaryExpr(12, [&] { return size * random.uniform(-1, 1); });
     const Energies e = energies(p, guess);
     bool none = false, below = false, above = false, both = false, no_zero = false, out = false, in = false,
-         half_way = false, by_root = false;
+         half_way = false, by_root = false, zero_below = false, zero_above = false, zero_of_two = false;
     for (Eigen::Index k = 0; k < 12; ++k) {
       const bool lo = std::isfinite(p.lo[k]), hi = std::isfinite(p.hi[k]);
       const double half = (p.hi[k] - p.lo[k]) / 2, root = std::sqrt(e.all / p.S(k, k));
       const bool allowed = p.lo[k] <= guess[k] && guess[k] <= p.hi[k];
       none |= !lo && !hi, below |= lo && !hi, above |= !lo && hi, both |= lo && hi;
       no_zero |= p.lo[k] > 0 || p.hi[k] < 0, out |= !allowed, in |= allowed;
+      zero_below |= p.lo[k] == 0 && !hi, zero_above |= p.hi[k] == 0 && !lo;
+      zero_of_two |= lo && hi && (p.lo[k] == 0 || p.hi[k] == 0);
       half_way |= lo && hi && half < root, by_root |= lo && hi && root < half;
     }
     regions.draw({{"no bound", none},
                   {"a bound below", below},
                   {"a bound above", above},
                   {"two bounds", both},
+                  {"a bound below, of 0", zero_below},
+                  {"a bound above, of 0", zero_above},
+                  {"two bounds, one of them 0", zero_of_two},
                   {"0 is not allowed", no_zero},
                   {"the guess is not allowed", out},
                   {"the guess is allowed", in},

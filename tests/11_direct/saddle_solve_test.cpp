@@ -69,6 +69,21 @@ EXERCISE_TEST(SaddleSolve, HoldsAHangingWire) {
                 s.V[point].z(), wire.h * wire.g, {1e-9, "as λ"});
 }
 
+EXERCISE_TEST(SaddleSolve, TakesAnyNumberOfRows) {
+  Random random;
+  System<3> s = star(random, 400);
+  Factors factors;
+  expect_true("it has an answer", "Eq. (11.2)", saddle_solve(s.rows, s.motion.inverse_mass, s.V, factors));
+  const std::string clue = "Every row, and every body, however many there are.";
+  double lacks = 0;
+  for (const Row<3>& row : s.rows)
+    lacks = std::max(
+        lacks, std::abs(row.B - row.Gi.dot(s.V[row.i]) - row.Gj.dot(s.V[row.j]) - row.Sigma * row.lambda));
+  expect_near("the largest lack of 400 rows [m/s]", "Eq. (11.2)", lacks, 0, {1e-9, "roundings"}, {}, clue);
+  expect_near("largest difference of V and M⁻¹Gᵀλ of 401 bodies [m/s]", "Eq. (11.2)",
+              difference(s.V, velocities(s.rows, s.V.size())), 0, {1e-9, "roundings"}, {}, clue);
+}
+
 EXERCISE_TEST(SaddleSolve, AStarStaysSparse) {
   Random random;
   std::vector<double> entries;

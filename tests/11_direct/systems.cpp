@@ -36,6 +36,8 @@ void add_random_bounds(Random& random, std::vector<Row<6>>& rows) {
     const int kind = random.integer(0, 3);
     if (kind & 1) row.lo = random.uniform(-0.3, 0.1);
     if (kind & 2) row.hi = random.uniform(0.11, 0.5);
+    if (std::abs(row.lo) < 0.04) row.lo = 0;
+    if (row.hi > 0.43 && row.hi < infinity && row.lo < -0.05) row.hi = 0;
   }
 }
 

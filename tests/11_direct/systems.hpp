@@ -38,7 +38,7 @@ inline int System<3>::add(double inverse, const Twist<3>& Wf) {
 /// Rigid bodies, the first of which nothing moves, and rows of contacts anywhere between two of them, without bounds.
 System<6> random_system(Random& random, int bodies, int rows);
 
-/// For each row one of: no bound, one below, one above, two. They hold about half of the rows.
+/// For each row one of: no bound, one below, one above, two; some of them 0. They hold about half of the rows.
 void add_random_bounds(Random& random, std::vector<Row<6>>& rows);
 
 /// Points that hang straight down in `links` links, from a point that nothing moves, at rest where the links have

@@ -109,11 +109,14 @@ EXERCISE_TEST(LimitConstraint, MayHaveOneLimitOnly) {
 EXERCISE_TEST(LimitConstraint, IsThatOfTheNearerAtAnyPlace) {
   Random random;
   Regions regions({"nearer the lower one", "nearer the upper one", "below the lower one", "above the upper one",
-                   "only a lower one", "only an upper one", "at a limit"},
+                   "only a lower one", "only an upper one", "at a limit", "below both, which are at one place",
+                   "above both, which are at one place", "nearer the lower one, which is at 0",
+                   "nearer the upper one, which is at 0"},
                   5);
   while (regions.lack_draws()) {
-    const double lower = random.uniform(-3, 3), upper = lower + random.uniform(0.5, 3);
-    const int kind = random.integer(0, 4);
+    const int kind = random.integer(0, 5), zero = random.integer(0, 3);
+    const double room = kind == 4 ? 0 : random.uniform(0.5, 3);
+    const double lower = zero == 0 ? 0 : zero == 1 ? -room : random.uniform(-3, 3), upper = lower + room;
     const JointLimits some{.lower = kind == 0 ? -infinity : lower, .upper = kind == 1 ? infinity : upper};
     const double value = kind == 2 ? lower : kind == 3 ? upper : random.uniform(lower - 1, upper + 1);
     const double above = value - some.lower, below = some.upper - value, gap = std::min(above, below);
@@ -123,12 +126,18 @@ EXERCISE_TEST(LimitConstraint, IsThatOfTheNearerAtAnyPlace) {
                   {"above the upper one", below < 0},
                   {"only a lower one", kind == 1},
                   {"only an upper one", kind == 0},
-                  {"at a limit", gap == 0}});
+                  {"at a limit", gap == 0},
+                  {"below both, which are at one place", kind == 4 && above < 0},
+                  {"above both, which are at one place", kind == 4 && below < 0},
+                  {"nearer the lower one, which is at 0", above < below && some.lower == 0},
+                  {"nearer the upper one, which is at 0", below < above && some.upper == 0}});
     const Constraint<6> row = limit_constraint(at(value), some, numbers, limit_step);
     const std::string where =
         " of a coordinate at " + show(value) + ", between " + show(some.lower) + " and " + show(some.upper);
-    expect_near("gap" + where, "Eq. (13.10)", row.gap, gap, roundings(4, 8), {},
-                "Above the lower limit s - lower, below the upper one upper - s; the smaller of the two.");
+    expect_near(
+        "gap" + where, "Eq. (13.10)", row.gap, gap, roundings(4, 8), {},
+        "Above the lower limit s - lower, below the upper one upper - s; the smaller of the two, with its "
+        "sign: one that is passed is negative, and smaller than one that is not.");
     expect_near_vector("Gj" + where, "Eq. (13.10)", row.Gj, Twist<6>((above < below ? 1 : -1) * at(value).Gj),
                        {0, "exact"}, {}, "The sign of the row whose gap it has.");
     expect_near("a" + where + " [1/s]", "Eq. (13.11)", row.spook.a, gap > 0 ? 1 / limit_step : numbers.a,

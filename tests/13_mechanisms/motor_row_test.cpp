@@ -1,6 +1,7 @@
 // The row of a motor: what it asks for, what it can, and what it does not look at.
 #include "exercise_test.hpp"
 #include "frames.hpp"
+#include "regions.hpp"
 #include "small_parts.hpp"
 
 using namespace spook;
@@ -73,6 +74,38 @@ EXERCISE_TEST(MotorRow, IsAsStrongAsItIs) {
   t.motor.strength = infinity;
   expect_true("a motor of any strength has no bounds; here hi = " + show(t.row().hi), "Eq. (13.13)",
               t.row().hi == infinity && t.row().lo == -infinity, "h ∞ is ∞.");
+}
+
+EXERCISE_TEST(MotorRow, MayBeAnyMotor) {
+  Random random;
+  Driven t;
+  const double GW = t.along(t.motion.W), GWf = t.along(t.motion.Wf);
+  Regions regions({"wants to turn back", "wants to turn", "wants to stand", "of no strength", "of any strength",
+                   "of a strength that ends"});
+  while (regions.lack_draws()) {
+    const int speed = random.integer(-1, 1), strength = random.integer(0, 2);
+    t.motor.speed = speed * random.log_uniform(1e-3, 1e3);
+    t.motor.strength = strength == 0 ? 0 : strength == 1 ? infinity : random.log_uniform(1e-3, 1e3);
+    regions.draw({{"wants to turn back", speed < 0},
+                  {"wants to turn", speed > 0},
+                  {"wants to stand", speed == 0},
+                  {"of no strength", strength == 0},
+                  {"of any strength", strength == 1},
+                  {"of a strength that ends", strength == 2}});
+    const Row<6> row = t.row();
+    const std::string of =
+        " of a motor that wants " + show(t.motor.speed) + " rad/s, and has " + show(t.motor.strength) + " N m";
+    expect_near("B" + of + " [rad/s]", "Eq. (13.13)", row.B, t.motor.speed - GW - GWf,
+                roundings(64, 10 + std::abs(t.motor.speed)), {{-GW - GWf, "The wanted speed is missing."}},
+                "B = w - G W - G W_f, for a speed of either sign.");
+    const double most = motor_step * t.motor.strength;
+    const auto is = [&](double bound, double wanted) {
+      return bound == wanted || std::abs(bound - wanted) <= 1e-15 * std::abs(wanted);
+    };
+    expect_true("bounds" + of + ": from " + show(row.lo) + " to " + show(row.hi) + " N m s", "Eq. (13.13)",
+                is(row.lo, -most) && is(row.hi, most),
+                "From -h T to h T. A motor of no strength has the bounds 0 and 0, and not none at all.");
+  }
 }
 
 EXERCISE_TEST(MotorRow, LagsByItsTorqueOverItsViscosity) {

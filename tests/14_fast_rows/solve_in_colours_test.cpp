@@ -45,6 +45,29 @@ EXERCISE_TEST(SolveInColours, GoesColourByColour) {
               "All packs of a colour, then the next colour, in order.");
 }
 
+EXERCISE_TEST(SolveInColours, HasAnyNumberOfColoursAndPacks) {
+  // Body 1 is a table with a hundred things on it, and so in a hundred colours. Twelve hundred pairs that share nothing
+  // are all of one colour, three hundred packs.
+  Random random;
+  Heap heap(random, 2502, 0);
+  for (int k = 0; k < 100; ++k) heap.rows.push_back(some_row(random, 1, 2 + k, heap.motion));
+  for (int k = 51; k < 1251; ++k) heap.rows.push_back(some_row(random, 2 * k, 2 * k + 1, heap.motion));
+  std::vector<Colour<6>> by_hand = packed(heap.rows, heap.V.size());
+  expect_true("(of this test) there are 100 colours, and 301 packs in the first", "Eq. (14.7)",
+              by_hand.size() == 100 && by_hand[0].size() == 301);
+  std::vector<Twist<6>> V = heap.V;
+  for (int n = 0; n < 2; ++n)
+    for (Colour<6>& colour : by_hand)
+      for (Pack<6>& pack : colour) update_pack(pack, V);
+  for (const int threads : {1, 2})
+    expect_true(
+        "on " + std::to_string(threads) +
+            " threads, V after two sweeps in 100 colours, with 301 packs in the first, is that of one pack "
+            "after the other",
+        "Eq. (14.10)", same_bits(solved(heap, {.max_sweeps = 2}, threads).heap.V, V),
+        "All colours, and all packs of each, however many there are.");
+}
+
 EXERCISE_TEST(SolveInColours, IsTheSameOnAnyNumberOfThreads) {
   Random random;
   // Few rounds: on a busy machine threads wait for a core in each.

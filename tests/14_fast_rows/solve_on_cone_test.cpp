@@ -25,6 +25,15 @@ double friction_of(const Vec3& lambda) {
   return lambda.tail<2>().norm();
 }
 
+EXERCISE_TEST(SolveOnCone, SticksWithMuchFriction) {
+  for (const double mu : {1e3, 1e6}) {
+    const Vec3 q(1, 0.6 * mu, -0.7 * mu);  // |λ_t| = 0.92 μ λ_n
+    expect_near_vector("λ of a contact with μ = " + show(mu) + ", S = 1/kg [N s]", "Eq. (14.4)",
+                       solve_on_cone(Mat3::Identity(), q, mu), q, roundings(8, mu), {},
+                       "μ is any number from 0 on, however large: inside the cone it sticks.");
+  }
+}
+
 EXERCISE_TEST(SolveOnCone, PartsWhereNothingPresses) {
   Random random;
   for (const double q_n : {0.0, -1e-3, -2.0}) {

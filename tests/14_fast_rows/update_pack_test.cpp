@@ -38,9 +38,14 @@ const Tolerance other_order = roundings(500, 1);
 
 EXERCISE_TEST(UpdatePack, IsUpdateRowInEachLane) {
   Random random;
-  Regions regions({"free", "at lo", "at hi"}, 20);
+  Regions regions({"free", "at lo", "at hi", "at lo = 0, without hi", "at hi = 0, without lo"}, 20);
   while (regions.lack_draws()) {
     FourPairs t(random, 1);
+    for (std::vector<Row<6>>& rows : t.lanes) {  // contacts, and their mirror images, too
+      const int kind = random.integer(0, 3);
+      if (kind == 0) rows[0].lo = 0, rows[0].hi = infinity;
+      if (kind == 1) rows[0].lo = -infinity, rows[0].hi = 0;
+    }
     Pack<6> pack = pack_of(t.lanes, 1);
     std::vector<Twist<6>> V = t.V;
     update_pack(pack, V);
@@ -51,7 +56,11 @@ EXERCISE_TEST(UpdatePack, IsUpdateRowInEachLane) {
       const double r = row.B - GV - row.Sigma * before;
       update_row(row, t.V);
       const double at = row.lambda;
-      regions.draw({{"free", row.lo < at && at < row.hi}, {"at lo", at == row.lo}, {"at hi", at == row.hi}});
+      regions.draw({{"free", row.lo < at && at < row.hi},
+                    {"at lo", at == row.lo},
+                    {"at hi", at == row.hi},
+                    {"at lo = 0, without hi", at == row.lo && row.lo == 0 && row.hi == infinity},
+                    {"at hi = 0, without lo", at == row.hi && row.hi == 0 && row.lo == -infinity}});
       const std::string where = " in lane " + std::to_string(lane);
       const auto clamped = [&](double x) { return std::clamp(x, row.lo, row.hi); };
       expect_near(

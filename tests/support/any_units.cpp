@@ -45,8 +45,8 @@ double size_of(const Outcome& outcome, const Unit& unit) {
   return largest;
 }
 
-std::string quantity(double value, const Unit& unit) {
-  return show(value) + (unit == Unit{} ? "" : " " + show(unit));
+std::string quantity(double value, const Unit& unit, int digits) {
+  return show(value, digits) + (unit == Unit{} ? "" : " " + show(unit));
 }
 
 // The lines that say what differs; empty if nothing does.
@@ -64,7 +64,8 @@ std::string difference(const Outcome& got, const Outcome& expected) {
     const Unit& unit = got.units[k];
     const double a = got.numbers[k], b = expected.numbers[k], allowed = room * size_of(expected, unit);
     if (a == b || same_bits(a, b) || std::abs(a - b) <= allowed) continue;
-    return "  expected  " + quantity(b, unit) + "\n  got       " + quantity(a, unit) +
+    const int digits = digits_apart(a, b);
+    return "  expected  " + quantity(b, unit, digits) + "\n  got       " + quantity(a, unit, digits) +
            ", counted in SI units again" + "\n  tolerance " + show(allowed) +
            " (powers of two change no digit; room for a logarithm)\n";
   }

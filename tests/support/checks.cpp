@@ -20,23 +20,38 @@ void this_failure_has_a_clue_that_fits() {
   if (!::testing::Test::HasFailure()) ::testing::Test::RecordProperty("rank", 1);
 }
 
-std::string show(double value) {
+std::string show(double value, int digits) {
   if (std::isnan(value)) return "NaN";
   std::ostringstream out;
-  out << std::setprecision(10) << value + 0.0;  // shows -0 as 0
+  out << std::setprecision(digits) << value + 0.0;  // shows -0 as 0
   return out.str();
 }
 
-std::string show(const Eigen::MatrixXd& value) {
+std::string show(const Eigen::MatrixXd& value, int digits) {
   std::string out;
   for (Eigen::Index row = 0; row < (value.cols() > 1 ? value.rows() : 1); ++row) {
     Eigen::VectorXd entries = value.col(0);
     if (value.cols() > 1) entries = value.row(row).transpose();
     out += row ? "\n            (" : "(";
-    for (Eigen::Index k = 0; k < entries.size(); ++k) out += (k ? ", " : "") + show(entries[k]);
+    for (Eigen::Index k = 0; k < entries.size(); ++k) out += (k ? ", " : "") + show(entries[k], digits);
     out += ")";
   }
   return out;
+}
+
+template <class Value>
+static int digits_until_they_differ(const Value& a, const Value& b) {
+  int digits = 10;
+  while (digits < 17 && show(a, digits) == show(b, digits)) ++digits;
+  return digits;
+}
+
+int digits_apart(double a, double b) {
+  return digits_until_they_differ(a, b);
+}
+
+int digits_apart(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  return digits_until_they_differ(a, b);
 }
 
 // Breaks text into lines of at most 78 letters, each after two spaces. A byte of 10xxxxxx goes on with a letter.
@@ -74,21 +89,13 @@ std::string digits_clue(double error, double size, const Tolerance& tolerance) {
              : "";
 }
 
-void report_difference(const std::string& what, const std::string& equation, const std::string& expected,
-                       const std::string& got, const Tolerance& tolerance, const std::string& clue) {
-  report_failure(what, equation,
-                 "  expected  " + expected + "\n  got       " + got + "\n  tolerance " + show(tolerance.value) +
-                     " (" + tolerance.reason + ")\n",
-                 clue);
-}
-
 void expect_near(const std::string& what, const std::string& equation, double got, double expected,
                  const Tolerance& tolerance, std::initializer_list<Clue<double>> clues,
                  const std::string& otherwise) {
   const auto distance = [](double a, double b) { return std::abs(a - b); };
   if (distance(got, expected) <= tolerance.value) return;
   const double close = std::max(10 * tolerance.value, 1e-9 * std::abs(expected));
-  report_difference(what, equation, show(expected), show(got), tolerance,
+  report_difference(what, equation, expected, got, tolerance,
                     explain(got, clues, distance, close,
                             otherwise + digits_clue(distance(got, expected), std::abs(expected), tolerance)));
 }
@@ -96,17 +103,21 @@ void expect_near(const std::string& what, const std::string& equation, double go
 void expect_at_most(const std::string& what, const std::string& equation, double got, double bound,
                     const std::string& why, const std::string& clue) {
   if (got <= bound) return;
-  report_failure(what, equation,
-                 "  expected  at most " + show(bound) + " (" + why + ")\n  got       " + show(got) + "\n",
-                 clue);
+  const int digits = digits_apart(got, bound);
+  report_failure(
+      what, equation,
+      "  expected  at most " + show(bound, digits) + " (" + why + ")\n  got       " + show(got, digits) + "\n",
+      clue);
 }
 
 void expect_at_least(const std::string& what, const std::string& equation, double got, double bound,
                      const std::string& why, const std::string& clue) {
   if (got >= bound) return;
-  report_failure(what, equation,
-                 "  expected  at least " + show(bound) + " (" + why + ")\n  got       " + show(got) + "\n",
-                 clue);
+  const int digits = digits_apart(got, bound);
+  report_failure(
+      what, equation,
+      "  expected  at least " + show(bound, digits) + " (" + why + ")\n  got       " + show(got, digits) + "\n",
+      clue);
 }
 
 void expect_true(const std::string& what, const std::string& equation, bool holds, const std::string& clue) {

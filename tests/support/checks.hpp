@@ -54,10 +54,14 @@ std::string explain(const Value& got, std::initializer_list<Clue<Value>> clues, 
 /// What is asked about a number that is right to the digits of a float, but not to those of a double; else empty.
 std::string digits_clue(double error, double size, const Tolerance& tolerance);
 
-std::string show(double value);
+std::string show(double value, int digits = 10);
 
 /// A vector on one line, a matrix as rows below each other.
-std::string show(const Eigen::MatrixXd& value);
+std::string show(const Eigen::MatrixXd& value, int digits = 10);
+
+/// As many digits as it takes to tell two numbers, vectors or matrices from each other: 10 or more, up to all 17.
+int digits_apart(double a, double b);
+int digits_apart(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 
 /// What the test was given, to be printed with its failures, so that they can be worked out by hand; empty at the start
 /// of each test.
@@ -70,8 +74,16 @@ inline std::string& given() {
 void report_failure(const std::string& what, const std::string& equation, const std::string& body,
                     const std::string& clue);
 
-void report_difference(const std::string& what, const std::string& equation, const std::string& expected,
-                       const std::string& got, const Tolerance& tolerance, const std::string& clue);
+/// The same, for two of a kind, in digits that tell them apart.
+template <class Value>
+void report_difference(const std::string& what, const std::string& equation, const Value& expected,
+                       const Value& got, const Tolerance& tolerance, const std::string& clue) {
+  const int digits = digits_apart(expected, got);
+  report_failure(what, equation,
+                 "  expected  " + show(expected, digits) + "\n  got       " + show(got, digits) +
+                     "\n  tolerance " + show(tolerance.value) + " (" + tolerance.reason + ")\n",
+                 clue);
+}
 
 /// |got - expected| <= tolerance, for numbers. `otherwise` is the clue when no known mistake fits.
 void expect_near(const std::string& what, const std::string& equation, double got, double expected,
@@ -87,9 +99,10 @@ void expect_near_vector(const std::string& what, const std::string& equation, co
   const auto distance = [](const Vector& a, const Vector& b) { return (a - b).norm(); };
   if (distance(got, expected) <= tolerance.value) return;
   const double close = std::max(10 * tolerance.value, 1e-9 * expected.norm());
-  report_difference(what, equation, show(Eigen::MatrixXd(expected)), show(Eigen::MatrixXd(got)), tolerance,
-                    explain(got, clues, distance, close,
-                            otherwise + digits_clue(distance(got, expected), expected.norm(), tolerance)));
+  report_difference<Eigen::MatrixXd>(
+      what, equation, expected, got, tolerance,
+      explain(got, clues, distance, close,
+              otherwise + digits_clue(distance(got, expected), expected.norm(), tolerance)));
 }
 
 /// got <= bound, and not NaN. `why` says where the bound comes from.

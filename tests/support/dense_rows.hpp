@@ -15,6 +15,14 @@ inline InverseMass<6> random_body(Random& random) {
   return {.linear = 1 / random.uniform(0.5, 3), .angular = R * inverse_moments.asDiagonal() * R.transpose()};
 }
 
+/// Bounds of one of all kinds: a contact's, its mirror image, two-sided, without room, none.
+inline void give_any_bounds(Random& random, Row<6>& row) {
+  const int kind = random.integer(0, 4);
+  const double lo = random.uniform(-0.3, 0.1), room = random.uniform(0, 0.4);
+  row.lo = kind == 0 ? 0 : kind == 2 || kind == 3 ? lo : -infinity;
+  row.hi = kind == 1 ? 0 : kind == 2 ? lo + room : kind == 3 ? lo : infinity;
+}
+
 /// S = G M⁻¹ Gᵀ + Σ, with all its zeros: Eq. (11.1).
 template <int Dof>
 Eigen::MatrixXd dense_S(const std::vector<Row<Dof>>& rows) {
