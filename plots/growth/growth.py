@@ -19,7 +19,7 @@ def draw(data, mine):
     if mine:
         own = mine.table.only("what", "stands").only("case", "sunk")
         stands.plot(own["n"], own["value"], **figures.MINE)
-    stands.set(title="Sunk after 1 s, 20 sweeps a step", xlabel="balls", ylabel="radii", xscale="log", yscale="log",
+    stands.set(title="A stack has sunk after 1 s", xlabel="balls", ylabel="radii", xscale="log", yscale="log",
                ylim=(1e-3, 1e-1))
     if timed:
         link = data.table.only("what", "link").only("case", "time")

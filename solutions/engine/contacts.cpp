@@ -150,25 +150,29 @@ int ContactFinder::find_moved(const std::vector<bool>& moved, const Shapes& shap
     for (const Solid& solid : shapes.solids) bounds_.push_back(now.bounds_of(solid));
     const std::vector<Pair>& near = neighbours_.touching(bounds_);
     pairs += static_cast<int>(near.size());
-    found_.resize(shares_of(threads, near.size()));
-    in_shares(threads, near.size(), [&](std::size_t share, std::size_t first, std::size_t end) {
-      std::vector<Contact>& found = found_[share];
-      found.clear();
-      std::optional<Former> of_share;
+    const auto has_moved = [&](const Solid& solid) { return moved[static_cast<std::size_t>(solid.body)]; };
+    const auto look_at = [&](std::size_t first, std::size_t end, std::vector<Contact>& found) {
+      std::optional<Former> of_these;
       for (; first < end; ++first) {
         const Solid& one = shapes.solids[static_cast<std::size_t>(near[first].first)];
         const Solid& other = shapes.solids[static_cast<std::size_t>(near[first].second)];
         if (one.fixed && other.fixed) continue;
-        const auto has_moved = [&](const Solid& solid) { return moved[static_cast<std::size_t>(solid.body)]; };
         if (!has_moved(one) && !has_moved(other)) {
-          if (!of_share) of_share = former.from({one.body, other.body});
-          of_share->add_those_of({one.body, other.body}, found);
+          if (!of_these) of_these = former.from({one.body, other.body});
+          of_these->add_those_of({one.body, other.body}, found);
           continue;
         }
         const std::size_t before = found.size();
         touch(one, other, now, found);
         for (std::size_t c = before; c < found.size(); ++c) found[c].gap += margin;
       }
+    };
+    const std::size_t shares = shares_of(threads, near.size());
+    found_.resize(shares - 1);  // the first share is found in place
+    in_shares(threads, near.size(), [&](std::size_t share, std::size_t first, std::size_t end) {
+      if (share == 0) return look_at(first, end, contacts);
+      found_[share - 1].clear();
+      look_at(first, end, found_[share - 1]);
     });
     for (const std::vector<Contact>& found : found_)
       contacts.insert(contacts.end(), found.begin(), found.end());

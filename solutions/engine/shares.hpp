@@ -1,19 +1,32 @@
 #pragma once
 // Work on many things that do not feel each other, shared among threads.
+#include <algorithm>
 #include <cstddef>
-#include <functional>
+
+#include "14_fast_rows/fast_rows.hpp"
 
 namespace spook {
 
 /// The most threads that a world may be given.
 inline constexpr int most_threads = 256;
 
-/// Calls work(share, first, end) for n things in as many shares as there are `threads`, at the same time; in fewer, where
-/// a share would have less than a thousand things. Share by share they are in order. What one throws is thrown.
-void in_shares(int threads, std::size_t n,
-               const std::function<void(std::size_t share, std::size_t first, std::size_t end)>& work);
+/// How many shares so many threads make of n things: no more than have a thousand things each, and one at least.
+inline std::size_t shares_of(int threads, std::size_t n) {
+  constexpr std::size_t worth_a_thread = 1000;  // of a fraction of a microsecond each
+  return std::clamp<std::size_t>(n / worth_a_thread, 1, static_cast<std::size_t>(threads));
+}
 
-/// How many shares that makes; at least one.
-std::size_t shares_of(int threads, std::size_t n);
+/// Calls work(share, first, end) for n things in that many shares, at the same time. Share by share they are in order.
+/// What one throws is thrown.
+template <class Work>
+void in_shares(int threads, std::size_t n, const Work& work) {
+  const std::size_t shares = shares_of(threads, n);
+  if (shares == 1) return work(0, 0, n);
+  const auto of_thread = [&](int thread) {
+    const auto t = static_cast<std::size_t>(thread);
+    work(t, n * t / shares, n * (t + 1) / shares);  // Eq. (14.10)
+  };
+  in_rounds(static_cast<int>(shares), of_thread, [] { return false; });
+}
 
 }  // namespace spook

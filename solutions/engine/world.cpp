@@ -21,10 +21,10 @@ void World<Dof>::step(double h) {
   clock_.run(Stage::forces, [&] { evaluate_forces(h); });
   if ((settings_.impacts || materials_.bounce()) && !contacts_.empty())
     clock_.run(Stage::impacts, [&] { resolve_impacts(h); });
-  if (contacts_.empty() && joints_.empty())
-    rows_.clear(), rubbing_.clear();
-  else
+  if (!contacts_.empty() || !joints_.empty())
     clock_.run(Stage::rows, [&] { build_rows(h); });
+  else
+    rows_.clear();
   if (!rows_.empty()) clock_.run(Stage::solve, [&] { solve_rows(h); });
   clock_.run(Stage::integrate, [&] { integrate(h); });
 }
@@ -126,6 +126,7 @@ void World<Dof>::resolve_impacts(double h) {
   contacts_.erase(std::remove_if(contacts_.begin(), contacts_.end(), will_hit), contacts_.end());
 }
 
+/// Rows of contacts are written over those of the last step: a large pile's are many megabytes.
 template <int Dof>
 void World<Dof>::build_rows(double h) {
   if (!joints_.empty()) {
