@@ -86,6 +86,29 @@ inline Eigen::MatrixXd dense_matrix(const Springs& s, double times = 1) {
   return A.selfadjointView<Eigen::Lower>();
 }
 
+/// That matrix times x, spring by spring and row by row: for hundreds of them.
+inline Eigen::VectorXd times_matrix(const Springs& s, const Eigen::VectorXd& x) {
+  Eigen::VectorXd y(x.size());
+  const auto of = [&](int body) -> Vec3 { return s.moves(body) ? Vec3(x.segment<3>(3 * body)) : Vec3::Zero(); };
+  const auto add = [&](int body, const Vec3& what) {
+    if (s.moves(body)) y.segment<3>(3 * body) += what;
+  };
+  for (int body = 0; body < s.bodies(); ++body) y.segment<3>(3 * body) = s.mass(body) * x.segment<3>(3 * body);
+  for (const Stiffness& spring : s.stiffness) {
+    const Vec3 pull = s.h * s.h * spring.K * (of(spring.j) - of(spring.i));
+    add(spring.i, -pull);
+    add(spring.j, pull);
+  }
+  for (std::size_t k = 0; k < s.rows.size(); ++k) {
+    const Row<3>& row = s.rows[k];
+    const auto line = 3 * s.bodies() + static_cast<Eigen::Index>(k);
+    add(row.i, x[line] * row.Gi);
+    add(row.j, x[line] * row.Gj);
+    y[line] = row.Gi.dot(of(row.i)) + row.Gj.dot(of(row.j)) - row.Sigma * x[line];
+  }
+  return y;
+}
+
 /// All entries that are there. Throws, in words, if the matrix has not the size that it should have.
 inline Eigen::MatrixXd entries(const SparseMatrix& A, const Springs& s) {
   const auto n = 3 * s.bodies() + std::ssize(s.rows);

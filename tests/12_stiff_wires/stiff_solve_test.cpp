@@ -96,6 +96,32 @@ EXERCISE_TEST(StiffSolve, SolvesTheStep) {
   }
 }
 
+EXERCISE_TEST(StiffSolve, TakesAnyNumberOfSpringsAndRows) {
+  Random random;
+  Springs s = random_springs(random, 400, 1, 300);
+  const Answer got = solved(s);
+  Eigen::VectorXd x(got.V.size() + got.lambda.size()), right(x.size());
+  x << got.V, -got.lambda;
+  // h²K takes V + W_f, so the right side is the matrix's own springs times -W_f, without masses and rows.
+  Springs springs{.motion = s.motion, .rows = {}, .stiffness = s.stiffness, .h = s.h};
+  Eigen::VectorXd Wf(3 * s.bodies()), masses(3 * s.bodies());
+  for (int body = 0; body < s.bodies(); ++body) {
+    Wf.segment<3>(3 * body) = s.motion.Wf[static_cast<std::size_t>(body)];
+    masses.segment<3>(3 * body) = s.mass(body) * Wf.segment<3>(3 * body);
+  }
+  right.head(Wf.size()) = masses - times_matrix(springs, Wf);
+  for (std::size_t k = 0; k < s.rows.size(); ++k) right[Wf.size() + static_cast<Eigen::Index>(k)] = s.rows[k].B;
+  const Eigen::VectorXd left = times_matrix(s, x);
+  Eigen::Index worst = 0;
+  (left - right).cwiseAbs().maxCoeff(&worst);
+  expect_near("line " + std::to_string(worst) + " of the equations of " + std::to_string(s.stiffness.size()) +
+                  " springs and " + std::to_string(s.rows.size()) + " rows, with V and λ put in",
+              "Eq. (12.6)", left[worst], right[worst],
+              {1e-9 * x.cwiseAbs().maxCoeff() * std::max(1.0, right.cwiseAbs().maxCoeff()),
+               "roundings times what factors grow"},
+              {}, "All springs and all rows, however many there are.");
+}
+
 EXERCISE_TEST(StiffSolve, WithoutSpringsIsTheSaddlePoint) {
   Random random;
   Springs s = random_springs(random, 6, 1, 2);

@@ -82,6 +82,23 @@ EXERCISE_TEST(StiffenedMatrix, IsTheDenseAssembly) {
   }
 }
 
+EXERCISE_TEST(StiffenedMatrix, HasAnyNumberOfSpringsAndRows) {
+  Random random;
+  const Springs s = random_springs(random, 400, 1, 300);
+  const SparseMatrix A = stiffened_matrix(s.rows, s.motion.inverse_mass, s.stiffness, s.h);
+  const auto n = 3 * s.bodies() + std::ssize(s.rows);
+  ASSERT_TRUE(A.rows() == n && A.cols() == n) << "three unknowns a body and one a row are " << n;
+  Eigen::VectorXd x(n);
+  for (double& one : x) one = random.uniform(-1, 1);
+  const Eigen::VectorXd got = A.selfadjointView<Eigen::Lower>() * x, right = times_matrix(s, x);
+  Eigen::Index worst = 0;
+  (got - right).cwiseAbs().maxCoeff(&worst);
+  expect_near("line " + std::to_string(worst) + " of the matrix of " + std::to_string(s.stiffness.size()) +
+                  " springs and " + std::to_string(s.rows.size()) + " rows, times a vector",
+              "Eq. (12.5), (11.2)", got[worst], right[worst], roundings(1e3, right.cwiseAbs().maxCoeff()), {},
+              "All springs and all rows, however many there are.");
+}
+
 EXERCISE_TEST(StiffenedMatrix, HasTheLayoutOfTheSaddlePoint) {
   Random random;
   Springs s = random_springs(random, 6, 1, 3);
