@@ -83,11 +83,14 @@ static std::string verdict_text(const Verdict& verdict) {
 void print_text(std::ostream& out, const SceneDescription& scene, const Parameters& parameters,
                 const RunSettings& settings, const RunResult& result) {
   print_entry(out, "scene", scene.name + ": " + scene.summary);
-  print_entry(out, "set", parameters_text(parameters));
+  if (!parameters.all().empty()) print_entry(out, "set", parameters_text(parameters));
   print_entry(out, "answer", scene.answer);
   print_entry(out, "run", method_text(scene, settings, result));
   print_entry(out, "end", state_text(result));
-  print_entry(out, "error", short_text(result.error) + " " + scene.error_unit + ": " + scene.error_name);
+  if (scene.error_unit.empty())
+    print_entry(out, "error", scene.error_name);
+  else
+    print_entry(out, "error", short_text(result.error) + " " + scene.error_unit + ": " + scene.error_name);
   print_entry(out, "state", verdict_text(result.verdict));
   print_entry(out, "speed",
               result.us_per_step ? short_text(*result.us_per_step) + " µs a step" : "no step taken");

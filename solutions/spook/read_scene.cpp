@@ -99,7 +99,7 @@ SceneDescription described(const std::string& name, const Json& json) {
       .answer =
           answered ? "Where bodies should be at certain times, as the file says." : "None: the file has none.",
       .error_name = answered ? "largest distance from where a body should be" : "no answer to compare with",
-      .error_unit = answered ? "tolerances" : "of nothing",
+      .error_unit = answered ? "tolerances" : "",
       .parameters = {},
       .h = file["h"].number(),
       .time = file["time"].number(),

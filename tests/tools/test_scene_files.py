@@ -107,6 +107,11 @@ class SceneFiles(unittest.TestCase):
     def test_without_an_answer_or_before_its_time_there_is_no_error(self):
         self.assertIsNone(self.run_of(changed("expected", None))["error"]["value"])
         self.assertIsNone(self.run_of(EXAMPLE, "--time", "1")["error"]["value"])
+        self.file.write_text(json.dumps(changed("expected", None)))
+        text = self.spook("run", self.file).stdout
+        self.assertIn("error     no answer to compare with", text)
+        self.assertNotIn("nan", text)
+        self.assertNotIn("\nset ", text)  # it has no parameters
 
     def test_density_is_mass_by_volume(self):
         runs = []
