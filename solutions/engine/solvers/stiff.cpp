@@ -88,7 +88,8 @@ struct Part {
             .last = none,
             .gravity = s.gravity,
             .h = s.h,
-            .stop = s.stop};
+            .stop = s.stop,
+            .threads = s.threads};
   }
 
   void write_back(const System<3>& s) const {
