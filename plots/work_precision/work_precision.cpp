@@ -39,6 +39,7 @@ struct Chosen {
       {"margin", "", "largest gaps of a contact [m]", &TypedRun::margin},
       {"friction-model", "", "box, two_pass, cone", &TypedRun::friction_model},
       {"tangents", "", "fixed, sliding", &TypedRun::tangents},
+      {"threads", "", "that share the work", &TypedRun::threads},
       {"tolerance", "", "stop sweeping at this [m/s]", &TypedRun::tolerance},
       {"iterations", "10,30,100,300,1000", "most sweeps in a step", &TypedRun::iterations, false}};
 };
