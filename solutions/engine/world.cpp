@@ -129,6 +129,7 @@ void World<Dof>::resolve_impacts(double h) {
 /// Rows of contacts are written over those of the last step: a large pile's are many megabytes.
 template <int Dof>
 void World<Dof>::build_rows(double h) {
+  first_contact_row_ = 0;
   if (!joints_.empty()) {
     rows_.clear();
     add_joint_rows(joints_, h, bodies_, rows_);

@@ -1,6 +1,6 @@
 // Projected Gauss-Seidel on several threads, "stripes" by name.
 //
-//   stripes    of space, as many as half the bodies along the side of a cube of them, with as many bodies in each
+//   stripes    n bodies have ∛n/2 of them, side by side, with as many bodies in each: in a cube they are two bodies wide
 //   a row      is of the first stripe that it has a body in, and reaches into the next one at most
 //   a sweep    of all even stripes at the same time, then of all odd ones; then what reaches farther, alone
 //
