@@ -37,8 +37,8 @@ using Vec2 = Eigen::Vector2d;
 /// direction worth following: then any that chapter 05 allows, Eq. (5.1).
 Tangents sliding_tangents(const Vec3& n, const Vec3& u, double slow);
 
-/// Exercise 9.2. Sets the bounds of the friction rows to ±μ times the λ that their normal row has now: Eq. (9.1). If
-/// that is NaN, so are they. Their own λ stays as it is, even outside.
+/// Exercise 9.2. Sets the bounds of the friction rows to ±μ times the λ that their normal row has now: Eq. (9.1). Their
+/// own λ stays as it is, even outside.
 template <int Dof>
 void limit_friction(const std::vector<Rubbing>& contacts, std::vector<Row<Dof>>& rows);
 

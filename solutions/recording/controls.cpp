@@ -40,7 +40,8 @@ static std::vector<std::string> solver_names() {
 }
 
 Json controls(const SceneDescription& description, const Parameters& parameters, const Method& method) {
-  Json list = {slider("h", method.h, "s", {description.h / 30, description.h * 10, true, false})};
+  Json list = Json::array();
+  list.push_back(slider("h", method.h, "s", {description.h / 30, description.h * 10, true, false}));
   if (description.solves) {
     list.push_back(choice("solver", method.solver, solver_names()));
     list.push_back(slider("iterations", method.stop.max_sweeps, "", {1, 1000, true, true}));

@@ -154,8 +154,12 @@ class Workshop:
         for word in words:
             if word == "-o":
                 next(words)
-            elif word.startswith("-Wl,--dependency-file="):  # CMake's since 3.27: a file in its own build tree
+            # CMake's since 3.27: a file in its own build tree. GCC is told by the first, clang by the second.
+            elif word.startswith("-Wl,--dependency-file="):
                 continue
+            elif word == "-Xlinker":
+                argument = next(words)
+                before += [] if argument.startswith("--dependency-file=") else [word, argument]
             elif word.endswith((".o", ".a")):
                 (before if word.endswith(".o") else after).append(self._stage_answer(CHECK.path / word))
             else:
