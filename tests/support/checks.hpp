@@ -24,7 +24,8 @@ struct Tolerance {
 
 /// `count` roundings of a number of this size.
 inline Tolerance roundings(double count, double size = 1) {
-  return {count * 2.3e-16 * std::abs(size), std::to_string(static_cast<int>(count)) + " roundings"};
+  return {count * 2.3e-16 * std::abs(size),
+          std::to_string(static_cast<long long>(std::min(count, 9e18))) + " roundings"};
 }
 
 /// A wrong value that has a known cause, and the cause.
