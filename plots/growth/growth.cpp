@@ -15,6 +15,7 @@
 #include "engine/world.hpp"
 #include "machinery/experiment.hpp"
 #include "machinery/timing.hpp"
+#include "scenes/scene.hpp"
 
 namespace spook::plots {
 namespace {
@@ -94,7 +95,7 @@ std::vector<Row> of_standing(int across, int layers) {
   for (int n = 0; n < 240; ++n) world.step(h);
   double fastest = 0, sunk = 0;
   for (std::size_t b = 0; b < before.size(); ++b) {
-    fastest = std::max(fastest, world.v(static_cast<int>(b)).norm());
+    fastest = largest(fastest, world.v(static_cast<int>(b)).norm());
     sunk += (before[b] - world.bodies().x[b]).z();
   }
   return {{"stands", "fastest", balls(world), fastest},
@@ -164,12 +165,14 @@ Experiment experiment(Size size) {
   }
   e.check = [](const Table& table, Claims& claims) {
     const auto largest_of = [&](const std::string& what, const std::string& which) {
-      const std::vector<double> all = table.where("what", what).where("case", which).numbers("value");
-      return *std::max_element(all.begin(), all.end());
+      double most = 0;
+      for (const double value : table.where("what", what).where("case", which).numbers("value"))
+        most = largest(most, value);
+      return most;
     };
     const std::vector<double> tensions = table.where("what", "link").where("case", "tension").numbers("value");
     double off = 0;
-    for (const double tension : tensions) off = std::max(off, std::abs(tension - 1));
+    for (const double tension : tensions) off = largest(off, std::abs(tension - 1));
     claims.at_most("the top link of every wire carries all of its weight, to 1e-6", off, 1e-6);
     claims.at_most("a link takes less than 1.5 kilobytes, whatever their number", largest_of("memory", "link"),
                    1500);

@@ -15,16 +15,17 @@ void World<Dof>::step(double h) {
   require_directions(h);
   if (settings_.compose == 4) return step_composed(h);
   solved_ = {.history = {}, .converged = true};
-  first_contact_row_ = 0;
   impacts_ = 0;
   if (shapes_.may_touch()) clock_.run(Stage::contacts, [&] { find_contacts(h); });
   clock_.run(Stage::forces, [&] { evaluate_forces(h); });
   if ((settings_.impacts || materials_.bounce()) && !contacts_.empty())
     clock_.run(Stage::impacts, [&] { resolve_impacts(h); });
-  if (!contacts_.empty() || !joints_.empty())
-    clock_.run(Stage::rows, [&] { build_rows(h); });
-  else
+  if (contacts_.empty() && joints_.empty()) {
     rows_.clear();
+    first_contact_row_ = 0;
+  } else {
+    clock_.run(Stage::rows, [&] { build_rows(h); });
+  }
   if (!rows_.empty()) clock_.run(Stage::solve, [&] { solve_rows(h); });
   clock_.run(Stage::integrate, [&] { integrate(h); });
 }

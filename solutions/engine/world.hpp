@@ -62,9 +62,8 @@ struct Settings {
   /// The order that leapfrogs are composed to: 2, themselves, or 4, engine/composed.hpp. With 4 velocities are those of the
   /// time of the positions, joints are rigid, and the solver has no part in it.
   int compose = 2;
-  /// How many threads share the search for contacts, the making of rows, and with the solver `stripes` its sweeps. The
-  /// motion does not depend on it; scenes of less than a few thousand contacts do not gain by it.
-  int threads = 1;
+  int threads =
+      1;  ///< that share the search, the rows, and sweeps in stripes; no bit of the motion depends on it
   /// When the solver stops; at the latest where nothing changes any more but four roundings of |gravity| h.
   StopRule stop = {};
 };

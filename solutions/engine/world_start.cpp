@@ -74,8 +74,6 @@ void World<Dof>::start_consistently(double h) {
   if (shapes_.may_touch()) find_contacts(h);
   evaluate_forces(h);
   prepare_motion(h);
-  rows_.clear();
-  rubbing_.clear();
   build_rows(h);
   const std::vector<double> turning = turning_rows(joints_, h, settings_.rotation, bodies_);
   const Motion<Dof>& motion = bodies_.motion;

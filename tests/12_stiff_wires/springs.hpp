@@ -109,12 +109,17 @@ inline Eigen::VectorXd times_matrix(const Springs& s, const Eigen::VectorXd& x) 
   return y;
 }
 
-/// All entries that are there. Throws, in words, if the matrix has not the size that it should have.
-inline Eigen::MatrixXd entries(const SparseMatrix& A, const Springs& s) {
+/// Throws, in words, if the matrix has not the size that it should have.
+inline void require_size(const SparseMatrix& A, const Springs& s) {
   const auto n = 3 * s.bodies() + std::ssize(s.rows);
   if (A.rows() != n || A.cols() != n)
     throw std::logic_error("the matrix is " + std::to_string(A.rows()) + " x " + std::to_string(A.cols()) +
                            "; three unknowns a body and one a row are " + std::to_string(n));
+}
+
+/// All entries that are there, of a matrix of the right size.
+inline Eigen::MatrixXd entries(const SparseMatrix& A, const Springs& s) {
+  require_size(A, s);
   return Eigen::MatrixXd(A);
 }
 

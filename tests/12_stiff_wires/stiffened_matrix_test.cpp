@@ -86,9 +86,8 @@ EXERCISE_TEST(StiffenedMatrix, HasAnyNumberOfSpringsAndRows) {
   Random random;
   const Springs s = random_springs(random, 400, 1, 300);
   const SparseMatrix A = stiffened_matrix(s.rows, s.motion.inverse_mass, s.stiffness, s.h);
-  const auto n = 3 * s.bodies() + std::ssize(s.rows);
-  ASSERT_TRUE(A.rows() == n && A.cols() == n) << "three unknowns a body and one a row are " << n;
-  Eigen::VectorXd x(n);
+  require_size(A, s);
+  Eigen::VectorXd x(A.rows());
   for (double& one : x) one = random.uniform(-1, 1);
   const Eigen::VectorXd got = A.selfadjointView<Eigen::Lower>() * x, right = times_matrix(s, x);
   Eigen::Index worst = 0;

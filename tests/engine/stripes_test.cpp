@@ -6,6 +6,7 @@
 #include "engine/world.hpp"
 #include "random_input.hpp"
 #include "refusals.hpp"
+#include "velocities.hpp"
 
 namespace spook {
 namespace {
@@ -90,8 +91,7 @@ TEST(Stripes, SolveWhatSweepsDo) {
     EXPECT_LE(striped.report().residual, 100 * 1e-7) << "of every row, whichever stripe has it";
     // What is left of a rate ρ is r ρ/(1 - ρ), (10.5): with as many sweeps as it took, 1e-7 of them at the most.
     const double bound = 1e-7 * static_cast<double>(swept.solved().history.size());
-    for (std::size_t b = 0; b < swept.bodies().size(); ++b)
-      EXPECT_LE((swept.bodies().motion.W[b] - striped.bodies().motion.W[b]).norm(), bound) << "body " << b;
+    EXPECT_LE(apart(swept, striped), bound);
   }
 }
 

@@ -154,12 +154,8 @@ class Workshop:
         for word in words:
             if word == "-o":
                 next(words)
-            # CMake's since 3.27: a file in its own build tree. GCC is told by the first, clang by the second.
-            elif word.startswith("-Wl,--dependency-file="):
+            elif word.startswith("-Wl,--dependency-file="):  # CMake's since 3.27: a file in its own build tree
                 continue
-            elif word == "-Xlinker":
-                argument = next(words)
-                before += [] if argument.startswith("--dependency-file=") else [word, argument]
             elif word.endswith((".o", ".a")):
                 (before if word.endswith(".o") else after).append(self._stage_answer(CHECK.path / word))
             else:
@@ -292,7 +288,8 @@ def _without_files(command: list[str]) -> list[str]:
 def _link_command(target: str) -> list[str]:
     """The last of the commands that make the target: ": && c++ ... && :"."""
     listing = subprocess.run(["ninja", "-C", str(CHECK.path), "-t", "commands", target], capture_output=True, text=True)
-    words = [word for word in shlex.split(listing.stdout.strip().splitlines()[-1]) if word not in (":", "&&")]
+    command = listing.stdout.strip().splitlines()[-1].replace("-Xlinker ", "-Wl,")  # clang's word for it
+    words = [word for word in shlex.split(command) if word not in (":", "&&")]
     # GoogleTest's own main is left out: tests/remote has ours.
     return [*_compiler(words[0]), *(word for word in words[1:] if not word.endswith("libgtest_main.a"))]
 
