@@ -16,7 +16,7 @@ struct FreeTop {
   Vec3 principal = {random.uniform(2, 2.4), random.uniform(3, 3.4), random.uniform(4, 4.4)};
   Mat3 R = q.toRotationMatrix();
   Mat3 inertia = R * principal.asDiagonal() * R.transpose();
-  Vec3 omega = R * Vec3(random.uniform(1, 2), random.uniform(1, 2), random.uniform(1, 2));
+  Vec3 omega = R * random.vector(1, 2);
 };
 
 EXERCISE_TEST(GyroscopicTorque, IsEulersInBodyAxes) {

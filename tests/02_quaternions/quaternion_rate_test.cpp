@@ -12,7 +12,7 @@ EXERCISE(QuaternionRate, "2.1 quaternion_rate");
 struct SpinningBody {
   Random random;
   Quat q = random.rotation();
-  Vec3 omega = random.uniform(1, 3) * random.unit_vector();
+  Vec3 omega = random.vector_of_length(1, 3);
 };
 
 EXERCISE_TEST(QuaternionRate, IsHalfOmegaForAnUnturnedBody) {

@@ -27,7 +27,7 @@ inline Top random_top(Random& random) {
   Top top;
   top.principal = {random.uniform(2, 2.3), random.uniform(3, 3.3), random.uniform(4, 4.3)};
   top.q = random.rotation();
-  top.omega = top.q * Vec3(random.uniform(0.5, 1), random.uniform(0.5, 1), random.uniform(0.5, 1));
+  top.omega = top.q * random.vector(0.5, 1);
   return top;
 }
 

@@ -149,7 +149,7 @@ EXERCISE_TEST(UpdateExponential, LetsNoRoundingsOfTheLengthAddUp) {
 EXERCISE_TEST(UpdateExponential, BackwardsUndoesForwards) {
   Random random;
   const Quat q = random.rotation();
-  const Vec3 omega = random.uniform(1, 3) * random.unit_vector();
+  const Vec3 omega = random.vector_of_length(1, 3);
   const Quat there = update_exponential(q, omega, 0.7);
   expect_same_rotation(
       "q after an update of h and one of -h (w, x, y, z)", "Eq. (2.6)", update_exponential(there, omega, -0.7),

@@ -37,13 +37,17 @@ EXERCISE_TEST(ContactImpulse, SolvesOneRowByHand) {
       "(n·Kn + Σ) λ = -a g - b G W - h G M⁻¹ f.");
 }
 
+Spook some_parameters(Random& random, double h) {
+  const double k = random.log_uniform(1e3, 1e9);
+  return spook_parameters(h, k, random.uniform(0, 8));
+}
+
 struct Case {
   Spook spook;
   double nKn, gap, velocity, force;
 
   explicit Case(Random& random)
-      : spook(spook_parameters(random.log_uniform(0.002, 0.03), random.log_uniform(1e3, 1e9),
-                               random.uniform(0, 8))),
+      : spook(some_parameters(random, random.log_uniform(0.002, 0.03))),
         nKn(random.log_uniform(0.01, 100)),
         gap(random.uniform(-0.01, 0.01)),
         velocity(random.uniform(-1, 1)),
@@ -107,7 +111,7 @@ EXERCISE_TEST(ContactImpulse, SlowsBodiesThatMeet) {
   Random random;
   for (int trial = 0; trial < 50 && !::testing::Test::HasFailure(); ++trial) {
     const double S = random.log_uniform(0.01, 100), velocity = random.uniform(-5, -0.1);
-    const Spook spook = spook_parameters(0.01, random.log_uniform(1e3, 1e9), random.uniform(0, 8));
+    const Spook spook = some_parameters(random, 0.01);
     const double lambda = contact_impulse(spook, S, 0, velocity, 0);
     const double after = velocity + S * lambda;  // G times Eq. (3.12)
     const double sigma = S / (S + spook.Sigma);

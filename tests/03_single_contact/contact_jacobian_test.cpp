@@ -102,7 +102,7 @@ EXERCISE_TEST(ContactJacobian, TimesVelocityIsTheRateOfTheGap) {
   const ContactJacobian G = contact_jacobian(pair.contact);
   const double dt = 1e-5;
   for (int trial = 0; trial < 20 && !::testing::Test::HasFailure(); ++trial) {
-    const Twist<6> Wi = twist(random.vector(), random.vector()), Wj = twist(random.vector(), random.vector());
+    const Twist<6> Wi = random.twist(), Wj = random.twist();
     const double rate = (gap_after(dt, pair, Wi, Wj) - gap_after(-dt, pair, Wi, Wj)) / (2 * dt);
     const double got = G.Gi.dot(Wi) + G.Gj.dot(Wj);
     expect_near(

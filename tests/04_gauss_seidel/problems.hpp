@@ -17,8 +17,8 @@ inline Motion<6> random_motion(Random& random, int bodies) {
   Motion<6> motion;
   for (int k = 0; k < bodies; ++k) {
     motion.inverse_mass.push_back(random_body(random));
-    motion.W.push_back((Twist<6>() << random.vector(), random.vector()).finished());
-    motion.Wf.push_back((Twist<6>() << random.vector(0.3), random.vector(0.3)).finished());
+    motion.W.push_back(random.twist());
+    motion.Wf.push_back(random.twist(0.3));
   }
   return motion;
 }

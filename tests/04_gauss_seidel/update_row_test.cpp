@@ -64,7 +64,7 @@ EXERCISE_TEST(UpdateRow, GathersFromBothBodies) {
   Row<6>& row = p.rows[0];
   row.B = 10;
   row.lo = -infinity;
-  for (auto& V : p.V) V = (Twist<6>() << random.vector(), random.vector()).finished();
+  for (auto& V : p.V) V = random.twist();
   const auto Vi = p.V[static_cast<std::size_t>(row.i)], Vj = p.V[static_cast<std::size_t>(row.j)];
   const double GiV = row.Gi.dot(Vi), GjV = row.Gj.dot(Vj);
   update_row(row, p.V);
@@ -175,7 +175,7 @@ EXERCISE_TEST(UpdateRow, TakesAnyBoundsAndAnyStart) {
     Row<6>& row = p.rows[0];
     give_any_bounds(random, row);
     row.lambda = random.uniform(-0.5, 0.5);
-    for (auto& V : p.V) V = (Twist<6>() << random.vector(0.3), random.vector(0.3)).finished();
+    for (auto& V : p.V) V = random.twist(0.3);
     const Row<6> old = row;
     const std::vector<Twist<6>> before = p.V;
     const auto along = [&](const std::vector<Twist<6>>& V) {

@@ -142,7 +142,8 @@ EXERCISE_TEST(FrictionBound, StopsABlockAfterItsTimeAndDistance) {
   for (int trial = 0; trial < 20 && !::testing::Test::HasFailure(); ++trial) {
     const double mu = random.uniform(0.1, 1.5), g = random.uniform(1, 20), h = random.log_uniform(0.001, 0.01);
     // Not within 1e-3 of a half, where a rounding decides on one step more.
-    const double z = random.integer(20, 200) + random.uniform(-0.499, 0.499), v0 = z * mu * g * h;
+    const double steps = random.integer(20, 200), z = steps + random.uniform(-0.499, 0.499),
+                 v0 = z * mu * g * h;
     const Slide slide = slide_out(v0, mu, g, h);
     given() =
         "v0 = " + show(v0) + " m/s, μ = " + show(mu) + ", g = " + show(g) + " m/s², h = " + show(h) + " s";

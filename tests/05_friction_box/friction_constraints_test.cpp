@@ -155,8 +155,8 @@ EXERCISE_TEST(FrictionConstraints, AskForTheVelocityOfTheContactToVanish) {
   Motion<6> motion;
   for (int body = 0; body < 2; ++body) {
     motion.inverse_mass.push_back({.linear = 1, .angular = Mat3::Identity()});
-    motion.W.push_back(twist(random.vector(), random.vector()));
-    motion.Wf.push_back(twist(random.vector(), random.vector()));
+    motion.W.push_back(random.twist());
+    motion.Wf.push_back(random.twist());
   }
   // What the point of j does as seen from that of i: u of velocities, u_f of what forces add to them.
   const auto seen = [&](const std::vector<Twist<6>>& W) -> Vec3 {
@@ -199,7 +199,7 @@ EXERCISE_TEST(FrictionConstraints, NeverAddEnergy) {
     Motion<6> motion;
     for (int body = 0; body < bodies; ++body) {
       motion.inverse_mass.push_back(random_body(random));
-      motion.W.push_back(twist(random.vector(3), random.vector(3)));
+      motion.W.push_back(random.twist(3));
       motion.Wf.push_back(Twist<6>::Zero());
     }
     std::vector<Row<6>> rows;

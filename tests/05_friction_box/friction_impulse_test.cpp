@@ -323,7 +323,7 @@ EXERCISE_TEST(FrictionImpulse, StopsASlidingBlock) {
   Random random;
   for (int trial = 0; trial < 20 && !::testing::Test::HasFailure(); ++trial) {
     const double h = random.log_uniform(0.001, 0.01), m = random.uniform(0.5, 3), A = random.uniform(1, 10);
-    const double z = random.integer(20, 200) + random.uniform(-0.499, 0.499), v0 = z * A * h;
+    const double steps = random.integer(20, 200), z = steps + random.uniform(-0.499, 0.499), v0 = z * A * h;
     Pushed block{.m = m, .h = h, .Gamma = 0, .bound = m * A * h, .t = random_tangents(random)};
     block.v = (v0 + A * h / 2) * block.t.t1;  // half a step early
     for (int n = 0; n < 400; ++n) block.step(Vec3::Zero());

@@ -175,8 +175,8 @@ EXERCISE_TEST(BallJointConstraints, TimesVelocityIsTheRateOfTheGaps) {
     return point_after(time, t.j, Wj) - point_after(time, t.i, Wi);
   };
   for (int trial = 0; trial < 20 && !::testing::Test::HasFailure(); ++trial) {
-    const Twist<6> Wi = twist(t.random.vector(), t.random.vector());
-    const Twist<6> Wj = twist(t.random.vector(), t.random.vector());
+    const Twist<6> Wi = t.random.twist();
+    const Twist<6> Wj = t.random.twist();
     const Vec3 rate = (gaps_after(dt, Wi, Wj) - gaps_after(-dt, Wi, Wj)) / (2 * dt);
     Vec3 got;
     for (int k = 0; k < 3; ++k) {
@@ -221,7 +221,7 @@ EXERCISE_TEST(BallJointConstraints, LetsThePointsMoveAsOne) {
     const Rigid body = random_box(t.random);
     motion.inverse_mass.push_back(
         {.linear = body.inverse_mass, .angular = world_inertia(body.q, body.principal.cwiseInverse())});
-    motion.W.push_back(twist(t.random.vector(), t.random.vector()));
+    motion.W.push_back(t.random.twist());
     motion.Wf.push_back(Twist<6>::Zero());
   }
   const auto point_velocity = [](const Attachment& at, const Twist<6>& W) -> Vec3 {

@@ -19,8 +19,8 @@ EXERCISE(Cloth, "6.4 cloth");
 struct ClothInput {
   Random random;
   Vec3 corner = random.vector(2);
-  Vec3 u = random.uniform(0.5, 2) * random.unit_vector();
-  Vec3 v = u.cross(random.unit_vector()) + random.uniform(-0.5, 0.5) * u;
+  Vec3 u = random.vector_of_length(0.5, 2), across = u.cross(random.unit_vector());
+  Vec3 v = across + random.uniform(-0.5, 0.5) * u;
   int cells_u = random.integer(2, 5), cells_v = cells_u + random.integer(1, 3);
   double mass = random.uniform(0.5, 5);
 

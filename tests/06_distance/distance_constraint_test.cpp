@@ -229,8 +229,8 @@ EXERCISE_TEST(DistanceConstraint, TimesVelocityIsTheRateOfTheDistance) {
     return (point_after(time, t.j, Wj) - point_after(time, t.i, Wi)).norm() - t.length;
   };
   for (int trial = 0; trial < 20 && !::testing::Test::HasFailure(); ++trial) {
-    const Twist<6> Wi = twist(t.random.vector(), t.random.vector());
-    const Twist<6> Wj = twist(t.random.vector(), t.random.vector());
+    const Twist<6> Wi = t.random.twist();
+    const Twist<6> Wj = t.random.twist();
     const double rate = (gap_after(dt, Wi, Wj) - gap_after(-dt, Wi, Wj)) / (2 * dt);
     expect_near(
         "G W against the gap of two moving, turning bodies, differentiated numerically [m/s]",

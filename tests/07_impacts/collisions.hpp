@@ -97,7 +97,8 @@ struct SolidBox {
 
   Vec3 point_of_surface(Random& random) const {
     Vec3 point = random.vector();
-    point[random.integer(0, 2)] = random.integer(0, 1) ? 1 : -1;
+    const int axis = random.integer(0, 2);
+    point[axis] = random.integer(0, 1) ? 1 : -1;
     return q * point.cwiseProduct(half);
   }
 };

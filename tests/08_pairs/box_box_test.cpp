@@ -374,8 +374,8 @@ EXERCISE_TEST(BoxBox, KeepsTheFaceOfTheOtherBoxApart) {
     if (seen.cwiseAbs().minCoeff() < 0.2) continue;
     const Vec3 corner =
         i.axes * Vec3(std::copysign(0.3, seen[0]), std::copysign(0.4, seen[1]), std::copysign(0.5, seen[2]));
-    j.x = corner + (1 - 0.002) * w + random.uniform(-1, 1) * j.axes.col(0) +
-          random.uniform(-1, 1) * j.axes.col(1);
+    const double along = random.uniform(-1, 1), aside = random.uniform(-1, 1);
+    j.x = corner + (1 - 0.002) * w + along * j.axes.col(0) + aside * j.axes.col(1);
     given() = describe_both(i, j);
     const auto got = contacts_of(i, j);
     if (!expect_count("a corner of i in a face of j", got, 1,
@@ -602,7 +602,8 @@ EXERCISE_TEST(BoxBox, TremblesNoMoreThanItsBoxes) {
     for (int trial = 0; trial < 200 && !::testing::Test::HasFailure(); ++trial) {
       Box moved = j;
       moved.x += random.vector(1e-9);
-      if (trial % 2) moved = turned(moved, random.uniform(-1e-9, 1e-9), random.unit_vector());
+      const double angle = random.uniform(-1e-9, 1e-9);
+      if (trial % 2) moved = turned(moved, angle, random.unit_vector());
       const auto now = contacts_of(i, moved);
       expect_near("contacts of " + what + ", moved by 1e-9 m", "Eq. (8.8), (8.10)",
                   static_cast<double>(now.size()), static_cast<double>(still.size()),

@@ -97,57 +97,56 @@ spook::Bounds around(const Vec3& x, const Vec3& half) {
 }
 
 std::vector<Kind> all_kinds() {
-  const auto whole = [](Random& random, int size) {
-    return Vec3(random.integer(-size, size), random.integer(-size, size), random.integer(-size, size));
-  };
   const auto some = [](Random& random, const std::vector<spook::Bounds>& before) {
     return before[static_cast<std::size_t>(random.integer(0, static_cast<int>(before.size()) - 1))];
   };
-  return {
-      {"of like sizes",
-       [](Random& random, const auto&) {
-         return around(random.vector(2), Vec3::Constant(0.4) + random.vector(0.1));
-       }},
-      {"on a grid, face to face, or less by a thousandth of a nanometre",
-       [=](Random& random, const auto&) {
-         const Vec3 lower = whole(random, 3);
-         const Vec3 less =
-             random.integer(0, 1) ? Vec3(1e-12 * Vec3::Unit(random.integer(0, 2))) : Vec3(Vec3::Zero());
-         return spook::Bounds{lower, lower + Vec3(random.integer(1, 2), random.integer(1, 2), 1) - less};
-       }},
-      {"of sizes from 1e-6 to 1e6 m",
-       [](Random& random, const auto&) {
-         const double size = random.log_uniform(1e-6, 1e6);
-         return around(random.log_uniform(1e-3, 3) * size * random.unit_vector(),
-                       size * (Vec3::Constant(0.6) + random.vector(0.4)));
-       }},
-      {"within each other, or the same",
-       [=](Random& random, const auto& before) {
-         if (before.empty()) return around(random.vector(), Vec3::Constant(1));
-         const spook::Bounds one = some(random, before);
-         return random.integer(0, 2) ? around((one.lower + one.upper) / 2,
-                                              random.uniform(0.3, 1.1) * (one.upper - one.lower) / 2)
-                                     : one;
-       }},
-      {"flat, thin, and points",
-       [=](Random& random, const auto& before) {
-         const Vec3 lower =
-             before.empty() || random.integer(0, 1) ? Vec3(0.5 * whole(random, 2)) : some(random, before).upper;
-         return spook::Bounds{
-             lower, lower + 0.5 * Vec3(random.integer(0, 1), random.integer(0, 2), random.integer(0, 1))};
-       }},
-      {"1e12 m from the origin",
-       [=](Random& random, const auto&) {
-         const Vec3 lower = 1e12 * Vec3(1, -1, 1) + random.uniform(0, 1) * whole(random, 3);
-         return spook::Bounds{lower, lower + random.log_uniform(1e-5, 2) * Vec3(random.integer(0, 1), 1, 1)};
-       }},
-      {"of powers of two, and a rounding more", [=](Random& random, const auto&) {
-         const double cell = std::ldexp(1, random.integer(-2, 2));
-         const Vec3 lower = cell * whole(random, 2);
-         const Vec3 less = random.integer(0, 1) ? Vec3(Vec3::Constant(-1e-20)) : Vec3(Vec3::Zero());
-         const Vec3 from = lower.cwiseEqual(0).select(less, lower);
-         return spook::Bounds{from, lower + Vec3::Constant(cell)};
-       }}};
+  return {{"of like sizes",
+           [](Random& random, const auto&) {
+             const Vec3 x = random.vector(2);
+             return around(x, random.vector(0.3, 0.5));
+           }},
+          {"on a grid, face to face, or less by a thousandth of a nanometre",
+           [=](Random& random, const auto&) {
+             const Vec3 lower = random.integers(-3, 3);
+             const Vec3 less =
+                 random.integer(0, 1) ? Vec3(1e-12 * Vec3::Unit(random.integer(0, 2))) : Vec3(Vec3::Zero());
+             const int wide = random.integer(1, 2), deep = random.integer(1, 2);
+             return spook::Bounds{lower, lower + Vec3(wide, deep, 1) - less};
+           }},
+          {"of sizes from 1e-6 to 1e6 m",
+           [](Random& random, const auto&) {
+             const double size = random.log_uniform(1e-6, 1e6), away = size * random.log_uniform(1e-3, 3);
+             const Vec3 x = away * random.unit_vector();
+             return around(x, size * random.vector(0.2, 1));
+           }},
+          {"within each other, or the same",
+           [=](Random& random, const auto& before) {
+             if (before.empty()) return around(random.vector(), Vec3::Constant(1));
+             const spook::Bounds one = some(random, before);
+             return random.integer(0, 2) ? around((one.lower + one.upper) / 2,
+                                                  random.uniform(0.3, 1.1) * (one.upper - one.lower) / 2)
+                                         : one;
+           }},
+          {"flat, thin, and points",
+           [=](Random& random, const auto& before) {
+             const Vec3 lower = before.empty() || random.integer(0, 1) ? Vec3(0.5 * random.integers(-2, 2))
+                                                                       : some(random, before).upper;
+             const int x = random.integer(0, 1), y = random.integer(0, 2), z = random.integer(0, 1);
+             return spook::Bounds{lower, lower + 0.5 * Vec3(x, y, z)};
+           }},
+          {"1e12 m from the origin",
+           [=](Random& random, const auto&) {
+             const double apart = random.uniform(0, 1), size = random.log_uniform(1e-5, 2);
+             const Vec3 lower = 1e12 * Vec3(1, -1, 1) + apart * random.integers(-3, 3);
+             return spook::Bounds{lower, lower + size * Vec3(random.integer(0, 1), 1, 1)};
+           }},
+          {"of powers of two, and a rounding more", [=](Random& random, const auto&) {
+             const double cell = std::ldexp(1, random.integer(-2, 2));
+             const Vec3 lower = cell * random.integers(-2, 2);
+             const Vec3 less = random.integer(0, 1) ? Vec3(Vec3::Constant(-1e-20)) : Vec3(Vec3::Zero());
+             const Vec3 from = lower.cwiseEqual(0).select(less, lower);
+             return spook::Bounds{from, lower + Vec3::Constant(cell)};
+           }}};
 }
 
 void expect_all_pairs(BroadPhase find, const std::string& equation) {

@@ -348,9 +348,10 @@ std::vector<Eigen::Vector2d> random_places(Random& random, int count) {
     if (kind == 3)
       places.push_back(places[static_cast<std::size_t>(crowded)] +
                        towards(random.uniform(0, 2 * std::numbers::pi), 1e-3));
-    else
-      places.push_back(towards(kind == 2 ? random.uniform(0, 0.5) : random.uniform(0, 2 * std::numbers::pi),
-                               kind == 1 ? 1 : random.uniform(0, 1)));
+    else {
+      const double turn = random.uniform(0, kind == 2 ? 0.5 : 2 * std::numbers::pi);
+      places.push_back(towards(turn, kind == 1 ? 1 : random.uniform(0, 1)));
+    }
   // The order in which they are given says nothing.
   for (int k = count - 1; k > 0; --k)
     std::swap(places[static_cast<std::size_t>(k)], places[static_cast<std::size_t>(random.integer(0, k))]);

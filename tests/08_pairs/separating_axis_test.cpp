@@ -210,8 +210,7 @@ EXERCISE_TEST(SeparatingAxis, IsTheBestForAnySizes) {
     // The smaller one's centre is somewhere at an edge or a corner of the larger.
     Box& large = i.half_sides.norm() > j.half_sides.norm() ? i : j;
     Box& small = &large == &i ? j : i;
-    const Vec3 corner = Vec3(random.integer(-1, 1), random.integer(-1, 1), random.integer(-1, 1))
-                            .cwiseProduct(large.half_sides);
+    const Vec3 corner = random.integers(-1, 1).cwiseProduct(large.half_sides);
     small.x = large.x + large.axes * corner + random.vector(0.5 * small.half_sides.minCoeff());
     const auto got = separating_axis(i, j);
     const auto all = all_axes(i, j);
@@ -485,7 +484,8 @@ EXERCISE_TEST(SeparatingAxis, StaysWithFacesThatLieOnEachOther) {
     Box j{.body = 1, .x = Vec3(0.3, 0.2, 1 - depth), .axes = Mat3::Identity(), .half_sides = Vec3(1, 1, 0.5)};
     if (trial > 200) j = turned(j, trial > 400 ? random.uniform(-3, 3) : std::numbers::pi / 4, Vec3::UnitZ());
     j.x += random.vector(1e-9);
-    j = turned(j, random.uniform(-1e-9, 1e-9), random.unit_vector());
+    const double angle = random.uniform(-1e-9, 1e-9);
+    j = turned(j, angle, random.unit_vector());
     given() =
         "given a box that lies on another, " + show(depth) + " m deep, and trembles by 1e-9: " + describe(j);
     const auto got = separating_axis(i, j);

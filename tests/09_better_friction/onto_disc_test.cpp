@@ -39,7 +39,7 @@ EXERCISE_TEST(OntoDisc, ShortensWhatIsOutside) {
 EXERCISE_TEST(OntoDisc, IsTheNearestPoint) {
   Random random;
   for (int trial = 0; trial < 200 && !::testing::Test::HasFailure(); ++trial) {
-    const Vec2 lambda(random.uniform(-2, 2), random.uniform(-2, 2));
+    const Vec2 lambda{random.uniform(-2, 2), random.uniform(-2, 2)};
     const double radius = random.log_uniform(1e-3, 10), angle = random.uniform(0, 6.3);
     const Vec2 p = onto_disc(lambda, radius);
     const Vec2 q = random.uniform(0, radius) * Vec2(std::cos(angle), std::sin(angle));

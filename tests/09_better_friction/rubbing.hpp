@@ -103,7 +103,8 @@ inline System<6> random_bodies(Random& random, int bodies) {
 inline void add_random_contact(System<6>& s, Random& random, double mu) {
   const Contact contact = random_contact(random, static_cast<int>(s.V.size()));
   const Tangents t = turned(contact.n, random.uniform(0, 6));
-  add_contact(s, contact, t, mu, random.uniform(0.05, 0.2), random.uniform(0, 0.1));
+  const double Sigma = random.uniform(0.05, 0.2);
+  add_contact(s, contact, t, mu, Sigma, random.uniform(0, 0.1));
 }
 
 /// A row that is no contact's, and holds both ways.

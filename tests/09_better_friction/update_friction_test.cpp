@@ -190,12 +190,15 @@ EXERCISE_TEST(UpdateFriction, SolvesAContactThatIsAlikeInAllDirectionsAtOnce) {
   Regions regions({"sticks", "slides", "nothing presses", "begins outside the disc", "Γ = 0"}, 20);
   while (regions.lack_draws()) {
     System<3> s;
-    add_body<3>(s, {.linear = random.uniform(0.2, 2)}, random.vector());
-    add_body<3>(s, {.linear = random.uniform(0.2, 2)}, random.vector());
+    for (int body = 0; body < 2; ++body) {
+      const double inverse_mass = random.uniform(0.2, 2);
+      add_body<3>(s, {.linear = inverse_mass}, random.vector());
+    }
     const Vec3 n = random.unit_vector(), zero = Vec3::Zero();
     const double Gamma = std::max(0.0, random.uniform(-0.2, 1)), press = std::max(0.0, random.uniform(-0.2, 2));
-    add_contact(s, {.i = 0, .j = 1, .n = n, .gap = 0, .r_i = zero, .r_j = zero},
-                turned(n, random.uniform(0, 6)), random.uniform(0.1, 1), 0, Gamma);
+    const Tangents t = turned(n, random.uniform(0, 6));
+    add_contact(s, {.i = 0, .j = 1, .n = n, .gap = 0, .r_i = zero, .r_j = zero}, t, random.uniform(0.1, 1), 0,
+                Gamma);
     s.begin_with(0, press);
     const Vec2 sticks = Vec2(s.rows[1].B, s.rows[2].B) / s.rows[1].diagonal;
     const double radius = s.contacts[0].mu * press;

@@ -67,7 +67,8 @@ EXERCISE_TEST(WarmStart, TakesAnyBounds) {
       Row<6>& row = p.rows[k];
       give_any_bounds(random, row);
       row.lambda = random.uniform(-0.5, 0.5);
-      const double impulse = impulses.emplace_back(random.integer(0, 3) * random.uniform(-0.2, 0.2));
+      const double times = random.integer(0, 3),
+                   impulse = impulses.emplace_back(times * random.uniform(-0.2, 0.2));
       expected[static_cast<Eigen::Index>(k)] = std::min(row.hi, std::max(row.lo, impulse));
       below = below || impulse < row.lo, above = above || impulse > row.hi;
       within = within || (row.lo < impulse && impulse < row.hi);

@@ -55,8 +55,8 @@ EXERCISE_TEST(SchurComplement, AddsBothBodiesOfTheSamePair) {
   Random random;
   System<6> two = random_system(random, 3, 0);
   for (int repeat = 0; repeat < 4; ++repeat) {
-    const Twist<6> Gi = (Twist<6>() << random.vector(), random.vector()).finished();
-    const Twist<6> Gj = (Twist<6>() << random.vector(), random.vector()).finished();
+    const Twist<6> Gi = random.twist();
+    const Twist<6> Gj = random.twist();
     const bool turned = repeat % 2 == 1;  // the same pair from the other side
     two.add({.i = turned ? 2 : 1,
              .j = turned ? 1 : 2,

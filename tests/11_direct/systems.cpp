@@ -8,8 +8,8 @@ System<6> random_system(Random& random, int bodies, int rows) {
   System<6> s;
   for (int body = 0; body < bodies; ++body) {
     s.motion.inverse_mass.push_back(body == 0 ? InverseMass<6>{} : random_body(random));
-    s.motion.W.push_back((Twist<6>() << random.vector(), random.vector()).finished());
-    s.motion.Wf.push_back((Twist<6>() << random.vector(0.3), random.vector(0.3)).finished());
+    s.motion.W.push_back(random.twist());
+    s.motion.Wf.push_back(random.twist(0.3));
     if (body == 0) s.motion.W[0].setZero(), s.motion.Wf[0].setZero();
     s.V.push_back(Twist<6>::Zero());
   }
@@ -62,7 +62,8 @@ System<3> star(Random& random, int points) {
   System<3> s;
   s.add(1, Twist<3>::Zero());
   for (int point = 1; point <= points; ++point) {
-    s.add(1 / random.uniform(0.5, 2), random.vector());
+    const double mass = random.uniform(0.5, 2);
+    s.add(1 / mass, random.vector());
     const Vec3 n = random.unit_vector();
     s.add({.i = 0,
            .j = point,

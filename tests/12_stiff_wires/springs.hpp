@@ -46,8 +46,11 @@ inline Mat3 across(const Vec3& n, double k) {
 /// bodies do not move.
 inline Springs random_springs(Random& random, int bodies, int fixed, int more) {
   Springs s{.h = random.log_uniform(1e-3, 0.1)};
-  for (int body = 0; body < bodies; ++body)
-    s.add(body < fixed ? 0 : 1 / random.log_uniform(0.1, 10), random.vector(3), random.vector(0.2));
+  for (int body = 0; body < bodies; ++body) {
+    const double inverse_mass = body < fixed ? 0 : 1 / random.log_uniform(0.1, 10);
+    const Vec3 W = random.vector(3), Wf = random.vector(0.2);
+    s.add(inverse_mass, W, Wf);
+  }
   std::vector<int> order;  // a fixed one may be anywhere in the chain
   for (int body = 0; body < bodies; ++body) order.insert(order.begin() + random.integer(0, body), body);
   const auto pair = [&](int i, int j) {

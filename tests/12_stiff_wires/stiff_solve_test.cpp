@@ -50,7 +50,8 @@ Answer dense(const Springs& s, double times, const std::vector<Vec3>& pushed) {
 EXERCISE_TEST(StiffSolve, SolvesTheStep) {
   Random random;
   for (int repeat = 0; repeat < 10 && !::testing::Test::HasFailure(); ++repeat) {
-    Springs s = random_springs(random, random.integer(3, 8), random.integer(0, 2), random.integer(0, 4));
+    const int bodies = random.integer(3, 8), fixed = random.integer(0, 2);
+    Springs s = random_springs(random, bodies, fixed, random.integer(0, 4));
     const std::vector<Vec3>&Wf = s.motion.Wf, none(Wf.size(), Vec3::Zero());
     std::vector<Vec3> whole, back;
     Eigen::VectorXd forces(3 * s.bodies());
@@ -168,7 +169,8 @@ EXERCISE_TEST(StiffSolve, DropsNothingSmall) {
 EXERCISE_TEST(StiffSolve, KeepsMomentum) {
   Random random;
   for (int repeat = 0; repeat < 10 && !::testing::Test::HasFailure(); ++repeat) {
-    Springs s = random_springs(random, random.integer(3, 8), 0, random.integer(0, 4));
+    const int bodies = random.integer(3, 8);
+    Springs s = random_springs(random, bodies, 0, random.integer(0, 4));
     const Answer got = solved(s);
     Vec3 sum = Vec3::Zero();
     double size = 0;
@@ -243,7 +245,10 @@ EXERCISE_TEST(StiffSolve, LooksForThePatternOnce) {
   Factors factors;
   for (int step = 0; step < 5; ++step) {
     stiff_solve(s.rows, s.motion, s.stiffness, s.h, V, factors);
-    for (Stiffness& spring : s.stiffness) spring.K = across(random.unit_vector(), random.uniform(0, 100));
+    for (Stiffness& spring : s.stiffness) {
+      const Vec3 n = random.unit_vector();
+      spring.K = across(n, random.uniform(0, 100));
+    }
   }
   expect_near("analyses in five solves of the same wire under other tensions", "Eq. (11.3)", factors.analyses,
               1, {0, "exact"}, {{0, "The factors that were given have not been used."}},

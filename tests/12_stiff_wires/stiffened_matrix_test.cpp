@@ -55,7 +55,8 @@ EXERCISE_TEST(StiffenedMatrix, IsTheDenseAssembly) {
   Regions regions({"i above j", "i below j", "a spring to a fixed i", "a spring to a fixed j",
                    "a pair with two springs", "nothing is fixed"});
   while (regions.lack_draws()) {
-    const Springs s = random_springs(random, random.integer(3, 8), random.integer(0, 2), random.integer(0, 6));
+    const int bodies = random.integer(3, 8), fixed = random.integer(0, 2);
+    const Springs s = random_springs(random, bodies, fixed, random.integer(0, 6));
     const auto any = [&](const auto& is) { return std::any_of(s.stiffness.begin(), s.stiffness.end(), is); };
     std::set<std::pair<int, int>> pairs;
     for (const Stiffness& one : s.stiffness) pairs.insert(std::minmax(one.i, one.j));

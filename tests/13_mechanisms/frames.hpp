@@ -28,7 +28,7 @@ struct RandomFrames {
   Random random;
   JointFrame i{{.body = 4, .x = random.vector(), .r = random.vector()}, random.rotation()};
   JointFrame j{{.body = 2, .x = Vec3::Zero(), .r = random.vector()}, random.rotation()};
-  Vec3 apart = random.uniform(1, 2) * random.unit_vector();  ///< from i's point to j's
+  Vec3 apart = random.vector_of_length(1, 2);  ///< from i's point to j's
 
   RandomFrames() { j.at.x = i.at.x + i.at.r + apart - j.at.r; }
 

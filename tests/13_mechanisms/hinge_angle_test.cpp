@@ -124,8 +124,7 @@ EXERCISE_TEST(HingeAngle, TimesVelocityIsItsRate) {
   t.close_hinge(2.1);
   const auto value = [](const JointFrame& i, const JointFrame& j) { return hinge_angle(i, j, 2.1).value; };
   for (int trial = 0; trial < 10 && !::testing::Test::HasFailure(); ++trial) {
-    const Twist<6> Wi = velocity_of(t.random.vector(), t.random.vector()),
-                   Wj = velocity_of(t.random.vector(), t.random.vector());
+    const Twist<6> Wi = t.random.twist(), Wj = t.random.twist();
     const double rate = rate_of(value, t, Wi, Wj);
     expect_near("G W, against the angle of two bodies that turn, differentiated numerically [rad/s]",
                 "Eq. (13.8)", rate_by(hinge_angle(t.i, t.j, 2.1), Wi, Wj), rate, of_differences,

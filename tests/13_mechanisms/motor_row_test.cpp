@@ -16,11 +16,7 @@ constexpr double motor_step = 0.02;
 struct Driven {
   Random random;
   Motion<6> motion;
-  Coordinate free{.i = 0,
-                  .j = 1,
-                  .Gi = velocity_of(random.vector(), random.vector()),
-                  .Gj = velocity_of(random.vector(), random.vector()),
-                  .value = 100};
+  Coordinate free{.i = 0, .j = 1, .Gi = random.twist(), .Gj = random.twist(), .value = 100};
   Motor motor{.speed = 1.7, .strength = 3, .viscosity = 40};
 
   Driven() {
@@ -28,8 +24,8 @@ struct Driven {
       Mat3 A;
       A << random.vector(), random.vector(), random.vector();
       motion.inverse_mass.push_back({.linear = 0.3 + body, .angular = A * A.transpose() + Mat3::Identity()});
-      motion.W.push_back(velocity_of(random.vector(), random.vector()));
-      motion.Wf.push_back(velocity_of(random.vector(), random.vector()));
+      motion.W.push_back(random.twist());
+      motion.Wf.push_back(random.twist());
     }
   }
   Row<6> row() const { return motor_row(free, motor, motor_step, motion); }

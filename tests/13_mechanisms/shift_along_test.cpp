@@ -80,8 +80,7 @@ EXERCISE_TEST(ShiftAlong, TimesVelocityIsItsRate) {
   RandomFrames t;
   for (int trial = 0; trial < 12 && !::testing::Test::HasFailure(); ++trial) {
     const int axis = trial % 3;
-    const Twist<6> Wi = velocity_of(t.random.vector(), t.random.vector()),
-                   Wj = velocity_of(t.random.vector(), t.random.vector());
+    const Twist<6> Wi = t.random.twist(), Wj = t.random.twist();
     const auto value = [axis](const JointFrame& i, const JointFrame& j) {
       const Vec3 d = (j.at.x + j.at.r) - (i.at.x + i.at.r);
       return (i.axes * Vec3::Unit(axis)).dot(d);

@@ -67,8 +67,7 @@ EXERCISE_TEST(TurnedApart, TimesVelocityIsTheirRate) {
                   {"w above 0", w > 0},
                   {"turned by little", std::abs(w) > 0.999},
                   {"turned far apart", std::abs(w) < 0.9}});
-    const Twist<6> Wi = velocity_of(t.random.vector(), t.random.vector()),
-                   Wj = velocity_of(t.random.vector(), t.random.vector());
+    const Twist<6> Wi = t.random.twist(), Wj = t.random.twist();
     const Vec3 u = t.i.axes.conjugate() * Vec3(Wj.tail<3>() - Wi.tail<3>());
     const Quat Q = t.i.axes.conjugate() * t.j.axes;
     Vec3 got, rate;

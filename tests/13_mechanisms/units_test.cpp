@@ -125,8 +125,8 @@ EXERCISE_TEST(MotorRow, IsTheSameInAnyUnits) {
   Motion<6> motion;
   for (int body = 0; body < 2; ++body) {
     motion.inverse_mass.push_back({.linear = 0.3 + body, .angular = Vec3(1, 2, 3 + body).asDiagonal()});
-    motion.W.push_back(velocity_of(random.vector(), random.vector()));
-    motion.Wf.push_back(velocity_of(random.vector(), random.vector()));
+    motion.W.push_back(random.twist());
+    motion.Wf.push_back(random.twist());
   }
   for (const auto& [free, of] : coordinates()) {
     const Motor motor{.speed = -1.5, .strength = 4, .viscosity = 30};

@@ -17,7 +17,7 @@ EXERCISE(SolveOnCone, "14.1 solve_on_cone");
 /// Symmetric, with eigenvalues from 0.3 to 3 in any directions: normal and tangents are coupled.
 Mat3 coupled_block(Random& random) {
   const Mat3 R = random.rotation().toRotationMatrix();
-  const Vec3 values(random.uniform(0.3, 3), random.uniform(0.3, 3), random.uniform(0.3, 3));
+  const Vec3 values = random.vector(0.3, 3);
   return R * values.asDiagonal() * R.transpose();
 }
 
@@ -138,7 +138,7 @@ EXERCISE_TEST(SolveOnCone, ObeysCoulombsLaw) {
   while (regions.lack_draws()) {
     const Mat3 S = coupled_block(random);
     const double mu = random.log_uniform(0.05, 3);
-    const Vec3 q(random.uniform(-0.3, 1), random.uniform(-2, 2), random.uniform(-2, 2));
+    const Vec3 q{random.uniform(-0.3, 1), random.uniform(-2, 2), random.uniform(-2, 2)};
     const Vec3 stuck = S.inverse() * q;
     const bool presses = q[0] > 0, sticks = presses && friction_of(stuck) <= mu * stuck[0];
     const bool slides = presses && !sticks;
@@ -162,7 +162,7 @@ EXERCISE_TEST(SolveOnCone, ObeysCoulombsLawWhereItNearlyJams) {
     for (double& value : values) value = random.log_uniform(3e-4, 3);
     const Mat3 S = R * values.asDiagonal() * R.transpose();
     const double mu = random.log_uniform(0.05, 3);
-    const Vec3 q(random.uniform(-0.3, 1), random.uniform(-2, 2), random.uniform(-2, 2)),
+    const Vec3 q{random.uniform(-0.3, 1), random.uniform(-2, 2), random.uniform(-2, 2)},
         stuck = S.inverse() * q;
     const bool presses = q[0] > 0, slides = presses && !(friction_of(stuck) <= mu * stuck[0]);
     const Vec3 lambda = solve_on_cone(S, q, mu);
@@ -191,7 +191,7 @@ EXERCISE_TEST(SolveOnCone, TurnsWithTheTangents) {
   Random random;
   for (int trial = 0; trial < 20 && !::testing::Test::HasFailure(); ++trial) {
     const Mat3 S = coupled_block(random), R = Eigen::AngleAxisd(random.uniform(0, 6), Vec3::UnitX()).matrix();
-    const Vec3 q(random.uniform(0.1, 1), random.uniform(-2, 2), random.uniform(-2, 2));
+    const Vec3 q{random.uniform(0.1, 1), random.uniform(-2, 2), random.uniform(-2, 2)};
     const Vec3 before = solve_on_cone(S, q, 0.5);
     expect_true("λ_n of a contact that is pressed is positive", "Eq. (14.5)", before[0] > 0);
     if (before[0] > 10) continue;  // nearly jammed

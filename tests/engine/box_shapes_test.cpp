@@ -96,9 +96,7 @@ TEST(Contacts, AreAllFoundHoweverManyBodiesThereAre) {
     const double side = std::cbrt(n);
     std::vector<Ball> balls;
     for (int i = 0; i < n; ++i) {
-      const Ball ball{.body = i,
-                      .x = side * Vec3(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1)),
-                      .radius = random.uniform(0.05, 0.6)};
+      const Ball ball{.body = i, .x = side * random.vector(0, 1), .radius = random.uniform(0.05, 0.6)};
       balls.push_back(ball);
       world.add({.x = ball.x, .radius = ball.radius, .principal = Vec3::Ones()});
     }

@@ -115,8 +115,9 @@ TEST(Box, ThrownTumblingComesToRestOnAFace) {
   for (int trial = 0; trial < 4; ++trial) {
     SCOPED_TRACE("trial " + std::to_string(trial));
     const double k = 1e4;
-    World<6> world =
-        box_above_floor(ImpactLaw{.friction = 0.5}, k, random.rotation(), random.vector(3), random.vector(8));
+    const Quat q = random.rotation();
+    const Vec3 v = random.vector(3), omega = random.vector(8);
+    World<6> world = box_above_floor(ImpactLaw{.friction = 0.5}, k, q, v, omega);
     const double first = kinetic_energy(world.bodies()) + m * g * world.x(1).z();
     for (int n = 0; n < 1200; ++n) {
       world.step(h);

@@ -44,7 +44,7 @@ World<6> heap(int n, testing::Random& random) {
     if (i % 3 == 0)
       body.radius = random.uniform(0.3, 0.9);
     else
-      body.half_sides = Vec3(random.uniform(0.2, 0.8), random.uniform(0.2, 0.8), random.uniform(0.2, 0.8));
+      body.half_sides = random.vector(0.2, 0.8);
     if (i == 1) {  // points, which only planes stop
       body.half_sides.setZero();
       body.corners = {Vec3(0.5, 0, 0), Vec3(-0.5, 0, 0)};

@@ -149,7 +149,8 @@ TEST(Friction, NeverAddsEnergy) {
   for (int trial = 0; trial < 40; ++trial) {
     Vec3 v = random.vector(3);
     v.z() = 0;
-    World<6> sphere = rubbing_sphere(random.uniform(0, 2), v, random.vector(10));
+    const double mu = random.uniform(0, 2);
+    World<6> sphere = rubbing_sphere(mu, v, random.vector(10));
     double energy = kinetic_energy(sphere.bodies());
     for (int n = 0; n < 100; ++n) {
       sphere.step(0.01);
@@ -169,7 +170,7 @@ TEST(Friction, OfADiscNeverAddsEnergy) {
         {.k = 1e3, .friction = random.uniform(0.5, 1), .stop = {.max_sweeps = 300, .tolerance = 1e-14}});
     disc.add_plane(Vec3::UnitZ(), 0);
     disc.add({.x = Vec3(0, 0, -g / (1e3 * 16)),
-              .v = Vec3(random.uniform(-2, 2), random.uniform(-2, 2), 0),
+              .v = Vec3{random.uniform(-2, 2), random.uniform(-2, 2), 0},
               .omega = Vec3(0, 0, random.uniform(-10, 10)),
               .principal = Vec3(0.0625, 0.0625, 0.125),
               .corners = disc_points(radius, 2, 8)});

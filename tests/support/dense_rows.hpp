@@ -10,7 +10,7 @@ namespace spook::testing {
 
 /// A rigid body of 0.5 to 3 kg, with axes anywhere.
 inline InverseMass<6> random_body(Random& random) {
-  const Vec3 inverse_moments(random.uniform(0.2, 2), random.uniform(0.2, 2), random.uniform(0.2, 2));
+  const Vec3 inverse_moments = random.vector(0.2, 2);
   const Mat3 R = random.rotation().toRotationMatrix();
   return {.linear = 1 / random.uniform(0.5, 3), .angular = R * inverse_moments.asDiagonal() * R.transpose()};
 }

@@ -1,5 +1,7 @@
 #pragma once
-// Random inputs from a seed that every failure prints, and that `./course check N.M --seed S` gives back.
+// Random inputs from a seed that every failure prints, and that `./course check N.M --seed S` gives back: with every
+// compiler, as long as no two draws are arguments in the same parentheses or operands of the same sum, whose order is the
+// compiler's. Braces have an order, and so have statements.
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
@@ -20,10 +22,30 @@ class Random {
   /// Evenly spread over magnitudes: as often between 0.01 and 0.1 as between 10 and 100.
   double log_uniform(double lo, double hi) { return std::exp(uniform(std::log(lo), std::log(hi))); }
 
-  /// Coefficients in [-size, size].
-  Vec3 vector(double size = 1) { return {uniform(-size, size), uniform(-size, size), uniform(-size, size)}; }
+  /// Coefficients in [-size, size], or in [lo, hi].
+  Vec3 vector(double size = 1) { return vector(-size, size); }
+  Vec3 vector(double lo, double hi) { return {uniform(lo, hi), uniform(lo, hi), uniform(lo, hi)}; }
+
+  /// Whole coefficients from lo to hi.
+  Vec3 integers(int lo, int hi) {
+    const int x = integer(lo, hi), y = integer(lo, hi), z = integer(lo, hi);
+    return Vec3(x, y, z);
+  }
+
+  /// Of a body: velocity and angular velocity, each a vector(size).
+  Twist<6> twist(double size = 1) {
+    const Vec3 v = vector(size), omega = vector(size);
+    return (Twist<6>() << v, omega).finished();
+  }
 
   Vec3 unit_vector() { return Vec3{normal(), normal(), normal()}.normalized(); }
+
+  /// In any direction, and as long as uniform(lo, hi) says.
+  Vec3 vector_of_length(double lo, double hi) {
+    const double length = uniform(lo, hi);
+    return length * unit_vector();
+  }
+
   Quat rotation() { return Quat{normal(), normal(), normal(), normal()}.normalized(); }
 
   /// SPOOK_SEED, or 1: two runs of the same work get the same marks.
@@ -36,7 +58,6 @@ class Random {
   static void forget_seed() { used_ = false; }
 
  private:
-  // Braces around its calls keep their order, and so the inputs, the same on every compiler.
   double normal() { return std::normal_distribution<double>()(engine_); }
 
   std::mt19937_64 engine_;
