@@ -81,6 +81,18 @@ class SubtleMutations(unittest.TestCase):
         self.assertIn("const_cast<std::vector<int>&>(z).front()", changes)
         self.assertEqual(subtly_changed("return y;", "input", "double f(Vec3& x, double y)"), set())
 
+    def test_loops_that_end_after_many(self):
+        self.assertEqual(subtly_changed("for (int k = 0; k < n; ++k) x += k;", "limit"),
+                         {"for (int k = 0; k < 64 && (k < n); ++k) x += k;"})
+        self.assertEqual(subtly_changed("for (const int k : f(list)) x += k;", "limit"),
+                         {"for (int left = 64; const int k : f(list)) if (left-- > 0) x += k;"})
+        self.assertEqual(subtly_changed("for (int k = n; k > 0; --k) x += k;", "limit"), set())
+
+    def test_zeros(self):
+        head = "double f(double x, const Vec3& y)"
+        self.assertEqual(subtly_changed("return x;", "zero", head),
+                         {"double f(double x, const Vec3& y) { if (x == 0) const_cast<double&>(x) = 1;"})
+
     def test_pairs_are_the_same_each_time(self):
         body = "x = y + 2;\nz = x * x;\nw = z - 1;"
         found = subtly_changed(body, "pair")

@@ -7,11 +7,11 @@ from mutant import Mutant
 from names import names
 from operators import added_signs, operators
 from statements import conditions, loops, statements
-from subtle import addends, floats, inputs, pairs, small_parts, statics, thresholds
+from subtle import addends, floats, inputs, limits, pairs, small_parts, statics, thresholds, zeros
 
 _KINDS = (operators, added_signs, constants, indices, names, calls, statements, conditions, loops)
-_SUBTLE = (thresholds, small_parts, addends, floats, statics, inputs)
-SUBTLE_KINDS = {"threshold", "part", "float", "static", "input", "pair"}
+_SUBTLE = (thresholds, small_parts, addends, floats, statics, inputs, limits, zeros)
+SUBTLE_KINDS = {"threshold", "part", "float", "static", "input", "limit", "zero", "pair"}
 
 
 def mutants_of(text: str, subtle: bool = False) -> list[Mutant]:

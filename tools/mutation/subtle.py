@@ -1,5 +1,6 @@
 """Mistakes that look right, and are with most numbers: a threshold without a unit, or a part of something, a float for a
-double, what lives on from one call to the next, an input that is changed, and two small changes at once."""
+double, what lives on from one call to the next, an input that is changed, a loop that ends after sixty-four, a zero that is
+taken for nothing given, and two small changes at once."""
 
 import random
 import re
@@ -10,10 +11,13 @@ from mutant import Mutant
 
 PAIRS = 15  # of an exercise
 _SMALL = "1e-9"
+_MANY = 64
 _TYPES = {"double", "Vec3", "Vec2", "Mat3", "Vector"}
 # The beginning of a function at the begin of a line, and what it returns.
 _FUNCTION = re.compile(r"^(?:static |inline )*(\w+) \w+(?:<\w+>)?\(", re.MULTILINE)
 _VECTOR = re.compile(r"const (std::vector<[\w<>:]+>)& (\w+)")
+_COUNTS = re.compile(r"[\w:]+ (\w+) = ")
+_NUMBER = re.compile(r"\bdouble (\w+)")
 _MATRIX = re.compile(r"const (Vec3|Mat3|Vec2|Vector)& (\w+)")
 
 
@@ -91,14 +95,33 @@ def statics(source: Source) -> Iterator[Mutant]:
             yield Mutant("static", source.tokens[k].start, source.tokens[k].start, "static ")
 
 
+def limits(source: Source) -> Iterator[Mutant]:
+    """What comes after the first sixty-four of a loop is left out."""
+    for k in source.code:
+        if not source.is_at(k, "for", "("):
+            continue
+        begin, end = source.tokens[k + 1].end, source.tokens[source.partner[k + 1]]
+        first = source.up_to(k + 2, ";")
+        if first >= source.partner[k + 1]:
+            yield Mutant("limit", begin, end.end,
+                         f"int left = {_MANY}; {source.text[begin:end.end]} if (left-- > 0)")
+        elif counter := _COUNTS.match(source.text, begin):
+            last = source.tokens[source.up_to(first + 1, ";")]
+            condition = source.text[source.tokens[first].end:last.start].strip()
+            if condition and "++" in source.text[last.end:end.start]:
+                yield Mutant("limit", source.tokens[first].end, last.start, f" {counter[1]} < {_MANY} && ({condition})")
+
+
+def zeros(source: Source) -> Iterator[Mutant]:
+    """A parameter that is zero is one that nobody gave."""
+    for body, parameters in _bodies(source):
+        for name in _NUMBER.findall(parameters):
+            yield Mutant("zero", body, body, f" if ({name} == 0) const_cast<double&>({name}) = 1;")
+
+
 def inputs(source: Source) -> Iterator[Mutant]:
     """A parameter that is const is another one after the call."""
-    for function in _FUNCTION.finditer(source.text):
-        opens = next((k for k, token in enumerate(source.tokens) if token.start == function.end() - 1), None)
-        if opens is None or not source.is_at(source.partner[opens] + 1, "{"):
-            continue
-        body = source.tokens[source.partner[opens] + 1].end
-        parameters = source.text[function.end():source.tokens[source.partner[opens]].start]
+    for body, parameters in _bodies(source):
         found = [(type_, name, f"const_cast<{type_}&>({name}) *= 2;") for type_, name in _MATRIX.findall(parameters)]
         found += [(type_, name, f"if (!{name}.empty()) std::swap(const_cast<{type_}&>({name}).front(), "
                                 f"const_cast<{type_}&>({name}).back());")
@@ -116,6 +139,15 @@ def pairs(source: Source, singles: list[Mutant]) -> Iterator[Mutant]:
         if one.end < other.start:
             between = source.text[one.end:other.start]
             yield Mutant("pair", one.start, other.end, one.text + between + other.text)
+
+
+def _bodies(source: Source) -> Iterator[tuple[int, str]]:
+    """Where the body of each function begins, and the function's parameters."""
+    for function in _FUNCTION.finditer(source.text):
+        opens = next((k for k, token in enumerate(source.tokens) if token.start == function.end() - 1), None)
+        if opens is not None and source.is_at(source.partner[opens] + 1, "{"):
+            closes = source.partner[opens]
+            yield source.tokens[closes + 1].end, source.text[function.end():source.tokens[closes].start]
 
 
 def _values(source: Source) -> Iterator[tuple[str, int, int]]:
