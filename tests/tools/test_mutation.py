@@ -87,6 +87,7 @@ class SubtleMutations(unittest.TestCase):
         self.assertEqual(subtly_changed("for (const int k : f(list)) x += k;", "limit"),
                          {"for (int left = 64; const int k : f(list)) if (left-- > 0) x += k;"})
         self.assertEqual(subtly_changed("for (int k = n; k > 0; --k) x += k;", "limit"), set())
+        self.assertEqual(subtly_changed("for (const int end : {k, k + 1}) x += end;", "limit"), set())
 
     def test_zeros(self):
         head = "double f(double x, const Vec3& y)"

@@ -102,10 +102,10 @@ def limits(source: Source) -> Iterator[Mutant]:
             continue
         begin, end = source.tokens[k + 1].end, source.tokens[source.partner[k + 1]]
         first = source.up_to(k + 2, ";")
-        if first >= source.partner[k + 1]:
+        if first >= source.partner[k + 1] and source.tokens[source.up_to(k + 2, ":") + 1].text != "{":
             yield Mutant("limit", begin, end.end,
                          f"int left = {_MANY}; {source.text[begin:end.end]} if (left-- > 0)")
-        elif counter := _COUNTS.match(source.text, begin):
+        elif first < source.partner[k + 1] and (counter := _COUNTS.match(source.text, begin)):
             last = source.tokens[source.up_to(first + 1, ";")]
             condition = source.text[source.tokens[first].end:last.start].strip()
             if condition and "++" in source.text[last.end:end.start]:
