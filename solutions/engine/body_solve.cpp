@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "engine/body_interior.hpp"
-#include "engine/on_bodies.hpp"
 
 namespace spook {
 
@@ -32,13 +31,26 @@ struct State {
   }
 };
 
-/// Σ⁻¹ of the rows that are strictly between their bounds, which are free; 0 of the others.
+/// Which rows are free: those strictly between their bounds that an update, Eq. (4.7), leaves there.
+struct Freedom {
+  Vector stiffness;  ///< Σ⁻¹; 0 of a row that is not free
+  Vector held_at;    ///< λ of such a row: its own at a bound, or the bound that the update would take it to
+};
+
 template <int Dof>
-Vector stiffness_of_free(const std::vector<Row<Dof>>& rows, const Vector& lambda) {
-  Vector stiffness(lambda.size());
-  for (std::size_t k = 0; k < rows.size(); ++k)
-    stiffness[k] = rows[k].lo < lambda[k] && lambda[k] < rows[k].hi ? 1 / rows[k].Sigma : 0;
-  return stiffness;
+Freedom freedom(const std::vector<Row<Dof>>& rows, const State<Dof>& now) {
+  Freedom found{Vector::Zero(std::ssize(rows)), now.lambda};
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const Row<Dof>& row = rows[k];
+    const auto within = [&](double lambda) { return row.lo < lambda && lambda < row.hi; };
+    if (!within(now.lambda[k])) continue;
+    const double updated = now.lambda[k] + now.lacking(row, k) / row.diagonal;
+    if (within(updated))
+      found.stiffness[k] = 1 / row.Sigma;
+    else
+      found.held_at[k] = std::clamp(updated, row.lo, row.hi);
+  }
+  return found;
 }
 
 /// Solves the rows that are free, the others being as they are: Eq. (11.15), and (11.14) as long as it helps.
@@ -80,10 +92,12 @@ State<Dof> projected(const std::vector<Row<Dof>>& rows, const State<Dof>& from, 
 /// As far towards the solution of the rows that are free as the energy falls, or rises by no more than roundings: what
 /// starts where the last step ended has nothing else to gain.
 template <int Dof>
-State<Dof> step(const std::vector<Row<Dof>>& rows, const OnBodies<Dof>& on, const Vector& stiffness,
+State<Dof> step(const std::vector<Row<Dof>>& rows, const OnBodies<Dof>& on, const Freedom& freedom,
                 const Factors& factors, const State<Dof>& now) {
   State<Dof> there = now;
-  solve_free(rows, on, stiffness, factors, there);
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    if (freedom.stiffness[k] == 0) there.move(rows[k], k, freedom.held_at[k]);
+  solve_free(rows, on, freedom.stiffness, factors, there);
   double share = 1;
   State<Dof> inside = projected(rows, now, there, share);
   constexpr double rounding = 1e-14;  // of a sum, most of whose terms have one sign
@@ -108,9 +122,9 @@ SolveReport newton_solve(std::vector<Row<Dof>>& rows, OnBodies<Dof>& on, std::ve
   double best = infinity;
   for (int in_vain = 0; in_vain < most_in_vain && std::ssize(report.history) < stop.max_sweeps;) {
     const State<Dof> now{impulses_of(rows), V};
-    const Vector stiffness = stiffness_of_free(rows, now.lambda);
-    if (!factorise(on.matrix(rows, stiffness), factors)) return report;
-    State<Dof> next = step(rows, on, stiffness, factors, now);
+    const Freedom free = freedom(rows, now);
+    if (!factorise(on.matrix(rows, free.stiffness), factors)) return report;
+    State<Dof> next = step(rows, on, free, factors, now);
     for (std::size_t k = 0; k < rows.size(); ++k) rows[k].lambda = next.lambda[k];
     V = std::move(next.V);
     report.history.push_back(residual(rows, V));
@@ -128,10 +142,12 @@ SolveReport newton_solve(std::vector<Row<Dof>>& rows, OnBodies<Dof>& on, std::ve
 template <int Dof>
 std::optional<SolveReport> body_solve(std::vector<Row<Dof>>& rows,
                                       const std::vector<InverseMass<Dof>>& inverse_mass,
-                                      std::vector<Twist<Dof>>& V, const StopRule& stop, Factors& factors) {
+                                      std::vector<Twist<Dof>>& V, const StopRule& stop,
+                                      BodyFactors<Dof>& kept) {
   const bool soft = std::all_of(rows.begin(), rows.end(), [](const Row<Dof>& row) { return row.Sigma > 0; });
   if (!soft) return std::nullopt;
-  OnBodies<Dof> on(rows, inverse_mass);
+  auto& [on, factors] = kept;
+  on.begin(rows, inverse_mass);
   const State<Dof> before{impulses_of(rows), V};
   SolveReport report = newton_solve(rows, on, V, stop, factors);
   if (!report.converged) {
@@ -146,8 +162,8 @@ std::optional<SolveReport> body_solve(std::vector<Row<Dof>>& rows,
 }
 
 template std::optional<SolveReport> body_solve<3>(std::vector<Row<3>>&, const std::vector<InverseMass<3>>&,
-                                                  std::vector<Twist<3>>&, const StopRule&, Factors&);
+                                                  std::vector<Twist<3>>&, const StopRule&, BodyFactors<3>&);
 template std::optional<SolveReport> body_solve<6>(std::vector<Row<6>>&, const std::vector<InverseMass<6>>&,
-                                                  std::vector<Twist<6>>&, const StopRule&, Factors&);
+                                                  std::vector<Twist<6>>&, const StopRule&, BodyFactors<6>&);
 
 }  // namespace spook

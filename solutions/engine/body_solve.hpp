@@ -3,8 +3,8 @@
 //
 //   free rows       G V + Σ λ = B, so that λ = Σ⁻¹ (B - G V)
 //   velocities      (M + Gᵀ Σ⁻¹ G) V = Gᵀ Σ⁻¹ B + Gᵀ λ_bound                                          Eq. (11.15)
-//   bounds          rows at a bound are held there, the others are free, and solved; then as far that way as
-//                   ½ λᵀ S λ - Bᵀ λ falls, clamped; then a few sweeps, which take rows to their bounds and off them
+//   bounds          rows at a bound are held there, and those that an update, Eq. (4.7), would take to one; the others are
+//                   free, and solved; then as far that way as ½ λᵀ S λ - Bᵀ λ falls, clamped; then a few sweeps
 //   from within     where that gets nowhere, since many rows with friction hold the same few bodies and it hardly matters
 //                   which of them slide: engine/body_interior.hpp
 //   roundings       Σ⁻¹ is large, and λ a small difference: what its rows still lack is solved for in the same way, a few
@@ -15,9 +15,17 @@
 #include <optional>
 
 #include "11_direct/direct.hpp"
+#include "engine/on_bodies.hpp"
 #include "engine/system.hpp"
 
 namespace spook {
+
+/// What the next step most often has again: who shares rows with whom, and the order and the pattern of the factors.
+template <int Dof>
+struct BodyFactors {
+  OnBodies<Dof> on;
+  Factors factors;
+};
 
 /// Solves the rows within their bounds, from the λ that they have, which is within them, and its V. Nothing, and rows
 /// and V as they were, where Σ is 0 in a row, a pivot is not sound, or stop.max_sweeps factorisations of either kind do not suffice.
@@ -25,6 +33,6 @@ namespace spook {
 template <int Dof>
 std::optional<SolveReport> body_solve(std::vector<Row<Dof>>& rows,
                                       const std::vector<InverseMass<Dof>>& inverse_mass,
-                                      std::vector<Twist<Dof>>& V, const StopRule& stop, Factors& factors);
+                                      std::vector<Twist<Dof>>& V, const StopRule& stop, BodyFactors<Dof>& kept);
 
 }  // namespace spook

@@ -27,25 +27,16 @@ inline Block<6> mass_of(const InverseMass<6>& inverse) {
 template <int Dof>
 class OnBodies {
  public:
-  OnBodies(const std::vector<Row<Dof>>& rows, const std::vector<InverseMass<Dof>>& inverse_mass)
-      : number_(inverse_mass.size(), -1) {
-    for (const Row<Dof>& row : rows)
-      for (const int body : {row.i, row.j})
-        if (inverse_mass[body].linear > 0 && number_[body] < 0) {
-          number_[body] = static_cast<int>(bodies_.size());
-          bodies_.push_back(body);
-          mass_.push_back(mass_of(inverse_mass[body]));
-        }
-    for (const Row<Dof>& row : rows) pairs_.push_back(pair_of(row));
-    // Blocks below the diagonal, by column, each once.
-    std::vector<std::pair<int, int>> blocks;
-    for (const auto& [low, high] : pairs_)
-      if (low >= 0) blocks.emplace_back(low, high);
-    std::sort(blocks.begin(), blocks.end());
-    blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
-    make_pattern(blocks);
+  OnBodies() = default;
+  OnBodies(const std::vector<Row<Dof>>& rows, const std::vector<InverseMass<Dof>>& inverse_mass) {
+    begin(rows, inverse_mass);
   }
 
+  /// With other rows. Where these act on the bodies on which the last ones did, their pattern stays.
+  void begin(const std::vector<Row<Dof>>& rows, const std::vector<InverseMass<Dof>>& inverse_mass) {
+    if (!are_alike(rows, inverse_mass)) look_at(rows, inverse_mass);
+    for (std::size_t b = 0; b < bodies_.size(); ++b) mass_[b] = mass_of(inverse_mass[bodies_[b]]);
+  }
   const std::vector<int>& bodies() const { return bodies_; }
   Eigen::Index size() const { return Dof * std::ssize(bodies_); }
 
@@ -83,6 +74,39 @@ class OnBodies {
   }
 
  private:
+  bool are_alike(const std::vector<Row<Dof>>& rows, const std::vector<InverseMass<Dof>>& inverse_mass) const {
+    const auto alike = [&](const Row<Dof>& row, const std::pair<int, int>& ends) {
+      const auto moves = [&](int body) { return (inverse_mass[body].linear > 0) == (number_[body] >= 0); };
+      return std::pair(row.i, row.j) == ends && moves(row.i) && moves(row.j);
+    };
+    return number_.size() == inverse_mass.size() &&
+           std::equal(rows.begin(), rows.end(), ends_.begin(), ends_.end(), alike);
+  }
+
+  void look_at(const std::vector<Row<Dof>>& rows, const std::vector<InverseMass<Dof>>& inverse_mass) {
+    number_.assign(inverse_mass.size(), -1);
+    bodies_.clear();
+    ends_.clear();
+    pairs_.clear();
+    for (const Row<Dof>& row : rows) {
+      ends_.emplace_back(row.i, row.j);
+      for (const int body : {row.i, row.j})
+        if (inverse_mass[body].linear > 0 && number_[body] < 0) {
+          number_[body] = static_cast<int>(bodies_.size());
+          bodies_.push_back(body);
+        }
+    }
+    mass_.resize(bodies_.size());
+    for (const Row<Dof>& row : rows) pairs_.push_back(pair_of(row));
+    // Blocks below the diagonal, by column, each once.
+    std::vector<std::pair<int, int>> blocks;
+    for (const auto& [low, high] : pairs_)
+      if (low >= 0) blocks.emplace_back(low, high);
+    std::sort(blocks.begin(), blocks.end());
+    blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+    make_pattern(blocks);
+  }
+
   std::pair<int, int> pair_of(const Row<Dof>& row) const {
     const auto [low, high] = std::minmax(number_[row.i], number_[row.j]);
     return {low, high};
@@ -103,6 +127,7 @@ class OnBodies {
       }
     const std::vector<double> zeros(inner.size(), 0.0);
     A_ = Eigen::Map<const SparseMatrix>(size(), size(), outer.back(), outer.data(), inner.data(), zeros.data());
+    below_.clear();
     for (const auto& pair : pairs_) {
       const auto at = std::lower_bound(blocks.begin(), blocks.end(), pair);
       below_.push_back(pair.first < 0 ? -1 : static_cast<int>(at - blocks.begin()) - first[pair.first]);
@@ -124,7 +149,8 @@ class OnBodies {
     }
   }
 
-  std::vector<int> number_;  // of each body among those that move and have rows; -1 for others
+  std::vector<std::pair<int, int>> ends_;  // of each row: bodies i and j
+  std::vector<int> number_;                // of each body among those that move and have rows; -1 for others
   std::vector<int> bodies_;
   std::vector<Block<Dof>> mass_;
   std::vector<std::pair<int, int>> pairs_;  // of each row, the lower number first

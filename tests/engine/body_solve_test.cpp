@@ -36,7 +36,8 @@ struct Random {
       inverse.linear = b % 5 == 0 ? 0 : std::exp(2 * uniform(random));
       if constexpr (Dof == 6)
         if (inverse.linear > 0) {
-          const Mat3 root = Mat3::Identity() + 0.3 * Mat3::Random();
+          Mat3 root = Mat3::Identity();
+          for (double& entry : root.reshaped()) entry += 0.3 * uniform(random);
           inverse.angular = inverse.linear * root * root.transpose();
         }
       motion.inverse_mass.push_back(inverse);
@@ -80,7 +81,8 @@ void expect_answers_of_rows() {
     for (const double rub : {infinity, 0.3, 0.01}) {
       Random<Dof> on_bodies(seed, 8, 20, rub, 1e3);
       auto on_rows = on_bodies;
-      Factors factors, others;
+      BodyFactors<Dof> factors;
+      Factors others;
       const auto report = body_solve(on_bodies.rows, on_bodies.motion.inverse_mass, on_bodies.V, {}, factors);
       ASSERT_TRUE(report) << "seed " << seed << ", rub " << rub;
       ASSERT_TRUE(report->converged);
@@ -101,12 +103,12 @@ TEST(BodySolve, HasTheAnswersOfRows) {
 
 TEST(BodySolve, FromItsOwnAnswerTakesOneFactorisation) {
   Random<6> s(7, 8, 20, 0.3, 1e3);
-  Factors factors;
+  BodyFactors<6> factors;
   ASSERT_TRUE(body_solve(s.rows, s.motion.inverse_mass, s.V, {}, factors));
   const auto again = body_solve(s.rows, s.motion.inverse_mass, s.V, {}, factors);
   ASSERT_TRUE(again);
   EXPECT_EQ(again->history.size(), 1U);
-  EXPECT_EQ(factors.analyses, 1) << "the pattern is that of the bodies, whatever row is held";
+  EXPECT_EQ(factors.factors.analyses, 1) << "the pattern is that of the bodies, whatever row is held";
 }
 
 TEST(BodySolve, WhatStandsTakesOneFactorisationAStep) {
@@ -133,11 +135,12 @@ TEST(BodySolve, WhatStandsTakesOneFactorisationAStep) {
 TEST(BodySolve, RefinesWhatASmallSigmaLeaves) {
   // Σ = 1/(h c) = 6e-11: λ = Σ⁻¹ (B - G V) has lost ten digits when it is first found.
   Random<6> s(3, 8, 12, infinity, 1e12);
-  Factors factors;
+  BodyFactors<6> factors;
   const auto report = body_solve(s.rows, s.motion.inverse_mass, s.V, {}, factors);
   ASSERT_TRUE(report);
-  // B is of velocities of about 1 m/s, of which Eq. (11.13) allows a few 1e-13.
-  EXPECT_LE(residual(s.rows, s.V), 1e-12);
+  // Unrefined it would lack some 1e-6 of what was asked for; Eq. (11.13) allows far less.
+  EXPECT_LE(residual(s.rows, s.V), roundings(s.rows));
+  EXPECT_LT(roundings(s.rows), 1e-10);
 }
 
 /// By body_interior alone, which body_solve asks only where Newton's method does not get on.
@@ -174,7 +177,7 @@ TEST(BodySolve, SolvesFrictionThatIsMoreThanEnough) {
   // to the energy, and Newton's method on those that are free never settles.
   for (unsigned seed = 1; seed <= 10; ++seed) {
     Random<6> s(seed, 8, 40, 0.1, 1e12);
-    Factors factors;
+    BodyFactors<6> factors;
     const auto report = body_solve(s.rows, s.motion.inverse_mass, s.V, {}, factors);
     ASSERT_TRUE(report) << "seed " << seed;
     EXPECT_TRUE(report->converged);
@@ -186,7 +189,7 @@ TEST(BodySolve, LeavesWhatItCanNotDo) {
   Random<6> s(5, 8, 12, 0.3, 1e3);
   s.rows[4].Sigma = 0;
   const auto before = s;
-  Factors factors;
+  BodyFactors<6> factors;
   EXPECT_FALSE(body_solve(s.rows, s.motion.inverse_mass, s.V, {}, factors));
   Random<6> hurried(5, 8, 12, 0.01, 1e3);
   EXPECT_FALSE(body_solve(hurried.rows, hurried.motion.inverse_mass, hurried.V, {.max_sweeps = 1}, factors));

@@ -6,10 +6,14 @@
 //               as much, until they leave a millionth; its bodies have factors at once then, for the next hundred steps
 //
 // One entry of its history is the worst of all islands, after as many sweeps or factorisations of each. The number of sweeps
-// is asked for, and that of factorisations is not. Row updates are those of the sweeps. Keeps the factors of each island,
-// in order.
+// is asked for, and that of factorisations is not. Row updates are those of the sweeps. Keeps the islands, and the factors
+// of each.
 #include <algorithm>
+#include <cmath>
 #include <deque>
+#include <optional>
+#include <ranges>
+#include <tuple>
 
 #include "engine/islands.hpp"
 #include "engine/solve_directly.hpp"
@@ -19,18 +23,18 @@ namespace spook {
 
 namespace {
 
-/// One island as a system of its own, with bodies of its own numbers.
+/// One of several islands as a system of its own, with bodies of its own numbers.
 template <int Dof>
-struct Island {
+struct Copy {
   std::vector<Row<Dof>> rows;
   std::vector<Twist<Dof>> V;
   std::vector<InverseMass<Dof>> inverse_mass;
-  std::vector<double> last;  ///< impulses of the last step; empty: none
-  std::vector<int> bodies;   ///< their numbers outside
+  std::vector<double> last;
+  std::vector<int> bodies;  ///< their numbers outside
 
   /// `numbers` has -1 for every body, before and after.
-  Island(const std::vector<int>& members, const System<Dof>& s, const std::vector<double>& impulses,
-         std::vector<int>& numbers) {
+  Copy(const std::vector<int>& members, const System<Dof>& s, const std::vector<double>& impulses,
+       std::vector<int>& numbers) {
     const auto number = [&](int body) {
       if (numbers[body] < 0) {
         numbers[body] = static_cast<int>(bodies.size());
@@ -59,24 +63,68 @@ struct Island {
   }
 };
 
+/// An island's rows, and what holds for them as long as they act on the same bodies.
+template <int Dof>
+struct Island {
+  std::vector<int> members;
+  std::optional<double> cost;  ///< of factors, in sweeps
+  BothFactors<Dof> factors;
+};
+
+/// The islands of rows, looked for anew where a row acts on other bodies than the last ones did, or has a bound more.
+template <int Dof>
+class KnownIslands {
+ public:
+  using Iterator = typename std::deque<Island<Dof>>::iterator;
+
+  std::ranges::subrange<Iterator> of(const std::vector<Row<Dof>>& rows, std::size_t bodies) {
+    const auto kind_of = [](const Row<Dof>& row) -> Kind {
+      const bool bounded = std::isfinite(row.lo) || std::isfinite(row.hi);
+      return {moves_i(row) ? row.i : -1, moves_j(row) ? row.j : -1, bounded};
+    };
+    const auto alike = [&](const Row<Dof>& row, const Kind& kind) { return kind_of(row) == kind; };
+    if (bodies_ != bodies || !std::equal(rows.begin(), rows.end(), kinds_.begin(), kinds_.end(), alike)) {
+      bodies_ = bodies;
+      kinds_.clear();
+      for (const Row<Dof>& row : rows) kinds_.push_back(kind_of(row));
+      std::vector<std::vector<int>> all = islands(rows, bodies);
+      count_ = std::ssize(all);
+      while (std::ssize(islands_) < count_) islands_.emplace_back();
+      for (std::size_t n = 0; n < all.size(); ++n) {
+        islands_[n].members = std::move(all[n]);
+        islands_[n].cost.reset();
+      }
+    }
+    return {islands_.begin(), islands_.begin() + count_};
+  }
+
+ private:
+  using Kind = std::tuple<int, int, bool>;  // on which bodies that move, -1 for others; with a bound
+
+  std::deque<Island<Dof>> islands_;
+  std::ptrdiff_t count_ = 0;
+  std::vector<Kind> kinds_;
+  std::size_t bodies_ = 0;
+};
+
 template <int Dof>
 class ByIsland {
  public:
   Outcome operator()(const System<Dof>& s) {
     if (calls_++ % calls_until_forgotten == 0) hard_.clear();
     hard_.resize(s.V.size(), false);
-    std::deque<BothFactors>& factors = *factors_;
-    const std::vector<std::vector<int>> all = islands(s.rows, s.V.size());
-    while (factors.size() < all.size()) factors.emplace_back();
-
+    const auto all = (*islands_).of(s.rows, s.V.size());
     const std::vector<double> last = s.last.impulses(s.rows.size(), s.first_contact_row, s.contacts, s.h);
+    if (all.size() == 1) return solve_one(all.front(), s, {s.rows, s.V, s.bodies.motion.inverse_mass, last});
+
     Outcome outcome{SolveReport{.history = {}, .converged = true}};
     outcome.row_updates = 0;
     std::vector<int> numbers(s.V.size(), -1);
-    for (std::size_t n = 0; n < all.size(); ++n) {
-      Island<Dof> island(all[n], s, last, numbers);
-      outcome = side_by_side(std::move(outcome), solve_one(island, s.stop, factors[n]));
-      island.write_back(all[n], s.rows, s.V);
+    for (Island<Dof>& island : all) {
+      Copy<Dof> copy(island.members, s, last, numbers);
+      outcome = side_by_side(std::move(outcome),
+                             solve_one(island, s, {copy.rows, copy.V, copy.inverse_mass, copy.last}));
+      copy.write_back(island.members, s.rows, s.V);
     }
     return outcome;
   }
@@ -86,43 +134,55 @@ class ByIsland {
   static constexpr double worth_of_a_solution = 100;                   // sweeps for one
   static constexpr double share_left = 1e-3, share_of_factors = 1e-6;  // of what was asked for
 
-  Outcome solve_one(Island<Dof>& island, const StopRule& stop, BothFactors& factors) {
-    const double cost = factor_cost(island.rows), sweeps = stop.max_sweeps;
-    const bool may = cost <= worth_of_a_solution * sweeps;
-    const bool at_once = cost <= sweeps;
-    if (at_once || (may && is_hard(island))) {
-      begin_with(island.last, island.rows, island.V);
-      return factorised(island, at_once ? stop.tolerance : enough(island, stop), factors);
+  /// An island's rows and bodies: a copy, or all that there are.
+  struct Part {
+    std::vector<Row<Dof>>& rows;
+    std::vector<Twist<Dof>>& V;
+    const std::vector<InverseMass<Dof>>& inverse_mass;
+    const std::vector<double>& last;  ///< impulses of the last step; empty: none
+  };
+
+  Outcome solve_one(Island<Dof>& island, const System<Dof>& s, const Part& part) {
+    if (!island.cost) island.cost = factor_cost(part.rows);
+    const double sweeps = s.stop.max_sweeps;
+    const bool may = *island.cost <= worth_of_a_solution * sweeps;
+    const bool at_once = *island.cost <= sweeps;
+    if (at_once || (may && is_hard(island, s.rows))) {
+      begin_with(part.last, part.rows, part.V);
+      return factorised(part, at_once ? s.stop.tolerance : enough(part, s.stop), island.factors);
     }
-    Outcome swept = solve(island.rows, island.V, stop);
-    swept.row_updates = swept.updates(island.rows.size());
+    Outcome swept = solve(part.rows, part.V, s.stop);
+    swept.row_updates = swept.updates(part.rows.size());
     if (swept.report.converged || !may ||
-        left_by(swept.report.history.back(), swept.report.history) <= share_left * asked_for(island.rows))
+        left_by(swept.report.history.back(), swept.report.history) <= share_left * asked_for(part.rows))
       return swept;
-    for (const int body : island.bodies) hard_[body] = true;
-    return in_turn(std::move(swept), factorised(island, enough(island, stop), factors), island.rows.size());
+    for (const int k : island.members) {
+      if (moves_i(s.rows[k])) hard_[s.rows[k].i] = true;
+      if (moves_j(s.rows[k])) hard_[s.rows[k].j] = true;
+    }
+    return in_turn(std::move(swept), factorised(part, enough(part, s.stop), island.factors), part.rows.size());
   }
 
-  static double enough(const Island<Dof>& island, const StopRule& stop) {
-    return std::max(stop.tolerance, share_of_factors * asked_for(island.rows));
+  static double enough(const Part& part, const StopRule& stop) {
+    return std::max(stop.tolerance, share_of_factors * asked_for(part.rows));
   }
 
-  static Outcome factorised(Island<Dof>& island, double tolerance, BothFactors& factors) {
+  static Outcome factorised(const Part& part, double tolerance, BothFactors<Dof>& factors) {
     const StopRule stop{.tolerance = tolerance};
-    Outcome outcome = solve_directly(island.rows, island.inverse_mass, island.V, stop, factors);
+    Outcome outcome = solve_directly(part.rows, part.inverse_mass, part.V, stop, factors);
     outcome.row_updates = 0;
     return outcome;
   }
 
-  bool is_hard(const Island<Dof>& island) const {
-    for (std::size_t b = 0; b < island.bodies.size(); ++b)
-      if (island.inverse_mass[b].linear > 0 && hard_[island.bodies[b]]) return true;
-    return false;
+  bool is_hard(const Island<Dof>& island, const std::vector<Row<Dof>>& rows) const {
+    return std::any_of(island.members.begin(), island.members.end(), [&](int k) {
+      return (moves_i(rows[k]) && hard_[rows[k].i]) || (moves_j(rows[k]) && hard_[rows[k].j]);
+    });
   }
 
   std::vector<bool> hard_;  // bodies of islands that sweeps did not solve
   int calls_ = 0;
-  Kept<std::deque<BothFactors>> factors_;
+  Kept<KnownIslands<Dof>> islands_;
 };
 
 }  // namespace

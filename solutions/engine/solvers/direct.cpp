@@ -9,7 +9,7 @@ namespace spook {
 
 template <int Dof>
 Solver<Dof> direct() {
-  const auto solve = [factors = Kept<BothFactors>()](const System<Dof>& s) mutable {
+  const auto solve = [factors = Kept<BothFactors<Dof>>()](const System<Dof>& s) mutable {
     begin_with(s.last.impulses(s.rows.size(), s.first_contact_row, s.contacts, s.h), s.rows, s.V);
     Outcome outcome = solve_directly(s.rows, s.bodies.motion.inverse_mass, s.V, s.stop, *factors);
     outcome.row_updates = 0;
