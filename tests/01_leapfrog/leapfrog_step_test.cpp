@@ -202,6 +202,10 @@ EXERCISE_TEST(LeapfrogStep, RejectsAStepThatIsNotPositive) {
         [&] {
           return std::vector<double>{p.x[0].x(), p.v[0].x()};
         });
+  Particles nobody;
+  expect_rejects(
+      "h = 0, with no bodies", "h", [&] { leapfrog_step(nobody, spring, 0); },
+      "A step that makes no sense is refused whether or not there is something to move: check it first.");
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ struct RandomPair {
   explicit RandomPair(Random& random)
       : i(random),
         j(random),
-        contact{0, 1, random.unit_vector(), random.uniform(-0.01, 0), random.vector(), random.vector()} {}
+        contact{0, 1, random.unit_vector(), random.uniform(-0.01, 0.01), random.vector(), random.vector()} {}
 
   /// What K can be at most: the size of the numbers that are added up in it [1/kg].
   double size() const {

@@ -124,7 +124,7 @@ EXERCISE_TEST(MakeRow, CarriesTheRestOver) {
   t.motion = random_motion(t.random, 3);
   t.c.i = 2;  // and none is 0, which could stand for a number that was never set
   t.c.j = 1;
-  t.c.lo = -0.25;
+  t.c.lo = 0.25;  // λ begins at 0 all the same, since V does: an update takes it to its bounds
   t.c.hi = 0.75;
   const Row<6> row = make_row(t.c, t.motion);
   expect_true("the row has the constraint's bodies", "Eq. (4.3)", row.i == t.c.i && row.j == t.c.j,
@@ -132,12 +132,14 @@ EXERCISE_TEST(MakeRow, CarriesTheRestOver) {
   expect_near_vector("Gi", "Eq. (4.3)", row.Gi, t.c.Gi, {0, "a copy"});
   expect_near_vector("Gj", "Eq. (4.3)", row.Gj, t.c.Gj, {0, "a copy"});
   expect_near("Σ [1/kg]", "Eq. (4.3)", row.Sigma, t.c.spook.Sigma, {0, "a copy"});
-  expect_near("lower bound of λ [N s]", "Eq. (4.1)", row.lo, -0.25, {0, "a copy"}, {},
+  expect_near("lower bound of λ [N s]", "Eq. (4.1)", row.lo, 0.25, {0, "a copy"}, {},
               "A contact has the bounds 0 and infinity, but other rows have others: copy them. A field that is "
               "never set holds anything.");
   expect_near("upper bound of λ [N s]", "Eq. (4.1)", row.hi, 0.75, {0, "a copy"}, {},
               "A contact has the bounds 0 and infinity, but other rows have others: copy them.");
-  expect_near("λ before the first sweep [N s]", "Eq. (4.1)", row.lambda, 0, {0, "exact"});
+  expect_near(
+      "λ before the first sweep, of bounds 0.25 and 0.75 [N s]", "Eq. (4.1)", row.lambda, 0, {0, "exact"},
+      {{0.25, "This is the bound. λ begins at 0, as V does, whatever its bounds: sweeps take it there."}});
 }
 
 EXERCISE_TEST(MakeRow, TakesPointMasses) {
@@ -203,6 +205,17 @@ EXERCISE_TEST(ApplyImpulse, ConservesMomentum) {
       "What one body gains the other must lose: +Δλ n on j and -Δλ n on i, each over its own mass.");
 }
 
+EXERCISE_TEST(ApplyImpulse, KeepsANaN) {
+  const Problem<3> p = stack({1, 2}, 0.1);
+  std::vector<Twist<3>> V = p.V;
+  apply_impulse(p.rows[1], std::nan(""), V);
+  expect_true(
+      "an impulse that is NaN makes the velocities of both its bodies NaN", "Eq. (4.5)",
+      std::isnan(V[1].z()) && std::isnan(V[2].z()),
+      "A NaN went in and did not come out: no comparison with a NaN is true, so \"if there is any\" leaves "
+      "it out.");
+}
+
 EXERCISE_TEST(ApplyImpulse, LeavesTheOtherBodiesAndTheFloorAlone) {
   const Problem<3> p = stack({1, 2, 3}, 0.1);
   std::vector<Twist<3>> V = p.V;
@@ -216,6 +229,26 @@ EXERCISE_TEST(ApplyImpulse, LeavesTheOtherBodiesAndTheFloorAlone) {
 
 EXERCISE_TEST(MakeRow, DropsNothingSmall) {
   const Twist<3> up(0, 0, 1);
+  for (const double part : small_parts)
+    for (const bool light_i : {true, false}) {
+      const Motion<3> motion{.inverse_mass = {{.linear = light_i ? 1 : part}, {.linear = light_i ? part : 1}},
+                             .W = {Vec3::Zero(), Vec3::Zero()},
+                             .Wf = {Vec3::Zero(), Vec3::Zero()}};
+      const Row<3> row = make_row<3>({.i = 0,
+                                      .j = 1,
+                                      .Gi = -up,
+                                      .Gj = up,
+                                      .gap = 0,
+                                      .spook = {.a = 1, .b = 1, .Sigma = 0},
+                                      .lo = 0,
+                                      .hi = infinity},
+                                     motion);
+      const Twist<3> heavy = light_i ? row.MinvGj : row.MinvGi;
+      expect_near("M⁻¹Gᵀ of a body whose 1/m is " + show(part) + " of the other's [1/kg]", "Eq. (4.5)",
+                  std::abs(heavy.z()), part, {0, "a product with 1"},
+                  {{0, "This takes it for fixed, and momentum is lost. " + small_is_dropped}},
+                  small_is_dropped);
+    }
   const std::string names[] = {"gap", "velocity of i", "velocity of j", "forces on i", "forces on j"};
   for (const double part : small_parts)  // of the five that B is made of one is large, and another small
     for (int large = 0; large < 5; ++large)

@@ -2,6 +2,7 @@
 #include "algebra.hpp"
 #include "exercise_test.hpp"
 #include "problems.hpp"
+#include "processor_time.hpp"
 #include "regions.hpp"
 #include "unlike_terms.hpp"
 
@@ -286,6 +287,20 @@ EXERCISE_TEST(Residual, OfNothingIsZeroAndOfNaNIsNaN) {
               "A NaN went in and did not come out. std::max(a, NaN) is a, in the running maximum and in a "
               "projection alike "
               "(std::clamp keeps a NaN); and once the largest is NaN, no later row may replace it.");
+}
+
+EXERCISE_TEST(Residual, CostsAsMuchForEachOfManyRows) {
+  const auto seconds = [](int bodies) {
+    const Problem<3> p = stack(std::vector<double>(static_cast<std::size_t>(bodies), 1.0), 0.1);
+    return least_seconds(5, [&] { residual(p.rows, p.V); });
+  };
+  // Linear is 8, and quadratic 64.
+  const double ratio = seconds(8000) / seconds(1000);
+  expect_true("the residual of 8000 rows takes less than 24 times as long as that of 1000", "Eq. (4.8)",
+              ratio < 24,
+              "It took " + show(ratio) +
+                  " times as long. It is to cost about as much as a sweep: each row looks "
+                  "at two bodies. A copy of all velocities for each row is quadratic.");
 }
 
 EXERCISE_TEST(Residual, DropsNothingSmall) {

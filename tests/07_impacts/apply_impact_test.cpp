@@ -75,7 +75,8 @@ EXERCISE_TEST(ApplyImpact, ChangesTheVelocityOfTheContactByKJ) {
   Random random;
   for (int trial = 0; trial < 100 && !::testing::Test::HasFailure(); ++trial) {
     Boxes pair(random, 2);
-    const Contact contact = pair.contact(random, 0, 1);
+    Contact contact = pair.contact(random, 0, 1);
+    contact.gap = random.uniform(-0.1, 0.1);  // which moves no arm
     const Vec3 J = random.vector(2), u = pair.velocity(contact, 0);
     apply_impact(contact, J, pair.motion);
     const Mat3 K = pair.K(contact);

@@ -64,6 +64,11 @@ EXERCISE_TEST(StickImpulse, IsTheSameWhicheverBodyIsCalledI) {
                        stick_impulse(K, -u, -n, e), -impact.stick(), impact.impulse_roundings(32),
                        {{impact.stick(), "J must change its sign with u: it is the impulse on j."}},
                        "J is linear in u, and n enters twice.");
+    expect_near_vector(
+        "J of bodies that part, -u for u [N s]", "Eq. (7.3)", stick_impulse(K, -u, n, e), -impact.stick(),
+        impact.impulse_roundings(32), {{impact.stick(), "J must change its sign with u."}},
+        "J is linear in u, also where u·n > 0: u'·n = -e u·n has a sign. Whether there is an impact is "
+        "decided elsewhere.");
   }
 }
 
