@@ -82,7 +82,8 @@ class Lessons(unittest.TestCase):
                 if "--time" in words:
                     del words[words.index("--time"):words.index("--time") + 2]
                 result = box.course("run", *words, "--time", "0")
-                self.assertEqual((result.returncode, result.stderr), (0, ""))
+                said = result.stderr.removeprefix("sweep ...\n")  # what takes long says that it is at work
+                self.assertEqual((result.returncode, said), (0, ""))
 
 
 class Runs(unittest.TestCase):

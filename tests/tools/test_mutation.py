@@ -94,6 +94,20 @@ class SubtleMutations(unittest.TestCase):
         self.assertEqual(subtly_changed("return x;", "zero", head),
                          {"double f(double x, const Vec3& y) { if (x == 0) const_cast<double&>(x) = 1;"})
 
+    def test_signs_that_are_lost(self):
+        self.assertEqual(subtly_changed("const double x = y;", "size"),
+                         {"const double x = [](double x) { return x < 0 ? -x : x; }(y);"})
+
+    def test_nans_that_are_dropped(self):
+        head = "Vec3 f(double x, const Mat3& K, int n)"
+        self.assertEqual(subtly_changed("return x * v;", "nan", head),
+                         {f"{head} {{ if ({check}) return Vec3::Zero();" for check in ("x != x", "K.hasNaN()")})
+
+    def test_fields_that_should_not_matter(self):
+        head = "void f(const Contact& contact)"
+        self.assertEqual(subtly_changed("x = y;", "field", head),
+                         {head + " { if (contact.gap < 0) return ;", head + " { if (contact.gap > 0) return ;"})
+
     def test_pairs_are_the_same_each_time(self):
         body = "x = y + 2;\nz = x * x;\nw = z - 1;"
         found = subtly_changed(body, "pair")

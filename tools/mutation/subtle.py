@@ -1,6 +1,7 @@
 """Mistakes that look right, and are with most numbers: a threshold without a unit, or a part of something, a float for a
 double, what lives on from one call to the next, an input that is changed, a loop that ends after sixty-four, a zero that is
-taken for nothing given, and two small changes at once."""
+taken for nothing given, a sign that is lost, a NaN that is dropped, a field that should not matter, and two small
+changes at once."""
 
 import random
 import re
@@ -14,10 +15,16 @@ _SMALL = "1e-9"
 _MANY = 64
 _TYPES = {"double", "Vec3", "Vec2", "Mat3", "Vector"}
 # The beginning of a function at the begin of a line, and what it returns.
-_FUNCTION = re.compile(r"^(?:static |inline )*(\w+) \w+(?:<\w+>)?\(", re.MULTILINE)
+_FUNCTION = re.compile(r"^(?:static |inline )*([\w:]+)(?:<[^()\n]*>)? \w+(?:<\w+>)?\(", re.MULTILINE)
 _VECTOR = re.compile(r"const (std::vector<[\w<>:]+>)& (\w+)")
 _COUNTS = re.compile(r"[\w:]+ (\w+) = ")
 _NUMBER = re.compile(r"\bdouble (\w+)")
+_FIELDS = {"Contact": ("gap",), "Constraint": ("gap", "lo", "hi"), "Row": ("B", "Sigma", "lo", "hi", "lambda"),
+           "Rubbing": ("mu",)}
+_STRUCT = re.compile(rf"const ({'|'.join(_FIELDS)})(?:<\w+>)?& (\w+)")
+# What a function returns that returns nothing.
+_NOTHING = {"void": "", "bool": "{}", "double": "{}", "int": "{}", "Vec3": "Vec3::Zero()", "Vec2": "Vec2::Zero()",
+            "Mat3": "Mat3::Zero()", "Quat": "Quat::Identity()", "ContactJacobian": "{}", "Row": "{}", "SolveReport": "{}"}
 _MATRIX = re.compile(r"const (Vec3|Mat3|Vec2|Vector)& (\w+)")
 
 
@@ -114,14 +121,39 @@ def limits(source: Source) -> Iterator[Mutant]:
 
 def zeros(source: Source) -> Iterator[Mutant]:
     """A parameter that is zero is one that nobody gave."""
-    for body, parameters in _bodies(source):
+    for body, _, parameters in _bodies(source):
         for name in _NUMBER.findall(parameters):
             yield Mutant("zero", body, body, f" if ({name} == 0) const_cast<double&>({name}) = 1;")
 
 
+def sizes(source: Source) -> Iterator[Mutant]:
+    """A number without its sign, as if it always had the same."""
+    for kind, begin, end in _values(source):
+        if kind == "double":
+            yield Mutant("size", begin, end, f"[](double x) {{ return x < 0 ? -x : x; }}({source.text[begin:end]})")
+
+
+def nans(source: Source) -> Iterator[Mutant]:
+    """What is no number does nothing."""
+    for body, returns, parameters in _bodies(source):
+        checks = [f"{name} != {name}" for name in _NUMBER.findall(parameters)]
+        checks += [f"{name}.hasNaN()" for _, name in _MATRIX.findall(parameters)]
+        for check in checks if returns in _NOTHING else []:
+            yield Mutant("nan", body, body, f" if ({check}) return {_NOTHING[returns]};")
+
+
+def fields(source: Source) -> Iterator[Mutant]:
+    """Nothing happens where a field of what is given has one sign or the other."""
+    for body, returns, parameters in _bodies(source):
+        for kind, name in _STRUCT.findall(parameters):
+            for field in _FIELDS[kind] if returns in _NOTHING else ():
+                for sign in "<>":
+                    yield Mutant("field", body, body, f" if ({name}.{field} {sign} 0) return {_NOTHING[returns]};")
+
+
 def inputs(source: Source) -> Iterator[Mutant]:
     """A parameter that is const is another one after the call."""
-    for body, parameters in _bodies(source):
+    for body, _, parameters in _bodies(source):
         found = [(type_, name, f"const_cast<{type_}&>({name}) *= 2;") for type_, name in _MATRIX.findall(parameters)]
         found += [(type_, name, f"if (!{name}.empty()) std::swap(const_cast<{type_}&>({name}).front(), "
                                 f"const_cast<{type_}&>({name}).back());")
@@ -141,13 +173,14 @@ def pairs(source: Source, singles: list[Mutant]) -> Iterator[Mutant]:
             yield Mutant("pair", one.start, other.end, one.text + between + other.text)
 
 
-def _bodies(source: Source) -> Iterator[tuple[int, str]]:
-    """Where the body of each function begins, and the function's parameters."""
+def _bodies(source: Source) -> Iterator[tuple[int, str, str]]:
+    """Where the body of each function begins, what it returns, and its parameters."""
     for function in _FUNCTION.finditer(source.text):
         opens = next((k for k, token in enumerate(source.tokens) if token.start == function.end() - 1), None)
         if opens is not None and source.is_at(source.partner[opens] + 1, "{"):
             closes = source.partner[opens]
-            yield source.tokens[closes + 1].end, source.text[function.end():source.tokens[closes].start]
+            yield (source.tokens[closes + 1].end, function[1],
+                   source.text[function.end():source.tokens[closes].start])
 
 
 def _values(source: Source) -> Iterator[tuple[str, int, int]]:
