@@ -145,4 +145,28 @@ bool compare_calls(const std::string& equation, const std::function<Outcome(cons
   return true;
 }
 
+bool nans_are_kept(const std::string& equation, const std::function<Outcome(Replacing&)>& call) {
+  Replacing none;
+  const Outcome first = call(none);
+  for (int which = 0; which < none.numbers(); ++which) {
+    Replacing a_little(which, [](double x) { return x == 0 ? 1e-3 : x * 1.001; });
+    const Outcome other = call(a_little);
+    if (!other.thrown.empty() || same_bits(other, first)) continue;
+    Replacing not_a_number(which, [](double) { return std::nan(""); });
+    const Outcome lost = call(not_a_number);
+    const bool is_one =
+        std::any_of(lost.numbers.begin(), lost.numbers.end(), [](double x) { return std::isnan(x); });
+    const bool is_no = lost.counts != first.counts || lost.numbers.size() != first.numbers.size();
+    if (is_one || is_no || !lost.thrown.empty()) continue;
+    const std::string was = quantity(not_a_number.was(), not_a_number.unit(), 3);
+    report_failure(
+        "what is computed with a NaN in place of " + was + " in " + not_a_number.place(), equation,
+        "  expected  a NaN\n  got       numbers\n",
+        "A NaN went in and none came out. Every comparison with a NaN is false, and std::max(x, NaN) is x: "
+        "see NUMBERS.md. A broken simulation must not go on in silence.");
+    return false;
+  }
+  return true;
+}
+
 }  // namespace spook::testing

@@ -6,8 +6,8 @@
 //   expect_same_in_any_units("Eq. (1.3)", kick, m / s,                         // the unit of what it returns
 //                            v * (m / s), f * N, 1 / mass * (1 / kg), h * s);  // and those of its arguments
 //
-// Two more promises are looked at on the way: what is given as const stays as it was, and the same call gives the same
-// answer again, whatever was asked in between.
+// Three more promises are looked at on the way: what is given as const stays as it was; the same call gives the same
+// answer again, whatever was asked in between; and a NaN stays a NaN, as rule 2 of NUMBERS.md has it.
 #include <functional>
 #include <tuple>
 #include <type_traits>
@@ -65,6 +65,32 @@ class Reading : public Visitor {
   bool everything_, fixed_ = false;
 };
 
+/// Puts another number in the place of one, and remembers whose place that was.
+class Replacing : public Visitor {
+ public:
+  explicit Replacing(int which = -1, double (*by)(double) = nullptr) : which_(which), by_(by) {}
+  void next_argument() { ++argument_; }
+  void number(double& value, const Unit& unit) override {
+    if (count_++ != which_) return;
+    place_ = "argument " + std::to_string(argument_);
+    was_ = value, unit_ = unit;
+    value = by_(value);
+  }
+  void count(long long) override {}
+
+  int numbers() const { return count_; }
+  const std::string& place() const { return place_; }
+  double was() const { return was_; }
+  const Unit& unit() const { return unit_; }
+
+ private:
+  int which_, count_ = 0, argument_ = 0;
+  double (*by_)(double);
+  std::string place_;
+  double was_ = 0;
+  Unit unit_;
+};
+
 /// Whether an input is as it was before the call; of one that may change, the parts that are fixed.
 template <class Quantity>
 bool stayed(Quantity& before, Quantity& after, bool may_change) {
@@ -77,6 +103,10 @@ bool stayed(Quantity& before, Quantity& after, bool may_change) {
 
 /// Calls the function in SI units, in others, and in SI units again; false, and a failure, if it makes a difference.
 bool compare_calls(const std::string& equation, const std::function<Outcome(const UnitSystem&)>& call);
+
+/// Calls it with a NaN in place of each number whose change by a thousandth changes what comes out; false, and a failure, if
+/// only numbers come out then. Fewer of them, or another yes or no, is an answer to a question: rule 3 of NUMBERS.md.
+bool nans_are_kept(const std::string& equation, const std::function<Outcome(Replacing&)>& call);
 
 /// A function's parameters.
 template <class Function>
@@ -122,50 +152,73 @@ auto as_quantity(const Quantity<Value, Units>& quantity) {
   return quantity;
 }
 
+/// What a call gives, with one number replaced and then all in other units.
+template <class Function, class Units, class... All>
+Outcome outcome_of(const UnitSystem& system, Replacing& replacing, const Function& function,
+                   const Units& units_of_result, const All&... all) {
+  using Known = Parameters<std::decay_t<Function>>;
+  auto arguments = std::tuple(as_quantity(all)...);
+  Outcome outcome;
+  Converting there(system, false), back(system, true);
+  const auto prepare = [&](auto& argument) {
+    replacing.next_argument();
+    each_number(replacing, argument.value, argument.units);
+    each_number(there, argument.value, argument.units);
+  };
+  const auto read = [&](auto& value, const auto& units) {
+    Reading reading(outcome);
+    each_number(back, value, units);
+    each_number(reading, value, units);
+  };
+  std::apply([&](auto&... each) { (prepare(each), ...); }, arguments);
+  auto given = arguments;
+  const auto ask = [&](auto&... each) { return function(each.value...); };
+  try {
+    if constexpr (std::is_void_v<typename Known::result>) {
+      std::apply(ask, arguments);
+    } else {
+      auto result = std::apply(ask, arguments);
+      read(result, units_of_result);
+    }
+  } catch (const NotImplemented&) {
+    throw;
+  } catch (const std::exception& error) {
+    outcome.thrown = error.what();
+    return outcome;
+  }
+  [&]<std::size_t... k>(std::index_sequence<k...>) {
+    const auto look = [&]<std::size_t at>(std::integral_constant<std::size_t, at>) {
+      auto& after = std::get<at>(arguments);
+      auto& before = std::get<at>(given);
+      outcome.inputs_stayed = outcome.inputs_stayed && stayed(before, after, Known::template may_change<at>);
+      if constexpr (Known::template may_change<at>) read(after.value, after.units);
+    };
+    (look(std::integral_constant<std::size_t, k>{}), ...);
+  }
+  (std::index_sequence_for<All...>{});
+  return outcome;
+}
+
 /// The function gives the same in any units. `units_of_result` is a unit, or by_field, or nothing; then come the
 /// arguments, each with its unit. What the function changes in them is compared, too.
 template <class Function, class Units, class... All>
+bool expect_same_in_any_units_nans_aside(const std::string& equation, const Function& function,
+                                         const Units& units_of_result, const All&... all) {
+  return compare_calls(equation, [&](const UnitSystem& system) {
+    Replacing none;
+    return outcome_of(system, none, function, units_of_result, all...);
+  });
+}
+
+/// The same, and NaNs are kept. Not for a function that has a rule of its own for them, nor for one that is given bounds
+/// or coefficients of friction and restitution, which are checked where they enter.
+template <class Function, class Units, class... All>
 bool expect_same_in_any_units(const std::string& equation, const Function& function,
                               const Units& units_of_result, const All&... all) {
-  using Known = Parameters<std::decay_t<Function>>;
-  const auto call = [&](const UnitSystem& system) {
-    auto arguments = std::tuple(as_quantity(all)...);
-    Outcome outcome;
-    Converting there(system, false), back(system, true);
-    const auto read = [&](auto& value, const auto& units) {
-      Reading reading(outcome);
-      each_number(back, value, units);
-      each_number(reading, value, units);
-    };
-    std::apply([&](auto&... each) { (each_number(there, each.value, each.units), ...); }, arguments);
-    auto given = arguments;
-    const auto ask = [&](auto&... each) { return function(each.value...); };
-    try {
-      if constexpr (std::is_void_v<typename Known::result>) {
-        std::apply(ask, arguments);
-      } else {
-        auto result = std::apply(ask, arguments);
-        read(result, units_of_result);
-      }
-    } catch (const NotImplemented&) {
-      throw;
-    } catch (const std::exception& error) {
-      outcome.thrown = error.what();
-      return outcome;
-    }
-    [&]<std::size_t... k>(std::index_sequence<k...>) {
-      const auto look = [&]<std::size_t at>(std::integral_constant<std::size_t, at>) {
-        auto& after = std::get<at>(arguments);
-        auto& before = std::get<at>(given);
-        outcome.inputs_stayed = outcome.inputs_stayed && stayed(before, after, Known::template may_change<at>);
-        if constexpr (Known::template may_change<at>) read(after.value, after.units);
-      };
-      (look(std::integral_constant<std::size_t, k>{}), ...);
-    }
-    (std::index_sequence_for<All...>{});
-    return outcome;
-  };
-  return compare_calls(equation, call);
+  return expect_same_in_any_units_nans_aside(equation, function, units_of_result, all...) &&
+         nans_are_kept(equation, [&](Replacing& replacing) {
+           return outcome_of({}, replacing, function, units_of_result, all...);
+         });
 }
 
 }  // namespace spook::testing

@@ -4,8 +4,8 @@
 
 With several seeds each must be noticed with all of them: one that is caught with luck is a survivor. --subtle makes
 other mutants: thresholds without a unit or as a part of something, floats for doubles, state that lives on, inputs that
-are changed, loops that end after sixty-four, zeros taken for nothing given, signs that are lost, NaNs that are dropped,
-fields that should not matter, and pairs of small changes.
+are changed, loops that end after sixty-four, zeros taken for nothing given, NaNs that are dropped, fields that should not
+matter, and pairs of small changes.
 
 Survivors are printed as the line before and after. Equivalent, 3+1, are those that compile to the same
 object, and those that tests/mutants/equivalent.txt lists with a reason. Exit code 1 if a chapter's score is

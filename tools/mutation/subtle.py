@@ -1,7 +1,6 @@
 """Mistakes that look right, and are with most numbers: a threshold without a unit, or a part of something, a float for a
 double, what lives on from one call to the next, an input that is changed, a loop that ends after sixty-four, a zero that is
-taken for nothing given, a sign that is lost, a NaN that is dropped, a field that should not matter, and two small
-changes at once."""
+taken for nothing given, a NaN that is dropped, a field that should not matter, and two small changes at once."""
 
 import random
 import re
@@ -124,13 +123,6 @@ def zeros(source: Source) -> Iterator[Mutant]:
     for body, _, parameters in _bodies(source):
         for name in _NUMBER.findall(parameters):
             yield Mutant("zero", body, body, f" if ({name} == 0) const_cast<double&>({name}) = 1;")
-
-
-def sizes(source: Source) -> Iterator[Mutant]:
-    """A number without its sign, as if it always had the same."""
-    for kind, begin, end in _values(source):
-        if kind == "double":
-            yield Mutant("size", begin, end, f"[](double x) {{ return x < 0 ? -x : x; }}({source.text[begin:end]})")
 
 
 def nans(source: Source) -> Iterator[Mutant]:

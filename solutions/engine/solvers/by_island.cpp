@@ -10,9 +10,9 @@
 // of each.
 #include <algorithm>
 #include <cmath>
-#include <deque>
+#include <memory>
 #include <optional>
-#include <ranges>
+#include <span>
 #include <tuple>
 
 #include "engine/islands.hpp"
@@ -75,9 +75,7 @@ struct Island {
 template <int Dof>
 class KnownIslands {
  public:
-  using Iterator = typename std::deque<Island<Dof>>::iterator;
-
-  std::ranges::subrange<Iterator> of(const std::vector<Row<Dof>>& rows, std::size_t bodies) {
+  std::span<std::unique_ptr<Island<Dof>>> of(const std::vector<Row<Dof>>& rows, std::size_t bodies) {
     const auto kind_of = [](const Row<Dof>& row) -> Kind {
       const bool bounded = std::isfinite(row.lo) || std::isfinite(row.hi);
       return {moves_i(row) ? row.i : -1, moves_j(row) ? row.j : -1, bounded};
@@ -88,21 +86,21 @@ class KnownIslands {
       kinds_.clear();
       for (const Row<Dof>& row : rows) kinds_.push_back(kind_of(row));
       std::vector<std::vector<int>> all = islands(rows, bodies);
-      count_ = std::ssize(all);
-      while (std::ssize(islands_) < count_) islands_.emplace_back();
+      count_ = all.size();
+      while (islands_.size() < count_) islands_.push_back(std::make_unique<Island<Dof>>());
       for (std::size_t n = 0; n < all.size(); ++n) {
-        islands_[n].members = std::move(all[n]);
-        islands_[n].cost.reset();
+        islands_[n]->members = std::move(all[n]);
+        islands_[n]->cost.reset();
       }
     }
-    return {islands_.begin(), islands_.begin() + count_};
+    return std::span(islands_).first(count_);
   }
 
  private:
   using Kind = std::tuple<int, int, bool>;  // on which bodies that move, -1 for others; with a bound
 
-  std::deque<Island<Dof>> islands_;
-  std::ptrdiff_t count_ = 0;
+  std::vector<std::unique_ptr<Island<Dof>>> islands_;  // more than there are now, where there were more
+  std::size_t count_ = 0;
   std::vector<Kind> kinds_;
   std::size_t bodies_ = 0;
 };
@@ -115,16 +113,16 @@ class ByIsland {
     hard_.resize(s.V.size(), false);
     const auto all = (*islands_).of(s.rows, s.V.size());
     const std::vector<double> last = s.last.impulses(s.rows.size(), s.first_contact_row, s.contacts, s.h);
-    if (all.size() == 1) return solve_one(all.front(), s, {s.rows, s.V, s.bodies.motion.inverse_mass, last});
+    if (all.size() == 1) return solve_one(*all.front(), s, {s.rows, s.V, s.bodies.motion.inverse_mass, last});
 
     Outcome outcome{SolveReport{.history = {}, .converged = true}};
     outcome.row_updates = 0;
     std::vector<int> numbers(s.V.size(), -1);
-    for (Island<Dof>& island : all) {
-      Copy<Dof> copy(island.members, s, last, numbers);
+    for (const auto& island : all) {
+      Copy<Dof> copy(island->members, s, last, numbers);
       outcome = side_by_side(std::move(outcome),
-                             solve_one(island, s, {copy.rows, copy.V, copy.inverse_mass, copy.last}));
-      copy.write_back(island.members, s.rows, s.V);
+                             solve_one(*island, s, {copy.rows, copy.V, copy.inverse_mass, copy.last}));
+      copy.write_back(island->members, s.rows, s.V);
     }
     return outcome;
   }
