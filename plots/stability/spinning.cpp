@@ -78,7 +78,7 @@ Experiment experiment(Size size) {
   for (const auto& [name, update] : updates)
     for (const int rate : whole_log_spaced(30, 1000, quick ? 4 : 16))
       e.points.push_back(
-          {name + " " + std::to_string(rate), [name, update, rate, quick] {
+          {name + " " + std::to_string(rate), [name = name, update = update, rate, quick] {
              std::vector<Row> rows;
              for (const double spin : log_spaced(1, 200, quick ? 8 : 24)) {
                const Errors found = spin_on(spin, update, 1.0 / rate);

@@ -166,15 +166,20 @@ const Joint& World<Dof>::free_joint(int joint) const {
   return found;
 }
 
+// `if constexpr`, though `requires` says the same: clang before 16 compiles these for point masses, too.
 template <int Dof>
 double World<Dof>::joint_position(int joint) const requires(Dof == 6) {
-  return free_coordinate(free_joint(joint), bodies_).value;
+  if constexpr (Dof == 6) return free_coordinate(free_joint(joint), bodies_).value;
+  return 0;
 }
 
 template <int Dof>
 double World<Dof>::joint_speed(int joint) const requires(Dof == 6) {
-  const Coordinate free = free_coordinate(free_joint(joint), bodies_);
-  return free.Gi.dot(bodies_.motion.W[index(free.i)]) + free.Gj.dot(bodies_.motion.W[index(free.j)]);
+  if constexpr (Dof == 6) {
+    const Coordinate free = free_coordinate(free_joint(joint), bodies_);
+    return free.Gi.dot(bodies_.motion.W[index(free.i)]) + free.Gj.dot(bodies_.motion.W[index(free.j)]);
+  }
+  return 0;
 }
 
 /// What a row of it did to body j, along what it leaves free [N m or N].

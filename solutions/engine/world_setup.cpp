@@ -72,12 +72,13 @@ int World<Dof>::add_fixed(const Vec3& x, double radius) {
   return i;
 }
 
+// `if constexpr`, though `requires` says the same: clang before 16 compiles this for point masses, too.
 template <int Dof>
 int World<Dof>::add_fixed_box(const Vec3& x, const Vec3& half_sides, const Quat& q) requires(Dof == 6) {
   for (const double half_side : half_sides) require_positive("half side", half_side);
   require_unit_length("q", q.norm());
   const int i = bodies_.add_fixed(x);
-  bodies_.orientations.q.back() = q.normalized();
+  if constexpr (Dof == 6) bodies_.orientations.q.back() = q.normalized();
   shapes_.solids.push_back({.body = i, .radius = 0, .half_sides = half_sides, .fixed = true});
   require_smooth();
   return i;
@@ -135,7 +136,7 @@ void World<Dof>::turn(int body, const Quat& q, const Vec3& omega) requires(Dof =
   if (bodies_.is_fixed(i)) reject("body", body, "one that moves");
   require_unit_length("q", q.norm());
   require_all_finite("omega", omega);
-  bodies_.orientations.q[i] = q.normalized();
+  if constexpr (Dof == 6) bodies_.orientations.q[i] = q.normalized();
   bodies_.motion.W[i].template tail<3>() = omega;
 }
 
