@@ -274,7 +274,8 @@ double largest_area(const std::vector<Eigen::Vector2d>& points, std::size_t deep
       for (std::size_t c = b + 1; c < n; ++c) {
         if (a == deepest || b == deepest || c == deepest) continue;
         const std::vector<Eigen::Vector2d> four = {points[deepest], points[a], points[b], points[c]};
-        if (depth_of_origin(four) >= 0) largest = std::max(largest, area_around_the_origin(four));
+        const double found = area_around_the_origin(four);
+        if (found > largest && depth_of_origin(four) >= 0) largest = found;
       }
   return largest;
 }
@@ -391,6 +392,18 @@ EXERCISE_TEST(WellSpread, TakesAnyNumber) {
     contacts.back().gap = -0.2;
     expect_well_spread(contacts, "30 random contacts, the last the deepest");
   }
+  // Seventy beside each other and then four corners. Seen from the mean, (0, 0), the crowd comes right after the first
+  // of them; and without the second of them the others span less than half.
+  std::vector<Contact> contacts;
+  for (int k = 0; k < 70; ++k) {
+    const Vec3 place = Vec3(-1, -1, 0) / 70 + random.vector(1e-3);
+    contacts.push_back(at(place, random.uniform(-0.1, -0.01)));
+  }
+  for (const Vec3& corner : {Vec3(0, 3, 0), Vec3(2, 2, 0), Vec3(0, -4, 0), Vec3(-1, 0, 0)})
+    contacts.push_back(at(corner, -0.01));
+  contacts.back().gap = -0.2;
+  if (!::testing::Test::HasFailure())
+    expect_well_spread(contacts, "a crowd of 70, and four corners at the end of the list");
 }
 
 EXERCISE_TEST(WellSpread, HoldsTheMeanToRoundings) {

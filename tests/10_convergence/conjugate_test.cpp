@@ -1,5 +1,6 @@
 // Conjugate gradients: what prepares them, and the solver.
 #include "exercise_test.hpp"
+#include "many.hpp"
 #include "small_parts.hpp"
 #include "stop_rule.hpp"
 #include "systems.hpp"
@@ -61,18 +62,19 @@ EXERCISE_TEST(Precondition, SweepsForthAndBack) {
 
 EXERCISE_TEST(Precondition, SweepsAnyNumberOfBodies) {
   Random random;
-  for (const int bodies : {2, 9, 30}) {
-    const Problem<6> p = random_problem(random, bodies, 12);
+  for (const auto& [bodies, rows] : {std::pair(2, 12), {9, 12}, {30, 12}, {30, many}}) {
+    const Problem<6> p = random_problem(random, bodies, rows);
     const Eigen::MatrixXd S = dense_S(p.rows);
-    Eigen::VectorXd r(12);
+    Eigen::VectorXd r(rows);
     for (double& each : r) each = random.uniform(-1, 1);
     // Forth and back from zero: (D + U)⁻¹ D (D + L)⁻¹ r.
     const Eigen::VectorXd forth = S.triangularView<Eigen::Lower>().solve(r);
     const Eigen::VectorXd both = S.triangularView<Eigen::Upper>().solve(S.diagonal().cwiseProduct(forth));
-    const auto z = precondition(p.rows, as_std(r), std::vector<bool>(12, true), p.V.size());
-    expect_near_vector("z of 12 rows between " + std::to_string(bodies) + " bodies [N s]", "Eq. (10.6)",
-                       as_eigen(z), both, roundings(1e4, 10), {{forth, "This is the sweep forth alone."}},
-                       "One sweep first to last and one last to first.");
+    const auto z = precondition(p.rows, as_std(r), all_free(p.rows.size()), p.V.size());
+    expect_near_vector(
+        "z of " + std::to_string(rows) + " rows between " + std::to_string(bodies) + " bodies [N s]",
+        "Eq. (10.6)", as_eigen(z), both, roundings(1e4, 10), {{forth, "This is the sweep forth alone."}},
+        "One sweep first to last and one last to first, over all of them. " + ends_early);
   }
 }
 
@@ -556,17 +558,20 @@ std::vector<Eigen::VectorXd> iterated(const Bounded& of, int iterations) {
 EXERCISE_TEST(ConjugateSolve, GoesByTheEquationsInEveryIteration) {
   Random random;
   for (int trial = 0; trial < 40 && !::testing::Test::HasFailure(); ++trial) {
-    Problem<6> start = random_problem(random, 5, 12);
+    const auto [bodies, rows] = trial ? std::pair(5, 12) : std::pair(many / 2, many);
+    Problem<6> start = random_problem(random, bodies, rows);
     give_bounds(random, start);
     const auto expected = iterated(bounded(start.rows), 8);
     for (std::size_t n = 0; n < expected.size() && !::testing::Test::HasFailure(); ++n) {
       Problem<6> p = start;
       conjugate_solve(p.rows, p.V, {.max_sweeps = static_cast<int>(n) + 1, .tolerance = 0});
       expect_near_vector(
-          "λ of 12 rows with bounds after iteration " + std::to_string(n + 1) + " [N s]", "Eq. (10.6)-(10.8)",
-          lambdas(p), expected[n], {1e-9, "roundings, over what is lacking"}, {},
+          "λ of " + std::to_string(rows) + " rows with bounds after iteration " + std::to_string(n + 1) +
+              " [N s]",
+          "Eq. (10.6)-(10.8)", lambdas(p), expected[n], {1e-9, "roundings, over what is lacking"}, {},
           "Up to here it was right. Whether there is a sweep depends on the step before alone, and "
-          "on what rows at bounds lack; and after a sweep p is z alone.");
+          "on what rows at bounds lack; and after a sweep p is z alone. " +
+              ends_early);
     }
   }
 }
