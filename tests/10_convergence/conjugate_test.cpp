@@ -388,6 +388,32 @@ EXERCISE_TEST(ConjugateSolve, LeavesRowsAtTheirBoundsOutOfTheDirections) {
   }
 }
 
+void expect_within_bounds(const Problem<6>& p, int iterations) {
+  for (const Row<6>& row : p.rows)
+    expect_true(
+        "λ = " + show(row.lambda, 17) + " N s after " + std::to_string(iterations) + " iterations, within [" +
+            show(row.lo, 17) + ", " + show(row.hi, 17) + "]",
+        "Eq. (10.8)", row.lambda >= row.lo && row.lambda <= row.hi,
+        "A step goes no further than the bounds, and not by a rounding: λ + (hi - λ) may be more than hi.");
+}
+
+EXERCISE_TEST(ConjugateSolve, NeverLeavesTheBounds) {
+  // A bound is met nearly where the step aims at: then t = 1, the step ends at the bound, and λ + (hi - λ) is rounded.
+  Random random;
+  for (int repeat = 0; repeat < 200 && !::testing::Test::HasFailure(); ++repeat) {
+    Problem<6> p = random_problem(random, 4, 12);
+    take_bounds_off(p);
+    const Eigen::MatrixXd S = dense_S(p.rows);
+    const Eigen::VectorXd B = gathered(p.rows, &Row<6>::B), from = forth(S, B), r = B - S * from;
+    const Eigen::VectorXd z = and_back(S, r, forth(S, r)), way = z.dot(r) / z.dot(S * z) * z;
+    const int k = random.integer(0, 11);
+    Row<6>& row = p.rows[static_cast<std::size_t>(k)];
+    (way[k] > 0 ? row.hi : row.lo) = from[k] + 0.95 * way[k];
+    conjugate_solve(p.rows, p.V, {.max_sweeps = 1, .tolerance = 0});
+    expect_within_bounds(p, 1);
+  }
+}
+
 EXERCISE_TEST(ConjugateSolve, NeverGainsEnergy) {
   Random random;
   for (int repeat = 0; repeat < 10; ++repeat) {
@@ -399,11 +425,7 @@ EXERCISE_TEST(ConjugateSolve, NeverGainsEnergy) {
     for (int iterations = 1; iterations <= 25; ++iterations) {
       Problem<6> p = start;
       conjugate_solve(p.rows, p.V, {.max_sweeps = iterations, .tolerance = 0});
-      for (const Row<6>& row : p.rows)
-        expect_true("λ = " + show(row.lambda) + " N s after " + std::to_string(iterations) +
-                        " iterations, within [" + show(row.lo) + ", " + show(row.hi) + "]",
-                    "Eq. (10.8)", row.lambda >= row.lo && row.lambda <= row.hi,
-                    "A step goes no further than the bounds.");
+      expect_within_bounds(p, iterations);
       const double now = energy(S, B, lambdas(p));
       expect_at_most(
           "E after " + std::to_string(iterations) + " iterations [J]", "Eq. (10.9)", now,
