@@ -400,7 +400,7 @@ void expect_within_bounds(const Problem<6>& p, int iterations) {
 EXERCISE_TEST(ConjugateSolve, NeverLeavesTheBounds) {
   // A bound is met nearly where the step aims at: then t = 1, the step ends at the bound, and λ + (hi - λ) is rounded.
   Random random;
-  for (int repeat = 0; repeat < 200 && !::testing::Test::HasFailure(); ++repeat) {
+  for (int repeat = 0; repeat < 1000 && !::testing::Test::HasFailure(); ++repeat) {
     Problem<6> p = random_problem(random, 4, 12);
     take_bounds_off(p);
     const Eigen::MatrixXd S = dense_S(p.rows);
