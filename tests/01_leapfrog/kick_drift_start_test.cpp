@@ -25,6 +25,9 @@ struct OneBody {
   }
 };
 
+const std::string no_time =
+    "In no time nothing happens. A step of 0 is a step like any other: put no other in its place.";
+
 /// What is (1, 1, 1) changes by a small part of itself, to a rounding or two.
 void expect_small_change(const std::string& what, const std::string& equation,
                          const std::function<Vec3(const Vec3&, const Vec3&)>& step) {
@@ -71,6 +74,8 @@ EXERCISE_TEST(Kick, BackwardsUndoesForwards) {
   const Vec3 there = kick(b.v, b.f, 1 / b.mass, b.h);
   expect_near_vector("v after a kick of h and one of -h [m/s]", "Eq. (1.3)", kick(there, b.f, 1 / b.mass, -b.h),
                      b.v, roundings(8, 5), {}, "The change must be proportional to h, for either sign of it.");
+  expect_near_vector("v after a kick of h = 0 [m/s]", "Eq. (1.3)", kick(b.v, b.f, 1 / b.mass, 0), b.v,
+                     {0, "exact"}, {}, no_time);
 }
 
 EXERCISE_TEST(Kick, DropsNoSmallChange) {
@@ -96,6 +101,8 @@ EXERCISE_TEST(Drift, BackwardsUndoesForwards) {
   expect_near_vector("x after a drift of h and one of -h [m]", "Eq. (1.4)",
                      drift(drift(b.x, b.v, b.h), b.v, -b.h), b.x, roundings(8, 5), {},
                      "The change must be proportional to h, for either sign of it.");
+  expect_near_vector("x after a drift of h = 0 [m]", "Eq. (1.4)", drift(b.x, b.v, 0), b.x, {0, "exact"}, {},
+                     no_time);
 }
 
 EXERCISE_TEST(Drift, DropsNoSmallChange) {
@@ -136,6 +143,15 @@ EXERCISE_TEST(HalfStepStart, TakesStepsOfEitherSign) {
       {{back, "The sign of h has been lost. For a film that runs backwards, half a step back lies ahead."},
        {b.v, "Nothing has changed: a negative h is a step, too."}},
       "Eq. (1.5) with -h for h.");
+  expect_near_vector("v half a step of h = 0 before the start [m/s]", "Eq. (1.5)",
+                     half_step_start(b.v, b.f, 1 / b.mass, 0), b.v, {0, "exact"}, {}, no_time);
+}
+
+EXERCISE_TEST(HalfStepStart, LeavesAFixedBodyAlone) {
+  const OneBody b;
+  expect_near_vector("v of a body with inverse mass 0, half a step before the start [m/s]", "Eq. (1.5)",
+                     half_step_start(b.v, 1e9 * b.f, 0, b.h), b.v, {0, "exact"}, {},
+                     "An inverse mass of 0 is a body that no force moves. Put no other in its place.");
 }
 
 EXERCISE_TEST(HalfStepStart, MakesFreeFallExact) {

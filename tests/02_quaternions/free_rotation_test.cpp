@@ -61,6 +61,16 @@ EXERCISE_TEST(FreeRotation, DropsNoSmallTurn) {
   }
 }
 
+EXERCISE_TEST(FreeRotation, StandsStillInNoTime) {
+  Random random;
+  const Top start = random_top(random);
+  Top top = start;
+  top.step(0);
+  expect_near("distance from the start, after a step of h = 0", "Eq. (2.11)", distance(top, start), 0,
+              roundings(64), {},
+              "In no time nothing turns. A step of 0 is a step like any other: put no other in its place.");
+}
+
 EXERCISE_TEST(FreeRotation, KeepsAngularMomentum) {
   Random random;
   const Top start = random_top(random);

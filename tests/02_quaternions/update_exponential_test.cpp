@@ -80,6 +80,10 @@ EXERCISE_TEST(UpdateExponential, LeavesABodyAtRestAlone) {
                          update_exponential(q, Vec3(0, 0, speed), 1), q, roundings(8), {},
                          "ω/|ω| is 0/0 at rest, and |ω|² is 0 long before ω is. Only sin(θ/2)/|ω| is needed, "
                          "and it tends to h/2.");
+  expect_same_rotation(
+      "q after a step of h = 0 at 3 rad/s (w, x, y, z)", "Eq. (2.6)", update_exponential(q, Vec3(0, 0, 3), 0),
+      q, roundings(8), {},
+      "In no time nothing turns. A step of 0 is a step like any other: put no other in its place.");
 }
 
 EXERCISE_TEST(UpdateExponential, DropsNoSmallTurn) {

@@ -99,6 +99,10 @@ EXERCISE_TEST(UpdateFirstOrder, LeavesABodyAtRestAlone) {
   expect_same_rotation("q of a body with ω = 0 (w, x, y, z)", "Eq. (2.4)",
                        update_first_order(s.q, Vec3::Zero(), s.h), s.q, roundings(4), {},
                        "With ω = 0, Eq. (2.4) is q itself.");
+  expect_same_rotation(
+      "q after a step of h = 0 (w, x, y, z)", "Eq. (2.4)", update_first_order(s.q, s.omega, 0), s.q,
+      roundings(4), {},
+      "In no time nothing turns. A step of 0 is a step like any other: put no other in its place.");
 }
 
 EXERCISE_TEST(UpdateFirstOrder, BackwardsUndoesForwards) {

@@ -73,11 +73,11 @@ void set_lambda(Problem<Dof>& p, const Eigen::VectorXd& lambda) {
   }
 }
 
-/// Twenty rows with bounds of all kinds between so many bodies, and λ anywhere, or at one of its bounds.
-inline Problem<6> any_rows(Random& random, int bodies) {
-  Problem<6> p = random_problem(random, bodies, 20);
-  Eigen::VectorXd lambda(20);
-  for (Eigen::Index k = 0; k < 20; ++k) {
+/// Rows with bounds of all kinds between so many bodies, and λ anywhere, or at one of its bounds.
+inline Problem<6> any_rows(Random& random, int bodies, int rows = 20) {
+  Problem<6> p = random_problem(random, bodies, rows);
+  Eigen::VectorXd lambda(rows);
+  for (Eigen::Index k = 0; k < rows; ++k) {
     Row<6>& row = p.rows[static_cast<std::size_t>(k)];
     give_any_bounds(random, row);
     const double bound = random.integer(0, 1) ? row.lo : row.hi;

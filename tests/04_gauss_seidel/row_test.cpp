@@ -227,6 +227,9 @@ EXERCISE_TEST(ApplyImpulse, KeepsANaN) {
 EXERCISE_TEST(ApplyImpulse, LeavesTheOtherBodiesAndTheFloorAlone) {
   const Problem<3> p = stack({1, 2, 3}, 0.1);
   std::vector<Twist<3>> V = p.V;
+  apply_impulse(p.rows[0], 0.0, V);
+  expect_near("speed of 1 kg after an impulse of 0 N s from the floor [m/s]", "Eq. (4.5)", V[1].norm(), 0,
+              {0, "exact"}, {}, "An impulse of 0 is a number like any other: put no other in its place.");
   apply_impulse(p.rows[0], 5.0, V);
   expect_near("speed of 1 kg after an impulse of 5 N s from the floor [m/s]", "Eq. (4.5)", V[1].z(), 5,
               roundings(8));

@@ -144,7 +144,8 @@ EXERCISE_TEST(Solve, StopsByTheRule) {
   Random random;
   for (const double size : {1e-3, 1.0, 1e3}) {  // of B: the tolerance is a velocity, and not a part of it
     Problem<6> p = random_problem(random, 10, 14);
-    for (Row<6>& row : p.rows) row.B *= size;
+    // Without bounds, as rows none of which pushes are done after two sweeps.
+    for (Row<6>& row : p.rows) row.B *= size, row.lo = -infinity;
     const auto anew = [&](const StopRule& stop) {
       Problem<6> again = p;
       return solve(again.rows, again.V, stop);

@@ -1,6 +1,7 @@
 // All rows once, and how far they still are.
 #include "algebra.hpp"
 #include "exercise_test.hpp"
+#include "many.hpp"
 #include "problems.hpp"
 #include "processor_time.hpp"
 #include "regions.hpp"
@@ -92,10 +93,10 @@ EXERCISE_TEST(Sweep, ReturnsTheLargestLack) {
 EXERCISE_TEST(Sweep, TakesAnyBoundsAndAnyStart) {
   Random random;
   Regions regions({"is off, and pushed later in the sweep", "was off, and pushes in the next", "lets go again",
-                   "more than eight bodies"});
+                   "more than eight bodies", "a hundred rows"});
   while (regions.lack_draws()) {
-    const int bodies = random.integer(2, 14);
-    Problem<6> p = any_rows(random, bodies);
+    const int bodies = random.integer(2, 14), rows = random.integer(0, 3) ? 20 : many;
+    Problem<6> p = any_rows(random, bodies, rows);
     const Bounded problem = bounded(p.rows);
     Eigen::VectorXd lambda = gathered(p.rows, &Row<6>::lambda);
     bool pushed_later = false, pushes_next = false, lets_go = false;
@@ -121,17 +122,21 @@ EXERCISE_TEST(Sweep, TakesAnyBoundsAndAnyStart) {
     regions.draw({{"is off, and pushed later in the sweep", pushed_later},
                   {"was off, and pushes in the next", pushes_next},
                   {"lets go again", lets_go},
-                  {"more than eight bodies", bodies > 8}});
+                  {"more than eight bodies", bodies > 8},
+                  {"a hundred rows", rows == many}});
+    const std::string of = std::to_string(rows) + " rows";
     for (const double expected : largest)
       expect_near(
-          "what one of three sweeps over 20 rows between " + std::to_string(bodies) + " bodies returns [m/s]",
+          "what one of three sweeps over " + of + " between " + std::to_string(bodies) +
+              " bodies returns [m/s]",
           "Eq. (4.9)", sweep(p.rows, p.V), expected, roundings(1e5, 10), {},
           "The largest S_kk |Δλ_k|. Every row is updated in every sweep: one that is off may be pushed later.");
     expect_near_vector(
-        "λ after three sweeps [N s]", "Eq. (4.2), (4.7)", gathered(p.rows, &Row<6>::lambda), lambda,
-        roundings(1e5, 10), {},
+        "λ of " + of + " after three sweeps [N s]", "Eq. (4.2), (4.7)", gathered(p.rows, &Row<6>::lambda),
+        lambda, roundings(1e5, 10), {},
         "Every row is updated in every sweep, within its own bounds, from what V is then: one that is off "
-        "may be pushed later.");
+        "may be pushed later. " +
+            ends_early);
   }
 }
 
@@ -247,9 +252,10 @@ EXERCISE_TEST(Residual, TakesAnyBoundsAndAnyStart) {
   Regions regions(
       {"the row that lacks most is between its bounds", "the row that lacks most is at its lower bound",
        "the row that lacks most is at its upper bound", "the row that lacks most is below its lower bound",
-       "the row that lacks most is above its upper bound"});
+       "the row that lacks most is above its upper bound", "of a hundred rows one of the last lacks most"});
   while (regions.lack_draws()) {
-    const Problem<6> p = any_rows(random, random.integer(2, 14));
+    const int bodies = random.integer(2, 14), rows = random.integer(0, 3) ? 20 : many;
+    const Problem<6> p = any_rows(random, bodies, rows);
     const Bounded problem = bounded(p.rows);
     const Eigen::VectorXd lambda = gathered(p.rows, &Row<6>::lambda), r = problem.B - problem.S * lambda;
     double largest = 0, without_sigma = 0;
@@ -269,13 +275,15 @@ EXERCISE_TEST(Residual, TakesAnyBoundsAndAnyStart) {
                   {"the row that lacks most is at its lower bound", at == lo},
                   {"the row that lacks most is at its upper bound", at == hi},
                   {"the row that lacks most is below its lower bound", at < lo},
-                  {"the row that lacks most is above its upper bound", at > hi}});
+                  {"the row that lacks most is above its upper bound", at > hi},
+                  {"of a hundred rows one of the last lacks most", rows == many && most >= 2 * many / 3}});
     expect_near(
-        "residual of 20 rows with bounds of all kinds, λ within them or not [m/s]", "Eq. (4.8)",
-        residual(p.rows, p.V), largest, roundings(1e4, 10),
+        "residual of " + std::to_string(rows) + " rows with bounds of all kinds, λ within them or not [m/s]",
+        "Eq. (4.8)", residual(p.rows, p.V), largest, roundings(1e4, 10),
         {{without_sigma, "Σ λ is missing in r = B - G V - Σ λ."}},
         "What an update would change, of every row, times its S_kk: also of those that are at a bound, at "
-        "either, and would leave it.");
+        "either, and would leave it. Of " +
+            std::to_string(rows) + " rows the last counts like the first.");
   }
 }
 

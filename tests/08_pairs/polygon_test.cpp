@@ -274,7 +274,8 @@ double largest_area(const std::vector<Eigen::Vector2d>& points, std::size_t deep
       for (std::size_t c = b + 1; c < n; ++c) {
         if (a == deepest || b == deepest || c == deepest) continue;
         const std::vector<Eigen::Vector2d> four = {points[deepest], points[a], points[b], points[c]};
-        if (depth_of_origin(four) >= 0) largest = std::max(largest, area_around_the_origin(four));
+        const double found = area_around_the_origin(four);
+        if (found > largest && depth_of_origin(four) >= 0) largest = found;
       }
   return largest;
 }
@@ -391,6 +392,20 @@ EXERCISE_TEST(WellSpread, TakesAnyNumber) {
     contacts.back().gap = -0.2;
     expect_well_spread(contacts, "30 random contacts, the last the deepest");
   }
+  // Seventy beside each other and then four corners, of which the last has ten at it. Around the mean, in the middle, come
+  // the deepest, the crowd, and the other corners. Without the second corner the others span less than half, and without
+  // the last the mean is outside.
+  const Vec3 middle(5, -3, 2), corners[] = {Vec3(-1, 0, 0), Vec3(0, -4, 0), Vec3(3, -0.5, 0), Vec3(0, 1, 0)};
+  const Vec3 balance = -(corners[0] + corners[1] + corners[2] + 10 * corners[3]) / 70;
+  std::vector<Contact> contacts;
+  for (int k = 0; k < 70; ++k) {
+    const Vec3 place = middle + balance + random.vector(1e-3);
+    contacts.push_back(at(place, random.uniform(-0.1, -0.01)));
+  }
+  for (int k = 0; k < 10; ++k) contacts.push_back(at(middle + corners[3] + random.vector(1e-3), -0.01));
+  for (int k = 2; k >= 0; --k) contacts.push_back(at(middle + corners[k], k == 0 ? -0.2 : -0.01));
+  if (!::testing::Test::HasFailure())
+    expect_well_spread(contacts, "a crowd of 70, and four corners at the end of the list");
 }
 
 EXERCISE_TEST(WellSpread, HoldsTheMeanToRoundings) {
@@ -452,14 +467,15 @@ std::vector<int> numbers_of_those_kept(const std::vector<Contact>& contacts) {
 }
 
 /// `size` is what is meant by their distances.
-bool expect_the_same_while_they_tremble(Random& random, const std::vector<Contact>& still, double size) {
+bool expect_the_same_while_they_tremble(Random& random, const std::vector<Contact>& still, double size,
+                                        int trials = 100) {
   const auto listed = [](const std::vector<int>& numbers) {
     std::string text;
     for (const int k : numbers) text += " " + std::to_string(k);
     return text;
   };
   const std::vector<int> first = numbers_of_those_kept(still);
-  for (int trial = 0; trial < 100; ++trial) {
+  for (int trial = 0; trial < trials; ++trial) {
     std::vector<Contact> moved = still;
     for (Contact& contact : moved) {
       contact.r_i += random.vector(1e-9 * size);
@@ -467,8 +483,8 @@ bool expect_the_same_while_they_tremble(Random& random, const std::vector<Contac
     }
     const std::vector<int> now = numbers_of_those_kept(moved);
     expect_true(
-        "of the contacts 0 to 8 those kept," + listed(now) + ", are the same as before they moved by " +
-            show(1e-9 * size) + " m," + listed(first),
+        "of the contacts 0 to " + std::to_string(still.size() - 1) + " those kept," + listed(now) +
+            ", are the same as before they moved by " + show(1e-9 * size) + " m," + listed(first),
         "Eq. (8.10)", now == first,
         "Roundings have chosen, and a box would tremble. Of points that are as deep to a millionth of the "
         "distances take one by a rule of its own, and let another four win only if its area is larger by as "
@@ -502,6 +518,14 @@ EXERCISE_TEST(WellSpread, KeepsTheSameWhileTheyTremble) {
               (middle ? "one the deepest" : "all as deep") + ", across " + show(n);
           if (!expect_the_same_while_they_tremble(random, contacts, size)) return;
         }
+  std::vector<Contact> crowded(70, at(Vec3::Zero(), -0.001));
+  for (int k = 0; k < 8; ++k) {
+    const double angle = std::numbers::pi / 4 * k;
+    crowded.push_back(at(Vec3(std::cos(angle), std::sin(angle), 0), -0.01));
+  }
+  given() =
+      "given 70 in the middle, and then the corners of a regular octagon with a radius of 1 m, all as deep";
+  expect_the_same_while_they_tremble(random, crowded, 1, 10);
 }
 
 EXERCISE_TEST(Clip, DropsNothingSmall) {

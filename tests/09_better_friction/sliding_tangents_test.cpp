@@ -69,9 +69,11 @@ EXERCISE_TEST(SlidingTangents, TakeAnyWhereNothingSlides) {
       "There is no direction in a slip of 0, or of roundings: 0/0. Compare |u_t| with `slow`, and take chapter "
       "05's "
       "tangents where it is at most that.";
-  // Along the axes, where u - (n·u) n is 0 exactly; and anywhere, where it is roundings.
-  for (const Vec3& n : {Vec3(0, 0, 1), Vec3(0, -1, 0), Vec3(1, 0, 0), random.unit_vector()})
-    for (const double slow : {0.0, 1e-6}) {
+  // Along the axes, where u - (n·u) n is 0 exactly; and anywhere, where it is roundings. Those may lie along n, too:
+  // a `slow` of 0 would say that they have a direction.
+  const Vec3 anywhere = random.unit_vector();
+  for (const Vec3& n : {Vec3(0, 0, 1), Vec3(0, -1, 0), Vec3(1, 0, 0), anywhere})
+    for (const double slow : {n == anywhere ? 1e-14 : 0.0, 1e-6}) {
       const std::string with = ", n = " + show(n) + ", slow = " + show(slow) + " m/s";
       expect_frame("u = 0" + with, n, sliding_tangents(n, Vec3::Zero(), slow), clue);
       expect_frame("u = -5 m/s along n" + with, n, sliding_tangents(n, -5 * n, slow), clue);

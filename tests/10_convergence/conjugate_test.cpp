@@ -1,5 +1,6 @@
 // Conjugate gradients: what prepares them, and the solver.
 #include "exercise_test.hpp"
+#include "many.hpp"
 #include "small_parts.hpp"
 #include "stop_rule.hpp"
 #include "systems.hpp"
@@ -61,18 +62,19 @@ EXERCISE_TEST(Precondition, SweepsForthAndBack) {
 
 EXERCISE_TEST(Precondition, SweepsAnyNumberOfBodies) {
   Random random;
-  for (const int bodies : {2, 9, 30}) {
-    const Problem<6> p = random_problem(random, bodies, 12);
+  for (const auto& [bodies, rows] : {std::pair(2, 12), {9, 12}, {30, 12}, {30, many}}) {
+    const Problem<6> p = random_problem(random, bodies, rows);
     const Eigen::MatrixXd S = dense_S(p.rows);
-    Eigen::VectorXd r(12);
+    Eigen::VectorXd r(rows);
     for (double& each : r) each = random.uniform(-1, 1);
     // Forth and back from zero: (D + U)⁻¹ D (D + L)⁻¹ r.
     const Eigen::VectorXd forth = S.triangularView<Eigen::Lower>().solve(r);
     const Eigen::VectorXd both = S.triangularView<Eigen::Upper>().solve(S.diagonal().cwiseProduct(forth));
-    const auto z = precondition(p.rows, as_std(r), std::vector<bool>(12, true), p.V.size());
-    expect_near_vector("z of 12 rows between " + std::to_string(bodies) + " bodies [N s]", "Eq. (10.6)",
-                       as_eigen(z), both, roundings(1e4, 10), {{forth, "This is the sweep forth alone."}},
-                       "One sweep first to last and one last to first.");
+    const auto z = precondition(p.rows, as_std(r), all_free(p.rows.size()), p.V.size());
+    expect_near_vector(
+        "z of " + std::to_string(rows) + " rows between " + std::to_string(bodies) + " bodies [N s]",
+        "Eq. (10.6)", as_eigen(z), both, roundings(1e4, 10), {{forth, "This is the sweep forth alone."}},
+        "One sweep first to last and one last to first, over all of them. " + ends_early);
   }
 }
 
@@ -386,6 +388,32 @@ EXERCISE_TEST(ConjugateSolve, LeavesRowsAtTheirBoundsOutOfTheDirections) {
   }
 }
 
+void expect_within_bounds(const Problem<6>& p, int iterations) {
+  for (const Row<6>& row : p.rows)
+    expect_true(
+        "λ = " + show(row.lambda, 17) + " N s after " + std::to_string(iterations) + " iterations, within [" +
+            show(row.lo, 17) + ", " + show(row.hi, 17) + "]",
+        "Eq. (10.8)", row.lambda >= row.lo && row.lambda <= row.hi,
+        "A step goes no further than the bounds, and not by a rounding: λ + (hi - λ) may be more than hi.");
+}
+
+EXERCISE_TEST(ConjugateSolve, NeverLeavesTheBounds) {
+  // A bound is met nearly where the step aims at: then t = 1, the step ends at the bound, and λ + (hi - λ) is rounded.
+  Random random;
+  for (int repeat = 0; repeat < 1000 && !::testing::Test::HasFailure(); ++repeat) {
+    Problem<6> p = random_problem(random, 4, 12);
+    take_bounds_off(p);
+    const Eigen::MatrixXd S = dense_S(p.rows);
+    const Eigen::VectorXd B = gathered(p.rows, &Row<6>::B), from = forth(S, B), r = B - S * from;
+    const Eigen::VectorXd z = and_back(S, r, forth(S, r)), way = z.dot(r) / z.dot(S * z) * z;
+    const int k = random.integer(0, 11);
+    Row<6>& row = p.rows[static_cast<std::size_t>(k)];
+    (way[k] > 0 ? row.hi : row.lo) = from[k] + 0.95 * way[k];
+    conjugate_solve(p.rows, p.V, {.max_sweeps = 1, .tolerance = 0});
+    expect_within_bounds(p, 1);
+  }
+}
+
 EXERCISE_TEST(ConjugateSolve, NeverGainsEnergy) {
   Random random;
   for (int repeat = 0; repeat < 10; ++repeat) {
@@ -397,11 +425,7 @@ EXERCISE_TEST(ConjugateSolve, NeverGainsEnergy) {
     for (int iterations = 1; iterations <= 25; ++iterations) {
       Problem<6> p = start;
       conjugate_solve(p.rows, p.V, {.max_sweeps = iterations, .tolerance = 0});
-      for (const Row<6>& row : p.rows)
-        expect_true("λ = " + show(row.lambda) + " N s after " + std::to_string(iterations) +
-                        " iterations, within [" + show(row.lo) + ", " + show(row.hi) + "]",
-                    "Eq. (10.8)", row.lambda >= row.lo && row.lambda <= row.hi,
-                    "A step goes no further than the bounds.");
+      expect_within_bounds(p, iterations);
       const double now = energy(S, B, lambdas(p));
       expect_at_most(
           "E after " + std::to_string(iterations) + " iterations [J]", "Eq. (10.9)", now,
@@ -556,17 +580,20 @@ std::vector<Eigen::VectorXd> iterated(const Bounded& of, int iterations) {
 EXERCISE_TEST(ConjugateSolve, GoesByTheEquationsInEveryIteration) {
   Random random;
   for (int trial = 0; trial < 40 && !::testing::Test::HasFailure(); ++trial) {
-    Problem<6> start = random_problem(random, 5, 12);
+    const auto [bodies, rows] = trial ? std::pair(5, 12) : std::pair(many / 2, many);
+    Problem<6> start = random_problem(random, bodies, rows);
     give_bounds(random, start);
     const auto expected = iterated(bounded(start.rows), 8);
     for (std::size_t n = 0; n < expected.size() && !::testing::Test::HasFailure(); ++n) {
       Problem<6> p = start;
       conjugate_solve(p.rows, p.V, {.max_sweeps = static_cast<int>(n) + 1, .tolerance = 0});
       expect_near_vector(
-          "λ of 12 rows with bounds after iteration " + std::to_string(n + 1) + " [N s]", "Eq. (10.6)-(10.8)",
-          lambdas(p), expected[n], {1e-9, "roundings, over what is lacking"}, {},
+          "λ of " + std::to_string(rows) + " rows with bounds after iteration " + std::to_string(n + 1) +
+              " [N s]",
+          "Eq. (10.6)-(10.8)", lambdas(p), expected[n], {1e-9, "roundings, over what is lacking"}, {},
           "Up to here it was right. Whether there is a sweep depends on the step before alone, and "
-          "on what rows at bounds lack; and after a sweep p is z alone.");
+          "on what rows at bounds lack; and after a sweep p is z alone. " +
+              ends_early);
     }
   }
 }

@@ -1,5 +1,6 @@
 // L, D and P: right, found for a pattern once, and refused when a pivot is roundings.
 #include "exercise_test.hpp"
+#include "many.hpp"
 #include "systems.hpp"
 
 using namespace spook;
@@ -121,6 +122,28 @@ EXERCISE_TEST(Factorise, RefusesTheSameRowTwice) {
     Factors factors;
     expect_true("a row that is the sum of two others, with Σ = 0, is refused", "Eq. (11.4)",
                 !factorise(lower_triangle(G * G.transpose()), factors), clue);
+  }
+}
+
+EXERCISE_TEST(Factorise, WeighsEveryPivot) {
+  // Fifty pairs of rows, of which one is the same row twice but for roundings: each of them in turn, as P may put it
+  // anywhere.
+  const int pairs = many / 2;
+  for (int bad = 0; bad < pairs && !::testing::Test::HasFailure(); ++bad) {
+    SparseMatrix A(2 * pairs, 2 * pairs);
+    for (int k = 0; k < pairs; ++k) {
+      A.insert(2 * k, 2 * k) = 1;
+      A.insert(2 * k + 1, 2 * k) = 1;
+      A.insert(2 * k + 1, 2 * k + 1) = k == bad ? 1 + 1.5e-14 : 2;
+    }
+    A.makeCompressed();
+    Factors factors;
+    expect_true(
+        "a hundred rows, of which " + std::to_string(2 * bad) + " and the next are the same but for " +
+            "1.5e-14, are refused",
+        "Eq. (11.4)", !factorise(A, factors),
+        "Its pivot is less than 1e-14 (|A_kk| + Σ_j L_kj² |D_j|), wherever P has put it. A loop over the "
+        "columns of L that ends early leaves terms out.");
   }
 }
 

@@ -1,6 +1,7 @@
 // Where the interior point method begins: one energy for every bound, and a room that goes with it.
 #include "exercise_test.hpp"
 #include "interior.hpp"
+#include "many.hpp"
 #include "regions.hpp"
 
 using namespace spook;
@@ -157,18 +158,19 @@ EXERCISE_TEST(InteriorStart, GivesEveryBoundTheSameEnergy) {
 
 EXERCISE_TEST(InteriorStart, TakesTheLargestOfTheRows) {
   // The row that tells the size is each in turn.
-  for (Eigen::Index k = 0; k < 3; ++k) {
-    Bounded p{.S = VectorXd::Constant(3, 2).asDiagonal(),
-              .B = VectorXd::Constant(3, 0.1),
-              .lo = VectorXd::Zero(3),
-              .hi = VectorXd::Constant(3, infinity)};
-    expect_start(p, VectorXd::Unit(3, k));
+  for (const auto& [rows, k] : {std::pair(3, 0), {3, 1}, {3, 2}, {many, many - 1}}) {
+    Bounded p{.S = VectorXd::Constant(rows, 2).asDiagonal(),
+              .B = VectorXd::Constant(rows, 0.1),
+              .lo = VectorXd::Zero(rows),
+              .hi = VectorXd::Constant(rows, infinity)};
+    expect_start(p, VectorXd::Unit(rows, k));
     p.B[k] = -1;
-    expect_start(p, VectorXd::Zero(3));
+    expect_start(p, VectorXd::Zero(rows));
     p.lo[k] = 3;
-    expect_start(p, 5 * VectorXd::Unit(3, k));
+    expect_start(p, 5 * VectorXd::Unit(rows, k));
     p.lo[k] = -infinity, p.hi[k] = -4;
-    expect_start(p, -5 * VectorXd::Unit(3, k));
+    expect_start(p, -5 * VectorXd::Unit(rows, k));
+    if (::testing::Test::HasFailure()) return;
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include "algebra.hpp"
 #include "exercise_test.hpp"
+#include "many.hpp"
 #include "small_parts.hpp"
 #include "springs.hpp"
 
@@ -47,11 +48,18 @@ Answer dense(const Springs& s, double times, const std::vector<Vec3>& pushed) {
   return {.V = unknowns.head(3 * s.bodies()), .lambda = -unknowns.tail(std::ssize(s.rows))};
 }
 
+/// The same with another h, but for its rows.
+Springs stepped(Springs s, double h) {
+  s.h = h;
+  return s;
+}
+
 EXERCISE_TEST(StiffSolve, SolvesTheStep) {
   Random random;
   for (int repeat = 0; repeat < 10 && !::testing::Test::HasFailure(); ++repeat) {
     const int bodies = random.integer(3, 8), fixed = random.integer(0, 2);
     Springs s = random_springs(random, bodies, fixed, random.integer(0, 4));
+    if (repeat == 9) s.h = 0;  // then there is no K
     const std::vector<Vec3>&Wf = s.motion.Wf, none(Wf.size(), Vec3::Zero());
     std::vector<Vec3> whole, back;
     Eigen::VectorXd forces(3 * s.bodies());
@@ -78,7 +86,9 @@ EXERCISE_TEST(StiffSolve, SolvesTheStep) {
     expect_near_vector<Eigen::VectorXd>(
         "V of all bodies" + of + " [m/s]", "Eq. (12.6)", got.V, right.V,
         {1e-10 * right.V.norm(), "roundings times a condition of up to 1e5"},
-        {{unstiff.V, no_K},
+        {{repeat == 9 ? dense(stepped(s, 1), 1, Wf).V : unstiff.V,
+          repeat == 9 ? "This is a step of 1 s, where one of 0 is asked for: put no other in its place."
+                      : no_K},
          {unpushed.V, no_push},
          {tournier.V, damps},
          {backwards.V, sign},
@@ -208,13 +218,15 @@ EXERCISE_TEST(StiffSolve, MovesNothingThatIsFixed) {
                                got.V.segment<3>(3 * body), Vec3::Zero(), {0, "exact"}, {},
                                "Its M is the identity, so its V is its right side: keep that at 0.");
   }
-  Springs s{.h = 0.1};
-  s.add(1, Vec3::Zero(), Vec3(0, 0, -1));
-  s.add(0, Vec3::Zero(), Vec3::Zero());
-  s.stiffness.push_back({0, 1, 50 * Mat3::Identity()});
-  expect_near_vector<Vec3>("V of the second of two bodies, which is fixed [m/s]", "Eq. (12.6)",
-                           solved(s).V.segment<3>(3), Vec3::Zero(), {0, "exact"}, {},
-                           "Any body may be the fixed one, and the last as well.");
+  for (const int bodies : {2, many}) {
+    Springs s{.h = 0.1};
+    while (s.bodies() < bodies - 1) s.add(1, Vec3::Zero(), Vec3(0, 0, -1));
+    s.add(0, Vec3::Zero(), Vec3::Zero());
+    s.stiffness.push_back({0, bodies - 1, 50 * Mat3::Identity()});
+    expect_near_vector<Vec3>("V of the last of " + std::to_string(bodies) + " bodies, which is fixed [m/s]",
+                             "Eq. (12.6)", solved(s).V.tail<3>(), Vec3::Zero(), {0, "exact"}, {},
+                             "Any body may be the fixed one, and the last as well. " + ends_early);
+  }
 }
 
 EXERCISE_TEST(StiffSolve, LeavesAllAsItWasWhenItFails) {

@@ -53,10 +53,11 @@ EXERCISE_TEST(StiffenedMatrix, PutsASpringBetweenTwoPoints) {
 EXERCISE_TEST(StiffenedMatrix, IsTheDenseAssembly) {
   Random random;
   Regions regions({"i above j", "i below j", "a spring to a fixed i", "a spring to a fixed j",
-                   "a pair with two springs", "nothing is fixed"});
+                   "a pair with two springs", "nothing is fixed", "a step of no time"});
   while (regions.lack_draws()) {
     const int bodies = random.integer(3, 8), fixed = random.integer(0, 2);
-    const Springs s = random_springs(random, bodies, fixed, random.integer(0, 6));
+    Springs s = random_springs(random, bodies, fixed, random.integer(0, 6));
+    if (random.integer(0, 4) == 0) s.h = 0;
     const auto any = [&](const auto& is) { return std::any_of(s.stiffness.begin(), s.stiffness.end(), is); };
     std::set<std::pair<int, int>> pairs;
     for (const Stiffness& one : s.stiffness) pairs.insert(std::minmax(one.i, one.j));
@@ -68,7 +69,8 @@ EXERCISE_TEST(StiffenedMatrix, IsTheDenseAssembly) {
          {"a spring to a fixed j",
           any([&](const Stiffness& one) { return s.moves(one.i) && !s.moves(one.j); })},
          {"a pair with two springs", pairs.size() < s.stiffness.size()},
-         {"nothing is fixed", !any([&](const Stiffness& one) { return !s.moves(one.i) || !s.moves(one.j); })}});
+         {"nothing is fixed", !any([&](const Stiffness& one) { return !s.moves(one.i) || !s.moves(one.j); })},
+         {"a step of no time", s.h == 0}});
     const Eigen::MatrixXd A = stiffened(s), right = dense_matrix(s);
     const double size = right.cwiseAbs().maxCoeff();
     for (Eigen::Index column = 0; column < A.cols(); ++column)
@@ -79,7 +81,9 @@ EXERCISE_TEST(StiffenedMatrix, IsTheDenseAssembly) {
                 " springs, h = " + show(s.h) + " s",
             "Eq. (12.5)", A(line, column), right(line, column), roundings(50, size), {},
             "Springs in any order, i above j or below it, some that share a body or both: each adds h²K to "
-            "both of its bodies' blocks, and -h²K to the block of the pair that is below the diagonal.");
+            "both of its bodies' blocks, and -h²K to the block of the pair that is below the diagonal. With h "
+            "= 0 "
+            "that is 0.");
   }
 }
 

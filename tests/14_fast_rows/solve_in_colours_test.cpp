@@ -1,6 +1,7 @@
 // Sweeps by colour, on any number of threads: the same numbers.
 #include "14_fast_rows/fast_rows.hpp"
 #include "exercise_test.hpp"
+#include "many.hpp"
 #include "packs.hpp"
 #include "stop_rule.hpp"
 
@@ -94,6 +95,22 @@ EXERCISE_TEST(SolveInColours, HasThreadsWithNothingToDo) {
   expect_true("16 threads for a pack or two give the same", "Eq. (14.10)",
               same_bits(alone.heap, many.heap) && alone.report.history == many.report.history,
               "A share may be empty.");
+}
+
+EXERCISE_TEST(SolveInColours, AsksEveryThreadWhatItsPacksLacked) {
+  // A hundred packs of one colour, so that each of a hundred threads has one; the last lacks most.
+  Random random;
+  Heap heap(random, 2 * lane_count * many + 2, 0);
+  for (int k = 1; k <= lane_count * many; ++k)
+    heap.rows.push_back(some_row(random, 2 * k, 2 * k + 1, heap.motion));
+  heap.rows.back().lo = -infinity, heap.rows.back().hi = infinity, heap.rows.back().B = 1000;
+  const StopRule stop{.max_sweeps = 3, .tolerance = 1e-9};
+  const std::vector<double> alone = solved(heap, stop, 1).report.history,
+                            together = solved(heap, stop, many).report.history;
+  expect_true(
+      "on a hundred threads, of which the last has the pack that lacks most, the history is that of one",
+      "Eq. (4.9), (14.10)", alone == together,
+      "The largest of all threads, however many there are; and in the next sweep each begins at 0.");
 }
 
 EXERCISE_TEST(SolveInColours, HasChapter04sSolution) {

@@ -176,6 +176,19 @@ EXERCISE_TEST(SolveOnCone, ObeysCoulombsLawWhereItNearlyJams) {
   }
 }
 
+EXERCISE_TEST(SolveOnCone, LooksForTheRootUntilItIsFound) {
+  // A nearly singular block and a large μ: for one μ in some twenty, Newton's method is thrown far from a small root, and
+  // on the way back halving takes a step for each factor of two.
+  const Mat3 S = (Mat3() << 0.12, 0, -0.34, 0, 0.01, 0.02, -0.34, 0.02, 1.01).finished();
+  const Vec3 q(1, 5000, 4000);
+  for (int k = 0; k < 200 && !::testing::Test::HasFailure(); ++k) {
+    const double mu = 20 + 0.05 * k;
+    given() = "given S = " + show(S) + " /kg, q = " + show(q) + " m/s, μ = " + show(mu) +
+              ", for which a search may take more than 64 steps: it ends where the root is, and not before";
+    expect_coulomb(S, q, mu, solve_on_cone(S, q, mu));
+  }
+}
+
 EXERCISE_TEST(SolveOnCone, FindsWhatSweepsDoNot) {
   // The rod of (9.8) with ρ = -1.5, dragged at 3 m/s: rows one by one find λ_n, none, λ_n, none, for ever.
   const Mat3 S = (Mat3() << 1.6, -1.2, 0, -1.2, 3.4, 0, 0, 0, 4).finished();
