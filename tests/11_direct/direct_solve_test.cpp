@@ -45,6 +45,34 @@ EXERCISE_TEST(DirectSolve, HoldsAWireWithALoad) {
   }
 }
 
+EXERCISE_TEST(DirectSolve, RefinesTheImpulsesToo) {
+  const HangingWire wire{.links = 100, .ratio = 1e6, .k = 1e12, .h = 0.01};
+  System<3> s = wire.system();
+  solve_directly(s);
+  double worst = 0;
+  for (int link = 0; link < wire.links; ++link) {
+    const double right = -wire.h * wire.tension(link);
+    const double error = std::abs(s.rows[static_cast<std::size_t>(link)].lambda / right - 1);
+    if (!(error <= worst)) worst = error;
+  }
+  expect_at_most("largest relative error of λ, 100 links of 1e12 N/m, 1e6:1", "Eq. (11.14)", worst, 1e-11,
+                 "what one refinement leaves of some 1e-9: its square, and roundings of a hundred rows",
+                 "Without refinement it is 1e-16 times the condition. λ takes δ as V does, with its sign.");
+  // With one row's bound next to its λ, nearer than the λ that is refined was; and what that leaves is tolerated.
+  const System<3> solved = s;
+  for (std::size_t k = 0; k < s.rows.size() && !::testing::Test::HasFailure(); ++k)
+    for (const double side : {-1.0, 1.0}) {
+      s = solved;
+      Row<3>& row = s.rows[k];
+      (side > 0 ? row.hi : row.lo) = row.lambda - side * 1e-10 * std::abs(row.lambda);
+      solve_directly(s, {.max_sweeps = 100, .tolerance = 1e-3});
+      expect_true(
+          "λ of link " + std::to_string(k) + " is within its bounds, also where refined it would not be",
+          "Eq. (11.14)", row.lo <= row.lambda && row.lambda <= row.hi,
+          "It was within, δ takes it out: clamp it once more.");
+    }
+}
+
 EXERCISE_TEST(DirectSolve, StretchesAWireByItsTensions) {
   // From where it is not stretched yet: links of 0.01 m and k = 1e10 N/m.
   const HangingWire wire{.links = 100, .ratio = 1e5, .k = 1e10, .h = 1.0 / 60};
@@ -453,6 +481,12 @@ EXERCISE_TEST(DirectSolve, OfNothingIsDone) {
   expect_near("largest V without rows [m/s, rad/s]", "Eq. (4.5)",
               difference(s.V, std::vector<Twist<6>>(2, Twist<6>::Zero())), 0, {0, "exact"}, {},
               "V is what the impulses do, and there are none.");
+  Random random;
+  System<6> still = random_system(random, 4, 8);
+  for (Row<6>& row : still.rows) row.B = 0;
+  expect_near("factorisations of rows that ask for nothing", "Eq. (11.13)",
+              static_cast<double>(solve_directly(still).history.size()), 1, {0, "a count"}, {},
+              "λ = 0 leaves nothing: a residual of 0 is at most a tolerance of 0, and roundings of 0.");
 }
 
 EXERCISE_TEST(DirectSolve, RejectsARuleThatCannotBeMet) {
