@@ -39,7 +39,7 @@ ImpactReport resolve_impacts(const std::vector<Contact>& contacts, const ImpactL
     ++report.passes;
     for (const Contact& contact : contacts) {
       const Vec3 u = velocity_at(motion, contact.j, contact.r_j) - velocity_at(motion, contact.i, contact.r_i);
-      if (u.dot(contact.n) >= -law.threshold) continue;  // Eq. (7.10)
+      if (!(u.dot(contact.n) < -law.threshold)) continue;  // Eq. (7.10)
       const Mat3 K = collision_matrix_of(contact, motion);
       const Vec3 J = impact_impulse(K, u, contact.n, law.restitution, law.friction);
       apply_impact(contact, J, motion);

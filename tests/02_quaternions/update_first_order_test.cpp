@@ -65,6 +65,16 @@ EXERCISE_TEST(UpdateFirstOrder, KeepsUnitLengthFor1001Steps) {
               "Normalise after the sum: the step leaves the unit sphere.");
 }
 
+EXERCISE_TEST(UpdateFirstOrder, ComesBackToUnitLengthFromAnyDistance) {
+  const Step s;
+  for (const double x : {1.0, 1e-2, 1e-4, 1e-5, 1e-6, 2e-7}) {  // the sum is too long by x²/8
+    const Quat next = update_first_order(s.q, s.omega, x / s.speed);
+    expect_near("|q| - 1 after an update with hω = " + show(x), "Eq. (2.4)", next.norm() - 1, 0, roundings(8),
+                {{x * x / 8, "This is the sum as it is. Small as it is, it adds up: normalise in every step."}},
+                "Normalise after the sum, however little it is off.");
+  }
+}
+
 // 2 atan(x/2)/x - 1 = -x²/12 + x⁴/80 - …, an alternating series: what is left out is less than its first term.
 EXERCISE_TEST(UpdateFirstOrder, FallsShortByATwelfthOfTheSquare) {
   const Step s;

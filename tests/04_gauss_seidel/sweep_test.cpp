@@ -230,6 +230,8 @@ EXERCISE_TEST(Residual, ProjectsOnTheRowsOwnBounds) {
                         {-1, -0.25, 0.75, 0.5, -0.25},
                         {1, 2, 3, 2.5, 2},
                         {1, 2, 3, 2, 2},
+                        {1, -0.5, 0.75, 1.5, 0.75},  // begins beyond its bound
+                        {-1, -0.25, 0.75, -1, -0.25},
                         {-1, -3, -2, -3, -2}}) {
     p.rows[0].B = c.B;
     p.rows[0].lo = c.lo;

@@ -166,6 +166,17 @@ EXERCISE_TEST(UpdateRow, KeepsBothBounds) {
   }
 }
 
+EXERCISE_TEST(UpdateRow, ComesBackWithinBoundsThoughItLacksNothing) {
+  Row<3> row = by_hand(2, 4);  // λ = B/S_kk: r = 0, were it not for its bound
+  row.hi = 3;
+  std::vector<Twist<3>> V(2, Twist<3>::Zero());
+  V[1].z() = 1;  // what λ = 4 N s does
+  update_row(row, V);
+  expect_near("λ of a row that lacks nothing with λ = 4, and may have 3 at most [N s]", "Eq. (4.7)", row.lambda,
+              3, {0, "exact"},
+              {{4, "A row that lacks nothing may still be beyond its bounds, with a warm λ: project."}});
+}
+
 EXERCISE_TEST(UpdateRow, TakesAnyBoundsAndAnyStart) {
   Random random;
   Regions regions({"free", "held at lo", "held at hi", "held at hi = 0", "lo = hi", "λ begins below lo",

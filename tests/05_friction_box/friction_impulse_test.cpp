@@ -244,6 +244,9 @@ EXERCISE_TEST(FrictionImpulse, IsNothingWithoutABound) {
   const Touch touch(random);
   expect_near_vector("J [N s] for Λ = 0", "Eq. (5.8)", friction_impulse(touch.K, touch.u, touch.t, 0.1, 0),
                      Vec3::Zero(), {0, "exact"}, {}, "Ice: -0 <= λ <= 0.");
+  expect_near_vector("J [N s] for Λ = 0 and u = 0", "Eq. (5.8)",
+                     friction_impulse(touch.K, Vec3::Zero(), touch.t, 0.1, 0), Vec3::Zero(), {0, "exact"}, {},
+                     "A bound over an impulse is 0/0 here: clamp, do not divide.");
 }
 
 EXERCISE_TEST(FrictionImpulse, IsNothingAtRest) {

@@ -168,6 +168,16 @@ EXERCISE_TEST(ResolveImpacts, LeavesASlowApproachAlone) {
 }
 
 // The impact of the first pair makes the approach of the second, which is listed before it and is seen in pass two.
+EXERCISE_TEST(ResolveImpacts, TakesANaNForNoImpact) {
+  Motion<3> motion = row_of_balls({std::nan(""), 1}, {1, 1});
+  const ImpactReport report = resolve_impacts(contacts_of_row(2), {.restitution = 0.5}, motion);
+  expect_near(
+      "impacts of a ball whose velocity is NaN", "Eq. (7.10)", report.impacts, 0, {0, "a number"}, {},
+      "A question about a NaN is answered by no, as NUMBERS.md has it: ask whether the approach is faster than "
+      "the threshold, and not whether it is as slow.");
+  expect_near("velocity of the ball beside it [m/s]", "Eq. (7.10)", speeds(motion)[1], 1, {0, "exact"});
+}
+
 EXERCISE_TEST(ResolveImpacts, LeavesASlowApproachAloneInEveryPass) {
   Motion<3> motion = row_of_balls({1, 0, 0.75});
   const std::vector<Contact> contacts{contact_along(1, 2, Vec3::UnitX()), contact_along(0, 1, Vec3::UnitX())};
