@@ -76,6 +76,7 @@ class Replacing : public Visitor {
     was_ = value, unit_ = unit;
     value = by_(value);
   }
+  void bound(double&, const Unit&) override {}
   void count(long long) override {}
 
   int numbers() const { return count_; }

@@ -49,7 +49,7 @@ void each_number(Visitor& visitor, Constraint<Dof>& c, ByField) {
   each_number(visitor, c.Gi, jacobian), each_number(visitor, c.Gj, jacobian);
   visitor.number(c.gap, m);
   each_number(visitor, c.spook, by_field);
-  visitor.number(c.lo, N * s), visitor.number(c.hi, N * s);
+  visitor.bound(c.lo, N * s), visitor.bound(c.hi, N * s);
 }
 
 template <int Dof>
@@ -62,7 +62,7 @@ void each_number(Visitor& visitor, Row<Dof>& row, ByField) {
   visitor.number(row.B, m / s);
   visitor.number(row.Sigma, 1 / kg), visitor.number(row.diagonal, 1 / kg);
   visitor.fixed(false);
-  visitor.number(row.lo, N * s), visitor.number(row.hi, N * s), visitor.number(row.lambda, N * s);
+  visitor.bound(row.lo, N * s), visitor.bound(row.hi, N * s), visitor.number(row.lambda, N * s);
 }
 
 inline void each_number(Visitor& visitor, StopRule& stop, ByField) {
@@ -81,7 +81,7 @@ inline void each_number(Visitor& visitor, Tangents& t, ByField) {
 
 inline void each_number(Visitor& visitor, Rubbing& contact, ByField) {
   visitor.count(static_cast<long long>(contact.normal));
-  visitor.number(contact.mu, units::pure);
+  visitor.bound(contact.mu, units::pure);
 }
 
 }  // namespace spook::testing

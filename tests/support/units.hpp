@@ -82,6 +82,8 @@ class Visitor {
  public:
   virtual ~Visitor() = default;
   virtual void number(double& value, const Unit& unit) = 0;
+  /// A number that is checked where it enters: a bound, a coefficient.
+  virtual void bound(double& value, const Unit& unit) { number(value, unit); }
   /// What is counted has no unit: an index, a size, yes or no.
   virtual void count(long long value) = 0;
   /// From here on comes what no function has any business to change, such as the masses of a row; or again what may.
