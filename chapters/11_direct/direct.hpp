@@ -14,7 +14,8 @@
 //   Newton's step      S̃ Δλ = B - S λ + τ⁻/s⁻ - τ⁺/s⁺,  towards s z = τ                 Eq. (11.8)   not in the notes
 //                      Δz⁻ = (τ⁻ - z⁻ Δλ)/s⁻ - z⁻,  Δz⁺ = (τ⁺ + z⁺ Δλ)/s⁺ - z⁺          Eq. (11.9)   not in the notes
 //   longest step       the largest part of it, up to 1, that keeps s >= 0 and z >= 0    Eq. (11.10)  not in the notes
-//   target             τ = 0 first; then (μ'/μ)³ μ - α Δs Δz, of the first step's Δ     Eq. (11.11)  not in the notes
+//   target             τ = 0 first; then (μ'/μ)³ μ - Δs Δz, of the first step's Δ;
+//                      of the second the part (0.9 + 0.0999 α) α₂ is taken              Eq. (11.11)  not in the notes
 //   start              s z = E for every bound, s = min(√(E/S_kk), (hi - lo)/2)         Eq. (11.12)  not in the notes
 //   roundings          1e-13 max |B| + 1e-14 max S_kk |λ_k|: nothing solves better      Eq. (11.13)  not in the notes
 //   refined            S δ = B - G V - Σ λ,  then λ += δ and V += M⁻¹ Gᵀ δ              Eq. (11.14)  not in the notes
@@ -96,9 +97,9 @@ double longest_step(const Interior& now, const Interior& step);
 Interior interior_start(const SparseMatrix& S, const Vector& B, const Vector& lo, const Vector& hi,
                         const Vector& guess);
 
-/// Exercise 11.9. The next point, by two Newton steps with `factors`, those of S̃: Eq. (11.11). The second is taken,
-/// 0.999 of its longest part, or all of it if nothing limits it; and then the smallest of |λ|, s⁻ and s⁺ of each row
-/// sets the other two.
+/// Exercise 11.9. The next point, by two Newton steps with `factors`, those of S̃: Eq. (11.11). The second is taken: the
+/// part (0.9 + 0.0999 α) α₂ of it, with the longest parts α of the first and α₂ of the second, or all of it if nothing
+/// limits it, α₂ = 1. Then the smallest of |λ|, s⁻ and s⁺ of each row sets the other two.
 Interior interior_step(const SparseMatrix& S, const Vector& B, const Vector& lo, const Vector& hi,
                        const Interior& now, const Factors& factors);
 

@@ -76,7 +76,7 @@ void box_box(const Box& i, const Box& j, std::vector<Contact>& contacts) {
   const bool exchange = j.body < i.body;
   const Box &first = exchange ? j : i, &second = exchange ? i : j;
   const SeparatingAxis axis = separating_axis(first, second);
-  if (!(axis.gap <= 0)) return;
+  if (!(axis.gap <= 0 && std::isfinite(axis.gap))) return;
 
   std::vector<Contact> found;  // of first, as i, with second
   if (axis.face_i >= 0) {

@@ -49,12 +49,12 @@ Interior interior_step(const SparseMatrix& S, const Vector& B, const Vector& lo,
   const double far = longest_step(now, straight);
   const double before = mean_product(now), after = mean_product(moved(now, straight, far));
   const Vector centre = Vector::Constant(B.size(), before > 0 ? std::pow(after / before, 3) * before : 0);
-  const Target target{.lo = centre - far * straight.room_lo.cwiseProduct(straight.push_lo),  // Eq. (11.11)
-                      .hi = centre - far * straight.room_hi.cwiseProduct(straight.push_hi)};
+  const Target target{.lo = centre - straight.room_lo.cwiseProduct(straight.push_lo),  // Eq. (11.11)
+                      .hi = centre - straight.room_hi.cwiseProduct(straight.push_hi)};
 
   const Interior step = newton_step(S, B, now, target, factors);
   const double longest = longest_step(now, step);
-  Interior next = moved(now, step, longest < 1 ? 0.999 * longest : 1);  // rooms stay positive
+  Interior next = moved(now, step, longest < 1 ? (0.9 + 0.0999 * far) * longest : 1);
   reconcile(lo, hi, next);
   return next;
 }

@@ -153,11 +153,11 @@ Interior next(const std::vector<Row<Dof>>& rows, const Interior& now, const Vect
   const double far = longest_step(now, straight);
   const double before = mean_product(now), after = mean_product(moved(now, straight, far));
   const Vector centre = Vector::Constant(n, before > 0 ? std::pow(after / before, 3) * before : 0);
-  const Target target{.lo = centre - far * straight.room_lo.cwiseProduct(straight.push_lo),
-                      .hi = centre - far * straight.room_hi.cwiseProduct(straight.push_hi)};
+  const Target target{.lo = centre - straight.room_lo.cwiseProduct(straight.push_lo),
+                      .hi = centre - straight.room_hi.cwiseProduct(straight.push_hi)};
   const Interior step = newton_step(now, target, lacking, softness, system, 2);
   const double longest = longest_step(now, step);
-  Interior there = moved(now, step, longest < 1 ? 0.999 * longest : 1);
+  Interior there = moved(now, step, longest < 1 ? (0.9 + 0.0999 * far) * longest : 1);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     double &below = there.room_lo[k], &above = there.room_hi[k];
     if (below < above) {

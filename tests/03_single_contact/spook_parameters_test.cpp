@@ -173,6 +173,11 @@ EXERCISE_TEST(SpookParameters, RejectANegativeRelaxation) {
     expect_rejects(
         "d = " + show(d), "d", [&] { spook_parameters(0.01, 1e4, d); },
         "See require_not_negative in require.hpp. d = 0 is allowed.");
+  const std::string clue = "h and k are looked at before anything is returned, also where d = 0.";
+  expect_rejects(
+      "h = 0 where d = 0", "h", [&] { spook_parameters(0, 1e4, 0); }, clue);
+  expect_rejects(
+      "k = NaN where d = 0", "k", [&] { spook_parameters(0.01, std::nan(""), 0); }, clue);
 }
 
 }  // namespace

@@ -220,4 +220,25 @@ EXERCISE_TEST(FrictionBound, RejectsAStepThatIsNotPositive) {
         "h = " + show(h), "h", [&] { friction_bound(0.4, 3, 10, h); }, "See require_positive in require.hpp.");
 }
 
+EXERCISE_TEST(FrictionBound, RejectsWhereTheBoundIsZeroToo) {
+  friction_bound(0.4, 3, 10, 0.02);
+  const std::string clue =
+      "All four are looked at before anything is returned. A bound that is 0 by one of them is right only if "
+      "the "
+      "others make sense.";
+  const double nan = std::nan("");
+  expect_rejects(
+      "h = 0 where mu = 0", "h", [&] { friction_bound(0, 3, 10, 0); }, clue);
+  expect_rejects(
+      "h = NaN where mass = 0", "h", [&] { friction_bound(0.4, 0, 10, nan); }, clue);
+  expect_rejects(
+      "mass = NaN where mu = 0", "mass", [&] { friction_bound(0, nan, 10, 0.02); }, clue);
+  expect_rejects(
+      "mu = NaN where mass = 0", "mu", [&] { friction_bound(nan, 0, 10, 0.02); }, clue);
+  expect_rejects(
+      "mu = NaN where gravity = 0", "mu", [&] { friction_bound(nan, 3, 0, 0.02); }, clue);
+  expect_rejects(
+      "normal_gravity = -1 where mu = 0", "normal_gravity", [&] { friction_bound(0, 3, -1, 0.02); }, clue);
+}
+
 }  // namespace

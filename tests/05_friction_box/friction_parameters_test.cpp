@@ -131,6 +131,9 @@ EXERCISE_TEST(FrictionParameters, RejectAStepThatIsNotPositive) {
   for (const double h : {0.0, -0.01, std::nan(""), HUGE_VAL})
     expect_rejects(
         "h = " + show(h), "h", [&] { friction_parameters(h, 1e4); }, "See require_positive in require.hpp.");
+  expect_rejects(
+      "h = NaN where c = ∞", "h", [&] { friction_parameters(std::nan(""), HUGE_VAL); },
+      "h is looked at before anything is returned, also where Γ is 0 whatever it is.");
 }
 
 EXERCISE_TEST(FrictionParameters, RejectAViscosityThatIsNotPositive) {

@@ -202,6 +202,11 @@ EXERCISE_TEST(RepresentativeMass, RejectsLessThanOneContact) {
     expect_rejects(
         "contacts = " + std::to_string(contacts), "contacts", [&] { representative_mass(1, 1, contacts); },
         "See reject in require.hpp. A count has no helper of its own.");
+  for (const bool first : {true, false})
+    expect_rejects(
+        "contacts = 0 of a body on a fixed one", "contacts",
+        [&] { representative_mass(first ? 0 : 1, first ? 1 : 0, 0); },
+        "A fixed body is no reason to return before the contacts are looked at.");
 }
 
 }  // namespace

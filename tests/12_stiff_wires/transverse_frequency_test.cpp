@@ -101,6 +101,11 @@ EXERCISE_TEST(TransverseFrequency, RefusesWhatIsNoWire) {
   for (const double bad : {0.0, -1.0, nan, inf}) {
     expect_rejects("a mass of " + show(bad) + " kg", "mass", [=] { transverse_frequency(1, bad, 1); });
     expect_rejects("a length of " + show(bad) + " m", "length", [=] { transverse_frequency(1, 1, bad); });
+    const std::string slack = "All are looked at before anything is returned, also where the tension is 0.";
+    expect_rejects(
+        "a mass of " + show(bad) + " kg, slack", "mass", [=] { transverse_frequency(0, bad, 1); }, slack);
+    expect_rejects(
+        "a length of " + show(bad) + " m, slack", "length", [=] { transverse_frequency(0, 1, bad); }, slack);
   }
 }
 

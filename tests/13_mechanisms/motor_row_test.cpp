@@ -155,6 +155,13 @@ EXERCISE_TEST(MotorRow, RejectsMotorsThatMakeNoSense) {
     expect_rejects("a viscosity of " + show(bad), "viscosity", [&] { with({.viscosity = bad}); });
   for (const double bad : {0.0, -0.1, nan})
     expect_rejects("a step of " + show(bad), "h", [&] { with({}, bad); });
+  const std::string clue = "All are looked at, also where a strength of 0 lets the motor do nothing.";
+  expect_rejects(
+      "a speed of NaN without strength", "speed", [&] { with({.speed = nan, .strength = 0}); }, clue);
+  expect_rejects(
+      "a viscosity of 0 without strength", "viscosity", [&] { with({.strength = 0, .viscosity = 0}); }, clue);
+  expect_rejects(
+      "a step of 0 without strength", "h", [&] { with({.strength = 0}, 0); }, clue);
   with({.speed = 1, .strength = 0, .viscosity = infinity});  // all of this makes sense
 }
 

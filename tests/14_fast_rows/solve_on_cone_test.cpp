@@ -238,7 +238,8 @@ EXERCISE_TEST(SolveOnCone, KeepsANaN) {
       q[k] = std::nan("");
       expect_true(
           "a q of " + show(q_n) + " with NaN in its entry " + std::to_string(k) + " makes a λ with a NaN",
-          "Eq. (14.3)", solve_on_cone(S, q, mu).hasNaN(), "A NaN went in and none came out.");
+          "Eq. (14.3)", solve_on_cone(S, q, mu).hasNaN(),
+          "A NaN went in and none came out. A q_n of 0 or less gives λ = 0 only if all of q are numbers.");
     }
 }
 
