@@ -76,7 +76,9 @@ EXERCISE_TEST(ContactJacobian, HasFourBlocks) {
          {twist(-n, -r_j.cross(n)), "The sign: n points from i to j, so j is pushed along +n, and i along -n."},
          {twist(n, -r_j.cross(n)), "The sign of the angular block: it goes with n, as r_j × n."},
          {twist(r_j.cross(n), n), "The linear part comes first, then the angular one."},
-         {twist(n, r_j), "The angular block is a cross product, r_j × n."}},
+         {twist(n, r_j), "The angular block is a cross product, r_j × n."},
+         {twist(Vec3::Zero(), Vec3::Zero()), "All are 0, and the gap is " + show(gap) +
+                                                 " m: G does not look at it. An open contact has one, too."}},
         "Gj = (n, r_j × n).");
     expect_near_vector(
         "Gi", "Eq. (3.3)", G.Gi, twist(-n, -r_i.cross(n)), roundings(8, 2),

@@ -54,6 +54,7 @@ EXERCISE_TEST(BallJointConstraints, HasARowAlongEachAxis) {
     const Constraint<6>& row = rows[static_cast<std::size_t>(k)];
     const std::string of = " of the row along " + axis_names[static_cast<std::size_t>(k)];
     const Vec3 e = Vec3::Unit(k), torque_i = t.i.r.cross(e), torque_j = t.j.r.cross(e);
+    const Vec3 apart = t.j.x + t.j.r - t.i.x - t.i.r;
     expect_near_vector(
         "Gj" + of, "Eq. (6.6)", row.Gj, twist(e, torque_j), roundings(16, 2),
         {{twist(-e, -torque_j), "The sign: the gap is that of j minus that of i, so j comes with a plus."},
@@ -63,7 +64,9 @@ EXERCISE_TEST(BallJointConstraints, HasARowAlongEachAxis) {
          {twist(e, t.j.r.cwiseProduct(e)),
           "The angular block is a cross product, r_j × e: it has no part along e."},
          {twist(e, (t.j.x + t.j.r).cross(e)), origin},
-         {twist(t.n, t.j.r.cross(t.n)), line}},
+         {twist(t.n, t.j.r.cross(t.n)), line},
+         {twist(e, (t.j.r - apart / 2).cross(e)),
+          "This is the arm to the point midway between the two. The arms are r_i and r_j, as they are given."}},
         "Gj = (e, r_j × e).");
     expect_near_vector("Gi" + of, "Eq. (6.6)", row.Gi, twist(-e, -torque_i), roundings(16, 2),
                        {{twist(e, torque_i), "i is pushed the other way: both parts of Gi have a minus."},

@@ -144,16 +144,20 @@ EXERCISE_TEST(ApplyImpact, TakesPointMasses) {
   const Contact contact{
       .i = 0, .j = 1, .n = Vec3(1, 0, 0), .gap = 0, .r_i = Vec3(0.5, 0, 0), .r_j = Vec3(-0.5, 0, 0)};
   apply_impact(contact, Vec3(4, 0, 2), motion);
-  expect_near_vector("velocity of i, 2 kg, after (4, 0, 2) N s [m/s]", "Eq. (7.9)", motion.W[0],
-                     Vec3(-1, 0, -1), roundings(8, 4),
-                     {{Vec3(3, 0, 1), "The sign: J acts on j, and -J on i."},
-                      {Vec3(1, 0, 0), "This body has not moved."},
-                      {Vec3(-3, 0, -2), "The mass is missing: J/m."}});
-  expect_near_vector("velocity of j, 4 kg, after (4, 0, 2) N s [m/s]", "Eq. (7.9)", motion.W[1],
-                     Vec3(0, 0, 2.5), roundings(8, 4),
-                     {{Vec3(-2, 0, 1.5), "The sign: J acts on j, and -J on i."},
-                      {Vec3(-1, 0, 2), "This body has not moved."},
-                      {Vec3(3, 0, 4), "The mass is missing: J/m."}});
+  expect_near_vector(
+      "velocity of i, 2 kg, after (4, 0, 2) N s [m/s]", "Eq. (7.9)", motion.W[0], Vec3(-1, 0, -1),
+      roundings(8, 4),
+      {{Vec3(3, 0, 1), "The sign: J acts on j, and -J on i."},
+       {Vec3(1, 0, 0), "This body has not moved."},
+       {Vec3(-1, 0, 0), "This is by J's part along n alone. A point mass has friction, too: all of J."},
+       {Vec3(-3, 0, -2), "The mass is missing: J/m."}});
+  expect_near_vector(
+      "velocity of j, 4 kg, after (4, 0, 2) N s [m/s]", "Eq. (7.9)", motion.W[1], Vec3(0, 0, 2.5),
+      roundings(8, 4),
+      {{Vec3(-2, 0, 1.5), "The sign: J acts on j, and -J on i."},
+       {Vec3(-1, 0, 2), "This body has not moved."},
+       {Vec3(0, 0, 2), "This is by J's part along n alone. A point mass has friction, too: all of J."},
+       {Vec3(3, 0, 4), "The mass is missing: J/m."}});
 }
 
 }  // namespace

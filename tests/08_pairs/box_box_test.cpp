@@ -325,16 +325,6 @@ EXERCISE_TEST(BoxBox, TouchesFromZeroGapOn) {
   }
 }
 
-EXERCISE_TEST(BoxBox, IsTouchedByNoNaN) {
-  const Box i = straight(0, Vec3::Zero(), Vec3(0.5, 0.5, 0.5));
-  Box j = i;
-  j.body = 1;
-  j.x.setConstant(std::numeric_limits<double>::quiet_NaN());
-  expect_near("contacts with a cube that is nowhere, x = NaN", "Eq. (8.6)",
-              static_cast<double>(contacts_of(i, j).size()), 0, {0, "a count"}, {},
-              "separating_axis finds neither a face nor edges for a box that is NaN, and a gap of -∞.");
-}
-
 EXERCISE_TEST(BoxBox, PiercesAThinPlate) {
   // Deeper than the plate is thick: its corner is a contact all the same, and only the four sides cut.
   const Box plate = straight(0, Vec3::Zero(), Vec3(2, 2, 0.01));

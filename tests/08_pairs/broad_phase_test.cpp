@@ -74,8 +74,11 @@ bool expect_all(const std::string& equation, const std::string& scene, const std
     const double width = (a.upper.cwiseMin(b.upper) - a.lower.cwiseMax(b.lower)).minCoeff();
     given() = "given " + both(missing[0]);
     expect_true("the pair " + show_pair(missing[0]) + of + ", is found", equation, false,
-                width == 0 ? "They share no more than a point, a line or a face: touching counts."
-                           : "They overlap, and no pair may be missed.");
+                (width == 0 ? "They share no more than a point, a line or a face: touching counts."
+                            : "They overlap, and no pair may be missed.") +
+                    (equation == "Eq. (8.14)"
+                         ? std::string(" Of three cells along an axis the one in the middle counts, too.")
+                         : ""));
   } else if (!wrong.empty()) {
     given() = "given " + both(wrong[0]);
     expect_true("the pair " + show_pair(wrong[0]) + of + ", does not touch, and is left out", equation, false,

@@ -53,7 +53,7 @@ EXERCISE_TEST(SweepOnCones, TakesEveryRowInOrderAndTheFrictionOfAContactTogether
          {swept(before, {8, 5, -2, 4, 1, -1, 0}), "The rows were swept from the last to the first."}},
         "Row by row; at a contact's normal row, the row, then its two friction rows by update_friction, then "
         "on "
-        "behind them.");
+        "behind them, to the very last row.");
     expect_near_vector("V after it", "Eq. (4.5)", all_V(s.V), V_of_lambda(s.rows, s.V.size()),
                        roundings(1000, 10));
   }
@@ -269,7 +269,7 @@ EXERCISE_TEST(ResidualOnCones, IsWhatEachUpdateByItselfWouldChange) {
     for (std::size_t k = 0; k < s.rows.size(); ++k) s.begin_with(k, random.uniform(0.2, 0.6));
     // One of these shall lack most.
     s.rows[std::vector<std::size_t>{5, 10, 12}[static_cast<std::size_t>(trial % 3)]].B += 20;
-    double rows = 0, pairs = 0, impulse = 0;
+    double rows = 0, pairs = 0, impulse = 0, pairs_of_next = 0;
     std::size_t contact = 0;
     for (std::size_t k = 0; k < s.rows.size(); ++k) {
       System<6> next = s;
@@ -277,6 +277,8 @@ EXERCISE_TEST(ResidualOnCones, IsWhatEachUpdateByItselfWouldChange) {
       rows = std::max(rows, s.rows[k].diagonal * change);
       impulse = std::max(impulse, change);
       if (contact == s.contacts.size() || s.contacts[contact].normal != k) continue;
+      next.V = s.V;
+      pairs_of_next = std::max(pairs_of_next, update_friction(s.contacts[contact], next.rows, next.V));
       next = s;
       pairs = std::max(pairs, update_friction(s.contacts[contact], next.rows, next.V));
       impulse =
@@ -290,6 +292,8 @@ EXERCISE_TEST(ResidualOnCones, IsWhatEachUpdateByItselfWouldChange) {
         "residual of three contacts and four joints' rows [m/s]", "Eq. (9.7)",
         residual_on_cones(s.contacts, s.rows, s.V), std::max(rows, pairs), roundings(1000, 30),
         {{rows, "Friction is missing: s |Δλ_t| of each pair counts, too."},
+         {std::max(rows, pairs_of_next),
+          "Here a pair's limit is μ times the λ_n that its normal row's update would give. It is that of now."},
          {pairs, "The rows that are no friction rows are missing: Eq. (4.8)."},
          {impulse, "This is the largest |Δλ|, an impulse. Times S_kk, or s, it is a velocity."},
          {next_sweep,

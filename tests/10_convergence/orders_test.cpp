@@ -219,7 +219,7 @@ EXERCISE_TEST(SweepInOrder, IsSweepInTheOrderGiven) {
                 returned, should, roundings(100, 10),
                 {{n == 1 ? impulse : std::nan(""),
                   "This is the largest |Δλ|, an impulse. Times S_kk it is a velocity."}},
-                "The largest S_kk |Δλ_k|, as sweep() returns it.");
+                "The largest S_kk |Δλ_k|, as sweep() returns it: also of a row that gives λ back, Δλ < 0.");
   }
   expect_near_vector("λ after three sweeps of ten contacts [N s]", "Eq. (4.7)", lambdas(p), lambdas(expected),
                      roundings(1000, 10));

@@ -223,6 +223,8 @@ EXERCISE_TEST(SaddleMatrix, AgreesWithTheDenseMatrix) {
             {{inverted, "This is of I⁻¹, as InverseMass has it; here stands I, its inverse, 3 by 3."},
              {line >= 18 ? -right : right, "The sign: it is +G, and -Σ."},
              {line < 18 && right != 0 ? 1 / right : right, "This is of M⁻¹; here stands M."},
+             {turns && line == column ? 1 / inverted : right,
+              "This is 1 over an entry of I⁻¹. I is the inverse of all 3 by 3, off the diagonal, too."},
              {right == 0 ? HUGE_VAL : 0,
               line >= 18
                   ? "Nothing stands here: G is below M, on the line of its row, in the columns of its body."

@@ -57,7 +57,9 @@ EXERCISE_TEST(HingeAngle, KnowsOnlyTheLastAngleThatItIsGiven) {
                 right, roundings(64, 20),
                 {{nearest,
                   "This is nearest to what an earlier call has returned. A static variable? There are many "
-                  "hinges: only `last` tells of this one."}},
+                  "hinges: only `last` tells of this one."},
+                 {right + std::round((got - right) / turn) * turn,
+                  "It is whole turns off. `last` may be any number of turns away, not one or two."}},
                 "Of the angles that look alike, the one nearest to `last`.");
     if (::testing::Test::HasFailure()) return;
     before = right;

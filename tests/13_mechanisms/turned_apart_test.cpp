@@ -78,6 +78,9 @@ EXERCISE_TEST(TurnedApart, TimesVelocityIsTheirRate) {
       got[k] = rate_by(apart[static_cast<std::size_t>(k)], Wi, Wj);
       rate[k] = rate_of(value, t, Wi, Wj);
     }
+    Vec3 by_unit_axes = rate;
+    for (int k = 0; k < 3; ++k)
+      by_unit_axes[k] /= (Q.w() * Vec3::Unit(k) + Q.vec().cross(Vec3::Unit(k))).norm();
     expect_near_vector(
         "G W, against the values of two bodies that turn, differentiated numerically [rad/s]",
         "Eq. (13.2), (13.4)", got, rate, of_differences,
@@ -87,7 +90,9 @@ EXERCISE_TEST(TurnedApart, TimesVelocityIsTheirRate) {
          {Vec3(u + u.cross(Q.vec())), "The w is missing from a_k."},
          {Vec3(-rate), "The sign: j comes with a plus, i with a minus."},
          {Vec3(rate / 2), "This is the rate of v. The gap is 2v."},
-         {Vec3(2 * rate), "The ½ of dQ/dt = ½ u Q is missing."}},
+         {Vec3(2 * rate), "The ½ of dQ/dt = ½ u Q is missing."},
+         {by_unit_axes,
+          "The a_k have been made unit vectors: they are shorter where the two are turned apart."}},
         "The rate of 2v is w u + u × v, with u = P_i* (ω_j - ω_i).");
   }
 }

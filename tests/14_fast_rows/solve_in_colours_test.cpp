@@ -30,18 +30,24 @@ EXERCISE_TEST(SolveInColours, GoesColourByColour) {
   const Heap heap(random, 20, 60);
   std::vector<Colour<6>> by_hand = packed(heap.rows, heap.V.size());
   std::vector<Twist<6>> V = heap.V;
-  std::vector<double> history;
+  std::vector<double> history, last_colour;
   for (int n = 0; n < 4; ++n) {
     history.push_back(0);
-    for (Colour<6>& colour : by_hand)
-      for (Pack<6>& pack : colour) history.back() = std::max(history.back(), update_pack(pack, V));
+    last_colour.push_back(0);
+    for (Colour<6>& colour : by_hand) {
+      last_colour.back() = 0;
+      for (Pack<6>& pack : colour) last_colour.back() = std::max(last_colour.back(), update_pack(pack, V));
+      history.back() = std::max(history.back(), last_colour.back());
+    }
   }
   const Solved got = solved(heap, {.max_sweeps = 4}, 1);
   expect_true("four sweeps make a history of four, and not of " + std::to_string(got.report.history.size()),
               "Eq. (4.9)", got.report.history.size() == 4, "One entry a sweep, not one a colour.");
   for (std::size_t n = 0; n < std::min<std::size_t>(4, got.report.history.size()); ++n)
     expect_near("entry " + std::to_string(n) + " of the history [m/s]", "Eq. (4.9)", got.report.history[n],
-                history[n], {0, "the same updates"}, {}, "The largest that any pack of this sweep returned.");
+                history[n], {0, "the same updates"},
+                {{last_colour[n], "This is the largest of the last colour: those before it count, too."}},
+                "The largest that any pack of this sweep returned.");
   expect_true("V is that of one pack after the other, to the last bit", "Eq. (14.10)", same_bits(got.heap.V, V),
               "All packs of a colour, then the next colour, in order.");
 }

@@ -45,6 +45,13 @@ EXERCISE_TEST(SolveOnCone, PartsWhereNothingPresses) {
         {{S.inverse() * q, "This is S⁻¹ q, as if it stuck. Where q_n <= 0 it parts, and λ is 0."}},
         "Where nothing presses, nothing rubs: all three are 0.");
   }
+  // A wedge: a push from the side would hold it as well as no push.
+  const Mat3 S = (Mat3() << 1, 0.9, 0, 0.9, 1, 0, 0, 0, 1).finished();
+  const Vec3 held(1, -1.2, 0), q = S * held;
+  expect_near_vector("λ of a contact in a wedge, q_n = " + show(q[0]) + " m/s [N s]", "Eq. (14.3)",
+                     solve_on_cone(S, q, 2), Vec3::Zero(), roundings(1e3),
+                     {{held, "This sticks, which is on the cone, too. (14.3) is asked first: q_n <= 0 parts."}},
+                     "Where nothing presses, nothing rubs: all three are 0.");
 }
 
 EXERCISE_TEST(SolveOnCone, SticksWhereTheConeIsWideEnough) {

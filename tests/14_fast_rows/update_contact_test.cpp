@@ -55,7 +55,9 @@ EXERCISE_TEST(UpdateContact, SolvesTheThreeRowsTogether) {
            {with(of_j, r + of_j * before), "S_cc has the part of body j only."},
            {with(without_softness, r + without_softness * before), "S_cc is without Σ and Γ on its diagonal."},
            {with(alone, r + alone * before),
-            "S_cc has its diagonal only: how the rows feel each other is missing."}},
+            "S_cc has its diagonal only: how the rows feel each other is missing."},
+           {with(S, r + alone * before),
+            "In q, too, the rows feel each other: this has the diagonal of S_cc there."}},
           "q = r + S_cc λ, on the cone of μ.");
     }
   }

@@ -19,6 +19,16 @@ Body<6> box(const Vec3& x, const Vec3& half_sides, double mass = 1) {
   return {.x = x, .mass = mass, .principal = solid_box_moments(mass, half_sides), .half_sides = half_sides};
 }
 
+TEST(Boxes, ThatAreNaNTouchNothing) {
+  const Box i{.body = 0, .x = Vec3::Zero(), .axes = Mat3::Identity(), .half_sides = Vec3::Constant(0.5)};
+  Box j = i;
+  j.body = 1;
+  j.x.setConstant(std::nan(""));
+  std::vector<Contact> contacts;
+  box_box(i, j, contacts);
+  EXPECT_TRUE(contacts.empty());
+}
+
 TEST(Boxes, AreRefusedWithAnotherShapeOrNoSize) {
   World<6> world({});
   Body<6> body = box(Vec3::Zero(), Vec3(1, 1, 1));
