@@ -77,7 +77,7 @@ std::optional<Contact> box_ball(const Box& box, const Ball& ball);
 /// An axis, and how far two boxes are apart along it.
 struct SeparatingAxis {
   Vec3 n;           ///< unit vector, from i to j
-  double gap;       ///< g(n) of Eq. (8.6) [m]; positive: they don't touch; -∞, no face and no edge: a NaN
+  double gap;       ///< g(n) of Eq. (8.6) [m]; positive: they don't touch; -∞, without a face, for a NaN
   int face_i = -1;  ///< 0 to 2: n is along this axis of i, whose face is met
   int face_j = -1;  ///< the same of j
   int edge_i = -1;  ///< 0 to 2: n is across this axis of i, and across edge_j of j

@@ -223,9 +223,8 @@ EXERCISE_TEST(FrictionBound, RejectsAStepThatIsNotPositive) {
 EXERCISE_TEST(FrictionBound, RejectsWhereTheBoundIsZeroToo) {
   friction_bound(0.4, 3, 10, 0.02);
   const std::string clue =
-      "All four are looked at before anything is returned. A bound that is 0 by one of them is right only if "
-      "the "
-      "others make sense.";
+      "All four are looked at before anything is returned. A bound that is 0 by one of them is right only "
+      "if the others make sense.";
   const double nan = std::nan("");
   expect_rejects(
       "h = 0 where mu = 0", "h", [&] { friction_bound(0, 3, 10, 0); }, clue);

@@ -51,9 +51,8 @@ EXERCISE_TEST(SweepOnCones, TakesEveryRowInOrderAndTheFrictionOfAContactTogether
           "The friction rows have been updated each by itself, too: only together, on the cone."},
          {swept(before, {0, 1, 4, 5, 8}), "The friction rows have not been swept."},
          {swept(before, {8, 5, -2, 4, 1, -1, 0}), "The rows were swept from the last to the first."}},
-        "Row by row; at a contact's normal row, the row, then its two friction rows by update_friction, then "
-        "on "
-        "behind them, to the very last row.");
+        "Row by row; at a contact's normal row, the row, then its two friction rows by update_friction, "
+        "then on behind them, to the very last row.");
     expect_near_vector("V after it", "Eq. (4.5)", all_V(s.V), V_of_lambda(s.rows, s.V.size()),
                        roundings(1000, 10));
   }

@@ -360,9 +360,8 @@ EXERCISE_TEST(DirectSolve, SweepsOnWhenStoppedEarly) {
       "entries of the history", "Eq. (4.9)", static_cast<double>(report.history.size()), 5,
       {0, "one without bounds, two from within, two sweeps"},
       {{4,
-        "One is missing. Has the try without bounds taken one of those of interior_solve, or have the sweeps "
-        "got "
-        "what factorisations had left of max_sweeps? Each of the three has the whole rule to itself."},
+        "One is missing. Has the try without bounds taken one of those of interior_solve, or have the "
+        "sweeps got what factorisations had left of max_sweeps? Each has the whole rule to itself."},
        {3,
         "Chapter 04's solve goes on from there, and the history has that of each of the three: without bounds, "
         "from within, sweeps."}},
