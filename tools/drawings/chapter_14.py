@@ -24,7 +24,7 @@ def sliding_root() -> Drawing:
     d.arrow(f(0, 0), f(0, 1.24), "soft thin")
     d.text((f(2.9, 0)[0], f(0, 0)[1] + 22), "$λ_t$", "soft")
     d.text((f(0, 1.24)[0] - 10, f(0, 1.24)[1] + 8), "$λ_n$", "soft", "end")
-    d.text((f(0.5, 0)[0], f(0, 0.44)[1]), "the cone, $|λ_t| ≤ μ λ_n$", "good", "start", "small")
+    d.text((f(0.24, 0)[0], f(0, 0.2)[1]), "the cone, $|λ_t| ≤ μ λ_n$", "good", "start", "small")
     d.curve(lambda t: f(*impulse(t / (1 - t))), 0.0, 0.985, "impulse bold")
     d.dot(f(*impulse(0)), "ink", 5)
     stick = f(*impulse(0))
