@@ -44,8 +44,8 @@ struct Particles {
 using ForceField = std::function<Vec3(std::size_t i, const std::vector<Vec3>& x)>;
 
 /// Exercise 1.4. One step of every body: all kicks, with forces at the old positions, and then all drifts:
-/// Eq. (1.3), (1.4). Throws std::invalid_argument that names h unless it is positive and finite:
-/// require_positive("h", h) of common/require.hpp.
+/// Eq. (1.3), (1.4). A body that no force moves goes on with its velocity. Throws std::invalid_argument that names h
+/// unless it is positive and finite: require_positive("h", h) of common/require.hpp.
 void leapfrog_step(Particles& bodies, const ForceField& force, double h);
 
 /// Exercise 1.5. One step of order four: 2N + 1 leapfrogs of uneven length, the middle one backwards in time, with N

@@ -8,7 +8,7 @@
 //   exponential     q_{k+1} = (cos θ/2, sin(θ/2) ω/|ω|) q_k,  θ = h |ω|               Eq. (2.6)    not in the notes
 //   inertia         I_world = R(q) diag(I1, I2, I3) R(q)ᵀ                             Eq. (2.7)    notes, under (7)
 //   gyroscopic      τ_gyro = -ω × (I_world ω)                                         Eq. (2.9)    not in the notes
-//   free rotation   q -> q (cos α/2, sin(α/2) e_c),  α = t L_c / I_c                          Eq. (2.11)   not in the notes
+//   free rotation   q -> q (cos α/2, sin(α/2) e_c),  α = t L_c / I_c           Eq. (2.10), (2.11)     not in the notes
 //
 //   ω   angular velocity [rad/s]    I1, I2, I3   principal moments [kg m²], along the body's own axes e_1, e_2, e_3
 //   h   time step [s], of any sign  L = I ω      angular momentum [kg m²/s]
@@ -28,7 +28,8 @@ Quat quaternion_rate(const Quat& q, const Vec3& omega);
 /// Turns by 2 atan(h|ω|/2) where h|ω| was asked for: Eq. (2.5).
 Quat update_first_order(const Quat& q, const Vec3& omega, double h);
 
-/// Exercise 2.3. The turn by h|ω| about ω, exactly: Eq. (2.6). Right for ω = 0 and for the smallest ω, too.
+/// Exercise 2.3. The turn by h|ω| about ω, exactly, and back to unit length: Eq. (2.6). Right for ω = 0 and for the
+/// smallest ω, too.
 Quat update_exponential(const Quat& q, const Vec3& omega, double h);
 
 /// Exercise 2.4. Inertia in world coordinates from the three principal moments: Eq. (2.7). Given inverse moments

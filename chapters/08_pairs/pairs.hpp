@@ -86,8 +86,8 @@ struct SeparatingAxis {
 
 /// Exercise 8.5. Of 15 axes the one along which two boxes are least deep in each other: Eq. (8.6), (8.7); not in the
 /// notes. So that roundings don't choose between faces that lie on each other: of the faces of i the best, or the
-/// first where several are alike to a millionth of the smallest half side; the same of those of j; and the best of
-/// the pairs of edges. Then j's takes the place of i's, and that of the edges the place of either, only if its gap is
+/// first where several are alike to a millionth of the smallest of all six half sides; the same of those of j; and the
+/// best of the pairs of edges. Then j's takes the place of i's, and that of the edges the place of either, only if its gap is
 /// larger by more than this millionth and 5 per cent of the gap before. Edges that are parallel, |e × e'| <= 1e-6,
 /// have no axis. Where some of the axes have g > 0, one of those is returned, whichever: it needs no margin.
 SeparatingAxis separating_axis(const Box& i, const Box& j);

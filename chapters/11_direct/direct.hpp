@@ -38,7 +38,7 @@ using SparseMatrix = Eigen::SparseMatrix<double>;
 using Vector = Eigen::VectorXd;
 
 /// Exercise 11.1. S as its lower triangle, diagonal included [1/kg]: Eq. (11.1); notes (16). Entry (k, l) belongs
-/// to rows[k] and rows[l]. Rows that share no body that moves have no entry. It takes as long as there are entries,
+/// to rows[k] and rows[l]. Two rows that share no body that moves have no entry. It takes as long as there are entries,
 /// not as there are pairs of rows.
 template <int Dof>
 SparseMatrix schur_complement(const std::vector<Row<Dof>>& rows);

@@ -10,10 +10,6 @@
 
 namespace spook {
 
-static Json numbers(const Vec3& v) {
-  return {v.x(), v.y(), v.z()};
-}
-
 static Json numbers(const std::vector<Vec3>& all) {
   Json list = Json::array();
   for (const Vec3& v : all) list.push_back(numbers(v));

@@ -8,6 +8,10 @@ static const char* name_of(RowOrder order) {
   return std::array{"given", "up", "down", "random"}[static_cast<std::size_t>(order)];
 }
 
+Json numbers(const Vec3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
 Json to_json(const Parameter& parameter) {
   if (!parameter.choices.empty()) return parameter.choice;
   if (parameter.limits.whole) return static_cast<std::int64_t>(parameter.value);

@@ -8,6 +8,9 @@ namespace spook {
 
 using Json = nlohmann::ordered_json;
 
+/// x, y, z
+Json numbers(const Vec3& v);
+
 Json to_json(const Parameter& parameter);
 
 /// name: value

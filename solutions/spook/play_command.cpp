@@ -27,7 +27,7 @@ class Input {
     const int ms = seconds < 0 ? -1 : static_cast<int>(std::ceil(1e3 * seconds));
     if (poll(&watched, 1, ms) <= 0) return true;
     char block[4096];
-    const ssize_t count = read(STDIN_FILENO, block, sizeof block);
+    const ssize_t count = ::read(STDIN_FILENO, block, sizeof block);
     if (count <= 0) return false;
     text_.append(block, static_cast<std::size_t>(count));
     return true;

@@ -6,10 +6,6 @@
 
 namespace spook {
 
-static Json numbers(const Vec3& v) {
-  return {v.x(), v.y(), v.z()};
-}
-
 static Json numbers(const Quat& q) {
   return {q.w(), q.x(), q.y(), q.z()};
 }
@@ -58,9 +54,11 @@ template <int Dof>
 static Json to_json(const Bodies<Dof>& bodies, const Shapes& shapes) {
   Json list = Json::array();
   for (std::size_t i = 0; i < bodies.size(); ++i) list.push_back(body_to_json(bodies, i));
-  for (const Plane& plane : shapes.planes)
-    list[static_cast<std::size_t>(plane.body)] = {
-        {"plane", {{"n", numbers(plane.n)}, {"offset", plane.offset}}}};
+  for (const Plane& plane : shapes.planes) {
+    // By name: where braces are assigned, clang 14 leaks what was there before.
+    const Json json = {{"plane", {{"n", numbers(plane.n)}, {"offset", plane.offset}}}};
+    list[static_cast<std::size_t>(plane.body)] = json;
+  }
   for (const Solid& solid : shapes.solids) {
     Json& body = list[static_cast<std::size_t>(solid.body)];
     if (solid.radius > 0)

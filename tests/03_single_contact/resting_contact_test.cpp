@@ -11,7 +11,7 @@ namespace {
 
 EXERCISE(ContactImpulse, "3.4 contact_impulse");
 
-constexpr double g = 9.81, m = 2;
+constexpr double g = 9.81, mass = 2;
 
 /// A sphere above (or in) a fixed plane. The contact is straight below its centre, so n·Kn = 1/m.
 struct Sphere {
@@ -20,10 +20,10 @@ struct Sphere {
   double lambda = 0;
   Spook spook = spook_parameters(h, k, d);
 
-  double depth_at_rest() const { return m * g / k; }  // Eq. (3.13)
+  double depth_at_rest() const { return mass * g / k; }  // Eq. (3.13)
   double deviation() const { return gap + depth_at_rest(); }
-  double sigma() const { return 1 / (1 + m * 4 / (h * h * k * (1 + 4 * d))); }  // S/(S + Σ), S = 1/m
-  double beta() const { return 1 - 2 * (d + 1) * sigma() / (1 + 4 * d); }       // Eq. (3.14)
+  double sigma() const { return 1 / (1 + mass * 4 / (h * h * k * (1 + 4 * d))); }  // S/(S + Σ), S = 1/m
+  double beta() const { return 1 - 2 * (d + 1) * sigma() / (1 + 4 * d); }          // Eq. (3.14)
   double alpha() const { return 1 - 4 * d * sigma() / (1 + 4 * d); }
   std::string text() const { return "h = " + show(h) + " s, k = " + show(k) + " N/m, d = " + show(d); }
 
@@ -34,9 +34,9 @@ struct Sphere {
   }
 
   void step() {
-    lambda = contact_impulse(spook, 1 / m, gap, v, -h * g);
-    v += -h * g + lambda / m;  // Eq. (3.12)
-    gap += h * v;              // Eq. (1.4)
+    lambda = contact_impulse(spook, 1 / mass, gap, v, -h * g);
+    v += -h * g + lambda / mass;  // Eq. (3.12)
+    gap += h * v;                 // Eq. (1.4)
   }
 };
 
@@ -49,8 +49,8 @@ const std::vector<Setting> settings = {{1.0 / 30, 1e4, 2},  {1.0 / 60, 1e3, 0.5}
 
 EXERCISE_TEST(ContactImpulse, StaysAtRest) {
   for (const auto& [h, k, d] : settings) {
-    Sphere s{h, k, d, -m * g / k};
-    const double hmg = h * m * g, lift = m * s.spook.Sigma;  // Σ over n·Kn
+    Sphere s{h, k, d, -mass * g / k};
+    const double hmg = h * mass * g, lift = mass * s.spook.Sigma;  // Σ over n·Kn
     s.step();
     expect_near(
         "λ of a resting sphere, first step, " + s.text() + " [N s]", "Eq. (3.13)", s.lambda, hmg,
@@ -83,7 +83,7 @@ EXERCISE_TEST(ContactImpulse, SettlesToADepthOfMgOverK) {
     while ((1 + 4 * steps / r) * std::pow(r, steps) > 1e-9) ++steps;
     for (int n = 0; n <= steps; ++n) s.step();
 
-    const double rest = -s.depth_at_rest(), hmg = h * m * g;
+    const double rest = -s.depth_at_rest(), hmg = h * mass * g;
     const std::string text = " after " + std::to_string(steps + 1) + " steps from touching, " + s.text();
     expect_near(
         "gap" + text + " [m]", "Eq. (3.13)", s.gap, rest,
@@ -103,7 +103,7 @@ EXERCISE_TEST(ContactImpulse, LetsAViolationDecayByItsRecurrence) {
   for (const double d : {0.5, 1.0, 2.0, 3.0, 4.0, 5.0, 10.0})
     for (const double k : {1e3, 1e5, 1e12}) {
       // Within a tenth of h² g of rest, λ stays within 40 % of h m g: the projection has no part in this.
-      Sphere s{h, k, d, -m * g / k - 0.1 * h * h * g};
+      Sphere s{h, k, d, -mass * g / k - 0.1 * h * h * g};
       double y0 = s.deviation(), y1 = (1 - 4 * s.sigma() / (1 + 4 * d)) * y0;  // as v = 0 at first
       const Tolerance tolerance = roundings(32, h * h * g + s.depth_at_rest());
       s.step();
@@ -124,7 +124,7 @@ EXERCISE_TEST(ContactImpulse, LetsAViolationDecayByItsRecurrence) {
 
 EXERCISE_TEST(ContactImpulse, IsCriticalAtDTwo) {
   const double h = 1.0 / 60, k = 1e12, y0 = -0.1 * h * h * g;
-  Sphere s{h, k, 2, -m * g / k + y0};
+  Sphere s{h, k, 2, -mass * g / k + y0};
   for (int n = 1; n <= 10 && !::testing::Test::HasFailure(); ++n) {
     s.step();
     // From v = 0 with the double root 1/3, as Σ -> 0: y_n = (1 + 2n/3) y_0 / 3^n.

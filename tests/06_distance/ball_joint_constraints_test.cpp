@@ -68,16 +68,20 @@ EXERCISE_TEST(BallJointConstraints, HasARowAlongEachAxis) {
          {twist(e, (t.j.r - apart / 2).cross(e)),
           "This is the arm to the point midway between the two. The arms are r_i and r_j, as they are given."}},
         "Gj = (e, r_j × e).");
-    expect_near_vector("Gi" + of, "Eq. (6.6)", row.Gi, twist(-e, -torque_i), roundings(16, 2),
-                       {{twist(e, torque_i), "i is pushed the other way: both parts of Gi have a minus."},
-                        {twist(-e, Vec3::Zero()), missing},
-                        {twist(-e, torque_i), "The sign of the angular block: both parts of Gi have a minus."},
-                        {twist(-e, -torque_j), "This used r_j for body i. Each body has its own lever arm."},
-                        {twist(-e, -t.i.r.cwiseProduct(e)),
-                         "The angular block is a cross product, -r_i × e: it has no part along e."},
-                        {twist(-e, -(t.i.x + t.i.r).cross(e)), origin},
-                        {twist(-t.n, -t.i.r.cross(t.n)), line}},
-                       "Gi = (-e, -r_i × e).");
+    expect_near_vector(
+        "Gi" + of, "Eq. (6.6)", row.Gi, twist(-e, -torque_i), roundings(16, 2),
+        {{twist(e, torque_i), "i is pushed the other way: both parts of Gi have a minus."},
+         {twist(-e, Vec3::Zero()), missing},
+         {twist(-e, torque_i), "The sign of the angular block: both parts of Gi have a minus."},
+         {twist(-e, -torque_j), "This used r_j for body i. Each body has its own lever arm."},
+         {twist(-e, -t.i.r.cwiseProduct(e)),
+          "The angular block is a cross product, -r_i × e: it has no part along e."},
+         {twist(-e, -(t.i.x + t.i.r).cross(e)), origin},
+         {twist(-e, -(t.i.r + apart).cross(e)),
+          "This arm goes on to the point of j, as (6.15) would have it. Here each body has the arm to "
+          "its own point."},
+         {twist(-t.n, -t.i.r.cross(t.n)), line}},
+        "Gi = (-e, -r_i × e).");
   }
 }
 

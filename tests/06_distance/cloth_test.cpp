@@ -310,7 +310,9 @@ EXERCISE_TEST(Cloth, IsOfAnyCellsMassAndSize) {
       const bool along_u = std::abs(link.i - link.j) == 1;
       expect_near("length of the link from point " + std::to_string(link.i) + " to point " +
                       std::to_string(link.j) + " [m]",
-                  "Eq. (6.11)", link.length, along_u ? u / in.cells_u : v / in.cells_v, roundings(64, size), {},
+                  "Eq. (6.11)", link.length, along_u ? u / in.cells_u : v / in.cells_v, roundings(64, size),
+                  {{along_u ? u / in.cells_v : v / in.cells_u,
+                    "This is the side over the number of cells along the other one."}},
                   "At rest as it lies: the distance of its two points.");
     }
   }

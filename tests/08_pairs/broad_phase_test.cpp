@@ -193,7 +193,8 @@ void expect_refusals(BroadPhase find) {
     spook::Bounds turned_over = sound;
     turned_over.upper[k] = -1e-9;
     expect_rejects(
-        "an upper below its lower", "upper", [&] { find({turned_over}); }, "See reject in require.hpp.");
+        "an upper below its lower along " + std::string(1, "xyz"[k]), "upper", [&] { find({turned_over}); },
+        "See reject in require.hpp, and look along all three axes, whichever the boxes are sorted along.");
   }
 }
 

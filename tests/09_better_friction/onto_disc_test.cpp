@@ -17,7 +17,7 @@ EXERCISE_TEST(OntoDisc, LeavesWhatIsInside) {
           onto_disc(inside, radius), inside, {0, "exact"},
           {{Vec2(radius / 5 * inside),
             "This is on the edge: friction that is inside needs no more than it is. min(1, Λ/|λ_t|)."}},
-          "What is inside, or on the edge, stays.");
+          "What is inside, or on the edge, stays, also where dividing would be 0/0 or ∞/∞.");
 }
 
 EXERCISE_TEST(OntoDisc, ShortensWhatIsOutside) {

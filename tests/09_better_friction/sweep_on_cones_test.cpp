@@ -268,7 +268,7 @@ EXERCISE_TEST(ResidualOnCones, IsWhatEachUpdateByItselfWouldChange) {
     for (std::size_t k = 0; k < s.rows.size(); ++k) s.begin_with(k, random.uniform(0.2, 0.6));
     // One of these shall lack most.
     s.rows[std::vector<std::size_t>{5, 10, 12}[static_cast<std::size_t>(trial % 3)]].B += 20;
-    double rows = 0, pairs = 0, impulse = 0, pairs_of_next = 0;
+    double rows = 0, pairs = 0, components = 0, impulse = 0, pairs_of_next = 0;
     std::size_t contact = 0;
     for (std::size_t k = 0; k < s.rows.size(); ++k) {
       System<6> next = s;
@@ -280,8 +280,10 @@ EXERCISE_TEST(ResidualOnCones, IsWhatEachUpdateByItselfWouldChange) {
       pairs_of_next = std::max(pairs_of_next, update_friction(s.contacts[contact], next.rows, next.V));
       next = s;
       pairs = std::max(pairs, update_friction(s.contacts[contact], next.rows, next.V));
-      impulse =
-          std::max(impulse, (next.tangential(s.contacts[contact]) - s.tangential(s.contacts[contact])).norm());
+      const Vec2 moved = next.tangential(s.contacts[contact]) - s.tangential(s.contacts[contact]);
+      impulse = std::max(impulse, moved.norm());
+      components = std::max(
+          components, larger_eigenvalue(tangential_S(s, s.contacts[contact])) * moved.cwiseAbs().maxCoeff());
       ++contact;
       k += 2;
     }
@@ -290,7 +292,9 @@ EXERCISE_TEST(ResidualOnCones, IsWhatEachUpdateByItselfWouldChange) {
     expect_near(
         "residual of three contacts and four joints' rows [m/s]", "Eq. (9.7)",
         residual_on_cones(s.contacts, s.rows, s.V), std::max(rows, pairs), roundings(1000, 30),
-        {{rows, "Friction is missing: s |Δλ_t| of each pair counts, too."},
+        {{std::max(rows, components),
+          "Friction is missing, or of a pair one component was taken: its length counts, s |Δλ_t|."},
+         {rows, "Friction is missing: s |Δλ_t| of each pair counts, too."},
          {std::max(rows, pairs_of_next),
           "Here a pair's limit is μ times the λ_n that its normal row's update would give. It is that of now."},
          {pairs, "The rows that are no friction rows are missing: Eq. (4.8)."},

@@ -12,7 +12,7 @@ EXERCISE(LimitConstraint, "13.4 limit_constraint");
 
 constexpr double limit_step = 0.01;
 const Spook numbers{.a = 30, .b = 0.9, .Sigma = 0.02};
-const JointLimits limits{.lower = -0.5, .upper = 2};
+const JointLimits narrow{.lower = -0.5, .upper = 2};
 
 Coordinate at(double value) {
   return {.i = 3,
@@ -23,7 +23,7 @@ Coordinate at(double value) {
 }
 
 Constraint<6> row_at(double value) {
-  return limit_constraint(at(value), limits, numbers, limit_step);
+  return limit_constraint(at(value), narrow, numbers, limit_step);
 }
 
 EXERCISE_TEST(LimitConstraint, HasTheGapToTheNearerLimit) {
@@ -36,8 +36,8 @@ EXERCISE_TEST(LimitConstraint, HasTheGapToTheNearerLimit) {
     expect_near("gap of a coordinate at " + show(c.value) + ", " + c.where + " (from -0.5 to 2)", "Eq. (13.10)",
                 row_at(c.value).gap, c.gap, roundings(16, 2),
                 {{-c.gap, "The sign: the gap is positive within the limits, negative beyond."},
-                 {c.value - limits.lower, "This is the gap to the lower limit. The upper one is nearer."},
-                 {limits.upper - c.value, "This is the gap to the upper limit. The lower one is nearer."},
+                 {c.value - narrow.lower, "This is the gap to the lower limit. The upper one is nearer."},
+                 {narrow.upper - c.value, "This is the gap to the upper limit. The lower one is nearer."},
                  {c.value, "This is the coordinate itself. The gap is what is left to the limit."},
                  {0, "Beyond the limit the gap is negative: nothing would bring it back."}},
                 "Above the lower limit s - lower, below the upper one upper - s; the smaller of the two.");

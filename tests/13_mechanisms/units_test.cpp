@@ -34,8 +34,8 @@ static void each_number(Visitor& visitor, Coordinate& c, const OfCoordinate& of)
   visitor.number(c.value, of.value);
 }
 
-static void each_number(Visitor& visitor, JointLimits& limits, const OfCoordinate& of) {
-  visitor.number(limits.lower, of.value), visitor.number(limits.upper, of.value);
+static void each_number(Visitor& visitor, JointLimits& range, const OfCoordinate& of) {
+  visitor.number(range.lower, of.value), visitor.number(range.upper, of.value);
 }
 
 static void each_number(Visitor& visitor, Spook& spook, const OfCoordinate& of) {
@@ -112,10 +112,10 @@ EXERCISE_TEST(HingeAngle, IsTheSameInAnyUnits) {
 EXERCISE_TEST(LimitConstraint, IsTheSameInAnyUnits) {
   for (const auto& [free, of] : coordinates())
     for (const double before : {0.3, 1e-9, -0.2}) {  // far from the limit, nearly there, and beyond
-      const JointLimits limits{.lower = free.value - 1, .upper = free.value + before};
+      const JointLimits range{.lower = free.value - 1, .upper = free.value + before};
       const Spook spook{.a = 3, .b = 0.8, .Sigma = 0.1};
       if (!expect_same_in_any_units_nans_aside("Eq. (13.10), (13.11)", limit_constraint, of, with(free, of),
-                                               with(limits, of), with(spook, of), 0.01 * units::s))
+                                               with(range, of), with(spook, of), 0.01 * units::s))
         return;
     }
 }

@@ -84,9 +84,15 @@ EXERCISE_TEST(UpdateContact, ReturnsWhatItLacked) {
     const Vec3 before = impulses_of(s, contact),
                change = solve_on_cone(S, lacks_of(s, contact) + S * before, contact.mu) - before;
     const double got = update_contact(contact, s.rows, s.V);
-    expect_near("what update_contact returned [m/s]", "Eq. (14.2)", got, (S * change).norm(), roundings(1e3, 5),
-                {{change.norm(), "This is |Δλ|, an impulse. A velocity is asked for: |S_cc Δλ|."}},
-                "|S_cc Δλ|.");
+    expect_near(
+        "what update_contact returned [m/s]", "Eq. (14.2)", got, (S * change).norm(), roundings(1e3, 5),
+        {{change.norm(), "This is |Δλ|, an impulse. A velocity is asked for: |S_cc Δλ|."},
+         {(S * change).cwiseAbs().maxCoeff(), "This is the largest of S_cc Δλ. It is its length, |S_cc Δλ|."},
+         {S.diagonal().cwiseProduct(change).cwiseAbs().maxCoeff(),
+          "This is the largest S_kk |Δλ_k|, of three rows by themselves. The contact is one: |S_cc Δλ|."},
+         {S.diagonal().cwiseProduct(change).norm(),
+          "This is for the diagonal of S_cc alone. All nine count: |S_cc Δλ|."}},
+        "|S_cc Δλ|.");
     const double again = update_contact(contact, s.rows, s.V);
     expect_at_most("what a second update of it returned [m/s]", "Eq. (14.2)", again, 1e-11,
                    "one update solves it, but for roundings", "It was not solved by one update.");

@@ -8,7 +8,7 @@
 #include "engine/world.hpp"
 #include "velocities.hpp"
 
-namespace spook {
+namespace spook::anderson_test {
 namespace {
 
 constexpr double mu = 0.5;
@@ -80,4 +80,4 @@ TEST(Anderson, NeedsNoMoreSweepsWhateverTheLoad) {
 }
 
 }  // namespace
-}  // namespace spook
+}  // namespace spook::anderson_test

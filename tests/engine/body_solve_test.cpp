@@ -10,7 +10,7 @@
 #include "engine/body_interior.hpp"
 #include "engine/world.hpp"
 
-namespace spook {
+namespace spook::body_solve_test {
 namespace {
 
 constexpr double h = 1.0 / 60;
@@ -198,4 +198,4 @@ TEST(BodySolve, LeavesWhatItCanNotDo) {
 }
 
 }  // namespace
-}  // namespace spook
+}  // namespace spook::body_solve_test

@@ -6,7 +6,7 @@
 
 #include "engine/world.hpp"
 
-namespace spook {
+namespace spook::box_artefacts_test {
 namespace {
 
 constexpr double g = 9.81, radius = 0.5, k = 1e6, h = 1.0 / 60;
@@ -51,4 +51,4 @@ TEST(FrictionBox, APileOnASlopeNeedsMoreFrictionThanABody) {
 }
 
 }  // namespace
-}  // namespace spook
+}  // namespace spook::box_artefacts_test

@@ -10,7 +10,7 @@
 #include "random_input.hpp"
 #include "refusals.hpp"
 
-namespace spook {
+namespace spook::box_shapes_test {
 namespace {
 
 constexpr double h = 1.0 / 60, g = 9.81, k = 1e6;
@@ -124,4 +124,4 @@ TEST(Contacts, AreAllFoundHoweverManyBodiesThereAre) {
 }
 
 }  // namespace
-}  // namespace spook
+}  // namespace spook::box_shapes_test

@@ -7,7 +7,7 @@
 #include "engine/world.hpp"
 #include "random_input.hpp"
 
-namespace spook {
+namespace spook::box_test {
 namespace {
 
 constexpr double g = 9.81, h = 1.0 / 60;
@@ -157,4 +157,4 @@ TEST(Box, TipsOverOnASlopeThatItsBaseIsTooShortFor) {
 }
 
 }  // namespace
-}  // namespace spook
+}  // namespace spook::box_test

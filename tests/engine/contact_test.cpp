@@ -6,7 +6,7 @@
 #include "engine/mechanics.hpp"
 #include "engine/world.hpp"
 
-namespace spook {
+namespace spook::contact_test {
 namespace {
 
 constexpr double epsilon = 2.2e-16;
@@ -216,4 +216,4 @@ TEST(Step, ForgetsContactsThatAreOver) {
 }
 
 }  // namespace
-}  // namespace spook
+}  // namespace spook::contact_test

@@ -8,7 +8,7 @@
 #include "random_input.hpp"
 #include "refusals.hpp"
 
-namespace spook {
+namespace spook::contacts_test {
 namespace {
 
 /// Of one pair of shapes or none, to the last bit.
@@ -136,4 +136,4 @@ TEST(Neighbours, AreRefusedWhereTheyReachToInfinityEachTime) {
 }
 
 }  // namespace
-}  // namespace spook
+}  // namespace spook::contacts_test

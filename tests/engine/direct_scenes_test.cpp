@@ -8,7 +8,7 @@
 #include "refusals.hpp"
 #include "scene_runs.hpp"
 
-namespace spook {
+namespace spook::direct_scenes_test {
 namespace {
 
 using testing::expect_order;
@@ -147,4 +147,4 @@ TEST(StiffLinks, LeaveAloneWhatContactsHaveToDoWith) {
 }
 
 }  // namespace
-}  // namespace spook
+}  // namespace spook::direct_scenes_test

@@ -6,7 +6,7 @@
 #include "scenes/elliptic.hpp"
 #include "scenes/free_top.hpp"
 
-namespace spook {
+namespace spook::free_top_test {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
@@ -101,4 +101,4 @@ TEST(FreeTop, RefusesMomentsThatDoNotRise) {
 }
 
 }  // namespace
-}  // namespace spook
+}  // namespace spook::free_top_test

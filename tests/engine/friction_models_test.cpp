@@ -6,7 +6,7 @@
 #include "engine/mechanics.hpp"
 #include "scene_runs.hpp"
 
-namespace spook {
+namespace spook::friction_models_test {
 namespace {
 
 constexpr double g = 9.81, radius = 0.5, k = 1e6, h = 1.0 / 60;
@@ -138,4 +138,4 @@ TEST(BetterFriction, TheConeReportsItsOwnResidual) {
 }
 
 }  // namespace
-}  // namespace spook
+}  // namespace spook::friction_models_test

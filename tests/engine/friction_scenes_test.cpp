@@ -11,7 +11,7 @@
 #include "scenes/degrees.hpp"
 #include "scenes/disc.hpp"
 
-namespace spook {
+namespace spook::friction_scenes_test {
 namespace {
 
 constexpr double epsilon = 2.2e-16;
@@ -349,4 +349,4 @@ TEST(SpinningDiscScene, RefusesPointsThatAreNotSymmetric) {
 }
 
 }  // namespace
-}  // namespace spook
+}  // namespace spook::friction_scenes_test

@@ -8,7 +8,7 @@
 #include "random_input.hpp"
 #include "scenes/disc.hpp"
 
-namespace spook {
+namespace spook::friction_test {
 namespace {
 
 constexpr double epsilon = 2.2e-16;
@@ -202,4 +202,4 @@ TEST(Friction, IsBoundedByTheMassAndGravityAlongTheNormal) {
 }
 
 }  // namespace
-}  // namespace spook
+}  // namespace spook::friction_test

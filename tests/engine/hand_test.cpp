@@ -6,7 +6,7 @@
 #include "refusals.hpp"
 #include "scene_runs.hpp"
 
-namespace spook {
+namespace spook::hand_test {
 namespace {
 
 constexpr double g = 9.81, h = 1.0 / 60;
@@ -246,4 +246,4 @@ TEST(Recording, HoldsTheEnergyOfASpringThatCarriesAWeight) {
 }
 
 }  // namespace
-}  // namespace spook
+}  // namespace spook::hand_test

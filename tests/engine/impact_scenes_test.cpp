@@ -10,7 +10,7 @@
 #include "scenes/bounces.hpp"
 #include "scenes/pairwise.hpp"
 
-namespace spook {
+namespace spook::impact_scenes_test {
 namespace {
 
 constexpr double epsilon = 2.2e-16;
@@ -253,4 +253,4 @@ TEST(FrictionAndImpactScenes, GiveANumberForWhateverIsAllowed) {
 }
 
 }  // namespace
-}  // namespace spook
+}  // namespace spook::impact_scenes_test

@@ -9,7 +9,7 @@
 #include "scenes/number.hpp"
 #include "scenes/run.hpp"
 
-namespace spook {
+namespace spook::input_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -92,4 +92,4 @@ TEST(Input, NearMisses) {
 }
 
 }  // namespace
-}  // namespace spook
+}  // namespace spook::input_test

@@ -9,7 +9,7 @@
 #include "engine/world.hpp"
 #include "raw_system.hpp"
 
-namespace spook {
+namespace spook::islands_test {
 namespace {
 
 constexpr double h = 1.0 / 60, g = 9.81;
@@ -205,4 +205,4 @@ TEST(Outcomes, SideBySideAreAsFarAsTheWorse) {
 }
 
 }  // namespace
-}  // namespace spook
+}  // namespace spook::islands_test

@@ -12,7 +12,7 @@
 #include "scenes/plane_pendulum.hpp"
 #include "scenes/reference_motion.hpp"
 
-namespace spook {
+namespace spook::joint_scenes_test {
 namespace {
 
 using testing::expect_order;
@@ -494,4 +494,4 @@ TEST(ClothScene, OfPointsAndOfBodiesMovesAlike) {
 }
 
 }  // namespace
-}  // namespace spook
+}  // namespace spook::joint_scenes_test

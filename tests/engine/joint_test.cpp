@@ -13,7 +13,7 @@
 #include "scenes/registry.hpp"
 #include "scenes/run.hpp"
 
-namespace spook {
+namespace spook::joint_test {
 namespace {
 
 constexpr double epsilon = 2.2e-16;
@@ -519,4 +519,4 @@ TEST(StageTimes, OfJointsAreRowsAndSolve) {
 }
 
 }  // namespace
-}  // namespace spook
+}  // namespace spook::joint_test

@@ -6,7 +6,7 @@
 #include "checks.hpp"
 #include "scene_runs.hpp"
 
-namespace spook {
+namespace spook::mechanism_scenes_test {
 namespace {
 
 const double pi = std::acos(-1);
@@ -100,4 +100,4 @@ TEST(Mechanisms, AreTheSameByAnySolver) {
 }
 
 }  // namespace
-}  // namespace spook
+}  // namespace spook::mechanism_scenes_test

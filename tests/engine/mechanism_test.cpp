@@ -11,7 +11,7 @@
 #include "refusals.hpp"
 #include "scenes/plane_pendulum.hpp"
 
-namespace spook {
+namespace spook::mechanism_test {
 namespace {
 
 constexpr double epsilon = 2.2e-16;
@@ -410,4 +410,4 @@ TEST(Input, GuidedJoints) {
 }
 
 }  // namespace
-}  // namespace spook
+}  // namespace spook::mechanism_test

@@ -6,7 +6,7 @@
 #include "engine/mechanics.hpp"
 #include "engine/world.hpp"
 
-namespace spook {
+namespace spook::motion_test {
 namespace {
 
 constexpr double epsilon = 2.2e-16;
@@ -159,4 +159,4 @@ TEST(Blowup, NamesStepTimeAndBody) {
 }
 
 }  // namespace
-}  // namespace spook
+}  // namespace spook::motion_test

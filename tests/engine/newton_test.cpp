@@ -9,7 +9,7 @@
 #include "raw_system.hpp"
 #include "velocities.hpp"
 
-namespace spook {
+namespace spook::newton_test {
 namespace {
 
 constexpr double h = 1.0 / 60, g = 9.81, mu = 0.5;
@@ -167,4 +167,4 @@ TEST(Newton, HasNothingToDoForRowsThatAskForNothing) {
 }
 
 }  // namespace
-}  // namespace spook
+}  // namespace spook::newton_test

@@ -9,7 +9,7 @@
 #include "checks.hpp"
 #include "scene_runs.hpp"
 
-namespace spook {
+namespace spook::scenes_test {
 namespace {
 
 TEST(Registry, EverySceneRunsWithItsDefaults) {
@@ -229,4 +229,4 @@ TEST(StackScene, IsRightOnceGaussSeidelIs) {
 }
 
 }  // namespace
-}  // namespace spook
+}  // namespace spook::scenes_test

@@ -12,7 +12,7 @@
 #include "refusals.hpp"
 #include "scenes/method.hpp"
 
-namespace spook {
+namespace spook::solvers_test {
 namespace {
 
 constexpr double h = 1.0 / 60, g = 9.81, k = 1e6, rigid = 1e12, radius = 0.5;
@@ -282,4 +282,4 @@ TEST(CopiesOfAWorld, WithoutWhatIsKeptForSpeedHaveTheSameBits) {
 }
 
 }  // namespace
-}  // namespace spook
+}  // namespace spook::solvers_test

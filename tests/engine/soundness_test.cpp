@@ -7,7 +7,7 @@
 
 #include "scene_runs.hpp"
 
-namespace spook {
+namespace spook::soundness_test {
 namespace {
 
 constexpr double h = 1.0 / 60, g = 9.81;
@@ -165,4 +165,4 @@ TEST(Soundness, OfEverySceneAsItComes) {
 }
 
 }  // namespace
-}  // namespace spook
+}  // namespace spook::soundness_test

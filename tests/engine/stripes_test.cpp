@@ -8,7 +8,7 @@
 #include "refusals.hpp"
 #include "velocities.hpp"
 
-namespace spook {
+namespace spook::stripes_test {
 namespace {
 
 constexpr double h = 1.0 / 120, side = 0.2, k = 1e4;
@@ -155,4 +155,4 @@ TEST(Threads, AreRefusedByNameAndNumber) {
 }
 
 }  // namespace
-}  // namespace spook
+}  // namespace spook::stripes_test

@@ -5,7 +5,7 @@
 
 #include "engine/world.hpp"
 
-namespace spook {
+namespace spook::warm_start_test {
 namespace {
 
 constexpr double h = 1.0 / 60, g = 9.81, radius = 0.5, k = 1e6;
@@ -117,4 +117,4 @@ TEST(RowOrder, AllSolveTheSame) {
 }
 
 }  // namespace
-}  // namespace spook
+}  // namespace spook::warm_start_test

@@ -9,7 +9,7 @@
 #include "engine/mechanics.hpp"
 #include "refusals.hpp"
 
-namespace spook {
+namespace spook::world_test {
 namespace {
 
 constexpr double h = 1.0 / 60, g = 9.81, epsilon = 2.2e-16;
@@ -246,4 +246,4 @@ TEST(Starts, WhatRestsDoesNotMove) {
 }
 
 }  // namespace
-}  // namespace spook
+}  // namespace spook::world_test

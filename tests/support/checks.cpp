@@ -83,10 +83,10 @@ void report_failure(const std::string& what, const std::string& equation, const 
 }
 
 std::string digits_clue(double error, double size, const Tolerance& tolerance) {
-  const bool as_a_float = error <= 1.2e-7 * size && tolerance.value <= 1e-12 * size;
-  return as_a_float
+  if (tolerance.value > 1e-12 * size || !(error <= 1.2e-7 * size)) return "";
+  return error > 1e-10 * size
              ? " It is right to the seven digits of a float: is there one on the way? All numbers are double."
-             : "";
+             : " Only the last digits are wrong: has a series been cut off, or something small been left out?";
 }
 
 void expect_near(const std::string& what, const std::string& equation, double got, double expected,

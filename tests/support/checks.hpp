@@ -52,7 +52,7 @@ std::string explain(const Value& got, std::initializer_list<Clue<Value>> clues, 
   return otherwise;
 }
 
-/// What is asked about a number that is right to the digits of a float, but not to those of a double; else empty.
+/// What is asked about a number that is right to the digits of a float or more, but not to those of a double; else empty.
 std::string digits_clue(double error, double size, const Tolerance& tolerance);
 
 std::string show(double value, int digits = 10);

@@ -63,8 +63,10 @@ SlurmdParameters=config_overrides
 NodeName={host} NodeAddr=127.0.0.1 CPUs={tasks} State=UNKNOWN
 PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP
 """)
-        if _slurm_version() >= (24, 5):  # since then it wants cgroups unless told not to, which a container may lack
-            (folder / "cgroup.conf").write_text("CgroupPlugin=disabled\n")
+        version = _slurm_version()
+        if version >= (22, 5):  # since then it looks for cgroups, which a container may lack, unless told not to
+            plugin = "disabled" if version >= (24, 5) else "cgroup/v1"  # which looks for them when it is used
+            (folder / "cgroup.conf").write_text(f"CgroupPlugin={plugin}\n")
         self.environment = os.environ | {"SLURM_CONF": str(conf)}
         self.host = host
         self._start("slurmctld", "-D", "-f", str(conf))

@@ -60,7 +60,7 @@ class Symbol:
     name: str  # without a version
     defined: bool
     binding: str  # LOCAL, GLOBAL, WEAK, UNIQUE …
-    kind: str  # FUNC, OBJECT, IFUNC …
+    kind: str  # FUNC, OBJECT, IFUNC …; of a file that does not say it is for GNU: <OS specific>: 10
     section: str  # its number, UND, COM, ABS
 
 
@@ -84,7 +84,8 @@ def read_object(file: Path) -> Object:
     for line in told.splitlines():
         if found := re.match(r"  \[ *[1-9]\d*\] (\S+)", line):
             sections.append(found[1])
-        elif found := re.match(r" *\d+: [0-9a-f]+ +\S+ (\S+) +(\S+) +\S+ +(?:\[[^]]*\] +)?(\S+) (\S+)", line):
+        elif found := re.match(r" *\d+: [0-9a-f]+ +\S+ (<.+?>: \d+|\S+) +(<.+?>: \d+|\S+) +\S+ +(?:\[[^]]*\] +)?"
+                               r"(\S+) (\S+)", line):
             kind, binding, section, name = found.groups()
             symbols.append(Symbol(name.split("@")[0], section != "UND", binding, kind, section))
     return Object(tuple(sections), tuple(symbols))
@@ -100,7 +101,7 @@ def tampering(found: Object) -> str:
     for symbol in found.symbols:
         if _OF_TESTS.search(symbol.name):
             return "names GoogleTest's or the tests' own functions"
-        if symbol.kind == "IFUNC":
+        if symbol.kind in ("IFUNC", "<OS specific>: 10"):
             return "has a function that the loader resolves"
         if symbol.binding not in ("LOCAL", "GLOBAL", "WEAK") or symbol.section == "COM":
             return f"defines {symbol.name} in place of another program's"
