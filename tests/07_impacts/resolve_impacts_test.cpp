@@ -395,15 +395,17 @@ EXERCISE_TEST(ResolveImpacts, RejectsALawThatMakesNoSense) {
     expect_law_rejected("max_passes = " + std::to_string(passes), "max_passes", {.max_passes = passes});
 }
 
-// One pass as the header says, with a part of W_f in u, of all bodies or of the j or the i of each contact, forwards or
-// backwards, from fresh or frozen velocities.
+enum class Forgets { nothing, kick_of_i, kick_of_j };
+
+// One pass as the header says, with a part of W_f in u, forwards or backwards, from fresh or frozen velocities.
 std::vector<Twist<6>> one_pass(const Boxes& boxes, std::vector<Contact> contacts, const ImpactLaw& law,
-                               double part, bool backwards, bool frozen, int without = -1) {
+                               double part, bool backwards, bool frozen, Forgets what = Forgets::nothing) {
   if (backwards) std::reverse(contacts.begin(), contacts.end());
   Boxes now = boxes;
   for (const Contact& contact : contacts) {
     Boxes seen = frozen ? boxes : now;
-    if (without >= 0) seen.motion.Wf[without == 0 ? contact.i : contact.j].setZero();
+    if (what == Forgets::kick_of_i) seen.motion.Wf[contact.i].setZero();
+    if (what == Forgets::kick_of_j) seen.motion.Wf[contact.j].setZero();
     const Vec3 u = seen.velocity(contact, part);
     if (u.dot(contact.n) >= -law.threshold) continue;
     const Mat3 K = now.K(contact);
@@ -442,9 +444,9 @@ EXERCISE_TEST(ResolveImpacts, IsPairByPairInOrder) {
       {{pass(0, false, false),
         "This is for u = G W, half a step too early: half of what the forces add, W_f/2, is missing."},
        {pass(1, false, false), "This is for u = G (W + W_f), half a step too late: add W_f/2."},
-       {joined(one_pass(boxes, contacts, law, 0.5, false, false, 0)),
+       {joined(one_pass(boxes, contacts, law, 0.5, false, false, Forgets::kick_of_i)),
         "Half of what the forces add is missing for body i: W_f/2 belongs to both."},
-       {joined(one_pass(boxes, contacts, law, 0.5, false, false, 1)),
+       {joined(one_pass(boxes, contacts, law, 0.5, false, false, Forgets::kick_of_j)),
         "Half of what the forces add is missing for body j: W_f/2 belongs to both."},
        {pass(0.5, false, true),
         "All impacts were computed with the velocities from before the pass: resolve each at once, so that the "
