@@ -17,7 +17,9 @@ Vec3 deepest_corner(const Box& box, const Vec3& n) {
 std::vector<Vec3> face_towards(const Box& box, const Vec3& n) {
   int axis;
   (box.axes.transpose() * n).cwiseAbs().maxCoeff(&axis);
-  std::vector<Vec3> corners = {deepest_corner(box, n)};
+  std::vector<Vec3> corners;
+  corners.reserve(4);
+  corners.push_back(deepest_corner(box, n));
   // Around: each is the one before, mirrored along one of the other two axes.
   for (const int along : {1, 2, 1}) {
     const Vec3 e = box.axes.col((axis + along) % 3);
@@ -38,6 +40,7 @@ std::vector<Contact> face_contacts(const Box& box, int face, const Vec3& n, cons
         corners = clip(corners, side * box.axes.col(k), box.half_sides[k] + slack);  // Eq. (8.8)
 
   std::vector<Contact> contacts;
+  contacts.reserve(corners.size() + 1);
   const auto add = [&](const Vec3& corner) {
     const double gap = n.dot(corner) - box.half_sides[face];
     const Vec3 r = corner - gap / 2 * n;

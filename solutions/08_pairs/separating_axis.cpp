@@ -7,47 +7,68 @@ namespace spook {
 
 namespace {
 
-/// ρ(n), half of what a box measures along n.
-double half_width(const Box& box, const Vec3& n) {
-  return box.half_sides.dot((box.axes.transpose() * n).cwiseAbs());
-}
+/// Which axis, and the gap along it; -1 for what it is not.
+struct Found {
+  double gap = -infinity;
+  int face_i = -1, face_j = -1, edge_i = -1, edge_j = -1;
+};
 
 /// The best of one kind: where some are alike, to `margin`, the first of them.
 struct Best {
-  const Box &i, &j;
   double margin;
-  SeparatingAxis axis = {.n = Vec3::Zero(), .gap = -infinity};
+  Found axis = {};
 
-  /// `next` lacks its gap, and its sign.
-  void consider(SeparatingAxis next) {
-    const double along = next.n.dot(j.x - i.x);
-    if (along < 0) next.n = -next.n;
-    next.gap = std::abs(along) - half_width(i, next.n) - half_width(j, next.n);  // Eq. (8.6)
-    const double ahead = next.gap > 0 ? 0 : margin;                              // whatever parts them will do
+  void consider(const Found& next) {
+    const double ahead = next.gap > 0 ? 0 : margin;  // whatever parts them will do
     if (next.gap > axis.gap + ahead) axis = next;
   }
 };
 
+SeparatingAxis from_i_to_j(const Found& axis, const Box& i, const Box& j) {
+  Vec3 n = Vec3::Zero();
+  if (axis.face_i >= 0) n = i.axes.col(axis.face_i);
+  if (axis.face_j >= 0) n = j.axes.col(axis.face_j);
+  if (axis.edge_i >= 0) n = i.axes.col(axis.edge_i).cross(j.axes.col(axis.edge_j)).normalized();
+  if (n.dot(j.x - i.x) < 0) n = -n;
+  return {n, axis.gap, axis.face_i, axis.face_j, axis.edge_i, axis.edge_j};
+}
+
 }  // namespace
 
+/// Seen from i its own axes are (1, 0, 0), (0, 1, 0) and (0, 0, 1), and those of j the columns of C. So n·e_k are
+/// numbers of C, and of all faces of a box (8.6) is one line.
 SeparatingAxis separating_axis(const Box& i, const Box& j) {
   const double margin = 1e-6 * std::min(i.half_sides.minCoeff(), j.half_sides.minCoeff());
-  Best face_i{i, j, margin}, face_j{i, j, margin}, edges{i, j, 0};
-  for (int k = 0; k < 3; ++k) face_i.consider({.n = i.axes.col(k), .gap = 0, .face_i = k});
-  if (face_i.axis.gap > 0) return face_i.axis;  // what parts them is enough
-  for (int k = 0; k < 3; ++k) face_j.consider({.n = j.axes.col(k), .gap = 0, .face_j = k});
-  if (face_j.axis.gap > 0) return face_j.axis;
-  for (int a = 0; a < 3; ++a)
-    for (int b = 0; b < 3; ++b) {
-      const Vec3 across = i.axes.col(a).cross(j.axes.col(b));
-      const double sine = across.norm();
-      if (sine > 1e-6) edges.consider({.n = across / sine, .gap = 0, .edge_i = a, .edge_j = b});
-    }
+  const Vec3 &a = i.half_sides, &b = j.half_sides;
+  const Mat3 C = i.axes.transpose() * j.axes, C_abs = C.cwiseAbs();
+  const Vec3 apart = i.axes.transpose() * (j.x - i.x), apart_j = C.transpose() * apart;
+  if (apart_j.hasNaN()) return from_i_to_j({}, i, j);  // a half side that is NaN makes the margin one
 
-  SeparatingAxis best = face_i.axis;  // Eq. (8.7)
-  for (const SeparatingAxis& other : {face_j.axis, edges.axis})
+  Best face_i{margin}, face_j{margin}, edges{0};
+  const Vec3 gap_i = apart.cwiseAbs() - a - C_abs * b;
+  for (int k = 0; k < 3; ++k) face_i.consider({.gap = gap_i[k], .face_i = k});
+  if (face_i.axis.gap > 0) return from_i_to_j(face_i.axis, i, j);  // what parts them is enough
+  const Vec3 gap_j = apart_j.cwiseAbs() - C_abs.transpose() * a - b;
+  for (int k = 0; k < 3; ++k) face_j.consider({.gap = gap_j[k], .face_j = k});
+  if (face_j.axis.gap > 0) return from_i_to_j(face_j.axis, i, j);
+
+  for (int e = 0; e < 3; ++e) {
+    const int e1 = (e + 1) % 3, e2 = (e + 2) % 3;
+    for (int f = 0; f < 3; ++f) {
+      const int f1 = (f + 1) % 3, f2 = (f + 2) % 3;
+      // e_e x f_f has the parts -C(e2, f) along e1 and C(e1, f) along e2; e_e·(f_f x f_f1) = C(e, f2).
+      const double sine = std::sqrt(C(e1, f) * C(e1, f) + C(e2, f) * C(e2, f));
+      const double along = std::abs(apart[e2] * C(e1, f) - apart[e1] * C(e2, f));
+      const double half_i = a[e1] * C_abs(e2, f) + a[e2] * C_abs(e1, f);
+      const double half_j = b[f1] * C_abs(e, f2) + b[f2] * C_abs(e, f1);
+      if (sine > 1e-6) edges.consider({.gap = (along - half_i - half_j) / sine, .edge_i = e, .edge_j = f});
+    }
+  }
+
+  Found best = face_i.axis;  // Eq. (8.7)
+  for (const Found& other : {face_j.axis, edges.axis})
     if (other.gap > 0 || other.gap > best.gap + 0.05 * std::abs(best.gap) + margin) best = other;
-  return best;
+  return from_i_to_j(best, i, j);
 }
 
 }  // namespace spook

@@ -19,34 +19,38 @@ void Shapes::remove(int body) {
 
 namespace {
 
-/// The shapes, as they are now.
+/// The solids, as they are now, by their numbers; each has grown by half the margin.
 template <int Dof>
 struct Now {
+  const std::vector<Solid>& solids;
   const Bodies<Dof>& bodies;
-  double grown;  ///< half the margin
+  double grown;
+  const std::vector<Box>& boxes;  ///< by the same numbers; a ball's is empty
 
-  const Vec3& x(int body) const { return bodies.x[static_cast<std::size_t>(body)]; }
-  Ball ball(const Solid& solid) const {
-    return {.body = solid.body, .x = x(solid.body), .radius = solid.radius + grown};
+  bool is_ball(int solid) const { return of(solid).radius > 0; }
+  Ball ball(int solid) const {
+    return {.body = of(solid).body, .x = x(of(solid)), .radius = of(solid).radius + grown};
   }
-  Box box(const Solid& solid) const {
-    if constexpr (Dof == 3) {
-      return {.body = solid.body,
-              .x = x(solid.body),
-              .axes = Mat3::Identity(),
-              .half_sides = solid.half_sides + Vec3::Constant(grown)};
-    } else {
-      return {.body = solid.body,
-              .x = x(solid.body),
-              .axes = bodies.orientations.q[static_cast<std::size_t>(solid.body)].toRotationMatrix(),
-              .half_sides = solid.half_sides + Vec3::Constant(grown)};
-    }
+  const Box& box(int solid) const { return boxes[static_cast<std::size_t>(solid)]; }
+
+  Box box_of(const Solid& solid) const {
+    Mat3 axes = Mat3::Identity();
+    if constexpr (Dof == 6)
+      axes = bodies.orientations.q[static_cast<std::size_t>(solid.body)].toRotationMatrix();
+    return {.body = solid.body,
+            .x = x(solid),
+            .axes = axes,
+            .half_sides = solid.half_sides + Vec3::Constant(grown)};
   }
-  Bounds bounds_of(const Solid& solid) const {
-    if (solid.radius == 0) return bounds(box(solid));
-    const Vec3 half = Vec3::Constant(solid.radius + grown);
-    return {.lower = x(solid.body) - half, .upper = x(solid.body) + half};
+  Bounds bounds_of(int solid) const {
+    if (!is_ball(solid)) return bounds(box(solid));
+    const Vec3 half = Vec3::Constant(of(solid).radius + grown);
+    return {.lower = x(of(solid)) - half, .upper = x(of(solid)) + half};
   }
+
+ private:
+  const Solid& of(int solid) const { return solids[static_cast<std::size_t>(solid)]; }
+  const Vec3& x(const Solid& solid) const { return bodies.x[static_cast<std::size_t>(solid.body)]; }
 };
 
 void add(const std::optional<Contact>& contact, std::vector<Contact>& contacts) {
@@ -54,19 +58,19 @@ void add(const std::optional<Contact>& contact, std::vector<Contact>& contacts) 
 }
 
 template <int Dof>
-void touch(const Plane& plane, const Solid& solid, const Now<Dof>& now, std::vector<Contact>& contacts) {
-  if (solid.radius > 0) return add(plane_ball(plane, now.ball(solid)), contacts);
-  const Box box = now.box(solid);
+void touch(const Plane& plane, int solid, const Now<Dof>& now, std::vector<Contact>& contacts) {
+  if (now.is_ball(solid)) return add(plane_ball(plane, now.ball(solid)), contacts);
+  const Box& box = now.box(solid);
   const bool in_reach =
       plane.n.dot(box.x) - plane.offset <= 1.001 * box.half_sides.norm();  // more than roundings
   if (in_reach) plane_box(plane, box, contacts);
 }
 
 template <int Dof>
-void touch(const Solid& a, const Solid& b, const Now<Dof>& now, std::vector<Contact>& contacts) {
-  if (a.radius > 0 && b.radius > 0) return add(ball_ball(now.ball(a), now.ball(b)), contacts);
-  if (a.radius > 0) return add(box_ball(now.box(b), now.ball(a)), contacts);
-  if (b.radius > 0) return add(box_ball(now.box(a), now.ball(b)), contacts);
+void touch(int a, int b, const Now<Dof>& now, std::vector<Contact>& contacts) {
+  if (now.is_ball(a) && now.is_ball(b)) return add(ball_ball(now.ball(a), now.ball(b)), contacts);
+  if (now.is_ball(a)) return add(box_ball(now.box(b), now.ball(a)), contacts);
+  if (now.is_ball(b)) return add(box_ball(now.box(a), now.ball(b)), contacts);
   box_box(now.box(a), now.box(b), contacts);
 }
 
@@ -125,15 +129,19 @@ int ContactFinder::find(const Shapes& shapes, const Bodies<Dof>& bodies, double 
 template <int Dof>
 int ContactFinder::find_moved(const std::vector<bool>& moved, const Shapes& shapes, const Bodies<Dof>& bodies,
                               double margin, std::vector<Contact>& contacts, int threads) {
-  const Now<Dof> now{bodies, margin / 2};
+  const Now<Dof> now{shapes.solids, bodies, margin / 2, boxes_};
+  const auto is_box = [](const Solid& solid) { return solid.radius == 0; };
+  boxes_.resize(std::any_of(shapes.solids.begin(), shapes.solids.end(), is_box) ? shapes.solids.size() : 0);
+  for (std::size_t s = 0; s < boxes_.size(); ++s)
+    if (is_box(shapes.solids[s])) boxes_[s] = now.box_of(shapes.solids[s]);
   last_.swap(contacts);
   contacts.clear();
   int pairs = 0;
   for (Plane plane : shapes.planes) {
     plane.offset += now.grown;
-    for (const Solid& solid : shapes.solids) {
+    for (std::size_t s = 0; s < shapes.solids.size(); ++s) {
       ++pairs;
-      if (!solid.fixed) touch(plane, solid, now, contacts);
+      if (!shapes.solids[s].fixed) touch(plane, static_cast<int>(s), now, contacts);
     }
   }
   // The point of a contact with a plane is the body's own: without what it has grown by.
@@ -147,7 +155,7 @@ int ContactFinder::find_moved(const std::vector<bool>& moved, const Shapes& shap
   first_of_solids_ = contacts.size();
   if (shapes.solids.size() > 1) {
     bounds_.clear();
-    for (const Solid& solid : shapes.solids) bounds_.push_back(now.bounds_of(solid));
+    for (int s = 0; s < std::ssize(shapes.solids); ++s) bounds_.push_back(now.bounds_of(s));
     const std::vector<Pair>& near = neighbours_.touching(bounds_);
     pairs += static_cast<int>(near.size());
     const auto has_moved = [&](const Solid& solid) { return moved[static_cast<std::size_t>(solid.body)]; };
@@ -163,7 +171,7 @@ int ContactFinder::find_moved(const std::vector<bool>& moved, const Shapes& shap
           continue;
         }
         const std::size_t before = found.size();
-        touch(one, other, now, found);
+        touch(near[first].first, near[first].second, now, found);
         for (std::size_t c = before; c < found.size(); ++c) found[c].gap += margin;
       }
     };

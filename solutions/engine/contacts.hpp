@@ -65,6 +65,7 @@ class ContactFinder {
 
  private:
   Neighbours neighbours_;
+  std::vector<Box> boxes_;      // of the solids, unless none is a box
   std::vector<Bounds> bounds_;  // of the solids
   std::vector<Contact> last_;
   std::vector<std::vector<Contact>> found_;              // of two solids, by each thread

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace spook {
 
@@ -56,20 +55,17 @@ double lateness(const Contact& contact, double u_n, double h, const Motion<Dof>&
   return std::clamp(-2 * contact.gap / (std::sqrt(square) - u_n), 0.0, 2 * h);
 }
 
-/// Contacts by the bodies that they are of.
-class ContactsOfBodies {
- public:
-  ContactsOfBodies(const std::vector<Contact>& contacts, std::size_t bodies) : of_(bodies) {
-    for (std::size_t c = 0; c < contacts.size(); ++c) {
-      of_[contacts[c].i].push_back(c);
-      of_[contacts[c].j].push_back(c);
-    }
-  }
-  const std::vector<std::size_t>& operator[](int body) const { return of_[body]; }
-
- private:
-  std::vector<std::vector<std::size_t>> of_;
-};
+/// A contact, after its bodies went on by so much: its two lever arms go on to meet in one point, and a sphere's stays
+/// as it is.
+Contact moved_on(Contact contact, const std::vector<Vec3>& by, const std::vector<double>& radii) {
+  const Vec3 apart = by[contact.j] - by[contact.i];
+  contact.gap += contact.n.dot(apart);
+  if (radii[contact.j] > 0)
+    contact.r_i += apart;
+  else
+    contact.r_j -= apart;
+  return contact;
+}
 
 }  // namespace
 
@@ -88,21 +84,11 @@ template <int Dof>
 int resolve_late_impacts(std::vector<Contact>& contacts, const LawOf& law, double h, const Shapes& shapes,
                          Bodies<Dof>& bodies) {
   Motion<Dof>& motion = bodies.motion;
-  std::optional<ContactsOfBodies> touching;  // most steps have no impact, and don't want it
   const std::vector<double> radii = radii_of(shapes, bodies.size());
+  std::vector<Vec3> moved(bodies.size(), Vec3::Zero());  // since the contacts were found
   const auto move = [&](int body, const Vec3& by) {
     bodies.x[body] += by;
-    if (!touching) touching.emplace(contacts, bodies.size());
-    for (const std::size_t c : (*touching)[body]) {
-      Contact& contact = contacts[c];
-      const Vec3 apart = contact.j == body ? by : Vec3(-by);
-      contact.gap += contact.n.dot(apart);
-      // The two lever arms go on to meet in one point, and a sphere's stays as it is.
-      if (radii[contact.j] > 0)
-        contact.r_i += apart;
-      else
-        contact.r_j -= apart;
-    }
+    moved[body] += by;
   };
 
   // What touches up to roundings takes part in what happens at once.
@@ -115,15 +101,15 @@ int resolve_late_impacts(std::vector<Contact>& contacts, const LawOf& law, doubl
   for (int pass = 0; !quiet; ++pass) {
     quiet = true;
     for (std::size_t c = 0; c < contacts.size(); ++c) {
-      const Contact& contact = contacts[c];
-      if (contact.gap > touching_gap) continue;
-      if (looked_at[c] >= std::max(last_of[contact.i], last_of[contact.j])) continue;  // it is as it was
+      const int i = contacts[c].i, j = contacts[c].j;
+      if (looked_at[c] >= std::max(last_of[i], last_of[j])) continue;  // it is as it was
       looked_at[c] = impacts;
+      const Contact contact = moved_on(contacts[c], moved, radii);
+      if (contact.gap > touching_gap) continue;
       const double u_n = separation_speed(contact, motion);
       if (u_n >= 0) continue;
       ImpactLaw of_pair = law(contact);
       if (pass >= of_pair.max_passes || u_n >= -of_pair.threshold) continue;
-      const int i = contact.i, j = contact.j;
       const double late = lateness(contact, u_n, h, motion);
       one[0] = before(contact, late, radii, bodies);
       of_pair.max_passes = 1;
@@ -142,6 +128,8 @@ int resolve_late_impacts(std::vector<Contact>& contacts, const LawOf& law, doubl
       move(j, late * change_j.template head<3>());
     }
   }
+  if (impacts == 0) return 0;
+  for (Contact& contact : contacts) contact = moved_on(contact, moved, radii);
   return impacts;
 }
 

@@ -1,5 +1,6 @@
 // The axis along which two boxes are least deep in each other.
 #include <algorithm>
+#include <array>
 #include <numbers>
 
 #include "shapes.hpp"
@@ -334,6 +335,31 @@ EXERCISE_TEST(SeparatingAxis, DropsNothingSmall) {
   }
 }
 
+EXERCISE_TEST(SeparatingAxis, DropsNothingOfThinBoxes) {
+  // Plates, rods, and boxes ten million times as large as others.
+  Random random;
+  int of_edges = 0;
+  for (int trial = 0; trial < 2000 && !::testing::Test::HasFailure(); ++trial) {
+    Box i = random_box(random, 0), j = random_box(random, 1);
+    for (Box* box : {&i, &j}) {
+      for (int k = 0; k < 3; ++k)
+        if (random.integer(0, 2) == 0) box->half_sides[k] *= 1e-7;
+      if (random.integer(0, 2) == 0) box->half_sides *= 1e7;
+    }
+    if (random.integer(0, 2) == 0) j.axes = i.axes;
+    const double size_i = i.half_sides.norm(), size_j = j.half_sides.norm();
+    const double reach = trial % 2 ? size_i + size_j : std::min(size_i, size_j);
+    const double distance = random.uniform(0, reach);
+    j.x = i.x + distance * random.unit_vector();
+    given() = describe_both(i, j);
+    const auto got = separating_axis(i, j);
+    of_edges += got.edge_i >= 0;
+    if (!expect_sound(got, i, j)) return;
+  }
+  expect_at_least("(of this test) pairs, of 2000, of which edges are chosen", "Eq. (8.7)", of_edges, 100,
+                  "many are");
+}
+
 EXERCISE_TEST(SeparatingAxis, NoDirectionIsMoreOpen) {
   Random random;
   for (int trial = 0; trial < 100 && !::testing::Test::HasFailure(); ++trial) {
@@ -384,9 +410,11 @@ EXERCISE_TEST(SeparatingAxis, PartsWhatIsApart) {
   int apart = 0, together = 0;
   for (int trial = 0; trial < 500 && !::testing::Test::HasFailure(); ++trial) {
     const Box i = random_box(random, 0), j = random_box(random, 1);
-    const double gap = separating_axis(i, j).gap;
+    const auto got = separating_axis(i, j);
+    const double gap = got.gap;
     const Vec3 way = shortest_way(i, j);
     given() = describe_both(i, j);
+    if (!expect_sound(got, i, j)) return;
     if (way.norm() <= 1e-9) {
       ++together;
       expect_at_most("g of two boxes that have a point in common [m]", "Eq. (8.7)", gap, 1e-8,
@@ -503,7 +531,8 @@ EXERCISE_TEST(SeparatingAxis, StaysWithFacesThatLieOnEachOther) {
 
 EXERCISE_TEST(SeparatingAxis, ParallelEdgesHaveNoAxis) {
   Random random;
-  for (const double angle : {0.0, 1e-16, 1e-12, 1e-8, 1e-7}) {
+  for (int draw = 0; draw < 200; ++draw) {
+    const double angle = std::array{0.0, 1e-16, 1e-12, 1e-8, 1e-7}[static_cast<std::size_t>(draw % 5)];
     const Box i = random_box(random, 0);
     Box j = turned(i, angle, i.axes.col(1));
     j.body = 1;

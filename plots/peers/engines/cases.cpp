@@ -66,7 +66,7 @@ Case pile(const std::string& name, const std::string& shape) {
           .time = 3,
           .error = "mean overlap over a size",
           .judge = judge(lies_without_overlap),
-          .ours = {{"gauss_seidel", steps({60, 120}), {5, 20}, false, true, 0.001}},
+          .ours = {{"gauss_seidel", steps({30, 60, 120}), {5, 20}, false, true, 0.001}},
           .theirs = {{"ODE", "quick", steps({60, 120}), {10, 30}},
                      {"Bullet", "sequential", steps({60, 120}), {10, 30}}}};
 }

@@ -1,0 +1,70 @@
+"""Who judges remembers what is certain, and runs the two processes of a test where they wait for each other least."""
+
+import os
+import signal
+import tempfile
+import unittest
+import unittest.mock
+from collections import Counter
+from pathlib import Path
+from types import SimpleNamespace
+
+from sandbox import all_exercises
+
+from grading.confined import reap, spawn
+from grading.isolation import ENVIRONMENT
+from grading.judge import PASSED, TIMED_OUT, ExerciseVerdict, Judge, TestVerdict
+from grading.pair import _only_on, _take_core
+from grading.submission import Source
+
+
+class Judges(Judge):
+    """Without tests to run: the verdicts are given, one for each time that it is asked anew."""
+
+    def __init__(self, memory: Path, verdicts: list[str]):
+        workshop = SimpleNamespace(build="build", expected_tests=lambda exercise: ["Kick.IsRight"])
+        super().__init__(workshop, SimpleNamespace(name="none"), seed=1, seconds=2, of_exercise=10, memory=memory)
+        self.verdicts = verdicts
+
+    def _judge_anew(self, exercise, source, tests, user):
+        return ExerciseVerdict([TestVerdict(tests[0], self.verdicts.pop(0))], []), True
+
+
+class Remembers(unittest.TestCase):
+    def judged(self, is_reference: bool, verdicts: list[str]) -> list[str]:
+        exercise = next(iter(all_exercises()))
+        with tempfile.TemporaryDirectory() as folder:
+            judge = Judges(Path(folder), list(verdicts))
+            source = Source("kick.cpp", b"Vec3 kick() {}", is_reference=is_reference)
+            return [judge.judge(exercise, source, None).tests[0].verdict for _ in verdicts]
+
+    def test_a_submission_keeps_its_verdict(self):
+        self.assertEqual(self.judged(False, [TIMED_OUT, PASSED]), [TIMED_OUT, TIMED_OUT])
+
+    def test_a_reference_that_was_stopped_has_another_try(self):
+        self.assertEqual(self.judged(True, [TIMED_OUT, PASSED, TIMED_OUT]), [TIMED_OUT, PASSED, PASSED])
+
+
+class OneCore(unittest.TestCase):
+    def test_what_is_started_there_stays_there(self):
+        allowed = os.sched_getaffinity(0)
+        core = _take_core()
+        with _only_on(core):
+            process = spawn(["/bin/sleep", "60"], ENVIRONMENT, {})
+        try:
+            self.assertEqual(os.sched_getaffinity(process), {core})
+            self.assertEqual(os.sched_getaffinity(0), allowed)
+        finally:
+            os.kill(process, signal.SIGKILL)
+            reap(process)
+
+    def test_each_core_has_a_pair_before_one_has_two(self):
+        cores = sorted(os.sched_getaffinity(0))
+        with unittest.mock.patch("grading.pair._pairs_on", Counter()):
+            taken = [_take_core() for _ in range(2 * len(cores))]
+        self.assertEqual(sorted(taken[:len(cores)]), cores)
+        self.assertEqual(sorted(taken[len(cores):]), cores)
+
+
+if __name__ == "__main__":
+    unittest.main()
