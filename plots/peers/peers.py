@@ -77,7 +77,7 @@ def _at_equal_error(some) -> str:
             ratios.append(min(reached) / least)
         else:
             missed = True
-    said = [f"time, spook / fastest other: {_range(ratios)}"] if ratios else []
+    said = [f"ours / fastest other: {_range(ratios)}"] if ratios else []
     return "\n".join(said + (["the least error is another's"] if missed else []))
 
 
