@@ -20,7 +20,7 @@ from grading.isolation import ENVIRONMENT, Isolation, User
 _LARGEST_REPORT = 1 << 20
 _CHANNEL, _REPORT = 3, 4
 _TOLD = 77  # exit code of a test that has told how the other ended: tests/remote/report.hpp
-_cores, _pairs_on = threading.Lock(), Counter()
+_counting, _pairs_on = threading.Lock(), Counter()
 _LINGER = 2.0  # seconds that a process has to end after its socket has closed
 
 
@@ -69,7 +69,7 @@ class Pair:
             reap(process)
         self._running.clear()
         if self.alive:
-            with _cores:
+            with _counting:
                 _pairs_on[self._core] -= 1
         self.alive = False
         self._stack.close()
@@ -123,7 +123,7 @@ class Pair:
 
 def _take_core() -> int:
     """One that the fewest pairs have, until it is given back."""
-    with _cores:
+    with _counting:
         core = min(os.sched_getaffinity(0), key=lambda core: (_pairs_on[core], random.random()))
         _pairs_on[core] += 1
     return core
