@@ -16,6 +16,7 @@ struct OpenRows {
 
   OpenRows(std::vector<Row<Dof>>& all, std::vector<Twist<Dof>>& V) {
     std::fill(V.begin(), V.end(), Twist<Dof>::Zero());
+    rows.reserve(all.size()), index.reserve(all.size());
     for (std::size_t k = 0; k < all.size(); ++k) {
       all[k].lambda = all[k].lo;
       if (all[k].lo < all[k].hi) {
