@@ -11,6 +11,12 @@ std::int64_t Outcome::updates(std::size_t rows) const {
   return row_updates >= 0 ? row_updates : std::ssize(report.history) * static_cast<std::int64_t>(rows);
 }
 
+Outcome without_updates(SolveReport report) {
+  Outcome outcome = std::move(report);
+  outcome.row_updates = 0;
+  return outcome;
+}
+
 double left_by(double residual, const std::vector<double>& history) {
   // 1 - ρ of a hundred-millionth is a rounding.
   constexpr double least = 1e-8;

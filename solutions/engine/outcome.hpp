@@ -16,6 +16,9 @@ struct Outcome {
   std::int64_t updates(std::size_t rows) const;
 };
 
+/// Of a solver that updates no rows.
+Outcome without_updates(SolveReport report);
+
 /// What a solve left [m/s]: its residual r as r/(1 - ρ), with the rate ρ of its history, Eq. (10.5). One that creeps has
 /// farther to go than its last sweep tells; where its rate is no rate, as if it would never end.
 double left_by(double residual, const std::vector<double>& history);

@@ -15,6 +15,7 @@
 #include <span>
 #include <tuple>
 
+#include "engine/dense_solve.hpp"
 #include "engine/islands.hpp"
 #include "engine/solve_directly.hpp"
 #include "engine/solvers.hpp"
@@ -112,6 +113,8 @@ class ByIsland {
     if (calls_++ % calls_until_forgotten == 0) hard_.clear();
     hard_.resize(s.V.size(), false);
     const auto all = (*islands_).of(s.rows, s.V.size());
+    if (all.size() == 1)
+      if (auto solved = few_at_once(*all.front(), s.rows, s.V, s.stop)) return *std::move(solved);
     const std::vector<double> last = s.last.impulses(s.rows.size(), s.first_contact_row, s.contacts, s.h);
     if (all.size() == 1) return solve_one(*all.front(), s, {s.rows, s.V, s.bodies.motion.inverse_mass, last});
 
@@ -120,8 +123,9 @@ class ByIsland {
     std::vector<int> numbers(s.V.size(), -1);
     for (const auto& island : all) {
       Copy<Dof> copy(island->members, s, last, numbers);
-      outcome = side_by_side(std::move(outcome),
-                             solve_one(*island, s, {copy.rows, copy.V, copy.inverse_mass, copy.last}));
+      auto solved = few_at_once(*island, copy.rows, copy.V, s.stop);
+      if (!solved) solved = solve_one(*island, s, {copy.rows, copy.V, copy.inverse_mass, copy.last});
+      outcome = side_by_side(std::move(outcome), *solved);
       copy.write_back(island->members, s.rows, s.V);
     }
     return outcome;
@@ -140,8 +144,17 @@ class ByIsland {
     const std::vector<double>& last;  ///< impulses of the last step; empty: none
   };
 
+  /// Dense factors, which need not know how the last step ended.
+  static std::optional<Outcome> few_at_once(Island<Dof>& island, std::vector<Row<Dof>>& rows,
+                                            std::vector<Twist<Dof>>& V, const StopRule& stop) {
+    if (!island.cost) island.cost = factor_cost(rows);
+    if (*island.cost > stop.max_sweeps) return {};
+    auto solved = dense_solve(rows, V, stop);
+    if (!solved) return {};
+    return without_updates(*std::move(solved));
+  }
+
   Outcome solve_one(Island<Dof>& island, const System<Dof>& s, const Part& part) {
-    if (!island.cost) island.cost = factor_cost(part.rows);
     const double sweeps = s.stop.max_sweeps;
     const bool may = *island.cost <= worth_of_a_solution * sweeps;
     const bool at_once = *island.cost <= sweeps;
@@ -167,9 +180,7 @@ class ByIsland {
 
   static Outcome factorised(const Part& part, double tolerance, BothFactors<Dof>& factors) {
     const StopRule stop{.tolerance = tolerance};
-    Outcome outcome = solve_directly(part.rows, part.inverse_mass, part.V, stop, factors);
-    outcome.row_updates = 0;
-    return outcome;
+    return without_updates(solve_directly(part.rows, part.inverse_mass, part.V, stop, factors));
   }
 
   bool is_hard(const Island<Dof>& island, const std::vector<Row<Dof>>& rows) const {

@@ -1,7 +1,8 @@
-// The direct solver: chapter 11, sparse factors, of rows or of bodies; notes, "direct methods".
+// The direct solver: chapter 11, sparse factors, of rows or of bodies; notes, "direct methods". A few rows have dense ones.
 //
 // One entry of its history is of a factorisation; it updates no rows, unless it has trouble and goes on by sweeps. Begins
-// with the impulses of the last step, and keeps the order and the pattern of the factors.
+// with the impulses of the last step, and keeps the order and the pattern of the factors, where they are sparse.
+#include "engine/dense_solve.hpp"
 #include "engine/solve_directly.hpp"
 #include "engine/solvers.hpp"
 
@@ -10,10 +11,9 @@ namespace spook {
 template <int Dof>
 Solver<Dof> direct() {
   const auto solve = [factors = Kept<BothFactors<Dof>>()](const System<Dof>& s) mutable {
+    if (auto solved = dense_solve(s.rows, s.V, s.stop)) return without_updates(*std::move(solved));
     begin_with(s.last.impulses(s.rows.size(), s.first_contact_row, s.contacts, s.h), s.rows, s.V);
-    Outcome outcome = solve_directly(s.rows, s.bodies.motion.inverse_mass, s.V, s.stop, *factors);
-    outcome.row_updates = 0;
-    return outcome;
+    return without_updates(solve_directly(s.rows, s.bodies.motion.inverse_mass, s.V, s.stop, *factors));
   };
   return {.solve = solve, .wants_last = true};
 }
