@@ -2,7 +2,8 @@
 // Which solids are near each other, remembered from step to step.
 //
 // Most bodies move by little in a step. Bounds with some room around them have pairs, from a broad phase; as long as nothing
-// has left its own, no other pair can touch. What lies still is never sought again.
+// has left its own, no other pair can touch. A few that have left get new ones, and are compared with all others. What lies
+// still is never sought again.
 #include <vector>
 
 #include "08_pairs/pairs.hpp"
@@ -15,7 +16,8 @@ class Neighbours {
   const std::vector<Pair>& touching(const std::vector<Bounds>& bounds);
 
  private:
-  bool still_hold(const std::vector<Bounds>& bounds) const;
+  void give_all_room(const std::vector<Bounds>& bounds);
+  void give_room(const std::vector<int>& these, const std::vector<Bounds>& bounds);
 
   std::vector<Bounds> roomy_;  // what near_ are the pairs of
   std::vector<Pair> near_, touching_;

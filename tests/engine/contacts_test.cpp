@@ -1,6 +1,7 @@
 // What is remembered from step to step changes no contact: each is what a search from nothing finds.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <string>
 
 #include "engine/contacts.hpp"
@@ -124,6 +125,42 @@ TEST(Neighbours, TouchOnlyWhereTheirBoundsDo) {
   EXPECT_EQ(neighbours.touching(bounds), std::vector<Pair>({{7, 8}}));
   bounds[7].upper.x() += 4.2;
   EXPECT_EQ(neighbours.touching(bounds), std::vector<Pair>({{7, 8}, {7, 9}, {7, 10}}));
+}
+
+/// All pairs that touch, each looked at.
+std::vector<Pair> all_touching(const std::vector<Bounds>& bounds) {
+  std::vector<Pair> pairs;
+  for (int a = 0; a < std::ssize(bounds); ++a)
+    for (int b = a + 1; b < std::ssize(bounds); ++b)
+      if ((bounds[a].lower.array() <= bounds[b].upper.array()).all() &&
+          (bounds[b].lower.array() <= bounds[a].upper.array()).all())
+        pairs.emplace_back(a, b);
+  return pairs;
+}
+
+TEST(Neighbours, AreAllThatTouchWhoeverHasMoved) {
+  testing::Random random;
+  std::vector<Bounds> bounds(600);
+  for (Bounds& one : bounds) {
+    one.lower = random.vector(3);
+    const Vec3 half = random.vector(0.1);
+    one.upper = one.lower + half.cwiseAbs() + Vec3::Constant(0.2);
+  }
+  Neighbours neighbours;
+  // Nobody moves, a few jump, most do, all creep, and then somebody is gone.
+  for (int round = 0; round < 30; ++round) {
+    const int moving = std::array{0, 1, 40, 400, 600}[round % 5];
+    const double far = moving == 600 ? 0.01 : 1;
+    for (int n = 0; n < moving; ++n) {
+      Bounds& one = bounds[random.integer(0, static_cast<int>(bounds.size()) - 1)];
+      const Vec3 by = random.vector(far);
+      one.lower += by;
+      one.upper += by;
+    }
+    if (round % 7 == 6) bounds.erase(bounds.begin() + round);
+    EXPECT_EQ(neighbours.touching(bounds), all_touching(bounds))
+        << "round " << round << ", " << moving << " moved";
+  }
 }
 
 TEST(Neighbours, AreRefusedWhereTheyReachToInfinityEachTime) {
