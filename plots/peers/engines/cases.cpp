@@ -66,9 +66,9 @@ Case pile(const std::string& name, const std::string& shape) {
           .time = 3,
           .error = "mean overlap over a size",
           .judge = judge(lies_without_overlap),
-          .ours = {{"gauss_seidel", steps({30, 60, 120}), {5, 20}, false, true, 0.001}},
-          .theirs = {{"ODE", "quick", steps({60, 120}), {10, 30}},
-                     {"Bullet", "sequential", steps({60, 120}), {10, 30}}}};
+          .ours = {{"gauss_seidel", steps({30, 60, 120}), {5, 10, 20}, false, true, 0.001}},
+          .theirs = {{"ODE", "quick", steps({60, 120}), {5, 10, 30}},
+                     {"Bullet", "sequential", steps({60, 120}), {5, 10, 30}}}};
 }
 
 }  // namespace
@@ -123,7 +123,7 @@ std::vector<Case> cases() {
        .judge = judge<double>(stops_by_coulomb, 3.0),
        .ours = {{.solver = "gauss_seidel",
                  .h = many,
-                 .sweeps = {5, 50},
+                 .sweeps = {5, 10, 50},
                  .cone = true,
                  .warm = true,
                  .tolerance = 1e-7}},
