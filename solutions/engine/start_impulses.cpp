@@ -6,6 +6,22 @@
 
 namespace spook {
 
+/// Whether match_contacts finds each in its own place: as many of the same pairs, which follow each other, and each of a pair
+/// is nearest to its own, and its own to it, of all that are left by those before it.
+static bool are_in_place(const std::vector<Contact>& contacts, const std::vector<OldContact>& old) {
+  const auto same_pair = [](const auto& one, const auto& other) {
+    return one.i == other.i && one.j == other.j;
+  };
+  if (!std::equal(contacts.begin(), contacts.end(), old.begin(), old.end(), same_pair)) return false;
+  const auto apart = [&](std::size_t c, std::size_t k) {
+    return (contacts[c].r_j - old[k].point).squaredNorm();
+  };
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    for (std::size_t k = c + 1; k < contacts.size() && same_pair(contacts[c], contacts[k]); ++k)
+      if (std::min(apart(c, k), apart(k, c)) <= apart(c, c)) return false;
+  return true;
+}
+
 template <int Dof>
 void StartImpulses::remember(const std::vector<Row<Dof>>& rows, std::size_t first,
                              const std::vector<Contact>& contacts, double h, int threads) {
@@ -27,12 +43,17 @@ std::vector<double> StartImpulses::impulses(std::size_t rows, std::size_t first,
   std::copy_n(joints_.begin(), std::min(first, joints_.size()), all.begin());
   if (!contacts.empty() && !contacts_.empty()) {
     const std::size_t each = contact_rows_.size() / contacts_.size();  // as many as ever, in one world
-    const std::vector<int> old = match_contacts(contacts, contacts_, infinity);
-    for (std::size_t c = 0; c < contacts.size(); ++c)
-      if (old[c] >= 0)
-        std::copy_n(
-            contact_rows_.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(old[c]) * each), each,
-            all.begin() + static_cast<std::ptrdiff_t>(first + c * each));
+    const auto copy = [&](std::size_t from, std::size_t to) {
+      std::copy_n(contact_rows_.begin() + static_cast<std::ptrdiff_t>(from * each), each,
+                  all.begin() + static_cast<std::ptrdiff_t>(first + to * each));
+    };
+    if (are_in_place(contacts, contacts_)) {
+      for (std::size_t c = 0; c < contacts.size(); ++c) copy(c, c);
+    } else {
+      const std::vector<int> old = match_contacts(contacts, contacts_, infinity);
+      for (std::size_t c = 0; c < contacts.size(); ++c)
+        if (old[c] >= 0) copy(static_cast<std::size_t>(old[c]), c);
+    }
   }
   for (double& impulse : all) impulse *= h / h_;
   return all;

@@ -2,7 +2,8 @@
 // What the rows of a step begin with: the impulses of the last one, where joint or contact were there already.
 //
 //   joints     by their index
-//   contacts   by match_contacts, Eq. (10.1): the nearest of the same pair, however far
+//   contacts   by match_contacts, Eq. (10.1): the nearest of the same pair, however far; what rests has its own in its own
+//              place, and is not matched anew
 //   λ ∝ h      a force stays a force when the step changes
 #include <vector>
 

@@ -1,9 +1,11 @@
 // What rows begin with, and in which order they are swept.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/world.hpp"
+#include "random_input.hpp"
 
 namespace spook::warm_start_test {
 namespace {
@@ -56,6 +58,43 @@ TEST(WarmStart, KeepsForcesWhenTheStepChanges) {
   world.step(h / 2);
   EXPECT_LE(world.report().iterations, 50) << "cold it takes hundreds";
   EXPECT_NEAR(world.lambda(0), h / 2 * 10 * g, 1e-8);
+}
+
+/// A row for each contact, with its number as λ.
+std::vector<Row<3>> numbered_rows(std::size_t contacts) {
+  std::vector<Row<3>> rows(contacts);
+  for (std::size_t c = 0; c < contacts; ++c) rows[c].lambda = static_cast<double>(c + 1);
+  return rows;
+}
+
+TEST(StartImpulses, AreThoseOfMatchedContactsWhateverBecameOfThem) {
+  testing::Random random;
+  for (int round = 0; round < 2000; ++round) {
+    // Up to five pairs with up to four contacts each; then they creep, or jump, some change places, or one is gone.
+    std::vector<Contact> before;
+    const int pairs = random.integer(1, 5);
+    for (int pair = 0; pair < pairs; ++pair)
+      for (int n = random.integer(1, 4); n > 0; --n)
+        before.push_back(
+            {.i = 0, .j = pair + 1, .n = Vec3::UnitZ(), .gap = 0, .r_i = Vec3::Zero(), .r_j = random.vector()});
+    StartImpulses start;
+    start.remember(numbered_rows(before.size()), 0, before, h);
+
+    std::vector<Contact> now = before;
+    const double size = random.log_uniform(1e-3, 2);
+    for (Contact& contact : now) contact.r_j += random.vector(size);
+    const int what = random.integer(0, 3);
+    if (what == 1) std::reverse(now.begin(), now.end());
+    if (what == 2 && now.size() > 1)
+      now.erase(now.begin() + random.integer(0, static_cast<int>(now.size()) - 1));
+    if (what == 3) now.front().i = 7;
+
+    std::vector<OldContact> old;
+    for (const Contact& contact : before) old.push_back({contact.i, contact.j, contact.r_j});
+    std::vector<double> wanted;
+    for (const int match : match_contacts(now, old, infinity)) wanted.push_back(match + 1);
+    EXPECT_EQ(start.impulses(now.size(), 0, now, h), wanted) << "round " << round << ", size " << size;
+  }
 }
 
 TEST(StartImpulses, FollowTheirContactsAndForgetTheRest) {
