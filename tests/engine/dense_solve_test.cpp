@@ -71,7 +71,7 @@ double difference(const std::vector<Row<Dof>>& some, const std::vector<Row<Dof>>
 template <int Dof>
 void expect_what_sparse_factors_find(unsigned seed, int rows) {
   // A row a body: well conditioned but for the masses, of which e⁶ ≈ 400 and its square are the most. Their square times
-  // ε, ten times over for twelve rows and two ways of adding up, is 3.5e-10; nearly all are below 1e-13.
+  // ε, ten times over for so many rows and two ways of adding up, is 3.5e-10; nearly all are below 1e-13.
   Random<Dof> dense(seed, rows + 1, rows), sparse = dense;
   Factors factors;
   const SolveReport theirs = direct_solve(sparse.rows, sparse.V, {.tolerance = 0}, factors);
@@ -107,6 +107,15 @@ TEST(DenseSolve, SolvesRowsThatShareBothBodies) {
   EXPECT_LT(difference(sparse.rows, dense.rows), 1e-11);
 }
 
+TEST(DenseSolve, TriesFewerWhereTheyOutnumberVelocities) {
+  // Two bodies that move have six velocities.
+  Random<3> few(5, 3, most_dense_rows_on_bodies, 1e12), many(5, 3, most_dense_rows_on_bodies + 1, 1e12);
+  EXPECT_TRUE(dense_solve(few.rows, few.V, {}));
+  EXPECT_FALSE(dense_solve(many.rows, many.V, {}));
+  Random<3> chain(5, most_dense_rows_on_bodies + 2, most_dense_rows_on_bodies + 1, 1e12);
+  EXPECT_TRUE(dense_solve(chain.rows, chain.V, {}));
+}
+
 /// Nothing, and all as it was.
 void expect_nothing(Random<3> s, const char* why, const StopRule& stop = {}) {
   const Random<3> before = s;
@@ -117,13 +126,18 @@ void expect_nothing(Random<3> s, const char* why, const StopRule& stop = {}) {
 
 TEST(DenseSolve, LeavesToOthersWhatItDoesNotSolve) {
   expect_nothing(Random<3>(1, 2, 0), "no rows");
-  expect_nothing(Random<3>(1, 20, most_dense_rows + 1), "too many");
+  expect_nothing(Random<3>(1, 50, most_dense_rows + 1), "too many");
   expect_nothing(Random<3>(1, 4, 3, 0), "no room");
   expect_nothing(Random<3>(1, 4, 3, 1e-9), "bounds that are met");
-  Random<3> twice(1, 3, 1);
-  twice.rows.front().Sigma = 0;
-  twice.rows.push_back(twice.rows.front());
-  expect_nothing(twice, "a row that repeats another, and Σ = 0: no sound pivot");
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    Random<3> twice(seed, 3, 1);
+    twice.rows.front().Sigma = 0;
+    twice.rows.push_back(twice.rows.front());
+    Row<3>& second = twice.rows.back();
+    for (Twist<3>* block : {&second.Gi, &second.Gj, &second.MinvGi, &second.MinvGj}) *block *= 0.7;
+    second.B *= 0.7;
+    expect_nothing(twice, "a row that says the same as another, Σ = 0: a pivot of roundings");
+  }
   Random<3> bad(1, 4, 3);
   bad.rows[1].B = std::numeric_limits<double>::quiet_NaN();
   expect_nothing(bad, "a B that is no number");

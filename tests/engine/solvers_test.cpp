@@ -58,7 +58,7 @@ std::vector<double> by(const Solver<3>& solver, double bound, const StopRule& st
 }
 
 TEST(Solvers, AreTheirChaptersFunctions) {
-  constexpr int many = 5;  // more rows than the few that have dense factors
+  constexpr int many = 11;  // more rows than the few that have dense factors
   static_assert(3 * many > most_dense_rows);
   Rubbed swept(0.1), conjugate(0.1), direct_(0.1, many), on_cones(infinity), twice(0);
   solve(swept.rows, swept.V, {});
