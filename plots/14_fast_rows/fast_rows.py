@@ -15,7 +15,8 @@ def draw(data, mine):
     timed = "time" in set(data.table["what"])
     figure, axes = figures.new(columns=3 if timed else 2, height=3.6)
     rod, chains = axes[:2]
-    for style, (which, label) in zip(figures.STYLES, (("rows", "row by row"), ("blocks", "as a block"))):
+    for style, (which, label) in zip(figures.STYLES, (("rows", "row by row"), ("repeats", "its rows three times"),
+                                                      ("blocks", "as a block"))):
         some = data.table.only("what", "rod").only("case", which)
         rod.plot(some["x"], some["value"], label=label, **style)
         if mine:
