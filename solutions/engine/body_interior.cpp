@@ -11,7 +11,7 @@ namespace {
 template <int Dof>
 class Softened {
  public:
-  Softened(const std::vector<Row<Dof>>& rows, const OnBodies<Dof>& on, const Factors& factors,
+  Softened(const std::vector<Row<Dof>>& rows, const OnBodies<Dof>& on, const FactorsOnBodies& factors,
            std::size_t bodies)
       : rows_(rows), on_(on), factors_(factors), V_(bodies) {}
 
@@ -53,7 +53,7 @@ class Softened {
       }
       if (!(most < 0.1 * last)) break;
       last = most;
-      const Vector v = factors_.ldlt.solve(right);
+      const Vector v = factors_.solve(right);
       for (std::size_t k = 0; k < rows_.size(); ++k) x[k] += K[k] * (r[k] - on_.gather(rows_[k], v));
     }
     return x;
@@ -74,7 +74,7 @@ class Softened {
 
   const std::vector<Row<Dof>>& rows_;
   const OnBodies<Dof>& on_;
-  const Factors& factors_;
+  const FactorsOnBodies& factors_;
   std::vector<Twist<Dof>> V_;
 };
 
@@ -190,13 +190,13 @@ double roundings(const std::vector<Row<Dof>>& rows) {
 
 template <int Dof>
 SolveReport body_interior(std::vector<Row<Dof>>& rows, OnBodies<Dof>& on, std::vector<Twist<Dof>>& V,
-                          const StopRule& stop, Factors& factors) {
+                          const StopRule& stop, FactorsOnBodies& factors) {
   Softened<Dof> system(rows, on, factors, V.size());
   Interior now = start(rows);
   SolveReport report;
   while (!report.converged && std::ssize(report.history) < stop.max_sweeps) {
     const Vector softness = system.softness(now);
-    if (!factorise(on.matrix(rows, system.stiffness(softness)), factors)) return report;
+    if (!factors.factorise(on.matrix(rows, system.stiffness(softness)))) return report;
     now = next(rows, now, softness, system);
     std::fill(V.begin(), V.end(), Twist<Dof>::Zero());
     for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -212,8 +212,8 @@ SolveReport body_interior(std::vector<Row<Dof>>& rows, OnBodies<Dof>& on, std::v
 template double roundings<3>(const std::vector<Row<3>>&);
 template double roundings<6>(const std::vector<Row<6>>&);
 template SolveReport body_interior<3>(std::vector<Row<3>>&, OnBodies<3>&, std::vector<Twist<3>>&,
-                                      const StopRule&, Factors&);
+                                      const StopRule&, FactorsOnBodies&);
 template SolveReport body_interior<6>(std::vector<Row<6>>&, OnBodies<6>&, std::vector<Twist<6>>&,
-                                      const StopRule&, Factors&);
+                                      const StopRule&, FactorsOnBodies&);
 
 }  // namespace spook

@@ -6,6 +6,7 @@
 //   velocities   (M + Gᵀ Σ̃⁻¹ G) v = Gᵀ Σ̃⁻¹ r,  Δλ = Σ̃⁻¹ (r - G v)                                            Eq. (11.15)
 //
 // It does not mind how many rows meet at a bound at once, and always takes some twenty to forty factorisations.
+#include "engine/factors_on_bodies.hpp"
 #include "engine/on_bodies.hpp"
 #include "engine/outcome.hpp"
 
@@ -16,7 +17,7 @@ namespace spook {
 /// stop.max_sweeps; not converged where they do not suffice, or a pivot is not sound.
 template <int Dof>
 SolveReport body_interior(std::vector<Row<Dof>>& rows, OnBodies<Dof>& on, std::vector<Twist<Dof>>& V,
-                          const StopRule& stop, Factors& factors);
+                          const StopRule& stop, FactorsOnBodies& factors);
 
 /// What roundings leave, of the λ that rows have [m/s]: Eq. (11.13).
 template <int Dof>

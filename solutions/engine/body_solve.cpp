@@ -56,7 +56,7 @@ Freedom freedom(const std::vector<Row<Dof>>& rows, const State<Dof>& now) {
 /// Solves the rows that are free, the others being as they are: Eq. (11.15), and (11.14) as long as it helps.
 template <int Dof>
 void solve_free(const std::vector<Row<Dof>>& rows, const OnBodies<Dof>& on, const Vector& stiffness,
-                const Factors& factors, State<Dof>& state) {
+                const FactorsOnBodies& factors, State<Dof>& state) {
   constexpr int refinements = 8;
   Vector lacking = Vector::Zero(stiffness.size());
   double last = infinity;
@@ -70,7 +70,7 @@ void solve_free(const std::vector<Row<Dof>>& rows, const OnBodies<Dof>& on, cons
     const double most = lacking.cwiseAbs().maxCoeff();
     if (!(most < 0.1 * last)) return;
     last = most;
-    const Vector v = factors.ldlt.solve(right);
+    const Vector v = factors.solve(right);
     for (std::size_t k = 0; k < rows.size(); ++k)
       if (stiffness[k] != 0)
         state.move(rows[k], k, state.lambda[k] + stiffness[k] * (lacking[k] - on.gather(rows[k], v)));
@@ -93,7 +93,7 @@ State<Dof> projected(const std::vector<Row<Dof>>& rows, const State<Dof>& from, 
 /// starts where the last step ended has nothing else to gain.
 template <int Dof>
 State<Dof> step(const std::vector<Row<Dof>>& rows, const OnBodies<Dof>& on, const Freedom& freedom,
-                const Factors& factors, const State<Dof>& now) {
+                const FactorsOnBodies& factors, const State<Dof>& now) {
   State<Dof> there = now;
   for (std::size_t k = 0; k < rows.size(); ++k)
     if (freedom.stiffness[k] == 0) there.move(rows[k], k, freedom.held_at[k]);
@@ -116,7 +116,7 @@ Vector impulses_of(const std::vector<Row<Dof>>& rows) {
 /// Newton's method on whichever rows are free, as long as it gets on.
 template <int Dof>
 SolveReport newton_solve(std::vector<Row<Dof>>& rows, OnBodies<Dof>& on, std::vector<Twist<Dof>>& V,
-                         const StopRule& stop, Factors& factors) {
+                         const StopRule& stop, FactorsOnBodies& factors) {
   constexpr int sweeps = 4, most_in_vain = 2;
   // Of roundings: what has found its free rows ends far below them. A tower under 10⁸:1 that is left with all that they
   // allow may be about to buckle.
@@ -126,7 +126,7 @@ SolveReport newton_solve(std::vector<Row<Dof>>& rows, OnBodies<Dof>& on, std::ve
   for (int in_vain = 0; in_vain < most_in_vain && std::ssize(report.history) < stop.max_sweeps;) {
     const State<Dof> now{impulses_of(rows), V};
     const Freedom free = freedom(rows, now);
-    if (!factorise(on.matrix(rows, free.stiffness), factors)) return report;
+    if (!factors.factorise(on.matrix(rows, free.stiffness))) return report;
     State<Dof> next = step(rows, on, free, factors, now);
     for (std::size_t k = 0; k < rows.size(); ++k) rows[k].lambda = next.lambda[k];
     V = std::move(next.V);

@@ -15,6 +15,7 @@
 #include <optional>
 
 #include "11_direct/direct.hpp"
+#include "engine/factors_on_bodies.hpp"
 #include "engine/on_bodies.hpp"
 #include "engine/system.hpp"
 
@@ -24,7 +25,7 @@ namespace spook {
 template <int Dof>
 struct BodyFactors {
   OnBodies<Dof> on;
-  Factors factors;
+  FactorsOnBodies factors;
 };
 
 /// Solves the rows within their bounds, from the λ that they have, which is within them, and its V. Nothing, and rows

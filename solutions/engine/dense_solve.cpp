@@ -6,6 +6,7 @@
 
 #include "common/require.hpp"
 #include "engine/islands.hpp"
+#include "engine/small_factors.hpp"
 
 namespace spook {
 
@@ -24,53 +25,17 @@ double coupling(const Row<Dof>& k, const Row<Dof>& l) {
   return sum;
 }
 
-/// S = L D Lᵀ, of each line from its first entry on: L has none before that.
-class SmallFactors {
- public:
-  template <int Dof>
-  explicit SmallFactors(const std::vector<Row<Dof>>& rows) : n_(static_cast<int>(rows.size())) {
-    for (int k = 0; k < n_ && sound_; ++k) {
-      first_[k] = k;
-      for (int l = k - 1; l >= 0; --l) {
-        L_[k][l] = coupling(rows[k], rows[l]);
-        if (L_[k][l] != 0) first_[k] = l;
-      }
-      factorise_line(k, coupling(rows[k], rows[k]) + rows[k].Sigma);
-    }
+/// S of all rows, Eq. (11.1), as its factors; false where a pivot is not sound.
+template <int Dof>
+bool factorise(const std::vector<Row<Dof>>& rows, SmallFactors& factors) {
+  const int n = static_cast<int>(rows.size());
+  factors.begin(n);
+  for (int k = 0; k < n; ++k) {
+    for (int l = 0; l < k; ++l) factors.at(k, l) = coupling(rows[k], rows[l]);
+    factors.at(k, k) = coupling(rows[k], rows[k]) + rows[k].Sigma;
   }
-
-  bool sound() const { return sound_; }
-
-  Few solve(Few x) const {
-    for (int k = 0; k < n_; ++k)
-      for (int l = first_[k]; l < k; ++l) x[k] -= L_[k][l] * x[l];
-    for (int k = 0; k < n_; ++k) x[k] /= D_[k];
-    for (int k = n_ - 1; k >= 0; --k)
-      for (int l = first_[k]; l < k; ++l) x[l] -= L_[k][l] * x[k];
-    return x;
-  }
-
- private:
-  /// On entry the line has the entries of S, but for S_kk.
-  void factorise_line(int k, double S_kk) {
-    double lost = 0;  // of S_kk: Σ L_kl² D_l
-    for (int l = first_[k]; l < k; ++l)
-      for (int m = std::max(first_[k], first_[l]); m < l; ++m) L_[k][l] -= L_[k][m] * L_[l][m];
-    for (int l = first_[k]; l < k; ++l) {
-      const double LD = L_[k][l];
-      L_[k][l] /= D_[l];
-      lost += L_[k][l] * LD;
-    }
-    D_[k] = S_kk - lost;
-    sound_ = std::isfinite(D_[k]) && D_[k] > 1e-14 * (S_kk + lost);  // Eq. (11.4)
-  }
-
-  int n_;
-  bool sound_ = true;
-  std::array<Few, most_dense_rows> L_;
-  Few D_;
-  std::array<int, most_dense_rows> first_;
-};
+  return factors.factorise();
+}
 
 /// What each row lacks, Eq. (4.6).
 template <int Dof>
@@ -112,19 +77,21 @@ std::optional<SolveReport> dense_solve(std::vector<Row<Dof>>& rows, std::vector<
   const std::size_t n = rows.size();
   if (n == 0 || n > most_dense_rows) return {};
   if (n > most_dense_rows_on_bodies && wants_bodies(rows)) return {};
-  const SmallFactors factors(rows);
-  if (!factors.sound()) return {};
+  SmallFactors factors;
+  if (!factorise(rows, factors)) return {};
 
-  Few B;
-  for (std::size_t k = 0; k < n; ++k) B[k] = rows[k].B;
-  const Few lambda = factors.solve(B);
+  Few lambda;
+  for (std::size_t k = 0; k < n; ++k) lambda[k] = rows[k].B;
+  factors.solve(lambda.data());
   for (std::size_t k = 0; k < n; ++k)
     if (!(rows[k].lo < lambda[k] && lambda[k] < rows[k].hi)) return {};
 
   std::fill(V.begin(), V.end(), Twist<Dof>::Zero());
   for (Row<Dof>& row : rows) row.lambda = 0;
   add(lambda, rows, V);
-  add(factors.solve(lacking(rows, V)), rows, V);  // V has the roundings of λ/m, and the rows feel them
+  Few more = lacking(rows, V);  // V has the roundings of λ/m, and the rows feel them
+  factors.solve(more.data());
+  add(more, rows, V);
   const double left = residual(rows, V);
   if (!(left <= std::max(stop.tolerance, roundings(rows)))) return {};
   return SolveReport{.history = {left}, .converged = true};

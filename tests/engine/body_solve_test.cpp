@@ -79,7 +79,7 @@ template <int Dof>
 void expect_answers_of_rows() {
   for (unsigned seed = 1; seed <= 30; ++seed)
     for (const double rub : {infinity, 0.3, 0.01}) {
-      Random<Dof> on_bodies(seed, 8, 20, rub, 1e3);
+      Random<Dof> on_bodies(seed, seed % 2 == 0 ? 8 : 5, 20, rub, 1e3);  // 36 or 24 velocities, where Dof is 6
       auto on_rows = on_bodies;
       BodyFactors<Dof> factors;
       Factors others;
@@ -108,7 +108,7 @@ TEST(BodySolve, FromItsOwnAnswerTakesOneFactorisation) {
   const auto again = body_solve(s.rows, s.motion.inverse_mass, s.V, {}, factors);
   ASSERT_TRUE(again);
   EXPECT_EQ(again->history.size(), 1U);
-  EXPECT_EQ(factors.factors.analyses, 1) << "the pattern is that of the bodies, whatever row is held";
+  EXPECT_EQ(factors.factors.analyses(), 1) << "the pattern is that of the bodies, whatever row is held";
 }
 
 TEST(BodySolve, WhatStandsTakesOneFactorisationAStep) {
@@ -147,7 +147,7 @@ TEST(BodySolve, RefinesWhatASmallSigmaLeaves) {
 template <int Dof>
 SolveReport from_within(Random<Dof>& s) {
   OnBodies<Dof> on(s.rows, s.motion.inverse_mass);
-  Factors factors;
+  FactorsOnBodies factors;
   return body_interior(s.rows, on, s.V, {}, factors);
 }
 

@@ -1,0 +1,108 @@
+// Dense factors of few unknowns: what sparse ones give, and a pivot that is not sound.
+#include "engine/small_factors.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <limits>
+
+#include "engine/factors_on_bodies.hpp"
+#include "random_input.hpp"
+
+namespace spook::small_factors_test {
+namespace {
+
+using Matrix = Eigen::MatrixXd;
+
+/// Positive definite, n x n; a part of its entries below the diagonal are 0.
+Matrix random_matrix(int n, double zeros, testing::Random& random) {
+  Matrix A = Matrix::Zero(n, n);
+  for (int k = 0; k < n; ++k)
+    for (int l = 0; l < k; ++l) {
+      const bool zero = random.uniform(0, 1) < zeros;
+      const double entry = random.uniform(-1, 1);
+      if (!zero) A(k, l) = A(l, k) = entry;
+    }
+  for (int k = 0; k < n; ++k) A(k, k) = A.row(k).cwiseAbs().sum() + random.uniform(0.1, 1);  // dominant
+  return A;
+}
+
+Vector random_vector(int n, testing::Random& random) {
+  Vector x(n);
+  for (double& entry : x) entry = random.uniform(-1, 1);
+  return x;
+}
+
+void fill(const Matrix& A, SmallFactors& factors) {
+  factors.begin(static_cast<int>(A.rows()));
+  for (int k = 0; k < A.rows(); ++k)
+    for (int l = 0; l <= k; ++l) factors.at(k, l) = A(k, l);
+}
+
+TEST(SmallFactors, SolveWhatTheyAreFactorsOf) {
+  testing::Random random;
+  SmallFactors factors;  // one for all: it forgets what it had
+  for (const double zeros : {0.0, 0.5, 0.9})
+    for (int n = 1; n <= SmallFactors::most; ++n) {
+      const Matrix A = random_matrix(n, zeros, random);
+      const Vector b = random_vector(n, random);
+      fill(A, factors);
+      ASSERT_TRUE(factors.factorise()) << n;
+      Vector x = b;
+      factors.solve(x.data());
+      // A dominant diagonal: no growth, so that each line's n products and sums round by ε of what they are of.
+      const double rounding = 4 * n * std::numeric_limits<double>::epsilon();
+      EXPECT_LE((A * x - b).norm(), rounding * A.norm() * x.norm()) << n << " lines, zeros " << zeros;
+      EXPECT_LE((x - A.llt().solve(b)).norm(), rounding * A.norm() * A.inverse().norm() * x.norm()) << n;
+    }
+}
+
+TEST(SmallFactors, RefuseAPivotThatIsNotSound) {
+  SmallFactors factors;
+  const auto factorised = [&](double a, double b, double c) {  // [a b; b c]
+    factors.begin(2);
+    factors.at(0, 0) = a, factors.at(1, 0) = b, factors.at(1, 1) = c;
+    return factors.factorise();
+  };
+  EXPECT_TRUE(factorised(4, 2, 1 + 1e-12)) << "a hundred times what Eq. (11.4) asks for";
+  EXPECT_FALSE(factorised(4, 2, 1)) << "singular";
+  EXPECT_FALSE(factorised(4, 2, 1 + 1e-15)) << "a pivot of roundings";
+  EXPECT_FALSE(factorised(4, 2, 0.5)) << "a saddle";
+  EXPECT_FALSE(factorised(0, 0, 1));
+  EXPECT_FALSE(factorised(-1, 0, 1));
+  EXPECT_FALSE(factorised(std::numeric_limits<double>::quiet_NaN(), 0, 1));
+  EXPECT_FALSE(factorised(1, std::numeric_limits<double>::quiet_NaN(), 1));
+  EXPECT_FALSE(factorised(1, 0, std::numeric_limits<double>::infinity()));
+}
+
+/// The lower triangle.
+SparseMatrix lower(const Matrix& A) {
+  return Matrix(A.triangularView<Eigen::Lower>()).sparseView();
+}
+
+TEST(FactorsOnBodies, AreOfEitherKindByTheNumberOfVelocities) {
+  testing::Random random;
+  FactorsOnBodies factors;
+  int analyses = 0;
+  for (const int n : {SmallFactors::most, SmallFactors::most + 1, 6, 48}) {
+    const Matrix A = random_matrix(n, 0.5, random);
+    const Vector b = random_vector(n, random);
+    ASSERT_TRUE(factors.factorise(lower(A)));
+    if (n > SmallFactors::most) ++analyses;
+    EXPECT_EQ(factors.analyses(), analyses) << n << ": few have no pattern";
+    const double rounding = 4 * n * std::numeric_limits<double>::epsilon();  // as above
+    EXPECT_LE((A * factors.solve(b) - b).norm(), rounding * A.norm() * A.inverse().norm() * b.norm()) << n;
+  }
+}
+
+TEST(FactorsOnBodies, RefuseWhatIsSingular) {
+  FactorsOnBodies factors;
+  for (const int n : {6, 60}) {
+    Matrix A = Matrix::Identity(n, n);
+    A.bottomRightCorner(2, 2).setOnes();
+    EXPECT_FALSE(factors.factorise(lower(A))) << n;
+  }
+}
+
+}  // namespace
+}  // namespace spook::small_factors_test
