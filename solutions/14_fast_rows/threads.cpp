@@ -18,8 +18,10 @@ class MeetingPoint {
   void meet() {
     const int round = round_;
     if (come()) return;
-    for (int look = 0; look < looks; ++look)
+    for (int look = 1; look <= looks; ++look) {
       if (round_ != round) return;
+      if (look % looks_before_others == 0) std::this_thread::yield();
+    }
     round_.wait(round);
   }
 
@@ -30,7 +32,8 @@ class MeetingPoint {
   }
 
  private:
-  static constexpr int looks = 10'000;  // some tens of microseconds
+  static constexpr int looks = 100'000;             // some hundreds of microseconds
+  static constexpr int looks_before_others = 1000;  // on a core that has more to do
 
   /// Whether it was the last one.
   bool come() {

@@ -1,7 +1,8 @@
 // Projected Gauss-Seidel on several threads, "stripes" by name.
 //
-//   stripes    n bodies have ∛n/2 of them, side by side, with as many bodies in each: in a cube they are two bodies wide
-//   a row      is of the first stripe that it has a body in, and reaches into the next one at most
+//   stripes    n bodies have ∛n/2 of them, side by side, a multiple of four from four on, with as many rows in each: in a
+//              cube they are two bodies wide
+//   a row      is of the first stripe that it has a body in, and most reach into the next one at most
 //   a sweep    of all even stripes at the same time, then of all odd ones; then what reaches farther, alone
 //
 // What is swept at the same time shares no body that moves. So the result is the same to the last bit on any number of
@@ -42,19 +43,52 @@ int axis_across(const std::vector<int>& moving, const Bodies<Dof>& bodies) {
   return axis;
 }
 
-/// The stripe of each body that moves, -1 for those that do not.
+/// The place of each body that moves among those that do, along the axis; -1 of the others.
 template <int Dof>
-std::vector<int> stripes_of_bodies(const Bodies<Dof>& bodies) {
+std::vector<int> places(const Bodies<Dof>& bodies) {
   std::vector<int> moving;
   for (std::size_t i = 0; i < bodies.size(); ++i)
     if (!bodies.is_fixed(i)) moving.push_back(static_cast<int>(i));
   const int axis = axis_across(moving, bodies);
   std::stable_sort(moving.begin(), moving.end(),
                    [&](int a, int b) { return bodies.x[a][axis] < bodies.x[b][axis]; });
-  const std::size_t n = moving.size();
-  const auto count = static_cast<std::size_t>(std::max(1.0, std::cbrt(n) / 2));
-  std::vector<int> stripe(bodies.size(), -1);
-  for (std::size_t rank = 0; rank < n; ++rank) stripe[moving[rank]] = static_cast<int>(rank * count / n);
+  std::vector<int> place(bodies.size(), -1);
+  for (std::size_t n = 0; n < moving.size(); ++n) place[moving[n]] = static_cast<int>(n);
+  return place;
+}
+
+/// From where to where a row reaches: the places of its bodies that move, -1 where neither does.
+struct Reach {
+  int low, high;
+};
+
+template <int Dof>
+std::vector<Reach> reaches(const System<Dof>& s, const std::vector<int>& place) {
+  std::vector<Reach> all(s.rows.size());
+  in_shares(s.threads, all.size(), [&](std::size_t, std::size_t k, std::size_t end) {
+    for (; k < end; ++k) {
+      const auto [low, high] = std::minmax(place[s.rows[k].i], place[s.rows[k].j]);
+      all[k] = {.low = low < 0 ? high : low, .high = high};
+    }
+  });
+  return all;
+}
+
+/// The stripe of each place, so that as many rows begin in each, as near as bodies let.
+std::vector<int> stripes_of_places(const std::vector<Reach>& rows) {
+  std::vector<std::size_t> begin;  // how many rows begin at each place
+  for (const Reach& row : rows) {
+    if (row.high >= std::ssize(begin)) begin.resize(static_cast<std::size_t>(row.high) + 1, 0);
+    if (row.low >= 0) ++begin[row.low];
+  }
+  auto count = static_cast<std::size_t>(std::max(1.0, std::cbrt(begin.size()) / 2));
+  if (count > 4) count -= count % 4;  // so that two threads have as many even ones each, and as many odd ones
+  std::vector<int> stripe;
+  std::size_t before = 0;
+  for (const std::size_t here : begin) {
+    stripe.push_back(static_cast<int>((before + here / 2) * count / rows.size()));
+    before += here;
+  }
   return stripe;
 }
 
@@ -85,23 +119,31 @@ class OwnGround {
 
 /// All rows by stripe; the last one is of what reaches farther.
 template <int Dof>
-std::vector<Stripe> divided(const System<Dof>& s, const std::vector<int>& of_body, OwnGround<Dof>& ground) {
-  const int rest = *std::max_element(of_body.begin(), of_body.end()) + 1;
-  std::vector<int> of_row(s.rows.size());
-  std::vector<std::vector<int>> on_ground(shares_of(s.threads, s.rows.size()));
-  in_shares(s.threads, s.rows.size(), [&](std::size_t share, std::size_t k, std::size_t end) {
-    for (; k < end; ++k) {
-      const auto [low, high] = std::minmax(of_body[s.rows[k].i], of_body[s.rows[k].j]);
-      of_row[k] = low < 0 ? std::max(high, 0) : high > low + 1 ? rest : low;
-      if (low < 0) on_ground[share].push_back(static_cast<int>(k));
-    }
+std::vector<Stripe> divided(const System<Dof>& s, const std::vector<int>& place, OwnGround<Dof>& ground) {
+  const std::vector<Reach> reach = reaches(s, place);
+  const std::vector<int> of_place = stripes_of_places(reach);
+  const int rest = of_place.empty() ? 1 : of_place.back() + 1;
+  const auto stripe_of = [&](const Reach& row) {
+    if (row.low < 0) return 0;
+    const int low = of_place[row.low], high = of_place[row.high];
+    return high > low + 1 ? rest : low;
+  };
+  std::vector<std::vector<Stripe>> of_share(shares_of(s.threads, reach.size()));
+  in_shares(s.threads, reach.size(), [&](std::size_t share, std::size_t k, std::size_t end) {
+    of_share[share].resize(static_cast<std::size_t>(rest) + 1);
+    for (; k < end; ++k) of_share[share][stripe_of(reach[k])].rows.push_back(static_cast<int>(k));
   });
-  std::vector<Stripe> stripes(static_cast<std::size_t>(rest) + 1);
-  for (std::size_t k = 0; k < of_row.size(); ++k) stripes[of_row[k]].rows.push_back(static_cast<int>(k));
-  for (const std::vector<int>& some : on_ground)
-    for (const int k : some)
-      for (int* body : {&s.rows[k].i, &s.rows[k].j})
-        if (of_body[*body] < 0) ground.lend(of_row[k], *body);
+  std::vector<Stripe> stripes = std::move(of_share.front());
+  for (std::size_t share = 1; share < of_share.size(); ++share)
+    for (std::size_t n = 0; n < stripes.size(); ++n) {
+      const std::vector<int>& more = of_share[share][n].rows;
+      stripes[n].rows.insert(stripes[n].rows.end(), more.begin(), more.end());
+    }
+  for (std::size_t k = 0; k < reach.size(); ++k) {
+    if (reach[k].low < reach[k].high) continue;  // two that move
+    for (int* body : {&s.rows[k].i, &s.rows[k].j})
+      if (place[*body] < 0) ground.lend(stripe_of(reach[k]), *body);
+  }
   return stripes;
 }
 
@@ -111,7 +153,7 @@ Outcome solve_in_stripes(const System<Dof>& s) {
   report.converged = s.rows.empty();
   if (report.converged) return report;
   OwnGround<Dof> ground(s);
-  std::vector<Stripe> stripes = divided(s, stripes_of_bodies(s.bodies), ground);
+  std::vector<Stripe> stripes = divided(s, places(s.bodies), ground);
   const std::size_t rest = stripes.size() - 1, rounds = stripes[rest].rows.empty() ? 2 : 3;
   const std::size_t threads = std::clamp<std::size_t>((rest + 1) / 2, 1, shares_of(s.threads, s.rows.size()));
 
