@@ -53,10 +53,11 @@ Freedom freedom(const std::vector<Row<Dof>>& rows, const State<Dof>& now) {
   return found;
 }
 
-/// Solves the rows that are free, the others being as they are: Eq. (11.15), and (11.14) as long as it helps.
+/// Solves the rows that are free, the others being as they are: Eq. (11.15), and (11.14) as long as it helps and one lacks
+/// more than `enough` [m/s].
 template <int Dof>
 void solve_free(const std::vector<Row<Dof>>& rows, const OnBodies<Dof>& on, const Vector& stiffness,
-                const FactorsOnBodies& factors, State<Dof>& state) {
+                const FactorsOnBodies& factors, double enough, State<Dof>& state) {
   constexpr int refinements = 8;
   Vector lacking = Vector::Zero(stiffness.size());
   double last = infinity;
@@ -68,7 +69,7 @@ void solve_free(const std::vector<Row<Dof>>& rows, const OnBodies<Dof>& on, cons
       on.scatter(rows[k], stiffness[k] * lacking[k], right);
     }
     const double most = lacking.cwiseAbs().maxCoeff();
-    if (!(most < 0.1 * last)) return;
+    if (!(most < 0.1 * last) || (n > 0 && most <= enough)) return;
     last = most;
     const Vector v = factors.solve(right);
     for (std::size_t k = 0; k < rows.size(); ++k)
@@ -93,11 +94,11 @@ State<Dof> projected(const std::vector<Row<Dof>>& rows, const State<Dof>& from, 
 /// starts where the last step ended has nothing else to gain.
 template <int Dof>
 State<Dof> step(const std::vector<Row<Dof>>& rows, const OnBodies<Dof>& on, const Freedom& freedom,
-                const FactorsOnBodies& factors, const State<Dof>& now) {
+                const FactorsOnBodies& factors, double enough, const State<Dof>& now) {
   State<Dof> there = now;
   for (std::size_t k = 0; k < rows.size(); ++k)
     if (freedom.stiffness[k] == 0) there.move(rows[k], k, freedom.held_at[k]);
-  solve_free(rows, on, freedom.stiffness, factors, there);
+  solve_free(rows, on, freedom.stiffness, factors, enough, there);
   double share = 1;
   State<Dof> inside = projected(rows, now, there, share);
   constexpr double rounding = 1e-14;  // of a sum, most of whose terms have one sign
@@ -122,16 +123,17 @@ SolveReport newton_solve(std::vector<Row<Dof>>& rows, OnBodies<Dof>& on, std::ve
   // allow may be about to buckle.
   constexpr double settled = 0.1;
   SolveReport report;
+  const auto enough = [&] { return std::max(stop.tolerance, settled * roundings(rows)); };
   double best = infinity;
   for (int in_vain = 0; in_vain < most_in_vain && std::ssize(report.history) < stop.max_sweeps;) {
     const State<Dof> now{impulses_of(rows), V};
     const Freedom free = freedom(rows, now);
     if (!factors.factorise(on.matrix(rows, free.stiffness))) return report;
-    State<Dof> next = step(rows, on, free, factors, now);
+    State<Dof> next = step(rows, on, free, factors, enough(), now);
     for (std::size_t k = 0; k < rows.size(); ++k) rows[k].lambda = next.lambda[k];
     V = std::move(next.V);
     report.history.push_back(residual(rows, V));
-    report.converged = report.history.back() <= std::max(stop.tolerance, settled * roundings(rows));
+    report.converged = report.history.back() <= enough();
     if (report.converged) return report;
     if (!(report.history.back() < best / 2)) ++in_vain;
     best = std::min(best, report.history.back());

@@ -123,7 +123,8 @@ class Former {
 template <int Dof>
 int ContactFinder::find(const Shapes& shapes, const Bodies<Dof>& bodies, double margin,
                         std::vector<Contact>& contacts, int threads) {
-  return find_moved(std::vector<bool>(bodies.size(), true), shapes, bodies, margin, contacts, threads);
+  everyone_.assign(bodies.size(), true);
+  return find_moved(everyone_, shapes, bodies, margin, contacts, threads);
 }
 
 template <int Dof>

@@ -65,6 +65,7 @@ class ContactFinder {
 
  private:
   Neighbours neighbours_;
+  std::vector<bool> everyone_;
   std::vector<Box> boxes_;      // of the solids, unless none is a box
   std::vector<Bounds> bounds_;  // of the solids
   std::vector<Contact> last_;

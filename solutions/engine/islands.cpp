@@ -95,11 +95,10 @@ template <int Dof>
 int moving_bodies(const std::vector<Row<Dof>>& rows) {
   std::vector<bool> moves(bodies_of(rows), false);
   int count = 0;
-  const auto note = [&](int body) {
-    count += !moves[body];
-    moves[body] = true;
-  };
-  for (const Row<Dof>& row : rows) for_moving(row, note);
+  for (const Row<Dof>& row : rows) {
+    if (!moves[row.i] && moves_i(row)) moves[row.i] = true, ++count;
+    if (!moves[row.j] && moves_j(row)) moves[row.j] = true, ++count;
+  }
   return count;
 }
 

@@ -2,7 +2,12 @@
 
 namespace spook {
 
+static bool is_round(const Vec3& principal) {
+  return principal.x() == principal.y() && principal.y() == principal.z();
+}
+
 Mat3 Orientations<6>::inverse_inertia(std::size_t i) const {
+  if (is_round(inverse_principal[i])) return inverse_principal[i].asDiagonal();  // however it is turned
   return world_inertia(q[i], inverse_principal[i]);
 }
 
@@ -11,10 +16,6 @@ Vec3 gyroscopic_change(const RotationRule<6>& rule, const Orientations<6>& orien
   if (rule.update == RotationUpdate::splitting || !rule.gyroscopic_torque) return Vec3::Zero();
   const Mat3 inertia = world_inertia(orientations.q[i], orientations.principal[i]);
   return h * orientations.inverse_inertia(i) * gyroscopic_torque(inertia, omega);  // Eq. (2.9)
-}
-
-static bool is_round(const Vec3& principal) {
-  return principal.x() == principal.y() && principal.y() == principal.z();
 }
 
 void rotate(const RotationRule<6>& rule, Orientations<6>& orientations, std::size_t i, Vec3& omega, double h) {
