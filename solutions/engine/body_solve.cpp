@@ -82,9 +82,9 @@ void solve_free(const std::vector<Row<Dof>>& rows, const OnBodies<Dof>& on, cons
 template <int Dof>
 State<Dof> projected(const std::vector<Row<Dof>>& rows, const State<Dof>& from, const State<Dof>& to,
                      double share) {
-  State<Dof> state = from;
+  State<Dof> state = to;
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    const double lambda = from.lambda[k] + share * (to.lambda[k] - from.lambda[k]);
+    const double lambda = to.lambda[k] - (1 - share) * (to.lambda[k] - from.lambda[k]);
     state.move(rows[k], k, std::clamp(lambda, rows[k].lo, rows[k].hi));
   }
   return state;
