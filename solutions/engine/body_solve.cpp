@@ -78,13 +78,14 @@ void solve_free(const std::vector<Row<Dof>>& rows, const OnBodies<Dof>& on, cons
   }
 }
 
-/// The part `share` of the way from one state to another, clamped to the bounds.
+/// The part `share` of the way from one state to another, clamped to the bounds. What was on the way to the other has left
+/// its roundings in that one's V: they are not taken over.
 template <int Dof>
 State<Dof> projected(const std::vector<Row<Dof>>& rows, const State<Dof>& from, const State<Dof>& to,
                      double share) {
-  State<Dof> state = to;
+  State<Dof> state = from;
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    const double lambda = to.lambda[k] - (1 - share) * (to.lambda[k] - from.lambda[k]);
+    const double lambda = from.lambda[k] + share * (to.lambda[k] - from.lambda[k]);
     state.move(rows[k], k, std::clamp(lambda, rows[k].lo, rows[k].hi));
   }
   return state;
