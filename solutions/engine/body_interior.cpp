@@ -182,13 +182,6 @@ double answer(const Row<Dof>& row, std::size_t k, const Interior& now) {
 }  // namespace
 
 template <int Dof>
-double roundings(const std::vector<Row<Dof>>& rows) {
-  double returned = 0;
-  for (const Row<Dof>& row : rows) returned = std::max(returned, row.diagonal * std::abs(row.lambda));
-  return 1e-13 * asked_for(rows) + 1e-14 * returned;
-}
-
-template <int Dof>
 SolveReport body_interior(std::vector<Row<Dof>>& rows, OnBodies<Dof>& on, std::vector<Twist<Dof>>& V,
                           const StopRule& stop, FactorsOnBodies& factors) {
   Softened<Dof> system(rows, on, factors, V.size());
@@ -209,8 +202,6 @@ SolveReport body_interior(std::vector<Row<Dof>>& rows, OnBodies<Dof>& on, std::v
   return report;
 }
 
-template double roundings<3>(const std::vector<Row<3>>&);
-template double roundings<6>(const std::vector<Row<6>>&);
 template SolveReport body_interior<3>(std::vector<Row<3>>&, OnBodies<3>&, std::vector<Twist<3>>&,
                                       const StopRule&, FactorsOnBodies&);
 template SolveReport body_interior<6>(std::vector<Row<6>>&, OnBodies<6>&, std::vector<Twist<6>>&,

@@ -19,8 +19,4 @@ template <int Dof>
 SolveReport body_interior(std::vector<Row<Dof>>& rows, OnBodies<Dof>& on, std::vector<Twist<Dof>>& V,
                           const StopRule& stop, FactorsOnBodies& factors);
 
-/// What roundings leave, of the λ that rows have [m/s]: Eq. (11.13).
-template <int Dof>
-double roundings(const std::vector<Row<Dof>>& rows);
-
 }  // namespace spook

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "engine/coupling.hpp"
 #include "engine/joint_rows.hpp"
 
 namespace spook {
@@ -11,17 +12,6 @@ static constexpr std::size_t few = 12;     // rows
 static constexpr double softness = 1e-12;  // Σ, of the diagonal
 // In roundings, where gaps fall no more: as small as they get, and as small as places with two ways on let them get.
 static constexpr double blurred = 100, stuck = 1e4;
-
-/// G_l M⁻¹ G_kᵀ: the entry of S of two rows, without Σ.
-template <int Dof>
-static double coupling(const Row<Dof>& k, const Row<Dof>& l) {
-  double sum = 0;
-  if (k.i == l.i) sum += k.MinvGi.dot(l.Gi);
-  if (k.i == l.j) sum += k.MinvGi.dot(l.Gj);
-  if (k.j == l.i) sum += k.MinvGj.dot(l.Gi);
-  if (k.j == l.j) sum += k.MinvGj.dot(l.Gj);
-  return sum;
-}
 
 /// The inverse of a symmetric matrix by its closed form, where it has N lines; false where no definite one is there.
 template <int N>

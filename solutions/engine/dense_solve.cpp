@@ -2,28 +2,17 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "common/require.hpp"
+#include "engine/coupling.hpp"
 #include "engine/islands.hpp"
-#include "engine/small_factors.hpp"
+#include "engine/outcome.hpp"
 
 namespace spook {
 
 namespace {
 
 using Few = std::array<double, most_dense_rows>;
-
-/// S_kl without Σ: the velocity along one row that an impulse of 1 along another makes, Eq. (11.1).
-template <int Dof>
-double coupling(const Row<Dof>& k, const Row<Dof>& l) {
-  double sum = 0;
-  if (k.i == l.i) sum += k.MinvGi.dot(l.Gi);
-  if (k.i == l.j) sum += k.MinvGi.dot(l.Gj);
-  if (k.j == l.i) sum += k.MinvGj.dot(l.Gi);
-  if (k.j == l.j) sum += k.MinvGj.dot(l.Gj);
-  return sum;
-}
 
 /// S of all rows, Eq. (11.1), as its factors; false where a pivot is not sound.
 template <int Dof>
@@ -56,17 +45,6 @@ void add(const Few& more, std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& 
   }
 }
 
-/// Eq. (11.13).
-template <int Dof>
-double roundings(const std::vector<Row<Dof>>& rows) {
-  double B = 0, S_lambda = 0;
-  for (const Row<Dof>& row : rows) {
-    B = std::max(B, std::abs(row.B));
-    S_lambda = std::max(S_lambda, row.diagonal * std::abs(row.lambda));
-  }
-  return 1e-13 * B + 1e-14 * S_lambda;
-}
-
 }  // namespace
 
 template <int Dof>
@@ -80,7 +58,7 @@ std::optional<SolveReport> dense_solve(std::vector<Row<Dof>>& rows, std::vector<
   SmallFactors factors;
   if (!factorise(rows, factors)) return {};
 
-  Few lambda;
+  Few lambda;  // B, and then S⁻¹ B
   for (std::size_t k = 0; k < n; ++k) lambda[k] = rows[k].B;
   factors.solve(lambda.data());
   for (std::size_t k = 0; k < n; ++k)

@@ -1,8 +1,7 @@
 #pragma once
 // A few rows by dense factors: S fits the stack, and is solved before a sparse matrix would have been written down.
 //
-//   factors     S λ = B, S = L D Lᵀ, Eq. (11.1), (11.3), each line of L from its first entry on: a chain fills nothing in;
-//               Eq. (11.4) for the pivots
+//   factors     S λ = B, S = L D Lᵀ, Eq. (11.1), (11.3), (11.4): engine/small_factors.hpp
 //   roundings   refined once, Eq. (11.14), and looked at, Eq. (4.8)
 //
 // Bounds are for others: where a λ is not strictly between them, chapter 11 begins anew. Where rows outnumber the velocities
@@ -10,11 +9,12 @@
 #include <optional>
 
 #include "11_direct/direct.hpp"
+#include "engine/small_factors.hpp"
 
 namespace spook {
 
 /// How many rows are few, and how many where they outnumber the velocities.
-inline constexpr int most_dense_rows = 32, most_dense_rows_on_bodies = 12;
+inline constexpr int most_dense_rows = SmallFactors::most, most_dense_rows_on_bodies = 12;
 
 /// Solves the rows, whatever V is; the history has one entry. Nothing where there are none or more than a few, a pivot is not
 /// sound, a λ is not strictly within its bounds, or what is left exceeds stop.tolerance and the roundings of Eq. (11.13). Then

@@ -11,28 +11,28 @@ class FactorsOnBodies {
   /// Takes a symmetric positive definite matrix, given as its lower triangle. False for a pivot that is not sound, Eq. (11.4);
   /// the factors are then of no use.
   bool factorise(const SparseMatrix& A) {
-    few_ = A.cols() <= SmallFactors::most;
-    if (!few_) return spook::factorise(A, many_of_);
-    few_of_.begin(static_cast<int>(A.cols()));
+    is_small_ = A.cols() <= SmallFactors::most;
+    if (!is_small_) return spook::factorise(A, sparse_);
+    small_.begin(static_cast<int>(A.cols()));
     for (int column = 0; column < A.outerSize(); ++column)
       for (SparseMatrix::InnerIterator entry(A, column); entry; ++entry)
-        few_of_.at(static_cast<int>(entry.row()), column) = entry.value();
-    return few_of_.factorise();
+        small_.at(static_cast<int>(entry.row()), column) = entry.value();
+    return small_.factorise();
   }
 
   Vector solve(Vector right) const {
-    if (!few_) return many_of_.ldlt.solve(right);
-    few_of_.solve(right.data());
+    if (!is_small_) return sparse_.ldlt.solve(right);
+    small_.solve(right.data());
     return right;
   }
 
   /// How often an order and a pattern were looked for: never, of few.
-  int analyses() const { return many_of_.analyses; }
+  int analyses() const { return sparse_.analyses; }
 
  private:
-  bool few_ = true;
-  SmallFactors few_of_;
-  Factors many_of_;
+  bool is_small_ = true;
+  SmallFactors small_;
+  Factors sparse_;
 };
 
 }  // namespace spook

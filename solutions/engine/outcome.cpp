@@ -31,6 +31,13 @@ double asked_for(const std::vector<Row<Dof>>& rows) {
   return most;
 }
 
+template <int Dof>
+double roundings(const std::vector<Row<Dof>>& rows) {
+  double returned = 0;
+  for (const Row<Dof>& row : rows) returned = std::max(returned, row.diagonal * std::abs(row.lambda));
+  return 1e-13 * asked_for(rows) + 1e-14 * returned;
+}
+
 static void add_trouble(const SolveReport& of, SolveReport& all) {
   if (all.trouble.empty()) all.trouble = of.trouble;
 }
@@ -59,5 +66,7 @@ Outcome side_by_side(Outcome one, const Outcome& other) {
 
 template double asked_for<3>(const std::vector<Row<3>>&);
 template double asked_for<6>(const std::vector<Row<6>>&);
+template double roundings<3>(const std::vector<Row<3>>&);
+template double roundings<6>(const std::vector<Row<6>>&);
 
 }  // namespace spook

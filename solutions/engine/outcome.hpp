@@ -27,6 +27,10 @@ double left_by(double residual, const std::vector<double>& history);
 template <int Dof>
 double asked_for(const std::vector<Row<Dof>>& rows);
 
+/// What roundings leave, of the λ that rows have [m/s]: Eq. (11.13).
+template <int Dof>
+double roundings(const std::vector<Row<Dof>>& rows);
+
 /// Of two solves, one after the other. A history goes on where the other ends; the second says whether it converged.
 /// Where one does not count its row updates, they are of so many rows.
 Outcome in_turn(Outcome first, const Outcome& second, std::size_t rows);

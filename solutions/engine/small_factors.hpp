@@ -17,7 +17,6 @@ class SmallFactors {
     n_ = n;
     for (int k = 0; k < n_; ++k) std::fill_n(L_[k].begin(), k + 1, 0.0);
   }
-  int size() const { return n_; }
 
   /// The entry (k, l), l <= k.
   double& at(int k, int l) { return L_[k][l]; }
@@ -31,7 +30,7 @@ class SmallFactors {
     return true;
   }
 
-  /// x becomes A⁻¹ x; it has size() entries.
+  /// x becomes A⁻¹ x; it has an entry a line.
   void solve(double* x) const {
     for (int k = 0; k < n_; ++k)
       for (int l = first_[k]; l < k; ++l) x[k] -= L_[k][l] * x[l];

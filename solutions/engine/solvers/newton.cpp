@@ -18,10 +18,10 @@
 #include <algorithm>
 
 #include "09_better_friction/cone_rows.hpp"
-#include "engine/body_interior.hpp"
 #include "engine/coupled_bodies.hpp"
 #include "engine/islands.hpp"
 #include "engine/linearised.hpp"
+#include "engine/outcome.hpp"
 #include "engine/solve_directly.hpp"
 #include "engine/solvers.hpp"
 

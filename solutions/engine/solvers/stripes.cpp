@@ -1,7 +1,7 @@
 // Projected Gauss-Seidel on several threads, "stripes" by name.
 //
-//   stripes    n bodies have ∛n/2 of them, side by side, a multiple of four from four on, with as many rows in each: in a
-//              cube they are two bodies wide
+//   stripes    n bodies have ∛n/2 of them, side by side, a multiple of four from four on, with equally many rows in each:
+//              in a cube they are two bodies wide
 //   a row      is of the first stripe that it has a body in, and most reach into the next one at most
 //   a sweep    of all even stripes at the same time, then of all odd ones; then what reaches farther, alone
 //
@@ -74,7 +74,7 @@ std::vector<Reach> reaches(const System<Dof>& s, const std::vector<int>& place) 
   return all;
 }
 
-/// The stripe of each place, so that as many rows begin in each, as near as bodies let.
+/// The stripe of each place, so that equally many rows begin in each stripe, as near as bodies let.
 std::vector<int> stripes_of_places(const std::vector<Reach>& rows) {
   std::vector<std::size_t> begin;  // how many rows begin at each place
   for (const Reach& row : rows) {
