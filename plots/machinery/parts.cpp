@@ -1,5 +1,7 @@
 #include "machinery/parts.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -26,8 +28,24 @@ static void write_whole(const fs::path& file, const std::string& text) {
   fs::rename(beside, file);
 }
 
+/// While it lives, no other process has the lock of the same file.
+class Lock {
+ public:
+  explicit Lock(const fs::path& file) : file_(open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
+    if (file_ < 0 || flock(file_, LOCK_EX) != 0) throw std::runtime_error(file.string() + " cannot be locked");
+  }
+  Lock(const Lock&) = delete;
+  ~Lock() { close(file_); }
+
+ private:
+  int file_;
+};
+
 Parts::Parts(fs::path folder, const std::string& plan, const std::string& program)
     : folder_(std::move(folder)) {
+  // Shards begin at the same time: what one finds of another plan, and removes, would be its neighbour's by then.
+  fs::create_directories(folder_.parent_path());
+  const Lock alone(folder_.string() + ".lock");
   const std::string other = text_of(folder_ / "program.txt");
   if (text_of(folder_ / "plan.txt") != plan || !(other.empty() || other == program)) remove_all();
   fs::create_directories(folder_);

@@ -2,6 +2,7 @@
 
 import json
 import shutil
+import subprocess
 import unittest
 
 from sandbox import Sandbox, all_exercises
@@ -173,6 +174,26 @@ class CourseRun(unittest.TestCase):
             folder.rename(elsewhere[-1])
         self.assertIn("holds", self.plot("energy", "--quick", "--merge", *elsewhere))
         self.assertEqual((folder / "table.csv").read_bytes(), whole)
+
+    def test_shards_that_begin_together_keep_what_the_others_write(self):
+        self.plot("energy", "--quick")
+        program, folder = self.box.root / "build/release/plots/plot_energy", self.box.root / "shards"
+        for attempt in range(5):
+            # Parts of another plan, which the first of them is to remove; so many, that it takes a while.
+            (folder / "parts").mkdir(parents=True)
+            (folder / "parts/plan.txt").write_text("another plan")
+            for point in range(1000):
+                (folder / f"parts/{point:06}.csv").touch()
+            shards = [subprocess.Popen([program, "--quick", "--out", folder, "--shard", f"{part}/8"],
+                                       stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+                      for part in range(1, 9)]
+            for shard in shards:
+                said = shard.communicate()[1]
+                self.assertEqual(shard.returncode, 0, said)
+            points = len(list((folder / "parts").glob("[0-9]*.csv")))
+            again = subprocess.run([program, "--quick", "--out", folder], capture_output=True, text=True)
+            self.assertEqual((again.returncode, again.stderr), (0, ""), f"{points} points were left of attempt {attempt}")
+            shutil.rmtree(folder)
 
     def test_plot_goes_on_where_it_was_interrupted(self):
         parts = self.box.root / "build/plots/energy/parts"
