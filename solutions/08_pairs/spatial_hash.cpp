@@ -77,7 +77,7 @@ std::vector<Pair> spatial_hash(const std::vector<Bounds>& bounds) {
       });
     grids.back().for_each_cell(one, [&](const Cell& cell) { table.enter(body, cell, grids.back().level()); });
   }
-  std::sort(pairs.begin(), pairs.end());
+  sort_pairs(pairs, bounds.size());
   return pairs;
 }
 

@@ -38,7 +38,7 @@ std::vector<Pair> sweep_and_prune(const std::vector<Bounds>& bounds) {
       if (other->bounds.lower[axis] > one->bounds.upper[axis]) break;
       if (touch(one->bounds, other->bounds)) pairs.push_back(std::minmax(one->body, other->body));
     }
-  std::sort(pairs.begin(), pairs.end());
+  sort_pairs(pairs, bounds.size());
   return pairs;
 }
 

@@ -17,4 +17,8 @@ inline bool touch(const Bounds& a, const Bounds& b) {
 /// Throws std::invalid_argument that names lower or upper unless all are finite and no upper is below its lower.
 void require_sound(const std::vector<Bounds>& bounds);
 
+/// Sorts pairs of numbers below `n`. Numbers are counted and not compared: that takes as many steps as there are pairs
+/// and numbers, where std::sort would be most of a broad phase.
+void sort_pairs(std::vector<Pair>& pairs, std::size_t n);
+
 }  // namespace spook
