@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "08_pairs/pairs.hpp"
@@ -6,10 +7,11 @@ namespace spook {
 
 namespace {
 
-/// n·(p - x) is largest at this corner of a box; here p - x.
+/// n·(p - x) is largest at this corner of a box; here p - x. Of corners that are as far, to roundings, always the same: so
+/// what rests on a face has its contacts in the same order in every step.
 Vec3 deepest_corner(const Box& box, const Vec3& n) {
   Vec3 corner = box.half_sides;
-  for (int k = 0; k < 3; ++k) corner[k] = std::copysign(corner[k], n.dot(box.axes.col(k)));
+  for (int k = 0; k < 3; ++k) corner[k] = std::copysign(corner[k], n.dot(box.axes.col(k)) + 1e-12);
   return box.axes * corner;
 }
 
@@ -28,6 +30,12 @@ std::vector<Vec3> face_towards(const Box& box, const Vec3& n) {
   return corners;
 }
 
+/// Leaves of a polygon what n·p <= offset. Most often that is all of it, and nothing is copied.
+void cut(std::vector<Vec3>& polygon, const Vec3& n, double offset) {
+  const auto stays = [&](const Vec3& p) { return n.dot(p) <= offset; };
+  if (!std::all_of(polygon.begin(), polygon.end(), stays)) polygon = clip(polygon, n, offset);
+}
+
 /// Contacts of the face of `box` along its axis `face`, which n looks out of, with the box `other`: those of i = box.
 std::vector<Contact> face_contacts(const Box& box, int face, const Vec3& n, const Box& other) {
   const Vec3 apart = other.x - box.x;
@@ -37,7 +45,7 @@ std::vector<Contact> face_contacts(const Box& box, int face, const Vec3& n, cons
   for (int k = 0; k < 3; ++k)
     if (k != face)
       for (const double side : {-1.0, 1.0})
-        corners = clip(corners, side * box.axes.col(k), box.half_sides[k] + slack);  // Eq. (8.8)
+        cut(corners, side * box.axes.col(k), box.half_sides[k] + slack);  // Eq. (8.8)
 
   std::vector<Contact> contacts;
   contacts.reserve(corners.size() + 1);
@@ -49,6 +57,7 @@ std::vector<Contact> face_contacts(const Box& box, int face, const Vec3& n, cons
   };
   for (const Vec3& corner : corners) add(corner);
   if (contacts.empty()) add(apart + deepest_corner(other, -n));
+  if (contacts.size() <= 4) return contacts;
   return well_spread(contacts);
 }
 
@@ -85,8 +94,8 @@ void box_box(const Box& i, const Box& j, std::vector<Contact>& contacts) {
   if (axis.face_i >= 0) {
     found = face_contacts(first, axis.face_i, axis.n, second);
   } else if (axis.face_j >= 0) {
-    for (const Contact& contact : face_contacts(second, axis.face_j, -axis.n, first))
-      found.push_back(exchanged(contact));
+    found = face_contacts(second, axis.face_j, -axis.n, first);
+    for (Contact& contact : found) contact = exchanged(contact);
   } else {
     found = {edge_contact(first, second, axis)};
   }

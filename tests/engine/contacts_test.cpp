@@ -116,6 +116,29 @@ std::vector<Bounds> row_of_bounds() {
   return bounds;
 }
 
+TEST(Contacts, StayInOrderWhileOneBoxRestsOnAnother) {
+  testing::Random random;
+  const auto tilted = [&](const Vec3& x) {
+    const Vec3 by = random.vector(1e-14);  // as roundings do
+    const Quat q = Quat(1, by.x(), by.y(), by.z()).normalized();
+    return Body<6>{.x = x, .q = q, .half_sides = Vec3(0.5, 0.4, 0.3)};
+  };
+  const auto contacts = [&] {
+    World<6> world({.k = 1e6});
+    world.add(tilted(Vec3::Zero()));
+    world.add(tilted(Vec3(0.1, 0.1, 0.6 - 1e-6)));
+    return found_from_nothing(world.shapes(), world.bodies(), 0);
+  };
+  const std::vector<Contact> first = contacts();
+  ASSERT_EQ(first.size(), 4u);
+  for (int again = 0; again < 20; ++again) {
+    const std::vector<Contact> now = contacts();
+    ASSERT_EQ(now.size(), 4u);
+    for (std::size_t c = 0; c < 4; ++c)
+      EXPECT_LE((now[c].r_j - first[c].r_j).norm(), 1e-5) << "contact " << c << " is another corner";
+  }
+}
+
 TEST(Neighbours, TouchOnlyWhereTheirBoundsDo) {
   Neighbours neighbours;
   EXPECT_TRUE(neighbours.touching(row_of_bounds()).empty())
