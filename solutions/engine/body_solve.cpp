@@ -102,6 +102,8 @@ State<Dof> step(const std::vector<Row<Dof>>& rows, const OnBodies<Dof>& on, cons
   solve_free(rows, on, freedom.stiffness, factors, enough, there);
   double share = 1;
   State<Dof> inside = projected(rows, now, there, share);
+  // Where no row was taken to a bound, and none stopped there, no other λ of the free rows has less energy.
+  if (freedom.held_at == now.lambda && inside.lambda == there.lambda) return inside;
   constexpr double rounding = 1e-14;  // of a sum, most of whose terms have one sign
   const double energy = now.energy(rows), most = energy + rounding * std::abs(energy);
   while (inside.energy(rows) > most && share > 1e-2) inside = projected(rows, now, there, share /= 2);

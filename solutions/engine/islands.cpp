@@ -91,11 +91,15 @@ int widest(const std::vector<int>& levels) {
   return most;
 }
 
+/// A row on the same two bodies as the one before it, as most are, tells of no other.
 template <int Dof>
 int moving_bodies(const std::vector<Row<Dof>>& rows) {
   std::vector<bool> moves(bodies_of(rows), false);
   int count = 0;
+  const Row<Dof>* last = nullptr;
   for (const Row<Dof>& row : rows) {
+    if (last && row.i == last->i && row.j == last->j) continue;
+    last = &row;
     if (!moves[row.i] && moves_i(row)) moves[row.i] = true, ++count;
     if (!moves[row.j] && moves_j(row)) moves[row.j] = true, ++count;
   }

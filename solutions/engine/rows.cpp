@@ -65,20 +65,26 @@ void add_contact_rows(const std::vector<Contact>& contacts, double h, const Mate
   in_shares(threads, contacts.size(), [&](std::size_t, std::size_t first, std::size_t end) {
     SpookOf spook_of(h);
     Touching touching{};
+    Tangents along{};
     int count = 0;  // contacts of the pair
+    double limit = 0;
     for (std::size_t c = first; c < end; ++c) {
       const Contact& contact = contacts[c];
-      if (c == first || contact.i != contacts[c - 1].i || contact.j != contacts[c - 1].j) {
+      const bool same_pair = c > first && contact.i == contacts[c - 1].i && contact.j == contacts[c - 1].j;
+      if (!same_pair) {
         touching = materials.of(contact.i, contact.j);
         if (rub) count = contacts_of_pair(contacts, c);
       }
       const std::size_t normal = first_row + rows_of_one * c;
       rows[normal] = make_row(contact_constraint<Dof>(contact, spook_of(touching.k, touching.d)), motion);
       if (!rub) continue;
-      const Tangents along = friction.sliding_tangents ? sliding_tangents(contact.n, slip(contact, motion),
-                                                                          1e-3 * friction.gravity.norm() * h)
-                                                       : tangents(contact.n);
-      const auto limit = bound(contact, touching.friction, count);
+      // Two boxes most often have one normal, and with it these.
+      const bool same_normal = same_pair && contact.n == contacts[c - 1].n;
+      if (!same_normal) limit = bound(contact, touching.friction, count);
+      if (friction.sliding_tangents)
+        along = sliding_tangents(contact.n, slip(contact, motion), 1e-3 * friction.gravity.norm() * h);
+      else if (!same_normal)
+        along = tangents(contact.n);
       const auto tangential = friction_constraints<Dof>(contact, along, limit, of_friction);
       for (std::size_t t = 0; t < tangential.size(); ++t)
         rows[normal + 1 + t] = make_row(tangential[t], motion);

@@ -89,6 +89,16 @@ static double energy_of_contacts(const World<Dof>& world) {
   return energy;
 }
 
+/// What the products of a row's Jacobian with velocities may come to [m/s]: in no row do they come to more.
+template <int Dof>
+static double fastest_products(const World<Dof>& world) {
+  double longest = 0, fastest = 0;
+  for (const Row<Dof>& row : world.rows())
+    longest = std::max({longest, row.Gi.squaredNorm(), row.Gj.squaredNorm()});
+  for (const Twist<Dof>& W : world.bodies().motion.W) fastest = std::max(fastest, W.squaredNorm());
+  return 2 * std::sqrt(longest * fastest);
+}
+
 template <int Dof>
 void Soundness<Dof>::look(const World<Dof>& world, double h) {
   if (world.steps() == last_step_) return;
@@ -113,14 +123,12 @@ template <int Dof>
 void Soundness<Dof>::look_at_solve(const World<Dof>& world, double h) {
   if (world.solved().converged) return;
   const Bodies<Dof>& bodies = world.bodies();
-  double asked = asked_for(world.rows()), speed = 0;
-  for (const Row<Dof>& row : world.rows())
-    speed = std::max(speed, row.Gi.norm() * bodies.motion.W[world.index(row.i)].norm() +
-                                row.Gj.norm() * bodies.motion.W[world.index(row.j)].norm());
-  if (world.report().residual <= share_of_roundings * speed) return;
+  const double residual = world.report().residual;
+  if (residual <= share_of_roundings * fastest_products(world)) return;
+  double asked = asked_for(world.rows());
   for (std::size_t i = 0; i < bodies.size(); ++i)
     asked = std::max(asked, h * bodies.motion.inverse_mass[i].linear * world.forces()[i].norm());
-  const double left = left_by(world.report().residual, world.solved().history);
+  const double left = left_by(residual, world.solved().history);
   if (left <= share_unsolved * asked) return;
   ++verdict_.unsolved;
   find(State::unsolved, world,
