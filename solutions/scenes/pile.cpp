@@ -12,6 +12,13 @@ namespace spook {
 
 namespace {
 
+/// What does not bounce has no impacts: the rows of contacts hold it as it comes.
+std::optional<ImpactLaw> impacts_of(const Parameters& p) {
+  if (p.number("restitution") == 0) return std::nullopt;
+  return ImpactLaw{
+      .restitution = p.number("restitution"), .friction = p.number("mu"), .threshold = p.number("threshold")};
+}
+
 class Pile : public WorldScene<6> {
  public:
   Pile(const Parameters& p, const Method& method)
@@ -20,9 +27,7 @@ class Pile : public WorldScene<6> {
                     .d = p.number("d"),
                     .friction = p.number("mu"),
                     .viscosity = p.number("viscosity"),
-                    .impacts = ImpactLaw{.restitution = p.number("restitution"),
-                                         .friction = p.number("mu"),
-                                         .threshold = p.number("threshold")}},
+                    .impacts = impacts_of(p)},
                    method),
         radius_(p.number("radius")),
         weight_(p.number("m") * p.number("g")),

@@ -221,6 +221,17 @@ TEST(PileScene, WithoutFrictionNothingMovesInTheEnd) {
   EXPECT_NEAR(run.last("floor's load over the weight"), 1, 1e-6);
 }
 
+TEST(PileScene, HasImpactsOnlyWhereItBounces) {
+  const auto most = [](const std::string& restitution) {
+    const SceneRun run = run_of("pile", {{"bodies", "12"}, {"restitution", restitution}}, 0.01, 4);
+    EXPECT_NEAR(run.last("floor's load over the weight"), 1, 1e-3) << "with restitution " << restitution;
+    const std::vector<double>& impacts = run.all("impacts");
+    return *std::max_element(impacts.begin(), impacts.end());
+  };
+  EXPECT_EQ(most("0"), 0) << "rows hold what does not bounce";
+  EXPECT_GT(most("0.2"), 0);
+}
+
 TEST(PileScene, IsTheSameForTheSameSeed) {
   const auto energies = [](const std::string& seed) {
     return run_of("pile", {{"bodies", "8"}, {"seed", seed}}, 0.01, 0.5).all("kinetic energy [J]");
