@@ -15,7 +15,8 @@ COLOURS = {"spook": "#0072B2", "Bullet": "#D55E00", "ODE": "#009E73", "DART": "#
 LINES = {"spook": "-", "Bullet": "--", "ODE": "-.", "DART": ":"}
 # All at once, by sweeps, or what no other has: told apart without colour, too.
 SOLVERS = {"direct": "o", "stiff": "*", "composed": "*", "auto": "o", "gauss_seidel": "s", "cone": "s", "dantzig": "o",
-           "sequential": "s", "step": "o", "quick": "s", "reduced": "D"}
+           "sequential": "s", "step": "o", "quick": "s", "quick 0.4": "^",
+           "reduced": "D"}
 BEST, LOST = 1e-15, 1.0  # errors are drawn between these
 
 
