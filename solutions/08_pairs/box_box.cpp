@@ -7,11 +7,11 @@ namespace spook {
 
 namespace {
 
-/// n·(p - x) is largest at this corner of a box; here p - x. Of corners that are as far, to roundings, always the same: so
-/// what rests on a face has its contacts in the same order in every step.
+/// n·(p - x) is largest at this corner of a box; here p - x. Of corners that are as far, to roundings, always the same, the
+/// one that plane_box has first: so what rests on a face has its contacts in the same order in every step.
 Vec3 deepest_corner(const Box& box, const Vec3& n) {
   Vec3 corner = box.half_sides;
-  for (int k = 0; k < 3; ++k) corner[k] = std::copysign(corner[k], n.dot(box.axes.col(k)) + 1e-12);
+  for (int k = 0; k < 3; ++k) corner[k] = std::copysign(corner[k], n.dot(box.axes.col(k)) - 1e-12);
   return box.axes * corner;
 }
 
