@@ -9,7 +9,7 @@ namespace spook {
 namespace {
 
 constexpr double room = 0.1;      // on each side, over the widest of the bounds
-constexpr std::size_t few = 100;  // to compare them with all others costs half of a broad phase
+constexpr std::size_t few = 100;  // to compare them with all others costs no more than a broad phase
 
 Bounds roomier(const Bounds& one) {
   const Vec3 more = Vec3::Constant(room * (one.upper - one.lower).maxCoeff());
