@@ -66,11 +66,7 @@ template <>
 struct InverseMass<6> {
   double linear = 0;            ///< 1/m [1/kg]
   Mat3 angular = Mat3::Zero();  ///< I⁻¹ in world coordinates [1/(kg m²)]
-  Twist<6> times(const Twist<6>& G) const {
-    Twist<6> result;
-    result << linear * G.head<3>(), angular * G.tail<3>();
-    return result;
-  }
+  Twist<6> times(const Twist<6>& G) const { return twist(linear * G.head<3>(), angular * G.tail<3>()); }
 };
 
 /// Exercise 3.3. K [1/kg]: an impulse J at the contact, + on j and - on i, changes the relative velocity of the two

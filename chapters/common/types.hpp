@@ -20,4 +20,14 @@ using Quat = Eigen::Quaterniond;
 template <int Dof>
 using Twist = Eigen::Matrix<double, Dof, 1>;
 
+/// A rigid body's, of its two parts. Written two numbers at a time, as it will be read: a processor that reads two which
+/// were written in two pieces waits until both are in its cache.
+inline Twist<6> twist(const Vec3& linear, const Vec3& angular) {
+  Twist<6> both;
+  both.segment<2>(0) = Eigen::Vector2d(linear[0], linear[1]);
+  both.segment<2>(2) = Eigen::Vector2d(linear[2], angular[0]);
+  both.segment<2>(4) = Eigen::Vector2d(angular[1], angular[2]);
+  return both;
+}
+
 }  // namespace spook

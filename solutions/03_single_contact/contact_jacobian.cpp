@@ -4,8 +4,8 @@ namespace spook {
 
 ContactJacobian contact_jacobian(const Contact& contact) {
   ContactJacobian G;  // Eq. (3.3)
-  G.Gi << -contact.n, -contact.r_i.cross(contact.n);
-  G.Gj << contact.n, contact.r_j.cross(contact.n);
+  G.Gi = twist(-contact.n, -contact.r_i.cross(contact.n));
+  G.Gj = twist(contact.n, contact.r_j.cross(contact.n));
   return G;
 }
 

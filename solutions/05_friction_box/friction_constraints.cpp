@@ -3,13 +3,11 @@
 namespace spook {
 
 template <int Dof>
-static Constraint<Dof> along(const Vec3& t, Contact contact, double bound, const Spook& spook) {
-  contact.n = t;  // Eq. (3.3) holds for any direction
-  const ContactJacobian G = contact_jacobian(contact);
+static Constraint<Dof> along(const Vec3& t, const Contact& contact, double bound, const Spook& spook) {
   return {.i = contact.i,
           .j = contact.j,
-          .Gi = G.Gi.head<Dof>(),
-          .Gj = G.Gj.head<Dof>(),
+          .Gi = twist(-t, -contact.r_i.cross(t)).head<Dof>(),  // Eq. (3.3) holds for any direction
+          .Gj = twist(t, contact.r_j.cross(t)).head<Dof>(),
           .gap = 0,
           .spook = spook,
           .lo = -bound,  // Eq. (5.8)

@@ -61,6 +61,10 @@ void add_contact_rows(const std::vector<Contact>& contacts, double h, const Mate
   const std::size_t rows_of_one = rows_per_contact(rub);
   rows.resize(first_row + rows_of_one * contacts.size());
   rubbing.resize(rub && !box ? contacts.size() : 0);
+  // In its place, and not made elsewhere and copied.
+  const auto make_at = [&](std::size_t k, const Constraint<Dof>& constraint) {
+    new (&rows[k]) Row<Dof>(make_row(constraint, motion));
+  };
 
   in_shares(threads, contacts.size(), [&](std::size_t, std::size_t first, std::size_t end) {
     SpookOf spook_of(h);
@@ -76,7 +80,7 @@ void add_contact_rows(const std::vector<Contact>& contacts, double h, const Mate
         if (rub) count = contacts_of_pair(contacts, c);
       }
       const std::size_t normal = first_row + rows_of_one * c;
-      rows[normal] = make_row(contact_constraint<Dof>(contact, spook_of(touching.k, touching.d)), motion);
+      make_at(normal, contact_constraint<Dof>(contact, spook_of(touching.k, touching.d)));
       if (!rub) continue;
       // Two boxes most often have one normal, and with it these.
       const bool same_normal = same_pair && contact.n == contacts[c - 1].n;
@@ -86,8 +90,7 @@ void add_contact_rows(const std::vector<Contact>& contacts, double h, const Mate
       else if (!same_normal)
         along = tangents(contact.n);
       const auto tangential = friction_constraints<Dof>(contact, along, limit, of_friction);
-      for (std::size_t t = 0; t < tangential.size(); ++t)
-        rows[normal + 1 + t] = make_row(tangential[t], motion);
+      for (std::size_t t = 0; t < tangential.size(); ++t) make_at(normal + 1 + t, tangential[t]);
       if (!box) rubbing[c] = {.normal = normal, .mu = touching.friction};
     }
   });

@@ -11,12 +11,6 @@ namespace {
 
 EXERCISE(ContactJacobian, "3.2 contact_jacobian");
 
-Twist<6> twist(const Vec3& linear, const Vec3& angular) {
-  Twist<6> result;
-  result << linear, angular;
-  return result;
-}
-
 EXERCISE_TEST(ContactJacobian, TurnsABodyAboutItsContactPoint) {
   // Body j is pushed up at a point 2 m to the right (+x) of its centre: it turns about -y. Body i is pushed down at a
   // point 1 m further along +y than its own centre: it turns about -x.

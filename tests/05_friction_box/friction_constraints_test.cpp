@@ -9,10 +9,6 @@ namespace {
 
 EXERCISE(FrictionConstraints, "5.5 friction_constraints");
 
-Twist<6> twist(const Vec3& linear, const Vec3& angular) {
-  return (Twist<6>() << linear, angular).finished();
-}
-
 const Spook rigid{.a = 0, .b = 1, .Sigma = 0};
 
 struct AnyContact {

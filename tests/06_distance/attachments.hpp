@@ -12,10 +12,6 @@
 
 namespace spook::testing {
 
-inline Twist<6> twist(const Vec3& linear, const Vec3& angular) {
-  return (Twist<6>() << linear, angular).finished();
-}
-
 /// Points of two rigid bodies that lie 1 to 2 m from each other. Body indices that a row has to copy.
 struct RandomPair {
   Random random;
