@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/body_interior.hpp"
 
@@ -71,7 +72,7 @@ void solve_free(const std::vector<Row<Dof>>& rows, const OnBodies<Dof>& on, cons
     const double most = lacking.cwiseAbs().maxCoeff();
     if (!(most < 0.1 * last) || (n > 0 && most <= enough)) return;
     last = most;
-    const Vector v = factors.solve(right);
+    const Vector v = factors.solve(std::move(right));
     for (std::size_t k = 0; k < rows.size(); ++k)
       if (stiffness[k] != 0)
         state.move(rows[k], k, state.lambda[k] + stiffness[k] * (lacking[k] - on.gather(rows[k], v)));

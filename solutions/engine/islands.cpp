@@ -94,12 +94,14 @@ int widest(const std::vector<int>& levels) {
 /// A row on the same two bodies as the one before it, as most are, tells of no other.
 template <int Dof>
 int moving_bodies(const std::vector<Row<Dof>>& rows) {
-  std::vector<bool> moves(bodies_of(rows), false);
+  std::vector<bool> moves;
   int count = 0;
   const Row<Dof>* last = nullptr;
   for (const Row<Dof>& row : rows) {
     if (last && row.i == last->i && row.j == last->j) continue;
     last = &row;
+    const auto number = static_cast<std::size_t>(std::max(row.i, row.j)) + 1;
+    if (number > moves.size()) moves.resize(number, false);
     if (!moves[row.i] && moves_i(row)) moves[row.i] = true, ++count;
     if (!moves[row.j] && moves_j(row)) moves[row.j] = true, ++count;
   }
@@ -131,8 +133,9 @@ std::vector<std::vector<int>> islands(const std::vector<Row<Dof>>& rows, std::si
 /// Whether so many velocities are the cheaper unknowns. What has bounds counts twice: on rows they cost factorisations.
 template <int Dof>
 static bool fewer_than(const std::vector<Row<Dof>>& rows, int velocities) {
-  std::ptrdiff_t count = 0;
-  for (const Row<Dof>& row : rows) count += std::isfinite(row.lo) || std::isfinite(row.hi) ? 2 : 1;
+  int count = 0;
+  for (auto row = rows.begin(); row != rows.end() && count <= 2 * velocities; ++row)
+    count += std::isfinite(row->lo) || std::isfinite(row->hi) ? 2 : 1;
   return count > 2 * velocities;
 }
 

@@ -1,25 +1,74 @@
 #include "engine/start_impulses.hpp"
 
 #include <algorithm>
+#include <span>
+#include <utility>
 
 #include "engine/shares.hpp"
 
 namespace spook {
 
-/// Whether match_contacts finds each in its own place: as many of the same pairs, which follow each other, and each of a pair
-/// is nearest to its own, and its own to it, of all that are left by those before it.
-static bool are_in_place(const std::vector<Contact>& contacts, const std::vector<OldContact>& old) {
-  const auto same_pair = [](const auto& one, const auto& other) {
-    return one.i == other.i && one.j == other.j;
-  };
-  if (!std::equal(contacts.begin(), contacts.end(), old.begin(), old.end(), same_pair)) return false;
-  const auto apart = [&](std::size_t c, std::size_t k) {
-    return (contacts[c].r_j - old[k].point).squaredNorm();
-  };
-  for (std::size_t c = 0; c < contacts.size(); ++c)
-    for (std::size_t k = c + 1; k < contacts.size() && same_pair(contacts[c], contacts[k]); ++k)
-      if (std::min(apart(c, k), apart(k, c)) <= apart(c, c)) return false;
+static std::pair<int, int> pair_of(const auto& contact) {
+  return {contact.i, contact.j};
+}
+
+/// The end of those of one pair that begin at k.
+template <class One>
+static std::size_t end_of_pair(const std::vector<One>& all, std::size_t k) {
+  const auto pair = pair_of(all[k]);
+  while (k < all.size() && pair_of(all[k]) == pair) ++k;
+  return k;
+}
+
+/// The number, among the old contacts of a pair, of the one that each is nearest to. False if two want the same; else it is
+/// what match_contacts finds: nobody gets another one unless his nearest is somebody else's.
+static bool nearest_of_each(std::span<const Contact> contacts, std::span<const OldContact> old,
+                            std::vector<std::size_t>& nearest) {
+  nearest.clear();
+  nearest.reserve(contacts.size());
+  for (const Contact& contact : contacts) {
+    double least = infinity;
+    std::size_t own = 0;
+    for (std::size_t k = 0; k < old.size(); ++k) {
+      const double apart = (contact.r_j - old[k].point).squaredNorm();
+      if (apart < least) least = apart, own = k;
+    }
+    if (!(least < infinity) || std::find(nearest.begin(), nearest.end(), own) != nearest.end()) return false;
+    nearest.push_back(own);
+  }
   return true;
+}
+
+/// Calls match(old, now) for each contact that was there before. Where those of a pair follow each other, and pairs come in
+/// order, as they do, most are found at once. What is left is matched by match_contacts.
+template <class Match>
+static void match_all(const std::vector<Contact>& contacts, const std::vector<OldContact>& old,
+                      const Match& match) {
+  std::vector<std::size_t> nearest, left, old_left;
+  std::size_t k = 0;
+  for (std::size_t c = 0, end; c < contacts.size(); c = end) {
+    end = end_of_pair(contacts, c);
+    while (k < old.size() && pair_of(old[k]) < pair_of(contacts[c])) old_left.push_back(k++);
+    const bool there = k < old.size() && pair_of(old[k]) == pair_of(contacts[c]);
+    const std::size_t begin = k, old_end = there ? end_of_pair(old, k) : k;
+    if (nearest_of_each(std::span(contacts).subspan(c, end - c), std::span(old).subspan(k, old_end - k),
+                        nearest))
+      for (std::size_t n = 0; n < nearest.size(); ++n) match(begin + nearest[n], c + n);
+    else
+      for (nearest.clear(); c < end; ++c) left.push_back(c);
+    for (; k < old_end; ++k)
+      if (std::find(nearest.begin(), nearest.end(), k - begin) == nearest.end()) old_left.push_back(k);
+  }
+  if (left.empty()) return;
+  for (; k < old.size(); ++k) old_left.push_back(k);
+
+  std::vector<Contact> their_contacts;
+  std::vector<OldContact> their_old;
+  for (const std::size_t n : left) their_contacts.push_back(contacts[n]);
+  for (const std::size_t n : old_left) their_old.push_back(old[n]);
+  const std::vector<int> found = match_contacts(their_contacts, their_old, infinity);
+  for (std::size_t n = 0; n < left.size(); ++n)
+    if (found[n] >= 0) match(old_left[static_cast<std::size_t>(found[n])], left[n]);
 }
 
 template <int Dof>
@@ -47,13 +96,7 @@ std::vector<double> StartImpulses::impulses(std::size_t rows, std::size_t first,
       std::copy_n(contact_rows_.begin() + static_cast<std::ptrdiff_t>(from * each), each,
                   all.begin() + static_cast<std::ptrdiff_t>(first + to * each));
     };
-    if (are_in_place(contacts, contacts_)) {
-      for (std::size_t c = 0; c < contacts.size(); ++c) copy(c, c);
-    } else {
-      const std::vector<int> old = match_contacts(contacts, contacts_, infinity);
-      for (std::size_t c = 0; c < contacts.size(); ++c)
-        if (old[c] >= 0) copy(static_cast<std::size_t>(old[c]), c);
-    }
+    match_all(contacts, contacts_, copy);
   }
   for (double& impulse : all) impulse *= h / h_;
   return all;

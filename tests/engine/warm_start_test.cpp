@@ -70,7 +70,7 @@ std::vector<Row<3>> numbered_rows(std::size_t contacts) {
 TEST(StartImpulses, AreThoseOfMatchedContactsWhateverBecameOfThem) {
   testing::Random random;
   for (int round = 0; round < 2000; ++round) {
-    // Up to five pairs with up to four contacts each; then they creep, or jump, some change places, or one is gone.
+    // Up to five pairs with up to four contacts each; then they creep, or jump, some change places, one is gone, or new.
     std::vector<Contact> before;
     const int pairs = random.integer(1, 5);
     for (int pair = 0; pair < pairs; ++pair)
