@@ -34,7 +34,7 @@ struct Chosen {
       {"h", "1/60,1/120,1/240", "steps [s]", &TypedRun::h, false},
       {"substeps", "", "steps that each step is made of", &TypedRun::substeps},
       {"compose", "", "order of a step: 2, or 4, composed of five leapfrogs", &TypedRun::compose},
-      {"order", "", "of the rows: given, up, down, random", &TypedRun::order},
+      {"order", "", "of the rows: given, up, down, random, interleaved", &TypedRun::order},
       {"seed", "", "of a random order", &TypedRun::seed},
       {"margin", "", "largest gaps of a contact [m]", &TypedRun::margin},
       {"friction-model", "", "box, two_pass, cone", &TypedRun::friction_model},

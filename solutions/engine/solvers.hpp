@@ -47,15 +47,20 @@ Solver<Dof> stripes();
 
 /// In which order the sweeps go through the rows.
 enum class RowOrder {
-  given,  ///< as they come
-  up,     ///< by the height of what a row acts on, against gravity: Eq. (10.3)
-  down,   ///< along it
-  random  ///< another one in every solve: Eq. (10.4)
+  given,       ///< as they come
+  up,          ///< by the height of what a row acts on, against gravity: Eq. (10.3)
+  down,        ///< along it
+  random,      ///< another one in every solve: Eq. (10.4)
+  interleaved  ///< the first half's and the second's in turn: two neighbours seldom share a body, and need not wait
+               ///< for each other
 };
 
 /// Projected Gauss-Seidel in that order. A copy goes on with the same random orders.
 template <int Dof>
 Solver<Dof> in_order(RowOrder order, std::uint64_t seed = 1);
+
+/// 0, m, 1, m + 1, ... of n rows, with m their half, rounded up.
+std::vector<int> interleaved_order(std::size_t n);
 
 /// Sweeps in that order, which has every row once, by the rule of chapter 04's solve.
 template <int Dof>

@@ -40,7 +40,8 @@ static void set_rows(const TypedRun& typed, Method& method) {
                                     {{"given", RowOrder::given},
                                      {"up", RowOrder::up},
                                      {"down", RowOrder::down},
-                                     {"random", RowOrder::random}});
+                                     {"random", RowOrder::random},
+                                     {"interleaved", RowOrder::interleaved}});
   if (typed.seed)
     method.seed =
         static_cast<std::uint64_t>(parse_whole("seed", *typed.seed, 0, std::numeric_limits<int>::max()));

@@ -5,7 +5,7 @@
 namespace spook {
 
 static const char* name_of(RowOrder order) {
-  return std::array{"given", "up", "down", "random"}[static_cast<std::size_t>(order)];
+  return std::array{"given", "up", "down", "random", "interleaved"}[static_cast<std::size_t>(order)];
 }
 
 Json numbers(const Vec3& v) {

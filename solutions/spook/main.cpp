@@ -24,7 +24,7 @@ static CLI::App* add_scene_command(CLI::App& app, const std::string& name, const
   command->add_option("--iterations", run.iterations, "Most sweeps, or what else the solver makes, in a step");
   command->add_option("--tolerance", run.tolerance, "Stop sweeping at this [m/s]");
   command->add_option("--substeps", run.substeps, "Steps that each step is made of");
-  command->add_option("--order", run.order, "Of the rows in a sweep: given, up, down, random");
+  command->add_option("--order", run.order, "Of rows: given, up, down, random or interleaved");
   command->add_option("--seed", run.seed, "Of a random order");
   command->add_flag("--warm-start", run.warm_start, "Begin with the impulses of the last step");
   command->add_option("--margin", run.margin, "Largest gap of a contact [m]");

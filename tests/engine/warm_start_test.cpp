@@ -83,11 +83,17 @@ TEST(StartImpulses, AreThoseOfMatchedContactsWhateverBecameOfThem) {
     std::vector<Contact> now = before;
     const double size = random.log_uniform(1e-3, 2);
     for (Contact& contact : now) contact.r_j += random.vector(size);
-    const int what = random.integer(0, 3);
+    const int what = random.integer(0, 4);
     if (what == 1) std::reverse(now.begin(), now.end());
     if (what == 2 && now.size() > 1)
       now.erase(now.begin() + random.integer(0, static_cast<int>(now.size()) - 1));
     if (what == 3) now.front().i = 7;
+    if (what == 4) {
+      const auto beside = now.begin() + random.integer(0, static_cast<int>(now.size()) - 1);
+      Contact more = *beside;
+      more.r_j = random.vector();
+      now.insert(beside, more);
+    }
 
     std::vector<OldContact> old;
     for (const Contact& contact : before) old.push_back({contact.i, contact.j, contact.r_j});
@@ -145,9 +151,28 @@ TEST(RowOrder, RandomIsTheSameForTheSameSeed) {
   EXPECT_NE(run(1), run(2));
 }
 
+TEST(RowOrder, InterleavedTakesTwoHalvesInTurn) {
+  EXPECT_EQ(interleaved_order(0), std::vector<int>{});
+  EXPECT_EQ(interleaved_order(1), std::vector<int>{0});
+  EXPECT_EQ(interleaved_order(6), (std::vector<int>{0, 3, 1, 4, 2, 5}));
+  EXPECT_EQ(interleaved_order(7), (std::vector<int>{0, 4, 1, 5, 2, 6, 3}));
+
+  // In one sweep each sphere of a stack of four learns of those that came before it: the third only of what it weighs.
+  const auto after_a_sweep = [](RowOrder order) {
+    World<3> world = stack(4, {.solver = in_order<3>(order), .stop = {.max_sweeps = 1}});
+    world.step(h);
+    return std::vector<double>{world.lambda(0), world.lambda(1), world.lambda(2), world.lambda(3)};
+  };
+  const std::vector<double> given = after_a_sweep(RowOrder::given),
+                            interleaved = after_a_sweep(RowOrder::interleaved);
+  EXPECT_EQ(given[0], interleaved[0]) << "the lowest comes first in both";
+  EXPECT_LT(interleaved[2], given[2]) << "the third does not know of the second yet";
+}
+
 TEST(RowOrder, AllSolveTheSame) {
   const StopRule stop{.max_sweeps = 100'000, .tolerance = 1e-13};
-  for (const RowOrder order : {RowOrder::given, RowOrder::up, RowOrder::down, RowOrder::random}) {
+  for (const RowOrder order :
+       {RowOrder::given, RowOrder::up, RowOrder::down, RowOrder::random, RowOrder::interleaved}) {
     World<3> world = stack(5, {.solver = in_order<3>(order), .stop = stop});
     world.step(h);
     for (int contact = 0; contact < 5; ++contact)

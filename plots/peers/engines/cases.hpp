@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/solvers.hpp"
 #include "peers/engines/answers.hpp"
 
 namespace spook::peers {
@@ -19,6 +20,7 @@ struct OurWay {
   std::vector<std::string> set = {};  ///< of the scene, beside the case's
   int compose = 2;                    ///< the order of its steps
   double tolerance = 0;               ///< at which sweeps stop [m/s]
+  RowOrder order = RowOrder::given;
 };
 
 /// The same of another engine.

@@ -1,7 +1,7 @@
 // For each island by itself, "auto" by name:
 //
 //   factors     at once where they cost less than the sweeps that are allowed, Eq. (11.1)-(11.15)
-//   sweeps      else: projected Gauss-Seidel, chapter 04, as many as are allowed
+//   sweeps      else: projected Gauss-Seidel, chapter 04, as many as are allowed, interleaved: Eq. (14.13)
 //   and factors where those left more than a thousandth of what was asked for, if they cost no more than a hundred times
 //               as much, until they leave a millionth; its bodies have factors at once then, for the next hundred steps
 //
@@ -162,7 +162,7 @@ class ByIsland {
       begin_with(part.last, part.rows, part.V);
       return factorised(part, at_once ? s.stop.tolerance : enough(part, s.stop), island.factors);
     }
-    Outcome swept = solve(part.rows, part.V, s.stop);
+    Outcome swept = solve_in_order(interleaved_order(part.rows.size()), part.rows, part.V, s.stop);
     swept.row_updates = swept.updates(part.rows.size());
     if (swept.report.converged || !may ||
         left_by(swept.report.history.back(), swept.report.history) <= share_left * asked_for(part.rows))

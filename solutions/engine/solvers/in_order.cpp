@@ -2,6 +2,7 @@
 //
 //   up, down   by the height of what a row acts on, against gravity or along it     Eq. (10.3)   notes, "gravity"
 //   random     another order in every solve                                         Eq. (10.4)   notes, "randomize"
+//   interleaved  the rows of two halves in turn, which wait less for each other      Eq. (14.13)
 //
 // A joint is in the middle of its two points, a contact where it acts on body j; all rows of either follow each other.
 // One entry of its history is what a sweep returned. Keeps the generator of random orders.
@@ -38,15 +39,30 @@ SolveReport solve_in_order(const std::vector<int>& order, std::vector<Row<Dof>>&
   return report;
 }
 
+std::vector<int> interleaved_order(std::size_t n) {
+  const int half = static_cast<int>(n + 1) / 2;
+  std::vector<int> order(n);
+  for (std::size_t k = 0; k < n; ++k) order[k] = static_cast<int>(k) / 2 + (k % 2 == 0 ? 0 : half);
+  return order;
+}
+
+template <int Dof>
+static std::vector<int> order_of(RowOrder order, const System<Dof>& s, std::mt19937_64& random) {
+  switch (order) {
+    case RowOrder::random:
+      return random_order(static_cast<int>(s.rows.size()), random);
+    case RowOrder::interleaved:
+      return interleaved_order(s.rows.size());
+    default:
+      return order_along(heights(s, order == RowOrder::down ? s.gravity : Vec3(-s.gravity)));
+  }
+}
+
 template <int Dof>
 Solver<Dof> in_order(RowOrder order, std::uint64_t seed) {
   if (order == RowOrder::given) return gauss_seidel<Dof>();
   return {.solve = [order, random = std::mt19937_64(seed)](const System<Dof>& s) mutable -> Outcome {
-    const Vec3 up = order == RowOrder::down ? s.gravity : Vec3(-s.gravity);
-    const std::vector<int> rows = order == RowOrder::random
-                                      ? random_order(static_cast<int>(s.rows.size()), random)
-                                      : order_along(heights(s, up));
-    return solve_in_order(rows, s.rows, s.V, s.stop);
+    return solve_in_order(order_of(order, s, random), s.rows, s.V, s.stop);
   }};
 }
 

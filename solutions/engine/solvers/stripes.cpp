@@ -7,7 +7,7 @@
 //
 // What is swept at the same time shares no body that moves. So the result is the same to the last bit on any number of
 // threads, and with two rounds a sweep they wait for each other less than for each colour of chapter 14. Within a stripe
-// rows keep their order. One entry of its history is what a sweep returned. Keeps nothing.
+// rows are interleaved, Eq. (14.13). One entry of its history is what a sweep returned. Keeps nothing.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -139,6 +139,11 @@ std::vector<Stripe> divided(const System<Dof>& s, const std::vector<int>& place,
       const std::vector<int>& more = of_share[share][n].rows;
       stripes[n].rows.insert(stripes[n].rows.end(), more.begin(), more.end());
     }
+  for (Stripe& stripe : stripes) {
+    std::vector<int> order = interleaved_order(stripe.rows.size());
+    for (int& k : order) k = stripe.rows[k];
+    stripe.rows = std::move(order);
+  }
   for (std::size_t k = 0; k < reach.size(); ++k) {
     if (reach[k].low < reach[k].high) continue;  // two that move
     for (int* body : {&s.rows[k].i, &s.rows[k].j})
