@@ -94,14 +94,12 @@ int widest(const std::vector<int>& levels) {
 /// A row on the same two bodies as the one before it, as most are, tells of no other.
 template <int Dof>
 int moving_bodies(const std::vector<Row<Dof>>& rows) {
-  std::vector<bool> moves;
+  std::vector<bool> moves(bodies_of(rows), false);
   int count = 0;
   const Row<Dof>* last = nullptr;
   for (const Row<Dof>& row : rows) {
     if (last && row.i == last->i && row.j == last->j) continue;
     last = &row;
-    const auto number = static_cast<std::size_t>(std::max(row.i, row.j)) + 1;
-    if (number > moves.size()) moves.resize(number, false);
     if (!moves[row.i] && moves_i(row)) moves[row.i] = true, ++count;
     if (!moves[row.j] && moves_j(row)) moves[row.j] = true, ++count;
   }

@@ -59,7 +59,7 @@ enum class RowOrder {
 template <int Dof>
 Solver<Dof> in_order(RowOrder order, std::uint64_t seed = 1);
 
-/// 0, m, 1, m + 1, ... of n rows, with m their half, rounded up.
+/// 0, m, 1, m + 1, ... of n rows, with m their half, rounded up: Eq. (14.13).
 std::vector<int> interleaved_order(std::size_t n);
 
 /// Sweeps in that order, which has every row once, by the rule of chapter 04's solve.

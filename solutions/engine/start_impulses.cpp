@@ -98,7 +98,8 @@ std::vector<double> StartImpulses::impulses(std::size_t rows, std::size_t first,
     };
     match_all(contacts, contacts_, copy);
   }
-  for (double& impulse : all) impulse *= h / h_;
+  const double longer = h / h_;
+  for (double& impulse : all) impulse *= longer;
   return all;
 }
 

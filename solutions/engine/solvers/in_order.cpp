@@ -1,8 +1,8 @@
 // Projected Gauss-Seidel in an order of its own: chapter 10.
 //
-//   up, down   by the height of what a row acts on, against gravity or along it     Eq. (10.3)   notes, "gravity"
-//   random     another order in every solve                                         Eq. (10.4)   notes, "randomize"
-//   interleaved  the rows of two halves in turn, which wait less for each other      Eq. (14.13)
+//   up, down      by the height of what a row acts on, against gravity or along it     Eq. (10.3)   notes, "gravity"
+//   random        another order in every solve                                         Eq. (10.4)   notes, "randomize"
+//   interleaved   the rows of two halves in turn, which wait less for each other       Eq. (14.13)
 //
 // A joint is in the middle of its two points, a contact where it acts on body j; all rows of either follow each other.
 // One entry of its history is what a sweep returned. Keeps the generator of random orders.
