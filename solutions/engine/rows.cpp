@@ -1,6 +1,7 @@
 #include "engine/rows.hpp"
 
 #include <cassert>
+#include <new>
 
 #include "engine/shares.hpp"
 #include "engine/spook_of.hpp"
