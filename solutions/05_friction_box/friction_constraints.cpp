@@ -4,9 +4,10 @@ namespace spook {
 
 template <int Dof>
 static Constraint<Dof> along(const Vec3& t, const Contact& contact, double bound, const Spook& spook) {
+  // Eq. (3.3), which holds for any direction. contact_jacobian would want a copy of the contact, with t for n.
   return {.i = contact.i,
           .j = contact.j,
-          .Gi = twist(-t, -contact.r_i.cross(t)).head<Dof>(),  // Eq. (3.3) holds for any direction
+          .Gi = twist(-t, -contact.r_i.cross(t)).head<Dof>(),
           .Gj = twist(t, contact.r_j.cross(t)).head<Dof>(),
           .gap = 0,
           .spook = spook,

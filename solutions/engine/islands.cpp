@@ -131,9 +131,8 @@ std::vector<std::vector<int>> islands(const std::vector<Row<Dof>>& rows, std::si
 /// Whether so many velocities are the cheaper unknowns. What has bounds counts twice: on rows they cost factorisations.
 template <int Dof>
 static bool fewer_than(const std::vector<Row<Dof>>& rows, int velocities) {
-  int count = 0;
-  for (auto row = rows.begin(); row != rows.end() && count <= 2 * velocities; ++row)
-    count += std::isfinite(row->lo) || std::isfinite(row->hi) ? 2 : 1;
+  std::ptrdiff_t count = 0;
+  for (const Row<Dof>& row : rows) count += std::isfinite(row.lo) || std::isfinite(row.hi) ? 2 : 1;
   return count > 2 * velocities;
 }
 

@@ -20,10 +20,14 @@ static std::size_t end_of_pair(const std::vector<One>& all, std::size_t k) {
   return k;
 }
 
-/// The number, among the old contacts of a pair, of the one that each is nearest to. False if two want the same; else it is
-/// what match_contacts finds: nobody gets another one unless his nearest is somebody else's.
-static bool nearest_of_each(std::span<const Contact> contacts, std::span<const OldContact> old,
-                            std::vector<std::size_t>& nearest) {
+static bool contains(const std::vector<std::size_t>& all, std::size_t one) {
+  return std::find(all.begin(), all.end(), one) != all.end();
+}
+
+/// The number, among the old contacts of a pair, of the one that each is nearest to; none if two want the same. It is what
+/// match_contacts finds: nobody gets another one unless his nearest is somebody else's.
+static void find_nearest(std::span<const Contact> contacts, std::span<const OldContact> old,
+                         std::vector<std::size_t>& nearest) {
   nearest.clear();
   nearest.reserve(contacts.size());
   for (const Contact& contact : contacts) {
@@ -33,10 +37,9 @@ static bool nearest_of_each(std::span<const Contact> contacts, std::span<const O
       const double apart = (contact.r_j - old[k].point).squaredNorm();
       if (apart < least) least = apart, own = k;
     }
-    if (!(least < infinity) || std::find(nearest.begin(), nearest.end(), own) != nearest.end()) return false;
+    if (!(least < infinity) || contains(nearest, own)) return nearest.clear();
     nearest.push_back(own);
   }
-  return true;
 }
 
 /// Calls match(old, now) for each contact that was there before. Where those of a pair follow each other, and pairs come in
@@ -51,13 +54,12 @@ static void match_all(const std::vector<Contact>& contacts, const std::vector<Ol
     while (k < old.size() && pair_of(old[k]) < pair_of(contacts[c])) old_left.push_back(k++);
     const bool there = k < old.size() && pair_of(old[k]) == pair_of(contacts[c]);
     const std::size_t begin = k, old_end = there ? end_of_pair(old, k) : k;
-    if (nearest_of_each(std::span(contacts).subspan(c, end - c), std::span(old).subspan(k, old_end - k),
-                        nearest))
-      for (std::size_t n = 0; n < nearest.size(); ++n) match(begin + nearest[n], c + n);
-    else
-      for (nearest.clear(); c < end; ++c) left.push_back(c);
+    find_nearest(std::span(contacts).subspan(c, end - c), std::span(old).subspan(k, old_end - k), nearest);
+    for (std::size_t n = 0; n < nearest.size(); ++n) match(begin + nearest[n], c + n);
+    if (nearest.empty())
+      for (std::size_t n = c; n < end; ++n) left.push_back(n);
     for (; k < old_end; ++k)
-      if (std::find(nearest.begin(), nearest.end(), k - begin) == nearest.end()) old_left.push_back(k);
+      if (!contains(nearest, k - begin)) old_left.push_back(k);
   }
   if (left.empty()) return;
   for (; k < old.size(); ++k) old_left.push_back(k);

@@ -150,6 +150,9 @@ class Runs(unittest.TestCase):
         # What has sweeps of its own replaces the scene's solver, unless one is named.
         run = json.loads(spook("run", "tower", "--order", "random", "--seed", "3", "--json").stdout)
         self.assertEqual((run["solver"], run["order"]), ("gauss_seidel", "random"))
+        for order in ["given", "up", "down", "interleaved"]:
+            run = json.loads(spook("run", "tower", "--order", order, "--time", "0.1", "--json").stdout)
+            self.assertEqual(run["order"], order)
         run = json.loads(spook(*"run spinning_disc --friction-model cone --tangents sliding --warm-start --margin "
                                "0.001 --json".split()).stdout)
         self.assertEqual([run["friction_model"], run["tangents"], run["warm_start"], run["margin"]],

@@ -48,14 +48,9 @@ std::vector<int> interleaved_order(std::size_t n) {
 
 template <int Dof>
 static std::vector<int> order_of(RowOrder order, const System<Dof>& s, std::mt19937_64& random) {
-  switch (order) {
-    case RowOrder::random:
-      return random_order(static_cast<int>(s.rows.size()), random);
-    case RowOrder::interleaved:
-      return interleaved_order(s.rows.size());
-    default:
-      return order_along(heights(s, order == RowOrder::down ? s.gravity : Vec3(-s.gravity)));
-  }
+  if (order == RowOrder::random) return random_order(static_cast<int>(s.rows.size()), random);
+  if (order == RowOrder::interleaved) return interleaved_order(s.rows.size());
+  return order_along(heights(s, order == RowOrder::down ? s.gravity : Vec3(-s.gravity)));
 }
 
 template <int Dof>
