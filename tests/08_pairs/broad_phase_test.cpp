@@ -1,7 +1,7 @@
-// Both broad phases: against all pairs, on random scenes of every kind, and against the time that all pairs take.
+// Both broad phases: against all pairs, on random scenes of every kind, and with a cost that grows more slowly than the number of pairs.
 #include <algorithm>
 
-#include "processor_time.hpp"
+#include "operations.hpp"
 #include "shapes.hpp"
 
 using namespace spook;
@@ -207,17 +207,24 @@ std::vector<spook::Bounds> crowd(Random& random, int count) {
   return bounds;
 }
 
-/// Not how long it takes, but that it is another kind of method: with so many bodies all pairs take ten times as long.
-void expect_faster(BroadPhase find, const std::string& equation, const std::string& scene,
-                   const std::vector<spook::Bounds>& bounds, const std::string& clue) {
-  std::vector<Pair> got, want;
-  got = find(bounds);
-  const double all = least_seconds(1, [&] { want = all_pairs(bounds); });
-  if (!expect_all(equation, scene, bounds, got, want)) return;
-  const double mine = least_seconds(3, [&] { got = find(bounds); });
-  expect_at_most("time for " + std::to_string(bounds.size()) + " bounds, " + scene + ", over that of all pairs",
-                 equation, mine / all, 0.25, "a quarter; ours takes less than a tenth", clue);
+using Bodies = std::vector<spook::Bounds>;
+
+double operations_for(BroadPhase find, const Bodies& bounds) {
+  return operations_of([&] { find(bounds); });
 }
+
+/// Expects all pairs of `many` bodies, and at most `factor` times the operations that `few`, an eighth of them, take.
+void expect_slow_growth(BroadPhase find, const std::string& equation, const std::string& scene,
+                        const Bodies& few, const Bodies& many, double factor, const std::string& why,
+                        const std::string& clue) {
+  if (!expect_all(equation, scene, many, find(many), all_pairs(many))) return;
+  expect_growth(std::to_string(many.size()) + " bounds, " + scene, equation, operations_for(find, few),
+                operations_for(find, many), static_cast<double>(many.size()), factor, why, clue);
+}
+
+/// Where each body meets a few, whatever their number.
+constexpr double as_many_bodies = 16;
+const std::string why_as_many = "a part for each body makes it 8, sorting 11, and all pairs 64";
 
 EXERCISE_TEST(SweepAndPrune, FindsWhatAllPairsFind) {
   expect_all_pairs(sweep_and_prune, "Eq. (8.12)");
@@ -228,62 +235,77 @@ EXERCISE_TEST(SweepAndPrune, RefusesWhatIsNoBox) {
 
 EXERCISE_TEST(SweepAndPrune, LeavesMostPairsOut) {
   Random random;
-  expect_faster(sweep_and_prune, "Eq. (8.12)", "in a cube", crowd(random, 10000),
-                "In order of their lower ends, whoever begins behind the end of one, and all after it, are no "
-                "neighbours of that one: stop there.");
+  const Bodies few = crowd(random, 1000), many = crowd(random, 8000);
+  expect_slow_growth(
+      sweep_and_prune, "Eq. (8.12)", "in a cube", few, many, 45,
+      "a layer for each body, twice as wide and high, makes it 32, and all pairs 64",
+      "In order of their lower ends, whoever begins behind the end of one, and all after it, are no "
+      "neighbours of that one: stop there.");
 }
 
 EXERCISE_TEST(SweepAndPrune, SortsAlongTheLongestAxis) {
   // Any one axis fails in one of these: a tower along x, along y, along z. Where it stands does not say which it is; nor,
   // in a tower of boards of all lengths, how far their ends are spread.
   Random random;
+  const auto tower = [&random](int axis, bool boards, int height) {
+    const int across = (axis + 1) % 3;
+    const Vec3 foot = 5000 * Vec3::Unit(across) - 3000 * Vec3::Unit((axis + 2) % 3);
+    Bodies bounds;
+    for (int n = 0; n < height; ++n) {
+      Vec3 x = foot + random.vector(0.3), half = Vec3::Constant(0.35);
+      x[axis] = n * 0.69;
+      if (boards) half[across] = random.uniform(1, 30000);
+      bounds.push_back(around(x, half));
+    }
+    return bounds;
+  };
   for (int k = 0; k < 3; ++k)
     for (const bool boards : {false, true}) {
-      const int across = (k + 1) % 3;
-      const Vec3 foot = 5000 * Vec3::Unit(across) - 3000 * Vec3::Unit((k + 2) % 3);
-      std::vector<spook::Bounds> tower;
-      for (int n = 0; n < 2000; ++n) {
-        Vec3 x = foot + random.vector(0.3), half = Vec3::Constant(0.35);
-        x[k] = n * 0.69;
-        if (boards) half[across] = random.uniform(1, 30000);
-        tower.push_back(around(x, half));
-      }
-      const std::string what =
-          boards ? "boards of all lengths, one upon another along " : "one upon another along ";
-      expect_faster(
-          sweep_and_prune, "Eq. (8.12)", what + "xyz"[k], tower,
+      const Bodies few = tower(k, boards, 250), many = tower(k, boards, 2000);
+      expect_slow_growth(
+          sweep_and_prune, "Eq. (8.12)",
+          (boards ? "boards of all lengths, one upon another along " : "one upon another along ") +
+              std::string(1, "xyz"[k]),
+          few, many, as_many_bodies, why_as_many,
           "Along this axis they are apart, along the others they all overlap: sort along the axis in which "
           "their centres are spread farthest, around where they are on average. And stop at the first that "
-          "begins "
-          "behind the end of one: all after it do, too.");
+          "begins behind the end of one: all after it do, too.");
       if (::testing::Test::HasFailure()) return;
     }
 }
 
-/// Cubes of 0.7 m in 100 layers of 100: along each axis many begin alike.
-std::vector<spook::Bounds> layers() {
-  std::vector<spook::Bounds> bounds;
-  for (int k = 0; k < 10000; ++k)
-    bounds.push_back(around(Vec3(k % 100, k / 100 % 10, k / 1000), Vec3::Constant(0.35)));
+/// Cubes of 0.7 m in layers of `side` times `side`, ten times as many layers: along each axis many begin alike.
+Bodies layers(int side) {
+  Bodies bounds;
+  for (int x = 0; x < 10 * side; ++x)
+    for (int y = 0; y < side; ++y)
+      for (int z = 0; z < side; ++z) bounds.push_back(around(Vec3(x, y, z), Vec3::Constant(0.35)));
   return bounds;
 }
 
 EXERCISE_TEST(SweepAndPrune, SortsManyThatBeginAlike) {
-  expect_faster(sweep_and_prune, "Eq. (8.12)", "of which a hundred begin alike", layers(),
-                "Many begin at the same place: a sort has to be fast with equal keys, too. std::sort is.");
+  expect_slow_growth(sweep_and_prune, "Eq. (8.12)", "of which a hundred begin alike", layers(5), layers(10), 45,
+                     "a layer for each body, twice as wide and high, makes it 32, and all pairs 64",
+                     "Many begin at the same place: a sort has to be fast with equal keys, too. std::sort is.");
 }
 
 /// Boards, thin along one axis: whoever takes that for their size has a board in hundreds of cells, and a sheet in more
 /// than can be counted. So this comes before sheets do.
 bool hash_takes_the_longest_side() {
   Random random;
+  const Bodies cubes = crowd(random, 5000);
   for (int thin = 0; thin < 3; ++thin) {
-    std::vector<spook::Bounds> boards = crowd(random, 5000);
+    Bodies boards = cubes;
     for (spook::Bounds& one : boards) one.upper[thin] = one.lower[thin] + 0.04;
-    expect_faster(spatial_hash, "Eq. (8.13)", std::string("boards that are thin along ") + "xyz"[thin], boards,
-                  "A body's size is its longest side: in cells of 2^l that are not below it, it is in two "
-                  "along each axis, at "
-                  "most. Here its level seems to come from another side, so that it is in very many.");
+    const std::string scene = std::string("boards that are thin along ") + "xyz"[thin];
+    if (!expect_all("Eq. (8.13)", scene, boards, spatial_hash(boards), all_pairs(boards))) return false;
+    expect_at_most(
+        "operations for 5,000 bounds, " + scene + ", over those for cubes", "Eq. (8.13)",
+        operations_for(spatial_hash, boards) / operations_for(spatial_hash, cubes), 2,
+        "a board lies in the cells of the cube that it was cut from",
+        "A body's size is its longest side: in cells of 2^l that are not below it, it is in two "
+        "along each axis, at most. Here its level seems to come from another side, so that it is in very "
+        "many.");
     if (::testing::Test::HasFailure()) return false;
   }
   return true;
@@ -301,29 +323,36 @@ EXERCISE_TEST(SpatialHash, RefusesWhatIsNoBox) {
 
 EXERCISE_TEST(SpatialHash, LeavesMostPairsOut) {
   Random random;
-  expect_faster(spatial_hash, "Eq. (8.14)", "in a cube", crowd(random, 10000),
-                "Only bodies that share a cell are compared, and a cell of their own size holds a few.");
+  const Bodies few = crowd(random, 1000), many = crowd(random, 8000);
+  expect_slow_growth(spatial_hash, "Eq. (8.14)", "in a cube", few, many, as_many_bodies, why_as_many,
+                     "Only bodies that share a cell are compared, and a cell of their own size holds a few.");
 }
 
 EXERCISE_TEST(SpatialHash, TellsCellsApartByAllBits) {
   // Each is in a cell of its own, whose numbers end in the same twenty bits as those of all others.
-  std::vector<spook::Bounds> lattice;
-  for (int k = 0; k < 8000; ++k) {
-    const Vec3 corner = std::ldexp(1, 20) * Vec3(k % 20, k / 20 % 20, k / 400);
-    lattice.push_back(around(corner + Vec3::Constant(0.5), Vec3::Constant(0.35)));
-  }
-  expect_faster(spatial_hash, "Eq. (8.14)", "each 2^20 m from the next", lattice,
-                "Cells that are far from each other have the same index in the table, and its lists grow long: "
-                "let all bits of the three numbers count, and not only the low ones.");
+  const auto lattice = [](int side) {
+    Bodies bounds;
+    for (int k = 0; k < side * side * side; ++k) {
+      const Vec3 corner = std::ldexp(1, 20) * Vec3(k % side, k / side % side, k / (side * side));
+      bounds.push_back(around(corner + Vec3::Constant(0.5), Vec3::Constant(0.35)));
+    }
+    return bounds;
+  };
+  expect_slow_growth(
+      spatial_hash, "Eq. (8.14)", "each 2^20 m from the next", lattice(10), lattice(20), as_many_bodies,
+      why_as_many,
+      "Cells that are far from each other have the same index in the table, and its lists grow long: "
+      "let all bits of the three numbers count, and not only the low ones.");
 }
 
 EXERCISE_TEST(SpatialHash, TellsPointsApart) {
   Random random;
-  std::vector<spook::Bounds> points;
+  Bodies points;
   for (int k = 0; k < 6000; ++k)
     points.push_back(around(Vec3(0.5, 0.5, 0.5) + 1e-3 * random.vector(), Vec3::Zero()));
-  expect_faster(
-      spatial_hash, "Eq. (8.13)", "points within a millimetre", points,
+  const Bodies few(points.begin(), points.begin() + 750);
+  expect_slow_growth(
+      spatial_hash, "Eq. (8.13)", "points within a millimetre", few, points, as_many_bodies, why_as_many,
       "A point has no size, and no cell is too small for it. In cells of a size that has nothing to do "
       "with the points they are all in one, and so they are where the numbers of cells do not fit into their "
       "type.");
@@ -331,15 +360,20 @@ EXERCISE_TEST(SpatialHash, TellsPointsApart) {
 
 EXERCISE_TEST(SpatialHash, IsNotHeldUpByAGiant) {
   Random random;
-  std::vector<spook::Bounds> bounds = crowd(random, 10000);
-  for (spook::Bounds& one : bounds) {
-    one.lower *= 1e-3;
-    one.upper *= 1e-3;
-  }
-  bounds.push_back(around(Vec3::Zero(), Vec3::Constant(100)));
-  bounds.push_back(around(Vec3(1e4, 0, 0), Vec3::Constant(1)));
-  expect_faster(
-      spatial_hash, "Eq. (8.13)", "of 0.7 mm, and one of 200 m around them", bounds,
+  const auto around_them = [&random](int count) {
+    Bodies bounds = crowd(random, count);
+    for (spook::Bounds& one : bounds) {
+      one.lower *= 1e-3;
+      one.upper *= 1e-3;
+    }
+    bounds.push_back(around(Vec3::Zero(), Vec3::Constant(100)));
+    bounds.push_back(around(Vec3(1e4, 0, 0), Vec3::Constant(1)));
+    return bounds;
+  };
+  const Bodies few = around_them(1000), many = around_them(8000);
+  expect_slow_growth(
+      spatial_hash, "Eq. (8.13)", "of 0.7 mm, and one of 200 m around them", few, many, as_many_bodies,
+      why_as_many,
       "In cells of the size of the largest all others are in one. Each body has a level of its own, Eq. "
       "(8.13), and looks for others in its own level and the coarser ones.");
 }
@@ -351,14 +385,20 @@ EXERCISE_TEST(SpatialHash, SortsSizesByLevels) {
                   spatial_hash(nested), all_pairs(nested)))
     return;
   Random random;
-  std::vector<spook::Bounds> bounds;
-  for (int k = 0; k < 16000; ++k) {
-    // Each level as crowded as the others: a body of size s has its place within 8 s.
-    const double size = random.log_uniform(1e-3, 1e3);
-    bounds.push_back(around(40 * size * Vec3(1, 1, 1) + 6 * size * random.vector(), Vec3::Constant(size / 2)));
-  }
-  expect_faster(spatial_hash, "Eq. (8.13)", "of sizes from 1 mm to 1 km", bounds,
-                "A grid for each level of size: cells of 2^l, the smallest that are not below a body's size.");
+  const auto of_all_sizes = [&random](int count) {
+    Bodies bounds;
+    for (int k = 0; k < count; ++k) {
+      // Each level as crowded as the others, however many there are.
+      const double size = random.log_uniform(1e-3, 1e3);
+      bounds.push_back(around(40 * size * Vec3(1, 1, 1) + 0.24 * std::cbrt(count) * size * random.vector(),
+                              Vec3::Constant(size / 2)));
+    }
+    return bounds;
+  };
+  const Bodies few = of_all_sizes(2000), many = of_all_sizes(16000);
+  expect_slow_growth(
+      spatial_hash, "Eq. (8.13)", "of sizes from 1 mm to 1 km", few, many, as_many_bodies, why_as_many,
+      "A grid for each level of size: cells of 2^l, the smallest that are not below a body's size.");
 }
 
 }  // namespace

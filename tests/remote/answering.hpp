@@ -7,6 +7,7 @@
 
 #include "asking.hpp"
 #include "channel.hpp"
+#include "common/operations.hpp"
 #include "exceptions.hpp"
 #include "wire.hpp"
 
@@ -15,14 +16,15 @@ namespace spook::remote {
 /// A force that is worked out on the side of the tests.
 ForceField force_of_the_tests();
 
-/// The whole answer to a call of `function`.
+/// The whole answer to a call of `function`: the operations it took, what it changed, what it returned.
 template <class Result, class... Arguments>
 Message answered(Result (*function)(Arguments...), Reader& reader) {
   std::tuple<std::remove_cvref_t<Arguments>...> values;
   std::apply([&reader](auto&... value) { (take_argument(reader, value), ...); }, values);
-  std::string changed, result;
-  Writer to_changed(changed), to_result(result);
+  std::string operations, changed, result;
+  Writer to_operations(operations), to_changed(changed), to_result(result);
   Kind kind = Kind::returned;
+  const std::uint64_t before = operations_so_far();
   try {
     std::apply(
         [&](auto&... value) {
@@ -39,8 +41,10 @@ Message answered(Result (*function)(Arguments...), Reader& reader) {
     result.clear();
     pass_exception(to_result);
   }
+  std::uint64_t taken = operations_so_far() - before;
+  pass(to_operations, taken);
   std::apply([&](auto&... value) { (give_changed<Arguments>(to_changed, value), ...); }, values);
-  return {kind, changed + result};
+  return {kind, operations + changed + result};
 }
 
 template <class T>

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include "operations.hpp"
 #include "report.hpp"
 
 namespace spook::remote {
@@ -28,6 +29,15 @@ bool tell_force(const Message& question, const ForceField* force) {
     pass_exception(writer);
   }
   return send(kind, bytes);
+}
+
+/// Takes the operations off the front of an answer.
+std::uint64_t take_operations(Message& answer) {
+  std::uint64_t operations = 0;
+  Reader reader(answer.bytes);
+  pass(reader, operations);
+  answer.bytes.erase(0, sizeof operations);
+  return operations;
 }
 
 [[noreturn]] void end_with_partner(const Message& ended) {
@@ -58,8 +68,11 @@ Message answer_to(const std::string& call, const ForceField* force) {
   try {
     bool there = send(Kind::call, call);
     for (;;) {
-      const Message message = receive();
-      if (message.kind == Kind::returned || message.kind == Kind::threw) return message;
+      Message message = receive();
+      if (message.kind == Kind::returned || message.kind == Kind::threw) {
+        testing::operations_elsewhere += take_operations(message);
+        return message;
+      }
       if (message.kind == Kind::ended) end_with_partner(message);
       if (message.kind == Kind::closed || !there) _exit(0);
       if (message.kind != Kind::force_at) end_for_nonsense();

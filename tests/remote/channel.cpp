@@ -76,29 +76,4 @@ bool something_has_arrived() {
   return taken < filled;
 }
 
-Message receive_begun(int& process) {
-  if (something_has_arrived()) return receive();
-  const int on = 1, off = 0;
-  setsockopt(channel, SOL_SOCKET, SO_PASSCRED, &on, sizeof on);
-  std::array<char, head_size> head;
-  alignas(cmsghdr) std::array<char, CMSG_SPACE(sizeof(ucred))> control;
-  iovec place{head.data(), head.size()};
-  msghdr header{};
-  header.msg_iov = &place;
-  header.msg_iovlen = 1;
-  header.msg_control = control.data();
-  header.msg_controllen = control.size();
-  const ssize_t count = recvmsg(channel, &header, MSG_WAITALL);
-  setsockopt(channel, SOL_SOCKET, SO_PASSCRED, &off, sizeof off);
-  if (count != static_cast<ssize_t>(head.size())) return {};
-  process = 0;
-  for (cmsghdr* one = CMSG_FIRSTHDR(&header); one != nullptr; one = CMSG_NXTHDR(&header, one)) {
-    if (one->cmsg_level != SOL_SOCKET || one->cmsg_type != SCM_CREDENTIALS) continue;
-    ucred who{};
-    std::memcpy(&who, CMSG_DATA(one), sizeof who);
-    process = who.pid;
-  }
-  return receive_rest(head);
-}
-
 }  // namespace spook::remote

@@ -31,9 +31,6 @@ bool something_has_arrived();
 /// Whether there was somebody to take it.
 bool send(Kind kind, const std::string& bytes = "");
 
-/// A Begun, and the process that it comes from, as the kernel says; 0 if it does not say.
-Message receive_begun(int& process);
-
 /// How a process ended, as Ended carries it.
 struct Ending {
   int status;      ///< of wait(2)

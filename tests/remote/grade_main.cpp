@@ -12,14 +12,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <ctime>
 #include <iostream>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "asking.hpp"
-#include "processor_time.hpp"
 #include "report.hpp"
 
 namespace {
@@ -65,18 +63,7 @@ int list_tests() {
   return 0;
 }
 
-clockid_t clock_of_partner;
-
-double seconds_of_partner() {
-  timespec time{};
-  return clock_gettime(clock_of_partner, &time) == 0
-             ? static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec)
-             : 0;
-}
-
-[[noreturn]] void run(char* program, const std::string& test, int partner) {
-  if (partner > 0 && clock_getcpuclockid(partner, &clock_of_partner) == 0)
-    spook::testing::seconds_elsewhere = seconds_of_partner;
+[[noreturn]] void run(char* program, const std::string& test) {
   start_googletest(program, test);
   testing::TestEventListeners& listeners = testing::UnitTest::GetInstance()->listeners();
   delete listeners.Release(listeners.default_result_printer());
@@ -109,13 +96,13 @@ void end_partner(bool at_its_end) {
 
 void run_apart(char* program, const std::string& test) {
   send(Kind::begin);
-  int partner = 0, status = 0;
-  Message message = receive_begun(partner);
+  int status = 0;
+  Message message = receive();
   while (message.kind != Kind::begun && message.kind != Kind::closed)
-    message = receive_begun(partner);  // what is left of an earlier test
+    message = receive();  // what is left of an earlier test
   if (message.kind == Kind::begun) {
     const pid_t process = fork();
-    if (process == 0) run(program, test, partner);
+    if (process == 0) run(program, test);
     if (process < 0 || waitpid(process, &status, 0) < 0) _exit(3);
     const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
     if (code != partner_has_ended && code != stream_is_lost) end_partner(code == 0);

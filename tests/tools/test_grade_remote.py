@@ -112,16 +112,17 @@ class Hostile(unittest.TestCase):
 
     def test_noise(self):
         draw = random.Random(SEED)
-        sizes = (0, 1, 7, 24, 25, 100, 5000)
+        sizes = (0, 1, 7, 8, 24, 25, 32, 33, 100, 5000)
         self.assert_none_passes(lambda to, _: to.send(RETURNED, draw.randbytes(draw.choice(sizes))))
 
     def test_sizes_that_are_none(self):
         huge = struct.pack("=Q", 2**63)
-        self.assert_none_passes(lambda to, _: to.send(RETURNED, huge * 30))
-        self.assert_none_passes(lambda to, _: to.send(THREW, struct.pack("=iQ", 99, 2**40)))
+        self.assert_none_passes(lambda to, _: to.send(RETURNED, bytes(8) + huge * 30))
+        self.assert_none_passes(lambda to, _: to.send(THREW, struct.pack("=QiQ", 0, 99, 2**40)))
 
     def test_what_is_asked_comes_back(self):
         self.assert_none_passes(lambda to, content: to.send(RETURNED, content))
+        self.assert_none_passes(lambda to, content: to.send(RETURNED, bytes(8) + content))
         self.assert_none_passes(lambda to, content: to.send(FORCE_AT, content))
 
     def test_its_own_messages_and_others(self):
@@ -133,7 +134,7 @@ class Hostile(unittest.TestCase):
         draw = random.Random(SEED)
         tests = Tests("drift")
         with contextlib.closing(tests):
-            noise = (lambda to, _: to.send(RETURNED, draw.randbytes(24)), False)
+            noise = (lambda to, _: to.send(RETURNED, draw.randbytes(32)), False)
             for answer, passes in (noise, (self.drift, True)) * 3:
                 kinds = tests.run("Drift.MovesByVelocityTimesStep", answer)
                 self.assertEqual([b"verdict", b"0", b"1", b"", b""] in kinds, passes)
@@ -141,7 +142,8 @@ class Hostile(unittest.TestCase):
     @staticmethod
     def drift(to: Tests, content: bytes) -> None:
         values = struct.unpack("=i7d", content)
-        to.send(RETURNED, struct.pack("=3d", *(values[k] + values[7] * values[k + 3] for k in (1, 2, 3))))
+        operations = 12
+        to.send(RETURNED, struct.pack("=Q3d", operations, *(values[k] + values[7] * values[k + 3] for k in (1, 2, 3))))
 
 
 if __name__ == "__main__":

@@ -19,7 +19,8 @@ _LIBRARY = re.compile(
     r"|__dynamic_cast$|_GLOBAL_OFFSET_TABLE_$|__tls_get_addr$|__assert_fail$|__glibcxx_assert_fail$|__errno_location$"
     r"|__signbit|__(?:mul|div|pow|add|sub|float|fix|ext|trunc|popcount|parity|clz|ctz|bswap|udiv|umod|mod|ash|lsh)"
     r"[a-z]*\d?$"
-    r"|__ctype_\w+_loc$|__\w+_chk$|__isoc\d\d_\w+$|__gthrw_|__libc_single_threaded$|__once_proxy$|__aarch64_\w+$")
+    r"|__ctype_\w+_loc$|__\w+_chk$|__isoc\d\d_\w+$|__gthrw_|__libc_single_threaded$|__once_proxy$|__aarch64_\w+$"
+    r"|__sanitizer_cov_trace_pc$")  # where a test counts operations
 _MATHS = ("acos acosh asin asinh atan atan2 atanh cbrt ceil copysign cos cosh erf erfc exp exp10 exp2 expm1 fabs fdim "
           "floor fma fmax fmin fmod frexp hypot ilogb isinf isnan finite j0 j1 jn ldexp lgamma llrint llround log "
           "log10 log1p log2 logb lrint lround modf nan nearbyint nextafter nexttoward pow remainder remquo rint round "

@@ -43,6 +43,7 @@ class Limits:
     files: int  # bytes of any one file
     processes: int  # and threads, together
     output: int  # bytes printed
+    stack: int = 0  # bytes of each thread's; 0: the system's own limit
 
 
 @dataclass(frozen=True)

@@ -67,10 +67,7 @@ class Isolation:
         return words + _limited(limits) + ([f"--nproc={limits.processes}"] if own else []) + ["--", *command]
 
     def command_of_tests(self, command: list[str], limits: Limits, reads: tuple[Path, ...]) -> list[str]:
-        """For the tests, which are ours and read what hostile code sends: as the grader, and without files or network.
-
-        They may see processes: how long the student's has worked is asked of the kernel by its number.
-        """
+        """For the tests, which are ours and read what hostile code sends: as the grader, and without files or network."""
         alone = ["--unshare-user", "--unshare-ipc", "--unshare-net", "--unshare-uts"]
         return (_namespaces(alone, reads, (), Path("/")) if self.namespaces else []) + [
             *_limited(limits), "--", *command]
@@ -167,7 +164,8 @@ def _lock(uid: int):
 
 def _limited(limits: Limits) -> list[str]:
     return [_which("prlimit"), f"--cpu={limits.cpu}:{limits.cpu + 1}", f"--as={limits.memory}",
-            f"--fsize={limits.files}", "--core=0", "--nofile=64"]
+            f"--fsize={limits.files}", "--core=0", "--nofile=64",
+            *([f"--stack={limits.stack}"] if limits.stack else [])]
 
 
 def _problem(isolation: Isolation) -> str:

@@ -29,6 +29,7 @@ LOOPED, WAITED, NOT_RUN = "looped", "waited", "not run"  # reasons of TIMED_OUT
 # The same, whether its processor time was up or, on a busy machine, that on the clock.
 _DOES_IT_END = "It was stopped: it was still computing when its time was up. Does a loop never end?"
 _THREADED = {"solve_in_colours"}  # they start threads
+_THREADS = {"processes": 300, "stack": 1 << 20}  # they may start 256, whose stacks must have room in the memory allowed
 _PRINTED = 4000  # characters kept of what the student's code printed
 _MESSAGE = 20_000
 _WORKED = 0.5  # seconds of processor time, above which what the clock has stopped did more than wait
@@ -119,7 +120,7 @@ class Judge:
                     continue
                 if not pair or not pair.alive:
                     pair = Pair(self._isolation, user, self._workshop.test_program(exercise), exercise.function,
-                                program, self._limits, {"SPOOK_SEED": str(self._seed)},
+                                program, self._limits_of(exercise), {"SPOOK_SEED": str(self._seed)},
                                 threads=exercise.function in _THREADED)
                 if self.lost(ExerciseVerdict([verdict for verdict, _ in ran], [])) >= self._of_exercise:
                     verdict = TestVerdict(test, TIMED_OUT, NOT_RUN, "The exercise's time was up: too many of its tests "
@@ -132,6 +133,9 @@ class Judge:
                 pair.close()
         return ran
 
+    def _limits_of(self, exercise: Exercise) -> Limits:
+        return replace(self._limits, **_THREADS) if exercise.function in _THREADED else self._limits
+
     def _verdict(self, test: str, ran: Ran) -> tuple[TestVerdict, bool]:
         verdict, reason, failures = read_verdict(ran, self._limits.cpu)
         message = "\n\n".join(_PREFIX.sub("", failure).rstrip() for failure in failures)
@@ -139,7 +143,8 @@ class Judge:
                 not ran.timed_out or reason == WAITED)
 
     def _key(self, exercise: Exercise, source: Source) -> str:
-        parts = [self._workshop.build, exercise.label, str(self._seed), repr(self._limits), self._isolation.name]
+        limits = repr(self._limits_of(exercise))
+        parts = [self._workshop.build, exercise.label, str(self._seed), limits, self._isolation.name]
         return hashlib.sha256("\0".join(parts).encode() + b"\0" + source.content).hexdigest()
 
     def _recall(self, key: str) -> ExerciseVerdict | None:

@@ -45,7 +45,7 @@ def make(exercise: Exercise, source: Source, workshop: Workshop, isolation: Isol
     (compiling / file).write_bytes(source.content)
     user.own(compiling)
 
-    command, reads = workshop.compile_command(str(file), "student.o"), [workshop.headers]
+    command, reads = workshop.compile_command(exercise, str(file), "student.o"), [workshop.headers]
     if source.is_reference:
         command.append(f"-I{workshop.reference_headers}")
         reads.append(workshop.reference_headers)

@@ -80,6 +80,7 @@ class Workshop:
         _copy_headers(SOLUTIONS, self.reference_headers)
         build_tests(chapters)
         self._flags = self._stage_headers(chapters[0].exercises[0])
+        self._counting = {exercise.function: _counting(exercise) for chapter in chapters for exercise in chapter.exercises}
         self._links = {chapter.folder: self._stage_link(f"answer_{chapter.folder}") for chapter in chapters}
         self._programs = {chapter.folder: self._stage_tests(chapter, hidden) for chapter in chapters}
         self.functions = {exercise.function: reference_functions(CHECK, exercise)
@@ -95,8 +96,8 @@ class Workshop:
     def close(self) -> None:
         self._folder.cleanup()
 
-    def compile_command(self, source: str, to: str) -> list[str]:
-        return [*self._flags, "-c", source, "-o", to]
+    def compile_command(self, exercise: Exercise, source: str, to: str) -> list[str]:
+        return [*self._flags, *self._counting[exercise.function], "-c", source, "-o", to]
 
     def link_command(self, exercise: Exercise, object_file: str, to: str) -> list[str]:
         link = self._links[exercise.folder]
@@ -126,7 +127,9 @@ class Workshop:
     def _stage_headers(self, example: Exercise) -> list[str]:
         """Adds the precompiled header, and returns the compiler's command without the file."""
         file = f"chapters/{example.folder}/{example.function}.cpp"
-        flags, words = [], iter(_compile_command(lambda entry: Path(entry["file"]).match(file)))
+        counting, flags = _counting(example), []
+        words = (word for word in _compile_command(lambda entry: Path(entry["file"]).match(file))
+                 if word not in counting)
         for word in words:
             if word in ("-o", "-c"):
                 next(words)
@@ -206,6 +209,7 @@ class Workshop:
     def _fingerprint_of_build(self) -> str:
         """Of all that a verdict depends on here besides the student's file."""
         total = hashlib.sha256(" ".join(self._flags).replace(str(self.root), "").encode())
+        total.update(repr(self._counting).encode())
         for file in sorted(self.root.rglob("*")):
             # The precompiled header differs each time that it is made; the headers in it do not.
             if file.is_file() and file.suffix not in (".gch", ".a"):
@@ -272,6 +276,13 @@ def _compile_command(wanted: Callable[[dict], bool]) -> list[str]:
         raise CourseError(f"{shown(CHECK.path)} does not build what grading starts from; ./course reset brings it back")
     words = shlex.split(found["command"])
     return [*_compiler(words[0]), *words[1:]]
+
+
+def _counting(exercise: Exercise) -> list[str]:
+    """The options that count its operations; none, where no test asks for its cost."""
+    file = f"chapters/{exercise.folder}/{exercise.function}.cpp"
+    words = _compile_command(lambda entry: Path(entry["file"]).match(file))
+    return [word for word in words if word.startswith("-fsanitize-coverage=") or word == "-fno-builtin"]
 
 
 def _without_files(command: list[str]) -> list[str]:
