@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/world.hpp"
+#include "engine/world/world.hpp"
 #include "machinery/experiment.hpp"
 
 namespace spook::plots {

@@ -12,8 +12,8 @@
 
 #include <Eigen/Cholesky>
 
-#include "engine/bodies.hpp"
-#include "engine/world.hpp"
+#include "engine/bodies/bodies.hpp"
+#include "engine/world/world.hpp"
 #include "machinery/experiment.hpp"
 
 namespace spook::plots {

@@ -16,7 +16,7 @@
 #include <tuple>
 
 #include "10_convergence/convergence.hpp"
-#include "engine/world.hpp"
+#include "engine/world/world.hpp"
 #include "machinery/experiment.hpp"
 
 namespace spook::plots {

@@ -16,7 +16,7 @@
 //   and what goes with them: Dof² for each block of the matrix that a row has a part in, solves, residuals, sweeps
 #include <cmath>
 
-#include "engine/islands.hpp"
+#include "engine/solvers/islands.hpp"
 #include "machinery/experiment.hpp"
 #include "methods/methods.hpp"
 #include "methods/problems.hpp"

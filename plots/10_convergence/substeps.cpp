@@ -11,7 +11,7 @@
 #include <cmath>
 
 #include "10_convergence/convergence.hpp"
-#include "engine/world.hpp"
+#include "engine/world/world.hpp"
 #include "machinery/experiment.hpp"
 #include "machinery/lost.hpp"
 #include "methods/small_steps.hpp"

@@ -13,7 +13,7 @@
 #include <map>
 
 #include "14_fast_rows/fast_rows.hpp"
-#include "engine/world.hpp"
+#include "engine/world/world.hpp"
 #include "machinery/experiment.hpp"
 #include "machinery/timing.hpp"
 

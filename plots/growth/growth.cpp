@@ -12,7 +12,7 @@
 #include <cmath>
 #include <map>
 
-#include "engine/world.hpp"
+#include "engine/world/world.hpp"
 #include "machinery/experiment.hpp"
 #include "machinery/timing.hpp"
 #include "scenes/scene.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 // A world that blows up, as it may with a student's functions, shall be a number in a figure, and not the end of it.
-#include "engine/world.hpp"
+#include "engine/world/world.hpp"
 
 namespace spook::plots {
 

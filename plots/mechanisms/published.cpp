@@ -1,6 +1,6 @@
 // Mechanisms with published or independent answers: error against step and time, by leapfrog and by composed steps.
 //
-//   composed    five leapfrogs make a step of order four, joints rigid: engine/composed.hpp
+//   composed    five leapfrogs make a step of order four, joints rigid: engine/integration/rattle.hpp
 //   leapfrog    SPOOK with d = 1/4, five steps for one, direct solver. With d = 0 nothing damps how gaps swing, and the
 //               linkages and the governor are lost. Joints have 1e12 N/m, so that their give is less than a step leaves;
 //               Bricard's ring and the squeezer keep their own, as there roundings would leave more

@@ -7,7 +7,7 @@
 //   joint         one pair in the thousand is joined
 //   spheres       a hundred bodies with shapes, so that pairs are looked for, and none touch
 //   rigid bodies  the same bare fall with 6 degrees of freedom
-#include "engine/world.hpp"
+#include "engine/world/world.hpp"
 #include "machinery/experiment.hpp"
 #include "machinery/timing.hpp"
 

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/world.hpp"
+#include "engine/world/world.hpp"
 #include "machinery/experiment.hpp"
 #include "machinery/timing.hpp"
 

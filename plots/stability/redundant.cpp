@@ -18,7 +18,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/world.hpp"
+#include "engine/world/world.hpp"
 #include "machinery/experiment.hpp"
 #include "scenes/number.hpp"
 #include "stability/grid.hpp"

@@ -22,7 +22,7 @@
 #include <cmath>
 #include <complex>
 
-#include "engine/world.hpp"
+#include "engine/world/world.hpp"
 #include "machinery/experiment.hpp"
 #include "scenes/number.hpp"
 #include "stability/grid.hpp"

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <functional>
 
-#include "engine/blowup.hpp"
+#include "engine/world/simulation_diverged.hpp"
 #include "machinery/experiment.hpp"
 #include "scenes/number.hpp"
 #include "scenes/registry.hpp"
@@ -20,7 +20,7 @@ namespace {
 
 using Values = std::vector<std::pair<std::string, double>>;
 
-/// The scene's error after `seconds`, infinite when it blew up; and its state, engine/soundness.hpp.
+/// The scene's error after `seconds`, infinite when it blew up; and its state, engine/diagnostics/run_check.hpp.
 struct Outcome {
   double error;
   State state;

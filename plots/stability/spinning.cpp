@@ -17,8 +17,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/mechanics.hpp"
-#include "engine/world.hpp"
+#include "engine/diagnostics/conserved_quantities.hpp"
+#include "engine/world/world.hpp"
 #include "machinery/experiment.hpp"
 #include "scenes/number.hpp"
 #include "stability/grid.hpp"

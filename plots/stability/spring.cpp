@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "engine/world.hpp"
+#include "engine/world/world.hpp"
 #include "machinery/experiment.hpp"
 #include "scenes/number.hpp"
 #include "stability/grid.hpp"

@@ -23,7 +23,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/world.hpp"
+#include "engine/world/world.hpp"
 #include "machinery/experiment.hpp"
 #include "machinery/lost.hpp"
 #include "scenes/number.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/world.hpp"
+#include "engine/world/world.hpp"
 
 namespace spook {
 

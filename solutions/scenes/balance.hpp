@@ -6,7 +6,7 @@
 // A contact at rest pushes with k times its overlap, whatever h and d: Eq. (3.13). A solver that does too little gives
 // less, and bodies sink until it is enough; then their overlaps push more than they carry. Friction is what the solver
 // made of it: what is stuck may hold any load.
-#include "engine/world.hpp"
+#include "engine/world/world.hpp"
 
 namespace spook {
 

@@ -5,7 +5,7 @@
 //
 // The row of the slider has its axis turn with the rod, and the bead is far from the rod's centre: the second term of
 // (22) in the notes is not small here. Without it L is lost: chapter 13.
-#include "engine/mechanics.hpp"
+#include "engine/diagnostics/conserved_quantities.hpp"
 #include "scenes/degrees.hpp"
 #include "scenes/reference_motion.hpp"
 #include "scenes/registry.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 // The block of `incline` and `sliding_block`, on the plane z = 0: a point mass with a sphere, which can not
 // turn, or a box on its corners, which can.
-#include "engine/world.hpp"
+#include "engine/world/world.hpp"
 #include "scenes/parameters.hpp"
 
 namespace spook {

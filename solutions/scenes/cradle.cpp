@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "common/require.hpp"
-#include "engine/mechanics.hpp"
+#include "engine/diagnostics/conserved_quantities.hpp"
 #include "scenes/pairwise.hpp"
 #include "scenes/registry.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 // The energy of a run, at a time where both of its parts are known.
-#include "engine/mechanics.hpp"
+#include "engine/diagnostics/conserved_quantities.hpp"
 
 namespace spook {
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "engine/world.hpp"
+#include "engine/world/world.hpp"
 
 namespace spook {
 

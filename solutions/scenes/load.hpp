@@ -1,6 +1,6 @@
 #pragma once
 // What a body carries.
-#include "engine/world.hpp"
+#include "engine/world/world.hpp"
 
 namespace spook {
 

@@ -1,6 +1,6 @@
 #pragma once
 // What scenes of mechanisms are built from: rods, and joints said by a place and an axis in the world.
-#include "engine/world.hpp"
+#include "engine/world/world.hpp"
 #include "scenes/natural_coordinates.hpp"
 #include "scenes/parameters.hpp"
 #include "scenes/reference_motion.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 // How a scene is stepped and solved, in the words in which it is asked for.
-#include "engine/solvers.hpp"
+#include "engine/solvers/registry.hpp"
 
 namespace spook {
 

@@ -2,7 +2,7 @@
 //
 // At rest the floor carries all the weight: the walls, with g·n = 0, have no friction to help it, Eq. (5.7). Where the
 // bodies lie nobody knows beforehand; but wherever it is, what their overlaps say must hold each of them: balance.hpp.
-#include "engine/mechanics.hpp"
+#include "engine/diagnostics/conserved_quantities.hpp"
 #include "scenes/balance.hpp"
 #include "scenes/jitter.hpp"
 #include "scenes/load.hpp"

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "engine/near_miss.hpp"
+#include "engine/support/did_you_mean.hpp"
 
 namespace spook {
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/soundness.hpp"
+#include "engine/diagnostics/run_check.hpp"
 #include "recording/picture.hpp"
 #include "scenes/hand.hpp"
 #include "scenes/method.hpp"

@@ -1,7 +1,7 @@
 // An asymmetric top, free of torques: near its middle axis it tumbles, and turns over again and again.
 //
 // ω in the body's own axes against the closed form of FreeTop; what the update does to ω and to q both count.
-#include "engine/mechanics.hpp"
+#include "engine/diagnostics/conserved_quantities.hpp"
 #include "scenes/free_top.hpp"
 #include "scenes/reference_motion.hpp"
 #include "scenes/registry.hpp"

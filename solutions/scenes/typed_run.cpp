@@ -4,8 +4,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "engine/near_miss.hpp"
-#include "engine/shares.hpp"
+#include "engine/support/did_you_mean.hpp"
+#include "engine/support/parallel_for.hpp"
 #include "scenes/number.hpp"
 
 namespace spook {

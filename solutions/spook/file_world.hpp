@@ -2,7 +2,7 @@
 // The world that a file describes.
 #include <map>
 
-#include "engine/world.hpp"
+#include "engine/world/world.hpp"
 #include "spook/place.hpp"
 
 namespace spook {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <iostream>
 
-#include "engine/near_miss.hpp"
+#include "engine/support/did_you_mean.hpp"
 #include "spook/play_command.hpp"
 #include "spook/run_command.hpp"
 #include "spook/scenes_command.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "engine/near_miss.hpp"
+#include "engine/support/did_you_mean.hpp"
 #include "scenes/number.hpp"
 
 namespace spook {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "engine/world.hpp"
+#include "engine/world/world.hpp"
 #include "velocities.hpp"
 
 namespace spook::anderson_test {

@@ -1,5 +1,5 @@
 // Factors on bodies: the same answer as chapter 11's on rows, whatever the bounds.
-#include "engine/body_solve.hpp"
+#include "engine/solvers/primal_newton.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <cmath>
 #include <random>
 
-#include "engine/body_interior.hpp"
-#include "engine/world.hpp"
+#include "engine/solvers/primal_interior_point.hpp"
+#include "engine/world/world.hpp"
 
 namespace spook::body_solve_test {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "engine/world.hpp"
+#include "engine/world/world.hpp"
 
 namespace spook::box_artefacts_test {
 namespace {

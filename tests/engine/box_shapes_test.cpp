@@ -5,8 +5,8 @@
 #include <cmath>
 #include <set>
 
-#include "engine/mechanics.hpp"
-#include "engine/world.hpp"
+#include "engine/diagnostics/conserved_quantities.hpp"
+#include "engine/world/world.hpp"
 #include "random_input.hpp"
 #include "refusals.hpp"
 

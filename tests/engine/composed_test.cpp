@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "checks.hpp"
-#include "engine/mechanics.hpp"
-#include "engine/soundness.hpp"
-#include "engine/world.hpp"
+#include "engine/diagnostics/conserved_quantities.hpp"
+#include "engine/diagnostics/run_check.hpp"
+#include "engine/world/world.hpp"
 #include "refusals.hpp"
 #include "scene_runs.hpp"
 

@@ -4,8 +4,8 @@
 #include <array>
 #include <string>
 
-#include "engine/contacts.hpp"
-#include "engine/world.hpp"
+#include "engine/collision/contacts.hpp"
+#include "engine/world/world.hpp"
 #include "random_input.hpp"
 #include "refusals.hpp"
 

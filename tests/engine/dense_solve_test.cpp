@@ -1,5 +1,5 @@
 // Dense factors of a few rows: the answer of sparse ones, or nothing and nothing changed.
-#include "engine/dense_solve.hpp"
+#include "engine/solvers/small_direct.hpp"
 
 #include <gtest/gtest.h>
 

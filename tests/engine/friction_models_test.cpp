@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "engine/mechanics.hpp"
+#include "engine/diagnostics/conserved_quantities.hpp"
 #include "scene_runs.hpp"
 
 namespace spook::friction_models_test {

@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include "engine/near_miss.hpp"
-#include "engine/world.hpp"
+#include "engine/support/did_you_mean.hpp"
+#include "engine/world/world.hpp"
 #include "refusals.hpp"
 #include "scenes/number.hpp"
 #include "scenes/run.hpp"

@@ -1,12 +1,12 @@
 // Islands, how wide they are, and which solver they get.
-#include "engine/islands.hpp"
+#include "engine/solvers/islands.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "11_direct/direct.hpp"
-#include "engine/world.hpp"
+#include "engine/world/world.hpp"
 #include "raw_system.hpp"
 
 namespace spook::islands_test {

@@ -6,8 +6,8 @@
 
 #include "algebra.hpp"
 #include "checks.hpp"
-#include "engine/mechanics.hpp"
-#include "engine/world.hpp"
+#include "engine/diagnostics/conserved_quantities.hpp"
+#include "engine/world/world.hpp"
 #include "refusals.hpp"
 #include "scenes/plane_pendulum.hpp"
 #include "scenes/registry.hpp"

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "engine/mechanics.hpp"
-#include "engine/world.hpp"
+#include "engine/diagnostics/conserved_quantities.hpp"
+#include "engine/world/world.hpp"
 
 namespace spook::motion_test {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/world.hpp"
+#include "engine/world/world.hpp"
 #include "raw_system.hpp"
 #include "velocities.hpp"
 

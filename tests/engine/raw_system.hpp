@@ -1,6 +1,6 @@
 #pragma once
 // Rows that belong to no world, as a solver is handed them.
-#include "engine/solvers.hpp"
+#include "engine/solvers/registry.hpp"
 
 namespace spook {
 

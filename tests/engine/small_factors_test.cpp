@@ -1,12 +1,12 @@
 // Dense factors of few unknowns: what sparse ones give, and a pivot that is not sound.
-#include "engine/small_factors.hpp"
+#include "engine/linear/dense_ldlt.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
 #include <limits>
 
-#include "engine/factors_on_bodies.hpp"
+#include "engine/linear/velocity_factors.hpp"
 #include "random_input.hpp"
 
 namespace spook::small_factors_test {

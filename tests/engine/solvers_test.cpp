@@ -1,5 +1,5 @@
 // Solvers by one signature: each by its word, one within another, copied, and what must not be put together.
-#include "engine/solvers.hpp"
+#include "engine/solvers/registry.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <set>
 
 #include "12_stiff_wires/stiff_wires.hpp"
-#include "engine/dense_solve.hpp"
-#include "engine/world.hpp"
+#include "engine/solvers/small_direct.hpp"
+#include "engine/world/world.hpp"
 #include "raw_system.hpp"
 #include "refusals.hpp"
 #include "scenes/method.hpp"

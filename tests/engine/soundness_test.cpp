@@ -1,5 +1,5 @@
 // Whether a run says that it is no longer the problem that was set, and only then.
-#include "engine/soundness.hpp"
+#include "engine/diagnostics/run_check.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "10_convergence/convergence.hpp"
-#include "engine/shares.hpp"
-#include "engine/world.hpp"
+#include "engine/support/parallel_for.hpp"
+#include "engine/world/world.hpp"
 #include "random_input.hpp"
 #include "refusals.hpp"
 #include "velocities.hpp"

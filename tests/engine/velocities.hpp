@@ -2,7 +2,7 @@
 // What two worlds of the same bodies differ by.
 #include <cmath>
 
-#include "engine/world.hpp"
+#include "engine/world/world.hpp"
 
 namespace spook {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/world.hpp"
+#include "engine/world/world.hpp"
 #include "random_input.hpp"
 
 namespace spook::warm_start_test {

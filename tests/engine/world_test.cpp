@@ -1,12 +1,12 @@
 // What a world can be told and asked beside its steps: materials, wrenches, states, forces, starts.
-#include "engine/world.hpp"
+#include "engine/world/world.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "checks.hpp"
-#include "engine/mechanics.hpp"
+#include "engine/diagnostics/conserved_quantities.hpp"
 #include "refusals.hpp"
 
 namespace spook::world_test {

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <sstream>
 
-#include "engine/mechanics.hpp"
-#include "engine/soundness.hpp"
+#include "engine/diagnostics/conserved_quantities.hpp"
+#include "engine/diagnostics/run_check.hpp"
 #include "random_input.hpp"
 
 namespace spook::testing {

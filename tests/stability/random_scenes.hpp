@@ -14,7 +14,7 @@
 //   solve        m Δv = h f + Gᵀ λ of every body, where no impact had a part in it: V is what λ says; to roundings
 //   momentum     Σ m v = Σ m (v₀ + g t) where nothing is fixed, impacts included; to roundings
 //   angular      and Σ x × m v + I ω = L₀ + Σ h x × m g, where all that acts has one point on both bodies; to roundings
-//   state        sound, by engine/soundness.hpp
+//   state        sound, by engine/diagnostics/run_check.hpp
 //   energy       T - T₀ - Σ h f·v - ½ k gap₀² <= a share of what there is: constraints and impacts only take
 #include <cstdint>
 #include <map>

@@ -2,7 +2,7 @@
 // Steps that may end in a Blowup, but never in a number that is none.
 #include <gtest/gtest.h>
 
-#include "engine/world.hpp"
+#include "engine/world/world.hpp"
 
 namespace spook::testing {
 

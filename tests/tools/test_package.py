@@ -79,7 +79,7 @@ class Package(unittest.TestCase):
 
     def test_folders_of_the_users_with_our_names_do_not_come_in_between(self):
         consumer = self.consumer("same_names")
-        for name in ("engine/world.hpp", "engine/joints.hpp", "common/types.hpp", "07_impacts/impacts.hpp"):
+        for name in ("engine/world/world.hpp", "engine/constraints/joints.hpp", "common/types.hpp", "07_impacts/impacts.hpp"):
             (consumer.folder / name).parent.mkdir(exist_ok=True)
             (consumer.folder / name).write_text("#error This is the user's own.\n")
         self.configured(consumer, f"-DCMAKE_CXX_FLAGS=-I{consumer.folder}")

@@ -1,4 +1,4 @@
 #pragma once
 // What a program includes: the world, its solvers, and whether a run is sound.
-#include "spook/engine/soundness.hpp"
-#include "spook/engine/world.hpp"
+#include "spook/engine/diagnostics/run_check.hpp"
+#include "spook/engine/world/world.hpp"

@@ -5,7 +5,7 @@
 
 #include <sstream>
 
-#include "engine/near_miss.hpp"
+#include "engine/support/did_you_mean.hpp"
 #include "module.hpp"
 #include "recording/recorder.hpp"
 #include "scenes/registry.hpp"

@@ -3,8 +3,8 @@
 #include <pybind11/stl.h>
 
 #include "common/require.hpp"
-#include "engine/near_miss.hpp"
-#include "engine/world.hpp"
+#include "engine/support/did_you_mean.hpp"
+#include "engine/world/world.hpp"
 #include "module.hpp"
 #include "views.hpp"
 

@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/on_bodies.hpp"
+#include "engine/linear/velocity_system.hpp"
 #include "methods/methods.hpp"
 
 namespace spook::plots {

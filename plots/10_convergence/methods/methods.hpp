@@ -1,12 +1,12 @@
 #pragma once
-// Methods that people ask about, as solvers of a step's rows (engine/system.hpp): to be compared, not to be used.
+// Methods that people ask about, as solvers of a step's rows (engine/solvers/solver.hpp): to be compared, not to be used.
 //
 //   avbd   block descent on bodies, with multipliers and penalties that grow
 //   admm   operator splitting: one factorisation, then cheap iterations
 //
 // Outcome::row_updates is what they cost, in updates of a row: multiply-adds over 4 Dof + 1.
 #include "11_direct/direct.hpp"
-#include "engine/solvers.hpp"
+#include "engine/solvers/registry.hpp"
 
 namespace spook::plots {
 

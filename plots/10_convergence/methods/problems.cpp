@@ -1,6 +1,6 @@
 #include "methods/problems.hpp"
 
-#include "engine/world.hpp"
+#include "engine/world/world.hpp"
 
 namespace spook::plots {
 

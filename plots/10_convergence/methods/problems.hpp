@@ -2,8 +2,8 @@
 // The rows of one step of some scenes, and the velocities that solve them.
 #include <cmath>
 
-#include "engine/on_bodies.hpp"
-#include "engine/solvers.hpp"
+#include "engine/linear/velocity_system.hpp"
+#include "engine/solvers/registry.hpp"
 
 namespace spook::plots {
 

@@ -10,7 +10,7 @@
 // C = g + h G (W + W_f + V). Divided by h that is Eq. (4.6) with a = 1/h, b = 1 and Σ = 1/(h² k). SPOOK has this a and this Σ at
 // d = 3/4, and b = 4d/(1 + 4d) = 3/4. So XPBD is a sweep from λ = 0 of rows with d = 3/4 and B less by G W/4; its Jacobians are
 // those of the predicted positions, which are the same on a line. (With its damping γ it is d = 3/4 + γ, and b = 1 still.)
-#include "engine/world.hpp"
+#include "engine/world/world.hpp"
 
 namespace spook::plots {
 

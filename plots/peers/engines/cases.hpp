@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/solvers.hpp"
+#include "engine/solvers/registry.hpp"
 #include "peers/engines/answers.hpp"
 
 namespace spook::peers {

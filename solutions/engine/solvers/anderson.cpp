@@ -17,7 +17,7 @@
 #include <cmath>
 
 #include "09_better_friction/better_friction.hpp"
-#include "engine/solvers.hpp"
+#include "engine/solvers/registry.hpp"
 
 namespace spook {
 

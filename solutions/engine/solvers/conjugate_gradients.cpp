@@ -3,7 +3,7 @@
 // One entry of its history is of an iteration, that costs four sweeps: two of the preconditioner, one to look, one for
 // S p. Keeps nothing.
 #include "10_convergence/convergence.hpp"
-#include "engine/solvers.hpp"
+#include "engine/solvers/registry.hpp"
 
 namespace spook {
 

@@ -2,9 +2,9 @@
 //
 // One entry of its history is of a factorisation; it updates no rows, unless it has trouble and goes on by sweeps. Begins
 // with the impulses of the last step, and keeps the order and the pattern of the factors, where they are sparse.
-#include "engine/dense_solve.hpp"
-#include "engine/solve_directly.hpp"
-#include "engine/solvers.hpp"
+#include "engine/solvers/registry.hpp"
+#include "engine/solvers/small_direct.hpp"
+#include "engine/solvers/solve_directly.hpp"
 
 namespace spook {
 

@@ -1,7 +1,7 @@
 // Projected Gauss-Seidel: chapter 04, Eq. (4.6), (4.7), in the order in which the rows come; notes, "Gauss-Seidel".
 //
 // One entry of its history is what a sweep returned. Keeps nothing.
-#include "engine/solvers.hpp"
+#include "engine/solvers/registry.hpp"
 
 namespace spook {
 

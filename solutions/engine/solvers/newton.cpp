@@ -1,7 +1,7 @@
 // Newton's method on what an update leaves: rows of a contact inside Coulomb's cone, or rows within their bounds.
 //
-//   of a contact   Δλ = k - K G v, with a block K of 3 x 3, by whether it is open, sticks or slides: engine/linearised.hpp
-//   of bodies      (M + Gᵀ K G) v = Gᵀ k, v what Δλ adds to V: engine/coupled_bodies.hpp                  as Eq. (11.15)
+//   of a contact   Δλ = k - K G v, with a block K of 3 x 3, by whether it is open, sticks or slides: engine/solvers/contact_newton.hpp
+//   of bodies      (M + Gᵀ K G) v = Gᵀ k, v what Δλ adds to V: engine/linear/contact_velocity_system.hpp                  as Eq. (11.15)
 //
 // K is not symmetric: what presses more rubs more. Where the law leaves it open which of many contacts bears how much,
 // Δλ would be anything, so Σ is taken for larger by a part of S_kk, a thousandth of what is left of that asked for: it
@@ -18,12 +18,12 @@
 #include <algorithm>
 
 #include "09_better_friction/cone_rows.hpp"
-#include "engine/coupled_bodies.hpp"
-#include "engine/islands.hpp"
-#include "engine/linearised.hpp"
-#include "engine/outcome.hpp"
-#include "engine/solve_directly.hpp"
-#include "engine/solvers.hpp"
+#include "engine/linear/contact_velocity_system.hpp"
+#include "engine/solvers/contact_newton.hpp"
+#include "engine/solvers/islands.hpp"
+#include "engine/solvers/registry.hpp"
+#include "engine/solvers/solve_directly.hpp"
+#include "engine/solvers/solver_result.hpp"
 
 namespace spook {
 

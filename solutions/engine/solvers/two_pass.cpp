@@ -7,7 +7,7 @@
 // Where nothing rubs there is one pass.
 #include <stdexcept>
 
-#include "engine/solvers.hpp"
+#include "engine/solvers/registry.hpp"
 
 namespace spook {
 

@@ -1,0 +1,130 @@
+#include "engine/bodies/bodies.hpp"
+
+#include "common/require.hpp"
+
+namespace spook {
+
+void require_unit_length(const std::string& name, double length) {
+  if (!(std::abs(length - 1) <= 1e-9)) reject("length of " + name, length, "1");
+}
+
+Vec3 solid_sphere_moments(double mass, double radius) {
+  require_positive("mass", mass);
+  require_positive("radius", radius);
+  return Vec3::Constant(0.4 * mass * radius * radius);
+}
+
+static void require_sides(const Vec3& half_sides) {
+  for (const double half_side : half_sides) require_positive("half side", half_side);
+}
+
+Vec3 solid_box_moments(double mass, const Vec3& half_sides) {
+  require_positive("mass", mass);
+  require_sides(half_sides);
+  const Vec3 squares = half_sides.cwiseAbs2();
+  return mass / 3 * (Vec3::Constant(squares.sum()) - squares);
+}
+
+std::vector<Vec3> box_corners(const Vec3& half_sides) {
+  require_sides(half_sides);
+  std::vector<Vec3> corners;
+  for (const double x : {-1, 1})
+    for (const double y : {-1, 1})
+      for (const double z : {-1, 1}) corners.push_back(half_sides.cwiseProduct(Vec3(x, y, z)));
+  return corners;
+}
+
+/// The moments that a body is given, or else those of its shape.
+static Vec3 moments_of(const Body<6>& body) {
+  if (body.principal) return *body.principal;
+  if (body.radius > 0) return solid_sphere_moments(body.mass, body.radius);
+  if (!body.half_sides.isZero(0)) return solid_box_moments(body.mass, body.half_sides);
+  throw std::invalid_argument(
+      "principal moments must be given for a body that is no sphere and no box, but are missing");
+}
+
+/// Each is a sum over two of three squares, so that none is more than the other two together.
+static void require_moments(const Body<6>& body) {
+  if (!body.principal) return;
+  for (const double moment : *body.principal) require_positive("principal moment", moment);
+  const double largest = body.principal->maxCoeff(), others = body.principal->sum() - largest;
+  if (largest > others * (1 + 1e-9)) reject("principal moment", largest, "at most the sum of the other two");
+}
+
+template <int Dof>
+static void require_sound(const Body<Dof>& body) {
+  require_all_finite("x", body.x);
+  require_all_finite("v", body.v);
+  require_positive("mass", body.mass);
+  require_not_negative("radius", body.radius);
+  if constexpr (Dof == 6) {
+    require_unit_length("q", body.q.norm());
+    require_all_finite("omega", body.omega);
+    require_moments(body);
+    for (const Vec3& corner : body.corners) require_all_finite("corner", corner);
+    if (!body.corners.empty() && body.radius != 0) reject("radius", body.radius, "0 for a body with corners");
+    if (body.half_sides.isZero(0)) return;
+    require_sides(body.half_sides);
+    if (body.radius != 0) reject("radius", body.radius, "0 for a body with half sides");
+    if (!body.corners.empty())
+      reject("number of corners", static_cast<double>(body.corners.size()), "0 for a body with half sides");
+  }
+}
+
+template <int Dof>
+static void add_at(Bodies<Dof>& bodies, const Vec3& x, double mass, double inverse_mass) {
+  bodies.x.push_back(x);
+  bodies.mass.push_back(mass);
+  bodies.motion.inverse_mass.push_back({.linear = inverse_mass});
+  bodies.motion.W.push_back(Twist<Dof>::Zero());
+  bodies.motion.Wf.push_back(Twist<Dof>::Zero());
+}
+
+template <int Dof>
+int Bodies<Dof>::add(const Body<Dof>& body) {
+  require_sound(body);
+  Vec3 principal;
+  if constexpr (Dof == 6) principal = moments_of(body);
+  add_at(*this, body.x, body.mass, 1 / body.mass);
+  motion.W.back().template head<3>() = body.v;
+  if constexpr (Dof == 6) {
+    motion.W.back().template tail<3>() = body.omega;
+    orientations.q.push_back(body.q.normalized());
+    orientations.principal.push_back(principal);
+    orientations.inverse_principal.push_back(principal.cwiseInverse());
+    motion.inverse_mass.back().angular = orientations.inverse_inertia(size() - 1);
+  }
+  return static_cast<int>(size()) - 1;
+}
+
+template <int Dof>
+int Bodies<Dof>::add_fixed(const Vec3& position) {
+  require_all_finite("x", position);
+  add_at(*this, position, 0, 0);
+  if constexpr (Dof == 6) {
+    orientations.q.push_back(Quat::Identity());
+    orientations.principal.push_back(Vec3::Zero());
+    orientations.inverse_principal.push_back(Vec3::Zero());
+  }
+  return static_cast<int>(size()) - 1;
+}
+
+template <int Dof>
+void Bodies<Dof>::remove(std::size_t i) {
+  const auto out_of = [&](auto& all) { all.erase(all.begin() + static_cast<std::ptrdiff_t>(i)); };
+  out_of(x);
+  out_of(mass);
+  out_of(motion.inverse_mass);
+  out_of(motion.W);
+  out_of(motion.Wf);
+  if constexpr (Dof == 6) {
+    out_of(orientations.q);
+    out_of(orientations.principal);
+    out_of(orientations.inverse_principal);
+  }
+}
+
+template struct Bodies<3>;
+template struct Bodies<6>;
+
+}  // namespace spook

@@ -1,0 +1,82 @@
+#include "engine/collision/pair_cache.hpp"
+
+#include <algorithm>
+
+#include "08_pairs/touching_bounds.hpp"
+
+namespace spook {
+
+namespace {
+
+constexpr double room = 0.1;      // on each side, over the widest of the bounds
+constexpr std::size_t few = 100;  // to compare them with all others costs no more than a broad phase
+
+Bounds roomier(const Bounds& one) {
+  const Vec3 more = Vec3::Constant(room * (one.upper - one.lower).maxCoeff());
+  return {.lower = one.lower - more, .upper = one.upper + more};
+}
+
+bool is_within(const Bounds& one, const Bounds& other) {
+  return (other.lower.array() <= one.lower.array()).all() && (one.upper.array() <= other.upper.array()).all();
+}
+
+/// Which have left the bounds that they had; all of them if those were of others.
+std::vector<int> that_left(const std::vector<Bounds>& bounds, const std::vector<Bounds>& roomy) {
+  std::vector<int> gone;
+  for (int k = 0; k < std::ssize(bounds); ++k)
+    if (bounds.size() != roomy.size() || !is_within(bounds[k], roomy[k])) gone.push_back(k);
+  return gone;
+}
+
+/// The pairs that are worth a closer look.
+std::vector<Pair> broad_phase(const std::vector<Bounds>& bounds) {
+  const int n = static_cast<int>(bounds.size());
+  if (n > 32) return n <= 2000 ? sweep_and_prune(bounds) : spatial_hash(bounds);
+  std::vector<Pair> pairs;
+  for (int a = 0; a < n; ++a)
+    for (int b = a + 1; b < n; ++b) pairs.emplace_back(a, b);
+  return pairs;
+}
+
+}  // namespace
+
+void Neighbours::give_all_room(const std::vector<Bounds>& bounds) {
+  std::vector<Bounds> roomy;
+  roomy.reserve(bounds.size());
+  for (const Bounds& one : bounds) roomy.push_back(roomier(one));
+  near_ = broad_phase(roomy);
+  roomy_ = std::move(roomy);
+}
+
+void Neighbours::give_room(const std::vector<int>& these, const std::vector<Bounds>& bounds) {
+  std::vector<bool> is_new(bounds.size(), false);
+  for (const int a : these) {
+    is_new[a] = true;
+    roomy_[a] = roomier(bounds[a]);
+  }
+  std::erase_if(near_, [&](const Pair& pair) { return is_new[pair.first] || is_new[pair.second]; });
+  const auto kept = std::ssize(near_);
+  for (const int a : these)
+    for (int b = 0; b < std::ssize(roomy_); ++b)
+      if (touch(roomy_[a], roomy_[b]) && (is_new[b] ? a < b : a != b)) near_.push_back(std::minmax(a, b));
+  std::sort(near_.begin() + kept, near_.end());
+  std::inplace_merge(near_.begin(), near_.begin() + kept, near_.end());
+}
+
+const std::vector<Pair>& Neighbours::touching(const std::vector<Bounds>& bounds) {
+  const std::vector<int> gone = that_left(bounds, roomy_);
+  if (!gone.empty()) {
+    require_sound(bounds);
+    if (roomy_.size() == bounds.size() && gone.size() <= few)
+      give_room(gone, bounds);
+    else
+      give_all_room(bounds);
+  }
+  touching_.clear();
+  for (const Pair& pair : near_)
+    if (touch(bounds[static_cast<std::size_t>(pair.first)], bounds[static_cast<std::size_t>(pair.second)]))
+      touching_.push_back(pair);
+  return touching_;
+}
+
+}  // namespace spook

@@ -1,0 +1,109 @@
+#include "engine/constraints/contact_rows.hpp"
+
+#include <cassert>
+#include <new>
+
+#include "engine/constraints/parameter_cache.hpp"
+#include "engine/support/parallel_for.hpp"
+
+namespace spook {
+
+template <int Dof>
+Constraint<Dof> contact_constraint(const Contact& contact, const Spook& spook) {
+  assert(contact.i != contact.j && "a body has no contact with itself");
+  const ContactJacobian G = contact_jacobian(contact);
+  return {.i = contact.i,
+          .j = contact.j,
+          .Gi = G.Gi.head<Dof>(),
+          .Gj = G.Gj.head<Dof>(),
+          .gap = contact.gap,
+          .spook = spook,
+          .lo = 0,
+          .hi = infinity};
+}
+
+/// How many contacts there are between the two bodies of contact c; they follow each other.
+static int contacts_of_pair(const std::vector<Contact>& contacts, std::size_t c) {
+  const auto of_pair = [&](std::size_t other) {
+    return contacts[other].i == contacts[c].i && contacts[other].j == contacts[c].j;
+  };
+  std::size_t first = c, end = c + 1;
+  while (first > 0 && of_pair(first - 1)) --first;
+  while (end < contacts.size() && of_pair(end)) ++end;
+  return static_cast<int>(end - first);
+}
+
+/// Velocity of j's contact point relative to i's, that of the forces included.
+static Vec3 slip(const Contact& contact, const Motion<3>& motion) {
+  const auto v = [&](int body) { return motion.W[body] + motion.Wf[body]; };
+  return v(contact.j) - v(contact.i);
+}
+
+static Vec3 slip(const Contact& contact, const Motion<6>& motion) {
+  const auto v = [&](int body, const Vec3& r) {
+    const Twist<6> W = motion.W[body] + motion.Wf[body];
+    return Vec3(W.head<3>() + W.tail<3>().cross(r));
+  };
+  return v(contact.j, contact.r_j) - v(contact.i, contact.r_i);
+}
+
+template <int Dof>
+void add_contact_rows(const std::vector<Contact>& contacts, double h, const Materials& materials,
+                      const Friction& friction, const Motion<Dof>& motion, int threads, std::size_t first_row,
+                      std::vector<Row<Dof>>& rows, std::vector<Rubbing>& rubbing) {
+  const bool rub = materials.rub(), box = friction.model == FrictionModel::box;
+  const Spook of_friction = rub ? friction_parameters(h, friction.c) : Spook{};
+  const auto bound = [&](const Contact& contact, double mu, int count) {
+    if (!box) return friction.model == FrictionModel::cone ? infinity : 0.0;
+    const double mass = representative_mass(motion.inverse_mass[contact.i].linear,
+                                            motion.inverse_mass[contact.j].linear, count);
+    return friction_bound(mu, mass, std::abs(friction.gravity.dot(contact.n)), h);
+  };
+  const std::size_t rows_of_one = rows_per_contact(rub);
+  rows.resize(first_row + rows_of_one * contacts.size());
+  rubbing.resize(rub && !box ? contacts.size() : 0);
+  // In its place, and not made elsewhere and copied.
+  const auto make_at = [&](std::size_t k, const Constraint<Dof>& constraint) {
+    new (&rows[k]) Row<Dof>(make_row(constraint, motion));
+  };
+
+  in_shares(threads, contacts.size(), [&](std::size_t, std::size_t first, std::size_t end) {
+    SpookOf spook_of(h);
+    Touching touching{};
+    Tangents along{};
+    int count = 0;  // contacts of the pair
+    double limit = 0;
+    for (std::size_t c = first; c < end; ++c) {
+      const Contact& contact = contacts[c];
+      const bool same_pair = c > first && contact.i == contacts[c - 1].i && contact.j == contacts[c - 1].j;
+      if (!same_pair) {
+        touching = materials.of(contact.i, contact.j);
+        if (rub) count = contacts_of_pair(contacts, c);
+      }
+      const std::size_t normal = first_row + rows_of_one * c;
+      make_at(normal, contact_constraint<Dof>(contact, spook_of(touching.k, touching.d)));
+      if (!rub) continue;
+      // Two boxes most often have one normal, and with it these.
+      const bool same_normal = same_pair && contact.n == contacts[c - 1].n;
+      if (!same_normal) limit = bound(contact, touching.friction, count);
+      if (friction.sliding_tangents)
+        along = sliding_tangents(contact.n, slip(contact, motion), 1e-3 * friction.gravity.norm() * h);
+      else if (!same_normal)
+        along = tangents(contact.n);
+      const auto tangential = friction_constraints<Dof>(contact, along, limit, of_friction);
+      for (std::size_t t = 0; t < tangential.size(); ++t) make_at(normal + 1 + t, tangential[t]);
+      if (!box) rubbing[c] = {.normal = normal, .mu = touching.friction};
+    }
+  });
+}
+
+template Constraint<3> contact_constraint<3>(const Contact&, const Spook&);
+template Constraint<6> contact_constraint<6>(const Contact&, const Spook&);
+template void add_contact_rows<3>(const std::vector<Contact>&, double, const Materials&, const Friction&,
+                                  const Motion<3>&, int, std::size_t, std::vector<Row<3>>&,
+                                  std::vector<Rubbing>&);
+template void add_contact_rows<6>(const std::vector<Contact>&, double, const Materials&, const Friction&,
+                                  const Motion<6>&, int, std::size_t, std::vector<Row<6>>&,
+                                  std::vector<Rubbing>&);
+
+}  // namespace spook

@@ -1,0 +1,105 @@
+#include "engine/constraints/joint_rows.hpp"
+
+#include <cmath>
+
+#include "engine/constraints/parameter_cache.hpp"
+
+namespace spook {
+
+/// The rows of Eq. (6.6), with both lever arms to one point between the two: Eq. (6.15). There is one force then and no
+/// torque, and the gaps are as seen by somebody who turns with the joint.
+template <int Dof>
+static std::array<Constraint<Dof>, 3> ball_joint_at_one_point(Attachment i, Attachment j, const Spook& spook,
+                                                              const Motion<Dof>& motion) {
+  std::array<Constraint<Dof>, 3> rows = ball_joint_constraints<Dof>(i, j, spook);
+  if constexpr (Dof == 6) {
+    const Vec3 apart = (j.x + j.r) - (i.x + i.r);
+    const double of_i = motion.inverse_mass[i.body].linear, of_j = motion.inverse_mass[j.body].linear;
+    i.r += of_j / (of_i + of_j) * apart;
+    j.r -= of_i / (of_i + of_j) * apart;
+    const std::array<Constraint<6>, 3> shared = ball_joint_constraints<6>(i, j, spook);
+    for (std::size_t axis = 0; axis < rows.size(); ++axis) {
+      rows[axis].Gi = shared[axis].Gi;
+      rows[axis].Gj = shared[axis].Gj;
+    }
+  }
+  return rows;
+}
+
+/// A row that holds a coordinate at zero.
+static Constraint<6> holding(const Coordinate& c, const Spook& spook) {
+  return {.i = c.i,
+          .j = c.j,
+          .Gi = c.Gi,
+          .Gj = c.Gj,
+          .gap = c.value,
+          .spook = spook,
+          .lo = -infinity,
+          .hi = infinity};
+}
+
+/// How far a row may get in a step, generously [m or rad].
+static double reach(const Constraint<6>& row, double h, const Motion<6>& motion) {
+  const auto rate = [&](const std::vector<Twist<6>>& of) {
+    return std::abs(row.Gi.dot(of[row.i]) + row.Gj.dot(of[row.j]));
+  };
+  return 2 * h * (rate(motion.W) + rate(motion.Wf));
+}
+
+static void add_limit_row(const Joint& joint, const Coordinate& free, double h, const Motion<6>& motion,
+                          std::vector<Row<6>>& rows) {
+  const double k = joint.stiffness(joint.holding_rows());
+  Constraint<6> limit = limit_constraint(free, *joint.limits, spook_parameters(h, k, *joint.limit_d), h);
+  if (limit.gap > reach(limit, h, motion)) limit.hi = 0;
+  rows.push_back(make_row(limit, motion));
+}
+
+/// Those that hold, of its limits, of its motor.
+static void add_guided_rows(const Joint& joint, double h, const Bodies<6>& bodies, std::vector<Row<6>>& rows) {
+  const Motion<6>& motion = bodies.motion;
+  const Spook spook = spook_parameters(h, *joint.k, *joint.d),
+              spook_turn = spook_parameters(h, *joint.k_turn, *joint.d);
+  const JointFrames at = frames(joint, bodies);
+  if (joint.kind == JointKind::slider) {
+    for (int axis = 0; axis < 2; ++axis)
+      rows.push_back(make_row(holding(shift_along(at.i, at.j, axis), spook), motion));
+  } else {
+    for (const Constraint<6>& row : ball_joint_at_one_point<6>(at.i.at, at.j.at, spook, motion))
+      rows.push_back(make_row(row, motion));
+  }
+  const std::array<Coordinate, 3> turned = turned_apart(at.i, at.j);
+  const std::size_t held = joint.kind == JointKind::hinge ? 2 : 3;
+  for (std::size_t axis = 0; axis < held; ++axis)
+    rows.push_back(make_row(holding(turned[axis], spook_turn), motion));
+  if (!joint.limits && !joint.motor) return;
+  const Coordinate free = free_coordinate(joint, bodies);
+  if (joint.limits) add_limit_row(joint, free, h, motion, rows);
+  if (joint.motor) rows.push_back(motor_row(free, *joint.motor, h, motion));
+}
+
+template <int Dof>
+void add_joint_rows(const std::vector<Joint>& joints, double h, const Bodies<Dof>& bodies,
+                    std::vector<Row<Dof>>& rows) {
+  SpookOf spook_of(h);
+  for (const Joint& joint : joints) {
+    if constexpr (Dof == 6)
+      if (joint.is_guided()) {
+        add_guided_rows(joint, h, bodies, rows);
+        continue;
+      }
+    const Spook& spook = spook_of(*joint.k, *joint.d);
+    // (World::step has seen to it that every distance has a direction.)
+    const Attachment i = attachment(joint.i, joint.p_i, bodies), j = attachment(joint.j, joint.p_j, bodies);
+    if (joint.length) {
+      rows.push_back(make_row(distance_constraint<Dof>(i, j, *joint.length, spook), bodies.motion));
+    } else {
+      for (const Constraint<Dof>& row : ball_joint_at_one_point<Dof>(i, j, spook, bodies.motion))
+        rows.push_back(make_row(row, bodies.motion));
+    }
+  }
+}
+
+template void add_joint_rows<3>(const std::vector<Joint>&, double, const Bodies<3>&, std::vector<Row<3>>&);
+template void add_joint_rows<6>(const std::vector<Joint>&, double, const Bodies<6>&, std::vector<Row<6>>&);
+
+}  // namespace spook

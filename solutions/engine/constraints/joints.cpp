@@ -1,0 +1,60 @@
+#include "engine/constraints/joints.hpp"
+
+#include <cmath>
+
+namespace spook {
+
+std::string name_of(JointKind kind) {
+  return std::array{"ball", "distance", "hinge", "slider", "weld"}[static_cast<std::size_t>(kind)];
+}
+
+int Joint::holding_rows() const {
+  if (length) return 1;
+  return kind == JointKind::ball ? 3 : kind == JointKind::weld ? 6 : 5;
+}
+
+bool Joint::turns(int row) const {
+  if (row >= holding_rows()) return kind == JointKind::hinge;
+  return row >= (kind == JointKind::slider ? 2 : 3);
+}
+
+double Joint::stiffness(int row) const {
+  const bool is_motor = motor && row == rows() - 1;
+  return is_motor ? infinity : turns(row) ? *k_turn : *k;
+}
+
+JointFrames frames(const Joint& joint, const Bodies<6>& bodies) {
+  const auto i = static_cast<std::size_t>(joint.i), j = static_cast<std::size_t>(joint.j);
+  const Quat c = Quat::FromTwoVectors(Vec3::UnitZ(), joint.axis);
+  const std::vector<Quat>& q = bodies.orientations.q;
+  return {.i = {attachment(joint.i, joint.p_i, bodies), q[i] * c},
+          .j = {attachment(joint.j, joint.p_j, bodies), q[j] * joint.rest->conjugate() * c}};
+}
+
+Coordinate free_coordinate(const Joint& joint, const Bodies<6>& bodies) {
+  const JointFrames at = frames(joint, bodies);
+  return joint.kind == JointKind::slider ? shift_along(at.i, at.j, 2) : hinge_angle(at.i, at.j, joint.angle);
+}
+
+template <int Dof>
+JointGap gap_of(const Joint& joint, const Bodies<Dof>& bodies) {
+  const Attachment i = attachment(joint.i, joint.p_i, bodies), j = attachment(joint.j, joint.p_j, bodies);
+  JointGap gap{.apart = (j.x + j.r) - (i.x + i.r)};
+  if (joint.length) gap.apart -= *joint.length * gap.apart.normalized();
+  if constexpr (Dof == 6)
+    if (joint.is_guided()) {
+      const JointFrames at = frames(joint, bodies);
+      const std::array<Coordinate, 3> turned = turned_apart(at.i, at.j);
+      for (std::size_t axis = 0; axis < turned.size(); ++axis)
+        if (axis < 2 || joint.kind != JointKind::hinge)
+          gap.turned[static_cast<Eigen::Index>(axis)] = turned[axis].value;
+      const Vec3 along = at.i.axes * Vec3::UnitZ();
+      if (joint.kind == JointKind::slider) gap.apart -= along.dot(gap.apart) * along;
+    }
+  return gap;
+}
+
+template JointGap gap_of<3>(const Joint&, const Bodies<3>&);
+template JointGap gap_of<6>(const Joint&, const Bodies<6>&);
+
+}  // namespace spook

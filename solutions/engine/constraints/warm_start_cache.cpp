@@ -1,0 +1,113 @@
+#include "engine/constraints/warm_start_cache.hpp"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+#include "engine/support/parallel_for.hpp"
+
+namespace spook {
+
+static std::pair<int, int> pair_of(const auto& contact) {
+  return {contact.i, contact.j};
+}
+
+/// The end of those of one pair that begin at k.
+template <class One>
+static std::size_t end_of_pair(const std::vector<One>& all, std::size_t k) {
+  const auto pair = pair_of(all[k]);
+  while (k < all.size() && pair_of(all[k]) == pair) ++k;
+  return k;
+}
+
+static bool contains(const std::vector<std::size_t>& all, std::size_t one) {
+  return std::find(all.begin(), all.end(), one) != all.end();
+}
+
+/// The number, among the old contacts of a pair, of the one that each is nearest to; none if two want the same. It is what
+/// match_contacts finds: nobody gets another one unless his nearest is somebody else's.
+static void find_nearest(std::span<const Contact> contacts, std::span<const OldContact> old,
+                         std::vector<std::size_t>& nearest) {
+  nearest.clear();
+  nearest.reserve(contacts.size());
+  for (const Contact& contact : contacts) {
+    double least = infinity;
+    std::size_t own = 0;
+    for (std::size_t k = 0; k < old.size(); ++k) {
+      const double apart = (contact.r_j - old[k].point).squaredNorm();
+      if (apart < least) least = apart, own = k;
+    }
+    if (!(least < infinity) || contains(nearest, own)) return nearest.clear();
+    nearest.push_back(own);
+  }
+}
+
+/// Calls match(old, now) for each contact that was there before. Where those of a pair follow each other, and pairs come in
+/// order, as they do, most are found at once. What is left is matched by match_contacts.
+template <class Match>
+static void match_all(const std::vector<Contact>& contacts, const std::vector<OldContact>& old,
+                      const Match& match) {
+  std::vector<std::size_t> nearest, left, old_left;
+  std::size_t k = 0;
+  for (std::size_t c = 0, end; c < contacts.size(); c = end) {
+    end = end_of_pair(contacts, c);
+    while (k < old.size() && pair_of(old[k]) < pair_of(contacts[c])) old_left.push_back(k++);
+    const bool there = k < old.size() && pair_of(old[k]) == pair_of(contacts[c]);
+    const std::size_t begin = k, old_end = there ? end_of_pair(old, k) : k;
+    find_nearest(std::span(contacts).subspan(c, end - c), std::span(old).subspan(k, old_end - k), nearest);
+    for (std::size_t n = 0; n < nearest.size(); ++n) match(begin + nearest[n], c + n);
+    if (nearest.empty())
+      for (std::size_t n = c; n < end; ++n) left.push_back(n);
+    for (; k < old_end; ++k)
+      if (!contains(nearest, k - begin)) old_left.push_back(k);
+  }
+  if (left.empty()) return;
+  for (; k < old.size(); ++k) old_left.push_back(k);
+
+  std::vector<Contact> their_contacts;
+  std::vector<OldContact> their_old;
+  for (const std::size_t n : left) their_contacts.push_back(contacts[n]);
+  for (const std::size_t n : old_left) their_old.push_back(old[n]);
+  const std::vector<int> found = match_contacts(their_contacts, their_old, infinity);
+  for (std::size_t n = 0; n < left.size(); ++n)
+    if (found[n] >= 0) match(old_left[static_cast<std::size_t>(found[n])], left[n]);
+}
+
+template <int Dof>
+void StartImpulses::remember(const std::vector<Row<Dof>>& rows, std::size_t first,
+                             const std::vector<Contact>& contacts, double h, int threads) {
+  joints_.resize(first);
+  contact_rows_.resize(rows.size() - first);
+  contacts_.resize(contacts.size());
+  in_shares(threads, rows.size(), [&](std::size_t, std::size_t k, std::size_t end) {
+    for (; k < end; ++k) (k < first ? joints_[k] : contact_rows_[k - first]) = rows[k].lambda;
+  });
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    contacts_[c] = {contacts[c].i, contacts[c].j, contacts[c].r_j};
+  h_ = h;
+}
+
+std::vector<double> StartImpulses::impulses(std::size_t rows, std::size_t first,
+                                            const std::vector<Contact>& contacts, double h) const {
+  if (joints_.empty() && contact_rows_.empty()) return {};
+  std::vector<double> all(rows, 0);
+  std::copy_n(joints_.begin(), std::min(first, joints_.size()), all.begin());
+  if (!contacts.empty() && !contacts_.empty()) {
+    const std::size_t each = contact_rows_.size() / contacts_.size();  // as many as ever, in one world
+    const auto copy = [&](std::size_t from, std::size_t to) {
+      std::copy_n(contact_rows_.begin() + static_cast<std::ptrdiff_t>(from * each), each,
+                  all.begin() + static_cast<std::ptrdiff_t>(first + to * each));
+    };
+    match_all(contacts, contacts_, copy);
+  }
+  const double longer = h / h_;
+  for (double& impulse : all) impulse *= longer;
+  return all;
+}
+
+template void StartImpulses::remember<3>(const std::vector<Row<3>>&, std::size_t, const std::vector<Contact>&,
+                                         double, int);
+template void StartImpulses::remember<6>(const std::vector<Row<6>>&, std::size_t, const std::vector<Contact>&,
+                                         double, int);
+
+}  // namespace spook

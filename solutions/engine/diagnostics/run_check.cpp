@@ -1,0 +1,205 @@
+#include "engine/diagnostics/run_check.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "engine/diagnostics/conserved_quantities.hpp"
+
+namespace spook {
+
+static constexpr double share_unsolved = 1e-2;  // of what a step asks for
+static constexpr double share_of_roundings =
+    16 * std::numeric_limits<double>::epsilon();  // of a row's twelve products
+static constexpr double share_gained = 0.1;       // of the energy that there is
+
+std::string name_of(State state) {
+  return std::array{"sound", "unsolved", "lost"}[static_cast<std::size_t>(state)];
+}
+
+/// Text of a number, three digits of it.
+static std::string text(double value) {
+  std::ostringstream out;
+  out.precision(3);
+  out << value;
+  return out.str();
+}
+
+/// How far a body reaches from its centre where it is thinnest [m]; infinite for one without a shape, and for a plane.
+static std::vector<double> sizes_of(const Shapes& shapes, std::size_t bodies) {
+  std::vector<double> sizes(bodies, infinity);
+  for (const Solid& solid : shapes.solids)
+    sizes[static_cast<std::size_t>(solid.body)] = solid.radius > 0 ? solid.radius : solid.half_sides.minCoeff();
+  for (const Corners& corners : shapes.corners) {
+    double farthest = 0;
+    for (const Vec3& point : corners.points) farthest = std::max(farthest, point.norm());
+    sizes[static_cast<std::size_t>(corners.body)] = farthest;
+  }
+  return sizes;
+}
+
+static double size_of(const Joint& joint) {
+  return joint.length ? *joint.length : joint.p_i.norm() + joint.p_j.norm();
+}
+
+/// The largest of what may tell a size [m]; 0 where nothing does.
+static double largest_size(const std::vector<double>& sizes, const std::vector<Joint>& joints) {
+  double largest = 0;
+  for (const double size : sizes)
+    if (std::isfinite(size)) largest = std::max(largest, size);
+  for (const Joint& joint : joints) largest = std::max(largest, size_of(joint));
+  return largest;
+}
+
+/// ½ k gap² of all joints [J].
+template <int Dof>
+static double energy_of_joints(const World<Dof>& world) {
+  double energy = 0;
+  for (const Joint& joint : world.joints()) {
+    const JointGap gap = gap_of(joint, world.bodies());
+    energy += *joint.k * gap.apart.squaredNorm() / 2;
+    if (joint.is_guided()) energy += *joint.k_turn * gap.turned.squaredNorm() / 2;
+  }
+  return energy;
+}
+
+/// What motors gave in the last step [J], with the velocities before it.
+template <int Dof>
+static double work_of_motors(const World<Dof>& world, const std::vector<Twist<Dof>>& before) {
+  double work = 0;
+  for (int n = 0; n < static_cast<int>(world.joints().size()); ++n) {
+    const Joint& joint = world.joints()[static_cast<std::size_t>(n)];
+    if (!joint.motor) continue;
+    const Row<Dof>* row = world.joint_row(n, joint.rows() - 1);
+    if (!row) continue;
+    const auto both = [&](int body) { return Twist<Dof>(before[body] + world.bodies().motion.W[body]); };
+    work += row->lambda * (row->Gi.dot(both(row->i)) + row->Gj.dot(both(row->j))) / 2;
+  }
+  return work;
+}
+
+/// ½ k gap² of the contacts that are pressed [J].
+template <int Dof>
+static double energy_of_contacts(const World<Dof>& world) {
+  double energy = 0;
+  for (const Contact& contact : world.contacts())
+    if (contact.gap < 0) energy += world.settings().k * contact.gap * contact.gap / 2;
+  return energy;
+}
+
+/// What the products of a row's Jacobian with velocities may come to [m/s]: in no row do they come to more.
+template <int Dof>
+static double fastest_products(const World<Dof>& world) {
+  double longest = 0, fastest = 0;
+  for (const Row<Dof>& row : world.rows())
+    longest = std::max({longest, row.Gi.squaredNorm(), row.Gj.squaredNorm()});
+  for (const Twist<Dof>& W : world.bodies().motion.W) fastest = std::max(fastest, W.squaredNorm());
+  return 2 * std::sqrt(longest * fastest);
+}
+
+template <int Dof>
+void Soundness<Dof>::look(const World<Dof>& world, double h) {
+  if (world.steps() == last_step_) return;
+  const Bodies<Dof>& bodies = world.bodies();
+  const double T = kinetic_energy(bodies);
+  if (world.steps() != last_step_ + 1 || before_.size() != bodies.size()) {
+    started_ = T;
+    given_ = energy_of_joints(world);
+    most_ = T;
+    first_ = true;
+  } else {
+    look_at_solve(world, h);
+    look_at_gaps(world, h);
+    look_at_energy(world, h, T);
+    first_ = false;
+  }
+  last_step_ = world.steps();
+  before_ = bodies.motion.W;
+}
+
+template <int Dof>
+void Soundness<Dof>::look_at_solve(const World<Dof>& world, double h) {
+  if (world.solved().converged) return;
+  const Bodies<Dof>& bodies = world.bodies();
+  const double residual = world.report().residual;
+  if (residual <= share_of_roundings * fastest_products(world)) return;
+  double asked = asked_for(world.rows());
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    asked = std::max(asked, h * bodies.motion.inverse_mass[i].linear * world.forces()[i].norm());
+  const double left = left_by(residual, world.solved().history);
+  if (left <= share_unsolved * asked) return;
+  ++verdict_.unsolved;
+  find(State::unsolved, world,
+       "the solver left " + (left < asked ? "some " + text(left) : "all") + " of the " + text(asked) +
+           " m/s that the step asked for");
+}
+
+template <int Dof>
+void Soundness<Dof>::look_at_gaps(const World<Dof>& world, double h) {
+  sizes_ = sizes_of(world.shapes(), world.bodies().size());
+  const double hk = h * world.settings().k;
+  for (int c = 0; c < static_cast<int>(world.contacts().size()); ++c) {
+    const Contact& contact = world.contacts()[static_cast<std::size_t>(c)];
+    const double size = std::min(sizes_[world.index(contact.i)], sizes_[world.index(contact.j)]);
+    if (-contact.gap - world.lambda(c) / hk > size)
+      return find(State::lost, world,
+                  "bodies " + std::to_string(contact.i) + " and " + std::to_string(contact.j) + " overlap by " +
+                      text(-contact.gap) + " m, more than the size of one");
+  }
+  for (int n = 0; n < static_cast<int>(world.joints().size()); ++n) {
+    const Joint& joint = world.joints()[static_cast<std::size_t>(n)];
+    const JointGap gap = gap_of(joint, world.bodies());
+    double force = 0, torque = 0;
+    for (int row = 0; row < joint.holding_rows(); ++row) {
+      double& of = joint.is_guided() && joint.turns(row) ? torque : force;
+      of = std::hypot(of, world.joint_lambda(n, row) / h);
+    }
+    const double size = size_of(joint);
+    if (size > 0 && gap.apart.norm() - force / *joint.k > size)
+      return find(
+          State::lost, world,
+          "joint " + std::to_string(n) + " is off by " + text(gap.apart.norm()) + " m, more than its size");
+    if (joint.is_guided() && gap.turned.norm() - torque / *joint.k_turn > 1)
+      return find(
+          State::lost, world,
+          "joint " + std::to_string(n) + " is turned by " + text(gap.turned.norm()) + ", more than 1 rad");
+  }
+}
+
+template <int Dof>
+void Soundness<Dof>::look_at_energy(const World<Dof>& world, double h, double T) {
+  const Bodies<Dof>& bodies = world.bodies();
+  double lift = 0;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const Vec3 force = bodies.is_fixed(i) ? Vec3::Zero() : world.forces()[i];
+    const Twist<Dof> both = before_[i] + bodies.motion.W[i];
+    given_ += h / 2 * force.dot(both.template head<3>());
+    if constexpr (Dof == 6)
+      if (!world.torques().empty() && !bodies.is_fixed(i))
+        given_ += h / 2 * world.torques()[i].dot(both.template tail<3>());
+    lift += force.norm();
+  }
+  given_ += work_of_motors(world, before_);
+  if (first_) given_ += energy_of_contacts(world);
+  most_ = std::max(most_, T);
+  const double gained = T - started_ - given_;
+  if (gained > share_gained * std::max(most_, lift * largest_size(sizes_, world.joints())))
+    find(State::lost, world, "constraints have brought in " + text(gained) + " J, and nothing else has");
+}
+
+template <int Dof>
+void Soundness<Dof>::find(State state, const World<Dof>& world, const std::string& reason) {
+  if (state <= verdict_.state) return;
+  verdict_ = {.state = state,
+              .step = world.steps(),
+              .time = world.time(),
+              .reason = reason,
+              .unsolved = verdict_.unsolved};
+}
+
+template class Soundness<3>;
+template class Soundness<6>;
+
+}  // namespace spook

@@ -1,8 +1,0 @@
-#include "engine/layout.hpp"
-
-namespace spook {
-
-template <>
-const char Layout::found = 1;
-
-}  // namespace spook

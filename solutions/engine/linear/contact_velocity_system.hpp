@@ -1,0 +1,81 @@
+#pragma once
+// (M + Gᵀ K G) v = Gᵀ k, where K couples the rows of a contact and is not symmetric.
+#include "engine/linear/block_lu.hpp"
+#include "engine/linear/velocity_system.hpp"
+
+namespace spook {
+
+template <int Dof>
+class CoupledBodies {
+ public:
+  /// The bodies that move and have rows, numbered as rows come to them.
+  CoupledBodies(const std::vector<Row<Dof>>& rows, const std::vector<InverseMass<Dof>>& inverse_mass)
+      : number_(inverse_mass.size(), -1) {
+    std::vector<std::pair<int, int>> pairs;
+    for (const Row<Dof>& row : rows) {
+      for (const int body : {row.i, row.j})
+        if (inverse_mass[body].linear > 0 && number_[body] < 0) {
+          number_[body] = static_cast<int>(mass_.size());
+          mass_.push_back(mass_of(inverse_mass[body]));
+        }
+      const std::pair pair(number_[row.i], number_[row.j]);
+      const bool both = pair.first >= 0 && pair.second >= 0;
+      if (both && (pairs.empty() || pairs.back() != pair)) pairs.push_back(pair);
+    }
+    factors_ = BlockFactors<Dof>(static_cast<int>(mass_.size()), pairs);
+    v_.resize(mass_.size());
+  }
+
+  /// M, and a right side of 0.
+  void begin() {
+    factors_.set_zero();
+    for (int b = 0; b < std::ssize(mass_); ++b) factors_.block(b, b) = mass_[b];
+    std::fill(v_.begin(), v_.end(), Twist<Dof>::Zero());
+  }
+
+  /// Adds what `count` rows between the same two bodies bring.
+  void add(const Row<Dof>* rows, int count, const Mat3& K, const Vec3& k) {
+    using Blocks = Eigen::Matrix<double, Dof, 3>;
+    Blocks Gi = Blocks::Zero(), Gj = Blocks::Zero();  // transposed
+    for (int n = 0; n < count; ++n) {
+      Gi.col(n) = rows[n].Gi;
+      Gj.col(n) = rows[n].Gj;
+    }
+    const int i = number_[rows->i], j = number_[rows->j];
+    const Blocks GiK = Gi * K, GjK = Gj * K;
+    if (i >= 0) {
+      factors_.block(i, i) += GiK * Gi.transpose();
+      v_[i] += Gi * k;
+    }
+    if (j >= 0) {
+      factors_.block(j, j) += GjK * Gj.transpose();
+      v_[j] += Gj * k;
+    }
+    if (i < 0 || j < 0) return;
+    factors_.block(i, j) += GiK * Gj.transpose();
+    factors_.block(j, i) += GjK * Gi.transpose();
+  }
+
+  /// The velocities that solve it; false where they are not finite.
+  bool solve() {
+    factors_.factorise();
+    factors_.solve(v_);
+    return std::all_of(v_.begin(), v_.end(), [](const Twist<Dof>& v) { return v.allFinite(); });
+  }
+
+  /// G v of a row.
+  double gather(const Row<Dof>& row) const {
+    const auto of = [&](int body, const Twist<Dof>& G) {
+      return number_[body] < 0 ? 0.0 : G.dot(v_[number_[body]]);
+    };
+    return of(row.i, row.Gi) + of(row.j, row.Gj);
+  }
+
+ private:
+  std::vector<int> number_;  // of each body among those that move and have rows; -1 for others
+  std::vector<Block<Dof>> mass_;
+  std::vector<Twist<Dof>> v_;  // first what stands on the right
+  BlockFactors<Dof> factors_;
+};
+
+}  // namespace spook

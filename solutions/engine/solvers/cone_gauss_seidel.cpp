@@ -1,0 +1,18 @@
+// Sweeps on Coulomb's cones: chapter 09, Eq. (9.3)-(9.6), from the normal impulse of now; notes (3).
+//
+// The bounds of friction rows are not looked at. One entry of its history is what a sweep returned. Keeps nothing.
+#include "09_better_friction/better_friction.hpp"
+#include "engine/solvers/registry.hpp"
+
+namespace spook {
+
+template <int Dof>
+Solver<Dof> cone() {
+  return {.solve = [](const System<Dof>& s) -> Outcome { return cone_solve(s.rubbing, s.rows, s.V, s.stop); },
+          .friction = FrictionModel::cone};
+}
+
+template Solver<3> cone<3>();
+template Solver<6> cone<6>();
+
+}  // namespace spook

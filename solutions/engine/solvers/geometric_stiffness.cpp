@@ -1,0 +1,158 @@
+// Stiff links: chapter 12, geometric stiffness in the mass matrix, Eq. (12.3)-(12.6); not in the notes.
+//
+//   links    the joints' rows on islands without a contact: solved as if they had no bounds, Eq. (12.6)
+//   others   all other rows: by the inner solver, which is handed a system without the links
+//
+// K is that of the tension of the last step, Eq. (12.4). The two have no body that moves in common. The links take one
+// factorisation, which is no entry of the history. Keeps the pattern of the factors.
+#include "12_stiff_wires/stiff_wires.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "engine/solvers/islands.hpp"
+#include "engine/solvers/registry.hpp"
+
+namespace spook {
+
+namespace {
+
+/// The stiffness of each joint that was tight in the last step. None for one that is newer.
+std::vector<Stiffness> link_stiffness(const System<3>& s) {
+  const std::vector<double> impulses = s.last.impulses(s.first_contact_row, s.first_contact_row, {}, s.h);
+  std::vector<Stiffness> all;
+  std::size_t row = 0;
+  for (const Joint& joint : s.joints) {
+    const std::size_t first = row;
+    row += static_cast<std::size_t>(joint.rows());
+    if (row > impulses.size()) break;
+    if (!joint.length) continue;  // a ball joint has no length that could turn
+    const Vec3 along =
+        s.bodies.x[static_cast<std::size_t>(joint.j)] - s.bodies.x[static_cast<std::size_t>(joint.i)];
+    const double length = along.norm(), tension = -impulses[first] / s.h;
+    if (tension > 0)
+      all.push_back({.i = joint.i, .j = joint.j, .K = geometric_stiffness(along / length, length, tension)});
+  }
+  return all;
+}
+
+/// Which rows no contact has to do with: those of islands with rows of joints only.
+std::vector<bool> free_of_contacts(const System<3>& s) {
+  std::vector<bool> free(s.rows.size(), true);
+  for (const std::vector<int>& island : islands(s.rows, s.V.size())) {
+    if (island.back() < static_cast<int>(s.first_contact_row)) continue;  // rows of contacts come last
+    for (const int k : island) free[static_cast<std::size_t>(k)] = false;
+  }
+  return free;
+}
+
+/// Some rows of a system as a system of their own. All rows of a joint, or of a contact, are in the same part.
+struct Part {
+  std::vector<std::size_t> from;  ///< which rows they are there
+  std::vector<Row<3>> rows;
+  std::vector<Twist<3>> V;
+  std::vector<Joint> joints;
+  std::vector<Contact> contacts;
+  std::vector<Rubbing> rubbing;
+  StartImpulses none;  ///< those of the last step are numbered otherwise
+
+  /// The rows for which `wanted` is `value`; the contacts if that is false.
+  Part(const System<3>& s, const std::vector<bool>& wanted, bool value)
+      : V(s.V.size(), Twist<3>::Zero()), contacts(value ? std::vector<Contact>{} : s.contacts) {
+    for (std::size_t k = 0; k < s.rows.size(); ++k) {
+      if (wanted[k] != value) continue;
+      from.push_back(k);
+      rows.push_back(s.rows[k]);
+      apply_impulse(rows.back(), rows.back().lambda, V);
+    }
+    std::size_t row = 0;
+    for (const Joint& joint : s.joints) {
+      if (wanted[row] == value) joints.push_back(joint);
+      row += static_cast<std::size_t>(joint.rows());
+    }
+    if (!value) rubbing = s.rubbing;
+    for (Rubbing& contact : rubbing)
+      contact.normal -= s.rows.size() - rows.size();  // contacts are all here, and last
+  }
+
+  System<3> system(const System<3>& s) {
+    const auto in_joints = [&](std::size_t k) { return k < s.first_contact_row; };
+    const auto joint_rows = std::count_if(from.begin(), from.end(), in_joints);
+    return {.rows = rows,
+            .V = V,
+            .rubbing = rubbing,
+            .joints = joints,
+            .contacts = contacts,
+            .first_contact_row = static_cast<std::size_t>(joint_rows),
+            .bodies = s.bodies,
+            .last = none,
+            .gravity = s.gravity,
+            .h = s.h,
+            .stop = s.stop,
+            .threads = s.threads};
+  }
+
+  void write_back(const System<3>& s) const {
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      s.rows[from[k]].lambda = rows[k].lambda;
+      if (moves_i(rows[k])) s.V[rows[k].i] = V[rows[k].i];
+      if (moves_j(rows[k])) s.V[rows[k].j] = V[rows[k].j];
+    }
+  }
+};
+
+class Stiff {
+ public:
+  explicit Stiff(Solver<3> inner) : inner_(std::move(inner)) {}
+
+  Outcome operator()(const System<3>& s) {
+    if (s.first_contact_row == s.rows.size()) return solve_links(s, s);
+    const std::vector<bool> free = free_of_contacts(s);
+    if (std::find(free.begin(), free.end(), true) == free.end()) return inner_.solve(s);
+    Part links(s, free, true), others(s, free, false);
+    const Outcome first = solve_links(s, links.system(s));
+    const Outcome both = in_turn(first, inner_.solve(others.system(s)), others.rows.size());
+    links.write_back(s);
+    others.write_back(s);
+    return both;
+  }
+
+ private:
+  Outcome solve_links(const System<3>& whole, const System<3>& links) {
+    std::vector<bool> moved(links.V.size(), false);
+    for (const Row<3>& row : links.rows) moved[row.i] = moved[row.j] = true;
+    std::vector<Stiffness> felt;
+    for (const Stiffness& spring : link_stiffness(whole))
+      if (moved[spring.i] && moved[spring.j]) felt.push_back(spring);
+    if (stiff_solve(links.rows, links.bodies.motion, felt, links.h, links.V, *factors_)) {
+      Outcome outcome{SolveReport{.history = {}, .converged = true}};
+      outcome.row_updates = 0;
+      return outcome;
+    }
+    Outcome outcome = inner_.solve(links);
+    outcome.row_updates = outcome.updates(links.rows.size());
+    outcome.report.trouble = "the stiff links could not be factorised";
+    return outcome;
+  }
+
+  Solver<3> inner_;
+  Kept<Factors> factors_;
+};
+
+}  // namespace
+
+template <int Dof>
+Solver<Dof> stiff(Solver<Dof> inner) {
+  if constexpr (Dof == 3) {
+    if (!inner.solve) throw std::invalid_argument("stiff's solver must be one of solvers(), but is null");
+    const FrictionModel friction = inner.friction;
+    return {.solve = Stiff(std::move(inner)), .friction = friction, .wants_last = true};
+  }
+  throw std::invalid_argument(
+      "solver must be another than stiff for rigid bodies, which get no geometric_stiffness");
+}
+
+template Solver<3> stiff<3>(Solver<3>);
+template Solver<6> stiff<6>(Solver<6>);
+
+}  // namespace spook

@@ -1,0 +1,174 @@
+#include "engine/solvers/islands.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <span>
+
+namespace spook {
+
+namespace {
+
+/// Which of some things belong together.
+class Groups {
+ public:
+  explicit Groups(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0); }
+
+  int find(int a) {
+    while (parent_[a] != a) a = parent_[a] = parent_[parent_[a]];
+    return a;
+  }
+  void join(int a, int b) { parent_[find(a)] = find(b); }
+
+ private:
+  std::vector<int> parent_;
+};
+
+/// Calls `each` with those bodies of a row that move.
+template <int Dof, class Each>
+void for_moving(const Row<Dof>& row, const Each& each) {
+  if (moves_i(row)) each(row.i);
+  if (moves_j(row)) each(row.j);
+}
+
+template <int Dof>
+std::size_t bodies_of(const std::vector<Row<Dof>>& rows) {
+  int last = -1;
+  for (const Row<Dof>& row : rows) last = std::max({last, row.i, row.j});
+  return static_cast<std::size_t>(last) + 1;
+}
+
+/// The rows on each body, as far as it moves: those of all bodies in one list, one body after the other.
+class RowsOnBodies {
+ public:
+  template <int Dof>
+  explicit RowsOnBodies(const std::vector<Row<Dof>>& rows) : first_(bodies_of(rows) + 1, 0) {
+    for (const Row<Dof>& row : rows) for_moving(row, [&](int body) { ++first_[body + 1]; });
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    all_.resize(first_.back());
+    std::vector<int> next = first_;
+    for (int k = 0; k < std::ssize(rows); ++k) for_moving(rows[k], [&](int body) { all_[next[body]++] = k; });
+  }
+
+  std::size_t size() const { return first_.size() - 1; }
+  std::span<const int> operator[](int body) const {
+    return std::span(all_).subspan(first_[body], first_[body + 1] - first_[body]);
+  }
+
+ private:
+  std::vector<int> first_, all_;
+};
+
+/// Level by level from `start`: how far each body is from it, -1 where it is not reached. The last to be reached is left
+/// in `start`.
+template <int Dof>
+std::vector<int> body_levels(const std::vector<Row<Dof>>& rows, const RowsOnBodies& on_bodies, int& start) {
+  std::vector<int> levels(on_bodies.size(), -1), queue = {start};
+  levels[start] = 0;
+  for (std::size_t next = 0; next < queue.size(); ++next) {
+    const int body = queue[next];
+    for (const int k : on_bodies[body])
+      for_moving(rows[k], [&](int other) {
+        if (levels[other] >= 0) return;
+        levels[other] = levels[body] + 1;
+        queue.push_back(other);
+      });
+  }
+  start = queue.back();
+  return levels;
+}
+
+/// How many of some things are in two neighbouring levels, at most.
+int widest(const std::vector<int>& levels) {
+  std::vector<int> in_level(1, 0);
+  for (const int level : levels) {
+    if (level >= std::ssize(in_level)) in_level.resize(static_cast<std::size_t>(level) + 1, 0);
+    if (level >= 0) ++in_level[level];
+  }
+  int most = in_level.front();
+  for (std::size_t level = 1; level < in_level.size(); ++level)
+    most = std::max(most, in_level[level - 1] + in_level[level]);
+  return most;
+}
+
+/// A row on the same two bodies as the one before it, as most are, tells of no other.
+template <int Dof>
+int moving_bodies(const std::vector<Row<Dof>>& rows) {
+  std::vector<bool> moves(bodies_of(rows), false);
+  int count = 0;
+  const Row<Dof>* last = nullptr;
+  for (const Row<Dof>& row : rows) {
+    if (last && row.i == last->i && row.j == last->j) continue;
+    last = &row;
+    if (!moves[row.i] && moves_i(row)) moves[row.i] = true, ++count;
+    if (!moves[row.j] && moves_j(row)) moves[row.j] = true, ++count;
+  }
+  return count;
+}
+
+}  // namespace
+
+template <int Dof>
+std::vector<std::vector<int>> islands(const std::vector<Row<Dof>>& rows, std::size_t bodies) {
+  Groups groups(bodies);
+  for (const Row<Dof>& row : rows)
+    if (moves_i(row) && moves_j(row)) groups.join(row.i, row.j);
+  std::vector<std::vector<int>> all;
+  std::vector<int> number(bodies, -1);
+  for (int k = 0; k < std::ssize(rows); ++k) {
+    const bool i = moves_i(rows[k]), j = moves_j(rows[k]);
+    int* island = i ? &number[groups.find(rows[k].i)] : j ? &number[groups.find(rows[k].j)] : nullptr;
+    if (island && *island >= 0) {
+      all[*island].push_back(k);
+    } else {
+      if (island) *island = static_cast<int>(all.size());
+      all.push_back({k});
+    }
+  }
+  return all;
+}
+
+/// Whether so many velocities are the cheaper unknowns. What has bounds counts twice: on rows they cost factorisations.
+template <int Dof>
+static bool fewer_than(const std::vector<Row<Dof>>& rows, int velocities) {
+  std::ptrdiff_t count = 0;
+  for (const Row<Dof>& row : rows) count += std::isfinite(row.lo) || std::isfinite(row.hi) ? 2 : 1;
+  return count > 2 * velocities;
+}
+
+template <int Dof>
+bool wants_bodies(const std::vector<Row<Dof>>& rows) {
+  return fewer_than(rows, Dof * moving_bodies(rows));
+}
+
+template <int Dof>
+double factor_cost(const std::vector<Row<Dof>>& rows) {
+  const int bodies = moving_bodies(rows);
+  if (bodies == 0) return 0;
+  const RowsOnBodies on_bodies(rows);
+  const auto n = static_cast<double>(rows.size());
+  int end = moves_i(rows.front()) ? rows.front().i : rows.front().j;
+  body_levels(rows, on_bodies, end);  // to one of its ends
+  const std::vector<int> levels = body_levels(rows, on_bodies, end);
+  if (const int velocities = Dof * bodies; fewer_than(rows, velocities)) {
+    const double w = Dof * widest(levels);
+    return w * w * velocities / (25 * n);
+  }
+  // The level of a row is that of the first of its bodies to be reached.
+  std::vector<int> of_rows;
+  for (const Row<Dof>& row : rows) {
+    const int i = moves_i(row) ? levels[row.i] : levels[row.j], j = moves_j(row) ? levels[row.j] : i;
+    of_rows.push_back(std::min(i, j));
+  }
+  const double w = widest(of_rows);
+  return w * w / 25;
+}
+
+template std::vector<std::vector<int>> islands<3>(const std::vector<Row<3>>&, std::size_t);
+template std::vector<std::vector<int>> islands<6>(const std::vector<Row<6>>&, std::size_t);
+template bool wants_bodies<3>(const std::vector<Row<3>>&);
+template bool wants_bodies<6>(const std::vector<Row<6>>&);
+template double factor_cost<3>(const std::vector<Row<3>>&);
+template double factor_cost<6>(const std::vector<Row<6>>&);
+
+}  // namespace spook

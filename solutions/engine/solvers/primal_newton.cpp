@@ -1,0 +1,178 @@
+#include "engine/solvers/primal_newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/solvers/primal_interior_point.hpp"
+
+namespace spook {
+
+namespace {
+
+/// Impulses of rows, and what they do.
+template <int Dof>
+struct State {
+  Vector lambda;
+  std::vector<Twist<Dof>> V;
+
+  void move(const Row<Dof>& row, Eigen::Index k, double to) {
+    if (to == lambda[k]) return;
+    apply_impulse(row, to - lambda[k], V);
+    lambda[k] = to;
+  }
+  double lacking(const Row<Dof>& row, Eigen::Index k) const {  // Eq. (4.6)
+    return row.B - row.Gi.dot(V[row.i]) - row.Gj.dot(V[row.j]) - row.Sigma * lambda[k];
+  }
+  /// ½ λᵀ S λ - Bᵀ λ [J], which the solution has least of.
+  double energy(const std::vector<Row<Dof>>& rows) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < rows.size(); ++k) sum -= lambda[k] * (rows[k].B + lacking(rows[k], k)) / 2;
+    return sum;
+  }
+};
+
+/// Which rows are free: those strictly between their bounds that an update, Eq. (4.7), leaves there.
+struct Freedom {
+  Vector stiffness;  ///< Σ⁻¹; 0 of a row that is not free
+  Vector held_at;    ///< λ of such a row: its own at a bound, or the bound that the update would take it to
+};
+
+template <int Dof>
+Freedom freedom(const std::vector<Row<Dof>>& rows, const State<Dof>& now) {
+  Freedom found{Vector::Zero(std::ssize(rows)), now.lambda};
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const Row<Dof>& row = rows[k];
+    const auto within = [&](double lambda) { return row.lo < lambda && lambda < row.hi; };
+    if (!within(now.lambda[k])) continue;
+    const double updated = now.lambda[k] + now.lacking(row, k) / row.diagonal;
+    if (within(updated))
+      found.stiffness[k] = 1 / row.Sigma;
+    else
+      found.held_at[k] = std::clamp(updated, row.lo, row.hi);
+  }
+  return found;
+}
+
+/// Solves the rows that are free, the others being as they are: Eq. (11.15), and (11.14) as long as it helps and one lacks
+/// more than `enough` [m/s].
+template <int Dof>
+void solve_free(const std::vector<Row<Dof>>& rows, const OnBodies<Dof>& on, const Vector& stiffness,
+                const FactorsOnBodies& factors, double enough, State<Dof>& state) {
+  constexpr int refinements = 8;
+  Vector lacking = Vector::Zero(stiffness.size());
+  double last = infinity;
+  for (int n = 0; n <= refinements; ++n) {
+    Vector right = Vector::Zero(on.size());
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      if (stiffness[k] == 0) continue;
+      lacking[k] = state.lacking(rows[k], k);
+      on.scatter(rows[k], stiffness[k] * lacking[k], right);
+    }
+    const double most = lacking.cwiseAbs().maxCoeff();
+    if (!(most < 0.1 * last) || (n > 0 && most <= enough)) return;
+    last = most;
+    const Vector v = factors.solve(std::move(right));
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      if (stiffness[k] != 0)
+        state.move(rows[k], k, state.lambda[k] + stiffness[k] * (lacking[k] - on.gather(rows[k], v)));
+  }
+}
+
+/// The part `share` of the way from one state to another, clamped to the bounds. What was on the way to the other has left
+/// its roundings in that one's V: they are not taken over.
+template <int Dof>
+State<Dof> projected(const std::vector<Row<Dof>>& rows, const State<Dof>& from, const State<Dof>& to,
+                     double share) {
+  State<Dof> state = from;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const double lambda = from.lambda[k] + share * (to.lambda[k] - from.lambda[k]);
+    state.move(rows[k], k, std::clamp(lambda, rows[k].lo, rows[k].hi));
+  }
+  return state;
+}
+
+/// As far towards the solution of the rows that are free as the energy falls, or rises by no more than roundings: what
+/// starts where the last step ended has nothing else to gain.
+template <int Dof>
+State<Dof> step(const std::vector<Row<Dof>>& rows, const OnBodies<Dof>& on, const Freedom& freedom,
+                const FactorsOnBodies& factors, double enough, const State<Dof>& now) {
+  State<Dof> there = now;
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    if (freedom.stiffness[k] == 0) there.move(rows[k], k, freedom.held_at[k]);
+  solve_free(rows, on, freedom.stiffness, factors, enough, there);
+  double share = 1;
+  State<Dof> inside = projected(rows, now, there, share);
+  // Where no row was taken to a bound, and none stopped there, no other λ of the free rows has less energy.
+  if (freedom.held_at == now.lambda && inside.lambda == there.lambda) return inside;
+  constexpr double rounding = 1e-14;  // of a sum, most of whose terms have one sign
+  const double energy = now.energy(rows), most = energy + rounding * std::abs(energy);
+  while (inside.energy(rows) > most && share > 1e-2) inside = projected(rows, now, there, share /= 2);
+  return inside;
+}
+
+template <int Dof>
+Vector impulses_of(const std::vector<Row<Dof>>& rows) {
+  Vector lambda(std::ssize(rows));
+  for (std::size_t k = 0; k < rows.size(); ++k) lambda[k] = rows[k].lambda;
+  return lambda;
+}
+
+/// Newton's method on whichever rows are free, as long as it gets on.
+template <int Dof>
+SolveReport newton_solve(std::vector<Row<Dof>>& rows, OnBodies<Dof>& on, std::vector<Twist<Dof>>& V,
+                         const StopRule& stop, FactorsOnBodies& factors) {
+  constexpr int sweeps = 4, most_in_vain = 2;
+  // Of roundings: what has found its free rows ends far below them. A tower under 10⁸:1 that is left with all that they
+  // allow may be about to buckle.
+  constexpr double settled = 0.1;
+  SolveReport report;
+  const auto enough = [&] { return std::max(stop.tolerance, settled * roundings(rows)); };
+  double best = infinity;
+  for (int in_vain = 0; in_vain < most_in_vain && std::ssize(report.history) < stop.max_sweeps;) {
+    const State<Dof> now{impulses_of(rows), V};
+    const Freedom free = freedom(rows, now);
+    if (!factors.factorise(on.matrix(rows, free.stiffness))) return report;
+    State<Dof> next = step(rows, on, free, factors, enough(), now);
+    for (std::size_t k = 0; k < rows.size(); ++k) rows[k].lambda = next.lambda[k];
+    V = std::move(next.V);
+    report.history.push_back(residual(rows, V));
+    report.converged = report.history.back() <= enough();
+    if (report.converged) return report;
+    if (!(report.history.back() < best / 2)) ++in_vain;
+    best = std::min(best, report.history.back());
+    for (int n = 0; n < sweeps; ++n) sweep(rows, V);
+  }
+  return report;
+}
+
+}  // namespace
+
+template <int Dof>
+std::optional<SolveReport> body_solve(std::vector<Row<Dof>>& rows,
+                                      const std::vector<InverseMass<Dof>>& inverse_mass,
+                                      std::vector<Twist<Dof>>& V, const StopRule& stop,
+                                      BodyFactors<Dof>& kept) {
+  const bool soft = std::all_of(rows.begin(), rows.end(), [](const Row<Dof>& row) { return row.Sigma > 0; });
+  if (!soft) return std::nullopt;
+  auto& [on, factors] = kept;
+  on.begin(rows, inverse_mass);
+  const State<Dof> before{impulses_of(rows), V};
+  SolveReport report = newton_solve(rows, on, V, stop, factors);
+  if (!report.converged) {
+    const SolveReport from_within = body_interior(rows, on, V, stop, factors);
+    report.history.insert(report.history.end(), from_within.history.begin(), from_within.history.end());
+    report.converged = from_within.converged;
+  }
+  if (report.converged) return report;
+  for (std::size_t k = 0; k < rows.size(); ++k) rows[k].lambda = before.lambda[k];
+  V = before.V;
+  return std::nullopt;
+}
+
+template std::optional<SolveReport> body_solve<3>(std::vector<Row<3>>&, const std::vector<InverseMass<3>>&,
+                                                  std::vector<Twist<3>>&, const StopRule&, BodyFactors<3>&);
+template std::optional<SolveReport> body_solve<6>(std::vector<Row<6>>&, const std::vector<InverseMass<6>>&,
+                                                  std::vector<Twist<6>>&, const StopRule&, BodyFactors<6>&);
+
+}  // namespace spook

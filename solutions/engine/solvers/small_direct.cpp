@@ -1,0 +1,83 @@
+#include "engine/solvers/small_direct.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "common/require.hpp"
+#include "engine/linear/schur_entry.hpp"
+#include "engine/solvers/islands.hpp"
+#include "engine/solvers/solver_result.hpp"
+
+namespace spook {
+
+namespace {
+
+using Few = std::array<double, most_dense_rows>;
+
+/// S of all rows, Eq. (11.1), as its factors; false where a pivot is not sound.
+template <int Dof>
+bool factorise(const std::vector<Row<Dof>>& rows, SmallFactors& factors) {
+  const int n = static_cast<int>(rows.size());
+  factors.begin(n);
+  for (int k = 0; k < n; ++k) {
+    for (int l = 0; l < k; ++l) factors.at(k, l) = coupling(rows[k], rows[l]);
+    factors.at(k, k) = coupling(rows[k], rows[k]) + rows[k].Sigma;
+  }
+  return factors.factorise();
+}
+
+/// What each row lacks, Eq. (4.6).
+template <int Dof>
+Few lacking(const std::vector<Row<Dof>>& rows, const std::vector<Twist<Dof>>& V) {
+  Few r;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const Row<Dof>& row = rows[k];
+    r[k] = row.B - row.Gi.dot(V[row.i]) - row.Gj.dot(V[row.j]) - row.Sigma * row.lambda;
+  }
+  return r;
+}
+
+template <int Dof>
+void add(const Few& more, std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V) {
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    rows[k].lambda = std::clamp(rows[k].lambda + more[k], rows[k].lo, rows[k].hi);
+    apply_impulse(rows[k], more[k], V);
+  }
+}
+
+}  // namespace
+
+template <int Dof>
+std::optional<SolveReport> dense_solve(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V,
+                                       const StopRule& stop) {
+  require_positive("max_sweeps", stop.max_sweeps);
+  require_not_negative("tolerance", stop.tolerance);
+  const std::size_t n = rows.size();
+  if (n == 0 || n > most_dense_rows) return {};
+  if (n > most_dense_rows_on_bodies && wants_bodies(rows)) return {};
+  SmallFactors factors;
+  if (!factorise(rows, factors)) return {};
+
+  Few lambda;  // B, and then S⁻¹ B
+  for (std::size_t k = 0; k < n; ++k) lambda[k] = rows[k].B;
+  factors.solve(lambda.data());
+  for (std::size_t k = 0; k < n; ++k)
+    if (!(rows[k].lo < lambda[k] && lambda[k] < rows[k].hi)) return {};
+
+  std::fill(V.begin(), V.end(), Twist<Dof>::Zero());
+  for (Row<Dof>& row : rows) row.lambda = 0;
+  add(lambda, rows, V);
+  Few more = lacking(rows, V);  // V has the roundings of λ/m, and the rows feel them
+  factors.solve(more.data());
+  add(more, rows, V);
+  const double left = residual(rows, V);
+  if (!(left <= std::max(stop.tolerance, roundings(rows)))) return {};
+  return SolveReport{.history = {left}, .converged = true};
+}
+
+template std::optional<SolveReport> dense_solve<3>(std::vector<Row<3>>&, std::vector<Twist<3>>&,
+                                                   const StopRule&);
+template std::optional<SolveReport> dense_solve<6>(std::vector<Row<6>>&, std::vector<Twist<6>>&,
+                                                   const StopRule&);
+
+}  // namespace spook

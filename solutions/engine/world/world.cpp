@@ -1,0 +1,237 @@
+#include "engine/world/world.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "common/require.hpp"
+#include "engine/impacts/impacts.hpp"
+
+namespace spook {
+
+template <int Dof>
+void World<Dof>::step(double h) {
+  require_positive("h", h);
+  require_directions(h);
+  if (settings_.compose == 4) return step_composed(h);
+  solved_ = {.history = {}, .converged = true};
+  impacts_ = 0;
+  if (shapes_.may_touch()) clock_.run(Stage::contacts, [&] { find_contacts(h); });
+  clock_.run(Stage::forces, [&] { evaluate_forces(h); });
+  if ((settings_.impacts || materials_.bounce()) && !contacts_.empty())
+    clock_.run(Stage::impacts, [&] { resolve_impacts(h); });
+  if (contacts_.empty() && joints_.empty()) {
+    rows_.clear();
+    first_contact_row_ = 0;
+  } else {
+    clock_.run(Stage::rows, [&] { build_rows(h); });
+  }
+  if (!rows_.empty()) clock_.run(Stage::solve, [&] { solve_rows(h); });
+  clock_.run(Stage::integrate, [&] { integrate(h); });
+}
+
+template <int Dof>
+void World<Dof>::require_directions(double h) const {
+  for (const Joint& joint : joints_) {
+    if (!joint.length) continue;
+    const double apart = distance(joint, bodies_);
+    if (apart > 0 && std::isfinite(apart)) continue;
+    const std::string where = apart == 0 ? "distance 0" : "an infinite distance";
+    throw Blowup(steps_ + 1, time_ + h, joint.j, "is at " + where + " of the body that it is joined to");
+  }
+}
+
+template <int Dof>
+void World<Dof>::find_contacts(double h) {
+  pairs_ = finder_.find(shapes_, bodies_, margin(h), contacts_, settings_.threads);
+}
+
+template <int Dof>
+double World<Dof>::margin(double h) const {
+  if (settings_.margin) return *settings_.margin;
+  const double size = shapes_.smallest;
+  if (!std::isfinite(size)) return 0;
+  return std::min(settings_.gravity.norm() * h * h, 1e-2 * size) + 1e-9 * size;
+}
+
+template <int Dof>
+void World<Dof>::evaluate_forces(double h) {
+  forces_.resize(bodies_.size());
+  for (std::size_t i = 0; i < bodies_.size(); ++i) forces_[i] = force(i);
+  if (settings_.wrench) add_wrenches();
+  if (!contacts_.empty() || !joints_.empty()) prepare_motion(h);
+}
+
+template <int Dof>
+void World<Dof>::add_wrenches() {
+  if constexpr (Dof == 6) torques_.resize(bodies_.size());
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (bodies_.is_fixed(i)) continue;
+    const Twist<Dof> wrench = settings_.wrench(i, bodies_, time_);
+    forces_[i] += wrench.template head<3>();
+    if constexpr (Dof == 6) torques_[i] = wrench.template tail<3>();
+  }
+}
+
+/// What torques, and the gyroscopic one where the rule takes it for one, add to ω in a step.
+template <int Dof>
+Vec3 World<Dof>::turned_by_torques(std::size_t i, const Vec3& omega, double h) const {
+  Vec3 change = Vec3::Zero();
+  if constexpr (Dof == 6) {
+    change = gyroscopic_change(settings_.rotation, bodies_.orientations, i, omega, h);
+    if (settings_.wrench && !bodies_.is_fixed(i))
+      change += h * bodies_.orientations.inverse_inertia(i) * torques_[i];
+  }
+  return change;
+}
+
+/// What rows and impacts want to know of the bodies beside W: W_f and, of those that turn, the inertia.
+template <int Dof>
+void World<Dof>::prepare_motion(double h) {
+  Motion<Dof>& motion = bodies_.motion;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    // W_f = h M⁻¹ f, the kick of a body at rest.
+    motion.Wf[i].template head<3>() = kick(Vec3::Zero(), forces_[i], motion.inverse_mass[i].linear, h);
+    if constexpr (Dof == 6) {
+      const Vec3 omega = motion.W[i].template tail<3>();
+      motion.Wf[i].template tail<3>() = turned_by_torques(i, omega, h);
+      motion.inverse_mass[i].angular = bodies_.orientations.inverse_inertia(i);
+    }
+  }
+}
+
+template <int Dof>
+void World<Dof>::resolve_impacts(double h) {
+  ImpactLaw law = settings_.impacts.value_or(ImpactLaw{});
+  law.threshold += settings_.gravity.norm() * h;
+  const auto law_of = [&](const Contact& contact) {
+    if (!materials_.any()) return law;
+    ImpactLaw of_pair = law;
+    const Touching touching = materials_.of(contact.i, contact.j);
+    of_pair.restitution = touching.restitution;
+    of_pair.friction = touching.friction;
+    return of_pair;
+  };
+  const std::vector<Vec3> before = bodies_.x;
+  impacts_ = resolve_late_impacts(contacts_, law_of, h, shapes_, bodies_);
+  if (impacts_ > 0) {
+    std::vector<bool> moved(before.size());
+    for (std::size_t i = 0; i < moved.size(); ++i) moved[i] = bodies_.x[i] != before[i];
+    pairs_ = finder_.find_moved(moved, shapes_, bodies_, margin(h), contacts_, settings_.threads);
+    prepare_motion(h);  // the gyroscopic torque goes with ω
+  }
+  // What is still open and comes as fast as an impact will be one: until then nothing holds it back.
+  const auto will_hit = [&](const Contact& contact) {
+    return contact.gap > 0 && separation_speed(contact, bodies_.motion) < -law.threshold;
+  };
+  contacts_.erase(std::remove_if(contacts_.begin(), contacts_.end(), will_hit), contacts_.end());
+}
+
+/// Rows of contacts are written over those of the last step: a large pile's are many megabytes.
+template <int Dof>
+void World<Dof>::build_rows(double h) {
+  first_contact_row_ = 0;
+  if (!joints_.empty()) {
+    rows_.clear();
+    add_joint_rows(joints_, h, bodies_, rows_);
+    first_contact_row_ = rows_.size();
+  }
+  const Friction friction{.c = settings_.viscosity,
+                          .gravity = settings_.gravity,
+                          .model = settings_.solver.friction,
+                          .sliding_tangents = settings_.sliding_tangents};
+  add_contact_rows(contacts_, h, materials_, friction, bodies_.motion, settings_.threads, first_contact_row_,
+                   rows_, rubbing_);
+}
+
+template <int Dof>
+void World<Dof>::solve_rows(double h) {
+  V_.assign(bodies_.size(), Twist<Dof>::Zero());
+  if (settings_.warm_start) begin_with_last_impulses(h);
+  Outcome outcome = settings_.solver.solve({.rows = rows_,
+                                            .V = V_,
+                                            .rubbing = rubbing_,
+                                            .joints = joints_,
+                                            .contacts = contacts_,
+                                            .first_contact_row = first_contact_row_,
+                                            .bodies = bodies_,
+                                            .last = start_,
+                                            .gravity = settings_.gravity,
+                                            .h = h,
+                                            .stop = stop_rule(h),
+                                            .threads = settings_.threads});
+  row_updates_ += outcome.updates(rows_.size());
+  solved_ = std::move(outcome.report);
+  if (settings_.warm_start || settings_.solver.wants_last)
+    start_.remember(rows_, first_contact_row_, contacts_, h, settings_.threads);
+}
+
+template <int Dof>
+void World<Dof>::begin_with_last_impulses(double h) {
+  const std::vector<double> impulses = start_.impulses(rows_.size(), first_contact_row_, contacts_, h);
+  if (!impulses.empty()) warm_start(impulses, rows_, V_);  // Eq. (10.2)
+}
+
+/// What a row lacks, Eq. (4.6), is a sum of four terms; where gravity presses the largest are no smaller than |gravity| h,
+/// and each is rounded. A sweep that returns no more than that has found nothing.
+template <int Dof>
+StopRule World<Dof>::stop_rule(double h) const {
+  using Limits = std::numeric_limits<double>;
+  const double four_roundings = (2 * Limits::epsilon() * settings_.gravity).stableNorm() * h;
+  StopRule stop = settings_.stop;
+  stop.tolerance = std::max(stop.tolerance, std::min(four_roundings, Limits::max()));
+  return stop;
+}
+
+template <int Dof>
+void World<Dof>::integrate(double h) {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (bodies_.is_fixed(i)) continue;
+    Twist<Dof>& W = bodies_.motion.W[i];
+    // W <- W + h M⁻¹ f + V
+    Vec3 v = kick(W.template head<3>(), forces_[i], bodies_.motion.inverse_mass[i].linear, h);
+    if (!rows_.empty()) v += V_[i].template head<3>();
+    W.template head<3>() = v;
+    bodies_.x[i] = drift(bodies_.x[i], v, h);
+    if constexpr (Dof == 6) {
+      Vec3 omega = W.template tail<3>();
+      omega += turned_by_torques(i, omega, h);
+      if (!rows_.empty()) omega += V_[i].template tail<3>();
+      rotate(settings_.rotation, bodies_.orientations, i, omega, h);
+      W.template tail<3>() = omega;
+    }
+  }
+  end_step(h);
+}
+
+template <int Dof>
+void World<Dof>::end_step(double h) {
+  ++steps_;
+  time_ += h;
+  h_ = h;
+  require_finite_bodies();
+  count_turns();
+}
+
+/// An angle is followed from step to step, as it shows within a turn only: Eq. (13.9).
+template <int Dof>
+void World<Dof>::count_turns() {
+  if constexpr (Dof == 6)
+    for (const std::size_t hinge : hinges_)
+      joints_[hinge].angle = free_coordinate(joints_[hinge], bodies_).value;
+}
+
+template <int Dof>
+void World<Dof>::require_finite_bodies() const {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    // One number that is not finite makes the sum so.
+    double sum = bodies_.x[i].sum() + bodies_.motion.W[i].sum();
+    if constexpr (Dof == 6) sum += bodies_.orientations.q[i].coeffs().sum();
+    if (!std::isfinite(sum)) throw Blowup(steps_, time_, static_cast<int>(i));
+  }
+}
+
+template class World<3>;
+template class World<6>;
+
+}  // namespace spook

@@ -1,0 +1,302 @@
+#pragma once
+// The world: bodies, what holds them together, and the step that moves them.
+//
+//   find contacts -> resolve impacts -> build rows -> solve -> integrate
+//
+//   contacts    at x_n, where gap <= margin                                        Eq. (3.1), (8.1)-(8.10)
+//   impacts     of what approaches fast: W changes at once                         Eq. (7.1)-(7.10)
+//   rows        S λ = B, with W = v_{n-1/2} and the forces at x_n                  Eq. (3.7), (4.4)
+//   solve       λ and V = M⁻¹ Gᵀ λ                                                 Eq. (4.6), (4.7)
+//   integrate   W += h M⁻¹ f + V, then x += h v and q turns by h ω                 Eq. (1.3), (1.4), (2.4)-(2.11)
+//
+// Each stage calls the functions of the chapters. One for which a scene has nothing does not run: no shapes, no search;
+// no restitution, no impacts; no friction, one row a contact; no rows, no solve; point masses, nothing that turns.
+//
+// Where forces and joints are all there is, a step can be composed of five to be of order four: engine/integration/rattle.hpp.
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "07_impacts/impacts.hpp"
+#include "engine/bodies/materials.hpp"
+#include "engine/collision/contacts.hpp"
+#include "engine/constraints/contact_rows.hpp"
+#include "engine/constraints/joint_rows.hpp"
+#include "engine/constraints/warm_start_cache.hpp"
+#include "engine/integration/rattle.hpp"
+#include "engine/integration/rotation.hpp"
+#include "engine/solvers/registry.hpp"
+#include "engine/support/abi_check.hpp"
+#include "engine/world/simulation_diverged.hpp"
+#include "engine/world/step_timer.hpp"
+
+namespace spook {
+
+/// Force and torque on body i [N, N m], from all bodies as they are and the time [s]. Positions are those of x_n; leapfrog's
+/// velocities are half a step older, so that what depends on them is of first order.
+template <int Dof>
+using Wrench = std::function<Twist<Dof>(std::size_t i, const Bodies<Dof>& bodies, double time)>;
+
+template <int Dof>
+struct Settings {
+  Vec3 gravity = Vec3(0, 0, -9.81);  ///< [m/s²]
+  ForceField force = nullptr;        ///< on each body, beside its weight [N]; none unless given
+  Wrench<Dof> wrench = nullptr;      ///< more of them, and torques [N, N m]; none unless given
+  double k = 1e6;                    ///< stiffness of contacts and joints [N/m]
+  /// Relaxation of contacts and joints [steps]. Unless given, 3 for contacts, which settle, and 1/4 for joints, which swing:
+  /// what is relaxed more loses more energy: chapter 06.
+  std::optional<double> d = {};
+  double friction = 0;      ///< μ of the friction box; 0: no friction rows
+  double viscosity = 1e12;  ///< what a stuck contact creeps against, c of Eq. (5.4) [N s/m]; may be infinite
+  /// None unless given. To its threshold |gravity| h is added: what gravity does in a step is no impact.
+  std::optional<ImpactLaw> impacts = {};
+  bool sliding_tangents = false;  ///< friction along the slip, Eq. (9.2)
+  /// Any of engine/solvers/registry.hpp, or one of your own. Where the limit of friction comes from is its word, too.
+  Solver<Dof> solver = by_island<Dof>();
+  bool warm_start = false;  ///< rows begin with the impulses of the last step. Safe where
+                            ///< a step solves the part 1/(1 + d) of what it lacks, Eq. (10.12)
+  /// Largest gap of a contact [m]: one that opens by a hair keeps its row and its impulse. Unless given, what a body
+  /// falls from rest in a step, |gravity| h², but no more than a hundredth of the smallest shape's size; and 1e-9 of
+  /// that size more, so that bodies that touch up to roundings do.
+  std::optional<double> margin = {};
+  [[no_unique_address]] RotationRule<Dof> rotation = {};  ///< rigid bodies only: how they turn
+  /// The order that leapfrogs are composed to: 2, themselves, or 4, engine/integration/rattle.hpp. With 4 velocities are those of the
+  /// time of the positions, joints are rigid, and the solver has no part in it.
+  int compose = 2;
+  int threads =
+      1;  ///< that share the search, the rows, and sweeps in stripes; no bit of the motion depends on it
+  /// When the solver stops; at the latest where nothing changes any more but four roundings of |gravity| h.
+  StopRule stop = {};
+};
+
+/// The relaxation of contacts and joints, unless another is set [steps].
+inline constexpr double relaxation_of_contacts = 3, relaxation_of_joints = 0.25;
+
+/// What the last step did.
+struct StepReport {
+  int pairs = 0;  ///< pairs of shapes that were looked at
+  int contacts = 0;
+  int impacts = 0;
+  int rows = 0;
+  int iterations = 0;   ///< sweeps, factorisations, whatever the solver makes
+  double residual = 0;  ///< how far λ is from a solution [m/s], Eq. (4.8) or (9.7); 0 when there are no rows
+  std::string trouble;  ///< why a solver had to go on by other means; empty: it had not
+};
+
+/// A copy has a copy of all, its solver included: it goes on as the first would have, and shares nothing with it.
+template <int Dof>
+class World {
+ public:
+  /// Throws std::invalid_argument, naming the parameter, unless gravity is finite, k > 0, d >= 0, friction >= 0,
+  /// viscosity > 0, and the impact law, the solver and its stop rule are sound; and for the friction box, whose bound
+  /// is of gravity, Eq. (5.7), where `force` is all that presses. With steps that are composed also for d > 0
+  /// and another rotation than splitting, which are not symmetric in time; from then on whatever would let two bodies
+  /// touch is refused, and in the first step a wrench that sees velocities.
+  explicit World(Settings<Dof> settings);
+
+  /// Adds a body and returns its index; see Bodies::add for what is refused.
+  int add(const Body<Dof>& body);
+
+  /// Adds a body that nothing moves, with a sphere of that radius [m], or none for 0.
+  int add_fixed(const Vec3& x, double radius = 0);
+
+  /// Adds a box that nothing moves, or with it a body of that place.
+  int add_fixed_box(const Vec3& x, const Vec3& half_sides, const Quat& q = Quat::Identity()) requires(Dof == 6);
+
+  /// Adds the half-space n·x < offset as a fixed body. Throws std::invalid_argument unless |n| = 1.
+  int add_plane(const Vec3& n, double offset);
+
+  /// Adds a joint and returns its index.
+  /// Throws std::invalid_argument, naming the parameter, for an index that is no body's, a body joined to itself,
+  /// two fixed bodies, a point beside the centre of a point mass, a bad k or d, a length that is not positive, a
+  /// distance whose two points coincide, and a hinge, slider or weld of point masses, or whose axis or rest is not of unit
+  /// length; for limits that leave no room, a motor that makes no sense, and either where nothing is left free.
+  int add_joint(const Joint& joint);
+
+  /// Drives a hinge or slider otherwise from now on, or with {} no longer. Throws std::invalid_argument as add_joint.
+  void set_motor(int joint, const std::optional<Motor>& motor) requires(Dof == 6);
+
+  /// What a body, or a pair of bodies, is where it touches; engine/bodies/materials.hpp says how those of two are put together.
+  /// An impact law's own restitution and friction are then those of pairs of which nothing was said.
+  void set_material(int body, const Material& material);
+  void set_material(int i, int j, const Material& material);
+
+  /// Puts a body somewhere, and lets it move and turn: velocities as leapfrog has them, half a step behind.
+  void place(int body, const Vec3& x, const Vec3& v);
+  void turn(int body, const Quat& q, const Vec3& omega) requires(Dof == 6);
+
+  /// Another force and torque from now on, in place of `wrench` in the settings; none for null. Throws as the settings'
+  /// would.
+  void set_wrench(Wrench<Dof> wrench);
+
+  /// Takes a body out, with its joints; those after it move up by one. What the last step did is forgotten.
+  void remove_body(int body);
+
+  /// Takes a joint out; those after it move up by one. What the last step did is forgotten, as its rows are numbered
+  /// otherwise.
+  void remove_joint(int joint);
+
+  /// Puts a fixed body elsewhere. Throws std::invalid_argument for a body that moves, and for a plane.
+  void move_fixed(int body, const Vec3& x);
+
+  /// Gives a body an impulse through its centre [N s].
+  void push(int body, const Vec3& impulse);
+
+  /// The bodies that move in both are where they are in `other`, and move and turn as they do there; its time goes on,
+  /// and where there are as many joints, rows begin with its impulses.
+  void go_on_from(const World& other);
+
+  /// Takes every velocity half a step back, to where leapfrog wants it: Eq. (1.5). Once, before the first step. Steps that
+  /// are composed want them where they are. What contacts and joints hold against has no part in it. Throws std::invalid_argument the
+  /// second time, and after a step.
+  void start_half_step_back(double h);
+
+  /// The same, with what contacts and joints hold against: positions and velocities are those of time 0 then, the start of
+  /// second order that constraints want. Found by solving for the accelerations that G v = 0 asks for, contacts and
+  /// friction within their bounds.
+  void start_consistently(double h);
+
+  /// Moves the world on by `h` [s]. Throws std::invalid_argument unless h is positive and finite, and Blowup when a
+  /// body is not finite afterwards, or the two points of a distance coincide before, or are infinitely far apart.
+  void step(double h);
+
+  const Settings<Dof>& settings() const { return settings_; }
+  const Shapes& shapes() const { return shapes_; }
+  const Bodies<Dof>& bodies() const { return bodies_; }
+  std::int64_t steps() const { return steps_; }  ///< taken so far
+  double time() const { return time_; }          ///< [s]
+
+  /// Where a body's numbers are in bodies(). Throws std::invalid_argument for an index that is no body's.
+  std::size_t index(int body) const;
+
+  const Vec3& x(int body) const { return bodies_.x[index(body)]; }                     ///< [m]
+  Vec3 v(int body) const { return bodies_.motion.W[index(body)].template head<3>(); }  ///< [m/s]
+
+  /// How far velocities are behind positions [s]: half a step of `h`, and not at all where steps are composed.
+  double behind(double h) const { return settings_.compose == 4 ? 0 : h / 2; }
+
+  /// The velocity at the time of the position, from one that is half a step of `h` behind [m/s].
+  Vec3 v_beside_x(int body, double h) const;
+
+  /// The same of what turns [rad/s]: by the gyroscopic torque, where the rule takes it for one.
+  Vec3 omega_beside_x(int body, double h) const requires(Dof == 6);
+
+  /// The contacts of the last step, the impulse of each along its normal [N s], and all of it on body j, friction
+  /// included.
+  const std::vector<Contact>& contacts() const { return contacts_; }
+  double lambda(int contact) const;
+  Vec3 impulse(int contact) const;
+
+  /// The joints, and the impulse of one row of a joint in the last step [N s].
+  const std::vector<Joint>& joints() const { return joints_; }
+  double joint_lambda(int joint, int row = 0) const;
+
+  /// The angle of a hinge, its turns counted [rad], or the shift of a slider [m]; and how fast it changes, half a step
+  /// before [rad/s, m/s]. Both are of j as i sees it.
+  double joint_position(int joint) const requires(Dof == 6);
+  double joint_speed(int joint) const requires(Dof == 6);
+
+  /// What a hinge's or slider's motor, and its limit, did to body j in the last step, along what is free [N m or N]; zero
+  /// before, and for what is not there.
+  double motor_force(int joint) const requires(Dof == 6);
+  double limit_force(int joint) const requires(Dof == 6);
+
+  /// Beside its force, the torque of a joint on body j in the last step [N m]: about the point where the force acts.
+  Vec3 joint_torque(int joint) const requires(Dof == 6);
+
+  /// A row of a joint as the last step had it; null before.
+  const Row<Dof>* joint_row(int joint, int row) const;
+
+  /// What a joint, or a contact with its friction, did to body j in the last step, as a force [N]; zero before.
+  Vec3 joint_force(int joint) const;
+  Vec3 contact_force(int contact) const;
+
+  /// The force on each body in the last step [N], the mean of it where steps are composed, its rows, and what the solver says of them; none of them before.
+  const std::vector<Vec3>& forces() const { return forces_; }
+  const std::vector<Vec3>& torques() const { return torques_; }  ///< with a wrench only [N m]
+  const std::vector<Row<Dof>>& rows() const { return rows_; }
+  const SolveReport& solved() const { return solved_; }
+
+  /// What the last step did. The residual is computed here, not in the step.
+  StepReport report() const;
+
+  /// Rows that were updated so far, each as often as it was: a cost that is the same on every machine.
+  std::int64_t row_updates() const { return row_updates_; }
+
+  /// From now on the stages are timed.
+  void time_stages() { clock_.start(); }
+  const StageTimes& stage_times() const { return clock_.times(); }
+
+ private:
+  void find_contacts(double h);
+  double margin(double h) const;
+  void evaluate_forces(double h);
+  void add_wrenches();
+  Vec3 turned_by_torques(std::size_t i, const Vec3& omega, double h) const;
+  void resolve_impacts(double h);
+  void build_rows(double h);
+  void solve_rows(double h);
+  void begin_with_last_impulses(double h);
+  StopRule stop_rule(double h) const;
+  void integrate(double h);
+  void end_step(double h);
+  void step_composed(double h);
+  void kick_all(double h, double time);
+  void require_smooth() const;
+  void require_smooth(const Joint& joint) const;
+  void require_no_relaxation(double d) const;
+  void require_wrench_of_places() const;
+
+  Vec3 force(std::size_t i) const;
+  void begin_half_a_step_back(const char* how, double h);
+  void forget_the_last_step();
+  void prepare_motion(double h);
+  void require_directions(double h) const;
+  void count_turns();
+  void complete(Joint& joint) const;
+  const Joint& free_joint(int joint) const;
+  double along_free(int joint, int row) const;
+  void require_finite_bodies() const;
+  std::size_t first_row(int contact) const;
+  std::size_t joint_index(int joint) const;
+
+  Settings<Dof> settings_;
+  Bodies<Dof> bodies_;
+  Shapes shapes_;
+  ContactFinder finder_;
+  Materials materials_;
+  std::vector<Joint> joints_;            // with k and d
+  std::vector<std::size_t> joint_rows_;  // the first row of each joint
+  std::size_t next_joint_row_ = 0;
+  std::vector<std::size_t> hinges_;  // which joints they are
+  std::vector<Vec3> forces_;         // on each body at x_n [N]
+  std::vector<Vec3> torques_;        // with a wrench only [N m]
+  std::vector<Contact> contacts_;    // of the last step
+  std::vector<Row<Dof>> rows_;       // of the joints, then of the contacts
+  std::size_t first_contact_row_ = 0;
+  std::vector<Rubbing> rubbing_;  // where friction follows what presses
+  std::vector<Twist<Dof>> V_;     // what the rows add to each velocity
+  StartImpulses start_;           // for the rows of the next step
+  SolveReport solved_;
+  StageClock clock_;
+  std::int64_t steps_ = 0;
+  double time_ = 0;
+  double h_ = 0;  // of the last step [s]
+  int pairs_ = 0;
+  int impacts_ = 0;
+  bool half_step_back_ = false;
+  std::int64_t row_updates_ = 0;
+  Kept<Held<Dof>> held_;        // joints of steps that are composed
+  std::vector<Vec3> impulses_;  // of the forces, in one of them [N s]
+  std::vector<Vec3> spins_;     // of the torques [N m s]
+};
+
+/// Orientation, and angular velocity in world coordinates [rad/s], of a rigid body.
+inline const Quat& orientation(const World<6>& world, int body) {
+  return world.bodies().orientations.q[world.index(body)];
+}
+inline Vec3 angular_velocity(const World<6>& world, int body) {
+  return world.bodies().motion.W[world.index(body)].tail<3>();
+}
+
+}  // namespace spook

@@ -1,0 +1,211 @@
+// Joints of a world: what is asked of a new one, and what can be known of those that are there.
+#include <algorithm>
+#include <cmath>
+
+#include "common/require.hpp"
+#include "engine/world/world.hpp"
+
+namespace spook {
+
+static void require_kind(bool right, const Joint& joint, const std::string& rule) {
+  if (!right) throw std::invalid_argument("kind must be " + rule + ", but is " + name_of(joint.kind));
+}
+
+/// Throws std::invalid_argument for a motor that makes no sense.
+static void require_sound(const Motor& motor) {
+  const Motion<6> at_rest{.inverse_mass = {{}, {}},
+                          .W = {Twist<6>::Zero(), Twist<6>::Zero()},
+                          .Wf = {Twist<6>::Zero(), Twist<6>::Zero()}};
+  const Twist<6> G = Twist<6>::Zero();
+  motor_row({.i = 0, .j = 1, .Gi = G, .Gj = G, .value = 0}, motor, 1, at_rest);
+}
+
+template <int Dof>
+int World<Dof>::add_joint(const Joint& given) {
+  Joint joint = given;
+  const std::size_t i = index(joint.i), j = index(joint.j);
+  if (i == j) reject("joint's j", joint.j, "another body than its i");
+  if (bodies_.is_fixed(i) && bodies_.is_fixed(j))
+    reject("joint's j", joint.j, "a body that moves, as i does not");
+  require_all_finite("p_i", joint.p_i);
+  require_all_finite("p_j", joint.p_j);
+  if constexpr (Dof == 3) {
+    if (!joint.p_i.isZero(0)) reject("|p_i|", joint.p_i.norm(), "0 for a point mass");
+    if (!joint.p_j.isZero(0)) reject("|p_j|", joint.p_j.norm(), "0 for a point mass");
+  }
+  if (!joint.k) joint.k = settings_.k;
+  if (!joint.d) joint.d = settings_.d.value_or(settings_.compose == 4 ? 0 : relaxation_of_joints);
+  const Spook spook = spook_parameters(1, *joint.k, *joint.d);
+  if (joint.length) {
+    if (joint.kind == JointKind::ball) joint.kind = JointKind::distance;
+    require_kind(joint.kind == JointKind::distance, joint, "distance, where it has a length");
+    distance_constraint<Dof>(attachment(joint.i, joint.p_i, bodies_), attachment(joint.j, joint.p_j, bodies_),
+                             *joint.length, spook);
+  }
+  require_kind(joint.length || joint.kind != JointKind::distance, joint,
+               "another than distance, without a length");
+  const bool leaves_free = joint.kind == JointKind::hinge || joint.kind == JointKind::slider;
+  if (joint.limits) require_kind(leaves_free, joint, "hinge or slider, where it has limits");
+  if (joint.motor) require_kind(leaves_free, joint, "hinge or slider, where it has a motor");
+  if (joint.is_guided()) complete(joint);
+  require_smooth(joint);
+  joints_.push_back(joint);
+  joint_rows_.push_back(next_joint_row_);
+  next_joint_row_ += static_cast<std::size_t>(joint.rows());
+  if (joint.kind == JointKind::hinge) hinges_.push_back(joints_.size() - 1);
+  return static_cast<int>(joints_.size()) - 1;
+}
+
+/// Fills in what a hinge, slider or weld has not been told.
+template <int Dof>
+void World<Dof>::complete(Joint& joint) const {
+  require_kind(Dof == 6, joint, "ball or distance for point masses");
+  if constexpr (Dof == 6) {
+    const std::vector<Quat>& q = bodies_.orientations.q;
+    require_unit_length("axis", joint.axis.norm());
+    if (joint.rest) require_unit_length("rest", joint.rest->norm());
+    if (!joint.rest) joint.rest = (q[index(joint.i)].conjugate() * q[index(joint.j)]).normalized();
+    if (!joint.k_turn) joint.k_turn = joint.k;
+    require_positive("k_turn", *joint.k_turn);
+    if (joint.limits) {
+      const JointLimits& limits = *joint.limits;
+      if (!(limits.lower < limits.upper))
+        reject("upper", limits.upper, "more than lower, which is " + std::to_string(limits.lower));
+      if (!joint.limit_d) joint.limit_d = relaxation_of_contacts;
+      require_not_negative("limit_d", *joint.limit_d);
+    }
+    if (joint.motor) require_sound(*joint.motor);
+    require_finite("angle", joint.angle);
+    if (joint.kind == JointKind::hinge) joint.angle = free_coordinate(joint, bodies_).value;
+  }
+}
+
+template <int Dof>
+void World<Dof>::set_motor(int joint, const std::optional<Motor>& motor) requires(Dof == 6) {
+  Joint& driven = joints_[joint_index(joint)];
+  require_kind(driven.kind == JointKind::hinge || driven.kind == JointKind::slider, driven,
+               "hinge or slider, where it has a motor");
+  if (motor) require_sound(*motor);
+  if (motor) require_smooth({.i = 0, .j = 0, .d = 0, .motor = motor});
+  const bool as_many_rows = motor.has_value() == driven.motor.has_value();
+  driven.motor = motor;
+  if (!as_many_rows) forget_the_last_step();
+}
+
+template <int Dof>
+void World<Dof>::remove_joint(int joint) {
+  joints_.erase(joints_.begin() + static_cast<std::ptrdiff_t>(joint_index(joint)));
+  forget_the_last_step();
+}
+
+/// Its rows are numbered otherwise now.
+template <int Dof>
+void World<Dof>::forget_the_last_step() {
+  joint_rows_.clear();
+  next_joint_row_ = 0;
+  hinges_.clear();
+  for (const Joint& joint : joints_) {
+    if (joint.kind == JointKind::hinge) hinges_.push_back(joint_rows_.size());
+    joint_rows_.push_back(next_joint_row_);
+    next_joint_row_ += static_cast<std::size_t>(joint.rows());
+  }
+  rows_.clear();
+  rubbing_.clear();
+  contacts_.clear();
+  first_contact_row_ = 0;
+  start_ = {};
+}
+
+template <int Dof>
+std::size_t World<Dof>::joint_index(int joint) const {
+  if (joint < 0 || joint >= static_cast<int>(joints_.size()))
+    reject("joint", joint, "an index below " + std::to_string(joints_.size()));
+  return static_cast<std::size_t>(joint);
+}
+
+template <int Dof>
+const Row<Dof>* World<Dof>::joint_row(int joint, int row) const {
+  const std::size_t j = joint_index(joint);
+  if (row < 0 || row >= joints_[j].rows()) reject("row", row, "below " + std::to_string(joints_[j].rows()));
+  const std::size_t r = joint_rows_[j] + static_cast<std::size_t>(row);
+  return r < first_contact_row_ ? &rows_[r] : nullptr;  // a joint that is new has had none
+}
+
+template <int Dof>
+double World<Dof>::joint_lambda(int joint, int row) const {
+  const Row<Dof>* found = joint_row(joint, row);
+  return found ? found->lambda : 0;
+}
+
+template <int Dof>
+Vec3 World<Dof>::joint_force(int joint) const {
+  const std::size_t j = joint_index(joint);
+  Vec3 impulse = Vec3::Zero();
+  for (int k = 0; k < joints_[j].rows(); ++k) {
+    const std::size_t row = joint_rows_[j] + static_cast<std::size_t>(k);
+    if (row < first_contact_row_) impulse += rows_[row].lambda * rows_[row].Gj.template head<3>();
+  }
+  return h_ > 0 ? Vec3(impulse / h_) : impulse;
+}
+
+template <int Dof>
+Vec3 World<Dof>::joint_torque(int joint) const requires(Dof == 6) {
+  Vec3 impulse = Vec3::Zero();
+  for (int k = 0; k < joints_[joint_index(joint)].rows(); ++k) {
+    const Row<Dof>* row = joint_row(joint, k);
+    if (row && row->Gj.template head<3>().isZero(0)) impulse += row->lambda * row->Gj.template tail<3>();
+  }
+  return h_ > 0 ? Vec3(impulse / h_) : impulse;
+}
+
+/// The joint, if it leaves anything free. Throws std::invalid_argument for another.
+template <int Dof>
+const Joint& World<Dof>::free_joint(int joint) const {
+  const Joint& found = joints_[joint_index(joint)];
+  require_kind(found.kind == JointKind::hinge || found.kind == JointKind::slider, found, "hinge or slider");
+  return found;
+}
+
+// `if constexpr`, though `requires` says the same: clang before 16 compiles these for point masses, too.
+template <int Dof>
+double World<Dof>::joint_position(int joint) const requires(Dof == 6) {
+  if constexpr (Dof == 6) return free_coordinate(free_joint(joint), bodies_).value;
+  return 0;
+}
+
+template <int Dof>
+double World<Dof>::joint_speed(int joint) const requires(Dof == 6) {
+  if constexpr (Dof == 6) {
+    const Coordinate free = free_coordinate(free_joint(joint), bodies_);
+    return free.Gi.dot(bodies_.motion.W[index(free.i)]) + free.Gj.dot(bodies_.motion.W[index(free.j)]);
+  }
+  return 0;
+}
+
+/// What a row of it did to body j, along what it leaves free [N m or N].
+template <int Dof>
+double World<Dof>::along_free(int joint, int row) const {
+  if constexpr (Dof == 6) {
+    const Row<Dof>* found = joint_row(joint, row);
+    const Coordinate free = free_coordinate(joints_[joint_index(joint)], bodies_);
+    if (found) return std::copysign(1.0, found->Gj.dot(free.Gj)) * found->lambda / h_;
+  }
+  return 0;
+}
+
+template <int Dof>
+double World<Dof>::motor_force(int joint) const requires(Dof == 6) {
+  const Joint& found = free_joint(joint);
+  return found.motor ? along_free(joint, found.rows() - 1) : 0;
+}
+
+template <int Dof>
+double World<Dof>::limit_force(int joint) const requires(Dof == 6) {
+  const Joint& found = free_joint(joint);
+  return found.limits ? along_free(joint, found.holding_rows()) : 0;
+}
+
+template class World<3>;
+template class World<6>;
+
+}  // namespace spook

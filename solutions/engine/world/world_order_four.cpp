@@ -1,0 +1,115 @@
+// A step of order four, engine/integration/rattle.hpp, and what it refuses.
+#include "common/require.hpp"
+#include "engine/world/world.hpp"
+
+namespace spook {
+
+template <int Dof>
+void World<Dof>::step_composed(double h) {
+  if (steps_ == 0) require_wrench_of_places();
+  rows_.clear();
+  solved_ = {.history = std::move(solved_.history), .converged = true};
+  solved_.history.clear();
+  impulses_.assign(bodies_.size(), Vec3::Zero());
+  spins_.assign(settings_.wrench ? bodies_.size() : 0, Vec3::Zero());
+  Held<Dof>& held = *held_;
+  held.begin_step(bodies_);
+  double before = 0, now = time_;
+  for (const double share : parts_of_order_four()) {
+    const double part = share * h;
+    clock_.run(Stage::forces, [&] { kick_all((before + part) / 2, now); });
+    clock_.run(Stage::rows, [&] { held.begin(joints_, bodies_, rows_, solved_); });
+    clock_.run(Stage::solve,
+               [&] { held.drift(joints_, part, settings_.stop, settings_.rotation, rows_, bodies_, solved_); });
+    now += part;
+    before = part;
+  }
+  clock_.run(Stage::forces, [&] { kick_all(before / 2, now); });
+  clock_.run(Stage::rows, [&] { held.begin(joints_, bodies_, rows_, solved_); });
+  clock_.run(Stage::solve, [&] { held.stop(rows_, bodies_); });
+  first_contact_row_ = rows_.size();
+  forces_.resize(bodies_.size());
+  torques_.resize(spins_.size());
+  for (std::size_t i = 0; i < bodies_.size(); ++i) forces_[i] = impulses_[i] / h;
+  for (std::size_t i = 0; i < spins_.size(); ++i) torques_[i] = spins_[i] / h;
+  row_updates_ += static_cast<std::int64_t>(solved_.history.size() * rows_.size());
+  end_step(h);
+}
+
+/// W += h M⁻¹ f with the forces where the bodies are, at `time`; and the inertia of what turns, which rows want to know.
+template <int Dof>
+void World<Dof>::kick_all(double h, double time) {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (bodies_.is_fixed(i)) continue;
+    Vec3 f = force(i);
+    Twist<Dof>& W = bodies_.motion.W[i];
+    if constexpr (Dof == 6)
+      if (!joints_.empty()) bodies_.motion.inverse_mass[i].angular = bodies_.orientations.inverse_inertia(i);
+    if (settings_.wrench) {
+      const Twist<Dof> wrench = settings_.wrench(i, bodies_, time);
+      f += wrench.template head<3>();
+      if constexpr (Dof == 6) {
+        const Vec3 spin = h * wrench.template tail<3>();
+        W.template tail<3>() += bodies_.orientations.inverse_inertia(i) * spin;
+        spins_[i] += spin;
+      }
+    }
+    W.template head<3>() = kick(W.template head<3>(), f, bodies_.motion.inverse_mass[i].linear, h);
+    impulses_[i] += h * f;
+  }
+}
+
+static const std::string refused = "compose must be 2 with ", reason = ", but is 4: ";
+
+/// Throws std::invalid_argument for what steps that are composed can not have.
+template <int Dof>
+void World<Dof>::require_smooth() const {
+  if (settings_.compose == 2) return;
+  if (settings_.compose != 4) reject("compose", settings_.compose, "2 or 4");
+  if (settings_.d) require_no_relaxation(*settings_.d);
+  if constexpr (Dof == 6)
+    if (settings_.rotation.update != RotationUpdate::splitting)
+      throw std::invalid_argument(refused + "another rotation than splitting" + reason +
+                                  "the others are not symmetric in time");
+  if (shapes_.may_touch())
+    throw std::invalid_argument(
+        refused + "bodies that may touch" + reason +
+        "a contact that opens or closes is not smooth, and friction and impacts have no way back");
+}
+
+template <int Dof>
+void World<Dof>::require_smooth(const Joint& joint) const {
+  if (settings_.compose == 2) return;
+  require_no_relaxation(*joint.d);
+  if (joint.limits)
+    throw std::invalid_argument(refused + "a limit" + reason +
+                                "a row of one side that begins to push is not smooth");
+  if (joint.motor)
+    throw std::invalid_argument(refused + "a motor" + reason + "it sees a velocity, and has bounds");
+}
+
+template <int Dof>
+void World<Dof>::require_no_relaxation(double d) const {
+  if (settings_.compose == 4 && d > 0)
+    reject("d", d, "0 with compose 4: what relaxation loses, a step backwards does not give back");
+}
+
+/// Throws std::invalid_argument for a wrench that is another one where bodies are as they are, but move otherwise.
+template <int Dof>
+void World<Dof>::require_wrench_of_places() const {
+  if (!settings_.wrench) return;
+  Bodies<Dof> faster = bodies_;
+  for (Twist<Dof>& W : faster.motion.W) W += Twist<Dof>::Ones();
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (bodies_.is_fixed(i)) continue;
+    const Twist<Dof> now = settings_.wrench(i, bodies_, time_), then = settings_.wrench(i, faster, time_);
+    if (now.allFinite() && then.allFinite() && now != then)
+      throw std::invalid_argument(refused + "a wrench that sees velocities" + reason +
+                                  "what brakes forwards speeds up backwards");
+  }
+}
+
+template class World<3>;
+template class World<6>;
+
+}  // namespace spook

@@ -1,0 +1,239 @@
+// What a world is told before it steps, and what it can be asked afterwards.
+#include <algorithm>
+
+#include "common/require.hpp"
+#include "engine/support/parallel_for.hpp"
+#include "engine/world/world.hpp"
+
+namespace spook {
+
+/// Throws std::invalid_argument where friction would have no bound, though a force may press bodies together.
+template <int Dof>
+static void require_weight_in_box(const Settings<Dof>& settings, bool forced) {
+  const bool boxed = settings.friction > 0 && settings.solver.friction == FrictionModel::box;
+  if (boxed && forced && settings.gravity.isZero(0))
+    throw std::invalid_argument(
+        "gravity must not be 0 where force presses bodies together: the friction box takes its bound from it; "
+        "solver cone() or two_pass() does not");
+}
+
+template <int Dof>
+World<Dof>::World(Settings<Dof> settings)
+    : settings_(std::move(settings)),
+      materials_({.friction = settings_.friction,
+                  .restitution = settings_.impacts.value_or(ImpactLaw{}).restitution,
+                  .k = settings_.k,
+                  .d = settings_.d.value_or(relaxation_of_contacts)}) {
+  require_all_finite("gravity", settings_.gravity);
+  require_positive("k", settings_.k);
+  if (settings_.d) require_not_negative("d", *settings_.d);
+  require_not_negative("friction", settings_.friction);
+  if (settings_.margin) require_not_negative("margin", *settings_.margin);
+  if (!(settings_.viscosity > 0)) reject("viscosity", settings_.viscosity, "positive; it may be infinite");
+  if (settings_.impacts) spook::resolve_impacts<Dof>({}, *settings_.impacts, bodies_.motion);
+  require_positive("max_sweeps", settings_.stop.max_sweeps);
+  require_not_negative("tolerance", settings_.stop.tolerance);
+  if (settings_.threads < 1 || settings_.threads > most_threads)
+    reject("threads", settings_.threads, "from 1 to " + std::to_string(most_threads));
+  if (!settings_.solver.solve) throw std::invalid_argument("solver must be one of solvers(), but is null");
+  require_smooth();
+  require_weight_in_box(settings_, settings_.force || settings_.wrench);
+}
+
+template <int Dof>
+int World<Dof>::add(const Body<Dof>& body) {
+  const int i = bodies_.add(body);
+  Solid solid{.body = i, .radius = body.radius, .half_sides = Vec3::Zero(), .fixed = false};
+  if constexpr (Dof == 6) {
+    solid.half_sides = body.half_sides;
+    if (!body.corners.empty()) {
+      shapes_.corners.push_back({.body = i, .points = body.corners});
+      double farthest = 0;
+      for (const Vec3& corner : body.corners) farthest = std::max(farthest, corner.norm());
+      shapes_.smallest = std::min(shapes_.smallest, farthest);
+    }
+  }
+  if (solid.radius > 0 || !solid.half_sides.isZero(0)) {
+    shapes_.solids.push_back(solid);
+    shapes_.smallest =
+        std::min(shapes_.smallest, solid.radius > 0 ? solid.radius : solid.half_sides.minCoeff());
+  }
+  require_smooth();
+  return i;
+}
+
+template <int Dof>
+int World<Dof>::add_fixed(const Vec3& x, double radius) {
+  require_not_negative("radius", radius);
+  const int i = bodies_.add_fixed(x);
+  if (radius > 0)
+    shapes_.solids.push_back({.body = i, .radius = radius, .half_sides = Vec3::Zero(), .fixed = true});
+  require_smooth();
+  return i;
+}
+
+// `if constexpr`, though `requires` says the same: clang before 16 compiles this for point masses, too.
+template <int Dof>
+int World<Dof>::add_fixed_box(const Vec3& x, const Vec3& half_sides, const Quat& q) requires(Dof == 6) {
+  for (const double half_side : half_sides) require_positive("half side", half_side);
+  require_unit_length("q", q.norm());
+  const int i = bodies_.add_fixed(x);
+  if constexpr (Dof == 6) bodies_.orientations.q.back() = q.normalized();
+  shapes_.solids.push_back({.body = i, .radius = 0, .half_sides = half_sides, .fixed = true});
+  require_smooth();
+  return i;
+}
+
+template <int Dof>
+int World<Dof>::add_plane(const Vec3& n, double offset) {
+  require_unit_length("n", n.norm());
+  require_finite("offset", offset);
+  const int i = bodies_.add_fixed(offset * n);
+  shapes_.planes.push_back({.body = i, .x = offset * n, .n = n, .offset = offset});
+  require_smooth();
+  return i;
+}
+
+template <int Dof>
+void World<Dof>::remove_body(int body) {
+  const std::size_t i = index(body);
+  bodies_.remove(i);
+  shapes_.remove(body);
+  materials_.remove(body);
+  const auto is_of_it = [&](const Joint& joint) { return joint.i == body || joint.j == body; };
+  joints_.erase(std::remove_if(joints_.begin(), joints_.end(), is_of_it), joints_.end());
+  for (Joint& joint : joints_) {
+    joint.i -= joint.i > body;
+    joint.j -= joint.j > body;
+  }
+  forget_the_last_step();
+}
+
+template <int Dof>
+void World<Dof>::set_material(int body, const Material& material) {
+  materials_.set(static_cast<int>(index(body)), material);
+}
+
+template <int Dof>
+void World<Dof>::set_material(int i, int j, const Material& material) {
+  if (index(i) == index(j)) reject("j", j, "another body than i");
+  materials_.set(i, j, material);
+}
+
+template <int Dof>
+void World<Dof>::place(int body, const Vec3& x, const Vec3& v) {
+  const std::size_t i = index(body);
+  if (bodies_.is_fixed(i)) reject("body", body, "one that moves; move_fixed is for the others");
+  require_all_finite("x", x);
+  require_all_finite("v", v);
+  bodies_.x[i] = x;
+  bodies_.motion.W[i].template head<3>() = v;
+}
+
+template <int Dof>
+void World<Dof>::turn(int body, const Quat& q, const Vec3& omega) requires(Dof == 6) {
+  const std::size_t i = index(body);
+  if (bodies_.is_fixed(i)) reject("body", body, "one that moves");
+  require_unit_length("q", q.norm());
+  require_all_finite("omega", omega);
+  if constexpr (Dof == 6) bodies_.orientations.q[i] = q.normalized();
+  bodies_.motion.W[i].template tail<3>() = omega;
+}
+
+template <int Dof>
+void World<Dof>::set_wrench(Wrench<Dof> wrench) {
+  require_weight_in_box(settings_, settings_.force || wrench);
+  settings_.wrench = std::move(wrench);
+}
+
+template <int Dof>
+void World<Dof>::move_fixed(int body, const Vec3& x) {
+  const std::size_t i = index(body);
+  if (!bodies_.is_fixed(i)) reject("body", body, "a fixed one");
+  for (const Plane& plane : shapes_.planes)
+    if (plane.body == body) reject("body", body, "another than a plane");
+  require_all_finite("x", x);
+  bodies_.x[i] = x;
+}
+
+template <int Dof>
+void World<Dof>::push(int body, const Vec3& impulse) {
+  const std::size_t i = index(body);
+  require_all_finite("impulse", impulse);
+  bodies_.motion.W[i].template head<3>() += bodies_.motion.inverse_mass[i].linear * impulse;
+}
+
+template <int Dof>
+void World<Dof>::go_on_from(const World& other) {
+  for (std::size_t i = 0; i < std::min(bodies_.size(), other.bodies_.size()); ++i) {
+    if (bodies_.is_fixed(i) || other.bodies_.is_fixed(i)) continue;
+    bodies_.x[i] = other.bodies_.x[i];
+    bodies_.motion.W[i] = other.bodies_.motion.W[i];
+    if constexpr (Dof == 6) bodies_.orientations.q[i] = other.bodies_.orientations.q[i];
+  }
+  time_ = other.time_;
+  if (joints_.size() != other.joints_.size()) return;
+  start_ = other.start_;
+  for (const std::size_t hinge : hinges_) joints_[hinge].angle = other.joints_[hinge].angle;
+}
+
+template <int Dof>
+Vec3 World<Dof>::force(std::size_t i) const {
+  const Vec3 weight = bodies_.mass[i] * settings_.gravity;
+  if (!settings_.force) return weight;
+  return weight + settings_.force(i, bodies_.x);
+}
+
+template <int Dof>
+std::size_t World<Dof>::index(int body) const {
+  if (body < 0 || body >= static_cast<int>(bodies_.size()))
+    reject("body", body, "an index below " + std::to_string(bodies_.size()));
+  return static_cast<std::size_t>(body);
+}
+
+template <int Dof>
+std::size_t World<Dof>::first_row(int contact) const {
+  if (contact < 0 || contact >= static_cast<int>(contacts_.size()))
+    reject("contact", contact, "an index below " + std::to_string(contacts_.size()));
+  return first_contact_row_ + static_cast<std::size_t>(contact * rows_per_contact(materials_.rub()));
+}
+
+template <int Dof>
+double World<Dof>::lambda(int contact) const {
+  return rows_[first_row(contact)].lambda;
+}
+
+template <int Dof>
+Vec3 World<Dof>::impulse(int contact) const {
+  Vec3 impulse = Vec3::Zero();
+  const std::size_t first = first_row(contact);
+  for (std::size_t row = first; row < first + static_cast<std::size_t>(rows_per_contact(materials_.rub()));
+       ++row)
+    impulse += rows_[row].lambda * rows_[row].Gj.template head<3>();
+  return impulse;
+}
+
+template <int Dof>
+Vec3 World<Dof>::contact_force(int contact) const {
+  return impulse(contact) / h_;
+}
+
+template <int Dof>
+StepReport World<Dof>::report() const {
+  return {.pairs = pairs_,
+          .contacts = static_cast<int>(contacts_.size()),
+          .impacts = impacts_,
+          .rows = static_cast<int>(rows_.size()),
+          .iterations = static_cast<int>(solved_.history.size()),
+          .residual = rows_.empty()            ? 0
+                      : settings_.compose == 4 ? solved_.history.back()
+                      : settings_.solver.friction == FrictionModel::cone
+                          ? residual_on_cones(rubbing_, rows_, V_)
+                          : residual(rows_, V_),
+          .trouble = solved_.trouble};
+}
+
+template class World<3>;
+template class World<6>;
+
+}  // namespace spook

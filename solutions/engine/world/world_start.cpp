@@ -1,0 +1,122 @@
+// How a world starts: velocities half a step behind positions, as leapfrog wants them.
+#include "11_direct/direct.hpp"
+#include "common/require.hpp"
+#include "engine/world/world.hpp"
+
+namespace spook {
+
+/// Throws std::invalid_argument after a start, or a step.
+template <int Dof>
+void World<Dof>::begin_half_a_step_back(const char* how, double h) {
+  require_positive("h", h);
+  if (half_step_back_ || steps_ > 0)
+    throw std::invalid_argument(std::string(how) +
+                                " is for once, before the first step; steps so far: " + std::to_string(steps_));
+  half_step_back_ = true;
+}
+
+template <int Dof>
+void World<Dof>::start_half_step_back(double h) {
+  begin_half_a_step_back("start_half_step_back", h);
+  if (settings_.compose == 4) return;
+  evaluate_forces(h);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    Twist<Dof>& W = bodies_.motion.W[i];
+    const double inverse_mass = bodies_.motion.inverse_mass[i].linear;
+    W.template head<3>() = half_step_start(W.template head<3>(), forces_[i], inverse_mass, h);  // Eq. (1.5)
+    if constexpr (Dof == 6) W.template tail<3>() += turned_by_torques(i, W.template tail<3>(), -h / 2);
+  }
+}
+
+/// How G W of the joints' rows changes in time because G does [m/s²], by differences over a thousandth of a step.
+template <int Dof>
+static std::vector<double> turning_rows(const std::vector<Joint>& joints, double h,
+                                        const RotationRule<Dof>& rotation, const Bodies<Dof>& bodies) {
+  const double dt = 1e-3 * h;
+  const auto after = [&](double time) {
+    Bodies<Dof> moved = bodies;
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+      if (moved.is_fixed(i)) continue;
+      moved.x[i] += time * moved.motion.W[i].template head<3>();
+      if constexpr (Dof == 6) {
+        Vec3 omega = moved.motion.W[i].template tail<3>();
+        rotate(rotation, moved.orientations, i, omega, time);
+      }
+    }
+    std::vector<Row<Dof>> rows;
+    add_joint_rows(joints, h, moved, rows);
+    std::vector<double> speeds;
+    for (const Row<Dof>& row : rows)
+      speeds.push_back(row.Gi.dot(bodies.motion.W[row.i]) + row.Gj.dot(bodies.motion.W[row.j]));
+    return speeds;
+  };
+  std::vector<double> rates = after(dt);
+  const std::vector<double> before = after(-dt);
+  for (std::size_t k = 0; k < rates.size(); ++k) rates[k] = (rates[k] - before[k]) / (2 * dt);
+  return rates;
+}
+
+/// Which of so many rows are those of motors.
+static std::vector<bool> rows_of_motors(const std::vector<Joint>& joints, std::size_t rows) {
+  std::vector<bool> drives(rows, false);
+  std::size_t end = 0;
+  for (const Joint& joint : joints) {
+    end += static_cast<std::size_t>(joint.rows());
+    if (joint.motor) drives[end - 1] = true;
+  }
+  return drives;
+}
+
+template <int Dof>
+void World<Dof>::start_consistently(double h) {
+  begin_half_a_step_back("start_consistently", h);
+  if (settings_.compose == 4) return;
+  if (shapes_.may_touch()) find_contacts(h);
+  evaluate_forces(h);
+  prepare_motion(h);
+  build_rows(h);
+  const std::vector<double> turning = turning_rows(joints_, h, settings_.rotation, bodies_);
+  const Motion<Dof>& motion = bodies_.motion;
+  const std::vector<bool> drives = rows_of_motors(joints_, rows_.size());
+  for (std::size_t k = 0; k < rows_.size(); ++k) {
+    Row<Dof>& row = rows_[k];
+    const auto along = [&](const std::vector<Twist<Dof>>& of) {
+      return row.Gi.dot(of[row.i]) + row.Gj.dot(of[row.j]);
+    };
+    if (!drives[k]) row.B = -along(motion.Wf);  // a motor has a speed to come to
+    if (k < turning.size()) row.B -= h * turning[k];
+    const bool rubs = row.lo < 0 && k >= first_contact_row_;
+    if (rubs) row.B -= along(motion.W);                  // what slips is braked
+    if (row.lo == 0 && along(motion.W) > 0) row.hi = 0;  // what parts is not held
+  }
+  V_.assign(bodies_.size(), Twist<Dof>::Zero());
+  Factors factors;
+  direct_solve(rows_, V_, StopRule{}, factors);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_.motion.W[i] -= (motion.Wf[i] + V_[i]) / 2;
+  forget_the_last_step();
+}
+
+template <int Dof>
+Vec3 World<Dof>::v_beside_x(int body, double h) const {
+  const std::size_t i = index(body);
+  if (settings_.compose == 4) return v(body);
+  Vec3 now = force(i);
+  if (settings_.wrench && !bodies_.is_fixed(i)) now += settings_.wrench(i, bodies_, time_).template head<3>();
+  return half_step_start(v(body), now, bodies_.motion.inverse_mass[i].linear, -h);
+}
+
+// `if constexpr`, though `requires` says the same: clang before 16 compiles this for point masses, too.
+template <int Dof>
+Vec3 World<Dof>::omega_beside_x(int body, double h) const requires(Dof == 6) {
+  const std::size_t i = index(body);
+  const Vec3 omega = bodies_.motion.W[i].template tail<3>();
+  if constexpr (Dof == 6)
+    if (settings_.compose != 4)
+      return omega + gyroscopic_change(settings_.rotation, bodies_.orientations, i, omega, h / 2);
+  return omega;
+}
+
+template class World<3>;
+template class World<6>;
+
+}  // namespace spook
