@@ -23,7 +23,7 @@
 
 namespace spook {
 
-struct Spook {
+struct SpookParameters {
   double a;      ///< weight of the gap [1/s]
   double b;      ///< weight of the velocity [-]
   double Sigma;  ///< regularisation [1/kg]
@@ -32,7 +32,7 @@ struct Spook {
 /// Exercise 3.1. The three numbers of SPOOK: Eq. (3.4)-(3.6); notes (9)-(11).
 /// Throws std::invalid_argument, naming the parameter, unless h > 0, k > 0 and d >= 0, all finite: see
 /// common/require.hpp.
-Spook spook_parameters(double h, double k, double d);
+SpookParameters spook_parameters(double h, double k, double d);
 
 /// One touching (or nearly touching) pair. Vectors are in world coordinates; nothing here is checked again.
 struct Contact {
@@ -79,7 +79,7 @@ Mat3 collision_matrix(const InverseMass<6>& body_i, const Vec3& r_i, const Inver
 ///   gap               signed [m]; a contact that is still open may push, too, if it would close within the step
 ///   normal_velocity   G W, relative velocity along n before the step [m/s]; negative when approaching
 ///   force_velocity    h G M⁻¹ f, what the forces of this step add to it [m/s]; for a sphere on a floor -h 9.81 m/s²
-double contact_impulse(const Spook& spook, double nKn, double gap, double normal_velocity,
+double contact_impulse(const SpookParameters& spook, double nKn, double gap, double normal_velocity,
                        double force_velocity);
 
 }  // namespace spook

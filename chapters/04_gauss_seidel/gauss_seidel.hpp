@@ -38,11 +38,11 @@ struct Motion {
 /// One scalar constraint, before it knows masses and velocities.
 template <int Dof>
 struct Constraint {
-  int i, j;           ///< body indices, i ≠ j
-  Twist<Dof> Gi, Gj;  ///< Jacobian blocks
-  double gap;         ///< signed violation g [m]
-  Spook spook;        ///< a, b, Σ
-  double lo = 0;      ///< bounds on λ [N s]: 0 and infinity for a contact
+  int i, j;               ///< body indices, i ≠ j
+  Twist<Dof> Gi, Gj;      ///< Jacobian blocks
+  double gap;             ///< signed violation g [m]
+  SpookParameters spook;  ///< a, b, Σ
+  double lo = 0;          ///< bounds on λ [N s]: 0 and infinity for a contact
   double hi = infinity;
 };
 

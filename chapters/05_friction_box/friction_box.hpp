@@ -37,7 +37,7 @@ Tangents tangents(const Vec3& n);
 /// Exercise 5.2. The a, b and Σ of a friction row: 0, 1, and Γ of Eq. (5.4); not in the notes.
 /// Throws std::invalid_argument, naming the parameter, unless h [s] is positive and finite, and c [N s/m] is
 /// positive; c may be infinite, and Γ is then 0.
-Spook friction_parameters(double h, double c);
+SpookParameters friction_parameters(double h, double c);
 
 /// Exercise 5.3. The mass that stands in for the load on one contact [kg]: Eq. (5.6); notes, after (44). Takes the
 /// inverse masses of both bodies [1/kg], of which one may be 0 (it is fixed), and N, the number of contacts between
@@ -56,7 +56,7 @@ double friction_bound(double mu, double mass, double normal_gravity, double h);
 /// is 0. Nothing is checked.
 template <int Dof>
 std::array<Constraint<Dof>, 2> friction_constraints(const Contact& contact, const Tangents& tangents,
-                                                    double bound, const Spook& spook);
+                                                    double bound, const SpookParameters& spook);
 
 /// Exercise 5.6. The friction impulse J = λ1 t1 + λ2 t2 [N s] of one contact alone, + on j and - on i: Eq. (5.3),
 /// each row for itself as when t1·K t2 = 0, then (5.8).

@@ -36,13 +36,13 @@ struct Attachment {
 /// points are apart by a positive and finite one: where they coincide there is no direction.
 template <int Dof>
 Constraint<Dof> distance_constraint(const Attachment& i, const Attachment& j, double length,
-                                    const Spook& spook);
+                                    const SpookParameters& spook);
 
 /// Exercise 6.2. Holds two points together, in x, y and z: Eq. (6.4)-(6.6); not in the notes. Any distance will do,
 /// zero as well.
 template <int Dof>
 std::array<Constraint<Dof>, 3> ball_joint_constraints(const Attachment& i, const Attachment& j,
-                                                      const Spook& spook);
+                                                      const SpookParameters& spook);
 
 /// Two points of a net and their distance.
 struct Link {

@@ -24,7 +24,7 @@
 namespace spook {
 
 /// Where the three rows of a contact with friction are, and how rough it is.
-struct Rubbing {
+struct FrictionContact {
   std::size_t normal;  ///< its row; the next two are those of t1 and t2
   double mu;           ///< μ >= 0
 };
@@ -40,14 +40,14 @@ Tangents sliding_tangents(const Vec3& n, const Vec3& u, double slow);
 /// Exercise 9.2. Sets the bounds of the friction rows to ±μ times the λ that their normal row has now: Eq. (9.1). Their
 /// own λ stays as it is, even outside.
 template <int Dof>
-void limit_friction(const std::vector<Rubbing>& contacts, std::vector<Row<Dof>>& rows);
+void limit_friction(const std::vector<FrictionContact>& contacts, std::vector<Row<Dof>>& rows);
 
 /// Exercise 9.3. Two passes: first without friction (its rows have bounds and λ of 0), then with the limits of Eq.
 /// (9.1), from where the first ended. All other rows begin with the λ that they bring. Each pass has the whole stop
 /// rule; the history has both. Converged if the second pass is. Throws as solve does. V as in solve: what friction rows
 /// bring in λ must leave V, too, before the first pass.
 template <int Dof>
-SolveReport two_pass_solve(const std::vector<Rubbing>& contacts, std::vector<Row<Dof>>& rows,
+SolveReport two_pass_solve(const std::vector<FrictionContact>& contacts, std::vector<Row<Dof>>& rows,
                            std::vector<Twist<Dof>>& V, const StopRule& stop);
 
 /// Exercise 9.4. The point of the disc |λ_t| <= radius that is nearest: Eq. (9.4). Zero for a radius of 0.
@@ -56,25 +56,25 @@ Vec2 onto_disc(const Vec2& lambda, double radius);
 /// Exercise 9.5. Brings the two friction rows of a contact up to date, with μ times the normal impulse of now for a
 /// radius: Eq. (9.5), (9.6). Their bounds `lo` and `hi` are neither looked at nor set. Returns s |Δλ_t| [m/s].
 template <int Dof>
-double update_friction(const Rubbing& contact, std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V);
+double update_friction(const FrictionContact& contact, std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V);
 
 /// Exercise 9.6. One sweep: every row in order by Eq. (4.7), but the two friction rows of a contact together by Eq.
 /// (9.6), right after its normal row. `contacts` come in the order of their rows. Returns the largest S_kk |Δλ_k|
 /// or s |Δλ_t| [m/s].
 template <int Dof>
-double sweep_on_cones(const std::vector<Rubbing>& contacts, std::vector<Row<Dof>>& rows,
+double sweep_on_cones(const std::vector<FrictionContact>& contacts, std::vector<Row<Dof>>& rows,
                       std::vector<Twist<Dof>>& V);
 
 /// Exercise 9.7. How far from solved, with the cones: the largest of Eq. (9.7) [m/s]. Each row, or pair, is compared
 /// with its own update from this λ and V. Changes nothing.
 template <int Dof>
-double residual_on_cones(const std::vector<Rubbing>& contacts, const std::vector<Row<Dof>>& rows,
+double residual_on_cones(const std::vector<FrictionContact>& contacts, const std::vector<Row<Dof>>& rows,
                          const std::vector<Twist<Dof>>& V);
 
 /// Exercise 9.8. Sweeps on cones until one returns at most `stop.tolerance`, or there were `stop.max_sweeps`: Eq.
 /// (9.6), (4.9). Contract of solve(), of which V, what is thrown, and the history are part.
 template <int Dof>
-SolveReport cone_solve(const std::vector<Rubbing>& contacts, std::vector<Row<Dof>>& rows,
+SolveReport cone_solve(const std::vector<FrictionContact>& contacts, std::vector<Row<Dof>>& rows,
                        std::vector<Twist<Dof>>& V, const StopRule& stop);
 
 }  // namespace spook

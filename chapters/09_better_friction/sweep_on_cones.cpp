@@ -4,14 +4,16 @@
 namespace spook {
 
 template <int Dof>
-double sweep_on_cones(const std::vector<Rubbing>& contacts, std::vector<Row<Dof>>& rows,
+double sweep_on_cones(const std::vector<FrictionContact>& contacts, std::vector<Row<Dof>>& rows,
                       std::vector<Twist<Dof>>& V) {
   // Eq. (4.7), (9.6); what goes in and out, and in which units, is in better_friction.hpp.
   not_implemented("9.6 sweep_on_cones", contacts, rows, V);
 }
 
 // Compiles the template for point masses (3) and for rigid bodies (6): leave these two lines as they are.
-template double sweep_on_cones<3>(const std::vector<Rubbing>&, std::vector<Row<3>>&, std::vector<Twist<3>>&);
-template double sweep_on_cones<6>(const std::vector<Rubbing>&, std::vector<Row<6>>&, std::vector<Twist<6>>&);
+template double sweep_on_cones<3>(const std::vector<FrictionContact>&, std::vector<Row<3>>&,
+                                  std::vector<Twist<3>>&);
+template double sweep_on_cones<6>(const std::vector<FrictionContact>&, std::vector<Row<6>>&,
+                                  std::vector<Twist<6>>&);
 
 }  // namespace spook

@@ -4,16 +4,16 @@
 namespace spook {
 
 template <int Dof>
-SolveReport two_pass_solve(const std::vector<Rubbing>& contacts, std::vector<Row<Dof>>& rows,
+SolveReport two_pass_solve(const std::vector<FrictionContact>& contacts, std::vector<Row<Dof>>& rows,
                            std::vector<Twist<Dof>>& V, const StopRule& stop) {
   // Eq. (9.1); what goes in and out, and in which units, is in better_friction.hpp.
   not_implemented("9.3 two_pass_solve", contacts, rows, V, stop);
 }
 
 // Compiles the template for point masses (3) and for rigid bodies (6): leave these two lines as they are.
-template SolveReport two_pass_solve<3>(const std::vector<Rubbing>&, std::vector<Row<3>>&,
+template SolveReport two_pass_solve<3>(const std::vector<FrictionContact>&, std::vector<Row<3>>&,
                                        std::vector<Twist<3>>&, const StopRule&);
-template SolveReport two_pass_solve<6>(const std::vector<Rubbing>&, std::vector<Row<6>>&,
+template SolveReport two_pass_solve<6>(const std::vector<FrictionContact>&, std::vector<Row<6>>&,
                                        std::vector<Twist<6>>&, const StopRule&);
 
 }  // namespace spook

@@ -60,7 +60,8 @@ struct JointLimits {
 /// Exercise 13.4. The row of the limit with the smaller gap, so of the one that is passed, if one is; λ >= 0 [N m s or
 /// N s]: Eq. (13.10), (13.11). Before the limit it lets come what comes as far as the limit in a step of `h` [s], and no
 /// farther; beyond, a and Σ are those of `spook`. Either way it takes all of the speed, b = 1.
-Constraint<6> limit_constraint(const Coordinate& free, const JointLimits& limits, const Spook& spook, double h);
+Constraint<6> limit_constraint(const Coordinate& free, const JointLimits& limits, const SpookParameters& spook,
+                               double h);
 
 /// What drives a joint. Torques are about the hinge, forces along the slider.
 struct Motor {

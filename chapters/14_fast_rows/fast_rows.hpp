@@ -30,7 +30,7 @@ Vec3 solve_on_cone(const Mat3& S, const Vec3& q, double mu);
 /// Exercise 14.2. Brings the three rows of a contact up to date at once: Eq. (14.1), (14.2), then Eq. (14.3)-(14.6).
 /// Their bounds are neither looked at nor set. Returns |S_cc Δλ| [m/s].
 template <int Dof>
-double update_contact(const Rubbing& contact, std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V);
+double update_contact(const FrictionContact& contact, std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V);
 
 /// Exercise 14.3. A colour, 0, 1, 2 ..., for each pair of bodies, so that two pairs of one colour share none that moves:
 /// Eq. (14.7). A body that does not move is -1 here. The pairs take their colours in the order in which they come; a

@@ -18,7 +18,7 @@ struct State {
 };
 
 /// One step of Eq. (3.10) without (3.11), and (3.12).
-State step(const State& s, double h, const Spook& spook, double gravity) {
+State step(const State& s, double h, const SpookParameters& spook, double gravity) {
   const double v_f = -h * gravity;
   const double lambda = (-spook.a * s.gap - spook.b * s.v - v_f) / (1 / m + spook.Sigma);
   const double v = s.v + v_f + lambda / m;
@@ -26,7 +26,7 @@ State step(const State& s, double h, const Spook& spook, double gravity) {
 }
 
 double rest_gap(double h, double k, double d) {
-  const Spook spook = spook_parameters(h, k, d);
+  const SpookParameters spook = spook_parameters(h, k, d);
   State s{0, 0};
   for (int n = 0; n < 20000; ++n) s = step(s, h, spook, g);
   return s.gap;
@@ -43,7 +43,7 @@ double predicted_factor(double h, double k, double d) {
 
 /// Made as large as at the start again after each step, it is never lost in roundings.
 double measured_factor(double h, double k, double d) {
-  const Spook spook = spook_parameters(h, k, d);
+  const SpookParameters spook = spook_parameters(h, k, d);
   State s{-1, 0};
   const int steps = 4000;
   double log_size = 0;

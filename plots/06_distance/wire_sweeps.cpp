@@ -33,7 +33,8 @@ struct Wire {
 };
 
 World<3> hang(const Wire& wire, double k, const StopRule& stop) {
-  World<3> world({.gravity = Vec3(0, 0, -g), .k = k, .d = 3.0, .solver = gauss_seidel<3>(), .stop = stop});
+  World<3> world(
+      {.gravity = Vec3(0, 0, -g), .k = k, .d = 3.0, .solver = gauss_seidel<3>(), .solver_limits = stop});
   world.add_fixed(Vec3::Zero());
   for (int point = 1; point <= wire.links; ++point) {
     world.add({.x = Vec3(0, 0, -static_cast<double>(point) / wire.links), .mass = wire.load(point)});

@@ -37,7 +37,7 @@ std::vector<double> peaks(double e, double h, std::size_t count) {
     const bool up = world.v(ball).z() > 0;
     if (rising && !up) {
       // The parabola through the peak: v²/(2g) above the last point that was on the way up.
-      const double v = world.v_beside_x(ball, h).z() + g * h;
+      const double v = world.synchronized_velocity(ball, h).z() + g * h;
       found.push_back(before - radius + v * v / (2 * g));
     }
     rising = up;

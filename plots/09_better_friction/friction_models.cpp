@@ -114,7 +114,7 @@ struct Disc {
     for (const Vec3& r : points)
       add_contact(s, {.i = 0, .j = 1, .n = up, .gap = 0, .r_i = r, .r_j = r}, tangents_of(model, spin.cross(r)),
                   mu, bound);
-    for (const Rubbing& contact : s.contacts) {  // the pressure is even: there are many others
+    for (const FrictionContact& contact : s.contacts) {  // the pressure is even: there are many others
       s.rows[contact.normal].lambda = h * g / count;
       apply_impulse(s.rows[contact.normal], h * g / count, s.V);
     }

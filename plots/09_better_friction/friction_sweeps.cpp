@@ -77,7 +77,7 @@ std::vector<Row> history(const std::string& what, const std::string& which, Mode
   std::vector<double> all;
   if (model == Model::two_pass) {
     Rubbed<6> first = s;
-    for (Rubbing& contact : first.contacts) contact.mu = 0;
+    for (FrictionContact& contact : first.contacts) contact.mu = 0;
     const std::size_t before = cone_solve(first.contacts, first.rows, first.V, stop).history.size();
     all = two_pass_solve(s.contacts, s.rows, s.V, stop).history;
     all.erase(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(before));

@@ -29,7 +29,7 @@ inline std::string name(Model model) {
 template <int Dof>
 struct Rubbed {
   Motion<Dof> motion;
-  std::vector<Rubbing> contacts;
+  std::vector<FrictionContact> contacts;
   std::vector<spook::Row<Dof>> rows;
   std::vector<Twist<Dof>> V;
 
@@ -55,7 +55,7 @@ int add_body(Rubbed<Dof>& s, const InverseMass<Dof>& inverse_mass, const Twist<D
 /// Normal row and friction rows, the latter with bounds of ±`bound`; a = 0, b = 1, Σ = Γ = 0.
 template <int Dof>
 void add_contact(Rubbed<Dof>& s, const Contact& contact, const Tangents& t, double mu, double bound) {
-  const Spook rigid{.a = 0, .b = 1, .Sigma = 0};
+  const SpookParameters rigid{.a = 0, .b = 1, .Sigma = 0};
   const ContactJacobian G = contact_jacobian(contact);
   s.contacts.push_back({.normal = s.rows.size(), .mu = mu});
   s.rows.push_back(make_row<Dof>({.i = contact.i,

@@ -38,7 +38,7 @@ struct Scene {
   std::vector<double> heights;
 };
 
-Spook stiff() {
+SpookParameters stiff() {
   return spook_parameters(h, 1e9, 3);
 }
 

@@ -38,7 +38,7 @@ std::vector<int> upwards(const std::vector<Contact>& contacts) {
 }
 
 Solver<6> layers(bool up) {
-  return {.solve = [up](const System<6>& s) -> Outcome {
+  return {.solve = [up](const SolverInput<6>& s) -> SolverResult {
     std::vector<int> order = upwards(s.contacts);
     if (!up) std::reverse(order.begin(), order.end());
     return solve_in_order(order, s.rows, s.V, s.stop);
@@ -46,17 +46,19 @@ Solver<6> layers(bool up) {
 }
 
 Solver<6> random_sweeps(int seed) {
-  return {.solve = [random = std::mt19937_64(static_cast<std::uint64_t>(seed))](const System<6>& s) mutable {
-    SolveReport report;
-    for (int k = 0; k < s.stop.max_sweeps; ++k)
-      report.history.push_back(
-          sweep_in_order(random_order(static_cast<int>(s.rows.size()), random), s.rows, s.V));
-    return Outcome(report);
-  }};
+  return {
+      .solve = [random = std::mt19937_64(static_cast<std::uint64_t>(seed))](const SolverInput<6>& s) mutable {
+        SolveReport report;
+        for (int k = 0; k < s.stop.max_sweeps; ++k)
+          report.history.push_back(
+              sweep_in_order(random_order(static_cast<int>(s.rows.size()), random), s.rows, s.V));
+        return SolverResult(report);
+      }};
 }
 
 Solver<6> solver_of(const std::string& order, int seed) {
-  if (order == "random step") return in_order<6>(RowOrder::random, static_cast<std::uint64_t>(seed));
+  if (order == "random step")
+    return ordered_gauss_seidel<6>(RowOrder::random, static_cast<std::uint64_t>(seed));
   return order == "random sweep" ? random_sweeps(seed) : layers(order == "up");
 }
 
@@ -69,8 +71,8 @@ World<6> tower(Solver<6> solver, int sweeps) {
                   .k = 1e6,
                   .d = 3,
                   .solver = std::move(solver),
-                  .margin = 0.01,  // a corner that lifts off by so little keeps its row
-                  .stop = {.max_sweeps = sweeps}});
+                  .contact_margin = 0.01,  // a corner that lifts off by so little keeps its row
+                  .solver_limits = {.max_sweeps = sweeps}});
   world.add_plane(Vec3::UnitZ(), 0);
   const Vec3 halves = Vec3::Constant(half), moments = solid_box_moments(1, halves);
   for (int i = 0; i < cubes; ++i)

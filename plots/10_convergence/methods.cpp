@@ -32,7 +32,7 @@ struct FactorCost {
   FactorCost(const Problem<Dof>& problem, bool on_bodies) {
     Factors factors;
     if (on_bodies) {
-      OnBodies<Dof> on(problem.rows, problem.bodies.motion.inverse_mass);
+      VelocitySystem<Dof> on(problem.rows, problem.bodies.motion.inverse_mass);
       factorise(on.matrix(problem.rows, Vector::Ones(std::ssize(problem.rows))), factors);
     } else {
       factorise(schur_complement(problem.rows), factors);
@@ -54,36 +54,36 @@ struct Method {
   std::string name;
   Solver<Dof> solver;
   int most;
-  std::function<double(const Outcome&, double rows, int most)> cost;
+  std::function<double(const SolverResult&, double rows, int most)> cost;
 };
 
 template <int Dof>
 std::vector<Method<Dof>> methods(const Problem<Dof>& problem, FrictionModel model, Size size) {
   const bool on_cones = model == FrictionModel::cone;
   const auto each = [](double cost) {
-    return [cost](const Outcome& outcome, double rows, int) {
+    return [cost](const SolverResult& outcome, double rows, int) {
       return cost * rows * static_cast<double>(outcome.report.history.size());
     };
   };
-  const auto counted = [](const Outcome& outcome, double, int) {
+  const auto counted = [](const SolverResult& outcome, double, int) {
     return static_cast<double>(outcome.row_updates);
   };
   const FactorCost<Dof> work(problem, wants_bodies(problem.rows)), of_bodies(problem, true);
   // Of each: the matrix, three solves with what they want of the rows, four sweeps, and two to look at the energy.
-  const auto factors = [work](const Outcome& outcome, double rows, int) {
+  const auto factors = [work](const SolverResult& outcome, double rows, int) {
     return static_cast<double>(outcome.report.history.size()) *
            (work.factor + work.blocks + 3 * (work.solve + rows) + 6 * rows);
   };
   // Of each: the matrix, a solve with what it wants of the rows; and for ten sweeps three more to set impulses, and to
   // look at what is left.
-  const auto coupled = [of_bodies](const Outcome& outcome, double rows, int most) {
+  const auto coupled = [of_bodies](const SolverResult& outcome, double rows, int most) {
     const auto times = std::min(static_cast<double>(outcome.report.history.size()), double(most));
     return times * (2 * of_bodies.factor + of_bodies.coupled_blocks + 2 * of_bodies.solve + rows) +
            1.3 * static_cast<double>(outcome.row_updates);
   };
   const int most = size == Size::quick ? 1024 : 4096, few = 1024;
   std::vector<Method<Dof>> all = {
-      {"sweeps", on_cones ? cone<Dof>() : gauss_seidel<Dof>(), most, each(1)},
+      {"sweeps", on_cones ? cone_gauss_seidel<Dof>() : gauss_seidel<Dof>(), most, each(1)},
       {"mixed sweeps", anderson<Dof>(model), most / 2, each(1.75)},
   };
   if (!on_cones) {

@@ -58,16 +58,18 @@ double error_of(const Chain& chain, const Method& method, int updates) {
     return error_of(chain, relaxed.world(), 1.0 / 60 / (updates / 2), [&](double h) { relaxed.step(h); });
   }
   const bool is_xpbd = method.name == "XPBD";
-  World<3> world = chain.world({.d = is_xpbd ? 0.75 : d,
-                                .solver = is_xpbd ? xpbd() : gauss_seidel<3>(),
-                                .warm_start = method.warm,
-                                .stop = {.max_sweeps = method.substeps ? 1 : updates, .tolerance = 0}});
+  World<3> world =
+      chain.world({.d = is_xpbd ? 0.75 : d,
+                   .solver = is_xpbd ? xpbd() : gauss_seidel<3>(),
+                   .warm_start = method.warm,
+                   .solver_limits = {.max_sweeps = method.substeps ? 1 : updates, .tolerance = 0}});
   return error_of(chain, world, 1.0 / 60 / (method.substeps ? updates : 1), [&](double h) { world.step(h); });
 }
 
 /// How far XPBD with positions is from xpbd() in a second of 16 substeps to the 1/60 s, over a link.
 double positions_apart(const Chain& chain) {
-  World<3> world = chain.world({.d = 0.75, .solver = xpbd(), .stop = {.max_sweeps = 1, .tolerance = 0}});
+  World<3> world =
+      chain.world({.d = 0.75, .solver = xpbd(), .solver_limits = {.max_sweeps = 1, .tolerance = 0}});
   Positions positions(chain);
   double most = 0;
   for (int step = 0; step < 16 * 60; ++step) {
@@ -82,7 +84,7 @@ double positions_apart(const Chain& chain) {
 /// By the rate of a solver that tells what its sweeps returned.
 double needed(const Chain& chain) {
   std::vector<double> history;
-  World<3> world = chain.world({.solver = {.solve = [&](const System<3>& s) {
+  World<3> world = chain.world({.solver = {.solve = [&](const SolverInput<3>& s) {
                                   const SolveReport report =
                                       solve(s.rows, s.V, {.max_sweeps = 20000, .tolerance = 1e-10});
                                   history = report.history;

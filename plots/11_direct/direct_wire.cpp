@@ -99,7 +99,7 @@ Held hold(int boxes, double ratio, int draw) {
   for (auto W = motion.W.begin() + 1; W != motion.W.end(); ++W)
     *W = Twist<6>::NullaryExpr([&] { return kick(generator); });
   std::vector<spook::Row<6>> rows;
-  const Spook normal{.a = 0, .b = 1, .Sigma = 1e-8}, friction{.a = 0, .b = 1, .Sigma = 1e-10};
+  const SpookParameters normal{.a = 0, .b = 1, .Sigma = 1e-8}, friction{.a = 0, .b = 1, .Sigma = 1e-10};
   for (int below = 0; below < boxes; ++below)
     for (const double x : {-0.5, 0.5})
       for (const double y : {-0.5, 0.5}) {

@@ -57,7 +57,7 @@ bool solve_step(const Wire& wire, std::vector<spook::Row<3>>& rows, const Motion
 Swing swing(const Wire& wire) {
   const double h = wire.h(), l = wire.link(), share = wire.form == "quarter" ? 0.25 : 1;
   const int N = wire.links;
-  const Spook spook = spook_parameters(h, k, d);
+  const SpookParameters spook = spook_parameters(h, k, d);
   Motion<3> motion;
   std::vector<Vec3> x;
   for (int point = 0; point <= N; ++point) {

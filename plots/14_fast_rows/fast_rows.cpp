@@ -23,7 +23,7 @@ namespace {
 constexpr double mu = 0.5, h = 1.0 / 60, side = 0.2;
 
 World<6> on_a_floor(const Solver<6>& solver, double friction = mu) {
-  World<6> world({.friction = friction, .solver = solver, .stop = {.max_sweeps = 1}});
+  World<6> world({.friction = friction, .solver = solver, .solver_limits = {.max_sweeps = 1}});
   world.add_plane(Vec3::UnitZ(), 0);
   return world;
 }
@@ -68,7 +68,7 @@ World<6> leaning_boxes(const Solver<6>& solver) {
 /// Three rows a contact, from nothing.
 struct OnCones {
   std::vector<spook::Row<6>> rows;
-  std::vector<Rubbing> contacts;
+  std::vector<FrictionContact> contacts;
   std::vector<Twist<6>> V;
 
   OnCones(const std::vector<spook::Row<6>>& from, std::size_t bodies, double friction)
@@ -80,11 +80,11 @@ struct OnCones {
     return static_cast<double>(cone_solve(contacts, rows, V, stop).history.size());
   }
   double by_blocks(const StopRule& stop) {
-    return sweeps_of(stop, [&](const Rubbing& contact) { return update_contact(contact, rows, V); });
+    return sweeps_of(stop, [&](const FrictionContact& contact) { return update_contact(contact, rows, V); });
   }
   /// Row by row, but each contact's three rows so often before the next contact's; what the first time changed counts.
   double by_repeats(int repeats, const StopRule& stop) {
-    return sweeps_of(stop, [&](const Rubbing& contact) {
+    return sweeps_of(stop, [&](const FrictionContact& contact) {
       double first = 0;
       for (int n = 0; n < repeats; ++n) {
         spook::Row<6>& normal = rows[contact.normal];
@@ -102,7 +102,7 @@ struct OnCones {
     int sweeps = 0;
     for (double largest = infinity; sweeps < stop.max_sweeps && !(largest <= stop.tolerance); ++sweeps) {
       largest = 0;
-      for (const Rubbing& contact : contacts) largest = std::max(largest, update(contact));
+      for (const FrictionContact& contact : contacts) largest = std::max(largest, update(contact));
     }
     return sweeps;
   }
@@ -249,9 +249,9 @@ Experiment experiment(Size size) {
                                   {"sweeps", name, 3.0, repeats.by_repeats(3, fair)}};
                         }});
   };
-  sweeps("balls", 0.2, [] { return grid(4, 3, false, cone<6>(), 0.2); });
-  sweeps("tower", 0.2, [] { return grid(1, 4, true, cone<6>(), 0.2); });
-  sweeps("leaning boxes", 1, [] { return leaning_boxes(cone<6>()); });
+  sweeps("balls", 0.2, [] { return grid(4, 3, false, cone_gauss_seidel<6>(), 0.2); });
+  sweeps("tower", 0.2, [] { return grid(1, 4, true, cone_gauss_seidel<6>(), 0.2); });
+  sweeps("leaning boxes", 1, [] { return leaning_boxes(cone_gauss_seidel<6>()); });
 
   const std::vector<int> across = size == Size::quick ? std::vector<int>{4, 8} : std::vector<int>{4, 8, 16};
   for (const int n : across)

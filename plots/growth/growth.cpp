@@ -53,8 +53,11 @@ std::vector<Row> of_wire(int links, bool timed) {
 
 /// Square layers, each ball on four of the layer below; all of them touch, and the floor and the walls hold them.
 World<6> stack(int across, int layers, const Solver<6>& solver, int threads, double apart = 1) {
-  World<6> world(
-      {.friction = 0.5, .solver = solver, .warm_start = true, .threads = threads, .stop = {.max_sweeps = 20}});
+  World<6> world({.friction = 0.5,
+                  .solver = solver,
+                  .warm_start = true,
+                  .threads = threads,
+                  .solver_limits = {.max_sweeps = 20}});
   const double half = apart * radius * across;
   world.add_plane(Vec3::UnitZ(), 0);
   for (const Vec3& inwards : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0)})
@@ -78,19 +81,19 @@ double balls(const World<6>& world) {
 
 std::vector<Row> of_memory(int across, int layers) {
   double before = allocated();
-  World<6> alone = stack(across, layers, stripes<6>(), 1, 1.2);
+  World<6> alone = stack(across, layers, spatial_decomposition<6>(), 1, 1.2);
   alone.add_plane(-Vec3::UnitZ(), -1e3);
   alone.step(h);
   const double n = balls(alone) - 1, a_ball = (allocated() - before) / n;
   before = allocated();
-  World<6> touching = stack(across, layers, stripes<6>(), 1);
+  World<6> touching = stack(across, layers, spatial_decomposition<6>(), 1);
   for (int k = 0; k < 2; ++k) touching.step(h);
   const double all = allocated() - before, contacts = static_cast<double>(touching.contacts().size());
   return {{"memory", "ball", n, a_ball}, {"memory", "contact", n, (all - n * a_ball) / contacts}};
 }
 
 std::vector<Row> of_standing(int across, int layers) {
-  World<6> world = stack(across, layers, stripes<6>(), 2);
+  World<6> world = stack(across, layers, spatial_decomposition<6>(), 2);
   const std::vector<Vec3> before = world.bodies().x;
   for (int n = 0; n < 240; ++n) world.step(h);
   double fastest = 0, sunk = 0;
@@ -103,7 +106,8 @@ std::vector<Row> of_standing(int across, int layers) {
 }
 
 std::vector<Row> of_threads(int across, int layers) {
-  World<6> one = stack(across, layers, stripes<6>(), 1), two = stack(across, layers, stripes<6>(), 2);
+  World<6> one = stack(across, layers, spatial_decomposition<6>(), 1),
+           two = stack(across, layers, spatial_decomposition<6>(), 2);
   bool same = true;
   for (int n = 0; n < 5; ++n) {
     one.step(h);
@@ -114,11 +118,12 @@ std::vector<Row> of_threads(int across, int layers) {
 }
 
 std::vector<Row> of_times(int across, int layers) {
-  World<6> swept = stack(across, layers, gauss_seidel<6>(), 1), one = stack(across, layers, stripes<6>(), 1),
-           two = stack(across, layers, stripes<6>(), 2);
+  World<6> swept = stack(across, layers, gauss_seidel<6>(), 1),
+           one = stack(across, layers, spatial_decomposition<6>(), 1),
+           two = stack(across, layers, spatial_decomposition<6>(), 2);
   const double n = balls(swept);
   const std::vector<std::pair<std::string, World<6>*>> ways = {
-      {"as given", &swept}, {"stripes", &one}, {"two threads", &two}};
+      {"as given", &swept}, {"spatial_decomposition", &one}, {"two threads", &two}};
   for (const auto& [name, world] : ways)
     for (int step = 0; step < 10; ++step) world->step(h);  // until every contact is there
   // In turns: what else the machine does meets all of them alike.

@@ -4,12 +4,12 @@
 
 namespace spook::plots {
 
-/// What `measure` returns, or infinity after a Blowup.
+/// What `measure` returns, or infinity after a SimulationDiverged.
 template <class Measure>
 double or_infinity(const Measure& measure) {
   try {
     return measure();
-  } catch (const Blowup&) {
+  } catch (const SimulationDiverged&) {
     return infinity;
   }
 }

@@ -49,7 +49,7 @@ struct Left {
 
 Left left_by_a_run(const Mechanism& mechanism, const Method& method, double time) {
   const auto scene =
-      find_scene(mechanism.scene).build(parameters(mechanism, method.compose.has_value()), method);
+      find_scene(mechanism.scene).build(parameters(mechanism, method.integrator_order.has_value()), method);
   double first = 0, change = 0, largest_motion = 0;
   for (std::int64_t n = 0; n <= step_count(method.h, time); ++n) {
     if (n > 0) scene->advance(1);
@@ -65,7 +65,7 @@ Left left_by_a_run(const Mechanism& mechanism, const Method& method, double time
 
 std::vector<Row> measured(const Mechanism& mechanism, bool composed, double h, Size size) {
   Method method{.h = h, .solver = "direct"};
-  if (composed) method.compose = 4;
+  if (composed) method.integrator_order = 4;
   const Left left = left_by_a_run(mechanism, method, mechanism.time / (size == Size::quick ? 4 : 1));
   double us = 0;  // the quick size says nothing of time
   if (size == Size::full)

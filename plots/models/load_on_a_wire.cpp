@@ -48,7 +48,10 @@ std::vector<double> answer(double h) {
 
 template <int Dof>
 Settings<Dof> settings(int sweeps) {
-  return {.gravity = Vec3(0, 0, -g), .k = 1e9, .solver = gauss_seidel<Dof>(), .stop = {.max_sweeps = sweeps}};
+  return {.gravity = Vec3(0, 0, -g),
+          .k = 1e9,
+          .solver = gauss_seidel<Dof>(),
+          .solver_limits = {.max_sweeps = sweeps}};
 }
 
 /// A world with the load as its last body.
@@ -101,7 +104,7 @@ double largest_error(World<Dof>& world, double h, const std::vector<double>& ang
   for (std::size_t n = 1; n < angles.size(); ++n) {
     try {
       world.step(h);
-    } catch (const Blowup&) {
+    } catch (const SimulationDiverged&) {
       return std::numeric_limits<double>::infinity();
     }
     worst = std::max(worst, (world.x(body) - at_angle(angles[n], length)).norm());

@@ -58,7 +58,7 @@ double stretch(const Wire& wire, const Solve& with) {
                   .k = k,
                   .d = d,
                   .solver = gauss_seidel<3>(),
-                  .stop = {.max_sweeps = with.sweeps}});
+                  .solver_limits = {.max_sweeps = with.sweeps}});
   world.add_fixed(Vec3::Zero());
   for (int point = 1; point <= wire.links; ++point) {
     world.add({.x = Vec3(0, 0, -double(point) / wire.links), .mass = point == wire.links ? wire.ratio * m : m});

@@ -29,8 +29,11 @@ namespace {
 constexpr double g = 9.81, h = 1.0 / 60, d = 3, l1 = 1, l2 = 1.1;
 
 Row box(double k, int sweeps) {
-  World<6> world(
-      {.gravity = Vec3(0, 0, -g), .k = k, .d = d, .solver = gauss_seidel<6>(), .stop = {.max_sweeps = sweeps}});
+  World<6> world({.gravity = Vec3(0, 0, -g),
+                  .k = k,
+                  .d = d,
+                  .solver = gauss_seidel<6>(),
+                  .solver_limits = {.max_sweeps = sweeps}});
   world.add_plane(Vec3::UnitZ(), 0);
   const Vec3 half(0.5, 0.5, 0.2);
   std::vector<Vec3> corners;
@@ -52,8 +55,11 @@ Row box(double k, int sweeps) {
 }
 
 Row loop(double k, int sweeps) {
-  World<3> world(
-      {.gravity = Vec3::Zero(), .k = k, .d = d, .solver = gauss_seidel<3>(), .stop = {.max_sweeps = sweeps}});
+  World<3> world({.gravity = Vec3::Zero(),
+                  .k = k,
+                  .d = d,
+                  .solver = gauss_seidel<3>(),
+                  .solver_limits = {.max_sweeps = sweeps}});
   world.add_fixed(Vec3::Zero());
   world.add({.x = Vec3((l1 + l2) / 2, 0, 0)});
   world.add_joint({.i = 0, .j = 1, .length = l1});

@@ -42,8 +42,11 @@ double decay(double h, double k, double d) {
 }
 
 Row rest(double h, double k, double d) {
-  World<3> world(
-      {.gravity = Vec3(0, 0, -g), .k = k, .d = d, .solver = gauss_seidel<3>(), .stop = {.max_sweeps = 1}});
+  World<3> world({.gravity = Vec3(0, 0, -g),
+                  .k = k,
+                  .d = d,
+                  .solver = gauss_seidel<3>(),
+                  .solver_limits = {.max_sweeps = 1}});
   world.add_plane(Vec3::UnitZ(), 0);
   const int ball = world.add({.x = Vec3(0, 0, radius), .radius = radius});
   const int steps = 1000 + static_cast<int>(std::log(1e-17) / std::log(decay(h, k, d)));

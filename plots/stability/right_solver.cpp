@@ -21,19 +21,20 @@ namespace {
 using Values = std::vector<std::pair<std::string, double>>;
 
 /// The scene's error after `seconds`, infinite when it blew up; and its state, engine/diagnostics/run_check.hpp.
-struct Outcome {
+struct SolverResult {
   double error;
   State state;
 };
 
-Outcome outcome(const std::string& name, const Values& values,
-                const std::vector<std::pair<std::string, std::string>>& choices, double h, double seconds) {
+SolverResult outcome(const std::string& name, const Values& values,
+                     const std::vector<std::pair<std::string, std::string>>& choices, double h,
+                     double seconds) {
   const SceneDescription& scene = find_scene(name);
   Parameters parameters(scene.parameters);
   for (const auto& [parameter, value] : values) parameters.set(parameter, exact_text(value));
   for (const auto& [parameter, choice] : choices) parameters.set(parameter, choice);
-  const std::string solver = name == "stiff_wire" ? "stiff" : "direct";
-  const auto run = scene.build(parameters, {.h = h, .solver = solver, .stop = {.max_sweeps = 200}});
+  const std::string solver = name == "stiff_wire" ? "geometric_stiffness" : "direct";
+  const auto run = scene.build(parameters, {.h = h, .solver = solver, .solver_limits = {.max_sweeps = 200}});
   try {
     run->judge();
     for (int n = 0; n < std::lround(seconds / h); ++n) {
@@ -41,7 +42,7 @@ Outcome outcome(const std::string& name, const Values& values,
       run->observe();
       run->judge();
     }
-  } catch (const Blowup&) {
+  } catch (const SimulationDiverged&) {
     return {infinity, State::lost};
   }
   return {run->error(), run->verdict().state};
@@ -54,7 +55,7 @@ Experiment experiment(Size size) {
   const auto add = [&](const std::string& what, double across, double up, double law, double lost_above,
                        auto measure) {
     e.points.push_back({what + " " + exact_text(across) + " " + exact_text(up), [=]() -> std::vector<Row> {
-                          const Outcome found = measure();
+                          const SolverResult found = measure();
                           return {{what, across, up, found.error, double(!(found.error <= lost_above)), law,
                                    name_of(found.state)}};
                         }});

@@ -2,7 +2,7 @@
 // step.
 //
 // Moments (1, 2, 3) kg m², ω along (1, 2, -2) at first. Errors are the largest of |T/T₀ - 1| and |L - L₀|/|L₀|.
-// Lost is what ended in a Blowup.
+// Lost is what ended in a SimulationDiverged.
 //
 // The law of the explicit torque, Eq. (2.9). With τ = -ω × Iω a step ω += h I⁻¹τ changes, exactly,
 //
@@ -49,19 +49,19 @@ Errors spin_on(double spin, RotationUpdate update, double h) {
       errors.T = std::max(errors.T, std::abs(kinetic_energy(world.bodies()) / T - 1));
       errors.L = std::max(errors.L, (angular_momentum(world.bodies()) - L).norm() / L.norm());
     }
-  } catch (const Blowup&) {
+  } catch (const SimulationDiverged&) {
     return {infinity, infinity};
   }
   return errors;
 }
 
-/// h |ω|² t of the Blowup for small h; infinite if there is none, as with a torque of a student that is wrong.
+/// h |ω|² t of the SimulationDiverged for small h; infinite if there is none, as with a torque of a student that is wrong.
 double constant_of_blowup() {
   const double h = 0.01;
   World<6> world = top(1, RotationUpdate::exponential);
   try {
     while (h * world.time() < 1000) world.step(h);
-  } catch (const Blowup& blowup) {
+  } catch (const SimulationDiverged& blowup) {
     return h * blowup.time();
   }
   return infinity;

@@ -33,25 +33,28 @@ World<3> by_force(double k, double h) {
 
 /// Along the line to its anchor, `length` away, a distance is as linear as the spring.
 World<3> by_distance(double k) {
-  World<3> world(
-      {.gravity = Vec3::Zero(), .k = k, .d = d, .solver = gauss_seidel<3>(), .stop = {.max_sweeps = 1}});
+  World<3> world({.gravity = Vec3::Zero(),
+                  .k = k,
+                  .d = d,
+                  .solver = gauss_seidel<3>(),
+                  .solver_limits = {.max_sweeps = 1}});
   world.add({.x = Vec3::UnitX()});
   world.add_fixed(Vec3(-length, 0, 0));
   world.add_joint({.i = 1, .j = 0, .length = length});
   return world;
 }
 
-struct Outcome {
+struct SolverResult {
   double error = 0, farthest = 0;  // the second in the 1000 steps, or a period if that is longer
 };
 
-Outcome swing(World<3> world, double k, double h) {
+SolverResult swing(World<3> world, double k, double h) {
   const double omega = std::sqrt(k), period = 2 * std::numbers::pi / omega;
-  Outcome outcome;
+  SolverResult outcome;
   for (int n = 1; n <= steps || n * h <= period; ++n) {
     try {
       world.step(h);
-    } catch (const Blowup&) {
+    } catch (const SimulationDiverged&) {
       return {infinity, infinity};
     }
     const double x = world.x(0).x();
@@ -72,7 +75,7 @@ Experiment experiment(Size size) {
                           std::vector<Row> rows;
                           for (const double k : stiffnesses)
                             for (const bool force : {true, false}) {
-                              const Outcome found = swing(force ? by_force(k, h) : by_distance(k), k, h);
+                              const SolverResult found = swing(force ? by_force(k, h) : by_distance(k), k, h);
                               rows.push_back({force ? "force" : "distance", h, k, found.error, found.farthest,
                                               double(!(found.farthest <= 1 + 1e-9))});
                             }

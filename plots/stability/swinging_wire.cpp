@@ -34,14 +34,17 @@ struct Wire {
   }
 };
 
-struct Outcome {
+struct SolverResult {
   Vec3 load;
   double residual;  // the largest of any step [m/s]
 };
 
-Outcome swing(const Wire& wire, int steps, const std::string& solver, const StopRule& stop = {}) {
-  World<3> world(
-      {.gravity = Vec3(0, 0, -g), .k = k, .d = 3.0, .solver = find_solver<3>(solver).make(), .stop = stop});
+SolverResult swing(const Wire& wire, int steps, const std::string& solver, const StopRule& stop = {}) {
+  World<3> world({.gravity = Vec3(0, 0, -g),
+                  .k = k,
+                  .d = 3.0,
+                  .solver = find_solver<3>(solver).make(),
+                  .solver_limits = stop});
   const Vec3 along(std::sin(angle), 0, -std::cos(angle));
   world.add_fixed(Vec3::Zero());
   for (int point = 1; point <= wire.links; ++point) {
@@ -54,7 +57,7 @@ Outcome swing(const Wire& wire, int steps, const std::string& solver, const Stop
       world.step(seconds / steps);
       residual = std::max(residual, world.report().residual);
     }
-  } catch (const Blowup&) {  // as with a student's functions
+  } catch (const SimulationDiverged&) {  // as with a student's functions
     return {Vec3::Constant(infinity), residual};
   }
   return {world.x(wire.links), residual};
@@ -74,7 +77,7 @@ Experiment experiment(Size size) {
                                 swing(wire, static_cast<int>(std::ceil(seconds / fine)), "direct").load;
                             std::vector<Row> rows;
                             for (const int rate : rates) {
-                              const Outcome found = swing(wire, rate, "direct");
+                              const SolverResult found = swing(wire, rate, "direct");
                               const double error = (found.load - right).norm();
                               rows.push_back({"map", double(links), ratio, 1.0 / rate, error,
                                               double(!(error <= 0.05)), wire.largest_step(), found.residual});

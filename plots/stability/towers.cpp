@@ -53,7 +53,7 @@ double measured(const Tower& tower, int sweeps) {
                   .k = tower.k,
                   .d = d,
                   .solver = gauss_seidel<3>(),
-                  .stop = {.max_sweeps = sweeps}});
+                  .solver_limits = {.max_sweeps = sweeps}});
   world.add_plane(Vec3::UnitZ(), 0);
   const int count = static_cast<int>(tower.masses.size());
   for (int i = 0; i < count; ++i)
@@ -73,7 +73,7 @@ double measured(const Tower& tower, int sweeps) {
 /// The same at rest, from the matrices.
 double predicted(const Tower& tower, int sweeps) {
   const auto n = static_cast<Eigen::Index>(tower.masses.size());
-  const Spook spook = spook_parameters(h, tower.k, d);
+  const SpookParameters spook = spook_parameters(h, tower.k, d);
   Eigen::MatrixXd lower = Eigen::MatrixXd::Zero(n, n), upper = lower;  // D - L, and U
   Eigen::VectorXd hN(n);
   for (Eigen::Index c = 0; c < n; ++c) {

@@ -1,7 +1,7 @@
 // Speed against error for any scene: a point for each way to step and to solve it.
 //
 //   --scene NAME --set name=value ...     a scene and its parameters (a stack of ten spheres)
-//   --solver A,B --iterations 10,100 --h 1/60,1/120 --order up,random --warm-start=off,on ...
+//   --solver A,B --iterations 10,100 --h 1/60,1/120 --row-order up,random --warm-start=off,on ...
 //
 // All options of ./course run, each with several values if one likes: a point for each of their combinations. The error
 // is the scene's own. The cost is the median of the microseconds a step with its quartiles, and, the same on every
@@ -33,10 +33,11 @@ struct Chosen {
       {"solver", "gauss_seidel", "solvers", &TypedRun::solver},
       {"h", "1/60,1/120,1/240", "steps [s]", &TypedRun::h, false},
       {"substeps", "", "steps that each step is made of", &TypedRun::substeps},
-      {"compose", "", "order of a step: 2, or 4, composed of five leapfrogs", &TypedRun::compose},
-      {"order", "", "of the rows: given, up, down, random, interleaved", &TypedRun::order},
+      {"integrator-order", "", "order of a step: 2, or 4, composed of five leapfrogs",
+       &TypedRun::integrator_order},
+      {"row-order", "", "of the rows: given, up, down, random, interleaved", &TypedRun::row_order},
       {"seed", "", "of a random order", &TypedRun::seed},
-      {"margin", "", "largest gaps of a contact [m]", &TypedRun::margin},
+      {"contact-margin", "", "largest gaps of a contact [m]", &TypedRun::contact_margin},
       {"friction-model", "", "box, two_pass, cone", &TypedRun::friction_model},
       {"tangents", "", "fixed, sliding", &TypedRun::tangents},
       {"threads", "", "that share the work", &TypedRun::threads},
@@ -100,9 +101,9 @@ std::vector<Asked> all_runs(const Chosen& chosen, bool solves, bool quick) {
 std::vector<Row> measured(const Asked& asked, const SceneDescription& scene, const Parameters& set,
                           const RunSettings& settings) {
   const RunResult result = run(scene, set, settings);
-  return {{scene.name, asked.line, asked.all_have, double(settings.method.stop.max_sweeps), settings.method.h,
-           result.error, name_of(result.verdict.state), result.us_per_step.value_or(0), result.us_low,
-           result.us_high, double(result.row_updates) / settings.time}};
+  return {{scene.name, asked.line, asked.all_have, double(settings.method.solver_limits.max_sweeps),
+           settings.method.h, result.error, name_of(result.verdict.state), result.us_per_step.value_or(0),
+           result.us_low, result.us_high, double(result.row_updates) / settings.time}};
 }
 
 Experiment experiment(Size size, const Chosen& chosen) {

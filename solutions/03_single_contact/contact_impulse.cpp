@@ -4,7 +4,7 @@
 
 namespace spook {
 
-double contact_impulse(const Spook& spook, double nKn, double gap, double normal_velocity,
+double contact_impulse(const SpookParameters& spook, double nKn, double gap, double normal_velocity,
                        double force_velocity) {
   const double B = -spook.a * gap - spook.b * normal_velocity - force_velocity;
   // In this order std::max keeps a NaN.

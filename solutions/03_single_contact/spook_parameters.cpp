@@ -3,7 +3,7 @@
 
 namespace spook {
 
-Spook spook_parameters(double h, double k, double d) {
+SpookParameters spook_parameters(double h, double k, double d) {
   require_positive("h", h);
   require_positive("k", k);
   require_not_negative("d", d);

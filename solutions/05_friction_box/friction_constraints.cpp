@@ -3,7 +3,8 @@
 namespace spook {
 
 template <int Dof>
-static Constraint<Dof> along(const Vec3& t, const Contact& contact, double bound, const Spook& spook) {
+static Constraint<Dof> along(const Vec3& t, const Contact& contact, double bound,
+                             const SpookParameters& spook) {
   // Eq. (3.3), which holds for any direction. contact_jacobian would want a copy of the contact, with t for n.
   return {.i = contact.i,
           .j = contact.j,
@@ -17,13 +18,13 @@ static Constraint<Dof> along(const Vec3& t, const Contact& contact, double bound
 
 template <int Dof>
 std::array<Constraint<Dof>, 2> friction_constraints(const Contact& contact, const Tangents& tangents,
-                                                    double bound, const Spook& spook) {
+                                                    double bound, const SpookParameters& spook) {
   return {along<Dof>(tangents.t1, contact, bound, spook), along<Dof>(tangents.t2, contact, bound, spook)};
 }
 
 template std::array<Constraint<3>, 2> friction_constraints<3>(const Contact&, const Tangents&, double,
-                                                              const Spook&);
+                                                              const SpookParameters&);
 template std::array<Constraint<6>, 2> friction_constraints<6>(const Contact&, const Tangents&, double,
-                                                              const Spook&);
+                                                              const SpookParameters&);
 
 }  // namespace spook

@@ -4,7 +4,7 @@ namespace spook {
 
 template <int Dof>
 std::array<Constraint<Dof>, 3> ball_joint_constraints(const Attachment& i, const Attachment& j,
-                                                      const Spook& spook) {
+                                                      const SpookParameters& spook) {
   const Vec3 apart = (j.x + j.r) - (i.x + i.r);  // Eq. (6.5)
   std::array<Constraint<Dof>, 3> rows;
   for (int axis = 0; axis < 3; ++axis) {
@@ -24,8 +24,8 @@ std::array<Constraint<Dof>, 3> ball_joint_constraints(const Attachment& i, const
 }
 
 template std::array<Constraint<3>, 3> ball_joint_constraints<3>(const Attachment&, const Attachment&,
-                                                                const Spook&);
+                                                                const SpookParameters&);
 template std::array<Constraint<6>, 3> ball_joint_constraints<6>(const Attachment&, const Attachment&,
-                                                                const Spook&);
+                                                                const SpookParameters&);
 
 }  // namespace spook

@@ -5,7 +5,7 @@ namespace spook {
 
 template <int Dof>
 Constraint<Dof> distance_constraint(const Attachment& i, const Attachment& j, double length,
-                                    const Spook& spook) {
+                                    const SpookParameters& spook) {
   require_positive("length", length);
   const Vec3 apart = (j.x + j.r) - (i.x + i.r);
   const double distance = apart.norm();
@@ -28,7 +28,9 @@ Constraint<Dof> distance_constraint(const Attachment& i, const Attachment& j, do
           .hi = infinity};
 }
 
-template Constraint<3> distance_constraint<3>(const Attachment&, const Attachment&, double, const Spook&);
-template Constraint<6> distance_constraint<6>(const Attachment&, const Attachment&, double, const Spook&);
+template Constraint<3> distance_constraint<3>(const Attachment&, const Attachment&, double,
+                                              const SpookParameters&);
+template Constraint<6> distance_constraint<6>(const Attachment&, const Attachment&, double,
+                                              const SpookParameters&);
 
 }  // namespace spook

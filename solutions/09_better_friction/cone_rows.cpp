@@ -13,8 +13,8 @@ double stiffest_direction(const Row<Dof>& row1, const Row<Dof>& row2) {
 }
 
 template <int Dof>
-Vec2 next_friction(const Rubbing& contact, const std::vector<Row<Dof>>& rows, const std::vector<Twist<Dof>>& V,
-                   double s) {
+Vec2 next_friction(const FrictionContact& contact, const std::vector<Row<Dof>>& rows,
+                   const std::vector<Twist<Dof>>& V, double s) {
   const double mass = 1 / s;
   const auto unprojected = [&](const Row<Dof>& row) {
     const double r = row.B - row.Gi.dot(V[row.i]) - row.Gj.dot(V[row.j]) - row.Sigma * row.lambda;
@@ -26,9 +26,9 @@ Vec2 next_friction(const Rubbing& contact, const std::vector<Row<Dof>>& rows, co
 
 template double stiffest_direction<3>(const Row<3>&, const Row<3>&);
 template double stiffest_direction<6>(const Row<6>&, const Row<6>&);
-template Vec2 next_friction<3>(const Rubbing&, const std::vector<Row<3>>&, const std::vector<Twist<3>>&,
+template Vec2 next_friction<3>(const FrictionContact&, const std::vector<Row<3>>&, const std::vector<Twist<3>>&,
                                double);
-template Vec2 next_friction<6>(const Rubbing&, const std::vector<Row<6>>&, const std::vector<Twist<6>>&,
+template Vec2 next_friction<6>(const FrictionContact&, const std::vector<Row<6>>&, const std::vector<Twist<6>>&,
                                double);
 
 }  // namespace spook

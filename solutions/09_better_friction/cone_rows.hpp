@@ -10,7 +10,7 @@ double stiffest_direction(const Row<Dof>& row1, const Row<Dof>& row2);
 
 /// λ_t of Eq. (9.6).
 template <int Dof>
-Vec2 next_friction(const Rubbing& contact, const std::vector<Row<Dof>>& rows, const std::vector<Twist<Dof>>& V,
-                   double s);
+Vec2 next_friction(const FrictionContact& contact, const std::vector<Row<Dof>>& rows,
+                   const std::vector<Twist<Dof>>& V, double s);
 
 }  // namespace spook

@@ -4,7 +4,7 @@
 namespace spook {
 
 template <int Dof>
-SolveReport cone_solve(const std::vector<Rubbing>& contacts, std::vector<Row<Dof>>& rows,
+SolveReport cone_solve(const std::vector<FrictionContact>& contacts, std::vector<Row<Dof>>& rows,
                        std::vector<Twist<Dof>>& V, const StopRule& stop) {
   require_positive("max_sweeps", stop.max_sweeps);
   require_not_negative("tolerance", stop.tolerance);
@@ -18,9 +18,9 @@ SolveReport cone_solve(const std::vector<Rubbing>& contacts, std::vector<Row<Dof
   return report;
 }
 
-template SolveReport cone_solve<3>(const std::vector<Rubbing>&, std::vector<Row<3>>&, std::vector<Twist<3>>&,
-                                   const StopRule&);
-template SolveReport cone_solve<6>(const std::vector<Rubbing>&, std::vector<Row<6>>&, std::vector<Twist<6>>&,
-                                   const StopRule&);
+template SolveReport cone_solve<3>(const std::vector<FrictionContact>&, std::vector<Row<3>>&,
+                                   std::vector<Twist<3>>&, const StopRule&);
+template SolveReport cone_solve<6>(const std::vector<FrictionContact>&, std::vector<Row<6>>&,
+                                   std::vector<Twist<6>>&, const StopRule&);
 
 }  // namespace spook

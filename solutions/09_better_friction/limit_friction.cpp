@@ -3,8 +3,8 @@
 namespace spook {
 
 template <int Dof>
-void limit_friction(const std::vector<Rubbing>& contacts, std::vector<Row<Dof>>& rows) {
-  for (const Rubbing& contact : contacts) {
+void limit_friction(const std::vector<FrictionContact>& contacts, std::vector<Row<Dof>>& rows) {
+  for (const FrictionContact& contact : contacts) {
     const double limit = contact.mu * rows[contact.normal].lambda;  // Eq. (9.1)
     for (const std::size_t k : {contact.normal + 1, contact.normal + 2}) {
       rows[k].lo = -limit;
@@ -13,7 +13,7 @@ void limit_friction(const std::vector<Rubbing>& contacts, std::vector<Row<Dof>>&
   }
 }
 
-template void limit_friction<3>(const std::vector<Rubbing>&, std::vector<Row<3>>&);
-template void limit_friction<6>(const std::vector<Rubbing>&, std::vector<Row<6>>&);
+template void limit_friction<3>(const std::vector<FrictionContact>&, std::vector<Row<3>>&);
+template void limit_friction<6>(const std::vector<FrictionContact>&, std::vector<Row<6>>&);
 
 }  // namespace spook

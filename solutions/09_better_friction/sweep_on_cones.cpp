@@ -5,7 +5,7 @@
 namespace spook {
 
 template <int Dof>
-double sweep_on_cones(const std::vector<Rubbing>& contacts, std::vector<Row<Dof>>& rows,
+double sweep_on_cones(const std::vector<FrictionContact>& contacts, std::vector<Row<Dof>>& rows,
                       std::vector<Twist<Dof>>& V) {
   double largest = 0;
   const auto note = [&](double lacked) {
@@ -21,7 +21,9 @@ double sweep_on_cones(const std::vector<Rubbing>& contacts, std::vector<Row<Dof>
   return largest;
 }
 
-template double sweep_on_cones<3>(const std::vector<Rubbing>&, std::vector<Row<3>>&, std::vector<Twist<3>>&);
-template double sweep_on_cones<6>(const std::vector<Rubbing>&, std::vector<Row<6>>&, std::vector<Twist<6>>&);
+template double sweep_on_cones<3>(const std::vector<FrictionContact>&, std::vector<Row<3>>&,
+                                  std::vector<Twist<3>>&);
+template double sweep_on_cones<6>(const std::vector<FrictionContact>&, std::vector<Row<6>>&,
+                                  std::vector<Twist<6>>&);
 
 }  // namespace spook

@@ -2,7 +2,7 @@
 
 namespace spook {
 
-Constraint<6> limit_constraint(const Coordinate& free, const JointLimits& limits, const Spook& spook,
+Constraint<6> limit_constraint(const Coordinate& free, const JointLimits& limits, const SpookParameters& spook,
                                double h) {
   const double above = free.value - limits.lower, below = limits.upper - free.value;  // Eq. (13.10)
   const double sign = above <= below ? 1 : -1, gap = std::min(above, below);

@@ -3,7 +3,7 @@
 namespace spook {
 
 template <int Dof>
-double update_contact(const Rubbing& contact, std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V) {
+double update_contact(const FrictionContact& contact, std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V) {
   Row<Dof>* const of = &rows[contact.normal];
   const Twist<Dof>&Vi = V[of->i], &Vj = V[of->j];
   Mat3 S;
@@ -24,7 +24,7 @@ double update_contact(const Rubbing& contact, std::vector<Row<Dof>>& rows, std::
   return (S * change).norm();
 }
 
-template double update_contact<3>(const Rubbing&, std::vector<Row<3>>&, std::vector<Twist<3>>&);
-template double update_contact<6>(const Rubbing&, std::vector<Row<6>>&, std::vector<Twist<6>>&);
+template double update_contact<3>(const FrictionContact&, std::vector<Row<3>>&, std::vector<Twist<3>>&);
+template double update_contact<6>(const FrictionContact&, std::vector<Row<6>>&, std::vector<Twist<6>>&);
 
 }  // namespace spook

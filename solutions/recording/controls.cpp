@@ -44,7 +44,7 @@ Json controls(const SceneDescription& description, const Parameters& parameters,
   list.push_back(slider("h", method.h, "s", {description.h / 30, description.h * 10, true, false}));
   if (description.solves) {
     list.push_back(choice("solver", method.solver, solver_names()));
-    list.push_back(slider("iterations", method.stop.max_sweeps, "", {1, 1000, true, true}));
+    list.push_back(slider("iterations", method.solver_limits.max_sweeps, "", {1, 1000, true, true}));
     list.push_back(choice("friction_model", name_of(method.friction_model), {"box", "two_pass", "cone"}));
     list.push_back(choice("warm_start", method.warm_start ? "on" : "off", {"off", "on"}));
   }

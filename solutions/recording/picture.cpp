@@ -4,18 +4,11 @@ namespace spook {
 
 template <int Dof>
 Picture picture_of(const World<Dof>& world) {
-  Picture picture{.bodies = std::vector<Shape>(world.bodies().size()), .joints = world.joints()};
-  const auto shape = [&](int body) -> Shape& { return picture.bodies[world.index(body)]; };
-  const Shapes& shapes = world.shapes();
-  for (const Solid& solid : shapes.solids)
-    shape(solid.body) = {.kind = solid.radius > 0 ? Shape::Kind::ball : Shape::Kind::box,
-                         .radius = solid.radius,
-                         .half_sides = solid.half_sides};
-  for (const Corners& corners : shapes.corners)
-    shape(corners.body) = {.kind = Shape::Kind::corners, .corners = corners.points};
-  for (const Plane& plane : shapes.planes)
-    shape(plane.body) = {.kind = Shape::Kind::plane, .n = plane.n, .offset = plane.offset};
-  for (std::size_t i = 0; i < picture.bodies.size(); ++i) picture.bodies[i].fixed = world.bodies().is_fixed(i);
+  Picture picture{.bodies = std::vector<Appearance>(world.bodies().size()), .joints = world.joints()};
+  for (std::size_t i = 0; i < picture.bodies.size(); ++i)
+    picture.bodies[i] = {.shape = world.shapes().of(static_cast<int>(i)),
+                         .is_static = world.bodies().is_fixed(i)};
+  for (const Plane& plane : world.shapes().planes) picture.bodies[world.index(plane.body)].plane = plane;
   return picture;
 }
 
@@ -27,13 +20,13 @@ static Energy energy_of(const World<Dof>& world, double h) {
     if (bodies.is_fixed(i)) continue;
     const Vec3 v = bodies.motion.W[i].template head<3>();
     energy.motion += bodies.mass[i] * v.squaredNorm() / 2;
-    energy.weight -= bodies.mass[i] * world.settings().gravity.dot(bodies.x[i] - world.behind(h) * v);
+    energy.weight -= bodies.mass[i] * world.settings().gravity.dot(bodies.x[i] - world.velocity_lag(h) * v);
     if constexpr (Dof == 6) {
       const Vec3 in_body = bodies.orientations.q[i].conjugate() * bodies.motion.W[i].template tail<3>();
       energy.turning += bodies.orientations.principal[i].dot(in_body.cwiseAbs2()) / 2;
     }
   }
-  if (world.settings().compose == 4) return energy;  // joints are rigid
+  if (world.settings().integrator_order == 4) return energy;  // joints are rigid
   const auto held = [&](double lambda, double k) { return lambda * lambda / (2 * h * h * k); };
   const auto joints = static_cast<int>(world.joints().size()),
              contacts = static_cast<int>(world.contacts().size());

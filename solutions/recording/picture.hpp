@@ -1,6 +1,7 @@
 #pragma once
 // What a scene looks like, and what it looks like now: the content of a recording, in plain numbers.
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,21 +9,17 @@
 
 namespace spook {
 
-/// What a body looks like.
-struct Shape {
-  enum class Kind { point, ball, box, corners, plane, hand };
-  Kind kind = Kind::point;
-  double radius = 0;               ///< of a ball [m]
-  Vec3 half_sides = Vec3::Zero();  ///< of a box, along the body's axes [m]
-  std::vector<Vec3> corners = {};  ///< in the body's axes [m]
-  Vec3 n = Vec3::Zero();           ///< of a plane
-  double offset = 0;               ///< of a plane, the half-space n·x < offset [m]
-  bool fixed = false;
+/// The look of a body.
+struct Appearance {
+  Shape shape = NoShape{};
+  std::optional<Plane> plane = {};  ///< in place of a shape
+  bool is_hand = false;             ///< what pulls at a body, which is not drawn
+  bool is_static = false;
 };
 
 /// What does not change in a run.
 struct Picture {
-  std::vector<Shape> bodies;
+  std::vector<Appearance> bodies;
   std::vector<Joint> joints;
 };
 

@@ -17,16 +17,30 @@ static Json numbers(const std::vector<Vec3>& all) {
 }
 
 static Json to_json(const Shape& shape) {
-  static constexpr std::array names = {"point", "ball", "box", "corners", "plane", "hand"};
-  Json json = {{"shape", names[static_cast<std::size_t>(shape.kind)]}};
-  if (shape.kind == Shape::Kind::ball) json["radius"] = shape.radius;
-  if (shape.kind == Shape::Kind::box) json["half_sides"] = numbers(shape.half_sides);
-  if (shape.kind == Shape::Kind::corners) json["points"] = numbers(shape.corners);
-  if (shape.kind == Shape::Kind::plane) {
-    json["n"] = numbers(shape.n);
-    json["offset"] = shape.offset;
-  }
-  if (shape.fixed) json["fixed"] = true;
+  return match(
+      shape,
+      [](const NoShape&) -> Json {
+        return {{"shape", "point"}};
+      },
+      [](const Sphere& sphere) -> Json {
+        return {{"shape", "ball"}, {"radius", sphere.radius}};
+      },
+      [](const Capsule& capsule) -> Json {
+        return {{"shape", "capsule"}, {"radius", capsule.radius}, {"half_length", capsule.half_length}};
+      },
+      [](const Cuboid& box) -> Json {
+        return {{"shape", "box"}, {"half_sides", numbers(box.half_sides)}};
+      },
+      [](const PointSet& set) -> Json {
+        return {{"shape", "corners"}, {"points", numbers(set.points)}};
+      });
+}
+
+static Json to_json(const Appearance& body) {
+  Json json = to_json(body.shape);
+  if (body.plane) json = {{"shape", "plane"}, {"n", numbers(body.plane->n)}, {"offset", body.plane->offset}};
+  if (body.is_hand) json = {{"shape", "hand"}};
+  if (body.is_static) json["fixed"] = true;
   return json;
 }
 
@@ -114,7 +128,7 @@ Recorder::Recorder(std::ostream& out, const SceneDescription& description, const
 void Recorder::begin(const Scene& scene, bool live) {
   const Picture picture = scene.picture();
   Json bodies = Json::array(), joints = Json::array(), curves = Json::array();
-  for (const Shape& shape : picture.bodies) bodies.push_back(to_json(shape));
+  for (const Appearance& body : picture.bodies) bodies.push_back(to_json(body));
   for (const Joint& joint : picture.joints) joints.push_back(to_json(joint));
   for (const Curve& curve : scene.curves())
     curves.push_back({{"name", curve.name}, {"points", numbers(curve.points)}});

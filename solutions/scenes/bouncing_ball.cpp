@@ -63,7 +63,7 @@ class BouncingBall : public WorldScene<3> {
 
  private:
   double z() const { return world_.x(ball_).z() - radius_; }
-  double v() const { return world_.v_beside_x(ball_, h_).z(); }
+  double v() const { return world_.synchronized_velocity(ball_, h_).z(); }
   double peak() const { return z() + v() * v() / (2 * g_); }
 
   double h0_, g_, radius_;  // h0 of the lowest point

@@ -90,7 +90,7 @@ class Bricard : public WorldScene<6> {
   static constexpr int third = 3;
   Vec3 corner() const { return world_.x(third) + orientation(world_, third) * Vec3(l_ / 2, 0, 0); }
   Vec3 answer() const { return answer_.at(time()).segment<3>(2 * 6); }  // corners and axes in turn, from 1
-  double energy() const { return half_step_energy(world_.bodies(), g_, 2 * behind()); }
+  double energy() const { return half_step_energy(world_.bodies(), g_, 2 * velocity_lag()); }
 
   double l_, g_;
   mutable NaturalMotion answer_;  // goes on to the time it is asked for

@@ -71,7 +71,7 @@ class Cloth : public WorldScene<Dof> {
   }
   std::vector<double> sample() const override {
     return {this->time(),     support().z(), balance_.z(),
-            largest_strain(), lowest(),      half_step_energy(world_.bodies(), g_, 2 * this->behind())};
+            largest_strain(), lowest(),      half_step_energy(world_.bodies(), g_, 2 * this->velocity_lag())};
   }
 
  private:

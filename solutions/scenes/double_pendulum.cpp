@@ -60,8 +60,8 @@ class DoublePendulum : public WorldScene<3> {
     if (p.choice("start") == "half_step") {
       const Angles rate = rods_.rate(y);
       const auto across = [](double angle) { return Vec3(std::cos(angle), 0, std::sin(angle)); };
-      v1 = -behind() * rods_.l1 * rate[2] * across(y[0]);  // Eq. (1.5)
-      v2 = v1 - behind() * rods_.l2 * rate[3] * across(y[1]);
+      v1 = -velocity_lag() * rods_.l1 * rate[2] * across(y[0]);  // Eq. (1.5)
+      v2 = v1 - velocity_lag() * rods_.l2 * rate[3] * across(y[1]);
     }
     const int anchor = world_.add_fixed(Vec3::Zero());
     first_ = world_.add({.x = rods_.first(y), .v = v1, .mass = rods_.m1});
@@ -90,7 +90,7 @@ class DoublePendulum : public WorldScene<3> {
             answer.z(),
             -world_.joint_lambda(0) / h_,
             -world_.joint_lambda(1) / h_,
-            half_step_energy(world_.bodies(), rods_.g, 2 * behind())};
+            half_step_energy(world_.bodies(), rods_.g, 2 * velocity_lag())};
   }
 
  private:

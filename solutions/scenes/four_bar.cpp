@@ -73,7 +73,7 @@ class FourBar : public WorldScene<6> {
     const double theta = angle_.at(time())[0];
     return l_ * Vec3(std::sin(theta), 0, std::cos(theta));
   }
-  double energy() const { return half_step_energy(world_.bodies(), g_, 2 * behind()); }
+  double energy() const { return half_step_energy(world_.bodies(), g_, 2 * velocity_lag()); }
 
   double l_, g_;
   mutable ReferenceMotion<2> angle_;  // goes on to the time it is asked for

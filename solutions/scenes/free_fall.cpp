@@ -24,7 +24,7 @@ class FreeFall : public WorldScene<3> {
   std::vector<std::string> columns() const override { return {"time [s]", "z [m]", "v [m/s]", "energy [J]"}; }
   std::vector<double> sample() const override {
     const double z = world_.x(0).z();
-    const double v = shifted_ ? world_.v_beside_x(0, h_).z() : world_.v(0).z();
+    const double v = shifted_ ? world_.synchronized_velocity(0, h_).z() : world_.v(0).z();
     return {time(), z, v, world_.bodies().mass[0] * (v * v / 2 + g_ * z)};
   }
 

@@ -87,7 +87,7 @@ class FlyballGovernor : public WorldScene<6> {
     return {out * std::cos(y[2]), out * std::sin(y[2]), -right_.l * std::cos(y[0])};
   }
   double height() const { return ball().z(); }
-  double energy() const { return half_step_energy(world_.bodies(), right_.g, 2 * behind()); }
+  double energy() const { return half_step_energy(world_.bodies(), right_.g, 2 * velocity_lag()); }
 
   Governor right_;
   double L_;                           // angular momentum, which stays [kg m²/s]

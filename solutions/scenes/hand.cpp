@@ -40,8 +40,8 @@ bool HandIn<Dof>::let_go() {
 }
 
 template <int Dof>
-void HandIn<Dof>::push(int body, const Vec3& impulse) {
-  world_.push(body, impulse);
+void HandIn<Dof>::apply_central_impulse(int body, const Vec3& impulse) {
+  world_.apply_central_impulse(body, impulse);
 }
 
 template <int Dof>

@@ -20,7 +20,7 @@ class Hand {
   virtual bool let_go() = 0;
 
   /// [N s], through the centre.
-  virtual void push(int body, const Vec3& impulse) = 0;
+  virtual void apply_central_impulse(int body, const Vec3& impulse) = 0;
 
   /// Another ball, at rest [m, m, kg]. Throws std::invalid_argument for a radius or a mass that is not positive.
   virtual void drop(const Vec3& x, double radius, double mass) = 0;
@@ -34,7 +34,7 @@ class HandIn final : public Hand {
 
   bool pull(int body, const Vec3& point, const Vec3& to) override;
   bool let_go() override;
-  void push(int body, const Vec3& impulse) override;
+  void apply_central_impulse(int body, const Vec3& impulse) override;
   void drop(const Vec3& x, double radius, double mass) override;
 
   /// The body that it holds on to, once it has held something.

@@ -9,7 +9,7 @@ static constexpr const char *accelerated = "anderson", *by_newton = "newton";
 /// What has sweeps of its own can not have any other solver, or other sweeps, as well.
 static void require_one_solver(const Method& method) {
   if (!method.has_own_sweeps()) return;
-  const bool ordered = method.order != RowOrder::given;
+  const bool ordered = method.row_order != RowOrder::given;
   const bool plain = method.solver == solvers<3>().front().name;  // Gauss-Seidel
   if (ordered && !plain)
     throw std::invalid_argument("an order of rows is for sweeps: solver must be gauss_seidel, but is " +
@@ -31,10 +31,11 @@ Solver<Dof> make_solver(const Method& method) {
   require_one_solver(method);
   if (method.friction_model == FrictionModel::cone) {
     if (method.solver == by_newton) return newton<Dof>(FrictionModel::cone);
-    return method.solver == accelerated ? anderson<Dof>(FrictionModel::cone) : cone<Dof>();
+    return method.solver == accelerated ? anderson<Dof>(FrictionModel::cone) : cone_gauss_seidel<Dof>();
   }
-  Solver<Dof> solver =
-      method.order == RowOrder::given ? named.make() : in_order<Dof>(method.order, method.seed);
+  Solver<Dof> solver = method.row_order == RowOrder::given
+                           ? named.make()
+                           : ordered_gauss_seidel<Dof>(method.row_order, method.seed);
   return method.friction_model == FrictionModel::two_pass ? two_pass(std::move(solver)) : solver;
 }
 

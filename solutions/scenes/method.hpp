@@ -8,24 +8,24 @@ struct Method {
   double h;          ///< [s]
   int substeps = 1;  ///< steps of h/substeps that a step is made of
   std::string solver = "gauss_seidel";
-  StopRule stop = {};
+  StopRule solver_limits = {};
   FrictionModel friction_model = FrictionModel::box;
   bool sliding_tangents = false;
-  RowOrder order = RowOrder::given;
+  RowOrder row_order = RowOrder::given;
   std::uint64_t seed = 1;  ///< of a random order
   bool warm_start = false;
-  std::optional<int> compose =
+  std::optional<int> integrator_order =
       {};  ///< the order that steps are composed to, 2 or 4; the scene's own, unless given
   int threads = 1;
-  std::optional<double> margin = {};  ///< [m]; the world's own, unless given
+  std::optional<double> contact_margin = {};  ///< [m]; the world's own, unless given
 
   double step() const { return h / substeps; }  ///< [s]
 
   /// Whether it asks for sweeps that take no other solver: an order, or the cone.
-  bool has_own_sweeps() const { return order != RowOrder::given || friction_model == FrictionModel::cone; }
+  bool has_own_sweeps() const { return row_order != RowOrder::given || friction_model == FrictionModel::cone; }
 };
 
-/// The solver that its `solver`, `friction_model`, `order` and `seed` make together.
+/// The solver that its `solver`, `friction_model`, `row_order` and `seed` make together.
 /// Throws std::invalid_argument, naming them, for an unknown solver, and for two that do not go together.
 template <int Dof>
 Solver<Dof> make_solver(const Method& method);

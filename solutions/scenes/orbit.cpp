@@ -53,7 +53,7 @@ class Orbit : public WorldScene<3> {
   }
   std::vector<double> sample() const override {
     const Vec3& x = world_.x(0);
-    const Vec3 v = shifted_ ? world_.v_beside_x(0, h_) : world_.v(0);
+    const Vec3 v = shifted_ ? world_.synchronized_velocity(0, h_) : world_.v(0);
     const double m = world_.bodies().mass[0];
     return {time(), x.x(), x.y(), m * (v.squaredNorm() / 2 - gm_ / x.norm()), m * x.cross(v).z()};
   }

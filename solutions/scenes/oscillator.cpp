@@ -31,7 +31,7 @@ class Oscillator : public WorldScene<3> {
   std::vector<std::string> columns() const override { return {"time [s]", "x [m]", "v [m/s]", "energy [J]"}; }
   std::vector<double> sample() const override {
     const double x = world_.x(0).x();
-    const double v = shifted_ ? world_.v_beside_x(0, h_).x() : world_.v(0).x();
+    const double v = shifted_ ? world_.synchronized_velocity(0, h_).x() : world_.v(0).x();
     return {time(), x, v, (world_.bodies().mass[0] * v * v + k_ * x * x) / 2};
   }
 

@@ -47,7 +47,7 @@ class Pendulum : public WorldScene<Dof> {
     bob.mass = p.number("m");
     double spin = 0;  // θ' [rad/s]
     if (p.choice("start") == "half_step")
-      spin = this->behind() * g_ / (l_ + added_length(p)) * std::sin(angle0);  // Eq. (1.5), from -θ''
+      spin = this->velocity_lag() * g_ / (l_ + added_length(p)) * std::sin(angle0);  // Eq. (1.5), from -θ''
     bob.v = l_ * spin * across;
     if constexpr (Dof == 6) {
       bob.principal = solid_sphere_moments(bob.mass, p.number("radius"));
@@ -75,7 +75,7 @@ class Pendulum : public WorldScene<Dof> {
   std::vector<double> sample() const override {
     return {this->time(),      degrees(world_.x(bob_)),
             degrees(answer()), gap(),
-            tension(),         half_step_energy(world_.bodies(), g_, 2 * this->behind())};
+            tension(),         half_step_energy(world_.bodies(), g_, 2 * this->velocity_lag())};
   }
 
  private:

@@ -59,7 +59,7 @@ class Rope : public WorldScene<3> {
             tension(links_ / 2),
             answer_.tension.front(),
             answer_.tension[static_cast<std::size_t>(links_ / 2)],
-            half_step_energy(world_.bodies(), g_, 2 * behind())};
+            half_step_energy(world_.bodies(), g_, 2 * velocity_lag())};
   }
 
  private:

@@ -75,7 +75,7 @@ static std::vector<double> sorted_us(const Build& build, std::int64_t steps) {
 
 /// What it takes to time a stage that does nothing [s]: the least of many, as the clock's own time is all of it.
 static double seconds_of_a_look_at_the_clock() {
-  StageClock clock;
+  StepTimer clock;
   clock.start();
   double least = 1, before = 0;
   for (int n = 0; n < 1000; ++n) {

@@ -42,7 +42,7 @@ struct Watch {
 };
 
 /// Builds the scene and runs it.
-/// Throws std::invalid_argument for bad settings before anything is written, and Blowup, with what was written up
+/// Throws std::invalid_argument for bad settings before anything is written, and SimulationDiverged, with what was written up
 /// to then.
 RunResult run(const SceneDescription& scene, const Parameters& parameters, const RunSettings& settings,
               const Watch& watch = {});

@@ -23,7 +23,7 @@ class Scene {
  public:
   virtual ~Scene() = default;
 
-  /// Takes so many steps. Throws Blowup.
+  /// Takes so many steps. Throws SimulationDiverged.
   virtual void advance(std::int64_t steps) = 0;
 
   /// Compares the present state with the answer.
@@ -70,7 +70,7 @@ class Scene {
 
   /// Takes over the bodies of a scene that was built with other numbers: where they are, how they move, and what a hand
   /// did. False, and nothing is done, where the two have not the same bodies.
-  virtual bool go_on_from(const Scene& other) = 0;
+  virtual bool take_state_from(const Scene& other) = 0;
 };
 
 struct SceneDescription {
@@ -97,13 +97,13 @@ class WorldScene : public Scene {
   }
   Picture picture() const final {
     Picture picture = picture_of(world_);
-    if (hand_.anchor()) picture.bodies[world_.index(*hand_.anchor())].kind = Shape::Kind::hand;
+    if (hand_.anchor()) picture.bodies[world_.index(*hand_.anchor())].is_hand = true;
     return picture;
   }
   Frame frame() const final {
     Frame frame = frame_of(world_, h_);
     std::vector<Vec3> x = frame.x;
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] -= behind() * frame.v[i];
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] -= velocity_lag() * frame.v[i];
     frame.energy.field = field_energy(x);
     return frame;
   }
@@ -113,10 +113,10 @@ class WorldScene : public Scene {
     soundness_.begin_again();
     return hand_;
   }
-  bool go_on_from(const Scene& other) final {
+  bool take_state_from(const Scene& other) final {
     const auto* before = dynamic_cast<const WorldScene*>(&other);
     if (!before || !hand_.take_over(before->hand_)) return false;
-    world_.go_on_from(before->world_);
+    world_.take_state_from(before->world_);
     since_ = before->time();
     return true;
   }
@@ -132,7 +132,7 @@ class WorldScene : public Scene {
       : world_(with(std::move(settings), method)), h_(method.step()), hand_(world_) {}
 
   /// How far velocities are behind positions [s].
-  double behind() const { return world_.behind(h_); }
+  double velocity_lag() const { return world_.velocity_lag(h_); }
 
   double time() const { return since_ + static_cast<double>(world_.steps()) * h_; }
 
@@ -149,17 +149,17 @@ class WorldScene : public Scene {
   }
   static Settings<Dof> with(Settings<Dof> settings, const Method& method) {
     settings.solver = make_solver<Dof>(method);
-    settings.stop = method.stop;
+    settings.solver_limits = method.solver_limits;
     settings.sliding_tangents = method.sliding_tangents;
     settings.warm_start = method.warm_start;
-    settings.margin = method.margin;
-    if (method.compose) settings.compose = *method.compose;
+    settings.contact_margin = method.contact_margin;
+    if (method.integrator_order) settings.integrator_order = *method.integrator_order;
     settings.threads = method.threads;
     return settings;
   }
 
   HandIn<Dof> hand_;
-  Soundness<Dof> soundness_;
+  RunCheck<Dof> soundness_;
   double since_ = 0;  // when it took over [s]
 };
 

@@ -79,7 +79,7 @@ class SliderCrank : public WorldScene<6> {
     return p.number("spin") * Vec3::UnitX().cross(Vec3(crank_end - pivot));
   }
   Vec3 answer() const { return answer_.at(time()).segment<3>(3); }
-  double energy() const { return half_step_energy(world_.bodies(), g_, 2 * behind()); }
+  double energy() const { return half_step_energy(world_.bodies(), g_, 2 * velocity_lag()); }
 
   double g_;
   mutable NaturalMotion answer_;  // goes on to the time it is asked for

@@ -27,8 +27,9 @@ class StiffWire : public WorldScene<3> {
     double from_start = 0;
     for (int i = 1; i <= links_; ++i) {
       const double mass = i == links_ ? M : m;
-      world_.add(
-          {.x = length_ * i / links_ * along, .v = -behind() * g_ * std::sin(angle) * across, .mass = mass});
+      world_.add({.x = length_ * i / links_ * along,
+                  .v = -velocity_lag() * g_ * std::sin(angle) * across,
+                  .mass = mass});
       world_.add_joint({.i = i - 1, .j = i, .length = length_ / links_});
       start_energy_ += mass * g_ * world_.x(i).z();
       from_start += mass * g_ * (world_.x(i).z() + length_ * i / links_);
@@ -70,7 +71,7 @@ class StiffWire : public WorldScene<3> {
   /// That of half a step ago, over what there is to lose; 1 at the start.
   double energy() const {
     if (world_.steps() == 0) return 1;
-    return 1 + (half_step_energy(world_.bodies(), g_, 2 * behind()) - start_energy_) / scale_;
+    return 1 + (half_step_energy(world_.bodies(), g_, 2 * velocity_lag()) - start_energy_) / scale_;
   }
 
   int links_;
@@ -111,7 +112,7 @@ SceneDescription stiff_wire() {
       .time = 5,
       .solves = true,
       .build = build_as<StiffWire>,
-      .solver = "stiff"};
+      .solver = "geometric_stiffness"};
 }
 
 }  // namespace spook

@@ -35,20 +35,20 @@ static Value choose(const std::string& option, const std::string& text,
 
 /// How the rows are made and swept.
 static void set_rows(const TypedRun& typed, Method& method) {
-  if (typed.order)
-    method.order = choose<RowOrder>("order", *typed.order,
-                                    {{"given", RowOrder::given},
-                                     {"up", RowOrder::up},
-                                     {"down", RowOrder::down},
-                                     {"random", RowOrder::random},
-                                     {"interleaved", RowOrder::interleaved}});
+  if (typed.row_order)
+    method.row_order = choose<RowOrder>("row-order", *typed.row_order,
+                                        {{"given", RowOrder::given},
+                                         {"up", RowOrder::up},
+                                         {"down", RowOrder::down},
+                                         {"random", RowOrder::random},
+                                         {"interleaved", RowOrder::interleaved}});
   if (typed.seed)
     method.seed =
         static_cast<std::uint64_t>(parse_whole("seed", *typed.seed, 0, std::numeric_limits<int>::max()));
   method.warm_start = typed.warm_start;
-  if (typed.margin) method.margin = parse_number("margin", *typed.margin);
-  if (method.margin && *method.margin < 0)
-    throw std::invalid_argument("margin must be at least 0, but is " + *typed.margin);
+  if (typed.contact_margin) method.contact_margin = parse_number("contact-margin", *typed.contact_margin);
+  if (method.contact_margin && *method.contact_margin < 0)
+    throw std::invalid_argument("contact-margin must be at least 0, but is " + *typed.contact_margin);
   if (typed.friction_model)
     method.friction_model = choose<FrictionModel>(
         "friction-model", *typed.friction_model,
@@ -59,9 +59,9 @@ static void set_rows(const TypedRun& typed, Method& method) {
 
 /// Steps that are composed hold joints in a way of their own.
 static void refuse_solver_beside_composed(const TypedRun& typed, const Method& method) {
-  if (method.compose != 4) return;
+  if (method.integrator_order != 4) return;
   const std::pair<const char*, bool> of_solvers[] = {{"solver", typed.solver.has_value()},
-                                                     {"order", typed.order.has_value()},
+                                                     {"row-order", typed.row_order.has_value()},
                                                      {"friction-model", typed.friction_model.has_value()},
                                                      {"tangents", typed.tangents.has_value()},
                                                      {"warm-start", typed.warm_start}};
@@ -69,7 +69,7 @@ static void refuse_solver_beside_composed(const TypedRun& typed, const Method& m
     if (given)
       throw std::invalid_argument(
           std::string(option) +
-          " is for steps that a solver solves: leave it out with compose 4, which does without");
+          " is for steps that a solver solves: leave it out with integrator-order 4, which does without");
 }
 
 Parameters TypedRun::parameters(const SceneDescription& description) const {
@@ -85,15 +85,17 @@ RunSettings TypedRun::settings(const SceneDescription& description) const {
   if (time) settings.time = parse_number("time", *time);
   if (solver) method.solver = *solver;
   if (iterations)
-    method.stop.max_sweeps = parse_whole("iterations", *iterations, 1, std::numeric_limits<int>::max());
+    method.solver_limits.max_sweeps =
+        parse_whole("iterations", *iterations, 1, std::numeric_limits<int>::max());
   if (tolerance) {
-    method.stop.tolerance = parse_number("tolerance", *tolerance);
-    if (method.stop.tolerance < 0)
+    method.solver_limits.tolerance = parse_number("tolerance", *tolerance);
+    if (method.solver_limits.tolerance < 0)
       throw std::invalid_argument("tolerance must be at least 0, but is " + *tolerance);
   }
   if (substeps) method.substeps = parse_whole("substeps", *substeps, 1, 1'000'000);
   if (threads) method.threads = parse_whole("threads", *threads, 1, most_threads);
-  if (compose) method.compose = choose<int>("compose", *compose, {{"2", 2}, {"4", 4}});
+  if (integrator_order)
+    method.integrator_order = choose<int>("integrator-order", *integrator_order, {{"2", 2}, {"4", 4}});
   set_rows(*this, method);
   refuse_solver_beside_composed(*this, method);
   // What has sweeps of its own is asked for instead of the scene's solver.

@@ -13,7 +13,8 @@ struct TypedRun {
   std::string scene;
   std::vector<std::string> set;
   std::optional<std::string> h, time, solver, iterations, tolerance;
-  std::optional<std::string> substeps, compose, order, seed, margin, friction_model, tangents, threads;
+  std::optional<std::string> substeps, integrator_order, row_order, seed, contact_margin, friction_model,
+      tangents, threads;
   bool warm_start = false;
 
   /// What was typed, as numbers. Throws std::invalid_argument for what makes no sense.

@@ -2,6 +2,7 @@
 #include "spook/file_world.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 namespace spook {
@@ -31,10 +32,29 @@ void at(const Place& place, const Action& action) {
   }
 }
 
-double volume(const Place& place, double radius, const Vec3& half_sides) {
-  if (radius > 0) return 4.0 / 3 * std::acos(-1) * radius * radius * radius;
-  if (!half_sides.isZero(0)) return 8 * half_sides.prod();
-  place.reject("left out for what is no sphere and no box");
+/// Returns the volume of a solid body [m³]; `place` is its density's.
+double volume(const Place& place, const Shape& shape) {
+  constexpr double pi = std::numbers::pi;
+  const auto ball = [](double r) { return 4.0 / 3 * pi * r * r * r; };
+  const auto reject = [&]() -> double {
+    place.reject("left out for a body that is no sphere, no capsule and no box");
+  };
+  return match(
+      shape, [&](const NoShape&) { return reject(); },
+      [&](const Sphere& sphere) { return ball(sphere.radius); },
+      [&](const Capsule& capsule) {
+        return ball(capsule.radius) + 2 * capsule.half_length * pi * capsule.radius * capsule.radius;
+      },
+      [](const Cuboid& box) { return 8 * box.half_sides.prod(); }, [&](const PointSet&) { return reject(); });
+}
+
+/// Reads the numbers that tell a rigid body's shape.
+void read_shape(const Place& place, Body<6>& body) {
+  read(place.find("radius"), body.radius);
+  read(place.find("half_length"), body.half_length);
+  read(place.find("half_sides"), body.half_sides);
+  if (const auto corners = place.find("corners"))
+    for (const Place& corner : corners->list()) body.corners.push_back(corner.vector());
 }
 
 template <int Dof>
@@ -42,25 +62,37 @@ void add_moving(const Place& place, World<Dof>& world) {
   Body<Dof> body;
   read(place.find("x"), body.x);
   read(place.find("v"), body.v);
-  read(place.find("radius"), body.radius);
-  Vec3 half_sides = Vec3::Zero();
   if constexpr (Dof == 3) {
     place.require_keys({"name", "x", "v", "mass", "density", "radius"});
+    read(place.find("radius"), body.radius);
   } else {
-    place.require_keys(
-        {"name", "x", "v", "mass", "density", "radius", "q", "omega", "principal", "half_sides", "corners"});
+    place.require_keys({"name", "x", "v", "mass", "density", "radius", "q", "omega", "principal", "half_length",
+                        "half_sides", "corners"});
     if (const auto q = place.find("q")) body.q = q->quaternion();
     read(place.find("omega"), body.omega);
     if (const auto moments = place.find("principal")) body.principal = moments->vector();
-    read(place.find("half_sides"), body.half_sides);
-    if (const auto corners = place.find("corners"))
-      for (const Place& corner : corners->list()) body.corners.push_back(corner.vector());
-    half_sides = body.half_sides;
+    read_shape(place, body);
   }
   const auto density = place.find("density");
   if (density && place.has("mass")) density->reject("left out where mass is given");
-  body.mass = density ? density->number() * volume(*density, body.radius, half_sides) : place["mass"].number();
+  body.mass = density ? density->number() * volume(*density, shape_of(body)) : place["mass"].number();
   world.add(body);
+}
+
+template <int Dof>
+void add_static(const Place& place, World<Dof>& world) {
+  if constexpr (Dof == 3) {
+    place.require_keys({"name", "fixed", "x", "radius"});
+    double radius = 0;
+    read(place.find("radius"), radius);
+    world.add_fixed(place["x"].vector(), radius);
+  } else {
+    place.require_keys({"name", "fixed", "x", "q", "radius", "half_length", "half_sides", "corners"});
+    Body<6> body;
+    if (const auto q = place.find("q")) body.q = q->quaternion();
+    read_shape(place, body);
+    world.add_fixed(place["x"].vector(), shape_of(body), body.q);
+  }
 }
 
 template <int Dof>
@@ -70,10 +102,7 @@ void add_body(const Place& place, World<Dof>& world) {
     plane->require_keys({"n", "offset"});
     at(*plane, [&] { world.add_plane((*plane)["n"].vector(), (*plane)["offset"].number()); });
   } else if (place.has("fixed") && place["fixed"].flag()) {
-    place.require_keys({"name", "fixed", "x", "radius"});
-    double radius = 0;
-    read(place.find("radius"), radius);
-    world.add_fixed(place["x"].vector(), radius);
+    add_static(place, world);
   } else {
     add_moving(place, world);
   }
@@ -143,14 +172,16 @@ Settings<Dof> settings_in(const Place& file) {
   Settings<Dof> settings;
   const std::optional<Place> place = file.find("settings");
   if (!place) return settings;
+  // Version 1 called the integrator's order "compose".
+  const std::string order = file["version"].whole() == 1 ? "compose" : "integrator_order";
   place->require_keys(
-      {"gravity", "k", "d", "friction", "viscosity", "compose", "impacts", "rotation", "gyroscopic_torque"});
+      {"gravity", "k", "d", "friction", "viscosity", order, "impacts", "rotation", "gyroscopic_torque"});
   read(place->find("gravity"), settings.gravity);
   read(place->find("k"), settings.k);
   read(place->find("d"), settings.d);
   read(place->find("friction"), settings.friction);
   read(place->find("viscosity"), settings.viscosity);
-  if (const auto compose = place->find("compose")) settings.compose = compose->whole();
+  if (const auto given = place->find(order)) settings.integrator_order = given->whole();
   if (const auto impacts = place->find("impacts")) {
     impacts->require_keys({"restitution", "friction", "threshold", "max_passes"});
     ImpactLaw law;

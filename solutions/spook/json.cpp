@@ -28,16 +28,16 @@ Json to_json(const Method& method, bool solves) {
   const auto of_rows = [&](const Json& value) { return solves ? value : Json(); };
   return {
       {"solver", solves ? method.solver : "none"},
-      {"iterations", of_rows(method.stop.max_sweeps)},
-      {"tolerance", of_rows(method.stop.tolerance)},
-      {"order", of_rows(name_of(method.order))},
+      {"iterations", of_rows(method.solver_limits.max_sweeps)},
+      {"tolerance", of_rows(method.solver_limits.tolerance)},
+      {"row_order", of_rows(name_of(method.row_order))},
       {"warm_start", of_rows(method.warm_start)},
-      {"margin", method.margin ? of_rows(*method.margin) : Json()},
+      {"contact_margin", method.contact_margin ? of_rows(*method.contact_margin) : Json()},
       {"friction_model", of_rows(name_of(method.friction_model))},
       {"tangents", of_rows(method.sliding_tangents ? "sliding" : "fixed")},
       {"h", method.h},
       {"substeps", method.substeps},
-      {"compose", method.compose.value_or(2)},
+      {"integrator_order", method.integrator_order.value_or(2)},
       {"threads", method.threads},
   };
 }

@@ -24,10 +24,10 @@ static CLI::App* add_scene_command(CLI::App& app, const std::string& name, const
   command->add_option("--iterations", run.iterations, "Most sweeps, or what else the solver makes, in a step");
   command->add_option("--tolerance", run.tolerance, "Stop sweeping at this [m/s]");
   command->add_option("--substeps", run.substeps, "Steps that each step is made of");
-  command->add_option("--order", run.order, "Of rows: given, up, down, random or interleaved");
+  command->add_option("--row-order", run.row_order, "Of rows: given, up, down, random or interleaved");
   command->add_option("--seed", run.seed, "Of a random order");
   command->add_flag("--warm-start", run.warm_start, "Begin with the impulses of the last step");
-  command->add_option("--margin", run.margin, "Largest gap of a contact [m]");
+  command->add_option("--contact-margin", run.contact_margin, "Largest gap of a contact [m]");
   command->add_option("--friction-model", run.friction_model, "Limits of friction: box, two_pass, cone");
   command->add_option("--tangents", run.tangents, "Directions of friction: fixed, sliding");
   command->add_option("--threads", run.threads, "That share the work, where it can be shared");
@@ -37,7 +37,8 @@ static CLI::App* add_scene_command(CLI::App& app, const std::string& name, const
 static void add_run(CLI::App& app, spook::RunCommand& run) {
   CLI::App* const command =
       add_scene_command(app, "run", "Run a scene and compare it with its known answer", run);
-  command->add_option("--compose", run.compose, "Order of a step: 2, or 4, composed of five leapfrogs");
+  command->add_option("--integrator-order", run.integrator_order,
+                      "Order of a step: 2, or 4, composed of five leapfrogs");
   command->add_option("--csv", run.csv, "Write every step to this file");
   command->add_flag("--positions", run.positions, "Every body's position, too, with --csv");
   command->add_option("--record", run.record, "Write what it takes to draw the run to this file");
@@ -77,7 +78,8 @@ static void require_nothing_left(const CLI::App& app) {
   const auto is_option = [](const std::string& text) { return text.rfind('-', 0) == 0; };
   const auto option = std::find_if(left.begin(), left.end(), is_option);
   if (option != left.end())
-    throw std::invalid_argument("unknown option " + *option + spook::did_you_mean(*option, names));
+    throw std::invalid_argument("unknown option " + option->substr(0, option->find('=')) +
+                                spook::did_you_mean(option->substr(0, option->find('=')), names));
   throw std::invalid_argument("\"" + left.front() + "\" is one argument too many");
 }
 

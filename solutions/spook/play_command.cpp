@@ -86,7 +86,7 @@ class Play {
     RunSettings settings = run_.settings(description_);
     std::unique_ptr<Scene> scene = description_.build(parameters, settings.method);
     scene->time_stages();
-    const bool goes_on = before && scene->go_on_from(*before);
+    const bool goes_on = before && scene->take_state_from(*before);
     touched_ = goes_on && touched_;
     scene_ = std::move(scene);
     parameters_.emplace(std::move(parameters));
@@ -156,7 +156,7 @@ class Play {
     } else if (name == "release") {
       is_other_picture = hand.let_go();
     } else if (name == "push") {
-      hand.push(value.at("body").get<int>(), vector(value.at("impulse")));
+      hand.apply_central_impulse(value.at("body").get<int>(), vector(value.at("impulse")));
     } else if (name == "drop") {
       hand.drop(vector(value.at("x")), value.at("radius").get<double>(), value.at("mass").get<double>());
       is_other_picture = true;

@@ -27,11 +27,13 @@ static std::string method_text(const SceneDescription& scene, const RunSettings&
                      short_text(static_cast<double>(result.steps) * method.h) + " s";
   if (method.threads > 1) text += " on " + counted(method.threads, "thread");
   if (method.substeps > 1) text += ", each of " + counted(method.substeps, "substep");
-  if (method.compose == 4) return text + "; composed to order four" + (scene.solves ? ", joints rigid" : "");
+  if (method.integrator_order == 4)
+    return text + "; composed to order four" + (scene.solves ? ", joints rigid" : "");
   if (!scene.solves) return text + "; no constraints, no solver";
   text += "; " + method.solver + ", at most " +
-          counted(method.stop.max_sweeps, find_solver<3>(method.solver).iteration);
-  if (method.stop.tolerance > 0) text += " or to " + short_text(method.stop.tolerance) + " m/s";
+          counted(method.solver_limits.max_sweeps, find_solver<3>(method.solver).iteration);
+  if (method.solver_limits.tolerance > 0)
+    text += " or to " + short_text(method.solver_limits.tolerance) + " m/s";
   return text;
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "engine/support/did_you_mean.hpp"
 #include "scenes/registry.hpp"
 #include "spook/file_world.hpp"
 #include "spook/scene_file.hpp"
@@ -90,7 +91,8 @@ SceneDescription described(const std::string& name, const Json& json) {
   file.require_keys({"format", "version", "summary", "model", "h", "time", "solver", "half_step_start",
                      "settings", "bodies", "joints", "expected"});
   if (file["format"].text() != "spook scene") file["format"].reject("\"spook scene\"");
-  if (file["version"].whole() != 1) file["version"].reject("1");
+  const int version = file["version"].whole();
+  if (version != 1 && version != 2) file["version"].reject("1 or 2");
   const bool points = one_of<bool>(file["model"], {{"point", true}, {"rigid", false}});
   const bool answered = file.has("expected");
   SceneDescription scene{
@@ -109,6 +111,8 @@ SceneDescription described(const std::string& name, const Json& json) {
         return std::make_unique<FileScene<6>>(json, method);
       }};
   scene.solver = file.has("solver") ? file["solver"].text() : "auto";
+  const std::string present = present_name(scene.solver);
+  if (version == 1 && !present.empty()) scene.solver = present;
   return scene;
 }
 

@@ -51,7 +51,7 @@ static RunResult recorded(Recorder& recorder, bool records, const Run& run) {
     const RunResult result = run();
     if (records) recorder.end();
     return result;
-  } catch (const Blowup& blowup) {
+  } catch (const SimulationDiverged& blowup) {
     if (records) recorder.end(blowup.what());
     throw;
   }

@@ -16,7 +16,7 @@ struct RunCommand : TypedRun {
   bool strict = false;
 
   /// Runs and prints to `out`.
-  /// Throws std::invalid_argument for whatever makes no sense, before anything is written; Blowup when the run
+  /// Throws std::invalid_argument for whatever makes no sense, before anything is written; SimulationDiverged when the run
   /// does; and, with `strict`, std::runtime_error after a run that is not sound.
   void execute(std::ostream& out) const;
 };

@@ -22,7 +22,7 @@ static Json to_json(const Settings<Dof>& settings) {
                {"friction", settings.friction},
                {"viscosity", number(settings.viscosity)}};
   if (settings.d) json["d"] = *settings.d;
-  if (settings.compose != 2) json["compose"] = settings.compose;
+  if (settings.integrator_order != 2) json["integrator_order"] = settings.integrator_order;
   if (const auto& law = settings.impacts)
     json["impacts"] = {{"restitution", law->restitution},
                        {"friction", law->friction},
@@ -39,7 +39,13 @@ static Json to_json(const Settings<Dof>& settings) {
 /// Without its shape.
 template <int Dof>
 static Json body_to_json(const Bodies<Dof>& bodies, std::size_t i) {
-  if (bodies.is_fixed(i)) return {{"fixed", true}, {"x", numbers(bodies.x[i])}};
+  if (bodies.is_fixed(i)) {
+    Json json = {{"fixed", true}, {"x", numbers(bodies.x[i])}};
+    if constexpr (Dof == 6)
+      if (!bodies.orientations.q[i].coeffs().isApprox(Quat::Identity().coeffs(), 0))
+        json["q"] = numbers(bodies.orientations.q[i]);
+    return json;
+  }
   const Twist<Dof>& W = bodies.motion.W[i];
   Json json = {{"x", numbers(bodies.x[i])}, {"v", numbers(W.template head<3>())}, {"mass", bodies.mass[i]}};
   if constexpr (Dof == 6) {
@@ -59,16 +65,20 @@ static Json to_json(const Bodies<Dof>& bodies, const Shapes& shapes) {
     const Json json = {{"plane", {{"n", numbers(plane.n)}, {"offset", plane.offset}}}};
     list[static_cast<std::size_t>(plane.body)] = json;
   }
-  for (const Solid& solid : shapes.solids) {
-    Json& body = list[static_cast<std::size_t>(solid.body)];
-    if (solid.radius > 0)
-      body["radius"] = solid.radius;
-    else
-      body["half_sides"] = numbers(solid.half_sides);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    Json& body = list[i];
+    match(
+        shapes.of(static_cast<int>(i)), [](const NoShape&) {},
+        [&](const Sphere& sphere) { body["radius"] = sphere.radius; },
+        [&](const Capsule& capsule) {
+          body["radius"] = capsule.radius;
+          body["half_length"] = capsule.half_length;
+        },
+        [&](const Cuboid& box) { body["half_sides"] = numbers(box.half_sides); },
+        [&](const PointSet& set) {
+          for (const Vec3& point : set.points) body["corners"].push_back(numbers(point));
+        });
   }
-  for (const Corners& corners : shapes.corners)
-    for (const Vec3& point : corners.points)
-      list[static_cast<std::size_t>(corners.body)]["corners"].push_back(numbers(point));
   return list;
 }
 
@@ -114,7 +124,7 @@ static void put_world(Json& json, const World<Dof>& world, const std::string& na
 Json scene_as_file(const SceneDescription& description, const Parameters& parameters, const Method& method) {
   const std::unique_ptr<Scene> scene = description.build(parameters, method);
   Json json = {{"format", "spook scene"},
-               {"version", 1},
+               {"version", 2},
                {"summary", description.summary},
                {"model", scene->points() ? "point" : "rigid"},
                {"h", method.h},

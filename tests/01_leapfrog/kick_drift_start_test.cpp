@@ -1,7 +1,7 @@
 // Kick, drift and the half-step start, one body at a time.
 #include "01_leapfrog/leapfrog.hpp"
 #include "exercise_test.hpp"
-#include "small_parts.hpp"
+#include "relative_scales.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -32,7 +32,7 @@ const std::string no_time =
 void expect_small_change(const std::string& what, const std::string& equation,
                          const std::function<Vec3(const Vec3&, const Vec3&)>& step) {
   const Vec3 large(1, 1, 1);
-  for (const double part : small_parts) {
+  for (const double part : relative_scales) {
     const Vec3 change = part * Vec3(0.5, -1, 0.25);
     expect_near_vector(what + " that changes by " + show(part) + " of itself", equation, step(large, change),
                        large + change, roundings(3), {{large, "It has not changed. " + small_is_dropped}},

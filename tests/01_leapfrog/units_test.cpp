@@ -1,6 +1,6 @@
 // Of what the arguments and results of this chapter's functions are made, and that they are right in any units.
 #include "01_leapfrog/leapfrog.hpp"
-#include "any_units.hpp"
+#include "contract.hpp"
 #include "exercise_test.hpp"
 
 using namespace spook;

@@ -1,5 +1,5 @@
 // Free rotation, the promises of one step: how far it turns, L, reversal, second order.
-#include "small_parts.hpp"
+#include "relative_scales.hpp"
 #include "top.hpp"
 
 using namespace spook;
@@ -180,7 +180,7 @@ EXERCISE_TEST(FreeRotation, OfASymmetricTopPrecesses) {
 
 EXERCISE_TEST(FreeRotation, DropsNothingSmall) {
   const double h = 1e-3;
-  for (const double part : small_parts)
+  for (const double part : relative_scales)
     for (const Vec3& omega : lopsided(part)) {
       const Top start{Vec3(2, 3, 4), Quat::Identity(), omega};
       Top top = start;

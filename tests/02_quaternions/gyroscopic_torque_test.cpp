@@ -1,7 +1,7 @@
 // The gyroscopic torque by itself: Euler's equations, where it is zero, and that it does no work.
 #include "exercise_test.hpp"
+#include "relative_scales.hpp"
 #include "rotations.hpp"
-#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -72,7 +72,7 @@ EXERCISE_TEST(GyroscopicTorque, IsZeroAboutAPrincipalAxis) {
 }
 
 EXERCISE_TEST(GyroscopicTorque, DropsNoSmallTorque) {
-  for (const double part : small_parts) {
+  for (const double part : relative_scales) {
     // Euler's equations again: a body that is nearly round, and one that nearly spins about an axis of its own.
     const Vec3 round(1, 1 + part, 1 - part),
         differences(round[1] - round[2], round[2] - round[0], round[0] - round[1]);

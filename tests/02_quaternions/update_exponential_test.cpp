@@ -1,8 +1,8 @@
 // The exact turn about a constant ω: any angle, however large or small.
 #include "exercise_test.hpp"
 #include "regions.hpp"
+#include "relative_scales.hpp"
 #include "rotations.hpp"
-#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -100,7 +100,7 @@ EXERCISE_TEST(UpdateExponential, DropsNoSmallTurn) {
 }
 
 EXERCISE_TEST(UpdateExponential, DropsNoSmallPartOfOmega) {
-  for (const double part : small_parts)
+  for (const double part : relative_scales)
     for (const Vec3& omega : lopsided(part)) {
       const Quat got = update_exponential(Quat(1, 0, 0, 0), omega, 1);
       expect_each_near<Vec3>("axis part of q = 1 after 1 s", "Eq. (2.6)", got.vec(),

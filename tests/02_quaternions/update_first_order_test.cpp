@@ -1,8 +1,8 @@
 // The notes' update: a step along the tangent, and back to the unit sphere. It turns by 2 atan(h|ω|/2).
 #include "exercise_test.hpp"
 #include "regions.hpp"
+#include "relative_scales.hpp"
 #include "rotations.hpp"
-#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -143,7 +143,7 @@ EXERCISE_TEST(UpdateFirstOrder, TurnsFromAnyOrientation) {
 
 EXERCISE_TEST(UpdateFirstOrder, DropsNothingSmall) {
   const Vec3 axis(0.6, 0, 0.8);
-  for (const double part : small_parts) {
+  for (const double part : relative_scales) {
     const Quat got = update_first_order(Quat(1, 0, 0, 0), part * axis, 1);
     expect_near_vector<Vec3>("axis part of q = 1 after a turn by " + show(part) + " rad, over half of that",
                              "Eq. (2.4)", Vec3(got.vec() / (part / 2)), axis / std::hypot(1, part / 2),

@@ -2,8 +2,8 @@
 
 #include "algebra.hpp"
 #include "exercise_test.hpp"
+#include "relative_scales.hpp"
 #include "rotations.hpp"
-#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -66,7 +66,7 @@ EXERCISE_TEST(WorldInertia, IsTheSumOverTheBodysAxes) {
 
 EXERCISE_TEST(WorldInertia, OfABodyThatIsNearlyRoundIsNotThatOfASphere) {
   const TurnedBody b;
-  for (const double part : small_parts) {
+  for (const double part : relative_scales) {
     const Vec3 more = part * Vec3(1, -0.5, 0.25);
     const Mat3 got = world_inertia(b.q, Vec3::Ones() + more) - Mat3::Identity();
     expect_near_vector<Mat3>(
@@ -79,7 +79,7 @@ EXERCISE_TEST(WorldInertia, OfABodyThatIsNearlyRoundIsNotThatOfASphere) {
 
 EXERCISE_TEST(WorldInertia, OfABodyThatHasHardlyTurnedIsNotThatOfOneThatHasNot) {
   const Vec3 I(1, 2, 4);
-  for (const double part : small_parts)
+  for (const double part : relative_scales)
     for (int c = 0; c < 3 && !::testing::Test::HasFailure(); ++c) {
       const int a = (c + 1) % 3, b = (c + 2) % 3;
       Mat3 expected = I.asDiagonal();  // turned about its axis c

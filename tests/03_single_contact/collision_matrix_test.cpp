@@ -5,7 +5,7 @@
 #include "bodies.hpp"
 #include "exercise_test.hpp"
 #include "regions.hpp"
-#include "small_parts.hpp"
+#include "relative_scales.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -125,7 +125,7 @@ EXERCISE_TEST(CollisionMatrix, OfAFixedBodyAndAnotherIsTheOthersShare) {
 
 EXERCISE_TEST(CollisionMatrix, DropsNothingSmall) {
   const InverseMass<6> fixed, ball{0.5, 2 * Mat3::Identity()};
-  for (const double part : small_parts)
+  for (const double part : relative_scales)
     for (const Vec3& r : lopsided(part)) {
       Mat3 expected = -2 * r * r.transpose();  // -[r] 2 [r] = 2 (|r|² - r rᵀ)
       for (int k = 0; k < 3; ++k)

@@ -2,7 +2,7 @@
 #include "03_single_contact/single_contact.hpp"
 #include "exercise_test.hpp"
 #include "regions.hpp"
-#include "small_parts.hpp"
+#include "relative_scales.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -12,7 +12,7 @@ namespace {
 EXERCISE(ContactImpulse, "3.4 contact_impulse");
 
 EXERCISE_TEST(ContactImpulse, SolvesOneRowByHand) {
-  const Spook spook{.a = 4, .b = 0.5, .Sigma = 0.25};
+  const SpookParameters spook{.a = 4, .b = 0.5, .Sigma = 0.25};
   const double nKn = 1.75, gap = -0.05, velocity = -0.9, force = -0.35;
   // B = 4·0.05 + 0.5·0.9 + 0.35 = 0.2 + 0.45 + 0.35 = 1, over 1.75 + 0.25 = 2.
   expect_near(
@@ -41,13 +41,13 @@ EXERCISE_TEST(ContactImpulse, SolvesOneRowByHand) {
               "Σ alone is left to divide by.");
 }
 
-Spook some_parameters(Random& random, double h) {
+SpookParameters some_parameters(Random& random, double h) {
   const double k = random.log_uniform(1e3, 1e9);
   return spook_parameters(h, k, random.uniform(0, 8));
 }
 
 struct Case {
-  Spook spook;
+  SpookParameters spook;
   double nKn, gap, velocity, force;
 
   explicit Case(Random& random)
@@ -115,7 +115,7 @@ EXERCISE_TEST(ContactImpulse, SlowsBodiesThatMeet) {
   Random random;
   for (int trial = 0; trial < 50 && !::testing::Test::HasFailure(); ++trial) {
     const double S = random.log_uniform(0.01, 100), velocity = random.uniform(-5, -0.1);
-    const Spook spook = some_parameters(random, 0.01);
+    const SpookParameters spook = some_parameters(random, 0.01);
     const double lambda = contact_impulse(spook, S, 0, velocity, 0);
     const double after = velocity + S * lambda;  // G times Eq. (3.12)
     const double sigma = S / (S + spook.Sigma);
@@ -134,7 +134,7 @@ EXERCISE_TEST(ContactImpulse, SlowsBodiesThatMeet) {
 }
 
 EXERCISE_TEST(ContactImpulse, KeepsANaN) {
-  const Spook spook = {.a = 1, .b = 1, .Sigma = 0};
+  const SpookParameters spook = {.a = 1, .b = 1, .Sigma = 0};
   expect_true("a gap that is NaN gives a λ that is NaN", "Eq. (3.11)",
               std::isnan(contact_impulse(spook, 1, std::nan(""), 0, 0)),
               "std::max(0.0, NaN) is 0: the number that should have warned you has become a contact at rest. "
@@ -143,13 +143,13 @@ EXERCISE_TEST(ContactImpulse, KeepsANaN) {
 
 EXERCISE_TEST(ContactImpulse, DropsNothingSmall) {
   for (const double part :
-       small_parts) {  // the gap asks for 1 m/s, and the velocity takes nearly all of it back
+       relative_scales) {  // the gap asks for 1 m/s, and the velocity takes nearly all of it back
     expect_near("λ of a contact that wants " + show(part) + " m/s, a difference of two large wants [N s]",
                 "Eq. (3.10)", contact_impulse({.a = 1, .b = 1, .Sigma = 0}, 1, -1, 1 - part, 0), part,
                 roundings(4), {{0, "There is none. " + small_is_dropped}}, small_is_dropped);
     if (::testing::Test::HasFailure()) return;
   }
-  for (const double part : small_parts)  // of the three that are wanted one is large, and another small
+  for (const double part : relative_scales)  // of the three that are wanted one is large, and another small
     for (int large = 0; large < 3; ++large)
       for (const int more : {1, 2}) {
         double want[3] = {0, 0, 0};

@@ -2,7 +2,7 @@
 #include "03_single_contact/single_contact.hpp"
 #include "bodies.hpp"
 #include "exercise_test.hpp"
-#include "small_parts.hpp"
+#include "relative_scales.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -140,7 +140,7 @@ EXERCISE_TEST(ContactJacobian, GivesNoAngularMomentum) {
 }
 
 EXERCISE_TEST(ContactJacobian, DropsNothingSmall) {
-  for (const double part : small_parts) {
+  for (const double part : relative_scales) {
     const ContactJacobian G = contact_jacobian({0, 1, Vec3::UnitZ(), 0, Vec3(0, part, 1), Vec3(part, 0, 1)});
     expect_near_vector("angular part of Gj, for r_j that is nearly along n", "Eq. (3.3)", Vec3(G.Gj.tail<3>()),
                        Vec3(0, -part, 0), roundings(4, part), {{Vec3::Zero(), small_is_dropped}},

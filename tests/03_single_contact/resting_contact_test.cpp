@@ -18,7 +18,7 @@ struct Sphere {
   double h, k, d;
   double gap, v = 0;
   double lambda = 0;
-  Spook spook = spook_parameters(h, k, d);
+  SpookParameters spook = spook_parameters(h, k, d);
 
   double depth_at_rest() const { return mass * g / k; }  // Eq. (3.13)
   double deviation() const { return gap + depth_at_rest(); }

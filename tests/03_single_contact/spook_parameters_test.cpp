@@ -98,7 +98,8 @@ EXERCISE_TEST(SpookParameters, HangTogether) {
 
 EXERCISE_TEST(SpookParameters, FollowTheUnitsOfTheStep) {
   const Input in;
-  const Spook whole = spook_parameters(in.h, in.k, in.d), half = spook_parameters(in.h / 2, in.k, in.d);
+  const SpookParameters whole = spook_parameters(in.h, in.k, in.d),
+                        half = spook_parameters(in.h / 2, in.k, in.d);
   expect_near("a at h/2 over a at h", "Eq. (3.4)", half.a / whole.a, 2, roundings(2 * in.count, 2),
               {{4, d_is_time}}, "a is in 1/s: half the step, twice the number.");
   expect_near("b at h/2 minus b at h", "Eq. (3.5)", half.b - whole.b, 0, roundings(4), {},
@@ -110,7 +111,7 @@ EXERCISE_TEST(SpookParameters, FollowTheUnitsOfTheStep) {
 
 EXERCISE_TEST(SpookParameters, NeedNoRelaxation) {
   const double h = 0.01, k = 1e4;
-  const Spook got = spook_parameters(h, k, 0);
+  const SpookParameters got = spook_parameters(h, k, 0);
   expect_near("a for d = 0 [1/s]", "Eq. (3.4)", got.a, 4 / h, roundings(8, 4 / h), {},
               "d = 0 is allowed: 1 + 4d is then 1, and a = 4/h.");
   expect_near("b for d = 0", "Eq. (3.5)", got.b, 0, roundings(4), {}, "b = 4d/(1 + 4d) is 0 for d = 0.");

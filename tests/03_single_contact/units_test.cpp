@@ -1,6 +1,6 @@
 // Of what the arguments and results of this chapter's functions are made, and that they are right in any units.
-#include "any_units.hpp"
 #include "bodies.hpp"
+#include "contract.hpp"
 #include "exercise_test.hpp"
 #include "quantities.hpp"
 
@@ -35,7 +35,7 @@ EXERCISE_TEST(CollisionMatrix, IsTheSameInAnyUnits) {
 
 EXERCISE_TEST(ContactImpulse, IsTheSameInAnyUnits) {
   using namespace units;
-  const Spook spook{.a = 10, .b = 0.9, .Sigma = 0.1};
+  const SpookParameters spook{.a = 10, .b = 0.9, .Sigma = 0.1};
   for (const double gap : {-0.03, 0.0, 0.02, 0.2})  // pushes, the first three
     expect_same_in_any_units("Eq. (3.10), (3.11)", contact_impulse, N * s, spook, 1.5 * (1 / kg), gap * m,
                              -0.4 * (m / s), -0.1 * (m / s));

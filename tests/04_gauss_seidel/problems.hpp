@@ -29,7 +29,7 @@ inline Constraint<6> random_constraint(Random& random, int bodies) {
   const int j = (i + random.integer(1, bodies - 1)) % bodies;
   const ContactJacobian G = contact_jacobian(
       {.i = i, .j = j, .n = random.unit_vector(), .gap = 0, .r_i = random.vector(), .r_j = random.vector()});
-  const Spook spook{
+  const SpookParameters spook{
       .a = random.uniform(1, 10), .b = random.uniform(0.5, 1), .Sigma = random.uniform(0.05, 0.2)};
   return {.i = i, .j = j, .Gi = G.Gi, .Gj = G.Gj, .gap = random.uniform(-0.1, 0.1), .spook = spook};
 }

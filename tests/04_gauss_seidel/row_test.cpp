@@ -2,7 +2,7 @@
 #include "exercise_test.hpp"
 #include "problems.hpp"
 #include "regions.hpp"
-#include "small_parts.hpp"
+#include "relative_scales.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -240,7 +240,7 @@ EXERCISE_TEST(ApplyImpulse, LeavesTheOtherBodiesAndTheFloorAlone) {
 
 EXERCISE_TEST(MakeRow, DropsNothingSmall) {
   const Twist<3> up(0, 0, 1);
-  for (const double part : small_parts)
+  for (const double part : relative_scales)
     for (const bool light_i : {true, false}) {
       const Motion<3> motion{.inverse_mass = {{.linear = light_i ? 1 : part}, {.linear = light_i ? part : 1}},
                              .W = {Vec3::Zero(), Vec3::Zero()},
@@ -261,7 +261,7 @@ EXERCISE_TEST(MakeRow, DropsNothingSmall) {
                   small_is_dropped);
     }
   const std::string names[] = {"gap", "velocity of i", "velocity of j", "forces on i", "forces on j"};
-  for (const double part : small_parts)  // of the five that B is made of one is large, and another small
+  for (const double part : relative_scales)  // of the five that B is made of one is large, and another small
     for (int large = 0; large < 5; ++large)
       for (int more = 1; more < 5; ++more) {
         const int small = (large + more) % 5;

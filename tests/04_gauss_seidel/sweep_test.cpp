@@ -1,11 +1,11 @@
 // All rows once, and how far they still are.
 #include "algebra.hpp"
+#include "cancellation.hpp"
 #include "exercise_test.hpp"
-#include "many.hpp"
 #include "operations.hpp"
 #include "problems.hpp"
+#include "random_input.hpp"
 #include "regions.hpp"
-#include "unlike_terms.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -315,7 +315,7 @@ EXERCISE_TEST(Residual, CostsAsMuchForEachOfManyRows) {
 
 EXERCISE_TEST(Residual, DropsNothingSmall) {
   const Twist<3> up(0, 0, 1);
-  for (const double part : small_parts) {  // a light body, whose row is solved, and a heavy one
+  for (const double part : relative_scales) {  // a light body, whose row is solved, and a heavy one
     const auto row = [&](double inverse_mass, double B) {
       return Row<3>{.i = 0,
                     .j = 1,
@@ -334,7 +334,7 @@ EXERCISE_TEST(Residual, DropsNothingSmall) {
                     " times as large [m/s]",
                 "Eq. (4.8)", residual<3>({row(1, 0), row(part, 3)}, V), 3, roundings(8, 3),
                 {{0, "It has been left out. " + small_is_dropped}}, small_is_dropped);
-    for (const UnlikeTerms& of : unlike_terms(part))
+    for (const CancellationCase& of : cancellation_cases(part))
       expect_near("residual of a row with " + of.text + " [m/s]", "Eq. (4.8)", residual<3>({of.row}, of.V),
                   std::abs(of.lacks), roundings(8), {}, small_is_dropped);
     if (::testing::Test::HasFailure()) return;

@@ -1,8 +1,8 @@
 // One row brought up to date: solved, projected, scattered.
+#include "cancellation.hpp"
 #include "exercise_test.hpp"
 #include "problems.hpp"
 #include "regions.hpp"
-#include "unlike_terms.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -135,7 +135,7 @@ EXERCISE_TEST(UpdateRow, StopsAtZeroOnItsWayDown) {
 }
 
 EXERCISE_TEST(UpdateRow, StaysOffABoundThatIsNear) {
-  for (const double part : small_parts)
+  for (const double part : relative_scales)
     for (const double side : {-1.0, 1.0}) {
       Row<3> row = by_hand(3 * (1 + side * part), 0);
       row.lo = side < 0 ? 0 : 6;
@@ -241,8 +241,8 @@ EXERCISE_TEST(UpdateRow, KeepsANaN) {
 }
 
 EXERCISE_TEST(UpdateRow, DropsNothingSmall) {
-  for (const double part : small_parts) {
-    for (UnlikeTerms of : unlike_terms(part)) {
+  for (const double part : relative_scales) {
+    for (CancellationCase of : cancellation_cases(part)) {
       const double before = of.row.lambda, delta = update_row(of.row, of.V);
       expect_near("Δλ of a row with " + of.text + " [N s]", "Eq. (4.6)", delta, of.lacks / 3, roundings(4), {},
                   small_is_dropped);
@@ -250,7 +250,7 @@ EXERCISE_TEST(UpdateRow, DropsNothingSmall) {
                   roundings(4), {}, small_is_dropped);
     }
     // λ = 1 N s holds but for a little.
-    UnlikeTerms nearly = unlike_terms(part).back();
+    CancellationCase nearly = cancellation_cases(part).back();
     nearly.V = {Twist<3>::Zero(), Twist<3>::Zero()};
     nearly.row.lambda = 1;
     nearly.row.B = 1 + part;

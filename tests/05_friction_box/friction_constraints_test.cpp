@@ -9,7 +9,7 @@ namespace {
 
 EXERCISE(FrictionConstraints, "5.5 friction_constraints");
 
-const Spook rigid{.a = 0, .b = 1, .Sigma = 0};
+const SpookParameters rigid{.a = 0, .b = 1, .Sigma = 0};
 
 struct AnyContact {
   Random random;
@@ -71,7 +71,8 @@ EXERCISE_TEST(FrictionConstraints, TakePointMasses) {
 
 EXERCISE_TEST(FrictionConstraints, CarryTheRestOver) {
   const AnyContact touch;
-  const Spook spook{.a = 3, .b = 0.75, .Sigma = 0.125};  // not friction's own, but a copy does not ask
+  const SpookParameters spook{
+      .a = 3, .b = 0.75, .Sigma = 0.125};  // not friction's own, but a copy does not ask
   for (const auto& constraint : friction_constraints<6>(touch.contact, touch.t, 0.75, spook)) {
     expect_true("the constraint has the contact's bodies", "Eq. (5.2)", constraint.i == 3 && constraint.j == 1,
                 "Copy i and j, in that order.");
@@ -188,7 +189,7 @@ EXERCISE_TEST(FrictionConstraints, NeverAddEnergy) {
       const int i = random.integer(0, bodies - 1), j = (i + random.integer(1, bodies - 1)) % bodies;
       const Contact contact{
           .i = i, .j = j, .n = normal_of(t), .gap = 0, .r_i = random.vector(), .r_j = random.vector()};
-      const Spook spook{.a = 0, .b = 1, .Sigma = random.uniform(0, 0.2)};
+      const SpookParameters spook{.a = 0, .b = 1, .Sigma = random.uniform(0, 0.2)};
       for (const auto& constraint : friction_constraints<6>(contact, t, random.log_uniform(0.01, 10), spook))
         constraints.push_back(constraint);
     }
@@ -249,7 +250,7 @@ double speed_on_slope(int steps, double h, double mu, double theta, const Tangen
   const auto friction = friction_constraints<3>(contact, t, mu * mass * g_n * h, rigid);
   const Vec3 n = normal_of(t), zero = Vec3::Zero(),
              v_f = h * gravity * (std::sin(theta) * t.t1 - std::cos(theta) * n);
-  const Spook spook = spook_parameters(h, k, 3);
+  const SpookParameters spook = spook_parameters(h, k, 3);
   Motion<3> motion{.inverse_mass = {{.linear = 0}, {.linear = 1 / mass}}, .W = {zero, zero}, .Wf = {zero, v_f}};
   for (int step = 0; step < steps; ++step) {
     const Constraint<3> normal{.i = 0, .j = 1, .Gi = -n, .Gj = n, .gap = contact.gap, .spook = spook};

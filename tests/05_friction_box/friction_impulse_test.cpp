@@ -1,8 +1,8 @@
 // The friction impulse of one contact: by hand, at its bounds, and step by step.
 #include "exercise_test.hpp"
 #include "regions.hpp"
+#include "relative_scales.hpp"
 #include "sliding.hpp"
-#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -340,7 +340,7 @@ EXERCISE_TEST(FrictionImpulse, StopsASlidingBlock) {
 
 EXERCISE_TEST(FrictionImpulse, DropsNothingSmall) {
   const Tangents t{Vec3::UnitX(), Vec3::UnitY()};
-  for (const double part : small_parts)
+  for (const double part : relative_scales)
     for (const bool first : {true, false}) {
       const Vec3 along = first ? t.t1 : t.t2, u = part * along + Vec3::UnitZ();
       expect_near_vector("J, for a slip of " + show(part) + " of the speed along the normal [N s]", "Eq. (5.3)",
@@ -349,14 +349,14 @@ EXERCISE_TEST(FrictionImpulse, DropsNothingSmall) {
                          small_is_dropped);
       if (::testing::Test::HasFailure()) return;
     }
-  for (const double part : small_parts)
+  for (const double part : relative_scales)
     for (const Vec3& u : lopsided(part)) {
       expect_each_near<Vec3>("J, for a slip that is nearly along a tangent, or across both [N s]", "Eq. (5.3)",
                              friction_impulse(Vec3(2, 2, 3).asDiagonal(), u, t, 0, 10),
                              Vec3(-u[0] / 2, -u[1] / 2, 0), 4);
       if (::testing::Test::HasFailure()) return;
     }
-  for (const double part : small_parts)  // tangents that nearly lie along an axis
+  for (const double part : relative_scales)  // tangents that nearly lie along an axis
     for (const Vec3& leaning : lopsided(part)) {
       const Vec3 t1 = leaning.normalized(), n = t1.unitOrthogonal();
       expect_each_near<Vec3>("J, for a slip of 1 m/s along t1 [N s]", "Eq. (5.3)",

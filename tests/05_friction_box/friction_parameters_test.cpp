@@ -21,7 +21,7 @@ struct Input {
 };
 
 // One step of a body of mass m at speed u, to which a force adds u_f: a row with these numbers, and gap 0.
-double step(const Spook& spook, double m, double u, double u_f) {
+double step(const SpookParameters& spook, double m, double u, double u_f) {
   const double lambda = (-spook.b * u - u_f) / (1 / m + spook.Sigma);
   return u + u_f + lambda / m;
 }
@@ -46,7 +46,7 @@ EXERCISE_TEST(FrictionParameters, WeighTheVelocityInFull) {
 EXERCISE_TEST(FrictionParameters, SoftenByViscosityAndStep) {
   const Input in;
   const double h = in.h, c = in.c;
-  const Spook spook = friction_parameters(h, c);
+  const SpookParameters spook = friction_parameters(h, c);
   const std::string contacts = "This is a contact's Σ with c for k. But c is no stiffness: it is in kg/s.";
   const double upsilon = 1 - spook.b;  // a contact's 1/(1 + 4d)
   expect_near(
@@ -66,7 +66,7 @@ EXERCISE_TEST(FrictionParameters, SoftenByViscosityAndStep) {
 EXERCISE_TEST(FrictionParameters, LetAStuckBodyCreepAtFOverC) {
   const Input in;
   const double h = in.h, c = in.c, m = in.m, F = in.F;
-  const Spook spook = friction_parameters(h, c);
+  const SpookParameters spook = friction_parameters(h, c);
   double u = 0;
   for (int n = 0; n < 60; ++n) u = step(spook, m, u, h * F / m);
   // A step leaves mΓ/(1 + mΓ) < 1e-4 of what is missing in the creep; the roundings of u + u_f do not add up.
@@ -96,7 +96,7 @@ EXERCISE_TEST(FrictionParameters, BrakeWhatSlides) {
 EXERCISE_TEST(FrictionParameters, MayBeRigid) {
   const Input in;
   const double h = in.h, m = in.m, F = in.F;
-  const Spook spook = friction_parameters(h, infinity);
+  const SpookParameters spook = friction_parameters(h, infinity);
   expect_near("Γ for c = ∞ [1/kg]", "Eq. (5.4)", spook.Sigma, 0, {0, "exact"}, {},
               "c may be infinite: 1/(h c) is then 0, and nothing creeps.");
   double u = 0, x = 0;

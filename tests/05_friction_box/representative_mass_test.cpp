@@ -1,7 +1,7 @@
 // The mass that stands in for the load on a contact: closed forms, and what becomes of it.
 #include "exercise_test.hpp"
+#include "relative_scales.hpp"
 #include "sliding.hpp"
-#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -26,7 +26,7 @@ EXERCISE_TEST(RepresentativeMass, IsTheReducedMassOfTwoBodies) {
 }
 
 EXERCISE_TEST(RepresentativeMass, FeelsAHeavyBodyGiveWay) {
-  for (const double part : small_parts)
+  for (const double part : relative_scales)
     for (const bool i_is_light : {false, true})
       expect_near("m of one contact between 1 kg and " + show(1 / part) + " kg, less 1 kg [kg]", "Eq. (5.6)",
                   (i_is_light ? representative_mass(1, part, 1) : representative_mass(part, 1, 1)) - 1,

@@ -1,5 +1,5 @@
 // Of what the arguments and results of this chapter's functions are made, and that they are right in any units.
-#include "any_units.hpp"
+#include "contract.hpp"
 #include "exercise_test.hpp"
 #include "quantities.hpp"
 #include "sliding.hpp"
@@ -44,7 +44,7 @@ EXERCISE_TEST(FrictionConstraints, IsTheSameInAnyUnits) {
   const spook::Tangents t = random_tangents(random);
   Contact contact = contact_between(2, 5, t);
   contact.r_i = random.vector(), contact.r_j = random.vector();
-  const Spook spook{.a = 0, .b = 1, .Sigma = 0.1};
+  const SpookParameters spook{.a = 0, .b = 1, .Sigma = 0.1};
   expect_same_in_any_units("Eq. (5.2), (5.3), (5.8)", friction_constraints<6>, by_field, contact, t,
                            0.3 * (N * s), spook);
 }

@@ -20,7 +20,8 @@ struct RandomPair {
   Vec3 n = random.unit_vector();  ///< from i's point to j's
   double distance = random.uniform(1, 2);
   double length = random.uniform(0.5, 2.5);
-  Spook spook{.a = random.uniform(1, 10), .b = random.uniform(0.5, 1), .Sigma = random.uniform(0.05, 0.2)};
+  SpookParameters spook{
+      .a = random.uniform(1, 10), .b = random.uniform(0.5, 1), .Sigma = random.uniform(0.05, 0.2)};
 
   explicit RandomPair(const Random& stream = Random()) : random(stream) { put(); }
 

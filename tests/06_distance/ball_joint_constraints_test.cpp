@@ -1,7 +1,7 @@
 // The three rows of a ball joint: gaps, Jacobians, bounds, and what they do to two bodies.
 #include "attachments.hpp"
 #include "exercise_test.hpp"
-#include "small_parts.hpp"
+#include "relative_scales.hpp"
 #include "systems.hpp"
 
 using namespace spook;
@@ -253,7 +253,7 @@ EXERCISE_TEST(BallJointConstraints, LetsThePointsMoveAsOne) {
 }
 
 EXERCISE_TEST(BallJointConstraints, DropsNothingSmall) {
-  for (const double part : small_parts) {
+  for (const double part : relative_scales) {
     const Attachment i{.body = 0, .x = Vec3::Zero(), .r = Vec3(1, 0, 0)},
         j{.body = 1, .x = Vec3(1, part, 1), .r = Vec3(0, 0, -1)};
     const auto rows = ball_joint_constraints<6>(i, j, {.a = 1, .b = 1, .Sigma = 0});
@@ -262,7 +262,7 @@ EXERCISE_TEST(BallJointConstraints, DropsNothingSmall) {
                 {{0, "It counts as closed. " + small_is_dropped}}, small_is_dropped);
     if (::testing::Test::HasFailure()) return;
   }
-  for (const double part : small_parts)  // one of the bodies is nearly at the origin
+  for (const double part : relative_scales)  // one of the bodies is nearly at the origin
     for (const bool i_is_near : {true, false}) {
       const Attachment near{.body = 0, .x = part * Vec3(1, 2, 3)}, far{.body = 1, .x = Vec3(3, 1, 2)};
       const auto rows = i_is_near ? ball_joint_constraints<6>(near, far, {.a = 1, .b = 1, .Sigma = 0})
@@ -273,7 +273,7 @@ EXERCISE_TEST(BallJointConstraints, DropsNothingSmall) {
                          small_is_dropped);
       if (::testing::Test::HasFailure()) return;
     }
-  for (const double part : small_parts)
+  for (const double part : relative_scales)
     for (const Vec3& apart : lopsided(part)) {
       const auto rows = ball_joint_constraints<6>({.body = 0, .x = Vec3::Zero()}, {.body = 1, .x = apart},
                                                   {.a = 1, .b = 1, .Sigma = 0});

@@ -1,7 +1,7 @@
 // The row of a distance: its gap, its Jacobian, its bounds.
 #include "attachments.hpp"
 #include "exercise_test.hpp"
-#include "small_parts.hpp"
+#include "relative_scales.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -41,8 +41,8 @@ EXERCISE_TEST(DistanceConstraint, MeasuresPointMasses) {
 }
 
 EXERCISE_TEST(DistanceConstraint, GoesFromPointToPointHoweverShortTheArms) {
-  const Spook spook{.a = 1, .b = 1, .Sigma = 0};
-  for (const double part : small_parts) {
+  const SpookParameters spook{.a = 1, .b = 1, .Sigma = 0};
+  for (const double part : relative_scales) {
     // 1 m along z between the centres; the points are beside them, across that.
     const Vec3 r_i(part, 0, 0), r_j(0, part, 0), d = Vec3(0, 0, 1) + r_j - r_i, n = d.normalized();
     const Attachment i{.body = 0, .x = Vec3::Zero(), .r = r_i}, j{.body = 1, .x = Vec3(0, 0, 1), .r = r_j};
@@ -61,7 +61,7 @@ EXERCISE_TEST(DistanceConstraint, GoesFromPointToPointHoweverShortTheArms) {
 }
 
 EXERCISE_TEST(DistanceConstraint, MeasuresFromABodyThatIsNearTheOrigin) {
-  for (const double part : small_parts)
+  for (const double part : relative_scales)
     for (const bool i_is_near : {true, false}) {
       const Attachment near{.body = 0, .x = Vec3(0, 0, part)}, far{.body = 1, .x = Vec3(0, 0, 2)};
       const Constraint<3> c = i_is_near ? distance_constraint<3>(near, far, 1, {.a = 1, .b = 1, .Sigma = 0})
@@ -94,7 +94,7 @@ EXERCISE_TEST(DistanceConstraint, HasANegativeGapWhenCompressed) {
 // "Positive" has no lower end but 0: a length in metres may belong to a wire of nanometres, and a rod may be pressed
 // together to next to nothing.
 EXERCISE_TEST(DistanceConstraint, TakesAnyPositiveDistance) {
-  const Spook spook{.a = 1, .b = 1, .Sigma = 0};
+  const SpookParameters spook{.a = 1, .b = 1, .Sigma = 0};
   const Vec3 n(0.6, 0, 0.8);
   for (const double distance : {0.05, 1e-3, 1e-6, 1e-9, 1e-12})
     for (const double length : {distance, 2 * distance, 1.0}) {
@@ -271,7 +271,7 @@ EXERCISE_TEST(DistanceConstraint, RejectsPointsThatCoincide) {
   // Beside their centres, which are apart; every number has few binary digits, so that the distance is 0 exactly.
   const Attachment i{.body = 0, .x = Vec3(1, 2, 3), .r = Vec3(0.5, 0, -0.25)};
   const Attachment j{.body = 1, .x = Vec3(2, 2, 3), .r = Vec3(-0.5, 0, -0.25)};
-  const Spook spook{.a = 1, .b = 1, .Sigma = 0};
+  const SpookParameters spook{.a = 1, .b = 1, .Sigma = 0};
   const std::string clue =
       "At distance 0 there is no direction, and 0/0 is NaN. See require_positive in require.hpp.";
   expect_rejects(
@@ -284,7 +284,7 @@ EXERCISE_TEST(DistanceConstraint, RejectsPointsThatCoincide) {
 
 EXERCISE_TEST(DistanceConstraint, RejectsADistanceThatIsNone) {
   const Attachment i{.body = 0, .x = Vec3(1, 2, 3)};
-  const Spook spook{.a = 1, .b = 1, .Sigma = 0};
+  const SpookParameters spook{.a = 1, .b = 1, .Sigma = 0};
   distance_constraint<3>(i, {.body = 1, .x = Vec3::Zero()}, 1, spook);
   for (const double x : {std::nan(""), HUGE_VAL})
     expect_rejects(
@@ -296,7 +296,7 @@ EXERCISE_TEST(DistanceConstraint, RejectsADistanceThatIsNone) {
 
 EXERCISE_TEST(DistanceConstraint, RejectsALengthThatIsNotPositive) {
   const Attachment i{.body = 0, .x = Vec3(1, 2, 3)}, j{.body = 1, .x = Vec3(1, 2, 4)};
-  const Spook spook{.a = 1, .b = 1, .Sigma = 0};
+  const SpookParameters spook{.a = 1, .b = 1, .Sigma = 0};
   distance_constraint<3>(i, j, 1, spook);
   for (const double length : {0.0, -1.0, std::nan(""), HUGE_VAL})
     expect_rejects(

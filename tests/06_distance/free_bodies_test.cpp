@@ -52,7 +52,7 @@ struct Chain {
   static constexpr double size = 72;
 
   void step_with_distances(double h) {
-    const Spook spook = spook_parameters(h, 1e8, 3);
+    const SpookParameters spook = spook_parameters(h, 1e8, 3);
     std::vector<Constraint<6>> constraints;
     for (std::size_t k = 0; k + 1 < bodies; ++k)
       constraints.push_back(distance_constraint<6>(end_i(k), end_j(k), apart, spook));
@@ -61,7 +61,7 @@ struct Chain {
 
   /// Returns the torque impulse of the joints, whose points are not quite together [kg m²/s].
   Vec3 step_with_joints(double h) {
-    const Spook spook = spook_parameters(h, 1e8, 3);
+    const SpookParameters spook = spook_parameters(h, 1e8, 3);
     std::vector<Constraint<6>> constraints;
     std::vector<Vec3> gaps;
     for (std::size_t k = 0; k + 1 < bodies; ++k) {

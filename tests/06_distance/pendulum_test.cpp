@@ -50,7 +50,7 @@ struct Swing {
 
 // 1 kg at 1 m to the right of the hook.
 Swing swing_on_a_rod(double h, double d) {
-  const Spook spook = spook_parameters(h, stiffness, d);
+  const SpookParameters spook = spook_parameters(h, stiffness, d);
   Points points;
   points.add(Vec3::Zero(), 0);
   points.add(Vec3(l, 0, 0), 1);
@@ -70,7 +70,7 @@ Swing swing_on_a_rod(double h, double d) {
 // A uniform bar of 1 kg that is 3l/2 long and hung by its end swings like a point at l: I/(m s) = (2/3) 3l/2.
 double swing_of_a_bar(double h, double d) {
   const double length = 1.5 * l, s = length / 2;
-  const Spook spook = spook_parameters(h, stiffness, d);
+  const SpookParameters spook = spook_parameters(h, stiffness, d);
   const Attachment hook{.body = 0, .x = Vec3::Zero()};
   std::vector<Rigid> bodies{
       {.inverse_mass = 0, .principal = Vec3::Ones(), .x = Vec3::Zero()},

@@ -137,7 +137,7 @@ EXERCISE_TEST(DistanceConstraint, PullsWhenTooLongAndPushesWhenTooShort) {
     Points points{.g = 0};
     points.add(Vec3::Zero(), 0);
     points.add(Vec3(1, 0, 0), 2);  // 0.5 kg
-    const Spook spook{.a = 10, .b = 1, .Sigma = 0.5};
+    const SpookParameters spook{.a = 10, .b = 1, .Sigma = 0.5};
     const double lambda = points.step({distance_constraint<3>(points.at(0), points.at(1), length, spook)}, h,
                                       {.max_sweeps = 1})[0];
     const double gap = 1 - length;

@@ -2,7 +2,7 @@
 #include "collisions.hpp"
 #include "exercise_test.hpp"
 #include "regions.hpp"
-#include "small_parts.hpp"
+#include "relative_scales.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -276,7 +276,7 @@ EXERCISE_TEST(ImpactImpulse, DropsNothingSmall) {
   for (const Impact& straight : {Impact{K_of_rod(), Vec3(-0.1, 0.2, -1), Vec3::UnitZ(), 0.5, 0.8},
                                  Impact{K_of_rod(), Vec3(9, 8, -1), Vec3::UnitZ(), 0.5, 0.1},
                                  Impact{odd, Vec3(4, 0, -1), Vec3::UnitZ(), 0, 1.125}})
-    for (const double part : small_parts)
+    for (const double part : relative_scales)
       for (const Vec3& leaning : lopsided(part)) {
         const Vec3 J = straight.inside(straight.stick()) ? straight.stick()
                        : straight.eased() > 0            ? straight.slide()

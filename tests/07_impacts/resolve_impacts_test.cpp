@@ -4,7 +4,7 @@
 #include "balls.hpp"
 #include "collisions.hpp"
 #include "exercise_test.hpp"
-#include "small_parts.hpp"
+#include "relative_scales.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -467,7 +467,7 @@ EXERCISE_TEST(ResolveImpacts, IsPairByPairInOrder) {
 // A roller that no impulse slows: it comes up to a ball, and turns below it.
 EXERCISE_TEST(ResolveImpacts, DropsNothingSmall) {
   const ImpactLaw law{.restitution = 0.5, .friction = 0.5, .threshold = 0, .max_passes = 1};
-  for (const double part : small_parts)
+  for (const double part : relative_scales)
     for (const Vec3& leaning : lopsided(part)) {
       // A ball of 1 kg against a wall that is nearly across an axis, fast or slow.
       const Vec3 n = leaning.normalized();

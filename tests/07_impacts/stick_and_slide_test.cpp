@@ -1,7 +1,7 @@
 // The two impulses of Coulomb's friction, and the cone that decides between them.
 #include "collisions.hpp"
 #include "exercise_test.hpp"
-#include "small_parts.hpp"
+#include "relative_scales.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -356,7 +356,7 @@ EXERCISE_TEST(SlidingImpulse, DoesNotExistWhereFrictionWins) {
 EXERCISE_TEST(SlidingImpulse, ExistsWhereTheDenominatorIsSmall) {
   // n·K(n - μt) = 2.5 - 1.25 μ, with μ just below 2.
   const Mat3 K = (Mat3() << 2.5, 0, -1.25, 0, 4, 0, -1.25, 0, 2.5).finished();
-  for (const double part : small_parts) {
+  for (const double part : relative_scales) {
     const double mu = 2 - part, eased = 2.5 - 1.25 * mu, j = 1.5 / eased;
     const auto J = sliding_impulse(K, Vec3(-4, 0, -1), Vec3(0, 0, 1), 0.5, mu);
     const std::string rule =
@@ -389,7 +389,7 @@ EXERCISE_TEST(SlidingImpulse, DoesNotComeOutOfANaN) {
 }
 
 EXERCISE_TEST(StickImpulse, DropsNothingSmall) {
-  for (const double part : small_parts) {
+  for (const double part : relative_scales) {
     const Vec3 J = stick_impulse(Mat3::Identity(), Vec3(1, 0, -part), Vec3::UnitZ(), 0.5);
     expect_near("J·n of 1 kg that slips at 1 m/s, and approaches at " + show(part) + " of that [N s]",
                 "Eq. (7.2), (7.3)", J.z(), 1.5 * part, roundings(8, part),
@@ -405,7 +405,7 @@ EXERCISE_TEST(StickImpulse, DropsNothingSmall) {
 }
 
 EXERCISE_TEST(SlidingImpulse, DropsNothingSmall) {
-  for (const double part : small_parts)
+  for (const double part : relative_scales)
     for (int c = 0; c < 3; ++c) {
       const Vec3 n = Vec3::Unit(c), ahead = Vec3::Unit((c + 1) % 3), aside = part * Vec3::Unit((c + 2) % 3);
       const Vec3 slip = ahead + aside;

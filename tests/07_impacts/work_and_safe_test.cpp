@@ -1,7 +1,7 @@
 // What an impulse does to the energy, and an impulse that never adds any.
 #include "collisions.hpp"
 #include "exercise_test.hpp"
-#include "small_parts.hpp"
+#include "relative_scales.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -255,7 +255,7 @@ EXERCISE_TEST(SafeImpulse, StopsTheContactWhenItMay) {
 
 EXERCISE_TEST(SafeImpulse, DropsNothingSmall) {
   const Mat3 K = Mat3::Identity();
-  for (const double part : small_parts) {
+  for (const double part : relative_scales) {
     for (const Vec3& leaning : lopsided(part)) {
       const Vec3 n = leaning.normalized();
       expect_each_near<Vec3>("J of 1 kg that comes straight at 2 m/s, e = 0.5 [N s]", "Eq. (7.7)",
@@ -293,7 +293,7 @@ EXERCISE_TEST(SafeImpulse, DropsNothingSmall) {
 }
 
 EXERCISE_TEST(ImpactWork, DropsNothingSmall) {
-  for (const double part : small_parts) {  // J·u = -2 (1 + p), and ½ J·KJ is larger by the part p
+  for (const double part : relative_scales) {  // J·u = -2 (1 + p), and ½ J·KJ is larger by the part p
     const double work = impact_work(Mat3::Identity(), Vec3(0, 0, -1), Vec3(0, 0, 2 * (1 + part)));
     expect_near("ΔE, which is " + show(part) + " of either of its terms [J]", "Eq. (7.6)", work,
                 2 * (1 + part) * part, roundings(16), {{0, "There is none. " + small_is_dropped}},

@@ -1,6 +1,6 @@
 // A ball on a plane, and two balls: the gap, the normal and the one point that both bodies share.
+#include "relative_scales.hpp"
 #include "shapes.hpp"
-#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -80,7 +80,7 @@ EXERCISE_TEST(PlaneBall, TouchesFromZeroGapOn) {
 }
 
 EXERCISE_TEST(PlaneBall, DropsNothingSmall) {
-  for (const double part : small_parts)
+  for (const double part : relative_scales)
     for (const Vec3& leaning : lopsided(part)) {
       const Vec3 n = leaning.normalized();
       const auto found = plane_ball({.body = 0, .x = Vec3::Zero(), .n = n, .offset = 0},
@@ -95,7 +95,7 @@ EXERCISE_TEST(PlaneBall, DropsNothingSmall) {
 
 EXERCISE_TEST(PlaneBall, CountsWhatIsSmall) {
   // Of the ball's place, its radius and the plane's offset one is small, or two are.
-  for (const double part : small_parts)
+  for (const double part : relative_scales)
     for (const auto& [z, radius, offset] : {std::tuple(1.0, part, 2.0),
                                             {part, 1.0, 0.5},
                                             {1.0, 2.0, part},
@@ -225,7 +225,7 @@ EXERCISE_TEST(BallBall, FollowsCentresThatAreNear) {
 }
 
 EXERCISE_TEST(BallBall, DropsNothingSmall) {
-  for (const double part : small_parts)
+  for (const double part : relative_scales)
     for (const Vec3& leaning : lopsided(part)) {
       const Vec3 n = leaning.normalized();
       const auto found =
@@ -244,7 +244,7 @@ EXERCISE_TEST(BallBall, DropsNothingSmall) {
 EXERCISE_TEST(BallBall, CountsWhatIsSmall) {
   // Of the distance and the radii one is small, or two are; or two are nearly alike. One of the centres is hardly off
   // the origin.
-  for (const double part : small_parts)
+  for (const double part : relative_scales)
     for (const auto& [distance, one, other] : {std::tuple(1 - part, 1.0, 2 * part),
                                                {part, 1.0, 0.25},
                                                {part, 1.0, part},

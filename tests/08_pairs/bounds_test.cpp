@@ -1,6 +1,6 @@
 // Bounds of a box: along the axes of the world, no larger than they must be.
+#include "relative_scales.hpp"
 #include "shapes.hpp"
-#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -57,7 +57,7 @@ EXERCISE_TEST(Bounds, HoldEveryCornerAndNoMore) {
 }
 
 EXERCISE_TEST(Bounds, DropNothingSmall) {
-  for (const double part : small_parts)
+  for (const double part : relative_scales)
     for (const Vec3& size : lopsided(part)) {
       const Vec3 half_sides = size.cwiseAbs();
       const spook::Bounds got =

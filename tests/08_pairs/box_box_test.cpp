@@ -3,8 +3,8 @@
 #include <numbers>
 
 #include "regions.hpp"
+#include "relative_scales.hpp"
 #include "shapes.hpp"
-#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -196,7 +196,7 @@ EXERCISE_TEST(BoxBox, TouchesWhereTheFaceLeavesNothing) {
 EXERCISE_TEST(BoxBox, DropsNothingSmall) {
   const Box table = straight(0, Vec3::Zero(), Vec3(2, 2, 1));
   const std::string turned_a_little = "a box that is turned, or shifted, a little on a table";
-  for (const double part : small_parts) {
+  for (const double part : relative_scales) {
     for (const Vec3& size : lopsided(part)) {
       const Vec3 h = size.cwiseAbs();
       const auto got = contacts_of(table, straight(1, Vec3(0, 0, 1 + 0.9 * h.z()), h));
@@ -231,7 +231,7 @@ EXERCISE_TEST(BoxBox, DropsNothingSmall) {
 EXERCISE_TEST(BoxBox, CountsWhatIsSmall) {
   // A box that hardly touches a table, and one whose lower face is hardly over the table's middle. The table is hardly
   // off the origin, or the box is.
-  for (const double part : small_parts)
+  for (const double part : relative_scales)
     for (const double low : {1 - part, 2 * part})
       for (const Vec3& origin : {Vec3(0, 0, 0), Vec3(part, part, part + low + 0.5)}) {
         const Box table = straight(0, Vec3(part, part, part) - origin, Vec3(3, 3, 1)),
@@ -258,7 +258,7 @@ EXERCISE_TEST(BoxBox, CountsWhatIsSmallInAPlate) {
   Vec3 lowest = Vec3::Zero();
   for (const Vec3& corner : corners(cube))
     if (corner.z() < lowest.z()) lowest = corner;
-  for (const double part : small_parts)
+  for (const double part : relative_scales)
     for (const auto& [half, corner] :
          {std::pair(part, Vec3(0.1, -0.1, -0.05)), {0.125, Vec3(part, -part, -part / 2)}}) {
       const Box plate = straight(0, Vec3::Zero(), Vec3(2, 2, half));
@@ -281,7 +281,7 @@ EXERCISE_TEST(BoxBox, FindsWhereEdgesCrossToTheLastDigits) {
   // A ridge along x, and one along y upon it; both are shifted, and the one above is turned, a little.
   const Box cube = straight(0, Vec3::Zero(), Vec3::Constant(0.5));
   const double ridge = std::sqrt(0.5), depth = 0.02;
-  for (const double part : small_parts) {
+  for (const double part : relative_scales) {
     Box i = turned(cube, std::numbers::pi / 4, Vec3::UnitX()),
         j = turned(cube, std::numbers::pi / 4, Vec3::UnitY());
     j = turned(j, part, Vec3::UnitZ());

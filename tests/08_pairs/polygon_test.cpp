@@ -3,8 +3,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "relative_scales.hpp"
 #include "shapes.hpp"
-#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -529,7 +529,7 @@ EXERCISE_TEST(WellSpread, KeepsTheSameWhileTheyTremble) {
 }
 
 EXERCISE_TEST(Clip, DropsNothingSmall) {
-  for (const double part : small_parts) {
+  for (const double part : relative_scales) {
     const std::vector<Vec3> corners{Vec3(-1, 0, 0), Vec3(part, 0, 0), Vec3(part, 1, 0), Vec3(-1, 1, 0)};
     const std::vector<Vec3> left = clip(corners, Vec3::UnitX(), 0);
     double highest = -1;

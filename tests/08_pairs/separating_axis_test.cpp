@@ -3,8 +3,8 @@
 #include <array>
 #include <numbers>
 
+#include "relative_scales.hpp"
 #include "shapes.hpp"
-#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -321,7 +321,7 @@ EXERCISE_TEST(SeparatingAxis, DropsNothingSmall) {
   // A ridge along x, and upon it one along y that leans by a little: n leans with it.
   const Box cube{.body = 0, .x = Vec3::Zero(), .axes = Mat3::Identity(), .half_sides = Vec3::Constant(0.5)};
   const Box i = turned(cube, std::numbers::pi / 4, Vec3::UnitX());
-  for (const double part : small_parts) {
+  for (const double part : relative_scales) {
     Box j = turned(turned(cube, std::numbers::pi / 4, Vec3::UnitY()), part, Vec3::UnitX());
     j.body = 1;
     j.x = Vec3(0.1, -0.2 * part, std::sqrt(2.0) - 0.02);

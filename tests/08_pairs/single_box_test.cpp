@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "regions.hpp"
+#include "relative_scales.hpp"
 #include "shapes.hpp"
-#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -145,7 +145,7 @@ bool expect_some(const std::optional<Contact>& contact,
 }
 
 EXERCISE_TEST(PlaneBox, DropsNothingSmall) {
-  for (const double part : small_parts)
+  for (const double part : relative_scales)
     for (const Vec3& size : lopsided(part)) {
       const Vec3 half_sides = size.cwiseAbs();
       std::vector<Contact> found;
@@ -165,7 +165,7 @@ EXERCISE_TEST(PlaneBox, DropsNothingSmall) {
 
 EXERCISE_TEST(PlaneBox, CountsWhatIsSmall) {
   // Of the box's place, its half sides and the plane's offset one is small; or what two of them leave of each other is.
-  for (const double part : small_parts)
+  for (const double part : relative_scales)
     for (const auto& [z, half_sides, offset] : {std::tuple(1.0, Vec3(1, 1, part), 2.0),
                                                 {1.0, Vec3(part, part, part), 2.0},
                                                 {part, Vec3(1, 1, 1), 2.0},
@@ -399,7 +399,7 @@ EXERCISE_TEST(BoxBall, TouchesFromZeroGapOn) {
 
 EXERCISE_TEST(BoxBall, DropsNothingSmall) {
   const Box cube{.body = 0, .x = Vec3::Zero(), .axes = Mat3::Identity(), .half_sides = Vec3::Constant(0.875)};
-  for (const double part : small_parts)
+  for (const double part : relative_scales)
     for (const Vec3& beside : lopsided(part)) {
       const auto found = box_ball(cube, {.body = 1, .x = beside, .radius = 0.5});
       if (!expect_some(found)) return;
@@ -415,7 +415,7 @@ EXERCISE_TEST(BoxBall, DropsNothingSmall) {
 EXERCISE_TEST(BoxBall, CountsWhatIsSmall) {
   // A ball just over a face, and a grain within.
   const Box cube{.body = 0, .x = Vec3::Zero(), .axes = Mat3::Identity(), .half_sides = Vec3::Constant(1)};
-  for (const double part : small_parts)
+  for (const double part : relative_scales)
     for (const auto& [z, radius] : {std::pair(1 + part, 0.5), {0.75, part}}) {
       const auto found = box_ball(cube, {.body = 1, .x = Vec3(0, 0, z), .radius = radius});
       if (!expect_some(found)) return;

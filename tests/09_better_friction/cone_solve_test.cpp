@@ -14,7 +14,7 @@ constexpr StopRule long_and_sharp{.max_sweeps = 20000, .tolerance = 1e-12};
 
 /// The two halves of Coulomb's law, and that contacts push. `size` [m/s]: what may be left of the tolerance, times the
 /// coupling of the rows.
-void expect_coulomb(const System<6>& s, const Rubbing& contact, double size) {
+void expect_coulomb(const System<6>& s, const FrictionContact& contact, double size) {
   const double press = s.rows[contact.normal].lambda, limit = contact.mu * press;
   const Vec2 friction = s.tangential(contact), slip = -s.slip_lacks(contact);
   expect_at_least("λ_n [N s]", "Eq. (4.1)", press, 0, "contacts never pull");
@@ -38,7 +38,7 @@ EXERCISE_TEST(ConeSolve, FindsCoulombsLaw) {
     const SolveReport report = cone_solve(s.contacts, s.rows, s.V, long_and_sharp);
     expect_true("4 contacts and 5 joints' rows, μ up to 0.3, have converged in 20000 sweeps", "Eq. (4.9)",
                 report.converged);
-    for (const Rubbing& contact : s.contacts) expect_coulomb(s, contact, 1e-10);
+    for (const FrictionContact& contact : s.contacts) expect_coulomb(s, contact, 1e-10);
     expect_near_vector("V after it", "Eq. (4.5)", all_V(s.V), V_of_lambda(s.rows, s.V.size()),
                        {1e-10, "roundings of up to 20000 sweeps"});
   }
@@ -114,7 +114,7 @@ struct Plate {
     for (const Vec3& r : points)
       add_contact(s, {.i = 0, .j = 1, .n = up, .gap = 0, .r_i = r, .r_j = r}, {Vec3::UnitX(), Vec3::UnitY()},
                   mu);
-    for (const Rubbing& contact : s.contacts)
+    for (const FrictionContact& contact : s.contacts)
       s.begin_with(contact.normal, h * g / static_cast<double>(points.size()));
     cone_solve(s.contacts, s.rows, s.V, {.max_sweeps = 200, .tolerance = 1e-14});
     omega = s.velocity(1)[5];

@@ -18,7 +18,7 @@ constexpr double g = 9.81;
 template <int Dof>
 struct System {
   Motion<Dof> motion;
-  std::vector<Rubbing> contacts;
+  std::vector<FrictionContact> contacts;
   std::vector<Row<Dof>> rows;
   std::vector<Twist<Dof>> V;
 
@@ -27,10 +27,10 @@ struct System {
     const Row<Dof>& row = rows[k];
     return row.B - row.Gi.dot(V[row.i]) - row.Gj.dot(V[row.j]) - row.Sigma * row.lambda;
   }
-  Vec2 tangential(const Rubbing& contact) const {
+  Vec2 tangential(const FrictionContact& contact) const {
     return {rows[contact.normal + 1].lambda, rows[contact.normal + 2].lambda};
   }
-  Vec2 slip_lacks(const Rubbing& contact) const {
+  Vec2 slip_lacks(const FrictionContact& contact) const {
     return {lacks(contact.normal + 1), lacks(contact.normal + 2)};
   }
   /// After the step: what was, what the forces add, and what the rows add.
@@ -122,7 +122,7 @@ inline void add_random_joint(System<6>& s, Random& random) {
                                s.motion));
 }
 
-/// Rubbing contacts among bodies that move, with a joint's row before, between and after them.
+/// FrictionContact contacts among bodies that move, with a joint's row before, between and after them.
 inline System<6> random_system(Random& random, int bodies, int contacts, double largest_mu) {
   System<6> s = random_bodies(random, bodies);
   for (int k = 0; k < contacts; ++k) {
@@ -162,7 +162,7 @@ constexpr double rod_Knn = 1.6, rod_Knx = -1.2;  // [1/kg]
 
 /// The stiffest direction of a contact's friction rows, Eq. (9.5), as the larger eigenvalue of their S [1/kg].
 template <int Dof>
-Eigen::Matrix2d tangential_S(const System<Dof>& s, const Rubbing& contact) {
+Eigen::Matrix2d tangential_S(const System<Dof>& s, const FrictionContact& contact) {
   const Row<Dof>&a = s.rows[contact.normal + 1], &b = s.rows[contact.normal + 2];
   const double both = a.Gi.dot(b.MinvGi) + a.Gj.dot(b.MinvGj);
   Eigen::Matrix2d S;

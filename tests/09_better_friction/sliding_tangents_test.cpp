@@ -1,7 +1,7 @@
 // Tangents that follow the sliding, and what they make of the box.
 #include "exercise_test.hpp"
+#include "relative_scales.hpp"
 #include "rubbing.hpp"
-#include "small_parts.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -98,7 +98,7 @@ EXERCISE_TEST(SlidingTangents, FollowAsSoonAsItIsNotSlow) {
 }
 
 EXERCISE_TEST(SlidingTangents, DropNothingSmall) {
-  for (const double part : small_parts)
+  for (const double part : relative_scales)
     for (int c = 0; c < 3; ++c) {
       const Vec3 n = Vec3::Unit(c), slip = Vec3::Unit((c + 1) % 3) + part * Vec3::Unit((c + 2) % 3);
       const Tangents t = sliding_tangents(n, slip - 2 * n, 0);

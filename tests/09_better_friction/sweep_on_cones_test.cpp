@@ -1,9 +1,9 @@
 // All rows once, each contact with its cone, and how far they still are.
+#include "cancellation.hpp"
 #include "exercise_test.hpp"
-#include "many.hpp"
+#include "random_input.hpp"
 #include "regions.hpp"
 #include "rubbing.hpp"
-#include "unlike_terms.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -61,7 +61,7 @@ EXERCISE_TEST(SweepOnCones, TakesEveryRowInOrderAndTheFrictionOfAContactTogether
 EXERCISE_TEST(SweepOnCones, WithoutMuIsASweepWithoutFriction) {
   Random random;
   System<6> s = random_system(random, 4, 3, 0), plain = s;
-  for (const Rubbing& contact : plain.contacts)
+  for (const FrictionContact& contact : plain.contacts)
     for (const std::size_t k : {contact.normal + 1, contact.normal + 2})
       plain.rows[k].lo = plain.rows[k].hi = 0;
   for (int n = 0; n < 5; ++n) {
@@ -92,7 +92,7 @@ EXERCISE_TEST(SweepOnCones, LeavesEveryContactInItsCone) {
   System<6> s = random_system(random, 5, 8, 1);
   for (int n = 0; n < 5; ++n) {
     sweep_on_cones(s.contacts, s.rows, s.V);
-    for (const Rubbing& contact : s.contacts) {
+    for (const FrictionContact& contact : s.contacts) {
       const double limit = contact.mu * s.rows[contact.normal].lambda;
       expect_at_most("|λ_t| of a contact after sweep " + std::to_string(n + 1) + " [N s]", "Eq. (9.3)",
                      s.tangential(contact).norm(), limit + roundings(8, 1 + limit).value, "μ λ_n",
@@ -105,7 +105,7 @@ EXERCISE_TEST(SweepOnCones, ReturnsTheLargestChange) {
   Random random;
   for (int trial = 0; trial < 20 && !::testing::Test::HasFailure(); ++trial) {
     System<6> s = random_system(random, 3, 2, 1);
-    for (const Rubbing& contact : s.contacts) s.begin_with(contact.normal, 1);
+    for (const FrictionContact& contact : s.contacts) s.begin_with(contact.normal, 1);
     // One of the three shall lack most: a normal row, a pair of friction rows, or the last joint.
     const std::size_t most = std::vector<std::size_t>{1, 6, 8}[static_cast<std::size_t>(trial % 3)];
     s.rows[most].B += 20;
@@ -118,7 +118,7 @@ EXERCISE_TEST(SweepOnCones, ReturnsTheLargestChange) {
       rows = std::max(rows, last);
       impulse = std::max(impulse, std::abs(change[k]));
     }
-    for (const Rubbing& contact : s.contacts) {
+    for (const FrictionContact& contact : s.contacts) {
       const double length = change.segment<2>(static_cast<Eigen::Index>(contact.normal + 1)).norm();
       pairs = std::max(pairs, larger_eigenvalue(tangential_S(s, contact)) * length);
       impulse = std::max(impulse, length);
@@ -223,7 +223,7 @@ System<6> solved_system(Random& random) {
   std::vector<double> lacking(s.rows.size(), 0);
   for (std::size_t k = 0; k < s.rows.size(); k += 4) s.begin_with(k, random.uniform(-1, 1));  // joints
   for (std::size_t c = 0; c < s.contacts.size(); ++c) {
-    const Rubbing& contact = s.contacts[c];
+    const FrictionContact& contact = s.contacts[c];
     const double angle = random.uniform(0, 6.3), press = c == 0 ? 0 : random.uniform(0.5, 2);
     const double share = c == 1 ? random.uniform(0.1, 0.9) : 1;  // contact 1 sticks, 2 and 3 slide
     const double slip = c == 1 ? 0 : random.uniform(0.1, 2);
@@ -360,8 +360,8 @@ EXERCISE_TEST(ResidualOnCones, WithoutContactsIsChapter04s) {
 }
 
 EXERCISE_TEST(ResidualOnCones, DropsNothingSmall) {
-  for (const double part : small_parts)
-    for (const UnlikeTerms& of : unlike_terms(part)) {
+  for (const double part : relative_scales)
+    for (const CancellationCase& of : cancellation_cases(part)) {
       expect_near("residual of a row with " + of.text + " [m/s]", "Eq. (9.7)",
                   residual_on_cones<3>({}, {of.row}, of.V), std::abs(of.lacks), roundings(8), {},
                   small_is_dropped);

@@ -1,6 +1,6 @@
 // Limits from what presses: set, and used in two passes.
 #include "exercise_test.hpp"
-#include "many.hpp"
+#include "random_input.hpp"
 #include "rubbing.hpp"
 #include "stop_rule.hpp"
 
@@ -44,7 +44,7 @@ EXERCISE_TEST(LimitFriction, TakesEachContactsOwnNormalAndMu) {
     for (Row<6>& row : s.rows) row.lambda = random.uniform(0.5, 3), row.hi = 77, row.lo = -77;
     const auto before = s.rows;
     limit_friction(s.contacts, s.rows);
-    for (const Rubbing& contact : s.contacts)
+    for (const FrictionContact& contact : s.contacts)
       for (const std::size_t k : {contact.normal + 1, contact.normal + 2}) {
         const double press = before[contact.normal].lambda, expected = contact.mu * press;
         const std::string row = "row " + std::to_string(k) + ", of " + std::to_string(contacts) + " contacts";
@@ -210,13 +210,13 @@ EXERCISE_TEST(TwoPassSolve, LimitsFrictionByThePressureWithoutIt) {
 /// What two passes are, step by step.
 template <int Dof>
 void by_hand(System<Dof>& s, const StopRule& stop, std::vector<double>* history = nullptr) {
-  for (const Rubbing& contact : s.contacts)
+  for (const FrictionContact& contact : s.contacts)
     for (const std::size_t k : {contact.normal + 1, contact.normal + 2}) {
       s.begin_with(k, 0);
       s.rows[k].lo = s.rows[k].hi = 0;
     }
   const SolveReport first = solve(s.rows, s.V, stop);
-  for (const Rubbing& contact : s.contacts)
+  for (const FrictionContact& contact : s.contacts)
     for (const std::size_t k : {contact.normal + 1, contact.normal + 2}) {
       s.rows[k].hi = contact.mu * s.rows[contact.normal].lambda;
       s.rows[k].lo = -s.rows[k].hi;

@@ -1,5 +1,5 @@
 // Of what the arguments and results of this chapter's functions are made, and that they are right in any units.
-#include "any_units.hpp"
+#include "contract.hpp"
 #include "exercise_test.hpp"
 #include "quantities.hpp"
 #include "rubbing.hpp"
@@ -59,7 +59,7 @@ EXERCISE_TEST(OntoDisc, IsTheSameInAnyUnits) {
 EXERCISE_TEST(UpdateFriction, IsTheSameInAnyUnits) {
   using namespace units;
   const System<6> system = some_system(1);
-  for (const Rubbing& contact : system.contacts)
+  for (const FrictionContact& contact : system.contacts)
     if (!expect_same_in_any_units("Eq. (9.5), (9.6)", update_friction<6>, m / s, contact, system.rows,
                                   system.V * velocity))
       return;

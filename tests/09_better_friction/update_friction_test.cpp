@@ -241,7 +241,7 @@ EXERCISE_TEST(UpdateFriction, ConvergesToCoulombsLaw) {
   Regions regions({"sticks", "slides"}, 20);
   while (regions.lack_draws()) {
     System<6> s = random_touch(random);
-    const Rubbing contact = s.contacts[0];
+    const FrictionContact contact = s.contacts[0];
     const Eigen::Matrix2d S = tangential_S(s, contact);
     const Vec2 B = s.slip_lacks(contact);
     const double radius = contact.mu * s.rows[0].lambda;
@@ -261,7 +261,7 @@ EXERCISE_TEST(UpdateFriction, LowersTheEnergyWhileThePressureStays) {
   Random random;
   for (int trial = 0; trial < 100 && !::testing::Test::HasFailure(); ++trial) {
     System<6> s = random_touch(random);
-    const Rubbing contact = s.contacts[0];
+    const FrictionContact contact = s.contacts[0];
     const Eigen::Matrix2d S = tangential_S(s, contact);
     const Vec2 B = s.slip_lacks(contact);
     const auto energy = [&] {
@@ -306,9 +306,9 @@ EXERCISE_TEST(UpdateFriction, DoesNotCareWhichTangents) {
 EXERCISE_TEST(UpdateFriction, FindsItsRows) {
   Random random;
   System<6> s = random_system(random, 3, 2, 0.5);
-  for (const Rubbing& contact : s.contacts) s.begin_with(contact.normal, 1);
+  for (const FrictionContact& contact : s.contacts) s.begin_with(contact.normal, 1);
   const auto before = all_lambda(s.rows);
-  const Rubbing& second = s.contacts[1];
+  const FrictionContact& second = s.contacts[1];
   update_friction(second, s.rows, s.V);
   for (std::size_t k = 0; k < s.rows.size(); ++k) {
     const bool its = k == second.normal + 1 || k == second.normal + 2;

@@ -1,7 +1,7 @@
 // Conjugate gradients: what prepares them, and the solver.
 #include "exercise_test.hpp"
-#include "many.hpp"
-#include "small_parts.hpp"
+#include "random_input.hpp"
+#include "relative_scales.hpp"
 #include "stop_rule.hpp"
 #include "systems.hpp"
 
@@ -137,7 +137,7 @@ std::vector<Problem<3>> unlike_problems(double part) {
 }
 
 EXERCISE_TEST(Precondition, DropsNothingSmall) {
-  for (const double part : small_parts)
+  for (const double part : relative_scales)
     for (const Problem<3>& p : unlike_problems(part)) {
       const Eigen::MatrixXd S = dense_S(p.rows);
       const Eigen::VectorXd r = gathered(p.rows, &Row<3>::B);
@@ -151,7 +151,7 @@ EXERCISE_TEST(Precondition, DropsNothingSmall) {
 }
 
 EXERCISE_TEST(ConjugateSolve, DropsNothingSmall) {
-  for (const double part : small_parts)
+  for (const double part : relative_scales)
     for (Problem<3>& p : unlike_problems(part)) {
       const Eigen::MatrixXd S = dense_S(p.rows);
       const Eigen::VectorXd B = gathered(p.rows, &Row<3>::B);
@@ -201,7 +201,7 @@ EXERCISE_TEST(ConjugateSolve, CountsWhatIsSmallInEveryStep) {
 }
 
 EXERCISE_TEST(ConjugateSolve, CountsWhatIsSmallWhereABoundIsMet) {
-  for (const double part : small_parts)
+  for (const double part : relative_scales)
     for (const Problem<3>& start : unlike_problems(part)) {
       const Eigen::MatrixXd S = dense_S(start.rows);
       const Eigen::VectorXd B = gathered(start.rows, &Row<3>::B), from = forth(S, B), r = B - S * from;

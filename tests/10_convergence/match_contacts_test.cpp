@@ -1,7 +1,7 @@
 // Which contact of now was which of the last step's.
 #include "exercise_test.hpp"
-#include "many.hpp"
-#include "small_parts.hpp"
+#include "random_input.hpp"
+#include "relative_scales.hpp"
 #include "systems.hpp"
 
 using namespace spook;
@@ -126,7 +126,7 @@ EXERCISE_TEST(MatchContacts, TakesTheNearestOfTwo) {
 }
 
 EXERCISE_TEST(MatchContacts, TakesTheNearestHoweverLittleItIsNearer) {
-  for (const double part : small_parts) {
+  for (const double part : relative_scales) {
     const std::vector<OldContact> old = {{0, 1, Vec3(-1 - part, 0, 0)}, {0, 1, Vec3(0, 1, 0)}};
     const std::vector<Contact> one = {contact(0, 1, Vec3::Zero())};
     const std::string of =

@@ -3,7 +3,7 @@
 
 #include "algebra.hpp"
 #include "exercise_test.hpp"
-#include "many.hpp"
+#include "random_input.hpp"
 #include "systems.hpp"
 
 using namespace spook;

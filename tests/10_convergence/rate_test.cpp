@@ -1,6 +1,6 @@
 // How fast a history falls.
 #include "exercise_test.hpp"
-#include "small_parts.hpp"
+#include "relative_scales.hpp"
 #include "systems.hpp"
 
 using namespace spook;
@@ -38,7 +38,7 @@ EXERCISE_TEST(ObservedRate, OfAGeometricHistoryIsItsFactor) {
 }
 
 EXERCISE_TEST(ObservedRate, DropsNothingSmall) {
-  for (const double part : small_parts)
+  for (const double part : relative_scales)
     expect_near("rate of entries that shrink by " + show(part), "Eq. (10.5)",
                 observed_rate(falling(0.3, part, 4)), part, {1e-13 * part, "powers up to 3"},
                 {{0, small_is_dropped}}, small_is_dropped);

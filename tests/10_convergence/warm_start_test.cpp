@@ -1,8 +1,8 @@
 // Beginning where the last step ended.
 #include "exercise_test.hpp"
-#include "many.hpp"
+#include "random_input.hpp"
 #include "regions.hpp"
-#include "small_parts.hpp"
+#include "relative_scales.hpp"
 #include "stop_rule.hpp"
 #include "systems.hpp"
 
@@ -154,7 +154,7 @@ EXERCISE_TEST(WarmStart, WantsOneImpulseARow) {
 }
 
 EXERCISE_TEST(WarmStart, DropsNothingSmall) {
-  for (const double part : small_parts) {
+  for (const double part : relative_scales) {
     Problem<3> p = stack({1, 1}, 0.1);
     warm_start({1, part}, p.rows, p.V);
     expect_near("λ that was " + show(part) + " N s, beside one of 1 N s [N s]", "Eq. (10.2)", p.rows[1].lambda,

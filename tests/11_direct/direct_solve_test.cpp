@@ -78,7 +78,7 @@ EXERCISE_TEST(DirectSolve, StretchesAWireByItsTensions) {
   const HangingWire wire{.links = 100, .ratio = 1e5, .k = 1e10, .h = 1.0 / 60};
   System<3> s = wire.system();
   const double rest = 1.0 / wire.links;
-  const Spook spook = spook_parameters(wire.h, wire.k, wire.d);
+  const SpookParameters spook = spook_parameters(wire.h, wire.k, wire.d);
   std::vector<double> z(s.V.size()), w(s.V.size(), 0.0);
   for (std::size_t point = 0; point < z.size(); ++point) z[point] = -rest * static_cast<double>(point);
   Factors factors;
@@ -109,7 +109,7 @@ EXERCISE_TEST(DirectSolve, ClosesAStackOfAnyRatio) {
   // Two point masses on a floor; the upper one is `ratio` times as heavy. It rests N/k deep.
   for (const double ratio : {1e6, 1e8}) {
     const double h = 1.0 / 60, g = 9.81, k = 1e12;
-    const Spook spook = spook_parameters(h, k, 2);
+    const SpookParameters spook = spook_parameters(h, k, 2);
     const Twist<3> up(0, 0, 1);
     System<3> s;
     s.add(0, Twist<3>::Zero());

@@ -1,6 +1,6 @@
 // L, D and P: right, found for a pattern once, and refused when a pivot is roundings.
 #include "exercise_test.hpp"
-#include "many.hpp"
+#include "random_input.hpp"
 #include "systems.hpp"
 
 using namespace spook;

@@ -1,7 +1,7 @@
 // Where the interior point method begins: one energy for every bound, and a room that goes with it.
 #include "exercise_test.hpp"
 #include "interior.hpp"
-#include "many.hpp"
+#include "random_input.hpp"
 #include "regions.hpp"
 
 using namespace spook;

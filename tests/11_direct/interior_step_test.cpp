@@ -2,8 +2,8 @@
 #include "algebra.hpp"
 #include "exercise_test.hpp"
 #include "interior.hpp"
-#include "many.hpp"
-#include "small_parts.hpp"
+#include "random_input.hpp"
+#include "relative_scales.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -135,7 +135,7 @@ EXERCISE_TEST(InteriorStep, TakesTheSmallestStep) {
   // λ = 0 of 1 kg that is to lose 1 m/s, just above its bound: it goes as far as it may. So small a push that its change,
   // times that of the room, does not turn the second step round.
   const VectorXd one = VectorXd::Ones(1), none = VectorXd::Zero(1), unbounded = infinity * one;
-  for (const double part : small_parts) {
+  for (const double part : relative_scales) {
     const Inside p{.S = MatrixXd::Identity(1, 1),
                    .B = -one,
                    .now = {.lambda = none,

@@ -2,8 +2,8 @@
 #include "algebra.hpp"
 #include "exercise_test.hpp"
 #include "interior.hpp"
-#include "many.hpp"
-#include "small_parts.hpp"
+#include "random_input.hpp"
+#include "relative_scales.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -272,7 +272,7 @@ EXERCISE_TEST(LongestStep, EndsAtTheFirstBound) {
 
 // At a solution some rooms are 1e-12 of others, and the last steps are about them.
 EXERCISE_TEST(LongestStep, LooksAtTheSmallestToo) {
-  for (const double part : small_parts)
+  for (const double part : relative_scales)
     for (const Part& of : parts) {
       Interior now = four(1), step = four(0);
       (now.*of.vector)[1] = part;
@@ -355,7 +355,7 @@ EXERCISE_TEST(LongestStep, KeepsAllAndCannotBeLonger) {
 }
 
 EXERCISE_TEST(BarrierMatrix, DropsNothingSmall) {
-  for (const double part : small_parts) {
+  for (const double part : relative_scales) {
     Interior now = four(1);
     now.push_lo.setConstant(part), now.push_hi.setConstant(part);
     const SparseMatrix S = lower_triangle(MatrixXd::Identity(4, 4));
@@ -370,7 +370,7 @@ EXERCISE_TEST(NewtonStep, DropsNothingSmall) {
   // One row, λ between two bounds; of the four that ask for a change one is large, and another small.
   const VectorXd one = VectorXd::Ones(1);
   const std::string names[] = {"B", "S λ", "τ⁻/s⁻", "τ⁺/s⁺"};
-  for (const double part : small_parts)
+  for (const double part : relative_scales)
     for (int large = 0; large < 4; ++large)
       for (int more = 1; more < 4; ++more) {
         const int small = (large + more) % 4;

@@ -17,7 +17,7 @@ System<6> random_system(Random& random, int bodies, int rows) {
     const int i = random.integer(0, bodies - 1), j = (i + random.integer(1, bodies - 1)) % bodies;
     const ContactJacobian G = contact_jacobian(
         {.i = i, .j = j, .n = random.unit_vector(), .gap = 0, .r_i = random.vector(), .r_j = random.vector()});
-    const Spook spook{
+    const SpookParameters spook{
         .a = random.uniform(1, 10), .b = random.uniform(0.5, 1), .Sigma = random.uniform(0.05, 0.2)};
     s.add({.i = i,
            .j = j,
@@ -88,8 +88,8 @@ System<6> box_tower(int boxes, double h, double mu, const Vec3& slide) {
     s.motion.Wf.push_back((Twist<6>() << 0, 0, -moves * h * g, 0, 0, 0).finished());
     s.V.push_back(Twist<6>::Zero());
   }
-  const Spook normal{.a = 0, .b = 1, .Sigma = 1e-8};
-  const Spook friction{.a = 0, .b = 1, .Sigma = 1e-10};
+  const SpookParameters normal{.a = 0, .b = 1, .Sigma = 1e-8};
+  const SpookParameters friction{.a = 0, .b = 1, .Sigma = 1e-10};
   for (int below = 0; below < boxes; ++below)
     for (const double x : {-0.5, 0.5})
       for (const double y : {-0.5, 0.5}) {

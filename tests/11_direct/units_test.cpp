@@ -1,5 +1,5 @@
 // Of what the arguments and results of this chapter's functions are made, and that they are right in any units.
-#include "any_units.hpp"
+#include "contract.hpp"
 #include "exercise_test.hpp"
 #include "interior.hpp"
 #include "matrices.hpp"

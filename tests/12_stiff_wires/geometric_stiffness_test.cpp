@@ -3,7 +3,7 @@
 #include "12_stiff_wires/stiff_wires.hpp"
 #include "algebra.hpp"
 #include "exercise_test.hpp"
-#include "small_parts.hpp"
+#include "relative_scales.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -47,7 +47,7 @@ EXERCISE_TEST(GeometricStiffness, ByHand) {
 }
 
 EXERCISE_TEST(GeometricStiffness, FollowsALinkThatNearlyLiesAlongAnAxis) {
-  for (const double part : small_parts) {
+  for (const double part : relative_scales) {
     const Vec3 n = Vec3(part, -part / 2, 1).normalized();
     const Mat3 K = geometric_stiffness(n, 3, 12);
     expect_near_vector<Vec3>(

@@ -30,7 +30,7 @@ struct Springs {
     motion.Wf.push_back(inverse_mass == 0 ? Vec3::Zero() : Wf);
   }
 
-  void add_row(int i, int j, const Vec3& n, double gap, const Spook& spook) {
+  void add_row(int i, int j, const Vec3& n, double gap, const SpookParameters& spook) {
     rows.push_back(make_row<3>(
         {.i = i, .j = j, .Gi = -n, .Gj = n, .gap = gap, .spook = spook, .lo = -infinity, .hi = infinity},
         motion));

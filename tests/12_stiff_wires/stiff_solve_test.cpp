@@ -3,8 +3,8 @@
 
 #include "algebra.hpp"
 #include "exercise_test.hpp"
-#include "many.hpp"
-#include "small_parts.hpp"
+#include "random_input.hpp"
+#include "relative_scales.hpp"
 #include "springs.hpp"
 
 using namespace spook;
@@ -163,7 +163,7 @@ EXERCISE_TEST(StiffSolve, KnowsNoBounds) {
 }
 
 EXERCISE_TEST(StiffSolve, DropsNothingSmall) {
-  for (const double part : small_parts)
+  for (const double part : relative_scales)
     for (const Vec3& apart : lopsided(part)) {
       Springs s{.h = 0.5};
       s.add(1, Vec3::Zero(), Vec3::Zero());

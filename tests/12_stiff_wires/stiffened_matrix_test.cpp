@@ -6,7 +6,7 @@
 
 #include "exercise_test.hpp"
 #include "regions.hpp"
-#include "small_parts.hpp"
+#include "relative_scales.hpp"
 #include "springs.hpp"
 
 using namespace spook;
@@ -215,7 +215,7 @@ EXERCISE_TEST(StiffenedMatrix, MakesEachModeOfAStringHeavier) {
 }
 
 EXERCISE_TEST(StiffenedMatrix, DropsNothingSmall) {
-  for (const double part : small_parts) {
+  for (const double part : relative_scales) {
     Springs s{.h = 0.5};
     s.add(1, Vec3::Zero(), Vec3::Zero());
     s.add(1, Vec3::Zero(), Vec3::Zero());

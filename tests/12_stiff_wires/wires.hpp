@@ -95,7 +95,7 @@ class Wire {
   Vec3 at(int point) const { return x_[static_cast<std::size_t>(point)]; }
 
   double h_, length_;
-  Spook spook_;
+  SpookParameters spook_;
   std::vector<Vec3> x_;
   Motion<3> motion_;
   std::vector<Twist<3>> V_;

@@ -2,7 +2,7 @@
 #include "exercise_test.hpp"
 #include "frames.hpp"
 #include "regions.hpp"
-#include "small_parts.hpp"
+#include "relative_scales.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -153,7 +153,7 @@ EXERCISE_TEST(HingeAngle, TurnsAboutTheAxisOfI) {
 }
 
 EXERCISE_TEST(HingeAngle, DropsNothingSmall) {
-  for (const double part : small_parts) {
+  for (const double part : relative_scales) {
     JointFrame i{{.body = 0, .x = Vec3::Zero()}, Quat::Identity()}, j = i;
     j.axes = turn_about(Vec3::UnitZ(), part);
     expect_near("angle of a hinge at " + show(part) + " rad, last seen at 0 [rad]", "Eq. (13.8)",

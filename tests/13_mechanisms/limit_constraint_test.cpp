@@ -11,7 +11,7 @@ namespace {
 EXERCISE(LimitConstraint, "13.4 limit_constraint");
 
 constexpr double limit_step = 0.01;
-const Spook numbers{.a = 30, .b = 0.9, .Sigma = 0.02};
+const SpookParameters numbers{.a = 30, .b = 0.9, .Sigma = 0.02};
 const JointLimits narrow{.lower = -0.5, .upper = 2};
 
 Coordinate at(double value) {
@@ -66,7 +66,7 @@ EXERCISE_TEST(LimitConstraint, PushesBackFromEither) {
 
 EXERCISE_TEST(LimitConstraint, LetsComeAsFarAsTheLimit) {
   for (const double value : {-0.4, 1.0, 1.99}) {
-    const Spook got = row_at(value).spook;
+    const SpookParameters got = row_at(value).spook;
     expect_near(
         "a, before the limit [1/s]", "Eq. (13.11)", got.a, 1 / limit_step, roundings(2, 1 / limit_step),
         {{numbers.a, "This is SPOOK's a. It brakes what is still on its way: the limit would begin too early."},
@@ -83,7 +83,7 @@ EXERCISE_TEST(LimitConstraint, LetsComeAsFarAsTheLimit) {
 
 EXERCISE_TEST(LimitConstraint, IsASpringBeyondIt) {
   for (const double value : {-0.6, 2.2, -0.5}) {  // at the limit, too
-    const Spook got = row_at(value).spook;
+    const SpookParameters got = row_at(value).spook;
     expect_near(
         "a, beyond the limit or at it [1/s]", "Eq. (13.11)", got.a, numbers.a, {0, "a copy"},
         {{1 / limit_step, "This is 1/h: it would bring back the whole gap in one step, and throw it off."}},
@@ -149,7 +149,7 @@ EXERCISE_TEST(LimitConstraint, IsThatOfTheNearerAtAnyPlace) {
 // A wheel that turns towards its limit, by hand: one row, solved exactly in every step.
 EXERCISE_TEST(LimitConstraint, StopsAWheelWhereItShould) {
   const double I = 2, limit = 0.237;
-  const Spook spook = spook_parameters(limit_step, 1e9, 3);
+  const SpookParameters spook = spook_parameters(limit_step, 1e9, 3);
   double angle = 0, omega = 1.3, farthest = 0, given = 0;
   for (int n = 1; n <= 60; ++n) {
     const Coordinate free{

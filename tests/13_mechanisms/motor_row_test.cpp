@@ -2,7 +2,7 @@
 #include "exercise_test.hpp"
 #include "frames.hpp"
 #include "regions.hpp"
-#include "small_parts.hpp"
+#include "relative_scales.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -186,7 +186,7 @@ EXERCISE_TEST(MotorRow, DropsNothingSmall) {
   Driven t;
   t.motor.speed = 0;
   const double without = t.row().B;
-  for (const double part : small_parts) {
+  for (const double part : relative_scales) {
     t.motor.speed = part;
     expect_near("what a wanted speed of " + show(part) + " rad/s adds to B [rad/s]", "Eq. (13.13)",
                 t.row().B - without, part, roundings(4, without), {{0, "It adds nothing. " + small_is_dropped}},

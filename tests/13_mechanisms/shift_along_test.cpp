@@ -1,7 +1,7 @@
 // How far one body has slid along another: the value, its row, and the term that the notes leave out.
 #include "exercise_test.hpp"
 #include "frames.hpp"
-#include "small_parts.hpp"
+#include "relative_scales.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -58,7 +58,7 @@ EXERCISE_TEST(ShiftAlong, HasFourBlocks) {
 EXERCISE_TEST(ShiftAlong, CountsAShortWayToo) {
   RandomFrames t;
   const Vec3 apart = t.apart;
-  for (const double part : small_parts) {
+  for (const double part : relative_scales) {
     t.j.at.x = t.i.at.x + t.i.at.r + part * apart - t.j.at.r;
     const Vec3 d = (t.j.at.x + t.j.at.r) - (t.i.at.x + t.i.at.r);
     for (int axis = 0; axis < 3; ++axis) {
@@ -141,7 +141,7 @@ EXERCISE_TEST(ShiftAlong, KeepsTheAngularMomentumOfABeadOnARod) {
 }
 
 EXERCISE_TEST(ShiftAlong, DropsNothingSmall) {
-  for (const double part : small_parts) {
+  for (const double part : relative_scales) {
     JointFrame i{{.body = 0, .x = Vec3::Zero()}, Quat::Identity()};
     const JointFrame j{{.body = 1, .x = Vec3(1, part, 0)}, Quat::Identity()};
     expect_near("shift along axis 1 of a point at (1, " + show(part) + ", 0) [m]", "Eq. (13.5)",

@@ -2,7 +2,7 @@
 #include "exercise_test.hpp"
 #include "frames.hpp"
 #include "regions.hpp"
-#include "small_parts.hpp"
+#include "relative_scales.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -132,7 +132,7 @@ EXERCISE_TEST(TurnedApart, LeavesAHingeItsAngle) {
 }
 
 EXERCISE_TEST(TurnedApart, DropsNothingSmall) {
-  for (const double part : small_parts) {
+  for (const double part : relative_scales) {
     JointFrame i{{.body = 0, .x = Vec3::Zero()}, Quat::Identity()}, j = i;
     j.axes = turn_about(Vec3::UnitY(), part);
     expect_near("how far j is turned by " + show(part) + " rad about axis 2 [rad]", "Eq. (13.3)",

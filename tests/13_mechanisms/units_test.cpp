@@ -1,5 +1,5 @@
 // Of what the arguments and results of this chapter's functions are made, and that they are right in any units.
-#include "any_units.hpp"
+#include "contract.hpp"
 #include "exercise_test.hpp"
 #include "frames.hpp"
 #include "quantities.hpp"
@@ -38,7 +38,7 @@ static void each_number(Visitor& visitor, JointLimits& range, const OfCoordinate
   visitor.number(range.lower, of.value), visitor.number(range.upper, of.value);
 }
 
-static void each_number(Visitor& visitor, Spook& spook, const OfCoordinate& of) {
+static void each_number(Visitor& visitor, SpookParameters& spook, const OfCoordinate& of) {
   visitor.number(spook.a, 1 / units::s), visitor.number(spook.b, units::pure);
   visitor.number(spook.Sigma, of.softness());
 }
@@ -113,7 +113,7 @@ EXERCISE_TEST(LimitConstraint, IsTheSameInAnyUnits) {
   for (const auto& [free, of] : coordinates())
     for (const double before : {0.3, 1e-9, -0.2}) {  // far from the limit, nearly there, and beyond
       const JointLimits range{.lower = free.value - 1, .upper = free.value + before};
-      const Spook spook{.a = 3, .b = 0.8, .Sigma = 0.1};
+      const SpookParameters spook{.a = 3, .b = 0.8, .Sigma = 0.1};
       if (!expect_same_in_any_units_nans_aside("Eq. (13.10), (13.11)", limit_constraint, of, with(free, of),
                                                with(range, of), with(spook, of), 0.01 * units::s))
         return;

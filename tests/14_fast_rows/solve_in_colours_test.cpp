@@ -1,8 +1,8 @@
 // Sweeps by colour, on any number of threads: the same numbers.
 #include "14_fast_rows/fast_rows.hpp"
 #include "exercise_test.hpp"
-#include "many.hpp"
 #include "packs.hpp"
+#include "random_input.hpp"
 #include "stop_rule.hpp"
 
 using namespace spook;

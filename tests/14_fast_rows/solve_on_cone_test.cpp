@@ -5,7 +5,7 @@
 #include "14_fast_rows/fast_rows.hpp"
 #include "exercise_test.hpp"
 #include "regions.hpp"
-#include "small_parts.hpp"
+#include "relative_scales.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -96,7 +96,7 @@ EXERCISE_TEST(SolveOnCone, DoesWithoutFriction) {
 
 EXERCISE_TEST(SolveOnCone, DropsNothingSmall) {
   const Mat3 S = Vec3(2, 4, 4).asDiagonal();
-  for (const double part : small_parts) {
+  for (const double part : relative_scales) {
     const double length = std::hypot(1, part);
     expect_each_near<Vec3>("λ of a contact that sticks, where little is asked of its friction [N s]",
                            "Eq. (14.4)", solve_on_cone(S, Vec3(2, part, -part / 2), 0.5),

@@ -1,6 +1,6 @@
 // Of what the arguments and results of this chapter's functions are made, and that they are right in any units.
 #include "../09_better_friction/rubbing.hpp"
-#include "any_units.hpp"
+#include "contract.hpp"
 #include "exercise_test.hpp"
 #include "packs.hpp"
 #include "quantities.hpp"
@@ -60,7 +60,7 @@ EXERCISE_TEST(UpdateContact, IsTheSameInAnyUnits) {
   using namespace units;
   Random random;
   const System<6> system = random_system(random, 4, 4, 0.8);
-  for (const Rubbing& contact : system.contacts)
+  for (const FrictionContact& contact : system.contacts)
     if (!expect_same_in_any_units("Eq. (14.2)", update_contact<6>, m / s, contact, system.rows,
                                   system.V * velocity))
       return;

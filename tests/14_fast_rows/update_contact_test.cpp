@@ -14,22 +14,22 @@ EXERCISE(UpdateContact, "14.2 update_contact");
 /// Some contacts and joints among a few bodies, with impulses already.
 System<6> busy_system(Random& random) {
   System<6> s = random_system(random, 4, 4, 0.6);
-  for (const Rubbing& contact : s.contacts) s.begin_with(contact.normal, random.uniform(0.2, 1));
-  for (const Rubbing& contact : s.contacts) s.begin_with(contact.normal + 1, random.uniform(-0.1, 0.1));
+  for (const FrictionContact& contact : s.contacts) s.begin_with(contact.normal, random.uniform(0.2, 1));
+  for (const FrictionContact& contact : s.contacts) s.begin_with(contact.normal + 1, random.uniform(-0.1, 0.1));
   return s;
 }
 
 /// The block of a contact, from all of S.
-Mat3 block_of(const System<6>& s, const Rubbing& contact) {
+Mat3 block_of(const System<6>& s, const FrictionContact& contact) {
   const auto k = static_cast<Eigen::Index>(contact.normal);
   return dense_S(s.rows).block<3, 3>(k, k);
 }
 
-Vec3 impulses_of(const System<6>& s, const Rubbing& contact) {
+Vec3 impulses_of(const System<6>& s, const FrictionContact& contact) {
   return {s.rows[contact.normal].lambda, s.rows[contact.normal + 1].lambda, s.rows[contact.normal + 2].lambda};
 }
 
-Vec3 lacks_of(const System<6>& s, const Rubbing& contact) {
+Vec3 lacks_of(const System<6>& s, const FrictionContact& contact) {
   return {s.lacks(contact.normal), s.lacks(contact.normal + 1), s.lacks(contact.normal + 2)};
 }
 
@@ -37,7 +37,7 @@ EXERCISE_TEST(UpdateContact, SolvesTheThreeRowsTogether) {
   Random random;
   for (int trial = 0; trial < 10 && !::testing::Test::HasFailure(); ++trial) {
     System<6> s = busy_system(random);
-    for (const Rubbing& contact : s.contacts) {
+    for (const FrictionContact& contact : s.contacts) {
       const Mat3 S = block_of(s, contact);
       const Vec3 before = impulses_of(s, contact), r = lacks_of(s, contact);
       Mat3 of_j = S, without_softness = S, alone = S.diagonal().asDiagonal();
@@ -68,7 +68,7 @@ EXERCISE_TEST(UpdateContact, ScattersWhatHasChanged) {
   for (int trial = 0; trial < 10 && !::testing::Test::HasFailure(); ++trial) {
     System<6> s = busy_system(random);
     const Eigen::VectorXd V = all_V(s.V);
-    for (const Rubbing& contact : s.contacts) update_contact(contact, s.rows, s.V);
+    for (const FrictionContact& contact : s.contacts) update_contact(contact, s.rows, s.V);
     expect_true("an update of every contact changes V", "Eq. (4.5)", all_V(s.V) != V, "Nothing was scattered.");
     expect_near_vector("V after an update of every contact", "Eq. (4.5)", all_V(s.V),
                        V_of_lambda(s.rows, s.V.size()), roundings(1e4, 10), {},
@@ -79,7 +79,7 @@ EXERCISE_TEST(UpdateContact, ScattersWhatHasChanged) {
 EXERCISE_TEST(UpdateContact, ReturnsWhatItLacked) {
   Random random;
   System<6> s = busy_system(random);
-  for (const Rubbing& contact : s.contacts) {
+  for (const FrictionContact& contact : s.contacts) {
     const Mat3 S = block_of(s, contact);
     const Vec3 before = impulses_of(s, contact),
                change = solve_on_cone(S, lacks_of(s, contact) + S * before, contact.mu) - before;
@@ -115,7 +115,7 @@ EXERCISE_TEST(UpdateContact, FindsItsRows) {
   Random random;
   System<6> s = busy_system(random);
   const Eigen::VectorXd before = all_lambda(s.rows);
-  const Rubbing& second = s.contacts[1];
+  const FrictionContact& second = s.contacts[1];
   update_contact(second, s.rows, s.V);
   for (std::size_t k = 0; k < s.rows.size(); ++k) {
     if (k >= second.normal && k <= second.normal + 2) continue;
@@ -128,7 +128,7 @@ EXERCISE_TEST(UpdateContact, FindsItsRows) {
 EXERCISE_TEST(UpdateContact, DoesNotLookAtBounds) {
   Random random;
   const System<6> s = busy_system(random);
-  for (const Rubbing& contact : s.contacts) {
+  for (const FrictionContact& contact : s.contacts) {
     System<6> free = s, bounded_too = s;
     for (std::size_t k = contact.normal + 1; k <= contact.normal + 2; ++k)
       bounded_too.rows[k].lo = bounded_too.rows[k].hi = 0;
@@ -143,7 +143,7 @@ EXERCISE_TEST(UpdateContact, DoesNotLookAtBounds) {
 EXERCISE_TEST(UpdateContact, KeepsANaN) {
   Random random;
   System<6> s = busy_system(random);
-  const Rubbing& contact = s.contacts[0];
+  const FrictionContact& contact = s.contacts[0];
   s.rows[contact.normal].B = std::nan("");
   expect_true("a right side of NaN makes it return NaN", "Eq. (14.2)",
               std::isnan(update_contact(contact, s.rows, s.V)), "A NaN went in and none came out.");

@@ -1,8 +1,8 @@
 // Four lanes, each of which is chapter 04's update.
 #include "14_fast_rows/fast_rows.hpp"
 #include "exercise_test.hpp"
-#include "many.hpp"
 #include "packs.hpp"
+#include "random_input.hpp"
 #include "regions.hpp"
 
 using namespace spook;

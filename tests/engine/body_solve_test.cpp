@@ -81,9 +81,10 @@ void expect_answers_of_rows() {
     for (const double rub : {infinity, 0.3, 0.01}) {
       Random<Dof> on_bodies(seed, seed % 2 == 0 ? 8 : 5, 20, rub, 1e3);  // 36 or 24 velocities, where Dof is 6
       auto on_rows = on_bodies;
-      BodyFactors<Dof> factors;
+      PrimalFactors<Dof> factors;
       Factors others;
-      const auto report = body_solve(on_bodies.rows, on_bodies.motion.inverse_mass, on_bodies.V, {}, factors);
+      const auto report =
+          primal_newton(on_bodies.rows, on_bodies.motion.inverse_mass, on_bodies.V, {}, factors);
       ASSERT_TRUE(report) << "seed " << seed << ", rub " << rub;
       ASSERT_TRUE(report->converged);
       ASSERT_TRUE(direct_solve(on_rows.rows, on_rows.V, {}, others).converged);
@@ -103,9 +104,9 @@ TEST(BodySolve, HasTheAnswersOfRows) {
 
 TEST(BodySolve, FromItsOwnAnswerTakesOneFactorisation) {
   Random<6> s(7, 8, 20, 0.3, 1e3);
-  BodyFactors<6> factors;
-  ASSERT_TRUE(body_solve(s.rows, s.motion.inverse_mass, s.V, {}, factors));
-  const auto again = body_solve(s.rows, s.motion.inverse_mass, s.V, {}, factors);
+  PrimalFactors<6> factors;
+  ASSERT_TRUE(primal_newton(s.rows, s.motion.inverse_mass, s.V, {}, factors));
+  const auto again = primal_newton(s.rows, s.motion.inverse_mass, s.V, {}, factors);
   ASSERT_TRUE(again);
   EXPECT_EQ(again->history.size(), 1U);
   EXPECT_EQ(factors.factors.analyses(), 1) << "the pattern is that of the bodies, whatever row is held";
@@ -135,20 +136,20 @@ TEST(BodySolve, WhatStandsTakesOneFactorisationAStep) {
 TEST(BodySolve, RefinesWhatASmallSigmaLeaves) {
   // Σ = 1/(h c) = 6e-11: λ = Σ⁻¹ (B - G V) has lost ten digits when it is first found.
   Random<6> s(3, 8, 12, infinity, 1e12);
-  BodyFactors<6> factors;
-  const auto report = body_solve(s.rows, s.motion.inverse_mass, s.V, {}, factors);
+  PrimalFactors<6> factors;
+  const auto report = primal_newton(s.rows, s.motion.inverse_mass, s.V, {}, factors);
   ASSERT_TRUE(report);
   // Unrefined it would lack some 1e-6 of what was asked for; Eq. (11.13) allows far less.
   EXPECT_LE(residual(s.rows, s.V), roundings(s.rows));
   EXPECT_LT(roundings(s.rows), 1e-10);
 }
 
-/// By body_interior alone, which body_solve asks only where Newton's method does not get on.
+/// By primal_interior_point alone, which primal_newton asks only where Newton's method does not get on.
 template <int Dof>
 SolveReport from_within(Random<Dof>& s) {
-  OnBodies<Dof> on(s.rows, s.motion.inverse_mass);
-  FactorsOnBodies factors;
-  return body_interior(s.rows, on, s.V, {}, factors);
+  VelocitySystem<Dof> on(s.rows, s.motion.inverse_mass);
+  VelocityFactors factors;
+  return primal_interior_point(s.rows, on, s.V, {}, factors);
 }
 
 template <int Dof>
@@ -177,8 +178,8 @@ TEST(BodySolve, SolvesFrictionThatIsMoreThanEnough) {
   // to the energy, and Newton's method on those that are free never settles.
   for (unsigned seed = 1; seed <= 10; ++seed) {
     Random<6> s(seed, 8, 40, 0.1, 1e12);
-    BodyFactors<6> factors;
-    const auto report = body_solve(s.rows, s.motion.inverse_mass, s.V, {}, factors);
+    PrimalFactors<6> factors;
+    const auto report = primal_newton(s.rows, s.motion.inverse_mass, s.V, {}, factors);
     ASSERT_TRUE(report) << "seed " << seed;
     EXPECT_TRUE(report->converged);
     EXPECT_LE(residual(s.rows, s.V), 1e-12) << "seed " << seed;
@@ -189,10 +190,10 @@ TEST(BodySolve, LeavesWhatItCanNotDo) {
   Random<6> s(5, 8, 12, 0.3, 1e3);
   s.rows[4].Sigma = 0;
   const auto before = s;
-  BodyFactors<6> factors;
-  EXPECT_FALSE(body_solve(s.rows, s.motion.inverse_mass, s.V, {}, factors));
+  PrimalFactors<6> factors;
+  EXPECT_FALSE(primal_newton(s.rows, s.motion.inverse_mass, s.V, {}, factors));
   Random<6> hurried(5, 8, 12, 0.01, 1e3);
-  EXPECT_FALSE(body_solve(hurried.rows, hurried.motion.inverse_mass, hurried.V, {.max_sweeps = 1}, factors));
+  EXPECT_FALSE(primal_newton(hurried.rows, hurried.motion.inverse_mass, hurried.V, {.max_sweeps = 1}, factors));
   for (const Row<6>& row : hurried.rows) EXPECT_EQ(row.lambda, 0);
   for (std::size_t b = 0; b < s.V.size(); ++b) EXPECT_EQ(s.V[b], before.V[b]);
 }

@@ -61,7 +61,7 @@ TEST(Boxes, RestOnEachOtherAndOnTheGround) {
 }
 
 TEST(Boxes, CarryABall) {
-  World<6> world({.k = k, .stop = {.max_sweeps = 2000, .tolerance = 1e-12}});
+  World<6> world({.k = k, .solver_limits = {.max_sweeps = 2000, .tolerance = 1e-12}});
   world.add_plane(Vec3::UnitZ(), 0);
   const Vec3 half(0.5, 0.5, 0.5);
   world.add(box(Vec3(0, 0, 0.5), half));

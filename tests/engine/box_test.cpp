@@ -37,7 +37,7 @@ Vec3 support(const World<6>& world) {
 
 World<6> box_above_floor(const std::optional<ImpactLaw>& impacts, double k, const Quat& q,
                          const Vec3& v = Vec3::Zero(), const Vec3& omega = Vec3::Zero()) {
-  World<6> world({.k = k, .friction = 0.5, .impacts = impacts, .stop = {.max_sweeps = 200}});
+  World<6> world({.k = k, .friction = 0.5, .impacts = impacts, .solver_limits = {.max_sweeps = 200}});
   world.add_plane(Vec3::UnitZ(), 0);
   world.add({.x = Vec3(0, 0, 1),
              .v = v,

@@ -34,7 +34,7 @@ TEST(RestingSphere, GapAndImpulseAreThoseOfTheWeightForAnyStepAndRelaxation) {
         world.add({.x = radius * n, .mass = m, .radius = radius, .principal = solid_sphere_moments(m, radius)});
     for (int step = 0; step < c.steps; ++step) world.step(c.h);
 
-    const Spook s = spook_parameters(c.h, k, c.d);
+    const SpookParameters s = spook_parameters(c.h, k, c.d);
     const double gap_rounding = 4 * epsilon * radius;
     const std::string which = "h " + std::to_string(c.h) + ", d " + std::to_string(c.d);
     ASSERT_EQ(world.contacts().size(), 1U) << which;
@@ -49,7 +49,7 @@ TEST(RestingSphere, GapAndImpulseAreThoseOfTheWeightForAnyStepAndRelaxation) {
 }
 
 TEST(RestingSphere, ContactPushesAndNeverPulls) {
-  World<3> world({.k = 1e4, .d = 0.5, .margin = 0.0});
+  World<3> world({.k = 1e4, .d = 0.5, .contact_margin = 0.0});
   world.add_plane(Vec3::UnitZ(), 0);
   const int sphere = world.add({.x = Vec3(0, 0, 0.6), .v = Vec3(0, 0, -3), .radius = radius});
   bool touched = false, let_go = false;
@@ -70,7 +70,7 @@ TEST(RestingSphere, ContactPushesAndNeverPulls) {
 
 template <int Dof>
 World<Dof> pile(int count, double heavy, bool heavy_on_top, const StopRule& stop) {
-  World<Dof> world({.k = 1e6, .d = 3, .solver = gauss_seidel<Dof>(), .stop = stop});
+  World<Dof> world({.k = 1e6, .d = 3, .solver = gauss_seidel<Dof>(), .solver_limits = stop});
   world.add_plane(Vec3::UnitZ(), 0);
   for (int i = 0; i < count; ++i) {
     Body<Dof> body;
@@ -180,7 +180,7 @@ TEST(Spheres, AtOnePlaceArePartedWithoutANaN) {
 int solver_calls = 0;
 
 TEST(Step, DoesNothingForWhatASceneDoesNotHave) {
-  const Solver<3> counting{.solve = [](const System<3>& system) {
+  const Solver<3> counting{.solve = [](const SolverInput<3>& system) {
     ++solver_calls;
     return gauss_seidel<3>().solve(system);
   }};

@@ -139,8 +139,8 @@ TEST(Contacts, StayInOrderWhileOneBoxRestsOnAnother) {
   }
 }
 
-TEST(Neighbours, TouchOnlyWhereTheirBoundsDo) {
-  Neighbours neighbours;
+TEST(PairCache, TouchOnlyWhereTheirBoundsDo) {
+  PairCache neighbours;
   EXPECT_TRUE(neighbours.touching(row_of_bounds()).empty())
       << "room around bounds is for memory, not for contacts";
   std::vector<Bounds> bounds = row_of_bounds();
@@ -161,7 +161,7 @@ std::vector<Pair> all_touching(const std::vector<Bounds>& bounds) {
   return pairs;
 }
 
-TEST(Neighbours, AreAllThatTouchWhoeverHasMoved) {
+TEST(PairCache, AreAllThatTouchWhoeverHasMoved) {
   testing::Random random;
   std::vector<Bounds> bounds(600);
   for (Bounds& one : bounds) {
@@ -169,7 +169,7 @@ TEST(Neighbours, AreAllThatTouchWhoeverHasMoved) {
     const Vec3 half = random.vector(0.1);
     one.upper = one.lower + half.cwiseAbs() + Vec3::Constant(0.2);
   }
-  Neighbours neighbours;
+  PairCache neighbours;
   // Nobody moves, a few jump, most do, all creep, and then somebody is gone.
   for (int round = 0; round < 30; ++round) {
     const int moving = std::array{0, 1, 40, 400, 600}[round % 5];
@@ -186,8 +186,8 @@ TEST(Neighbours, AreAllThatTouchWhoeverHasMoved) {
   }
 }
 
-TEST(Neighbours, AreRefusedWhereTheyReachToInfinityEachTime) {
-  Neighbours neighbours;
+TEST(PairCache, AreRefusedWhereTheyReachToInfinityEachTime) {
+  PairCache neighbours;
   std::vector<Bounds> bounds = row_of_bounds();
   neighbours.touching(bounds);
   bounds[3].upper.y() = infinity;

@@ -75,7 +75,7 @@ void expect_what_sparse_factors_find(unsigned seed, int rows) {
   Random<Dof> dense(seed, rows + 1, rows), sparse = dense;
   Factors factors;
   const SolveReport theirs = direct_solve(sparse.rows, sparse.V, {.tolerance = 0}, factors);
-  const auto ours = dense_solve(dense.rows, dense.V, {.tolerance = 0});
+  const auto ours = small_direct(dense.rows, dense.V, {.tolerance = 0});
   ASSERT_TRUE(ours) << "seed " << seed << ", rows " << rows;
   EXPECT_TRUE(ours->converged);
   EXPECT_EQ(ours->history.size(), 1U);
@@ -103,23 +103,23 @@ TEST(DenseSolve, SolvesRowsThatShareBothBodies) {
   }
   Factors factors;
   direct_solve(sparse.rows, sparse.V, {}, factors);
-  ASSERT_TRUE(dense_solve(dense.rows, dense.V, {}));
+  ASSERT_TRUE(small_direct(dense.rows, dense.V, {}));
   EXPECT_LT(difference(sparse.rows, dense.rows), 1e-11);
 }
 
 TEST(DenseSolve, TriesFewerWhereTheyOutnumberVelocities) {
   // Two bodies that move have six velocities.
   Random<3> few(5, 3, most_dense_rows_on_bodies, 1e12), many(5, 3, most_dense_rows_on_bodies + 1, 1e12);
-  EXPECT_TRUE(dense_solve(few.rows, few.V, {}));
-  EXPECT_FALSE(dense_solve(many.rows, many.V, {}));
+  EXPECT_TRUE(small_direct(few.rows, few.V, {}));
+  EXPECT_FALSE(small_direct(many.rows, many.V, {}));
   Random<3> chain(5, most_dense_rows_on_bodies + 2, most_dense_rows_on_bodies + 1, 1e12);
-  EXPECT_TRUE(dense_solve(chain.rows, chain.V, {}));
+  EXPECT_TRUE(small_direct(chain.rows, chain.V, {}));
 }
 
 /// Nothing, and all as it was.
 void expect_nothing(Random<3> s, const char* why, const StopRule& stop = {}) {
   const Random<3> before = s;
-  EXPECT_FALSE(dense_solve(s.rows, s.V, stop)) << why;
+  EXPECT_FALSE(small_direct(s.rows, s.V, stop)) << why;
   for (std::size_t k = 0; k < s.rows.size(); ++k) EXPECT_EQ(s.rows[k].lambda, before.rows[k].lambda) << why;
   EXPECT_EQ(s.V, before.V) << why;
 }
@@ -148,8 +148,8 @@ TEST(DenseSolve, LeavesToOthersWhatItDoesNotSolve) {
 
 TEST(DenseSolve, RefusesWhatSolveRefuses) {
   Random<3> s(1, 4, 3);
-  expect_refusal({"max_sweeps", "0"}, [&] { dense_solve(s.rows, s.V, {.max_sweeps = 0}); });
-  expect_refusal({"tolerance", "-1"}, [&] { dense_solve(s.rows, s.V, {.tolerance = -1}); });
+  expect_refusal({"max_sweeps", "0"}, [&] { small_direct(s.rows, s.V, {.max_sweeps = 0}); });
+  expect_refusal({"tolerance", "-1"}, [&] { small_direct(s.rows, s.V, {.tolerance = -1}); });
 }
 
 }  // namespace

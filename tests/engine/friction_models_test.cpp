@@ -32,7 +32,7 @@ double speed_of_pile_on_slope(int n, double mu, double angle, const Way& way) {
                   .viscosity = infinity,
                   .sliding_tangents = way.sliding,
                   .solver = way.solver(),
-                  .stop = {.max_sweeps = 20'000, .tolerance = 1e-14}});
+                  .solver_limits = {.max_sweeps = 20'000, .tolerance = 1e-14}});
   world.add_plane(Vec3::UnitZ(), 0);
   double z = radius;
   for (int i = 0; i < n; ++i) {
@@ -89,11 +89,12 @@ TEST(BetterFriction, ADiscStopsAtCoulombsTime) {
   const SceneSettings coulomb = {{"answer", "coulomb"}};
   const SceneDescription& disc = find_scene("spinning_disc");
   const auto error = [&](FrictionModel model, bool sliding, const std::string& solver) {
-    const auto scene = disc.build(with(disc, coulomb), {.h = 0.01,
-                                                        .solver = solver,
-                                                        .stop = {.max_sweeps = 5000, .tolerance = 1e-12},
-                                                        .friction_model = model,
-                                                        .sliding_tangents = sliding});
+    const auto scene =
+        disc.build(with(disc, coulomb), {.h = 0.01,
+                                         .solver = solver,
+                                         .solver_limits = {.max_sweeps = 5000, .tolerance = 1e-12},
+                                         .friction_model = model,
+                                         .sliding_tangents = sliding});
     for (int n = 0; n < 100; ++n) {
       scene->observe();
       scene->advance(1);
@@ -127,8 +128,10 @@ TEST(BetterFriction, KeepsTheMomentaOfFreeBodies) {
 }
 
 TEST(BetterFriction, TheConeReportsItsOwnResidual) {
-  World<3> world(
-      {.k = k, .friction = 0.5, .solver = cone<3>(), .stop = {.max_sweeps = 1000, .tolerance = 1e-14}});
+  World<3> world({.k = k,
+                  .friction = 0.5,
+                  .solver = cone_gauss_seidel<3>(),
+                  .solver_limits = {.max_sweeps = 1000, .tolerance = 1e-14}});
   world.add_plane(Vec3::UnitZ(), 0);
   world.add({.x = Vec3(0, 0, radius), .v = Vec3(1, 0, 0), .radius = radius});
   world.step(h);

@@ -114,8 +114,8 @@ TEST(InclineScene, ThatBlowsUpNamesStepAndBodyAndLeavesWhatWasWritten) {
   std::ostringstream csv;
   try {
     run(incline, with(incline, {{"g", "1e306"}}), {.method = {.h = 1}, .time = 1000}, {.csv = &csv});
-    ADD_FAILURE() << "no Blowup";
-  } catch (const Blowup& blowup) {
+    ADD_FAILURE() << "no SimulationDiverged";
+  } catch (const SimulationDiverged& blowup) {
     EXPECT_EQ(blowup.body(), 1) << "the block; 0 is the slope";
     const std::string text = csv.str();
     // The columns, the start, and every step before that one.

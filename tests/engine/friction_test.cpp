@@ -166,8 +166,9 @@ TEST(Friction, NeverAddsEnergy) {
 TEST(Friction, OfADiscNeverAddsEnergy) {
   testing::Random random;
   for (int trial = 0; trial < 5; ++trial) {
-    World<6> disc(
-        {.k = 1e3, .friction = random.uniform(0.5, 1), .stop = {.max_sweeps = 300, .tolerance = 1e-14}});
+    World<6> disc({.k = 1e3,
+                   .friction = random.uniform(0.5, 1),
+                   .solver_limits = {.max_sweeps = 300, .tolerance = 1e-14}});
     disc.add_plane(Vec3::UnitZ(), 0);
     disc.add({.x = Vec3(0, 0, -g / (1e3 * 16)),
               .v = Vec3{random.uniform(-2, 2), random.uniform(-2, 2), 0},

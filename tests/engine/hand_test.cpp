@@ -76,11 +76,11 @@ TEST(Hand, SaysWhenThereIsAnotherJoint) {
 TEST(Hand, PushesByMomentum) {
   World<6> world = world_with_a_body<6>(4);
   HandIn<6> hand(world);
-  hand.push(0, Vec3(2, 0, -8));
+  hand.apply_central_impulse(0, Vec3(2, 0, -8));
   EXPECT_EQ(world.v(0), Vec3(0.5, 0, -2));
   EXPECT_EQ(angular_velocity(world, 0), Vec3::Zero().eval());
   const int fixed = world.add_fixed(Vec3::Zero());
-  hand.push(fixed, Vec3(1, 1, 1));
+  hand.apply_central_impulse(fixed, Vec3(1, 1, 1));
   EXPECT_EQ(world.v(fixed), Vec3::Zero().eval());
 }
 
@@ -99,8 +99,8 @@ TEST(Hand, RefusesWhatItCanNotHold) {
   HandIn<6> hand(world);
   expect_refusal({"body", "7"}, [&] { hand.pull(7, Vec3::Zero(), Vec3::Zero()); });
   expect_refusal({"body", "moves"}, [&] { hand.pull(plane, Vec3::Zero(), Vec3::Zero()); });
-  expect_refusal({"body", "-1"}, [&] { hand.push(-1, Vec3::Zero()); });
-  expect_refusal({"impulse"}, [&] { hand.push(0, Vec3(0, NAN, 0)); });
+  expect_refusal({"body", "-1"}, [&] { hand.apply_central_impulse(-1, Vec3::Zero()); });
+  expect_refusal({"impulse"}, [&] { hand.apply_central_impulse(0, Vec3(0, NAN, 0)); });
   expect_refusal({"radius", "0"}, [&] { hand.drop(Vec3::Zero(), 0, 1); });
   expect_refusal({"mass", "-1"}, [&] { hand.drop(Vec3::Zero(), 1, -1); });
   expect_refusal({"to"}, [&] { hand.pull(0, Vec3::Zero(), Vec3(INFINITY, 0, 0)); });
@@ -156,7 +156,7 @@ TEST(GoOn, IsTheSameRunToTheLastBit) {
     whole->advance(40);
     first->advance(20);
     const auto second = scene.build(parameters, method);
-    ASSERT_TRUE(second->go_on_from(*first)) << scene.name;
+    ASSERT_TRUE(second->take_state_from(*first)) << scene.name;
     second->advance(20);
     const Frame expected = whole->frame(), got = second->frame();
     EXPECT_EQ(got.x, expected.x) << scene.name;
@@ -175,15 +175,15 @@ TEST(GoOn, TakesTheHandAlong) {
   first->hand().pull(10, Vec3::Zero(), Vec3(0, 0, 2));
   first->advance(200);
   const auto second = pile.build(with(pile, {{"bodies", "5"}, {"mu", "0.1"}}), method);
-  ASSERT_TRUE(second->go_on_from(*first));
+  ASSERT_TRUE(second->take_state_from(*first));
   EXPECT_EQ(second->frame().x, first->frame().x);
   EXPECT_EQ(second->picture().joints.size(), 1U);
   second->advance(100);
   EXPECT_NEAR(second->frame().x[10].z(), 2 - g / 640, 1e-4) << "it is held still";
 
   const auto other = pile.build(with(pile, {{"bodies", "6"}}), method);
-  EXPECT_FALSE(other->go_on_from(*first)) << "other bodies";
-  EXPECT_FALSE(find_scene("orbit").build(with(find_scene("orbit"), {}), method)->go_on_from(*first));
+  EXPECT_FALSE(other->take_state_from(*first)) << "other bodies";
+  EXPECT_FALSE(find_scene("orbit").build(with(find_scene("orbit"), {}), method)->take_state_from(*first));
 }
 
 TEST(Recording, GhostsAreWhereTheAnswerIs) {

@@ -20,8 +20,8 @@ TEST(Input, Settings) {
   expect_refusal({"k", "inf"}, [] { World<6>({.k = infinity}); });
   expect_refusal({"d", "-1"}, [] { World<6>({.d = -1}); });
   expect_refusal({"solver"}, [] { World<3>({.solver = {.solve = nullptr}}); });
-  expect_refusal({"max_sweeps", "0"}, [] { World<3>({.stop = {.max_sweeps = 0}}); });
-  expect_refusal({"tolerance", "nan"}, [] { World<3>({.stop = {.tolerance = nan}}); });
+  expect_refusal({"max_sweeps", "0"}, [] { World<3>({.solver_limits = {.max_sweeps = 0}}); });
+  expect_refusal({"tolerance", "nan"}, [] { World<3>({.solver_limits = {.tolerance = nan}}); });
 }
 
 TEST(Input, Bodies) {

@@ -127,18 +127,18 @@ TEST(Islands, WhatSweepsDoNotSolveGetsFactors) {
   Factors factors;
   direct_solve(exact, exact_V, {}, factors);
 
-  const Solver<3> solver = by_island<3>();
+  const Solver<3> solver = automatic<3>();
   for (const std::int64_t updates : {50 * 60, 0}) {
     std::vector<Row<3>> rows = stiff.rows;
     std::vector<Twist<3>> V = stiff.V;
-    const Outcome outcome = solve_by(solver, stiff.motion, rows, V, few);
+    const SolverResult outcome = solve_by(solver, stiff.motion, rows, V, few);
     EXPECT_EQ(outcome.row_updates, updates) << "the second time it knows";
     EXPECT_TRUE(outcome.report.converged);
     for (std::size_t k = 0; k < rows.size(); ++k)
       EXPECT_NEAR(rows[k].lambda, exact[k].lambda, 1e-12 * std::abs(exact[k].lambda)) << "row " << k;
   }
   // Where factors cost more than a hundred times the sweeps, nobody waits for them.
-  const Outcome poor = solve_by(by_island<3>(), stiff.motion, stiff.rows, stiff.V, {.max_sweeps = 1});
+  const SolverResult poor = solve_by(automatic<3>(), stiff.motion, stiff.rows, stiff.V, {.max_sweeps = 1});
   EXPECT_EQ(poor.row_updates, 60);
   EXPECT_FALSE(poor.report.converged);
 }
@@ -150,7 +150,7 @@ TEST(Islands, AreSolvedAsIfAlone) {
   net.hang(anchor, 7, 100);
   std::vector<Row<3>> rows = net.rows;
   std::vector<Twist<3>> V = net.V;
-  const Outcome outcome = solve_by(by_island<3>(), net.motion, rows, V);
+  const SolverResult outcome = solve_by(automatic<3>(), net.motion, rows, V);
   EXPECT_TRUE(outcome.report.converged);
   EXPECT_EQ(outcome.row_updates, 0) << "both are wires: no sweeps";
 
@@ -171,29 +171,29 @@ TEST(Islands, AreEachSolvedByTheirOwnSolver) {
   net.hang(net.add_point(0), 5);
   const int hub = net.add_point();
   for (int spoke = 0; spoke < 60; ++spoke) net.join(hub, net.add_point());
-  const Outcome outcome = solve_by(by_island<3>(), net.motion, net.rows, net.V, {.max_sweeps = 100});
+  const SolverResult outcome = solve_by(automatic<3>(), net.motion, net.rows, net.V, {.max_sweeps = 100});
   EXPECT_EQ(outcome.row_updates, 100 * 60) << "the star is swept, the wire is not";
   EXPECT_EQ(outcome.report.history.size(), 101U) << "and what that left is factorised";
 }
 
 TEST(Outcomes, InTurnGoOn) {
-  const Outcome swept{SolveReport{.history = {3, 2}, .converged = true}};
-  Outcome direct{SolveReport{.history = {1}, .converged = false, .trouble = "why"}};
+  const SolverResult swept{SolveReport{.history = {3, 2}, .converged = true}};
+  SolverResult direct{SolveReport{.history = {1}, .converged = false, .trouble = "why"}};
   direct.row_updates = 0;
-  const Outcome both = in_turn(swept, direct, 10);
+  const SolverResult both = append(swept, direct, 10);
   EXPECT_EQ(both.report.history, (std::vector<double>{3, 2, 1}));
   EXPECT_FALSE(both.report.converged) << "the second says";
   EXPECT_EQ(both.report.trouble, "why");
   EXPECT_EQ(both.row_updates, 20) << "of two sweeps of 10 rows; factors have none";
-  EXPECT_TRUE(in_turn(direct, swept, 10).report.converged);
+  EXPECT_TRUE(append(direct, swept, 10).report.converged);
 }
 
 TEST(Outcomes, SideBySideAreAsFarAsTheWorse) {
-  Outcome one{SolveReport{.history = {3, 1}, .converged = true}};
-  Outcome other{SolveReport{.history = {2, std::nan(""), 1}, .converged = false, .trouble = "why"}};
+  SolverResult one{SolveReport{.history = {3, 1}, .converged = true}};
+  SolverResult other{SolveReport{.history = {2, std::nan(""), 1}, .converged = false, .trouble = "why"}};
   one.row_updates = 20;
   other.row_updates = 30;
-  for (const Outcome& both : {side_by_side(one, other), side_by_side(other, one)}) {
+  for (const SolverResult& both : {merge_parallel(one, other), merge_parallel(other, one)}) {
     ASSERT_EQ(both.report.history.size(), 3U);
     EXPECT_EQ(both.report.history[0], 3);
     EXPECT_TRUE(std::isnan(both.report.history[1])) << "a NaN is not lost beside a number";

@@ -330,7 +330,7 @@ TEST(WireScene, IsWrongByWhatTheSweepsLeave) {
   // Gauss-Seidel, and B = -a gap - h g e1. So a gap = -S (1 - E^s)⁻¹ h T - h g e1.
   const int N = 5, s = 50;
   const double m = 0.01, M = 0.04, h = 1.0 / 60, k = 1e6;
-  const Spook spook = spook_parameters(h, k, 3);
+  const SpookParameters spook = spook_parameters(h, k, 3);
   Eigen::MatrixXd S = Eigen::MatrixXd::Zero(N, N);
   Eigen::VectorXd T(N), first = Eigen::VectorXd::Unit(N, 0);
   for (int i = 0; i < N; ++i) {

@@ -5,12 +5,12 @@
 namespace spook {
 
 template <int Dof>
-Outcome solve_by(const Solver<Dof>& solver, const Motion<Dof>& motion, std::vector<Row<Dof>>& rows,
-                 std::vector<Twist<Dof>>& V, const StopRule& stop = {},
-                 const std::vector<Rubbing>& rubbing = {}) {
+SolverResult solve_by(const Solver<Dof>& solver, const Motion<Dof>& motion, std::vector<Row<Dof>>& rows,
+                      std::vector<Twist<Dof>>& V, const StopRule& stop = {},
+                      const std::vector<FrictionContact>& rubbing = {}) {
   Bodies<Dof> bodies;
   bodies.motion = motion;
-  const StartImpulses none;
+  const WarmStartCache none;
   return solver.solve({.rows = rows,
                        .V = V,
                        .rubbing = rubbing,

@@ -32,9 +32,9 @@ struct SceneRun {
 inline SceneRun run_of(const std::string& name, const SceneSettings& settings, double h, double time,
                        const StopRule& stop = {}, const std::string& solver = "") {
   const SceneDescription& description = find_scene(name);
-  const auto scene =
-      description.build(with(description, settings),
-                        {.h = h, .solver = solver.empty() ? description.solver : solver, .stop = stop});
+  const auto scene = description.build(
+      with(description, settings),
+      {.h = h, .solver = solver.empty() ? description.solver : solver, .solver_limits = stop});
   const std::vector<std::string> names = scene->columns();
   SceneRun run;
   const std::int64_t steps = step_count(h, time);

@@ -33,17 +33,17 @@ Vector random_vector(int n, testing::Random& random) {
   return x;
 }
 
-void fill(const Matrix& A, SmallFactors& factors) {
+void fill(const Matrix& A, DenseLdlt& factors) {
   factors.begin(static_cast<int>(A.rows()));
   for (int k = 0; k < A.rows(); ++k)
     for (int l = 0; l <= k; ++l) factors.at(k, l) = A(k, l);
 }
 
-TEST(SmallFactors, SolveWhatTheyAreFactorsOf) {
+TEST(DenseLdlt, SolveWhatTheyAreFactorsOf) {
   testing::Random random;
-  SmallFactors factors;  // one for all: it forgets what it had
+  DenseLdlt factors;  // one for all: it forgets what it had
   for (const double zeros : {0.0, 0.5, 0.9})
-    for (int n = 1; n <= SmallFactors::most; ++n) {
+    for (int n = 1; n <= DenseLdlt::most; ++n) {
       const Matrix A = random_matrix(n, zeros, random);
       const Vector b = random_vector(n, random);
       fill(A, factors);
@@ -57,8 +57,8 @@ TEST(SmallFactors, SolveWhatTheyAreFactorsOf) {
     }
 }
 
-TEST(SmallFactors, RefuseAPivotThatIsNotSound) {
-  SmallFactors factors;
+TEST(DenseLdlt, RefuseAPivotThatIsNotSound) {
+  DenseLdlt factors;
   const auto factorised = [&](double a, double b, double c) {  // [a b; b c]
     factors.begin(2);
     factors.at(0, 0) = a, factors.at(1, 0) = b, factors.at(1, 1) = c;
@@ -80,23 +80,23 @@ SparseMatrix lower(const Matrix& A) {
   return Matrix(A.triangularView<Eigen::Lower>()).sparseView();
 }
 
-TEST(FactorsOnBodies, AreOfEitherKindByTheNumberOfVelocities) {
+TEST(VelocityFactors, AreOfEitherKindByTheNumberOfVelocities) {
   testing::Random random;
-  FactorsOnBodies factors;
+  VelocityFactors factors;
   int analyses = 0;
-  for (const int n : {SmallFactors::most, SmallFactors::most + 1, 6, 48}) {
+  for (const int n : {DenseLdlt::most, DenseLdlt::most + 1, 6, 48}) {
     const Matrix A = random_matrix(n, 0.5, random);
     const Vector b = random_vector(n, random);
     ASSERT_TRUE(factors.factorise(lower(A)));
-    if (n > SmallFactors::most) ++analyses;
+    if (n > DenseLdlt::most) ++analyses;
     EXPECT_EQ(factors.analyses(), analyses) << n << ": few have no pattern";
     const double rounding = 4 * n * std::numeric_limits<double>::epsilon();  // as above
     EXPECT_LE((A * factors.solve(b) - b).norm(), rounding * A.norm() * A.inverse().norm() * b.norm()) << n;
   }
 }
 
-TEST(FactorsOnBodies, RefuseWhatIsSingular) {
-  FactorsOnBodies factors;
+TEST(VelocityFactors, RefuseWhatIsSingular) {
+  VelocityFactors factors;
   for (const int n : {6, 60}) {
     Matrix A = Matrix::Identity(n, n);
     A.bottomRightCorner(2, 2).setOnes();

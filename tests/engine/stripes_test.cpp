@@ -18,8 +18,12 @@ constexpr double h = 1.0 / 120, side = 0.2, k = 1e4;
 World<6> heap(const Solver<6>& solver, int threads, bool tied = true, int high = 12,
               const StopRule& stop = {.max_sweeps = 5}) {
   testing::Random random;  // the same in each call
-  World<6> world(
-      {.k = k, .friction = 0.4, .solver = solver, .warm_start = true, .threads = threads, .stop = stop});
+  World<6> world({.k = k,
+                  .friction = 0.4,
+                  .solver = solver,
+                  .warm_start = true,
+                  .threads = threads,
+                  .solver_limits = stop});
   world.add_plane(Vec3::UnitZ(), 0);
   world.add_plane(Vec3::UnitX(), -0.01);
   constexpr int across = 7;
@@ -59,7 +63,7 @@ void expect_same_bits(const World<6>& one, const World<6>& other, const std::str
 }
 
 TEST(Threads, ChangeNoBitWhateverTheirNumberAndTheSolver) {
-  for (const char* name : {"stripes", "gauss_seidel"}) {
+  for (const char* name : {"spatial_decomposition", "gauss_seidel"}) {
     const Solver<6> solver = find_solver<6>(name).make();
     World<6> one = heap(solver, 1);
     std::vector<World<6>> others;
@@ -83,7 +87,7 @@ TEST(Stripes, SolveWhatSweepsDo) {
   const StopRule sharp{.max_sweeps = 100'000, .tolerance = 1e-7};
   for (const bool tied : {false, true}) {
     World<6> swept = heap(gauss_seidel<6>(), 1, tied, 5, sharp),
-             striped = heap(stripes<6>(), 2, tied, 5, sharp);
+             striped = heap(spatial_decomposition<6>(), 2, tied, 5, sharp);
     swept.step(h);
     striped.step(h);
     EXPECT_TRUE(striped.solved().converged);
@@ -96,14 +100,14 @@ TEST(Stripes, SolveWhatSweepsDo) {
 }
 
 TEST(Stripes, UpdateEveryRowOnceASweep) {
-  World<6> world = heap(stripes<6>(), 2);
+  World<6> world = heap(spatial_decomposition<6>(), 2);
   world.step(h);
   EXPECT_EQ(world.solved().history.size(), 5U);
   EXPECT_EQ(world.row_updates(), 5 * std::ssize(world.rows()));
 }
 
 TEST(Stripes, LeaveWhatTheyWereHandedInPlace) {
-  World<6> swept = heap(gauss_seidel<6>(), 1), striped = heap(stripes<6>(), 2);
+  World<6> swept = heap(gauss_seidel<6>(), 1), striped = heap(spatial_decomposition<6>(), 2);
   swept.step(h);
   striped.step(h);
   ASSERT_EQ(swept.rows().size(), striped.rows().size());
@@ -114,12 +118,12 @@ TEST(Stripes, LeaveWhatTheyWereHandedInPlace) {
 }
 
 TEST(Stripes, TakeWhatHasFewBodiesOrNoExtent) {
-  World<3> one({.solver = stripes<3>(), .threads = 4});
+  World<3> one({.solver = spatial_decomposition<3>(), .threads = 4});
   one.add_plane(Vec3::UnitZ(), 0);
   one.add({.x = Vec3(0, 0, 0.1), .radius = 0.1});
   for (int n = 0; n < 60; ++n) one.step(h);
   EXPECT_NEAR(one.x(1).z(), 0.1, 1e-4) << "one body, at rest";
-  World<3> same({.gravity = Vec3::Zero(), .solver = stripes<3>(), .threads = 4});
+  World<3> same({.gravity = Vec3::Zero(), .solver = spatial_decomposition<3>(), .threads = 4});
   for (int body = 0; body < 3; ++body) same.add({.x = Vec3::Zero()});
   same.add_joint({.i = 0, .j = 1});
   same.step(h);
@@ -131,7 +135,7 @@ TEST(Shares, HaveAllThingsInOrderAndThrowWhatIsThrown) {
     for (const int threads : {1, 2, 7}) {
       const std::size_t shares = shares_of(threads, n);
       std::vector<std::pair<std::size_t, std::size_t>> of(shares);
-      in_shares(threads, n, [&](std::size_t share, std::size_t first, std::size_t end) {
+      parallel_for(threads, n, [&](std::size_t share, std::size_t first, std::size_t end) {
         of[share] = {first, end};
       });
       std::size_t next = 0;
@@ -142,10 +146,10 @@ TEST(Shares, HaveAllThingsInOrderAndThrowWhatIsThrown) {
       }
       EXPECT_EQ(next, n);
     }
-  EXPECT_THROW(in_shares(4, 10'000,
-                         [](std::size_t, std::size_t first, std::size_t) {
-                           if (first > 0) throw std::runtime_error("one of them");
-                         }),
+  EXPECT_THROW(parallel_for(4, 10'000,
+                            [](std::size_t, std::size_t first, std::size_t) {
+                              if (first > 0) throw std::runtime_error("one of them");
+                            }),
                std::runtime_error);
 }
 

@@ -28,8 +28,8 @@ World<3> stack(int bodies, Settings<3> settings) {
 
 TEST(WarmStart, AStackAtRestIsSolvedBeforeTheFirstSweep) {
   const StopRule stop{.max_sweeps = 100'000, .tolerance = 1e-10};
-  World<3> cold = stack(10, {.solver = gauss_seidel<3>(), .stop = stop}),
-           warm = stack(10, {.solver = gauss_seidel<3>(), .warm_start = true, .stop = stop});
+  World<3> cold = stack(10, {.solver = gauss_seidel<3>(), .solver_limits = stop}),
+           warm = stack(10, {.solver = gauss_seidel<3>(), .warm_start = true, .solver_limits = stop});
   for (int step = 0; step < 5; ++step) cold.step(h), warm.step(h);
   EXPECT_GT(cold.report().iterations, 500);
   EXPECT_LE(warm.report().iterations, 3);
@@ -39,8 +39,8 @@ TEST(WarmStart, AStackAtRestIsSolvedBeforeTheFirstSweep) {
 
 TEST(WarmStart, IsTheSameMotionWhenSolvedToTheEnd) {
   const StopRule stop{.max_sweeps = 100'000, .tolerance = 1e-13};
-  World<3> cold = stack(4, {.solver = gauss_seidel<3>(), .stop = stop}),
-           warm = stack(4, {.solver = gauss_seidel<3>(), .warm_start = true, .stop = stop});
+  World<3> cold = stack(4, {.solver = gauss_seidel<3>(), .solver_limits = stop}),
+           warm = stack(4, {.solver = gauss_seidel<3>(), .warm_start = true, .solver_limits = stop});
   for (World<3>* world : {&cold, &warm})
     world->add({.x = Vec3(0.1, 0, 6), .v = Vec3(0, 0, -2), .radius = radius});
   for (int step = 0; step < 60; ++step) {
@@ -53,7 +53,7 @@ TEST(WarmStart, IsTheSameMotionWhenSolvedToTheEnd) {
 
 TEST(WarmStart, KeepsForcesWhenTheStepChanges) {
   const StopRule stop{.max_sweeps = 100'000, .tolerance = 1e-10};
-  World<3> world = stack(10, {.warm_start = true, .stop = stop});
+  World<3> world = stack(10, {.warm_start = true, .solver_limits = stop});
   for (int step = 0; step < 3; ++step) world.step(h);
   world.step(h / 2);
   EXPECT_LE(world.report().iterations, 50) << "cold it takes hundreds";
@@ -67,7 +67,7 @@ std::vector<Row<3>> numbered_rows(std::size_t contacts) {
   return rows;
 }
 
-TEST(StartImpulses, AreThoseOfMatchedContactsWhateverBecameOfThem) {
+TEST(WarmStartCache, AreThoseOfMatchedContactsWhateverBecameOfThem) {
   testing::Random random;
   for (int round = 0; round < 2000; ++round) {
     // Up to five pairs with up to four contacts each; then they creep, or jump, some change places, one is gone, or new.
@@ -77,7 +77,7 @@ TEST(StartImpulses, AreThoseOfMatchedContactsWhateverBecameOfThem) {
       for (int n = random.integer(1, 4); n > 0; --n)
         before.push_back(
             {.i = 0, .j = pair + 1, .n = Vec3::UnitZ(), .gap = 0, .r_i = Vec3::Zero(), .r_j = random.vector()});
-    StartImpulses start;
+    WarmStartCache start;
     start.remember(numbered_rows(before.size()), 0, before, h);
 
     std::vector<Contact> now = before;
@@ -103,8 +103,8 @@ TEST(StartImpulses, AreThoseOfMatchedContactsWhateverBecameOfThem) {
   }
 }
 
-TEST(StartImpulses, FollowTheirContactsAndForgetTheRest) {
-  StartImpulses start;
+TEST(WarmStartCache, FollowTheirContactsAndForgetTheRest) {
+  WarmStartCache start;
   EXPECT_TRUE(start.impulses(5, 1, {}, h).empty()) << "nothing is kept yet";
 
   const auto contact = [](int i, int j, const Vec3& at) {
@@ -130,7 +130,7 @@ TEST(StartImpulses, FollowTheirContactsAndForgetTheRest) {
 TEST(RowOrder, OneSweepShowsWhichWayItWent) {
   // From the ground up each sphere knows its own weight and what is below; from the top down nothing arrives yet.
   const auto after_a_sweep = [](RowOrder order) {
-    World<3> world = stack(3, {.solver = in_order<3>(order), .stop = {.max_sweeps = 1}});
+    World<3> world = stack(3, {.solver = ordered_gauss_seidel<3>(order), .solver_limits = {.max_sweeps = 1}});
     world.step(h);
     return std::vector<double>{world.lambda(0), world.lambda(1), world.lambda(2)};
   };
@@ -143,7 +143,8 @@ TEST(RowOrder, OneSweepShowsWhichWayItWent) {
 
 TEST(RowOrder, RandomIsTheSameForTheSameSeed) {
   const auto run = [](std::uint64_t seed) {
-    World<3> world = stack(6, {.solver = in_order<3>(RowOrder::random, seed), .stop = {.max_sweeps = 3}});
+    World<3> world = stack(
+        6, {.solver = ordered_gauss_seidel<3>(RowOrder::random, seed), .solver_limits = {.max_sweeps = 3}});
     for (int step = 0; step < 5; ++step) world.step(h);
     return world.x(6).z();
   };
@@ -159,7 +160,7 @@ TEST(RowOrder, InterleavedTakesTwoHalvesInTurn) {
 
   // In one sweep each sphere of a stack of four learns of those that came before it: the third only of what it weighs.
   const auto after_a_sweep = [](RowOrder order) {
-    World<3> world = stack(4, {.solver = in_order<3>(order), .stop = {.max_sweeps = 1}});
+    World<3> world = stack(4, {.solver = ordered_gauss_seidel<3>(order), .solver_limits = {.max_sweeps = 1}});
     world.step(h);
     return std::vector<double>{world.lambda(0), world.lambda(1), world.lambda(2), world.lambda(3)};
   };
@@ -173,7 +174,7 @@ TEST(RowOrder, AllSolveTheSame) {
   const StopRule stop{.max_sweeps = 100'000, .tolerance = 1e-13};
   for (const RowOrder order :
        {RowOrder::given, RowOrder::up, RowOrder::down, RowOrder::random, RowOrder::interleaved}) {
-    World<3> world = stack(5, {.solver = in_order<3>(order), .stop = stop});
+    World<3> world = stack(5, {.solver = ordered_gauss_seidel<3>(order), .solver_limits = stop});
     world.step(h);
     for (int contact = 0; contact < 5; ++contact)
       EXPECT_NEAR(world.lambda(contact), h * (5 - contact) * g, 1e-9);

@@ -26,7 +26,7 @@ TEST(Materials, OfTwoBodiesAreTheRulesOfTheHeader) {
   EXPECT_EQ(materials.of(0, 7).friction, 0.5);
   materials.set(1, {.friction = 0.08, .restitution = 0.7, .k = 1e4});
   materials.set(2, {.friction = 0.0, .d = 5.0});
-  const Touching mixed = materials.of(1, 3), smooth = materials.of(2, 1);
+  const PairMaterial mixed = materials.of(1, 3), smooth = materials.of(2, 1);
   EXPECT_DOUBLE_EQ(mixed.friction, std::sqrt(0.5 * 0.08));
   EXPECT_EQ(mixed.restitution, 0.7);
   EXPECT_EQ(mixed.k, 1e4);
@@ -59,7 +59,7 @@ TEST(Materials, DecideWhoSlidesWhoBouncesAndHowDeep) {
   EXPECT_NEAR(world.v(smooth).x(), 1, 1e-12);
   EXPECT_NEAR(world.v(rough).x(), 0, 1e-9) << "v²/(2μg) is 0.1 m";
   EXPECT_NEAR(world.x(rough).x(), 1 / (2 * 0.5 * g), h) << "and a step of it";
-  const double v = world.v_beside_x(bouncy, h).z();
+  const double v = world.synchronized_velocity(bouncy, h).z();
   EXPECT_NEAR(world.x(bouncy).z() - 0.1 + v * v / (2 * g), 1 + g * h * h / 8, 1e-9)
       << "1 m, and what a start with v = 0 half a step before is worth";
   EXPECT_NEAR(world.x(soft).z() - 0.1, -g / 1e3, 1e-9);
@@ -96,7 +96,8 @@ TEST(Wrench, TurnsWhatItTwists) {
   world.add({.principal = Vec3(1, 1.5, 2)});
   world.start_half_step_back(h);
   step(world, 60);
-  EXPECT_NEAR(world.omega_beside_x(0, h).z() + h / 2 * 1.5, 1.5 * 1, 1e-12) << "τ t/I, less half a step";
+  EXPECT_NEAR(world.synchronized_angular_velocity(0, h).z() + h / 2 * 1.5, 1.5 * 1, 1e-12)
+      << "τ t/I, less half a step";
   EXPECT_LE((angular_momentum(world.bodies()) - torque * (1 - h / 2)).norm(), 1e-12);
   expect_refusal({"gravity", "box"}, [] {
     World<6>({.gravity = Vec3::Zero(),

@@ -46,7 +46,7 @@ void rotations() {
 void single_contact() {
   const double h = 1.0 / 60, g = 9.81;
   const auto depth = [&](double share_of_Sigma) {
-    Spook spook = spook_parameters(h, 1e5, 3);
+    SpookParameters spook = spook_parameters(h, 1e5, 3);
     spook.Sigma *= share_of_Sigma;
     double gap = 0, v = 0;
     for (int n = 0; n < 2000; ++n) gap += h * (v += -h * g + contact_impulse(spook, 1, gap, v, -h * g));

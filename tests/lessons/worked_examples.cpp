@@ -46,7 +46,7 @@ void one_row() {
   const std::string name = "one_row.";
   say(name + "gap", gap);
   say(name + "u", u);
-  const Spook spook = spook_parameters(h, k, d);
+  const SpookParameters spook = spook_parameters(h, k, d);
   say(name + "a", spook.a);
   say(name + "b", spook.b);
   say(name + "Sigma", spook.Sigma);

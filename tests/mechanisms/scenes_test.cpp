@@ -17,8 +17,8 @@ class Composed {
   Composed(const std::string& name, SceneSettings settings, double h) : h_(h) {
     settings.emplace_back("d", "0");
     const SceneDescription& description = find_scene(name);
-    scene_ =
-        description.build(with(description, settings), {.h = h, .solver = description.solver, .compose = 4});
+    scene_ = description.build(with(description, settings),
+                               {.h = h, .solver = description.solver, .integrator_order = 4});
     scene_->observe();
   }
 

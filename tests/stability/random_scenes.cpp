@@ -202,7 +202,7 @@ class Watch {
 
   const RandomScene<Dof>& scene_;
   Findings findings_;
-  Soundness<Dof> soundness_;
+  RunCheck<Dof> soundness_;
   std::vector<Twist<Dof>> before_;
   Vec3 p0_, L_;  // what they should be
   double mass_ = 0, started_ = 0, given_ = 0, most_ = 0, pushed_ = 0;
@@ -218,7 +218,7 @@ Findings run(Random& random) {
       scene.world.step(scene.h);
       findings = watch.look();
     }
-  } catch (const Blowup& blowup) {
+  } catch (const SimulationDiverged& blowup) {
     findings.wrong["blowup"] = blowup.what();
   }
   return findings;

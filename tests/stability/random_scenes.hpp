@@ -9,7 +9,7 @@
 //
 // Looked at after each step:
 //
-//   numbers      finite, and no Blowup
+//   numbers      finite, and no SimulationDiverged
 //   bounds       lo <= λ <= hi, of every row
 //   solve        m Δv = h f + Gᵀ λ of every body, where no impact had a part in it: V is what λ says; to roundings
 //   momentum     Σ m v = Σ m (v₀ + g t) where nothing is fixed, impacts included; to roundings

@@ -11,7 +11,7 @@ using testing::step_on;
 constexpr double g = 9.81;
 
 World<6> box_on_a_hundred(double k, int sweeps) {
-  World<6> world({.gravity = Vec3(0, 0, -g), .k = k, .stop = {.max_sweeps = sweeps}});
+  World<6> world({.gravity = Vec3(0, 0, -g), .k = k, .solver_limits = {.max_sweeps = sweeps}});
   world.add_plane(Vec3::UnitZ(), 0);
   const Vec3 half(0.5, 0.5, 0.2);
   std::vector<Vec3> corners;
@@ -61,7 +61,7 @@ TEST(Loop, ThatCanNotCloseIsWhereItsSweepsSay) {
   for (const auto& [k1, k2] :
        {std::pair{1e2, 1e2}, {1e6, 2e6}, {1e6, 1e2}, {1e2, 1e6}, {1e9, 3e9}, {1e12, 1e12}})
     for (const int sweeps : {1, 10, 1000}) {
-      World<3> world({.gravity = Vec3::Zero(), .stop = {.max_sweeps = sweeps}});
+      World<3> world({.gravity = Vec3::Zero(), .solver_limits = {.max_sweeps = sweeps}});
       world.add_fixed(Vec3::Zero());
       world.add({.x = Vec3(1.05, 0, 0)});
       world.add_joint({.i = 0, .j = 1, .length = l1, .k = k1});

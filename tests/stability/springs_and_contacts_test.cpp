@@ -80,7 +80,7 @@ TEST(RestingContact, IsRightToTheRoundingsOfItsPlace) {
 
 /// Spheres of radius 0.5 m from the floor up, where they touch.
 World<3> tower(const std::vector<double>& masses, double k, int sweeps) {
-  World<3> world({.gravity = Vec3(0, 0, -g), .k = k, .stop = {.max_sweeps = sweeps}});
+  World<3> world({.gravity = Vec3(0, 0, -g), .k = k, .solver_limits = {.max_sweeps = sweeps}});
   world.add_plane(Vec3::UnitZ(), 0);
   for (std::size_t i = 0; i < masses.size(); ++i)
     world.add({.x = Vec3(0, 0, 0.5 + static_cast<double>(i)), .mass = masses[i], .radius = 0.5});

@@ -1,5 +1,5 @@
 #pragma once
-// Steps that may end in a Blowup, but never in a number that is none.
+// Steps that may end in a SimulationDiverged, but never in a number that is none.
 #include <gtest/gtest.h>
 
 #include "engine/world/world.hpp"
@@ -16,14 +16,14 @@ bool all_finite(const Bodies<Dof>& bodies) {
   return true;
 }
 
-/// Steps, and calls `see` after each, until all are done or one ends in a Blowup, which must name that step and a body.
+/// Steps, and calls `see` after each, until all are done or one ends in a SimulationDiverged, which must name that step and a body.
 /// Returns how many were done. All bodies' numbers are finite after each of these.
 template <int Dof, class See>
 int step_on(World<Dof>& world, double h, int steps, const See& see) {
   for (int n = 1; n <= steps; ++n) {
     try {
       world.step(h);
-    } catch (const Blowup& blowup) {
+    } catch (const SimulationDiverged& blowup) {
       EXPECT_EQ(blowup.step(), n);
       EXPECT_GE(blowup.body(), 0);
       EXPECT_LT(blowup.body(), static_cast<int>(world.bodies().size()));
@@ -33,7 +33,7 @@ int step_on(World<Dof>& world, double h, int steps, const See& see) {
       return n - 1;
     }
     if (!all_finite(world.bodies())) {
-      ADD_FAILURE() << "step " << n << " ended without a Blowup, but not in numbers";
+      ADD_FAILURE() << "step " << n << " ended without a SimulationDiverged, but not in numbers";
       return n;
     }
     see();

@@ -14,7 +14,7 @@ constexpr double g = 9.81;
 
 /// `links` links of 1 m in all along a direction, points of 1 kg, a load of `ratio` in place of the last.
 World<3> wire(int links, double ratio, const Vec3& along, double k, int sweeps) {
-  World<3> world({.gravity = Vec3(0, 0, -g), .k = k, .stop = {.max_sweeps = sweeps}});
+  World<3> world({.gravity = Vec3(0, 0, -g), .k = k, .solver_limits = {.max_sweeps = sweeps}});
   world.add_fixed(Vec3::Zero());
   for (int point = 1; point <= links; ++point) {
     world.add({.x = along * point / links, .mass = point == links ? ratio : 1});

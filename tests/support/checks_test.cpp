@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "any_units.hpp"
+#include "contract.hpp"
 #include "random_input.hpp"
 
 using namespace spook;

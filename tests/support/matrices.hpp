@@ -1,5 +1,5 @@
 #pragma once
-// Sparse matrices for any_units.hpp: those with one unit throughout, and those of the saddle point.
+// Sparse matrices for contract.hpp: those with one unit throughout, and those of the saddle point.
 #include "11_direct/direct.hpp"
 #include "units.hpp"
 

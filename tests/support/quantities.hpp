@@ -5,7 +5,7 @@
 
 namespace spook::testing {
 
-inline void each_number(Visitor& visitor, Spook& spook, ByField) {
+inline void each_number(Visitor& visitor, SpookParameters& spook, ByField) {
   using namespace units;
   visitor.number(spook.a, 1 / s);
   visitor.number(spook.b, pure);
@@ -79,7 +79,7 @@ inline void each_number(Visitor& visitor, Tangents& t, ByField) {
   each_number(visitor, t.t1, units::pure), each_number(visitor, t.t2, units::pure);
 }
 
-inline void each_number(Visitor& visitor, Rubbing& contact, ByField) {
+inline void each_number(Visitor& visitor, FrictionContact& contact, ByField) {
   visitor.count(static_cast<long long>(contact.normal));
   visitor.bound(contact.mu, units::pure);
 }

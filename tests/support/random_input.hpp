@@ -6,10 +6,17 @@
 #include <cstdlib>
 #include <optional>
 #include <random>
+#include <string>
 
 #include "common/types.hpp"
 
 namespace spook::testing {
+
+/// The length of a list that is longer than those of most tests: for loops that end early, and for room that was enough
+/// for ten.
+inline constexpr int many = 100;
+
+inline const std::string ends_early = "A loop that ends early leaves the rest as they were.";
 
 class Random {
  public:

@@ -83,10 +83,10 @@ class Refusals(unittest.TestCase):
     def test_ways_of_solving(self):
         self.refused("run stack --friction-model cones", "friction-model", '"cone"')
         self.refused("run stack --tangents along", "tangents", "sliding")
-        self.refused("run stack --order downn", "order", '"down"')
-        self.refused("run stack --order up --solver direct", "order", "direct")
+        self.refused("run stack --row-order downn", "order", '"down"')
+        self.refused("run stack --row-order up --solver direct", "order", "direct")
         self.refused("run pile --friction-model cone --solver direct", "cone", "direct")
-        self.refused("run pile --solver stiff", "geometric_stiffness")
+        self.refused("run pile --solver geometric_stiffness", "geometric_stiffness")
         for option in ["substeps", "seed", "margin"]:
             self.refused(f"run stack --{option} -1", option, "-1")
         self.refused("run stack --substeps 0", "substeps")
@@ -94,16 +94,16 @@ class Refusals(unittest.TestCase):
             self.refused(f"run stack --threads {threads}", "threads", threads)
 
     def test_steps_are_composed_only_where_that_is_of_order_four(self):
-        self.refused("run orbit --compose 3", "compose", "3", "2, 4")
-        self.refused("run double_pendulum --compose 4", "d must be 0 with compose 4", "3")
-        self.refused("run stack --compose 4 --set d=0", "compose", "touch")
-        self.refused("run sliding_block --compose 4 --set d=0", "compose", "touch", "friction")
-        self.refused("run physical_pendulum --compose 4 --set d=0 stop=30", "compose", "limit")
-        self.refused("run flywheel --compose 4 --set d=0", "compose", "motor")
-        self.refused("run top --compose 4 --set update=first_order", "compose", "rotation")
+        self.refused("run orbit --integrator-order 3", "compose", "3", "2, 4")
+        self.refused("run double_pendulum --integrator-order 4", "d must be 0 with compose 4", "3")
+        self.refused("run stack --integrator-order 4 --set d=0", "compose", "touch")
+        self.refused("run sliding_block --integrator-order 4 --set d=0", "compose", "touch", "friction")
+        self.refused("run physical_pendulum --integrator-order 4 --set d=0 stop=30", "compose", "limit")
+        self.refused("run flywheel --integrator-order 4 --set d=0", "compose", "motor")
+        self.refused("run top --integrator-order 4 --set update=first_order", "compose", "rotation")
         for option in ["solver direct", "order up", "friction-model cone", "tangents sliding", "warm-start"]:
-            self.refused(f"run orbit --compose 4 --{option}", option.split()[0], "compose 4")
-        self.refused("play orbit --compose 4", "--compose")
+            self.refused(f"run orbit --integrator-order 4 --{option}", option.split()[0], "compose 4")
+        self.refused("play orbit --integrator-order 4", "--integrator-order")
 
     def test_csv(self):
         self.refused("run orbit --csv /no/such/folder/a.csv", "csv", "/no/such/folder/a.csv")
@@ -148,12 +148,12 @@ class Runs(unittest.TestCase):
             self.assertEqual(run["solver"], solver)
             self.assertLess(run["error"]["value"], 1e-6, solver)
         # What has sweeps of its own replaces the scene's solver, unless one is named.
-        run = json.loads(spook("run", "tower", "--order", "random", "--seed", "3", "--json").stdout)
+        run = json.loads(spook("run", "tower", "--row-order", "random", "--seed", "3", "--json").stdout)
         self.assertEqual((run["solver"], run["order"]), ("gauss_seidel", "random"))
         for order in ["given", "up", "down", "interleaved"]:
-            run = json.loads(spook("run", "tower", "--order", order, "--time", "0.1", "--json").stdout)
+            run = json.loads(spook("run", "tower", "--row-order", order, "--time", "0.1", "--json").stdout)
             self.assertEqual(run["order"], order)
-        run = json.loads(spook(*"run spinning_disc --friction-model cone --tangents sliding --warm-start --margin "
+        run = json.loads(spook(*"run spinning_disc --friction-model cone --tangents sliding --warm-start --contact-margin "
                                "0.001 --json".split()).stdout)
         self.assertEqual([run["friction_model"], run["tangents"], run["warm_start"], run["margin"]],
                          ["cone", "sliding", True, 0.001])
@@ -173,7 +173,7 @@ class Runs(unittest.TestCase):
         self.assertIn("each of 10 substeps", spook(*"run free_fall --h 0.1 --substeps 10".split()).stdout)
 
     def test_threads_change_the_time_alone(self):
-        words = "run pile --set bodies=300 mu=0.3 --solver stripes --iterations 10 --time 0.3 --h 1/240".split()
+        words = "run pile --set bodies=300 mu=0.3 --solver spatial_decomposition --iterations 10 --time 0.3 --h 1/240".split()
         self.assertIn("on 2 threads; stripes", spook(*words, "--threads", "2").stdout)
         one, two = (json.loads(spook(*words, "--threads", n, "--json").stdout) for n in "12")
         self.assertEqual([one["threads"], two["threads"]], [1, 2])
@@ -181,7 +181,7 @@ class Runs(unittest.TestCase):
             self.assertEqual(one[what], two[what])
 
     def test_composed_steps_say_so(self):
-        words = "run double_pendulum --set d=0 --compose 4 --h 1/60"
+        words = "run double_pendulum --set d=0 --integrator-order 4 --h 1/60"
         self.assertIn("composed to order four, joints rigid", spook(*words.split()).stdout)
         run = json.loads(spook(*words.split(), "--json").stdout)
         self.assertEqual(run["compose"], 4)

@@ -63,6 +63,8 @@ class _Scene:
     def _form(self, body: dict) -> tuple[int, list[float]]:
         if body["shape"] == "ball":
             return self._ball, [body["radius"]] * 3
+        if body["shape"] == "capsule":
+            return self._mesh(*_capsule(body["half_length"] / body["radius"]), 0), [body["radius"]] * 3
         if body["shape"] == "box":
             return self._box, body["half_sides"]
         if body["shape"] == "corners":  # what holds them all
@@ -156,6 +158,12 @@ def _sphere(across: int = 24, up: int = 12) -> tuple[np.ndarray, np.ndarray, np.
     triangles = np.concatenate([np.stack([first, first + row, first + 1], axis=1),
                                 np.stack([first + 1, first + row, first + row + 1], axis=1)])
     return points, points, triangles
+
+
+def _capsule(half_length: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Of radius 1 about the z axis: a sphere whose halves are so far from the middle, with a cylinder between them."""
+    points, normals, triangles = _sphere(up=13)  # an odd number of bands, so that no ring lies on the equator
+    return points + np.sign(points[:, 2:]) * [0, 0, half_length], normals, triangles
 
 
 def _cube() -> tuple[np.ndarray, np.ndarray, np.ndarray]:

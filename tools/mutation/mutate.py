@@ -7,10 +7,10 @@ from mutant import Mutant
 from names import names
 from operators import added_signs, operators
 from statements import conditions, loops, statements
-from subtle import addends, fields, floats, inputs, limits, nans, pairs, small_parts, statics, thresholds, zeros
+from subtle import addends, fields, floats, inputs, limits, nans, pairs, relative_scales, statics, thresholds, zeros
 
 _KINDS = (operators, added_signs, constants, indices, names, calls, statements, conditions, loops)
-_SUBTLE = (thresholds, small_parts, addends, floats, statics, inputs, limits, zeros, nans, fields)
+_SUBTLE = (thresholds, relative_scales, addends, floats, statics, inputs, limits, zeros, nans, fields)
 SUBTLE_KINDS = {"threshold", "part", "float", "static", "input", "limit", "zero", "nan", "field", "pair"}
 
 

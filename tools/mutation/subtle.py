@@ -44,7 +44,7 @@ def thresholds(source: Source) -> Iterator[Mutant]:
                          f"[](Vec3 x) -> Vec3 {{ return (x.norm() < {_SMALL} ? 0.0 : 1.0) * x; }}({value})")
 
 
-def small_parts(source: Source) -> Iterator[Mutant]:
+def relative_scales(source: Source) -> Iterator[Mutant]:
     """What is a millionth of the rest is taken for zero: in any units, and as wrong."""
     for kind, begin, end in _values(source):
         if kind in ("Vec3", "Mat3"):

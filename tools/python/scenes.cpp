@@ -32,10 +32,10 @@ RunCommand command_of(const std::string& scene, const Texts& parameters, const T
       {"iterations", &command.iterations},
       {"tolerance", &command.tolerance},
       {"substeps", &command.substeps},
-      {"compose", &command.compose},
-      {"order", &command.order},
+      {"integrator_order", &command.integrator_order},
+      {"row_order", &command.row_order},
       {"seed", &command.seed},
-      {"margin", &command.margin},
+      {"contact_margin", &command.contact_margin},
       {"friction_model", &command.friction_model},
       {"tangents", &command.tangents},
       {"threads", &command.threads}};
@@ -123,7 +123,7 @@ py::bytes record(const std::string& name, const Texts& set, const Texts& options
         running->judge();
         recorder.look(*running, n);
       }
-    } catch (const Blowup& blowup) {
+    } catch (const SimulationDiverged& blowup) {
       why = blowup.what();
     }
     recorder.end(why);
@@ -153,7 +153,7 @@ void bind_scenes(py::module_& module) {
 }  // namespace spook
 
 PYBIND11_MODULE(_spook, module) {
-  spook::py::register_exception<spook::Blowup>(module, "Blowup", PyExc_RuntimeError);
+  spook::py::register_exception<spook::SimulationDiverged>(module, "SimulationDiverged", PyExc_RuntimeError);
   spook::bind_worlds(module);
   spook::bind_scenes(module);
 }

@@ -60,7 +60,7 @@ struct PythonWorld {
 template <int Dof>
 PythonWorld<Dof> make(const Vec3& gravity, double k, std::optional<double> d, double friction, double viscosity,
                       std::optional<double> restitution, double threshold, const std::string& solver,
-                      int iterations, double tolerance, bool warm_start, std::optional<double> margin,
+                      int iterations, double tolerance, bool warm_start, std::optional<double> contact_margin,
                       int threads) {
   if (iterations < 1)
     throw std::invalid_argument("iterations must be at least 1, but is " + std::to_string(iterations));
@@ -71,9 +71,9 @@ PythonWorld<Dof> make(const Vec3& gravity, double k, std::optional<double> d, do
                          .viscosity = viscosity,
                          .solver = find_solver<Dof>(solver).make(),
                          .warm_start = warm_start,
-                         .margin = margin,
+                         .contact_margin = margin,
                          .threads = threads,
-                         .stop = {.max_sweeps = iterations, .tolerance = tolerance}};
+                         .solver_limits = {.max_sweeps = iterations, .tolerance = tolerance}};
   if (restitution)
     settings.impacts = ImpactLaw{.restitution = *restitution, .friction = friction, .threshold = threshold};
   return World<Dof>(std::move(settings));
@@ -106,7 +106,7 @@ int add_point(PythonWorld<3>& self, const Vec3& x, const Vec3& v, double mass, d
 }
 
 int add_rigid(PythonWorld<6>& self, const Vec3& x, const Vec3& v, double mass, double radius,
-              const std::array<double, 4>& q, const Vec3& omega, const MaybeVec3& principal,
+              const std::array<double, 4>& q, const Vec3& omega, const MaybeVec3& principal, double half_length,
               const Vec3& half_sides, const std::vector<Vec3>& corners) {
   self.views.require_none("add");
   return self.world.add({.x = x,
@@ -116,6 +116,7 @@ int add_rigid(PythonWorld<6>& self, const Vec3& x, const Vec3& v, double mass, d
                          .q = Quat(q[0], q[1], q[2], q[3]),
                          .omega = omega,
                          .principal = principal,
+                         .half_length = half_length,
                          .half_sides = half_sides,
                          .corners = corners});
 }
@@ -251,7 +252,7 @@ py::class_<PythonWorld<Dof>> bind(py::module_& module, const char* name, const c
   type.def(py::init(&make<Dof>), py::kw_only(), "gravity"_a = Settings<Dof>{}.gravity, "k"_a = 1e6,
            "d"_a = py::none(), "friction"_a = 0.0, "viscosity"_a = 1e12, "restitution"_a = py::none(),
            "threshold"_a = ImpactLaw{}.threshold, "solver"_a = "auto", "iterations"_a = StopRule{}.max_sweeps,
-           "tolerance"_a = 0.0, "warm_start"_a = false, "margin"_a = py::none(), "threads"_a = 1)
+           "tolerance"_a = 0.0, "warm_start"_a = false, "contact_margin"_a = py::none(), "threads"_a = 1)
       .def(
           "add_fixed",
           [](Self& self, const Vec3& x, double radius) {
@@ -271,8 +272,9 @@ py::class_<PythonWorld<Dof>> bind(py::module_& module, const char* name, const c
       .def(
           "remove_joint", [](Self& self, int joint) { self.world.remove_joint(joint); }, "joint"_a)
       .def(
-          "push", [](Self& self, int body, const Vec3& impulse) { self.world.push(body, impulse); }, "body"_a,
-          "impulse"_a)
+          "apply_central_impulse",
+          [](Self& self, int body, const Vec3& impulse) { self.world.apply_central_impulse(body, impulse); },
+          "body"_a, "impulse"_a)
       .def("place", &place<Dof>, "body"_a, "x"_a = py::none(), "v"_a = py::none())
       .def(
           "move_fixed", [](Self& self, int body, const Vec3& x) { self.world.move_fixed(body, x); }, "body"_a,
@@ -282,7 +284,8 @@ py::class_<PythonWorld<Dof>> bind(py::module_& module, const char* name, const c
       .def(
           "start_consistently", [](Self& self, double h) { self.world.start_consistently(h); }, "h"_a)
       .def(
-          "v_beside_x", [](const Self& self, int body, double h) { return self.world.v_beside_x(body, h); },
+          "synchronized_velocity",
+          [](const Self& self, int body, double h) { return self.world.synchronized_velocity(body, h); },
           "body"_a, "h"_a)
       .def("step", &step<Dof>, "h"_a, "steps"_a = 1)
       .def_property_readonly("time", [](const Self& self) { return self.world.time(); })
@@ -328,7 +331,7 @@ void bind_worlds(py::module_& module) {
   rigid
       .def("add", &add_rigid, py::kw_only(), "x"_a = zero, "v"_a = zero, "mass"_a = 1.0, "radius"_a = 0.0,
            "q"_a = std::array<double, 4>{1, 0, 0, 0}, "omega"_a = zero, "principal"_a = py::none(),
-           "half_sides"_a = zero, "corners"_a = std::vector<Vec3>{})
+           "half_length"_a = 0.0, "half_sides"_a = zero, "corners"_a = std::vector<Vec3>{})
       .def(
           "set_force",
           [](PythonWorld<6>& self, int body, const Vec3& force, const Vec3& torque) {
@@ -339,8 +342,10 @@ void bind_worlds(py::module_& module) {
           "body"_a, "force"_a = zero, "torque"_a = zero)
       .def("turn", &turn, "body"_a, "q"_a = py::none(), "omega"_a = py::none())
       .def(
-          "omega_beside_x",
-          [](const PythonWorld<6>& self, int body, double h) { return self.world.omega_beside_x(body, h); },
+          "synchronized_angular_velocity",
+          [](const PythonWorld<6>& self, int body, double h) {
+            return self.world.synchronized_angular_velocity(body, h);
+          },
           "body"_a, "h"_a)
       .def_property_readonly("q", &orientations);
 }

@@ -52,6 +52,9 @@ function formOf(body) {
   if (body.shape === "ball") return { kind: "ball", sides: three(body.radius), radius: body.radius };
   if (body.shape === "box")
     return { kind: "box", sides: body.half_sides, radius: Math.hypot(...body.half_sides) };
+  if (body.shape === "capsule")
+    return { kind: `capsule ${body.half_length / body.radius}`, sides: three(body.radius),
+             radius: body.radius + body.half_length };
   if (body.shape === "corners") return formOfCorners(triples(body.points));
   if (body.shape === "plane" || body.shape === "hand") return { kind: "", sides: three(0), radius: 0 };
   return { kind: "point", sides: three(0), radius: 0 };
@@ -66,6 +69,16 @@ function formOfCorners(points) {
   const height = Math.max(sides[2], 0.03 * largest);
   return { kind: boxed ? "box" : "disc", sides: boxed ? [sides[0], sides[1], height] : [round, round, height],
            radius: Math.hypot(...sides), points };
+}
+
+/** A capsule of radius 1 about the z axis, whose segment has this half length: a kind for each proportion. */
+function capsule(halfLength) {
+  const steps = 12, profile = [];
+  for (let k = 0; k <= 2 * steps + 1; ++k) {
+    const upper = k > steps, angle = -Math.PI / 2 + (Math.PI / 2) * ((k - (upper ? 1 : 0)) / steps);
+    profile.push(new THREE.Vector2(Math.max(Math.cos(angle), 0), Math.sin(angle) + (upper ? halfLength : -halfLength)));
+  }
+  return new THREE.LatheBufferGeometry(profile, 32).rotateX(Math.PI / 2);
 }
 
 function triples(points) {
@@ -96,6 +109,8 @@ function crowdsOf(parent, forms, style, turns) {
   const shapes = { ball: [new THREE.SphereBufferGeometry(...ball), ["BALL"]],
                    box: [new THREE.BoxBufferGeometry(2, 2, 2), ["BOX"]], disc: [disc, ["DISC"]],
                    point: [new THREE.SphereBufferGeometry(...point), turns ? ["BALL"] : []] };
+  for (const { kind } of forms)
+    if (kind.startsWith("capsule ")) shapes[kind] = [capsule(Number(kind.slice(8))), ["BALL"]];
   const used = Object.keys(shapes).filter((kind) => forms.some((form) => form.kind === kind));
   return Object.fromEntries(used.map((kind) => {
     const [geometry, marks] = shapes[kind];

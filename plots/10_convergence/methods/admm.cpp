@@ -34,11 +34,11 @@ Vec3 onto_cone(const Vec3& point, double mu) {
 template <int Dof>
 class Splitting {
  public:
-  Splitting(const System<Dof>& s, bool on_cones)
+  Splitting(const SolverInput<Dof>& s, bool on_cones)
       : s_(s), on_cones_(on_cones), on_(s.rows, s.bodies.motion.inverse_mass), scale_(std::ssize(s.rows)) {
     for (Eigen::Index k = 0; k < scale_.size(); ++k) scale_[k] = s.rows[k].diagonal;
     if (on_cones)
-      for (const Rubbing& contact : s.rubbing) {
+      for (const FrictionContact& contact : s.rubbing) {
         const auto first = static_cast<Eigen::Index>(contact.normal);
         scale_.segment<3>(first).setConstant(scale_.segment<3>(first).maxCoeff());
       }
@@ -91,7 +91,7 @@ class Splitting {
     Vector q = rho_ * scale_.cwiseProduct(z_ - u_);
     for (Eigen::Index k = 0; k < q.size(); ++k) q[k] += s_.rows[k].B;
     if (on_cones_)
-      for (const Rubbing& contact : s_.rubbing) {
+      for (const FrictionContact& contact : s_.rubbing) {
         const auto n = static_cast<Eigen::Index>(contact.normal);
         q[n] -= contact.mu * rho_ * scale_[n] * u_.segment<2>(n + 1).norm();
       }
@@ -106,16 +106,16 @@ class Splitting {
     Vector nearest = x;
     for (Eigen::Index k = 0; k < x.size(); ++k) nearest[k] = std::clamp(x[k], s_.rows[k].lo, s_.rows[k].hi);
     if (on_cones_)
-      for (const Rubbing& contact : s_.rubbing) {
+      for (const FrictionContact& contact : s_.rubbing) {
         const auto n = static_cast<Eigen::Index>(contact.normal);
         nearest.segment<3>(n) = onto_cone(x.segment<3>(n), contact.mu);
       }
     return nearest;
   }
 
-  const System<Dof>& s_;
+  const SolverInput<Dof>& s_;
   bool on_cones_;
-  OnBodies<Dof> on_;
+  VelocitySystem<Dof> on_;
   Factors factors_;
   Vector scale_, stiffness_, z_, u_;
   double rho_ = 0.1, work_ = 0;
@@ -128,7 +128,7 @@ template <int Dof>
 Solver<Dof> admm(FrictionModel model) {
   const bool on_cones = model == FrictionModel::cone;
   return {.solve =
-              [on_cones](const System<Dof>& s) {
+              [on_cones](const SolverInput<Dof>& s) {
                 Splitting<Dof> splitting(s, on_cones);
                 SolveReport report;
                 while (!report.converged && std::ssize(report.history) < s.stop.max_sweeps) {
@@ -136,7 +136,7 @@ Solver<Dof> admm(FrictionModel model) {
                   report.converged = report.history.back() <= s.stop.tolerance;
                 }
                 splitting.finish();
-                Outcome outcome(std::move(report));
+                SolverResult outcome(std::move(report));
                 outcome.row_updates = std::llround(splitting.work() / update_work<Dof>);
                 return outcome;
               },

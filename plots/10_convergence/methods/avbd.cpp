@@ -23,7 +23,7 @@ namespace {
 template <int Dof>
 class BlockDescent {
  public:
-  explicit BlockDescent(const System<Dof>& s) : s_(s), of_body_(s.V.size()), rho_(s.rows.size()) {
+  explicit BlockDescent(const SolverInput<Dof>& s) : s_(s), of_body_(s.V.size()), rho_(s.rows.size()) {
     for (int k = 0; k < std::ssize(s.rows); ++k) {
       const spook::Row<Dof>& row = s.rows[k];
       if (s.bodies.motion.inverse_mass[row.i].linear > 0) of_body_[row.i].push_back(k);
@@ -78,7 +78,7 @@ class BlockDescent {
     s_.V[body] += H.llt().solve(force);
   }
 
-  const System<Dof>& s_;
+  const SolverInput<Dof>& s_;
   std::vector<std::vector<int>> of_body_;  // which rows act on it
   std::vector<double> rho_;
 };
@@ -87,14 +87,14 @@ class BlockDescent {
 
 template <int Dof>
 Solver<Dof> avbd() {
-  return {.solve = [](const System<Dof>& s) {
+  return {.solve = [](const SolverInput<Dof>& s) {
     BlockDescent<Dof> descent(s);
     SolveReport report;
     while (!report.converged && std::ssize(report.history) < s.stop.max_sweeps) {
       report.history.push_back(descent.iterate());
       report.converged = report.history.back() <= s.stop.tolerance;
     }
-    Outcome outcome(std::move(report));
+    SolverResult outcome(std::move(report));
     outcome.row_updates =
         std::llround(static_cast<double>(outcome.report.history.size()) * descent.work() / update_work<Dof>);
     return outcome;

@@ -4,7 +4,7 @@
 //   avbd   block descent on bodies, with multipliers and penalties that grow
 //   admm   operator splitting: one factorisation, then cheap iterations
 //
-// Outcome::row_updates is what they cost, in updates of a row: multiply-adds over 4 Dof + 1.
+// SolverResult::row_updates is what they cost, in updates of a row: multiply-adds over 4 Dof + 1.
 #include "11_direct/direct.hpp"
 #include "engine/solvers/registry.hpp"
 

@@ -14,12 +14,12 @@ Problem<Dof> next_step(Settings<Dof> settings, const std::function<void(World<Do
                        const Solver<Dof>& solver) {
   auto problem = std::make_shared<Problem<Dof>>();
   settings.solver = {.solve =
-                         [=, inner = solver](const System<Dof>& s) {
+                         [=, inner = solver](const SolverInput<Dof>& s) {
                            problem->rows = s.rows;
                            for (spook::Row<Dof>& row : problem->rows) row.lambda = 0;
                            problem->rubbing = s.rubbing;
                            problem->bodies = s.bodies;
-                           Outcome outcome = inner.solve(s);
+                           SolverResult outcome = inner.solve(s);
                            problem->answer = s.V;
                            return outcome;
                          },

@@ -11,18 +11,18 @@ namespace spook::plots {
 template <int Dof>
 struct Problem {
   std::vector<spook::Row<Dof>> rows;
-  std::vector<Rubbing> rubbing;
+  std::vector<FrictionContact> rubbing;
   Bodies<Dof> bodies;
   std::vector<Twist<Dof>> answer;  ///< velocities that are exact
 
   struct Solved {
-    Outcome outcome;
+    SolverResult outcome;
     std::vector<spook::Row<Dof>> rows;
     std::vector<Twist<Dof>> V;
   };
   Solved solve(const Solver<Dof>& solver, const StopRule& stop) const {
     Solved all{SolveReport{}, rows, std::vector<Twist<Dof>>(bodies.size(), Twist<Dof>::Zero())};
-    const StartImpulses none;
+    const WarmStartCache none;
     all.outcome = solver.solve({.rows = all.rows,
                                 .V = all.V,
                                 .rubbing = rubbing,

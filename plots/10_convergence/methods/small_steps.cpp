@@ -3,12 +3,12 @@
 namespace spook::plots {
 
 Solver<3> xpbd() {
-  return {.solve = [](const System<3>& s) {
+  return {.solve = [](const SolverInput<3>& s) {
     for (spook::Row<3>& row : s.rows) {
       const auto& W = s.bodies.motion.W;
       row.B -= (row.Gi.dot(W[row.i]) + row.Gj.dot(W[row.j])) / 4;
     }
-    return Outcome(solve(s.rows, s.V, s.stop));
+    return SolverResult(solve(s.rows, s.V, s.stop));
   }};
 }
 
@@ -35,13 +35,13 @@ void Positions::step(double h) {
 Relaxed::Relaxed(const Chain& chain)
     : joints_(chain.hangs ? chain.mass.size() : 0),
       world_(chain.world({.solver = {.solve =
-                                         [this](const System<3>& s) {
+                                         [this](const SolverInput<3>& s) {
                                            const auto last = impulses_.impulses(
                                                s.rows.size(), s.first_contact_row, s.contacts, s.h);
                                            if (!last.empty()) warm_start(last, s.rows, s.V);
-                                           return Outcome(solve(s.rows, s.V, s.stop));
+                                           return SolverResult(solve(s.rows, s.V, s.stop));
                                          }},
-                          .stop = {.max_sweeps = 1}})) {}
+                          .solver_limits = {.max_sweeps = 1}})) {}
 
 void Relaxed::step(double h) {
   world_.step(h);

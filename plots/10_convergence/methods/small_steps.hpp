@@ -26,7 +26,7 @@ struct Chain {
     settings.gravity = Vec3(0, 0, -g);
     settings.k = k;
     if (!settings.d) settings.d = d;
-    settings.margin = link / 2;  // what hops by less is the same contact when it lands
+    settings.contact_margin = link / 2;  // what hops by less is the same contact when it lands
     World<3> world(std::move(settings));
     if (hangs)
       world.add_fixed(Vec3::Zero());
@@ -83,7 +83,7 @@ class Relaxed {
 
  private:
   std::size_t joints_;
-  StartImpulses impulses_;
+  WarmStartCache impulses_;
   World<3> world_;
 };
 

@@ -256,7 +256,7 @@ class Pile : public Judge {
  private:
   /// Of all contacts that overlap, by the contact sets of chapter 08 [m].
   std::vector<double> depths() const {
-    World<6> still({.gravity = Vec3::Zero(), .margin = 0});
+    World<6> still({.gravity = Vec3::Zero(), .contact_margin = 0});
     for (const Plane& plane : problem_.planes) still.add_plane(plane.n, plane.offset);
     for (std::size_t i = 0; i < now_.size(); ++i) {
       const ProblemBody& body = problem_.bodies[i];

@@ -86,7 +86,7 @@ OurWay warm_sweeps(const std::vector<double>& h, const std::vector<int>& sweeps,
           .h = h,
           .sweeps = sweeps,
           .warm = true,
-          .margin = margin,
+          .contact_margin = margin,
           .set = {set},
           .order = RowOrder::interleaved};
 }
@@ -109,7 +109,7 @@ std::vector<Case> cases() {
        .time = 5,
        .error = "farthest of the load over the length",
        .judge = judge(swings_as_rods),
-       .ours = {{"stiff", many}, {"direct", {many.begin() + 1, many.end()}}},
+       .ours = {{"geometric_stiffness", many}, {"direct", {many.begin() + 1, many.end()}}},
        .theirs = {{"ODE", "step", many},
                   {"Bullet", "dantzig", many},
                   {"Bullet", "sequential", many, {200}},
@@ -180,7 +180,8 @@ std::vector<Case> cases() {
        .time = 2,
        .error = "farthest of the lower mass over both rods",
        .judge = judge(swings_as_rods),
-       .ours = {{"direct", many}, {.solver = "gauss_seidel", .h = steps({60, 120, 240, 480}), .compose = 4}},
+       .ours = {{"direct", many},
+                {.solver = "gauss_seidel", .h = steps({60, 120, 240, 480}), .integrator_order = 4}},
        .theirs = {{"ODE", "step", many},
                   {"Bullet", "dantzig", many},
                   {"Bullet", "sequential", many, {50}},
@@ -224,10 +225,10 @@ std::unique_ptr<Scene> our_scene(const Case& one, std::size_t set, const OurWay&
     }
   for (const auto& [name, value] : values) parameters.set(name, value);
   Method method{.h = h, .solver = way.solver, .order = way.order, .warm_start = way.warm};
-  if (sweeps > 0) method.stop = {.max_sweeps = sweeps, .tolerance = way.tolerance};
+  if (sweeps > 0) method.solver_limits = {.max_sweeps = sweeps, .tolerance = way.tolerance};
   if (way.cone) method.friction_model = FrictionModel::cone;
-  if (way.margin >= 0) method.margin = way.margin;
-  if (way.compose != 2) method.compose = way.compose;
+  if (way.contact_margin >= 0) method.contact_margin = way.contact_margin;
+  if (way.integrator_order != 2) method.integrator_order = way.integrator_order;
   return description.build(parameters, method);
 }
 

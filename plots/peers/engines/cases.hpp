@@ -18,7 +18,7 @@ struct OurWay {
   bool warm = false;
   double margin = -1;                 ///< [m]; less than 0: the world's own
   std::vector<std::string> set = {};  ///< of the scene, beside the case's
-  int compose = 2;                    ///< the order of its steps
+  int integrator_order = 2;           ///< the order of its steps
   double tolerance = 0;               ///< at which sweeps stop [m/s]
   RowOrder order = RowOrder::given;
 };

@@ -15,9 +15,10 @@ struct Lost {};
 class Engine {
  public:
   virtual ~Engine() = default;
-  virtual void advance(std::int64_t steps) = 0;  ///< with the h that it was made for; may throw Lost or Blowup
-  virtual Vec3 x(int body) const = 0;            ///< centre of mass [m]
-  virtual Quat q(int body) const = 0;            ///< body to world
+  virtual void advance(
+      std::int64_t steps) = 0;  ///< with the h that it was made for; may throw Lost or SimulationDiverged
+  virtual Vec3 x(int body) const = 0;  ///< centre of mass [m]
+  virtual Quat q(int body) const = 0;  ///< body to world
 };
 
 /// One of an engine's solvers, and what it may cost.

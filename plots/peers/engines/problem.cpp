@@ -45,8 +45,10 @@ Problem problem_of(const World<Dof>& world) {
   problem.planes = world.shapes().planes;
   for (const Solid& solid : world.shapes().solids) {
     ProblemBody& body = problem.bodies[world.index(solid.body)];
-    body.radius = solid.radius;
-    if (solid.radius == 0) body.half_sides = solid.half_sides;
+    match(
+        solid.shape, [&](const Sphere& sphere) { body.radius = sphere.radius; },
+        [&](const Cuboid& box) { body.half_sides = box.half_sides; },
+        [](const Capsule&) { throw std::invalid_argument("no case of the peers has a capsule"); });
   }
   for (const Corners& corners : world.shapes().corners)
     problem.bodies[world.index(corners.body)].half_sides = box_of(corners.points);

@@ -53,7 +53,7 @@ std::vector<Runner> runners_of_ours(const Case& one) {
   for (const OurWay& way : one.ours)
     for (const double h : way.h)
       for (const int sweeps : way.sweeps) {
-        const std::string name = way.cone ? "cone" : way.compose == 4 ? "composed" : way.solver;
+        const std::string name = way.cone ? "cone" : way.integrator_order == 4 ? "composed" : way.solver;
         runners.push_back({{"spook", name, h, sweeps}, [&one, way, h, sweeps](std::size_t set) {
                              return make_spook(our_scene(one, set, way, h, sweeps));
                            }});
@@ -109,7 +109,7 @@ double judged(const Case& one, const Runner& runner, std::size_t set, double& se
     const double start = processor_time();
     try {
       engine->advance(1);
-    } catch (const Blowup&) {
+    } catch (const SimulationDiverged&) {
       return infinity;
     } catch (const Lost&) {
       return infinity;

@@ -8,39 +8,45 @@ void require_unit_length(const std::string& name, double length) {
   if (!(std::abs(length - 1) <= 1e-9)) reject("length of " + name, length, "1");
 }
 
-Vec3 solid_sphere_moments(double mass, double radius) {
-  require_positive("mass", mass);
-  require_positive("radius", radius);
-  return Vec3::Constant(0.4 * mass * radius * radius);
+template <int Dof>
+Shape shape_of(const Body<Dof>& body) {
+  require_not_negative("radius", body.radius);
+  Shape shape = NoShape{};
+  if (body.radius > 0) shape = Sphere{body.radius};
+  if constexpr (Dof == 6) {
+    require_not_negative("half length", body.half_length);
+    const bool box = !body.half_sides.isZero(0), points = !body.corners.empty();
+    if (body.half_length > 0) {
+      if (body.radius == 0) reject("radius", body.radius, "positive for a body with a half length");
+      shape = Capsule{body.radius, body.half_length};
+    }
+    if (points && body.radius != 0) reject("radius", body.radius, "0 for a body with corners");
+    if (box && body.radius != 0) reject("radius", body.radius, "0 for a body with half sides");
+    if (box && points)
+      reject("number of corners", static_cast<double>(body.corners.size()), "0 for a body with half sides");
+    if (box) shape = Cuboid{body.half_sides};
+    if (points) shape = PointSet{body.corners};
+  }
+  require_sound(shape);
+  return shape;
 }
 
-static void require_sides(const Vec3& half_sides) {
-  for (const double half_side : half_sides) require_positive("half side", half_side);
+[[noreturn]] static Vec3 reject_missing_moments() {
+  throw std::invalid_argument(
+      "principal moments must be given for a body that is no sphere, no capsule and no box, but are missing");
 }
 
-Vec3 solid_box_moments(double mass, const Vec3& half_sides) {
-  require_positive("mass", mass);
-  require_sides(half_sides);
-  const Vec3 squares = half_sides.cwiseAbs2();
-  return mass / 3 * (Vec3::Constant(squares.sum()) - squares);
-}
-
-std::vector<Vec3> box_corners(const Vec3& half_sides) {
-  require_sides(half_sides);
-  std::vector<Vec3> corners;
-  for (const double x : {-1, 1})
-    for (const double y : {-1, 1})
-      for (const double z : {-1, 1}) corners.push_back(half_sides.cwiseProduct(Vec3(x, y, z)));
-  return corners;
-}
-
-/// The moments that a body is given, or else those of its shape.
+/// Returns the moments that a body is given, or else those of its shape.
 static Vec3 moments_of(const Body<6>& body) {
   if (body.principal) return *body.principal;
-  if (body.radius > 0) return solid_sphere_moments(body.mass, body.radius);
-  if (!body.half_sides.isZero(0)) return solid_box_moments(body.mass, body.half_sides);
-  throw std::invalid_argument(
-      "principal moments must be given for a body that is no sphere and no box, but are missing");
+  return match(
+      shape_of(body), [](const NoShape&) { return reject_missing_moments(); },
+      [&](const Sphere& sphere) { return solid_sphere_moments(body.mass, sphere.radius); },
+      [&](const Capsule& capsule) {
+        return solid_capsule_moments(body.mass, capsule.radius, capsule.half_length);
+      },
+      [&](const Cuboid& box) { return solid_box_moments(body.mass, box.half_sides); },
+      [](const PointSet&) { return reject_missing_moments(); });
 }
 
 /// Each is a sum over two of three squares, so that none is more than the other two together.
@@ -56,18 +62,11 @@ static void require_sound(const Body<Dof>& body) {
   require_all_finite("x", body.x);
   require_all_finite("v", body.v);
   require_positive("mass", body.mass);
-  require_not_negative("radius", body.radius);
+  shape_of(body);
   if constexpr (Dof == 6) {
     require_unit_length("q", body.q.norm());
     require_all_finite("omega", body.omega);
     require_moments(body);
-    for (const Vec3& corner : body.corners) require_all_finite("corner", corner);
-    if (!body.corners.empty() && body.radius != 0) reject("radius", body.radius, "0 for a body with corners");
-    if (body.half_sides.isZero(0)) return;
-    require_sides(body.half_sides);
-    if (body.radius != 0) reject("radius", body.radius, "0 for a body with half sides");
-    if (!body.corners.empty())
-      reject("number of corners", static_cast<double>(body.corners.size()), "0 for a body with half sides");
   }
 }
 
@@ -124,6 +123,8 @@ void Bodies<Dof>::remove(std::size_t i) {
   }
 }
 
+template Shape shape_of<3>(const Body<3>&);
+template Shape shape_of<6>(const Body<6>&);
 template struct Bodies<3>;
 template struct Bodies<6>;
 

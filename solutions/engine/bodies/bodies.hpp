@@ -7,16 +7,17 @@
 //   x   centre of mass [m]                           W   velocity: v, then ω, in world coordinates [m/s, rad/s]
 //   q   orientation, body to world, (w, x, y, z)     M   mass [kg], and moments about the body's own axes [kg m²]
 //
-// A fixed body has inverse mass zero: nothing moves it, and every formula holds for it as for the others.
+// A static body has inverse mass zero: nothing moves it, and every formula holds for it as for the others.
 #include <optional>
 #include <vector>
 
 #include "04_gauss_seidel/gauss_seidel.hpp"
 #include "engine/bodies/orientations.hpp"
+#include "engine/bodies/shape.hpp"
 
 namespace spook {
 
-/// One body as it is handed to a world, at time 0.
+/// A body as it is handed to a world, at time 0.
 template <int Dof>
 struct Body;
 
@@ -28,29 +29,27 @@ struct Body<3> {
   double radius = 0;      ///< of its sphere [m]; 0: it has no shape and touches nothing
 };
 
+/// Has a shape by one of radius, radius and half_length, half_sides, and corners; without them it touches nothing.
 template <>
 struct Body<6> {
   Vec3 x = Vec3::Zero();      ///< centre of mass [m]
   Vec3 v = Vec3::Zero();      ///< [m/s]
   double mass = 1;            ///< [kg]
-  double radius = 0;          ///< of its sphere [m]; 0: it has no shape and touches nothing
+  double radius = 0;          ///< of its sphere or capsule [m]
   Quat q = Quat::Identity();  ///< body to world, of unit length
   Vec3 omega = Vec3::Zero();  ///< angular velocity, in world coordinates [rad/s]
-  std::optional<Vec3> principal =
-      {};  ///< moments of inertia about the body's own axes [kg m²]; a solid sphere or box
-           ///< knows them, and any other body must say
-  Vec3 half_sides = Vec3::Zero();  ///< of its box, along the body's axes [m]; instead of a sphere
-  std::vector<Vec3> corners = {};  ///< points of it that a plane stops, in the body's axes from its centre [m];
-                                   ///< instead of either
+  /// Moments of inertia about the body's own axes [kg m²]. Default: those of a solid sphere, capsule or box; any other
+  /// body must say.
+  std::optional<Vec3> principal = {};
+  double half_length = 0;          ///< of the segment of its capsule, along the body's z axis [m]
+  Vec3 half_sides = Vec3::Zero();  ///< of its box, along the body's axes [m]
+  std::vector<Vec3> corners = {};  ///< points that a plane stops, in the body's axes from its centre [m]
 };
 
-/// The principal moments of a solid sphere, 2/5 m r² each [kg m²].
-Vec3 solid_sphere_moments(double mass, double radius);
-
-/// The principal moments of a solid box, m/3 (b² + c²) and so on [kg m²], and its eight corners [m], from the
-/// halves of its sides (a, b, c) [m].
-Vec3 solid_box_moments(double mass, const Vec3& half_sides);
-std::vector<Vec3> box_corners(const Vec3& half_sides);
+/// Returns the shape that a body's numbers tell. Throws std::invalid_argument where they tell two, or one that is not
+/// sound.
+template <int Dof>
+Shape shape_of(const Body<Dof>& body);
 
 template <int Dof>
 struct Bodies {

@@ -37,7 +37,7 @@ void Materials::remove(int body) {
   pairs_ = std::move(left);
 }
 
-Touching Materials::of_body(int body) const {
+PairMaterial Materials::of_body(int body) const {
   if (body >= std::ssize(bodies_)) return world_;
   const Material& own = bodies_[static_cast<std::size_t>(body)];
   return {.friction = own.friction.value_or(world_.friction),
@@ -46,13 +46,13 @@ Touching Materials::of_body(int body) const {
           .d = own.d.value_or(world_.d)};
 }
 
-Touching Materials::of(int i, int j) const {
+PairMaterial Materials::of(int i, int j) const {
   if (!any()) return world_;
-  const Touching a = of_body(i), b = of_body(j);
-  Touching both{.friction = std::sqrt(a.friction * b.friction),
-                .restitution = std::max(a.restitution, b.restitution),
-                .k = std::min(a.k, b.k),
-                .d = std::max(a.d, b.d)};
+  const PairMaterial a = of_body(i), b = of_body(j);
+  PairMaterial both{.friction = std::sqrt(a.friction * b.friction),
+                    .restitution = std::max(a.restitution, b.restitution),
+                    .k = std::min(a.k, b.k),
+                    .d = std::max(a.d, b.d)};
   if (const auto found = pairs_.find(std::minmax(i, j)); found != pairs_.end()) {
     const Material& given = found->second;
     both = {.friction = given.friction.value_or(both.friction),

@@ -23,13 +23,13 @@ struct Material {
 };
 
 /// All of it.
-struct Touching {
+struct PairMaterial {
   double friction, restitution, k, d;
 };
 
 class Materials {
  public:
-  explicit Materials(const Touching& world) : world_(world) {}
+  explicit Materials(const PairMaterial& world) : world_(world) {}
 
   /// Throws std::invalid_argument, naming the number, unless μ >= 0, 0 <= e <= 1, k > 0 and d >= 0.
   void set(int body, const Material& material);
@@ -38,7 +38,7 @@ class Materials {
   /// Forgets a body; those after it move up by one.
   void remove(int body);
 
-  Touching of(int i, int j) const;
+  PairMaterial of(int i, int j) const;
 
   /// Whether anything was said of a body, or of a pair.
   bool any() const { return !bodies_.empty() || !pairs_.empty(); }
@@ -49,9 +49,9 @@ class Materials {
 
  private:
   void look_at(const Material& material);
-  Touching of_body(int body) const;
+  PairMaterial of_body(int body) const;
 
-  Touching world_;
+  PairMaterial world_;
   std::vector<Material> bodies_;
   std::map<std::pair<int, int>, Material> pairs_;
   bool rub_ = world_.friction > 0, bounce_ = false;

@@ -7,6 +7,22 @@
 
 namespace spook {
 
+void Shapes::add(int body, const Shape& shape, bool is_static) {
+  match(
+      shape, [](const NoShape&) {},
+      [&](const PointSet& set) { corners.push_back({.body = body, .points = set.points}); },
+      [&](const auto& solid) { solids.push_back({.body = body, .shape = solid, .is_static = is_static}); });
+  if (!is_static) smallest = std::min(smallest, size_of(shape));
+}
+
+Shape Shapes::of(int body) const {
+  for (const Solid& solid : solids)
+    if (solid.body == body) return match(solid.shape, [](const auto& shape) { return Shape(shape); });
+  for (const Corners& set : corners)
+    if (set.body == body) return PointSet{set.points};
+  return NoShape{};
+}
+
 void Shapes::remove(int body) {
   const auto from = [&](auto& all) {
     std::erase_if(all, [&](const auto& shape) { return shape.body == body; });
@@ -19,59 +35,89 @@ void Shapes::remove(int body) {
 
 namespace {
 
-/// The solids, as they are now, by their numbers; each has grown by half the margin.
+/// Returns a solid where it is now, grown by `grown`.
 template <int Dof>
-struct Now {
-  const std::vector<Solid>& solids;
-  const Bodies<Dof>& bodies;
-  double grown;
-  const std::vector<Box>& boxes;  ///< by the same numbers; a ball's is empty
+PlacedSolid placed(const Solid& solid, const Bodies<Dof>& bodies, double grown) {
+  const int body = solid.body;
+  const Vec3& x = bodies.x[static_cast<std::size_t>(body)];
+  Mat3 axes = Mat3::Identity();
+  const auto turn = [&] {
+    if constexpr (Dof == 6) axes = bodies.orientations.q[static_cast<std::size_t>(body)].toRotationMatrix();
+  };
+  return match(
+      solid.shape,
+      [&](const Sphere& sphere) -> PlacedSolid {
+        return Ball{.body = body, .x = x, .radius = sphere.radius + grown};
+      },
+      [&](const Capsule& capsule) -> PlacedSolid {
+        turn();
+        return PlacedCapsule{.body = body,
+                             .x = x,
+                             .axis = axes.col(2),
+                             .radius = capsule.radius + grown,
+                             .half_length = capsule.half_length};
+      },
+      [&](const Cuboid& box) -> PlacedSolid {
+        turn();
+        return Box{.body = body, .x = x, .axes = axes, .half_sides = box.half_sides + Vec3::Constant(grown)};
+      });
+}
 
-  bool is_ball(int solid) const { return of(solid).radius > 0; }
-  Ball ball(int solid) const {
-    return {.body = of(solid).body, .x = x(of(solid)), .radius = of(solid).radius + grown};
-  }
-  const Box& box(int solid) const { return boxes[static_cast<std::size_t>(solid)]; }
-
-  Box box_of(const Solid& solid) const {
-    Mat3 axes = Mat3::Identity();
-    if constexpr (Dof == 6)
-      axes = bodies.orientations.q[static_cast<std::size_t>(solid.body)].toRotationMatrix();
-    return {.body = solid.body,
-            .x = x(solid),
-            .axes = axes,
-            .half_sides = solid.half_sides + Vec3::Constant(grown)};
-  }
-  Bounds bounds_of(int solid) const {
-    if (!is_ball(solid)) return bounds(box(solid));
-    const Vec3 half = Vec3::Constant(of(solid).radius + grown);
-    return {.lower = x(of(solid)) - half, .upper = x(of(solid)) + half};
-  }
-
- private:
-  const Solid& of(int solid) const { return solids[static_cast<std::size_t>(solid)]; }
-  const Vec3& x(const Solid& solid) const { return bodies.x[static_cast<std::size_t>(solid.body)]; }
-};
+Bounds bounds_of(const PlacedSolid& solid) {
+  return match(
+      solid,
+      [](const Ball& ball) {
+        const Vec3 half = Vec3::Constant(ball.radius);
+        return Bounds{.lower = ball.x - half, .upper = ball.x + half};
+      },
+      [](const auto& other) { return bounds(other); });
+}
 
 void add(const std::optional<Contact>& contact, std::vector<Contact>& contacts) {
   if (contact) contacts.push_back(*contact);
 }
 
-template <int Dof>
-void touch(const Plane& plane, int solid, const Now<Dof>& now, std::vector<Contact>& contacts) {
-  if (now.is_ball(solid)) return add(plane_ball(plane, now.ball(solid)), contacts);
-  const Box& box = now.box(solid);
-  const bool in_reach =
-      plane.n.dot(box.x) - plane.offset <= 1.001 * box.half_sides.norm();  // more than roundings
-  if (in_reach) plane_box(plane, box, contacts);
+void touch(const Plane& plane, const PlacedSolid& solid, std::vector<Contact>& contacts) {
+  match(
+      solid, [&](const Ball& ball) { add(plane_ball(plane, ball), contacts); },
+      [&](const PlacedCapsule& capsule) { plane_capsule(plane, capsule, contacts); },
+      [&](const Box& box) {
+        const bool in_reach =
+            plane.n.dot(box.x) - plane.offset <= 1.001 * box.half_sides.norm();  // more than roundings
+        if (in_reach) plane_box(plane, box, contacts);
+      });
 }
 
-template <int Dof>
-void touch(int a, int b, const Now<Dof>& now, std::vector<Contact>& contacts) {
-  if (now.is_ball(a) && now.is_ball(b)) return add(ball_ball(now.ball(a), now.ball(b)), contacts);
-  if (now.is_ball(a)) return add(box_ball(now.box(b), now.ball(a)), contacts);
-  if (now.is_ball(b)) return add(box_ball(now.box(a), now.ball(b)), contacts);
-  box_box(now.box(a), now.box(b), contacts);
+// Each pair of kinds; the other order is the same pair.
+void touch(const Ball& a, const Ball& b, std::vector<Contact>& contacts) {
+  add(ball_ball(a, b), contacts);
+}
+void touch(const Ball& a, const Box& b, std::vector<Contact>& contacts) {
+  add(box_ball(b, a), contacts);
+}
+void touch(const Box& a, const Box& b, std::vector<Contact>& contacts) {
+  box_box(a, b, contacts);
+}
+void touch(const Ball& a, const PlacedCapsule& b, std::vector<Contact>& contacts) {
+  capsule_ball(b, a, contacts);
+}
+void touch(const PlacedCapsule& a, const PlacedCapsule& b, std::vector<Contact>& contacts) {
+  capsule_capsule(a, b, contacts);
+}
+void touch(const Box& a, const PlacedCapsule& b, std::vector<Contact>& contacts) {
+  box_capsule(a, b, contacts);
+}
+
+/// Calls touch for what two solids are, in the order for which there is one.
+void touch(const PlacedSolid& one, const PlacedSolid& other, std::vector<Contact>& contacts) {
+  std::visit(
+      [&](const auto& a, const auto& b) {
+        if constexpr (requires { touch(a, b, contacts); })
+          touch(a, b, contacts);
+        else
+          touch(b, a, contacts);
+      },
+      one, other);
 }
 
 void touch(const Plane& plane, const Corners& corners, const Bodies<6>& bodies, double margin,
@@ -94,15 +140,15 @@ Pair pair_of(const Contact& contact) {
 }
 
 /// Those that were found of two solids, which are in the order of their pairs.
-class Former {
+class PreviousContacts {
  public:
-  Former(const std::vector<Contact>& contacts, std::size_t begin, std::size_t end)
+  PreviousContacts(const std::vector<Contact>& contacts, std::size_t begin, std::size_t end)
       : next_(contacts.begin() + static_cast<std::ptrdiff_t>(begin)),
         end_(contacts.begin() + static_cast<std::ptrdiff_t>(std::min(end, contacts.size()))) {}
 
   /// The same from a pair on.
-  Former from(const Pair& bodies) const {
-    Former rest = *this;
+  PreviousContacts from(const Pair& bodies) const {
+    PreviousContacts rest = *this;
     const auto before = [](const Contact& contact, const Pair& pair) { return pair_of(contact) < pair; };
     rest.next_ = std::lower_bound(next_, end_, bodies, before);
     return rest;
@@ -130,55 +176,54 @@ int ContactFinder::find(const Shapes& shapes, const Bodies<Dof>& bodies, double 
 template <int Dof>
 int ContactFinder::find_moved(const std::vector<bool>& moved, const Shapes& shapes, const Bodies<Dof>& bodies,
                               double margin, std::vector<Contact>& contacts, int threads) {
-  const Now<Dof> now{shapes.solids, bodies, margin / 2, boxes_};
-  const auto is_box = [](const Solid& solid) { return solid.radius == 0; };
-  boxes_.resize(std::any_of(shapes.solids.begin(), shapes.solids.end(), is_box) ? shapes.solids.size() : 0);
-  for (std::size_t s = 0; s < boxes_.size(); ++s)
-    if (is_box(shapes.solids[s])) boxes_[s] = now.box_of(shapes.solids[s]);
+  const double grown = margin / 2;
+  placed_.clear();
+  for (const Solid& solid : shapes.solids) placed_.push_back(placed(solid, bodies, grown));
   last_.swap(contacts);
   contacts.clear();
   int pairs = 0;
   for (Plane plane : shapes.planes) {
-    plane.offset += now.grown;
+    plane.offset += grown;
     for (std::size_t s = 0; s < shapes.solids.size(); ++s) {
       ++pairs;
-      if (!shapes.solids[s].fixed) touch(plane, static_cast<int>(s), now, contacts);
+      if (!shapes.solids[s].is_static) touch(plane, placed_[s], contacts);
     }
   }
   // The point of a contact with a plane is the body's own: without what it has grown by.
   for (Contact& contact : contacts) {
-    contact.r_i += now.grown * contact.n;
-    contact.r_j += now.grown * contact.n;
+    contact.r_i += grown * contact.n;
+    contact.r_j += grown * contact.n;
     contact.gap += margin;
   }
 
-  const Former former(last_, first_of_solids_, end_of_solids_);
+  const PreviousContacts former(last_, first_of_solids_, end_of_solids_);
   first_of_solids_ = contacts.size();
   if (shapes.solids.size() > 1) {
     bounds_.clear();
-    for (int s = 0; s < std::ssize(shapes.solids); ++s) bounds_.push_back(now.bounds_of(s));
+    for (const PlacedSolid& solid : placed_) bounds_.push_back(bounds_of(solid));
     const std::vector<Pair>& near = neighbours_.touching(bounds_);
     pairs += static_cast<int>(near.size());
     const auto has_moved = [&](const Solid& solid) { return moved[static_cast<std::size_t>(solid.body)]; };
     const auto look_at = [&](std::size_t first, std::size_t end, std::vector<Contact>& found) {
-      std::optional<Former> of_these;
+      std::optional<PreviousContacts> of_these;
       for (; first < end; ++first) {
-        const Solid& one = shapes.solids[static_cast<std::size_t>(near[first].first)];
-        const Solid& other = shapes.solids[static_cast<std::size_t>(near[first].second)];
-        if (one.fixed && other.fixed) continue;
+        const auto a = static_cast<std::size_t>(near[first].first),
+                   b = static_cast<std::size_t>(near[first].second);
+        const Solid &one = shapes.solids[a], &other = shapes.solids[b];
+        if (one.is_static && other.is_static) continue;
         if (!has_moved(one) && !has_moved(other)) {
           if (!of_these) of_these = former.from({one.body, other.body});
           of_these->add_those_of({one.body, other.body}, found);
           continue;
         }
         const std::size_t before = found.size();
-        touch(near[first].first, near[first].second, now, found);
+        touch(placed_[a], placed_[b], found);
         for (std::size_t c = before; c < found.size(); ++c) found[c].gap += margin;
       }
     };
     const std::size_t shares = shares_of(threads, near.size());
     found_.resize(shares - 1);  // the first share is found in place
-    in_shares(threads, near.size(), [&](std::size_t share, std::size_t first, std::size_t end) {
+    parallel_for(threads, near.size(), [&](std::size_t share, std::size_t first, std::size_t end) {
       if (share == 0) return look_at(first, end, contacts);
       found_[share - 1].clear();
       look_at(first, end, found_[share - 1]);

@@ -1,28 +1,29 @@
 #pragma once
-// Finding contacts: which planes, spheres, boxes and corners touch, how deep, and in which direction: chapter 08.
+// Finding contacts: which planes, spheres, capsules, boxes and corners touch, how deep, and in which direction: chapter 08.
 //
 //   margin   contacts that are nearly closed are wanted, too: each shape grows by half the margin, and each gap by all
 //            of it
-//   planes   with every sphere, box and corner; nothing else stops a corner
+//   planes   with every solid and corner; nothing else stops a corner
 //   others   broad phase, then the contact set of each pair that it leaves:
 //              up to 32 of them    all pairs whose bounds touch                             Eq. (8.11)
 //              up to 2000          sweep and prune                                          Eq. (8.12)
 //              more                spatial hash                                             Eq. (8.13), (8.14)
 //            of bounds with room around them, which hold as long as nothing leaves its own: engine/collision/pair_cache.hpp
+#include <variant>
 #include <vector>
 
 #include "08_pairs/pairs.hpp"
 #include "engine/bodies/bodies.hpp"
+#include "engine/collision/capsules.hpp"
 #include "engine/collision/pair_cache.hpp"
 
 namespace spook {
 
-/// A sphere or a box about the centre of a body.
+/// A shape that meets planes and all other solids, about the centre of a body.
 struct Solid {
   int body;
-  double radius;    ///< [m]; 0 for a box
-  Vec3 half_sides;  ///< [m]; of a box
-  bool fixed;       ///< it cannot move; two such have no contact
+  std::variant<Sphere, Capsule, Cuboid> shape;
+  bool is_static;  ///< two such have no contact
 };
 
 /// Points of a rigid body: a disc, a box that meets planes only.
@@ -31,12 +32,20 @@ struct Corners {
   std::vector<Vec3> points;  ///< from the body's centre, in its axes [m]
 };
 
+using PlacedSolid = std::variant<Ball, PlacedCapsule, Box>;
+
 struct Shapes {
   std::vector<Plane> planes;
   std::vector<Solid> solids;
   std::vector<Corners> corners;
-  /// Of what moves, from its centre: a sphere's radius, a box's least half side, the farthest of corners [m].
+  /// The least size of what moves, as size_of says [m].
   double smallest = infinity;
+
+  /// Adds the shape of a body.
+  void add(int body, const Shape& shape, bool is_static);
+
+  /// Returns the shape of a body; none for a plane's.
+  Shape of(int body) const;
 
   /// Takes the shape of a body out; bodies after it move up by one.
   void remove(int body);
@@ -64,10 +73,10 @@ class ContactFinder {
                  std::vector<Contact>& contacts, int threads = 1);
 
  private:
-  Neighbours neighbours_;
+  PairCache neighbours_;
   std::vector<bool> everyone_;
-  std::vector<Box> boxes_;      // of the solids, unless none is a box
-  std::vector<Bounds> bounds_;  // of the solids
+  std::vector<PlacedSolid> placed_;  // the solids where they are now, each grown by half the margin
+  std::vector<Bounds> bounds_;       // of the solids
   std::vector<Contact> last_;
   std::vector<std::vector<Contact>> found_;              // of two solids, by each thread
   std::size_t first_of_solids_ = 0, end_of_solids_ = 0;  // which of the contacts are those of two solids

@@ -40,7 +40,7 @@ std::vector<Pair> broad_phase(const std::vector<Bounds>& bounds) {
 
 }  // namespace
 
-void Neighbours::give_all_room(const std::vector<Bounds>& bounds) {
+void PairCache::give_all_room(const std::vector<Bounds>& bounds) {
   std::vector<Bounds> roomy;
   roomy.reserve(bounds.size());
   for (const Bounds& one : bounds) roomy.push_back(roomier(one));
@@ -48,7 +48,7 @@ void Neighbours::give_all_room(const std::vector<Bounds>& bounds) {
   roomy_ = std::move(roomy);
 }
 
-void Neighbours::give_room(const std::vector<int>& these, const std::vector<Bounds>& bounds) {
+void PairCache::give_room(const std::vector<int>& these, const std::vector<Bounds>& bounds) {
   std::vector<bool> is_new(bounds.size(), false);
   for (const int a : these) {
     is_new[a] = true;
@@ -63,7 +63,7 @@ void Neighbours::give_room(const std::vector<int>& these, const std::vector<Boun
   std::inplace_merge(near_.begin(), near_.begin() + kept, near_.end());
 }
 
-const std::vector<Pair>& Neighbours::touching(const std::vector<Bounds>& bounds) {
+const std::vector<Pair>& PairCache::touching(const std::vector<Bounds>& bounds) {
   const std::vector<int> gone = that_left(bounds, roomy_);
   if (!gone.empty()) {
     require_sound(bounds);

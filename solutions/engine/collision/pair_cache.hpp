@@ -10,7 +10,7 @@
 
 namespace spook {
 
-class Neighbours {
+class PairCache {
  public:
   /// The pairs whose bounds touch, in order. Throws std::invalid_argument that names lower or upper if one is not finite.
   const std::vector<Pair>& touching(const std::vector<Bounds>& bounds);

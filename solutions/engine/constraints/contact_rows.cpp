@@ -9,7 +9,7 @@
 namespace spook {
 
 template <int Dof>
-Constraint<Dof> contact_constraint(const Contact& contact, const Spook& spook) {
+Constraint<Dof> contact_constraint(const Contact& contact, const SpookParameters& spook) {
   assert(contact.i != contact.j && "a body has no contact with itself");
   const ContactJacobian G = contact_jacobian(contact);
   return {.i = contact.i,
@@ -50,9 +50,9 @@ static Vec3 slip(const Contact& contact, const Motion<6>& motion) {
 template <int Dof>
 void add_contact_rows(const std::vector<Contact>& contacts, double h, const Materials& materials,
                       const Friction& friction, const Motion<Dof>& motion, int threads, std::size_t first_row,
-                      std::vector<Row<Dof>>& rows, std::vector<Rubbing>& rubbing) {
+                      std::vector<Row<Dof>>& rows, std::vector<FrictionContact>& rubbing) {
   const bool rub = materials.rub(), box = friction.model == FrictionModel::box;
-  const Spook of_friction = rub ? friction_parameters(h, friction.c) : Spook{};
+  const SpookParameters of_friction = rub ? friction_parameters(h, friction.c) : SpookParameters{};
   const auto bound = [&](const Contact& contact, double mu, int count) {
     if (!box) return friction.model == FrictionModel::cone ? infinity : 0.0;
     const double mass = representative_mass(motion.inverse_mass[contact.i].linear,
@@ -67,9 +67,9 @@ void add_contact_rows(const std::vector<Contact>& contacts, double h, const Mate
     new (&rows[k]) Row<Dof>(make_row(constraint, motion));
   };
 
-  in_shares(threads, contacts.size(), [&](std::size_t, std::size_t first, std::size_t end) {
-    SpookOf spook_of(h);
-    Touching touching{};
+  parallel_for(threads, contacts.size(), [&](std::size_t, std::size_t first, std::size_t end) {
+    ParameterCache spook_of(h);
+    PairMaterial touching{};
     Tangents along{};
     int count = 0;  // contacts of the pair
     double limit = 0;
@@ -97,13 +97,13 @@ void add_contact_rows(const std::vector<Contact>& contacts, double h, const Mate
   });
 }
 
-template Constraint<3> contact_constraint<3>(const Contact&, const Spook&);
-template Constraint<6> contact_constraint<6>(const Contact&, const Spook&);
+template Constraint<3> contact_constraint<3>(const Contact&, const SpookParameters&);
+template Constraint<6> contact_constraint<6>(const Contact&, const SpookParameters&);
 template void add_contact_rows<3>(const std::vector<Contact>&, double, const Materials&, const Friction&,
                                   const Motion<3>&, int, std::size_t, std::vector<Row<3>>&,
-                                  std::vector<Rubbing>&);
+                                  std::vector<FrictionContact>&);
 template void add_contact_rows<6>(const std::vector<Contact>&, double, const Materials&, const Friction&,
                                   const Motion<6>&, int, std::size_t, std::vector<Row<6>>&,
-                                  std::vector<Rubbing>&);
+                                  std::vector<FrictionContact>&);
 
 }  // namespace spook

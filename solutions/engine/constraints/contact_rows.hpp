@@ -15,7 +15,7 @@
 namespace spook {
 
 template <int Dof>
-Constraint<Dof> contact_constraint(const Contact& contact, const Spook& spook);
+Constraint<Dof> contact_constraint(const Contact& contact, const SpookParameters& spook);
 
 /// Where the limit of friction comes from.
 enum class FrictionModel {
@@ -28,13 +28,13 @@ inline std::string name_of(FrictionModel model) {
   return model == FrictionModel::box ? "box" : model == FrictionModel::cone ? "cone" : "two_pass";
 }
 
-/// How rubbing is counted in.
+/// Friction settings.
 struct Friction {
   double c = 1e12;              ///< viscosity that is left [N s/m]: what sticks creeps at F/c, Eq. (5.5)
   Vec3 gravity = Vec3::Zero();  ///< what presses, in Eq. (5.7) [m/s²]
   FrictionModel model = FrictionModel::box;
-  bool sliding_tangents = false;  ///< along the slip, Eq. (9.2), where it is faster than a thousandth of what
-                                  ///< gravity does in a step
+  /// Tangents along the slip, Eq. (9.2), where the slip is faster than a thousandth of what gravity adds in a step.
+  bool sliding_tangents = false;
 };
 
 /// One for the normal, and where anything rubs two for the tangents.
@@ -48,6 +48,6 @@ inline int rows_per_contact(bool rub) {
 template <int Dof>
 void add_contact_rows(const std::vector<Contact>& contacts, double h, const Materials& materials,
                       const Friction& friction, const Motion<Dof>& motion, int threads, std::size_t first_row,
-                      std::vector<Row<Dof>>& rows, std::vector<Rubbing>& rubbing);
+                      std::vector<Row<Dof>>& rows, std::vector<FrictionContact>& rubbing);
 
 }  // namespace spook

@@ -9,7 +9,8 @@ namespace spook {
 /// The rows of Eq. (6.6), with both lever arms to one point between the two: Eq. (6.15). There is one force then and no
 /// torque, and the gaps are as seen by somebody who turns with the joint.
 template <int Dof>
-static std::array<Constraint<Dof>, 3> ball_joint_at_one_point(Attachment i, Attachment j, const Spook& spook,
+static std::array<Constraint<Dof>, 3> ball_joint_at_one_point(Attachment i, Attachment j,
+                                                              const SpookParameters& spook,
                                                               const Motion<Dof>& motion) {
   std::array<Constraint<Dof>, 3> rows = ball_joint_constraints<Dof>(i, j, spook);
   if constexpr (Dof == 6) {
@@ -27,7 +28,7 @@ static std::array<Constraint<Dof>, 3> ball_joint_at_one_point(Attachment i, Atta
 }
 
 /// A row that holds a coordinate at zero.
-static Constraint<6> holding(const Coordinate& c, const Spook& spook) {
+static Constraint<6> holding(const Coordinate& c, const SpookParameters& spook) {
   return {.i = c.i,
           .j = c.j,
           .Gi = c.Gi,
@@ -57,8 +58,8 @@ static void add_limit_row(const Joint& joint, const Coordinate& free, double h, 
 /// Those that hold, of its limits, of its motor.
 static void add_guided_rows(const Joint& joint, double h, const Bodies<6>& bodies, std::vector<Row<6>>& rows) {
   const Motion<6>& motion = bodies.motion;
-  const Spook spook = spook_parameters(h, *joint.k, *joint.d),
-              spook_turn = spook_parameters(h, *joint.k_turn, *joint.d);
+  const SpookParameters spook = spook_parameters(h, *joint.k, *joint.d),
+                        spook_turn = spook_parameters(h, *joint.k_turn, *joint.d);
   const JointFrames at = frames(joint, bodies);
   if (joint.kind == JointKind::slider) {
     for (int axis = 0; axis < 2; ++axis)
@@ -80,14 +81,14 @@ static void add_guided_rows(const Joint& joint, double h, const Bodies<6>& bodie
 template <int Dof>
 void add_joint_rows(const std::vector<Joint>& joints, double h, const Bodies<Dof>& bodies,
                     std::vector<Row<Dof>>& rows) {
-  SpookOf spook_of(h);
+  ParameterCache spook_of(h);
   for (const Joint& joint : joints) {
     if constexpr (Dof == 6)
       if (joint.is_guided()) {
         add_guided_rows(joint, h, bodies, rows);
         continue;
       }
-    const Spook& spook = spook_of(*joint.k, *joint.d);
+    const SpookParameters& spook = spook_of(*joint.k, *joint.d);
     // (World::step has seen to it that every distance has a direction.)
     const Attachment i = attachment(joint.i, joint.p_i, bodies), j = attachment(joint.j, joint.p_j, bodies);
     if (joint.length) {

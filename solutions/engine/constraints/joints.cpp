@@ -1,6 +1,8 @@
 #include "engine/constraints/joints.hpp"
 
+#include <array>
 #include <cmath>
+#include <stdexcept>
 
 namespace spook {
 
@@ -8,14 +10,49 @@ std::string name_of(JointKind kind) {
   return std::array{"ball", "distance", "hinge", "slider", "weld"}[static_cast<std::size_t>(kind)];
 }
 
+namespace {
+
+/// The rows that hold a joint: first those along axes, then those about axes.
+struct HoldingRows {
+  int along, about;
+};
+
+/// A kind without a row here is a warning of the compiler.
+HoldingRows held_by(JointKind kind) {
+  switch (kind) {
+    case JointKind::ball:
+      return {3, 0};
+    case JointKind::distance:
+      return {1, 0};
+    case JointKind::hinge:
+      return {3, 2};
+    case JointKind::slider:
+      return {2, 3};
+    case JointKind::weld:
+      return {3, 3};
+  }
+  throw std::invalid_argument(
+      "kind of joint must be one of ball, distance, hinge, slider, weld, but is number " +
+      std::to_string(static_cast<int>(kind)));
+}
+
+/// Returns the shortest turn from z to a unit vector.
+Quat turn_of_z_to(const Vec3& axis) {
+  if (axis.z() < -1 + 1e-12) return Quat(0, 1, 0, 0);  // half a turn, about any axis across
+  const double s = std::sqrt(2 * (1 + axis.z()));
+  return Quat(s / 2, -axis.y() / s, axis.x() / s, 0);
+}
+
+}  // namespace
+
 int Joint::holding_rows() const {
-  if (length) return 1;
-  return kind == JointKind::ball ? 3 : kind == JointKind::weld ? 6 : 5;
+  const HoldingRows held = held_by(length ? JointKind::distance : kind);
+  return held.along + held.about;
 }
 
 bool Joint::turns(int row) const {
   if (row >= holding_rows()) return kind == JointKind::hinge;
-  return row >= (kind == JointKind::slider ? 2 : 3);
+  return row >= held_by(length ? JointKind::distance : kind).along;
 }
 
 double Joint::stiffness(int row) const {
@@ -25,7 +62,7 @@ double Joint::stiffness(int row) const {
 
 JointFrames frames(const Joint& joint, const Bodies<6>& bodies) {
   const auto i = static_cast<std::size_t>(joint.i), j = static_cast<std::size_t>(joint.j);
-  const Quat c = Quat::FromTwoVectors(Vec3::UnitZ(), joint.axis);
+  const Quat c = turn_of_z_to(joint.axis.normalized());
   const std::vector<Quat>& q = bodies.orientations.q;
   return {.i = {attachment(joint.i, joint.p_i, bodies), q[i] * c},
           .j = {attachment(joint.j, joint.p_j, bodies), q[j] * joint.rest->conjugate() * c}};

@@ -34,17 +34,16 @@ struct Joint {
   JointKind kind = JointKind::ball;  ///< with a length it is a distance, and need not be said
   // What follows is for hinges, sliders and welds.
   Vec3 axis = Vec3::UnitZ();  ///< of a hinge or slider, in i's axes, of unit length
-  std::optional<Quat> rest =
-      {};  ///< j's axes in i's, q_i* q_j, where the angle is 0; unless given, as they are
-           ///< when the joint is added
-  std::optional<double> k_turn =
-      {};  ///< stiffness of what must not turn [N m/rad]; the number of k, unless given
+  /// The axes of j in those of i, q_i* q_j, where the angle is 0. Default: as they are when the joint is added.
+  std::optional<Quat> rest = {};
+  /// Stiffness of what must not turn [N m/rad]. Default: the number of k.
+  std::optional<double> k_turn = {};
   std::optional<JointLimits> limits = {};  ///< of the angle [rad] or shift [m]
   std::optional<double> limit_d = {};      ///< relaxation of a limit [steps]; 3, unless given: it settles
   std::optional<Motor> motor = {};
-  double angle =
-      0;  ///< of a hinge, its turns counted [rad]: after the last step. To begin with, the turns that it has
-          ///< made already; only their number matters
+  /// The angle of a hinge after the last step, its turns counted [rad]. Before the first step: the turns that it has made
+  /// already, of which only the number counts.
+  double angle = 0;
 
   /// Of all kinds but a ball and a distance.
   bool is_guided() const { return kind > JointKind::distance; }

@@ -5,10 +5,10 @@
 namespace spook {
 
 /// Those of the last k and d are kept.
-class SpookOf {
+class ParameterCache {
  public:
-  explicit SpookOf(double h) : h_(h) {}
-  const Spook& operator()(double k, double d) {
+  explicit ParameterCache(double h) : h_(h) {}
+  const SpookParameters& operator()(double k, double d) {
     if (k != k_ || d != d_) spook_ = spook_parameters(h_, k, d);
     k_ = k, d_ = d;
     return spook_;
@@ -16,7 +16,7 @@ class SpookOf {
 
  private:
   double h_, k_ = 0, d_ = 0;  // no k is 0
-  Spook spook_{};
+  SpookParameters spook_{};
 };
 
 }  // namespace spook

@@ -74,12 +74,12 @@ static void match_all(const std::vector<Contact>& contacts, const std::vector<Ol
 }
 
 template <int Dof>
-void StartImpulses::remember(const std::vector<Row<Dof>>& rows, std::size_t first,
-                             const std::vector<Contact>& contacts, double h, int threads) {
+void WarmStartCache::remember(const std::vector<Row<Dof>>& rows, std::size_t first,
+                              const std::vector<Contact>& contacts, double h, int threads) {
   joints_.resize(first);
   contact_rows_.resize(rows.size() - first);
   contacts_.resize(contacts.size());
-  in_shares(threads, rows.size(), [&](std::size_t, std::size_t k, std::size_t end) {
+  parallel_for(threads, rows.size(), [&](std::size_t, std::size_t k, std::size_t end) {
     for (; k < end; ++k) (k < first ? joints_[k] : contact_rows_[k - first]) = rows[k].lambda;
   });
   for (std::size_t c = 0; c < contacts.size(); ++c)
@@ -87,8 +87,8 @@ void StartImpulses::remember(const std::vector<Row<Dof>>& rows, std::size_t firs
   h_ = h;
 }
 
-std::vector<double> StartImpulses::impulses(std::size_t rows, std::size_t first,
-                                            const std::vector<Contact>& contacts, double h) const {
+std::vector<double> WarmStartCache::impulses(std::size_t rows, std::size_t first,
+                                             const std::vector<Contact>& contacts, double h) const {
   if (joints_.empty() && contact_rows_.empty()) return {};
   std::vector<double> all(rows, 0);
   std::copy_n(joints_.begin(), std::min(first, joints_.size()), all.begin());
@@ -105,9 +105,9 @@ std::vector<double> StartImpulses::impulses(std::size_t rows, std::size_t first,
   return all;
 }
 
-template void StartImpulses::remember<3>(const std::vector<Row<3>>&, std::size_t, const std::vector<Contact>&,
-                                         double, int);
-template void StartImpulses::remember<6>(const std::vector<Row<6>>&, std::size_t, const std::vector<Contact>&,
-                                         double, int);
+template void WarmStartCache::remember<3>(const std::vector<Row<3>>&, std::size_t, const std::vector<Contact>&,
+                                          double, int);
+template void WarmStartCache::remember<6>(const std::vector<Row<6>>&, std::size_t, const std::vector<Contact>&,
+                                          double, int);
 
 }  // namespace spook

@@ -11,7 +11,7 @@
 
 namespace spook {
 
-class StartImpulses {
+class WarmStartCache {
  public:
   /// Keeps the impulses of a step that is done: `first` rows of joints, then those of the contacts.
   template <int Dof>

@@ -31,12 +31,10 @@ static std::string text(double value) {
 static std::vector<double> sizes_of(const Shapes& shapes, std::size_t bodies) {
   std::vector<double> sizes(bodies, infinity);
   for (const Solid& solid : shapes.solids)
-    sizes[static_cast<std::size_t>(solid.body)] = solid.radius > 0 ? solid.radius : solid.half_sides.minCoeff();
-  for (const Corners& corners : shapes.corners) {
-    double farthest = 0;
-    for (const Vec3& point : corners.points) farthest = std::max(farthest, point.norm());
-    sizes[static_cast<std::size_t>(corners.body)] = farthest;
-  }
+    sizes[static_cast<std::size_t>(solid.body)] =
+        match(solid.shape, [](const auto& shape) { return size_of(Shape(shape)); });
+  for (const Corners& corners : shapes.corners)
+    sizes[static_cast<std::size_t>(corners.body)] = size_of(PointSet{corners.points});
   return sizes;
 }
 
@@ -100,7 +98,7 @@ static double fastest_products(const World<Dof>& world) {
 }
 
 template <int Dof>
-void Soundness<Dof>::look(const World<Dof>& world, double h) {
+void RunCheck<Dof>::look(const World<Dof>& world, double h) {
   if (world.steps() == last_step_) return;
   const Bodies<Dof>& bodies = world.bodies();
   const double T = kinetic_energy(bodies);
@@ -120,15 +118,15 @@ void Soundness<Dof>::look(const World<Dof>& world, double h) {
 }
 
 template <int Dof>
-void Soundness<Dof>::look_at_solve(const World<Dof>& world, double h) {
+void RunCheck<Dof>::look_at_solve(const World<Dof>& world, double h) {
   if (world.solved().converged) return;
   const Bodies<Dof>& bodies = world.bodies();
   const double residual = world.report().residual;
   if (residual <= share_of_roundings * fastest_products(world)) return;
-  double asked = asked_for(world.rows());
+  double asked = rhs_norm(world.rows());
   for (std::size_t i = 0; i < bodies.size(); ++i)
     asked = std::max(asked, h * bodies.motion.inverse_mass[i].linear * world.forces()[i].norm());
-  const double left = left_by(residual, world.solved().history);
+  const double left = estimated_error(residual, world.solved().history);
   if (left <= share_unsolved * asked) return;
   ++verdict_.unsolved;
   find(State::unsolved, world,
@@ -137,7 +135,7 @@ void Soundness<Dof>::look_at_solve(const World<Dof>& world, double h) {
 }
 
 template <int Dof>
-void Soundness<Dof>::look_at_gaps(const World<Dof>& world, double h) {
+void RunCheck<Dof>::look_at_gaps(const World<Dof>& world, double h) {
   sizes_ = sizes_of(world.shapes(), world.bodies().size());
   const double hk = h * world.settings().k;
   for (int c = 0; c < static_cast<int>(world.contacts().size()); ++c) {
@@ -169,7 +167,7 @@ void Soundness<Dof>::look_at_gaps(const World<Dof>& world, double h) {
 }
 
 template <int Dof>
-void Soundness<Dof>::look_at_energy(const World<Dof>& world, double h, double T) {
+void RunCheck<Dof>::look_at_energy(const World<Dof>& world, double h, double T) {
   const Bodies<Dof>& bodies = world.bodies();
   double lift = 0;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -190,7 +188,7 @@ void Soundness<Dof>::look_at_energy(const World<Dof>& world, double h, double T)
 }
 
 template <int Dof>
-void Soundness<Dof>::find(State state, const World<Dof>& world, const std::string& reason) {
+void RunCheck<Dof>::find(State state, const World<Dof>& world, const std::string& reason) {
   if (state <= verdict_.state) return;
   verdict_ = {.state = state,
               .step = world.steps(),
@@ -199,7 +197,7 @@ void Soundness<Dof>::find(State state, const World<Dof>& world, const std::strin
               .unsolved = verdict_.unsolved};
 }
 
-template class Soundness<3>;
-template class Soundness<6>;
+template class RunCheck<3>;
+template class RunCheck<6>;
 
 }  // namespace spook

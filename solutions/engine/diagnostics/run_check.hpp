@@ -38,7 +38,7 @@ struct Verdict {
 };
 
 template <int Dof>
-class Soundness {
+class RunCheck {
  public:
   /// Looks at the step of `h` [s] that the world has just taken, once. Without a look between two steps, or after
   /// begin_again, the account of energy begins anew.

@@ -19,12 +19,13 @@ Twist<Dof> row_of_j(const Contact& contact) {
 /// The spheres among the bodies; 0 for all others [m].
 std::vector<double> radii_of(const Shapes& shapes, std::size_t bodies) {
   std::vector<double> radii(bodies, 0);
-  for (const Solid& solid : shapes.solids) radii[solid.body] = solid.radius;
+  for (const Solid& solid : shapes.solids)
+    if (const auto* sphere = std::get_if<Sphere>(&solid.shape)) radii[solid.body] = sphere->radius;
   return radii;
 }
 
 /// The contact as it was `late` ago [s]: lever arms to one point, and the normal of two spheres. A sphere is touched
-/// at its own surface, two boxes midway.
+/// at its own surface, all others midway.
 template <int Dof>
 Contact before(Contact contact, double late, const std::vector<double>& radii, const Bodies<Dof>& bodies) {
   const auto back = [&](int body) -> Vec3 { return -late * bodies.motion.W[body].template head<3>(); };

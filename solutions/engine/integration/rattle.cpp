@@ -40,7 +40,7 @@ bool RowFactors::factorise(const std::vector<Row<Dof>>& rows) {
   const auto row = [&](Eigen::Index k) -> const Row<Dof>& { return rows[static_cast<std::size_t>(k)]; };
   S_.resize(n, n);
   for (Eigen::Index l = 0; l < n; ++l) {
-    for (Eigen::Index k = l; k < n; ++k) S_(k, l) = coupling(row(k), row(l));
+    for (Eigen::Index k = l; k < n; ++k) S_(k, l) = schur_entry(row(k), row(l));
     S_(l, l) += row(l).Sigma;
   }
   return invert(S_, inverse_);
@@ -92,8 +92,8 @@ double joint_gaps(const std::vector<Joint>& joints, const Bodies<Dof>& bodies, V
 }
 
 template <int Dof>
-void Held<Dof>::begin(const std::vector<Joint>& joints, const Bodies<Dof>& bodies, std::vector<Row<Dof>>& rows,
-                      SolveReport& report) {
+void RattleJoints<Dof>::begin(const std::vector<Joint>& joints, const Bodies<Dof>& bodies,
+                              std::vector<Row<Dof>>& rows, SolveReport& report) {
   if (joints.empty()) return;
   lambda_.setZero(rows.size());
   for (std::size_t k = 0; k < rows.size(); ++k) lambda_[static_cast<Eigen::Index>(k)] = rows[k].lambda;
@@ -113,20 +113,21 @@ void Held<Dof>::begin(const std::vector<Joint>& joints, const Bodies<Dof>& bodie
 /// The impulses that make up for what is lacking by the rows as they are ahead: what corrections shrink too slowly, as
 /// where rows come to say the same as others.
 template <int Dof>
-void Held<Dof>::turn_with_the_rows(const std::vector<Joint>& joints, const std::vector<Row<Dof>>& rows) {
+void RattleJoints<Dof>::turn_with_the_rows(const std::vector<Joint>& joints,
+                                           const std::vector<Row<Dof>>& rows) {
   std::vector<Row<Dof>> ahead;
   add_joint_rows(joints, 1, ahead_, ahead);
   const auto n = static_cast<Eigen::Index>(rows.size());
   Eigen::MatrixXd A(n, n);
   for (Eigen::Index k = 0; k < n; ++k)
     for (Eigen::Index l = 0; l < n; ++l)
-      A(k, l) = coupling(rows[static_cast<std::size_t>(l)], ahead[static_cast<std::size_t>(k)]);
+      A(k, l) = schur_entry(rows[static_cast<std::size_t>(l)], ahead[static_cast<std::size_t>(k)]);
   impulses_ = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(A).solve(lacking_);
 }
 
 /// Gives the rows the impulses that make up for what is lacking.
 template <int Dof>
-void Held<Dof>::apply(std::vector<Row<Dof>>& rows, Motion<Dof>& motion) const {
+void RattleJoints<Dof>::apply(std::vector<Row<Dof>>& rows, Motion<Dof>& motion) const {
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const double impulse = -impulses_[static_cast<Eigen::Index>(k)];
     apply_impulse(rows[k], impulse, motion.W);
@@ -150,9 +151,9 @@ static void move(const Bodies<Dof>& bodies, double h, const RotationRule<Dof>& r
 }
 
 template <int Dof>
-void Held<Dof>::drift(const std::vector<Joint>& joints, double h, const StopRule& stop,
-                      const RotationRule<Dof>& rotation, std::vector<Row<Dof>>& rows, Bodies<Dof>& bodies,
-                      SolveReport& report) {
+void RattleJoints<Dof>::drift(const std::vector<Joint>& joints, double h, const StopRule& stop,
+                              const RotationRule<Dof>& rotation, std::vector<Row<Dof>>& rows,
+                              Bodies<Dof>& bodies, SolveReport& report) {
   double last = infinity;
   bool turned = false;
   for (int n = 0;; ++n) {
@@ -190,7 +191,7 @@ void Held<Dof>::drift(const std::vector<Joint>& joints, double h, const StopRule
 }
 
 template <int Dof>
-void Held<Dof>::stop(std::vector<Row<Dof>>& rows, Bodies<Dof>& bodies) {
+void RattleJoints<Dof>::stop(std::vector<Row<Dof>>& rows, Bodies<Dof>& bodies) {
   for (std::size_t k = 0; k < rows.size(); ++k)
     lacking_[static_cast<Eigen::Index>(k)] =
         rows[k].Gi.dot(bodies.motion.W[rows[k].i]) + rows[k].Gj.dot(bodies.motion.W[rows[k].j]);
@@ -202,7 +203,7 @@ template bool RowFactors::factorise<3>(const std::vector<Row<3>>&);
 template bool RowFactors::factorise<6>(const std::vector<Row<6>>&);
 template double joint_gaps<3>(const std::vector<Joint>&, const Bodies<3>&, Vector&);
 template double joint_gaps<6>(const std::vector<Joint>&, const Bodies<6>&, Vector&);
-template class Held<3>;
-template class Held<6>;
+template class RattleJoints<3>;
+template class RattleJoints<6>;
 
 }  // namespace spook

@@ -26,6 +26,7 @@
 
 #include "11_direct/direct.hpp"
 #include "engine/constraints/joints.hpp"
+#include "engine/integration/rotation.hpp"
 
 namespace spook {
 
@@ -54,7 +55,7 @@ class RowFactors {
 
 /// The joints of a step that is composed.
 template <int Dof>
-class Held {
+class RattleJoints {
  public:
   /// Once a step, before all that follows.
   void begin_step(const Bodies<Dof>& bodies) { ahead_ = bodies; }

@@ -17,15 +17,15 @@
 namespace spook {
 
 template <int Dof>
-class BlockFactors {
+class BlockLu {
  public:
   using Block = Eigen::Matrix<double, Dof, Dof>;
-  using Part = Eigen::Matrix<double, Dof, 1>;
+  using BodyVector = Eigen::Matrix<double, Dof, 1>;
 
-  BlockFactors() = default;
+  BlockLu() = default;
 
   /// Of `count` bodies, and the pairs of them that share a row.
-  BlockFactors(int count, const std::vector<std::pair<int, int>>& pairs)
+  BlockLu(int count, const std::vector<std::pair<int, int>>& pairs)
       : place_(count), later_(count), first_(count), diagonal_(count), factors_(count) {
     std::vector<Eigen::Triplet<double>> entries;
     for (int b = 0; b < count; ++b) entries.emplace_back(b, b, 1);
@@ -77,9 +77,9 @@ class BlockFactors {
   }
 
   /// Solves A x = b, a part a body, in place; the parts are not finite where a block has no inverse.
-  void solve(std::vector<Part>& x) const {
+  void solve(std::vector<BodyVector>& x) const {
     const int count = static_cast<int>(later_.size());
-    std::vector<Part> y(x.size());
+    std::vector<BodyVector> y(x.size());
     for (std::size_t b = 0; b < x.size(); ++b) y[place_[b]] = x[b];
     for (int p = 0; p < count; ++p) {
       y[p] = factors_[p].solve(y[p]).eval();

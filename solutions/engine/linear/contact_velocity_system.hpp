@@ -6,10 +6,10 @@
 namespace spook {
 
 template <int Dof>
-class CoupledBodies {
+class ContactVelocitySystem {
  public:
   /// The bodies that move and have rows, numbered as rows come to them.
-  CoupledBodies(const std::vector<Row<Dof>>& rows, const std::vector<InverseMass<Dof>>& inverse_mass)
+  ContactVelocitySystem(const std::vector<Row<Dof>>& rows, const std::vector<InverseMass<Dof>>& inverse_mass)
       : number_(inverse_mass.size(), -1) {
     std::vector<std::pair<int, int>> pairs;
     for (const Row<Dof>& row : rows) {
@@ -22,7 +22,7 @@ class CoupledBodies {
       const bool both = pair.first >= 0 && pair.second >= 0;
       if (both && (pairs.empty() || pairs.back() != pair)) pairs.push_back(pair);
     }
-    factors_ = BlockFactors<Dof>(static_cast<int>(mass_.size()), pairs);
+    factors_ = BlockLu<Dof>(static_cast<int>(mass_.size()), pairs);
     v_.resize(mass_.size());
   }
 
@@ -75,7 +75,7 @@ class CoupledBodies {
   std::vector<int> number_;  // of each body among those that move and have rows; -1 for others
   std::vector<Block<Dof>> mass_;
   std::vector<Twist<Dof>> v_;  // first what stands on the right
-  BlockFactors<Dof> factors_;
+  BlockLu<Dof> factors_;
 };
 
 }  // namespace spook

@@ -8,7 +8,7 @@
 namespace spook {
 
 /// Factors of a positive definite matrix of a few lines.
-class SmallFactors {
+class DenseLdlt {
  public:
   static constexpr int most = 32;  ///< lines
 

@@ -6,12 +6,12 @@
 namespace spook {
 
 /// Either kind, whichever the last matrix had.
-class FactorsOnBodies {
+class VelocityFactors {
  public:
   /// Takes a symmetric positive definite matrix, given as its lower triangle. False for a pivot that is not sound, Eq. (11.4);
   /// the factors are then of no use.
   bool factorise(const SparseMatrix& A) {
-    is_small_ = A.cols() <= SmallFactors::most;
+    is_small_ = A.cols() <= DenseLdlt::most;
     if (!is_small_) return spook::factorise(A, sparse_);
     small_.begin(static_cast<int>(A.cols()));
     for (int column = 0; column < A.outerSize(); ++column)
@@ -31,7 +31,7 @@ class FactorsOnBodies {
 
  private:
   bool is_small_ = true;
-  SmallFactors small_;
+  DenseLdlt small_;
   Factors sparse_;
 };
 

@@ -25,10 +25,10 @@ inline Block<6> mass_of(const InverseMass<6>& inverse) {
 
 /// What of rows meets on the bodies that move, which are numbered as rows come to them.
 template <int Dof>
-class OnBodies {
+class VelocitySystem {
  public:
-  OnBodies() = default;
-  OnBodies(const std::vector<Row<Dof>>& rows, const std::vector<InverseMass<Dof>>& inverse_mass) {
+  VelocitySystem() = default;
+  VelocitySystem(const std::vector<Row<Dof>>& rows, const std::vector<InverseMass<Dof>>& inverse_mass) {
     begin(rows, inverse_mass);
   }
 

@@ -67,7 +67,7 @@ class Memory {
 template <int Dof>
 class Sweeps {
  public:
-  Sweeps(const System<Dof>& s, bool on_cones) : s_(s), on_cones_(on_cones) {}
+  Sweeps(const SolverInput<Dof>& s, bool on_cones) : s_(s), on_cones_(on_cones) {}
 
   double sweep() const {
     return on_cones_ ? sweep_on_cones(s_.rubbing, s_.rows, s_.V) : spook::sweep(s_.rows, s_.V);
@@ -79,7 +79,7 @@ class Sweeps {
     return all;
   }
   /// The nearest that is allowed, and V as it makes it.
-  void begin_with(const Impulses& impulses) const {
+  void start_from(const Impulses& impulses) const {
     for (std::size_t k = 0; k < s_.rows.size(); ++k)
       s_.rows[k].lambda = impulses[k] / std::sqrt(s_.rows[k].diagonal);
     auto contact = s_.rubbing.begin();
@@ -96,7 +96,7 @@ class Sweeps {
   }
 
  private:
-  const System<Dof>& s_;
+  const SolverInput<Dof>& s_;
   bool on_cones_;
 };
 
@@ -117,7 +117,7 @@ SolveReport accelerated(const Sweeps<Dof>& sweeps, const StopRule& stop) {
     const double changed = f.norm();
     if (mixed && !(changed <= 2 * least)) {
       x = before;
-      sweeps.begin_with(x);
+      sweeps.start_from(x);
       memory.forget();
       least = infinity;
       wait = pause = std::min(2 * pause + 2, longest_pause);
@@ -133,13 +133,13 @@ SolveReport accelerated(const Sweeps<Dof>& sweeps, const StopRule& stop) {
     memory.add(T, f);
     x = before = T;
     const bool last = std::ssize(report.history) == stop.max_sweeps;
-    if (last && changed > least) sweeps.begin_with(best);
+    if (last && changed > least) sweeps.start_from(best);
     mixed = false;
     if (last || memory.size() == 0 || wait-- > 0) continue;
     wait = 0;
     const Impulses next = memory.mixed();
     if (!next.allFinite()) continue;
-    sweeps.begin_with(next);
+    sweeps.start_from(next);
     x = sweeps.impulses();
     mixed = true;
   }
@@ -151,7 +151,7 @@ SolveReport accelerated(const Sweeps<Dof>& sweeps, const StopRule& stop) {
 template <int Dof>
 Solver<Dof> anderson(FrictionModel model) {
   const bool on_cones = model == FrictionModel::cone;
-  return {.solve = [on_cones](const System<Dof>& s) -> Outcome {
+  return {.solve = [on_cones](const SolverInput<Dof>& s) -> SolverResult {
             return accelerated(Sweeps<Dof>(s, on_cones), s.stop);
           },
           .friction = on_cones ? FrictionModel::cone : FrictionModel::box};

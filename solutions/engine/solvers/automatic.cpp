@@ -26,7 +26,7 @@ namespace {
 
 /// One of several islands as a system of its own, with bodies of its own numbers.
 template <int Dof>
-struct Copy {
+struct IslandProblem {
   std::vector<Row<Dof>> rows;
   std::vector<Twist<Dof>> V;
   std::vector<InverseMass<Dof>> inverse_mass;
@@ -34,8 +34,8 @@ struct Copy {
   std::vector<int> bodies;  ///< their numbers outside
 
   /// `numbers` has -1 for every body, before and after.
-  Copy(const std::vector<int>& members, const System<Dof>& s, const std::vector<double>& impulses,
-       std::vector<int>& numbers) {
+  IslandProblem(const std::vector<int>& members, const SolverInput<Dof>& s, const std::vector<double>& impulses,
+                std::vector<int>& numbers) {
     const auto number = [&](int body) {
       if (numbers[body] < 0) {
         numbers[body] = static_cast<int>(bodies.size());
@@ -69,7 +69,7 @@ template <int Dof>
 struct Island {
   std::vector<int> members;
   std::optional<double> cost;  ///< of factors, in sweeps
-  BothFactors<Dof> factors;
+  RowAndVelocityFactors<Dof> factors;
 };
 
 /// The islands of rows, looked for anew where a row acts on other bodies than the last ones did, or has a bound more.
@@ -107,9 +107,9 @@ class KnownIslands {
 };
 
 template <int Dof>
-class ByIsland {
+class Automatic {
  public:
-  Outcome operator()(const System<Dof>& s) {
+  SolverResult operator()(const SolverInput<Dof>& s) {
     if (calls_++ % calls_until_forgotten == 0) hard_.clear();
     hard_.resize(s.V.size(), false);
     const auto all = (*islands_).of(s.rows, s.V.size());
@@ -118,14 +118,14 @@ class ByIsland {
     const std::vector<double> last = s.last.impulses(s.rows.size(), s.first_contact_row, s.contacts, s.h);
     if (all.size() == 1) return solve_one(*all.front(), s, {s.rows, s.V, s.bodies.motion.inverse_mass, last});
 
-    Outcome outcome{SolveReport{.history = {}, .converged = true}};
+    SolverResult outcome{SolveReport{.history = {}, .converged = true}};
     outcome.row_updates = 0;
     std::vector<int> numbers(s.V.size(), -1);
     for (const auto& island : all) {
-      Copy<Dof> copy(island->members, s, last, numbers);
+      IslandProblem<Dof> copy(island->members, s, last, numbers);
       auto solved = few_at_once(*island, copy.rows, copy.V, s.stop);
       if (!solved) solved = solve_one(*island, s, {copy.rows, copy.V, copy.inverse_mass, copy.last});
-      outcome = side_by_side(std::move(outcome), *solved);
+      outcome = merge_parallel(std::move(outcome), *solved);
       copy.write_back(island->members, s.rows, s.V);
     }
     return outcome;
@@ -137,7 +137,7 @@ class ByIsland {
   static constexpr double share_left = 1e-3, share_of_factors = 1e-6;  // of what was asked for
 
   /// An island's rows and bodies: a copy, or all that there are.
-  struct Part {
+  struct IslandView {
     std::vector<Row<Dof>>& rows;
     std::vector<Twist<Dof>>& V;
     const std::vector<InverseMass<Dof>>& inverse_mass;
@@ -145,40 +145,41 @@ class ByIsland {
   };
 
   /// Dense factors, which need not know how the last step ended.
-  static std::optional<Outcome> few_at_once(Island<Dof>& island, std::vector<Row<Dof>>& rows,
-                                            std::vector<Twist<Dof>>& V, const StopRule& stop) {
+  static std::optional<SolverResult> few_at_once(Island<Dof>& island, std::vector<Row<Dof>>& rows,
+                                                 std::vector<Twist<Dof>>& V, const StopRule& stop) {
     if (!island.cost) island.cost = factor_cost(rows);
     if (*island.cost > stop.max_sweeps) return {};
-    auto solved = dense_solve(rows, V, stop);
+    auto solved = small_direct(rows, V, stop);
     if (!solved) return {};
     return without_updates(*std::move(solved));
   }
 
-  Outcome solve_one(Island<Dof>& island, const System<Dof>& s, const Part& part) {
+  SolverResult solve_one(Island<Dof>& island, const SolverInput<Dof>& s, const IslandView& part) {
     const double sweeps = s.stop.max_sweeps;
     const bool may = *island.cost <= worth_of_a_solution * sweeps;
     const bool at_once = *island.cost <= sweeps;
     if (at_once || (may && is_hard(island, s.rows))) {
-      begin_with(part.last, part.rows, part.V);
+      start_from(part.last, part.rows, part.V);
       return factorised(part, at_once ? s.stop.tolerance : enough(part, s.stop), island.factors);
     }
-    Outcome swept = solve_in_order(interleaved_order(part.rows.size()), part.rows, part.V, s.stop);
+    SolverResult swept = solve_in_order(interleaved_order(part.rows.size()), part.rows, part.V, s.stop);
     swept.row_updates = swept.updates(part.rows.size());
     if (swept.report.converged || !may ||
-        left_by(swept.report.history.back(), swept.report.history) <= share_left * asked_for(part.rows))
+        estimated_error(swept.report.history.back(), swept.report.history) <= share_left * rhs_norm(part.rows))
       return swept;
     for (const int k : island.members) {
       if (moves_i(s.rows[k])) hard_[s.rows[k].i] = true;
       if (moves_j(s.rows[k])) hard_[s.rows[k].j] = true;
     }
-    return in_turn(std::move(swept), factorised(part, enough(part, s.stop), island.factors), part.rows.size());
+    return append(std::move(swept), factorised(part, enough(part, s.stop), island.factors), part.rows.size());
   }
 
-  static double enough(const Part& part, const StopRule& stop) {
-    return std::max(stop.tolerance, share_of_factors * asked_for(part.rows));
+  static double enough(const IslandView& part, const StopRule& stop) {
+    return std::max(stop.tolerance, share_of_factors * rhs_norm(part.rows));
   }
 
-  static Outcome factorised(const Part& part, double tolerance, BothFactors<Dof>& factors) {
+  static SolverResult factorised(const IslandView& part, double tolerance,
+                                 RowAndVelocityFactors<Dof>& factors) {
     const StopRule stop{.tolerance = tolerance};
     return without_updates(solve_directly(part.rows, part.inverse_mass, part.V, stop, factors));
   }
@@ -191,17 +192,17 @@ class ByIsland {
 
   std::vector<bool> hard_;  // bodies of islands that sweeps did not solve
   int calls_ = 0;
-  Kept<KnownIslands<Dof>> islands_;
+  ScratchCache<KnownIslands<Dof>> islands_;
 };
 
 }  // namespace
 
 template <int Dof>
-Solver<Dof> by_island() {
-  return {.solve = ByIsland<Dof>(), .wants_last = true};
+Solver<Dof> automatic() {
+  return {.solve = Automatic<Dof>(), .wants_last = true};
 }
 
-template Solver<3> by_island<3>();
-template Solver<6> by_island<6>();
+template Solver<3> automatic<3>();
+template Solver<6> automatic<6>();
 
 }  // namespace spook

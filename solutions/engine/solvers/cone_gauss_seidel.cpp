@@ -7,12 +7,14 @@
 namespace spook {
 
 template <int Dof>
-Solver<Dof> cone() {
-  return {.solve = [](const System<Dof>& s) -> Outcome { return cone_solve(s.rubbing, s.rows, s.V, s.stop); },
+Solver<Dof> cone_gauss_seidel() {
+  return {.solve = [](const SolverInput<Dof>& s) -> SolverResult {
+            return cone_solve(s.rubbing, s.rows, s.V, s.stop);
+          },
           .friction = FrictionModel::cone};
 }
 
-template Solver<3> cone<3>();
-template Solver<6> cone<6>();
+template Solver<3> cone_gauss_seidel<3>();
+template Solver<6> cone_gauss_seidel<6>();
 
 }  // namespace spook

@@ -9,8 +9,8 @@ namespace spook {
 
 template <int Dof>
 Solver<Dof> conjugate_gradients() {
-  return {.solve = [](const System<Dof>& s) {
-    Outcome outcome = conjugate_solve(s.rows, s.V, s.stop);
+  return {.solve = [](const SolverInput<Dof>& s) {
+    SolverResult outcome = conjugate_solve(s.rows, s.V, s.stop);
     outcome.row_updates = 4 * std::ssize(outcome.report.history) * std::ssize(s.rows);
     return outcome;
   }};

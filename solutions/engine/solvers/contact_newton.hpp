@@ -18,7 +18,7 @@
 namespace spook {
 
 /// The rows of a contact that rubs, or one row by itself.
-struct Part {
+struct ContactBlock {
   std::size_t row;
   int count;
   double mu = 0, s = 0;   ///< of friction: μ, and Eq. (9.5)
@@ -28,7 +28,7 @@ struct Part {
 
 /// Sets K and k of a row that lacks `r`; returns what it aims at, before its bounds. `softer`: what is added to Σ, in S_kk.
 template <int Dof>
-double linearise_row(const Row<Dof>& row, double r, double softer, Part& part) {
+double linearise_row(const Row<Dof>& row, double r, double softer, ContactBlock& part) {
   const double aim = row.lambda + r / row.diagonal;
   part.K.setZero();
   part.k.setZero();
@@ -43,7 +43,7 @@ double linearise_row(const Row<Dof>& row, double r, double softer, Part& part) {
 
 /// Sets K and k of a part, whose rows begin at `rows` and lack `r` [m/s], Eq. (4.6).
 template <int Dof>
-void linearise(const Row<Dof>* rows, const Vec3& r, double softer, Part& part) {
+void linearise(const Row<Dof>* rows, const Vec3& r, double softer, ContactBlock& part) {
   const double limit = part.mu * linearise_row(*rows, r[0], softer, part);
   if (part.count == 1) return;
   const Vec2 along(rows[1].lambda, rows[2].lambda), lacks = r.tail<2>(), q = along + lacks / part.s;

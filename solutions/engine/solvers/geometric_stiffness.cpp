@@ -18,7 +18,7 @@ namespace spook {
 namespace {
 
 /// The stiffness of each joint that was tight in the last step. None for one that is newer.
-std::vector<Stiffness> link_stiffness(const System<3>& s) {
+std::vector<Stiffness> link_stiffness(const SolverInput<3>& s) {
   const std::vector<double> impulses = s.last.impulses(s.first_contact_row, s.first_contact_row, {}, s.h);
   std::vector<Stiffness> all;
   std::size_t row = 0;
@@ -37,7 +37,7 @@ std::vector<Stiffness> link_stiffness(const System<3>& s) {
 }
 
 /// Which rows no contact has to do with: those of islands with rows of joints only.
-std::vector<bool> free_of_contacts(const System<3>& s) {
+std::vector<bool> free_of_contacts(const SolverInput<3>& s) {
   std::vector<bool> free(s.rows.size(), true);
   for (const std::vector<int>& island : islands(s.rows, s.V.size())) {
     if (island.back() < static_cast<int>(s.first_contact_row)) continue;  // rows of contacts come last
@@ -47,17 +47,17 @@ std::vector<bool> free_of_contacts(const System<3>& s) {
 }
 
 /// Some rows of a system as a system of their own. All rows of a joint, or of a contact, are in the same part.
-struct Part {
+struct SubSystem {
   std::vector<std::size_t> from;  ///< which rows they are there
   std::vector<Row<3>> rows;
   std::vector<Twist<3>> V;
   std::vector<Joint> joints;
   std::vector<Contact> contacts;
-  std::vector<Rubbing> rubbing;
-  StartImpulses none;  ///< those of the last step are numbered otherwise
+  std::vector<FrictionContact> rubbing;
+  WarmStartCache none;  ///< those of the last step are numbered otherwise
 
   /// The rows for which `wanted` is `value`; the contacts if that is false.
-  Part(const System<3>& s, const std::vector<bool>& wanted, bool value)
+  SubSystem(const SolverInput<3>& s, const std::vector<bool>& wanted, bool value)
       : V(s.V.size(), Twist<3>::Zero()), contacts(value ? std::vector<Contact>{} : s.contacts) {
     for (std::size_t k = 0; k < s.rows.size(); ++k) {
       if (wanted[k] != value) continue;
@@ -71,11 +71,11 @@ struct Part {
       row += static_cast<std::size_t>(joint.rows());
     }
     if (!value) rubbing = s.rubbing;
-    for (Rubbing& contact : rubbing)
+    for (FrictionContact& contact : rubbing)
       contact.normal -= s.rows.size() - rows.size();  // contacts are all here, and last
   }
 
-  System<3> system(const System<3>& s) {
+  SolverInput<3> system(const SolverInput<3>& s) {
     const auto in_joints = [&](std::size_t k) { return k < s.first_contact_row; };
     const auto joint_rows = std::count_if(from.begin(), from.end(), in_joints);
     return {.rows = rows,
@@ -92,7 +92,7 @@ struct Part {
             .threads = s.threads};
   }
 
-  void write_back(const System<3>& s) const {
+  void write_back(const SolverInput<3>& s) const {
     for (std::size_t k = 0; k < rows.size(); ++k) {
       s.rows[from[k]].lambda = rows[k].lambda;
       if (moves_i(rows[k])) s.V[rows[k].i] = V[rows[k].i];
@@ -105,44 +105,44 @@ class Stiff {
  public:
   explicit Stiff(Solver<3> inner) : inner_(std::move(inner)) {}
 
-  Outcome operator()(const System<3>& s) {
+  SolverResult operator()(const SolverInput<3>& s) {
     if (s.first_contact_row == s.rows.size()) return solve_links(s, s);
     const std::vector<bool> free = free_of_contacts(s);
     if (std::find(free.begin(), free.end(), true) == free.end()) return inner_.solve(s);
-    Part links(s, free, true), others(s, free, false);
-    const Outcome first = solve_links(s, links.system(s));
-    const Outcome both = in_turn(first, inner_.solve(others.system(s)), others.rows.size());
+    SubSystem links(s, free, true), others(s, free, false);
+    const SolverResult first = solve_links(s, links.system(s));
+    const SolverResult both = append(first, inner_.solve(others.system(s)), others.rows.size());
     links.write_back(s);
     others.write_back(s);
     return both;
   }
 
  private:
-  Outcome solve_links(const System<3>& whole, const System<3>& links) {
+  SolverResult solve_links(const SolverInput<3>& whole, const SolverInput<3>& links) {
     std::vector<bool> moved(links.V.size(), false);
     for (const Row<3>& row : links.rows) moved[row.i] = moved[row.j] = true;
     std::vector<Stiffness> felt;
     for (const Stiffness& spring : link_stiffness(whole))
       if (moved[spring.i] && moved[spring.j]) felt.push_back(spring);
     if (stiff_solve(links.rows, links.bodies.motion, felt, links.h, links.V, *factors_)) {
-      Outcome outcome{SolveReport{.history = {}, .converged = true}};
+      SolverResult outcome{SolveReport{.history = {}, .converged = true}};
       outcome.row_updates = 0;
       return outcome;
     }
-    Outcome outcome = inner_.solve(links);
+    SolverResult outcome = inner_.solve(links);
     outcome.row_updates = outcome.updates(links.rows.size());
     outcome.report.trouble = "the stiff links could not be factorised";
     return outcome;
   }
 
   Solver<3> inner_;
-  Kept<Factors> factors_;
+  ScratchCache<Factors> factors_;
 };
 
 }  // namespace
 
 template <int Dof>
-Solver<Dof> stiff(Solver<Dof> inner) {
+Solver<Dof> geometric_stiffness(Solver<Dof> inner) {
   if constexpr (Dof == 3) {
     if (!inner.solve) throw std::invalid_argument("stiff's solver must be one of solvers(), but is null");
     const FrictionModel friction = inner.friction;
@@ -152,7 +152,7 @@ Solver<Dof> stiff(Solver<Dof> inner) {
       "solver must be another than stiff for rigid bodies, which get no geometric_stiffness");
 }
 
-template Solver<3> stiff<3>(Solver<3>);
-template Solver<6> stiff<6>(Solver<6>);
+template Solver<3> geometric_stiffness<3>(Solver<3>);
+template Solver<6> geometric_stiffness<6>(Solver<6>);
 
 }  // namespace spook

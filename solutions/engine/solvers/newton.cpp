@@ -32,7 +32,7 @@ namespace {
 template <int Dof>
 class Newton {
  public:
-  Newton(const System<Dof>& s, bool on_cones)
+  Newton(const SolverInput<Dof>& s, bool on_cones)
       : s_(s), on_cones_(on_cones), bodies_(s.rows, s.bodies.motion.inverse_mass) {
     auto contact = s.rubbing.begin();
     for (std::size_t k = 0; k < s.rows.size(); k += static_cast<std::size_t>(parts_.back().count)) {
@@ -49,7 +49,7 @@ class Newton {
     constexpr int most_in_vain = 3;
     constexpr double enough = 1e-6;  // of what was asked for, where it gets no further
     SolveReport report;
-    const double asked = asked_for(s_.rows);
+    const double asked = rhs_norm(s_.rows);
     double left = after_sweeps(2);
     if (left <= tolerance) return {.history = {left}, .converged = true};
     for (int in_vain = 0; in_vain < most_in_vain && std::ssize(report.history) < s_.stop.max_sweeps;) {
@@ -59,7 +59,7 @@ class Newton {
       for (double share = 1; share > 0.05 && !(found < left); share /= 4) found = go(before, share, tolerance);
       in_vain = found < left ? 0 : in_vain + 1;
       if (in_vain > 0) {
-        begin_with(before, s_.rows, s_.V);
+        start_from(before, s_.rows, s_.V);
         found = after_sweeps(10 * in_vain);
       }
       report.history.push_back(left = found);
@@ -89,7 +89,7 @@ class Newton {
   /// Where it ends a part of the way, allowed, and after sweeps: what is left then [m/s].
   double go(const std::vector<double>& from, double share, double tolerance) {
     for (std::size_t k = 0; k < from.size(); ++k) s_.rows[k].lambda = from[k] + share * step_[k];
-    for (const Part& part : parts_) {
+    for (const ContactBlock& part : parts_) {
       Row<Dof>* rows = &s_.rows[part.row];
       rows[0].lambda = std::clamp(rows[0].lambda, rows[0].lo, rows[0].hi);
       if (part.count == 1) continue;
@@ -104,7 +104,7 @@ class Newton {
 
   bool find_step(double softer) {
     bodies_.begin();
-    for (Part& part : parts_) {
+    for (ContactBlock& part : parts_) {
       Vec3 r = Vec3::Zero();
       for (int n = 0; n < part.count; ++n) r[n] = lacking(part.row + n);
       linearise(&s_.rows[part.row], r, softer, part);
@@ -112,7 +112,7 @@ class Newton {
     }
     if (!bodies_.solve()) return false;
     step_.resize(s_.rows.size());
-    for (const Part& part : parts_) {
+    for (const ContactBlock& part : parts_) {
       Vec3 Gv = Vec3::Zero();
       for (int n = 0; n < part.count; ++n) Gv[n] = bodies_.gather(s_.rows[part.row + n]);
       const Vec3 change = part.k - part.K * Gv;
@@ -127,10 +127,10 @@ class Newton {
     return all;
   }
 
-  const System<Dof>& s_;
+  const SolverInput<Dof>& s_;
   bool on_cones_;
-  CoupledBodies<Dof> bodies_;
-  std::vector<Part> parts_;
+  ContactVelocitySystem<Dof> bodies_;
+  std::vector<ContactBlock> parts_;
   std::vector<double> step_;  // Δλ of each row
   int sweeps_ = 0;
 };
@@ -140,17 +140,17 @@ class Newton {
 template <int Dof>
 Solver<Dof> newton(FrictionModel model) {
   const bool on_cones = model == FrictionModel::cone;
-  auto solve = [on_cones, sweeps = anderson<Dof>(model)](const System<Dof>& s) {
-    begin_with(s.last.impulses(s.rows.size(), s.first_contact_row, s.contacts, s.h), s.rows, s.V);
+  auto solve = [on_cones, sweeps = anderson<Dof>(model)](const SolverInput<Dof>& s) {
+    start_from(s.last.impulses(s.rows.size(), s.first_contact_row, s.contacts, s.h), s.rows, s.V);
     const auto soft = [](const Row<Dof>& row) { return row.Sigma > 0; };
     const auto moves = [](const Row<Dof>& row) { return moves_i(row) || moves_j(row); };
     if (!std::all_of(s.rows.begin(), s.rows.end(), soft) || !std::any_of(s.rows.begin(), s.rows.end(), moves))
       return sweeps.solve(s);
     Newton<Dof> method(s, on_cones);
-    Outcome outcome = method.solve(std::max(s.stop.tolerance, 1e-13 * asked_for(s.rows)));
+    SolverResult outcome = method.solve(std::max(s.stop.tolerance, 1e-13 * rhs_norm(s.rows)));
     outcome.row_updates = method.updates();
     if (outcome.report.converged) return outcome;
-    return in_turn(std::move(outcome), sweeps.solve(s), s.rows.size());
+    return append(std::move(outcome), sweeps.solve(s), s.rows.size());
   };
   return {.solve = std::move(solve),
           .friction = on_cones ? FrictionModel::cone : FrictionModel::box,

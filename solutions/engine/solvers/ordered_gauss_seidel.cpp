@@ -14,7 +14,7 @@
 namespace spook {
 
 template <int Dof>
-static std::vector<double> heights(const System<Dof>& s, const Vec3& up) {
+static std::vector<double> heights(const SolverInput<Dof>& s, const Vec3& up) {
   std::vector<double> all;
   for (const Joint& joint : s.joints) {
     const Attachment i = attachment(joint.i, joint.p_i, s.bodies), j = attachment(joint.j, joint.p_j, s.bodies);
@@ -47,22 +47,22 @@ std::vector<int> interleaved_order(std::size_t n) {
 }
 
 template <int Dof>
-static std::vector<int> order_of(RowOrder order, const System<Dof>& s, std::mt19937_64& random) {
+static std::vector<int> order_of(RowOrder order, const SolverInput<Dof>& s, std::mt19937_64& random) {
   if (order == RowOrder::random) return random_order(static_cast<int>(s.rows.size()), random);
   if (order == RowOrder::interleaved) return interleaved_order(s.rows.size());
   return order_along(heights(s, order == RowOrder::down ? s.gravity : Vec3(-s.gravity)));
 }
 
 template <int Dof>
-Solver<Dof> in_order(RowOrder order, std::uint64_t seed) {
+Solver<Dof> ordered_gauss_seidel(RowOrder order, std::uint64_t seed) {
   if (order == RowOrder::given) return gauss_seidel<Dof>();
-  return {.solve = [order, random = std::mt19937_64(seed)](const System<Dof>& s) mutable -> Outcome {
+  return {.solve = [order, random = std::mt19937_64(seed)](const SolverInput<Dof>& s) mutable -> SolverResult {
     return solve_in_order(order_of(order, s, random), s.rows, s.V, s.stop);
   }};
 }
 
-template Solver<3> in_order<3>(RowOrder, std::uint64_t);
-template Solver<6> in_order<6>(RowOrder, std::uint64_t);
+template Solver<3> ordered_gauss_seidel<3>(RowOrder, std::uint64_t);
+template Solver<6> ordered_gauss_seidel<6>(RowOrder, std::uint64_t);
 template SolveReport solve_in_order<3>(const std::vector<int>&, std::vector<Row<3>>&, std::vector<Twist<3>>&,
                                        const StopRule&);
 template SolveReport solve_in_order<6>(const std::vector<int>&, std::vector<Row<6>>&, std::vector<Twist<6>>&,

@@ -9,10 +9,10 @@ namespace {
 
 /// The rows, and what was factorised of them. A row with lo = hi has no room to move in: it stays where it is.
 template <int Dof>
-class Softened {
+class BarrierSystem {
  public:
-  Softened(const std::vector<Row<Dof>>& rows, const OnBodies<Dof>& on, const FactorsOnBodies& factors,
-           std::size_t bodies)
+  BarrierSystem(const std::vector<Row<Dof>>& rows, const VelocitySystem<Dof>& on,
+                const VelocityFactors& factors, std::size_t bodies)
       : rows_(rows), on_(on), factors_(factors), V_(bodies) {}
 
   /// Σ̃ [1/kg].
@@ -73,8 +73,8 @@ class Softened {
   }
 
   const std::vector<Row<Dof>>& rows_;
-  const OnBodies<Dof>& on_;
-  const FactorsOnBodies& factors_;
+  const VelocitySystem<Dof>& on_;
+  const VelocityFactors& factors_;
   std::vector<Twist<Dof>> V_;
 };
 
@@ -103,7 +103,7 @@ Interior start(const std::vector<Row<Dof>>& rows) {
 /// Newton's step towards `target`: Eq. (11.8), (11.9). `lacking` is B - S λ.
 template <int Dof>
 Interior newton_step(const Interior& now, const Target& target, const Vector& lacking, const Vector& softness,
-                     Softened<Dof>& system, int refinements) {
+                     BarrierSystem<Dof>& system, int refinements) {
   const auto n = now.lambda.size();
   Interior step;
   step.lambda =
@@ -146,7 +146,7 @@ Interior moved(const Interior& now, const Interior& step, double share) {
 /// Two Newton steps, the second of which is taken: Eq. (11.10), (11.11). The nearer bound then says where λ is.
 template <int Dof>
 Interior next(const std::vector<Row<Dof>>& rows, const Interior& now, const Vector& softness,
-              Softened<Dof>& system) {
+              BarrierSystem<Dof>& system) {
   const auto n = now.lambda.size();
   const Vector none = Vector::Zero(n), lacking = system.lacking(now.lambda);
   const Interior straight = newton_step(now, {none, none}, lacking, softness, system, 0);
@@ -182,9 +182,9 @@ double answer(const Row<Dof>& row, std::size_t k, const Interior& now) {
 }  // namespace
 
 template <int Dof>
-SolveReport body_interior(std::vector<Row<Dof>>& rows, OnBodies<Dof>& on, std::vector<Twist<Dof>>& V,
-                          const StopRule& stop, FactorsOnBodies& factors) {
-  Softened<Dof> system(rows, on, factors, V.size());
+SolveReport primal_interior_point(std::vector<Row<Dof>>& rows, VelocitySystem<Dof>& on,
+                                  std::vector<Twist<Dof>>& V, const StopRule& stop, VelocityFactors& factors) {
+  BarrierSystem<Dof> system(rows, on, factors, V.size());
   Interior now = start(rows);
   SolveReport report;
   while (!report.converged && std::ssize(report.history) < stop.max_sweeps) {
@@ -202,9 +202,9 @@ SolveReport body_interior(std::vector<Row<Dof>>& rows, OnBodies<Dof>& on, std::v
   return report;
 }
 
-template SolveReport body_interior<3>(std::vector<Row<3>>&, OnBodies<3>&, std::vector<Twist<3>>&,
-                                      const StopRule&, FactorsOnBodies&);
-template SolveReport body_interior<6>(std::vector<Row<6>>&, OnBodies<6>&, std::vector<Twist<6>>&,
-                                      const StopRule&, FactorsOnBodies&);
+template SolveReport primal_interior_point<3>(std::vector<Row<3>>&, VelocitySystem<3>&, std::vector<Twist<3>>&,
+                                              const StopRule&, VelocityFactors&);
+template SolveReport primal_interior_point<6>(std::vector<Row<6>>&, VelocitySystem<6>&, std::vector<Twist<6>>&,
+                                              const StopRule&, VelocityFactors&);
 
 }  // namespace spook

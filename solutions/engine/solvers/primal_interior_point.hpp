@@ -16,7 +16,7 @@ namespace spook {
 /// have Σ > 0. The history has the residual of Eq. (4.8) after each factorisation, of which there are at most
 /// stop.max_sweeps; not converged where they do not suffice, or a pivot is not sound.
 template <int Dof>
-SolveReport body_interior(std::vector<Row<Dof>>& rows, OnBodies<Dof>& on, std::vector<Twist<Dof>>& V,
-                          const StopRule& stop, FactorsOnBodies& factors);
+SolveReport primal_interior_point(std::vector<Row<Dof>>& rows, VelocitySystem<Dof>& on,
+                                  std::vector<Twist<Dof>>& V, const StopRule& stop, VelocityFactors& factors);
 
 }  // namespace spook

@@ -33,14 +33,14 @@ struct State {
 };
 
 /// Which rows are free: those strictly between their bounds that an update, Eq. (4.7), leaves there.
-struct Freedom {
+struct ActiveSet {
   Vector stiffness;  ///< Σ⁻¹; 0 of a row that is not free
   Vector held_at;    ///< λ of such a row: its own at a bound, or the bound that the update would take it to
 };
 
 template <int Dof>
-Freedom freedom(const std::vector<Row<Dof>>& rows, const State<Dof>& now) {
-  Freedom found{Vector::Zero(std::ssize(rows)), now.lambda};
+ActiveSet active_set(const std::vector<Row<Dof>>& rows, const State<Dof>& now) {
+  ActiveSet found{Vector::Zero(std::ssize(rows)), now.lambda};
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const Row<Dof>& row = rows[k];
     const auto within = [&](double lambda) { return row.lo < lambda && lambda < row.hi; };
@@ -57,8 +57,8 @@ Freedom freedom(const std::vector<Row<Dof>>& rows, const State<Dof>& now) {
 /// Solves the rows that are free, the others being as they are: Eq. (11.15), and (11.14) as long as it helps and one lacks
 /// more than `enough` [m/s].
 template <int Dof>
-void solve_free(const std::vector<Row<Dof>>& rows, const OnBodies<Dof>& on, const Vector& stiffness,
-                const FactorsOnBodies& factors, double enough, State<Dof>& state) {
+void solve_free(const std::vector<Row<Dof>>& rows, const VelocitySystem<Dof>& on, const Vector& stiffness,
+                const VelocityFactors& factors, double enough, State<Dof>& state) {
   constexpr int refinements = 8;
   Vector lacking = Vector::Zero(stiffness.size());
   double last = infinity;
@@ -95,16 +95,16 @@ State<Dof> projected(const std::vector<Row<Dof>>& rows, const State<Dof>& from, 
 /// As far towards the solution of the rows that are free as the energy falls, or rises by no more than roundings: what
 /// starts where the last step ended has nothing else to gain.
 template <int Dof>
-State<Dof> step(const std::vector<Row<Dof>>& rows, const OnBodies<Dof>& on, const Freedom& freedom,
-                const FactorsOnBodies& factors, double enough, const State<Dof>& now) {
+State<Dof> step(const std::vector<Row<Dof>>& rows, const VelocitySystem<Dof>& on, const ActiveSet& active,
+                const VelocityFactors& factors, double enough, const State<Dof>& now) {
   State<Dof> there = now;
   for (std::size_t k = 0; k < rows.size(); ++k)
-    if (freedom.stiffness[k] == 0) there.move(rows[k], k, freedom.held_at[k]);
-  solve_free(rows, on, freedom.stiffness, factors, enough, there);
+    if (active.stiffness[k] == 0) there.move(rows[k], k, active.held_at[k]);
+  solve_free(rows, on, active.stiffness, factors, enough, there);
   double share = 1;
   State<Dof> inside = projected(rows, now, there, share);
   // Where no row was taken to a bound, and none stopped there, no other λ of the free rows has less energy.
-  if (freedom.held_at == now.lambda && inside.lambda == there.lambda) return inside;
+  if (active.held_at == now.lambda && inside.lambda == there.lambda) return inside;
   constexpr double rounding = 1e-14;  // of a sum, most of whose terms have one sign
   const double energy = now.energy(rows), most = energy + rounding * std::abs(energy);
   while (inside.energy(rows) > most && share > 1e-2) inside = projected(rows, now, there, share /= 2);
@@ -120,8 +120,8 @@ Vector impulses_of(const std::vector<Row<Dof>>& rows) {
 
 /// Newton's method on whichever rows are free, as long as it gets on.
 template <int Dof>
-SolveReport newton_solve(std::vector<Row<Dof>>& rows, OnBodies<Dof>& on, std::vector<Twist<Dof>>& V,
-                         const StopRule& stop, FactorsOnBodies& factors) {
+SolveReport newton_solve(std::vector<Row<Dof>>& rows, VelocitySystem<Dof>& on, std::vector<Twist<Dof>>& V,
+                         const StopRule& stop, VelocityFactors& factors) {
   constexpr int sweeps = 4, most_in_vain = 2;
   // Of roundings: what has found its free rows ends far below them. A tower under 10⁸:1 that is left with all that they
   // allow may be about to buckle.
@@ -131,7 +131,7 @@ SolveReport newton_solve(std::vector<Row<Dof>>& rows, OnBodies<Dof>& on, std::ve
   double best = infinity;
   for (int in_vain = 0; in_vain < most_in_vain && std::ssize(report.history) < stop.max_sweeps;) {
     const State<Dof> now{impulses_of(rows), V};
-    const Freedom free = freedom(rows, now);
+    const ActiveSet free = active_set(rows, now);
     if (!factors.factorise(on.matrix(rows, free.stiffness))) return report;
     State<Dof> next = step(rows, on, free, factors, enough(), now);
     for (std::size_t k = 0; k < rows.size(); ++k) rows[k].lambda = next.lambda[k];
@@ -149,10 +149,10 @@ SolveReport newton_solve(std::vector<Row<Dof>>& rows, OnBodies<Dof>& on, std::ve
 }  // namespace
 
 template <int Dof>
-std::optional<SolveReport> body_solve(std::vector<Row<Dof>>& rows,
-                                      const std::vector<InverseMass<Dof>>& inverse_mass,
-                                      std::vector<Twist<Dof>>& V, const StopRule& stop,
-                                      BodyFactors<Dof>& kept) {
+std::optional<SolveReport> primal_newton(std::vector<Row<Dof>>& rows,
+                                         const std::vector<InverseMass<Dof>>& inverse_mass,
+                                         std::vector<Twist<Dof>>& V, const StopRule& stop,
+                                         PrimalFactors<Dof>& kept) {
   const bool soft = std::all_of(rows.begin(), rows.end(), [](const Row<Dof>& row) { return row.Sigma > 0; });
   if (!soft) return std::nullopt;
   auto& [on, factors] = kept;
@@ -160,7 +160,7 @@ std::optional<SolveReport> body_solve(std::vector<Row<Dof>>& rows,
   const State<Dof> before{impulses_of(rows), V};
   SolveReport report = newton_solve(rows, on, V, stop, factors);
   if (!report.converged) {
-    const SolveReport from_within = body_interior(rows, on, V, stop, factors);
+    const SolveReport from_within = primal_interior_point(rows, on, V, stop, factors);
     report.history.insert(report.history.end(), from_within.history.begin(), from_within.history.end());
     report.converged = from_within.converged;
   }
@@ -170,9 +170,11 @@ std::optional<SolveReport> body_solve(std::vector<Row<Dof>>& rows,
   return std::nullopt;
 }
 
-template std::optional<SolveReport> body_solve<3>(std::vector<Row<3>>&, const std::vector<InverseMass<3>>&,
-                                                  std::vector<Twist<3>>&, const StopRule&, BodyFactors<3>&);
-template std::optional<SolveReport> body_solve<6>(std::vector<Row<6>>&, const std::vector<InverseMass<6>>&,
-                                                  std::vector<Twist<6>>&, const StopRule&, BodyFactors<6>&);
+template std::optional<SolveReport> primal_newton<3>(std::vector<Row<3>>&, const std::vector<InverseMass<3>>&,
+                                                     std::vector<Twist<3>>&, const StopRule&,
+                                                     PrimalFactors<3>&);
+template std::optional<SolveReport> primal_newton<6>(std::vector<Row<6>>&, const std::vector<InverseMass<6>>&,
+                                                     std::vector<Twist<6>>&, const StopRule&,
+                                                     PrimalFactors<6>&);
 
 }  // namespace spook

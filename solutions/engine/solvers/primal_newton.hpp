@@ -23,17 +23,18 @@ namespace spook {
 
 /// What the next step most often has again: who shares rows with whom, and the order and the pattern of the factors.
 template <int Dof>
-struct BodyFactors {
-  OnBodies<Dof> on;
-  FactorsOnBodies factors;
+struct PrimalFactors {
+  VelocitySystem<Dof> on;
+  VelocityFactors factors;
 };
 
 /// Solves the rows within their bounds, from the λ that they have, which is within them, and its V. Nothing, and rows
 /// and V as they were, where Σ is 0 in a row, a pivot is not sound, or stop.max_sweeps factorisations of either kind do not suffice.
 /// The history has the residual of Eq. (4.8) after each factorisation.
 template <int Dof>
-std::optional<SolveReport> body_solve(std::vector<Row<Dof>>& rows,
-                                      const std::vector<InverseMass<Dof>>& inverse_mass,
-                                      std::vector<Twist<Dof>>& V, const StopRule& stop, BodyFactors<Dof>& kept);
+std::optional<SolveReport> primal_newton(std::vector<Row<Dof>>& rows,
+                                         const std::vector<InverseMass<Dof>>& inverse_mass,
+                                         std::vector<Twist<Dof>>& V, const StopRule& stop,
+                                         PrimalFactors<Dof>& kept);
 
 }  // namespace spook

@@ -7,8 +7,8 @@
 namespace spook {
 
 template <int Dof>
-static Solver<Dof> stiff_by_island() {
-  return stiff(by_island<Dof>());
+static Solver<Dof> stiff_automatic() {
+  return geometric_stiffness(automatic<Dof>());
 }
 
 template <int Dof>
@@ -31,13 +31,13 @@ const std::vector<NamedSolver<Dof>>& solvers() {
        &anderson_of_rows<Dof>},
       {"newton", "Newton's method on bounds or cones, by factors on bodies; accelerated sweeps where it fails",
        "factorisation", &newton_of_rows<Dof>},
-      {"stripes", "Gauss-Seidel in stripes of space: for large piles on several threads", "sweep",
-       &stripes<Dof>},
+      {"spatial_decomposition", "Gauss-Seidel in stripes of space: for large piles on several threads", "sweep",
+       &spatial_decomposition<Dof>},
       {"direct", "sparse factors of S; bounds by an interior point method", "factorisation", &direct<Dof>},
       {"auto", "for each island of bodies the direct solver where it is sparse or stiff, else Gauss-Seidel",
-       "iteration", &by_island<Dof>},
-      {"stiff", "as auto; point masses on tight links get their geometric stiffness", "iteration",
-       &stiff_by_island<Dof>},
+       "iteration", &automatic<Dof>},
+      {"geometric_stiffness", "as auto; point masses on tight links get their geometric stiffness", "iteration",
+       &stiff_automatic<Dof>},
   };
   return table;
 }

@@ -1,14 +1,16 @@
 #pragma once
-// The solvers, one file each in engine/solvers/, all with the signature of System.
+// The solvers, one file each in this room, all with the signature of Solver.
 //
-//   on their own     gauss_seidel, conjugate_gradients, anderson, newton, direct, by_island, in_order, stripes, cone
-//   with another     two_pass(solver), stiff(solver): the outer one says which rows, with which bounds, the inner one solves
+//   on their own     gauss_seidel, ordered_gauss_seidel, cone_gauss_seidel, spatial_decomposition, conjugate_gradients,
+//                    anderson, newton, direct, automatic
+//   with another     two_pass(solver), geometric_stiffness(solver): the outer one says which rows there are and what
+//                    bounds they have, and the inner one solves them
 //
-//   two_pass(direct<6>())                                 friction limited by normal forces that are exact
-//   two_pass(in_order<3>(RowOrder::random, 1))            by those of sweeps in a random order
-//   stiff(by_island<3>())                                 geometric stiffness for the links that swing freely
+//   two_pass(direct<6>())                                       friction limited by normal forces that are exact
+//   two_pass(ordered_gauss_seidel<3>(RowOrder::random, 1))      by those of sweeps in a random order
+//   geometric_stiffness(automatic<3>())                         for links that swing freely
 //
-// The cone and an order are sweeps themselves, and take no other solver.
+// Cones and orders are sweeps themselves, and take no other solver.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -39,25 +41,26 @@ Solver<Dof> direct();
 
 /// Each island of bodies with direct or gauss_seidel, by the rule of engine/solvers/islands.hpp.
 template <int Dof>
-Solver<Dof> by_island();
+Solver<Dof> automatic();
 
 /// Projected Gauss-Seidel in stripes of space, on as many threads as it may use.
 template <int Dof>
-Solver<Dof> stripes();
+Solver<Dof> spatial_decomposition();
 
 /// In which order the sweeps go through the rows.
 enum class RowOrder {
-  given,       ///< as they come
-  up,          ///< by the height of what a row acts on, against gravity: Eq. (10.3)
-  down,        ///< along it
-  random,      ///< another one in every solve: Eq. (10.4)
-  interleaved  ///< the first half's and the second's in turn: two neighbours seldom share a body, and need not wait
-               ///< for each other
+  given,   ///< as they come
+  up,      ///< by the height of what a row acts on, against gravity: Eq. (10.3)
+  down,    ///< along it
+  random,  ///< another one in every solve: Eq. (10.4)
+  /// The rows of the first half and of the second in turn: two that follow each other seldom share a body, so that one
+  /// update need not wait for the other.
+  interleaved
 };
 
 /// Projected Gauss-Seidel in that order. A copy goes on with the same random orders.
 template <int Dof>
-Solver<Dof> in_order(RowOrder order, std::uint64_t seed = 1);
+Solver<Dof> ordered_gauss_seidel(RowOrder order, std::uint64_t seed = 1);
 
 /// 0, m, 1, m + 1, ... of n rows, with m their half, rounded up: Eq. (14.13).
 std::vector<int> interleaved_order(std::size_t n);
@@ -69,7 +72,7 @@ SolveReport solve_in_order(const std::vector<int>& order, std::vector<Row<Dof>>&
 
 /// Sweeps on Coulomb's cones, chapter 09's.
 template <int Dof>
-Solver<Dof> cone();
+Solver<Dof> cone_gauss_seidel();
 
 /// Friction limited by the normal impulses of a first pass: chapter 09's two passes, with `inner` for both.
 /// Throws std::invalid_argument for an inner solver that is null, or has limits of its own.
@@ -79,7 +82,7 @@ Solver<Dof> two_pass(Solver<Dof> inner);
 /// Chapter 12's, for the links of point masses that no contact has to do with; `inner` for all other rows.
 /// Throws std::invalid_argument for rigid bodies, and for an inner solver that is null.
 template <int Dof>
-Solver<Dof> stiff(Solver<Dof> inner);
+Solver<Dof> geometric_stiffness(Solver<Dof> inner);
 
 /// A solver as it is asked for.
 template <int Dof>

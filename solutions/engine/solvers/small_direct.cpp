@@ -16,12 +16,12 @@ using Few = std::array<double, most_dense_rows>;
 
 /// S of all rows, Eq. (11.1), as its factors; false where a pivot is not sound.
 template <int Dof>
-bool factorise(const std::vector<Row<Dof>>& rows, SmallFactors& factors) {
+bool factorise(const std::vector<Row<Dof>>& rows, DenseLdlt& factors) {
   const int n = static_cast<int>(rows.size());
   factors.begin(n);
   for (int k = 0; k < n; ++k) {
-    for (int l = 0; l < k; ++l) factors.at(k, l) = coupling(rows[k], rows[l]);
-    factors.at(k, k) = coupling(rows[k], rows[k]) + rows[k].Sigma;
+    for (int l = 0; l < k; ++l) factors.at(k, l) = schur_entry(rows[k], rows[l]);
+    factors.at(k, k) = schur_entry(rows[k], rows[k]) + rows[k].Sigma;
   }
   return factors.factorise();
 }
@@ -48,14 +48,14 @@ void add(const Few& more, std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& 
 }  // namespace
 
 template <int Dof>
-std::optional<SolveReport> dense_solve(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V,
-                                       const StopRule& stop) {
+std::optional<SolveReport> small_direct(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V,
+                                        const StopRule& stop) {
   require_positive("max_sweeps", stop.max_sweeps);
   require_not_negative("tolerance", stop.tolerance);
   const std::size_t n = rows.size();
   if (n == 0 || n > most_dense_rows) return {};
   if (n > most_dense_rows_on_bodies && wants_bodies(rows)) return {};
-  SmallFactors factors;
+  DenseLdlt factors;
   if (!factorise(rows, factors)) return {};
 
   Few lambda;  // B, and then S⁻¹ B
@@ -75,9 +75,9 @@ std::optional<SolveReport> dense_solve(std::vector<Row<Dof>>& rows, std::vector<
   return SolveReport{.history = {left}, .converged = true};
 }
 
-template std::optional<SolveReport> dense_solve<3>(std::vector<Row<3>>&, std::vector<Twist<3>>&,
-                                                   const StopRule&);
-template std::optional<SolveReport> dense_solve<6>(std::vector<Row<6>>&, std::vector<Twist<6>>&,
-                                                   const StopRule&);
+template std::optional<SolveReport> small_direct<3>(std::vector<Row<3>>&, std::vector<Twist<3>>&,
+                                                    const StopRule&);
+template std::optional<SolveReport> small_direct<6>(std::vector<Row<6>>&, std::vector<Twist<6>>&,
+                                                    const StopRule&);
 
 }  // namespace spook

@@ -14,13 +14,13 @@
 namespace spook {
 
 /// How many rows are few, and how many where they outnumber the velocities.
-inline constexpr int most_dense_rows = SmallFactors::most, most_dense_rows_on_bodies = 12;
+inline constexpr int most_dense_rows = DenseLdlt::most, most_dense_rows_on_bodies = 12;
 
 /// Solves the rows, whatever V is; the history has one entry. Nothing where there are none or more than a few, a pivot is not
 /// sound, a λ is not strictly within its bounds, or what is left exceeds stop.tolerance and the roundings of Eq. (11.13). Then
 /// rows and V are as they were, or V is M⁻¹ Gᵀ λ with each λ within its bounds. Throws as direct_solve does.
 template <int Dof>
-std::optional<SolveReport> dense_solve(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V,
-                                       const StopRule& stop);
+std::optional<SolveReport> small_direct(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V,
+                                        const StopRule& stop);
 
 }  // namespace spook

@@ -9,9 +9,9 @@ namespace spook {
 
 /// Their orders and patterns, which the next step most often has again.
 template <int Dof>
-struct BothFactors {
+struct RowAndVelocityFactors {
   Factors on_rows;
-  BodyFactors<Dof> on_bodies;
+  PrimalFactors<Dof> on_bodies;
 };
 
 /// Solves the rows within their bounds. On entry V is M⁻¹ Gᵀ λ of their λ, each within its bounds; `inverse_mass` and V
@@ -19,10 +19,11 @@ struct BothFactors {
 /// either; should neither do, sweeps go on from there, and `trouble` says so.
 template <int Dof>
 SolveReport solve_directly(std::vector<Row<Dof>>& rows, const std::vector<InverseMass<Dof>>& inverse_mass,
-                           std::vector<Twist<Dof>>& V, const StopRule& stop, BothFactors<Dof>& factors);
+                           std::vector<Twist<Dof>>& V, const StopRule& stop,
+                           RowAndVelocityFactors<Dof>& factors);
 
 /// Lets rows begin with `impulses`, one each or none at all, as far as their bounds allow; V as they make it.
 template <int Dof>
-void begin_with(const std::vector<double>& impulses, std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V);
+void start_from(const std::vector<double>& impulses, std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V);
 
 }  // namespace spook

@@ -19,18 +19,18 @@ namespace spook {
 /// One step's. The λ of the rows, their bounds of friction where those follow what presses, and V are the solver's to
 /// change; all else is to be looked at.
 template <int Dof>
-struct System {
+struct SolverInput {
   std::vector<Row<Dof>>& rows;  ///< of the joints, then of the contacts; λ where to begin
   std::vector<Twist<Dof>>& V;   ///< velocity change of each body by these λ
-  const std::vector<Rubbing>&
-      rubbing;  ///< contacts whose friction follows what presses, in the order of their rows
+  /// Contacts whose friction follows the normal impulse, in the order of their rows.
+  const std::vector<FrictionContact>& rubbing;
   const std::vector<Joint>& joints;      ///< with k and d
   const std::vector<Contact>& contacts;  ///< each with as many rows as the others
   std::size_t first_contact_row;
-  const Bodies<Dof>& bodies;  ///< where they are, and the motion that the rows were made of
-  const StartImpulses& last;  ///< impulses of the last step, if the solver wants them
-  Vec3 gravity;               ///< [m/s²]
-  double h;                   ///< [s]
+  const Bodies<Dof>& bodies;   ///< where they are, and the motion that the rows were made of
+  const WarmStartCache& last;  ///< impulses of the last step, if the solver wants them
+  Vec3 gravity;                ///< [m/s²]
+  double h;                    ///< [s]
   StopRule stop;
   int threads = 1;  ///< that a solver may use; its result does not depend on it
 };
@@ -38,23 +38,22 @@ struct System {
 /// May keep what helps it in the next step. A copy has a state of its own: copies of a world share nothing.
 template <int Dof>
 struct Solver {
-  std::function<Outcome(const System<Dof>& system)> solve;
-  FrictionModel friction =
-      FrictionModel::box;   ///< whose problem it solves: which limits its rows come with, and
-                            ///< what a residual is
-  bool wants_last = false;  ///< it looks at System::last
+  std::function<SolverResult(const SolverInput<Dof>& system)> solve;
+  /// The friction model that it solves: it decides the limits of friction rows, and what the residual is.
+  FrictionModel friction = FrictionModel::box;
+  bool wants_last = false;  ///< it looks at SolverInput::last
 };
 
-/// What a solver keeps for no other reason than speed: a copy begins without it.
+/// A cache of a solver: a copy of the solver begins without it.
 template <class T>
-class Kept {
+class ScratchCache {
  public:
-  Kept() = default;
-  Kept(const Kept&) {}
-  Kept(Kept&&) noexcept = default;
-  Kept& operator=(const Kept&) = delete;
-  Kept& operator=(Kept&&) noexcept = default;
-  ~Kept() = default;
+  ScratchCache() = default;
+  ScratchCache(const ScratchCache&) {}
+  ScratchCache(ScratchCache&&) noexcept = default;
+  ScratchCache& operator=(const ScratchCache&) = delete;
+  ScratchCache& operator=(ScratchCache&&) noexcept = default;
+  ~ScratchCache() = default;
 
   T& operator*() {
     if (!kept_) kept_ = std::make_unique<T>();

@@ -7,17 +7,17 @@
 
 namespace spook {
 
-std::int64_t Outcome::updates(std::size_t rows) const {
+std::int64_t SolverResult::updates(std::size_t rows) const {
   return row_updates >= 0 ? row_updates : std::ssize(report.history) * static_cast<std::int64_t>(rows);
 }
 
-Outcome without_updates(SolveReport report) {
-  Outcome outcome = std::move(report);
+SolverResult without_updates(SolveReport report) {
+  SolverResult outcome = std::move(report);
   outcome.row_updates = 0;
   return outcome;
 }
 
-double left_by(double residual, const std::vector<double>& history) {
+double estimated_error(double residual, const std::vector<double>& history) {
   // 1 - ρ of a hundred-millionth is a rounding.
   constexpr double least = 1e-8;
   const double rate = observed_rate(history);
@@ -25,7 +25,7 @@ double left_by(double residual, const std::vector<double>& history) {
 }
 
 template <int Dof>
-double asked_for(const std::vector<Row<Dof>>& rows) {
+double rhs_norm(const std::vector<Row<Dof>>& rows) {
   double most = 0;
   for (const Row<Dof>& row : rows) most = std::max(most, std::abs(row.B));
   return most;
@@ -35,14 +35,14 @@ template <int Dof>
 double roundings(const std::vector<Row<Dof>>& rows) {
   double returned = 0;
   for (const Row<Dof>& row : rows) returned = std::max(returned, row.diagonal * std::abs(row.lambda));
-  return 1e-13 * asked_for(rows) + 1e-14 * returned;
+  return 1e-13 * rhs_norm(rows) + 1e-14 * returned;
 }
 
 static void add_trouble(const SolveReport& of, SolveReport& all) {
   if (all.trouble.empty()) all.trouble = of.trouble;
 }
 
-Outcome in_turn(Outcome first, const Outcome& second, std::size_t rows) {
+SolverResult append(SolverResult first, const SolverResult& second, std::size_t rows) {
   SolveReport& all = first.report;
   first.row_updates = first.updates(rows) + second.updates(rows);
   all.history.insert(all.history.end(), second.report.history.begin(), second.report.history.end());
@@ -51,7 +51,7 @@ Outcome in_turn(Outcome first, const Outcome& second, std::size_t rows) {
   return first;
 }
 
-Outcome side_by_side(Outcome one, const Outcome& other) {
+SolverResult merge_parallel(SolverResult one, const SolverResult& other) {
   SolveReport& all = one.report;
   one.row_updates += other.row_updates;
   all.history.resize(std::max(all.history.size(), other.report.history.size()), 0);
@@ -64,8 +64,8 @@ Outcome side_by_side(Outcome one, const Outcome& other) {
   return one;
 }
 
-template double asked_for<3>(const std::vector<Row<3>>&);
-template double asked_for<6>(const std::vector<Row<6>>&);
+template double rhs_norm<3>(const std::vector<Row<3>>&);
+template double rhs_norm<6>(const std::vector<Row<6>>&);
 template double roundings<3>(const std::vector<Row<3>>&);
 template double roundings<6>(const std::vector<Row<6>>&);
 

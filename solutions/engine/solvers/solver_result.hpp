@@ -6,8 +6,8 @@
 
 namespace spook {
 
-struct Outcome {
-  Outcome(SolveReport done) : report(std::move(done)) {}  // NOLINT: a chapter's solver is one, too
+struct SolverResult {
+  SolverResult(SolveReport done) : report(std::move(done)) {}  // NOLINT: a chapter's solver is one, too
 
   SolveReport report;
   std::int64_t row_updates = -1;  ///< that were made; -1: one of each row for each entry of the history
@@ -17,15 +17,15 @@ struct Outcome {
 };
 
 /// Of a solver that updates no rows.
-Outcome without_updates(SolveReport report);
+SolverResult without_updates(SolveReport report);
 
 /// What a solve left [m/s]: its residual r as r/(1 - ρ), with the rate ρ of its history, Eq. (10.5). One that creeps has
 /// farther to go than its last sweep tells; where its rate is no rate, as if it would never end.
-double left_by(double residual, const std::vector<double>& history);
+double estimated_error(double residual, const std::vector<double>& history);
 
 /// What the rows of a step ask for: the largest |B| [m/s].
 template <int Dof>
-double asked_for(const std::vector<Row<Dof>>& rows);
+double rhs_norm(const std::vector<Row<Dof>>& rows);
 
 /// What roundings leave, of the λ that rows have [m/s]: Eq. (11.13).
 template <int Dof>
@@ -33,10 +33,10 @@ double roundings(const std::vector<Row<Dof>>& rows);
 
 /// Of two solves, one after the other. A history goes on where the other ends; the second says whether it converged.
 /// Where one does not count its row updates, they are of so many rows.
-Outcome in_turn(Outcome first, const Outcome& second, std::size_t rows);
+SolverResult append(SolverResult first, const SolverResult& second, std::size_t rows);
 
 /// Of two solves that have no part in each other, and count their row updates. A history has the larger of their
 /// entries, or a NaN; both must have converged.
-Outcome side_by_side(Outcome one, const Outcome& other);
+SolverResult merge_parallel(SolverResult one, const SolverResult& other);
 
 }  // namespace spook

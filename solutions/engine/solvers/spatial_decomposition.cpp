@@ -1,4 +1,4 @@
-// Projected Gauss-Seidel on several threads, "stripes" by name.
+// Projected Gauss-Seidel on several threads, "spatial_decomposition" by name.
 //
 //   stripes    n bodies have ∛n/2 of them, side by side, a multiple of four from four on, with equally many rows in each:
 //              in a cube they are two bodies wide
@@ -63,9 +63,9 @@ struct Reach {
 };
 
 template <int Dof>
-std::vector<Reach> reaches(const System<Dof>& s, const std::vector<int>& place) {
+std::vector<Reach> reaches(const SolverInput<Dof>& s, const std::vector<int>& place) {
   std::vector<Reach> all(s.rows.size());
-  in_shares(s.threads, all.size(), [&](std::size_t, std::size_t k, std::size_t end) {
+  parallel_for(s.threads, all.size(), [&](std::size_t, std::size_t k, std::size_t end) {
     for (; k < end; ++k) {
       const auto [low, high] = std::minmax(place[s.rows[k].i], place[s.rows[k].j]);
       all[k] = {.low = low < 0 ? high : low, .high = high};
@@ -96,7 +96,7 @@ std::vector<int> stripes_of_places(const std::vector<Reach>& rows) {
 template <int Dof>
 class OwnGround {
  public:
-  explicit OwnGround(const System<Dof>& s) : s_(s), bodies_(s.V.size()) {}
+  explicit OwnGround(const SolverInput<Dof>& s) : s_(s), bodies_(s.V.size()) {}
   OwnGround(const OwnGround&) = delete;
   OwnGround& operator=(const OwnGround&) = delete;
   ~OwnGround() {
@@ -112,14 +112,14 @@ class OwnGround {
 
  private:
   static constexpr std::size_t apart = 4;  // no two in one cache line
-  const System<Dof>& s_;
+  const SolverInput<Dof>& s_;
   std::size_t bodies_;
   std::vector<std::pair<int*, int>> lent_;
 };
 
 /// All rows by stripe; the last one is of what reaches farther.
 template <int Dof>
-std::vector<Stripe> divided(const System<Dof>& s, const std::vector<int>& place, OwnGround<Dof>& ground) {
+std::vector<Stripe> divided(const SolverInput<Dof>& s, const std::vector<int>& place, OwnGround<Dof>& ground) {
   const std::vector<Reach> reach = reaches(s, place);
   const std::vector<int> of_place = stripes_of_places(reach);
   const int rest = of_place.empty() ? 1 : of_place.back() + 1;
@@ -129,7 +129,7 @@ std::vector<Stripe> divided(const System<Dof>& s, const std::vector<int>& place,
     return high > low + 1 ? rest : low;
   };
   std::vector<std::vector<Stripe>> of_share(shares_of(s.threads, reach.size()));
-  in_shares(s.threads, reach.size(), [&](std::size_t share, std::size_t k, std::size_t end) {
+  parallel_for(s.threads, reach.size(), [&](std::size_t share, std::size_t k, std::size_t end) {
     of_share[share].resize(static_cast<std::size_t>(rest) + 1);
     for (; k < end; ++k) of_share[share][stripe_of(reach[k])].rows.push_back(static_cast<int>(k));
   });
@@ -153,7 +153,7 @@ std::vector<Stripe> divided(const System<Dof>& s, const std::vector<int>& place,
 }
 
 template <int Dof>
-Outcome solve_in_stripes(const System<Dof>& s) {
+SolverResult solve_in_stripes(const SolverInput<Dof>& s) {
   SolveReport report;
   report.converged = s.rows.empty();
   if (report.converged) return report;
@@ -190,11 +190,11 @@ Outcome solve_in_stripes(const System<Dof>& s) {
 }  // namespace
 
 template <int Dof>
-Solver<Dof> stripes() {
+Solver<Dof> spatial_decomposition() {
   return {.solve = solve_in_stripes<Dof>};
 }
 
-template Solver<3> stripes<3>();
-template Solver<6> stripes<6>();
+template Solver<3> spatial_decomposition<3>();
+template Solver<6> spatial_decomposition<6>();
 
 }  // namespace spook

@@ -18,11 +18,11 @@ Solver<Dof> two_pass(Solver<Dof> inner) {
     throw std::invalid_argument("two_pass's solver must leave the limits of friction alone, but has those of " +
                                 name_of(inner.friction));
   const bool wants_last = inner.wants_last;
-  auto solve_twice = [inner = std::move(inner)](const System<Dof>& s) {
-    Outcome first = inner.solve(s);
+  auto solve_twice = [inner = std::move(inner)](const SolverInput<Dof>& s) {
+    SolverResult first = inner.solve(s);
     if (s.rubbing.empty()) return first;
     limit_friction(s.rubbing, s.rows);  // Eq. (9.1)
-    return in_turn(std::move(first), inner.solve(s), s.rows.size());
+    return append(std::move(first), inner.solve(s), s.rows.size());
   };
   return {.solve = std::move(solve_twice), .friction = FrictionModel::two_pass, .wants_last = wants_last};
 }

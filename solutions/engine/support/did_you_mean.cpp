@@ -1,6 +1,7 @@
 #include "engine/support/did_you_mean.hpp"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 namespace spook {
@@ -23,7 +24,19 @@ static std::size_t typing_slips(const std::string& a, const std::string& b) {
   return last.back();
 }
 
+std::string present_name(const std::string& name) {
+  static const std::map<std::string, std::string> renamed = {
+      {"--compose", "--integrator-order"}, {"--margin", "--contact-margin"},    {"--order", "--row-order"},
+      {"compose", "integrator_order"},     {"margin", "contact_margin"},        {"order", "row_order"},
+      {"stiff", "geometric_stiffness"},    {"stripes", "spatial_decomposition"}};
+  const auto found = renamed.find(name);
+  return found == renamed.end() ? "" : found->second;
+}
+
 std::string did_you_mean(const std::string& given, const std::vector<std::string>& known) {
+  const std::string present = present_name(given);
+  if (std::find(known.begin(), known.end(), present) != known.end())
+    return "; it is now called \"" + present + "\"";
   const auto nearer = [&](const std::string& a, const std::string& b) {
     return typing_slips(given, a) < typing_slips(given, b);
   };

@@ -19,7 +19,7 @@ inline std::size_t shares_of(int threads, std::size_t n) {
 /// Calls work(share, first, end) for n things in that many shares, at the same time. Share by share they are in order.
 /// What one throws is thrown.
 template <class Work>
-void in_shares(int threads, std::size_t n, const Work& work) {
+void parallel_for(int threads, std::size_t n, const Work& work) {
   const std::size_t shares = shares_of(threads, n);
   if (shares == 1) return work(0, 0, n);
   const auto of_thread = [&](int thread) {

@@ -8,9 +8,9 @@ namespace spook {
 
 /// A position or velocity is no longer finite, or a distance has lost its direction. What was observed before this
 /// step is still good.
-class Blowup : public std::runtime_error {
+class SimulationDiverged : public std::runtime_error {
  public:
-  Blowup(std::int64_t step, double time, int body, const std::string& what = "is not finite")
+  SimulationDiverged(std::int64_t step, double time, int body, const std::string& what = "is not finite")
       : std::runtime_error(describe(step, time, body, what)), step_(step), time_(time), body_(body) {}
 
   std::int64_t step() const { return step_; }  ///< the step that did it; the first is 1

@@ -21,7 +21,7 @@ struct StageTimes {
 
 /// Runs stages, and looks at the clock only if it was asked to: a look takes longer than the whole step of a point
 /// mass.
-class StageClock {
+class StepTimer {
  public:
   void start() { running_ = true; }
   const StageTimes& times() const { return times_; }

@@ -13,7 +13,7 @@ template <int Dof>
 void World<Dof>::step(double h) {
   require_positive("h", h);
   require_directions(h);
-  if (settings_.compose == 4) return step_composed(h);
+  if (settings_.integrator_order == 4) return step_composed(h);
   solved_ = {.history = {}, .converged = true};
   impacts_ = 0;
   if (shapes_.may_touch()) clock_.run(Stage::contacts, [&] { find_contacts(h); });
@@ -37,7 +37,8 @@ void World<Dof>::require_directions(double h) const {
     const double apart = distance(joint, bodies_);
     if (apart > 0 && std::isfinite(apart)) continue;
     const std::string where = apart == 0 ? "distance 0" : "an infinite distance";
-    throw Blowup(steps_ + 1, time_ + h, joint.j, "is at " + where + " of the body that it is joined to");
+    throw SimulationDiverged(steps_ + 1, time_ + h, joint.j,
+                             "is at " + where + " of the body that it is joined to");
   }
 }
 
@@ -48,7 +49,7 @@ void World<Dof>::find_contacts(double h) {
 
 template <int Dof>
 double World<Dof>::margin(double h) const {
-  if (settings_.margin) return *settings_.margin;
+  if (settings_.contact_margin) return *settings_.contact_margin;
   const double size = shapes_.smallest;
   if (!std::isfinite(size)) return 0;
   return std::min(settings_.gravity.norm() * h * h, 1e-2 * size) + 1e-9 * size;
@@ -107,7 +108,7 @@ void World<Dof>::resolve_impacts(double h) {
   const auto law_of = [&](const Contact& contact) {
     if (!materials_.any()) return law;
     ImpactLaw of_pair = law;
-    const Touching touching = materials_.of(contact.i, contact.j);
+    const PairMaterial touching = materials_.of(contact.i, contact.j);
     of_pair.restitution = touching.restitution;
     of_pair.friction = touching.friction;
     return of_pair;
@@ -147,19 +148,19 @@ void World<Dof>::build_rows(double h) {
 template <int Dof>
 void World<Dof>::solve_rows(double h) {
   V_.assign(bodies_.size(), Twist<Dof>::Zero());
-  if (settings_.warm_start) begin_with_last_impulses(h);
-  Outcome outcome = settings_.solver.solve({.rows = rows_,
-                                            .V = V_,
-                                            .rubbing = rubbing_,
-                                            .joints = joints_,
-                                            .contacts = contacts_,
-                                            .first_contact_row = first_contact_row_,
-                                            .bodies = bodies_,
-                                            .last = start_,
-                                            .gravity = settings_.gravity,
-                                            .h = h,
-                                            .stop = stop_rule(h),
-                                            .threads = settings_.threads});
+  if (settings_.warm_start) warm_start_rows(h);
+  SolverResult outcome = settings_.solver.solve({.rows = rows_,
+                                                 .V = V_,
+                                                 .rubbing = rubbing_,
+                                                 .joints = joints_,
+                                                 .contacts = contacts_,
+                                                 .first_contact_row = first_contact_row_,
+                                                 .bodies = bodies_,
+                                                 .last = start_,
+                                                 .gravity = settings_.gravity,
+                                                 .h = h,
+                                                 .stop = stop_rule(h),
+                                                 .threads = settings_.threads});
   row_updates_ += outcome.updates(rows_.size());
   solved_ = std::move(outcome.report);
   if (settings_.warm_start || settings_.solver.wants_last)
@@ -167,7 +168,7 @@ void World<Dof>::solve_rows(double h) {
 }
 
 template <int Dof>
-void World<Dof>::begin_with_last_impulses(double h) {
+void World<Dof>::warm_start_rows(double h) {
   const std::vector<double> impulses = start_.impulses(rows_.size(), first_contact_row_, contacts_, h);
   if (!impulses.empty()) warm_start(impulses, rows_, V_);  // Eq. (10.2)
 }
@@ -178,7 +179,7 @@ template <int Dof>
 StopRule World<Dof>::stop_rule(double h) const {
   using Limits = std::numeric_limits<double>;
   const double four_roundings = (2 * Limits::epsilon() * settings_.gravity).stableNorm() * h;
-  StopRule stop = settings_.stop;
+  StopRule stop = settings_.solver_limits;
   stop.tolerance = std::max(stop.tolerance, std::min(four_roundings, Limits::max()));
   return stop;
 }
@@ -227,11 +228,17 @@ void World<Dof>::require_finite_bodies() const {
     // One number that is not finite makes the sum so.
     double sum = bodies_.x[i].sum() + bodies_.motion.W[i].sum();
     if constexpr (Dof == 6) sum += bodies_.orientations.q[i].coeffs().sum();
-    if (!std::isfinite(sum)) throw Blowup(steps_, time_, static_cast<int>(i));
+    if (!std::isfinite(sum)) throw SimulationDiverged(steps_, time_, static_cast<int>(i));
   }
 }
 
-template class World<3>;
-template class World<6>;
-
 }  // namespace spook
+
+#include "engine/world/world_joints.ipp"
+#include "engine/world/world_order_four.ipp"
+#include "engine/world/world_setup.ipp"
+#include "engine/world/world_start.ipp"
+
+// All members are above: a class may be instantiated once in a program.
+template class spook::World<3>;
+template class spook::World<6>;

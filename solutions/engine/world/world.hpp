@@ -40,33 +40,35 @@ using Wrench = std::function<Twist<Dof>(std::size_t i, const Bodies<Dof>& bodies
 template <int Dof>
 struct Settings {
   Vec3 gravity = Vec3(0, 0, -9.81);  ///< [m/s²]
-  ForceField force = nullptr;        ///< on each body, beside its weight [N]; none unless given
-  Wrench<Dof> wrench = nullptr;      ///< more of them, and torques [N, N m]; none unless given
+  ForceField force = nullptr;        ///< on each body, beside its weight [N]. Default: none
+  Wrench<Dof> wrench = nullptr;      ///< more forces, and torques [N, N m]. Default: none
   double k = 1e6;                    ///< stiffness of contacts and joints [N/m]
-  /// Relaxation of contacts and joints [steps]. Unless given, 3 for contacts, which settle, and 1/4 for joints, which swing:
-  /// what is relaxed more loses more energy: chapter 06.
+  /// Relaxation of contacts and joints [steps]: a larger d dissipates more energy, see chapter 06. Default: 3 for contacts,
+  /// which settle, and 1/4 for joints, which swing.
   std::optional<double> d = {};
-  double friction = 0;      ///< μ of the friction box; 0: no friction rows
-  double viscosity = 1e12;  ///< what a stuck contact creeps against, c of Eq. (5.4) [N s/m]; may be infinite
-  /// None unless given. To its threshold |gravity| h is added: what gravity does in a step is no impact.
+  double friction = 0;      ///< μ; 0: no friction rows
+  double viscosity = 1e12;  ///< c of Eq. (5.4), by which a stuck contact creeps [N s/m]; may be infinite
+  /// Restitution and friction of impacts. To the threshold |gravity| h is added, since gravity changes a speed by as much
+  /// in a step. Default: no impacts.
   std::optional<ImpactLaw> impacts = {};
   bool sliding_tangents = false;  ///< friction along the slip, Eq. (9.2)
-  /// Any of engine/solvers/registry.hpp, or one of your own. Where the limit of friction comes from is its word, too.
-  Solver<Dof> solver = by_island<Dof>();
-  bool warm_start = false;  ///< rows begin with the impulses of the last step. Safe where
-                            ///< a step solves the part 1/(1 + d) of what it lacks, Eq. (10.12)
-  /// Largest gap of a contact [m]: one that opens by a hair keeps its row and its impulse. Unless given, what a body
-  /// falls from rest in a step, |gravity| h², but no more than a hundredth of the smallest shape's size; and 1e-9 of
-  /// that size more, so that bodies that touch up to roundings do.
-  std::optional<double> margin = {};
-  [[no_unique_address]] RotationRule<Dof> rotation = {};  ///< rigid bodies only: how they turn
-  /// The order that leapfrogs are composed to: 2, themselves, or 4, engine/integration/rattle.hpp. With 4 velocities are those of the
-  /// time of the positions, joints are rigid, and the solver has no part in it.
-  int compose = 2;
+  /// One of engine/solvers/registry.hpp, or one of your own. The solver also selects the friction model.
+  Solver<Dof> solver = automatic<Dof>();
+  /// Rows begin with the impulses of the last step. This is stable where a step solves the part 1/(1 + d) of what a row
+  /// lacks, Eq. (10.12).
+  bool warm_start = false;
+  /// Largest gap of a contact [m]: within it a slightly open contact keeps its row and its impulse. Default: the distance
+  /// that a body falls from rest in a step, |gravity| h², or a hundredth of the smallest shape's size where that is less;
+  /// and 1e-9 of that size more, so that round-off cannot drop a touching contact.
+  std::optional<double> contact_margin = {};
+  [[no_unique_address]] RotationRule<Dof> rotation = {};  ///< how rigid bodies turn
+  /// Order of the integrator: 2, leapfrog, or 4, composed of five leapfrogs, engine/integration/rattle.hpp. With 4
+  /// velocities are at the time of the positions, joints are rigid, and the solver is not used.
+  int integrator_order = 2;
   int threads =
-      1;  ///< that share the search, the rows, and sweeps in stripes; no bit of the motion depends on it
-  /// When the solver stops; at the latest where nothing changes any more but four roundings of |gravity| h.
-  StopRule stop = {};
+      1;  ///< worker threads for contact search, rows, sweeps; the result does not depend on their number
+  /// When the solver stops. It stops at the latest when a sweep changes less than four roundings of |gravity| h.
+  StopRule solver_limits = {};
 };
 
 /// The relaxation of contacts and joints, unless another is set [steps].
@@ -80,7 +82,7 @@ struct StepReport {
   int rows = 0;
   int iterations = 0;   ///< sweeps, factorisations, whatever the solver makes
   double residual = 0;  ///< how far λ is from a solution [m/s], Eq. (4.8) or (9.7); 0 when there are no rows
-  std::string trouble;  ///< why a solver had to go on by other means; empty: it had not
+  std::string trouble;  ///< fallback reason of the solver; empty if none
 };
 
 /// A copy has a copy of all, its solver included: it goes on as the first would have, and shares nothing with it.
@@ -97,10 +99,13 @@ class World {
   /// Adds a body and returns its index; see Bodies::add for what is refused.
   int add(const Body<Dof>& body);
 
-  /// Adds a body that nothing moves, with a sphere of that radius [m], or none for 0.
+  /// Adds a static body with a sphere of that radius [m], or without a shape for 0.
   int add_fixed(const Vec3& x, double radius = 0);
 
-  /// Adds a box that nothing moves, or with it a body of that place.
+  /// Adds a static body with a shape, such as Capsule{.radius = 0.1, .half_length = 0.5}.
+  int add_fixed(const Vec3& x, const Shape& shape, const Quat& q) requires(Dof == 6);
+
+  /// Adds a static box.
   int add_fixed_box(const Vec3& x, const Vec3& half_sides, const Quat& q = Quat::Identity()) requires(Dof == 6);
 
   /// Adds the half-space n·x < offset as a fixed body. Throws std::invalid_argument unless |n| = 1.
@@ -140,11 +145,11 @@ class World {
   void move_fixed(int body, const Vec3& x);
 
   /// Gives a body an impulse through its centre [N s].
-  void push(int body, const Vec3& impulse);
+  void apply_central_impulse(int body, const Vec3& impulse);
 
   /// The bodies that move in both are where they are in `other`, and move and turn as they do there; its time goes on,
   /// and where there are as many joints, rows begin with its impulses.
-  void go_on_from(const World& other);
+  void take_state_from(const World& other);
 
   /// Takes every velocity half a step back, to where leapfrog wants it: Eq. (1.5). Once, before the first step. Steps that
   /// are composed want them where they are. What contacts and joints hold against has no part in it. Throws std::invalid_argument the
@@ -156,7 +161,7 @@ class World {
   /// friction within their bounds.
   void start_consistently(double h);
 
-  /// Moves the world on by `h` [s]. Throws std::invalid_argument unless h is positive and finite, and Blowup when a
+  /// Moves the world on by `h` [s]. Throws std::invalid_argument unless h is positive and finite, and SimulationDiverged when a
   /// body is not finite afterwards, or the two points of a distance coincide before, or are infinitely far apart.
   void step(double h);
 
@@ -173,13 +178,13 @@ class World {
   Vec3 v(int body) const { return bodies_.motion.W[index(body)].template head<3>(); }  ///< [m/s]
 
   /// How far velocities are behind positions [s]: half a step of `h`, and not at all where steps are composed.
-  double behind(double h) const { return settings_.compose == 4 ? 0 : h / 2; }
+  double velocity_lag(double h) const { return settings_.integrator_order == 4 ? 0 : h / 2; }
 
   /// The velocity at the time of the position, from one that is half a step of `h` behind [m/s].
-  Vec3 v_beside_x(int body, double h) const;
+  Vec3 synchronized_velocity(int body, double h) const;
 
   /// The same of what turns [rad/s]: by the gyroscopic torque, where the rule takes it for one.
-  Vec3 omega_beside_x(int body, double h) const requires(Dof == 6);
+  Vec3 synchronized_angular_velocity(int body, double h) const requires(Dof == 6);
 
   /// The contacts of the last step, the impulse of each along its normal [N s], and all of it on body j, friction
   /// included.
@@ -223,7 +228,7 @@ class World {
   /// Rows that were updated so far, each as often as it was: a cost that is the same on every machine.
   std::int64_t row_updates() const { return row_updates_; }
 
-  /// From now on the stages are timed.
+  /// Starts stage timing.
   void time_stages() { clock_.start(); }
   const StageTimes& stage_times() const { return clock_.times(); }
 
@@ -236,7 +241,7 @@ class World {
   void resolve_impacts(double h);
   void build_rows(double h);
   void solve_rows(double h);
-  void begin_with_last_impulses(double h);
+  void warm_start_rows(double h);
   StopRule stop_rule(double h) const;
   void integrate(double h);
   void end_step(double h);
@@ -274,11 +279,11 @@ class World {
   std::vector<Contact> contacts_;    // of the last step
   std::vector<Row<Dof>> rows_;       // of the joints, then of the contacts
   std::size_t first_contact_row_ = 0;
-  std::vector<Rubbing> rubbing_;  // where friction follows what presses
-  std::vector<Twist<Dof>> V_;     // what the rows add to each velocity
-  StartImpulses start_;           // for the rows of the next step
+  std::vector<FrictionContact> rubbing_;  // where friction follows what presses
+  std::vector<Twist<Dof>> V_;             // what the rows add to each velocity
+  WarmStartCache start_;                  // for the rows of the next step
   SolveReport solved_;
-  StageClock clock_;
+  StepTimer clock_;
   std::int64_t steps_ = 0;
   double time_ = 0;
   double h_ = 0;  // of the last step [s]
@@ -286,9 +291,9 @@ class World {
   int impacts_ = 0;
   bool half_step_back_ = false;
   std::int64_t row_updates_ = 0;
-  Kept<Held<Dof>> held_;        // joints of steps that are composed
-  std::vector<Vec3> impulses_;  // of the forces, in one of them [N s]
-  std::vector<Vec3> spins_;     // of the torques [N m s]
+  ScratchCache<RattleJoints<Dof>> rattle_joints_;  // joints of steps that are composed
+  std::vector<Vec3> impulses_;                     // of the forces, in one of them [N s]
+  std::vector<Vec3> spins_;                        // of the torques [N m s]
 };
 
 /// Orientation, and angular velocity in world coordinates [rad/s], of a rigid body.

@@ -6,7 +6,7 @@
 namespace spook {
 
 template <int Dof>
-static Constraint<Dof> along(const Vec3& t, Contact contact, const Spook& spook) {
+static Constraint<Dof> along(const Vec3& t, Contact contact, const SpookParameters& spook) {
   contact.n = t;
   const ContactJacobian G = contact_jacobian(contact);
   return {
@@ -15,13 +15,13 @@ static Constraint<Dof> along(const Vec3& t, Contact contact, const Spook& spook)
 
 template <int Dof>
 std::array<Constraint<Dof>, 2> friction_constraints(const Contact& contact, const Tangents& tangents, double,
-                                                    const Spook& spook) {
+                                                    const SpookParameters& spook) {
   return {along<Dof>(tangents.t1, contact, spook), along<Dof>(tangents.t2, contact, spook)};
 }
 
 template std::array<Constraint<3>, 2> friction_constraints<3>(const Contact&, const Tangents&, double,
-                                                              const Spook&);
+                                                              const SpookParameters&);
 template std::array<Constraint<6>, 2> friction_constraints<6>(const Contact&, const Tangents&, double,
-                                                              const Spook&);
+                                                              const SpookParameters&);
 
 }  // namespace spook

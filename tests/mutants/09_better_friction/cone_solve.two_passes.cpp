@@ -6,14 +6,14 @@
 namespace spook {
 
 template <int Dof>
-SolveReport cone_solve(const std::vector<Rubbing>& contacts, std::vector<Row<Dof>>& rows,
+SolveReport cone_solve(const std::vector<FrictionContact>& contacts, std::vector<Row<Dof>>& rows,
                        std::vector<Twist<Dof>>& V, const StopRule& stop) {
   return two_pass_solve(contacts, rows, V, stop);
 }
 
-template SolveReport cone_solve<3>(const std::vector<Rubbing>&, std::vector<Row<3>>&, std::vector<Twist<3>>&,
-                                   const StopRule&);
-template SolveReport cone_solve<6>(const std::vector<Rubbing>&, std::vector<Row<6>>&, std::vector<Twist<6>>&,
-                                   const StopRule&);
+template SolveReport cone_solve<3>(const std::vector<FrictionContact>&, std::vector<Row<3>>&,
+                                   std::vector<Twist<3>>&, const StopRule&);
+template SolveReport cone_solve<6>(const std::vector<FrictionContact>&, std::vector<Row<6>>&,
+                                   std::vector<Twist<6>>&, const StopRule&);
 
 }  // namespace spook

@@ -6,14 +6,14 @@
 namespace spook {
 
 template <int Dof>
-double residual_on_cones(const std::vector<Rubbing>&, const std::vector<Row<Dof>>& rows,
+double residual_on_cones(const std::vector<FrictionContact>&, const std::vector<Row<Dof>>& rows,
                          const std::vector<Twist<Dof>>& V) {
   return residual(rows, V);
 }
 
-template double residual_on_cones<3>(const std::vector<Rubbing>&, const std::vector<Row<3>>&,
+template double residual_on_cones<3>(const std::vector<FrictionContact>&, const std::vector<Row<3>>&,
                                      const std::vector<Twist<3>>&);
-template double residual_on_cones<6>(const std::vector<Rubbing>&, const std::vector<Row<6>>&,
+template double residual_on_cones<6>(const std::vector<FrictionContact>&, const std::vector<Row<6>>&,
                                      const std::vector<Twist<6>>&);
 
 }  // namespace spook

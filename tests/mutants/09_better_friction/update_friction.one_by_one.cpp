@@ -6,7 +6,8 @@
 namespace spook {
 
 template <int Dof>
-double update_friction(const Rubbing& contact, std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V) {
+double update_friction(const FrictionContact& contact, std::vector<Row<Dof>>& rows,
+                       std::vector<Twist<Dof>>& V) {
   Row<Dof>&row1 = rows[contact.normal + 1], &row2 = rows[contact.normal + 2];
   const double radius = contact.mu * rows[contact.normal].lambda;
   const Vec2 before(row1.lambda, row2.lambda);
@@ -23,7 +24,7 @@ double update_friction(const Rubbing& contact, std::vector<Row<Dof>>& rows, std:
   return row1.diagonal * (after - before).norm();
 }
 
-template double update_friction<3>(const Rubbing&, std::vector<Row<3>>&, std::vector<Twist<3>>&);
-template double update_friction<6>(const Rubbing&, std::vector<Row<6>>&, std::vector<Twist<6>>&);
+template double update_friction<3>(const FrictionContact&, std::vector<Row<3>>&, std::vector<Twist<3>>&);
+template double update_friction<6>(const FrictionContact&, std::vector<Row<6>>&, std::vector<Twist<6>>&);
 
 }  // namespace spook

@@ -89,7 +89,7 @@ class SceneWriter:
         mass, inertia = mass * (1 - links * _LINK), inertia * (1 - links * _LINK)
         moments, q = principal(inertia)
         shape = self._shape(part, x, q)
-        if "half_sides" in shape:  # along the box's own axes
+        if "half_sides" in shape or "half_length" in shape:  # along the geom's own axes
             moments, q = part.geoms[0].moments, from_matrix(part.geoms[0].R)
         body = {"x": _list(x), "q": _list(q), "mass": mass, "principal": _list(moments)} | shape
         number = self._part_number[id(part)] = self._add(body, part.name, x, q)
@@ -110,7 +110,7 @@ class SceneWriter:
                              "p_i": _list(in_axes(q_i, point - x_i)), "p_j": _list(in_axes(q_j, point - x_j))} | held)
 
     def _shape(self, part: Part, x: np.ndarray, q: np.ndarray) -> dict:
-        """A sphere or a box where a free body is one; else points that planes stop."""
+        """A sphere, a capsule or a box where a free body is one; else points that planes stop."""
         geoms = [geom for geom in part.geoms if any(geom.touches(masks_of(plane)) for plane in self._planes)]
         if not geoms:
             return {}
@@ -118,6 +118,8 @@ class SceneWriter:
         alone = alone and not any(each.parent is part for each in self._model.parts)
         if alone and geoms[0].kind == "sphere":
             return {"radius": float(geoms[0].size[0])}
+        if alone and geoms[0].kind == "capsule":
+            return {"radius": float(geoms[0].size[0]), "half_length": float(geoms[0].size[1])}
         if alone and geoms[0].kind == "box":
             return {"half_sides": _list(geoms[0].size)}
         self._model.leave_out("contacts of bodies with joints, or of several geoms, with anything but planes")

@@ -9,7 +9,7 @@ from typing_extensions import Self
 Vector = Sequence[float] | NDArray[np.float64]  # of three numbers
 Array = NDArray[np.float64]
 
-class Blowup(RuntimeError):
+class SimulationDiverged(RuntimeError):
     """A position or velocity is no longer finite, or a distance has lost its direction."""
 
 class _EitherWorld:
@@ -18,9 +18,9 @@ class _EitherWorld:
     def __init__(self, *, gravity: Vector = (0, 0, -9.81), k: float = 1e6, d: float | None = None, friction: float = 0,
                  viscosity: float = 1e12, restitution: float | None = None, threshold: float = 1e-9,
                  solver: str = "auto", iterations: int = 50, tolerance: float = 0, warm_start: bool = False,
-                 margin: float | None = None, threads: int = 1) -> None:
+                 contact_margin: float | None = None, threads: int = 1) -> None:
         """gravity [m/s²]; k [N/m] and d [steps] of contacts and joints; friction is μ; impacts only with a restitution,
-        beyond the threshold [m/s]; tolerance [m/s]; margin [m]. Raises ValueError for what makes no sense."""
+        beyond the threshold [m/s]; tolerance [m/s]; contact_margin [m]. Raises ValueError for what makes no sense."""
     def add_fixed(self, x: Vector, radius: float = 0) -> int:
         """Adds a body that nothing moves; a sphere, if it has a radius [m]."""
     def add_plane(self, n: Vector = (0, 0, 1), offset: float = 0) -> int:
@@ -30,7 +30,7 @@ class _EitherWorld:
         """Joins points p_i, p_j of two bodies, in their axes [m]: a distance if length is given, else a ball joint."""
     def remove_joint(self, joint: int) -> None:
         """Takes a joint out; the indices of those after it go down by one."""
-    def push(self, body: int, impulse: Vector) -> None:
+    def apply_central_impulse(self, body: int, impulse: Vector) -> None:
         """An impulse through the body's centre [N s]."""
     def place(self, body: int, x: Vector | None = None, v: Vector | None = None) -> None:
         """Puts a body that moves somewhere [m], and lets it move [m/s]; what is left out stays as it is."""
@@ -40,10 +40,10 @@ class _EitherWorld:
         """Takes the velocities half a step back, under gravity alone; once, before the first step."""
     def start_consistently(self, h: float) -> None:
         """The same, with what contacts and joints hold against; once, before the first step."""
-    def v_beside_x(self, body: int, h: float) -> Array:
+    def synchronized_velocity(self, body: int, h: float) -> Array:
         """The velocity at the time of the position, from the one half a step of h before [m/s]."""
     def step(self, h: float, steps: int = 1) -> None:
-        """Moves on by so many steps of h [s]. Raises ValueError for h, and Blowup."""
+        """Moves on by so many steps of h [s]. Raises ValueError for h, and SimulationDiverged."""
     @property
     def time(self) -> float:
         """[s]"""
@@ -84,16 +84,17 @@ class World(_EitherWorld):
 
     def add(self, *, x: Vector = ..., v: Vector = ..., mass: float = 1, radius: float = 0,
             q: Sequence[float] = (1, 0, 0, 0), omega: Vector = ..., principal: Vector | None = None,
-            half_sides: Vector = ..., corners: Sequence[Vector] = ()) -> int:
-        """Adds a rigid body and returns its index: a sphere of a radius, a box of half_sides, or corners that planes
-        stop [m]. principal are its moments of inertia [kg m²]; a sphere and a box know theirs. Raises BufferError
+            half_length: float = 0, half_sides: Vector = ..., corners: Sequence[Vector] = ()) -> int:
+        """Adds a rigid body and returns its index: a sphere of a radius, a capsule of a radius and a half_length along its
+        z axis, a box of half_sides, or corners that planes stop [m]. principal are its moments of inertia [kg m²]; spheres,
+        capsules and boxes know theirs. Raises BufferError
         while there are arrays that look at the bodies."""
     def set_force(self, body: int, force: Vector = (0, 0, 0), torque: Vector = (0, 0, 0)) -> None:
         """At its centre from now on, beside its weight [N, N m], in world coordinates; until it is set anew."""
     def turn(self, body: int, q: Sequence[float] | None = None, omega: Vector | None = None) -> None:
         """Gives a body that moves an orientation, and lets it turn [rad/s]; what is left out stays as it is."""
-    def omega_beside_x(self, body: int, h: float) -> Array:
-        """The angular velocity at the time of the position, as v_beside_x."""
+    def synchronized_angular_velocity(self, body: int, h: float) -> Array:
+        """The angular velocity at the time of the position, as synchronized_velocity."""
     def add_hinge(self, i: int, j: int, p_i: Vector = ..., p_j: Vector = ..., axis: Vector = (0, 0, 1),
                   limits: Sequence[float] | None = None, motor: Sequence[float] | None = None,
                   k: float | None = None, d: float | None = None, k_turn: float | None = None) -> int:

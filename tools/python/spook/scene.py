@@ -13,8 +13,8 @@ import numpy as np
 from . import _spook
 from .film import page, show
 
-OPTIONS = ("h", "time", "solver", "iterations", "tolerance", "substeps", "compose", "order", "seed", "warm_start", "margin",
-           "friction_model", "tangents", "threads")
+OPTIONS = ("h", "time", "solver", "iterations", "tolerance", "substeps", "integrator_order", "row_order", "seed",
+           "warm_start", "contact_margin", "friction_model", "tangents", "threads")
 
 
 def as_typed(value: Any) -> str:
@@ -37,13 +37,13 @@ class Scene:
         self.check({})
 
     def run(self, *, h: Any = None, time: Any = None, solver: str | None = None, iterations: int | None = None,
-            tolerance: float | None = None, substeps: int | None = None, compose: int | None = None,
-            order: str | None = None, seed: int | None = None, warm_start: bool | None = None, margin: float | None = None,
-            friction_model: str | None = None, tangents: str | None = None, threads: int | None = None) -> Run:
+            tolerance: float | None = None, substeps: int | None = None, integrator_order: int | None = None,
+            row_order: str | None = None, seed: int | None = None, warm_start: bool | None = None,
+            contact_margin: float | None = None, friction_model: str | None = None, tangents: str | None = None, threads: int | None = None) -> Run:
         """Runs it and compares it with its answer; then runs it again without looking, for its speed.
 
         What is not given is the scene's own. h and time are in seconds. Raises ValueError for what makes no sense, and
-        Blowup. Other threads of Python go on in the meantime.
+        SimulationDiverged. Other threads of Python go on in the meantime.
         """
         given = {name: value for name, value in locals().items() if name in OPTIONS and value is not None}
         return self.run_with(given)

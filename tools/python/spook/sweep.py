@@ -12,7 +12,7 @@ from typing import Any, Iterable, Iterator
 
 import numpy as np
 
-from ._spook import Blowup
+from ._spook import SimulationDiverged
 from .scene import OPTIONS, Scene
 
 RESULTS = ("h", "error", "order", "state", "us_per_step", "seconds", "row_updates")
@@ -102,7 +102,7 @@ def _row(scene: Scene, options: dict[str, Any]) -> dict[str, Any]:
     none = dict.fromkeys(RESULTS, math.nan)
     try:
         run = scene.run_with(options)
-    except Blowup:
+    except SimulationDiverged:
         return none | {"state": "blew up"}
     return none | {"h": run.h, "error": run.error, "state": run.state, "us_per_step": run.us_per_step or math.nan,
                    "seconds": run.seconds, "row_updates": run.row_updates}

@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "common/require.hpp"
-#include "engine/world/world.hpp"
 
 namespace spook {
 
@@ -34,8 +33,8 @@ int World<Dof>::add_joint(const Joint& given) {
     if (!joint.p_j.isZero(0)) reject("|p_j|", joint.p_j.norm(), "0 for a point mass");
   }
   if (!joint.k) joint.k = settings_.k;
-  if (!joint.d) joint.d = settings_.d.value_or(settings_.compose == 4 ? 0 : relaxation_of_joints);
-  const Spook spook = spook_parameters(1, *joint.k, *joint.d);
+  if (!joint.d) joint.d = settings_.d.value_or(settings_.integrator_order == 4 ? 0 : relaxation_of_joints);
+  const SpookParameters spook = spook_parameters(1, *joint.k, *joint.d);
   if (joint.length) {
     if (joint.kind == JointKind::ball) joint.kind = JointKind::distance;
     require_kind(joint.kind == JointKind::distance, joint, "distance, where it has a length");
@@ -204,8 +203,5 @@ double World<Dof>::limit_force(int joint) const requires(Dof == 6) {
   const Joint& found = free_joint(joint);
   return found.limits ? along_free(joint, found.holding_rows()) : 0;
 }
-
-template class World<3>;
-template class World<6>;
 
 }  // namespace spook

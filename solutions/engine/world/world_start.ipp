@@ -1,7 +1,6 @@
 // How a world starts: velocities half a step behind positions, as leapfrog wants them.
 #include "11_direct/direct.hpp"
 #include "common/require.hpp"
-#include "engine/world/world.hpp"
 
 namespace spook {
 
@@ -18,7 +17,7 @@ void World<Dof>::begin_half_a_step_back(const char* how, double h) {
 template <int Dof>
 void World<Dof>::start_half_step_back(double h) {
   begin_half_a_step_back("start_half_step_back", h);
-  if (settings_.compose == 4) return;
+  if (settings_.integrator_order == 4) return;
   evaluate_forces(h);
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     Twist<Dof>& W = bodies_.motion.W[i];
@@ -70,7 +69,7 @@ static std::vector<bool> rows_of_motors(const std::vector<Joint>& joints, std::s
 template <int Dof>
 void World<Dof>::start_consistently(double h) {
   begin_half_a_step_back("start_consistently", h);
-  if (settings_.compose == 4) return;
+  if (settings_.integrator_order == 4) return;
   if (shapes_.may_touch()) find_contacts(h);
   evaluate_forces(h);
   prepare_motion(h);
@@ -97,9 +96,9 @@ void World<Dof>::start_consistently(double h) {
 }
 
 template <int Dof>
-Vec3 World<Dof>::v_beside_x(int body, double h) const {
+Vec3 World<Dof>::synchronized_velocity(int body, double h) const {
   const std::size_t i = index(body);
-  if (settings_.compose == 4) return v(body);
+  if (settings_.integrator_order == 4) return v(body);
   Vec3 now = force(i);
   if (settings_.wrench && !bodies_.is_fixed(i)) now += settings_.wrench(i, bodies_, time_).template head<3>();
   return half_step_start(v(body), now, bodies_.motion.inverse_mass[i].linear, -h);
@@ -107,16 +106,13 @@ Vec3 World<Dof>::v_beside_x(int body, double h) const {
 
 // `if constexpr`, though `requires` says the same: clang before 16 compiles this for point masses, too.
 template <int Dof>
-Vec3 World<Dof>::omega_beside_x(int body, double h) const requires(Dof == 6) {
+Vec3 World<Dof>::synchronized_angular_velocity(int body, double h) const requires(Dof == 6) {
   const std::size_t i = index(body);
   const Vec3 omega = bodies_.motion.W[i].template tail<3>();
   if constexpr (Dof == 6)
-    if (settings_.compose != 4)
+    if (settings_.integrator_order != 4)
       return omega + gyroscopic_change(settings_.rotation, bodies_.orientations, i, omega, h / 2);
   return omega;
 }
-
-template class World<3>;
-template class World<6>;
 
 }  // namespace spook

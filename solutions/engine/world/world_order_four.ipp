@@ -1,6 +1,5 @@
 // A step of order four, engine/integration/rattle.hpp, and what it refuses.
 #include "common/require.hpp"
-#include "engine/world/world.hpp"
 
 namespace spook {
 
@@ -12,15 +11,16 @@ void World<Dof>::step_composed(double h) {
   solved_.history.clear();
   impulses_.assign(bodies_.size(), Vec3::Zero());
   spins_.assign(settings_.wrench ? bodies_.size() : 0, Vec3::Zero());
-  Held<Dof>& held = *held_;
+  RattleJoints<Dof>& held = *rattle_joints_;
   held.begin_step(bodies_);
   double before = 0, now = time_;
   for (const double share : parts_of_order_four()) {
     const double part = share * h;
     clock_.run(Stage::forces, [&] { kick_all((before + part) / 2, now); });
     clock_.run(Stage::rows, [&] { held.begin(joints_, bodies_, rows_, solved_); });
-    clock_.run(Stage::solve,
-               [&] { held.drift(joints_, part, settings_.stop, settings_.rotation, rows_, bodies_, solved_); });
+    clock_.run(Stage::solve, [&] {
+      held.drift(joints_, part, settings_.solver_limits, settings_.rotation, rows_, bodies_, solved_);
+    });
     now += part;
     before = part;
   }
@@ -59,13 +59,13 @@ void World<Dof>::kick_all(double h, double time) {
   }
 }
 
-static const std::string refused = "compose must be 2 with ", reason = ", but is 4: ";
+static const std::string refused = "integrator_order must be 2 with ", reason = ", but is 4: ";
 
 /// Throws std::invalid_argument for what steps that are composed can not have.
 template <int Dof>
 void World<Dof>::require_smooth() const {
-  if (settings_.compose == 2) return;
-  if (settings_.compose != 4) reject("compose", settings_.compose, "2 or 4");
+  if (settings_.integrator_order == 2) return;
+  if (settings_.integrator_order != 4) reject("integrator_order", settings_.integrator_order, "2 or 4");
   if (settings_.d) require_no_relaxation(*settings_.d);
   if constexpr (Dof == 6)
     if (settings_.rotation.update != RotationUpdate::splitting)
@@ -79,7 +79,7 @@ void World<Dof>::require_smooth() const {
 
 template <int Dof>
 void World<Dof>::require_smooth(const Joint& joint) const {
-  if (settings_.compose == 2) return;
+  if (settings_.integrator_order == 2) return;
   require_no_relaxation(*joint.d);
   if (joint.limits)
     throw std::invalid_argument(refused + "a limit" + reason +
@@ -90,8 +90,8 @@ void World<Dof>::require_smooth(const Joint& joint) const {
 
 template <int Dof>
 void World<Dof>::require_no_relaxation(double d) const {
-  if (settings_.compose == 4 && d > 0)
-    reject("d", d, "0 with compose 4: what relaxation loses, a step backwards does not give back");
+  if (settings_.integrator_order == 4 && d > 0)
+    reject("d", d, "0 with integrator_order 4: what relaxation loses, a step backwards does not give back");
 }
 
 /// Throws std::invalid_argument for a wrench that is another one where bodies are as they are, but move otherwise.
@@ -108,8 +108,5 @@ void World<Dof>::require_wrench_of_places() const {
                                   "what brakes forwards speeds up backwards");
   }
 }
-
-template class World<3>;
-template class World<6>;
 
 }  // namespace spook

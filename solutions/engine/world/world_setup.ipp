@@ -3,7 +3,6 @@
 
 #include "common/require.hpp"
 #include "engine/support/parallel_for.hpp"
-#include "engine/world/world.hpp"
 
 namespace spook {
 
@@ -14,7 +13,7 @@ static void require_weight_in_box(const Settings<Dof>& settings, bool forced) {
   if (boxed && forced && settings.gravity.isZero(0))
     throw std::invalid_argument(
         "gravity must not be 0 where force presses bodies together: the friction box takes its bound from it; "
-        "solver cone() or two_pass() does not");
+        "solver cone_gauss_seidel() or two_pass() does not");
 }
 
 template <int Dof>
@@ -28,11 +27,11 @@ World<Dof>::World(Settings<Dof> settings)
   require_positive("k", settings_.k);
   if (settings_.d) require_not_negative("d", *settings_.d);
   require_not_negative("friction", settings_.friction);
-  if (settings_.margin) require_not_negative("margin", *settings_.margin);
+  if (settings_.contact_margin) require_not_negative("contact_margin", *settings_.contact_margin);
   if (!(settings_.viscosity > 0)) reject("viscosity", settings_.viscosity, "positive; it may be infinite");
   if (settings_.impacts) spook::resolve_impacts<Dof>({}, *settings_.impacts, bodies_.motion);
-  require_positive("max_sweeps", settings_.stop.max_sweeps);
-  require_not_negative("tolerance", settings_.stop.tolerance);
+  require_positive("max_sweeps", settings_.solver_limits.max_sweeps);
+  require_not_negative("tolerance", settings_.solver_limits.tolerance);
   if (settings_.threads < 1 || settings_.threads > most_threads)
     reject("threads", settings_.threads, "from 1 to " + std::to_string(most_threads));
   if (!settings_.solver.solve) throw std::invalid_argument("solver must be one of solvers(), but is null");
@@ -43,21 +42,7 @@ World<Dof>::World(Settings<Dof> settings)
 template <int Dof>
 int World<Dof>::add(const Body<Dof>& body) {
   const int i = bodies_.add(body);
-  Solid solid{.body = i, .radius = body.radius, .half_sides = Vec3::Zero(), .fixed = false};
-  if constexpr (Dof == 6) {
-    solid.half_sides = body.half_sides;
-    if (!body.corners.empty()) {
-      shapes_.corners.push_back({.body = i, .points = body.corners});
-      double farthest = 0;
-      for (const Vec3& corner : body.corners) farthest = std::max(farthest, corner.norm());
-      shapes_.smallest = std::min(shapes_.smallest, farthest);
-    }
-  }
-  if (solid.radius > 0 || !solid.half_sides.isZero(0)) {
-    shapes_.solids.push_back(solid);
-    shapes_.smallest =
-        std::min(shapes_.smallest, solid.radius > 0 ? solid.radius : solid.half_sides.minCoeff());
-  }
+  shapes_.add(i, shape_of(body), false);
   require_smooth();
   return i;
 }
@@ -66,20 +51,24 @@ template <int Dof>
 int World<Dof>::add_fixed(const Vec3& x, double radius) {
   require_not_negative("radius", radius);
   const int i = bodies_.add_fixed(x);
-  if (radius > 0)
-    shapes_.solids.push_back({.body = i, .radius = radius, .half_sides = Vec3::Zero(), .fixed = true});
+  if (radius > 0) shapes_.add(i, Sphere{radius}, true);
   require_smooth();
   return i;
 }
 
-// `if constexpr`, though `requires` says the same: clang before 16 compiles this for point masses, too.
 template <int Dof>
 int World<Dof>::add_fixed_box(const Vec3& x, const Vec3& half_sides, const Quat& q) requires(Dof == 6) {
-  for (const double half_side : half_sides) require_positive("half side", half_side);
+  return add_fixed(x, Cuboid{half_sides}, q);
+}
+
+// `if constexpr`, though `requires` says the same: clang before 16 compiles this for point masses, too.
+template <int Dof>
+int World<Dof>::add_fixed(const Vec3& x, const Shape& shape, const Quat& q) requires(Dof == 6) {
+  require_sound(shape);
   require_unit_length("q", q.norm());
   const int i = bodies_.add_fixed(x);
   if constexpr (Dof == 6) bodies_.orientations.q.back() = q.normalized();
-  shapes_.solids.push_back({.body = i, .radius = 0, .half_sides = half_sides, .fixed = true});
+  shapes_.add(i, shape, true);
   require_smooth();
   return i;
 }
@@ -157,14 +146,14 @@ void World<Dof>::move_fixed(int body, const Vec3& x) {
 }
 
 template <int Dof>
-void World<Dof>::push(int body, const Vec3& impulse) {
+void World<Dof>::apply_central_impulse(int body, const Vec3& impulse) {
   const std::size_t i = index(body);
   require_all_finite("impulse", impulse);
   bodies_.motion.W[i].template head<3>() += bodies_.motion.inverse_mass[i].linear * impulse;
 }
 
 template <int Dof>
-void World<Dof>::go_on_from(const World& other) {
+void World<Dof>::take_state_from(const World& other) {
   for (std::size_t i = 0; i < std::min(bodies_.size(), other.bodies_.size()); ++i) {
     if (bodies_.is_fixed(i) || other.bodies_.is_fixed(i)) continue;
     bodies_.x[i] = other.bodies_.x[i];
@@ -225,15 +214,12 @@ StepReport World<Dof>::report() const {
           .impacts = impacts_,
           .rows = static_cast<int>(rows_.size()),
           .iterations = static_cast<int>(solved_.history.size()),
-          .residual = rows_.empty()            ? 0
-                      : settings_.compose == 4 ? solved_.history.back()
+          .residual = rows_.empty()                     ? 0
+                      : settings_.integrator_order == 4 ? solved_.history.back()
                       : settings_.solver.friction == FrictionModel::cone
                           ? residual_on_cones(rubbing_, rows_, V_)
                           : residual(rows_, V_),
           .trouble = solved_.trouble};
 }
-
-template class World<3>;
-template class World<6>;
 
 }  // namespace spook

@@ -9,7 +9,7 @@
 
 namespace spook::testing {
 
-inline constexpr double small_parts[] = {1e-1, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13};
+inline constexpr double relative_scales[] = {1e-1, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13};
 
 inline const std::string small_is_dropped =
     "Has something been left out because it is small beside something else, as in `if (x < 1e-6 * y)`? It is "

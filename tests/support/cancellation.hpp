@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "04_gauss_seidel/gauss_seidel.hpp"
-#include "small_parts.hpp"
+#include "relative_scales.hpp"
 
 namespace spook::testing {
 
 /// A row with S_kk = 3/kg and no bounds, between two bodies of 1 kg.
-struct UnlikeTerms {
+struct CancellationCase {
   Row<3> row;
   std::vector<Twist<3>> V;
   double lacks;  ///< [m/s]
@@ -18,10 +18,10 @@ struct UnlikeTerms {
 };
 
 /// One of the four is 1 m/s, another is a part of that, and the other two are 0.
-inline std::vector<UnlikeTerms> unlike_terms(double part) {
+inline std::vector<CancellationCase> cancellation_cases(double part) {
   const std::string names[] = {"B", "G_i V_i", "G_j V_j", "Σ λ"};
   const Twist<3> up(0, 0, 1);
-  std::vector<UnlikeTerms> all;
+  std::vector<CancellationCase> all;
   for (int large = 0; large < 4; ++large)
     for (int small = 0; small < 4; ++small) {
       if (large == small) continue;

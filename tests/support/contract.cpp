@@ -1,4 +1,4 @@
-#include "any_units.hpp"
+#include "contract.hpp"
 
 #include <algorithm>
 #include <bit>

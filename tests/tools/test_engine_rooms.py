@@ -1,0 +1,65 @@
+"""The map of the engine, solutions/engine/README.md, is true: which file is in which room, and what a room includes."""
+
+import re
+import unittest
+from pathlib import Path
+
+from sandbox import ROOT
+
+ENGINE = ROOT / "solutions" / "engine"
+_ROW = re.compile(r"^\| `(\w+)/` \| (.+) \| (.*) \|$", re.MULTILINE)
+_LINK = re.compile(r"\]\((\w+)/(\w+\.hpp)\)")
+_INCLUDE = re.compile(r'^#include "engine/(\w+)/', re.MULTILINE)
+
+
+def rooms() -> dict[str, tuple[str, str]]:
+    """What each room holds, and what it may include, as the map says."""
+    text = (ENGINE / "README.md").read_text(encoding="utf-8")
+    return {name: (holds, may) for name, holds, may in _ROW.findall(text)}
+
+
+def allowed(may: str, name: str, names: list[str]) -> set[str]:
+    if may.startswith("all"):
+        return set(names) - set(re.findall(r"but (\w+)", may))
+    return {name, *re.findall(r"\w+", may)}
+
+
+class Rooms(unittest.TestCase):
+    def test_the_map_names_every_room_and_every_header(self):
+        told = rooms()
+        self.assertEqual(set(told), {path.name for path in ENGINE.iterdir() if path.is_dir()})
+        self.assertEqual([path.name for path in ENGINE.iterdir() if path.is_file()], ["README.md"])
+        for name, (holds, _) in told.items():
+            headers = {path.name for path in (ENGINE / name).glob("*.hpp")}
+            with self.subTest(room=name):
+                self.assertEqual({header for room, header in _LINK.findall(holds) if room == name}, headers)
+                self.assertEqual({room for room, _ in _LINK.findall(holds)}, {name})
+
+    def test_a_room_includes_only_what_the_map_allows(self):
+        told = rooms()
+        for name, (_, may) in told.items():
+            permitted = allowed(may, name, list(told))
+            for file in sorted((ENGINE / name).iterdir()):
+                used = set(_INCLUDE.findall(file.read_text(encoding="utf-8")))
+                with self.subTest(file=f"{name}/{file.name}"):
+                    self.assertLessEqual(used, permitted | {name})
+
+    def test_there_is_no_circle(self):
+        told = rooms()
+        left = {name: allowed(may, name, list(told)) - {name} for name, (_, may) in told.items()}
+        while left:
+            free = [name for name, needs in left.items() if not needs & set(left)]
+            self.assertTrue(free, f"these rooms include each other: {sorted(left)}")
+            for name in free:
+                del left[name]
+
+    def test_every_file_is_in_a_room_and_includes_by_its_full_name(self):
+        for file in sorted(ENGINE.glob("*/*.[ch]pp")):
+            with self.subTest(file=file.name):
+                for name in re.findall(r'^#include "([^"]+)"', file.read_text(encoding="utf-8"), re.MULTILINE):
+                    self.assertIn("/", name)
+                    self.assertTrue(any((ROOT / top / name).exists() for top in ("solutions", "chapters")), name)
+
+
+if __name__ == "__main__":
+    unittest.main()
