@@ -50,6 +50,7 @@ class Tree:
         if not settings and (self.path / "build.ninja").exists() and self._is_of_this_course() and self._is_current():
             return
         if not self._is_of_this_course():
+            self._say_that_it_was_moved()
             (self.path / "CMakeCache.txt").unlink(missing_ok=True)
         live = Live(f"configuring {shown(self.path)}")
         log = self.path / "course-configure.log"
@@ -89,6 +90,11 @@ class Tree:
 
     def _is_of_this_course(self) -> bool:
         return self.setting("CMAKE_HOME_DIRECTORY") in ("", str(ROOT))
+
+    def _say_that_it_was_moved(self) -> None:
+        """Why a student who renamed the folder waits: paths in what is built are those of the old place."""
+        print(f"{shown(self.path)} was built for {self.setting('CMAKE_HOME_DIRECTORY')}, and the course is in {ROOT} now: "
+              "it is built anew.", file=sys.stderr, flush=True)
 
     def _is_current(self) -> bool:
         """Whether CMake has seen the presets as they are now, and this Python; ninja itself looks after the rest."""
