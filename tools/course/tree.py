@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from errors import CourseError
+from machine import processors
 from paths import BUILD, ROOT, shown
 from process import from_failure, stream, tail
 from terminal import Live
@@ -25,7 +26,7 @@ class Built:
 
 def jobs() -> int:
     given = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", "")
-    return int(given) if given.isdecimal() and int(given) > 0 else len(os.sched_getaffinity(0))
+    return int(given) if given.isdecimal() and int(given) > 0 else processors()
 
 
 class Tree:

@@ -1,0 +1,31 @@
+"""Where libraries for the browser are: Debian's folders, or those into which npm installs for the course."""
+
+from pathlib import Path
+
+from machine import conda, is_mac
+from paths import STATE
+
+NPM_FOLDER = STATE / "npm"
+_DEBIAN = Path("/usr/share/javascript")
+
+
+def _from_npm(name: str) -> bool:
+    return not (_DEBIAN / name).exists() and (is_mac() or conda() is not None or (_npm(name)).exists())
+
+
+def _npm(name: str) -> Path:
+    return NPM_FOLDER / "node_modules" / name
+
+
+def three() -> Path:
+    """The folder with examples/ in it."""
+    return _npm("three") if _from_npm("three") else _DEBIAN / "three"
+
+
+def three_min() -> Path:
+    return three() / "build" / "three.min.js" if _from_npm("three") else three() / "three.min.js"
+
+
+def katex() -> Path:
+    """The folder with katex.js in it."""
+    return _npm("katex") / "dist" if _from_npm("katex") else _DEBIAN / "katex"
