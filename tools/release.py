@@ -22,14 +22,14 @@ from version import version  # noqa: E402
 
 
 def changes(release: str) -> str:
-    """What CHANGELOG.md says of a release, without its heading; empty if it says nothing."""
+    """Reads the part of CHANGELOG.md about a release, without its heading; empty if there is none."""
     text = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
     found = re.search(rf"^## {re.escape(release)}$(.*?)(?=^## |\Z)", text, re.MULTILINE | re.DOTALL)
     return found[1].strip() + "\n" if found and found[1].strip() else ""
 
 
 def check() -> str:
-    """The version that is released here; raises if something is missing."""
+    """Returns the version that is released here; raises if something is missing."""
     release = version()
     tags = _git("tag", "--points-at", "HEAD").split()
     if f"v{release}" not in tags:

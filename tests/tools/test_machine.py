@@ -28,7 +28,7 @@ from needs import BOOK_NEEDS, NEEDS, VIEW_NEEDS
 from trial import run_limited
 
 _SYSTEM_TOOLS = ("sh", "dirname", "readlink", "id", "cat", "chmod", "mkdir", "touch", "env")
-# What Python has on Linux only, taken away before the course begins.
+# Takes away what Python has on Linux only, before the course begins.
 _MAC_PYTHON = """
 import os, resource
 _said = os.uname()
@@ -165,7 +165,7 @@ class MacParts(unittest.TestCase):
 
 
 class Symbols(unittest.TestCase):
-    """As nm lists them on macOS, with one more _ before each name."""
+    """Reads symbols as nm lists them on macOS, with one more _ before each name."""
 
     NAMES = "__ZN5spook4kickEv T 0 0\n__ZN5spook4kickEi t 0 0\n__ZN5spook5driftEv T 0 0\n_main T 0 0\n\n"
 
@@ -183,7 +183,8 @@ class Symbols(unittest.TestCase):
 
     def test_an_empty_reference_is_no_reason_to_pass(self):
         exercise = next(exercise for exercise in all_exercises() if exercise.function == "residual")
-        with mock.patch.object(symbols, "reference_functions", return_value=set()), self.assertRaises(CourseError) as caught:
+        with mock.patch.object(symbols, "reference_functions", return_value=set()), \
+             self.assertRaises(CourseError) as caught:
             symbols.missing_functions(mock.Mock(), exercise)
         self.assertIn("nm finds no residual", str(caught.exception))
 
@@ -202,9 +203,11 @@ class Conda(unittest.TestCase):
         with mock.patch.dict(os.environ, {"CONDA_PREFIX": str(self.fake.root)}), \
              self.assertRaises(CourseError) as caught:
             install._install(["ninja-build"], yes=True)
-        self.assertEqual(str(caught.exception), "missing: ninja-build; install with:  conda env update -f environment.yml")
+        self.assertEqual(str(caught.exception),
+                         "missing: ninja-build; install with:  conda env update -f environment.yml")
         with mock.patch.dict(os.environ, {"CONDA_PREFIX": str(self.fake.root)}):
-            self.assertEqual(machine.header_folders(), (f"{self.fake.root}/include", f"{self.fake.root}/include/eigen3"))
+            include = f"{self.fake.root}/include"
+            self.assertEqual(machine.header_folders(), (include, f"{include}/eigen3"))
 
     def test_libraries_for_the_browser_come_by_npm(self):
         with mock.patch.dict(os.environ, {"CONDA_PREFIX": str(self.fake.root)}), \
@@ -257,7 +260,8 @@ class PythonWithoutLinux(unittest.TestCase):
     def limited(self, text: str, **options) -> tuple[int, bool, str]:
         """The exit code, whether it took too long, and what is printed, of a shell's program."""
         with tempfile.TemporaryDirectory() as folder, open(Path(folder, "out"), "wb") as out:
-            code, late = run_limited(["sh", "-c", text, "a name", "two words"], out, dict(os.environ), folder, **options)
+            command = ["sh", "-c", text, "a name", "two words"]
+            code, late = run_limited(command, out, dict(os.environ), folder, **options)
             return code, late, Path(folder, "out").read_text()
 
     def test_limits(self):

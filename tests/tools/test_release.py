@@ -17,10 +17,10 @@ _IDENTITY = ("-c", "user.name=S", "-c", "user.email=s@localhost", "-c", "commit.
 
 class Version(unittest.TestCase):
     def test_it_is_stated_once(self):
-        """What needs it reads CMakeLists.txt. Only the list of changes and tests name releases."""
+        """Everything else reads CMakeLists.txt. Only the list of changes and tests name releases."""
         stating = re.compile(rf"(?i)version\W{{1,4}}v?{re.escape(version())}\b")
-        files = [name for name in our_files() if name.suffix in (".txt", ".py", ".toml", ".cff", ".json", ".yml", ".cmake")
-                 and name.parts[0] != "tests"]
+        kinds = (".txt", ".py", ".toml", ".cff", ".json", ".yml", ".cmake")
+        files = [name for name in our_files() if name.suffix in kinds and name.parts[0] != "tests"]
         found = [str(name) for name in files
                  if any(stating.search(line) and "such as" not in line
                         for line in (ROOT / name).read_text(encoding="utf-8").splitlines())]
@@ -121,7 +121,7 @@ class Release(unittest.TestCase):
 
     def test_a_release_without_a_word_about_it_is_refused(self):
         self.git("tag", f"v{version()}")
-        (self.here / "CHANGELOG.md").write_text(f"# Changes\n\n## Unreleased\n\n- x\n\n## {version()}\n\n## 0.1.0\n\n- y\n")
+        (self.here / "CHANGELOG.md").write_text(f"## Unreleased\n\n- x\n\n## {version()}\n\n## 0.1.0\n\n- y\n")
         self.refused("CHANGELOG.md", f"'## {version()}'")
 
 

@@ -16,12 +16,16 @@ KICK, DRIFT = "chapters/01_leapfrog/kick.cpp", "chapters/01_leapfrog/drift.cpp"
 HEADER, HINTS = "chapters/01_leapfrog/leapfrog.hpp", "chapters/01_leapfrog/hints.md"
 TESTS = "tests/01_leapfrog/kick_drift_start_test.cpp"
 MINE = '#include "01_leapfrog/leapfrog.hpp"\n// mine\n'
+# The small course that is released.
+_TOP = ("course", "CMakeLists.txt", ".gitignore", ".gitattributes", "README.md", "CMakePresets.json")
+_FOLDERS = ("tools/course/", "chapters/common/", "chapters/01_", "chapters/02_", "tests/01_", "tests/02_")
 _IDENTITY = {"GIT_AUTHOR_NAME": "S", "GIT_AUTHOR_EMAIL": "s@localhost", "GIT_COMMITTER_NAME": "S",
              "GIT_COMMITTER_EMAIL": "s@localhost", "GIT_CONFIG_GLOBAL": os.devnull, "GIT_CONFIG_SYSTEM": os.devnull}
 
 
 def git(folder: Path, *words: str) -> str:
-    done = subprocess.run(["git", "-C", str(folder), *words], capture_output=True, text=True, env=os.environ | _IDENTITY)
+    done = subprocess.run(["git", "-C", str(folder), *words], capture_output=True, text=True,
+                          env=os.environ | _IDENTITY)
     if done.returncode != 0:
         raise AssertionError(f"git {' '.join(words)}: {done.stderr}")
     return done.stdout.rstrip("\n")
@@ -66,9 +70,7 @@ class Updating(unittest.TestCase):
         stubs = {exercise.file.relative_to(ROOT): exercise for exercise in all_exercises()}
         for name in course_files():
             path = name.as_posix()
-            if not (path in ("course", "CMakeLists.txt", ".gitignore", ".gitattributes", "README.md", "CMakePresets.json")
-                    or path.startswith(("tools/course/", "chapters/common/", "chapters/01_", "chapters/02_", "tests/01_",
-                                        "tests/02_"))) or path.endswith((".webp", ".svg")):
+            if not (path in _TOP or path.startswith(_FOLDERS)) or path.endswith((".webp", ".svg")):
                 continue
             (cls.first / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy2(ROOT / name, cls.first / name)
@@ -113,7 +115,7 @@ class Updating(unittest.TestCase):
         before = snapshot(folder or self.mine)
         done = self.course(*words, folder=folder, **env)
         self.assertEqual(done.returncode, code, done.stdout + done.stderr)
-        self.assertEqual(len([line for line in done.stderr.splitlines() if line.startswith("course: ")]), 1, done.stderr)
+        self.assertEqual(sum(line.startswith("course: ") for line in done.stderr.splitlines()), 1, done.stderr)
         if lines:
             self.assertEqual(done.stderr.count("\n"), lines, done.stderr)
         self.assertEqual(snapshot(folder or self.mine), before)
@@ -202,7 +204,8 @@ class WithoutAnythingWritten(Updating):
         write(shallow, KICK, MINE)
         git(shallow, "commit", "-qam", "Mine")
         self.updated(folder=shallow)
-        self.assertEqual((self.text(KICK, shallow), self.text("chapters/01_leapfrog/new.txt", shallow)), (MINE, "new\n"))
+        self.assertEqual(self.text(KICK, shallow), MINE)
+        self.assertEqual(self.text("chapters/01_leapfrog/new.txt", shallow), "new\n")
 
     def test_a_deleted_file_of_the_course_stays_deleted_unless_it_is_new(self):
         self.release()
@@ -221,7 +224,7 @@ class WithAnswers(Updating):
         said = " ".join(self.updated().split())
         self.assert_is_release(but=(KICK, DRIFT))
         self.assertEqual((self.text(KICK), self.text(DRIFT)), (MINE, MINE))
-        self.assertIn("Your files stay as they are: 1.2 drift, 1.1 kick.", said)
+        self.assertIn("Your files stay as they are: 1.1 kick, 1.2 drift.", said)
         self.assertIn("1.1 kick: header leapfrog.hpp; tests kick_drift_start_test.cpp", said)
         self.assertIn("1.2 drift: header leapfrog.hpp; tests kick_drift_start_test.cpp; stub", said)
         self.assertIn("./course reset 1.2", said)
@@ -516,7 +519,8 @@ class DryRunAndUndo(Updating):
         before, head = snapshot(self.mine), git(self.mine, "rev-parse", "HEAD")
         status = git(self.mine, "status", "--porcelain")
         said = self.updated("--dry-run")
-        for text in ("would go from 1.0.0 to 1.1.0", "1.1 kick", f"would be kept as {HEADER}.mine-1", "Nothing was changed"):
+        for text in ("would go from 1.0.0 to 1.1.0", "1.1 kick", f"would be kept as {HEADER}.mine-1",
+                     "Nothing was changed"):
             self.assertIn(text, said)
         self.assertEqual((snapshot(self.mine), git(self.mine, "rev-parse", "HEAD")), (before, head))
         self.assertEqual(git(self.mine, "status", "--porcelain"), status)
@@ -548,6 +552,24 @@ class DryRunAndUndo(Updating):
         git(self.mine, "checkout", "-qb", "other", "HEAD~1")
         self.assertIn("another branch", self.refused("--undo"))
 
+    def interrupted(self, command: str, by: str) -> dict[str, str]:
+        """An environment in which this is done when one of git's commands is called."""
+        (self.here / "bin").mkdir()
+        fake = self.here / "bin" / "git"
+        fake.write_text(f'#!/bin/sh\ncase "$*" in *{command}*) {by};; esac\nexec {shutil.which("git")} "$@"\n')
+        fake.chmod(0o755)
+        return {"PATH": f"{self.here}/bin:{os.environ['PATH']}"}
+
+    def test_what_is_saved_meanwhile_is_not_written_over(self):
+        self.release()
+        said = self.course(**self.interrupted("mktree", f"echo saved >{self.mine / DRIFT}"))
+        self.assertEqual((said.returncode, said.stderr.count("\n")), (1, 1), said.stderr)
+        self.assertIn(f"{DRIFT} was saved during the update", said.stderr)
+        self.assertEqual(self.text(DRIFT), "saved\n")
+        self.assert_is_release("1.0.0", but=(DRIFT,))
+        self.updated()
+        self.assert_is_release(but=(DRIFT,))
+
     def test_one_that_stopped_half_way_is_undone(self):
         self.release()
         self.write(KICK, MINE)
@@ -555,12 +577,8 @@ class DryRunAndUndo(Updating):
         before = snapshot(self.mine)
         locked = self.mine / "chapters/01_leapfrog"
         # git can not write here, and what was written before it noticed stays.
-        (self.here / "bin").mkdir()
-        fake = self.here / "bin" / "git"
-        fake.write_text(f'#!/bin/sh\ncase "$*" in *checkout-index*) echo new >{locked}/new.txt; echo disk full >&2; exit 1;; '
-                        f'esac\nexec {shutil.which("git")} "$@"\n')
-        fake.chmod(0o755)
-        done = self.course(PATH=f"{self.here}/bin:{os.environ['PATH']}")
+        full = f"echo new >{locked}/new.txt; echo disk full >&2; exit 1"
+        done = self.course(**self.interrupted("checkout-index", full))
         self.assertEqual(done.returncode, 1)
         self.assertIn("stopped half-way. It is undone by  ./course update --undo", done.stderr)
         self.assertIn("disk full", done.stderr)

@@ -53,7 +53,7 @@ def _install(lacking: list[str], yes: bool) -> None:
 
 
 def _install_beside_conda(lacking: list[str], yes: bool, instead: CourseError) -> None:
-    """The environment is the user's to change; npm's libraries are the course's own."""
+    """Installs npm's libraries only: the environment is the user's to change."""
     npm, rest = packages.split(lacking, packages.NPM)
     if rest or not shutil.which("npm") or not (yes or _agreed(lacking, "npm")):
         raise instead
@@ -71,13 +71,14 @@ def _install_on_mac(lacking: list[str], yes: bool, instead: CourseError) -> None
     if not (yes or _agreed(lacking, "brew, pip and npm")):
         raise instead
     for command in commands:
-        _run(command, f"installing with {os.path.basename(command[0])}", f"{os.path.basename(command[0])}-install", instead)
+        tool = os.path.basename(command[0])
+        _run(command, f"installing with {tool}", f"{tool}-install", instead)
     if any(package in packages.PIP for package in lacking):
         _go_on_with_our_python()
 
 
 def _mac_commands(lacking: list[str]) -> list[list[str]]:
-    """What installs these: Apple's compiler first, Python's modules last."""
+    """Lists the commands that install these: Apple's compiler first, Python's modules last."""
     brew, rest = packages.split(lacking, packages.BREW)
     npm, rest = packages.split(rest, packages.NPM)
     modules, rest = packages.split(rest, packages.PIP)
@@ -94,14 +95,14 @@ def _mac_commands(lacking: list[str]) -> list[list[str]]:
 
 
 def _go_on_with_our_python() -> None:
-    """The same command from its beginning, by the Python that has the modules."""
+    """Runs the same command again, by the Python that has the modules."""
     sys.stdout.flush()
     python = str(ENVIRONMENT / "bin" / "python3")
     os.execv(python, [python, *sys.argv])
 
 
 def is_offered(package: str) -> bool:
-    """Whether the system's packages have it at all."""
+    """Returns True if the system's packages include it."""
     if machine.is_mac():
         return any(package in names for names in (packages.BREW, packages.PIP, packages.NPM))
     return bool(shutil.which("apt-cache")) and subprocess.run(
@@ -113,7 +114,7 @@ def _is_root() -> bool:
 
 
 def install_line(lacking: list[str]) -> str:
-    """What a person types to get these."""
+    """Writes the command that a person types to get these."""
     if machine.conda():
         npm, rest = packages.split(lacking, packages.NPM)
         return " && ".join(([_CONDA_UPDATE] if rest else []) + ([shlex.join(_npm(npm))] if npm else []))
@@ -124,7 +125,7 @@ def install_line(lacking: list[str]) -> str:
 
 
 def _without_root() -> str:
-    """The way for those who may not install for the whole machine."""
+    """Names a way for users who may not install for the whole machine."""
     if machine.conda():
         return ""
     if machine.is_mac():

@@ -1,4 +1,4 @@
-"""Where libraries for the browser are: Debian's folders, or those into which npm installs for the course."""
+"""Finds libraries for the browser: in Debian's folders, or where npm installs them for the course."""
 
 from pathlib import Path
 
@@ -18,7 +18,7 @@ def _npm(name: str) -> Path:
 
 
 def three() -> Path:
-    """The folder with examples/ in it."""
+    """Returns the folder that holds examples/."""
     return _npm("three") if _from_npm("three") else _DEBIAN / "three"
 
 
@@ -27,5 +27,5 @@ def three_min() -> Path:
 
 
 def katex() -> Path:
-    """The folder with katex.js in it."""
+    """Returns the folder that holds katex.js."""
     return _npm("katex") / "dist" if _from_npm("katex") else _DEBIAN / "katex"

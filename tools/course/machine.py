@@ -1,4 +1,4 @@
-"""What differs between Linux and macOS, each in a function that knows both."""
+"""Hides what differs between Linux and macOS: a function for each difference."""
 
 import os
 import resource
@@ -16,14 +16,14 @@ def is_mac() -> bool:
 
 
 def processors() -> int:
-    """How many of them this process may use."""
+    """Counts the processors that this process may use."""
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1
 
 
 def has_command(name: str) -> bool:
-    """Whether it can be called. Until Apple's developer tools are installed, some of theirs only ask for them."""
+    """Returns True if a command works. Some of Apple's only ask for its developer tools until those are installed."""
     path = shutil.which(name)
     if path and is_mac() and path.startswith("/usr/bin/") and name in ("c++", "clang++", "git"):
         return subprocess.run(["xcode-select", "-p"], capture_output=True).returncode == 0
@@ -31,12 +31,12 @@ def has_command(name: str) -> bool:
 
 
 def has_desktop() -> bool:
-    """Whether a browser can be opened."""
+    """Returns True if a browser can be opened."""
     return is_mac() or bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
 
 
 def conda() -> Path | None:
-    """The active conda environment, if it was made for the course: it has Eigen."""
+    """Returns the active conda environment if it was made for the course: it has Eigen."""
     prefix = Path(os.environ.get("CONDA_PREFIX") or "/nowhere")
     return prefix if (prefix / "include" / "eigen3").is_dir() else None
 
@@ -48,7 +48,7 @@ def brew_prefix() -> Path:
 
 
 def header_folders() -> tuple[str, ...]:
-    """Where the headers of libraries are looked for."""
+    """Lists the folders of libraries' headers."""
     if found := conda():
         prefixes = [found]
     elif is_mac():
@@ -66,7 +66,7 @@ class Limits:
 
 
 def start_limited(command: list[str], limits: Limits, **options) -> subprocess.Popen:
-    """The process, which ends with SIGXCPU once it has used up its processor time."""
+    """Starts a process that ends with SIGXCPU once it has used up its processor time."""
     if not hasattr(resource, "prlimit"):
         # A shell sets them: between fork and exec of a program with threads, Python must not.
         return subprocess.Popen(["/bin/sh", "-c", _SHELL_LIMITS, "sh", str(limits.processor), str(limits.processor + 1),
@@ -90,7 +90,7 @@ def chromedriver() -> str:
 
 
 def fonts() -> Path:
-    """Where the book's typeface, Linux Libertine, is."""
+    """Returns the folder of the book's typeface, Linux Libertine."""
     if is_mac():
         return Path.home() / "Library" / "Fonts"  # where brew's font-linux-libertine puts it
     return Path("/usr/share/fonts/opentype/linux-libertine")

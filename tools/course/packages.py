@@ -1,4 +1,4 @@
-"""What provides a package of Debian's where there is no apt: Homebrew, conda-forge, npm and pip."""
+"""Names Debian's packages as Homebrew, npm and pip do, for systems without apt."""
 
 # Homebrew's names.
 BREW = {"cmake": "cmake", "ninja-build": "ninja", "git": "git", "libeigen3-dev": "eigen", "libgtest-dev": "googletest",
@@ -15,6 +15,6 @@ APPLE = ("g++", "clang")
 
 
 def split(packages: list[str], names: dict[str, str]) -> tuple[list[str], list[str]]:
-    """What `names` has, by its names there, and the rest."""
+    """Splits packages into those that `names` has, by their names there, and the rest."""
     return [names[package] for package in packages if package in names], [
         package for package in packages if package not in names]

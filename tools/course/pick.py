@@ -1,6 +1,7 @@
-"""From what the user typed to exercises.
+"""Finds the exercises that the user named.
 
-A chapter is 4, 04_gauss_seidel or its folder; an exercise is 4.2, update_row or its file, from wherever Tab completes it.
+A chapter is 4, 04_gauss_seidel or its folder; an exercise is 4.2, update_row or its file. Paths are those that Tab
+completes in the shell's folder.
 """
 
 import difflib
@@ -22,7 +23,7 @@ def near(word: str, known: list[str]) -> str:
 
 
 def pick(text: str) -> list[Exercise]:
-    """The exercise, or all of the chapter."""
+    """Returns the exercise, or all of the chapter."""
     found = _find(text)
     return list(found.exercises) if isinstance(found, Chapter) else [found]
 
@@ -36,7 +37,7 @@ def pick_one(text: str) -> Exercise:
 
 
 def pick_chapter(text: str) -> Chapter:
-    """4, 04_gauss_seidel, or its folder."""
+    """Finds a chapter by 4, 04_gauss_seidel or its folder."""
     chapters = read_chapters()
     found = _by_path(text, chapters)
     if isinstance(found, Chapter):
@@ -63,7 +64,7 @@ def _find(text: str) -> Chapter | Exercise:
 
 
 def _by_path(text: str, chapters: list[Chapter]) -> Chapter | Exercise | None:
-    """What a path leads to, or a name in chapters/: a chapter's folder, an exercise's file or its playground."""
+    """Finds what a path leads to: a chapter's folder, an exercise's file or its playground. Tries chapters/, too."""
     places = {CHAPTERS / chapter.folder: chapter for chapter in chapters}
     for chapter in chapters:
         for exercise in chapter.exercises:

@@ -1,4 +1,4 @@
-"""Files that an editor saved as something else than UTF-8, which is all that compilers read."""
+"""Detects files that an editor did not save as UTF-8, the only encoding that the compiler reads."""
 
 import codecs
 from pathlib import Path
@@ -12,17 +12,22 @@ _MARKS = {codecs.BOM_UTF32_LE: "UTF-32", codecs.BOM_UTF32_BE: "UTF-32", codecs.B
 
 
 def encoding_of(content: bytes) -> str:
-    """UTF-16 or UTF-32 by its mark at the beginning, or by its zero bytes; empty for what a compiler may read."""
+    """Detects UTF-16 or UTF-32 by its mark or by its zero bytes; empty for what a compiler may read."""
     marked = next((name for mark, name in _MARKS.items() if content.startswith(mark)), "")
     if marked or b"\0" not in content:
         return marked
-    return "UTF-32" if b"\0\0\0" in content[:64] else "UTF-16" if content[:64].count(b"\0") >= 16 else "bytes with zeros"
+    beginning = content[:64]
+    if b"\0\0\0" in beginning:
+        return "UTF-32"
+    return "UTF-16" if beginning.count(b"\0") >= 16 else "bytes with zeros"
 
 
 def complaint(file: Path) -> str:
-    """One sentence about a file that no compiler reads; empty if there is nothing to complain about."""
+    """Says in one sentence that no compiler reads the file; empty if compilers read it."""
     name = encoding_of(file.read_bytes()) if file.exists() else ""
-    return f"{shown(file)} is saved as {name}, and the compiler reads UTF-8: save it as UTF-8 in your editor." if name else ""
+    if not name:
+        return ""
+    return f"{shown(file)} is saved as {name}, and the compiler reads UTF-8: save it as UTF-8 in your editor."
 
 
 def refuse_odd(file: Path) -> None:

@@ -93,9 +93,10 @@ class Tree:
         return self.setting("CMAKE_HOME_DIRECTORY") in ("", str(ROOT))
 
     def _say_that_it_was_moved(self) -> None:
-        """Why a student who renamed the folder waits: paths in what is built are those of the old place."""
-        print(f"{shown(self.path)} was built for {self.setting('CMAKE_HOME_DIRECTORY')}, and the course is in {ROOT} now: "
-              "it is built anew.", file=sys.stderr, flush=True)
+        """Tells a student who moved the folder about the wait: what is built holds paths of the old place."""
+        old = self.setting("CMAKE_HOME_DIRECTORY")
+        print(f"{shown(self.path)} was built for {old}, and the course is in {ROOT} now: it is built anew.",
+              file=sys.stderr, flush=True)
 
     def _is_current(self) -> bool:
         """Whether CMake has seen the presets as they are now, and this Python; ninja itself looks after the rest."""

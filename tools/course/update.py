@@ -58,7 +58,7 @@ def _update(arguments) -> int:
 
 
 def _base(target: str, now: str, place: Source, versions: list[str]) -> str:
-    """The commit that both the student's work and the release come from."""
+    """Finds the commit that both the student's work and the release come from."""
     base = asked("merge-base", "HEAD", target)
     if not base and asked("rev-parse", "--is-shallow-repository") == "true":
         asked("fetch", "--unshallow", "--no-tags", "--quiet", "--", place.place)
@@ -74,7 +74,7 @@ def _base(target: str, now: str, place: Source, versions: list[str]) -> str:
 
 @dataclass
 class _Step:
-    """From one release to the next."""
+    """Takes the course from one release to the next."""
     before: str
     after: str
     base: str  # commits
@@ -105,11 +105,14 @@ class _Step:
             release_before=self.before, release_after=self.after,
             files_before={path: before[path] for path in self._plan.touched() if path in before},
             files_after=self._plan.after(), index_before=index, index_after=new_index))
+        if saved := self._plan.saved_since():
+            record.forget()
+            raise CourseError(f"{saved[0]} was saved during the update; update again (nothing was changed)")
         apply(self._plan, f"It is undone by  {_UNDO}")
         _set(commit, new_index, f"course update: {self.after}")
 
     def _commit(self, head: str) -> str:
-        """The release itself if the student has committed nothing; else one that follows from both."""
+        """Returns the release's commit if the student has committed nothing; else makes one that follows both."""
         if holds("merge-base", "--is-ancestor", head, self.target):
             return self.target
         tree = trees.write(merged(self._base, self._target, trees.read(head), self._homes))
@@ -118,7 +121,7 @@ class _Step:
 
 
 def _students(made: Plan) -> set[str]:
-    """What nobody else has a copy of."""
+    """Lists the files that only the student may have a copy of."""
     return {*made.aside, *made.moves} | {path for path in made.removals | set(made.writes) if path in made.before}
 
 
@@ -136,8 +139,8 @@ def _undo(dry: bool) -> int:
     done = record.last()
     branch, head = asked("symbolic-ref", "-q", "HEAD"), git("rev-parse", "HEAD")
     if branch != done.branch or head not in (done.commit_before, done.commit_after):
-        raise CourseError(f"since the update to {done.release_after} there are commits, or another branch is checked out; "
-                          f"the commit before it is {done.commit_before[:12]} (nothing was changed)")
+        raise CourseError(f"since the update to {done.release_after} there are commits, or another branch is checked "
+                          f"out; the commit before it is {done.commit_before[:12]} (nothing was changed)")
     back = {new: old for old, new in homes(pairs(trees.read(done.commit_before), trees.read(done.commit_after))).items()
             if new}
     made = plan(done.files_after, done.files_before, {path: back[path] for path in back if path in done.files_after})
@@ -147,6 +150,8 @@ def _undo(dry: bool) -> int:
         print(f"{old}: you have changed it since; yours {'would be' if dry else 'is'} kept as {new}")
     if dry:
         return 0
+    if saved := made.saved_since():
+        raise CourseError(f"{saved[0]} was saved at this moment; undo again (nothing was changed)")
     apply(made, f"Begin again with  {_UNDO}")
     index = trees.read(git("write-tree"))
     _set(done.commit_before, merged(done.index_after, done.index_before, index, back), "course update: undone")

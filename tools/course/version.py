@@ -10,7 +10,7 @@ _STATED = re.compile(r"^project\(\w+ VERSION (\d+\.\d+\.\d+)\b", re.MULTILINE)
 
 
 def stated_in(lists: str) -> str:
-    """The version in the text of a CMakeLists.txt; empty if it states none."""
+    """Reads the version from the text of a CMakeLists.txt; empty if it states none."""
     found = _STATED.search(lists)
     return found[1] if found else ""
 
@@ -30,7 +30,7 @@ def show_version(arguments) -> int:
 
 
 def _commit() -> str:
-    """The checked-out commit; empty without git's history."""
+    """Names the checked-out commit; empty without git's history."""
     try:
         asked = subprocess.run(["git", "-C", str(ROOT), "describe", "--always", "--dirty", "--exclude=*"],
                                capture_output=True, text=True)

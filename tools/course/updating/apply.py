@@ -11,7 +11,7 @@ from updating.plan import Plan
 
 
 def apply(plan: Plan, what_helps: str) -> None:
-    """Names the command that helps if it is broken off."""
+    """Carries out the plan; prints `what_helps` if it is interrupted."""
     try:
         for old, new in plan.aside.items():
             _copy(ROOT / old, ROOT / new)
@@ -30,7 +30,7 @@ def apply(plan: Plan, what_helps: str) -> None:
 
 
 def _copy(old: Path, new: Path) -> None:
-    """With its dates, and never over something: the name may have been taken since it was chosen."""
+    """Copies a file with its dates, and never over an existing one."""
     if old.is_symlink():
         os.symlink(os.readlink(old), new)
         return
@@ -50,7 +50,7 @@ def _drop_empty_folders(file: Path) -> None:
 
 
 def _clear_empty_folders(plan: Plan) -> None:
-    """Where a file comes, a folder without a file may still be."""
+    """Removes folders without files from the places of files to come."""
     for path in plan.writes:
         there = ROOT / path
         if there.is_dir() and not there.is_symlink():

@@ -1,4 +1,4 @@
-"""Which exercises two releases have, and where each of the older one's files belongs in the newer one."""
+"""Pairs the exercises of two releases, and finds where each older file belongs in the newer release."""
 
 import re
 from dataclasses import dataclass
@@ -21,7 +21,7 @@ Homes = dict[str, str | None]  # an exercise's path in the older release: its pa
 
 
 def pairs(base: Tree, target: Tree) -> dict[str, Pair]:
-    """All exercises of the older release, by their paths there. A function keeps its name when its chapter moves."""
+    """Finds the exercises of the older release by path. A function keeps its name when its chapter moves."""
     by_function = {exercise.function: exercise for exercise in _exercises(target).values()}
     return {path: Pair(exercise, by_function.get(exercise.function)) for path, exercise in _exercises(base).items()}
 
@@ -35,7 +35,7 @@ def path_of(exercise: Exercise) -> str:
 
 
 def in_place_of(pair: Pair, target: Tree) -> Exercise | None:
-    """The exercise that has the number of one that is gone."""
+    """Returns the exercise that has taken the number of a removed one."""
     return next((exercise for exercise in _exercises(target).values() if exercise.id == pair.old.id), None)
 
 

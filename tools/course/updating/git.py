@@ -13,7 +13,7 @@ _SOMEBODY = {"GIT_AUTHOR_NAME": "Course", "GIT_AUTHOR_EMAIL": "course@localhost"
 
 
 def call(*words: str, given: bytes = b"", folder: Path = ROOT, more: dict[str, str] | None = None):
-    """The finished process, whatever its exit code."""
+    """Runs git to its end, and returns the process whatever its exit code."""
     env = os.environ | {"LC_ALL": "C"} | (more or {})
     if not sys.stdin.isatty():
         env["GIT_TERMINAL_PROMPT"] = "0"  # nobody could answer
@@ -24,7 +24,7 @@ def call(*words: str, given: bytes = b"", folder: Path = ROOT, more: dict[str, s
 
 
 def git(*words: str, **options) -> str:
-    """What git prints, without the last line's end. Raises if git fails."""
+    """Returns git's output without the last line's end. Raises if git fails."""
     done = call(*words, **options)
     if done.returncode != 0:
         raise CourseError(f"git {words[0]} failed: {why(done)}")
@@ -32,23 +32,23 @@ def git(*words: str, **options) -> str:
 
 
 def asked(*words: str, **options) -> str:
-    """What git prints; empty if it fails."""
+    """Returns git's output; empty if git fails."""
     done = call(*words, **options)
     return os.fsdecode(done.stdout).rstrip("\n") if done.returncode == 0 else ""
 
 
 def holds(*words: str, **options) -> bool:
-    """Whether git answers yes."""
+    """Returns True if git exits with 0."""
     return call(*words, **options).returncode == 0
 
 
 def why(done: subprocess.CompletedProcess) -> str:
-    """The first line of git's complaint."""
+    """Returns the first line of git's complaint."""
     lines = [line.strip() for line in os.fsdecode(done.stderr).splitlines() if line.strip()]
     blaming = [line for line in lines if line.startswith(("fatal:", "error:"))] or lines or ["no reason given"]
     return blaming[0].removeprefix("fatal: ").removeprefix("error: ")
 
 
 def somebody() -> dict[str, str]:
-    """A committer, for machines on which git knows none."""
+    """Names a committer on machines where git knows none."""
     return {} if holds("var", "GIT_COMMITTER_IDENT") and asked("config", "user.email") else _SOMEBODY

@@ -1,7 +1,7 @@
-"""What an update does to each file, decided before anything is changed.
+"""Plans an update: decides about each file before anything is changed.
 
-Three states are compared: `base`, the release that the student began from; `target`, the release to come; and what the
-student has. A file that the student has not changed becomes the target's. An exercise that the student has changed
+It compares three states: `base`, the release that the student began from; `target`, the release to come; and the
+student's files. A file that the student has not changed becomes the target's. An exercise that the student has changed
 stays, and moves with its chapter. Any other file that both have changed is kept aside under a new name.
 """
 
@@ -30,8 +30,13 @@ class Plan:
         pairs = self.moves | self.aside
         return {*self.writes, *self.removals, *pairs, *pairs.values()}
 
+    def saved_since(self) -> list[str]:
+        """Lists the paths whose files were saved after they were planned for."""
+        now = trees.on_disk(self.touched())
+        return sorted(path for path in self.touched() if now.get(path) != self.before.get(path))
+
     def after(self) -> Tree:
-        """What will be at all paths that are touched."""
+        """Returns the state of all touched paths after the plan is carried out."""
         result = {path: entry for path, entry in self.before.items() if path in self.touched()}
         for old, new in (self.aside | self.moves).items():
             result[new] = self.before[old]
@@ -41,7 +46,7 @@ class Plan:
 
 
 def plan(base: Tree, target: Tree, homes: Homes) -> Plan:
-    """For the files in the folder of the course."""
+    """Compares the files in the folder of the course."""
     now = trees.on_disk(base.keys() | target.keys())
     made = Plan()
     _keep_answers(made, base, now, homes)
@@ -69,7 +74,7 @@ def plan(base: Tree, target: Tree, homes: Homes) -> Plan:
 
 
 def merged(base: Tree, target: Tree, ours: Tree, homes: Homes) -> Tree:
-    """The same rules for a commit of the student's, or for git's index: the target with what the student changed."""
+    """Applies the same rules to a commit of the student's or to git's index."""
     result = dict(target)
     for path in base.keys() - ours.keys():
         if target.get(path) == base[path]:
@@ -95,7 +100,7 @@ def _keep_answers(made: Plan, base: Tree, now: Tree, homes: Homes) -> None:
 
 
 def _move_companions(made: Plan, homes: Homes, known: Set[str]) -> None:
-    """What ./course reset and ./course try have put beside an exercise goes with it to another folder."""
+    """Moves files of ./course reset and ./course try along with their exercise to another folder."""
     for path, home in homes.items():
         if home is None or PurePosixPath(path).parent == PurePosixPath(home).parent:
             continue
@@ -109,7 +114,7 @@ def _move_companions(made: Plan, homes: Homes, known: Set[str]) -> None:
 
 
 def _same(one: Entry | None, other: Entry | None) -> bool:
-    """Whether the content is the same: git looks after who may execute a file."""
+    """Compares content and kind only: git restores permissions."""
     return (one and (one.blob, one.mode == "120000")) == (other and (other.blob, other.mode == "120000"))
 
 
@@ -118,7 +123,7 @@ def _blobs(*entries: Entry | None) -> set[str]:
 
 
 def _free_name(path: str, target: Tree, made: Plan) -> str:
-    """Beside the file, under a name that no build looks for and nothing has."""
+    """Returns an unused name beside the file, one that no build looks for."""
     number = 1
     while True:
         name = f"{path}.mine-{number}"
@@ -129,7 +134,7 @@ def _free_name(path: str, target: Tree, made: Plan) -> str:
 
 
 def _refuse_obstacles(made: Plan) -> None:
-    """A folder where a file comes, or a file or a link where a folder comes, is the student's to move."""
+    """Raises if a folder is in the place of a file, or a file or link in that of a folder."""
     arriving = {*made.writes, *made.moves.values(), *made.aside.values()}
     going = made.removals | set(made.moves)
     for path in sorted(arriving):
@@ -150,7 +155,7 @@ def _holds_other_files(folder: Path, going: set[str]) -> bool:
 
 
 def _without_clashes(result: Tree, target: Tree) -> Tree:
-    """git has no tree with a file and a folder of one name; the release's stays."""
+    """Drops a student's file whose name is a folder of the release, or the reverse."""
     folders = {parent.as_posix() for path in target for parent in PurePosixPath(path).parents}
     return {path: entry for path, entry in result.items()
             if path in target or path not in folders

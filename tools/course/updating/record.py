@@ -1,4 +1,4 @@
-"""What an update has changed, kept in git so that it can be undone: a commit that nothing but one ref leads to."""
+"""Keeps in git what an update changed, so that it can be undone: a commit that one ref leads to."""
 
 import json
 from dataclasses import dataclass
@@ -9,7 +9,7 @@ from updating.git import asked, git, somebody
 from updating.trees import Tree
 
 _REF = "refs/worktree/course/update"
-_UNDONE = "refs/worktree/course/undone"  # so that nothing in it is ever cleared away
+_UNDONE = "refs/worktree/course/undone"  # keeps git from clearing it away
 _TREES = ("files_before", "files_after", "index_before", "index_after")
 
 
@@ -36,7 +36,7 @@ def keep(record: Record) -> None:
 
 
 def is_half_way() -> bool:
-    """Whether files were changed, and then the branch was not moved."""
+    """Returns True if an update changed files and then did not move the branch."""
     return bool(_facts()) and _facts()["commit_before"] == git("rev-parse", "HEAD")
 
 
@@ -46,11 +46,16 @@ def last() -> Record:
     return Record(**facts, **{name: trees.read(f"{_REF}:{name}") for name in _TREES})
 
 
+def forget() -> None:
+    """Drops the record of an update that did not begin."""
+    git("update-ref", "-d", _REF)
+
+
 def close() -> None:
     git("update-ref", _UNDONE, _REF)
     git("update-ref", "-d", _REF)
 
 
 def _facts() -> dict[str, str]:
-    """Of the last update that was not undone; empty without one."""
+    """Reads the record's message; empty if there is no update to undo."""
     return json.loads(asked("show", "--no-patch", "--format=%B", _REF) or "{}")

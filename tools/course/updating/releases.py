@@ -1,4 +1,4 @@
-"""Where releases come from: tags v1.2.3 of a git repository."""
+"""Finds and fetches releases: tags v1.2.3 of a git repository."""
 
 import re
 from dataclasses import dataclass
@@ -26,7 +26,7 @@ _OF_A_FORK = "if it is a copy of yours, name the original: git remote add upstre
 
 
 def source(given: str | None) -> Source:
-    """The one given; else the remote `upstream`, as forks call the original; else `origin`, or the only one."""
+    """Returns the source given; else the remote `upstream` (a fork's original), `origin`, or the only remote."""
     remotes = asked("remote").split()
     if given in remotes:
         return Source(given, _address(given))
@@ -43,7 +43,7 @@ def source(given: str | None) -> Source:
 
 
 def offered(place: Source) -> list[str]:
-    """The versions there, oldest first."""
+    """Lists the versions there, oldest first."""
     live = Live(f"asking {place}")
     live.update()
     done = call("ls-remote", "--tags", "--refs", "--", place.place)
@@ -60,7 +60,7 @@ def check(wanted: str | None) -> None:
 
 
 def chosen(wanted: str | None, versions: list[str], place: Source) -> str:
-    """The version asked for; else the newest that is no trial version."""
+    """Returns the version asked for; else the newest that is no trial version."""
     final = [version for version in versions if "-" not in version]
     if wanted is None:
         if not final:
@@ -74,7 +74,7 @@ def chosen(wanted: str | None, versions: list[str], place: Source) -> str:
 
 
 def fetch(version: str, place: Source, what: str = "") -> str:
-    """The release's commit, which git has from then on."""
+    """Fetches a release, and returns its commit."""
     name = f"{_OURS}/v{version}"
     live = Live(what or f"fetching {version}")
     live.update()
@@ -86,7 +86,7 @@ def fetch(version: str, place: Source, what: str = "") -> str:
 
 
 def order(version: str) -> tuple:
-    """1.2.3-rc.1 comes before 1.2.3."""
+    """Returns a key to sort versions by: 1.2.3-rc.1 comes before 1.2.3."""
     *numbers, trial = _VERSION.fullmatch(version).groups()
     return (*map(int, numbers), trial is None, trial or "")
 

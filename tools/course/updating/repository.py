@@ -1,4 +1,4 @@
-"""Whether git's repository here can be updated, and how a folder without one becomes one."""
+"""Checks that git's repository here can be updated; gives a folder without one its history."""
 
 import os
 import shlex
@@ -19,15 +19,15 @@ _BEGUN = {"MERGE_HEAD": "a merge", "rebase-merge": "a rebase", "rebase-apply": "
 
 
 def has_history() -> bool:
-    """Whether the course has commits in a repository of its own; raises if it is part of a larger one."""
+    """Returns True if the course has commits in a repository of its own; raises if it is part of a larger one."""
     asking = call("rev-parse", "--show-toplevel")
     if asking.returncode != 0 and os.path.lexists(ROOT / ".git"):
         raise CourseError(f"git does not read the history of this folder: {why(asking)} (nothing was changed)")
     top = os.fsdecode(asking.stdout).rstrip("\n")
     if top and not os.path.samefile(top, ROOT):
         if asked("ls-files"):
-            raise CourseError(f"the course is a folder of a larger repository, {top}, which an update would change, too; "
-                              "take the new release beside it, and bring your files over", _by_hand())
+            raise CourseError(f"the course is a folder of a larger repository, {top}, which an update would change, "
+                              "too; take the new release beside it, and bring your files over", _by_hand())
         return False  # a larger repository that does not know this folder
     return bool(top) and holds("rev-parse", "--verify", "HEAD^{commit}")
 
@@ -66,7 +66,7 @@ def adopt(place: Source) -> None:
 
 
 def _by_hand() -> str:
-    """The lines that bring a student's files into a new clone."""
+    """Writes the commands that bring a student's files into a new clone."""
     started = [exercise.file.relative_to(ROOT).as_posix() for exercise in all_exercises()
                if exercise.started() and exercise.file.exists()]
     more = [file.relative_to(ROOT).as_posix() for file in sorted(CHAPTERS.glob("*/try"))]

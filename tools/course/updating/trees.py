@@ -21,7 +21,7 @@ Tree = dict[str, Entry]
 
 
 def read(name: str) -> Tree:
-    """All files of a commit or a tree."""
+    """Reads all files of a commit or a tree."""
     tree = {}
     for line in git("ls-tree", "-r", "-z", "--full-tree", name).split("\0"):
         about, tab, path = line.partition("\t")
@@ -32,7 +32,7 @@ def read(name: str) -> Tree:
 
 
 def write(tree: Tree) -> str:
-    """The name of git's tree with these files."""
+    """Writes a tree with these files, and returns git's name of it."""
     with tempfile.TemporaryDirectory(prefix="course-") as folder:
         index = {"GIT_INDEX_FILE": str(Path(folder, "index"))}
         git("update-index", "-z", "--index-info", given=_listed(tree), more=index)
@@ -54,21 +54,22 @@ def text(entry: Entry) -> str:
 
 
 def on_disk(paths, *, store: bool = False, exact: bool = False) -> Tree:
-    """The files at these paths as they are now, by the names that git gives to their content.
+    """Reads the files at these paths as they are now, and names their content as git does.
 
-    With `store`, git keeps the content. `exact` is byte by byte; else the ends of lines are as git would have them.
+    With `store`, git keeps the content. `exact` takes it byte by byte; otherwise git normalises the ends of lines.
     """
-    options = (["-w"] if store else []) + (["--no-filters"] if exact else [])
+    writing = ["-w"] if store else []
+    options = writing + (["--no-filters"] if exact else [])
     kinds = {path: mode for path in paths if (mode := _mode(path))}
     files = [path for path, mode in kinds.items() if mode != _LINK]
     blobs = dict(zip(files, _hashed(files, options)))
-    links = {path: git("hash-object", *(["-w"] if store else []), "--stdin", given=os.fsencode(os.readlink(ROOT / path)))
+    links = {path: git("hash-object", *writing, "--stdin", given=os.fsencode(os.readlink(ROOT / path)))
              for path, mode in kinds.items() if mode == _LINK}
     return {path: Entry(kinds[path], blob) for path, blob in (blobs | links).items()}
 
 
 def _mode(path: str) -> str:
-    """Empty where no file is."""
+    """Returns git's mode of a file; empty if there is none."""
     try:
         mode = os.lstat(ROOT / path).st_mode
     except (FileNotFoundError, NotADirectoryError):
