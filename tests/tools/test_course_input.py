@@ -40,6 +40,9 @@ BAD_INPUT = (
     (["reset"], "N.M"),
     (["progress", "--jsn"], "'--jsn'", "did you mean --json"),
     (["progress", "now"], "'now'"),
+    (["update", "one"], "'one'"),
+    (["update", "--undo", "1.1.0"], "'1.1.0'"),
+    (["--version", "now"], "'--version'"),
     (["--jsn"], "'--jsn'"),
     (["start", "--no"], "'--no'"),
     (["test", "quick"], "'quick'"),
@@ -98,6 +101,51 @@ class CourseInput(unittest.TestCase):
             result = self.box.course(*words)
             self.assertEqual((result.returncode, result.stderr), (1, ""))
             self.assertRegex(result.stdout, "not started|Nothing is started")
+
+    def test_what_tab_completes_is_an_exercise_or_a_chapter(self):
+        chapter = self.box.root / "chapters" / self.first.folder
+        link = self.box.root.parent / "way"
+        link.symlink_to(chapter)
+        self.addCleanup(link.unlink)
+        name, file = self.first.file.name, f"chapters/{self.first.folder}/{self.first.file.name}"
+        one = self.box.course("check", "1.1").stdout
+        for cwd, words in ((self.box.root, (file, f"./{file}", f"chapters/../{file}", str(self.box.root / file))),
+                           (self.box.root / "chapters", (f"{self.first.folder}/{name}",)),
+                           (chapter, (name, f"./{name}", f"../{self.first.folder}/{name}", f"try/try_{name}")),
+                           (link, (name,))):
+            for word in words:
+                with self.subTest(cwd=cwd, word=word):
+                    result = self.box.course("check", word, cwd=cwd)
+                    self.assertEqual((result.stdout, result.stderr), (one, ""))
+        whole = self.box.course("check", "1").stdout
+        for cwd, word in ((self.box.root, f"chapters/{self.first.folder}/"), (chapter, "."), (chapter, "../01_leapfrog")):
+            with self.subTest(cwd=cwd, word=word):
+                self.assertEqual(self.box.course("check", word, cwd=cwd).stdout, whole)
+        # Each command that takes an exercise takes its file, though it is a link or gone.
+        (self.box.root / file).unlink()
+        self.assertEqual(self.box.course("reset", name, cwd=chapter).returncode, 0)
+        self.assertIn("hint 1", self.box.course("hint", name, cwd=chapter).stdout)
+        self.assertEqual(self.box.course("solution", file, "--spoil").returncode, 0)
+
+    def test_a_path_that_leads_to_no_exercise_is_refused(self):
+        for words, *told in ((["check", "chapters/01_leapfrog/kik.cpp"], "kik.cpp'", "did you mean kick?"),
+                             (["check", "chapters/01_leapfrog/leapfrog.hpp"], "leapfrog.hpp'"),
+                             (["check", "/"], "'/'"), (["hint", "chapters/01_leapfrog/"], "is a chapter", "1.1 to"),
+                             (["predict", "chapters/01_leapfrog/kick.cpp"], "is not a chapter")):
+            self.box.assert_refused(self, words, told)
+
+    def test_a_file_that_is_not_utf_8_is_told_in_one_line(self):
+        text = self.first.reference.read_text(encoding="utf-8")
+        for encoding, told in (("utf-16", "UTF-16"), ("utf-16-be", "UTF-16"), ("utf-16-le", "UTF-16"),
+                               ("utf-32", "UTF-32"), ("utf-32-be", "UTF-32")):
+            with self.subTest(encoding):
+                self.box.file(self.first).write_text(text, encoding=encoding)
+                result = self.box.course("check", "1.1")
+                self.assertEqual((result.returncode, result.stderr), (1, ""))
+                said = " ".join(result.stdout.split())
+                self.assertIn(f"chapters/01_leapfrog/kick.cpp is saved as {told}, and the compiler reads UTF-8: save it",
+                              said)
+                self.assertIn("1.1 kick is wrong: not saved as UTF-8", said)
 
     def test_hints_come_one_at_a_time(self):
         count = len(self.first.hints)

@@ -20,6 +20,8 @@ import install
 import needs
 import speed_error
 import terminal
+import text_encoding
+import tree
 from errors import CourseError
 from manifest import numbered_items
 from marker import is_stub, marker_line
@@ -188,6 +190,38 @@ class Installing(unittest.TestCase):
                              Need("old", "command", "old", "3.10")), yes=True)
         self.assertEqual(str(caught.exception), "cmake 3.9.9 was found, and the course needs 3.22 or newer; "
                                                 "old 3.9.9 was found, and the course needs 3.10 or newer")
+
+
+class MovedTree(unittest.TestCase):
+    def said(self, home: str) -> str:
+        """What is said while a tree is configured that CMake once configured for this folder."""
+        with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stderr(io.StringIO()) as said, \
+             mock.patch.object(tree, "stream", return_value=(0, "")):
+            moved = tree.Tree("check")
+            moved.path = Path(folder)
+            (moved.path / "CMakeCache.txt").write_text(f"CMAKE_HOME_DIRECTORY:INTERNAL={home}\n")
+            moved.configure()
+        return said.getvalue()
+
+    def test_why_it_is_built_anew_is_said_in_one_line(self):
+        said = self.said("/old/place")
+        self.assertIn(f"was built for /old/place, and the course is in {sandbox.ROOT} now: it is built anew.\n", said)
+        self.assertEqual(said.count("\n"), 1)
+
+    def test_one_that_was_not_moved_says_nothing(self):
+        self.assertEqual(self.said(str(sandbox.ROOT)), "")
+
+
+class Encoding(unittest.TestCase):
+    def test_what_a_compiler_reads(self):
+        for content in (b"", "λ\n".encode(), b"\xef\xbb\xbfint x;", b"\xe9"):
+            self.assertEqual(text_encoding.encoding_of(content), "", content)
+
+    def test_what_it_does_not(self):
+        for content, name in (("int kick;\n".encode("utf-16"), "UTF-16"), (("a" * 50).encode("utf-16-le"), "UTF-16"),
+                              ("a".encode("utf-32"), "UTF-32"), (("a" * 50).encode("utf-32-be"), "UTF-32"),
+                              (b"int a;\0", "bytes with zeros")):
+            self.assertEqual(text_encoding.encoding_of(content), name)
 
 
 class Versions(unittest.TestCase):

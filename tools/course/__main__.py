@@ -23,13 +23,15 @@ from reset import reset
 from run import run, scenes
 from solution import solution
 from start import start
+from update import update
+from version import show_version
 from view import view
 from watch import watch
 
 COMMANDS = {"progress": progress, "check": check, "watch": watch, "plot": plot, "hint": hint, "solution": solution,
             "reset": reset, "start": start, "test": test, "grade": grade, "export": export, "view": view,
             "play": play, "predict": predict, "book": book, "try": playground, "python": python,
-            "import": import_model}
+            "import": import_model, "update": update, "version": show_version}
 FORWARDED = {"run": run, "scenes": scenes}
 
 

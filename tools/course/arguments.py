@@ -86,6 +86,8 @@ def parse(words: list[str]) -> argparse.Namespace:
     if words and words[0] in ("view", "play"):
         known, rest = commands[words[0]].parse_known_args(words[1:])
         return argparse.Namespace(**{**vars(known), "command": words[0], "words": rest})
+    if words == ["--version"]:
+        return argparse.Namespace(command="version")
     # Options alone belong to the board: ./course --json
     if not words or (words[0].startswith("-") and words[0] not in ("-h", "--help")):
         words = ["progress", *words]
@@ -106,6 +108,7 @@ def parse(words: list[str]) -> argparse.Namespace:
 def _parsers() -> tuple[Parser, dict[str, Parser]]:
     parser = Parser(prog="./course", epilog=EPILOG, usage="./course [COMMAND] ...",
                     description="Write a physics engine, one idea at a time.")
+    parser.add_argument("--version", action="store_true", help="say which version of the course this is")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", title="commands")
 
     def add(name: str, text: str) -> Parser:
@@ -169,6 +172,7 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     command.add_argument("--roster", metavar="FILE", help="for canvas and moodle: the table that the platform gave")
     command.add_argument("--assignment", default="Assignment", metavar="TITLE",
                          help="of its column in Canvas: Name (number)")
+    _add_update(add("update", "another release of the course; all that you have written is kept"))
     for name, text in (("start", "install, build, run real scenes, show the board"),
                        ("test", "every test there is")):
         command = add(name, text)
@@ -176,6 +180,14 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     command.add_argument("--quick", action="store_true", help="those that find most in two minutes")
     command.add_argument("--strict", action="store_true", help="a compiler's warning in the course's code is an error")
     return parser, commands.choices
+
+
+def _add_update(command: Parser) -> None:
+    command.add_argument("release", nargs="?", metavar="RELEASE", help="such as 1.2.0 (default: the newest)")
+    command.add_argument("--dry-run", action="store_true", help="say what would change, and change nothing")
+    command.add_argument("--undo", action="store_true", help="go back to what was before the last update")
+    command.add_argument("--from", dest="from_", metavar="WHERE",
+                         help="a remote, an address or a folder of git (default: the remote upstream, or origin)")
 
 
 def _add_view(command: Parser) -> None:

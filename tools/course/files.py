@@ -17,4 +17,4 @@ def course_files() -> list[Path]:
     else:  # an archive without history
         names = sorted(path.relative_to(ROOT) for path in ROOT.rglob("*"))
         names = [name for name in names if not _NOT_OURS & set(name.parts)]
-    return [name for name in names if (ROOT / name).is_file() and ".cpp.mine-" not in name.name]
+    return [name for name in names if (ROOT / name).is_file() and ".mine-" not in name.name]

@@ -79,12 +79,17 @@ def all_exercises() -> list[Exercise]:
 
 def _read_chapter(file: Path) -> Chapter:
     folder = file.parent.name
+    exercises = listed(file.read_text(encoding="utf-8"), folder)
+    return Chapter(int(folder[:2]), folder, _title(file.with_name("README.md")), tuple(exercises))
+
+
+def listed(hints: str, folder: str) -> list[Exercise]:
+    """The exercises that the text of a hints.md lists, in order."""
     exercises = []
-    for heading, body in _sections(file.read_text(encoding="utf-8")):
+    for heading, body in _sections(hints):
         chapter, number, function = heading.groups()
         exercises.append(Exercise(int(chapter), int(number), function, folder, tuple(numbered_items(body))))
-    exercises.sort(key=lambda exercise: exercise.number)
-    return Chapter(int(folder[:2]), folder, _title(file.with_name("README.md")), tuple(exercises))
+    return sorted(exercises, key=lambda exercise: exercise.number)
 
 
 def _title(readme: Path) -> str:

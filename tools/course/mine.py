@@ -9,6 +9,7 @@ from errors import CourseError
 from exercise_object import drop_if_stale, object_file
 from manifest import Exercise, all_exercises
 from symbols import missing_functions
+from text_encoding import refuse_odd
 from tree import Tree
 from verdict import CHECK
 
@@ -45,6 +46,7 @@ def fast_program(target: str, mine: list[Exercise]) -> Path:
 
 def _compile(tree: Tree, mine: list[Exercise]) -> None:
     for exercise in mine:
+        refuse_odd(exercise.file)
         drop_if_stale(tree, exercise)
     built = tree.build([f"exercise_{exercise.function}" for exercise in mine], "building your functions", keep_going=True)
     for exercise in mine:

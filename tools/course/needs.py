@@ -10,13 +10,15 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-# Debian's library for drawing in a browser, and where its files are.
-THREE = Path("/usr/share/javascript/three")
-# Its library for formulas, and the book's typeface.
-KATEX = Path("/usr/share/javascript/katex")
-_LIBERTINE = Path("/usr/share/fonts/opentype/linux-libertine")
-BOOK_FONTS = tuple(_LIBERTINE / f"LinLibertine_{style}.otf" for style in ("R", "RI", "RB", "RBI"))
-_HEADER_FOLDERS = ("/usr/include", "/usr/local/include", "/usr/include/eigen3", "/usr/local/include/eigen3")
+import javascript
+import machine
+
+# The library for drawing in a browser.
+THREE, THREE_MIN = javascript.three(), javascript.three_min()
+# The library for formulas, and the book's typeface.
+KATEX = javascript.katex()
+BOOK_FONTS = tuple(machine.fonts() / f"LinLibertine_{style}.otf" for style in ("R", "RI", "RB", "RBI"))
+_HEADER_FOLDERS = machine.header_folders()
 
 
 @dataclass(frozen=True)
@@ -30,7 +32,7 @@ class Need:
 
     def there(self) -> bool:
         if self.kind == "command":
-            return shutil.which(self.name) is not None
+            return machine.has_command(self.name)
         if self.kind == "header":
             return _find_header(self.name) is not None
         if self.kind == "file":
@@ -120,7 +122,7 @@ NEEDS = (
     Need("python3-matplotlib", "module", "matplotlib", "3.5"),
 )
 GRADE_NEEDS = (Need("bubblewrap", "command", "bwrap"),)
-VIEW_NEEDS = (Need("libjs-three", "file", str(THREE / "three.min.js")),)
+VIEW_NEEDS = (Need("libjs-three", "file", str(THREE_MIN)),)
 # The Python module's; ./course python installs them.
 PYTHON_NEEDS = (Need("pybind11-dev", "header", "pybind11/pybind11.h", "2.9", ("pybind11/detail/common.h",),
                      "PYBIND11_VERSION_(?:MAJOR|MINOR)"),

@@ -7,11 +7,11 @@ import re
 import sys
 
 from errors import CourseError
-from needs import THREE
+from needs import THREE, THREE_MIN
 from paths import ROOT
 
 VIEWER = ROOT / "tools" / "viewer"
-_LIBRARIES = {"three.min.js": THREE / "three.min.js",
+_LIBRARIES = {"three.min.js": THREE_MIN,
               "OrbitControls.js": THREE / "examples" / "js" / "controls" / "OrbitControls.js"}
 _STYLE = re.compile(r'<link rel="stylesheet" href="([\w.]+)">')
 _SCRIPT = re.compile(r'<script src="([\w.]+)"></script>')

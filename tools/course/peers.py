@@ -4,7 +4,7 @@ import sys
 
 from engine import RELEASE
 from errors import CourseError
-from install import apt_line
+from install import install_line
 from needs import PEER_NEEDS
 from terminal import fold
 
@@ -16,9 +16,9 @@ def require() -> None:
     missing = [need.package for need in PEER_NEEDS if not need.there()]
     if len(missing) == len(PEER_NEEDS):
         raise CourseError(f"{NAME} wants another engine, one at least, and ./course start installs none:  "
-                          f"{apt_line(missing)}")
+                          f"{install_line(missing)}")
     if missing:
-        print(fold(f"Without {', '.join(missing)}:  {apt_line(missing)}"), file=sys.stderr)
+        print(fold(f"Without {', '.join(missing)}:  {install_line(missing)}"), file=sys.stderr)
     # CMake looks anew for what it had not found, and forgets nothing that it had.
     found = " ".join(need.package for need in PEER_NEEDS if need.there())
     if RELEASE.setting("SPOOK_PEERS") != "ON" or RELEASE.setting("SPOOK_PEERS_FOUND") != found:

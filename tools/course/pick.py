@@ -1,10 +1,17 @@
-"""From what the user typed, 4 or 4.2 or update_row, to exercises; 04_gauss_seidel will do, too, as editors fill it in."""
+"""Finds the exercises that the user named.
+
+A chapter is 4, 04_gauss_seidel or its folder; an exercise is 4.2, update_row or its file. Paths are those that Tab
+completes in the shell's folder.
+"""
 
 import difflib
+import os
 import re
+from pathlib import Path
 
 from errors import BadInput
 from manifest import Chapter, Exercise, read_chapters
+from paths import CHAPTERS
 
 _NUMBER = re.compile(r"([0-9]+)(?:\.([0-9]+))?")
 
@@ -16,40 +23,60 @@ def near(word: str, known: list[str]) -> str:
 
 
 def pick(text: str) -> list[Exercise]:
-    """The exercise, or all of the chapter."""
-    chapters = read_chapters()
-    for chapter in chapters:
-        if chapter.folder == text:
-            return list(chapter.exercises)
-        for exercise in chapter.exercises:
-            if exercise.function == text:
-                return [exercise]
-    found = _NUMBER.fullmatch(text)
-    if not found:
-        known = [exercise.function for chapter in chapters for exercise in chapter.exercises]
-        raise BadInput(f"{text!r} is neither a chapter (4) nor an exercise (4.2){near(text, known)}")
-    chapter = _chapter(text, int(found[1]), chapters)
-    if found[2] is None:
-        return list(chapter.exercises)
-    return [_exercise(text, int(found[2]), chapter)]
+    """Returns the exercise, or all of the chapter."""
+    found = _find(text)
+    return list(found.exercises) if isinstance(found, Chapter) else [found]
 
 
 def pick_one(text: str) -> Exercise:
-    exercises = pick(text)
-    if text == exercises[0].folder or _NUMBER.fullmatch(text) and "." not in text:
-        raise BadInput(f"{text!r} is a chapter; name one exercise, {exercises[0].id} to {exercises[-1].id}")
-    return exercises[0]
+    found = _find(text)
+    if isinstance(found, Chapter):
+        first, last = found.exercises[0].id, found.exercises[-1].id
+        raise BadInput(f"{text!r} is a chapter; name one exercise, {first} to {last}")
+    return found
 
 
 def pick_chapter(text: str) -> Chapter:
-    """4, or 04_gauss_seidel."""
+    """Finds a chapter by 4, 04_gauss_seidel or its folder."""
     chapters = read_chapters()
-    found = next((chapter for chapter in chapters if chapter.folder == text), None)
-    if found:
+    found = _by_path(text, chapters)
+    if isinstance(found, Chapter):
         return found
     if not (text.isascii() and text.isdecimal()):
         raise BadInput(f"{text!r} is not a chapter, such as 4{near(text, [chapter.folder for chapter in chapters])}")
     return _chapter(text, int(text), chapters)
+
+
+def _find(text: str) -> Chapter | Exercise:
+    chapters = read_chapters()
+    for chapter in chapters:
+        for exercise in chapter.exercises:
+            if exercise.function == text:
+                return exercise
+    found = _NUMBER.fullmatch(text)
+    if found:
+        chapter = _chapter(text, int(found[1]), chapters)
+        return chapter if found[2] is None else _exercise(text, int(found[2]), chapter)
+    if meant := _by_path(text, chapters):
+        return meant
+    known = [exercise.function for chapter in chapters for exercise in chapter.exercises]
+    raise BadInput(f"{text!r} is neither a chapter (4) nor an exercise (4.2){near(Path(text).stem or text, known)}")
+
+
+def _by_path(text: str, chapters: list[Chapter]) -> Chapter | Exercise | None:
+    """Finds what a path leads to: a chapter's folder, an exercise's file or its playground. Tries chapters/, too."""
+    places = {CHAPTERS / chapter.folder: chapter for chapter in chapters}
+    for chapter in chapters:
+        for exercise in chapter.exercises:
+            places[exercise.file] = exercise
+            places[exercise.file.parent / "try" / f"try_{exercise.file.name}"] = exercise
+    for folder in (Path.cwd(), CHAPTERS):
+        path = Path(os.path.abspath(folder / text)) if text else None
+        # The file itself may be a link to elsewhere, and so may the folder that the shell is in.
+        for place in (path, path and path.parent.resolve() / path.name):
+            if place in places:
+                return places[place]
+    return None
 
 
 def _chapter(text: str, number: int, chapters: list[Chapter]) -> Chapter:

@@ -13,6 +13,7 @@ import crash
 from engine import program
 from errors import BadInput, CourseError
 from install import install
+from machine import has_desktop
 from manifest import all_exercises
 from mine import begun, checked_program, signed, told
 from needs import VIEW_NEEDS
@@ -59,7 +60,7 @@ class _Session:
             if (code := self._first_line()) is not None:
                 return code  # the program has said why
             print(f"{self._server.address}\nThis run ends with Ctrl-C, or when its page is left.", flush=True)
-            if self._opens and (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
+            if self._opens and has_desktop():
                 webbrowser.open(self._server.address)
             return self._watch(seen)
         finally:

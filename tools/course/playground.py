@@ -18,6 +18,7 @@ from mine import begun, told
 from paths import CHAPTERS, shown
 from pick import pick_one
 from symbols import missing_functions
+from text_encoding import refuse_odd
 from terminal import fold
 from trial import clock_limit, run_limited, time_limit
 from verdict import CHECK
@@ -131,6 +132,8 @@ def _run(ours: Playground) -> int:
 
 def _build(ours: Playground, mine: list[Exercise]) -> Path:
     wanted = ";".join(exercise.function for exercise in mine)
+    for file in (ours.file, *(exercise.file for exercise in mine)):
+        refuse_odd(file)
     for exercise in mine:
         drop_if_stale(CHECK, exercise)
     if CHECK.setting(_SETTING) != wanted:

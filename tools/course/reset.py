@@ -27,7 +27,8 @@ def reset(arguments) -> int:
 def stub_of(exercise: Exercise) -> bytes:
     """The newest version in git's history that still held the marker."""
     path = exercise.file.relative_to(ROOT).as_posix()
-    for revision in _git("rev-list", "HEAD", "--", path).decode().split():
+    # With --full-history git also follows a release that was merged while the student's answer stayed.
+    for revision in _git("rev-list", "--full-history", "HEAD", "--", path).decode().split():
         # "./" is the course's root, which may be a folder of a larger repository.
         version = _git("show", f"{revision}:./{path}", must_work=False)
         if is_stub(version.decode(errors="replace")):

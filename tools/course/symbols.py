@@ -8,6 +8,7 @@ import functools
 import subprocess
 from pathlib import Path
 
+from errors import CourseError
 from exercise_object import object_file
 from manifest import Exercise
 from tree import Tree
@@ -18,8 +19,10 @@ def missing_functions(tree: Tree, exercise: Exercise, built: Tree | None = None)
 
     The student's object is in `tree`; the reference is there, too, or in `built`.
     """
-    missing = sorted(reference_functions(built or tree, exercise)
-                     - functions_in(object_file(tree, exercise), exercise.function))
+    wanted = reference_functions(built or tree, exercise)
+    if not wanted:  # else any file would have all of them
+        raise CourseError(f"the names of functions cannot be read: nm finds no {exercise.function} in the reference")
+    missing = sorted(wanted - functions_in(object_file(tree, exercise), exercise.function))
     if not missing:
         return []
     return subprocess.run(["c++filt", *missing], capture_output=True, text=True).stdout.splitlines()
@@ -40,5 +43,7 @@ def functions_in(file: Path, name: str) -> set[str]:
 def _defined_in(file: Path, _written: int) -> frozenset[str]:
     """All that others can call; the archive of the reference is asked once, however many exercises there are."""
     listing = subprocess.run(["nm", "-P", "--defined-only", str(file)], capture_output=True, text=True)
-    lines = [line.split() for line in listing.stdout.splitlines() if line.startswith("_ZN5spook")]
-    return frozenset(words[0] for words in lines if words[1].isupper())
+    # macOS puts one more _ before each name.
+    lines = [line.removeprefix("_").split() if line.startswith("__Z") else line.split()
+             for line in listing.stdout.splitlines()]
+    return frozenset(words[0] for words in lines if words and words[0].startswith("_ZN5spook") and words[1].isupper())

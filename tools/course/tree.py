@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from errors import CourseError
+from machine import processors
 from paths import BUILD, ROOT, shown
 from process import from_failure, stream, tail
 from terminal import Live
@@ -25,7 +26,7 @@ class Built:
 
 def jobs() -> int:
     given = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", "")
-    return int(given) if given.isdecimal() and int(given) > 0 else len(os.sched_getaffinity(0))
+    return int(given) if given.isdecimal() and int(given) > 0 else processors()
 
 
 class Tree:
@@ -50,6 +51,7 @@ class Tree:
         if not settings and (self.path / "build.ninja").exists() and self._is_of_this_course() and self._is_current():
             return
         if not self._is_of_this_course():
+            self._say_that_it_was_moved()
             (self.path / "CMakeCache.txt").unlink(missing_ok=True)
         live = Live(f"configuring {shown(self.path)}")
         log = self.path / "course-configure.log"
@@ -89,6 +91,12 @@ class Tree:
 
     def _is_of_this_course(self) -> bool:
         return self.setting("CMAKE_HOME_DIRECTORY") in ("", str(ROOT))
+
+    def _say_that_it_was_moved(self) -> None:
+        """Tells a student who moved the folder about the wait: what is built holds paths of the old place."""
+        old = self.setting("CMAKE_HOME_DIRECTORY")
+        print(f"{shown(self.path)} was built for {old}, and the course is in {ROOT} now: it is built anew.",
+              file=sys.stderr, flush=True)
 
     def _is_current(self) -> bool:
         """Whether CMake has seen the presets as they are now, and this Python; ninja itself looks after the rest."""

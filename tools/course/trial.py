@@ -4,7 +4,6 @@ import json
 import math
 import os
 import re
-import resource
 import signal
 import subprocess
 import tempfile
@@ -13,6 +12,7 @@ from pathlib import Path
 
 import crash
 from errors import BadInput
+from machine import Limits, start_limited
 from manifest import Exercise
 
 _MARK = re.compile(r"^\[ *(RUN|OK|FAILED|SKIPPED) *\] (\S+?)(?: \(\d+ ms\))?$")
@@ -102,17 +102,10 @@ def run_tests(program: Path, test_filter: str, seed: int | None = None, *, proce
 def run_limited(command: list[str], out, env: dict[str, str], folder: str,
                 processor: float | None = None) -> tuple[int, bool]:
     """Its exit code, and whether it ran for too long. Memory and what it may write are limited, too."""
-    process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.STDOUT,
-                               env=env, cwd=folder)
-    try:
-        # A loop that never ends may also fill the memory or the disk.
-        resource.prlimit(process.pid, resource.RLIMIT_AS, (_MEMORY, _MEMORY))
-        resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (_OUTPUT, _OUTPUT))
-        resource.prlimit(process.pid, resource.RLIMIT_CORE, (0, 0))
-        seconds = math.ceil(processor or time_limit())
-        resource.prlimit(process.pid, resource.RLIMIT_CPU, (seconds, seconds + 1))
-    except ProcessLookupError:
-        pass  # it has ended already
+    # A loop that never ends may also fill the memory or the disk.
+    limits = Limits(math.ceil(processor or time_limit()), _MEMORY, _OUTPUT)
+    process = start_limited(command, limits, stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.STDOUT,
+                            env=env, cwd=folder)
     timed_out = False
     try:
         process.wait(_PATIENCE * processor if processor else clock_limit())

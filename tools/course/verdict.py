@@ -13,6 +13,7 @@ from manifest import Exercise
 from marker import marker_line
 from paths import shown
 from symbols import missing_functions
+from text_encoding import complaint
 from tree import Built, Tree, jobs
 from trial import Test, Trial, clock_limit, run_tests, time_limit
 
@@ -100,6 +101,8 @@ def without_building(exercise: Exercise) -> Verdict | None:
     if source is None:
         return Verdict(exercise, "wrong", "file missing", f"{shown(exercise.file)} is not there; "
                                                           f"./course reset {exercise.id} puts the stub back.")
+    if odd := complaint(exercise.file):
+        return Verdict(exercise, "wrong", "not saved as UTF-8", odd)
     line = marker_line(source)
     if line is None:
         return None

@@ -77,7 +77,7 @@ def sweep(scene: Scene, *, jobs: int | None = None, progress: bool = True, **lis
     prepared = [_prepared(scene, point) for point in points]
     if jobs is not None and jobs < 1:
         raise ValueError(f"jobs must be at least 1, but is {jobs}")
-    with ThreadPoolExecutor(jobs or len(os.sched_getaffinity(0))) as pool:
+    with ThreadPoolExecutor(jobs or _processors()) as pool:
         futures = [pool.submit(_row, *run) for run in prepared]
         try:
             for done, _ in enumerate(as_completed(futures), 1):
@@ -88,6 +88,11 @@ def sweep(scene: Scene, *, jobs: int | None = None, progress: bool = True, **lis
     rows = [{**point, **future.result()} for point, future in zip(points, futures)]
     _put_orders(rows, points)
     return Table(rows)
+
+
+def _processors() -> int:
+    """How many this process may use; macOS can tell only how many there are."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def _prepared(scene: Scene, point: dict[str, Any]) -> tuple[Scene, dict[str, Any]]:

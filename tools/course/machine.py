@@ -1,0 +1,96 @@
+"""Hides what differs between Linux and macOS: a function for each difference."""
+
+import os
+import resource
+import shutil
+import subprocess
+from dataclasses import dataclass
+from pathlib import Path
+
+# Where Homebrew puts things on Apple's processors, and on Intel's.
+_BREW_PREFIXES = ("/opt/homebrew", "/usr/local")
+
+
+def is_mac() -> bool:
+    return os.uname().sysname == "Darwin"
+
+
+def processors() -> int:
+    """Counts the processors that this process may use."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
+def has_command(name: str) -> bool:
+    """Returns True if a command works. Some of Apple's only ask for its developer tools until those are installed."""
+    path = shutil.which(name)
+    if path and is_mac() and path.startswith("/usr/bin/") and name in ("c++", "clang++", "git"):
+        return subprocess.run(["xcode-select", "-p"], capture_output=True).returncode == 0
+    return path is not None
+
+
+def has_desktop() -> bool:
+    """Returns True if a browser can be opened."""
+    return is_mac() or bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
+
+
+def conda() -> Path | None:
+    """Returns the active conda environment if it was made for the course: it has Eigen."""
+    prefix = Path(os.environ.get("CONDA_PREFIX") or "/nowhere")
+    return prefix if (prefix / "include" / "eigen3").is_dir() else None
+
+
+def brew_prefix() -> Path:
+    given = os.environ.get("HOMEBREW_PREFIX")
+    return Path(given or next((prefix for prefix in _BREW_PREFIXES if Path(prefix, "bin", "brew").exists()),
+                              _BREW_PREFIXES[0]))
+
+
+def header_folders() -> tuple[str, ...]:
+    """Lists the folders of libraries' headers."""
+    if found := conda():
+        prefixes = [found]
+    elif is_mac():
+        prefixes = [brew_prefix()]
+    else:
+        prefixes = [Path("/usr"), Path("/usr/local")]
+    return tuple(str(prefix / folder) for folder in ("include", "include/eigen3") for prefix in prefixes)
+
+
+@dataclass(frozen=True)
+class Limits:
+    processor: int  # seconds; a second later it is killed
+    memory: int  # bytes; macOS does not enforce it
+    file: int  # bytes, of what is written
+
+
+def start_limited(command: list[str], limits: Limits, **options) -> subprocess.Popen:
+    """Starts a process that ends with SIGXCPU once it has used up its processor time."""
+    if not hasattr(resource, "prlimit"):
+        # A shell sets them: between fork and exec of a program with threads, Python must not.
+        return subprocess.Popen(["/bin/sh", "-c", _SHELL_LIMITS, "sh", str(limits.processor), str(limits.processor + 1),
+                                 str(limits.file // 512), *command], **options)
+    process = subprocess.Popen(command, **options)
+    try:
+        resource.prlimit(process.pid, resource.RLIMIT_AS, (limits.memory, limits.memory))
+        resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (limits.file, limits.file))
+        resource.prlimit(process.pid, resource.RLIMIT_CORE, (0, 0))
+        resource.prlimit(process.pid, resource.RLIMIT_CPU, (limits.processor, limits.processor + 1))
+    except ProcessLookupError:
+        pass  # it has ended already
+    return process
+
+
+_SHELL_LIMITS = 'ulimit -S -t "$1"; ulimit -H -t "$2"; ulimit -f "$3"; ulimit -c 0; shift 3; exec "$@"'
+
+
+def chromedriver() -> str:
+    return shutil.which("chromedriver") or "/usr/bin/chromedriver"
+
+
+def fonts() -> Path:
+    """Returns the folder of the book's typeface, Linux Libertine."""
+    if is_mac():
+        return Path.home() / "Library" / "Fonts"  # where brew's font-linux-libertine puts it
+    return Path("/usr/share/fonts/opentype/linux-libertine")

@@ -1,0 +1,39 @@
+"""The version of the course: CMakeLists.txt states it, everything else reads it there."""
+
+import re
+import subprocess
+
+from errors import CourseError
+from paths import ROOT
+
+_STATED = re.compile(r"^project\(\w+ VERSION (\d+\.\d+\.\d+)\b", re.MULTILINE)
+
+
+def stated_in(lists: str) -> str:
+    """Reads the version from the text of a CMakeLists.txt; empty if it states none."""
+    found = _STATED.search(lists)
+    return found[1] if found else ""
+
+
+def version() -> str:
+    stated = stated_in((ROOT / "CMakeLists.txt").read_text(encoding="utf-8", errors="replace"))
+    if not stated:
+        raise CourseError("CMakeLists.txt states no version, such as project(spook_course VERSION 1.0.0 ...)")
+    return stated
+
+
+def show_version(arguments) -> int:
+    """Prints the version, and the commit if git knows one: a report of a mistake needs both."""
+    commit = _commit()
+    print(f"course {version()}" + (f" ({commit})" if commit else ""))
+    return 0
+
+
+def _commit() -> str:
+    """Names the checked-out commit; empty without git's history."""
+    try:
+        asked = subprocess.run(["git", "-C", str(ROOT), "describe", "--always", "--dirty", "--exclude=*"],
+                               capture_output=True, text=True)
+    except FileNotFoundError:
+        return ""
+    return asked.stdout.strip() if asked.returncode == 0 else ""
