@@ -111,27 +111,34 @@ class Judge:
                  user: User) -> list[tuple[TestVerdict, bool]]:
         """With one pair of processes, and another where the last could not go on."""
         ran: list[tuple[TestVerdict, bool]] = []
-        pair = None
+        pair, has_waited = None, False
         try:
             for test in tests:
                 if pair and not pair.alive and not pair.was_asked:
                     # It ends before it can be asked anything, and would for every test.
                     ran.append((replace(ran[-1][0], test=test), ran[-1][1]))
                     continue
-                if not pair or not pair.alive:
-                    pair = Pair(self._isolation, user, self._workshop.test_program(exercise), exercise.function,
-                                program, self._limits_of(exercise), {"SPOOK_SEED": str(self._seed)},
-                                threads=exercise.function in _THREADED)
                 if self.lost(ExerciseVerdict([verdict for verdict, _ in ran], [])) >= self._of_exercise:
                     verdict = TestVerdict(test, TIMED_OUT, NOT_RUN, "The exercise's time was up: too many of its tests "
                                           "had to be stopped before.")
                     ran.append((verdict, True))
                     continue
-                ran.append(self._verdict(test, pair.run(test)))
+                if not pair or not pair.alive:
+                    pair = self._pair(exercise, program, user)
+                found = self._verdict(test, pair.run(test))
+                if found[0].reason == WAITED and not has_waited:
+                    # A machine that stood still looks the same. Once an exercise, so that it costs little.
+                    has_waited, pair = True, self._pair(exercise, program, user)
+                    found = self._verdict(test, pair.run(test))
+                ran.append(found)
         finally:
             if pair and pair.alive:
                 pair.close()
         return ran
+
+    def _pair(self, exercise: Exercise, program: Path, user: User) -> Pair:
+        return Pair(self._isolation, user, self._workshop.test_program(exercise), exercise.function, program,
+                    self._limits_of(exercise), {"SPOOK_SEED": str(self._seed)}, threads=exercise.function in _THREADED)
 
     def _limits_of(self, exercise: Exercise) -> Limits:
         return replace(self._limits, **_THREADS) if exercise.function in _THREADED else self._limits

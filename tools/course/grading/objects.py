@@ -5,14 +5,16 @@ and a helper may have any name. `ld -r` comes first, to dissolve groups of inlin
 of each, and it must not be the student's.
 """
 
+import re
 import shlex
 import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 
 import diagnostics
-from grading.allowed import REMOVED, Object, not_allowed, read_object, tampering
+from grading.allowed import REMOVED, not_allowed, tampering
 from grading.confined import Limits
+from grading.elf import Object, TooLarge, Unreadable, read_object
 from grading.isolation import GRADER, Isolation, User
 from grading.submission import Source
 from grading.workshop import Workshop
@@ -57,19 +59,29 @@ def make(exercise: Exercise, source: Source, workshop: Workshop, isolation: Isol
         return Made(None, "does not compile", message=stopped + "\n".join(
             diagnostics.first_error(ended.output, exercise)))
     student = compiling / "student.o"
-    found = read_object(student)
     wanted = workshop.functions[exercise.function]
+    try:
+        found = read_object(student)
+    except TooLarge as error:
+        return Made(None, "does not compile", "too large", f"{file} compiles to {error}, more than an answer needs.")
+    except Unreadable as error:
+        return Made(None, "tampered", "no object", f"{file} compiles to what is no object of this machine: {error}.")
     refused = "" if source.is_reference else tampering(found)
     if refused:
         return Made(None, "tampered", refused, f"{file} {refused}. No exercise needs that; it is not run.")
-    stranger = "" if source.is_reference else not_allowed(found, workshop.declared)
+    stranger = "" if source.is_reference else not_allowed(found, workshop.reference.callable_symbols(exercise))
+    if owner := _owner(stranger, workshop):
+        return Made(None, "does not compile", "not available in grading", _not_yet(file, owner, exercise))
     if stranger.startswith("_Z"):
         return Made(None, "does not compile", "does not link", f"undefined reference to `{_readable(stranger)}'")
     if stranger:
         return Made(None, "does not compile", "calls what no exercise needs", _NOT_NEEDED.format(file, stranger))
-    missing = sorted(name for name in wanted if not found.defines(name))
+    missing = sorted(name for name in wanted if not found.binding_of(name))
     if missing:
         return Made(None, "does not compile", "function not defined", _not_defined(file, missing))
+    weak = [name for name in wanted if found.binding_of(name) == "WEAK" and name not in workshop.reference.weak]
+    if weak and not source.is_reference:
+        return Made(None, "does not compile", "defined as weak or inline", _weak(file, weak))
     return _link(exercise, workshop, isolation, student, linking, wanted, _notes(found))
 
 
@@ -90,13 +102,38 @@ def _link(exercise: Exercise, workshop: Workshop, isolation: Isolation, student:
         code, output = result.returncode, result.stdout + result.stderr
     if code != 0:
         return Made(None, "does not compile", "does not link", "\n".join(diagnostics.first_error(output, exercise)))
+    if elsewhere := _defined_elsewhere(output, wanted):
+        return Made(None, "tampered", "not its own function", f"The linker does not take {elsewhere} from the submission.")
     program = folder / "answer"
     program.chmod(0o755)
     return Made(program, notes=notes)
 
 
+def _defined_elsewhere(told: str, wanted: set[str]) -> str:
+    """One of the wanted functions of which the linker says another origin than the submission, or none, or two."""
+    origins: dict[str, list[str]] = {name: [] for name in wanted}
+    for found in re.finditer(r"^(?:.*: )?(\S+): definition of (\S+)$", told, re.MULTILINE):
+        origins.setdefault(found[2], []).append(found[1])
+    return next((name for name in sorted(wanted) if origins[name] != ["local.o"]), "")
+
+
+def _owner(symbol: str, workshop: Workshop) -> str:
+    """The exercise whose function it is; empty if it is none."""
+    return next((function for function, symbols in workshop.functions.items() if symbol in symbols), "")
+
+
+def _not_yet(file: Path, called: str, exercise: Exercise) -> str:
+    return (f"{file} calls {called}(), which is not available in grading where {exercise.label} is asked for: an answer "
+            "may call the functions of earlier exercises, unless one is the answer by itself.")
+
+
+def _weak(file: Path, names: list[str]) -> str:
+    return "\n".join([f"{file} defines as weak or inline:", *(f"  {name}" for name in _readable(*names).splitlines()),
+                      "Define it as the chapter's header declares it."])
+
+
 def _notes(found: Object) -> tuple[str, ...]:
-    notes = {"its main is not used": found.defines("main"), f"its call of {REMOVED}() is removed": found.calls(REMOVED)}
+    notes = {"its main is not used": bool(found.binding_of("main")), f"its call of {REMOVED}() is removed": found.calls(REMOVED)}
     return tuple(note for note, holds in notes.items() if holds)
 
 
