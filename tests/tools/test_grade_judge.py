@@ -14,7 +14,7 @@ from sandbox import all_exercises
 from grading.confined import reap, spawn
 from grading.isolation import ENVIRONMENT
 from grading.judge import PASSED, TIMED_OUT, WAITED, ExerciseVerdict, Judge, TestVerdict
-from grading.pair import Ran, _only_on, _take_core
+from grading.pair import Ran, _only_on, _take_core, exit_code
 from grading.submission import Source
 
 
@@ -46,7 +46,7 @@ class Remembers(unittest.TestCase):
 
 
 class Waits(unittest.TestCase):
-    """A process that has used no time by its deadline may have been one of a machine that stood still."""
+    """A process that the clock has stopped may have been one of a machine that stood still."""
 
     def run_all(self, rans: list[Ran], tests: list[str]) -> list[str]:
         pairs = []
@@ -72,6 +72,13 @@ class Waits(unittest.TestCase):
         self.assertEqual(self.run_all([waited, passed, passed], ["a", "b"]), [PASSED, PASSED])
         self.assertEqual(self.run_all([waited, waited], ["a"]), [WAITED])
         self.assertEqual(self.run_all([waited, passed, waited], ["a", "b"]), [PASSED, WAITED])
+
+
+class Status(unittest.TestCase):
+    def test_one_that_is_none_stops_nobody(self):
+        self.assertEqual([exit_code(status) for status in (b"0", b"256", b"11")], [0, 1, -11])
+        for status in (b"4991", b"-1", b"", b"x", b"127", b"99999999999999999999"):
+            self.assertEqual(exit_code(status), -signal.SIGKILL, status)
 
 
 class OneCore(unittest.TestCase):

@@ -24,7 +24,7 @@ _MATHS = ("acos acosh asin asinh atan atan2 atanh cbrt ceil copysign cos cosh er
           "floor fma fmax fmin fmod frexp hypot ilogb isinf isnan finite j0 j1 jn ldexp lgamma llrint llround log "
           "log10 log1p log2 logb lrint lround modf nan nearbyint nextafter nexttoward pow remainder remquo rint round "
           "roundeven cabs carg cexp clog conj cpow cproj csin ccos ctan csinh ccosh ctanh casin cacos catan csqrt "
-          "cacosh casinh catanh cimag creal scalbln scalbn sin sincos sinh sqrt tan tanh tgamma trunc y0 y1 yn")
+          "cacosh casinh catanh cimag creal drem gamma lgamma_r significand scalb pow10 nexttoward scalbln scalbn sin sincos sinh sqrt tan tanh tgamma trunc y0 y1 yn")
 _C = ("abort abs aligned_alloc atexit atof atoi atol atoll bcmp bsearch calloc clock clock_gettime clock_nanosleep "
       "difftime div drand48 exit fclose feof ferror fflush fgets fopen fprintf fputc fputs fread free fscanf fseek "
       "ftell fwrite getc getchar getenv gettimeofday gmtime imaxabs isalnum isalpha isdigit isspace labs ldiv llabs "
@@ -33,7 +33,10 @@ _C = ("abort abs aligned_alloc atexit atof atoi atol atoll bcmp bsearch calloc c
       "sprintf srand srand48 srandom sscanf stderr stdin stdout stpcpy strcat strchr strcmp strcpy strdup strerror "
       "strftime strlen strncat strncmp strncpy strpbrk strrchr strspn strcspn strstr strtod strtof strtok strtol "
       "strtold strtoll strtoul strtoull time tolower toupper ungetc usleep vfprintf vprintf vsnprintf vsprintf wcslen "
-      "wmemchr wmemcmp wmemcpy wmemmove wmemset sched_yield raise _Exit _exit")
+      "wmemchr wmemcmp wmemcpy wmemmove wmemset sched_yield raise _Exit _exit asprintf "
+      "vasprintf getpid gettid isatty secure_getenv sysconf feclearexcept fegetenv fegetexceptflag fegetround "
+      "feholdexcept feraiseexcept fesetenv fesetexceptflag fesetround fetestexcept feupdateenv feenableexcept "
+      "fedisableexcept fegetexcept")
 _THREADS = re.compile(r"pthread_(create|join|detach|self|equal|once|key_create|key_delete|getspecific|setspecific"
                       r"|(mutex|cond|rwlock|mutexattr|attr)_\w+)|sem_\w+")
 _KNOWN = frozenset(_C.split()) | {name + kind for name in _MATHS.split() for kind in ("", "f", "l")}

@@ -128,7 +128,7 @@ def _of_archive(name: str, file) -> Iterator[Entry]:
 def _of_zip(archive: zipfile.ZipFile) -> Iterator[Entry]:
     for info in archive.infolist():
         if not info.is_dir():
-            yield Entry(PurePosixPath(info.filename.replace("\\", "/")), _kind(info.external_attr >> 16),
+            yield Entry(_path(info.filename.replace("\\", "/")), _kind(info.external_attr >> 16),
                         info.file_size, lambda info=info: _read_up_to(archive.open(info), info.filename))
 
 
@@ -136,8 +136,14 @@ def _of_tar(archive: tarfile.TarFile) -> Iterator[Entry]:
     for member in archive:
         if not member.isdir():
             kind = "file" if member.isreg() else "link" if member.issym() or member.islnk() else "other"
-            yield Entry(PurePosixPath(member.name), kind, member.size,
+            yield Entry(_path(member.name), kind, member.size,
                         lambda member=member: _read_up_to(archive.extractfile(member), member.name))
+
+
+def _path(name: str) -> PurePosixPath:
+    """Of a member; one without a name, or with bytes that are no letters, has a name that can be shown."""
+    path = PurePosixPath(name.encode("utf-8", errors="replace").decode("utf-8").replace("\0", "?"))
+    return path if path.parts else PurePosixPath("nameless")
 
 
 def _read_up_to(file, name: str) -> bytes:

@@ -10,7 +10,7 @@ from pathlib import Path, PurePosixPath
 
 from errors import BadInput
 from grading.archives import entries_of, is_archive, is_litter, text, without_suffix
-from grading.names import Student, student_of
+from grading.names import Student, safe, student_of
 from grading.submission import Handed, Place, rank_of
 from manifest import Exercise, all_exercises
 
@@ -23,7 +23,7 @@ class Delivery:
     left_out: list[tuple[str, str]] = field(default_factory=list)  # what, and why
 
     def add(self, student: Student, *places: Place) -> None:
-        self.handed.append(Handed(student.name, places, student))
+        self.handed.append(Handed(safe(student.name), places, student))
 
 
 def find_submissions(paths: list[Path], out: Path) -> Delivery:
@@ -90,7 +90,12 @@ def _is_class(names: list[PurePosixPath], exercises: list[Exercise], at_top: boo
 def _take_folder(delivery: Delivery, folder: Path, out: Path, exercises: list[Exercise]) -> None:
     loose: dict[Student, list[Place]] = {}
     taken = False
-    for child in sorted(folder.iterdir()):
+    children = sorted(folder.iterdir())
+    # Only what the instructor names is a class, or the only thing in it: another's archive or folder may be made to
+    # look like one, and to hold submissions under the names of others.
+    is_alone = sum(not is_litter(PurePosixPath(child.name)) and child.resolve() != out.resolve()
+                   for child in children) == 1
+    for child in children:
         shown = f"{folder.name}/{text(child.name)}"
         if child.resolve() == out.resolve() or is_litter(PurePosixPath(child.name)):
             continue
@@ -100,16 +105,15 @@ def _take_folder(delivery: Delivery, folder: Path, out: Path, exercises: list[Ex
         elif child.name.startswith("."):
             delivery.left_out.append((shown, "hidden by its name"))
         elif child.is_dir():
-            names = _names(child, out)
-            if not student_of(child.name) and _is_class(names, exercises, at_top=False):
+            if is_alone and not student_of(child.name) and _is_class(_names(child, out), exercises, at_top=False):
                 _take_folder(delivery, child, out, exercises)
             else:
                 delivery.add(_student(child), Place(child))
         elif known := student_of(child.name):
             loose.setdefault(known[0], []).append(Place(child))
         elif is_archive(child.name):
-            names = _names(child, out)
-            if _is_class(names, exercises, at_top=False):
+            names = _names(child, out) if is_alone else []
+            if is_alone and _is_class(names, exercises, at_top=False):
                 _take_archive(delivery, child, names)
             else:
                 delivery.add(_student(child), Place(child))
@@ -153,7 +157,7 @@ def _named_apart(handed: list[Handed]) -> list[Handed]:
     for one in handed:
         base = one.name
         if count[base.casefold()] > 1 and one.student.identifier:
-            base = f"{one.name} ({one.student.identifier})"
+            base = f"{one.name} ({one.student.identifier[:20]})"
         name, number = base, 1
         while name.casefold() in taken:
             number += 1

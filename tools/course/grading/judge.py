@@ -69,6 +69,10 @@ class Judge:
         return _all(self._workshop.expected_tests(exercise), TIMED_OUT, NOT_RUN,
                     "The submission's time was up: too many of its tests had to be stopped before.")
 
+    def not_judged(self, exercise: Exercise, error: Exception) -> ExerciseVerdict:
+        return _all(self._workshop.expected_tests(exercise), NOT_STARTED, "could not be graded",
+                    f"The grader itself has failed here ({type(error).__name__}): {error}"[:_MESSAGE])
+
     def lost(self, verdict: ExerciseVerdict) -> float:
         """Seconds that its time-outs cost, by their kind: the same on any machine."""
         cost = {LOOPED: self._limits.cpu, WAITED: self._limits.wall}
@@ -111,7 +115,7 @@ class Judge:
                  user: User) -> list[tuple[TestVerdict, bool]]:
         """With one pair of processes, and another where the last could not go on."""
         ran: list[tuple[TestVerdict, bool]] = []
-        pair, has_waited = None, False
+        pair, was_stopped = None, False
         try:
             for test in tests:
                 if pair and not pair.alive and not pair.was_asked:
@@ -125,12 +129,12 @@ class Judge:
                     continue
                 if not pair or not pair.alive:
                     pair = self._pair(exercise, program, user)
-                found = self._verdict(test, pair.run(test))
-                if found[0].reason == WAITED and not has_waited:
-                    # A machine that stood still looks the same. Once an exercise, so that it costs little.
-                    has_waited, pair = True, self._pair(exercise, program, user)
-                    found = self._verdict(test, pair.run(test))
-                ran.append(found)
+                told = pair.run(test)
+                if told.timed_out and not was_stopped:
+                    # A machine that is busy or stands still looks the same. Once an exercise, so that it costs little.
+                    was_stopped, pair = True, self._pair(exercise, program, user)
+                    told = pair.run(test)
+                ran.append(self._verdict(test, told))
         finally:
             if pair and pair.alive:
                 pair.close()
