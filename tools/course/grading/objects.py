@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import diagnostics
-from grading.allowed import REMOVED, not_allowed, tampering
+from grading.allowed import REMOVED, REPLACED, not_allowed, tampering
 from grading.confined import Limits
 from grading.elf import Object, TooLarge, Unreadable, read_object
 from grading.isolation import GRADER, Isolation, User
@@ -89,7 +89,7 @@ def _link(exercise: Exercise, workshop: Workshop, isolation: Isolation, student:
           wanted: set[str], notes: tuple[str, ...]) -> Made:
     script = [["ld", "-r", "--force-group-allocation", str(student), "-o", "whole.o"],
               ["objcopy", *(f"--keep-global-symbol={name}" for name in sorted(wanted)),
-               f"--redefine-sym={REMOVED}=spook_no_{REMOVED}", "whole.o", "local.o"],
+               *(f"--redefine-sym={old}={new}" for old, new in REPLACED.items()), "whole.o", "local.o"],
               workshop.link_command(exercise, "local.o", "answer")]
     shell = ["/bin/sh", "-c", "set -e; " + "; ".join(shlex.join(words) for words in script)]
     # The linker runs none of the student's code, but reads what the student may not: the reference. So it
