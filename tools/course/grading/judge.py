@@ -12,7 +12,7 @@ from pathlib import Path
 
 from grading.confined import Limits
 from grading.isolation import Isolation, User
-from grading.objects import make
+from grading.objects import STILL_A_STUB, make
 from grading.pair import Pair, Ran
 from grading.submission import Source
 from grading.workshop import Workshop
@@ -86,8 +86,6 @@ class Judge:
         if source.problem:
             verdict = TAMPERED if source.is_link else DOES_NOT_COMPILE
             return _all(tests, verdict, "file not taken", source.problem)
-        if is_stub(source.content.decode("utf-8", errors="replace")):
-            return _all(tests, NOT_STARTED, message="The file still calls not_implemented().")
         key = self._key(exercise, source)
         known = self._recall(key)
         if known is None or [test.test for test in known.tests] != tests:
@@ -104,6 +102,8 @@ class Judge:
         folder.chmod(0o755)
         try:
             made = make(exercise, source, self._workshop, self._isolation, user, folder)
+            if made.verdict == DOES_NOT_COMPILE and is_stub(source.content.decode("utf-8", errors="replace")):
+                return _all(tests, NOT_STARTED, message=STILL_A_STUB), True
             if not made.program:
                 return _all(tests, made.verdict, made.reason, made.message), "stopped by a limit" not in made.message
             ran = self._run_all(exercise, tests, made.program, user)

@@ -13,15 +13,19 @@ from pathlib import Path
 
 import diagnostics
 from grading.allowed import REMOVED, REPLACED, not_allowed, tampering
+from grading.complaints import compiler_says
 from grading.confined import Limits
 from grading.elf import Object, TooLarge, Unreadable, read_object
 from grading.isolation import GRADER, Isolation, User
 from grading.submission import Source
 from grading.workshop import Workshop
 from manifest import Exercise
+from marker import is_stub
 
 # A compiler does not sleep: its limit is processor time, and the clock is far enough away that load can not decide a mark.
 _COMPILING = Limits(cpu=60, wall=1800, memory=3 << 30, files=256 << 20, processes=32, output=4 << 20)
+_STUB = "_ZTIN5spook14NotImplementedE"  # what a stub throws: not in an object whose call is in a comment or in #if 0
+STILL_A_STUB = "The file still calls not_implemented()."
 _NOT_NEEDED = ("{} calls {}(), which no exercise needs. An answer may call the C++ library, mathematics, text, memory, "
                "and what the chapters' headers declare.")
 
@@ -47,7 +51,9 @@ def make(exercise: Exercise, source: Source, workshop: Workshop, isolation: Isol
     (compiling / file).write_bytes(source.content)
     user.own(compiling)
 
+    text = source.content.decode("utf-8", errors="replace")
     command, reads = workshop.compile_command(exercise, str(file), "student.o"), [workshop.headers]
+    command.append("-fno-caret-diagnostics" if "clang" in command[0] else "-fno-diagnostics-show-caret")
     if source.is_reference:
         command.append(f"-I{workshop.reference_headers}")
         reads.append(workshop.reference_headers)
@@ -56,8 +62,8 @@ def make(exercise: Exercise, source: Source, workshop: Workshop, isolation: Isol
         stopped = "the compiler was stopped by a limit on its time, memory or output\n" if (
             ended.timed_out or ended.too_much or ended.code in (-9, 137, -24, 152)
             or "signal terminated program" in ended.output) else ""
-        return Made(None, "does not compile", message=stopped + "\n".join(
-            diagnostics.first_error(ended.output, exercise)))
+        return Made(None, "does not compile", message=stopped + compiler_says(
+            ended.output, exercise, str(file), text))
     student = compiling / "student.o"
     wanted = workshop.functions[exercise.function]
     try:
@@ -66,6 +72,8 @@ def make(exercise: Exercise, source: Source, workshop: Workshop, isolation: Isol
         return Made(None, "does not compile", "too large", f"{file} compiles to {error}, more than an answer needs.")
     except Unreadable as error:
         return Made(None, "tampered", "no object", f"{file} compiles to what is no object of this machine: {error}.")
+    if is_stub(text) and any(symbol.name == _STUB for symbol in found.symbols):
+        return Made(None, "not started", message=STILL_A_STUB)
     refused = "" if source.is_reference else tampering(found)
     if refused:
         return Made(None, "tampered", refused, f"{file} {refused}. No exercise needs that; it is not run.")
