@@ -1,6 +1,8 @@
 """What platforms deliver, in all its shapes: who it is of, what is taken, and that nobody vanishes."""
 
+import bz2
 import io
+import os
 import shutil
 import subprocess
 import tarfile
@@ -152,6 +154,27 @@ class Delivered(Finds):
         self.assertEqual(left, {"readme.txt", ".hidden", "link"})
         for name in ("bo", "cy", "di"):
             self.assertTrue(submissions[name].notes, name)
+
+    def test_one_stops_nobody(self):
+        deep = zipped({f"{k}.zip": zipped({f"{m}.zip": zipped({"x": b""}) for m in range(20)}) for k in range(20)})
+        zeros = bz2.compress(self.header("zeros", 4 << 30)) + bz2.compress(bytes(64 << 20)) * 64
+        folder = self.put({f"ann/{WHERE}": KICK, "deep.zip": deep, "zeros.tar.bz2": zeros,
+                           "names.tar": tarred({"\udcff/x": b"", "kick.cpp": KICK}, ""),
+                           "many.zip": zipped({f"{k}/kick.cpp": KICK for k in range(8000)}), "eve.7z": b"7z"})
+        (folder / "self").symlink_to("self")
+        os.mkfifo(folder / "pipe.zip")
+        submissions, left = self.found(folder)
+        self.assertEqual(set(submissions), {"ann", "deep", "zeros", "names", "many", "eve", "pipe"})
+        self.assertEqual(left, {"self"})
+        self.assert_kicks(submissions, "ann", "names", "many")
+        for name, said in (("deep", "200 archives"), ("zeros", "1024 MiB"), ("many", "only 20"), ("pipe", "regular")):
+            self.assertIn(said, " ".join(submissions[name].notes))
+
+    @staticmethod
+    def header(name: str, size: int) -> bytes:
+        info = tarfile.TarInfo(name)
+        info.size = size
+        return info.tobuf()
 
     def test_names(self):
         for name, expected in (("A B_1_assignsubmission_file_", ("A B", "1", False, "")),

@@ -3,6 +3,7 @@
 Nobody vanishes: what lies there and is part of no submission is returned, too, with the reason.
 """
 
+import os
 from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass, field
@@ -54,9 +55,9 @@ def find_submissions(paths: list[Path], out: Path) -> Delivery:
 def _names(path: Path, out: Path) -> list[PurePosixPath]:
     """What is in it, archives inside it unopened; none of what cannot be read."""
     if path.is_dir():
-        out = out.resolve()
+        out = _real(out)
         return [PurePosixPath(text(found.relative_to(path).as_posix())) for found in sorted(path.rglob("*"))
-                if not found.is_dir() and out not in found.resolve().parents]
+                if not found.is_dir() and out not in _real(found).parents]
     try:
         return [entry.path for entry in entries_of(path)]
     except Exception:  # it is a submission that can't be read, and will be said to be
@@ -93,11 +94,11 @@ def _take_folder(delivery: Delivery, folder: Path, out: Path, exercises: list[Ex
     children = sorted(folder.iterdir())
     # Only what the instructor names is a class, or the only thing in it: another's archive or folder may be made to
     # look like one, and to hold submissions under the names of others.
-    is_alone = sum(not is_litter(PurePosixPath(child.name)) and child.resolve() != out.resolve()
+    is_alone = sum(not is_litter(PurePosixPath(child.name)) and _real(child) != _real(out)
                    for child in children) == 1
     for child in children:
         shown = f"{folder.name}/{text(child.name)}"
-        if child.resolve() == out.resolve() or is_litter(PurePosixPath(child.name)):
+        if _real(child) == _real(out) or is_litter(PurePosixPath(child.name)):
             continue
         taken = True
         if child.is_symlink():
@@ -141,6 +142,11 @@ def _take_archive(delivery: Delivery, archive: Path, names: Iterable[PurePosixPa
             delivery.add(known[0] if known else Student(without_suffix(top)), Place(archive, top))
     for student, places in loose.items():
         delivery.add(student, *places)
+
+
+def _real(path: Path) -> Path:
+    """Where it leads; a link to itself leads to itself, and is no error."""
+    return Path(os.path.realpath(path))
 
 
 def _student(path: Path) -> Student:

@@ -26,6 +26,7 @@ from marker import is_stub
 _COMPILING = Limits(cpu=60, wall=1800, memory=3 << 30, files=256 << 20, processes=32, output=4 << 20)
 _STUB = "_ZTIN5spook14NotImplementedE"  # what a stub throws: not in an object whose call is in a comment or in #if 0
 STILL_A_STUB = "The file still calls not_implemented()."
+_NAMES, _NAME, _MOST_NAMES = 1 << 16, 500, 20  # characters of all names that are shown, and of one
 _NOT_NEEDED = ("{} calls {}(), which no exercise needs. An answer may call the C++ library, mathematics, text, memory, "
                "and what the chapters' headers declare.")
 
@@ -106,7 +107,8 @@ def _link(exercise: Exercise, workshop: Workshop, isolation: Isolation, student:
         ended = isolation.run(shell, _COMPILING, GRADER, (workshop.answers, student), (folder,), folder)
         code, output = ended.code, ended.output
     else:
-        result = subprocess.run(shell, capture_output=True, text=True, errors="replace", cwd=folder)
+        limited = ["prlimit", f"--cpu={_COMPILING.cpu}", f"--as={_COMPILING.memory}", "--", *shell]
+        result = subprocess.run(limited, capture_output=True, text=True, errors="replace", cwd=folder)
         code, output = result.returncode, result.stdout + result.stderr
     if code != 0:
         return Made(None, "does not compile", "does not link", "\n".join(diagnostics.first_error(output, exercise)))
@@ -146,7 +148,11 @@ def _notes(found: Object) -> tuple[str, ...]:
 
 
 def _readable(*symbols: str) -> str:
-    return subprocess.run(["c++filt", *symbols], capture_output=True, text=True).stdout.strip()
+    """Cut: a short symbol may say a name of megabytes, and a submission may have any number of them."""
+    shell = f"exec prlimit --cpu=5 --as={1 << 30} -- c++filt | head -c {_NAMES}"
+    names = "\n".join(symbol[:_NAMES] for symbol in symbols[:_MOST_NAMES]) + "\n"
+    told = subprocess.run(["/bin/sh", "-c", shell], input=names, capture_output=True, text=True, errors="replace").stdout
+    return "\n".join(line[:_NAME] for line in told.splitlines())
 
 
 def _not_defined(file: Path, missing: list[str]) -> str:
