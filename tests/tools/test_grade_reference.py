@@ -12,7 +12,9 @@ KICK = f"_ZN5spook4kick{MATRIX}S4_dd"
 HEAD = '#include "01_leapfrog/leapfrog.hpp"\n#include "common/require.hpp"\n'
 TRAP = HEAD + """
 namespace spook {
-__attribute__((weak)) void composed_step(Particles& bodies, const ForceField& force, double h, int pairs) { __builtin_trap(); }
+__attribute__((weak)) void composed_step(Particles& bodies, const ForceField& force, double h, int pairs) {
+  __builtin_trap();
+}
 }
 """
 
@@ -28,7 +30,8 @@ def quoted(name: str) -> str:
 
 def inline_of_the_reference() -> str:
     """An inline function that the reference's object of composed_step holds, as a symbol that must be found."""
-    return 'asm(".pushsection .data\\n.quad _ZN5spook6rejectERKNSt7__cxx1112basic_stringIcSt11char_traitsIcESaIcEEEdS7_\\n.popsection");\n'
+    reject = "_ZN5spook6rejectERKNSt7__cxx1112basic_stringIcSt11char_traitsIcESaIcEEEdS7_"
+    return f'asm(".pushsection .data\\n.quad {reject}\\n.popsection");\n'
 
 
 ATTACKS = {  # by exercise and name: the source
@@ -61,7 +64,8 @@ class GradeReference(unittest.TestCase):
         cls.addClassCleanup(cls.room.close)
         for (function, name), source in ATTACKS.items():
             cls.room.hand_in(f"{function} {name}", {f"{function}.cpp": source})
-        calls = right("half_step_start").replace("return", "Vec3 const once = kick(v, f, inverse_mass, -h / 2);\n  return")
+        once = "Vec3 const once = kick(v, f, inverse_mass, -h / 2);\n  return"
+        calls = right("half_step_start").replace("return", once)
         cls.room.hand_in("calls an earlier one", {"half_step_start.cpp": calls})
         cls.marks = cls.room.grade()
 

@@ -1,8 +1,8 @@
 // Does: asks for its process, the rounding mode and a terminal.
 // Verdict: passed
+#include <unistd.h>
 #include <cfenv>
 #include <cmath>
-#include <unistd.h>
 
 #include "01_leapfrog/leapfrog.hpp"
 

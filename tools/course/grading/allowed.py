@@ -24,7 +24,8 @@ _MATHS = ("acos acosh asin asinh atan atan2 atanh cbrt ceil copysign cos cosh er
           "floor fma fmax fmin fmod frexp hypot ilogb isinf isnan finite j0 j1 jn ldexp lgamma llrint llround log "
           "log10 log1p log2 logb lrint lround modf nan nearbyint nextafter nexttoward pow remainder remquo rint round "
           "roundeven cabs carg cexp clog conj cpow cproj csin ccos ctan csinh ccosh ctanh casin cacos catan csqrt "
-          "cacosh casinh catanh cimag creal drem gamma lgamma_r significand scalb pow10 nexttoward scalbln scalbn sin sincos sinh sqrt tan tanh tgamma trunc y0 y1 yn")
+          "cacosh casinh catanh cimag creal drem gamma lgamma_r significand scalb pow10 scalbln scalbn sin sincos sinh "
+          "sqrt tan tanh tgamma trunc y0 y1 yn")
 _C = ("abort abs aligned_alloc atexit atof atoi atol atoll bcmp bsearch calloc clock clock_gettime clock_nanosleep "
       "difftime div drand48 exit fclose feof ferror fflush fgets fopen fprintf fputc fputs fread free fscanf fseek "
       "ftell fwrite getc getchar getenv gettimeofday gmtime imaxabs isalnum isalpha isdigit isspace labs ldiv llabs "
@@ -57,7 +58,7 @@ _HARMLESS_IF_WEAK = ("_ITM_", "__gmon_start__", "__cxa_", "__gthrw_", "pthread_"
 _OF_TESTS = re.compile(r"NK?(?:5spook)?7testing|N?5spook6remote|6googletest")
 _COUNTER = "__sanitizer_cov_trace_pc"
 REMOVED = "system"  # as in system("pause"), which keeps a window open elsewhere
-# What is linked in their place. The library waits by syscall() for what threads share; there is nothing else to call it for.
+# What is linked in their place. The library calls syscall() where threads wait for each other.
 REPLACED = {REMOVED: "spook_no_system", "syscall": "spook_only_futex"}
 
 
@@ -93,7 +94,10 @@ def tampering(found: Object) -> str:
 
 
 def not_allowed(found: Object, course: frozenset[str]) -> str:
-    """What it calls that is on no list, by its name; empty if nothing. `course`: the exercises' symbols that it may call."""
+    """What it calls that is on no list, by its name; empty if nothing.
+
+    `course`: the symbols of the exercises that it may call.
+    """
     for symbol in found.symbols:
         if symbol.defined or symbol.binding == "LOCAL" or symbol.name in _KNOWN or symbol.name in REPLACED:
             continue

@@ -1,4 +1,4 @@
-"""Reads sections and symbols of an object file, exactly as the linker does: names to the last byte, and no text between.
+"""Reads sections and symbols of an object file, exactly as the linker does: names to the last byte.
 
 A tool's listing would be read back from lines that a symbol's name can imitate.
 """

@@ -113,7 +113,8 @@ def _link(exercise: Exercise, workshop: Workshop, isolation: Isolation, student:
     if code != 0:
         return Made(None, "does not compile", "does not link", "\n".join(diagnostics.first_error(output, exercise)))
     if elsewhere := _defined_elsewhere(output, wanted):
-        return Made(None, "tampered", "not its own function", f"The linker does not take {elsewhere} from the submission.")
+        return Made(None, "tampered", "not its own function",
+                    f"The linker does not take {elsewhere} from the submission.")
     program = folder / "answer"
     program.chmod(0o755)
     return Made(program, notes=notes)
@@ -133,8 +134,8 @@ def _owner(symbol: str, workshop: Workshop) -> str:
 
 
 def _not_yet(file: Path, called: str, exercise: Exercise) -> str:
-    return (f"{file} calls {called}(), which is not available in grading where {exercise.label} is asked for: an answer "
-            "may call the functions of earlier exercises, unless one is the answer by itself.")
+    return (f"{file} calls {called}(), which is not available in grading where {exercise.label} is asked for: an "
+            "answer may call the functions of earlier exercises, unless one is the answer by itself.")
 
 
 def _weak(file: Path, names: list[str]) -> str:
@@ -143,7 +144,8 @@ def _weak(file: Path, names: list[str]) -> str:
 
 
 def _notes(found: Object) -> tuple[str, ...]:
-    notes = {"its main is not used": bool(found.binding_of("main")), f"its call of {REMOVED}() is removed": found.calls(REMOVED)}
+    notes = {"its main is not used": bool(found.binding_of("main")),
+             f"its call of {REMOVED}() is removed": found.calls(REMOVED)}
     return tuple(note for note, holds in notes.items() if holds)
 
 
@@ -151,7 +153,8 @@ def _readable(*symbols: str) -> str:
     """Cut: a short symbol may say a name of megabytes, and a submission may have any number of them."""
     shell = f"exec prlimit --cpu=5 --as={1 << 30} -- c++filt | head -c {_NAMES}"
     names = "\n".join(symbol[:_NAMES] for symbol in symbols[:_MOST_NAMES]) + "\n"
-    told = subprocess.run(["/bin/sh", "-c", shell], input=names, capture_output=True, text=True, errors="replace").stdout
+    told = subprocess.run(["/bin/sh", "-c", shell], input=names, capture_output=True, text=True,
+                          errors="replace").stdout
     return "\n".join(line[:_NAME] for line in told.splitlines())
 
 
