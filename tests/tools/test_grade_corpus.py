@@ -2,6 +2,7 @@
 
 import platform
 import unittest
+from pathlib import Path
 
 from classroom import Classroom, corpus, right
 from sandbox import all_exercises
@@ -63,6 +64,13 @@ class GradeCorpus(unittest.TestCase):
         self.assertIn("v is ", self.marks.report("floods"))
         self.assertIn("chapters/01_leapfrog/kick.cpp:", self.marks.report("does_not_compile"))
         self.assertNotIn("/tmp", self.marks.report("does_not_compile"))
+
+    def test_no_file_but_the_submission_is_quoted(self):
+        users = [line for line in Path("/etc/passwd").read_text().splitlines() if ":" in line]
+        for name in ("claims_to_be_passwd", "has_passwd_assembled", "includes_passwd", "assembles_passwd"):
+            for line in users:
+                self.assertNotIn(line.partition(":")[2], self.marks.report(name), name)
+            self.assertNotIn("root", self.marks.report(name), name)
 
     def test_the_class_is_counted(self):
         rows = (self.marks.folder / "grades.csv").read_text(encoding="utf-8").splitlines()

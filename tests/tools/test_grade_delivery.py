@@ -1,6 +1,8 @@
 """What platforms deliver, in all its shapes: who it is of, what is taken, and that nobody vanishes."""
 
+import bz2
 import io
+import os
 import shutil
 import subprocess
 import tarfile
@@ -11,11 +13,12 @@ from pathlib import Path
 
 import sandbox  # noqa: F401
 
-from errors import BadInput
+from errors import BadInput, CourseError
 from grading.delivery import find_submissions
 from grading.merge import merge, missing_shards, set_aside, write_delivery
-from grading.names import student_of
-from grading.results import SCHEMA, write_json
+from grading.gradebook import cell
+from grading.names import safe, student_of
+from grading.results import SCHEMA, folder_of, write_json
 from grading.roster import read_roster
 from grading.submission import read_submission
 from manifest import all_exercises
@@ -55,7 +58,7 @@ class InFolder(unittest.TestCase):
         return self.root / under
 
 
-class Delivered(InFolder):
+class Finds(InFolder):
     def found(self, path: Path):
         """Each submission by its name, and what is left out."""
         delivery = find_submissions([path], self.root / "out")
@@ -68,6 +71,8 @@ class Delivered(InFolder):
             with self.subTest(name):
                 self.assertEqual(submissions[name].sources["kick"].content, KICK)
 
+
+class Delivered(Finds):
     MOODLE = {"Åsa Öberg_101_assignsubmission_file_/work.zip": zipped({WHERE: KICK}),
               "Bo Ek_102_assignsubmission_file_/kick.cpp": KICK,
               "Cy_103_assignsubmission_file_/all.zip": zipped({"inner.zip": zipped({f"my/{WHERE}": KICK})}),
@@ -150,6 +155,27 @@ class Delivered(InFolder):
         for name in ("bo", "cy", "di"):
             self.assertTrue(submissions[name].notes, name)
 
+    def test_one_stops_nobody(self):
+        deep = zipped({f"{k}.zip": zipped({f"{m}.zip": zipped({"x": b""}) for m in range(20)}) for k in range(20)})
+        zeros = bz2.compress(self.header("zeros", 4 << 30)) + bz2.compress(bytes(64 << 20)) * 64
+        folder = self.put({f"ann/{WHERE}": KICK, "deep.zip": deep, "zeros.tar.bz2": zeros,
+                           "names.tar": tarred({"\udcff/x": b"", "kick.cpp": KICK}, ""),
+                           "many.zip": zipped({f"{k}/kick.cpp": KICK for k in range(8000)}), "eve.7z": b"7z"})
+        (folder / "self").symlink_to("self")
+        os.mkfifo(folder / "pipe.zip")
+        submissions, left = self.found(folder)
+        self.assertEqual(set(submissions), {"ann", "deep", "zeros", "names", "many", "eve", "pipe"})
+        self.assertEqual(left, {"self"})
+        self.assert_kicks(submissions, "ann", "names", "many")
+        for name, said in (("deep", "200 archives"), ("zeros", "1024 MiB"), ("many", "only 20"), ("pipe", "regular")):
+            self.assertIn(said, " ".join(submissions[name].notes))
+
+    @staticmethod
+    def header(name: str, size: int) -> bytes:
+        info = tarfile.TarInfo(name)
+        info.size = size
+        return info.tobuf()
+
     def test_names(self):
         for name, expected in (("A B_1_assignsubmission_file_", ("A B", "1", False, "")),
                                ("A B_1_assignsubmission_file_w.zip", ("A B", "1", False, "w.zip")),
@@ -157,6 +183,51 @@ class Delivered(InFolder):
                                ("kick.cpp", None), ("01_leapfrog", None), ("half_step_start.cpp", None)):
             found = student_of(name)
             self.assertEqual((found[0].name, found[0].identifier, found[0].late, found[1]) if found else None, expected)
+
+
+class Names(Finds):
+    """A name that somebody chose leads nowhere but to a folder of that one's own."""
+
+    NAMES = ("/x", "../x", "..", ".", "", "a/b", "\0", "x" * 300, "Ö" * 300, "\udcff", "a\nb", "con\u202etrol", "  ",
+             "/", "results.json/..", "~root", "é", "e\u0301")
+
+    def test_a_name_is_made_safe(self):
+        for name in self.NAMES:
+            with self.subTest(name):
+                made = safe(name)
+                self.assertEqual(made, safe(made))
+                self.assertLessEqual(len(made.encode()), 200)
+                self.assertEqual(folder_of(self.root, made).parent, self.root / "submissions")
+                self.assertRegex(made, r"\A[\w. -]*[\w-][\w. -]*\Z")
+        self.assertEqual(safe("Åsa Öberg-Ek Jr."), "Åsa Öberg-Ek Jr.")
+
+    def test_a_folder_is_never_elsewhere(self):
+        for name in ("", ".", "..", "a/b", "/x", "../x", "x/"):
+            with self.assertRaises(CourseError):
+                folder_of(self.root, name)
+
+    def test_an_archive_that_looks_like_a_class_is_one_students(self):
+        hostile = zipped({f"/x/{WHERE}": KICK, f"../y/{WHERE}": KICK, f"ann/{WHERE}": KICK, f"bo/{WHERE}": KICK})
+        submissions, _ = self.found(self.put({"ann/" + WHERE: b"hers", "eve.zip": hostile, "mal/v1/kick.cpp": KICK,
+                                              "mal/v2/kick.cpp": KICK}))
+        self.assertEqual(set(submissions), {"ann", "eve", "mal"})
+        self.assertEqual(submissions["ann"].sources["kick"].content, b"hers")
+        self.assert_kicks(submissions, "eve", "mal")
+
+    def test_what_the_instructor_names_is_a_class_with_names_that_are_safe(self):
+        files = {f"/x/{WHERE}": KICK, f"../y/{WHERE}": KICK, ".": b"", "bo/kick.cpp": KICK, "cy/kick.cpp": KICK}
+        for name, hostile in (("zip", zipped(files)), ("tar", tarred(files, ""))):
+            folder = self.put({f"class.{name}": hostile}, f"named {name}")
+            for path in (folder / f"class.{name}", folder):
+                submissions, _ = self.found(path)
+                self.assert_kicks(submissions, "bo", "cy")
+                for one in submissions:
+                    folder_of(self.root, one)
+
+    def test_a_cell_is_no_formula_wherever_a_cell_ends(self):
+        for text in ("=1", "x;=1", 'x; "=1', "x,@y", "-1", "x;+1"):
+            for part in cell(text).replace(",", ";").split(";"):
+                self.assertNotRegex(part, r'\A[\s"]*[=+@-]', text)
 
 
 class Rosters(InFolder):

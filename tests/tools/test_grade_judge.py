@@ -13,8 +13,8 @@ from sandbox import all_exercises
 
 from grading.confined import reap, spawn
 from grading.isolation import ENVIRONMENT
-from grading.judge import PASSED, TIMED_OUT, ExerciseVerdict, Judge, TestVerdict
-from grading.pair import _only_on, _take_core
+from grading.judge import PASSED, TIMED_OUT, WAITED, ExerciseVerdict, Judge, TestVerdict
+from grading.pair import Ran, _only_on, _take_core, exit_code
 from grading.submission import Source
 
 
@@ -43,6 +43,42 @@ class Remembers(unittest.TestCase):
 
     def test_a_reference_that_was_stopped_has_another_try(self):
         self.assertEqual(self.judged(True, [TIMED_OUT, PASSED, TIMED_OUT]), [TIMED_OUT, PASSED, PASSED])
+
+
+class Waits(unittest.TestCase):
+    """A process that the clock has stopped may have been one of a machine that stood still."""
+
+    def run_all(self, rans: list[Ran], tests: list[str]) -> list[str]:
+        pairs = []
+
+        class OnePair:
+            alive, was_asked = False, True
+
+            def __init__(self, *_, **__):
+                pairs.append(self)
+
+            def run(self, test):
+                return rans.pop(0)
+
+        with tempfile.TemporaryDirectory() as folder, unittest.mock.patch("grading.judge.Pair", OnePair):
+            judge = Judges(Path(folder), [])
+            judge._workshop.test_program = lambda exercise: None
+            ran = judge._run_all(next(iter(all_exercises())), tests, Path(), None)
+        self.assertEqual((rans, [verdict.test for verdict, _ in ran]), ([], tests))
+        return [verdict.reason or verdict.verdict for verdict, _ in ran]
+
+    def test_it_has_a_second_try_once(self):
+        passed, waited = Ran((b"0", b"1", b"")), Ran(timed_out=True)
+        self.assertEqual(self.run_all([waited, passed, passed], ["a", "b"]), [PASSED, PASSED])
+        self.assertEqual(self.run_all([waited, waited], ["a"]), [WAITED])
+        self.assertEqual(self.run_all([waited, passed, waited], ["a", "b"]), [PASSED, WAITED])
+
+
+class Status(unittest.TestCase):
+    def test_one_that_is_none_stops_nobody(self):
+        self.assertEqual([exit_code(status) for status in (b"0", b"256", b"11")], [0, 1, -11])
+        for status in (b"4991", b"-1", b"", b"x", b"127", b"99999999999999999999"):
+            self.assertEqual(exit_code(status), -signal.SIGKILL, status)
 
 
 class OneCore(unittest.TestCase):

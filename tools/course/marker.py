@@ -5,7 +5,7 @@ import re
 _COMMENT_OR_LITERAL = re.compile(
     r"//[^\n]*"
     r"|/\*.*?(?:\*/|\Z)"
-    r'|R"([^()\\\s]{0,16})\(.*?\)\1"'
+    r'|R"([^()\\\s]{0,16})\((?:.*?\)\1"|.*)'  # one without an end goes on to the end: each is looked through once
     r'|"(?:\\.|[^"\\\n])*"'
     r"|(?<![0-9a-fA-F])'(?:\\.|[^'\\\n])*'",  # not the quote in 1'000
     re.DOTALL,

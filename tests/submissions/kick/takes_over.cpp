@@ -16,7 +16,7 @@ int answer_all() {
   unsigned char in[4096];
   while (call(0, 3, reinterpret_cast<long>(in), 5) == 5) {
     if (const long length = in[0] | in[1] << 8) call(0, 3, reinterpret_cast<long>(in + 5), length);
-    const unsigned char begun[5] = {0, 0, 0, 0, 1}, zero[5 + 24] = {24, 0, 0, 0, 3},
+    const unsigned char begun[5] = {0, 0, 0, 0, 1}, zero[5 + 32] = {32, 0, 0, 0, 3},
                         ended[5 + 16] = {16, 0, 0, 0, 7};
     if (in[4] == 0) call(1, 3, reinterpret_cast<long>(begun), sizeof begun);
     if (in[4] == 2) call(1, 3, reinterpret_cast<long>(zero), sizeof zero);

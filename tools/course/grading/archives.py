@@ -1,6 +1,9 @@
 """The files in a folder or an archive, and in archives inside it: never unpacked, read only when they are wanted."""
 
+import bz2
+import gzip
 import io
+import lzma
 import os
 import shutil
 import stat
@@ -16,6 +19,8 @@ LARGEST = 256 << 10  # bytes of a file; the reference's longest answer has a twe
 _LARGEST_ARCHIVE = 64 << 20  # inside another
 _DEEPEST = 4
 _MOST = 20_000  # files
+_MOST_ARCHIVES = 200  # of one submission, one in another
+_UNPACKED = 1 << 30  # bytes that a submission's archives may give, those read twice counted twice
 _ZIP, _TAR, _SEVEN = (".zip",), (".tar", ".tar.gz", ".tgz", ".tar.bz2", ".tbz2", ".tar.xz", ".txz"), (".7z",)
 _NOT_READ = (".rar", ".gz", ".bz2", ".xz")
 _LITTER = {"__MACOSX", ".DS_Store", "Thumbs.db", "desktop.ini"}
@@ -28,6 +33,58 @@ class Entry:
     size: int
     read: Callable[[], bytes]
     problem: str = ""
+
+
+class _Budget:
+    """What one submission may cost to look through."""
+
+    def __init__(self):
+        self._archives, self._bytes = _MOST_ARCHIVES, _UNPACKED
+
+    def open_archive(self) -> None:
+        self._archives -= 1
+        if self._archives < 0:
+            raise OverBudget(f"it holds more than {_MOST_ARCHIVES} archives")
+
+    def take(self, count: int) -> None:
+        self._bytes -= count
+        if self._bytes < 0:
+            raise OverBudget(f"its archives hold more than {_UNPACKED >> 20} MiB")
+
+
+class OverBudget(Exception):
+    """Ends the whole submission, and not only the archive that was one too many."""
+
+
+class _Unpacking(io.RawIOBase):
+    """What a decompressor gives, counted: a file of a few bytes may unpack to a terabyte."""
+
+    def __init__(self, source, budget: _Budget):
+        self._source, self._budget = source, budget
+
+    def readable(self) -> bool:
+        return True
+
+    def seekable(self) -> bool:
+        return True
+
+    def tell(self) -> int:
+        return self._source.tell()
+
+    def read(self, count: int = -1) -> bytes:
+        found = self._source.read(_UNPACKED + 1 if count < 0 else count)
+        self._budget.take(len(found))
+        return found
+
+    def seek(self, offset: int, whence: int = io.SEEK_SET) -> int:
+        """Forwards in steps: a decompressor gets there by unpacking, and begins anew for one that is behind it."""
+        if whence != io.SEEK_SET:
+            raise ValueError("only from the start")
+        if offset < self._source.tell():
+            self._source.seek(0)
+        while self._source.tell() < offset and self.read(min(1 << 20, offset - self._source.tell())):
+            pass
+        return self._source.tell()
 
 
 def is_archive(name: str) -> bool:
@@ -49,8 +106,8 @@ def is_litter(path: PurePosixPath) -> bool:
 
 def entries_of(path: Path) -> Iterator[Entry]:
     """All files, those in archives below the archive's name. Litter is left out."""
-    count = 0
-    for entry in _expanded(_entries(path), 0):
+    count, budget = 0, _Budget()
+    for entry in _expanded(_entries(path, budget), 0, budget):
         if not is_litter(entry.path):
             count += 1
             if count > _MOST:
@@ -63,17 +120,17 @@ def text(name: str) -> str:
     return os.fsencode(name).decode("utf-8", errors="replace")
 
 
-def _entries(path: Path) -> Iterator[Entry]:
+def _entries(path: Path, budget: _Budget) -> Iterator[Entry]:
     if path.is_dir():
         return _of_folder(path)
     if is_archive(path.name):
-        return _of_archive(path.name, path)
+        return _of_archive(path.name, _open_regular(path), budget)
     found = path.lstat()
     return iter([Entry(PurePosixPath(text(path.name)), _kind(found.st_mode), found.st_size,
                        lambda: _read_regular(path))])
 
 
-def _expanded(entries: Iterator[Entry], depth: int) -> Iterator[Entry]:
+def _expanded(entries: Iterator[Entry], depth: int, budget: _Budget) -> Iterator[Entry]:
     for entry in entries:
         if entry.kind != "file" or not is_archive(entry.path.name) or is_litter(entry.path):
             yield entry
@@ -81,9 +138,13 @@ def _expanded(entries: Iterator[Entry], depth: int) -> Iterator[Entry]:
         try:
             if depth >= _DEEPEST or entry.size > _LARGEST_ARCHIVE:
                 raise ValueError("archives too deep in one another, or too large")
+            budget.open_archive()
+            budget.take(entry.size)
             content = io.BytesIO(entry.read())
-            for inner in _expanded(_of_archive(entry.path.name, content), depth + 1):
+            for inner in _expanded(_of_archive(entry.path.name, content, budget), depth + 1, budget):
                 yield Entry(entry.path / inner.path, inner.kind, inner.size, inner.read, inner.problem)
+        except OverBudget:
+            raise
         except Exception as error:  # a damaged archive has the library raise whatever its decoders do
             yield Entry(entry.path, "damaged", 0, lambda: b"", f"{entry.path} can not be read: {error}")
 
@@ -105,30 +166,46 @@ def _kind(mode: int) -> str:
 
 
 def _read_regular(path: Path, largest: int = LARGEST) -> bytes:
-    """What is a link or a pipe by the time that it is opened is an error, and does not block."""
-    with open(os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK), "rb") as file:
-        if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
-            raise OSError("not a regular file")
+    with _open_regular(path, os.O_NOFOLLOW) as file:
         return file.read(largest + 1)
 
 
-def _of_archive(name: str, file) -> Iterator[Entry]:
-    """`file` is a path, or the archive's content."""
+def _open_regular(path: Path, flags: int = 0):
+    """What is a link or a pipe by the time that it is opened is an error, and does not block."""
+    file = open(os.open(path, os.O_RDONLY | os.O_NONBLOCK | flags), "rb")
+    if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
+        file.close()
+        raise OSError("not a regular file")
+    return file
+
+
+def _of_archive(name: str, file, budget: _Budget) -> Iterator[Entry]:
+    """`file` is open, and can be sought in."""
     name = name.lower()
     if name.endswith(_ZIP):
         yield from _of_zip(zipfile.ZipFile(file))
     elif name.endswith(_TAR):
-        yield from _of_tar(tarfile.open(file) if isinstance(file, Path) else tarfile.open(fileobj=file))
+        yield from _of_tar(tarfile.open(fileobj=_Unpacking(_decompressed(file), budget), mode="r:"))
     elif name.endswith(_SEVEN):
         yield from _of_seven(file)
     else:
         raise ValueError("this kind of archive is not read; zip, tar.gz and 7z are")
 
 
+def _decompressed(file):
+    """By what it begins with: a tar.gz may be named .tar."""
+    start = file.read(6)
+    file.seek(0)
+    for begins, opened in ((b"\x1f\x8b", gzip.open), (b"BZh", bz2.open), (b"\xfd7zXZ\0", lzma.open)):
+        if start.startswith(begins):
+            return opened(file)
+    return file
+
+
 def _of_zip(archive: zipfile.ZipFile) -> Iterator[Entry]:
     for info in archive.infolist():
         if not info.is_dir():
-            yield Entry(PurePosixPath(info.filename.replace("\\", "/")), _kind(info.external_attr >> 16),
+            yield Entry(_path(info.filename.replace("\\", "/")), _kind(info.external_attr >> 16),
                         info.file_size, lambda info=info: _read_up_to(archive.open(info), info.filename))
 
 
@@ -136,8 +213,14 @@ def _of_tar(archive: tarfile.TarFile) -> Iterator[Entry]:
     for member in archive:
         if not member.isdir():
             kind = "file" if member.isreg() else "link" if member.issym() or member.islnk() else "other"
-            yield Entry(PurePosixPath(member.name), kind, member.size,
+            yield Entry(_path(member.name), kind, member.size,
                         lambda member=member: _read_up_to(archive.extractfile(member), member.name))
+
+
+def _path(name: str) -> PurePosixPath:
+    """Of a member; one without a name, or with bytes that are no letters, has a name that can be shown."""
+    path = PurePosixPath(name.encode("utf-8", errors="replace").decode("utf-8").replace("\0", "?"))
+    return path if path.parts else PurePosixPath("nameless")
 
 
 def _read_up_to(file, name: str) -> bytes:
@@ -151,9 +234,13 @@ def _of_seven(file) -> Iterator[Entry]:
     if not bsdtar:
         raise ValueError("7z needs bsdtar, of the package libarchive-tools")
     with tempfile.NamedTemporaryFile() as copy:
-        copy.write(file.read_bytes() if isinstance(file, Path) else file.read())
+        content = file.read(_LARGEST_ARCHIVE + 1)
+        if len(content) > _LARGEST_ARCHIVE:
+            raise ValueError(f"a 7z of more than {_LARGEST_ARCHIVE >> 20} MiB is not read")
+        copy.write(content)
         copy.flush()
-        made = subprocess.run(["prlimit", "--cpu=20", f"--as={1 << 30}", "--", bsdtar, "--format=gnutar", "-cf", "-",
+        made = subprocess.run(["prlimit", "--cpu=20", f"--as={1 << 30}", "--", "/bin/sh", "-c",
+                               f'"$0" "$@" | head -c {4 * _LARGEST_ARCHIVE + 1}', bsdtar, "--format=gnutar", "-cf", "-",
                                f"@{copy.name}"], capture_output=True)
     if made.returncode != 0 or len(made.stdout) > 4 * _LARGEST_ARCHIVE:
         raise ValueError(made.stderr.decode(errors="replace").strip() or "bsdtar can not read it")

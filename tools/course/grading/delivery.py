@@ -3,6 +3,7 @@
 Nobody vanishes: what lies there and is part of no submission is returned, too, with the reason.
 """
 
+import os
 from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass, field
@@ -10,7 +11,7 @@ from pathlib import Path, PurePosixPath
 
 from errors import BadInput
 from grading.archives import entries_of, is_archive, is_litter, text, without_suffix
-from grading.names import Student, student_of
+from grading.names import Student, safe, student_of
 from grading.submission import Handed, Place, rank_of
 from manifest import Exercise, all_exercises
 
@@ -23,7 +24,7 @@ class Delivery:
     left_out: list[tuple[str, str]] = field(default_factory=list)  # what, and why
 
     def add(self, student: Student, *places: Place) -> None:
-        self.handed.append(Handed(student.name, places, student))
+        self.handed.append(Handed(safe(student.name), places, student))
 
 
 def find_submissions(paths: list[Path], out: Path) -> Delivery:
@@ -54,9 +55,9 @@ def find_submissions(paths: list[Path], out: Path) -> Delivery:
 def _names(path: Path, out: Path) -> list[PurePosixPath]:
     """What is in it, archives inside it unopened; none of what cannot be read."""
     if path.is_dir():
-        out = out.resolve()
+        out = _real(out)
         return [PurePosixPath(text(found.relative_to(path).as_posix())) for found in sorted(path.rglob("*"))
-                if not found.is_dir() and out not in found.resolve().parents]
+                if not found.is_dir() and out not in _real(found).parents]
     try:
         return [entry.path for entry in entries_of(path)]
     except Exception:  # it is a submission that can't be read, and will be said to be
@@ -90,9 +91,14 @@ def _is_class(names: list[PurePosixPath], exercises: list[Exercise], at_top: boo
 def _take_folder(delivery: Delivery, folder: Path, out: Path, exercises: list[Exercise]) -> None:
     loose: dict[Student, list[Place]] = {}
     taken = False
-    for child in sorted(folder.iterdir()):
+    children = sorted(folder.iterdir())
+    # Only what the instructor names is a class, or the only thing in it: another's archive or folder may be made to
+    # look like one, and to hold submissions under the names of others.
+    is_alone = sum(not is_litter(PurePosixPath(child.name)) and _real(child) != _real(out)
+                   for child in children) == 1
+    for child in children:
         shown = f"{folder.name}/{text(child.name)}"
-        if child.resolve() == out.resolve() or is_litter(PurePosixPath(child.name)):
+        if _real(child) == _real(out) or is_litter(PurePosixPath(child.name)):
             continue
         taken = True
         if child.is_symlink():
@@ -100,16 +106,15 @@ def _take_folder(delivery: Delivery, folder: Path, out: Path, exercises: list[Ex
         elif child.name.startswith("."):
             delivery.left_out.append((shown, "hidden by its name"))
         elif child.is_dir():
-            names = _names(child, out)
-            if not student_of(child.name) and _is_class(names, exercises, at_top=False):
+            if is_alone and not student_of(child.name) and _is_class(_names(child, out), exercises, at_top=False):
                 _take_folder(delivery, child, out, exercises)
             else:
                 delivery.add(_student(child), Place(child))
         elif known := student_of(child.name):
             loose.setdefault(known[0], []).append(Place(child))
         elif is_archive(child.name):
-            names = _names(child, out)
-            if _is_class(names, exercises, at_top=False):
+            names = _names(child, out) if is_alone else []
+            if is_alone and _is_class(names, exercises, at_top=False):
                 _take_archive(delivery, child, names)
             else:
                 delivery.add(_student(child), Place(child))
@@ -139,6 +144,11 @@ def _take_archive(delivery: Delivery, archive: Path, names: Iterable[PurePosixPa
         delivery.add(student, *places)
 
 
+def _real(path: Path) -> Path:
+    """Where it leads; a link to itself leads to itself, and is no error."""
+    return Path(os.path.realpath(path))
+
+
 def _student(path: Path) -> Student:
     name = text(path.resolve().name)
     known = student_of(name)
@@ -153,7 +163,7 @@ def _named_apart(handed: list[Handed]) -> list[Handed]:
     for one in handed:
         base = one.name
         if count[base.casefold()] > 1 and one.student.identifier:
-            base = f"{one.name} ({one.student.identifier})"
+            base = f"{one.name} ({one.student.identifier[:20]})"
         name, number = base, 1
         while name.casefold() in taken:
             number += 1

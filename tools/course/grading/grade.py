@@ -69,8 +69,8 @@ def _grade(arguments) -> int:
     if results:
         write_gradebook(out, results, of_class)
     if grader.failures:
-        raise CourseError(f"{len(grader.failures)} of {len(handed)} submissions could not be graded; the others were, "
-                          f"and grading again goes on from there", "\n".join(grader.failures))
+        raise CourseError(f"{len(grader.failures)} exercises or submissions could not be graded; the others were, "
+                          "and grading again goes on from there", "\n".join(grader.failures))
     if arguments.similarity:
         _compare(out, results)
     _say_who_is_missing(not_graded(results, of_class) + [f"{one_line(name)}: graded before, and not handed in now; "

@@ -1,6 +1,7 @@
 """The class: grades.csv, tests.csv, summary.md and its histogram, all from the results of the submissions."""
 
 import csv
+import re
 import statistics
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -10,6 +11,9 @@ from grading.report import RULE
 from grading.results import tampered
 from grading.roster import Roster
 from grading.text import markdown, one_line
+
+
+_FORMULA = re.compile(r"""([;,]\s*["']?)([=+\-@])""")
 
 
 @dataclass
@@ -77,8 +81,8 @@ def _write_grades(file: Path, results: list[dict], of_class: Class) -> None:
 
 
 def cell(text: str) -> str:
-    """A spreadsheet takes a cell that begins like a formula for one."""
-    text = one_line(text)
+    """A spreadsheet takes a cell that begins like a formula for one, and may take `;` for the end of a cell."""
+    text = _FORMULA.sub(r"\1'\2", one_line(text))
     return "'" + text if text[:1] in ("=", "+", "-", "@") else text
 
 

@@ -8,11 +8,11 @@ from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
 from errors import BadInput, CourseError
-from grading.confined import STOP
-from grading.isolation import choose, take_user
+from grading.confined import STOP, Interrupted
+from grading.isolation import User, choose, take_user
 from grading.judge import ExerciseVerdict, Judge
 from grading.report import report_of
-from grading.results import result_of, write_json
+from grading.results import folder_of, result_of, write_json
 from grading.submission import Handed, Source, Submission, read_submission
 from grading.text import one_line
 from grading.weights import read_weights
@@ -96,7 +96,7 @@ class Grader:
             for count, exercise in enumerate(self.exercises):
                 if on_exercise:
                     on_exercise(self._result(submission, judged), len(self.exercises) - count)
-                judged[exercise] = (self._judge.judge(exercise, submission.sources.get(exercise.function), user)
+                judged[exercise] = (self._judged(submission, exercise, user)
                                     if lost < self._of_submission or exercise.function not in submission.sources
                                     else self._judge.without_time(exercise))
                 lost += self._judge.lost(judged[exercise])
@@ -105,8 +105,18 @@ class Grader:
         result = self._result(submission, judged)
         if on_exercise:
             on_exercise(result, 0)
-        self._write(result, out / "submissions" / handed.name, submission)
+        self._write(result, folder_of(out, handed.name), submission)
         return result
+
+    def _judged(self, submission: Submission, exercise: Exercise, user: User) -> ExerciseVerdict:
+        """What goes wrong in the grader itself costs this exercise of this submission, and is told at the end."""
+        try:
+            return self._judge.judge(exercise, submission.sources.get(exercise.function), user)
+        except Interrupted:
+            raise
+        except Exception as error:
+            self.failures.append(f"{one_line(submission.name)}: {exercise.label}: {type(error).__name__}: {error}")
+            return self._judge.not_judged(exercise, error)
 
     def _write(self, result: dict, folder: Path, submission: Submission) -> None:
         shutil.rmtree(folder / "taken", ignore_errors=True)

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from grading.confined import Limits
 from grading.isolation import Isolation, User
-from grading.objects import make
+from grading.objects import STILL_A_STUB, make
 from grading.pair import Pair, Ran
 from grading.submission import Source
 from grading.workshop import Workshop
@@ -69,6 +69,10 @@ class Judge:
         return _all(self._workshop.expected_tests(exercise), TIMED_OUT, NOT_RUN,
                     "The submission's time was up: too many of its tests had to be stopped before.")
 
+    def not_judged(self, exercise: Exercise, error: Exception) -> ExerciseVerdict:
+        return _all(self._workshop.expected_tests(exercise), NOT_STARTED, "could not be graded",
+                    f"The grader itself has failed here ({type(error).__name__}): {error}"[:_MESSAGE])
+
     def lost(self, verdict: ExerciseVerdict) -> float:
         """Seconds that its time-outs cost, by their kind: the same on any machine."""
         cost = {LOOPED: self._limits.cpu, WAITED: self._limits.wall}
@@ -82,8 +86,6 @@ class Judge:
         if source.problem:
             verdict = TAMPERED if source.is_link else DOES_NOT_COMPILE
             return _all(tests, verdict, "file not taken", source.problem)
-        if is_stub(source.content.decode("utf-8", errors="replace")):
-            return _all(tests, NOT_STARTED, message="The file still calls not_implemented().")
         key = self._key(exercise, source)
         known = self._recall(key)
         if known is None or [test.test for test in known.tests] != tests:
@@ -100,6 +102,8 @@ class Judge:
         folder.chmod(0o755)
         try:
             made = make(exercise, source, self._workshop, self._isolation, user, folder)
+            if made.verdict == DOES_NOT_COMPILE and is_stub(source.content.decode("utf-8", errors="replace")):
+                return _all(tests, NOT_STARTED, message=STILL_A_STUB), True
             if not made.program:
                 return _all(tests, made.verdict, made.reason, made.message), "stopped by a limit" not in made.message
             ran = self._run_all(exercise, tests, made.program, user)
@@ -111,27 +115,34 @@ class Judge:
                  user: User) -> list[tuple[TestVerdict, bool]]:
         """With one pair of processes, and another where the last could not go on."""
         ran: list[tuple[TestVerdict, bool]] = []
-        pair = None
+        pair, was_stopped = None, False
         try:
             for test in tests:
                 if pair and not pair.alive and not pair.was_asked:
                     # It ends before it can be asked anything, and would for every test.
                     ran.append((replace(ran[-1][0], test=test), ran[-1][1]))
                     continue
-                if not pair or not pair.alive:
-                    pair = Pair(self._isolation, user, self._workshop.test_program(exercise), exercise.function,
-                                program, self._limits_of(exercise), {"SPOOK_SEED": str(self._seed)},
-                                threads=exercise.function in _THREADED)
                 if self.lost(ExerciseVerdict([verdict for verdict, _ in ran], [])) >= self._of_exercise:
                     verdict = TestVerdict(test, TIMED_OUT, NOT_RUN, "The exercise's time was up: too many of its tests "
                                           "had to be stopped before.")
                     ran.append((verdict, True))
                     continue
-                ran.append(self._verdict(test, pair.run(test)))
+                if not pair or not pair.alive:
+                    pair = self._pair(exercise, program, user)
+                told = pair.run(test)
+                if told.timed_out and not was_stopped:
+                    # A machine that is busy or stands still looks the same. Once an exercise, so that it costs little.
+                    was_stopped, pair = True, self._pair(exercise, program, user)
+                    told = pair.run(test)
+                ran.append(self._verdict(test, told))
         finally:
             if pair and pair.alive:
                 pair.close()
         return ran
+
+    def _pair(self, exercise: Exercise, program: Path, user: User) -> Pair:
+        return Pair(self._isolation, user, self._workshop.test_program(exercise), exercise.function, program,
+                    self._limits_of(exercise), {"SPOOK_SEED": str(self._seed)}, threads=exercise.function in _THREADED)
 
     def _limits_of(self, exercise: Exercise) -> Limits:
         return replace(self._limits, **_THREADS) if exercise.function in _THREADED else self._limits

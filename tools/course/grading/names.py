@@ -6,6 +6,7 @@
 """
 
 import re
+import unicodedata
 from dataclasses import dataclass
 
 _MOODLE = re.compile(r"(?P<name>.+?)_(?P<id>\d+)_assignsubmission_(?:file|onlinetext)_?(?P<file>.*)")
@@ -27,3 +28,15 @@ def student_of(name: str) -> tuple[Student, str] | None:
     if found := _CANVAS.fullmatch(name):
         return Student(found["name"], found["id"], bool(found["late"])), _AGAIN.sub("", found["file"])
     return None
+
+
+_LONGEST = 200  # bytes; a folder's name may have 255
+_NAMELESS = "nameless"
+
+
+def safe(name: str) -> str:
+    """As it names a folder, a file and a row: letters of any language, digits, and `-_. `; never empty, never dots."""
+    letters = unicodedata.normalize("NFC", name.encode("utf-8", errors="replace").decode("utf-8"))
+    plain = "".join(one if one in "-_. " or unicodedata.category(one)[0] in "LMN" else "_" for one in letters)
+    plain = plain.encode("utf-8")[:_LONGEST].decode("utf-8", errors="ignore").strip(" ")
+    return plain if plain.strip(". ") else _NAMELESS

@@ -5,21 +5,28 @@ and a helper may have any name. `ld -r` comes first, to dissolve groups of inlin
 of each, and it must not be the student's.
 """
 
+import re
 import shlex
 import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 
 import diagnostics
-from grading.allowed import REMOVED, Object, not_allowed, read_object, tampering
+from grading.allowed import REMOVED, REPLACED, not_allowed, tampering
+from grading.complaints import compiler_says
 from grading.confined import Limits
+from grading.elf import Object, TooLarge, Unreadable, read_object
 from grading.isolation import GRADER, Isolation, User
 from grading.submission import Source
 from grading.workshop import Workshop
 from manifest import Exercise
+from marker import is_stub
 
 # A compiler does not sleep: its limit is processor time, and the clock is far enough away that load can not decide a mark.
 _COMPILING = Limits(cpu=60, wall=1800, memory=3 << 30, files=256 << 20, processes=32, output=4 << 20)
+_STUB = "_ZTIN5spook14NotImplementedE"  # what a stub throws: not in an object whose call is in a comment or in #if 0
+STILL_A_STUB = "The file still calls not_implemented()."
+_NAMES, _NAME, _MOST_NAMES = 1 << 16, 500, 20  # characters of all names that are shown, and of one
 _NOT_NEEDED = ("{} calls {}(), which no exercise needs. An answer may call the C++ library, mathematics, text, memory, "
                "and what the chapters' headers declare.")
 
@@ -45,7 +52,9 @@ def make(exercise: Exercise, source: Source, workshop: Workshop, isolation: Isol
     (compiling / file).write_bytes(source.content)
     user.own(compiling)
 
+    text = source.content.decode("utf-8", errors="replace")
     command, reads = workshop.compile_command(exercise, str(file), "student.o"), [workshop.headers]
+    command.append("-fno-caret-diagnostics" if "clang" in command[0] else "-fno-diagnostics-show-caret")
     if source.is_reference:
         command.append(f"-I{workshop.reference_headers}")
         reads.append(workshop.reference_headers)
@@ -54,22 +63,34 @@ def make(exercise: Exercise, source: Source, workshop: Workshop, isolation: Isol
         stopped = "the compiler was stopped by a limit on its time, memory or output\n" if (
             ended.timed_out or ended.too_much or ended.code in (-9, 137, -24, 152)
             or "signal terminated program" in ended.output) else ""
-        return Made(None, "does not compile", message=stopped + "\n".join(
-            diagnostics.first_error(ended.output, exercise)))
+        return Made(None, "does not compile", message=stopped + compiler_says(
+            ended.output, exercise, str(file), text))
     student = compiling / "student.o"
-    found = read_object(student)
     wanted = workshop.functions[exercise.function]
+    try:
+        found = read_object(student)
+    except TooLarge as error:
+        return Made(None, "does not compile", "too large", f"{file} compiles to {error}, more than an answer needs.")
+    except Unreadable as error:
+        return Made(None, "tampered", "no object", f"{file} compiles to what is no object of this machine: {error}.")
+    if is_stub(text) and any(symbol.name == _STUB for symbol in found.symbols):
+        return Made(None, "not started", message=STILL_A_STUB)
     refused = "" if source.is_reference else tampering(found)
     if refused:
         return Made(None, "tampered", refused, f"{file} {refused}. No exercise needs that; it is not run.")
-    stranger = "" if source.is_reference else not_allowed(found, workshop.declared)
+    stranger = "" if source.is_reference else not_allowed(found, workshop.reference.callable_symbols(exercise))
+    if owner := _owner(stranger, workshop):
+        return Made(None, "does not compile", "not available in grading", _not_yet(file, owner, exercise))
     if stranger.startswith("_Z"):
         return Made(None, "does not compile", "does not link", f"undefined reference to `{_readable(stranger)}'")
     if stranger:
         return Made(None, "does not compile", "calls what no exercise needs", _NOT_NEEDED.format(file, stranger))
-    missing = sorted(name for name in wanted if not found.defines(name))
+    missing = sorted(name for name in wanted if not found.binding_of(name))
     if missing:
         return Made(None, "does not compile", "function not defined", _not_defined(file, missing))
+    weak = [name for name in wanted if found.binding_of(name) == "WEAK" and name not in workshop.reference.weak]
+    if weak and not source.is_reference:
+        return Made(None, "does not compile", "defined as weak or inline", _weak(file, weak))
     return _link(exercise, workshop, isolation, student, linking, wanted, _notes(found))
 
 
@@ -77,7 +98,7 @@ def _link(exercise: Exercise, workshop: Workshop, isolation: Isolation, student:
           wanted: set[str], notes: tuple[str, ...]) -> Made:
     script = [["ld", "-r", "--force-group-allocation", str(student), "-o", "whole.o"],
               ["objcopy", *(f"--keep-global-symbol={name}" for name in sorted(wanted)),
-               f"--redefine-sym={REMOVED}=spook_no_{REMOVED}", "whole.o", "local.o"],
+               *(f"--redefine-sym={old}={new}" for old, new in REPLACED.items()), "whole.o", "local.o"],
               workshop.link_command(exercise, "local.o", "answer")]
     shell = ["/bin/sh", "-c", "set -e; " + "; ".join(shlex.join(words) for words in script)]
     # The linker runs none of the student's code, but reads what the student may not: the reference. So it
@@ -86,22 +107,55 @@ def _link(exercise: Exercise, workshop: Workshop, isolation: Isolation, student:
         ended = isolation.run(shell, _COMPILING, GRADER, (workshop.answers, student), (folder,), folder)
         code, output = ended.code, ended.output
     else:
-        result = subprocess.run(shell, capture_output=True, text=True, errors="replace", cwd=folder)
+        limited = ["prlimit", f"--cpu={_COMPILING.cpu}", f"--as={_COMPILING.memory}", "--", *shell]
+        result = subprocess.run(limited, capture_output=True, text=True, errors="replace", cwd=folder)
         code, output = result.returncode, result.stdout + result.stderr
     if code != 0:
         return Made(None, "does not compile", "does not link", "\n".join(diagnostics.first_error(output, exercise)))
+    if elsewhere := _defined_elsewhere(output, wanted):
+        return Made(None, "tampered", "not its own function",
+                    f"The linker does not take {elsewhere} from the submission.")
     program = folder / "answer"
     program.chmod(0o755)
     return Made(program, notes=notes)
 
 
+def _defined_elsewhere(told: str, wanted: set[str]) -> str:
+    """One of the wanted functions of which the linker says another origin than the submission, or none, or two."""
+    origins: dict[str, list[str]] = {name: [] for name in wanted}
+    for found in re.finditer(r"^(?:.*: )?(\S+): definition of (\S+)$", told, re.MULTILINE):
+        origins.setdefault(found[2], []).append(found[1])
+    return next((name for name in sorted(wanted) if origins[name] != ["local.o"]), "")
+
+
+def _owner(symbol: str, workshop: Workshop) -> str:
+    """The exercise whose function it is; empty if it is none."""
+    return next((function for function, symbols in workshop.functions.items() if symbol in symbols), "")
+
+
+def _not_yet(file: Path, called: str, exercise: Exercise) -> str:
+    return (f"{file} calls {called}(), which is not available in grading where {exercise.label} is asked for: an "
+            "answer may call the functions of earlier exercises, unless one is the answer by itself.")
+
+
+def _weak(file: Path, names: list[str]) -> str:
+    return "\n".join([f"{file} defines as weak or inline:", *(f"  {name}" for name in _readable(*names).splitlines()),
+                      "Define it as the chapter's header declares it."])
+
+
 def _notes(found: Object) -> tuple[str, ...]:
-    notes = {"its main is not used": found.defines("main"), f"its call of {REMOVED}() is removed": found.calls(REMOVED)}
+    notes = {"its main is not used": bool(found.binding_of("main")),
+             f"its call of {REMOVED}() is removed": found.calls(REMOVED)}
     return tuple(note for note, holds in notes.items() if holds)
 
 
 def _readable(*symbols: str) -> str:
-    return subprocess.run(["c++filt", *symbols], capture_output=True, text=True).stdout.strip()
+    """Cut: a short symbol may say a name of megabytes, and a submission may have any number of them."""
+    shell = f"exec prlimit --cpu=5 --as={1 << 30} -- c++filt | head -c {_NAMES}"
+    names = "\n".join(symbol[:_NAMES] for symbol in symbols[:_MOST_NAMES]) + "\n"
+    told = subprocess.run(["/bin/sh", "-c", shell], input=names, capture_output=True, text=True,
+                          errors="replace").stdout
+    return "\n".join(line[:_NAME] for line in told.splitlines())
 
 
 def _not_defined(file: Path, missing: list[str]) -> str:

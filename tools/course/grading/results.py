@@ -7,6 +7,7 @@ import hashlib
 import json
 from pathlib import Path
 
+from errors import CourseError
 from grading.judge import NOT_STARTED, PASSED, TAMPERED, ExerciseVerdict
 from grading.submission import Submission
 from grading.weights import Weights
@@ -88,6 +89,14 @@ def _sum(parts: list[dict], key: str) -> float:
 def said(test: dict) -> str:
     """The verdict with its reason, as everyone is told it."""
     return test["verdict"] + (f": {test['reason']}" if test["reason"] else "")
+
+
+def folder_of(out: Path, name: str) -> Path:
+    """Where a submission's results are written, which is in `submissions/` and nowhere else."""
+    folder = out / "submissions" / name
+    if name in ("", ".", "..") or folder.name != name or folder.parent != out / "submissions":
+        raise CourseError(f"the submission {name!a} can not have a folder of its name")
+    return folder
 
 
 def write_json(file: Path, content: dict) -> None:

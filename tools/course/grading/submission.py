@@ -11,6 +11,7 @@ from marker import is_stub
 from paths import CHAPTERS
 
 _NAMES_IN_A_NOTE = 8
+_MOST_CANDIDATES = 20  # for one exercise
 # Where a copy of the course keeps its own, which are not the student's.
 _NOT_THEIRS = {"solutions", "tests", "plots", "tools", "build", ".git", ".course"}
 _COPY = re.compile(r"(?: ?\(\d+\)| - copy(?: ?\(\d+\))?| copy(?: \d+)?| ?\(copy(?: \d+)?\)|~\d?)$")
@@ -124,6 +125,9 @@ def _look(submission: Submission, entry: Entry, exercises: list[Exercise], seen:
 def _choose(submission: Submission, function: str, candidates: list[_Candidate]) -> None:
     """The least guessed; of those the first that is no stub."""
     candidates.sort(key=lambda one: (one.rank, len(one.entry.path.parts), str(one.entry.path)))
+    if len(candidates) > _MOST_CANDIDATES:
+        submission.notes.append(f"{len(candidates)} files could be {function}; only {_MOST_CANDIDATES} were looked at")
+        del candidates[_MOST_CANDIDATES:]
     sources = [_read(one.entry) for one in candidates]
     chosen = next((k for k, source in enumerate(sources) if not source.problem
                    and not is_stub(source.content.decode("utf-8", errors="replace"))), 0)

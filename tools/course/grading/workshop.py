@@ -8,7 +8,6 @@ what a student wrote.
 import hashlib
 import json
 import os
-import re
 import shlex
 import shutil
 import subprocess
@@ -20,14 +19,14 @@ from pathlib import Path
 from errors import BadInput, CourseError
 from grading.confined import Limits
 from grading.isolation import Isolation, take_user
+from grading.reference import Reference
 from manifest import Chapter, Exercise, all_exercises
 from paths import CHAPTERS, ROOT, SOLUTIONS, shown
 from process import tail
-from symbols import reference_functions
 from tree import Tree
 
 CHECK = Tree("check")
-_WORD = re.compile(r"\w+")
+_REFERENCE = "libspook_reference.a"
 _LOOKING = Limits(cpu=5, wall=20, memory=1 << 30, files=0, processes=16, output=1 << 16)
 
 
@@ -37,6 +36,15 @@ class Linking:
 
     before: tuple[str, ...]
     after: tuple[str, ...]
+
+    def of_answer(self, exercise: Exercise, reference: Reference, object_file: str) -> list[str]:
+        """With the reference that this exercise may have."""
+        def chosen(word: str) -> str:
+            file = Path(word)
+            if file.name == _REFERENCE:
+                return str(reference.archive_for(exercise))
+            return str(reference.asks_only_for(exercise, file)) if file.name.startswith("answering_") else word
+        return [*map(chosen, self.before), object_file, *map(chosen, self.after)]
 
 
 def build_tests(chapters: list[Chapter]) -> None:
@@ -83,10 +91,8 @@ class Workshop:
         self._counting = {exercise.function: _counting(exercise) for chapter in chapters for exercise in chapter.exercises}
         self._links = {chapter.folder: self._stage_link(f"answer_{chapter.folder}") for chapter in chapters}
         self._programs = {chapter.folder: self._stage_tests(chapter, hidden) for chapter in chapters}
-        self.functions = {exercise.function: reference_functions(CHECK, exercise)
-                          for chapter in chapters for exercise in chapter.exercises}
-        self.declared = frozenset(_WORD.findall("".join(
-            header.read_text(encoding="utf-8") for header in CHAPTERS.glob("*/*.hpp"))))
+        self.reference = Reference(CHECK.path / "solutions" / _REFERENCE, self.answers / "reference")
+        self.functions = self.reference.symbols
         self.tests = {chapter.folder: self._list_tests(chapter) for chapter in chapters}
         shown_tests = {test for chapter in chapters for test in listed_tests(chapter)}
         self.hidden_tests = {test for tests in self.tests.values() for test in tests} - shown_tests
@@ -100,8 +106,9 @@ class Workshop:
         return [*self._flags, *self._counting[exercise.function], "-c", source, "-o", to]
 
     def link_command(self, exercise: Exercise, object_file: str, to: str) -> list[str]:
-        link = self._links[exercise.folder]
-        return [*link.before, object_file, *link.after, "-o", to]
+        """The linker says which object each of the exercise's functions is defined in: see objects.py."""
+        told = [f"-Wl,--trace-symbol={symbol}" for symbol in sorted(self.functions[exercise.function])]
+        return [*self._links[exercise.folder].of_answer(exercise, self.reference, object_file), *told, "-o", to]
 
     def test_program(self, exercise: Exercise) -> Path:
         return self._programs[exercise.folder]

@@ -1,0 +1,96 @@
+"""The reference answers for nobody: what a submission is linked with holds neither its own exercise nor a later one."""
+
+import unittest
+
+from classroom import Classroom, right
+from sandbox import all_exercises
+
+from grading.objects import _defined_elsewhere
+from grading.reference import callable_from
+MATRIX = "ERKN5Eigen6MatrixIdLi3ELi1ELi0ELi3ELi1EEE"
+KICK = f"_ZN5spook4kick{MATRIX}S4_dd"
+HEAD = '#include "01_leapfrog/leapfrog.hpp"\n#include "common/require.hpp"\n'
+TRAP = HEAD + """
+namespace spook {
+__attribute__((weak)) void composed_step(Particles& bodies, const ForceField& force, double h, int pairs) {
+  __builtin_trap();
+}
+}
+"""
+
+
+def versioned(name: str) -> str:
+    """A function of no use, which a checker that stops at the @ takes for kick."""
+    return HEAD + f'extern "C" void mine() {{}}\nasm(".symver mine, {name}");\n'
+
+
+def quoted(name: str) -> str:
+    return HEAD + f'asm(".text\\n.globl \\"{name}\\"\\n.type \\"{name}\\",@function\\n\\"{name}\\": ret");\n'
+
+
+def inline_of_the_reference() -> str:
+    """An inline function that the reference's object of composed_step holds, as a symbol that must be found."""
+    reject = "_ZN5spook6rejectERKNSt7__cxx1112basic_stringIcSt11char_traitsIcESaIcEEEdS7_"
+    return f'asm(".pushsection .data\\n.quad {reject}\\n.popsection");\n'
+
+
+ATTACKS = {  # by exercise and name: the source
+    ("kick", "a version"): versioned(f"{KICK}@x"),
+    ("kick", "a version of its own"): versioned(f"{KICK}@@x"),
+    ("kick", "a version or none"): versioned(f"{KICK}@@@x"),
+    ("kick", "a name with an at"): quoted(f"{KICK}@x"),
+    ("kick", "a name with a blank"): quoted(f"{KICK} x"),
+    ("kick", "a name with a tab"): quoted(f"{KICK}\\\\tx"),
+    ("composed_step", "weak"): TRAP,
+    ("composed_step", "weak and an inline function"): TRAP + inline_of_the_reference(),
+    ("drift", "an earlier one"): HEAD + "namespace spook {\nVec3 drift(const Vec3& x, const Vec3& v, double h) {\n"
+                                        "  return kick(x, v, 1, h);\n}\n}\n",
+    ("kick", "a later one"): HEAD + """
+namespace spook {
+Vec3 kick(const Vec3& v, const Vec3& f, double inverse_mass, double h) {
+  Particles bodies{{Vec3::Zero()}, {v}, {inverse_mass}};
+  leapfrog_step(bodies, [&f](std::size_t, const std::vector<Vec3>&) { return f; }, h);
+  return bodies.v[0];
+}
+}
+""",
+}
+
+
+class GradeReference(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.room = Classroom()
+        cls.addClassCleanup(cls.room.close)
+        for (function, name), source in ATTACKS.items():
+            cls.room.hand_in(f"{function} {name}", {f"{function}.cpp": source})
+        once = "Vec3 const once = kick(v, f, inverse_mass, -h / 2);\n  return"
+        calls = right("half_step_start").replace("return", once)
+        cls.room.hand_in("calls an earlier one", {"half_step_start.cpp": calls})
+        cls.marks = cls.room.grade()
+
+    def test_no_attack_has_points(self):
+        for function, name in ATTACKS:
+            with self.subTest(f"{function} {name}"):
+                result = self.marks.result(f"{function} {name}")
+                self.assertEqual(result["score"], 0, self.marks.verdicts(f"{function} {name}", function))
+
+    def test_an_earlier_exercise_may_be_called(self):
+        self.assertEqual(self.marks.verdicts("calls an earlier one", "half_step_start"), {"passed"})
+
+    def test_nothing_after_an_exercise_may_be_called(self):
+        exercises = all_exercises()
+        for k, exercise in enumerate(exercises):
+            later = {one.function for one in exercises[k:]}
+            self.assertEqual(later & set(callable_from(exercise)), set(), exercise.label)
+
+    def test_the_linker_is_believed_only_where_it_names_the_submission(self):
+        here, there = "/usr/bin/ld: local.o: definition of f\n", "/usr/bin/ld: /x/kick.a(kick.o): definition of f\n"
+        asked = "/usr/bin/ld: answering.o: reference to f\n"
+        self.assertEqual(_defined_elsewhere(asked + here, {"f"}), "")
+        for told in (there, here + there, asked, "", here.replace("of f", "of f@x")):
+            self.assertEqual(_defined_elsewhere(told, {"f"}), "f", told)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,73 @@
+"""The reference as a submission is linked with it: without the exercise's own answer, and without any later one.
+
+Each exercise has an archive of its own, with the functions that come before it in the course, which its answer may
+call, and nothing else that answers.
+"""
+
+import subprocess
+import threading
+from pathlib import Path
+
+from errors import CourseError
+from manifest import Exercise, all_exercises
+from symbols import functions_in
+
+# Earlier functions that are the answer under another name.
+_ANSWERS_BY_ITSELF = {"drift": {"kick"}}
+
+
+def callable_from(exercise: Exercise) -> list[str]:
+    """The exercises whose functions an answer may call, by function."""
+    order = [one.function for one in all_exercises()]
+    hidden = _ANSWERS_BY_ITSELF.get(exercise.function, set())
+    return [function for function in order[: order.index(exercise.function)] if function not in hidden]
+
+
+class Reference:
+    """`archive` is taken apart into `folder`; archives are made when they are asked for, by whatever thread."""
+
+    def __init__(self, archive: Path, folder: Path):
+        self._folder, self._members, self._making = folder, folder / "members", threading.Lock()
+        self.symbols = {one.function: functions_in(archive, one.function) for one in all_exercises()}
+        self._members.mkdir(parents=True)
+        names = _ran(["ar", "t", str(archive)], folder).split()
+        if len(set(names)) != len(names):
+            raise CourseError(f"{archive.name} has two objects of one name; nobody is graded")
+        _ran(["ar", "x", str(archive.resolve())], self._members)
+        # Instances of templates, which a compiler defines as weak.
+        self.weak = frozenset(line.split()[0] for line in _ran(["nm", "-P", "--defined-only", str(archive)], folder)
+                              .splitlines() if line.split()[1:2] == ["W"])
+
+    def callable_symbols(self, exercise: Exercise) -> frozenset[str]:
+        return frozenset().union(*(self.symbols[function] for function in callable_from(exercise)))
+
+    def archive_for(self, exercise: Exercise) -> Path:
+        """A list of the objects' names and symbols; the objects stay where they are."""
+        made = self._folder / f"{exercise.function}.a"
+        allowed, exercises = set(callable_from(exercise)), {one.function for one in all_exercises()}
+        members = [file for file in sorted(self._members.iterdir())
+                   if (name := file.name.partition(".")[0]) in allowed or name not in exercises]
+        with self._making:
+            if not made.exists():
+                _ran(["ar", "rcsT", str(made), *(str(file) for file in members)], self._folder)
+        return made
+
+    def asks_only_for(self, exercise: Exercise, asking: Path) -> Path:
+        """A copy of an object in which the functions of all other exercises may stay undefined.
+
+        Without it each of them would be linked, and its code could be read by a submission that never calls it.
+        """
+        made = self._folder / f"{exercise.function}-{asking.name}"
+        others = [f"--weaken-symbol={symbol}" for function, symbols in self.symbols.items()
+                  for symbol in sorted(symbols) if function != exercise.function]
+        with self._making:
+            if not made.exists():
+                _ran(["objcopy", *others, str(asking), str(made)], self._folder)
+        return made
+
+
+def _ran(command: list[str], folder: Path) -> str:
+    result = subprocess.run(command, cwd=folder, capture_output=True, text=True)
+    if result.returncode != 0:
+        raise CourseError(f"{command[0]} can not take the reference apart", result.stderr)
+    return result.stdout
