@@ -106,7 +106,7 @@ class Mac(unittest.TestCase):
     def test_without_homebrew_it_says_what_that_is(self):
         done = self.box.course("start", "--yes", **self.env)
         self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
-        self.assertIn("brew is Homebrew, from brew.sh", done.stderr)
+        self.assertIn("brew is the command of Homebrew", done.stderr)
 
     def test_without_apples_compiler(self):
         self.fake.program("brew", _BREW)

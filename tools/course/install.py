@@ -129,7 +129,7 @@ def _without_root() -> str:
     if machine.conda():
         return ""
     if machine.is_mac():
-        return "" if shutil.which("brew") else "  (brew is Homebrew, from brew.sh)"
+        return "" if shutil.which("brew") else "  (brew is the command of Homebrew)"
     return "" if _is_root() else f"; without root, in your own space:  {_CONDA_LINE}"
 
 

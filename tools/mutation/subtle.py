@@ -19,7 +19,7 @@ _VECTOR = re.compile(r"const (std::vector<[\w<>:]+>)& (\w+)")
 _COUNTS = re.compile(r"[\w:]+ (\w+) = ")
 _NUMBER = re.compile(r"\bdouble (\w+)")
 _FIELDS = {"Contact": ("gap",), "Constraint": ("gap", "lo", "hi"), "Row": ("B", "Sigma", "lo", "hi", "lambda"),
-           "Rubbing": ("mu",)}
+           "FrictionContact": ("mu",)}
 _STRUCT = re.compile(rf"const ({'|'.join(_FIELDS)})(?:<\w+>)?& (\w+)")
 # What a function returns that returns nothing.
 _NOTHING = {"void": "", "bool": "{}", "double": "{}", "int": "{}", "Vec3": "Vec3::Zero()", "Vec2": "Vec2::Zero()",

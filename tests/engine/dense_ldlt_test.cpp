@@ -9,7 +9,7 @@
 #include "engine/linear/velocity_factors.hpp"
 #include "random_input.hpp"
 
-namespace spook::small_factors_test {
+namespace spook::dense_ldlt_test {
 namespace {
 
 using Matrix = Eigen::MatrixXd;
@@ -105,4 +105,4 @@ TEST(VelocityFactors, RefuseWhatIsSingular) {
 }
 
 }  // namespace
-}  // namespace spook::small_factors_test
+}  // namespace spook::dense_ldlt_test

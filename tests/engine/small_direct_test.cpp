@@ -10,7 +10,7 @@
 
 #include "refusals.hpp"
 
-namespace spook::dense_solve_test {
+namespace spook::small_direct_test {
 namespace {
 
 constexpr double h = 1.0 / 60;
@@ -153,4 +153,4 @@ TEST(DenseSolve, RefusesWhatSolveRefuses) {
 }
 
 }  // namespace
-}  // namespace spook::dense_solve_test
+}  // namespace spook::small_direct_test

@@ -8,7 +8,7 @@
 #include "refusals.hpp"
 #include "velocities.hpp"
 
-namespace spook::stripes_test {
+namespace spook::threads_test {
 namespace {
 
 constexpr double h = 1.0 / 120, side = 0.2, k = 1e4;
@@ -159,4 +159,4 @@ TEST(Threads, AreRefusedByNameAndNumber) {
 }
 
 }  // namespace
-}  // namespace spook::stripes_test
+}  // namespace spook::threads_test

@@ -7,7 +7,7 @@
 
 #include "scene_runs.hpp"
 
-namespace spook::soundness_test {
+namespace spook::run_check_test {
 namespace {
 
 constexpr double h = 1.0 / 60, g = 9.81;
@@ -166,4 +166,4 @@ TEST(RunCheck, OfEverySceneAsItComes) {
 }
 
 }  // namespace
-}  // namespace spook::soundness_test
+}  // namespace spook::run_check_test

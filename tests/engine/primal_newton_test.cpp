@@ -10,7 +10,7 @@
 #include "engine/solvers/primal_interior_point.hpp"
 #include "engine/world/world.hpp"
 
-namespace spook::body_solve_test {
+namespace spook::primal_newton_test {
 namespace {
 
 constexpr double h = 1.0 / 60;
@@ -199,4 +199,4 @@ TEST(BodySolve, LeavesWhatItCanNotDo) {
 }
 
 }  // namespace
-}  // namespace spook::body_solve_test
+}  // namespace spook::primal_newton_test

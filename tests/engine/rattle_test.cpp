@@ -10,7 +10,7 @@
 #include "refusals.hpp"
 #include "scene_runs.hpp"
 
-namespace spook::composed_test {
+namespace spook::rattle_test {
 namespace {
 
 using spook::testing::expect_order;
@@ -283,4 +283,4 @@ TEST(Composed, RefusesWhatHasNoWayBack) {
 }
 
 }  // namespace
-}  // namespace spook::composed_test
+}  // namespace spook::rattle_test
