@@ -2,6 +2,8 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <iostream>
@@ -16,13 +18,29 @@
 
 namespace spook {
 
-/// A percentage on a terminal; nothing where nobody looks.
-static std::function<void(std::int64_t, std::int64_t)> progress_on_terminal() {
-  if (!isatty(STDERR_FILENO)) return nullptr;
-  return [](std::int64_t done, std::int64_t steps) {
-    std::cerr << (done == steps ? "     " : std::to_string(100 * done / steps) + " %") << '\r' << std::flush;
-  };
-}
+/// Shows on a terminal how much of a long run is done. Rated by the clock: steps may take a second each, and then a
+/// count of steps says nothing for long.
+class Progress {
+ public:
+  void look(std::int64_t substep, std::int64_t substeps) {
+    const Clock::time_point now = Clock::now();
+    if (now < next_ && !(shown_ && substep == substeps)) return;
+    next_ = now + std::chrono::milliseconds(200);
+    if (substep < substeps)
+      std::cerr << 100 * substep / substeps << " %    \r" << std::flush;
+    else
+      std::cerr << "timing\r" << std::flush;  // the run is repeated for its speed
+    shown_ = true;
+  }
+  ~Progress() {
+    if (shown_) std::cerr << "      \r" << std::flush;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point next_ = Clock::now() + std::chrono::seconds(1);
+  bool shown_ = false;
+};
 
 /// A file to write to. It is made once nothing else can be refused, so that an older one stays until then.
 static void open(std::ofstream& file, const std::string& option, const std::optional<std::string>& name) {
@@ -71,11 +89,15 @@ void RunCommand::execute(std::ostream& out) const {
   open(table, "csv", csv);
   open(recording, "record", record);
   Recorder recorder(recording, description, parameters, settings, per_second);
-  Watch watch{.csv = csv ? &table : nullptr, .positions = positions, .progress = progress_on_terminal()};
-  if (record)
+  Watch watch{.csv = csv ? &table : nullptr, .positions = positions};
+  Progress progress;
+  const std::int64_t substeps = step_count(settings.method.h, settings.time) * settings.method.substeps;
+  const bool watched = isatty(STDERR_FILENO) != 0;
+  if (record || watched)
     watch.look = [&](Scene& now, std::int64_t substep) {
-      recorder.look(now, substep);
-      if (substep == 0) tell_size(recorder);
+      if (record) recorder.look(now, substep);
+      if (record && substep == 0) tell_size(recorder);
+      if (watched) progress.look(substep, substeps);
     };
   const RunResult result =
       recorded(recorder, record.has_value(), [&] { return run(description, parameters, settings, watch); });

@@ -61,6 +61,12 @@ static void print_scene(std::ostream& out, const SceneDescription& scene) {
   }
 }
 
+/// One entry a scene, so that the list can be read at a glance.
+static void print_names(std::ostream& out, const std::vector<SceneDescription>& scenes) {
+  for (const SceneDescription& each : scenes) print_entry(out, each.name, each.summary, 22);
+  out << "\nA scene's parameters and its known answer: ./course scenes NAME\n";
+}
+
 /// The same scene, as ./course run would begin with it.
 static void print_as_file(std::ostream& out, const std::string& scene, const std::vector<std::string>& set) {
   const SceneDescription description = scene_named(scene);
@@ -85,11 +91,11 @@ void ScenesCommand::execute(std::ostream& out) const {
     out << all.dump() << '\n';
     return;
   }
-  for (const SceneDescription& each : listed) {
-    print_scene(out, each);
-    out << '\n';
-  }
-  out << "solvers\n";
+  if (scene.empty())
+    print_names(out, listed);
+  else
+    print_scene(out, listed.front());
+  out << "\nsolvers\n";
   for (const auto& each : solvers<3>()) print_entry(out, "  " + each.name, each.summary, 22);
 }
 

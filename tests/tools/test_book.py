@@ -103,6 +103,27 @@ class Book(unittest.TestCase):
         for page, content in self.pages.items():
             self.assertEqual(re.findall(r"\([0-9]+\.[0-9]+[a-z]?\)", content.text), [], page)
 
+    def test_pictures_keep_their_place_and_wait(self):
+        text = (self.folder / "plots/index.html").read_text(encoding="utf-8")
+        first, *others = re.findall(r"<img\b[^>]*>", text)
+        self.assertGreater(len(others), 10)
+        self.assertNotIn("loading=", first)
+        for image in others:
+            self.assertIn('loading="lazy"', image)
+        for page in self.pages:
+            text = page.read_text(encoding="utf-8")
+            for image in re.findall(r'<img\b[^>]*src="[^"]+\.(?:png|svg|webp)"[^>]*>', text):
+                self.assertRegex(image, r'width="[0-9]+" height="[0-9]+"', page)
+
+    def test_fonts_are_small_and_do_not_hold_up_the_text(self):
+        fonts = [file for file in (self.folder / "assets/fonts").iterdir()]
+        self.assertEqual({file.suffix for file in fonts}, {".woff2"})
+        self.assertLess(sum(file.stat().st_size for file in fonts), 150_000)
+        faces = re.findall(r"@font-face \{[^}]*\}", (self.folder / "assets/book.css").read_text(encoding="utf-8"))
+        self.assertEqual(len(faces), len(fonts))
+        for face in faces:
+            self.assertIn("font-display: swap", face)
+
     def test_an_equation_of_another_page_is_brought_along(self):
         text = (self.folder / "chapters/04_gauss_seidel/index.html").read_text(encoding="utf-8")
         self.assertIn('href="../03_single_contact/index.html#eq-3.7"', text)
@@ -307,6 +328,8 @@ class Views(unittest.TestCase):
             view = (box.root / "site" / page).parent / address[1]
             self.assertEqual(os.path.normpath(view), str(box.root / "site" / "views" / f"{name}.html"))
             self.assertIn("data-recording", view.read_text())
+            back = re.search(r'id="way-back" href="([^"]+)"', view.read_text())
+            self.assertEqual(os.path.normpath(view.parent / back[1]), str(box.root / "site" / page))
 
 
 class Published(unittest.TestCase):

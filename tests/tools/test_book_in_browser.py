@@ -1,8 +1,11 @@
 """The book in a browser: every page is quiet, fits a phone, and has its formulas; equations show themselves, and the
 search finds."""
 
+import gzip
+import re
 import unittest
 from pathlib import Path
+from urllib.parse import unquote, urlsplit
 
 from browser import SIZE, Browser
 from test_book import bound
@@ -116,6 +119,81 @@ class Pages(InBrowser):
         self.assertFalse(self.ask(is_open))
         self.browser.run("location.hash = '#eq-4.10'")
         self.browser.wait(f"return {is_open}")
+
+
+class Reading(InBrowser):
+    BUDGET = 300_000  # bytes of a lesson before its pictures, as a server sends it: text is compressed
+
+    def test_a_lesson_is_light(self):
+        for page in sorted(self.folder.glob("chapters/[0-9][0-9]_*/index.html")):
+            self.open(page)
+            self.browser.run("return document.fonts.ready.then(() => 0)")
+            names = self.ask("[...document.querySelectorAll('link[rel=stylesheet]'), ...document.scripts]"
+                             ".map((node) => node.href || node.src).filter(Boolean)")
+            files = {page, *(Path(unquote(urlsplit(name).path)) for name in names)}
+            fonts = self.loaded_fonts([file for file in files if file.suffix == ".css"])
+            self.assertGreaterEqual(len(fonts), 3, page)
+            sent = (sum(len(gzip.compress(file.read_bytes())) for file in files)
+                    + sum(file.stat().st_size for file in fonts))
+            self.assertLess(sent, self.BUDGET, page)
+
+    def loaded_fonts(self, styles: list[Path]) -> set[Path]:
+        """Files of the typefaces that the page has loaded: its style sheets say which file is which."""
+        def key(family: str, style: str, weight: str) -> tuple[str, str, str]:
+            return family.strip("\"'"), style, {"normal": "400", "bold": "700"}.get(weight, weight)
+
+        known = {}
+        for sheet in styles:
+            for face in re.findall(r"@font-face ?\{([^}]*)\}", sheet.read_text(encoding="utf-8")):
+                said = {name: (re.search(rf"font-{name}: ?([^;}}]+)", face) or ["", default])[1].strip()
+                        for name, default in (("family", ""), ("style", "normal"), ("weight", "normal"))}
+                address = re.search(r"url\([\"']?([^)\"']+\.woff2)", face)[1]
+                known[key(**said)] = sheet.parent / address
+        loaded = self.ask("[...document.fonts].filter((font) => font.status === 'loaded')"
+                          ".map((font) => [font.family, font.style, font.weight])")
+        return {known[key(*font)] for font in loaded}
+
+    def test_no_command_is_cut_off(self):
+        for size in (SIZE, PHONE):
+            self.emulate(size)
+            for page in [Path("index.html"), *sorted(self.folder.glob("chapters/[0-9][0-9]_*/index.html"))]:
+                self.open(self.folder / page)
+                self.assertEqual(self.ask("[...document.querySelectorAll('.shell pre')].filter((pre) => "
+                                          "pre.scrollWidth > pre.clientWidth).map((pre) => pre.textContent)"), [])
+
+    def test_code_is_copied_as_it_stands(self):
+        self.open("chapters/04_gauss_seidel/index.html")
+        wanted = self.ask("document.querySelector('.shell code').textContent.trim()")
+        self.assertRegex(wanted, r"\A\./course view [^\n]+\Z")
+        self.browser.run("window.copied = null; Object.defineProperty(navigator, 'clipboard', { value: "
+                         "{ writeText: async (text) => { window.copied = text; } } })")
+        self.browser.run("document.querySelector('.shell .copy').click()")
+        self.browser.wait("return window.copied !== null")
+        self.assertEqual(self.ask("window.copied"), wanted)
+        self.browser.wait("return document.querySelector('.shell .copy').textContent === 'copied'")
+
+    def test_the_section_that_is_read_is_marked(self):
+        self.open("chapters/04_gauss_seidel/index.html")
+        marked = "[...document.querySelectorAll('#contents ol [aria-current]')].map((link) => link.textContent)"
+        self.assertEqual(self.ask(marked), [])
+        for anchor, title in (("the-idea", "The idea"), ("check", "Check")):
+            self.browser.run("document.getElementById(arguments[0]).scrollIntoView()", anchor)
+            self.browser.wait(f"return String({marked}) === '{title}'")
+
+    def test_figures_on_a_phone(self):
+        self.emulate(PHONE)
+        self.open("chapters/04_gauss_seidel/index.html")
+        self.assertIn("Many contacts", self.ask("document.getElementById('title').textContent"))
+        self.assertNotEqual(self.ask("getComputedStyle(document.getElementById('title')).display"), "none")
+        for image, natural in self.ask("[...document.querySelectorAll('.picture img[src$=\".svg\"]')].map((image) => "
+                                       "[image.clientWidth, Number(image.getAttribute('width'))])"):
+            self.assertEqual(image, natural)  # with letters as large as they were drawn
+        self.browser.run("document.querySelector('.picture > a:has(img[src$=\".png\"])').click()")
+        self.browser.wait("return document.querySelector('#large[open] img').naturalWidth > 0")
+        self.assertEqual(*self.ask("((image) => [image.clientWidth, image.naturalWidth])"
+                                   "(document.querySelector('#large img'))"))
+        self.browser.run("document.querySelector('#large button').click()")
+        self.assertFalse(self.ask("document.getElementById('large').open"))
 
 
 class Previews(InBrowser):

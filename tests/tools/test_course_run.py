@@ -110,7 +110,12 @@ class CourseRun(unittest.TestCase):
         result = self.box.course("scenes")
         self.assertEqual(result.returncode, 0, result.stderr)
         for name in ("free_fall", "oscillator", "orbit", "top", "resting_sphere", "stack"):
-            self.assertIn(name, result.stdout)
+            self.assertRegex(result.stdout, rf"(?m)^{name} +[A-Z]")
+        self.assertLess(len(result.stdout.splitlines()), 200)
+        one = self.box.course("scenes", "stack").stdout
+        for text in ("  answer", "  default", "    bodies="):
+            self.assertIn(text, one)
+            self.assertNotIn(text, result.stdout)
 
     def plot(self, *words: str, code: int = 0) -> str:
         """What was said on stdout."""

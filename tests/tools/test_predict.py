@@ -148,9 +148,9 @@ class Asking(unittest.TestCase):
         self.ask("1", lines="0.002\na\na\n0.2\n", code=0)
         self.ask("2", lines="4.17\n\n\n", code=0)
         board = self.box.course().stdout
-        self.assertRegex(board, r"✓ +1 predictions +3 of 4 right\n")
-        self.assertRegex(board, r"· +2 predictions +1 of 3 made\n")
-        self.assertRegex(board, r"· +3 predictions +0 of 5 made\n")
+        self.assertRegex(board, r"01 · [^\n]+\n  ✓ +predictions +3 of 4 right\n")
+        self.assertRegex(board, r"02 · [^\n]+\n  · +predictions +1 of 3 made\n")
+        self.assertRegex(board, r"03 · [^\n]+done\n04 · ")  # not begun: a line
         told = json.loads(self.box.course("--json").stdout)["predictions"]
         self.assertEqual(told[0], {"chapter": 1, "made": 4, "right": 3, "total": 4})
 

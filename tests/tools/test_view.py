@@ -15,6 +15,7 @@ from unittest import mock
 import recordings
 from sandbox import Sandbox, all_exercises
 
+import frames
 import view
 from beside import Run, label_of, variations
 from errors import BadInput
@@ -47,7 +48,7 @@ BAD_INPUT = (
 
 def arguments(*words: str, **options) -> SimpleNamespace:
     return SimpleNamespace(**{"words": list(words), "mine": False, "beside": None, "fps": None, "out": None,
-                              "gltf": None} | options)
+                              "gltf": None, "back": None} | options)
 
 
 def contents(page: str) -> list[tuple[str, str]]:
@@ -70,6 +71,12 @@ class Gltf(unittest.TestCase):
 
 
 class Page(unittest.TestCase):
+    def test_the_way_back(self):
+        page = film([("", b"x")], ("../chapters/01_leapfrog/index.html", "01 · Leapfrog & more"))
+        self.assertIn('href="../chapters/01_leapfrog/index.html">← 01 · Leapfrog &amp; more</a>', page)
+        for alone in (film([("", b"x")]), live()):
+            self.assertNotIn('id="way-back"', alone)
+
     @classmethod
     def setUpClass(cls):
         if not all(need.there() for need in VIEW_NEEDS):
@@ -153,6 +160,22 @@ class Size(unittest.TestCase):
                 file.write_text(text)
                 with self.assertRaisesRegex(BadInput, "no recording"):
                     view._files(arguments(str(file)))
+
+
+class Frames(unittest.TestCase):
+    """A short run is recorded so finely that it can be seen."""
+
+    def words(self, *words: str, h: float = 0.01, time: float = 10) -> list[str]:
+        with mock.patch.object(frames, "_defaults", return_value={"h": h, "time": time}):
+            return frames.with_frames(words)[len(words):]
+
+    def test_it(self):
+        self.assertEqual(self.words("pile"), [])
+        self.assertEqual(self.words("pile", "--time", "1"), ["--fps", "150"])
+        self.assertEqual(self.words("andrews", h=2e-5, time=0.03), ["--fps", "5000"])
+        self.assertEqual(self.words("cloth", h=0.01, time=0.3), ["--time", "1.5", "--fps", "100"])
+        self.assertEqual(self.words("cloth", "--fps", "10", h=0.01, time=0.3), [])
+        self.assertEqual(self.words("pile", "--time=nonsense"), [])
 
 
 class Command(unittest.TestCase):

@@ -221,7 +221,7 @@ class Time(Viewer):
         self.assertTrue(self.ask("viewer.playing"))
         self.keys(" ")
         self.assertFalse(self.ask("viewer.playing"))
-        self.keys(Keys.ARROW_DOWN, Keys.ARROW_DOWN)
+        self.keys(Keys.ARROW_DOWN)
         self.assertEqual(self.ask("viewer.player.rate"), 0.25)
 
     def test_steps_and_the_scrub_bar(self):
@@ -257,6 +257,67 @@ class Time(Viewer):
         self.assertIn("total 1", values["energy"])
         self.assertEqual(values["sample"], "0.2")
         self.assertIn("1.000 s", self.ask("document.getElementById('now').textContent"))
+
+
+class Seen(Viewer):
+    """A film can be followed by eye, and its numbers mean what they show."""
+
+    def test_a_short_run_is_slowed(self):
+        lines = [json.loads(line) for line in recordings.rolling_ball().splitlines()]
+        for line in lines[1:-1]:
+            line["time"] /= 100
+        for text, rate in ((recordings.rolling_ball(frames=181), 1), (recordings.rolling_ball(), 0.5),
+                           (recordings.text(*lines), 1 / 256)):
+            self.open(text)
+            self.assertEqual(self.ask("viewer.player.rate"), rate)
+            self.assertEqual(float(self.ask("document.getElementById('speed').value")), rate)
+
+    def test_no_part_of_the_picture_is_left_black(self):
+        self.open(recordings.tower(), recordings.tower(), recordings.tower())
+        pixels = self.browser.pixels()
+        self.assertGreater(pixels[-120:-60, -120:-60].min(), 0.9)  # a fourth panel would be here
+
+    def test_the_ends_of_joints_are_in_view(self):
+        lines = [json.loads(line) for line in recordings.hanging_wire(links=2).splitlines()]
+        lines[0]["joints"][0]["p_i"] = [5, 0, 0]
+        self.open(recordings.text(*lines))
+        self.assertGreaterEqual(self.ask("viewer.picture.box.high.x"), 5)
+
+    def test_ticks_differ(self):
+        self.browser.open(self.folder / "page.html")
+        for ticks in ([0.5, 0.50001, 0.50002], [0.5, 0.5 + 1e-10, 0.5 + 2e-10], [100.5, 100.6, 100.7], [0, 1, 2]):
+            texts = self.ask(f"tickTexts({ticks})")
+            self.assertEqual(len(set(texts)), len(ticks), texts)
+        self.assertEqual(texts, ["0", "1", "2"])
+
+    def test_round_off_is_called_so(self):
+        lines = [json.loads(line) for line in recordings.rolling_ball().splitlines()]
+        for line in lines[1:-1]:
+            line["residual"] = 1e-18
+        self.open(recordings.text(*lines))
+        said = self.ask("document.querySelector('.graph[data-key=\"residual\"] .values').textContent")
+        self.assertEqual(said, "round-off")
+
+    def test_a_spike_does_not_hide_the_rest(self):
+        lines = [json.loads(line) for line in recordings.rolling_ball().splitlines()]
+        lines[30]["us"] = [1e6, 0, 0]
+        self.open(recordings.text(*lines))
+        high = self.ask("viewer.graphs.find((graph) => graph.quantity.key === 'us').high")
+        self.assertLess(high, 100)
+        self.assertIn("spike", self.ask("document.querySelector('.graph[data-key=\"us\"]').textContent"))
+
+    def test_a_link_to_a_moment(self):
+        self.open(recordings.rolling_ball())
+        self.browser.run("viewer.scrubTo(30)")
+        self.click("moment")
+        self.assertEqual(self.ask("location.hash"), "#t=0.5")
+        self.browser.driver.refresh()
+        self.browser.wait("return Boolean(window.viewer && viewer.ready)")
+        self.assertEqual((self.ask("viewer.index"), self.ask("viewer.playing")), (30, False))
+
+    def test_what_the_pointer_does_is_said(self):
+        self.open(recordings.rolling_ball())
+        self.assertIn("double click", self.ask("document.getElementById('how').textContent"))
 
 
 class Runs(Viewer):
@@ -352,7 +413,9 @@ class Damage(Viewer):
     def test_a_run_that_blew_up_says_why(self):
         lines = recordings.rolling_ball().splitlines()
         lost = json.dumps({"end": "blown up", "why": "body 1 is not finite"})
-        self.assertIn("blown up: body 1 is not finite", self.notice("\n".join([*lines[:30], lost])))
+        self.assertEqual(self.notice("\n".join([*lines[:30], lost])), "The run blew up: body 1 is not finite.")
+        lost = json.dumps({"end": "blown up", "why": "blew up in step 1"})  # as the engine says it
+        self.assertEqual(self.notice("\n".join([*lines[:30], lost])), "The run blew up in step 1.")
         self.assertEqual(self.ask("viewer.count"), 29)
 
     def test_numbers_that_are_not_finite_are_no_exception(self):

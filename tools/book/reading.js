@@ -14,6 +14,27 @@
   const current = contents.querySelector("[aria-current]");
   if (current) contents.scrollTop = current.offsetTop - contents.clientHeight / 3;
 
+  // The section that is being read: the last one whose heading has passed the upper third of the window.
+  const headingOf = (link) => document.getElementById(decodeURIComponent(link.hash.slice(1)));
+  const entries = [...contents.querySelectorAll("ol a")].map((link) => ({ link, heading: headingOf(link) }))
+    .filter((entry) => entry.heading);
+  let marked = null;
+  function markSection() {
+    const passed = entries.filter(({ heading }) => heading.getBoundingClientRect().top < innerHeight / 3);
+    const atEnd = innerHeight + scrollY >= document.documentElement.scrollHeight - 2;
+    const now = (atEnd ? entries : passed).at(-1)?.link || null;
+    if (now === marked) return;
+    if (marked) marked.removeAttribute("aria-current");
+    if (now) now.setAttribute("aria-current", "location");
+    marked = now;
+    if (!now) return;
+    const { offsetTop: top } = now, { scrollTop, clientHeight } = contents;
+    if (top < scrollTop || top > scrollTop + clientHeight - 60) contents.scrollTop = top - clientHeight / 2;
+  }
+  addEventListener("scroll", markSection, { passive: true });
+  addEventListener("resize", markSection);
+  markSection();
+
   // What a link leads to may be folded away.
   function unfold() {
     const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));

@@ -197,8 +197,10 @@ def _add_view(command: Parser) -> None:
     command.add_argument("--beside", nargs="+", action="extend", metavar="WHAT",
                          help="another run in the same picture, in step: mine, or one with NAME=VALUE[,NAME=VALUE] "
                               "changed, an option of run or a parameter of the scene")
-    command.add_argument("--fps", metavar="N", help="frames a second of simulated time (default: 60)")
+    command.add_argument("--fps", metavar="N",
+                         help="frames a second of simulated time (default: 60, and at least 150 frames)")
     command.add_argument("--out", metavar="FILE", help="default: build/views/SCENE.html")
+    command.set_defaults(back=None)  # the book's pages lead here, and back
     command.add_argument("--gltf", metavar="FILE", help="for Blender, in place of a page: bodies and rods as they move")
 
 

@@ -39,12 +39,17 @@ def show_board(chapters: list[Chapter], verdicts: list[Verdict]) -> None:
     for chapter in chapters:
         own = [verdict for verdict in verdicts if verdict.exercise in chapter.exercises]
         count = f"{count_done(own)} of {len(own)} done"
-        print(f"\n{paint(chapter.title, 'bold')}{count:>{WIDTH - len(chapter.title)}}")
+        line = f"{paint(chapter.title, 'bold')}{count:>{WIDTH - len(chapter.title)}}"
+        if not is_open(chapter, own, verdicts):
+            print(line)
+            continue
+        print(f"\n{line}")
         print(prediction_line(chapter))
         for verdict in own:
             print(board_line(verdict))
         if count_done(own) == len(own):
             show_milestone(chapter.folder)
+        print()
     print(f"\n{count_done(verdicts)} of {len(verdicts)} done.")
     # What is begun and wrong comes before what is not begun.
     left = [verdict.exercise for state in ("wrong", "not started") for verdict in verdicts if verdict.state == state]
@@ -52,6 +57,21 @@ def show_board(chapters: list[Chapter], verdicts: list[Verdict]) -> None:
         show_next(left[0])
     else:
         print("Every exercise is right. Well done!")
+
+
+def is_open(chapter: Chapter, own: list[Verdict], verdicts: list[Verdict]) -> bool:
+    """Tells whether the board lists the chapter's exercises: a chapter that is begun, else the next one to begin. A
+    finished chapter stays open until the next one is begun, to show its film."""
+    asked = predictions_of(chapter)
+    states = {verdict.state for verdict in own}
+    if states != {"not started"}:
+        return states != {"done"} or len(guesses(asked)) < len(asked) or _is_last_begun(own, verdicts)
+    return bool(guesses(asked)) or own[0] == next(each for each in verdicts if each.state == "not started")
+
+
+def _is_last_begun(own: list[Verdict], verdicts: list[Verdict]) -> bool:
+    begun = [verdict for verdict in verdicts if verdict.state != "not started"]
+    return begun[-1] in own
 
 
 def show_milestone(folder: str) -> None:
@@ -69,7 +89,7 @@ def prediction_line(chapter: Chapter) -> str:
     made = len(guesses(asked))
     state = f"{made} of {len(asked)} made" if made < len(asked) else f"{count_right(asked)} of {len(asked)} right"
     mark = symbol("done" if made == len(asked) else "not started")
-    return f"  {mark} {chapter.number:>5} {'predictions':<22} {state}"
+    return f"  {mark} {'':>5} {'predictions':<22} {state}"
 
 
 def predictions_as_json(chapters: list[Chapter]) -> list[dict]:

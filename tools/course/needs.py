@@ -141,6 +141,8 @@ BOOK_NEEDS = (
     Need("nodejs", "command", "node", "12"),
     Need("libjs-katex", "file", str(KATEX / "katex.js")),
     Need("fonts-linuxlibertine", "file", str(BOOK_FONTS[0])),
+    Need("python3-fonttools", "module", "fontTools"),
+    Need("python3-brotli", "module", "brotli"),
 )
 # One node of it, which the tests of --slurm start for themselves.
 SLURM_NEEDS = (Need("slurm-wlm", "command", "sbatch"), Need("munge", "command", "munge"))

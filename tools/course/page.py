@@ -16,13 +16,14 @@ _LIBRARIES = {"three.min.js": THREE_MIN,
 _STYLE = re.compile(r'<link rel="stylesheet" href="([\w.]+)">')
 _SCRIPT = re.compile(r'<script src="([\w.]+)"></script>')
 _LIBRARY_TAG = re.compile(r'<script data-library="([\w.]+)"></script>')
-_DATA = "<!-- data -->"
+_DATA, _BACK = "<!-- data -->", "<!-- back -->"
 
 
-def film(recordings: list[tuple[str, bytes]]) -> str:
-    """The page of recordings, each with what it is called; the first is the one that others are compared with."""
+def film(recordings: list[tuple[str, bytes]], back: tuple[str, str] | None = None) -> str:
+    """The page of recordings, each with what it is called; the first is the one that others are compared with. `back`
+    is the address and title of the page that leads here."""
     return _page("\n".join(f'<script type="application/gzip" data-recording="{html.escape(label)}">{_packed(content)}'
-                           "</script>" for label, content in recordings))
+                           "</script>" for label, content in recordings), back)
 
 
 def live() -> str:
@@ -30,12 +31,13 @@ def live() -> str:
     return _page('<script type="application/json" id="live">{}</script>')
 
 
-def _page(data: str) -> str:
+def _page(data: str, back: tuple[str, str] | None = None) -> str:
     text = (VIEWER / "viewer.html").read_text(encoding="utf-8")
     text = _STYLE.sub(lambda found: f"<style>\n{_source(found[1])}</style>", text)
     text = _SCRIPT.sub(lambda found: f"<script>\n{_source(found[1])}</script>", text)
     text = _LIBRARY_TAG.sub(_library, text)
-    return text.replace(_DATA, data)
+    way = f'<a id="way-back" href="{html.escape(back[0])}">← {html.escape(back[1])}</a>' if back else ""
+    return text.replace(_BACK, way).replace(_DATA, data)
 
 
 def _source(name: str) -> str:

@@ -7,7 +7,7 @@ from errors import CourseError
 from manifest import Chapter
 from pick import pick_chapter
 from predictions import Prediction, predictions_of
-from terminal import fold, paint, symbol
+from terminal import counted, fold, paint, symbol
 
 _FILE, _TABLE = "predictions.json", "predictions"
 
@@ -19,7 +19,7 @@ def predict(arguments) -> int:
     asked = predictions_of(chapter)
     made = {} if arguments.again else guesses(asked)
     left = [each for each in asked if each.id not in made]
-    print(f"{paint(chapter.title, 'bold')}: {len(asked)} predictions, {len(left)} to make\n")
+    print(f"{paint(chapter.title, 'bold')}: {counted(len(asked), 'prediction')}, {len(left)} to make\n")
     if left:
         print(fold("Guess before you know. A letter, or a number such as 0.2, 2e-3 or 1/60; Enter alone leaves a "
                    "question for later.") + "\n")

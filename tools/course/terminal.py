@@ -37,6 +37,10 @@ def _can_print(text: str) -> bool:
         return False
 
 
+def counted(count: int, what: str) -> str:
+    return f"{count} {what}" + ("" if count == 1 else "s")
+
+
 def fold(text: str, indent: str = "") -> str:
     """Paragraphs filled to the width; code (fenced, or indented by four) and lists keep their lines."""
     blocks = []

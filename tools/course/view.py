@@ -12,6 +12,7 @@ from pathlib import Path
 from beside import Run, label_of, variations
 from engine import program
 from errors import BadInput, CourseError
+from frames import with_frames
 from install import install
 from manifest import Exercise
 from mine import begun, signed, told
@@ -54,7 +55,7 @@ def view(arguments) -> int:
         _write(out, _as_gltf(recordings))
         print(f"{shown(out.absolute())}: {_megabytes(out.stat().st_size)} of glTF.")
         return code
-    _write(out, film([(recording.label, recording.content) for recording in recordings]))
+    _write(out, film([(recording.label, recording.content) for recording in recordings], arguments.back))
     count = f"{len(recordings)} runs, " if len(recordings) > 1 else ""
     print(f"{shown(out.absolute())}: {count}{_megabytes(out.stat().st_size)}. Open it in a browser.")
     return code
@@ -115,7 +116,7 @@ def _recorded(runs: list[Run]) -> tuple[list[Recording], int]:
     with tempfile.TemporaryDirectory(prefix="course-") as folder:
         for k, run in enumerate(runs):
             file = Path(folder, f"{k}.jsonl")
-            words = ["run", *run.words, "--record", str(file)]
+            words = ["run", *with_frames(run.words), "--record", str(file)]
             ended = (with_yours(words, mine, call=_Call(file)) if run.mine and mine
                      else _Call(file)([str(program("spook")), *words]))
             if ended == 2 or not file.exists():

@@ -9,7 +9,10 @@ function boundsOf(runs) {
   for (const run of runs) {
     const forms = run.header.bodies.map(formOf);
     const every = Math.max(1, Math.ceil(run.frames.length * forms.length / 200000));
-    for (let k = 0; k < run.frames.length; k += every) takePlaces(places, run.frames[k].x, forms);
+    for (let k = 0; k < run.frames.length; k += every) {
+      takePlaces(places, run.frames[k].x, forms);
+      takeJoints(places, run.frames[k], run.header.joints);
+    }
     radii.push(...forms.filter((form) => form.kind).map((form) => form.radius));
     for (const curve of run.header.curves)
       for (const point of triples(curve.points)) places.forEach((axis, k) => axis.push(point[k]));
@@ -22,6 +25,13 @@ function takePlaces(places, x, forms) {
   for (let body = 0; 3 * body < x.length; ++body)
     if (forms[body].kind && Number.isFinite(x[3 * body] + x[3 * body + 1] + x[3 * body + 2]))
       places.forEach((axis, k) => axis.push(x[3 * body + k]));
+}
+
+/** Both ends of each joint: a rod may reach far beyond the centres of its bodies. */
+function takeJoints(places, frame, joints) {
+  for (const joint of joints)
+    for (const end of [placeOf(frame, joint.i, joint.p_i), placeOf(frame, joint.j, joint.p_j)])
+      if (end.every(Number.isFinite)) places.forEach((axis, k) => axis.push(end[k]));
 }
 
 /** From end to end, unless a few have gone far away. */

@@ -24,6 +24,10 @@ class Controls {
     by("start").onclick = () => viewer.toStart();
     by("loop").onclick = (event) => { player.loop = !player.loop; pressed(event.currentTarget, player.loop); };
     pressed(by("loop"), player.loop);
+    by("moment").onclick = () => {
+      location.replace(`#t=${Number(player.time.toPrecision(6))}`);
+      viewer.flashMoment();
+    };
     this.scrub.oninput = () => viewer.scrubTo(Number(this.scrub.value));
     this.speed = by("speed");
     this.speed.append(...SPEEDS.map((rate) => element("option", {
@@ -103,6 +107,11 @@ class Controls {
     if (!action || (event.key === " " && target.tagName === "BUTTON")) return;
     event.preventDefault();
     action();
+  }
+
+  setSpeed(rate) {
+    this.speed.value = String(rate);
+    this.viewer.setRate(rate);
   }
 
   changeSpeed(by) {

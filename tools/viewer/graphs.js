@@ -2,6 +2,8 @@
 // Graphs in time with the picture. A click or a drag in one goes to that time.
 
 const MOST_DECADES = 8;  // of a logarithmic scale: below are roundings
+const SPIKE = 5;  // a few values that are so many times higher than the others are cut off, and told
+const ROUND_OFF = 1e-14;  // of a graph's largest number: what is smaller says nothing
 const PAD = { left: 60, right: 8, top: 6, bottom: 16 };  // around the curves [pixels]
 
 class Graph {
@@ -23,6 +25,8 @@ class Graph {
     this.node = element("section", { className: "graph" }, head, this.values, this.canvas);
     this.node.dataset.key = quantity.key;
     this.chips = quantity.lines.map((line) => this.chip(line));
+    this.peak = element("span", { className: "peak" });
+    this.values.append(this.peak);
     parent.append(this.node);
     this.listen(seek);
   }
@@ -76,14 +80,15 @@ class Graph {
 
   findRange() {
     const { lines } = this.quantity;
-    let low = Infinity, high = -Infinity;
-    for (const line of lines)
-      for (const frame of line.run.frames) {
-        const value = line.valueOf(frame);
-        if (!isNumber(value) || (this.logarithmic && value <= 0)) continue;
-        low = Math.min(low, value);
-        high = Math.max(high, value);
-      }
+    const values = lines.flatMap((line) => line.run.frames.map(line.valueOf))
+      .filter((value) => isNumber(value) && !(this.logarithmic && value <= 0)).sort((a, b) => a - b);
+    let [low, high] = values.length ? [values[0], lastOf(values)] : [Infinity, -Infinity];
+    this.largest = values.length ? Math.max(-low, high) : 0;
+    const usual = values[Math.floor(0.98 * (values.length - 1))];
+    const spiked = !this.logarithmic && high - low > SPIKE * (usual - low) && usual > low;
+    this.peak.textContent = spiked ? `a spike goes up to ${short(high)}` : "";
+    if (spiked) high = low + 1.5 * (usual - low);
+    if (this.logarithmic && this.quantity.least) low = Math.max(low, Math.min(high, this.quantity.least));
     this.first = Math.min(...lines.map((line) => line.run.frames[0].time));
     this.last = Math.max(...lines.map((line) => lastOf(line.run.frames).time), this.first + 1e-9);
     [this.low, this.high] = this.widened(low, high);
@@ -118,18 +123,20 @@ class Graph {
     pen.textAlign = "right";
     pen.textBaseline = "middle";
     const ticks = this.ticks();
-    for (const value of ticks) {
+    const texts = tickTexts(ticks);
+    for (const [k, value] of ticks.entries()) {
       const y = Math.round(this.yOf(value, height)) + 0.5;
       stroke(pen, PAD.left, y, width - PAD.right, y);
       const power = this.logarithmic && superscript(Math.round(Math.log10(value)));
-      pen.fillText(power ? `10${power}` : tickText(value, ticks), PAD.left - 5, y);
+      pen.fillText(power ? `10${power}` : texts[k], PAD.left - 5, y);
     }
     pen.textAlign = "center";
     pen.textBaseline = "alphabetic";
-    for (const time of steps(this.first, this.last, 5)) {
+    const times = steps(this.first, this.last, 5), when = tickTexts(times);
+    for (const [k, time] of times.entries()) {
       const x = Math.round(this.xOf(time, width)) + 0.5;
       stroke(pen, x, height - PAD.bottom, x, height - PAD.bottom + 3);
-      pen.fillText(inUnit(time, "s"), clamp(x, PAD.left, width - 14), height - 2);
+      pen.fillText(`${when[k]} s`, clamp(x, PAD.left, width - 20), height - 2);
     }
   }
 
@@ -159,6 +166,13 @@ class Graph {
     pen.restore();
   }
 
+  /** What is smaller than rounding can tell is said to be so. */
+  valueText(value) {
+    const { least } = this.quantity;
+    if (least && value !== 0 && Math.abs(value) < least) return "round-off";
+    return !this.logarithmic && Math.abs(value) < ROUND_OFF * this.largest ? "0" : short(value);
+  }
+
   /** `at`: a time, and the frame of each run there. */
   drawCursor(at) {
     this.at = at;
@@ -175,7 +189,7 @@ class Graph {
     stroke(pen, x, PAD.top, x, height - PAD.bottom);
     for (const [k, line] of this.quantity.lines.entries()) {
       const frame = at.frameOf(line.run), value = line.valueOf(frame);
-      this.chips[k].textContent = short(value);
+      this.chips[k].textContent = this.valueText(value);
       if (!isNumber(value) || (this.logarithmic && value <= 0)) continue;
       const y = this.yOf(value, height);
       if (y > height - PAD.bottom + 1) continue;
@@ -194,10 +208,13 @@ function stroke(pen, x, y, toX, toY) {
   pen.stroke();
 }
 
-/** With as many digits as it takes to tell neighbours apart. */
-function tickText(value, ticks) {
-  const digits = ticks.length > 1 && value ? Math.ceil(Math.log10(Math.abs(value) / (ticks[1] - ticks[0]))) + 1 : 0;
-  return digits > 3 ? minus(String(Number(value.toPrecision(Math.min(digits, 8))))) : short(value);
+/** With as many digits as it takes to tell neighbours apart; where that is too many, as what is added to the first. */
+function tickTexts(ticks) {
+  for (let digits = 3; digits <= 7; ++digits) {
+    const texts = ticks.map((value) => digits === 3 ? short(value) : minus(String(Number(value.toPrecision(digits)))));
+    if (new Set(texts).size === ticks.length) return texts;
+  }
+  return ticks.map((value, k) => k ? `+${short(value - ticks[0])}` : short(value));
 }
 
 /** Round numbers between two, about so many. */

@@ -26,7 +26,7 @@ class Live {
       if ("said" in line) this.show(line.said);
       else if ("clock" in line) this.takeClock(line.clock);
       else if ("refused" in line) this.flash(`Refused: ${line.refused}`);
-      else if ("end" in line) this.viewer.say(line.end === "done" ? "" : `The run ${line.end}: ${line.why || ""}`);
+      else if ("end" in line) this.viewer.say(endOf(line));
       else if ("format" in line) this.header(line);
       else this.frame(frameOf(line, this.pending || this.run.header));
     } catch (error) {

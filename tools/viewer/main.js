@@ -56,8 +56,12 @@ class Viewer {
       if (run.frames.length) runs.push(run);
       node.remove();
     }
-    if (runs.length) this.show(runs);
-    if (runs.length) this.player.play(true);
+    if (!runs.length) return;
+    this.show(runs);
+    this.controls.setSpeed(rateFor(this.player.lead));
+    const moment = momentAsked(this.player.lead);
+    if (moment !== null) this.seek(moment);
+    else this.player.play(true);
   }
 
   /** Shows runs from their start; `keep` leaves the camera where it is. */
@@ -131,6 +135,16 @@ class Viewer {
     node.hidden = !notice;
   }
 
+  /** The address now names this moment; copied where the browser allows it. */
+  flashMoment() {
+    const node = document.getElementById("moment"), say = (text) => {
+      node.textContent = text;
+      setTimeout(() => { node.textContent = "link to this moment"; }, 1500);
+    };
+    const copied = navigator.clipboard ? navigator.clipboard.writeText(location.href) : Promise.reject();
+    copied.then(() => say("address copied"), () => say("in the address bar"));
+  }
+
   isRunning() { return this.live ? this.live.running : this.player.playing; }
   togglePlay() { if (this.live) this.live.hold(this.live.running); else this.player.play(!this.player.playing); }
   step(count) { if (this.live) this.live.step(count); else this.player.step(count); }
@@ -183,6 +197,12 @@ class Viewer {
     this.dirty();
     return 1000 * pictures / (performance.now() - start);
   }
+}
+
+/** The time of a link such as film.html#t=1.25, within the run; null if the address has none. */
+function momentAsked(run) {
+  const found = /^#t=([0-9.]+)$/.exec(location.hash);
+  return found ? clamp(Number(found[1]), run.frames[0].time, lastOf(run.frames).time) : null;
 }
 
 /** The words above the picture. */

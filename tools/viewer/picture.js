@@ -89,6 +89,9 @@ class Picture {
 
   render() {
     const panels = this.shown.overlaid ? 1 : Math.max(1, this.parts.length);
+    // Panels may leave some of the canvas: three runs in two columns.
+    this.renderer.setScissor(0, 0, this.canvas.clientWidth, this.canvas.clientHeight);
+    this.renderer.clear();
     for (let k = 0; k < panels; ++k) {
       const { left, top, width, height } = this.panel(k);
       const bottom = this.canvas.clientHeight - top - height;

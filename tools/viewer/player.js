@@ -1,7 +1,14 @@
 "use strict";
 // Time: which frame of each run is shown. Runs are in step by their times; the one that lasts longest leads.
 
-const SPEEDS = [1 / 32, 1 / 16, 1 / 8, 1 / 4, 1 / 2, 1, 2, 4];
+const SPEEDS = [...Array.from({ length: 12 }, (_, k) => 2 ** (k - 12)), 1, 2, 4];
+const SEEN = 2;  // as long as a film takes at least, unless one sets its speed [s]
+
+/** The speed at which a run lasts long enough to be seen: real time, or slow motion. */
+function rateFor(run) {
+  const lasts = lastOf(run.frames).time - run.frames[0].time;
+  return lasts > 0 ? [...SPEEDS].reverse().find((rate) => rate <= 1 && lasts / rate >= SEEN) || SPEEDS[0] : 1;
+}
 
 class Player {
   constructor(changed) {

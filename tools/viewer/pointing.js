@@ -4,6 +4,9 @@
 class Pointing {
   constructor(viewer) {
     this.viewer = viewer;
+    document.getElementById("how").textContent = document.getElementById("live")
+      ? "drag a body: pull · shift and click: push · drag beside it: turn · wheel: zoom · double click: follow"
+      : "drag: turn · wheel: zoom · double click on a body: follow";
     const { canvas } = viewer.picture;
     // Before the camera's own listeners, which begin with the mouse events that follow.
     canvas.addEventListener("pointerdown", (event) => this.down(event), true);

@@ -3,6 +3,13 @@
 
 const KINDS = ["motion", "turning", "weight", "field", "springs"];
 
+/** Below it a velocity of these runs is nothing but rounding [m/s]. */
+function leastSpeed(runs) {
+  const fastest = Math.max(0, ...runs.map((run) => run.live ? 1 : Math.max(0, ...run.frames.map((frame) =>
+    largestOf(velocitiesOf(frame))))));
+  return 1e-14 * (fastest > 0 && Number.isFinite(fastest) ? fastest : 1);
+}
+
 const totalOf = (values) => values.reduce((sum, value) => sum + (value === null ? NaN : value), 0);
 const energyOf = (frame) => totalOf(Object.values(frame.energy));
 
@@ -18,7 +25,8 @@ function quantities(runs, column) {
     { key: "error", title: `Error: ${name}`, unit: header.error.unit, lines: each((frame) => frame.error) },
     { key: "energy", title: "Energy", unit: "J",
       lines: alone ? parts(kinds, (frame, kind) => frame.energy[kind], energyOf) : each(energyOf) },
-    { key: "residual", title: "Residual", unit: "m/s", lines: each((frame) => frame.residual) },
+    { key: "residual", title: "Residual", unit: "m/s", least: leastSpeed(runs),
+      lines: each((frame) => frame.residual) },
     { key: "sample", title: header.columns[column] || "", unit: "", columns: header.columns,
       lines: each((frame) => frame.sample[column]) },
     { key: "us", title: "Time a step", unit: "µs", floor: 0,

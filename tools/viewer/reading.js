@@ -63,10 +63,17 @@ function takeLine(run, text) {
   const line = parsed(text, run.header ? new Error("it is no JSON") : whole("This is no recording of a run."));
   if (!run.header) run.header = checkedHeader(line);
   else if ("end" in line) {
-    if (line.end !== "done") run.notice = `The run ${line.end}: ${line.why || "it does not say why"}.`;
+    run.notice = endOf(line);
     return true;
   } else run.frames.push(frameOf(line, run.header));
   return false;
+}
+
+/** How a run ended, in a sentence; empty if all is well. The engine's own reason may begin with the same words. */
+function endOf({ end, why }) {
+  if (end === "done") return "";
+  if (!why) return "The run blew up, and the recording does not say why.";
+  return why.startsWith("blew up") ? `The run ${why}.` : `The run blew up: ${why}.`;
 }
 
 function parsed(text, otherwise) {

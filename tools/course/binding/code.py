@@ -7,6 +7,9 @@ from pathlib import Path
 # What is not said to be in a language is a shell's if a line begins with one of these.
 _COMMAND = re.compile(r"^(?:sudo |for )?(?:\./|(?:cmake|ninja|ctest|python3|git|gdb|sbatch|docker)\b)", re.MULTILINE)
 
+_OPTION = re.compile(r"(?<=\s)--[a-z][a-z-]*")
+_WHOLE = r'<span class="whole">\g<0></span>'
+
 
 def highlighted(code: str, language: str) -> str:
     from pygments import highlight
@@ -20,6 +23,10 @@ def highlighted(code: str, language: str) -> str:
     except ClassNotFound:
         return f'<div class="code"><pre><code>{html.escape(code)}</code></pre></div>'
     inner = highlight(code, lexer, HtmlFormatter(nowrap=True))
+    if language == "bash":
+        lines = "".join(f'<span class="line">{_OPTION.sub(_WHOLE, line)}</span>'
+                        for line in inner.splitlines(keepends=True))
+        return f'<div class="code shell"><pre><code>{lines}</code></pre></div>'
     return f'<div class="code"><pre tabindex="0"><code>{inner}</code></pre></div>'
 
 

@@ -6,6 +6,7 @@ from urllib.parse import quote, unquote
 
 from binding.outline import between
 from binding.reading import Draft
+from binding.sizes import size_of
 from files import course_files
 from paths import ROOT
 
@@ -52,6 +53,10 @@ class Links:
             return address
         self.pictures.add(target)
         return quote(between(draft.page.target, target))
+
+    def picture_size(self, draft: Draft, address: str) -> tuple[int, int] | None:
+        target = self._source(draft, address)
+        return size_of(ROOT / target) if target in self._files else None
 
     def in_html(self, draft: Draft, text: str, line: int) -> str:
         """HTML that stands in the page, with its links and pictures followed."""

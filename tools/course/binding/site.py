@@ -12,14 +12,14 @@ from binding.links import Links, code_page
 from binding.outline import Page, between, pages
 from binding.problems import Problem
 from binding.reading import Draft, read
+from binding.typefaces import typefaces
 from binding.writing import Equations, written
 from errors import CourseError
-from needs import BOOK_FONTS
 from paths import ROOT
 
 BOOK = ROOT / "tools" / "book"
 _ASSETS = Path("assets")
-_STYLES_AND_SCRIPTS = ("book.css", "preview.js", "reading.js", "search.js")
+_STYLES_AND_SCRIPTS = ("book.css", "copying.js", "figures.js", "preview.js", "reading.js", "search.js")
 
 
 def build(folder: Path, views: bool = False) -> int:
@@ -41,8 +41,9 @@ def build(folder: Path, views: bool = False) -> int:
         _copy(ROOT / picture, folder / picture)
     for name in _STYLES_AND_SCRIPTS:
         _copy(BOOK / name, folder / _ASSETS / name)
-    for place, file in (files() | {_ASSETS / "fonts" / font.name: font for font in BOOK_FONTS}).items():
+    for place, file in files().items():
         _copy(file, folder / place)
+    _write_typefaces(folder, "".join([*bodies, *(page.title + page.group for page in outline)]))
     _write(folder / _ASSETS / "index.js", _index(drafts))
     (folder / ".nojekyll").touch()  # for hosts that would leave out files whose names begin with _
     return len(drafts)
@@ -123,6 +124,12 @@ def _index(drafts: list[Draft]) -> str:
                for draft in drafts for section in draft.sections]
     kept = [entry for entry in entries if entry["text"] or entry["section"] != entry["page"]]
     return f"window.bookIndex = {json.dumps(kept, ensure_ascii=False)};\n"
+
+
+def _write_typefaces(folder: Path, text: str) -> None:
+    for place, content in typefaces(html.unescape(text)).items():
+        (folder / place).parent.mkdir(parents=True, exist_ok=True)
+        (folder / place).write_bytes(content)
 
 
 def _write(path: Path, text: str) -> None:

@@ -4,6 +4,7 @@ import contextlib
 import io
 from pathlib import Path
 
+from binding.outline import pages
 from films import films, words
 
 _FOLDER = Path("views")
@@ -12,6 +13,13 @@ _FOLDER = Path("views")
 def page_of_film(source: Path) -> Path:
     """Where the film of a page's source is viewed: that of its chapter, or README's."""
     return _FOLDER / f"{source.parent.name or 'README'}.html"
+
+
+def _way_back(name: str) -> tuple[str, str]:
+    """Address and title of the page that shows the film."""
+    page = next(page for page in pages() if page.source == Path("README.md") or page.source.parent.name == name
+                if page_of_film(page.source).stem == name)
+    return f"../{page.target.as_posix()}", page.title
 
 
 def film_pages(folder: Path) -> None:
@@ -23,7 +31,9 @@ def film_pages(folder: Path) -> None:
     (folder / _FOLDER).mkdir()
     bar = Bar("views", len(films()))
     for name, film in films().items():
+        arguments = parse([*words(film), "--out", str(folder / _FOLDER / f"{name}.html")])
+        arguments.back = _way_back(name)
         with contextlib.redirect_stdout(io.StringIO()):
-            view(parse([*words(film), "--out", str(folder / _FOLDER / f"{name}.html")]))
+            view(arguments)
         bar.step(name)
     bar.done()

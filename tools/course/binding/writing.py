@@ -35,6 +35,7 @@ def written(draft: Draft, links: Links, equations: Equations, views: bool = Fals
 class _Writer:
     def __init__(self, draft: Draft, links: Links, equations: Equations):
         self._draft, self._links, self._equations = draft, links, equations
+        self._pictures = 0
         self._from_elsewhere: set[str] = set()  # tags of equations that are shown here, and stand on another page
 
     def page(self, views: bool) -> str:
@@ -71,7 +72,7 @@ class _Writer:
             elif child.type == "link_close":
                 linked -= 1
             elif child.type == "image":
-                child.attrSet("src", self._links.picture(self._draft, str(child.attrGet("src")), line))
+                self._place_picture(child, line)
             elif child.type == "math_inline":
                 _become(child, self._equations.html[inline_formula(child)], "html_inline")
             elif child.type == "html_inline":
@@ -84,6 +85,18 @@ class _Writer:
                 _become(child, code_in_text(child.content), "html_inline")
             begins = child.type == "softbreak"
             yield child
+
+    def _place_picture(self, image, line: int) -> None:
+        """The first one is at the top of the page; what is further down waits until it comes near."""
+        source = str(image.attrGet("src"))
+        image.attrSet("src", self._links.picture(self._draft, source, line))
+        if size := self._links.picture_size(self._draft, source):
+            image.attrSet("width", str(size[0]))
+            image.attrSet("height", str(size[1]))
+        if self._pictures:
+            image.attrSet("loading", "lazy")
+        image.attrSet("decoding", "async")
+        self._pictures += 1
 
     def _look_for_footnotes(self, text: str, line: int) -> None:
         for name in re.findall(r"\[\^[^\]\s]+\]", text):

@@ -1,0 +1,21 @@
+"""How large a picture is: a page keeps its place, so that text does not jump when the picture comes."""
+
+import re
+import struct
+from pathlib import Path
+
+_SVG = re.compile(r'<svg\b[^>]*\bwidth="([0-9.]+)(?:px)?"[^>]*\bheight="([0-9.]+)(?:px)?"')
+
+
+def size_of(picture: Path) -> tuple[int, int] | None:
+    """Width and height in pixels; None where the file does not say."""
+    if picture.suffix == ".svg":
+        found = _SVG.search(picture.read_text(encoding="utf-8", errors="replace")[:2000])
+        return (round(float(found[1])), round(float(found[2]))) if found else None
+    with picture.open("rb") as file:
+        head = file.read(32)
+    if head[:8] == b"\x89PNG\r\n\x1a\n":
+        return struct.unpack(">II", head[16:24])
+    if head[:4] == b"RIFF" and head[8:16] == b"WEBPVP8X":
+        return tuple(1 + int.from_bytes(head[k:k + 3], "little") for k in (24, 27))
+    return None
