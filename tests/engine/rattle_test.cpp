@@ -250,36 +250,36 @@ TEST(Composed, SaysWhenCorrectionsDoNotSuffice) {
 TEST(Composed, RefusesWhatHasNoWayBack) {
   using Points = World<3>;
   using Solids = World<6>;
-  expect_refusal({"compose", "2 or 4", "3"}, [] { Points world({.integrator_order = 3}); });
-  expect_refusal({"d must be 0", "compose 4", "2"}, [] { Points world({.d = 2, .integrator_order = 4}); });
+  expect_refusal({"integrator_order", "2 or 4", "3"}, [] { Points world({.integrator_order = 3}); });
+  expect_refusal({"d must be 0", "integrator_order 4", "2"}, [] { Points world({.d = 2, .integrator_order = 4}); });
   Points braked({.wrench = [](std::size_t i, const Bodies<3>& bodies, double) -> Twist<3> {
                    return -0.1 * bodies.motion.W[i];
                  },
                  .integrator_order = 4});
   braked.add({});
-  expect_refusal({"compose", "wrench", "velocities"}, [&] { braked.step(0.1); });
+  expect_refusal({"integrator_order", "wrench", "velocities"}, [&] { braked.step(0.1); });
   for (const RotationUpdate update : {RotationUpdate::first_order, RotationUpdate::exponential})
-    expect_refusal({"compose", "rotation", "symmetric"},
+    expect_refusal({"integrator_order", "rotation", "symmetric"},
                    [&] { Solids world({.rotation = {.update = update}, .integrator_order = 4}); });
 
   Solids world({.integrator_order = 4});
   const int ball = world.add({.radius = 0.5});  // one alone touches nothing
-  expect_refusal({"compose", "touch"}, [&] { world.add_plane(Vec3::UnitZ(), 0); });
+  expect_refusal({"integrator_order", "touch"}, [&] { world.add_plane(Vec3::UnitZ(), 0); });
   Solids others({.integrator_order = 4});
   others.add({.radius = 0.5});
-  expect_refusal({"compose", "touch"}, [&] { others.add({.x = Vec3(2, 0, 0), .radius = 0.5}); });
+  expect_refusal({"integrator_order", "touch"}, [&] { others.add({.x = Vec3(2, 0, 0), .radius = 0.5}); });
   Solids joined({.integrator_order = 4});
   const int wall = joined.add_fixed(Vec3::Zero());
   joined.add({.radius = 0.5});
-  expect_refusal({"d must be 0", "compose 4"}, [&] { joined.add_joint({.i = wall, .j = ball + 1, .d = 1}); });
+  expect_refusal({"d must be 0", "integrator_order 4"}, [&] { joined.add_joint({.i = wall, .j = ball + 1, .d = 1}); });
   const auto hinge = [&] { return Joint{.i = wall, .j = ball + 1, .kind = JointKind::hinge}; };
   Joint limited = hinge(), driven = hinge();
   limited.limits = JointLimits{.lower = -1, .upper = 1};
   driven.motor = Motor{.speed = 1};
-  expect_refusal({"compose", "limit", "smooth"}, [&] { joined.add_joint(limited); });
-  expect_refusal({"compose", "motor"}, [&] { joined.add_joint(driven); });
+  expect_refusal({"integrator_order", "limit", "smooth"}, [&] { joined.add_joint(limited); });
+  expect_refusal({"integrator_order", "motor"}, [&] { joined.add_joint(driven); });
   const int free = joined.add_joint(hinge());
-  expect_refusal({"compose", "motor"}, [&] { joined.set_motor(free, driven.motor); });
+  expect_refusal({"integrator_order", "motor"}, [&] { joined.set_motor(free, driven.motor); });
 }
 
 }  // namespace

@@ -133,11 +133,11 @@ TEST(Solvers, RefuseWhatTheyCanNotTake) {
 TEST(Methods, RefuseTwoSolversAtOnce) {
   expect_refusal({"solver", "dirct", "direct"}, [] { make_solver<3>({.h = h, .solver = "dirct"}); });
   expect_refusal({"order", "solver", "gauss_seidel", "direct"},
-                 [] { make_solver<3>({.h = h, .solver = "direct", .order = RowOrder::up}); });
+                 [] { make_solver<3>({.h = h, .solver = "direct", .row_order = RowOrder::up}); });
   expect_refusal({"cone", "solver", "gauss_seidel", "auto"},
                  [] { make_solver<6>({.h = h, .solver = "auto", .friction_model = FrictionModel::cone}); });
   expect_refusal({"friction-model", "order", "cone"}, [] {
-    make_solver<6>({.h = h, .friction_model = FrictionModel::cone, .order = RowOrder::down});
+    make_solver<6>({.h = h, .friction_model = FrictionModel::cone, .row_order = RowOrder::down});
   });
   expect_refusal({"solver", "geometric_stiffness", "geometric_stiffness"},
                  [] { make_solver<6>({.h = h, .solver = "geometric_stiffness"}); });

@@ -26,8 +26,8 @@ def header(scene: str, bodies: list[dict], **more) -> dict:
     return {"format": "spook recording", "version": 1, "scene": scene, "summary": f"A {scene} that is made up.",
             "answer": "Known, as it was made up.", "parameters": {"g": _G},
             "method": {"h": H, "substeps": 1, "solver": "gauss_seidel", "iterations": 50, "tolerance": 0,
-                       "friction_model": "box", "tangents": "fixed", "order": "given", "warm_start": False,
-                       "margin": 0},
+                       "friction_model": "box", "tangents": "fixed", "row_order": "given", "warm_start": False,
+                       "contact_margin": 0},
             "frame_time": H, "time": 1, "error": {"name": "largest position error", "unit": "m"},
             "columns": ["time [s]", "height [m]"], "stages": ["pairs", "rows", "solve"], "bodies": bodies} | more
 
@@ -53,6 +53,17 @@ def rolling_ball(frames: int = 61, speed: float = 1, side: float = 0) -> str:
                            v=floats(0, 0, 0, speed, 0, 0), omega=floats(0, 0, 0, 0, speed / 0.2, 0),
                            ghost_bodies=[1], ghost=floats(x, 0.3, 0.2, *_about(1, angle)),
                            **(contacts if step else {"between": "", "contacts": ""})))
+    return text(*lines, {"end": "done"})
+
+
+def lying_capsule(radius: float, half_length: float, frames: int = 3) -> str:
+    """On a floor, along x."""
+    bodies = [{"shape": "plane", "n": [0, 0, 1], "offset": 0, "fixed": True},
+              {"shape": "capsule", "radius": radius, "half_length": half_length}]
+    lines = [header("capsule", bodies)]
+    for step in range(frames):
+        lines.append(frame(step, [0, 0, 0, 0, 0, radius], q=floats(1, 0, 0, 0, *_about(1, math.pi / 2)),
+                           v=floats(0, 0, 0, 0, 0, 0), omega=floats(0, 0, 0, 0, 0, 0)))
     return text(*lines, {"end": "done"})
 
 

@@ -139,6 +139,17 @@ class Import(unittest.TestCase):
         np.testing.assert_allclose(bodies["crate"]["principal"], 48 / 3 * np.array([0.1, 0.05, 0.13]), atol=1e-9)
         self.assertIn("armature of joints", said)
 
+    def test_a_free_capsule_is_one_along_its_own_axis(self):
+        scene, said = self.imported(self.written(
+            "<geom type='plane' size='0 0 1'/>"
+            "<body name='stick'><freejoint/><geom type='capsule' fromto='0 0 1 .6 0 1' size='.1'/></body>"))
+        stick = next(body for body in scene["bodies"] if body["name"] == "stick")
+        self.assertEqual((stick["radius"], stick["half_length"]), (0.1, 0.3))
+        self.assertNotIn("corners", stick)
+        np.testing.assert_allclose(abs(matrix(np.array(stick["q"]))[:, 2]), [1, 0, 0], atol=1e-9)
+        self.assertLess(stick["principal"][2], stick["principal"][0])
+        self.assertNotIn("capsule", said)
+
     def test_what_was_left_out_is_said(self):
         _, said = self.imported(self.written(
             "<geom type='plane' size='1 1 1'/><geom name='ground' type='hfield' hfield='x'/>"

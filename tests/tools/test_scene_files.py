@@ -50,7 +50,9 @@ REFUSED = (
     ("expected.0.time", None, "expected[0].time is missing"),
     ("model", "soft", 'model must be point or rigid, but is "soft"'),
     ("format", "x", 'format must be "spook scene", but is "x"'),
-    ("version", 2, "version must be 1, but is 2"),
+    ("version", 3, "version must be 1 or 2, but is 3"),
+    ("settings.compose", 4, 'settings.compose is unknown; it is now called "integrator_order"'),
+    ("bodies.2.half_length", -1, "bodies[2]: half length must be at least 0"),
     ("h", 0, "h must be positive and finite, but is 0"),
     ("solver", "dirct", 'unknown solver "dirct"; did you mean "direct"?'),
 )
@@ -98,6 +100,33 @@ class SceneFiles(unittest.TestCase):
         self.assertEqual((result["state"]["name"], result["solver"], result["steps"]), ("sound", "auto", 240))
         # The box sinks by m g/(4 k) = 12 µm, an eighth of the tolerance.
         self.assertAlmostEqual(result["error"]["value"], 5 * 9.81 / 4e6 / 1e-4, delta=0.01)
+
+    def test_a_file_of_version_1_runs_with_its_own_words(self):
+        bodies = [{"name": "nail", "fixed": True, "x": [0, 0, 0]}, {"name": "ball", "x": [1, 0, 0], "mass": 1}]
+        old = {"format": "spook scene", "version": 1, "model": "point", "h": "1/60", "time": 0.5, "solver": "stiff",
+               "settings": {"compose": 4, "d": 0}, "bodies": bodies,
+               "joints": [{"i": "nail", "j": "ball", "length": 1}]}
+        new = old | {"version": 2, "solver": "geometric_stiffness", "settings": {"integrator_order": 4, "d": 0}}
+        runs = []
+        for scene in (old, new):
+            self.file.write_text(json.dumps(scene))
+            runs.append(self.positions(self.file))
+        self.assertEqual(*runs)
+        result = self.run_of(old)
+        self.assertEqual((result["integrator_order"], result["solver"]), (4, "geometric_stiffness"))
+
+    def test_a_capsule_lies_on_another_that_is_static(self):
+        """Across it, on one point: it sinks by m g/k, and its mass is that of 1,000 kg/m³."""
+        radius, half, k = 0.1, 0.4, 1e6
+        lying, across = [0.5**0.5, 0, 0.5**0.5, 0], [0.5**0.5, 0.5**0.5, 0, 0]  # along x, along y
+        mass = 1000 * (4 / 3 * math.pi * radius**3 + 2 * half * math.pi * radius**2)
+        shape = {"radius": radius, "half_length": half}
+        z = 2 * radius - mass * 9.81 / k
+        scene = {"format": "spook scene", "version": 2, "model": "rigid", "h": "1/240", "time": 1, "settings": {"k": k},
+                 "bodies": [{"fixed": True, "x": [0, 0, 0], "q": lying, **shape},
+                            {"x": [0, 0, 2 * radius], "q": across, "density": 1000, **shape}],
+                 "expected": [{"body": 1, "time": 1, "x": [0, 0, z], "tolerance": 1e-7}]}
+        self.assertLess(self.run_of(scene)["error"]["value"], 1)
 
     def test_a_wrong_answer_is_off_by_its_tolerances(self):
         scene = changed("expected.0.x", [2, 0, 0.3])

@@ -83,26 +83,33 @@ class Refusals(unittest.TestCase):
     def test_ways_of_solving(self):
         self.refused("run stack --friction-model cones", "friction-model", '"cone"')
         self.refused("run stack --tangents along", "tangents", "sliding")
-        self.refused("run stack --row-order downn", "order", '"down"')
+        self.refused("run stack --row-order downn", "row-order", '"down"')
         self.refused("run stack --row-order up --solver direct", "order", "direct")
         self.refused("run pile --friction-model cone --solver direct", "cone", "direct")
         self.refused("run pile --solver geometric_stiffness", "geometric_stiffness")
-        for option in ["substeps", "seed", "margin"]:
+        for option in ["substeps", "seed", "contact-margin"]:
             self.refused(f"run stack --{option} -1", option, "-1")
         self.refused("run stack --substeps 0", "substeps")
         for threads in ["0", "257", "two"]:
             self.refused(f"run stack --threads {threads}", "threads", threads)
 
+    def test_names_of_an_earlier_release_lead_to_the_present_ones(self):
+        for words, now in (("stack --order up", "--row-order"), ("stack --order=up", "--row-order"),
+                           ("stack --margin 0.1", "--contact-margin"), ("orbit --compose 4", "--integrator-order"),
+                           ("stiff_wire --solver stiff", "geometric_stiffness"),
+                           ("pile --solver stripes", "spatial_decomposition")):
+            self.refused(f"run {words}", f'it is now called "{now}"')
+
     def test_steps_are_composed_only_where_that_is_of_order_four(self):
-        self.refused("run orbit --integrator-order 3", "compose", "3", "2, 4")
-        self.refused("run double_pendulum --integrator-order 4", "d must be 0 with compose 4", "3")
-        self.refused("run stack --integrator-order 4 --set d=0", "compose", "touch")
-        self.refused("run sliding_block --integrator-order 4 --set d=0", "compose", "touch", "friction")
-        self.refused("run physical_pendulum --integrator-order 4 --set d=0 stop=30", "compose", "limit")
-        self.refused("run flywheel --integrator-order 4 --set d=0", "compose", "motor")
-        self.refused("run top --integrator-order 4 --set update=first_order", "compose", "rotation")
+        self.refused("run orbit --integrator-order 3", "integrator-order", "3", "2, 4")
+        self.refused("run double_pendulum --integrator-order 4", "d must be 0 with integrator_order 4", "3")
+        self.refused("run stack --integrator-order 4 --set d=0", "integrator_order", "touch")
+        self.refused("run sliding_block --integrator-order 4 --set d=0", "integrator_order", "touch", "friction")
+        self.refused("run physical_pendulum --integrator-order 4 --set d=0 stop=30", "integrator_order", "limit")
+        self.refused("run flywheel --integrator-order 4 --set d=0", "integrator_order", "motor")
+        self.refused("run top --integrator-order 4 --set update=first_order", "integrator_order", "rotation")
         for option in ["solver direct", "order up", "friction-model cone", "tangents sliding", "warm-start"]:
-            self.refused(f"run orbit --integrator-order 4 --{option}", option.split()[0], "compose 4")
+            self.refused(f"run orbit --integrator-order 4 --{option}", option.split()[0], "integrator-order 4")
         self.refused("play orbit --integrator-order 4", "--integrator-order")
 
     def test_csv(self):
@@ -143,19 +150,19 @@ class Runs(unittest.TestCase):
         self.assertEqual(result["last_step"]["rows"], 1)
 
     def test_each_way_of_solving_is_said_and_done(self):
-        for solver in ["gauss_seidel", "conjugate_gradients", "anderson", "newton", "direct", "auto", "stiff"]:
+        for solver in ["gauss_seidel", "conjugate_gradients", "anderson", "newton", "direct", "auto", "geometric_stiffness"]:
             run = json.loads(spook("run", "wire", "--solver", solver, "--iterations", "1000", "--json").stdout)
             self.assertEqual(run["solver"], solver)
             self.assertLess(run["error"]["value"], 1e-6, solver)
         # What has sweeps of its own replaces the scene's solver, unless one is named.
         run = json.loads(spook("run", "tower", "--row-order", "random", "--seed", "3", "--json").stdout)
-        self.assertEqual((run["solver"], run["order"]), ("gauss_seidel", "random"))
+        self.assertEqual((run["solver"], run["row_order"]), ("gauss_seidel", "random"))
         for order in ["given", "up", "down", "interleaved"]:
             run = json.loads(spook("run", "tower", "--row-order", order, "--time", "0.1", "--json").stdout)
-            self.assertEqual(run["order"], order)
+            self.assertEqual(run["row_order"], order)
         run = json.loads(spook(*"run spinning_disc --friction-model cone --tangents sliding --warm-start --contact-margin "
                                "0.001 --json".split()).stdout)
-        self.assertEqual([run["friction_model"], run["tangents"], run["warm_start"], run["margin"]],
+        self.assertEqual([run["friction_model"], run["tangents"], run["warm_start"], run["contact_margin"]],
                          ["cone", "sliding", True, 0.001])
 
     def test_stages_add_up_to_the_speed(self):
@@ -174,7 +181,7 @@ class Runs(unittest.TestCase):
 
     def test_threads_change_the_time_alone(self):
         words = "run pile --set bodies=300 mu=0.3 --solver spatial_decomposition --iterations 10 --time 0.3 --h 1/240".split()
-        self.assertIn("on 2 threads; stripes", spook(*words, "--threads", "2").stdout)
+        self.assertIn("on 2 threads; spatial_decomposition", spook(*words, "--threads", "2").stdout)
         one, two = (json.loads(spook(*words, "--threads", n, "--json").stdout) for n in "12")
         self.assertEqual([one["threads"], two["threads"]], [1, 2])
         for what in ["error", "residual", "row_updates", "last_step"]:
@@ -184,7 +191,7 @@ class Runs(unittest.TestCase):
         words = "run double_pendulum --set d=0 --integrator-order 4 --h 1/60"
         self.assertIn("composed to order four, joints rigid", spook(*words.split()).stdout)
         run = json.loads(spook(*words.split(), "--json").stdout)
-        self.assertEqual(run["compose"], 4)
+        self.assertEqual(run["integrator_order"], 4)
         self.assertLess(run["error"]["value"], 1.5e-6)  # 3e-6 m of 2 m
 
     def test_a_solver_is_stopped_by_iterations_and_tolerance(self):
@@ -208,7 +215,7 @@ class Runs(unittest.TestCase):
         self.assertIn("after 1 factorisation;", text)
         # Stiff links are solved at once, whatever else may be iterated.
         text = said("stiff_wire")
-        self.assertIn("stiff, at most 50 iterations", text)
+        self.assertIn("geometric_stiffness, at most 50 iterations", text)
         self.assertIn("m/s in the last step;", text)
 
     def test_no_step_is_fine(self):

@@ -65,6 +65,15 @@ class Gltf(unittest.TestCase):
                 view._as_gltf([view.Recording("", content)])
         self.assertEqual(json.loads(view._as_gltf([view.Recording("", whole)]))["asset"]["version"], "2.0")
 
+    def test_a_capsule_is_as_long_as_it_is(self):
+        scene = json.loads(view._as_gltf([view.Recording("", recordings.lying_capsule(0.2, 0.5).encode())]))
+        node = next(node for node in scene["nodes"] if node.get("name") == "capsule 1")
+        position = scene["meshes"][node["mesh"]]["primitives"][0]["attributes"]["POSITION"]
+        ends = [0.2 * number for number in scene["accessors"][position]["max"]]
+        self.assertEqual(node["scale"], [0.2] * 3)
+        for end, wanted in zip(ends, (0.2, 0.2, 0.7), strict=True):
+            self.assertAlmostEqual(end, wanted, delta=2e-3)  # of facets
+
     def test_it_takes_one_recording(self):
         with self.assertRaisesRegex(BadInput, "one recording"):
             view._as_gltf([view.Recording("a", b""), view.Recording("b", b"")])

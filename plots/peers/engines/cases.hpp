@@ -20,7 +20,7 @@ struct OurWay {
   std::vector<std::string> set = {};  ///< of the scene, beside the case's
   int integrator_order = 2;           ///< the order of its steps
   double tolerance = 0;               ///< at which sweeps stop [m/s]
-  RowOrder order = RowOrder::given;
+  RowOrder row_order = RowOrder::given;
 };
 
 /// The same of another engine.

@@ -12,6 +12,10 @@ namespace {
 constexpr int halvings = 52;
 /// Two places that are nearer than this, in half lengths, are one contact.
 constexpr double apart = 1e-3;
+/// Gaps that are alike to this part of them are one depth.
+constexpr double roundings_of_gaps = 1e-9;
+/// A point is beside a face up to this part of the smallest half side, as in box_box.
+constexpr double millionth = 1e-6;
 
 /// Returns the t between -1 and 1 where a convex function is lowest, by golden sections.
 template <class Function>
@@ -42,24 +46,22 @@ struct Range {
   }
 };
 
-/// Appends the contacts of the balls at the ends of a range that touch, and of that at `lowest` unless these stand for
-/// it. `contact_at` gives that of the ball at t.
+/// Appends the contacts of the balls at the ends of a range that touch, and of that at `lowest` where it is another one
+/// and lies deeper. `contact_at` gives that of the ball at t.
 template <class ContactAt>
 void add_contacts(double lowest, const Range& along, const ContactAt& contact_at,
                   std::vector<Contact>& contacts) {
   const std::optional<Contact> deepest = contact_at(lowest);
   if (!deepest) return;
+  const double deeper = deepest->gap + roundings_of_gaps * std::abs(deepest->gap);
   bool stands_for_it = false;
-  int ends = 0;
   if (along.last - along.first > apart)
     for (const double t : {along.first, along.last})
       if (const std::optional<Contact> contact = contact_at(t)) {
         contacts.push_back(*contact);
-        ++ends;
-        stands_for_it |= std::abs(t - lowest) <= apart;
+        stands_for_it |= std::abs(t - lowest) <= apart || contact->gap <= deeper;
       }
-  // Between two ends that touch g is linear, but for roundings.
-  if (ends < 2 && !stands_for_it) contacts.push_back(*deepest);
+  if (!stands_for_it) contacts.push_back(*deepest);
 }
 
 /// Returns the place, from -1 to 1, on the segment of a capsule that is nearest to a point.
@@ -128,7 +130,8 @@ void box_capsule(const Box& box, const PlacedCapsule& capsule, std::vector<Conta
   beyond.maxCoeff(&face);
   Range along;
   for (int k = 0; k < 3; ++k)
-    if (k != face && beyond[k] <= 0) along.clip(centre[k], slope[k], box.half_sides[k]);
+    if (k != face && beyond[k] <= millionth * box.half_sides.minCoeff())
+      along.clip(centre[k], slope[k], box.half_sides[k]);
   add_contacts(lowest, along, contact_at, contacts);
 }
 

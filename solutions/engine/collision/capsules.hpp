@@ -6,7 +6,7 @@
 //   g(t)      the gap of the ball at x(t). A signed distance from a convex shape is a convex function of t
 //   plane     g is linear: the two ends, Eq. (8.1)
 //   others    the lowest point; and where the segment runs along a face, an edge or another segment, the two ends of that
-//             part, between which g is linear. So a capsule that lies on a face or along another stands on two
+//             part, if they touch. So a capsule that lies on a face or along another stands on two
 //
 // Not in the notes.
 #include "08_pairs/pairs.hpp"

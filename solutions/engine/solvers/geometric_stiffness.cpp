@@ -144,12 +144,12 @@ class Stiff {
 template <int Dof>
 Solver<Dof> geometric_stiffness(Solver<Dof> inner) {
   if constexpr (Dof == 3) {
-    if (!inner.solve) throw std::invalid_argument("stiff's solver must be one of solvers(), but is null");
+    if (!inner.solve) throw std::invalid_argument("the solver of geometric_stiffness must be one of solvers(), but is null");
     const FrictionModel friction = inner.friction;
     return {.solve = Stiff(std::move(inner)), .friction = friction, .wants_last = true};
   }
   throw std::invalid_argument(
-      "solver must be another than stiff for rigid bodies, which get no geometric_stiffness");
+      "solver must be another than geometric_stiffness for rigid bodies: it is for links of point masses");
 }
 
 template Solver<3> geometric_stiffness<3>(Solver<3>);
