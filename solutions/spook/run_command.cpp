@@ -91,13 +91,13 @@ void RunCommand::execute(std::ostream& out) const {
   Recorder recorder(recording, description, parameters, settings, per_second);
   Watch watch{.csv = csv ? &table : nullptr, .positions = positions};
   Progress progress;
-  const std::int64_t substeps = step_count(settings.method.h, settings.time) * settings.method.substeps;
+  const std::int64_t steps = step_count(settings.method.h, settings.time) * settings.method.substeps;
   const bool watched = isatty(STDERR_FILENO) != 0;
   if (record || watched)
     watch.look = [&](Scene& now, std::int64_t substep) {
       if (record) recorder.look(now, substep);
       if (record && substep == 0) tell_size(recorder);
-      if (watched) progress.look(substep, substeps);
+      if (watched) progress.look(substep, steps);
     };
   const RunResult result =
       recorded(recorder, record.has_value(), [&] { return run(description, parameters, settings, watch); });

@@ -108,7 +108,7 @@ class Refusals(unittest.TestCase):
         self.refused("run physical_pendulum --integrator-order 4 --set d=0 stop=30", "integrator_order", "limit")
         self.refused("run flywheel --integrator-order 4 --set d=0", "integrator_order", "motor")
         self.refused("run top --integrator-order 4 --set update=first_order", "integrator_order", "rotation")
-        for option in ["solver direct", "order up", "friction-model cone", "tangents sliding", "warm-start"]:
+        for option in ["solver direct", "row-order up", "friction-model cone", "tangents sliding", "warm-start"]:
             self.refused(f"run orbit --integrator-order 4 --{option}", option.split()[0], "integrator-order 4")
         self.refused("play orbit --integrator-order 4", "--integrator-order")
 

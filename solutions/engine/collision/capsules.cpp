@@ -8,7 +8,7 @@ namespace spook {
 
 namespace {
 
-/// Halvings after which a place between -1 and 1 is known to roundings.
+/// Halvings of the segment after which a place on it is known to roundings.
 constexpr int halvings = 52;
 /// Two places that are nearer than this, in half lengths, are one contact.
 constexpr double apart = 1e-3;
@@ -17,20 +17,18 @@ constexpr double roundings_of_gaps = 1e-9;
 /// A point is beside a face up to this part of the smallest half side, as in box_box.
 constexpr double millionth = 1e-6;
 
-/// Returns the t between -1 and 1 where a convex function is lowest, by golden sections.
-template <class Function>
-double lowest_of(const Function& g) {
-  const double golden = (std::sqrt(5.0) - 1) / 2;
-  double low = -1, high = 1, a = high - golden * (high - low), b = low + golden * (high - low);
-  double g_a = g(a), g_b = g(b);
+/// Returns the t between -1 and 1 where a convex function is lowest, from the sign of its slope, to roundings; where it is
+/// flat, the first such t.
+template <class Slope>
+double lowest_of(const Slope& slope) {
+  if (slope(-1) >= 0) return -1;
+  if (slope(1) < 0) return 1;
+  double low = -1, high = 1;
   for (int n = 0; n < halvings; ++n) {
-    if (g_a <= g_b) {
-      high = b, b = a, g_b = g_a, a = high - golden * (high - low), g_a = g(a);
-    } else {
-      low = a, a = b, g_a = g_b, b = low + golden * (high - low), g_b = g(b);
-    }
+    const double middle = (low + high) / 2;
+    (slope(middle) < 0 ? low : high) = middle;
   }
-  return (low + high) / 2;
+  return high;
 }
 
 /// A part of a segment, from t = first to last; empty if last < first.
@@ -76,11 +74,14 @@ std::optional<Contact> on_capsule(std::optional<Contact> contact, const PlacedCa
   return contact;
 }
 
-/// Returns the distance of a point from a box, negative inside.
-double signed_distance(const Box& box, const Vec3& point) {
-  const Vec3 beyond = (box.axes.transpose() * (point - box.x)).cwiseAbs() - box.half_sides;
-  const double inside = std::min(beyond.maxCoeff(), 0.0);
-  return beyond.cwiseMax(0.0).norm() + inside;
+/// Returns the direction in which the signed distance from a box grows, at a point in the box's axes; of any length.
+Vec3 outwards(const Box& box, const Vec3& point) {
+  const Vec3& h = box.half_sides;
+  const Vec3 out = point - point.cwiseMax(-h).cwiseMin(h);
+  if (!out.isZero(0)) return out;
+  int axis;
+  (h - point.cwiseAbs()).minCoeff(&axis);
+  return std::copysign(1, point[axis]) * Vec3::Unit(axis);
 }
 
 }  // namespace
@@ -106,7 +107,7 @@ void capsule_ball(const PlacedCapsule& capsule, const Ball& ball, std::vector<Co
 
 void capsule_capsule(const PlacedCapsule& i, const PlacedCapsule& j, std::vector<Contact>& contacts) {
   const auto nearest_on_i = [&](double t) { return nearest(i, j.ball(t).x); };
-  const auto distance = [&](double t) { return (j.ball(t).x - i.ball(nearest_on_i(t)).x).norm(); };
+  const auto slope = [&](double t) { return j.axis.dot(j.ball(t).x - i.ball(nearest_on_i(t)).x); };
   Range along;  // where the nearest point of i is not one of its ends
   along.clip(i.axis.dot(j.x - i.x), j.half_length * i.axis.dot(j.axis), i.half_length);
   const auto contact_at = [&](double t) {
@@ -115,23 +116,23 @@ void capsule_capsule(const PlacedCapsule& i, const PlacedCapsule& j, std::vector
     if (contact) contact->r_i += s * i.half_length * i.axis;
     return contact;
   };
-  add_contacts(lowest_of(distance), along, contact_at, contacts);
+  add_contacts(lowest_of(slope), along, contact_at, contacts);
 }
 
 void box_capsule(const Box& box, const PlacedCapsule& capsule, std::vector<Contact>& contacts) {
-  const auto distance = [&](double t) { return signed_distance(box, capsule.ball(t).x); };
   const auto contact_at = [&](double t) { return on_capsule(box_ball(box, capsule.ball(t)), capsule, t); };
-  const double lowest = lowest_of(distance);
-  // Beside which faces, and so along which axes of the box the segment may go on, is told by the lowest point.
+  // In the axes of the box the segment is centre + t step.
   const Vec3 centre = box.axes.transpose() * (capsule.x - box.x),
-             slope = capsule.half_length * (box.axes.transpose() * capsule.axis);
-  const Vec3 beyond = (centre + lowest * slope).cwiseAbs() - box.half_sides;
+             step = capsule.half_length * (box.axes.transpose() * capsule.axis);
+  const double lowest = lowest_of([&](double t) { return step.dot(outwards(box, centre + t * step)); });
+  // Beside which faces, and so along which axes of the box the segment may go on, is told by the lowest point.
+  const Vec3 beyond = (centre + lowest * step).cwiseAbs() - box.half_sides;
   int face;
   beyond.maxCoeff(&face);
   Range along;
   for (int k = 0; k < 3; ++k)
     if (k != face && beyond[k] <= millionth * box.half_sides.minCoeff())
-      along.clip(centre[k], slope[k], box.half_sides[k]);
+      along.clip(centre[k], step[k], box.half_sides[k]);
   add_contacts(lowest, along, contact_at, contacts);
 }
 

@@ -88,34 +88,34 @@ void touch(const Plane& plane, const PlacedSolid& solid, std::vector<Contact>& c
       });
 }
 
-// Each pair of kinds; the other order is the same pair.
-void touch(const Ball& a, const Ball& b, std::vector<Contact>& contacts) {
+// The contacts of each two kinds of solids. No kind is made into another: each pair has its own function.
+void meet(const Ball& a, const Ball& b, std::vector<Contact>& contacts) {
   add(ball_ball(a, b), contacts);
 }
-void touch(const Ball& a, const Box& b, std::vector<Contact>& contacts) {
-  add(box_ball(b, a), contacts);
+void meet(const Box& a, const Ball& b, std::vector<Contact>& contacts) {
+  add(box_ball(a, b), contacts);
 }
-void touch(const Box& a, const Box& b, std::vector<Contact>& contacts) {
+void meet(const Box& a, const Box& b, std::vector<Contact>& contacts) {
   box_box(a, b, contacts);
 }
-void touch(const Ball& a, const PlacedCapsule& b, std::vector<Contact>& contacts) {
-  capsule_ball(b, a, contacts);
+void meet(const PlacedCapsule& a, const Ball& b, std::vector<Contact>& contacts) {
+  capsule_ball(a, b, contacts);
 }
-void touch(const PlacedCapsule& a, const PlacedCapsule& b, std::vector<Contact>& contacts) {
+void meet(const PlacedCapsule& a, const PlacedCapsule& b, std::vector<Contact>& contacts) {
   capsule_capsule(a, b, contacts);
 }
-void touch(const Box& a, const PlacedCapsule& b, std::vector<Contact>& contacts) {
+void meet(const Box& a, const PlacedCapsule& b, std::vector<Contact>& contacts) {
   box_capsule(a, b, contacts);
 }
 
-/// Calls touch for what two solids are, in the order for which there is one.
+/// Appends the contacts of two solids, in whichever order there is a function for them.
 void touch(const PlacedSolid& one, const PlacedSolid& other, std::vector<Contact>& contacts) {
   std::visit(
       [&](const auto& a, const auto& b) {
-        if constexpr (requires { touch(a, b, contacts); })
-          touch(a, b, contacts);
+        if constexpr (requires { meet(a, b, contacts); })
+          meet(a, b, contacts);
         else
-          touch(b, a, contacts);
+          meet(b, a, contacts);
       },
       one, other);
 }
