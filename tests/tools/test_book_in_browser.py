@@ -65,6 +65,9 @@ class Pages(InBrowser):
                     self.browser.run("return document.fonts.ready.then(() => 0)")
                     self.assertEqual(self.browser.messages(), [])
                     self.assertLessEqual(self.ask("document.documentElement.scrollWidth"), size[0])
+                    # Those that wait until they are near the window are asked for at once.
+                    self.browser.run("for (const image of document.images) image.loading = 'eager'")
+                    self.browser.wait("return [...document.images].every((image) => image.complete)")
                     self.assertEqual(self.ask("[...document.images].filter((image) => !image.naturalWidth)"
                                               ".map((image) => image.src)"), [])
                     self.assertEqual(self.ask("document.querySelectorAll('.katex-error').length"), 0)

@@ -16,7 +16,7 @@ struct OurWay {
   std::vector<int> sweeps = {0};  ///< 0: it does not sweep
   bool cone = false;              ///< Coulomb's friction, not the box
   bool warm = false;
-  double margin = -1;                 ///< [m]; less than 0: the world's own
+  double contact_margin = -1;         ///< [m]; less than 0: the world's own
   std::vector<std::string> set = {};  ///< of the scene, beside the case's
   int integrator_order = 2;           ///< the order of its steps
   double tolerance = 0;               ///< at which sweeps stop [m/s]
