@@ -251,7 +251,8 @@ TEST(Composed, RefusesWhatHasNoWayBack) {
   using Points = World<3>;
   using Solids = World<6>;
   expect_refusal({"integrator_order", "2 or 4", "3"}, [] { Points world({.integrator_order = 3}); });
-  expect_refusal({"d must be 0", "integrator_order 4", "2"}, [] { Points world({.d = 2, .integrator_order = 4}); });
+  expect_refusal({"d must be 0", "integrator_order 4", "2"},
+                 [] { Points world({.d = 2, .integrator_order = 4}); });
   Points braked({.wrench = [](std::size_t i, const Bodies<3>& bodies, double) -> Twist<3> {
                    return -0.1 * bodies.motion.W[i];
                  },
@@ -271,7 +272,8 @@ TEST(Composed, RefusesWhatHasNoWayBack) {
   Solids joined({.integrator_order = 4});
   const int wall = joined.add_fixed(Vec3::Zero());
   joined.add({.radius = 0.5});
-  expect_refusal({"d must be 0", "integrator_order 4"}, [&] { joined.add_joint({.i = wall, .j = ball + 1, .d = 1}); });
+  expect_refusal({"d must be 0", "integrator_order 4"},
+                 [&] { joined.add_joint({.i = wall, .j = ball + 1, .d = 1}); });
   const auto hinge = [&] { return Joint{.i = wall, .j = ball + 1, .kind = JointKind::hinge}; };
   Joint limited = hinge(), driven = hinge();
   limited.limits = JointLimits{.lower = -1, .upper = 1};

@@ -144,7 +144,8 @@ class Stiff {
 template <int Dof>
 Solver<Dof> geometric_stiffness(Solver<Dof> inner) {
   if constexpr (Dof == 3) {
-    if (!inner.solve) throw std::invalid_argument("the solver of geometric_stiffness must be one of solvers(), but is null");
+    if (!inner.solve)
+      throw std::invalid_argument("the solver of geometric_stiffness must be one of solvers(), but is null");
     const FrictionModel friction = inner.friction;
     return {.solve = Stiff(std::move(inner)), .friction = friction, .wants_last = true};
   }
