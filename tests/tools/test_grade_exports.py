@@ -13,7 +13,7 @@ import xml.etree.ElementTree as ET
 import zipfile
 from pathlib import Path
 
-from classroom import Classroom, corpus, right, run_course
+from classroom import SECONDS_A_TEST, Classroom, corpus, right, run_course
 from sandbox import ROOT
 
 
@@ -91,7 +91,7 @@ class Exports(unittest.TestCase):
                             (("csv", self.room.root / "nowhere"), "can not be read"), (("pdf",), "invalid choice"),
                             (("canvas", self.marks.folder), "wants --roster FILE"),
                             (("moodle", self.marks.folder, "--roster", self.room.root / "nowhere"), "can not be read"),
-                            (("csv", self.marks.folder, "--time-limit", "3"), "graded with 2 s a test"),
+                            (("csv", self.marks.folder, "--time-limit", "3"), f"graded with {SECONDS_A_TEST} s a test"),
                             (("gradescope", "--weights", self.room.root / "none.csv"), "no table of weights"),
                             (("gradescope", "--hidden", self.room.root / "nowhere"), "no hidden tests in"),
                             (("github", "--hidden", self.room.root), "can not be kept from those")):

@@ -7,7 +7,8 @@ BREW = {"cmake": "cmake", "ninja-build": "ninja", "git": "git", "libeigen3-dev":
         "fonts-linuxlibertine": "font-linux-libertine"}
 # Of the Python modules, which go into a virtual environment of the course's own.
 PIP = {"python3-numpy": "numpy", "python3-matplotlib": "matplotlib", "python3-markdown-it": "markdown-it-py",
-       "python3-mdit-py-plugins": "mdit-py-plugins", "python3-pygments": "pygments", "python3-selenium": "selenium"}
+       "python3-mdit-py-plugins": "mdit-py-plugins", "python3-pygments": "pygments", "python3-selenium": "selenium",
+       "python3-fonttools": "fonttools", "python3-brotli": "brotli"}
 # Of the libraries that run in a browser; this three.js is the one of Debian, with which the viewer is tested.
 NPM = {"libjs-three": "three@0.111.0", "libjs-katex": "katex@0.16"}
 # What Apple gives in place of Debian's compilers.
