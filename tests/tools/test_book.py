@@ -137,7 +137,7 @@ class Book(unittest.TestCase):
             found = re.search(r'class="next" href="([^"]+)"', page.read_text(encoding="utf-8"))
             page = (page.parent / found[1]).resolve() if found else None
         self.assertEqual(len(seen), len(set(seen)))
-        sources = (".hpp.html", ".cpp.html", ".py.html", ".pyi.html")
+        sources = (".hpp.html", ".cpp.html", ".py.html", ".pyi.html", ".cff.html", "LICENSE.html", "LICENSE-TEXT.html")
         self.assertEqual(set(seen), {page for page in self.pages if not page.name.endswith(sources)})
 
     def test_nothing_comes_from_the_network(self):

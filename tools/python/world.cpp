@@ -71,7 +71,7 @@ PythonWorld<Dof> make(const Vec3& gravity, double k, std::optional<double> d, do
                          .viscosity = viscosity,
                          .solver = find_solver<Dof>(solver).make(),
                          .warm_start = warm_start,
-                         .contact_margin = margin,
+                         .contact_margin = contact_margin,
                          .threads = threads,
                          .solver_limits = {.max_sweeps = iterations, .tolerance = tolerance}};
   if (restitution)
