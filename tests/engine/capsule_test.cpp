@@ -18,6 +18,13 @@ PlacedCapsule capsule(int body, const Vec3& x, const Vec3& axis, double radius, 
   return {.body = body, .x = x, .axis = axis.normalized(), .radius = radius, .half_length = half_length};
 }
 
+/// Draws a capsule whose centre is within `reach` of the origin along each axis.
+PlacedCapsule some_capsule(testing::Random& random, int body, double reach) {
+  const Vec3 x = random.vector(reach), axis = random.unit_vector();
+  const double radius = random.uniform(0.05, 0.5), half_length = random.uniform(0.1, 1.5);
+  return capsule(body, x, axis, radius, half_length);
+}
+
 /// Returns the distance of a point from a box, negative inside.
 double distance(const Box& box, const Vec3& point) {
   const Vec3 beyond = (box.axes.transpose() * (point - box.x)).cwiseAbs() - box.half_sides;
@@ -83,8 +90,7 @@ TEST(Capsule, IsAsDeepInABoxAsADenseSearchFinds) {
                   .x = random.vector(1),
                   .axes = random.rotation().toRotationMatrix(),
                   .half_sides = random.vector(0.2, 1)};
-    const PlacedCapsule c = capsule(1, random.vector(1.5), random.unit_vector(), random.uniform(0.05, 0.5),
-                                    random.uniform(0.1, 1.5));
+    const PlacedCapsule c = some_capsule(random, 1, 1.5);
     std::vector<Contact> contacts;
     box_capsule(box, c, contacts);
     const double gap = smallest_gap(box, c);
@@ -103,10 +109,8 @@ TEST(Capsule, IsAsDeepInAnotherAsADenseSearchFinds) {
   testing::Random random;
   int touched = 0;
   for (int draw = 0; draw < 300; ++draw) {
-    const PlacedCapsule a = capsule(0, random.vector(1), random.unit_vector(), random.uniform(0.05, 0.5),
-                                    random.uniform(0.1, 1.5)),
-                        b = capsule(1, random.vector(1), random.unit_vector(), random.uniform(0.05, 0.5),
-                                    random.uniform(0.1, 1.5));
+    const PlacedCapsule a = some_capsule(random, 0, 1);
+    const PlacedCapsule b = some_capsule(random, 1, 1);
     std::vector<Contact> contacts;
     capsule_capsule(a, b, contacts);
     const double gap = smallest_gap(a, b), close = 1.5e-4;
