@@ -4,7 +4,7 @@
 
 namespace spook::plots {
 
-/// What `measure` returns, or infinity after a SimulationDiverged.
+/// Returns what `measure` does, or infinity after a SimulationDiverged.
 template <class Measure>
 double or_infinity(const Measure& measure) {
   try {

@@ -79,7 +79,7 @@ extern "C" int spook_no_system(const char*) {
   return 0;
 }
 
-/// What syscall() is linked to: std::latch and std::atomic wait by it, and nothing else gets through.
+/// Stands in for syscall(): std::latch and std::atomic wait by it, and nothing else gets through.
 extern "C" long spook_only_futex(long number, ...) {
   if (number != SYS_futex) {
     errno = ENOSYS;

@@ -12,7 +12,7 @@
 
 namespace spook::remote {
 
-/// What comes back for a call: a Returned or Threw, with the operations that it took taken off it, and added to
+/// Returns what comes back for a call: a Returned or Threw, with the operations that it took taken off it, and added to
 /// testing::operations_elsewhere. Every force that is asked for meanwhile is told. Where the other
 /// side sends anything else, or has ended, this process says so to the grader, and ends.
 Message answer_to(const std::string& call, const ForceField* force);

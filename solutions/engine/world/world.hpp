@@ -121,7 +121,7 @@ class World {
   /// Drives a hinge or slider otherwise from now on, or with {} no longer. Throws std::invalid_argument as add_joint.
   void set_motor(int joint, const std::optional<Motor>& motor) requires(Dof == 6);
 
-  /// What a body, or a pair of bodies, is where it touches; engine/bodies/materials.hpp says how those of two are put together.
+  /// Sets the material of a body, or of a pair of bodies, where it touches; engine/bodies/materials.hpp says how those of two are put together.
   /// An impact law's own restitution and friction are then those of pairs of which nothing was said.
   void set_material(int body, const Material& material);
   void set_material(int i, int j, const Material& material);
