@@ -5,9 +5,9 @@ namespace spook {
 template <int Dof>
 Picture picture_of(const World<Dof>& world) {
   Picture picture{.bodies = std::vector<Appearance>(world.bodies().size()), .joints = world.joints()};
+  const std::vector<Shape> shapes = world.shapes().by_body(picture.bodies.size());
   for (std::size_t i = 0; i < picture.bodies.size(); ++i)
-    picture.bodies[i] = {.shape = world.shapes().of(static_cast<int>(i)),
-                         .is_static = world.bodies().is_fixed(i)};
+    picture.bodies[i] = {.shape = shapes[i], .is_static = world.bodies().is_fixed(i)};
   for (const Plane& plane : world.shapes().planes) picture.bodies[world.index(plane.body)].plane = plane;
   return picture;
 }

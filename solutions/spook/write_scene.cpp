@@ -65,11 +65,11 @@ static Json to_json(const Bodies<Dof>& bodies, const Shapes& shapes) {
     const Json json = {{"plane", {{"n", numbers(plane.n)}, {"offset", plane.offset}}}};
     list[static_cast<std::size_t>(plane.body)] = json;
   }
+  const std::vector<Shape> shape = shapes.by_body(list.size());
   for (std::size_t i = 0; i < list.size(); ++i) {
     Json& body = list[i];
     match(
-        shapes.of(static_cast<int>(i)), [](const NoShape&) {},
-        [&](const Sphere& sphere) { body["radius"] = sphere.radius; },
+        shape[i], [](const NoShape&) {}, [&](const Sphere& sphere) { body["radius"] = sphere.radius; },
         [&](const Capsule& capsule) {
           body["radius"] = capsule.radius;
           body["half_length"] = capsule.half_length;

@@ -237,6 +237,8 @@ TEST(Capsule, AsksForWhatMakesSense) {
   expect_refusal({"radius", "half sides"},
                  [&] { world.add({.radius = 0.1, .half_length = 1, .half_sides = Vec3::Ones()}); });
   expect_refusal({"radius", "-1"}, [&] { world.add_fixed(Vec3::Zero(), Capsule{-1, 1}, Quat::Identity()); });
+  expect_refusal({"shape", "points"},
+                 [&] { world.add_fixed(Vec3::Zero(), PointSet{{Vec3::UnitX()}}, Quat::Identity()); });
   EXPECT_EQ(world.bodies().size(), 0U);
 }
 

@@ -15,12 +15,13 @@ void Shapes::add(int body, const Shape& shape, bool is_static) {
   if (!is_static) smallest = std::min(smallest, size_of(shape));
 }
 
-Shape Shapes::of(int body) const {
+std::vector<Shape> Shapes::by_body(std::size_t bodies) const {
+  std::vector<Shape> shapes(bodies);
   for (const Solid& solid : solids)
-    if (solid.body == body) return match(solid.shape, [](const auto& shape) { return Shape(shape); });
-  for (const Corners& set : corners)
-    if (set.body == body) return PointSet{set.points};
-  return NoShape{};
+    shapes[static_cast<std::size_t>(solid.body)] =
+        match(solid.shape, [](const auto& shape) { return Shape(shape); });
+  for (const Corners& set : corners) shapes[static_cast<std::size_t>(set.body)] = PointSet{set.points};
+  return shapes;
 }
 
 void Shapes::remove(int body) {

@@ -44,8 +44,8 @@ struct Shapes {
   /// Adds the shape of a body.
   void add(int body, const Shape& shape, bool is_static);
 
-  /// Returns the shape of a body; none for a plane's.
-  Shape of(int body) const;
+  /// Returns the shape of each of so many bodies; none for a plane's.
+  std::vector<Shape> by_body(std::size_t bodies) const;
 
   /// Takes the shape of a body out; bodies after it move up by one.
   void remove(int body);

@@ -29,12 +29,8 @@ static std::string text(double value) {
 
 /// How far a body reaches from its centre where it is thinnest [m]; infinite for one without a shape, and for a plane.
 static std::vector<double> sizes_of(const Shapes& shapes, std::size_t bodies) {
-  std::vector<double> sizes(bodies, infinity);
-  for (const Solid& solid : shapes.solids)
-    sizes[static_cast<std::size_t>(solid.body)] =
-        match(solid.shape, [](const auto& shape) { return size_of(Shape(shape)); });
-  for (const Corners& corners : shapes.corners)
-    sizes[static_cast<std::size_t>(corners.body)] = size_of(PointSet{corners.points});
+  std::vector<double> sizes;
+  for (const Shape& shape : shapes.by_body(bodies)) sizes.push_back(size_of(shape));
   return sizes;
 }
 

@@ -102,7 +102,8 @@ class World {
   /// Adds a static body with a sphere of that radius [m], or without a shape for 0.
   int add_fixed(const Vec3& x, double radius = 0);
 
-  /// Adds a static body with a shape, such as Capsule{.radius = 0.1, .half_length = 0.5}.
+  /// Adds a static body with a shape, such as Capsule{.radius = 0.1, .half_length = 0.5}. Throws std::invalid_argument for
+  /// a shape that is not sound, and for points, which planes alone stop.
   int add_fixed(const Vec3& x, const Shape& shape, const Quat& q) requires(Dof == 6);
 
   /// Adds a static box.

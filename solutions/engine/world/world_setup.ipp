@@ -65,6 +65,8 @@ int World<Dof>::add_fixed_box(const Vec3& x, const Vec3& half_sides, const Quat&
 template <int Dof>
 int World<Dof>::add_fixed(const Vec3& x, const Shape& shape, const Quat& q) requires(Dof == 6) {
   require_sound(shape);
+  if (std::holds_alternative<PointSet>(shape))
+    throw std::invalid_argument("shape of a static body must be another than points: planes alone stop them");
   require_unit_length("q", q.norm());
   const int i = bodies_.add_fixed(x);
   if constexpr (Dof == 6) bodies_.orientations.q.back() = q.normalized();
