@@ -11,7 +11,7 @@ from urllib.parse import unquote
 
 from sandbox import ROOT, Sandbox, our_files
 
-from binding.code import code_in_text
+from binding.code import code_in_text, highlighted
 from binding.typography import typeset
 from films import films
 from needs import BOOK_NEEDS, VIEW_NEEDS
@@ -174,6 +174,8 @@ class Text(unittest.TestCase):
         self.assertEqual(code_in_text("--views"), '<code class="whole">--views</code>')
         self.assertEqual(code_in_text("./course run a --plot energy"),
                          '<code>./course run a <span class="whole">--plot</span> energy</code>')
+        for line in ("./course run a --set b=2 --iterations 9", "./course run a --iterations 9"):
+            self.assertIn('<span class="whole">--iterations</span>', highlighted(line, ""))
 
 
 class Markdown(unittest.TestCase):

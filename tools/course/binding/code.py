@@ -7,7 +7,8 @@ from pathlib import Path
 # What is not said to be in a language is a shell's if a line begins with one of these.
 _COMMAND = re.compile(r"^(?:sudo |for )?(?:\./|(?:cmake|ninja|ctest|python3|git|gdb|sbatch|docker)\b)", re.MULTILINE)
 
-_OPTION = re.compile(r"(?<=\s)--[a-z][a-z-]*")
+# In what Pygments has marked, a blank may be in a span of its own.
+_OPTION = re.compile(r"(?<=[\s>])--[a-z][a-z-]*")
 _WHOLE = r'<span class="whole">\g<0></span>'
 
 
