@@ -30,6 +30,7 @@ static std::string method_text(const SceneDescription& scene, const RunSettings&
   if (method.integrator_order == 4)
     return text + "; composed to order four" + (scene.solves ? ", joints rigid" : "");
   if (!scene.solves) return text + "; no constraints, no solver";
+  text += "; friction " + name_of(friction_model(method)) + (method.sliding_tangents ? " along the slip" : "");
   text += "; " + method.solver + ", at most " +
           counted(method.solver_limits.max_sweeps, find_solver<3>(method.solver).iteration);
   if (method.solver_limits.tolerance > 0)

@@ -20,6 +20,7 @@ static Json to_json(const Settings<Dof>& settings) {
   Json json = {{"gravity", numbers(settings.gravity)},
                {"k", settings.k},
                {"friction", settings.friction},
+               {"friction_model", name_of(settings.solver.friction)},
                {"viscosity", number(settings.viscosity)}};
   if (settings.d) json["d"] = *settings.d;
   if (settings.integrator_order != 2) json["integrator_order"] = settings.integrator_order;

@@ -149,18 +149,7 @@ template <int Dof>
 void World<Dof>::solve_rows(double h) {
   V_.assign(bodies_.size(), Twist<Dof>::Zero());
   if (settings_.warm_start) warm_start_rows(h);
-  SolverResult outcome = settings_.solver.solve({.rows = rows_,
-                                                 .V = V_,
-                                                 .rubbing = rubbing_,
-                                                 .joints = joints_,
-                                                 .contacts = contacts_,
-                                                 .first_contact_row = first_contact_row_,
-                                                 .bodies = bodies_,
-                                                 .last = start_,
-                                                 .gravity = settings_.gravity,
-                                                 .h = h,
-                                                 .stop = stop_rule(h),
-                                                 .threads = settings_.threads});
+  SolverResult outcome = settings_.solver.solve(solver_input(h, stop_rule(h)));
   row_updates_ += outcome.updates(rows_.size());
   solved_ = std::move(outcome.report);
   if (settings_.warm_start || settings_.solver.wants_last)
@@ -168,8 +157,24 @@ void World<Dof>::solve_rows(double h) {
 }
 
 template <int Dof>
+SolverInput<Dof> World<Dof>::solver_input(double h, const StopRule& stop) {
+  return {.rows = rows_,
+          .V = V_,
+          .rubbing = rubbing_,
+          .joints = joints_,
+          .contacts = contacts_,
+          .first_contact_row = first_contact_row_,
+          .bodies = bodies_,
+          .last = start_,
+          .gravity = settings_.gravity,
+          .h = h,
+          .stop = stop,
+          .threads = settings_.threads};
+}
+
+template <int Dof>
 void World<Dof>::warm_start_rows(double h) {
-  const std::vector<double> impulses = start_.impulses(rows_.size(), first_contact_row_, contacts_, h);
+  const std::vector<double> impulses = start_.impulses(rows_, first_contact_row_, contacts_, h);
   if (!impulses.empty()) warm_start(impulses, rows_, V_);  // Eq. (10.2)
 }
 

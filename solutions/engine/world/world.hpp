@@ -52,7 +52,8 @@ struct Settings {
   /// in a step. Default: no impacts.
   std::optional<ImpactLaw> impacts = {};
   bool sliding_tangents = false;  ///< friction along the slip, Eq. (9.2)
-  /// One of engine/solvers/registry.hpp, or one of your own. The solver also selects the friction model.
+  /// One of engine/solvers/registry.hpp, or one of your own. The solver also selects the friction model. Default: each
+  /// island of bodies by factors or sweeps, with friction on Coulomb's cones.
   Solver<Dof> solver = automatic<Dof>();
   /// Rows begin with the impulses of the last step. This is stable where a step solves the part 1/(1 + d) of what a row
   /// lacks, Eq. (10.12).
@@ -242,6 +243,7 @@ class World {
   void resolve_impacts(double h);
   void build_rows(double h);
   void solve_rows(double h);
+  SolverInput<Dof> solver_input(double h, const StopRule& stop);
   void warm_start_rows(double h);
   StopRule stop_rule(double h) const;
   void integrate(double h);
