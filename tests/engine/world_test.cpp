@@ -46,7 +46,7 @@ TEST(Materials, OfTwoBodiesAreTheRulesOfTheHeader) {
 }
 
 TEST(Materials, DecideWhoSlidesWhoBouncesAndHowDeep) {
-  World<3> world({});  // smooth, of e = 0, of 1e6 N/m
+  World<3> world({.k = 1e6});  // smooth, of e = 0
   const int floor = world.add_plane(Vec3::UnitZ(), 0);
   const auto ball = [&](double y, double z, double vx) {
     return world.add({.x = Vec3(0, y, z), .v = Vec3(vx, 0, 0), .radius = 0.1});

@@ -59,7 +59,7 @@ struct PythonWorld {
 };
 
 template <int Dof>
-PythonWorld<Dof> make(const Vec3& gravity, double k, std::optional<double> d, double friction, double viscosity,
+PythonWorld<Dof> make(const Vec3& gravity, std::optional<double> k, std::optional<double> d, double friction, double viscosity,
                       std::optional<double> restitution, double threshold, const std::string& solver,
                       const std::optional<std::string>& model, int iterations, double tolerance,
                       bool warm_start, std::optional<double> contact_margin, int threads) {
@@ -252,7 +252,7 @@ py::class_<PythonWorld<Dof>> bind(py::module_& module, const char* name, const c
   using Self = PythonWorld<Dof>;
   const Vec3 zero = Vec3::Zero();
   py::class_<Self> type(module, name, what);
-  type.def(py::init(&make<Dof>), py::kw_only(), "gravity"_a = Settings<Dof>{}.gravity, "k"_a = 1e6,
+  type.def(py::init(&make<Dof>), py::kw_only(), "gravity"_a = Settings<Dof>{}.gravity, "k"_a = py::none(),
            "d"_a = py::none(), "friction"_a = 0.0, "viscosity"_a = 1e12, "restitution"_a = py::none(),
            "threshold"_a = ImpactLaw{}.threshold, "solver"_a = "auto", "friction_model"_a = py::none(),
            "iterations"_a = StopRule{}.max_sweeps, "tolerance"_a = 0.0, "warm_start"_a = false,

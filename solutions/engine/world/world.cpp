@@ -128,9 +128,36 @@ void World<Dof>::resolve_impacts(double h) {
   contacts_.erase(std::remove_if(contacts_.begin(), contacts_.end(), will_hit), contacts_.end());
 }
 
+/// Where no k is given. Bodies and forces may be others in each step; contacts do not get softer.
+template <int Dof>
+void World<Dof>::set_default_stiffness(double h) {
+  if (settings_.k) return;
+  double mass = 0, load = 0;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (bodies_.is_fixed(i)) continue;
+    mass += bodies_.mass[i];
+    load += forces_[i].norm();
+  }
+  largest_load_ = std::max(largest_load_, load);
+  const double of_joints = joint_stiffness(mass, h);
+  materials_.set_stiffness(spook::contact_stiffness(largest_load_, shapes_.smallest, of_joints));
+  double arm = 0;  // squared
+  if constexpr (Dof == 6) {
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+      if (!bodies_.is_fixed(i))
+        arm = std::max(arm, bodies_.orientations.principal[i].maxCoeff() / bodies_.mass[i]);
+    for (const Joint& joint : joints_) arm = std::max({arm, joint.p_i.squaredNorm(), joint.p_j.squaredNorm()});
+  }
+  for (Joint& joint : joints_) {
+    if (joint.has_default_k) joint.k = of_joints;
+    if (joint.has_default_k_turn) joint.k_turn = arm * of_joints;
+  }
+}
+
 /// Rows of contacts are written over those of the last step: a large pile's are many megabytes.
 template <int Dof>
 void World<Dof>::build_rows(double h) {
+  set_default_stiffness(h);
   first_contact_row_ = 0;
   if (!joints_.empty()) {
     rows_.clear();

@@ -21,6 +21,7 @@
 #include "engine/bodies/materials.hpp"
 #include "engine/collision/contacts.hpp"
 #include "engine/constraints/contact_rows.hpp"
+#include "engine/constraints/default_stiffness.hpp"
 #include "engine/constraints/joint_rows.hpp"
 #include "engine/constraints/warm_start_cache.hpp"
 #include "engine/integration/rattle.hpp"
@@ -42,7 +43,9 @@ struct Settings {
   Vec3 gravity = Vec3(0, 0, -9.81);  ///< [m/s²]
   ForceField force = nullptr;        ///< on each body, beside its weight [N]. Default: none
   Wrench<Dof> wrench = nullptr;      ///< more forces, and torques [N, N m]. Default: none
-  double k = 1e6;                    ///< stiffness of contacts and joints [N/m]
+  /// Stiffness of contacts and joints [N/m]. Default: all forces of a step together compress one contact by a ten-thousandth
+  /// of the smallest size, and joints are nearly rigid, engine/constraints/default_stiffness.hpp.
+  std::optional<double> k = {};
   /// Relaxation of contacts and joints [steps]: a larger d dissipates more energy, see chapter 06. Default: 3 for contacts,
   /// which settle, and 1/4 for joints, which swing.
   std::optional<double> d = {};
@@ -173,6 +176,9 @@ class World {
   std::int64_t steps() const { return steps_; }  ///< taken so far
   double time() const { return time_; }          ///< [s]
 
+  /// The stiffness of contacts whose bodies have none of their own, in the last step [N/m].
+  double contact_stiffness() const { return materials_.stiffness(); }
+
   /// Where a body's numbers are in bodies(). Throws std::invalid_argument for an index that is no body's.
   std::size_t index(int body) const;
 
@@ -241,6 +247,7 @@ class World {
   void add_wrenches();
   Vec3 turned_by_torques(std::size_t i, const Vec3& omega, double h) const;
   void resolve_impacts(double h);
+  void set_default_stiffness(double h);
   void build_rows(double h);
   void solve_rows(double h);
   SolverInput<Dof> solver_input(double h, const StopRule& stop);
@@ -289,7 +296,8 @@ class World {
   StepTimer clock_;
   std::int64_t steps_ = 0;
   double time_ = 0;
-  double h_ = 0;  // of the last step [s]
+  double largest_load_ = 0;  // sum of the forces on all dynamic bodies [N]
+  double h_ = 0;             // of the last step [s]
   int pairs_ = 0;
   int impacts_ = 0;
   bool half_step_back_ = false;
