@@ -43,7 +43,7 @@ class Sets(unittest.TestCase):
                     self.assertEqual(labels, [f"mutants.{chapter.name}"])
                 else:
                     self.assertIn(labels, ([], ["fast"]))
-                    self.assertTrue(labels or name.startswith(("plot.", "tools.")), f"{name} runs with --all only")
+                    self.assertTrue(labels or name.startswith(("plot.", "tools.")))
 
     def test_what_is_promised_is_fast(self):
         tools = ("course_check", "course_run", "stubs", "grade_class", "lessons", "book", "format", "mutants")
@@ -89,6 +89,18 @@ class Sets(unittest.TestCase):
                          "Left out: all tests under sanitizers. ./course test --all runs them.")
 
 
+class BuiltBesides(unittest.TestCase):
+    def test_stubs_that_nobody_has_begun_and_the_chapters_that_are_graded(self):
+        begun = SimpleNamespace(function="kick", started=lambda: True)
+        stub = SimpleNamespace(function="drift", started=lambda: False)
+        with mock.patch.object(everything, "all_exercises", return_value=[begun, stub]), \
+             mock.patch.object(everything, "drop_if_stale") as dropping:
+            self.assertEqual(everything._stubs(CHECK), ["check_drift"])
+        dropping.assert_called_once_with(CHECK, stub)
+        self.assertEqual(everything._graded(1), [f"grade_{CHAPTERS[0]}", f"answer_{CHAPTERS[0]}"])
+        self.assertEqual(len(everything._graded()), 2 * len(CHAPTERS))
+
+
 class Command(unittest.TestCase):
     NOW = {"01_leapfrog": "a", "02_quaternions": "b"}
 
@@ -101,14 +113,19 @@ class Command(unittest.TestCase):
         """The trees and targets that were built, what was chosen of each run, and what was printed."""
         built, chosen = [], []
 
+        def build(tree, targets, _strict):
+            built.append((tree.preset, targets))
+
         def run(tree, some=None):
             chosen.append(some)
             return everything.Outcome(tree.preset, 1, [], [], ok)
 
         with mock.patch.object(everything, "install"), mock.patch.object(everything, "_install_if_offered"), \
              mock.patch.object(everything, "Tree", lambda preset: SimpleNamespace(preset=preset, path=self.folder)), \
-             mock.patch.object(everything, "_build", lambda tree, targets, strict: built.append((tree.preset, targets))), \
+             mock.patch.object(everything, "_build", build), \
              mock.patch.object(everything, "_run", run), \
+             mock.patch.object(everything, "_stubs", return_value=[]), \
+             mock.patch.object(everything, "_graded", return_value=[]), \
              mock.patch.object(everything, "names", lambda tree, some=None: ["a"] if some else ["a", "tools.slurm"]), \
              mock.patch.object(mutants, "digests", return_value=dict(self.NOW)), \
              contextlib.redirect_stdout(io.StringIO()) as said:
@@ -130,7 +147,7 @@ class Command(unittest.TestCase):
 
     def test_all_is_everything_in_every_tree(self):
         built, chosen, said = self.run_test("--all", "--yes")
-        self.assertIn(("check", []), built)
+        self.assertIn(("check", ["all"]), built)
         self.assertEqual(set(map(type, chosen)), {type(None)})
         self.assertNotIn("Left out", said)
         self.assertIn(("check", ["fast"]), self.run_test()[0])

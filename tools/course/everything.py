@@ -7,7 +7,9 @@ from pathlib import Path
 
 import mutants
 from errors import CourseError
+from exercise_object import drop_if_stale
 from install import install, is_offered
+from manifest import all_exercises, read_chapters
 from needs import BOOK_NEEDS, BROWSER_NEEDS, NEEDS, PEER_NEEDS, SLURM_NEEDS, TEST_NEEDS, Need
 from paths import shown
 from process import stream
@@ -42,7 +44,7 @@ def _fast(strict: bool) -> int:
     check, now = Tree("check"), mutants.digests()
     chapters = mutants.changed(check, now)
     labels = ["fast", *(f"mutants.{chapter}" for chapter in chapters)]
-    _build(check, labels, strict)
+    _build(check, [*labels, *_stubs(check), *_graded(1)], strict)
     _build(Tree("release"), _IN_RELEASE, strict)
     chosen = selection(labels)
     outcome = _run(check, chosen)
@@ -59,12 +61,25 @@ def _everything(arguments) -> int:
     _install_if_offered(PEER_NEEDS, "other engines to compare with", arguments.yes)
     check, release, sanitize = Tree("check"), Tree("release"), Tree("sanitize")
     now = mutants.digests()
-    for tree, targets in ((check, []), (release, _IN_RELEASE), (sanitize, [])):
+    for tree, targets in ((check, ["all", *_stubs(check), *_graded()]), (release, _IN_RELEASE), (sanitize, [])):
         _build(tree, targets, arguments.strict)
     outcomes = [_run(tree) for tree in (check, sanitize)]
     if outcomes[0].ok:
         mutants.remember(check, now)
     return _report(outcomes)
+
+
+def _stubs(check: Tree) -> list[str]:
+    """Programs of the exercises that nobody has begun, which a test runs: one ninja makes them, not one beside it."""
+    stubs = [exercise for exercise in all_exercises() if not exercise.started()]
+    for exercise in stubs:
+        drop_if_stale(check, exercise)
+    return [f"check_{exercise.function}" for exercise in stubs]
+
+
+def _graded(chapters: int | None = None) -> list[str]:
+    """What a class is graded with, in the first chapters, or all."""
+    return [f"{side}_{chapter.folder}" for chapter in read_chapters()[:chapters] for side in ("grade", "answer")]
 
 
 def selection(labels: list[str]) -> list[str]:
