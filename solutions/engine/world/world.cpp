@@ -60,7 +60,21 @@ void World<Dof>::evaluate_forces(double h) {
   forces_.resize(bodies_.size());
   for (std::size_t i = 0; i < bodies_.size(); ++i) forces_[i] = force(i);
   if (settings_.wrench) add_wrenches();
+  if (h_ > 0 && h != h_) shift_to_step(h);
   if (!contacts_.empty() || !joints_.empty()) prepare_motion(h);
+}
+
+/// Moves W of free bodies from half of the last step before x_n to half of this one, Eq. (1.5). W of a body that rows
+/// hold stays: what presses and what holds it cancel.
+template <int Dof>
+void World<Dof>::shift_to_step(double h) {
+  if (!rows_.empty() && V_.size() != bodies_.size()) return;  // bodies have come or gone
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (bodies_.is_fixed(i) || (!rows_.empty() && V_[i] != Twist<Dof>::Zero())) continue;
+    const Vec3 v = bodies_.motion.W[i].template head<3>();
+    const double inverse_mass = bodies_.motion.inverse_mass[i].linear;
+    bodies_.motion.W[i].template head<3>() = half_step_start(v, forces_[i], inverse_mass, h - h_);
+  }
 }
 
 template <int Dof>

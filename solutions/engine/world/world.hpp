@@ -244,6 +244,7 @@ class World {
   void find_contacts(double h);
   double margin(double h) const;
   void evaluate_forces(double h);
+  void shift_to_step(double h);
   void add_wrenches();
   Vec3 turned_by_torques(std::size_t i, const Vec3& omega, double h) const;
   void resolve_impacts(double h);
