@@ -196,7 +196,7 @@ class Watch {
     most_ = std::max(most_, T);
     if (world().steps() == 1)
       for (const Contact& contact : world().contacts())
-        given_ += world().settings().k * std::pow(std::min(0.0, contact.gap), 2) / 2;
+        given_ += world().contact_stiffness() * std::pow(std::min(0.0, contact.gap), 2) / 2;
     compare("energy", T - started_ - given_, share_gained * (most_ + lift));
   }
 
