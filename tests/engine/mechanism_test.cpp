@@ -273,6 +273,51 @@ TEST(Limit, OfASliderStopsAFall) {
   EXPECT_NEAR((world.joint_force(slider) - Vec3(0, 0, m * g)).norm(), 0, 1e-9);
 }
 
+TEST(Limit, IsPassedByNoMotor) {
+  // An arm driven at 1e6 N m rested at 1.5 rad where its limit is 0.5. Both rows ask for an end at the
+  // limit. What remains is the turn of an arm by a finite angle, where rows are of the first order: 1e-3 is required.
+  for (const std::optional<double> k : {std::optional<double>(), std::optional<double>(1e8)})
+    for (const double strength : {1e3, 1e6, 1e9, infinity})
+      for (const double h : {1.0 / 30, 1.0 / 60, 1.0 / 240, 1.0 / 1000})
+        for (const double way : {1.0, -1.0})
+          for (const JointKind kind : {JointKind::hinge, JointKind::slider}) {
+            World<6> world({.k = k});
+            const int frame = world.add_fixed(Vec3::Zero());
+            const int arm = world.add({.x = Vec3(1, 0, 0), .mass = 1, .principal = 0.1 * Vec3::Ones()});
+            const int joint = world.add_joint({.i = frame,
+                                               .j = arm,
+                                               .p_j = Vec3(-1, 0, 0),
+                                               .kind = kind,
+                                               .axis = Vec3::UnitY(),
+                                               .limits = JointLimits{.lower = -0.5, .upper = 0.5},
+                                               .motor = Motor{.speed = 20 * way, .strength = strength}});
+            double most = 0;
+            for (int n = 0; n < std::lround(1 / h); ++n) {
+              world.step(h);
+              most = std::max(most, std::abs(world.joint_position(joint)));
+            }
+            const auto what = ::testing::Message() << strength << " N m, h = " << h << ", " << name_of(kind)
+                                                   << ", k " << (k ? "given" : "by default");
+            EXPECT_LT(most, 0.501) << what;
+            EXPECT_NEAR(world.joint_position(joint), 0.5 * way, 1e-3) << what;
+          }
+}
+
+TEST(Limit, LeavesAMotorAloneUntilItIsReached) {
+  // Eq. (13.17) is the speed itself, bit by bit, while the limit is farther than the way of a step.
+  const double h = 1.0 / 60, speed = 2;
+  const auto wheel = [&](const JointLimits& limits) {
+    return Wheel({.limits = limits, .motor = Motor{.speed = speed, .strength = 7}});
+  };
+  Wheel near = wheel({.lower = 0, .upper = 1}), far = wheel({.lower = -1000, .upper = 1000});
+  while (near.world.joint_position(near.joint) < 1 - 2 * h * speed) {
+    for (Wheel* one : {&near, &far}) one->world.step(h);
+    ASSERT_EQ(near.world.joint_position(near.joint), far.world.joint_position(far.joint));
+    ASSERT_LT(near.world.steps(), 1000);
+  }
+  EXPECT_NEAR(near.world.joint_speed(near.joint), speed, 1e-6);
+}
+
 // Motors
 
 TEST(Motor, BringsAFlywheelToSpeedInIOmegaOverT) {

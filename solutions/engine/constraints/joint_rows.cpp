@@ -1,5 +1,6 @@
 #include "engine/constraints/joint_rows.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/constraints/parameter_cache.hpp"
@@ -55,6 +56,14 @@ static void add_limit_row(const Joint& joint, const Coordinate& free, double h, 
   rows.push_back(make_row(limit, motion));
 }
 
+/// Returns the speed nearest to a motor's that asks for no more than the limits allow: the rest of the way within a
+/// step of `h`, and beyond a limit the way back at the pace of the limit's own row: Eq. (13.17).
+static double speed_within(const JointLimits& limits, double value, double speed, double h, double limit_d) {
+  const double a = spook_parameters(h, 1, limit_d).a;
+  const auto allowed = [&](double gap) { return gap > 0 ? gap / h : a * gap; };
+  return std::min(std::max(speed, -allowed(value - limits.lower)), allowed(limits.upper - value));
+}
+
 /// Those that hold, of its limits, of its motor.
 static void add_guided_rows(const Joint& joint, double h, const Bodies<6>& bodies, std::vector<Row<6>>& rows) {
   const Motion<6>& motion = bodies.motion;
@@ -75,7 +84,10 @@ static void add_guided_rows(const Joint& joint, double h, const Bodies<6>& bodie
   if (!joint.limits && !joint.motor) return;
   const Coordinate free = free_coordinate(joint, bodies);
   if (joint.limits) add_limit_row(joint, free, h, motion, rows);
-  if (joint.motor) rows.push_back(motor_row(free, *joint.motor, h, motion));
+  if (!joint.motor) return;
+  Motor motor = *joint.motor;
+  if (joint.limits) motor.speed = speed_within(*joint.limits, free.value, motor.speed, h, *joint.limit_d);
+  rows.push_back(motor_row(free, motor, h, motion));
 }
 
 template <int Dof>
