@@ -36,7 +36,7 @@
 
 namespace spook {
 
-/// Everything with n·x < offset is solid. It belongs to a body that nothing moves.
+/// Everything with n·x < offset is solid. It belongs to a static body.
 struct Plane {
   int body;
   Vec3 x;         ///< centre of that body [m]; the plane need not go through it

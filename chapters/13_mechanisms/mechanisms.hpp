@@ -58,8 +58,8 @@ struct JointLimits {
 };
 
 /// Exercise 13.4. The row of the limit with the smaller gap, so of the one that is passed, if one is; λ >= 0 [N m s or
-/// N s]: Eq. (13.10), (13.11). Before the limit it lets come what comes as far as the limit in a step of `h` [s], and no
-/// farther; beyond, a and Σ are those of `spook`. Either way it takes all of the speed, b = 1.
+/// N s]: Eq. (13.10), (13.11). Before the limit it allows, within one step of `h` [s], motion up to the limit;
+/// beyond, a and Σ are those of `spook`. Either way it takes all of the speed, b = 1.
 Constraint<6> limit_constraint(const Coordinate& free, const JointLimits& limits, const SpookParameters& spook,
                                double h);
 
