@@ -7,8 +7,8 @@
 // Δλ would be anything, so Σ is taken for larger by a part of S_kk, a thousandth of what is left of that asked for: it
 // goes to 0 with the residual, and the method stays faster than linear. After each step, projected, come a few sweeps;
 // where they do not bring less than before, a quarter of the step is tried, and a sixteenth. Where that is in vain
-// sweeps take over, accelerated ones (engine/solvers/anderson.cpp) in the end: nothing promises that this problem has an
-// energy to go down.
+// sweeps take over, accelerated ones (engine/solvers/anderson.cpp) in the end: no merit function is
+// guaranteed.
 //
 // One entry of its history is the residual after a factorisation, or what a sweep returned after them. Begins with the
 // impulses of the last step. Keeps nothing.
