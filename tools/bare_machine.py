@@ -1,11 +1,12 @@
-"""The README's two commands on a machine that has nothing but git.
+"""The README's first commands on a machine that has nothing but git.
 
     sudo python3 tools/bare_machine.py trixie                     # or bookworm, jammy, noble: what debootstrap knows
     sudo python3 tools/bare_machine.py trixie --compiler clang
-    sudo python3 tools/bare_machine.py trixie --only start        # without the whole of ./course test
+    sudo python3 tools/bare_machine.py trixie --only start        # without the tests
 
-Makes the machine with debootstrap, clones what is committed into it, and runs `./course start` and `./course test`
-there, in namespaces of their own. Prints how long each took and whether it held. Exit code 1 if one did not.
+Makes the machine with debootstrap, clones what is committed into it, and runs `./course start`, `./course test` and
+`./course test --all` there, in namespaces of their own. Prints how long each took and whether it held. Exit code 1 if
+one did not.
 """
 
 import argparse
@@ -27,7 +28,7 @@ from process import stream, tail  # noqa: E402
 
 UBUNTU = {"jammy", "noble"}  # most of what the course needs is in a section of its own there
 COMPILERS = {"gcc": ("", ""), "clang": (",clang", "CXX=clang++")}  # what is there beside git; what CMake is told
-COMMANDS = {"start": "./course start", "test": "./course test --yes"}
+COMMANDS = {"start": "./course start", "test": "./course test --yes", "all": "./course test --all --yes"}
 # Mounts that nobody else sees, and that are gone with the last process. The machine's folder becomes the root, and not
 # by chroot, in which the kernel refuses namespaces to those who would isolate submissions.
 ENTER = """mount --make-rprivate / && mount --bind "$0" "$0" && mount --bind /dev "$0/dev" &&
@@ -74,7 +75,7 @@ def _options(words: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("release", help="a release that debootstrap knows, such as trixie")
     parser.add_argument("--compiler", choices=COMPILERS, default="gcc")
-    parser.add_argument("--only", choices=COMMANDS, help="one of the two commands")
+    parser.add_argument("--only", choices=COMMANDS, help="one of the commands")
     parser.add_argument("--folder", type=Path, default=Path("/var/tmp"), help="where the machine is made")
     parser.add_argument("--keep", action="store_true", help="leave the machine there")
     options = parser.parse_args(words)

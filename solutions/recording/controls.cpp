@@ -45,7 +45,7 @@ Json controls(const SceneDescription& description, const Parameters& parameters,
   if (description.solves) {
     list.push_back(choice("solver", method.solver, solver_names()));
     list.push_back(slider("iterations", method.solver_limits.max_sweeps, "", {1, 1000, true, true}));
-    list.push_back(choice("friction_model", name_of(method.friction_model), {"box", "two_pass", "cone"}));
+    list.push_back(choice("friction_model", name_of(friction_model(method)), {"box", "two_pass", "cone"}));
     list.push_back(choice("warm_start", method.warm_start ? "on" : "off", {"off", "on"}));
   }
   for (const Parameter& parameter : parameters.all()) list.push_back(control(parameter));

@@ -35,7 +35,7 @@ static Energy energy_of(const World<Dof>& world, double h) {
     for (int row = 0; row < pulled.rows(); ++row)
       energy.springs += held(world.joint_lambda(joint, row), pulled.stiffness(row));
   }
-  for (int c = 0; c < contacts; ++c) energy.springs += held(world.lambda(c), world.settings().k);
+  for (int c = 0; c < contacts; ++c) energy.springs += held(world.lambda(c), world.contact_stiffness());
   return energy;
 }
 

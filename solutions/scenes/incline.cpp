@@ -114,7 +114,8 @@ SceneDescription incline() {
       .h = 1.0 / 60,
       .time = 2,
       .solves = true,
-      .build = build_model<Incline>};
+      .build = on_the_box(build_model<Incline>),
+      .friction_model = FrictionModel::box};
 }
 
 }  // namespace spook

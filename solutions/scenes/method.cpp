@@ -2,41 +2,55 @@
 
 #include <stdexcept>
 
+#include "engine/support/did_you_mean.hpp"
+
 namespace spook {
 
-static constexpr const char *accelerated = "anderson", *by_newton = "newton";
+FrictionModel find_friction_model(const std::string& name) {
+  std::vector<std::string> names;
+  for (const FrictionModel model : {FrictionModel::box, FrictionModel::two_pass, FrictionModel::cone}) {
+    if (name_of(model) == name) return model;
+    names.push_back(name_of(model));
+  }
+  throw std::invalid_argument("unknown friction-model \"" + name + "\"" + did_you_mean(name, names));
+}
 
-/// What has sweeps of its own can not have any other solver, or other sweeps, as well.
+FrictionModel friction_model(const Method& method) {
+  const NamedSolver<3>& named = find_solver<3>(method.solver);
+  if (method.friction_model) return *method.friction_model;
+  const bool has_cones = named.make_on_cones && method.row_order == RowOrder::given;
+  return has_cones ? FrictionModel::cone : FrictionModel::two_pass;
+}
+
+/// Sweeps in an order of their own are no other solver's, and have no cones.
 static void require_one_solver(const Method& method) {
-  if (!method.has_own_sweeps()) return;
   const bool ordered = method.row_order != RowOrder::given;
-  const bool plain = method.solver == solvers<3>().front().name;  // Gauss-Seidel
-  if (ordered && !plain)
+  if (ordered && method.solver != solvers<3>().front().name)
     throw std::invalid_argument("an order of rows is for sweeps: solver must be gauss_seidel, but is " +
                                 method.solver);
-  if (!ordered && !plain && method.solver != accelerated && method.solver != by_newton)
-    throw std::invalid_argument(
-        "the cone is for sweeps and Newton's method: solver must be gauss_seidel, anderson or newton, but is " +
-        method.solver);
-  if (ordered && method.friction_model == FrictionModel::cone)
+  if (friction_model(method) != FrictionModel::cone) return;
+  if (ordered)
     throw std::invalid_argument(
         "the cone sweeps in the order that is given: friction-model must be box or two_pass for another order, "
-        "but is "
-        "cone");
+        "but is cone");
+  if (find_solver<3>(method.solver).make_on_cones) return;
+  std::string with_cones;
+  for (const NamedSolver<3>& named : solvers<3>())
+    if (named.make_on_cones) with_cones += (with_cones.empty() ? "" : ", ") + named.name;
+  throw std::invalid_argument("solver must be one that has the cone, " + with_cones + ", but is " +
+                              method.solver);
 }
 
 template <int Dof>
 Solver<Dof> make_solver(const Method& method) {
   const NamedSolver<Dof>& named = find_solver<Dof>(method.solver);
   require_one_solver(method);
-  if (method.friction_model == FrictionModel::cone) {
-    if (method.solver == by_newton) return newton<Dof>(FrictionModel::cone);
-    return method.solver == accelerated ? anderson<Dof>(FrictionModel::cone) : cone_gauss_seidel<Dof>();
-  }
+  const FrictionModel model = friction_model(method);
+  if (model == FrictionModel::cone) return named.make_on_cones();
   Solver<Dof> solver = method.row_order == RowOrder::given
                            ? named.make()
                            : ordered_gauss_seidel<Dof>(method.row_order, method.seed);
-  return method.friction_model == FrictionModel::two_pass ? two_pass(std::move(solver)) : solver;
+  return model == FrictionModel::two_pass ? two_pass(std::move(solver)) : solver;
 }
 
 template Solver<3> make_solver<3>(const Method&);

@@ -9,7 +9,8 @@ struct Method {
   int substeps = 1;  ///< steps of h/substeps that a step is made of
   std::string solver = "gauss_seidel";
   StopRule solver_limits = {};
-  FrictionModel friction_model = FrictionModel::box;
+  /// Default: the cone where the solver has it, else two passes, so that friction follows the normal forces.
+  std::optional<FrictionModel> friction_model = {};
   bool sliding_tangents = false;
   RowOrder row_order = RowOrder::given;
   std::uint64_t seed = 1;  ///< of a random order
@@ -20,10 +21,13 @@ struct Method {
   std::optional<double> contact_margin = {};  ///< [m]; the world's own, unless given
 
   double step() const { return h / substeps; }  ///< [s]
-
-  /// Whether it asks for sweeps that take no other solver: an order, or the cone.
-  bool has_own_sweeps() const { return row_order != RowOrder::given || friction_model == FrictionModel::cone; }
 };
+
+/// Throws std::invalid_argument, with the nearest name there is, unless it is box, two_pass or cone.
+FrictionModel find_friction_model(const std::string& name);
+
+/// The friction model of a run: the one that is given, or the default. Throws std::invalid_argument for an unknown solver.
+FrictionModel friction_model(const Method& method);
 
 /// The solver that its `solver`, `friction_model`, `row_order` and `seed` make together.
 /// Throws std::invalid_argument, naming them, for an unknown solver, and for two that do not go together.

@@ -1,7 +1,7 @@
 // Spheres or cubes dropped into a box: a scene that has no closed form, but must come to rest.
 //
-// At rest the floor carries all the weight: the walls, with g·n = 0, have no friction to help it, Eq. (5.7). Where the
-// bodies lie nobody knows beforehand; but wherever it is, what their overlaps say must hold each of them: balance.hpp.
+// At rest the floor carries all the weight, as the walls are smooth. Where the bodies lie nobody knows beforehand; but
+// wherever it is, what their overlaps say must hold each of them: balance.hpp.
 #include "engine/diagnostics/conserved_quantities.hpp"
 #include "scenes/balance.hpp"
 #include "scenes/jitter.hpp"
@@ -38,7 +38,7 @@ class Pile : public WorldScene<6> {
     const double cell = 2.5 * radius_, half = side * cell / 2;
     floor_ = world_.add_plane(Vec3::UnitZ(), 0);
     for (const Vec3& inwards : {Vec3(1, 0, 0), Vec3(-1, 0, 0), Vec3(0, 1, 0), Vec3(0, -1, 0)})
-      world_.add_plane(inwards, -half);
+      world_.set_material(world_.add_plane(inwards, -half), {.friction = 0});
 
     const double m = p.number("m");
     Jitter jitter(static_cast<unsigned>(p.count("seed")));

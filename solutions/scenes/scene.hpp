@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -86,7 +87,20 @@ struct SceneDescription {
   /// Throws std::invalid_argument for parameters that do not go together.
   std::function<std::unique_ptr<Scene>(const Parameters& parameters, const Method& method)> build;
   std::string solver = "gauss_seidel";  ///< the one that it is run with, unless another is asked for
+  /// The friction model, unless another is asked for. Default: that of Method.
+  std::optional<FrictionModel> friction_model = {};
+  std::optional<int> integrator_order = {};  ///< unless another is asked for. Default: the world's
 };
+
+using BuildScene = std::function<std::unique_ptr<Scene>(const Parameters& parameters, const Method& method)>;
+
+/// For scenes that teach the friction box: builds with it, unless another model is asked for.
+inline BuildScene on_the_box(const BuildScene& build) {
+  return [build](const Parameters& parameters, Method method) {
+    if (!method.friction_model) method.friction_model = FrictionModel::box;
+    return build(parameters, method);
+  };
+}
 
 /// What the scenes share: a world, stepped by h_.
 template <int Dof>

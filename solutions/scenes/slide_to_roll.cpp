@@ -99,7 +99,8 @@ SceneDescription slide_to_roll() {
       .h = 0.01,
       .time = 1,
       .solves = true,
-      .build = build_as<SlideToRoll>};
+      .build = on_the_box(build_as<SlideToRoll>),
+      .friction_model = FrictionModel::box};
 }
 
 }  // namespace spook

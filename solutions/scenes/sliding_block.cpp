@@ -31,7 +31,7 @@ class SlidingBlock : public WorldScene<Dof> {
         box_answer_(p.choice("answer") == "box") {
     // What the motion starts with, whatever the answer: the box's deceleration, or Coulomb's.
     Vec3 slowing = Vec3::Zero();
-    if (method.friction_model == FrictionModel::cone || method.sliding_tangents)
+    if (friction_model(method) == FrictionModel::cone || method.sliding_tangents)
       slowing = coulomb_.rate * heading_;
     else
       for (const Vec3& t : {tangents_.t1, tangents_.t2}) slowing += coulomb_.rate * sign(heading_.dot(t)) * t;
@@ -121,7 +121,8 @@ SceneDescription sliding_block() {
       .h = 0.01,
       .time = 1,
       .solves = true,
-      .build = build_model<SlidingBlock>};
+      .build = on_the_box(build_model<SlidingBlock>),
+      .friction_model = FrictionModel::box};
 }
 
 }  // namespace spook

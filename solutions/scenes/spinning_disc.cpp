@@ -75,7 +75,7 @@ class SpinningDisc : public WorldScene<6> {
     const double coulomb = 4 * p.number("mu") * p.number("g") / (3 * p.number("radius"));
     const std::string& law = p.choice("answer");
     // The box has corners, unless it follows the sliding; the cone has none.
-    const bool has_corners = method.friction_model != FrictionModel::cone && !method.sliding_tangents;
+    const bool has_corners = friction_model(method) != FrictionModel::cone && !method.sliding_tangents;
     return law == "coulomb" || (law == "model" && !has_corners) ? coulomb : coulomb * 4 / pi;
   }
 
@@ -127,8 +127,9 @@ SceneDescription spinning_disc() {
           .h = 0.01,
           .time = 1,
           .solves = true,
-          .build = build_as<SpinningDisc>,
-          .solver = "auto"};
+          .build = on_the_box(build_as<SpinningDisc>),
+          .solver = "auto",
+          .friction_model = FrictionModel::box};
 }
 
 }  // namespace spook

@@ -49,10 +49,7 @@ static void set_rows(const TypedRun& typed, Method& method) {
   if (typed.contact_margin) method.contact_margin = parse_number("contact-margin", *typed.contact_margin);
   if (method.contact_margin && *method.contact_margin < 0)
     throw std::invalid_argument("contact-margin must be at least 0, but is " + *typed.contact_margin);
-  if (typed.friction_model)
-    method.friction_model = choose<FrictionModel>(
-        "friction-model", *typed.friction_model,
-        {{"box", FrictionModel::box}, {"two_pass", FrictionModel::two_pass}, {"cone", FrictionModel::cone}});
+  if (typed.friction_model) method.friction_model = find_friction_model(*typed.friction_model);
   if (typed.tangents)
     method.sliding_tangents = choose<bool>("tangents", *typed.tangents, {{"fixed", false}, {"sliding", true}});
 }
@@ -79,7 +76,11 @@ Parameters TypedRun::parameters(const SceneDescription& description) const {
 }
 
 RunSettings TypedRun::settings(const SceneDescription& description) const {
-  RunSettings settings{.method = {.h = description.h, .solver = description.solver}, .time = description.time};
+  RunSettings settings{.method = {.h = description.h,
+                                  .solver = description.solver,
+                                  .friction_model = description.friction_model,
+                                  .integrator_order = description.integrator_order},
+                       .time = description.time};
   Method& method = settings.method;
   if (h) method.h = parse_number("h", *h);
   if (time) settings.time = parse_number("time", *time);
@@ -98,8 +99,10 @@ RunSettings TypedRun::settings(const SceneDescription& description) const {
     method.integrator_order = choose<int>("integrator-order", *integrator_order, {{"2", 2}, {"4", 4}});
   set_rows(*this, method);
   refuse_solver_beside_composed(*this, method);
-  // What has sweeps of its own is asked for instead of the scene's solver.
-  if (!solver && method.has_own_sweeps()) method.solver = solvers<3>().front().name;
+  // An order and the cone are asked for instead of a solver of the scene that has neither.
+  if (!solver && method.row_order != RowOrder::given) method.solver = solvers<3>().front().name;
+  if (!solver && method.friction_model == FrictionModel::cone && !find_solver<3>(method.solver).make_on_cones)
+    method.solver = "auto";
   make_solver<3>(method);
   step_count(method.h, settings.time);
   return settings;

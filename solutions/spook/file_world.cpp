@@ -174,8 +174,8 @@ Settings<Dof> settings_in(const Place& file) {
   if (!place) return settings;
   // Version 1 called the integrator's order "compose".
   const std::string order = file["version"].whole() == 1 ? "compose" : "integrator_order";
-  place->require_keys(
-      {"gravity", "k", "d", "friction", "viscosity", order, "impacts", "rotation", "gyroscopic_torque"});
+  place->require_keys({"gravity", "k", "d", "friction", "friction_model", "viscosity", order, "impacts",
+                       "rotation", "gyroscopic_torque"});
   read(place->find("gravity"), settings.gravity);
   read(place->find("k"), settings.k);
   read(place->find("d"), settings.d);

@@ -33,7 +33,7 @@ Json to_json(const Method& method, bool solves) {
       {"row_order", of_rows(name_of(method.row_order))},
       {"warm_start", of_rows(method.warm_start)},
       {"contact_margin", method.contact_margin ? of_rows(*method.contact_margin) : Json()},
-      {"friction_model", of_rows(name_of(method.friction_model))},
+      {"friction_model", of_rows(name_of(friction_model(method)))},
       {"tangents", of_rows(method.sliding_tangents ? "sliding" : "fixed")},
       {"h", method.h},
       {"substeps", method.substeps},

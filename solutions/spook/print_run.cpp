@@ -20,8 +20,15 @@ static std::string counted(std::int64_t count, const std::string& what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
-static std::string method_text(const SceneDescription& scene, const RunSettings& settings,
-                               const RunResult& result) {
+/// Whether a scene may have friction: its parameters say, and a file has none.
+static bool may_rub(const Parameters& parameters) {
+  const auto& all = parameters.all();
+  return all.empty() ||
+         std::any_of(all.begin(), all.end(), [](const Parameter& one) { return one.name == "mu"; });
+}
+
+static std::string method_text(const SceneDescription& scene, const Parameters& parameters,
+                               const RunSettings& settings, const RunResult& result) {
   const Method& method = settings.method;
   std::string text = counted(result.steps, "step") + " of " + short_text(method.h) + " s, " +
                      short_text(static_cast<double>(result.steps) * method.h) + " s";
@@ -30,6 +37,9 @@ static std::string method_text(const SceneDescription& scene, const RunSettings&
   if (method.integrator_order == 4)
     return text + "; composed to order four" + (scene.solves ? ", joints rigid" : "");
   if (!scene.solves) return text + "; no constraints, no solver";
+  if (may_rub(parameters))
+    text +=
+        "; friction " + name_of(friction_model(method)) + (method.sliding_tangents ? " along the slip" : "");
   text += "; " + method.solver + ", at most " +
           counted(method.solver_limits.max_sweeps, find_solver<3>(method.solver).iteration);
   if (method.solver_limits.tolerance > 0)
@@ -87,13 +97,14 @@ void print_text(std::ostream& out, const SceneDescription& scene, const Paramete
   print_entry(out, "scene", scene.name + ": " + scene.summary);
   if (!parameters.all().empty()) print_entry(out, "set", parameters_text(parameters));
   print_entry(out, "answer", scene.answer);
-  print_entry(out, "run", method_text(scene, settings, result));
+  print_entry(out, "run", method_text(scene, parameters, settings, result));
   print_entry(out, "end", state_text(result));
   if (scene.error_unit.empty())
     print_entry(out, "error", scene.error_name);
   else
     print_entry(out, "error", short_text(result.error) + " " + scene.error_unit + ": " + scene.error_name);
   print_entry(out, "state", verdict_text(result.verdict));
+  if (!result.verdict.note.empty()) print_entry(out, "note", result.verdict.note);
   print_entry(out, "speed",
               result.us_per_step ? short_text(*result.us_per_step) + " µs a step" : "no step taken");
   if (result.us_per_step) print_entry(out, "stages", stages_text(result));
@@ -123,7 +134,8 @@ void print_json(std::ostream& out, const SceneDescription& scene, const Paramete
         {"step", result.verdict.step},
         {"time", result.verdict.time},
         {"unsolved_steps", result.verdict.unsolved},
-        {"reason", result.verdict.reason}}},
+        {"reason", result.verdict.reason},
+        {"note", result.verdict.note}}},
       {"residual", scene.solves ? Json(result.last.residual) : Json()},
       {"last_step",
        {{"pairs", result.last.pairs},

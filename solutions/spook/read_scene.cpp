@@ -113,6 +113,14 @@ SceneDescription described(const std::string& name, const Json& json) {
   scene.solver = file.has("solver") ? file["solver"].text() : "auto";
   const std::string present = present_name(scene.solver);
   if (version == 1 && !present.empty()) scene.solver = present;
+  if (const auto settings = file.find("settings")) {
+    if (const auto model = settings->find("friction_model"))
+      scene.friction_model = one_of<FrictionModel>(
+          *model,
+          {{"box", FrictionModel::box}, {"two_pass", FrictionModel::two_pass}, {"cone", FrictionModel::cone}});
+    if (const auto order = settings->find(version == 1 ? "compose" : "integrator_order"))
+      scene.integrator_order = order->whole();
+  }
   return scene;
 }
 
@@ -133,7 +141,10 @@ SceneDescription read_scene(const std::string& file) {
   const std::size_t slash = file.find_last_of('/') + 1;  // 0 without one
   SceneDescription scene =
       told([&] { return described(file.substr(slash, file.size() - 5 - slash), parsed(file)); });
-  told([&] { return scene.build(Parameters({}), {.h = scene.h, .solver = scene.solver}); });
+  told([&] {
+    return scene.build(Parameters({}),
+                       {.h = scene.h, .solver = scene.solver, .friction_model = scene.friction_model});
+  });
   return scene;
 }
 

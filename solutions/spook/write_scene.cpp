@@ -18,9 +18,10 @@ static Json number(double value) {
 template <int Dof>
 static Json to_json(const Settings<Dof>& settings) {
   Json json = {{"gravity", numbers(settings.gravity)},
-               {"k", settings.k},
                {"friction", settings.friction},
+               {"friction_model", name_of(settings.solver.friction)},
                {"viscosity", number(settings.viscosity)}};
+  if (settings.k) json["k"] = *settings.k;
   if (settings.d) json["d"] = *settings.d;
   if (settings.integrator_order != 2) json["integrator_order"] = settings.integrator_order;
   if (const auto& law = settings.impacts)
@@ -87,7 +88,7 @@ static void put_guide(Json& json, const Joint& joint) {
   json["kind"] = name_of(joint.kind);
   json["axis"] = numbers(joint.axis);
   json["rest"] = numbers(*joint.rest);
-  json["k_turn"] = *joint.k_turn;
+  if (!joint.has_default_k_turn) json["k_turn"] = *joint.k_turn;
   if (joint.kind == JointKind::hinge) json["angle"] = joint.angle;
   if (joint.limits) {
     json["limits"] = {{"lower", number(joint.limits->lower)}, {"upper", number(joint.limits->upper)}};
@@ -104,7 +105,7 @@ static Json to_json(const std::vector<Joint>& joints) {
   for (const Joint& joint : joints) {
     Json json = {{"i", joint.i}, {"j", joint.j}, {"p_i", numbers(joint.p_i)}, {"p_j", numbers(joint.p_j)}};
     if (joint.length) json["length"] = *joint.length;
-    json["k"] = *joint.k;
+    if (!joint.has_default_k) json["k"] = *joint.k;
     json["d"] = *joint.d;
     if (joint.is_guided()) put_guide(json, joint);
     list.push_back(json);

@@ -15,7 +15,7 @@ constexpr double mu = 0.5;
 
 /// A leaning column of boxes that have just been pushed, after one step.
 World<6> pushed_tower(const Solver<6>& solver, const StopRule& stop, double top = 1) {
-  World<6> world({.friction = mu, .solver = solver, .solver_limits = stop});
+  World<6> world({.k = 1e6, .friction = mu, .solver = solver, .solver_limits = stop});
   world.add_plane(Vec3::UnitZ(), 0);
   for (int n = 0; n < 6; ++n) {
     const double m = n == 5 ? top : 1;

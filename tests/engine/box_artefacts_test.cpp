@@ -17,6 +17,7 @@ double speed_of_pile_on_slope(int n, double mu, double angle) {
                   .k = k,
                   .friction = mu,
                   .viscosity = infinity,
+                  .solver = automatic<3>(FrictionModel::box),
                   .solver_limits = {.max_sweeps = 20'000, .tolerance = 1e-14}});
   world.add_plane(Vec3::UnitZ(), 0);
   double z = radius;

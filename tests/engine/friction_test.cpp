@@ -191,7 +191,7 @@ TEST(Friction, IsBoundedByTheMassAndGravityAlongTheNormal) {
   // On a slope of 60°, with μ = 1: (5.7) has cos 60°.
   const double h = 0.01, mu = 1, m = 2;
   const Vec3 n(std::sqrt(0.75), 0, 0.5);
-  World<3> world({.friction = mu});
+  World<3> world({.friction = mu, .solver = gauss_seidel<3>()});
   world.add_plane(n, 0);
   world.add({.x = radius * n, .v = Vec3(0, 3, 0), .mass = m, .radius = radius});
   world.step(h);

@@ -85,7 +85,7 @@ TEST(Hand, PushesByMomentum) {
 }
 
 TEST(Hand, DropsABallThatTheFloorStops) {
-  World<6> world({.gravity = gravity});
+  World<6> world({.gravity = gravity, .k = 1e6});
   world.add_plane(Vec3::UnitZ(), 0);
   HandIn<6> hand(world);
   hand.drop(Vec3(0, 0, 1), 0.1, 0.5);

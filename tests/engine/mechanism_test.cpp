@@ -119,7 +119,7 @@ TEST(Weld, OfTwoBoxesMovesThemAsOne) {
   // Two boxes end to end are a box: in free flight its angular velocity is that of the whole.
   const double h = 0.001;
   const Vec3 half(0.3, 0.1, 0.2), omega(0.5, 3, 0.2);
-  World<6> one({.gravity = Vec3::Zero()}), two({.gravity = Vec3::Zero(), .d = 0});
+  World<6> one({.gravity = Vec3::Zero()}), two({.gravity = Vec3::Zero(), .k = 1e6, .d = 0});
   const int whole = one.add({.mass = 4, .omega = omega, .half_sides = Vec3(0.6, 0.1, 0.2)});
   for (const double side : {-0.3, 0.3})
     two.add({.x = Vec3(side, 0, 0),

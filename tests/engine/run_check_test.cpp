@@ -120,8 +120,30 @@ TEST(RunCheck, BodiesThatPassThroughEachOtherAreLost) {
   EXPECT_EQ(judged(soft, 10).state, State::sound);
   World<3> hard({.k = 1e9, .solver = direct<3>()});
   hard.add_plane(Vec3::UnitZ(), 0);
-  hard.add({.x = Vec3(0, 0, 0.1 - 10), .mass = 1, .radius = 0.1});
-  EXPECT_EQ(judged(hard, 10).state, State::lost);
+  const int ball = hard.add({.x = Vec3(0, 0, 0.1 - 10), .mass = 1, .radius = 0.1});
+  RunCheck<3> check;
+  for (int n = 0; n < 12; ++n) {
+    hard.step(h);
+    check.look(hard, h);
+    const bool lost = check.verdict().state == State::lost;
+    EXPECT_EQ(lost, n >= 10) << "what is thin and fast may be so for a moment, step " << n;
+    hard.place(ball, Vec3(0, 0, 0.1 - 10), Vec3::Zero());
+  }
+  EXPECT_EQ(check.verdict().state, State::lost);
+}
+
+TEST(RunCheck, NotesASpringThatIsTooSoftForItsLoad) {
+  // m g/k is two hundredths of the radius, and half a hundredth.
+  for (const double part : {0.02, 0.005}) {
+    World<3> world({.k = g / (part * 0.1), .solver = direct<3>()});
+    world.add_plane(Vec3::UnitZ(), 0);
+    world.add({.x = Vec3(0, 0, 0.1 - part * 0.1), .mass = 1, .radius = 0.1});
+    const Verdict verdict = judged(world, 20);
+    EXPECT_EQ(verdict.state, State::sound);
+    EXPECT_EQ(verdict.note.empty(), part < 0.01) << verdict.note;
+    const bool named = verdict.note.find("bodies 0 and 1") != std::string::npos;
+    EXPECT_EQ(named, part > 0.01) << verdict.note;
+  }
 }
 
 TEST(RunCheck, EnergyFromNothingIsLost) {

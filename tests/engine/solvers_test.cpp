@@ -70,7 +70,7 @@ TEST(Solvers, AreTheirChaptersFunctions) {
   EXPECT_EQ(by(gauss_seidel<3>(), 0.1), swept.impulses());
   EXPECT_EQ(by(conjugate_gradients<3>(), 0.1), conjugate.impulses());
   EXPECT_EQ(by(direct<3>(), 0.1, {}, many), direct_.impulses());
-  EXPECT_EQ(by(automatic<3>(), 0.1, {}, many), direct_.impulses())
+  EXPECT_EQ(by(automatic<3>(FrictionModel::box), 0.1, {}, many), direct_.impulses())
       << "so small an island wants the direct solver";
   EXPECT_EQ(by(cone_gauss_seidel<3>(), infinity), on_cones.impulses());
   EXPECT_EQ(by(two_pass(gauss_seidel<3>()), 0), twice.impulses());
@@ -81,8 +81,8 @@ TEST(Solvers, TwoPassesTakeAnyOther) {
   const std::vector<double> sweeps = by(two_pass(gauss_seidel<3>()), 0, to_the_end);
   EXPECT_NEAR(sweeps[0], 2 * h * g, 1e-8);
   EXPECT_GT(std::abs(sweeps[1]) + std::abs(sweeps[2]), 0.01) << "they rub";
-  for (const Solver<3>& inner :
-       {conjugate_gradients<3>(), direct<3>(), automatic<3>(), ordered_gauss_seidel<3>(RowOrder::random, 4)}) {
+  for (const Solver<3>& inner : {conjugate_gradients<3>(), direct<3>(), automatic<3>(FrictionModel::box),
+                                 ordered_gauss_seidel<3>(RowOrder::random, 4)}) {
     const std::vector<double> other = by(two_pass(inner), 0, to_the_end);
     for (std::size_t row = 0; row < sweeps.size(); ++row) EXPECT_NEAR(other[row], sweeps[row], 1e-12);
   }
@@ -98,8 +98,12 @@ TEST(Solvers, TwoPassesTakeAnyOther) {
 }
 
 TEST(Solvers, SayWhichLimitsTheirRowsComeWith) {
-  for (const NamedSolver<3>& named : solvers<3>())
+  for (const NamedSolver<3>& named : solvers<3>()) {
     EXPECT_EQ(named.make().friction, FrictionModel::box) << named.name;
+    if (!named.make_on_cones) continue;
+    EXPECT_EQ(named.make_on_cones().friction, FrictionModel::cone) << named.name;
+  }
+  EXPECT_EQ(Settings<6>{}.solver.friction, FrictionModel::cone) << "a newcomer's friction is Coulomb's";
   EXPECT_EQ(cone_gauss_seidel<6>().friction, FrictionModel::cone);
   EXPECT_EQ(two_pass(direct<6>()).friction, FrictionModel::two_pass);
   EXPECT_EQ(geometric_stiffness(cone_gauss_seidel<3>()).friction, FrictionModel::cone);
@@ -134,8 +138,8 @@ TEST(Methods, RefuseTwoSolversAtOnce) {
   expect_refusal({"solver", "dirct", "direct"}, [] { make_solver<3>({.h = h, .solver = "dirct"}); });
   expect_refusal({"order", "solver", "gauss_seidel", "direct"},
                  [] { make_solver<3>({.h = h, .solver = "direct", .row_order = RowOrder::up}); });
-  expect_refusal({"cone", "solver", "gauss_seidel", "auto"},
-                 [] { make_solver<6>({.h = h, .solver = "auto", .friction_model = FrictionModel::cone}); });
+  expect_refusal({"cone", "solver", "gauss_seidel", "auto", "direct"},
+                 [] { make_solver<6>({.h = h, .solver = "direct", .friction_model = FrictionModel::cone}); });
   expect_refusal({"friction-model", "order", "cone"}, [] {
     make_solver<6>({.h = h, .friction_model = FrictionModel::cone, .row_order = RowOrder::down});
   });
@@ -143,12 +147,15 @@ TEST(Methods, RefuseTwoSolversAtOnce) {
                  [] { make_solver<6>({.h = h, .solver = "geometric_stiffness"}); });
 }
 
-TEST(Methods, SolveConesBySweepsOrByNewton) {
-  for (const std::string solver : {"gauss_seidel", "anderson", "newton"})
-    EXPECT_EQ(make_solver<6>({.h = h, .solver = solver, .friction_model = FrictionModel::cone}).friction,
-              FrictionModel::cone)
-        << solver;
-  EXPECT_EQ(make_solver<6>({.h = h, .solver = "newton"}).friction, FrictionModel::box);
+TEST(Methods, LetFrictionFollowNormalForcesUnlessTheBoxIsAskedFor) {
+  for (const std::string solver : {"gauss_seidel", "anderson", "newton", "auto"}) {
+    EXPECT_EQ(make_solver<6>({.h = h, .solver = solver}).friction, FrictionModel::cone) << solver;
+    for (const FrictionModel model : {FrictionModel::box, FrictionModel::two_pass, FrictionModel::cone})
+      EXPECT_EQ(make_solver<6>({.h = h, .solver = solver, .friction_model = model}).friction, model) << solver;
+  }
+  for (const std::string solver : {"direct", "conjugate_gradients", "spatial_decomposition"})
+    EXPECT_EQ(make_solver<6>({.h = h, .solver = solver}).friction, FrictionModel::two_pass) << solver;
+  EXPECT_EQ(make_solver<6>({.h = h, .row_order = RowOrder::up}).friction, FrictionModel::two_pass);
 }
 
 /// A wire that swings freely beside a ball on the floor, which rubs.

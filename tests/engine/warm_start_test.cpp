@@ -99,32 +99,42 @@ TEST(WarmStartCache, AreThoseOfMatchedContactsWhateverBecameOfThem) {
     for (const Contact& contact : before) old.push_back({contact.i, contact.j, contact.r_j});
     std::vector<double> wanted;
     for (const int match : match_contacts(now, old, infinity)) wanted.push_back(match + 1);
-    EXPECT_EQ(start.impulses(now.size(), 0, now, h), wanted) << "round " << round << ", size " << size;
+    EXPECT_EQ(start.impulses(std::vector<Row<3>>(now.size()), 0, now, h), wanted)
+        << "round " << round << ", size " << size;
   }
 }
 
 TEST(WarmStartCache, FollowTheirContactsAndForgetTheRest) {
   WarmStartCache start;
-  EXPECT_TRUE(start.impulses(5, 1, {}, h).empty()) << "nothing is kept yet";
+  EXPECT_TRUE(start.impulses(std::vector<Row<3>>(5), 1, {}, h).empty()) << "nothing is kept yet";
 
   const auto contact = [](int i, int j, const Vec3& at) {
     return Contact{.i = i, .j = j, .n = Vec3::UnitZ(), .gap = 0, .r_i = Vec3::Zero(), .r_j = at};
   };
-  const auto row = [](double impulse) {
-    Row<3> made{};
-    made.lambda = impulse;
-    return made;
+  // Rows of joints, then those of contacts: along z, x and y.
+  const auto rows_with = [](int joints, const std::vector<double>& impulses) {
+    std::vector<Row<3>> rows(impulses.size());
+    for (int row = 0; row < std::ssize(rows); ++row) {
+      rows[row].lambda = impulses[row];
+      rows[row].Gj = Vec3::Unit((row - joints + 5) % 3);
+    }
+    return rows;
   };
   // One row of a joint, then two contacts of one pair with three rows each.
-  std::vector<Row<3>> rows;
-  for (const double impulse : {9., 1., 2., 3., 4., 5., 6.}) rows.push_back(row(impulse));
+  const std::vector<Row<3>> rows = rows_with(1, {9, 1, 2, 3, 4, 5, 6});
   start.remember(rows, 1, {contact(0, 1, Vec3(1, 0, 0)), contact(0, 1, Vec3(-1, 0, 0))}, h);
 
   // A joint more; the contacts in the other order, one of them moved; and one of another pair.
-  const std::vector<double> all = start.impulses(
-      11, 2, {contact(0, 1, Vec3(-1.1, 0, 0)), contact(0, 2, Vec3(1, 0, 0)), contact(0, 1, Vec3(1, 0, 0))},
-      2 * h);
-  EXPECT_EQ(all, (std::vector<double>{18, 0, 8, 10, 12, 0, 0, 0, 2, 4, 6})) << "all twice, as h is";
+  const std::vector<Contact> now = {contact(0, 1, Vec3(-1.1, 0, 0)), contact(0, 2, Vec3(1, 0, 0)),
+                                    contact(0, 1, Vec3(1, 0, 0))};
+  std::vector<Row<3>> next = rows_with(2, std::vector<double>(11, 0));
+  EXPECT_EQ(start.impulses(next, 2, now, 2 * h), (std::vector<double>{18, 0, 8, 10, 12, 0, 0, 0, 2, 4, 6}))
+      << "all twice, as h is";
+
+  // A contact whose tangents have turned by a quarter keeps its friction, not its numbers.
+  next[3].Gj = Vec3::UnitY();
+  next[4].Gj = -Vec3::UnitX();
+  EXPECT_EQ(start.impulses(next, 2, now, 2 * h), (std::vector<double>{18, 0, 8, 12, -10, 0, 0, 0, 2, 4, 6}));
 }
 
 TEST(RowOrder, OneSweepShowsWhichWayItWent) {

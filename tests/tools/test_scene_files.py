@@ -45,6 +45,7 @@ REFUSED = (
      'joints[0].motor.sped is unknown; did you mean "speed"?'),
     ("settings.k", 0, "k must be positive and finite, but is 0"),
     ("settings.friktion", 0, 'settings.friktion is unknown; did you mean "friction"?'),
+    ("settings.friction_model", "cones", 'settings.friction_model must be box or cone or two_pass, but is "cones"'),
     ("settings.rotation", "slow", 'settings.rotation must be exponential or first_order or splitting, but is "slow"'),
     ("expected.0.tolerance", 0, "expected[0].tolerance must be positive, but is 0"),
     ("expected.0.time", None, "expected[0].time is missing"),
@@ -98,8 +99,10 @@ class SceneFiles(unittest.TestCase):
     def test_the_pages_example_runs_and_is_right(self):
         result = self.run_of(EXAMPLE)
         self.assertEqual((result["state"]["name"], result["solver"], result["steps"]), ("sound", "auto", 240))
-        # The box sinks by m g/(4 k) = 12 µm, an eighth of the tolerance.
-        self.assertAlmostEqual(result["error"]["value"], 5 * 9.81 / 4e6 / 1e-4, delta=0.01)
+        # By default the weights of ball and box compress one contact by a ten-thousandth of half the box's height, and the
+        # box has four contacts.
+        ball, box = 1000 * 4 / 3 * math.pi * 0.2**3, 5
+        self.assertAlmostEqual(result["error"]["value"], box / (ball + box) / 4 * 1e-4 * 0.1 / 1e-4, delta=1e-4)
 
     def test_a_file_of_version_1_runs_with_its_own_words(self):
         bodies = [{"name": "nail", "fixed": True, "x": [0, 0, 0]}, {"name": "ball", "x": [1, 0, 0], "mass": 1}]
@@ -128,10 +131,38 @@ class SceneFiles(unittest.TestCase):
                  "expected": [{"body": 1, "time": 1, "x": [0, 0, z], "tolerance": 1e-7}]}
         self.assertLess(self.run_of(scene)["error"]["value"], 1)
 
+    def test_friction_is_coulombs_unless_the_file_or_an_option_says_another_model(self):
+        # Thrown diagonally with 3 m/s at μ = 0.5 it slides v²/(2μg) = 0.917 m, less v h/2; by the box 1/√2 of it.
+        scene = {"format": "spook scene", "version": 2, "model": "rigid", "h": "1/240", "time": 1,
+                 "settings": {"friction": 0.5},
+                 "bodies": [{"plane": {"n": [0, 0, 1], "offset": 0}},
+                            {"x": [0, 0, 0.1], "v": [3 / math.sqrt(2), 3 / math.sqrt(2), 0], "mass": 1,
+                             "half_sides": [0.2, 0.2, 0.1]}]}
+
+        def run(*options: str) -> tuple[float, str]:
+            said = self.run_of(scene, *options)["friction_model"]
+            x, y, _ = map(float, self.positions(self.file, *options)[-1][-3:])
+            return math.hypot(x, y), said
+
+        coulomb = 9 / (2 * 0.5 * 9.81) - 3 / 480
+        for options, model, wanted in (((), "cone", coulomb), (("--friction-model", "box"), "box", coulomb / math.sqrt(2))):
+            way, said = run(*options)
+            self.assertEqual(said, model)
+            self.assertAlmostEqual(way, wanted, delta=0.01)
+        scene["settings"]["friction_model"] = "box"
+        self.assertEqual(run()[1], "box")
+        self.assertEqual(run("--friction-model", "two_pass")[1], "two_pass")
+
+    def test_a_run_says_the_order_that_its_file_has(self):
+        scene = {"format": "spook scene", "version": 2, "model": "point", "h": "1/60", "time": 0.5,
+                 "settings": {"integrator_order": 4}, "bodies": [{"x": [0, 0, 0], "mass": 1}]}
+        self.assertEqual(self.run_of(scene)["integrator_order"], 4)
+        self.assertEqual(self.run_of(scene, "--integrator-order", "2")["integrator_order"], 2)
+
     def test_a_wrong_answer_is_off_by_its_tolerances(self):
         scene = changed("expected.0.x", [2, 0, 0.3])
         # 0.2 m and the sinking, in tenths of a millimetre.
-        self.assertAlmostEqual(self.run_of(scene)["error"]["value"], (0.2 + 5 * 9.81 / 4e6) / 1e-4, delta=0.01)
+        self.assertAlmostEqual(self.run_of(scene)["error"]["value"], 0.2 / 1e-4, delta=0.01)
 
     def test_without_an_answer_or_before_its_time_there_is_no_error(self):
         self.assertIsNone(self.run_of(changed("expected", None))["error"]["value"])

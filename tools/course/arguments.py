@@ -174,10 +174,10 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
                          help="of its column in Canvas: Name (number)")
     _add_update(add("update", "another release of the course; all that you have written is kept"))
     for name, text in (("start", "install, build, run real scenes, show the board"),
-                       ("test", "every test there is")):
+                       ("test", "whether this checkout works; --all: every test there is")):
         command = add(name, text)
         command.add_argument("--yes", action="store_true", help="install without asking")
-    command.add_argument("--quick", action="store_true", help="those that find most in two minutes")
+    command.add_argument("--all", action="store_true", help="sanitizers, experiments, browsers and all mutants, too")
     command.add_argument("--strict", action="store_true", help="a compiler's warning in the course's code is an error")
     return parser, commands.choices
 

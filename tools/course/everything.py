@@ -1,13 +1,15 @@
-"""./course test: every test there is; with --quick those that find most in two minutes."""
+"""./course test: whether this checkout works; with --all every test there is."""
 
 import re
 import subprocess
-from collections import Counter
 from dataclasses import dataclass
 from pathlib import Path
 
+import mutants
 from errors import CourseError
+from exercise_object import drop_if_stale
 from install import install, is_offered
+from manifest import all_exercises, read_chapters
 from needs import BOOK_NEEDS, BROWSER_NEEDS, NEEDS, PEER_NEEDS, SLURM_NEEDS, TEST_NEEDS, Need
 from paths import shown
 from process import stream
@@ -33,19 +35,75 @@ class Outcome:
 
 def test(arguments) -> int:
     install(NEEDS + TEST_NEEDS, arguments.yes)
-    check, release, sanitize = Tree("check"), Tree("release"), Tree("sanitize")
-    if arguments.quick:
-        _build(check, ["quick"], arguments.strict)
-        code = _report([_run(check, ["-L", "quick"])])
-        print(fold(f"Left out by --quick: {_left_out(check)}, and all tests under sanitizers."))
-        return code
-    _install_if_offered(BROWSER_NEEDS, "browser for the tests", arguments.yes)
     _install_if_offered(BOOK_NEEDS, "book to test", arguments.yes)
+    return _everything(arguments) if arguments.all else _fast(arguments.strict)
+
+
+def _fast(strict: bool) -> int:
+    """Tests with the label `fast`, and the mutants of the chapters that have changed."""
+    check, now = Tree("check"), mutants.digests()
+    chapters = mutants.changed(check, now)
+    labels = ["fast", *(f"mutants.{chapter}" for chapter in chapters)]
+    _build(check, [*labels, *_stubs(check), *_graded(1)], strict)
+    _build(Tree("release"), _IN_RELEASE, strict)
+    chosen = selection(labels)
+    outcome = _run(check, chosen)
+    if outcome.ok:
+        mutants.remember(check, now)
+    code = _report([outcome])
+    print(fold(left_out(names(check), names(check, chosen))))
+    return code
+
+
+def _everything(arguments) -> int:
+    _install_if_offered(BROWSER_NEEDS, "browser for the tests", arguments.yes)
     _install_if_offered(SLURM_NEEDS, "Slurm for the tests", arguments.yes)
     _install_if_offered(PEER_NEEDS, "other engines to compare with", arguments.yes)
-    for tree, targets in ((check, []), (release, _IN_RELEASE), (sanitize, [])):
+    check, release, sanitize = Tree("check"), Tree("release"), Tree("sanitize")
+    now = mutants.digests()
+    for tree, targets in ((check, ["all", *_stubs(check), *_graded()]), (release, _IN_RELEASE), (sanitize, [])):
         _build(tree, targets, arguments.strict)
-    return _report([_run(tree) for tree in (check, sanitize)])
+    outcomes = [_run(tree) for tree in (check, sanitize)]
+    if outcomes[0].ok:
+        mutants.remember(check, now)
+    return _report(outcomes)
+
+
+def _stubs(check: Tree) -> list[str]:
+    """Programs of the exercises that nobody has begun, which a test runs: one ninja makes them, not one beside it."""
+    stubs = [exercise for exercise in all_exercises() if not exercise.started()]
+    for exercise in stubs:
+        drop_if_stale(check, exercise)
+    return [f"check_{exercise.function}" for exercise in stubs]
+
+
+def _graded(chapters: int | None = None) -> list[str]:
+    """What a class is graded with, in the first chapters, or all."""
+    return [f"{side}_{chapter.folder}" for chapter in read_chapters()[:chapters] for side in ("grade", "answer")]
+
+
+def selection(labels: list[str]) -> list[str]:
+    """Words for ctest: tests with one of the labels."""
+    return ["-L", f"^({'|'.join(re.escape(label) for label in labels)})$"]
+
+
+def names(tree: Tree, chosen: list[str] | None = None) -> list[str]:
+    """Of the tests that ctest would run."""
+    listing = subprocess.run(["ctest", "--test-dir", str(tree.path), "-N", *(chosen or [])],
+                             capture_output=True, text=True).stdout
+    return _NAME.findall(listing)
+
+
+def left_out(every: list[str], run: list[str]) -> str:
+    """`Left out: 80 mutant.* (unchanged since they were killed), 31 plot.*, tools.slurm, all tests under sanitizers. ...`"""
+    there = set(run)
+    rest = [name for name in every if name not in there]
+    said = []
+    for kind, why in (("mutant", " (unchanged since all were killed)"), ("plot", "")):
+        count = sum(name.startswith(f"{kind}.") for name in rest)
+        said += [f"{count} {kind}.*{why}"] if count else []
+    said += [name for name in rest if name.split(".")[0] not in ("mutant", "plot")]
+    return f"Left out: {', '.join([*said, 'all tests under sanitizers'])}. ./course test --all runs them."
 
 
 def _install_if_offered(needs: tuple[Need, ...], what: str, yes: bool) -> None:
@@ -88,14 +146,6 @@ def _skipped(log: Path) -> list[str]:
     except FileNotFoundError:
         return []
     return list(dict.fromkeys(reason for _, reason in _SKIPPED.findall(text)))
-
-
-def _left_out(tree: Tree) -> str:
-    """`80 mutant.*, 31 plot.*`: tests by the first word of their names."""
-    listing = subprocess.run(["ctest", "--test-dir", str(tree.path), "-N", "-LE", "quick"],
-                             capture_output=True, text=True).stdout
-    kinds = Counter(name.split(".")[0] for name in _NAME.findall(listing))
-    return ", ".join(f"{count} {kind}.*" for kind, count in kinds.most_common())
 
 
 def _report(outcomes: list[Outcome]) -> int:

@@ -6,6 +6,7 @@
 #include "engine/support/did_you_mean.hpp"
 #include "engine/world/world.hpp"
 #include "module.hpp"
+#include "scenes/method.hpp"
 #include "views.hpp"
 
 namespace spook {
@@ -58,18 +59,20 @@ struct PythonWorld {
 };
 
 template <int Dof>
-PythonWorld<Dof> make(const Vec3& gravity, double k, std::optional<double> d, double friction, double viscosity,
+PythonWorld<Dof> make(const Vec3& gravity, std::optional<double> k, std::optional<double> d, double friction, double viscosity,
                       std::optional<double> restitution, double threshold, const std::string& solver,
-                      int iterations, double tolerance, bool warm_start, std::optional<double> contact_margin,
-                      int threads) {
+                      const std::optional<std::string>& model, int iterations, double tolerance,
+                      bool warm_start, std::optional<double> contact_margin, int threads) {
   if (iterations < 1)
     throw std::invalid_argument("iterations must be at least 1, but is " + std::to_string(iterations));
+  Method method{.h = 1, .solver = solver};
+  if (model) method.friction_model = find_friction_model(*model);
   Settings<Dof> settings{.gravity = gravity,
                          .k = k,
                          .d = d,
                          .friction = friction,
                          .viscosity = viscosity,
-                         .solver = find_solver<Dof>(solver).make(),
+                         .solver = make_solver<Dof>(method),
                          .warm_start = warm_start,
                          .contact_margin = contact_margin,
                          .threads = threads,
@@ -249,10 +252,11 @@ py::class_<PythonWorld<Dof>> bind(py::module_& module, const char* name, const c
   using Self = PythonWorld<Dof>;
   const Vec3 zero = Vec3::Zero();
   py::class_<Self> type(module, name, what);
-  type.def(py::init(&make<Dof>), py::kw_only(), "gravity"_a = Settings<Dof>{}.gravity, "k"_a = 1e6,
+  type.def(py::init(&make<Dof>), py::kw_only(), "gravity"_a = Settings<Dof>{}.gravity, "k"_a = py::none(),
            "d"_a = py::none(), "friction"_a = 0.0, "viscosity"_a = 1e12, "restitution"_a = py::none(),
-           "threshold"_a = ImpactLaw{}.threshold, "solver"_a = "auto", "iterations"_a = StopRule{}.max_sweeps,
-           "tolerance"_a = 0.0, "warm_start"_a = false, "contact_margin"_a = py::none(), "threads"_a = 1)
+           "threshold"_a = ImpactLaw{}.threshold, "solver"_a = "auto", "friction_model"_a = py::none(),
+           "iterations"_a = StopRule{}.max_sweeps, "tolerance"_a = 0.0, "warm_start"_a = false,
+           "contact_margin"_a = py::none(), "threads"_a = 1)
       .def(
           "add_fixed",
           [](Self& self, const Vec3& x, double radius) {

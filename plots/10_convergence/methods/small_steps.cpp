@@ -36,8 +36,8 @@ Relaxed::Relaxed(const Chain& chain)
     : joints_(chain.hangs ? chain.mass.size() : 0),
       world_(chain.world({.solver = {.solve =
                                          [this](const SolverInput<3>& s) {
-                                           const auto last = impulses_.impulses(
-                                               s.rows.size(), s.first_contact_row, s.contacts, s.h);
+                                           const auto last =
+                                               impulses_.impulses(s.rows, s.first_contact_row, s.contacts, s.h);
                                            if (!last.empty()) warm_start(last, s.rows, s.V);
                                            return SolverResult(solve(s.rows, s.V, s.stop));
                                          }},

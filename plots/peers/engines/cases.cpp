@@ -226,7 +226,7 @@ std::unique_ptr<Scene> our_scene(const Case& one, std::size_t set, const OurWay&
   for (const auto& [name, value] : values) parameters.set(name, value);
   Method method{.h = h, .solver = way.solver, .row_order = way.row_order, .warm_start = way.warm};
   if (sweeps > 0) method.solver_limits = {.max_sweeps = sweeps, .tolerance = way.tolerance};
-  if (way.cone) method.friction_model = FrictionModel::cone;
+  method.friction_model = way.cone ? FrictionModel::cone : FrictionModel::box;
   if (way.contact_margin >= 0) method.contact_margin = way.contact_margin;
   if (way.integrator_order != 2) method.integrator_order = way.integrator_order;
   return description.build(parameters, method);

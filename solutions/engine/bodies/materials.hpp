@@ -38,6 +38,10 @@ class Materials {
   /// Forgets a body; those after it move up by one.
   void remove(int body);
 
+  /// The k of pairs of which nothing else was said [N/m].
+  void set_stiffness(double k) { world_.k = k; }
+  double stiffness() const { return world_.k; }
+
   PairMaterial of(int i, int j) const;
 
   /// Whether anything was said of a body, or of a pair.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "engine/collision/ghost_contacts.hpp"
 #include "engine/support/parallel_for.hpp"
 
 namespace spook {
@@ -180,7 +181,8 @@ int ContactFinder::find_moved(const std::vector<bool>& moved, const Shapes& shap
   const double grown = margin / 2;
   placed_.clear();
   for (const Solid& solid : shapes.solids) placed_.push_back(placed(solid, bodies, grown));
-  last_.swap(contacts);
+  last_.swap(with_ghosts_.empty() ? contacts : with_ghosts_);
+  with_ghosts_.clear();
   contacts.clear();
   int pairs = 0;
   for (Plane plane : shapes.planes) {
@@ -233,6 +235,7 @@ int ContactFinder::find_moved(const std::vector<bool>& moved, const Shapes& shap
       contacts.insert(contacts.end(), found.begin(), found.end());
   }
   end_of_solids_ = contacts.size();
+  remove_ghosts(shapes, bodies.size(), grown, contacts);
 
   if constexpr (Dof == 6)
     for (const Plane& plane : shapes.planes)
@@ -241,6 +244,16 @@ int ContactFinder::find_moved(const std::vector<bool>& moved, const Shapes& shap
         touch(plane, corners, bodies, margin, contacts);
       }
   return pairs;
+}
+
+void ContactFinder::remove_ghosts(const Shapes& shapes, std::size_t bodies, double grown,
+                                  std::vector<Contact>& contacts) {
+  if (first_of_solids_ == end_of_solids_) return;
+  const std::vector<bool> ghosts = ghost_contacts(shapes, placed_, grown, bodies, contacts);
+  if (ghosts.empty()) return;
+  with_ghosts_ = contacts;
+  std::size_t c = 0;
+  std::erase_if(contacts, [&](const Contact&) { return ghosts[c++]; });
 }
 
 template int ContactFinder::find<3>(const Shapes&, const Bodies<3>&, double, std::vector<Contact>&, int);

@@ -9,6 +9,7 @@
 //              up to 2000          sweep and prune                                          Eq. (8.12)
 //              more                spatial hash                                             Eq. (8.13), (8.14)
 //            of bounds with room around them, which hold as long as nothing leaves its own: engine/collision/pair_cache.hpp
+//   ghosts   contacts with the inner edges of flush boxes are left out: engine/collision/ghost_contacts.hpp
 #include <variant>
 #include <vector>
 
@@ -73,11 +74,14 @@ class ContactFinder {
                  std::vector<Contact>& contacts, int threads = 1);
 
  private:
+  void remove_ghosts(const Shapes& shapes, std::size_t bodies, double grown, std::vector<Contact>& contacts);
+
   PairCache neighbours_;
   std::vector<bool> everyone_;
   std::vector<PlacedSolid> placed_;  // the solids where they are now, each grown by half the margin
   std::vector<Bounds> bounds_;       // of the solids
   std::vector<Contact> last_;
+  std::vector<Contact> with_ghosts_;                     // of the last call; empty if there were none
   std::vector<std::vector<Contact>> found_;              // of two solids, by each thread
   std::size_t first_of_solids_ = 0, end_of_solids_ = 0;  // which of the contacts are those of two solids
 };

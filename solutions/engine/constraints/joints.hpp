@@ -36,7 +36,7 @@ struct Joint {
   Vec3 axis = Vec3::UnitZ();  ///< of a hinge or slider, in i's axes, of unit length
   /// The axes of j in those of i, q_i* q_j, where the angle is 0. Default: as they are when the joint is added.
   std::optional<Quat> rest = {};
-  /// Stiffness of what must not turn [N m/rad]. Default: the number of k.
+  /// Stiffness of what must not turn [N m/rad]. Default: the number of k, where this is given.
   std::optional<double> k_turn = {};
   std::optional<JointLimits> limits = {};  ///< of the angle [rad] or shift [m]
   std::optional<double> limit_d = {};      ///< relaxation of a limit [steps]; 3, unless given: it settles
@@ -44,6 +44,7 @@ struct Joint {
   /// The angle of a hinge after the last step, its turns counted [rad]. Before the first step: the turns that it has made
   /// already, of which only the number counts.
   double angle = 0;
+  bool has_default_k = false, has_default_k_turn = false;  ///< set by the world: they follow masses and step
 
   /// Of all kinds but a ball and a distance.
   bool is_guided() const { return kind > JointKind::distance; }

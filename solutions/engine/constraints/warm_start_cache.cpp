@@ -73,6 +73,20 @@ static void match_all(const std::vector<Contact>& contacts, const std::vector<Ol
     if (found[n] >= 0) match(old_left[static_cast<std::size_t>(found[n])], left[n]);
 }
 
+/// Along which friction acts, of a contact whose rows begin at `rows`: as it acts on body j.
+template <int Dof>
+static Tangents tangents_of(const Row<Dof>* rows) {
+  return {rows[1].Gj.template head<3>(), rows[2].Gj.template head<3>()};
+}
+
+/// From the impulses along old tangents to those along new ones.
+static void turn(const Tangents& old, const Tangents& now, double* along) {
+  if (old.t1 == now.t1 && old.t2 == now.t2) return;
+  const Vec3 friction = along[0] * old.t1 + along[1] * old.t2;
+  along[0] = friction.dot(now.t1);
+  along[1] = friction.dot(now.t2);
+}
+
 template <int Dof>
 void WarmStartCache::remember(const std::vector<Row<Dof>>& rows, std::size_t first,
                               const std::vector<Contact>& contacts, double h, int threads) {
@@ -84,27 +98,41 @@ void WarmStartCache::remember(const std::vector<Row<Dof>>& rows, std::size_t fir
   });
   for (std::size_t c = 0; c < contacts.size(); ++c)
     contacts_[c] = {contacts[c].i, contacts[c].j, contacts[c].r_j};
+  const bool rub = !contacts.empty() && rows.size() - first == 3 * contacts.size();
+  tangents_.resize(rub ? contacts.size() : 0);
+  for (std::size_t c = 0; c < tangents_.size(); ++c) tangents_[c] = tangents_of(&rows[first + 3 * c]);
   h_ = h;
 }
 
-std::vector<double> WarmStartCache::impulses(std::size_t rows, std::size_t first,
+template <int Dof>
+std::vector<double> WarmStartCache::impulses(const std::vector<Row<Dof>>& rows, std::size_t first,
                                              const std::vector<Contact>& contacts, double h) const {
   if (joints_.empty() && contact_rows_.empty()) return {};
-  std::vector<double> all(rows, 0);
-  std::copy_n(joints_.begin(), std::min(first, joints_.size()), all.begin());
-  if (!contacts.empty() && !contacts_.empty()) {
-    const std::size_t each = contact_rows_.size() / contacts_.size();  // as many as ever, in one world
-    const auto copy = [&](std::size_t from, std::size_t to) {
-      std::copy_n(contact_rows_.begin() + static_cast<std::ptrdiff_t>(from * each), each,
-                  all.begin() + static_cast<std::ptrdiff_t>(first + to * each));
-    };
-    match_all(contacts, contacts_, copy);
-  }
+  std::vector<double> all = joint_impulses(first, h);
+  all.resize(rows.size(), 0);
+  if (contacts.empty() || contacts_.empty()) return all;
+  const std::size_t each = contact_rows_.size() / contacts_.size();  // as many as ever, in one world
   const double longer = h / h_;
-  for (double& impulse : all) impulse *= longer;
+  const auto copy = [&](std::size_t from, std::size_t to) {
+    double* of = &all[first + to * each];
+    for (std::size_t n = 0; n < each; ++n) of[n] = longer * contact_rows_[from * each + n];
+    if (!tangents_.empty()) turn(tangents_[from], tangents_of(&rows[first + to * each]), of + 1);
+  };
+  match_all(contacts, contacts_, copy);
   return all;
 }
 
+std::vector<double> WarmStartCache::joint_impulses(std::size_t rows, double h) const {
+  if (joints_.empty() && contact_rows_.empty()) return {};
+  std::vector<double> all(rows, 0);
+  for (std::size_t k = 0; k < std::min(rows, joints_.size()); ++k) all[k] = h / h_ * joints_[k];
+  return all;
+}
+
+template std::vector<double> WarmStartCache::impulses<3>(const std::vector<Row<3>>&, std::size_t,
+                                                         const std::vector<Contact>&, double) const;
+template std::vector<double> WarmStartCache::impulses<6>(const std::vector<Row<6>>&, std::size_t,
+                                                         const std::vector<Contact>&, double) const;
 template void WarmStartCache::remember<3>(const std::vector<Row<3>>&, std::size_t, const std::vector<Contact>&,
                                           double, int);
 template void WarmStartCache::remember<6>(const std::vector<Row<6>>&, std::size_t, const std::vector<Contact>&,

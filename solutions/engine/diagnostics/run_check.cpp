@@ -14,6 +14,8 @@ static constexpr double share_unsolved = 1e-2;  // of what a step asks for
 static constexpr double share_of_roundings =
     16 * std::numeric_limits<double>::epsilon();  // of a row's twelve products
 static constexpr double share_gained = 0.1;       // of the energy that there is
+static constexpr double share_of_size = 0.01;
+static constexpr int most_deep_steps = 10;
 
 std::string name_of(State state) {
   return std::array{"sound", "unsolved", "lost"}[static_cast<std::size_t>(state)];
@@ -32,6 +34,10 @@ static std::vector<double> sizes_of(const Shapes& shapes, std::size_t bodies) {
   std::vector<double> sizes;
   for (const Shape& shape : shapes.by_body(bodies)) sizes.push_back(size_of(shape));
   return sizes;
+}
+
+static std::string pair_of(const Contact& contact) {
+  return "bodies " + std::to_string(contact.i) + " and " + std::to_string(contact.j);
 }
 
 static double size_of(const Joint& joint) {
@@ -79,7 +85,7 @@ template <int Dof>
 static double energy_of_contacts(const World<Dof>& world) {
   double energy = 0;
   for (const Contact& contact : world.contacts())
-    if (contact.gap < 0) energy += world.settings().k * contact.gap * contact.gap / 2;
+    if (contact.gap < 0) energy += world.contact_stiffness() * contact.gap * contact.gap / 2;
   return energy;
 }
 
@@ -103,6 +109,7 @@ void RunCheck<Dof>::look(const World<Dof>& world, double h) {
     given_ = energy_of_joints(world);
     most_ = T;
     first_ = true;
+    had_rows_ = false;
   } else {
     look_at_solve(world, h);
     look_at_gaps(world, h);
@@ -133,33 +140,47 @@ void RunCheck<Dof>::look_at_solve(const World<Dof>& world, double h) {
 template <int Dof>
 void RunCheck<Dof>::look_at_gaps(const World<Dof>& world, double h) {
   sizes_ = sizes_of(world.shapes(), world.bodies().size());
-  const double hk = h * world.settings().k;
+  const double k = world.contact_stiffness();
+  const Contact* deep = nullptr;
   for (int c = 0; c < static_cast<int>(world.contacts().size()); ++c) {
     const Contact& contact = world.contacts()[static_cast<std::size_t>(c)];
     const double size = std::min(sizes_[world.index(contact.i)], sizes_[world.index(contact.j)]);
-    if (-contact.gap - world.lambda(c) / hk > size)
-      return find(State::lost, world,
-                  "bodies " + std::to_string(contact.i) + " and " + std::to_string(contact.j) + " overlap by " +
-                      text(-contact.gap) + " m, more than the size of one");
+    const double sag = world.lambda(c) / (h * k);
+    if (-contact.gap - sag > size) deep = &contact;
+    note_sag(pair_of(contact), std::min(sag, -contact.gap), size, k);
   }
+  deep_steps_ = deep ? deep_steps_ + 1 : 0;
+  if (deep_steps_ >= most_deep_steps)
+    return find(State::lost, world,
+                pair_of(*deep) + " overlap by " + text(-deep->gap) + " m, more than the size of one");
+  look_at_joints(world, h);
+}
+
+template <int Dof>
+void RunCheck<Dof>::look_at_joints(const World<Dof>& world, double h) {
   for (int n = 0; n < static_cast<int>(world.joints().size()); ++n) {
     const Joint& joint = world.joints()[static_cast<std::size_t>(n)];
+    const std::string name = "joint " + std::to_string(n);
     const JointGap gap = gap_of(joint, world.bodies());
     double force = 0, torque = 0;
     for (int row = 0; row < joint.holding_rows(); ++row) {
       double& of = joint.is_guided() && joint.turns(row) ? torque : force;
       of = std::hypot(of, world.joint_lambda(n, row) / h);
     }
-    const double size = size_of(joint);
-    if (size > 0 && gap.apart.norm() - force / *joint.k > size)
-      return find(
-          State::lost, world,
-          "joint " + std::to_string(n) + " is off by " + text(gap.apart.norm()) + " m, more than its size");
+    const double size = size_of(joint), sag = force / *joint.k;
+    if (size > 0 && gap.apart.norm() - sag > size)
+      return find(State::lost, world, name + " is off by " + text(gap.apart.norm()) + " m, more than its size");
+    if (size > 0) note_sag(name, std::min(sag, gap.apart.norm()), size, *joint.k);
     if (joint.is_guided() && gap.turned.norm() - torque / *joint.k_turn > 1)
-      return find(
-          State::lost, world,
-          "joint " + std::to_string(n) + " is turned by " + text(gap.turned.norm()) + ", more than 1 rad");
+      return find(State::lost, world, name + " is turned by " + text(gap.turned.norm()) + ", more than 1 rad");
   }
+}
+
+template <int Dof>
+void RunCheck<Dof>::note_sag(const std::string& what, double sag, double size, double k) {
+  if (!verdict_.note.empty() || !(sag > share_of_size * size)) return;
+  verdict_.note = what + " give by " + text(sag) + " m, more than a hundredth of the size " + text(size) +
+                  " m: a larger k than " + text(k) + " N/m would hold them";
 }
 
 template <int Dof>
@@ -176,11 +197,15 @@ void RunCheck<Dof>::look_at_energy(const World<Dof>& world, double h, double T) 
     lift += force.norm();
   }
   given_ += work_of_motors(world, before_);
+  had_rows_ = had_rows_ || !world.rows().empty();
   if (first_) given_ += energy_of_contacts(world);
   most_ = std::max(most_, T);
   const double gained = T - started_ - given_;
   if (gained > share_gained * std::max(most_, lift * largest_size(sizes_, world.joints())))
-    find(State::lost, world, "constraints have brought in " + text(gained) + " J, and nothing else has");
+    find(State::lost, world,
+         had_rows_
+             ? "constraints have brought in " + text(gained) + " J, and nothing else has"
+             : "the steps have brought in " + text(gained) + " J: h is too long for what turns or swings here");
 }
 
 template <int Dof>
@@ -190,7 +215,8 @@ void RunCheck<Dof>::find(State state, const World<Dof>& world, const std::string
               .step = world.steps(),
               .time = world.time(),
               .reason = reason,
-              .unsolved = verdict_.unsolved};
+              .unsolved = verdict_.unsolved,
+              .note = verdict_.note};
 }
 
 template class RunCheck<3>;

@@ -5,9 +5,11 @@
 //   unsolved   what the solver left of a step is more than a hundredth of what the step asked for: forces of constraints
 //              are wrong by some per cent, and what follows from them is
 //   lost       what happened has no cause in the problem:
-//                a joint or a contact is off by more than its own size, beyond what its spring gives under its load
-//                constraints brought in energy: more than a tenth of the largest kinetic energy so far, and of what
-//                  it takes to lift every body by a size
+//                a joint is off by more than its own size, beyond what its spring gives under its load; or contacts are, in
+//                  ten steps in a row: what is thin and fast may be so for a moment
+//                constraints, or the steps themselves, brought in energy: more than a tenth of the largest kinetic energy
+//                  so far, and of what it takes to lift every body by a size
+//   a note     a spring gives by more than a hundredth of a size: k is too soft for this load, whoever chose it
 //
 //   what was left   of the residual, Eq. (4.8), and the rate at which it fell: engine/solvers/solver_result.hpp
 //   asked for       the largest of |B| and of the kicks h f/m
@@ -35,6 +37,7 @@ struct Verdict {
   double time = 0;        ///< at its end [s]
   std::string reason;
   std::int64_t unsolved = 0;  ///< how many steps were not solved
+  std::string note;           ///< what else there is to say, of the first spring that gives too much
 };
 
 template <int Dof>
@@ -53,11 +56,15 @@ class RunCheck {
   void look_at_solve(const World<Dof>& world, double h);
   void look_at_gaps(const World<Dof>& world, double h);
   void look_at_energy(const World<Dof>& world, double h, double T);
+  void look_at_joints(const World<Dof>& world, double h);
+  void note_sag(const std::string& what, double sag, double size, double k);
   void find(State state, const World<Dof>& world, const std::string& reason);
 
   Verdict verdict_;
   std::int64_t last_step_ = -1;
   bool first_ = true;               // of the account of energy
+  bool had_rows_ = false;           // since the account began
+  int deep_steps_ = 0;              // steps in a row in which contacts were too deep
   double started_ = 0;              // with that kinetic energy [J]
   double given_ = 0;                // by forces since then, and by springs that were tight [J]
   double most_ = 0;                 // the largest kinetic energy so far [J]

@@ -8,9 +8,11 @@ namespace spook {
 template <int Dof>
 class ContactVelocitySystem {
  public:
-  /// The bodies that move and have rows, numbered as rows come to them.
-  ContactVelocitySystem(const std::vector<Row<Dof>>& rows, const std::vector<InverseMass<Dof>>& inverse_mass)
-      : number_(inverse_mass.size(), -1) {
+  /// Numbers the dynamic bodies that have rows as rows come to them. The order of elimination is kept as long as rows act
+  /// on the same bodies.
+  void begin(const std::vector<Row<Dof>>& rows, const std::vector<InverseMass<Dof>>& inverse_mass) {
+    number_.assign(inverse_mass.size(), -1);
+    mass_.clear();
     std::vector<std::pair<int, int>> pairs;
     for (const Row<Dof>& row : rows) {
       for (const int body : {row.i, row.j})
@@ -22,19 +24,20 @@ class ContactVelocitySystem {
       const bool both = pair.first >= 0 && pair.second >= 0;
       if (both && (pairs.empty() || pairs.back() != pair)) pairs.push_back(pair);
     }
-    factors_ = BlockLu<Dof>(static_cast<int>(mass_.size()), pairs);
+    if (pairs != pairs_ || v_.size() != mass_.size())
+      factors_ = BlockLu<Dof>(static_cast<int>(mass_.size()), pairs);
+    pairs_ = std::move(pairs);
     v_.resize(mass_.size());
   }
 
-  /// M, and a right side of 0.
-  void begin() {
+  /// Sets the matrix to M.
+  void begin_matrix() {
     factors_.set_zero();
     for (int b = 0; b < std::ssize(mass_); ++b) factors_.block(b, b) = mass_[b];
-    std::fill(v_.begin(), v_.end(), Twist<Dof>::Zero());
   }
 
-  /// Adds what `count` rows between the same two bodies bring.
-  void add(const Row<Dof>* rows, int count, const Mat3& K, const Vec3& k) {
+  /// Adds Gᵀ K G of `count` rows between the same two bodies.
+  void add(const Row<Dof>* rows, int count, const Mat3& K) {
     using Blocks = Eigen::Matrix<double, Dof, 3>;
     Blocks Gi = Blocks::Zero(), Gj = Blocks::Zero();  // transposed
     for (int n = 0; n < count; ++n) {
@@ -43,22 +46,29 @@ class ContactVelocitySystem {
     }
     const int i = number_[rows->i], j = number_[rows->j];
     const Blocks GiK = Gi * K, GjK = Gj * K;
-    if (i >= 0) {
-      factors_.block(i, i) += GiK * Gi.transpose();
-      v_[i] += Gi * k;
-    }
-    if (j >= 0) {
-      factors_.block(j, j) += GjK * Gj.transpose();
-      v_[j] += Gj * k;
-    }
+    if (i >= 0) factors_.block(i, i) += GiK * Gi.transpose();
+    if (j >= 0) factors_.block(j, j) += GjK * Gj.transpose();
     if (i < 0 || j < 0) return;
     factors_.block(i, j) += GiK * Gj.transpose();
     factors_.block(j, i) += GjK * Gi.transpose();
   }
 
-  /// The velocities that solve it; false where they are not finite.
+  void factorise() { factors_.factorise(); }
+
+  /// Sets the right-hand side to 0.
+  void begin_right() { std::fill(v_.begin(), v_.end(), Twist<Dof>::Zero()); }
+
+  /// Adds Gᵀ k of `count` rows between the same two bodies.
+  void add_right(const Row<Dof>* rows, int count, const Vec3& k) {
+    const int i = number_[rows->i], j = number_[rows->j];
+    for (int n = 0; n < count; ++n) {
+      if (i >= 0) v_[i] += k[n] * rows[n].Gi;
+      if (j >= 0) v_[j] += k[n] * rows[n].Gj;
+    }
+  }
+
+  /// Solves for the velocities; returns false where they are not finite.
   bool solve() {
-    factors_.factorise();
     factors_.solve(v_);
     return std::all_of(v_.begin(), v_.end(), [](const Twist<Dof>& v) { return v.allFinite(); });
   }
@@ -74,7 +84,8 @@ class ContactVelocitySystem {
  private:
   std::vector<int> number_;  // of each body among those that move and have rows; -1 for others
   std::vector<Block<Dof>> mass_;
-  std::vector<Twist<Dof>> v_;  // first what stands on the right
+  std::vector<std::pair<int, int>> pairs_;
+  std::vector<Twist<Dof>> v_;  // first the right-hand side
   BlockLu<Dof> factors_;
 };
 

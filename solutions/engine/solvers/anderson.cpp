@@ -12,11 +12,12 @@
 //
 //   D. G. Anderson, Iterative procedures for nonlinear integral equations, J. ACM 12 (1965).
 //   H. F. Walker, P. Ni, Anderson acceleration for fixed-point iterations, SIAM J. Numer. Anal. 49 (2011).
+#include "engine/solvers/anderson.hpp"
+
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
-#include "09_better_friction/better_friction.hpp"
 #include "engine/solvers/registry.hpp"
 
 namespace spook {
@@ -64,40 +65,38 @@ class Memory {
   int differences_ = 0;
 };
 
+/// Without contacts on cones a sweep on cones is one of chapter 04.
 template <int Dof>
 class Sweeps {
  public:
-  Sweeps(const SolverInput<Dof>& s, bool on_cones) : s_(s), on_cones_(on_cones) {}
+  Sweeps(const std::vector<FrictionContact>& rubbing, std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V)
+      : rubbing_(rubbing), rows_(rows), V_(V) {}
 
   double sweep() const {
-    return on_cones_ ? sweep_on_cones(s_.rubbing, s_.rows, s_.V) : spook::sweep(s_.rows, s_.V);
+    return rubbing_.empty() ? spook::sweep(rows_, V_) : sweep_on_cones(rubbing_, rows_, V_);
   }
   Impulses impulses() const {
-    Impulses all(std::ssize(s_.rows));
-    for (std::size_t k = 0; k < s_.rows.size(); ++k)
-      all[k] = std::sqrt(s_.rows[k].diagonal) * s_.rows[k].lambda;
+    Impulses all(std::ssize(rows_));
+    for (std::size_t k = 0; k < rows_.size(); ++k) all[k] = std::sqrt(rows_[k].diagonal) * rows_[k].lambda;
     return all;
   }
   /// The nearest that is allowed, and V as it makes it.
   void start_from(const Impulses& impulses) const {
-    for (std::size_t k = 0; k < s_.rows.size(); ++k)
-      s_.rows[k].lambda = impulses[k] / std::sqrt(s_.rows[k].diagonal);
-    auto contact = s_.rubbing.begin();
-    for (std::size_t k = 0; k < s_.rows.size(); ++k) {
-      s_.rows[k].lambda = std::clamp(s_.rows[k].lambda, s_.rows[k].lo, s_.rows[k].hi);
-      if (!on_cones_ || contact == s_.rubbing.end() || contact->normal != k) continue;
-      double &along1 = s_.rows[k + 1].lambda, &along2 = s_.rows[k + 2].lambda;
-      const Vec2 inside = onto_disc({along1, along2}, contact->mu * s_.rows[k].lambda);
+    for (std::size_t k = 0; k < rows_.size(); ++k)
+      rows_[k].lambda = std::clamp(impulses[k] / std::sqrt(rows_[k].diagonal), rows_[k].lo, rows_[k].hi);
+    for (const auto& [k, mu] : rubbing_) {
+      double &along1 = rows_[k + 1].lambda, &along2 = rows_[k + 2].lambda;
+      const Vec2 inside = onto_disc({along1, along2}, mu * rows_[k].lambda);
       along1 = inside[0], along2 = inside[1];
-      ++contact, k += 2;
     }
-    std::fill(s_.V.begin(), s_.V.end(), Twist<Dof>::Zero());
-    for (const Row<Dof>& row : s_.rows) apply_impulse(row, row.lambda, s_.V);
+    std::fill(V_.begin(), V_.end(), Twist<Dof>::Zero());
+    for (const Row<Dof>& row : rows_) apply_impulse(row, row.lambda, V_);
   }
 
  private:
-  const SolverInput<Dof>& s_;
-  bool on_cones_;
+  const std::vector<FrictionContact>& rubbing_;
+  std::vector<Row<Dof>>& rows_;
+  std::vector<Twist<Dof>>& V_;
 };
 
 template <int Dof>
@@ -149,14 +148,25 @@ SolveReport accelerated(const Sweeps<Dof>& sweeps, const StopRule& stop) {
 }  // namespace
 
 template <int Dof>
+SolveReport anderson_solve(const std::vector<FrictionContact>& rubbing, std::vector<Row<Dof>>& rows,
+                           std::vector<Twist<Dof>>& V, const StopRule& stop) {
+  return accelerated(Sweeps<Dof>(rubbing, rows, V), stop);
+}
+
+template <int Dof>
 Solver<Dof> anderson(FrictionModel model) {
   const bool on_cones = model == FrictionModel::cone;
   return {.solve = [on_cones](const SolverInput<Dof>& s) -> SolverResult {
-            return accelerated(Sweeps<Dof>(s, on_cones), s.stop);
+            const std::vector<FrictionContact> none;
+            return anderson_solve(on_cones ? s.rubbing : none, s.rows, s.V, s.stop);
           },
           .friction = on_cones ? FrictionModel::cone : FrictionModel::box};
 }
 
+template SolveReport anderson_solve<3>(const std::vector<FrictionContact>&, std::vector<Row<3>>&,
+                                       std::vector<Twist<3>>&, const StopRule&);
+template SolveReport anderson_solve<6>(const std::vector<FrictionContact>&, std::vector<Row<6>>&,
+                                       std::vector<Twist<6>>&, const StopRule&);
 template Solver<3> anderson<3>(FrictionModel);
 template Solver<6> anderson<6>(FrictionModel);
 

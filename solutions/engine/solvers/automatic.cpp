@@ -1,7 +1,10 @@
 // For each island by itself, "auto" by name:
 //
-//   factors     at once where they cost less than the sweeps that are allowed, Eq. (11.1)-(11.15)
-//   sweeps      else: projected Gauss-Seidel, chapter 04, as many as are allowed, interleaved: Eq. (14.13)
+//   factors     at once where they cost less than the sweeps that are allowed: Eq. (11.1)-(11.15), and where contacts are on
+//               cones those of engine/solvers/solve_on_cones.hpp
+//   sweeps      else, as many as are allowed: projected Gauss-Seidel, chapter 04, interleaved, Eq. (14.13); on cones those of
+//               chapter 09 from the impulses of the last step, accelerated, Eq. (10.14), until they leave a
+//               hundred-millionth of what was asked for: where all rests one is enough
 //   and factors where those left more than a thousandth of what was asked for, if they cost no more than a hundred times
 //               as much, until they leave a millionth; its bodies have factors at once then, for the next hundred steps
 //
@@ -15,10 +18,12 @@
 #include <span>
 #include <tuple>
 
+#include "engine/solvers/anderson.hpp"
 #include "engine/solvers/islands.hpp"
 #include "engine/solvers/registry.hpp"
 #include "engine/solvers/small_direct.hpp"
 #include "engine/solvers/solve_directly.hpp"
+#include "engine/solvers/solve_on_cones.hpp"
 
 namespace spook {
 
@@ -31,10 +36,12 @@ struct IslandProblem {
   std::vector<Twist<Dof>> V;
   std::vector<InverseMass<Dof>> inverse_mass;
   std::vector<double> last;
+  std::vector<FrictionContact> rubbing;
   std::vector<int> bodies;  ///< their numbers outside
 
   /// `numbers` has -1 for every body, before and after.
-  IslandProblem(const std::vector<int>& members, const SolverInput<Dof>& s, const std::vector<double>& impulses,
+  IslandProblem(const std::vector<int>& members, const SolverInput<Dof>& s,
+                const std::vector<FrictionContact>& on_cones, const std::vector<double>& impulses,
                 std::vector<int>& numbers) {
     const auto number = [&](int body) {
       if (numbers[body] < 0) {
@@ -45,7 +52,13 @@ struct IslandProblem {
       }
       return numbers[body];
     };
+    // Rows of contacts follow those of joints, three each where contacts are on cones.
+    const auto starts_contact = [&](std::size_t k) {
+      return !on_cones.empty() && k >= s.first_contact_row && (k - s.first_contact_row) % 3 == 0;
+    };
     for (const int k : members) {
+      if (starts_contact(k))
+        rubbing.push_back({.normal = rows.size(), .mu = on_cones[(k - s.first_contact_row) / 3].mu});
       rows.push_back(s.rows[k]);
       rows.back().i = number(s.rows[k].i);
       rows.back().j = number(s.rows[k].j);
@@ -70,6 +83,7 @@ struct Island {
   std::vector<int> members;
   std::optional<double> cost;  ///< of factors, in sweeps
   RowAndVelocityFactors<Dof> factors;
+  ContactVelocitySystem<Dof> on_cones;
 };
 
 /// The islands of rows, looked for anew where a row acts on other bodies than the last ones did, or has a bound more.
@@ -109,22 +123,28 @@ class KnownIslands {
 template <int Dof>
 class Automatic {
  public:
+  explicit Automatic(FrictionModel model) : on_cones_(model == FrictionModel::cone) {}
+
   SolverResult operator()(const SolverInput<Dof>& s) {
     if (calls_++ % calls_until_forgotten == 0) hard_.clear();
     hard_.resize(s.V.size(), false);
     const auto all = (*islands_).of(s.rows, s.V.size());
+    const std::vector<FrictionContact> none;
+    const std::vector<FrictionContact>& on_cones = on_cones_ ? s.rubbing : none;
     if (all.size() == 1)
-      if (auto solved = few_at_once(*all.front(), s.rows, s.V, s.stop)) return *std::move(solved);
-    const std::vector<double> last = s.last.impulses(s.rows.size(), s.first_contact_row, s.contacts, s.h);
-    if (all.size() == 1) return solve_one(*all.front(), s, {s.rows, s.V, s.bodies.motion.inverse_mass, last});
+      if (auto solved = few_at_once(*all.front(), s.rows, s.V, on_cones, s.stop)) return *std::move(solved);
+    const std::vector<double> last = s.last.impulses(s.rows, s.first_contact_row, s.contacts, s.h);
+    if (all.size() == 1)
+      return solve_one(*all.front(), s, {s.rows, s.V, s.bodies.motion.inverse_mass, last, on_cones});
 
     SolverResult outcome{SolveReport{.history = {}, .converged = true}};
     outcome.row_updates = 0;
     std::vector<int> numbers(s.V.size(), -1);
     for (const auto& island : all) {
-      IslandProblem<Dof> copy(island->members, s, last, numbers);
-      auto solved = few_at_once(*island, copy.rows, copy.V, s.stop);
-      if (!solved) solved = solve_one(*island, s, {copy.rows, copy.V, copy.inverse_mass, copy.last});
+      IslandProblem<Dof> copy(island->members, s, on_cones, last, numbers);
+      auto solved = few_at_once(*island, copy.rows, copy.V, copy.rubbing, s.stop);
+      if (!solved)
+        solved = solve_one(*island, s, {copy.rows, copy.V, copy.inverse_mass, copy.last, copy.rubbing});
       outcome = merge_parallel(std::move(outcome), *solved);
       copy.write_back(island->members, s.rows, s.V);
     }
@@ -133,8 +153,9 @@ class Automatic {
 
  private:
   static constexpr int calls_until_forgotten = 100;
-  static constexpr double worth_of_a_solution = 100;                   // sweeps for one
-  static constexpr double share_left = 1e-3, share_of_factors = 1e-6;  // of what was asked for
+  static constexpr double worth_of_a_solution = 100;  // sweeps for one
+  static constexpr double share_left = 1e-3, share_of_factors = 1e-6, share_on_cones = 1e-8,
+                          share_of_look = 1e-7;  // of what was asked for
 
   /// An island's rows and bodies: a copy, or all that there are.
   struct IslandView {
@@ -142,14 +163,23 @@ class Automatic {
     std::vector<Twist<Dof>>& V;
     const std::vector<InverseMass<Dof>>& inverse_mass;
     const std::vector<double>& last;  ///< impulses of the last step; empty: none
+    const std::vector<FrictionContact>& rubbing;
+
+    /// Whether it can be solved on its cones by factors on bodies.
+    bool is_on_cones() const {
+      return !rubbing.empty() &&
+             std::all_of(rows.begin(), rows.end(), [](const Row<Dof>& row) { return row.Sigma > 0; });
+    }
   };
 
   /// Dense factors, which need not know how the last step ended.
   static std::optional<SolverResult> few_at_once(Island<Dof>& island, std::vector<Row<Dof>>& rows,
-                                                 std::vector<Twist<Dof>>& V, const StopRule& stop) {
-    if (!island.cost) island.cost = factor_cost(rows);
+                                                 std::vector<Twist<Dof>>& V,
+                                                 const std::vector<FrictionContact>& rubbing,
+                                                 const StopRule& stop) {
+    if (!island.cost) island.cost = rubbing.empty() ? factor_cost(rows) : velocity_factor_cost(rows);
     if (*island.cost > stop.max_sweeps) return {};
-    auto solved = small_direct(rows, V, stop);
+    auto solved = small_direct(rows, V, stop, rubbing);
     if (!solved) return {};
     return without_updates(*std::move(solved));
   }
@@ -157,31 +187,44 @@ class Automatic {
   SolverResult solve_one(Island<Dof>& island, const SolverInput<Dof>& s, const IslandView& part) {
     const double sweeps = s.stop.max_sweeps;
     const bool may = *island.cost <= worth_of_a_solution * sweeps;
-    const bool at_once = *island.cost <= sweeps;
-    if (at_once || (may && is_hard(island, s.rows))) {
+    const bool at_once = *island.cost <= sweeps, hard = may && is_hard(island, s.rows);
+    // Sweeps on cones begin where the last step ended: they may be at an end already.
+    if (at_once || (hard && part.rubbing.empty())) {
       start_from(part.last, part.rows, part.V);
-      return factorised(part, at_once ? s.stop.tolerance : enough(part, s.stop), island.factors);
+      return factorised(part, at_once ? s.stop.tolerance : enough(part, s.stop), s.stop.tolerance, island);
     }
-    SolverResult swept = solve_in_order(interleaved_order(part.rows.size()), part.rows, part.V, s.stop);
+    SolverResult swept = this->swept(part, s.stop);
     swept.row_updates = swept.updates(part.rows.size());
-    if (swept.report.converged || !may ||
-        estimated_error(swept.report.history.back(), swept.report.history) <= share_left * rhs_norm(part.rows))
-      return swept;
+    const auto left = [&] { return estimated_error(swept.report.history.back(), swept.report.history); };
+    if (swept.report.converged || !may || (!hard && left() <= share_left * rhs_norm(part.rows))) return swept;
     for (const int k : island.members) {
       if (moves_i(s.rows[k])) hard_[s.rows[k].i] = true;
       if (moves_j(s.rows[k])) hard_[s.rows[k].j] = true;
     }
-    return append(std::move(swept), factorised(part, enough(part, s.stop), island.factors), part.rows.size());
+    return append(std::move(swept), factorised(part, enough(part, s.stop), s.stop.tolerance, island),
+                  part.rows.size());
   }
 
   static double enough(const IslandView& part, const StopRule& stop) {
-    return std::max(stop.tolerance, share_of_factors * rhs_norm(part.rows));
+    const double share = part.rubbing.empty() ? share_of_factors : share_on_cones;
+    return std::max(stop.tolerance, share * rhs_norm(part.rows));
   }
 
-  static SolverResult factorised(const IslandView& part, double tolerance,
-                                 RowAndVelocityFactors<Dof>& factors) {
+  static SolverResult swept(const IslandView& part, const StopRule& stop) {
+    if (part.rubbing.empty())
+      return solve_in_order(interleaved_order(part.rows.size()), part.rows, part.V, stop);
+    start_from(part.last, part.rows, part.V);
+    return anderson_solve(part.rubbing, part.rows, part.V,
+                          {.max_sweeps = stop.max_sweeps, .tolerance = enough(part, stop)});
+  }
+
+  static SolverResult factorised(const IslandView& part, double tolerance, double exact, Island<Dof>& island) {
     const StopRule stop{.tolerance = tolerance};
-    return without_updates(solve_directly(part.rows, part.inverse_mass, part.V, stop, factors));
+    if (part.rubbing.empty())
+      return without_updates(solve_directly(part.rows, part.inverse_mass, part.V, stop, island.factors));
+    if (!part.is_on_cones()) return cone_solve(part.rubbing, part.rows, part.V, stop);
+    ConeProblem<Dof> problem(part.rows, part.V, part.rubbing, part.inverse_mass, island.on_cones);
+    return solve_on_cones(problem, exact);
   }
 
   bool is_hard(const Island<Dof>& island, const std::vector<Row<Dof>>& rows) const {
@@ -190,6 +233,7 @@ class Automatic {
     });
   }
 
+  bool on_cones_;
   std::vector<bool> hard_;  // bodies of islands that sweeps did not solve
   int calls_ = 0;
   ScratchCache<KnownIslands<Dof>> islands_;
@@ -198,11 +242,11 @@ class Automatic {
 }  // namespace
 
 template <int Dof>
-Solver<Dof> automatic() {
-  return {.solve = Automatic<Dof>(), .wants_last = true};
+Solver<Dof> automatic(FrictionModel model) {
+  return {.solve = Automatic<Dof>(model), .friction = model, .wants_last = true};
 }
 
-template Solver<3> automatic<3>();
-template Solver<6> automatic<6>();
+template Solver<3> automatic<3>(FrictionModel);
+template Solver<6> automatic<6>(FrictionModel);
 
 }  // namespace spook

@@ -19,7 +19,7 @@ namespace {
 
 /// The stiffness of each joint that was tight in the last step. None for one that is newer.
 std::vector<Stiffness> link_stiffness(const SolverInput<3>& s) {
-  const std::vector<double> impulses = s.last.impulses(s.first_contact_row, s.first_contact_row, {}, s.h);
+  const std::vector<double> impulses = s.last.joint_impulses(s.first_contact_row, s.h);
   std::vector<Stiffness> all;
   std::size_t row = 0;
   for (const Joint& joint : s.joints) {

@@ -141,19 +141,33 @@ bool wants_bodies(const std::vector<Row<Dof>>& rows) {
   return fewer_than(rows, Dof * moving_bodies(rows));
 }
 
+/// Levels from one end of an island.
+template <int Dof>
+static std::vector<int> levels_of(const std::vector<Row<Dof>>& rows) {
+  const RowsOnBodies on_bodies(rows);
+  int end = moves_i(rows.front()) ? rows.front().i : rows.front().j;
+  body_levels(rows, on_bodies, end);  // to one of its ends
+  return body_levels(rows, on_bodies, end);
+}
+
+template <int Dof>
+static double on_velocities(const std::vector<Row<Dof>>& rows, int bodies, const std::vector<int>& levels) {
+  const double w = Dof * widest(levels);
+  return w * w * Dof * bodies / (25 * static_cast<double>(rows.size()));
+}
+
+template <int Dof>
+double velocity_factor_cost(const std::vector<Row<Dof>>& rows) {
+  const int bodies = moving_bodies(rows);
+  return bodies == 0 ? 0 : on_velocities(rows, bodies, levels_of(rows));
+}
+
 template <int Dof>
 double factor_cost(const std::vector<Row<Dof>>& rows) {
   const int bodies = moving_bodies(rows);
   if (bodies == 0) return 0;
-  const RowsOnBodies on_bodies(rows);
-  const auto n = static_cast<double>(rows.size());
-  int end = moves_i(rows.front()) ? rows.front().i : rows.front().j;
-  body_levels(rows, on_bodies, end);  // to one of its ends
-  const std::vector<int> levels = body_levels(rows, on_bodies, end);
-  if (const int velocities = Dof * bodies; fewer_than(rows, velocities)) {
-    const double w = Dof * widest(levels);
-    return w * w * velocities / (25 * n);
-  }
+  const std::vector<int> levels = levels_of(rows);
+  if (fewer_than(rows, Dof * bodies)) return on_velocities(rows, bodies, levels);
   // The level of a row is that of the first of its bodies to be reached.
   std::vector<int> of_rows;
   for (const Row<Dof>& row : rows) {
@@ -170,5 +184,7 @@ template bool wants_bodies<3>(const std::vector<Row<3>>&);
 template bool wants_bodies<6>(const std::vector<Row<6>>&);
 template double factor_cost<3>(const std::vector<Row<3>>&);
 template double factor_cost<6>(const std::vector<Row<6>>&);
+template double velocity_factor_cost<3>(const std::vector<Row<3>>&);
+template double velocity_factor_cost<6>(const std::vector<Row<6>>&);
 
 }  // namespace spook

@@ -34,4 +34,8 @@ bool wants_bodies(const std::vector<Row<Dof>>& rows);
 template <int Dof>
 double factor_cost(const std::vector<Row<Dof>>& rows);
 
+/// The same with the velocities of bodies as unknowns.
+template <int Dof>
+double velocity_factor_cost(const std::vector<Row<Dof>>& rows);
+
 }  // namespace spook

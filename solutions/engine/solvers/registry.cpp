@@ -6,38 +6,46 @@
 
 namespace spook {
 
-template <int Dof>
+template <int Dof, FrictionModel model>
+static Solver<Dof> automatic_of() {
+  return automatic<Dof>(model);
+}
+
+template <int Dof, FrictionModel model>
 static Solver<Dof> stiff_automatic() {
-  return geometric_stiffness(automatic<Dof>());
+  return geometric_stiffness(automatic<Dof>(model));
 }
 
-template <int Dof>
-static Solver<Dof> anderson_of_rows() {
-  return anderson<Dof>();
+template <int Dof, FrictionModel model>
+static Solver<Dof> anderson_of() {
+  return anderson<Dof>(model);
 }
 
-template <int Dof>
-static Solver<Dof> newton_of_rows() {
-  return newton<Dof>();
+template <int Dof, FrictionModel model>
+static Solver<Dof> newton_of() {
+  return newton<Dof>(model);
 }
 
 template <int Dof>
 const std::vector<NamedSolver<Dof>>& solvers() {
+  using enum FrictionModel;
   static const std::vector<NamedSolver<Dof>> table = {
-      {"gauss_seidel", "projected Gauss-Seidel, row by row", "sweep", &gauss_seidel<Dof>},
+      {"gauss_seidel", "projected Gauss-Seidel, row by row", "sweep", &gauss_seidel<Dof>,
+       &cone_gauss_seidel<Dof>},
       {"conjugate_gradients", "projected conjugate gradients, preconditioned by sweeps", "iteration",
-       &conjugate_gradients<Dof>},
-      {"anderson", "Gauss-Seidel, accelerated by what its last sweeps changed", "sweep",
-       &anderson_of_rows<Dof>},
-      {"newton", "Newton's method on bounds or cones, by factors on bodies; accelerated sweeps where it fails",
-       "factorisation", &newton_of_rows<Dof>},
+       &conjugate_gradients<Dof>, nullptr},
+      {"anderson", "Gauss-Seidel, accelerated by what its last sweeps changed", "sweep", &anderson_of<Dof, box>,
+       &anderson_of<Dof, cone>},
+      {"newton", "Newton's method on bounds or cones, by factors on bodies; from within where it fails",
+       "factorisation", &newton_of<Dof, box>, &newton_of<Dof, cone>},
       {"spatial_decomposition", "Gauss-Seidel in stripes of space: for large piles on several threads", "sweep",
-       &spatial_decomposition<Dof>},
-      {"direct", "sparse factors of S; bounds by an interior point method", "factorisation", &direct<Dof>},
+       &spatial_decomposition<Dof>, nullptr},
+      {"direct", "sparse factors of S; bounds by an interior point method", "factorisation", &direct<Dof>,
+       nullptr},
       {"auto", "for each island of bodies the direct solver where it is sparse or stiff, else Gauss-Seidel",
-       "iteration", &automatic<Dof>},
+       "iteration", &automatic_of<Dof, box>, &automatic_of<Dof, cone>},
       {"geometric_stiffness", "as auto; point masses on tight links get their geometric stiffness", "iteration",
-       &stiff_automatic<Dof>},
+       &stiff_automatic<Dof, box>, &stiff_automatic<Dof, cone>},
   };
   return table;
 }

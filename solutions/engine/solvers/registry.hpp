@@ -39,9 +39,9 @@ Solver<Dof> newton(FrictionModel model = FrictionModel::box);
 template <int Dof>
 Solver<Dof> direct();
 
-/// Each island of bodies with direct or gauss_seidel, by the rule of engine/solvers/islands.hpp.
+/// Each island of bodies by factors or by sweeps, by the rule of engine/solvers/islands.hpp. The model is box or cone.
 template <int Dof>
-Solver<Dof> automatic();
+Solver<Dof> automatic(FrictionModel model = FrictionModel::cone);
 
 /// Projected Gauss-Seidel in stripes of space, on as many threads as it may use.
 template <int Dof>
@@ -90,8 +90,10 @@ struct NamedSolver {
   std::string name;
   std::string summary;
   std::string iteration;  ///< what an entry of its history is of, one of them
-  Solver<Dof> (
-      *make)();  ///< with nothing kept yet; throws std::invalid_argument where it is not for such bodies
+  /// Makes the solver, with nothing kept yet; throws std::invalid_argument where it is not for such bodies.
+  Solver<Dof> (*make)();
+  /// The same with friction on Coulomb's cones; null where it cannot.
+  Solver<Dof> (*make_on_cones)();
 };
 
 /// All there are; the first is the default. The names do not depend on Dof.

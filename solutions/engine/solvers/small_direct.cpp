@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "common/require.hpp"
 #include "engine/linear/schur_entry.hpp"
@@ -49,7 +50,7 @@ void add(const Few& more, std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& 
 
 template <int Dof>
 std::optional<SolveReport> small_direct(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V,
-                                        const StopRule& stop) {
+                                        const StopRule& stop, const std::vector<FrictionContact>& rubbing) {
   require_positive("max_sweeps", stop.max_sweeps);
   require_not_negative("tolerance", stop.tolerance);
   const std::size_t n = rows.size();
@@ -63,6 +64,8 @@ std::optional<SolveReport> small_direct(std::vector<Row<Dof>>& rows, std::vector
   factors.solve(lambda.data());
   for (std::size_t k = 0; k < n; ++k)
     if (!(rows[k].lo < lambda[k] && lambda[k] < rows[k].hi)) return {};
+  for (const auto& [k, mu] : rubbing)
+    if (!(std::hypot(lambda[k + 1], lambda[k + 2]) < mu * lambda[k])) return {};
 
   std::fill(V.begin(), V.end(), Twist<Dof>::Zero());
   for (Row<Dof>& row : rows) row.lambda = 0;
@@ -70,14 +73,14 @@ std::optional<SolveReport> small_direct(std::vector<Row<Dof>>& rows, std::vector
   Few more = lacking(rows, V);  // V has the roundings of λ/m, and the rows feel them
   factors.solve(more.data());
   add(more, rows, V);
-  const double left = residual(rows, V);
+  const double left = rubbing.empty() ? residual(rows, V) : residual_on_cones(rubbing, rows, V);
   if (!(left <= std::max(stop.tolerance, roundings(rows)))) return {};
   return SolveReport{.history = {left}, .converged = true};
 }
 
 template std::optional<SolveReport> small_direct<3>(std::vector<Row<3>>&, std::vector<Twist<3>>&,
-                                                    const StopRule&);
+                                                    const StopRule&, const std::vector<FrictionContact>&);
 template std::optional<SolveReport> small_direct<6>(std::vector<Row<6>>&, std::vector<Twist<6>>&,
-                                                    const StopRule&);
+                                                    const StopRule&, const std::vector<FrictionContact>&);
 
 }  // namespace spook

@@ -8,6 +8,7 @@
 // of their bodies roundings alone may take one to its bound, and fewer are worth a try.
 #include <optional>
 
+#include "09_better_friction/better_friction.hpp"
 #include "11_direct/direct.hpp"
 #include "engine/linear/dense_ldlt.hpp"
 
@@ -18,9 +19,10 @@ inline constexpr int most_dense_rows = DenseLdlt::most, most_dense_rows_on_bodie
 
 /// Solves the rows, whatever V is; the history has one entry. Nothing where there are none or more than a few, a pivot is not
 /// sound, a λ is not strictly within its bounds, or what is left exceeds stop.tolerance and the roundings of Eq. (11.13). Then
-/// rows and V are as they were, or V is M⁻¹ Gᵀ λ with each λ within its bounds. Throws as direct_solve does.
+/// rows and V are as they were, or V is M⁻¹ Gᵀ λ with each λ within its bounds. `rubbing`: contacts whose friction is to
+/// be within its cone, too, Eq. (9.3). Throws as direct_solve does.
 template <int Dof>
 std::optional<SolveReport> small_direct(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V,
-                                        const StopRule& stop);
+                                        const StopRule& stop, const std::vector<FrictionContact>& rubbing = {});
 
 }  // namespace spook

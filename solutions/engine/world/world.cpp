@@ -60,7 +60,21 @@ void World<Dof>::evaluate_forces(double h) {
   forces_.resize(bodies_.size());
   for (std::size_t i = 0; i < bodies_.size(); ++i) forces_[i] = force(i);
   if (settings_.wrench) add_wrenches();
+  if (h_ > 0 && h != h_) shift_to_step(h);
   if (!contacts_.empty() || !joints_.empty()) prepare_motion(h);
+}
+
+/// Moves W of free bodies from half of the last step before x_n to half of this one, Eq. (1.5). W of a body that rows
+/// hold stays: what presses and what holds it cancel.
+template <int Dof>
+void World<Dof>::shift_to_step(double h) {
+  if (!rows_.empty() && V_.size() != bodies_.size()) return;  // bodies have come or gone
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (bodies_.is_fixed(i) || (!rows_.empty() && V_[i] != Twist<Dof>::Zero())) continue;
+    const Vec3 v = bodies_.motion.W[i].template head<3>();
+    const double inverse_mass = bodies_.motion.inverse_mass[i].linear;
+    bodies_.motion.W[i].template head<3>() = half_step_start(v, forces_[i], inverse_mass, h - h_);
+  }
 }
 
 template <int Dof>
@@ -128,9 +142,36 @@ void World<Dof>::resolve_impacts(double h) {
   contacts_.erase(std::remove_if(contacts_.begin(), contacts_.end(), will_hit), contacts_.end());
 }
 
+/// Where no k is given. Bodies and forces may be others in each step; contacts do not get softer.
+template <int Dof>
+void World<Dof>::set_default_stiffness(double h) {
+  if (settings_.k) return;
+  double mass = 0, load = 0;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (bodies_.is_fixed(i)) continue;
+    mass += bodies_.mass[i];
+    load += forces_[i].norm();
+  }
+  largest_load_ = std::max(largest_load_, load);
+  const double of_joints = joint_stiffness(mass, h);
+  materials_.set_stiffness(spook::contact_stiffness(largest_load_, shapes_.smallest, of_joints));
+  double arm = 0;  // squared
+  if constexpr (Dof == 6) {
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+      if (!bodies_.is_fixed(i))
+        arm = std::max(arm, bodies_.orientations.principal[i].maxCoeff() / bodies_.mass[i]);
+    for (const Joint& joint : joints_) arm = std::max({arm, joint.p_i.squaredNorm(), joint.p_j.squaredNorm()});
+  }
+  for (Joint& joint : joints_) {
+    if (joint.has_default_k) joint.k = of_joints;
+    if (joint.has_default_k_turn) joint.k_turn = arm * of_joints;
+  }
+}
+
 /// Rows of contacts are written over those of the last step: a large pile's are many megabytes.
 template <int Dof>
 void World<Dof>::build_rows(double h) {
+  set_default_stiffness(h);
   first_contact_row_ = 0;
   if (!joints_.empty()) {
     rows_.clear();
@@ -149,18 +190,7 @@ template <int Dof>
 void World<Dof>::solve_rows(double h) {
   V_.assign(bodies_.size(), Twist<Dof>::Zero());
   if (settings_.warm_start) warm_start_rows(h);
-  SolverResult outcome = settings_.solver.solve({.rows = rows_,
-                                                 .V = V_,
-                                                 .rubbing = rubbing_,
-                                                 .joints = joints_,
-                                                 .contacts = contacts_,
-                                                 .first_contact_row = first_contact_row_,
-                                                 .bodies = bodies_,
-                                                 .last = start_,
-                                                 .gravity = settings_.gravity,
-                                                 .h = h,
-                                                 .stop = stop_rule(h),
-                                                 .threads = settings_.threads});
+  SolverResult outcome = settings_.solver.solve(solver_input(h, stop_rule(h)));
   row_updates_ += outcome.updates(rows_.size());
   solved_ = std::move(outcome.report);
   if (settings_.warm_start || settings_.solver.wants_last)
@@ -168,8 +198,24 @@ void World<Dof>::solve_rows(double h) {
 }
 
 template <int Dof>
+SolverInput<Dof> World<Dof>::solver_input(double h, const StopRule& stop) {
+  return {.rows = rows_,
+          .V = V_,
+          .rubbing = rubbing_,
+          .joints = joints_,
+          .contacts = contacts_,
+          .first_contact_row = first_contact_row_,
+          .bodies = bodies_,
+          .last = start_,
+          .gravity = settings_.gravity,
+          .h = h,
+          .stop = stop,
+          .threads = settings_.threads};
+}
+
+template <int Dof>
 void World<Dof>::warm_start_rows(double h) {
-  const std::vector<double> impulses = start_.impulses(rows_.size(), first_contact_row_, contacts_, h);
+  const std::vector<double> impulses = start_.impulses(rows_, first_contact_row_, contacts_, h);
   if (!impulses.empty()) warm_start(impulses, rows_, V_);  // Eq. (10.2)
 }
 

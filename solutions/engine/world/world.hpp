@@ -21,6 +21,7 @@
 #include "engine/bodies/materials.hpp"
 #include "engine/collision/contacts.hpp"
 #include "engine/constraints/contact_rows.hpp"
+#include "engine/constraints/default_stiffness.hpp"
 #include "engine/constraints/joint_rows.hpp"
 #include "engine/constraints/warm_start_cache.hpp"
 #include "engine/integration/rattle.hpp"
@@ -42,7 +43,9 @@ struct Settings {
   Vec3 gravity = Vec3(0, 0, -9.81);  ///< [m/s²]
   ForceField force = nullptr;        ///< on each body, beside its weight [N]. Default: none
   Wrench<Dof> wrench = nullptr;      ///< more forces, and torques [N, N m]. Default: none
-  double k = 1e6;                    ///< stiffness of contacts and joints [N/m]
+  /// Stiffness of contacts and joints [N/m]. Default: all forces of a step together compress one contact by a ten-thousandth
+  /// of the smallest size, and joints are nearly rigid, engine/constraints/default_stiffness.hpp.
+  std::optional<double> k = {};
   /// Relaxation of contacts and joints [steps]: a larger d dissipates more energy, see chapter 06. Default: 3 for contacts,
   /// which settle, and 1/4 for joints, which swing.
   std::optional<double> d = {};
@@ -52,7 +55,8 @@ struct Settings {
   /// in a step. Default: no impacts.
   std::optional<ImpactLaw> impacts = {};
   bool sliding_tangents = false;  ///< friction along the slip, Eq. (9.2)
-  /// One of engine/solvers/registry.hpp, or one of your own. The solver also selects the friction model.
+  /// One of engine/solvers/registry.hpp, or one of your own. The solver also selects the friction model. Default: each
+  /// island of bodies by factors or sweeps, with friction on Coulomb's cones.
   Solver<Dof> solver = automatic<Dof>();
   /// Rows begin with the impulses of the last step. This is stable where a step solves the part 1/(1 + d) of what a row
   /// lacks, Eq. (10.12).
@@ -172,6 +176,9 @@ class World {
   std::int64_t steps() const { return steps_; }  ///< taken so far
   double time() const { return time_; }          ///< [s]
 
+  /// The stiffness of contacts whose bodies have none of their own, in the last step [N/m].
+  double contact_stiffness() const { return materials_.stiffness(); }
+
   /// Where a body's numbers are in bodies(). Throws std::invalid_argument for an index that is no body's.
   std::size_t index(int body) const;
 
@@ -237,11 +244,14 @@ class World {
   void find_contacts(double h);
   double margin(double h) const;
   void evaluate_forces(double h);
+  void shift_to_step(double h);
   void add_wrenches();
   Vec3 turned_by_torques(std::size_t i, const Vec3& omega, double h) const;
   void resolve_impacts(double h);
+  void set_default_stiffness(double h);
   void build_rows(double h);
   void solve_rows(double h);
+  SolverInput<Dof> solver_input(double h, const StopRule& stop);
   void warm_start_rows(double h);
   StopRule stop_rule(double h) const;
   void integrate(double h);
@@ -287,7 +297,8 @@ class World {
   StepTimer clock_;
   std::int64_t steps_ = 0;
   double time_ = 0;
-  double h_ = 0;  // of the last step [s]
+  double largest_load_ = 0;  // sum of the forces on all dynamic bodies [N]
+  double h_ = 0;             // of the last step [s]
   int pairs_ = 0;
   int impacts_ = 0;
   bool half_step_back_ = false;

@@ -32,7 +32,9 @@ int World<Dof>::add_joint(const Joint& given) {
     if (!joint.p_i.isZero(0)) reject("|p_i|", joint.p_i.norm(), "0 for a point mass");
     if (!joint.p_j.isZero(0)) reject("|p_j|", joint.p_j.norm(), "0 for a point mass");
   }
-  if (!joint.k) joint.k = settings_.k;
+  joint.has_default_k = !joint.k && !settings_.k;
+  joint.has_default_k_turn = joint.has_default_k && !joint.k_turn;
+  if (!joint.k) joint.k = settings_.k.value_or(1e6);  // the default is found in a step
   if (!joint.d) joint.d = settings_.d.value_or(settings_.integrator_order == 4 ? 0 : relaxation_of_joints);
   const SpookParameters spook = spook_parameters(1, *joint.k, *joint.d);
   if (joint.length) {

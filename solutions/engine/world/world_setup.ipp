@@ -21,10 +21,10 @@ World<Dof>::World(Settings<Dof> settings)
     : settings_(std::move(settings)),
       materials_({.friction = settings_.friction,
                   .restitution = settings_.impacts.value_or(ImpactLaw{}).restitution,
-                  .k = settings_.k,
+                  .k = settings_.k.value_or(1),  // until the first step
                   .d = settings_.d.value_or(relaxation_of_contacts)}) {
   require_all_finite("gravity", settings_.gravity);
-  require_positive("k", settings_.k);
+  if (settings_.k) require_positive("k", *settings_.k);
   if (settings_.d) require_not_negative("d", *settings_.d);
   require_not_negative("friction", settings_.friction);
   if (settings_.contact_margin) require_not_negative("contact_margin", *settings_.contact_margin);

@@ -9,8 +9,9 @@ template <int Dof>
 void World<Dof>::begin_half_a_step_back(const char* how, double h) {
   require_positive("h", h);
   if (half_step_back_ || steps_ > 0)
-    throw std::invalid_argument(std::string(how) +
-                                " may be called once, before the first step; steps so far: " + std::to_string(steps_));
+    throw std::invalid_argument(
+        std::string(how) +
+        " may be called once, before the first step; steps so far: " + std::to_string(steps_));
   half_step_back_ = true;
 }
 
@@ -77,6 +78,7 @@ void World<Dof>::start_consistently(double h) {
   const std::vector<double> turning = turning_rows(joints_, h, settings_.rotation, bodies_);
   const Motion<Dof>& motion = bodies_.motion;
   const std::vector<bool> drives = rows_of_motors(joints_, rows_.size());
+  const bool rub = rows_.size() - first_contact_row_ > contacts_.size();  // three rows each
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     Row<Dof>& row = rows_[k];
     const auto along = [&](const std::vector<Twist<Dof>>& of) {
@@ -84,13 +86,18 @@ void World<Dof>::start_consistently(double h) {
     };
     if (!drives[k]) row.B = -along(motion.Wf);  // a motor has a speed to come to
     if (k < turning.size()) row.B -= h * turning[k];
-    const bool rubs = row.lo < 0 && k >= first_contact_row_;
-    if (rubs) row.B -= along(motion.W);                  // what slips is braked
-    if (row.lo == 0 && along(motion.W) > 0) row.hi = 0;  // what parts is not held
+    if (rub && k >= first_contact_row_ && (k - first_contact_row_) % 3 > 0)
+      row.B -= along(motion.W);  // what slips is braked
+    else if (row.lo == 0 && along(motion.W) > 0)
+      row.hi = 0;  // what parts is not held
   }
   V_.assign(bodies_.size(), Twist<Dof>::Zero());
-  Factors factors;
-  direct_solve(rows_, V_, StopRule{}, factors);
+  if (rubbing_.empty()) {
+    Factors factors;
+    direct_solve(rows_, V_, StopRule{}, factors);
+  } else {
+    newton<Dof>(FrictionModel::cone).solve(solver_input(h, StopRule{}));
+  }
   for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_.motion.W[i] -= (motion.Wf[i] + V_[i]) / 2;
   forget_the_last_step();
 }

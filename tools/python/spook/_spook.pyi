@@ -15,11 +15,13 @@ class SimulationDiverged(RuntimeError):
 class _EitherWorld:
     """What the two have in common."""
 
-    def __init__(self, *, gravity: Vector = (0, 0, -9.81), k: float = 1e6, d: float | None = None, friction: float = 0,
+    def __init__(self, *, gravity: Vector = (0, 0, -9.81), k: float | None = None, d: float | None = None, friction: float = 0,
                  viscosity: float = 1e12, restitution: float | None = None, threshold: float = 1e-9,
-                 solver: str = "auto", iterations: int = 50, tolerance: float = 0, warm_start: bool = False,
+                 solver: str = "auto", friction_model: str | None = None, iterations: int = 50, tolerance: float = 0, warm_start: bool = False,
                  contact_margin: float | None = None, threads: int = 1) -> None:
-        """gravity [m/s²]; k [N/m] and d [steps] of contacts and joints; friction is μ; impacts only with a restitution,
+        """gravity [m/s²]; k [N/m] and d [steps] of contacts and joints, with a default k
+        that goes with masses and forces; friction is μ, and friction_model "cone", "two_pass" or
+        "box" (default: the cone where the solver has it, else two_pass); impacts only with a restitution,
         beyond the threshold [m/s]; tolerance [m/s]; contact_margin [m]. Raises ValueError for what makes no sense."""
     def add_fixed(self, x: Vector, radius: float = 0) -> int:
         """Adds a static body; a sphere, if it has a radius [m]."""

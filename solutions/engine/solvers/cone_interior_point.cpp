@@ -1,0 +1,321 @@
+#include "engine/solvers/cone_interior_point.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/solvers/cone_newton.hpp"
+
+namespace spook {
+
+namespace {
+
+/// What keeps a block inside: pushes off both bounds of its first row, and the speed of its slip [m/s].
+struct Push {
+  double lo = 0, hi = 0, slip = 0;
+};
+
+/// What each product of a room and a push shall become [J], and what second order adds to the slip [m/s].
+struct Target {
+  double lo = 0, hi = 0, slip = 0;
+  Vec2 turn = Vec2::Zero();
+};
+
+template <int Dof>
+class InteriorPoint {
+ public:
+  InteriorPoint(ConeProblem<Dof>& problem, double share) : problem_(problem) {
+    for (const ContactBlock& block : problem.blocks()) theta_.push_back(std::min(1.0, share / block.mu));
+    lagged_ = std::any_of(theta_.begin(), theta_.end(), [](double theta) { return theta < 1; });
+    start();
+  }
+
+  bool solve(double tolerance, double enough, int most, std::vector<double>& history) {
+    double least = infinity, next_try = 1e-3;
+    std::vector<double> best = problem_.impulses();
+    for (int n = 0, short_steps = 0, waited = 0; n < most && short_steps < most_short_steps; ++n) {
+      const double part = step(std::isfinite(least) ? least / problem_.asked() : 1);
+      if (part < 0) break;
+      const std::vector<double> inside = problem_.impulses();
+      problem_.set_impulses(answer());
+      const double left = problem_.residual();
+      if (!std::isfinite(left)) break;
+      history.push_back(left);
+      short_steps = !lagged_ && part < short_step ? short_steps + 1 : 0;
+      waited = left < 0.8 * least ? 0 : waited + 1;
+      if (left < least) {
+        least = left;
+        best = problem_.impulses();
+      }
+      if (least <= next_try * problem_.asked()) {
+        if (problem_.is_solved(least, tolerance) || cone_newton(problem_, tolerance, newton_steps, history))
+          return true;
+        while (least <= next_try * problem_.asked()) next_try *= 1e-3;
+      }
+      if (least <= enough) break;
+      if (waited > most_waits && lagged_) {
+        pace_ = std::max(least_pace, 0.6 * pace_);
+        waited = 0;
+      }
+      problem_.set_impulses(lagged_ ? with_new_limits(inside) : inside);
+    }
+    problem_.set_impulses(best);
+    if (!history.empty()) history.back() = least;
+    return least <= enough;
+  }
+
+ private:
+  static constexpr int most_short_steps = 3, most_waits = 3, newton_steps = 2;
+  static constexpr double short_step = 0.1, least_pace = 0.6;
+
+  const Row<Dof>& normal(const ContactBlock& block) const { return problem_.row(block.row); }
+  bool rubs(const ContactBlock& block) const { return block.count == 3 && block.mu > 0 && is_open(block); }
+  bool is_open(const ContactBlock& block) const { return normal(block).lo < normal(block).hi; }
+  bool has_lo(const ContactBlock& block) const { return is_open(block) && std::isfinite(normal(block).lo); }
+  bool has_hi(const ContactBlock& block) const { return is_open(block) && std::isfinite(normal(block).hi); }
+  double room_lo(const ContactBlock& block) const { return normal(block).lambda - normal(block).lo; }
+  double room_hi(const ContactBlock& block) const { return normal(block).hi - normal(block).lambda; }
+
+  std::size_t size() const { return problem_.blocks().size(); }
+  const ContactBlock& block(std::size_t b) const { return problem_.blocks()[b]; }
+
+  /// L, and how it changes with λ_n.
+  double limit(std::size_t b) const {
+    const double now = normal(block(b)).lambda;
+    return block(b).mu * (theta_[b] == 1 ? now : theta_[b] * now + (1 - theta_[b]) * last_[b]);
+  }
+  double limit_rate(std::size_t b) const { return theta_[b] * block(b).mu; }
+  Vec2 direction(std::size_t b) const { return problem_.friction(block(b)) / limit(b); }  // e
+  double room(std::size_t b) const {                                                      // R
+    const double L = limit(b), t = problem_.friction(block(b)).norm();
+    return (L - t) * (L + t) / L;
+  }
+  double normal_step(std::size_t b) const { return step_[block(b).row]; }
+  Vec2 friction_step(std::size_t b) const { return {step_[block(b).row + 1], step_[block(b).row + 2]}; }
+
+  /// A product in units of what was asked for.
+  double weight(std::size_t b) const {
+    return normal(block(b)).diagonal / (problem_.asked() * problem_.asked());
+  }
+
+  /// Well inside, with pushes as large as what was asked for.
+  void start() {
+    std::vector<double> lambda = problem_.impulses();
+    for (std::size_t b = 0; b < size(); ++b) {
+      const Row<Dof>& row = normal(block(b));
+      double& of = lambda[block(b).row];
+      const double scale = problem_.asked() / row.diagonal, tenth = 0.1 * (row.hi - row.lo);
+      if (block(b).count == 3) lambda[block(b).row + 1] = lambda[block(b).row + 2] = 0;
+      if (has_lo(block(b)) && has_hi(block(b)))
+        of = std::clamp(of, row.lo + tenth, row.hi - tenth);
+      else if (has_lo(block(b)))
+        of = std::max(of, row.lo + scale);
+      else if (has_hi(block(b)))
+        of = std::min(of, row.hi - scale);
+    }
+    problem_.set_impulses(lambda);
+    push_.resize(size());
+    for (std::size_t b = 0; b < size(); ++b) {
+      last_.push_back(normal(block(b)).lambda);
+      const double r = problem_.row_residual(block(b).row);
+      if (has_lo(block(b))) push_[b].lo = std::max(problem_.asked(), -r);
+      if (has_hi(block(b))) push_[b].hi = std::max(problem_.asked(), r);
+      if (rubs(block(b))) push_[b].slip = problem_.asked();
+    }
+  }
+
+  /// One step, two solves with one factorisation; returns which part of it was taken, or -1 where there was none. `left`:
+  /// the least residual so far over what was asked for.
+  double step(double left) {
+    constexpr double share_of_residual = 0.003;
+    factorise();
+    std::vector<Target> target(size());
+    if (!solve(target)) return -1;
+    const double far = longest_step(), before = mean_product(0), after = mean_product(far);
+    double centre = before > 0 ? std::pow(std::max(0.0, after / before), 3) * before : 0;
+    // Limits that still change would leave λ too near to the boundary.
+    if (lagged_) centre = std::max(centre, share_of_residual * std::min(1.0, left * left));
+    for (std::size_t b = 0; b < size(); ++b) target[b] = second_order(b, centre / weight(b));
+    if (!solve(target)) return -1;
+    const double longest = longest_step(), part = longest < 1 ? (0.9 + 0.09 * far) * longest : 1;
+    std::vector<double> lambda = problem_.impulses();
+    for (std::size_t k = 0; k < lambda.size(); ++k) lambda[k] += part * step_[k];
+    for (std::size_t b = 0; b < size(); ++b) {
+      push_[b].lo += part * change_[b].lo;
+      push_[b].hi += part * change_[b].hi;
+      push_[b].slip += part * change_[b].slip;
+    }
+    problem_.set_impulses(lambda);
+    return part;
+  }
+
+  /// Sets K = A⁻¹ of A Δλ + G v = b.
+  void factorise() {
+    for (std::size_t b = 0; b < size(); ++b) {
+      ContactBlock& of = problem_.blocks()[b];
+      of.K.setZero();
+      if (!is_open(of)) continue;
+      double normal_softness = normal(of).Sigma;
+      if (has_lo(of)) normal_softness += push_[b].lo / room_lo(of);
+      if (has_hi(of)) normal_softness += push_[b].hi / room_hi(of);
+      of.K(0, 0) = 1 / normal_softness;
+      if (!rubs(of)) continue;
+      const double slip = push_[b].slip;
+      const Vec2 e = direction(b);
+      Mat3 A = Mat3::Zero();
+      A(0, 0) = normal_softness;
+      A(1, 1) = A(2, 2) = problem_.row(of.row + 1).Sigma + slip / limit(b);
+      A.block<2, 2>(1, 1) += 2 * slip / room(b) * e * e.transpose();
+      A.block<2, 1>(1, 0) = -2 * slip * limit_rate(b) / room(b) * e;
+      of.K = A.inverse();
+    }
+    problem_.factorise();
+  }
+
+  /// Newton's step towards the target: that of λ, and then of the pushes.
+  bool solve(const std::vector<Target>& target) {
+    for (std::size_t b = 0; b < size(); ++b) {
+      ContactBlock& of = problem_.blocks()[b];
+      Vec3 right(problem_.row_residual(of.row), 0, 0);
+      if (has_lo(of)) right[0] += target[b].lo / room_lo(of);
+      if (has_hi(of)) right[0] -= target[b].hi / room_hi(of);
+      if (rubs(of)) {
+        const Vec2 r(problem_.row_residual(of.row + 1), problem_.row_residual(of.row + 2));
+        right.tail<2>() = r - target[b].slip / room(b) * direction(b) + target[b].turn;
+      }
+      of.k = of.K * right;
+    }
+    if (!problem_.solve(step_)) return false;
+    change_.assign(size(), {});
+    for (std::size_t b = 0; b < size(); ++b) {
+      const ContactBlock& of = block(b);
+      const Push& now = push_[b];
+      if (has_lo(of)) change_[b].lo = (target[b].lo - now.lo * normal_step(b)) / room_lo(of) - now.lo;
+      if (has_hi(of)) change_[b].hi = (target[b].hi + now.hi * normal_step(b)) / room_hi(of) - now.hi;
+      if (rubs(of)) change_[b].slip = (target[b].slip - now.slip * room_change(b)) / room(b) - now.slip;
+    }
+    return true;
+  }
+
+  /// Of R with λ, to first order.
+  double room_change(std::size_t b) const {
+    const Vec2 e = direction(b);
+    return limit_rate(b) * normal_step(b) * (1 + e.squaredNorm()) - 2 * e.dot(friction_step(b));
+  }
+
+  /// The target for the products `centre`, less what the straight step would bring in to second order: Eq. (11.11).
+  Target second_order(std::size_t b, double centre) const {
+    const double along = normal_step(b);
+    Target target{.lo = centre - along * change_[b].lo, .hi = centre + along * change_[b].hi};
+    if (!rubs(block(b))) return target;
+    const double L = limit(b), of_L = limit_rate(b) * along, slip = push_[b].slip;
+    const Vec2 e = direction(b), of_e = (friction_step(b) - of_L * e) / L;
+    const double of_room = -2 * of_L * e.dot(of_e) - L * of_e.squaredNorm();
+    target.slip = block(b).mu * centre - change_[b].slip * room_change(b) - slip * of_room;
+    target.turn = (slip * of_L / L - change_[b].slip) * of_e;
+    return target;
+  }
+
+  /// The part of the step after which the first room or push is 0; 1 where none is.
+  double longest_step() const {
+    double part = 1;
+    const auto keep = [&](double room, double change) {
+      if (change < 0) part = std::min(part, -room / change);
+    };
+    for (std::size_t b = 0; b < size(); ++b) {
+      const ContactBlock& of = block(b);
+      if (has_lo(of)) keep(room_lo(of), normal_step(b)), keep(push_[b].lo, change_[b].lo);
+      if (has_hi(of)) keep(room_hi(of), -normal_step(b)), keep(push_[b].hi, change_[b].hi);
+      if (!rubs(of)) continue;
+      keep(push_[b].slip, change_[b].slip);
+      // L² - |λ_t|² = c + 2 b α + a α², which is positive at α = 0
+      const Vec2 along = friction_step(b);
+      const double L = limit(b), of_L = limit_rate(b) * normal_step(b), c = room(b) * L,
+                   half_b = L * of_L - problem_.friction(of).dot(along), a = of_L * of_L - along.squaredNorm(),
+                   discriminant = half_b * half_b - a * c;
+      if (discriminant < 0) continue;
+      const double q = -(half_b + std::copysign(std::sqrt(discriminant), half_b));
+      for (const double root : {q / a, c / q})
+        if (root > 0) part = std::min(part, root);
+    }
+    return part;
+  }
+
+  /// The mean of all products after that part of the step, in units of what was asked for.
+  double mean_product(double part) const {
+    double sum = 0;
+    int count = 0;
+    const auto add = [&](std::size_t b, double product) {
+      sum += weight(b) * product;
+      ++count;
+    };
+    for (std::size_t b = 0; b < size(); ++b) {
+      const ContactBlock& of = block(b);
+      const double along = part * normal_step(b);
+      if (has_lo(of)) add(b, (room_lo(of) + along) * (push_[b].lo + part * change_[b].lo));
+      if (has_hi(of)) add(b, (room_hi(of) - along) * (push_[b].hi + part * change_[b].hi));
+      if (!rubs(of)) continue;
+      const double L = limit(b) + limit_rate(b) * along;
+      const Vec2 friction = problem_.friction(of) + part * friction_step(b);
+      add(b, (L * L - friction.squaredNorm()) / (L * of.mu) * (push_[b].slip + part * change_[b].slip));
+    }
+    return count > 0 ? sum / count : 0;
+  }
+
+  /// What bounds and discs say that λ will be: on one that pushes by more than what its room would bring in, else where it
+  /// is.
+  std::vector<double> answer() const {
+    std::vector<double> lambda = problem_.impulses();
+    for (std::size_t b = 0; b < size(); ++b) {
+      const ContactBlock& of = block(b);
+      const Row<Dof>& row = normal(of);
+      double& along_normal = lambda[of.row];
+      if (has_lo(of) && push_[b].lo > row.diagonal * room_lo(of)) along_normal = row.lo;
+      if (has_hi(of) && push_[b].hi > row.diagonal * room_hi(of)) along_normal = row.hi;
+      if (!rubs(of)) continue;
+      const Vec2 friction = problem_.friction(of);
+      const double size = friction.norm(), to_edge = limit(b) - size;
+      if (!(push_[b].slip * direction(b).norm() > of.s * to_edge)) continue;
+      lambda[of.row + 1] = friction[0] * of.mu * along_normal / size;
+      lambda[of.row + 2] = friction[1] * of.mu * along_normal / size;
+    }
+    problem_.project(lambda);
+    return lambda;
+  }
+
+  /// λ̄_n follows λ_n, and friction stays at the same part of its limit.
+  std::vector<double> with_new_limits(std::vector<double> lambda) {
+    problem_.set_impulses(lambda);
+    for (std::size_t b = 0; b < size(); ++b) {
+      if (!rubs(block(b))) continue;
+      const std::size_t k = block(b).row;
+      const double before = limit(b);
+      last_[b] += pace_ * (lambda[k] - last_[b]);
+      const double ratio = limit(b) / before;
+      lambda[k + 1] *= ratio, lambda[k + 2] *= ratio;
+    }
+    return lambda;
+  }
+
+  ConeProblem<Dof>& problem_;
+  std::vector<double> theta_;  // θ of each block
+  std::vector<double> last_;   // λ̄_n of each block [N s]
+  bool lagged_;
+  double pace_ = 1;
+  std::vector<Push> push_, change_;
+  std::vector<double> step_;  // Δλ of each row
+};
+
+}  // namespace
+
+template <int Dof>
+bool cone_interior_point(ConeProblem<Dof>& problem, double tolerance, double enough, const LimitRule& rule,
+                         std::vector<double>& history) {
+  return InteriorPoint<Dof>(problem, rule.share).solve(tolerance, enough, rule.factorisations, history);
+}
+
+template bool cone_interior_point<3>(ConeProblem<3>&, double, double, const LimitRule&, std::vector<double>&);
+template bool cone_interior_point<6>(ConeProblem<6>&, double, double, const LimitRule&, std::vector<double>&);
+
+}  // namespace spook

@@ -1,0 +1,84 @@
+#include "engine/solvers/cone_newton.hpp"
+
+#include <algorithm>
+
+namespace spook {
+
+/// Sets K and k of a row with the residual `r` [m/s]; returns what it aims at, before its bounds [N s]. `softer`: what is
+/// added to Σ, in S_kk.
+template <int Dof>
+static double linearise_row(const Row<Dof>& row, double r, double softer, ContactBlock& block) {
+  const double aim = row.lambda + r / row.diagonal;
+  block.K.setZero();
+  block.k.setZero();
+  if (row.lo < aim && aim < row.hi) {
+    block.K(0, 0) = 1 / (row.Sigma + softer * row.diagonal);
+    block.k[0] = block.K(0, 0) * r;
+  } else {
+    block.k[0] = std::clamp(aim, row.lo, row.hi) - row.lambda;
+  }
+  return aim;
+}
+
+/// Sets K and k of a block, whose rows begin at `rows` and have the residuals `r` [m/s].
+template <int Dof>
+static void linearise(const Row<Dof>* rows, const Vec3& r, double softer, ContactBlock& block) {
+  const double limit = block.mu * linearise_row(*rows, r[0], softer, block);
+  if (block.count == 1) return;
+  const Vec2 along(rows[1].lambda, rows[2].lambda), lacks = r.tail<2>(), q = along + lacks / block.s;
+  const double soft = rows[1].Sigma + softer * block.s, size = q.norm();
+  if (limit <= 0) {  // open, or smooth
+    block.k.tail<2>() = -along;
+  } else if (size <= limit) {  // sticks
+    block.K(1, 1) = block.K(2, 2) = 1 / soft;
+    block.k.tail<2>() = lacks / soft;
+  } else {  // slides
+    const Vec2 d = q / size, across(-d[1], d[0]);
+    const double c = limit / size, turns = 1 - c + c * soft / block.s;
+    block.K.template block<2, 2>(1, 1) = c / block.s / turns * across * across.transpose();
+    block.K.template block<2, 1>(1, 0) = block.mu * block.K(0, 0) * d;
+    block.k.tail<2>() =
+        (block.mu * (rows[0].lambda + block.k[0]) - along.dot(d)) * d - along.dot(across) / turns * across;
+  }
+}
+
+/// Δλ of all rows; false where there is none.
+template <int Dof>
+static bool newton_step(ConeProblem<Dof>& problem, double softer, std::vector<double>& step) {
+  for (ContactBlock& block : problem.blocks()) {
+    Vec3 r = Vec3::Zero();
+    for (int n = 0; n < block.count; ++n) r[n] = problem.row_residual(block.row + n);
+    linearise(&problem.row(block.row), r, softer, block);
+  }
+  problem.factorise();
+  return problem.solve(step);
+}
+
+template <int Dof>
+bool cone_newton(ConeProblem<Dof>& problem, double tolerance, int most, std::vector<double>& history) {
+  constexpr int sweeps = 2, most_in_vain = 2;
+  double least = problem.residual();
+  std::vector<double> step;
+  for (int n = 0, in_vain = 0; n < most && in_vain < most_in_vain; ++n) {
+    if (!newton_step(problem, 1e-3 * std::min(1.0, least / problem.asked()), step)) return false;
+    std::vector<double> there = problem.impulses();
+    for (std::size_t k = 0; k < there.size(); ++k) there[k] += step[k];
+    problem.project(there);
+    problem.set_impulses(there);
+    double left = problem.residual();
+    if (!problem.is_solved(left, tolerance)) {
+      problem.sweep(sweeps);
+      left = problem.residual();
+    }
+    history.push_back(left);
+    if (problem.is_solved(left, tolerance)) return true;
+    in_vain += !(left < least / 2);
+    least = std::min(least, left);
+  }
+  return false;
+}
+
+template bool cone_newton<3>(ConeProblem<3>&, double, int, std::vector<double>&);
+template bool cone_newton<6>(ConeProblem<6>&, double, int, std::vector<double>&);
+
+}  // namespace spook

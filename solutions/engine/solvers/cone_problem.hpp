@@ -1,0 +1,68 @@
+#pragma once
+// Rows of which some are on Coulomb's cones, contact by contact, as methods with factors on bodies see them.
+//
+//   Δλ = k - K G v,  (M + Gᵀ K G) v = Gᵀ k     a linear step: each method says what K and k of a contact are
+#include <cstdint>
+
+#include "09_better_friction/better_friction.hpp"
+#include "engine/linear/contact_velocity_system.hpp"
+
+namespace spook {
+
+/// The three rows of a contact with friction, or one row by itself.
+struct ContactBlock {
+  std::size_t row;
+  int count;
+  double mu = 0, s = 0;   ///< of friction: μ, and Eq. (9.5)
+  Mat3 K = Mat3::Zero();  ///< [kg]
+  Vec3 k = Vec3::Zero();  ///< [N s]
+};
+
+template <int Dof>
+class ConeProblem {
+ public:
+  /// Refers to all that it is given. `rubbing` has the contacts on cones, in the order of their rows; without any, rows
+  /// have bounds alone.
+  ConeProblem(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V,
+              const std::vector<FrictionContact>& rubbing, const std::vector<InverseMass<Dof>>& inverse_mass,
+              ContactVelocitySystem<Dof>& system);
+
+  const Row<Dof>& row(std::size_t k) const { return rows_[k]; }
+  std::vector<ContactBlock>& blocks() { return blocks_; }
+  const std::vector<ContactBlock>& blocks() const { return blocks_; }
+  Vec2 friction(const ContactBlock& block) const {
+    return {rows_[block.row + 1].lambda, rows_[block.row + 2].lambda};
+  }
+
+  double asked() const { return asked_; }    ///< the largest |B| [m/s]
+  double row_residual(std::size_t k) const;  ///< of one row, before its bounds: Eq. (4.6) [m/s]
+  double residual() const;                   ///< Eq. (9.7) [m/s]
+
+  /// Whether that residual is at most the tolerance, or what round-off leaves of the λ that there are, Eq. (11.13) [m/s].
+  bool is_solved(double residual, double tolerance) const;
+
+  std::vector<double> impulses() const;
+  void set_impulses(const std::vector<double>& lambda);  ///< and V with them
+  void sweep(int count);                                 ///< Eq. (4.7), (9.6)
+  std::int64_t row_updates() const { return sweeps_ * std::ssize(rows_); }
+
+  /// Moves each contact to what is allowed and near: bounds, then the disc of Eq. (9.4).
+  void project(std::vector<double>& lambda) const;
+
+  /// Factorises with the K of the blocks.
+  void factorise();
+
+  /// Solves with the k of the blocks for Δλ of each row; returns nothing where it is not finite.
+  bool solve(std::vector<double>& step);
+
+ private:
+  std::vector<Row<Dof>>& rows_;
+  std::vector<Twist<Dof>>& V_;
+  const std::vector<FrictionContact>& rubbing_;
+  ContactVelocitySystem<Dof>& system_;
+  std::vector<ContactBlock> blocks_;
+  double asked_;
+  std::int64_t sweeps_ = 0;
+};
+
+}  // namespace spook

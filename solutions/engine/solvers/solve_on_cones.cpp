@@ -1,0 +1,112 @@
+#include "engine/solvers/solve_on_cones.hpp"
+
+#include <algorithm>
+
+#include "engine/solvers/cone_interior_point.hpp"
+#include "engine/solvers/cone_newton.hpp"
+
+namespace spook {
+
+namespace {
+
+// Of what was asked for. Contacts that bear nothing and do not part slow the interior point method down to a part of 0.4
+// a factorisation, and Newton's method may find no end where they are: what is left is far below what leapfrog leaves.
+constexpr double share_within = 1e-8, share_lagged = 1e-6;
+
+/// What is tried in turn, until all factorisations that are allowed were made.
+template <int Dof>
+class Attempts {
+ public:
+  Attempts(ConeProblem<Dof>& problem, double tolerance, int most)
+      : problem_(problem), tolerance_(tolerance), most_(most) {}
+
+  SolveReport solve() {
+    problem_.sweep(1);
+    start_ = problem_.impulses();
+    const double first = problem_.residual();
+    const bool solved = problem_.is_solved(first, tolerance_) || newton(most_of_newton) || was_solved(first) ||
+                        from_within() || by_sweeps();
+    if (report_.history.empty()) report_.history.push_back(first);
+    report_.converged = solved;
+    return std::move(report_);
+  }
+
+ private:
+  static constexpr int most_of_newton = 6, most_within = 60;
+
+  int remaining() const { return most_ - static_cast<int>(report_.history.size()); }
+  double part(double share) const { return std::max(tolerance_, share * problem_.asked()); }
+
+  bool newton(int most) {
+    return cone_newton(problem_, tolerance_, std::min(most, remaining()), report_.history);
+  }
+
+  /// What the interior point method left of the last step may be as good as it gets.
+  bool was_solved(double first) {
+    if (first > part(share_within)) return false;
+    end_with(start_, first);
+    return true;
+  }
+
+  bool from_within() {
+    std::vector<double> best = problem_.impulses();
+    double least = problem_.residual();
+    for (const double share : {infinity, 0.3, 0.1, 0.03}) {
+      const LimitRule rule{.share = share, .factorisations = std::min(most_within, remaining())};
+      if (rule.factorisations <= 0) break;
+      problem_.set_impulses(start_);
+      const double enough = part(share == infinity ? share_within : share_lagged);
+      if (cone_interior_point(problem_, tolerance_, enough, rule, report_.history)) return true;
+      if (report_.history.back() >= least) continue;
+      least = report_.history.back();
+      best = problem_.impulses();
+      if (least <= part(share_lagged)) return true;
+    }
+    end_with(best, least);
+    return false;
+  }
+
+  bool by_sweeps() {
+    constexpr int rounds = 8, sweeps = 20, factorisations = 4;
+    std::vector<double> best = problem_.impulses();
+    double least = problem_.residual();
+    for (int round = 0; round < rounds && remaining() > 0 && least > part(share_lagged); ++round) {
+      problem_.sweep(sweeps);
+      const std::vector<double> swept = problem_.impulses();
+      if (const double left = problem_.residual(); left < least) {
+        least = left;
+        best = swept;
+      }
+      if (newton(factorisations)) return true;
+      problem_.set_impulses(swept);
+    }
+    end_with(best, least);
+    return least <= part(share_lagged);
+  }
+
+  /// The last entry of the history is the residual of λ.
+  void end_with(const std::vector<double>& lambda, double left) {
+    problem_.set_impulses(lambda);
+    if (!report_.history.empty()) report_.history.back() = left;
+  }
+
+  ConeProblem<Dof>& problem_;
+  double tolerance_;  // [m/s]
+  int most_;
+  std::vector<double> start_;
+  SolveReport report_;
+};
+
+}  // namespace
+
+template <int Dof>
+SolverResult solve_on_cones(ConeProblem<Dof>& problem, double tolerance, int most) {
+  SolverResult result = Attempts<Dof>(problem, tolerance, most).solve();
+  result.row_updates = problem.row_updates();
+  return result;
+}
+
+template SolverResult solve_on_cones<3>(ConeProblem<3>&, double, int);
+template SolverResult solve_on_cones<6>(ConeProblem<6>&, double, int);
+
+}  // namespace spook

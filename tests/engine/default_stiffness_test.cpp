@@ -1,0 +1,94 @@
+// Stiffness by default: whatever stands or hangs gives by less than a thousandth of its size, at any size and mass.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/diagnostics/run_check.hpp"
+#include "engine/world/world.hpp"
+
+namespace spook::default_stiffness_test {
+namespace {
+
+constexpr double g = 9.81;
+
+/// The verdict after so many steps.
+template <int Dof>
+Verdict run(World<Dof>& world, double h, int steps) {
+  RunCheck<Dof> check;
+  for (int n = 0; n < steps; ++n) {
+    world.step(h);
+    check.look(world, h);
+  }
+  return check.verdict();
+}
+
+TEST(DefaultStiffness, LetsNothingSinkInAtAnySizeAndMass) {
+  // Concrete cubes with sides from 20 µm to 200 m, a few steps of the time in which they would fall by their size.
+  for (const double half : {1e-5, 1e-3, 0.1, 5.0, 100.0}) {
+    const double mass = 2400 * 8 * half * half * half;
+    const double h = std::min(1.0 / 60, 0.3 * std::sqrt(half / g));
+    World<6> world({.friction = 0.5});
+    world.add_plane(Vec3::UnitZ(), 0);
+    const int cube = world.add({.x = Vec3(0, 0, half), .mass = mass, .half_sides = Vec3::Constant(half)});
+    const Verdict verdict = run(world, h, 200);
+    EXPECT_EQ(verdict.state, State::sound) << verdict.reason;
+    EXPECT_EQ(verdict.note, "");
+    EXPECT_NEAR(world.x(cube).z(), half, 1e-3 * half);
+    EXPECT_LE(world.v(cube).norm(), 1e-6 * g * h);
+  }
+}
+
+TEST(DefaultStiffness, HoldsTheHeaviestLoadOnTheLightestPart) {
+  for (const double ratio : {1e-4, 1.0, 1e4}) {
+    World<6> world({.friction = 0.5});
+    world.add_plane(Vec3::UnitZ(), 0);
+    const int below = world.add({.x = Vec3(0, 0, 0.05), .mass = 0.1, .half_sides = Vec3(0.2, 0.2, 0.05)});
+    const int above = world.add({.x = Vec3(0, 0, 0.2), .mass = 0.1 * ratio, .half_sides = Vec3::Constant(0.1)});
+    const Verdict verdict = run(world, 1.0 / 60, 300);
+    EXPECT_EQ(verdict.state, State::sound) << verdict.reason << ", ratio " << ratio;
+    EXPECT_EQ(verdict.note, "");
+    for (const auto& [body, z] : {std::pair(below, 0.05), {above, 0.2}})
+      EXPECT_LE((world.x(body) - Vec3(0, 0, z)).norm(), 2e-3 * 0.05) << "ratio " << ratio;
+  }
+}
+
+TEST(DefaultStiffness, HangsAMillionKilogramsOnARod) {
+  for (const double mass : {1e-3, 1.0, 1e6})
+    for (const double h : {1.0 / 30, 1.0 / 1000}) {
+      World<3> world({});
+      world.add_fixed(Vec3::Zero());
+      const int load = world.add({.x = Vec3(0, 0, -1), .mass = mass});
+      world.add_joint({.i = 0, .j = load, .length = 1});
+      EXPECT_EQ(run(world, h, 300).state, State::sound);
+      EXPECT_NEAR(world.x(load).z(), -1, 1e-6) << mass << " kg, h " << h;
+    }
+}
+
+TEST(DefaultStiffness, IsTheSameInAnyUnits) {
+  // The same scene in metres and in millimetres, in kilograms and in tonnes: all lengths, forces and stiffnesses scale.
+  const auto k_of = [](double length, double mass) {
+    World<6> world({.gravity = Vec3(0, 0, -g * length)});
+    world.add_plane(Vec3::UnitZ(), 0);
+    world.add({.x = Vec3(0, 0, 0.1 * length), .mass = mass, .radius = 0.1 * length});
+    world.add({.x = Vec3(0, 0, 0.3 * length), .mass = 2 * mass, .radius = 0.1 * length});
+    world.step(1.0 / 60);
+    return world.contact_stiffness();
+  };
+  EXPECT_NEAR(k_of(1000, 1) / k_of(1, 1), 1, 1e-12) << "N/m has no metre: kg/s²";
+  EXPECT_NEAR(k_of(1, 1e-3) / k_of(1, 1), 1e-3, 1e-15);
+}
+
+TEST(DefaultStiffness, GivesWayToAnyThatIsSaid) {
+  World<6> world({.k = 1e4});
+  world.add_plane(Vec3::UnitZ(), 0);
+  const int ball = world.add({.x = Vec3(0, 0, 0.1), .mass = 1, .radius = 0.1});
+  const int held = world.add({.x = Vec3(3, 0, 1), .mass = 1, .radius = 0.1});
+  const int nail = world.add_fixed(Vec3(3, 0, 2));
+  world.add_joint({.i = nail, .j = held, .length = 1, .k = 2e4});
+  run(world, 1.0 / 60, 600);
+  EXPECT_NEAR(world.x(ball).z(), 0.1 - g / 1e4, 1e-9);
+  EXPECT_NEAR(world.x(held).z(), 1 - g / 2e4, 1e-9);
+}
+
+}  // namespace
+}  // namespace spook::default_stiffness_test

@@ -1,0 +1,210 @@
+"""./course test: its two sets are all tests there are, what it left out is said, and changed mutants are judged."""
+
+import contextlib
+import io
+import json
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+from types import SimpleNamespace
+from unittest import mock
+
+from sandbox import ROOT
+
+import everything
+import mutants
+from arguments import parse
+from tree import Tree
+
+CHECK = Tree("check")
+CHAPTERS = mutants.chapters()
+
+
+class Sets(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        listing = subprocess.run(["ctest", "--test-dir", str(CHECK.path), "--show-only=json-v1"],
+                                 capture_output=True, text=True, check=True).stdout
+        cls.tests = {test["name"]: test for test in json.loads(listing)["tests"]}
+
+    def labels(self, name: str) -> list[str]:
+        found = [entry["value"] for entry in self.tests[name].get("properties", []) if entry["name"] == "LABELS"]
+        return found[0] if found else []
+
+    def test_the_fast_tests_and_the_mutants_are_disjoint_and_only_what_is_known_is_in_neither(self):
+        for name in self.tests:
+            with self.subTest(name):
+                labels = self.labels(name)
+                if name.startswith("mutant."):
+                    chapter = next((ROOT / "tests" / "mutants").glob(f"*/{name.removeprefix('mutant.')}.*")).parent
+                    self.assertEqual(labels, [f"mutants.{chapter.name}"])
+                else:
+                    self.assertIn(labels, ([], ["fast"]))
+                    self.assertTrue(labels or name.startswith(("plot.", "tools.")))
+
+    def test_what_is_promised_is_fast(self):
+        tools = ("course_check", "course_run", "stubs", "grade_class", "lessons", "book", "format", "mutants")
+        references = [f"reference.{chapter}" for chapter in CHAPTERS]
+        for name in (*references, "engine.0", "stability", "mechanisms", "spook.program", "lessons.numbers",
+                     *(f"tools.{tool}" for tool in tools)):
+            with self.subTest(name):
+                self.assertEqual(self.labels(name), ["fast"])
+
+    def test_each_that_is_held_to_be_slow_exists(self):
+        text = (ROOT / "tests" / "CMakeLists.txt").read_text(encoding="utf-8")
+        slow = {f"tools.{name}" for name in re.search(r"set\(slow_tools ([^)]*)\)", text)[1].split()}
+        self.assertEqual({name for name in self.tests if name.startswith("tools.") and not self.labels(name)}, slow)
+
+    def test_ctest_chooses_by_whole_labels(self):
+        first = CHAPTERS[0]
+        chosen = everything.names(CHECK, everything.selection(["fast", f"mutants.{first}"]))
+        self.assertEqual(sorted(chosen), sorted(name for name in self.tests
+                                                if set(self.labels(name)) & {"fast", f"mutants.{first}"}))
+        self.assertEqual(sorted(everything.names(CHECK)), sorted(self.tests))
+
+    def test_what_the_fast_tests_run_is_built_for_them(self):
+        for label in ("fast", f"mutants.{CHAPTERS[-1]}"):
+            commands = subprocess.run(["ninja", "-C", str(CHECK.path), "-t", "commands", label],
+                                      capture_output=True, text=True, check=True).stdout
+            for name, test in self.tests.items():
+                if label not in self.labels(name):
+                    continue
+                words = [Path(word) for word in test.get("command", [])]
+                programs = [word for word in words if word.is_relative_to(CHECK.path) and not word.is_dir()]
+                if label != "fast":
+                    programs = [CHECK.path / "tests" / f"mutants_{name.removeprefix('mutant.')}"]
+                for program in programs:
+                    with self.subTest(name):
+                        self.assertIn(f"-o {program.relative_to(CHECK.path)} ", commands)
+
+    def test_what_is_left_out_is_said(self):
+        said = everything.left_out(["a", "mutant.kick", "mutant.drift", "plot.energy", "tools.slurm"],
+                                   ["a", "mutant.kick"])
+        self.assertEqual(said, "Left out: 1 mutant.* (unchanged since all were killed), 1 plot.*, tools.slurm, all "
+                               "tests under sanitizers. ./course test --all runs them.")
+        self.assertEqual(everything.left_out(["a"], ["a"]),
+                         "Left out: all tests under sanitizers. ./course test --all runs them.")
+
+
+class BuiltBesides(unittest.TestCase):
+    def test_stubs_that_nobody_has_begun_and_the_chapters_that_are_graded(self):
+        begun = SimpleNamespace(function="kick", started=lambda: True)
+        stub = SimpleNamespace(function="drift", started=lambda: False)
+        with mock.patch.object(everything, "all_exercises", return_value=[begun, stub]), \
+             mock.patch.object(everything, "drop_if_stale") as dropping:
+            self.assertEqual(everything._stubs(CHECK), ["check_drift"])
+        dropping.assert_called_once_with(CHECK, stub)
+        self.assertEqual(everything._graded(1), [f"grade_{CHAPTERS[0]}", f"answer_{CHAPTERS[0]}"])
+        self.assertEqual(len(everything._graded()), 2 * len(CHAPTERS))
+
+
+class Command(unittest.TestCase):
+    NOW = {"01_leapfrog": "a", "02_quaternions": "b"}
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def run_test(self, *words: str, ok: bool = True) -> tuple[list[tuple[str, list[str]]], list[list[str] | None], str]:
+        """The trees and targets that were built, what was chosen of each run, and what was printed."""
+        built, chosen = [], []
+
+        def build(tree, targets, _strict):
+            built.append((tree.preset, targets))
+
+        def run(tree, some=None):
+            chosen.append(some)
+            return everything.Outcome(tree.preset, 1, [], [], ok)
+
+        with mock.patch.object(everything, "install"), mock.patch.object(everything, "_install_if_offered"), \
+             mock.patch.object(everything, "Tree", lambda preset: SimpleNamespace(preset=preset, path=self.folder)), \
+             mock.patch.object(everything, "_build", build), \
+             mock.patch.object(everything, "_run", run), \
+             mock.patch.object(everything, "_stubs", return_value=[]), \
+             mock.patch.object(everything, "_graded", return_value=[]), \
+             mock.patch.object(everything, "names", lambda tree, some=None: ["a"] if some else ["a", "tools.slurm"]), \
+             mock.patch.object(mutants, "digests", return_value=dict(self.NOW)), \
+             contextlib.redirect_stdout(io.StringIO()) as said:
+            code = everything.test(parse(["test", *words]))
+        self.assertEqual(code, 0 if ok else 1)
+        return built, chosen, said.getvalue()
+
+    def test_mutants_are_judged_until_all_are_killed_and_then_where_something_changed(self):
+        every = ["fast", "mutants.01_leapfrog", "mutants.02_quaternions"]
+        built, _, said = self.run_test(ok=False)
+        self.assertIn(("check", every), built)
+        self.assertIn("Left out: tools.slurm", said)
+        self.assertIn(("check", every), self.run_test()[0])  # a red run is none to remember
+        self.assertIn(("check", ["fast"]), self.run_test()[0])
+        self.NOW = self.NOW | {"02_quaternions": "c"}
+        built, chosen, _ = self.run_test()
+        self.assertIn(("check", ["fast", "mutants.02_quaternions"]), built)
+        self.assertEqual(chosen, [everything.selection(["fast", "mutants.02_quaternions"])])
+
+    def test_all_is_everything_in_every_tree(self):
+        built, chosen, said = self.run_test("--all", "--yes")
+        self.assertIn(("check", ["all"]), built)
+        self.assertEqual(set(map(type, chosen)), {type(None)})
+        self.assertNotIn("Left out", said)
+        self.assertIn(("check", ["fast"]), self.run_test()[0])
+
+
+class Digests(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.root = Path(folder.name)
+        for name in ("chapters", "solutions", "tests", "tools", "CMakeLists.txt", "CMakePresets.json"):
+            copy = shutil.copytree if (ROOT / name).is_dir() else shutil.copyfile
+            copy(ROOT / name, cls.root / name)
+
+    def changed_by(self, name: str) -> list[str]:
+        """Chapters whose digest is another one when this file has one line more."""
+        before, file = mutants.digests(self.root), self.root / name
+        text = file.read_bytes()
+        file.write_bytes(text + b"\n")
+        after = mutants.digests(self.root)
+        file.write_bytes(text)
+        self.assertEqual(mutants.digests(self.root), before)
+        return [chapter for chapter in before if before[chapter] != after[chapter]]
+
+    def test_every_chapter_has_one(self):
+        self.assertEqual(list(mutants.digests(self.root)), CHAPTERS)
+        self.assertEqual(len(set(mutants.digests(self.root).values())), len(CHAPTERS))
+
+    def test_what_a_mutant_is_made_of(self):
+        mutant = sorted((self.root / "tests" / "mutants" / "07_impacts").glob("*.diff"))[0].relative_to(self.root)
+        self.assertEqual(self.changed_by(str(mutant)), ["07_impacts"])
+        self.assertEqual(self.changed_by("tests/support/checks.hpp"), CHAPTERS)
+        self.assertEqual(self.changed_by("tools/mutants/kill.py"), CHAPTERS)
+        self.assertIn("09_better_friction", self.changed_by("solutions/09_better_friction/cone_rows.hpp"))
+
+    def test_a_chapter_that_others_include_is_theirs_too(self):
+        users = {path.parts[-2] for path in (self.root / "solutions").glob("[0-9]*/*.cpp")
+                 if '#include "04_gauss_seidel/' in path.read_text(encoding="utf-8")}
+        for name in ("chapters/04_gauss_seidel/gauss_seidel.hpp", "solutions/04_gauss_seidel/update_row.cpp"):
+            found = set(self.changed_by(name))
+            self.assertLessEqual(users | {"04_gauss_seidel"}, found)
+            self.assertNotIn("01_leapfrog", found)
+
+    def test_what_no_mutant_is_made_of_changes_none(self):
+        for name in ("chapters/01_leapfrog/kick.cpp", "solutions/engine/README.md", "tools/course/view.py"):
+            self.assertEqual(self.changed_by(name), [])
+
+    def test_a_memory_that_is_not_what_was_written_is_none(self):
+        with tempfile.TemporaryDirectory() as folder:
+            tree, now = SimpleNamespace(path=Path(folder)), {"01_leapfrog": "a"}
+            for text in ("", "[]", "{", '{"01_leapfrog": 1}'):
+                Path(folder, "mutants-killed.json").write_text(text, encoding="utf-8")
+                self.assertEqual(mutants.changed(tree, now), ["01_leapfrog"])
+            mutants.remember(tree, now)
+            self.assertEqual(mutants.changed(tree, now), [])
+
+
+if __name__ == "__main__":
+    unittest.main()
