@@ -41,7 +41,7 @@ Mat3 world_inertia(const Quat& q, const Vec3& principal);
 Vec3 gyroscopic_torque(const Mat3& inertia, const Vec3& omega);
 
 /// Exercise 2.6. Torque-free motion for `h` [s]: five turns about body axes with L fixed in the world, Eq. (2.11).
-/// Second order, reversible, and L = I ω kept to roundings. Changes `q` and `omega` [rad/s, world].
+/// Second order, reversible, and L = I ω kept up to round-off. Changes `q` and `omega` [rad/s, world].
 void free_rotation(Quat& q, Vec3& omega, const Vec3& principal, double h);
 
 }  // namespace spook

@@ -52,7 +52,7 @@ struct ContactJacobian {
 ContactJacobian contact_jacobian(const Contact& contact);
 
 /// The inverse mass matrix of one body: a number for a point mass, a number and a matrix for a rigid body. All zero
-/// is a body that nothing moves.
+/// is a static body.
 template <int Dof>
 struct InverseMass;
 

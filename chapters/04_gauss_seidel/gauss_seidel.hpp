@@ -79,7 +79,7 @@ double update_row(Row<Dof>& row, std::vector<Twist<Dof>>& V);
 template <int Dof>
 double sweep(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V);
 
-/// Exercise 4.5. How far λ is from solving S λ = B within its bounds, as a velocity [m/s]: Eq. (4.8). Zero exactly
+/// Exercise 4.5. Residual of S λ = B with bounds, as a velocity [m/s]: Eq. (4.8). Zero exactly
 /// at a solution; a row held at a bound by the right sign counts as solved. Changes nothing.
 template <int Dof>
 double residual(const std::vector<Row<Dof>>& rows, const std::vector<Twist<Dof>>& V);

@@ -32,7 +32,7 @@ namespace spook {
 /// All bodies that meet have some mass: K can be inverted.
 Vec3 stick_impulse(const Mat3& K, const Vec3& u, const Vec3& n, double e);
 
-/// Exercise 7.2. Whether an impulse does not pull and lies inside the friction cone about n, or on it, as zero does,
+/// Exercise 7.2. True if an impulse does not pull and lies inside the friction cone about n, or on it, as zero does,
 /// its tip: Eq. (7.4); notes (3).
 bool inside_cone(const Vec3& J, const Vec3& n, double mu);
 
@@ -41,7 +41,7 @@ bool inside_cone(const Vec3& J, const Vec3& n, double mu);
 /// else no such impulse reverses the approach.
 std::optional<Vec3> sliding_impulse(const Mat3& K, const Vec3& u, const Vec3& n, double e, double mu);
 
-/// Exercise 7.4. What an impulse adds to the energy of the two bodies [J]: Eq. (7.6); not in the notes.
+/// Exercise 7.4. Energy that an impulse adds to its two bodies [J]: Eq. (7.6); not in the notes.
 double impact_work(const Mat3& K, const Vec3& u, const Vec3& J);
 
 /// Exercise 7.5. An impulse that has the restitution e, is inside the cone, and adds no energy for 0 <= e <= 1,
@@ -58,7 +58,7 @@ Vec3 impact_impulse(const Mat3& K, const Vec3& u, const Vec3& n, double e, doubl
 template <int Dof>
 void apply_impact(const Contact& contact, const Vec3& J, Motion<Dof>& motion);
 
-/// How things hit each other.
+/// Laws of impact.
 struct ImpactLaw {
   double restitution = 0;   ///< e, 0 to 1
   double friction = 0;      ///< μ >= 0

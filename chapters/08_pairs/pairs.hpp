@@ -36,7 +36,7 @@
 
 namespace spook {
 
-/// Everything with n·x < offset is solid. It belongs to a body that nothing moves.
+/// Everything with n·x < offset is solid. It belongs to a static body.
 struct Plane {
   int body;
   Vec3 x;         ///< centre of that body [m]; the plane need not go through it
@@ -84,7 +84,7 @@ struct SeparatingAxis {
   int edge_j = -1;  ///< of the four, either one face or both edges are not -1
 };
 
-/// Exercise 8.5. Of 15 axes the one along which two boxes are least deep in each other: Eq. (8.6), (8.7); not in the
+/// Exercise 8.5. Finds, of 15 axes, that with the least overlap of two boxes: Eq. (8.6), (8.7); not in the
 /// notes. So that roundings don't choose between faces that lie on each other: of the faces of i the best, or the
 /// first where several are alike to a millionth of the smallest of all six half sides; the same of those of j; and the
 /// best of the pairs of edges. Then j's takes the place of i's, and that of the edges the place of either, only if its gap is
@@ -92,12 +92,12 @@ struct SeparatingAxis {
 /// have no axis. Where some of the axes have g > 0, one of those is returned, whichever: it needs no margin.
 SeparatingAxis separating_axis(const Box& i, const Box& j);
 
-/// Exercise 8.6. What is left of a convex polygon, three or more corners in order, where n·x <= offset: Eq. (8.8);
+/// Exercise 8.6. Clips a convex polygon, three or more corners in order, to n·x <= offset: Eq. (8.8);
 /// not in the notes. Its corners, in the order of the polygon, beginning anywhere, each once; a corner on the plane
 /// stays. Empty when nothing is left.
 std::vector<Vec3> clip(const std::vector<Vec3>& polygon, const Vec3& n, double offset);
 
-/// Exercise 8.7. Of contacts of one pair, all with the same normal, at most four, in any order: Eq. (8.10); not in
+/// Exercise 8.7. Keeps at most four contacts of one pair, all with one normal, in any order: Eq. (8.10); not in
 /// the notes. Four or fewer stay as they are. Of more, which are not all on one line, four are kept: the deepest (or
 /// one that is less deep by a millionth of their distances) is among them, the mean of all points is within them, to
 /// roundings, and they span at least half the largest area of Eq. (8.10). Roundings don't choose: of contacts, and of

@@ -65,7 +65,7 @@ template <int Dof>
 double sweep_on_cones(const std::vector<FrictionContact>& contacts, std::vector<Row<Dof>>& rows,
                       std::vector<Twist<Dof>>& V);
 
-/// Exercise 9.7. How far from solved, with the cones: the largest of Eq. (9.7) [m/s]. Each row, or pair, is compared
+/// Exercise 9.7. Residual with the cones: the largest of Eq. (9.7) [m/s]. Each row, or pair, is compared
 /// with its own update from this λ and V. Changes nothing.
 template <int Dof>
 double residual_on_cones(const std::vector<FrictionContact>& contacts, const std::vector<Row<Dof>>& rows,

@@ -44,7 +44,7 @@ template <int Dof>
 SparseMatrix schur_complement(const std::vector<Row<Dof>>& rows);
 
 /// Exercise 11.2. The matrix of Eq. (11.2), its lower triangle: first Dof unknowns for each body, then one for each
-/// row. A body that nothing moves has the identity for its M, and no entries of G.
+/// row. A static body has the identity for its M, and no entries of G.
 template <int Dof>
 SparseMatrix saddle_matrix(const std::vector<Row<Dof>>& rows,
                            const std::vector<InverseMass<Dof>>& inverse_mass);
@@ -78,7 +78,7 @@ struct Interior {
 /// Exercise 11.5. S̃, as its lower triangle with the pattern of S: Eq. (11.7).
 SparseMatrix barrier_matrix(const SparseMatrix& S, const Interior& now);
 
-/// What s z is to become, for each bound [N s m/s].
+/// The target of s z for each bound [N s m/s].
 struct Target {
   Vector lo, hi;  ///< τ⁻, τ⁺
 };
@@ -88,7 +88,7 @@ struct Target {
 Interior newton_step(const SparseMatrix& S, const Vector& B, const Interior& now, const Target& target,
                      const Factors& factors);
 
-/// Exercise 11.7. How much of a step keeps all rooms and pushes >= 0, at most 1: Eq. (11.10).
+/// Exercise 11.7. The largest part of a step, at most 1, that keeps all rooms and pushes >= 0: Eq. (11.10).
 double longest_step(const Interior& now, const Interior& step);
 
 /// Exercise 11.8. Where to begin: Eq. (11.12). λ₀ is what is nearest to 0 within the bounds, and λ₁ what is nearest to
@@ -103,7 +103,7 @@ Interior interior_start(const SparseMatrix& S, const Vector& B, const Vector& lo
 Interior interior_step(const SparseMatrix& S, const Vector& B, const Vector& lo, const Vector& hi,
                        const Interior& now, const Factors& factors);
 
-/// What roundings leave of S λ = B, as a velocity [m/s]: Eq. (11.13). Given.
+/// Round-off residual of S λ = B, as a velocity [m/s]: Eq. (11.13). Given.
 inline double roundings(const SparseMatrix& S, const Vector& B, const Vector& lambda) {
   return 1e-13 * B.cwiseAbs().maxCoeff() +
          1e-14 * Vector(S.diagonal()).cwiseProduct(lambda).cwiseAbs().maxCoeff();

@@ -39,11 +39,11 @@ struct Coordinate {
   double value;  ///< an angle [rad] or a length [m]
 };
 
-/// Exercise 13.1. How far j's frame is turned from i's, about each axis of the joint: Eq. (13.1)-(13.4). All three are
+/// Exercise 13.1. Angles of j's frame from i's, about each axis of the joint: Eq. (13.1)-(13.4). All three are
 /// zero where the two are turned alike; a hinge holds the first two there, a slider and a weld hold all.
 std::array<Coordinate, 3> turned_apart(const JointFrame& i, const JointFrame& j);
 
-/// Exercise 13.2. How far j's point is shifted from i's along the joint's axis 0, 1 or 2 as i has it: Eq. (13.5), (13.6).
+/// Exercise 13.2. Shift of j's point from i's along the joint's axis 0, 1 or 2 as i has it: Eq. (13.5), (13.6).
 /// A slider holds the first two at zero.
 Coordinate shift_along(const JointFrame& i, const JointFrame& j, int axis);
 
@@ -51,19 +51,19 @@ Coordinate shift_along(const JointFrame& i, const JointFrame& j, int axis);
 /// steps ago [rad]; since then it has turned by less than half a turn.
 Coordinate hinge_angle(const JointFrame& i, const JointFrame& j, double last);
 
-/// How far a hinge may turn, or a slider may slide. Either may be infinite, and lower = upper holds it where it is.
+/// The range of a hinge or slider. Either may be infinite, and lower = upper holds it where it is.
 struct JointLimits {
   double lower = -infinity;  ///< [rad] or [m]
   double upper = infinity;
 };
 
 /// Exercise 13.4. The row of the limit with the smaller gap, so of the one that is passed, if one is; λ >= 0 [N m s or
-/// N s]: Eq. (13.10), (13.11). Before the limit it lets come what comes as far as the limit in a step of `h` [s], and no
-/// farther; beyond, a and Σ are those of `spook`. Either way it takes all of the speed, b = 1.
+/// N s]: Eq. (13.10), (13.11). Before the limit it allows, within one step of `h` [s], motion up to the limit;
+/// beyond, a and Σ are those of `spook`. Either way it takes all of the speed, b = 1.
 Constraint<6> limit_constraint(const Coordinate& free, const JointLimits& limits, const SpookParameters& spook,
                                double h);
 
-/// What drives a joint. Torques are about the hinge, forces along the slider.
+/// A motor of a joint. Torques are about the hinge, forces along the slider.
 struct Motor {
   double speed = 0;            ///< wanted of j, as i sees it [rad/s or m/s]
   double strength = infinity;  ///< the largest torque or force [N m or N]

@@ -37,7 +37,7 @@ double update_contact(const FrictionContact& contact, std::vector<Row<Dof>>& row
 /// body may be in any number of them. `bodies`: how many there are.
 std::vector<int> colour_pairs(const std::vector<Pair>& pairs, std::size_t bodies);
 
-/// How many numbers lie side by side.
+/// Number of lanes.
 inline constexpr int lane_count = 4;
 
 /// One number in each lane.

@@ -40,7 +40,7 @@ struct Chosen {
       {"contact-margin", "", "largest gaps of a contact [m]", &TypedRun::contact_margin},
       {"friction-model", "", "box, two_pass, cone", &TypedRun::friction_model},
       {"tangents", "", "fixed, sliding", &TypedRun::tangents},
-      {"threads", "", "that share the work", &TypedRun::threads},
+      {"threads", "", "worker threads", &TypedRun::threads},
       {"tolerance", "", "stop sweeping at this [m/s]", &TypedRun::tolerance},
       {"iterations", "10,30,100,300,1000", "most sweeps in a step", &TypedRun::iterations, false}};
 };

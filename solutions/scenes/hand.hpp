@@ -13,7 +13,7 @@ class Hand {
 
   /// Holds a body's point, in its own axes [m], to a place [m]; from one pull to the next the place follows. True for a
   /// new grip: there is another joint then.
-  /// Throws std::invalid_argument for a body that nothing moves, or that is none.
+  /// Throws std::invalid_argument for a static body, or an index that is no body's.
   virtual bool pull(int body, const Vec3& point, const Vec3& to) = 0;
 
   /// True if there was something to let go.

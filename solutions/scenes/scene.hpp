@@ -40,14 +40,14 @@ class Scene {
 
   virtual StepReport report() const = 0;
 
-  /// Whether the run still is the problem that was set, as of the steps that were judged: each right after it was taken.
+  /// Judges the step that was just taken; `verdict` says if the run is reliable so far.
   virtual void judge() = 0;
   virtual const Verdict& verdict() const = 0;
 
   /// Row updates since the start.
   virtual std::int64_t row_updates() const = 0;
 
-  /// From now on the stages of each step are timed.
+  /// Starts stage timing.
   virtual void time_stages() = 0;
   virtual StageTimes stage_times() const = 0;
 

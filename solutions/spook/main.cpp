@@ -21,7 +21,7 @@ static CLI::App* add_scene_command(CLI::App& app, const std::string& name, const
   command->add_option("--h", run.h, "Time step [s], such as 0.02 or 1/60");
   command->add_option("--time", run.time, "How long to simulate [s]");
   command->add_option("--solver", run.solver, "One of those at the end of ./course scenes");
-  command->add_option("--iterations", run.iterations, "Most sweeps, or what else the solver makes, in a step");
+  command->add_option("--iterations", run.iterations, "Maximum solver iterations per step");
   command->add_option("--tolerance", run.tolerance, "Stop sweeping at this [m/s]");
   command->add_option("--substeps", run.substeps, "Steps that each step is made of");
   command->add_option("--row-order", run.row_order, "Of rows: given, up, down, random or interleaved");
@@ -30,7 +30,7 @@ static CLI::App* add_scene_command(CLI::App& app, const std::string& name, const
   command->add_option("--contact-margin", run.contact_margin, "Largest gap of a contact [m]");
   command->add_option("--friction-model", run.friction_model, "Limits of friction: box, two_pass, cone");
   command->add_option("--tangents", run.tangents, "Directions of friction: fixed, sliding");
-  command->add_option("--threads", run.threads, "That share the work, where it can be shared");
+  command->add_option("--threads", run.threads, "Number of worker threads");
   return command;
 }
 

@@ -113,8 +113,7 @@ EXERCISE_TEST(CollisionMatrix, OfAFixedBodyAndAnotherIsTheOthersShare) {
   const std::string missing = "The share of the free body is missing.";
   const std::string short_arm =
       "This is 1/m alone: the free body's arm has been left out. It counts, however long the other one is.";
-  const std::string rule =
-      "All zero is a body that nothing moves: it adds nothing. Multiply; never divide by 0.";
+  const std::string rule = "All zero is a static body: it adds nothing. Multiply; never divide by 0.";
   expect_near_vector("K when body i is fixed, column by column [1/kg]", "Eq. (3.8)",
                      collision_matrix(fixed, far, free, r), share, roundings(64, pair.size()),
                      {{Mat3::Zero(), missing}, {free.linear * Mat3::Identity(), short_arm}}, rule);

@@ -35,7 +35,7 @@ EXERCISE_TEST(ContactImpulse, SolvesOneRowByHand) {
        {1, "This is the right side alone, in m/s. Divide by n·Kn + Σ."},
        {0, "The right side is positive here, so the contact must push: look at its three signs."}},
       "(n·Kn + Σ) λ = -a g - b G W - h G M⁻¹ f.");
-  expect_near("the same between two bodies that nothing moves, n·Kn = 0 [N s]", "Eq. (3.10)",
+  expect_near("the same between two static bodies, n·Kn = 0 [N s]", "Eq. (3.10)",
               contact_impulse(spook, 0, gap, velocity, force), 1 / 0.25, roundings(8),
               {{1 / 1.25, "This took n·Kn for 1. Its 0 is a number like any other: both bodies are fixed."}},
               "Σ alone is left to divide by.");

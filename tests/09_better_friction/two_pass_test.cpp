@@ -182,7 +182,7 @@ EXERCISE_TEST(TwoPassSolve, HoldsABlockBetweenTwoWalls) {
     expect_near(
         "velocity of a block of 1 kg between two walls, upwards, μ = " + show(times) + " h g/(2P) [m/s]",
         "Eq. (9.1)", s.velocity(1).z(), std::min(0.0, (times - 1) * h * g), {1e-12, "the tolerance"},
-        {{-h * g, "It falls freely: the walls press, and friction has got nothing of it."}},
+        {{-h * g, "It falls freely: friction ignores the wall forces."}},
         "Two contacts hold 2 μ P. The limit comes from what presses, and not from gravity.");
   }
 }

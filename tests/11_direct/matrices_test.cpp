@@ -217,7 +217,7 @@ EXERCISE_TEST(SaddleMatrix, AgreesWithTheDenseMatrix) {
               line >= 18
                   ? "Nothing stands here: G is below M, on the line of its row, in the columns of its body."
               : column < 6
-                  ? "A body that nothing moves has the identity for its M, 6 by 6."
+                  ? "A static body has the identity for its M, 6 by 6."
                   : "Nothing stands here: M of a rigid body has m three times and, below it, 3 by 3 of I, "
                     "its lower triangle."}},
             "First six unknowns for each body, then one for each row.");
@@ -229,8 +229,8 @@ EXERCISE_TEST(SaddleMatrix, WhatNothingMovesStandsStill) {
   Random random;
   System<6> s = random_system(random, 2, 3);
   const MatrixXd A = full(saddle_matrix(s.rows, s.motion.inverse_mass));
-  expect_near_vector("M of a body that nothing moves, its diagonal", "Eq. (11.2)",
-                     VectorXd(A.diagonal().head<6>()), VectorXd::Ones(6), {0, "exact"},
+  expect_near_vector("M of a static body, its diagonal", "Eq. (11.2)", VectorXd(A.diagonal().head<6>()),
+                     VectorXd::Ones(6), {0, "exact"},
                      {{VectorXd::Zero(6), "Its mass is not 0 but infinite. The identity keeps its V at 0."}});
   expect_near_vector("what the rows have of that body, each the norm of a block of G", "Eq. (11.2)",
                      VectorXd(A.block(12, 0, 3, 6).rowwise().norm()), VectorXd::Zero(3), {0, "exact"}, {},

@@ -41,7 +41,7 @@ System<6> random_system(Random& random, int bodies, int rows);
 /// For each row one of: no bound, one below, one above, two; some of them 0. They hold about half of the rows.
 void add_random_bounds(Random& random, std::vector<Row<6>>& rows);
 
-/// Points that hang straight down in `links` links, from a point that nothing moves, at rest where the links have
+/// Points that hang straight down in `links` links, from a static point, at rest where the links have
 /// stretched by T/k each; the last is `ratio` times as heavy as the others, of 1 kg. λ of link k, 0 at the top, is -h
 /// tension(k).
 struct HangingWire {

@@ -98,7 +98,7 @@ TEST(Newton, SolvesATowerInAFewFactorisations) {
     EXPECT_LE(world.report().residual, 1e-12);
   }
   EXPECT_LE(most, 8);
-  EXPECT_EQ(world.report().iterations, 1) << "what stands as it stood";
+  EXPECT_EQ(world.report().iterations, 1) << "an unchanged active set";
 }
 
 TEST(Newton, HasTheAnswerOfSweepsWhereSomeContactsSlide) {

@@ -1,4 +1,4 @@
-"""./course play: the engine runs, and a page in the browser shows it as it goes, and lays hands on it."""
+"""./course play: runs the engine; a page in the browser shows it and lets you drag bodies."""
 
 import os
 import queue

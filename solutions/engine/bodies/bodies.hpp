@@ -66,7 +66,7 @@ struct Bodies {
   /// body without moments whose shape does not tell them, and an orientation that is not of unit length.
   int add(const Body<Dof>& body);
 
-  /// Adds a body that nothing moves.
+  /// Adds a static body.
   int add_fixed(const Vec3& position);
 
   /// Takes a body out; those after it move up by one.

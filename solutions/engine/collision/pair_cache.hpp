@@ -2,8 +2,8 @@
 // Which solids are near each other, remembered from step to step.
 //
 // Most bodies move by little in a step. Bounds with some room around them have pairs, from a broad phase; as long as nothing
-// has left its own, no other pair can touch. A few that have left get new ones, and are compared with all others. What lies
-// still is never sought again.
+// has left its own, no other pair can touch. A few that have left get new ones, and are compared with all others. A body
+// at rest is skipped by later broad phases.
 #include <vector>
 
 #include "08_pairs/pairs.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-// Whether a run still is the problem that was set.
+// Detects unreliable runs.
 //
 //   sound      it is, as far as can be seen
 //   unsolved   what the solver left of a step is more than a hundredth of what the step asked for: forces of constraints

@@ -92,7 +92,7 @@ int resolve_late_impacts(std::vector<Contact>& contacts, const LawOf& law, doubl
     moved[body] += by;
   };
 
-  // What touches up to roundings takes part in what happens at once.
+  // A contact that touches up to round-off takes part in simultaneous impacts.
   const double touching_gap = std::isfinite(shapes.smallest) ? 1e-9 * shapes.smallest : 0;
   std::vector<Contact> one(1);
   int impacts = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// Impacts, found late: a step moves bodies into each other before anybody looks.
+// Impacts, detected after penetration: a step has already moved the bodies into each other.
 //
 //   late       two that approach at u and are pulled together by a were at 0 a time τ ago: -gap = u τ - ½ a τ²   Eq. (7.15)
 //   made good  back by τ, J with the velocities of then, and on by τ with the new ones: x += τ Δv               Eq. (7.16)

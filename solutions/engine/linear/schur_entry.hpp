@@ -1,5 +1,5 @@
 #pragma once
-// How two rows feel each other.
+// Off-diagonal entry of the Schur complement.
 #include "04_gauss_seidel/gauss_seidel.hpp"
 
 namespace spook {

@@ -26,7 +26,7 @@ class VelocityFactors {
     return right;
   }
 
-  /// How often an order and a pattern were looked for: never, of few.
+  /// Returns the number of symbolic analyses. Always 0 for small systems.
   int analyses() const { return sparse_.analyses; }
 
  private:

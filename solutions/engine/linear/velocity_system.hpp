@@ -23,7 +23,7 @@ inline Block<6> mass_of(const InverseMass<6>& inverse) {
   return M;
 }
 
-/// What of rows meets on the bodies that move, which are numbered as rows come to them.
+/// Rows assembled over dynamic bodies, which are numbered in the order of the rows.
 template <int Dof>
 class VelocitySystem {
  public:

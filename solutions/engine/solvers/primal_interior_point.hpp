@@ -5,7 +5,7 @@
 //   softness     Σ̃ = Σ + z⁻/s⁻ + z⁺/s⁺, on the diagonal: what a bound pushes back with makes a row softer     Eq. (11.7)
 //   velocities   (M + Gᵀ Σ̃⁻¹ G) v = Gᵀ Σ̃⁻¹ r,  Δλ = Σ̃⁻¹ (r - G v)                                            Eq. (11.15)
 //
-// It does not mind how many rows meet at a bound at once, and always takes some twenty to forty factorisations.
+// Robust to many rows reaching bounds together; always takes some twenty to forty factorisations.
 #include "engine/linear/velocity_factors.hpp"
 #include "engine/linear/velocity_system.hpp"
 #include "engine/solvers/solver_result.hpp"

@@ -10,7 +10,7 @@
 //   roundings       Σ⁻¹ is large, and λ a small difference: what its rows still lack is solved for in the same way, a few
 //                   times, Eq. (11.14)
 //
-// What stands as it stood takes one factorisation. Two bodies that touch at four points with friction are twelve rows
+// An unchanged active set takes one factorisation. Two bodies that touch at four points with friction are twelve rows
 // and a block of 6 x 6.
 #include <optional>
 

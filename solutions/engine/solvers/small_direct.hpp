@@ -4,7 +4,7 @@
 //   factors     S λ = B, S = L D Lᵀ, Eq. (11.1), (11.3), (11.4): engine/linear/dense_ldlt.hpp
 //   roundings   refined once, Eq. (11.14), and looked at, Eq. (4.8)
 //
-// Bounds are for others: where a λ is not strictly between them, chapter 11 begins anew. Where rows outnumber the velocities
+// Returns nothing if a bound is active: if a λ is not strictly inside, chapter 11 begins anew. Where rows outnumber the velocities
 // of their bodies roundings alone may take one to its bound, and fewer are worth a try.
 #include <optional>
 

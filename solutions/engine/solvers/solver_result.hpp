@@ -20,7 +20,7 @@ struct SolverResult {
 SolverResult without_updates(SolveReport report);
 
 /// What a solve left [m/s]: its residual r as r/(1 - ρ), with the rate ρ of its history, Eq. (10.5). One that creeps has
-/// farther to go than its last sweep tells; where its rate is no rate, as if it would never end.
+/// farther to go than its last sweep tells; without a rate below 1, assumes no convergence.
 double estimated_error(double residual, const std::vector<double>& history);
 
 /// What the rows of a step ask for: the largest |B| [m/s].

@@ -1,5 +1,5 @@
 #pragma once
-// Work on many things that do not feel each other, shared among threads.
+// Shares independent work items among threads.
 #include <algorithm>
 #include <cstddef>
 

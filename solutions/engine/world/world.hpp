@@ -120,7 +120,7 @@ class World {
   /// Throws std::invalid_argument, naming the parameter, for an index that is no body's, a body joined to itself,
   /// two fixed bodies, a point beside the centre of a point mass, a bad k or d, a length that is not positive, a
   /// distance whose two points coincide, and a hinge, slider or weld of point masses, or whose axis or rest is not of unit
-  /// length; for limits that leave no room, a motor that makes no sense, and either where nothing is left free.
+  /// length; for an empty range of limits, a bad motor, and a motor or limit on a joint without a free axis.
   int add_joint(const Joint& joint);
 
   /// Drives a hinge or slider otherwise from now on, or with {} no longer. Throws std::invalid_argument as add_joint.
@@ -152,12 +152,12 @@ class World {
   /// Gives a body an impulse through its centre [N s].
   void apply_central_impulse(int body, const Vec3& impulse);
 
-  /// The bodies that move in both are where they are in `other`, and move and turn as they do there; its time goes on,
+  /// Copies positions and velocities from `other` for the bodies that move in both; its time goes on,
   /// and where there are as many joints, rows begin with its impulses.
   void take_state_from(const World& other);
 
   /// Takes every velocity half a step back, to where leapfrog wants it: Eq. (1.5). Once, before the first step. Steps that
-  /// are composed want them where they are. What contacts and joints hold against has no part in it. Throws std::invalid_argument the
+  /// are composed want them where they are. Ignores constraint forces. Throws std::invalid_argument the
   /// second time, and after a step.
   void start_half_step_back(double h);
 

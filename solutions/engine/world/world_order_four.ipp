@@ -74,7 +74,7 @@ void World<Dof>::require_smooth() const {
   if (shapes_.may_touch())
     throw std::invalid_argument(
         refused + "bodies that may touch" + reason +
-        "a contact that opens or closes is not smooth, and friction and impacts have no way back");
+        "a contact that opens or closes is not smooth, and friction and impacts are irreversible");
 }
 
 template <int Dof>

@@ -9,8 +9,9 @@ template <int Dof>
 void World<Dof>::begin_half_a_step_back(const char* how, double h) {
   require_positive("h", h);
   if (half_step_back_ || steps_ > 0)
-    throw std::invalid_argument(std::string(how) +
-                                " is for once, before the first step; steps so far: " + std::to_string(steps_));
+    throw std::invalid_argument(
+        std::string(how) +
+        " may be called once, before the first step; steps so far: " + std::to_string(steps_));
   half_step_back_ = true;
 }
 

@@ -9,7 +9,7 @@ import spook
 scene = spook.scene("stack", bodies=10, ratio=1000)
 print(scene.about["answer"])
 
-# %% A run says its error, and whether it still is the problem that was set. In a notebook it shows its film.
+# %% A run reports its error, and if it is reliable. In a notebook it shows its film.
 run = scene.run(h="1/60", time=5, solver="direct")
 print(run)
 

@@ -24,7 +24,7 @@ class _EitherWorld:
         "box" (default: the cone where the solver has it, else two_pass); impacts only with a restitution,
         beyond the threshold [m/s]; tolerance [m/s]; contact_margin [m]. Raises ValueError for what makes no sense."""
     def add_fixed(self, x: Vector, radius: float = 0) -> int:
-        """Adds a body that nothing moves; a sphere, if it has a radius [m]."""
+        """Adds a static body; a sphere, if it has a radius [m]."""
     def add_plane(self, n: Vector = (0, 0, 1), offset: float = 0) -> int:
         """Adds the half-space n·x < offset as a fixed body; |n| = 1."""
     def add_joint(self, i: int, j: int, p_i: Vector = ..., p_j: Vector = ..., length: float | None = None,

@@ -88,7 +88,7 @@ class Run:
     scene: Scene
     options: dict[str, Any]
     error: float  #: against the known answer, in the unit that scene.about["error_unit"] names
-    state: str  #: sound, unsolved, or lost: whether it still is the problem that was set
+    state: str  #: sound, unsolved or lost: says if the run is reliable
     reason: str  #: why, where it is not sound
     h: float  #: [s]
     steps: int
