@@ -59,10 +59,10 @@ struct PythonWorld {
 };
 
 template <int Dof>
-PythonWorld<Dof> make(const Vec3& gravity, std::optional<double> k, std::optional<double> d, double friction, double viscosity,
-                      std::optional<double> restitution, double threshold, const std::string& solver,
-                      const std::optional<std::string>& model, int iterations, double tolerance,
-                      bool warm_start, std::optional<double> contact_margin, int threads) {
+PythonWorld<Dof> make(const Vec3& gravity, std::optional<double> k, std::optional<double> d, double friction,
+                      double viscosity, std::optional<double> restitution, double threshold,
+                      const std::string& solver, const std::optional<std::string>& model, int iterations,
+                      double tolerance, bool warm_start, std::optional<double> contact_margin, int threads) {
   if (iterations < 1)
     throw std::invalid_argument("iterations must be at least 1, but is " + std::to_string(iterations));
   Method method{.h = 1, .solver = solver};
