@@ -307,7 +307,7 @@ TEST(Limit, LeavesAMotorAloneUntilItIsReached) {
   // Eq. (13.17) is the speed itself, bit by bit, while the limit is farther than the way of a step.
   const double h = 1.0 / 60, speed = 2;
   const auto wheel = [&](const JointLimits& limits) {
-    return Wheel({.limits = limits, .motor = Motor{.speed = speed, .strength = 7}});
+    return Wheel({.i = 0, .j = 0, .limits = limits, .motor = Motor{.speed = speed, .strength = 7}});
   };
   Wheel near = wheel({.lower = 0, .upper = 1}), far = wheel({.lower = -1000, .upper = 1000});
   while (near.world.joint_position(near.joint) < 1 - 2 * h * speed) {
