@@ -88,34 +88,34 @@ class Incline : public WorldScene<Dof> {
 }  // namespace
 
 SceneDescription incline() {
-  return {
-      .name = "incline",
-      .summary = "A block on a slope, from rest: it sticks, or slides.",
-      .answer =
-          "It sticks if mu >= tan θ, whatever its mass; else x = ½ g (sin θ - mu cos θ) t², to roundings with "
-          "start=half_step. What sticks creeps, at m g sin θ over the viscosity of its contacts.",
-      .error_name = "largest position error over ½ g sin θ t², the way without friction",
-      .error_unit = "relative",
-      .parameters = {parameter::friction(),
-                     {.name = "angle",
-                      .meaning = "θ, of the slope",
-                      .unit = "degrees",
-                      .value = 30,
-                      .limits = {.low = 0, .high = 90, .low_included = false, .high_included = false}},
-                     parameter::block_model(),
-                     parameter::mass(),
-                     parameter::base(1),
-                     parameter::height(0.2),
-                     parameter::gravity(),
-                     parameter::stiffness(),
-                     parameter::relaxation(),
-                     parameter::viscosity(),
-                     parameter::start()},
-      .h = 1.0 / 60,
-      .time = 2,
-      .solves = true,
-      .build = on_the_box(build_model<Incline>),
-      .friction_model = FrictionModel::box};
+  return with_friction(
+      FrictionModel::box,
+      {.name = "incline",
+       .summary = "A block on a slope, from rest: it sticks, or slides.",
+       .answer =
+           "It sticks if mu >= tan θ, whatever its mass; else x = ½ g (sin θ - mu cos θ) t², to roundings with "
+           "start=half_step. What sticks creeps, at m g sin θ over the viscosity of its contacts.",
+       .error_name = "largest position error over ½ g sin θ t², the way without friction",
+       .error_unit = "relative",
+       .parameters = {parameter::friction(),
+                      {.name = "angle",
+                       .meaning = "θ, of the slope",
+                       .unit = "degrees",
+                       .value = 30,
+                       .limits = {.low = 0, .high = 90, .low_included = false, .high_included = false}},
+                      parameter::block_model(),
+                      parameter::mass(),
+                      parameter::base(1),
+                      parameter::height(0.2),
+                      parameter::gravity(),
+                      parameter::stiffness(),
+                      parameter::relaxation(),
+                      parameter::viscosity(),
+                      parameter::start()},
+       .h = 1.0 / 60,
+       .time = 2,
+       .solves = true,
+       .build = build_model<Incline>});
 }
 
 }  // namespace spook

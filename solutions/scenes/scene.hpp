@@ -92,14 +92,14 @@ struct SceneDescription {
   std::optional<int> integrator_order = {};  ///< unless another is asked for. Default: the world's
 };
 
-using BuildScene = std::function<std::unique_ptr<Scene>(const Parameters& parameters, const Method& method)>;
-
-/// For scenes that teach the friction box: builds with it, unless another model is asked for.
-inline BuildScene on_the_box(const BuildScene& build) {
-  return [build](const Parameters& parameters, Method method) {
-    if (!method.friction_model) method.friction_model = FrictionModel::box;
+/// Returns the scene with a friction model of its own: it is built with that one, unless another is asked for.
+inline SceneDescription with_friction(FrictionModel model, SceneDescription scene) {
+  scene.friction_model = model;
+  scene.build = [model, build = std::move(scene.build)](const Parameters& parameters, Method method) {
+    if (!method.friction_model) method.friction_model = model;
     return build(parameters, method);
   };
+  return scene;
 }
 
 /// What the scenes share: a world, stepped by h_.

@@ -85,22 +85,22 @@ class SlideToRoll : public WorldScene<6> {
 }  // namespace
 
 SceneDescription slide_to_roll() {
-  return {
-      .name = "slide_to_roll",
-      .summary = "A sphere is thrown without spin: it slides, then rolls.",
-      .answer =
-          "It slides for 2 v0/(7 mu g), over 12 v0²/(49 mu g), then rolls with 5/7 v0: a speed that depends "
-          "on neither mu, nor mass, nor radius.",
-      .error_name = "largest error of x over the way it slid, or of the spin over its last, the larger",
-      .error_unit = "relative",
-      .parameters = {parameter::speed(3), parameter::friction(0.2), parameter::mass(), parameter::radius(),
-                     parameter::gravity(), parameter::stiffness(), parameter::relaxation(),
-                     parameter::viscosity(), parameter::start()},
-      .h = 0.01,
-      .time = 1,
-      .solves = true,
-      .build = on_the_box(build_as<SlideToRoll>),
-      .friction_model = FrictionModel::box};
+  return with_friction(
+      FrictionModel::box,
+      {.name = "slide_to_roll",
+       .summary = "A sphere is thrown without spin: it slides, then rolls.",
+       .answer =
+           "It slides for 2 v0/(7 mu g), over 12 v0²/(49 mu g), then rolls with 5/7 v0: a speed that depends "
+           "on neither mu, nor mass, nor radius.",
+       .error_name = "largest error of x over the way it slid, or of the spin over its last, the larger",
+       .error_unit = "relative",
+       .parameters = {parameter::speed(3), parameter::friction(0.2), parameter::mass(), parameter::radius(),
+                      parameter::gravity(), parameter::stiffness(), parameter::relaxation(),
+                      parameter::viscosity(), parameter::start()},
+       .h = 0.01,
+       .time = 1,
+       .solves = true,
+       .build = build_as<SlideToRoll>});
 }
 
 }  // namespace spook

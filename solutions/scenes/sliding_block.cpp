@@ -96,33 +96,32 @@ class SlidingBlock : public WorldScene<Dof> {
 }  // namespace
 
 SceneDescription sliding_block() {
-  return {
-      .name = "sliding_block",
-      .summary = "A block is thrown over a plane, and friction stops it.",
-      .answer =
-          "By Coulomb it stops after v0/(mu g) and v0²/(2 mu g), whatever its mass and heading. By the "
-          "friction box each tangent's component stops on its own: max(|cos φ|, |sin φ|) of that time, "
-          "√(cos⁴φ + sin⁴φ) of that distance, φ from a tangent to the heading.",
-      .error_name = "largest position error over the distance by Coulomb, v0²/(2 mu g) at its end",
-      .error_unit = "relative",
-      .parameters = {parameter::speed(3),
-                     parameter::friction(),
-                     {.name = "heading", .meaning = "of v0, from x towards y", .unit = "degrees", .value = 0},
-                     parameter::friction_law(),
-                     parameter::block_model(),
-                     parameter::mass(),
-                     parameter::base(1),
-                     parameter::height(0.2),
-                     parameter::gravity(),
-                     parameter::stiffness(),
-                     parameter::relaxation(),
-                     parameter::viscosity(),
-                     parameter::start()},
-      .h = 0.01,
-      .time = 1,
-      .solves = true,
-      .build = on_the_box(build_model<SlidingBlock>),
-      .friction_model = FrictionModel::box};
+  return with_friction(
+      FrictionModel::box,
+      {.name = "sliding_block",
+       .summary = "A block is thrown over a plane, and friction stops it.",
+       .answer = "By Coulomb it stops after v0/(mu g) and v0²/(2 mu g), whatever its mass and heading. By the "
+                 "friction box each tangent's component stops on its own: max(|cos φ|, |sin φ|) of that time, "
+                 "√(cos⁴φ + sin⁴φ) of that distance, φ from a tangent to the heading.",
+       .error_name = "largest position error over the distance by Coulomb, v0²/(2 mu g) at its end",
+       .error_unit = "relative",
+       .parameters = {parameter::speed(3),
+                      parameter::friction(),
+                      {.name = "heading", .meaning = "of v0, from x towards y", .unit = "degrees", .value = 0},
+                      parameter::friction_law(),
+                      parameter::block_model(),
+                      parameter::mass(),
+                      parameter::base(1),
+                      parameter::height(0.2),
+                      parameter::gravity(),
+                      parameter::stiffness(),
+                      parameter::relaxation(),
+                      parameter::viscosity(),
+                      parameter::start()},
+       .h = 0.01,
+       .time = 1,
+       .solves = true,
+       .build = build_model<SlidingBlock>});
 }
 
 }  // namespace spook

@@ -95,41 +95,41 @@ SceneDescription spinning_disc() {
   // On stiff contacts fifty sweeps do not share the load among so many points: the disc would stand on a few.
   Parameter k = parameter::stiffness();
   k.value = 1e4;
-  return {.name = "spinning_disc",
-          .summary = "A flat disc spins on a plane, and friction stops it.",
-          .answer =
-              "ω falls at a constant rate. By Coulomb the disc stops after 3 R w0/(4 mu g), whatever its "
-              "mass; by the friction box after π/4 of that, since |sin φ| + |cos φ| is 4/π on average. Its "
-              "points leave an error of some 1/points², whatever h.",
-          .error_name = "largest error of ω over w0",
-          .error_unit = "relative",
-          .parameters = {{.name = "w0",
-                          .meaning = "angular velocity at time 0",
-                          .unit = "rad/s",
-                          .value = 10,
-                          .limits = {.low = 0, .low_included = false}},
-                         parameter::friction(),
-                         parameter::friction_law({"model", "box", "coulomb"}),
-                         {.name = "rings",
-                          .meaning = "of points",
-                          .value = 2,
-                          .limits = {.low = 1, .high = 100, .whole = true}},
-                         {.name = "points",
-                          .meaning = "on each ring; a multiple of 4",
-                          .value = 16,
-                          .limits = {.low = 4, .high = 1000, .whole = true}},
-                         parameter::mass(),
-                         parameter::radius(),
-                         parameter::gravity(),
-                         k,
-                         parameter::relaxation(),
-                         parameter::viscosity()},
-          .h = 0.01,
-          .time = 1,
-          .solves = true,
-          .build = on_the_box(build_as<SpinningDisc>),
-          .solver = "auto",
-          .friction_model = FrictionModel::box};
+  return with_friction(
+      FrictionModel::box,
+      {.name = "spinning_disc",
+       .summary = "A flat disc spins on a plane, and friction stops it.",
+       .answer = "ω falls at a constant rate. By Coulomb the disc stops after 3 R w0/(4 mu g), whatever its "
+                 "mass; by the friction box after π/4 of that, since |sin φ| + |cos φ| is 4/π on average. Its "
+                 "points leave an error of some 1/points², whatever h.",
+       .error_name = "largest error of ω over w0",
+       .error_unit = "relative",
+       .parameters = {{.name = "w0",
+                       .meaning = "angular velocity at time 0",
+                       .unit = "rad/s",
+                       .value = 10,
+                       .limits = {.low = 0, .low_included = false}},
+                      parameter::friction(),
+                      parameter::friction_law({"model", "box", "coulomb"}),
+                      {.name = "rings",
+                       .meaning = "of points",
+                       .value = 2,
+                       .limits = {.low = 1, .high = 100, .whole = true}},
+                      {.name = "points",
+                       .meaning = "on each ring; a multiple of 4",
+                       .value = 16,
+                       .limits = {.low = 4, .high = 1000, .whole = true}},
+                      parameter::mass(),
+                      parameter::radius(),
+                      parameter::gravity(),
+                      k,
+                      parameter::relaxation(),
+                      parameter::viscosity()},
+       .h = 0.01,
+       .time = 1,
+       .solves = true,
+       .build = build_as<SpinningDisc>,
+       .solver = "auto"});
 }
 
 }  // namespace spook

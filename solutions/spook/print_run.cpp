@@ -20,7 +20,7 @@ static std::string counted(std::int64_t count, const std::string& what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
-/// Whether a scene may have friction: its parameters say, and a file has none.
+/// Returns whether a scene may have friction: one with a parameter mu, and a file, which has no parameters.
 static bool may_rub(const Parameters& parameters) {
   const auto& all = parameters.all();
   return all.empty() ||

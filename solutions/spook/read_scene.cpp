@@ -115,9 +115,10 @@ SceneDescription described(const std::string& name, const Json& json) {
   if (version == 1 && !present.empty()) scene.solver = present;
   if (const auto settings = file.find("settings")) {
     if (const auto model = settings->find("friction_model"))
-      scene.friction_model = one_of<FrictionModel>(
-          *model,
-          {{"box", FrictionModel::box}, {"two_pass", FrictionModel::two_pass}, {"cone", FrictionModel::cone}});
+      scene = with_friction(one_of<FrictionModel>(*model, {{"box", FrictionModel::box},
+                                                           {"two_pass", FrictionModel::two_pass},
+                                                           {"cone", FrictionModel::cone}}),
+                            std::move(scene));
     if (const auto order = settings->find(version == 1 ? "compose" : "integrator_order"))
       scene.integrator_order = order->whole();
   }
@@ -141,10 +142,7 @@ SceneDescription read_scene(const std::string& file) {
   const std::size_t slash = file.find_last_of('/') + 1;  // 0 without one
   SceneDescription scene =
       told([&] { return described(file.substr(slash, file.size() - 5 - slash), parsed(file)); });
-  told([&] {
-    return scene.build(Parameters({}),
-                       {.h = scene.h, .solver = scene.solver, .friction_model = scene.friction_model});
-  });
+  told([&] { return scene.build(Parameters({}), {.h = scene.h, .solver = scene.solver}); });
   return scene;
 }
 

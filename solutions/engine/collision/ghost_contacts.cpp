@@ -24,7 +24,7 @@ std::vector<bool> touched_from_several_sides(const std::vector<Contact>& contact
   return several;
 }
 
-/// What a body touches, and in which direction the body is pushed away from it.
+/// A body that another one touches, and the direction in which it pushes that one away.
 struct Support {
   int other;
   Vec3 m;
@@ -87,8 +87,9 @@ bool is_ghost(int body, int other, const Vec3& n, const std::vector<Support>& su
   if (!box) return false;
   return std::any_of(supports.begin(), supports.end(), [&](const Support& support) {
     const Vec3& m = support.m;
-    const double size_at_most = box->half_sides.minCoeff();
-    if (m.dot(box->x) > support.face + size_at_most / 25) return false;  // its centre is above the face
+    const bool rises =
+        m.dot(box->x) > support.face + box->half_sides.minCoeff() / 25;  // its centre is above the face
+    if (rises) return false;
     if (support.other == other || n.dot(m) >= parallel) return false;
     const double size = std::min(surfaces.size(body), surfaces.size(other));
     const double step = std::min(1e-3 * size + 2 * std::max(0.0, -support.gap), size / 25);

@@ -4,9 +4,10 @@
 //               cones those of engine/solvers/solve_on_cones.hpp
 //   sweeps      else, as many as are allowed: projected Gauss-Seidel, chapter 04, interleaved, Eq. (14.13); on cones those of
 //               chapter 09 from the impulses of the last step, accelerated, Eq. (10.14), until they leave a
-//               hundred-millionth of what was asked for: where all rests one is enough
+//               hundred-millionth of what was asked for: where all rests a few are enough
 //   and factors where those left more than a thousandth of what was asked for, if they cost no more than a hundred times
-//               as much, until they leave a millionth; its bodies have factors at once then, for the next hundred steps
+//               as much, until they leave a millionth. Its bodies are hard then, for the next hundred steps: without cones
+//               they have factors at once, and on cones factors wherever the sweeps do not end
 //
 // One entry of its history is the worst of all islands, after as many sweeps or factorisations of each. The number of sweeps
 // is asked for, and that of factorisations is not. Row updates are those of the sweeps. Keeps the islands, and the factors
@@ -154,8 +155,8 @@ class Automatic {
  private:
   static constexpr int calls_until_forgotten = 100;
   static constexpr double worth_of_a_solution = 100;  // sweeps for one
-  static constexpr double share_left = 1e-3, share_of_factors = 1e-6, share_on_cones = 1e-8,
-                          share_of_look = 1e-7;  // of what was asked for
+  static constexpr double share_left = 1e-3, share_of_factors = 1e-6,
+                          share_on_cones = 1e-8;  // of what was asked for
 
   /// An island's rows and bodies: a copy, or all that there are.
   struct IslandView {
@@ -165,9 +166,9 @@ class Automatic {
     const std::vector<double>& last;  ///< impulses of the last step; empty: none
     const std::vector<FrictionContact>& rubbing;
 
-    /// Whether it can be solved on its cones by factors on bodies.
-    bool is_on_cones() const {
-      return !rubbing.empty() &&
+    /// Returns whether factors can solve it: on cones they need Σ > 0 in every row.
+    bool has_factors() const {
+      return rubbing.empty() ||
              std::all_of(rows.begin(), rows.end(), [](const Row<Dof>& row) { return row.Sigma > 0; });
     }
   };
@@ -186,12 +187,12 @@ class Automatic {
 
   SolverResult solve_one(Island<Dof>& island, const SolverInput<Dof>& s, const IslandView& part) {
     const double sweeps = s.stop.max_sweeps;
-    const bool may = *island.cost <= worth_of_a_solution * sweeps;
-    const bool at_once = *island.cost <= sweeps, hard = may && is_hard(island, s.rows);
+    const bool may = *island.cost <= worth_of_a_solution * sweeps && part.has_factors();
+    const bool at_once = may && *island.cost <= sweeps, hard = may && is_hard(island, s.rows);
     // Sweeps on cones begin where the last step ended: they may be at an end already.
     if (at_once || (hard && part.rubbing.empty())) {
       start_from(part.last, part.rows, part.V);
-      return factorised(part, at_once ? s.stop.tolerance : enough(part, s.stop), s.stop.tolerance, island);
+      return factorised(part, at_once ? s.stop.tolerance : enough(part, s.stop), s.stop, island);
     }
     SolverResult swept = this->swept(part, s.stop);
     swept.row_updates = swept.updates(part.rows.size());
@@ -201,8 +202,7 @@ class Automatic {
       if (moves_i(s.rows[k])) hard_[s.rows[k].i] = true;
       if (moves_j(s.rows[k])) hard_[s.rows[k].j] = true;
     }
-    return append(std::move(swept), factorised(part, enough(part, s.stop), s.stop.tolerance, island),
-                  part.rows.size());
+    return append(std::move(swept), factorised(part, enough(part, s.stop), s.stop, island), part.rows.size());
   }
 
   static double enough(const IslandView& part, const StopRule& stop) {
@@ -218,13 +218,16 @@ class Automatic {
                           {.max_sweeps = stop.max_sweeps, .tolerance = enough(part, stop)});
   }
 
-  static SolverResult factorised(const IslandView& part, double tolerance, double exact, Island<Dof>& island) {
-    const StopRule stop{.tolerance = tolerance};
-    if (part.rubbing.empty())
-      return without_updates(solve_directly(part.rows, part.inverse_mass, part.V, stop, island.factors));
-    if (!part.is_on_cones()) return cone_solve(part.rubbing, part.rows, part.V, stop);
+  /// Solves rows with bounds until they leave `enough` [m/s], and those on cones as far as solve_on_cones can: what it leaves
+  /// is what the next step begins with.
+  static SolverResult factorised(const IslandView& part, double enough, const StopRule& stop,
+                                 Island<Dof>& island) {
+    if (part.rubbing.empty()) {
+      const StopRule until{.tolerance = enough};
+      return without_updates(solve_directly(part.rows, part.inverse_mass, part.V, until, island.factors));
+    }
     ConeProblem<Dof> problem(part.rows, part.V, part.rubbing, part.inverse_mass, island.on_cones);
-    return solve_on_cones(problem, exact);
+    return solve_on_cones(problem, stop.tolerance);
   }
 
   bool is_hard(const Island<Dof>& island, const std::vector<Row<Dof>>& rows) const {

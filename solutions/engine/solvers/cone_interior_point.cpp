@@ -11,12 +11,12 @@ namespace spook {
 
 namespace {
 
-/// What keeps a block inside: pushes off both bounds of its first row, and the speed of its slip [m/s].
+/// Pushes off both bounds of a block's first row, and the speed of its slip [m/s]: they keep it inside.
 struct Push {
   double lo = 0, hi = 0, slip = 0;
 };
 
-/// What each product of a room and a push shall become [J], and what second order adds to the slip [m/s].
+/// Target of each product of a room and a push [J], and the second-order term of the slip [m/s].
 struct Target {
   double lo = 0, hi = 0, slip = 0;
   Vec2 turn = Vec2::Zero();
@@ -198,7 +198,7 @@ class InteriorPoint {
     return true;
   }
 
-  /// Of R with λ, to first order.
+  /// Returns the first-order change of R with λ [N s].
   double room_change(std::size_t b) const {
     const Vec2 e = direction(b);
     return limit_rate(b) * normal_step(b) * (1 + e.squaredNorm()) - 2 * e.dot(friction_step(b));
@@ -263,8 +263,7 @@ class InteriorPoint {
     return count > 0 ? sum / count : 0;
   }
 
-  /// What bounds and discs say that λ will be: on one that pushes by more than what its room would bring in, else where it
-  /// is.
+  /// Returns λ with those at a bound, or on the disc, that push by more than what their room would bring in [N s].
   std::vector<double> answer() const {
     std::vector<double> lambda = problem_.impulses();
     for (std::size_t b = 0; b < size(); ++b) {

@@ -18,6 +18,7 @@ void World<Dof>::step(double h) {
   impacts_ = 0;
   if (shapes_.may_touch()) clock_.run(Stage::contacts, [&] { find_contacts(h); });
   clock_.run(Stage::forces, [&] { evaluate_forces(h); });
+  if (h_ > 0 && h != h_) shift_to_step(h);
   if ((settings_.impacts || materials_.bounce()) && !contacts_.empty())
     clock_.run(Stage::impacts, [&] { resolve_impacts(h); });
   if (contacts_.empty() && joints_.empty()) {
@@ -60,7 +61,6 @@ void World<Dof>::evaluate_forces(double h) {
   forces_.resize(bodies_.size());
   for (std::size_t i = 0; i < bodies_.size(); ++i) forces_[i] = force(i);
   if (settings_.wrench) add_wrenches();
-  if (h_ > 0 && h != h_) shift_to_step(h);
   if (!contacts_.empty() || !joints_.empty()) prepare_motion(h);
 }
 
@@ -155,6 +155,7 @@ void World<Dof>::set_default_stiffness(double h) {
   largest_load_ = std::max(largest_load_, load);
   const double of_joints = joint_stiffness(mass, h);
   materials_.set_stiffness(spook::contact_stiffness(largest_load_, shapes_.smallest, of_joints));
+  if (joints_.empty()) return;
   double arm = 0;  // squared
   if constexpr (Dof == 6) {
     for (std::size_t i = 0; i < bodies_.size(); ++i)
