@@ -150,8 +150,8 @@ void check(const Table& table, Claims& claims) {
   claims.at_least(
       "on cones Newton's method brings the tower to 1e-6 for an eighth of what others cost, or less",
       cheapest("tower", "cone", on_cones) / cost("tower", "cone", "Newton"), 8);
-  claims.at_most("it brings the wall to 1e-9 for the cost of 200 sweeps, or less",
-                 cost("wall", "cone", "Newton", 1e-9), 200);
+  claims.at_most("it brings the wall to 1e-9 for the cost of 300 sweeps, or less",
+                 cost("wall", "cone", "Newton", 1e-9), 300);
   claims.at_least("none of the others brings it to 1e-6 for that of 1000", cheapest("wall", "cone", on_cones),
                   1000);
   claims.between("a block on four contacts costs it as much as mixed sweeps, within a half",
@@ -164,8 +164,8 @@ void check(const Table& table, Claims& claims) {
     without_friction =
         std::min(without_friction, cheapest(scene, "box", others) / cost(scene, "box", "direct"));
   claims.at_least("without friction no method costs less to 1e-6 than one factorisation", without_friction, 1);
-  claims.at_least("with the box a wall costs the direct solver twice as much as Newton's method, or more",
-                  cost("wall", "box", "direct") / cost("wall", "box", "Newton"), 2);
+  claims.at_least("with the box a wall costs the direct solver more than Newton's method",
+                  cost("wall", "box", "direct") / cost("wall", "box", "Newton"), 1);
   claims.at_least(
       "but in a pile of cubes no other than the direct solver comes to 1e-6 for the cost of 1000 sweeps",
       cheapest("pile", "box", others), 1000);

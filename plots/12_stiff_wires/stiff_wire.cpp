@@ -1,4 +1,4 @@
-// A wire that swings under a load, at steps that leapfrog alone can not take: h²K in three places.
+// A wire that swings under a load, at steps that leapfrog alone cannot take: h²K in three places.
 //
 //   change     M̃ (v⁺ - v) = h f + Gᵀλ                      Eq. (12.6), stiff_solve
 //   velocity   M̃ v⁺ = M v + h f + Gᵀλ                      Eq. (12.8), Tournier and others

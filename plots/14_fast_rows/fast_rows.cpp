@@ -23,7 +23,7 @@ namespace {
 constexpr double mu = 0.5, h = 1.0 / 60, side = 0.2;
 
 World<6> on_a_floor(const Solver<6>& solver, double friction = mu) {
-  World<6> world({.friction = friction, .solver = solver, .solver_limits = {.max_sweeps = 1}});
+  World<6> world({.k = 1e6, .friction = friction, .solver = solver, .solver_limits = {.max_sweeps = 1}});
   world.add_plane(Vec3::UnitZ(), 0);
   return world;
 }

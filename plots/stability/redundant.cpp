@@ -117,7 +117,7 @@ Experiment experiment(Size size) {
         pairs > 0 ? apart : infinity, 0.01);
     const auto off = loop.numbers("off");
     claims.at_most(
-        "two rods that can not both be as long as they should hold a point where w₁ and w₂ say, to 1e-12 m",
+        "two rods that cannot both be as long as they should hold a point where w₁ and w₂ say, to 1e-12 m",
         *std::max_element(off.begin(), off.end()), 1e-12);
   };
   return e;

@@ -1,4 +1,4 @@
-"""Errors of a box on a hundred contacts and of a loop that can not close, by stiffness and sweeps."""
+"""Errors of a box on a hundred contacts and of a loop that cannot close, by stiffness and sweeps."""
 
 import sys
 from pathlib import Path

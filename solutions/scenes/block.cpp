@@ -55,7 +55,7 @@ Parameter height(double value) {
 
 Parameter block_model() {
   return {.name = "model",
-          .meaning = "point: a point mass that can not turn; box: a rigid box on its corners",
+          .meaning = "point: a point mass that cannot turn; box: a rigid box on its corners",
           .choices = {"point", "box"}};
 }
 

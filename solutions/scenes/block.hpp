@@ -1,5 +1,5 @@
 #pragma once
-// The block of `incline` and `sliding_block`, on the plane z = 0: a point mass with a sphere, which can not
+// The block of `incline` and `sliding_block`, on the plane z = 0: a point mass with a sphere, which cannot
 // turn, or a box on its corners, which can.
 #include "engine/world/world.hpp"
 #include "scenes/parameters.hpp"

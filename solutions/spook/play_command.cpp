@@ -69,7 +69,7 @@ class Play {
         due = Clock::now();
       } else if (Clock::now() >= due) {
         go(frame_steps_);
-        // What can not keep up runs as fast as it can, and does not hurry after what it missed.
+        // What cannot keep up runs as fast as it can, and does not hurry after what it missed.
         const auto pause =
             std::chrono::duration<double>(static_cast<double>(frame_steps_) * settings_->method.h / rate_);
         due = std::max(due + std::chrono::duration_cast<Clock::duration>(pause), Clock::now());

@@ -75,7 +75,7 @@ class FileScene : public WorldScene<Dof> {
 
 Json parsed(const std::string& file) {
   std::ifstream in(file);
-  if (!in) throw std::invalid_argument("the file can not be read");
+  if (!in) throw std::invalid_argument("the file cannot be read");
   try {
     return Json::parse(in);
   } catch (const Json::parse_error& error) {

@@ -116,7 +116,7 @@ static Json to_json(const std::vector<Joint>& joints) {
 template <int Dof>
 static void put_world(Json& json, const World<Dof>& world, const std::string& name) {
   if (world.settings().force || world.settings().wrench)
-    throw std::invalid_argument(name + " can not be written as a file: its force is a formula");
+    throw std::invalid_argument(name + " cannot be written as a file: its force is a formula");
   json["settings"] = to_json(world.settings());
   json["bodies"] = to_json(world.bodies(), world.shapes());
   if (!world.joints().empty()) json["joints"] = to_json(world.joints());

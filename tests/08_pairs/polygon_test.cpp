@@ -496,7 +496,7 @@ bool expect_the_same_while_they_tremble(Random& random, const std::vector<Contac
 
 EXERCISE_TEST(WellSpread, KeepsTheSameWhileTheyTremble) {
   // Eight that are as deep, on a circle or a square; or of which the deepest has as good a four on either side. And one
-  // in the middle, not as deep, from which it can not be told how far they are from each other.
+  // in the middle, not as deep, from which it cannot be told how far they are from each other.
   Random random;
   for (const double size : {1.0, 1e-6, 1e3})
     for (int direction = 0; direction < 3; ++direction)

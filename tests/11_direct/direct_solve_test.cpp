@@ -169,7 +169,7 @@ EXERCISE_TEST(DirectSolve, LetsATowerSlide) {
   double friction = 0;
   for (std::size_t contact = 0; contact < 4; ++contact) friction += s.rows[3 * contact + 1].lambda;
   expect_near("friction of the floor along x, over its bound", "Eq. (5.7)", friction / (mu * h * g * 10), -1,
-              {1e-12, "at its bound"}, {}, "It slides at 3 m/s: friction can not stop it in one step.");
+              {1e-12, "at its bound"}, {}, "It slides at 3 m/s: friction cannot stop it in one step.");
 }
 
 EXERCISE_TEST(DirectSolve, AgreesWithManySweeps) {
@@ -443,7 +443,7 @@ EXERCISE_TEST(DirectSolve, EndsWithANaN) {
 }
 
 EXERCISE_TEST(DirectSolve, RemembersNoCallBefore) {
-  // The same contact so many times, Σ = 0: S can not be factorised, and what is there to begin with is zero, always.
+  // The same contact so many times, Σ = 0: S cannot be factorised, and what is there to begin with is zero, always.
   const auto impulses = [](int contacts) {
     System<3> s;
     s.add(0, Twist<3>::Zero());

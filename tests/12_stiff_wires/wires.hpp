@@ -33,7 +33,7 @@ class Wire {
     start_ = potential();
   }
 
-  /// With K, by stiff_solve. False when it says that it can not.
+  /// With K, by stiff_solve. False when it says that it cannot.
   bool step() { return step(true); }
 
   /// Without, by chapter 11's saddle_solve.

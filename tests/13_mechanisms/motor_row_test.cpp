@@ -66,7 +66,7 @@ EXERCISE_TEST(MotorRow, IsAsStrongAsItIs) {
               roundings(4), {{t.motor.strength, "This is the torque. λ is an impulse: in a step it is h T."}},
               "|λ| <= h T.");
   expect_near("smallest impulse [N m s]", "Eq. (13.13)", row.lo, -most, roundings(4),
-              {{0, "It can not brake: a motor pushes both ways."}}, "-h T <= λ.");
+              {{0, "It cannot brake: a motor pushes both ways."}}, "-h T <= λ.");
   t.motor.strength = infinity;
   expect_true("a motor of any strength has no bounds; here hi = " + show(t.row().hi), "Eq. (13.13)",
               t.row().hi == infinity && t.row().lo == -infinity, "h ∞ is ∞.");

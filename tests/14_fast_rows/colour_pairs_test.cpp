@@ -144,7 +144,7 @@ EXERCISE_TEST(ColourPairs, SweepsAreTheSameInAnyOrderWithinAColour) {
     }
     expect_true("five sweeps, each colour forwards or backwards, give the same λ and V to the last bit",
                 "Eq. (14.7)", same_bits(one, other),
-                "Rows of one colour do not feel each other: their order can not matter.");
+                "Rows of one colour do not feel each other: their order cannot matter.");
   }
 }
 

@@ -99,7 +99,7 @@ TEST(InclineScene, RefusesABoxThatWouldTipOver) {
   const SceneSettings high = {{"height", "0.5"}, {"model", "box"}};
   EXPECT_NO_THROW(build(high + SceneSettings{{"angle", "70"}, {"mu", "1.99"}}));
   EXPECT_NO_THROW(build(high + SceneSettings{{"angle", "63.4"}, {"mu", "9"}}));
-  EXPECT_NO_THROW(build({{"height", "0.5"}, {"angle", "70"}, {"mu", "9"}})) << "a point can not";
+  EXPECT_NO_THROW(build({{"height", "0.5"}, {"angle", "70"}, {"mu", "9"}})) << "a point cannot";
   try {
     build(high + SceneSettings{{"angle", "70"}, {"mu", "2.01"}});
     ADD_FAILURE() << "nothing was thrown";

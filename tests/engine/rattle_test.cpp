@@ -235,7 +235,7 @@ TEST(Composed, VelocitiesAreOfTheTimeOfPositions) {
   EXPECT_EQ(world.synchronized_velocity(0, 0.1), world.v(0));
 }
 
-// What can not be solved, and what is refused
+// What cannot be solved, and what is refused
 
 TEST(Composed, SaysWhenCorrectionsDoNotSuffice) {
   World<3> world({.gravity = Vec3(0, 0, -g), .integrator_order = 4, .solver_limits = {.max_sweeps = 1}});

@@ -1,4 +1,4 @@
-// More rows than there is to hold: a box on a hundred contacts, and a loop that can not close.
+// More rows than there is to hold: a box on a hundred contacts, and a loop that cannot close.
 #include <cmath>
 
 #include "stepping.hpp"

@@ -24,7 +24,7 @@ class Browser:
         from selenium.common.exceptions import WebDriverException
         try:
             self.driver = headless(*SIZE)
-        except WebDriverException as error:  # a snap's Chromium can not be driven
+        except WebDriverException as error:  # a snap's Chromium cannot be driven
             raise unittest.SkipTest(f"no browser for tests: {str(error).splitlines()[0]}") from None
         self.driver.set_page_load_timeout(_PATIENCE)
         self.driver.set_script_timeout(_PATIENCE)

@@ -15,7 +15,7 @@ PROGRAMS = ("munged", "slurmctld", "slurmd", "sbatch", "squeue", "scancel", "sco
 
 
 def lacking() -> str:
-    """Why it can not be started here; empty if it can."""
+    """Why it cannot be started here; empty if it can."""
     missing = [program for program in PROGRAMS if not _which(program)]
     if missing:
         return f"{missing[0]} is not installed (slurm-wlm, munge)"

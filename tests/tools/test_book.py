@@ -21,7 +21,7 @@ TAG = re.compile(r"\\tag\{([0-9.]+[a-z]?)\}")
 
 
 def bound(test: type[unittest.TestCase]) -> Sandbox:
-    """A sandbox for all tests of a class; skips them where the book can not be made."""
+    """A sandbox for all tests of a class; skips them where the book cannot be made."""
     missing = [need.package for need in BOOK_NEEDS if not need.there()]
     if missing:
         raise unittest.SkipTest(f"no book: {', '.join(missing)} not installed")
@@ -274,7 +274,7 @@ class Refused(unittest.TestCase):
             lesson.write_text(before, encoding="utf-8")
         self.assertEqual((result.returncode, result.stdout), (1, ""), result.stderr)
         *found, last = result.stderr.splitlines()
-        self.assertRegex(last, r"^course: book: .* nowhere, or can not be read$")
+        self.assertRegex(last, r"^course: book: .* nowhere, or cannot be read$")
         self.assertEqual(len(found), len(wanted), result.stderr)
         for (line, told), said in zip(wanted, found):
             self.assertTrue(said.startswith(f"{LESSON}:{line}: "), said)

@@ -54,7 +54,7 @@ class Format(unittest.TestCase):
             fenced = False
             for number, line in enumerate((ROOT / name).read_text(encoding="utf-8").splitlines(), 1):
                 fenced ^= line.startswith("```")
-                # Formulas, tables and images can not be broken.
+                # Formulas, tables and images cannot be broken.
                 if not fenced and not line.startswith(("|", "![")):
                     self.assertLessEqual(len(line), TEXT_WIDTH, f"{name}, line {number}: {line}")
 

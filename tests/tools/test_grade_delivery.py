@@ -91,7 +91,7 @@ class Delivered(Finds):
             self.assertEqual(submissions["Bo Ek"].student.identifier, "102")
             self.assertEqual(left, left_out)
             self.assertIn("essay.docx", submissions["Ed"].notes[0])
-            self.assertIn("can not be read", submissions["Gus"].notes[0])
+            self.assertIn("cannot be read", submissions["Gus"].notes[0])
             self.assertIn("taken for kick", submissions["Di"].notes[0])
 
     def test_canvas(self):

@@ -88,13 +88,13 @@ class Exports(unittest.TestCase):
 
     def test_what_makes_no_sense_is_said(self):
         for words, said in ((("junit",), "junit needs results"), (("github", self.marks.folder), "but these are 5"),
-                            (("csv", self.room.root / "nowhere"), "can not be read"), (("pdf",), "invalid choice"),
+                            (("csv", self.room.root / "nowhere"), "cannot be read"), (("pdf",), "invalid choice"),
                             (("canvas", self.marks.folder), "wants --roster FILE"),
-                            (("moodle", self.marks.folder, "--roster", self.room.root / "nowhere"), "can not be read"),
+                            (("moodle", self.marks.folder, "--roster", self.room.root / "nowhere"), "cannot be read"),
                             (("csv", self.marks.folder, "--time-limit", "3"), f"graded with {SECONDS_A_TEST} s a test"),
                             (("gradescope", "--weights", self.room.root / "none.csv"), "no table of weights"),
                             (("gradescope", "--hidden", self.room.root / "nowhere"), "no hidden tests in"),
-                            (("github", "--hidden", self.room.root), "can not be kept from those")):
+                            (("github", "--hidden", self.room.root), "cannot be kept from those")):
             run = run_course("export", *words, cwd=self.room.root)
             self.assertEqual(run.returncode, 2, run.stdout)
             self.assertIn(said, run.stderr)

@@ -192,7 +192,7 @@ EXERCISE_TEST(Kick, HoldsForSevens) {
                   + "Kcik.AddsForceOverMassTimesStep,1,visible,1.1/1,X\n"),
                  "there is no such test; did you mean Kick.AddsForceOverMassTimesStep?"),
                 (("handed in", "--roster", "text.txt"), "has no column of names"),
-                (("handed in", "--roster", "nowhere.csv"), "can not be read"),
+                (("handed in", "--roster", "nowhere.csv"), "cannot be read"),
                 (("handed in", "--points", "luck"), "invalid choice: 'luck'"),
                 (("handed in", "--chapters", "1", "--weights", header + "Kick.X,nan,visible,1.1/1,X\n"),
                  "table.csv:2: points must be a number from 0, but is 'nan'"),

@@ -90,7 +90,7 @@ class Mac(unittest.TestCase):
         done = self.box.course("start", "--yes", **self.env)
         self.assertEqual((self.fake.root / "asked").read_text().split(),
                          ["install", "cmake", "ninja", "git", "eigen", "googletest", "cli11", "nlohmann-json"])
-        # All is there now; the cmake that brew has brought can not do more than fail.
+        # All is there now; the cmake that brew has brought cannot do more than fail.
         self.assertEqual(done.returncode, 1)
         self.assertIn("CMake failed", done.stderr)
         self.assertNotIn("Traceback", done.stderr)

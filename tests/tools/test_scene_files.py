@@ -196,7 +196,7 @@ class SceneFiles(unittest.TestCase):
     def test_what_is_no_json_is_told_with_its_line(self):
         self.file.write_text('{"format":\n  "spook scene",,}')
         self.assertRegex(self.spook("run", self.file).stderr, r"^spook: \S+/mine.json: line 2, column 17: ")
-        self.assertIn("missing.json: the file can not be read", self.spook("run", "missing.json").stderr)
+        self.assertIn("missing.json: the file cannot be read", self.spook("run", "missing.json").stderr)
 
     def test_every_scene_that_is_exported_runs_the_same_to_the_last_bit(self):
         names = [scene["name"] for scene in json.loads(self.spook("scenes", "--json").stdout)["scenes"]]
@@ -204,7 +204,7 @@ class SceneFiles(unittest.TestCase):
         for name in names:
             exported = self.spook("scenes", name, "--export")
             if exported.returncode != 0:
-                self.assertEqual(exported.stderr, f"spook: {name} can not be written as a file: its force is a formula\n")
+                self.assertEqual(exported.stderr, f"spook: {name} cannot be written as a file: its force is a formula\n")
                 of_formulas.append(name)
                 continue
             with self.subTest(name):

@@ -576,7 +576,7 @@ class DryRunAndUndo(Updating):
         edit(self.mine, HEADER, "#pragma once", "#pragma once\n// My own.")
         before = snapshot(self.mine)
         locked = self.mine / "chapters/01_leapfrog"
-        # git can not write here, and what was written before it noticed stays.
+        # git cannot write here, and what was written before it noticed stays.
         full = f"echo new >{locked}/new.txt; echo disk full >&2; exit 1"
         done = self.course(**self.interrupted("checkout-index", full))
         self.assertEqual(done.returncode, 1)

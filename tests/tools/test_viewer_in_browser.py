@@ -398,8 +398,8 @@ class Damage(Viewer):
 
     def test_what_is_damaged_is_shown_up_to_there(self):
         good = [json.loads(line) for line in recordings.rolling_ball().splitlines()]
-        for change, told in (({"x": recordings.floats(1, 2)}, "x has 2 numbers, not 6"), ({"x": "?"}, "x can not be read"),
-                             ({"q": "AAA="}, "q can not be read"), ({"time": None}, "its time is missing"),
+        for change, told in (({"x": recordings.floats(1, 2)}, "x has 2 numbers, not 6"), ({"x": "?"}, "x cannot be read"),
+                             ({"q": "AAA="}, "q cannot be read"), ({"time": None}, "its time is missing"),
                              ({"between": recordings.integers(0, 9)}, "body that is not there"),
                              ({"contacts": recordings.floats(1)}, "contacts has 1 numbers, not 10")):
             lines = [dict(line) for line in good]

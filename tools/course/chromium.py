@@ -7,7 +7,7 @@ _OPTIONS = ("--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enab
 
 
 def headless(width: int, height: int):
-    """Its Selenium driver, with a page of so many pixels. Throws what Selenium throws where it can not be driven."""
+    """Its Selenium driver, with a page of so many pixels. Throws what Selenium throws where it cannot be driven."""
     from selenium import webdriver
     from selenium.webdriver.chrome.service import Service
     options = webdriver.ChromeOptions()

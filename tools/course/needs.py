@@ -146,6 +146,6 @@ BOOK_NEEDS = (
 )
 # One node of it, which the tests of --slurm start for themselves.
 SLURM_NEEDS = (Need("slurm-wlm", "command", "sbatch"), Need("munge", "command", "munge"))
-# A browser that tests can drive. Ubuntu has none but as a snap, which they can not: they are skipped there.
+# A browser that tests can drive. Ubuntu has none but as a snap, which they cannot: they are skipped there.
 BROWSER_NEEDS = (Need("python3-selenium", "module", "selenium"), Need("chromium", "command", "chromium"),
                  Need("chromium-driver", "command", "chromedriver"))

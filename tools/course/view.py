@@ -69,7 +69,7 @@ def _as_gltf(recordings: list[Recording]) -> str:
     try:
         return gltf(recordings[0].content)
     except (ValueError, KeyError, IndexError, TypeError) as error:
-        raise BadInput(f"view: the recording can not be read: {error}") from None
+        raise BadInput(f"view: the recording cannot be read: {error}") from None
 
 
 def _files(arguments) -> list[Recording]:

@@ -3,7 +3,7 @@
 
 const PARTED = 1e-3;  // of the scene's size
 
-/** { distance, body } between two runs at a time of the first; null if they can not be compared. */
+/** { distance, body } between two runs at a time of the first; null if they cannot be compared. */
 function apart(first, other, frame) {
   if (!comparable(first, other) || !other.frames.length) return null;
   const last = lastOf(other.frames).time, slack = 1e-6 * (1 + Math.abs(frame.time));

@@ -28,7 +28,7 @@ class Viewer {
     try {
       this.picture = new Picture(document.getElementById("picture"));
     } catch {
-      throw new Error("This browser can not draw in three dimensions: WebGL is missing or switched off.");
+      throw new Error("This browser cannot draw in three dimensions: WebGL is missing or switched off.");
     }
     this.player = new Player(() => this.dirty());
     this.controls = new Controls(this);

@@ -128,6 +128,6 @@ function numbers(packed, Kind, key) {
   try {
     return new Kind(bytesOf(packed).buffer);
   } catch {
-    throw new Error(`${key} can not be read`);
+    throw new Error(`${key} cannot be read`);
   }
 }

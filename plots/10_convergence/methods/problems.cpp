@@ -25,6 +25,8 @@ Problem<Dof> next_step(Settings<Dof> settings, const std::function<void(World<Do
                          },
                      .friction = solver.friction,
                      .wants_last = true};
+  settings.solver_limits.tolerance =
+      1e-15;  // all that round-off allows: the answer is what errors are measured from
   World<Dof> world(settings);
   fill(world);
   while (world.time() < time || world.rows().empty()) world.step(h);
@@ -73,7 +75,7 @@ Problem<6> tower(FrictionModel model) {
     world.add_plane(Vec3::UnitZ(), 0);
     for (int n = 0; n < 20; ++n) add_box(world, Vec3(0, 0, n + 0.5), 1, Vec3::Constant(0.5));
   };
-  return next_step<6>({.friction = mu}, fill, h, exact(model));
+  return next_step<6>({.k = 1e6, .friction = mu}, fill, h, exact(model));
 }
 
 Problem<6> wall(FrictionModel model) {
@@ -87,7 +89,7 @@ Problem<6> wall(FrictionModel model) {
         add_box(world, Vec3(1.001 * (from + to) / 2.0, 0, course + 0.5), part, Vec3(part, 0.5, 0.5));
       }
   };
-  return next_step<6>({.friction = mu}, fill, h, exact(model));
+  return next_step<6>({.k = 1e6, .friction = mu}, fill, h, exact(model));
 }
 
 Problem<6> block() {
@@ -95,7 +97,7 @@ Problem<6> block() {
     world.add_plane(Vec3::UnitZ(), 0);
     add_box(world, Vec3(0, 0, 0.25), 1, Vec3(0.5, 0.3, 0.25), Vec3(2, 1, 0), Quat::Identity(), Vec3(0, 0, 3));
   };
-  return next_step<6>({.friction = mu}, fill, 0.1, exact(FrictionModel::cone));
+  return next_step<6>({.k = 1e6, .friction = mu}, fill, 0.1, exact(FrictionModel::cone));
 }
 
 /// Cubes that begin turned any way, by a sequence without a pattern.
@@ -112,7 +114,7 @@ Problem<6> pile() {
               q.normalized());
     }
   };
-  return next_step<6>({.friction = mu}, fill, 2, direct<6>());
+  return next_step<6>({.k = 1e6, .friction = mu}, fill, 2, direct<6>());
 }
 
 }  // namespace spook::plots

@@ -1,4 +1,4 @@
-// DART: bodies that joints hold together are trees in reduced coordinates, whose joints can not open at all. Contacts
+// DART: bodies that joints hold together are trees in reduced coordinates, whose joints cannot open at all. Contacts
 // are rows, solved at once by Dantzig's pivoting, and where that fails by sweeps; they are found by ODE's functions,
 // which know planes.
 //

@@ -9,7 +9,7 @@
 
 namespace spook::peers {
 
-/// What an engine that can not go on throws, instead of ending the program.
+/// What an engine that cannot go on throws, instead of ending the program.
 struct Lost {};
 
 class Engine {

@@ -9,7 +9,7 @@
 // A part with its joints is SHAKE, and with the last line RATTLE (Ryckaert, Ciccotti and Berendsen; Andersen): of second
 // order, and its own inverse with -h, whatever the sign of h. So five of them make order four (Reich).
 //
-// SPOOK's own rows can not take the place of these. With d = 0 they are symmetric, too, but a gap trails: h²A/4 for an
+// SPOOK's own rows cannot take the place of these. With d = 0 they are symmetric, too, but a gap trails: h²A/4 for an
 // acceleration A of its points. What is right for parts of one length is wrong for the next, of another: composed, they
 // stay of second order. With d > 0 a step loses energy, which none backwards gives back. So joints are rigid here: d = 0,
 // and k, as if it were infinite, plays no part.

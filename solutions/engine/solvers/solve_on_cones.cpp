@@ -55,6 +55,7 @@ class Attempts {
       const LimitRule rule{.share = share, .factorisations = std::min(most_within, remaining())};
       if (rule.factorisations <= 0) break;
       problem_.set_impulses(start_);
+      tried_within_ = true;
       const double enough = part(share == infinity ? share_within : share_lagged);
       if (cone_interior_point(problem_, tolerance_, enough, rule, report_.history)) return true;
       if (report_.history.back() >= least) continue;
@@ -81,7 +82,7 @@ class Attempts {
       problem_.set_impulses(swept);
     }
     end_with(best, least);
-    return least <= part(share_lagged);
+    return tried_within_ && least <= part(share_lagged);
   }
 
   /// The last entry of the history is the residual of λ.
@@ -94,6 +95,7 @@ class Attempts {
   double tolerance_;  // [m/s]
   int most_;
   std::vector<double> start_;
+  bool tried_within_ = false;
   SolveReport report_;
 };
 

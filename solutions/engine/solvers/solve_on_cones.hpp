@@ -10,9 +10,10 @@
 
 namespace spook {
 
-/// Begins with λ and V as they are. Solved where the residual, Eq. (9.7), is at most the tolerance or a rounding, or where
-/// Newton's method cannot get there, a hundred-millionth of the largest |B|, and a millionth with lagged limits. Makes at most `most` factorisations. One entry of the
-/// history is the residual after a factorisation; the last one is that of λ. All rows must have Σ > 0.
+/// Begins with λ and V as they are. It is solved where the residual, Eq. (9.7), is at most the tolerance or a rounding.
+/// Where Newton's method cannot get there, a hundred-millionth of the largest |B| is enough, and a millionth where lagged
+/// limits were needed. Makes at most `most` factorisations. Each entry of the history is the residual after a
+/// factorisation; the last one is that of λ. All rows must have Σ > 0.
 template <int Dof>
 SolverResult solve_on_cones(ConeProblem<Dof>& problem, double tolerance, int most = 300);
 

@@ -1,5 +1,5 @@
 #pragma once
-// What a world throws when it can not go on.
+// What a world throws when it cannot go on.
 #include <cstdint>
 #include <sstream>
 #include <stdexcept>

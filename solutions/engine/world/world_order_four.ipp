@@ -61,7 +61,7 @@ void World<Dof>::kick_all(double h, double time) {
 
 static const std::string refused = "integrator_order must be 2 with ", reason = ", but is 4: ";
 
-/// Throws std::invalid_argument for what steps that are composed can not have.
+/// Throws std::invalid_argument for what steps that are composed cannot have.
 template <int Dof>
 void World<Dof>::require_smooth() const {
   if (settings_.integrator_order == 2) return;

@@ -13,7 +13,7 @@ from exporting.kit import check_weights, filled, options
 
 def write_kit(arguments) -> list[Path]:
     if arguments.hidden:
-        raise BadInput("export: hidden tests can not be kept from those who own the workflow; grade them yourself")
+        raise BadInput("export: hidden tests cannot be kept from those who own the workflow; grade them yourself")
     out = Path(arguments.out or "classroom.yml")
     words = options(arguments, "", "course/tests/classroom_weights.csv")
     out.write_text(filled("classroom.yml", options=words), encoding="utf-8")

@@ -146,7 +146,7 @@ def _expanded(entries: Iterator[Entry], depth: int, budget: _Budget) -> Iterator
         except OverBudget:
             raise
         except Exception as error:  # a damaged archive has the library raise whatever its decoders do
-            yield Entry(entry.path, "damaged", 0, lambda: b"", f"{entry.path} can not be read: {error}")
+            yield Entry(entry.path, "damaged", 0, lambda: b"", f"{entry.path} cannot be read: {error}")
 
 
 def _of_folder(root: Path) -> Iterator[Entry]:
@@ -243,5 +243,5 @@ def _of_seven(file) -> Iterator[Entry]:
                                f'"$0" "$@" | head -c {4 * _LARGEST_ARCHIVE + 1}', bsdtar, "--format=gnutar", "-cf", "-",
                                f"@{copy.name}"], capture_output=True)
     if made.returncode != 0 or len(made.stdout) > 4 * _LARGEST_ARCHIVE:
-        raise ValueError(made.stderr.decode(errors="replace").strip() or "bsdtar can not read it")
+        raise ValueError(made.stderr.decode(errors="replace").strip() or "bsdtar cannot read it")
     yield from _of_tar(tarfile.open(fileobj=io.BytesIO(made.stdout)))

@@ -99,7 +99,7 @@ def read_result(file: Path) -> dict:
     try:
         result = json.loads(file.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
-        raise BadInput(f"{shown(file)} can not be read: {error}") from None
+        raise BadInput(f"{shown(file)} cannot be read: {error}") from None
     if not isinstance(result, dict) or result.get("schema") != SCHEMA:
         raise BadInput(f"{shown(file)} is no result of ./course grade ({SCHEMA})")
     return result

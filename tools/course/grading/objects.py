@@ -22,7 +22,7 @@ from grading.workshop import Workshop
 from manifest import Exercise
 from marker import is_stub
 
-# A compiler does not sleep: its limit is processor time, and the clock is far enough away that load can not decide a mark.
+# A compiler does not sleep: its limit is processor time, and the clock is far enough away that load cannot decide a mark.
 _COMPILING = Limits(cpu=60, wall=1800, memory=3 << 30, files=256 << 20, processes=32, output=4 << 20)
 _STUB = "_ZTIN5spook14NotImplementedE"  # what a stub throws: not in an object whose call is in a comment or in #if 0
 STILL_A_STUB = "The file still calls not_implemented()."

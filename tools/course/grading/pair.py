@@ -78,7 +78,7 @@ class Pair:
         self._isolation.clear(self._user)
 
     def run(self, test: str) -> Ran:
-        """When it can not go on, it is closed afterwards."""
+        """When it cannot go on, it is closed afterwards."""
         with contextlib.suppress(BrokenPipeError):
             self._tests_from.write(test.encode() + b"\n")
         printed, records, state = bytearray(), [], bytearray()

@@ -69,5 +69,5 @@ class Reference:
 def _ran(command: list[str], folder: Path) -> str:
     result = subprocess.run(command, cwd=folder, capture_output=True, text=True)
     if result.returncode != 0:
-        raise CourseError(f"{command[0]} can not take the reference apart", result.stderr)
+        raise CourseError(f"{command[0]} cannot take the reference apart", result.stderr)
     return result.stdout

@@ -95,7 +95,7 @@ def folder_of(out: Path, name: str) -> Path:
     """Where a submission's results are written, which is in `submissions/` and nowhere else."""
     folder = out / "submissions" / name
     if name in ("", ".", "..") or folder.name != name or folder.parent != out / "submissions":
-        raise CourseError(f"the submission {name!a} can not have a folder of its name")
+        raise CourseError(f"the submission {name!a} cannot have a folder of its name")
     return folder
 
 

@@ -56,7 +56,7 @@ def read_roster(file: Path) -> Roster:
             columns = tuple(reader.fieldnames or ())
             rows = tuple({title: row[title] or "" for title in columns} for row in reader)
     except (OSError, UnicodeDecodeError, csv.Error) as error:
-        raise BadInput(f"the roster {file} can not be read: {error}") from None
+        raise BadInput(f"the roster {file} cannot be read: {error}") from None
     if not any(title.lower() in _NAMES for title in columns):
         raise BadInput(f"the roster {file} has no column of names; known are {', '.join(_NAMES)}")
     # Canvas' second line says how many points are possible, and there is a student who tests.

@@ -73,7 +73,7 @@ def read_submission(handed: Handed, exercises: list[Exercise]) -> Submission:
                     entry = _moved(entry, "/".join(entry.path.parts[1:]))
                 _look(submission, entry, exercises, seen, found)
         except Exception as error:  # a damaged archive has the library raise whatever its decoders do
-            submission.notes.append(f"{place.path.name} can not be read: {error}")
+            submission.notes.append(f"{place.path.name} cannot be read: {error}")
     for function, candidates in found.items():
         _choose(submission, function, candidates)
     if not found:
@@ -168,7 +168,7 @@ def _read(entry: Entry) -> Source:
     try:
         content = entry.read() if entry.size <= LARGEST else b"x" * (LARGEST + 1)
     except Exception as error:  # as above
-        return Source(path, problem=f"{path} can not be read: {error}")
+        return Source(path, problem=f"{path} cannot be read: {error}")
     if len(content) > LARGEST:
         return Source(path, problem=f"{path} is larger than {LARGEST >> 10} KiB")
     return Source(path, content)

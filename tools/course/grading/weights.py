@@ -103,7 +103,7 @@ def read_rows(table: Path) -> dict[str, Weight]:
     except FileNotFoundError:
         raise BadInput(f"there is no table of weights {shown(table)}") from None
     except (UnicodeDecodeError, csv.Error) as error:
-        raise BadInput(f"{shown(table)} can not be read: {error}") from None
+        raise BadInput(f"{shown(table)} cannot be read: {error}") from None
 
 
 def _row(row: dict[str, str], where: str) -> Weight:

@@ -256,7 +256,7 @@ def _listed(program: Path) -> list[str]:
     listing = subprocess.run([str(program), "--list"], capture_output=True, text=True, stdin=subprocess.DEVNULL)
     tests = listing.stdout.split()
     if listing.returncode != 0 or not tests:
-        raise CourseError(f"{program.name} can not list its tests", tail(listing.stderr))
+        raise CourseError(f"{program.name} cannot list its tests", tail(listing.stderr))
     return tests
 
 

@@ -25,7 +25,7 @@ class Server:
         try:
             self._server = _LocalServer(("127.0.0.1", port or 0), handler)
         except OSError as error:
-            raise BadInput(f"play: port {port} can not be used: {error.strerror}") from None
+            raise BadInput(f"play: port {port} cannot be used: {error.strerror}") from None
         threading.Thread(target=self._server.serve_forever, kwargs={"poll_interval": 0.1}, daemon=True).start()
 
     @property
