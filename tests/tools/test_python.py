@@ -110,7 +110,7 @@ class Worlds(WithModule):
         world.set_motor(hinge, (-1, 1))
         world.step(h, steps=100)
         np.testing.assert_allclose(world.joint_speed(hinge), -1, rtol=1e-9)
-        slider = world.add_slider(fixed, world.add(principal=(1, 1, 1)))
+        slider = world.add_slider(fixed, world.add(principal=(1, 1, 1)), k=1e6)
         weld = world.add_weld(fixed, world.add(principal=(1, 1, 1)))
         world.apply_central_impulse(2, (1, 1, 1))
         world.step(h)
