@@ -10,7 +10,7 @@ from sandbox import ROOT, our_files
 
 LONG = 35  # words; from here on a reader goes back to the beginning of a sentence
 # Counted when this test was written; shorten a sentence and lower the number. A new one must not raise it.
-MOST_LONG = 3
+MOST_LONG = 2
 # Openings that make a docstring's first sentence one without a subject. Only first lines count.
 OPENING = re.compile(r"^(?:What|Whether|How|Those|Of)\b")
 MOST_OPENINGS = 0
