@@ -146,6 +146,36 @@ TEST(RunCheck, NotesASpringThatIsTooSoftForItsLoad) {
   }
 }
 
+TEST(RunCheck, AnImpactIsNotALoad) {
+  // Dropped from 10 m it gives way by more than a hundredth of its radius, and only while it is stopped.
+  World<3> world({.solver = direct<3>()});
+  world.add_plane(Vec3::UnitZ(), 0);
+  world.add({.x = Vec3(0, 0, 10), .mass = 1, .radius = 0.5});
+  EXPECT_EQ(judged(world, 400).note, "");
+}
+
+TEST(RunCheck, KeepsItsVerdictWhenBodiesAreMoved) {
+  World<6> top({.gravity = Vec3::Zero(),
+                .rotation = {.update = RotationUpdate::first_order, .gyroscopic_torque = true}});
+  const int body = top.add({.omega = Vec3(0.1, 3, 0.1), .principal = Vec3(1, 2, 3)});
+  RunCheck<6> check;
+  for (int n = 0; n < 250; ++n) top.step(0.1), check.look(top, 0.1);
+  ASSERT_EQ(check.verdict().state, State::lost);
+  check.bodies_were_moved();
+  top.turn(body, Quat::Identity(), Vec3::Zero());
+  top.step(0.1), check.look(top, 0.1);
+  EXPECT_EQ(check.verdict().state, State::lost);
+  check.begin_again();
+  EXPECT_EQ(check.verdict().state, State::sound);
+  // Energy that somebody gives between two looks is not from nothing.
+  for (int n = 1; n < 100; ++n) {
+    check.bodies_were_moved();
+    top.turn(body, Quat::Identity(), Vec3(n, 0, 0));
+    top.step(0.1), check.look(top, 0.1);
+  }
+  EXPECT_EQ(check.verdict().state, State::sound);
+}
+
 TEST(RunCheck, EnergyFromNothingIsLost) {
   // A fast top by the notes' update without its gyroscopic torque keeps ω and so gains and loses energy as it turns.
   World<6> top({.gravity = Vec3::Zero(),

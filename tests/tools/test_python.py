@@ -5,6 +5,7 @@ import contextlib
 import copy
 import gc
 import importlib
+import inspect
 import io
 import json
 import math
@@ -15,6 +16,7 @@ import sys
 import tempfile
 import threading
 import unittest
+import warnings
 import zipfile
 from pathlib import Path
 from unittest import mock
@@ -125,6 +127,142 @@ class Worlds(WithModule):
             world.step(h)
             taken += h * world.joint_force(slider)
         np.testing.assert_allclose(taken, [-1, -1, 0], atol=1e-9)
+
+    def test_a_world_that_is_lost_says_so_once(self):
+        # A heavy load on light hinged boxes, thrown: at this step the joints bring in energy.
+        def chain(check=True):
+            world = spook.World(check=check)
+            last = world.add_fixed((0, 0, 0))
+            for k in range(30):
+                body = world.add(x=(0.1 + 0.2 * k, 0, 0), mass=500 if k == 29 else 1, half_sides=(0.1, 0.02, 0.02))
+                world.add_hinge(last, body, (0.1 if k else 0, 0, 0), (-0.1, 0, 0), axis=(0, 1, 0))
+                last = body
+            world.apply_central_impulse(last, (0, 0, 500 * 30))
+            return world
+
+        world = chain()
+        self.assertEqual((world.state, world.reason, world.note), ("sound", "", ""))
+        with self.assertWarns(RuntimeWarning) as caught:
+            with contextlib.suppress(spook.SimulationDiverged):
+                world.step(1 / 30, steps=300)
+        self.assertRegex(str(caught.warning), r"^the world is lost in step \d+: \S")
+        self.assertEqual(world.state, "lost")
+        self.assertIn(world.reason, str(caught.warning))
+        self.assertEqual(copy.copy(world).state, "lost")
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            with contextlib.suppress(spook.SimulationDiverged):
+                world.step(1 / 30)
+            unchecked = chain(check=False)
+            with contextlib.suppress(spook.SimulationDiverged):
+                unchecked.step(1 / 30, steps=30)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            fresh = chain()
+            with self.assertRaises((RuntimeWarning, spook.SimulationDiverged)):
+                fresh.step(1 / 30, steps=300)
+
+    def test_what_moves_bodies_from_outside_is_not_taken_for_a_mistake(self):
+        world = box_on_plane()
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            for k in range(60):
+                world.apply_central_impulse(1, (0, 0, 100))
+                world.place(1, x=(0, 0, k))
+                world.turn(1, omega=(0, 0, 100 * k))
+                world.step(1 / 60)
+        self.assertEqual(world.state, "sound")
+
+    def test_energy_goes_over_from_one_kind_to_the_other(self):
+        h, n, m, g = 1 / 256, 64, 3, 8
+        world = spook.PointWorld(gravity=(0, 0, -g))
+        world.add(x=(0, 0, 5), mass=m)
+        self.assertEqual(world.energy, {"kinetic": 0, "potential": m * g * 5})
+        world.step(h, steps=n)  # all of it is exact in binary; the speed is half a step behind
+        self.assertEqual(world.energy, {"kinetic": m * (g * h * n) ** 2 / 2, "potential": m * g * (5 - g * h * h * n * (n + 1) / 2)})
+        world.add_fixed((0, 0, 0))
+        np.testing.assert_array_equal(world.masses, [m, math.inf])
+
+    def test_a_body_slides_as_its_material_says_on_a_static_box(self):
+        def slid(friction, other=False):
+            world = spook.World(friction=0.9)
+            floor = world.add_fixed((0, 0, -1), half_sides=(50, 50, 1))
+            box = world.add(x=(0, 0, 0.1), v=(3, 0, 0), half_sides=(0.1, 0.1, 0.1))
+            world.set_material(box, floor if other else None, friction=friction)
+            world.step(1 / 240, steps=480)
+            return world.x[box, 0]
+
+        # v^2/(2 mu g), to half a step of v; of two materials the mean is geometric.
+        self.assertAlmostEqual(slid(0.4, other=True), 9 / (2 * 0.4 * 9.81), delta=3 / 240)
+        self.assertAlmostEqual(slid(0.4), 9 / (2 * 0.6 * 9.81), delta=3 / 240)
+        self.refused("friction must be zero or positive, and finite, but is -1", slid, -1)
+
+    def test_static_shapes_hold_what_lies_on_them(self):
+        for shape, top in (({"radius": 0.5}, 0.5), ({"half_sides": (1, 1, 0.25)}, 0.25),
+                           ({"radius": 0.2, "half_length": 1}, 1.2), ({"half_sides": (0.1, 1, 1), "q": (0.5**0.5, 0, 0.5**0.5, 0)}, 0.1)):
+            with self.subTest(**shape):
+                world = spook.World()
+                static = world.add_fixed((0, 0, 0), **shape)
+                ball = world.add(x=(0, 0, top + 0.1), radius=0.1)
+                world.step(1 / 240, steps=240)
+                self.assertAlmostEqual(world.x[ball, 2], top + 0.1, delta=1e-3)
+                np.testing.assert_allclose(world.contact_force(0), [0, 0, 9.81], rtol=1e-6, atol=1e-9)
+                np.testing.assert_allclose(world.contacts()["force"], [[0, 0, 9.81]], rtol=1e-6, atol=1e-9)
+                self.assertEqual(world.contacts()["i"][0], static)
+        with self.assertRaises(ValueError):
+            spook.World().add_fixed((0, 0, 0), radius=1, half_sides=(1, 1, 1))
+
+    def test_a_body_that_is_taken_out_takes_its_force_along(self):
+        world = spook.PointWorld(gravity=(0, 0, 0))
+        for k in range(3):
+            world.add(x=(k, 0, 0))
+        world.set_force(0, (1, 0, 0))
+        world.set_force(2, (0, 2, 0))
+        view = world.x
+        with self.assertRaises(BufferError):
+            world.remove_body(0)
+        del view
+        gc.collect()
+        world.remove_body(0)
+        world.step(1)
+        np.testing.assert_array_equal(world.v, [[0, 0, 0], [0, 2, 0]])
+
+    def test_joints_are_arrays(self):
+        world = spook.World()
+        nail = world.add_fixed((0, 0, 0))
+        bob = world.add(x=(0, 0, -1), mass=3, principal=(1, 1, 1))
+        world.add_joint(nail, bob, (0, 0, 0), (0, 0, 1))
+        world.step(1 / 240, steps=480)
+        joints = world.joints()
+        self.assertEqual((joints["kind"], list(joints["i"]), list(joints["j"])), (["ball"], [nail], [bob]))
+        np.testing.assert_allclose(joints["force"], [[0, 0, 3 * 9.81]], rtol=1e-6, atol=1e-9)
+        np.testing.assert_allclose(joints["torque"], [[0, 0, 0]], atol=1e-9)
+
+    def test_other_threads_run_while_a_world_steps_and_cannot_touch_it(self):
+        world = falling(200)
+        said, counted = [], 0
+        thread = threading.Thread(target=lambda: world.step(1e-6, steps=200_000))
+        thread.start()
+        while thread.is_alive():
+            counted += 1
+            try:
+                world.place(0, x=(0, 0, 0))
+            except RuntimeError as error:
+                said.append(str(error))
+        thread.join()
+        self.assertGreater(counted, 100)
+        self.assertIn("the world is taking a step in another thread", said)
+        self.assertEqual(world.steps, 200_000)
+
+    def test_help_says_what_an_editor_shows(self):
+        self.assertEqual(spook.__version__, re.search(r"VERSION (\d+\.\d+\.\d+)", (ROOT / "CMakeLists.txt").read_text())[1])
+        stub = ast.parse(STUB.read_text(encoding="utf-8"))
+        classes = {node.name: node for node in stub.body if isinstance(node, ast.ClassDef)}
+        for name, known in (("World", spook.World), ("PointWorld", spook.PointWorld)):
+            for node in classes["_EitherWorld"].body + classes[name].body:
+                if isinstance(node, ast.FunctionDef) and (text := ast.get_docstring(node)):
+                    if name == "World" or node.name != "add_fixed":
+                        self.assertIn(text.split()[0], inspect.getdoc(getattr(known, node.name)) or "", f"{name}.{node.name}")
 
     def test_a_force_pushes_and_a_torque_turns_until_they_are_set_anew(self):
         world = spook.World(gravity=(0, 0, 0))

@@ -2,11 +2,16 @@
 // The parts of the extension module _spook.
 #include <pybind11/pybind11.h>
 
+#include <string>
+
 namespace spook {
 
 namespace py = pybind11;
 
 void bind_worlds(py::module_& module);
 void bind_scenes(py::module_& module);
+
+/// Returns the text that _spook.pyi gives to "World", "World.add" or "scenes". Throws std::logic_error where it has none.
+const char* docstring(const std::string& name);
 
 }  // namespace spook

@@ -134,16 +134,22 @@ py::bytes record(const std::string& name, const Texts& set, const Texts& options
 }  // namespace
 
 void bind_scenes(py::module_& module) {
-  module.def("scenes", [] {
-    std::vector<std::string> names;
-    for (const SceneDescription& scene : scenes()) names.push_back(scene.name);
-    return names;
-  });
-  module.def("solvers", [] {
-    std::vector<std::string> names;
-    for (const auto& solver : solvers<3>()) names.push_back(solver.name);
-    return names;
-  });
+  module.def(
+      "scenes",
+      [] {
+        std::vector<std::string> names;
+        for (const SceneDescription& scene : scenes()) names.push_back(scene.name);
+        return names;
+      },
+      docstring("scenes"));
+  module.def(
+      "solvers",
+      [] {
+        std::vector<std::string> names;
+        for (const auto& solver : solvers<3>()) names.push_back(solver.name);
+        return names;
+      },
+      docstring("solvers"));
   module.def("describe", &describe, "scene"_a);
   module.def("check", &check, "scene"_a, "parameters"_a, "options"_a);
   module.def("run", &run_scene, "scene"_a, "parameters"_a, "options"_a);
@@ -153,6 +159,7 @@ void bind_scenes(py::module_& module) {
 }  // namespace spook
 
 PYBIND11_MODULE(_spook, module) {
+  module.attr("__version__") = SPOOK_VERSION;
   spook::py::register_exception<spook::SimulationDiverged>(module, "SimulationDiverged", PyExc_RuntimeError);
   spook::bind_worlds(module);
   spook::bind_scenes(module);

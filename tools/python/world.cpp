@@ -2,12 +2,11 @@
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
-#include "common/require.hpp"
+#include "engine/diagnostics/conserved_quantities.hpp"
 #include "engine/support/did_you_mean.hpp"
-#include "engine/world/world.hpp"
 #include "module.hpp"
+#include "python_world.hpp"
 #include "scenes/method.hpp"
-#include "views.hpp"
 
 namespace spook {
 
@@ -16,53 +15,32 @@ namespace {
 using namespace py::literals;
 using MaybeVec3 = std::optional<Vec3>;
 
-/// Steps between two looks at Ctrl-C.
-constexpr std::int64_t patience = 1024;
-
-/// What Python puts on each body; a world without any has none of it. The world's copy has a copy.
-template <int Dof>
-class Loads {
- public:
-  Loads() : loads_(std::make_shared<std::vector<Twist<Dof>>>()) {}
-  Loads(const Loads& other) : loads_(std::make_shared<std::vector<Twist<Dof>>>(*other.loads_)) {}
-  Loads& operator=(const Loads&) = delete;
-  Twist<Dof> operator()(std::size_t i, const Bodies<Dof>&, double) const {
-    return i < loads_->size() ? (*loads_)[i] : Twist<Dof>::Zero().eval();
-  }
-  void set(std::size_t i, const Twist<Dof>& load) const {
-    if (i >= loads_->size()) loads_->resize(i + 1, Twist<Dof>::Zero());
-    (*loads_)[i] = load;
-  }
-
- private:
-  std::shared_ptr<std::vector<Twist<Dof>>> loads_;
-};
+/// One of two names. Throws std::invalid_argument for another.
+bool is_second(const char* parameter, const std::string& name, const char* first, const char* second) {
+  if (name == first || name == second) return name == second;
+  throw std::invalid_argument(std::string(parameter) + " must be \"" + first + "\" or \"" + second +
+                              "\", but is \"" + name + "\"");
+}
 
 template <int Dof>
-struct PythonWorld {
-  World<Dof> world;
-  Views views = {};
-
-  PythonWorld(World<Dof> made) : world(std::move(made)) {}
-  PythonWorld(const PythonWorld& other) : world(other.world) {}
-
-  /// Throws std::invalid_argument for what is not finite, and for a body that does not move.
-  void put_load(int body, const Twist<Dof>& load) {
-    const std::size_t i = world.index(body);
-    if (world.bodies().is_fixed(i))
-      throw std::invalid_argument("body must be one that moves, but is " + std::to_string(body));
-    require_all_finite("force", load.template head<3>());
-    if constexpr (Dof == 6) require_all_finite("torque", load.template tail<3>());
-    if (!world.settings().wrench) world.set_wrench(Loads<Dof>());
-    world.settings().wrench.template target<Loads<Dof>>()->set(i, load);
+RotationRule<Dof> rotation_rule(const std::string& name) {
+  if constexpr (Dof == 6) {
+    if (name == "exponential") return {.update = RotationUpdate::exponential};
+    if (name == "first_order") return {.update = RotationUpdate::first_order};
+    if (name != "splitting")
+      throw std::invalid_argument(
+          "rotation must be \"splitting\", \"exponential\" or \"first_order\", but is \"" + name + "\"");
   }
-};
+  return {};
+}
 
 template <int Dof>
 PythonWorld<Dof> make(const Vec3& gravity, std::optional<double> k, std::optional<double> d, double friction,
                       double viscosity, std::optional<double> restitution, double threshold,
-                      const std::string& solver, const std::optional<std::string>& model, int iterations,
-                      double tolerance, bool warm_start, std::optional<double> contact_margin, int threads) {
+                      const std::string& solver, const std::optional<std::string>& model,
+                      const std::string& tangents, int iterations, double tolerance, bool warm_start,
+                      std::optional<double> contact_margin, int integrator_order, int threads, bool check,
+                      const std::string& rotation) {
   if (iterations < 1)
     throw std::invalid_argument("iterations must be at least 1, but is " + std::to_string(iterations));
   Method method{.h = 1, .solver = solver};
@@ -72,60 +50,52 @@ PythonWorld<Dof> make(const Vec3& gravity, std::optional<double> k, std::optiona
                          .d = d,
                          .friction = friction,
                          .viscosity = viscosity,
+                         .sliding_tangents = is_second("tangents", tangents, "fixed", "sliding"),
                          .solver = make_solver<Dof>(method),
                          .warm_start = warm_start,
                          .contact_margin = contact_margin,
+                         .rotation = rotation_rule<Dof>(rotation),
+                         .integrator_order = integrator_order,
                          .threads = threads,
                          .solver_limits = {.max_sweeps = iterations, .tolerance = tolerance}};
   if (restitution)
     settings.impacts = ImpactLaw{.restitution = *restitution, .friction = friction, .threshold = threshold};
-  return World<Dof>(std::move(settings));
-}
-
-template <int Dof>
-void step(PythonWorld<Dof>& self, double h, std::int64_t steps) {
-  if (steps < 0) throw std::invalid_argument("steps must be at least 0, but is " + std::to_string(steps));
-  for (std::int64_t n = 1; n <= steps; ++n) {
-    self.world.step(h);
-    if (n % patience == 0 && PyErr_CheckSignals() != 0) throw py::error_already_set();
-  }
+  return {World<Dof>(std::move(settings)), check};
 }
 
 /// What is left out stays as it is.
 template <int Dof>
 void place(PythonWorld<Dof>& self, int body, const MaybeVec3& x, const MaybeVec3& v) {
-  self.world.place(body, x.value_or(self.world.x(body)), v.value_or(self.world.v(body)));
+  self.moved().place(body, x.value_or(self.world().x(body)), v.value_or(self.world().v(body)));
 }
 
 void turn(PythonWorld<6>& self, int body, const std::optional<std::array<double, 4>>& q,
           const MaybeVec3& omega) {
-  const Quat turned = q ? Quat((*q)[0], (*q)[1], (*q)[2], (*q)[3]) : orientation(self.world, body);
-  self.world.turn(body, turned, omega.value_or(angular_velocity(self.world, body)));
+  const Quat turned = q ? Quat((*q)[0], (*q)[1], (*q)[2], (*q)[3]) : orientation(self.world(), body);
+  self.moved().turn(body, turned, omega.value_or(angular_velocity(self.world(), body)));
 }
 
 int add_point(PythonWorld<3>& self, const Vec3& x, const Vec3& v, double mass, double radius) {
-  self.views.require_none("add");
-  return self.world.add({.x = x, .v = v, .mass = mass, .radius = radius});
+  return self.bodies_of("add").add({.x = x, .v = v, .mass = mass, .radius = radius});
 }
 
 int add_rigid(PythonWorld<6>& self, const Vec3& x, const Vec3& v, double mass, double radius,
               const std::array<double, 4>& q, const Vec3& omega, const MaybeVec3& principal, double half_length,
               const Vec3& half_sides, const std::vector<Vec3>& corners) {
-  self.views.require_none("add");
-  return self.world.add({.x = x,
-                         .v = v,
-                         .mass = mass,
-                         .radius = radius,
-                         .q = Quat(q[0], q[1], q[2], q[3]),
-                         .omega = omega,
-                         .principal = principal,
-                         .half_length = half_length,
-                         .half_sides = half_sides,
-                         .corners = corners});
+  return self.bodies_of("add").add({.x = x,
+                                    .v = v,
+                                    .mass = mass,
+                                    .radius = radius,
+                                    .q = Quat(q[0], q[1], q[2], q[3]),
+                                    .omega = omega,
+                                    .principal = principal,
+                                    .half_length = half_length,
+                                    .half_sides = half_sides,
+                                    .corners = corners});
 }
 
 py::array_t<double> orientations(const PythonWorld<6>& self) {
-  const std::vector<Quat>& q = self.world.bodies().orientations.q;
+  const std::vector<Quat>& q = self.world().bodies().orientations.q;
   py::array_t<double> copy({static_cast<py::ssize_t>(q.size()), py::ssize_t{4}});
   auto to = copy.mutable_unchecked<2>();
   for (py::ssize_t i = 0; i < to.shape(0); ++i) {
@@ -139,11 +109,12 @@ py::array_t<double> orientations(const PythonWorld<6>& self) {
 /// The contacts of the last step, an array of each of their numbers.
 template <int Dof>
 py::dict contacts(const PythonWorld<Dof>& self) {
-  const World<Dof>& world = self.world;
+  const World<Dof>& world = self.world();
   const auto n = static_cast<Eigen::Index>(world.contacts().size());
   Eigen::VectorXi i(n), j(n);
   Eigen::VectorXd gap(n), normal_impulse(n);
-  Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> point(n, 3), normal(n, 3), impulse(n, 3);
+  Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> point(n, 3), normal(n, 3), impulse(n, 3),
+      force(n, 3);
   for (int c = 0; c < n; ++c) {
     const Contact& contact = world.contacts()[static_cast<std::size_t>(c)];
     i[c] = contact.i;
@@ -153,14 +124,75 @@ py::dict contacts(const PythonWorld<Dof>& self) {
     normal.row(c) = contact.n;
     normal_impulse[c] = world.lambda(c);
     impulse.row(c) = world.impulse(c);
+    force.row(c) = world.contact_force(c);
   }
   return py::dict("i"_a = i, "j"_a = j, "gap"_a = gap, "point"_a = point, "normal"_a = normal,
-                  "normal_impulse"_a = normal_impulse, "impulse"_a = impulse);
+                  "normal_impulse"_a = normal_impulse, "impulse"_a = impulse, "force"_a = force);
+}
+
+/// The joints, an array of each of their numbers.
+template <int Dof>
+py::dict joints(const PythonWorld<Dof>& self) {
+  const World<Dof>& world = self.world();
+  const auto n = static_cast<Eigen::Index>(world.joints().size());
+  py::list kind;
+  Eigen::VectorXi i(n), j(n);
+  Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> force(n, 3), torque(n, 3);
+  for (int c = 0; c < n; ++c) {
+    const Joint& joint = world.joints()[static_cast<std::size_t>(c)];
+    kind.append(joint.length ? "distance" : joint.is_guided() ? name_of(joint.kind) : "ball");
+    i[c] = joint.i;
+    j[c] = joint.j;
+    force.row(c) = world.joint_force(c);
+    if constexpr (Dof == 6) torque.row(c) = world.joint_torque(c);
+  }
+  py::dict all("kind"_a = kind, "i"_a = i, "j"_a = j, "force"_a = force);
+  if constexpr (Dof == 6) all["torque"] = torque;
+  return all;
+}
+
+template <int Dof>
+py::dict energy(const PythonWorld<Dof>& self) {
+  const World<Dof>& world = self.world();
+  return py::dict("kinetic"_a = kinetic_energy(world.bodies()),
+                  "potential"_a = potential_energy(world.bodies(), world.settings().gravity));
+}
+
+/// Infinite for a static body.
+template <int Dof>
+Eigen::VectorXd masses(const PythonWorld<Dof>& self) {
+  const auto& inverse = self.world().bodies().motion.inverse_mass;
+  Eigen::VectorXd all(static_cast<Eigen::Index>(inverse.size()));
+  for (Eigen::Index i = 0; i < all.size(); ++i) all[i] = 1 / inverse[static_cast<std::size_t>(i)].linear;
+  return all;
+}
+
+template <int Dof>
+void set_material(PythonWorld<Dof>& self, int body, std::optional<int> other, std::optional<double> friction,
+                  std::optional<double> restitution, std::optional<double> k, std::optional<double> d) {
+  const Material material{.friction = friction, .restitution = restitution, .k = k, .d = d};
+  if (other)
+    self.world().set_material(body, *other, material);
+  else
+    self.world().set_material(body, material);
+}
+
+/// A static body with the shape that its numbers tell, in the words of add.
+int add_static(PythonWorld<6>& self, const Vec3& x, double radius, const std::array<double, 4>& q,
+               double half_length, const Vec3& half_sides) {
+  World<6>& world = self.bodies_of("add_fixed");
+  const Quat turned(q[0], q[1], q[2], q[3]);
+  if (half_sides == Vec3::Zero() && half_length == 0) return world.add_fixed(x, radius);
+  if (half_sides != Vec3::Zero() && radius != 0)
+    throw std::invalid_argument("half_sides and radius are two shapes: a body has one");
+  if (half_length != 0)
+    return world.add_fixed(x, Capsule{.radius = radius, .half_length = half_length}, turned);
+  return world.add_fixed_box(x, half_sides, turned);
 }
 
 template <int Dof>
 py::dict report(const PythonWorld<Dof>& self) {
-  const StepReport last = self.world.report();
+  const StepReport last = self.world().report();
   return py::dict("pairs"_a = last.pairs, "contacts"_a = last.contacts, "impacts"_a = last.impacts,
                   "rows"_a = last.rows, "iterations"_a = last.iterations, "residual"_a = last.residual,
                   "trouble"_a = last.trouble);
@@ -169,7 +201,7 @@ py::dict report(const PythonWorld<Dof>& self) {
 template <int Dof>
 int add_joint(PythonWorld<Dof>& self, int i, int j, const Vec3& p_i, const Vec3& p_j,
               std::optional<double> length, std::optional<double> k, std::optional<double> d) {
-  return self.world.add_joint({.i = i, .j = j, .p_i = p_i, .p_j = p_j, .length = length, .k = k, .d = d});
+  return self.world().add_joint({.i = i, .j = j, .p_i = p_i, .p_j = p_j, .length = length, .k = k, .d = d});
 }
 
 /// A pair of numbers as a struct of theirs.
@@ -184,20 +216,66 @@ int add_guided(PythonWorld<6>& self, JointKind kind, int i, int j, const Vec3& p
                const Vec3& axis, std::optional<std::array<double, 2>> limits,
                std::optional<std::array<double, 2>> motor, std::optional<double> k, std::optional<double> d,
                std::optional<double> k_turn) {
-  return self.world.add_joint({.i = i,
-                               .j = j,
-                               .p_i = p_i,
-                               .p_j = p_j,
-                               .k = k,
-                               .d = d,
-                               .kind = kind,
-                               .axis = axis,
-                               .k_turn = k_turn,
-                               .limits = pair_as<JointLimits>(limits),
-                               .motor = pair_as<Motor>(motor)});
+  return self.world().add_joint({.i = i,
+                                 .j = j,
+                                 .p_i = p_i,
+                                 .p_j = p_j,
+                                 .k = k,
+                                 .d = d,
+                                 .kind = kind,
+                                 .axis = axis,
+                                 .k_turn = k_turn,
+                                 .limits = pair_as<JointLimits>(limits),
+                                 .motor = pair_as<Motor>(motor)});
 }
 
-void bind_guided(py::class_<PythonWorld<6>>& type) {
+/// Binds a class whose members have the docstrings of _spook.pyi.
+template <int Dof>
+class Binding {
+ public:
+  using Self = PythonWorld<Dof>;
+
+  Binding(py::module_& module, const char* name) : name_(name), type_(module, name, docstring(name)) {}
+
+  py::class_<Self>& type() { return type_; }
+
+  template <class Function, class... Extra>
+  Binding& def(const std::string& member, const Function& function, const Extra&... extra) {
+    type_.def(member.c_str(), function, documentation(member), extra...);
+    return *this;
+  }
+  /// A function of the engine's world, that changes nothing.
+  template <class Function, class... Extra>
+  Binding& ask(const std::string& member, const Function& function, const Extra&... extra) {
+    return def(
+        member, [function](const Self& self, int n) { return function(self.world(), n); }, extra...);
+  }
+  template <class Function>
+  Binding& property(const char* member, const Function& function) {
+    type_.def_property_readonly(member, function, documentation(member));
+    return *this;
+  }
+  /// An array that looks at numbers of the engine.
+  template <class Show>
+  Binding& view(const char* member, const Show& show) {
+    return property(member, [show](const py::object& object) { return show(object, object.cast<Self&>()); });
+  }
+
+  /// Returns the text of a member, its own or that of both worlds.
+  const char* documentation(const std::string& member) const {
+    try {
+      return docstring(name_ + "." + member);
+    } catch (const std::logic_error&) {
+      return docstring("_EitherWorld." + member);
+    }
+  }
+
+ private:
+  std::string name_;
+  py::class_<Self> type_;
+};
+
+void bind_guided(Binding<6>& type) {
   using Self = PythonWorld<6>;
   const Vec3 zero = Vec3::Zero(), up = Vec3::UnitZ();
   const auto add = [](JointKind kind) {
@@ -208,9 +286,9 @@ void bind_guided(py::class_<PythonWorld<6>>& type) {
     };
   };
   for (const JointKind kind : {JointKind::hinge, JointKind::slider})
-    type.def(("add_" + name_of(kind)).c_str(), add(kind), "i"_a, "j"_a, "p_i"_a = zero, "p_j"_a = zero,
-             "axis"_a = up, "limits"_a = py::none(), "motor"_a = py::none(), "k"_a = py::none(),
-             "d"_a = py::none(), "k_turn"_a = py::none());
+    type.def("add_" + name_of(kind), add(kind), "i"_a, "j"_a, "p_i"_a = zero, "p_j"_a = zero, "axis"_a = up,
+             "limits"_a = py::none(), "motor"_a = py::none(), "k"_a = py::none(), "d"_a = py::none(),
+             "k_turn"_a = py::none());
   type.def(
           "add_weld",
           [](Self& self, int i, int j, const Vec3& p_i, const Vec3& p_j, std::optional<double> k,
@@ -222,120 +300,141 @@ void bind_guided(py::class_<PythonWorld<6>>& type) {
       .def(
           "set_motor",
           [](Self& self, int joint, std::optional<std::array<double, 2>> motor) {
-            self.world.set_motor(joint, pair_as<Motor>(motor));
+            self.world().set_motor(joint, pair_as<Motor>(motor));
           },
           "joint"_a, "motor"_a)
-      .def(
-          "joint_position", [](const Self& self, int joint) { return self.world.joint_position(joint); },
-          "joint"_a)
-      .def(
-          "joint_speed", [](const Self& self, int joint) { return self.world.joint_speed(joint); }, "joint"_a)
-      .def(
-          "joint_torque", [](const Self& self, int joint) { return self.world.joint_torque(joint); }, "joint"_a)
-      .def(
-          "motor_force", [](const Self& self, int joint) { return self.world.motor_force(joint); }, "joint"_a)
-      .def(
-          "limit_force", [](const Self& self, int joint) { return self.world.limit_force(joint); }, "joint"_a);
+      .ask("joint_position", std::mem_fn(&World<6>::joint_position), "joint"_a)
+      .ask("joint_speed", std::mem_fn(&World<6>::joint_speed), "joint"_a)
+      .ask("joint_torque", std::mem_fn(&World<6>::joint_torque), "joint"_a)
+      .ask("motor_force", std::mem_fn(&World<6>::motor_force), "joint"_a)
+      .ask("limit_force", std::mem_fn(&World<6>::limit_force), "joint"_a);
 }
 
 template <int Dof>
 Eigen::VectorXd joint_impulse(const PythonWorld<Dof>& self, int joint) {
-  const auto& joints = self.world.joints();
+  const auto& joints = self.world().joints();
   const bool known = joint >= 0 && joint < static_cast<int>(joints.size());
   Eigen::VectorXd lambda(known ? joints[static_cast<std::size_t>(joint)].rows() : 1);
-  for (int row = 0; row < lambda.size(); ++row) lambda[row] = self.world.joint_lambda(joint, row);
+  for (int row = 0; row < lambda.size(); ++row) lambda[row] = self.world().joint_lambda(joint, row);
   return lambda;
 }
 
+PythonWorld<3> make_points(const Vec3& gravity, std::optional<double> k, std::optional<double> d,
+                           double friction, double viscosity, std::optional<double> restitution,
+                           double threshold, const std::string& solver, const std::optional<std::string>& model,
+                           const std::string& tangents, int iterations, double tolerance, bool warm_start,
+                           std::optional<double> contact_margin, int integrator_order, int threads,
+                           bool check) {
+  return make<3>(gravity, k, d, friction, viscosity, restitution, threshold, solver, model, tangents,
+                 iterations, tolerance, warm_start, contact_margin, integrator_order, threads, check,
+                 "splitting");
+}
+
+/// `rest`: parameters of this world alone.
+template <int Dof, class Make, class... Rest>
+void bind_constructor(Binding<Dof>& type, const Make& make_world, const Rest&... rest) {
+  type.type().def(py::init(make_world), type.documentation("__init__"), py::kw_only(),
+                  "gravity"_a = Settings<Dof>{}.gravity, "k"_a = py::none(), "d"_a = py::none(),
+                  "friction"_a = 0.0, "viscosity"_a = 1e12, "restitution"_a = py::none(),
+                  "threshold"_a = ImpactLaw{}.threshold, "solver"_a = "auto", "friction_model"_a = py::none(),
+                  "tangents"_a = "fixed", "iterations"_a = StopRule{}.max_sweeps, "tolerance"_a = 0.0,
+                  "warm_start"_a = false, "contact_margin"_a = py::none(), "integrator_order"_a = 2,
+                  "threads"_a = 1, "check"_a = true, rest...);
+}
+
 template <int Dof>
-py::class_<PythonWorld<Dof>> bind(py::module_& module, const char* name, const char* what) {
+void bind_both(Binding<Dof>& type, const char* name) {
   using Self = PythonWorld<Dof>;
   const Vec3 zero = Vec3::Zero();
-  py::class_<Self> type(module, name, what);
-  type.def(py::init(&make<Dof>), py::kw_only(), "gravity"_a = Settings<Dof>{}.gravity, "k"_a = py::none(),
-           "d"_a = py::none(), "friction"_a = 0.0, "viscosity"_a = 1e12, "restitution"_a = py::none(),
-           "threshold"_a = ImpactLaw{}.threshold, "solver"_a = "auto", "friction_model"_a = py::none(),
-           "iterations"_a = StopRule{}.max_sweeps, "tolerance"_a = 0.0, "warm_start"_a = false,
-           "contact_margin"_a = py::none(), "threads"_a = 1)
-      .def(
-          "add_fixed",
-          [](Self& self, const Vec3& x, double radius) {
-            self.views.require_none("add_fixed");
-            return self.world.add_fixed(x, radius);
-          },
-          "x"_a, "radius"_a = 0.0)
-      .def(
+  type.def(
           "add_plane",
           [](Self& self, const Vec3& n, double offset) {
-            self.views.require_none("add_plane");
-            return self.world.add_plane(n, offset);
+            return self.bodies_of("add_plane").add_plane(n, offset);
           },
           "n"_a = Vec3(0, 0, 1), "offset"_a = 0.0)
+      .def("remove_body", &Self::remove_body, "body"_a)
+      .def("set_material", &set_material<Dof>, "body"_a, "other"_a = py::none(), py::kw_only(),
+           "friction"_a = py::none(), "restitution"_a = py::none(), "k"_a = py::none(), "d"_a = py::none())
       .def("add_joint", &add_joint<Dof>, "i"_a, "j"_a, "p_i"_a = zero, "p_j"_a = zero, "length"_a = py::none(),
            "k"_a = py::none(), "d"_a = py::none())
       .def(
-          "remove_joint", [](Self& self, int joint) { self.world.remove_joint(joint); }, "joint"_a)
+          "remove_joint", [](Self& self, int joint) { self.world().remove_joint(joint); }, "joint"_a)
       .def(
           "apply_central_impulse",
-          [](Self& self, int body, const Vec3& impulse) { self.world.apply_central_impulse(body, impulse); },
+          [](Self& self, int body, const Vec3& impulse) { self.moved().apply_central_impulse(body, impulse); },
           "body"_a, "impulse"_a)
       .def("place", &place<Dof>, "body"_a, "x"_a = py::none(), "v"_a = py::none())
       .def(
-          "move_fixed", [](Self& self, int body, const Vec3& x) { self.world.move_fixed(body, x); }, "body"_a,
+          "move_fixed", [](Self& self, int body, const Vec3& x) { self.moved().move_fixed(body, x); }, "body"_a,
           "x"_a)
       .def(
-          "start_half_step_back", [](Self& self, double h) { self.world.start_half_step_back(h); }, "h"_a)
+          "start_half_step_back", [](Self& self, double h) { self.moved().start_half_step_back(h); }, "h"_a)
       .def(
-          "start_consistently", [](Self& self, double h) { self.world.start_consistently(h); }, "h"_a)
+          "start_consistently", [](Self& self, double h) { self.moved().start_consistently(h); }, "h"_a)
       .def(
           "synchronized_velocity",
-          [](const Self& self, int body, double h) { return self.world.synchronized_velocity(body, h); },
+          [](const Self& self, int body, double h) { return self.world().synchronized_velocity(body, h); },
           "body"_a, "h"_a)
-      .def("step", &step<Dof>, "h"_a, "steps"_a = 1)
-      .def_property_readonly("time", [](const Self& self) { return self.world.time(); })
-      .def_property_readonly("steps", [](const Self& self) { return self.world.steps(); })
+      .def("step", &Self::step, "h"_a, "steps"_a = 1)
+      .property("time", [](const Self& self) { return self.world().time(); })
+      .property("steps", [](const Self& self) { return self.world().steps(); })
+      .property("masses", &masses<Dof>)
+      .property("energy", &energy<Dof>)
+      .property("state", [](const Self& self) { return name_of(self.state()); })
+      .property("reason", &Self::reason)
+      .property("note", &Self::note)
       .def("contacts", &contacts<Dof>)
+      .def("joints", &joints<Dof>)
       .def("joint_impulse", &joint_impulse<Dof>, "joint"_a)
-      .def(
-          "joint_force", [](const Self& self, int joint) { return self.world.joint_force(joint); }, "joint"_a)
-      .def("report", &report<Dof>)
-      .def("__len__", [](const Self& self) { return self.world.bodies().size(); })
+      .ask("joint_force", std::mem_fn(&World<Dof>::joint_force), "joint"_a)
+      .ask("contact_force", std::mem_fn(&World<Dof>::contact_force), "contact"_a)
+      .def("report", &report<Dof>);
+  type.view("x",
+            [](const py::object& o, Self& self) { return self.views.of(self.world().bodies().x, 3, 0, o); });
+  type.view("v", [](const py::object& o, Self& self) {
+    return self.views.of(self.world().bodies().motion.W, 3, 0, o);
+  });
+  type.type()
+      .def("__len__", [](const Self& self) { return self.world().bodies().size(); })
       .def("__copy__", [](const Self& self) { return Self(self); })
       .def(
           "__deepcopy__", [](const Self& self, const py::dict&) { return Self(self); }, "memo"_a)
       .def("__repr__", [name](const Self& self) {
-        return "<spook." + std::string(name) + ": " + std::to_string(self.world.bodies().size()) + " bodies, " +
-               std::to_string(self.world.joints().size()) + " joints, " +
-               py::repr(py::float_(self.world.time())).cast<std::string>() + " s>";
+        return "<spook." + std::string(name) + ": " + std::to_string(self.world().bodies().size()) +
+               " bodies, " + std::to_string(self.world().joints().size()) + " joints, " +
+               py::repr(py::float_(self.world().time())).cast<std::string>() + " s>";
       });
-  const auto view = [&type](const char* property, const auto& show) {
-    type.def_property_readonly(property,
-                               [show](const py::object& object) { return show(object, object.cast<Self&>()); });
-  };
-  view("x", [](const py::object& o, Self& self) { return self.views.of(self.world.bodies().x, 3, 0, o); });
-  view("v",
-       [](const py::object& o, Self& self) { return self.views.of(self.world.bodies().motion.W, 3, 0, o); });
-  if constexpr (Dof == 6)
-    view("omega",
-         [](const py::object& o, Self& self) { return self.views.of(self.world.bodies().motion.W, 3, 3, o); });
-  return type;
 }
 
-}  // namespace
-
-void bind_worlds(py::module_& module) {
+void bind_points(py::module_& module) {
   const Vec3 zero = Vec3::Zero();
-  bind<3>(module, "PointWorld", "Point masses, by the SPOOK method.")
-      .def("add", &add_point, py::kw_only(), "x"_a = zero, "v"_a = zero, "mass"_a = 1.0, "radius"_a = 0.0)
+  Binding<3> type(module, "PointWorld");
+  bind_constructor(type, &make_points);
+  bind_both(type, "PointWorld");
+  type.def("add", &add_point, py::kw_only(), "x"_a = zero, "v"_a = zero, "mass"_a = 1.0, "radius"_a = 0.0)
+      .def(
+          "add_fixed",
+          [](PythonWorld<3>& self, const Vec3& x, double radius) {
+            return self.bodies_of("add_fixed").add_fixed(x, radius);
+          },
+          "x"_a, "radius"_a = 0.0)
       .def(
           "set_force", [](PythonWorld<3>& self, int body, const Vec3& force) { self.put_load(body, force); },
           "body"_a, "force"_a);
-  py::class_<PythonWorld<6>> rigid = bind<6>(module, "World", "Rigid bodies, by the SPOOK method.");
-  bind_guided(rigid);
-  rigid
-      .def("add", &add_rigid, py::kw_only(), "x"_a = zero, "v"_a = zero, "mass"_a = 1.0, "radius"_a = 0.0,
-           "q"_a = std::array<double, 4>{1, 0, 0, 0}, "omega"_a = zero, "principal"_a = py::none(),
-           "half_length"_a = 0.0, "half_sides"_a = zero, "corners"_a = std::vector<Vec3>{})
+}
+
+void bind_rigid(py::module_& module) {
+  const Vec3 zero = Vec3::Zero();
+  const std::array<double, 4> upright{1, 0, 0, 0};
+  Binding<6> type(module, "World");
+  bind_constructor(type, &make<6>, "rotation"_a = "splitting");
+  bind_both(type, "World");
+  bind_guided(type);
+  type.def("add", &add_rigid, py::kw_only(), "x"_a = zero, "v"_a = zero, "mass"_a = 1.0, "radius"_a = 0.0,
+           "q"_a = upright, "omega"_a = zero, "principal"_a = py::none(), "half_length"_a = 0.0,
+           "half_sides"_a = zero, "corners"_a = std::vector<Vec3>{})
+      .def("add_fixed", &add_static, "x"_a, "radius"_a = 0.0, py::kw_only(), "q"_a = upright,
+           "half_length"_a = 0.0, "half_sides"_a = zero)
       .def(
           "set_force",
           [](PythonWorld<6>& self, int body, const Vec3& force, const Vec3& torque) {
@@ -348,10 +447,20 @@ void bind_worlds(py::module_& module) {
       .def(
           "synchronized_angular_velocity",
           [](const PythonWorld<6>& self, int body, double h) {
-            return self.world.synchronized_angular_velocity(body, h);
+            return self.world().synchronized_angular_velocity(body, h);
           },
           "body"_a, "h"_a)
-      .def_property_readonly("q", &orientations);
+      .property("q", &orientations)
+      .view("omega", [](const py::object& o, PythonWorld<6>& self) {
+        return self.views.of(self.world().bodies().motion.W, 3, 3, o);
+      });
+}
+
+}  // namespace
+
+void bind_worlds(py::module_& module) {
+  bind_points(module);
+  bind_rigid(module);
 }
 
 }  // namespace spook

@@ -15,7 +15,7 @@ static constexpr double share_of_roundings =
     16 * std::numeric_limits<double>::epsilon();  // of a row's twelve products
 static constexpr double share_gained = 0.1;       // of the energy that there is
 static constexpr double share_of_size = 0.01;
-static constexpr int most_deep_steps = 10;
+static constexpr int most_deep_steps = 10, most_sagging_steps = 10;
 
 std::string name_of(State state) {
   return std::array{"sound", "unsolved", "lost"}[static_cast<std::size_t>(state)];
@@ -104,18 +104,23 @@ void RunCheck<Dof>::look(const World<Dof>& world, double h) {
   if (world.steps() == last_step_) return;
   const Bodies<Dof>& bodies = world.bodies();
   const double T = kinetic_energy(bodies);
-  if (world.steps() != last_step_ + 1 || before_.size() != bodies.size()) {
+  const bool goes_on = world.steps() == last_step_ + 1 && before_.size() == bodies.size();
+  if (!goes_on || moved_ || sizes_.empty()) sizes_ = sizes_of(world.shapes(), bodies.size());
+  if (goes_on) {
+    look_at_solve(world, h);
+    look_at_gaps(world, h);
+  }
+  if (goes_on && !moved_) {
+    look_at_energy(world, h, T);
+    first_ = false;
+  } else {
     started_ = T;
     given_ = energy_of_joints(world);
     most_ = T;
     first_ = true;
     had_rows_ = false;
-  } else {
-    look_at_solve(world, h);
-    look_at_gaps(world, h);
-    look_at_energy(world, h, T);
-    first_ = false;
   }
+  moved_ = false;
   last_step_ = world.steps();
   before_ = bodies.motion.W;
 }
@@ -139,7 +144,7 @@ void RunCheck<Dof>::look_at_solve(const World<Dof>& world, double h) {
 
 template <int Dof>
 void RunCheck<Dof>::look_at_gaps(const World<Dof>& world, double h) {
-  sizes_ = sizes_of(world.shapes(), world.bodies().size());
+  sag_.clear();
   const double k = world.contact_stiffness();
   const Contact* deep = nullptr;
   for (int c = 0; c < static_cast<int>(world.contacts().size()); ++c) {
@@ -154,6 +159,8 @@ void RunCheck<Dof>::look_at_gaps(const World<Dof>& world, double h) {
     return find(State::lost, world,
                 pair_of(*deep) + " overlap by " + text(-deep->gap) + " m, more than the size of one");
   look_at_joints(world, h);
+  sagging_steps_ = sag_.empty() ? 0 : sagging_steps_ + 1;
+  if (sagging_steps_ == most_sagging_steps && verdict_.note.empty()) verdict_.note = sag_;
 }
 
 template <int Dof>
@@ -178,9 +185,9 @@ void RunCheck<Dof>::look_at_joints(const World<Dof>& world, double h) {
 
 template <int Dof>
 void RunCheck<Dof>::note_sag(const std::string& what, double sag, double size, double k) {
-  if (!verdict_.note.empty() || !(sag > share_of_size * size)) return;
-  verdict_.note = what + " give by " + text(sag) + " m, more than a hundredth of the size " + text(size) +
-                  " m: a larger k than " + text(k) + " N/m would hold them";
+  if (!verdict_.note.empty() || !sag_.empty() || !(sag > share_of_size * size)) return;
+  sag_ = what + " give by " + text(sag) + " m, more than a hundredth of the size " + text(size) +
+         " m: a larger k than " + text(k) + " N/m would hold them";
 }
 
 template <int Dof>

@@ -9,7 +9,8 @@
 //                  ten steps in a row: what is thin and fast may be so for a moment
 //                constraints, or the steps themselves, brought in energy: more than a tenth of the largest kinetic energy
 //                  so far, and of what it takes to lift every body by a size
-//   a note     a spring gives by more than a hundredth of a size: k is too soft for this load, whoever chose it
+//   a note     springs give by more than a hundredth of a size, in ten steps in a row: k is too soft for this load, whoever
+//              chose it; an impact is over before
 //
 //   what was left   of the residual, Eq. (4.8), and the rate at which it fell: engine/solvers/solver_result.hpp
 //   asked for       the largest of |B| and of the kicks h f/m
@@ -47,8 +48,12 @@ class RunCheck {
   /// begin_again, the account of energy begins anew.
   void look(const World<Dof>& world, double h);
 
-  /// Somebody else moved bodies: the account of energy begins anew, and what was found is forgotten.
+  /// Forgets everything: the account of energy begins anew, and the verdict is sound.
   void begin_again() { *this = {}; }
+
+  /// Bodies were moved from outside since the last look: the account of energy begins anew with the next one. The verdict
+  /// stays.
+  void bodies_were_moved() { moved_ = true; }
 
   const Verdict& verdict() const { return verdict_; }
 
@@ -63,8 +68,11 @@ class RunCheck {
   Verdict verdict_;
   std::int64_t last_step_ = -1;
   bool first_ = true;               // of the account of energy
+  bool moved_ = false;              // from outside, since the last look
   bool had_rows_ = false;           // since the account began
   int deep_steps_ = 0;              // steps in a row in which contacts were too deep
+  int sagging_steps_ = 0;           // steps in a row in which a spring gave too much
+  std::string sag_;                 // what did so in the last step; empty if nothing
   double started_ = 0;              // with that kinetic energy [J]
   double given_ = 0;                // by forces since then, and by springs that were tight [J]
   double most_ = 0;                 // the largest kinetic energy so far [J]

@@ -10,11 +10,13 @@
     print(run.error, run.state, run.us_per_step)
 
 Numbers are in SI units, angular velocities in world coordinates, quaternions (w, x, y, z). What makes no sense is a
-ValueError that names the parameter and its value; a world that is no longer finite is a SimulationDiverged.
+ValueError that names the parameter and its value. A world that is no longer finite raises SimulationDiverged; one that
+is finite and wrong says so once, as a RuntimeWarning, and in its state and reason.
 """
 
-from ._spook import SimulationDiverged, PointWorld, World, scenes, solvers
+from ._spook import SimulationDiverged, PointWorld, World, __version__, scenes, solvers
 from .scene import Run, Scene, scene
 from .sweep import Table, sweep
 
-__all__ = ["SimulationDiverged", "PointWorld", "Run", "Scene", "Table", "World", "scene", "scenes", "solvers", "sweep"]
+__all__ = ["SimulationDiverged", "PointWorld", "Run", "Scene", "Table", "World", "__version__", "scene", "scenes", "solvers",
+           "sweep"]

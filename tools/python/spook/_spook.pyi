@@ -15,18 +15,15 @@ class SimulationDiverged(RuntimeError):
 class _EitherWorld:
     """What the two have in common."""
 
-    def __init__(self, *, gravity: Vector = (0, 0, -9.81), k: float | None = None, d: float | None = None, friction: float = 0,
-                 viscosity: float = 1e12, restitution: float | None = None, threshold: float = 1e-9,
-                 solver: str = "auto", friction_model: str | None = None, iterations: int = 50, tolerance: float = 0, warm_start: bool = False,
-                 contact_margin: float | None = None, threads: int = 1) -> None:
-        """gravity [m/s²]; k [N/m] and d [steps] of contacts and joints, with a default k
-        that goes with masses and forces; friction is μ, and friction_model "cone", "two_pass" or
-        "box" (default: the cone where the solver has it, else two_pass); impacts only with a restitution,
-        beyond the threshold [m/s]; tolerance [m/s]; contact_margin [m]. Raises ValueError for what makes no sense."""
-    def add_fixed(self, x: Vector, radius: float = 0) -> int:
-        """Adds a static body; a sphere, if it has a radius [m]."""
     def add_plane(self, n: Vector = (0, 0, 1), offset: float = 0) -> int:
-        """Adds the half-space n·x < offset as a fixed body; |n| = 1."""
+        """Adds the half-space n·x < offset as a static body; |n| = 1."""
+    def remove_body(self, body: int) -> None:
+        """Removes a body with its joints; the indices of bodies after it go down by one. Raises BufferError while there
+        are arrays that look at the bodies."""
+    def set_material(self, body: int, other: int | None = None, *, friction: float | None = None,
+                     restitution: float | None = None, k: float | None = None, d: float | None = None) -> None:
+        """Sets the material of a body where it touches, or of a pair of bodies; what is left out is the world's. For two
+        bodies friction is the geometric mean, restitution the larger, k the softer, d the larger."""
     def add_joint(self, i: int, j: int, p_i: Vector = ..., p_j: Vector = ..., length: float | None = None,
                   k: float | None = None, d: float | None = None) -> int:
         """Joins points p_i, p_j of two bodies, in their axes [m]: a distance if length is given, else a ball joint."""
@@ -45,13 +42,30 @@ class _EitherWorld:
     def synchronized_velocity(self, body: int, h: float) -> Array:
         """The velocity at the time of the position, from the one half a step of h before [m/s]."""
     def step(self, h: float, steps: int = 1) -> None:
-        """Moves on by so many steps of h [s]. Raises ValueError for h, and SimulationDiverged."""
+        """Moves on by so many steps of h [s], while other threads of Python run. Raises ValueError for h, and
+        SimulationDiverged. Warns once (RuntimeWarning) when the world is lost."""
     @property
     def time(self) -> float:
         """[s]"""
     @property
     def steps(self) -> int:
         """Taken so far."""
+    @property
+    def masses(self) -> Array:
+        """Of each body [kg], a copy; infinite for a static one."""
+    @property
+    def energy(self) -> dict[str, float]:
+        """The kinetic energy, of velocities that are half a step behind, and the potential energy of the weight [J]."""
+    @property
+    def state(self) -> str:
+        """The verdict on all steps so far: "sound", "unsolved" (the solver left more than a hundredth of a step) or "lost"
+        (what happened has no cause in the problem)."""
+    @property
+    def reason(self) -> str:
+        """Why the state is not "sound"; empty if it is."""
+    @property
+    def note(self) -> str:
+        """What else there is to say: the first spring that gives by more than a hundredth of a size."""
     @property
     def x(self) -> Array:
         """Positions, a row a body [m]. The engine's own numbers, to be read only: they change with each step. While
@@ -60,11 +74,16 @@ class _EitherWorld:
     def v(self) -> Array:
         """Velocities, half a step before the positions [m/s]; as x."""
     def contacts(self) -> dict[str, NDArray[Any]]:
-        """Of the last step, copies: i, j, gap [m], point [m], normal, normal_impulse and impulse [N s] on j."""
+        """The contacts of the last step, copies: i, j, gap [m], point [m], normal, normal_impulse and impulse [N s], and
+        force [N], on j."""
+    def joints(self) -> dict[str, Any]:
+        """The joints, copies: kind, i, j, and what each did to j in the last step: force [N], and in a World torque [N m]."""
     def joint_impulse(self, joint: int) -> Array:
         """Of each row of a joint in the last step [N s], a copy."""
     def joint_force(self, joint: int) -> Array:
         """What a joint did to body j in the last step [N]."""
+    def contact_force(self, contact: int) -> Array:
+        """What a contact did to body j in the last step, friction included [N]."""
     def report(self) -> dict[str, Any]:
         """Of the last step: pairs, contacts, impacts, rows, iterations, residual [m/s], trouble."""
     def __len__(self) -> int: ...
@@ -74,6 +93,22 @@ class _EitherWorld:
 class PointWorld(_EitherWorld):
     """Point masses, by the SPOOK method: as World, without all that turns, and cheaper."""
 
+    def __init__(self, *, gravity: Vector = (0, 0, -9.81), k: float | None = None, d: float | None = None, friction: float = 0,
+                 viscosity: float = 1e12, restitution: float | None = None, threshold: float = 1e-9,
+                 solver: str = "auto", friction_model: str | None = None, tangents: str = "fixed", iterations: int = 50,
+                 tolerance: float = 0, warm_start: bool = False, contact_margin: float | None = None,
+                 integrator_order: int = 2, threads: int = 1, check: bool = True) -> None:
+        """Makes an empty world. Raises ValueError for what makes no sense.
+
+        gravity [m/s^2]; k [N/m] and d [steps] of contacts and joints, with a default k that goes with masses and
+        forces. friction is the coefficient of friction, and friction_model "cone", "two_pass" or "box" (default: the
+        cone where the solver has it, else two_pass); tangents "fixed" or "sliding" are the directions of friction.
+        There are impacts only with a restitution, beyond the threshold [m/s]. solver is one of spook.solvers(); it
+        stops after so many iterations, or at the tolerance [m/s]. A slightly open contact keeps its row within the
+        contact_margin [m]. integrator_order is 2 or 4. check looks after each step whether the run is still sound, for
+        state, reason and the warning; this costs about as much as a sweep."""
+    def add_fixed(self, x: Vector, radius: float = 0) -> int:
+        """Adds a static body; a sphere, if it has a radius [m]. Raises BufferError as add."""
     def add(self, *, x: Vector = ..., v: Vector = ..., mass: float = 1, radius: float = 0) -> int:
         """Adds a point mass, with a sphere about it if it has a radius, and returns its index. Raises BufferError
         while there are arrays that look at the bodies."""
@@ -84,6 +119,26 @@ class PointWorld(_EitherWorld):
 class World(_EitherWorld):
     """Rigid bodies, by the SPOOK method."""
 
+    def __init__(self, *, gravity: Vector = (0, 0, -9.81), k: float | None = None, d: float | None = None, friction: float = 0,
+                 viscosity: float = 1e12, restitution: float | None = None, threshold: float = 1e-9,
+                 solver: str = "auto", friction_model: str | None = None, tangents: str = "fixed", iterations: int = 50,
+                 tolerance: float = 0, warm_start: bool = False, contact_margin: float | None = None,
+                 integrator_order: int = 2, threads: int = 1, check: bool = True,
+                 rotation: str = "splitting") -> None:
+        """Makes an empty world. Raises ValueError for what makes no sense.
+
+        gravity [m/s^2]; k [N/m] and d [steps] of contacts and joints, with a default k that goes with masses and
+        forces. friction is the coefficient of friction, and friction_model "cone", "two_pass" or "box" (default: the
+        cone where the solver has it, else two_pass); tangents "fixed" or "sliding" are the directions of friction.
+        There are impacts only with a restitution, beyond the threshold [m/s]. solver is one of spook.solvers(); it
+        stops after so many iterations, or at the tolerance [m/s]. A slightly open contact keeps its row within the
+        contact_margin [m]. integrator_order is 2 or 4, and rotation "splitting", "exponential" or "first_order". check
+        looks after each step whether the run is still sound, for state, reason and the warning; this costs about as
+        much as a sweep."""
+    def add_fixed(self, x: Vector, radius: float = 0, *, q: Sequence[float] = (1, 0, 0, 0), half_length: float = 0,
+                  half_sides: Vector = ...) -> int:
+        """Adds a static body: a point, a sphere of a radius, a capsule of a radius and a half_length, or a box of
+        half_sides [m], turned by q. Raises BufferError as add."""
     def add(self, *, x: Vector = ..., v: Vector = ..., mass: float = 1, radius: float = 0,
             q: Sequence[float] = (1, 0, 0, 0), omega: Vector = ..., principal: Vector | None = None,
             half_length: float = 0, half_sides: Vector = ..., corners: Sequence[Vector] = ()) -> int:
@@ -128,6 +183,8 @@ class World(_EitherWorld):
     @property
     def q(self) -> Array:
         """Orientations (w, x, y, z), body to world. A copy: the engine keeps its quaternions in another order."""
+
+__version__: str
 
 def scenes() -> list[str]:
     """Their names."""
