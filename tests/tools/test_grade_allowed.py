@@ -76,6 +76,9 @@ class Allowed(unittest.TestCase):
                 read_object(file)
         with self.assertRaisesRegex(TooLarge, "symbols"):
             self.made("\n".join(f".quad f{k}" for k in range(100_001)))
+        long = "f" * (1 << 20)  # of which each shares the end, in the object
+        with self.assertRaisesRegex(TooLarge, "names of more than 16 MiB"):
+            self.made("\n".join(f".quad {'g' * k}{long}" for k in range(17)))
 
     def test_what_an_answer_calls(self):
         for name in ("sqrt", "hypotf", "memcpy", "printf", "__printf_chk", "_Znwm", "_ZdlPvm", "_ZSt4cout",

@@ -5,22 +5,27 @@ import io
 import os
 import shutil
 import subprocess
+import sys
 import tarfile
 import tempfile
 import unittest
+import unittest.mock
 import zipfile
+from dataclasses import replace
 from pathlib import Path
 
 import sandbox  # noqa: F401
 
 from errors import BadInput, CourseError
+from grading import reading
+from grading.archives import LARGEST
 from grading.delivery import find_submissions
 from grading.merge import merge, missing_shards, set_aside, write_delivery
 from grading.gradebook import cell
-from grading.names import safe, student_of
+from grading.names import Student, safe, student_of
 from grading.results import SCHEMA, folder_of, write_json
 from grading.roster import read_roster
-from grading.submission import read_submission
+from grading.submission import Handed, Place, read_submission
 from manifest import all_exercises
 
 KICK, WHERE = b"Vec3 kick;", "chapters/01_leapfrog/kick.cpp"
@@ -170,6 +175,39 @@ class Delivered(Finds):
         for name, said in (("deep", "200 archives"), ("zeros", "1024 MiB"), ("many", "only 20"), ("pipe", "regular")):
             self.assertIn(said, " ".join(submissions[name].notes))
 
+    def test_one_in_a_class_zip_stops_nobody(self):
+        """Each is read for itself, and has a budget of its own, however many there are."""
+        deep = zipped({f"{k}.zip": zipped({f"{m}.zip": zipped({"x": b""}) for m in range(20)}) for k in range(20)})
+        names = [f"s{k:03d}" for k in range(210)]
+        path = self.put({"class.zip": zipped({"a.zip": deep, "b": b"", **{f"{name}.zip": zipped({WHERE: KICK})
+                                                                         for name in names}})}) / "class.zip"
+        delivery = find_submissions([path], self.root / "out")
+        self.assertEqual([one.name for one in delivery.handed], ["a", *names])
+        read = [read_submission(one, all_exercises()) for one in (delivery.handed[0], delivery.handed[-1])]
+        self.assertIn("200 archives", read[0].notes[0])
+        self.assertEqual((read[1].sources["kick"].content, read[1].notes), (KICK, []))
+
+    def test_folders_without_end_stop_nobody(self):
+        """The walk through them calls itself for each level."""
+        folder = self.put({f"{name}/{WHERE}": KICK for name in ("ann", "bo", "cy")})
+        here = os.open(folder / "bo", os.O_RDONLY)
+        for _ in range(2 * sys.getrecursionlimit()):
+            os.mkdir("a", dir_fd=here)
+            below = os.open("a", os.O_RDONLY, dir_fd=here)
+            os.close(here)
+            here = below
+        os.close(here)
+        self.addCleanup(subprocess.run, ["rm", "-rf", str(folder)])
+        submissions, _ = self.found(folder)
+        self.assert_kicks(submissions, "ann", "bo", "cy")
+        self.assertEqual(submissions["bo"].notes, ["folders more than 40 deep are not read"])
+
+    def test_what_it_says_of_itself_is_cut(self):
+        files = {f"{'n' * 60_000}{k}.hpp": b"" for k in range(100)} | {f"{'n' * 999}{k}.zip": b"" for k in range(99)}
+        (self.root / "long.zip").write_bytes(zipped(files))
+        submissions, _ = self.found(self.root / "long.zip")
+        self.assertLess(len("".join(submissions["long"].notes)), 100_000)
+
     @staticmethod
     def header(name: str, size: int) -> bytes:
         info = tarfile.TarInfo(name)
@@ -183,6 +221,41 @@ class Delivered(Finds):
                                ("kick.cpp", None), ("01_leapfrog", None), ("half_step_start.cpp", None)):
             found = student_of(name)
             self.assertEqual((found[0].name, found[0].identifier, found[0].late, found[1]) if found else None, expected)
+
+
+class ReadApart(InFolder):
+    """In a process of its own: what it gives is the same, and what it costs has an end."""
+
+    def read(self, name: str, content: bytes, **limits: int):
+        (self.root / name).write_bytes(content)
+        handed = Handed(name, (Place(self.root / name),), Student(name))
+        with unittest.mock.patch("grading.reading._READING", replace(reading._READING, **limits)):
+            return reading.read_apart(handed, all_exercises())
+
+    def test_it_is_the_same(self):
+        content = zipped({"kick.cpp": KICK + b"\0\xff", "drift.cpp": b"/" * (LARGEST + 1), "x.hpp": b"x"})
+        read = self.read("ann.zip", content)
+        self.assertEqual(read, read_submission(Handed("ann.zip", (Place(self.root / "ann.zip"),),
+                                                      Student("ann.zip")), all_exercises()))
+        self.assertEqual(set(read.sources), {"kick", "drift"})
+
+    def test_what_takes_too_long(self):
+        zeros = bz2.compress(Delivered.header("zeros", 4 << 30)) + bz2.compress(bytes(16 << 20)) * 64
+        self.assertEqual(self.read("zeros.tar.bz2", zeros, cpu=1).notes, ["it cannot be read: that takes too long"])
+
+    def test_what_takes_too_much_memory(self):
+        content = io.BytesIO()
+        with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:
+            archive.writestr("inner.tar", bytes(60 << 20))
+        notes = self.read("large.zip", content.getvalue(), memory=90 << 20).notes
+        self.assertRegex(notes[0], "MemoryError|Unable to allocate|too much memory")
+
+    def test_nothing_is_imported_from_where_it_is_called(self):
+        (self.root / "json.py").write_text("raise SystemExit(3)")
+        before = os.getcwd()
+        os.chdir(self.root)
+        self.addCleanup(os.chdir, before)
+        self.assertEqual(self.read("ann.zip", zipped({"kick.cpp": KICK})).sources["kick"].content, KICK)
 
 
 class Names(Finds):

@@ -11,6 +11,7 @@ from types import SimpleNamespace
 
 from sandbox import all_exercises
 
+from grading.complaints import compiler_says
 from grading.confined import reap, spawn
 from grading.isolation import ENVIRONMENT
 from grading.judge import PASSED, TIMED_OUT, WAITED, ExerciseVerdict, Judge, TestVerdict
@@ -79,6 +80,17 @@ class Status(unittest.TestCase):
         self.assertEqual([exit_code(status) for status in (b"0", b"256", b"11")], [0, 1, -11])
         for status in (b"4991", b"-1", b"", b"x", b"127", b"99999999999999999999"):
             self.assertEqual(exit_code(status), -signal.SIGKILL, status)
+
+
+class Complaints(unittest.TestCase):
+    def test_a_long_line_is_looked_through_once(self):
+        """A name of megabytes: our own paths are sought at its beginning only."""
+        exercise = next(iter(all_exercises()))
+        file = f"chapters/{exercise.folder}/{exercise.file.name}"
+        told = f"/x/headers/{file}:1:1: error: '{'a' * (4 << 20)}' was not declared\n"
+        said = compiler_says(told, exercise, file, "int x;")
+        self.assertTrue(said.startswith(f"{file}:1:1: error: 'aaa"))
+        self.assertLess(len(said), 1000)
 
 
 class OneCore(unittest.TestCase):

@@ -10,8 +10,9 @@ from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 
 from errors import BadInput
-from grading.archives import entries_of, is_archive, is_litter, text, without_suffix
+from grading.archives import is_archive, is_litter, names_in, text, without_suffix
 from grading.names import Student, safe, student_of
+from grading.reading import names_apart
 from grading.submission import Handed, Place, rank_of
 from manifest import Exercise, all_exercises
 
@@ -53,15 +54,11 @@ def find_submissions(paths: list[Path], out: Path) -> Delivery:
 
 
 def _names(path: Path, out: Path) -> list[PurePosixPath]:
-    """What is in it, archives inside it unopened; none of what cannot be read."""
-    if path.is_dir():
-        out = _real(out)
-        return [PurePosixPath(text(found.relative_to(path).as_posix())) for found in sorted(path.rglob("*"))
-                if not found.is_dir() and out not in _real(found).parents]
-    try:
-        return [entry.path for entry in entries_of(path)]
-    except Exception:  # it is a submission that can't be read, and will be said to be
-        return []
+    """What is in it, in an archive also in archives inside it; none of what cannot be read."""
+    if not path.is_dir():
+        return names_apart(path)
+    marks = PurePosixPath(os.path.relpath(_real(out), _real(path)))
+    return [name for name in names_in(path, opened=False) if marks not in name.parents]
 
 
 def _is_one(names: list[PurePosixPath], exercises: list[Exercise]) -> bool:

@@ -11,9 +11,10 @@ from errors import BadInput, CourseError
 from grading.confined import STOP, Interrupted
 from grading.isolation import User, choose, take_user
 from grading.judge import ExerciseVerdict, Judge
+from grading.reading import read_apart
 from grading.report import report_of
 from grading.results import folder_of, result_of, write_json
-from grading.submission import Handed, Source, Submission, read_submission
+from grading.submission import Handed, Source, Submission
 from grading.text import one_line
 from grading.weights import read_weights
 from grading.workshop import Workshop, check_hidden
@@ -89,7 +90,7 @@ class Grader:
 
     def grade_one(self, handed: Handed, out: Path, on_exercise: Callable[[dict, int], None] | None = None) -> dict:
         """`on_exercise` is given what is known so far, and how many exercises are left."""
-        submission = read_submission(handed, self.exercises)
+        submission = read_apart(handed, self.exercises)
         judged = {exercise: self._judge.unjudged(exercise) for exercise in self.exercises}
         user, lost = self._users.get(), 0.0
         try:

@@ -10,7 +10,8 @@ from manifest import Exercise
 from marker import is_stub
 from paths import CHAPTERS
 
-_NAMES_IN_A_NOTE = 8
+_NAMES_IN_A_NOTE, _NAME = 8, 200  # names, and characters of one
+_NOTES, _NOTE = 30, 2000  # notes, and characters of one
 _MOST_CANDIDATES = 20  # for one exercise
 # Where a copy of the course keeps its own, which are not the student's.
 _NOT_THEIRS = {"solutions", "tests", "plots", "tools", "build", ".git", ".course"}
@@ -66,14 +67,12 @@ def read_submission(handed: Handed, exercises: list[Exercise]) -> Submission:
     found: dict[str, list[_Candidate]] = {}
     for place in handed.places:
         try:
-            for entry in entries_of(place.path):
+            for entry in entries_of(place.path, place.inside):
                 if place.inside:
-                    if entry.path.parts[0] != place.inside:
-                        continue
                     entry = _moved(entry, "/".join(entry.path.parts[1:]))
                 _look(submission, entry, exercises, seen, found)
         except Exception as error:  # a damaged archive has the library raise whatever its decoders do
-            submission.notes.append(f"{place.path.name} cannot be read: {error}")
+            submission.notes.append(f"{place.path.name} cannot be read: {str(error) or type(error).__name__}")
     for function, candidates in found.items():
         _choose(submission, function, candidates)
     if not found:
@@ -83,6 +82,7 @@ def read_submission(handed: Handed, exercises: list[Exercise]) -> Submission:
         others = [name for name in seen if _is_worth_a_line(name)]
         if others:
             submission.notes.append(f"not an exercise's file, so not taken: {_listed(others)}")
+    submission.notes = _cut(submission.notes)
     return submission
 
 
@@ -150,9 +150,15 @@ def _is_worth_a_line(name: str) -> bool:
     return not (CHAPTERS / "/".join(path.parts[-2:])).exists()
 
 
+def _cut(notes: list[str]) -> list[str]:
+    """What is written into every report: names and messages in a submission may have megabytes."""
+    more = len(notes) - _NOTES
+    return [note[:_NOTE] for note in notes[:_NOTES]] + ([f"{more} further notes"] if more > 0 else [])
+
+
 def _listed(names: list[str]) -> str:
     more = len(names) - _NAMES_IN_A_NOTE
-    return ", ".join(sorted(names)[:_NAMES_IN_A_NOTE]) + (f" and {more} more" if more > 0 else "")
+    return ", ".join(name[:_NAME] for name in sorted(names)[:_NAMES_IN_A_NOTE]) + (f" and {more} more" if more > 0 else "")
 
 
 def _moved(entry: Entry, path: str) -> Entry:
@@ -160,7 +166,7 @@ def _moved(entry: Entry, path: str) -> Entry:
 
 
 def _read(entry: Entry) -> Source:
-    path = str(entry.path)
+    path = str(entry.path)[:_NAME]
     if entry.kind == "link":
         return Source(path, problem=f"{path} is a symbolic link, and those are not followed", is_link=True)
     if entry.kind != "file":
