@@ -28,6 +28,10 @@ class Source:
     is_link: bool = False
     is_reference: bool = False
 
+    @property
+    def text(self) -> str:
+        return self.content.decode("utf-8", errors="replace")
+
 
 @dataclass(frozen=True)
 class Place:
@@ -130,7 +134,7 @@ def _choose(submission: Submission, function: str, candidates: list[_Candidate])
         del candidates[_MOST_CANDIDATES:]
     sources = [_read(one.entry) for one in candidates]
     chosen = next((k for k, source in enumerate(sources) if not source.problem
-                   and not is_stub(source.content.decode("utf-8", errors="replace"))), 0)
+                   and not is_stub(source.text)), 0)
     if sources[0].problem:
         chosen = 0  # what is where it belongs is what was handed in, and says why it can't be taken
     submission.sources[function] = sources[chosen]
