@@ -10,6 +10,7 @@ import tempfile
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
+import crash
 from grading.confined import Limits
 from grading.isolation import Isolation, User
 from grading.objects import STILL_A_STUB, Made, make
@@ -32,8 +33,9 @@ _THREADED = {"solve_in_colours"}  # they start threads
 _THREADS = {"processes": 300, "stack": 1 << 20}  # they may start 256, whose stacks must have room in the memory allowed
 _PRINTED = 4000  # characters kept of what the student's code printed
 _MESSAGE = 20_000
+_LAST_WORDS = 4000  # characters of what it printed, in which an assertion is sought
 _WORKED = 0.5  # seconds of processor time, above which what the clock has stopped did more than wait
-_BUSY = 3  # times as long as its processor time is what a test may take on the clock of a machine with much to do
+_BUSY = 8  # times as long as its processor time is what a test may take on the clock of a machine with much to do
 _PREFIX = re.compile(r"\AFailed\n")
 
 
@@ -225,8 +227,7 @@ def _without_verdict(ran: Ran, cpu_limit: int) -> tuple[str, str, list[str]]:
     if number == signal.SIGABRT and "std::bad_alloc" in ran.output:
         return OUT_OF_MEMORY, "", ["It asked for more memory than there is."]
     if number:
-        return CRASHED, _name(number), [
-            "That is most often an index past the end, or a function that calls itself without end."]
+        return CRASHED, _name(number), [crash.explained(_name(number), ran.output[-_LAST_WORDS:], None)]
     if ran.tests_code:  # the test, and not the function: it could not work with what it got
         of_test = _signal(ran.tests_code)
         if of_test in (signal.SIGXCPU, signal.SIGKILL):

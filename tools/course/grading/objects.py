@@ -27,8 +27,9 @@ _COMPILING = Limits(cpu=30, wall=600, memory=3 << 30, files=256 << 20, processes
 _STUB = "_ZTIN5spook14NotImplementedE"  # what a stub throws: not in an object whose call is in a comment or in #if 0
 STILL_A_STUB = "The file still calls not_implemented()."
 _NAMES, _NAME, _MOST_NAMES = 1 << 16, 500, 20  # characters of all names that are shown, and of one
-_NOT_NEEDED = ("{} calls {}(), which no exercise needs. An answer may call the C++ library, mathematics, text, memory, "
-               "and what the chapters' headers declare.")
+_NOT_AVAILABLE = "not available in grading"
+_NOT_NEEDED = ("{} calls {}(), which is not available in grading, and no exercise needs it. An answer may call the C++ "
+               "library, mathematics, text, memory, and what the chapters' headers declare.")
 
 
 @dataclass(frozen=True)
@@ -89,11 +90,11 @@ def _from_object(exercise: Exercise, source: Source, file: Path, workshop: Works
         return Made(None, "tampered", refused, f"{file} {refused}. No exercise needs that; it is not run.")
     stranger = "" if source.is_reference else not_allowed(found, workshop.reference.callable_symbols(exercise))
     if owner := _owner(stranger, workshop):
-        return Made(None, "does not compile", "not available in grading", _not_yet(file, owner, exercise))
+        return Made(None, "does not compile", _NOT_AVAILABLE, _not_yet(file, owner, exercise))
     if stranger.startswith("_Z"):
         return Made(None, "does not compile", "does not link", f"undefined reference to `{_readable(stranger)}'")
     if stranger:
-        return Made(None, "does not compile", "calls what no exercise needs", _NOT_NEEDED.format(file, stranger))
+        return Made(None, "does not compile", _NOT_AVAILABLE, _NOT_NEEDED.format(file, stranger))
     missing = sorted(name for name in wanted if not found.binding_of(name))
     if missing:
         return Made(None, "does not compile", "function not defined", _not_defined(file, missing))
