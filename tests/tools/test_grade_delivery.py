@@ -110,6 +110,48 @@ class Delivered(Finds):
         self.assertEqual([submissions[name].student.late for name in ("leeann", "ekbo", "ohcy")], [False, True, True])
         self.assertEqual(left, {"notes.pdf"})
 
+    def test_moodle_with_a_text_online_is_one_submission(self):
+        submissions, _ = self.found(self.put(self.MOODLE | {"Bo Ek_102_assignsubmission_onlinetext_/text.html": b"x"}))
+        self.assertEqual(set(submissions), {"Åsa Öberg", "Bo Ek", "Cy", "Di", "Ed", "Flo", "Gus"})
+        self.assert_kicks(submissions, "Bo Ek")
+
+    def test_blackboard(self):
+        """Each attempt has a text about it, and files; the last one counts."""
+        files = {"2026-11-20-10-11-12": b"old", "2026-11-21-09-00-00": KICK, "2026-09-30-10-11-12": b"older"}
+        delivered = {f"Home_work 1_{login}_attempt_{time}{end}": content
+                     for login in ("leeann", "bo") for time, content in files.items() for end in (".txt", "_kick.cpp")}
+        whole = self.root / "gradebook.zip"
+        whole.write_bytes(zipped(delivered))
+        for path in (self.put(delivered), whole):
+            submissions, left = self.found(path)
+            self.assertEqual((set(submissions), left), ({"leeann", "bo"}, set()))
+            self.assert_kicks(submissions, "leeann", "bo")
+
+    def test_brightspace(self):
+        submissions, left = self.found(self.put({
+            "12-9 - Ann Lee - Nov 2, 2026 1011 AM/kick.cpp": b"old", "12-9 - Ann Lee - Nov 2, 2026 101 PM/kick.cpp": KICK,
+            "12-9 - Ann Lee - Oct 30, 2026 1159 PM/kick.cpp": b"older", "index.html": b"x",
+            "13-9 - Bo - Ek - Nov 2, 2026 1011 AM/work.zip": zipped({WHERE: KICK})}))
+        self.assertEqual((set(submissions), left), ({"Ann Lee", "Bo - Ek"}, {"index.html"}))
+        self.assert_kicks(submissions, "Ann Lee", "Bo - Ek")
+        self.assertEqual(submissions["Ann Lee"].student.identifier, "12")
+
+    def test_the_last_attempt_on_canvas_counts(self):
+        submissions, _ = self.found(self.put({
+            "leeann_12_55_kick.cpp": b"old", "leeann_12_56_kick-1.cpp": b"older", "leeann_LATE_12_57_kick-10.cpp": KICK,
+            "leeann_12_58_kick-9.cpp": b"x"}))
+        self.assert_kicks(submissions, "leeann")
+        self.assertTrue(submissions["leeann"].student.late)
+
+    def test_a_name_of_another_platform_takes_nobodys_place(self):
+        """On Canvas a student chooses what follows the numbers."""
+        submissions, _ = self.found(self.put({
+            "leeann_12_55_kick.cpp": KICK, "bo_13_56_kick.cpp": KICK,
+            "eve_14_57_lee_12_assignsubmission_file_kick.cpp": b"x", "fay_15_58_x_leeann_attempt_2026-11-20-10-11-12_kick.cpp": b"x",
+            "gil_16_59_12-9 - Ann Lee - Nov 2, 2026 1011 AM": b"x"}))
+        self.assertEqual({(one.student.name, one.student.identifier) for one in submissions.values()},
+                         {("leeann", "12"), ("bo", "13"), ("eve", "14"), ("fay", "15"), ("gil", "16")})
+
     def test_folders_of_every_shape(self):
         submissions, left = self.found(self.put({
             "hw/ann-fork/" + WHERE: KICK, "hw/ann-fork/solutions/01_leapfrog/kick.cpp": b"ours",
@@ -218,6 +260,11 @@ class Delivered(Finds):
         for name, expected in (("A B_1_assignsubmission_file_", ("A B", "1", False, "")),
                                ("A B_1_assignsubmission_file_w.zip", ("A B", "1", False, "w.zip")),
                                ("leeann_late_12_3_my_kick.cpp", ("leeann", "12", True, "my_kick.cpp")),
+                               ("HW_3_4711_attempt_2026-11-20-10-11-12_a_kick.cpp", ("4711", "", False, "a_kick.cpp")),
+                               ("HW_bo_attempt_2026-11-20-10-11-12.txt", ("bo", "", False, "")),
+                               ("HW_bo_attempt_2026-11-20-10-11-12_x_cy_attempt_2026-11-21-10-11-12_kick.cpp",
+                                ("bo", "", False, "x_cy_attempt_2026-11-21-10-11-12_kick.cpp")),
+                               ("12-34 - A B - Nov 2, 2026 1011 AM", ("A B", "12", False, "")),
                                ("kick.cpp", None), ("01_leapfrog", None), ("half_step_start.cpp", None)):
             found = student_of(name)
             self.assertEqual((found[0].name, found[0].identifier, found[0].late, found[1]) if found else None, expected)

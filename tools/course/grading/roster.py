@@ -15,6 +15,7 @@ from errors import BadInput
 
 _NAMES = ("student", "full name", "name", "login", "sis login id", "username", "email address", "email",
           "github username")
+_FIRST, _LAST = ("first name", "firstname", "given name"), ("last name", "lastname", "surname", "family name")
 _NUMBERS = ("id", "identifier", "number", "participant")
 
 
@@ -24,45 +25,64 @@ class Roster:
     rows: tuple[dict[str, str], ...]
 
     def matched(self, results: list[dict]) -> tuple[dict[str, dict], list[dict], list[str]]:
-        """Each submission's row, by the submission's name; the rows without one; the submissions without a row."""
+        """Each submission's row, by the submission's name; the rows without one; the submissions without a row.
+
+        A number of one row with the name of another is nobody's, and an error: else two students would change places.
+        """
         by_number = {_digits(row[title]): row for row in self.rows for title in row
                      if title.lower() in _NUMBERS and _digits(row[title])}
         by_name: dict[str, list[dict]] = defaultdict(list)
         for row in self.rows:
-            for word in {word for title in row if title.lower() in _NAMES for word in _spellings(row[title])}:
+            for word in {word for name in self._names_in(row) for word in _spellings(name)}:
                 by_name[word].append(row)
         found, strangers = {}, []
         for result in results:
             row = by_number.get(result["identifier"]) if result["identifier"] else None
-            if row is None:
-                rows = [row for word in _spellings(result["student"]) for row in by_name.get(word, [])]
-                row = rows[0] if rows and all(one is rows[0] for one in rows) else None
-            if row is None or any(row is other for other in found.values()):
+            named = [row for word in _spellings(result["student"]) for row in by_name.get(word, [])]
+            other = named[0] if named and all(one is named[0] for one in named) else None
+            if row is not None and named and not any(one is row for one in named):
+                raise BadInput(f"the roster gives the number {result['identifier']} to {self.name_of(row)}, but the "
+                               f"submission {result['submission']!r} has this number and the name of "
+                               f"{self.name_of(named[0])}; correct the roster")
+            row = other if row is None else row
+            if row is None or any(row is one for one in found.values()):
                 strangers.append(result["submission"])
             else:
                 found[result["submission"]] = row
         missing = [row for row in self.rows if not any(row is one for one in found.values())]
         return found, missing, strangers
 
+    def _names_in(self, row: dict[str, str]) -> list[str]:
+        """All that the row calls the student: also first and last name, where they stand apart."""
+        by_title = {title.lower(): row[title] for title in row}
+        whole = [by_title[title] for title in _NAMES if title in by_title]
+        first, last = (next((by_title[title] for title in titles if title in by_title), "")
+                       for titles in (_FIRST, _LAST))
+        return whole + ([f"{first} {last}"] if first.strip() and last.strip() else [])
+
     def name_of(self, row: dict[str, str]) -> str:
-        return next((row[title] for wanted in _NAMES for title in self.columns
-                     if title.lower() == wanted and row[title].strip()), "?")
+        names = [name for name in self._names_in(row) if name.strip()]
+        return names[0] if names else "?"
 
 
 def read_roster(file: Path) -> Roster:
+    """A CSV with commas, semicolons or tabs, in UTF-8, UTF-16 or Latin-1, as spreadsheets write it."""
     try:
-        with open(file, encoding="utf-8-sig", newline="") as text:
-            reader = csv.DictReader(text)
-            columns = tuple(reader.fieldnames or ())
-            rows = tuple({title: row[title] or "" for title in columns} for row in reader)
+        lines = decoded(file.read_bytes()).splitlines(keepends=True)
+        separator = max(",;\t", key=lines[0].count) if lines else ","
+        reader = csv.DictReader(lines, delimiter=separator)
+        columns = tuple(reader.fieldnames or ())
+        rows = tuple({title: row[title] or "" for title in columns} for row in reader)
     except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise BadInput(f"the roster {file} cannot be read: {error}") from None
-    if not any(title.lower() in _NAMES for title in columns):
-        raise BadInput(f"the roster {file} has no column of names; known are {', '.join(_NAMES)}")
+    titles = {title.lower() for title in columns}
+    if not titles & set(_NAMES) and not (titles & set(_FIRST) and titles & set(_LAST)):
+        raise BadInput(f"the roster {file} has no column of names; known are {', '.join(_NAMES)}, "
+                       f"{' with '.join((_FIRST[0], _LAST[0]))}")
+    roster = Roster(columns, rows)
     # Canvas' second line says how many points are possible, and there is a student who tests.
-    rows = tuple(row for row in rows if any(row[title].strip() for title in columns if title.lower() in _NAMES)
-                 and not _is_no_student(row))
-    return Roster(columns, rows)
+    return Roster(columns, tuple(row for row in rows if any(name.strip() for name in roster._names_in(row))
+                                 and not _is_no_student(row)))
 
 
 def _is_no_student(row: dict[str, str]) -> bool:

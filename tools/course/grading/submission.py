@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 
 from grading.archives import LARGEST, Entry, entries_of
-from grading.names import Student, student_of
+from grading.names import Student, attempt_of, student_of
 from manifest import Exercise
 from marker import is_stub
 from paths import CHAPTERS
@@ -59,6 +59,7 @@ class Submission:
 @dataclass(frozen=True)
 class _Candidate:
     rank: int  # 0: where it belongs; the higher, the more is guessed
+    attempt: str  # the platform's; the last is the greatest
     entry: Entry
 
 
@@ -74,7 +75,7 @@ def read_submission(handed: Handed, exercises: list[Exercise]) -> Submission:
             for entry in entries_of(place.path, place.inside):
                 if place.inside:
                     entry = _moved(entry, "/".join(entry.path.parts[1:]))
-                _look(submission, entry, exercises, seen, found)
+                _look(submission, entry, attempt_of(place.inside or place.path.name), exercises, seen, found)
         except Exception as error:  # a damaged archive has the library raise whatever its decoders do
             submission.notes.append(f"{place.path.name} cannot be read: {str(error) or type(error).__name__}")
     for function, candidates in found.items():
@@ -114,21 +115,23 @@ def rank_of(path: PurePosixPath, exercises: list[Exercise]) -> tuple[Exercise, i
     return exercise, 1 if parts[-2] == exercise.folder else 2
 
 
-def _look(submission: Submission, entry: Entry, exercises: list[Exercise], seen: list[str],
+def _look(submission: Submission, entry: Entry, attempt: str, exercises: list[Exercise], seen: list[str],
           found: dict[str, list[_Candidate]]) -> None:
     if entry.kind == "damaged":
         submission.notes.append(entry.problem)
         return
     ranked = rank_of(entry.path, exercises)
     if ranked:
-        found.setdefault(ranked[0].function, []).append(_Candidate(ranked[1], entry))
+        found.setdefault(ranked[0].function, []).append(_Candidate(ranked[1], attempt, entry))
     else:
         seen.append(str(entry.path))
 
 
 def _choose(submission: Submission, function: str, candidates: list[_Candidate]) -> None:
-    """The least guessed; of those the first that is no stub."""
-    candidates.sort(key=lambda one: (one.rank, len(one.entry.path.parts), str(one.entry.path)))
+    """The least guessed; of those the last attempt, and the first that is no stub."""
+    candidates.sort(key=lambda one: (len(one.entry.path.parts), str(one.entry.path)))
+    candidates.sort(key=lambda one: one.attempt, reverse=True)
+    candidates.sort(key=lambda one: one.rank)
     if len(candidates) > _MOST_CANDIDATES:
         submission.notes.append(f"{len(candidates)} files could be {function}; only {_MOST_CANDIDATES} were looked at")
         del candidates[_MOST_CANDIDATES:]
