@@ -21,7 +21,7 @@ from grading import reading
 from grading.archives import LARGEST
 from grading.delivery import find_submissions
 from grading.merge import merge, missing_shards, set_aside, write_delivery
-from grading.gradebook import cell
+from grading.gradebook import Class, cell, not_graded
 from grading.names import Student, safe, student_of
 from grading.results import SCHEMA, folder_of, write_json
 from grading.roster import read_roster
@@ -369,6 +369,25 @@ class Rosters(InFolder):
     def test_two_of_one_name_are_not_guessed(self):
         found, missing, strangers = self.roster("Name\nAnn Lee\nAnn Lee\n").matched([self.result("Ann Lee")])
         self.assertEqual((found, len(missing), strangers), ({}, 2, ["Ann Lee"]))
+
+    def test_a_number_of_one_with_the_name_of_another_is_given_to_neither(self):
+        roster = self.roster("Name,ID\nAnn Lee,12\nBo Ek,13\nCy Oh,14\n")
+        results = [self.result("Ann Lee", identifier="13"), self.result("Bo Ek", identifier="12"),
+                   self.result("Cyrus", identifier="14")]
+        found, missing, strangers = roster.matched(results)
+        self.assertEqual((list(found), len(missing), strangers), (["Cyrus"], 2, ["Ann Lee", "Bo Ek"]))
+        lines = not_graded(results, Class([], roster))
+        for name in ("Ann Lee", "Bo Ek"):
+            line = next(line for line in lines if line.startswith(f"{name}: its number"))
+            self.assertTrue("Ann Lee" in line and "Bo Ek" in line, line)
+
+    def test_as_spreadsheets_write_it(self):
+        text = "Last name;First name;ID\nÖberg;Åsa;12\nLee;Ann;13\n"
+        for encoding in ("utf-8", "utf-8-sig", "utf-16", "utf-16-le", "latin-1"):
+            for separator in ";,\t":
+                path = self.put({"roster.csv": text.replace(";", separator).encode(encoding)}) / "roster.csv"
+                found, missing, _ = read_roster(path).matched([self.result("Asa Oberg"), self.result("leeann")])
+                self.assertEqual((len(found), missing), (2, []), (encoding, separator))
 
     def test_what_is_none_is_said(self):
         for text in ("", "a,b\n1,2\n"):

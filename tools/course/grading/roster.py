@@ -5,6 +5,8 @@ row whose number the platform wrote into its name, or else to the only row whose
 """
 
 import csv
+import functools
+import io
 import re
 import unicodedata
 from collections import defaultdict
@@ -12,6 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from errors import BadInput
+from text_encoding import decoded
 
 _NAMES = ("student", "full name", "name", "login", "sis login id", "username", "email address", "email",
           "github username")
@@ -25,32 +28,43 @@ class Roster:
     rows: tuple[dict[str, str], ...]
 
     def matched(self, results: list[dict]) -> tuple[dict[str, dict], list[dict], list[str]]:
-        """Each submission's row, by the submission's name; the rows without one; the submissions without a row.
-
-        A number of one row with the name of another is nobody's, and an error: else two students would change places.
-        """
-        by_number = {_digits(row[title]): row for row in self.rows for title in row
-                     if title.lower() in _NUMBERS and _digits(row[title])}
-        by_name: dict[str, list[dict]] = defaultdict(list)
-        for row in self.rows:
-            for word in {word for name in self._names_in(row) for word in _spellings(name)}:
-                by_name[word].append(row)
+        """Each submission's row, by the submission's name; the rows without one; the submissions without a row."""
         found, strangers = {}, []
         for result in results:
-            row = by_number.get(result["identifier"]) if result["identifier"] else None
-            named = [row for word in _spellings(result["student"]) for row in by_name.get(word, [])]
-            other = named[0] if named and all(one is named[0] for one in named) else None
-            if row is not None and named and not any(one is row for one in named):
-                raise BadInput(f"the roster gives the number {result['identifier']} to {self.name_of(row)}, but the "
-                               f"submission {result['submission']!r} has this number and the name of "
-                               f"{self.name_of(named[0])}; correct the roster")
-            row = other if row is None else row
-            if row is None or any(row is one for one in found.values()):
+            by_number, by_name = self._rows_of(result)
+            row = by_number if by_number is not None else by_name[0] if _are_one(by_name) else None
+            if row is None or any(row is one for one in found.values()) or self.contradiction(result):
                 strangers.append(result["submission"])
             else:
                 found[result["submission"]] = row
         missing = [row for row in self.rows if not any(row is one for one in found.values())]
         return found, missing, strangers
+
+    def contradiction(self, result: dict) -> str:
+        """The number of one row with the name of another, by which two students would change places; else empty."""
+        by_number, by_name = self._rows_of(result)
+        if by_number is None or not by_name or any(row is by_number for row in by_name):
+            return ""
+        return (f"its number {result['identifier']} is that of {self.name_of(by_number)} on the roster, and its name "
+                f"is that of {self.name_of(by_name[0])}, so that it is given to neither")
+
+    def _rows_of(self, result: dict) -> tuple[dict[str, str] | None, list[dict[str, str]]]:
+        """That with the number that the platform has written, and all with the name."""
+        by_number = self._by_number.get(result["identifier"]) if result["identifier"] else None
+        return by_number, [row for word in _spellings(result["student"]) for row in self._by_name.get(word, [])]
+
+    @functools.cached_property
+    def _by_number(self) -> dict[str, dict[str, str]]:
+        return {_digits(row[title]): row for row in self.rows for title in row
+                if title.lower() in _NUMBERS and _digits(row[title])}
+
+    @functools.cached_property
+    def _by_name(self) -> dict[str, list[dict[str, str]]]:
+        found: dict[str, list[dict]] = defaultdict(list)
+        for row in self.rows:
+            for word in {word for name in self._names_in(row) for word in _spellings(name)}:
+                found[word].append(row)
+        return found
 
     def _names_in(self, row: dict[str, str]) -> list[str]:
         """All that the row calls the student: also first and last name, where they stand apart."""
@@ -68,9 +82,9 @@ class Roster:
 def read_roster(file: Path) -> Roster:
     """A CSV with commas, semicolons or tabs, in UTF-8, UTF-16 or Latin-1, as spreadsheets write it."""
     try:
-        lines = decoded(file.read_bytes()).splitlines(keepends=True)
-        separator = max(",;\t", key=lines[0].count) if lines else ","
-        reader = csv.DictReader(lines, delimiter=separator)
+        content = decoded(file.read_bytes())
+        separator = max(",;\t", key=content.partition("\n")[0].count)
+        reader = csv.DictReader(io.StringIO(content, newline=""), delimiter=separator)
         columns = tuple(reader.fieldnames or ())
         rows = tuple({title: row[title] or "" for title in columns} for row in reader)
     except (OSError, UnicodeDecodeError, csv.Error) as error:
@@ -83,6 +97,10 @@ def read_roster(file: Path) -> Roster:
     # Canvas' second line says how many points are possible, and there is a student who tests.
     return Roster(columns, tuple(row for row in rows if any(name.strip() for name in roster._names_in(row))
                                  and not _is_no_student(row)))
+
+
+def _are_one(rows: list[dict]) -> bool:
+    return bool(rows) and all(row is rows[0] for row in rows)
 
 
 def _is_no_student(row: dict[str, str]) -> bool:
