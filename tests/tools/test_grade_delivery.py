@@ -129,7 +129,8 @@ class Delivered(Finds):
 
     def test_brightspace(self):
         submissions, left = self.found(self.put({
-            "12-9 - Ann Lee - Nov 2, 2026 1011 AM/kick.cpp": b"old", "12-9 - Ann Lee - Nov 2, 2026 101 PM/kick.cpp": KICK,
+            "12-9 - Ann Lee - Nov 2, 2026 1011 AM/kick.cpp": b"old",
+            "12-9 - Ann Lee - Nov 2, 2026 101 PM/kick.cpp": KICK,
             "12-9 - Ann Lee - Oct 30, 2026 1159 PM/kick.cpp": b"older", "index.html": b"x",
             "13-9 - Bo - Ek - Nov 2, 2026 1011 AM/work.zip": zipped({WHERE: KICK})}))
         self.assertEqual((set(submissions), left), ({"Ann Lee", "Bo - Ek"}, {"index.html"}))
@@ -147,7 +148,8 @@ class Delivered(Finds):
         """On Canvas a student chooses what follows the numbers."""
         submissions, _ = self.found(self.put({
             "leeann_12_55_kick.cpp": KICK, "bo_13_56_kick.cpp": KICK,
-            "eve_14_57_lee_12_assignsubmission_file_kick.cpp": b"x", "fay_15_58_x_leeann_attempt_2026-11-20-10-11-12_kick.cpp": b"x",
+            "eve_14_57_lee_12_assignsubmission_file_kick.cpp": b"x",
+            "fay_15_58_x_leeann_attempt_2026-11-20-10-11-12_kick.cpp": b"x",
             "gil_16_59_12-9 - Ann Lee - Nov 2, 2026 1011 AM": b"x"}))
         self.assertEqual({(one.student.name, one.student.identifier) for one in submissions.values()},
                          {("leeann", "12"), ("bo", "13"), ("eve", "14"), ("fay", "15"), ("gil", "16")})
@@ -162,6 +164,32 @@ class Delivered(Finds):
         self.assertEqual(submissions["ann-fork"].notes, [])
         for name in ("bo", "cy", "di", "ed", "flo"):
             self.assertIn("taken for kick: ", submissions[name].notes[0])
+
+    def test_names_that_browsers_and_systems_give_files(self):
+        for name in ("kick (1).cpp", "kick.cpp (2)", "Kopie von kick.cpp", "Copy of kick.cpp", "kick.cpp.txt",
+                     "kick.txt", "kick_final.cpp", "kick_v2.cpp", "KICK.CPP", "kick - Copy (2).cpp"):
+            submissions, _ = self.found(self.put({f"ann/{name}": KICK}, name))
+            self.assert_kicks(submissions, "ann")
+            self.assertEqual(submissions["ann"].notes, [f"taken for kick: {name}"])
+        for name in ("kick.md", "kick.hpp", "kicks.cpp", "notes.txt", "final.cpp"):
+            submissions, _ = self.found(self.put({f"ann/{name}": KICK}, name))
+            self.assertEqual(submissions["ann"].sources, {}, name)
+
+    def test_what_tools_make_does_not_count(self):
+        files = {f"my/.git/objects/{k}": b"" for k in range(20_001)}
+        (self.root / "ann.zip").write_bytes(zipped(files | {f"my/{WHERE}": KICK}))
+        submissions, _ = self.found(self.root / "ann.zip")
+        self.assert_kicks(submissions, "ann")
+        self.assertEqual(submissions["ann"].notes, [])
+
+    def test_other_encodings_are_read(self):
+        text = "// Öl\nVec3 kick;\n"
+        for encoding in ("utf-8", "utf-16", "utf-16-le", "utf-16-be", "utf-32"):
+            submissions, _ = self.found(self.put({"ann/kick.cpp": text.encode(encoding)}, encoding))
+            self.assertEqual(submissions["ann"].sources["kick"].text, text, encoding)
+        odd = b"\xff\xfe" + b"\0\xd8" * 20  # half a letter, again and again
+        submissions, _ = self.found(self.put({"ann/kick.cpp": odd}, "odd"))
+        self.assertEqual(submissions["ann"].sources["kick"].content, odd)
 
     def test_archives(self):
         for name, content in (("a.zip", zipped({WHERE: KICK})), ("a.tar", tarred({WHERE: KICK}, "")),
@@ -388,6 +416,10 @@ class Rosters(InFolder):
                 path = self.put({"roster.csv": text.replace(";", separator).encode(encoding)}) / "roster.csv"
                 found, missing, _ = read_roster(path).matched([self.result("Asa Oberg"), self.result("leeann")])
                 self.assertEqual((len(found), missing), (2, []), (encoding, separator))
+
+    def test_github_classroom(self):
+        roster = self.roster('"identifier","github_username","github_id","name"\n"Ann Lee","annl","77",""\n')
+        self.assertEqual(list(roster.matched([self.result("annl")])[0]), ["annl"])
 
     def test_what_is_none_is_said(self):
         for text in ("", "a,b\n1,2\n"):

@@ -26,7 +26,9 @@ def decoded(content: bytes) -> str:
     """Decodes UTF-8, UTF-16 or UTF-32, with or without a mark, and takes all else for Latin-1."""
     name = encoding_of(content)
     if name in ("UTF-16", "UTF-32"):
-        return content.decode(name)
+        marked = content.startswith(tuple(_MARKS))
+        big = content[:64:2].count(0) > content[1:64:2].count(0)  # the high byte of a Latin letter is 0
+        return content.decode(name if marked else name + ("-BE" if big else "-LE"))
     try:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError:

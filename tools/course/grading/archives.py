@@ -28,6 +28,7 @@ _OF_A_CLASS = 1 << 40  # bytes that the one archive of a whole class may give
 _ARCHIVES_OF_A_NAME, _UNPACKED_OF_A_NAME = 20, 64 << 20  # what is opened to tell a class from a submission
 _ZIP, _TAR, _SEVEN = (".zip",), (".tar", ".tar.gz", ".tgz", ".tar.bz2", ".tbz2", ".tar.xz", ".txz"), (".7z",)
 _NOT_READ = (".rar", ".gz", ".bz2", ".xz")
+_MADE = {".git", "build", "node_modules", ".venv", "__pycache__"}  # folders of thousands of files that nobody wrote
 _LITTER = {"__MACOSX", ".DS_Store", "Thumbs.db", "desktop.ini"}
 
 
@@ -111,7 +112,7 @@ def is_litter(path: PurePosixPath) -> bool:
 
 
 def entries_of(path: Path, inside: str = "") -> Iterator[Entry]:
-    """All files of a submission, those in archives below the archive's name. Litter is left out.
+    """All files of a submission, those in archives below the archive's name. Litter and what tools made are left out.
 
     `inside`: the submission is what lies at the top of `path` under this name; nothing else is opened or counted.
     """
@@ -120,7 +121,7 @@ def entries_of(path: Path, inside: str = "") -> Iterator[Entry]:
     if inside:
         entries = (entry for entry in entries if entry.path.parts[0] == inside)
     for entry in _expanded(entries, 0, budget):
-        if not is_litter(entry.path):
+        if not is_litter(entry.path) and not _MADE & set(entry.path.parts[:-1]):
             count += 1
             if count > _MOST:
                 raise ValueError(f"it holds more than {_MOST} files")

@@ -2,7 +2,7 @@
 
     FIRST LAST_101_assignsubmission_file_/work.zip            Moodle, a folder each
     FIRST LAST_101_assignsubmission_file_work.zip             Moodle, without folders
-    lastfirst_late_12345_678_kick.cpp                         Canvas: login or name, user, submission, the file's own name
+    lastfirst_late_12345_678_kick.cpp                         Canvas: login or name, user, submission, file's name
     Homework 1_leeann_attempt_2026-11-20-10-11-12_kick.cpp    Blackboard: login, time; a .txt each about the attempt
     12345-678910 - FIRST LAST - Nov 20, 2026 1011 AM/         Brightspace, a folder each
 """
@@ -15,7 +15,8 @@ from dataclasses import dataclass
 from datetime import datetime
 
 _MOODLE = re.compile(r"(?P<name>.+?)_(?P<id>\d+)_assignsubmission_(?:file|onlinetext)_?(?P<file>.*)")
-_CANVAS = re.compile(r"(?P<name>[^_]+)_(?P<late>late_)?(?P<id>\d+)_(?P<try>\d+)_(?P<file>(?!attempt_\d{4}-).+)", re.IGNORECASE)
+_CANVAS = re.compile(r"(?P<name>[^_]+)_(?P<late>late_)?(?P<id>\d+)_(?P<try>\d+)_(?P<file>(?!attempt_\d{4}-).+)",
+                     re.IGNORECASE)
 _AGAIN = re.compile(r"-(\d+)(?=\.\w+$)")  # Canvas' name for a file that was handed in again
 _BLACKBOARD = re.compile(r".+?_(?P<name>[^_]+)_attempt_(?P<time>\d{4}(?:-\d\d){5})(?:_(?P<file>.+)|\.txt)")
 _BRIGHTSPACE = re.compile(r"(?P<id>\d+)-\d+ - (?P<name>.+) - (?P<time>\w{3} \d{1,2}, \d{4} \d{3,4} [AP]M)")

@@ -56,7 +56,7 @@ class Roster:
     @functools.cached_property
     def _by_number(self) -> dict[str, dict[str, str]]:
         return {_digits(row[title]): row for row in self.rows for title in row
-                if title.lower() in _NUMBERS and _digits(row[title])}
+                if _plain(title) in _NUMBERS and _digits(row[title])}
 
     @functools.cached_property
     def _by_name(self) -> dict[str, list[dict[str, str]]]:
@@ -68,7 +68,7 @@ class Roster:
 
     def _names_in(self, row: dict[str, str]) -> list[str]:
         """All that the row calls the student: also first and last name, where they stand apart."""
-        by_title = {title.lower(): row[title] for title in row}
+        by_title = {_plain(title): row[title] for title in row}
         whole = [by_title[title] for title in _NAMES if title in by_title]
         first, last = (next((by_title[title] for title in titles if title in by_title), "")
                        for titles in (_FIRST, _LAST))
@@ -89,7 +89,7 @@ def read_roster(file: Path) -> Roster:
         rows = tuple({title: row[title] or "" for title in columns} for row in reader)
     except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise BadInput(f"the roster {file} cannot be read: {error}") from None
-    titles = {title.lower() for title in columns}
+    titles = {_plain(title) for title in columns}
     if not titles & set(_NAMES) and not (titles & set(_FIRST) and titles & set(_LAST)):
         raise BadInput(f"the roster {file} has no column of names; known are {', '.join(_NAMES)}, "
                        f"{' with '.join((_FIRST[0], _LAST[0]))}")
@@ -97,6 +97,10 @@ def read_roster(file: Path) -> Roster:
     # Canvas' second line says how many points are possible, and there is a student who tests.
     return Roster(columns, tuple(row for row in rows if any(name.strip() for name in roster._names_in(row))
                                  and not _is_no_student(row)))
+
+
+def _plain(title: str) -> str:
+    return title.strip().lower().replace("_", " ")
 
 
 def _are_one(rows: list[dict]) -> bool:

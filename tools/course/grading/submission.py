@@ -9,13 +9,16 @@ from grading.names import Student, attempt_of, student_of
 from manifest import Exercise
 from marker import is_stub
 from paths import CHAPTERS
+from text_encoding import decoded, encoding_of
 
 _NAMES_IN_A_NOTE, _NAME = 8, 200  # names, and characters of one
 _NOTES, _NOTE = 30, 2000  # notes, and characters of one
 _MOST_CANDIDATES = 20  # for one exercise
 # Where a copy of the course keeps its own, which are not the student's.
 _NOT_THEIRS = {"solutions", "tests", "plots", "tools", "build", ".git", ".course"}
-_COPY = re.compile(r"(?: ?\(\d+\)| - copy(?: ?\(\d+\))?| copy(?: \d+)?| ?\(copy(?: \d+)?\)|~\d?)$")
+_COPY = re.compile(r"(?: ?\(\d+\)| - copy(?: ?\(\d+\))?| copy(?: \d+)?| ?\(copy(?: \d+)?\)|~\d?|[-_ ](?:final|v)\d*)$"
+                   r"|^(?:copy of|kopie von) ")
+_ENDING = re.compile(r"\.(?:cpp|cc|cxx|cpp\.txt|txt)(?: ?\(\d+\))?$")
 
 
 @dataclass(frozen=True)
@@ -94,21 +97,22 @@ def read_submission(handed: Handed, exercises: list[Exercise]) -> Submission:
 def rank_of(path: PurePosixPath, exercises: list[Exercise]) -> tuple[Exercise, int] | None:
     """Which exercise's file it is, and how much is guessed.
 
-    0 where it belongs, or alone; 1 by its folder; 2 by its name; 3 by other capitals or marks; 4 a copy.
+    0 where it belongs, or alone; 1 by its folder; 2 by its name; 3 by other capitals, marks or ending; 4 a copy.
     """
     parts = [part.lower() for part in path.parts]
-    if (".." in parts or path.is_absolute() or _NOT_THEIRS & set(parts[:-1])
-            or not parts[-1].endswith((".cpp", ".cc", ".cxx"))):
-        return None
     known = student_of(path.name)
-    stem = PurePosixPath((known[1] if known else path.name)).stem
+    name = known[1] if known else path.name
+    ending = _ENDING.search(name.lower())
+    if ".." in parts or path.is_absolute() or _NOT_THEIRS & set(parts[:-1]) or not ending:
+        return None
+    stem = name[: ending.start()]
     plain = _COPY.sub("", stem.lower()).strip().replace("-", "_").replace(" ", "_")
     exercise = next((one for one in exercises if one.function == plain), None)
     if not exercise:
         return None
-    if _COPY.search(stem.lower()):
+    if _COPY.search(stem.lower()) or ending[0].endswith(")"):
         return exercise, 4
-    if stem != exercise.function or path.suffix != ".cpp":
+    if stem != exercise.function or name[ending.start():] != ".cpp":
         return exercise, 3
     if path.parts[-3:-1] == ("chapters", exercise.folder) or len(parts) == 1:
         return exercise, 0
@@ -165,7 +169,8 @@ def _cut(notes: list[str]) -> list[str]:
 
 def _listed(names: list[str]) -> str:
     more = len(names) - _NAMES_IN_A_NOTE
-    return ", ".join(name[:_NAME] for name in sorted(names)[:_NAMES_IN_A_NOTE]) + (f" and {more} more" if more > 0 else "")
+    listed = ", ".join(name[:_NAME] for name in sorted(names)[:_NAMES_IN_A_NOTE])
+    return listed + (f" and {more} more" if more > 0 else "")
 
 
 def _moved(entry: Entry, path: str) -> Entry:
@@ -184,4 +189,14 @@ def _read(entry: Entry) -> Source:
         return Source(path, problem=f"{path} cannot be read: {error}")
     if len(content) > LARGEST:
         return Source(path, problem=f"{path} is larger than {LARGEST >> 10} KiB")
-    return Source(path, content)
+    return Source(path, _as_utf_8(content))
+
+
+def _as_utf_8(content: bytes) -> bytes:
+    """As a compiler reads it; what is no text stays as it is."""
+    if encoding_of(content) not in ("UTF-16", "UTF-32"):
+        return content
+    try:
+        return decoded(content).encode("utf-8")
+    except UnicodeError:
+        return content
