@@ -38,8 +38,9 @@ _C = ("abort abs aligned_alloc atexit atof atoi atol atoll bcmp bsearch calloc c
       "vasprintf getpid gettid isatty secure_getenv sysconf feclearexcept fegetenv fegetexceptflag fegetround "
       "feholdexcept feraiseexcept fesetenv fesetexceptflag fesetround fetestexcept feupdateenv feenableexcept "
       "fedisableexcept fegetexcept lgammaf_r lgammal_r ctime asctime clock_getres getrusage fgetc fileno clearerr "
-      "getline __getdelim setlinebuf at_quick_exit sched_getcpu bzero explicit_bzero memmem mempcpy memrchr rawmemchr stpncpy "
-      "strcasecmp strcasestr strchrnul strcoll strncasecmp strndup strnlen strsep swprintf vswprintf wcscmp wcscpy")
+      "getline __getdelim setlinebuf at_quick_exit sched_getcpu bzero explicit_bzero memmem mempcpy memrchr "
+      "rawmemchr stpncpy strcasecmp strcasestr strchrnul strcoll strncasecmp strndup strnlen strsep swprintf "
+      "vswprintf wcscmp wcscpy")
 _THREADS = re.compile(r"pthread_(create|join|detach|self|equal|once|key_create|key_delete|getspecific|setspecific"
                       r"|(mutex|cond|rwlock|mutexattr|attr)_\w+)|sem_\w+")
 _KNOWN = frozenset(_C.split()) | {name + kind for name in _MATHS.split() for kind in ("", "f", "l")}

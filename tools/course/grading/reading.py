@@ -12,7 +12,7 @@ import sys
 import tempfile
 from pathlib import Path, PurePosixPath
 
-from grading.archives import names_in
+from grading.archives import is_archive, names_in
 from grading.confined import Limits, run
 from grading.names import Student
 from grading.submission import Handed, Place, Source, Submission, read_submission
@@ -21,7 +21,7 @@ from manifest import Exercise, all_exercises
 _READING = Limits(cpu=30, wall=120, memory=2 << 30, files=128 << 20, processes=0, output=1 << 16)
 _COURSE = Path(__file__).resolve().parent.parent
 # Nothing is imported from the folder where the command was given: students' files may lie there.
-_START = "import sys; sys.path[0] = sys.argv[1]; from grading.reading import answer; answer(*sys.argv[2:])"
+_START = "import sys; sys.path.insert(0, sys.argv[1]); from grading.reading import answer; answer(*sys.argv[2:])"
 
 
 class NotRead(Exception):
@@ -29,7 +29,13 @@ class NotRead(Exception):
 
 
 def read_apart(handed: Handed, exercises: list[Exercise]) -> Submission:
-    """As read_submission; what cannot be read within the limits is a submission without files, and a note says why."""
+    """As read_submission; what cannot be read within the limits is a submission without files, and a note says why.
+
+    Folders without an archive are read here: nothing in them is unpacked.
+    """
+    if all(place.path.is_dir() and not any(is_archive(name.name) for name in names_in(place.path, opened=False))
+           for place in handed.places):
+        return read_submission(handed, exercises)
     try:
         found = _asked({"places": [[str(place.path), place.inside] for place in handed.places],
                         "late": handed.student.late, "exercises": [exercise.function for exercise in exercises]})
@@ -55,7 +61,7 @@ def _asked(request: dict):
         asked, answered = Path(folder, "request"), Path(folder, "answer")
         limits = {"cpu": _READING.cpu, "memory": _READING.memory, "files": _READING.files}
         asked.write_text(json.dumps(request | {"limits": limits}), encoding="utf-8")
-        command = [sys.executable, "-c", _START, str(_COURSE), str(asked), str(answered)]
+        command = [sys.executable, "-I", "-S", "-c", _START, str(_COURSE), str(asked), str(answered)]
         ended = run(command, _READING, dict(os.environ))
         if ended.code == 0 and not ended.timed_out and not ended.too_much:
             return json.loads(answered.read_text(encoding="utf-8"))
