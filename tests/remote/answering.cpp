@@ -2,9 +2,16 @@
 //
 //   descriptor 3   calls come, answers go: see channel.hpp
 //
-// For each test a process of its own answers, a copy of this one as it was when the student's constants were made.
+// For each test a process of its own answers. It begins before the student's constants are made: none of the student's
+// code ever runs in the process that counts its time, and says how it ended. It starts threads and no processes, so that
+// the limit of its memory is the limit of all that it does.
 #include "answering.hpp"
 
+#include <linux/audit.h>
+#include <linux/filter.h>
+#include <linux/sched.h>
+#include <linux/seccomp.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
@@ -13,19 +20,26 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdarg>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
+#include <iterator>
 
 namespace spook::remote {
 
 namespace {
 
+#if defined(__x86_64__)
+constexpr unsigned machine = AUDIT_ARCH_X86_64;
+#elif defined(__aarch64__)
+constexpr unsigned machine = AUDIT_ARCH_AARCH64;
+#endif
+
 // Whoever writes what is no call is not the tests.
 constexpr int not_asked = 97;
 
 [[noreturn]] void answer_until_the_end() {
-  send(Kind::begun);
   for (;;) {
     const Message call = receive();
     if (call.kind == Kind::end) break;
@@ -41,6 +55,47 @@ constexpr int not_asked = 97;
   _exit(0);
 }
 
+/// Has the kernel refuse new processes and programs, however it is called. Where it knows no filters, nothing changes.
+void start_no_process() {
+#if defined(__x86_64__) || defined(__aarch64__)
+  constexpr auto load = [](std::size_t offset) -> sock_filter {
+    return BPF_STMT(BPF_LD | BPF_W | BPF_ABS, static_cast<unsigned>(offset));
+  };
+  constexpr auto result = [](unsigned value) -> sock_filter { return BPF_STMT(BPF_RET | BPF_K, value); };
+  constexpr auto unless = [](unsigned value) -> sock_filter {
+    return BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, value, 0, 1);
+  };
+  sock_filter filter[] = {
+      load(offsetof(seccomp_data, arch)),
+      BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, machine, 1, 0),
+      result(SECCOMP_RET_KILL_PROCESS),
+      load(offsetof(seccomp_data, nr)),
+#ifdef __x86_64__
+      BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, 0x40000000, 0, 1),  // the same calls with pointers of 32 bits
+      result(SECCOMP_RET_KILL_PROCESS),
+      unless(SYS_fork),
+      result(SECCOMP_RET_ERRNO | EPERM),
+      unless(SYS_vfork),
+      result(SECCOMP_RET_ERRNO | EPERM),
+#endif
+      unless(SYS_execve),
+      result(SECCOMP_RET_ERRNO | EPERM),
+      unless(SYS_execveat),
+      result(SECCOMP_RET_ERRNO | EPERM),
+      unless(SYS_clone3),  // clone3, whose flags a filter cannot see: the library then calls clone
+      result(SECCOMP_RET_ERRNO | ENOSYS),
+      BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_clone, 0, 3),
+      load(offsetof(seccomp_data, args)),
+      BPF_JUMP(BPF_JMP | BPF_JSET | BPF_K, CLONE_THREAD, 1, 0),
+      result(SECCOMP_RET_ERRNO | EPERM),
+      result(SECCOMP_RET_ALLOW),
+  };
+  const sock_fprog program{static_cast<unsigned short>(std::size(filter)), filter};
+  prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+  prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program, 0, 0);
+#endif
+}
+
 /// SIGKILL for a process that could not be made.
 Ending wait_for(pid_t process) {
   int status = SIGKILL;
@@ -50,6 +105,31 @@ Ending wait_for(pid_t process) {
     return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
   };
   return {status, seconds(used.ru_utime) + seconds(used.ru_stime)};
+}
+
+/// Returns in the processes that answer, one for each test, and leaves when there are no more tests.
+void begin_each_test_apart() {
+  try {
+    for (;;) {
+      const Message message = receive();
+      if (message.kind == Kind::closed) _exit(0);
+      if (message.kind != Kind::begin) continue;  // meant for a process that has ended
+      send(Kind::begun);
+      const pid_t process = fork();
+      if (process == 0) return start_no_process();
+      const Ending ending = wait_for(process);
+      std::string bytes(sizeof ending, '\0');
+      std::memcpy(bytes.data(), &ending, sizeof ending);
+      send(Kind::ended, bytes);
+    }
+  } catch (const Nonsense&) {
+    _exit(not_asked);
+  }
+}
+
+// Before all that the program makes before its main.
+__attribute__((constructor(101))) void begin_before_the_students_code() {
+  begin_each_test_apart();
 }
 
 }  // namespace
@@ -94,22 +174,9 @@ extern "C" long spook_only_futex(long number, ...) {
 }
 
 int main() {
-  using namespace spook::remote;
   try {
-    for (;;) {
-      const Message message = receive();
-      if (message.kind == Kind::closed) return 0;
-      if (message.kind != Kind::begin) continue;  // meant for a process that has ended
-      std::cout.flush();
-      std::fflush(nullptr);
-      const pid_t process = fork();
-      if (process == 0) answer_until_the_end();
-      const Ending ending = wait_for(process);
-      std::string bytes(sizeof ending, '\0');
-      std::memcpy(bytes.data(), &ending, sizeof ending);
-      send(Kind::ended, bytes);
-    }
-  } catch (const Nonsense&) {
-    return not_asked;
+    spook::remote::answer_until_the_end();
+  } catch (const spook::remote::Nonsense&) {
+    return spook::remote::not_asked;
   }
 }

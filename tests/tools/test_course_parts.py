@@ -24,7 +24,7 @@ import text_encoding
 import tree
 from errors import CourseError
 from manifest import numbered_items
-from marker import is_stub, marker_line
+from marker import code_of, is_stub, marker_line
 from needs import BROWSER_NEEDS, NEEDS, Need
 
 
@@ -40,6 +40,12 @@ class Marker(unittest.TestCase):
                        '"not_implemented()"', 'R"x(not_implemented())x"', "really_not_implemented()",
                        '#include "common/not_implemented.hpp"', "", r'"\"not_implemented()"'):
             self.assertFalse(is_stub(source), source)
+
+    def test_a_string_without_an_end_is_looked_through_once(self):
+        """Else each quote in it would begin another look, up to the end."""
+        for text in ('"' + 99 * '\\"', "'" + 99 * "\\'", 'R"(' * 99):
+            self.assertEqual(code_of(f"x = {text}").split(), ["x", "="])
+        self.assertTrue(is_stub('"\\"\nnot_implemented();'))
 
     def test_line(self):
         self.assertEqual(marker_line("/* \n */\n\nnot_implemented();"), 4)

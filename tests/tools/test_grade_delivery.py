@@ -5,22 +5,27 @@ import io
 import os
 import shutil
 import subprocess
+import sys
 import tarfile
 import tempfile
 import unittest
+import unittest.mock
 import zipfile
+from dataclasses import replace
 from pathlib import Path
 
 import sandbox  # noqa: F401
 
 from errors import BadInput, CourseError
+from grading import reading
+from grading.archives import LARGEST
 from grading.delivery import find_submissions
 from grading.merge import merge, missing_shards, set_aside, write_delivery
-from grading.gradebook import cell
-from grading.names import safe, student_of
+from grading.gradebook import Class, cell, not_graded
+from grading.names import Student, safe, student_of
 from grading.results import SCHEMA, folder_of, write_json
 from grading.roster import read_roster
-from grading.submission import read_submission
+from grading.submission import Handed, Place, read_submission
 from manifest import all_exercises
 
 KICK, WHERE = b"Vec3 kick;", "chapters/01_leapfrog/kick.cpp"
@@ -105,6 +110,50 @@ class Delivered(Finds):
         self.assertEqual([submissions[name].student.late for name in ("leeann", "ekbo", "ohcy")], [False, True, True])
         self.assertEqual(left, {"notes.pdf"})
 
+    def test_moodle_with_a_text_online_is_one_submission(self):
+        submissions, _ = self.found(self.put(self.MOODLE | {"Bo Ek_102_assignsubmission_onlinetext_/text.html": b"x"}))
+        self.assertEqual(set(submissions), {"Åsa Öberg", "Bo Ek", "Cy", "Di", "Ed", "Flo", "Gus"})
+        self.assert_kicks(submissions, "Bo Ek")
+
+    def test_blackboard(self):
+        """Each attempt has a text about it, and files; the last one counts."""
+        files = {"2026-11-20-10-11-12": b"old", "2026-11-21-09-00-00": KICK, "2026-09-30-10-11-12": b"older"}
+        delivered = {f"Home_work 1_{login}_attempt_{time}{end}": content
+                     for login in ("leeann", "bo") for time, content in files.items() for end in (".txt", "_kick.cpp")}
+        whole = self.root / "gradebook.zip"
+        whole.write_bytes(zipped(delivered))
+        for path in (self.put(delivered), whole):
+            submissions, left = self.found(path)
+            self.assertEqual((set(submissions), left), ({"leeann", "bo"}, set()))
+            self.assert_kicks(submissions, "leeann", "bo")
+
+    def test_brightspace(self):
+        submissions, left = self.found(self.put({
+            "12-9 - Ann Lee - Nov 2, 2026 1011 AM/kick.cpp": b"old",
+            "12-9 - Ann Lee - Nov 2, 2026 101 PM/kick.cpp": KICK,
+            "12-9 - Ann Lee - Oct 30, 2026 1159 PM/kick.cpp": b"older", "index.html": b"x",
+            "13-9 - Bo - Ek - Nov 2, 2026 1011 AM/work.zip": zipped({WHERE: KICK})}))
+        self.assertEqual((set(submissions), left), ({"Ann Lee", "Bo - Ek"}, {"index.html"}))
+        self.assert_kicks(submissions, "Ann Lee", "Bo - Ek")
+        self.assertEqual(submissions["Ann Lee"].student.identifier, "12")
+
+    def test_the_last_attempt_on_canvas_counts(self):
+        submissions, _ = self.found(self.put({
+            "leeann_12_55_kick.cpp": b"old", "leeann_12_56_kick-1.cpp": b"older", "leeann_LATE_12_57_kick-10.cpp": KICK,
+            "leeann_12_58_kick-9.cpp": b"x"}))
+        self.assert_kicks(submissions, "leeann")
+        self.assertTrue(submissions["leeann"].student.late)
+
+    def test_a_name_of_another_platform_takes_nobodys_place(self):
+        """On Canvas a student chooses what follows the numbers."""
+        submissions, _ = self.found(self.put({
+            "leeann_12_55_kick.cpp": KICK, "bo_13_56_kick.cpp": KICK,
+            "eve_14_57_lee_12_assignsubmission_file_kick.cpp": b"x",
+            "fay_15_58_x_leeann_attempt_2026-11-20-10-11-12_kick.cpp": b"x",
+            "gil_16_59_12-9 - Ann Lee - Nov 2, 2026 1011 AM": b"x"}))
+        self.assertEqual({(one.student.name, one.student.identifier) for one in submissions.values()},
+                         {("leeann", "12"), ("bo", "13"), ("eve", "14"), ("fay", "15"), ("gil", "16")})
+
     def test_folders_of_every_shape(self):
         submissions, left = self.found(self.put({
             "hw/ann-fork/" + WHERE: KICK, "hw/ann-fork/solutions/01_leapfrog/kick.cpp": b"ours",
@@ -115,6 +164,32 @@ class Delivered(Finds):
         self.assertEqual(submissions["ann-fork"].notes, [])
         for name in ("bo", "cy", "di", "ed", "flo"):
             self.assertIn("taken for kick: ", submissions[name].notes[0])
+
+    def test_names_that_browsers_and_systems_give_files(self):
+        for name in ("kick (1).cpp", "kick.cpp (2)", "Kopie von kick.cpp", "Copy of kick.cpp", "kick.cpp.txt",
+                     "kick.txt", "kick_final.cpp", "kick_v2.cpp", "KICK.CPP", "kick - Copy (2).cpp"):
+            submissions, _ = self.found(self.put({f"ann/{name}": KICK}, name))
+            self.assert_kicks(submissions, "ann")
+            self.assertEqual(submissions["ann"].notes, [f"taken for kick: {name}"])
+        for name in ("kick.md", "kick.hpp", "kicks.cpp", "notes.txt", "final.cpp"):
+            submissions, _ = self.found(self.put({f"ann/{name}": KICK}, name))
+            self.assertEqual(submissions["ann"].sources, {}, name)
+
+    def test_what_tools_make_does_not_count(self):
+        files = {f"my/.git/objects/{k}": b"" for k in range(20_001)}
+        (self.root / "ann.zip").write_bytes(zipped(files | {f"my/{WHERE}": KICK}))
+        submissions, _ = self.found(self.root / "ann.zip")
+        self.assert_kicks(submissions, "ann")
+        self.assertEqual(submissions["ann"].notes, [])
+
+    def test_other_encodings_are_read(self):
+        text = "// Öl\nVec3 kick;\n"
+        for encoding in ("utf-8", "utf-16", "utf-16-le", "utf-16-be", "utf-32"):
+            submissions, _ = self.found(self.put({"ann/kick.cpp": text.encode(encoding)}, encoding))
+            self.assertEqual(submissions["ann"].sources["kick"].text, text, encoding)
+        odd = b"\xff\xfe" + b"\0\xd8" * 20  # half a letter, again and again
+        submissions, _ = self.found(self.put({"ann/kick.cpp": odd}, "odd"))
+        self.assertEqual(submissions["ann"].sources["kick"].content, odd)
 
     def test_archives(self):
         for name, content in (("a.zip", zipped({WHERE: KICK})), ("a.tar", tarred({WHERE: KICK}, "")),
@@ -170,6 +245,39 @@ class Delivered(Finds):
         for name, said in (("deep", "200 archives"), ("zeros", "1024 MiB"), ("many", "only 20"), ("pipe", "regular")):
             self.assertIn(said, " ".join(submissions[name].notes))
 
+    def test_one_in_a_class_zip_stops_nobody(self):
+        """Each is read for itself, and has a budget of its own, however many there are."""
+        deep = zipped({f"{k}.zip": zipped({f"{m}.zip": zipped({"x": b""}) for m in range(20)}) for k in range(20)})
+        names = [f"s{k:03d}" for k in range(210)]
+        path = self.put({"class.zip": zipped({"a.zip": deep, "b": b"", **{f"{name}.zip": zipped({WHERE: KICK})
+                                                                         for name in names}})}) / "class.zip"
+        delivery = find_submissions([path], self.root / "out")
+        self.assertEqual([one.name for one in delivery.handed], ["a", *names])
+        read = [read_submission(one, all_exercises()) for one in (delivery.handed[0], delivery.handed[-1])]
+        self.assertIn("200 archives", read[0].notes[0])
+        self.assertEqual((read[1].sources["kick"].content, read[1].notes), (KICK, []))
+
+    def test_folders_without_end_stop_nobody(self):
+        """The walk through them calls itself for each level."""
+        folder = self.put({f"{name}/{WHERE}": KICK for name in ("ann", "bo", "cy")})
+        here = os.open(folder / "bo", os.O_RDONLY)
+        for _ in range(2 * sys.getrecursionlimit()):
+            os.mkdir("a", dir_fd=here)
+            below = os.open("a", os.O_RDONLY, dir_fd=here)
+            os.close(here)
+            here = below
+        os.close(here)
+        self.addCleanup(subprocess.run, ["rm", "-rf", str(folder)])
+        submissions, _ = self.found(folder)
+        self.assert_kicks(submissions, "ann", "bo", "cy")
+        self.assertEqual(submissions["bo"].notes, ["folders more than 40 deep are not read"])
+
+    def test_what_it_says_of_itself_is_cut(self):
+        files = {f"{'n' * 60_000}{k}.hpp": b"" for k in range(100)} | {f"{'n' * 999}{k}.zip": b"" for k in range(99)}
+        (self.root / "long.zip").write_bytes(zipped(files))
+        submissions, _ = self.found(self.root / "long.zip")
+        self.assertLess(len("".join(submissions["long"].notes)), 100_000)
+
     @staticmethod
     def header(name: str, size: int) -> bytes:
         info = tarfile.TarInfo(name)
@@ -180,9 +288,49 @@ class Delivered(Finds):
         for name, expected in (("A B_1_assignsubmission_file_", ("A B", "1", False, "")),
                                ("A B_1_assignsubmission_file_w.zip", ("A B", "1", False, "w.zip")),
                                ("leeann_late_12_3_my_kick.cpp", ("leeann", "12", True, "my_kick.cpp")),
+                               ("HW_3_4711_attempt_2026-11-20-10-11-12_a_kick.cpp", ("4711", "", False, "a_kick.cpp")),
+                               ("HW_bo_attempt_2026-11-20-10-11-12.txt", ("bo", "", False, "")),
+                               ("HW_bo_attempt_2026-11-20-10-11-12_x_cy_attempt_2026-11-21-10-11-12_kick.cpp",
+                                ("bo", "", False, "x_cy_attempt_2026-11-21-10-11-12_kick.cpp")),
+                               ("12-34 - A B - Nov 2, 2026 1011 AM", ("A B", "12", False, "")),
                                ("kick.cpp", None), ("01_leapfrog", None), ("half_step_start.cpp", None)):
             found = student_of(name)
             self.assertEqual((found[0].name, found[0].identifier, found[0].late, found[1]) if found else None, expected)
+
+
+class ReadApart(InFolder):
+    """In a process of its own: what it gives is the same, and what it costs has an end."""
+
+    def read(self, name: str, content: bytes, **limits: int):
+        (self.root / name).write_bytes(content)
+        handed = Handed(name, (Place(self.root / name),), Student(name))
+        with unittest.mock.patch("grading.reading._READING", replace(reading._READING, **limits)):
+            return reading.read_apart(handed, all_exercises())
+
+    def test_it_is_the_same(self):
+        content = zipped({"kick.cpp": KICK + b"\0\xff", "drift.cpp": b"/" * (LARGEST + 1), "x.hpp": b"x"})
+        read = self.read("ann.zip", content)
+        self.assertEqual(read, read_submission(Handed("ann.zip", (Place(self.root / "ann.zip"),),
+                                                      Student("ann.zip")), all_exercises()))
+        self.assertEqual(set(read.sources), {"kick", "drift"})
+
+    def test_what_takes_too_long(self):
+        zeros = bz2.compress(Delivered.header("zeros", 4 << 30)) + bz2.compress(bytes(16 << 20)) * 64
+        self.assertEqual(self.read("zeros.tar.bz2", zeros, cpu=1).notes, ["it cannot be read: that takes too long"])
+
+    def test_what_takes_too_much_memory(self):
+        content = io.BytesIO()
+        with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:
+            archive.writestr("inner.tar", bytes(60 << 20))
+        notes = self.read("large.zip", content.getvalue(), memory=90 << 20).notes
+        self.assertRegex(notes[0], "MemoryError|Unable to allocate|too much memory")
+
+    def test_nothing_is_imported_from_where_it_is_called(self):
+        (self.root / "json.py").write_text("raise SystemExit(3)")
+        before = os.getcwd()
+        os.chdir(self.root)
+        self.addCleanup(os.chdir, before)
+        self.assertEqual(self.read("ann.zip", zipped({"kick.cpp": KICK})).sources["kick"].content, KICK)
 
 
 class Names(Finds):
@@ -249,6 +397,29 @@ class Rosters(InFolder):
     def test_two_of_one_name_are_not_guessed(self):
         found, missing, strangers = self.roster("Name\nAnn Lee\nAnn Lee\n").matched([self.result("Ann Lee")])
         self.assertEqual((found, len(missing), strangers), ({}, 2, ["Ann Lee"]))
+
+    def test_a_number_of_one_with_the_name_of_another_is_given_to_neither(self):
+        roster = self.roster("Name,ID\nAnn Lee,12\nBo Ek,13\nCy Oh,14\n")
+        results = [self.result("Ann Lee", identifier="13"), self.result("Bo Ek", identifier="12"),
+                   self.result("Cyrus", identifier="14")]
+        found, missing, strangers = roster.matched(results)
+        self.assertEqual((list(found), len(missing), strangers), (["Cyrus"], 2, ["Ann Lee", "Bo Ek"]))
+        lines = not_graded(results, Class([], roster))
+        for name in ("Ann Lee", "Bo Ek"):
+            line = next(line for line in lines if line.startswith(f"{name}: its number"))
+            self.assertTrue("Ann Lee" in line and "Bo Ek" in line, line)
+
+    def test_as_spreadsheets_write_it(self):
+        text = "Last name;First name;ID\nÖberg;Åsa;12\nLee;Ann;13\n"
+        for encoding in ("utf-8", "utf-8-sig", "utf-16", "utf-16-le", "latin-1"):
+            for separator in ";,\t":
+                path = self.put({"roster.csv": text.replace(";", separator).encode(encoding)}) / "roster.csv"
+                found, missing, _ = read_roster(path).matched([self.result("Asa Oberg"), self.result("leeann")])
+                self.assertEqual((len(found), missing), (2, []), (encoding, separator))
+
+    def test_github_classroom(self):
+        roster = self.roster('"identifier","github_username","github_id","name"\n"Ann Lee","annl","77",""\n')
+        self.assertEqual(list(roster.matched([self.result("annl")])[0]), ["annl"])
 
     def test_what_is_none_is_said(self):
         for text in ("", "a,b\n1,2\n"):

@@ -142,6 +142,13 @@ class ReadVerdict(unittest.TestCase):
         self.assertEqual(self.read(b"1", b"1", b"", b"got std::bad_alloc"), "out of memory")
         self.assertEqual(self.read(b"0", b"1", b"", nonsense=True), "tampered: a forged answer")
 
+    def test_an_assertion_is_told_and_not_called_an_index(self):
+        said = "kick.cpp:7: Vec3 kick(): Assertion `inverse_mass >= 0' failed.\n"
+        for output in (said, "x" * 60_000 + "\n" + said, ":1: " * 15_000 + "\n" + said):
+            told = read_verdict(Ran(code=-signal.SIGABRT, output=output), 10)[2]
+            self.assertIn("It is asserted that inverse_mass >= 0", told[0])
+        self.assertIn("most often an index", read_verdict(Ran(code=-signal.SIGABRT), 10)[2][0])
+
     def test_without_a_verdict(self):
         self.assertEqual(self.read(code=0), "ended early: exit code 0")
         self.assertEqual(self.read(code=3), "ended early: exit code 3")

@@ -11,11 +11,15 @@ from types import SimpleNamespace
 
 from sandbox import all_exercises
 
+from grading.complaints import compiler_says
 from grading.confined import reap, spawn
+from grading.grader import Grader
 from grading.isolation import ENVIRONMENT
-from grading.judge import PASSED, TIMED_OUT, WAITED, ExerciseVerdict, Judge, TestVerdict
+from grading.judge import NOT_RUN, PASSED, TIMED_OUT, WAITED, ExerciseVerdict, Judge, TestVerdict
+from grading.names import Student
+from grading.objects import Made
 from grading.pair import Ran, _only_on, _take_core, exit_code
-from grading.submission import Source
+from grading.submission import Handed, Source
 
 
 class Judges(Judge):
@@ -63,7 +67,7 @@ class Waits(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder, unittest.mock.patch("grading.judge.Pair", OnePair):
             judge = Judges(Path(folder), [])
             judge._workshop.test_program = lambda exercise: None
-            ran = judge._run_all(next(iter(all_exercises())), tests, Path(), None)
+            ran = judge._run_all(next(iter(all_exercises())), tests, Made(Path()), None)
         self.assertEqual((rans, [verdict.test for verdict, _ in ran]), ([], tests))
         return [verdict.reason or verdict.verdict for verdict, _ in ran]
 
@@ -73,12 +77,62 @@ class Waits(unittest.TestCase):
         self.assertEqual(self.run_all([waited, waited], ["a"]), [WAITED])
         self.assertEqual(self.run_all([waited, passed, waited], ["a", "b"]), [PASSED, WAITED])
 
+    def test_a_slow_pass_counts(self):
+        """The judge allows 2 s of a test, and 10 s of an exercise."""
+        def passed(clock: float, used: float) -> Ran:
+            return Ran((b"0", b"1", b""), clock=clock, used=used)
+        tests = list("abcdef")
+        for ran, count in ((passed(7, 0), 2), (passed(2, 1.9), 6), (passed(5, 1.9), 6), (passed(2, 0.5), 6),
+                           (passed(0.9, 0), 6), (passed(4, 0), 4)):
+            done = min(count, len(tests))
+            self.assertEqual(self.run_all([ran] * done, tests), [PASSED] * done + [NOT_RUN] * (len(tests) - done),
+                             f"{ran.clock} s, of which {ran.used} s of processor time")
+
+
+class Grades(Grader):
+    """Without exercises, tests or the reference; what is called eve makes the grader itself fail."""
+
+    def __init__(self):
+        self.seed, self.exercises, self.failures = 1, [], []
+        self._jobs, self._seconds, self._points = 2, 2, "tests"
+        self._weights = self._judge = None
+        self._workshop, self.isolation = SimpleNamespace(sources=""), SimpleNamespace(name="", does_not_deny="")
+
+    def grade_one(self, handed, out, on_exercise=None):
+        if handed.name == "eve":
+            raise OSError("x" * 9000)
+        return {"submission": handed.name}
+
+
+class OneRow(unittest.TestCase):
+    def test_a_mistake_of_the_graders_costs_one_row(self):
+        handed = [Handed(name, (), Student(name)) for name in ("ann", "eve", "zoe")]
+        with tempfile.TemporaryDirectory() as folder:
+            grader = Grades()
+            results = grader.grade(handed, Path(folder))
+            self.assertTrue((Path(folder) / "submissions" / "eve" / "results.json").exists())
+        self.assertEqual([result["submission"] for result in results], ["ann", "eve", "zoe"])
+        self.assertRegex(results[1]["notes"][0], "could not be graded: OSError: x{1000}")
+        self.assertLess(len(results[1]["notes"][0]), 3000)
+        self.assertEqual(len(grader.failures), 1)
+
 
 class Status(unittest.TestCase):
     def test_one_that_is_none_stops_nobody(self):
         self.assertEqual([exit_code(status) for status in (b"0", b"256", b"11")], [0, 1, -11])
         for status in (b"4991", b"-1", b"", b"x", b"127", b"99999999999999999999"):
             self.assertEqual(exit_code(status), -signal.SIGKILL, status)
+
+
+class Complaints(unittest.TestCase):
+    def test_a_long_line_is_looked_through_once(self):
+        """A name of megabytes: our own paths are sought at its beginning only."""
+        exercise = next(iter(all_exercises()))
+        file = f"chapters/{exercise.folder}/{exercise.file.name}"
+        told = f"/x/headers/{file}:1:1: error: '{'a' * (4 << 20)}' was not declared\n"
+        said = compiler_says(told, exercise, file, "int x;")
+        self.assertTrue(said.startswith(f"{file}:1:1: error: 'aaa"))
+        self.assertLess(len(said), 1000)
 
 
 class OneCore(unittest.TestCase):

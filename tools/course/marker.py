@@ -6,8 +6,8 @@ _COMMENT_OR_LITERAL = re.compile(
     r"//[^\n]*"
     r"|/\*.*?(?:\*/|\Z)"
     r'|R"([^()\\\s]{0,16})\((?:.*?\)\1"|.*)'  # one without an end goes on to the end: each is looked through once
-    r'|"(?:\\.|[^"\\\n])*"'
-    r"|(?<![0-9a-fA-F])'(?:\\.|[^'\\\n])*'",  # not the quote in 1'000
+    r'|"(?:\\.|[^"\\\n])*"?'  # one without an end goes on to the end of its line, for the same reason
+    r"|(?<![0-9a-fA-F])'(?:\\.|[^'\\\n])*'?",  # not the quote in 1'000
     re.DOTALL,
 )
 _MARKER = re.compile(r"\bnot_implemented\s*\(")

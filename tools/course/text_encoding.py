@@ -22,6 +22,19 @@ def encoding_of(content: bytes) -> str:
     return "UTF-16" if beginning.count(b"\0") >= 16 else "bytes with zeros"
 
 
+def decoded(content: bytes) -> str:
+    """Decodes UTF-8, UTF-16 or UTF-32, with or without a mark, and takes all else for Latin-1."""
+    name = encoding_of(content)
+    if name in ("UTF-16", "UTF-32"):
+        marked = content.startswith(tuple(_MARKS))
+        big = content[:64:2].count(0) > content[1:64:2].count(0)  # the high byte of a Latin letter is 0
+        return content.decode(name if marked else name + ("-BE" if big else "-LE"))
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        return content.decode("latin-1")
+
+
 def complaint(file: Path) -> str:
     """Says in one sentence that no compiler reads the file; empty if compilers read it."""
     name = encoding_of(file.read_bytes()) if file.exists() else ""

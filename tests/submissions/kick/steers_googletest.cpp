@@ -1,5 +1,5 @@
 // Does: tells GoogleTest by its environment to run nothing.
-// Verdict: does not compile: calls what no exercise needs
+// Verdict: does not compile: not available in grading
 #include <cstdlib>
 
 #include "01_leapfrog/leapfrog.hpp"

@@ -1,6 +1,7 @@
 """The files in a folder or an archive, and in archives inside it: never unpacked, read only when they are wanted."""
 
 import bz2
+import contextlib
 import gzip
 import io
 import lzma
@@ -11,6 +12,7 @@ import subprocess
 import tarfile
 import tempfile
 import zipfile
+from collections import Counter, defaultdict
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
@@ -18,11 +20,15 @@ from pathlib import Path, PurePosixPath
 LARGEST = 256 << 10  # bytes of a file; the reference's longest answer has a twentieth of that
 _LARGEST_ARCHIVE = 64 << 20  # inside another
 _DEEPEST = 4
+_DEEPEST_FOLDER = 40
 _MOST = 20_000  # files
 _MOST_ARCHIVES = 200  # of one submission, one in another
 _UNPACKED = 1 << 30  # bytes that a submission's archives may give, those read twice counted twice
+_OF_A_CLASS = 1 << 40  # bytes that the one archive of a whole class may give
+_ARCHIVES_OF_A_NAME, _UNPACKED_OF_A_NAME = 20, 64 << 20  # what is opened to tell a class from a submission
 _ZIP, _TAR, _SEVEN = (".zip",), (".tar", ".tar.gz", ".tgz", ".tar.bz2", ".tbz2", ".tar.xz", ".txz"), (".7z",)
 _NOT_READ = (".rar", ".gz", ".bz2", ".xz")
+_MADE = {".git", "build", "node_modules", ".venv", "__pycache__"}  # folders of thousands of files that nobody wrote
 _LITTER = {"__MACOSX", ".DS_Store", "Thumbs.db", "desktop.ini"}
 
 
@@ -38,18 +44,19 @@ class Entry:
 class _Budget:
     """What one submission may cost to look through."""
 
-    def __init__(self):
-        self._archives, self._bytes = _MOST_ARCHIVES, _UNPACKED
+    def __init__(self, archives: int = _MOST_ARCHIVES, unpacked: int = _UNPACKED):
+        self._archives, self._bytes = archives, unpacked
+        self._most_archives, self._most_bytes = archives, unpacked
 
     def open_archive(self) -> None:
         self._archives -= 1
         if self._archives < 0:
-            raise OverBudget(f"it holds more than {_MOST_ARCHIVES} archives")
+            raise OverBudget(f"it holds more than {self._most_archives} archives")
 
     def take(self, count: int) -> None:
         self._bytes -= count
         if self._bytes < 0:
-            raise OverBudget(f"its archives hold more than {_UNPACKED >> 20} MiB")
+            raise OverBudget(f"its archives hold more than {self._most_bytes >> 20} MiB")
 
 
 class OverBudget(Exception):
@@ -104,15 +111,37 @@ def is_litter(path: PurePosixPath) -> bool:
     return bool(_LITTER & set(path.parts)) or path.name.startswith("._")
 
 
-def entries_of(path: Path) -> Iterator[Entry]:
-    """All files, those in archives below the archive's name. Litter is left out."""
+def entries_of(path: Path, inside: str = "") -> Iterator[Entry]:
+    """All files of a submission, those in archives below the archive's name. Litter and what tools made are left out.
+
+    `inside`: the submission is what lies at the top of `path` under this name; nothing else is opened or counted.
+    """
     count, budget = 0, _Budget()
-    for entry in _expanded(_entries(path, budget), 0, budget):
-        if not is_litter(entry.path):
+    entries = _entries(path, _Budget(unpacked=_OF_A_CLASS) if inside else budget)
+    if inside:
+        entries = (entry for entry in entries if entry.path.parts[0] == inside)
+    for entry in _expanded(entries, 0, budget):
+        if not is_litter(entry.path) and not _MADE & set(entry.path.parts[:-1]):
             count += 1
             if count > _MOST:
                 raise ValueError(f"it holds more than {_MOST} files")
             yield entry
+
+
+def names_in(path: Path, opened: bool) -> Iterator[PurePosixPath]:
+    """Of the files, to tell a class from a submission; `opened`: also of those in archives inside it.
+
+    Each name at the top has a budget of its own, and beyond it no further names.
+    """
+    counts, budgets = Counter(), defaultdict(lambda: _Budget(_ARCHIVES_OF_A_NAME, _UNPACKED_OF_A_NAME))
+    for entry in _entries(path, _Budget(unpacked=_OF_A_CLASS)):
+        top = entry.path.parts[0]
+        with contextlib.suppress(OverBudget):
+            for inner in _expanded(iter([entry]), 0, budgets[top]) if opened else [entry]:
+                counts[top] += 1
+                if counts[top] > _MOST:
+                    break
+                yield inner.path
 
 
 def text(name: str) -> str:
@@ -146,7 +175,8 @@ def _expanded(entries: Iterator[Entry], depth: int, budget: _Budget) -> Iterator
         except OverBudget:
             raise
         except Exception as error:  # a damaged archive has the library raise whatever its decoders do
-            yield Entry(entry.path, "damaged", 0, lambda: b"", f"{entry.path} cannot be read: {error}")
+            yield Entry(entry.path, "damaged", 0, lambda: b"", f"{entry.path} cannot be read: "
+                        f"{str(error) or type(error).__name__}")
 
 
 def _of_folder(root: Path) -> Iterator[Entry]:
@@ -157,8 +187,16 @@ def _of_folder(root: Path) -> Iterator[Entry]:
             path = Path(folder, name)
             found = path.lstat()
             largest = _LARGEST_ARCHIVE if is_archive(name) else LARGEST
-            yield Entry(PurePosixPath(text(path.relative_to(root).as_posix())), _kind(found.st_mode), found.st_size,
+            yield Entry(_below(root, path), _kind(found.st_mode), found.st_size,
                         lambda path=path, largest=largest: _read_regular(path, largest))
+        place = _below(root, Path(folder))
+        if folders and len(place.parts) >= _DEEPEST_FOLDER:
+            folders.clear()  # os.walk calls itself for each level
+            yield Entry(place, "damaged", 0, lambda: b"", f"folders more than {_DEEPEST_FOLDER} deep are not read")
+
+
+def _below(root: Path, path: Path) -> PurePosixPath:
+    return PurePosixPath(text(path.relative_to(root).as_posix()))
 
 
 def _kind(mode: int) -> str:

@@ -16,10 +16,11 @@ _OF_COMPILER = re.compile(r"(?:cc1plus|as|ld|collect2|g\+\+|c\+\+|clang\+*)(?:-[
 _ELSEWHERE = "The first error is in a file that is neither the submission nor a header: its words are not shown."
 _ASSEMBLER = "The assembler refuses an asm statement."
 _LONGEST = 400  # characters of a line
+_LOOKED_AT = 4 * _LONGEST  # of one, before our own paths are taken out of it
 
 
 def compiler_says(output: str, exercise: Exercise, file: str, source: str) -> str:
-    lines = [_OURS.sub("", line)[:_LONGEST] for line in diagnostics.first_error(output, exercise)]
+    lines = [_OURS.sub("", line[:_LOOKED_AT])[:_LONGEST] for line in diagnostics.first_error(output, exercise)]
     places = [_PLACE.match(line) for line in lines]
     if not any(places):
         return _ASSEMBLER if "Assembler messages" in output else "\n".join(filter(_OF_COMPILER.match, lines))

@@ -6,12 +6,13 @@ Nobody vanishes: what lies there and is part of no submission is returned, too, 
 import os
 from collections import Counter
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path, PurePosixPath
 
 from errors import BadInput
-from grading.archives import entries_of, is_archive, is_litter, text, without_suffix
-from grading.names import Student, safe, student_of
+from grading.archives import is_archive, is_litter, names_in, text, without_suffix
+from grading.names import Student, platforms_of, safe, student_of
+from grading.reading import names_apart
 from grading.submission import Handed, Place, rank_of
 from manifest import Exercise, all_exercises
 
@@ -25,6 +26,15 @@ class Delivery:
 
     def add(self, student: Student, *places: Place) -> None:
         self.handed.append(Handed(safe(student.name), places, student))
+
+    def add_known(self, found: list[tuple[Student, Place]]) -> None:
+        """One submission for each student, in however many files and folders a platform delivers it."""
+        by_student: dict[tuple[str, str], list[tuple[Student, Place]]] = {}
+        for student, place in found:
+            by_student.setdefault((student.name, student.identifier), []).append((student, place))
+        for parts in by_student.values():
+            late = any(student.late for student, _ in parts)
+            self.add(replace(parts[0][0], late=late), *(place for _, place in parts))
 
 
 def find_submissions(paths: list[Path], out: Path) -> Delivery:
@@ -53,15 +63,11 @@ def find_submissions(paths: list[Path], out: Path) -> Delivery:
 
 
 def _names(path: Path, out: Path) -> list[PurePosixPath]:
-    """What is in it, archives inside it unopened; none of what cannot be read."""
-    if path.is_dir():
-        out = _real(out)
-        return [PurePosixPath(text(found.relative_to(path).as_posix())) for found in sorted(path.rglob("*"))
-                if not found.is_dir() and out not in _real(found).parents]
-    try:
-        return [entry.path for entry in entries_of(path)]
-    except Exception:  # it is a submission that can't be read, and will be said to be
-        return []
+    """What is in it, in an archive also in archives inside it; none of what cannot be read."""
+    if not path.is_dir():
+        return names_apart(path)
+    marks = PurePosixPath(os.path.relpath(_real(out), _real(path)))
+    return [name for name in names_in(path, opened=False) if marks not in name.parents]
 
 
 def _is_one(names: list[PurePosixPath], exercises: list[Exercise]) -> bool:
@@ -89,9 +95,10 @@ def _is_class(names: list[PurePosixPath], exercises: list[Exercise], at_top: boo
 
 
 def _take_folder(delivery: Delivery, folder: Path, out: Path, exercises: list[Exercise]) -> None:
-    loose: dict[Student, list[Place]] = {}
+    known: list[tuple[Student, Place]] = []
     taken = False
     children = sorted(folder.iterdir())
+    platforms = platforms_of(text(child.name) for child in children)
     # Only what the instructor names is a class, or the only thing in it: another's archive or folder may be made to
     # look like one, and to hold submissions under the names of others.
     is_alone = sum(not is_litter(PurePosixPath(child.name)) and _real(child) != _real(out)
@@ -105,13 +112,13 @@ def _take_folder(delivery: Delivery, folder: Path, out: Path, exercises: list[Ex
             delivery.left_out.append((shown, "a link, and those are not followed"))
         elif child.name.startswith("."):
             delivery.left_out.append((shown, "hidden by its name"))
+        elif of_platform := student_of(text(child.name), platforms):
+            known.append((of_platform[0], Place(child)))
         elif child.is_dir():
-            if is_alone and not student_of(child.name) and _is_class(_names(child, out), exercises, at_top=False):
+            if is_alone and _is_class(_names(child, out), exercises, at_top=False):
                 _take_folder(delivery, child, out, exercises)
             else:
                 delivery.add(_student(child), Place(child))
-        elif known := student_of(child.name):
-            loose.setdefault(known[0], []).append(Place(child))
         elif is_archive(child.name):
             names = _names(child, out) if is_alone else []
             if is_alone and _is_class(names, exercises, at_top=False):
@@ -124,24 +131,22 @@ def _take_folder(delivery: Delivery, folder: Path, out: Path, exercises: list[Ex
             delivery.left_out.append((shown, why))
     if not taken:
         raise BadInput(f"grade: {folder} holds no submission: no chapters/, no folders, no archives")
-    for student, places in loose.items():
-        delivery.add(student, *places)
+    delivery.add_known(known)
 
 
 def _take_archive(delivery: Delivery, archive: Path, names: Iterable[PurePosixPath]) -> None:
     """A submission for each folder or archive at its top, and for each student whose loose files lie there."""
-    loose: dict[Student, list[Place]] = {}
-    for top in dict.fromkeys(name.parts[0] for name in names):
-        known = student_of(top)
-        is_file = any(name.parts == (top,) for name in names)
-        if known and (is_file or is_archive(top)):
-            loose.setdefault(known[0], []).append(Place(archive, top))
-        elif is_file and not is_archive(top):
+    known: list[tuple[Student, Place]] = []
+    tops = list(dict.fromkeys(name.parts[0] for name in names))
+    platforms = platforms_of(tops)
+    for top in tops:
+        if of_platform := student_of(top, platforms):
+            known.append((of_platform[0], Place(archive, top)))
+        elif any(name.parts == (top,) for name in names) and not is_archive(top):
             delivery.left_out.append((f"{archive.name}/{top}", _LOOSE))
         else:
-            delivery.add(known[0] if known else Student(without_suffix(top)), Place(archive, top))
-    for student, places in loose.items():
-        delivery.add(student, *places)
+            delivery.add(Student(without_suffix(top)), Place(archive, top))
+    delivery.add_known(known)
 
 
 def _real(path: Path) -> Path:

@@ -9,6 +9,7 @@ from pathlib import Path
 
 LARGEST = 64 << 20  # bytes of an object; the reference's largest has a fortieth of that
 MOST_SYMBOLS = 100_000
+MOST_OF_NAMES = 16 << 20  # bytes of all names: symbols may share one of megabytes
 _HEADER = struct.Struct("<16sHHIQQQIHHHHHH")
 _SECTION = struct.Struct("<IIQQQQIIQQ")
 _SYMBOL = struct.Struct("<IBBHQQ")
@@ -89,8 +90,11 @@ def _content(content: bytes, section: tuple) -> bytes:
 def _symbols(table: bytes, names: bytes) -> list[Symbol]:
     if len(table) > MOST_SYMBOLS * _SYMBOL.size:
         raise TooLarge(f"{len(table) // _SYMBOL.size} symbols")
-    found = []
+    found, left = [], MOST_OF_NAMES
     for name, info, _, section, _, _ in list(_SYMBOL.iter_unpack(table))[1:]:
+        left -= names.index(b"\0", name) - name
+        if left < 0:
+            raise TooLarge(f"names of more than {MOST_OF_NAMES >> 20} MiB")
         found.append(Symbol(_name(names, name), section != 0, _BINDINGS.get(info >> 4, str(info >> 4)),
                             _KINDS.get(info & 15, str(info & 15)), _PLACES.get(section, str(section))))
     return found

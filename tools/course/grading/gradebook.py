@@ -49,9 +49,11 @@ def statistics_line(results: list[dict]) -> str:
 def not_graded(results: list[dict], of_class: Class) -> list[str]:
     """A line for all that is in the class or lay in its folder and has no mark: nobody vanishes."""
     _, missing, strangers = of_class.matched(results)
+    why = {result["submission"]: of_class.roster.contradiction(result) for result in results
+           if result["submission"] in strangers}
     return ([f"{one_line(what)}: {one_line(why)}" for what, why in of_class.left_out]
             + [f"{one_line(name)}: on the roster, and nothing was handed in" for name in missing]
-            + [f"{one_line(name)}: graded, and not on the roster" for name in strangers])
+            + [f"{one_line(name)}: {one_line(why[name]) or 'graded, and not on the roster'}" for name in strangers])
 
 
 def _percents(results: list[dict]) -> list[float]:

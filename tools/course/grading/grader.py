@@ -11,9 +11,10 @@ from errors import BadInput, CourseError
 from grading.confined import STOP, Interrupted
 from grading.isolation import User, choose, take_user
 from grading.judge import ExerciseVerdict, Judge
+from grading.reading import read_apart
 from grading.report import report_of
 from grading.results import folder_of, result_of, write_json
-from grading.submission import Handed, Source, Submission, read_submission
+from grading.submission import Handed, Source, Submission
 from grading.text import one_line
 from grading.weights import read_weights
 from grading.workshop import Workshop, check_hidden
@@ -22,6 +23,7 @@ from paths import BUILD, SOLUTIONS
 from terminal import Bar
 
 _MEMORY = BUILD / "grade"
+_LONGEST = 2000  # characters of a note
 
 
 class Grader:
@@ -68,7 +70,7 @@ class Grader:
     def grade(self, handed: list[Handed], out: Path) -> list[dict]:
         """In the order of `handed`; each submission's folder is written as soon as it is known.
 
-        What goes wrong in the grader itself stops no other submission; it is kept in `failures`.
+        What goes wrong in the grader itself stops no other submission: it is that one's row, and kept in `failures`.
         """
         bar = Bar("grading", len(handed))
         results: dict[str, dict] = {}
@@ -77,19 +79,17 @@ class Grader:
             waiting = {pool.submit(self.grade_one, one, out): one for one in handed}
             for done in as_completed(waiting):
                 one = waiting[done]
-                if error := done.exception():
-                    self.failures.append(f"{one_line(one.name)}: {type(error).__name__}: {error}")
-                else:
-                    results[one.name] = done.result()
+                error = done.exception()
+                results[one.name] = self._not_graded(one, out, error) if error else done.result()
                 bar.step(one_line(one.name))
         finally:
             _end(pool)
             bar.done()
-        return [results[one.name] for one in handed if one.name in results]
+        return [results[one.name] for one in handed]
 
     def grade_one(self, handed: Handed, out: Path, on_exercise: Callable[[dict, int], None] | None = None) -> dict:
         """`on_exercise` is given what is known so far, and how many exercises are left."""
-        submission = read_submission(handed, self.exercises)
+        submission = read_apart(handed, self.exercises)
         judged = {exercise: self._judge.unjudged(exercise) for exercise in self.exercises}
         user, lost = self._users.get(), 0.0
         try:
@@ -106,6 +106,17 @@ class Grader:
         if on_exercise:
             on_exercise(result, 0)
         self._write(result, folder_of(out, handed.name), submission)
+        return result
+
+    def _not_graded(self, handed: Handed, out: Path, error: BaseException) -> dict:
+        why = f"{type(error).__name__}: {error}"
+        self.failures.append(f"{one_line(handed.name)}: {why}")
+        submission = Submission(handed.name, handed.student, {}, [f"could not be graded: {why}"[:_LONGEST]])
+        result = self._result(submission, {one: self._judge.not_judged(one, error) for one in self.exercises})
+        try:
+            self._write(result, folder_of(out, handed.name), submission)
+        except Exception as failed:
+            self.failures.append(f"{one_line(handed.name)}: its results cannot be written: {failed}")
         return result
 
     def _judged(self, submission: Submission, exercise: Exercise, user: User) -> ExerciseVerdict:

@@ -10,10 +10,11 @@ import tempfile
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
+import crash
 from grading.confined import Limits
 from grading.isolation import Isolation, User
-from grading.objects import STILL_A_STUB, make
-from grading.pair import Pair, Ran
+from grading.objects import STILL_A_STUB, Made, make
+from grading.pair import SLOW, Pair, Ran
 from grading.submission import Source
 from grading.workshop import Workshop
 from manifest import Exercise
@@ -32,7 +33,9 @@ _THREADED = {"solve_in_colours"}  # they start threads
 _THREADS = {"processes": 300, "stack": 1 << 20}  # they may start 256, whose stacks must have room in the memory allowed
 _PRINTED = 4000  # characters kept of what the student's code printed
 _MESSAGE = 20_000
+_LAST_WORDS = 4000  # characters of what it printed, in which an assertion is sought
 _WORKED = 0.5  # seconds of processor time, above which what the clock has stopped did more than wait
+_BUSY = 8  # times as long as its processor time is what a test may take on the clock of a machine with much to do
 _PREFIX = re.compile(r"\AFailed\n")
 
 
@@ -43,12 +46,14 @@ class TestVerdict:
     reason: str = ""  # in a few words, such as a signal
     message: str = ""
     printed: str = ""
+    slow: float = 0.0  # seconds that it cost although it was not stopped
 
 
 @dataclass
 class ExerciseVerdict:
     tests: list[TestVerdict]
     notes: list[str]
+    slow: float = 0.0  # seconds that it took to compile, if that is far more than an answer needs
 
 
 class Judge:
@@ -67,16 +72,17 @@ class Judge:
 
     def without_time(self, exercise: Exercise) -> ExerciseVerdict:
         return _all(self._workshop.expected_tests(exercise), TIMED_OUT, NOT_RUN,
-                    "The submission's time was up: too many of its tests had to be stopped before.")
+                    "The submission's time was up: too many of its tests were slow, or had to be stopped before.")
 
     def not_judged(self, exercise: Exercise, error: Exception) -> ExerciseVerdict:
         return _all(self._workshop.expected_tests(exercise), NOT_STARTED, "could not be graded",
                     f"The grader itself has failed here ({type(error).__name__}): {error}"[:_MESSAGE])
 
     def lost(self, verdict: ExerciseVerdict) -> float:
-        """Seconds that its time-outs cost, by their kind: the same on any machine."""
+        """Seconds that its time-outs cost, by their kind, and what was slow, as it was when it was judged."""
         cost = {LOOPED: self._limits.cpu, WAITED: self._limits.wall}
-        return sum(cost.get(test.reason, 0) for test in verdict.tests if test.verdict == TIMED_OUT)
+        return verdict.slow + sum(cost.get(test.reason, 0) if test.verdict == TIMED_OUT else test.slow
+                                  for test in verdict.tests)
 
     def judge(self, exercise: Exercise, source: Source | None, user: User) -> ExerciseVerdict:
         tests = self._workshop.expected_tests(exercise)
@@ -102,16 +108,18 @@ class Judge:
         folder.chmod(0o755)
         try:
             made = make(exercise, source, self._workshop, self._isolation, user, folder)
-            if made.verdict == DOES_NOT_COMPILE and is_stub(source.content.decode("utf-8", errors="replace")):
+            if made.verdict == DOES_NOT_COMPILE and is_stub(source.text):
                 return _all(tests, NOT_STARTED, message=STILL_A_STUB), True
             if not made.program:
-                return _all(tests, made.verdict, made.reason, made.message), "stopped by a limit" not in made.message
-            ran = self._run_all(exercise, tests, made.program, user)
-            return ExerciseVerdict([verdict for verdict, _ in ran], list(made.notes)), all(sure for _, sure in ran)
+                verdict = replace(_all(tests, made.verdict, made.reason, made.message), slow=made.slow)
+                return verdict, "stopped by a limit" not in made.message
+            ran = self._run_all(exercise, tests, made, user)
+            return (ExerciseVerdict([verdict for verdict, _ in ran], list(made.notes), made.slow),
+                    all(sure for _, sure in ran))
         finally:
             shutil.rmtree(folder, ignore_errors=True)
 
-    def _run_all(self, exercise: Exercise, tests: list[str], program: Path,
+    def _run_all(self, exercise: Exercise, tests: list[str], made: Made,
                  user: User) -> list[tuple[TestVerdict, bool]]:
         """With one pair of processes, and another where the last could not go on."""
         ran: list[tuple[TestVerdict, bool]] = []
@@ -122,17 +130,18 @@ class Judge:
                     # It ends before it can be asked anything, and would for every test.
                     ran.append((replace(ran[-1][0], test=test), ran[-1][1]))
                     continue
-                if self.lost(ExerciseVerdict([verdict for verdict, _ in ran], [])) >= self._of_exercise:
+                so_far = ExerciseVerdict([verdict for verdict, _ in ran], [], made.slow)
+                if self.lost(so_far) >= self._of_exercise:
                     verdict = TestVerdict(test, TIMED_OUT, NOT_RUN, "The exercise's time was up: too many of its tests "
-                                          "had to be stopped before.")
-                    ran.append((verdict, True))
+                                          "were slow, or had to be stopped before.")
+                    ran.append((verdict, not any(one.slow for one in so_far.tests)))
                     continue
                 if not pair or not pair.alive:
-                    pair = self._pair(exercise, program, user)
+                    pair = self._pair(exercise, made.program, user)
                 told = pair.run(test)
                 if told.timed_out and not was_stopped:
                     # A machine that is busy or stands still looks the same. Once an exercise, so that it costs little.
-                    was_stopped, pair = True, self._pair(exercise, program, user)
+                    was_stopped, pair = True, self._pair(exercise, made.program, user)
                     told = pair.run(test)
                 ran.append(self._verdict(test, told))
         finally:
@@ -150,8 +159,18 @@ class Judge:
     def _verdict(self, test: str, ran: Ran) -> tuple[TestVerdict, bool]:
         verdict, reason, failures = read_verdict(ran, self._limits.cpu)
         message = "\n\n".join(_PREFIX.sub("", failure).rstrip() for failure in failures)
-        return (TestVerdict(test, verdict, reason, message[:_MESSAGE], ran.output[:_PRINTED].strip()),
+        return (TestVerdict(test, verdict, reason, message[:_MESSAGE], ran.output[:_PRINTED].strip(),
+                            self._slow(ran)),
                 not ran.timed_out or reason == WAITED)
+
+    def _slow(self, ran: Ran) -> float:
+        """Seconds of processor time, if they are more than half of what a test may take, and seconds of waiting.
+
+        A busy machine waits, too, but not for much longer than it computes.
+        """
+        computed = ran.used if 2 * ran.used > self._limits.cpu else 0.0
+        waited = max(ran.clock - SLOW - _BUSY * ran.used, 0.0) if ran.clock > SLOW else 0.0
+        return round(computed + waited, 1)
 
     def _key(self, exercise: Exercise, source: Source) -> str:
         limits = repr(self._limits_of(exercise))
@@ -165,7 +184,7 @@ class Judge:
             found = json.loads((self._memory / f"{key}.json").read_text(encoding="utf-8"))
             if found["load"] > 1 and _load() < found["load"] / 2:
                 return None  # it was stopped by the clock, on a machine that was busy, and is less so now
-            return ExerciseVerdict([TestVerdict(**test) for test in found["tests"]], found["notes"])
+            return ExerciseVerdict([TestVerdict(**test) for test in found["tests"]], found["notes"], found["slow"])
         except (OSError, ValueError, TypeError, KeyError):
             return None  # never written, or cut off
 
@@ -208,8 +227,7 @@ def _without_verdict(ran: Ran, cpu_limit: int) -> tuple[str, str, list[str]]:
     if number == signal.SIGABRT and "std::bad_alloc" in ran.output:
         return OUT_OF_MEMORY, "", ["It asked for more memory than there is."]
     if number:
-        return CRASHED, _name(number), [
-            "That is most often an index past the end, or a function that calls itself without end."]
+        return CRASHED, _name(number), [crash.explained(_name(number), ran.output[-_LAST_WORDS:], None)]
     if ran.tests_code:  # the test, and not the function: it could not work with what it got
         of_test = _signal(ran.tests_code)
         if of_test in (signal.SIGXCPU, signal.SIGKILL):

@@ -1,33 +1,82 @@
 """What platforms write into the names of what they deliver: who it is of, and whether it came late.
 
-    FIRST LAST_101_assignsubmission_file_/work.zip       Moodle, a folder each
-    FIRST LAST_101_assignsubmission_file_work.zip        Moodle, without folders
-    lastfirst_late_12345_678_kick.cpp                    Canvas: login or name, user, submission, the file's own name
+    FIRST LAST_101_assignsubmission_file_/work.zip            Moodle, a folder each
+    FIRST LAST_101_assignsubmission_file_work.zip             Moodle, without folders
+    lastfirst_late_12345_678_kick.cpp                         Canvas: login or name, user, submission, file's name
+    Homework 1_leeann_attempt_2026-11-20-10-11-12_kick.cpp    Blackboard: login, time; a .txt each about the attempt
+    12345-678910 - FIRST LAST - Nov 20, 2026 1011 AM/         Brightspace, a folder each
 """
 
+import contextlib
 import re
 import unicodedata
+from collections.abc import Iterable
 from dataclasses import dataclass
+from datetime import datetime
 
 _MOODLE = re.compile(r"(?P<name>.+?)_(?P<id>\d+)_assignsubmission_(?:file|onlinetext)_?(?P<file>.*)")
-_CANVAS = re.compile(r"(?P<name>[^_]+)_(?P<late>late_)?(?P<id>\d+)_(?P<try>\d+)_(?P<file>.+)", re.IGNORECASE)
-_AGAIN = re.compile(r"-\d+(?=\.\w+$)")  # Canvas' name for a file that was handed in again
+_CANVAS = re.compile(r"(?P<name>[^_]+)_(?P<late>late_)?(?P<id>\d+)_(?P<try>\d+)_(?P<file>(?!attempt_\d{4}-).+)",
+                     re.IGNORECASE)
+_AGAIN = re.compile(r"-(\d+)(?=\.\w+$)")  # Canvas' name for a file that was handed in again
+_BLACKBOARD = re.compile(r".+?_(?P<name>[^_]+)_attempt_(?P<time>\d{4}(?:-\d\d){5})(?:_(?P<file>.+)|\.txt)")
+_BRIGHTSPACE = re.compile(r"(?P<id>\d+)-\d+ - (?P<name>.+) - (?P<time>\w{3} \d{1,2}, \d{4} \d{3,4} [AP]M)")
 
 
 @dataclass(frozen=True)
 class Student:
     name: str
-    identifier: str = ""  # the platform's number of the student: Moodle's participant, Canvas' user
+    identifier: str = ""  # the platform's number of the student: Moodle's participant, Canvas' or Brightspace's user
     late: bool = False
 
 
-def student_of(name: str) -> tuple[Student, str] | None:
+def _moodle(name: str) -> tuple[Student, str] | None:
+    found = _MOODLE.fullmatch(name)
+    return (Student(found["name"].strip(), found["id"]), found["file"]) if found else None
+
+
+def _canvas(name: str) -> tuple[Student, str] | None:
+    found = _CANVAS.fullmatch(name)
+    return (Student(found["name"], found["id"], bool(found["late"])), _AGAIN.sub("", found["file"])) if found else None
+
+
+def _blackboard(name: str) -> tuple[Student, str] | None:
+    found = _BLACKBOARD.fullmatch(name)
+    return (Student(found["name"]), found["file"] or "") if found else None
+
+
+def _brightspace(name: str) -> tuple[Student, str] | None:
+    found = _BRIGHTSPACE.fullmatch(name)
+    return (Student(found["name"].strip(), found["id"]), "") if found else None
+
+
+_PLATFORMS = (_moodle, _canvas, _blackboard, _brightspace)
+
+
+def student_of(name: str, platforms: tuple = _PLATFORMS) -> tuple[Student, str] | None:
     """Of a folder's or file's name, and what the file was called; None: no platform has written it."""
-    if found := _MOODLE.fullmatch(name):
-        return Student(found["name"].strip(), found["id"]), found["file"]
-    if found := _CANVAS.fullmatch(name):
-        return Student(found["name"], found["id"], bool(found["late"])), _AGAIN.sub("", found["file"])
-    return None
+    return next((found for platform in platforms if (found := platform(name))), None)
+
+
+def platforms_of(names: Iterable[str]) -> tuple:
+    """The one that has written most of the names of a class: the others a student may have written."""
+    counts = {platform: 0 for platform in _PLATFORMS}
+    for name in names:
+        for platform in _PLATFORMS:
+            counts[platform] += platform(name) is not None
+    return (max(_PLATFORMS, key=counts.__getitem__),)
+
+
+def attempt_of(name: str) -> str:
+    """Of the attempts of one student on one platform, the last has the greatest; empty where it is not said."""
+    if found := _BLACKBOARD.fullmatch(name):
+        return found["time"]
+    if found := _BRIGHTSPACE.fullmatch(name):
+        month, day, year, clock, half = found["time"].replace(",", "").split()
+        with contextlib.suppress(ValueError):  # of another language's months
+            return datetime.strptime(f"{month} {day} {year} {clock:0>4} {half}", "%b %d %Y %I%M %p").isoformat()
+    if (found := _CANVAS.fullmatch(name)) and (again := _AGAIN.search(found["file"])):
+        return f"{int(again[1]):09d}"
+    return ""
 
 
 _LONGEST = 200  # bytes; a folder's name may have 255

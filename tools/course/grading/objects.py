@@ -8,13 +8,13 @@ of each, and it must not be the student's.
 import re
 import shlex
 import subprocess
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import diagnostics
 from grading.allowed import REMOVED, REPLACED, not_allowed, tampering
 from grading.complaints import compiler_says
-from grading.confined import Limits
+from grading.confined import Ended, Limits
 from grading.elf import Object, TooLarge, Unreadable, read_object
 from grading.isolation import GRADER, Isolation, User
 from grading.submission import Source
@@ -23,12 +23,13 @@ from manifest import Exercise
 from marker import is_stub
 
 # A compiler does not sleep: its limit is processor time, and the clock is far enough away that load cannot decide a mark.
-_COMPILING = Limits(cpu=60, wall=1800, memory=3 << 30, files=256 << 20, processes=32, output=4 << 20)
+_COMPILING = Limits(cpu=30, wall=600, memory=3 << 30, files=256 << 20, processes=32, output=4 << 20)
 _STUB = "_ZTIN5spook14NotImplementedE"  # what a stub throws: not in an object whose call is in a comment or in #if 0
 STILL_A_STUB = "The file still calls not_implemented()."
 _NAMES, _NAME, _MOST_NAMES = 1 << 16, 500, 20  # characters of all names that are shown, and of one
-_NOT_NEEDED = ("{} calls {}(), which no exercise needs. An answer may call the C++ library, mathematics, text, memory, "
-               "and what the chapters' headers declare.")
+_NOT_AVAILABLE = "not available in grading"
+_NOT_NEEDED = ("{} calls {}(), which is not available in grading, and no exercise needs it. An answer may call the C++ "
+               "library, mathematics, text, memory, and what the chapters' headers declare.")
 
 
 @dataclass(frozen=True)
@@ -40,6 +41,7 @@ class Made:
     reason: str = ""
     message: str = ""
     notes: tuple[str, ...] = ()
+    slow: float = 0.0  # seconds that it took to compile, if more than half of what it may
 
 
 def make(exercise: Exercise, source: Source, workshop: Workshop, isolation: Isolation, user: User,
@@ -52,20 +54,28 @@ def make(exercise: Exercise, source: Source, workshop: Workshop, isolation: Isol
     (compiling / file).write_bytes(source.content)
     user.own(compiling)
 
-    text = source.content.decode("utf-8", errors="replace")
     command, reads = workshop.compile_command(exercise, str(file), "student.o"), [workshop.headers]
     command.append("-fno-caret-diagnostics" if "clang" in command[0] else "-fno-diagnostics-show-caret")
     if source.is_reference:
         command.append(f"-I{workshop.reference_headers}")
         reads.append(workshop.reference_headers)
     ended = isolation.run(command, _COMPILING, user, tuple(reads), (compiling,), compiling)
-    if ended.code != 0:
-        stopped = "the compiler was stopped by a limit on its time, memory or output\n" if (
-            ended.timed_out or ended.too_much or ended.code in (-9, 137, -24, 152)
-            or "signal terminated program" in ended.output) else ""
-        return Made(None, "does not compile", message=stopped + compiler_says(
-            ended.output, exercise, str(file), text))
-    student = compiling / "student.o"
+    made = (_not_compiled(exercise, source, file, ended) if ended.code != 0 else
+            _from_object(exercise, source, file, workshop, isolation, compiling / "student.o", linking))
+    took = _COMPILING.wall if ended.timed_out else ended.cpu
+    return replace(made, slow=round(took, 1) if 2 * took > _COMPILING.cpu else 0.0)
+
+
+def _not_compiled(exercise: Exercise, source: Source, file: Path, ended: Ended) -> Made:
+    stopped = "the compiler was stopped by a limit on its time, memory or output\n" if (
+        ended.timed_out or ended.too_much or ended.code in (-9, 137, -24, 152)
+        or "signal terminated program" in ended.output) else ""
+    said = compiler_says(ended.output, exercise, str(file), source.text)
+    return Made(None, "does not compile", message=stopped + said)
+
+
+def _from_object(exercise: Exercise, source: Source, file: Path, workshop: Workshop, isolation: Isolation,
+                 student: Path, linking: Path) -> Made:
     wanted = workshop.functions[exercise.function]
     try:
         found = read_object(student)
@@ -73,18 +83,18 @@ def make(exercise: Exercise, source: Source, workshop: Workshop, isolation: Isol
         return Made(None, "does not compile", "too large", f"{file} compiles to {error}, more than an answer needs.")
     except Unreadable as error:
         return Made(None, "tampered", "no object", f"{file} compiles to what is no object of this machine: {error}.")
-    if is_stub(text) and any(symbol.name == _STUB for symbol in found.symbols):
+    if is_stub(source.text) and any(symbol.name == _STUB for symbol in found.symbols):
         return Made(None, "not started", message=STILL_A_STUB)
     refused = "" if source.is_reference else tampering(found)
     if refused:
         return Made(None, "tampered", refused, f"{file} {refused}. No exercise needs that; it is not run.")
     stranger = "" if source.is_reference else not_allowed(found, workshop.reference.callable_symbols(exercise))
     if owner := _owner(stranger, workshop):
-        return Made(None, "does not compile", "not available in grading", _not_yet(file, owner, exercise))
+        return Made(None, "does not compile", _NOT_AVAILABLE, _not_yet(file, owner, exercise))
     if stranger.startswith("_Z"):
         return Made(None, "does not compile", "does not link", f"undefined reference to `{_readable(stranger)}'")
     if stranger:
-        return Made(None, "does not compile", "calls what no exercise needs", _NOT_NEEDED.format(file, stranger))
+        return Made(None, "does not compile", _NOT_AVAILABLE, _NOT_NEEDED.format(file, stranger))
     missing = sorted(name for name in wanted if not found.binding_of(name))
     if missing:
         return Made(None, "does not compile", "function not defined", _not_defined(file, missing))

@@ -23,6 +23,7 @@ _CHANNEL, _REPORT = 3, 4
 _TOLD = 77  # exit code of a test that has told how the other ended: tests/remote/report.hpp
 _counting, _pairs_on = threading.Lock(), Counter()
 _EXTENSIONS, _COMPUTES = 2, 0.5  # of a deadline; seconds of processor time, without which it only waits
+SLOW = 1.0  # seconds on the clock, above which a test's processor time is looked up: that takes milliseconds
 _LINGER = 2.0  # seconds that a process has to end after its socket has closed
 
 
@@ -38,6 +39,8 @@ class Ran:
     timed_out: bool = False  # on the clock
     too_much: bool = False
     cpu: float = 0.0  # seconds of the student's process
+    clock: float = 0.0  # seconds that the test took
+    used: float = 0.0  # of a slow one: seconds of processor time of both processes since the last slow one
 
 
 class Pair:
@@ -64,6 +67,7 @@ class Pair:
         os.close(ours_high)
         os.close(theirs_high)
         self._running = {self._answers, self._tests}
+        self._counted = 0.0  # of their processor time
         self.alive = True
 
     def close(self) -> None:
@@ -82,7 +86,7 @@ class Pair:
         with contextlib.suppress(BrokenPipeError):
             self._tests_from.write(test.encode() + b"\n")
         printed, records, state = bytearray(), [], bytearray()
-        too_much = False
+        too_much, begun = False, time.monotonic()
         report = self._report.fileno()
         for ready in self._waits([self._printed.fileno(), report]):
             more = os.read(ready, 1 << 16)
@@ -109,8 +113,9 @@ class Pair:
         elif not timed_out:
             code, cpu = self._last_words(too_much)
         of_test = exit_code(found.get(b"done", (b"0",))[0])
+        clock = time.monotonic() - begun
         ran = Ran(found.get(b"verdict"), b"nonsense" in found, code, 0 if of_test == _TOLD else of_test,
-                  text_of(printed), timed_out, too_much, cpu)
+                  text_of(printed), timed_out, too_much, cpu, clock, self._newly_used() if clock > SLOW else 0.0)
         if timed_out or too_much or b"partner" not in found or b"nonsense" in found:
             self.close()
         return ran
@@ -126,6 +131,11 @@ class Pair:
 
     def _used(self) -> float:
         return _processor_time(self._answers) + _processor_time(self._tests)
+
+    def _newly_used(self) -> float:
+        before = self._counted
+        self._counted = _processor_time(self._answers, ended=True) + _processor_time(self._tests, ended=True)
+        return self._counted - before
 
     def _last_words(self, at_once: bool) -> tuple[int, float]:
         """How the student's program ended that has not told; if it goes on without its socket, it is ended."""
@@ -175,14 +185,14 @@ def _records(state: bytearray) -> list[tuple[bytes, ...]]:
     return found
 
 
-def _processor_time(process: int) -> float:
-    """Of it and all that it has started, as far as they still run."""
+def _processor_time(process: int, ended: bool = False) -> float:
+    """Of it and all that it has started, as far as they still run, or have `ended`, too."""
     parents, times = {}, {}
     for entry in os.listdir("/proc"):
         if entry.isdecimal():
             with contextlib.suppress(OSError):
                 fields = Path("/proc", entry, "stat").read_text(errors="replace").rpartition(")")[2].split()
-                parents[int(entry)], times[int(entry)] = int(fields[1]), int(fields[11]) + int(fields[12])
+                parents[int(entry)], times[int(entry)] = int(fields[1]), sum(map(int, fields[11:15 if ended else 13]))
     family, grows = {process}, True
     while grows:
         found = {one for one, parent in parents.items() if parent in family} - family

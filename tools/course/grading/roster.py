@@ -5,6 +5,8 @@ row whose number the platform wrote into its name, or else to the only row whose
 """
 
 import csv
+import functools
+import io
 import re
 import unicodedata
 from collections import defaultdict
@@ -12,9 +14,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from errors import BadInput
+from text_encoding import decoded
 
 _NAMES = ("student", "full name", "name", "login", "sis login id", "username", "email address", "email",
           "github username")
+_FIRST, _LAST = ("first name", "firstname", "given name"), ("last name", "lastname", "surname", "family name")
 _NUMBERS = ("id", "identifier", "number", "participant")
 
 
@@ -25,44 +29,82 @@ class Roster:
 
     def matched(self, results: list[dict]) -> tuple[dict[str, dict], list[dict], list[str]]:
         """Each submission's row, by the submission's name; the rows without one; the submissions without a row."""
-        by_number = {_digits(row[title]): row for row in self.rows for title in row
-                     if title.lower() in _NUMBERS and _digits(row[title])}
-        by_name: dict[str, list[dict]] = defaultdict(list)
-        for row in self.rows:
-            for word in {word for title in row if title.lower() in _NAMES for word in _spellings(row[title])}:
-                by_name[word].append(row)
         found, strangers = {}, []
         for result in results:
-            row = by_number.get(result["identifier"]) if result["identifier"] else None
-            if row is None:
-                rows = [row for word in _spellings(result["student"]) for row in by_name.get(word, [])]
-                row = rows[0] if rows and all(one is rows[0] for one in rows) else None
-            if row is None or any(row is other for other in found.values()):
+            by_number, by_name = self._rows_of(result)
+            row = by_number if by_number is not None else by_name[0] if _are_one(by_name) else None
+            if row is None or any(row is one for one in found.values()) or self.contradiction(result):
                 strangers.append(result["submission"])
             else:
                 found[result["submission"]] = row
         missing = [row for row in self.rows if not any(row is one for one in found.values())]
         return found, missing, strangers
 
+    def contradiction(self, result: dict) -> str:
+        """The number of one row with the name of another, by which two students would change places; else empty."""
+        by_number, by_name = self._rows_of(result)
+        if by_number is None or not by_name or any(row is by_number for row in by_name):
+            return ""
+        return (f"its number {result['identifier']} is that of {self.name_of(by_number)} on the roster, and its name "
+                f"is that of {self.name_of(by_name[0])}, so that it is given to neither")
+
+    def _rows_of(self, result: dict) -> tuple[dict[str, str] | None, list[dict[str, str]]]:
+        """That with the number that the platform has written, and all with the name."""
+        by_number = self._by_number.get(result["identifier"]) if result["identifier"] else None
+        return by_number, [row for word in _spellings(result["student"]) for row in self._by_name.get(word, [])]
+
+    @functools.cached_property
+    def _by_number(self) -> dict[str, dict[str, str]]:
+        return {_digits(row[title]): row for row in self.rows for title in row
+                if _plain(title) in _NUMBERS and _digits(row[title])}
+
+    @functools.cached_property
+    def _by_name(self) -> dict[str, list[dict[str, str]]]:
+        found: dict[str, list[dict]] = defaultdict(list)
+        for row in self.rows:
+            for word in {word for name in self._names_in(row) for word in _spellings(name)}:
+                found[word].append(row)
+        return found
+
+    def _names_in(self, row: dict[str, str]) -> list[str]:
+        """All that the row calls the student: also first and last name, where they stand apart."""
+        by_title = {_plain(title): row[title] for title in row}
+        whole = [by_title[title] for title in _NAMES if title in by_title]
+        first, last = (next((by_title[title] for title in titles if title in by_title), "")
+                       for titles in (_FIRST, _LAST))
+        return whole + ([f"{first} {last}"] if first.strip() and last.strip() else [])
+
     def name_of(self, row: dict[str, str]) -> str:
-        return next((row[title] for wanted in _NAMES for title in self.columns
-                     if title.lower() == wanted and row[title].strip()), "?")
+        names = [name for name in self._names_in(row) if name.strip()]
+        return names[0] if names else "?"
 
 
 def read_roster(file: Path) -> Roster:
+    """A CSV with commas, semicolons or tabs, in UTF-8, UTF-16 or Latin-1, as spreadsheets write it."""
     try:
-        with open(file, encoding="utf-8-sig", newline="") as text:
-            reader = csv.DictReader(text)
-            columns = tuple(reader.fieldnames or ())
-            rows = tuple({title: row[title] or "" for title in columns} for row in reader)
+        content = decoded(file.read_bytes())
+        separator = max(",;\t", key=content.partition("\n")[0].count)
+        reader = csv.DictReader(io.StringIO(content, newline=""), delimiter=separator)
+        columns = tuple(reader.fieldnames or ())
+        rows = tuple({title: row[title] or "" for title in columns} for row in reader)
     except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise BadInput(f"the roster {file} cannot be read: {error}") from None
-    if not any(title.lower() in _NAMES for title in columns):
-        raise BadInput(f"the roster {file} has no column of names; known are {', '.join(_NAMES)}")
+    titles = {_plain(title) for title in columns}
+    if not titles & set(_NAMES) and not (titles & set(_FIRST) and titles & set(_LAST)):
+        raise BadInput(f"the roster {file} has no column of names; known are {', '.join(_NAMES)}, "
+                       f"{' with '.join((_FIRST[0], _LAST[0]))}")
+    roster = Roster(columns, rows)
     # Canvas' second line says how many points are possible, and there is a student who tests.
-    rows = tuple(row for row in rows if any(row[title].strip() for title in columns if title.lower() in _NAMES)
-                 and not _is_no_student(row))
-    return Roster(columns, rows)
+    return Roster(columns, tuple(row for row in rows if any(name.strip() for name in roster._names_in(row))
+                                 and not _is_no_student(row)))
+
+
+def _plain(title: str) -> str:
+    return title.strip().lower().replace("_", " ")
+
+
+def _are_one(rows: list[dict]) -> bool:
+    return bool(rows) and all(row is rows[0] for row in rows)
 
 
 def _is_no_student(row: dict[str, str]) -> bool:

@@ -5,16 +5,20 @@ from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 
 from grading.archives import LARGEST, Entry, entries_of
-from grading.names import Student, student_of
+from grading.names import Student, attempt_of, student_of
 from manifest import Exercise
 from marker import is_stub
 from paths import CHAPTERS
+from text_encoding import decoded, encoding_of
 
-_NAMES_IN_A_NOTE = 8
+_NAMES_IN_A_NOTE, _NAME = 8, 200  # names, and characters of one
+_NOTES, _NOTE = 30, 2000  # notes, and characters of one
 _MOST_CANDIDATES = 20  # for one exercise
 # Where a copy of the course keeps its own, which are not the student's.
 _NOT_THEIRS = {"solutions", "tests", "plots", "tools", "build", ".git", ".course"}
-_COPY = re.compile(r"(?: ?\(\d+\)| - copy(?: ?\(\d+\))?| copy(?: \d+)?| ?\(copy(?: \d+)?\)|~\d?)$")
+_COPY = re.compile(r"(?: ?\(\d+\)| - copy(?: ?\(\d+\))?| copy(?: \d+)?| ?\(copy(?: \d+)?\)|~\d?|[-_ ](?:final|v)\d*)$"
+                   r"|^(?:copy of|kopie von) ")
+_ENDING = re.compile(r"\.(?:cpp|cc|cxx|cpp\.txt|txt)(?: ?\(\d+\))?$")
 
 
 @dataclass(frozen=True)
@@ -26,6 +30,10 @@ class Source:
     problem: str = ""
     is_link: bool = False
     is_reference: bool = False
+
+    @property
+    def text(self) -> str:
+        return self.content.decode("utf-8", errors="replace")
 
 
 @dataclass(frozen=True)
@@ -54,6 +62,7 @@ class Submission:
 @dataclass(frozen=True)
 class _Candidate:
     rank: int  # 0: where it belongs; the higher, the more is guessed
+    attempt: str  # the platform's; the last is the greatest
     entry: Entry
 
 
@@ -66,14 +75,12 @@ def read_submission(handed: Handed, exercises: list[Exercise]) -> Submission:
     found: dict[str, list[_Candidate]] = {}
     for place in handed.places:
         try:
-            for entry in entries_of(place.path):
+            for entry in entries_of(place.path, place.inside):
                 if place.inside:
-                    if entry.path.parts[0] != place.inside:
-                        continue
                     entry = _moved(entry, "/".join(entry.path.parts[1:]))
-                _look(submission, entry, exercises, seen, found)
+                _look(submission, entry, attempt_of(place.inside or place.path.name), exercises, seen, found)
         except Exception as error:  # a damaged archive has the library raise whatever its decoders do
-            submission.notes.append(f"{place.path.name} cannot be read: {error}")
+            submission.notes.append(f"{place.path.name} cannot be read: {str(error) or type(error).__name__}")
     for function, candidates in found.items():
         _choose(submission, function, candidates)
     if not found:
@@ -83,54 +90,58 @@ def read_submission(handed: Handed, exercises: list[Exercise]) -> Submission:
         others = [name for name in seen if _is_worth_a_line(name)]
         if others:
             submission.notes.append(f"not an exercise's file, so not taken: {_listed(others)}")
+    submission.notes = _cut(submission.notes)
     return submission
 
 
 def rank_of(path: PurePosixPath, exercises: list[Exercise]) -> tuple[Exercise, int] | None:
     """Which exercise's file it is, and how much is guessed.
 
-    0 where it belongs, or alone; 1 by its folder; 2 by its name; 3 by other capitals or marks; 4 a copy.
+    0 where it belongs, or alone; 1 by its folder; 2 by its name; 3 by other capitals, marks or ending; 4 a copy.
     """
     parts = [part.lower() for part in path.parts]
-    if (".." in parts or path.is_absolute() or _NOT_THEIRS & set(parts[:-1])
-            or not parts[-1].endswith((".cpp", ".cc", ".cxx"))):
-        return None
     known = student_of(path.name)
-    stem = PurePosixPath((known[1] if known else path.name)).stem
+    name = known[1] if known else path.name
+    ending = _ENDING.search(name.lower())
+    if ".." in parts or path.is_absolute() or _NOT_THEIRS & set(parts[:-1]) or not ending:
+        return None
+    stem = name[: ending.start()]
     plain = _COPY.sub("", stem.lower()).strip().replace("-", "_").replace(" ", "_")
     exercise = next((one for one in exercises if one.function == plain), None)
     if not exercise:
         return None
-    if _COPY.search(stem.lower()):
+    if _COPY.search(stem.lower()) or ending[0].endswith(")"):
         return exercise, 4
-    if stem != exercise.function or path.suffix != ".cpp":
+    if stem != exercise.function or name[ending.start():] != ".cpp":
         return exercise, 3
     if path.parts[-3:-1] == ("chapters", exercise.folder) or len(parts) == 1:
         return exercise, 0
     return exercise, 1 if parts[-2] == exercise.folder else 2
 
 
-def _look(submission: Submission, entry: Entry, exercises: list[Exercise], seen: list[str],
+def _look(submission: Submission, entry: Entry, attempt: str, exercises: list[Exercise], seen: list[str],
           found: dict[str, list[_Candidate]]) -> None:
     if entry.kind == "damaged":
         submission.notes.append(entry.problem)
         return
     ranked = rank_of(entry.path, exercises)
     if ranked:
-        found.setdefault(ranked[0].function, []).append(_Candidate(ranked[1], entry))
+        found.setdefault(ranked[0].function, []).append(_Candidate(ranked[1], attempt, entry))
     else:
         seen.append(str(entry.path))
 
 
 def _choose(submission: Submission, function: str, candidates: list[_Candidate]) -> None:
-    """The least guessed; of those the first that is no stub."""
-    candidates.sort(key=lambda one: (one.rank, len(one.entry.path.parts), str(one.entry.path)))
+    """The least guessed; of those the last attempt, and the first that is no stub."""
+    candidates.sort(key=lambda one: (len(one.entry.path.parts), str(one.entry.path)))
+    candidates.sort(key=lambda one: one.attempt, reverse=True)
+    candidates.sort(key=lambda one: one.rank)
     if len(candidates) > _MOST_CANDIDATES:
         submission.notes.append(f"{len(candidates)} files could be {function}; only {_MOST_CANDIDATES} were looked at")
         del candidates[_MOST_CANDIDATES:]
     sources = [_read(one.entry) for one in candidates]
     chosen = next((k for k, source in enumerate(sources) if not source.problem
-                   and not is_stub(source.content.decode("utf-8", errors="replace"))), 0)
+                   and not is_stub(source.text)), 0)
     if sources[0].problem:
         chosen = 0  # what is where it belongs is what was handed in, and says why it can't be taken
     submission.sources[function] = sources[chosen]
@@ -150,9 +161,16 @@ def _is_worth_a_line(name: str) -> bool:
     return not (CHAPTERS / "/".join(path.parts[-2:])).exists()
 
 
+def _cut(notes: list[str]) -> list[str]:
+    """What is written into every report: names and messages in a submission may have megabytes."""
+    more = len(notes) - _NOTES
+    return [note[:_NOTE] for note in notes[:_NOTES]] + ([f"{more} further notes"] if more > 0 else [])
+
+
 def _listed(names: list[str]) -> str:
     more = len(names) - _NAMES_IN_A_NOTE
-    return ", ".join(sorted(names)[:_NAMES_IN_A_NOTE]) + (f" and {more} more" if more > 0 else "")
+    listed = ", ".join(name[:_NAME] for name in sorted(names)[:_NAMES_IN_A_NOTE])
+    return listed + (f" and {more} more" if more > 0 else "")
 
 
 def _moved(entry: Entry, path: str) -> Entry:
@@ -160,7 +178,7 @@ def _moved(entry: Entry, path: str) -> Entry:
 
 
 def _read(entry: Entry) -> Source:
-    path = str(entry.path)
+    path = str(entry.path)[:_NAME]
     if entry.kind == "link":
         return Source(path, problem=f"{path} is a symbolic link, and those are not followed", is_link=True)
     if entry.kind != "file":
@@ -171,4 +189,14 @@ def _read(entry: Entry) -> Source:
         return Source(path, problem=f"{path} cannot be read: {error}")
     if len(content) > LARGEST:
         return Source(path, problem=f"{path} is larger than {LARGEST >> 10} KiB")
-    return Source(path, content)
+    return Source(path, _as_utf_8(content))
+
+
+def _as_utf_8(content: bytes) -> bytes:
+    """As a compiler reads it; what is no text stays as it is."""
+    if encoding_of(content) not in ("UTF-16", "UTF-32"):
+        return content
+    try:
+        return decoded(content).encode("utf-8")
+    except UnicodeError:
+        return content

@@ -89,7 +89,7 @@ def as_table(weights: list[Weight], out) -> None:
 def read_rows(table: Path) -> dict[str, Weight]:
     """By test, as they stand in the table."""
     try:
-        with open(table, encoding="utf-8", newline="") as file:
+        with open(table, encoding="utf-8-sig", newline="") as file:
             reader = csv.DictReader(file)
             if tuple(reader.fieldnames or ()) != COLUMNS:
                 raise BadInput(f"{shown(table)}: its first line must be {','.join(COLUMNS)}")

@@ -1,0 +1,94 @@
+"""Reads what strangers handed in, in a process of its own: a delivery can cost time and memory, but not the class's.
+
+The process gets its request in a file of JSON, and writes its answer into another.
+"""
+
+import base64
+import json
+import os
+import resource
+import signal
+import sys
+import tempfile
+from pathlib import Path, PurePosixPath
+
+from grading.archives import is_archive, names_in
+from grading.confined import Limits, run
+from grading.names import Student
+from grading.submission import Handed, Place, Source, Submission, read_submission
+from manifest import Exercise, all_exercises
+
+_READING = Limits(cpu=30, wall=120, memory=2 << 30, files=128 << 20, processes=0, output=1 << 16)
+_COURSE = Path(__file__).resolve().parent.parent
+# Nothing is imported from the folder where the command was given: students' files may lie there.
+_START = "import sys; sys.path.insert(0, sys.argv[1]); from grading.reading import answer; answer(*sys.argv[2:])"
+
+
+class NotRead(Exception):
+    """With the reason."""
+
+
+def read_apart(handed: Handed, exercises: list[Exercise]) -> Submission:
+    """As read_submission; what cannot be read within the limits is a submission without files, and a note says why.
+
+    Folders without an archive are read here: nothing in them is unpacked.
+    """
+    if all(place.path.is_dir() and not any(is_archive(name.name) for name in names_in(place.path, opened=False))
+           for place in handed.places):
+        return read_submission(handed, exercises)
+    try:
+        found = _asked({"places": [[str(place.path), place.inside] for place in handed.places],
+                        "late": handed.student.late, "exercises": [exercise.function for exercise in exercises]})
+    except NotRead as error:
+        return Submission(handed.name, handed.student, {}, [f"it cannot be read: {error}"])
+    sources = {function: Source(path, base64.b64decode(content), problem, is_link)
+               for function, path, content, problem, is_link in found["sources"]}
+    return Submission(handed.name, handed.student, sources, found["notes"])
+
+
+def names_apart(path: Path) -> list[PurePosixPath]:
+    """What is in an archive, where that can be read in time in archives inside it, too; none of what is damaged."""
+    for opened in (True, False):
+        try:
+            return [PurePosixPath(name) for name in _asked({"names": str(path), "opened": opened})]
+        except NotRead:
+            continue
+    return []
+
+
+def _asked(request: dict):
+    with tempfile.TemporaryDirectory(prefix="reading-") as folder:
+        asked, answered = Path(folder, "request"), Path(folder, "answer")
+        limits = {"cpu": _READING.cpu, "memory": _READING.memory, "files": _READING.files}
+        asked.write_text(json.dumps(request | {"limits": limits}), encoding="utf-8")
+        command = [sys.executable, "-I", "-S", "-c", _START, str(_COURSE), str(asked), str(answered)]
+        ended = run(command, _READING, dict(os.environ))
+        if ended.code == 0 and not ended.timed_out and not ended.too_much:
+            return json.loads(answered.read_text(encoding="utf-8"))
+    if ended.timed_out or ended.code in (-signal.SIGXCPU, -signal.SIGKILL):
+        raise NotRead("that takes too long")
+    if "MemoryError" in ended.output:
+        raise NotRead("that takes too much memory")
+    raise NotRead((ended.output.strip().splitlines() or [f"exit code {ended.code}"])[-1][:200])
+
+
+def answer(asked: str, answered: str) -> None:
+    """What the process does."""
+    request = json.loads(Path(asked).read_text(encoding="utf-8"))
+    for kind, limit in ((resource.RLIMIT_CPU, "cpu"), (resource.RLIMIT_AS, "memory"), (resource.RLIMIT_FSIZE, "files")):
+        resource.setrlimit(kind, (request["limits"][limit], request["limits"][limit]))
+    found = _names(request) if "names" in request else _submission(request)
+    Path(answered).write_text(json.dumps(found), encoding="utf-8")
+
+
+def _names(request: dict) -> list[str]:
+    return [str(name) for name in names_in(Path(request["names"]), request["opened"])]
+
+
+def _submission(request: dict) -> dict:
+    exercises = [exercise for exercise in all_exercises() if exercise.function in request["exercises"]]
+    places = tuple(Place(Path(path), inside) for path, inside in request["places"])
+    submission = read_submission(Handed("", places, Student("", late=request["late"])), exercises)
+    sources = [(function, source.path, base64.b64encode(source.content).decode(), source.problem, source.is_link)
+               for function, source in submission.sources.items()]
+    return {"sources": sources, "notes": submission.notes}
