@@ -93,8 +93,7 @@ std::string nan_clue(bool is_nan) {
   if (!is_nan) return "";
   this_failure_has_a_clue_that_fits();
   return "It is NaN. Does a number, or a block of a vector or matrix, never get a value? Here Eigen's begin as "
-         "NaN. "
-         "Or is 0 divided by 0? ";
+         "NaN. Or is 0 divided by 0? ";
 }
 
 void expect_near(const std::string& what, const std::string& equation, double got, double expected,
