@@ -61,6 +61,15 @@ inline Problem<3> stack(const std::vector<double>& masses, double h, double Sigm
   return p;
 }
 
+/// All of V below each other.
+template <int Dof>
+Eigen::VectorXd joined_V(const Problem<Dof>& p) {
+  Eigen::VectorXd all(Dof * std::ssize(p.V));
+  for (Eigen::Index k = 0; k < std::ssize(p.V); ++k)
+    all.segment<Dof>(Dof * k) = p.V[static_cast<std::size_t>(k)];
+  return all;
+}
+
 /// Sets λ in the rows, and the V that belongs to it.
 template <int Dof>
 void set_lambda(Problem<Dof>& p, const Eigen::VectorXd& lambda) {

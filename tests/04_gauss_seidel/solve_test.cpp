@@ -1,6 +1,7 @@
 // Sweeps until it is good enough: against enumerated solutions, and counted.
 #include "exercise_test.hpp"
 #include "problems.hpp"
+#include "regions.hpp"
 #include "stop_rule.hpp"
 
 using namespace spook;
@@ -151,6 +152,44 @@ EXERCISE_TEST(Solve, StopsByTheRule) {
       return solve(again.rows, again.V, stop);
     };
     if (!expect_stops_by_the_rule("Eq. (4.9)", 12, anew)) return;
+  }
+}
+
+// Bounds and the stop rule at once: rows that reach a bound, or leave it, let a sweep return more than the one before.
+EXERCISE_TEST(Solve, GoesOnWhenASweepReturnsMore) {
+  Random random;
+  Regions regions({"a sweep returns more than the one before"}, 20);
+  while (regions.lack_draws()) {
+    const int bodies = random.integer(3, 8);
+    const Problem<6> p = any_rows(random, bodies);
+    Problem<6> swept = p;
+    std::vector<double> by_hand;
+    for (int k = 0; k < 12; ++k) by_hand.push_back(sweep(swept.rows, swept.V));
+    const bool more = one_returns_more(by_hand);
+    regions.draw({{"a sweep returns more than the one before", more}});
+    const auto anew = [&](const StopRule& stop) {
+      Problem<6> again = p;
+      return solve(again.rows, again.V, stop);
+    };
+    if (more) expect_goes_on_when_one_returns_more("Eq. (4.9)", by_hand, anew);
+  }
+}
+
+// What belongs together: V as it comes out is what the λ that come out do, whatever the sweeps were.
+EXERCISE_TEST(Solve, LeavesVAndLambdaTogether) {
+  Random random;
+  for (int trial = 0; trial < 10 && !::testing::Test::HasFailure(); ++trial) {
+    Problem<6> p = any_rows(random, 5);
+    const Eigen::VectorXd before = joined_V(p);
+    const int sweeps = random.integer(1, 30);
+    const SolveReport report = solve(p.rows, p.V, {.max_sweeps = sweeps, .tolerance = 1e-3});
+    expect_true("it made a sweep", "Eq. (4.9)", !report.history.empty());
+    Problem<6> again = p;
+    set_lambda(again, gathered(p.rows, &Row<6>::lambda));
+    expect_near_vector("V of five bodies after a solve, against M⁻¹ Gᵀ λ of the λ that it left", "Eq. (4.5)",
+                       joined_V(p), joined_V(again), roundings(20 * 30 * 4, 5),
+                       {{before, "V is as it was before: it has to be that of the last sweep."}},
+                       "V = M⁻¹ Gᵀ λ, after any number of sweeps.");
   }
 }
 

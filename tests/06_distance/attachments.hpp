@@ -70,6 +70,14 @@ inline Vec3 point_after(double t, const Attachment& at, const Twist<6>& W) {
   return at.x + t * v + Eigen::AngleAxisd(t * omega.norm(), omega.normalized()) * at.r;
 }
 
+/// The attachment then.
+inline Attachment attachment_after(double t, Attachment at, const Twist<6>& W) {
+  const Vec3 p = point_after(t, at, W);
+  at.x += t * W.head<3>();
+  at.r = p - at.x;
+  return at;
+}
+
 /// What an impulse of 1 N s along the row adds to the angular momentum about the origin [m].
 inline Vec3 angular_momentum_of(const Constraint<6>& row, const Attachment& i, const Attachment& j) {
   return i.x.cross(row.Gi.head<3>()) + row.Gi.tail<3>() + j.x.cross(row.Gj.head<3>()) + row.Gj.tail<3>();

@@ -4,6 +4,7 @@
 #include "balls.hpp"
 #include "collisions.hpp"
 #include "exercise_test.hpp"
+#include "regions.hpp"
 #include "relative_scales.hpp"
 
 using namespace spook;
@@ -327,11 +328,17 @@ EXERCISE_TEST(ResolveImpacts, StopsAtMaxPasses) {
     const ImpactReport report =
         resolve_impacts(backwards, {.restitution = 1, .threshold = 1e-9, .max_passes = passes}, motion);
     const std::string text = "a cradle of four, contacts listed from the last ball on, max_passes = ";
-    expect_near("passes over " + text + show(passes), "Eq. (7.10)", report.passes, passes, {0, "a count"});
-    expect_near_vector("velocities in " + text + show(passes) + " [m/s]", "Eq. (7.13)", speeds(motion),
-                       passes == 1 ? numbers({0, 1, 0, 0}) : numbers({0, 0, 1, 0}), roundings(64),
-                       {{numbers({0, 0, 0, 1}), "It went on after max_passes."}},
-                       "One exchange a pass in this order.");
+    expect_near("passes over " + text + show(passes), "Eq. (7.10)", report.passes, passes, {0, "a count"}, {},
+                "It goes on until a pass finds none, but not after max_passes.");
+    expect_near_vector(
+        "velocities in " + text + show(passes) + " [m/s]", "Eq. (7.13)", speeds(motion),
+        passes == 1 ? numbers({0, 1, 0, 0}) : numbers({0, 0, 1, 0}), roundings(64),
+        {{numbers({0, 0, 0, 1}),
+          report.passes == passes
+              ? "One of these passes went from the first ball on. Every pass goes through the contacts "
+                "in order, as they are listed: none the other way round."
+              : "It went on after max_passes."}},
+        "One exchange a pass in this order.");
   }
 }
 
@@ -462,6 +469,36 @@ EXERCISE_TEST(ResolveImpacts, IsPairByPairInOrder) {
     expect_near_vector("W_f, which belongs to the forces", "Eq. (7.1)", resolved.motion.Wf[k],
                        boxes.motion.Wf[k], {0, "exact"}, {},
                        "u is at the time of the contact; W itself stays half a step behind.");
+}
+
+// Two boxes may touch at many points: each of them is a contact of its own, in its turn.
+EXERCISE_TEST(ResolveImpacts, TakesEveryContactOfAPair) {
+  Random random;
+  const ImpactLaw law{.restitution = 0.6, .friction = 0.4, .threshold = 0.01, .max_passes = 1};
+  const std::string second = "the second contact of a pair approaches after the first one's impact",
+                    turned = "so does one that names the pair the other way round";
+  Regions regions({second, turned}, 5);
+  while (regions.lack_draws()) {
+    const Boxes boxes(random, 3);
+    std::vector<Contact> contacts;
+    for (const auto& [i, j] : {std::pair(0, 1), {0, 1}, {1, 2}, {1, 0}})
+      contacts.push_back(boxes.contact(random, i, j));
+    const auto pass = [&](const std::vector<Contact>& of) {
+      return joined(one_pass(boxes, of, law, 0.5, false, false));
+    };
+    const Eigen::VectorXd expected = pass(contacts), one_a_pair = pass({contacts[0], contacts[2]}),
+                          one_as_named = pass({contacts[0], contacts[2], contacts[3]});
+    regions.draw({{second, expected != one_as_named}, {turned, one_as_named != one_a_pair}});
+    Boxes resolved = boxes;
+    resolve_impacts(contacts, law, resolved.motion);
+    const std::string left_out =
+        "The second contact of a pair has been left out, or put off to the next pass. Every contact that is "
+        "listed has its turn in every pass, and sees what those before it did.";
+    expect_near_vector("velocities of three boxes after one pass over four contacts, three of them of one pair",
+                       "Eq. (7.1), (7.10)", joined(resolved.motion.W), expected,
+                       roundings(20000, expected.norm()), {{one_a_pair, left_out}, {one_as_named, left_out}},
+                       "For each contact in order.");
+  }
 }
 
 // A roller that no impulse slows: it comes up to a ball, and turns below it.

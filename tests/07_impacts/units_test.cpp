@@ -11,8 +11,8 @@ using namespace spook::testing;
 namespace spook::testing {
 
 static void each_number(Visitor& visitor, ImpactLaw& law, ByField) {
-  visitor.number(law.restitution, units::pure), visitor.number(law.friction, units::pure);
-  visitor.number(law.threshold, units::m / units::s);
+  visitor.bound(law.restitution, units::pure), visitor.bound(law.friction, units::pure);
+  visitor.bound(law.threshold, units::m / units::s);
   visitor.count(law.max_passes);
 }
 

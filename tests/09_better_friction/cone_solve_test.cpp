@@ -1,5 +1,6 @@
 // Sweeps on cones until it is good enough: Coulomb's law, and scenes that know their answer.
 #include "exercise_test.hpp"
+#include "regions.hpp"
 #include "rubbing.hpp"
 #include "stop_rule.hpp"
 
@@ -41,6 +42,25 @@ EXERCISE_TEST(ConeSolve, FindsCoulombsLaw) {
     for (const FrictionContact& contact : s.contacts) expect_coulomb(s, contact, 1e-10);
     expect_near_vector("V after it", "Eq. (4.5)", all_V(s.V), V_of_lambda(s.rows, s.V.size()),
                        {1e-10, "roundings of up to 20000 sweeps"});
+  }
+}
+
+// Cones and the stop rule at once: what begins to slide, or sticks again, lets a sweep return more than the one before.
+EXERCISE_TEST(ConeSolve, GoesOnWhenASweepReturnsMore) {
+  Random random;
+  Regions regions({"a sweep returns more than the one before"}, 10);
+  while (regions.lack_draws()) {
+    const System<6> s = random_system(random, 4, 4, 1);
+    System<6> swept = s;
+    std::vector<double> by_hand;
+    for (int k = 0; k < 12; ++k) by_hand.push_back(sweep_on_cones(swept.contacts, swept.rows, swept.V));
+    const bool more = one_returns_more(by_hand);
+    regions.draw({{"a sweep returns more than the one before", more}});
+    const auto anew = [&](const StopRule& stop) {
+      System<6> again = s;
+      return cone_solve(again.contacts, again.rows, again.V, stop);
+    };
+    if (more) expect_goes_on_when_one_returns_more("Eq. (4.9)", by_hand, anew);
   }
 }
 

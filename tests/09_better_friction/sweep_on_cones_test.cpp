@@ -75,6 +75,41 @@ EXERCISE_TEST(SweepOnCones, WithoutMuIsASweepWithoutFriction) {
                      "On ice it is chapter 04's sweep, with friction rows that have bounds of 0.");
 }
 
+// Friction of before, in λ and in V, and a contact on ice, or one that has come apart since.
+EXERCISE_TEST(SweepOnCones, TakesOldFrictionOff) {
+  Random random;
+  for (const bool on_ice : {true, false}) {
+    System<6> s = random_system(random, 4, 3, 1);
+    for (std::size_t k = 0; k < s.rows.size(); ++k) s.begin_with(k, random.uniform(0.2, 0.4));
+    const FrictionContact& contact = s.contacts[1];
+    if (on_ice) s.contacts[1].mu = 0;
+    Row<6>& normal = s.rows[contact.normal];
+    if (!on_ice) normal.B -= 1000;  // nothing else comes near that: it lets go
+    const Vec2 old = s.tangential(contact);
+    System<6> by_hand = s;
+    double largest = 0;
+    for (std::size_t k = 0, c = 0; k < s.rows.size(); ++k) {
+      Row<6>& row = by_hand.rows[k];
+      const double change = std::abs(update_row(row, by_hand.V));
+      largest = std::max(largest, row.diagonal * change);
+      if (c == s.contacts.size() || s.contacts[c].normal != k) continue;
+      largest = std::max(largest, update_friction(s.contacts[c++], by_hand.rows, by_hand.V));
+      k += 2;
+    }
+    const double got = sweep_on_cones(s.contacts, s.rows, s.V);
+    const std::string where = on_ice ? "with μ = 0" : "that has come apart";
+    const std::string stays = "The friction of before stays at a contact " + where +
+                              ": update_friction takes it off, and is called for every contact.";
+    expect_near_vector("λ_t of a contact " + where + ", a sweep after it was " + show(old) + " [N s]",
+                       "Eq. (9.3), (9.6)", s.tangential(contact), Vec2::Zero(), {0, "exact"}, {{old, stays}},
+                       "A cone of radius 0 is a point.");
+    expect_near_vector("V after it", "Eq. (4.5)", all_V(s.V), V_of_lambda(s.rows, s.V.size()),
+                       roundings(1e4, 10 + normal.lambda), {}, "What λ_t was has to leave V, too.");
+    expect_near("what the sweep returned [m/s]", "Eq. (9.6), (4.9)", got, largest, roundings(1e4, largest), {},
+                "What friction lost counts, too.");
+  }
+}
+
 EXERCISE_TEST(SweepOnCones, WithoutContactsIsChapter04s) {
   Random random;
   System<6> s = random_bodies(random, 3);
@@ -258,6 +293,36 @@ EXERCISE_TEST(ResidualOnCones, IsZeroWhereCoulombsLawHolds) {
          {residual(s.rows, s.V),
           "This is Eq. (4.8) for all rows, with the friction rows' own bounds. On the cone it is Eq. (9.7)."}},
         "Nothing would change: zero.");
+  }
+}
+
+// Friction of before, and a contact that does not press now, or one on ice: λ_t will go to 0.
+EXERCISE_TEST(ResidualOnCones, CountsOldFriction) {
+  for (const auto& [press, mu] : {std::pair(0.0, 0.5), std::pair(2.0, 0.0)}) {
+    System<3> s = points_on_a_slope(2, 0.3, 0.5, 0, 0.1);
+    const FrictionContact& contact = s.contacts[1];
+    s.contacts[1].mu = mu;
+    s.begin_with(contact.normal, press);
+    s.begin_with(contact.normal + 1, 30), s.begin_with(contact.normal + 2, -40);
+    double others = 0;
+    for (std::size_t k = 0; k < s.rows.size(); ++k) {
+      if (k > contact.normal) continue;  // rows 0 to 3
+      System<3> next = s;
+      if (k == s.contacts[0].normal + 1)
+        others = std::max(others, update_friction(s.contacts[0], next.rows, next.V));
+      if (k == s.contacts[0].normal || k == contact.normal)
+        others = std::max(others, next.rows[k].diagonal * std::abs(update_row(next.rows[k], next.V)));
+    }
+    const double s_of_pair = larger_eigenvalue(tangential_S(s, contact));
+    expect_near(
+        "residual of two contacts, of which one has λ_t of 50 N s, λ_n = " + show(press) +
+            " N s and μ = " + show(mu) + " [m/s]",
+        "Eq. (9.7)", residual_on_cones(s.contacts, s.rows, s.V), 50 * s_of_pair, roundings(1000, 100),
+        {{others, press == 0 ? "The friction of a contact that does not press (λ_n = 0) has been left out. "
+                               "Its next update takes all of λ_t away, and that is what it lacks."
+                             : "The friction of a contact with μ = 0 has been left out. Its next update takes "
+                               "all of λ_t away, and that is what it lacks."}},
+        "s |Δλ_t|, with a cone of radius 0: all of λ_t.");
   }
 }
 

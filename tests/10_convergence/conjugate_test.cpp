@@ -261,12 +261,25 @@ EXERCISE_TEST(Precondition, LeavesTheOthersAlone) {
   for (Eigen::Index k = 0; k < 7; ++k)
     if (free[static_cast<std::size_t>(k)]) expected[k] = expected_some[next++];
   const Eigen::MatrixXd whole = dense_S(p.rows);
+  const auto swept = [&](Eigen::VectorXd x, bool back, bool skips) {
+    for (Eigen::Index n = 0; n < 7; ++n) {
+      const Eigen::Index k = back ? 6 - n : n;
+      if (!skips || free[static_cast<std::size_t>(k)]) x[k] += (r[k] - whole.row(k).dot(x)) / whole(k, k);
+    }
+    return x;
+  };
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(7);
   expect_true("asked again, it gives the same z", "Eq. (10.6)",
               precondition(p.rows, as_std(r), free, p.V.size()) == z,
               "Something is kept from call to call: V begins at zero in each of them, and so does z.");
   expect_near_vector("z of seven rows, of which 1, 4 and 6 are not free [N s]", "Eq. (10.6)", as_eigen(z),
                      expected, roundings(1000, 10),
-                     {{and_back(whole, r, forth(whole, r)), "All rows were taken for free."}},
+                     {{and_back(whole, r, forth(whole, r)), "All rows were taken for free."},
+                      {swept(swept(none, false, true), true, false),
+                       "Rows that are not free are skipped on the way forth, but not on the way back."},
+                      {swept(swept(none, false, false), true, true),
+                       "Rows that are not free are skipped on the way back, but not on the way forth."},
+                      {swept(none, false, false), "All rows were taken for free, and there is no way back."}},
                      "A row that is not free is skipped: z = 0, and nothing is scattered, whatever its r.");
 }
 

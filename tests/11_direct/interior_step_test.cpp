@@ -158,6 +158,34 @@ EXERCISE_TEST(InteriorStep, TakesTheSmallestStep) {
   }
 }
 
+EXERCISE_TEST(InteriorStep, IsWholeOnlyWhereNothingLimitsIt) {
+  // λ = 0 of 1 kg that is to lose 1 m/s, and may lose nearly that, or a little more.
+  const VectorXd one = VectorXd::Ones(1), none = VectorXd::Zero(1), unbounded = infinity * one;
+  for (const double room : {0.99, 0.9985, 0.9995, 0.9999, 1 - 1e-5, 1 - 1e-7, 1 + 1e-7, 1.0005}) {
+    const Inside p{.S = MatrixXd::Identity(1, 1),
+                   .B = -one,
+                   .now = {.lambda = none,
+                           .room_lo = room * one,
+                           .room_hi = unbounded,
+                           .push_lo = 1e-12 * one,
+                           .push_hi = none},
+                   .target = {.lo = none, .hi = none}};
+    const Interior got = step_of(p, {-room * one, unbounded});
+    if (!has_size(got, 1, "Eq. (11.11)")) return;
+    const double right = dense_interior_step(p).lambda[0], longest = std::min(room, 1.0);
+    expect_near(
+        "λ after a step towards -1 N s, with a room of " + show(room) + " N s below [N s]", "Eq. (11.11)",
+        got.lambda[0], right, {1e-11, "the push of 1e-12 m/s, and roundings"},
+        {{-1,
+          "All of the step was taken, though a bound limits it, by ever so little: it is whole only where α₂ "
+          "is 1."},
+         {-longest, "All of the longest part was taken: the room is 0 then. Take 0.9 + 0.0999 α of it."},
+         {-(0.9 + 0.0999 * longest) * longest, "Nothing limits this step: it is taken whole."}},
+        "The part (0.9 + 0.0999 α) α₂ of the step, or all of it if nothing limits it.");
+    if (::testing::Test::HasFailure()) return;
+  }
+}
+
 EXERCISE_TEST(InteriorStep, LooksBeforeItGoes) {
   Random random;
   for (int repeat = 0; repeat < 10; ++repeat) {

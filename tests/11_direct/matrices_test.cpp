@@ -73,6 +73,23 @@ EXERCISE_TEST(SchurComplement, AddsBothBodiesOfTheSamePair) {
                   "Rows that share two bodies have a share from each: add them up.");
 }
 
+// Few rows between bodies of high numbers: a scene has thousands of bodies, and three of them touch.
+EXERCISE_TEST(SchurComplement, TakesBodiesOfAnyNumber) {
+  Random random;
+  System<6> s = random_system(random, 3, 5);
+  const MatrixXd expected = dense_S(s.rows);
+  const std::string of = " of S, of five rows between bodies 70, 9000 and 4711 [1/kg]";
+  const int numbers[] = {70, 9000, 4711};
+  for (Row<6>& row : s.rows) row.i = numbers[row.i], row.j = numbers[row.j];
+  const SparseMatrix S = schur_complement(s.rows);
+  expect_true("S is 5 by 5", "Eq. (11.1)", S.rows() == 5 && S.cols() == 5);
+  if (::testing::Test::HasFailure()) return;
+  for (std::size_t k = 0; k < 5; ++k)
+    for (std::size_t l = 0; l <= k; ++l)
+      expect_near(entry(k, l) + of, "Eq. (11.1)", full(S)(k, l), expected(k, l), roundings(40, 10), {},
+                  "The number of a body says nothing about how many rows there are: it may be far above that.");
+}
+
 EXERCISE_TEST(SchurComplement, IsALowerTriangle) {
   Random random;
   const System<6> s = random_system(random, 4, 10);

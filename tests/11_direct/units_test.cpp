@@ -127,7 +127,7 @@ EXERCISE_TEST(InteriorStart, IsTheSameInAnyUnits) {
   const Sparse p = sparse_system();
   const Vector guess = Vector::LinSpaced(p.B.size(), -1, 1);
   expect_same_in_any_units_nans_aside("Eq. (11.12)", interior_start, by_field, p.S * (1 / kg), p.B * (m / s),
-                                      p.lo * (N * s), p.hi * (N * s), guess * (N * s));
+                                      p.lo * impulse_bounds, p.hi * impulse_bounds, guess * (N * s));
 }
 
 EXERCISE_TEST(InteriorStep, IsTheSameInAnyUnits) {
@@ -139,8 +139,8 @@ EXERCISE_TEST(InteriorStep, IsTheSameInAnyUnits) {
   Random random;
   const Inside p = random_inside(random, 8);
   expect_same_in_any_units("Eq. (11.11)", step, by_field, lower_triangle(p.S) * (1 / kg), p.B * (m / s),
-                           (p.now.lambda - p.now.room_lo) * (N * s), (p.now.lambda + p.now.room_hi) * (N * s),
-                           p.now);
+                           (p.now.lambda - p.now.room_lo) * impulse_bounds,
+                           (p.now.lambda + p.now.room_hi) * impulse_bounds, p.now);
 }
 
 EXERCISE_TEST(InteriorSolve, IsTheSameInAnyUnits) {
@@ -155,7 +155,7 @@ EXERCISE_TEST(InteriorSolve, IsTheSameInAnyUnits) {
   for (const StopRule& stop :
        {StopRule{.max_sweeps = 3, .tolerance = 0}, {.max_sweeps = 50, .tolerance = 1e-7}})
     expect_same_in_any_units_nans_aside("Eq. (11.5), (11.13)", solve, by_field, p.S * (1 / kg), p.B * (m / s),
-                                        p.lo * (N * s), p.hi * (N * s), stop, guess * (N * s));
+                                        p.lo * impulse_bounds, p.hi * impulse_bounds, stop, guess * (N * s));
 }
 
 EXERCISE_TEST(DirectSolve, IsTheSameInAnyUnits) {

@@ -33,15 +33,22 @@ Answer solved(Springs& s) {
   return answer;
 }
 
+/// What the push of a spring is made of: the velocities of both ends, or, by mistake, that of one of them.
+enum class Push { of_both, of_its_own_end, of_the_other_end, on_i_only };
+
 /// By dense algebra, with so many times h²K in M̃, and K acting on these velocities.
-Answer dense(const Springs& s, double times, const std::vector<Vec3>& pushed) {
+Answer dense(const Springs& s, double times, const std::vector<Vec3>& pushed, Push how = Push::of_both) {
   const Eigen::MatrixXd A = dense_matrix(s, times);
   Eigen::VectorXd right = Eigen::VectorXd::Zero(A.rows());
   const auto of = [&](int body) -> Vec3 { return pushed[static_cast<std::size_t>(body)]; };
   for (const Stiffness& spring : s.stiffness) {
-    const Vec3 push = s.h * s.h * spring.K * (of(spring.j) - of(spring.i));
-    if (s.moves(spring.i)) right.segment<3>(3 * spring.i) += push;
-    if (s.moves(spring.j)) right.segment<3>(3 * spring.j) -= push;
+    const bool own = how != Push::of_the_other_end, other = how != Push::of_its_own_end;
+    const auto push_on = [&](int body, int end) {
+      if (s.moves(body))
+        right.segment<3>(3 * body) += s.h * s.h * spring.K * (other * of(end) - own * of(body));
+    };
+    push_on(spring.i, spring.j);
+    if (how != Push::on_i_only) push_on(spring.j, spring.i);
   }
   for (std::size_t k = 0; k < s.rows.size(); ++k) right[3 * s.bodies() + static_cast<int>(k)] = s.rows[k].B;
   const Eigen::VectorXd unknowns = solution_of(A, right);
@@ -92,6 +99,11 @@ EXERCISE_TEST(StiffSolve, SolvesTheStep) {
          {unpushed.V, no_push},
          {tournier.V, damps},
          {backwards.V, sign},
+         {dense(s, 1, Wf, Push::of_its_own_end).V,
+          "The other end's W_f is missing: a spring resists W_f,j - W_f,i, what its two ends move apart."},
+         {dense(s, 1, Wf, Push::of_the_other_end).V,
+          "The end's own W_f is missing: a spring resists W_f,j - W_f,i, what its two ends move apart."},
+         {dense(s, 1, Wf, Push::on_i_only).V, "K acts on body i only: what one end gets the other gives."},
          {right.V + forces, "This is V + W_f: V is what rows and springs add to W_f."},
          {-right.V, "The sign of V."}},
         "M̃ V - Gᵀλ = -h²K W_f and G V + Σ λ = B, whatever V and λ were before.");

@@ -141,6 +141,31 @@ EXERCISE_TEST(HingeAngle, TimesVelocityIsItsRate) {
   expect_between("the row of an angle", hinge_angle(t.i, t.j, 0), t);
 }
 
+// Q = (opening) (turn about the third axis): atan2(v_3, w) is that of the turn, however wide the joint is open.
+EXERCISE_TEST(HingeAngle, DoesNotCountTheOpening) {
+  RandomFrames t;
+  for (int trial = 0; trial < 30 && !::testing::Test::HasFailure(); ++trial) {
+    const double angle = t.random.uniform(-3, 3), open = t.random.log_uniform(1e-3, 1.5),
+                 where = t.random.uniform(-3, 3), last = angle + t.random.uniform(-3, 3);
+    const Quat opening = turn_about(Vec3(std::cos(where), std::sin(where), 0), open);
+    t.j.axes = t.i.axes * opening * turn_about(Vec3::UnitZ(), angle);
+    if (t.random.integer(0, 1)) t.j.axes.coeffs() *= -1;
+    const Quat Q = t.i.axes.conjugate() * t.j.axes;
+    const auto nearest = [&](double x) { return x - turn * std::round((x - last) / turn); };
+    const double whole = 2 * std::atan2(std::copysign(Q.vec().norm(), Q.z()), Q.w());
+    expect_near(
+        "angle of a hinge at " + show(angle) + " rad that is open by " + show(open) + " rad, last seen at " +
+            show(last) + " rad",
+        "Eq. (13.8)", hinge_angle(t.i, t.j, last).value, angle, roundings(256, 4),
+        {{nearest(whole),
+          "This has |v| in place of v_3, or 2 acos(w), the whole angle of Q: that by which the hinge is open "
+          "counts, too."},
+         {nearest(2 * std::asin(Q.z() * (Q.w() < 0 ? -1 : 1))),
+          "This is 2 asin(v_3), right only where the hinge is shut. Where it is open w² + v_3² is below 1."}},
+        "θ = 2 atan2(v_3, w): what opens the hinge takes the same share of both.");
+  }
+}
+
 EXERCISE_TEST(HingeAngle, TurnsAboutTheAxisOfI) {
   // Of a hinge that is a little open, too.
   RandomFrames t;

@@ -43,12 +43,19 @@ EXERCISE_TEST(ShiftAlong, HasFourBlocks) {
          {velocity_of(n, (r_j - t.apart).cross(n)),
           "d belongs to i: its axis turns with it. j's lever arm is r_j."}},
         "Gj = (n, r_j × n).");
-    const Vec3 short_arm = -r_i.cross(n), full = -(r_i + t.apart).cross(n);
+    const Vec3 short_arm = -r_i.cross(n), full = -(r_i + t.apart).cross(n), p_j = t.j.at.x + r_j;
     expect_near_vector(
         "Gi along axis " + std::to_string(axis), "Eq. (13.6)", c.Gi, velocity_of(-n, full), roundings(32, 4),
         {{velocity_of(-n, short_arm),
           "The second term is missing: n turns with i, and d, along which it is measured, is not small."},
          {velocity_of(-n, -(r_i - t.apart).cross(n)), "The sign of the second term: the arm is r_i + d."},
+         {velocity_of(-n, -t.apart.cross(n)),
+          "r_i is missing: the arm goes from i's centre to j's point, r_i + d."},
+         {velocity_of(-n, -r_j.cross(n)), "This has the arm of j, r_j. That of i is r_i + d."},
+         {velocity_of(-n, -p_j.cross(n)),
+          "The arm goes from the origin to j's point. It begins at the centre of i: r_i + d."},
+         {velocity_of(-n, Vec3::Zero()),
+          "The angular block is missing: n turns with i, and so does its point."},
          {velocity_of(n, -full), "i is pushed the other way: both parts of Gi have a minus."},
          {velocity_of(-n, -full), "The sign of the angular block: both parts of Gi have a minus."}},
         "Gi = (-n, -(r_i + d) × n).");
@@ -76,14 +83,14 @@ EXERCISE_TEST(ShiftAlong, CountsAShortWayToo) {
   }
 }
 
+// The row against the value as it was returned.
 EXERCISE_TEST(ShiftAlong, TimesVelocityIsItsRate) {
   RandomFrames t;
   for (int trial = 0; trial < 12 && !::testing::Test::HasFailure(); ++trial) {
     const int axis = trial % 3;
     const Twist<6> Wi = t.random.twist(), Wj = t.random.twist();
     const auto value = [axis](const JointFrame& i, const JointFrame& j) {
-      const Vec3 d = (j.at.x + j.at.r) - (i.at.x + i.at.r);
-      return (i.axes * Vec3::Unit(axis)).dot(d);
+      return shift_along(i, j, axis).value;
     };
     const double rate = rate_of(value, t, Wi, Wj);
     const Vec3 n = t.i.axes * Vec3::Unit(axis), omega = Wi.tail<3>();

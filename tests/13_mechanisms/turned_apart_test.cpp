@@ -54,6 +54,7 @@ EXERCISE_TEST(TurnedApart, IsTheAngleOfASmallTurn) {
   }
 }
 
+// The rows against the values as they were returned, and not against values of the test's own.
 EXERCISE_TEST(TurnedApart, TimesVelocityIsTheirRate) {
   RandomFrames t;
   Regions regions({"w below 0", "w above 0", "turned by little", "turned far apart"});
@@ -70,10 +71,19 @@ EXERCISE_TEST(TurnedApart, TimesVelocityIsTheirRate) {
     const Twist<6> Wi = t.random.twist(), Wj = t.random.twist();
     const Vec3 u = t.i.axes.conjugate() * Vec3(Wj.tail<3>() - Wi.tail<3>());
     const Quat Q = t.i.axes.conjugate() * t.j.axes;
+    expect_near_vector(
+        "how far two frames are turned apart, w = " + show(w) + " [rad]", "Eq. (13.1), (13.3)",
+        values_of(apart), Vec3(2 * Q.vec()), roundings(32, 2),
+        {{Vec3(-2 * Q.vec()), w < 0 ? "The sign has been turned where w is negative. The gap is 2v of Q as it "
+                                      "is: its row (13.4) has the "
+                                      "w and the v of this same Q."
+                                    : "The sign: this is how i is turned as j sees it. Q is P_i* P_j."}},
+        "g is 2v, with the v of Q = P_i* P_j as it comes out.");
+    if (::testing::Test::HasFailure()) return;
     Vec3 got, rate;
     for (int k = 0; k < 3; ++k) {
       const auto value = [k](const JointFrame& i, const JointFrame& j) {
-        return 2 * (i.axes.conjugate() * j.axes).vec()[k];
+        return turned_apart(i, j)[static_cast<std::size_t>(k)].value;
       };
       got[k] = rate_by(apart[static_cast<std::size_t>(k)], Wi, Wj);
       rate[k] = rate_of(value, t, Wi, Wj);
@@ -88,7 +98,9 @@ EXERCISE_TEST(TurnedApart, TimesVelocityIsTheirRate) {
          {Vec3(Q.w() * u), "The part v × e_k is missing from a_k."},
          {Vec3(Q.w() * u - u.cross(Q.vec())), "The sign of the cross product: e_k·(u × v) is u·(v × e_k)."},
          {Vec3(u + u.cross(Q.vec())), "The w is missing from a_k."},
-         {Vec3(-rate), "The sign: j comes with a plus, i with a minus."},
+         {Vec3(-rate), w < 0
+                           ? "The sign of w has been dropped: where w is negative the value goes the other way."
+                           : "The sign: j comes with a plus, i with a minus."},
          {Vec3(rate / 2), "This is the rate of v. The gap is 2v."},
          {Vec3(2 * rate), "The ½ of dQ/dt = ½ u Q is missing."},
          {by_unit_axes,

@@ -35,7 +35,7 @@ static void each_number(Visitor& visitor, Coordinate& c, const OfCoordinate& of)
 }
 
 static void each_number(Visitor& visitor, JointLimits& range, const OfCoordinate& of) {
-  visitor.number(range.lower, of.value), visitor.number(range.upper, of.value);
+  visitor.bound(range.lower, of.value), visitor.bound(range.upper, of.value);
 }
 
 static void each_number(Visitor& visitor, SpookParameters& spook, const OfCoordinate& of) {
@@ -48,7 +48,7 @@ static void each_number(Visitor& visitor, Constraint<6>& row, const OfCoordinate
   each_number(visitor, row.Gi, of.jacobian()), each_number(visitor, row.Gj, of.jacobian());
   visitor.number(row.gap, of.value);
   each_number(visitor, row.spook, of);
-  visitor.number(row.lo, of.impulse()), visitor.number(row.hi, of.impulse());
+  visitor.bound(row.lo, of.impulse()), visitor.bound(row.hi, of.impulse());
 }
 
 static void each_number(Visitor& visitor, Motor& motor, const OfCoordinate& of) {
@@ -63,7 +63,7 @@ static void each_number(Visitor& visitor, Row<6>& row, const OfCoordinate& of) {
   each_number(visitor, row.MinvGi, of.responses()), each_number(visitor, row.MinvGj, of.responses());
   visitor.number(row.B, of.rate());
   visitor.number(row.Sigma, of.softness()), visitor.number(row.diagonal, of.softness());
-  visitor.number(row.lo, of.impulse()), visitor.number(row.hi, of.impulse());
+  visitor.bound(row.lo, of.impulse()), visitor.bound(row.hi, of.impulse());
   visitor.number(row.lambda, of.impulse());
 }
 

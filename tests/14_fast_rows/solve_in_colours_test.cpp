@@ -3,6 +3,7 @@
 #include "exercise_test.hpp"
 #include "packs.hpp"
 #include "random_input.hpp"
+#include "regions.hpp"
 #include "stop_rule.hpp"
 
 using namespace spook;
@@ -75,6 +76,42 @@ EXERCISE_TEST(SolveInColours, HasAnyNumberOfColoursAndPacks) {
         "All colours, and all packs of each, however many there are.");
 }
 
+// Whoever is first to read or write a number that two threads share is chance: the same work gives one answer, then
+// another. All other mistakes give the same wrong answer each time, and other tests find them.
+EXERCISE_TEST(SolveInColours, HasNoDataRace) {
+  Random random;
+  const Heap crowd(random, 30, 150);  // of many colours: one begins when the last is done
+  Heap apart(random, 2 * lane_count * many + 1,
+             0);  // of one colour, and many packs: what do they write together?
+  for (int k = 1; k < 2 * lane_count * many; k += 2)
+    for (int row = 0; row < 3; ++row) {
+      apart.rows.push_back(some_row(random, k, k + 1, apart.motion));
+      apart.rows.back().lo = -infinity, apart.rows.back().hi = infinity;
+    }
+  struct Work {
+    const Heap& heap;
+    int sweeps, times;
+  };
+  for (const Work& work : {Work{crowd, 2, 4}, Work{apart, 20, 6}}) {
+    const StopRule stop{.max_sweeps = work.sweeps, .tolerance = 0};
+    const Solved alone = solved(work.heap, stop, 1), once = solved(work.heap, stop, 8);
+    if (!same_bits(solved(work.heap, stop, 1).heap, alone.heap)) return;  // then it is no question of threads
+    for (int n = 1; n < work.times; ++n) {
+      const Solved again = solved(work.heap, stop, 8);
+      if (same_bits(again.heap, once.heap) && again.report.history == once.report.history) continue;
+      this_failure_explains();
+      report_failure(
+          "the same work on one thread, twice, and on eight threads, " + std::to_string(n + 1) + " times",
+          "Eq. (14.10)",
+          "  expected  the same each time\n  got       the same on one thread, but not on eight\n",
+          "This is a data race: two threads use one number at the same time, and one of them writes it. Do "
+          "all keep their largest in one variable? Does a colour begin before all threads are done with the "
+          "last one? Is a pack in two shares?");
+      return;
+    }
+  }
+}
+
 EXERCISE_TEST(SolveInColours, IsTheSameOnAnyNumberOfThreads) {
   Random random;
   // Few rounds: on a busy machine threads wait for a core in each.
@@ -119,12 +156,13 @@ EXERCISE_TEST(SolveInColours, AsksEveryThreadWhatItsPacksLacked) {
       "The largest of all threads, however many there are; and in the next sweep each begins at 0.");
 }
 
+// From here on one thread: on several it is the same, or a test above has said what is not.
 EXERCISE_TEST(SolveInColours, HasChapter04sSolution) {
   Random random;
-  for (const int threads : {1, 2}) {
+  for (int trial = 0; trial < 2; ++trial) {
     Heap heap(random, 12, 20), plain = heap;
     const StopRule stop{.max_sweeps = 100'000, .tolerance = 1e-12};
-    const Solved got = solved(heap, stop, threads);
+    const Solved got = solved(heap, stop, 1);
     const SolveReport slow = solve(plain.rows, plain.V, stop);
     expect_true("it converged, as chapter 04's does", "Eq. (4.9)", got.report.converged && slow.converged);
     expect_at_most("residual of what is left [m/s]", "Eq. (4.8)", residual(got.heap.rows, got.heap.V), 1e-10,
@@ -139,9 +177,27 @@ EXERCISE_TEST(SolveInColours, HasChapter04sSolution) {
 EXERCISE_TEST(SolveInColours, StopsByTheRule) {
   Random random;
   const Heap heap(random, 10, 25);
-  for (const int threads : {1, 3}) {
-    const auto anew = [&](const StopRule& stop) { return solved(heap, stop, threads).report; };
-    if (!expect_stops_by_the_rule("Eq. (4.9)", 8, anew)) return;
+  const auto anew = [&](const StopRule& stop) { return solved(heap, stop, 1).report; };
+  expect_stops_by_the_rule("Eq. (4.9)", 8, anew);
+}
+
+EXERCISE_TEST(SolveInColours, GoesOnWhenASweepReturnsMore) {
+  Random random;
+  Regions regions({"a sweep returns more than the one before"}, 5);
+  while (regions.lack_draws()) {
+    const Heap heap(random, 10, 25);
+    std::vector<Colour<6>> packs = packed(heap.rows, heap.V.size());
+    std::vector<Twist<6>> V = heap.V;
+    std::vector<double> by_hand;
+    for (int n = 0; n < 10; ++n) {
+      by_hand.push_back(0);
+      for (Colour<6>& colour : packs)
+        for (Pack<6>& pack : colour) by_hand.back() = std::max(by_hand.back(), update_pack(pack, V));
+    }
+    const bool more = one_returns_more(by_hand);
+    regions.draw({{"a sweep returns more than the one before", more}});
+    const auto anew = [&](const StopRule& stop) { return solved(heap, stop, 1).report; };
+    if (more) expect_goes_on_when_one_returns_more("Eq. (4.9)", by_hand, anew);
   }
 }
 

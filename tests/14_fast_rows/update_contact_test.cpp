@@ -40,11 +40,22 @@ EXERCISE_TEST(UpdateContact, SolvesTheThreeRowsTogether) {
     for (const FrictionContact& contact : s.contacts) {
       const Mat3 S = block_of(s, contact);
       const Vec3 before = impulses_of(s, contact), r = lacks_of(s, contact);
-      Mat3 of_j = S, without_softness = S, alone = S.diagonal().asDiagonal();
-      for (int k = 0; k < 3; ++k)
-        for (int l = 0; l < 3; ++l)
-          of_j(k, l) -= s.rows[contact.normal + k].Gi.dot(s.rows[contact.normal + l].MinvGi);
-      for (int k = 0; k < 3; ++k) without_softness(k, k) -= s.rows[contact.normal + k].Sigma;
+      Mat3 of_i = S, of_j = S, without_softness = S, alone = S.diagonal().asDiagonal();
+      Vec3 r_of_i = r, r_of_j = r;
+      for (int k = 0; k < 3; ++k) {
+        const Row<6>& row = s.rows[contact.normal + k];
+        for (int l = 0; l < 3; ++l) {
+          const Row<6>& other = s.rows[contact.normal + l];
+          of_i(k, l) -= row.Gj.dot(other.MinvGj);
+          of_j(k, l) -= row.Gi.dot(other.MinvGi);
+        }
+        without_softness(k, k) -= row.Sigma;
+        r_of_i[k] += row.Gj.dot(s.V[row.j]), r_of_j[k] += row.Gi.dot(s.V[row.i]);
+      }
+      const auto beside_the_diagonal = [&](Mat3 block) {
+        block.diagonal() = S.diagonal();
+        return block;
+      };
       const auto with = [&](const Mat3& block, const Vec3& q) { return solve_on_cone(block, q, contact.mu); };
       update_contact(contact, s.rows, s.V);
       expect_near_vector(
@@ -53,6 +64,15 @@ EXERCISE_TEST(UpdateContact, SolvesTheThreeRowsTogether) {
           {{with(S, r), "q is what it lacks only: what its λ of before do, S_cc λ, is missing."},
            {Vec3(before + with(S, r)), "This adds the λ of what it lacks, on its cone, to the λ of before."},
            {with(of_j, r + of_j * before), "S_cc has the part of body j only."},
+           {with(of_i, r + of_i * before), "S_cc has the part of body i only: that of body j is left out."},
+           {with(beside_the_diagonal(of_j), r + beside_the_diagonal(of_j) * before),
+            "Beside its diagonal S_cc has the part of body j only."},
+           {with(beside_the_diagonal(of_i), r + beside_the_diagonal(of_i) * before),
+            "Beside its diagonal S_cc has the part of body i only: that of body j is left out."},
+           {with(S, r_of_i + S * before),
+            "In r the velocity of body j is left out: r = B - G V - Σ λ has both."},
+           {with(S, r_of_j + S * before),
+            "In r the velocity of body i is left out: r = B - G V - Σ λ has both."},
            {with(without_softness, r + without_softness * before), "S_cc is without Σ and Γ on its diagonal."},
            {with(alone, r + alone * before),
             "S_cc has its diagonal only: how the rows feel each other is missing."},
@@ -68,11 +88,49 @@ EXERCISE_TEST(UpdateContact, ScattersWhatHasChanged) {
   for (int trial = 0; trial < 10 && !::testing::Test::HasFailure(); ++trial) {
     System<6> s = busy_system(random);
     const Eigen::VectorXd V = all_V(s.V);
+    System<6> of_i = s, of_j = s;  // with Δλ scattered to one body only
     for (const FrictionContact& contact : s.contacts) update_contact(contact, s.rows, s.V);
+    for (std::size_t k = 0; k < s.rows.size(); ++k) {
+      const Row<6>& row = s.rows[k];
+      const double change = row.lambda - of_i.rows[k].lambda;
+      of_i.V[row.i] += change * row.MinvGi, of_j.V[row.j] += change * row.MinvGj;
+    }
     expect_true("an update of every contact changes V", "Eq. (4.5)", all_V(s.V) != V, "Nothing was scattered.");
     expect_near_vector("V after an update of every contact", "Eq. (4.5)", all_V(s.V),
-                       V_of_lambda(s.rows, s.V.size()), roundings(1e4, 10), {},
+                       V_of_lambda(s.rows, s.V.size()), roundings(1e4, 10),
+                       {{all_V(of_i.V), "Body j is left out: Δλ changes the velocities of both bodies."},
+                        {all_V(of_j.V), "Body i is left out: Δλ changes the velocities of both bodies."}},
                        "V = M⁻¹ Gᵀ λ, always: scatter Δλ, and not λ.");
+  }
+}
+
+// Impulses of before, in λ and in V, and a contact on ice, or one that has come apart since.
+EXERCISE_TEST(UpdateContact, TakesOldImpulsesOff) {
+  Random random;
+  for (const bool on_ice : {true, false}) {
+    System<6> s = busy_system(random);
+    const FrictionContact& contact = s.contacts[1];
+    if (on_ice) s.contacts[1].mu = 0;
+    Row<6>& normal = s.rows[contact.normal];
+    normal.B += on_ice ? 1000 : -1000;  // nothing else comes near that
+    const Vec3 before = impulses_of(s, contact);
+    const double alone = before[0] + s.lacks(contact.normal) / normal.diagonal;
+    const Mat3 S = block_of(s, contact);
+    const Vec3 q = lacks_of(s, contact) + S * before;
+    update_contact(contact, s.rows, s.V);
+    const std::string where = on_ice ? "with μ = 0" : "that comes apart";
+    expect_near_vector(
+        "λ of a contact " + where + ", after an update; " + show(before) + " N s before [N s]",
+        "Eq. (14.3), (14.4)", impulses_of(s, contact), on_ice ? Vec3(q[0] / S(0, 0), 0, 0) : Vec3::Zero(),
+        roundings(1e4, 1e3),
+        {{before, "It has not been updated: what it had stays."},
+         {Vec3(on_ice ? alone : 0, before[1], before[2]),
+          "The friction of before stays at a contact " + where + ": λ_t goes to 0, and V with it."},
+         {Vec3(q[0] / S(0, 0), before[1], before[2]),
+          "The friction of before stays at a contact " + where + ": λ_t goes to 0, and V with it."}},
+        "A cone without width has no room for friction.");
+    expect_near_vector("V after it", "Eq. (4.5)", all_V(s.V), V_of_lambda(s.rows, s.V.size()),
+                       roundings(1e4, 1e4), {}, "V = M⁻¹ Gᵀ λ, always: what λ was has to leave V, too.");
   }
 }
 

@@ -89,15 +89,22 @@ std::string digits_clue(double error, double size, const Tolerance& tolerance) {
              : " Only the last digits are wrong: has a series been cut off, or something small been left out?";
 }
 
+std::string nan_clue(bool is_nan) {
+  if (!is_nan) return "";
+  this_failure_has_a_clue_that_fits();
+  return "It is NaN. Does a number, or a block of a vector or matrix, never get a value? Here Eigen's begin as "
+         "NaN. Or is 0 divided by 0? ";
+}
+
 void expect_near(const std::string& what, const std::string& equation, double got, double expected,
                  const Tolerance& tolerance, std::initializer_list<Clue<double>> clues,
                  const std::string& otherwise) {
   const auto distance = [](double a, double b) { return std::abs(a - b); };
   if (distance(got, expected) <= tolerance.value) return;
   const double close = std::max(10 * tolerance.value, 1e-9 * std::abs(expected));
-  report_difference(what, equation, expected, got, tolerance,
-                    explain(got, clues, distance, close,
-                            otherwise + digits_clue(distance(got, expected), std::abs(expected), tolerance)));
+  const std::string unknown = nan_clue(std::isnan(got) && !std::isnan(expected)) + otherwise +
+                              digits_clue(distance(got, expected), std::abs(expected), tolerance);
+  report_difference(what, equation, expected, got, tolerance, explain(got, clues, distance, close, unknown));
 }
 
 void expect_at_most(const std::string& what, const std::string& equation, double got, double bound,
@@ -107,7 +114,7 @@ void expect_at_most(const std::string& what, const std::string& equation, double
   report_failure(
       what, equation,
       "  expected  at most " + show(bound, digits) + " (" + why + ")\n  got       " + show(got, digits) + "\n",
-      clue);
+      nan_clue(std::isnan(got)) + clue);
 }
 
 void expect_at_least(const std::string& what, const std::string& equation, double got, double bound,
@@ -117,7 +124,7 @@ void expect_at_least(const std::string& what, const std::string& equation, doubl
   report_failure(
       what, equation,
       "  expected  at least " + show(bound, digits) + " (" + why + ")\n  got       " + show(got, digits) + "\n",
-      clue);
+      nan_clue(std::isnan(got)) + clue);
 }
 
 void expect_true(const std::string& what, const std::string& equation, bool holds, const std::string& clue) {
@@ -126,7 +133,7 @@ void expect_true(const std::string& what, const std::string& equation, bool hold
 
 void expect_order(const std::string& what, const std::string& equation,
                   const std::function<double(double)>& error, double coarsest_h, int halvings, double order,
-                  double margin, const std::string& clue) {
+                  double margin, const std::string& otherwise, std::initializer_list<Clue<double>> clues) {
   std::ostringstream table;
   table << "  " << std::setw(12) << "h [s]" << std::setw(14) << "error" << std::setw(10) << "order"
         << "\n";
@@ -145,7 +152,8 @@ void expect_order(const std::string& what, const std::string& equation,
   report_failure(what, equation,
                  "  expected  order " + show(order) + ", at least " + show(order - margin) +
                      " at the last halving\n" + table.str(),
-                 clue);
+                 explain(
+                     observed, clues, [](double a, double b) { return std::abs(a - b); }, 0.25, otherwise));
 }
 
 // Whether the text has the name as a word of its own: the d of "and" does not count.

@@ -55,6 +55,9 @@ std::string explain(const Value& got, std::initializer_list<Clue<Value>> clues, 
 /// What is asked about a number that is right to the digits of a float or more, but not to those of a double; else empty.
 std::string digits_clue(double error, double size, const Tolerance& tolerance);
 
+/// What is asked where the answer is NaN; else empty.
+std::string nan_clue(bool is_nan);
+
 std::string show(double value, int digits = 10);
 
 /// A vector on one line, a matrix as rows below each other.
@@ -100,10 +103,10 @@ void expect_near_vector(const std::string& what, const std::string& equation, co
   const auto distance = [](const Vector& a, const Vector& b) { return (a - b).norm(); };
   if (distance(got, expected) <= tolerance.value) return;
   const double close = std::max(10 * tolerance.value, 1e-9 * expected.norm());
-  report_difference<Eigen::MatrixXd>(
-      what, equation, expected, got, tolerance,
-      explain(got, clues, distance, close,
-              otherwise + digits_clue(distance(got, expected), expected.norm(), tolerance)));
+  const std::string unknown = nan_clue(got.hasNaN() && !expected.hasNaN()) + otherwise +
+                              digits_clue(distance(got, expected), expected.norm(), tolerance);
+  report_difference<Eigen::MatrixXd>(what, equation, expected, got, tolerance,
+                                     explain(got, clues, distance, close, unknown));
 }
 
 /// got <= bound, and not NaN. `why` says where the bound comes from.
@@ -118,10 +121,11 @@ void expect_true(const std::string& what, const std::string& equation, bool hold
                  const std::string& clue = "");
 
 /// The error at steps h, h/2, h/4 … falls as h^order, to within `margin`, over the last halving. A failure prints the
-/// table. An observed order above `order` passes, too.
+/// table. An observed order above `order` passes, too. `clues` are lower orders that known mistakes have.
 void expect_order(const std::string& what, const std::string& equation,
                   const std::function<double(double)>& error, double coarsest_h, int halvings, double order,
-                  double margin, const std::string& clue = "");
+                  double margin, const std::string& otherwise = "",
+                  std::initializer_list<Clue<double>> clues = {});
 
 /// `call` throws std::invalid_argument whose text names the parameter, and what `state` lists is as it was before. A stub
 /// still counts as not started.

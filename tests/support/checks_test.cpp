@@ -52,6 +52,14 @@ TEST(Failures, ShowWhereTwoNumbersDiffer) {
                           "at least 1.000000000001 (a little more)\n  got       1\n");
 }
 
+TEST(Failures, AskAboutANaN) {
+  const double nan = std::nan("");
+  const std::string asks = "It is NaN. Does a number, or a block";
+  EXPECT_NONFATAL_FAILURE(expect_near("x", "", nan, 1, {0, "exact"}), asks);
+  EXPECT_NONFATAL_FAILURE(expect_near_vector("x", "", Vec3(0, nan, 0), Vec3(1, 0, 0), {0, "exact"}), asks);
+  EXPECT_NONFATAL_FAILURE(expect_at_most("x", "", nan, 1, "one"), asks);
+}
+
 TEST(Failures, ShowWhereItDiffersInOtherUnits) {
   const auto drifts = [](double x) { return x < 1e-9 ? x * (1 + 1e-11) : x; };
   EXPECT_NONFATAL_FAILURE(expect_same_in_any_units("", drifts, units::m, 1.0 * units::m),

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <new>
 #include <string>
 
 #include "checks.hpp"
@@ -40,6 +41,11 @@ inline void run_exercise(const char* suite, void (*body)()) {
   } catch (const NotImplemented& stub) {
     // A test of one exercise may use another; only its own stub means "not started".
     GTEST_SKIP() << stub.what();
+  } catch (const std::bad_alloc&) {
+    report_failure(
+        "this test's call", "", "  expected  an answer\n  got       std::bad_alloc: there is no more memory\n",
+        "Does a list grow without end? Or is a size, such as a number of cells, worked out wrongly, so that it "
+        "is very large or negative?");
   } catch (const std::exception& error) {
     report_failure("this test's call", "",
                    "  expected  no exception\n  got       one that says: " + std::string(error.what()) + "\n",

@@ -82,4 +82,31 @@ bool expect_stops_by_the_rule(const std::string& equation, int entries, const So
   return true;
 }
 
+bool one_returns_more(const std::vector<double>& history) {
+  for (std::size_t k = 1; k + 1 < history.size(); ++k)
+    if (history[k] > 1.001 * history[k - 1]) return true;
+  return false;
+}
+
+bool expect_goes_on_when_one_returns_more(const std::string& equation, const std::vector<double>& by_hand,
+                                          const SolvesBy& solve) {
+  const std::vector<double> got =
+      solve({.max_sweeps = static_cast<int>(by_hand.size()), .tolerance = 0}).history;
+  std::size_t more = 1;
+  while (more + 1 < by_hand.size() && !(by_hand[more] > 1.001 * by_hand[more - 1])) ++more;
+  if (got.size() == by_hand.size()) return true;
+  const bool ended_there = got.size() == more || got.size() == more + 1;
+  if (ended_there) this_failure_explains();
+  report_failure(
+      "sweeps made of " + std::to_string(by_hand.size()) + ", tolerance 0, of which number " +
+          std::to_string(more + 1) + " returns more than the one before, " + show(by_hand[more]) +
+          " m/s after " + show(by_hand[more - 1]) + " m/s",
+      equation,
+      "  expected  " + std::to_string(by_hand.size()) + "\n  got       " + std::to_string(got.size()) + "\n",
+      ended_there ? "It ended where a sweep returned more than the one before. Where rows reach bounds, or "
+                    "leave them, that is no sign of trouble: only the tolerance and max_sweeps end it."
+                  : "Only the tolerance and max_sweeps end it.");
+  return false;
+}
+
 }  // namespace spook::testing

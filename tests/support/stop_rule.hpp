@@ -14,6 +14,13 @@ using SolvesBy = std::function<SolveReport(const StopRule&)>;
 /// is the last that is allowed; has not when one fewer is; and its history has every entry. Of so many entries.
 bool expect_stops_by_the_rule(const std::string& equation, int entries, const SolvesBy& solve);
 
+/// What so many sweeps return by hand, where one of them returns more than the one before: the solver makes them all.
+bool expect_goes_on_when_one_returns_more(const std::string& equation, const std::vector<double>& by_hand,
+                                          const SolvesBy& solve);
+
+/// Whether an entry is larger than the one before, by more than roundings.
+bool one_returns_more(const std::vector<double>& history);
+
 /// All that a solver may change: for expect_rejects, as a rule that makes no sense is refused before anything is touched.
 template <int Dof>
 std::function<std::vector<double>()> state_of(const std::vector<Row<Dof>>& rows,

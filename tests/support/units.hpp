@@ -43,6 +43,11 @@ struct TwistUnits {
   Unit linear, angular;
 };
 
+/// Of bounds, which are checked where they enter: they are counted in other units, but never a NaN.
+struct BoundUnits {
+  Unit unit;
+};
+
 /// What has its own fields, each with its unit.
 struct ByField {};
 
@@ -54,6 +59,7 @@ inline constexpr Unit pure{}, kg{1, 0, 0}, m{0, 1, 0}, s{0, 0, 1}, N = kg * m / 
 inline constexpr TwistUnits velocity{m / s, 1 / s};           // W, V
 inline constexpr TwistUnits jacobian{pure, m};                // a block of G
 inline constexpr TwistUnits responses{1 / kg, 1 / (kg * m)};  // M⁻¹ Gᵀ
+inline constexpr BoundUnits impulse_bounds{N * s};
 inline constexpr ByField by_field;
 inline constexpr Nothing nothing;
 }  // namespace units
@@ -65,7 +71,8 @@ struct Quantity {
 };
 
 template <class Units>
-concept SomeUnits = std::same_as<Units, Unit> || std::same_as<Units, TwistUnits>;
+concept SomeUnits =
+    std::same_as<Units, Unit> || std::same_as<Units, TwistUnits> || std::same_as<Units, BoundUnits>;
 
 template <class Value, SomeUnits Units>
 requires(!SomeUnits<Value>) auto operator*(const Value& value, const Units& units) {
@@ -103,6 +110,12 @@ template <int Rows, int Columns>
 void each_number(Visitor& visitor, Eigen::Matrix<double, Rows, Columns>& value, const Unit& unit) {
   if constexpr (Rows < 0 || Columns < 0) visitor.count(value.size());
   for (Eigen::Index k = 0; k < value.size(); ++k) visitor.number(value.data()[k], unit);
+}
+
+template <int Rows, int Columns>
+void each_number(Visitor& visitor, Eigen::Matrix<double, Rows, Columns>& value, const BoundUnits& units) {
+  if constexpr (Rows < 0 || Columns < 0) visitor.count(value.size());
+  for (Eigen::Index k = 0; k < value.size(); ++k) visitor.bound(value.data()[k], units.unit);
 }
 
 template <int Dof>

@@ -66,6 +66,17 @@ class KillMutant(unittest.TestCase):
     def test_a_mutant_that_passes(self):
         self.assert_refused("the mutant lives", tests=[FAILED | {"failures": []}], code=0)
 
+    def test_a_right_answer_passes_all_tests_of_its_exercise(self):
+        right = {"header": "// Right: in another order.\nint x;\n", "tests": [FAILED | {"failures": []}]}
+        self.assertEqual(self.kill(**right, code=0), (0, "", "0 of 0 mutants killed, 1 of 1 right answers passed\n"))
+        for reason, other in (("Kick.Adds refuses it: f.cpp:1 Failed This text", {"tests": [FAILED], "code": 1}),
+                              ("Kick.Adds refuses it", {"tests": [FAILED | {"result": "SKIPPED", "failures": []}]}),
+                              ("the exit code is 3", {"code": 3}), ("ended early", {"tests": [], "code": 0})):
+            with self.subTest(reason):
+                code, said, count = self.kill(**right | {"code": 0} | other)
+                self.assertEqual((code, count), (1, "0 of 0 mutants killed, 0 of 1 right answers passed\n"))
+                self.assertIn(reason, said)
+
     def test_a_failure_that_says_something_else(self):
         other = FAILED | {"failures": [{"failure": "f.cpp:1\nFailed\nwrong", "type": ""}]}
         self.assert_refused("does not say 'this is half a kick'", tests=[other])

@@ -59,9 +59,9 @@ class Changes(unittest.TestCase):
     def test_what_a_mutant_says_of_itself(self):
         half, third = self.read(f"# 1.1 f\n\n{HALF}-x += 1;\n\n"
                                 '@@ third @@ Killed by it? Killed by F.Adds, which says "a "third""\n-x += 1;\n')
-        self.assertEqual((half.name, half.wrong, half.test, half.says, half.line),
+        self.assertEqual((half.name, half.about, half.test, half.says, half.line),
                          ("half", "halves twice.", "F.Halves", "half of it", 3))
-        self.assertEqual((third.name, third.wrong, third.says), ("third", "Killed by it?", 'a "third"'))
+        self.assertEqual((third.name, third.about, third.says), ("third", "Killed by it?", 'a "third"'))
 
     def test_lines_go_and_come(self):
         self.assertEqual(self.mutated("-  x = x / 2;", "+  x = x / 4;"),
@@ -98,6 +98,10 @@ class Changes(unittest.TestCase):
 
     def test_a_change_without_a_place(self):
         self.assert_refused(HALF + "+x = 0;\n\n-x += 1;\n", 3, "half: a change needs a line of the reference")
+
+    def test_a_right_answer_promises_no_failure(self):
+        half, odd = self.read(HALF + "-x += 1;\n\n@@ odd @@ adds twice.\nPasses every test.\n-x += 1;\n+x += 0.5 + 0.5;\n")
+        self.assertEqual((half.is_right, odd.is_right, odd.about, odd.test), (False, True, "adds twice.", ""))
 
     def test_a_line_that_goes_twice(self):
         self.assert_refused(HALF + "-x += 1;\n+x += 2;\n\n-x += 1;\n", 6, "half: this line is gone already")

@@ -19,11 +19,12 @@ _CLAIMS = (  # what the libraries assert, and what it means to a student
     (r"you mixed different sizes|lhs.cols\(\) == rhs.rows\(\)|rows\(\) == other.rows\(\)|aLhs.rows\(\) == aRhs.rows\(\)",
      "two vectors or matrices have sizes that do not go together"),
     (r"_M_is_engaged\(\)", "an optional is empty, and its value is asked for"),
-    (r"__lo < __hi|!\(__hi < __lo\)", "std::clamp has a lower bound above the upper one"),
+    (r"__lo < __hi|!\(__hi < __lo\)", "the lower bound of std::clamp is above its upper one"),
 )
 _SIGNALS = {"SIGFPE": "a whole number is divided by 0",
             "SIGSEGV": "nothing is at that address: an index far past the end, a reference to what is gone, or a "
                        "function that calls itself without end"}
+_OWNERS = {"/c++/": " of the C++ library", "/Eigen/": " of Eigen"}  # of the file that asserts
 _KINDS = ("vector", "array", "span", "deque", "basic_string")
 
 
@@ -42,6 +43,15 @@ def place(program: Path, trace: Path, exercises: list[Exercise]) -> tuple[Exerci
         if found and found[1] in by_file:
             return by_file[found[1]], int(found[2])
     return None
+
+
+def ending(signal_name: str, output: str) -> str:
+    """ "crashed (SIGSEGV)", or "fails an assertion of the C++ library", which ends a program by a signal, too."""
+    found = _last_assertion(output) if signal_name == "SIGABRT" else None
+    if not found:
+        return f"crashed ({signal_name})"
+    owner = next((of for part, of in _OWNERS.items() if part in found["where"]), "")
+    return f"fails an assertion{owner}"
 
 
 def explained(signal_name: str, output: str, where: tuple[Exercise, int] | None) -> str:
@@ -63,9 +73,7 @@ def without_assertion(printed: str) -> str:
 
 def _cause(output: str) -> str:
     """What an assertion that failed means, or what it says; empty if there was none."""
-    found = None
-    for found in _ASSERTION.finditer(output):
-        pass  # the last is the one that ended it
+    found = _last_assertion(output)
     if not found:
         return ""
     for claim, meaning in _CLAIMS:
@@ -73,3 +81,11 @@ def _cause(output: str) -> str:
             kinds = [kind for kind in _KINDS if f"std::{kind}<" in found["where"] or f"/{kind}:" in found["where"]]
             return meaning.format(kind=f"std::{kinds[0]}" if kinds else "container")
     return f"it is asserted that {found['claim']}, which is not so"
+
+
+def _last_assertion(output: str) -> re.Match[str] | None:
+    """The one that ended the program."""
+    found = None
+    for found in _ASSERTION.finditer(output):
+        pass
+    return found

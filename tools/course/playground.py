@@ -126,7 +126,7 @@ def _run(ours: Playground) -> int:
         if code < 0:
             where = crash.place(program, trace, [ours, *mine])
             name = signal.Signals(-code).name
-            raise CourseError(f"it crashed ({name})", crash.explained(name, output, where))
+            raise CourseError(f"it {crash.ending(name, output)}", crash.explained(name, output, where))
     return code
 
 

@@ -88,7 +88,8 @@ def _judge_built(exercise: Exercise, built: Built, seed: int | None) -> Verdict:
     program = CHECK.program(_targets(exercise)[0])
     trial = run_tests(program, f"{exercise.suite}.*", seed, exercise=exercise)
     verdict = _judge_trial(exercise, trial)
-    if verdict.details and _depends_on_calls_before(program, trial, seed):
+    # What a data race gives is another number in each run.
+    if verdict.details and "data race" not in verdict.details and _depends_on_calls_before(program, trial, seed):
         verdict.details = ("Run alone, this test does not fail as it does here. So something lives on from one call to the "
                            "next: a static or a global variable? Or does one never get a value?\n\n" + verdict.details)
     verdict.warnings = diagnostics.warnings(built.output, exercise)
@@ -125,7 +126,7 @@ def _judge_trial(exercise: Exercise, trial: Trial) -> Verdict:
         return _broken_off(exercise, trial, f"timed out after {time_limit():g} s", "Does a loop never end?")
     if trial.exit_code < 0:
         name = signal.Signals(-trial.exit_code).name
-        return _broken_off(exercise, trial, f"crashed ({name})",
+        return _broken_off(exercise, trial, crash.ending(name, trial.output),
                            crash.explained(name, trial.output, trial.crashed_at))
     if trial.tests is None:
         return _broken_off(exercise, trial, f"ended early (exit code {trial.exit_code})", "Does it call exit?")

@@ -1,4 +1,4 @@
-"""A wrong answer to an exercise, line by line, and what must become of it."""
+"""An answer to an exercise, line by line, and what must become of it."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -27,14 +27,18 @@ class Line:
 
 
 @dataclass(frozen=True)
-class WrongAnswer:
+class Answer:
     file: Path
     line: int  # where it begins in the file
     name: str
-    wrong: str
-    test: str  # must fail
+    about: str  # what is wrong with it, or odd
+    test: str  # must fail; empty for a right answer, with which all pass
     says: str  # the failure, somewhere
     lines: tuple[Line, ...]
+
+    @property
+    def is_right(self) -> bool:
+        return not self.test
 
     @property
     def place(self) -> str:

@@ -1,24 +1,26 @@
-"""The wrong answers to an exercise: the changes in its .diff, then the files that hold another algorithm each.
+"""The answers to an exercise that are tried: the changes in its .diff, then the files with another algorithm each.
 
 A file is named function.mistake.cpp, and begins with what a .diff says of a mutant:
 
     // Wrong: adds the force alone.
     // Killed by: Kick.AddsForceOverMass
     // Says: the force has not been divided by the mass
+
+A right answer, of a style that a test might refuse, has `Right:` in place of `Wrong:`, and no more.
 """
 
 import itertools
 import re
 from pathlib import Path
 
-from answer import WrongAnswer, code_of, refused
+from answer import Answer, code_of, refused
 from changes import lines_of, read_changes
 from errors import CourseError
 from manifest import Exercise, all_exercises
 from paths import ROOT, shown
 
 MUTANTS = ROOT / "tests" / "mutants"
-_HEADER = re.compile(r"Wrong: (.+) Killed by: (\S+) Says: (.+)")
+_HEADER = re.compile(r"Wrong: (.+) Killed by: (\S+) Says: (.+)|Right: (.+)")
 
 
 def files_of(exercise: Exercise) -> list[Path]:
@@ -27,7 +29,7 @@ def files_of(exercise: Exercise) -> list[Path]:
 
 
 def exercise_of(file: Path) -> Exercise:
-    """The exercise to which this is a wrong answer."""
+    """The exercise to which this is an answer."""
     function = file.name.split(".")[0]
     for exercise in all_exercises():
         if (exercise.folder, exercise.function) == (file.parent.name, function):
@@ -35,9 +37,9 @@ def exercise_of(file: Path) -> Exercise:
     raise CourseError(f"{shown(file)}: {file.parent.name} has no exercise {function}")
 
 
-def read_answers(files: list[Path]) -> list[WrongAnswer]:
+def read_answers(files: list[Path]) -> list[Answer]:
     """Those of one exercise, numbered so in its program."""
-    known: dict[str, WrongAnswer] = {}
+    known: dict[str, Answer] = {}
     reference = exercise_of(files[0]).reference
     right = code_of(lines_of(reference))
     for file in sorted(files):
@@ -50,10 +52,11 @@ def read_answers(files: list[Path]) -> list[WrongAnswer]:
     return list(known.values())
 
 
-def _whole(file: Path) -> WrongAnswer:
+def _whole(file: Path) -> Answer:
     lines, name = lines_of(file), file.name.split(".")[1]
     comment = itertools.takewhile(lambda line: line.text.startswith("//"), lines)
     header = _HEADER.fullmatch(" ".join(line.text.lstrip("/").strip() for line in comment))
     if not header:
         raise refused(file, 1, "the comment at the top must have 'Wrong: ...', 'Killed by: ...', 'Says: ...'", name)
-    return WrongAnswer(file, 1, name, *header.groups(), tuple(lines))
+    wrong, test, says, right = header.groups(default="")
+    return Answer(file, 1, name, right or wrong, test, says, tuple(lines))

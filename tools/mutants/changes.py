@@ -1,4 +1,4 @@
-"""Wrong answers as changes to the reference: tests/mutants/04_gauss_seidel/update_row.diff.
+"""Answers as changes to the reference: tests/mutants/04_gauss_seidel/update_row.diff.
 
     @@ forgets_sigma_lambda @@ leaves Σ λ out of what the row lacks.
     Killed by UpdateRow.CountsSigmaLambdaAndTheVelocitySoFar, which says "Σ λ is missing"
@@ -6,18 +6,19 @@
     +  const double r = row.B - row.Gi.dot(V[row.i]) - row.Gj.dot(V[row.j]);
 
 The lines with - and with a space stand in the reference, one below another and only once; those with + are new.
-An empty line ends a change: another of the same mutant may follow. A line with # is a comment.
+An empty line ends a change: another of the same mutant may follow. A line with # is a comment. A right answer, of a
+style that a test might refuse, says `Passes every test.` in place of the promise.
 """
 
 import re
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from answer import Line, WrongAnswer, refused
+from answer import Line, Answer, refused
 from apply import Change, Signed, applied
 
 _TITLE = re.compile(r"@@ (\w+) @@ (\S.*)")
-_PROMISE = re.compile(r'(.*\S) Killed by (\w+\.\w+), which says "(.+)"')
+_PROMISE = re.compile(r'(.*\S) (?:Killed by (\w+\.\w+), which says "(.+)"|Passes every test\.)')
 
 
 @dataclass
@@ -31,8 +32,8 @@ class _Mutant:
     between: bool = True  # changes: the next line of one begins another
 
 
-def read_changes(file: Path, reference: Path) -> list[WrongAnswer]:
-    """The wrong answers of a .diff, in its order."""
+def read_changes(file: Path, reference: Path) -> list[Answer]:
+    """The answers of a .diff, in its order."""
     right = lines_of(reference)
     return [_answer(file, mutant, right) for mutant in _mutants(file)]
 
@@ -71,12 +72,12 @@ def _add(mutant: _Mutant, line: Line) -> None:
         mutant.words.append(line.text)
 
 
-def _answer(file: Path, mutant: _Mutant, right: list[Line]) -> WrongAnswer:
+def _answer(file: Path, mutant: _Mutant, right: list[Line]) -> Answer:
     promise = _PROMISE.fullmatch(" ".join(mutant.words))
     if not promise:
         raise refused(file, mutant.line, "'Killed by Suite.Test, which says \"text\"' is needed", mutant.name)
     if not mutant.changes:
         raise refused(file, mutant.line, "it has no change", mutant.name)
-    wrong, test, says = promise.groups()
-    return WrongAnswer(file, mutant.line, mutant.name, wrong, test, says,
+    about, test, says = promise.groups(default="")
+    return Answer(file, mutant.line, mutant.name, about, test, says,
                        applied(mutant.name, mutant.changes, right))

@@ -1,5 +1,7 @@
 """kill.py PROGRAMS FILE...: passes if each wrong answer in the files fails the test that it names.
 
+And if each right answer in them passes all tests of its exercise.
+
 The test must fail by one of its checks, and the failure must say what the mutant promises: that is what the
 student will read. A crash, a skip or running out of time doesn't count. The folder PROGRAMS holds the wrong answers
 to update_row in the program mutants_update_row: see together.py.
@@ -13,25 +15,37 @@ from pathlib import Path
 
 TOOLS = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(TOOLS / "mutation"), str(TOOLS / "course")]
+from answer import Answer  # noqa: E402
 from answers import exercise_of, read_answers  # noqa: E402
 from crowd import VARIABLE  # noqa: E402
 from errors import CourseError  # noqa: E402
 from trial import Trial, run_tests, time_limit  # noqa: E402
 
 
-def judged(program: Path, files: list[Path]) -> dict[str, str]:
-    """Of each wrong answer to an exercise why it is not killed as promised; empty if it is."""
+def judged(program: Path, files: list[Path]) -> dict[Answer, str]:
+    """Of each answer to an exercise why it is not killed as promised, or not passed if right; empty if it is."""
     exercise = exercise_of(files[0])
-    reasons = {}
+    reasons: dict[Answer, str] = {}
     for number, answer in enumerate(read_answers(files), 1):
+        if answer.is_right:
+            reason = _not_passed(run_tests(program, f"{exercise.suite}.*", more={VARIABLE: str(number)}))
         # `./course check` runs no other suite: if only another noticed, the student would be told "done".
-        if answer.test.split(".")[0] != exercise.suite:
+        elif answer.test.split(".")[0] != exercise.suite:
             reason = f"{answer.test} is not a test of {exercise.label}; its suite is {exercise.suite}"
         else:
             trial = run_tests(program, answer.test, more={VARIABLE: str(number)})
             reason = _not_failed(answer.test, trial) or _not_said(answer.says, trial)
-        reasons[answer.place] = reason
+        reasons[answer] = reason
     return reasons
+
+
+def _not_passed(trial: Trial) -> str:
+    if not trial.tests:
+        return f"a right answer, but the program ended early (exit code {trial.exit_code}): {trial.output[-500:]}"
+    for test in trial.tests:
+        if test.skipped or test.failures:
+            return f"a right answer, but {test.name} refuses it: {' '.join(' '.join(test.failures).split())}"
+    return "" if trial.exit_code == 0 else f"a right answer, but the exit code is {trial.exit_code}"
 
 
 def _not_failed(test: str, trial: Trial) -> str:
@@ -64,18 +78,21 @@ def main(words: list[str]) -> int:
     try:
         with ThreadPoolExecutor(os.cpu_count()) as workers:
             found = workers.map(judged, [programs / f"mutants_{name}" for name in exercises], exercises.values())
-            reasons = {place: reason for some in found for place, reason in some.items()}
+            reasons = {answer: reason for some in found for answer, reason in some.items()}
     except CourseError as error:
         print(error, file=sys.stderr)
         return 1
     except OSError as error:
         print(f"{error.filename}: {error.strerror}", file=sys.stderr)
         return 1
-    alive = {place: reason for place, reason in reasons.items() if reason}
-    for place, reason in alive.items():
-        print(f"{place}: {reason}", file=sys.stderr)
-    print(f"{len(reasons) - len(alive)} of {len(reasons)} mutants killed")
-    return 1 if alive else 0
+    for answer, reason in reasons.items():
+        if reason:
+            print(f"{answer.place}: {reason}", file=sys.stderr)
+    wrong = [not reason for answer, reason in reasons.items() if not answer.is_right]
+    right = [not reason for answer, reason in reasons.items() if answer.is_right]
+    passed = f", {sum(right)} of {len(right)} right answers passed" if right else ""
+    print(f"{sum(wrong)} of {len(wrong)} mutants killed{passed}")
+    return 0 if all(wrong + right) else 1
 
 
 if __name__ == "__main__":
