@@ -161,6 +161,37 @@ EXERCISE_TEST(BoxBox, MovesTheSidesOutByAMillionth) {
   }
 }
 
+EXERCISE_TEST(BoxBox, LeavesOutWhatIsAboveTheFaceByLittle) {
+  // A cube that leans by 0.01 on a table: two corners of its lower face are deep, the other two hardly above the table's
+  // top, or hardly below.
+  const Box table = straight(3, Vec3(1, 2, 3), Vec3(2, 2, 1));
+  for (const double above : {1e-7, 3e-7, 1e-8, 1e-10, -1e-7, -1e-10}) {
+    Box cube = turned(straight(8, Vec3::Zero(), Vec3::Constant(0.5)), 0.01, Vec3::UnitY());
+    double upper = -infinity, lower = infinity;  // of the lower face
+    for (const double side : {-0.5, 0.5}) {
+      const double z = (cube.axes * Vec3(side, 0, -0.5)).z();
+      upper = std::max(upper, z), lower = std::min(lower, z);
+    }
+    cube.x = Vec3(1, 2, 4 - upper + above);
+    given() = describe_both(table, cube);
+    const auto got = contacts_of(table, cube);
+    const std::string what = "a cube that leans on a table, two of its lower corners " + show(std::abs(above)) +
+                             " m " + (above > 0 ? "above" : "below") + " the top";
+    expect_near("contacts of " + what, "Eq. (8.8)", static_cast<double>(got.size()), above > 0 ? 2 : 4,
+                {0, "a count"},
+                {{above > 0 ? 4.0 : 2.0,
+                  above > 0 ? "Corners that are hardly above the face that is met are kept: of the corners "
+                              "those with g <= 0. "
+                              "The millionth is for the four sides around that face, and not for the face."
+                            : "Corners that are hardly below the face that is met are left out: all those with "
+                              "g <= 0 stay."}},
+                "Of the corners that are left those with g <= 0.");
+    for (const Contact& contact : got)
+      expect_at_most("gap of a contact of " + what + " [m]", "Eq. (8.8)", contact.gap, 0, "g <= 0");
+    if (::testing::Test::HasFailure()) return;
+  }
+}
+
 EXERCISE_TEST(BoxBox, TouchesWhereTheFaceLeavesNothing) {
   // The face of j that looks down most leads from its lowest corner away from i. That corner is beside the top of i, by
   // more than the millionth by which sides are moved, and below it, by less than makes up for the head start that the

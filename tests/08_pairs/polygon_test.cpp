@@ -359,6 +359,49 @@ std::vector<Eigen::Vector2d> random_places(Random& random, int count) {
   return places;
 }
 
+/// Whether four are kept, the deepest among them, and the mean is within; without a failure.
+bool is_sound(const std::vector<Contact>& contacts) {
+  const std::vector<Contact> kept = well_spread(contacts);
+  if (kept.size() != 4) return false;
+  for (std::size_t k = 0; k < 4; ++k)
+    for (std::size_t l = 0; l < k; ++l)
+      if (same(kept[k], kept[l])) return false;
+  Vec3 mean = Vec3::Zero();
+  for (const Contact& contact : contacts) mean += contact.r_i / static_cast<double>(contacts.size());
+  return deepest_of(kept) <= deepest_of(contacts) + 1e-5 && depth_of_origin(seen_along_n(kept, mean)) >= -4e-9;
+}
+
+// The same places in the plane across z, across x, upside down, and turned: what is right along z is right along any n.
+EXERCISE_TEST(WellSpread, LooksAlongNWhereverItPoints) {
+  Random random;
+  std::vector<std::vector<Contact>> all;
+  for (int trial = 0; trial < 50; ++trial) {
+    std::vector<Contact> contacts;
+    for (const Eigen::Vector2d& place : random_places(random, 5)) {
+      const double gap = random.uniform(-0.1, -0.01);
+      contacts.push_back(at(Vec3(place.x(), place.y(), 0), gap));
+    }
+    if (!is_sound(contacts)) return;  // then it is not about n, and other tests say what it is
+    all.push_back(contacts);
+  }
+  const Mat3 turned = random.rotation().toRotationMatrix();
+  const Mat3 to_x = (Mat3() << 0, 0, 1, 1, 0, 0, 0, 1, 0).finished();
+  const Mat3 upside_down = Vec3(1, -1, -1).asDiagonal();
+  for (const Mat3& R : {to_x, upside_down, turned})
+    for (std::vector<Contact> contacts : all) {
+      for (Contact& contact : contacts) contact = at(R * contact.r_i, contact.gap, R.col(2));
+      if (is_sound(contacts)) continue;
+      this_failure_explains();
+      expect_true(
+          "four of five that were well chosen with n = (0, 0, 1) are so with n = " + show(Vec3(R.col(2))) +
+              ", all points turned along",
+          "Eq. (8.10)", false,
+          "n has been taken for z: the angles around the mean, and the areas, are those that are seen along n. "
+          "Contacts lie in any plane.");
+      return;
+    }
+}
+
 EXERCISE_TEST(WellSpread, KeepsTheDeepestAndHoldsTheMean) {
   Random random;
   for (int trial = 0; trial < 600 && !::testing::Test::HasFailure(); ++trial) {

@@ -36,7 +36,8 @@ static void each_number(Visitor& visitor, SeparatingAxis& axis, ByField) {
 }
 
 static void each_number(Visitor& visitor, spook::Bounds& bounds, ByField) {
-  each_number(visitor, bounds.lower, units::m), each_number(visitor, bounds.upper, units::m);
+  for (Vec3* corner : {&bounds.lower, &bounds.upper})
+    for (double& x : *corner) visitor.bound(x, units::m);
 }
 
 }  // namespace spook::testing

@@ -65,6 +65,19 @@ class Crash(unittest.TestCase):
             self.assertIn(told, crash.explained("SIGABRT", f"before\n{said}\n", None))
         self.assertEqual(crash.without_assertion(f"h is 3\n{self.EIGEN}\n").strip(), "h is 3")
 
+    def test_an_assertion_names_its_library(self):
+        clamp = ("/usr/include/c++/12/bits/stl_algo.h:3623: constexpr const _Tp& std::clamp(const _Tp&, const _Tp&, "
+                 "const _Tp&) [with _Tp = double]: Assertion '!(__hi < __lo)' failed.")
+        for signal, said, told in (("SIGABRT", self.VECTOR, "fails an assertion of the C++ library"),
+                                   ("SIGABRT", clamp, "fails an assertion of the C++ library"),
+                                   ("SIGABRT", self.EIGEN, "fails an assertion of Eigen"),
+                                   ("SIGABRT", "a.cpp:3: int f(): Assertion `mass > 0' failed.", "fails an assertion"),
+                                   ("SIGABRT", "h is 3", "crashed (SIGABRT)"),
+                                   ("SIGSEGV", self.VECTOR, "crashed (SIGSEGV)")):
+            self.assertEqual(crash.ending(signal, f"before\n{said}\n"), told)
+        self.assertEqual(crash.explained("SIGABRT", clamp, None),
+                         "The lower bound of std::clamp is above its upper one.")
+
     def test_a_signal_is_told_as_what_it_means(self):
         self.assertIn("divided by 0", crash.explained("SIGFPE", "", None))
 
