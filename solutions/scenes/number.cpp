@@ -3,16 +3,49 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <sstream>
 #include <stdexcept>
 
 namespace spook {
+
+#ifdef __cpp_lib_to_chars
 
 /// False when not all of [first, last) is one finite decimal number.
 static bool read_decimal(const char* first, const char* last, double& value) {
   const auto result = std::from_chars(first, last, value);
   return result.ec == std::errc() && result.ptr == last && std::isfinite(value);
 }
+
+std::string exact_text(double value) {
+  std::array<char, 32> text;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  return {text.data(), end};
+}
+
+#else  // older libraries of clang have neither for double; C's functions do it, in the C locale
+
+static bool read_decimal(const char* first, const char* last, double& value) {
+  const std::string text(first, last);
+  // strtod would also take white space, a plus sign and hexadecimal digits.
+  if (text.empty() || text.front() == '+' || text.find_first_not_of("0123456789.eE+-") != std::string::npos)
+    return false;
+  char* end = nullptr;
+  value = std::strtod(text.c_str(), &end);
+  return end == text.c_str() + text.size() && std::isfinite(value);
+}
+
+std::string exact_text(double value) {
+  std::array<char, 32> text;
+  for (int digits = 1; digits <= 17; ++digits) {  // 17 tell any two doubles apart
+    std::snprintf(text.data(), text.size(), "%.*g", digits, value);
+    if (std::strtod(text.data(), nullptr) == value) break;
+  }
+  return text.data();
+}
+
+#endif
 
 double parse_number(const std::string& name, const std::string& text) {
   const char* const first = text.data();
@@ -35,12 +68,6 @@ int parse_whole(const std::string& name, const std::string& text, int low, int h
     throw std::invalid_argument(name + " must be a whole number from " + std::to_string(low) + " to " +
                                 std::to_string(high) + ", but is \"" + text + "\"");
   return static_cast<int>(value);
-}
-
-std::string exact_text(double value) {
-  std::array<char, 32> text;
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  return {text.data(), end};
 }
 
 std::string short_text(double value) {

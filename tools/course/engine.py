@@ -7,6 +7,7 @@ from errors import CourseError
 from tree import Tree
 
 RELEASE = Tree("release")
+_WEB = Tree("web", ("emcmake",))
 
 
 def program(target: str) -> Path:
@@ -18,6 +19,16 @@ def program(target: str) -> Path:
     if does_not_link and target.endswith("_mine"):
         raise CourseError(f"your functions do not link with the rest: {does_not_link}")
     raise RELEASE.own_failure(built)
+
+
+def program_of_pages() -> Path:
+    """The engine as WebAssembly, up to date: the script that loads it, with the .wasm file beside."""
+    compiled = _WEB.path / "solutions" / "spook_live.js"
+    first = "" if compiled.exists() else " (some minutes, the first time)"
+    built = _WEB.build(["spook_live"], f"building the engine for live figures{first}", keep_going=True)
+    if not built.ok:
+        raise _WEB.own_failure(built)
+    return compiled
 
 
 def _how_long() -> str:

@@ -144,6 +144,8 @@ BOOK_NEEDS = (
     Need("python3-fonttools", "module", "fontTools"),
     Need("python3-brotli", "module", "brotli"),
 )
+# Live figures of the book; without it they are films.
+LIVE_NEEDS = (Need("emscripten", "command", "em++", "3.1.6"),)
 # One node of it, which the tests of --slurm start for themselves.
 SLURM_NEEDS = (Need("slurm-wlm", "command", "sbatch"), Need("munge", "command", "munge"))
 # A browser that tests can drive. Ubuntu has none but as a snap, which they cannot: they are skipped there.

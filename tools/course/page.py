@@ -5,6 +5,7 @@ import gzip
 import html
 import re
 import sys
+from pathlib import Path
 
 from errors import CourseError
 from needs import THREE, THREE_MIN
@@ -29,6 +30,19 @@ def film(recordings: list[tuple[str, bytes]], back: tuple[str, str] | None = Non
 def live() -> str:
     """The page of a run that goes on: it asks for `frames` and sends to `command`, beside its own address."""
     return _page('<script type="application/json" id="live">{}</script>')
+
+
+def figure() -> str:
+    """The page of a lesson's live figure, which runs the engine of engine_file() in its folder."""
+    return _page('<script type="application/json" id="live">{"figure": true}</script>')
+
+
+def engine_file(compiled: Path) -> str:
+    """The engine that em++ made, NAME.js with NAME.wasm beside it, as a script that holds it as text: any page may load
+    a script, from the file system, too."""
+    text = compiled.read_bytes() + b"\n" + (VIEWER / "worker.js").read_bytes()
+    wasm = compiled.with_suffix(".wasm").read_bytes()
+    return f'window.spookEngine = {{\n  text: "{_packed(text)}",\n  wasm: "{_packed(wasm)}" }};\n'
 
 
 def _page(data: str, back: tuple[str, str] | None = None) -> str:

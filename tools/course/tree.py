@@ -30,8 +30,10 @@ def jobs() -> int:
 
 
 class Tree:
-    def __init__(self, preset: str):
+    def __init__(self, preset: str, wrapper: tuple[str, ...] = ()):
+        """`wrapper` stands before cmake and sets its compiler, as emcmake does."""
         self.preset = preset
+        self._wrapper = wrapper
         self.path = BUILD / preset
 
     def build(self, targets: list[str], what: str, keep_going: bool = False) -> Built:
@@ -55,7 +57,7 @@ class Tree:
             (self.path / "CMakeCache.txt").unlink(missing_ok=True)
         live = Live(f"configuring {shown(self.path)}")
         log = self.path / "course-configure.log"
-        command = ["cmake", "--preset", self.preset, "-B", str(self.path),
+        command = [*self._wrapper, "cmake", "--preset", self.preset, "-B", str(self.path),
                    f"-DPython3_EXECUTABLE={sys.executable}", *settings]
         code, output = stream(command, lambda line: live.update(), log, cwd=ROOT)
         live.done()

@@ -1,5 +1,5 @@
 "use strict";
-// A run that is going on: frames come as server-sent events, commands go back.
+// A run that is going on: frames come, commands go back, by one of transports.js.
 
 const KEPT = 1200;      // frames that one can go back to
 const GROWN = 1.1;      // when the bodies fill so much more the view is fitted anew, unless a hand was laid on them
@@ -7,18 +7,21 @@ const FARTHEST = 4;     // but no more than so many times what they filled at fi
 const GRAPHS_EVERY = 150;  // [ms]
 
 class Live {
-  constructor(viewer) {
+  constructor(viewer, transport, figure = null) {
     this.viewer = viewer;
+    this.transport = transport;
+    this.figure = figure;
     this.running = true;
     this.sent = Promise.resolve();
     document.body.classList.add("live");
     document.getElementById("drop").onclick = () => this.drop();
     document.getElementById("next").title = "a step on (right)";
-    this.source = new EventSource("frames");
-    this.source.onmessage = (event) => this.take(JSON.parse(event.data));
-    this.source.onerror = () => viewer.say("The run has ended: ./course play is no longer there.");
-    this.source.onopen = () => viewer.say("");
-    window.addEventListener("pagehide", () => this.source.close());
+    transport.open((line) => this.take(line), (why) => this.lose(why));
+  }
+
+  lose(why) {
+    this.viewer.say(why);
+    if (this.figure && why) this.figure.lost(why);
   }
 
   take(line) {
@@ -79,6 +82,7 @@ class Live {
     const before = first || more < 0 || frame.time < lastOf(this.run.frames).time ? [] : this.run.frames;
     const same = !first && more === 0;
     this.run = { header, frames: [...before, frame], notice: "", label: "", live: true };
+    if (first && this.figure) this.figure.begun(header);
     this.viewer.show([this.run], same || before.length > 0 || frame.touched);
     this.run.frames.pop();  // it is added as any other
     if (!before.length) this.firstSize = this.viewer.picture.box.size;
@@ -102,14 +106,14 @@ class Live {
   makeSliders(controls) {
     const parent = document.getElementById("sliders");
     if (parent.contains(document.activeElement)) return;
-    parent.replaceChildren(...controls.map((control) => controlNode(control, (value) =>
+    const shown = this.figure ? this.figure.controlsOf(controls) : controls;
+    parent.replaceChildren(...shown.map((control) => controlNode(control, (value) =>
       this.send({ set: { [control.name]: value } }))));
   }
 
   /** One after the other, in the order in which they were given. */
   send(command) {
-    this.sent = this.sent.then(() => fetch("command", { method: "POST", body: JSON.stringify(command) }))
-      .catch(() => this.viewer.say("The run has ended: ./course play is no longer there."));
+    this.sent = this.sent.then(() => this.transport.send(command));
     return this.sent;
   }
 

@@ -16,8 +16,10 @@ class Viewer {
       if (typeof DecompressionStream === "undefined") throw new Error("This browser is too old to unpack the page.");
       await loadLibraries();
       this.start();
-      if (document.getElementById("live")) this.live = new Live(this);
-      else await this.openRecordings();
+      const live = document.getElementById("live");
+      if (!live) await this.openRecordings();
+      else if (JSON.parse(live.textContent).figure) this.openFigure();
+      else this.live = new Live(this, new ServerTransport());
     } catch (error) {
       this.say(error.message);
     }
@@ -44,6 +46,11 @@ class Viewer {
       window.requestAnimationFrame(tick);
     };
     window.requestAnimationFrame(tick);
+  }
+
+  openFigure() {
+    this.figure = new Figure(this);
+    this.live = new Live(this, new WorkerTransport(this.figure), this.figure);
   }
 
   async openRecordings() {
@@ -88,7 +95,8 @@ class Viewer {
       this.makeGraphs();
       this.dirty();
     };
-    this.graphs = quantities(this.runs, this.column).map((quantity) =>
+    const only = this.figure ? this.figure.keyOf(this.runs[0].header) : "";
+    this.graphs = quantities(this.runs, this.column, only).map((quantity) =>
       new Graph(parent, quantity, (time) => this.seek(time), choose));
     for (const graph of this.graphs) graph.prepare();
   }

@@ -13,8 +13,9 @@ function leastSpeed(runs) {
 const totalOf = (values) => values.reduce((sum, value) => sum + (value === null ? NaN : value), 0);
 const energyOf = (frame) => totalOf(Object.values(frame.energy));
 
-/** The graphs of these runs; `column` is the sample's that is shown. A line a run, or a single run's parts. */
-function quantities(runs, column) {
+/** The graphs of these runs; `column` is the sample's that is shown. A line a run, or a single run's parts. With `only`
+ *  the graph of this key alone, numbers or not. */
+function quantities(runs, column, only = "") {
   const { header } = runs[0], name = header.error.name || "error", alone = runs.length === 1;
   const each = (valueOf) => runs.map((run, k) => ({ name: run.label, run, colour: k, valueOf }));
   const parts = (names, valueOf, total) => [
@@ -34,6 +35,7 @@ function quantities(runs, column) {
                            (frame) => frame.us.length ? totalOf(frame.us) : NaN)
         : each((frame) => frame.us.length ? totalOf(frame.us) : NaN) },
   ];
+  if (only) return lists.filter((list) => list.key === only);
   // Where nothing is solved the residual is nothing, too.
   const solved = runs.some((run) => run.live || run.frames.some((frame) => frame.residual > 0));
   return lists.filter((list) => list.key !== "residual" || solved).filter((list) => list.lines.some(hasNumbers));

@@ -56,12 +56,14 @@ int World<Dof>::add_fixed(const Vec3& x, double radius) {
   return i;
 }
 
+// `if constexpr` below, though `requires` says the same: clang before 16 compiles these for point masses, too.
 template <int Dof>
 int World<Dof>::add_fixed_box(const Vec3& x, const Vec3& half_sides, const Quat& q) requires(Dof == 6) {
-  return add_fixed(x, Cuboid{half_sides}, q);
+  int i = -1;
+  if constexpr (Dof == 6) i = add_fixed(x, Cuboid{half_sides}, q);
+  return i;
 }
 
-// `if constexpr`, though `requires` says the same: clang before 16 compiles this for point masses, too.
 template <int Dof>
 int World<Dof>::add_fixed(const Vec3& x, const Shape& shape, const Quat& q) requires(Dof == 6) {
   require_sound(shape);

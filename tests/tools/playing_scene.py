@@ -1,0 +1,29 @@
+"""A scene of `spook play`, held, and advanced by so many steps: its header and its last frame."""
+
+import json
+import os
+import subprocess
+from pathlib import Path
+
+
+def native() -> Path:
+    return Path(os.environ["COURSE_BUILD"], "check", "solutions", "spook")
+
+
+def commands(steps: int) -> list[dict]:
+    return [{"pause": True}, {"restart": True}, {"step": steps}]
+
+
+def played(scene: str, settings: dict, steps: int) -> tuple[dict, dict]:
+    """Of the native program. Whatever it wrote before it was held comes before the last header."""
+    lines = [{"pause": True}, *([{"set": settings}] if settings else []), *commands(steps)]
+    done = subprocess.run([native(), "play", scene], input="".join(f"{json.dumps(line)}\n" for line in lines),
+                          capture_output=True, text=True)
+    return last(done.stdout)
+
+
+def last(text: str) -> tuple[dict, dict]:
+    lines = [json.loads(line) for line in text.splitlines()]
+    if refused := [line["refused"] for line in lines if "refused" in line]:
+        raise ValueError(refused[0])
+    return [line for line in lines if "format" in line][-1], lines[-1]

@@ -1,0 +1,68 @@
+"use strict";
+// Two ways to an engine that runs. Each calls take(line) with what it writes, and lost(why) when it is no longer there;
+// what send() returns is kept when the command has been taken.
+
+/** ./course play: lines come as server-sent events, commands go back as posts. */
+class ServerTransport {
+  open(take, lost) {
+    this.lost = () => lost("The run has ended: ./course play is no longer there.");
+    this.source = new EventSource("frames");
+    this.source.onmessage = (event) => take(JSON.parse(event.data));
+    this.source.onerror = this.lost;
+    this.source.onopen = () => lost("");
+    window.addEventListener("pagehide", () => this.source.close());
+  }
+
+  send(command) {
+    return fetch("command", { method: "POST", body: JSON.stringify(command) }).catch(this.lost);
+  }
+}
+
+/** The engine in a worker of this page. Its file is a script beside the page, which a page may load from anywhere, a
+ *  file system too; the worker is made of its text, since a worker's own file may not come from there. */
+class WorkerTransport {
+  constructor(figure) {
+    this.figure = figure;
+    this.waiting = [];  // for the answers to what was sent
+  }
+
+  open(take, lost) {
+    this.opened = this.begin(take, lost);
+  }
+
+  async begin(take, lost) {
+    try {
+      await new Promise((done, failed) => document.head.append(element("script", {
+        src: "engine.js", onload: done, onerror: () => failed(new Error("its file engine.js is missing")) })));
+      const [text, wasm] = [await this.part("text"), await this.part("wasm")];
+      const address = URL.createObjectURL(new Blob([text], { type: "text/javascript" }));
+      this.worker = new Worker(address);
+      this.worker.onerror = (event) => { event.preventDefault(); lost(`The engine has stopped: ${event.message}.`); };
+      this.worker.onmessage = ({ data }) => this.answer(data, take, lost);
+      const { scene, set, rate } = this.figure;
+      this.worker.postMessage({ wasm, open: { scene, set }, rate });
+    } catch (error) {
+      lost(`The engine cannot run here: ${error.message}.`);
+    }
+  }
+
+  async part(name) {
+    const packed = window.spookEngine && window.spookEngine[name];
+    if (!packed) throw new Error("its file engine.js is damaged");
+    const stream = new Blob([bytesOf(packed)]).stream().pipeThrough(new DecompressionStream("gzip"));
+    return new Response(stream).arrayBuffer();
+  }
+
+  answer({ lines, taken, lost: why }, take, lost) {
+    if (why) lost(`The engine has stopped: ${why}.`);
+    for (const line of (lines || "").split("\n")) if (line) take(JSON.parse(line));
+    if (taken) this.waiting.shift()();
+  }
+
+  async send(command) {
+    await this.opened;
+    if (!this.worker) return undefined;
+    this.worker.postMessage({ line: JSON.stringify(command) });
+    return new Promise((taken) => this.waiting.push(taken));
+  }
+}
