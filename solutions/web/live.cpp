@@ -23,7 +23,8 @@ const char* written() {
 spook::RunCommand command_of(const spook::Json& asked) {
   spook::RunCommand run;
   run.scene = asked.at("scene").get<std::string>();
-  for (const auto& [name, value] : asked.value("set", spook::Json::object()).items())
+  const spook::Json set = asked.value("set", spook::Json::object());
+  for (const auto& [name, value] : set.items())
     run.retype(name, value.is_string() ? value.get<std::string>() : value.dump());
   return run;
 }

@@ -64,7 +64,7 @@ class Book(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         box = bound(cls)
-        cls.result = box.course("book")
+        cls.result = box.course("book", "--films")
         cls.folder = box.root / "build" / "book"
         cls.pages = {page: Site(page) for page in sorted(cls.folder.rglob("*.html"))}
 
@@ -229,7 +229,7 @@ int main() {}  // comment
         box = bound(cls)
         (box.root / "chapters" / "98_more").mkdir()
         (box.root / "chapters" / "98_more" / "README.md").write_text(cls.PAGE, encoding="utf-8")
-        result = box.course("book")
+        result = box.course("book", "--films")
         if result.returncode:
             raise AssertionError(result.stderr)
         cls.html = (box.root / "build/book/chapters/98_more/index.html").read_text(encoding="utf-8")
@@ -269,7 +269,7 @@ class Refused(unittest.TestCase):
             text += "\n" + piece.replace("@", "") + "\n"
         lesson.write_text(text, encoding="utf-8")
         try:
-            result = self.box.course("book")
+            result = self.box.course("book", "--films")
         finally:
             lesson.write_text(before, encoding="utf-8")
         self.assertEqual((result.returncode, result.stdout), (1, ""), result.stderr)
@@ -301,8 +301,11 @@ class Refused(unittest.TestCase):
                      ("@```math\nx \\tag{1.96} \\tag{1.97}\n```", "2 tags"),
                      ("@```math\nx = y \\tag{1.1}\n```", "equation (1.1) is there twice"))
 
+    def test_a_live_figure_that_can_not_be_read(self):
+        self.refused(("<!-- live: orbit@ -->", "a live figure reads"))
+
     def test_what_was_made_before_stays(self):
-        self.assertEqual(self.box.course("book").returncode, 0)
+        self.assertEqual(self.box.course("book", "--films").returncode, 0)
         self.refused(("[x@](gone.md)", "gone.md"))
         self.assertTrue((self.box.root / "build/book/index.html").exists())
 
@@ -322,7 +325,7 @@ class Views(unittest.TestCase):
             self.skipTest(f"no views: {VIEW_NEEDS[0].package} not installed")
         box = Sandbox(built=True)
         self.addCleanup(box.close)
-        result = box.course("book", "--views", "--out", "site")
+        result = box.course("book", "--films", "--views", "--out", "site")
         self.assertEqual(result.returncode, 0, result.stderr)
         for name in films():
             page = "index.html" if name == "README" else f"chapters/{name}/index.html"
@@ -345,7 +348,7 @@ class Published(unittest.TestCase):
             git("init", "-q", "--bare")
             subprocess.run(["git", "-C", str(box.root), "remote", "add", "host", remote], check=True)
             for where in ("host", remote):  # by name, and by address
-                result = box.course("book", "--out", "site", "--publish", where)
+                result = box.course("book", "--films", "--out", "site", "--publish", where)
                 self.assertEqual(result.returncode, 0, result.stderr)
                 self.assertIn("gh-pages", result.stdout)
                 names = git("ls-tree", "-r", "--name-only", "gh-pages").split()

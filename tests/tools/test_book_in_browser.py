@@ -19,7 +19,7 @@ class InBrowser(unittest.TestCase):
         box = bound(cls)
         cls.browser = Browser()
         cls.addClassCleanup(cls.browser.close)
-        if (result := box.course("book")).returncode:
+        if (result := box.course("book", "--films")).returncode:
             raise AssertionError(result.stderr)
         cls.folder = box.root / "build" / "book"
 

@@ -147,6 +147,7 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     command.set_defaults(more=[])
     command = add("book", "the lessons and all pages as a site, which opens from the file system")
     command.add_argument("--out", metavar="DIR", help="default: build/book")
+    command.add_argument("--films", action="store_true", help="films alone, where emscripten would make live figures")
     command.add_argument("--views", action="store_true", help="with each film as a page of ./course view behind it")
     command.add_argument("--publish", metavar="REMOTE",
                          help="push it to branch gh-pages of this git remote, as its only commit")

@@ -6,9 +6,10 @@ from pathlib import Path
 
 from binding.site import build
 from binding.views import film_pages
+from engine import program_of_pages
 from errors import BadInput, CourseError
 from install import install
-from needs import BOOK_NEEDS
+from needs import BOOK_NEEDS, LIVE_NEEDS, VIEW_NEEDS
 from paths import BUILD, ROOT, shown
 
 _BRANCH = "gh-pages"
@@ -18,7 +19,7 @@ def book(arguments) -> int:
     folder = _target(Path(arguments.out)) if arguments.out else BUILD / "book"
     remote = _remote(arguments.publish) if arguments.publish else ""
     install(BOOK_NEEDS, yes=False)
-    count = build(folder, arguments.views)
+    count = build(folder, arguments.views, None if arguments.films else _engine())
     if arguments.views:
         film_pages(folder)
     print(f"{shown((folder / 'index.html').absolute())}: {count} pages. Open it in a browser.")
@@ -26,6 +27,15 @@ def book(arguments) -> int:
         _push(folder, remote)
         print(f"Published: branch {_BRANCH} of {remote}.")
     return 0
+
+
+def _engine() -> Path | None:
+    """The engine of live figures; None where there is nothing to make it or to draw it with, which is told."""
+    missing = [need.package for need in (*LIVE_NEEDS, *VIEW_NEEDS) if not need.there()]
+    if missing:
+        print(f"Figures are films: to run, they want {' and '.join(missing)} (emscripten is a download of 110 MB).")
+        return None
+    return program_of_pages()
 
 
 def _target(folder: Path) -> Path:

@@ -9,26 +9,29 @@ from string import Template
 from binding.code import highlighted, language_of
 from binding.formulas import files, rendered
 from binding.links import Links, code_page
+from binding.live import ENGINE, PAGE
 from binding.outline import Page, between, pages
 from binding.problems import Problem
 from binding.reading import Draft, read
 from binding.typefaces import typefaces
 from binding.writing import Equations, written
 from errors import CourseError
+from page import engine_file, figure
 from paths import ROOT
 
 BOOK = ROOT / "tools" / "book"
 _ASSETS = Path("assets")
-_STYLES_AND_SCRIPTS = ("book.css", "copying.js", "figures.js", "preview.js", "reading.js", "search.js")
+_STYLES_AND_SCRIPTS = ("book.css", "copying.js", "figures.js", "preview.js", "reading.js", "running.js",
+                       "search.js")
 
 
-def build(folder: Path, views: bool = False) -> int:
+def build(folder: Path, views: bool = False, engine: Path | None = None) -> int:
     """Writes the site into the folder, which holds nothing else; how many pages it has. With `views`, films are links
-    to pages that binding.views makes."""
+    to pages that binding.views makes; with the engine as WebAssembly, figures run in their place."""
     drafts = [read(page) for page in pages()]
     equations = _equations(drafts)
     links = Links(drafts)
-    bodies = [written(draft, links, equations, views) for draft in drafts]
+    bodies = [written(draft, links, equations, views, engine is not None) for draft in drafts]
     _refuse([problem for draft in drafts for problem in draft.problems])
     shutil.rmtree(folder, ignore_errors=True)
     template = Template((BOOK / "page.html").read_text(encoding="utf-8"))
@@ -43,6 +46,9 @@ def build(folder: Path, views: bool = False) -> int:
         _copy(BOOK / name, folder / _ASSETS / name)
     for place, file in files().items():
         _copy(file, folder / place)
+    if engine:
+        _write(folder / PAGE, figure())
+        _write(folder / ENGINE, engine_file(engine))
     _write_typefaces(folder, "".join([*bodies, *(page.title + page.group for page in outline)]))
     _write(folder / _ASSETS / "index.js", _index(drafts))
     (folder / ".nojekyll").touch()  # for hosts that would leave out files whose names begin with _

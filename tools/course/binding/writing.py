@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from binding.code import code_in_text, highlighted
 from binding.formulas import Formula
 from binding.links import Links
+from binding.live import LiveFigure, is_live, live_figure
 from binding.outline import between
 from binding.reading import (REFERENCE, Draft, anchor_of, display_formula, inline_formula, is_display, line_of, parser,
                              with_lines)
@@ -28,17 +29,18 @@ class Equations:
         return self.html[self.home[tag].equations[tag]]
 
 
-def written(draft: Draft, links: Links, equations: Equations, views: bool = False) -> str:
-    return _Writer(draft, links, equations).page(views)
+def written(draft: Draft, links: Links, equations: Equations, views: bool = False, live: bool = False) -> str:
+    return _Writer(draft, links, equations).page(views, live)
 
 
 class _Writer:
     def __init__(self, draft: Draft, links: Links, equations: Equations):
         self._draft, self._links, self._equations = draft, links, equations
         self._pictures = 0
+        self._live: LiveFigure | None = None
         self._from_elsewhere: set[str] = set()  # tags of equations that are shown here, and stand on another page
 
-    def page(self, views: bool) -> str:
+    def page(self, views: bool, live: bool) -> str:
         tokens = self._draft.tokens
         for k, token in enumerate(tokens):
             if token.type == "inline":
@@ -47,6 +49,8 @@ class _Writer:
                 _become(token, self._equation(token))
             elif token.type in ("fence", "code_block"):
                 _become(token, highlighted(token.content, token.info.strip()))
+            elif token.type == "html_block" and is_live(token.content):
+                self._take_live(token)
             elif token.type == "html_block":
                 inside = self._links.in_html(self._draft, token.content, line_of(token))
                 inside = self._references_in_html(inside, line_of(token))
@@ -58,10 +62,21 @@ class _Writer:
             elif token.type == "blockquote_open":
                 _mark_callout(token, tokens[k + 1:k + 3])
         target = self._draft.page.target
-        _set_figures(tokens, between(target, page_of_film(self._draft.page.source)) if views else "")
+        running = self._live if live else None
+        folder = self._draft.page.source.parent.name
+        _set_figures(tokens, between(target, page_of_film(self._draft.page.source)) if views else "",
+                     f' data-live="{running.attribute(folder)}" data-says="{html.escape(running.says())}"'
+                     if running else "")
         body = _renderer().render(tokens, parser().options, {})
         return body + "".join(f'<template id="preview-{tag}">{self._equations.of(tag)}</template>\n'
                               for tag in sorted(self._from_elsewhere))
+
+    def _take_live(self, token) -> None:
+        try:
+            self._live = live_figure(token.content)
+        except ValueError as error:
+            self._draft.wrong(line_of(token), str(error))
+        _become(token, "")
 
     def _inline(self, inline):
         linked, begins = 0, True
@@ -151,15 +166,16 @@ def _mark_callout(quote, following: list) -> None:
         _become(first, f'<strong class="title">{found[1].capitalize()}</strong>', "html_inline")
 
 
-def _set_figures(tokens: list, view: str) -> None:
+def _set_figures(tokens: list, view: str, live: str) -> None:
     """A paragraph that is a picture, and the one below it if it is all emphasised: its caption. A film leads to the
-    view of it, if there is one; another picture to itself, to be seen as large as it is."""
+    view of it, if there is one, and has the attributes of what runs in its place; another picture leads to itself, to
+    be seen as large as it is."""
     for k, token in enumerate(tokens):
         if token.type == "paragraph_open" and _is_picture(tokens[k + 1]):
             address = str(tokens[k + 1].children[0].attrGet("src"))
             film = address.endswith("film.webp")
             link = view if film else address
-            _become(token, f'<figure class="{"film" if film else "picture"}">' + (f'<a href="{link}">' if link else ""))
+            _become(token, f'<figure class="{"film" if film else "picture"}"{live if film else ""}>' + (f'<a href="{link}">' if link else ""))
             _become(tokens[k + 2], f"{'</a>' if link else ''}</figure>\n")
             _set_caption(tokens, k + 2)
         elif token.type == "html_block" and token.content.startswith("<figure>"):

@@ -1,0 +1,134 @@
+"""Live figures in a browser, from the file system: each starts, moves and is quiet; sliders, pauses, damage."""
+
+import json
+import tempfile
+import unittest
+from pathlib import Path
+
+from browser import Browser
+from test_live_engine import built
+from test_live_figures import figures
+
+from binding.live import ENGINE, live_figure
+from binding.site import build
+from needs import BOOK_NEEDS
+
+MOST_RUNNING = 2
+
+
+class Live(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        engine = built()
+        if missing := [need.package for need in BOOK_NEEDS if not need.there()]:
+            raise unittest.SkipTest(f"no book: {', '.join(missing)} not installed")
+        cls.browser = Browser()
+        cls.addClassCleanup(cls.browser.close)
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = Path(folder.name)
+        build(cls.folder, engine=engine)
+
+    def tearDown(self):
+        self.assertEqual(self.browser.messages(), [])
+
+    def lesson(self, name: str) -> Path:
+        return self.folder / "chapters" / name / "index.html"
+
+    def show(self, page: Path) -> None:
+        """Opens a page, and waits until its first figure runs; what is asked then is asked of the figure's frame."""
+        driver = self.browser.driver
+        driver.get(page.as_uri())
+        self.browser.run("document.querySelector('figure[data-live]').scrollIntoView({ block: 'center' })")
+        self.browser.wait("return Boolean(document.querySelector('figure.running'))")
+        driver.switch_to.frame(driver.find_element("css selector", "figure.running > iframe"))
+        self.addCleanup(driver.switch_to.default_content)
+        self.browser.wait("return viewer.draws > 0")
+
+    def ask(self, expression: str):
+        return self.browser.run(f"return {expression}")
+
+    def test_each_lesson_s_figure_starts_and_goes_on(self):
+        for name, line in figures().items():
+            with self.subTest(name):
+                self.show(self.lesson(name))
+                first = self.ask("viewer.time")
+                self.browser.wait(f"return viewer.time > {first}")
+                figure = live_figure(line)
+                self.assertEqual(self.ask("viewer.runs[0].header.scene"), figure.scene)
+                header = self.ask("viewer.runs[0].header")
+                for setting, text in figure.settings.items():
+                    value = (header["parameters"] | header["method"])[setting]
+                    self.assertEqual(value, text if isinstance(value, str) else float(text), setting)
+                self.assertEqual(self.ask("[...document.querySelectorAll('#sliders [name]')].map((node) => node.name)"),
+                                 list(figure.controls))
+                self.assertEqual(self.ask("viewer.graphs.length"), 1)
+                self.assertEqual(self.ask("viewer.notice"), "")
+                self.browser.driver.switch_to.default_content()
+                self.assertIn(figure.says(), self.ask("document.querySelector('.says').textContent"))
+
+    def test_a_slider_changes_the_run(self):
+        self.show(self.lesson("03_single_contact"))
+        before = self.ask("viewer.runs[0].header.parameters.k")
+        self.browser.run("const slider = document.querySelector('#sliders [name=k]'); slider.value = 0.9;"
+                         "slider.dispatchEvent(new Event('input'));")
+        self.browser.wait(f"return viewer.runs[0].header.parameters.k > 2 * {before}")
+        k = self.ask("viewer.runs[0].header.parameters.k")
+        self.browser.wait(f"return Math.abs(viewer.runs[0].frames.at(-1).sample[1] + 9.81 / {k}) < 1e-3 * 9.81 / {k}")
+
+    def test_the_start_begins_again(self):
+        self.show(self.lesson("01_leapfrog"))
+        self.browser.wait("return viewer.time > 0.5")
+        self.browser.driver.find_element("id", "start").click()
+        self.browser.wait("return viewer.time < 0.5 && viewer.time > 0")
+
+    def test_out_of_sight_it_pauses(self):
+        self.show(self.lesson("01_leapfrog"))
+        driver = self.browser.driver
+        driver.switch_to.default_content()
+        self.browser.run("window.scrollTo(0, document.body.scrollHeight)")
+        driver.switch_to.frame(driver.find_element("css selector", "figure.running > iframe"))
+        self.browser.wait("return !viewer.live.running")
+        driver.switch_to.default_content()
+        self.browser.run("document.querySelector('figure.running').scrollIntoView({ block: 'center' })")
+        driver.switch_to.frame(driver.find_element("css selector", "figure.running > iframe"))
+        self.browser.wait("return viewer.live.running")
+
+    def test_no_more_than_two_run(self):
+        """Three of one lesson's, in one view."""
+        page = self.lesson("01_leapfrog")
+        text = page.read_text(encoding="utf-8")
+        begin = text.index('<figure class="film" data-live')
+        figure = text[begin:text.index("</figure>", begin) + len("</figure>")]
+        three = page.with_name("three.html")
+        small = "<style>figure[data-live] > iframe { height: 12rem !important; } img { height: 12rem !important; }</style>"
+        three.write_text(text[:begin] + small + 3 * figure + text[begin + len(figure):], encoding="utf-8")
+        self.show(three)
+        self.browser.driver.switch_to.default_content()
+        self.browser.run("window.scrollTo(0, document.querySelector('figure[data-live]').offsetTop)")
+        self.browser.wait("return document.querySelectorAll('figure.running').length >= 2")
+        driver = self.browser.driver
+        running = 0
+        for frame in driver.find_elements("css selector", "figure.running > iframe"):
+            driver.switch_to.frame(frame)
+            self.browser.wait("return viewer.draws > 0")
+            running += self.ask("viewer.live.running")
+            driver.switch_to.default_content()
+        self.assertEqual(running, MOST_RUNNING)
+
+    def test_a_damaged_engine_leaves_the_film_and_says_so(self):
+        file = self.folder / ENGINE
+        whole = file.read_text(encoding="utf-8")
+        self.addCleanup(file.write_text, whole, encoding="utf-8")
+        for text in ("", "window.spookEngine = { text: 'AAAA', wasm: 'AAAA' };", whole.replace('wasm: "', 'wasm: "AAAA')):
+            with self.subTest(json.dumps(text[:60])):
+                file.write_text(text, encoding="utf-8")
+                self.browser.driver.get(self.lesson("01_leapfrog").as_uri())
+                self.browser.run("document.querySelector('figure[data-live]').scrollIntoView()")
+                self.browser.wait("return Boolean(document.querySelector('.says'))")
+                self.assertIn("Shown is the film", self.ask("document.querySelector('.says').textContent"))
+                self.assertTrue(self.ask("document.querySelector('figure[data-live] img').offsetHeight > 0"))
+
+
+if __name__ == "__main__":
+    unittest.main()
