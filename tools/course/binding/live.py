@@ -44,10 +44,10 @@ class LiveFigure:
 
     def says(self) -> str:
         """The sentence below the figure."""
-        name, _, unit = self.graph.partition(" [")
+        unit = self.graph.partition(" [")[2]
         unit = unit.rstrip("]").replace("-", "")
         value = f"{self.said} {unit}".rstrip().replace("-", "−")
-        return f"Until you turn anything, {name} is {value} after {self.time:g} s."
+        return f"Before you change a setting, the graph shows {value} after {self.time:g} s."
 
 
 def is_live(text: str) -> bool:
