@@ -10,11 +10,13 @@ from pathlib import Path
 
 import numpy as np
 from playing_scene import last, native, played
+from sandbox import ROOT
 
 from engine import program_of_pages
 from needs import LIVE_NEEDS
 
 STEPS = 10
+IN_NODE = ROOT / "tests" / "tools" / "web_engine.js"
 KINDS = ("x", "v", "q", "omega")
 # The two compilers differ in the order of sums and in sin and cos, each by a rounding of 2^-53. Within so few steps a
 # scene may enlarge it by its stiffest ratio: k h²/m is below 1e7 everywhere. Recordings round to 2^-24, which is more.
@@ -37,7 +39,7 @@ class LiveEngine(unittest.TestCase):
     def setUpClass(cls):
         listed = subprocess.run([native(), "scenes", "--json"], capture_output=True, text=True, check=True)
         cls.scenes = [scene["name"] for scene in json.loads(listed.stdout)["scenes"]]
-        done = subprocess.run(["node", Path(__file__).with_name("web_engine.js"), built(), str(STEPS)],
+        done = subprocess.run(["node", IN_NODE, built(), str(STEPS)],
                               input="\n".join(cls.scenes), capture_output=True, text=True, check=True)
         cls.web = {(line := json.loads(text))["scene"]: line["text"] for text in done.stdout.splitlines()}
 
@@ -62,7 +64,7 @@ class LiveEngine(unittest.TestCase):
                 self.assertTrue(math.isclose(energy, right, rel_tol=0, abs_tol=ROUNDING * parts), (energy, right))
 
     def test_what_makes_no_sense_is_refused_as_by_the_native_program(self):
-        script = Path(__file__).with_name("web_engine.js")
+        script = IN_NODE
         done = subprocess.run(["node", script, built(), "1"], input="orbitt\n", capture_output=True, text=True)
         said = [json.loads(line) for line in json.loads(done.stdout)["text"].splitlines()]
         self.assertTrue(all("refused" in line for line in said), said)
