@@ -4,8 +4,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "engine/support/did_you_mean.hpp"
 #include "engine/support/parallel_for.hpp"
+#include "scenes/choose.hpp"
 #include "scenes/number.hpp"
 
 namespace spook {
@@ -19,18 +19,6 @@ static void assign(Parameters& parameters, const std::string& text) {
     throw std::invalid_argument(name + " is not a parameter of a scene: use --" + name + " " +
                                 text.substr(equals + 1));
   parameters.set(name, text.substr(equals + 1));
-}
-
-/// The value that `text` names.
-template <class Value>
-static Value choose(const std::string& option, const std::string& text,
-                    const std::vector<std::pair<std::string, Value>>& choices) {
-  std::vector<std::string> names;
-  for (const auto& [name, value] : choices) {
-    if (name == text) return value;
-    names.push_back(name);
-  }
-  throw std::invalid_argument("unknown " + option + " \"" + text + "\"" + did_you_mean(text, names));
 }
 
 /// How the rows are made and swept.

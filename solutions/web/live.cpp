@@ -13,7 +13,7 @@ std::unique_ptr<spook::Play> play;
 std::ostringstream lines;
 std::string last_text;
 
-/// What was written since the last call.
+/// Returns the lines that were written since the last call.
 const char* written() {
   last_text = lines.str();
   lines.str("");

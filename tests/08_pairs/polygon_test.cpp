@@ -359,7 +359,7 @@ std::vector<Eigen::Vector2d> random_places(Random& random, int count) {
   return places;
 }
 
-/// Whether four are kept, the deepest among them, and the mean is within; without a failure.
+/// Returns whether four are kept, the deepest among them, and the mean is inside; reports no failure.
 bool is_sound(const std::vector<Contact>& contacts) {
   const std::vector<Contact> kept = well_spread(contacts);
   if (kept.size() != 4) return false;

@@ -216,7 +216,7 @@ enum class Start {
   friction_left_on_ice
 };
 
-/// What two passes are, step by step. Returns how many sweeps the first one took.
+/// Makes the two passes step by step, and returns the number of sweeps of the first.
 template <int Dof>
 std::size_t by_hand(System<Dof>& s, const StopRule& stop, std::vector<double>* history = nullptr,
                     Start start = Start::right) {

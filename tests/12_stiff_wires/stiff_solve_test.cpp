@@ -33,7 +33,7 @@ Answer solved(Springs& s) {
   return answer;
 }
 
-/// What the push of a spring is made of: the velocities of both ends, or, by mistake, that of one of them.
+/// Velocities that a spring's push is computed from: those of both ends, or by mistake that of one end.
 enum class Push { of_both, of_its_own_end, of_the_other_end, on_i_only };
 
 /// By dense algebra, with so many times h²K in M̃, and K acting on these velocities.

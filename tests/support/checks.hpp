@@ -55,7 +55,7 @@ std::string explain(const Value& got, std::initializer_list<Clue<Value>> clues, 
 /// What is asked about a number that is right to the digits of a float or more, but not to those of a double; else empty.
 std::string digits_clue(double error, double size, const Tolerance& tolerance);
 
-/// What is asked where the answer is NaN; else empty.
+/// Returns the question to a student whose answer is NaN; empty where it is not.
 std::string nan_clue(bool is_nan);
 
 std::string show(double value, int digits = 10);

@@ -82,6 +82,12 @@ class Live(unittest.TestCase):
         self.browser.driver.find_element("id", "start").click()
         self.browser.wait("return viewer.time < 0.5 && viewer.time > 0")
 
+    def test_it_begins_again_when_its_bodies_have_left_the_view(self):
+        self.show(self.lesson("05_friction_box"))  # the sphere rolls on for ever
+        self.browser.wait("return viewer.time > 1.5")
+        self.browser.wait("return viewer.time < 1.5")
+        self.assertEqual(self.ask("viewer.runs[0].frames.at(-1).state || 'sound'"), "sound")
+
     def test_out_of_sight_it_pauses(self):
         self.show(self.lesson("01_leapfrog"))
         driver = self.browser.driver

@@ -227,6 +227,10 @@ class Worlds(WithModule):
         world.step(1)
         np.testing.assert_array_equal(world.v, [[0, 0, 0], [0, 2, 0]])
 
+    def test_a_word_of_a_setting_that_is_not_known_is_named(self):
+        self.refused('unknown tangents "slidin"; did you mean "sliding"?', lambda: spook.World(tangents="slidin"))
+        self.refused('unknown rotation "first order"; did you mean "first_order"?', lambda: spook.World(rotation="first order"))
+
     def test_joints_are_arrays(self):
         world = spook.World()
         nail = world.add_fixed((0, 0, 0))

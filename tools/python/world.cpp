@@ -2,10 +2,9 @@
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
-#include "engine/diagnostics/conserved_quantities.hpp"
-#include "engine/support/did_you_mean.hpp"
-#include "module.hpp"
-#include "python_world.hpp"
+#include "arrays.hpp"
+#include "binding.hpp"
+#include "scenes/choose.hpp"
 #include "scenes/method.hpp"
 
 namespace spook {
@@ -15,23 +14,15 @@ namespace {
 using namespace py::literals;
 using MaybeVec3 = std::optional<Vec3>;
 
-/// One of two names. Throws std::invalid_argument for another.
-bool is_second(const char* parameter, const std::string& name, const char* first, const char* second) {
-  if (name == first || name == second) return name == second;
-  throw std::invalid_argument(std::string(parameter) + " must be \"" + first + "\" or \"" + second +
-                              "\", but is \"" + name + "\"");
-}
-
 template <int Dof>
 RotationRule<Dof> rotation_rule(const std::string& name) {
-  if constexpr (Dof == 6) {
-    if (name == "exponential") return {.update = RotationUpdate::exponential};
-    if (name == "first_order") return {.update = RotationUpdate::first_order};
-    if (name != "splitting")
-      throw std::invalid_argument(
-          "rotation must be \"splitting\", \"exponential\" or \"first_order\", but is \"" + name + "\"");
-  }
-  return {};
+  if constexpr (Dof == 6)
+    return {.update = choose<RotationUpdate>("rotation", name,
+                                             {{"splitting", RotationUpdate::splitting},
+                                              {"first_order", RotationUpdate::first_order},
+                                              {"exponential", RotationUpdate::exponential}})};
+  else
+    return {};
 }
 
 template <int Dof>
@@ -45,19 +36,20 @@ PythonWorld<Dof> make(const Vec3& gravity, std::optional<double> k, std::optiona
     throw std::invalid_argument("iterations must be at least 1, but is " + std::to_string(iterations));
   Method method{.h = 1, .solver = solver};
   if (model) method.friction_model = find_friction_model(*model);
-  Settings<Dof> settings{.gravity = gravity,
-                         .k = k,
-                         .d = d,
-                         .friction = friction,
-                         .viscosity = viscosity,
-                         .sliding_tangents = is_second("tangents", tangents, "fixed", "sliding"),
-                         .solver = make_solver<Dof>(method),
-                         .warm_start = warm_start,
-                         .contact_margin = contact_margin,
-                         .rotation = rotation_rule<Dof>(rotation),
-                         .integrator_order = integrator_order,
-                         .threads = threads,
-                         .solver_limits = {.max_sweeps = iterations, .tolerance = tolerance}};
+  Settings<Dof> settings{
+      .gravity = gravity,
+      .k = k,
+      .d = d,
+      .friction = friction,
+      .viscosity = viscosity,
+      .sliding_tangents = choose<bool>("tangents", tangents, {{"fixed", false}, {"sliding", true}}),
+      .solver = make_solver<Dof>(method),
+      .warm_start = warm_start,
+      .contact_margin = contact_margin,
+      .rotation = rotation_rule<Dof>(rotation),
+      .integrator_order = integrator_order,
+      .threads = threads,
+      .solver_limits = {.max_sweeps = iterations, .tolerance = tolerance}};
   if (restitution)
     settings.impacts = ImpactLaw{.restitution = *restitution, .friction = friction, .threshold = threshold};
   return {World<Dof>(std::move(settings)), check};
@@ -94,79 +86,6 @@ int add_rigid(PythonWorld<6>& self, const Vec3& x, const Vec3& v, double mass, d
                                     .corners = corners});
 }
 
-py::array_t<double> orientations(const PythonWorld<6>& self) {
-  const std::vector<Quat>& q = self.world().bodies().orientations.q;
-  py::array_t<double> copy({static_cast<py::ssize_t>(q.size()), py::ssize_t{4}});
-  auto to = copy.mutable_unchecked<2>();
-  for (py::ssize_t i = 0; i < to.shape(0); ++i) {
-    const Quat& from = q[static_cast<std::size_t>(i)];
-    to(i, 0) = from.w();
-    for (py::ssize_t axis = 0; axis < 3; ++axis) to(i, axis + 1) = from.vec()[axis];
-  }
-  return copy;
-}
-
-/// The contacts of the last step, an array of each of their numbers.
-template <int Dof>
-py::dict contacts(const PythonWorld<Dof>& self) {
-  const World<Dof>& world = self.world();
-  const auto n = static_cast<Eigen::Index>(world.contacts().size());
-  Eigen::VectorXi i(n), j(n);
-  Eigen::VectorXd gap(n), normal_impulse(n);
-  Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> point(n, 3), normal(n, 3), impulse(n, 3),
-      force(n, 3);
-  for (int c = 0; c < n; ++c) {
-    const Contact& contact = world.contacts()[static_cast<std::size_t>(c)];
-    i[c] = contact.i;
-    j[c] = contact.j;
-    gap[c] = contact.gap;
-    point.row(c) = world.x(contact.i) + contact.r_i;
-    normal.row(c) = contact.n;
-    normal_impulse[c] = world.lambda(c);
-    impulse.row(c) = world.impulse(c);
-    force.row(c) = world.contact_force(c);
-  }
-  return py::dict("i"_a = i, "j"_a = j, "gap"_a = gap, "point"_a = point, "normal"_a = normal,
-                  "normal_impulse"_a = normal_impulse, "impulse"_a = impulse, "force"_a = force);
-}
-
-/// The joints, an array of each of their numbers.
-template <int Dof>
-py::dict joints(const PythonWorld<Dof>& self) {
-  const World<Dof>& world = self.world();
-  const auto n = static_cast<Eigen::Index>(world.joints().size());
-  py::list kind;
-  Eigen::VectorXi i(n), j(n);
-  Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> force(n, 3), torque(n, 3);
-  for (int c = 0; c < n; ++c) {
-    const Joint& joint = world.joints()[static_cast<std::size_t>(c)];
-    kind.append(joint.length ? "distance" : joint.is_guided() ? name_of(joint.kind) : "ball");
-    i[c] = joint.i;
-    j[c] = joint.j;
-    force.row(c) = world.joint_force(c);
-    if constexpr (Dof == 6) torque.row(c) = world.joint_torque(c);
-  }
-  py::dict all("kind"_a = kind, "i"_a = i, "j"_a = j, "force"_a = force);
-  if constexpr (Dof == 6) all["torque"] = torque;
-  return all;
-}
-
-template <int Dof>
-py::dict energy(const PythonWorld<Dof>& self) {
-  const World<Dof>& world = self.world();
-  return py::dict("kinetic"_a = kinetic_energy(world.bodies()),
-                  "potential"_a = potential_energy(world.bodies(), world.settings().gravity));
-}
-
-/// Infinite for a static body.
-template <int Dof>
-Eigen::VectorXd masses(const PythonWorld<Dof>& self) {
-  const auto& inverse = self.world().bodies().motion.inverse_mass;
-  Eigen::VectorXd all(static_cast<Eigen::Index>(inverse.size()));
-  for (Eigen::Index i = 0; i < all.size(); ++i) all[i] = 1 / inverse[static_cast<std::size_t>(i)].linear;
-  return all;
-}
-
 template <int Dof>
 void set_material(PythonWorld<Dof>& self, int body, std::optional<int> other, std::optional<double> friction,
                   std::optional<double> restitution, std::optional<double> k, std::optional<double> d) {
@@ -188,14 +107,6 @@ int add_static(PythonWorld<6>& self, const Vec3& x, double radius, const std::ar
   if (half_length != 0)
     return world.add_fixed(x, Capsule{.radius = radius, .half_length = half_length}, turned);
   return world.add_fixed_box(x, half_sides, turned);
-}
-
-template <int Dof>
-py::dict report(const PythonWorld<Dof>& self) {
-  const StepReport last = self.world().report();
-  return py::dict("pairs"_a = last.pairs, "contacts"_a = last.contacts, "impacts"_a = last.impacts,
-                  "rows"_a = last.rows, "iterations"_a = last.iterations, "residual"_a = last.residual,
-                  "trouble"_a = last.trouble);
 }
 
 template <int Dof>
@@ -228,52 +139,6 @@ int add_guided(PythonWorld<6>& self, JointKind kind, int i, int j, const Vec3& p
                                  .limits = pair_as<JointLimits>(limits),
                                  .motor = pair_as<Motor>(motor)});
 }
-
-/// Binds a class whose members have the docstrings of _spook.pyi.
-template <int Dof>
-class Binding {
- public:
-  using Self = PythonWorld<Dof>;
-
-  Binding(py::module_& module, const char* name) : name_(name), type_(module, name, docstring(name)) {}
-
-  py::class_<Self>& type() { return type_; }
-
-  template <class Function, class... Extra>
-  Binding& def(const std::string& member, const Function& function, const Extra&... extra) {
-    type_.def(member.c_str(), function, documentation(member), extra...);
-    return *this;
-  }
-  /// A function of the engine's world, that changes nothing.
-  template <class Function, class... Extra>
-  Binding& ask(const std::string& member, const Function& function, const Extra&... extra) {
-    return def(
-        member, [function](const Self& self, int n) { return function(self.world(), n); }, extra...);
-  }
-  template <class Function>
-  Binding& property(const char* member, const Function& function) {
-    type_.def_property_readonly(member, function, documentation(member));
-    return *this;
-  }
-  /// An array that looks at numbers of the engine.
-  template <class Show>
-  Binding& view(const char* member, const Show& show) {
-    return property(member, [show](const py::object& object) { return show(object, object.cast<Self&>()); });
-  }
-
-  /// Returns the text of a member, its own or that of both worlds.
-  const char* documentation(const std::string& member) const {
-    try {
-      return docstring(name_ + "." + member);
-    } catch (const std::logic_error&) {
-      return docstring("_EitherWorld." + member);
-    }
-  }
-
- private:
-  std::string name_;
-  py::class_<Self> type_;
-};
 
 void bind_guided(Binding<6>& type) {
   using Self = PythonWorld<6>;
@@ -308,15 +173,6 @@ void bind_guided(Binding<6>& type) {
       .ask("joint_torque", std::mem_fn(&World<6>::joint_torque), "joint"_a)
       .ask("motor_force", std::mem_fn(&World<6>::motor_force), "joint"_a)
       .ask("limit_force", std::mem_fn(&World<6>::limit_force), "joint"_a);
-}
-
-template <int Dof>
-Eigen::VectorXd joint_impulse(const PythonWorld<Dof>& self, int joint) {
-  const auto& joints = self.world().joints();
-  const bool known = joint >= 0 && joint < static_cast<int>(joints.size());
-  Eigen::VectorXd lambda(known ? joints[static_cast<std::size_t>(joint)].rows() : 1);
-  for (int row = 0; row < lambda.size(); ++row) lambda[row] = self.world().joint_lambda(joint, row);
-  return lambda;
 }
 
 PythonWorld<3> make_points(const Vec3& gravity, std::optional<double> k, std::optional<double> d,

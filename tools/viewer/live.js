@@ -95,12 +95,15 @@ class Live {
     if (now - (this.refreshed || 0) < GRAPHS_EVERY) return;
     this.refreshed = now;
     for (const graph of viewer.graphs) graph.prepare();
-    if (!viewer.picture.camera.untouched() || lastOf(this.run.frames).touched) return;
-    const box = boundsOf([this.run]);
-    if (box.size > GROWN * viewer.picture.box.size && box.size < FARTHEST * this.firstSize) {
+    const last = lastOf(this.run.frames);
+    if (!viewer.picture.camera.untouched() || last.touched) return;
+    const box = boundsOf([this.run]), left = box.size >= FARTHEST * this.firstSize;
+    if (box.size > GROWN * viewer.picture.box.size && !left) {
       viewer.picture.show([this.run]);
       viewer.legend.show(viewer.picture);
     }
+    // A figure has no button that brings the bodies back into view. One that is lost says so, and stays as it is.
+    if (left && this.figure && last.state !== "lost") this.send({ restart: true });
   }
 
   makeSliders(controls) {

@@ -9,7 +9,7 @@
 
 namespace spook::peers {
 
-/// What an engine that cannot go on throws, instead of ending the program.
+/// Exception of an engine that cannot go on; the other engines still run.
 struct Lost {};
 
 class Engine {

@@ -95,7 +95,7 @@ class Attempts {
   double tolerance_;  // [m/s]
   int most_;
   std::vector<double> start_;
-  bool tried_within_ = false;
+  bool tried_within_ = false;  // before that, what is left says only that the factorisations ran out
   SolveReport report_;
 };
 
