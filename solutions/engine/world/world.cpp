@@ -6,6 +6,7 @@
 
 #include "common/require.hpp"
 #include "engine/impacts/impacts.hpp"
+#include "engine/solvers/recovery.hpp"
 
 namespace spook {
 
@@ -28,6 +29,7 @@ void World<Dof>::step(double h) {
     clock_.run(Stage::rows, [&] { build_rows(h); });
   }
   if (!rows_.empty()) clock_.run(Stage::solve, [&] { solve_rows(h); });
+  if (!rows_.empty() && !settings_.k) clock_.run(Stage::solve, [&] { take_out_recovery(h); });
   clock_.run(Stage::integrate, [&] { integrate(h); });
 }
 
@@ -231,6 +233,36 @@ StopRule World<Dof>::stop_rule(double h) const {
   return stop;
 }
 
+/// What opens by less than a hundredth of |gravity| h falls back in the next step.
+template <int Dof>
+void World<Dof>::take_out_recovery(double h) {
+  const double size = std::isfinite(shapes_.smallest) ? shapes_.smallest : 0;
+  const double ignored = 1e-2 * settings_.gravity.norm() * h + 1e-9 * size / h;
+  std::function<bool(const Contact&)> may_throw = nullptr;
+  if (materials_.any())
+    may_throw = [&](const Contact& c) { return materials_.of(c.i, c.j).k < materials_.stiffness(); };
+  std::vector<Row<Dof>> rows = rows_without_recovery(solver_input(h, {}), ignored, may_throw);
+  if (rows.empty()) return;
+  WarmStartCache first;
+  first.remember(rows, first_contact_row_, contacts_, h, settings_.threads);
+  std::vector<Twist<Dof>> V = V_;
+  const SolverResult solved = settings_.solver.solve({.rows = rows,
+                                                      .V = V,
+                                                      .rubbing = rubbing_,
+                                                      .joints = joints_,
+                                                      .contacts = contacts_,
+                                                      .first_contact_row = first_contact_row_,
+                                                      .bodies = bodies_,
+                                                      .last = first,
+                                                      .gravity = settings_.gravity,
+                                                      .h = h,
+                                                      .stop = stop_rule(h),
+                                                      .threads = settings_.threads});
+  row_updates_ += solved.updates(rows.size());
+  recovered_.resize(V.size());
+  for (std::size_t i = 0; i < V.size(); ++i) recovered_[i] = V[i] - V_[i];
+}
+
 template <int Dof>
 void World<Dof>::integrate(double h) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -245,11 +277,30 @@ void World<Dof>::integrate(double h) {
       Vec3 omega = W.template tail<3>();
       omega += turned_by_torques(i, omega, h);
       if (!rows_.empty()) omega += V_[i].template tail<3>();
-      rotate(settings_.rotation, bodies_.orientations, i, omega, h);
-      W.template tail<3>() = omega;
+      W.template tail<3>() = turned(i, omega, h);
     }
+    if (!recovered_.empty()) W.template head<3>() += recovered_[i].template head<3>();
   }
+  recovered_.clear();
   end_step(h);
+}
+
+/// Turns a body by ω; returns its ω afterwards. What recovers turns as it would without that, in the body's own axes: its
+/// energy stays.
+template <int Dof>
+Vec3 World<Dof>::turned(std::size_t i, Vec3 omega, double h) requires(Dof == 6) {
+  Quat& q = bodies_.orientations.q[i];
+  if (recovered_.empty() || recovered_[i].template tail<3>().isZero(0)) {
+    rotate(settings_.rotation, bodies_.orientations, i, omega, h);
+    return omega;
+  }
+  const Quat before = q;
+  Vec3 kept = omega + recovered_[i].template tail<3>();
+  rotate(settings_.rotation, bodies_.orientations, i, kept, h);
+  const Vec3 in_body = q.conjugate() * kept;
+  q = before;
+  rotate(settings_.rotation, bodies_.orientations, i, omega, h);
+  return q * in_body;
 }
 
 template <int Dof>

@@ -254,7 +254,9 @@ class World {
   SolverInput<Dof> solver_input(double h, const StopRule& stop);
   void warm_start_rows(double h);
   StopRule stop_rule(double h) const;
+  void take_out_recovery(double h);
   void integrate(double h);
+  Vec3 turned(std::size_t i, Vec3 omega, double h) requires(Dof == 6);
   void end_step(double h);
   void step_composed(double h);
   void kick_all(double h, double time);
@@ -292,6 +294,7 @@ class World {
   std::size_t first_contact_row_ = 0;
   std::vector<FrictionContact> rubbing_;  // where friction follows what presses
   std::vector<Twist<Dof>> V_;             // what the rows add to each velocity
+  std::vector<Twist<Dof>> recovered_;     // what is taken out of each velocity again, Eq. (7.17)
   WarmStartCache start_;                  // for the rows of the next step
   SolveReport solved_;
   StepTimer clock_;
