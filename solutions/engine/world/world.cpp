@@ -243,6 +243,8 @@ void World<Dof>::take_out_recovery(double h) {
     may_throw = [&](const Contact& c) { return materials_.of(c.i, c.j).k < materials_.stiffness(); };
   std::vector<Row<Dof>> rows = rows_without_recovery(solver_input(h, {}), ignored, may_throw);
   if (rows.empty()) return;
+  StopRule stop = stop_rule(h);
+  stop.tolerance = std::max(stop.tolerance, 0.1 * ignored);
   WarmStartCache first;
   first.remember(rows, first_contact_row_, contacts_, h, settings_.threads);
   std::vector<Twist<Dof>> V = V_;
@@ -256,7 +258,7 @@ void World<Dof>::take_out_recovery(double h) {
                                                       .last = first,
                                                       .gravity = settings_.gravity,
                                                       .h = h,
-                                                      .stop = stop_rule(h),
+                                                      .stop = stop,
                                                       .threads = settings_.threads});
   row_updates_ += solved.updates(rows.size());
   recovered_.resize(V.size());

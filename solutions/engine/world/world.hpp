@@ -6,7 +6,7 @@
 //   contacts    at x_n, where gap <= margin                                        Eq. (3.1), (8.1)-(8.10)
 //   impacts     of what approaches fast: W changes at once                         Eq. (7.1)-(7.10)
 //   rows        S λ = B, with W = v_{n-1/2} and the forces at x_n                  Eq. (3.7), (4.4)
-//   solve       λ and V = M⁻¹ Gᵀ λ                                                 Eq. (4.6), (4.7)
+//   solve       λ and V = M⁻¹ Gᵀ λ; once more where overlaps would leave a speed   Eq. (4.6), (4.7), (7.17)
 //   integrate   W += h M⁻¹ f + V, then x += h v and q turns by h ω                 Eq. (1.3), (1.4), (2.4)-(2.11)
 //
 // Each stage calls the functions of the chapters. One for which a scene has nothing does not run: no shapes, no search;
@@ -43,8 +43,9 @@ struct Settings {
   Vec3 gravity = Vec3(0, 0, -9.81);  ///< [m/s²]
   ForceField force = nullptr;        ///< on each body, beside its weight [N]. Default: none
   Wrench<Dof> wrench = nullptr;      ///< more forces, and torques [N, N m]. Default: none
-  /// Stiffness of contacts and joints [N/m]. Default: all forces of a step together compress one contact by a ten-thousandth
-  /// of the smallest size, and joints are nearly rigid, engine/constraints/default_stiffness.hpp.
+  /// Stiffness of contacts and joints [N/m]. If k is set, contacts are springs, and an overlap may throw its bodies. Default:
+  /// all forces of a step together compress one contact by a ten-thousandth of the smallest size, and joints are nearly
+  /// rigid, engine/constraints/default_stiffness.hpp; an overlap leaves no speed, engine/solvers/recovery.hpp.
   std::optional<double> k = {};
   /// Relaxation of contacts and joints [steps]: a larger d dissipates more energy, see chapter 06. Default: 3 for contacts,
   /// which settle, and 1/4 for joints, which swing.
