@@ -77,6 +77,7 @@ class RunCheck {
   double given_ = 0;                // by forces since then, and by springs that were tight [J]
   double most_ = 0;                 // the largest kinetic energy so far [J]
   std::vector<Twist<Dof>> before_;  // velocities at the last look
+  std::vector<Vec3> x_before_;      // positions, where there are joints
   std::vector<double> sizes_;       // of bodies [m]
 };
 

@@ -14,9 +14,22 @@ template <int Dof>
 void World<Dof>::step(double h) {
   require_positive("h", h);
   require_directions(h);
-  if (settings_.integrator_order == 4) return step_composed(h);
-  solved_ = {.history = {}, .converged = true};
+  ++steps_;
   impacts_ = 0;
+  work_of_motors_ = 0;
+  if (settings_.integrator_order == 4) return step_composed(h);
+  divide_steps(h);
+  SolveReport unsolved{.history = {}, .converged = true};
+  for (int part = 0; part < parts_; ++part) {
+    step_part(h / parts_);
+    if (!solved_.converged) unsolved = solved_;
+  }
+  if (!unsolved.converged) solved_ = std::move(unsolved);
+}
+
+template <int Dof>
+void World<Dof>::step_part(double h) {
+  solved_ = {.history = {}, .converged = true};
   if (shapes_.may_touch()) clock_.run(Stage::contacts, [&] { find_contacts(h); });
   clock_.run(Stage::forces, [&] { evaluate_forces(h); });
   if (h_ > 0 && h != h_) shift_to_step(h);
@@ -30,7 +43,33 @@ void World<Dof>::step(double h) {
   }
   if (!rows_.empty()) clock_.run(Stage::solve, [&] { solve_rows(h); });
   if (!rows_.empty() && !settings_.k) clock_.run(Stage::solve, [&] { take_out_recovery(h); });
+  if constexpr (Dof == 6) add_work_of_motors();
   clock_.run(Stage::integrate, [&] { integrate(h); });
+}
+
+/// The forces of joints before a first step: those of a step that is not taken.
+template <int Dof>
+void World<Dof>::find_joint_forces(double h) {
+  evaluate_forces(h);
+  build_rows(h);
+  solve_rows(h);
+  h_ = h;
+}
+
+/// Divides more as soon as joints need it, and less after a hundred steps that needed no more than half.
+template <int Dof>
+void World<Dof>::divide_steps(double h) {
+  if (joints_.empty() || settings_.k || settings_.max_parts == 1) return;
+  if (rows_.empty()) find_joint_forces(h);
+  const auto force_of = [&](int joint) { return joint_force(joint).norm(); };
+  const double needed = std::min<double>(parts_needed(joints_, bodies_, h, force_of), settings_.max_parts);
+  int parts = 1;  // powers of two: other numbers would change the step more often
+  while (parts < needed) parts *= 2;
+  calm_steps_ = parts < parts_ ? calm_steps_ + 1 : 0;
+  if (parts > parts_) parts_ = parts;
+  if (calm_steps_ < 100) return;
+  parts_ /= 2;
+  calm_steps_ = 0;
 }
 
 template <int Dof>
@@ -130,8 +169,9 @@ void World<Dof>::resolve_impacts(double h) {
     return of_pair;
   };
   const std::vector<Vec3> before = bodies_.x;
-  impacts_ = resolve_late_impacts(contacts_, law_of, h, shapes_, bodies_);
-  if (impacts_ > 0) {
+  const int hits = resolve_late_impacts(contacts_, law_of, h, shapes_, bodies_);
+  impacts_ += hits;
+  if (hits > 0) {
     std::vector<bool> moved(before.size());
     for (std::size_t i = 0; i < moved.size(); ++i) moved[i] = bodies_.x[i] != before[i];
     pairs_ = finder_.find_moved(moved, shapes_, bodies_, margin(h), contacts_, settings_.threads);
@@ -307,7 +347,6 @@ Vec3 World<Dof>::turned(std::size_t i, Vec3 omega, double h) requires(Dof == 6) 
 
 template <int Dof>
 void World<Dof>::end_step(double h) {
-  ++steps_;
   time_ += h;
   h_ = h;
   require_finite_bodies();

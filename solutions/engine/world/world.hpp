@@ -23,6 +23,7 @@
 #include "engine/constraints/contact_rows.hpp"
 #include "engine/constraints/default_stiffness.hpp"
 #include "engine/constraints/joint_rows.hpp"
+#include "engine/constraints/step_parts.hpp"
 #include "engine/constraints/warm_start_cache.hpp"
 #include "engine/integration/rattle.hpp"
 #include "engine/integration/rotation.hpp"
@@ -70,6 +71,9 @@ struct Settings {
   /// Order of the integrator: 2, leapfrog, or 4, composed of five leapfrogs, engine/integration/rattle.hpp. With 4
   /// velocities are at the time of the positions, joints are rigid, and the solver is not used.
   int integrator_order = 2;
+  /// Largest number of parts of a step. Steps are divided where bodies on joints turn by too much in one, or a load is heavy
+  /// for a joint, engine/constraints/step_parts.hpp; not those of a world or joint with a given k. Default: 32; 1: never.
+  int max_parts = 32;
   int threads =
       1;  ///< worker threads for contact search, rows, sweeps; the result does not depend on their number
   /// When the solver stops. It stops at the latest when a sweep changes less than four roundings of |gravity| h.
@@ -187,7 +191,10 @@ class World {
   Vec3 v(int body) const { return bodies_.motion.W[index(body)].template head<3>(); }  ///< [m/s]
 
   /// How far velocities are behind positions [s]: half a step of `h`, and not at all where steps are composed.
-  double velocity_lag(double h) const { return settings_.integrator_order == 4 ? 0 : h / 2; }
+  double velocity_lag(double h) const { return settings_.integrator_order == 4 ? 0 : h / parts_ / 2; }
+
+  /// Parts of the last step: engine/constraints/step_parts.hpp. Contacts, rows, forces and impulses are those of its last part.
+  int parts() const { return parts_; }
 
   /// The velocity at the time of the position, from one that is half a step of `h` behind [m/s].
   Vec3 synchronized_velocity(int body, double h) const;
@@ -214,6 +221,9 @@ class World {
   /// before, and for what is not there.
   double motor_force(int joint) const requires(Dof == 6);
   double limit_force(int joint) const requires(Dof == 6);
+
+  /// The work of all motors in the last step [J].
+  double work_of_motors() const { return work_of_motors_; }
 
   /// Beside its force, the torque of a joint on body j in the last step [N m]: about the point where the force acts.
   Vec3 joint_torque(int joint) const requires(Dof == 6);
@@ -242,6 +252,9 @@ class World {
   const StageTimes& stage_times() const { return clock_.times(); }
 
  private:
+  void step_part(double h);
+  void divide_steps(double h);
+  void find_joint_forces(double h);
   void find_contacts(double h);
   double margin(double h) const;
   void evaluate_forces(double h);
@@ -256,6 +269,7 @@ class World {
   void warm_start_rows(double h);
   StopRule stop_rule(double h) const;
   void take_out_recovery(double h);
+  void add_work_of_motors();
   void integrate(double h);
   Vec3 turned(std::size_t i, Vec3 omega, double h) requires(Dof == 6);
   void end_step(double h);
@@ -301,8 +315,10 @@ class World {
   StepTimer clock_;
   std::int64_t steps_ = 0;
   double time_ = 0;
-  double largest_load_ = 0;  // sum of the forces on all dynamic bodies [N]
-  double h_ = 0;             // of the last step [s]
+  double largest_load_ = 0;    // sum of the forces on all dynamic bodies [N]
+  double h_ = 0;               // of the last step [s]
+  double work_of_motors_ = 0;  // in the last step [J]
+  int parts_ = 1, calm_steps_ = 0;
   int pairs_ = 0;
   int impacts_ = 0;
   bool half_step_back_ = false;
