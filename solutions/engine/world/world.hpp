@@ -12,6 +12,8 @@
 // Each stage calls the functions of the chapters. One for which a scene has nothing does not run: no shapes, no search;
 // no restitution, no impacts; no friction, one row a contact; no rows, no solve; point masses, nothing that turns.
 //
+// A step is divided into parts where joints need it: engine/constraints/step_parts.hpp.
+//
 // Where forces and joints are all there is, a step can be composed of five to be of order four: engine/integration/rattle.hpp.
 #include <cstdint>
 #include <optional>
