@@ -3,6 +3,7 @@
 import ast
 import contextlib
 import copy
+import csv
 import gc
 import importlib
 import inspect
@@ -18,6 +19,7 @@ import threading
 import unittest
 import warnings
 import zipfile
+from fractions import Fraction
 from pathlib import Path
 from unittest import mock
 
@@ -456,6 +458,38 @@ class Sweeps(WithModule):
                          solver=["direct", "dirct"])
             self.refused("jobs must be at least 1, but is 0", spook.sweep, spook.scene("stack"), jobs=0)
         run.assert_not_called()
+
+    def test_combinations_that_are_refused_are_skipped(self):
+        table = spook.sweep(spook.scene("stack"), solver=["direct", "gauss_seidel"], row_order=["given", "random"], time=0.1)
+        self.assertEqual(len(table), 3)
+        (skipped,) = table.skipped
+        self.assertEqual((skipped["solver"], skipped["row_order"]), ("direct", "random"))
+        self.assertIn("an order of rows is for sweeps", skipped["why"])
+
+    def test_a_parameter_goes_before_an_option_and_seeds_have_a_mean(self):
+        table = spook.sweep(spook.scene("pile", bodies=5), seed=[1, 2, 3], time=0.1)
+        for row in table:
+            alone = spook.scene("pile", bodies=5, seed=row["seed"]).run(time=0.1)
+            self.assertEqual((row["error"], row["row_updates"]), (alone.error, alone.row_updates))
+        (mean,) = table.means().rows
+        self.assertEqual(mean["runs"], 3)
+        self.assertAlmostEqual(mean["mean"], table["error"].mean(), delta=1e-12 * abs(table["error"]).max())
+        with self.assertRaisesRegex(KeyError, "'h' is not swept"):
+            table.means("h")
+
+    def test_rows_are_found_by_what_was_typed(self):
+        table = spook.sweep(spook.scene("orbit"), h=["1/60", "1/120"], time=1)
+        for typed in ("1/60", 1 / 60, Fraction(1, 60)):
+            self.assertEqual([row["h"] for row in table.where(h=typed)], [1 / 60])
+        with self.assertRaisesRegex(KeyError, "'hh' is no column"):
+            table.where(hh=1)
+
+    def test_a_table_is_written_as_csv(self):
+        table = spook.sweep(spook.scene("orbit"), h=["1/60", "1/120"], time=1)
+        with tempfile.TemporaryDirectory() as folder:
+            table.to_csv(Path(folder, "t.csv"))
+            rows = list(csv.DictReader(Path(folder, "t.csv").read_text(encoding="utf-8").splitlines()))
+        self.assertEqual([float(row["error"]) for row in rows], list(table["error"]))
 
     def test_a_run_that_blows_up_has_a_row_that_says_so(self):
         with mock.patch("spook._spook.run", side_effect=spook.SimulationDiverged("blew up in step 1")):

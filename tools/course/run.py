@@ -8,7 +8,7 @@ import tempfile
 from pathlib import Path
 
 import crash
-from engine import program
+from engine import parameters_of, program
 from errors import CourseError
 from extras import HELP, taken
 from manifest import Exercise
@@ -29,7 +29,8 @@ def run(arguments: list[str]) -> int:
     if not (extras.mine or extras.plot or extras.sweep):
         return _become(["run", *words])
     mine = begun() if extras.mine else []
-    several = Runs(words, extras, lambda words, call=None: _started(["run", *words], mine, call))
+    several = Runs(words, extras, lambda words, call=None: _started(["run", *words], mine, call),
+                   parameters_of)
     code = several.all() if extras.plot or extras.sweep else _started(["run", *words], mine)
     if code == 0 and extras.mine:  # an error stands alone
         print(fold(f"{told(mine)} {_CHECKS}") if mine else
