@@ -301,6 +301,10 @@ class Runs(unittest.TestCase):
         rows = list(csv.DictReader(io.StringIO((self.box.root / "sweep.csv").read_text())))
         self.assertEqual([(row["bodies"], row["seed"], float(row["error"])) for row in rows],
                          [(run["point"]["bodies"], run["point"]["seed"], run["error"]["value"]) for run in told["runs"]])
+        manifest = json.loads((self.box.root / "sweep.csv.manifest.json").read_text())
+        self.assertEqual(manifest["command"], ["./course", "run", *call])
+        self.assertTrue(all(manifest[key] for key in ("version", "commit", "compiler", "flags", "machine", "processors", "date")),
+                        manifest)
         shards = [json.loads(self.run_scene(*call, "--shard", f"{k}/2"))["runs"] for k in (1, 2)]
         self.assertEqual([run["point"] for run in told["runs"]],
                          [run["point"] for pair in zip(*shards) for run in pair])
@@ -315,6 +319,42 @@ class Runs(unittest.TestCase):
         said = self.run_scene("tower.json", "--time", "0.1", "--sweep", "solver=gauss_seidel,auto", "h=1/60,1/120")
         self.assertEqual(len(re.findall(r"^(?:gauss_seidel|auto) ", said, re.MULTILINE)), 4)
         self.assertNotIn("lost", said)  # it has no answer
+
+    def test_a_file_has_parameters_that_sweep(self):
+        scene = {"format": "spook scene", "version": 2, "model": "point", "h": 0.01, "time": "$until", "parameters": {
+                     "until": {"default": 1, "unit": "s", "meaning": "when it is looked at"},
+                     "g": {"default": "-981/100", "unit": "m/s²"}, "height": {"default": 0}},
+                 "settings": {"gravity": [0, 0, "$g"]}, "half_step_start": True,
+                 "bodies": [{"x": [0, 0, "$height"], "mass": 1}],
+                 "expected": [{"body": 0, "time": 1, "x": [0, 0, -4.905], "tolerance": 1e-9}]}
+        (self.box.root / "fall.json").write_text(json.dumps(scene))
+        told = json.loads(self.run_scene("fall.json", "--sweep", "g=-9.81,0", "height=0,1", "--json"))
+        self.assertEqual([run["parameters"]["g"] for run in told["runs"]], [-9.81, -9.81, 0, 0])
+        errors = [run["error"]["value"] for run in told["runs"]]  # in tolerances of 1e-9 m
+        self.assertLess(errors[0], 1)
+        for error, off in zip(errors[1:], (1, 4.905, 5.905)):
+            self.assertAlmostEqual(error * 1e-9, off, places=8)
+        self.assertIn("when it is looked at", self.box.course("scenes", "fall.json").stdout)
+        for change, words in (({"h": "$step"}, ['h names no parameter of the file: "$step"']),
+                              ({"h": "$heigth", "bodies": []}, ['did you mean "height"']),
+                              ({"bodies": [{"x": [0, 0, 0]}]}, ["parameters.height is used nowhere"]),
+                              ({"parameters": {"h": {"default": 1}}}, ["parameters.h must have another name"]),
+                              ({"parameters": {"g": {"defautl": 1}}}, ["parameters.g.defautl is unknown"]),
+                              ({"parameters": {"g": {"default": "much"}}}, ["parameters.g.default", "much"]),
+                              ({"parameters": []}, ["parameters must be an object"])):
+            (self.box.root / "bad.json").write_text(json.dumps(scene | change))
+            self.box.assert_refused(self, ["run", "bad.json"], words)
+        self.box.assert_refused(self, ["run", "fall.json", "--set", "height=high"], ["height", "high"])
+
+    def test_the_residual_is_a_column(self):
+        self.run_scene("stack", "--time", "0.1", "--iterations", "2", "--csv", "stack.csv", "--json")
+        rows = list(csv.DictReader(io.StringIO((self.box.root / "stack.csv").read_text())))
+        self.assertEqual(float(rows[0]["residual [m/s]"]), 0)  # no step yet
+        told = json.loads(self.run_scene("stack", "--time", "0.1", "--iterations", "2", "--json"))
+        self.assertEqual(float(rows[-1]["residual [m/s]"]), told["residual"])
+        self.assertTrue((self.box.root / "stack.csv.manifest.json").exists())
+        self.run_scene("orbit", "--time", "0.1", "--csv", "orbit.csv")  # which has nothing to solve
+        self.assertNotIn("residual", (self.box.root / "orbit.csv").read_text())
 
     def test_a_sweep_that_is_drawn(self):
         self.run_scene("resting_sphere", "--time", "0.5", "--sweep", "d=2,5", "--plot", "gap")

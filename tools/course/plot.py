@@ -16,6 +16,7 @@ from mine import begun, fast_program, told
 from paths import BUILD, ROOT, shown
 from pick import near
 from process import stream, tail
+from provenance import write_manifest
 from slurm import run_array
 from terminal import Live, fold, fold_lines, paint
 
@@ -175,6 +176,9 @@ def _compute(experiment: Experiment, arguments, path: Path, folder: Path) -> int
         raise CourseError(f"{experiment.name} ended with exit code {code}", tail(output))
     if code == 1 and not (folder / "claims.json").exists():
         raise CourseError(f"{experiment.name} failed", tail(output))
+    if (folder / "table.csv").exists():
+        write_manifest(folder / "table.csv", ["plot", experiment.name, *(["--quick"] if arguments.quick else []),
+                                              *(["--", *arguments.more] if arguments.more else [])])
     return code
 
 

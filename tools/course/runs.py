@@ -36,7 +36,7 @@ class Runs:
 
     def _one(self, folder: Path) -> int:
         self._require(self._words, folder)
-        words, file = self._words, _value_of("--csv", self._words)
+        words, file = self._words, value_of("--csv", self._words)
         if file is None:
             file = str(folder / "run.csv")
             words = [*words, "--csv", file]
@@ -46,9 +46,9 @@ class Runs:
         return code
 
     def _sweep(self, folder: Path) -> int:
-        axes, csv = self._extras.sweep, _value_of("--csv", self._words)
+        axes, csv = self._extras.sweep, value_of("--csv", self._words)
         for option in ("--record", "--positions"):
-            if _value_of(option, self._words) is not None or option in self._words:
+            if value_of(option, self._words) is not None or option in self._words:
                 raise BadInput(f"run: {option} is for one run, and --sweep makes several")
         if csv is not None:
             _require_writable(csv)
@@ -121,7 +121,7 @@ class Runs:
     def _refusal(self, words: list[str], folder: Path) -> str:
         """What the program refuses, without a step; empty if it runs. Columns that there are not are refused, too."""
         table = folder / "columns.csv"
-        time = _value_of("--time", words)
+        time = value_of("--time", words)
         for option in ("--csv", "--record", "--fps", "--time"):
             words = without(words, option)
         if time is None or (number(time) or 0) > 0:
@@ -167,7 +167,8 @@ def _require_writable(file: str) -> None:
         raise BadInput(f'run: csv "{file}" cannot be written')
 
 
-def _value_of(option: str, words: list[str]) -> str | None:
+def value_of(option: str, words: list[str]) -> str | None:
+    """The value of an option in a command line; None if it is not there."""
     for k, word in enumerate(words):
         if word.startswith(f"{option}="):
             return word.partition("=")[2]
