@@ -30,14 +30,14 @@ std::vector<Parameter> parameters_in(const Json& file) {
   return all;
 }
 
-/// A number as files have it: whole where it is, and a text where JSON has no such number.
+/// Returns a number as files have it: a whole one as such, and an infinite one as a text.
 static Json number_in_file(double value) {
   if (!std::isfinite(value)) return value > 0 ? "inf" : "-inf";
   const bool whole = value == std::floor(value) && std::abs(value) <= 1e9;
   return whole ? Json(static_cast<std::int64_t>(value)) : Json(value);
 }
 
-/// What stands at `path`, with its values. Takes the names that it finds out of `unused`.
+/// Returns the part of a file at `path` with values in the place of names, and takes those names out of `unused`.
 static Json valued(const Json& json, const std::map<std::string, double>& values, std::set<std::string>& unused,
                    const std::string& path) {
   if (json.is_string() && json.get_ref<const std::string&>().rfind('$', 0) == 0) {

@@ -18,12 +18,12 @@ SEED = "seed"
 
 
 def combinations(axes: Mapping[str, Sequence[Any]]) -> list[dict[str, Any]]:
-    """The product of all values; the last name changes fastest."""
+    """Returns the product of all values; the last name changes fastest."""
     return [dict(zip(axes, values)) for values in itertools.product(*axes.values())]
 
 
 def impossible_value(points: Sequence[Mapping[str, Any]], refusals: Sequence[str]) -> str:
-    """Why a value is refused that no combination takes; empty if each value is part of one that runs.
+    """Returns the refusal of a value that no combination takes; empty if each value is part of one that runs.
 
     `refusals` has a message for each point, which is empty for a point that runs.
     """
@@ -43,7 +43,7 @@ def number(value: Any) -> float | None:
 
 
 def same(one: Any, other: Any) -> bool:
-    """Whether two values are equal as they are typed: 1/60 may be a text or a number."""
+    """Returns True if two values are equal as they are typed: 1/60 may be a text or a number."""
     if one == other or str(one) == str(other):
         return True
     numbers = number(one), number(other)
@@ -51,7 +51,9 @@ def same(one: Any, other: Any) -> bool:
 
 
 def orders(rows: Sequence[Mapping[str, Any]], names: Iterable[str]) -> list[tuple[float | None, float | None]]:
-    """For each row the ratio of errors and the observed order, from the last row where only h, or d, or k, differs.
+    """Returns for each row the ratio of errors and the observed order.
+
+    Both are from the last row before that differs in h, or else d, or else k, alone.
 
     The order p of errors e and e' is log(e/e')/log(h/h'). A sweep of none of the three has none.
     """
@@ -81,7 +83,10 @@ class Mean:
 
 
 def means(rows: Sequence[Mapping[str, Any]], names: Iterable[str], over: str = SEED) -> list[Mean]:
-    """The mean error over seeds for each combination of the other values, if errors are normally distributed."""
+    """Returns the mean error over seeds for each combination of the other values.
+
+    The interval holds for errors that are normally distributed.
+    """
     groups: dict[tuple, list[Mapping[str, Any]]] = {}
     others = [name for name in names if name != over]
     for row in rows:
@@ -103,7 +108,7 @@ def _mean(point: dict[str, Any], rows: list[Mapping[str, Any]]) -> Mean:
 
 @functools.cache
 def student_t(freedom: int, probability: float = 0.95) -> float:
-    """The t that a variable of Student's distribution exceeds in size with 1 - probability.
+    """Returns the t that a variable of Student's distribution exceeds in size with 1 - probability.
 
     With t = √ν tan θ the density is proportional to cos^(ν-1) θ, and Simpson's rule integrates it. Beyond 12/√ν the
     density is below round-off.
@@ -121,7 +126,7 @@ def student_t(freedom: int, probability: float = 0.95) -> float:
 
 
 def write_csv(file: str, rows: Sequence[Mapping[str, Any]]) -> None:
-    """A line of names, and a line for each row. Raises OSError."""
+    """Writes a line of names, and a line for each row. Raises OSError."""
     with open(file, "w", encoding="utf-8", newline="") as out:
         lines = csv.writer(out, lineterminator="\n")
         if rows:

@@ -22,7 +22,8 @@ from terminal import Bar, fold_lines
 class Runs:
     """Of one scene: its columns drawn, or a row of a table for each combination that is swept, or both."""
 
-    def __init__(self, words: list[str], extras: Extras, start: Callable[..., int], parameters: Callable[[str], set[str]]):
+    def __init__(self, words: list[str], extras: Extras, start: Callable[..., int],
+                 parameters: Callable[[str], set[str]]):
         """`start` runs the program with the words, by subprocess or by the function `call`, and gives its exit code.
         `parameters` gives the names of a scene's parameters.
         """
@@ -80,7 +81,7 @@ class Runs:
         return words
 
     def _results(self, asked: list[tuple[dict, list[str]]], folder: Path) -> tuple[list[Result], list[Table], int]:
-        """What became of each run, its table where that is drawn, and the worst exit code."""
+        """Takes the runs. Returns their results, their tables where those are drawn, and the worst exit code."""
         if self._extras.slurm:
             return self._on_slurm([point for point, _ in asked])
         bar, results, tables, worst = Bar("sweep", len(asked)), [], [], 0
@@ -97,7 +98,7 @@ class Runs:
         return results, tables, worst
 
     def _on_slurm(self, points: list[dict[str, str]]) -> tuple[list[Result], list[Table], int]:
-        """Each part is this command with --shard, and writes its JSON beside its log."""
+        """Runs this command with --shard as each part, whose JSON is written beside its log."""
         if self._extras.plot or self._extras.shard != (1, 1):
             raise BadInput("run: --slurm goes with neither --plot nor --shard")
         folder = BUILD / "plots" / "run" / "slurm"
@@ -119,7 +120,7 @@ class Runs:
         return results, [], max((1 for result in results if result.run is None), default=0)
 
     def _refusal(self, words: list[str], folder: Path) -> str:
-        """What the program refuses, without a step; empty if it runs. Columns that there are not are refused, too."""
+        """Returns why the program refuses a run, without a step; empty if it runs. Refuses unknown columns."""
         table = folder / "columns.csv"
         time = value_of("--time", words)
         for option in ("--csv", "--record", "--fps", "--time"):
@@ -151,7 +152,8 @@ class Runs:
     def _draw(self, tables: list[Table]) -> None:
         command = " ".join(["./course run", *(word for word in self._words if word != "--json")])
         if self._extras.sweep:
-            command += " --sweep " + " ".join(f"{name}={','.join(values)}" for name, values in self._extras.sweep.items())
+            axes = self._extras.sweep.items()
+            command += " --sweep " + " ".join(f"{name}={','.join(values)}" for name, values in axes)
         figure = draw(tables, self._extras.plot, self._words[0], command)
         print(f"figure: {shown(figure)}", file=sys.stderr if "--json" in self._words else sys.stdout)
 

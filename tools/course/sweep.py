@@ -23,7 +23,7 @@ class Sweep:
     skipped: list[Result]  # combinations that the engine refuses, and why
 
     def rows(self) -> list[dict[str, Any]]:
-        """A flat row for each run: its values as typed, its numbers, its state."""
+        """Returns a flat row for each run: its values as typed, its numbers, its state."""
         flat = [_row(result) for result in self.results]
         for row, (ratio, order) in zip(flat, orders(flat, self.axes)):
             row |= {"ratio": ratio, "order": order}
@@ -33,7 +33,7 @@ class Sweep:
         return means(self.rows(), self.axes) if len(self.axes.get(SEED, ())) > 1 else []
 
     def table(self) -> list[dict[str, Any]]:
-        """For --csv: rows() with h in seconds, and without the ratio."""
+        """Returns rows() for --csv: with h in seconds, and without the ratio."""
         return [{name: value for name, value in row.items() if name not in ("ratio", "seconds_of_h")}
                 | {"h": row["seconds_of_h"]} for row in self.rows()]
 
@@ -51,8 +51,8 @@ def _row(result: Result) -> dict[str, Any]:
 
 
 def as_json(sweep: Sweep) -> str:
-    runs = [{"point": dict(result.point), "observed_order": row["order"], "why": result.why or None} | (result.run or {})
-            for result, row in zip(sweep.results, sweep.rows())]
+    runs = [{"point": dict(result.point), "observed_order": row["order"], "why": result.why or None}
+            | (result.run or {}) for result, row in zip(sweep.results, sweep.rows())]
     return json.dumps({"sweep": {name: list(values) for name, values in sweep.axes.items()}, "runs": runs,
                        "skipped": [{"point": dict(one.point), "why": one.why} for one in sweep.skipped],
                        "means": [{"point": mean.point, "runs": mean.runs, "mean": mean.mean,
@@ -87,7 +87,8 @@ def _order_note(sweep: Sweep) -> list[str]:
         return []
     name = next(name for name in ORDERED if name in sweep.axes)
     rest = ", all else equal" if len(sweep.axes) > 1 else ""
-    return ["", *fold(f"order p: the error goes with {name}^p, from each line and the one before it{rest}").splitlines()]
+    note = f"order p: the error goes with {name}^p, from each line and the one before it{rest}"
+    return ["", *fold(note).splitlines()]
 
 
 def _mean_lines(found: list[Mean]) -> list[str]:
@@ -95,7 +96,8 @@ def _mean_lines(found: list[Mean]) -> list[str]:
         return []
     lines = [[*found[0].point, "runs", "mean error", "±"]]
     for mean in found:
-        lines.append([*mean.point.values(), str(mean.runs), _shown(mean.mean, "none"), _shown(mean.half_width, "", ".2g")])
+        lines.append([*mean.point.values(), str(mean.runs), _shown(mean.mean, "none"),
+                      _shown(mean.half_width, "", ".2g")])
     return ["", "mean over seeds, with its 95 % confidence interval", "",
             *_aligned(lines, kept=len(lines[0]), left=len(found[0].point))]
 
@@ -119,7 +121,7 @@ def _named(point: Mapping[str, str]) -> str:
 
 
 def _aligned(rows: list[list[str]], kept: int, left: int) -> list[str]:
-    """Lines of a table: the first `kept` columns and those with content, the first `left` of them to the left."""
+    """Returns lines of a table: the first `kept` columns, and others with content; the first `left` to the left."""
     columns = [k for k in range(len(rows[0])) if k < kept or any(row[k] for row in rows[1:])]
     widths = {k: max(len(row[k]) for row in rows) for k in columns}
     return ["  ".join(row[k].ljust(widths[k]) if k < left else row[k].rjust(widths[k]) for k in columns).rstrip()

@@ -1,4 +1,4 @@
-"""Which elements and attributes of MJCF the import knows. All else that a model has is left out, and named."""
+"""Lists the elements and attributes of MJCF that the import knows. All else in a model is left out, and named."""
 
 from xml.etree.ElementTree import Element
 

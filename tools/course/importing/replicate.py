@@ -13,7 +13,7 @@ _NAMES = ("name", "joint", "body1", "body2")
 
 
 def expand(element: Element, in_degrees: bool, euler_order: str) -> None:
-    """Puts a frame for each copy in the place of every replicate; the names within get the copy's number at their end."""
+    """Puts a frame for each copy in the place of every replicate; names within get the copy's number at their end."""
     for child in list(element):
         expand(child, in_degrees, euler_order)
         if child.tag == "replicate":
@@ -25,7 +25,8 @@ def expand(element: Element, in_degrees: bool, euler_order: str) -> None:
 def _copies(replicate: Element, in_degrees: bool, euler_order: str) -> list[Element]:
     count = numbers(replicate, "count", 1)[0]
     if not (count == int(count) and 0 < count <= _MOST):
-        raise BadInput(f"count of a replicate must be a whole number from 1 to {_MOST}, but is {replicate.get('count')}")
+        raise BadInput(f"count of a replicate must be a whole number from 1 to {_MOST}, "
+                       f"but is {replicate.get('count')}")
     count, offset = int(count), numbers(replicate, "offset", 3, "0 0 0")
     euler = numbers(replicate, "euler", 3, "0 0 0")
     x, turned, frames = np.zeros(3), IDENTITY, []

@@ -1,4 +1,4 @@
-"""What an import tells: what a scene does not have of its model, and what stands for what, with line and body."""
+"""Collects what a scene does not have of its model, and what stands for what, with line and body."""
 
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element
@@ -19,7 +19,7 @@ class Report:
         _add(self._instead, what, element)
 
     def left_out(self) -> list[str]:
-        """A line for each kind, with its first place and how many more there are."""
+        """Returns a line for each kind, with its first place and how many more there are."""
         return _lines(self._left_out)
 
     def instead(self) -> list[str]:
@@ -42,17 +42,17 @@ def _lines(found: dict[str, list[str]]) -> list[str]:
 
 
 def where(element: Element) -> str:
-    """Its line, and the body that it belongs to; empty for an element that no file has."""
+    """Returns the line of an element and its body; empty for an element that no file has."""
     return element.get(_WHERE, "")
 
 
 def attributes(element: Element) -> dict[str, str]:
-    """Those of the file."""
+    """Returns the attributes that the file has."""
     return {name: value for name, value in element.attrib.items() if name != _WHERE}
 
 
 def parsed(content: bytes, file: str) -> Element:
-    """The root, with the place of each element. Raises expat.ExpatError."""
+    """Returns the root, with the place of each element. Raises expat.ExpatError."""
     builder, bodies = ElementTree.TreeBuilder(), []
     parser = expat.ParserCreate()
 

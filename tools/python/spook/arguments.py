@@ -1,4 +1,4 @@
-"""Arguments that no function takes, explained: the extension module lists whole signatures, and not what is wrong."""
+"""Explains arguments that no function takes: the extension module lists whole signatures, and not what is wrong."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _PARAMETER = re.compile(r"(\*)|(\w+): ((?:[^,\[(]|\[[^\]]*(?:\[[^\]]*\][^\]]*)*\
 
 
 def explained(kind: type) -> type:
-    """The class, whose functions say which argument is wrong, and what is wanted, in their TypeError."""
+    """Makes the functions of a class say in their TypeError which argument is wrong, and what is wanted."""
     for name, member in list(vars(kind).items()):
         if callable(member) and name != "step" and (not name.startswith("_") or name == "__init__"):
             setattr(kind, name, _explained(member, kind.__name__ if name == "__init__" else name))
@@ -33,7 +33,7 @@ def _explained(function: Callable, name: str) -> Callable:
 
 
 def _why(message: str, arguments: tuple, named: dict[str, Any]) -> str:
-    """What is wrong with the arguments of the first signature in the message; empty if that is not found."""
+    """Returns what is wrong with the arguments, by the first signature in the message; empty if nothing is found."""
     signature = re.search(r"^ +1\. [\w.]*\((?:self: [^,)]*(?:, )?)?(.*)\)(?: -> .*)?$", message, re.MULTILINE)
     if not signature:
         return ""
@@ -65,7 +65,7 @@ def _why(message: str, arguments: tuple, named: dict[str, Any]) -> str:
 
 
 def _misfit(kind: str, value: Any) -> str:
-    """'three numbers, got 2'; empty if the value is of this kind, or the kind is not known."""
+    """Returns 'three numbers, got 2'; empty if the value is of this kind, or the kind is not known."""
     if value is None:
         return "" if "None" in kind or "Optional" in kind else f"{_shape(kind) or 'a value'}, got None"
     wanted = _shape(kind)
@@ -84,7 +84,7 @@ _WORDS = {2: "two", 3: "three", 4: "four"}
 
 
 def _sizes(kind: str) -> tuple[int | None, ...] | None:
-    """(3,) of a vector, (None, 3) of rows, () of a number; None for what is none of them."""
+    """Returns (3,) for a vector, (None, 3) for rows, () for a number, and None for anything else."""
     if re.search(r"\bList\[numpy", kind):
         return (None, 3)
     if rows := re.search(r"\[(m|\d+), (n|\d+)", kind):
