@@ -57,6 +57,8 @@ class SceneWriter:
             "bodies": self._bodies}
         if self._joints:
             self.scene["joints"] = self._joints
+        if any("corners" in body for body in self._bodies):
+            self.scene["settings"]["points_pass"] = True  # it is named as left out
 
     def _has(self, flag: str) -> bool:
         return self._flags.get(flag, "enable") != "disable"
