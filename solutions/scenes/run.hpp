@@ -35,6 +35,7 @@ std::int64_t step_count(double h, double time);
 struct Watch {
   std::ostream* csv = nullptr;  ///< a line of columns, and one for each substep, the start included
   bool positions = false;       ///< each body's x, y, z in these lines, too
+  bool residual = false;        ///< the residual of the step before them [m/s], too
   /// Is shown the scene at the start, and after each substep.
   std::function<void(Scene& scene, std::int64_t substep)> look = nullptr;
   /// Is told now and then, in a long run, how many of the steps are done; and at its end.

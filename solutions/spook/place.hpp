@@ -31,6 +31,8 @@ class Place {
   Place operator[](const std::string& key) const;  ///< throws where the key is missing
   std::optional<Place> find(const std::string& key) const;
 
+  void require_object() const;  ///< throws std::invalid_argument for anything else
+
   /// Throws std::invalid_argument for what is no object, and for a key that is none of these, with the nearest of them.
   void require_keys(const std::vector<std::string>& known) const;
 
