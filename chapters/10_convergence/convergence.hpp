@@ -14,6 +14,7 @@
 //   step             d = clamp(λ + α p) - λ,  α = p·r / p·Sp;
 //                    λ += t d,  t = d·r / d·Sd, but within [0, 1]                  Eq. (10.8)   not in the notes
 //   energy           E = ½ λ·Sλ - B·λ, which no part of it increases               Eq. (10.9)   not in the notes
+//   relaxed          B = -G W - G W_f,  Σ = 0,  once positions have moved          Eq. (10.15)  not in the notes
 //
 //   r   what the rows lack [m/s], Eq. (4.6)      free   a row between its bounds, lo < λ < hi
 //   e   what sweep() returns [m/s]               z', r'   those of the iteration before
@@ -75,5 +76,13 @@ std::vector<double> precondition(const std::vector<Row<Dof>>& rows, const std::v
 /// iteration: what its sweep returned, or, where there was none, the residual of Eq. (4.8).
 template <int Dof>
 SolveReport conjugate_solve(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V, const StopRule& stop);
+
+/// Exercise 10.9. The second solve of a relaxed substep, which finds the velocities to keep: Eq. (10.15). Positions have
+/// moved by those of the first. Sweeps the rows as if they were rigid, a = 0, b = 1 and Σ = 0, from the λ and V that the
+/// first solve left. Of the rows only λ changes. `motion` is that of which they were made. For contacts, friction and
+/// joints: the target of a motor would be lost. Contract of solve(): V, the stop rule, what is thrown.
+template <int Dof>
+SolveReport relax(const Motion<Dof>& motion, std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V,
+                  const StopRule& stop);
 
 }  // namespace spook

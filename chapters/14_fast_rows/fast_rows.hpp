@@ -12,6 +12,7 @@
 //   colours              the smallest that neither body has yet                         Eq. (14.7)    not in the notes
 //   their number         <= 2 Δ - 1,  Δ the most pairs on a body                        Eq. (14.8)    not in the notes
 //   lanes                Eq. (4.6), (4.7) in each, Δλ = 0 in an empty one               Eq. (14.9)    not in the notes
+//   discs in lanes       λ_t m,  m = 1 where |λ_t| <= Λ, else Λ/|λ_t|                   Eq. (14.14)   not in the notes
 //
 //   r   what the three rows lack, Eq. (4.6) [m/s]         α   slip over friction [1/kg]
 //
@@ -60,6 +61,7 @@ struct Pack {
   std::array<int, lane_count> i = {-1, -1, -1, -1}, j = i;  ///< -1: it does not move, or the lane is empty
   std::array<int, lane_count> first = i;  ///< each lane's first row in the list that was packed; -1: none
   std::vector<LaneRows<Dof>> rows;
+  std::vector<Lanes> mu = {};  ///< of each three rows, where these are a contact's with friction; else empty
 };
 
 /// Exercise 14.4. Brings all rows of a pack up to date, in their order: Eq. (14.9), that is Eq. (4.6), (4.7) in each
@@ -73,9 +75,10 @@ template <int Dof>
 using Colour = std::vector<Pack<Dof>>;
 
 /// All rows as packs, by colour_pairs(), which is given. Rows of the same two bodies that follow each other stay together,
-/// and in their order. `bodies`: how many there are.
+/// and in their order. `bodies`: how many there are. The rows of `contacts` are in packs of their own, with μ.
 template <int Dof>
-std::vector<Colour<Dof>> packed(const std::vector<Row<Dof>>& rows, std::size_t bodies);
+std::vector<Colour<Dof>> packed(const std::vector<Row<Dof>>& rows, std::size_t bodies,
+                                const std::vector<FrictionContact>& contacts = {});
 
 /// Copies the λ of packs back to the rows of which they were made. Given.
 template <int Dof>
@@ -93,5 +96,17 @@ void in_rounds(int threads, const std::function<void(int thread)>& work, const s
 template <int Dof>
 SolveReport solve_in_colours(std::vector<Colour<Dof>>& colours, std::vector<Twist<Dof>>& V,
                              const StopRule& stop, int threads);
+
+/// Two impulses in each lane [N s]: along t1 in column 0, along t2 in column 1.
+using LanePairs = Eigen::Array<double, lane_count, 2>;
+
+/// Exercise 14.6. In each lane the point of the disc |λ_t| <= radius that is nearest, without a branch: Eq. (14.14),
+/// that is Eq. (9.4). Zero for a radius of 0, also where λ_t is 0, as in an empty lane.
+LanePairs onto_discs(const LanePairs& lambda, const Lanes& radius);
+
+/// Brings the contacts of a pack with μ up to date, in their order, by onto_discs(): Eq. (4.7) and then (9.6), in each
+/// lane. Given. Returns the largest S_kk |Δλ_k| or s |Δλ_t| [m/s].
+template <int Dof>
+double update_contact_pack(Pack<Dof>& pack, std::vector<Twist<Dof>>& V);
 
 }  // namespace spook

@@ -58,6 +58,18 @@ class CourseRun(unittest.TestCase):
         self.box.solve(self.kick)
         self.assertLess(self.run_free_fall("--mine")[0], 1e-9)
 
+    def test_mine_tells_what_a_run_has_called(self):
+        drift, rate = (next(exercise for exercise in all_exercises() if exercise.function == function)
+                       for function in ("drift", "quaternion_rate"))
+        for exercise in (drift, rate):
+            self.addCleanup(self.box.restore, exercise)
+            self.box.solve(exercise)
+        said = " ".join(self.run_free_fall("--mine")[1].split())
+        self.assertIn("Yours, right or wrong: 1.2; the rest is the reference. Yours, too, but not called: 2.1.", said)
+        self.box.restore(drift)
+        self.assertIn("This run calls no function of yours; you have begun 2.1.",
+                      " ".join(self.run_free_fall("--mine")[1].split()))
+
     def test_mine_that_does_not_compile_or_define(self):
         for source, told in (("not C++", "does not compile: chapters/01_leapfrog/kick.cpp:1:"),
                              ("", "is not defined"),

@@ -181,8 +181,9 @@ class Runs(unittest.TestCase):
 
     def test_threads_change_the_time_alone(self):
         words = "run pile --set bodies=300 mu=0.3 --solver spatial_decomposition --iterations 10 --time 0.3 --h 1/240".split()
-        self.assertIn("on 2 threads; friction two_pass; spatial_decomposition",
-                      " ".join(spook(*words, "--threads", "2").stdout.split()))
+        said = " ".join(spook(*words, "--threads", "2").stdout.split())
+        self.assertIn("on 2 threads", said)
+        self.assertIn("friction two_pass, tangents fixed; spatial_decomposition, at most 10 sweeps", said)
         one, two = (json.loads(spook(*words, "--threads", n, "--json").stdout) for n in "12")
         self.assertEqual([one["threads"], two["threads"]], [1, 2])
         for what in ["error", "residual", "row_updates", "last_step"]:
@@ -190,7 +191,9 @@ class Runs(unittest.TestCase):
 
     def test_composed_steps_say_so(self):
         words = "run double_pendulum --set d=0 --integrator-order 4 --h 1/60"
-        self.assertIn("composed to order four, joints rigid", spook(*words.split()).stdout)
+        text = spook(*words.split()).stdout
+        self.assertIn("composed to order four", text)
+        self.assertIn("none: order four holds joints rigid", text)
         run = json.loads(spook(*words.split(), "--json").stdout)
         self.assertEqual(run["integrator_order"], 4)
         self.assertLess(run["error"]["value"], 1.5e-6)  # 3e-6 m of 2 m
@@ -218,6 +221,19 @@ class Runs(unittest.TestCase):
         text = said("stiff_wire")
         self.assertIn("geometric_stiffness, at most 50 iterations", text)
         self.assertIn("m/s in the last step;", text)
+
+    def test_the_method_comes_first(self):
+        """What is modelled, and how it is solved, below the scene's name."""
+        for words, said in [("sliding_block --tangents sliding --friction-model box",
+                             r"friction box, tangents sliding; gauss_seidel, at most 50 sweeps"),
+                            ("pile --solver colours", r"friction cone, tangents fixed; colours, at most 50 sweeps"),
+                            ("wire --solver direct", r"direct, at most 50 factorisations"),
+                            ("free_fall", r"none: no constraints")]:
+            lines = spook("run", *words.split(), "--time", "0.02").stdout.splitlines()
+            with self.subTest(words):
+                entry = next(k for k, line in enumerate(lines) if line.startswith("solver "))
+                self.assertLessEqual(entry, 2)
+                self.assertRegex(" ".join(lines[entry].split()), f"^solver {said}$")
 
     def test_no_step_is_fine(self):
         result = json.loads(spook("run", "orbit", "--time", "0", "--json").stdout)

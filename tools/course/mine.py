@@ -13,13 +13,25 @@ from text_encoding import refuse_odd
 from tree import Tree
 from verdict import CHECK
 
+CALLS = "SPOOK_CALLS"  # names the file to which a program writes what it has called; see tools/noting.py
+
 
 def begun() -> list[Exercise]:
     return [exercise for exercise in all_exercises() if exercise.started() and exercise.file.exists()]
 
 
-def told(mine: list[Exercise]) -> str:
-    return f"Yours, right or wrong: {', '.join(exercise.id for exercise in mine)}; the rest is the reference."
+def told(mine: list[Exercise], called: set[str] | None = None) -> str:
+    """Which functions are the student's; those alone that were `called`, where that is known."""
+    used = [exercise for exercise in mine if called is None or exercise.function in called]
+    if not used:
+        return f"This run calls no function of yours; you have begun {_listed(mine)}. All of it is the reference."
+    idle = [exercise for exercise in mine if exercise not in used]
+    not_called = f" Yours, too, but not called: {_listed(idle)}." if idle else ""
+    return f"Yours, right or wrong: {_listed(used)}; the rest is the reference.{not_called}"
+
+
+def _listed(exercises: list[Exercise]) -> str:
+    return ", ".join(exercise.id for exercise in exercises)
 
 
 def signed(line: str, mine: list[Exercise]) -> str:

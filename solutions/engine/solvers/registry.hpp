@@ -1,8 +1,8 @@
 #pragma once
 // The solvers, one file each in this room, all with the signature of Solver.
 //
-//   on their own     gauss_seidel, ordered_gauss_seidel, cone_gauss_seidel, spatial_decomposition, conjugate_gradients,
-//                    anderson, newton, direct, automatic
+//   on their own     gauss_seidel, ordered_gauss_seidel, cone_gauss_seidel, spatial_decomposition, colours, blocks,
+//                    conjugate_gradients, anderson, newton, direct, automatic
 //   with another     two_pass(solver), geometric_stiffness(solver): the outer one says which rows there are and what
 //                    bounds they have, and the inner one solves them
 //
@@ -46,6 +46,14 @@ Solver<Dof> automatic(FrictionModel model = FrictionModel::cone);
 /// Projected Gauss-Seidel in stripes of space, on as many threads as it may use.
 template <int Dof>
 Solver<Dof> spatial_decomposition();
+
+/// Sweeps by colours in lanes, chapter 14's. The model is box or cone.
+template <int Dof>
+Solver<Dof> colours(FrictionModel model = FrictionModel::box);
+
+/// Gauss-Seidel on cones, each contact with its friction as a block, chapter 14's.
+template <int Dof>
+Solver<Dof> blocks();
 
 /// In which order the sweeps go through the rows.
 enum class RowOrder {
