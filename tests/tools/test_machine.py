@@ -17,13 +17,17 @@ from unittest import mock
 
 from sandbox import ROOT, Sandbox, all_exercises
 
+import diagnostics
+import everything
 import install
 import javascript
 import machine
 import needs
 import packages
 import symbols
+from arguments import parse
 from errors import CourseError
+from grading.grade import grade
 from needs import BOOK_NEEDS, NEEDS, VIEW_NEEDS
 from trial import run_limited
 
@@ -162,6 +166,58 @@ class MacParts(unittest.TestCase):
                 run.return_value.returncode = code
                 self.assertEqual(machine.has_command("c++"), there)
             self.assertTrue(machine.has_command("ninja"))
+
+
+    def test_what_needs_linux_says_so_in_one_line(self):
+        for words in (["grade", "."], ["test", "--all"]):
+            with self.assertRaises(CourseError) as caught:
+                arguments = parse(words)
+                grade(arguments) if words[0] == "grade" else everything.test(arguments)
+            self.assertIn("needs Linux", str(caught.exception))
+
+    def test_what_is_compiled_is_tested_and_the_rest_is_named(self):
+        passed = everything.Outcome("check", 3, [], [], True)
+        with mock.patch.object(everything, "install"), mock.patch.object(everything, "_build") as build, \
+             mock.patch.object(everything, "_run", return_value=passed) as run, \
+             contextlib.redirect_stdout(io.StringIO()) as said:
+            self.assertEqual(everything.test(parse(["test"])), 0)
+        self.assertEqual(build.call_args.args[1], ["fast"])
+        self.assertEqual(run.call_args.args[1], ["-L", "^(fast)$", "-E", r"^tools\."])
+        self.assertIn("3 of 3 tests passed\nLeft out: mutant.*, plot.*, tools.*", said.getvalue())
+
+    def test_apple_s_linker_names_a_function_in_the_line_below(self):
+        for output, told in (
+                ('Undefined symbols for architecture arm64:\n  "spook::twice(int)", referenced from:\n      a.o\n',
+                 'Undefined symbols for architecture arm64: "spook::twice(int)", referenced from:'),
+                ("duplicate symbol 'spook::kick(int)' in:\n    a.o\n", "duplicate symbol 'spook::kick(int)' in: a.o"),
+                ("x.o: undefined reference to `f()'\ny", "undefined reference to `f()'"),
+                ("ld.lld: error: undefined symbol: f()\ny", "undefined symbol: f()")):
+            self.assertEqual(diagnostics.linker_error(output), told)
+
+
+class Lines(unittest.TestCase):
+    """Lines of the source, as each system's tool tells them; the distances are hexadecimal."""
+
+    def lines(self, tool: str, told: str, mac: bool) -> tuple[list[tuple[str, int]], str]:
+        fake = Fake(self)
+        fake.program(tool, f"#!/bin/sh\necho \"$@\" >\"$FAKE/asked\"\ncat <<'end'\n{told}end\n")
+        with mock.patch.dict(os.environ, fake.environment()), mock.patch.object(machine, "is_mac", return_value=mac):
+            found = machine.lines_at(Path("check"), ["1a", "2b"])
+        return found, (fake.root / "asked").read_text().strip()
+
+    def test_on_linux(self):
+        found, asked = self.lines("addr2line", "/c/kick.cpp:7 (discriminator 2)\n??:0\n/c/my drift.cpp:3\n", False)
+        self.assertEqual(found, [("/c/kick.cpp", 7), ("??", 0), ("/c/my drift.cpp", 3)])
+        self.assertEqual(asked, "-i -e check 1a 2b")
+
+    def test_on_macos(self):
+        found, asked = self.lines("atos", "spook::kick(int) (in check) (/c/my kick.cpp:7)\n\n0x2b (in check)\n", True)
+        self.assertEqual(found, [("/c/my kick.cpp", 7)])
+        self.assertEqual(asked, "-o check -fullPath -i -offset 0x1a 0x2b")
+
+    def test_without_the_tool(self):
+        with mock.patch.dict(os.environ, Fake(self).environment()):
+            self.assertEqual(machine.lines_at(Path("check"), ["1a"]), [])
 
 
 class Symbols(unittest.TestCase):
