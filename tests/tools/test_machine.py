@@ -360,6 +360,7 @@ class Container(unittest.TestCase):
     def test_it_starts_the_course_and_has_the_editors_extensions(self):
         told = json.loads((ROOT / ".devcontainer" / "devcontainer.json").read_text(encoding="utf-8"))
         self.assertEqual(told["onCreateCommand"], "./course start --yes")
+        self.assertIn("clangd gdb", told["postCreateCommand"])  # as CONTRIBUTING.md has it for editors
         wanted = json.loads((ROOT / ".vscode" / "extensions.json").read_text(encoding="utf-8"))["recommendations"]
         self.assertEqual(told["customizations"]["vscode"]["extensions"], wanted)
 

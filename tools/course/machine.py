@@ -44,6 +44,12 @@ def has_desktop() -> bool:
     return is_mac() or bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
 
 
+def forwarded_host(port: int) -> str:
+    """Returns the name under which a Codespace shows a local port to its owner; empty elsewhere."""
+    name, domain = (os.environ.get(what) for what in ("CODESPACE_NAME", "GITHUB_CODESPACES_PORT_FORWARDING_DOMAIN"))
+    return f"{name}-{port}.{domain}" if name and domain else ""
+
+
 def conda() -> Path | None:
     """Returns the active conda environment if it was made for the course: it has Eigen."""
     prefix = Path(os.environ.get("CONDA_PREFIX") or "/nowhere")
