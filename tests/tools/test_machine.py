@@ -343,6 +343,29 @@ class Command(unittest.TestCase):
             self.assertEqual((done.returncode, done.stdout, done.stderr.count("\n")), (1, "", 1))
             self.assertIn("WSL", done.stderr)
 
+    def test_a_mac_s_python_is_too_old_and_homebrew_has_a_newer_one(self):
+        fake = Fake(self)
+        fake.program("uname", "#!/bin/sh\necho Darwin\n")
+        fake.program("id", "#!/bin/sh\necho 501\n")
+        fake.program("apples", '#!/bin/sh\n[ "$1" = --version ] && echo Python 3.9.6\n')
+        command = fake.root / "course"  # with Apple's Python in place of this machine's
+        text = (ROOT / "course").read_text(encoding="utf-8")
+        command.write_text(text.replace("/usr/bin/python3", str(fake.root / "bin" / "apples")))
+        command.chmod(0o755)
+        (fake.root / "tools").symlink_to(ROOT / "tools")
+        done = self.run_course(fake, "hint", command=command)
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(done.stderr, "course: Python 3.9.6 was found, and the course needs Python 3.10 or newer; "
+                                      "install it with:  brew install python\n")
+        fake.program("brew", f"""#!/bin/sh
+echo "$@" >"$FAKE/asked"
+printf '#!/bin/sh\\nexec {sys.executable} "$@"\\n' >"$FAKE/bin/python3"; chmod +x "$FAKE/bin/python3"
+""")
+        done = self.run_course(fake, "hint", "--yes", command=command)
+        self.assertEqual((fake.root / "asked").read_text(), "install python\n")
+        self.assertIn("Installing Python", done.stderr)
+        self.assertIn("course hint", done.stderr)  # the course itself runs now
+
     def test_links_are_followed_where_readlink_knows_no_f(self):
         fake = Fake(self)
         fake.program("uname", "#!/bin/sh\necho Darwin\n")
