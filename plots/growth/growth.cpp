@@ -7,7 +7,11 @@
 //   stands     after a second: how far they have sunk in the mean, in radii, and how fast the fastest is [m/s]
 //   memory     for each link, ball, and contact with friction [bytes]
 //   same       whether two threads have every bit as one has it: 1, or 0
+#ifdef __APPLE__
+#include <malloc/malloc.h>
+#else
 #include <malloc.h>
+#endif
 
 #include <cmath>
 #include <map>
@@ -24,8 +28,14 @@ constexpr double g = 9.81, h = 1.0 / 240, radius = 0.1;
 
 /// All that is allocated now [bytes].
 double allocated() {
+#ifdef __APPLE__
+  malloc_statistics_t all;
+  malloc_zone_statistics(nullptr, &all);
+  return static_cast<double>(all.size_in_use);
+#else
   const struct mallinfo2 all = mallinfo2();
   return static_cast<double>(all.uordblks + all.hblkhd);
+#endif
 }
 
 /// So stiff that a pull at its top is felt at its end within a step.
