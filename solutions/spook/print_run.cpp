@@ -34,6 +34,11 @@ static std::string method_text(const SceneDescription& scene, const Parameters& 
                      short_text(static_cast<double>(result.steps) * method.h) + " s";
   if (method.threads > 1) text += " on " + counted(method.threads, "thread");
   if (method.substeps > 1) text += ", each of " + counted(method.substeps, "substep");
+  if (method.engine == Engine::plain) {
+    text += "; plain engine, exercise " + result.plain_step;
+    if (!scene.solves) return text;
+    return text + ", at most " + counted(method.solver_limits.max_sweeps, "sweep");
+  }
   if (method.integrator_order == 4)
     return text + "; composed to order four" + (scene.solves ? ", joints rigid" : "");
   if (!scene.solves) return text + "; no constraints, no solver";
@@ -107,6 +112,7 @@ void print_text(std::ostream& out, const SceneDescription& scene, const Paramete
   if (!result.verdict.note.empty()) print_entry(out, "note", result.verdict.note);
   print_entry(out, "speed",
               result.us_per_step ? short_text(*result.us_per_step) + " µs a step" : "no step taken");
+  if (settings.method.engine == Engine::plain) return;  // its stages and rows are its own
   if (result.us_per_step) print_entry(out, "stages", stages_text(result));
   if (scene.solves) print_entry(out, "residual", last_step_text(settings.method.solver, result.last));
   if (!result.last.trouble.empty()) print_entry(out, "trouble", result.last.trouble);
