@@ -8,7 +8,7 @@ from pathlib import Path
 
 from sandbox import ROOT
 
-from films import command, films, milestone
+from films import command, films, milestone, own_step
 
 MOST_BYTES = 400_000
 
@@ -53,6 +53,19 @@ class Films(unittest.TestCase):
             self.assertRegex(milestone(folder), re.compile(r"^\./course view \w+ --mine$"))
             self.assertLessEqual(len(f"  See it move, on your functions:  {milestone(folder)}"), 80)
         self.assertEqual(milestone("99_nothing"), "")
+
+    def test_a_chapter_with_a_step_says_how_to_run_it(self):
+        spook = Path(os.environ["COURSE_BUILD"], "check", "solutions", "spook")
+        shown = {folder: own_step(folder) for folder in self.lessons if own_step(folder)}
+        self.assertEqual([folder[:2] for folder in shown], [f"{chapter:02}" for chapter in range(1, 9)])
+        for folder, command in shown.items():
+            with self.subTest(folder):
+                scene = re.fullmatch(r"\./course view (\w+) --engine mine", command)[1]
+                self.assertIn(f"./course run {scene}", self.lessons[folder].partition("## Exercises")[2])
+                done = subprocess.run([spook, "run", scene, "--engine", "plain", "--time", "0.05"],
+                                      capture_output=True, text=True)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                self.assertRegex(done.stdout, rf"plain engine, exercise {int(folder[:2])}\.\d+ ")
 
 
 if __name__ == "__main__":

@@ -6,7 +6,7 @@ from errors import BadInput
 
 # Options of run that may differ; any other name is one of the scene's parameters.
 _OPTIONS = ("h", "time", "solver", "iterations", "tolerance", "substeps", "integrator-order", "row-order",
-            "seed", "contact-margin", "friction-model", "tangents", "threads")
+            "seed", "contact-margin", "friction-model", "tangents", "threads", "engine")
 _FLAG = "warm-start"
 _SWITCHED = {"on": True, "true": True, "yes": True, "1": True, "off": False, "false": False, "no": False, "0": False}
 

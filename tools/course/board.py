@@ -2,7 +2,7 @@
 
 import json
 
-from films import milestone
+from films import milestone, own_step
 from manifest import Chapter, Exercise, all_exercises, read_chapters
 from paths import shown
 from predict import count_right, guesses
@@ -77,6 +77,8 @@ def _is_last_begun(own: list[Verdict], verdicts: list[Verdict]) -> bool:
 def show_milestone(folder: str) -> None:
     if command := milestone(folder):
         print(f"  See it move, on your functions:  {command}")
+    if command := own_step(folder):
+        print(f"  By a step of your own:           {command}")
 
 
 def board_line(verdict: Verdict) -> str:

@@ -1,12 +1,14 @@
-"""What ./course run has besides the options of the engine's program: --mine, --plot and --sweep."""
+"""What ./course run has besides the options of the engine's program: --mine, --engine mine, --plot and --sweep."""
 
 from dataclasses import dataclass
 
 from errors import BadInput
+from mine import own_engine
 
 HELP = """
 Of the course:
   --mine                  With what you have written so far, right or wrong
+  --engine mine           By your own step: the plain engine, with --mine
   --plot NAME[,NAME ...]  Draw what --csv has over time: a column, or all whose
                           names begin with this word
   --sweep NAME=A,B,...    A run for each value of an option or a parameter, and
@@ -23,13 +25,13 @@ class Extras:
 
 def taken(arguments: list[str]) -> tuple[Extras, list[str]]:
     """The extras, and the words that are left for the engine."""
-    words = [word for word in arguments if word != "--mine"]
+    own, words = own_engine([word for word in arguments if word != "--mine"])
     plot, words = _taken("--plot", words)
     sweep, words = _taken("--sweep", words)
     names = tuple(plot.split(",")) if plot is not None else ()
     if not all(names):
         raise BadInput(f"run: --plot wants names of columns, but got {plot!r}")
-    return Extras("--mine" in arguments, names, None if sweep is None else _values(sweep)), words
+    return Extras(own or "--mine" in arguments, names, None if sweep is None else _values(sweep)), words
 
 
 def _taken(option: str, words: list[str]) -> tuple[str | None, list[str]]:

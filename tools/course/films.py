@@ -25,3 +25,9 @@ def milestone(folder: str) -> str:
     """What shows a finished chapter's scene on the student's own functions; empty where nothing is filmed."""
     film = films().get(folder)
     return f"./course view {film['scene']} --mine" if film else ""
+
+
+def own_step(folder: str) -> str:
+    """What shows a scene moved by the step that the chapter ends with; empty where it ends with none."""
+    scene = films().get(folder, {}).get("own_step")
+    return f"./course view {scene} --engine mine" if scene else ""
