@@ -1,5 +1,6 @@
 #include "02_quaternions/quaternions.hpp"
 #include "common/not_implemented.hpp"
+#include "common/require.hpp"
 
 namespace spook {
 
