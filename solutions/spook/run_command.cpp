@@ -86,8 +86,8 @@ void RunCommand::execute(std::ostream& out) const {
 
   std::ofstream table, recording;
   if (csv || record) {  // what is refused leaves older files as they are
-    const std::unique_ptr<Scene> scene = description.build(parameters, settings.method);
-    if (settings.method.engine == Engine::plain) plain_step_of(*scene);
+    const std::unique_ptr<Scene> built = description.build(parameters, settings.method);
+    if (settings.method.engine == Engine::plain) plain_step_of(*built);
   }
   open(table, "csv", csv);
   open(recording, "record", record);

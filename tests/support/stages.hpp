@@ -145,7 +145,8 @@ inline Crowd crowd(Random& random, int bodies, int contacts) {
     const auto is_static = [&](int b) { return made.all.bodies[static_cast<std::size_t>(b)].mass == 0; };
     if (is_static(i) && is_static(j)) continue;
     made.contacts.push_back(random_contact(random, i, j));
-    if (random.integer(0, 1)) made.contacts.push_back(random_contact(random, i, j));
+    const bool twice = random.integer(0, 1) == 1;
+    if (twice) made.contacts.push_back(random_contact(random, i, j));
   }
   return made;
 }
