@@ -61,7 +61,7 @@ class Films(unittest.TestCase):
         for folder, command in shown.items():
             with self.subTest(folder):
                 scene = re.fullmatch(r"\./course view (\w+) --engine mine", command)[1]
-                self.assertIn(f"./course run {scene}", self.lessons[folder].partition("## Exercises")[2])
+                self.assertIn(f"{scene} --engine mine", self.lessons[folder].partition("## Exercises")[2])
                 done = subprocess.run([spook, "run", scene, "--engine", "plain", "--time", "0.05"],
                                       capture_output=True, text=True)
                 self.assertEqual((done.returncode, done.stderr), (0, ""))
