@@ -139,4 +139,9 @@ std::vector<Pair> sweep_and_prune(const std::vector<Bounds>& bounds);
 /// Throws as sweep_and_prune does.
 std::vector<Pair> spatial_hash(const std::vector<Bounds>& bounds);
 
+/// Exercise 8.12. The whole step: finds the contacts of all bodies where they are at t_n, Eq. (8.1)-(8.12), and goes on as
+/// chapter 07's. Those of planes come first, plane by plane; then those of each pair of balls and boxes, in the order of
+/// the pairs. Two static bodies have none. Throws std::invalid_argument as step_impacts does.
+void step_pairs(Simulation& simulation, double h);
+
 }  // namespace spook

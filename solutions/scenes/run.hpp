@@ -26,10 +26,14 @@ struct RunResult {
   std::optional<double> us_per_step;  ///< median of several runs [µs]; none when no step was taken
   double us_low = 0, us_high = 0;     ///< their quartiles [µs]
   StageTimes stages;                  ///< their shares of us_per_step
+  std::string plain_step;  ///< the exercise whose step ran, such as "2.7 step_free"; of the plain engine only
 };
 
 /// time/h, rounded. Throws std::invalid_argument unless h > 0 and time >= 0, and for more than 1e9 steps.
 std::int64_t step_count(double h, double time);
+
+/// Returns the exercise whose step runs the scene in the plain engine. Throws std::invalid_argument where none does.
+std::string plain_step_of(const Scene& scene);
 
 /// What is looked at on the way, in the first run.
 struct Watch {

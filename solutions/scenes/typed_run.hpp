@@ -14,7 +14,7 @@ struct TypedRun {
   std::vector<std::string> set;
   std::optional<std::string> h, time, solver, iterations, tolerance;
   std::optional<std::string> substeps, integrator_order, row_order, seed, contact_margin, friction_model,
-      tangents, threads;
+      tangents, threads, engine;
   bool warm_start = false;
 
   /// What was typed, as numbers. Throws std::invalid_argument for what makes no sense.

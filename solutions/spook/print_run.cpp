@@ -32,6 +32,7 @@ static std::string solver_text(const SceneDescription& scene, const Parameters& 
                                const Method& method) {
   if (method.integrator_order == 4) return scene.solves ? "none: order four holds joints rigid" : "none";
   if (!scene.solves) return "none: no constraints";
+  if (method.engine == Engine::plain) return "at most " + counted(method.solver_limits.max_sweeps, "sweep");
   std::string text;
   if (may_rub(parameters))
     text = "friction " + name_of(friction_model(method)) + ", tangents " +
@@ -48,6 +49,7 @@ static std::string steps_text(const Method& method, const RunResult& result) {
                      short_text(static_cast<double>(result.steps) * method.h) + " s";
   if (method.threads > 1) text += " on " + counted(method.threads, "thread");
   if (method.substeps > 1) text += ", each of " + counted(method.substeps, "substep");
+  if (method.engine == Engine::plain) return text + "; plain engine, exercise " + result.plain_step;
   return method.integrator_order == 4 ? text + "; composed to order four" : text;
 }
 
@@ -112,6 +114,7 @@ void print_text(std::ostream& out, const SceneDescription& scene, const Paramete
   if (!result.verdict.note.empty()) print_entry(out, "note", result.verdict.note);
   print_entry(out, "speed",
               result.us_per_step ? short_text(*result.us_per_step) + " µs a step" : "no step taken");
+  if (settings.method.engine == Engine::plain) return;  // its stages and rows are its own
   if (result.us_per_step) print_entry(out, "stages", stages_text(result));
   if (scene.solves) print_entry(out, "residual", last_step_text(settings.method.solver, result.last));
   if (!result.last.trouble.empty()) print_entry(out, "trouble", result.last.trouble);

@@ -70,6 +70,22 @@ class CourseRun(unittest.TestCase):
         self.assertIn("This run calls no function of yours; you have begun 2.1.",
                       " ".join(self.run_free_fall("--mine")[1].split()))
 
+    def test_an_engine_of_ones_own(self):
+        """The step that the student wrote moves the bodies, and the reference's where there is none yet."""
+        step = next(exercise for exercise in all_exercises() if exercise.function == "leapfrog_step")
+        error, said = self.run_free_fall("--engine", "mine")
+        self.assertLess(error, 1e-9)
+        self.assertIn("all of it is the reference", said)
+        try:
+            self.box.file(step).write_text(STILL.replace("Vec3 kick(const Vec3& v, const Vec3&, double, double) { return v; }",
+                                                         "void leapfrog_step(Particles&, const ForceField&, double) {}"))
+            error, said = self.run_free_fall("--engine=mine")
+            self.assertGreater(error, 0.1)  # it hangs in the air
+            self.assertIn("Yours, right or wrong: 1.4; the rest is the reference.", said)
+            self.assertLess(self.run_free_fall("--mine")[0], 1e-9)  # the fast engine has a step of its own
+        finally:
+            self.box.restore(step)
+
     def test_mine_that_does_not_compile_or_define(self):
         for source, told in (("not C++", "does not compile: chapters/01_leapfrog/kick.cpp:1:"),
                              ("", "is not defined"),

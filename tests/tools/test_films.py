@@ -8,7 +8,7 @@ from pathlib import Path
 
 from sandbox import ROOT, all_exercises
 
-from films import command, films, milestones, not_shown
+from films import command, films, milestones, not_shown, own_step
 
 MOST_BYTES = 400_000
 
@@ -62,7 +62,8 @@ class Films(unittest.TestCase):
         for folder in self.lessons:
             exercises = {exercise.function for exercise in all_exercises() if exercise.folder == folder}
             called: set[str] = set()
-            for milestone in milestones(folder):
+            own = [f"{own_step(folder).removesuffix(' mine')} plain"] if own_step(folder) else []
+            for milestone in milestones(folder) + own:
                 words = milestone.removeprefix("./course view ").removesuffix(" --mine").split()
                 with self.subTest(folder, words=words), tempfile.TemporaryDirectory() as scratch:
                     calls, record = Path(scratch, "calls"), Path(scratch, "record")
@@ -74,6 +75,19 @@ class Films(unittest.TestCase):
                     called |= set(calls.read_text().split())
             with self.subTest(folder):
                 self.assertEqual(exercises - called, set(not_shown(folder)))
+
+    def test_a_chapter_with_a_step_says_how_to_run_it(self):
+        spook = Path(os.environ["COURSE_BUILD"], "check", "solutions", "spook")
+        shown = {folder: own_step(folder) for folder in self.lessons if own_step(folder)}
+        self.assertEqual([folder[:2] for folder in shown], [f"{chapter:02}" for chapter in range(1, 9)])
+        for folder, command in shown.items():
+            with self.subTest(folder):
+                scene = re.fullmatch(r"\./course view (\w+) --engine mine", command)[1]
+                self.assertIn(f"{scene} --engine mine", self.lessons[folder].partition("## Exercises")[2])
+                done = subprocess.run([spook, "run", scene, "--engine", "plain", "--time", "0.05"],
+                                      capture_output=True, text=True)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                self.assertRegex(done.stdout, rf"plain engine, exercise {int(folder[:2])}\.\d+ ")
 
 
 if __name__ == "__main__":

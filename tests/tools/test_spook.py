@@ -112,6 +112,15 @@ class Refusals(unittest.TestCase):
             self.refused(f"run orbit --integrator-order 4 --{option}", option.split()[0], "integrator-order 4")
         self.refused("play orbit --integrator-order 4", "--integrator-order")
 
+    def test_the_plain_engine_has_one_way_of_doing_it(self):
+        self.refused("run stack --engine mine", "engine", "plain")
+        for option in ["solver direct", "row-order up", "contact-margin 0", "friction-model box", "tangents sliding",
+                       "threads 2", "warm-start"]:
+            self.refused(f"run stack --engine plain --{option}", option.split()[0], "--engine")
+        for scene, has in (("door", "a hinge"), ("andrews", "a wrench"), ("spinning_disc", "corners"),
+                           ("top --set update=first_order", "a rotation update")):
+            self.refused(f"run {scene} --engine plain", f"engine plain cannot run a scene with {has}")
+
     def test_csv(self):
         self.refused("run orbit --csv /no/such/folder/a.csv", "csv", "/no/such/folder/a.csv")
         with tempfile.TemporaryDirectory() as folder:
@@ -119,6 +128,7 @@ class Refusals(unittest.TestCase):
             kept.write_text("mine")
             self.refused(["run", "top", "--set", "I1=5", "--csv", str(kept)], "I2")
             self.refused(["run", "top", "--h", "0", "--csv", str(kept)], "h")
+            self.refused(["run", "door", "--engine", "plain", "--csv", str(kept)], "hinge")
             self.assertEqual(kept.read_text(), "mine")
             self.refused(["run", "orbit", "--csv", folder], "csv", folder)
 

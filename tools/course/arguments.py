@@ -138,6 +138,7 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     command = add("plot", "run an experiment, check its claims, draw it; without a name: list them")
     command.add_argument("which", nargs="?", metavar="NAME", help="an experiment, a topic, or all")
     command.add_argument("--mine", action="store_true", help="with a curve of your own functions beside ours")
+    command.add_argument("--engine", choices=["mine"], help="with a curve of an engine of your own: for work_precision")
     command.add_argument("--quick", action="store_true", help="the size that the tests run")
     command.add_argument("--shard", metavar="I/N", help="compute only each N-th point, from the I-th")
     command.add_argument("--merge", nargs="+", metavar="FOLDER", help="put together what shards have computed")

@@ -2,7 +2,7 @@
 
 import json
 
-from films import milestones, not_shown
+from films import milestones, not_shown, own_step
 from manifest import Chapter, Exercise, all_exercises, read_chapters
 from paths import shown
 from predict import count_right, guesses
@@ -81,6 +81,8 @@ def show_milestone(folder: str) -> None:
     print("  See it move, on your functions:")
     for command in commands:
         print(f"  {command}")
+    if command := own_step(folder):
+        print(f"  By a step of your own:  {command}")
     left_out = [exercise.id for exercise in all_exercises()
                 if exercise.folder == folder and exercise.function in not_shown(folder)]
     if left_out:

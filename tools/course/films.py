@@ -33,3 +33,9 @@ def milestones(folder: str) -> list[str]:
 def not_shown(folder: str) -> list[str]:
     """The functions of the chapter that no milestone calls."""
     return films().get(folder, {}).get("without", [])
+
+
+def own_step(folder: str) -> str:
+    """What shows a scene moved by the step that the chapter ends with; empty where it ends with none."""
+    scene = films().get(folder, {}).get("own_step")
+    return f"./course view {scene} --engine mine" if scene else ""

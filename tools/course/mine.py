@@ -1,6 +1,7 @@
 """--mine: programs of the engine that take what a student has written so far in place of the reference's."""
 
 import json
+import re
 from pathlib import Path
 
 import diagnostics
@@ -14,6 +15,14 @@ from tree import Tree
 from verdict import CHECK
 
 CALLS = "SPOOK_CALLS"  # names the file to which a program writes what it has called; see tools/noting.py
+
+
+def own_engine(words: list[str]) -> tuple[bool, list[str]]:
+    """Tells whether the words ask for --engine mine, which is the plain engine on the student's functions; and the words
+    that the program takes for it."""
+    text = "\n".join(words)
+    plain = re.sub(r"^--engine[=\n]mine$", "--engine\nplain", text, flags=re.MULTILINE)
+    return plain != text, plain.split("\n") if words else words
 
 
 def begun() -> list[Exercise]:

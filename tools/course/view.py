@@ -15,7 +15,7 @@ from errors import BadInput, CourseError
 from frames import with_frames
 from install import install
 from manifest import Exercise
-from mine import begun, signed, told
+from mine import begun, own_engine, signed, told
 from needs import VIEW_NEEDS
 from page import film
 from paths import BUILD, shown
@@ -45,6 +45,8 @@ def view(arguments) -> int:
         recordings, code = _files(arguments), 0
         runs: list[Run] = []
     else:
+        own, words = own_engine(words)
+        arguments.mine |= own
         runs = variations(words, arguments, parameters_of)
     out = _target(out or BUILD / "views" / f"{Path(words[0]).stem}.html", made=out is None)
     if not arguments.gltf:
