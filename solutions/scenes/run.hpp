@@ -1,7 +1,7 @@
 #pragma once
-// Runs a scene: once with looking, for its error, a few times without, for its speed, and once with a clock around each
-// stage. A look at that clock may take longer than the step of a point mass: the speed is measured without it, and the
-// stages are told as their shares of the speed, so that they add up to it.
+// Runs a scene: once with observation, for its error; a few times without, for its speed; and once with stage timing.
+// Reading the clock may take longer than the step of a point mass. So the speed is measured without stage timing, and
+// stage times are scaled to add up to the speed.
 #include <functional>
 #include <optional>
 #include <ostream>
@@ -17,33 +17,32 @@ struct RunSettings {
 
 struct RunResult {
   std::int64_t steps = 0;
-  double error = 0;                   ///< in the scene's unit
-  Verdict verdict;                    ///< the worst of all steps
-  StepReport last;                    ///< of the last step
-  std::vector<std::string> columns;   ///< of the scene
-  std::vector<double> state;          ///< the last, in these columns
-  std::int64_t row_updates = 0;       ///< of all steps
-  std::optional<double> us_per_step;  ///< median of several runs [µs]; none when no step was taken
-  double us_low = 0, us_high = 0;     ///< their quartiles [µs]
-  StageTimes stages;                  ///< their shares of us_per_step
+  double error = 0;                   ///< error in the scene's unit
+  Verdict verdict;                    ///< the worst verdict of all steps
+  StepReport last;                    ///< report of the last step
+  std::vector<std::string> columns;   ///< names of the state's numbers
+  std::vector<double> state;          ///< final state, in these columns
+  std::int64_t row_updates = 0;       ///< row updates of all steps
+  std::optional<double> us_per_step;  ///< median of several runs [µs]; none without steps
+  double us_low = 0, us_high = 0;     ///< quartiles of those runs [µs]
+  StageTimes stages;                  ///< time of each stage, scaled to add up to us_per_step
 };
 
-/// time/h, rounded. Throws std::invalid_argument unless h > 0 and time >= 0, and for more than 1e9 steps.
+/// Returns time/h, rounded. Throws std::invalid_argument unless h > 0 and time >= 0, and for more than 1e9 steps.
 std::int64_t step_count(double h, double time);
 
-/// What is looked at on the way, in the first run.
+/// Output of the first run.
 struct Watch {
-  std::ostream* csv = nullptr;  ///< a line of columns, and one for each substep, the start included
-  bool positions = false;       ///< each body's x, y, z in these lines, too
-  /// Is shown the scene at the start, and after each substep.
+  std::ostream* csv = nullptr;  ///< gets a line of names, and a line for each substep, the start included
+  bool positions = false;       ///< adds x, y, z of each body to these lines
+  /// Called with the scene at the start, and after each substep.
   std::function<void(Scene& scene, std::int64_t substep)> look = nullptr;
-  /// Is told now and then, in a long run, how many of the steps are done; and at its end.
+  /// Called with the number of steps done, several times in a long run, and at its end.
   std::function<void(std::int64_t done, std::int64_t steps)> progress = nullptr;
 };
 
-/// Builds the scene and runs it.
-/// Throws std::invalid_argument for bad settings before anything is written, and SimulationDiverged, with what was written up
-/// to then.
+/// Builds the scene and runs it. Throws std::invalid_argument for bad settings, before it writes anything. Throws
+/// SimulationDiverged if the run diverges; output up to that step has been written.
 RunResult run(const SceneDescription& scene, const Parameters& parameters, const RunSettings& settings,
               const Watch& watch = {});
 
