@@ -1,7 +1,7 @@
 #pragma once
-// Random inputs from a seed that every failure prints, and that `./course check N.M --seed S` gives back: with every
-// compiler, as long as no two draws are arguments in the same parentheses or operands of the same sum, whose order is the
-// compiler's. Braces have an order, and so have statements.
+// Random inputs from a seed. Every failure prints the seed, and `./course check N.M --seed S` repeats its inputs. They
+// are the same with every compiler if no two draws are arguments of one call or operands of one sum, since the compiler
+// chooses the order of those. Initialisers in braces, and statements, have a fixed order.
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
@@ -12,8 +12,7 @@
 
 namespace spook::testing {
 
-/// The length of a list that is longer than those of most tests: for loops that end early, and for room that was enough
-/// for ten.
+/// The length of a list longer than in most tests. It detects loops that end early, and arrays that have room for ten.
 inline constexpr int many = 100;
 
 inline const std::string ends_early = "A loop that ends early leaves the rest as they were.";
@@ -21,25 +20,25 @@ inline const std::string ends_early = "A loop that ends early leaves the rest as
 class Random {
  public:
   Random() : engine_(seed()) { used_ = true; }
-  explicit Random(std::uint64_t seed) : engine_(seed) {}  ///< of one's own, which a failure has to name
+  explicit Random(std::uint64_t seed) : engine_(seed) {}  ///< for a test that names the seed in its failures
 
   double uniform(double lo, double hi) { return std::uniform_real_distribution<double>(lo, hi)(engine_); }
   int integer(int lo, int hi) { return std::uniform_int_distribution<int>(lo, hi)(engine_); }
 
-  /// Evenly spread over magnitudes: as often between 0.01 and 0.1 as between 10 and 100.
+  /// Draws a number evenly distributed over magnitudes: as often between 0.01 and 0.1 as between 10 and 100.
   double log_uniform(double lo, double hi) { return std::exp(uniform(std::log(lo), std::log(hi))); }
 
-  /// Coefficients in [-size, size], or in [lo, hi].
+  /// Draws a vector with coefficients in [-size, size], or in [lo, hi].
   Vec3 vector(double size = 1) { return vector(-size, size); }
   Vec3 vector(double lo, double hi) { return {uniform(lo, hi), uniform(lo, hi), uniform(lo, hi)}; }
 
-  /// Whole coefficients from lo to hi.
+  /// Draws a vector of whole numbers from lo to hi.
   Vec3 integers(int lo, int hi) {
     const int x = integer(lo, hi), y = integer(lo, hi), z = integer(lo, hi);
     return Vec3(x, y, z);
   }
 
-  /// Of a body: velocity and angular velocity, each a vector(size).
+  /// Draws the velocity and angular velocity of a body, each as vector(size).
   Twist<6> twist(double size = 1) {
     const Vec3 v = vector(size), omega = vector(size);
     return (Twist<6>() << v, omega).finished();
@@ -47,7 +46,7 @@ class Random {
 
   Vec3 unit_vector() { return Vec3{normal(), normal(), normal()}.normalized(); }
 
-  /// In any direction, and as long as uniform(lo, hi) says.
+  /// Draws a vector of random direction, with a length from uniform(lo, hi).
   Vec3 vector_of_length(double lo, double hi) {
     const double length = uniform(lo, hi);
     return length * unit_vector();
@@ -55,7 +54,7 @@ class Random {
 
   Quat rotation() { return Quat{normal(), normal(), normal(), normal()}.normalized(); }
 
-  /// SPOOK_SEED, or 1: two runs of the same work get the same marks.
+  /// The environment variable SPOOK_SEED, or 1, so that two runs of the same work get the same marks.
   static std::uint64_t seed() {
     const char* given = std::getenv("SPOOK_SEED");
     return given ? std::strtoull(given, nullptr, 10) : 1;
