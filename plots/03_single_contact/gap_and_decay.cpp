@@ -1,7 +1,7 @@
-// What k and d of SPOOK do to one contact: how deep it rests, Eq. (3.13), and how a violation dies, Eq. (3.14).
+// Effect of SPOOK's k and d on one contact: its depth at rest, Eq. (3.13), and the decay of a violation, Eq. (3.14).
 //
-// A point mass of 1 kg over a floor, as one row, without projection: the linear equation itself. The decay is the factor
-// by which a violation shrinks in a step, on average over the later half of a long run without forces.
+// A point mass of 1 kg over a floor, as one row without projection. The decay is the factor by which a violation
+// shrinks in a step, on average over the later half of a long run without forces.
 #include <algorithm>
 #include <cmath>
 
@@ -32,7 +32,7 @@ double rest_gap(double h, double k, double d) {
   return s.gap;
 }
 
-/// The larger root of Eq. (3.14), as its modulus.
+/// Returns the modulus of the larger root of Eq. (3.14).
 double predicted_factor(double h, double k, double d) {
   const double sigma = 1 / (1 + m * spook_parameters(h, k, d).Sigma);
   const double beta = 1 - 2 * (d + 1) * sigma / (1 + 4 * d);
@@ -41,7 +41,7 @@ double predicted_factor(double h, double k, double d) {
   return discriminant < 0 ? std::sqrt(alpha) : std::abs(beta) + std::sqrt(discriminant);
 }
 
-/// Made as large as at the start again after each step, it is never lost in roundings.
+/// Scales the violation back to its initial size after each step, so that round-off does not hide it.
 double measured_factor(double h, double k, double d) {
   const SpookParameters spook = spook_parameters(h, k, d);
   State s{-1, 0};

@@ -1,7 +1,7 @@
-// What Σ does for Gauss-Seidel: for a heavy body on a light one, Eq. (4.10), and for rows that contradict each other.
+// Effect of Σ on Gauss-Seidel: for a heavy body on a light one, Eq. (4.10), and for contradictory rows.
 //
 //   sweeps       to an error of 1e-6 of the impulse between the two, over the mass ratio, for m Σ of 0, 1e-4 and 1e-2
-//   contradict   two rows between the same two bodies, S = [[1, 1], [1, 1]] + Σ, that ask for velocities of 1 and 2 m/s:
+//   contradict   two rows between the same two bodies, S = [[1, 1], [1, 1]] + Σ, with right-hand sides of 1 and 2 m/s:
 //                the first impulse and the velocity after each sweep
 #include <cmath>
 

@@ -1,8 +1,8 @@
-// A hanging wire under Gauss-Seidel: the sweeps that it takes, Eq. (6.12), and how long it gets with fewer.
+// A hanging wire under Gauss-Seidel: the number of sweeps needed, Eq. (6.12), and the stretch with fewer.
 //
 //   tension   one step of a straight wire at rest, Σ nearly 0, λ from 0: the largest error of a tension over that of the
 //             top, against sweeps
-//   stretch   the same wire after some seconds with so many sweeps in each step: its stretch over its length
+//   stretch   relative stretch of the same wire after some seconds, against sweeps in each step
 //
 // N links of 1/N m, points of m = 1 kg, a load of ratio·m in place of the last. Rows from the top down.
 #include <cmath>
@@ -24,7 +24,7 @@ struct Wire {
   double load(int point) const { return point == links ? ratio * m : m; }
   double tension(int link) const { return (ratio * m + (links - link) * m) * g; }  // Eq. (6.8), 1 at the top
 
-  /// By Eq. (6.9).
+  /// The stretch at rest by Eq. (6.9).
   double stretch(double k) const {
     double sum = 0;
     for (int link = 1; link <= links; ++link) sum += tension(link);

@@ -1,14 +1,14 @@
-// What three ways to find pairs compare, and how long they take: spheres of radius 0.35 m, at random places, one in each
-// cubic metre, so that each touches as many others however many there are.
+// Number of comparisons and time of three broad phases. Spheres of radius 0.35 m are at random positions, one in each
+// cubic metre, so the number of neighbours of a sphere does not depend on N.
 //
 //   all pairs         N (N - 1)/2 comparisons
-//   sweep and prune   those that overlap along one axis: N (N - 1)/2 times 2·0.7/L of a cube of side L = N^(1/3),
+//   sweep and prune   pairs that overlap along one axis: N (N - 1)/2 times 2·0.7/L in a cube of side L = N^(1/3),
 //                     so N^(5/3); Eq. (8.12)
-//   spatial hash      those that share a cell of 1 m: a sphere's bounds are in 1.7 cells along each axis, so a cell
-//                     has μ = 1.7³ of them, and μ²/2 pairs: 12 N, but for the surface; Eq. (8.13), (8.14)
+//   spatial hash      pairs that share a cell of 1 m: a sphere's bounds are in 1.7 cells along each axis, so a cell
+//                     has μ = 1.7³ of them, and μ²/2 pairs: 12 N, except near the surface; Eq. (8.13), (8.14)
 //
-// Comparisons are counted here, from what these equations say, and so are the same on every machine. Times are those of
-// the functions.
+// Comparisons are counted from these equations, so they are the same on every machine. Times are those of the
+// functions.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -56,7 +56,7 @@ double pairs_of(double count) {
   return count * (count - 1) / 2;
 }
 
-/// Pairs that overlap along x: each with those that begin before it ends.
+/// Returns the number of pairs that overlap along x.
 double overlapping_along_x(const std::vector<Bounds>& bounds) {
   std::vector<double> lower;
   for (const Bounds& one : bounds) lower.push_back(one.lower.x());
@@ -67,7 +67,7 @@ double overlapping_along_x(const std::vector<Bounds>& bounds) {
   return count;
 }
 
-/// Pairs that share a cell of 1 m, counted in each cell that they share.
+/// Returns the number of pairs that share a cell of 1 m, counted in each shared cell.
 double sharing_a_cell(const std::vector<Bounds>& bounds) {
   std::map<std::tuple<double, double, double>, double> cells;
   for (const Bounds& one : bounds) {
@@ -81,8 +81,8 @@ double sharing_a_cell(const std::vector<Bounds>& bounds) {
   return count;
 }
 
-/// Along an axis of length L the cells have 0.35, 1.35, 1.7, …, 1.7, 1.35, 0.35 spheres in them, in the mean; the sum of
-/// their squares is 2.89 L - 1.89. The same along the others.
+/// Returns the expected number. Along an axis of length L the cells contain 0.35, 1.35, 1.7, …, 1.7, 1.35, 0.35 spheres
+/// in the mean. The sum of their squares is 2.89 L - 1.89, and the same along the other axes.
 double sharing_a_cell_in_the_mean(double count) {
   return count * std::pow(2.89 - 1.89 / std::cbrt(count), 3) / 2;
 }

@@ -1,7 +1,7 @@
-// Four models of friction in scenes that know Coulomb's answer.
+// Four friction models in scenes with a known answer by Coulomb's law.
 //
 //   push       the smallest force along a direction that moves a block at rest, over μ m g
-//   distance   how far a block comes that was let go at v0 in that direction, over v0²/(2 μ g)
+//   distance   the sliding distance of a block thrown at v0 in that direction, over v0²/(2 μ g)
 //   stack      the smallest μ with which n points, one on the other, stay on a slope, over tan θ
 //   spin       the spin of a disc on its flat side, over its first; time over 3 R ω0/(4 μ g)
 //
@@ -19,13 +19,13 @@ constexpr Model models[] = {Model::box, Model::sliding_box, Model::two_pass, Mod
 constexpr StopRule sharp{.max_sweeps = 50000, .tolerance = 1e-13};
 const Vec3 up = Vec3::UnitZ(), nothing = Vec3::Zero();
 
-/// For a slip u that the forces of this step are part of.
+/// Returns the tangents for a slip u that includes the forces of this step.
 Tangents tangents_of(Model model, const Vec3& u) {
   if (model == Model::sliding_box) return sliding_tangents(up, u, 1e-12);
   return {.t1 = Vec3::UnitX(), .t2 = Vec3::UnitY()};
 }
 
-/// The velocity of 1 kg on a floor after a step.
+/// Returns the velocity of a mass of 1 kg on a floor after a step.
 Vec3 pushed(Model model, const Vec3& v, const Vec3& force, double h) {
   Rubbed<3> s;
   const Vec3 Wf = h * (force - g * up);
@@ -37,7 +37,7 @@ Vec3 pushed(Model model, const Vec3& v, const Vec3& force, double h) {
   return s.velocity(1);
 }
 
-/// Where `moving` changes from true to false, or from false to true.
+/// Returns the argument at which `moving` changes.
 template <class Moving>
 double threshold(double low, double high, const Moving& moving) {
   const bool at_low = moving(low);
@@ -58,7 +58,8 @@ double smallest_push(Model model, double phi) {
   });
 }
 
-/// From start to stop; v starts half a step early, by friction's own deceleration, so that the order is 2.
+/// Returns the distance from start to stop; v starts half a step early, with friction's own deceleration, so that the
+/// order is 2.
 double distance(Model model, double phi, double h) {
   const double v0 = 3;
   Vec3 x = nothing, v = v0 * direction(phi);
@@ -89,7 +90,7 @@ double smallest_mu(Model model, int n) {
   return threshold(0, 100, slides);
 }
 
-/// 1 kg, 80 points with the same area each, in 40 pairs of opposite ones.
+/// A disc of 1 kg, represented by 80 points of equal area, in 40 pairs of opposite points.
 struct Disc {
   static constexpr double radius = 0.5, inertia = radius * radius / 2, h = 1.0 / 240, first = 20;
   static constexpr int pairs = 40;

@@ -1,9 +1,9 @@
-// What the sweeps do with each model of friction, one solve at a time.
+// Convergence of sweeps with each friction model, in single solves.
 //
-//   pile     thirty balls in a pyramid at rest, μ = 1: what each sweep returns, over g h (for two passes: the second)
+//   pile     thirty balls in a pyramid at rest, μ = 1: largest change in each sweep, over g h (two passes: the second)
 //   rod      a rod that slides on one end, tan 2 steep, end behind or ahead: the same
 //   five     the smallest μ with which a pyramid of five balls stays
-//   answers  the pyramid of thirty, solved on cones from two starts: the speed that it ends with, and the residual
+//   answers  the pyramid of thirty, solved on cones from two starts: its final speed, and the residual
 #include <numbers>
 
 #include "09_better_friction/rubbing.hpp"
@@ -15,14 +15,14 @@ namespace {
 constexpr double h = 1.0 / 60;
 const Vec3 up = Vec3::UnitZ(), nothing = Vec3::Zero();
 
-/// The first tangent goes uphill, or on the floor outwards.
+/// The first tangent points uphill, or outwards on the floor.
 Tangents steepest(const Vec3& n, const Vec3& outwards) {
   const Vec3 along = n.cross(up).norm() > 1e-6 ? up : outwards.norm() > 1e-6 ? outwards : Vec3::UnitX();
   const Vec3 t1 = (along - n.dot(along) * n).normalized();
   return {.t1 = t1, .t2 = n.cross(t1)};
 }
 
-/// Balls of 1 kg, their places, and all contacts between them and with the floor.
+/// Balls of 1 kg, their positions, and all contacts between them and with the floor.
 Rubbed<6> balls(const std::vector<Vec3>& places, double radius, double mu) {
   Rubbed<6> s;
   add_body<6>(s, {}, Twist<6>::Zero(), Twist<6>::Zero());
@@ -45,7 +45,7 @@ Rubbed<6> balls(const std::vector<Vec3>& places, double radius, double mu) {
   return s;
 }
 
-/// Squares of balls that touch, the lowest of `side` a side, around the z-axis.
+/// Square layers of touching balls around the z-axis, with `side` balls along a side of the lowest.
 Rubbed<6> pyramid(int side, double mu) {
   const double radius = 0.5;
   std::vector<Vec3> places;
@@ -58,7 +58,7 @@ Rubbed<6> pyramid(int side, double mu) {
   return balls(places, radius, mu);
 }
 
-/// 1 kg and 2 m, its lower end on the floor, the other above it at x > 0; μ n·Kt/n·Kn is -0.75 μ for slip > 0.
+/// A rod of 1 kg and 2 m, its lower end on the floor, the other above it at x > 0; μ n·Kt/n·Kn is -0.75 μ for slip > 0.
 Rubbed<6> rod(double mu, double slip) {
   Rubbed<6> s;
   add_body<6>(s, {}, Twist<6>::Zero(), Twist<6>::Zero());
@@ -70,7 +70,7 @@ Rubbed<6> rod(double mu, double slip) {
   return s;
 }
 
-/// What the sweeps returned, over g h; of two passes the second's.
+/// Returns the results of the sweeps, over g h; of two passes those of the second.
 std::vector<Row> history(const std::string& what, const std::string& which, Model model, Rubbed<6> s,
                          int most) {
   const StopRule stop{.max_sweeps = most, .tolerance = 1e-12 * g * h};
