@@ -3,11 +3,11 @@
 //   wire    9 points of 1 kg on a wire of ten links and 1 m, and 100 kg at its end
 //   stack   10 point masses of 1 kg, one on the other
 //
-// k = 1e8, d = 3. Two more ways of substeps, of methods/small_steps.hpp: XPBD, and relaxed ones, which are half as many as
-// they update each row twice. The error is that of the worst gap, its mean over the second half of 10 s against T/k or N/k, over
-// the length of a link; a million when it is lost. (A link that swings up past the point above it has turned over, and
-// is as long as it should be with a gap of -2 lengths: a wire that is lost need not be off by more.) "needed" are the
-// sweeps that a warm start needs by Eq. (10.12), with the rate that a long solve has at its end.
+// k = 1e8, d = 3. Two other methods of substeps are those of methods/small_steps.hpp: XPBD and relaxed substeps. The
+// latter update each row twice, so there are half as many. The error is that of the worst gap: its mean over the second
+// half of 10 s, less T/k or N/k, over the length of a link; 1e6 if the run is lost. (A link that has swung up past the
+// point above it is upside down, and at rest with a gap of -2 lengths. So a lost wire need not have a larger error.)
+// "needed" is the number of sweeps that a warm start needs by Eq. (10.12), with the final rate of a long solve.
 #include <cmath>
 
 #include "10_convergence/convergence.hpp"
@@ -28,13 +28,13 @@ Chain stack() {
   return {false, {1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
 }
 
-/// What a method does with so many updates of each row in 1/60 s.
+/// The step of a method with so many updates of each row in 1/60 s.
 struct Method {
   std::string name;
   bool substeps, warm;
 };
 
-/// The worst gap, from its mean over the second half, over a link.
+/// Returns the error of the worst gap: its mean over the second half, over the length of a link.
 template <class Step>
 double error_of(const Chain& chain, const World<3>& world, double h, const Step& step) {
   const int n = static_cast<int>(chain.mass.size()), steps = static_cast<int>(std::lround(seconds / h));
@@ -66,7 +66,7 @@ double error_of(const Chain& chain, const Method& method, int updates) {
   return error_of(chain, world, 1.0 / 60 / (method.substeps ? updates : 1), [&](double h) { world.step(h); });
 }
 
-/// How far XPBD with positions is from xpbd() in a second of 16 substeps to the 1/60 s, over a link.
+/// Returns the difference of XPBD with positions and xpbd() in a second of 16 substeps to the 1/60 s, over a link.
 double positions_apart(const Chain& chain) {
   World<3> world =
       chain.world({.d = 0.75, .solver = xpbd(), .solver_limits = {.max_sweeps = 1, .tolerance = 0}});
@@ -81,7 +81,7 @@ double positions_apart(const Chain& chain) {
   return most;
 }
 
-/// By the rate of a solver that tells what its sweeps returned.
+/// Returns the number of sweeps by the rate of a solver's history.
 double needed(const Chain& chain) {
   std::vector<double> history;
   World<3> world = chain.world({.solver = {.solve = [&](const SolverInput<3>& s) {

@@ -1,14 +1,14 @@
-// What blocks, colours, lanes and threads gain, counted; and, in full size, timed.
+// Gain by blocks, colours, lanes and threads, as counts; and, in full size, as times.
 //
-//   rod       a rod that leans with tan 2 and is dragged at 3 m/s, (9.8) with ρ = -3/4 μ: sweeps to 1e-9 m/s
-//   sweeps    to 1e-6 m/s on the first step of contact problems, row by row on the cone, x = 0; as blocks, 1; and row by
+//   rod       a rod with slope tan 2 that is dragged at 3 m/s, (9.8) with ρ = -3/4 μ: sweeps to 1e-9 m/s
+//   sweeps    to 1e-6 m/s on the first step of contact problems: row by row on the cone, x = 0; as blocks, 1; row by
 //             row, each contact three times before the next, 3
-//   waiting   of one sweep: how many updates wait for each other, one after the other, at most. An update waits for the
-//             last one that wrote a velocity of its two bodies
-//   colours   their number, the most pairs on a body, the part of the lanes that is filled, and how many times faster a
-//             sweep could be on several threads, by the largest share of each colour
-//   time      of a row's update [ns], in order, in packs, and in packs on two threads; what its bytes take where they
-//             come from memory, and what its operations take; the lower quartile
+//   waiting   longest chain of updates in a sweep, each of which depends on the one before. An update depends on the
+//             last update that wrote a velocity of its two bodies
+//   colours   number of colours, largest number of pairs on a body, filled fraction of the lanes, and the possible
+//             speed-up by threads, from the largest share of each colour
+//   time      of a row update [ns], in order, in packs, and in packs on two threads; the time of its bytes from memory,
+//             and of its operations; the lower quartile
 #include <cmath>
 #include <map>
 
@@ -28,7 +28,7 @@ World<6> on_a_floor(const Solver<6>& solver, double friction = mu) {
   return world;
 }
 
-/// A little nearer than they touch, so that all of them do.
+/// Spheres at slightly less than the touching distance, so that all contacts are found.
 World<6> grid(int across, int high, bool boxes, const Solver<6>& solver, double friction = mu) {
   World<6> world = on_a_floor(solver, friction);
   const double apart = 0.995 * side;
@@ -49,7 +49,7 @@ World<6> grid(int across, int high, bool boxes, const Solver<6>& solver, double 
   return world;
 }
 
-/// Boxes of 2 m, thin, that stand on an edge and slide.
+/// Thin boxes of 2 m that stand on an edge and slide.
 World<6> leaning_boxes(const Solver<6>& solver) {
   World<6> world = on_a_floor(solver, 1);
   for (int k = 0; k < 30; ++k) {
@@ -65,7 +65,7 @@ World<6> leaning_boxes(const Solver<6>& solver) {
   return world;
 }
 
-/// Three rows a contact, from nothing.
+/// Builds three rows per contact, starting from λ = 0.
 struct OnCones {
   std::vector<spook::Row<6>> rows;
   std::vector<FrictionContact> contacts;
@@ -82,7 +82,8 @@ struct OnCones {
   double by_blocks(const StopRule& stop) {
     return sweeps_of(stop, [&](const FrictionContact& contact) { return update_contact(contact, rows, V); });
   }
-  /// Row by row, but each contact's three rows so often before the next contact's; what the first time changed counts.
+  /// Sweeps row by row, with each contact's three rows updated so often before the next contact; returns the change of
+  /// the first update.
   double by_repeats(int repeats, const StopRule& stop) {
     return sweeps_of(stop, [&](const FrictionContact& contact) {
       double first = 0;
@@ -123,7 +124,7 @@ OnCones dragged_rod(double friction) {
   return {rows, 2, friction};
 }
 
-/// The longest chain of updates, each of which waits for the one before.
+/// Returns the longest chain of updates, each of which depends on the one before.
 int chain(const std::vector<int>& order, const std::vector<spook::Row<6>>& rows, std::size_t bodies) {
   std::vector<int> ready(bodies, 0);
   int longest = 0;
@@ -188,7 +189,7 @@ std::vector<Row> counts(const std::string& name, const World<6>& world) {
   return table;
 }
 
-/// Of a row in a pack: operations of (14.9), and what must come from memory if nothing is near.
+/// Operations of (14.9) for a row in a pack, and its bytes from memory if nothing is in the cache.
 constexpr double operations = 24 + 7 + 24, bytes = sizeof(LaneRows<6>) / lane_count;
 
 std::vector<Row> times(int across, int high) {
@@ -207,7 +208,7 @@ std::vector<Row> times(int across, int high) {
           {"time", "two threads", n, in_packs(2)}};
 }
 
-/// What the machine can do at best: reading from memory, and adding and multiplying in registers [ns per row].
+/// Measures the machine's limits: reading from memory, and arithmetic in registers [ns per row].
 std::vector<Row> floors() {
   const std::vector<double> large(1 << 24, 1.0);
   double sink = 0;
