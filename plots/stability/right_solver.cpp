@@ -1,10 +1,10 @@
-// The hard cases of the other maps, with a solver that fits them: what is left to lose.
+// The hard cases of the other maps, with a suitable solver.
 //
 //   hanging     wires at rest under a load, by factors of S: the stretch is ΣT/k, Eq. (6.9)
-//   swinging    a wire of a hundred links let go at 30°, for 2 s, with the stiffness of its tension, Eq. (12.5)
+//   swinging    a wire of a hundred links released at 30°, for 2 s, with the stiffness of its tension, Eq. (12.5)
 //   towers      boxes with friction under a heavy one, by factors: the top sinks by ΣN/(4k)
 //
-// k grows with the load, so that all wires stretch, and all towers sink, by about as much.
+// k grows with the load, so that all wires have about the same stretch, and all towers the same depth.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -20,7 +20,7 @@ namespace {
 
 using Values = std::vector<std::pair<std::string, double>>;
 
-/// The scene's error after `seconds`, infinite when it blew up; and its state, engine/diagnostics/run_check.hpp.
+/// The scene's error after `seconds`, infinite if it diverged; and its state, engine/diagnostics/run_check.hpp.
 struct SolverResult {
   double error;
   State state;

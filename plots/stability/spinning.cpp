@@ -1,19 +1,18 @@
-// A body that spins freely, for 10 s: what the rotation updates do to its energy and angular momentum, by spin and
-// step.
+// Energy and angular momentum of a freely spinning body under the rotation updates, after 10 s, by spin and step.
 //
 // Moments (1, 2, 3) kg m², ω along (1, 2, -2) at first. Errors are the largest of |T/T₀ - 1| and |L - L₀|/|L₀|.
-// Lost is what ended in a SimulationDiverged.
+// A run is lost if it ended in a SimulationDiverged.
 //
 // The law of the explicit torque, Eq. (2.9). With τ = -ω × Iω a step ω += h I⁻¹τ changes, exactly,
 //
 //   T by ½ h² τᵀ I⁻¹ τ,     |L|² by h² |τ|²
 //
-// for ω·τ = 0 and L·τ = 0: both only grow. As τ goes with ω², dT/dt goes with h T²: it is infinite after a time that
-// is finite,
+// for ω·τ = 0 and L·τ = 0: both can only grow. τ is proportional to ω², so dT/dt is proportional to h T². T becomes
+// infinite in a finite time,
 //
 //   h |ω|² t = C
 //
-// with a number C of the body and of the direction it spins in. Here it comes from one run with h |ω| = 0.01 rad.
+// with a constant C of the body and of the axis of rotation. Here C comes from one run with h |ω| = 0.01 rad.
 #include <algorithm>
 #include <cmath>
 
@@ -55,7 +54,7 @@ Errors spin_on(double spin, RotationUpdate update, double h) {
   return errors;
 }
 
-/// h |ω|² t of the SimulationDiverged for small h; infinite if there is none, as with a torque of a student that is wrong.
+/// Returns h |ω|² t of the SimulationDiverged for small h; infinite if there is none, as with a student's wrong torque.
 double constant_of_blowup() {
   const double h = 0.01;
   World<6> world = top(1, RotationUpdate::exponential);

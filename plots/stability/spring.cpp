@@ -1,14 +1,14 @@
-// A mass on a spring, by leapfrog on its force and by SPOOK with a distance of the same k: where each holds.
+// Stability limits of a mass on a spring: leapfrog with the spring's force, and SPOOK with a distance of the same k.
 //
-// m = 1 kg, from rest, 1 m from where the spring is at ease. The error is the largest of |x - cos ωt| over one
-// period, or ten steps if that is longer.
+// m = 1 kg, from rest, 1 m from the spring's equilibrium. The error is the largest |x - cos ωt| over one period, or ten
+// steps if those are longer.
 //
-//   force       holds up to h = 2/ω, Eq. (1.8). Below, x_n = cos nθ with nθ = ωt (1 + (hω)²/24): the error grows as
-//               ωt |sin ωt| (hω)²/24, which is largest at ωt = 4.91, 0.2006 (hω)².
-//   distance    any k, any h. It is a damped spring, Eq. (3.14): a soft one loses d (hω)²/2 of its swing a step, π d hω a
-//               period, and a stiff one is pulled in at once.
+//   force       stable up to h = 2/ω, Eq. (1.8). Below, x_n = cos nθ with nθ = ωt (1 + (hω)²/24): the error grows as
+//               ωt |sin ωt| (hω)²/24. It is largest at ωt = 4.91: 0.2006 (hω)².
+//   distance    stable for any k and h. It is a damped spring, Eq. (3.14): the amplitude of a soft spring decreases by
+//               d (hω)²/2 in a step, π d hω in a period; a stiff spring closes its gap at once.
 //
-// Lost is what blew up, or swung out beyond 1 m, within 1000 steps or a period.
+// A run is lost if it diverged, or exceeded 1 m, within 1000 steps or a period.
 #include <algorithm>
 #include <numbers>
 
@@ -31,7 +31,7 @@ World<3> by_force(double k, double h) {
   return world;
 }
 
-/// Along the line to its anchor, `length` away, a distance is as linear as the spring.
+/// Returns a distance of `length` to an anchor; along its line it is as linear as the spring.
 World<3> by_distance(double k) {
   World<3> world({.gravity = Vec3::Zero(),
                   .k = k,
