@@ -1,9 +1,9 @@
-// A motor brings a flywheel to speed.
+// A motor accelerates a flywheel to its target speed w.
 //
-//   I ω' = T                    while it lacks more than T/c            ω = T t/I,  for t1 = I w/T - I/c
-//   I ω' = c (w - ω)            then                                    w - ω = (T/c) exp(-(t - t1) c/I)
+//   I ω' = T                    while w - ω > T/c                       ω = T t/I,  for t1 = I w/T - I/c
+//   I ω' = c (w - ω)            afterwards                              w - ω = (T/c) exp(-(t - t1) c/I)
 //
-// With c = ∞, the default but for roundings, it is at speed at t = I w/T.
+// With c = ∞, the default up to round-off, it reaches w at t = I w/T.
 #include "scenes/disc.hpp"
 #include "scenes/registry.hpp"
 
@@ -21,7 +21,7 @@ class Flywheel : public WorldScene<6> {
         viscosity_(p.number("c")) {
     const double m = p.number("m"), radius = p.number("radius");
     const int frame = world_.add_fixed(Vec3::Zero());
-    // A thin disc: its moments across are half of that about its axis.
+    // A thin disc: its moments about a diameter are half of that about its axis.
     wheel_ = world_.add({.mass = m,
                          .principal = inertia_ * Vec3(0.5, 0.5, 1),
                          .corners = disc_points(1.5 * radius, 1, 24)});  // whose mean radius is 2/3 of that

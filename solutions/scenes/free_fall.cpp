@@ -1,6 +1,6 @@
-// Free fall from rest: the one motion that leapfrog with a half-step start gets exactly.
+// Free fall from rest, which leapfrog with a half-step start computes exactly.
 //
-//   z = -g t²/2.   Unshifted, z_n = -g h² n(n+1)/2: off by g h t/2, first order.       Eq. (1.3)-(1.5)
+//   z = -g t²/2.   Unshifted, z_n = -g h² n(n+1)/2: an error of g h t/2, first order.  Eq. (1.3)-(1.5)
 #include "scenes/registry.hpp"
 
 namespace spook {

@@ -21,7 +21,7 @@ static void assign(Parameters& parameters, const std::string& text) {
   parameters.set(name, text.substr(equals + 1));
 }
 
-/// How the rows are made and swept.
+/// Reads the options of rows and sweeps.
 static void set_rows(const TypedRun& typed, Method& method) {
   if (typed.row_order)
     method.row_order = choose<RowOrder>("row-order", *typed.row_order,
@@ -42,7 +42,7 @@ static void set_rows(const TypedRun& typed, Method& method) {
     method.sliding_tangents = choose<bool>("tangents", *typed.tangents, {{"fixed", false}, {"sliding", true}});
 }
 
-/// Steps that are composed hold joints in a way of their own.
+/// Rejects options that have no effect in steps of order four, which have their own method for joints.
 static void refuse_solver_beside_composed(const TypedRun& typed, const Method& method) {
   if (method.integrator_order != 4) return;
   const std::pair<const char*, bool> of_solvers[] = {{"solver", typed.solver.has_value()},
@@ -87,7 +87,7 @@ RunSettings TypedRun::settings(const SceneDescription& description) const {
     method.integrator_order = choose<int>("integrator-order", *integrator_order, {{"2", 2}, {"4", 4}});
   set_rows(*this, method);
   refuse_solver_beside_composed(*this, method);
-  // An order and the cone are asked for instead of a solver of the scene that has neither.
+  // A row order, or the cone, replaces the scene's solver if that solver does not support it.
   if (!solver && method.row_order != RowOrder::given) method.solver = solvers<3>().front().name;
   if (!solver && method.friction_model == FrictionModel::cone && !find_solver<3>(method.solver).make_on_cones)
     method.solver = "auto";

@@ -1,7 +1,7 @@
 // The spook program: `spook run SCENE`, `spook play SCENE` and `spook scenes`.
 //
-// Exit status: 0, done; 1, the run blew up or could not be finished; 2, the call made no sense. Complaints are one line
-// on stderr.
+// Exit status: 0, done; 1, the run diverged or could not be finished; 2, an invalid call. Errors are one line on
+// stderr.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
@@ -11,7 +11,7 @@
 #include "spook/run_command.hpp"
 #include "spook/scenes_command.hpp"
 
-/// What run and play have in common.
+/// Adds the options that run and play share.
 static CLI::App* add_scene_command(CLI::App& app, const std::string& name, const std::string& what,
                                    spook::RunCommand& run) {
   CLI::App* const command = app.add_subcommand(name, what);
@@ -62,13 +62,13 @@ static void add_scenes(CLI::App& app, spook::ScenesCommand& scenes) {
   command->add_option("--set", scenes.set, "Parameters of the exported scene")->expected(1, 1000);
 }
 
-/// -h could be meant for either; CLI11 would miss the scene first. Throws std::invalid_argument.
+/// Throws std::invalid_argument for an -h that could mean either; CLI11 would report a missing scene first.
 static void refuse_short_help(int argc, char** argv) {
   if (std::find(argv, argv + argc, std::string("-h")) != argv + argc)
     throw std::invalid_argument("-h is no option: --help shows them, and run has --h for the time step");
 }
 
-/// Throws std::invalid_argument for what no option or argument took.
+/// Throws std::invalid_argument for arguments that belong to no option.
 static void require_nothing_left(const CLI::App& app) {
   const std::vector<std::string> left = app.remaining();
   if (left.empty()) return;
