@@ -1,4 +1,4 @@
-// Between rows and packs of them.
+// Conversion between rows and packs.
 #include <algorithm>
 
 #include "14_fast_rows/fast_rows.hpp"
@@ -7,7 +7,7 @@ namespace spook {
 
 namespace {
 
-/// Rows of the same two bodies that follow each other.
+/// Consecutive rows of the same two bodies.
 struct Run {
   int first, count;
 };
@@ -51,7 +51,7 @@ std::vector<Colour<Dof>> packed(const std::vector<Row<Dof>>& rows, std::size_t b
 
   std::vector<Colour<Dof>> all(members.size());
   for (std::size_t c = 0; c < all.size(); ++c) {
-    // The longest first: those side by side are about as long.
+    // The longest first, so that rows side by side have similar lengths.
     std::stable_sort(members[c].begin(), members[c].end(),
                      [&](int a, int b) { return runs[a].count > runs[b].count; });
     for (std::size_t k = 0; k < members[c].size(); ++k) {
