@@ -274,7 +274,7 @@ class Refused(unittest.TestCase):
             lesson.write_text(before, encoding="utf-8")
         self.assertEqual((result.returncode, result.stdout), (1, ""), result.stderr)
         *found, last = result.stderr.splitlines()
-        self.assertRegex(last, r"^course: book: .* nowhere, or cannot be read$")
+        self.assertRegex(last, r"^course: book: .* in its pages$")
         self.assertEqual(len(found), len(wanted), result.stderr)
         for (line, told), said in zip(wanted, found):
             self.assertTrue(said.startswith(f"{LESSON}:{line}: "), said)
@@ -287,7 +287,7 @@ class Refused(unittest.TestCase):
                      ("[Up@](../../../elsewhere.md)", "elsewhere.md"),
                      ("[Root@](/etc/passwd)", "/etc/passwd"),
                      ("An equation,\n\nEq. @(1.99).", "no lesson has an equation (1.99)"),
-                     ("![no picture@](nowhere.png)", "'nowhere.png' is not there"),
+                     ("![no picture@](nowhere.png)", "'nowhere.png' does not exist"),
                      ("![network@](https://example.org/x.png)", "on another machine"),
                      ("<details>\n<summary>x</summary>\n<img alt='x@' src='gone.svg'>\n</details>", "'gone.svg'"),
                      ("<details>\n<summary>Where @(1.98) comes from</summary>\n</details>",
@@ -299,10 +299,10 @@ class Refused(unittest.TestCase):
         self.refused(("Inline $\\notamacro@$ formula.", "\\notamacro"),
                      ("@```math\nx = \\frac{1 \\tag{1.98}\n```", "KaTeX parse error"),
                      ("@```math\nx \\tag{1.96} \\tag{1.97}\n```", "2 tags"),
-                     ("@```math\nx = y \\tag{1.1}\n```", "equation (1.1) is there twice"))
+                     ("@```math\nx = y \\tag{1.1}\n```", "equation (1.1) occurs twice"))
 
     def test_a_live_figure_that_can_not_be_read(self):
-        self.refused(("<!-- live: orbit@ -->", "a live figure reads"))
+        self.refused(("<!-- live: orbit@ -->", "a live figure must be"))
 
     def test_what_was_made_before_stays(self):
         self.assertEqual(self.box.course("book", "--films").returncode, 0)
@@ -314,7 +314,7 @@ class Refused(unittest.TestCase):
         (self.box.root / "mine" / "work.txt").write_text("weeks of it")
         self.box.assert_refused(self, ["book", "--out", "mine"], ["mine", "would be deleted"])
         self.assertEqual((self.box.root / "mine" / "work.txt").read_text(), "weeks of it")
-        self.box.assert_refused(self, ["book", "--out", "no/where"], ["no/where", "no is no folder"])
+        self.box.assert_refused(self, ["book", "--out", "no/where"], ["no/where", "no is not a folder"])
         self.box.assert_refused(self, ["book", "--publish", "nowhere"], ["'nowhere'", "git remote"])
 
 

@@ -170,8 +170,8 @@ class Runs(unittest.TestCase):
 
     def test_what_makes_no_sense(self):
         for words, told in ((["orbit", "--plot", "enrgy"], ["'enrgy'", "there are x, y, energy, angular momentum"]),
-                            (["orbit", "--plot"], ["--plot wants a value"]), (["orbit", "--plot", "x,"], ["'x,'"]),
-                            (["orbit", "--plot", "x", "--plot", "y"], ["--plot is there twice"]),
+                            (["orbit", "--plot"], ["--plot needs a value"]), (["orbit", "--plot", "x,"], ["'x,'"]),
+                            (["orbit", "--plot", "x", "--plot", "y"], ["--plot is given twice"]),
                             (["--plot", "x"], ["a scene is missing"]), (["obrit", "--plot", "x"], ["orbit"]),
                             (["orbit", "--h", "0", "--plot", "x"], ["h must be positive"]),
                             (["orbit", "--sweep", "h"], ["NAME=VALUE", "'h'"]),

@@ -129,7 +129,7 @@ class Asking(unittest.TestCase):
     def test_the_end_of_input_keeps_what_was_answered(self):
         result = self.ask("1", lines="0.002\n", code=1)
         self.assertEqual(result.stderr,
-                         "course: the input ended at question 2 of 4; what was answered before is kept\n")
+                         "course: the input ended at question 2 of 4; earlier answers are kept\n")
         self.assertIn("3 to make", self.ask("1", lines="", code=1).stdout)
 
     def test_without_any_input_and_with_what_is_no_text(self):

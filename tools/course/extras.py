@@ -28,7 +28,7 @@ def taken(arguments: list[str]) -> tuple[Extras, list[str]]:
     sweep, words = _taken("--sweep", words)
     names = tuple(plot.split(",")) if plot is not None else ()
     if not all(names):
-        raise BadInput(f"run: --plot wants names of columns, but got {plot!r}")
+        raise BadInput(f"run: --plot must be names of columns, but is {plot!r}")
     return Extras("--mine" in arguments, names, None if sweep is None else _values(sweep)), words
 
 
@@ -37,13 +37,13 @@ def _taken(option: str, words: list[str]) -> tuple[str | None, list[str]]:
     if not places:
         return None, words
     if len(places) > 1:
-        raise BadInput(f"run: {option} is there twice")
+        raise BadInput(f"run: {option} is given twice; leave one out")
     k = places[0]
     _, equals, value = words[k].partition("=")
     if equals:
         return value, words[:k] + words[k + 1:]
     if k + 1 == len(words) or words[k + 1].startswith("-"):
-        raise BadInput(f"run: {option} wants a value")
+        raise BadInput(f"run: {option} needs a value")
     return words[k + 1], words[:k] + words[k + 2:]
 
 
@@ -51,7 +51,7 @@ def _values(text: str) -> tuple[str, tuple[str, ...]]:
     name, _, values = text.partition("=")
     each = tuple(values.split(","))
     if not name or not all(each):
-        raise BadInput(f"run: --sweep wants NAME=VALUE,VALUE, but got {text!r}")
+        raise BadInput(f"run: --sweep must be NAME=VALUE,VALUE, but is {text!r}")
     if len(each) != len(set(each)):
         raise BadInput(f"run: --sweep has one of {values} twice")
     return name, each

@@ -17,7 +17,7 @@ from paths import shown
 from runs import Runs
 from terminal import fold
 
-_CHECKS = "Their checks are on, as in ./course check, which takes time: their speed is not the best there is."
+_CHECKS = "Their checks are on, as in ./course check, so they run below full speed."
 
 
 def run(arguments: list[str]) -> int:
@@ -33,7 +33,7 @@ def run(arguments: list[str]) -> int:
     code = several.all() if extras.plot or extras.sweep else _started(["run", *words], mine)
     if code == 0 and extras.mine:  # an error stands alone
         print(fold(f"{told(mine)} {_CHECKS}") if mine else
-              "No exercise of yours is written yet: all of it is the reference.", file=sys.stderr)
+              "You have written no exercise yet: everything is the reference.", file=sys.stderr)
     return code
 
 

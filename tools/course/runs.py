@@ -23,7 +23,7 @@ class Runs:
     def __init__(self, words: list[str], extras: Extras, start: Callable[..., int]):
         """`start` runs the program with the words, by subprocess or by the function `call`, and gives its exit code."""
         if not words or words[0].startswith("-"):
-            raise BadInput("run: a scene is missing; it comes first: ./course run SCENE [OPTION ...]")
+            raise BadInput("run: a scene is missing; name it first: ./course run SCENE [OPTION ...]")
         self._words, self._extras, self._start = words, extras, start
 
     def all(self) -> int:
@@ -45,7 +45,7 @@ class Runs:
         name, values = self._extras.sweep
         for option in ("--csv", "--record"):
             if _value_of(option, self._words) is not None:
-                raise BadInput(f"run: {option} is for one run, and --sweep makes {len(values)}")
+                raise BadInput(f"run: {option} is for one run, but --sweep makes {len(values)}; leave one of them out")
         plain = [word for word in self._words if word != "--json"]
         each = [with_changed(plain, name, value) for value in values]
         for words in each:  # so that nothing is refused halfway

@@ -64,7 +64,7 @@ def as_table(name: str, results: list[Result]) -> str:
     unit = ended["error"]["unit"]
     about = fold(f"{ended['scene']}: {ended['error']['name']}{f' [{unit}]' if unit else ''}")
     lost = [f"{name} = {result.value}: {result.why}" for result in results if result.why]
-    meaning = [f"order p: the error goes with {name}^p, from each line and the one above it"] if "order" in (
+    meaning = [f"order p: the error is proportional to {name}^p, from each line and the one above"] if "order" in (
         rows[0][k] for k in kept) else []
     return "\n".join([about, "", *lines, "", *meaning, *map(fold, lost)]).rstrip()
 

@@ -73,8 +73,8 @@ def _equations(drafts: list[Draft]) -> Equations:
 
 def _refuse(problems: list[Problem]) -> None:
     if problems:
-        count = f"{len(problems)} things in it lead" if len(problems) > 1 else "one thing in it leads"
-        raise CourseError(f"book: {count} nowhere, or cannot be read", "\n".join(map(str, sorted(problems))))
+        count = f"{len(problems)} errors" if len(problems) > 1 else "one error"
+        raise CourseError(f"book: {count} in its pages", "\n".join(map(str, sorted(problems))))
 
 
 def _page(template: Template, draft: Draft, body: str, outline: list[Page]) -> str:

@@ -78,7 +78,7 @@ class SceneWriter:
             if any(numbers(plane, "size", None, "0 0")[:2] > 0):
                 self._model.leave_out("edges of planes, which here have none")
         if self._touches and any(any(geom.masks) for geom in self._model.world.geoms):
-            self._model.leave_out("what stands still and is no plane")
+            self._model.leave_out("static bodies other than planes")
         if any(part.joints and part.parent is None for part in self._model.parts):
             self._number(self._model.world)
 

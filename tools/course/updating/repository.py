@@ -41,7 +41,7 @@ def refuse_without_history() -> CourseError:
 def refuse_what_is_begun() -> None:
     for name, what in _BEGUN.items():
         if os.path.exists(ROOT / git("rev-parse", "--git-path", name)):
-            raise CourseError(f"git is in the middle of {what}; end it, then update (git status says how)")
+            raise CourseError(f"git is in the middle of {what}; finish it, then update (git status shows how)")
     if asked("ls-files", "--unmerged"):
         raise CourseError("files have conflicts that git waits for; end them, then update (git status names them)")
     lock = ROOT / git("rev-parse", "--git-path", "index.lock")
