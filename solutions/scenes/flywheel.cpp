@@ -64,7 +64,7 @@ SceneDescription flywheel() {
   Parameter d = parameter::relaxation(), c = parameter::viscosity();
   d.value = 0.25;
   c.name = "c";
-  c.meaning = "torque of the motor per speed that is lacking, up to its largest";
+  c.meaning = "torque of the motor per unit of missing speed, up to its largest";
   c.unit = "N m s/rad";
   return {
       .name = "flywheel",
@@ -72,12 +72,12 @@ SceneDescription flywheel() {
       .answer =
           "ω = T t/I until I w/T, then w. A motor of viscosity c eases off where it lacks T/c, and comes to w "
           "as exp(-c t/I).",
-      .error_name = "largest error of the speed over the wanted one",
+      .error_name = "largest error of the speed over the target",
       .error_unit = "relative",
       .parameters =
           {{.name = "torque", .meaning = "the motor's largest", .unit = "N m", .value = 5, .limits = positive},
            {.name = "speed",
-            .meaning = "that the motor wants",
+            .meaning = "target speed of the motor",
             .unit = "rad/s",
             .value = 20,
             .limits = positive},

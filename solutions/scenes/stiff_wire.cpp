@@ -90,7 +90,7 @@ SceneDescription stiff_wire() {
       .name = "stiff_wire",
       .summary = "A wire with a heavy load is let go at an angle, and swings.",
       .answer =
-          "No link changes its length, and no energy comes in. With steps above 2/ω, ω = √(4 T/(m l)), every "
+          "Links keep their length, and energy does not grow. With steps above 2/ω, ω = √(4 T/(m l)), every "
           "solver loses it, exact ones, too; but not \"stiff\", which has the tension's stiffness in M.",
       .error_name = "largest error of any link's length so far over that length",
       .error_unit = "relative",

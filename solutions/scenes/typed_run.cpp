@@ -13,7 +13,7 @@ namespace spook {
 static void assign(Parameters& parameters, const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == 0 || equals == std::string::npos)
-    throw std::invalid_argument("--set wants NAME=VALUE, but got \"" + text + "\"");
+    throw std::invalid_argument("--set must be NAME=VALUE, but is \"" + text + "\"");
   const std::string name = text.substr(0, equals);
   if (name == "h" || name == "time")
     throw std::invalid_argument(name + " is not a parameter of a scene: use --" + name + " " +
@@ -54,7 +54,7 @@ static void refuse_solver_beside_composed(const TypedRun& typed, const Method& m
     if (given)
       throw std::invalid_argument(
           std::string(option) +
-          " is for steps that a solver solves: leave it out with integrator-order 4, which does without");
+          " has no effect with integrator-order 4, which uses no solver: leave it out");
 }
 
 Parameters TypedRun::parameters(const SceneDescription& description) const {

@@ -79,8 +79,8 @@ void RunCommand::execute(std::ostream& out) const {
   const SceneDescription description = scene_named(scene);
   const Parameters parameters = this->parameters(description);
   const RunSettings settings = this->settings(description);
-  if (fps && !record) throw std::invalid_argument("fps is for --record");
-  if (positions && !csv) throw std::invalid_argument("positions is for --csv");
+  if (fps && !record) throw std::invalid_argument("--fps needs --record");
+  if (positions && !csv) throw std::invalid_argument("--positions needs --csv");
   const double per_second = fps ? parse_number("fps", *fps) : 60;
   steps_of_frame(settings.method.h, per_second);
 

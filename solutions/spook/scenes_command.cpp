@@ -78,10 +78,10 @@ static void print_as_file(std::ostream& out, const std::string& scene, const std
 
 void ScenesCommand::execute(std::ostream& out) const {
   if (as_file) {
-    if (scene.empty() || json) throw std::invalid_argument("--export wants one scene, and no --json");
+    if (scene.empty() || json) throw std::invalid_argument("--export needs one scene, without --json");
     return print_as_file(out, scene, set);
   }
-  if (!set.empty()) throw std::invalid_argument("--set is for --export");
+  if (!set.empty()) throw std::invalid_argument("--set needs --export");
   const std::vector<SceneDescription> listed = scene.empty() ? scenes() : std::vector{find_scene(scene)};
   if (json) {
     Json all = {{"scenes", Json::array()}, {"solvers", Json::array()}};

@@ -33,7 +33,7 @@ Shape shape_of(const Body<Dof>& body) {
 
 [[noreturn]] static Vec3 reject_missing_moments() {
   throw std::invalid_argument(
-      "principal moments must be given for a body that is no sphere, no capsule and no box, but are missing");
+      "principal moments must be given for a body other than a sphere, capsule or box, but are missing");
 }
 
 /// Returns the given moments of a body, or those of its shape.

@@ -150,7 +150,7 @@ Solver<Dof> geometric_stiffness(Solver<Dof> inner) {
     return {.solve = Stiff(std::move(inner)), .friction = friction, .wants_last = true};
   }
   throw std::invalid_argument(
-      "solver must be another than geometric_stiffness for rigid bodies: it is for links of point masses");
+      "solver must not be geometric_stiffness for rigid bodies: it is for links of point masses");
 }
 
 template Solver<3> geometric_stiffness<3>(Solver<3>);

@@ -116,7 +116,7 @@ void World<Dof>::set_material(int i, int j, const Material& material) {
 template <int Dof>
 void World<Dof>::place(int body, const Vec3& x, const Vec3& v) {
   const std::size_t i = index(body);
-  if (bodies_.is_fixed(i)) reject("body", body, "one that moves; move_fixed is for the others");
+  if (bodies_.is_fixed(i)) reject("body", body, "a dynamic body; use move_fixed for static bodies");
   require_all_finite("x", x);
   require_all_finite("v", v);
   bodies_.x[i] = x;
