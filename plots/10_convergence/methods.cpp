@@ -8,7 +8,7 @@
 //   block   a block that slides and spins on four contacts
 //
 // Friction is chapter 05's box, or chapter 09's cone. The error is that of all velocities, weighted by mass,
-// √((V - V*)ᵀ M (V - V*) / V*ᵀ M V*), with V* solved to roundings. The cost is in multiply-adds, over those of a sweep,
+// √((V - V*)ᵀ M (V - V*) / V*ᵀ M V*), with V* solved to round-off. The cost is in multiply-adds, over those of a sweep,
 // that is 4 Dof + 1 for each row:
 //
 //   sweeps      one each; mixed sweeps (anderson) 1.75, an iteration of conjugate gradients five, by their operations
