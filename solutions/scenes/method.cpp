@@ -26,8 +26,7 @@ FrictionModel friction_model(const Method& method) {
 static void require_one_solver(const Method& method) {
   const bool ordered = method.row_order != RowOrder::given;
   if (ordered && method.solver != solvers<3>().front().name)
-    throw std::invalid_argument("with a row order, solver must be gauss_seidel, but is " +
-                                method.solver);
+    throw std::invalid_argument("with a row order, solver must be gauss_seidel, but is " + method.solver);
   if (friction_model(method) != FrictionModel::cone) return;
   if (ordered)
     throw std::invalid_argument(

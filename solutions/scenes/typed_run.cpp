@@ -52,9 +52,8 @@ static void refuse_solver_beside_composed(const TypedRun& typed, const Method& m
                                                      {"warm-start", typed.warm_start}};
   for (const auto& [option, given] : of_solvers)
     if (given)
-      throw std::invalid_argument(
-          std::string(option) +
-          " has no effect with integrator-order 4, which uses no solver: leave it out");
+      throw std::invalid_argument(std::string(option) +
+                                  " has no effect with integrator-order 4, which uses no solver: leave it out");
 }
 
 Parameters TypedRun::parameters(const SceneDescription& description) const {
