@@ -85,14 +85,16 @@ Experiment experiment(Size size) {
         largest = std::max(largest, std::abs(value[n] / predicted[n] - 1));
       return largest;
     };
-    claims.at_most("a resting contact is -mg/k deep whatever h and d, to 1e-9 of it", worst("gap"), 1e-9);
+    claims.at_most("a resting contact has the gap -mg/k for any h and d, to a relative 1e-9", worst("gap"),
+                   1e-9);
     claims.at_most("a violation shrinks by the larger root of Eq. (3.14) in each step, to one per cent",
                    worst("decay"), 0.01);
     const Table stiff = table.where("what", "decay").where("k", 1e9);
     const auto factors = stiff.numbers("value"), d = stiff.numbers("d");
     const auto least = std::min_element(factors.begin(), factors.end());
-    claims.near("a stiff contact forgets fastest at d = 2, by 1/3 a step: not within d steps",
-                d[std::size_t(least - factors.begin())], 2, 1e-6);
+    claims.near(
+        "a violation of a stiff contact decays fastest at d = 2, by a factor of 1/3 a step: not within d steps",
+        d[std::size_t(least - factors.begin())], 2, 1e-6);
   };
   return e;
 }

@@ -112,15 +112,15 @@ Experiment experiment(Size size) {
     for (const int links : {10, 20, 40})
       worst = std::max(worst, std::abs(rate(links, 1) / predicted(links) - 1));
     claims.at_most(
-        "a wire of equal points loses its error at the rate cos²(π/(2N)) a sweep, to 1 per cent of its "
+        "in a wire of equal points the error shrinks by cos²(π/(2N)) in a sweep, to 1 per cent of its "
         "logarithm",
         worst, 0.01);
     claims.near("twice the links take four times the sweeps: 4.0 ± 0.1 from 20 to 40",
                 rate(20, 1) / rate(40, 1), 4, 0.1);
     const Table rubber = table.where("what", "stretch").where("links", 10).where("ratio", 100);
     claims.near(
-        "with too few sweeps a step, ten links with a load of 100:1 stretch by one over their number: slope "
-        "-1.0 ± 0.1",
+        "with too few sweeps a step, the stretch of ten links with a load of 100:1 is proportional to one over "
+        "the sweeps: slope -1.0 ± 0.1",
         log_log_slope({20, 200}, {rubber.where("sweeps", 20).number("value"),
                                   rubber.where("sweeps", 200).number("value")}),
         -1, 0.1);

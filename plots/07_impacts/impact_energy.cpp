@@ -159,12 +159,11 @@ Experiment experiment(Size size) {
     claims.at_most("with e = 1 each peak is at h0 again, to 1e-12", off, 1e-12);
     const Table late = table.where("what", "late");
     claims.near(
-        "with e = 0.7 the third peak is off by an error of order 1.0 ± 0.15 in h if only velocities change, as "
-        "the "
-        "ball is seen late",
+        "with e = 0.7 the third peak has an error of order 1.0 ± 0.15 in h if impacts change only velocities, "
+        "since they are detected late",
         log_log_slope(late.numbers("mu or h"), late.numbers("value")), 1, 0.15);
     const auto in_time = table.where("what", "in time").numbers("value");
-    claims.at_most("put back to when it touched, it is right to 1e-12 with any step",
+    claims.at_most("if impacts also correct the position, the peak is right to 1e-12 with any step",
                    *std::max_element(in_time.begin(), in_time.end()), 1e-12);
     const auto share = [&](double e) {
       return table.where("what", "gain").where("mu or h", 0.5).where("e", e).number("value");
@@ -175,7 +174,7 @@ Experiment experiment(Size size) {
         100 * share(0.5), 0.6, 0.2);
     claims.near("with e = 1 it is 20 ± 1 per cent", 100 * share(1), 20, 1);
     const auto guarded = table.where("what", "guarded").numbers("expected or largest");
-    claims.at_most("by the guarded law none does, beyond roundings of 1e-12",
+    claims.at_most("with the guarded law none does, up to round-off of 1e-12",
                    *std::max_element(guarded.begin(), guarded.end()), 1e-12);
   };
   return x;

@@ -187,23 +187,24 @@ Experiment experiment(Size size) {
         largest = std::max(largest, worst(table.where("what", what).where("model", name(model))));
       return largest;
     };
-    claims.at_most("the cone, and the box on sliding tangents, are as strong in every direction, to 1e-9",
-                   all("push", {Model::cone, Model::sliding_box}), 1e-9);
+    claims.at_most(
+        "the cone, and the box on sliding tangents, have the same strength in every direction, to 1e-9",
+        all("push", {Model::cone, Model::sliding_box}), 1e-9);
     claims.at_most("with both a block stops after v0²/(2μg) in every direction, to 1e-4",
                    all("distance", {Model::cone, Model::sliding_box}), 1e-4);
     claims.at_most("two passes have the box's corners, Eq. (5.12), to 1e-9",
                    all("push", {Model::box, Model::two_pass}), 1e-9);
     claims.at_most("a stack stays on a slope from μ = tan θ on with two passes and with the cone, to 1e-6",
                    all("stack", {Model::two_pass, Model::cone}), 1e-6);
-    claims.at_most("with a guessed mass it takes max(n, 2(n-1)) tan θ, to 1e-6",
+    claims.at_most("with the box's estimate it needs μ = max(n, 2(n-1)) tan θ, to 1e-6",
                    all("stack", {Model::box, Model::sliding_box}), 1e-6);
     const auto stops = [&](Model model) {
       return table.where("what", "spin").where("model", name(model)).numbers("at").back();
     };
     claims.near("a spinning disc stops after 3Rω0/(4μg) with the cone, to 1 per cent", stops(Model::cone), 1,
                 0.01);
-    claims.near("with the box after π/4 of that, to 1 per cent", stops(Model::box) / (std::numbers::pi / 4), 1,
-                0.01);
+    claims.near("with the box after π/4 of that time, to 1 per cent",
+                stops(Model::box) / (std::numbers::pi / 4), 1, 0.01);
   };
   return e;
 }

@@ -147,24 +147,25 @@ Experiment experiment(Size size) {
       }
     }
     claims.at_most(
-        "a rod that slides with μ n·Kt/n·Kn of 0.75 or -0.75 is solved at that rate: 0.75 a sweep, to 1e-6",
+        "for a rod that slides with μ n·Kt/n·Kn of 0.75 or -0.75, sweeps converge at that rate: 0.75 a sweep, "
+        "to 1e-6",
         off, 1e-6);
     const auto round = values("rod", "cone -1.5");
-    claims.near("with -1.5 the cone's sweeps never end: the thousandth returns what the first did",
+    claims.near("with -1.5 the cone's sweeps do not converge: the thousandth changes as much as the first",
                 round.back() / round.front(), 1, 1e-9);
-    claims.at_most("the second of two passes is done after 3 there",
+    claims.at_most("the second of two passes converges in 3 sweeps there",
                    static_cast<double>(values("rod", "two passes -1.5").size()), 3);
     const auto five = [&](Model model) { return values("five", name(model)).front(); };
     const double right = std::numbers::sqrt2 - 1;
-    claims.near("five balls in a pyramid stay from μ = tan 22.5° = 0.414 on with the cone, to 1e-3",
+    claims.near("five balls in a pyramid stand from μ = tan 22.5° = 0.414 on with the cone, to 1e-3",
                 five(Model::cone) / right, 1, 1e-3);
-    claims.near("with two passes they stay from 0.366 on, to 1e-3",
+    claims.near("with two passes they stand from 0.366 on, to 1e-3",
                 five(Model::two_pass) / (right * 5 / (4 * std::numbers::sqrt2)), 1, 1e-3);
     claims.near("with the box from 0.293 on, to 1e-3", five(Model::box) / (right / std::numbers::sqrt2), 1,
                 1e-3);
     claims.at_most("thirty balls with μ = 1, solved on cones from zero, are at rest, to 1e-8 m/s",
                    values("answers", "from zero speed").front(), 1e-8);
-    claims.at_least("solved from the answer of two passes some of them move, with more than 1 cm/s",
+    claims.at_least("solved from the answer of two passes, some of them move at more than 1 cm/s",
                     values("answers", "from two passes speed").front(), 1e-2);
     claims.at_most("both answers solve Coulomb's law to 1e-9 m/s",
                    std::max(values("answers", "from zero residual").front(),

@@ -343,34 +343,33 @@ void check(const Table& table, Claims& claims) {
       worst = std::max(worst, std::abs(rate(scene, order) / rate(scene, "up") - 1));
   claims.at_most("in a stack and in a wire every fixed order has the same rate, to 1 per cent of its logarithm",
                  worst, 0.01);
-  claims.near("from λ = 0 a sweep up a stack leaves half of what one down leaves",
+  claims.near("from λ = 0 a sweep up a stack leaves half the residual of a sweep down",
               residual_at(table, "stack", "up", 1) / residual_at(table, "stack", "down", 1), 0.5, 0.01);
-  claims.near("after 1024 sweeps it is the same, to 2 per cent",
+  claims.near("after 1024 sweeps both residuals are the same, to 2 per cent",
               residual_at(table, "stack", "up", 1024) / residual_at(table, "stack", "down", 1024), 1, 0.02);
-  claims.near("a new random order for each sweep takes the stack 1.25 ± 0.1 times as many sweeps",
+  claims.near("with a new random order for each sweep, the stack needs 1.25 ± 0.1 times as many sweeps",
               rate("stack", "up") / rate("stack", "random"), 1.25, 0.1);
   double fixed = infinity;
   for (const char* order : {"given", "up", "down"})
     fixed = std::min(fixed, residual_at(table, "wall", order, 512));
-  claims.at_most("but after 512 sweeps of the wall it leaves at most half of what the best fixed one leaves",
+  claims.at_most("but after 512 sweeps of the wall it leaves at most half the residual of the best fixed order",
                  residual_at(table, "wall", "random", 512) / fixed, 0.5);
   double first = 0;
   for (const char* scene : {"stack", "wire", "pile", "wall"})
     first = std::max(first, residual_at(table, scene, "warm", 1));
+  claims.at_most("a start with 99 per cent of the answer has at most 1.1 per cent of the residual", first,
+                 0.011);
   claims.at_most(
-      "a start that knows 99 per cent of the answer begins with at most 1.1 per cent of the residual", first,
-      0.011);
-  claims.at_most(
-      "conjugate gradients bring the stack to 1e-6 for 160 sweeps or less, and the wire for 80",
+      "conjugate gradients solve the stack to 1e-6 for the cost of at most 160 sweeps, and the wire for 80",
       std::max(cost_to(table, "stack", "conjugate", 1e-6), 2 * cost_to(table, "wire", "conjugate", 1e-6)), 160);
   const auto ratio = [&](const std::string& scene, double goal) {
     return cost_to(table, scene, "conjugate", goal) / cost_to(table, scene, "up", goal);
   };
-  claims.near("to a tenth they cost the pile and the wall 3 ± 1 times as much as sweeps",
+  claims.near("to reach a tenth in the pile and the wall they cost 3 ± 1 times as much as sweeps",
               std::sqrt(ratio("pile", 0.1) * ratio("wall", 0.1)), 3, 1);
-  claims.near("to 1e-3 as much, within a factor of 2", std::log2(ratio("pile", 1e-3) * ratio("wall", 1e-3)) / 2,
-              0, 1);
-  claims.at_most("on sweeps they bring the pile to 1e-3 for less than half of what sweeps alone take",
+  claims.near("to reach 1e-3 they cost as much, within a factor of 2",
+              std::log2(ratio("pile", 1e-3) * ratio("wall", 1e-3)) / 2, 0, 1);
+  claims.at_most("applied to sweeps, they solve the pile to 1e-3 for less than half the cost of sweeps alone",
                  cost_to(table, "pile", "nonlinear", 1e-3) / cost_to(table, "pile", "up", 1e-3), 0.5);
 }
 

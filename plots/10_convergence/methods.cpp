@@ -149,13 +149,13 @@ void check(const Table& table, Claims& claims) {
   };
   const std::vector<std::string> on_cones = {"sweeps", "mixed sweeps", "splitting"};
   claims.at_least(
-      "on cones Newton's method brings the tower to 1e-6 for an eighth of what others cost, or less",
+      "on cones Newton's method solves the tower to 1e-6 for at most an eighth of the cost of any other method",
       cheapest("tower", "cone", on_cones) / cost("tower", "cone", "Newton"), 8);
-  claims.at_most("it brings the wall to 1e-9 for the cost of 300 sweeps, or less",
+  claims.at_most("it solves the wall to 1e-9 for the cost of at most 300 sweeps",
                  cost("wall", "cone", "Newton", 1e-9), 300);
-  claims.at_least("none of the others brings it to 1e-6 for that of 1000", cheapest("wall", "cone", on_cones),
-                  1000);
-  claims.between("a block on four contacts costs it as much as mixed sweeps, within a half",
+  claims.at_least("no other method solves the wall to 1e-6 for the cost of 1000",
+                  cheapest("wall", "cone", on_cones), 1000);
+  claims.between("for a block on four contacts it costs as much as mixed sweeps, within a half",
                  cost("block", "cone", "Newton") / cost("block", "cone", "mixed sweeps"), 0.67, 1.5);
 
   const std::vector<std::string> others = {"sweeps",        "mixed sweeps", "conjugate gradients",
@@ -164,12 +164,12 @@ void check(const Table& table, Claims& claims) {
   for (const char* scene : {"stack", "heavy", "wire"})
     without_friction =
         std::min(without_friction, cheapest(scene, "box", others) / cost(scene, "box", "direct"));
-  claims.at_least("without friction no method costs less to 1e-6 than one factorisation", without_friction, 1);
-  claims.at_least("with the box a wall costs the direct solver more than Newton's method",
+  claims.at_least("without friction no method reaches 1e-6 for less than the cost of one factorisation",
+                  without_friction, 1);
+  claims.at_least("for a wall with the box the direct solver costs more than Newton's method",
                   cost("wall", "box", "direct") / cost("wall", "box", "Newton"), 1);
-  claims.at_least(
-      "but in a pile of cubes no other than the direct solver comes to 1e-6 for the cost of 1000 sweeps",
-      cheapest("pile", "box", others), 1000);
+  claims.at_least("but for a pile of cubes only the direct solver reaches 1e-6 for the cost of 1000 sweeps",
+                  cheapest("pile", "box", others), 1000);
 
   double dearer = infinity, dearest = 0, split = infinity;
   for (const char* scene : {"heavy", "wire"}) {
@@ -179,11 +179,11 @@ void check(const Table& table, Claims& claims) {
     split = std::min(split, least_error(table, scene, "splitting"));
   }
   claims.at_most(
-      "block descent brings loads of 1000:1 to 1e-6 for the cost of 3000 sweeps, where sweeps get nowhere",
+      "block descent solves loads of 1000:1 to 1e-6 for the cost of 3000 sweeps, for which sweeps fail",
       dearest, 3000);
   claims.at_least("that is more than 10 times the cost of mixed sweeps", dearer, 10);
-  claims.at_least("operator splitting leaves a third of the error of such loads, or more", split, 0.33);
-  claims.between("it brings a wall on cones to 1e-3 as cheaply as Newton's method does, within a half",
+  claims.at_least("operator splitting leaves at least a third of the error of such loads", split, 0.33);
+  claims.between("it solves a wall on cones to 1e-3 at the cost of Newton's method, within a half",
                  cost("wall", "cone", "splitting", 1e-3) / cost("wall", "cone", "Newton", 1e-3), 0.67, 1.5);
 }
 

@@ -278,38 +278,37 @@ Experiment experiment(Size size) {
       return table.where("what", "rod").where("case", which).numbers("value");
     };
     const std::vector<double> blocks = of_rod("blocks");
-    claims.at_most("as a block the rod is solved by one update, whatever μ: the second sweep changes nothing",
+    claims.at_most("as a block the rod is solved by one update for any μ: the second sweep changes nothing",
                    *std::max_element(blocks.begin(), blocks.end()), 2);
     claims.at_least("row by row it takes more than 50 sweeps at μ = 1", value("rod", "rows", 1), 50);
-    claims.at_least("and from μ = 3/2 on it never arrives", value("rod", "rows", 1.5), 1000);
+    claims.at_least("from μ = 3/2 on it does not converge", value("rod", "rows", 1.5), 1000);
     const auto fewer = [&, most = double(fair.max_sweeps)](const std::string& name) {
       const double rows = value("sweeps", name, 0), together = value("sweeps", name, 1);
       return rows < most && together < most ? together / rows : std::nan("");
     };
-    claims.near("on a block of balls they take as many sweeps as rows do, to 2 per cent", fewer("balls"), 1,
+    claims.near("on a block of balls they need as many sweeps as rows do, to 2 per cent", fewer("balls"), 1,
                 0.02);
-    claims.near("and on a tower of boxes as well, to 2 per cent", fewer("tower"), 1, 0.02);
-    claims.at_most("on boxes that lean and slide they take less than half as many", fewer("leaning boxes"),
+    claims.near("the same holds on a tower of boxes, to 2 per cent", fewer("tower"), 1, 0.02);
+    claims.at_most("on boxes that lean and slide they need less than half as many", fewer("leaning boxes"),
                    0.5);
     claims.near(
-        "each contact's rows three times before the next one's are as many updates for the rod at μ = 1, to "
-        "10 per cent",
+        "if each contact's rows are updated three times before the next contact's, the rod at μ = 1 needs as "
+        "many updates, to 10 per cent",
         3 * value("rod", "repeats", 1) / value("rod", "rows", 1), 1, 0.1);
-    claims.at_least("and more for the boxes that lean",
+    claims.at_least("the boxes that lean need more",
                     3 * value("sweeps", "leaning boxes", 3) / value("sweeps", "leaning boxes", 0), 1.1);
     const std::string large = std::to_string(across.back() * across.back() * across.back()) + " balls";
     claims.near("a block of balls has six colours, whatever its size: a ball has six neighbours",
                 std::max(value("colours", large), value("colours", "64 balls")), 6, 0);
     claims.near(
-        "by colour 18 updates wait for each other, of six pairs with three rows each, in the smallest block "
-        "and in "
-        "the largest",
+        "by colour the longest chain of dependent updates is 18, of six pairs with three rows each, in the "
+        "smallest block and in the largest",
         std::max(value("by colour", large), value("by colour", "64 balls")), 18, 0);
-    claims.at_least("in the order of the pairs it is four times as many with 64 balls",
+    claims.at_least("in the order of the pairs it is four times as long with 64 balls",
                     value("in order", "64 balls") / value("by colour", "64 balls"), 4);
-    claims.near("and in a tower every update waits for the one before",
+    claims.near("in a tower every update depends on the one before",
                 value("in order", "tower of 20") / value("rows", "tower of 20"), 1, 0);
-    claims.near("with those of two halves in turn the chain is half as long",
+    claims.near("if the updates of two halves alternate, the chain is half as long",
                 value("in turn", "tower of 20") / value("in order", "tower of 20"), 0.5, 0);
     claims.at_least("512 balls fill more than 99 per cent of the lanes", value("filled", "512 balls"), 0.99);
     claims.at_least("eight threads could be more than 7 times as fast on them",

@@ -188,7 +188,7 @@ Experiment experiment(Size size) {
     claims.at_most("and has sunk by less than a fiftieth of a radius in the mean, as its springs give way",
                    largest_of("stands", "sunk"), 0.02);
     const std::vector<double> same = table.where("what", "same").numbers("value");
-    claims.near("two threads have every bit as one has it", *std::min_element(same.begin(), same.end()), 1, 0);
+    claims.near("two threads give the same bits as one", *std::min_element(same.begin(), same.end()), 1, 0);
   };
   return e;
 }

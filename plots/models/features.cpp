@@ -76,10 +76,10 @@ Experiment experiment(Size size) {
     for (const std::string feature : {"bare", "friction", "impacts", "plane", "rigid bodies"})
       most = std::max(most, stages(feature));
     claims.near(
-        "friction, impacts and ground run no stage where nothing can touch: forces and integration are all "
-        "there is, 2 stages",
+        "friction, impacts and ground run no stage if nothing can touch: only forces and integration run, 2 "
+        "stages",
         most, 2, 0);
-    claims.near("one joint brings rows and a solve: 4 stages", stages("joint"), 4, 0);
+    claims.near("one joint adds rows and a solve: 4 stages", stages("joint"), 4, 0);
   };
   return e;
 }

@@ -162,19 +162,19 @@ Experiment experiment(Size size) {
   }
   e.check = [](const Table& table, Claims& claims) {
     const Table row = table.where("model", "row").where("h", 1.0 / 60);
-    claims.at_most("one row puts the load right to 2 per cent of the wire's length, at h = 1/60",
+    claims.at_most("with one row the error of the load is at most 2 per cent of the wire's length, at h = 1/60",
                    row.number("error"), 0.02);
     const Table ten = table.where("model", "points").where("links", 10);
     const auto least = [](const Table& some) {
       const auto errors = some.numbers("error");
       return *std::min_element(errors.begin(), errors.end());
     };
-    claims.between("2/ω lets ten points swing with steps between 1/240 and 1/1000", largest_step(10),
+    claims.between("for ten points the limit 2/ω is between steps of 1/240 and 1/1000", largest_step(10),
                    1.0 / 1000, 1.0 / 240);
-    claims.at_least("at 1/240 no number of sweeps holds them: the error is above the wire's length",
+    claims.at_least("at 1/240 they are lost with any number of sweeps: the error exceeds the wire's length",
                     least(ten.where("h", 1.0 / 240)), 1);
     const Table fine = ten.where("h", 1.0 / 1000);
-    claims.at_most("at 1/1000 they put the load right to 1 per cent", least(fine), 0.01);
+    claims.at_most("at 1/1000 their error is at most 1 per cent", least(fine), 0.01);
     double cheapest = std::numeric_limits<double>::infinity();
     for (const std::string model : {"points", "bodies"}) {
       const Table wires = table.where("model", model);
@@ -183,8 +183,8 @@ Experiment experiment(Size size) {
         if (errors[n] <= 0.02) cheapest = std::min(cheapest, updates[n]);
     }
     claims.at_least(
-        "the cheapest wire that is right to 2 per cent, too, takes more than 1000 times the row updates of the "
-        "one row",
+        "the cheapest wire with an error of at most 2 per cent takes more than 1000 times the row updates of "
+        "the one row",
         cheapest / row.number("row updates a second"), 1000);
   };
   return e;

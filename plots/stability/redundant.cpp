@@ -99,9 +99,10 @@ Experiment experiment(Size size) {
     const auto sum = box.numbers("off"), error = box.numbers("error"), lacks = box.numbers("law");
     double over = 0;
     for (std::size_t n = 0; n < error.size(); ++n) over = std::max(over, (error[n] - 1e-9) / lacks[n]);
-    claims.at_most("a hundred contacts hold a box by h m g in all, to 1e-10, however few the sweeps",
-                   *std::max_element(sum.begin(), sum.end()), 1e-10);
-    claims.at_most("its depth is off by no more than what a row lacks, over a", over, 1);
+    claims.at_most(
+        "the impulses of a hundred contacts under a box add up to h m g, to 1e-10, for any number of sweeps",
+        *std::max_element(sum.begin(), sum.end()), 1e-10);
+    claims.at_most("the error of its depth is at most the residual of a row, over a", over, 1);
     // Cells in which the error no longer depends on k, and with more sweeps than the motion needs.
     const auto k = box.numbers("k"), sweeps = box.numbers("sweeps");
     double apart = 0;
@@ -118,9 +119,8 @@ Experiment experiment(Size size) {
         "of it",
         pairs > 0 ? apart : infinity, 0.01);
     const auto off = loop.numbers("off");
-    claims.at_most(
-        "two rods that cannot both be as long as they should hold a point where w₁ and w₂ say, to 1e-12 m",
-        *std::max_element(off.begin(), off.end()), 1e-12);
+    claims.at_most("two contradictory rods hold a point at the mean with the weights w₁ and w₂, to 1e-12 m",
+                   *std::max_element(off.begin(), off.end()), 1e-12);
   };
   return e;
 }

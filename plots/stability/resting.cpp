@@ -83,10 +83,10 @@ Experiment experiment(Size size) {
       hops = std::max(hops, impulse[n] / (hop[n] + 1e-14));
     }
     claims.at_most(
-        "a ball at rest is mg/k deep for every k, d and h, but for d/2 + 1 roundings of its place and 2 d h of "
-        "its speed",
+        "a ball at rest is mg/k deep for every k, d and h, up to d/2 + 1 rounding errors of its position and 2 "
+        "d h of its speed",
         worst, 1);
-    claims.at_most("its impulse is h m g, but for a times a rounding of its place", hops, 1);
+    claims.at_most("its impulse is h m g, up to a times a rounding error of its position", hops, 1);
   };
   return e;
 }

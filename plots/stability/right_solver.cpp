@@ -94,11 +94,11 @@ Experiment experiment(Size size) {
         "every hanging wire, of 10 to 10,000 links under 1:1 to 10⁸:1, is right to 1e-9 of its length",
         worst("hanging", [](double, double) { return true; }), 1e-9);
     claims.at_most(
-        "no link of a wire that swings under 1000:1 or more is off by more than 3·10⁻³, at 1/30 s and below",
+        "no link of a wire that swings under 1000:1 or more has an error above 3·10⁻³, at 1/30 s and below",
         worst("swinging", [](double ratio, double) { return ratio > 999; }), 3e-3);
     claims.at_most("every tower of 2 to 100 boxes under 1:1 to 10⁶:1 stands, as deep as it should to 1e-5",
                    worst("towers", [](double, double ratio) { return ratio < 1.1e6; }), 1e-5);
-    claims.at_most("under 10⁸:1 those of up to 20 do, to 1e-4",
+    claims.at_most("under 10⁸:1 towers of up to 20 stand, to 1e-4",
                    worst("towers", [](double boxes, double) { return boxes < 21; }), 1e-4);
   };
   return e;

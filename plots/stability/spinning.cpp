@@ -102,17 +102,17 @@ Experiment experiment(Size size) {
           last_held = std::max(last_held, over);
       }
     }
-    claims.at_least("with the explicit torque nothing blows up in a time t with h |ω|² t below 0.9 C",
+    claims.at_least("with the explicit torque no run diverges in a time t with h |ω|² t below 0.9 C",
                     first_lost, 0.9);
-    claims.at_most("everything does above 1.2 C", last_held, 1.2);
+    claims.at_most("every run diverges above 1.2 C", last_held, 1.2);
     const Table splitting = table.where("update", "splitting");
     const auto h = splitting.numbers("h"), spin = splitting.numbers("spin");
     const auto T = splitting.numbers("energy error"), L = splitting.numbers("momentum error");
     double band = 0;
     for (std::size_t n = 0; n < h.size(); ++n) band = std::max(band, T[n] / std::pow(h[n] * spin[n], 2));
-    claims.at_most("the splitting holds for every step and spin, with L as it was to 1e-11",
+    claims.at_most("the splitting is stable for every step and spin, and keeps L to 1e-11",
                    *std::max_element(L.begin(), L.end()), 1e-11);
-    claims.at_most("its energy is off by at most (h |ω|)²", band, 1);
+    claims.at_most("the error of its energy is at most (h |ω|)²", band, 1);
   };
   return e;
 }

@@ -94,11 +94,12 @@ Experiment experiment(Size size) {
       damped = std::max(damped, distance_error[n] / (std::numbers::pi * d * turn));
     }
     claims.near("leapfrog on a spring is lost in every cell with h > 2/ω, and in no other", wrong, 0, 0);
-    claims.at_most("below hω = 0.1 it is late by 0.2006 (hω)² in a period, to 1 per cent", off, 0.01);
+    claims.at_most("below hω = 0.1 its error in a period is 0.2006 (hω)², to 1 per cent", off, 0.01);
     const auto farthest = distance.numbers("farthest");
-    claims.at_most("a distance of the same k never swings out farther than it began, whatever k and h",
+    claims.at_most("with a distance of the same k the amplitude never grows, for any k and h",
                    *std::max_element(farthest.begin(), farthest.end()), 1);
-    claims.at_most("it is a damped spring: a soft one is off by at most π d hω after a period", damped, 1);
+    claims.at_most("it is a damped spring: the error of a soft one is at most π d hω after a period", damped,
+                   1);
   };
   return e;
 }

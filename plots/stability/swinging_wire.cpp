@@ -104,11 +104,11 @@ Experiment experiment(Size size) {
     claims.at_least("with steps below 2/ω no swinging wire is lost", first_lost, 1);
     claims.at_most("with steps of 1.4 times 2/ω every one is lost, within a second", last_held, 1.4);
     const auto residuals = map.numbers("residual");
-    claims.at_most("it is not for the solve: no row lacks more than 1e-9 m/s",
+    claims.at_most("the solve is not the cause: no residual exceeds 1e-9 m/s",
                    *std::max_element(residuals.begin(), residuals.end()), 1e-9);
     const auto away = table.where("what", "sweeps").numbers("error");
     claims.at_most(
-        "and Gauss-Seidel in 2500 sweeps, or 5000, swings a wire of ten to the same place, to 1e-9 m",
+        "Gauss-Seidel with 2500 or 5000 sweeps moves a wire of ten links to the same position, to 1e-9 m",
         *std::max_element(away.begin(), away.end()), 1e-9);
   };
   return e;

@@ -123,7 +123,7 @@ Experiment experiment(Size size, const Chosen& chosen) {
     const auto errors = table.numbers("error");
     double finite = 1;
     for (const double error : errors) finite = std::isfinite(error) ? finite : 0;
-    claims.at_least("every point has an error that is a number", finite, 1);
+    claims.at_least("every point has a finite error", finite, 1);
     if (scene.name != "stack") return;
     const auto updates = table.numbers("row updates a second");
     const auto best = std::min_element(errors.begin(), errors.end()) - errors.begin();
