@@ -182,7 +182,7 @@ EXERCISE_TEST(Kick, HoldsForSevens) {
                 (("handed in", "--chapters", "5-2"), "must be a list of chapters such as 1-5 or 1,3,5-7, but is '5-2'"),
                 (("handed in", "--chapters", "77"), "there is no chapter 77"),
                 (("handed in", "--jobs", "0"), "must be a whole number from 1 to 9999, but is '0'"),
-                (("handed in", "--shard", "4/3"), "'4/3' is not I/N"),
+                (("handed in", "--shard", "4/3"), "must be I/N with 1 <= I <= N, but is '4/3'"),
                 (("handed in", "--seed", "-1"), "'-1'"),
                 (("handed in", "--isolation", "hope"), "invalid choice: 'hope'"),
                 (("handed in", "--hidden", "empty"), "no hidden tests in"),
