@@ -105,7 +105,7 @@ SceneDescription andrews() {
   return {.name = "andrews",
           .summary = "Andrews' squeezer: seven bodies on ten hinges, driven by a torque against a spring.",
           .answer =
-              "The equations of Hairer and Wanner, II, VII.7, in seven angles, integrated to roundings; at "
+              "The equations of Hairer and Wanner, II, VII.7, in seven angles, integrated to round-off; at "
               "0.03 s they "
               "are the solution published in the Test Set for IVP Solvers, to 1.2e-9 rad.",
           .error_name = "largest error of a body's angle so far",

@@ -83,7 +83,7 @@ SceneDescription bead() {
   return {
       .name = "bead",
       .summary = "A bead slides out along a rod that turns freely.",
-      .answer = "r'' = r ω², ω = L/(I + m r²), integrated to roundings; the angular momentum L stays the same.",
+      .answer = "r'' = r ω², ω = L/(I + m r²), integrated to round-off; the angular momentum L stays the same.",
       .error_name = "largest error of the bead's place over its distance from the axis",
       .error_unit = "relative",
       .parameters =

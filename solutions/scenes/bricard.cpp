@@ -104,7 +104,7 @@ SceneDescription bricard() {
   return {.name = "bricard",
           .summary = "Six rods in a ring of six hinges, which moves although its rows are too many by one.",
           .answer =
-              "Places of corners and hinge axes, which neighbours share, integrated to roundings: no "
+              "Places of corners and hinge axes, which neighbours share, integrated to round-off: no "
               "orientations and no joints. The problem is A04 of La Coruña's library of multibody benchmarks.",
           .error_name = "largest position error of the farthest corner over a rod's length",
           .error_unit = "relative",

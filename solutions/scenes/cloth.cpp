@@ -123,7 +123,7 @@ SceneDescription cloth() {
           .summary = "A cloth is let go flat and level, held by its corners.",
           .answer =
               "Threads keep their length, but for T/k, T their tension. And in every step the supports give "
-              "h R = Δp + h m g, the change of momentum and the weight's impulse, to roundings, however few "
+              "h R = Δp + h m g, the change of momentum and the weight's impulse, to round-off, however few "
               "the sweeps; over a long time their mean is the weight.",
           .error_name = "farthest that a thread was from its length, over it",
           .error_unit = "relative",

@@ -99,7 +99,7 @@ SceneDescription door() {
       .name = "door",
       .summary = "A door on a post that leans, on more hinges than it needs.",
       .answer =
-          "A pendulum that feels g sin(lean): θ'' = -(m g w sin(lean)/2I) sin θ, whatever the number of "
+          "A pendulum under g sin(lean): θ'' = -(m g w sin(lean)/2I) sin θ, whatever the number of "
           "hinges; along the post they carry m g cos(lean) together.",
       .error_name = "largest error of the angle",
       .error_unit = "rad",

@@ -127,7 +127,7 @@ SceneDescription double_pendulum() {
       .name = "double_pendulum",
       .summary = "Two point masses on rods, one hung from the other, are let go from rest.",
       .answer =
-          "The equations of the two angles, integrated to roundings by extrapolation; only the "
+          "The equations of the two angles, integrated to round-off by extrapolation; only the "
           "ratio of the masses counts. It is chaotic: from 90°, after some 7 s, errors grow about tenfold in "
           "two "
           "seconds.",

@@ -92,7 +92,7 @@ SceneDescription four_bar() {
       .name = "four_bar",
       .summary = "A chain of four-bar linkages turns over, through places where it could go on in two ways.",
       .answer =
-          "One angle: θ'' = (g/l) ((N + 1)/2 + N)/((N + 1)/3 + N) sin θ from upright, integrated to roundings. "
+          "One angle: θ'' = (g/l) ((N + 1)/2 + N)/((N + 1)/3 + N) sin θ from upright, integrated to round-off. "
           "The problem is A02 of La Coruña's library of multibody benchmarks.",
       .error_name = "largest position error of the first crank's end over its length",
       .error_unit = "relative",

@@ -42,7 +42,7 @@ SceneDescription free_fall() {
   return {.name = "free_fall",
           .summary = "A point mass falls from rest.",
           .answer =
-              "z = -g t²/2, at every step to roundings with start=half_step; unshifted, leapfrog gives "
+              "z = -g t²/2, at every step to round-off with start=half_step; unshifted, leapfrog gives "
               "-g h² n(n+1)/2 after n steps, a relative error of h/t.",
           .error_name = "largest position error over the distance fallen",
           .error_unit = "relative",

@@ -104,7 +104,7 @@ SceneDescription governor() {
       .name = "governor",
       .summary = "A flyball governor turns faster than it can steadily: its balls swing out and come back.",
       .answer =
-          "The angles of arms and spindle, integrated to roundings. Steady where cos(angle) = (1 + "
+          "The angles of arms and spindle, integrated to round-off. Steady where cos(angle) = (1 + "
           "sleeve/(2m)) "
           "g/(l spin²).",
       .error_name = "largest position error of a ball or of the sleeve over l",

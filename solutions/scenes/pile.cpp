@@ -117,7 +117,7 @@ SceneDescription pile() {
       .answer =
           "There is no closed form. But at rest the floor carries the whole weight, whatever mu, and k times "
           "the overlaps, with friction, balance each body. (While it falls they do not.)",
-      .error_name = "largest force or torque that its overlaps leave on a body, over its weight",
+      .error_name = "largest unbalanced force or torque on a body, by its overlaps, over its weight",
       .error_unit = "relative",
       .parameters = {parameter::bodies(20, 100000),
                      {.name = "shape", .meaning = "of the bodies", .choices = {"sphere", "box"}},

@@ -94,7 +94,7 @@ SceneDescription slider_crank() {
       .name = "slider_crank",
       .summary = "A crank turns beside the line on which it drives a slider, by a rod with two ball joints.",
       .answer =
-          "Places of the crank's end and of the slider, integrated to roundings: no orientations, no joints.",
+          "Places of the crank's end and of the slider, integrated to round-off: no orientations, no joints.",
       .error_name = "largest position error of the slider over the rod's length",
       .error_unit = "relative",
       .parameters = {{.name = "spin", .meaning = "of the crank at first", .unit = "rad/s", .value = 6},

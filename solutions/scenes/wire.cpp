@@ -107,7 +107,7 @@ SceneDescription wire() {
           .answer =
               "The stretch is Σ T_i/k, T_i = (M + (N - i) m) g the tension of link i, M = ratio m the load, "
               "whatever h and d. To get there Gauss-Seidel needs some (N - 1) ratio ln(1/tolerance) sweeps for "
-              "a heavy load, 5.6 N² to 1e-6 for a ratio of 1; with fewer it is rubber.",
+              "a heavy load, 5.6 N² to 1e-6 for a ratio of 1; with fewer it is elastic.",
           .error_name = "error of the last stretch over the length of the wire",
           .error_unit = "relative",
           .parameters = {parameter::links(5),
