@@ -3,11 +3,15 @@
 //   --scene NAME --set name=value ...     a scene and its parameters (a stack of ten spheres)
 //   --solver A,B --iterations 10,100 --h 1/60,1/120 --row-order up,random --warm-start=off,on ...
 //
-// All options of ./course run are available, each with one or more values, separated by commas. The error is the
+// All options of ./course run and all parameters of the scene are available, each with one or more values: one point
+// for each combination, as in ./course run --sweep. Refused combinations are skipped and counted. The error is the
 // scene's own. The cost is the median of the microseconds per step with its quartiles, and the row updates per second,
 // which are the same on every machine.
 #include <CLI/CLI.hpp>
+#include <iostream>
 #include <limits>
+#include <map>
+#include <set>
 #include <sstream>
 
 #include "machinery/experiment.hpp"
@@ -49,7 +53,8 @@ struct Chosen {
 struct Asked {
   TypedRun run;
   std::string line;
-  std::string all_have;  ///< values common to all runs, other than the defaults
+  std::string all_have;                  ///< values common to all runs, other than the defaults
+  std::vector<std::string> values = {};  ///< NAME=VALUE of each option with several values
 };
 
 std::vector<std::string> parts(const std::string& list) {
@@ -69,6 +74,7 @@ std::vector<Asked> times(const std::vector<Asked>& some, const Option& option, s
     for (const std::string& value : values) {
       all.push_back(asked);
       all.back().run.*option.typed = value;
+      all.back().values.push_back(option.name + "=" + value);
       if (!option.tells) continue;
       std::string& text = values.size() > 1 || option.name == "solver" ? all.back().line : all.back().all_have;
       text += (text.empty() ? "" : " ") + (option.name == "solver" ? "" : option.name + " ") + value;
@@ -76,13 +82,29 @@ std::vector<Asked> times(const std::vector<Asked>& some, const Option& option, s
   return all;
 }
 
+/// Each of these with each value of a parameter, NAME=VALUE,VALUE.
+std::vector<Asked> times(const std::vector<Asked>& some, const std::string& parameter) {
+  const std::size_t equals = std::min(parameter.find('='), parameter.size() - 1);
+  const std::vector<std::string> values = parts(parameter.substr(equals + 1));
+  std::vector<Asked> all;
+  for (const Asked& asked : some)
+    for (const std::string& value : values) {
+      all.push_back(asked);
+      all.back().run.set.push_back(parameter.substr(0, equals + 1) + value);
+      if (values.size() == 1) continue;
+      all.back().values.push_back(all.back().run.set.back());
+      all.back().line += (asked.line.empty() ? "" : " ") + all.back().run.set.back();
+    }
+  return all;
+}
+
 std::vector<Asked> all_runs(const Chosen& chosen, bool solves, bool quick) {
   TypedRun first;
   first.scene = chosen.scene;
-  first.set = chosen.set;
   if (chosen.set.empty() && chosen.scene == Chosen().scene) first.set = {"bodies=10"};
   if (!chosen.time.empty()) first.time = chosen.time;
   std::vector<Asked> all = {{first, "", ""}};
+  for (const std::string& parameter : chosen.set) all = times(all, parameter);
   for (const Option& option : chosen.options) {
     if (!solves && option.name == "iterations") continue;
     all =
@@ -93,6 +115,7 @@ std::vector<Asked> all_runs(const Chosen& chosen, bool solves, bool quick) {
     for (const std::string& start : parts(chosen.warm_start)) {
       with_starts.push_back(asked);
       with_starts.back().run.retype("warm_start", start);
+      with_starts.back().values.push_back("warm-start=" + start);
       if (start == "on") with_starts.back().line += " warm";
     }
   return with_starts;
@@ -106,13 +129,47 @@ std::vector<Row> measured(const Asked& asked, const SceneDescription& scene, con
            result.us_low, result.us_high, double(result.row_updates) / settings.time}};
 }
 
+/// Why `run` is refused; empty if it is not.
+std::string refusal(const TypedRun& run, const SceneDescription& scene) {
+  try {
+    scene.build(run.parameters(scene), run.settings(scene).method);
+    return "";
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+}
+
+/// The runs that are not refused; tells how many are. Throws std::invalid_argument for a value that no run takes.
+std::vector<Asked> possible(const std::vector<Asked>& asked, const SceneDescription& scene) {
+  std::vector<Asked> found;
+  std::vector<std::pair<Asked, std::string>> refused;
+  std::set<std::string> taken;
+  for (const Asked& one : asked)
+    if (const std::string why = refusal(one.run, scene); why.empty()) {
+      found.push_back(one);
+      taken.insert(one.values.begin(), one.values.end());
+    } else {
+      refused.push_back({one, why});
+    }
+  std::map<std::string, int> skipped;
+  for (const auto& [one, why] : refused) {
+    for (const std::string& value : one.values)
+      if (!taken.count(value)) throw std::invalid_argument(why);
+    ++skipped[why];
+  }
+  if (found.empty()) throw std::invalid_argument(refused.front().second);
+  for (const auto& [why, count] : skipped)
+    std::cerr << count << (count == 1 ? " combination" : " combinations") << " skipped: " << why << std::endl;
+  return found;
+}
+
 Experiment experiment(Size size, const Chosen& chosen) {
   const SceneDescription& scene = find_scene(chosen.scene);
   Experiment e;
   e.timed = true;
   e.columns = {"scene",     "line",           "all have",       "iterations",          "h", "error", "state",
                "us a step", "quartile below", "quartile above", "row updates a second"};
-  for (const Asked& asked : all_runs(chosen, scene.solves, size == Size::quick)) {
+  for (const Asked& asked : possible(all_runs(chosen, scene.solves, size == Size::quick), scene)) {
     const Parameters set = asked.run.parameters(scene);
     const RunSettings settings = asked.run.settings(scene);
     e.points.push_back({scene.name + " " + asked.line + " " + asked.run.iterations.value_or("") + " " +
@@ -143,7 +200,7 @@ int main(int argc, char** argv) {
   const auto make = [&](spook::plots::Size size) { return spook::plots::experiment(size, chosen); };
   return spook::plots::run_experiment(argc, argv, make, [&](CLI::App& app) {
     app.add_option("--scene", chosen.scene, "one of ./course scenes");
-    app.add_option("--set", chosen.set, "its parameters, NAME=VALUE ...");
+    app.add_option("--set", chosen.set, "its parameters, NAME=VALUE ...; several values with commas");
     app.add_option("--time", chosen.time, "how long [s]");
     app.add_flag("--warm-start{on}", chosen.warm_start, "begin with the last impulses; =off,on for both");
     for (spook::plots::Option& option : chosen.options)

@@ -23,30 +23,31 @@ static void write_line(std::ostream& csv, const Values& values, const Text& text
   csv << '\n';
 }
 
-static std::vector<std::string> columns(const Scene& scene, bool positions) {
+static std::vector<std::string> columns(const Scene& scene, const Watch& watch) {
   std::vector<std::string> names = scene.columns();
-  if (!positions) return names;
+  if (watch.residual) names.push_back("residual [m/s]");
+  if (!watch.positions) return names;
   for (std::size_t body = 0; body < scene.picture().bodies.size(); ++body)
     for (const char* axis : {"x", "y", "z"})
       names.push_back(std::string(axis) + " of body " + std::to_string(body) + " [m]");
   return names;
 }
 
-static std::vector<double> sample(const Scene& scene, bool positions) {
+static std::vector<double> sample(const Scene& scene, const Watch& watch) {
   std::vector<double> values = scene.sample();
-  if (!positions) return values;
+  if (watch.residual) values.push_back(scene.report().residual);
+  if (!watch.positions) return values;
   for (const Vec3& x : scene.frame().x) values.insert(values.end(), {x.x(), x.y(), x.z()});
   return values;
 }
 
 static void observed_run(Scene& scene, std::int64_t steps, const Watch& watch) {
   constexpr std::int64_t steps_between_reports = 100'000;
-  if (watch.csv)
-    write_line(*watch.csv, columns(scene, watch.positions), [](const std::string& name) { return name; });
+  if (watch.csv) write_line(*watch.csv, columns(scene, watch), [](const std::string& name) { return name; });
   for (std::int64_t n = 0;; ++n) {
     scene.observe();
     scene.judge();
-    if (watch.csv) write_line(*watch.csv, sample(scene, watch.positions), exact_text);
+    if (watch.csv) write_line(*watch.csv, sample(scene, watch), exact_text);
     if (watch.look) watch.look(scene, n);
     if (watch.progress && steps > steps_between_reports && (n % steps_between_reports == 0 || n == steps))
       watch.progress(n, steps);

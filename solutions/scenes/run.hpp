@@ -35,6 +35,7 @@ std::int64_t step_count(double h, double time);
 struct Watch {
   std::ostream* csv = nullptr;  ///< gets a line of names, and a line for each substep, the start included
   bool positions = false;       ///< adds x, y, z of each body to these lines
+  bool residual = false;        ///< adds the residual of the step before [m/s]
   /// Called with the scene at the start, and after each substep.
   std::function<void(Scene& scene, std::int64_t substep)> look = nullptr;
   /// Called with the number of steps done, several times in a long run, and at its end.

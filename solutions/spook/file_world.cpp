@@ -1,6 +1,7 @@
 // Reads bodies and joints of a file; errors name the path in the file.
 #include "spook/file_world.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -175,7 +176,7 @@ Settings<Dof> settings_in(const Place& file) {
   // Version 1 called the integrator's order "compose".
   const std::string order = file["version"].whole() == 1 ? "compose" : "integrator_order";
   place->require_keys({"gravity", "k", "d", "friction", "friction_model", "viscosity", order, "impacts",
-                       "rotation", "gyroscopic_torque"});
+                       "rotation", "gyroscopic_torque", "points_pass"});
   read(place->find("gravity"), settings.gravity);
   read(place->find("k"), settings.k);
   read(place->find("d"), settings.d);
@@ -203,11 +204,52 @@ Settings<Dof> settings_in(const Place& file) {
   return settings;
 }
 
+/// Returns for each body the least index of the bodies that joints connect it to, but not by way of static bodies.
+template <int Dof>
+static std::vector<int> joined(const World<Dof>& world) {
+  std::vector<int> first(world.bodies().size());
+  for (std::size_t i = 0; i < first.size(); ++i) first[i] = static_cast<int>(i);
+  const auto root = [&](int i) {
+    while (first[static_cast<std::size_t>(i)] != i) i = first[static_cast<std::size_t>(i)];
+    return i;
+  };
+  for (const Joint& joint : world.joints()) {
+    if (world.bodies().is_fixed(world.index(joint.i)) || world.bodies().is_fixed(world.index(joint.j)))
+      continue;
+    const int i = root(joint.i), j = root(joint.j);
+    first[static_cast<std::size_t>(std::max(i, j))] = std::min(i, j);
+  }
+  for (std::size_t i = 0; i < first.size(); ++i) first[i] = root(static_cast<int>(i));
+  return first;
+}
+
+/// Points stop at planes alone. Throws std::invalid_argument for a body of points beside another such body, or a solid,
+/// that no joint connects to it: they would pass through each other.
+template <int Dof>
+static void refuse_points_that_could_meet(const Place& file, const World<Dof>& world) {
+  const Shapes& shapes = world.shapes();
+  if (shapes.corners.empty()) return;
+  if (const auto settings = file.find("settings"))
+    if (const auto allowed = settings->find("points_pass"); allowed && allowed->flag()) return;
+  const std::vector<int> first = joined(world);
+  const auto refuse = [&](int points, int other) {
+    if (first[static_cast<std::size_t>(points)] == first[static_cast<std::size_t>(other)]) return;
+    const auto named = [](int body) { return "bodies[" + std::to_string(body) + "]"; };
+    throw std::invalid_argument(named(points) + ".corners are points, which pass through " + named(other) +
+                                ": give it another shape, or say so by settings.points_pass");
+  };
+  for (const Corners& points : shapes.corners) {
+    refuse(points.body, shapes.corners.front().body);
+    for (const Solid& solid : shapes.solids) refuse(points.body, solid.body);
+  }
+}
+
 template <int Dof>
 void add_all(const Place& file, const BodyNames& names, World<Dof>& world) {
   for (const Place& body : file["bodies"].list()) at(body, [&] { add_body(body, world); });
   if (const auto joints = file.find("joints"))
     for (const Place& joint : joints->list()) at(joint, [&] { add_joint(joint, names, world); });
+  refuse_points_that_could_meet(file, world);
 }
 
 template Settings<3> settings_in(const Place&);

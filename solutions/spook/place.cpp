@@ -78,8 +78,12 @@ std::optional<Place> Place::find(const std::string& key) const {
   return Place(value_.at(key), under(key));
 }
 
-void Place::require_keys(const std::vector<std::string>& known) const {
+void Place::require_object() const {
   if (!value_.is_object()) reject("an object");
+}
+
+void Place::require_keys(const std::vector<std::string>& known) const {
+  require_object();
   for (const auto& [key, value] : value_.items())
     if (std::find(known.begin(), known.end(), key) == known.end())
       throw std::invalid_argument(under(key) + " is unknown" + did_you_mean(key, known));

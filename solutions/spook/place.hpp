@@ -31,6 +31,8 @@ class Place {
   Place operator[](const std::string& key) const;  ///< throws if the key is missing
   std::optional<Place> find(const std::string& key) const;
 
+  void require_object() const;  ///< throws std::invalid_argument unless the value is an object
+
   /// Throws std::invalid_argument unless the value is an object, and for an unknown key, with the nearest known key.
   void require_keys(const std::vector<std::string>& known) const;
 

@@ -7,6 +7,7 @@
 
 #include "engine/support/did_you_mean.hpp"
 #include "scenes/registry.hpp"
+#include "spook/file_parameters.hpp"
 #include "spook/file_world.hpp"
 #include "spook/scene_file.hpp"
 
@@ -86,10 +87,13 @@ Json parsed(const std::string& file) {
   }
 }
 
-SceneDescription described(const std::string& name, const Json& json) {
+SceneDescription described(const std::string& name, const Json& written) {
+  Place(written, "")
+      .require_keys({"format", "version", "summary", "model", "h", "time", "solver", "half_step_start",
+                     "parameters", "settings", "bodies", "joints", "expected"});
+  const std::vector<Parameter> parameters = parameters_in(written);
+  const Json json = with_values(written, parameters);
   const Place file(json, "");
-  file.require_keys({"format", "version", "summary", "model", "h", "time", "solver", "half_step_start",
-                     "settings", "bodies", "joints", "expected"});
   if (file["format"].text() != "spook scene") file["format"].reject("\"spook scene\"");
   const int version = file["version"].whole();
   if (version != 1 && version != 2) file["version"].reject("1 or 2");
@@ -102,13 +106,14 @@ SceneDescription described(const std::string& name, const Json& json) {
           answered ? "Where bodies should be at certain times, as the file says." : "None: the file has none.",
       .error_name = answered ? "largest distance from where a body should be" : "no answer to compare with",
       .error_unit = answered ? "tolerances" : "",
-      .parameters = {},
+      .parameters = parameters,
       .h = file["h"].number(),
       .time = file["time"].number(),
       .solves = true,
-      .build = [json, points](const Parameters&, const Method& method) -> std::unique_ptr<Scene> {
-        if (points) return std::make_unique<FileScene<3>>(json, method);
-        return std::make_unique<FileScene<6>>(json, method);
+      .build = [written, points](const Parameters& set, const Method& method) -> std::unique_ptr<Scene> {
+        const Json valued = with_values(written, set.all());
+        if (points) return std::make_unique<FileScene<3>>(valued, method);
+        return std::make_unique<FileScene<6>>(valued, method);
       }};
   scene.solver = file.has("solver") ? file["solver"].text() : "auto";
   const std::string present = present_name(scene.solver);
@@ -142,7 +147,7 @@ SceneDescription read_scene(const std::string& file) {
   const std::size_t slash = file.find_last_of('/') + 1;  // 0 without one
   SceneDescription scene =
       told([&] { return described(file.substr(slash, file.size() - 5 - slash), parsed(file)); });
-  told([&] { return scene.build(Parameters({}), {.h = scene.h, .solver = scene.solver}); });
+  told([&] { return scene.build(Parameters(scene.parameters), {.h = scene.h, .solver = scene.solver}); });
   return scene;
 }
 

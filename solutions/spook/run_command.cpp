@@ -89,7 +89,7 @@ void RunCommand::execute(std::ostream& out) const {
   open(table, "csv", csv);
   open(recording, "record", record);
   Recorder recorder(recording, description, parameters, settings, per_second);
-  Watch watch{.csv = csv ? &table : nullptr, .positions = positions};
+  Watch watch{.csv = csv ? &table : nullptr, .positions = positions, .residual = description.solves};
   Progress progress;
   const std::int64_t steps = step_count(settings.method.h, settings.time) * settings.method.substeps;
   const bool watched = isatty(STDERR_FILENO) != 0;

@@ -82,7 +82,7 @@ void ScenesCommand::execute(std::ostream& out) const {
     return print_as_file(out, scene, set);
   }
   if (!set.empty()) throw std::invalid_argument("--set needs --export");
-  const std::vector<SceneDescription> listed = scene.empty() ? scenes() : std::vector{find_scene(scene)};
+  const std::vector<SceneDescription> listed = scene.empty() ? scenes() : std::vector{scene_named(scene)};
   if (json) {
     Json all = {{"scenes", Json::array()}, {"solvers", Json::array()}};
     for (const SceneDescription& each : listed) all["scenes"].push_back(about(each));

@@ -120,8 +120,8 @@ class Sandbox:
     def solve(self, exercise: Exercise) -> None:
         shutil.copyfile(exercise.reference, self.file(exercise))
 
-    def restore(self, exercise: Exercise) -> None:
-        self._git("checkout", "-q", "--", str(exercise.file.relative_to(ROOT)))
+    def restore(self, *exercises: Exercise) -> None:
+        self._git("checkout", "-q", "--", *(str(exercise.file.relative_to(ROOT)) for exercise in exercises))
 
     def _restore(self, exercise: Exercise) -> None:
         """The student's copy may hold answers; the sandbox starts from the stub."""

@@ -32,8 +32,7 @@ class CourseCheck(unittest.TestCase):
         cls.drift = next(exercise for exercise in cls.exercises if exercise.function == "drift")
 
     def tearDown(self):
-        for exercise in self.exercises:
-            self.box.restore(exercise)
+        self.box.restore(*self.exercises)
 
     def write(self, body: str, before: str = ""):
         self.box.file(self.kick).write_text(KICK % (before, body))

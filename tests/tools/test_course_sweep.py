@@ -1,18 +1,30 @@
 """./course run --plot and --sweep."""
 
+import contextlib
 import csv
 import io
 import json
 import math
+import random
 import re
 import shlex
+import tempfile
 import unittest
+from fractions import Fraction
+from pathlib import Path
+from statistics import NormalDist
+from unittest import mock
 
 from sandbox import ROOT, Sandbox, all_exercises
 
+import grid
+import plot
+import runs
+from beside import with_changed
 from curves import matching
 from errors import BadInput
-from sweep import Result, as_table, orders
+from extras import taken
+from sweep import Result, Sweep, as_json, as_text
 
 _BLOCK = re.compile(r"^```\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 STILL = """#include "01_leapfrog/leapfrog.hpp"
@@ -22,33 +34,164 @@ Vec3 kick(const Vec3& v, const Vec3&, double, double) { return v; }
 """
 
 
-def result(value: str, error: float | None, **more) -> Result:
-    return Result(value, {"scene": "s", "error": {"name": "gap", "unit": "m", "value": error}, "residual": None,
-                          "us_per_step": 1.0} | more, "")
+def result(point: dict[str, str], error: float | None, **more) -> Result:
+    return Result(point, {"scene": "s", "error": {"name": "gap", "unit": "m", "value": error}, "residual": None,
+                          "state": {"name": "sound", "reason": ""}, "us_per_step": 1.0, "row_updates": 2, "steps": 3,
+                          "time": 1.0, "h": 0.5} | more, "")
+
+
+def of_h(*values: str, error=lambda h: h) -> Sweep:
+    return Sweep({"h": values}, [result({"h": h}, error(eval(h))) for h in values], [])
 
 
 class Orders(unittest.TestCase):
     def test_of_powers(self):
         for power in (1, 2, 4, -1):
-            found = orders([result(h, 3 * eval(h) ** power) for h in ("1/10", "1/20", "1/80")])
+            found = [row["order"] for row in of_h("1/10", "1/20", "1/80", error=lambda h: 3 * h ** power).rows()]
             self.assertIsNone(found[0])
             for order in found[1:]:
                 self.assertAlmostEqual(order, power, 12)
 
     def test_where_there_is_none(self):
-        for first, second in ((result("1", 1), result("2", 0)), (result("a", 1), result("2", 1)),
-                              (result("1", None), result("2", 1)), (result("1", 1), Result("2", None, "blown up")),
-                              (result("0", 1), result("2", 1)), (result("1", 1), result("1.0", 1))):
-            self.assertEqual(orders([first, second]), [None, None])
-        self.assertEqual(orders([]), [])
+        nothing = [(None, None)] * 2
+        for first, second in ((("1", 1), ("2", 0)), (("a", 1), ("2", 1)), (("1", None), ("2", 1)), (("0", 1), ("2", 1)),
+                              (("1", math.nan), ("2", 1)), (("1", 1), ("1.0", 1)), (("inf", 1), ("2", 1))):
+            rows = [{"k": value, "error": error} for value, error in (first, second)]
+            self.assertEqual(grid.orders(rows, ["k"]), nothing)
+        self.assertEqual(grid.orders([], ["h"]), [])
+        rows = [{"bodies": str(n), "error": n} for n in (1, 2)]  # an error goes with a power of h, d and k alone
+        self.assertEqual(grid.orders(rows, ["bodies"]), nothing)
+
+    def test_of_a_product_compare_what_differs_in_one_value(self):
+        axes = {"h": ["0.1", "0.05"], "scale": ["1", "7"], "d": ["2", "3"]}
+        rows = [point | {"error": float(point["scale"]) * float(point["d"]) * float(point["h"]) ** 2}
+                for point in grid.combinations(axes)]
+        found = grid.orders(rows, axes)
+        self.assertEqual(found[:4], [(None, None)] * 4)
+        for ratio, order in found[4:]:
+            self.assertAlmostEqual(ratio, 4, 12)
+            self.assertAlmostEqual(order, 2, 12)
 
     def test_in_the_table(self):
-        table = as_table("h", [result("0.1", 8), result("0.05", 2), Result("0.01", None, "blown up: body 3")])
+        swept = of_h("0.1", "0.05", error=lambda h: 800 * h ** 2)
+        lost = Result({"h": "0.01"}, None, "blown up: body 3")
+        table = as_text(Sweep({"h": ("0.1", "0.05", "0.01")}, [*swept.results, lost], []))
         self.assertIn("s: gap [m]", table)
         lines = [line.split() for line in table.splitlines()]
         self.assertIn(["0.05", "2", "4", "2.00", "1"], lines)
         self.assertIn("h = 0.01: blown up: body 3", table)
-        self.assertNotIn("order", as_table("start", [result("a", 8), result("b", 2)]))
+        starts = Sweep({"start": ("a", "b")}, [result({"start": "a"}, 8), result({"start": "b"}, 2)], [])
+        self.assertNotIn("order", as_text(starts))
+
+    def test_a_sound_run_without_an_answer_is_not_lost(self):
+        table = as_text(Sweep({"d": ("2",)}, [result({"d": "2"}, None)], []))
+        self.assertRegex(table, r"\n2 +none")
+        self.assertNotIn("lost", table)
+
+
+class Grid(unittest.TestCase):
+    def test_combinations_are_all_and_the_last_name_changes_fastest(self):
+        self.assertEqual(grid.combinations({"a": [1, 2], "b": "xy"}),
+                         [{"a": 1, "b": "x"}, {"a": 1, "b": "y"}, {"a": 2, "b": "x"}, {"a": 2, "b": "y"}])
+
+    def test_a_value_is_refused_if_no_combination_takes_it(self):
+        points = grid.combinations({"a": ["1", "2"], "b": ["x", "y"]})
+        self.assertEqual(grid.impossible_value(points, ["", "", "", "no"]), "")  # one of four is skipped
+        self.assertEqual(grid.impossible_value(points, ["", "no y", "", "nor here"]), "no y")
+        self.assertEqual(grid.impossible_value(points, [""] * 4), "")
+
+    def test_values_are_the_same_as_typed(self):
+        for one, other in (("1/60", 1 / 60), ("1e-3", 0.001), (Fraction(1, 60), "1/60"), ("direct", "direct"), (True, True)):
+            self.assertTrue(grid.same(one, other), (one, other))
+        for one, other in (("1/60", 1 / 61), ("on", 1), ("direct", "auto"), (True, "1")):
+            self.assertFalse(grid.same(one, other), (one, other))
+
+    def test_students_distribution_against_its_closed_forms(self):
+        # ν = 1: P = 2/π atan t. ν = 2: P = t/√(2 + t²). ν -> ∞: the normal distribution, to O(1/ν).
+        self.assertAlmostEqual(grid.student_t(1), math.tan(0.95 * math.pi / 2), 8)
+        self.assertAlmostEqual(grid.student_t(2), math.sqrt(2 * 0.95 ** 2 / (1 - 0.95 ** 2)), 8)
+        normal = NormalDist().inv_cdf(0.975)
+        self.assertAlmostEqual(grid.student_t(10 ** 6), normal, delta=normal * (normal ** 2 + 1) / 4e6 + 1e-6)
+
+    def test_an_interval_holds_the_mean_as_often_as_it_says(self):
+        draws = random.Random(1)
+        trials, held = 1000, 0
+        for _ in range(trials):
+            rows = [{"seed": k, "error": draws.gauss(3, 2)} for k in range(4)]
+            (mean,) = grid.means(rows, ["seed"])
+            held += abs(mean.mean - 3) <= mean.half_width
+        # Four standard deviations of a binomial count: one in 16,000 seeds is further off.
+        self.assertAlmostEqual(held, 950, delta=4 * math.sqrt(trials * 0.95 * 0.05), msg="seed 1")
+
+    def test_means_leave_out_what_has_no_error(self):
+        rows = [{"a": "x", "seed": "1", "error": 1.0}, {"a": "x", "seed": "2", "error": None},
+                {"a": "y", "seed": "1", "error": math.nan}, {"a": "x", "seed": "3", "error": 3.0}]
+        x, y = grid.means(rows, ["a", "seed"])
+        self.assertEqual((x.point, x.runs, x.mean), ({"a": "x"}, 2, 2.0))
+        self.assertAlmostEqual(x.half_width, grid.student_t(1) * math.sqrt(2) / math.sqrt(2), 8)
+        self.assertEqual((y.runs, y.mean, y.half_width), (0, None, None))
+
+
+class Words(unittest.TestCase):
+    def test_lists_of_several_options(self):
+        extras, words = taken(["pile", "--set", "bodies=5,10", "mu=0.3", "--sweep", "seed=1,2", "h=1/60,1/120", "--json"])
+        self.assertEqual(extras.sweep, {"bodies": ("5", "10"), "seed": ("1", "2"), "h": ("1/60", "1/120")})
+        self.assertEqual(words, ["pile", "--set", "mu=0.3", "--json"])
+        self.assertEqual(taken(["pile", "--set=bodies=5,10", "--shard", "2/3"])[0].shard, (2, 3))
+
+    def test_a_parameter_goes_before_an_option_of_its_name(self):
+        words = ["pile", "--set", "seed=7", "mu=1"]
+        self.assertEqual(with_changed(words, "seed", "3", {"seed", "mu"}), ["pile", "--set", "mu=1", "--set", "seed=3"])
+        self.assertEqual(with_changed(["orbit"], "seed", "3", {"m"}), ["orbit", "--seed", "3"])
+
+
+class OnSlurm(unittest.TestCase):
+    """A Slurm that runs each part at once: what is tested is how a sweep is divided and put together."""
+
+    def test_parts_are_put_together_in_order(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        with mock.patch.object(runs, "BUILD", Path(folder.name)), mock.patch.object(runs, "run_array", self.array), \
+                contextlib.redirect_stdout(io.StringIO()) as out:
+            code = runs.Runs(["s", "--json"], taken(["s", "--slurm", "2", "--sweep", "a=1,2", "b=x,y"])[0], self.start,
+                             lambda scene: {"a", "b"}).all()
+        told = json.loads(out.getvalue())
+        self.assertEqual([(run["point"], run["why"]) for run in told["runs"]],
+                         [({"a": "1", "b": "x"}, None), ({"a": "1", "b": "y"}, "blew up"), ({"a": "2", "b": "x"}, None)])
+        self.assertEqual([one["point"] for one in told["skipped"]], [{"a": "2", "b": "y"}])
+        self.assertEqual(code, 1)
+
+    def start(self, words, call):
+        """Refuses one combination; the columns of another are asked for."""
+        Path(words[words.index("--csv") + 1]).write_text("time [s]\n")
+        refused = "a=2" in words and "b=y" in words
+        return call(["sh", "-c", f"echo no >&2; exit {2 * refused}"])
+
+    def array(self, command, count, folder, what):
+        folder.mkdir(parents=True)
+        for part in range(1, count + 1):
+            words = [word.replace("@I@", str(part)) for word in command]
+            self.assertEqual(words[words.index("--shard") + 1], f"{part}/{count}")
+            points = grid.combinations({"a": "12", "b": "xy"})[part - 1::count]
+            results = [Result(point, None, "blew up") if point == {"a": "1", "b": "y"} else result(point, 1.0)
+                       for point in points if point != {"a": "2", "b": "y"}]
+            Path(words[3]).write_text(as_json(Sweep({"a": "12", "b": "xy"}, results, [])))
+        return {2: "exit code 1"}
+
+
+class Refused(unittest.TestCase):
+    def test_what_is_refused_leaves_the_last_results(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            (folder / "table.csv").write_text("old")
+            with self.assertRaises(BadInput), plot._results_set_aside(folder):
+                self.assertFalse((folder / "table.csv").exists())
+                raise BadInput("a typo")
+            self.assertEqual([path.name for path in folder.iterdir()], ["table.csv"])
+            self.assertEqual((folder / "table.csv").read_text(), "old")
+            with plot._results_set_aside(folder):
+                (folder / "claims.json").write_text("new")
+            self.assertEqual([path.name for path in folder.iterdir()], ["claims.json"])
 
 
 class Columns(unittest.TestCase):
@@ -129,7 +272,7 @@ class Runs(unittest.TestCase):
     def test_a_sweep_has_errors_and_orders(self):
         call = ["orbit", "--sweep", "h=1/60,1/120,1/240"]
         runs = json.loads(self.run_scene(*call, "--json"))["runs"]
-        self.assertEqual([run["value"] for run in runs], ["1/60", "1/120", "1/240"])
+        self.assertEqual([run["point"] for run in runs], [{"h": "1/60"}, {"h": "1/120"}, {"h": "1/240"}])
         alone = json.loads(self.run_scene("orbit", "--h", "1/120", "--json"))
         self.assertEqual(runs[1]["error"], alone["error"])
         self.assertIsNone(runs[0]["observed_order"])
@@ -146,6 +289,72 @@ class Runs(unittest.TestCase):
                          [(0.2, "unshifted"), (0.3, "unshifted")])
         runs = json.loads(self.run_scene("stack", "--time", "0.1", "--sweep", "warm_start=off,on", "--json"))["runs"]
         self.assertEqual([run["warm_start"] for run in runs], [False, True])
+
+    def test_a_product_with_means_over_seeds_as_a_file(self):
+        call = ["pile", "--time", "0.1", "--set", "bodies=5,10", "--sweep", "seed=1,2,3", "--csv", "sweep.csv", "--json"]
+        told = json.loads(self.run_scene(*call))
+        self.assertEqual([run["parameters"]["seed"] for run in told["runs"]], [1, 2, 3, 1, 2, 3])
+        for mean, bodies in zip(told["means"], ("5", "10")):
+            errors = [run["error"]["value"] for run in told["runs"] if run["point"]["bodies"] == bodies]
+            self.assertEqual((mean["point"], mean["runs"]), ({"bodies": bodies}, 3))
+            self.assertAlmostEqual(mean["mean"], sum(errors) / 3, delta=1e-12 * max(errors))
+        rows = list(csv.DictReader(io.StringIO((self.box.root / "sweep.csv").read_text())))
+        self.assertEqual([(row["bodies"], row["seed"], float(row["error"])) for row in rows],
+                         [(run["point"]["bodies"], run["point"]["seed"], run["error"]["value"]) for run in told["runs"]])
+        manifest = json.loads((self.box.root / "sweep.csv.manifest.json").read_text())
+        self.assertEqual(manifest["command"], ["./course", "run", *call])
+        self.assertTrue(all(manifest[key] for key in ("version", "commit", "compiler", "flags", "machine", "processors", "date")),
+                        manifest)
+        shards = [json.loads(self.run_scene(*call, "--shard", f"{k}/2"))["runs"] for k in (1, 2)]
+        self.assertEqual([run["point"] for run in told["runs"]],
+                         [run["point"] for pair in zip(*shards) for run in pair])
+
+    def test_combinations_that_are_refused_are_counted(self):
+        said = self.run_scene("stack", "--time", "0.1", "--sweep", "solver=direct,gauss_seidel", "row_order=given,random")
+        self.assertEqual(len(re.findall(r"^(?:direct|gauss_seidel) ", said, re.MULTILINE)), 3)
+        self.assertIn("1 combination skipped: an order of rows is for sweeps", said)
+
+    def test_a_file_sweeps_as_a_scene_does(self):
+        (self.box.root / "tower.json").write_text(self.box.course("scenes", "tower", "--set", "boxes=2", "--export").stdout)
+        said = self.run_scene("tower.json", "--time", "0.1", "--sweep", "solver=gauss_seidel,auto", "h=1/60,1/120")
+        self.assertEqual(len(re.findall(r"^(?:gauss_seidel|auto) ", said, re.MULTILINE)), 4)
+        self.assertNotIn("lost", said)  # it has no answer
+
+    def test_a_file_has_parameters_that_sweep(self):
+        scene = {"format": "spook scene", "version": 2, "model": "point", "h": 0.01, "time": "$until", "parameters": {
+                     "until": {"default": 1, "unit": "s", "meaning": "when it is looked at"},
+                     "g": {"default": "-981/100", "unit": "m/s²"}, "height": {"default": 0}},
+                 "settings": {"gravity": [0, 0, "$g"]}, "half_step_start": True,
+                 "bodies": [{"x": [0, 0, "$height"], "mass": 1}],
+                 "expected": [{"body": 0, "time": 1, "x": [0, 0, -4.905], "tolerance": 1e-9}]}
+        (self.box.root / "fall.json").write_text(json.dumps(scene))
+        told = json.loads(self.run_scene("fall.json", "--sweep", "g=-9.81,0", "height=0,1", "--json"))
+        self.assertEqual([run["parameters"]["g"] for run in told["runs"]], [-9.81, -9.81, 0, 0])
+        errors = [run["error"]["value"] for run in told["runs"]]  # in tolerances of 1e-9 m
+        self.assertLess(errors[0], 1)
+        for error, off in zip(errors[1:], (1, 4.905, 5.905)):
+            self.assertAlmostEqual(error * 1e-9, off, places=8)
+        self.assertIn("when it is looked at", self.box.course("scenes", "fall.json").stdout)
+        for change, words in (({"h": "$step"}, ['h names no parameter of the file: "$step"']),
+                              ({"h": "$heigth", "bodies": []}, ['did you mean "height"']),
+                              ({"bodies": [{"x": [0, 0, 0]}]}, ["parameters.height is used nowhere"]),
+                              ({"parameters": {"h": {"default": 1}}}, ["parameters.h must have another name"]),
+                              ({"parameters": {"g": {"defautl": 1}}}, ["parameters.g.defautl is unknown"]),
+                              ({"parameters": {"g": {"default": "much"}}}, ["parameters.g.default", "much"]),
+                              ({"parameters": []}, ["parameters must be an object"])):
+            (self.box.root / "bad.json").write_text(json.dumps(scene | change))
+            self.box.assert_refused(self, ["run", "bad.json"], words)
+        self.box.assert_refused(self, ["run", "fall.json", "--set", "height=high"], ["height", "high"])
+
+    def test_the_residual_is_a_column(self):
+        self.run_scene("stack", "--time", "0.1", "--iterations", "2", "--csv", "stack.csv", "--json")
+        rows = list(csv.DictReader(io.StringIO((self.box.root / "stack.csv").read_text())))
+        self.assertEqual(float(rows[0]["residual [m/s]"]), 0)  # no step yet
+        told = json.loads(self.run_scene("stack", "--time", "0.1", "--iterations", "2", "--json"))
+        self.assertEqual(float(rows[-1]["residual [m/s]"]), told["residual"])
+        self.assertTrue((self.box.root / "stack.csv.manifest.json").exists())
+        self.run_scene("orbit", "--time", "0.1", "--csv", "orbit.csv")  # which has nothing to solve
+        self.assertNotIn("residual", (self.box.root / "orbit.csv").read_text())
 
     def test_a_sweep_that_is_drawn(self):
         self.run_scene("resting_sphere", "--time", "0.5", "--sweep", "d=2,5", "--plot", "gap")
@@ -180,7 +389,11 @@ class Runs(unittest.TestCase):
                             (["orbit", "--sweep", "h=0.1,0"], ["h must be"]),
                             (["orbit", "--sweep", "hh=0.1,1"], ["hh"]),
                             (["stack", "--sweep", "warm_start=1,2"], ["'2'"]),
-                            (["orbit", "--sweep", "h=0.1,0.2", "--csv", "a.csv"], ["--csv is for one run"]),
+                            (["orbit", "--sweep", "h=0.1,0.2", "--csv", "no/a.csv"], ["no/a.csv", "written"]),
+                            (["orbit", "--sweep", "h=0.1,0.2", "h=1,2"], ["h is swept twice"]),
+                            (["orbit", "--sweep", "h=0.1,0.2", "--shard", "3/2"], ["'3/2'"]),
+                            (["orbit", "--sweep", "h=0.1", "--shard", "2/2"], ["the sweep has 1"]),
+                            (["orbit", "--shard", "1/2"], ["--shard needs --sweep"]),
                             (["orbit", "--sweep", "h=0.1,0.2", "--record=a"], ["--record is for one run"])):
             self.box.assert_refused(self, ["run", *words], told)
 

@@ -163,16 +163,111 @@ class Import(unittest.TestCase):
             self.assertIn(words, said)
         self.assertNotIn("sensor", said)
 
+    def test_what_is_not_known_is_named_with_line_and_body(self):
+        _, said = self.imported(self.written(
+            "<geom type='plane' size='0 0 1'/>\n"
+            "<body name='b'><freejoint/><geom size='.1' solref='.01 1' solimp='1' margin='1' gap='1' fluidshape='ellipsoid' "
+            "shellinertia='true' masss='2'/><spring/></body>\n<body name='c'><freejoint/><geom size='.1' gap='2'/></body>",
+            option="density='1' viscosity='1' wind='1 0 0'"))
+        for words in ("density of the option (line 1)", "viscosity of the option", "wind of the option",
+                      *(f'{name} of geoms (line 3, body "b")' for name in ("solref", "solimp", "margin", "fluidshape",
+                                                                            "shellinertia", "masss")),
+                      'gap of geoms (line 3, body "b", and 1 more)',
+                      'element spring, which the import does not know (line 3, body "b")'):
+            self.assertIn(words, said)
+
+    def test_what_changes_nothing_is_not_named(self):
+        _, said = self.imported(self.written(
+            "<light/><camera name='c'/><site/><geom type='plane' size='0 0 1' material='m' rgba='1 0 0 1'/>"
+            "<body name='b' user='3'><freejoint align='false'/><geom size='.1' group='2' margin='0'/></body>",
+            option="integrator='RK4' density='0' wind='0 0 0'", rest="<asset><material name='m'/></asset><size nkey='1'/>"))
+        self.assertNotIn("left out", said)
+
+    def test_flags_turn_off_what_they_say(self):
+        hinge = "<body><joint axis='0 1 0' range='-10 10' damping='2'/><geom size='.1' pos='.5 0 0'/></body>"
+        for flag, limits, motor in (("", True, True), ("<flag limit='disable'/>", False, True),
+                                    ("<flag constraint='disable'/>", False, True), ("<flag passive='disable'/>", True, False)):
+            scene, _ = self.imported(self.written(hinge, rest=f"<option>{flag}</option>"))
+            self.assertEqual(("limits" in scene["joints"][0], "motor" in scene["joints"][0]), (limits, motor), flag)
+        ball = "<geom type='plane' size='0 0 1'/><body><freejoint/><geom size='.1'/></body>"
+        scene, _ = self.imported(self.written(ball, rest="<option><flag constraint='disable'/></option>"))
+        self.assertTrue(all("radius" not in body and "plane" not in body for body in scene["bodies"]))
+        tied = "<body name='a'><freejoint/><geom size='.1'/></body>"
+        for flag, count in (("enable", 1), ("disable", 0)):
+            scene, _ = self.imported(self.written(
+                tied, rest=f"<option><flag equality='{flag}'/></option><equality><connect body1='a' anchor='0 0 1'/></equality>"))
+            self.assertEqual(len(scene.get("joints", [])), count)
+
+    def test_a_weight_that_is_taken_from_all_is_gravity(self):
+        body = "<body name='{0}' gravcomp='{1}'><freejoint/><geom size='.1'/></body>"
+        scene, said = self.imported(self.written(body.format("a", 0.25) + body.format("b", 0.25)))
+        np.testing.assert_allclose(scene["settings"]["gravity"], [0, 0, -0.75 * 9.81], rtol=1e-15)
+        self.assertNotIn("gravcomp", said)
+        scene, said = self.imported(self.written(body.format("a", 1) + body.format("b", 0)))
+        self.assertEqual(scene["settings"]["gravity"], [0, 0, -9.81])
+        self.assertIn('gravcomp of bodies, which is not the same for all (line 2, body "a")', said)
+
+    def test_static_boxes_and_mocap_bodies_hold_what_falls_on_them(self):
+        scene, _ = self.imported(self.written(
+            "<geom type='box' size='2 2 .1'/><body name='table' mocap='true' pos='5 0 0'><geom type='box' size='1 1 .5'/></body>"
+            "<body name='one' pos='0 0 .3'><freejoint/><geom type='box' size='.1 .1 .1'/></body>"
+            "<body name='two' pos='5 0 .7'><freejoint/><geom size='.1'/></body>"))
+        result, table = self.run_of(scene, "--h", "1/240", "--time", "1")
+        self.assertEqual(result["state"]["name"], "sound", result["state"])
+        for name, height in (("one", 0.2), ("two", 0.6)):  # to a thousandth of a size, the engine's largest overlap
+            self.assertAlmostEqual(self.at(table, scene, name)[-1, 2], height, delta=1e-3)
+
+    def test_without_friction_where_both_have_condim_1(self):
+        ball = "<geom type='plane' size='0 0 1' condim='{0}' friction='.7'/><body><freejoint/><geom size='.1' condim='{1}' friction='.4'/></body>"
+        for plane, geom, friction in ((1, 1, 0.0), (3, 1, 0.7), (1, 3, 0.7), (3, 3, 0.7)):
+            scene, _ = self.imported(self.written(ball.format(plane, geom)))
+            self.assertEqual(scene["settings"]["friction"], friction)
+
+    def test_excluded_contacts_leave_each_with_the_floor(self):
+        pair = "".join(f"<body name='{name}' pos='0 0 {z}'><freejoint/><geom type='box' size='.1 .1 .1'/></body>"
+                       for name, z in (("p", 0.1), ("q", 0.15)))
+        scene, said = self.imported(self.written("<geom type='plane' size='0 0 1'/>" + pair,
+                                                 rest="<contact><exclude body1='p' body2='q'/></contact>"))
+        self.assertIn('"q" is points that planes stop', said)
+        _, table = self.run_of(scene, "--h", "1/240", "--time", "1")
+        for name in "pq":
+            self.assertAlmostEqual(self.at(table, scene, name)[-1, 2], 0.1, delta=1e-3)
+        self.refused("<body name='p'><freejoint/><geom size='1'/></body>", "body that there is not: \"z\"",
+                     rest="<contact><exclude body1='p' body2='z'/></contact>")
+
+    def test_a_replicate_is_as_many_copies(self):
+        scene, _ = self.imported(self.written(
+            "<replicate count='12' offset='1 0 0' euler='0 0 90' sep='-'><body name='b' pos='0 0 1'><freejoint/>"
+            "<geom size='.1'/></body></replicate>"))
+        self.assertEqual([body["name"] for body in scene["bodies"]], [f"b-{k:02}" for k in range(12)])
+        corners = [(0, 0), (1, 0), (1, 1), (0, 1)]  # each copy a quarter of a turn from the one before, and a metre on
+        for k, body in enumerate(scene["bodies"]):
+            np.testing.assert_allclose(body["x"], [*corners[k % 4], 1], atol=1e-12)
+        self.refused("<replicate count='1.5'><body/></replicate>", "count of a replicate must be a whole number")
+
+    def test_a_start_outside_its_limits_is_told(self):
+        _, said = self.imported(self.written("<body name='b'><joint axis='0 1 0' range='10 20'/><geom size='.1'/></body>"))
+        self.assertIn('a joint begins outside its limits: the first steps push it back (line 2, body "b")', said)
+
+    def test_nothing_left_to_simulate_is_an_error(self):
+        self.refused("<geom type='box' size='1 1 1'/>", "nothing is left to simulate")
+        self.refused("<composite><joint kind='main'/></composite>", "nothing is left to simulate")
+
     def test_bad_models_are_refused_in_one_line(self):
         self.refused("<body name='b'><joint/></body>", "body \"b\" moves, but has no mass")
         self.refused("<body><joint type='screw'/><geom size='1'/></body>", "hinge, slide, ball or free joint")
         self.refused("<body><joint axis='0 0 0'/><geom size='1'/></body>", "a direction has the length 0")
         self.refused("<body><freejoint/><geom size='1' class='c'/></body>", "class \"c\" has no default")
-        self.refused("<body pos='0 0'/>", "pos of a body must be 3 numbers, but is \"0 0\"")
-        self.refused("<body pos='0 0 x'/>", "pos of a body must be 3 numbers")
+        self.refused("<body name='p' pos='0 0'/>", "pos of body \"p\" (line 2, body \"p\") must be 3 numbers, but is \"0 0\"")
+        self.refused("<body pos='0 0 x'/>", "pos of a body (line 2) must be 3 numbers")
         self.refused("<geom type='capsule' size='1'/>", "must have 2 positive sizes")
+        body = "<body><freejoint/><geom size='1'/></body>"
+        self.refused(body, "timestep of the option (line 1) must be a finite number, but is \"abc\"", option="timestep='abc'")
+        self.refused(body, "gravity of the option (line 1) must be 3 numbers", option="gravity='0 9'")
+        self.refused(body, "settotalmass of the compiler", compiler="settotalmass='much'")
+        self.refused("<body><freejoint/><geom size='1' contype='a'/></body>", "contype of a geom")
         self.refused("", "coordinate=\"global\"", compiler="coordinate='global'")
-        self.refused("", "body that there is not", rest="<equality><connect body1='b' anchor='0 0 0'/></equality>")
+        self.refused("<body><freejoint/><geom size='1'/></body>", "body that there is not", rest="<equality><connect body1='b' anchor='0 0 0'/></equality>")
         for text, words in (("<robot/>", "MJCF begins with <mujoco>"), ("<mujoco>", "no element found")):
             (self.folder / "other.xml").write_text(text)
             done = self.course("import", self.folder / "other.xml")

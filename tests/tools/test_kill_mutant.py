@@ -34,7 +34,7 @@ class KillMutant(unittest.TestCase):
     def kill(self, *, header=HEADER, name="kick.half.cpp", body="", tests=(FAILED,), code=1):
         """The exit code, and what was said; of more than one mutant if more than one is in the folder."""
         (self.folder / name).write_text(header)
-        program = self.folder / f"mutants_{name.split('.')[0]}"
+        program = self.folder / "mutants_01_leapfrog"
         program.write_text(PROGRAM.format(python=sys.executable, body=body, tests=list(tests), code=code))
         program.chmod(0o755)
         files = sorted(str(file) for file in self.folder.glob("*.*"))
@@ -58,7 +58,7 @@ class KillMutant(unittest.TestCase):
             "-  return v + h * inverse_mass * f;\n+  return v;\n\n"
             '@@ whole @@ a whole. Killed by Kick.Adds, which says "half a kick"\n'
             "-  return v + h * inverse_mass * f;\n+  return f;\n")
-        code, said, count = self.kill(body="if os.environ['SPOOK_MUTANT'] != '3': sys.exit(0)")
+        code, said, count = self.kill(body="if os.environ['SPOOK_MUTANT'] != 'half_of_kick': sys.exit(0)")
         self.assertEqual((code, count), (1, "1 of 3 mutants killed\n"))
         self.assertRegex(said, r"\A.*kick\.diff:1: third: .*\n.*kick\.diff:5: whole: .*\n\Z")
         self.assertEqual(self.kill(), (0, "", "3 of 3 mutants killed\n"))

@@ -18,7 +18,7 @@ import equivalents  # noqa: E402
 import exercise_run  # noqa: E402
 import outcome  # noqa: E402
 from commands import Commands  # noqa: E402
-from crowd import Crowd  # noqa: E402
+from crowd import Crowd, Switched  # noqa: E402
 from errors import CourseError  # noqa: E402
 from exercise_run import ExerciseRun, Result  # noqa: E402
 from manifest import Exercise  # noqa: E402
@@ -205,21 +205,21 @@ class ManyInOne(unittest.TestCase):
         self.assertEqual(sum("#include" in line for line in lines), 2)
 
     def test_a_name_stands_in_what_the_compiler_calls_it(self):
-        source = Crowd({1: self.TEXT, 2: self.TEXT}, {2: SimpleNamespace(name="half")}).source()
+        source = Crowd({1: self.TEXT, 2: self.TEXT}, {2: SimpleNamespace(full_name="half_of_f")}).source()
         self.assertIn("namespace mutant_000001 {", source)
-        self.assertIn("namespace mutant_000002_half {", source)
+        self.assertIn("namespace mutant_0_half_of_f {", source)
 
     def test_one_that_does_not_define_the_function_is_named(self):
         other = self.TEXT.replace("int f()", "int g()")
         with tempfile.TemporaryDirectory() as folder:
             source, compiled = Path(folder, "crowd.cpp"), Path(folder, "crowd.o")
             crowd = Crowd({1: self.TEXT.replace("#include <a>", ""), 2: other.replace("#include <a>", "")},
-                          {2: SimpleNamespace(name="half", place="f.diff:5: half")})
+                          {2: SimpleNamespace(full_name="half_of_f", place="f.diff:5: half")})
             source.write_text(crowd.source())
             compiler = os.environ.get("CXX") or "c++"
             subprocess.run([compiler, "-o", str(compiled), "-c", str(source)], check=True)
             with self.assertRaisesRegex(CourseError, r"f\.diff:5: half: it does not define spook::f\(\)"):
-                crowd.switch(compiled, {"_ZN5spook1fEv"})
+                crowd.switch([compiled], [Switched(frozenset({"_ZN5spook1fEv"}), (1, 2), otherwise=1)])
 
     def test_what_has_to_be_compiled_alone(self):
         self.assertTrue(Crowd.can_hold(self.TEXT))

@@ -2,6 +2,7 @@
 
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -101,11 +102,30 @@ class Package(unittest.TestCase):
 
     def test_it_is_a_library_and_headers_and_hands_on_no_flags(self):
         files = [path.relative_to(self.prefix) for path in self.prefix.rglob("*") if path.is_file()]
-        self.assertEqual([path.name for path in files if path.suffix not in (".hpp", ".cmake")], ["libspook.a"])
+        others = sorted(path.name for path in files if path.suffix not in (".hpp", ".cmake"))
+        self.assertEqual(others, ["libspook.a", "spook.pc"])
         self.assertEqual([path for path in files if "scenes" in path.parts], [])
         targets = "".join(path.read_text() for path in self.prefix.rglob("spookTargets*.cmake"))
         self.assertNotRegex(targets, r"COMPILE_OPTIONS|-m|-W|-std")
         self.assertNotIn(str(ROOT), targets)
+
+    def test_pkg_config_finds_it_wherever_it_was_moved(self):
+        if not shutil.which("pkg-config"):
+            self.skipTest("pkg-config is not installed")
+        file = next(self.prefix.rglob("spook.pc"))
+        self.assertNotIn(str(self.prefix), file.read_text())
+        told = subprocess.run(["pkg-config", "--cflags", "--libs", "--static", "spook"], capture_output=True, text=True,
+                              env=os.environ | {"PKG_CONFIG_PATH": str(file.parent)})
+        self.assertEqual(told.returncode, 0, told.stderr)
+        folders = [Path(word[2:]).resolve() for word in told.stdout.split() if word.startswith(("-I", "-L"))]
+        self.assertIn(self.prefix / "include", folders)
+        self.assertTrue(any((folder / "libspook.a").exists() for folder in folders), folders)
+
+    def test_the_version_is_a_macro(self):
+        version = re.search(r"VERSION (\d+)\.(\d+)\.(\d+)", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8"))
+        text = (self.prefix / "include" / "spook" / "version.hpp").read_text()
+        for part, number in zip(("MAJOR", "MINOR", "PATCH"), version.groups()):
+            self.assertIn(f"#define SPOOK_VERSION_{part} {number}\n", text)
 
     def test_as_a_subdirectory_it_takes_the_users_flags_and_neither_warns_nor_needs_the_programs_libraries(self):
         lists = block("cmake").replace("find_package(spook 1.0 REQUIRED)", SUBDIRECTORY.format(ROOT))
@@ -117,6 +137,14 @@ class Package(unittest.TestCase):
                         *(f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON" for name in ("CLI11", "nlohmann_json", "GTest")),
                         f"-DCMAKE_CXX_COMPILER_LAUNCHER={';'.join(map(str, launcher))}")
         self.built(consumer)
+        prefix = self.scratch / "of_the_user"
+        installed = run("cmake", "--install", consumer.folder / "build", "--prefix", prefix)
+        self.assertEqual(installed.returncode, 0, installed.stderr)
+        self.assertEqual([path for path in prefix.rglob("*") if path.is_file()], [])  # it did not ask for our files
+        library = next(consumer.folder.rglob("libspook.so"))
+        names = run("nm", "-DC", "--defined-only", library).stdout.splitlines()
+        self.assertGreater(len(names), 100)
+        self.assertEqual([name for name in names if "spook::" not in name], [])
         commands = run("ninja", "-C", consumer.folder / "build", "-t", "commands", "slope").stdout
         self.assertNotIn("-Werror", commands)
         self.assertNotRegex(commands, r"/scenes/|-O[123]|-march")

@@ -3,6 +3,7 @@
 import ast
 import contextlib
 import copy
+import csv
 import gc
 import importlib
 import inspect
@@ -18,6 +19,7 @@ import threading
 import unittest
 import warnings
 import zipfile
+from fractions import Fraction
 from pathlib import Path
 from unittest import mock
 
@@ -431,6 +433,136 @@ class Scenes(WithModule):
         self.assertGreater(counted, 1000)  # a run that kept the others out would leave a few
 
 
+class Arguments(WithModule):
+    """What no function takes is told in one line: which argument, what is wanted, what it got."""
+
+    def told(self, what: str, call, *arguments, **named) -> None:
+        with self.assertRaises(TypeError) as caught:
+            call(*arguments, **named)
+        self.assertEqual(str(caught.exception), what)
+
+    def test_the_number_of_numbers(self):
+        world = spook.World()
+        self.told("add: half_sides: three numbers, got 2", world.add, half_sides=(1, 2))
+        self.told("add: q: four numbers, got 3", world.add, q=(1, 0, 0))
+        self.told("add: corners: rows of three numbers, got 1 x 2", world.add, corners=[(1, 2)])
+        self.told("place: x: three numbers, got 4", world.place, 0, x=(1, 2, 3, 4))
+        self.told("add_hinge: limits: two numbers, got 3", world.add_hinge, 0, 1, limits=(1, 2, 3))
+        self.told("set_force: force: three numbers, got the number 3", world.set_force, 0, 3)
+
+    def test_the_kind(self):
+        world = spook.PointWorld()
+        self.told("add: mass: a number, got 'heavy'", world.add, mass="heavy")
+        self.told("add_joint: i: a whole number, got 0.5", world.add_joint, 0.5, 1)
+        self.told("PointWorld: solver: a text, got 3", spook.PointWorld, solver=3)
+        self.told("place: body: a whole number, got None", world.place, None)
+
+    def test_names(self):
+        self.told("add: there is no half_side; did you mean half_sides?", spook.World().add, half_side=(1, 2, 3))
+        self.told("World: there is no frictoin; did you mean friction?", spook.World, frictoin=1)
+        self.told("add_joint: j is missing", spook.World().add_joint, 0)
+        self.told("add: arguments with their names, got 1", spook.World().add, (1, 2, 3))
+
+    def test_a_call_that_is_right_is_as_before(self):
+        world = spook.World(friction=0.5)
+        self.assertEqual(world.add(x=(1, 2, 3), half_sides=np.array([1, 2, 3])), 0)
+        self.assertEqual(world.add_fixed([0, 0, 0], radius=1), 1)
+        self.refused("body must be an index below 2, but is 7", world.place, 7, x=(0, 0, 0))
+
+
+class SavedWorlds(WithModule):
+    def test_a_restored_world_goes_on_with_the_same_bits(self):
+        world = spook.World(friction=0.5, warm_start=True, solver="gauss_seidel", iterations=5)
+        world.add_plane()
+        for k in range(4):
+            world.add(x=(0.01 * k, 0, 0.1 + 0.2 * k), half_sides=(0.1, 0.1, 0.1))
+        world.step(1 / 60, steps=20)
+        saved = world.save()
+        world.step(1 / 60, steps=20)
+        first = world.x.copy(), world.q, world.time, world.steps
+        world.restore(saved)
+        self.assertEqual((world.time, world.steps), (saved.time, saved.steps))
+        world.step(1 / 60, steps=20)
+        np.testing.assert_array_equal(world.x, first[0])
+        np.testing.assert_array_equal(world.q, first[1])
+        self.assertEqual((world.time, world.steps), first[2:])
+
+    def test_it_has_the_bodies_forces_and_verdict_of_then(self):
+        world = falling()
+        world.set_force(0, (0, 0, 10))  # its weight
+        saved = world.save()
+        world.add(x=(5, 0, 0))
+        world.set_force(0, (0, 0, 0))
+        world.place(0, x=(1e308, 0, 0), v=(1e308, 0, 0))
+        with self.assertRaises(spook.SimulationDiverged):
+            world.step(1e10)
+        world.restore(saved)
+        self.assertEqual((len(world), world.state, world.reason), (1, "sound", ""))
+        world.step(0.25, steps=4)
+        np.testing.assert_array_equal(world.x, [[0, 0, 0]])
+
+    def test_arrays_that_look_at_the_bodies_keep_it_from_changing(self):
+        world = falling()
+        saved, x = world.save(), world.x
+        with self.assertRaises(BufferError):
+            world.restore(saved)
+        del x
+        world.restore(saved)
+        world.restore(world)
+        self.assertEqual(len(world), 1)
+
+
+class Rows(WithModule):
+    def test_all_bodies_are_placed_as_one_by_one(self):
+        one, all_at_once = (self.mixed() for _ in range(2))
+        draws = np.random.default_rng(1)
+        x = draws.normal(size=(3, 3))
+        v = draws.normal(size=(3, 3))
+        q = draws.normal(size=(3, 4))
+        q /= np.linalg.norm(q, axis=1)[:, None]
+        omega = draws.normal(size=(3, 3))
+        for body in (0, 2):
+            one.place(body, x=x[body], v=v[body])
+            one.turn(body, q=q[body], omega=omega[body])
+        all_at_once.place_all(x=x, v=v)
+        all_at_once.turn_all(q=q, omega=omega)
+        for name in ("x", "v", "q", "omega"):
+            np.testing.assert_array_equal(getattr(one, name), getattr(all_at_once, name), err_msg=name)
+        all_at_once.place_all(x=2 * x)
+        np.testing.assert_array_equal(all_at_once.v, one.v)
+
+    def mixed(self):
+        world = spook.World()
+        world.add(x=(1, 0, 0), principal=(1, 2, 2))
+        world.add_fixed((0, 1, 0))
+        world.add(x=(0, 0, 1), principal=(1, 2, 2))
+        return world
+
+    def test_what_is_refused_changes_nothing(self):
+        world = self.mixed()
+        x, q = world.x.copy(), world.q
+        self.refused("x must have a row for each of 3 bodies, but has 2", world.place_all, x=np.zeros((2, 3)))
+        self.refused("v must be finite", world.place_all, x=np.ones((3, 3)), v=np.full((3, 3), np.nan))
+        with self.assertRaisesRegex(ValueError, "q must "):
+            world.turn_all(q=[(0, 1, 0, 0), (1, 0, 0, 0), (0, 0, 0, 0)])
+        np.testing.assert_array_equal(world.x, x)
+        np.testing.assert_array_equal(world.q, q)
+
+    def test_joints_have_positions_and_speeds_in_one_array(self):
+        world = spook.World(gravity=(0, 0, 0))
+        fixed = world.add_fixed((0, 0, 0))
+        wheel, cart = (world.add(x=(x, 0, 0), principal=(1, 2, 2)) for x in (0, 1))
+        hinge = world.add_hinge(fixed, wheel, axis=(1, 0, 0), motor=(0.5, 3))
+        world.add_joint(fixed, cart, length=1)
+        slider = world.add_slider(wheel, cart, axis=(1, 0, 0))
+        world.step(0.01, steps=10)
+        joints = world.joints()
+        for joint in (hinge, slider):
+            self.assertEqual(joints["position"][joint], world.joint_position(joint))
+            self.assertEqual(joints["speed"][joint], world.joint_speed(joint))
+        self.assertTrue(np.isnan(joints["position"][1]) and np.isnan(joints["speed"][1]))
+
+
 class Sweeps(WithModule):
     def test_orders_are_observed_between_rows_that_differ_in_h_only(self):
         table = spook.sweep(spook.scene("orbit"), start=["half_step", "unshifted"], h=["1/120", "1/240", "1/480"])
@@ -456,6 +588,38 @@ class Sweeps(WithModule):
                          solver=["direct", "dirct"])
             self.refused("jobs must be at least 1, but is 0", spook.sweep, spook.scene("stack"), jobs=0)
         run.assert_not_called()
+
+    def test_combinations_that_are_refused_are_skipped(self):
+        table = spook.sweep(spook.scene("stack"), solver=["direct", "gauss_seidel"], row_order=["given", "random"], time=0.1)
+        self.assertEqual(len(table), 3)
+        (skipped,) = table.skipped
+        self.assertEqual((skipped["solver"], skipped["row_order"]), ("direct", "random"))
+        self.assertIn("an order of rows is for sweeps", skipped["why"])
+
+    def test_a_parameter_goes_before_an_option_and_seeds_have_a_mean(self):
+        table = spook.sweep(spook.scene("pile", bodies=5), seed=[1, 2, 3], time=0.1)
+        for row in table:
+            alone = spook.scene("pile", bodies=5, seed=row["seed"]).run(time=0.1)
+            self.assertEqual((row["error"], row["row_updates"]), (alone.error, alone.row_updates))
+        (mean,) = table.means().rows
+        self.assertEqual(mean["runs"], 3)
+        self.assertAlmostEqual(mean["mean"], table["error"].mean(), delta=1e-12 * abs(table["error"]).max())
+        with self.assertRaisesRegex(KeyError, "'h' is not swept"):
+            table.means("h")
+
+    def test_rows_are_found_by_what_was_typed(self):
+        table = spook.sweep(spook.scene("orbit"), h=["1/60", "1/120"], time=1)
+        for typed in ("1/60", 1 / 60, Fraction(1, 60)):
+            self.assertEqual([row["h"] for row in table.where(h=typed)], [1 / 60])
+        with self.assertRaisesRegex(KeyError, "'hh' is no column"):
+            table.where(hh=1)
+
+    def test_a_table_is_written_as_csv(self):
+        table = spook.sweep(spook.scene("orbit"), h=["1/60", "1/120"], time=1)
+        with tempfile.TemporaryDirectory() as folder:
+            table.to_csv(Path(folder, "t.csv"))
+            rows = list(csv.DictReader(Path(folder, "t.csv").read_text(encoding="utf-8").splitlines()))
+        self.assertEqual([float(row["error"]) for row in rows], list(table["error"]))
 
     def test_a_run_that_blows_up_has_a_row_that_says_so(self):
         with mock.patch("spook._spook.run", side_effect=spook.SimulationDiverged("blew up in step 1")):

@@ -30,6 +30,8 @@ REFUSED = (
     ("bodies.3.name", "ball", 'bodies[3].name must be another name than those before, but is "ball"'),
     ("bodies.0.plane.n", [0, 0, 2], "bodies[0].plane: length of n must be 1, but is 2"),
     ("bodies.1.fixed", 1, "bodies[1].fixed must be true or false, but is 1"),
+    ("bodies.3", {"x": [2, 0, 1], "mass": 1, "principal": [1, 1, 1], "corners": [[0, 0, 0]]},
+     "bodies[3].corners are points, which pass through bodies[2]"),
     ("bodies", {}, "bodies must be a list, but is {}"),
     ("joints.0.j", 9, "joints[0].j must be the number of a body, less than 4, but is 9"),
     ("joints.0.j", "bal", 'joints[0].j must be ball or box or floor or nail, but is "bal"'),
@@ -117,6 +119,20 @@ class SceneFiles(unittest.TestCase):
         self.assertEqual(runs[0], runs[1])
         self.assertNotEqual(runs[1], runs[2])
         self.assertEqual(self.run_of(old)["solver"], "geometric_stiffness")
+
+    def test_points_stand_beside_what_they_meet_where_joined_or_where_the_file_says_so(self):
+        points = {"mass": 1, "principal": [1, 1, 1], "corners": [[0, 0, 0]]}
+        pair = {"format": "spook scene", "version": 2, "model": "rigid", "h": "1/60", "time": 0.1,
+                "bodies": [{"x": [0, 0, 0], **points}, {"x": [0, 0, 1], **points}, {"fixed": True, "x": [0, 0, 5]}]}
+        tied = [{"i": 0, "j": 2, "p_j": [0, 0, -5]}, {"i": 1, "j": 2, "p_j": [0, 0, -4]}]
+        for change, refused in (({}, True), ({"settings": {"points_pass": True}}, False),
+                                ({"joints": [{"i": 0, "j": 1, "length": 1}]}, False),
+                                ({"joints": tied}, True),  # a static body does not join them
+                                ({"bodies": pair["bodies"][1:]}, False)):
+            self.file.write_text(json.dumps(pair | change))
+            done = self.spook("run", self.file)
+            self.assertEqual(done.returncode, 2 if refused else 0, done.stderr)
+            self.assertEqual("bodies[1].corners are points, which pass through bodies[0]" in done.stderr, refused)
 
     def test_a_capsule_lies_on_another_that_is_static(self):
         """Across it, on one point: it sinks by m g/k, and its mass is that of 1,000 kg/m³."""

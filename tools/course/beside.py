@@ -1,10 +1,11 @@
 """--beside: further runs of a scene, each with something changed."""
 
+from collections.abc import Callable, Collection
 from dataclasses import dataclass
 
 from errors import BadInput
 
-# Options of run that may differ; any other name is one of the scene's parameters.
+# Options of run that may differ, unless the scene has a parameter of this name; any other name is a parameter.
 _OPTIONS = ("h", "time", "solver", "iterations", "tolerance", "substeps", "integrator-order", "row-order",
             "seed", "contact-margin", "friction-model", "tangents", "threads")
 _FLAG = "warm-start"
@@ -18,8 +19,8 @@ class Run:
     changed: tuple[tuple[str, str], ...] = ()  # name, value
 
 
-def variations(words: list[str], arguments) -> list[Run]:
-    """The run that was asked for, and those beside it."""
+def variations(words: list[str], arguments, parameters: Callable[[str], set[str]] = lambda scene: set()) -> list[Run]:
+    """The run that was asked for, and those beside it. `parameters` gives the names of a scene's parameters."""
     if "--record" in words:
         raise BadInput("view: --record is an option of ./course run; leave it out")
     words = [*words, "--fps", arguments.fps] if arguments.fps else words
@@ -27,24 +28,26 @@ def variations(words: list[str], arguments) -> list[Run]:
     for what in arguments.beside or ():
         if what == "mine" and arguments.mine:
             raise BadInput("view: --beside mine and --mine are the same run; leave one of them out")
-        runs.append(Run(runs[0].words, True) if what == "mine" else _changed(runs[0], what))
+        runs.append(Run(runs[0].words, True) if what == "mine" else _changed(runs[0], what, parameters(words[0])))
     return runs
 
 
-def _changed(run: Run, what: str) -> Run:
+def _changed(run: Run, what: str, parameters: set[str]) -> Run:
     words, changed = list(run.words), []
     for part in what.split(","):
         name, equals, value = part.partition("=")
         if not (name and equals and value):
             raise BadInput(f"view: --beside must be mine or NAME=VALUE, but is {what!r}")
-        words = with_changed(words, name, value)
+        words = with_changed(words, name, value, parameters)
         changed.append((name, value))
     return Run(tuple(words), run.mine, tuple(changed))
 
 
-def with_changed(words: list[str], name: str, value: str) -> list[str]:
-    """A run's words, with an option of run or else a parameter of the scene typed anew."""
+def with_changed(words: list[str], name: str, value: str, parameters: Collection[str] = ()) -> list[str]:
+    """A run's words, with one of the scene's parameters or else an option of run typed anew."""
     option = name.replace("_", "-")
+    if name in parameters:
+        return [*_without_parameter(words, name), "--set", f"{name}={value}"]
     if option == _FLAG:
         return _flagged(words, value)
     if option in _OPTIONS:

@@ -1,5 +1,7 @@
 """The programs of the engine, at full speed: built when they are needed."""
 
+import json
+import subprocess
 from pathlib import Path
 
 import diagnostics
@@ -19,6 +21,14 @@ def program(target: str) -> Path:
     if does_not_link and target.endswith("_mine"):
         raise CourseError(f"your functions do not link with the rest: {does_not_link}")
     raise RELEASE.own_failure(built)
+
+
+def parameters_of(scene: str) -> set[str]:
+    """The names of a scene's parameters; none of a scene that there is not."""
+    done = subprocess.run([str(program("spook")), "scenes", scene, "--json"], capture_output=True, text=True)
+    if done.returncode != 0:
+        return set()
+    return {parameter["name"] for each in json.loads(done.stdout)["scenes"] for parameter in each["parameters"]}
 
 
 def program_of_pages() -> Path:

@@ -1,6 +1,7 @@
-"""What ./course run has besides the options of the engine's program: --mine, --plot and --sweep."""
+"""What ./course run has besides the options of the engine's program: --mine, --plot, --sweep and their like."""
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, field
 
 from errors import BadInput
 
@@ -9,27 +10,46 @@ Of the course:
   --mine                  With what you have written so far, right or wrong
   --plot NAME[,NAME ...]  Draw what --csv has over time: a column, or all whose
                           names begin with this word
-  --sweep NAME=A,B,...    A run for each value of an option or a parameter, and
-                          the table of errors and observed orders
+  --sweep NAME=A,B,... ...
+                          A run for each combination of values of options and
+                          parameters, and a table of errors; with observed
+                          orders in h, d or k, and means over seed. A list
+                          after --set is swept, too. --csv FILE has the table
+  --shard I/N             Of a sweep: only each N-th run, from the I-th
+  --slurm N               Of a sweep: as an array of N on an existing Slurm
 """
 
 
 @dataclass(frozen=True)
 class Extras:
     mine: bool
-    plot: tuple[str, ...]  # names of columns
-    sweep: tuple[str, tuple[str, ...]] | None  # a name and its values
+    plot: tuple[str, ...] = ()  # names of columns
+    sweep: dict[str, tuple[str, ...]] = field(default_factory=dict)  # values by name
+    shard: tuple[int, int] = (1, 1)
+    slurm: int = 0
 
 
 def taken(arguments: list[str]) -> tuple[Extras, list[str]]:
     """The extras, and the words that are left for the engine."""
     words = [word for word in arguments if word != "--mine"]
     plot, words = _taken("--plot", words)
-    sweep, words = _taken("--sweep", words)
+    shard, words = _taken("--shard", words)
+    slurm, words = _taken("--slurm", words)
+    swept, words = _taken_lists("--sweep", words, lambda word: True)
+    listed, words = _taken_lists("--set", words, lambda word: "," in word)
     names = tuple(plot.split(",")) if plot is not None else ()
     if not all(names):
         raise BadInput(f"run: --plot must be names of columns, but is {plot!r}")
-    return Extras("--mine" in arguments, names, None if sweep is None else _values(sweep)), words
+    axes: dict[str, tuple[str, ...]] = {}
+    for text in listed + swept:
+        name, values = _values(text)
+        if name in axes:
+            raise BadInput(f"run: {name} is swept twice")
+        axes[name] = values
+    if not axes and (shard or slurm):
+        raise BadInput(f"run: {'--shard' if shard else '--slurm'} needs --sweep")
+    extras = Extras("--mine" in arguments, names, axes, _shard(shard) if shard else (1, 1), _count(slurm) if slurm else 0)
+    return extras, words
 
 
 def _taken(option: str, words: list[str]) -> tuple[str | None, list[str]]:
@@ -47,6 +67,31 @@ def _taken(option: str, words: list[str]) -> tuple[str | None, list[str]]:
     return words[k + 1], words[:k] + words[k + 2:]
 
 
+def _taken_lists(option: str, words: list[str], is_list: Callable[[str], bool]) -> tuple[list[str], list[str]]:
+    """The lists after an option, which takes several words and may be repeated, and all other words."""
+    lists: list[str] = []
+    left: list[str] = []
+    k = 0
+    while k < len(words):
+        if words[k] != option and not words[k].startswith(f"{option}="):
+            left.append(words[k])
+            k += 1
+            continue
+        given = [words[k].partition("=")[2]] if words[k] != option else []
+        k += 1
+        while k < len(words) and not words[k].startswith("-"):
+            given.append(words[k])
+            k += 1
+        if option == "--sweep" and not given:
+            raise BadInput("run: --sweep needs a value")
+        found = [word for word in given if is_list(word)]
+        lists += found
+        kept = [word for word in given if word not in found]
+        if kept or not given:
+            left += [option, *kept]
+    return lists, left
+
+
 def _values(text: str) -> tuple[str, tuple[str, ...]]:
     name, _, values = text.partition("=")
     each = tuple(values.split(","))
@@ -55,3 +100,16 @@ def _values(text: str) -> tuple[str, tuple[str, ...]]:
     if len(each) != len(set(each)):
         raise BadInput(f"run: --sweep has one of {values} twice")
     return name, each
+
+
+def _shard(text: str) -> tuple[int, int]:
+    index, _, count = text.partition("/")
+    if not (index.isdecimal() and count.isdecimal() and 1 <= int(index) <= int(count)):
+        raise BadInput(f"run: --shard must be I/N with 1 <= I <= N, but is {text!r}")
+    return int(index), int(count)
+
+
+def _count(text: str) -> int:
+    if not (text.isdecimal() and 0 < int(text) < 10_000):
+        raise BadInput(f"run: --slurm must be a whole number from 1 to 9999, but is {text!r}")
+    return int(text)

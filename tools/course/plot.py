@@ -1,5 +1,6 @@
 """./course plot: runs an experiment, checks its claims, and draws it."""
 
+import contextlib
 import re
 import shutil
 import sys
@@ -15,6 +16,7 @@ from mine import begun, fast_program, told
 from paths import BUILD, ROOT, shown
 from pick import near
 from process import stream, tail
+from provenance import write_manifest
 from slurm import run_array
 from terminal import Live, fold, fold_lines, paint
 
@@ -128,8 +130,30 @@ def _run(experiment: Experiment, arguments, mine: list[Exercise]) -> int:
     path = fast_program(f"{target}_mine", mine) if mine else program(target)
     folder = experiment.folder(bool(mine))
     folder.mkdir(parents=True, exist_ok=True)
-    for result in ("table.csv", "claims.json"):
-        (folder / result).unlink(missing_ok=True)
+    with _results_set_aside(folder):
+        return _compute(experiment, arguments, path, folder)
+
+
+@contextlib.contextmanager
+def _results_set_aside(folder: Path):
+    """The last results are gone once there are new ones; a command that is refused, or stopped, leaves them."""
+    results = [folder / name for name in ("table.csv", "claims.json")]
+    aside = [result.with_name(f"{result.name}.before") for result in results]
+    for result, kept in zip(results, aside):
+        if result.exists():
+            result.replace(kept)
+    try:
+        yield
+    except BaseException:
+        for result, kept in zip(results, aside):
+            if kept.exists():
+                kept.replace(result)
+        raise
+    for kept in aside:
+        kept.unlink(missing_ok=True)
+
+
+def _compute(experiment: Experiment, arguments, path: Path, folder: Path) -> int:
     for other in arguments.merge or []:
         _merge(Path(other), folder)
     command = [str(path), "--out", str(folder), *arguments.more]
@@ -152,6 +176,9 @@ def _run(experiment: Experiment, arguments, mine: list[Exercise]) -> int:
         raise CourseError(f"{experiment.name} ended with exit code {code}", tail(output))
     if code == 1 and not (folder / "claims.json").exists():
         raise CourseError(f"{experiment.name} failed", tail(output))
+    if (folder / "table.csv").exists():
+        write_manifest(folder / "table.csv", ["plot", experiment.name, *(["--quick"] if arguments.quick else []),
+                                              *(["--", *arguments.more] if arguments.more else [])])
     return code
 
 

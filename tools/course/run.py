@@ -8,13 +8,14 @@ import tempfile
 from pathlib import Path
 
 import crash
-from engine import program
+from engine import parameters_of, program
 from errors import CourseError
 from extras import HELP, taken
 from manifest import Exercise
 from mine import begun, checked_program, told
 from paths import shown
-from runs import Runs
+from provenance import write_manifest
+from runs import Runs, value_of
 from terminal import fold
 
 _CHECKS = "Their checks are on, as in ./course check, so they run below full speed."
@@ -26,11 +27,15 @@ def run(arguments: list[str]) -> int:
         code = _call([str(program("spook")), "run", *words])
         print(HELP, end="")
         return code
-    if not (extras.mine or extras.plot or extras.sweep):
+    csv = value_of("--csv", words)
+    if not (extras.mine or extras.plot or extras.sweep or csv):
         return _become(["run", *words])
     mine = begun() if extras.mine else []
-    several = Runs(words, extras, lambda words, call=None: _started(["run", *words], mine, call))
+    several = Runs(words, extras, lambda words, call=None: _started(["run", *words], mine, call),
+                   parameters_of)
     code = several.all() if extras.plot or extras.sweep else _started(["run", *words], mine)
+    if code != 2 and csv and Path(csv).is_file():
+        write_manifest(Path(csv), ["run", *arguments])
     if code == 0 and extras.mine:  # an error stands alone
         print(fold(f"{told(mine)} {_CHECKS}") if mine else
               "You have written no exercise yet: everything is the reference.", file=sys.stderr)

@@ -12,27 +12,32 @@ from beside import with_changed, without
 from curves import Table, draw, matching
 from errors import BadInput
 from extras import Extras
-from paths import shown
-from sweep import Result, as_json, as_table
-from terminal import Bar
+from grid import combinations, impossible_value, number, write_csv
+from paths import BUILD, ROOT, shown
+from slurm import run_array
+from sweep import Result, Sweep, as_json, as_text
+from terminal import Bar, fold_lines
 
 
 class Runs:
-    """Of one scene: its columns drawn, or a line of a table for each value that is swept, or both."""
+    """Of one scene: its columns drawn, or a row of a table for each combination that is swept, or both."""
 
-    def __init__(self, words: list[str], extras: Extras, start: Callable[..., int]):
-        """`start` runs the program with the words, by subprocess or by the function `call`, and gives its exit code."""
+    def __init__(self, words: list[str], extras: Extras, start: Callable[..., int],
+                 parameters: Callable[[str], set[str]]):
+        """`start` runs the program with the words, by subprocess or by the function `call`, and gives its exit code.
+        `parameters` gives the names of a scene's parameters.
+        """
         if not words or words[0].startswith("-"):
             raise BadInput("run: a scene is missing; name it first: ./course run SCENE [OPTION ...]")
-        self._words, self._extras, self._start = words, extras, start
+        self._words, self._extras, self._start, self._parameters = words, extras, start, parameters
 
     def all(self) -> int:
         with tempfile.TemporaryDirectory(prefix="course-") as folder:
             return self._sweep(Path(folder)) if self._extras.sweep else self._one(Path(folder))
 
     def _one(self, folder: Path) -> int:
-        self._look_for_columns(self._words, folder)
-        words, file = self._words, _value_of("--csv", self._words)
+        self._require(self._words, folder)
+        words, file = self._words, value_of("--csv", self._words)
         if file is None:
             file = str(folder / "run.csv")
             words = [*words, "--csv", file]
@@ -42,46 +47,97 @@ class Runs:
         return code
 
     def _sweep(self, folder: Path) -> int:
-        name, values = self._extras.sweep
-        for option in ("--csv", "--record"):
-            if _value_of(option, self._words) is not None:
-                raise BadInput(f"run: {option} is for one run, but --sweep makes {len(values)}; leave one of them out")
-        plain = [word for word in self._words if word != "--json"]
-        each = [with_changed(plain, name, value) for value in values]
-        for words in each:  # so that nothing is refused halfway
-            self._look_for_columns(words, folder)
-        bar, results, tables, worst = Bar("sweep", len(each)), [], [], 0
-        for value, words in zip(values, each):
-            table = folder / "run.csv"
-            code, out, err = self._captured([*words, "--json", *(["--csv", str(table)] if self._extras.plot else [])])
-            if code == 2:
-                bar.done()
-                sys.stderr.write(err)
-                return code
-            worst = max(worst, code)
-            why = "" if code == 0 else (err.strip().splitlines() or ["it failed"])[-1].removeprefix("spook: ")
-            results.append(Result(value, json.loads(out) if code == 0 else None, why))
-            if self._extras.plot:
-                tables.append(Table.read(table, f"{name} = {value}"))
-            bar.step(value)
-        bar.done()
-        print((as_json if "--json" in self._words else as_table)(name, results))
+        axes, csv = self._extras.sweep, value_of("--csv", self._words)
+        for option in ("--record", "--positions"):
+            if value_of(option, self._words) is not None or option in self._words:
+                raise BadInput(f"run: {option} is for one run, but --sweep makes several; leave one of them out")
+        if csv is not None:
+            _require_writable(csv)
+        plain = without([word for word in self._words if word != "--json"], "--csv")
+        names = self._parameters(plain[0])
+        index, count = self._extras.shard
+        points = combinations(axes)[index - 1::count]
+        if not points:
+            raise BadInput(f"run: --shard {index}/{count} has no run: the sweep has {len(combinations(axes))}")
+        each = [self._changed(plain, point, names) for point in points]
+        refusals = [self._refusal(words, folder) for words in each]
+        why = impossible_value(points, refusals) if count == 1 else ""
+        if why or all(refusals) and count == 1:
+            raise BadInput(f"run: {why or refusals[0]}")
+        skipped = [Result(point, None, why) for point, why in zip(points, refusals) if why]
+        asked = [(point, words) for point, words, why in zip(points, each, refusals) if not why]
+        results, tables, worst = self._results(asked, folder)
+        sweep = Sweep(axes, results, skipped)
+        if csv is not None:
+            write_csv(csv, sweep.table())
+        print((as_json if "--json" in self._words else as_text)(sweep))
         if tables:
             self._draw(tables)
         return worst
 
-    def _look_for_columns(self, words: list[str], folder: Path) -> None:
-        """Refuses what the program does, and columns that there are not, before time is spent on the runs."""
+    def _changed(self, words: list[str], point: dict[str, str], names: set[str]) -> list[str]:
+        for name, value in point.items():
+            words = with_changed(words, name, value, names)
+        return words
+
+    def _results(self, asked: list[tuple[dict, list[str]]], folder: Path) -> tuple[list[Result], list[Table], int]:
+        """Takes the runs. Returns their results, their tables where those are drawn, and the worst exit code."""
+        if self._extras.slurm:
+            return self._on_slurm([point for point, _ in asked])
+        bar, results, tables, worst = Bar("sweep", len(asked)), [], [], 0
+        for point, words in asked:
+            table = folder / "run.csv"
+            code, out, err = self._captured([*words, "--json", *(["--csv", str(table)] if self._extras.plot else [])])
+            worst = max(worst, code)
+            why = "" if code == 0 else _last_line(err) or "it failed"
+            results.append(Result(point, json.loads(out) if code == 0 else None, why))
+            if self._extras.plot:
+                tables.append(Table.read(table, ", ".join(f"{name} = {value}" for name, value in point.items())))
+            bar.step(" ".join(point.values()))
+        bar.done()
+        return results, tables, worst
+
+    def _on_slurm(self, points: list[dict[str, str]]) -> tuple[list[Result], list[Table], int]:
+        """Runs this command with --shard as each part, whose JSON is written beside its log."""
+        if self._extras.plot or self._extras.shard != (1, 1):
+            raise BadInput("run: --slurm goes with neither --plot nor --shard")
+        folder = BUILD / "plots" / "run" / "slurm"
+        axes = [f"{name}={','.join(values)}" for name, values in self._extras.sweep.items()]
+        words = [str(ROOT / "course"), "run", *without(self._words, "--csv"), *["--mine"] * self._extras.mine, "--json",
+                 "--sweep", *axes, "--shard", f"@I@/{self._extras.slurm}"]
+        command = ["sh", "-c", 'out="$0"; "$@" > "$out"', str(folder / "@I@.json"), *words]
+        failed = run_array(command, self._extras.slurm, folder, "sweep on Slurm")
+        found = {}
+        for part in range(1, self._extras.slurm + 1):
+            file = folder / f"{part}.json"
+            text = file.read_text(encoding="utf-8") if file.exists() else ""
+            for run in json.loads(text)["runs"] if text else []:
+                point, why, _ = run.pop("point"), run.pop("why") or "", run.pop("observed_order")
+                found[tuple(point.items())] = Result(point, run if "error" in run else None, why)
+            if part in failed and not text:
+                print(fold_lines(f"part {part} of {self._extras.slurm} failed: {failed[part]}", "  "), file=sys.stderr)
+        results = [found.get(tuple(point.items()), Result(point, None, "its part failed")) for point in points]
+        return results, [], max((1 for result in results if result.run is None), default=0)
+
+    def _refusal(self, words: list[str], folder: Path) -> str:
+        """Returns why the program refuses a run, without a step; empty if it runs. Refuses unknown columns."""
         table = folder / "columns.csv"
+        time = value_of("--time", words)
         for option in ("--csv", "--record", "--fps", "--time"):
             words = without(words, option)
-        code, _, err = self._captured([*words, "--time", "0", "--csv", str(table)])
+        if time is None or (number(time) or 0) > 0:
+            time = "0"
+        code, _, err = self._captured([*words, "--time", time, "--csv", str(table)])
         if code != 0:
-            sys.stderr.write(err)
-            raise SystemExit(code)
+            return _last_line(err) or "it failed"
         columns = Table.read(table).columns
         for wanted in self._extras.plot:
             matching(columns, wanted)
+        return ""
+
+    def _require(self, words: list[str], folder: Path) -> None:
+        if why := self._refusal(words, folder):
+            raise BadInput(f"run: {why}")
 
     def _captured(self, words: list[str]) -> tuple[int, str, str]:
         said: list[str] = []
@@ -96,13 +152,25 @@ class Runs:
     def _draw(self, tables: list[Table]) -> None:
         command = " ".join(["./course run", *(word for word in self._words if word != "--json")])
         if self._extras.sweep:
-            name, values = self._extras.sweep
-            command += f" --sweep {name}={','.join(values)}"
+            axes = self._extras.sweep.items()
+            command += " --sweep " + " ".join(f"{name}={','.join(values)}" for name, values in axes)
         figure = draw(tables, self._extras.plot, self._words[0], command)
         print(f"figure: {shown(figure)}", file=sys.stderr if "--json" in self._words else sys.stdout)
 
 
-def _value_of(option: str, words: list[str]) -> str | None:
+def _last_line(err: str) -> str:
+    return (err.strip().splitlines() or [""])[-1].removeprefix("spook: ")
+
+
+def _require_writable(file: str) -> None:
+    """Before time is spent on runs; nothing is changed yet."""
+    path = Path(file)
+    if path.is_dir() or not path.parent.is_dir() or not os.access(path if path.exists() else path.parent, os.W_OK):
+        raise BadInput(f'run: csv "{file}" cannot be written')
+
+
+def value_of(option: str, words: list[str]) -> str | None:
+    """The value of an option in a command line; None if it is not there."""
     for k, word in enumerate(words):
         if word.startswith(f"{option}="):
             return word.partition("=")[2]

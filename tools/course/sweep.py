@@ -1,79 +1,132 @@
-"""./course run --sweep: the same scene with one thing changed, a line of a table each."""
+"""./course run --sweep: the same scene with other values, a row of a table each."""
 
 import json
-import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
+from typing import Any
 
-from terminal import fold
+from grid import ORDERED, SEED, Mean, means, orders
+from terminal import counted, fold
 
 
 @dataclass(frozen=True)
 class Result:
-    value: str  # of what is swept
+    point: Mapping[str, str]  # what is swept, as typed
     run: dict | None  # as run --json prints it; None for a run that did not get to its end
     why: str  # it did not
 
 
-def orders(results: list[Result]) -> list[float | None]:
-    """p of errors that go with the p-th power of the value, from each result and the one before it."""
-    found: list[float | None] = [None] * min(len(results), 1)
-    return found + [_order(before, now) for before, now in zip(results, results[1:])]
+@dataclass(frozen=True)
+class Sweep:
+    axes: Mapping[str, Sequence[str]]
+    results: list[Result]
+    skipped: list[Result]  # combinations that the engine refuses, and why
+
+    def rows(self) -> list[dict[str, Any]]:
+        """Returns a flat row for each run: its values as typed, its numbers, its state."""
+        flat = [_row(result) for result in self.results]
+        for row, (ratio, order) in zip(flat, orders(flat, self.axes)):
+            row |= {"ratio": ratio, "order": order}
+        return flat
+
+    def means(self) -> list[Mean]:
+        return means(self.rows(), self.axes) if len(self.axes.get(SEED, ())) > 1 else []
+
+    def table(self) -> list[dict[str, Any]]:
+        """Returns rows() for --csv: with h in seconds, and without the ratio."""
+        return [{name: value for name, value in row.items() if name not in ("ratio", "seconds_of_h")}
+                | {"h": row["seconds_of_h"]} for row in self.rows()]
 
 
-def _order(before: Result, now: Result) -> float | None:
-    values, errors = [_number(before.value), _number(now.value)], [_error(before), _error(now)]
-    if not all(number and number > 0 for number in values + errors) or values[0] == values[1]:
-        return None
-    return math.log(errors[1] / errors[0]) / math.log(values[1] / values[0])
+_NONE = dict.fromkeys(("error", "unit", "state", "why", "residual", "us_per_step", "row_updates", "steps", "time"))
 
 
-def _number(text: str) -> float | None:
-    try:
-        return float(Fraction(text))
-    except (ValueError, ZeroDivisionError):
-        return None
+def _row(result: Result) -> dict[str, Any]:
+    if result.run is None:
+        return {**result.point, **_NONE, "seconds_of_h": None, "state": "lost", "why": result.why}
+    run = result.run
+    return {**result.point, "error": run["error"]["value"], "unit": run["error"]["unit"], "state": run["state"]["name"],
+            "why": run["state"]["reason"], "residual": run["residual"], "us_per_step": run["us_per_step"],
+            "row_updates": run["row_updates"], "steps": run["steps"], "time": run["time"], "seconds_of_h": run["h"]}
 
 
-def _error(result: Result) -> float | None:
-    return result.run["error"]["value"] if result.run else None
+def as_json(sweep: Sweep) -> str:
+    runs = [{"point": dict(result.point), "observed_order": row["order"], "why": result.why or None}
+            | (result.run or {}) for result, row in zip(sweep.results, sweep.rows())]
+    return json.dumps({"sweep": {name: list(values) for name, values in sweep.axes.items()}, "runs": runs,
+                       "skipped": [{"point": dict(one.point), "why": one.why} for one in sweep.skipped],
+                       "means": [{"point": mean.point, "runs": mean.runs, "mean": mean.mean,
+                                  "half_width": mean.half_width} for mean in sweep.means()]}, ensure_ascii=False)
 
 
-def as_json(name: str, results: list[Result]) -> str:
-    runs = [{"value": result.value, "observed_order": order, "why": result.why or None} | (result.run or {})
-            for result, order in zip(results, orders(results))]
-    return json.dumps({"sweep": name, "runs": runs}, ensure_ascii=False)
-
-
-def as_table(name: str, results: list[Result]) -> str:
-    ended = next((result.run for result in results if result.run), None)
+def as_text(sweep: Sweep) -> str:
+    ended = next((result.run for result in sweep.results if result.run), None)
+    lost = [f"{_named(result.point)}: {result.why}" for result in sweep.results if result.why]
     if ended is None:
-        return "\n".join(result.why for result in results)
-    numbers = all(_number(result.value) is not None for result in results)
-    rows = [[name, "error", *(["ratio", "order"] if numbers else []), "residual [m/s]", "µs a step"]]
-    for k, (result, order) in enumerate(zip(results, orders(results))):
-        ratio = _ratio(results[k - 1], result) if k else None
-        rows.append([result.value, _shown(_error(result), "lost"),
-                     *([_shown(ratio, "", ".3g"), _shown(order, "", ".2f")] if numbers else []),
-                     _shown(result.run and result.run["residual"], "", ".2g"),
-                     _shown(result.run and result.run["us_per_step"], "", ".3g")])
-    kept = [k for k in range(len(rows[0])) if k < 2 or any(row[k] for row in rows[1:])]
-    widths = [max(len(row[k]) for row in rows) for k in kept]
-    lines = ["  ".join(row[k].rjust(width) if k else row[k].ljust(width) for k, width in zip(kept, widths)).rstrip()
-             for row in rows]
+        return "\n".join(map(fold, lost))
     unit = ended["error"]["unit"]
     about = fold(f"{ended['scene']}: {ended['error']['name']}{f' [{unit}]' if unit else ''}")
-    lost = [f"{name} = {result.value}: {result.why}" for result in results if result.why]
-    meaning = [f"order p: the error is proportional to {name}^p, from each line and the one above"] if "order" in (
-        rows[0][k] for k in kept) else []
-    return "\n".join([about, "", *lines, "", *meaning, *map(fold, lost)]).rstrip()
+    return "\n".join([about, "", *_runs(sweep), *_order_note(sweep), *_mean_lines(sweep.means()), *_after(lost),
+                      *_skipped(sweep.skipped)]).rstrip()
 
 
-def _ratio(before: Result, now: Result) -> float | None:
-    """How many times smaller the error became."""
-    errors = _error(before), _error(now)
-    return errors[0] / errors[1] if all(errors) else None
+def _runs(sweep: Sweep) -> list[str]:
+    rows = sweep.rows()
+    shows_state = any(result.run and row["state"] != "sound" for result, row in zip(sweep.results, rows))
+    lines = [[*sweep.axes, "error", "ratio", "order", "state", "residual [m/s]", "µs a step"]]
+    for result, row in zip(sweep.results, rows):
+        lines.append([*result.point.values(), _shown(row["error"], "none" if result.run else "lost"),
+                      _shown(row["ratio"], "", ".3g"), _shown(row["order"], "", ".2f"),
+                      row["state"] if shows_state and result.run else "", _shown(row["residual"], "", ".2g"),
+                      _shown(row["us_per_step"], "", ".3g")])
+    return _aligned(lines, kept=len(sweep.axes) + 1, left=len(sweep.axes))
 
 
-def _shown(number: float | None, otherwise: str, form: str = ".4g") -> str:
-    return otherwise if number is None else format(number, form)
+def _order_note(sweep: Sweep) -> list[str]:
+    if all(row["order"] is None for row in sweep.rows()):
+        return []
+    name = next(name for name in ORDERED if name in sweep.axes)
+    rest = ", all else equal" if len(sweep.axes) > 1 else ""
+    note = f"order p: the error is proportional to {name}^p, from each line and the one before{rest}"
+    return ["", *fold(note).splitlines()]
+
+
+def _mean_lines(found: list[Mean]) -> list[str]:
+    if not found:
+        return []
+    lines = [[*found[0].point, "runs", "mean error", "±"]]
+    for mean in found:
+        lines.append([*mean.point.values(), str(mean.runs), _shown(mean.mean, "none"),
+                      _shown(mean.half_width, "", ".2g")])
+    return ["", "mean over seeds, with its 95 % confidence interval", "",
+            *_aligned(lines, kept=len(lines[0]), left=len(found[0].point))]
+
+
+def _skipped(skipped: list[Result]) -> list[str]:
+    if not skipped:
+        return []
+    reasons: dict[str, int] = {}
+    for one in skipped:
+        reasons[one.why] = reasons.get(one.why, 0) + 1
+    lines = [f"{counted(count, 'combination')} skipped: {why}" for why, count in reasons.items()]
+    return ["", *[part for line in lines for part in fold(line).splitlines()]]
+
+
+def _after(lost: list[str]) -> list[str]:
+    return ["", *[part for line in lost for part in fold(line).splitlines()]] if lost else []
+
+
+def _named(point: Mapping[str, str]) -> str:
+    return ", ".join(f"{name} = {value}" for name, value in point.items())
+
+
+def _aligned(rows: list[list[str]], kept: int, left: int) -> list[str]:
+    """Returns lines of a table: the first `kept` columns, and others with content; the first `left` to the left."""
+    columns = [k for k in range(len(rows[0])) if k < kept or any(row[k] for row in rows[1:])]
+    widths = {k: max(len(row[k]) for row in rows) for k in columns}
+    return ["  ".join(row[k].ljust(widths[k]) if k < left else row[k].rjust(widths[k]) for k in columns).rstrip()
+            for row in rows]
+
+
+def _shown(value: float | None, otherwise: str, form: str = ".4g") -> str:
+    return otherwise if value is None else format(value, form)

@@ -24,13 +24,13 @@ def version() -> str:
 
 def show_version(arguments) -> int:
     """Prints the version, and the commit if git knows one: a report of a mistake needs both."""
-    commit = _commit()
-    print(f"course {version()}" + (f" ({commit})" if commit else ""))
+    named = commit()
+    print(f"course {version()}" + (f" ({named})" if named else ""))
     return 0
 
 
-def _commit() -> str:
-    """Names the checked-out commit; empty without git's history."""
+def commit() -> str:
+    """Names the checked-out commit, with -dirty if files differ from it; empty without git's history."""
     try:
         asked = subprocess.run(["git", "-C", str(ROOT), "describe", "--always", "--dirty", "--exclude=*"],
                                capture_output=True, text=True)

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from beside import Run, label_of, variations
-from engine import program
+from engine import parameters_of, program
 from errors import BadInput, CourseError
 from frames import with_frames
 from install import install
@@ -45,7 +45,7 @@ def view(arguments) -> int:
         recordings, code = _files(arguments), 0
         runs: list[Run] = []
     else:
-        runs = variations(words, arguments)
+        runs = variations(words, arguments, parameters_of)
     out = _target(out or BUILD / "views" / f"{Path(words[0]).stem}.html", made=out is None)
     if not arguments.gltf:
         install(VIEW_NEEDS, yes=False)

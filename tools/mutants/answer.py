@@ -41,6 +41,11 @@ class Answer:
         return not self.test
 
     @property
+    def full_name(self) -> str:
+        """Unlike all others of the chapter; it chooses this answer in the chapter's program."""
+        return f"{self.name}_of_{self.file.name.split('.')[0]}"
+
+    @property
     def place(self) -> str:
         return f"{shown(self.file)}:{self.line}: {self.name}"
 

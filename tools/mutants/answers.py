@@ -38,7 +38,7 @@ def exercise_of(file: Path) -> Exercise:
 
 
 def read_answers(files: list[Path]) -> list[Answer]:
-    """Those of one exercise, numbered so in its program."""
+    """Those of one exercise."""
     known: dict[str, Answer] = {}
     reference = exercise_of(files[0]).reference
     right = code_of(lines_of(reference))
@@ -50,6 +50,19 @@ def read_answers(files: list[Path]) -> list[Answer]:
                 raise refused(file, answer.line, "it changes nothing", answer.name)
             known[answer.name] = answer
     return list(known.values())
+
+
+def reference_of(exercise: Exercise) -> Answer:
+    """The right answer that the others are changes to."""
+    return Answer(exercise.reference, 1, "reference", "", "", "", tuple(lines_of(exercise.reference)))
+
+
+def by_exercise(files: list[Path]) -> list[list[Path]]:
+    """The files of each exercise, in the order of their names."""
+    found: dict[tuple[str, str], list[Path]] = {}
+    for file in sorted(files):
+        found.setdefault((file.parent.name, file.name.split(".")[0]), []).append(file)
+    return list(found.values())
 
 
 def _whole(file: Path) -> Answer:

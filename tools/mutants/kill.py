@@ -3,8 +3,8 @@
 And if each right answer in them passes all tests of its exercise.
 
 The test must fail by one of its checks, and the failure must say what the mutant promises: that is what the
-student will read. A crash, a skip or running out of time doesn't count. The folder PROGRAMS holds the wrong answers
-to update_row in the program mutants_update_row: see together.py.
+student will read. A crash, a skip or running out of time doesn't count. Each answer has a process of its own. The
+folder PROGRAMS holds a chapter's wrong answers in one program, mutants_04_gauss_seidel: see together.py.
 """
 
 import os
@@ -16,7 +16,7 @@ from pathlib import Path
 TOOLS = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(TOOLS / "mutation"), str(TOOLS / "course")]
 from answer import Answer  # noqa: E402
-from answers import exercise_of, read_answers  # noqa: E402
+from answers import by_exercise, exercise_of, read_answers  # noqa: E402
 from crowd import VARIABLE  # noqa: E402
 from errors import CourseError  # noqa: E402
 from trial import Trial, run_tests, time_limit  # noqa: E402
@@ -26,14 +26,14 @@ def judged(program: Path, files: list[Path]) -> dict[Answer, str]:
     """Of each answer to an exercise why it is not killed as promised, or not passed if right; empty if it is."""
     exercise = exercise_of(files[0])
     reasons: dict[Answer, str] = {}
-    for number, answer in enumerate(read_answers(files), 1):
+    for answer in read_answers(files):
         if answer.is_right:
-            reason = _not_passed(run_tests(program, f"{exercise.suite}.*", more={VARIABLE: str(number)}))
+            reason = _not_passed(run_tests(program, f"{exercise.suite}.*", more={VARIABLE: answer.full_name}))
         # `./course check` runs no other suite: if only another noticed, the student would be told "done".
         elif answer.test.split(".")[0] != exercise.suite:
             reason = f"{answer.test} is not a test of {exercise.label}; its suite is {exercise.suite}"
         else:
-            trial = run_tests(program, answer.test, more={VARIABLE: str(number)})
+            trial = run_tests(program, answer.test, more={VARIABLE: answer.full_name})
             reason = _not_failed(answer.test, trial) or _not_said(answer.says, trial)
         reasons[answer] = reason
     return reasons
@@ -72,12 +72,11 @@ def main(words: list[str]) -> int:
         print("usage: kill.py PROGRAMS FILE...", file=sys.stderr)
         return 2
     programs, *paths = (Path(word).resolve() for word in words)
-    exercises: dict[str, list[Path]] = {}
-    for path in paths:
-        exercises.setdefault(path.name.split(".")[0], []).append(path)
+    exercises = by_exercise(paths)
     try:
         with ThreadPoolExecutor(os.cpu_count()) as workers:
-            found = workers.map(judged, [programs / f"mutants_{name}" for name in exercises], exercises.values())
+            chapters = [programs / f"mutants_{files[0].parent.name}" for files in exercises]
+            found = workers.map(judged, chapters, exercises)
             reasons = {answer: reason for some in found for answer, reason in some.items()}
     except CourseError as error:
         print(error, file=sys.stderr)

@@ -1,11 +1,11 @@
-"""Puts the wrong answers to an exercise into one program, each in a namespace of its own.
+"""Puts the wrong answers to a chapter's exercises into one program, each in a namespace of its own.
 
-    together.py source RESULT FILE...                    their texts, to be compiled as one
-    together.py switch RESULT REFERENCE OBJECT FILE...   the exercise's functions, which call one of them
+    together.py source RESULT FILE...                                      their texts, to be compiled as one
+    together.py switch RESULT REFERENCE --objects OBJECT... --files FILE...   the functions, each of which calls one
 
-FILE is a .diff or one wrong answer: see answers.py. SPOOK_MUTANT in the environment of the program chooses which, by
-its number, from 1. REFERENCE is an archive with the right functions. Compiled one by one, mutants take five times as
-long.
+FILE is a .diff or one wrong answer: see answers.py. SPOOK_MUTANT=forgets_mass_of_kick in the environment of the
+program chooses the answer `forgets_mass` to the exercise `kick`. All other functions are those of the reference.
+REFERENCE is an archive whose symbols are read. Compiled one by one, mutants take five times as long.
 """
 
 import argparse
@@ -14,20 +14,26 @@ from pathlib import Path
 
 TOOLS = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(TOOLS / "mutation"), str(TOOLS / "course")]
-from answers import read_answers  # noqa: E402
-from crowd import Crowd  # noqa: E402
+from answer import Answer  # noqa: E402
+from answers import by_exercise, exercise_of, read_answers, reference_of  # noqa: E402
+from crowd import Crowd, Switched  # noqa: E402
 from errors import CourseError  # noqa: E402
 from symbols import functions_in  # noqa: E402
 
 
-def together(files: list[Path]) -> Crowd:
-    answers = dict(enumerate(read_answers(files), 1))
-    texts = {k: answer.source() for k, answer in answers.items()}
-    for k, answer in answers.items():
-        if not Crowd.can_hold(texts[k]):
+def together(files: list[Path]) -> tuple[Crowd, dict[str, range]]:
+    """The texts, and by each exercise's function the numbers of its own: first the reference's."""
+    answers: list[Answer] = []
+    numbers: dict[str, range] = {}
+    for some in by_exercise(files):
+        exercise, first = exercise_of(some[0]), len(answers)
+        answers += [reference_of(exercise), *read_answers(some)]
+        numbers[exercise.function] = range(first, len(answers))
+    for answer in answers:
+        if not Crowd.can_hold(answer.source()):
             raise CourseError(f"{answer.place}: it must have one `namespace spook`, and nothing but comments and "
                               "includes before it")
-    return Crowd(texts, answers)
+    return Crowd({k: answer.source() for k, answer in enumerate(answers)}, dict(enumerate(answers))), numbers
 
 
 def _write(file: Path, text: str) -> None:
@@ -39,19 +45,22 @@ def _write(file: Path, text: str) -> None:
 def main(words: list[str]) -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     commands = parser.add_subparsers(dest="command", required=True)
-    for name, inputs in (("source", ()), ("switch", ("reference", "object"))):
-        command = commands.add_parser(name)
-        for argument in ("result", *inputs):
-            command.add_argument(argument, type=Path)
-        command.add_argument("files", type=Path, nargs="+")
+    source, switch = (commands.add_parser(name) for name in ("source", "switch"))
+    for command in (source, switch):
+        command.add_argument("result", type=Path)
+    source.add_argument("files", type=Path, nargs="+")
+    switch.add_argument("reference", type=Path)
+    for option in ("--objects", "--files"):
+        switch.add_argument(option, type=Path, nargs="+", required=True)
     options = parser.parse_args(words)
     try:
-        crowd = together(options.files)
+        crowd, numbers = together(options.files)
         if options.command == "source":
             text = crowd.source()
         else:
-            function = options.files[0].name.split(".")[0]
-            text = crowd.switch(options.object, functions_in(options.reference, function))
+            text = crowd.switch(options.objects, [
+                Switched(frozenset(functions_in(options.reference, function)), tuple(texts), otherwise=texts[0])
+                for function, texts in numbers.items()])
         _write(options.result, text)
     except CourseError as error:
         print(error, file=sys.stderr)

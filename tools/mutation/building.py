@@ -7,7 +7,7 @@ from pathlib import Path
 
 import crowd
 from commands import Commands
-from crowd import Crowd
+from crowd import Crowd, Switched
 from errors import CourseError
 from manifest import Exercise
 from paths import CHAPTERS, SOLUTIONS
@@ -66,7 +66,8 @@ class Building:
                                   said.stderr[:2000])
             texts = {k: text for k, text in texts.items() if k not in culprits}
         switch = folder / "switch.cpp"
-        switch.write_text(everyone.switch(compiled, self._functions), encoding="utf-8")
+        functions = Switched(frozenset(self._functions), tuple(texts), otherwise=0)
+        switch.write_text(everyone.switch([compiled], [functions]), encoding="utf-8")
         said = subprocess.run([self._commands.compiler[0], "-o", "switch.o", "-c", "switch.cpp"], cwd=folder,
                               capture_output=True, text=True)
         if said.returncode != 0:

@@ -1,13 +1,14 @@
-"""Many mutants of a file as one: each in a namespace of its own, so that all are compiled at once.
+"""Compiles many mutants as one file, each in a namespace of its own.
 
-Most of a compiler's time goes into what mutants share, Eigen's templates. Which of them is called is told by
-a variable of the environment, when the program starts: the exercise's function jumps through a pointer.
+Most of a compiler's time goes into what mutants share, Eigen's templates. An environment variable chooses the mutant
+when the program starts: each exercise's function jumps through a pointer.
 """
 
 import platform
 import re
 import subprocess
 from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
 
@@ -22,10 +23,19 @@ _JUMP = {"x86_64": "jmp *{slot}(%rip)",
 
 
 class Named(Protocol):
-    """A mutant that has a name, and a place in a file."""
+    """A mutant that has a name, unlike all others in the program, and a place in a file."""
 
-    name: str
+    full_name: str
     place: str
+
+
+@dataclass(frozen=True)
+class Switched:
+    """The functions of an exercise, given as symbols, and the numbers of the texts that define them."""
+
+    symbols: frozenset[str]
+    texts: tuple[int, ...]
+    otherwise: int  # the number of the text that is called where none of them is chosen
 
 
 class Crowd:
@@ -59,7 +69,11 @@ class Crowd:
 
     def _namespace(self, k: int) -> str:
         """Of those without a name, all are as long as each other."""
-        return f"mutant_{k:06d}" + (f"_{self._named[k].name}" if k in self._named else "")
+        return f"mutant_0_{self._named[k].full_name}" if k in self._named else f"mutant_{k:06d}"
+
+    def _choice(self, k: int) -> str:
+        """The value of the variable that chooses a text."""
+        return self._named[k].full_name if k in self._named else str(k)
 
     def culprits(self, errors: str) -> set[int]:
         """Which of the texts the compiler complains about."""
@@ -77,33 +91,34 @@ class Crowd:
                 mentioned = None
         return found
 
-    def switch(self, compiled: Path, wanted: set[str]) -> str:
-        """The source of the functions `wanted`, given as symbols: each jumps to one of the mutants."""
-        functions = dict(zip(_readable(sorted(wanted)), sorted(wanted)))
-        listing = subprocess.run(["nm", "-P", "--defined-only", str(compiled)],
-                                 capture_output=True, text=True)
+    def switch(self, compiled: list[Path], exercises: list[Switched]) -> str:
+        """The source of the exercises' functions: each jumps to one of the texts that are in the objects `compiled`."""
+        listing = subprocess.run(["nm", "-P", "--defined-only", *map(str, compiled)], capture_output=True, text=True)
         symbols = [line.split()[0] for line in listing.stdout.splitlines() if "mutant_0" in line]
         symbol = dict(zip(_readable(symbols), symbols))
-        lines, tables = [], []
-        for number, (readable, mangled) in enumerate(functions.items()):
-            slot, table = f"spook_slot_{number}", []
-            for k in self.texts:
-                found = _inside(readable, self._namespace(k)) & symbol.keys()
-                if not found:
-                    place = self._named[k].place if k in self._named else f"mutant {k}"
-                    raise CourseError(f"{place}: it does not define {readable}")
-                lines.append(f'extern "C" void target_{number}_{k}() __asm__("{symbol[found.pop()]}");')
-                table.append(f"{{{k}, target_{number}_{k}}}")
-            lines.append(f'extern "C" {{ void (*{slot})(); }}')
-            lines.append(jump_through(slot, mangled))
-            tables.append(f"  for (const Entry entry : {{{', '.join(f'Entry{one}' for one in table)}}})\n"
-                          f"    if (entry.number == number) {slot} = entry.target;\n")
-        return ("#include <cstdlib>\n#include <initializer_list>\n"
-                "struct Entry { int number; void (*target)(); };\n"
+        lines, entries, number = [], [], 0
+        for exercise in exercises:
+            wanted = sorted(exercise.symbols)
+            for readable, mangled in zip(_readable(wanted), wanted):
+                slot = f"spook_slot_{number}"
+                for k in exercise.texts:
+                    found = _inside(readable, self._namespace(k)) & symbol.keys()
+                    if not found:
+                        place = self._named[k].place if k in self._named else f"mutant {k}"
+                        raise CourseError(f"{place}: it does not define {readable}")
+                    lines.append(f'extern "C" void target_{number}_{k}() __asm__("{symbol[found.pop()]}");')
+                    entries.append(f'  {{"{self._choice(k)}", &{slot}, target_{number}_{k}}},\n')
+                lines.append(f'extern "C" {{ void (*{slot})() = target_{number}_{exercise.otherwise}; }}')
+                lines.append(jump_through(slot, mangled))
+                number += 1
+        return ("#include <cstdlib>\n#include <cstring>\n"
+                "struct Entry { const char* mutant; void (**slot)(); void (*target)(); };\n"
                 + "\n".join(lines)
-                + "\n__attribute__((constructor(101))) static void choose() {\n"
+                + f"\nstatic const Entry entries[] = {{\n{''.join(entries)}}};\n"
+                + "__attribute__((constructor(101))) static void choose() {\n"
                 + f'  const char* chosen = std::getenv("{VARIABLE}");\n'
-                + "  const int number = chosen ? std::atoi(chosen) : 0;\n" + "".join(tables) + "}\n")
+                + "  for (const Entry& entry : entries)\n"
+                + "    if (chosen && std::strcmp(entry.mutant, chosen) == 0) *entry.slot = entry.target;\n}\n")
 
 
 def jump_through(slot: str, symbol: str) -> str:

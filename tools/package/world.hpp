@@ -1,4 +1,8 @@
 #pragma once
-// What a program includes: the world, its solvers, and whether a run is sound.
+// What a program includes: the world, its solvers, whether a run is sound, contacts that begin and end, handles.
+#include "spook/engine/diagnostics/contact_events.hpp"
 #include "spook/engine/diagnostics/run_check.hpp"
+#include "spook/engine/world/handles.hpp"
+#include "spook/engine/world/try_step.hpp"
 #include "spook/engine/world/world.hpp"
+#include "spook/version.hpp"

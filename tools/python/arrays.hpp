@@ -3,6 +3,8 @@
 // each step.
 #include <pybind11/eigen.h>
 
+#include <limits>
+
 #include "engine/diagnostics/conserved_quantities.hpp"
 #include "python_world.hpp"
 
@@ -54,16 +56,28 @@ py::dict joints(const PythonWorld<Dof>& self) {
   py::list kind;
   Eigen::VectorXi i(n), j(n);
   Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> force(n, 3), torque(n, 3);
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  Eigen::VectorXd position = Eigen::VectorXd::Constant(n, none), speed = position;
   for (int c = 0; c < n; ++c) {
     const Joint& joint = world.joints()[static_cast<std::size_t>(c)];
     kind.append(joint.length ? "distance" : joint.is_guided() ? name_of(joint.kind) : "ball");
     i[c] = joint.i;
     j[c] = joint.j;
     force.row(c) = world.joint_force(c);
-    if constexpr (Dof == 6) torque.row(c) = world.joint_torque(c);
+    if constexpr (Dof == 6) {
+      torque.row(c) = world.joint_torque(c);
+      if (joint.kind == JointKind::hinge || joint.kind == JointKind::slider) {
+        position[c] = world.joint_position(c);
+        speed[c] = world.joint_speed(c);
+      }
+    }
   }
   py::dict all("kind"_a = kind, "i"_a = i, "j"_a = j, "force"_a = force);
-  if constexpr (Dof == 6) all["torque"] = torque;
+  if constexpr (Dof == 6) {
+    all["torque"] = torque;
+    all["position"] = position;
+    all["speed"] = speed;
+  }
   return all;
 }
 

@@ -72,6 +72,15 @@ void PythonWorld<Dof>::remove_body(int body) {
   if (world_.settings().wrench) world_.settings().wrench.template target<Loads<Dof>>()->remove(i);
 }
 
+template <int Dof>
+void PythonWorld<Dof>::restore(const PythonWorld& saved) {
+  bodies_of("restore") = World<Dof>(saved.world());
+  check_ = saved.check_;
+  checked_ = saved.checked_;
+  warned_ = saved.warned_;
+  reason_ = saved.reason_;
+}
+
 template class PythonWorld<3>;
 template class PythonWorld<6>;
 

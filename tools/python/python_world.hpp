@@ -67,6 +67,9 @@ class PythonWorld {
   /// Throws std::invalid_argument for what is not finite, and for a body that does not move.
   void put_load(int body, const Twist<Dof>& load);
   void remove_body(int body);
+  /// Goes back to `saved`: bodies, joints, settings, time and the impulses of a warm start. Throws py::buffer_error while
+  /// there are arrays that look at the bodies.
+  void restore(const PythonWorld& saved);
 
   Views views = {};
 

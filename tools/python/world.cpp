@@ -13,6 +13,18 @@ namespace {
 
 using namespace py::literals;
 using MaybeVec3 = std::optional<Vec3>;
+template <int Columns>
+using Rows = Eigen::Matrix<double, Eigen::Dynamic, Columns, Eigen::RowMajor>;
+
+/// Throws std::invalid_argument unless there is a finite row for each body, or none is given.
+template <class Given>
+void require_a_row_each(const char* name, const Given& rows, std::size_t bodies) {
+  if (!rows) return;
+  if (static_cast<std::size_t>(rows->rows()) != bodies)
+    throw std::invalid_argument(std::string(name) + " must have a row for each of " + std::to_string(bodies) +
+                                " bodies, but has " + std::to_string(rows->rows()));
+  if (!rows->allFinite()) throw std::invalid_argument(std::string(name) + " must be finite");
+}
 
 template <int Dof>
 RotationRule<Dof> rotation_rule(const std::string& name) {
@@ -59,6 +71,33 @@ PythonWorld<Dof> make(const Vec3& gravity, std::optional<double> k, std::optiona
 template <int Dof>
 void place(PythonWorld<Dof>& self, int body, const MaybeVec3& x, const MaybeVec3& v) {
   self.moved().place(body, x.value_or(self.world().x(body)), v.value_or(self.world().v(body)));
+}
+
+/// Sets rows of all bodies; those of static bodies are left as they are.
+template <int Dof>
+void place_all(PythonWorld<Dof>& self, const std::optional<Rows<3>>& x, const std::optional<Rows<3>>& v) {
+  const Bodies<Dof>& bodies = self.world().bodies();
+  require_a_row_each("x", x, bodies.size());
+  require_a_row_each("v", v, bodies.size());
+  World<Dof>& world = self.moved();
+  for (int body = 0; body < static_cast<int>(bodies.size()); ++body)
+    if (!bodies.is_fixed(static_cast<std::size_t>(body)))
+      world.place(body, x ? Vec3(x->row(body)) : world.x(body), v ? Vec3(v->row(body)) : world.v(body));
+}
+
+void turn_all(PythonWorld<6>& self, const std::optional<Rows<4>>& q, const std::optional<Rows<3>>& omega) {
+  const Bodies<6>& bodies = self.world().bodies();
+  require_a_row_each("q", q, bodies.size());
+  require_a_row_each("omega", omega, bodies.size());
+  if (q)  // before any body turns
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+      if (!bodies.is_fixed(i)) require_unit_length("q", q->row(static_cast<Eigen::Index>(i)).norm());
+  World<6>& world = self.moved();
+  for (int body = 0; body < static_cast<int>(bodies.size()); ++body)
+    if (!bodies.is_fixed(static_cast<std::size_t>(body)))
+      world.turn(
+          body, q ? Quat((*q)(body, 0), (*q)(body, 1), (*q)(body, 2), (*q)(body, 3)) : orientation(world, body),
+          omega ? Vec3(omega->row(body)) : angular_velocity(world, body));
 }
 
 void turn(PythonWorld<6>& self, int body, const std::optional<std::array<double, 4>>& q,
@@ -220,6 +259,9 @@ void bind_both(Binding<Dof>& type, const char* name) {
           [](Self& self, int body, const Vec3& impulse) { self.moved().apply_central_impulse(body, impulse); },
           "body"_a, "impulse"_a)
       .def("place", &place<Dof>, "body"_a, "x"_a = py::none(), "v"_a = py::none())
+      .def("place_all", &place_all<Dof>, py::kw_only(), "x"_a = py::none(), "v"_a = py::none())
+      .def("save", [](const Self& self) { return Self(self); })
+      .def("restore", &Self::restore, "saved"_a)
       .def(
           "move_fixed", [](Self& self, int body, const Vec3& x) { self.moved().move_fixed(body, x); }, "body"_a,
           "x"_a)
@@ -300,6 +342,7 @@ void bind_rigid(py::module_& module) {
           },
           "body"_a, "force"_a = zero, "torque"_a = zero)
       .def("turn", &turn, "body"_a, "q"_a = py::none(), "omega"_a = py::none())
+      .def("turn_all", &turn_all, py::kw_only(), "q"_a = py::none(), "omega"_a = py::none())
       .def(
           "synchronized_angular_velocity",
           [](const PythonWorld<6>& self, int body, double h) {

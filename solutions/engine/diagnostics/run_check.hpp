@@ -76,6 +76,7 @@ class RunCheck {
   double given_ = 0;                // work of forces since the start, and energy of springs at the start [J]
   double most_ = 0;                 // the largest kinetic energy so far [J]
   std::vector<Twist<Dof>> before_;  // velocities at the last check
+  std::vector<Vec3> x_before_;      // positions, if there are joints
   std::vector<double> sizes_;       // of bodies [m]
 };
 

@@ -6,6 +6,7 @@
 
 #include "common/require.hpp"
 #include "engine/impacts/impacts.hpp"
+#include "engine/solvers/recovery.hpp"
 
 namespace spook {
 
@@ -13,9 +14,22 @@ template <int Dof>
 void World<Dof>::step(double h) {
   require_positive("h", h);
   require_directions(h);
-  if (settings_.integrator_order == 4) return step_composed(h);
-  solved_ = {.history = {}, .converged = true};
+  ++steps_;
   impacts_ = 0;
+  work_of_motors_ = 0;
+  if (settings_.integrator_order == 4) return step_composed(h);
+  divide_steps(h);
+  SolveReport unsolved{.history = {}, .converged = true};
+  for (int part = 0; part < parts_; ++part) {
+    step_part(h / parts_);
+    if (!solved_.converged) unsolved = solved_;
+  }
+  if (!unsolved.converged) solved_ = std::move(unsolved);
+}
+
+template <int Dof>
+void World<Dof>::step_part(double h) {
+  solved_ = {.history = {}, .converged = true};
   if (shapes_.may_touch()) clock_.run(Stage::contacts, [&] { find_contacts(h); });
   clock_.run(Stage::forces, [&] { evaluate_forces(h); });
   if (h_ > 0 && h != h_) shift_to_step(h);
@@ -28,7 +42,34 @@ void World<Dof>::step(double h) {
     clock_.run(Stage::rows, [&] { build_rows(h); });
   }
   if (!rows_.empty()) clock_.run(Stage::solve, [&] { solve_rows(h); });
+  if (!rows_.empty() && !settings_.k) clock_.run(Stage::solve, [&] { take_out_recovery(h); });
+  if constexpr (Dof == 6) add_work_of_motors();
   clock_.run(Stage::integrate, [&] { integrate(h); });
+}
+
+/// The forces of joints before a first step: those of a step that is not taken.
+template <int Dof>
+void World<Dof>::find_joint_forces(double h) {
+  evaluate_forces(h);
+  build_rows(h);
+  solve_rows(h);
+  h_ = h;
+}
+
+/// Divides more as soon as joints need it, and less after a hundred steps that needed no more than half.
+template <int Dof>
+void World<Dof>::divide_steps(double h) {
+  if (joints_.empty() || settings_.k || settings_.max_parts == 1) return;
+  if (rows_.empty()) find_joint_forces(h);
+  const auto force_of = [&](int joint) { return joint_force(joint).norm(); };
+  const double needed = std::min<double>(parts_needed(joints_, bodies_, h, force_of), settings_.max_parts);
+  int parts = 1;  // powers of two: other numbers would change the step more often
+  while (parts < needed) parts *= 2;
+  calm_steps_ = parts < parts_ ? calm_steps_ + 1 : 0;
+  if (parts > parts_) parts_ = parts;
+  if (calm_steps_ < 100) return;
+  parts_ /= 2;
+  calm_steps_ = 0;
 }
 
 template <int Dof>
@@ -129,8 +170,9 @@ void World<Dof>::resolve_impacts(double h) {
     return of_pair;
   };
   const std::vector<Vec3> before = bodies_.x;
-  impacts_ = resolve_late_impacts(contacts_, law_of, h, shapes_, bodies_);
-  if (impacts_ > 0) {
+  const int hits = resolve_late_impacts(contacts_, law_of, h, shapes_, bodies_);
+  impacts_ += hits;
+  if (hits > 0) {
     std::vector<bool> moved(before.size());
     for (std::size_t i = 0; i < moved.size(); ++i) moved[i] = bodies_.x[i] != before[i];
     pairs_ = finder_.find_moved(moved, shapes_, bodies_, margin(h), contacts_, settings_.threads);
@@ -232,6 +274,38 @@ StopRule World<Dof>::stop_rule(double h) const {
   return stop;
 }
 
+/// A contact that opens by less than a hundredth of |gravity| h closes again in the next step.
+template <int Dof>
+void World<Dof>::take_out_recovery(double h) {
+  const double size = std::isfinite(shapes_.smallest) ? shapes_.smallest : 0;
+  const double ignored = 1e-2 * settings_.gravity.norm() * h + 1e-9 * size / h;
+  std::function<bool(const Contact&)> may_throw = nullptr;
+  if (materials_.any())
+    may_throw = [&](const Contact& c) { return materials_.of(c.i, c.j).k < materials_.stiffness(); };
+  std::vector<Row<Dof>> rows = rows_without_recovery(solver_input(h, {}), ignored, may_throw);
+  if (rows.empty()) return;
+  StopRule stop = stop_rule(h);
+  stop.tolerance = std::max(stop.tolerance, 0.1 * ignored);
+  WarmStartCache first;
+  first.remember(rows, first_contact_row_, contacts_, h, settings_.threads);
+  std::vector<Twist<Dof>> V = V_;
+  const SolverResult solved = settings_.solver.solve({.rows = rows,
+                                                      .V = V,
+                                                      .rubbing = rubbing_,
+                                                      .joints = joints_,
+                                                      .contacts = contacts_,
+                                                      .first_contact_row = first_contact_row_,
+                                                      .bodies = bodies_,
+                                                      .last = first,
+                                                      .gravity = settings_.gravity,
+                                                      .h = h,
+                                                      .stop = stop,
+                                                      .threads = settings_.threads});
+  row_updates_ += solved.updates(rows.size());
+  recovered_.resize(V.size());
+  for (std::size_t i = 0; i < V.size(); ++i) recovered_[i] = V[i] - V_[i];
+}
+
 template <int Dof>
 void World<Dof>::integrate(double h) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -246,16 +320,34 @@ void World<Dof>::integrate(double h) {
       Vec3 omega = W.template tail<3>();
       omega += turned_by_torques(i, omega, h);
       if (!rows_.empty()) omega += V_[i].template tail<3>();
-      rotate(settings_.rotation, bodies_.orientations, i, omega, h);
-      W.template tail<3>() = omega;
+      W.template tail<3>() = turned(i, omega, h);
     }
+    if (!recovered_.empty()) W.template head<3>() += recovered_[i].template head<3>();
   }
+  recovered_.clear();
   end_step(h);
+}
+
+/// Turns a body by ω; returns its ω afterwards. What recovers turns as it would without that, in the body's own axes: its
+/// energy stays.
+template <int Dof>
+Vec3 World<Dof>::turned(std::size_t i, Vec3 omega, double h) requires(Dof == 6) {
+  Quat& q = bodies_.orientations.q[i];
+  if (recovered_.empty() || recovered_[i].template tail<3>().isZero(0)) {
+    rotate(settings_.rotation, bodies_.orientations, i, omega, h);
+    return omega;
+  }
+  const Quat before = q;
+  Vec3 kept = omega + recovered_[i].template tail<3>();
+  rotate(settings_.rotation, bodies_.orientations, i, kept, h);
+  const Vec3 in_body = q.conjugate() * kept;
+  q = before;
+  rotate(settings_.rotation, bodies_.orientations, i, omega, h);
+  return q * in_body;
 }
 
 template <int Dof>
 void World<Dof>::end_step(double h) {
-  ++steps_;
   time_ += h;
   h_ = h;
   require_finite_bodies();

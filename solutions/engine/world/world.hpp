@@ -6,12 +6,14 @@
 //   contacts    at x_n, where gap <= margin                                        Eq. (3.1), (8.1)-(8.10)
 //   impacts     fast approaching contacts: W changes at once                       Eq. (7.1)-(7.10)
 //   rows        S λ = B, with W = v_{n-1/2} and the forces at x_n                  Eq. (3.7), (4.4)
-//   solve       λ and V = M⁻¹ Gᵀ λ                                                 Eq. (4.6), (4.7)
+//   solve       λ and V = M⁻¹ Gᵀ λ; again if overlaps would leave a speed   Eq. (4.6), (4.7), (7.17)
 //   integrate   W += h M⁻¹ f + V, then x += h v and q turns by h ω                 Eq. (1.3), (1.4), (2.4)-(2.11)
 //
 // Each stage calls the functions of the chapters. A stage that a scene does not need does not run: without shapes no
 // contact search, without restitution no impacts, without friction one row per contact, without rows no solve. Point
 // masses have no orientations.
+//
+// A step is divided into parts if joints need it: engine/constraints/step_parts.hpp.
 //
 // For scenes with forces and joints only, a step of order four composed of five: engine/integration/rattle.hpp.
 #include <cstdint>
@@ -24,6 +26,7 @@
 #include "engine/constraints/contact_rows.hpp"
 #include "engine/constraints/default_stiffness.hpp"
 #include "engine/constraints/joint_rows.hpp"
+#include "engine/constraints/step_parts.hpp"
 #include "engine/constraints/warm_start_cache.hpp"
 #include "engine/integration/rattle.hpp"
 #include "engine/integration/rotation.hpp"
@@ -44,8 +47,10 @@ struct Settings {
   Vec3 gravity = Vec3(0, 0, -9.81);  ///< [m/s²]
   ForceField force = nullptr;        ///< on each body, in addition to its weight [N]. Default: none
   Wrench<Dof> wrench = nullptr;      ///< further forces, and torques [N, N m]. Default: none
-  /// Stiffness of contacts and joints [N/m]. Default: all forces of a step together compress one contact by a
-  /// ten-thousandth of the smallest size, and joints are nearly rigid: engine/constraints/default_stiffness.hpp.
+  /// Stiffness of contacts and joints [N/m]. If k is set, contacts are springs, and an overlap may throw its bodies.
+  /// Default: all forces of a step together compress one contact by a ten-thousandth of the smallest size, joints are
+  /// nearly rigid, engine/constraints/default_stiffness.hpp, and an overlap leaves no speed,
+  /// engine/solvers/recovery.hpp.
   std::optional<double> k = {};
   /// Relaxation of contacts and joints [steps]: a larger d dissipates more energy, see chapter 06. Default: 3 for
   /// contacts, which damps bouncing, and 1/4 for joints, which keeps swinging.
@@ -70,6 +75,10 @@ struct Settings {
   /// Order of the integrator: 2 is leapfrog; 4 is composed of five leapfrogs, engine/integration/rattle.hpp. At order 4
   /// velocities and positions belong to the same time, joints are rigid, and the solver is not used.
   int integrator_order = 2;
+  /// Largest number of parts of a step. A step is divided if bodies on joints turn too far in it, or if a load is heavy
+  /// for a joint: engine/constraints/step_parts.hpp. Worlds and joints with a given k do not divide steps. Default: 32;
+  /// 1: never.
+  int max_parts = 32;
   int threads = 1;  ///< worker threads for contact search, rows, sweeps; the result is the same for any number
   /// Stop rule of the solver. A solver also stops when a sweep changes less than four rounding errors of |gravity| h.
   StopRule solver_limits = {};
@@ -192,8 +201,12 @@ class World {
   const Vec3& x(int body) const { return bodies_.x[index(body)]; }                     ///< [m]
   Vec3 v(int body) const { return bodies_.motion.W[index(body)].template head<3>(); }  ///< [m/s]
 
-  /// The time from velocities to positions [s]: h/2 for a step of `h`, and 0 at order 4.
-  double velocity_lag(double h) const { return settings_.integrator_order == 4 ? 0 : h / 2; }
+  /// The time from velocities to positions [s]: half a part of a step of `h`, and 0 at order 4.
+  double velocity_lag(double h) const { return settings_.integrator_order == 4 ? 0 : h / parts_ / 2; }
+
+  /// The number of parts of the last step: engine/constraints/step_parts.hpp. Contacts, rows, forces and impulses
+  /// belong to its last part.
+  int parts() const { return parts_; }
 
   /// The velocity at the time of the position [m/s], computed from the stored velocity, half a step of `h` older.
   Vec3 synchronized_velocity(int body, double h) const;
@@ -221,6 +234,9 @@ class World {
   /// coordinate [N m or N]. Zero before the first step, and without a motor or limit.
   double motor_force(int joint) const requires(Dof == 6);
   double limit_force(int joint) const requires(Dof == 6);
+
+  /// The work of all motors in the last step [J].
+  double work_of_motors() const { return work_of_motors_; }
 
   /// The torque of a joint on body j in the last step [N m], about the point where its force acts.
   Vec3 joint_torque(int joint) const requires(Dof == 6);
@@ -251,6 +267,9 @@ class World {
   const StageTimes& stage_times() const { return clock_.times(); }
 
  private:
+  void step_part(double h);
+  void divide_steps(double h);
+  void find_joint_forces(double h);
   void find_contacts(double h);
   double margin(double h) const;
   void evaluate_forces(double h);
@@ -264,7 +283,10 @@ class World {
   SolverInput<Dof> solver_input(double h, const StopRule& stop);
   void warm_start_rows(double h);
   StopRule stop_rule(double h) const;
+  void take_out_recovery(double h);
+  void add_work_of_motors();
   void integrate(double h);
+  Vec3 turned(std::size_t i, Vec3 omega, double h) requires(Dof == 6);
   void end_step(double h);
   void step_composed(double h);
   void kick_all(double h, double time);
@@ -302,13 +324,16 @@ class World {
   std::size_t first_contact_row_ = 0;
   std::vector<FrictionContact> rubbing_;  // where friction follows what presses
   std::vector<Twist<Dof>> V_;             // what the rows add to each velocity
+  std::vector<Twist<Dof>> recovered_;     // what is taken out of each velocity again, Eq. (7.17)
   WarmStartCache start_;                  // for the rows of the next step
   SolveReport solved_;
   StepTimer clock_;
   std::int64_t steps_ = 0;
   double time_ = 0;
-  double largest_load_ = 0;  // sum of the forces on all dynamic bodies [N]
-  double h_ = 0;             // of the last step [s]
+  double largest_load_ = 0;    // sum of the forces on all dynamic bodies [N]
+  double h_ = 0;               // of the last step [s]
+  double work_of_motors_ = 0;  // in the last step [J]
+  int parts_ = 1, calm_steps_ = 0;
   int pairs_ = 0;
   int impacts_ = 0;
   bool half_step_back_ = false;

@@ -194,6 +194,19 @@ double World<Dof>::along_free(int joint, int row) const {
   return 0;
 }
 
+/// λ times the mean speed of the row, after the solve.
+template <int Dof>
+void World<Dof>::add_work_of_motors() {
+  for (std::size_t n = 0; n < joints_.size(); ++n) {
+    if (!joints_[n].motor) continue;
+    const Row<Dof>& row = rows_[joint_rows_[n] + static_cast<std::size_t>(joints_[n].rows()) - 1];
+    const auto both = [&](int body) {
+      return Twist<Dof>(2 * bodies_.motion.W[body] + bodies_.motion.Wf[body] + V_[body]);
+    };
+    work_of_motors_ += row.lambda * (row.Gi.dot(both(row.i)) + row.Gj.dot(both(row.j))) / 2;
+  }
+}
+
 template <int Dof>
 double World<Dof>::motor_force(int joint) const requires(Dof == 6) {
   const Joint& found = free_joint(joint);

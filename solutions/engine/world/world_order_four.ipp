@@ -5,7 +5,7 @@ namespace spook {
 
 template <int Dof>
 void World<Dof>::step_composed(double h) {
-  if (steps_ == 0) require_wrench_of_places();
+  if (steps_ == 1) require_wrench_of_places();
   rows_.clear();
   solved_ = {.history = std::move(solved_.history), .converged = true};
   solved_.history.clear();

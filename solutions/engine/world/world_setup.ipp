@@ -32,6 +32,9 @@ World<Dof>::World(Settings<Dof> settings)
   if (settings_.impacts) spook::resolve_impacts<Dof>({}, *settings_.impacts, bodies_.motion);
   require_positive("max_sweeps", settings_.solver_limits.max_sweeps);
   require_not_negative("tolerance", settings_.solver_limits.tolerance);
+  if (settings_.max_parts < 1 || settings_.max_parts > 1024 ||
+      (settings_.max_parts & (settings_.max_parts - 1)) != 0)
+    reject("max_parts", settings_.max_parts, "a power of two from 1 to 1024");
   if (settings_.threads < 1 || settings_.threads > most_threads)
     reject("threads", settings_.threads, "from 1 to " + std::to_string(most_threads));
   if (!settings_.solver.solve) throw std::invalid_argument("solver must be one of solvers(), but is null");

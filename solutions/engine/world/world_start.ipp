@@ -19,6 +19,8 @@ template <int Dof>
 void World<Dof>::start_half_step_back(double h) {
   begin_half_a_step_back("start_half_step_back", h);
   if (settings_.integrator_order == 4) return;
+  divide_steps(h);
+  h /= parts_;
   evaluate_forces(h);
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     Twist<Dof>& W = bodies_.motion.W[i];
@@ -99,7 +101,10 @@ void World<Dof>::start_consistently(double h) {
   } else {
     newton<Dof>(FrictionModel::cone).solve(solver_input(h, StopRule{}));
   }
-  for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_.motion.W[i] -= (motion.Wf[i] + V_[i]) / 2;
+  h_ = h;
+  divide_steps(h);  // by these forces
+  h_ = 0;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) bodies_.motion.W[i] -= (motion.Wf[i] + V_[i]) / (2 * parts_);
   forget_the_last_step();
 }
 
@@ -109,7 +114,7 @@ Vec3 World<Dof>::synchronized_velocity(int body, double h) const {
   if (settings_.integrator_order == 4) return v(body);
   Vec3 now = force(i);
   if (settings_.wrench && !bodies_.is_fixed(i)) now += settings_.wrench(i, bodies_, time_).template head<3>();
-  return half_step_start(v(body), now, bodies_.motion.inverse_mass[i].linear, -h);
+  return half_step_start(v(body), now, bodies_.motion.inverse_mass[i].linear, -h / parts_);
 }
 
 // `if constexpr`, though `requires` says the same: clang before 16 compiles this for point masses, too.
@@ -119,7 +124,7 @@ Vec3 World<Dof>::synchronized_angular_velocity(int body, double h) const require
   const Vec3 omega = bodies_.motion.W[i].template tail<3>();
   if constexpr (Dof == 6)
     if (settings_.integrator_order != 4)
-      return omega + gyroscopic_change(settings_.rotation, bodies_.orientations, i, omega, h / 2);
+      return omega + gyroscopic_change(settings_.rotation, bodies_.orientations, i, omega, velocity_lag(h));
   return omega;
 }
 

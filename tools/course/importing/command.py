@@ -10,13 +10,14 @@ from errors import BadInput, CourseError
 def import_model(arguments) -> int:
     try:
         from importing.defaults import read
+        from importing.report import Report
         from importing.scene import SceneWriter
     except ImportError as error:
         raise CourseError(f"{error}; ./course start installs what is missing") from None
     path = Path(arguments.model)
-    left_out: list[str] = []
+    report = Report()
     try:
-        writer = SceneWriter(read(path, left_out), path.stem)
+        writer = SceneWriter(read(path, report), path.stem, report)
     except BadInput as error:
         raise BadInput(str(error) if str(error).startswith(str(path)) else f"{path}: {error}") from None
     text = json.dumps(writer.scene, indent=1, ensure_ascii=False) + "\n"
@@ -24,7 +25,7 @@ def import_model(arguments) -> int:
         Path(arguments.out).write_text(text, encoding="utf-8")
     else:
         print(text, end="")
-    print(_told(writer.scene, [*left_out, *writer.left_out], writer.instead), end="", file=sys.stderr)
+    print(_told(writer.scene, report.left_out(), report.instead()), end="", file=sys.stderr)
     return 0
 
 

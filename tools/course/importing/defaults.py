@@ -1,47 +1,49 @@
 """MJCF's defaults: classes within classes, each with attributes for some elements; and files within files."""
 
 from pathlib import Path
-from xml.etree import ElementTree
 from xml.etree.ElementTree import Element
+from xml.parsers import expat
 
 from errors import BadInput
+from importing.report import Report, attributes, parsed
 
 _TOP = "main"
 
 
-def read(path: Path, left_out: list[str]) -> Element:
+def read(path: Path, report: Report) -> Element:
     """The model, with what it includes in its place."""
-    root = _parse(path)
+    root = _parse(path, "")
     if root.tag != "mujoco":
         raise BadInput(f"{path}: MJCF begins with <mujoco>, but this with <{root.tag}>")
-    _include(root, path.parent, left_out)
+    _include(root, path.parent, report)
     return root
 
 
-def _parse(path: Path) -> Element:
+def _parse(path: Path, file: str) -> Element:
+    """`file` stands before the line in the place of each element."""
     try:
-        return ElementTree.parse(path).getroot()
+        return parsed(path.read_bytes(), file)
     except OSError as error:
         raise BadInput(f"{path}: {error.strerror}") from None
-    except ElementTree.ParseError as error:
+    except expat.ExpatError as error:
         raise BadInput(f"{path}: {error}") from None
 
 
-def _include(element: Element, folder: Path, left_out: list[str], depth: int = 0) -> None:
+def _include(element: Element, folder: Path, report: Report, depth: int = 0) -> None:
     for child in list(element):
         if child.tag != "include":
-            _include(child, folder, left_out, depth)
+            _include(child, folder, report, depth)
             continue
         path = folder / child.get("file", "")
         place = list(element).index(child)
         element.remove(child)
         if not path.is_file():
-            left_out.append(f"include of {child.get('file')}: there is no such file")
+            report.leave_out(f"include of {child.get('file')}: there is no such file", child)
             continue
         if depth > 20:
             raise BadInput(f"{path}: files include each other without an end")
-        included = _parse(path)
-        _include(included, path.parent, left_out, depth + 1)
+        included = _parse(path, f"{child.get('file')} ")
+        _include(included, path.parent, report, depth + 1)
         element[place:place] = list(included)
 
 
@@ -56,7 +58,7 @@ class Defaults:
         for child in default:
             if child.tag != "default":
                 tag = "joint" if child.tag == "freejoint" else child.tag
-                here[tag] = here.get(tag, {}) | {key: value for key, value in child.attrib.items() if key != "class"}
+                here[tag] = here.get(tag, {}) | {key: value for key, value in attributes(child).items() if key != "class"}
         self._classes[name] = here
         for child in default.findall("default"):
             if not child.get("class"):

@@ -4,7 +4,10 @@ from xml.etree.ElementTree import Element
 
 import numpy as np
 
-from importing.shapes import Geom, friction_of, masks_of
+from errors import BadInput
+from importing.known import name_unknown
+from importing.report import Report
+from importing.shapes import Geom, condim_of, friction_of, masks_of
 from importing.tree import Model, ModelJoint, Part, in_axes, principal
 from importing.turning import IDENTITY, from_matrix, inverse, matrix, numbers
 
@@ -16,50 +19,83 @@ _NOT_OURS = ("actuator", "tendon", "keyframe", "deformable", "extension", "conta
 
 
 class SceneWriter:
-    """`scene` is the file, and `left_out` what did not come into it; `instead` says what stands for what."""
+    """`scene` is the file; the report gets what did not come into it, and what stands for what."""
 
-    def __init__(self, root: Element, name: str):
-        self.left_out: list[str] = []
-        self.instead: list[str] = []
-        self._model = Model(root, self.left_out)
-        self._option = {key: value for each in root.findall("option") for key, value in each.attrib.items()}
+    def __init__(self, root: Element, name: str, report: Report):
+        self._report = report
+        name_unknown(root, report)
+        option = {key: value for each in root.findall("option") for key, value in each.attrib.items()}
+        self._option = Element("option", option)
         self._flags = {key: value for each in root.findall("option/flag") for key, value in each.attrib.items()}
-        self._touches = self._flags.get("contact") != "disable"
+        self._touches = self._has("contact") and self._has("constraint")
+        self._model = Model(root, report, limits=self._has("limit") and self._has("constraint"),
+                            damping=self._has("passive") and self._has("damper"))
+        if not self._model.parts:
+            raise BadInput("nothing is left to simulate: no body has a joint that the import knows")
         self._planes = [each for each in self._model.planes if any(masks_of(each))] if self._touches else []
+        self._solids: list[Geom] = []  # static ones
         self._bodies: list[dict] = []
         self._joints: list[dict] = []
         self._part_number: dict[int, int] = {}  # by id(part)
         self._placed: list[tuple[np.ndarray, np.ndarray]] = []  # of each body: centre and turn
+        self._points = self._as_points(root)
         self._write_world()
         for part in self._model.parts:
             self._write_part(part)
-        for equality in root.findall("equality/*"):
-            self._write_equality(equality)
+        if self._has("equality") and self._has("constraint"):
+            for equality in root.findall("equality/*"):
+                self._write_equality(equality)
         for path in _NOT_OURS:
             if count := len(root.findall(f"{path}/*" if "/" not in path else path)):
-                self.left_out.append(f"{path}: {count}")
+                report.leave_out(f"{path}: {count}")
         self.scene = {
             "format": "spook scene", "version": 1,
             "summary": f"{root.get('model', name)}, a model in MJCF.",
-            "model": "rigid", "h": float(self._option.get("timestep", "0.002")), "time": 5, "solver": "auto",
+            "model": "rigid", "h": float(numbers(self._option, "timestep", 1, "0.002")[0]), "time": 5, "solver": "auto",
             "half_step_start": True,
             "settings": {"gravity": self._gravity(), "friction": self._friction()},
             "bodies": self._bodies}
         if self._joints:
             self.scene["joints"] = self._joints
+        if any("corners" in body for body in self._bodies):
+            self.scene["settings"]["points_pass"] = True  # it is named as left out
+
+    def _has(self, flag: str) -> bool:
+        return self._flags.get(flag, "enable") != "disable"
 
     def _gravity(self) -> list[float]:
-        if self._flags.get("gravity") == "disable":
+        """MJCF may take a part of each body's weight away; a scene of ours has one gravity."""
+        if not self._has("gravity"):
             return [0.0, 0.0, 0.0]
-        return [float(word) for word in self._option.get("gravity", "0 0 -9.81").split()]
+        parts = {part.gravcomp for part in self._model.parts} if self._has("passive") else {0.0}
+        if len(parts) > 1:
+            for part in self._model.parts:
+                if part.gravcomp != 0:
+                    self._report.leave_out("gravcomp of bodies, which is not the same for all", part.element)
+        kept = 1 - parts.pop() if len(parts) == 1 else 1
+        return [float(kept * each) for each in numbers(self._option, "gravity", 3, "0 0 -9.81")]
 
     def _friction(self) -> float:
-        """MJCF's is the larger of two geoms'; a scene of ours has one."""
-        pairs = {max(friction_of(plane), geom.friction) for plane in self._planes
-                 for part in self._model.parts for geom in part.geoms if geom.touches(masks_of(plane))}
+        """MJCF's is the larger of two geoms', and none where both have condim 1; a scene of ours has one."""
+        below = [(masks_of(plane), friction_of(plane), condim_of(plane)) for plane in self._planes]
+        below += [(solid.masks, solid.friction, solid.condim) for solid in self._solids]
+        pairs = {max(friction, geom.friction) if max(condim, geom.condim) > 1 else 0.0
+                 for masks, friction, condim in below
+                 for part in self._model.parts for geom in part.geoms if geom.touches(masks)}
         if len(pairs) > 1:
-            self.left_out.append(f"all frictions but the largest, {max(pairs):g}")
+            self._report.leave_out(f"all frictions but the largest, {max(pairs):g}")
         return max(pairs, default=0.0)
+
+    def _as_points(self, root: Element) -> set[int]:
+        """Parts, by id, that become points, as contacts with another free body are excluded."""
+        found = set()
+        for exclude in root.findall("contact/exclude"):
+            one, two = (self._model.body(exclude.get(key, ""), "a contact exclude")[0] for key in ("body1", "body2"))
+            if one is not two and self._is_solid(one) and self._is_solid(two):
+                found.add(id(two))
+                self._report.stand_in(f"\"{two.name}\" is points that planes stop, since its contacts with "
+                                      f"\"{one.name}\" are excluded", exclude)
+        return found
 
     def _add(self, body: dict, name: str, x: np.ndarray, q: np.ndarray) -> int:
         taken = {each["name"] for each in self._bodies}
@@ -71,14 +107,22 @@ class SceneWriter:
 
     def _write_world(self) -> None:
         if not self._touches:
-            self.left_out.append("all contacts: the model's option turns them off")
+            self._report.stand_in("no body has a shape: the model's option turns contacts off")
         for plane in self._planes:
             self._add({"plane": {"n": _list(numbers(plane, "n", 3)), "offset": float(plane.get("offset"))}},
                       plane.get("name", "plane"), np.zeros(3), IDENTITY)
             if any(numbers(plane, "size", None, "0 0")[:2] > 0):
-                self._model.leave_out("edges of planes, which here have none")
-        if self._touches and any(any(geom.masks) for geom in self._model.world.geoms):
-            self._model.leave_out("static bodies other than planes")
+                self._report.leave_out("edges of planes, which here have none", plane)
+        for geom in self._model.world.geoms if self._touches else []:
+            if not any(geom.masks):
+                continue
+            if geom.kind not in ("sphere", "capsule", "box"):
+                self._report.leave_out(f"static {geom.kind}s", geom.element)
+                continue
+            q = from_matrix(geom.R)
+            self._add({"fixed": True, "x": _list(geom.x), "q": _list(q)} | _shape_of(geom),
+                      geom.element.get("name", f"static {geom.kind}"), geom.x, q)
+            self._solids.append(geom)
         if any(part.joints and part.parent is None for part in self._model.parts):
             self._number(self._model.world)
 
@@ -100,7 +144,8 @@ class SceneWriter:
                 below = self._add({"x": _list(joint.point), "mass": of_link,
                                    "principal": [_LINK * float(moments.max())] * 3},
                                   f"{part.name}, link {k + 1}", joint.point, IDENTITY)
-                self._stand_in(f"of several joints at a body all but the last lead to a link, of {_LINK:g} of its mass")
+                self._report.stand_in(
+                    f"of several joints at a body all but the last lead to a link, of {_LINK:g} of its mass")
             self._join(above, below, joint.point, _held_by(joint, matrix(inverse(self._placed[above][1]))))
             above = below
 
@@ -109,23 +154,34 @@ class SceneWriter:
         self._joints.append({"i": self._bodies[i]["name"], "j": self._bodies[j]["name"],
                              "p_i": _list(in_axes(q_i, point - x_i)), "p_j": _list(in_axes(q_j, point - x_j))} | held)
 
+    def _is_solid(self, part: Part) -> bool:
+        """A free body of one sphere, capsule or box."""
+        alone = part.free and len(part.geoms) == 1 and not part.inertial
+        return alone and part.geoms[0].kind in ("sphere", "capsule", "box") and not any(
+            each.parent is part for each in self._model.parts)
+
     def _shape(self, part: Part, x: np.ndarray, q: np.ndarray) -> dict:
         """A sphere, a capsule or a box where a free body is one; else points that planes stop."""
-        geoms = [geom for geom in part.geoms if any(geom.touches(masks_of(plane)) for plane in self._planes)]
+        if not self._touches:
+            return {}
+        masks = [masks_of(plane) for plane in self._planes]
+        solid = self._is_solid(part) and id(part) not in self._points
+        if solid:
+            masks += [geom.masks for geom in self._solids]
+            masks += [geom.masks for other in self._model.parts if other is not part for geom in other.geoms]
+        geoms = [geom for geom in part.geoms if any(geom.touches(each) for each in masks)]
+        if not solid and any(geom.touches(each.masks) for geom in part.geoms for each in self._solids):
+            self._report.leave_out("contacts of bodies with joints, or of several geoms, with static solids",
+                                   part.element)
         if not geoms:
             return {}
-        alone = part.free and len(part.geoms) == 1 and not part.inertial
-        alone = alone and not any(each.parent is part for each in self._model.parts)
-        if alone and geoms[0].kind == "sphere":
-            return {"radius": float(geoms[0].size[0])}
-        if alone and geoms[0].kind == "capsule":
-            return {"radius": float(geoms[0].size[0]), "half_length": float(geoms[0].size[1])}
-        if alone and geoms[0].kind == "box":
-            return {"half_sides": _list(geoms[0].size)}
-        self._model.leave_out("contacts of bodies with joints, or of several geoms, with anything but planes")
+        if solid:
+            return _shape_of(geoms[0])
+        if id(part) not in self._points:
+            self._report.leave_out("contacts of bodies with joints, or of several geoms, with anything but planes")
         for kind in sorted({geom.kind for geom in geoms} - {"box"}):
             count = len(_points(geoms, kind))
-            self._stand_in(f"{kind}s there are points on their surface, {count} each, which planes stop")
+            self._report.stand_in(f"{kind}s there are points on their surface, {count} each, which planes stop")
         points = np.vstack([geom.points() for geom in geoms])
         return {"corners": [_list(in_axes(q, point - x)) for point in points]}
 
@@ -135,13 +191,13 @@ class SceneWriter:
         if whole.get("active", "true") == "false":
             return
         if whole.tag not in ("connect", "weld") or "body1" not in whole.attrib:
-            self.left_out.append(name)
+            self._report.leave_out(name, equality)
             return
         (one, x, q), (two, _, _) = (self._model.body(whole.get(key, "world"), name) for key in ("body1", "body2"))
         if one is two:
             return
         if "relpose" in whole.attrib and any(numbers(whole, "relpose", 7)[3:]):
-            self.left_out.append(f"relpose of {name}: it holds them as they begin")
+            self._report.leave_out(f"relpose of {name}: it holds them as they begin", equality)
         point = x + matrix(q) @ numbers(whole, "anchor", 3, "0 0 0")
         self._join(self._number(one), self._number(two), point, {} if whole.tag == "connect" else {"kind": "weld"})
 
@@ -150,10 +206,6 @@ class SceneWriter:
             fixed = {"fixed": True, "x": [0.0, 0.0, 0.0]}
             self._part_number[id(part)] = self._add(fixed, "world", np.zeros(3), IDENTITY)
         return self._part_number[id(part)]
-
-    def _stand_in(self, what: str) -> None:
-        if what not in self.instead:
-            self.instead.append(what)
 
 
 def _held_by(joint: ModelJoint, to_axes: np.ndarray) -> dict:
@@ -166,6 +218,13 @@ def _held_by(joint: ModelJoint, to_axes: np.ndarray) -> dict:
     if joint.damping > 0:
         held["motor"] = {"speed": 0, "viscosity": joint.damping}
     return held
+
+
+def _shape_of(geom: Geom) -> dict:
+    """Of a sphere, a capsule or a box, along its own axes."""
+    if geom.kind == "box":
+        return {"half_sides": _list(geom.size)}
+    return {"radius": float(geom.size[0])} | ({"half_length": float(geom.size[1])} if geom.kind == "capsule" else {})
 
 
 def _points(geoms: list[Geom], kind: str) -> np.ndarray:

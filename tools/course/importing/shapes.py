@@ -24,6 +24,8 @@ class Geom:
     moments: np.ndarray  # about its centre, along its axes [kg m²]
     friction: float
     masks: tuple[int, int]  # contype and conaffinity
+    condim: int = 3  # 1: without friction
+    element: Element | None = None
 
     def moved(self, x: np.ndarray, R: np.ndarray) -> "Geom":
         return replace(self, x=x + R @ self.x, R=R @ self.R)
@@ -37,7 +39,11 @@ class Geom:
 
 
 def masks_of(element: Element) -> tuple[int, int]:
-    return int(element.get("contype", "1")), int(element.get("conaffinity", "1"))
+    return int(numbers(element, "contype", 1, "1")[0]), int(numbers(element, "conaffinity", 1, "1")[0])
+
+
+def condim_of(element: Element) -> int:
+    return int(numbers(element, "condim", 1, "3")[0])
 
 
 def friction_of(element: Element) -> float:
@@ -63,7 +69,8 @@ def geom_of(element: Element, in_degrees: bool, euler_order: str) -> Geom | None
     volume, moments = _VOLUME[kind](size)
     mass = numbers(element, "mass", 1)[0] if "mass" in element.attrib else (
         numbers(element, "density", 1, str(DENSITY))[0] * volume)
-    return Geom(kind, x, R, size, float(mass), mass * moments, friction_of(element), masks_of(element))
+    return Geom(kind, x, R, size, float(mass), mass * moments, friction_of(element), masks_of(element),
+                condim_of(element), element)
 
 
 # Volume [m³], and moments for each kilogram [m²].

@@ -11,6 +11,8 @@ import numpy as np
 
 from errors import BadInput
 from importing.defaults import Defaults
+from importing.replicate import expand
+from importing.report import Report
 from importing.shapes import Geom, geom_of
 from importing.turning import IDENTITY, from_matrix, inverse, matrix, numbers, product, turn_of, unit
 
@@ -38,6 +40,8 @@ class Part:
     geoms: list[Geom] = field(default_factory=list)  # in the world
     # Mass, centre and inertia about it, in the world.
     inertial: list[tuple[float, np.ndarray, np.ndarray]] = field(default_factory=list)
+    gravcomp: float = 0.0  # the part of its weight that is taken away
+    element: Element | None = None
 
     def mass_and_inertia(self) -> tuple[float, np.ndarray, np.ndarray]:
         """Mass, centre [m] and inertia about it, in the world's axes [kg m²]."""
@@ -53,8 +57,9 @@ class Part:
 
 
 class Model:
-    def __init__(self, root: Element, left_out: list[str]):
-        self.left_out = left_out
+    def __init__(self, root: Element, report: Report, limits: bool = True, damping: bool = True):
+        """`limits` and `damping` say if joints have any: the options of a model may turn them off."""
+        self.report, self._has_limits, self._has_damping = report, limits, damping
         self.defaults = Defaults(root)
         compiler = {key: value for each in root.findall("compiler") for key, value in each.attrib.items()}
         self.in_degrees = compiler.get("angle", "degree") == "degree"
@@ -63,9 +68,12 @@ class Model:
         self._autolimits = compiler.get("autolimits", "true") == "true"
         if compiler.get("coordinate", "local") != "local":
             raise BadInput("coordinate=\"global\" was given up by MJCF itself: save the model with MuJoCo 2.3 first")
+        whole = Element("compiler", compiler)
         for name in ("settotalmass", "boundmass", "boundinertia"):
-            if float(compiler.get(name, "-1").split()[0]) > 0:
-                left_out.append(f"compiler {name}")
+            if numbers(whole, name, 1, "-1")[0] > 0:
+                report.leave_out(f"compiler {name}", whole)
+        for world in root.findall("worldbody"):
+            expand(world, self.in_degrees, self.euler_order)
         self.world = Part("world", None, False, [])
         self.planes: list[Element] = []
         self.parts: list[Part] = []
@@ -87,18 +95,23 @@ class Model:
                 at = x + R @ numbers(child, "pos", 3, "0 0 0")
                 turned = product(q, turn_of(child, self.in_degrees, self.euler_order))
                 self._read_body(child, part, at, turned, child.get("childclass", childclass))
-            elif child.tag in ("composite", "flexcomp", "replicate", "attach"):
-                self.left_out.append(f"{child.tag} \"{child.get('name', child.get('prefix', ''))}\"")
+            elif child.tag in ("composite", "flexcomp", "attach"):
+                self.report.leave_out(f"{child.tag} \"{child.get('name', child.get('prefix', ''))}\"", child)
 
     def _read_body(self, body: Element, parent: Part, x: np.ndarray, q: np.ndarray, childclass: str | None) -> None:
         joints = [self.defaults.applied(joint, childclass) for joint in body.findall("joint")]
+        if body.get("mocap", "false") == "true":
+            self.report.stand_in("a mocap body is static, as nothing moves it", body)
         free = body.find("freejoint") is not None or any(joint.get("type") == "free" for joint in joints)
         name = body.get("name") or f"body {len(self.parts) + 1}"
         part = parent
         if joints or free:
             above = None if free or parent is self.world else parent
-            part = Part(name, above, free, [] if free else [self._joint(each, x, q) for each in joints])
+            part = Part(name, above, free, [] if free else [self._joint(each, x, q) for each in joints],
+                        gravcomp=float(numbers(body, "gravcomp", 1, "0")[0]), element=body)
             self.parts.append(part)
+        elif parent is not self.world and numbers(body, "gravcomp", 1, "0")[0] != 0:
+            self.report.leave_out("gravcomp of a body that moves with its parent", body)
         self.bodies[name] = part, x, q
         self._read(body, part, x, q, childclass)
 
@@ -108,10 +121,10 @@ class Model:
             raise BadInput(f"joint \"{name}\" must be a hinge, slide, ball or free joint, but is \"{kind}\"")
         for key in ("stiffness", "frictionloss", "armature"):
             if numbers(joint, key, None, "0")[0] != 0:
-                self.leave_out(f"{key} of joints")
-        damping = numbers(joint, "damping", None, "0")[0]
+                self.report.leave_out(f"{key} of joints", joint)
+        damping = numbers(joint, "damping", None, "0")[0] if self._has_damping else 0.0
         if kind == "ball" and damping != 0:
-            self.leave_out("damping of ball joints")
+            self.report.leave_out("damping of ball joints", joint)
         return ModelJoint(kind, name, x + matrix(q) @ numbers(joint, "pos", 3, "0 0 0"),
                      matrix(q) @ unit(numbers(joint, "axis", 3, "0 0 1")), self._limits(joint, kind), float(damping))
 
@@ -119,13 +132,15 @@ class Model:
         limited = joint.get("limited", "auto")
         if limited == "auto":
             limited = "true" if self._autolimits and "range" in joint.attrib else "false"
-        if limited != "true":
+        if limited != "true" or not self._has_limits:
             return None
         if kind == "ball":
-            self.leave_out("limits of ball joints")
+            self.report.leave_out("limits of ball joints", joint)
             return None
         per_unit = np.pi / 180 if kind == "hinge" and self.in_degrees else 1
         lower, upper = (numbers(joint, "range", 2) - numbers(joint, "ref", 1, "0")) * per_unit
+        if not lower <= 0 <= upper:
+            self.report.stand_in("a joint begins outside its limits: the first steps push it back", joint)
         return float(lower), float(upper)
 
     def _take_masses(self, body: Element, part: Part, x: np.ndarray, q: np.ndarray, childclass: str | None) -> None:
@@ -145,7 +160,8 @@ class Model:
             elif kind == "plane" and part is self.world:
                 self.planes.append(self._placed(whole, x, q))
             else:
-                self.left_out.append(f"geom \"{whole.get('name', '')}\" of type {kind}: its shape and its mass")
+                self.report.leave_out(f"geom \"{whole.get('name', '')}\" of type {kind}: its shape and its mass",
+                                      whole)
 
     def _inertial(self, inertial: Element, x: np.ndarray, q: np.ndarray) -> tuple[float, np.ndarray, np.ndarray]:
         R = matrix(product(q, turn_of(inertial, self.in_degrees, self.euler_order)))
@@ -170,11 +186,6 @@ class Model:
         if name not in self.bodies:
             raise BadInput(f"{who} names a body that there is not: \"{name}\"")
         return self.bodies[name]
-
-    def leave_out(self, what: str) -> None:
-        """Once, however often it is there."""
-        if what not in self.left_out:
-            self.left_out.append(what)
 
 
 def principal(inertia: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

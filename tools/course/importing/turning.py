@@ -6,6 +6,7 @@ from xml.etree.ElementTree import Element
 import numpy as np
 
 from errors import BadInput
+from importing.report import where
 
 IDENTITY = np.array([1.0, 0, 0, 0])
 
@@ -87,9 +88,12 @@ def numbers(element: Element, name: str, count: int | None = None, default: str 
     except ValueError:
         values = np.array([math.nan])
     if not np.all(np.isfinite(values)) or (count is not None and len(values) != count):
-        raise BadInput(f"{name} of {_named(element)} must be {count or 'finite'} numbers, but is \"{text}\"")
+        wanted = "a finite number" if count == 1 else f"{count or 'finite'} numbers"
+        raise BadInput(f"{name} of {_named(element)} must be {wanted}, but is \"{text}\"")
     return values
 
 
 def _named(element: Element) -> str:
-    return f"{element.tag} \"{element.get('name')}\"" if element.get("name") else f"a {element.tag}"
+    place = f" ({where(element)})" if where(element) else ""
+    one = {"option": "the option", "compiler": "the compiler"}.get(element.tag, f"a {element.tag}")
+    return (f"{element.tag} \"{element.get('name')}\"" if element.get("name") else one) + place

@@ -15,8 +15,12 @@ is finite and wrong says so once, as a RuntimeWarning, and in its state and reas
 """
 
 from ._spook import SimulationDiverged, PointWorld, World, __version__, scenes, solvers
+from .arguments import explained
 from .scene import Run, Scene, scene
 from .sweep import Table, sweep
+
+explained(World)
+explained(PointWorld)
 
 __all__ = ["SimulationDiverged", "PointWorld", "Run", "Scene", "Table", "World", "__version__", "scene", "scenes", "solvers",
            "sweep"]

@@ -33,6 +33,14 @@ class _EitherWorld:
         """An impulse through the body's centre [N s]."""
     def place(self, body: int, x: Vector | None = None, v: Vector | None = None) -> None:
         """Puts a body that moves somewhere [m], and lets it move [m/s]; what is left out stays as it is."""
+    def place_all(self, *, x: Array | None = None, v: Array | None = None) -> None:
+        """Puts all bodies that move at the rows of x [m] and gives them those of v [m/s], as place does; a row for each
+        body, and rows of static ones are ignored."""
+    def save(self) -> Self:
+        """Returns a copy, to go back to by restore: bodies, joints, time, the impulses of a warm start."""
+    def restore(self, saved: Self) -> None:
+        """Goes back to a copy; the next steps are those of the copy, to the last bit. Raises BufferError while there are
+        arrays that look at the bodies."""
     def move_fixed(self, body: int, x: Vector) -> None:
         """Puts a fixed body elsewhere [m]."""
     def start_half_step_back(self, h: float) -> None:
@@ -77,7 +85,8 @@ class _EitherWorld:
         """The contacts of the last step, copies: i, j, gap [m], point [m], normal, normal_impulse and impulse [N s], and
         force [N], on j."""
     def joints(self) -> dict[str, Any]:
-        """The joints, copies: kind, i, j, and what each did to j in the last step: force [N], and in a World torque [N m]."""
+        """The joints, copies: kind, i, j, and what each did to j in the last step: force [N], and in a World torque [N m].
+        A World has position [rad or m] and speed of hinges and sliders, too; NaN for other joints."""
     def joint_impulse(self, joint: int) -> Array:
         """Of each row of a joint in the last step [N s], a copy."""
     def joint_force(self, joint: int) -> Array:
@@ -150,6 +159,9 @@ class World(_EitherWorld):
         """At its centre from now on, beside its weight [N, N m], in world coordinates; until it is set anew."""
     def turn(self, body: int, q: Sequence[float] | None = None, omega: Vector | None = None) -> None:
         """Gives a body that moves an orientation, and lets it turn [rad/s]; what is left out stays as it is."""
+    def turn_all(self, *, q: Array | None = None, omega: Array | None = None) -> None:
+        """Gives all bodies that move the orientations of q and the angular velocities of omega [rad/s], as turn does; a row
+        for each body, and rows of static ones are ignored."""
     def synchronized_angular_velocity(self, body: int, h: float) -> Array:
         """The angular velocity at the time of the position, as synchronized_velocity."""
     def add_hinge(self, i: int, j: int, p_i: Vector = ..., p_j: Vector = ..., axis: Vector = (0, 0, 1),

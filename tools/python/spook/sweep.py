@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import html
-import itertools
 import math
 import os
 import sys
@@ -12,6 +11,7 @@ from typing import Any, Iterable, Iterator
 
 import numpy as np
 
+from . import grid
 from ._spook import SimulationDiverged
 from .scene import OPTIONS, Scene
 
@@ -19,10 +19,15 @@ RESULTS = ("h", "error", "order", "state", "us_per_step", "seconds", "row_update
 
 
 class Table:
-    """Rows, each a dict. `table["error"]` is a column; pandas.DataFrame(table.rows) is one of pandas'."""
+    """Rows, each a dict. `table["error"]` is a column; pandas.DataFrame(table.rows) is one of pandas'.
 
-    def __init__(self, rows: list[dict[str, Any]]):
+    `skipped` has a dict for each combination that is refused, with the reason as "why".
+    """
+
+    def __init__(self, rows: list[dict[str, Any]], names: Iterable[str] = (), skipped: list[dict[str, Any]] | None = None):
         self.rows = rows
+        self.skipped = skipped or []
+        self._names = tuple(names)  # what is swept
 
     @property
     def columns(self) -> list[str]:
@@ -40,13 +45,33 @@ class Table:
         return np.array([row[column] for row in self.rows])
 
     def where(self, **values: Any) -> Table:
-        """The rows with these values: table.where(solver="direct")."""
-        return Table([row for row in self.rows if all(row[name] == value for name, value in values.items())])
+        """The rows with these values: table.where(solver="direct", h="1/60"). Numbers may be typed or computed."""
+        for name in values:
+            if self.rows and name not in self.columns:
+                raise KeyError(f"{name!r} is no column; there are: {', '.join(self.columns)}")
+        rows = [row for row in self.rows if all(grid.same(row[name], value) for name, value in values.items())]
+        return Table(rows, self._names)
+
+    def means(self, over: str = grid.SEED) -> Table:
+        """The mean error over seeds, or over another name: `runs`, `mean`, `half_width` for each other combination.
+
+        half_width is that of the 95 % confidence interval of the mean, if errors are normally distributed; NaN for
+        fewer than two runs. Runs without an error are left out. Raises KeyError for a name that is not swept.
+        """
+        if over not in self._names:
+            raise KeyError(f"{over!r} is not swept; swept are: {', '.join(self._names)}")
+        return Table([{**mean.point, "runs": mean.runs, "mean": _or_nan(mean.mean), "half_width": _or_nan(mean.half_width)}
+                      for mean in grid.means(self.rows, self._names, over)])
+
+    def to_csv(self, file: str | os.PathLike) -> None:
+        """Writes a line of column names and a line for each row. Raises OSError."""
+        grid.write_csv(file, self.rows)
 
     def __repr__(self) -> str:
         lines = [self.columns, *([_short(value) for value in row.values()] for row in self.rows)]
         widths = [max(map(len, column)) for column in zip(*lines)]
-        return "\n".join("  ".join(word.rjust(width) for word, width in zip(line, widths)) for line in lines)
+        table = "\n".join("  ".join(word.rjust(width) for word, width in zip(line, widths)) for line in lines)
+        return table + (f"\n{len(self.skipped)} combinations skipped: see skipped" if self.skipped else "")
 
     def _repr_html_(self) -> str:
         def line(words: Iterable[str], tag: str) -> str:
@@ -59,35 +84,42 @@ class Table:
 def sweep(scene: Scene, *, jobs: int | None = None, progress: bool = True, **lists: Any) -> Table:
     """Runs the scene with every combination of what is listed, on all cores, or on so many.
 
-    A name is an option of Scene.run or a parameter of the scene; its value a list, or one value. A row has these, and:
+    A name is a parameter of the scene, or else an option of Scene.run; its value a list, or one value. A row has
+    these, and:
 
         h             as a number [s]
         error         against the known answer
-        order         observed, from the last longer or shorter h with all else equal: log(e/e')/log(h/h')
+        order         observed, from the last row where only h (or else d, or k) differs: log(e/e')/log(h/h')
         state         sound, unsolved, lost, or blew up
         us_per_step   [µs]; while other cores run, more than alone. jobs=1 measures speed
         seconds       what the run takes to compute [s]
         row_updates   the same cost on every machine
 
-    Raises ValueError for what makes no sense, before anything is run.
+    Combinations that are refused are skipped: the table's `skipped` has them. Raises ValueError for a value that every
+    combination refuses, before anything is run.
     """
-    values = [list(value) if isinstance(value, (list, tuple, range, np.ndarray)) else [value]
-              for value in lists.values()]
-    points = [dict(zip(lists, combination)) for combination in itertools.product(*values)]
-    prepared = [_prepared(scene, point) for point in points]
+    axes = {name: list(value) if isinstance(value, (list, tuple, range, np.ndarray)) else [value]
+            for name, value in lists.items()}
+    points = grid.combinations(axes)
     if jobs is not None and jobs < 1:
         raise ValueError(f"jobs must be at least 1, but is {jobs}")
+    prepared = [_prepared(scene, point) for point in points]
+    refusals = [run if isinstance(run, str) else "" for run in prepared]
+    if why := grid.impossible_value(points, refusals) or (all(refusals) and next(iter(refusals), "")):
+        raise ValueError(why)
+    asked = [(point, run) for point, run in zip(points, prepared) if not isinstance(run, str)]
     with ThreadPoolExecutor(jobs or _processors()) as pool:
-        futures = [pool.submit(_row, *run) for run in prepared]
+        futures = [pool.submit(_row, *run) for _, run in asked]
         try:
             for done, _ in enumerate(as_completed(futures), 1):
                 _tell(done, len(futures), progress)
         except BaseException:
             pool.shutdown(wait=False, cancel_futures=True)
             raise
-    rows = [{**point, **future.result()} for point, future in zip(points, futures)]
-    _put_orders(rows, points)
-    return Table(rows)
+    rows = [{**point, **future.result()} for (point, _), future in zip(asked, futures)]
+    for row, (_, order) in zip(rows, grid.orders(rows, axes)):
+        row["order"] = _or_nan(order)
+    return Table(rows, axes, [{**point, "why": why} for point, why in zip(points, refusals) if why])
 
 
 def _processors() -> int:
@@ -95,11 +127,14 @@ def _processors() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
-def _prepared(scene: Scene, point: dict[str, Any]) -> tuple[Scene, dict[str, Any]]:
-    options = {name: value for name, value in point.items() if name in OPTIONS}
-    parameters = {name: value for name, value in point.items() if name not in OPTIONS}
-    changed = scene.with_parameters(**parameters)
-    changed.check(options)
+def _prepared(scene: Scene, point: dict[str, Any]) -> tuple[Scene, dict[str, Any]] | str:
+    """The scene and options of a run, or why they are refused."""
+    options = {name: value for name, value in point.items() if name in OPTIONS and name not in scene.about["parameters"]}
+    try:
+        changed = scene.with_parameters(**{name: value for name, value in point.items() if name not in options})
+        changed.check(options)
+    except ValueError as error:
+        return str(error)
     return changed, options
 
 
@@ -109,18 +144,12 @@ def _row(scene: Scene, options: dict[str, Any]) -> dict[str, Any]:
         run = scene.run_with(options)
     except SimulationDiverged:
         return none | {"state": "blew up"}
-    return none | {"h": run.h, "error": run.error, "state": run.state, "us_per_step": run.us_per_step or math.nan,
+    return none | {"h": run.h, "error": run.error, "state": run.state, "us_per_step": _or_nan(run.us_per_step),
                    "seconds": run.seconds, "row_updates": run.row_updates}
 
 
-def _put_orders(rows: list[dict[str, Any]], points: list[dict[str, Any]]) -> None:
-    last: dict[tuple, dict[str, Any]] = {}
-    for row, point in zip(rows, points):
-        others = tuple((name, str(value)) for name, value in point.items() if name != "h")
-        before = last.get(others)
-        last[others] = row
-        if before and row["error"] > 0 and before["error"] > 0 and row["h"] != before["h"]:
-            row["order"] = math.log(row["error"] / before["error"]) / math.log(row["h"] / before["h"])
+def _or_nan(number: float | None) -> float:
+    return math.nan if number is None else number
 
 
 def _tell(done: int, of: int, progress: bool) -> None:

@@ -1,0 +1,65 @@
+#include "engine/solvers/recovery.hpp"
+
+#include <algorithm>
+
+#include "engine/solvers/islands.hpp"
+
+namespace spook {
+
+static constexpr double softness = 1e-3;  // of S_kk, in place of Σ
+
+/// Returns G (W + W_f + V) of Eq. (7.17) [m/s], or without V where there is none.
+template <int Dof>
+static double opening_speed(const Row<Dof>& row, const Motion<Dof>& motion, const std::vector<Twist<Dof>>* V) {
+  const auto after = [&](int body) -> Twist<Dof> {
+    const Twist<Dof> free = motion.W[body] + motion.Wf[body];
+    return V ? Twist<Dof>(free + (*V)[body]) : free;
+  };
+  return row.Gi.dot(after(row.i)) + row.Gj.dot(after(row.j));
+}
+
+/// Makes the row one that stops what closes it, and no more.
+template <int Dof>
+static void forget_gap(Row<Dof>& row, const Motion<Dof>& motion) {
+  row.diagonal -= row.Sigma;
+  row.Sigma = std::min(row.Sigma, softness * row.diagonal);
+  row.diagonal += row.Sigma;
+  row.B = -opening_speed<Dof>(row, motion, nullptr);
+}
+
+template <int Dof>
+std::vector<Row<Dof>> rows_without_recovery(const SolverInput<Dof>& s, double ignored,
+                                            const std::function<bool(const Contact&)>& may_throw) {
+  const std::size_t joints = s.first_contact_row, contacts = s.contacts.size();
+  if (contacts == 0) return {};
+  const std::size_t rows_of_one = (s.rows.size() - joints) / contacts;
+  const Motion<Dof>& motion = s.bodies.motion;
+  std::vector<bool> recovers(s.rows.size(), false);
+  bool any = false;
+  for (std::size_t c = 0; c < contacts; ++c) {
+    const std::size_t k = joints + rows_of_one * c;
+    if (!(s.rows[k].lambda > 0) || !(opening_speed(s.rows[k], motion, &s.V) > ignored)) continue;
+    recovers[k] = !may_throw || !may_throw(s.contacts[c]);
+    any = any || recovers[k];
+  }
+  if (!any) return {};
+
+  std::vector<Row<Dof>> rows = s.rows;
+  for (const std::vector<int>& island : islands(rows, s.bodies.size())) {
+    if (std::none_of(island.begin(), island.end(), [&](int k) { return recovers[k]; })) continue;
+    for (const int row : island) {
+      const auto k = static_cast<std::size_t>(row);
+      if (k < joints || (k - joints) % rows_of_one != 0) continue;
+      const Contact& contact = s.contacts[(k - joints) / rows_of_one];
+      if (contact.gap <= 0 && !(may_throw && may_throw(contact))) forget_gap(rows[k], motion);
+    }
+  }
+  return rows;
+}
+
+template std::vector<Row<3>> rows_without_recovery(const SolverInput<3>&, double,
+                                                   const std::function<bool(const Contact&)>&);
+template std::vector<Row<6>> rows_without_recovery(const SolverInput<6>&, double,
+                                                   const std::function<bool(const Contact&)>&);
+
+}  // namespace spook

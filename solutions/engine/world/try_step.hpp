@@ -1,0 +1,21 @@
+#pragma once
+// A step that returns what became of it, for programs that go on after a world has diverged.
+#include <optional>
+
+#include "engine/world/world.hpp"
+
+namespace spook {
+
+/// Takes a step of h [s] and returns nothing, or why the world diverged, where step() throws it.
+/// Throws std::invalid_argument for h, as step() does.
+template <int Dof>
+[[nodiscard]] std::optional<SimulationDiverged> try_step(World<Dof>& world, double h) {
+  try {
+    world.step(h);
+    return {};
+  } catch (const SimulationDiverged& diverged) {
+    return diverged;
+  }
+}
+
+}  // namespace spook

@@ -1,0 +1,195 @@
+// Recovery: overlaps and impacts without restitution leave no speed, Eq. (7.17).
+#include "engine/solvers/recovery.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/diagnostics/conserved_quantities.hpp"
+#include "engine/world/world.hpp"
+#include "random_input.hpp"
+
+namespace spook::recovery_test {
+namespace {
+
+constexpr double g = 9.81;
+constexpr double steps_to_try[] = {1.0 / 30, 1.0 / 60, 1.0 / 240, 1.0 / 1000};
+
+/// What a step leaves of an overlap, 1 - a h, with the relaxation of contacts.
+constexpr double share_left = 1 - 4 / (1 + 4 * relaxation_of_contacts);
+
+/// The second solve leaves a thousandth of the speed that it stops; gravity adds |g| h in a step, of which a hundredth is
+/// ignored.
+double ignored(double h) {
+  return 2e-2 * g * h;
+}
+
+World<6> on_a_floor(double friction = 0.5) {
+  World<6> world({.friction = friction});
+  world.add_plane(Vec3::UnitZ(), 0);
+  return world;
+}
+
+TEST(Recovery, LeavesNoReboundOfAFall) {
+  const Body<6> bodies[] = {{.mass = 1, .radius = 0.5},
+                            {.mass = 1, .radius = 0.5, .half_length = 0.25},
+                            {.mass = 1, .half_sides = Vec3::Constant(0.5)}};
+  for (const double height : {0.01, 1.0, 10.0, 100.0})
+    for (const double h : steps_to_try)
+      for (Body<6> body : bodies) {
+        World<6> world = on_a_floor();
+        body.x.z() = 0.5 + body.half_length + height;
+        const int falling = world.add(body);
+        double fastest = 0, rebound = 0;
+        while (world.time() < std::sqrt(2 * height / g) + 1) {
+          world.step(h);
+          fastest = std::max(fastest, -world.v(falling).z());
+          rebound = std::max(rebound, world.v(falling).z());
+        }
+        EXPECT_LE(rebound, 1e-2 * fastest + ignored(h)) << "from " << height << " m, h = " << h;
+        EXPECT_NEAR(world.x(falling).z(), 0.5 + body.half_length, 1e-3) << "from " << height << " m, h = " << h;
+      }
+}
+
+TEST(Recovery, MovesAnOverlapApartWithoutSpeed) {
+  for (const double h : steps_to_try)
+    for (const double depth : {1e-3, 0.05, 0.2}) {
+      World<6> world = on_a_floor();
+      const int cube = world.add({.x = Vec3(0, 0, 0.5 - depth), .mass = 1, .half_sides = Vec3::Constant(0.5)});
+      double left = depth;
+      for (int n = 0; n < 100; ++n) {
+        world.step(h);
+        EXPECT_LE(world.v(cube).z(), 1e-2 * std::sqrt(g * depth) + ignored(h))
+            << "depth " << depth << ", h = " << h;
+        // Σ > 0 lets a step take less than a h of it: h² k S is 3.4 at 1/240 and 0.2 at 1/1000.
+        const double now = 0.5 - world.x(cube).z();
+        EXPECT_LE(now, std::max(left, 1e-3 * 0.5)) << "step " << n;
+        left = now;
+      }
+      EXPECT_NEAR(world.x(cube).z(), 0.5, 1e-3 * 0.5) << "depth " << depth << ", h = " << h;
+      EXPECT_LE(world.v(cube).norm(), ignored(h));
+    }
+}
+
+TEST(Recovery, TakesThePartOfAnOverlapThatAAndDSay) {
+  // Without gravity k is that of joints, so that Σ is nothing beside S.
+  const double h = 1.0 / 60, depth = 0.1;
+  World<6> world({.gravity = Vec3::Zero()});
+  world.add_plane(Vec3::UnitZ(), 0);
+  const int ball = world.add({.x = Vec3(0, 0, 0.5 - depth), .mass = 1, .radius = 0.5});
+  for (int n = 1; n <= 10; ++n) {
+    world.step(h);
+    EXPECT_NEAR(0.5 - world.x(ball).z(), depth * std::pow(share_left, n), 1e-4 * depth) << "step " << n;
+    EXPECT_LE(world.v(ball).norm(), 1e-9);
+  }
+}
+
+TEST(Recovery, LetsCubesThatBeginInOnePlacePart) {
+  for (const double h : steps_to_try) {
+    World<6> world = on_a_floor();
+    std::vector<int> cubes;
+    for (int n = 0; n < 8; ++n) {
+      const Vec3 x(0.01 * (n % 3), 0.01 * (n % 2), 0.5 + 0.3 * n);
+      cubes.push_back(world.add({.x = x, .mass = 1, .half_sides = Vec3::Constant(0.5)}));
+    }
+    double up = 0;
+    while (world.time() < 2) {
+      world.step(h);
+      for (const int cube : cubes) up = std::max(up, world.v(cube).z());
+    }
+    EXPECT_LE(up, 1e-2 * std::sqrt(g * 0.7) + ignored(h)) << "h = " << h;
+    for (int n = 0; n < 8; ++n) EXPECT_NEAR(world.x(cubes[n]).z(), 0.5 + n, 2e-2) << "h = " << h;
+  }
+}
+
+TEST(Recovery, AddsNoEnergy) {
+  // Boxes, balls and capsules strewn into each other, without gravity: what they lose is lost.
+  testing::Random random;
+  for (int trial = 0; trial < 10; ++trial) {
+    World<6> world({.gravity = Vec3::Zero(), .friction = 0.5});
+    for (int n = 0; n < 6; ++n) {
+      Body<6> body{.mass = 1};
+      body.x = random.vector(0.4);
+      body.v = random.vector(1);
+      if (n % 2 == 0)
+        body.half_sides = Vec3::Constant(0.3);
+      else
+        body.radius = 0.3;
+      world.add(body);
+    }
+    double before = kinetic_energy(world.bodies());
+    for (int n = 0; n < 60; ++n) {
+      world.step(1.0 / 60);
+      const double after = kinetic_energy(world.bodies());
+      EXPECT_LE(after, before * (1 + 1e-3) + 1e-9) << "trial " << trial << ", step " << n;
+      before = after;
+    }
+  }
+}
+
+TEST(Recovery, BrakesASlidingImpactByCoulombsLaw) {
+  // Thrown at the floor: friction takes μ times what stops the fall, and no more for the overlap.
+  const double mu = 0.2, h = 1.0 / 240;
+  World<6> world = on_a_floor(mu);
+  const int box =
+      world.add({.x = Vec3(0, 0, 0.11), .v = Vec3(6, 0, -6), .mass = 1, .half_sides = Vec3(0.5, 0.5, 0.1)});
+  world.step(h);
+  const double after_a_step = 6;
+  for (int n = 0; n < 8; ++n) world.step(h);
+  // μ (v_z + g t): the fall's, and that of the weight since.
+  EXPECT_NEAR(world.v(box).x(), after_a_step - mu * (6 + g * 9 * h), 2e-3 * 6 + 2 * mu * g * h);
+}
+
+TEST(Recovery, LeavesASpringItsRebound) {
+  // k was asked for, of the world or of a body: a mass on a spring comes back with what its damping leaves.
+  for (const bool of_body : {false, true}) {
+    Settings<6> settings;
+    if (!of_body) settings.k = 1e3;
+    World<6> world(settings);
+    const int floor = world.add_plane(Vec3::UnitZ(), 0);
+    const int ball = world.add({.x = Vec3(0, 0, 1.5), .mass = 1, .radius = 0.5});
+    if (of_body) world.set_material(floor, {.k = 1e3});
+    double rebound = 0;
+    while (world.time() < 1) {
+      world.step(1e-4);
+      rebound = std::max(rebound, world.v(ball).z());
+    }
+    EXPECT_GE(rebound, 0.9 * std::sqrt(2 * g)) << (of_body ? "of the body" : "of the world");
+  }
+}
+
+TEST(Recovery, HoldsWhatIsJoined) {
+  // A dumbbell with one end in the floor comes out, and its other end is not thrown.
+  const double h = 1.0 / 60;
+  World<6> world = on_a_floor();
+  const int low = world.add({.x = Vec3(0, 0, 0.2), .mass = 1, .radius = 0.3});
+  const int high = world.add({.x = Vec3(0, 0, 1.2), .mass = 1, .radius = 0.3});
+  world.add_joint({.i = low, .j = high, .length = 1});
+  for (int n = 0; n < 60; ++n) {
+    world.step(h);
+    EXPECT_LE(world.v(high).z(), 1e-2 * std::sqrt(g * 0.1) + ignored(h)) << "step " << n;
+  }
+  EXPECT_NEAR(world.x(low).z(), 0.3, 1e-3);
+  EXPECT_NEAR(world.x(high).z(), 1.3, 1e-3);
+}
+
+TEST(Recovery, CostsNothingWhereAllRests) {
+  int calls = 0;
+  Settings<6> settings{.friction = 0.5};
+  const Solver<6> inner = settings.solver;
+  settings.solver.solve = [&calls, inner](const SolverInput<6>& s) {
+    ++calls;
+    return inner.solve(s);
+  };
+  World<6> world(settings);
+  world.add_plane(Vec3::UnitZ(), 0);
+  for (int n = 0; n < 3; ++n)
+    world.add({.x = Vec3(0, 0, 0.5 + n), .mass = 1, .half_sides = Vec3::Constant(0.5)});
+  for (int n = 0; n < 60; ++n) world.step(1.0 / 60);
+  calls = 0;
+  for (int n = 0; n < 60; ++n) world.step(1.0 / 60);
+  EXPECT_EQ(calls, 60);
+}
+
+}  // namespace
+}  // namespace spook::recovery_test

@@ -1,0 +1,134 @@
+"""Sweeps as ./course run and Python's spook.sweep share them: every combination of values, orders, means over seeds.
+
+A point is a dict of the swept names and one value of each; a row is a point with an "error", which is None or NaN
+where there is none.
+"""
+
+import csv
+import functools
+import itertools
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+ORDERED = ("h", "d", "k")  # names that an error may go with a power of
+SEED = "seed"
+
+
+def combinations(axes: Mapping[str, Sequence[Any]]) -> list[dict[str, Any]]:
+    """Returns the product of all values; the last name changes fastest."""
+    return [dict(zip(axes, values)) for values in itertools.product(*axes.values())]
+
+
+def impossible_value(points: Sequence[Mapping[str, Any]], refusals: Sequence[str]) -> str:
+    """Returns the refusal of a value that no combination takes; empty if each value is part of one that runs.
+
+    `refusals` has a message for each point, which is empty for a point that runs.
+    """
+    taken = {(name, str(value)) for point, why in zip(points, refusals) if not why for name, value in point.items()}
+    return next((why for point, why in zip(points, refusals)
+                 if why and any((name, str(value)) not in taken for name, value in point.items())), "")
+
+
+def number(value: Any) -> float | None:
+    """The value of a number or of a text such as 1/60; None for anything else."""
+    if isinstance(value, bool):
+        return None
+    try:
+        return float(Fraction(value)) if isinstance(value, str) else float(value)
+    except (TypeError, ValueError, ZeroDivisionError, OverflowError):
+        return None
+
+
+def same(one: Any, other: Any) -> bool:
+    """Returns True if two values are equal as they are typed: 1/60 may be a text or a number."""
+    if one == other or str(one) == str(other):
+        return True
+    numbers = number(one), number(other)
+    return None not in numbers and numbers[0] == numbers[1]
+
+
+def orders(rows: Sequence[Mapping[str, Any]], names: Iterable[str]) -> list[tuple[float | None, float | None]]:
+    """Returns for each row the ratio of errors and the observed order.
+
+    Both are from the last row before that differs in h, or else d, or else k, alone.
+
+    The order p of errors e and e' is log(e/e')/log(h/h'). A sweep of none of the three has none.
+    """
+    axis = next((name for name in ORDERED if name in names), None)
+    last: dict[tuple, Mapping[str, Any]] = {}
+    found = []
+    for row in rows:
+        others = tuple(str(row[name]) for name in names if name != axis)
+        found.append(_order(last[others], row, axis) if axis and others in last else (None, None))
+        last[others] = row
+    return found
+
+
+def _order(before: Mapping[str, Any], now: Mapping[str, Any], axis: str) -> tuple[float | None, float | None]:
+    values, errors = [number(before[axis]), number(now[axis])], [before["error"], now["error"]]
+    if not all(each and 0 < each < math.inf for each in values + errors) or values[0] == values[1]:
+        return None, None
+    return errors[0] / errors[1], math.log(errors[1] / errors[0]) / math.log(values[1] / values[0])
+
+
+@dataclass(frozen=True)
+class Mean:
+    point: dict[str, Any]  # without the seed
+    runs: int  # that have an error
+    mean: float | None
+    half_width: float | None  # of the 95 % confidence interval of the mean; None for fewer than two runs
+
+
+def means(rows: Sequence[Mapping[str, Any]], names: Iterable[str], over: str = SEED) -> list[Mean]:
+    """Returns the mean error over seeds for each combination of the other values.
+
+    The interval holds for errors that are normally distributed.
+    """
+    groups: dict[tuple, list[Mapping[str, Any]]] = {}
+    others = [name for name in names if name != over]
+    for row in rows:
+        groups.setdefault(tuple(str(row[name]) for name in others), []).append(row)
+    return [_mean({name: group[0][name] for name in others}, group) for group in groups.values()]
+
+
+def _mean(point: dict[str, Any], rows: list[Mapping[str, Any]]) -> Mean:
+    errors = [row["error"] for row in rows if row["error"] is not None and math.isfinite(row["error"])]
+    count = len(errors)
+    if count == 0:
+        return Mean(point, 0, None, None)
+    mean = math.fsum(errors) / count
+    if count == 1:
+        return Mean(point, 1, mean, None)
+    deviation = math.sqrt(math.fsum((error - mean) ** 2 for error in errors) / (count - 1))
+    return Mean(point, count, mean, student_t(count - 1) * deviation / math.sqrt(count))
+
+
+@functools.cache
+def student_t(freedom: int, probability: float = 0.95) -> float:
+    """Returns the t that a variable of Student's distribution exceeds in size with 1 - probability.
+
+    With t = √ν tan θ the density is proportional to cos^(ν-1) θ, and Simpson's rule integrates it. Beyond 12/√ν the
+    density is below round-off.
+    """
+    def part(angle: float, pieces: int = 200) -> float:
+        values = [math.cos(angle * k / pieces) ** (freedom - 1) for k in range(pieces + 1)]
+        return angle / (3 * pieces) * (values[0] + values[-1] + 4 * sum(values[1:-1:2]) + 2 * sum(values[2:-1:2]))
+
+    end = min(math.pi / 2, 12 / math.sqrt(freedom))
+    low, high, whole = 0.0, end, part(end)
+    for _ in range(60):
+        middle = (low + high) / 2
+        low, high = (middle, high) if part(middle) < probability * whole else (low, middle)
+    return math.sqrt(freedom) * math.tan(low)
+
+
+def write_csv(file: str, rows: Sequence[Mapping[str, Any]]) -> None:
+    """Writes a line of names, and a line for each row. Raises OSError."""
+    with open(file, "w", encoding="utf-8", newline="") as out:
+        lines = csv.writer(out, lineterminator="\n")
+        if rows:
+            lines.writerow(rows[0])
+        lines.writerows(["" if value is None else value for value in row.values()] for row in rows)

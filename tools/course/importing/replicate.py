@@ -1,0 +1,58 @@
+"""MJCF's replicate: what is within it, so many times, each copy placed from the one before."""
+
+import copy
+from xml.etree.ElementTree import Element
+
+import numpy as np
+
+from errors import BadInput
+from importing.turning import IDENTITY, matrix, numbers, product, turn_of
+
+_MOST = 10_000
+_NAMES = ("name", "joint", "body1", "body2")
+
+
+def expand(element: Element, in_degrees: bool, euler_order: str) -> None:
+    """Puts a frame for each copy in the place of every replicate; names within get the copy's number at their end."""
+    for child in list(element):
+        expand(child, in_degrees, euler_order)
+        if child.tag == "replicate":
+            place = list(element).index(child)
+            element.remove(child)
+            element[place:place] = _copies(child, in_degrees, euler_order)
+
+
+def _copies(replicate: Element, in_degrees: bool, euler_order: str) -> list[Element]:
+    count = numbers(replicate, "count", 1)[0]
+    if not (count == int(count) and 0 < count <= _MOST):
+        raise BadInput(f"count of a replicate must be a whole number from 1 to {_MOST}, "
+                       f"but is {replicate.get('count')}")
+    count, offset = int(count), numbers(replicate, "offset", 3, "0 0 0")
+    euler = numbers(replicate, "euler", 3, "0 0 0")
+    x, turned, frames = np.zeros(3), IDENTITY, []
+    turn = _turn(euler, in_degrees, euler_order)
+    for k in range(count):
+        q = _turn(k * euler, in_degrees, euler_order)
+        frame = Element("frame", {"pos": _text(x), "quat": _text(q)})
+        suffix = replicate.get("sep", "") + str(k).zfill(len(str(count - 1)))
+        for child in replicate:
+            frame.append(_renamed(copy.deepcopy(child), suffix))
+        frames.append(frame)
+        x, turned = x + matrix(turned) @ offset, product(turned, turn)
+    return frames
+
+
+def _turn(euler: np.ndarray, in_degrees: bool, euler_order: str) -> np.ndarray:
+    return turn_of(Element("frame", {"euler": _text(euler)}), in_degrees, euler_order)
+
+
+def _renamed(element: Element, suffix: str) -> Element:
+    for each in element.iter():
+        for name in _NAMES:
+            if name in each.attrib:
+                each.set(name, each.get(name) + suffix)
+    return element
+
+
+def _text(values: np.ndarray) -> str:
+    return " ".join(repr(float(value)) for value in values)

@@ -1,0 +1,41 @@
+"""A manifest beside a result: by which command, commit, compiler and machine it was computed."""
+
+import json
+import os
+import platform
+import subprocess
+import time
+from pathlib import Path
+
+from engine import RELEASE
+from machine import processors
+from version import commit, version
+
+
+def write_manifest(result: Path, command: list[str]) -> None:
+    """Writes RESULT.manifest.json. `command` is what was typed, with all options and seeds."""
+    manifest = {"command": ["./course", *command], "version": version(), "commit": commit(),
+                "compiler": _compiler(), "flags": RELEASE.setting("CMAKE_CXX_FLAGS"), "machine": _machine(),
+                "processors": processors(), "date": time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime())}
+    path = result.with_name(f"{result.name}.manifest.json")
+    path.write_text(json.dumps(manifest, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+
+
+def _compiler() -> str:
+    """The first line of what the compiler says of itself."""
+    path = RELEASE.setting("CMAKE_CXX_COMPILER")
+    try:
+        told = subprocess.run([path, "--version"], capture_output=True, text=True) if path else None
+    except OSError:
+        return path
+    return told.stdout.splitlines()[0] if told and told.stdout else path
+
+
+def _machine() -> str:
+    """The processor by its model, where the system names it."""
+    try:
+        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8", errors="replace").splitlines()
+        model = next(line.partition(":")[2].strip() for line in lines if line.startswith("model name"))
+    except (OSError, StopIteration):
+        model = platform.processor()
+    return f"{os.uname().sysname} {os.uname().machine}, {model or 'unknown processor'}"

@@ -1,0 +1,121 @@
+"""Explains arguments that no function takes: the extension module lists whole signatures, and not what is wrong."""
+
+from __future__ import annotations
+
+import difflib
+import functools
+import re
+from typing import Any, Callable
+
+import numpy as np
+
+_PARAMETER = re.compile(r"(\*)|(\w+): ((?:[^,\[(]|\[[^\]]*(?:\[[^\]]*\][^\]]*)*\]|\([^)]*\))+)")
+
+
+def explained(kind: type) -> type:
+    """Makes the functions of a class say in their TypeError which argument is wrong, and what is wanted."""
+    for name, member in list(vars(kind).items()):
+        if callable(member) and name != "step" and (not name.startswith("_") or name == "__init__"):
+            setattr(kind, name, _explained(member, kind.__name__ if name == "__init__" else name))
+    return kind
+
+
+def _explained(function: Callable, name: str) -> Callable:
+    @functools.wraps(function)
+    def call(*arguments: Any, **named: Any) -> Any:
+        try:
+            return function(*arguments, **named)
+        except TypeError as error:
+            why = _why(str(error), arguments[1:], named)
+            raise TypeError(f"{name}: {why}" if why else str(error)) from None
+
+    return call
+
+
+def _why(message: str, arguments: tuple, named: dict[str, Any]) -> str:
+    """Returns what is wrong with the arguments, by the first signature in the message; empty if nothing is found."""
+    signature = re.search(r"^ +1\. [\w.]*\((?:self: [^,)]*(?:, )?)?(.*)\)(?: -> .*)?$", message, re.MULTILINE)
+    if not signature:
+        return ""
+    wanted, positional = {}, []
+    by_name_only = False
+    for star, name, kind in _PARAMETER.findall(signature[1]):
+        by_name_only |= bool(star)
+        if name:
+            wanted[name] = kind.strip()
+            positional += [name] if not by_name_only else []
+    if len(arguments) > len(positional):
+        most = f"at most {len(positional)} arguments without a name" if positional else "arguments with their names"
+        return f"{most}, got {len(arguments)}"
+    given = dict(zip(positional, arguments))
+    for name, value in named.items():
+        if name not in wanted:
+            near = difflib.get_close_matches(name, wanted, 1)
+            meant = f"; did you mean {near[0]}?" if near else f"; there are: {', '.join(wanted)}"
+            return f"there is no {name}{meant}"
+        if name in given:
+            return f"{name} is given twice"
+    missing = [name for name, kind in wanted.items() if " = " not in kind and name not in given and name not in named]
+    if missing:
+        return f"{missing[0]} is missing"
+    for name, value in {**given, **named}.items():
+        if told := _misfit(wanted[name].split(" = ")[0], value):
+            return f"{name}: {told}"
+    return ""
+
+
+def _misfit(kind: str, value: Any) -> str:
+    """Returns 'three numbers, got 2'; empty if the value is of this kind, or the kind is not known."""
+    if value is None:
+        return "" if "None" in kind or "Optional" in kind else f"{_shape(kind) or 'a value'}, got None"
+    wanted = _shape(kind)
+    if not wanted:
+        return ""
+    try:
+        array = np.asarray(value, dtype=float)
+    except (TypeError, ValueError):
+        return f"{wanted}, got {value!r}"
+    if _fits(kind, array, value):
+        return ""
+    return f"{wanted}, got {_counted(kind, array, value)}"
+
+
+_WORDS = {2: "two", 3: "three", 4: "four"}
+
+
+def _sizes(kind: str) -> tuple[int | None, ...] | None:
+    """Returns (3,) for a vector, (None, 3) for rows, () for a number, and None for anything else."""
+    if re.search(r"\bList\[numpy", kind):
+        return (None, 3)
+    if rows := re.search(r"\[(m|\d+), (n|\d+)", kind):
+        sizes = tuple(None if size in "mn" else int(size) for size in rows.groups())
+        return (sizes[0],) if sizes[1] == 1 and sizes[0] else sizes
+    if fixed := re.search(r"FixedSize\((\d+)\)|float\[(\d+)\]", kind):
+        return (int(fixed[1] or fixed[2]),)
+    return () if re.search(r"\b(float|int|bool|SupportsFloat|SupportsInt)\b", kind) and "ist" not in kind else None
+
+
+def _shape(kind: str) -> str:
+    sizes = _sizes(kind)
+    if sizes is None:
+        return "a text" if re.search(r"\bstr\b", kind) else ""
+    if sizes == ():
+        return "a whole number" if re.search(r"\bint\b", kind) else "a number"
+    if len(sizes) == 1:
+        return f"{_WORDS.get(sizes[0], sizes[0])} numbers"
+    return f"rows of {_WORDS.get(sizes[1], sizes[1])} numbers"
+
+
+def _fits(kind: str, array: np.ndarray, value: Any) -> bool:
+    sizes = _sizes(kind)
+    if sizes is None:
+        return isinstance(value, str)
+    if sizes == () and re.search(r"\bint\b", kind) and not isinstance(value, (int, np.integer)):
+        return False
+    return array.ndim == len(sizes) and all(size in (None, count) for size, count in zip(sizes, array.shape))
+
+
+def _counted(kind: str, array: np.ndarray, value: Any) -> str:
+    if array.ndim == 0:
+        return f"the number {value!r}" if _sizes(kind) else repr(value)
+    return str(array.size) if array.ndim == 1 else " x ".join(map(str, array.shape))
