@@ -22,15 +22,15 @@
 
 namespace spook {
 
-/// Exercise 1.1. The velocity [m/s] after a force `f` [N] has acted for `h` [s]: Eq. (1.3); notes (29), (35).
-/// Any sign of `h` is fine: a negative one goes back in time.
+/// Exercise 1.1. The velocity [m/s] after a force `f` [N] has acted for `h` [s]: Eq. (1.3); notes (29), (35). `h` may
+/// have any sign; a negative one goes back in time.
 Vec3 kick(const Vec3& v, const Vec3& f, double inverse_mass, double h);
 
 /// Exercise 1.2. The position [m] after moving for `h` [s] at velocity `v` [m/s]: Eq. (1.4); notes (37).
 Vec3 drift(const Vec3& x, const Vec3& v, double h);
 
-/// Exercise 1.3. Takes the velocity `v` [m/s] of time 0 half a step back, to where leapfrog wants it: Eq. (1.5).
-/// `f` [N] is the force at time 0. Any sign of `h` is fine.
+/// Exercise 1.3. Moves the velocity `v` [m/s] of time 0 half a step back, as leapfrog needs: Eq. (1.5). `f` [N] is the
+/// force at time 0. `h` may have any sign.
 Vec3 half_step_start(const Vec3& v, const Vec3& f, double inverse_mass, double h);
 
 /// Point masses: x[i], v[i] and inverse_mass[i] belong to body i. `v` is half a step behind `x`.
@@ -43,15 +43,15 @@ struct Particles {
 /// The force [N] on body i when the bodies are at x.
 using ForceField = std::function<Vec3(std::size_t i, const std::vector<Vec3>& x)>;
 
-/// Exercise 1.4. One step of every body: all kicks, with forces at the old positions, and then all drifts:
-/// Eq. (1.3), (1.4). A body that no force moves goes on with its velocity. Throws std::invalid_argument that names h
-/// unless it is positive and finite: require_positive("h", h) of common/require.hpp.
+/// Exercise 1.4. Makes a step of all bodies: all kicks, with forces at the old positions, then all drifts: Eq. (1.3),
+/// (1.4). A body without a force keeps its velocity. Throws std::invalid_argument, naming h, unless h is positive and
+/// finite: require_positive("h", h) of common/require.hpp.
 void leapfrog_step(Particles& bodies, const ForceField& force, double h);
 
-/// Exercise 1.5. One step of order four: 2N + 1 leapfrogs of uneven length, the middle one backwards in time, with N
-/// `pairs` of others about it: Eq. (1.11)-(1.13); not in the notes. Here `v` is of the time of `x`, before and after: no
-/// half-step start. Throws std::invalid_argument that names h unless it is positive and finite, and pairs unless it is at
-/// least 1: reject("pairs", pairs, "at least 1").
+/// Exercise 1.5. Makes a step of order four: 2N + 1 leapfrogs of unequal length, the middle one backwards in time, with
+/// N `pairs` of others about it: Eq. (1.11)-(1.13); not in the notes. `v` belongs to the time of `x`, before and after,
+/// so there is no half-step start. Throws std::invalid_argument, naming h unless it is positive and finite, and pairs
+/// unless it is at least 1: reject("pairs", pairs, "at least 1").
 void composed_step(Particles& bodies, const ForceField& force, double h, int pairs);
 
 }  // namespace spook

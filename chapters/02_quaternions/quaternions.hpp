@@ -15,8 +15,8 @@
 //   ω   angular velocity [rad/s]    I1, I2, I3   principal moments [kg m²], along the body's own axes e_1, e_2, e_3
 //   h   time step [s], of any sign  L = I ω      angular momentum [kg m²/s]
 //
-// Differs from the notes: (38) there uses the old ω beside the new v of (37); and a body whose ω is only changed by
-// torques keeps ω where nature keeps L.
+// Differs from the notes: (38) there uses the old ω together with the new v of (37). And a body whose ω changes by
+// torques only conserves ω, although L is conserved in nature.
 #include "01_leapfrog/leapfrog.hpp"
 #include "common/simulation.hpp"
 #include "common/types.hpp"
@@ -27,19 +27,19 @@ namespace spook {
 /// Not a unit quaternion.
 Quat quaternion_rate(const Quat& q, const Vec3& omega);
 
-/// Exercise 2.2. The notes' update, a step of `h` [s] along the rate, then back to unit length: Eq. (2.4).
-/// Turns by 2 atan(h|ω|/2) where h|ω| was asked for: Eq. (2.5).
+/// Exercise 2.2. The notes' update: a step of `h` [s] along the rate, then normalised: Eq. (2.4). Turns by 2
+/// atan(h|ω|/2) instead of h|ω|: Eq. (2.5).
 Quat update_first_order(const Quat& q, const Vec3& omega, double h);
 
-/// Exercise 2.3. The turn by h|ω| about ω, exactly, and back to unit length: Eq. (2.6). Right for ω = 0 and for the
-/// smallest ω, too.
+/// Exercise 2.3. Turns by h|ω| about ω, exactly, then normalises: Eq. (2.6). Also exact for ω = 0 and for the smallest
+/// ω.
 Quat update_exponential(const Quat& q, const Vec3& omega, double h);
 
 /// Exercise 2.4. Inertia in world coordinates from the three principal moments: Eq. (2.7). Given inverse moments
 /// [1/(kg m²)] instead, it is the world's inverse inertia, by the same formula.
 Mat3 world_inertia(const Quat& q, const Vec3& principal);
 
-/// Exercise 2.5. The torque [N m] that makes Iω' = τ say the same as dL/dt = τ: Eq. (2.9). `inertia` is in world
+/// Exercise 2.5. The torque [N m] with which Iω' = τ is equivalent to dL/dt = τ: Eq. (2.9). `inertia` is in world
 /// coordinates, like ω.
 Vec3 gyroscopic_torque(const Mat3& inertia, const Vec3& omega);
 

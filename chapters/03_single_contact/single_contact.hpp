@@ -1,7 +1,7 @@
 #pragma once
 // Chapter 03 · A single contact: SPOOK for one row
 //
-// A contact between bodies i and j wants its gap g >= 0 and may push, never pull. SPOOK asks for the impulse λ with
+// A contact between bodies i and j keeps its gap g >= 0; it may push, never pull. SPOOK's impulse λ satisfies
 //
 //   (G M⁻¹ Gᵀ + Σ) λ = -a g - b G W - h G M⁻¹ f                                  Eq. (3.7)   notes (8), (26)
 //
@@ -36,7 +36,7 @@ struct SpookParameters {
 /// common/require.hpp.
 SpookParameters spook_parameters(double h, double k, double d);
 
-/// One touching (or nearly touching) pair. Vectors are in world coordinates; nothing here is checked again.
+/// A touching or nearly touching pair of bodies. Vectors are in world coordinates. Functions do not check a Contact.
 struct Contact {
   int i, j;    ///< body indices, i ≠ j
   Vec3 n;      ///< unit normal from i to j
@@ -80,7 +80,7 @@ Mat3 collision_matrix(const InverseMass<6>& body_i, const Vec3& r_i, const Inver
 ///   nKn               n·Kn [1/kg]
 ///   gap               signed [m]; a contact that is still open may push, too, if it would close within the step
 ///   normal_velocity   G W, relative velocity along n before the step [m/s]; negative when approaching
-///   force_velocity    h G M⁻¹ f, what the forces of this step add to it [m/s]; for a sphere on a floor -h 9.81 m/s²
+///   force_velocity    h G M⁻¹ f, its change by the forces of this step [m/s]; for a sphere on a floor -h 9.81 m/s²
 double contact_impulse(const SpookParameters& spook, double nKn, double gap, double normal_velocity,
                        double force_velocity);
 

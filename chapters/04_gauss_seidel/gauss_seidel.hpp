@@ -1,8 +1,8 @@
 #pragma once
 // Chapter 04 · Many contacts: projected Gauss-Seidel
 //
-// Solves   S λ = B,   lo <= λ <= hi,   S = G M⁻¹ Gᵀ + Σ,   without ever forming S. What the rows have done so far is
-// kept as a velocity change of each body, V = M⁻¹ Gᵀ λ: scattered by every update, gathered by the next.
+// Solves   S λ = B,   lo <= λ <= hi,   S = G M⁻¹ Gᵀ + Σ,   without forming S. The effect of all λ so far is stored as a
+// velocity change of each body, V = M⁻¹ Gᵀ λ: every update scatters into V, and the next one gathers from it.
 //
 //   diagonal     S_kk = Gi·M⁻¹Gi + Gj·M⁻¹Gj + Σ              Eq. (4.3)    notes (16), (26)
 //   right side   B = -a g - b G W - G W_f                    Eq. (4.4)    notes (8), (26), (28)
@@ -15,8 +15,8 @@
 //   step         rows, solve, W <- W + V, then the step of chapter 02
 //
 //   G   Jacobian row, blocks Gi, Gj on bodies i, j        λ     impulse [N s], between lo and hi
-//   V   velocity change of each body so far               W_f   what the forces of this step add: h M⁻¹ f
-//   r   what a row still lacks [m/s]                      Σ     regularisation [1/kg]
+//   V   velocity change of each body so far               W_f   velocity change by this step's forces: h M⁻¹ f
+//   r   residual of a row [m/s]                           Σ     regularisation [1/kg]
 //
 // Differs from the notes: bounds may be two-sided, λ may start warm, and "converged" has a number, Eq. (4.8).
 #include <limits>
@@ -29,15 +29,15 @@ namespace spook {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The velocities of all bodies, as a step begins; entry i belongs to body i.
+/// The velocities of all bodies at the start of a step; entry i belongs to body i.
 template <int Dof>
 struct Motion {
   std::vector<InverseMass<Dof>> inverse_mass;
   std::vector<Twist<Dof>> W;   ///< velocity [m/s, rad/s]
-  std::vector<Twist<Dof>> Wf;  ///< what the forces of this step add to it, h M⁻¹ f [m/s, rad/s]
+  std::vector<Twist<Dof>> Wf;  ///< velocity change by the forces of this step, h M⁻¹ f [m/s, rad/s]
 };
 
-/// One scalar constraint, before it knows masses and velocities.
+/// A scalar constraint, independent of masses and velocities.
 template <int Dof>
 struct Constraint {
   int i, j;               ///< body indices, i ≠ j
@@ -48,7 +48,7 @@ struct Constraint {
   double hi = infinity;
 };
 
-/// One row of S λ = B, ready to be swept.
+/// A row of S λ = B, ready for sweeps.
 template <int Dof>
 struct Row {
   int i, j;                   ///< body indices, i ≠ j
@@ -61,7 +61,8 @@ struct Row {
   double lambda = 0;          ///< impulse so far [N s]
 };
 
-/// Exercise 4.1. Fills a row with what stays fixed during the sweeps: Eq. (4.3), (4.4); notes (26), (28). λ = 0.
+/// Exercise 4.1. Computes the numbers of a row that are constant during sweeps: Eq. (4.3), (4.4); notes (26), (28). λ =
+/// 0.
 template <int Dof>
 Row<Dof> make_row(const Constraint<Dof>& constraint, const Motion<Dof>& motion);
 
@@ -70,14 +71,13 @@ Row<Dof> make_row(const Constraint<Dof>& constraint, const Motion<Dof>& motion);
 template <int Dof>
 void apply_impulse(const Row<Dof>& row, double delta, std::vector<Twist<Dof>>& V);
 
-/// Exercise 4.3. Brings one row up to date and scatters what changed: Eq. (4.6), (4.7); notes (28), (31)-(34).
-/// Returns Δλ [N s], the change after projection on [lo, hi].
+/// Exercise 4.3. Updates one row and scatters its change: Eq. (4.6), (4.7); notes (28), (31)-(34). Returns Δλ [N s],
+/// the change after projection on [lo, hi].
 template <int Dof>
 double update_row(Row<Dof>& row, std::vector<Twist<Dof>>& V);
 
-/// Exercise 4.4. Updates every row once, in order; each uses what those before it have just done: Eq. (4.2); notes
-/// (18)-(20).
-/// Returns the largest S_kk |Δλ_k| [m/s], what the rows lacked when their turn came: Eq. (4.9).
+/// Exercise 4.4. Updates every row once, in order; each update uses the results of those before it: Eq. (4.2); notes
+/// (18)-(20). Returns the largest S_kk |Δλ_k| [m/s]: Eq. (4.9).
 template <int Dof>
 double sweep(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V);
 
@@ -86,16 +86,16 @@ double sweep(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V);
 template <int Dof>
 double residual(const std::vector<Row<Dof>>& rows, const std::vector<Twist<Dof>>& V);
 
-/// When to stop: at the first of the two.
+/// The stop rule: a solver stops when either limit is reached.
 struct StopRule {
   int max_sweeps = 50;
-  double tolerance = 0;  ///< on what sweep() returns [m/s]
+  double tolerance = 0;  ///< for the result of sweep() [m/s]
 };
 
 struct SolveReport {
-  std::vector<double> history;  ///< what each sweep returned [m/s]; its size is the number of sweeps
+  std::vector<double> history;  ///< result of each sweep [m/s]; the size is the number of sweeps
   bool converged = false;       ///< the last sweep was at or below the tolerance
-  std::string trouble = {};     ///< why a solver of a later chapter had to go on by sweeps; empty: it had not
+  std::string trouble = {};     ///< why a later chapter's solver fell back to sweeps; empty if it did not
 };
 
 /// Exercise 4.6. Sweeps until a sweep returns at most `stop.tolerance` (0 counts, too), or `stop.max_sweeps` are

@@ -1,11 +1,11 @@
 #pragma once
 // Chapter 05 · The friction box
 //
-// A contact gets two more rows, one along each tangent: "do not slide". They want a velocity to be zero, not a gap, and
-// have no more impulse for it than a bound, known before the solve:
+// A contact gets two more rows, one along each tangent, against sliding. They hold a velocity at zero, not a gap, and
+// their impulse has a bound that is known before the solve:
 //
 //   tangents     n = t1 × t2                                              Eq. (5.1)    notes, before (42)
-//   wants        u·t1 = 0, u·t2 = 0                                       Eq. (5.2)    notes (40), (41)
+//   target       u·t1 = 0, u·t2 = 0                                       Eq. (5.2)    notes (40), (41)
 //   row          (t·Kt + Γ) λ = -u·t - u_f·t,  that is a = 0, b = 1       Eq. (5.3)    not in the notes
 //   softness     Γ = 1/(h c)                                              Eq. (5.4)    not in the notes
 //   mass         m = 1/((1/m_i + 1/m_j) N)                                Eq. (5.6)    notes, after (44)
@@ -13,9 +13,9 @@
 //   box          -Λ <= λ1 <= Λ,  -Λ <= λ2 <= Λ                            Eq. (5.8)    notes (43), (44)
 //
 //   u     velocity of j's contact point relative to i's [m/s]     μ     friction coefficient
-//   u_f   what the forces of this step add to it [m/s]            g_n   gravity along the normal, |g·n| [m/s²]
+//   u_f   change of u by the forces of this step [m/s]            g_n   gravity along the normal, |g·n| [m/s²]
 //   K     collision matrix of Eq. (3.8) [1/kg]                    N     contacts between the two bodies
-//   c     what is left of viscosity [N s/m]: F/c is the creep     h     step [s]
+//   c     viscosity [N s/m]: F/c is the creep under a force F     h     step [s]
 //
 // Differs from the notes: λ is an impulse, so the bound has h; a, b and Γ are friction's own, not the contact's; g_n
 // in place of g, so that it is right on a slope, too.

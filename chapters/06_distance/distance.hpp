@@ -1,7 +1,7 @@
 #pragma once
 // Chapter 06 · Distances, joints, ropes and cloth
 //
-// A constraint that pulls as well as pushes: no projection, and nothing else is new.
+// Constraints that pull as well as push, so they need no projection.
 //
 //   points       p = x + r of either body                                 Eq. (6.1)
 //   distance     g = |p_j - p_i| - l,  n = (p_j - p_i)/|p_j - p_i|        Eq. (6.2)    notes, "Distance constraint"
@@ -13,10 +13,10 @@
 //   lumped mass  half of each link's, a quarter of each cell's            Eq. (6.10), (6.11)
 //
 //   x   centre of mass [m]          r   from it to the point, in world coordinates [m]
-//   l   wanted distance [m]         n   from i's point to j's
+//   l   target distance [m]         n   from i's point to j's
 //
-// Differs from the notes: a distance and a ball joint are two things, one row and three. At zero distance the first has
-// no direction, and says so.
+// Differs from the notes: a distance and a ball joint are two constraints, of one row and of three. At zero distance a
+// distance has no direction, which is an error.
 #include <array>
 #include <vector>
 
@@ -38,8 +38,8 @@ template <int Dof>
 Constraint<Dof> distance_constraint(const Attachment& i, const Attachment& j, double length,
                                     const SpookParameters& spook);
 
-/// Exercise 6.2. Holds two points together, in x, y and z: Eq. (6.4)-(6.6); not in the notes. Any distance will do,
-/// zero as well.
+/// Exercise 6.2. Holds two points together, in x, y and z: Eq. (6.4)-(6.6); not in the notes. They may have any
+/// distance, zero included.
 template <int Dof>
 std::array<Constraint<Dof>, 3> ball_joint_constraints(const Attachment& i, const Attachment& j,
                                                       const SpookParameters& spook);

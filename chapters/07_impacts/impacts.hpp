@@ -1,10 +1,10 @@
 #pragma once
 // Chapter 07 · Impacts: Newton's restitution with Coulomb's friction
 //
-// What hits hard is resolved before the rows are built, pair by pair, by one impulse each.
+// Impacts are resolved before the rows are built, pair by pair, with one impulse for each impact.
 //
 //   velocity     u = G (W + W_f/2), at the contact, at the time of the contact    Eq. (7.1)    not in the notes
-//   wanted       u'·n = -e u·n,  and u'_t = 0 if it sticks                        Eq. (7.2)    notes (1), (2)
+//   target       u'·n = -e u·n,  and u'_t = 0 if it sticks                        Eq. (7.2)    notes (1), (2)
 //   stick        J = K⁻¹ (u' - u)                                                 Eq. (7.3)    notes, before (3)
 //   cone         |J_t| <= μ J_n                                                   Eq. (7.4)    notes (3)
 //   slide        j = -(1+e) u·n / (n·K(n - μt)),  J = j n - μ j t                 Eq. (7.5)    notes (4), (5)
@@ -19,8 +19,8 @@
 //   e   restitution, 0 to 1                                                      μ   friction coefficient
 //   K   collision matrix of Eq. (3.8) [1/kg]                                     J   impulse [N s], + on j, - on i
 //
-// Differs from the notes: (4) is used only where its denominator is positive, and an impulse of theirs that would add
-// energy is replaced by Eq. (7.7), which never does. Joints are not felt by an impact: it is a model of free pairs.
+// Differs from the notes: (4) is used only if its denominator is positive. An impulse of the notes that would add
+// energy is replaced by Eq. (7.7), which never does. An impact ignores joints: it models a free pair.
 #include <optional>
 #include <vector>
 
@@ -28,12 +28,12 @@
 
 namespace spook {
 
-/// Exercise 7.1. The impulse after which the contact has u' = -e (u·n) n: Eq. (7.2), (7.3); notes (1), (2).
-/// All bodies that meet have some mass: K can be inverted.
+/// Exercise 7.1. The impulse after which the contact has u' = -e (u·n) n: Eq. (7.2), (7.3); notes (1), (2). K is
+/// regular.
 Vec3 stick_impulse(const Mat3& K, const Vec3& u, const Vec3& n, double e);
 
-/// Exercise 7.2. True if an impulse does not pull and lies inside the friction cone about n, or on it, as zero does,
-/// its tip: Eq. (7.4); notes (3).
+/// Exercise 7.2. Tells whether an impulse does not pull, and lies inside the friction cone about n or on the cone; zero
+/// is the tip of the cone: Eq. (7.4); notes (3).
 bool inside_cone(const Vec3& J, const Vec3& n, double mu);
 
 /// Exercise 7.3. The impulse on the cone's edge, against the slip of before: Eq. (7.5); notes (4), (5). Without
@@ -62,14 +62,14 @@ void apply_impact(const Contact& contact, const Vec3& J, Motion<Dof>& motion);
 struct ImpactLaw {
   double restitution = 0;   ///< e, 0 to 1
   double friction = 0;      ///< μ >= 0
-  double threshold = 1e-9;  ///< slowest approach that counts as an impact [m/s], >= 0; roundings are none
+  double threshold = 1e-9;  ///< smallest approach speed of an impact [m/s], >= 0; above round-off
   int max_passes = 100;     ///< over all contacts
 };
 
 struct ImpactReport {
   int impacts = 0;
   int passes = 0;     ///< the last finds no impact, unless there were max_passes; 0 without contacts
-  double energy = 0;  ///< what they added to it, with the u of Eq. (7.1) [J]; negative: lost
+  double energy = 0;  ///< energy added by the impacts, with u of Eq. (7.1) [J]; negative if lost
 };
 
 /// Exercise 7.8. The stage: goes through the contacts in order, whatever their gap, and resolves each impact at

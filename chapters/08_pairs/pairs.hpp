@@ -1,8 +1,8 @@
 #pragma once
 // Chapter 08 · Finding pairs: which bodies touch, where, how deep, and in which direction
 //
-// The broad phase throws away nearly all pairs, by boxes along the axes of the world. The narrow phase gives each pair
-// that is left its contact set: points, signed gaps, and a normal from body i to body j.
+// The broad phase discards nearly all pairs, by boxes along the axes of the world. The narrow phase computes the
+// contact set of each remaining pair: points, signed gaps, and a normal from body i to body j.
 //
 //   plane, ball      g = n·x - offset - R                                          Eq. (8.1)    notes (21)
 //   ball, ball       g = |x_j - x_i| - R_i - R_j,  n along x_j - x_i               Eq. (8.2)    notes (21)
@@ -12,7 +12,7 @@
 //   along an axis    g(n) = |n·(x_j - x_i)| - ρ_i(n) - ρ_j(n),  ρ(n) = Σ h_k |n·e_k|
 //                                                                                  Eq. (8.6)    not in the notes
 //   separating axis  the largest g(n) of 15: 3 + 3 faces, 9 pairs of edges         Eq. (8.7)    not in the notes
-//   clipping         what of a polygon has n·x <= offset                           Eq. (8.8)    not in the notes
+//   clipping         the part of a polygon with n·x <= offset                      Eq. (8.8)    not in the notes
 //   two edges        the points of two lines that are nearest to each other        Eq. (8.9)    not in the notes
 //   well spread      four of many, around the mean of them all                     Eq. (8.10)   not in the notes
 //   bounds           x ± Σ h_k |e_k|                                               Eq. (8.11)   not in the notes
@@ -24,10 +24,10 @@
 //   x   centre [m]       e_k   unit axes of a box, in the world       R   radius [m]
 //   g   signed gap [m]   h_k   halves of its sides [m]                p   contact point [m]
 //
-// Differs from the notes: (21) is the gap of two points, one on each surface. Here the gap is a number of its own, and
-// r_i and r_j end at one and the same point, so that no impulse changes the angular momentum of the two bodies.
-// Shapes are not checked: unit vectors have length 1, axes are at right angles, radii and half sides are positive. What
-// is at NaN touches nothing, as chapters/NUMBERS.md has it for every question. Only the broad phase looks at its input.
+// Differs from the notes: (21) is the gap of two points, one on each surface. Here the gap is a separate number, and
+// r_i and r_j end at the same point, so that no impulse changes the angular momentum of the two bodies. Shapes are not
+// checked: unit vectors have length 1, axes are at right angles, radii and half sides are positive. A shape at NaN
+// touches nothing, by the rules of chapters/NUMBERS.md. Only the broad phase checks its input.
 #include <optional>
 #include <utility>
 #include <vector>
@@ -36,7 +36,7 @@
 
 namespace spook {
 
-/// Everything with n·x < offset is solid. It belongs to a static body.
+/// A half-space: all points with n·x < offset are solid. It belongs to a static body.
 struct Plane {
   int body;
   Vec3 x;         ///< centre of that body [m]; the plane need not go through it
@@ -61,59 +61,60 @@ struct Box {
 /// the ball's deepest point.
 std::optional<Contact> plane_ball(const Plane& plane, const Ball& ball);
 
-/// Exercise 8.2. The contact of two balls if g <= 0: Eq. (8.2), (8.3); notes (21). p is in the middle of their
-/// overlap. Two centres at one place have no direction between them: any unit vector will do, with g = -R_i - R_j.
+/// Exercise 8.2. The contact of two balls if g <= 0: Eq. (8.2), (8.3); notes (21). p is in the middle of their overlap.
+/// If the two centres coincide, n may be any unit vector, with g = -R_i - R_j.
 std::optional<Contact> ball_ball(const Ball& i, const Ball& j);
 
 /// Exercise 8.3. Appends a contact for each corner of a box (body j) with g <= 0 above a plane (body i), in any
 /// order: Eq. (8.3), (8.4); not in the notes. p is the corner.
 void plane_box(const Plane& plane, const Box& box, std::vector<Contact>& contacts);
 
-/// Exercise 8.4. The contact of a box (body i) with a ball (body j) if g <= 0: Eq. (8.3), (8.5); not in the notes. p
-/// is in the middle of the overlap, on the line along n through the ball's centre. A centre in the box, or on its
-/// surface, leaves through the nearest face: n is that face's, and g the (negative) distance from it, less R.
+/// Exercise 8.4. The contact of a box (body i) with a ball (body j) if g <= 0: Eq. (8.3), (8.5); not in the notes. p is
+/// in the middle of the overlap, on the line along n through the ball's centre. If the centre is in the box, or on its
+/// surface, n is the normal of the nearest face, and g is the (negative) distance from that face, minus R.
 std::optional<Contact> box_ball(const Box& box, const Ball& ball);
 
-/// An axis, and how far two boxes are apart along it.
+/// An axis, and the gap of two boxes along it.
 struct SeparatingAxis {
   Vec3 n;           ///< unit vector, from i to j
   double gap;       ///< g(n) of Eq. (8.6) [m]; positive: they don't touch; -∞, without a face, for a NaN
-  int face_i = -1;  ///< 0 to 2: n is along this axis of i, whose face is met
-  int face_j = -1;  ///< the same of j
-  int edge_i = -1;  ///< 0 to 2: n is across this axis of i, and across edge_j of j
-  int edge_j = -1;  ///< of the four, either one face or both edges are not -1
+  int face_i = -1;  ///< 0 to 2: n is along this axis of i, on whose face the contact is
+  int face_j = -1;  ///< 0 to 2: n is along this axis of j, on whose face the contact is
+  int edge_i = -1;  ///< 0 to 2: n is perpendicular to this axis of i, and to edge_j of j
+  int edge_j = -1;  ///< of the four indices, either one face or both edges are not -1
 };
 
-/// Exercise 8.5. Finds, of 15 axes, that with the least overlap of two boxes: Eq. (8.6), (8.7); not in the
-/// notes. So that roundings don't choose between faces that lie on each other: of the faces of i the best, or the
-/// first where several are alike to a millionth of the smallest of all six half sides; the same of those of j; and the
-/// best of the pairs of edges. Then j's takes the place of i's, and that of the edges the place of either, only if its gap is
-/// larger by more than this millionth and 5 per cent of the gap before. Edges that are parallel, |e × e'| <= 1e-6,
-/// have no axis. Where some of the axes have g > 0, one of those is returned, whichever: it needs no margin.
+/// Exercise 8.5. Finds, of 15 axes, that with the least overlap of two boxes: Eq. (8.6), (8.7); not in the notes.
+///
+/// Ties are broken so that round-off does not choose between faces that lie on each other. Let the margin be a
+/// millionth of the smallest of all six half sides. Take the best face of i, that of j, and the best pair of edges; of
+/// faces that are equal within the margin, the first counts. Then the face of j replaces that of i, and the edges
+/// replace either, only if its gap is larger by more than the margin plus 5 per cent of the gap before. Parallel edges,
+/// |e × e'| <= 1e-6, have no axis. If axes have g > 0, returns any of them, without a margin.
 SeparatingAxis separating_axis(const Box& i, const Box& j);
 
-/// Exercise 8.6. Clips a convex polygon, three or more corners in order, to n·x <= offset: Eq. (8.8);
-/// not in the notes. Its corners, in the order of the polygon, beginning anywhere, each once; a corner on the plane
-/// stays. Empty when nothing is left.
+/// Exercise 8.6. Clips a convex polygon, three or more corners in order, to n·x <= offset: Eq. (8.8); not in the notes.
+/// Returns its corners in the order of the polygon, each once, starting anywhere. A corner on the plane stays. Empty if
+/// nothing is left.
 std::vector<Vec3> clip(const std::vector<Vec3>& polygon, const Vec3& n, double offset);
 
-/// Exercise 8.7. Keeps at most four contacts of one pair, all with one normal, in any order: Eq. (8.10); not in
-/// the notes. Four or fewer stay as they are. Of more, which are not all on one line, four are kept: the deepest (or
-/// one that is less deep by a millionth of their distances) is among them, the mean of all points is within them, to
-/// roundings, and they span at least half the largest area of Eq. (8.10). Roundings don't choose: of contacts, and of
-/// fours, that are alike the same stay while gaps and points move by 1e-9 of their distances.
+/// Exercise 8.7. Keeps at most four contacts of one pair, all with one normal, in any order: Eq. (8.10); not in the
+/// notes. Four or fewer stay unchanged. Of more contacts, not all on one line, four are kept. The deepest is among
+/// them, or one that is less deep by a millionth of their distances. The mean of all points is within the four, to
+/// round-off. They span at least half the largest area of Eq. (8.10). Round-off does not choose: of equal contacts, and
+/// of equal fours, the same ones are kept while gaps and points change by 1e-9 of their distances.
 std::vector<Contact> well_spread(const std::vector<Contact>& contacts);
 
 /// Exercise 8.8. Appends the contacts of two boxes, at most four, and at least one if they overlap: Eq. (8.3),
 /// (8.6)-(8.10); not in the notes. Each p is in the middle between the two surfaces, along n.
-///   face    the other box's face that looks most against n, cut by the planes of the four sides around the face
-///           that is met; of its corners those with g <= 0, well_spread
-///   edges   one contact, at the points of the two edges that are nearest to each other, with the gap of the axis
-///   neither if the face leaves nothing: one contact, at the corner of the other box that is deepest along n
-/// The sides are moved outwards by a millionth of the smallest half side, so that sides that lie on each other stay
-/// whole. A box of a lower body number counts as i wherever i and j are not treated alike: box_box(j, i) gives what
-/// box_box(i, j) does, with the two bodies exchanged and n reversed. Only x_j - x_i counts, not where the boxes are:
-/// far from the origin nothing is lost.
+///   face     the incident face is that of the other box with the normal most opposite to n. It is clipped by the planes
+///            of the four sides around the reference face. Its corners with g <= 0 are the contacts, well_spread
+///   edges    one contact, at the points of the two edges that are nearest to each other, with the gap of the axis
+///   neither  if clipping leaves no corner: one contact, at the corner of the other box that is deepest along n
+/// The sides are moved outwards by a millionth of the smallest half side, so that sides that lie on each other are not
+/// clipped. If i and j are not treated alike, the box of the lower body number counts as i: box_box(j, i) equals
+/// box_box(i, j), with the two bodies exchanged and n reversed. Only x_j - x_i matters, so the accuracy is the same far
+/// from the origin.
 void box_box(const Box& i, const Box& j, std::vector<Contact>& contacts);
 
 /// A box along the axes of the world.
@@ -127,16 +128,14 @@ Bounds bounds(const Box& box);
 /// Indices of two bodies, the lower first.
 using Pair = std::pair<int, int>;
 
-/// Exercise 8.10. All pairs of bounds that overlap or touch, each once, sorted: Eq. (8.12); notes,
-/// "sweep-and-prune". Time goes with N log N and the number of pairs that overlap along one axis.
-/// Throws std::invalid_argument that names lower or upper where one is not finite, and upper where it is below its
-/// lower.
+/// Exercise 8.10. Returns all pairs of bounds that overlap or touch, each once, sorted: Eq. (8.12); notes,
+/// "sweep-and-prune". The time is proportional to N log N plus the number of pairs that overlap along one axis. Throws
+/// std::invalid_argument, naming lower or upper if one is not finite, and upper if it is below its lower.
 std::vector<Pair> sweep_and_prune(const std::vector<Bounds>& bounds);
 
-/// Exercise 8.11. The same by the cells of grids, one for each level of size: Eq. (8.13), (8.14); notes, "spatial
-/// hashing". A body's size is its longest side. Time goes with the number of bodies and of pairs that share a cell,
-/// however different their sizes.
-/// Throws as sweep_and_prune does.
+/// Exercise 8.11. Returns these pairs by the cells of grids, one grid for each level of size: Eq. (8.13), (8.14);
+/// notes, "spatial hashing". A body's size is its longest side. The time is proportional to the number of bodies plus
+/// the number of pairs that share a cell, for any mixture of sizes. Throws as sweep_and_prune does.
 std::vector<Pair> spatial_hash(const std::vector<Bounds>& bounds);
 
 /// Exercise 8.12. The whole step: finds the contacts of all bodies where they are at t_n, Eq. (8.1)-(8.12), and goes on as

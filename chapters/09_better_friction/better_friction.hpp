@@ -1,8 +1,8 @@
 #pragma once
-// Chapter 09 · Better friction: limits from what presses, and the cone
+// Chapter 09 · Better friction: limits from normal forces, and the cone
 //
-// The box of chapter 05 guesses the normal force from a mass, and favours two directions. Here the limit follows the
-// normal impulse, the tangents may follow the sliding, and the box becomes a disc: Coulomb's cone.
+// The box of chapter 05 estimates the normal force from a mass, and favours two directions. Here the limit follows the
+// normal impulse, tangents may follow the slip, and the box becomes a disc: Coulomb's cone.
 //
 //   rows of a contact   k: normal, k + 1: along t1, k + 2: along t2
 //   two-pass limit      Λ = μ λ_n,  λ_n from a solve without friction     Eq. (9.1)   notes, "normal forces as limits"
@@ -13,66 +13,67 @@
 //   update              λ_t <- onto a disc of μ λ_n (λ_t + r_t/s)         Eq. (9.6)   not in the notes
 //   residual            s |Eq. (9.6) - λ_t| for tangents, else Eq. (4.8)  Eq. (9.7)   not in the notes
 //
-//   u   velocity of j's contact point relative to i's, what the forces of this step add included [m/s]
-//   u_t its part across n: the slip                    S11, S12, S22   of the two tangential rows [1/kg]
-//   Λ   limit of the friction impulse [N s]            r_t             what these two lack, Eq. (4.6) [m/s]
+//   u   velocity of j's contact point relative to i's, with the change by this step's forces [m/s]
+//   u_t tangential part of u: the slip                 S11, S12, S22   of the two friction rows [1/kg]
+//   Λ   limit of the friction impulse [N s]            r_t             residuals of the friction rows, Eq. (4.6) [m/s]
 //
-// Differs from the notes: their scaled box is chapter 05's. With the limits of Eq. (9.3) friction depends on what it
-// changes; no energy falls with every update, nothing promises that the sweeps converge. The residual tells.
+// Differs from the notes: their scaled box is chapter 05's. With the limits of Eq. (9.3), friction depends on the
+// normal impulses that it changes. No energy falls with every update, so convergence of the sweeps is not guaranteed.
+// The residual shows it.
 #include "08_pairs/pairs.hpp"
 
 namespace spook {
 
-/// Where the three rows of a contact with friction are, and how rough it is.
+/// The three rows of a contact with friction, and its friction coefficient.
 struct FrictionContact {
-  std::size_t normal;  ///< its row; the next two are those of t1 and t2
+  std::size_t normal;  ///< index of the normal row; the next two rows are those of t1 and t2
   double mu;           ///< μ >= 0
 };
 
 /// Two impulses along the tangents [N s].
 using Vec2 = Eigen::Vector2d;
 
-/// Exercise 9.1. Tangents with t1 along the slip of `u` [m/s] across the unit vector `n`, and t1 × t2 = n, to a few
-/// roundings: Eq. (9.2); notes, "Alternative friction models". Where the slip is at most `slow` [m/s], it has no
-/// direction worth following: then any that chapter 05 allows, Eq. (5.1).
+/// Exercise 9.1. Tangents with t1 along the slip, the part of `u` [m/s] perpendicular to the unit vector `n`, and t1 ×
+/// t2 = n, to a few rounding errors: Eq. (9.2); notes, "Alternative friction models". If the slip is at most `slow`
+/// [m/s], its direction is meaningless: then any tangents of chapter 05, Eq. (5.1).
 Tangents sliding_tangents(const Vec3& n, const Vec3& u, double slow);
 
-/// Exercise 9.2. Sets the bounds of the friction rows to ±μ times the λ that their normal row has now: Eq. (9.1). Their
-/// own λ stays as it is, even outside.
+/// Exercise 9.2. Sets the bounds of the friction rows to ±μ times the current λ of their normal row: Eq. (9.1). Their
+/// own λ does not change, even if it is outside.
 template <int Dof>
 void limit_friction(const std::vector<FrictionContact>& contacts, std::vector<Row<Dof>>& rows);
 
-/// Exercise 9.3. Two passes: first without friction (its rows have bounds and λ of 0), then with the limits of Eq.
-/// (9.1), from where the first ended. All other rows begin with the λ that they bring. Each pass has the whole stop
-/// rule; the history has both. Converged if the second pass is. Throws as solve does. V as in solve: what friction rows
-/// bring in λ must leave V, too, before the first pass.
+/// Exercise 9.3. Solves in two passes. The first is without friction: friction rows have bounds and λ of 0. The second
+/// has the limits of Eq. (9.1), and starts from the result of the first. All other rows start from their current λ.
+/// Each pass has the whole stop rule, and the history contains both. Converged if the second pass is. Throws as solve
+/// does. V as in solve: before the first pass the initial λ of friction rows are removed from V.
 template <int Dof>
 SolveReport two_pass_solve(const std::vector<FrictionContact>& contacts, std::vector<Row<Dof>>& rows,
                            std::vector<Twist<Dof>>& V, const StopRule& stop);
 
-/// Exercise 9.4. The point of the disc |λ_t| <= radius that is nearest: Eq. (9.4). Zero for a radius of 0.
+/// Exercise 9.4. The nearest point of the disc |λ_t| <= radius: Eq. (9.4). Zero for a radius of 0.
 Vec2 onto_disc(const Vec2& lambda, double radius);
 
-/// Exercise 9.5. Brings the two friction rows of a contact up to date, with μ times the normal impulse of now for a
-/// radius: Eq. (9.5), (9.6). Their bounds `lo` and `hi` are neither looked at nor set. Returns s |Δλ_t| [m/s].
+/// Exercise 9.5. Updates the two friction rows of a contact; the radius is μ times the current normal impulse: Eq.
+/// (9.5), (9.6). Neither reads nor sets their bounds `lo` and `hi`. Returns s |Δλ_t| [m/s].
 template <int Dof>
 double update_friction(const FrictionContact& contact, std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V);
 
-/// Exercise 9.6. One sweep: every row in order by Eq. (4.7), but the two friction rows of a contact together by Eq.
-/// (9.6), right after its normal row. `contacts` come in the order of their rows. Returns the largest S_kk |Δλ_k|
-/// or s |Δλ_t| [m/s].
+/// Exercise 9.6. Makes a sweep: updates every row in order by Eq. (4.7), but the two friction rows of a contact
+/// together by Eq. (9.6), right after its normal row. `contacts` are in the order of their rows. Returns the largest
+/// S_kk |Δλ_k| or s |Δλ_t| [m/s].
 template <int Dof>
 double sweep_on_cones(const std::vector<FrictionContact>& contacts, std::vector<Row<Dof>>& rows,
                       std::vector<Twist<Dof>>& V);
 
-/// Exercise 9.7. Residual with the cones: the largest of Eq. (9.7) [m/s]. Each row, or pair, is compared
-/// with its own update from this λ and V. Changes nothing.
+/// Exercise 9.7. The residual with the cones: the largest of Eq. (9.7) [m/s]. Compares each row, or pair of friction
+/// rows, with its own update from this λ and V. Changes nothing.
 template <int Dof>
 double residual_on_cones(const std::vector<FrictionContact>& contacts, const std::vector<Row<Dof>>& rows,
                          const std::vector<Twist<Dof>>& V);
 
-/// Exercise 9.8. Sweeps on cones until one returns at most `stop.tolerance`, or there were `stop.max_sweeps`: Eq.
-/// (9.6), (4.9). Contract of solve(), of which V, what is thrown, and the history are part.
+/// Exercise 9.8. Sweeps on cones until a sweep returns at most `stop.tolerance`, or `stop.max_sweeps` are done: Eq.
+/// (9.6), (4.9). V, exceptions and history follow the contract of solve().
 template <int Dof>
 SolveReport cone_solve(const std::vector<FrictionContact>& contacts, std::vector<Row<Dof>>& rows,
                        std::vector<Twist<Dof>>& V, const StopRule& stop);

@@ -1,8 +1,9 @@
 #pragma once
 // Chapter 11 · The direct solver
 //
-// Writes S down after all, sparse, and factorises it: as exact as roundings allow, after a number of operations that is
-// known beforehand. Bounds are met from within: each row keeps off them by a push that fades, one factorisation a step.
+// Forms S as a sparse matrix and factorises it: accurate to round-off, by a number of operations that is known
+// beforehand. Bounds are treated by an interior-point method: a multiplier that vanishes at the end, the push, keeps
+// each row inside its bounds. A step takes one factorisation.
 //
 //   Schur complement   S = G M⁻¹ Gᵀ + Σ,  S_kl of rows that share no body is 0          Eq. (11.1)   notes (16)
 //   saddle point       [M  Gᵀ; G  -Σ] [V; -λ] = [0; B]                                  Eq. (11.2)   notes, [1]
@@ -25,8 +26,8 @@
 //   P   an order with little fill                                     μ   mean of s z; μ' after the part α of a step
 //   E   the largest of B²/S_kk + S_kk (λ₀² + λ₁²), an energy [J]
 //
-// Differs from the notes: its cost for a wire is O(N), not 1/N; and rows that repeat or contradict each other have an
-// answer, too, as soon as Σ > 0.
+// Differs from the notes: the cost for a wire is O(N), not 1/N. Redundant and contradictory rows have a solution, too,
+// if Σ > 0.
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 
@@ -37,9 +38,9 @@ namespace spook {
 using SparseMatrix = Eigen::SparseMatrix<double>;
 using Vector = Eigen::VectorXd;
 
-/// Exercise 11.1. S as its lower triangle, diagonal included [1/kg]: Eq. (11.1); notes (16). Entry (k, l) belongs
-/// to rows[k] and rows[l]. Two rows that share no body that moves have no entry. It takes as long as there are entries,
-/// not as there are pairs of rows.
+/// Exercise 11.1. S as its lower triangle, diagonal included [1/kg]: Eq. (11.1); notes (16). Entry (k, l) belongs to
+/// rows[k] and rows[l]. Two rows that share no dynamic body have no entry. The time is proportional to the number of
+/// entries, not of pairs of rows.
 template <int Dof>
 SparseMatrix schur_complement(const std::vector<Row<Dof>>& rows);
 
@@ -49,26 +50,26 @@ template <int Dof>
 SparseMatrix saddle_matrix(const std::vector<Row<Dof>>& rows,
                            const std::vector<InverseMass<Dof>>& inverse_mass);
 
-/// L, D and P of a matrix, and the pattern that they were found for.
+/// L, D and P of a matrix, and the pattern for which they were computed.
 struct Factors {
   Eigen::SimplicialLDLT<SparseMatrix> ldlt;
-  std::vector<int> columns, entries;  ///< where the matrix had entries, as in Eigen's compressed storage
-  int analyses = 0;                   ///< how often P and the pattern of L were looked for
+  std::vector<int> columns, entries;  ///< pattern of the matrix, as in Eigen's compressed storage
+  int analyses = 0;                   ///< number of symbolic analyses: of P and the pattern of L
 };
 
-/// Exercise 11.3. Factorises a symmetric matrix, given as its lower triangle, compressed: Eq. (11.3). P and the
-/// pattern of L are looked for only when A has its entries elsewhere than the last one had; an entry of 0 is one.
-/// Returns false for a pivot that is not sound, Eq. (11.4), or not finite; the factors are then of no use.
+/// Exercise 11.3. Factorises a symmetric matrix, given as its lower triangle, compressed: Eq. (11.3). Computes P and
+/// the pattern of L only if the pattern of A differs from the last one; an entry of 0 belongs to the pattern. Returns
+/// false, with useless factors, if a pivot fails Eq. (11.4) or is not finite.
 bool factorise(const SparseMatrix& A, Factors& factors);
 
-/// Exercise 11.4. Solves rows as if they had no bounds, by the saddle point, Eq. (11.2): λ into the rows, V into
-/// `V`, whatever they held. Returns false when the factorisation fails; rows and V are then as before. With Σ = 0 it
-/// may fail for rows that have an answer.
+/// Exercise 11.4. Solves rows without bounds by the saddle point, Eq. (11.2): sets λ of the rows, and V, for any
+/// initial values. Returns false if the factorisation fails; rows and V are then unchanged. With Σ = 0 it may fail for
+/// rows that have a solution.
 template <int Dof>
 bool saddle_solve(std::vector<Row<Dof>>& rows, const std::vector<InverseMass<Dof>>& inverse_mass,
                   std::vector<Twist<Dof>>& V, Factors& factors);
 
-/// Impulses strictly within their bounds: Eq. (11.5). Where there is no bound, its room is infinite and its push 0.
+/// Impulses strictly within their bounds: Eq. (11.5). Without a bound, its room is infinite and its push 0.
 struct Interior {
   Vector lambda;            ///< [N s]
   Vector room_lo, room_hi;  ///< s⁻, s⁺ [N s]
@@ -84,22 +85,22 @@ struct Target {
 };
 
 /// Exercise 11.6. The change of all five vectors towards `target`: Eq. (11.8), (11.9). `factors` are those of S̃.
-/// Where there is no bound, room and push do not change.
+/// Without a bound, room and push do not change.
 Interior newton_step(const SparseMatrix& S, const Vector& B, const Interior& now, const Target& target,
                      const Factors& factors);
 
-/// Exercise 11.7. The largest part of a step, at most 1, that keeps all rooms and pushes >= 0: Eq. (11.10).
+/// Exercise 11.7. The largest fraction of a step, at most 1, that keeps all rooms and pushes >= 0: Eq. (11.10).
 double longest_step(const Interior& now, const Interior& step);
 
-/// Exercise 11.8. Where to begin: Eq. (11.12). λ₀ is what is nearest to 0 within the bounds, and λ₁ what is nearest to
-/// `guess`, which tells how large the impulses may be and not where they are. The room is that to `lo`; to `hi` where
-/// there is no `lo`. Without bounds λ = 0. Where E is 0 nothing tells a size: then it is 1 J.
+/// Exercise 11.8. The starting point: Eq. (11.12). λ₀ is the value nearest to 0 within the bounds, and λ₁ the value
+/// nearest to `guess`. The guess gives the size of the impulses, not their values. The room is that to `lo`, or to `hi`
+/// if there is no `lo`. Without bounds λ = 0. If E is 0, no size is known: then E is 1 J.
 Interior interior_start(const SparseMatrix& S, const Vector& B, const Vector& lo, const Vector& hi,
                         const Vector& guess);
 
-/// Exercise 11.9. The next point, by two Newton steps with `factors`, those of S̃: Eq. (11.11). The second is taken: the
-/// part (0.9 + 0.0999 α) α₂ of it, with the longest parts α of the first and α₂ of the second, or all of it if nothing
-/// limits it, α₂ = 1. Then the smallest of |λ|, s⁻ and s⁺ of each row sets the other two.
+/// Exercise 11.9. The next point, by two Newton steps with `factors`, those of S̃: Eq. (11.11). The fraction (0.9 +
+/// 0.0999 α) α₂ of the second step is taken, or all of it if no bound limits it, α₂ = 1. α and α₂ are the longest
+/// fractions of the two steps, Eq. (11.10). Then the smallest of |λ|, s⁻ and s⁺ of each row determines the other two.
 Interior interior_step(const SparseMatrix& S, const Vector& B, const Vector& lo, const Vector& hi,
                        const Interior& now, const Factors& factors);
 
@@ -110,21 +111,21 @@ inline double roundings(const SparseMatrix& S, const Vector& B, const Vector& la
 }
 
 /// Exercise 11.10. Solves S λ = B within lo and hi, lo < hi: from interior_start by interior_step, until the residual,
-/// Eq. (4.8), is at most `stop.tolerance` or the roundings of Eq. (11.13). On entry `lambda` is a guess of how
-/// large the impulses are, or zero; on return the best that was found, within the bounds: the guess, clamped, where the
-/// first factorisation fails, or every residual is NaN. The history has the residual after each factorisation, of which
-/// there are at most stop.max_sweeps. Where they do not suffice, or one fails, it has not converged and `trouble` says
-/// which. With no rows: no factorisation, converged. Throws
-/// std::invalid_argument that names max_sweeps or tolerance as solve does, rows or not.
+/// Eq. (4.8), is at most `stop.tolerance` or the round-off of Eq. (11.13). On entry `lambda` is a guess of the
+/// impulses' size, or zero. On return it is the best λ found, within the bounds; if the first factorisation fails, or
+/// every residual is NaN, it is the clamped guess. The history has the residual after each factorisation, at most
+/// stop.max_sweeps. If these do not suffice, or a factorisation fails, the report has not converged, and `trouble`
+/// gives the reason. Without rows there is no factorisation, and the report has converged. Throws
+/// std::invalid_argument, naming max_sweeps or tolerance, as solve does, with rows or without.
 SolveReport interior_solve(const SparseMatrix& S, const Vector& B, const Vector& lo, const Vector& hi,
                            const StopRule& stop, Vector& lambda, Factors& factors);
 
-/// Exercise 11.11. Solves S λ = B within the bounds of the rows, from scratch: λ into the rows, V into `V`. First as
-/// if there were no bounds. If all λ are within theirs, refined by Eq. (11.14). Where that, clamped, solves the rows,
-/// one factorisation does. Else by interior_solve, with that λ as its guess. Should that have trouble, chapter 04's solve goes on from
-/// there, and `trouble` says so. Each of the two has the rule to itself: stop.max_sweeps factorisations, and as
-/// many sweeps. A row with lo = hi has that λ. The history has the residual of Eq. (4.8) after each factorisation
-/// [m/s], and what each sweep returned. Throws as solve does.
+/// Exercise 11.11. Solves S λ = B within the bounds of the rows, from scratch; sets λ of the rows, and V. First solves
+/// without bounds. If all λ are within their bounds, refines them by Eq. (11.14). If this λ, clamped, solves the rows,
+/// one factorisation suffices. Otherwise calls interior_solve, with that λ as its guess. If that fails, chapter 04's
+/// solve continues from there, and `trouble` gives the reason. Each of the two has the whole stop rule: stop.max_sweeps
+/// factorisations, and as many sweeps. A row with lo = hi has that λ. The history has the residual of Eq. (4.8) after
+/// each factorisation [m/s], and the result of each sweep. Throws as solve does.
 template <int Dof>
 SolveReport direct_solve(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V, const StopRule& stop,
                          Factors& factors);

@@ -1,8 +1,8 @@
 #pragma once
 // Chapter 12 · Stiff wires
 //
-// A tight link is a spring across itself: turn it, and its tension pulls it back. Leapfrog follows that spring only
-// while h is below 2/ω. With h²K, the spring's part of a step, added to the mass matrix, no step is too large for it.
+// A tight link is also a transverse spring: its tension resists rotation. Leapfrog is stable for this spring only while
+// h is below 2/ω. If h²K is added to the mass matrix, the spring is stable for any step.
 //
 //   frequency    ω = √(4T/(m l)), the fastest of a tight wire                      Eq. (12.1)   not in the notes
 //   limit        h < 2/ω                                                           Eq. (12.2)   not in the notes
@@ -14,8 +14,8 @@
 //   T   tension [N]      m   mass of a point [kg]      M   mass matrix
 //   l   length [m]       n   direction of the link     V, λ, W_f, B as in chapter 04
 //
-// Tournier et al., "Stable constrained dynamics" (2015), let M̃ act on the new velocity, which damps: a loss of order
-// h. Here it acts on the change of velocity: nothing is damped that way, and the order is 2.
+// Tournier et al., "Stable constrained dynamics" (2015), apply M̃ to the new velocity. This damps: a loss of order h.
+// Here M̃ applies to the change of velocity. This does not damp, and the order is 2.
 #include "11_direct/direct.hpp"
 
 namespace spook {

@@ -1,6 +1,6 @@
 #pragma once
-// What a stub throws until its exercise is written. The tests turn it into "not started"; a file that still calls
-// it is left to the reference by `--mine`.
+// The exception of a stub. Tests report it as "not started"; `--mine` uses the reference for a file that still calls
+// not_implemented.
 #include <stdexcept>
 #include <string>
 
@@ -11,8 +11,8 @@ class NotImplemented : public std::logic_error {
   using std::logic_error::logic_error;
 };
 
-/// Throws NotImplemented. `exercise` is its number and name; the rest is ignored, so that a stub may hand over its
-/// parameters and compile without a warning about unused ones.
+/// Throws NotImplemented. `exercise` is the exercise's number and name. Other arguments are ignored, so a stub can pass
+/// its parameters to avoid warnings about unused ones.
 template <class... Unused>
 [[noreturn]] void not_implemented(const char* exercise, const Unused&...) {
   throw NotImplemented(std::string(exercise) + " is not implemented yet");

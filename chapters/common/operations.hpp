@@ -1,7 +1,7 @@
 #pragma once
-// Counts operations, so that a test can say how the cost of a function grows. A count is the same on every machine and
-// under any load, which a time is not. The files that are counted are named in chapters/CMakeLists.txt; the compiler puts
-// a call into each of their basic blocks, the stretches of code between two branches.
+// Counts operations, by which a test measures how the cost of a function grows. Unlike a time, a count is the same on
+// every machine and under any load. chapters/CMakeLists.txt lists the counted files. The compiler adds a call to each
+// of their basic blocks, the stretches of code between two branches.
 #include <cstdint>
 
 namespace spook {

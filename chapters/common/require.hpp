@@ -1,6 +1,5 @@
 #pragma once
-// Checks for numbers where they enter: each throws std::invalid_argument with the parameter's name and its value. None
-// lets a NaN in.
+// Checks of input numbers: each throws std::invalid_argument with the parameter's name and value. All reject NaN.
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -27,7 +26,7 @@ inline void require_not_negative(const std::string& name, double value) {
   if (!(std::isfinite(value) && value >= 0)) reject(name, value, "zero or positive, and finite");
 }
 
-/// For an Eigen vector or matrix: every coefficient finite.
+/// Throws unless every coefficient of an Eigen vector or matrix is finite.
 template <class Matrix>
 void require_all_finite(const std::string& name, const Matrix& values) {
   for (int k = 0; k < values.size(); ++k) require_finite(name, values.reshaped()(k));

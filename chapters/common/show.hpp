@@ -1,5 +1,5 @@
 #pragma once
-// Prints numbers, vectors, matrices and lists of them with a name and a unit: for playgrounds, ./course try.
+// Prints numbers, vectors, matrices and lists of them with a name and a unit, for playgrounds (./course try).
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <iostream>
@@ -14,7 +14,7 @@ namespace spook {
 template <class Value>
 std::string text(const Value& value);
 
-/// Entries in brackets, with commas between them.
+/// Prints entries in brackets, with commas between them.
 template <class List>
 std::string listed(const List& list, const char* open, const char* close) {
   std::string joined;
@@ -22,7 +22,7 @@ std::string listed(const List& list, const char* open, const char* close) {
   return open + joined + close;
 }
 
-/// A vector as (1, 2, 3); a matrix has a line for each of its own; a quaternion is (w, x, y, z).
+/// Prints a vector as (1, 2, 3), a matrix with a line for each row, and a quaternion as (w, x, y, z).
 template <class Value>
 std::string text(const Value& value) {
   if constexpr (std::is_same_v<Value, bool>) {
@@ -32,7 +32,7 @@ std::string text(const Value& value) {
   } else if constexpr (std::is_arithmetic_v<Value>) {
     std::ostringstream out;
     out.precision(10);
-    out << value + Value(0);  // a zero has no sign here
+    out << value + Value(0);  // prints -0 as 0
     return out.str();
   } else if constexpr (std::is_same_v<Value, Eigen::Quaterniond>) {
     return text(Eigen::Vector4d(value.w(), value.x(), value.y(), value.z()));
@@ -54,7 +54,7 @@ std::string text(const Value& value) {
   }
 }
 
-/// name = value unit; a matrix goes below its name.
+/// Prints `name = value unit`; a matrix below its name.
 template <class Value>
 void show(const std::string& name, const Value& value, const std::string& unit = "") {
   const std::string printed = text(value), behind = unit.empty() ? "" : " " + unit;

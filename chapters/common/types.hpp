@@ -1,8 +1,8 @@
 #pragma once
-// The few types that every chapter speaks in. SI units and world coordinates, unless a comment says otherwise.
-// A NaN stays a NaN, and a question about one is answered by no: chapters/NUMBERS.md.
-// Of every function: its answer depends on its arguments alone, and not on the units they are counted in; what is given
-// as const, and masses and Jacobians that are handed in, stay as they were.
+// The types that all chapters use. SI units and world coordinates, unless a comment says otherwise.
+// A NaN stays a NaN, and a comparison with a NaN is false: chapters/NUMBERS.md.
+// The result of a function depends on its arguments only, and not on units. Functions do not change const arguments,
+// nor masses and Jacobians.
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
@@ -20,8 +20,8 @@ using Quat = Eigen::Quaterniond;
 template <int Dof>
 using Twist = Eigen::Matrix<double, Dof, 1>;
 
-/// A rigid body's, of its two parts. Written two numbers at a time, as it will be read: a processor that reads two which
-/// were written in two pieces waits until both are in its cache.
+/// Builds the six numbers of a rigid body from two vectors. They are written two at a time, as they are read: a
+/// processor that reads a pair written in two pieces waits for the cache.
 inline Twist<6> twist(const Vec3& linear, const Vec3& angular) {
   Twist<6> both;
   both.segment<2>(0) = Eigen::Vector2d(linear[0], linear[1]);

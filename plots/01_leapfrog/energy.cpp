@@ -1,11 +1,11 @@
 // The energy of a Kepler orbit under three integrators, at equal cost: a cost is an evaluation of the force.
 //
-//   leapfrog    1 evaluation a step, order 2, and an error that stays                     Eq. (1.3), (1.4)
+//   leapfrog    1 evaluation a step, order 2, and a bounded error                         Eq. (1.3), (1.4)
 //   Euler       1 evaluation a step, order 1: x and v from the same old values
-//   RK4         4 evaluations a step, order 4, and an error that grows
+//   RK4         4 evaluations a step, order 4, and a growing error
 //
-// GM = 1, semi-major axis 1 [so that an orbit takes 2π], eccentricity 0.5, from its nearest point. The error is that of
-// the energy over its first value, the largest so far; v is taken to the time of x by half a kick.
+// GM = 1, semi-major axis 1 (so an orbit takes 2π), eccentricity 0.5, from the nearest point. The error is the largest
+// energy error so far, relative to the initial energy; half a kick moves v to the time of x.
 #include <cmath>
 #include <numbers>
 
@@ -34,7 +34,7 @@ State nearest_point() {
   return {Vec3(1 - eccentricity, 0, 0), Vec3(0, std::sqrt((1 + eccentricity) / (1 - eccentricity)), 0)};
 }
 
-/// Moves on by h. For leapfrog v is half a step behind.
+/// Advances by h. Leapfrog's v is half a step behind.
 using Step = State (*)(const State&, double h);
 
 State leapfrog(const State& s, double h) {

@@ -6,7 +6,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
 import figures  # noqa: E402
 
-TITLE = "What an orbit's energy costs, and what becomes of it"
+TITLE = "Leapfrog's energy error stays bounded; that of RK4 grows"
 COST, ORBIT, ERROR = "evaluations an orbit", "orbit", "energy error"
 
 

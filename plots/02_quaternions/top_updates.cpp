@@ -1,12 +1,12 @@
-// Three ways to turn an asymmetric top, free of torques: the error of its orientation, against steps and nanoseconds.
+// Rotation updates on an asymmetric top without torques: the error of its orientation against steps and nanoseconds.
 //
 //   first order    Eq. (2.4), with the gyroscopic torque (2.9) at the old ω
 //   exponential    Eq. (2.6), the same
 //   splitting      Eq. (2.11)
-//   no torque      Eq. (2.4), as the notes have it: ω is kept, where nature keeps L
+//   no torque      Eq. (2.4), as in the notes: keeps ω constant instead of L
 //
-// I = (1, 2, 3), ω = (0.3, 1, 0.2), 10 s. The answer is an integration of q' = ½ ω q with ω = I(q)⁻¹ L by RK4 in steps of
-// 1/4000 s; its own error, by halving them, is below 1e-12.
+// I = (1, 2, 3), ω = (0.3, 1, 0.2), 10 s. The answer is an integration of q' = ½ ω q with ω = I(q)⁻¹ L by RK4 in steps
+// of 1/4000 s; its own error, by halving them, is below 1e-12.
 #include <cmath>
 
 #include "02_quaternions/quaternions.hpp"
@@ -57,7 +57,7 @@ Turning turned(const Method& method, int steps) {
   return t;
 }
 
-/// By RK4, with L constant.
+/// Integrates by RK4, with constant L.
 Quat answer(int steps) {
   const Vec3 L = principal.asDiagonal() * first_omega;
   const auto rate = [&](const Quat& q) {
@@ -101,7 +101,8 @@ Experiment experiment(Size size) {
     claims.near("the splitting has order 2.0 ± 0.1", order("splitting"), 2, 0.1);
     claims.near("with the torque taken at the old ω the first-order update has order 1.0 ± 0.1",
                 order("first order"), 1, 0.1);
-    claims.near("and so has the exponential: it is the torque that is explicit", order("exponential"), 1, 0.1);
+    claims.near("so has the exponential update, since its torque is explicit, too", order("exponential"), 1,
+                0.1);
     claims.at_least("without the torque no step is small enough: the error stays above 0.1 rad",
                     last("no torque"), 0.1);
   };

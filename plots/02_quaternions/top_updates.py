@@ -6,7 +6,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
 import figures  # noqa: E402
 
-TITLE = "Turning an asymmetric top for 10 s"
+TITLE = "Only the splitting turns an asymmetric top with second-order accuracy"
 ERROR = "error [rad]"
 
 

@@ -1,7 +1,7 @@
-// What k and d of SPOOK do to one contact: how deep it rests, Eq. (3.13), and how a violation dies, Eq. (3.14).
+// Effect of SPOOK's k and d on one contact: its depth at rest, Eq. (3.13), and the decay of a violation, Eq. (3.14).
 //
-// A point mass of 1 kg over a floor, as one row, without projection: the linear equation itself. The decay is the factor
-// by which a violation shrinks in a step, on average over the later half of a long run without forces.
+// A point mass of 1 kg over a floor, as one row without projection. The decay is the factor by which a violation
+// shrinks in a step, on average over the later half of a long run without forces.
 #include <algorithm>
 #include <cmath>
 
@@ -32,7 +32,7 @@ double rest_gap(double h, double k, double d) {
   return s.gap;
 }
 
-/// The larger root of Eq. (3.14), as its modulus.
+/// Returns the modulus of the larger root of Eq. (3.14).
 double predicted_factor(double h, double k, double d) {
   const double sigma = 1 / (1 + m * spook_parameters(h, k, d).Sigma);
   const double beta = 1 - 2 * (d + 1) * sigma / (1 + 4 * d);
@@ -41,7 +41,7 @@ double predicted_factor(double h, double k, double d) {
   return discriminant < 0 ? std::sqrt(alpha) : std::abs(beta) + std::sqrt(discriminant);
 }
 
-/// Made as large as at the start again after each step, it is never lost in roundings.
+/// Scales the violation back to its initial size after each step, so that round-off does not hide it.
 double measured_factor(double h, double k, double d) {
   const SpookParameters spook = spook_parameters(h, k, d);
   State s{-1, 0};
@@ -85,14 +85,16 @@ Experiment experiment(Size size) {
         largest = std::max(largest, std::abs(value[n] / predicted[n] - 1));
       return largest;
     };
-    claims.at_most("a resting contact is -mg/k deep whatever h and d, to 1e-9 of it", worst("gap"), 1e-9);
+    claims.at_most("a resting contact has the gap -mg/k for any h and d, to a relative 1e-9", worst("gap"),
+                   1e-9);
     claims.at_most("a violation shrinks by the larger root of Eq. (3.14) in each step, to one per cent",
                    worst("decay"), 0.01);
     const Table stiff = table.where("what", "decay").where("k", 1e9);
     const auto factors = stiff.numbers("value"), d = stiff.numbers("d");
     const auto least = std::min_element(factors.begin(), factors.end());
-    claims.near("a stiff contact forgets fastest at d = 2, by 1/3 a step: not within d steps",
-                d[std::size_t(least - factors.begin())], 2, 1e-6);
+    claims.near(
+        "a violation of a stiff contact decays fastest at d = 2, by a factor of 1/3 a step: not within d steps",
+        d[std::size_t(least - factors.begin())], 2, 1e-6);
   };
   return e;
 }

@@ -6,7 +6,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
 import figures  # noqa: E402
 
-TITLE = "What k and d are: a depth at rest, and a rate of forgetting"
+TITLE = "k sets the depth at rest, d the decay of a violation"
 
 
 def draw(data, mine):

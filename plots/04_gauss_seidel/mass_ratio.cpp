@@ -1,4 +1,4 @@
-// How many sweeps a heavy body on a light one takes, against Eq. (4.10).
+// The number of sweeps for a heavy body on a light one, compared with Eq. (4.10).
 //
 // Two point masses at rest on a floor, m = 1 below and M above, as two rows with Σ = 0; λ is swept from 0. The error is
 // that of the impulse between the bodies, over its exact value h M g. The notes say that it falls as 1/N.
@@ -17,7 +17,7 @@ struct Stack {
   std::vector<Twist<3>> V;
 };
 
-/// Rows from the floor up; masses from below.
+/// Builds the rows from the floor up, for masses from below.
 Stack stack(const std::vector<double>& masses) {
   const Twist<3> up(0, 0, 1);
   Motion<3> motion;
@@ -39,7 +39,8 @@ double rate(double ratio) {
   return 1 / (1 + 1 / ratio);  // Eq. (4.10), Σ = 0
 }
 
-/// The relative error of the upper impulse at sweeps 1, 2, 5, 10, 20, ... until it is below 1e-6, or `most` sweeps.
+/// Returns the relative error of the upper impulse at sweeps 1, 2, 5, 10, 20, ... until it is below 1e-6, or for `most`
+/// sweeps.
 std::vector<Row> history(double ratio, bool heavy_on_top, double most) {
   const double upper = heavy_on_top ? ratio : 1;
   Stack s = stack({heavy_on_top ? 1 : ratio, upper});

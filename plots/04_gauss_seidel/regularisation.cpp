@@ -1,7 +1,7 @@
-// What Σ does for Gauss-Seidel: for a heavy body on a light one, Eq. (4.10), and for rows that contradict each other.
+// Effect of Σ on Gauss-Seidel: for a heavy body on a light one, Eq. (4.10), and for contradictory rows.
 //
 //   sweeps       to an error of 1e-6 of the impulse between the two, over the mass ratio, for m Σ of 0, 1e-4 and 1e-2
-//   contradict   two rows between the same two bodies, S = [[1, 1], [1, 1]] + Σ, that ask for velocities of 1 and 2 m/s:
+//   contradict   two rows between the same two bodies, S = [[1, 1], [1, 1]] + Σ, with right-hand sides of 1 and 2 m/s:
 //                the first impulse and the velocity after each sweep
 #include <cmath>
 
@@ -83,7 +83,8 @@ Experiment experiment(Size size) {
     for (std::size_t n = 0; n < found.size(); ++n)
       off = std::max(off, (std::abs(found[n] - predicted[n]) - 1) / predicted[n]);
     claims.at_most(
-        "the sweeps are those of Eq. (4.10) for every mass ratio and Σ, to within one, and one in ten thousand",
+        "the number of sweeps is that of Eq. (4.10) for every mass ratio and Σ, to within one, and one in ten "
+        "thousand",
         off, 1e-4);
     const auto soft = ratios.where("Sigma", 0.01).numbers("sweeps or impulse");
     claims.at_most("with m Σ = 0.01 no mass ratio takes more than 700 sweeps",
@@ -91,13 +92,10 @@ Experiment experiment(Size size) {
 
     const Table rows = table.where("what", "contradict");
     const auto drift = rows.where("Sigma", 0).numbers("sweeps or impulse");
-    claims.near(
-        "rows that contradict each other, with Σ = 0, push the impulses apart by 1 N s in every sweep, for "
-        "ever",
-        (drift.front() - drift.back()) / (static_cast<double>(drift.size()) - 1), 1, 1e-9);
+    claims.near("contradictory rows with Σ = 0 drive the impulses apart by 1 N s in every sweep, for ever",
+                (drift.front() - drift.back()) / (static_cast<double>(drift.size()) - 1), 1, 1e-9);
     const auto settled = rows.where("Sigma", 0.1).numbers("predicted or velocity");
-    claims.near("with Σ = 0.1 they settle at the mean that Σ makes: 3/(2 + Σ) m/s", settled.back(), 3 / 2.1,
-                1e-9);
+    claims.near("with Σ = 0.1 they converge to the velocity 3/(2 + Σ) m/s", settled.back(), 3 / 2.1, 1e-9);
   };
   return e;
 }

@@ -6,7 +6,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
 import figures  # noqa: E402
 
-TITLE = "What Σ buys: a bound on the sweeps, and an answer where there is none"
+TITLE = "Σ bounds the number of sweeps, and gives contradictory rows a solution"
 X, Y = "ratio or sweep", "sweeps or impulse"
 
 

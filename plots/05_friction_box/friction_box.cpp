@@ -1,7 +1,8 @@
-// How strong the friction box is in which direction, Eq. (5.12), (5.13), and up to which slope a block sticks, Eq. (5.9).
+// Strength of the friction box by direction, Eq. (5.12), (5.13), and the steepest slope on which a block sticks, Eq.
+// (5.9).
 //
 //   push       the smallest force along a direction that moves a block at rest, over m g
-//   distance   how far a block comes that was let go at v0 in that direction, over v0²/(2 μ g)
+//   distance   the sliding distance of a block thrown at v0 in that direction, over v0²/(2 μ g)
 //   slope      the smallest μ with which a block stays on a slope
 //
 // A point mass on a plane; directions are from the first tangent, φ = 0. Thresholds are found by bisection.
@@ -35,13 +36,13 @@ World<3> block(double friction, const Vec3& gravity, ForceField force = nullptr,
 
 constexpr int block_index = 1;
 
-/// Whether it has got going within a second.
+/// Tells whether the block moves within a second.
 bool moves(World<3> world) {
   for (int n = 0; n < 60; ++n) world.step(1.0 / 60);
   return world.v(block_index).head<2>().norm() > 1e-9;
 }
 
-/// Where `moving` changes from false to true, or from true to false.
+/// Returns the argument at which `moving` changes.
 template <class Moving>
 double threshold(double low, double high, const Moving& moving) {
   const bool at_low = moving(low);
@@ -67,8 +68,8 @@ double smallest_friction(double angle) {
   return threshold(0, 10, [&](double friction) { return moves(block(friction, gravity)); });
 }
 
-/// From start to stop, with v started half a step back along each tangent, so that the order is 2. (Friction of a student
-/// that is wrong may never stop it: it is given 60 s.)
+/// Returns the distance from start to stop, with v started half a step back along each tangent, so that the order is 2.
+/// (Wrong friction of a student may never stop the block, so it stops after 60 s.)
 double distance(double phi, double h) {
   const double v0 = 3;
   const Tangents t = tangents(Vec3::UnitZ());
@@ -109,7 +110,8 @@ Experiment experiment(Size size) {
     };
     claims.at_most("the push that moves a block is μ m g/max(|cos φ|, |sin φ|) in every direction, to 1e-9",
                    worst("push"), 1e-9);
-    claims.at_most("the distance to a stop goes with √(cos⁴φ + sin⁴φ), to 1e-4", worst("distance"), 1e-4);
+    claims.at_most("the distance to a stop is proportional to √(cos⁴φ + sin⁴φ), to 1e-4", worst("distance"),
+                   1e-4);
     claims.at_most("a block stays on a slope from μ = tan θ on, to 1e-8", worst("slope"), 1e-8);
     const auto push = table.where("what", "push").numbers("value");
     claims.near("along a diagonal the box is √2 times as strong as along a tangent, to 1e-9",

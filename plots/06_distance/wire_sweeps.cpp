@@ -1,8 +1,8 @@
-// A hanging wire under Gauss-Seidel: the sweeps that it takes, Eq. (6.12), and how long it gets with fewer.
+// A hanging wire under Gauss-Seidel: the number of sweeps needed, Eq. (6.12), and the stretch with fewer.
 //
 //   tension   one step of a straight wire at rest, Σ nearly 0, λ from 0: the largest error of a tension over that of the
 //             top, against sweeps
-//   stretch   the same wire after some seconds with so many sweeps in each step: its stretch over its length
+//   stretch   relative stretch of the same wire after some seconds, against sweeps in each step
 //
 // N links of 1/N m, points of m = 1 kg, a load of ratio·m in place of the last. Rows from the top down.
 #include <cmath>
@@ -24,7 +24,7 @@ struct Wire {
   double load(int point) const { return point == links ? ratio * m : m; }
   double tension(int link) const { return (ratio * m + (links - link) * m) * g; }  // Eq. (6.8), 1 at the top
 
-  /// By Eq. (6.9).
+  /// The stretch at rest by Eq. (6.9).
   double stretch(double k) const {
     double sum = 0;
     for (int link = 1; link <= links; ++link) sum += tension(link);
@@ -112,15 +112,15 @@ Experiment experiment(Size size) {
     for (const int links : {10, 20, 40})
       worst = std::max(worst, std::abs(rate(links, 1) / predicted(links) - 1));
     claims.at_most(
-        "a wire of equal points loses its error at the rate cos²(π/(2N)) a sweep, to 1 per cent of its "
+        "in a wire of equal points the error shrinks by cos²(π/(2N)) in a sweep, to 1 per cent of its "
         "logarithm",
         worst, 0.01);
     claims.near("twice the links take four times the sweeps: 4.0 ± 0.1 from 20 to 40",
                 rate(20, 1) / rate(40, 1), 4, 0.1);
     const Table rubber = table.where("what", "stretch").where("links", 10).where("ratio", 100);
     claims.near(
-        "with too few sweeps a step, ten links with a load of 100:1 stretch by one over their number: slope "
-        "-1.0 ± 0.1",
+        "with too few sweeps a step, the stretch of ten links with a load of 100:1 is proportional to one over "
+        "the sweeps: slope -1.0 ± 0.1",
         log_log_slope({20, 200}, {rubber.where("sweeps", 20).number("value"),
                                   rubber.where("sweeps", 200).number("value")}),
         -1, 0.1);

@@ -1,11 +1,11 @@
-// What impacts do to energy: bounces of a ball, and boxes that land on a corner under the notes' law and under ours.
+// Energy in impacts: bounces of a ball, and boxes that land on a corner, with the notes' law and with ours.
 //
-//   bounce   a ball let go at h0 = 1 m, for several e: its peaks, against h0 e^(2n), Eq. (7.11)
-//   late     how far the third peak is off for e = 0.7, against h, if an impact changes only velocities: the ball is seen
-//            when it is in the floor already
-//   in time  the same by the engine, which goes back to when it touched: Eq. (7.15), (7.16)
-//   gain     of random boxes that hit a floor with their lowest corner, the share that gains energy by Eq. (7.3) or
-//            (7.5), and by how much; and the same for the guarded law
+//   bounce   a ball dropped from h0 = 1 m, for several e: its peaks, compared with h0 e^(2n), Eq. (7.11)
+//   late     error of the third peak for e = 0.7, against h, if an impact changes only velocities: the ball is then
+//            detected after penetration
+//   in time  the same with the engine, which returns to the time of touch: Eq. (7.15), (7.16)
+//   gain     of random boxes that hit a floor with their lowest corner, the fraction that gains energy by Eq. (7.3) or
+//            (7.5), and the gain; and the same for the guarded law
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -21,8 +21,8 @@ namespace {
 
 constexpr double g = 9.81, h0 = 1, radius = 0.1;
 
-/// The heights of the first peaks after the start; infinite for those that do not come in 20 s, as with impacts or
-/// kicks of a student that are wrong.
+/// Returns the heights of the first peaks after the start; infinite for a peak that does not occur within 20 s, as with
+/// wrong functions of a student.
 std::vector<double> peaks(double e, double h, std::size_t count) {
   World<3> world(
       {.gravity = Vec3(0, 0, -g), .impacts = ImpactLaw{.restitution = e}, .solver = gauss_seidel<3>()});
@@ -46,7 +46,7 @@ std::vector<double> peaks(double e, double h, std::size_t count) {
   return found;
 }
 
-/// The third peak, if impacts change only velocities.
+/// Returns the third peak if impacts change only velocities.
 double third_peak_seen_late(double e, double h) {
   Motion<3> motion{.inverse_mass = {{.linear = 0}, {.linear = 1}},
                    .W = {Vec3::Zero(), h / 2 * g * Vec3::UnitZ()},
@@ -64,7 +64,7 @@ double third_peak_seen_late(double e, double h) {
   return x.z() + v * v / (2 * g);
 }
 
-/// Numbers that are the same on every machine.
+/// Random numbers that are the same on every machine.
 class Numbers {
  public:
   double uniform(double low, double high) {
@@ -87,7 +87,7 @@ struct Landing {
   Vec3 u;
 };
 
-/// A box in a random attitude whose lowest corner comes down on a floor at a random velocity.
+/// A box of random orientation whose lowest corner hits a floor at a random velocity.
 Landing random_landing(Numbers& numbers) {
   Vec3 half_sides;
   for (double& side : half_sides) side = numbers.uniform(0.1, 1.1);
@@ -159,12 +159,11 @@ Experiment experiment(Size size) {
     claims.at_most("with e = 1 each peak is at h0 again, to 1e-12", off, 1e-12);
     const Table late = table.where("what", "late");
     claims.near(
-        "with e = 0.7 the third peak is off by an error of order 1.0 ± 0.15 in h if only velocities change, as "
-        "the "
-        "ball is seen late",
+        "with e = 0.7 the third peak has an error of order 1.0 ± 0.15 in h if impacts change only velocities, "
+        "since they are detected late",
         log_log_slope(late.numbers("mu or h"), late.numbers("value")), 1, 0.15);
     const auto in_time = table.where("what", "in time").numbers("value");
-    claims.at_most("put back to when it touched, it is right to 1e-12 with any step",
+    claims.at_most("if impacts also correct the position, the peak is right to 1e-12 with any step",
                    *std::max_element(in_time.begin(), in_time.end()), 1e-12);
     const auto share = [&](double e) {
       return table.where("what", "gain").where("mu or h", 0.5).where("e", e).number("value");
@@ -175,7 +174,7 @@ Experiment experiment(Size size) {
         100 * share(0.5), 0.6, 0.2);
     claims.near("with e = 1 it is 20 ± 1 per cent", 100 * share(1), 20, 1);
     const auto guarded = table.where("what", "guarded").numbers("expected or largest");
-    claims.at_most("by the guarded law none does, beyond roundings of 1e-12",
+    claims.at_most("with the guarded law none does, up to round-off of 1e-12",
                    *std::max_element(guarded.begin(), guarded.end()), 1e-12);
   };
   return x;

@@ -6,7 +6,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
 import figures  # noqa: E402
 
-TITLE = "What impacts do to energy"
+TITLE = "Corrected impacts have exact peaks; guarded impacts add no energy"
 
 
 def draw(data, mine):

@@ -1,14 +1,14 @@
-// What three ways to find pairs compare, and how long they take: spheres of radius 0.35 m, at random places, one in each
-// cubic metre, so that each touches as many others however many there are.
+// Number of comparisons and time of three broad phases. Spheres of radius 0.35 m are at random positions, one in each
+// cubic metre, so the number of neighbours of a sphere does not depend on N.
 //
 //   all pairs         N (N - 1)/2 comparisons
-//   sweep and prune   those that overlap along one axis: N (N - 1)/2 times 2·0.7/L of a cube of side L = N^(1/3),
+//   sweep and prune   pairs that overlap along one axis: N (N - 1)/2 times 2·0.7/L in a cube of side L = N^(1/3),
 //                     so N^(5/3); Eq. (8.12)
-//   spatial hash      those that share a cell of 1 m: a sphere's bounds are in 1.7 cells along each axis, so a cell
-//                     has μ = 1.7³ of them, and μ²/2 pairs: 12 N, but for the surface; Eq. (8.13), (8.14)
+//   spatial hash      pairs that share a cell of 1 m: a sphere's bounds are in 1.7 cells along each axis, so a cell
+//                     has μ = 1.7³ of them, and μ²/2 pairs: 12 N, except near the surface; Eq. (8.13), (8.14)
 //
-// Comparisons are counted here, from what these equations say, and so are the same on every machine. Times are those of
-// the functions.
+// Comparisons are counted from these equations, so they are the same on every machine. Times are those of the
+// functions.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -56,7 +56,7 @@ double pairs_of(double count) {
   return count * (count - 1) / 2;
 }
 
-/// Pairs that overlap along x: each with those that begin before it ends.
+/// Returns the number of pairs that overlap along x.
 double overlapping_along_x(const std::vector<Bounds>& bounds) {
   std::vector<double> lower;
   for (const Bounds& one : bounds) lower.push_back(one.lower.x());
@@ -67,7 +67,7 @@ double overlapping_along_x(const std::vector<Bounds>& bounds) {
   return count;
 }
 
-/// Pairs that share a cell of 1 m, counted in each cell that they share.
+/// Returns the number of pairs that share a cell of 1 m, counted in each shared cell.
 double sharing_a_cell(const std::vector<Bounds>& bounds) {
   std::map<std::tuple<double, double, double>, double> cells;
   for (const Bounds& one : bounds) {
@@ -81,8 +81,8 @@ double sharing_a_cell(const std::vector<Bounds>& bounds) {
   return count;
 }
 
-/// Along an axis of length L the cells have 0.35, 1.35, 1.7, …, 1.7, 1.35, 0.35 spheres in them, in the mean; the sum of
-/// their squares is 2.89 L - 1.89. The same along the others.
+/// Returns the expected number. Along an axis of length L the cells contain 0.35, 1.35, 1.7, …, 1.7, 1.35, 0.35 spheres
+/// in the mean. The sum of their squares is 2.89 L - 1.89, and the same along the other axes.
 double sharing_a_cell_in_the_mean(double count) {
   return count * std::pow(2.89 - 1.89 / std::cbrt(count), 3) / 2;
 }
@@ -121,22 +121,24 @@ Experiment experiment(Size size) {
       return log_log_slope(some.numbers("bodies"), some.numbers("compared"));
     };
     claims.near("all pairs are N²/2 comparisons: slope 2.00 ± 0.01", slope("all pairs"), 2, 0.01);
-    claims.near("sweep and prune makes as many as overlap along one axis, N^(5/3): slope 1.67 ± 0.03",
+    claims.near("sweep and prune compares the pairs that overlap along one axis, N^(5/3): slope 1.67 ± 0.03",
                 slope("sweep and prune"), 5.0 / 3, 0.03);
-    claims.near("the hash makes as many as share a cell, N: slope 1.00 ± 0.05", slope("spatial hash"), 1, 0.05);
+    claims.near("the hash compares the pairs that share a cell, N: slope 1.00 ± 0.05", slope("spatial hash"), 1,
+                0.05);
     double worst = 0;
     const Table hash = table.where("way", "spatial hash");
     const auto bodies = hash.numbers("bodies"), compared = hash.numbers("compared");
     for (std::size_t k = 0; k < bodies.size(); ++k)
       worst = std::max(worst, std::abs(compared[k] / sharing_a_cell_in_the_mean(bodies[k]) - 1));
-    claims.at_most("(2.89 - 1.89/L)³/2 a sphere in a cube of side L, to 5 per cent", worst, 0.05);
+    claims.at_most("these are (2.89 - 1.89/L)³/2 for each sphere in a cube of side L, to 5 per cent", worst,
+                   0.05);
     double different = 0;
     for (const double count : {1000, 2000, 4000, 8000}) {
       const auto pairs = table.where("bodies", count).numbers("pairs");
       different +=
           *std::max_element(pairs.begin(), pairs.end()) - *std::min_element(pairs.begin(), pairs.end());
     }
-    claims.near("all three find as many pairs", different, 0, 0);
+    claims.near("all three find the same number of pairs", different, 0, 0);
   };
   return e;
 }

@@ -6,7 +6,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
 import figures  # noqa: E402
 
-TITLE = "Finding pairs of spheres, one in each cubic metre"
+TITLE = "All pairs cost N² comparisons, sweep and prune N^(5/3), a spatial hash N"
 
 
 def draw(data, mine):

@@ -1,7 +1,7 @@
-// Four models of friction in scenes that know Coulomb's answer.
+// Four friction models in scenes with a known answer by Coulomb's law.
 //
 //   push       the smallest force along a direction that moves a block at rest, over μ m g
-//   distance   how far a block comes that was let go at v0 in that direction, over v0²/(2 μ g)
+//   distance   the sliding distance of a block thrown at v0 in that direction, over v0²/(2 μ g)
 //   stack      the smallest μ with which n points, one on the other, stay on a slope, over tan θ
 //   spin       the spin of a disc on its flat side, over its first; time over 3 R ω0/(4 μ g)
 //
@@ -19,13 +19,13 @@ constexpr Model models[] = {Model::box, Model::sliding_box, Model::two_pass, Mod
 constexpr StopRule sharp{.max_sweeps = 50000, .tolerance = 1e-13};
 const Vec3 up = Vec3::UnitZ(), nothing = Vec3::Zero();
 
-/// For a slip u that the forces of this step are part of.
+/// Returns the tangents for a slip u that includes the forces of this step.
 Tangents tangents_of(Model model, const Vec3& u) {
   if (model == Model::sliding_box) return sliding_tangents(up, u, 1e-12);
   return {.t1 = Vec3::UnitX(), .t2 = Vec3::UnitY()};
 }
 
-/// The velocity of 1 kg on a floor after a step.
+/// Returns the velocity of a mass of 1 kg on a floor after a step.
 Vec3 pushed(Model model, const Vec3& v, const Vec3& force, double h) {
   Rubbed<3> s;
   const Vec3 Wf = h * (force - g * up);
@@ -37,7 +37,7 @@ Vec3 pushed(Model model, const Vec3& v, const Vec3& force, double h) {
   return s.velocity(1);
 }
 
-/// Where `moving` changes from true to false, or from false to true.
+/// Returns the argument at which `moving` changes.
 template <class Moving>
 double threshold(double low, double high, const Moving& moving) {
   const bool at_low = moving(low);
@@ -58,7 +58,8 @@ double smallest_push(Model model, double phi) {
   });
 }
 
-/// From start to stop; v starts half a step early, by friction's own deceleration, so that the order is 2.
+/// Returns the distance from start to stop; v starts half a step early, with friction's own deceleration, so that the
+/// order is 2.
 double distance(Model model, double phi, double h) {
   const double v0 = 3;
   Vec3 x = nothing, v = v0 * direction(phi);
@@ -89,7 +90,7 @@ double smallest_mu(Model model, int n) {
   return threshold(0, 100, slides);
 }
 
-/// 1 kg, 80 points with the same area each, in 40 pairs of opposite ones.
+/// A disc of 1 kg, represented by 80 points of equal area, in 40 pairs of opposite points.
 struct Disc {
   static constexpr double radius = 0.5, inertia = radius * radius / 2, h = 1.0 / 240, first = 20;
   static constexpr int pairs = 40;
@@ -186,23 +187,24 @@ Experiment experiment(Size size) {
         largest = std::max(largest, worst(table.where("what", what).where("model", name(model))));
       return largest;
     };
-    claims.at_most("the cone, and the box on sliding tangents, are as strong in every direction, to 1e-9",
-                   all("push", {Model::cone, Model::sliding_box}), 1e-9);
+    claims.at_most(
+        "the cone, and the box on sliding tangents, have the same strength in every direction, to 1e-9",
+        all("push", {Model::cone, Model::sliding_box}), 1e-9);
     claims.at_most("with both a block stops after v0²/(2μg) in every direction, to 1e-4",
                    all("distance", {Model::cone, Model::sliding_box}), 1e-4);
     claims.at_most("two passes have the box's corners, Eq. (5.12), to 1e-9",
                    all("push", {Model::box, Model::two_pass}), 1e-9);
     claims.at_most("a stack stays on a slope from μ = tan θ on with two passes and with the cone, to 1e-6",
                    all("stack", {Model::two_pass, Model::cone}), 1e-6);
-    claims.at_most("with a guessed mass it takes max(n, 2(n-1)) tan θ, to 1e-6",
+    claims.at_most("with the box's estimate it needs μ = max(n, 2(n-1)) tan θ, to 1e-6",
                    all("stack", {Model::box, Model::sliding_box}), 1e-6);
     const auto stops = [&](Model model) {
       return table.where("what", "spin").where("model", name(model)).numbers("at").back();
     };
     claims.near("a spinning disc stops after 3Rω0/(4μg) with the cone, to 1 per cent", stops(Model::cone), 1,
                 0.01);
-    claims.near("with the box after π/4 of that, to 1 per cent", stops(Model::box) / (std::numbers::pi / 4), 1,
-                0.01);
+    claims.near("with the box after π/4 of that time, to 1 per cent",
+                stops(Model::box) / (std::numbers::pi / 4), 1, 0.01);
   };
   return e;
 }

@@ -7,7 +7,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
 import figures  # noqa: E402
 
-TITLE = "Limits from what presses right the stack; the cone rights the directions, too"
+TITLE = "Normal forces as limits correct the stack; the cone also corrects directions"
 MODELS = ("box", "two passes", "sliding tangents", "cone")
 # Where two are alike both are seen: a thin dark line on a wide pale one. In a stack others are alike than elsewhere.
 WIDE, WIDE_IN_STACK = ("box", "sliding tangents"), ("box", "two passes")

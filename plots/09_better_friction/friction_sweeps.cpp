@@ -1,9 +1,9 @@
-// What the sweeps do with each model of friction, one solve at a time.
+// Convergence of sweeps with each friction model, in single solves.
 //
-//   pile     thirty balls in a pyramid at rest, μ = 1: what each sweep returns, over g h (for two passes: the second)
+//   pile     thirty balls in a pyramid at rest, μ = 1: largest change in each sweep, over g h (two passes: the second)
 //   rod      a rod that slides on one end, tan 2 steep, end behind or ahead: the same
 //   five     the smallest μ with which a pyramid of five balls stays
-//   answers  the pyramid of thirty, solved on cones from two starts: the speed that it ends with, and the residual
+//   answers  the pyramid of thirty, solved on cones from two starts: its final speed, and the residual
 #include <numbers>
 
 #include "09_better_friction/rubbing.hpp"
@@ -15,14 +15,14 @@ namespace {
 constexpr double h = 1.0 / 60;
 const Vec3 up = Vec3::UnitZ(), nothing = Vec3::Zero();
 
-/// The first tangent goes uphill, or on the floor outwards.
+/// The first tangent points uphill, or outwards on the floor.
 Tangents steepest(const Vec3& n, const Vec3& outwards) {
   const Vec3 along = n.cross(up).norm() > 1e-6 ? up : outwards.norm() > 1e-6 ? outwards : Vec3::UnitX();
   const Vec3 t1 = (along - n.dot(along) * n).normalized();
   return {.t1 = t1, .t2 = n.cross(t1)};
 }
 
-/// Balls of 1 kg, their places, and all contacts between them and with the floor.
+/// Balls of 1 kg, their positions, and all contacts between them and with the floor.
 Rubbed<6> balls(const std::vector<Vec3>& places, double radius, double mu) {
   Rubbed<6> s;
   add_body<6>(s, {}, Twist<6>::Zero(), Twist<6>::Zero());
@@ -45,7 +45,7 @@ Rubbed<6> balls(const std::vector<Vec3>& places, double radius, double mu) {
   return s;
 }
 
-/// Squares of balls that touch, the lowest of `side` a side, around the z-axis.
+/// Square layers of touching balls around the z-axis, with `side` balls along a side of the lowest.
 Rubbed<6> pyramid(int side, double mu) {
   const double radius = 0.5;
   std::vector<Vec3> places;
@@ -58,7 +58,7 @@ Rubbed<6> pyramid(int side, double mu) {
   return balls(places, radius, mu);
 }
 
-/// 1 kg and 2 m, its lower end on the floor, the other above it at x > 0; μ n·Kt/n·Kn is -0.75 μ for slip > 0.
+/// A rod of 1 kg and 2 m, its lower end on the floor, the other above it at x > 0; μ n·Kt/n·Kn is -0.75 μ for slip > 0.
 Rubbed<6> rod(double mu, double slip) {
   Rubbed<6> s;
   add_body<6>(s, {}, Twist<6>::Zero(), Twist<6>::Zero());
@@ -70,7 +70,7 @@ Rubbed<6> rod(double mu, double slip) {
   return s;
 }
 
-/// What the sweeps returned, over g h; of two passes the second's.
+/// Returns the results of the sweeps, over g h; of two passes those of the second.
 std::vector<Row> history(const std::string& what, const std::string& which, Model model, Rubbed<6> s,
                          int most) {
   const StopRule stop{.max_sweeps = most, .tolerance = 1e-12 * g * h};
@@ -147,24 +147,25 @@ Experiment experiment(Size size) {
       }
     }
     claims.at_most(
-        "a rod that slides with μ n·Kt/n·Kn of 0.75 or -0.75 is solved at that rate: 0.75 a sweep, to 1e-6",
+        "for a rod that slides with μ n·Kt/n·Kn of 0.75 or -0.75, sweeps converge at that rate: 0.75 a sweep, "
+        "to 1e-6",
         off, 1e-6);
     const auto round = values("rod", "cone -1.5");
-    claims.near("with -1.5 the cone's sweeps never end: the thousandth returns what the first did",
+    claims.near("with -1.5 the cone's sweeps do not converge: the thousandth changes as much as the first",
                 round.back() / round.front(), 1, 1e-9);
-    claims.at_most("the second of two passes is done after 3 there",
+    claims.at_most("the second of two passes converges in 3 sweeps there",
                    static_cast<double>(values("rod", "two passes -1.5").size()), 3);
     const auto five = [&](Model model) { return values("five", name(model)).front(); };
     const double right = std::numbers::sqrt2 - 1;
-    claims.near("five balls in a pyramid stay from μ = tan 22.5° = 0.414 on with the cone, to 1e-3",
+    claims.near("five balls in a pyramid stand from μ = tan 22.5° = 0.414 on with the cone, to 1e-3",
                 five(Model::cone) / right, 1, 1e-3);
-    claims.near("with two passes they stay from 0.366 on, to 1e-3",
+    claims.near("with two passes they stand from 0.366 on, to 1e-3",
                 five(Model::two_pass) / (right * 5 / (4 * std::numbers::sqrt2)), 1, 1e-3);
     claims.near("with the box from 0.293 on, to 1e-3", five(Model::box) / (right / std::numbers::sqrt2), 1,
                 1e-3);
     claims.at_most("thirty balls with μ = 1, solved on cones from zero, are at rest, to 1e-8 m/s",
                    values("answers", "from zero speed").front(), 1e-8);
-    claims.at_least("solved from the answer of two passes some of them move, with more than 1 cm/s",
+    claims.at_least("solved from the answer of two passes, some of them move at more than 1 cm/s",
                     values("answers", "from two passes speed").front(), 1e-2);
     claims.at_most("both answers solve Coulomb's law to 1e-9 m/s",
                    std::max(values("answers", "from zero residual").front(),

@@ -6,7 +6,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
 import figures  # noqa: E402
 
-TITLE = "The price of the cone: more sweeps, no end of them, or two answers"
+TITLE = "Sweeps on the cone may be slow, not converge, or have two solutions"
 RODS = {"cone 0.75": "cone, ρ = 0.75", "cone -0.75": "cone, ρ = -0.75", "cone -1.5": "cone, ρ = -1.5",
         "two passes -1.5": "two passes, ρ = -1.5"}
 

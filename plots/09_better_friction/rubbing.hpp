@@ -1,5 +1,5 @@
 #pragma once
-// Bodies that rub, as rows, and the ways to solve them that are compared here.
+// Rows of bodies with friction, and the friction models under comparison.
 #include <cmath>
 #include <string>
 #include <vector>
@@ -35,7 +35,7 @@ struct Rubbed {
 
   Twist<Dof> velocity(std::size_t body) const { return motion.W[body] + motion.Wf[body] + V[body]; }
 
-  /// The largest of all bodies' [m/s, rad/s].
+  /// The largest norm of a body's velocity [m/s, rad/s].
   double speed() const {
     double largest = 0;
     for (std::size_t k = 0; k < V.size(); ++k) largest = std::max(largest, velocity(k).norm());
@@ -52,7 +52,7 @@ int add_body(Rubbed<Dof>& s, const InverseMass<Dof>& inverse_mass, const Twist<D
   return static_cast<int>(s.V.size()) - 1;
 }
 
-/// Normal row and friction rows, the latter with bounds of ±`bound`; a = 0, b = 1, Σ = Γ = 0.
+/// Adds a normal row and two friction rows with bounds of ±`bound`; a = 0, b = 1, Σ = Γ = 0.
 template <int Dof>
 void add_contact(Rubbed<Dof>& s, const Contact& contact, const Tangents& t, double mu, double bound) {
   const SpookParameters rigid{.a = 0, .b = 1, .Sigma = 0};

@@ -1,4 +1,4 @@
-// How fast the same rows are solved: orders of Gauss-Seidel, a warm start, and conjugate gradients.
+// Convergence on the same rows: orders of Gauss-Seidel, a warm start, and conjugate gradients.
 //
 // One step of four scenes at rest under gravity, h = 1/60, gaps 0, k = 1e9, d = 3. Bodies are numbered at random; rows
 // come in the order of their pairs of bodies ("given").
@@ -8,8 +8,8 @@
 //   pile    55 smooth balls as a pyramid between two walls
 //   wall    27 bricks in six layers, with friction
 //
-// The residual of Eq. (4.8) over that of λ = 0, against what was spent, in sweeps: an iteration of conjugate gradients
-// counts as five, by what it goes through (3.5 to 6.5). Methods:
+// The residual of Eq. (4.8) over that of λ = 0, against the cost in sweeps. An iteration of conjugate gradients counts
+// as five, by its operations (3.5 to 6.5). Methods:
 //
 //   given, up, down   Gauss-Seidel in that order, up from the lowest contact
 //   random            a new order for each sweep; the median over seeds, and quartiles
@@ -31,7 +31,7 @@ namespace {
 
 constexpr double h = 1.0 / 60, g = 9.81, iteration_cost = 5;
 
-/// Rows, the velocities that belong to their λ of 0, and the heights of their points.
+/// Rows, their velocities at λ = 0, and the heights of their points.
 template <int Dof>
 struct Scene {
   std::vector<spook::Row<Dof>> rows;
@@ -43,7 +43,7 @@ SpookParameters stiff() {
   return spook_parameters(h, 1e9, 3);
 }
 
-/// 0 stays: it is the ground.
+/// Body 0 is the ground, and keeps its number.
 std::vector<int> random_numbers(int bodies) {
   std::mt19937_64 generator(10);
   std::vector<int> number = {0};
@@ -62,7 +62,7 @@ Motion<Dof> at_rest(int bodies, const InverseMass<Dof>& each) {
   return motion;
 }
 
-/// Constraints with their heights, to rows in the order of their pairs.
+/// Builds rows from constraints with their heights, in the order of their pairs.
 template <int Dof>
 Scene<Dof> in_given_order(std::vector<std::pair<Constraint<Dof>, double>> all, const Motion<Dof>& motion) {
   std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
@@ -131,7 +131,7 @@ Scene<3> pile() {
   return in_given_order(all, at_rest<3>(static_cast<int>(balls.size()), {.linear = 1}));
 }
 
-/// Bricks of 1 kg, half a brick further in every other layer, and three rows a contact: μ = 0.5.
+/// Bricks of 1 kg, shifted by half a brick in every other layer, and three rows a contact: μ = 0.5.
 Scene<6> wall() {
   const double touching = 1e-9, mu = 0.5;
   const Vec3 half(0.5, 0.25, 0.25);
@@ -172,7 +172,7 @@ Scene<6> wall() {
   return in_given_order(all, at_rest<6>(n, {.linear = 1, .angular = moment.cwiseInverse().asDiagonal()}));
 }
 
-/// 1, 2, 3, 4, 6, 8, 11, 16 ... up to `most`.
+/// Returns 1, 2, 3, 4, 6, 8, 11, 16 ... up to `most`.
 std::vector<int> counts(int most) {
   std::vector<int> all;
   for (double next = 1; std::lround(next) <= most; next *= std::sqrt(2.0))
@@ -180,7 +180,7 @@ std::vector<int> counts(int most) {
   return all;
 }
 
-/// The residuals after so many of what `advance` does, over `first`.
+/// Returns the residuals after so many calls of `advance`, over `first`.
 template <int Dof, class Advance>
 std::vector<double> residuals(Scene<Dof> s, double first, const std::vector<int>& when,
                               const Advance& advance) {
@@ -264,7 +264,7 @@ class Comparison {
     if (method != "given") order = method == "down" ? down_ : up_;
     Scene<Dof> start = start_;
     if (method == "warm") {
-      // Right sides go with gravity, and so does the solution.
+      // Right-hand sides are proportional to gravity, and so is the solution.
       std::vector<double> impulses;
       for (spook::Row<Dof>& row : start.rows) row.B *= 0.99;
       solve(start.rows, start.V, {.max_sweeps = quick_ ? 10000 : 100000, .tolerance = 1e-10});
@@ -321,7 +321,7 @@ void add(Experiment& e, const std::string& name, const Scene<Dof>& scene, Size s
   e.points.push_back({name + " time", [=] { return comparison.times(); }});
 }
 
-/// What was spent until the residual was at most `goal`; infinity if it never was.
+/// Returns the cost until the residual was at most `goal`; infinity if it never was.
 double cost_to(const Table& table, const std::string& scene, const std::string& method, double goal) {
   const Table some = table.where("scene", scene).where("method", method);
   const auto sweeps = some.numbers("sweeps"), found = some.numbers("residual");
@@ -344,34 +344,33 @@ void check(const Table& table, Claims& claims) {
       worst = std::max(worst, std::abs(rate(scene, order) / rate(scene, "up") - 1));
   claims.at_most("in a stack and in a wire every fixed order has the same rate, to 1 per cent of its logarithm",
                  worst, 0.01);
-  claims.near("from λ = 0 a sweep up a stack leaves half of what one down leaves",
+  claims.near("from λ = 0 a sweep up a stack leaves half the residual of a sweep down",
               residual_at(table, "stack", "up", 1) / residual_at(table, "stack", "down", 1), 0.5, 0.01);
-  claims.near("after 1024 sweeps it is the same, to 2 per cent",
+  claims.near("after 1024 sweeps both residuals are the same, to 2 per cent",
               residual_at(table, "stack", "up", 1024) / residual_at(table, "stack", "down", 1024), 1, 0.02);
-  claims.near("a new random order for each sweep takes the stack 1.25 ± 0.1 times as many sweeps",
+  claims.near("with a new random order for each sweep, the stack needs 1.25 ± 0.1 times as many sweeps",
               rate("stack", "up") / rate("stack", "random"), 1.25, 0.1);
   double fixed = infinity;
   for (const char* order : {"given", "up", "down"})
     fixed = std::min(fixed, residual_at(table, "wall", order, 512));
-  claims.at_most("but after 512 sweeps of the wall it leaves at most half of what the best fixed one leaves",
+  claims.at_most("but after 512 sweeps of the wall it leaves at most half the residual of the best fixed order",
                  residual_at(table, "wall", "random", 512) / fixed, 0.5);
   double first = 0;
   for (const char* scene : {"stack", "wire", "pile", "wall"})
     first = std::max(first, residual_at(table, scene, "warm", 1));
+  claims.at_most("a start with 99 per cent of the answer has at most 1.1 per cent of the residual", first,
+                 0.011);
   claims.at_most(
-      "a start that knows 99 per cent of the answer begins with at most 1.1 per cent of the residual", first,
-      0.011);
-  claims.at_most(
-      "conjugate gradients bring the stack to 1e-6 for 160 sweeps or less, and the wire for 80",
+      "conjugate gradients solve the stack to 1e-6 for the cost of at most 160 sweeps, and the wire for 80",
       std::max(cost_to(table, "stack", "conjugate", 1e-6), 2 * cost_to(table, "wire", "conjugate", 1e-6)), 160);
   const auto ratio = [&](const std::string& scene, double goal) {
     return cost_to(table, scene, "conjugate", goal) / cost_to(table, scene, "up", goal);
   };
-  claims.near("to a tenth they cost the pile and the wall 3 ± 1 times as much as sweeps",
+  claims.near("to reach a tenth in the pile and the wall they cost 3 ± 1 times as much as sweeps",
               std::sqrt(ratio("pile", 0.1) * ratio("wall", 0.1)), 3, 1);
-  claims.near("to 1e-3 as much, within a factor of 2", std::log2(ratio("pile", 1e-3) * ratio("wall", 1e-3)) / 2,
-              0, 1);
-  claims.at_most("on sweeps they bring the pile to 1e-3 for less than half of what sweeps alone take",
+  claims.near("to reach 1e-3 they cost as much, within a factor of 2",
+              std::log2(ratio("pile", 1e-3) * ratio("wall", 1e-3)) / 2, 0, 1);
+  claims.at_most("applied to sweeps, they solve the pile to 1e-3 for less than half the cost of sweeps alone",
                  cost_to(table, "pile", "nonlinear", 1e-3) / cost_to(table, "pile", "up", 1e-3), 0.5);
 }
 

@@ -6,7 +6,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
 import figures  # noqa: E402
 
-TITLE = "A tower that is swept too little: a fixed order leans, a random one sinks"
+TITLE = "With too few sweeps a tower leans in a fixed order, and sinks in random order"
 NAMES = {"up": "up", "down": "down", "random step": "new in each step", "random sweep": "new in each sweep"}
 
 

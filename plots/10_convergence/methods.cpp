@@ -1,4 +1,4 @@
-// What one step's rows cost to solve by methods that people ask about, beside the engine's own.
+// The cost to solve the rows of one step, by other published methods and by the engine's own.
 //
 // A step of each scene, solved from λ = 0, h = 1/60, k = 1e6 (1e8 of what is heavy), d = 3:
 //
@@ -7,13 +7,13 @@
 //   wire    20 links, 1000 kg at their end                  pile    60 cubes that have fallen into a box, μ = 0.5
 //   block   a block that slides and spins on four contacts
 //
-// Friction is chapter 05's box, or chapter 09's cone. The error is that of all velocities, weighed by mass,
-// √((V - V*)ᵀ M (V - V*) / V*ᵀ M V*), with V* solved to roundings. The cost is in multiply-adds, over those of a sweep, that is
-// 4 Dof + 1 for each row:
+// Friction is chapter 05's box, or chapter 09's cone. The error is that of all velocities, weighted by mass,
+// √((V - V*)ᵀ M (V - V*) / V*ᵀ M V*), with V* solved to round-off. The cost is in multiply-adds, over those of a sweep,
+// that is 4 Dof + 1 for each row:
 //
-//   sweeps      one each; mixed sweeps (anderson) 1.75, an iteration of conjugate gradients five: by what they go through
-//   factors     c (c + 3)/2 for each column of L with c entries; twice that where the matrix is not symmetric
-//   and what goes with them: Dof² for each block of the matrix that a row has a part in, solves, residuals, sweeps
+//   sweeps      one each; mixed sweeps (anderson) 1.75, an iteration of conjugate gradients five, by their operations
+//   factors     c (c + 3)/2 for each column of L with c entries; twice that if the matrix is not symmetric
+//   others      Dof² for each block of the matrix to which a row contributes; solves, residuals, sweeps
 #include <cmath>
 
 #include "engine/solvers/islands.hpp"
@@ -24,7 +24,7 @@
 namespace spook::plots {
 namespace {
 
-/// What factors cost, on bodies or on rows, and the blocks of a matrix of bodies, in row updates.
+/// The cost of factors, over bodies or over rows, and of the blocks of a matrix over bodies, in row updates.
 template <int Dof>
 struct FactorCost {
   double factor, solve, blocks = 0, coupled_blocks = 0;
@@ -48,7 +48,7 @@ struct FactorCost {
   }
 };
 
-/// A solver, how often it may go on, and what that costs, in row updates.
+/// A solver, its iteration counts, and the cost of an iteration in row updates.
 template <int Dof>
 struct Method {
   std::string name;
@@ -69,13 +69,14 @@ std::vector<Method<Dof>> methods(const Problem<Dof>& problem, FrictionModel mode
     return static_cast<double>(outcome.row_updates);
   };
   const FactorCost<Dof> work(problem, wants_bodies(problem.rows)), of_bodies(problem, true);
-  // Of each: the matrix, three solves with what they want of the rows, four sweeps, and two to look at the energy.
+  // For each factorisation: the matrix, three solves and their passes over the rows, four sweeps, and two passes for
+  // the energy.
   const auto factors = [work](const SolverResult& outcome, double rows, int) {
     return static_cast<double>(outcome.report.history.size()) *
            (work.factor + work.blocks + 3 * (work.solve + rows) + 6 * rows);
   };
-  // Of each: the matrix, a solve with what it wants of the rows; and for ten sweeps three more to set impulses, and to
-  // look at what is left.
+  // For each factorisation: the matrix, a solve and its passes over the rows; and for ten sweeps three more to set
+  // impulses and to compute residuals.
   const auto coupled = [of_bodies](const SolverResult& outcome, double rows, int most) {
     const auto times = std::min(static_cast<double>(outcome.report.history.size()), double(most));
     return times * (2 * of_bodies.factor + of_bodies.coupled_blocks + 2 * of_bodies.solve + rows) +
@@ -120,7 +121,7 @@ void add(Experiment& e, const std::string& scene, FrictionModel model, const Pro
                         [=] { return rows_of(scene, model, problem, method, size); }});
 }
 
-/// The least that was spent for an error of at most `goal`; infinity if it never was as small.
+/// Returns the least cost for an error of at most `goal`; infinity if no error was as small.
 double cost_to(const Table& table, const std::string& scene, const std::string& friction,
                const std::string& method, double goal) {
   const Table some = table.where("scene", scene).where("friction", friction).where("method", method);
@@ -148,13 +149,13 @@ void check(const Table& table, Claims& claims) {
   };
   const std::vector<std::string> on_cones = {"sweeps", "mixed sweeps", "splitting"};
   claims.at_least(
-      "on cones Newton's method brings the tower to 1e-6 for an eighth of what others cost, or less",
+      "on cones Newton's method solves the tower to 1e-6 for at most an eighth of the cost of any other method",
       cheapest("tower", "cone", on_cones) / cost("tower", "cone", "Newton"), 8);
-  claims.at_most("it brings the wall to 1e-9 for the cost of 300 sweeps, or less",
+  claims.at_most("it solves the wall to 1e-9 for the cost of at most 300 sweeps",
                  cost("wall", "cone", "Newton", 1e-9), 300);
-  claims.at_least("none of the others brings it to 1e-6 for that of 1000", cheapest("wall", "cone", on_cones),
-                  1000);
-  claims.between("a block on four contacts costs it as much as mixed sweeps, within a half",
+  claims.at_least("no other method solves the wall to 1e-6 for the cost of 1000",
+                  cheapest("wall", "cone", on_cones), 1000);
+  claims.between("for a block on four contacts it costs as much as mixed sweeps, within a half",
                  cost("block", "cone", "Newton") / cost("block", "cone", "mixed sweeps"), 0.67, 1.5);
 
   const std::vector<std::string> others = {"sweeps",        "mixed sweeps", "conjugate gradients",
@@ -163,12 +164,12 @@ void check(const Table& table, Claims& claims) {
   for (const char* scene : {"stack", "heavy", "wire"})
     without_friction =
         std::min(without_friction, cheapest(scene, "box", others) / cost(scene, "box", "direct"));
-  claims.at_least("without friction no method costs less to 1e-6 than one factorisation", without_friction, 1);
-  claims.at_least("with the box a wall costs the direct solver more than Newton's method",
+  claims.at_least("without friction no method reaches 1e-6 for less than the cost of one factorisation",
+                  without_friction, 1);
+  claims.at_least("for a wall with the box the direct solver costs more than Newton's method",
                   cost("wall", "box", "direct") / cost("wall", "box", "Newton"), 1);
-  claims.at_least(
-      "but in a pile of cubes no other than the direct solver comes to 1e-6 for the cost of 1000 sweeps",
-      cheapest("pile", "box", others), 1000);
+  claims.at_least("but for a pile of cubes only the direct solver reaches 1e-6 for the cost of 1000 sweeps",
+                  cheapest("pile", "box", others), 1000);
 
   double dearer = infinity, dearest = 0, split = infinity;
   for (const char* scene : {"heavy", "wire"}) {
@@ -178,11 +179,11 @@ void check(const Table& table, Claims& claims) {
     split = std::min(split, least_error(table, scene, "splitting"));
   }
   claims.at_most(
-      "block descent brings loads of 1000:1 to 1e-6 for the cost of 3000 sweeps, where sweeps get nowhere",
+      "block descent solves loads of 1000:1 to 1e-6 for the cost of 3000 sweeps, for which sweeps fail",
       dearest, 3000);
   claims.at_least("that is more than 10 times the cost of mixed sweeps", dearer, 10);
-  claims.at_least("operator splitting leaves a third of the error of such loads, or more", split, 0.33);
-  claims.between("it brings a wall on cones to 1e-3 as cheaply as Newton's method does, within a half",
+  claims.at_least("operator splitting leaves at least a third of the error of such loads", split, 0.33);
+  claims.between("it solves a wall on cones to 1e-3 at the cost of Newton's method, within a half",
                  cost("wall", "cone", "splitting", 1e-3) / cost("wall", "cone", "Newton", 1e-3), 0.67, 1.5);
 }
 

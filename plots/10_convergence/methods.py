@@ -6,7 +6,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
 import figures  # noqa: E402
 
-TITLE = "One step, solved by methods that people ask about: where each of them wins"
+TITLE = "The cheapest method for a step depends on the scene"
 METHODS = ("sweeps", "mixed sweeps", "conjugate gradients", "block descent", "Newton", "splitting", "direct")
 PANELS = (("stack", "box", "10 spheres"), ("heavy", "box", "10 spheres, 1000:1"), ("wire", "box", "20 links, 1000:1"),
           ("tower", "box", "20 cubes, box"), ("wall", "box", "60 bricks, box"), ("pile", "box", "60 cubes, box"),

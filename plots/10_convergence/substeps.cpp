@@ -3,11 +3,11 @@
 //   wire    9 points of 1 kg on a wire of ten links and 1 m, and 100 kg at its end
 //   stack   10 point masses of 1 kg, one on the other
 //
-// k = 1e8, d = 3. Two more ways of substeps, of methods/small_steps.hpp: XPBD, and relaxed ones, which are half as many as
-// they update each row twice. The error is that of the worst gap, its mean over the second half of 10 s against T/k or N/k, over
-// the length of a link; a million when it is lost. (A link that swings up past the point above it has turned over, and
-// is as long as it should be with a gap of -2 lengths: a wire that is lost need not be off by more.) "needed" are the
-// sweeps that a warm start needs by Eq. (10.12), with the rate that a long solve has at its end.
+// k = 1e8, d = 3. Two other methods of substeps are those of methods/small_steps.hpp: XPBD and relaxed substeps. The
+// latter update each row twice, so there are half as many. The error is that of the worst gap: its mean over the second
+// half of 10 s, less T/k or N/k, over the length of a link; 1e6 if the run is lost. (A link that has swung up past the
+// point above it is upside down, and at rest with a gap of -2 lengths. So a lost wire need not have a larger error.)
+// "needed" is the number of sweeps that a warm start needs by Eq. (10.12), with the final rate of a long solve.
 #include <cmath>
 
 #include "10_convergence/convergence.hpp"
@@ -28,13 +28,13 @@ Chain stack() {
   return {false, {1, 1, 1, 1, 1, 1, 1, 1, 1, 1}};
 }
 
-/// What a method does with so many updates of each row in 1/60 s.
+/// The step of a method with so many updates of each row in 1/60 s.
 struct Method {
   std::string name;
   bool substeps, warm;
 };
 
-/// The worst gap, from its mean over the second half, over a link.
+/// Returns the error of the worst gap: its mean over the second half, over the length of a link.
 template <class Step>
 double error_of(const Chain& chain, const World<3>& world, double h, const Step& step) {
   const int n = static_cast<int>(chain.mass.size()), steps = static_cast<int>(std::lround(seconds / h));
@@ -66,7 +66,7 @@ double error_of(const Chain& chain, const Method& method, int updates) {
   return error_of(chain, world, 1.0 / 60 / (method.substeps ? updates : 1), [&](double h) { world.step(h); });
 }
 
-/// How far XPBD with positions is from xpbd() in a second of 16 substeps to the 1/60 s, over a link.
+/// Returns the difference of XPBD with positions and xpbd() in a second of 16 substeps to the 1/60 s, over a link.
 double positions_apart(const Chain& chain) {
   World<3> world =
       chain.world({.d = 0.75, .solver = xpbd(), .solver_limits = {.max_sweeps = 1, .tolerance = 0}});
@@ -81,7 +81,7 @@ double positions_apart(const Chain& chain) {
   return most;
 }
 
-/// By the rate of a solver that tells what its sweeps returned.
+/// Returns the number of sweeps by the rate of a solver's history.
 double needed(const Chain& chain) {
   std::vector<double> history;
   World<3> world = chain.world({.solver = {.solve = [&](const SolverInput<3>& s) {
@@ -101,33 +101,34 @@ void check(const Table& table, Claims& claims) {
   const auto slope = [&](const std::string& method) {
     return log_log_slope({16, 64}, {error("wire", method, 16), error("wire", method, 64)});
   };
-  claims.near("n sweeps in a step leave the wire an error that goes with 1/n: slope -1.0 ± 0.1",
+  claims.near("with n sweeps in a step the wire's error is proportional to 1/n: slope -1.0 ± 0.1",
               slope("sweeps"), -1, 0.1);
-  claims.near("n substeps of a sweep each, with 1/n²: slope -2.0 ± 0.05", slope("substeps"), -2, 0.05);
+  claims.near("with n substeps of a sweep each, to 1/n²: slope -2.0 ± 0.05", slope("substeps"), -2, 0.05);
   claims.near("with 64 of either the substeps' error is 60 ± 5 times smaller",
               error("wire", "sweeps", 64) / error("wire", "substeps", 64), 60, 5);
   claims.at_most("a warm stack is right with 16 sweeps, to 1e-6 of a link", error("stack", "warm sweeps", 16),
                  1e-6);
-  claims.at_least("with 8 it hops, off by more than 1e-3", error("stack", "warm sweeps", 8), 1e-3);
-  claims.near("the least by Eq. (10.12) is 11.6 ± 0.1",
+  claims.at_least("with 8 it hops, with an error above 1e-3", error("stack", "warm sweeps", 8), 1e-3);
+  claims.near("Eq. (10.12) requires at least 11.6 ± 0.1",
               table.where("scene", "stack").where("method", "needed").number("updates"), 11.6, 0.1);
   claims.at_least(
-      "a warm wire is lost with 128 sweeps: its links turn over, off by more than half their length",
+      "a warm wire is lost with 128 sweeps: its links turn over, with errors above half their length",
       error("wire", "warm sweeps", 128), 0.5);
   claims.at_most("with 512 it is right, to 1e-9 of a link", error("wire", "warm sweeps", 512), 1e-9);
-  claims.near("the least by Eq. (10.12) is 264 ± 5",
+  claims.near("Eq. (10.12) requires at least 264 ± 5",
               table.where("scene", "wire").where("method", "needed").number("updates"), 264, 5);
   claims.at_most("XPBD with positions is a sweep of rows with b = 1 and d = 3/4, to 1e-11 of a link",
                  std::max(error("wire", "positions", 16), error("stack", "positions", 16)), 1e-11);
   for (const std::string scene : {"wire", "stack"})
     claims.near("by Eq. (10.13) that makes the " + scene + " 13/4 ± 0.1 times as stiff as substeps with d = 3",
                 error(scene, "substeps", 64) / error(scene, "XPBD", 64), 3.25, 0.1);
-  claims.near("with 32 updates relaxed substeps leave the stack 4.8 ± 0.2 times less than warm ones",
-              error("stack", "warm substeps", 32) / error("stack", "relaxed substeps", 32), 4.8, 0.2);
-  claims.at_least("XPBD leaves it less than either",
+  claims.near(
+      "with 32 updates the error of the stack is 4.8 ± 0.2 times smaller by relaxed substeps than by warm ones",
+      error("stack", "warm substeps", 32) / error("stack", "relaxed substeps", 32), 4.8, 0.2);
+  claims.at_least("by XPBD it is smaller than by either",
                   error("stack", "relaxed substeps", 32) / error("stack", "XPBD", 32), 1);
-  claims.at_least("the wire is lost with 64, as it is with warm ones", error("wire", "relaxed substeps", 64),
-                  0.5);
+  claims.at_least("with 64 updates the wire is lost by relaxed substeps, as by warm ones",
+                  error("wire", "relaxed substeps", 64), 0.5);
 }
 
 Experiment experiment(Size size) {

@@ -1,16 +1,16 @@
-// The direct solver on a hanging wire, against sweeps: how exact for which time; how it grows; and what bounds cost.
+// The direct solver on a hanging wire, compared with sweeps: error against time, growth, and the cost of bounds.
 //
 //   sweeps    100 links, largest relative error of an impulse after n sweeps from λ = 0, and their time
-//   direct    the same of direct_solve, in one go
+//   direct    the same for a single call of direct_solve
 //   links     times of one sweep and of direct_solve, and the entries of L, against the number of links
-//   bounds    factorisations for towers of boxes with friction, that fly apart, the top one `ratio` times as heavy; and
-//             how many rows are held by a bound: several draws of how they fly
+//   bounds    factorisations for towers of boxes with friction and random velocities, the top one `ratio` times as
+//             heavy; and the number of rows at a bound: several draws
 //
-// The wire hangs where it rests, each link stretched by T/k: λ is exactly -h T, Eq. (6.8).
+// The wire hangs at equilibrium, each link stretched by T/k: λ is exactly -h T, Eq. (6.8).
 //
-// Where no bound holds a row one factorisation does. It is so for tall towers under 10⁶:1 that the load does not leave:
-// n boxes are a beam, that gives by Σ n³/3 sideways. That is much more than 1/M, so the load leans it and goes on. To
-// stop it within the step would take more friction than there is, and more than its weight not to tip.
+// If no row is at a bound, one factorisation suffices. This holds for tall towers under 10⁶:1 from which the load does
+// not lift off: n boxes are a beam with a sideways compliance of Σ n³/3. This is much larger than 1/M, so the load
+// bends the tower and moves on. To stop the load within the step, friction and weight would not suffice.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -78,12 +78,12 @@ Timing time_direct(Wire& wire, Factors& factors) {
 }
 
 struct Held {
-  double factorisations;  // infinite when they do not solve it
-  double rows;            // that a bound keeps from what they ask for
+  double factorisations;  // infinite if not solved
+  double rows;            // number of rows at a bound
 };
 
-/// One column of boxes of 1 kg and 1 m, four contacts of three rows between two of them; each flies and turns at random,
-/// with up to 0.3 m/s and rad/s along each axis.
+/// A column of boxes of 1 kg and 1 m, with four contacts of three rows between two boxes. Each box has a random
+/// velocity and angular velocity of up to 0.3 m/s and rad/s along each axis.
 Held hold(int boxes, double ratio, int draw) {
   Motion<6> motion;
   for (int body = 0; body <= boxes; ++body) {

@@ -7,7 +7,7 @@ from statistics import median
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
 import figures  # noqa: E402
 
-TITLE = "The direct solver: as exact as numbers are, for the time of a few sweeps"
+TITLE = "The direct solver reaches round-off in the time of a few sweeps"
 
 
 def draw(data, mine):

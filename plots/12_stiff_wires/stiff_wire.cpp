@@ -1,4 +1,4 @@
-// A wire that swings under a load, at steps that leapfrog alone cannot take: h²K in three places.
+// A wire that swings under a load, at steps for which leapfrog alone is unstable: h²K in three places.
 //
 //   change     M̃ (v⁺ - v) = h f + Gᵀλ                      Eq. (12.6), stiff_solve
 //   velocity   M̃ v⁺ = M v + h f + Gᵀλ                      Eq. (12.8), Tournier and others
@@ -9,10 +9,10 @@
 //   step     loss of energy and error of the load's path, against h
 //   ratio    largest error of a link, against the load
 //
-// N links, 10 m and 1 kg in all; a load of `ratio` points in place of the last; let go straight at 30°, for 5 s, with
-// half a step first. Energy is kinetic and of the weight, where x is: there, v is the mean of those around it. It is
-// given less that of the start, over what there is to be lost on the way down. The path is the load's, its error the
-// largest at any step, against leapfrog without K in steps far below 2/ω.
+// N links, 10 m and 1 kg in all; a load of `ratio` points in place of the last; released straight at 30°, for 5 s, with
+// half a step first. The energy is kinetic energy plus energy of the weight at the time of x, with the mean of the two
+// neighbouring v. Its change since the start is given over the energy released on the way down. The error of the path
+// is the load's largest at any step, compared with leapfrog without K in steps far below 2/ω.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -29,7 +29,7 @@ struct Wire {
   std::string form;
   int links;
   double ratio;
-  int rate;  ///< steps a second
+  int rate;  ///< steps per second
 
   double h() const { return 1.0 / rate; }
   double link() const { return length / links; }
@@ -40,7 +40,7 @@ struct Swing {
   double link_error = 0;
   std::vector<double> energy;
   std::vector<Vec3> path;
-  bool lost = false;  ///< a link is off by its length, or something is no number
+  bool lost = false;  ///< the error of a link exceeds its length, or a number is not finite
 
   double loss() const { return lost ? infinity : -energy.back(); }
 };
@@ -49,7 +49,7 @@ bool solve_step(const Wire& wire, std::vector<spook::Row<3>>& rows, const Motion
                 const std::vector<Stiffness>& stiffness, std::vector<Twist<3>>& V, Factors& factors) {
   if (wire.form == "none") return saddle_solve(rows, motion.inverse_mass, V, factors);
   if (wire.form != "velocity") return stiff_solve(rows, motion, stiffness, wire.h(), V, factors);
-  Motion<3> whole = motion;  // the rows have their B: what is left of W_f is what K acts on
+  Motion<3> whole = motion;  // the rows have their B; K acts on the rest of W_f
   for (std::size_t point = 0; point < whole.W.size(); ++point) whole.Wf[point] += whole.W[point];
   return stiff_solve(rows, whole, stiffness, wire.h(), V, factors);
 }
@@ -66,7 +66,7 @@ Swing swing(const Wire& wire) {
   }
   motion.W.assign(N + 1, Vec3::Zero());
   motion.Wf = motion.W;
-  std::vector<double> tension(N);  // of the start: along the wire, what hangs below
+  std::vector<double> tension(N);  // initial tension: the component along the wire of the weight below
   double hanging = 0, scale = 0;
   for (int link = N - 1; link >= 0; --link) {
     hanging += wire.mass(link + 1);
@@ -89,7 +89,7 @@ Swing swing(const Wire& wire) {
       stiffness.push_back({.i = i, .j = i + 1, .K = share * K});
     }
     result.lost = !solve_step(wire, rows, motion, stiffness, V, factors);
-    double energy = scale * std::cos(angle) / (1 - std::cos(angle));  // less that of the start
+    double energy = scale * std::cos(angle) / (1 - std::cos(angle));  // minus the initial energy
     for (int point = 1; point <= N; ++point) {
       const Vec3 before = motion.W[point];
       motion.W[point] += motion.Wf[point] + V[point];
@@ -109,7 +109,7 @@ Swing swing(const Wire& wire) {
   return result;
 }
 
-/// The largest distance of the load from where it is in finer steps.
+/// Returns the largest distance of the load from its position with finer steps.
 double path_error(const Swing& coarse, const Swing& fine, int times) {
   if (coarse.lost || fine.lost) return infinity;
   double largest = 0;
@@ -169,13 +169,14 @@ Experiment experiment(Size size) {
       highest = std::max(highest, long_wire.where("ratio", ratio).number("highest or lost"));
     }
     claims.at_most(
-        "a wire of 100 links that swings under 1000:1 to 10⁶:1 at h = 1/60 is off by at most 3·10⁻⁴ of a link",
+        "a wire of 100 links that swings under 1000:1 to 10⁶:1 at h = 1/60 has an error of at most 3·10⁻⁴ of a "
+        "link",
         link, 3e-4);
-    claims.at_most("its energy is never above that of the start, but for roundings of 10⁻⁹", highest, 1e-9);
+    claims.at_most("its energy never exceeds that of the start, up to round-off of 10⁻⁹", highest, 1e-9);
     const double law = std::pow(1.0 / 60, 2) * 2 * g * (1 - std::cos(angle)) / length * (1 + 2 * d) / 4;
-    claims.near("with ten links and 10⁶:1 all of it is the lag of a distance, h²ω²(1+2d)/4, to 2 per cent",
-                ratios.where("form", "change").where("links", 10).where("ratio", 1e6).number("value") / law, 1,
-                0.02);
+    claims.near(
+        "with ten links and 10⁶:1 the whole error is the lag of a distance, h²ω²(1+2d)/4, to 2 per cent",
+        ratios.where("form", "change").where("links", 10).where("ratio", 1e6).number("value") / law, 1, 0.02);
 
     const auto slope = [&](const std::string& form, const std::string& column) {
       double worst = 0, expected = form == "change" ? 2 : 1;
@@ -186,20 +187,20 @@ Experiment experiment(Size size) {
       }
       return expected + worst;
     };
-    claims.near("what it loses in 5 s falls with h²: slope 2.0 ± 0.1", slope("change", "value"), 2, 0.1);
+    claims.near("its loss in 5 s falls with h²: slope 2.0 ± 0.1", slope("change", "value"), 2, 0.1);
     claims.near("and so does the error of its load's path: slope 2.0 ± 0.1", slope("change", "path or time"), 2,
                 0.1);
-    claims.near("where K acts on the new velocity it loses more, and with h: slope 1.0 ± 0.1",
+    claims.near("if K acts on the new velocity, the loss is larger, and falls with h: slope 1.0 ± 0.1",
                 slope("velocity", "value"), 1, 0.1);
     const auto loss = [&](const std::string& form) {
       const Table some = table.where("what", "step").where("ratio", 1e3).where("form", form);
       return some.where("h", 1.0 / 60).number("value");
     };
-    claims.near("at h = 1/60 that is 67 ± 1 times as much", loss("velocity") / loss("change"), 67, 1);
+    claims.near("at h = 1/60 it is 67 ± 1 times as large", loss("velocity") / loss("change"), 67, 1);
     const auto times = table.where("what", "energy").where("form", "none").numbers("path or time");
     claims.at_most("without K the wire of 1000:1 is lost in a third of a second", times.back(), 1.0 / 3);
     claims.at_least(
-        "with h²K/4, which would do if the tension did not grow within a step, the one of 10⁵:1 is lost",
+        "with h²K/4, which would suffice if the tension did not grow within a step, the wire of 10⁵:1 is lost",
         ratios.where("form", "quarter").where("ratio", 1e5).number("value"), 1);
   };
   return e;

@@ -1,9 +1,9 @@
-// What is lost without the second term of (22), and how the errors of mechanisms fall with the step.
+// Momentum lost without the second term of (22), and convergence of mechanisms with the step.
 //
-//   momentum   angular momentum of a bead on a rod that turns freely, over that at the start, with the second term of
-//              (13.6) and without it. Without it the rod keeps its ω, so that r = r0 cosh ωt, and
+//   momentum   angular momentum of a bead on a freely rotating rod, over its initial value, with the second term of
+//              (13.6) and without. Without this term the rod keeps its ω, so that r = r0 cosh ωt, and
 //              L/L0 = (I + m r²)/(I + m r0²)
-//   error      of a scene, largest so far, in its unit
+//   error      largest error of a scene so far, in its unit
 #include <cmath>
 
 #include "13_mechanisms/mechanisms.hpp"
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double inertia = 1, mass = 1, r0 = 0.1, spin = 5, end = 0.6;
 
-/// L/L0 as time goes on. The row across the rod is solved exactly in each step.
+/// Returns L/L0 against time. The row across the rod is solved exactly in each step.
 std::vector<Row> momentum(const std::string& which, double h, int every) {
   double angle = 0, omega = spin;
   Vec3 x(r0, 0, 0), v(0, r0 * spin, 0);
@@ -29,7 +29,7 @@ std::vector<Row> momentum(const std::string& which, double h, int every) {
     const JointFrame bead{{.body = 1, .x = x}, Quat::Identity()};
     const Coordinate across = shift_along(rod, bead, 1);
     const Vec3 along = across.Gj.head<3>();
-    // At its own point the rod would have the arm r_i, which is 0.
+    // With its own point the rod's lever arm would be r_i, which is 0.
     const double arm = which == "with" ? across.Gi[5] : 0;
     const double lambda =
         -(across.value / h + arm * omega + along.dot(v)) / (arm * arm / inertia + along.squaredNorm() / mass);

@@ -6,7 +6,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
 import figures  # noqa: E402
 
-TITLE = "Mechanisms: nothing left out, and second order"
+TITLE = "Mechanisms with the complete Jacobian converge with order two"
 SCENES = {"door": "door [rad]", "physical_pendulum": "physical pendulum [rad]", "gyroscope": "gyroscope [rad]",
           "bead": "bead [relative]"}
 

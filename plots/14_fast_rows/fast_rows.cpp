@@ -1,14 +1,14 @@
-// What blocks, colours, lanes and threads gain, counted; and, in full size, timed.
+// Gain by blocks, colours, lanes and threads, as counts; and, in full size, as times.
 //
-//   rod       a rod that leans with tan 2 and is dragged at 3 m/s, (9.8) with ρ = -3/4 μ: sweeps to 1e-9 m/s
-//   sweeps    to 1e-6 m/s on the first step of contact problems, row by row on the cone, x = 0; as blocks, 1; and row by
+//   rod       a rod with slope tan 2 that is dragged at 3 m/s, (9.8) with ρ = -3/4 μ: sweeps to 1e-9 m/s
+//   sweeps    to 1e-6 m/s on the first step of contact problems: row by row on the cone, x = 0; as blocks, 1; row by
 //             row, each contact three times before the next, 3
-//   waiting   of one sweep: how many updates wait for each other, one after the other, at most. An update waits for the
-//             last one that wrote a velocity of its two bodies
-//   colours   their number, the most pairs on a body, the part of the lanes that is filled, and how many times faster a
-//             sweep could be on several threads, by the largest share of each colour
-//   time      of a row's update [ns], in order, in packs, and in packs on two threads; what its bytes take where they
-//             come from memory, and what its operations take; the lower quartile
+//   waiting   longest chain of updates in a sweep, each of which depends on the one before. An update depends on the
+//             last update that wrote a velocity of its two bodies
+//   colours   number of colours, largest number of pairs on a body, filled fraction of the lanes, and the possible
+//             speed-up by threads, from the largest share of each colour
+//   time      of a row update [ns], in order, in packs, and in packs on two threads; the time of its bytes from memory,
+//             and of its operations; the lower quartile
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -29,7 +29,7 @@ World<6> on_a_floor(const Solver<6>& solver, double friction = mu) {
   return world;
 }
 
-/// A little nearer than they touch, so that all of them do.
+/// Spheres at slightly less than the touching distance, so that all contacts are found.
 World<6> grid(int across, int high, bool boxes, const Solver<6>& solver, double friction = mu) {
   World<6> world = on_a_floor(solver, friction);
   const double apart = 0.995 * side;
@@ -50,7 +50,7 @@ World<6> grid(int across, int high, bool boxes, const Solver<6>& solver, double 
   return world;
 }
 
-/// Boxes of 2 m, thin, that stand on an edge and slide.
+/// Thin boxes of 2 m that stand on an edge and slide.
 World<6> leaning_boxes(const Solver<6>& solver) {
   World<6> world = on_a_floor(solver, 1);
   for (int k = 0; k < 30; ++k) {
@@ -66,7 +66,7 @@ World<6> leaning_boxes(const Solver<6>& solver) {
   return world;
 }
 
-/// Three rows a contact, from nothing.
+/// Builds three rows per contact, starting from λ = 0.
 struct OnCones {
   std::vector<spook::Row<6>> rows;
   std::vector<FrictionContact> contacts;
@@ -83,7 +83,8 @@ struct OnCones {
   double by_blocks(const StopRule& stop) {
     return sweeps_of(stop, [&](const FrictionContact& contact) { return update_contact(contact, rows, V); });
   }
-  /// Row by row, but each contact's three rows so often before the next contact's; what the first time changed counts.
+  /// Sweeps row by row, with each contact's three rows updated so often before the next contact; returns the change of
+  /// the first update.
   double by_repeats(int repeats, const StopRule& stop) {
     return sweeps_of(stop, [&](const FrictionContact& contact) {
       double first = 0;
@@ -124,7 +125,7 @@ OnCones dragged_rod(double friction) {
   return {rows, 2, friction};
 }
 
-/// The longest chain of updates, each of which waits for the one before.
+/// Returns the longest chain of updates, each of which depends on the one before.
 int chain(const std::vector<int>& order, const std::vector<spook::Row<6>>& rows, std::size_t bodies) {
   std::vector<int> ready(bodies, 0);
   int longest = 0;
@@ -189,7 +190,7 @@ std::vector<Row> counts(const std::string& name, const World<6>& world) {
   return table;
 }
 
-/// Of a row in a pack: operations of (14.9), and what must come from memory if nothing is near.
+/// Operations of (14.9) for a row in a pack, and its bytes from memory if nothing is in the cache.
 constexpr double operations = 24 + 7 + 24, bytes = sizeof(LaneRows<6>) / lane_count;
 
 std::vector<Row> times(int across, int high) {
@@ -208,7 +209,7 @@ std::vector<Row> times(int across, int high) {
           {"time", "two threads", n, in_packs(2)}};
 }
 
-/// What the machine can do at best: reading from memory, and adding and multiplying in registers [ns per row].
+/// Measures the machine's limits: reading from memory, and arithmetic in registers [ns per row].
 std::vector<Row> floors() {
   const std::vector<double> large(1 << 24, 1.0);
   double sink = 0;
@@ -278,38 +279,37 @@ Experiment experiment(Size size) {
       return table.where("what", "rod").where("case", which).numbers("value");
     };
     const std::vector<double> blocks = of_rod("blocks");
-    claims.at_most("as a block the rod is solved by one update, whatever μ: the second sweep changes nothing",
+    claims.at_most("as a block the rod is solved by one update for any μ: the second sweep changes nothing",
                    *std::max_element(blocks.begin(), blocks.end()), 2);
     claims.at_least("row by row it takes more than 50 sweeps at μ = 1", value("rod", "rows", 1), 50);
-    claims.at_least("and from μ = 3/2 on it never arrives", value("rod", "rows", 1.5), 1000);
+    claims.at_least("from μ = 3/2 on it does not converge", value("rod", "rows", 1.5), 1000);
     const auto fewer = [&, most = double(fair.max_sweeps)](const std::string& name) {
       const double rows = value("sweeps", name, 0), together = value("sweeps", name, 1);
       return rows < most && together < most ? together / rows : std::nan("");
     };
-    claims.near("on a block of balls they take as many sweeps as rows do, to 2 per cent", fewer("balls"), 1,
+    claims.near("on a block of balls they need as many sweeps as rows do, to 2 per cent", fewer("balls"), 1,
                 0.02);
-    claims.near("and on a tower of boxes as well, to 2 per cent", fewer("tower"), 1, 0.02);
-    claims.at_most("on boxes that lean and slide they take less than half as many", fewer("leaning boxes"),
+    claims.near("the same holds on a tower of boxes, to 2 per cent", fewer("tower"), 1, 0.02);
+    claims.at_most("on boxes that lean and slide they need less than half as many", fewer("leaning boxes"),
                    0.5);
     claims.near(
-        "each contact's rows three times before the next one's are as many updates for the rod at μ = 1, to "
-        "10 per cent",
+        "if each contact's rows are updated three times before the next contact's, the rod at μ = 1 needs as "
+        "many updates, to 10 per cent",
         3 * value("rod", "repeats", 1) / value("rod", "rows", 1), 1, 0.1);
-    claims.at_least("and more for the boxes that lean",
+    claims.at_least("the boxes that lean need more",
                     3 * value("sweeps", "leaning boxes", 3) / value("sweeps", "leaning boxes", 0), 1.1);
     const std::string large = std::to_string(across.back() * across.back() * across.back()) + " balls";
     claims.near("a block of balls has six colours, whatever its size: a ball has six neighbours",
                 std::max(value("colours", large), value("colours", "64 balls")), 6, 0);
     claims.near(
-        "by colour 18 updates wait for each other, of six pairs with three rows each, in the smallest block "
-        "and in "
-        "the largest",
+        "by colour the longest chain of dependent updates is 18, of six pairs with three rows each, in the "
+        "smallest block and in the largest",
         std::max(value("by colour", large), value("by colour", "64 balls")), 18, 0);
-    claims.at_least("in the order of the pairs it is four times as many with 64 balls",
+    claims.at_least("in the order of the pairs it is four times as long with 64 balls",
                     value("in order", "64 balls") / value("by colour", "64 balls"), 4);
-    claims.near("and in a tower every update waits for the one before",
+    claims.near("in a tower every update depends on the one before",
                 value("in order", "tower of 20") / value("rows", "tower of 20"), 1, 0);
-    claims.near("with those of two halves in turn the chain is half as long",
+    claims.near("if the updates of two halves alternate, the chain is half as long",
                 value("in turn", "tower of 20") / value("in order", "tower of 20"), 0.5, 0);
     claims.at_least("512 balls fill more than 99 per cent of the lanes", value("filled", "512 balls"), 0.99);
     claims.at_least("eight threads could be more than 7 times as fast on them",

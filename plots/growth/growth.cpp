@@ -1,6 +1,6 @@
-// What larger scenes cost: time and memory for each link, body and contact; and what a second thread gains.
+// The cost of larger scenes: time and memory per link, body and contact; and the gain by a second thread.
 //
-//   link       a wire that hangs, solved directly: time of a step for each link [us], and the top link's tension over the
+//   link       a hanging wire, solved directly: time of a step per link [us], and the top link's tension over the
 //              weight below
 //   body       balls in a pyramid's layers between walls, 20 sweeps a step of 1/240 s: time of a step for each ball [us],
 //              in the order that is given, in stripes, and in stripes on two threads
@@ -26,7 +26,7 @@ namespace {
 
 constexpr double g = 9.81, h = 1.0 / 240, radius = 0.1;
 
-/// All that is allocated now [bytes].
+/// Returns the size of all allocated memory [bytes].
 double allocated() {
 #ifdef __APPLE__
   malloc_statistics_t all;
@@ -38,7 +38,7 @@ double allocated() {
 #endif
 }
 
-/// So stiff that a pull at its top is felt at its end within a step.
+/// A wire so stiff that a pull at the top reaches the end within a step.
 World<3> wire(int links) {
   World<3> world({.k = 1e13 * links * links, .solver = direct<3>()});
   int above = world.add_fixed(Vec3::Zero());
@@ -61,7 +61,7 @@ std::vector<Row> of_wire(int links, bool timed) {
   return rows;
 }
 
-/// Square layers, each ball on four of the layer below; all of them touch, and the floor and the walls hold them.
+/// Square layers, each ball on four of the layer below; all balls touch, and the floor and the walls support them.
 World<6> stack(int across, int layers, const Solver<6>& solver, int threads, double apart = 1) {
   World<6> world({.friction = 0.5,
                   .solver = solver,
@@ -135,8 +135,8 @@ std::vector<Row> of_times(int across, int layers) {
   const std::vector<std::pair<std::string, World<6>*>> ways = {
       {"as given", &swept}, {"spatial_decomposition", &one}, {"two threads", &two}};
   for (const auto& [name, world] : ways)
-    for (int step = 0; step < 10; ++step) world->step(h);  // until every contact is there
-  // In turns: what else the machine does meets all of them alike.
+    for (int step = 0; step < 10; ++step) world->step(h);  // until all contacts exist
+  // In turns, so that other load of the machine slows all of them alike.
   std::map<std::string, std::vector<double>> times;
   for (int round = 0; round < 25; ++round)
     for (const auto& [name, world] : ways)
@@ -165,7 +165,7 @@ Experiment experiment(Size size) {
                            stacks = full ? std::vector<Stack>{{6, 7}, {10, 11}, {16, 17}, {25, 27}} : small;
   Experiment e;
   e.columns = {"what", "case", "n", "value"};
-  e.timed = true;  // what is allocated is counted of one point at a time
+  e.timed = true;  // allocated memory is measured for one point at a time
   for (const int n : links) e.points.push_back({"wire " + std::to_string(n), [=] { return of_wire(n, full); }});
   for (const Stack& s : stacks) {
     e.points.push_back({"memory " + name_of(s), [s] { return of_memory(s.across, s.layers); }});
@@ -198,7 +198,7 @@ Experiment experiment(Size size) {
     claims.at_most("and has sunk by less than a fiftieth of a radius in the mean, as its springs give way",
                    largest_of("stands", "sunk"), 0.02);
     const std::vector<double> same = table.where("what", "same").numbers("value");
-    claims.near("two threads have every bit as one has it", *std::min_element(same.begin(), same.end()), 1, 0);
+    claims.near("two threads give the same bits as one", *std::min_element(same.begin(), same.end()), 1, 0);
   };
   return e;
 }

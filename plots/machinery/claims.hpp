@@ -1,16 +1,16 @@
 #pragma once
-// What a figure says, with the number that it rests on.
+// Claims of a figure, each with the number that supports it.
 #include <string>
 #include <vector>
 
 namespace spook::plots {
 
 struct Claim {
-  std::string text;  ///< the same in every run: it stands in plots/README.md
+  std::string text;  ///< the same in every run, and in plots/README.md
   double measured;
-  double low, high;  ///< between which `measured` makes it true; either may be infinite
+  double low, high;  ///< the claim holds if `measured` lies between these bounds, which may be infinite
 
-  bool holds() const { return measured >= low && measured <= high; }  // not for NaN
+  bool holds() const { return measured >= low && measured <= high; }  // false for NaN
 };
 
 class Claims {

@@ -63,7 +63,7 @@ std::string header(const Experiment& experiment) {
   return line(experiment.columns, [](const std::string& name) { return name; });
 }
 
-/// What there is to compute.
+/// Returns the columns, the size and the keys of all points.
 std::string plan(const Experiment& experiment, bool quick) {
   std::string text = header(experiment) + (quick ? "quick\n" : "full\n");
   std::set<std::string> keys;

@@ -1,10 +1,10 @@
 #pragma once
-// A world that blows up, as it may with a student's functions, shall be a number in a figure, and not the end of it.
+// Represents a run that diverges, as it may with a student's functions, by a number in the figure.
 #include "engine/world/world.hpp"
 
 namespace spook::plots {
 
-/// Returns what `measure` does, or infinity after a SimulationDiverged.
+/// Returns the result of `measure`, or infinity after a SimulationDiverged.
 template <class Measure>
 double or_infinity(const Measure& measure) {
   try {

@@ -1,5 +1,5 @@
 #pragma once
-// The rows of finished points, a file each, so that an interrupted experiment can go on and shards can be put together.
+// Files with the rows of finished points, by which an interrupted experiment continues, and shards are combined.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -9,13 +9,13 @@ namespace spook::plots {
 
 class Parts {
  public:
-  /// Keeps them in `folder`. What was left there by another plan, or another build of the program, is removed.
-  /// (Parts that were put there without a program.txt are another machine's, and are taken as they are.)
+  /// Keeps the files in `folder`. Removes files of another plan, or of another build of the program. (Files without a
+  /// program.txt come from another machine, and are kept.)
   Parts(std::filesystem::path folder, const std::string& plan, const std::string& program);
 
   bool has(std::size_t point) const;
 
-  /// Whole or not at all: written beside, then renamed.
+  /// Writes the file completely or not at all: writes to a temporary file, then renames it.
   void write(std::size_t point, const std::string& rows) const;
 
   std::string read(std::size_t point) const;

@@ -1,5 +1,5 @@
 #pragma once
-// A table as it stands in a CSV file, for the claims to look at.
+// The table of a CSV file, from which claims are computed.
 #include <string>
 #include <vector>
 
@@ -9,16 +9,15 @@ class Table {
  public:
   Table(std::vector<std::string> columns, std::vector<std::vector<std::string>> rows);
 
-  /// The rows in which a column has that text, or that number.
-  /// Throws std::out_of_range for a column that there is not, and std::runtime_error when no row is left: a claim
-  /// about nothing would hold.
+  /// Returns the rows in which a column has that text, or that number. Throws std::out_of_range for an unknown column,
+  /// and std::runtime_error if no row is left, since a claim about no rows would hold.
   Table where(const std::string& column, const std::string& text) const;
   Table where(const std::string& column, double value) const;
 
-  /// A column as numbers. Throws std::invalid_argument where a cell is none.
+  /// Returns a column as numbers. Throws std::invalid_argument for a cell that is not a number.
   std::vector<double> numbers(const std::string& column) const;
 
-  /// Of a table with one row.
+  /// Returns the number in a column of a table with one row.
   double number(const std::string& column) const;
 
   std::size_t size() const { return rows_.size(); }
@@ -30,10 +29,10 @@ class Table {
   std::vector<std::vector<std::string>> rows_;
 };
 
-/// The slope of log y over log x by least squares.
+/// Returns the slope of log y over log x by least squares.
 double log_log_slope(const std::vector<double>& x, const std::vector<double>& y);
 
-/// Between the last two points only: what is left when h has become small.
+/// Returns the slope between the last two points, that is for the smallest h.
 double last_log_log_slope(const std::vector<double>& x, const std::vector<double>& y);
 
 }  // namespace spook::plots

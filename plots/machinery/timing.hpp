@@ -1,5 +1,5 @@
 #pragma once
-// How long something takes, from several runs of it.
+// Measures the time of work over several runs.
 #include <algorithm>
 #include <chrono>
 #include <vector>
@@ -10,8 +10,8 @@ struct Timing {
   double median, low, high;  ///< [ns]: the median, and the quartiles around it
 };
 
-/// Runs `work`, which does something `count` times, so often that at least `repeats` runs and 20 ms are over; times
-/// are those of one of the `count`.
+/// Runs `work`, which repeats an operation `count` times, until at least `repeats` runs and 20 ms are over. Returns
+/// times of one operation.
 template <class Work>
 Timing time_each(double count, int repeats, const Work& work) {
   using Clock = std::chrono::steady_clock;

@@ -1,13 +1,14 @@
 // Mechanisms with published or independent answers: error against step and time, by leapfrog and by composed steps.
 //
-//   composed    five leapfrogs make a step of order four, joints rigid: engine/integration/rattle.hpp
-//   leapfrog    SPOOK with d = 1/4, five steps for one, direct solver. With d = 0 nothing damps how gaps swing, and the
-//               linkages and the governor are lost. Joints have 1e12 N/m, so that their give is less than a step leaves;
-//               Bricard's ring and the squeezer keep their own, as there roundings would leave more
+//   composed    five leapfrogs make a step of order four, with rigid joints: engine/integration/rattle.hpp
+//   leapfrog    SPOOK with d = 1/4, five steps for one composed step, direct solver. With d = 0 oscillating gaps are
+//               not damped, and the linkages and the governor are lost. Joints have 1e12 N/m, so that their deflection
+//               is smaller than the error of a step. Bricard's ring and the squeezer keep their own stiffness, since
+//               round-off would exceed the deflection
 //
-// The error is the scene's own. The energy is that of the last step less that of the first, the largest of the run, over
-// the largest kinetic energy; Andrews' squeezer is driven and has none to keep. Times are medians [µs], and no claim is
-// about them.
+// The error is the scene's own. The energy error is the largest change of the energy since the first step, over the
+// largest kinetic energy. Andrews' squeezer is driven, so its energy is not conserved. Times are medians [µs]; no claim
+// depends on them.
 #include <algorithm>
 #include <cmath>
 
@@ -23,7 +24,7 @@ using Set = std::vector<std::pair<std::string, std::string>>;
 struct Mechanism {
   std::string scene;
   Set set;
-  double h, time;  ///< the longest step, and how long it runs [s]
+  double h, time;  ///< the longest step, and the duration [s]
 };
 
 const Set stiff = {{"k", "1e12"}};
@@ -41,7 +42,7 @@ Parameters parameters(const Mechanism& mechanism, bool composed) {
   return p;
 }
 
-/// What one run leaves.
+/// The result of one run.
 struct Left {
   double error, energy;
   std::string state;
@@ -67,7 +68,7 @@ std::vector<Row> measured(const Mechanism& mechanism, bool composed, double h, S
   Method method{.h = h, .solver = "direct"};
   if (composed) method.integrator_order = 4;
   const Left left = left_by_a_run(mechanism, method, mechanism.time / (size == Size::quick ? 4 : 1));
-  double us = 0;  // the quick size says nothing of time
+  double us = 0;  // the quick size measures no times
   if (size == Size::full)
     us = run(find_scene(mechanism.scene), parameters(mechanism, composed),
              {.method = method, .time = mechanism.time})
@@ -76,7 +77,7 @@ std::vector<Row> measured(const Mechanism& mechanism, bool composed, double h, S
       {mechanism.scene, composed ? "composed" : "leapfrog", h, left.error, left.energy, us / h, left.state}};
 }
 
-/// Of all, the one that is farthest from `expected`.
+/// Returns the value that is farthest from `expected`.
 double farthest(const std::vector<double>& orders, double expected) {
   return *std::max_element(orders.begin(), orders.end(),
                            [&](double a, double b) { return std::abs(a - expected) < std::abs(b - expected); });

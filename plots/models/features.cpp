@@ -1,11 +1,11 @@
-// What a feature costs where a scene has nothing for it: a thousand bodies in free fall.
+// The cost of unused features: a thousand bodies in free fall.
 //
 //   bare          points, gravity
-//   friction      μ is set, but nothing touches
-//   impacts       a restitution is set, but nothing touches
+//   friction      μ is set, but there are no contacts
+//   impacts       a restitution is set, but there are no contacts
 //   plane         there is ground, but no body has a shape
-//   joint         one pair in the thousand is joined
-//   spheres       a hundred bodies with shapes, so that pairs are looked for, and none touch
+//   joint         one pair of bodies is joined
+//   spheres       a hundred bodies have shapes, so the broad phase runs, but there are no contacts
 //   rigid bodies  the same bare fall with 6 degrees of freedom
 #include "engine/world/world.hpp"
 #include "machinery/experiment.hpp"
@@ -76,10 +76,10 @@ Experiment experiment(Size size) {
     for (const std::string feature : {"bare", "friction", "impacts", "plane", "rigid bodies"})
       most = std::max(most, stages(feature));
     claims.near(
-        "friction, impacts and ground run no stage where nothing can touch: forces and integration are all "
-        "there is, 2 stages",
+        "friction, impacts and ground run no stage if nothing can touch: only forces and integration run, 2 "
+        "stages",
         most, 2, 0);
-    claims.near("one joint brings rows and a solve: 4 stages", stages("joint"), 4, 0);
+    claims.near("one joint adds rows and a solve: 4 stages", stages("joint"), 4, 0);
   };
   return e;
 }

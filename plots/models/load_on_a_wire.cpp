@@ -1,12 +1,12 @@
-// Model only what a scene needs: the same load on the same wire, as more and more of a model.
+// Model only what a scene needs: the same load on the same wire, in models of increasing detail.
 //
 //   row        a point on a distance to its anchor: one row
 //   points     a wire of N links, points with distances, the load at its end
 //   bodies     the same of rigid bodies (thin rods), with ball joints
 //
-// A load of 1 kg on a wire of 1 m and 10 g, let go at 30° from rest, for 2 s. The answer: a straight wire is a rod, and a rod with a
-// load is a pendulum of the length l' = l (M + m/3)/(M + m/2), integrated by RK4 in steps of 1/24,000 s. (A wire may
-// bend; under a load of 100:1 it is straight but for some 1e-3 of its length.) The error is that of the load's place.
+// A load of 1 kg on a wire of 1 m and 10 g, released at 30° from rest, for 2 s. The answer: a straight wire is a rod. A
+// rod with a load is a pendulum of length l' = l (M + m/3)/(M + m/2), integrated by RK4 in steps of 1/24,000 s. (A wire
+// may bend; under a load of 100:1 it is straight up to 1e-3 of its length.) The error is that of the load's position.
 #include <cmath>
 #include <numbers>
 
@@ -24,7 +24,7 @@ Vec3 at_angle(double angle, double r) {
   return r * Vec3(std::sin(angle), 0, -std::cos(angle));
 }
 
-/// Angles at t = 0, h, 2h, ... by RK4.
+/// Returns the angles at t = 0, h, 2h, ... by RK4.
 std::vector<double> answer(double h) {
   const double effective = length * (load + wire_mass / 3) / (load + wire_mass / 2);
   const auto acceleration = [&](double angle) { return -g / effective * std::sin(angle); };
@@ -54,7 +54,7 @@ Settings<Dof> settings(int sweeps) {
           .solver_limits = {.max_sweeps = sweeps}};
 }
 
-/// A world with the load as its last body.
+/// Builds a world with the load as its last body.
 World<3> row_model() {
   World<3> world(settings<3>(1));
   world.add_fixed(Vec3::Zero());
@@ -112,7 +112,8 @@ double largest_error(World<Dof>& world, double h, const std::vector<double>& ang
   return worst;
 }
 
-/// A point of a light wire under tension swings across it with ω = √(4T/(m l)), and leapfrog holds up to 2/ω, Eq. (1.8).
+/// Returns the largest stable step, 2/ω of Eq. (1.8). A point of a light wire under tension T oscillates across the
+/// wire with ω = √(4T/(m l)).
 double largest_step(int links) {
   const double m = wire_mass / links, l = length / links;
   return 2 / std::sqrt(4 * load * g / (m * l));
@@ -161,19 +162,19 @@ Experiment experiment(Size size) {
   }
   e.check = [](const Table& table, Claims& claims) {
     const Table row = table.where("model", "row").where("h", 1.0 / 60);
-    claims.at_most("one row puts the load right to 2 per cent of the wire's length, at h = 1/60",
+    claims.at_most("with one row the error of the load is at most 2 per cent of the wire's length, at h = 1/60",
                    row.number("error"), 0.02);
     const Table ten = table.where("model", "points").where("links", 10);
     const auto least = [](const Table& some) {
       const auto errors = some.numbers("error");
       return *std::min_element(errors.begin(), errors.end());
     };
-    claims.between("2/ω lets ten points swing with steps between 1/240 and 1/1000", largest_step(10),
+    claims.between("for ten points the limit 2/ω is between steps of 1/240 and 1/1000", largest_step(10),
                    1.0 / 1000, 1.0 / 240);
-    claims.at_least("at 1/240 no number of sweeps holds them: the error is above the wire's length",
+    claims.at_least("at 1/240 they are lost with any number of sweeps: the error exceeds the wire's length",
                     least(ten.where("h", 1.0 / 240)), 1);
     const Table fine = ten.where("h", 1.0 / 1000);
-    claims.at_most("at 1/1000 they put the load right to 1 per cent", least(fine), 0.01);
+    claims.at_most("at 1/1000 their error is at most 1 per cent", least(fine), 0.01);
     double cheapest = std::numeric_limits<double>::infinity();
     for (const std::string model : {"points", "bodies"}) {
       const Table wires = table.where("model", model);
@@ -182,8 +183,8 @@ Experiment experiment(Size size) {
         if (errors[n] <= 0.02) cheapest = std::min(cheapest, updates[n]);
     }
     claims.at_least(
-        "the cheapest wire that is right to 2 per cent, too, takes more than 1000 times the row updates of the "
-        "one row",
+        "the cheapest wire with an error of at most 2 per cent takes more than 1000 times the row updates of "
+        "the one row",
         cheapest / row.number("row updates a second"), 1000);
   };
   return e;

@@ -1,7 +1,7 @@
-// Ours beside Bullet, ODE and DART: speed against error, scene by scene; engines/cases.cpp has scenes and settings.
+// Speed against error of Spook, Bullet, ODE and DART, scene by scene; engines/cases.cpp has scenes and settings.
 //
-//   --only NAME      one of the scenes, by its name or the first letters of it
-//   --rounds N       how often all run in turns; the fastest of each counts
+//   --only NAME      one of the scenes, by its name or the first letters of the name
+//   --rounds N       number of rounds in which all engines run in turns; the fastest round of each counts
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
@@ -19,7 +19,7 @@ std::vector<Row> rows_of(const peers::Case& one, int rounds) {
   return rows;
 }
 
-/// Those that this program was built with.
+/// The engines with which this program was built.
 std::vector<std::string> there_of(const std::vector<std::string>& wanted) {
   const std::vector<std::string> there = peers::engines();
   std::vector<std::string> found;
@@ -28,7 +28,7 @@ std::vector<std::string> there_of(const std::vector<std::string>& wanted) {
   return found;
 }
 
-/// The largest error of some engines in a scene.
+/// Returns the largest error of some engines in a scene.
 double worst(const Table& table, const std::string& scene, const std::vector<std::string>& engines) {
   double worst = 0;
   for (const std::string& engine : engines)
@@ -39,7 +39,7 @@ double worst(const Table& table, const std::string& scene, const std::vector<std
 
 const std::vector<std::string> all = {"spook", "Bullet", "ODE", "DART"};
 
-/// With every engine a closed form comes out: what an adapter says to it, it understands.
+/// Adds claims that every engine reproduces a closed form, which tests the adapters.
 void check_small(const Table& table, Claims& claims) {
   const auto at_most = [&](const std::string& text, const std::string& scene,
                            const std::vector<std::string>& engines, double bound) {
@@ -73,7 +73,7 @@ std::vector<Lap> laps(const Table& table, const std::string& scene, bool ours) {
   return found;
 }
 
-/// The least time to an error of at most so much; infinite where nobody gets there.
+/// Returns the least time to that error; infinite if no setting reaches it.
 double time_to(double error, const std::vector<Lap>& laps) {
   double least = infinity;
   for (const Lap& lap : laps)
@@ -87,7 +87,8 @@ double least_error(const std::vector<Lap>& laps) {
   return least;
 }
 
-/// Speed is claimed where it differs by so much that no other load on the machine turns it round, and where all are there.
+/// Adds claims about speed only for differences that other load on the machine cannot reverse, and only if all engines
+/// are available.
 void check_all(const Table& table, Claims& claims) {
   if (there_of(all).size() < all.size()) return;
   const auto ours = [&](const std::string& scene) { return laps(table, scene, true); };
@@ -129,7 +130,7 @@ Experiment experiment(Size size, const Chosen& chosen) {
     if (one.name.rfind(chosen.only, 0) == 0)
       e.points.push_back({one.name, [one, rounds = full ? chosen.rounds : 1] { return rows_of(one, rounds); }});
   if (e.points.empty()) throw std::invalid_argument("only: no scene begins with \"" + chosen.only + "\"");
-  e.check = [](const Table&, Claims&) {};  // claims want every scene
+  e.check = [](const Table&, Claims&) {};  // claims need every scene
   if (chosen.only.empty()) e.check = full ? check_all : check_small;
   return e;
 }

@@ -1,21 +1,23 @@
-// How far a vertical wire stretches when a step has too few sweeps, by its links and its load.
+// Stretch of a vertical wire when a step has too few sweeps, by links and load.
 //
-// N links of 1/N m, points of m = 1 kg, a load of ratio·m in place of the last; let go straight. The stretch is a mean
-// over the length of 1 m. k is so large that the wire's own stretch, Eq. (6.9), is below 1e-4 of what is found.
+// N links of 1/N m, points of m = 1 kg, a load of ratio·m in place of the last; released straight. The stretch is a
+// mean over the length of 1 m. k is so large that the wire's own stretch, Eq. (6.9), is below 1e-4 of the measured
+// stretch.
 //
-// With 50 sweeps wires of more than 75 links are lost under their own weight at 1/60 s, of more than 1250 at 1/1000 s.
-// The step that holds ten thousand has fewer cells, as one such wire takes 20,000 steps of 100,000 row updates for each
-// second that it swings.
+// With 50 sweeps, wires of more than 75 links are lost under their own weight at 1/60 s, and of more than 1250 links at
+// 1/1000 s. The step that holds ten thousand links has fewer cells, since one such wire takes 20,000 steps of 100,000
+// row updates for each simulated second.
 //
-// The law. At rest λ = h T after however few sweeps: the gaps grow until it is. As long as n sweeps are far too few,
-// each finds as much as the first, and that is about m B in a row, where B is smooth along the wire: 2/m on the
-// diagonal and -1/m before it make 1/m. (The last row has 1/m on its diagonal under a heavy load: 0, it does not
-// give.) So n m B = h T, and B = a g, but for the weight: each link gives way as a spring of
+// The law. At rest λ = h T for any number of sweeps, because the gaps grow until this holds. While n sweeps are far too
+// few, each sweep adds as much to λ as the first. For a B that is smooth along the wire, this is about m B in a row:
+// 2/m on the diagonal and -1/m before it add to 1/m. (The last row has 1/m on its diagonal under a heavy load. The sum
+// is 0 there, so this link does not stretch.) So n m B = h T. Apart from the weight, B = a g with the gap g: each link
+// is a spring of stiffness
 //
 //   k' = n m 4/(h² (1+4d)),     that for which mΣ = 1/n, Eq. (3.6);     stretch = Σ T_i/k', i < N, as Eq. (6.9)
 //
-// When the sweeps begin to suffice the wire is shorter. It is let go at its first length, so it swings to twice the
-// stretch: with a stretch above one half it gets longer than twice its length. That is lost.
+// When the sweeps begin to suffice, the wire is shorter. It is released at its unstretched length, so it oscillates up
+// to twice the stretch. With a stretch above one half it exceeds twice its length, and counts as lost.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -40,7 +42,7 @@ struct Wire {
   int links;
   double ratio;
 
-  /// Of all but the last, Eq. (6.8).
+  /// Sum of the tensions of all links but the last, Eq. (6.8).
   double sum_of_tensions() const { return (links - 1) * (ratio + links / 2.0) * m * g; }
 };
 
@@ -48,11 +50,11 @@ double predicted(const Wire& wire, const Solve& with) {
   return wire.sum_of_tensions() * with.h * with.h * (1 + 4 * d) / (4 * with.sweeps * m);
 }
 
-/// The mean of one whole swing, down and up, where that is hardly damped; or else of the second half of 40 swings, or
-/// of 10 s. Infinite when the wire is lost.
+/// Returns the mean stretch over one period if damping is small; else over the second half of 40 periods, or of 10 s.
+/// Infinite if the wire is lost.
 ///
-/// A spring k' comes with a damper d h k', Eq. (3.10): a swing of ω has the damping ratio ζ = ω d h/2. The first swing
-/// has a mean that is ζ² off, and is the widest.
+/// A spring k' has a damper d h k', Eq. (3.10): an oscillation of ω has the damping ratio ζ = ω d h/2. The first period
+/// is the widest, and its mean has an error of ζ².
 double stretch(const Wire& wire, const Solve& with) {
   World<3> world({.gravity = Vec3(0, 0, -g),
                   .k = k,
@@ -113,7 +115,7 @@ Experiment experiment(Size size) {
                               return {{with.h, double(with.sweeps), double(n), ratio, found,
                                        double(std::isinf(found)), predicted(wire, with)}};
                             }});
-  // The longest take a minute: they come first, so that all cores are at work to the end.
+  // The longest points take a minute: they come first, so that all cores are busy to the end.
   std::reverse(e.points.begin(), e.points.end());
   e.check = [](const Table& table, Claims& claims) {
     const auto found = table.numbers("stretch"), law = table.numbers("predicted"), lost = table.numbers("lost");
@@ -129,12 +131,14 @@ Experiment experiment(Size size) {
       if (law[n] > 20 * as_one) off = std::max(off, std::abs(found[n] / law[n] - 1));
     }
     claims.at_most(
-        "with n sweeps a step each link is a spring of k' = 4 n m/(h² (1+4d)): where ΣT is above 20 n m g the "
+        "with n sweeps a step each link is a spring of k' = 4 n m/(h² (1+4d)): if ΣT is above 20 n m g, the "
         "stretch is ΣT/k', to 10 per cent",
         off, 0.1);
-    claims.at_least("no wire is lost, longer than twice its length, for which ΣT/k' is below one half of it",
-                    shortest_lost, 0.5);
-    claims.at_most("every one is for which it is above 0.65", longest_kept, 0.65);
+    claims.at_least(
+        "no wire is lost, that is stretched to more than twice its length, if ΣT/k' is below one half of that "
+        "length",
+        shortest_lost, 0.5);
+    claims.at_most("every wire is lost if it is above 0.65", longest_kept, 0.65);
   };
   return e;
 }

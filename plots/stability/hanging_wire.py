@@ -6,7 +6,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
 import figures  # noqa: E402
 
-TITLE = "A hanging wire with few sweeps a step: rubber, and which"
+TITLE = "With few sweeps a hanging wire is a spring of predictable stiffness"
 SCALE = (1e-5, 1)
 
 

@@ -1,20 +1,22 @@
-// More rows than there is to hold, by stiffness and sweeps.
+// Redundant rows, by stiffness and sweeps.
 //
-//   box     a flat box of 1 kg on 10 x 10 contacts, let go where they touch, after 60 steps of 1/60 s: the error of
-//           its depth over the right one, mg/(100 k)
-//   loop    a point of 1 kg on two rods of 1 m and 1.1 m to one anchor, k the same: the error of x over 10 cm, after 1000 steps
+//   box     a flat box of 1 kg on 10 x 10 contacts, released at touch, after 60 steps of 1/60 s: the error of its depth
+//           over the right depth, mg/(100 k)
+//   loop    a point of 1 kg on two rods of 1 m and 1.1 m to one anchor, with equal k: the error of x over 10 cm, after
+//           1000 steps
 //
-// The law of the box. At rest a row lacks r = -a gap - Σ λ; so the depth, a mean, is off by at most max|r|/a. What is
-// slow is to share λ out, which changes no velocity and is felt through Σ only. For N rows that are all the same the
-// slowest number of E = (D-L)⁻¹ U, Eq. (4.2), is 1/(1 + mΣ (1 - e^(2πi/N))) for small mΣ: a part e of it is left
-// after N²/(2π² mΣ) sweeps. (For the rows of this box, which turn it, too, after 0.55 times as many.)
+// The law of the box. At rest a row has the residual r = -a gap - Σ λ, so the error of the depth, a mean, is at most
+// max|r|/a. The slow part is the distribution of λ among the rows: it changes no velocity, and enters through Σ only.
+// For N equal rows the largest eigenvalue of E = (D-L)⁻¹ U, Eq. (4.2), is 1/(1 + mΣ (1 - e^(2πi/N))) for small mΣ. So
+// the error falls to a fraction e in N²/(2π² mΣ) sweeps. (The rows of this box, which also turn it, take 0.55 times as
+// many.)
 //
-// The law of the loop. Its E has one number beside 0, ρ = 1/((1+mΣ₁)(1+mΣ₂)). After n sweeps
-// from λ = 0 the two impulses cancel where x is the mean of the lengths with the weights
+// The law of the loop. E has one eigenvalue other than 0, ρ = 1/((1+mΣ₁)(1+mΣ₂)). After n sweeps from λ = 0 the two
+// impulses cancel where x is the mean of the lengths with the weights
 //
 //   w₁ = Σ₂ (1 - ρⁿ),   w₂ = Σ₁ + (1 + mΣ₁) Σ₂ ρⁿ
 //
-// As ρⁿ goes to 0 these are as k₁ to k₂; before, the last row has its way.
+// As ρⁿ goes to 0 their ratio becomes k₁ to k₂; for few sweeps the last row dominates.
 #include <algorithm>
 #include <cmath>
 
@@ -50,7 +52,7 @@ Row box(double k, int sweeps) {
   const double right = g / (100 * k);
   const double lacks = world.report().residual / spook_parameters(h, k, d).a / right;
   const double error = std::abs((half.z() - world.x(body).z()) / right - 1);
-  // A contact that does not push may lack less than nothing, and its residual does not tell.
+  // A contact without a force may have a negative residual, which is no error.
   return {"box", k, double(sweeps), error, least > 0 ? lacks : infinity, std::abs(sum / (h * g) - 1)};
 }
 
@@ -97,10 +99,11 @@ Experiment experiment(Size size) {
     const auto sum = box.numbers("off"), error = box.numbers("error"), lacks = box.numbers("law");
     double over = 0;
     for (std::size_t n = 0; n < error.size(); ++n) over = std::max(over, (error[n] - 1e-9) / lacks[n]);
-    claims.at_most("a hundred contacts hold a box by h m g in all, to 1e-10, however few the sweeps",
-                   *std::max_element(sum.begin(), sum.end()), 1e-10);
-    claims.at_most("its depth is off by no more than what a row lacks, over a", over, 1);
-    // What does not depend on k any more, and is past the few sweeps that the motion takes.
+    claims.at_most(
+        "the impulses of a hundred contacts under a box add up to h m g, to 1e-10, for any number of sweeps",
+        *std::max_element(sum.begin(), sum.end()), 1e-10);
+    claims.at_most("the error of its depth is at most the residual of a row, over a", over, 1);
+    // Cells in which the error no longer depends on k, and with more sweeps than the motion needs.
     const auto k = box.numbers("k"), sweeps = box.numbers("sweeps");
     double apart = 0;
     int pairs = 0;
@@ -116,9 +119,8 @@ Experiment experiment(Size size) {
         "of it",
         pairs > 0 ? apart : infinity, 0.01);
     const auto off = loop.numbers("off");
-    claims.at_most(
-        "two rods that cannot both be as long as they should hold a point where w₁ and w₂ say, to 1e-12 m",
-        *std::max_element(off.begin(), off.end()), 1e-12);
+    claims.at_most("two contradictory rods hold a point at the mean with the weights w₁ and w₂, to 1e-12 m",
+                   *std::max_element(off.begin(), off.end()), 1e-12);
   };
   return e;
 }

@@ -7,7 +7,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
 import figures  # noqa: E402
 import numpy as np  # noqa: E402
 
-TITLE = "More rows than there is to hold: softness decides, after many sweeps"
+TITLE = "Redundant rows share their load by softness, after many sweeps"
 SCALE = (1e-6, 1)
 
 

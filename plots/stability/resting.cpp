@@ -1,23 +1,23 @@
-// A ball at rest on the floor: how well its depth and its impulse are right, for any k, d and h.
+// A ball at rest on the floor: errors of its depth and its impulse, for any k, d and h.
 //
-// m = 1 kg, radius 0.5 m; let go where it touches, for as many steps as the roots of Eq. (3.14) want to
-// forget that to 1e-17, and 1000 more. Errors are relative: |gap + mg/k| over mg/k, |λ - h m g| over h m g, Eq. (3.13).
+// m = 1 kg, radius 0.5 m; released at touch, for as many steps as the roots of Eq. (3.14) need to decay to 1e-17, and
+// 1000 more. Errors are relative: |gap + mg/k| over mg/k, |λ - h m g| over h m g, Eq. (3.13).
 //
-// The law. Nothing but roundings is left. x just below 0.5 m is a multiple of u = 2⁻⁵⁴ m. A ball whose gap is wrong
-// by δ comes back at v = δ/(dh), since -aδ - bv = 0, Eq. (3.10). If h v = δ/d is less than u/2, x + h v rounds to x
-// again: the ball stays where it is, with v ≠ 0. So the gap may be off by
+// The law. Only round-off is left. x just below 0.5 m is a multiple of u = 2⁻⁵⁴ m. A ball with an error δ of its gap
+// returns at v = δ/(dh), since -aδ - bv = 0, Eq. (3.10). If h v = δ/d is less than u/2, x + h v rounds to x again: the
+// ball does not move, with v ≠ 0. So the error of the gap is bounded by
 //
 //   |δ| <= d u/2 + u,     over mg/k
 //
-// (the second u for the place that is wanted, which is no multiple of u), whatever h. v = δ/(dh) has roundings, too: of
-// the speed h g that is added and taken away in each step, by half of its last digit w each in the kick, in B, in λ and
-// in V. That is 2w at most, so δ may be off by 2 d h w more: it is felt at 1/30 s.
+// for any h. (The second u is for the right position, which is not a multiple of u.) v = δ/(dh) has rounding errors,
+// too: the speed h g is added and removed in each step, with an error of half of its last digit w each in the kick, in
+// B, in λ and in V. Their sum is at most 2w, so δ may be larger by 2 d h w: this is visible at 1/30 s.
 //
-// While the ball is stuck λ is right; a ball that still hops by u now and then has λ off by
+// While the ball does not move, λ is right. A ball that sometimes moves by u has an error of λ of
 //
 //   a u,     over h m g
 //
-// which is 4u/(h² g (1+4d)): the smaller the step, the more a hop weighs.
+// which is 4u/(h² g (1+4d)): larger for smaller steps.
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -33,7 +33,7 @@ namespace {
 constexpr double g = 9.81, radius = 0.5;
 const double u = std::ldexp(1, -54);
 
-/// The larger root of Eq. (3.14), m = 1 kg.
+/// Returns the larger root of Eq. (3.14), for m = 1 kg.
 double decay(double h, double k, double d) {
   const double sigma = 1 / (1 + spook_parameters(h, k, d).Sigma);
   const double beta = 1 - 2 * (d + 1) * sigma / (1 + 4 * d), alpha = 1 - 4 * d * sigma / (1 + 4 * d);
@@ -83,10 +83,10 @@ Experiment experiment(Size size) {
       hops = std::max(hops, impulse[n] / (hop[n] + 1e-14));
     }
     claims.at_most(
-        "a ball at rest is mg/k deep for every k, d and h, but for d/2 + 1 roundings of its place and 2 d h of "
-        "its speed",
+        "a ball at rest is mg/k deep for every k, d and h, up to d/2 + 1 rounding errors of its position and 2 "
+        "d h of its speed",
         worst, 1);
-    claims.at_most("its impulse is h m g, but for a times a rounding of its place", hops, 1);
+    claims.at_most("its impulse is h m g, up to a times a rounding error of its position", hops, 1);
   };
   return e;
 }

@@ -7,7 +7,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
 import figures  # noqa: E402
 
-TITLE = "A ball at rest: right for every k, d and h, but for roundings"
+TITLE = "A ball at rest is exact to round-off for every k, d and h"
 SCALE = (1e-16, 1e-3)
 U, G = 2.0**-54, 9.81
 

@@ -1,10 +1,10 @@
-// The hard cases of the other maps, with a solver that fits them: what is left to lose.
+// The hard cases of the other maps, with a suitable solver.
 //
 //   hanging     wires at rest under a load, by factors of S: the stretch is ΣT/k, Eq. (6.9)
-//   swinging    a wire of a hundred links let go at 30°, for 2 s, with the stiffness of its tension, Eq. (12.5)
+//   swinging    a wire of a hundred links released at 30°, for 2 s, with the stiffness of its tension, Eq. (12.5)
 //   towers      boxes with friction under a heavy one, by factors: the top sinks by ΣN/(4k)
 //
-// k grows with the load, so that all wires stretch, and all towers sink, by about as much.
+// k grows with the load, so that all wires have about the same stretch, and all towers the same depth.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -20,7 +20,7 @@ namespace {
 
 using Values = std::vector<std::pair<std::string, double>>;
 
-/// The scene's error after `seconds`, infinite when it blew up; and its state, engine/diagnostics/run_check.hpp.
+/// The scene's error after `seconds`, infinite if it diverged; and its state, engine/diagnostics/run_check.hpp.
 struct SolverResult {
   double error;
   State state;
@@ -94,11 +94,11 @@ Experiment experiment(Size size) {
         "every hanging wire, of 10 to 10,000 links under 1:1 to 10⁸:1, is right to 1e-9 of its length",
         worst("hanging", [](double, double) { return true; }), 1e-9);
     claims.at_most(
-        "no link of a wire that swings under 1000:1 or more is off by more than 3·10⁻³, at 1/30 s and below",
+        "no link of a wire that swings under 1000:1 or more has an error above 3·10⁻³, at 1/30 s and below",
         worst("swinging", [](double ratio, double) { return ratio > 999; }), 3e-3);
     claims.at_most("every tower of 2 to 100 boxes under 1:1 to 10⁶:1 stands, as deep as it should to 1e-5",
                    worst("towers", [](double, double ratio) { return ratio < 1.1e6; }), 1e-5);
-    claims.at_most("under 10⁸:1 those of up to 20 do, to 1e-4",
+    claims.at_most("under 10⁸:1 towers of up to 20 stand, to 1e-4",
                    worst("towers", [](double boxes, double) { return boxes < 21; }), 1e-4);
   };
   return e;

@@ -1,19 +1,18 @@
-// A body that spins freely, for 10 s: what the rotation updates do to its energy and angular momentum, by spin and
-// step.
+// Energy and angular momentum of a freely spinning body under the rotation updates, after 10 s, by spin and step.
 //
 // Moments (1, 2, 3) kg m², ω along (1, 2, -2) at first. Errors are the largest of |T/T₀ - 1| and |L - L₀|/|L₀|.
-// Lost is what ended in a SimulationDiverged.
+// A run is lost if it ended in a SimulationDiverged.
 //
 // The law of the explicit torque, Eq. (2.9). With τ = -ω × Iω a step ω += h I⁻¹τ changes, exactly,
 //
 //   T by ½ h² τᵀ I⁻¹ τ,     |L|² by h² |τ|²
 //
-// for ω·τ = 0 and L·τ = 0: both only grow. As τ goes with ω², dT/dt goes with h T²: it is infinite after a time that
-// is finite,
+// for ω·τ = 0 and L·τ = 0: both can only grow. τ is proportional to ω², so dT/dt is proportional to h T². T becomes
+// infinite in a finite time,
 //
 //   h |ω|² t = C
 //
-// with a number C of the body and of the direction it spins in. Here it comes from one run with h |ω| = 0.01 rad.
+// with a constant C of the body and of the axis of rotation. Here C comes from one run with h |ω| = 0.01 rad.
 #include <algorithm>
 #include <cmath>
 
@@ -55,7 +54,7 @@ Errors spin_on(double spin, RotationUpdate update, double h) {
   return errors;
 }
 
-/// h |ω|² t of the SimulationDiverged for small h; infinite if there is none, as with a torque of a student that is wrong.
+/// Returns h |ω|² t of the SimulationDiverged for small h; infinite if there is none, as with a student's wrong torque.
 double constant_of_blowup() {
   const double h = 0.01;
   World<6> world = top(1, RotationUpdate::exponential);
@@ -103,17 +102,17 @@ Experiment experiment(Size size) {
           last_held = std::max(last_held, over);
       }
     }
-    claims.at_least("with the explicit torque nothing blows up in a time t with h |ω|² t below 0.9 C",
+    claims.at_least("with the explicit torque no run diverges in a time t with h |ω|² t below 0.9 C",
                     first_lost, 0.9);
-    claims.at_most("everything does above 1.2 C", last_held, 1.2);
+    claims.at_most("every run diverges above 1.2 C", last_held, 1.2);
     const Table splitting = table.where("update", "splitting");
     const auto h = splitting.numbers("h"), spin = splitting.numbers("spin");
     const auto T = splitting.numbers("energy error"), L = splitting.numbers("momentum error");
     double band = 0;
     for (std::size_t n = 0; n < h.size(); ++n) band = std::max(band, T[n] / std::pow(h[n] * spin[n], 2));
-    claims.at_most("the splitting holds for every step and spin, with L as it was to 1e-11",
+    claims.at_most("the splitting is stable for every step and spin, and keeps L to 1e-11",
                    *std::max_element(L.begin(), L.end()), 1e-11);
-    claims.at_most("its energy is off by at most (h |ω|)²", band, 1);
+    claims.at_most("the error of its energy is at most (h |ω|)²", band, 1);
   };
   return e;
 }

@@ -1,14 +1,14 @@
-// A mass on a spring, by leapfrog on its force and by SPOOK with a distance of the same k: where each holds.
+// Stability limits of a mass on a spring: leapfrog with the spring's force, and SPOOK with a distance of the same k.
 //
-// m = 1 kg, from rest, 1 m from where the spring is at ease. The error is the largest of |x - cos ωt| over one
-// period, or ten steps if that is longer.
+// m = 1 kg, from rest, 1 m from the spring's equilibrium. The error is the largest |x - cos ωt| over one period, or ten
+// steps if those are longer.
 //
-//   force       holds up to h = 2/ω, Eq. (1.8). Below, x_n = cos nθ with nθ = ωt (1 + (hω)²/24): the error grows as
-//               ωt |sin ωt| (hω)²/24, which is largest at ωt = 4.91, 0.2006 (hω)².
-//   distance    any k, any h. It is a damped spring, Eq. (3.14): a soft one loses d (hω)²/2 of its swing a step, π d hω a
-//               period, and a stiff one is pulled in at once.
+//   force       stable up to h = 2/ω, Eq. (1.8). Below, x_n = cos nθ with nθ = ωt (1 + (hω)²/24): the error grows as
+//               ωt |sin ωt| (hω)²/24. It is largest at ωt = 4.91: 0.2006 (hω)².
+//   distance    stable for any k and h. It is a damped spring, Eq. (3.14): the amplitude of a soft spring decreases by
+//               d (hω)²/2 in a step, π d hω in a period; a stiff spring closes its gap at once.
 //
-// Lost is what blew up, or swung out beyond 1 m, within 1000 steps or a period.
+// A run is lost if it diverged, or exceeded 1 m, within 1000 steps or a period.
 #include <algorithm>
 #include <numbers>
 
@@ -31,7 +31,7 @@ World<3> by_force(double k, double h) {
   return world;
 }
 
-/// Along the line to its anchor, `length` away, a distance is as linear as the spring.
+/// Returns a distance of `length` to an anchor; along its line it is as linear as the spring.
 World<3> by_distance(double k) {
   World<3> world({.gravity = Vec3::Zero(),
                   .k = k,
@@ -94,11 +94,12 @@ Experiment experiment(Size size) {
       damped = std::max(damped, distance_error[n] / (std::numbers::pi * d * turn));
     }
     claims.near("leapfrog on a spring is lost in every cell with h > 2/ω, and in no other", wrong, 0, 0);
-    claims.at_most("below hω = 0.1 it is late by 0.2006 (hω)² in a period, to 1 per cent", off, 0.01);
+    claims.at_most("below hω = 0.1 its error in a period is 0.2006 (hω)², to 1 per cent", off, 0.01);
     const auto farthest = distance.numbers("farthest");
-    claims.at_most("a distance of the same k never swings out farther than it began, whatever k and h",
+    claims.at_most("with a distance of the same k the amplitude never grows, for any k and h",
                    *std::max_element(farthest.begin(), farthest.end()), 1);
-    claims.at_most("it is a damped spring: a soft one is off by at most π d hω after a period", damped, 1);
+    claims.at_most("it is a damped spring: the error of a soft one is at most π d hω after a period", damped,
+                   1);
   };
   return e;
 }

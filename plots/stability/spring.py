@@ -6,7 +6,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
 import figures  # noqa: E402
 
-TITLE = "The same spring as a force, and as a constraint"
+TITLE = "A spring as a force limits the step; as a constraint it never does"
 SCALE = (1e-6, 1)
 
 

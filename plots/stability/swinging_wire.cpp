@@ -1,12 +1,12 @@
-// A wire that swings, every step solved exactly: how small a step the wire itself wants.
+// The largest stable step of a swinging wire, with every step solved exactly.
 //
-// N links of 1/N m, points of mass m, a load of M = 1 kg in place of the last; let go straight at 30°, for 1 s, in
-// which it comes to the other side. The error is that of the load's place, against the same wire in steps that are an
-// eighth of the law's, or 1/4000 s. Lost is what is more than 5 cm off.
+// N links of 1/N m, points of mass m, a load of M = 1 kg in place of the last; released straight at 30°, for 1 s, in
+// which the wire swings to the other side. The error is that of the load's position, compared with the same wire in
+// steps of an eighth of the law's, or 1/4000 s. A run is lost if its error exceeds 5 cm.
 //
-// The law. A link holds its length implicitly, but the tension's pull across the wire is taken at x_n, as any force:
-// neighbours that stand out on either side are pulled back with 4T/l, so h <= 2/ω, ω = √(4T/(m l)), Eq. (1.8). T is
-// largest at the top, as the wire swings through: at most (3 - 2 cos 30°) times what hangs there.
+// The law. A link holds its length implicitly, but the transverse force of its tension is explicit, at x_n. For
+// neighbours displaced to opposite sides its stiffness is 4T/l, so h <= 2/ω, ω = √(4T/(m l)), Eq. (1.8). T is largest
+// at the top, as the wire passes the vertical: at most (3 - 2 cos 30°) times the weight below.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -36,7 +36,7 @@ struct Wire {
 
 struct SolverResult {
   Vec3 load;
-  double residual;  // the largest of any step [m/s]
+  double residual;  // the largest residual of all steps [m/s]
 };
 
 SolverResult swing(const Wire& wire, int steps, const std::string& solver, const StopRule& stop = {}) {
@@ -104,11 +104,11 @@ Experiment experiment(Size size) {
     claims.at_least("with steps below 2/ω no swinging wire is lost", first_lost, 1);
     claims.at_most("with steps of 1.4 times 2/ω every one is lost, within a second", last_held, 1.4);
     const auto residuals = map.numbers("residual");
-    claims.at_most("it is not for the solve: no row lacks more than 1e-9 m/s",
+    claims.at_most("the solve is not the cause: no residual exceeds 1e-9 m/s",
                    *std::max_element(residuals.begin(), residuals.end()), 1e-9);
     const auto away = table.where("what", "sweeps").numbers("error");
     claims.at_most(
-        "and Gauss-Seidel in 2500 sweeps, or 5000, swings a wire of ten to the same place, to 1e-9 m",
+        "Gauss-Seidel with 2500 or 5000 sweeps moves a wire of ten links to the same position, to 1e-9 m",
         *std::max_element(away.begin(), away.end()), 1e-9);
   };
   return e;

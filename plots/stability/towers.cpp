@@ -1,23 +1,23 @@
-// Towers under Gauss-Seidel: how deep the lowest contact sinks with so many sweeps a step.
+// Towers under Gauss-Seidel: the depth of the lowest contact by sweeps per step.
 //
 //   tower    n equal spheres of 1 kg, k = 1e8
 //   ratio    a heavy sphere of 1 kg on a light one of m = 1/ratio kg, k = 1e6
 //
-// Let go where they touch, h = 1/60 s, for 5 s; the depth is the mean of the second half. The error is the depth over
-// the right one, N/k, less 1: at 1 it is twice as deep. Lost: a sphere's centre has passed the one below it, or the
-// floor. What is let go swings in to nearly twice the depth at which it comes to rest.
+// Released at touch, h = 1/60 s, for 5 s; the depth is the mean of the second half. The error is the depth over the
+// right depth N/k, minus 1: an error of 1 is twice the right depth. A run is lost if a sphere's centre has passed the
+// sphere below, or the floor. After the release a tower oscillates to nearly twice its depth at rest.
 //
-// The law. At rest λ = h N after however few sweeps. After n of them, from λ = 0, it is (1 - Eⁿ) S⁻¹ B, with
+// The law. At rest λ = h N for any number of sweeps. After n sweeps from λ = 0 it is (1 - Eⁿ) S⁻¹ B, with
 // E = (D-L)⁻¹ U of Eq. (4.2); so
 //
 //   B = S (1 - Eⁿ)⁻¹ h N,    gap = (h G g - B)/a
 //
-// For two bodies E has one number other than 0, ρ of Eq. (4.10), and the lowest contact is too deep by
+// For two bodies E has one eigenvalue other than 0, ρ of Eq. (4.10), and the lowest contact is too deep by
 //
 //   (h N₂/(a m)) ρⁿ⁻¹ (1-ρ)/(1-ρⁿ)
 //
-// For a tower the slowest is ρ = cos²(π/(2n)), and the error is 1 after (4n²/π²) ln(1 + π²/(4 n² mΣ)) sweeps: c n²,
-// with a c that changes slowly.
+// For a tower the largest eigenvalue is ρ = cos²(π/(2n)), and the error is 1 after (4n²/π²) ln(1 + π²/(4 n² mΣ))
+// sweeps: c n², with a c that changes slowly.
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -47,7 +47,7 @@ struct Tower {
   }
 };
 
-/// Depth of the lowest contact over N/k, less 1; infinite if it is lost.
+/// Returns the depth of the lowest contact over N/k, minus 1; infinite if the run is lost.
 double measured(const Tower& tower, int sweeps) {
   World<3> world({.gravity = Vec3(0, 0, -g),
                   .k = tower.k,
@@ -70,7 +70,7 @@ double measured(const Tower& tower, int sweeps) {
   return sum / (steps - steps / 2) * tower.k / tower.load(0) - 1;
 }
 
-/// The same at rest, from the matrices.
+/// Returns that error at rest, from the matrices.
 double predicted(const Tower& tower, int sweeps) {
   const auto n = static_cast<Eigen::Index>(tower.masses.size());
   const SpookParameters spook = spook_parameters(h, tower.k, d);
@@ -103,7 +103,7 @@ std::vector<Row> rows(const std::string& what, double across, const Tower& tower
   return rows;
 }
 
-/// By the law in closed form: of the slowest E of a tower, of the only one of two bodies.
+/// Returns the error by the closed form, with the largest eigenvalue of a tower, or the only one of two bodies.
 double sweeps_to_twice(double n) {
   const double slow = std::numbers::pi * std::numbers::pi / (4 * n * n);
   return std::log(1 + slow / spook_parameters(h, tower_k, d).Sigma) / slow;
@@ -145,16 +145,18 @@ void check(const Table& table, Claims& claims) {
   }
   // A tower that swings slowly, about 5 cm, has a mean over 2.5 s that is 2/(2.5 s √(g/5 cm)) off.
   claims.at_most(
-      "a lowest contact that sinks in by less than 5 cm is as deep as B = S (1 - Eⁿ)⁻¹ h N says, to 6 per cent",
+      "if the lowest contact sinks by less than 5 cm, its depth is that of B = S (1 - Eⁿ)⁻¹ h N, to 6 per cent",
       off, 0.06);
-  claims.at_most("of two bodies it is deeper by (h N₂/(a m)) ρⁿ⁻¹ (1-ρ)/(1-ρⁿ), with ρ of Eq. (4.10), to 1e-5",
-                 closed, 1e-5);
   claims.at_most(
-      "a tower's is twice as deep as it should be after (4n²/π²) ln(1 + π²/(4 n² mΣ)) sweeps, to 10 per cent",
+      "for two bodies it is too deep by (h N₂/(a m)) ρⁿ⁻¹ (1-ρ)/(1-ρⁿ), with ρ of Eq. (4.10), to 1e-5", closed,
+      1e-5);
+  claims.at_most(
+      "in a tower it is twice as deep as it should be after (4n²/π²) ln(1 + π²/(4 n² mΣ)) sweeps, to 10 per "
+      "cent",
       twice, 0.1);
-  claims.at_least("nothing is lost for which the law has a depth below 25 cm, half a radius", shallowest_lost,
+  claims.at_least("no tower is lost if the depth by this law is below 25 cm, half a radius", shallowest_lost,
                   0.25);
-  claims.at_most("everything is for which it has more than 35 cm", deepest_kept, 0.35);
+  claims.at_most("every tower is lost if that depth is above 35 cm", deepest_kept, 0.35);
 }
 
 Experiment experiment(Size size) {

@@ -7,7 +7,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
 import figures  # noqa: E402
 
-TITLE = "How deep a tower sinks with so many sweeps a step"
+TITLE = "With few sweeps a tower sinks too deep, as a closed form predicts"
 SCALE = (1e-6, 1e5)
 G, A = 9.81, 4 * 60 / 13
 TOWER_SIGMA, RATIO_K = 4 * 3600 / (1e8 * 13), 1e6

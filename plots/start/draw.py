@@ -80,7 +80,7 @@ def draw(all_series: list[Series], text: str):
     above.set_xlim(min(costs) / 1.6, max(costs) * 3)
     name_lines(above, styled)
     draw_guide(above)
-    figure.text(0.02, 1 - 0.32 / total, "Speed against error", fontsize=14, fontweight="bold")
+    figure.text(0.02, 1 - 0.32 / total, "At order two, half the step gives a quarter of the error", fontsize=14, fontweight="bold")
     figure.text(0.02, 1 - 0.54 / total, subtitle(all_series), fontsize=9)
     figure.text(0.02, 0.12 / total, "\n".join(lines), fontsize=9, va="bottom", linespacing=1.4)
     return figure

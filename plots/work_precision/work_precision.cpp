@@ -1,12 +1,12 @@
-// Speed against error for any scene: a point for each way to step and to solve it.
+// Speed against error for any scene: one point for each combination of options.
 //
 //   --scene NAME --set name=value ...     a scene and its parameters (a stack of ten spheres)
 //   --solver A,B --iterations 10,100 --h 1/60,1/120 --row-order up,random --warm-start=off,on ...
 //
-// All options of ./course run and all parameters of the scene, each with several values if one likes: a point for each
-// of their combinations, as in ./course run --sweep. Combinations that are refused are skipped and counted. The error is
-// the scene's own. The cost is the median of the microseconds a step with its quartiles, and, the same on every machine,
-// the row updates of a second.
+// All options of ./course run and all parameters of the scene are available, each with one or more values: one point
+// for each combination, as in ./course run --sweep. Refused combinations are skipped and counted. The error is the
+// scene's own. The cost is the median of the microseconds per step with its quartiles, and the row updates per second,
+// which are the same on every machine.
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <limits>
@@ -22,11 +22,11 @@
 namespace spook::plots {
 namespace {
 
-/// An option of run, and the values that it shall have, with commas.
+/// An option of run, and its values, separated by commas.
 struct Option {
   std::string name, values, meaning;
   std::optional<std::string> TypedRun::*typed;
-  bool tells = true;  ///< it belongs to the name of a line
+  bool tells = true;  ///< its value is part of the line's name
 };
 
 struct Chosen {
@@ -50,12 +50,12 @@ struct Chosen {
       {"iterations", "10,30,100,300,1000", "most sweeps in a step", &TypedRun::iterations, false}};
 };
 
-/// A run, and what sets its line apart from others.
+/// A run, and the values that distinguish its line from others.
 struct Asked {
   TypedRun run;
   std::string line;
-  std::string all_have;                  ///< what all have that run would not have by itself
-  std::vector<std::string> values = {};  ///< NAME=VALUE of all that has several
+  std::string all_have;                  ///< values common to all runs, other than the defaults
+  std::vector<std::string> values = {};  ///< NAME=VALUE of each option with several values
 };
 
 std::vector<std::string> parts(const std::string& list) {
@@ -65,7 +65,7 @@ std::vector<std::string> parts(const std::string& list) {
   return found;
 }
 
-/// Each of these with each value of the option.
+/// Combines each of these runs with each value of the option.
 std::vector<Asked> times(const std::vector<Asked>& some, const Option& option, std::size_t most) {
   std::vector<std::string> values = parts(option.values);
   if (values.empty()) return some;
@@ -183,7 +183,7 @@ Experiment experiment(Size size, const Chosen& chosen) {
     const auto errors = table.numbers("error");
     double finite = 1;
     for (const double error : errors) finite = std::isfinite(error) ? finite : 0;
-    claims.at_least("every point has an error that is a number", finite, 1);
+    claims.at_least("every point has a finite error", finite, 1);
     if (scene.name != "stack") return;
     const auto updates = table.numbers("row updates a second");
     const auto best = std::min_element(errors.begin(), errors.end()) - errors.begin();

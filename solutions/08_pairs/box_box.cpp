@@ -7,22 +7,22 @@ namespace spook {
 
 namespace {
 
-/// n·(p - x) is largest at this corner of a box; here p - x. Of corners that are as far, to roundings, always the same, the
-/// one that plane_box has first: so what rests on a face has its contacts in the same order in every step.
+/// Returns the corner of a box with the largest n·(p - x), as p - x. Of corners that are equal up to round-off, returns
+/// the one that plane_box has first. So the contacts of a resting box are in the same order in every step.
 Vec3 deepest_corner(const Box& box, const Vec3& n) {
   Vec3 corner = box.half_sides;
   for (int k = 0; k < 3; ++k) corner[k] = std::copysign(corner[k], n.dot(box.axes.col(k)) - 1e-12);
   return box.axes * corner;
 }
 
-/// The corners of the face that looks along n most, in order, from the centre of the box.
+/// Returns the corners of the face whose normal is closest to n, in order around the face, from the centre of the box.
 std::vector<Vec3> face_towards(const Box& box, const Vec3& n) {
   int axis;
   (box.axes.transpose() * n).cwiseAbs().maxCoeff(&axis);
   std::vector<Vec3> corners;
   corners.reserve(4);
   corners.push_back(deepest_corner(box, n));
-  // Around: each is the one before, mirrored along one of the other two axes.
+  // Each corner is the one before, mirrored along one of the other two axes.
   for (const int along : {1, 2, 1}) {
     const Vec3 e = box.axes.col((axis + along) % 3);
     corners.push_back(corners.back() - 2 * e.dot(corners.back()) * e);
@@ -30,13 +30,14 @@ std::vector<Vec3> face_towards(const Box& box, const Vec3& n) {
   return corners;
 }
 
-/// Leaves of a polygon what n·p <= offset. Most often that is all of it, and nothing is copied.
+/// Clips a polygon to n·p <= offset. Usually the whole polygon is inside, and nothing is copied.
 void cut(std::vector<Vec3>& polygon, const Vec3& n, double offset) {
   const auto stays = [&](const Vec3& p) { return n.dot(p) <= offset; };
   if (!std::all_of(polygon.begin(), polygon.end(), stays)) polygon = clip(polygon, n, offset);
 }
 
-/// Contacts of the face of `box` along its axis `face`, which n looks out of, with the box `other`: those of i = box.
+/// Returns the contacts of the face of `box` along its axis `face`, with outward normal n, with the box `other`; i is
+/// `box`.
 std::vector<Contact> face_contacts(const Box& box, int face, const Vec3& n, const Box& other) {
   const Vec3 apart = other.x - box.x;
   std::vector<Vec3> corners = face_towards(other, -n);
@@ -61,7 +62,7 @@ std::vector<Contact> face_contacts(const Box& box, int face, const Vec3& n, cons
   return well_spread(contacts);
 }
 
-/// The contact of the two edges that made the axis.
+/// Returns the contact of the two edges that define the axis.
 Contact edge_contact(const Box& i, const Box& j, const SeparatingAxis& axis) {
   const Vec3 a = i.axes.col(axis.edge_i), b = j.axes.col(axis.edge_j), apart = j.x - i.x;
   // The corners deepest in the other box are ends of the edges: a line through them is a line through the edges.

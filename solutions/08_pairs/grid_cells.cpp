@@ -7,7 +7,7 @@ namespace spook {
 
 static constexpr int finest_level = -1000;  // 2^1000 is still a double
 
-/// The smallest l with x <= 2^l.
+/// Returns the smallest l with x <= 2^l.
 static int exponent(double x) {
   int power;
   return std::frexp(x, &power) == 0.5 ? power - 1 : power;
@@ -18,7 +18,7 @@ int level_of(const Bounds& bounds) {
   const double farthest = bounds.lower.cwiseAbs().cwiseMax(bounds.upper.cwiseAbs()).maxCoeff();
   int level = farthest == 0 ? finest_level : std::max(finest_level, std::ilogb(farthest) - 52);
   if (half_size > 0) level = std::max(level, exponent(half_size) + 1);
-  // The size has been rounded: it may be above 2^l by less than a double can tell.
+  // The size is rounded: it may exceed 2^l by less than the round-off.
   const auto too_many = [&](const Grid& grid) {
     return ((grid.cell_of(bounds.upper) - grid.cell_of(bounds.lower)).array() > 1).any();
   };

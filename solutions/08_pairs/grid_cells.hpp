@@ -1,5 +1,5 @@
 #pragma once
-// The cells of a grid for each level of size, Eq. (8.13).
+// Cells of the grids, one grid for each level of size, Eq. (8.13).
 #include <cmath>
 #include <cstdint>
 
@@ -7,11 +7,12 @@
 
 namespace spook {
 
-/// The number of a cell along each axis.
+/// The index of a cell along each axis.
 using Cell = Eigen::Matrix<std::int64_t, 3, 1>;
 
-/// The level of a body: cells of 2^l [m] that are not smaller than it, so that it is in two of them along each axis,
-/// at most; nor than the distance between neighbouring doubles where it is, so that a cell's number has 53 bits.
+/// The level l of a body, with cells of 2^l [m]. Cells are not smaller than the body, which so lies in at most two
+/// cells along each axis. Nor are they smaller than the distance of neighbouring doubles there, so a cell's index fits
+/// in 53 bits.
 int level_of(const Bounds& bounds);
 
 /// The grid of a level.
@@ -21,10 +22,11 @@ class Grid {
 
   int level() const { return level_; }
 
-  /// The cell in which a point is. Times a power of two is exact, and so is floor.
+  /// Returns the cell that contains a point. Multiplication by a power of two is exact, and so is floor.
   Cell cell_of(const Vec3& x) const { return (cells_a_metre_ * x).array().floor().cast<std::int64_t>(); }
 
-  /// Calls `each` with every cell in which a body is, eight at most; the grid's level is not below the body's own.
+  /// Calls `each` with every cell that a body touches, eight at most. The grid's level must not be below the body's
+  /// own.
   template <class Visit>
   void for_each_cell(const Bounds& bounds, const Visit& each) const {
     const Cell first = cell_of(bounds.lower), last = cell_of(bounds.upper);

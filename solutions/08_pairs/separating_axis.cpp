@@ -7,19 +7,19 @@ namespace spook {
 
 namespace {
 
-/// Which axis, and the gap along it; -1 for what it is not.
+/// An axis and the gap along it: indices of the face or edges, -1 for unused ones.
 struct Found {
   double gap = -infinity;
   int face_i = -1, face_j = -1, edge_i = -1, edge_j = -1;
 };
 
-/// The best of one kind: where some are alike, to `margin`, the first of them.
+/// The best axis of one kind: the first of axes whose gaps are equal within `margin`.
 struct Best {
   double margin;
   Found axis = {};
 
   void consider(const Found& next) {
-    const double ahead = next.gap > 0 ? 0 : margin;  // whatever parts them will do
+    const double ahead = next.gap > 0 ? 0 : margin;  // any separating axis suffices
     if (next.gap > axis.gap + ahead) axis = next;
   }
 };
@@ -35,14 +35,14 @@ SeparatingAxis from_i_to_j(const Found& axis, const Box& i, const Box& j) {
 
 }  // namespace
 
-/// Seen from i its own axes are (1, 0, 0), (0, 1, 0) and (0, 0, 1), and those of j the columns of C. So n·e_k are
+/// In the axes of i its own axes are (1, 0, 0), (0, 1, 0) and (0, 0, 1), and those of j the columns of C. So n·e_k are
 /// numbers of C, and of all faces of a box (8.6) is one line.
 SeparatingAxis separating_axis(const Box& i, const Box& j) {
   const double margin = 1e-6 * std::min(i.half_sides.minCoeff(), j.half_sides.minCoeff());
   const Vec3 &a = i.half_sides, &b = j.half_sides;
   const Mat3 C = i.axes.transpose() * j.axes, C_abs = C.cwiseAbs();
   const Vec3 apart = i.axes.transpose() * (j.x - i.x), apart_j = C.transpose() * apart;
-  if (apart_j.hasNaN()) return from_i_to_j({}, i, j);  // a half side that is NaN makes the margin one
+  if (apart_j.hasNaN()) return from_i_to_j({}, i, j);  // a half side that is NaN makes the margin NaN
 
   Best face_i{margin}, face_j{margin}, edges{0};
   const Vec3 gap_i = apart.cwiseAbs() - a - C_abs * b;

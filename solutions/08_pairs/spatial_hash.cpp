@@ -11,7 +11,7 @@ namespace spook {
 
 namespace {
 
-/// Which bodies have been entered in a cell. Cells that hash alike share a list, in which a body stands once.
+/// The bodies in each cell. Cells with equal hashes share a list, in which a body occurs once.
 class Table {
  public:
   explicit Table(std::size_t bodies) : last_(std::bit_ceil(8 * bodies), -1) { entries_.reserve(8 * bodies); }
@@ -58,7 +58,7 @@ std::vector<Pair> spatial_hash(const std::vector<Bounds>& bounds) {
   std::stable_sort(order.begin(), order.end(),
                    [&](int a, int b) { return level_of_body(a) > level_of_body(b); });
 
-  // From large to small: each body meets those before it in its own level and all coarser ones, then enters its own.
+  // From large to small: each body is compared with earlier bodies of its own and of all coarser levels, then added.
   Table table(bounds.size());
   std::vector<Grid> grids;
   std::vector<Pair> pairs;

@@ -12,9 +12,9 @@ struct Entry {
   int body;
 };
 
-/// The axis along which the centres are farthest spread: there the fewest overlap.
+/// Returns the axis along which the centres are spread most: there the fewest intervals overlap.
 int widest_axis(const std::vector<Bounds>& bounds) {
-  Eigen::Matrix3Xd centres(3, bounds.size());  // twice as far out as they are
+  Eigen::Matrix3Xd centres(3, bounds.size());  // twice the centres
   for (std::size_t k = 0; k < bounds.size(); ++k) centres.col(k) = bounds[k].lower + bounds[k].upper;
   int axis;
   (centres.colwise() - centres.rowwise().mean()).rowwise().squaredNorm().maxCoeff(&axis);

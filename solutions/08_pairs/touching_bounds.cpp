@@ -15,10 +15,10 @@ void require_sound(const std::vector<Bounds>& bounds) {
   }
 }
 
-/// `pairs` in the order of what `number_of` says of each, those of one number as they were.
+/// Sorts `pairs` by `number_of`; pairs with equal numbers keep their order.
 template <class NumberOf>
 static std::vector<Pair> ordered_by(const std::vector<Pair>& pairs, std::size_t n, const NumberOf& number_of) {
-  std::vector<std::size_t> place(n + 1, 0);  // of the next one with this number
+  std::vector<std::size_t> place(n + 1, 0);  // position of the next pair with this number
   for (const Pair& pair : pairs) ++place[static_cast<std::size_t>(number_of(pair)) + 1];
   std::partial_sum(place.begin(), place.end(), place.begin());
   std::vector<Pair> sorted(pairs.size());

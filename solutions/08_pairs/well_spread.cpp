@@ -8,15 +8,15 @@ namespace spook {
 
 namespace {
 
-/// A contact as seen from the mean of all.
+/// A contact relative to the mean of all contacts.
 struct Seen {
   const Contact* contact;
   Vec3 from_mean;
   double angle;  ///< about n
 };
 
-/// Of those that are as deep as the deepest, to within `tolerance`, always the same: the farthest in a direction that
-/// is special to no box.
+/// Returns a contact that is as deep as the deepest within `tolerance`: the farthest in a direction that is special to
+/// no box. So the choice is the same in every step.
 const Contact* choose_deepest(const std::vector<Contact>& contacts, double tolerance) {
   double deepest = infinity;
   for (const Contact& contact : contacts) deepest = std::min(deepest, contact.gap);
@@ -27,7 +27,7 @@ const Contact* choose_deepest(const std::vector<Contact>& contacts, double toler
                             [&](const Contact& a, const Contact& b) { return rank(a) < rank(b); });
 }
 
-/// All contacts in order of their angle around the mean, beginning with `first`.
+/// Returns all contacts in order of their angle around the mean, starting with `first`.
 std::vector<Seen> around_the_mean(const std::vector<Contact>& contacts, const Vec3& mean,
                                   const Contact* first) {
   const auto [t1, t2] = tangents(first->n);
@@ -44,7 +44,8 @@ std::vector<Seen> around_the_mean(const std::vector<Contact>& contacts, const Ve
 
 using Four = std::array<std::size_t, 4>;
 
-/// Twice the area of four, in order: Eq. (8.10). -infinity if a term is below -tolerance: then the mean is outside.
+/// Returns twice the area of four contacts in order: Eq. (8.10). -infinity if a term is below -tolerance: then the mean
+/// is outside.
 double area(const std::vector<Seen>& ring, const Four& four, double tolerance) {
   double sum = 0;
   for (std::size_t k = 0; k < 4; ++k) {

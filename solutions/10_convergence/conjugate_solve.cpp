@@ -13,7 +13,7 @@ double dot(const std::vector<double>& a, const std::vector<double>& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-/// What S makes of impulses x, as velocities [m/s]; and what x does to the bodies, into U.
+/// Returns S x for impulses x [m/s]; and the velocities that x causes, in U.
 template <int Dof>
 std::vector<double> S_times(const std::vector<double>& x, const std::vector<Row<Dof>>& rows,
                             std::vector<Twist<Dof>>& U) {
@@ -25,12 +25,12 @@ std::vector<double> S_times(const std::vector<double>& x, const std::vector<Row<
   return Sx;
 }
 
-/// What the rows lack.
+/// The residuals of the rows.
 struct Look {
   std::vector<double> r;     ///< Eq. (4.6) [m/s]
   std::vector<bool> free;    ///< lo < λ < hi
   double residual = 0;       ///< Eq. (4.8)
-  bool left_behind = false;  ///< a row at a bound lacks more than every free one
+  bool left_behind = false;  ///< a row at a bound has a larger residual than every free row
 };
 
 template <int Dof>
@@ -52,7 +52,7 @@ Look look_at(const std::vector<Row<Dof>>& rows, const std::vector<Twist<Dof>>& V
   return seen;
 }
 
-/// Goes along p as far as the energy falls, Eq. (10.8). Whether no bound was in its way.
+/// Moves along p as far as the energy falls, Eq. (10.8). Returns whether no bound limited the step.
 template <int Dof>
 bool step(const std::vector<double>& p, const std::vector<double>& r, std::vector<Row<Dof>>& rows,
           std::vector<Twist<Dof>>& V) {
@@ -91,7 +91,7 @@ SolveReport conjugate_solve(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>
   report.converged = rows.empty();
   std::vector<double> p(rows.size(), 0);
   double zr = 0;
-  bool whole = false;  // the last step was: its direction can be used again
+  bool whole = false;  // the last step was not limited by a bound, so its direction can be used again
   while (!report.converged && std::ssize(report.history) < stop.max_sweeps) {
     Look seen = look_at(rows, V);
     const bool sweeps = !whole || seen.left_behind;

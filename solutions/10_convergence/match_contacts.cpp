@@ -14,7 +14,7 @@ struct Candidate {
   auto operator<=>(const Candidate&) const = default;
 };
 
-/// The numbers 0 to n - 1 by the pair that each of them has; equal ones in order.
+/// Returns the numbers 0 to n - 1, sorted by their pairs; numbers of equal pairs keep their order.
 template <class PairOf>
 std::vector<int> sorted(std::size_t n, const PairOf& pair) {
   std::vector<int> numbers(n);

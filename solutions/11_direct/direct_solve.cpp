@@ -7,11 +7,11 @@ namespace spook {
 
 namespace {
 
-/// The rows whose bounds leave them room, as a system of their own, and V of those that have none.
+/// The rows with lo < hi as a separate system, and V of the other rows.
 template <int Dof>
 struct OpenRows {
   std::vector<Row<Dof>> rows;
-  std::vector<std::size_t> index;  ///< of each in all rows
+  std::vector<std::size_t> index;  ///< index of each in all rows
   Vector B, lo, hi;
 
   OpenRows(std::vector<Row<Dof>>& all, std::vector<Twist<Dof>>& V) {
@@ -37,7 +37,7 @@ struct OpenRows {
   }
 };
 
-/// Clamps λ to its bounds, and puts it into the rows, and what it does into V.
+/// Clamps λ to its bounds, stores it in the rows, and updates V.
 template <int Dof>
 void store(const OpenRows<Dof>& open, Vector& lambda, std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V) {
   for (std::size_t k = 0; k < open.rows.size(); ++k) {
@@ -49,7 +49,7 @@ void store(const OpenRows<Dof>& open, Vector& lambda, std::vector<Row<Dof>>& row
   for (const Row<Dof>& row : rows) apply_impulse(row, row.lambda, V);
 }
 
-/// V has the roundings of λ/m, and the rows feel them: Eq. (11.14) makes up for it.
+/// Refines the solution, Eq. (11.14), since V contains the round-off of λ/m.
 template <int Dof>
 void refine(const OpenRows<Dof>& open, const Factors& factors, std::vector<Row<Dof>>& rows,
             std::vector<Twist<Dof>>& V) {

@@ -11,7 +11,7 @@ static bool same_pattern(const SparseMatrix& A, const Factors& factors) {
          std::equal(factors.entries.begin(), factors.entries.end(), A.innerIndexPtr());
 }
 
-/// What each pivot is the rest of: |A_kk| + Σ_j L_kj² |D_j|.
+/// Returns for each pivot the sum of absolute values from which it is computed: |A_kk| + Σ_j L_kj² |D_j|.
 static Vector pivot_terms(const SparseMatrix& A, const Factors& factors, const Vector& D) {
   Vector sum = (factors.ldlt.permutationP() * Vector(A.diagonal())).cwiseAbs();
   const SparseMatrix& L = factors.ldlt.matrixL().nestedExpression();  // without its diagonal of ones

@@ -7,14 +7,14 @@ namespace spook {
 
 namespace {
 
-/// The nearest to `lambda` that is within the bounds; a NaN stays a NaN.
+/// Returns `lambda` clamped to the bounds; a NaN stays a NaN.
 Vector clamped(const Vector& lambda, const Vector& lo, const Vector& hi) {
   Vector inside = lambda;
   for (Eigen::Index k = 0; k < inside.size(); ++k) inside[k] = std::clamp(inside[k], lo[k], hi[k]);
   return inside;
 }
 
-/// Eq. (4.8).
+/// Returns the residual of Eq. (4.8).
 double residual(const SparseMatrix& S, const Vector& B, const Vector& lo, const Vector& hi,
                 const Vector& lambda) {
   const Vector S_kk = S.diagonal(), r = B - S.selfadjointView<Eigen::Lower>() * lambda;

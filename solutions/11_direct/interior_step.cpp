@@ -15,7 +15,7 @@ Interior moved(const Interior& now, const Interior& step, double share) {
           .push_hi = now.push_hi + share * step.push_hi};
 }
 
-/// μ, over the bounds that there are; NaN when there are none.
+/// Returns μ, the mean product over all bounds; NaN if there are none.
 double mean_product(const Interior& now) {
   double sum = 0;
   int bounds = 0;
@@ -28,7 +28,8 @@ double mean_product(const Interior& now) {
   return sum / bounds;
 }
 
-/// λ and its two rooms drift apart by roundings of what they were: the smallest of the three is right.
+/// Makes λ and its two slacks consistent again: each has the round-off of its former size, and the smallest is the most
+/// exact.
 void reconcile(const Vector& lo, const Vector& hi, Interior& now) {
   for (Eigen::Index k = 0; k < lo.size(); ++k) {
     double &lambda = now.lambda[k], &below = now.room_lo[k], &above = now.room_hi[k];

@@ -4,7 +4,7 @@
 
 namespace spook {
 
-/// M of a body: the inverse of its inverse mass, or the identity where that is zero.
+/// Returns M of a body: the inverse of its inverse mass, or the identity for a static body.
 static Eigen::Matrix<double, 3, 3> mass_matrix(const InverseMass<3>& inverse) {
   return (inverse.linear == 0 ? 1 : 1 / inverse.linear) * Mat3::Identity();
 }

@@ -7,7 +7,7 @@ namespace spook {
 
 namespace {
 
-/// For each body the rows that touch it, from the first to the last.
+/// The rows that act on each body, from the first to the last.
 class RowsOfBodies {
  public:
   template <int Dof>

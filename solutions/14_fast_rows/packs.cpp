@@ -1,4 +1,4 @@
-// Between rows and packs of them.
+// Conversion between rows and packs.
 #include <algorithm>
 
 #include "14_fast_rows/fast_rows.hpp"

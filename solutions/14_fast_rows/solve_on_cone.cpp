@@ -7,10 +7,10 @@ namespace spook {
 
 namespace {
 
-/// Eq. (14.6): the impulse with which it slides, for each α.
+/// The sliding impulse as a function of α, Eq. (14.6).
 struct Sliding {
   Vec2 s;             // S_tn over S_nn
-  Eigen::Matrix2d A;  // what is left of S_tt, without λ_n
+  Eigen::Matrix2d A;  // S_tt after λ_n is eliminated
   Vec2 c;
   double free;  // λ_n without friction
 
@@ -20,7 +20,7 @@ struct Sliding {
         c(q.tail<2>() - q[0] * s),
         free(q[0] / S(0, 0)) {}
 
-  /// (A + α)⁻¹ b
+  /// Returns (A + α)⁻¹ b.
   Vec2 solve(double alpha, const Vec2& b) const {
     const double a11 = A(0, 0) + alpha, a22 = A(1, 1) + alpha, a12 = A(0, 1);
     return Vec2(a22 * b[0] - a12 * b[1], a11 * b[1] - a12 * b[0]) / (a11 * a22 - a12 * a12);

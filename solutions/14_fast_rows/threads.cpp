@@ -8,8 +8,8 @@ namespace spook {
 
 namespace {
 
-/// Where threads wait until all have come; the last one does first what is to be done between two rounds. Who waits looks
-/// again and again for a while, since to sleep and be woken takes longer than many a round.
+/// A barrier at which threads wait for all others; the last one runs the work between two rounds. A waiting thread
+/// polls for a while, since sleeping and waking take longer than many rounds.
 class MeetingPoint {
  public:
   MeetingPoint(int threads, const std::function<void()>& between)
@@ -25,7 +25,7 @@ class MeetingPoint {
     round_.wait(round);
   }
 
-  /// One who will never come again.
+  /// Removes a thread from the barrier.
   void leave() {
     --threads_;
     come();
@@ -33,9 +33,9 @@ class MeetingPoint {
 
  private:
   static constexpr int looks = 100'000;             // some hundreds of microseconds
-  static constexpr int looks_before_others = 1000;  // on a core that has more to do
+  static constexpr int looks_before_others = 1000;  // then yields the core to other threads
 
-  /// Whether it was the last one.
+  /// Returns whether the caller was the last thread.
   bool come() {
     if (--missing_ > 0) return false;
     between_();
@@ -59,7 +59,7 @@ void in_rounds(int threads, const std::function<void(int thread)>& work, const s
   }
   bool go_on = true;
   std::vector<std::exception_ptr> thrown(static_cast<std::size_t>(threads));
-  const std::function<void()> between = [&] {  // alone, when all have come
+  const std::function<void()> between = [&] {  // on one thread, when all have arrived
     for (const std::exception_ptr& what : thrown)
       if (what) go_on = false;
     try {
@@ -84,7 +84,7 @@ void in_rounds(int threads, const std::function<void(int thread)>& work, const s
   try {
     for (int thread = 1; thread < threads; ++thread) others.emplace_back(member, thread);
     member(0);
-  } catch (...) {  // no more threads are to be had: those that are there go home after a round
+  } catch (...) {  // no more threads are available: the existing ones end after a round
     thrown[0] = std::current_exception();
     for (int missing = static_cast<int>(others.size()); missing < threads; ++missing) all_done.leave();
   }

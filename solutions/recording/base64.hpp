@@ -1,12 +1,12 @@
 #pragma once
-// Numbers as text: little-endian, in base64 (RFC 4648).
+// Arrays of numbers as text: little-endian, in base64 (RFC 4648).
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace spook {
 
-/// The bytes of `values`, 4 each.
+/// Encodes the bytes of `values`, 4 each.
 std::string base64(const std::vector<float>& values);
 std::string base64(const std::vector<std::int32_t>& values);
 

@@ -19,7 +19,8 @@ static Json choice(const std::string& name, const std::string& value, const std:
   return {{"name", name}, {"value", value}, {"choices", choices}};
 }
 
-/// A factor of 30 to both sides, or from zero to one or two, as far as the parameter may go.
+/// Returns the range of a control: a factor of 30 in both directions, or from zero to one or two, within the
+/// parameter's limits.
 static Json control(const Parameter& parameter) {
   if (!parameter.choices.empty()) return choice(parameter.name, parameter.choice, parameter.choices);
   const double value = parameter.value, size = std::max(1.0, 2 * std::abs(value));

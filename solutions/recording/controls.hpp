@@ -1,10 +1,10 @@
 #pragma once
-// What can be turned while a scene runs.
+// Parameters and options that a page can change while a scene runs.
 #include "spook/json.hpp"
 
 namespace spook {
 
-/// A list: name, value, unit, and low, high and logarithmic, or choices.
+/// Returns a list of controls: name, value, unit, and either low, high and logarithmic, or choices.
 Json controls(const SceneDescription& description, const Parameters& parameters, const Method& method);
 
 }  // namespace spook

@@ -1,5 +1,5 @@
 #pragma once
-// What a scene looks like, and what it looks like now: the content of a recording, in plain numbers.
+// The content of a recording in plain numbers: the appearance of a scene, and its frames.
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -9,15 +9,15 @@
 
 namespace spook {
 
-/// The look of a body.
+/// The appearance of a body.
 struct Appearance {
   Shape shape = NoShape{};
   std::optional<Plane> plane = {};  ///< in place of a shape
-  bool is_hand = false;             ///< what pulls at a body, which is not drawn
+  bool is_hand = false;             ///< the static end of a pull, which is not drawn
   bool is_static = false;
 };
 
-/// What does not change in a run.
+/// The part of a recording that is constant during a run.
 struct Picture {
   std::vector<Appearance> bodies;
   std::vector<Joint> joints;
@@ -31,17 +31,18 @@ struct Touch {
   Vec3 impulse;   ///< on j, friction included [N s]
 };
 
-/// Where the energy is [J]. That of half a step ago, as v is, and x - h v/2 for it; of now, where steps are composed.
+/// Energies [J]. They belong to the time half a step ago, since v does; x - h v/2 is the position at that time. At
+/// order 4 they belong to the current time.
 struct Energy {
   double motion = 0, turning = 0;
   double weight = 0;  ///< 0 at the height of the origin
-  double field = 0;   ///< of forces beside the weight
-  /// What springs as stiff as contacts and joints hold under the forces of the last step, ½ (λ/h)²/k. ½ k gap² would not
-  /// do: where k h² is far beyond the masses, a gap is what the step leaves, and no spring's.
+  double field = 0;   ///< of forces other than the weight
+  /// Energy of the springs of contacts and joints under the forces of the last step, ½ (λ/h)²/k. If k h² is much larger
+  /// than the masses, a gap is an error of the step and not a spring's deflection, so ½ k gap² would be wrong.
   double springs = 0;
 };
 
-/// A look at a world.
+/// The state of a world at one time.
 struct Frame {
   double time = 0;  ///< [s]
   std::int64_t step = 0;
@@ -53,20 +54,20 @@ struct Frame {
   Energy energy;
 };
 
-/// Where the answer says that a body should be, and how a rigid one should be turned.
+/// The position, and orientation of a rigid body, in the answer.
 struct Ghost {
   int body;
   Vec3 x;  ///< [m]
   Quat q = Quat::Identity();
 };
 
-/// A line on which the answer lies.
+/// A curve of the answer, such as a trajectory.
 struct Curve {
   std::string name;
   std::vector<Vec3> points;  ///< [m]
 };
 
-/// 200 points of `x`, which belong to numbers from `from` to `to`.
+/// Returns the curve of `x` at 201 arguments, equally spaced from `from` to `to`.
 template <class Function>
 Curve curve(std::string name, double from, double to, const Function& x) {
   Curve line{.name = std::move(name), .points = {}};
@@ -77,7 +78,7 @@ Curve curve(std::string name, double from, double to, const Function& x) {
 template <int Dof>
 Picture picture_of(const World<Dof>& world);
 
-/// `h` is that of the last step [s].
+/// Returns the current frame of a world. `h`: the last step [s].
 template <int Dof>
 Frame frame_of(const World<Dof>& world, double h);
 

@@ -57,7 +57,7 @@ static Json to_json(const Joint& joint) {
   return json;
 }
 
-/// Numbers as they are written.
+/// Formats numbers for a recording.
 class Crowd {
  public:
   void add(double value) { values_.push_back(static_cast<float>(value)); }

@@ -1,35 +1,36 @@
 #pragma once
-// Writes a recording, line by line: see README.md for its form.
+// Writes a recording line by line; README.md describes the format.
 #include <ostream>
 
 #include "scenes/run.hpp"
 
 namespace spook {
 
-/// How often a frame is taken: the steps between two, so that there are about `per_second` of them in a simulated
-/// second, and at least one. Throws std::invalid_argument unless per_second is positive.
+/// Returns the number of steps between frames, at least one, for about `per_second` frames in a simulated second.
+/// Throws std::invalid_argument unless per_second is positive.
 std::int64_t steps_of_frame(double h, double per_second);
 
 class Recorder {
  public:
-  /// `description`, `parameters` and `settings` must outlive it.
+  /// Keeps references: `out`, `description`, `parameters` and `settings` must outlive the recorder.
   Recorder(std::ostream& out, const SceneDescription& description, const Parameters& parameters,
            const RunSettings& settings, double per_second);
 
-  /// The first line. A live one tells what can be set.
+  /// Writes the header. The header of a live recording lists the controls.
   void begin(const Scene& scene, bool live = false);
 
-  /// A frame, if it is time for one after so many substeps; before the first the header.
+  /// Writes a frame if one is due after so many substeps; writes the header before the first frame.
   void look(Scene& scene, std::int64_t substep);
 
-  /// A frame now. Touched: a hand was laid on the scene.
+  /// Writes a frame now. `touched`: a user has interacted with the scene.
   void take(const Scene& scene, bool touched = false);
 
-  /// How many frames there will be, and what they take, from the first one [bytes]. Contacts add to it.
+  /// The number of frames of the whole run, and their size estimated from the first one [bytes]. Contacts add to the
+  /// size.
   std::int64_t frames() const;
   double expected_bytes() const { return static_cast<double>(frames()) * frame_bytes_; }
 
-  /// The last line, and why the run blew up, if it did.
+  /// Writes the last line, with the reason `why` if the run diverged.
   void end(const std::string& why = "");
 
  private:
@@ -40,8 +41,8 @@ class Recorder {
   const SceneDescription& description_;
   const Parameters& parameters_;
   const RunSettings& settings_;
-  std::int64_t steps_;  // from frame to frame
-  StageTimes last_;     // at the last frame
+  std::int64_t steps_;  // between two frames
+  StageTimes last_;     // stage times at the last frame
   std::int64_t last_step_ = 0;
   double frame_bytes_ = 0;  // of the last frame
 };

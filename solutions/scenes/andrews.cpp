@@ -1,7 +1,7 @@
 // Andrews' squeezer as seven bodies on ten hinges in a plane: a torque on the crank, a spring against it, from rest. In
 // 0.03 s the crank turns two and a half times, and reaches 1140 rad/s.
 //
-// The answer is of the published equations in seven angles: scenes/andrews_squeezer.hpp.
+// The answer integrates the published equations in seven angles: scenes/andrews_squeezer.hpp.
 #include "scenes/andrews_squeezer.hpp"
 
 #include "scenes/mechanism.hpp"
@@ -11,7 +11,7 @@ namespace spook {
 
 namespace {
 
-/// The crank's torque and the spring, on bodies that follow a fixed one. Of places only.
+/// The crank's torque and the spring's force, on bodies after a static one. They depend on positions only.
 Twist<6> driven(std::size_t i, const Bodies<6>& bodies) {
   Twist<6> wrench = Twist<6>::Zero();
   if (i == 1) wrench[5] = squeezer::drive;
@@ -95,7 +95,7 @@ class Andrews : public WorldScene<6> {
     world_.add_joint(joint_at(world_, JointKind::hinge, i, j, place, Vec3::UnitZ()));
   }
 
-  mutable ReferenceMotion<14> answer_;  // goes on to the time it is asked for
+  mutable ReferenceMotion<14> answer_;  // advances to the requested time
   double largest_error_ = 0;
 };
 
@@ -105,7 +105,7 @@ SceneDescription andrews() {
   return {.name = "andrews",
           .summary = "Andrews' squeezer: seven bodies on ten hinges, driven by a torque against a spring.",
           .answer =
-              "The equations of Hairer and Wanner, II, VII.7, in seven angles, integrated to roundings; at "
+              "The equations of Hairer and Wanner, II, VII.7, in seven angles, integrated to round-off; at "
               "0.03 s they "
               "are the solution published in the Test Set for IVP Solvers, to 1.2e-9 rad.",
           .error_name = "largest error of a body's angle so far",

@@ -58,7 +58,7 @@ Closure closure(const Angles& q) {
   return (Closure() << to_3.head<2>(), to_4.head<2>(), to_6.head<2>()).finished();
 }
 
-/// d/dt of each angle's part: of at(a) it is left_of(a) a', and of that -at(a) a'.
+/// The Jacobian of the closure: the rate of at(a) is left_of(a) a', and that of left_of(a) is -at(a) a'.
 static Jacobian jacobian(const Angles& q) {
   const Angles a = of_bodies(q);
   const Vec3 dE_beta = rr * left_of(a[0]) - d * left_of(a[1]), dE_theta = -d * left_of(a[1]);
@@ -75,7 +75,7 @@ static Jacobian jacobian(const Angles& q) {
   return G;
 }
 
-/// -(dG/dt) q'.
+/// Returns -(dG/dt) q'.
 static Closure gamma(const Angles& q, const Angles& v) {
   const Angles a = of_bodies(q), w = of_bodies(v), w2 = w.cwiseAbs2();
   const Vec3 E = -rr * w2[0] * at(a[0]) + d * w2[1] * at(a[1]);

@@ -1,17 +1,17 @@
 #pragma once
-// Whether bodies on contacts are in balance, by what their overlaps say and not by what a solver does.
+// Balance of forces on bodies with contacts, computed from overlaps rather than from a solver's impulses.
 //
-//   F = f + Σ (k overlap n + friction)      of each body; at rest it is zero, and so is the torque
+//   F = f + Σ (k overlap n + friction)      on each body; F and the torque are zero at rest
 //
-// A contact at rest pushes with k times its overlap, whatever h and d: Eq. (3.13). A solver that does too little gives
-// less, and bodies sink until it is enough; then their overlaps push more than they carry. Friction is what the solver
-// made of it: what is stuck may hold any load.
+// A contact at rest pushes with k times its overlap for any h and d: Eq. (3.13). With too few iterations a solver's
+// impulse is smaller, so bodies sink until it suffices. Then the force of the overlap exceeds the load. Friction is
+// the solver's, since a sticking contact can hold any load below its limit.
 #include "engine/world/world.hpp"
 
 namespace spook {
 
-/// The largest force on a body that nothing balances, or torque over `radius` [m], with contacts as the last step of `h`
-/// found them [N]; 0 before the first.
+/// The largest unbalanced force on a body, or unbalanced torque over `radius` [m], for the contacts of the last step of
+/// `h` [s]; 0 before the first step [N].
 double largest_unbalanced(const World<6>& world, double radius, double h);
 
 }  // namespace spook

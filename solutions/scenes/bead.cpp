@@ -1,10 +1,10 @@
-// A bead slides out along a rod that turns freely in the plane y = 0, and slows it as an ice skater does who opens her
-// arms. Nothing has a weight.
+// A bead slides out along a rod that rotates freely in the plane y = 0, and slows the rod as an ice skater slows who
+// opens her arms. There is no gravity.
 //
-//   r'' = r ω²,   ω = L/(I + m r²)        L is kept; I of the rod and of the bead about itself
+//   r'' = r ω²,   ω = L/(I + m r²)        L is constant; I is that of the rod, plus that of the bead about its centre
 //
-// The row of the slider has its axis turn with the rod, and the bead is far from the rod's centre: the second term of
-// (22) in the notes is not small here. Without it L is lost: chapter 13.
+// The slider's axis rotates with the rod, and the bead is far from the rod's centre. So the second term of (22) in the
+// notes is not small here. Without it L is not conserved: chapter 13.
 #include "engine/diagnostics/conserved_quantities.hpp"
 #include "scenes/degrees.hpp"
 #include "scenes/reference_motion.hpp"
@@ -14,7 +14,7 @@ namespace spook {
 
 namespace {
 
-constexpr double rail_thickness = 0.02;  // half of the rod's thickness [m]
+constexpr double rail_thickness = 0.02;  // half the thickness of the rod [m]
 
 class Bead : public WorldScene<6> {
  public:
@@ -83,7 +83,7 @@ SceneDescription bead() {
   return {
       .name = "bead",
       .summary = "A bead slides out along a rod that turns freely.",
-      .answer = "r'' = r ω², ω = L/(I + m r²), integrated to roundings; the angular momentum L stays the same.",
+      .answer = "r'' = r ω², ω = L/(I + m r²), integrated to round-off; the angular momentum L stays the same.",
       .error_name = "largest error of the bead's place over its distance from the axis",
       .error_unit = "relative",
       .parameters =

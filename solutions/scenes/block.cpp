@@ -19,7 +19,7 @@ Body<3> lying(const Block& block, double load, const Vec3&, double k) {
 template <>
 Body<6> lying(const Block& block, double load, const Vec3& friction, double k) {
   const double pull = std::abs(friction.x()) + std::abs(friction.y());
-  // The corner behind carries N/4 - height pull/(4 base), and no corner is pulled down.
+  // The back corner carries N/4 - height pull/(4 base), and no corner can pull.
   if (block.height * pull > block.base * load)
     reject("height", block.height,
            "at most " + short_text(block.base * load / pull) + ", or the box tips over");

@@ -1,6 +1,6 @@
 #pragma once
-// The block of `incline` and `sliding_block`, on the plane z = 0: a point mass with a sphere, which cannot
-// turn, or a box on its corners, which can.
+// The block of `incline` and `sliding_block`, on the plane z = 0: a point mass with a sphere, which cannot turn, or a
+// box on its corners, which can turn.
 #include "engine/world/world.hpp"
 #include "scenes/parameters.hpp"
 
@@ -13,17 +13,17 @@ struct Block {
   Vec3 half_sides() const { return Vec3(base, base, height) / 2; }
 };
 
-/// m, base and height of a scene.
+/// The block that a scene's parameters mass, base and height describe.
 Block block(const Parameters& parameters);
 
-/// The block as it lies above the origin, settled: its contacts, of stiffness `k`, as deep as the load N [N]
-/// presses them while `friction` F [N], in the plane, acts on its base.
+/// The block at rest above the origin, at equilibrium with contacts of stiffness `k`. Its load is N [N], and `friction`
+/// F [N], in the plane, acts on its base.
 ///
-///   point   depth N/k
-///   box     depth N/(4k) on average; friction's torque makes it deeper in front than behind, by a turn of
-///           (height/2)/(k base²) (F_y, -F_x, 0)
+/// point   depth N/k
+/// box     depth N/(4k) on average; friction's torque makes the front deeper than the back, by a rotation of
+/// (height/2)/(k base²) (F_y, -F_x, 0)
 ///
-/// Throws std::invalid_argument that names height when the box would tip over: height (|F_x| + |F_y|) > base N.
+/// Throws std::invalid_argument, naming height, if the box would tip over: height (|F_x| + |F_y|) > base N.
 template <int Dof>
 Body<Dof> lying(const Block& block, double load, const Vec3& friction, double k);
 

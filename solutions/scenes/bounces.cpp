@@ -4,7 +4,7 @@
 
 namespace spook {
 
-// The fall is the second half of a flight that began at -t0.
+// The first fall is the second half of a flight that started at -t0.
 Bounces::Bounces(double h0, double g, double e)
     : h0_(h0), g_(g), e_(e), t0_(std::sqrt(2 * h0 / g)), since_(-t0_), speed_(g * t0_) {}
 
@@ -18,7 +18,7 @@ double Bounces::end() const {
 
 double Bounces::height(double t) {
   if (t >= end()) return 0;
-  // Close to the end, a flight may be shorter than a rounding of the time.
+  // Close to the end, a flight may be shorter than the round-off of the time.
   while (speed_ > 0 && t >= since_ + 2 * speed_ / g_) {
     since_ += 2 * speed_ / g_;
     speed_ *= e_;

@@ -1,13 +1,13 @@
-// A ball that is dropped, and bounces.
+// A dropped ball that bounces.
 //
 //   h_n = h0 e^(2n)                                                                                Eq. (7.11)
 //
-// The error is that of the peaks, not of the height at a time: if each bounce is late by a thousandth of a
-// second only, the ball is soon at quite another height. A peak shows all along a flight, as z + v²/(2g), which
-// leapfrog keeps, v being of the time of z.
+// The error is that of the peaks, not of the height at a time: if each bounce is late by only a thousandth of a second,
+// the height soon differs a lot. The peak of a flight is z + v²/(2g) at any time, with v at the time of z. Leapfrog
+// keeps this number constant.
 //
-// A step finds the ball only when it is in the floor. The engine goes back to where it touched, Eq. (7.15), (7.16), and
-// as leapfrog is on the parabola all along, the peaks are right to roundings, until a bounce takes less than a step.
+// A step detects the ball after penetration. The engine returns to the time of touch, Eq. (7.15), (7.16). Leapfrog
+// stays on the parabola, so the peaks are right to round-off, until a bounce takes less than a step.
 #include "scenes/bounces.hpp"
 #include "scenes/registry.hpp"
 
@@ -66,7 +66,7 @@ class BouncingBall : public WorldScene<3> {
   double v() const { return world_.synchronized_velocity(ball_, h_).z(); }
   double peak() const { return z() + v() * v() / (2 * g_); }
 
-  double h0_, g_, radius_;  // h0 of the lowest point
+  double h0_, g_, radius_;  // h0 is the height of the lowest point
   Bounces answer_;
   int ball_ = 0;
   int bounces_ = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// A motion that is slowed at a constant rate until it stands still: what dry friction does.
+// Motion with constant deceleration until rest, as by dry friction.
 //
 //   x = v0 t - ½ r t²,  v = v0 - r t    for t <= v0/r
 #include <algorithm>
@@ -8,11 +8,11 @@ namespace spook {
 
 struct Braking {
   double v0;    ///< >= 0
-  double rate;  ///< r >= 0; 0: it never stops
+  double rate;  ///< r >= 0; 0: never stops
 
   double duration() const { return v0 / rate; }
 
-  /// Before time 0 as well: it was faster then.
+  /// The speed [m/s]; also valid before time 0.
   double v(double t) const { return std::max(0.0, v0 - rate * t); }
 
   double way(double t) const {

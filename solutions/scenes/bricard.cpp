@@ -1,10 +1,11 @@
-// Bricard's mechanism: six rods in a ring, along edges of a cube at first, with a hinge at each corner across the two rods
-// that meet there. Counted by rows it could not move, 5 · 6 = 6 · 5: one row says what the others say, and so it does.
+// Bricard's mechanism: six rods in a ring, initially along edges of a cube. The hinge at each corner is perpendicular
+// to the two rods that meet there. By the number of rows, 5 · 6 = 6 · 5, the ring could not move. But one row is
+// redundant.
 //
-// The answer is of natural coordinates, scenes/natural_coordinates.hpp, where neighbours share a corner and a hinge's axis.
+// The answer uses natural coordinates, scenes/natural_coordinates.hpp. Neighbours share a corner and a hinge's axis.
 //
-// Source of the problem: A04 of the library of benchmark problems for multibody dynamics, Universidad de La Coruña: five
-// moving rods of 1 m and 1 kg, energy constant over 10 s.
+// Source of the problem: A04 of the library of benchmark problems for multibody dynamics, Universidad de La Coruña:
+// five moving rods of 1 m and 1 kg, energy constant over 10 s.
 #include "scenes/half_step_energy.hpp"
 #include "scenes/mechanism.hpp"
 #include "scenes/registry.hpp"
@@ -21,14 +22,14 @@ const std::array<Vec3, corner_count>& places() {
   return places;
 }
 
-/// Across the rods that meet there.
+/// Returns the hinge axis at a corner, perpendicular to the rods that meet there.
 const std::array<Vec3, corner_count>& axes() {
   static const std::array<Vec3, corner_count> axes = {Vec3::UnitY(), Vec3::UnitZ(), Vec3::UnitX(),
                                                       Vec3::UnitY(), Vec3::UnitZ(), Vec3::UnitX()};
   return axes;
 }
 
-/// Corners 0 and 5 are on the rod that stays.
+/// Corners 0 and 5 belong to the static rod.
 NaturalCoordinates natural(double l, double mass, double thickness, const Vec3& gravity) {
   using Place = NaturalCoordinates::Place;
   NaturalCoordinates ring;
@@ -84,16 +85,16 @@ class Bricard : public WorldScene<6> {
   }
 
  private:
-  static constexpr double thickness = 0.1;  // of the rods' length
+  static constexpr double thickness = 0.1;  // over the length of a rod
 
-  /// The farthest from the rod that stays, at the end of the third that moves.
+  /// The corner farthest from the static rod, at the end of the third moving rod.
   static constexpr int third = 3;
   Vec3 corner() const { return world_.x(third) + orientation(world_, third) * Vec3(l_ / 2, 0, 0); }
-  Vec3 answer() const { return answer_.at(time()).segment<3>(2 * 6); }  // corners and axes in turn, from 1
+  Vec3 answer() const { return answer_.at(time()).segment<3>(2 * 6); }  // corners and axes alternate, from 1
   double energy() const { return half_step_energy(world_.bodies(), g_, 2 * velocity_lag()); }
 
   double l_, g_;
-  mutable NaturalMotion answer_;  // goes on to the time it is asked for
+  mutable NaturalMotion answer_;  // advances to the requested time
   double first_energy_ = 0, largest_error_ = 0;
 };
 
@@ -103,7 +104,7 @@ SceneDescription bricard() {
   return {.name = "bricard",
           .summary = "Six rods in a ring of six hinges, which moves although its rows are too many by one.",
           .answer =
-              "Places of corners and hinge axes, which neighbours share, integrated to roundings: no "
+              "Places of corners and hinge axes, which neighbours share, integrated to round-off: no "
               "orientations and no joints. The problem is A04 of La Coruña's library of multibody benchmarks.",
           .error_name = "largest position error of the farthest corner over a rod's length",
           .error_unit = "relative",

@@ -1,5 +1,5 @@
 #pragma once
-// The value that a typed word stands for.
+// Values of typed words.
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -9,8 +9,8 @@
 
 namespace spook {
 
-/// Returns the value that `text` names among `choices`. Throws std::invalid_argument for an unknown word, with `option` and
-/// the nearest word there is.
+/// Returns the value that `text` names in `choices`. Throws std::invalid_argument for an unknown word, with `option`
+/// and the nearest known word.
 template <class Value>
 Value choose(const std::string& option, const std::string& text,
              const std::vector<std::pair<std::string, Value>>& choices) {

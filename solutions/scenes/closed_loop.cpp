@@ -1,5 +1,5 @@
-// A loop that cannot close: n links in a ring of point masses, of which one is longer than all others together. No
-// place of the points satisfies all rows; Σ makes a spring of each, and the ring settles as one of springs.
+// A loop that cannot close: n links in a ring of point masses. One link is longer than all others together, so no
+// positions satisfy all rows. Σ makes each row a spring, and the ring comes to rest as a ring of springs.
 //
 //   (n - 1)(l + F/k) = L - F/k      short links pulled by F and the long one pushed by it, along one line
 //   F = (L - (n - 1) l) k/n
@@ -43,7 +43,7 @@ class ClosedLoop : public WorldScene<3> {
   std::vector<double> sample() const override { return {time(), gap(0), pull_, long_link_gap()}; }
 
  private:
-  /// How much longer than at rest [m].
+  /// The stretch of a link [m].
   double gap(int joint) const {
     const Joint& link = world_.joints()[static_cast<std::size_t>(joint)];
     return distance(link, world_.bodies()) - *link.length;

@@ -1,20 +1,19 @@
-// A cloth of cells × cells, let go flat and level, held by four corners or by two: chapter 06's cloth().
+// A cloth of cells × cells, released flat and level, held by four corners or by two: cloth() of chapter 06.
 //
-// It swings, and nothing brakes it. What holds all the same, in every step, is the balance of momentum, as what the
-// links do to each other cancels:
+// The cloth oscillates without damping. Momentum is balanced in every step, since the forces of links cancel:
 //
-//   h R = p_{n+1/2} - p_{n-1/2} - h m g        R what the supports do, p = Σ m v
+//   h R = p_{n+1/2} - p_{n-1/2} - h m g        R force of the supports, p = Σ m v
 //
-// to roundings, whatever the solver has left undone. Over a long time p/t goes to zero, and the mean of R to the weight:
-// Eq. (6.14). So R can't tell what the solver did. The lengths of the threads can:
+// This holds to round-off for any error of the solver. Over a long time p/t goes to zero, and the mean of R to the
+// weight: Eq. (6.14). So R does not show the solver's error. The lengths of the threads do:
 //
 //   l + T/k        under the tension T = -λ/h, as in Eq. (6.9)
 //
-// What a solved step leaves of that is the lag of a distance, h² A (1 + 2d)/(4 l), and that λ is late by some d steps;
-// while h √(T/(m l)) < 1, as in rope.cpp. Beyond that threads leap about, and no solver helps.
+// After an exact solve two errors remain while h √(T/(m l)) < 1, as in rope.cpp: the lag of a distance,
+// h² A (1 + 2d)/(4 l), and a delay of λ of about d steps. For larger steps the threads are unstable with any solver.
 //
-// The corners are held by ball joints of no length to fixed points, whose λ are h R. As bodies, the points are spheres
-// with the same distances between their centres: nothing turns, they move alike, and only cost more.
+// Ball joints hold the corners at fixed points; their λ are h R. With model=body the points are spheres, with the same
+// distances between their centres. The spheres do not rotate, so their motion is the same at a higher cost.
 #include "scenes/half_step_energy.hpp"
 #include "scenes/registry.hpp"
 
@@ -58,7 +57,7 @@ class Cloth : public WorldScene<Dof> {
   void observe() override {
     for (int joint = supports_; joint < static_cast<int>(world_.joints().size()); ++joint)
       largest_error_ = largest(largest_error_, std::abs(strain(joint) - strain_of_pull(joint)));
-    // The balance is that of a single step.
+    // The balance holds for a single step.
     const Vec3 p = momentum(world_.bodies());
     if (world_.steps() == observed_ + 1) balance_ = (p - momentum_) / h_ + weight_ * Vec3::UnitZ();
     momentum_ = p;
@@ -78,7 +77,7 @@ class Cloth : public WorldScene<Dof> {
   using WorldScene<Dof>::world_;
   using WorldScene<Dof>::h_;
 
-  /// In the last step, all of them together [N].
+  /// The force of all supports in the last step [N].
   Vec3 support() const {
     Vec3 sum = Vec3::Zero();
     for (int joint = 0; joint < supports_; ++joint)
@@ -91,7 +90,7 @@ class Cloth : public WorldScene<Dof> {
     return distance(thread, world_.bodies()) / *thread.length - 1;
   }
 
-  /// That it should have by its tension in the last step.
+  /// The length that a thread should have by its tension in the last step.
   double strain_of_pull(int joint) const {
     return -world_.joint_lambda(joint) / (h_ * k_ * *world_.joints()[static_cast<std::size_t>(joint)].length);
   }
@@ -110,10 +109,10 @@ class Cloth : public WorldScene<Dof> {
   }
 
   double g_, weight_, k_;
-  int supports_ = 0;             // the first joints; the others are threads
+  int supports_ = 0;             // number of supports, which are the first joints; the others are threads
   Vec3 balance_ = Vec3::Zero();  // R by the change of momentum in the last step [N]
   Vec3 momentum_;
-  std::int64_t observed_ = 0;  // the step that momentum_ is of
+  std::int64_t observed_ = 0;  // step to which momentum_ belongs
   double largest_error_ = 0;
 };
 
@@ -124,7 +123,7 @@ SceneDescription cloth() {
           .summary = "A cloth is let go flat and level, held by its corners.",
           .answer =
               "Threads keep their length, but for T/k, T their tension. And in every step the supports give "
-              "h R = Δp + h m g, the change of momentum and the weight's impulse, to roundings, however few "
+              "h R = Δp + h m g, the change of momentum and the weight's impulse, to round-off, however few "
               "the sweeps; over a long time their mean is the weight.",
           .error_name = "farthest that a thread was from its length, over it",
           .error_unit = "relative",

@@ -1,10 +1,10 @@
-// Newton's cradle without its strings: equal spheres in line, touching, and one that comes in with v.
+// Newton's cradle without strings: equal touching spheres in line, and one that arrives with v.
 //
 //   pair by pair   (v, 0, 0) -> (0, v, 0) -> (0, 0, v)                                             Eq. (7.13)
 //   all at once    (-1/3, 2/3, 2/3) v: another model, e = 1 at every contact; not what the engine does
 //
-// If the touch is found too late by the fraction `late` of a step, two spheres overlap by late v h. Eq. (7.16) puts each
-// ball where it would be.
+// If the touch is detected too late by the fraction `late` of a step, two spheres overlap by late v h. Eq. (7.16)
+// corrects the position of each ball.
 #include <limits>
 
 #include "common/require.hpp"
@@ -31,8 +31,8 @@ class Cradle : public WorldScene<3> {
     const double radius = p.number("radius"), v0 = p.number("v0");
     if (v0 * h_ > radius) reject("v0 h", v0 * h_, "at most the radius, or the balls jump through each other");
 
-    // Those at rest touch, neither more nor less: with a radius of 24 bits all sums are exact. The one that
-    // comes in may be a few roundings early; were it late, it would be found a step later.
+    // The spheres at rest touch exactly: with a radius of 24 bits all sums are exact. The arriving sphere may be early
+    // by a few rounding errors. If it were late, its touch would be detected a step later.
     const double touching = to_24_bits(radius);
     const double way = (touch - late_) * v0 * h_;
     for (int i = 0; i < p.count("bodies"); ++i)
@@ -80,9 +80,9 @@ class Cradle : public WorldScene<3> {
     return std::ldexp(std::round(std::ldexp(mantissa, 24)), exponent - 24);
   }
 
-  static constexpr int touch = 10;  // the first is at the end of this step
+  static constexpr int touch = 10;  // the first touch is at the end of this step
   static constexpr double roundings = 2 * touch * std::numeric_limits<double>::epsilon();
-  static constexpr double rest = 1e-9;  // of v0: slower approaches are none
+  static constexpr double rest = 1e-9;  // relative to v0: slower approaches are ignored
 
   double late_;  // [steps]
   std::vector<Vec3> start_x_;

@@ -1,5 +1,5 @@
 #pragma once
-// Angles as people give them.
+// Angles in degrees.
 #include <cmath>
 
 #include "common/types.hpp"
@@ -12,7 +12,7 @@ inline double radians(double degrees) {
   return degrees * pi / 180;
 }
 
-/// The unit vector in the plane z = 0 at so many degrees from x; along an axis exactly where it should be.
+/// The unit vector in the plane z = 0 at so many degrees from x, exact along an axis.
 inline Vec3 heading(double degrees) {
   const auto clean = [](double component) { return std::abs(component) < 1e-15 ? 0 : component; };
   const double angle = radians(std::remainder(degrees, 360));

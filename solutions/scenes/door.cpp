@@ -1,10 +1,10 @@
-// A door on a post that leans, held by as many hinges as one likes: each holds five of its six degrees of freedom, so
-// that from the second on all their rows are there once more.
+// A door on a leaning post, with any number of hinges. Each hinge holds five of six degrees of freedom, so all rows of
+// the second and later hinges are redundant.
 //
 //   θ'' = -(m g (w/2) sin λ/I) sin θ,   I = I_z + m (w/2)²        about the post, which leans by λ; θ = 0 hangs down
 //   m g cos λ                                                     along the post, on all hinges together
 //
-// How many hinges there are changes nothing: Σ shares what they carry.
+// The motion does not depend on the number of hinges: Σ distributes their load.
 #include "scenes/degrees.hpp"
 #include "scenes/plane_pendulum.hpp"
 #include "scenes/registry.hpp"
@@ -17,7 +17,7 @@ Vec3 door_half_sides(const Parameters& p) {
   return {p.number("width") / 2, 0.02, p.number("height") / 2};
 }
 
-/// ω² of small swings [1/s²].
+/// ω² of small oscillations [1/s²].
 double door_squared_rate(const Parameters& p) {
   const double arm = p.number("width") / 2, m = p.number("m");
   const double inertia = solid_box_moments(m, door_half_sides(p)).z() + m * arm * arm;
@@ -77,10 +77,10 @@ class Door : public WorldScene<6> {
   }
 
  private:
-  /// The door when it is open by an angle.
+  /// The orientation of the door when it is open by an angle.
   Quat turned(double angle) const { return upright_ * Quat(Eigen::AngleAxisd(angle, Vec3::UnitZ())); }
 
-  Quat upright_;  // of the post
+  Quat upright_;  // orientation of the post
   double arm_, along_;
   PlanePendulum answer_;
   double angle_ = 0;  // the answer's [rad]
@@ -93,13 +93,13 @@ class Door : public WorldScene<6> {
 SceneDescription door() {
   const Limits positive = {.low = 0, .low_included = false};
   Parameter k = parameter::stiffness(), d = parameter::relaxation();
-  k.value = 1e9;  // so that the hinges give less than what a step leaves
+  k.value = 1e9;  // so large that the deflection of the hinges is smaller than the error of a step
   d.value = 0.25;
   return {
       .name = "door",
       .summary = "A door on a post that leans, on more hinges than it needs.",
       .answer =
-          "A pendulum that feels g sin(lean): θ'' = -(m g w sin(lean)/2I) sin θ, whatever the number of "
+          "A pendulum under g sin(lean): θ'' = -(m g w sin(lean)/2I) sin θ, whatever the number of "
           "hinges; along the post they carry m g cos(lean) together.",
       .error_name = "largest error of the angle",
       .error_unit = "rad",

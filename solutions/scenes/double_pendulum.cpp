@@ -3,10 +3,10 @@
 //   θ1'' + μ (l2/l1) cos δ θ2'' = -μ (l2/l1) sin δ θ2'² - (g/l1) sin θ1,     μ = m2/(m1 + m2),  δ = θ1 - θ2
 //   θ2'' + (l1/l2) cos δ θ1''   =    (l1/l2) sin δ θ1'² - (g/l2) sin θ2
 //
-// are integrated to roundings, and compared with two distances. An error grows little in the first seconds, then about
-// tenfold in each two seconds of 1 m rods (from 90°, after some 7 s): from then on a comparison is worth less and less.
+// are integrated to round-off, and compared with two distances. An error grows little in the first seconds. Then it
+// grows about tenfold in each two seconds with 1 m rods (from 90°, after about 7 s), so comparisons become meaningless.
 //
-// Released at rest, the rods hold what these accelerations say; so half a step back the masses have -h/2 of them.
+// After a release from rest, half a step back the velocities are -h/2 times these accelerations.
 #include "common/require.hpp"
 #include "scenes/degrees.hpp"
 #include "scenes/half_step_energy.hpp"
@@ -38,7 +38,7 @@ struct Rods {
 
 Rods rods(const Parameters& p) {
   const Rods rods{p.number("l1"), p.number("l2"), p.number("m1"), p.number("m2"), p.number("g")};
-  // The light mass swings by √(m1/m2) faster, a short rod by √(l2/l1): the reference has to follow it.
+  // A light mass oscillates faster by √(m1/m2), and a short rod by √(l2/l1); the reference must resolve this.
   const double masses = rods.m2 / rods.m1, lengths = rods.l2 / rods.l1;
   if (!(masses <= 1e4)) reject("m2/m1", masses, "at most 1e4");
   if (!(lengths >= 1e-4 && lengths <= 1e4)) reject("l2/l1", lengths, "from 1e-4 to 1e4");
@@ -51,7 +51,7 @@ class DoublePendulum : public WorldScene<3> {
       : WorldScene({.gravity = Vec3(0, 0, -p.number("g")), .k = p.number("k"), .d = p.number("d")}, method),
         rods_(rods(p)),
         answer_([rods = rods_](const Angles& y) { return rods.rate(y); }, start(p)) {
-    // Beyond this neither the engine nor the reference has anything to say.
+    // Beyond this time neither the engine nor the reference is meaningful.
     const double swing = std::sqrt(std::max(rods_.l1, rods_.l2) / rods_.g);
     if (!(h_ <= 10 * swing)) reject("h", h_, "at most ten times √(l/g) of the longer rod");
 
@@ -98,11 +98,11 @@ class DoublePendulum : public WorldScene<3> {
     return {radians(p.number("angle1")), radians(p.number("angle2")), 0, 0};
   }
 
-  /// Where the lower mass should be.
+  /// The right position of the lower mass.
   Vec3 answer() const { return rods_.second(answer_.at(time())); }
 
   Rods rods_;
-  mutable ReferenceMotion<4> answer_;  // goes on to the time it is asked for
+  mutable ReferenceMotion<4> answer_;  // advances to the requested time
   int first_ = 0, second_ = 0;
   double largest_error_ = 0;
 };
@@ -122,12 +122,12 @@ SceneDescription double_pendulum() {
         .name = name, .meaning = meaning, .unit = "degrees", .value = 90, .limits = {.low = -360, .high = 360}};
   };
   Parameter k = parameter::stiffness();
-  k.value = 1e9;  // so that the rods' own stretch is less than what a step leaves
+  k.value = 1e9;  // so large that the stretch of the rods is smaller than the error of a step
   return {
       .name = "double_pendulum",
       .summary = "Two point masses on rods, one hung from the other, are let go from rest.",
       .answer =
-          "The equations of the two angles, integrated to roundings by extrapolation; only the "
+          "The equations of the two angles, integrated to round-off by extrapolation; only the "
           "ratio of the masses counts. It is chaotic: from 90°, after some 7 s, errors grow about tenfold in "
           "two "
           "seconds.",

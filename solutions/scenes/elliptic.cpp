@@ -7,7 +7,7 @@
 
 namespace spook {
 
-// The means converge quadratically; this is beyond what any k' needs.
+// The means converge quadratically; this suffices for any k'.
 static constexpr int max_levels = 40;
 static constexpr double epsilon = std::numeric_limits<double>::epsilon();
 

@@ -1,4 +1,4 @@
-// A flat box on a grid of contacts: many more rows than the box has motions. Any Σ > 0 shares the load evenly.
+// A flat box on a grid of contacts: many more rows than degrees of freedom. Any Σ > 0 distributes the load evenly.
 //
 //   gap = -m g/(n k),  λ = h m g/n,  for each of n contacts
 #include "scenes/registry.hpp"

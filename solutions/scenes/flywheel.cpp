@@ -1,9 +1,9 @@
-// A motor brings a flywheel to speed.
+// A motor accelerates a flywheel to its target speed w.
 //
-//   I ω' = T                    while it lacks more than T/c            ω = T t/I,  for t1 = I w/T - I/c
-//   I ω' = c (w - ω)            then                                    w - ω = (T/c) exp(-(t - t1) c/I)
+//   I ω' = T                    while w - ω > T/c                       ω = T t/I,  for t1 = I w/T - I/c
+//   I ω' = c (w - ω)            afterwards                              w - ω = (T/c) exp(-(t - t1) c/I)
 //
-// With c = ∞, the default but for roundings, it is at speed at t = I w/T.
+// With c = ∞, the default up to round-off, it reaches w at t = I w/T.
 #include "scenes/disc.hpp"
 #include "scenes/registry.hpp"
 
@@ -21,7 +21,7 @@ class Flywheel : public WorldScene<6> {
         viscosity_(p.number("c")) {
     const double m = p.number("m"), radius = p.number("radius");
     const int frame = world_.add_fixed(Vec3::Zero());
-    // A thin disc: its moments across are half of that about its axis.
+    // A thin disc: its moments about a diameter are half of that about its axis.
     wheel_ = world_.add({.mass = m,
                          .principal = inertia_ * Vec3(0.5, 0.5, 1),
                          .corners = disc_points(1.5 * radius, 1, 24)});  // whose mean radius is 2/3 of that
@@ -64,7 +64,7 @@ SceneDescription flywheel() {
   Parameter d = parameter::relaxation(), c = parameter::viscosity();
   d.value = 0.25;
   c.name = "c";
-  c.meaning = "torque of the motor per speed that is lacking, up to its largest";
+  c.meaning = "torque of the motor per unit of missing speed, up to its largest";
   c.unit = "N m s/rad";
   return {
       .name = "flywheel",
@@ -72,12 +72,12 @@ SceneDescription flywheel() {
       .answer =
           "ω = T t/I until I w/T, then w. A motor of viscosity c eases off where it lacks T/c, and comes to w "
           "as exp(-c t/I).",
-      .error_name = "largest error of the speed over the wanted one",
+      .error_name = "largest error of the speed over the target",
       .error_unit = "relative",
       .parameters =
           {{.name = "torque", .meaning = "the motor's largest", .unit = "N m", .value = 5, .limits = positive},
            {.name = "speed",
-            .meaning = "that the motor wants",
+            .meaning = "target speed of the motor",
             .unit = "rad/s",
             .value = 20,
             .limits = positive},

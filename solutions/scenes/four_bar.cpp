@@ -1,11 +1,12 @@
-// A chain of four-bar linkages: cranks side by side on the ground, couplers between their ends, all of one length. From
-// upright they turn over, and lie on one line twice in a round: there each could go on in two ways, and only speed decides.
+// A chain of four-bar linkages: cranks side by side on the ground, couplers between their ends, all of one length. They
+// start upright, and lie on one line twice in a turn. This is a bifurcation, at which only their speed decides the
+// motion.
 //
 //   θ'' = (g/l) ((N + 1)/2 + N)/((N + 1)/3 + N) sin θ       θ from upright
 //
 //   N   linkages: N + 1 cranks, N couplers, each a uniform rod of m, l
 //
-// As cranks stay side by side, couplers do not turn.
+// Cranks stay parallel, so couplers do not rotate.
 //
 // Source of the problem: A02 of the library of benchmark problems for multibody dynamics, Universidad de La Coruña,
 // with N = 2 and 40, 1 m, 1 kg and 1 m/s.
@@ -67,7 +68,7 @@ class FourBar : public WorldScene<6> {
     world_.add_joint(joint_at(world_, JointKind::hinge, i, j, place, Vec3::UnitY()));
   }
 
-  /// Of the first crank, B0.
+  /// The end of the first crank, B0.
   Vec3 end() const { return 2 * world_.x(cranks_[0]); }
   Vec3 answer() const {
     const double theta = angle_.at(time())[0];
@@ -76,7 +77,7 @@ class FourBar : public WorldScene<6> {
   double energy() const { return half_step_energy(world_.bodies(), g_, 2 * velocity_lag()); }
 
   double l_, g_;
-  mutable ReferenceMotion<2> angle_;  // goes on to the time it is asked for
+  mutable ReferenceMotion<2> angle_;  // advances to the requested time
   std::vector<int> cranks_;
   double first_energy_ = 0, largest_error_ = 0;
 };
@@ -91,7 +92,7 @@ SceneDescription four_bar() {
       .name = "four_bar",
       .summary = "A chain of four-bar linkages turns over, through places where it could go on in two ways.",
       .answer =
-          "One angle: θ'' = (g/l) ((N + 1)/2 + N)/((N + 1)/3 + N) sin θ from upright, integrated to roundings. "
+          "One angle: θ'' = (g/l) ((N + 1)/2 + N)/((N + 1)/3 + N) sin θ from upright, integrated to round-off. "
           "The problem is A02 of La Coruña's library of multibody benchmarks.",
       .error_name = "largest position error of the first crank's end over its length",
       .error_unit = "relative",

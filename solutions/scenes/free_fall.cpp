@@ -1,6 +1,6 @@
-// Free fall from rest: the one motion that leapfrog with a half-step start gets exactly.
+// Free fall from rest, which leapfrog with a half-step start computes exactly.
 //
-//   z = -g t²/2.   Unshifted, z_n = -g h² n(n+1)/2: off by g h t/2, first order.       Eq. (1.3)-(1.5)
+//   z = -g t²/2.   Unshifted, z_n = -g h² n(n+1)/2: an error of g h t/2, first order.  Eq. (1.3)-(1.5)
 #include "scenes/registry.hpp"
 
 namespace spook {
@@ -42,7 +42,7 @@ SceneDescription free_fall() {
   return {.name = "free_fall",
           .summary = "A point mass falls from rest.",
           .answer =
-              "z = -g t²/2, at every step to roundings with start=half_step; unshifted, leapfrog gives "
+              "z = -g t²/2, at every step to round-off with start=half_step; unshifted, leapfrog gives "
               "-g h² n(n+1)/2 after n steps, a relative error of h/t.",
           .error_name = "largest position error over the distance fallen",
           .error_unit = "relative",

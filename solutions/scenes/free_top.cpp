@@ -15,7 +15,7 @@ FreeTop::FreeTop(const Vec3& I, const Vec3& w) {
   require_all_finite("omega", w);
   if (w.isZero(0)) throw std::invalid_argument("omega must not be zero");
 
-  // L² - 2T I_axis as a sum of the other axes' shares: the difference itself would lose digits.
+  // L² - 2T I_axis as a sum over the other axes: the difference itself would cancel digits.
   const auto excess = [&](int axis) {
     double sum = 0;
     for (int other = 0; other < 3; ++other) sum += I[other] * (I[other] - I[axis]) * w[other] * w[other];
@@ -29,7 +29,7 @@ FreeTop::FreeTop(const Vec3& I, const Vec3& w) {
   const double B = std::sqrt(P / (b * (c - b)));
   const double C = std::sqrt(Q / (c * (c - a)));
 
-  // Euler's equations tie the signs together: their product is +1.
+  // Euler's equations couple the signs: their product is +1.
   const double sign_a = std::copysign(1.0, w[a_]), sign_c = std::copysign(1.0, w[c_]);
   amplitude_[a_] = sign_a * A;
   amplitude_[1] = sign_a * sign_c * B;

@@ -15,19 +15,19 @@ namespace spook {
 
 class FreeTop {
  public:
-  /// `principal` moments must rise, I1 < I2 < I3 [kg m²], and `omega` [rad/s] is not zero; else
-  /// std::invalid_argument.
+  /// Throws std::invalid_argument unless the `principal` moments rise, I1 < I2 < I3 [kg m²], and `omega` [rad/s] is not
+  /// zero.
   FreeTop(const Vec3& principal, const Vec3& omega);
 
   /// ω at time t [rad/s].
   Vec3 omega(double t) const;
 
-  /// After which ω is the same again [s]; infinite on the separatrix.
+  /// The period of ω in the body's axes [s]; infinite on the separatrix.
   double period() const;
 
  private:
-  int a_, c_;                 // the axes of cn and dn; that of sn is 1
-  Vec3 amplitude_;            // of ω along each axis, with its sign [rad/s]
+  int a_, c_;                 // the axes of cn and dn; the axis of sn is 1
+  Vec3 amplitude_;            // amplitude of ω along each axis, with its sign [rad/s]
   double rate_, complement_;  // ω_p [1/s] and k'²
   double u0_;
 };

@@ -1,8 +1,8 @@
-// A flyball governor: spindle, two balls on arms, a sleeve on links. Faster than its steady speed the balls swing out, lift
-// the sleeve and slow the spindle; then they come back.
+// A flyball governor: spindle, two balls on arms, a sleeve on links. Above its steady speed the balls swing out, lift
+// the sleeve and slow the spindle; then they return.
 //
-// Hinges: ground and spindle, spindle and arms. A slider: spindle and sleeve. Links are distances, which weigh nothing.
-// The answer is of two angles: scenes/governor_motion.hpp.
+// Hinges connect ground and spindle, spindle and arms. A slider connects spindle and sleeve. Links are massless
+// distances. The answer integrates two angles: scenes/governor_motion.hpp.
 #include "scenes/governor_motion.hpp"
 
 #include "scenes/degrees.hpp"
@@ -80,7 +80,7 @@ class FlyballGovernor : public WorldScene<6> {
   }
 
  private:
-  /// Where the first ball should be, and how high the sleeve.
+  /// The right position of the first ball, and the height of the sleeve.
   Vec3 ball() const {
     const Governor::State& y = answer_.at(time());
     const double out = right_.l * std::sin(y[0]);
@@ -90,8 +90,8 @@ class FlyballGovernor : public WorldScene<6> {
   double energy() const { return half_step_energy(world_.bodies(), right_.g, 2 * velocity_lag()); }
 
   Governor right_;
-  double L_;                           // angular momentum, which stays [kg m²/s]
-  mutable ReferenceMotion<3> answer_;  // goes on to the time it is asked for
+  double L_;                           // angular momentum, which is constant [kg m²/s]
+  mutable ReferenceMotion<3> answer_;  // advances to the requested time
   int sleeve_ = 0, ball_ = 0;
   double first_energy_ = 0, largest_error_ = 0;
 };
@@ -104,7 +104,7 @@ SceneDescription governor() {
       .name = "governor",
       .summary = "A flyball governor turns faster than it can steadily: its balls swing out and come back.",
       .answer =
-          "The angles of arms and spindle, integrated to roundings. Steady where cos(angle) = (1 + "
+          "The angles of arms and spindle, integrated to round-off. Steady where cos(angle) = (1 + "
           "sleeve/(2m)) "
           "g/(l spin²).",
       .error_name = "largest position error of a ball or of the sleeve over l",

@@ -1,9 +1,9 @@
-// A gyroscope in gimbals, with a weight on the inner ring: it does not fall, it walks round.
+// A gyroscope in gimbals, with a weight on the inner ring: it precesses instead of falling.
 //
 //   outer ring   turns about z in the frame          inner ring   turns about x in the outer one
 //   rotor        spins about y in the inner one      weight       m at s along y
 //
-//   Ω = m g s/(I ω)        steady precession; with the spin axis level it is exact, whatever the rings weigh
+//   Ω = m g s/(I ω)        steady precession; exact for a level spin axis and any mass of the rings
 //
 // The torque about the centre is s ŷ × (-m g ẑ) = -m g s x̂, and L = I ω ŷ + … ẑ turns at Ω ẑ × L = -I ω Ω x̂.
 #include "scenes/degrees.hpp"
@@ -23,7 +23,7 @@ class Gyroscope : public WorldScene<6> {
     const double inertia = rotor_mass * radius * radius / 2, spin = p.number("spin");
     rate_ = m * p.number("g") * s_ / (inertia * spin);
     const Vec3 turning(0, 0, rate_);
-    const Quat level(Eigen::AngleAxisd(-pi / 2, Vec3::UnitX()));  // takes the rotor's axis, z, to y
+    const Quat level(Eigen::AngleAxisd(-pi / 2, Vec3::UnitX()));  // rotates the rotor's axis from z to y
     const double outer = 1.5 * radius, inner = 1.2 * radius;
 
     const int frame = world_.add_fixed(Vec3(0, 0, 1.3 * outer));

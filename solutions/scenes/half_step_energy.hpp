@@ -1,11 +1,11 @@
 #pragma once
-// The energy of a run, at a time where both of its parts are known.
+// The energy of a run, half a step before the positions.
 #include "engine/diagnostics/conserved_quantities.hpp"
 
 namespace spook {
 
-/// Kinetic energy and that of the weight, of the time half a step ago [J]: v is of that time, and x - h v/2 lies in
-/// the middle between the last two positions. It is zero at rest at the height of the origin.
+/// Kinetic energy plus energy of the weight, at the time half a step ago [J]: v belongs to that time, and x - h v/2 is
+/// the midpoint of the last two positions. The energy is zero at rest at the height of the origin.
 template <int Dof>
 double half_step_energy(const Bodies<Dof>& bodies, double g, double h) {
   double energy = kinetic_energy(bodies);

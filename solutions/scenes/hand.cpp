@@ -4,9 +4,9 @@
 
 namespace spook {
 
-// Softer than what it pulls at, whatever that is: a quarter of a second to swing once.
+// Soft for any mass of the pulled body: its period of oscillation is a quarter of a second.
 static constexpr double stiffness_of_mass = 640;  // [1/s²]
-static constexpr double relaxation = 3;           // [steps]; so that it soon is quiet
+static constexpr double relaxation = 3;           // [steps]; for strong damping
 
 template <int Dof>
 bool HandIn<Dof>::pull(int body, const Vec3& point, const Vec3& to) {

@@ -1,5 +1,5 @@
 #pragma once
-// What a hand does to a scene while it runs: it pulls at a body by a soft point joint, pushes it, drops another ball.
+// Interaction with a running scene: pulling a body by a soft ball joint, pushing it, dropping a ball.
 #include <optional>
 #include <vector>
 
@@ -11,22 +11,22 @@ class Hand {
  public:
   virtual ~Hand() = default;
 
-  /// Holds a body's point, in its own axes [m], to a place [m]; from one pull to the next the place follows. True for a
-  /// new grip: there is another joint then.
-  /// Throws std::invalid_argument for a static body, or an index that is no body's.
+  /// Pulls a point of a body, in its own axes [m], to a place [m]; the place may differ from call to call. Returns true
+  /// if the grip is new: then there is a new joint. Throws std::invalid_argument for a static body and for an index out
+  /// of range.
   virtual bool pull(int body, const Vec3& point, const Vec3& to) = 0;
 
-  /// True if there was something to let go.
+  /// Ends the pull; returns false if there was none.
   virtual bool let_go() = 0;
 
-  /// [N s], through the centre.
+  /// Applies an impulse at the centre of mass [N s].
   virtual void apply_central_impulse(int body, const Vec3& impulse) = 0;
 
-  /// Another ball, at rest [m, m, kg]. Throws std::invalid_argument for a radius or a mass that is not positive.
+  /// Adds a ball at rest [m, m, kg]. Throws std::invalid_argument for a radius or a mass that is not positive.
   virtual void drop(const Vec3& x, double radius, double mass) = 0;
 };
 
-/// The hand in a world of which a scene has built the bodies and joints.
+/// The hand in a world whose bodies and joints a scene has built.
 template <int Dof>
 class HandIn final : public Hand {
  public:
@@ -37,17 +37,18 @@ class HandIn final : public Hand {
   void apply_central_impulse(int body, const Vec3& impulse) override;
   void drop(const Vec3& x, double radius, double mass) override;
 
-  /// The body that it holds on to, once it has held something.
+  /// The static body to which the joint is attached; none before the first pull.
   std::optional<int> anchor() const { return anchor_; }
 
-  /// Adds what the other hand has dropped, and holds what it holds. False where the other's scene has other bodies.
+  /// Adds the balls that the other hand has dropped, and grips what it grips. Returns false if the other scene has
+  /// other bodies.
   bool take_over(const HandIn& other);
 
  private:
-  /// Bodies that came later than the scene: a ball, or what the hand holds on to.
+  /// A body added after the scene's own: a dropped ball, or the static body to which the joint is attached.
   struct Later {
     int body;
-    double radius = 0, mass = 0;  // 0: the hand's
+    double radius = 0, mass = 0;  // 0: the static body of the joint
   };
   struct Grip {
     int body;
@@ -59,7 +60,7 @@ class HandIn final : public Hand {
 
   World<Dof>& world_;
   std::vector<Later> later_;
-  std::optional<int> anchor_;  // a fixed body, from the first pull on
+  std::optional<int> anchor_;  // a static body, from the first pull on
   std::optional<Grip> grip_;
 };
 

@@ -1,10 +1,10 @@
-// A block on a slope, from rest. The axes are the slope's: z is its normal, and down the slope is the first
-// tangent t1 of Eq. (5.1), so that the friction box is as wide as μ says; what is tilted is gravity.
+// A block on a slope, from rest. The axes are those of the slope, and gravity is tilted. z is the slope's normal, and
+// the first tangent t1 of Eq. (5.1) points down the slope, along which the friction box has the limit μ N.
 //
-//   it sticks  <=>  μ >= tan θ,   else   a = g (sin θ - μ cos θ),  x = ½ a t²                       Eq. (5.9)
+//   sticks  <=>  μ >= tan θ,   else   a = g (sin θ - μ cos θ),  x = ½ a t²                          Eq. (5.9)
 //
-// What sticks creeps at m g sin θ/(N c), with N contacts of viscosity c: Eq. (5.5). On four corners, with more
-// unknowns than there are motions, what the solver leaves undone is more than that.
+// A sticking block creeps at m g sin θ/(N c), with N contacts of viscosity c: Eq. (5.5). On four corners there are more
+// unknowns than degrees of freedom, and the solver's error exceeds the creep.
 #include "scenes/block.hpp"
 #include "scenes/degrees.hpp"
 #include "scenes/registry.hpp"
@@ -13,7 +13,7 @@ namespace spook {
 
 namespace {
 
-/// What pulls the block down the slope and presses it on, both over its mass [m/s²].
+/// Forces on the block along the slope and along its normal, over its mass [m/s²].
 struct Slope {
   double pull, press;
 };
@@ -93,7 +93,7 @@ SceneDescription incline() {
       {.name = "incline",
        .summary = "A block on a slope, from rest: it sticks, or slides.",
        .answer =
-           "It sticks if mu >= tan θ, whatever its mass; else x = ½ g (sin θ - mu cos θ) t², to roundings with "
+           "It sticks if mu >= tan θ, whatever its mass; else x = ½ g (sin θ - mu cos θ) t², to round-off with "
            "start=half_step. What sticks creeps, at m g sin θ over the viscosity of its contacts.",
        .error_name = "largest position error over ½ g sin θ t², the way without friction",
        .error_unit = "relative",

@@ -1,5 +1,5 @@
 #pragma once
-// Numbers from -1 to 1 that are the same on every machine, which std::uniform_real_distribution's are not.
+// Random numbers from -1 to 1 that are the same on every machine, unlike those of std::uniform_real_distribution.
 #include <cmath>
 #include <random>
 

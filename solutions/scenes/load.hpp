@@ -1,10 +1,11 @@
 #pragma once
-// What a body carries.
+// The load of a body.
 #include "engine/world/world.hpp"
 
 namespace spook {
 
-/// What pressed on body `below`, the i of its contacts, in the last step of `h`: the sum along their normals [N].
+/// The load of body `below` in the last step of `h` [N]: the sum of the normal forces of contacts whose body i is
+/// `below`.
 inline double load_on(int below, const World<6>& world, double h) {
   double impulse = 0;
   const int contacts = static_cast<int>(world.contacts().size());

@@ -1,5 +1,5 @@
 #pragma once
-// What scenes of mechanisms are built from: rods, and joints said by a place and an axis in the world.
+// Parts of mechanisms: rods, and joints given by a point and an axis in the world.
 #include "engine/world/world.hpp"
 #include "scenes/natural_coordinates.hpp"
 #include "scenes/parameters.hpp"
@@ -7,8 +7,8 @@
 
 namespace spook {
 
-/// A uniform rod of square cross-section, at rest; its own x axis is along it and its y axis along `across`, which is at
-/// right angles to it.
+/// A uniform rod of square cross-section, at rest. Its x axis is along the rod, and its y axis along `across`, a unit
+/// vector perpendicular to the rod.
 inline Body<6> rod(const Vec3& from, const Vec3& to, const Vec3& across, double mass, double thickness) {
   const Vec3 along = (to - from).normalized();
   Mat3 axes;
@@ -20,15 +20,15 @@ inline Body<6> rod(const Vec3& from, const Vec3& to, const Vec3& across, double 
           .principal = mass / 12 * Vec3(2 * t2, l2 + t2, l2 + t2)};
 }
 
-/// A uniform rod whose mass is all on its line. About that line it has a thousandth of the moment that it has across, for
-/// a body must have one; it is of no account where nothing turns it about itself.
+/// A uniform rod of no thickness. Moments must be positive, so its moment about its own line is a thousandth of that
+/// across the line. This has no effect if the rod does not rotate about its line.
 inline Body<6> thin_rod(const Vec3& from, const Vec3& to, const Vec3& across, double mass) {
   Body<6> thin = rod(from, to, across, mass, 0);
   thin.principal = mass * (to - from).squaredNorm() / 12 * Vec3(1e-3, 1, 1);
   return thin;
 }
 
-/// A joint of two bodies as they are, at a place in the world; for a hinge or slider with an axis, in the world, too.
+/// A joint of two bodies at their current positions, with its point, and the axis of a hinge or slider, in the world.
 inline Joint joint_at(const World<6>& world, JointKind kind, int i, int j, const Vec3& place,
                       const Vec3& axis = Vec3::UnitZ()) {
   const auto seen = [&](int body, const Vec3& v) { return Vec3(orientation(world, body).conjugate() * v); };
@@ -40,7 +40,7 @@ inline Joint joint_at(const World<6>& world, JointKind kind, int i, int j, const
           .axis = seen(i, axis)};
 }
 
-/// The motion of natural coordinates, to roundings; what is held is held after each step of it.
+/// The motion in natural coordinates, accurate to round-off; constraints are satisfied after each step.
 using NaturalMotion = ReferenceMotion<Eigen::Dynamic>;
 inline NaturalMotion motion_of(const NaturalCoordinates& mechanism) {
   return NaturalMotion([mechanism](const Eigen::VectorXd& y) { return mechanism.rate(y); }, mechanism.start(),
@@ -49,14 +49,14 @@ inline NaturalMotion motion_of(const NaturalCoordinates& mechanism) {
 
 namespace parameter {
 
-/// Of the joints of mechanisms: stiff, so that their own give is less than what a step leaves.
+/// The stiffness of the joints of mechanisms: so large that the joints' compliance is smaller than the error of a step.
 inline Parameter stiff_joints(double k) {
   Parameter stiffness = parameter::stiffness();
   stiffness.value = k;
   return stiffness;
 }
 
-/// Of joints that swing; 0 for steps that are composed.
+/// The relaxation of swinging joints; set it to 0 for steps of order four.
 inline Parameter relaxation_of_swinging_joints() {
   Parameter relaxation = parameter::relaxation();
   relaxation.value = 0.25;

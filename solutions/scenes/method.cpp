@@ -22,12 +22,11 @@ FrictionModel friction_model(const Method& method) {
   return has_cones ? FrictionModel::cone : FrictionModel::two_pass;
 }
 
-/// Sweeps in an order of their own are no other solver's, and have no cones.
+/// Throws std::invalid_argument for a row order with another solver, or with cones.
 static void require_one_solver(const Method& method) {
   const bool ordered = method.row_order != RowOrder::given;
   if (ordered && method.solver != solvers<3>().front().name)
-    throw std::invalid_argument("an order of rows is for sweeps: solver must be gauss_seidel, but is " +
-                                method.solver);
+    throw std::invalid_argument("with a row order, solver must be gauss_seidel, but is " + method.solver);
   if (friction_model(method) != FrictionModel::cone) return;
   if (ordered)
     throw std::invalid_argument(

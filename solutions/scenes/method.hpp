@@ -1,5 +1,5 @@
 #pragma once
-// How a scene is stepped and solved, in the words in which it is asked for.
+// Step size, solver and friction model of a run, by the names of their options.
 #include "engine/solvers/registry.hpp"
 
 namespace spook {
@@ -9,10 +9,10 @@ enum class Engine { fast, plain };
 
 struct Method {
   double h;          ///< [s]
-  int substeps = 1;  ///< steps of h/substeps that a step is made of
+  int substeps = 1;  ///< number of steps of h/substeps in a step
   std::string solver = "gauss_seidel";
   StopRule solver_limits = {};
-  /// Default: the cone where the solver has it, else two passes, so that friction follows the normal forces.
+  /// Default: the cone if the solver supports it, else two passes; with both, friction follows the normal forces.
   std::optional<FrictionModel> friction_model = {};
   bool sliding_tangents = false;
   RowOrder row_order = RowOrder::given;
@@ -28,14 +28,16 @@ struct Method {
   double step() const { return h / substeps; }  ///< [s]
 };
 
-/// Throws std::invalid_argument, with the nearest name there is, unless it is box, two_pass or cone.
+/// Returns the friction model of that name. Throws std::invalid_argument, with the nearest known name, unless the name
+/// is box, two_pass or cone.
 FrictionModel find_friction_model(const std::string& name);
 
-/// The friction model of a run: the one that is given, or the default. Throws std::invalid_argument for an unknown solver.
+/// Returns the friction model of a run: the given one, or the default. Throws std::invalid_argument for an unknown
+/// solver.
 FrictionModel friction_model(const Method& method);
 
-/// The solver that its `solver`, `friction_model`, `row_order` and `seed` make together.
-/// Throws std::invalid_argument, naming them, for an unknown solver, and for two that do not go together.
+/// Returns the solver that `solver`, `friction_model`, `row_order` and `seed` describe together. Throws
+/// std::invalid_argument, naming the options, for an unknown solver, and for options that exclude each other.
 template <int Dof>
 Solver<Dof> make_solver(const Method& method);
 

@@ -2,7 +2,7 @@
 
 namespace spook {
 
-/// The least x of those that solve A x = right best, where rows of A repeat each other.
+/// Returns the least-squares solution x of A x = right of the smallest norm, where rows of A may be redundant.
 static Eigen::VectorXd least(const Eigen::MatrixXd& A, const Eigen::VectorXd& right) {
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors;
   factors.setThreshold(1e-9);
@@ -30,7 +30,7 @@ void NaturalCoordinates::hold(const Place& a, const Place& b, const Place& c, co
   held_.push_back({a, b, c, d, difference(a, b, y, false).dot(difference(c, d, y, false))});
 }
 
-/// ½ m |a' - b'|².
+/// Adds the energy ½ m |a' - b'|².
 void NaturalCoordinates::add_mass(const Place& a, const Place& b, double mass) {
   for (const auto& [k, sign_k] : {std::pair(a.moving, 1), std::pair(b.moving, -1)})
     for (const auto& [l, sign_l] : {std::pair(a.moving, 1), std::pair(b.moving, -1)})
@@ -93,7 +93,7 @@ NaturalCoordinates::Vector NaturalCoordinates::rate(const Vector& y) const {
     const Held& h = held_[n];
     gamma[static_cast<Eigen::Index>(n)] = -2 * difference(h.a, h.b, y, true).dot(difference(h.c, h.d, y, true));
   }
-  // G M⁻¹ Gᵀ μ = G M⁻¹ Q - γ, the least μ where rows repeat each other.
+  // G M⁻¹ Gᵀ μ = G M⁻¹ Q - γ, with the smallest μ if rows are redundant.
   const Eigen::LLT<Eigen::MatrixXd> mass(M_);
   const Eigen::MatrixXd MinvGt = mass.solve(G.transpose());
   const Vector free = mass.solve(weight_);

@@ -1,14 +1,14 @@
 #pragma once
-// Mechanisms in natural coordinates: points and unit vectors that neighbours share. Nothing turns, so nothing is like the
-// engine: no orientations, no angular velocities, no joints.
+// Mechanisms in natural coordinates: points and unit vectors, which neighbouring bodies share. Unlike the engine, this
+// method has no orientations, angular velocities or joints.
 //
-//   q      places of points [m], and unit vectors fixed to bodies, three numbers each
-//   T      ½ q'ᵀ M q', M constant: a body is m at its centre and a second moment along each of its three axes
-//   held   (a - b)·(c - d) = constant, for points or vectors a, b, c, d: lengths, right angles, unit lengths
+//   q            positions of points [m], and unit vectors fixed to bodies, three numbers each
+//   T            ½ q'ᵀ M q', M constant: a body is a mass m at its centre and a second moment along each of its axes
+//   constraint   (a - b)·(c - d) = constant, for points or vectors a, b, c, d: lengths, right angles, unit lengths
 //
-//   M q'' + Gᵀ μ = Q,   G q'' = -2 (a' - b')·(c' - d')                  index 1; rows may repeat each other
+//   M q'' + Gᵀ μ = Q,   G q'' = -2 (a' - b')·(c' - d')                  index 1; constraints may be redundant
 //
-// Where two bodies share a point they have a ball joint; where they share a vector, too, a hinge.
+// Two bodies that share a point have a ball joint; two bodies that also share a vector have a hinge.
 //
 // Source: J. García de Jalón and E. Bayo, Kinematic and Dynamic Simulation of Multibody Systems, Springer 1994.
 #include <vector>
@@ -23,31 +23,31 @@ class NaturalCoordinates {
  public:
   using Vector = Eigen::VectorXd;
 
-  /// A point or a vector: the number of one that moves, or none for one that stays where it is.
+  /// A point or a vector: the number of a moving one, or the coordinates of a fixed one.
   struct Place {
     int moving = -1;
     Vec3 fixed = Vec3::Zero();
   };
 
-  /// Adds one that moves, where it is at time 0, with its velocity.
+  /// Adds a moving point or vector, with its position and velocity at time 0.
   Place add(const Vec3& x, const Vec3& v = Vec3::Zero());
   static Place fixed(const Vec3& x) { return {.fixed = x}; }
 
-  /// From now on (a - b)·(c - d) stays what it is.
+  /// Adds the constraint that (a - b)·(c - d) keeps its current value.
   void hold(const Place& a, const Place& b, const Place& c, const Place& d);
 
-  /// `mass` at the middle of `a` and `b`, with its weight; and a second moment about the middle along their line, as
-  /// that of a uniform rod, m/12 of their distance squared [kg].
+  /// Adds a uniform rod from `a` to `b`: its `mass` [kg], with its weight, at the middle, and a second moment of
+  /// mass/12 times its length squared along its line.
   void add_rod(const Place& a, const Place& b, double mass, const Vec3& gravity);
 
-  /// A second moment [kg m²] along a unit vector.
+  /// Adds a second moment [kg m²] along a unit vector.
   void add_second_moment(const Place& unit, double moment);
 
-  /// y = (q, q') at time 0, and y'.
+  /// Returns y = (q, q') at time 0, and the rate y'.
   Vector start() const;
   Vector rate(const Vector& y) const;
 
-  /// The nearest y with what is held: lengths in q, and their rates in q'.
+  /// Returns the nearest y that satisfies the constraints in q, and their rates in q'.
   Vector projected(const Vector& y) const;
 
   Vec3 at(const Place& place, const Vector& y) const {

@@ -12,7 +12,7 @@ namespace spook {
 
 #ifdef __cpp_lib_to_chars
 
-/// False when not all of [first, last) is one finite decimal number.
+/// Returns false unless [first, last) is exactly one finite decimal number.
 static bool read_decimal(const char* first, const char* last, double& value) {
   const auto result = std::from_chars(first, last, value);
   return result.ec == std::errc() && result.ptr == last && std::isfinite(value);
@@ -24,7 +24,7 @@ std::string exact_text(double value) {
   return {text.data(), end};
 }
 
-#else  // older libraries of clang have neither for double; C's functions do it, in the C locale
+#else  // older libraries of clang lack both for double; C's functions replace them, in the C locale
 
 static bool read_decimal(const char* first, const char* last, double& value) {
   const std::string text(first, last);
@@ -38,7 +38,7 @@ static bool read_decimal(const char* first, const char* last, double& value) {
 
 std::string exact_text(double value) {
   std::array<char, 32> text;
-  for (int digits = 1; digits <= 17; ++digits) {  // 17 tell any two doubles apart
+  for (int digits = 1; digits <= 17; ++digits) {  // 17 digits distinguish any two doubles
     std::snprintf(text.data(), text.size(), "%.*g", digits, value);
     if (std::strtod(text.data(), nullptr) == value) break;
   }

@@ -1,5 +1,5 @@
 #pragma once
-// Numbers as people type and read them.
+// Conversion between numbers and text.
 #include <string>
 
 namespace spook {
@@ -8,13 +8,13 @@ namespace spook {
 /// anything else, and for a value that is not finite.
 double parse_number(const std::string& name, const std::string& text);
 
-/// The same for a whole number in [low, high].
+/// Reads a whole number in [low, high]. Throws as parse_number does.
 int parse_whole(const std::string& name, const std::string& text, int low, int high);
 
-/// The shortest text that reads back as the same number; "inf", "-inf" or "nan" when there is none.
+/// Returns the shortest text that reads back as the same number; "inf", "-inf" or "nan" if there is none.
 std::string exact_text(double value);
 
-/// Four significant digits, for people.
+/// Returns a text of four significant digits.
 std::string short_text(double value);
 
 }  // namespace spook

@@ -10,7 +10,7 @@ namespace spook {
 
 namespace {
 
-/// E of Kepler's equation E - e sin E = M, for 0 <= e < 1. Newton's method, held in the bracket [M - e, M + e].
+/// Returns E of Kepler's equation E - e sin E = M, for 0 <= e < 1. Newton's method, held in the bracket [M - e, M + e].
 double eccentric_anomaly(double M, double e) {
   double low = M - e, high = M + e, E = M;
   for (int n = 0; n < 100; ++n) {

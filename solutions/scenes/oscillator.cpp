@@ -1,4 +1,4 @@
-// A mass on a spring, let go from rest.
+// A mass on a spring, released from rest.
 //
 //   x = A cos(t √(k/m)).   Leapfrog is stable for h √(k/m) < 2 and of second order when v starts half a step back.
 #include "scenes/registry.hpp"

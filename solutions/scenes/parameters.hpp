@@ -1,5 +1,5 @@
 #pragma once
-// The named parameters of a scene. A name means the same in every scene: what several scenes share is made here.
+// The named parameters of a scene. A name has the same meaning in all scenes, so shared parameters are defined here.
 #include <initializer_list>
 #include <set>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace spook {
 
-/// What a number may be. Whole numbers only, where `whole`.
+/// The range of a number; `whole` allows whole numbers only.
 struct Limits {
   double low = -infinity;
   double high = infinity;
@@ -19,29 +19,29 @@ struct Limits {
 
   bool allow(double value) const;
   std::string text()
-      const;  ///< "more than 0", "a whole number from 1 to 1000", ...; empty when any finite number will do
+      const;  ///< "more than 0", "a whole number from 1 to 1000", ...; empty if any finite number is allowed
 };
 
-/// A number, or one of a list of choices by name. Holds its default, and then what it was set to.
+/// A parameter: a number, or a choice by name. Holds its default until it is set.
 struct Parameter {
   std::string name;
   std::string meaning;
-  std::string unit = "";  ///< SI; empty for a plain number or a choice
+  std::string unit = "";  ///< SI unit; empty for a plain number or a choice
   double value = 0;
   Limits limits = {};
-  std::vector<std::string> choices = {};  ///< not empty: a choice, and the first is the default
+  std::vector<std::string> choices = {};  ///< names of a choice, the first is the default; empty for a number
   std::string choice = choices.empty() ? "" : choices.front();
 
-  std::string text() const;  ///< the value, as it can be given to set()
+  std::string text() const;  ///< the value as a text for set()
 };
 
 class Parameters {
  public:
   explicit Parameters(std::vector<Parameter> known) : all_(std::move(known)) {}
 
-  /// Sets one from text: "1e6", "1/60", or the name of a choice.
-  /// Throws std::invalid_argument, naming the parameter and the value, for an unknown name, an unknown choice, a
-  /// number beyond the limits, and a name that was set before.
+  /// Sets a parameter from text: "1e6", "1/60", or the name of a choice. Throws std::invalid_argument, naming the
+  /// parameter and the value, for an unknown name, an unknown choice, a number beyond the limits, and a name that was
+  /// set before.
   void set(const std::string& name, const std::string& text);
 
   double number(const std::string& name) const { return find(name).value; }
@@ -74,10 +74,10 @@ Parameter speed(double value);
 Parameter restitution(double value);
 Parameter threshold();
 
-/// Which law of friction a scene's answer follows; the first is the default.
+/// The friction law of a scene's answer; the first is the default.
 Parameter friction_law(std::vector<std::string> laws = {"coulomb", "box"});
 
-/// g, but not zero: for what has no shape, or no stretch, without a weight.
+/// Gravity above zero, for scenes whose answer is undetermined without weight.
 Parameter weighing_gravity();
 Parameter ratio();
 Parameter links(double value);

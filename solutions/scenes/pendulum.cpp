@@ -1,19 +1,19 @@
-// A pendulum, let go from rest at any angle: a point mass on a rod, or a rigid sphere on a ball joint.
+// A pendulum, released from rest at any angle: a point mass on a rod, or a rigid sphere on a ball joint.
 //
 //   point   θ'' = -(g/l) sin θ                                    one distance row
-//   body    θ'' = -(m g l/I) sin θ,  I = m l² + (2/5) m r²        three rows; it turns with its rod
+//   body    θ'' = -(m g l/I) sin θ,  I = m l² + (2/5) m r²        three rows; it rotates with its rod
 //
 //   T = 4 K(sin(θ0/2))/ω,  ω² = g/l or m g l/I                                              Eq. (6.13)
 //
-// Both are of second order in h. Where the bob moves with the acceleration A = v²/l towards the anchor, the row leaves a
-// gap, by which the rod is long, and that trails a little behind A:
+// Both are of second order in h. The bob has the acceleration A = v²/l towards the anchor. Therefore the row leaves a
+// gap, which makes the rod too long, and which lags behind A:
 //
-//   gap = (1 + 2d) h² A/4 - d² h³ A'/2 + …        and, beside it, tension/k
+//   gap = (1 + 2d) h² A/4 - d² h³ A'/2 + …        in addition to tension/k
 //
-// The first part gives back what it takes; the second loses the energy (3/4) m d² h³ ∫ A'² dt, of third order.
+// The first term conserves energy; the second dissipates (3/4) m d² h³ ∫ A'² dt, of third order.
 //
-// Released at rest, the rod holds against what the weight has along it, m g cos θ0; so half a step back, too, the bob
-// moves across the rod only.
+// At the release the rod balances the weight along it, m g cos θ0. So half a step back, too, the bob moves only across
+// the rod.
 #include "scenes/degrees.hpp"
 #include "scenes/half_step_energy.hpp"
 #include "scenes/plane_pendulum.hpp"
@@ -23,7 +23,7 @@ namespace spook {
 
 namespace {
 
-/// What the inertia of a solid sphere adds to l in ω² = g/l [m]; nothing for a point mass.
+/// The length that the inertia of a solid sphere adds to l in ω² = g/l [m]; 0 for a point mass.
 double added_length(const Parameters& p) {
   if (p.choice("model") == "point") return 0;
   const double radius = p.number("radius");
@@ -89,10 +89,10 @@ class Pendulum : public WorldScene<Dof> {
     return l_ * Vec3(theta.sin, 0, -theta.cos);
   }
 
-  /// How much further the bob is from the anchor than it should.
+  /// The stretch of the rod: distance of the bob from the anchor, minus l [m].
   double gap() const { return world_.x(bob_).norm() - l_; }
 
-  /// In the last step, along the rod as it is now.
+  /// The tension in the last step, along the current direction of the rod [N].
   double tension() const {
     if constexpr (Dof == 3) return -world_.joint_lambda(0) / h_;
     const Vec3 on_bob(world_.joint_lambda(0, 0), world_.joint_lambda(0, 1), world_.joint_lambda(0, 2));
@@ -112,7 +112,7 @@ SceneDescription pendulum() {
   Parameter radius = parameter::radius();
   radius.meaning += "; model=body";
   Parameter k = parameter::stiffness();
-  k.value = 1e9;  // so that the rod's own stretch is less than what a step leaves
+  k.value = 1e9;  // so large that the rod's stretch is smaller than the error of a step
   return {.name = "pendulum",
           .summary = "A bob on a rod is let go from rest at any angle.",
           .answer =

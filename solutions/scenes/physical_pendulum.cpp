@@ -1,8 +1,8 @@
-// A rod on a hinge, let go from rest, and if there is a stop, held up by it on the other side.
+// A rod on a hinge, released from rest, with an optional stop on the other side.
 //
 //   θ'' = -(m g s/I) sin θ,   I = I_y + m s²                                  from -θ0, θ = 0 hangs down
-//   at the stop θ1 its speed is taken, I θ' of it                             Eq. (13.11)
-//   from there it is a pendulum of the amplitude θ1; or it stays, where θ1 <= 0
+//   the stop at θ1 removes the angular momentum I θ'                          Eq. (13.11)
+//   afterwards it is a pendulum of amplitude θ1; or it rests on the stop, if θ1 <= 0
 #include "scenes/degrees.hpp"
 #include "scenes/plane_pendulum.hpp"
 #include "scenes/registry.hpp"
@@ -11,7 +11,7 @@ namespace spook {
 
 namespace {
 
-constexpr double rod_thickness = 0.02;  // half of it [m]
+constexpr double rod_thickness = 0.02;  // half the thickness [m]
 
 double rod_inertia(const Parameters& p) {
   const double s = p.number("length") / 2, m = p.number("m");
@@ -26,7 +26,7 @@ double pendulum_angle(const PlanePendulum& pendulum, double t) {
   return std::atan2(theta.sin, theta.cos);
 }
 
-/// When a pendulum from rest at -θ0 is at `angle` for the first time; never, if it does not go so far.
+/// Returns the first time at which a pendulum from rest at -θ0 is at `angle`; infinite if it does not reach that angle.
 double arrival(const PlanePendulum& down, double angle0, double angle) {
   if (!(angle < angle0)) return infinity;
   double before = 0, after = down.period() / 2;
@@ -74,7 +74,7 @@ class PhysicalPendulum : public WorldScene<6> {
 
   void observe() override {
     largest_error_ = largest(largest_error_, std::abs(world_.joint_position(0) - answer()));
-    // From when it arrives on; what a weight presses later is not counted.
+    // Counts impulses from the arrival; a later load by the weight is not counted.
     if (std::abs(time() - arrival_) < 2.5 * h_) given_ -= h_ * world_.limit_force(0);
   }
   double error() const override { return largest_error_; }
@@ -93,7 +93,7 @@ class PhysicalPendulum : public WorldScene<6> {
   }
 
  private:
-  /// The rod at an angle, which grows towards x.
+  /// The orientation of the rod at an angle, which grows towards x.
   static Quat turned(double angle) { return Quat(Eigen::AngleAxisd(-angle, Vec3::UnitY())); }
 
   double answer() const {
@@ -103,7 +103,7 @@ class PhysicalPendulum : public WorldScene<6> {
 
   double s_, stop_;
   PlanePendulum down_, back_;
-  double arrival_;  // at the stop [s]
+  double arrival_;  // time of arrival at the stop [s]
   double inertia_;
   double stopped_ = 0, given_ = 0;  // [N m s]
   int rod_ = 0;
@@ -115,7 +115,7 @@ class PhysicalPendulum : public WorldScene<6> {
 SceneDescription physical_pendulum() {
   const Limits positive = {.low = 0, .low_included = false};
   Parameter k = parameter::stiffness(), d = parameter::relaxation();
-  k.value = 1e12;  // of a softer one the hinge gives back some of the blow
+  k.value = 1e12;  // a softer hinge would return part of the impulse
   d.value = 0.25;
   return {
       .name = "physical_pendulum",

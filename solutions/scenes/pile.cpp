@@ -1,7 +1,7 @@
-// Spheres or cubes dropped into a box: a scene that has no closed form, but must come to rest.
+// Spheres or cubes dropped into a box: a scene without a closed form, which must come to rest.
 //
-// At rest the floor carries all the weight, as the walls are smooth. Where the bodies lie nobody knows beforehand; but
-// wherever it is, what their overlaps say must hold each of them: balance.hpp.
+// At rest the floor carries all the weight, since the walls are smooth. The final positions are unknown, but the forces
+// of the overlaps must balance the weight of each body: balance.hpp.
 #include "engine/diagnostics/conserved_quantities.hpp"
 #include "scenes/balance.hpp"
 #include "scenes/jitter.hpp"
@@ -12,7 +12,7 @@ namespace spook {
 
 namespace {
 
-/// What does not bounce has no impacts: the rows of contacts hold it as it comes.
+/// Without restitution there are no impacts: rows of contacts stop the bodies.
 std::optional<ImpactLaw> impacts_of(const Parameters& p) {
   if (p.number("restitution") == 0) return std::nullopt;
   return ImpactLaw{
@@ -33,7 +33,7 @@ class Pile : public WorldScene<6> {
         weight_(p.number("m") * p.number("g")),
         all_(p.count("bodies") * weight_) {
     const int n = p.count("bodies");
-    // Layers of side × side, as high as they are wide or a little higher.
+    // Layers of side × side bodies; the stack is as high as wide, or a little higher.
     const int side = std::max(1, static_cast<int>(std::cbrt(n)));
     const double cell = 2.5 * radius_, half = side * cell / 2;
     floor_ = world_.add_plane(Vec3::UnitZ(), 0);
@@ -53,7 +53,7 @@ class Pile : public WorldScene<6> {
                     .radius = radius_,
                     .principal = solid_sphere_moments(m, radius_)});
       } else {
-        // A cube that fits into its cell however it is turned.
+        // A cube that fits into its cell in any orientation.
         const Vec3 half_sides = Vec3::Constant(0.6 * radius_);
         Quat q(jitter.next(), jitter.next(), jitter.next(), jitter.next());
         world_.add({.x = cell * place + off,
@@ -88,7 +88,7 @@ class Pile : public WorldScene<6> {
   }
 
  private:
-  /// Of what touched in the last step, before it [m].
+  /// The largest overlap of contacts, at the start of the last step [m].
   double deepest() const {
     double depth = 0;
     for (const Contact& contact : world_.contacts()) depth = largest(depth, -contact.gap);
@@ -101,14 +101,14 @@ class Pile : public WorldScene<6> {
     return v;
   }
 
-  double radius_, weight_, all_;  // [m]; of a body, and of all of them [N]
+  double radius_, weight_, all_;  // radius [m]; weight of a body, and of all bodies [N]
   int floor_ = 0;
 };
 
 }  // namespace
 
 SceneDescription pile() {
-  // Ten times as stiff, and fifty sweeps a step would leave it simmering.
+  // With ten times the stiffness, fifty sweeps a step leave the pile jittering.
   Parameter k = parameter::stiffness();
   k.value = 1e5;
   return {
@@ -117,7 +117,7 @@ SceneDescription pile() {
       .answer =
           "There is no closed form. But at rest the floor carries the whole weight, whatever mu, and k times "
           "the overlaps, with friction, balance each body. (While it falls they do not.)",
-      .error_name = "largest force or torque that its overlaps leave on a body, over its weight",
+      .error_name = "largest unbalanced force or torque on a body, by its overlaps, over its weight",
       .error_unit = "relative",
       .parameters = {parameter::bodies(20, 100000),
                      {.name = "shape", .meaning = "of the bodies", .choices = {"sphere", "box"}},

@@ -1,9 +1,10 @@
 #pragma once
-// Integrates y' = f(y) almost to roundings, for answers that have no closed form. Independent of the engine.
+// Integrates y' = f(y) nearly to round-off, for answers without a closed form. Independent of the engine.
 //
-// A step of H by Gragg's midpoint rule in n = 2, 4, 6, … parts has an error in even powers of H/n only; so the values for
-// several n, extrapolated to n = ∞ as a polynomial in (H/n)², gain two orders with each. H is halved where they do not
-// settle. Going on from where it was last asked, a short way costs some twenty f.
+// A step of H by Gragg's midpoint rule in n = 2, 4, 6, … parts has an error in even powers of H/n only. So
+// extrapolation of several n to n = ∞, as a polynomial in (H/n)², gains two orders with each n. H is halved if the
+// values do not converge. Each call continues from the time of the last call; a short interval costs about twenty
+// evaluations of f.
 //
 // Source: Hairer, Nørsett, Wanner, Solving Ordinary Differential Equations I, II.9.
 #include <algorithm>
@@ -23,14 +24,14 @@ class ReferenceMotion {
   using State = Eigen::Matrix<double, N, 1>;
   using Rate = std::function<State(const State&)>;
 
-  /// From `start` at time 0. `tolerance` is on what the last extrapolation of a step changes, relative to the
-  /// largest number of the state or to 1. After each step `settle`, if there is one, may bring the state back to what it
-  /// knows to be kept.
+  /// Starts from `start` at time 0. `tolerance` bounds the change by the last extrapolation of a step, relative to the
+  /// largest number of the state or to 1. After each step `settle`, if given, may project the state on its conserved
+  /// quantities.
   ReferenceMotion(Rate rate, const State& start, double tolerance = 1e-13, Rate settle = nullptr)
       : rate_(std::move(rate)), settle_(std::move(settle)), state_(start), tolerance_(tolerance) {}
 
-  /// The state at `t`, which must not be before that of the last call.
-  /// Throws std::runtime_error where no step is short enough: the motion is not smooth, or not finite.
+  /// Returns the state at `t`, which must not be before that of the last call. Throws std::runtime_error if no step is
+  /// short enough, because the motion is not smooth or not finite.
   const State& at(double t) {
     while (time_ < t) {
       const double rest = t - time_;
@@ -62,11 +63,11 @@ class ReferenceMotion {
   }
 
   bool step(double H, int& extrapolations) {
-    std::array<State, max_extrapolations + 1> row;  // of Neville's table, the best value last
+    std::array<State, max_extrapolations + 1> row;  // a row of Neville's table, the best value last
     for (int k = 0; k <= max_extrapolations; ++k) {
       State better = midpoint_rule(H, 2 * (k + 1));
       for (int m = 0; m < k; ++m) {
-        const double ratio = (k + 1.0) / (k - m);  // of the two numbers of parts
+        const double ratio = (k + 1.0) / (k - m);  // ratio of the two numbers of parts
         const State next = better + (better - row[static_cast<std::size_t>(m)]) / (ratio * ratio - 1);
         row[static_cast<std::size_t>(m)] = better;
         better = next;

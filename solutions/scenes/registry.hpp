@@ -1,5 +1,5 @@
 #pragma once
-// All scenes. A new one is a file of its own, a line here, and a line in registry.cpp.
+// All scenes. To add a scene, write a file of its own, and add a line here and in registry.cpp.
 #include <string_view>
 
 #include "scenes/scene.hpp"
@@ -42,16 +42,16 @@ SceneDescription governor();
 
 const std::vector<SceneDescription>& scenes();
 
-/// Throws std::invalid_argument, with the nearest name there is, for a name that is no scene's.
+/// Returns the scene of that name. Throws std::invalid_argument, with the nearest known name, for an unknown name.
 const SceneDescription& find_scene(std::string_view name);
 
-/// For SceneDescription::build.
+/// Builds a scene, for SceneDescription::build.
 template <class SomeScene>
 std::unique_ptr<Scene> build_as(const Parameters& parameters, const Method& method) {
   return std::make_unique<SomeScene>(parameters, method);
 }
 
-/// The same where the parameter `model` says if its bodies are point masses or rigid.
+/// Builds a scene of point masses or rigid bodies, as the parameter `model` says.
 template <template <int Dof> class SomeScene>
 std::unique_ptr<Scene> build_model(const Parameters& parameters, const Method& method) {
   if (parameters.choice("model") == "point") return build_as<SomeScene<3>>(parameters, method);

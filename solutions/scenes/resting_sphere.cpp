@@ -1,6 +1,6 @@
-// A rigid sphere on a plane, let go as it touches.
+// A rigid sphere on a plane, released at touch.
 //
-//   gap = -m g/k  and  λ = h m g,  whatever h and d: what is left of Eq. (3.7) when the sphere is at rest.
+//   gap = -m g/k  and  λ = h m g,  for any h and d: the solution of Eq. (3.7) at rest.
 #include "scenes/registry.hpp"
 
 namespace spook {

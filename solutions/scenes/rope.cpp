@@ -1,12 +1,12 @@
-// A rope of equal links between two supports at one height: chapter 06's rope(), hung up.
+// A rope of equal links between two supports of the same height: rope() of chapter 06.
 //
-// The answer is the chain of HangingChain: links that are T_i/k too long, as SPOOK's are at rest. It begins there, and
-// should stay; or with links at their natural length, and then gives way by T_i/k and swings about the answer for good:
-// no row brakes what moves across it.
+// The answer is the chain of HangingChain, whose links are stretched by T_i/k as SPOOK's are at rest. The rope starts
+// there, and should stay at rest. Or it starts with links at their natural length, stretches by T_i/k, and oscillates
+// about the answer without damping, since rows do not act across links.
 //
-// To such a motion a link of the length l under T is a spring of the stiffness T/l, and leapfrog follows it as any other,
-// whatever the rows do along the link: while h ω < 2, ω² = 4T/(m l), m a point's mass. With T = M g/2 or more at the ends
-// that is N h < √(2L/g): at 60 Hz a rope of 1 m has 26 links at most, and one of more leaps about.
+// To transverse motion a link of length l under T is a spring of stiffness T/l. Leapfrog is stable for it while h ω <
+// 2, with ω² = 4T/(m l) and the mass m of a point, for any rows along the link. T is M g/2 or more at the ends, so this
+// is N h < √(2L/g): at 60 Hz a rope of 1 m has at most 26 links, and a rope with more is unstable.
 #include "common/require.hpp"
 #include "scenes/half_step_energy.hpp"
 #include "scenes/hanging_chain.hpp"
@@ -63,7 +63,7 @@ class Rope : public WorldScene<3> {
   }
 
  private:
-  /// In the last step.
+  /// The tension of a link in the last step [N].
   double tension(int link) const { return -world_.joint_lambda(link) / h_; }
 
   int links_;

@@ -60,7 +60,7 @@ static void observed_run(Scene& scene, std::int64_t steps, const Watch& watch) {
   }
 }
 
-/// Of fresh worlds: at least three and 50 ms of them, but no more once a second is over, or a thousand.
+/// Times runs of fresh worlds: at least three runs and 50 ms, but none after one second or a thousand runs.
 template <class Build>
 static std::vector<double> sorted_us(const Build& build, std::int64_t steps) {
   using Clock = std::chrono::steady_clock;
@@ -78,7 +78,7 @@ static std::vector<double> sorted_us(const Build& build, std::int64_t steps) {
   return times;
 }
 
-/// What it takes to time a stage that does nothing [s]: the least of many, as the clock's own time is all of it.
+/// Returns the time of an empty stage [s], which is the clock's own time: the least of many measurements.
 static double seconds_of_a_look_at_the_clock() {
   StepTimer clock;
   clock.start();
@@ -92,7 +92,8 @@ static double seconds_of_a_look_at_the_clock() {
   return least;
 }
 
-/// What each stage has of the run's `seconds`: its share of the time in all of them, less what the clock itself took.
+/// Returns the share of each stage in the run's `seconds`, in proportion to its measured time minus the clock's own
+/// time.
 static StageTimes stage_times(Scene& scene, std::int64_t steps, double seconds) {
   scene.time_stages();
   scene.advance(steps);

@@ -1,7 +1,7 @@
 #pragma once
-// Runs a scene: once with looking, for its error, a few times without, for its speed, and once with a clock around each
-// stage. A look at that clock may take longer than the step of a point mass: the speed is measured without it, and the
-// stages are told as their shares of the speed, so that they add up to it.
+// Runs a scene: once with observation, for its error; a few times without, for its speed; and once with stage timing.
+// Reading the clock may take longer than the step of a point mass. So the speed is measured without stage timing, and
+// stage times are scaled to add up to the speed.
 #include <functional>
 #include <optional>
 #include <ostream>
@@ -29,7 +29,7 @@ struct RunResult {
   std::string plain_step;  ///< the exercise whose step ran, such as "2.7 step_free"; of the plain engine only
 };
 
-/// time/h, rounded. Throws std::invalid_argument unless h > 0 and time >= 0, and for more than 1e9 steps.
+/// Returns time/h, rounded. Throws std::invalid_argument unless h > 0 and time >= 0, and for more than 1e9 steps.
 std::int64_t step_count(double h, double time);
 
 /// Returns the exercise whose step runs the scene in the plain engine. Throws std::invalid_argument where none does.
@@ -37,18 +37,17 @@ std::string plain_step_of(const Scene& scene);
 
 /// What is looked at on the way, in the first run.
 struct Watch {
-  std::ostream* csv = nullptr;  ///< a line of columns, and one for each substep, the start included
-  bool positions = false;       ///< each body's x, y, z in these lines, too
-  bool residual = false;        ///< the residual of the step before them [m/s], too
-  /// Is shown the scene at the start, and after each substep.
+  std::ostream* csv = nullptr;  ///< gets a line of names, and a line for each substep, the start included
+  bool positions = false;       ///< adds x, y, z of each body to these lines
+  bool residual = false;        ///< adds the residual of the step before [m/s]
+  /// Called with the scene at the start, and after each substep.
   std::function<void(Scene& scene, std::int64_t substep)> look = nullptr;
-  /// Is told now and then, in a long run, how many of the steps are done; and at its end.
+  /// Called with the number of steps done, several times in a long run, and at its end.
   std::function<void(std::int64_t done, std::int64_t steps)> progress = nullptr;
 };
 
-/// Builds the scene and runs it.
-/// Throws std::invalid_argument for bad settings before anything is written, and SimulationDiverged, with what was written up
-/// to then.
+/// Builds the scene and runs it. Throws std::invalid_argument for bad settings, before it writes anything. Throws
+/// SimulationDiverged if the run diverges; output up to that step has been written.
 RunResult run(const SceneDescription& scene, const Parameters& parameters, const RunSettings& settings,
               const Watch& watch = {});
 

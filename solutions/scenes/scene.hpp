@@ -1,9 +1,9 @@
 #pragma once
 // A scene: a world built from named parameters, with an answer to compare it with.
 //
-// A scene can be run without looking (advance, which is what is timed) and with looking (observe, after each step). An
-// error is relative to its answer's own scale, its unit then "relative"; the largest so far where the answer is a
-// motion, the last where it is a state of rest.
+// A timed run calls advance() only; a run for the error calls observe() after each step. An error is absolute, or
+// relative to a scale of the answer (unit "relative"). It is the largest error so far if the answer is a motion, and
+// the last error if the answer is a state of rest.
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -25,53 +25,53 @@ class Scene {
  public:
   virtual ~Scene() = default;
 
-  /// Takes so many steps. Throws SimulationDiverged.
+  /// Takes so many steps. Throws SimulationDiverged if the run diverges.
   virtual void advance(std::int64_t steps) = 0;
 
-  /// Compares the present state with the answer.
+  /// Compares the current state with the answer.
   virtual void observe() = 0;
 
   virtual double error() const = 0;
 
-  /// Names of what sample() returns, units in brackets.
+  /// The names of the numbers of sample(), with units in brackets.
   virtual std::vector<std::string> columns() const = 0;
 
-  /// The present state.
+  /// The current state.
   virtual std::vector<double> sample() const = 0;
 
   virtual StepReport report() const = 0;
 
-  /// Judges the step that was just taken; `verdict` says if the run is reliable so far.
+  /// Checks the last step; `verdict` tells whether the run is reliable so far.
   virtual void judge() = 0;
   virtual const Verdict& verdict() const = 0;
 
-  /// Row updates since the start.
+  /// The number of row updates since the start.
   virtual std::int64_t row_updates() const = 0;
 
   /// Starts stage timing.
   virtual void time_stages() = 0;
   virtual StageTimes stage_times() const = 0;
 
-  /// What it looks like, and what it looks like now.
+  /// The appearance of the scene; the current frame.
   virtual Picture picture() const = 0;
   virtual Frame frame() const = 0;
 
-  /// Where the answer has bodies now, as of the last observe(); and lines on which it lies. None, unless the scene says.
+  /// The positions of bodies in the answer, at the last observe(); the curves of the answer. Default: none.
   virtual std::vector<Ghost> ghosts() const { return {}; }
   virtual std::vector<Curve> curves() const { return {}; }
 
-  /// The energy of its force field, with bodies at `x` [J].
+  /// The energy of the scene's force field, with bodies at `x` [J].
   virtual double field_energy(const std::vector<Vec3>&) const { return 0; }
 
-  /// Its world: of point masses or of rigid bodies, and null for the other.
+  /// The scene's world: one of the two is null.
   virtual const World<3>* points() const = 0;
   virtual const World<6>* rigid_bodies() const = 0;
 
-  /// What a hand can do to it.
+  /// The interaction with the running scene.
   virtual Hand& hand() = 0;
 
-  /// Takes over the bodies of a scene that was built with other numbers: where they are, how they move, and what a hand
-  /// did. False, and nothing is done, where the two have not the same bodies.
+  /// Copies positions, velocities and the hand's balls and grip from a scene that was built with other parameters.
+  /// Returns false, and changes nothing, if the two scenes have different bodies.
   virtual bool take_state_from(const Scene& other) = 0;
 };
 
@@ -79,21 +79,21 @@ struct SceneDescription {
   std::string name;
   std::string summary;     ///< one line
   std::string answer;      ///< the known answer, in words and formulas
-  std::string error_name;  ///< what `error` is
+  std::string error_name;  ///< meaning of `error`
   std::string error_unit;
   std::vector<Parameter> parameters;
   double h;     ///< default step [s]
   double time;  ///< default duration [s]
-  bool solves;  ///< has rows, so that solver, iterations and tolerance matter
-  /// Throws std::invalid_argument for parameters that do not go together.
+  bool solves;  ///< the scene has rows, so solver, iterations and tolerance matter
+  /// Builds the scene. Throws std::invalid_argument for parameters that exclude each other.
   std::function<std::unique_ptr<Scene>(const Parameters& parameters, const Method& method)> build;
-  std::string solver = "gauss_seidel";  ///< the one that it is run with, unless another is asked for
-  /// The friction model, unless another is asked for. Default: that of Method.
+  std::string solver = "gauss_seidel";  ///< default solver
+  /// Default friction model, if it differs from that of Method.
   std::optional<FrictionModel> friction_model = {};
-  std::optional<int> integrator_order = {};  ///< unless another is asked for. Default: the world's
+  std::optional<int> integrator_order = {};  ///< default order, if it differs from the world's
 };
 
-/// Returns the scene with a friction model of its own: it is built with that one, unless another is asked for.
+/// Returns the scene with `model` as its default friction model.
 inline SceneDescription with_friction(FrictionModel model, SceneDescription scene) {
   scene.friction_model = model;
   scene.build = [model, build = std::move(scene.build)](const Parameters& parameters, Method method) {
@@ -103,7 +103,7 @@ inline SceneDescription with_friction(FrictionModel model, SceneDescription scen
   return scene;
 }
 
-/// What the scenes share: a world, stepped by h_.
+/// The common code of scenes: a world that is advanced in steps of h_.
 template <int Dof>
 class WorldScene : public Scene {
  public:
@@ -146,13 +146,13 @@ class WorldScene : public Scene {
   WorldScene(Settings<Dof> settings, const Method& method)
       : world_(with(std::move(settings), method)), h_(method.step()), hand_(world_) {}
 
-  /// How far velocities are behind positions [s].
+  /// The time from velocities to positions [s].
   double velocity_lag() const { return world_.velocity_lag(h_); }
 
   double time() const { return since_ + static_cast<double>(world_.steps()) * h_; }
 
   World<Dof> world_;
-  double h_;  ///< that it is stepped by: a substep's [s]
+  double h_;  ///< step of the world, that is a substep [s]
 
  private:
   template <int Wanted>
@@ -176,15 +176,15 @@ class WorldScene : public Scene {
 
   HandIn<Dof> hand_;
   RunCheck<Dof> soundness_;
-  double since_ = 0;  // when it took over [s]
+  double since_ = 0;  // time of the other scene at take_state_from [s]
 };
 
-/// The larger of the two; NaN when either is, where std::max would lose it.
+/// The larger of the two; NaN if either is NaN, unlike std::max.
 inline double largest(double a, double b) {
   return std::isnan(b) || b > a ? b : a;
 }
 
-/// error/scale, and no error is no error at any scale.
+/// error/scale, and 0 for an error of 0 at any scale.
 inline double relative(double error, double scale) {
   return error == 0 ? 0 : error / scale;
 }

@@ -1,10 +1,10 @@
-// A sphere thrown without spin over a plane: friction slows it and spins it up until it rolls.
+// A sphere thrown without spin along a plane: friction slows it and spins it up until it rolls.
 //
 //   slides   v = v0 - μgt,  Rω = (5/2) μgt,   until they are equal, at t = 2v0/(7μg)
 //   rolls    v = Rω = 5/7 v0                                                                   Eq. (5.11)
 //
-// It slides along the first tangent of Eq. (5.1). The engine keeps v + (2/5) Rω, as nature does, so the final v
-// is right; the position is off by at most μg h²/8, as in `sliding_block`.
+// It slides along the first tangent of Eq. (5.1). v + (2/5) Rω is conserved, also in the engine, so the final v is
+// right; the error of the position is at most μg h²/8, as in `sliding_block`.
 #include "scenes/braking.hpp"
 #include "scenes/registry.hpp"
 
@@ -64,7 +64,7 @@ class SlideToRoll : public WorldScene<6> {
 
   double rolls_after() const { return sliding_.duration() * 2 / 7; }
   double spin_rate() const { return 2.5 * sliding_.rate / radius_; }  // [rad/s²]
-  /// The time that ω belongs to.
+  /// The time to which ω belongs.
   double spin_time() const { return shifted_ ? time() - h_ / 2 : time(); }
 
   double answer(double t) const {

@@ -1,8 +1,8 @@
-// A slider-crank in space: the crank turns about x, beside and above the line on which the slider slides; the rod between
-// them has a ball joint at either end.
+// A spatial slider-crank: the crank turns about x, beside and above the line of the slider. The rod between them has a
+// ball joint at either end.
 //
-// The answer is of natural coordinates, scenes/natural_coordinates.hpp: two points, the crank's end and the slider. The
-// rod's turning about itself is no part of it, as nothing turns it.
+// The answer uses natural coordinates, scenes/natural_coordinates.hpp, of two points: the crank's end and the slider.
+// It omits rotation of the rod about its own line, since no torque acts about that line.
 #include "scenes/half_step_energy.hpp"
 #include "scenes/mechanism.hpp"
 #include "scenes/registry.hpp"
@@ -15,7 +15,7 @@ const Vec3 pivot(0, 0.1, 0.12), crank_end(0, 0.1, 0.2),
     slider_at(0.2, 0, 0);                                             // at first [m]; the rod has 0.3 m
 constexpr double crank_mass = 0.12, rod_mass = 0.5, slider_mass = 2;  // [kg]
 
-/// Of the slider, for a crank's end that moves by v: the rod keeps its length.
+/// The velocity of the slider, for a velocity v of the crank's end: the rod keeps its length.
 Vec3 slider_velocity(const Vec3& v) {
   const Vec3 along = crank_end - slider_at;
   return along.dot(v) / along.x() * Vec3::UnitX();
@@ -82,7 +82,7 @@ class SliderCrank : public WorldScene<6> {
   double energy() const { return half_step_energy(world_.bodies(), g_, 2 * velocity_lag()); }
 
   double g_;
-  mutable NaturalMotion answer_;  // goes on to the time it is asked for
+  mutable NaturalMotion answer_;  // advances to the requested time
   int slider_ = 0;
   double first_energy_ = 0, largest_error_ = 0;
 };
@@ -94,7 +94,7 @@ SceneDescription slider_crank() {
       .name = "slider_crank",
       .summary = "A crank turns beside the line on which it drives a slider, by a rod with two ball joints.",
       .answer =
-          "Places of the crank's end and of the slider, integrated to roundings: no orientations, no joints.",
+          "Places of the crank's end and of the slider, integrated to round-off: no orientations, no joints.",
       .error_name = "largest position error of the slider over the rod's length",
       .error_unit = "relative",
       .parameters = {{.name = "spin", .meaning = "of the crank at first", .unit = "rad/s", .value = 6},

@@ -1,12 +1,12 @@
-// A block thrown over a plane.
+// A block thrown along a plane.
 //
-//   Coulomb   slows by μg against its motion: stops after v0/(μg), at v0²/(2μg)                Eq. (5.10)
-//   box       slows by μg along either tangent, until that component is gone: stops after
+//   Coulomb   decelerates by μg against its motion: stops after v0/(μg), at v0²/(2μg)          Eq. (5.10)
+//   box       decelerates by μg along each tangent, until that component is zero: stops after
 //             max(|cos φ|, |sin φ|) v0/(μg), at √(cos⁴φ + sin⁴φ) v0²/(2μg), φ from a tangent   Eq. (5.12), (5.13)
 //
-// In the engine a component loses μgh in each step, and in the last step what is left. With velocities half a
-// step back that is exact until it stops. If it should stop at a time δ from the nearest step, it ends up off
-// by ½ μg δ², at most μg h²/8: second order.
+// In the engine a component decreases by μgh in each step, and to zero in the last step. With velocities half a step
+// back this is exact until the stop. If the stop is at a time δ from the nearest step, the error is ½ μg δ², at most
+// μg h²/8: second order.
 #include "scenes/block.hpp"
 #include "scenes/braking.hpp"
 #include "scenes/degrees.hpp"
@@ -29,7 +29,7 @@ class SlidingBlock : public WorldScene<Dof> {
         heading_(heading(p.number("heading"))),
         coulomb_{p.number("v0"), p.number("mu") * p.number("g")},
         box_answer_(p.choice("answer") == "box") {
-    // What the motion starts with, whatever the answer: the box's deceleration, or Coulomb's.
+    // The initial deceleration by the engine's friction, box or Coulomb, whichever answer is chosen.
     Vec3 slowing = Vec3::Zero();
     if (friction_model(method) == FrictionModel::cone || method.sliding_tangents)
       slowing = coulomb_.rate * heading_;
@@ -65,7 +65,8 @@ class SlidingBlock : public WorldScene<Dof> {
   using WorldScene<Dof>::world_;
   using WorldScene<Dof>::h_;
 
-  /// Half of what it loses in a step: what is left of the pitch moves a box by far less.
+  /// The speed below which the block counts as resting: half of the speed lost in a step. The box's pitch adds far
+  /// less.
   double stands_still() const { return coulomb_.rate * h_ / 2; }
 
   static double sign(double x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }

@@ -1,16 +1,16 @@
-// A disc that spins flat on a plane, with the same pressure everywhere.
+// A disc that spins flat on a plane, under uniform pressure.
 //
 //   Coulomb   torque 2/3 μ m g R: stops after 3Rω0/(4μg)
 //   box       a point at the angle φ has |sin φ| + |cos φ| times the torque of Coulomb, 4/π on average:
 //             stops after π/4 of that time                                                     Eq. (5.14)
 //
-// The disc is a number of points, in the plane of its centre, so that friction does not tip it. Their distances
-// from the centre have the mean of the disc's (see disc.hpp); their angles leave an error. The Fourier series
-// of |sin φ| + |cos φ| is one in 4φ, and a mean over n equal angles keeps each n/4th term of it,
+// The disc is a number of points in the plane of its centre, so that friction does not tip it. Their mean distance from
+// the centre is that of the disc (see disc.hpp), but their angles cause an error. The Fourier series of
+// |sin φ| + |cos φ| is one in 4φ, and the mean over n equal angles keeps every n/4th term,
 //
 //   (4/π) (1 - Σ_q 2 cos(n q φ0)/(n² q² - 1)),   with a sum of at most 1 - (π/n) cot(π/n), about (π²/3)/n²,
 //
-// which changes its sign as the disc turns. There is no error in h beside that one: the torque does not change.
+// which changes its sign as the disc rotates. There is no error in h, since the torque is constant.
 #include "common/require.hpp"
 #include "scenes/braking.hpp"
 #include "scenes/degrees.hpp"
@@ -70,11 +70,11 @@ class SpinningDisc : public WorldScene<6> {
   }
 
  private:
-  /// By which ω falls [rad/s²]: torque over m R²/2.
+  /// The deceleration of ω [rad/s²]: torque over m R²/2.
   static double rate(const Parameters& p, const Method& method) {
     const double coulomb = 4 * p.number("mu") * p.number("g") / (3 * p.number("radius"));
     const std::string& law = p.choice("answer");
-    // The box has corners, unless it follows the sliding; the cone has none.
+    // The box has corners, unless it follows the slip; the cone has none.
     const bool has_corners = friction_model(method) != FrictionModel::cone && !method.sliding_tangents;
     return law == "coulomb" || (law == "model" && !has_corners) ? coulomb : coulomb * 4 / pi;
   }
@@ -92,7 +92,7 @@ class SpinningDisc : public WorldScene<6> {
 }  // namespace
 
 SceneDescription spinning_disc() {
-  // On stiff contacts fifty sweeps do not share the load among so many points: the disc would stand on a few.
+  // On stiff contacts fifty sweeps do not distribute the load: the disc would stand on a few points.
   Parameter k = parameter::stiffness();
   k.value = 1e4;
   return with_friction(

@@ -1,6 +1,6 @@
-// Spheres in a vertical pile, let go as they touch: point masses, as nothing turns. One may be heavier.
+// Spheres in a vertical stack, released at touch: point masses, since they do not rotate. One may be heavier.
 //
-//   gap_i = -N_i/k,   N_i the weight of all that rests on contact i (0 is the ground)
+//   gap_i = -N_i/k,   N_i the weight above contact i (0 is the ground)
 #include "scenes/registry.hpp"
 
 namespace spook {
@@ -56,7 +56,7 @@ class Stack : public WorldScene<3> {
   }
 
  private:
-  /// Below sphere i; body 0 is the ground.
+  /// The contact below sphere i; body 0 is the ground.
   double gap(std::size_t i) const {
     const double z = world_.bodies().x[i + 1].z();
     return i == 0 ? z - radius_ : z - world_.bodies().x[i].z() - 2 * radius_;

@@ -1,10 +1,10 @@
-// A wire of point masses with a heavy load, held straight at an angle and let go: its tension makes springs across it
-// that are faster than any step one would like.
+// A wire of point masses with a heavy load, released straight at an angle. Its tension acts as transverse springs whose
+// periods are shorter than practical steps.
 //
-//   ω = √(4 T/(m l))      the fastest of them, Eq. (12.1): without its stiffness in M, a step above 2/ω is lost
+//   ω = √(4 T/(m l))      the highest frequency, Eq. (12.1): without its stiffness in M, steps above 2/ω are unstable
 //
-// Links keep their length, and nothing adds energy: that is the answer. All points begin with the acceleration g sin θ
-// across the wire, for which they are started half a step back, Eq. (1.5).
+// The answer: links keep their length, and energy does not grow. All points start with the acceleration g sin θ across
+// the wire, so their velocities start half a step back, Eq. (1.5).
 #include "12_stiff_wires/stiff_wires.hpp"
 #include "scenes/degrees.hpp"
 #include "scenes/half_step_energy.hpp"
@@ -68,7 +68,7 @@ class StiffWire : public WorldScene<3> {
     return distance(link, world_.bodies()) - *link.length;
   }
 
-  /// That of half a step ago, over what there is to lose; 1 at the start.
+  /// The energy half a step ago, over the energy released by the swing; 1 at the start.
   double energy() const {
     if (world_.steps() == 0) return 1;
     return 1 + (half_step_energy(world_.bodies(), g_, 2 * velocity_lag()) - start_energy_) / scale_;
@@ -90,7 +90,7 @@ SceneDescription stiff_wire() {
       .name = "stiff_wire",
       .summary = "A wire with a heavy load is let go at an angle, and swings.",
       .answer =
-          "No link changes its length, and no energy comes in. With steps above 2/ω, ω = √(4 T/(m l)), every "
+          "Links keep their length, and energy does not grow. With steps above 2/ω, ω = √(4 T/(m l)), every "
           "solver loses it, exact ones, too; but not \"stiff\", which has the tension's stiffness in M.",
       .error_name = "largest error of any link's length so far over that length",
       .error_unit = "relative",

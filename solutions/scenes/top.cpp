@@ -1,6 +1,6 @@
-// An asymmetric top, free of torques: near its middle axis it tumbles, and turns over again and again.
+// An asymmetric top without torques: spinning near its middle axis, it turns over periodically.
 //
-// ω in the body's own axes against the closed form of FreeTop; what the update does to ω and to q both count.
+// Compares ω in the body's own axes with the closed form of FreeTop, so errors of ω and of q both count.
 #include "engine/diagnostics/conserved_quantities.hpp"
 #include "scenes/free_top.hpp"
 #include "scenes/reference_motion.hpp"
@@ -17,7 +17,8 @@ Vec3 first_omega(const Parameters& p) {
   return {p.number("wx"), p.number("wy"), p.number("wz")};
 }
 
-/// Of a solid box of 1 kg with these moments, m/3 (b² + c²) and so on; of a thin one where there is none.
+/// The half sides of a solid box of 1 kg with these moments, m/3 (b² + c²) and so on; of a thin box if no solid box has
+/// them.
 Vec3 half_sides(const Vec3& principal) {
   const double sum = principal.sum();
   return (1.5 * (Vec3::Constant(sum) - 2 * principal)).cwiseMax(0.01 * sum).cwiseSqrt();

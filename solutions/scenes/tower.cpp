@@ -1,8 +1,8 @@
-// Cubes on top of each other, put down as they touch: each stands on four contacts. One may be heavier.
+// A tower of cubes, released at touch; each stands on four contacts. One may be heavier.
 //
-//   gap_i = -N_i/(4 k)      N_i the weight of all that rests on level i (0 is the floor): four contacts share it
+//   gap_i = -N_i/(4 k)      N_i the weight above level i (0 is the floor), on four contacts
 //
-// Nothing pushes sideways, so nothing should move that way.
+// There are no horizontal forces, so cubes should not move sideways.
 #include "scenes/boxes.hpp"
 #include "scenes/registry.hpp"
 
@@ -59,7 +59,7 @@ class Tower : public BoxesOnFloor {
   double sinking(std::size_t i) const { return (put_[i + 1] - world_.bodies().x[i + 1]).z(); }
 
   double side_;
-  std::vector<double> rest_sinking_;  // of each box [m]
+  std::vector<double> rest_sinking_;  // depth of each box at rest [m]
   double error_ = 0;
 };
 

@@ -13,7 +13,7 @@ namespace spook {
 static void assign(Parameters& parameters, const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == 0 || equals == std::string::npos)
-    throw std::invalid_argument("--set wants NAME=VALUE, but got \"" + text + "\"");
+    throw std::invalid_argument("--set must be NAME=VALUE, but is \"" + text + "\"");
   const std::string name = text.substr(0, equals);
   if (name == "h" || name == "time")
     throw std::invalid_argument(name + " is not a parameter of a scene: use --" + name + " " +
@@ -21,7 +21,7 @@ static void assign(Parameters& parameters, const std::string& text) {
   parameters.set(name, text.substr(equals + 1));
 }
 
-/// How the rows are made and swept.
+/// Reads the options of rows and sweeps.
 static void set_rows(const TypedRun& typed, Method& method) {
   if (typed.row_order)
     method.row_order = choose<RowOrder>("row-order", *typed.row_order,
@@ -42,7 +42,7 @@ static void set_rows(const TypedRun& typed, Method& method) {
     method.sliding_tangents = choose<bool>("tangents", *typed.tangents, {{"fixed", false}, {"sliding", true}});
 }
 
-/// Steps that are composed hold joints in a way of their own.
+/// Rejects options that have no effect in steps of order four, which have their own method for joints.
 static void refuse_solver_beside_composed(const TypedRun& typed, const Method& method) {
   if (method.integrator_order != 4) return;
   const std::pair<const char*, bool> of_solvers[] = {{"solver", typed.solver.has_value()},
@@ -52,9 +52,8 @@ static void refuse_solver_beside_composed(const TypedRun& typed, const Method& m
                                                      {"warm-start", typed.warm_start}};
   for (const auto& [option, given] : of_solvers)
     if (given)
-      throw std::invalid_argument(
-          std::string(option) +
-          " is for steps that a solver solves: leave it out with integrator-order 4, which does without");
+      throw std::invalid_argument(std::string(option) +
+                                  " has no effect with integrator-order 4, which uses no solver: leave it out");
 }
 
 /// The plain step is what the chapters say it is, and has one way of doing it.
@@ -105,7 +104,7 @@ RunSettings TypedRun::settings(const SceneDescription& description) const {
   if (method.engine == Engine::plain) refuse_beside_plain(*this);
   set_rows(*this, method);
   refuse_solver_beside_composed(*this, method);
-  // An order and the cone are asked for instead of a solver of the scene that has neither.
+  // A row order, or the cone, replaces the scene's solver if that solver does not support it.
   if (!solver && method.row_order != RowOrder::given) method.solver = solvers<3>().front().name;
   if (!solver && method.friction_model == FrictionModel::cone && !find_solver<3>(method.solver).make_on_cones)
     method.solver = "auto";

@@ -1,5 +1,5 @@
 #pragma once
-// A run as it is asked for in words: of a command line, of a page, of an experiment.
+// A run described by text options: of a command line, a page or an experiment.
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace spook {
 
-/// Options as typed.
+/// The options of a run, as typed.
 struct TypedRun {
   std::string scene;
   std::vector<std::string> set;
@@ -17,12 +17,12 @@ struct TypedRun {
       tangents, threads, engine;
   bool warm_start = false;
 
-  /// What was typed, as numbers. Throws std::invalid_argument for what makes no sense.
+  /// Converts the options to numbers. Throws std::invalid_argument for an invalid option.
   Parameters parameters(const SceneDescription& description) const;
   RunSettings settings(const SceneDescription& description) const;
 
-  /// Types an option anew by its name, or else a scene's parameter. Throws std::invalid_argument for a choice of
-  /// warm_start that is none.
+  /// Replaces an option by its name, or else a parameter of the scene. Throws std::invalid_argument for a value of
+  /// warm_start other than its choices.
   void retype(const std::string& name, const std::string& value);
 };
 

@@ -1,8 +1,8 @@
-// A wall of bricks, twice as long as high, each above the joint of two, with half a brick at either end of every other
-// course: it stands.
+// A wall of bricks, twice as long as high, which should stand. Each brick lies above the joint of two others; every
+// other course has half a brick at either end.
 //
-// How the bricks share the load has no closed form, but nothing pushes them sideways, and the floor carries it all.
-// What a brick may move is what its contacts give, some weight/k.
+// The forces between bricks have no closed form. But there are no horizontal forces, and the floor carries the whole
+// weight. A brick may move only by the deflection of its contacts, about weight/k.
 #include <algorithm>
 
 #include "scenes/boxes.hpp"
@@ -17,10 +17,10 @@ class Wall : public BoxesOnFloor {
   Wall(const Parameters& p, const Method& method) : BoxesOnFloor(p, method), length_(2 * p.number("side")) {
     const double side = p.number("side"), m = p.number("m");
     const int columns = p.count("columns"), courses = p.count("courses");
-    // A hair between neighbours, so that they don't wedge each other.
+    // A small space between neighbours, so that they do not wedge each other.
     const double pitch = 1.001 * length_;
     for (int course = 0; course < courses; ++course)
-      // Every other course begins and ends with half a brick.
+      // Every other course starts and ends with half a brick.
       for (int half = course % 2 == 0 ? 0 : -1; half < 2 * columns; half += 2) {
         const int from = std::max(half, 0), to = std::min(half + 2, 2 * columns);
         const double part = (to - from) / 2.0;

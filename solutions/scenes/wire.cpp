@@ -1,13 +1,13 @@
-// A wire of links with a load at its end, hanging straight down: what Gauss-Seidel finds hardest.
+// A wire of links with a load at its end, hanging straight down: the hardest scene for Gauss-Seidel.
 //
 //   T_i = (M + (N - i) m) g      tension of link i = 1 … N from the top, M = ratio m the load        Eq. (6.8)
-//   Σ T_i/k                      the stretch of the wire, whatever h and d                           Eq. (6.9)
+//   Σ T_i/k                      the stretch of the wire, for any h and d                            Eq. (6.9)
 //
-// The stretch is what is left of Eq. (3.7) at rest, if the solver gets there. If it stops early, each λ is too small,
-// and the wire sinks until the gaps make up for it: Eq. (6.12) says how many sweeps it needs.
+// The stretch follows from Eq. (3.7) at rest, if the solver converges. If the solver stops early, each λ is too small,
+// and the wire sinks until larger gaps compensate. Eq. (6.12) gives the number of sweeps needed.
 //
-// As bodies, the links are spheres on a string, with ball joints where they would touch. On the vertical nothing turns,
-// and λ and the stretch are those of the points.
+// With model=body the links are spheres on a string, with ball joints at their touching points. A vertical wire does
+// not rotate, so λ and the stretch are those of the points.
 #include "scenes/registry.hpp"
 
 namespace spook {
@@ -27,7 +27,7 @@ class Wire : public WorldScene<Dof> {
 
     world_.add_fixed(Vec3::Zero());
     rest_.push_back(Vec3::Zero());
-    double end = 0;  // of the wire so far, below the anchor
+    double end = 0;  // length of the wire so far, below the anchor
     for (int i = 1; i <= links_; ++i) {
       const double stretch = (M + (links_ - i) * m) * p.number("g") / p.number("k");  // Eq. (6.8)
       rest_stretch_ += stretch;
@@ -63,10 +63,10 @@ class Wire : public WorldScene<Dof> {
 
   double link() const { return length_ / links_; }
 
-  /// From a body's centre to the lower end of its link: a point mass sits there.
+  /// The vector from a body's centre to the lower end of its link, where a point mass sits.
   Vec3 to_end() const { return Dof == 3 ? Vec3::Zero() : Vec3(0, 0, -link() / 2); }
 
-  /// Hangs the next link below the bodies that there are.
+  /// Adds the next link below the existing bodies.
   void add_link(double begin, double mass) {
     const int above = static_cast<int>(world_.bodies().size()) - 1;
     Body<Dof> body;
@@ -86,7 +86,7 @@ class Wire : public WorldScene<Dof> {
 
   double stretch() const { return -(world_.x(links_) + to_end()).z() - length_; }
 
-  /// In the last step.
+  /// The tension of a link in the last step [N].
   double tension(int joint) const {
     // A ball joint's third row pulls the lower body along +z.
     return (Dof == 3 ? -world_.joint_lambda(joint) : world_.joint_lambda(joint, 2)) / h_;
@@ -95,7 +95,7 @@ class Wire : public WorldScene<Dof> {
   int links_;
   double length_;
   double rest_stretch_ = 0;
-  std::vector<Vec3> rest_;  // of each body
+  std::vector<Vec3> rest_;  // position of each body at rest
   double error_ = 0;
 };
 
@@ -107,7 +107,7 @@ SceneDescription wire() {
           .answer =
               "The stretch is Σ T_i/k, T_i = (M + (N - i) m) g the tension of link i, M = ratio m the load, "
               "whatever h and d. To get there Gauss-Seidel needs some (N - 1) ratio ln(1/tolerance) sweeps for "
-              "a heavy load, 5.6 N² to 1e-6 for a ratio of 1; with fewer it is rubber.",
+              "a heavy load, 5.6 N² to 1e-6 for a ratio of 1; with fewer it is elastic.",
           .error_name = "error of the last stretch over the length of the wire",
           .error_unit = "relative",
           .parameters = {parameter::links(5),

@@ -1,4 +1,4 @@
-// Bodies and joints of a file, each mistake told with its place.
+// Reads bodies and joints of a file; errors name the path in the file.
 #include "spook/file_world.hpp"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ void read(const std::optional<Place>& place, std::optional<double>& number) {
   if (place) number = place->number();
 }
 
-/// Does something with a place; what the engine refuses is told with it: bodies[3].mass must be ...
+/// Calls `action` for a place, and adds the place to an error of the engine: bodies[3].mass must be ...
 template <class Action>
 void at(const Place& place, const Action& action) {
   try {
@@ -49,7 +49,7 @@ double volume(const Place& place, const Shape& shape) {
       [](const Cuboid& box) { return 8 * box.half_sides.prod(); }, [&](const PointSet&) { return reject(); });
 }
 
-/// Reads the numbers that tell a rigid body's shape.
+/// Reads the numbers that describe a rigid body's shape.
 void read_shape(const Place& place, Body<6>& body) {
   read(place.find("radius"), body.radius);
   read(place.find("half_length"), body.half_length);

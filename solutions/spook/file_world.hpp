@@ -1,5 +1,5 @@
 #pragma once
-// The world that a file describes.
+// Builds the world that a scene file describes.
 #include <map>
 
 #include "engine/world/world.hpp"
@@ -7,7 +7,7 @@
 
 namespace spook {
 
-/// What `place` says, by the names of what it may say.
+/// Returns the choice that the text at `place` names. Rejects the text, with all choices, if it names none.
 template <class Value>
 Value one_of(const Place& place, const std::map<std::string, Value>& choices) {
   const auto found = choices.find(place.text());
@@ -17,7 +17,7 @@ Value one_of(const Place& place, const std::map<std::string, Value>& choices) {
   place.reject(names);
 }
 
-/// Bodies by number or by name. Throws std::invalid_argument for a name that two have.
+/// Finds bodies by index or by name. Throws std::invalid_argument for a name that two bodies have.
 class BodyNames {
  public:
   explicit BodyNames(const Place& bodies);
@@ -31,7 +31,7 @@ class BodyNames {
 template <int Dof>
 Settings<Dof> settings_in(const Place& file);
 
-/// Adds the file's bodies and joints.
+/// Adds the bodies and joints of a file to a world.
 template <int Dof>
 void add_all(const Place& file, const BodyNames& names, World<Dof>& world);
 

@@ -1,5 +1,5 @@
 #pragma once
-// A scene's numbers and its method, as JSON.
+// Parameters and methods of scenes as JSON.
 #include <nlohmann/json.hpp>
 
 #include "scenes/scene.hpp"
@@ -8,15 +8,15 @@ namespace spook {
 
 using Json = nlohmann::ordered_json;
 
-/// x, y, z
+/// Returns [x, y, z].
 Json numbers(const Vec3& v);
 
 Json to_json(const Parameter& parameter);
 
-/// name: value
+/// Returns an object of names and values.
 Json to_json(const Parameters& parameters);
 
-/// solver, iterations, ..., tangents; null where a scene has no rows.
+/// Returns an object of solver, iterations, ..., tangents; null if the scene has no rows.
 Json to_json(const Method& method, bool solves);
 
 }  // namespace spook

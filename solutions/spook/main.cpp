@@ -1,7 +1,7 @@
 // The spook program: `spook run SCENE`, `spook play SCENE` and `spook scenes`.
 //
-// Exit status: 0, done; 1, the run blew up or could not be finished; 2, the call made no sense. Complaints are one line
-// on stderr.
+// Exit status: 0, done; 1, the run diverged or could not be finished; 2, an invalid call. Errors are one line on
+// stderr.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
@@ -11,22 +11,22 @@
 #include "spook/run_command.hpp"
 #include "spook/scenes_command.hpp"
 
-/// What run and play have in common.
+/// Adds the options that run and play share.
 static CLI::App* add_scene_command(CLI::App& app, const std::string& name, const std::string& what,
                                    spook::RunCommand& run) {
   CLI::App* const command = app.add_subcommand(name, what);
   command->allow_extras();
-  command->add_option("SCENE", run.scene, "One of ./course scenes, or a file.json")->required();
+  command->add_option("SCENE", run.scene, "A scene of ./course scenes, or a file.json")->required();
   command->add_option("--set", run.set, "Parameters of the scene, NAME=VALUE ...")->expected(1, 1000);
   command->add_option("--h", run.h, "Time step [s], such as 0.02 or 1/60");
-  command->add_option("--time", run.time, "How long to simulate [s]");
-  command->add_option("--solver", run.solver, "One of those at the end of ./course scenes");
+  command->add_option("--time", run.time, "Simulated time [s]");
+  command->add_option("--solver", run.solver, "A solver of ./course scenes");
   command->add_option("--iterations", run.iterations, "Maximum solver iterations per step");
-  command->add_option("--tolerance", run.tolerance, "Stop sweeping at this [m/s]");
-  command->add_option("--substeps", run.substeps, "Steps that each step is made of");
-  command->add_option("--row-order", run.row_order, "Of rows: given, up, down, random or interleaved");
-  command->add_option("--seed", run.seed, "Of a random order");
-  command->add_flag("--warm-start", run.warm_start, "Begin with the impulses of the last step");
+  command->add_option("--tolerance", run.tolerance, "Residual at which sweeps stop [m/s]");
+  command->add_option("--substeps", run.substeps, "Number of substeps in a step");
+  command->add_option("--row-order", run.row_order, "Order of rows: given, up, down, random, interleaved");
+  command->add_option("--seed", run.seed, "Seed of a random order");
+  command->add_flag("--warm-start", run.warm_start, "Start from the impulses of the last step");
   command->add_option("--contact-margin", run.contact_margin, "Largest gap of a contact [m]");
   command->add_option("--friction-model", run.friction_model, "Limits of friction: box, two_pass, cone");
   command->add_option("--tangents", run.tangents, "Directions of friction: fixed, sliding");
@@ -41,9 +41,9 @@ static void add_run(CLI::App& app, spook::RunCommand& run) {
   command->add_option("--integrator-order", run.integrator_order,
                       "Order of a step: 2, or 4, composed of five leapfrogs");
   command->add_option("--csv", run.csv, "Write every step to this file");
-  command->add_flag("--positions", run.positions, "Every body's position, too, with --csv");
-  command->add_option("--record", run.record, "Write what it takes to draw the run to this file");
-  command->add_option("--fps", run.fps, "Frames a second, with --record; 60 unless given");
+  command->add_flag("--positions", run.positions, "With --csv: add the positions of all bodies");
+  command->add_option("--record", run.record, "Write a recording, for view, to this file");
+  command->add_option("--fps", run.fps, "With --record: frames per second (default: 60)");
   command->add_flag("--json", run.json, "Print one JSON object");
   command->add_flag("--strict", run.strict, "Fail unless the run is sound: solved, and not lost");
 }
@@ -51,25 +51,25 @@ static void add_run(CLI::App& app, spook::RunCommand& run) {
 static void add_play(CLI::App& app, spook::PlayCommand& play) {
   CLI::App* const command =
       add_scene_command(app, "play", "Run a scene in real time, for a page that shows it", play.run);
-  command->add_option("--fps", play.run.fps, "Frames a second; 60 unless given");
+  command->add_option("--fps", play.run.fps, "Frames per second (default: 60)");
 }
 
 static void add_scenes(CLI::App& app, spook::ScenesCommand& scenes) {
   CLI::App* const command = app.add_subcommand("scenes", "List the scenes, their parameters, known answers");
   command->allow_extras();
-  command->add_option("SCENE", scenes.scene, "Only this one");
+  command->add_option("SCENE", scenes.scene, "List this scene only");
   command->add_flag("--json", scenes.json, "Print one JSON object");
-  command->add_flag("--export", scenes.as_file, "Print the scene as a file, for run, view and play");
+  command->add_flag("--export", scenes.as_file, "Print the scene as a file for run, view and play");
   command->add_option("--set", scenes.set, "Parameters of the exported scene")->expected(1, 1000);
 }
 
-/// -h could be meant for either; CLI11 would miss the scene first. Throws std::invalid_argument.
+/// Throws std::invalid_argument for an -h that could mean either; CLI11 would report a missing scene first.
 static void refuse_short_help(int argc, char** argv) {
   if (std::find(argv, argv + argc, std::string("-h")) != argv + argc)
-    throw std::invalid_argument("-h is no option: --help shows them, and run has --h for the time step");
+    throw std::invalid_argument("-h is not an option: use --help for help, or run's --h for the time step");
 }
 
-/// Throws std::invalid_argument for what no option or argument took.
+/// Throws std::invalid_argument for arguments that belong to no option.
 static void require_nothing_left(const CLI::App& app) {
   const std::vector<std::string> left = app.remaining();
   if (left.empty()) return;
@@ -81,13 +81,13 @@ static void require_nothing_left(const CLI::App& app) {
   if (option != left.end())
     throw std::invalid_argument("unknown option " + option->substr(0, option->find('=')) +
                                 spook::did_you_mean(option->substr(0, option->find('=')), names));
-  throw std::invalid_argument("\"" + left.front() + "\" is one argument too many");
+  throw std::invalid_argument("\"" + left.front() + "\" is an extra argument; leave it out");
 }
 
 static void require_command(const CLI::App& app) {
   if (!app.get_subcommands().empty()) return;
   if (app.remaining().empty())
-    throw std::invalid_argument("a command is missing; there are: run, play, scenes");
+    throw std::invalid_argument("a command is missing; the commands are run, play, scenes");
   const std::string given = app.remaining().front();
   throw std::invalid_argument("unknown command \"" + given + "\"" +
                               spook::did_you_mean(given, {"run", "play", "scenes"}));

@@ -9,7 +9,7 @@
 
 namespace spook {
 
-/// As it stands in the file, but no more than a line of it.
+/// Returns the text in the file, at most a line of it.
 static std::string shown(const Json& value) {
   constexpr std::size_t most = 60;
   const std::string text = value.dump();

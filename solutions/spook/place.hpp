@@ -1,5 +1,5 @@
 #pragma once
-// A place in a JSON file, which whatever is wrong with it is told with: bodies[3].mass.
+// A value in a JSON file, with its path for error messages: bodies[3].mass.
 #include <initializer_list>
 #include <optional>
 #include <string>
@@ -17,7 +17,7 @@ class Place {
   /// Throws std::invalid_argument: "bodies[3].mass must be `rule`, but is -1".
   [[noreturn]] void reject(const std::string& rule) const;
 
-  /// What is there, or else a rejection. A number may be a text such as "1/60".
+  /// Returns the value, or rejects a value of another kind. A number may be a text such as "1/60".
   double number() const;
   int whole() const;
   bool flag() const;
@@ -28,12 +28,12 @@ class Place {
 
   bool holds_text() const { return value_.is_string(); }
   bool has(const std::string& key) const { return value_.is_object() && value_.contains(key); }
-  Place operator[](const std::string& key) const;  ///< throws where the key is missing
+  Place operator[](const std::string& key) const;  ///< throws if the key is missing
   std::optional<Place> find(const std::string& key) const;
 
-  void require_object() const;  ///< throws std::invalid_argument for anything else
+  void require_object() const;  ///< throws std::invalid_argument unless the value is an object
 
-  /// Throws std::invalid_argument for what is no object, and for a key that is none of these, with the nearest of them.
+  /// Throws std::invalid_argument unless the value is an object, and for an unknown key, with the nearest known key.
   void require_keys(const std::vector<std::string>& known) const;
 
   const std::string& path() const { return path_; }

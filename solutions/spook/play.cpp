@@ -21,7 +21,7 @@ void Play::line(const std::string& text) {
   try {
     const Json command = Json::parse(text);
     for (const auto& [name, value] : command.items()) obey(name, value);
-  } catch (const std::exception& error) {  // of the JSON, or of what it asks for
+  } catch (const std::exception& error) {  // invalid JSON, or an invalid command
     out_ << Json{{"refused", error.what()}}.dump() << '\n';
   }
 }
@@ -34,7 +34,7 @@ double Play::frame_seconds() const {
   return static_cast<double>(frame_steps_) * settings_->method.h / rate_;
 }
 
-/// From what is set now; the bodies go on from where they are in `before`, where they are the same ones.
+/// Builds the scene with the current options. Its bodies continue from `before` if both scenes have the same bodies.
 void Play::build(const Scene* before) {
   Parameters parameters = run_.parameters(description_);
   RunSettings settings = run_.settings(description_);
@@ -117,7 +117,7 @@ void Play::touch(const std::string& name, const Json& value) {
   if (is_other_picture) begin();
 }
 
-/// As if it had been typed; where that makes no sense all stays as it was.
+/// Sets options as if typed; an invalid option changes nothing.
 void Play::set(const Json& values) {
   const RunCommand before = run_;
   try {

@@ -1,6 +1,6 @@
 #pragma once
-// A scene as it runs, and all that a page can do to it: commands and frames as recording/README.md has them. Keeps no
-// clock: whoever has one calls frame() when frame_seconds() have gone by.
+// A running scene that obeys the commands of a page. recording/README.md describes commands and frames. Keeps no clock:
+// the caller calls frame() every frame_seconds().
 #include <memory>
 #include <optional>
 #include <ostream>
@@ -14,20 +14,20 @@ namespace spook {
 
 class Play {
  public:
-  /// Opens the scene and writes its header and first frame to `out`, which must outlive it. Throws
-  /// std::invalid_argument for whatever makes no sense, before anything is written.
+  /// Opens the scene and writes its header and first frame to `out`, which must outlive this object. Throws
+  /// std::invalid_argument for an invalid option, before it writes anything.
   Play(const RunCommand& run, std::ostream& out);
 
-  /// Obeys one line of JSON. A command that makes no sense is answered by a line {"refused": why}.
+  /// Obeys one line of JSON. Answers an invalid command by a line {"refused": why}.
   void line(const std::string& text);
 
-  /// Advances by one frame and writes it; nothing while it is held.
+  /// Advances by one frame and writes it. Does nothing while held.
   void frame();
 
-  /// True while a page has paused the run, and once the run is lost.
+  /// Tells whether a page has paused the run, or the run is lost.
   bool held() const { return paused_ || lost_; }
 
-  /// Time from one frame to the next on the clock of who watches [s].
+  /// The real time between two frames [s].
   double frame_seconds() const;
 
  private:

@@ -13,10 +13,10 @@ namespace spook {
 
 using Clock = std::chrono::steady_clock;
 
-/// Lines of standard input as they come.
+/// Reads lines of standard input as they arrive.
 class Input {
  public:
-  /// Waits for at most so long [s], for ever when it is negative. False when the input has ended.
+  /// Waits for a line for at most so long [s], without limit if negative. Returns false when the input has ended.
   bool wait(double seconds) {
     pollfd watched{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};
     const int ms = seconds < 0 ? -1 : static_cast<int>(std::ceil(1e3 * seconds));
@@ -54,7 +54,7 @@ void PlayCommand::execute(std::ostream& out) const {
       due = Clock::now();
     } else if (Clock::now() >= due) {
       play.frame();
-      // What cannot keep up runs as fast as it can, and does not hurry after what it missed.
+      // A run slower than real time runs at full speed, and does not catch up.
       const auto pause = std::chrono::duration<double>(play.frame_seconds());
       due = std::max(due + std::chrono::duration_cast<Clock::duration>(pause), Clock::now());
     }

@@ -1,6 +1,6 @@
 #pragma once
-// `spook play`: a scene as it runs, in real time, on standard output; commands on standard input. See
-// recording/README.md.
+// `spook play`: runs a scene in real time. Writes frames to standard output, and reads commands from standard input;
+// recording/README.md describes both.
 #include "spook/run_command.hpp"
 
 namespace spook {
@@ -8,7 +8,7 @@ namespace spook {
 struct PlayCommand {
   RunCommand run;
 
-  /// Until standard input ends. Throws as RunCommand does, before anything is written.
+  /// Runs until standard input ends. Throws as RunCommand does, before it writes anything.
   void execute(std::ostream& out) const;
 };
 

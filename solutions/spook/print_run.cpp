@@ -20,7 +20,7 @@ static std::string counted(std::int64_t count, const std::string& what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
-/// Returns whether a scene may have friction: one with a parameter mu, and a file, which has no parameters.
+/// Tells whether a scene may have friction: a scene with a parameter mu, or a file, which has no parameters.
 static bool may_rub(const Parameters& parameters) {
   const auto& all = parameters.all();
   return all.empty() ||
@@ -54,16 +54,16 @@ static std::string steps_text(const Method& method, const RunResult& result) {
 }
 
 static std::string last_step_text(const std::string& solver, const StepReport& last) {
-  // In trouble a solver goes on by other means.
+  // A solver with a fallback reason used another method.
   const std::string what = last.trouble.empty() ? find_solver<3>(solver).iteration : "iteration";
-  // Stiff links, and what has no rows, are solved without any.
+  // Stiff links, and steps without rows, take no iterations.
   const std::string after = last.iterations > 0 ? ", after " + counted(last.iterations, what) : "";
   return short_text(last.residual) + " m/s in the last step" + after + "; " + counted(last.pairs, "pair") +
          ", " + counted(last.contacts, "contact") + ", " + counted(last.impacts, "impact") + ", " +
          counted(last.rows, "row");
 }
 
-/// Of the stages that ran, in the order of the step.
+/// Prints the times of the stages that ran, in the order of the step.
 static std::string stages_text(const RunResult& result) {
   std::string text;
   for (std::size_t s = 0; s < stage_names.size(); ++s)
@@ -73,7 +73,7 @@ static std::string stages_text(const RunResult& result) {
   return text + " µs; no other stage ran";
 }
 
-/// "x [m]" and 0.5 as "x 0.5 m", for the first few columns.
+/// Prints "x [m]" and 0.5 as "x 0.5 m", for the first few columns.
 static std::string state_text(const RunResult& result) {
   constexpr std::size_t most = 6;
   const std::size_t count = std::min(result.columns.size(), most);

@@ -1,17 +1,17 @@
 #pragma once
-// What `spook run` prints.
+// The output of `spook run`.
 #include <ostream>
 
 #include "scenes/run.hpp"
 
 namespace spook {
 
-/// At most 80 columns wide.
+/// Prints the result as text of at most 80 columns.
 void print_text(std::ostream& out, const SceneDescription& scene, const Parameters& parameters,
                 const RunSettings& settings, const RunResult& result);
 
-/// One object. Without rows in the scene the solver is "none" and the residual null; so is a number that is not
-/// finite.
+/// Prints the result as one JSON object. If the scene has no rows, the solver is "none" and the residual is null.
+/// Numbers that are not finite are null, too.
 void print_json(std::ostream& out, const SceneDescription& scene, const Parameters& parameters,
                 const RunSettings& settings, const RunResult& result);
 

@@ -1,4 +1,4 @@
-// A world from a file, built anew for each run, and the answer that the file carries.
+// Scenes from files: builds a new world for each run, and compares it with the answer in the file.
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -15,13 +15,13 @@ namespace spook {
 
 namespace {
 
-/// Where a body should be, and when.
+/// The right position of a body at a time.
 struct Expected {
   int body;
   double time;  ///< [s]
   Vec3 x;       ///< [m]
   double tolerance;
-  double error = std::numeric_limits<double>::quiet_NaN();  ///< in tolerances; until its time has come, none
+  double error = std::numeric_limits<double>::quiet_NaN();  ///< in tolerances; NaN before its time
 };
 
 template <int Dof>

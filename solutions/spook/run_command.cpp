@@ -18,8 +18,7 @@
 
 namespace spook {
 
-/// Shows on a terminal how much of a long run is done. Rated by the clock: steps may take a second each, and then a
-/// count of steps says nothing for long.
+/// Shows the progress of a long run on a terminal. Updates are by the clock, since a step may take a second.
 class Progress {
  public:
   void look(std::int64_t substep, std::int64_t substeps) {
@@ -42,7 +41,8 @@ class Progress {
   bool shown_ = false;
 };
 
-/// A file to write to. It is made once nothing else can be refused, so that an older one stays until then.
+/// A file to write to. Creates the file after all other checks, so that a refused call does not overwrite an older
+/// file.
 static void open(std::ofstream& file, const std::string& option, const std::optional<std::string>& name) {
   if (!name) return;
   file.open(*name);
@@ -54,7 +54,7 @@ static void close(std::ofstream& file, const std::string& option, const std::opt
     throw std::invalid_argument(option + " \"" + *name + "\" cannot be written to its end");
 }
 
-/// Beforehand, where it is much.
+/// Warns before a large recording.
 static void tell_size(const Recorder& recorder) {
   const double megabytes = recorder.expected_bytes() / 1e6;
   if (megabytes < 10) return;
@@ -62,7 +62,7 @@ static void tell_size(const Recorder& recorder) {
             << " MB and more with contacts; --fps or --time make it less\n";
 }
 
-/// A run that blows up leaves a recording that says so, with its frames up to there.
+/// Ends the recording. The recording of a diverged run has its frames up to that step, and the reason.
 template <class Run>
 static RunResult recorded(Recorder& recorder, bool records, const Run& run) {
   try {
@@ -79,8 +79,8 @@ void RunCommand::execute(std::ostream& out) const {
   const SceneDescription description = scene_named(scene);
   const Parameters parameters = this->parameters(description);
   const RunSettings settings = this->settings(description);
-  if (fps && !record) throw std::invalid_argument("fps is for --record");
-  if (positions && !csv) throw std::invalid_argument("positions is for --csv");
+  if (fps && !record) throw std::invalid_argument("--fps needs --record");
+  if (positions && !csv) throw std::invalid_argument("--positions needs --csv");
   const double per_second = fps ? parse_number("fps", *fps) : 60;
   steps_of_frame(settings.method.h, per_second);
 

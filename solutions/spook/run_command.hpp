@@ -1,5 +1,5 @@
 #pragma once
-// `spook run`: what was typed, checked and carried out.
+// `spook run`: checks the options and runs a scene.
 #include <optional>
 #include <ostream>
 #include <string>
@@ -8,16 +8,15 @@
 
 namespace spook {
 
-/// Options as typed.
+/// The options of the command, as typed.
 struct RunCommand : TypedRun {
   std::optional<std::string> csv, record, fps;
   bool positions = false;
   bool json = false;
   bool strict = false;
 
-  /// Runs and prints to `out`.
-  /// Throws std::invalid_argument for whatever makes no sense, before anything is written; SimulationDiverged when the run
-  /// does; and, with `strict`, std::runtime_error after a run that is not sound.
+  /// Runs the scene and prints to `out`. Throws std::invalid_argument for an invalid option, before it writes anything;
+  /// SimulationDiverged if the run diverges; and, with `strict`, std::runtime_error after a run that is not sound.
   void execute(std::ostream& out) const;
 };
 

@@ -1,20 +1,20 @@
 #pragma once
-// Scenes as JSON files: see SCENES.md for their form.
+// Scenes as JSON files; SCENES.md describes the format.
 #include "scenes/scene.hpp"
 #include "spook/json.hpp"
 
 namespace spook {
 
-/// Whether a scene is asked for by a file: its name ends with .json.
+/// Tells whether a scene's name is a file name: it ends with .json.
 bool is_scene_file(const std::string& name);
 
-/// The scene in a file. Throws std::invalid_argument, naming the file and the place in it, for whatever makes no sense.
+/// Reads a scene from a file. Throws std::invalid_argument, naming the file and the path in it, for invalid content.
 SceneDescription read_scene(const std::string& file);
 
-/// A scene of the registry, or of a file.
+/// Returns a scene of the registry, or reads it from a file.
 SceneDescription scene_named(const std::string& name);
 
-/// The scene as a file, as it stands at its start. Throws std::invalid_argument for one whose force is a formula.
+/// Writes the initial state of a scene as a file. Throws std::invalid_argument for a scene whose force is a formula.
 Json scene_as_file(const SceneDescription& description, const Parameters& parameters, const Method& method);
 
 }  // namespace spook

@@ -61,13 +61,13 @@ static void print_scene(std::ostream& out, const SceneDescription& scene) {
   }
 }
 
-/// One entry a scene, so that the list can be read at a glance.
+/// Prints one entry for each scene.
 static void print_names(std::ostream& out, const std::vector<SceneDescription>& scenes) {
   for (const SceneDescription& each : scenes) print_entry(out, each.name, each.summary, 22);
   out << "\nA scene's parameters and its known answer: ./course scenes NAME\n";
 }
 
-/// The same scene, as ./course run would begin with it.
+/// Prints the scene as a file, with its initial state.
 static void print_as_file(std::ostream& out, const std::string& scene, const std::vector<std::string>& set) {
   const SceneDescription description = scene_named(scene);
   RunCommand command;
@@ -78,10 +78,10 @@ static void print_as_file(std::ostream& out, const std::string& scene, const std
 
 void ScenesCommand::execute(std::ostream& out) const {
   if (as_file) {
-    if (scene.empty() || json) throw std::invalid_argument("--export wants one scene, and no --json");
+    if (scene.empty() || json) throw std::invalid_argument("--export needs one scene, without --json");
     return print_as_file(out, scene, set);
   }
-  if (!set.empty()) throw std::invalid_argument("--set is for --export");
+  if (!set.empty()) throw std::invalid_argument("--set needs --export");
   const std::vector<SceneDescription> listed = scene.empty() ? scenes() : std::vector{scene_named(scene)};
   if (json) {
     Json all = {{"scenes", Json::array()}, {"solvers", Json::array()}};

@@ -1,5 +1,5 @@
 #pragma once
-// `spook scenes`: what there is, and how it can be set.
+// `spook scenes`: lists scenes and their parameters.
 #include <ostream>
 #include <string>
 #include <vector>
@@ -7,12 +7,12 @@
 namespace spook {
 
 struct ScenesCommand {
-  std::string scene;  ///< empty: all
+  std::string scene;  ///< empty: all scenes
   bool json = false;
-  bool as_file = false;          ///< as a file, with these parameters
+  bool as_file = false;          ///< writes the scene as a file, with the parameters of `set`
   std::vector<std::string> set;  ///< as typed after --set
 
-  /// Throws std::invalid_argument for a scene that there is not, or that no file can hold.
+  /// Prints to `out`. Throws std::invalid_argument for an unknown scene, and for a scene that a file cannot describe.
   void execute(std::ostream& out) const;
 };
 

@@ -8,7 +8,7 @@ namespace spook {
 static constexpr std::size_t columns = 80;
 
 std::size_t width(const std::string& text) {
-  // Every byte but those that continue a character, 10xxxxxx.
+  // Counts all bytes except continuation bytes, 10xxxxxx.
   return static_cast<std::size_t>(std::count_if(
       text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }

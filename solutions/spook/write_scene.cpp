@@ -1,4 +1,4 @@
-// A scene as a file: its world at the start, number by number, so that a run of the file is that of the scene.
+// Writes a scene as a file: all numbers of its initial world, so that a run of the file equals a run of the scene.
 #include <array>
 #include <stdexcept>
 
@@ -37,7 +37,7 @@ static Json to_json(const Settings<Dof>& settings) {
   return json;
 }
 
-/// Without its shape.
+/// Returns a body without its shape.
 template <int Dof>
 static Json body_to_json(const Bodies<Dof>& bodies, std::size_t i) {
   if (bodies.is_fixed(i)) {
@@ -65,7 +65,7 @@ static Json to_json(const Bodies<Dof>& bodies, const Shapes& shapes) {
   Json list = Json::array();
   for (std::size_t i = 0; i < bodies.size(); ++i) list.push_back(body_to_json(bodies, i));
   for (const Plane& plane : shapes.planes) {
-    // By name: where braces are assigned, clang 14 leaks what was there before.
+    // Assigned by name, since clang 14 leaks the old value when braces are assigned.
     const Json json = {{"plane", {{"n", numbers(plane.n)}, {"offset", plane.offset}}}};
     list[static_cast<std::size_t>(plane.body)] = json;
   }
@@ -86,7 +86,7 @@ static Json to_json(const Bodies<Dof>& bodies, const Shapes& shapes) {
   return list;
 }
 
-/// What hinges, sliders and welds have beside the others.
+/// Adds the members of hinges, sliders and welds that other joints lack.
 static void put_guide(Json& json, const Joint& joint) {
   json["kind"] = name_of(joint.kind);
   json["axis"] = numbers(joint.axis);

@@ -1,19 +1,19 @@
 #pragma once
-// Dense algebra for the tests, compiled once: a compiler takes seconds for each of Eigen's decompositions.
+// Dense algebra for the tests, compiled once, since each of Eigen's decompositions takes seconds to compile.
 #include <Eigen/Core>
 
 namespace spook::testing {
 
-/// x of A x = b, for any square A that has an inverse.
+/// Returns x of A x = b, for a regular square matrix A.
 Eigen::VectorXd solution_of(const Eigen::MatrixXd& A, const Eigen::VectorXd& b);
 
-/// The eigenvalues of a symmetric matrix, the smallest first.
+/// Returns the eigenvalues of a symmetric matrix, the smallest first.
 Eigen::VectorXd eigenvalues(const Eigen::MatrixXd& symmetric);
 
-/// The largest |eigenvalue| of a square matrix: by which factor its powers grow at last.
+/// Returns the spectral radius of a square matrix: the largest |eigenvalue|.
 double spectral_radius(const Eigen::MatrixXd& A);
 
-/// I - L⁻¹ S, with L the lower triangle of S: what a sweep of Gauss-Seidel makes of an error.
+/// Returns the iteration matrix of Gauss-Seidel, I - L⁻¹ S, with L the lower triangle of S.
 Eigen::MatrixXd sweep_matrix(const Eigen::MatrixXd& S);
 
 }  // namespace spook::testing

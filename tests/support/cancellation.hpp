@@ -1,6 +1,6 @@
 #pragma once
-// What a row lacks is a sum of four, Eq. (4.6): B - G_i V_i - G_j V_j - Σ λ. Here one of them is large and another small,
-// each in its turn.
+// The residual of a row is a sum of four terms, Eq. (4.6): B - G_i V_i - G_j V_j - Σ λ. Here each pair of terms in turn
+// has a large and a small one.
 #include <string>
 #include <vector>
 
@@ -13,11 +13,11 @@ namespace spook::testing {
 struct CancellationCase {
   Row<3> row;
   std::vector<Twist<3>> V;
-  double lacks;  ///< [m/s]
+  double lacks;  ///< residual [m/s]
   std::string text;
 };
 
-/// One of the four is 1 m/s, another is a part of that, and the other two are 0.
+/// Returns rows in which one term is 1 m/s, another is a fraction of that, and the other two are 0.
 inline std::vector<CancellationCase> cancellation_cases(double part) {
   const std::string names[] = {"B", "G_i V_i", "G_j V_j", "Σ λ"};
   const Twist<3> up(0, 0, 1);

@@ -1,13 +1,13 @@
 #pragma once
-// A law of nature does not know what a kilogram is. So a function that computes one gives the same answer when masses,
-// lengths and times are counted in other units; and as these are powers of two, the same to the last digit. What it
-// gives away is an absolute threshold, such as `if (x < 1e-9)`: which numbers are small depends on the units.
+// A law of nature does not depend on units. So a function that computes one gives the same answer when masses, lengths
+// and times are counted in other units. The new units are powers of two of the old ones, so all digits are the same.
+// This test detects absolute thresholds, such as `if (x < 1e-9)`, since small numbers depend on the units.
 //
-//   expect_same_in_any_units("Eq. (1.3)", kick, m / s,                         // the unit of what it returns
-//                            v * (m / s), f * N, 1 / mass * (1 / kg), h * s);  // and those of its arguments
+//   expect_same_in_any_units("Eq. (1.3)", kick, m / s,                         // the unit of its result
+//                            v * (m / s), f * N, 1 / mass * (1 / kg), h * s);  // its arguments with their units
 //
-// Three more promises are looked at on the way: what is given as const stays as it was; the same call gives the same
-// answer again, whatever was asked in between; and a NaN stays a NaN, as rule 2 of NUMBERS.md has it.
+// The test also checks three other rules: const arguments do not change; the same call gives the same answer again,
+// after any other calls; and a NaN in the input gives a NaN, by rule 2 of NUMBERS.md.
 #include <functional>
 #include <tuple>
 #include <type_traits>
@@ -17,16 +17,16 @@
 
 namespace spook::testing {
 
-/// A choice of units: how many kilograms, metres and seconds, as powers of two, and in words.
+/// A choice of units: kilograms, metres and seconds as powers of two, and as words.
 struct UnitSystem {
   int mass = 0, length = 0, time = 0;
   const char* name = "kilograms, metres and seconds";
 
-  /// What to multiply a number by that was counted in SI units.
+  /// The factor from SI units to this choice of units.
   double factor(const Unit& unit) const;
 };
 
-/// What a call gave, in SI units again.
+/// The outcome of a call, converted back to SI units.
 struct Outcome {
   std::vector<double> numbers = {};
   std::vector<Unit> units = {};
@@ -35,10 +35,10 @@ struct Outcome {
   std::string thrown = {};
 };
 
-/// Whether two outcomes are the same to the last bit.
+/// Tells whether two outcomes are the same to the last bit.
 bool same_bits(const Outcome& a, const Outcome& b);
 
-/// Counts all numbers in other units, or in SI units again.
+/// Converts all numbers to other units, or back to SI units.
 class Converting : public Visitor {
  public:
   Converting(const UnitSystem& system, bool back) : system_(system), back_(back) {}
@@ -52,7 +52,7 @@ class Converting : public Visitor {
   bool back_;
 };
 
-/// Writes everything down, or only what is fixed.
+/// Records all numbers, or only the fixed ones.
 class Reading : public Visitor {
  public:
   explicit Reading(Outcome& outcome, bool everything = true) : outcome_(outcome), everything_(everything) {}
@@ -65,7 +65,7 @@ class Reading : public Visitor {
   bool everything_, fixed_ = false;
 };
 
-/// Puts another number in the place of one, and remembers whose place that was.
+/// Replaces one number by another, and remembers which.
 class Replacing : public Visitor {
  public:
   explicit Replacing(int which = -1, double (*by)(double) = nullptr) : which_(which), by_(by) {}
@@ -92,7 +92,7 @@ class Replacing : public Visitor {
   Unit unit_;
 };
 
-/// Whether an input is as it was before the call; of one that may change, the parts that are fixed.
+/// Tells whether an input has not changed in the call; for an input that may change, its fixed parts.
 template <class Quantity>
 bool stayed(Quantity& before, Quantity& after, bool may_change) {
   Outcome then, now;
@@ -102,14 +102,16 @@ bool stayed(Quantity& before, Quantity& after, bool may_change) {
   return same_bits(then, now);
 }
 
-/// Calls the function in SI units, in others, and in SI units again; false, and a failure, if it makes a difference.
+/// Calls the function in SI units, in other units, and in SI units again. Returns false, and adds a failure, if the
+/// outcomes differ.
 bool compare_calls(const std::string& equation, const std::function<Outcome(const UnitSystem&)>& call);
 
-/// Calls it with a NaN in place of each number whose change by a thousandth changes what comes out; false, and a failure, if
-/// only numbers come out then. Fewer of them, or another yes or no, is an answer to a question: rule 3 of NUMBERS.md.
+/// Finds the numbers whose change by a thousandth changes the outcome, and calls the function with a NaN in place of
+/// each. Returns false, and adds a failure, if the outcome then contains numbers only. A shorter list, or another yes
+/// or no, is an accepted answer: rule 3 of NUMBERS.md.
 bool nans_are_kept(const std::string& equation, const std::function<Outcome(Replacing&)>& call);
 
-/// A function's parameters.
+/// The parameters of a function.
 template <class Function>
 struct Parameters : Parameters<decltype(&Function::operator())> {};
 template <class Result, class... All>
@@ -123,7 +125,7 @@ struct Parameters<Result (*)(All...)> {
 template <class Result, class Class, class... All>
 struct Parameters<Result (Class::*)(All...) const> : Parameters<Result (*)(All...)> {};
 
-/// What a list is a list of.
+/// The type of the elements of a list.
 template <class Value>
 struct ElementOf {
   using type = Value;
@@ -139,7 +141,7 @@ concept HasFields = requires(Visitor& visitor, typename ElementOf<Value>::type& 
 }
 &&!std::is_arithmetic_v<typename ElementOf<Value>::type>;
 
-/// What comes without a unit: plain numbers, or what has its own fields.
+/// Arguments without a unit: plain numbers, and types whose fields have their own units.
 template <class Value>
 auto as_quantity(const Value& value) {
   using Units = std::conditional_t<HasFields<Value>, ByField, Unit>;
@@ -153,7 +155,7 @@ auto as_quantity(const Quantity<Value, Units>& quantity) {
   return quantity;
 }
 
-/// What a call gives, with one number replaced and then all in other units.
+/// Returns the outcome of a call with one number replaced, and all numbers in other units.
 template <class Function, class Units, class... All>
 Outcome outcome_of(const UnitSystem& system, Replacing& replacing, const Function& function,
                    const Units& units_of_result, const All&... all) {
@@ -200,8 +202,8 @@ Outcome outcome_of(const UnitSystem& system, Replacing& replacing, const Functio
   return outcome;
 }
 
-/// The function gives the same in any units. `units_of_result` is a unit, or by_field, or nothing; then come the
-/// arguments, each with its unit. What the function changes in them is compared, too.
+/// Expects that the function gives the same answer in any units. `units_of_result` is a unit, by_field, or nothing; the
+/// arguments follow, each with its unit. Changes that the function makes to its arguments are compared, too.
 template <class Function, class Units, class... All>
 bool expect_same_in_any_units_nans_aside(const std::string& equation, const Function& function,
                                          const Units& units_of_result, const All&... all) {
@@ -211,8 +213,8 @@ bool expect_same_in_any_units_nans_aside(const std::string& equation, const Func
   });
 }
 
-/// The same, and NaNs are kept. Not for a function that has a rule of its own for them, nor for one that is given bounds
-/// or coefficients of friction and restitution, which are checked where they enter.
+/// Expects the same answer in any units, and that NaNs are kept. Do not use it for functions with a rule of their own
+/// for NaN, nor for bounds and coefficients of friction and restitution, which are checked on input.
 template <class Function, class Units, class... All>
 bool expect_same_in_any_units(const std::string& equation, const Function& function,
                               const Units& units_of_result, const All&... all) {

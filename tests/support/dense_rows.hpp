@@ -1,5 +1,5 @@
 #pragma once
-// Rows written down as S λ = B with all zeros, and solved by trying everything: what no solver of the course does.
+// Rows as a dense system S λ = B, solved by enumeration of all active sets, unlike any solver of the course.
 #include <Eigen/Dense>
 #include <vector>
 
@@ -8,14 +8,14 @@
 
 namespace spook::testing {
 
-/// A rigid body of 0.5 to 3 kg, with axes anywhere.
+/// A rigid body of 0.5 to 3 kg, with axes in random directions.
 inline InverseMass<6> random_body(Random& random) {
   const Vec3 inverse_moments = random.vector(0.2, 2);
   const Mat3 R = random.rotation().toRotationMatrix();
   return {.linear = 1 / random.uniform(0.5, 3), .angular = R * inverse_moments.asDiagonal() * R.transpose()};
 }
 
-/// Bounds of one of all kinds: a contact's, its mirror image, two-sided, without room, none.
+/// Random bounds of one of these kinds: a contact's, its mirror image, two-sided, equal, none.
 inline void give_any_bounds(Random& random, Row<6>& row) {
   const int kind = random.integer(0, 4);
   const double lo = random.uniform(-0.3, 0.1), room = random.uniform(0, 0.4);
@@ -23,7 +23,7 @@ inline void give_any_bounds(Random& random, Row<6>& row) {
   row.hi = kind == 1 ? 0 : kind == 2 ? lo + room : kind == 3 ? lo : infinity;
 }
 
-/// S = G M⁻¹ Gᵀ + Σ, with all its zeros: Eq. (11.1).
+/// Returns the dense matrix S = G M⁻¹ Gᵀ + Σ: Eq. (11.1).
 template <int Dof>
 Eigen::MatrixXd dense_S(const std::vector<Row<Dof>>& rows) {
   const auto n = std::ssize(rows);
@@ -41,7 +41,7 @@ Eigen::MatrixXd dense_S(const std::vector<Row<Dof>>& rows) {
   return S;
 }
 
-/// One of the numbers of each row: their λ, their B, ...
+/// Returns one member of all rows as a vector: λ, B, ...
 template <int Dof>
 Eigen::VectorXd gathered(const std::vector<Row<Dof>>& rows, double Row<Dof>::*member) {
   Eigen::VectorXd values(std::ssize(rows));
@@ -49,7 +49,7 @@ Eigen::VectorXd gathered(const std::vector<Row<Dof>>& rows, double Row<Dof>::*me
   return values;
 }
 
-/// S λ = B within bounds, Eq. (4.1).
+/// The problem S λ = B within bounds, Eq. (4.1).
 struct Bounded {
   Eigen::MatrixXd S;
   Eigen::VectorXd B, lo, hi;
@@ -63,12 +63,12 @@ Bounded bounded(const std::vector<Row<Dof>>& rows) {
           .hi = gathered(rows, &Row<Dof>::hi)};
 }
 
-/// The solution, of which there is one: tries every set of rows at their lower bound, at their upper bound, and free.
-/// For up to 8 rows.
+/// Returns the unique solution. Tries every choice of rows at the lower bound, at the upper bound, and free. For up to
+/// 8 rows.
 Eigen::VectorXd enumerate_solution(const Bounded& problem);
 
-/// |λ - λ*| is at most this times the residual: (1 + |S|)/μ, μ the smallest eigenvalue. It is the error bound of a
-/// complementarity problem.
+/// Returns the factor of an error bound: |λ - λ*| is at most (1 + |S|)/μ times the residual, μ the smallest eigenvalue
+/// of S. It is the error bound of a complementarity problem.
 double condition(const Eigen::MatrixXd& S);
 
 }  // namespace spook::testing

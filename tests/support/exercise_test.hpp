@@ -1,7 +1,7 @@
 #pragma once
 // A test of an exercise, in three states: a stub is skipped ("not started"), a wrong answer fails, a right one passes.
 //
-//   EXERCISE(Kick, "1.1 kick");                      // once a file: a suite's number and its function
+//   EXERCISE(Kick, "1.1 kick");                      // once in a file: the suite's number and function
 //   EXERCISE_TEST(Kick, AddsForceOverMass) { ... }   // as TEST, with the checks of checks.hpp inside
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 
 namespace spook::testing {
 
-/// The exercise that the running test belongs to, "1.1 kick".
+/// The exercise of the running test, such as "1.1 kick".
 inline std::string& current_exercise() {
   static std::string name;
   return name;

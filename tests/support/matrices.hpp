@@ -1,11 +1,11 @@
 #pragma once
-// Sparse matrices for contract.hpp: those with one unit throughout, and those of the saddle point.
+// Units of sparse matrices for contract.hpp: matrices with one unit throughout, and saddle-point matrices.
 #include "11_direct/direct.hpp"
 #include "units.hpp"
 
 namespace spook::testing {
 
-/// Where a compressed matrix has its entries.
+/// The positions of the entries of a compressed matrix.
 inline void count_entries(Visitor& visitor, const SparseMatrix& A) {
   visitor.count(A.rows()), visitor.count(A.cols()), visitor.count(A.nonZeros());
 }
@@ -19,8 +19,8 @@ inline void each_number(Visitor& visitor, SparseMatrix& A, const Unit& unit) {
     }
 }
 
-/// The matrix of Eq. (11.2), of so many bodies with so many unknowns each, of which the first few are fixed: M in kg,
-/// kg m and kg m², and 1 where a body is fixed; G in 1 and m; Σ in 1/kg.
+/// The matrix of Eq. (11.2), for so many bodies with so many unknowns each, the first few of them static. M is in kg,
+/// kg m and kg m², and 1 for a static body; G in 1 and m; Σ in 1/kg.
 struct SaddleUnits {
   int bodies, dof, fixed;
 
@@ -30,7 +30,7 @@ struct SaddleUnits {
   }
 
  private:
-  /// Of an unknown: √kg, √kg m, 1/√kg. The mass is counted twice here.
+  /// The unit of an unknown: √kg, √kg m, 1/√kg. Here powers of the mass are doubled, so that they are whole.
   Unit size(Eigen::Index k) const {
     if (k >= bodies * dof) return {-1, 0, 0};
     if (k < fixed * dof) return {};

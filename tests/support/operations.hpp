@@ -1,5 +1,5 @@
 #pragma once
-// What work costs, counted and not timed: see common/operations.hpp.
+// The cost of work as a number of operations, not as a time: see common/operations.hpp.
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace spook::testing {
 
-/// The operations of another process that works for this one; graded programs have one.
+/// The operations of another process, which runs a graded program for this one.
 inline std::uint64_t operations_elsewhere = 0;
 
-/// Returns the operations that `work` takes in the counted files.
+/// Returns the number of operations of `work` in the counted files.
 inline double operations_of(const std::function<void()>& work) {
   const std::uint64_t before = operations_so_far() + operations_elsewhere;
   work();

@@ -1,5 +1,5 @@
 #pragma once
-// The units of what the chapters hand to each other: see units.hpp.
+// The units of the types that chapters share: see units.hpp.
 #include "09_better_friction/better_friction.hpp"
 #include "units.hpp"
 

@@ -15,8 +15,7 @@
 
 namespace spook::testing {
 
-/// The length of a list that is longer than those of most tests: for loops that end early, and for room that was enough
-/// for ten.
+/// The length of a list longer than in most tests. It detects loops that end early, and arrays that have room for ten.
 inline constexpr int many = 100;
 
 inline const std::string ends_early = "A loop that ends early leaves the rest as they were.";
@@ -24,7 +23,7 @@ inline const std::string ends_early = "A loop that ends early leaves the rest as
 class Random {
  public:
   Random() : engine_(seed()) { used_ = true; }
-  explicit Random(std::uint64_t seed) : engine_(seed) {}  ///< of one's own, which a failure has to name
+  explicit Random(std::uint64_t seed) : engine_(seed) {}  ///< for a test that names the seed in its failures
 
   /// Draws from [lo, hi).
   double uniform(double lo, double hi) { return unit() * (hi - lo) + lo; }
@@ -35,20 +34,20 @@ class Random {
     return static_cast<int>(lo + std::floor(unit() * numbers));
   }
 
-  /// Evenly spread over magnitudes: as often between 0.01 and 0.1 as between 10 and 100.
+  /// Draws a number evenly distributed over magnitudes: as often between 0.01 and 0.1 as between 10 and 100.
   double log_uniform(double lo, double hi) { return std::exp(uniform(std::log(lo), std::log(hi))); }
 
-  /// Coefficients in [-size, size], or in [lo, hi].
+  /// Draws a vector with coefficients in [-size, size], or in [lo, hi].
   Vec3 vector(double size = 1) { return vector(-size, size); }
   Vec3 vector(double lo, double hi) { return {uniform(lo, hi), uniform(lo, hi), uniform(lo, hi)}; }
 
-  /// Whole coefficients from lo to hi.
+  /// Draws a vector of whole numbers from lo to hi.
   Vec3 integers(int lo, int hi) {
     const int x = integer(lo, hi), y = integer(lo, hi), z = integer(lo, hi);
     return Vec3(x, y, z);
   }
 
-  /// Of a body: velocity and angular velocity, each a vector(size).
+  /// Draws the velocity and angular velocity of a body, each as vector(size).
   Twist<6> twist(double size = 1) {
     const Vec3 v = vector(size), omega = vector(size);
     return (Twist<6>() << v, omega).finished();
@@ -56,7 +55,7 @@ class Random {
 
   Vec3 unit_vector() { return Vec3{normal(), normal(), normal()}.normalized(); }
 
-  /// In any direction, and as long as uniform(lo, hi) says.
+  /// Draws a vector of random direction, with a length from uniform(lo, hi).
   Vec3 vector_of_length(double lo, double hi) {
     const double length = uniform(lo, hi);
     return length * unit_vector();
@@ -64,7 +63,7 @@ class Random {
 
   Quat rotation() { return Quat{normal(), normal(), normal(), normal()}.normalized(); }
 
-  /// SPOOK_SEED, or 1: two runs of the same work get the same marks.
+  /// The environment variable SPOOK_SEED, or 1, so that two runs of the same work get the same marks.
   static std::uint64_t seed() {
     const char* given = std::getenv("SPOOK_SEED");
     return given ? std::strtoull(given, nullptr, 10) : 1;

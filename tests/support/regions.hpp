@@ -1,5 +1,5 @@
 #pragma once
-// Random inputs until every kind of them has been seen: a corner that is drawn once in a hundred times is no test of it.
+// Draws random inputs until each kind of input has occurred often enough. A rare kind would not be tested otherwise.
 //
 //   Regions regions({"free", "at lo", "at hi"});
 //   while (regions.lack_draws()) {
@@ -16,13 +16,14 @@ namespace spook::testing {
 
 class Regions {
  public:
-  /// Each is to be seen so many times.
+  /// Requires each region to occur so many times.
   explicit Regions(const std::vector<std::string>& names, int times = 3);
 
-  /// Whether one more draw is wanted: not after a failure. That a region does not turn up in 100000 draws is one.
+  /// Tells whether another draw is needed; false after a failure. It is a failure if a region does not occur in 100000
+  /// draws.
   bool lack_draws();
 
-  /// Counts a draw, and tells failures, by given(), of which regions it is.
+  /// Counts a draw, and adds its regions to failure messages by given().
   void draw(const std::vector<std::pair<std::string, bool>>& is_in);
 
  private:

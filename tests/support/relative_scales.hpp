@@ -1,7 +1,7 @@
 #pragma once
-// How small one thing may be beside another. A threshold that is a part of something, such as `if (x < 1e-6 * y)`, is
-// the same in any units, and no better than `if (x < 1e-9)`: what it drops may be all that changes, step after step.
-// So tests put small things beside large ones, down to what roundings let through.
+// Inputs of widely different magnitudes. A relative threshold, such as `if (x < 1e-6 * y)`, does not depend on units,
+// but is no better than `if (x < 1e-9)`: the dropped part may be the only one that changes, step after step. So tests
+// combine large and small numbers, down to round-off.
 #include <array>
 #include <string>
 
@@ -16,13 +16,12 @@ inline const std::string small_is_dropped =
     "small, "
     "and it counts: there is no size below which the rule is another.";
 
-/// Vectors with one coefficient of 1, along each axis, and two that are a part of it.
+/// Returns vectors with one coefficient of 1, along each axis in turn, and two small ones.
 inline std::array<Vec3, 3> lopsided(double part) {
   return {Vec3(1, part, -part / 2), Vec3(-part / 2, 1, part), Vec3(part, -part / 2, 1)};
 }
 
-/// As expect_near_vector, but of each coefficient its own digits are asked for, `count` roundings of it: of small ones
-/// as many as of large ones.
+/// Expects each coefficient to be accurate to `count` rounding errors of its own size, unlike expect_near_vector.
 template <class Matrix>
 void expect_each_near(const std::string& what, const std::string& equation, const Matrix& got,
                       const std::type_identity_t<Matrix>& expected, double count) {

@@ -16,7 +16,7 @@ struct Case {
   std::string clue;
 };
 
-/// Whether one is the beginning of the other.
+/// Tells whether `all` starts with `got`.
 bool begins_with(const std::vector<double>& all, const std::vector<double>& got) {
   const auto alike = [](double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(b); };
   return got.size() <= all.size() && std::equal(got.begin(), got.end(), all.begin(), alike);

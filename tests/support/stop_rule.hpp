@@ -1,5 +1,5 @@
 #pragma once
-// The contract of solve(), which later solvers share: where the sweeps end, and what they say then.
+// The contract of solve(), which later solvers share: when sweeps stop, and what is reported.
 #include <functional>
 #include <vector>
 
@@ -7,21 +7,24 @@
 
 namespace spook::testing {
 
-/// The problem of a test, always from the same start, by this rule.
+/// Solves a test's problem, always from the same start, with this stop rule.
 using SolvesBy = std::function<SolveReport(const StopRule&)>;
 
-/// It stops at the first entry of its history that is at most the tolerance, in m/s; has converged then, also when this
-/// is the last that is allowed; has not when one fewer is; and its history has every entry. Of so many entries.
+/// Expects that the solver stops at the first history entry of at most the tolerance, in m/s, and has then converged,
+/// also if this is the last allowed sweep. With one sweep fewer it has not converged. The history must have all
+/// `entries`.
 bool expect_stops_by_the_rule(const std::string& equation, int entries, const SolvesBy& solve);
 
-/// What so many sweeps return by hand, where one of them returns more than the one before: the solver makes them all.
+/// Expects that the solver makes all sweeps although one returns more than the sweep before. Compares the history with
+/// sweeps by hand.
 bool expect_goes_on_when_one_returns_more(const std::string& equation, const std::vector<double>& by_hand,
                                           const SolvesBy& solve);
 
-/// Whether an entry is larger than the one before, by more than roundings.
+/// Tells whether an entry is larger than the one before, by more than round-off.
 bool one_returns_more(const std::vector<double>& history);
 
-/// All that a solver may change: for expect_rejects, as a rule that makes no sense is refused before anything is touched.
+/// Everything that a solver may change, for expect_rejects: an invalid stop rule must be refused before anything
+/// changes.
 template <int Dof>
 std::function<std::vector<double>()> state_of(const std::vector<Row<Dof>>& rows,
                                               const std::vector<Twist<Dof>>& V) {

@@ -1,12 +1,12 @@
 #pragma once
-// Units, so that a test can say what the numbers of an exercise are made of, and count them in other units.
+// Units, with which a test declares the units of an exercise's numbers, and converts them to other units.
 //
 //   using namespace units;
 //   Vec3(3, 0, 1) * (m / s)      // a Quantity: a value and its unit
-//   V * velocity               // of bodies: m/s, and rad/s below it
+//   V * velocity               // velocities of bodies: m/s, then rad/s
 //
-// Numbers, vectors and lists of them have one unit throughout, and a plain number has none. What has fields of
-// several units says so in a function each_number(Visitor&, Type&, ByField): those of chapters 03 and 04 are in quantities.hpp.
+// Numbers, vectors and lists of them have one unit throughout; a plain number has none. A type whose fields have
+// several units defines a function each_number(Visitor&, Type&, ByField); quantities.hpp has those of chapters 03, 04.
 #include <array>
 #include <concepts>
 #include <optional>
@@ -35,23 +35,23 @@ constexpr Unit operator/(int, const Unit& unit) {  // 1 / s
   return Unit{} / unit;
 }
 
-/// "kg m/s^2"; empty for a plain number.
+/// Returns a text such as "kg m/s^2"; empty for a plain number.
 std::string show(const Unit& unit);
 
-/// Of what a body's 3 or 6 numbers are: the linear ones, then the angular ones.
+/// The units of a body's 3 or 6 numbers: the linear ones, then the angular ones.
 struct TwistUnits {
   Unit linear, angular;
 };
 
-/// Of bounds, which are checked where they enter: they are counted in other units, but never a NaN.
+/// The unit of bounds, which are checked on input: they are converted to other units, but are never a NaN.
 struct BoundUnits {
   Unit unit;
 };
 
-/// What has its own fields, each with its unit.
+/// Marks a type whose fields have their own units.
 struct ByField {};
 
-/// What a function returns that returns nothing.
+/// Marks a function without a result.
 struct Nothing {};
 
 namespace units {
@@ -84,16 +84,17 @@ requires(!SomeUnits<Value>) auto operator*(const Value& value, const Units& unit
     return Quantity<Value, Units>{value, units};
 }
 
-/// What goes over all the numbers of a value.
+/// Visits all numbers of a value.
 class Visitor {
  public:
   virtual ~Visitor() = default;
   virtual void number(double& value, const Unit& unit) = 0;
-  /// A number that is checked where it enters: a bound, a coefficient.
+  /// Visits a number that is checked on input: a bound, a coefficient.
   virtual void bound(double& value, const Unit& unit) { number(value, unit); }
-  /// What is counted has no unit: an index, a size, yes or no.
+  /// Visits a count, which has no unit: an index, a size, yes or no.
   virtual void count(long long value) = 0;
-  /// From here on comes what no function has any business to change, such as the masses of a row; or again what may.
+  /// Marks the following numbers as fixed, since no function may change them (such as the masses of a row), or as
+  /// changeable again.
   virtual void fixed(bool) {}
 };
 

@@ -12,6 +12,7 @@ from urllib.parse import unquote
 from sandbox import ROOT, Sandbox, our_files
 
 from binding.code import code_in_text, highlighted
+from binding.glossary import linked, terms, with_anchors
 from binding.typography import typeset
 from films import films
 from needs import BOOK_NEEDS, VIEW_NEEDS
@@ -130,6 +131,12 @@ class Book(unittest.TestCase):
         self.assertIn('<template id="preview-3.7"><span class="katex-display">', text)
         self.assertNotIn('<template id="preview-4.2">', text)
 
+    def test_terms_of_the_glossary(self):
+        text = (self.folder / "chapters/04_gauss_seidel/index.html").read_text(encoding="utf-8")
+        self.assertEqual(text.count('href="../SYMBOLS.html#term-residual"'), 1)
+        self.assertIn('<template id="preview-term-residual"><strong>residual</strong>', text)
+        self.assertIn("term-residual", self.pages[self.folder / "chapters/SYMBOLS.html"].ids)
+
     def test_one_page_leads_to_the_next(self):
         page, seen = self.folder / "index.html", []
         while page:
@@ -176,6 +183,42 @@ class Text(unittest.TestCase):
                          '<code>./course run a <span class="whole">--plot</span> energy</code>')
         for line in ("./course run a --set b=2 --iterations 9", "./course run a --iterations 9"):
             self.assertIn('<span class="whole">--iterations</span>', highlighted(line, ""))
+
+
+class Glossary(unittest.TestCase):
+    """A term is a link from its first use in each lesson, and its entry stands beside the link."""
+
+    PAGE = ('<ul><li><strong>W</strong> (03): a letter.</li></ul><h2 id="terms">Terms</h2><ul>'
+            "<li><strong>active set</strong> (04): rows at a bound.</li>\n"
+            "<li><strong>stick, slide</strong> (05): without slip, and with it. Also: <em>roll</em>.</li>\n"
+            "<li><strong>round-off</strong>: an error.</li></ul>")
+
+    def linked(self, lesson: str, chapter: int = 5) -> str:
+        return linked(lesson, chapter, terms(self.PAGE), "../SYMBOLS.html")
+
+    def test_names_and_chapters(self):
+        self.assertEqual([(term.name, term.anchor, term.chapter) for term in terms(self.PAGE)],
+                         [("active set", "term-active-set", 4), ("stick", "term-stick", 5), ("slide", "term-stick", 5),
+                          ("roll", "term-stick", 5), ("round-off", "term-round-off", 0)])
+        self.assertEqual(re.findall(r'<li id="([^"]+)">', with_anchors(self.PAGE)),
+                         ["term-active-set", "term-stick", "term-round-off"])
+
+    def test_the_first_use_is_a_link(self):
+        said = self.linked("<p>An active\nset. An active set. It sticks.</p>")
+        self.assertIn('<a class="term" data-tag="term-active-set" href="../SYMBOLS.html#term-active-set">active\nset</a>',
+                      said)
+        self.assertEqual(re.findall(r"<a [^>]*>([^<]*)</a>", said), ["active\nset", "sticks"])
+        self.assertEqual(re.findall(r'<template id="preview-([^"]+)">', said), ["term-active-set", "term-stick"])
+
+    def test_words_in_headings_links_code_and_formulas_stay(self):
+        for quiet in ("<h2>Round-off</h2>", '<a href="x">round-off</a>', "<pre><code>round-off</code></pre>",
+                      '<span class="katex"><span>round-off</span> round-off</span>', "a round-offer"):
+            self.assertEqual(re.findall(r"<a class[^>]*>([^<]*)</a>", self.linked(quiet + "<p>Round-off</p>")),
+                             ["Round-off"], quiet)
+
+    def test_a_single_word_has_its_everyday_meaning_before_its_chapter(self):
+        self.assertEqual(re.findall(r"<a [^>]*>([^<]*)</a>", self.linked("<p>Slide an active set.</p>", 1)),
+                         ["active set"])
 
 
 class Markdown(unittest.TestCase):
@@ -274,7 +317,7 @@ class Refused(unittest.TestCase):
             lesson.write_text(before, encoding="utf-8")
         self.assertEqual((result.returncode, result.stdout), (1, ""), result.stderr)
         *found, last = result.stderr.splitlines()
-        self.assertRegex(last, r"^course: book: .* nowhere, or cannot be read$")
+        self.assertRegex(last, r"^course: book: .* in its pages$")
         self.assertEqual(len(found), len(wanted), result.stderr)
         for (line, told), said in zip(wanted, found):
             self.assertTrue(said.startswith(f"{LESSON}:{line}: "), said)
@@ -287,7 +330,7 @@ class Refused(unittest.TestCase):
                      ("[Up@](../../../elsewhere.md)", "elsewhere.md"),
                      ("[Root@](/etc/passwd)", "/etc/passwd"),
                      ("An equation,\n\nEq. @(1.99).", "no lesson has an equation (1.99)"),
-                     ("![no picture@](nowhere.png)", "'nowhere.png' is not there"),
+                     ("![no picture@](nowhere.png)", "'nowhere.png' does not exist"),
                      ("![network@](https://example.org/x.png)", "on another machine"),
                      ("<details>\n<summary>x</summary>\n<img alt='x@' src='gone.svg'>\n</details>", "'gone.svg'"),
                      ("<details>\n<summary>Where @(1.98) comes from</summary>\n</details>",
@@ -299,10 +342,10 @@ class Refused(unittest.TestCase):
         self.refused(("Inline $\\notamacro@$ formula.", "\\notamacro"),
                      ("@```math\nx = \\frac{1 \\tag{1.98}\n```", "KaTeX parse error"),
                      ("@```math\nx \\tag{1.96} \\tag{1.97}\n```", "2 tags"),
-                     ("@```math\nx = y \\tag{1.1}\n```", "equation (1.1) is there twice"))
+                     ("@```math\nx = y \\tag{1.1}\n```", "equation (1.1) occurs twice"))
 
     def test_a_live_figure_that_can_not_be_read(self):
-        self.refused(("<!-- live: orbit@ -->", "a live figure reads"))
+        self.refused(("<!-- live: orbit@ -->", "a live figure must be"))
 
     def test_what_was_made_before_stays(self):
         self.assertEqual(self.box.course("book", "--films").returncode, 0)
@@ -314,7 +357,7 @@ class Refused(unittest.TestCase):
         (self.box.root / "mine" / "work.txt").write_text("weeks of it")
         self.box.assert_refused(self, ["book", "--out", "mine"], ["mine", "would be deleted"])
         self.assertEqual((self.box.root / "mine" / "work.txt").read_text(), "weeks of it")
-        self.box.assert_refused(self, ["book", "--out", "no/where"], ["no/where", "no is no folder"])
+        self.box.assert_refused(self, ["book", "--out", "no/where"], ["no/where", "no is not a folder"])
         self.box.assert_refused(self, ["book", "--publish", "nowhere"], ["'nowhere'", "git remote"])
 
 

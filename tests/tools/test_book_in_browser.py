@@ -214,6 +214,11 @@ class Previews(InBrowser):
         self.point_at("h1")
         self.browser.wait(f"return {self.PREVIEW} === ''")
 
+    def test_a_term_shows_its_entry_of_the_glossary(self):
+        self.open("chapters/04_gauss_seidel/index.html")
+        self.point_at('a.term[data-tag="term-residual"]')
+        self.browser.wait(f"return {self.PREVIEW}.startsWith('residual (04)')")
+
     def test_with_the_keyboard(self):
         from selenium.webdriver.common.keys import Keys
         self.open("chapters/04_gauss_seidel/index.html")

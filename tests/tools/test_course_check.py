@@ -56,7 +56,7 @@ class CourseCheck(unittest.TestCase):
         for text in ("1.1 kick is done: ", "What was tested: adds force over mass times step;", "Next: 1.2 drift",
                      "read    chapters/01_leapfrog/README.md"):
             self.assertIn(text, said)
-        self.assertIn("All that you have started is right.", self.check(code=0))
+        self.assertIn("All exercises that you have started are right.", self.check(code=0))
         self.assertIn("Chapter 1: 1 of ", self.check("1", code=1))
         self.assertIn("1 of ", self.box.course().stdout)
         self.assertIn(self.kick.reference.read_text(), self.box.course("solution", "1.1").stdout)
@@ -109,7 +109,7 @@ class CourseCheck(unittest.TestCase):
                 ("std::vector<double> m(1, inverse_mass); return v + h * m[m.size() + (h > 0)] * f;",
                  "fails an assertion of the C++ library in Kick.", "an index is past the end of a std::vector"),
                 ("Eigen::VectorXd all(3); all << f; return v + h * inverse_mass * all[all.size()] * f;",
-                 "fails an assertion of Eigen in Kick.", "an index or a block is not inside its vector or matrix"),
+                 "fails an assertion of Eigen in Kick.", "an index or a block is outside its vector or matrix"),
                 ("return h > -1 ? kick(v, f, inverse_mass, h) + v : v;", "crashed (SIGSEGV) in Kick.",
                  "a function that calls itself without end")):
             with self.subTest(told=told):
@@ -189,7 +189,7 @@ class CourseCheck(unittest.TestCase):
         self.assertEqual(done, [exercise.id for exercise in solved])
         self.assertEqual((board["done"], board["total"]), (len(solved), len(self.exercises)))
         said = self.check(code=0)
-        self.assertIn("All that you have started is right.", said)
+        self.assertIn("All exercises that you have started are right.", said)
         self.assertIn("Next: 3.1", said)
 
     def test_from_save_to_verdict(self):

@@ -59,7 +59,7 @@ class Crash(unittest.TestCase):
 
     def test_an_assertion_is_told_as_what_it_means(self):
         for said, told in ((self.VECTOR, "An index is past the end of a std::vector."),
-                           (self.EIGEN, "An index or a block is not inside its vector or matrix."),
+                           (self.EIGEN, "An index or a block is outside its vector or matrix."),
                            ("a.cpp:3: int f(): Assertion `mass > 0' failed.", "It is asserted that mass > 0"),
                            ("h is 3", "That is most often")):
             self.assertIn(told, crash.explained("SIGABRT", f"before\n{said}\n", None))
@@ -91,7 +91,7 @@ class Crash(unittest.TestCase):
                                    ("SIGSEGV", self.VECTOR, "crashed (SIGSEGV)")):
             self.assertEqual(crash.ending(signal, f"before\n{said}\n"), told)
         self.assertEqual(crash.explained("SIGABRT", clamp, None),
-                         "The lower bound of std::clamp is above its upper one.")
+                         "The lower bound of std::clamp is above its upper bound.")
 
     def test_a_signal_is_told_as_what_it_means(self):
         self.assertIn("divided by 0", crash.explained("SIGFPE", "", None))

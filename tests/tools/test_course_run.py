@@ -163,10 +163,10 @@ class CourseRun(unittest.TestCase):
                             (["energy", "--quick", "--shard", "x"], "shard"), (["energy", "--merge", "/nowhere"], "/nowhere"),
                             (["all", "--merge", "/nowhere"], "one experiment"),
                             (["work_precision", "--quick", "--", "--scene", "stak"], "stak"),
-                            (["energy", "--", "--bogus"], "--bogus"), (["--shard", "1/2"], "--shard wants the NAME"),
-                            (["--mine"], "--mine wants the NAME"), (["--quick"], "--quick wants the NAME"),
-                            (["--merge", "energy"], "--merge wants the NAME"),
-                            (["--publish"], "--publish wants the NAME"), (["--", "--h", "1"], "want the NAME")):
+                            (["energy", "--", "--bogus"], "--bogus"), (["--shard", "1/2"], "--shard needs the NAME"),
+                            (["--mine"], "--mine needs the NAME"), (["--quick"], "--quick needs the NAME"),
+                            (["--merge", "energy"], "--merge needs the NAME"),
+                            (["--publish"], "--publish needs the NAME"), (["--", "--h", "1"], "need the NAME")):
             with self.subTest(words=words):
                 result = self.box.course("plot", *words)
                 self.assertEqual(result.returncode, 2, result.stderr)

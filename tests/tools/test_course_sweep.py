@@ -379,8 +379,8 @@ class Runs(unittest.TestCase):
 
     def test_what_makes_no_sense(self):
         for words, told in ((["orbit", "--plot", "enrgy"], ["'enrgy'", "there are x, y, energy, angular momentum"]),
-                            (["orbit", "--plot"], ["--plot wants a value"]), (["orbit", "--plot", "x,"], ["'x,'"]),
-                            (["orbit", "--plot", "x", "--plot", "y"], ["--plot is there twice"]),
+                            (["orbit", "--plot"], ["--plot needs a value"]), (["orbit", "--plot", "x,"], ["'x,'"]),
+                            (["orbit", "--plot", "x", "--plot", "y"], ["--plot is given twice"]),
                             (["--plot", "x"], ["a scene is missing"]), (["obrit", "--plot", "x"], ["orbit"]),
                             (["orbit", "--h", "0", "--plot", "x"], ["h must be positive"]),
                             (["orbit", "--sweep", "h"], ["NAME=VALUE", "'h'"]),
@@ -393,7 +393,7 @@ class Runs(unittest.TestCase):
                             (["orbit", "--sweep", "h=0.1,0.2", "h=1,2"], ["h is swept twice"]),
                             (["orbit", "--sweep", "h=0.1,0.2", "--shard", "3/2"], ["'3/2'"]),
                             (["orbit", "--sweep", "h=0.1", "--shard", "2/2"], ["the sweep has 1"]),
-                            (["orbit", "--shard", "1/2"], ["--shard is for --sweep"]),
+                            (["orbit", "--shard", "1/2"], ["--shard needs --sweep"]),
                             (["orbit", "--sweep", "h=0.1,0.2", "--record=a"], ["--record is for one run"])):
             self.box.assert_refused(self, ["run", *words], told)
 

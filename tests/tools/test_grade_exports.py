@@ -89,7 +89,7 @@ class Exports(unittest.TestCase):
     def test_what_makes_no_sense_is_said(self):
         for words, said in ((("junit",), "junit needs results"), (("github", self.marks.folder), "but these are 5"),
                             (("csv", self.room.root / "nowhere"), "cannot be read"), (("pdf",), "invalid choice"),
-                            (("canvas", self.marks.folder), "wants --roster FILE"),
+                            (("canvas", self.marks.folder), "needs --roster FILE"),
                             (("moodle", self.marks.folder, "--roster", self.room.root / "nowhere"), "cannot be read"),
                             (("csv", self.marks.folder, "--time-limit", "3"), f"graded with {SECONDS_A_TEST} s a test"),
                             (("gradescope", "--weights", self.room.root / "none.csv"), "no table of weights"),

@@ -104,8 +104,8 @@ class Asking(unittest.TestCase):
 
     def test_right_wrong_and_later(self):
         said = " ".join(self.ask("1", lines="0.002\nA\n\n0.02\n", code=0).stdout.split())
-        for text in ("4 predictions, 4 to make", "✓ Right: 0.002.", "✗ No: it is b) twice as large.",
-                     "This one has lost that order", "Left for later.", "No: it is 0.2 s.", "did you take k/m for ω?",
+        for text in ("4 predictions, 4 left", "✓ Right: 0.002.", "✗ No: it is b) twice as large.",
+                     "the error is of first order", "Left for later.", "No: it is 0.2 s.", "did you use k/m for ω?",
                      "3 of 4 made, 1 right.", "The others: ./course predict 1"):
             self.assertIn(text, said)
 
@@ -118,10 +118,10 @@ class Asking(unittest.TestCase):
     def test_what_was_answered_is_remembered_and_can_be_asked_again(self):
         self.ask("1", lines="0.002\nb\n\n\n", code=0)
         said = self.ask("01_leapfrog", lines="a\n0.2\n", code=0).stdout
-        self.assertIn("4 predictions, 2 to make", said)
+        self.assertIn("4 predictions, 2 left", said)
         self.assertIn("4 of 4 made, 4 right.", said)
         said = self.ask("1", lines="", code=0).stdout
-        self.assertIn("0 to make", said)
+        self.assertIn("0 left", said)
         self.assertIn("./course predict 1 --again", said)
         said = self.ask("1", "--again", lines="0.5\n\n\n\n", code=0).stdout
         self.assertIn("4 of 4 made, 3 right.", said)
@@ -129,8 +129,8 @@ class Asking(unittest.TestCase):
     def test_the_end_of_input_keeps_what_was_answered(self):
         result = self.ask("1", lines="0.002\n", code=1)
         self.assertEqual(result.stderr,
-                         "course: the input ended at question 2 of 4; what was answered before is kept\n")
-        self.assertIn("3 to make", self.ask("1", lines="", code=1).stdout)
+                         "course: the input ended at question 2 of 4; earlier answers are kept\n")
+        self.assertIn("3 left", self.ask("1", lines="", code=1).stdout)
 
     def test_without_any_input_and_with_what_is_no_text(self):
         for line in ("./course predict 1 <&-", "printf '\\377\\n' | PYTHONUTF8=1 ./course predict 1"):
@@ -142,7 +142,7 @@ class Asking(unittest.TestCase):
         for text in ("", "[]", '{"predictions": 3}', '{"predictions": {"1.1": {}, "1.2": "z", "1.4": "0.2"}}'):
             (self.box.root / ".course").mkdir(exist_ok=True)
             (self.box.root / ".course" / "predictions.json").write_text(text, encoding="utf-8")
-            self.assertIn("to make", self.ask("1", lines="", code=1).stdout)
+            self.assertIn("left", self.ask("1", lines="", code=1).stdout)
 
     def test_the_board(self):
         self.ask("1", lines="0.002\na\na\n0.2\n", code=0)

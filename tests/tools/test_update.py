@@ -179,7 +179,7 @@ class WithoutAnythingWritten(Updating):
 
     def test_what_is_asked_for_badly(self):
         self.release()
-        for words, *told in ((["1.x"], "'1.x'", "such as"), (["9.9.9"], "'9.9.9'", "the newest there is 1.1.0"),
+        for words, *told in ((["1.x"], "'1.x'", "such as"), (["9.9.9"], "'9.9.9'", "the newest is 1.1.0"),
                              (["1.1.0", "--undo"], "--undo", "'1.1.0'"), (["--from"], "--from"),
                              (["1.1.0", "1.2.0"], "'1.2.0'"), (["--dry"], "'--dry'", "--dry-run")):
             with self.subTest(words):

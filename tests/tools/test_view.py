@@ -37,7 +37,7 @@ BAD_INPUT = (
     (["view", "pendulum", "--gltf", "x.gltf", "--beside", "mine"], "--gltf"),
     (["view", "pendulum", "--gltf", "/nowhere/x.gltf"], "/nowhere/x.gltf", "cannot be written"),
     (["view", "nothing.jsonl"], "nothing.jsonl", "No such file"),
-    (["view", "README.md"], "README.md", "no recording"),
+    (["view", "README.md"], "README.md", "not a recording"),
     (["view", "README.md", "--mine"], "--mine"),
     (["view", "README.md", "--h", "1"], "--h"),
     (["play"], "a scene is missing"),
@@ -167,7 +167,7 @@ class Size(unittest.TestCase):
             file = Path(folder, "run.jsonl")
             for text in ("", "x", "[]", "{}", json.dumps({"format": "another"})):
                 file.write_text(text)
-                with self.assertRaisesRegex(BadInput, "no recording"):
+                with self.assertRaisesRegex(BadInput, "not a recording"):
                     view._files(arguments(str(file)))
 
 

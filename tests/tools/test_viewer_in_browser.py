@@ -383,7 +383,7 @@ class Damage(Viewer):
         return said
 
     def test_what_is_no_recording(self):
-        for text, told in (("", "empty"), ("x", "no recording"), ("[]\n", "no recording"), ("{}\n", "no recording"),
+        for text, told in (("", "empty"), ("x", "not a recording"), ("[]\n", "not a recording"), ("{}\n", "not a recording"),
                            ('{"format": "spook recording", "version": 7}\n', "version 7"),
                            ('{"format": "spook recording", "version": 1}\n', "lists no bodies"),
                            (recordings.rolling_ball().splitlines()[0], "no frames")):
@@ -400,7 +400,7 @@ class Damage(Viewer):
         good = [json.loads(line) for line in recordings.rolling_ball().splitlines()]
         for change, told in (({"x": recordings.floats(1, 2)}, "x has 2 numbers, not 6"), ({"x": "?"}, "x cannot be read"),
                              ({"q": "AAA="}, "q cannot be read"), ({"time": None}, "its time is missing"),
-                             ({"between": recordings.integers(0, 9)}, "body that is not there"),
+                             ({"between": recordings.integers(0, 9)}, "body that does not exist"),
                              ({"contacts": recordings.floats(1)}, "contacts has 1 numbers, not 10")):
             lines = [dict(line) for line in good]
             lines[20] |= change

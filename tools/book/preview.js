@@ -1,10 +1,10 @@
 "use strict";
-// The equation that a reference such as (4.10) means, shown beside it.
+// Shows the equation of a reference such as (4.10), or the glossary entry of a term, beside it.
 (() => {
   const GAP = 8; // pixels from the reference, and from the window's edges
   let shown = null;
 
-  function equation(tag) {
+  function preview(tag) {
     const here = document.getElementById(`eq-${tag}`);
     if (here) return here.querySelector(".formula").cloneNode(true);
     const template = document.getElementById(`preview-${tag}`);
@@ -30,7 +30,7 @@
   function show(reference) {
     if (shown && shown.reference === reference) return;
     hide();
-    const content = equation(reference.dataset.tag);
+    const content = preview(reference.dataset.tag);
     if (!content) return;
     const box = document.createElement("div");
     box.id = "preview";
@@ -42,7 +42,7 @@
     shown = { box, reference };
   }
 
-  const reference = (event) => event.target.closest && event.target.closest("a.eqref");
+  const reference = (event) => event.target.closest && event.target.closest("a.eqref, a.term");
   document.addEventListener("mouseover", (event) => {
     if (reference(event)) show(reference(event));
     else if (shown && !shown.box.contains(event.target)) hide();

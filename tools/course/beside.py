@@ -22,12 +22,12 @@ class Run:
 def variations(words: list[str], arguments, parameters: Callable[[str], set[str]] = lambda scene: set()) -> list[Run]:
     """The run that was asked for, and those beside it. `parameters` gives the names of a scene's parameters."""
     if "--record" in words:
-        raise BadInput("view: --record is for ./course run; view records by itself")
+        raise BadInput("view: --record is an option of ./course run; leave it out")
     words = [*words, "--fps", arguments.fps] if arguments.fps else words
     runs = [Run(tuple(words), arguments.mine)]
     for what in arguments.beside or ():
         if what == "mine" and arguments.mine:
-            raise BadInput("view: --beside mine is the same run as --mine; leave one of them out")
+            raise BadInput("view: --beside mine and --mine are the same run; leave one of them out")
         runs.append(Run(runs[0].words, True) if what == "mine" else _changed(runs[0], what, parameters(words[0])))
     return runs
 
@@ -37,7 +37,7 @@ def _changed(run: Run, what: str, parameters: set[str]) -> Run:
     for part in what.split(","):
         name, equals, value = part.partition("=")
         if not (name and equals and value):
-            raise BadInput(f"view: --beside wants mine or NAME=VALUE, but got {what!r}")
+            raise BadInput(f"view: --beside must be mine or NAME=VALUE, but is {what!r}")
         words = with_changed(words, name, value, parameters)
         changed.append((name, value))
     return Run(tuple(words), run.mine, tuple(changed))
@@ -57,7 +57,7 @@ def with_changed(words: list[str], name: str, value: str, parameters: Collection
 
 def _flagged(words: list[str], value: str) -> list[str]:
     if value not in _SWITCHED:
-        raise BadInput(f"{_FLAG} wants on or off, but got {value!r}")
+        raise BadInput(f"{_FLAG} must be on or off, but is {value!r}")
     return [word for word in words if word != f"--{_FLAG}"] + [f"--{_FLAG}"] * _SWITCHED[value]
 
 

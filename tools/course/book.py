@@ -33,7 +33,7 @@ def _engine() -> Path | None:
     """The engine of live figures; None where there is nothing to make it or to draw it with, which is told."""
     missing = [need.package for need in (*LIVE_NEEDS, *VIEW_NEEDS) if not need.there()]
     if missing:
-        print(f"Figures are films: to run, they want {' and '.join(missing)} (emscripten is a download of 110 MB).")
+        print(f"Figures are films, since {' and '.join(missing)} is missing (emscripten is a download of 110 MB).")
         return None
     return program_of_pages()
 
@@ -41,9 +41,9 @@ def _engine() -> Path | None:
 def _target(folder: Path) -> Path:
     """What is there is replaced, if it is a book or nothing."""
     if folder.exists() and not (folder / "assets" / "index.js").exists() and not _is_empty(folder):
-        raise BadInput(f"book: {folder} holds something else than a book; it would be deleted")
+        raise BadInput(f"book: {folder} holds files other than a book, which would be deleted; choose another --out")
     if not folder.absolute().parent.is_dir():
-        raise BadInput(f"book: {folder} cannot be written: {folder.absolute().parent} is no folder")
+        raise BadInput(f"book: {folder} cannot be written: {folder.absolute().parent} is not a folder")
     return folder
 
 
@@ -57,7 +57,7 @@ def _remote(name: str) -> str:
     address = known.stdout.strip() if known.returncode == 0 else name
     reached = _git(["ls-remote", address])
     if reached.returncode != 0:
-        raise BadInput(f"book: --publish wants a git remote, and {name!r} is none that answers")
+        raise BadInput(f"book: --publish must be a git remote that answers, but is {name!r}")
     return address
 
 

@@ -44,7 +44,7 @@ def _show_what_follows(exercise: Exercise) -> None:
     if waiting:
         show_next(waiting)
     else:
-        print("\nThat was the last to begin; ./course shows the board.")
+        print("\nThat was the last exercise; ./course shows the board.")
 
 
 def _check_started(seed: int | None) -> int:
@@ -60,7 +60,7 @@ def _check_started(seed: int | None) -> int:
     if not waiting:
         print("\nEvery exercise is right. Well done!")
     elif verdicts:
-        print("\nAll that you have started is right.")
+        print("\nAll exercises that you have started are right.")
         show_next(waiting[0])
     else:
         print("Nothing is started yet.")

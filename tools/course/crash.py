@@ -17,13 +17,13 @@ _CLAIMS = (  # what the libraries assert, and what it means to a student
     (r"__\w+ < (this->)?size\(\)|__n < _Nm|__n < _Size", "an index is past the end of a {kind}"),
     (r"!this->empty\(\)|!empty\(\)", "a {kind} is empty, and has neither a first nor a last element"),
     (r"index >= 0 && index < |row >= 0 && row < |startRow >= 0|start >= 0 |i>=0 && ",
-     "an index or a block is not inside its vector or matrix"),
+     "an index or a block is outside its vector or matrix"),
     (r"you mixed different sizes|lhs.cols\(\) == rhs.rows\(\)|rows\(\) == other.rows\(\)|aLhs.rows\(\) == aRhs.rows\(\)",
-     "two vectors or matrices have sizes that do not go together"),
-    (r"_M_is_engaged\(\)|has_value\(\)", "an optional is empty, and its value is asked for"),
-    (r"__lo < __hi|!\(__hi < __lo\)|!__comp\(__hi, __lo\)", "the lower bound of std::clamp is above its upper one"),
+     "two vectors or matrices have sizes that do not match"),
+    (r"_M_is_engaged\(\)|has_value\(\)", "the value of an empty optional is read"),
+    (r"__lo < __hi|!\(__hi < __lo\)|!__comp\(__hi, __lo\)", "the lower bound of std::clamp is above its upper bound"),
 )
-_SIGNALS = {"SIGFPE": "a whole number is divided by 0",
+_SIGNALS = {"SIGFPE": "an integer is divided by 0",
             "SIGSEGV": "nothing is at that address: an index far past the end, a reference to what is gone, or a "
                        "function that calls itself without end"}
 _OWNERS = {"/c++/": " of the C++ library", "/Eigen/": " of Eigen"}  # of the file that asserts

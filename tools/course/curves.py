@@ -43,7 +43,7 @@ def matching(columns: list[str], wanted: str) -> list[str]:
         return [names[wanted]]
     found = [column for name, column in names.items() if name.startswith(f"{wanted} ")]
     if not found:
-        raise BadInput(f"run: --plot: there is no column {wanted!r}; there are {_listed(list(names))}")
+        raise BadInput(f"run: --plot: unknown column {wanted!r}; the columns are {_listed(list(names))}")
     return found
 
 

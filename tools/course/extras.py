@@ -41,7 +41,7 @@ def taken(arguments: list[str]) -> tuple[Extras, list[str]]:
     listed, words = _taken_lists("--set", words, lambda word: "," in word)
     names = tuple(plot.split(",")) if plot is not None else ()
     if not all(names):
-        raise BadInput(f"run: --plot wants names of columns, but got {plot!r}")
+        raise BadInput(f"run: --plot must be names of columns, but is {plot!r}")
     axes: dict[str, tuple[str, ...]] = {}
     for text in listed + swept:
         name, values = _values(text)
@@ -49,7 +49,7 @@ def taken(arguments: list[str]) -> tuple[Extras, list[str]]:
             raise BadInput(f"run: {name} is swept twice")
         axes[name] = values
     if not axes and (shard or slurm):
-        raise BadInput(f"run: {'--shard' if shard else '--slurm'} is for --sweep")
+        raise BadInput(f"run: {'--shard' if shard else '--slurm'} needs --sweep")
     extras = Extras(own or "--mine" in arguments, names, axes, _shard(shard) if shard else (1, 1), _count(slurm) if slurm else 0)
     return extras, words
 
@@ -59,13 +59,13 @@ def _taken(option: str, words: list[str]) -> tuple[str | None, list[str]]:
     if not places:
         return None, words
     if len(places) > 1:
-        raise BadInput(f"run: {option} is there twice")
+        raise BadInput(f"run: {option} is given twice; leave one out")
     k = places[0]
     _, equals, value = words[k].partition("=")
     if equals:
         return value, words[:k] + words[k + 1:]
     if k + 1 == len(words) or words[k + 1].startswith("-"):
-        raise BadInput(f"run: {option} wants a value")
+        raise BadInput(f"run: {option} needs a value")
     return words[k + 1], words[:k] + words[k + 2:]
 
 
@@ -85,7 +85,7 @@ def _taken_lists(option: str, words: list[str], is_list: Callable[[str], bool]) 
             given.append(words[k])
             k += 1
         if option == "--sweep" and not given:
-            raise BadInput("run: --sweep wants a value")
+            raise BadInput("run: --sweep needs a value")
         found = [word for word in given if is_list(word)]
         lists += found
         kept = [word for word in given if word not in found]
@@ -98,7 +98,7 @@ def _values(text: str) -> tuple[str, tuple[str, ...]]:
     name, _, values = text.partition("=")
     each = tuple(values.split(","))
     if not name or not all(each):
-        raise BadInput(f"run: --sweep wants NAME=VALUE,VALUE, but got {text!r}")
+        raise BadInput(f"run: --sweep must be NAME=VALUE,VALUE, but is {text!r}")
     if len(each) != len(set(each)):
         raise BadInput(f"run: --sweep has one of {values} twice")
     return name, each
@@ -107,11 +107,11 @@ def _values(text: str) -> tuple[str, tuple[str, ...]]:
 def _shard(text: str) -> tuple[int, int]:
     index, _, count = text.partition("/")
     if not (index.isdecimal() and count.isdecimal() and 1 <= int(index) <= int(count)):
-        raise BadInput(f"run: --shard wants I/N with 1 <= I <= N, but got {text!r}")
+        raise BadInput(f"run: --shard must be I/N with 1 <= I <= N, but is {text!r}")
     return int(index), int(count)
 
 
 def _count(text: str) -> int:
     if not (text.isdecimal() and 0 < int(text) < 10_000):
-        raise BadInput(f"run: --slurm wants a whole number from 1 to 9999, but got {text!r}")
+        raise BadInput(f"run: --slurm must be a whole number from 1 to 9999, but is {text!r}")
     return int(text)

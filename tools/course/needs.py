@@ -132,7 +132,7 @@ PEER_NEEDS = (Need("libbullet-dev", "header", "bullet/btBulletDynamicsCommon.h")
               Need("libode-dev", "header", "ode/ode.h"),
               Need("libdart-collision-ode-dev", "header", "dart/collision/ode/OdeCollisionDetector.hpp"))
 TEST_NEEDS = (*GRADE_NEEDS, *VIEW_NEEDS, *PYTHON_NEEDS, Need("libarchive-tools", "command", "bsdtar"),
-              Need("clang-format", "command", "clang-format"), *sanitizers())
+              Need("clang-format", "command", "clang-format"), Need("codespell", "command", "codespell"), *sanitizers())
 # Tests of the book are skipped where the system's packages have not all of these.
 BOOK_NEEDS = (
     Need("python3-markdown-it", "module", "markdown_it"),

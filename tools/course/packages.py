@@ -3,7 +3,7 @@
 # Homebrew's names.
 BREW = {"cmake": "cmake", "ninja-build": "ninja", "git": "git", "libeigen3-dev": "eigen", "libgtest-dev": "googletest",
         "libcli11-dev": "cli11", "nlohmann-json3-dev": "nlohmann-json", "nodejs": "node", "pybind11-dev": "pybind11",
-        "clang-format": "clang-format", "libbullet-dev": "bullet", "libode-dev": "ode",
+        "clang-format": "clang-format", "codespell": "codespell", "libbullet-dev": "bullet", "libode-dev": "ode",
         "fonts-linuxlibertine": "font-linux-libertine"}
 # Of the Python modules, which go into a virtual environment of the course's own.
 PIP = {"python3-numpy": "numpy", "python3-matplotlib": "matplotlib", "python3-markdown-it": "markdown-it-py",

@@ -15,7 +15,7 @@ def require() -> None:
     """Raises CourseError, with what to install, where there is none of them; says which are missing where some are."""
     missing = [need.package for need in PEER_NEEDS if not need.there()]
     if len(missing) == len(PEER_NEEDS):
-        raise CourseError(f"{NAME} wants another engine, one at least, and ./course start installs none:  "
+        raise CourseError(f"{NAME} needs at least one other engine, which ./course start does not install:  "
                           f"{install_line(missing)}")
     if missing:
         print(fold(f"Without {', '.join(missing)}:  {install_line(missing)}"), file=sys.stderr)

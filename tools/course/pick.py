@@ -83,7 +83,7 @@ def _chapter(text: str, number: int, chapters: list[Chapter]) -> Chapter:
     for chapter in chapters:
         if chapter.number == number:
             return chapter
-    raise BadInput(f"there is no chapter {number} for {text!r}; "
+    raise BadInput(f"there is no chapter {number}, as in {text!r}; "
                    f"there are {chapters[0].number} to {chapters[-1].number}")
 
 

@@ -31,7 +31,7 @@ _PERIOD = 0.2  # [s]
 
 def play(arguments) -> int:
     if not arguments.words or arguments.words[0].startswith("-"):
-        raise BadInput("play: a scene is missing; it comes first: ./course play SCENE [OPTION ...]")
+        raise BadInput("play: a scene is missing; name it first: ./course play SCENE [OPTION ...]")
     install(VIEW_NEEDS, yes=False)
     signal.signal(signal.SIGTERM, lambda *_: signal.raise_signal(signal.SIGINT))
     with tempfile.TemporaryDirectory(prefix="course-") as folder:
@@ -54,7 +54,7 @@ class _Session:
             self._mine = begun() if self._is_mine else []
             if self._is_mine:
                 print(fold(told(self._mine)) if self._mine else
-                      "No exercise of yours is written yet: all of it is the reference until you save one.",
+                      "You have written no exercise yet: everything is the reference until you save one.",
                       file=sys.stderr)
             seen = self._saved()
             self._start(self._program())

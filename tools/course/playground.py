@@ -112,7 +112,7 @@ def _run_and_tell(ours: Playground) -> None:
 def _run(ours: Playground) -> int:
     mine = begun()
     program = _build(ours, mine)
-    whose = fold(told(mine)) if mine else "No exercise of yours is written yet: all of it is the reference."
+    whose = fold(told(mine)) if mine else "You have written no exercise yet: everything is the reference."
     print(f"{whose}\n", flush=True)
     with tempfile.TemporaryDirectory(prefix="course-") as folder:
         trace, printed = Path(folder, "trace"), Path(folder, "output")

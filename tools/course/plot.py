@@ -64,7 +64,7 @@ def plot(arguments) -> int:
     if arguments.mine and len(chosen) > 1:
         chosen = [experiment for experiment in chosen if experiment.name != peers.NAME]  # which has no curve of theirs
     if arguments.publish and arguments.format not in (None, "png"):
-        raise BadInput(f"plot: --publish puts a png into the tree, but --format is {arguments.format}")
+        raise BadInput(f"plot: --publish needs the format png, but --format is {arguments.format}")
     if len(chosen) > 1 and (arguments.more or arguments.merge):
         raise BadInput("--merge and options after -- are for one experiment")
     codes = [_one(experiment, arguments) for experiment in chosen]
@@ -75,9 +75,9 @@ def _require_no_options(arguments) -> None:
     """What would be left aside without an experiment to apply it to."""
     for name in ("mine", "quick", "shard", "merge", "slurm", "publish", "format"):
         if getattr(arguments, name):
-            raise BadInput(f"plot: --{name} wants the NAME of an experiment; ./course plot lists them")
+            raise BadInput(f"plot: --{name} needs the NAME of an experiment; ./course plot lists them")
     if arguments.more:
-        raise BadInput("plot: options after -- want the NAME of an experiment; ./course plot lists them")
+        raise BadInput("plot: options after -- need the NAME of an experiment; ./course plot lists them")
 
 
 def _list() -> int:
@@ -87,7 +87,7 @@ def _list() -> int:
             topic = experiment.source.parent.name
             print(paint(topic, "bold"))
         print(textwrap.fill(experiment.title, 80, initial_indent=f"  {experiment.name:<17} ", subsequent_indent=20 * " "))
-    print("\n./course plot NAME runs one, checks what it claims, and draws it; all for all.")
+    print("\n./course plot NAME runs one, checks its claims, and draws it; ./course plot all runs all.")
     return 0
 
 
@@ -95,7 +95,7 @@ def _pick(word: str) -> list[Experiment]:
     known = experiments()
     if word == "all":
         if not peers.any_there():
-            print(f"Without {peers.NAME}: no other engine is installed; ./course plot {peers.NAME} says which.\n")
+            print(f"Without {peers.NAME}: no other engine is installed; ./course plot {peers.NAME} lists them.\n")
             known = [experiment for experiment in known if experiment.name != peers.NAME]
         return known
     chosen = [experiment for experiment in known if word in (experiment.name, experiment.source.parent.name)]
@@ -116,16 +116,16 @@ def _one(experiment: Experiment, arguments) -> int:
     code = _run(experiment, arguments, [])
     mine = begun() if arguments.mine else []
     if arguments.mine and not mine:
-        print("No exercise of yours is written yet: there is no curve of yours to draw.", file=sys.stderr)
+        print("You have written no exercise yet, so there is no curve of yours.", file=sys.stderr)
     if mine:
-        print(fold(f"{told(mine)} What it claims of yours:"), flush=True)
+        print(fold(f"{told(mine)} Claims about your functions:"), flush=True)
         _run(experiment, arguments, mine)
     if not (experiment.folder(False) / "table.csv").exists():
         return code  # a shard
     figure = _draw(experiment, bool(mine), arguments.format or "png")
     if arguments.publish:
         if code != 0 or mine or arguments.quick:
-            raise CourseError("only true claims of the reference in full size are put in the tree")
+            raise CourseError("--publish needs the reference in full size, with true claims")
         figure = Path(shutil.copy(figure, experiment.source.parent))
     print(f"figure: {shown(figure)}\n", flush=True)
     return code
@@ -192,7 +192,7 @@ def _compute(experiment: Experiment, arguments, path: Path, folder: Path) -> int
 def _compute_on_slurm(experiment: Experiment, arguments) -> None:
     """Each part is written into the experiment's own folder; what is missing afterwards is computed here."""
     if arguments.mine or arguments.shard or arguments.merge:
-        raise BadInput("plot: --slurm divides the experiment itself: it goes with neither --mine, --shard nor --merge")
+        raise BadInput("plot: --slurm divides the experiment itself; leave out --mine, --shard and --merge")
     path, folder = program(f"plot_{experiment.name}"), experiment.folder(False)
     command = [str(path), "--out", str(folder), "--shard", f"@I@/{arguments.slurm}", *arguments.more]
     failed = run_array(command + (["--quick"] if arguments.quick else []), arguments.slurm, folder / "slurm",
@@ -208,7 +208,7 @@ def _merge(other: Path, folder: Path) -> None:
     if not found:
         raise BadInput(f"merge: {other} has no parts of an experiment")
     if not (parts / "plan.txt").exists():
-        raise BadInput(f"merge: {other} has no plan.txt, by which it is known what its parts are of")
+        raise BadInput(f"merge: {other} has no plan.txt, which names the experiment of its parts")
     (folder / "parts").mkdir(exist_ok=True)
     plan = folder / "parts" / "plan.txt"
     if plan.exists() and plan.read_bytes() != (parts / "plan.txt").read_bytes():

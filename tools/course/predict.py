@@ -19,9 +19,9 @@ def predict(arguments) -> int:
     asked = predictions_of(chapter)
     made = {} if arguments.again else guesses(asked)
     left = [each for each in asked if each.id not in made]
-    print(f"{paint(chapter.title, 'bold')}: {counted(len(asked), 'prediction')}, {len(left)} to make\n")
+    print(f"{paint(chapter.title, 'bold')}: {counted(len(asked), 'prediction')}, {len(left)} left\n")
     if left:
-        print(fold("Guess before you know. A letter, or a number such as 0.2, 2e-3 or 1/60; Enter alone leaves a "
+        print(fold("Guess before you know. Type a letter, or a number such as 0.2, 2e-3 or 1/60; Enter leaves a "
                    "question for later.") + "\n")
     for each in left:
         _ask(each, f"{asked.index(each) + 1} of {len(asked)}")
@@ -62,7 +62,7 @@ def _line(prompt: str, place: str) -> str:
     text = sys.stdin.readline() if sys.stdin else ""  # there is none where it was closed
     if not text:
         print()
-        raise CourseError(f"the input ended at question {place}; what was answered before is kept")
+        raise CourseError(f"the input ended at question {place}; earlier answers are kept")
     if not sys.stdin.isatty():  # then nobody has seen what was written
         print(text.rstrip("\n"))
     return text

@@ -18,7 +18,7 @@ from provenance import write_manifest
 from runs import Runs, value_of
 from terminal import fold
 
-_CHECKS = "Their checks are on, as in ./course check, which takes time: their speed is not the best there is."
+_CHECKS = "Their checks are on, as in ./course check, so they run below full speed."
 
 
 def run(arguments: list[str]) -> int:
@@ -38,7 +38,7 @@ def run(arguments: list[str]) -> int:
         write_manifest(Path(csv), ["run", *arguments])
     if code == 0 and extras.mine:  # an error stands alone
         print(fold(f"{told(mine, called.names)} {_CHECKS}") if mine else
-              "No exercise of yours is written yet: all of it is the reference.", file=sys.stderr)
+              "You have written no exercise yet: everything is the reference.", file=sys.stderr)
     return code
 
 

@@ -28,7 +28,7 @@ class Runs:
         `parameters` gives the names of a scene's parameters.
         """
         if not words or words[0].startswith("-"):
-            raise BadInput("run: a scene is missing; it comes first: ./course run SCENE [OPTION ...]")
+            raise BadInput("run: a scene is missing; name it first: ./course run SCENE [OPTION ...]")
         self._words, self._extras, self._start, self._parameters = words, extras, start, parameters
 
     def all(self) -> int:
@@ -50,7 +50,7 @@ class Runs:
         axes, csv = self._extras.sweep, value_of("--csv", self._words)
         for option in ("--record", "--positions"):
             if value_of(option, self._words) is not None or option in self._words:
-                raise BadInput(f"run: {option} is for one run, and --sweep makes several")
+                raise BadInput(f"run: {option} is for one run, but --sweep makes several; leave one of them out")
         if csv is not None:
             _require_writable(csv)
         plain = without([word for word in self._words if word != "--json"], "--csv")

@@ -27,7 +27,7 @@ def run_array(command: list[str], count: int, folder: Path, what: str) -> dict[i
     """
     for program in ("sbatch", "squeue", "scancel"):
         if not shutil.which(program):
-            raise CourseError(f"--slurm: {program} is missing: this machine submits to no Slurm")
+            raise CourseError(f"--slurm: {program} is missing, so this machine cannot submit to Slurm")
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     script = folder / "part.sh"

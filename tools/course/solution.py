@@ -11,7 +11,7 @@ def solution(arguments) -> int:
     if not arguments.spoil:
         state = judge(exercise).state
         if state != "done":
-            print(f"{exercise.label} is {state}: the reference is worth more once yours passes. "
+            print(f"{exercise.label} is {state}: try to make it pass before you read the reference. "
                   f"A hint: ./course hint {exercise.id}\n"
                   f"If you would rather see it now: ./course solution {exercise.id} --spoil")
             return 1

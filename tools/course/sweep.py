@@ -87,7 +87,7 @@ def _order_note(sweep: Sweep) -> list[str]:
         return []
     name = next(name for name in ORDERED if name in sweep.axes)
     rest = ", all else equal" if len(sweep.axes) > 1 else ""
-    note = f"order p: the error goes with {name}^p, from each line and the one before it{rest}"
+    note = f"order p: the error is proportional to {name}^p, from each line and the one before{rest}"
     return ["", *fold(note).splitlines()]
 
 

@@ -19,7 +19,7 @@ _UNDO = "./course update --undo"
 def update(arguments) -> int:
     if arguments.undo:
         if arguments.release or arguments.from_:
-            raise BadInput(f"update: --undo goes back to what was before; it takes no {_given(arguments)}")
+            raise BadInput(f"update: --undo takes no {_given(arguments)}; leave it out")
         return _undo(arguments.dry_run)
     return _update(arguments)
 

@@ -36,10 +36,10 @@ class Recording:
 def view(arguments) -> int:
     words = arguments.words
     if arguments.gltf and (arguments.out or arguments.beside):
-        raise BadInput("view: --gltf is in place of a page, of one run: --out and --beside do not go with it")
+        raise BadInput("view: --gltf writes one run instead of a page; leave out --out and --beside")
     out = Path(arguments.gltf or arguments.out) if arguments.gltf or arguments.out else None
     if not words or words[0].startswith("-"):
-        raise BadInput("view: a scene is missing; it comes first: ./course view SCENE [OPTION ...]")
+        raise BadInput("view: a scene is missing; name it first: ./course view SCENE [OPTION ...]")
     is_file = ("." in words[0] or "/" in words[0]) and not words[0].endswith(".json")  # which is a scene
     if is_file:
         recordings, code = _files(arguments), 0
@@ -76,9 +76,9 @@ def _as_gltf(recordings: list[Recording]) -> str:
 
 def _files(arguments) -> list[Recording]:
     if arguments.mine or arguments.beside or arguments.fps:
-        raise BadInput("view: --mine, --beside and --fps are for scenes; a recording is shown as it is")
+        raise BadInput("view: --mine, --beside and --fps have no effect on a recording; leave them out")
     if option := next((word for word in arguments.words if word.startswith("-")), None):
-        raise BadInput(f"view: {option} does not go with a recording, which is shown as it is")
+        raise BadInput(f"view: {option} has no effect on a recording; leave it out")
     recordings = []
     for name in arguments.words:
         try:
@@ -86,7 +86,7 @@ def _files(arguments) -> list[Recording]:
         except OSError as error:
             raise BadInput(f"view: {name}: {error.strerror}") from None
         if _header(content) is None:
-            raise BadInput(f"view: {name} is no recording; ./course run SCENE --record FILE makes one")
+            raise BadInput(f"view: {name} is not a recording; ./course run SCENE --record FILE makes one")
         recordings.append(Recording(Path(name).stem if len(arguments.words) > 1 else "", content))
     return recordings
 

@@ -44,7 +44,7 @@ function partingLine(first, other, size, since, frame) {
   if (!comparable(first, other)) return `${other.label}: it has other bodies, so that their places are not compared.`;
   const now = apart(first, other, frame);
   const here = now ? `Now ${inUnit(now.distance, "m")}${now.body >= 0 ? `, at body ${now.body}` : ""}.`
-    : "At this time only one of them is there.";
+    : "Only one of the runs has this time.";
   const limit = inUnit(PARTED * size, "m");
   return since === null ? `${other.label}: never more than ${limit} from ${first.label}. ${here}`
     : `${other.label}: more than ${limit} from ${first.label} since ${inUnit(since, "s")}. ${here}`;

@@ -15,7 +15,7 @@ class Live {
     this.sent = Promise.resolve();
     document.body.classList.add("live");
     document.getElementById("drop").onclick = () => this.drop();
-    document.getElementById("next").title = "a step on (right)";
+    document.getElementById("next").title = "next step (right)";
     transport.open((line) => this.take(line), (why) => this.lose(why));
   }
 

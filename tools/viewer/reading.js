@@ -60,7 +60,7 @@ async function* lines(pieces) {
 
 /** Adds what a line says to the run. True for the last line of a recording. */
 function takeLine(run, text) {
-  const line = parsed(text, run.header ? new Error("it is no JSON") : whole("This is no recording of a run."));
+  const line = parsed(text, run.header ? new Error("it is not JSON") : whole("This file is not a recording of a run."));
   if (!run.header) run.header = checkedHeader(line);
   else if ("end" in line) {
     run.notice = endOf(line);
@@ -72,7 +72,7 @@ function takeLine(run, text) {
 /** How a run ended, in a sentence; empty if all is well. The engine's own reason may begin with the same words. */
 function endOf({ end, why }) {
   if (end === "done") return "";
-  if (!why) return "The run blew up, and the recording does not say why.";
+  if (!why) return "The run diverged; the recording gives no reason.";
   return why.startsWith("blew up") ? `The run ${why}.` : `The run blew up: ${why}.`;
 }
 
@@ -85,7 +85,7 @@ function parsed(text, otherwise) {
 }
 
 function checkedHeader(header) {
-  if (header.format !== "spook recording") throw whole("This is no recording of a run.");
+  if (header.format !== "spook recording") throw whole("This file is not a recording of a run.");
   if (header.version !== 1) throw whole(`The recording has version ${header.version}; this page reads version 1.`);
   if (!Array.isArray(header.bodies)) throw whole("The recording's header lists no bodies.");
   const bodies = header.bodies.length;
@@ -107,7 +107,7 @@ function frameOf(line, header) {
   frame.contacts = numbers(line.contacts || "", Float32Array, "contacts");
   expectCount("contacts", frame.contacts.length, 5 * frame.between.length);
   if (frame.between.some((body) => !(body >= 0 && body < header.bodies.length)))
-    throw new Error("between names a body that is not there");
+    throw new Error("between names a body that does not exist");
   frame.jointImpulses = numbers(line.joint_impulses || "", Float32Array, "joint_impulses");
   frame.ghostBodies = line.ghost_bodies || [];
   frame.ghost = numbers(line.ghost || "", Float32Array, "ghost");

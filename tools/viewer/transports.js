@@ -5,7 +5,7 @@
 /** ./course play: lines come as server-sent events, commands go back as posts. */
 class ServerTransport {
   open(take, lost) {
-    this.lost = () => lost("The run has ended: ./course play is no longer there.");
+    this.lost = () => lost("The run has ended, because ./course play has stopped.");
     this.source = new EventSource("frames");
     this.source.onmessage = (event) => take(JSON.parse(event.data));
     this.source.onerror = this.lost;

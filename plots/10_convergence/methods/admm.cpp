@@ -1,12 +1,12 @@
-// Operator splitting: the rows without their bounds, and the bounds without the rows, in turn.
+// Operator splitting: alternates between the rows without bounds and the bounds without rows.
 //
-//   x   (S + R) x = B + R (z - u)                    by the factors of M + Gᵀ (Σ + R)⁻¹ G, made once, Eq. (11.15)
-//   z   the nearest to 1.6 x - 0.6 z + u that is allowed: within bounds, or inside Coulomb's cone
-//   u   what x and z have differed by so far; R u is what the rows lack at the end
+//   x   (S + R) x = B + R (z - u)                    by factors of M + Gᵀ (Σ + R)⁻¹ G, computed once, Eq. (11.15)
+//   z   the projection of 1.6 x - 0.6 z + u on the bounds, or on Coulomb's cone
+//   u   the sum of the differences of x and z; R u converges to the residual of the rows
 //
-//   R   ρ S_kk, the same for the rows of a contact; ρ goes up where x and z part, down where z still moves, by the root of
-//       their ratio, and asks for new factors then: at most every tenth time
-//   cone: what presses is asked for μ |u_t| more (De Saxcé's change of variables), and then it is a projection onto a cone
+//   R   ρ S_kk, equal for the rows of a contact. ρ grows while x and z differ, and shrinks while z changes, by the
+//       root of their ratio. A new ρ needs new factors, so it changes at most in every tenth iteration
+//   cone: adding μ |u_t| to the normal right-hand side (De Saxcé's change of variables) makes z a projection on a cone
 //
 //   B. Stellato, G. Banjac, P. Goulart, A. Bemporad, S. Boyd, OSQP: an operator splitting solver for quadratic programs,
 //   Math. Program. Comput. 12 (2020).
@@ -22,7 +22,7 @@ namespace spook::plots {
 
 namespace {
 
-/// The nearest (n, t) with |t| <= μ n.
+/// Returns the nearest (n, t) with |t| <= μ n.
 Vec3 onto_cone(const Vec3& point, double mu) {
   const double n = point[0], t = point.tail<2>().norm();
   if (t <= mu * n) return point;
@@ -47,7 +47,7 @@ class Splitting {
     factorise_anew();
   }
 
-  /// Returns the larger of what x and z differ by, and of what z has moved, as a velocity [m/s].
+  /// Returns the larger of the difference of x and z and the change of z, as a velocity [m/s].
   double iterate() {
     const Vector x = unbounded(), before = z_;
     const Vector relaxed = 1.6 * x - 0.6 * z_ + u_;

@@ -1,12 +1,12 @@
-// Augmented vertex block descent: body by body, each by the velocity that minimises its own energy.
+// Augmented vertex block descent: updates body by body, each to the velocity that minimises its own energy.
 //
 //   row      λ⁺ = clamp((λ + ρ (B - G V))/(1 + ρ Σ), lo, hi)      a spring of stiffness κ = ρ/(1 + ρ Σ), and a multiplier λ
 //   body     V_b -= H⁻¹ (M V_b - Σ_k G_kᵀ λ⁺_k),  H = M + Σ_k κ_k G_kᵀ G_k
-//   then     λ <- λ⁺, and ρ of the rows that are not at a bound grows
+//   then     λ <- λ⁺, and ρ grows for rows that are not at a bound
 //
-// As ρ -> ∞ the spring is the row's own, 1/Σ, and no multiplier is needed; with finite ρ its fixed point is S λ = B all the
-// same. In the paper this is done with positions, Jacobians are taken anew for each body, and ρ grows by β |C| with a β in the
-// units of the scene; here rows stand still in a step, and ρ grows by a factor from a tenth of 1/S_kk.
+// As ρ -> ∞ the spring is the row's own, 1/Σ, and needs no multiplier; for finite ρ the fixed point also is S λ = B.
+// The paper works with positions, computes new Jacobians for each body, and increases ρ by β |C| with a β in the units
+// of the scene. Here rows are constant during a step, and ρ grows by a factor from a tenth of 1/S_kk.
 //
 //   C. Giles, E. Diaz, C. Yuksel, Augmented vertex block descent, ACM Trans. Graph. 44 (2025).
 #include <Eigen/Cholesky>
@@ -32,7 +32,7 @@ class BlockDescent {
     }
   }
 
-  /// Every body once, then the multipliers. Returns the largest S_kk |Δλ| [m/s].
+  /// Updates every body once, then the multipliers. Returns the largest S_kk |Δλ| [m/s].
   double iterate() {
     for (std::size_t b = 0; b < of_body_.size(); ++b)
       if (!of_body_[b].empty()) descend(static_cast<int>(b));
@@ -47,7 +47,7 @@ class BlockDescent {
     return most;
   }
 
-  /// Multiply-adds: each row twice with its part of H, and once for its multiplier; a factorisation a body.
+  /// The cost in multiply-adds: each row twice with its part of H, and once for its multiplier; a factorisation a body.
   double work() const {
     double sum = 0;
     for (const std::vector<int>& rows : of_body_)
@@ -79,7 +79,7 @@ class BlockDescent {
   }
 
   const SolverInput<Dof>& s_;
-  std::vector<std::vector<int>> of_body_;  // which rows act on it
+  std::vector<std::vector<int>> of_body_;  // rows that act on each body
   std::vector<double> rho_;
 };
 

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double h = 1.0 / 60, mu = 0.5, link = 0.1;
 
-/// Of the world's next step, with `solver` for what comes before, and to find the answer.
+/// Returns the rows of the world's next step. `solver` solves the steps before, and the answer.
 template <int Dof>
 Problem<Dof> next_step(Settings<Dof> settings, const std::function<void(World<Dof>&)>& fill, double time,
                        const Solver<Dof>& solver) {
@@ -25,8 +25,7 @@ Problem<Dof> next_step(Settings<Dof> settings, const std::function<void(World<Do
                          },
                      .friction = solver.friction,
                      .wants_last = true};
-  settings.solver_limits.tolerance =
-      1e-15;  // all that round-off allows: the answer is what errors are measured from
+  settings.solver_limits.tolerance = 1e-15;  // limited by round-off, since errors are measured from this answer
   World<Dof> world(settings);
   fill(world);
   while (world.time() < time || world.rows().empty()) world.step(h);
@@ -100,7 +99,7 @@ Problem<6> block() {
   return next_step<6>({.k = 1e6, .friction = mu}, fill, 0.1, exact(FrictionModel::cone));
 }
 
-/// Cubes that begin turned any way, by a sequence without a pattern.
+/// Cubes with initial orientations from a quasi-random sequence.
 Problem<6> pile() {
   const auto fill = [](World<6>& world) {
     world.add_plane(Vec3::UnitZ(), 0);

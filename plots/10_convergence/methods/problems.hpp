@@ -1,5 +1,5 @@
 #pragma once
-// The rows of one step of some scenes, and the velocities that solve them.
+// The rows of one step of several scenes, and their exact solution.
 #include <cmath>
 
 #include "engine/linear/velocity_system.hpp"
@@ -7,13 +7,13 @@
 
 namespace spook::plots {
 
-/// The rows of a step, as a solver is handed them.
+/// The rows of a step, as input of a solver.
 template <int Dof>
 struct Problem {
   std::vector<spook::Row<Dof>> rows;
   std::vector<FrictionContact> rubbing;
   Bodies<Dof> bodies;
-  std::vector<Twist<Dof>> answer;  ///< velocities that are exact
+  std::vector<Twist<Dof>> answer;  ///< exact velocities
 
   struct Solved {
     SolverResult outcome;
@@ -49,9 +49,9 @@ struct Problem {
   }
 };
 
-/// Spheres on each other, the top one of that mass [kg]; a wire of 20 links with 1000 kg at its end; and boxes with friction: a
-/// tower of 20 cubes, a wall of 60 bricks, a block that slides and spins on four contacts, and a pile of 60 cubes that have
-/// fallen into a box.
+/// The problems: a stack of spheres, the top one of that mass [kg]; a wire of 20 links with 1000 kg at its end; and
+/// boxes with friction, namely a tower of 20 cubes, a wall of 60 bricks, a block that slides and spins on four
+/// contacts, and a pile of 60 cubes that have fallen into a box.
 Problem<3> stack(double top);
 Problem<3> wire();
 Problem<6> tower(FrictionModel model);

@@ -1,10 +1,10 @@
 #pragma once
-// Substeps of one sweep, in the two ways that games take them; and the line of bodies that they are tried on.
+// Substeps of one sweep by two methods of games, on a line of bodies.
 //
-//   XPBD      each row once, from zero, with positions that are predicted: M. Macklin, M. Müller, N. Chentanez, XPBD:
+//   XPBD      each row once, from zero, at predicted positions: M. Macklin, M. Müller, N. Chentanez, XPBD:
 //             position-based simulation of compliant constrained dynamics, Motion in Games 2016; M. Macklin and others, Small
 //             steps in physics simulation, SCA 2019
-//   relaxed   each row once, warm; and once more without its gap when bodies have moved: E. Catto, Solver2D, 2024
+//   relaxed   each row once, warm; and again without its gap after bodies have moved: E. Catto, Solver2D, 2024
 //
 // XPBD moves by Δx = M⁻¹ Gᵀ λ h with λ h = -C/(G M⁻¹ Gᵀ + 1/(k h²)), C the gap at x + h (v + h f/m): to first order
 // C = g + h G (W + W_f + V). Divided by h that is Eq. (4.6) with a = 1/h, b = 1 and Σ = 1/(h² k). SPOOK has this a and this Σ at
@@ -14,8 +14,8 @@
 
 namespace spook::plots {
 
-/// Point masses in a line, body 0 is fixed; each is joined to the one before: by a link below it, or by a contact above
-/// it, where it is a sphere.
+/// Point masses in a line; body 0 is static. Each is connected to the one before: by a link if it hangs below, or by a
+/// contact of spheres if it lies above.
 struct Chain {
   static constexpr double g = 9.81, k = 1e8, d = 3, link = 0.1;  ///< [m/s², N/m, steps, m]
 
@@ -26,7 +26,7 @@ struct Chain {
     settings.gravity = Vec3(0, 0, -g);
     settings.k = k;
     if (!settings.d) settings.d = d;
-    settings.contact_margin = link / 2;  // what hops by less is the same contact when it lands
+    settings.contact_margin = link / 2;  // keeps contacts that open by less than this
     World<3> world(std::move(settings));
     if (hangs)
       world.add_fixed(Vec3::Zero());
@@ -46,7 +46,7 @@ struct Chain {
     return (hangs ? below - z : z - below) - link;
   }
 
-  /// What a gap is at rest, from what it carries.
+  /// Returns a gap at rest, from its load.
   double right(int n) const {
     double load = 0;
     for (std::size_t above = static_cast<std::size_t>(n) - 1; above < mass.size(); ++above)
@@ -55,10 +55,10 @@ struct Chain {
   }
 };
 
-/// XPBD's rows, made of those of d = 3/4 without friction.
+/// Converts rows of d = 3/4 without friction to XPBD's rows.
 Solver<3> xpbd();
 
-/// XPBD with positions, as it is published, on a chain: heights and velocities along it.
+/// XPBD with positions, as published, on a chain: heights and velocities along the chain.
 class Positions {
  public:
   explicit Positions(const Chain& chain);
@@ -71,7 +71,7 @@ class Positions {
   std::vector<double> z_, v_;
 };
 
-/// A chain that takes relaxed substeps.
+/// A chain with relaxed substeps.
 class Relaxed {
  public:
   explicit Relaxed(const Chain& chain);

@@ -59,9 +59,9 @@ class Length : public Judge {
   double after_, length_, error_ = 0;
 };
 
-/// θ_k of each rod from hanging down, then θ_k'. Of points on rods, with μ_jk the mass of all from the lower of j, k on:
+/// Angles θ_k of the rods from hanging down, then θ_k'. Lagrange's equations of points on rods, with μ_jk the mass of all
+/// points from the lower of j, k on:
 ///   Σ_k μ_jk l_j l_k cos(θ_j - θ_k) θ_k'' = -Σ_k μ_jk l_j l_k sin(θ_j - θ_k) θ_k'² - μ_jj l_j g sin θ_j
-/// Which Lagrange's equations say.
 template <int Rods>
 class Chain : public Judge {
  public:
@@ -162,7 +162,7 @@ class Rolling : public Judge {
   double error_ = 0;
 };
 
-/// q' = ½ q ω, with ω in the body's axes by its closed form; the fifth number is the time.
+/// Rate q' = ½ q ω, with ω in the body's axes by its closed form; the fifth number is the time.
 class Turning : public Judge {
  public:
   Turning(const Problem& problem, const Vec3& omega)
@@ -202,7 +202,7 @@ class Peaks : public Judge {
   void look(const Engine& engine, double) override {
     const double z = engine.x(body_).z() - floor_;
     if (seen_ >= 2 && before_ >= last_but_one_ && before_ > z && peaks_ < count) {
-      // Through (-1, a), (0, b), (1, c): b + (a - c)²/(8 (2b - a - c)).
+      // The parabola through (-1, a), (0, b), (1, c) has the peak b + (a - c)²/(8 (2b - a - c)).
       const double a = last_but_one_, b = before_;
       const double peak = b + (a - z) * (a - z) / (8 * (2 * b - a - z));
       ++peaks_;
@@ -254,7 +254,7 @@ class Pile : public Judge {
   }
 
  private:
-  /// Of all contacts that overlap, by the contact sets of chapter 08 [m].
+  /// Returns the depths of all overlapping contacts, by the contact sets of chapter 08 [m].
   std::vector<double> depths() const {
     World<6> still({.gravity = Vec3::Zero(), .contact_margin = 0});
     for (const Plane& plane : problem_.planes) still.add_plane(plane.n, plane.offset);

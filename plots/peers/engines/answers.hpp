@@ -1,8 +1,8 @@
 #pragma once
-// How far a run is from what is right: from positions and orientations alone, by the same lines for every engine.
+// Errors of a run, from positions and orientations only, by the same code for every engine.
 //
-// What is right is rigid: nothing gives way, nothing sinks in. Our own contacts and joints have a stiffness, and
-// what they give way by counts as an error here, as another engine's does.
+// The right answers are those of rigid bodies, contacts and joints. Our own contacts and joints have a stiffness. Their
+// deflection counts as an error here, as that of any other engine does.
 #include <functional>
 #include <memory>
 
@@ -14,37 +14,38 @@ class Judge {
  public:
   virtual ~Judge() = default;
   virtual void look(const Engine& engine, double time) = 0;  ///< at the start, and after each step
-  virtual double error() const = 0;                          ///< relative; 1 and more is lost
+  virtual double error() const = 0;                          ///< relative; 1 or more: lost
 };
 
 using MakeJudge = std::function<std::unique_ptr<Judge>(const Problem& problem)>;
 
-/// Of bodies that touch at the start, and have no reason to move: the farthest that one has gone, at the end, over the
-/// size of the first.
+/// The error of bodies that should stay at rest: the largest displacement of a body at the end, over the size of the
+/// first.
 std::unique_ptr<Judge> stays_in_place(const Problem& problem);
 
-/// Of a wire: how much longer it is than at the start, over that; the most of the second half of `time`.
+/// The error of a wire: its largest stretch in the second half of `time`, over its initial length.
 std::unique_ptr<Judge> keeps_its_length(const Problem& problem, double time);
 
-/// Of the last body of a chain of rods in a plane, the farthest from where it should be, over the chain's length. The
-/// answer is that of the rods' angles, integrated to roundings.
+/// The error of the last body of a plane chain of rods: the largest distance from its right position, over the chain's
+/// length. The answer integrates the angles of the rods to round-off.
 std::unique_ptr<Judge> swings_as_rods(const Problem& problem);
 
-/// Of a thrown block: how far from v0²/(2 μ g) it lies at the end, over that.
+/// The error of a thrown block: |distance - v0²/(2 μ g)| at the end, over v0²/(2 μ g).
 std::unique_ptr<Judge> stops_by_coulomb(const Problem& problem, double v0);
 
-/// Of a sphere that slides, then rolls: the farthest along its way, over the part on which it should slide.
+/// The error of a sphere that slides, then rolls: the largest error along its path, over the length of the sliding
+/// part.
 std::unique_ptr<Judge> slides_then_rolls(const Problem& problem, double v0);
 
-/// Of a free top about its middle axis: the farthest angle from its orientation by Euler's equations [rad].
+/// The error of a free top about its middle axis: the largest angle from the orientation by Euler's equations [rad].
 std::unique_ptr<Judge> turns_by_euler(const Problem& problem, const Vec3& omega);
 
-/// Of a ball dropped from h0: the largest error of the first five peaks, over h0. A peak is that of the parabola through
-/// the three highest points of a flight.
+/// The error of a ball dropped from h0: the largest error of the first five peaks, over h0. A peak is that of the
+/// parabola through the three highest points of a flight.
 std::unique_ptr<Judge> bounces_to(const Problem& problem, double h0);
 
-/// Of what was dropped into a box: the mean depth of those contacts that overlap, at the end, over a body's size. 1
-/// where a body has left the box, or where they still go farther than their size in a second on average.
+/// The error of bodies dropped into a box: the mean depth of overlapping contacts at the end, over a body's size. 1 if
+/// a body has left the box, or if bodies still move by more than their size in a second on average.
 std::unique_ptr<Judge> lies_without_overlap(const Problem& problem);
 
 }  // namespace spook::peers

@@ -1,13 +1,13 @@
-// Bullet, as Debian has it a second time: double precision, in libraries whose names end in -float64.
+// Bullet in double precision: Debian's libraries whose names end in -float64.
 //
-//   sequential   btSequentialImpulseConstraintSolver: warm projected Gauss-Seidel with so many sweeps
+//   sequential   btSequentialImpulseConstraintSolver: warm projected Gauss-Seidel with a given number of sweeps
 //   dantzig      btMLCPSolver with btDantzigSolver: all rows at once, by pivoting on a dense matrix
 //
-// The margin around boxes is as small as it may be, since gaps are what is measured; friction follows the slip, with
-// two directions. For what bounces, contacts count from when they touch, and every overlap is taken back by positions: by
-// default a ball is held 2 cm too early, and thrown out by its overlap, so that peaks are off by a quarter at any step.
-// For what rests the defaults are better: with these a tower of twenty falls.
-// It has no distance between two points: the one row that this is stands here, as a constraint of ours in Bullet's form.
+// The margin around boxes is the smallest possible, since gaps are measured. Friction follows the slip, with two
+// directions. In bouncing scenes contacts start at touch, and positions correct every overlap: by default a ball stops
+// 2 cm too early, and its overlap throws it out, so peaks are wrong by a quarter at any step. In resting scenes the
+// defaults are better: with the settings for bouncing, a tower of twenty boxes falls.
+// Bullet has no distance between two points, so this file defines that row as a constraint in Bullet's form.
 #include <BulletDynamics/MLCPSolvers/btDantzigSolver.h>
 #include <BulletDynamics/MLCPSolvers/btMLCPSolver.h>
 #include <btBulletDynamicsCommon.h>
@@ -25,7 +25,7 @@ Vec3 ours(const btVector3& v) {
   return {v.x(), v.y(), v.z()};
 }
 
-/// |x_j - x_i| = length, between centres.
+/// A distance between two centres: |x_j - x_i| = length.
 class Rod : public btTypedConstraint {
  public:
   Rod(btRigidBody& i, btRigidBody& j, double length)
@@ -107,7 +107,7 @@ class Bullet : public Engine {
                                                   bullet(body.principal));
     info.m_startWorldTransform =
         btTransform(btQuaternion(body.q.x(), body.q.y(), body.q.z(), body.q.w()), bullet(body.x));
-    // Of two bodies the product counts.
+    // Bullet multiplies the values of the two bodies.
     info.m_friction = std::sqrt(problem.friction);
     info.m_restitution = std::sqrt(problem.restitution);
     bodies_.push_back(std::make_unique<btRigidBody>(info));
@@ -120,7 +120,7 @@ class Bullet : public Engine {
     const auto body = static_cast<std::size_t>(plane.body);
     shapes_.push_back(std::make_unique<btStaticPlaneShape>(bullet(plane.n), plane.offset));
     bodies_[body]->setCollisionShape(shapes_.back().get());
-    bodies_[body]->setWorldTransform(btTransform::getIdentity());  // from which its offset counts
+    bodies_[body]->setWorldTransform(btTransform::getIdentity());  // the origin of the joint's offset
   }
   void add_joint(const Joint& joint) {
     btRigidBody &i = *bodies_[static_cast<std::size_t>(joint.i)],

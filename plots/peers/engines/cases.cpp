@@ -1,22 +1,23 @@
-// The scenes, and each engine's best settings: what its makers recommend for such a scene, and where that was not the best
-// on it, what was. A setting that holds for all scenes stands in the engine's own file.
+// The scenes, and the best settings of each engine: those that its authors recommend for such a scene, or better ones
+// if we found any. Settings for all scenes are in the engine's own file.
 //
-//   hanging wire     all rows at once, in every engine that can; sweeps need some (N - 1) M/m of them, Eq. (6.12).
-//                    k is so large that no one sees it.
-//   swinging wire    spook's stiff solver has the tension's stiffness in M (chapter 12). Others want steps below 2/ω.
+//   hanging wire     all rows at once, in every engine that supports this; sweeps need about (N - 1) M/m, Eq. (6.12).
+//                    k is so large that its effect is not visible.
+//   swinging wire    spook's stiff solver has the tension's stiffness in M (chapter 12). Other solvers need steps below
+//                    2/ω.
 //   stacks           heavy on light: as the wire
-//   tower            few sweeps and many, warm, and all at once. Our sweeps want a k of which they see something: with
-//                    1e6 N/m the tower sinks by 1e-3 of half a side, and 200 sweeps find that to 1e-5. Here all may try
-//                    1/30 s, and in piles 1/12 s, too. Our sweeps are interleaved: as many, each in 0.6 of the time.
-//   sliding          Coulomb's cone, warm, to 1e-5 m/s: what slides steadily needs a sweep a step, and up to 50 where it
-//                    stops. How four corners share a load is asked to no more: 1e-7 m/s would take all 50 in every step of
-//                    1/60 s, and move the block by nothing. In the others the slip's direction as the first of a box.
-//   top              whatever integrates rotations; no rows at all
-//   double pendulum  spook: d = 0, with which rods are of second order; and steps composed to the fourth
-//   slide to roll    one sweep, cold: the three rows of a sphere on a plane do not feel each other
-//   piles            sweeps, warm: a direct solve of thousands of rows in a heap is for nobody. A warm start wants a small d
-//                    where sweeps are few, Eq. (10.12), and a margin within which contacts are known before they close;
-//                    five sweeps of spheres simmer at such steps unless d is 10. What holds five seeds of each is taken.
+//   tower            few and many sweeps, warm, and all rows at once. Our sweeps need a moderate k: with 1e6 N/m the
+//                    tower sinks by 1e-3 of half a side, and 200 sweeps find this depth to 1e-5. All engines may use
+//                    1/30 s here, and 1/12 s in piles. Our sweeps are interleaved, which takes 0.6 of the time.
+//   sliding          Coulomb's cone, warm, to 1e-5 m/s: steady sliding needs one sweep a step, and stopping up to 50. A
+//                    smaller tolerance concerns only the shares of the four corners: 1e-7 m/s would take all 50 sweeps
+//                    in every step of 1/60 s, without moving the block. In other engines a box along the slip.
+//   top              integration of rotations only; no rows
+//   double pendulum  spook: d = 0, with which rods are of second order; and steps of order four
+//   slide to roll    one sweep, cold: the three rows of a sphere on a plane are not coupled
+//   piles            sweeps, warm: direct solvers are impractical for thousands of rows. With few sweeps a warm start
+//                    needs a small d, Eq. (10.12), and a margin that finds contacts before they close. With five
+//                    sweeps, spheres jitter at such steps unless d is 10. Settings must work for five seeds.
 #include "peers/engines/cases.hpp"
 
 #include <map>
@@ -46,7 +47,7 @@ MakeJudge judge(std::unique_ptr<Judge> (*make)(const Problem&, Number), const au
 
 const std::vector<double> tall = steps({30, 60, 240});
 
-/// What holds a wire or a stack: everyone at once, and with sweeps those who sweep.
+/// The settings for wires and stacks: all rows at once, and sweeps in the engines that have them.
 std::vector<TheirWay> all_at_once_or_sweeps(const std::vector<double>& h, const std::vector<int>& sweeps) {
   return {{"ODE", "step", h},
           {"ODE", "quick", h, sweeps},
@@ -218,7 +219,7 @@ std::unique_ptr<Scene> our_scene(const Case& one, std::size_t set, const OurWay&
   const SceneDescription& description = find_scene(one.scene);
   Parameters parameters(description.parameters);
   std::map<std::string, std::string> values;
-  for (const auto& texts : {way.set, one.set[set]})  // the way's own come first, and stay
+  for (const auto& texts : {way.set, one.set[set]})  // the setting's own values have priority
     for (const std::string& text : texts) {
       const std::size_t equals = text.find('=');
       values.emplace(text.substr(0, equals), text.substr(equals + 1));

@@ -1,6 +1,5 @@
 #pragma once
-// The scenes that engines are compared on, and the ways in which each engine is asked to solve them: cases.cpp has all
-// settings, and why.
+// The scenes of the comparison, and the settings of each engine; cases.cpp has all settings and their reasons.
 #include <string>
 #include <vector>
 
@@ -9,21 +8,21 @@
 
 namespace spook::peers {
 
-/// How ours is asked for: as after ./course run.
+/// Settings of our engine, as options of ./course run.
 struct OurWay {
   std::string solver;
   std::vector<double> h;
-  std::vector<int> sweeps = {0};  ///< 0: it does not sweep
-  bool cone = false;              ///< Coulomb's friction, not the box
+  std::vector<int> sweeps = {0};  ///< 0: a solver without sweeps
+  bool cone = false;              ///< Coulomb's cone instead of the box
   bool warm = false;
-  double contact_margin = -1;         ///< [m]; less than 0: the world's own
-  std::vector<std::string> set = {};  ///< of the scene, beside the case's
+  double contact_margin = -1;         ///< [m]; negative: the world's default
+  std::vector<std::string> set = {};  ///< parameters of the scene, in addition to the case's
   int integrator_order = 2;           ///< the order of its steps
-  double tolerance = 0;               ///< at which sweeps stop [m/s]
+  double tolerance = 0;               ///< tolerance of sweeps [m/s]
   RowOrder row_order = RowOrder::given;
 };
 
-/// The same of another engine.
+/// Settings of another engine.
 struct TheirWay {
   std::string engine, solver;
   std::vector<double> h;
@@ -34,9 +33,9 @@ struct Case {
   std::string name;
   std::string scene;
   std::vector<std::vector<std::string>>
-      set;            ///< of the scene, as after --set; several: the worst of them counts
-  double time;        ///< simulated [s]
-  std::string error;  ///< what the error is, in words
+      set;            ///< parameters of the scene, as after --set; of several, the worst counts
+  double time;        ///< simulated time [s]
+  std::string error;  ///< the error in words
   MakeJudge judge;
   std::vector<OurWay> ours;
   std::vector<TheirWay> theirs;
@@ -44,10 +43,10 @@ struct Case {
 
 std::vector<Case> cases();
 
-/// One that takes milliseconds, for each thing that an adapter translates: a case of one way an engine.
+/// Short cases, one for each feature that an adapter translates: one setting per engine.
 std::vector<Case> small_cases();
 
-/// The scene of a case, ready to run in our engine.
+/// Returns the scene of a case, ready to run in our engine.
 std::unique_ptr<Scene> our_scene(const Case& one, std::size_t set, const OurWay& way, double h, int sweeps);
 
 }  // namespace spook::peers

@@ -1,11 +1,11 @@
-// DART: bodies that joints hold together are trees in reduced coordinates, whose joints cannot open at all. Contacts
-// are rows, solved at once by Dantzig's pivoting, and where that fails by sweeps; they are found by ODE's functions,
-// which know planes.
+// DART: jointed bodies are trees in reduced coordinates, so joints have no gaps. Contacts are rows, solved at once by
+// Dantzig's pivoting, or by sweeps if that fails. ODE's functions find the contacts, since they support planes.
 //
-//   reduced   the only way: DART has no other
+//   reduced   DART's only method
 //
-// A point mass on a rod is a body on a universal joint, with next to no inertia of its own. Loops are not written here.
-// A contact takes back a fifth of its overlap in each step, as ODE's; DART's own hundredth leaves bodies deeper.
+// A point mass on a rod is a body on a universal joint, with very small inertia. Loops are not supported here. A
+// contact corrects a fifth of its overlap in each step, as in ODE; with DART's default of a hundredth bodies are
+// deeper.
 #include <dart/collision/ode/OdeCollisionDetector.hpp>
 #include <dart/constraint/ConstraintSolver.hpp>
 #include <dart/constraint/ContactConstraint.hpp>
@@ -72,7 +72,7 @@ class Dart : public Engine {
   }
 
  private:
-  /// Of a name that no other has: DART prints a line where two are the same.
+  /// Creates a skeleton with a unique name, since DART prints a line for equal names.
   SkeletonPtr new_tree() { return Skeleton::create(std::to_string(trees_++)); }
 
   BodyNode::Properties properties(int body, bool point) const {
@@ -113,7 +113,7 @@ class Dart : public Engine {
     with->getDynamicsAspect()->setFrictionCoeff(problem_.friction);
     with->getDynamicsAspect()->setFirstFrictionDirectionFrame(dart::dynamics::Frame::World());
     with->getDynamicsAspect()->setRestitutionCoeff(
-        std::sqrt(problem_.restitution));  // of two the product counts
+        std::sqrt(problem_.restitution));  // DART multiplies the values of the two bodies
   }
 
   void put(int body, BodyNode* node) {
@@ -123,13 +123,13 @@ class Dart : public Engine {
     if (!it.half_sides.isZero(0)) add_shape(node, std::make_shared<BoxShape>(2 * it.half_sides));
   }
 
-  /// DART ends the program when a number is none, which comes soon after this.
+  /// Throws Lost for huge or NaN velocities, because DART would end the program at a NaN soon afterwards.
   void require_slow() const {
     for (std::size_t k = 0; k < world_->getNumSkeletons(); ++k)
       if (!(world_->getSkeleton(k)->getVelocities().squaredNorm() < 1e12)) throw Lost();
   }
 
-  /// The first direction of the friction box is where a body goes.
+  /// Sets the first direction of the friction box to the velocity of a body.
   void follow_the_slip() {
     for (BodyNode* node : nodes_) {
       if (!node || node->getNumShapeNodes() == 0) continue;
@@ -139,7 +139,7 @@ class Dart : public Engine {
     }
   }
 
-  /// Every joint of `body` that leads to one without a node yet; from a fixed body each is a tree of its own.
+  /// Adds the bodies without a node yet that joints connect to `body`. From a static body each of them starts a tree.
   void add_what_hangs_on(int body, const SkeletonPtr& tree, BodyNode* node) {
     for (const Joint& joint : problem_.joints) {
       if (joint.i != body && joint.j != body) continue;
@@ -185,7 +185,7 @@ class Dart : public Engine {
     return made.second;
   }
 
-  /// The joints' velocities for which the bodies have theirs, as nearly as the joints allow.
+  /// Sets joint velocities such that bodies have their initial velocities, as nearly as the joints allow.
   void set_velocities(const SkeletonPtr& tree) {
     const auto dofs = static_cast<Eigen::Index>(tree->getNumDofs());
     Eigen::MatrixXd J(0, dofs);
@@ -207,8 +207,8 @@ class Dart : public Engine {
   }
 
   Problem problem_;
-  std::vector<BodyNode*> nodes_;  // null for what does not move
-  std::size_t hung_ = 0;          // joints
+  std::vector<BodyNode*> nodes_;  // null for static bodies
+  std::size_t hung_ = 0;          // number of joints in trees
   int trees_ = 0;
   dart::simulation::WorldPtr world_ = dart::simulation::World::create();
 };

@@ -1,5 +1,5 @@
 #pragma once
-// What every engine can do: step, and say where its bodies are. Its own word on its errors is not asked for.
+// The interface of all engines: a step, and the positions of bodies.
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -9,24 +9,24 @@
 
 namespace spook::peers {
 
-/// Exception of an engine that cannot go on; the other engines still run.
+/// Exception of an engine that cannot continue; the other engines still run.
 struct Lost {};
 
 class Engine {
  public:
   virtual ~Engine() = default;
   virtual void advance(
-      std::int64_t steps) = 0;  ///< with the h that it was made for; may throw Lost or SimulationDiverged
+      std::int64_t steps) = 0;         ///< steps of the engine's h; may throw Lost or SimulationDiverged
   virtual Vec3 x(int body) const = 0;  ///< centre of mass [m]
   virtual Quat q(int body) const = 0;  ///< body to world
 };
 
-/// One of an engine's solvers, and what it may cost.
+/// A solver of an engine, with its step and sweeps.
 struct Way {
   std::string engine;  ///< spook, Bullet, ODE, DART
-  std::string solver;  ///< in the engine's own word
+  std::string solver;  ///< name in that engine
   double h;            ///< [s]
-  int sweeps = 0;      ///< of solvers that sweep
+  int sweeps = 0;      ///< number of sweeps, for solvers with sweeps
 };
 
 std::unique_ptr<Engine> make_bullet(const Problem& problem, const Way& way);

@@ -1,13 +1,13 @@
-// The Open Dynamics Engine, as Debian has it: double precision.
+// The Open Dynamics Engine in Debian's version: double precision.
 //
 //   step        dWorldStep: all rows at once, by Dantzig's pivoting on a dense matrix
-//   quick       dWorldQuickStep: projected Gauss-Seidel with so many sweeps
+//   quick       dWorldQuickStep: projected Gauss-Seidel with a given number of sweeps
 //   quick 0.4   the same with an ERP of 0.4
 //
-// Friction is limited by what presses (dContactApprox1), and its first direction follows the slip (dContactFDir1):
-// the friction box of its default, on fixed tangents, is as wrong along a diagonal as ours. CFM is as small as the
-// factors bear, and ERP, the part of an overlap that a step takes back, is 0.2 as its makers have it: 0.8
-// gains nothing at rest and shakes what swings. In piles 0.4 leaves two thirds of the overlap, or loses them; softer CFM,
+// Normal forces limit friction (dContactApprox1), and its first direction follows the slip (dContactFDir1). The default
+// friction box on fixed tangents has the same error along a diagonal as ours. CFM is as small as the factorisation
+// allows. ERP, the fraction of an overlap that a step corrects, is 0.2 by default. An ERP of 0.8 gains nothing at rest,
+// and shakes swinging bodies. In piles 0.4 leaves two thirds of the overlap, or loses the pile. A larger CFM,
 // over-relaxation of 0.8 and 1, and a surface layer gain nothing there.
 #include <ode/ode.h>
 
@@ -27,7 +27,7 @@ class Ode : public Engine {
  public:
   Ode(const Problem& problem, const Way& way)
       : problem_(problem), h_(way.h), quick_(way.solver != "step"), world_(dWorldCreate()) {
-    dRandSetSeed(1);  // in which order quick sweeps
+    dRandSetSeed(1);  // seed of the row order of quick
     space_ = problem.bodies.size() > 100 ? dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ)
                                          : dSimpleSpaceCreate(nullptr);
     contacts_ = dJointGroupCreate(0);
@@ -122,7 +122,7 @@ class Ode : public Engine {
     }
   }
 
-  /// A contact joint for each point at which two shapes touch.
+  /// Adds a contact joint for each point at which two shapes touch.
   void touch(dGeomID a, dGeomID b) {
     const dBodyID i = dGeomGetBody(a), j = dGeomGetBody(b);
     if (!i && !j) return;
@@ -161,13 +161,13 @@ class Ode : public Engine {
   dWorldID world_;
   dSpaceID space_ = nullptr;
   dJointGroupID contacts_ = nullptr;
-  std::vector<dBodyID> bodies_;  // null for what does not move
+  std::vector<dBodyID> bodies_;  // null for static bodies
 };
 
 }  // namespace
 
 std::unique_ptr<Engine> make_ode(const Problem& problem, const Way& way) {
-  // Its messages are about factors that it could not make; what that led to, the error shows.
+  // ODE's messages report failed factorisations; the consequences are visible in the error.
   dSetMessageHandler([](int, const char*, va_list) {});
   static const bool ready = dInitODE2(0) != 0 && dCheckConfiguration("ODE_double_precision") != 0;
   if (!ready) throw std::runtime_error("this ODE is not of double precision");

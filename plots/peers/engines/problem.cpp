@@ -6,7 +6,7 @@ namespace spook::peers {
 
 namespace {
 
-/// The box of which these are the corners.
+/// Returns the box with these corners.
 Vec3 box_of(const std::vector<Vec3>& corners) {
   const Vec3 half_sides = corners.front().cwiseAbs();
   bool box = corners.size() == 8;

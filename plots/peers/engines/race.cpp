@@ -29,12 +29,13 @@ const std::map<std::string, Maker>& makers() {
   return known;
 }
 
-/// How often a run is timed, beside the look at it, which took so long [s]: where that is long it counts itself.
+/// Returns how often to time a run that took so long with observation [s]; 0 for a long run, whose observed time
+/// counts.
 int rounds_of(double seconds, int wanted) {
   return seconds > 5 ? 0 : seconds > 1 ? 1 : wanted;
 }
 
-/// Processor time of all threads of this program [s].
+/// Returns the processor time of all threads of this program [s].
 double processor_time() {
   timespec now;
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
@@ -44,7 +45,7 @@ double processor_time() {
 struct Runner {
   Way way;
   std::function<std::unique_ptr<Engine>(std::size_t set)> make;
-  double error = 0, seconds = std::numeric_limits<double>::infinity();  // of all sets
+  double error = 0, seconds = std::numeric_limits<double>::infinity();  // the worst of all parameter sets
   int rounds = 0;
 };
 
@@ -78,7 +79,7 @@ std::vector<Runner> runners_of_theirs(const Case& one) {
   return runners;
 }
 
-/// Ours, theirs, ours, theirs, ...; what is left of the longer list at the end.
+/// Alternates the elements of two lists: ours, theirs, ours, theirs, ..., then the rest of the longer list.
 std::vector<Runner> in_turns(const std::vector<Runner>& ours, const std::vector<Runner>& theirs) {
   std::vector<Runner> all;
   for (std::size_t k = 0; k < std::max(ours.size(), theirs.size()); ++k) {
@@ -99,7 +100,7 @@ std::int64_t steps_of(const Case& one, const Way& way) {
   return static_cast<std::int64_t>(std::llround(one.time / way.h));
 }
 
-/// With a look after every step; what the steps took counts as a round, too.
+/// Runs with an observation after every step. The time of the steps counts as a round, too.
 double judged(const Case& one, const Runner& runner, std::size_t set, double& seconds) {
   const Problem problem = problem_of(*our_scene(one, set, one.ours.front(), runner.way.h, 0));
   const std::unique_ptr<Engine> engine = runner.make(set);
@@ -121,7 +122,7 @@ double judged(const Case& one, const Runner& runner, std::size_t set, double& se
   return judge->error();
 }
 
-/// Without a look, so often that 20 ms are over; the mean of them [s].
+/// Runs without observation until 20 ms are over; returns the mean time [s].
 double timed(const Case& one, const Runner& runner) {
   double total = 0;
   int runs = 0;

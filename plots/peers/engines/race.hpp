@@ -1,20 +1,20 @@
 #pragma once
-// One scene, every engine, in turns: ours, another, ours, the next, and all of that again, so that what else the machine
-// does slows all alike. What counts is the fastest round of each, in processor time.
+// Times one scene with every engine in turns: ours, another, ours, the next, and so on, in several rounds. So other
+// load of the machine slows all engines alike. The fastest round of each counts, in processor time.
 #include "peers/engines/cases.hpp"
 
 namespace spook::peers {
 
 struct Lap {
   Way way;
-  double error;        ///< as the case's judge says; infinite where it was lost on the way
-  double us_a_second;  ///< of processor time for a simulated second [µs]; 0 where it was lost
+  double error;        ///< by the judge of the case; infinite if the run was lost
+  double us_a_second;  ///< processor time per simulated second [µs]; 0 if the run was lost
 };
 
-/// The engines that this program was built with, ours first.
+/// The engines with which this program was built, ours first.
 std::vector<std::string> engines();
 
-/// A row for each way of each engine that there is.
+/// Returns a row for each setting of each available engine.
 std::vector<Lap> race(const Case& one, int rounds);
 
 }  // namespace spook::peers

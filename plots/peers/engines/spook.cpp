@@ -1,4 +1,4 @@
-// Our own engine, by the same door: the scene itself, stepped.
+// Our own engine behind the same interface.
 #include "peers/engines/spook.hpp"
 
 namespace spook::peers {

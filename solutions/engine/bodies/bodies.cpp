@@ -33,10 +33,10 @@ Shape shape_of(const Body<Dof>& body) {
 
 [[noreturn]] static Vec3 reject_missing_moments() {
   throw std::invalid_argument(
-      "principal moments must be given for a body that is no sphere, no capsule and no box, but are missing");
+      "principal moments must be given for a body other than a sphere, capsule or box, but are missing");
 }
 
-/// Returns the moments that a body is given, or else those of its shape.
+/// Returns the given moments of a body, or those of its shape.
 static Vec3 moments_of(const Body<6>& body) {
   if (body.principal) return *body.principal;
   return match(
@@ -49,7 +49,7 @@ static Vec3 moments_of(const Body<6>& body) {
       [](const PointSet&) { return reject_missing_moments(); });
 }
 
-/// Each is a sum over two of three squares, so that none is more than the other two together.
+/// Throws unless no moment exceeds the sum of the other two: each moment is a sum over two of three squares.
 static void require_moments(const Body<6>& body) {
   if (!body.principal) return;
   for (const double moment : *body.principal) require_positive("principal moment", moment);

@@ -1,11 +1,10 @@
 #pragma once
-// What two bodies are to each other where they touch.
+// The contact parameters of two bodies. A material that was set for the pair has priority. Otherwise the materials of
+// the two bodies are combined, with the world's settings for missing numbers:
 //
-//   of a pair    as it was given for the two; else from what was given for each of them, and from the world's settings
-//                for what was not
-//   friction     √(μ_i μ_j): without friction on either side there is none
+//   friction     √(μ_i μ_j): no friction if either body has none
 //   restitution  the larger
-//   k, d         the softer k, the larger d
+//   k, d         the smaller k, the larger d
 #include <cmath>
 #include <map>
 #include <optional>
@@ -14,7 +13,7 @@
 
 namespace spook {
 
-/// Of a body, or of a pair; what is not given is the world's.
+/// The contact parameters of a body or of a pair of bodies. Default for a missing number: the world's settings.
 struct Material {
   std::optional<double> friction = {};     ///< μ
   std::optional<double> restitution = {};  ///< e, 0 to 1
@@ -22,7 +21,7 @@ struct Material {
   std::optional<double> d = {};            ///< [steps]
 };
 
-/// All of it.
+/// The contact parameters of a pair, complete.
 struct PairMaterial {
   double friction, restitution, k, d;
 };
@@ -31,23 +30,24 @@ class Materials {
  public:
   explicit Materials(const PairMaterial& world) : world_(world) {}
 
-  /// Throws std::invalid_argument, naming the number, unless μ >= 0, 0 <= e <= 1, k > 0 and d >= 0.
+  /// Sets the material of a body or of a pair. Throws std::invalid_argument, naming the number, unless μ >= 0, 0 <= e
+  /// <= 1, k > 0 and d >= 0.
   void set(int body, const Material& material);
   void set(int i, int j, const Material& material);
 
-  /// Forgets a body; those after it move up by one.
+  /// Removes a body. The indices of later bodies decrease by one.
   void remove(int body);
 
-  /// The k of pairs of which nothing else was said [N/m].
+  /// Sets and returns the k of pairs without a k of their own [N/m].
   void set_stiffness(double k) { world_.k = k; }
   double stiffness() const { return world_.k; }
 
   PairMaterial of(int i, int j) const;
 
-  /// Whether anything was said of a body, or of a pair.
+  /// Tells whether any material was set.
   bool any() const { return !bodies_.empty() || !pairs_.empty(); }
 
-  /// Whether anything rubs on anything, or may bounce.
+  /// Tells whether any pair may have friction, or restitution.
   bool rub() const { return rub_; }
   bool bounce() const { return bounce_; }
 

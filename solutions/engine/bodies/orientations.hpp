@@ -1,5 +1,5 @@
 #pragma once
-// Orientations and moments of inertia, as arrays: what a rigid body has beyond a point mass.
+// Orientations and moments of inertia of rigid bodies, as arrays.
 #include <cstddef>
 #include <vector>
 
@@ -7,7 +7,7 @@
 
 namespace spook {
 
-/// The orientations of point masses, which have none.
+/// The orientations of point masses: empty.
 template <int Dof>
 struct Orientations {};
 

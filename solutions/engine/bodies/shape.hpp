@@ -9,7 +9,7 @@
 
 namespace spook {
 
-/// The shape of a body that touches nothing.
+/// The shape of a body without contacts.
 struct NoShape {};
 
 struct Sphere {
@@ -27,14 +27,14 @@ struct Cuboid {
   Vec3 half_sides;  ///< [m]
 };
 
-/// Points that planes stop; nothing else does.
+/// Points that touch planes only.
 struct PointSet {
   std::vector<Vec3> points;  ///< from the centre, in the body's axes [m]
 };
 
 using Shape = std::variant<NoShape, Sphere, Capsule, Cuboid, PointSet>;
 
-/// Calls that one of `handlers` which takes what `shape` holds.
+/// Calls the handler that takes the type which `shape` holds.
 template <class... Handlers>
 struct Handling : Handlers... {
   using Handlers::operator()...;
@@ -46,12 +46,12 @@ decltype(auto) match(Variant&& shape, Handlers&&... handlers) {
   return std::visit(Handling{std::forward<Handlers>(handlers)...}, std::forward<Variant>(shape));
 }
 
-/// Throws std::invalid_argument that names the radius, half length, half side or corner unless radii and half sides are
+/// Throws std::invalid_argument, naming the radius, half length, half side or corner, unless radii and half sides are
 /// positive and finite, a half length is finite and not negative, and points are finite.
 void require_sound(const Shape& shape);
 
-/// Returns the size below which a body of this shape may not sink [m]: a radius, the least half side, the distance of the
-/// farthest point; infinity for no shape.
+/// Returns the size of a shape [m], to which penetration is compared: a radius, the least half side, the distance of
+/// the farthest point; infinity without a shape.
 double size_of(const Shape& shape);
 
 /// Returns the principal moments of a solid sphere, 2/5 m r² each [kg m²].
@@ -60,9 +60,9 @@ Vec3 solid_sphere_moments(double mass, double radius);
 /// Returns the principal moments of a solid box, m/3 (b² + c²) and so on [kg m²], from the halves of its sides [m].
 Vec3 solid_box_moments(double mass, const Vec3& half_sides);
 
-/// Returns the principal moments of a solid capsule along z [kg m²]: those of a cylinder of half length L and of two half
-/// balls, whose masses are as their volumes:
-///   I_z = m_c r²/2 + m_s 2/5 r²,   I_x = I_y = m_c (r²/4 + L²/3) + m_s (2/5 r² + L² + 3/4 r L)
+/// Returns the principal moments of a solid capsule along z [kg m²], the sum of a cylinder of half length L and mass
+/// m_c and of two half balls of total mass m_s, with masses in proportion to volume:
+/// I_z = m_c r²/2 + m_s 2/5 r²,   I_x = I_y = m_c (r²/4 + L²/3) + m_s (2/5 r² + L² + 3/4 r L)
 Vec3 solid_capsule_moments(double mass, double radius, double half_length);
 
 /// Returns the eight corners of a box [m].

@@ -8,17 +8,17 @@ namespace spook {
 
 namespace {
 
-/// Halvings of the segment after which a place on it is known to roundings.
+/// Bisections of the segment after which a position on it is accurate to round-off.
 constexpr int halvings = 52;
-/// Two places that are nearer than this, in half lengths, are one contact.
+/// Two positions closer than this, in half lengths, are one contact.
 constexpr double apart = 1e-3;
-/// Gaps that are alike to this part of them are one depth.
+/// Gaps with a smaller relative difference than this are equal.
 constexpr double roundings_of_gaps = 1e-9;
-/// A point is beside a face up to this part of the smallest half side, as in box_box.
+/// A point within this fraction of the smallest half side is beside a face, as in box_box.
 constexpr double millionth = 1e-6;
 
-/// Returns the t between -1 and 1 where a convex function is lowest, from the sign of its slope, to roundings; where it is
-/// flat, the first such t.
+/// Returns the t between -1 and 1 of the minimum of a convex function, from the sign of its slope, to round-off; the
+/// first such t if the function is flat there.
 template <class Slope>
 double lowest_of(const Slope& slope) {
   if (slope(-1) >= 0) return -1;
@@ -31,21 +31,21 @@ double lowest_of(const Slope& slope) {
   return high;
 }
 
-/// A part of a segment, from t = first to last; empty if last < first.
+/// A part of a segment, from t = first to t = last; empty if last < first.
 struct Range {
   double first = -1, last = 1;
 
-  /// Leaves only where |at_0 + t slope| <= limit.
+  /// Restricts the range to |at_0 + t slope| <= limit.
   void clip(double at_0, double slope, double limit) {
-    if (slope == 0) return;  // there, or nowhere, all along
+    if (slope == 0) return;  // the condition holds for all t or for none
     const double a = (-limit - at_0) / slope, b = (limit - at_0) / slope;
     first = std::max(first, std::min(a, b));
     last = std::min(last, std::max(a, b));
   }
 };
 
-/// Appends the contacts of the balls at the ends of a range that touch, and of that at `lowest` where it is another one
-/// and lies deeper. `contact_at` gives that of the ball at t.
+/// Appends the contacts of the balls at the ends of a range that touch, and that of the ball at `lowest` if it is a
+/// different and deeper one. `contact_at` returns the contact of the ball at t.
 template <class ContactAt>
 void add_contacts(double lowest, const Range& along, const ContactAt& contact_at,
                   std::vector<Contact>& contacts) {
@@ -62,19 +62,19 @@ void add_contacts(double lowest, const Range& along, const ContactAt& contact_at
   if (!stands_for_it) contacts.push_back(*deepest);
 }
 
-/// Returns the place, from -1 to 1, on the segment of a capsule that is nearest to a point.
+/// Returns the t, from -1 to 1, of the point on a capsule's segment that is nearest to a point.
 double nearest(const PlacedCapsule& capsule, const Vec3& point) {
   if (capsule.half_length == 0) return 0;
   return std::clamp(capsule.axis.dot(point - capsule.x) / capsule.half_length, -1.0, 1.0);
 }
 
-/// Returns the contact with its lever arm on j from the centre of the body and not from that of the ball at t.
+/// Returns the contact with its lever arm on j measured from the body's centre instead of the ball's.
 std::optional<Contact> on_capsule(std::optional<Contact> contact, const PlacedCapsule& j, double t) {
   if (contact) contact->r_j += t * j.half_length * j.axis;
   return contact;
 }
 
-/// Returns the direction in which the signed distance from a box grows, at a point in the box's axes; of any length.
+/// Returns the gradient of the signed distance from a box, at a point in the box's axes; of any length.
 Vec3 outwards(const Box& box, const Vec3& point) {
   const Vec3& h = box.half_sides;
   const Vec3 out = point - point.cwiseMax(-h).cwiseMin(h);
@@ -108,7 +108,7 @@ void capsule_ball(const PlacedCapsule& capsule, const Ball& ball, std::vector<Co
 void capsule_capsule(const PlacedCapsule& i, const PlacedCapsule& j, std::vector<Contact>& contacts) {
   const auto nearest_on_i = [&](double t) { return nearest(i, j.ball(t).x); };
   const auto slope = [&](double t) { return j.axis.dot(j.ball(t).x - i.ball(nearest_on_i(t)).x); };
-  Range along;  // where the nearest point of i is not one of its ends
+  Range along;  // where the nearest point of i is not an end
   along.clip(i.axis.dot(j.x - i.x), j.half_length * i.axis.dot(j.axis), i.half_length);
   const auto contact_at = [&](double t) {
     const double s = nearest_on_i(t);
@@ -125,7 +125,7 @@ void box_capsule(const Box& box, const PlacedCapsule& capsule, std::vector<Conta
   const Vec3 centre = box.axes.transpose() * (capsule.x - box.x),
              step = capsule.half_length * (box.axes.transpose() * capsule.axis);
   const double lowest = lowest_of([&](double t) { return step.dot(outwards(box, centre + t * step)); });
-  // Beside which faces, and so along which axes of the box the segment may go on, is told by the lowest point.
+  // The lowest point decides beside which faces, and so along which axes of the box, the segment extends.
   const Vec3 beyond = (centre + lowest * step).cwiseAbs() - box.half_sides;
   int face;
   beyond.maxCoeff(&face);

@@ -1,19 +1,19 @@
 #pragma once
-// Contacts of capsules. A capsule is a ball that has moved along a segment, so that each of its contacts is one of a
-// ball somewhere on it:
+// Contacts of capsules. A capsule is the union of balls along a segment, so each of its contacts is that of a ball on
+// the segment:
 //
 //   x(t)      centre + t half_length axis, for t from -1 to 1
 //   g(t)      the gap of the ball at x(t). A signed distance from a convex shape is a convex function of t
 //   plane     g is linear: the two ends, Eq. (8.1)
-//   others    the lowest point; and where the segment runs along a face, an edge or another segment, the two ends of that
-//             part, if they touch. So a capsule that lies on a face or along another stands on two
+//   others    the t of the least gap; if the segment runs along a face, an edge or another segment, also the two ends
+//             of the common part, if they touch. So a capsule that lies on a face stands on two contacts
 //
 // Not in the notes.
 #include "08_pairs/pairs.hpp"
 
 namespace spook {
 
-/// A capsule where it is now.
+/// A capsule at its current position.
 struct PlacedCapsule {
   int body;
   Vec3 x;              ///< centre [m]
@@ -27,7 +27,7 @@ struct PlacedCapsule {
 
 Bounds bounds(const PlacedCapsule& capsule);
 
-/// Appends the contacts of a plane (body i) with a capsule (body j): of those ends that touch it.
+/// Appends the contacts of a plane (body i) with a capsule (body j), one for each end that touches.
 void plane_capsule(const Plane& plane, const PlacedCapsule& capsule, std::vector<Contact>& contacts);
 
 /// Appends the contact of a capsule (body i) with a ball (body j), if they touch.

@@ -37,7 +37,7 @@ void Shapes::remove(int body) {
 
 namespace {
 
-/// Returns a solid where it is now, grown by `grown`.
+/// Returns a solid at its current position, grown by `grown`.
 template <int Dof>
 PlacedSolid placed(const Solid& solid, const Bodies<Dof>& bodies, double grown) {
   const int body = solid.body;
@@ -85,12 +85,12 @@ void touch(const Plane& plane, const PlacedSolid& solid, std::vector<Contact>& c
       [&](const PlacedCapsule& capsule) { plane_capsule(plane, capsule, contacts); },
       [&](const Box& box) {
         const bool in_reach =
-            plane.n.dot(box.x) - plane.offset <= 1.001 * box.half_sides.norm();  // more than roundings
+            plane.n.dot(box.x) - plane.offset <= 1.001 * box.half_sides.norm();  // more than round-off
         if (in_reach) plane_box(plane, box, contacts);
       });
 }
 
-// The contacts of each two kinds of solids. No kind is made into another: each pair has its own function.
+// The contacts of each pair of kinds of solids; each pair has its own function.
 void meet(const Ball& a, const Ball& b, std::vector<Contact>& contacts) {
   add(ball_ball(a, b), contacts);
 }
@@ -110,7 +110,7 @@ void meet(const Box& a, const PlacedCapsule& b, std::vector<Contact>& contacts) 
   box_capsule(a, b, contacts);
 }
 
-/// Appends the contacts of two solids, in whichever order there is a function for them.
+/// Appends the contacts of two solids, in the order for which there is a function.
 void touch(const PlacedSolid& one, const PlacedSolid& other, std::vector<Contact>& contacts) {
   std::visit(
       [&](const auto& a, const auto& b) {
@@ -141,14 +141,14 @@ Pair pair_of(const Contact& contact) {
   return std::minmax(contact.i, contact.j);
 }
 
-/// Those that were found of two solids, which are in the order of their pairs.
+/// The contacts of two solids found in the last call, in the order of their pairs.
 class PreviousContacts {
  public:
   PreviousContacts(const std::vector<Contact>& contacts, std::size_t begin, std::size_t end)
       : next_(contacts.begin() + static_cast<std::ptrdiff_t>(begin)),
         end_(contacts.begin() + static_cast<std::ptrdiff_t>(std::min(end, contacts.size()))) {}
 
-  /// The same from a pair on.
+  /// Starts at a pair.
   PreviousContacts from(const Pair& bodies) const {
     PreviousContacts rest = *this;
     const auto before = [](const Contact& contact, const Pair& pair) { return pair_of(contact) < pair; };
@@ -156,7 +156,7 @@ class PreviousContacts {
     return rest;
   }
 
-  /// Those of a pair that comes after all that were asked for before.
+  /// Appends the contacts of a pair. Pairs must be requested in order.
   void add_those_of(const Pair& bodies, std::vector<Contact>& contacts) {
     while (next_ < end_ && pair_of(*next_) < bodies) ++next_;
     for (; next_ < end_ && pair_of(*next_) == bodies; ++next_) contacts.push_back(*next_);
@@ -192,7 +192,7 @@ int ContactFinder::find_moved(const std::vector<bool>& moved, const Shapes& shap
       if (!shapes.solids[s].is_static) touch(plane, placed_[s], contacts);
     }
   }
-  // The point of a contact with a plane is the body's own: without what it has grown by.
+  // The point of a contact with a plane is on the original shape, before it was grown.
   for (Contact& contact : contacts) {
     contact.r_i += grown * contact.n;
     contact.r_j += grown * contact.n;
@@ -225,7 +225,7 @@ int ContactFinder::find_moved(const std::vector<bool>& moved, const Shapes& shap
       }
     };
     const std::size_t shares = shares_of(threads, near.size());
-    found_.resize(shares - 1);  // the first share is found in place
+    found_.resize(shares - 1);  // the first share is written in place
     parallel_for(threads, near.size(), [&](std::size_t share, std::size_t first, std::size_t end) {
       if (share == 0) return look_at(first, end, contacts);
       found_[share - 1].clear();

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double parallel = 1 - 1e-6;  // cosine of .0014 rad
 
-/// Returns the bodies that have contacts of several directions. All others have no ghosts.
+/// Returns the bodies with contacts in several directions; only these can have ghosts.
 std::vector<bool> touched_from_several_sides(const std::vector<Contact>& contacts, std::size_t bodies,
                                              bool& any) {
   std::vector<const Contact*> first(bodies, nullptr);
@@ -24,12 +24,12 @@ std::vector<bool> touched_from_several_sides(const std::vector<Contact>& contact
   return several;
 }
 
-/// A body that another one touches, and the direction in which it pushes that one away.
+/// A body that supports another one, and the direction of its force on that body.
 struct Support {
   int other;
   Vec3 m;
   double gap;
-  double face;  ///< height along m of what is touched; -infinity where it has no face there [m]
+  double face;  ///< height of the touched face along m [m]; -infinity without a face
 };
 
 class Surfaces {
@@ -58,7 +58,7 @@ class Surfaces {
     return match(shapes_.solids[s].shape, [](const auto& shape) { return size_of(Shape(shape)); });
   }
 
-  /// Returns the height of the face that looks along m [m]; -infinity where there is none.
+  /// Returns the height of the face with normal m [m]; -infinity if there is none.
   double face_along(const Vec3& m, int body) const {
     if (const Box* found = box(body)) {
       const bool is_face = (found->axes.transpose() * m).cwiseAbs().maxCoeff() >= parallel;
@@ -80,7 +80,7 @@ class Surfaces {
   std::vector<int> solid_of_;
 };
 
-/// Returns whether a body that rests on these cannot be stopped by `other`, which pushes it along n.
+/// Tells whether a body that rests on these supports cannot be stopped by `other`, which pushes it along n.
 bool is_ghost(int body, int other, const Vec3& n, const std::vector<Support>& supports,
               const Surfaces& surfaces) {
   const Box* box = surfaces.box(other);

@@ -8,8 +8,8 @@ namespace spook {
 
 namespace {
 
-constexpr double room = 0.1;      // on each side, over the widest of the bounds
-constexpr std::size_t few = 100;  // to compare them with all others costs no more than a broad phase
+constexpr double room = 0.1;      // on each side, relative to the widest of the bounds
+constexpr std::size_t few = 100;  // comparing these with all others costs no more than a broad phase
 
 Bounds roomier(const Bounds& one) {
   const Vec3 more = Vec3::Constant(room * (one.upper - one.lower).maxCoeff());
@@ -20,7 +20,7 @@ bool is_within(const Bounds& one, const Bounds& other) {
   return (other.lower.array() <= one.lower.array()).all() && (one.upper.array() <= other.upper.array()).all();
 }
 
-/// Which have left the bounds that they had; all of them if those were of others.
+/// Returns the bodies that have left their enlarged bounds; all bodies if their number has changed.
 std::vector<int> that_left(const std::vector<Bounds>& bounds, const std::vector<Bounds>& roomy) {
   std::vector<int> gone;
   for (int k = 0; k < std::ssize(bounds); ++k)
@@ -28,7 +28,7 @@ std::vector<int> that_left(const std::vector<Bounds>& bounds, const std::vector<
   return gone;
 }
 
-/// The pairs that are worth a closer look.
+/// Returns the candidate pairs.
 std::vector<Pair> broad_phase(const std::vector<Bounds>& bounds) {
   const int n = static_cast<int>(bounds.size());
   if (n > 32) return n <= 2000 ? sweep_and_prune(bounds) : spatial_hash(bounds);

@@ -1,9 +1,9 @@
 #pragma once
-// Which solids are near each other, remembered from step to step.
+// Pairs of near solids, kept from step to step.
 //
-// Most bodies move by little in a step. Bounds with some room around them have pairs, from a broad phase; as long as nothing
-// has left its own, no other pair can touch. A few that have left get new ones, and are compared with all others. A body
-// at rest is skipped by later broad phases.
+// Most bodies move little in a step. A broad phase finds the pairs of enlarged bounds. As long as no body has left its
+// enlarged bounds, no other pair can touch. If a few bodies have left, they get new bounds, which are compared with all
+// others. A body at rest is skipped by later broad phases.
 #include <vector>
 
 #include "08_pairs/pairs.hpp"
@@ -12,14 +12,15 @@ namespace spook {
 
 class PairCache {
  public:
-  /// The pairs whose bounds touch, in order. Throws std::invalid_argument that names lower or upper if one is not finite.
+  /// Returns the pairs whose bounds touch, in order. Throws std::invalid_argument, naming lower or upper, if one is not
+  /// finite.
   const std::vector<Pair>& touching(const std::vector<Bounds>& bounds);
 
  private:
   void give_all_room(const std::vector<Bounds>& bounds);
   void give_room(const std::vector<int>& these, const std::vector<Bounds>& bounds);
 
-  std::vector<Bounds> roomy_;  // what near_ are the pairs of
+  std::vector<Bounds> roomy_;  // enlarged bounds; near_ are the pairs of them that touch
   std::vector<Pair> near_, touching_;
 };
 

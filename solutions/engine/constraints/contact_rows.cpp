@@ -22,7 +22,7 @@ Constraint<Dof> contact_constraint(const Contact& contact, const SpookParameters
           .hi = infinity};
 }
 
-/// How many contacts there are between the two bodies of contact c; they follow each other.
+/// The number of consecutive contacts between the two bodies of contact c.
 static int contacts_of_pair(const std::vector<Contact>& contacts, std::size_t c) {
   const auto of_pair = [&](std::size_t other) {
     return contacts[other].i == contacts[c].i && contacts[other].j == contacts[c].j;
@@ -33,7 +33,7 @@ static int contacts_of_pair(const std::vector<Contact>& contacts, std::size_t c)
   return static_cast<int>(end - first);
 }
 
-/// Velocity of j's contact point relative to i's, that of the forces included.
+/// Velocity of j's contact point relative to i's, with the velocity change by forces included.
 static Vec3 slip(const Contact& contact, const Motion<3>& motion) {
   const auto v = [&](int body) { return motion.W[body] + motion.Wf[body]; };
   return v(contact.j) - v(contact.i);
@@ -62,7 +62,7 @@ void add_contact_rows(const std::vector<Contact>& contacts, double h, const Mate
   const std::size_t rows_of_one = rows_per_contact(rub);
   rows.resize(first_row + rows_of_one * contacts.size());
   rubbing.resize(rub && !box ? contacts.size() : 0);
-  // In its place, and not made elsewhere and copied.
+  // Built in place, without a copy.
   const auto make_at = [&](std::size_t k, const Constraint<Dof>& constraint) {
     new (&rows[k]) Row<Dof>(make_row(constraint, motion));
   };
@@ -71,7 +71,7 @@ void add_contact_rows(const std::vector<Contact>& contacts, double h, const Mate
     ParameterCache spook_of(h);
     PairMaterial touching{};
     Tangents along{};
-    int count = 0;  // contacts of the pair
+    int count = 0;  // number of contacts of the pair
     double limit = 0;
     for (std::size_t c = first; c < end; ++c) {
       const Contact& contact = contacts[c];
@@ -83,7 +83,7 @@ void add_contact_rows(const std::vector<Contact>& contacts, double h, const Mate
       const std::size_t normal = first_row + rows_of_one * c;
       make_at(normal, contact_constraint<Dof>(contact, spook_of(touching.k, touching.d)));
       if (!rub) continue;
-      // Two boxes most often have one normal, and with it these.
+      // Contacts of two boxes usually share one normal, and so these tangents.
       const bool same_normal = same_pair && contact.n == contacts[c - 1].n;
       if (!same_normal) limit = bound(contact, touching.friction, count);
       if (friction.sliding_tangents)

@@ -1,10 +1,10 @@
 #pragma once
-// From contacts to rows; joint_rows.hpp has those of joints.
+// Rows of contacts; joint_rows.hpp has the rows of joints.
 //
-//   dg/dt = G W          G of a contact, Eq. (3.3); of a point mass the linear part of it
-//   a, b, Σ              from h, k, d, Eq. (3.4)-(3.6); of friction 0, 1, Γ, Eq. (5.4)
-//   0 <= λ < ∞           a contact pushes, never pulls
-//   -Λ <= λ <= Λ         friction: two rows more, with the bound of Eq. (5.7), or of chapter 09
+//   dg/dt = G W          G of a contact, Eq. (3.3); for a point mass only its linear part
+//   a, b, Σ              from h, k, d, Eq. (3.4)-(3.6); for friction 0, 1, Γ, Eq. (5.4)
+//   0 <= λ < ∞           normal row: a contact pushes, never pulls
+//   -Λ <= λ <= Λ         friction: two more rows, with the bound of Eq. (5.7), or of chapter 09
 //   S_kk, B              Eq. (4.3), (4.4)
 #include <string>
 #include <vector>
@@ -14,14 +14,15 @@
 
 namespace spook {
 
+/// Returns the constraint of a contact's normal direction.
 template <int Dof>
 Constraint<Dof> contact_constraint(const Contact& contact, const SpookParameters& spook);
 
-/// Where the limit of friction comes from.
+/// The source of the friction limit Λ.
 enum class FrictionModel {
-  box,       ///< a mass and gravity: Eq. (5.6)-(5.8)
-  two_pass,  ///< the normal impulses of a first pass, without friction: Eq. (9.1)
-  cone       ///< the normal impulse of now, on Coulomb's cone: Eq. (9.3)-(9.6)
+  box,       ///< a constant, from a mass and gravity: Eq. (5.6)-(5.8)
+  two_pass,  ///< the normal impulses of a first solve without friction: Eq. (9.1)
+  cone       ///< the current normal impulse, on Coulomb's cone: Eq. (9.3)-(9.6)
 };
 
 inline std::string name_of(FrictionModel model) {
@@ -30,21 +31,22 @@ inline std::string name_of(FrictionModel model) {
 
 /// Friction settings.
 struct Friction {
-  double c = 1e12;              ///< viscosity that is left [N s/m]: what sticks creeps at F/c, Eq. (5.5)
-  Vec3 gravity = Vec3::Zero();  ///< what presses, in Eq. (5.7) [m/s²]
+  double c = 1e12;  ///< viscosity [N s/m]: under a force F a sticking contact creeps at F/c, Eq. (5.5)
+  Vec3 gravity = Vec3::Zero();  ///< g of Eq. (5.7) [m/s²]
   FrictionModel model = FrictionModel::box;
-  /// Tangents along the slip, Eq. (9.2), where the slip is faster than a thousandth of what gravity adds in a step.
+  /// First tangent along the slip, Eq. (9.2), if the slip is faster than a thousandth of the speed that gravity adds in
+  /// a step.
   bool sliding_tangents = false;
 };
 
-/// One for the normal, and where anything rubs two for the tangents.
+/// Returns the number of rows of a contact: one for the normal, and two for the tangents if any pair has friction.
 inline int rows_per_contact(bool rub) {
   return rub ? 3 : 1;
 }
 
-/// Adds the rows of each contact in turn: the normal one, and where anything rubs those of its two tangents. The latter
-/// have the bounds of the box; without one, of 0 for two passes, and none for the cone, and are in `rubbing`. The rows do not
-/// depend on `threads`.
+/// Adds the rows of each contact in turn: the normal row and, if any pair has friction, the rows of its two tangents.
+/// Friction rows have the bounds of the box; 0 for two passes; infinite for the cone. For the last two, `rubbing` lists
+/// the contacts. The rows are the same for any number of `threads`.
 template <int Dof>
 void add_contact_rows(const std::vector<Contact>& contacts, double h, const Materials& materials,
                       const Friction& friction, const Motion<Dof>& motion, int threads, std::size_t first_row,

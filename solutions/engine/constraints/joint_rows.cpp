@@ -7,8 +7,8 @@
 
 namespace spook {
 
-/// The rows of Eq. (6.6), with both lever arms to one point between the two: Eq. (6.15). There is one force then and no
-/// torque, and the gaps are as seen by somebody who turns with the joint.
+/// Adds the rows of Eq. (6.6), with both lever arms to one point between the two: Eq. (6.15). So there is one force and
+/// no torque, and gaps are measured in a frame that rotates with the joint.
 template <int Dof>
 static std::array<Constraint<Dof>, 3> ball_joint_at_one_point(Attachment i, Attachment j,
                                                               const SpookParameters& spook,
@@ -28,7 +28,7 @@ static std::array<Constraint<Dof>, 3> ball_joint_at_one_point(Attachment i, Atta
   return rows;
 }
 
-/// A row that holds a coordinate at zero.
+/// Returns a row that holds a coordinate at zero.
 static Constraint<6> holding(const Coordinate& c, const SpookParameters& spook) {
   return {.i = c.i,
           .j = c.j,
@@ -40,7 +40,7 @@ static Constraint<6> holding(const Coordinate& c, const SpookParameters& spook) 
           .hi = infinity};
 }
 
-/// How far a row may get in a step, generously [m or rad].
+/// Returns an upper bound of a row's motion in a step [m or rad].
 static double reach(const Constraint<6>& row, double h, const Motion<6>& motion) {
   const auto rate = [&](const std::vector<Twist<6>>& of) {
     return std::abs(row.Gi.dot(of[row.i]) + row.Gj.dot(of[row.j]));
@@ -56,15 +56,15 @@ static void add_limit_row(const Joint& joint, const Coordinate& free, double h, 
   rows.push_back(make_row(limit, motion));
 }
 
-/// Returns the speed nearest to a motor's that asks for no more than the limits allow: the rest of the way within a
-/// step of `h`, and beyond a limit the way back at the pace of the limit's own row: Eq. (13.17).
+/// Returns the speed nearest to a motor's target that the limits allow: within the limits, the remaining distance in a
+/// step of `h`; beyond a limit, the speed of return of the limit's own row: Eq. (13.17).
 static double speed_within(const JointLimits& limits, double value, double speed, double h, double limit_d) {
   const double a = spook_parameters(h, 1, limit_d).a;
   const auto allowed = [&](double gap) { return gap > 0 ? gap / h : a * gap; };
   return std::min(std::max(speed, -allowed(value - limits.lower)), allowed(limits.upper - value));
 }
 
-/// Those that hold, of its limits, of its motor.
+/// Adds the holding rows of a hinge, slider or weld, then the rows of its limits and its motor.
 static void add_guided_rows(const Joint& joint, double h, const Bodies<6>& bodies, std::vector<Row<6>>& rows) {
   const Motion<6>& motion = bodies.motion;
   const SpookParameters spook = spook_parameters(h, *joint.k, *joint.d),
@@ -101,7 +101,7 @@ void add_joint_rows(const std::vector<Joint>& joints, double h, const Bodies<Dof
         continue;
       }
     const SpookParameters& spook = spook_of(*joint.k, *joint.d);
-    // (World::step has seen to it that every distance has a direction.)
+    // (World::step has checked that every distance has a direction.)
     const Attachment i = attachment(joint.i, joint.p_i, bodies), j = attachment(joint.j, joint.p_j, bodies);
     if (joint.length) {
       rows.push_back(make_row(distance_constraint<Dof>(i, j, *joint.length, spook), bodies.motion));

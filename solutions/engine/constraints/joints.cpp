@@ -12,12 +12,12 @@ std::string name_of(JointKind kind) {
 
 namespace {
 
-/// The rows that hold a joint: first those along axes, then those about axes.
+/// The holding rows of a joint: first those along axes, then those about axes.
 struct HoldingRows {
   int along, about;
 };
 
-/// A kind without a row here is a warning of the compiler.
+/// Returns the table's row of a kind; the compiler warns of a missing kind.
 HoldingRows held_by(JointKind kind) {
   switch (kind) {
     case JointKind::ball:
@@ -36,9 +36,9 @@ HoldingRows held_by(JointKind kind) {
       std::to_string(static_cast<int>(kind)));
 }
 
-/// Returns the shortest turn from z to a unit vector.
+/// Returns the smallest rotation from z to a unit vector.
 Quat turn_of_z_to(const Vec3& axis) {
-  if (axis.z() < -1 + 1e-12) return Quat(0, 1, 0, 0);  // half a turn, about any axis across
+  if (axis.z() < -1 + 1e-12) return Quat(0, 1, 0, 0);  // half a turn, about any perpendicular axis
   const double s = std::sqrt(2 * (1 + axis.z()));
   return Quat(s / 2, -axis.y() / s, axis.x() / s, 0);
 }

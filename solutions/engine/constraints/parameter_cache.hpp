@@ -1,10 +1,10 @@
 #pragma once
-// SPOOK's numbers of many rows, of which most share their k and d.
+// SPOOK's parameters for many rows, most of which share k and d.
 #include "03_single_contact/single_contact.hpp"
 
 namespace spook {
 
-/// Those of the last k and d are kept.
+/// Keeps the parameters of the last k and d.
 class ParameterCache {
  public:
   explicit ParameterCache(double h) : h_(h) {}

@@ -12,7 +12,7 @@ static std::pair<int, int> pair_of(const auto& contact) {
   return {contact.i, contact.j};
 }
 
-/// The end of those of one pair that begin at k.
+/// Returns the end of the contacts of one pair that start at k.
 template <class One>
 static std::size_t end_of_pair(const std::vector<One>& all, std::size_t k) {
   const auto pair = pair_of(all[k]);
@@ -24,8 +24,9 @@ static bool contains(const std::vector<std::size_t>& all, std::size_t one) {
   return std::find(all.begin(), all.end(), one) != all.end();
 }
 
-/// The number, among the old contacts of a pair, of the one that each is nearest to; none if two want the same. It is what
-/// match_contacts finds: nobody gets another one unless his nearest is somebody else's.
+/// Finds the nearest old contact of each contact of a pair; clears `nearest` if two contacts have the same one. The
+/// result is that of match_contacts, in which a contact gets another than its nearest only if another contact has that
+/// one.
 static void find_nearest(std::span<const Contact> contacts, std::span<const OldContact> old,
                          std::vector<std::size_t>& nearest) {
   nearest.clear();
@@ -42,8 +43,8 @@ static void find_nearest(std::span<const Contact> contacts, std::span<const OldC
   }
 }
 
-/// Calls match(old, now) for each contact that was there before. Where those of a pair follow each other, and pairs come in
-/// order, as they do, most are found at once. What is left is matched by match_contacts.
+/// Calls match(old, now) for each contact that existed before. Contacts of a pair are consecutive, and pairs are
+/// sorted, so most matches are found at once. match_contacts matches the rest.
 template <class Match>
 static void match_all(const std::vector<Contact>& contacts, const std::vector<OldContact>& old,
                       const Match& match) {
@@ -73,13 +74,13 @@ static void match_all(const std::vector<Contact>& contacts, const std::vector<Ol
     if (found[n] >= 0) match(old_left[static_cast<std::size_t>(found[n])], left[n]);
 }
 
-/// Along which friction acts, of a contact whose rows begin at `rows`: as it acts on body j.
+/// Returns the friction directions on body j, of a contact whose rows start at `rows`.
 template <int Dof>
 static Tangents tangents_of(const Row<Dof>* rows) {
   return {rows[1].Gj.template head<3>(), rows[2].Gj.template head<3>()};
 }
 
-/// From the impulses along old tangents to those along new ones.
+/// Converts impulses along old tangents to impulses along new ones.
 static void turn(const Tangents& old, const Tangents& now, double* along) {
   if (old.t1 == now.t1 && old.t2 == now.t2) return;
   const Vec3 friction = along[0] * old.t1 + along[1] * old.t2;
@@ -111,7 +112,7 @@ std::vector<double> WarmStartCache::impulses(const std::vector<Row<Dof>>& rows, 
   std::vector<double> all = joint_impulses(first, h);
   all.resize(rows.size(), 0);
   if (contacts.empty() || contacts_.empty()) return all;
-  const std::size_t each = contact_rows_.size() / contacts_.size();  // as many as ever, in one world
+  const std::size_t each = contact_rows_.size() / contacts_.size();  // the same number in all steps of a world
   const double longer = h / h_;
   const auto copy = [&](std::size_t from, std::size_t to) {
     double* of = &all[first + to * each];

@@ -1,12 +1,12 @@
 #pragma once
-// What the rows of a step begin with: the impulses of the last one, where joint or contact were there already.
+// Warm start: a row starts with its impulse of the last step, if its joint or contact existed then.
 //
-//   joints     by their index
-//   contacts   by match_contacts, Eq. (10.1): the nearest of the same pair, however far; what rests has its own in its own
-//              place, and is not matched anew
-//   friction   the same vector along the tangents of now, which may have turned: those of a normal that points along an axis
-//              may be others after a rounding
-//   λ ∝ h      a force stays a force when the step changes
+//   joints     by index
+//   contacts   by match_contacts, Eq. (10.1): the nearest contact of the same pair, at any distance. match_contacts
+//              itself runs only for pairs in which two contacts have the same nearest one
+//   friction   the same vector along the new tangents, which may differ a lot: near an axis, a rounding error of the
+//              normal can select other tangents
+//   λ ∝ h      forces are kept when the step changes
 #include <vector>
 
 #include "05_friction_box/friction_box.hpp"
@@ -16,17 +16,18 @@ namespace spook {
 
 class WarmStartCache {
  public:
-  /// Keeps the impulses of a step that is done: `first` rows of joints, then those of the contacts.
+  /// Stores the impulses of a finished step: `first` rows of joints, then the rows of contacts.
   template <int Dof>
   void remember(const std::vector<Row<Dof>>& rows, std::size_t first, const std::vector<Contact>& contacts,
                 double h, int threads = 1);
 
-  /// Returns one for each row of the next step; 0 for what is new. Empty when nothing is kept.
+  /// Returns an initial impulse for each row of the next step; 0 for new joints and contacts. Empty if nothing is
+  /// stored.
   template <int Dof>
   std::vector<double> impulses(const std::vector<Row<Dof>>& rows, std::size_t first,
                                const std::vector<Contact>& contacts, double h) const;
 
-  /// The same of the rows of joints, the first in each step.
+  /// Returns the initial impulses of the joints' rows, which come first in each step.
   std::vector<double> joint_impulses(std::size_t rows, double h) const;
 
  private:

@@ -2,7 +2,7 @@
 
 namespace spook {
 
-/// I ω of a rigid body [kg m²/s].
+/// Returns I ω of a rigid body [kg m²/s].
 static Vec3 spin(const Bodies<6>& bodies, std::size_t i) {
   const Orientations<6>& turned = bodies.orientations;
   return world_inertia(turned.q[i], turned.principal[i]) * bodies.motion.W[i].tail<3>();

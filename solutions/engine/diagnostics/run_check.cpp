@@ -10,10 +10,10 @@
 
 namespace spook {
 
-static constexpr double share_unsolved = 1e-2;  // of what a step asks for
+static constexpr double share_unsolved = 1e-2;  // of the right-hand side
 static constexpr double share_of_roundings =
-    16 * std::numeric_limits<double>::epsilon();  // of a row's twelve products
-static constexpr double share_gained = 0.1;       // of the energy that there is
+    16 * std::numeric_limits<double>::epsilon();  // of the twelve products of a row
+static constexpr double share_gained = 0.1;       // of the energy in the scene
 static constexpr double share_of_size = 0.01;
 static constexpr int most_deep_steps = 10, most_sagging_steps = 10;
 
@@ -21,7 +21,7 @@ std::string name_of(State state) {
   return std::array{"sound", "unsolved", "lost"}[static_cast<std::size_t>(state)];
 }
 
-/// Text of a number, three digits of it.
+/// Returns a number as text, with three digits.
 static std::string text(double value) {
   std::ostringstream out;
   out.precision(3);
@@ -29,7 +29,7 @@ static std::string text(double value) {
   return out.str();
 }
 
-/// How far a body reaches from its centre where it is thinnest [m]; infinite for one without a shape, and for a plane.
+/// Returns the smallest distance from a body's centre to its surface [m]; infinite without a shape, and for a plane.
 static std::vector<double> sizes_of(const Shapes& shapes, std::size_t bodies) {
   std::vector<double> sizes;
   for (const Shape& shape : shapes.by_body(bodies)) sizes.push_back(size_of(shape));
@@ -44,7 +44,7 @@ static double size_of(const Joint& joint) {
   return joint.length ? *joint.length : joint.p_i.norm() + joint.p_j.norm();
 }
 
-/// The largest of what may tell a size [m]; 0 where nothing does.
+/// Returns the largest size of bodies and joints [m]; 0 if there is none.
 static double largest_size(const std::vector<double>& sizes, const std::vector<Joint>& joints) {
   double largest = 0;
   for (const double size : sizes)
@@ -53,7 +53,7 @@ static double largest_size(const std::vector<double>& sizes, const std::vector<J
   return largest;
 }
 
-/// ½ k gap² of all joints [J].
+/// Returns ½ k gap² of all joints [J].
 template <int Dof>
 static double energy_of_joints(const World<Dof>& world) {
   double energy = 0;
@@ -65,7 +65,7 @@ static double energy_of_joints(const World<Dof>& world) {
   return energy;
 }
 
-/// ½ k gap² of the contacts that are pressed [J].
+/// Returns ½ k gap² of all closed contacts [J].
 template <int Dof>
 static double energy_of_contacts(const World<Dof>& world) {
   double energy = 0;
@@ -74,7 +74,7 @@ static double energy_of_contacts(const World<Dof>& world) {
   return energy;
 }
 
-/// What the products of a row's Jacobian with velocities may come to [m/s]: in no row do they come to more.
+/// Returns an upper bound of the products of a row's Jacobian with velocities [m/s].
 template <int Dof>
 static double fastest_products(const World<Dof>& world) {
   double longest = 0, fastest = 0;

@@ -1,23 +1,22 @@
 #pragma once
 // Detects unreliable runs.
 //
-//   sound      it is, as far as can be seen
-//   unsolved   what the solver left of a step is more than a hundredth of what the step asked for: forces of constraints
-//              are wrong by some per cent, and what follows from them is
-//   lost       what happened has no cause in the problem:
-//                a joint is off by more than its own size, beyond what its spring gives under its load; or contacts are, in
-//                  ten steps in a row: what is thin and fast may be so for a moment
-//                constraints, or the steps themselves, brought in energy: more than a tenth of the largest kinetic energy
-//                  so far, and of what it takes to lift every body by a size
-//   a note     springs give by more than a hundredth of a size, in ten steps in a row: k is too soft for this load, whoever
-//              chose it; an impact is over before
+//   sound      no fault was detected
+//   unsolved   the solver's error in a step is more than a hundredth of the right-hand side: constraint forces, and all
+//              results that depend on them, are wrong by some per cent
+//   lost       the motion is not that of the problem:
+//                - the gap of a joint exceeds the joint's size, in addition to the spring's sag under its load
+//                - contacts are too deep in ten steps in a row; a thin, fast body may be so for a moment
+//                - constraints, or the steps themselves, added energy: more than a tenth of the largest kinetic energy
+//                  so far, and of the energy that lifts every body by its size
+//   a note     springs sag by more than a hundredth of a size in ten steps in a row, longer than an impact takes: k
+//              is too small for this load
 //
-//   what was left   of the residual, Eq. (4.8), and the rate at which it fell: engine/solvers/solver_result.hpp
-//   asked for       the largest of |B| and of the kicks h f/m
-//   energy          T - T₀ - Σ h (f·v + τ·ω), of what constraints and impacts did; ½ k gap² of the first step is theirs to give,
-//                   and the work of motors
+//   solver's error    from the residual, Eq. (4.8), and its rate of convergence: engine/solvers/solver_result.hpp
+//   right-hand side   the largest of |B| and of the velocity changes h f/m
+//   added energy      T - T₀ - Σ h (f·v + τ·ω), less ½ k gap² of the first step and the work of motors
 //
-// A look costs about as much as a sweep; a run that is only timed takes none.
+// A check costs about as much as a sweep. Runs for timing omit the check.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -28,30 +27,30 @@ namespace spook {
 
 enum class State { sound, unsolved, lost };
 
-/// "sound", "unsolved", "lost".
+/// Returns "sound", "unsolved" or "lost".
 std::string name_of(State state);
 
-/// The worst so far, when that began, and why.
+/// The worst state so far, its first step, and its reason.
 struct Verdict {
   State state = State::sound;
-  std::int64_t step = 0;  ///< the first that was so; 0: none
-  double time = 0;        ///< at its end [s]
+  std::int64_t step = 0;  ///< first step in that state; 0: none
+  double time = 0;        ///< at the end of that step [s]
   std::string reason;
-  std::int64_t unsolved = 0;  ///< how many steps were not solved
-  std::string note;           ///< what else there is to say, of the first spring that gives too much
+  std::int64_t unsolved = 0;  ///< number of unsolved steps
+  std::string note;           ///< the first spring that sags too much; empty if none
 };
 
 template <int Dof>
 class RunCheck {
  public:
-  /// Looks at the step of `h` [s] that the world has just taken, once. Without a look between two steps, or after
-  /// begin_again, the account of energy begins anew.
+  /// Checks the step of `h` [s] that the world has just taken. Call it once after each step. The energy balance starts
+  /// anew after a step without a check, and after begin_again.
   void look(const World<Dof>& world, double h);
 
-  /// Forgets everything: the account of energy begins anew, and the verdict is sound.
+  /// Sets the verdict to sound, and starts the energy balance anew.
   void begin_again() { *this = {}; }
 
-  /// Bodies were moved from outside since the last look: the account of energy begins anew with the next one. The verdict
+  /// Tells the check that bodies were moved from outside. The energy balance starts anew at the next check; the verdict
   /// stays.
   void bodies_were_moved() { moved_ = true; }
 
@@ -67,17 +66,17 @@ class RunCheck {
 
   Verdict verdict_;
   std::int64_t last_step_ = -1;
-  bool first_ = true;               // of the account of energy
-  bool moved_ = false;              // from outside, since the last look
-  bool had_rows_ = false;           // since the account began
-  int deep_steps_ = 0;              // steps in a row in which contacts were too deep
-  int sagging_steps_ = 0;           // steps in a row in which a spring gave too much
-  std::string sag_;                 // what did so in the last step; empty if nothing
-  double started_ = 0;              // with that kinetic energy [J]
-  double given_ = 0;                // by forces since then, and by springs that were tight [J]
+  bool first_ = true;               // first step of the energy balance
+  bool moved_ = false;              // bodies were moved from outside since the last check
+  bool had_rows_ = false;           // since the energy balance started
+  int deep_steps_ = 0;              // consecutive steps with too deep contacts
+  int sagging_steps_ = 0;           // consecutive steps with too much sag
+  std::string sag_;                 // the sagging spring of the last step; empty if none
+  double started_ = 0;              // kinetic energy at the start of the balance [J]
+  double given_ = 0;                // work of forces since the start, and energy of springs at the start [J]
   double most_ = 0;                 // the largest kinetic energy so far [J]
-  std::vector<Twist<Dof>> before_;  // velocities at the last look
-  std::vector<Vec3> x_before_;      // positions, where there are joints
+  std::vector<Twist<Dof>> before_;  // velocities at the last check
+  std::vector<Vec3> x_before_;      // positions, if there are joints
   std::vector<double> sizes_;       // of bodies [m]
 };
 

@@ -16,7 +16,7 @@ Twist<Dof> row_of_j(const Contact& contact) {
   return contact_jacobian(contact).Gj.template head<Dof>();
 }
 
-/// The spheres among the bodies; 0 for all others [m].
+/// Returns the radius of each sphere among the bodies; 0 for all others [m].
 std::vector<double> radii_of(const Shapes& shapes, std::size_t bodies) {
   std::vector<double> radii(bodies, 0);
   for (const Solid& solid : shapes.solids)
@@ -24,8 +24,8 @@ std::vector<double> radii_of(const Shapes& shapes, std::size_t bodies) {
   return radii;
 }
 
-/// The contact as it was `late` ago [s]: lever arms to one point, and the normal of two spheres. A sphere is touched
-/// at its own surface, all others midway.
+/// Returns the contact as it was `late` ago [s], with both lever arms to one point, and the normal of two spheres. The
+/// point is on the surface of a sphere, and midway for other shapes.
 template <int Dof>
 Contact before(Contact contact, double late, const std::vector<double>& radii, const Bodies<Dof>& bodies) {
   const auto back = [&](int body) -> Vec3 { return -late * bodies.motion.W[body].template head<3>(); };
@@ -47,7 +47,8 @@ Contact before(Contact contact, double late, const std::vector<double>& radii, c
   return contact;
 }
 
-/// How long ago the gap was 0, Eq. (7.15) [s]. A delay that was handed on adds to that of the pair: two steps at most.
+/// Returns the time since the gap was 0, Eq. (7.15) [s]. The delay of a chain of impacts adds to that of the pair: at
+/// most two steps.
 template <int Dof>
 double lateness(const Contact& contact, double u_n, double h, const Motion<Dof>& motion) {
   const double a =
@@ -56,8 +57,8 @@ double lateness(const Contact& contact, double u_n, double h, const Motion<Dof>&
   return std::clamp(-2 * contact.gap / (std::sqrt(square) - u_n), 0.0, 2 * h);
 }
 
-/// A contact, after its bodies went on by so much: its two lever arms go on to meet in one point, and a sphere's stays
-/// as it is.
+/// Updates a contact after its bodies have moved: its two lever arms meet in one point again, and that of a sphere
+/// stays.
 Contact moved_on(Contact contact, const std::vector<Vec3>& by, const std::vector<double>& radii) {
   const Vec3 apart = by[contact.j] - by[contact.i];
   contact.gap += contact.n.dot(apart);
@@ -86,7 +87,7 @@ int resolve_late_impacts(std::vector<Contact>& contacts, const LawOf& law, doubl
                          Bodies<Dof>& bodies) {
   Motion<Dof>& motion = bodies.motion;
   const std::vector<double> radii = radii_of(shapes, bodies.size());
-  std::vector<Vec3> moved(bodies.size(), Vec3::Zero());  // since the contacts were found
+  std::vector<Vec3> moved(bodies.size(), Vec3::Zero());  // displacement since the contacts were found
   const auto move = [&](int body, const Vec3& by) {
     bodies.x[body] += by;
     moved[body] += by;
@@ -96,14 +97,14 @@ int resolve_late_impacts(std::vector<Contact>& contacts, const LawOf& law, doubl
   const double touching_gap = std::isfinite(shapes.smallest) ? 1e-9 * shapes.smallest : 0;
   std::vector<Contact> one(1);
   int impacts = 0;
-  // How many impacts there had been at the last one of each body, and when each contact was looked at.
+  // The number of impacts at the last impact of each body, and at the last check of each contact.
   std::vector<int> last_of(bodies.size(), 0), looked_at(contacts.size(), -1);
   bool quiet = false;
   for (int pass = 0; !quiet; ++pass) {
     quiet = true;
     for (std::size_t c = 0; c < contacts.size(); ++c) {
       const int i = contacts[c].i, j = contacts[c].j;
-      if (looked_at[c] >= std::max(last_of[i], last_of[j])) continue;  // it is as it was
+      if (looked_at[c] >= std::max(last_of[i], last_of[j])) continue;  // unchanged since then
       looked_at[c] = impacts;
       const Contact contact = moved_on(contacts[c], moved, radii);
       if (contact.gap > touching_gap) continue;

@@ -1,12 +1,14 @@
 #pragma once
 // Impacts, detected after penetration: a step has already moved the bodies into each other.
 //
-//   late       two that approach at u and are pulled together by a were at 0 a time τ ago: -gap = u τ - ½ a τ²   Eq. (7.15)
-//   made good  back by τ, J with the velocities of then, and on by τ with the new ones: x += τ Δv               Eq. (7.16)
+//   delay τ      two bodies approach at speed u and relative acceleration a, and touched τ ago:
+//                -gap = u τ - ½ a τ²                                                         Eq. (7.15)
+//   correction   back by τ, impulse J with the velocities of that time, forward by τ with the new velocities:
+//                x += τ Δv                                                                   Eq. (7.16)
 //
-// The gap is e times the overlap then, and open: nothing is left for the rows to push apart, which they would do with
-// energy that nobody has put in. In a chain each ball hands on the delay with the impact. Lever arms, and the normal of two
-// spheres, are those of the time of impact, so that angular momentum is kept to roundings; how bodies are turned stays.
+// After the correction the gap is open, e times the overlap. So the rows need not push the bodies apart, which would
+// add energy. In a chain of balls each impact passes the delay on. Lever arms, and the normal of two spheres, are those
+// of the time of impact, so angular momentum is kept up to round-off. Orientations are not corrected.
 #include <functional>
 
 #include "07_impacts/impacts.hpp"
@@ -14,15 +16,15 @@
 
 namespace spook {
 
-/// How the two bodies of a contact hit each other.
+/// Returns the impact law of a contact.
 using LawOf = std::function<ImpactLaw(const Contact& contact)>;
 
-/// u_n of Eq. (7.1), with the velocities at x_n [m/s]; negative: they approach.
+/// The normal velocity u_n of Eq. (7.1) at x_n [m/s]; negative if the bodies approach.
 template <int Dof>
 double separation_speed(const Contact& contact, const Motion<Dof>& motion);
 
-/// The impacts of the contacts that are closed, one by one, in passes as chapter 07's: Eq. (7.1)-(7.16). Velocities and
-/// positions change, and the gaps with them. Returns how many there were.
+/// Resolves the impacts of all closed contacts, one by one, in passes as in chapter 07: Eq. (7.1)-(7.16). Updates
+/// velocities, positions and gaps. Returns the number of impacts.
 template <int Dof>
 int resolve_late_impacts(std::vector<Contact>& contacts, const LawOf& law, double h, const Shapes& shapes,
                          Bodies<Dof>& bodies);

@@ -10,10 +10,10 @@ namespace spook {
 
 static constexpr std::size_t few = 12;     // rows
 static constexpr double softness = 1e-12;  // Σ, of the diagonal
-// In roundings, where gaps fall no more: as small as they get, and as small as places with two ways on let them get.
+// Tolerances in rounding errors: the smallest attainable gaps, and the smallest near a bifurcation.
 static constexpr double blurred = 100, stuck = 1e4;
 
-/// The inverse of a symmetric matrix by its closed form, where it has N lines; false where no definite one is there.
+/// Inverts a symmetric matrix of N rows by its closed form; returns false if it is not positive definite.
 template <int N>
 static bool invert(const Eigen::MatrixXd& S, Eigen::MatrixXd& inverse) {
   const Eigen::Matrix<double, N, N> all = S.topLeftCorner<N, N>().template selfadjointView<Eigen::Lower>();
@@ -21,11 +21,12 @@ static bool invert(const Eigen::MatrixXd& S, Eigen::MatrixXd& inverse) {
   return all.determinant() > 0;
 }
 
-/// The same by Cholesky's factors, of any number of lines; S is then of no use.
+/// Inverts a symmetric matrix of any size by Cholesky factors, and overwrites S; returns false if it is not positive
+/// definite.
 static bool invert(Eigen::MatrixXd& S, Eigen::MatrixXd& inverse) {
   if (S.rows() == 1) return invert<1>(S, inverse);
   if (S.rows() == 2) return invert<2>(S, inverse);
-  const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factors(S);  // in its own place
+  const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factors(S);  // in place
   if (factors.info() != Eigen::Success) return false;
   inverse.setIdentity(S.rows(), S.rows());
   for (auto column : inverse.colwise()) factors.solveInPlace(column);
@@ -53,7 +54,7 @@ void RowFactors::solve(const Vector& right, Vector& x) const {
     x = many_.ldlt.solve(right);
 }
 
-/// The gaps that a hinge, a slider or a weld holds at zero, from `row` on; how many there are.
+/// Writes the gaps of a hinge, a slider or a weld, from `row` on; returns their number.
 static Eigen::Index add_guided(const Joint& joint, const Bodies<6>& bodies, const Vec3& apart, Eigen::Index row,
                                Vector& gaps) {
   const JointFrames at = frames(joint, bodies);
@@ -110,8 +111,7 @@ void RattleJoints<Dof>::begin(const std::vector<Joint>& joints, const Bodies<Dof
   report.trouble = "the rows of the joints could not be factorised";
 }
 
-/// The impulses that make up for what is lacking by the rows as they are ahead: what corrections shrink too slowly, as
-/// where rows come to say the same as others.
+/// Computes the correction with the rows after the drift, if corrections converge too slowly, as near redundant rows.
 template <int Dof>
 void RattleJoints<Dof>::turn_with_the_rows(const std::vector<Joint>& joints,
                                            const std::vector<Row<Dof>>& rows) {
@@ -125,7 +125,7 @@ void RattleJoints<Dof>::turn_with_the_rows(const std::vector<Joint>& joints,
   impulses_ = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(A).solve(lacking_);
 }
 
-/// Gives the rows the impulses that make up for what is lacking.
+/// Applies the correction to the rows.
 template <int Dof>
 void RattleJoints<Dof>::apply(std::vector<Row<Dof>>& rows, Motion<Dof>& motion) const {
   for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -135,7 +135,7 @@ void RattleJoints<Dof>::apply(std::vector<Row<Dof>>& rows, Motion<Dof>& motion) 
   }
 }
 
-/// Where bodies of those velocities are after `h`.
+/// Moves bodies with these velocities for `h`.
 template <int Dof>
 static void move(const Bodies<Dof>& bodies, double h, const RotationRule<Dof>& rotation, Bodies<Dof>& ahead) {
   for (std::size_t i = 0; i < bodies.size(); ++i) {

@@ -2,24 +2,24 @@
 // A step of order four, composed of five leapfrogs, the middle one backwards in time: Eq. (1.11), (1.13).
 //
 //   parts     w, w, 1 - 4w, w, w  of h,  w = 1/(4 - ∛4)                                       Suzuki, Eq. (1.13)
-//   a part    half a kick, drift, half a kick; where two parts meet, their half kicks are one
-//   joints    kick with Gᵀλ, G at the places before the drift, such that every gap is 0 after it
-//   the end   half a kick with Gᵀμ, such that G v = 0: velocities are of the time of the positions
+//   a part    half a kick, drift, half a kick; the half kicks of consecutive parts are merged
+//   joints    kick with Gᵀλ, G at the positions before the drift, such that every gap is 0 after the drift
+//   the end   half a kick with Gᵀμ, such that G v = 0: velocities and positions belong to the same time
 //
-// A part with its joints is SHAKE, and with the last line RATTLE (Ryckaert, Ciccotti and Berendsen; Andersen): of second
-// order, and its own inverse with -h, whatever the sign of h. So five of them make order four (Reich).
+// A part with joints is SHAKE; with the last line it is RATTLE (Ryckaert, Ciccotti and Berendsen; Andersen). RATTLE is
+// of second order, and a step of -h is its inverse. So five steps compose a step of order four (Reich).
 //
-// SPOOK's own rows cannot take the place of these. With d = 0 they are symmetric, too, but a gap trails: h²A/4 for an
-// acceleration A of its points. What is right for parts of one length is wrong for the next, of another: composed, they
-// stay of second order. With d > 0 a step loses energy, which none backwards gives back. So joints are rigid here: d = 0,
-// and k, as if it were infinite, plays no part.
+// SPOOK's own rows cannot replace RATTLE. With d = 0 they are symmetric, too, but leave a gap of h²A/4 at an
+// acceleration A of the points. This gap depends on the length of a part, which changes from part to part: composed
+// steps stay of second order. With d > 0 a step dissipates energy, which a step backwards does not restore. So joints
+// are rigid here: d = 0, and k has no effect.
 //
-//   λ       the gaps after the drift are a function of λ, and what each correction lacks is solved for with
-//           S = G M⁻¹ Gᵀ at the start of the part, factorised once; each leaves about the share h ω of the one before,
-//           with ω of what turns. Where it does not shrink by half, as near places where a mechanism could go on in two
-//           ways, the next are with G after the drift on the left, G₁ M⁻¹ Gᵀ, which is dense and slow and seldom wanted
-//   Σ       1e-12 of the diagonal, so that rows that repeat each other share their load; it slows the corrections by no
-//           more than that, and the gaps are 0 to roundings with it or without
+//   λ       solves gaps(λ) = 0 after the drift by corrections with S = G M⁻¹ Gᵀ of the start of the part, factorised
+//           once. A correction reduces the gaps about by the factor h ω, with the angular velocity ω. If a correction
+//           does not halve the gaps, as near a bifurcation of a mechanism, the next corrections use G₁ M⁻¹ Gᵀ, with G₁
+//           after the drift; that matrix is dense and slow, but seldom needed
+//   Σ       1e-12 of the diagonal, so that redundant rows share their load. Its effect on convergence is as small, and
+//           the gaps are 0 up to round-off with any Σ
 #include <array>
 #include <cmath>
 #include <vector>
@@ -30,21 +30,21 @@
 
 namespace spook {
 
-/// The parts of a step: Eq. (1.13).
+/// The parts of a step as fractions of h: Eq. (1.13).
 inline const std::array<double, 5>& parts_of_order_four() {
   static const double w = 1 / (4 - std::cbrt(4.0));
   static const std::array<double, 5> parts = {w, w, 1 - 4 * w, w, w};
   return parts;
 }
 
-/// S of rows: its inverse where they are few, its factors where they are many.
+/// S of the rows: stored as an inverse for few rows, and as factors for many.
 class RowFactors {
  public:
-  /// Returns false where a pivot is not sound.
+  /// Factorises S; returns false if a pivot is not positive.
   template <int Dof>
   bool factorise(const std::vector<Row<Dof>>& rows);
 
-  /// S x = right.
+  /// Solves S x = right.
   void solve(const Vector& right, Vector& x) const;
 
  private:
@@ -53,25 +53,25 @@ class RowFactors {
   Factors many_;
 };
 
-/// The joints of a step that is composed.
+/// The joints in a step of order four.
 template <int Dof>
 class RattleJoints {
  public:
-  /// Once a step, before all that follows.
+  /// Starts a step; call it once, before the other functions.
   void begin_step(const Bodies<Dof>& bodies) { ahead_ = bodies; }
 
-  /// Rows of the joints, where the bodies are. They go on with the λ that they had.
+  /// Builds the rows of the joints at the current positions. Rows keep their λ.
   void begin(const std::vector<Joint>& joints, const Bodies<Dof>& bodies, std::vector<Row<Dof>>& rows,
              SolveReport& report);
 
-  /// Moves the bodies on by `h` of either sign, with impulses such that no joint has a gap then. They are added to the
-  /// rows, and what was lacking before each correction [m/s] into the report, which has not converged where they do not
-  /// suffice.
+  /// Moves the bodies for a time `h` of either sign [s], with impulses that close the gaps of all joints. Adds the
+  /// impulses to the λ of the rows, and the error before each correction [m/s] to the report's history. If the
+  /// corrections do not suffice, the report has not converged.
   void drift(const std::vector<Joint>& joints, double h, const StopRule& stop,
              const RotationRule<Dof>& rotation, std::vector<Row<Dof>>& rows, Bodies<Dof>& bodies,
              SolveReport& report);
 
-  /// Takes out what velocities have along the rows.
+  /// Removes the velocities along the rows, such that G v = 0.
   void stop(std::vector<Row<Dof>>& rows, Bodies<Dof>& bodies);
 
  private:
@@ -79,14 +79,14 @@ class RattleJoints {
   void apply(std::vector<Row<Dof>>& rows, Motion<Dof>& motion) const;
 
   RowFactors factors_;
-  Bodies<Dof> ahead_;  // after the drift; what does not move is where it is
-  Vector lacking_;     // of each row [m/s]
-  Vector impulses_;    // that make up for it [N s]
-  Vector lambda_;      // so far in the step [N s]
+  Bodies<Dof> ahead_;  // the bodies after the drift
+  Vector lacking_;     // error of each row [m/s]
+  Vector impulses_;    // correction of each row [N s]
+  Vector lambda_;      // of each row, so far in the step [N s]
 };
 
-/// The gap of every row that holds a joint, in the order of add_joint_rows [m or rad], into `gaps`, which has as many
-/// entries; returns by how much roundings blur them.
+/// Writes the gap of every holding row, in the order of add_joint_rows [m or rad], into `gaps`, which has as many
+/// entries. Returns a bound of the round-off in the gaps.
 template <int Dof>
 double joint_gaps(const std::vector<Joint>& joints, const Bodies<Dof>& bodies, Vector& gaps);
 

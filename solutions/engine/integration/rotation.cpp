@@ -15,7 +15,7 @@ void rotate(const RotationRule<6>& rule, Orientations<6>& orientations, std::siz
     case RotationUpdate::splitting:
       if (!is_round(orientations.principal[i]))
         return free_rotation(q, omega, orientations.principal[i], h);  // Eq. (2.11)
-      [[fallthrough]];  // a round body keeps its ω, so one exact turn does
+      [[fallthrough]];  // ω of a body with three equal moments is constant, so one exact rotation suffices
     case RotationUpdate::exponential:
       q = update_exponential(q, omega, h);  // Eq. (2.6)
       return;

@@ -1,13 +1,13 @@
 #pragma once
-// How rigid bodies turn: three rules for a step of (q, ω), and what each leaves to the torques.
+// Orientation of rigid bodies: three rules for a step of (q, ω).
 //
-//   splitting     free_rotation: ω turns with the body, L = I ω kept to roundings          Eq. (2.11)
-//                 for a round body, whose ω does not turn with it, as exponential
-//   exponential   q turns by h|ω| about ω, ω is left alone                                 Eq. (2.6)
-//   first_order   the notes' update, ω is left alone                                       Eq. (2.4)
+//   splitting     free_rotation: updates q and ω, keeps L = I ω up to round-off            Eq. (2.11)
+//                 for three equal moments, whose ω is constant: as exponential
+//   exponential   q turns by h|ω| about ω; ω does not change                               Eq. (2.6)
+//   first_order   the notes' update; ω does not change                                     Eq. (2.4)
 //
-// Under the last two ω changes by torques only; the gyroscopic one, Eq. (2.9), is then a torque like any other, taken
-// at the old ω (explicitly), and may be left out, as the notes do:
+// With the last two rules ω changes by torques only. The gyroscopic torque, Eq. (2.9), is then added explicitly, that
+// is at the old ω. It may be omitted, as in the notes:
 //
 //   ω += h I⁻¹ τ_gyro
 #include "engine/bodies/orientations.hpp"
@@ -16,21 +16,21 @@ namespace spook {
 
 enum class RotationUpdate { splitting, first_order, exponential };
 
-/// The rule of a world. Point masses have none.
+/// The rotation rule of a world: empty for point masses.
 template <int Dof>
 struct RotationRule {};
 
 template <>
 struct RotationRule<6> {
   RotationUpdate update = RotationUpdate::splitting;
-  bool gyroscopic_torque = true;  ///< for first_order and exponential; splitting cannot do without
+  bool gyroscopic_torque = true;  ///< for first_order and exponential; splitting always includes it
 };
 
-/// What the gyroscopic torque adds to ω in a step of `h`, where the rule treats it as a torque; else zero.
+/// The change of ω by the gyroscopic torque in a step of `h` [rad/s]: zero for splitting, or if the torque is omitted.
 Vec3 gyroscopic_change(const RotationRule<6>& rule, const Orientations<6>& orientations, std::size_t i,
                        const Vec3& omega, double h);
 
-/// Turns body i for `h`, and for `splitting` its ω with it.
+/// Updates the orientation of body i for a step of `h` [s]. For `splitting`, also updates ω.
 void rotate(const RotationRule<6>& rule, Orientations<6>& orientations, std::size_t i, Vec3& omega, double h);
 
 }  // namespace spook

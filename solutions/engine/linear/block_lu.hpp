@@ -1,12 +1,13 @@
 #pragma once
-// Factors of a matrix of blocks whose pattern is symmetric, and whose numbers are not: A = L U, a block a body.
+// Factors A = L U of a block matrix with a symmetric pattern and unsymmetric values, one block row per body.
 //
-//   order      of bodies, for little fill: Eigen's AMD                                              as Eq. (11.3)
-//   pattern    the later neighbours of a body; when it goes, they become neighbours
-//   numbers    U_pj = D_p⁻¹ A_pj,  A_ij -= A_ip U_pj for all later neighbours i and j of p; L is what is left below
+//   order      of elimination, for little fill: Eigen's AMD                                         as Eq. (11.3)
+//   pattern    the later neighbours of a body; eliminating the body makes them neighbours of each other
+//   values     U_pj = D_p⁻¹ A_pj,  A_ij -= A_ip U_pj for all later neighbours i and j of p; the blocks left below
+//              the diagonal are L
 //
-// A block D_p is factorised with pivots; there are none between blocks: what a body brings itself, its mass, keeps D_p
-// away from 0, if not from below where friction presses more than it brakes.
+// Pivoting is within the diagonal blocks D_p only, not between blocks. The mass of a body usually keeps D_p regular,
+// except where the normal force that friction induces outweighs its braking.
 #include <Eigen/LU>
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCore>
@@ -24,7 +25,7 @@ class BlockLu {
 
   BlockLu() = default;
 
-  /// Of `count` bodies, and the pairs of them that share a row.
+  /// Analyses the pattern of `count` bodies, and of the pairs of bodies that share a row.
   BlockLu(int count, const std::vector<std::pair<int, int>>& pairs)
       : place_(count), later_(count), first_(count), diagonal_(count), factors_(count) {
     std::vector<Eigen::Triplet<double>> entries;
@@ -36,7 +37,7 @@ class BlockLu {
     Eigen::SparseMatrix<double> graph(count, count);
     graph.setFromTriplets(entries.begin(), entries.end());
     Eigen::AMDOrdering<int>::PermutationType order;
-    Eigen::AMDOrdering<int>()(graph, order);  // which body comes first, which second
+    Eigen::AMDOrdering<int>()(graph, order);  // order of elimination
     for (int p = 0; p < count; ++p) place_[order.indices()[p]] = p;
 
     for (const auto& [i, j] : pairs) {
@@ -61,7 +62,7 @@ class BlockLu {
       std::fill(all->begin(), all->end(), Block::Zero());
   }
 
-  /// The block in the lines of one body and the columns of another, of a pair or of one twice.
+  /// The block in the rows of one body and the columns of another, or of the same body.
   Block& block(int lines, int columns) { return at(place_[lines], place_[columns]); }
 
   void factorise() {
@@ -76,7 +77,7 @@ class BlockLu {
     }
   }
 
-  /// Solves A x = b, a part a body, in place; the parts are not finite where a block has no inverse.
+  /// Solves A x = b in place, with one part of x per body. The result is not finite if a diagonal block is singular.
   void solve(std::vector<BodyVector>& x) const {
     const int count = static_cast<int>(later_.size());
     std::vector<BodyVector> y(x.size());
@@ -98,9 +99,9 @@ class BlockLu {
     return (line > column ? lower_ : upper_)[first_[low] + (found - later_[low].begin())];
   }
 
-  std::vector<int> place_;               // of each body in the order
-  std::vector<std::vector<int>> later_;  // neighbours of each place
-  std::vector<int> first_;               // of the blocks of each place
+  std::vector<int> place_;               // of each body in the order of elimination
+  std::vector<std::vector<int>> later_;  // later neighbours of each place
+  std::vector<int> first_;               // first block of each place
   std::vector<Block> diagonal_, lower_, upper_;
   std::vector<Eigen::PartialPivLU<Block>> factors_;
 };

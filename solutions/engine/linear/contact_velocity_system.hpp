@@ -1,5 +1,5 @@
 #pragma once
-// (M + Gᵀ K G) v = Gᵀ k, where K couples the rows of a contact and is not symmetric.
+// The system (M + Gᵀ K G) v = Gᵀ k, in which K couples the rows of a contact and is not symmetric.
 #include "engine/linear/block_lu.hpp"
 #include "engine/linear/velocity_system.hpp"
 
@@ -8,8 +8,8 @@ namespace spook {
 template <int Dof>
 class ContactVelocitySystem {
  public:
-  /// Numbers the dynamic bodies that have rows as rows come to them. The order of elimination is kept as long as rows act
-  /// on the same bodies.
+  /// Numbers the dynamic bodies that have rows, in the order of the rows. Keeps the order of elimination if rows act on
+  /// the same bodies as before.
   void begin(const std::vector<Row<Dof>>& rows, const std::vector<InverseMass<Dof>>& inverse_mass) {
     number_.assign(inverse_mass.size(), -1);
     mass_.clear();
@@ -36,7 +36,7 @@ class ContactVelocitySystem {
     for (int b = 0; b < std::ssize(mass_); ++b) factors_.block(b, b) = mass_[b];
   }
 
-  /// Adds Gᵀ K G of `count` rows between the same two bodies.
+  /// Adds Gᵀ K G of `count` rows between the same two bodies to the matrix.
   void add(const Row<Dof>* rows, int count, const Mat3& K) {
     using Blocks = Eigen::Matrix<double, Dof, 3>;
     Blocks Gi = Blocks::Zero(), Gj = Blocks::Zero();  // transposed
@@ -58,7 +58,7 @@ class ContactVelocitySystem {
   /// Sets the right-hand side to 0.
   void begin_right() { std::fill(v_.begin(), v_.end(), Twist<Dof>::Zero()); }
 
-  /// Adds Gᵀ k of `count` rows between the same two bodies.
+  /// Adds Gᵀ k of `count` rows between the same two bodies to the right-hand side.
   void add_right(const Row<Dof>* rows, int count, const Vec3& k) {
     const int i = number_[rows->i], j = number_[rows->j];
     for (int n = 0; n < count; ++n) {
@@ -67,13 +67,13 @@ class ContactVelocitySystem {
     }
   }
 
-  /// Solves for the velocities; returns false where they are not finite.
+  /// Solves for the velocities; returns false if they are not finite.
   bool solve() {
     factors_.solve(v_);
     return std::all_of(v_.begin(), v_.end(), [](const Twist<Dof>& v) { return v.allFinite(); });
   }
 
-  /// G v of a row.
+  /// Returns G v of a row.
   double gather(const Row<Dof>& row) const {
     const auto of = [&](int body, const Twist<Dof>& G) {
       return number_[body] < 0 ? 0.0 : G.dot(v_[number_[body]]);
@@ -82,10 +82,10 @@ class ContactVelocitySystem {
   }
 
  private:
-  std::vector<int> number_;  // of each body among those that move and have rows; -1 for others
+  std::vector<int> number_;  // of each dynamic body that has rows; -1 for other bodies
   std::vector<Block<Dof>> mass_;
   std::vector<std::pair<int, int>> pairs_;
-  std::vector<Twist<Dof>> v_;  // first the right-hand side
+  std::vector<Twist<Dof>> v_;  // the right-hand side before solve()
   BlockLu<Dof> factors_;
 };
 

@@ -1,27 +1,28 @@
 #pragma once
-// A few unknowns by dense factors: A = L D Lᵀ, Eq. (11.3), on the stack, each line of L from its first entry on. So a chain
-// fills nothing in, and there is no pattern to look up.
+// Dense factors A = L D Lᵀ, Eq. (11.3), of a small matrix on the stack. Each row of L starts at its first nonzero
+// entry, so a chain causes no fill-in.
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace spook {
 
-/// Factors of a positive definite matrix of a few lines.
+/// Factors of a small positive definite matrix.
 class DenseLdlt {
  public:
-  static constexpr int most = 32;  ///< lines
+  static constexpr int most = 32;  ///< largest number of rows
 
-  /// n lines of zeros, n <= most.
+  /// Sets the matrix to n rows of zeros, n <= most.
   void begin(int n) {
     n_ = n;
     for (int k = 0; k < n_; ++k) std::fill_n(L_[k].begin(), k + 1, 0.0);
   }
 
-  /// The entry (k, l), l <= k.
+  /// The entry (k, l) of the matrix, l <= k.
   double& at(int k, int l) { return L_[k][l]; }
 
-  /// False for a pivot that is not sound, Eq. (11.4), not positive or not finite; the factors are then of no use.
+  /// Factorises the matrix. Returns false, with useless factors, if a pivot fails Eq. (11.4): too small, not positive
+  /// or not finite.
   bool factorise() {
     for (int k = 0; k < n_; ++k) {
       first_[k] = static_cast<int>(std::find_if(L_[k].begin(), L_[k].begin() + k, is_entry) - L_[k].begin());
@@ -30,7 +31,7 @@ class DenseLdlt {
     return true;
   }
 
-  /// x becomes A⁻¹ x; it has an entry a line.
+  /// Replaces x by A⁻¹ x. x has one entry per row.
   void solve(double* x) const {
     for (int k = 0; k < n_; ++k)
       for (int l = first_[k]; l < k; ++l) x[k] -= L_[k][l] * x[l];
@@ -43,7 +44,7 @@ class DenseLdlt {
   static bool is_entry(double value) { return value != 0; }
 
   bool factorise_line(int k) {
-    double lost = 0;  // of A_kk: Σ L_kl² D_l
+    double lost = 0;  // subtracted from A_kk: Σ L_kl² D_l
     for (int l = first_[k]; l < k; ++l)
       for (int m = std::max(first_[k], first_[l]); m < l; ++m) L_[k][l] -= L_[k][m] * L_[l][m];
     for (int l = first_[k]; l < k; ++l) {
@@ -56,7 +57,7 @@ class DenseLdlt {
   }
 
   int n_ = 0;
-  std::array<std::array<double, most>, most> L_;  // A at first
+  std::array<std::array<double, most>, most> L_;  // A before factorise()
   std::array<double, most> D_;
   std::array<int, most> first_;
 };

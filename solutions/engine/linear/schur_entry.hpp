@@ -4,7 +4,7 @@
 
 namespace spook {
 
-/// S_kl without Σ: the velocity along one row that an impulse of 1 along the other makes [1/kg], Eq. (11.1).
+/// The entry S_kl without Σ, Eq. (11.1): the velocity along row k that a unit impulse of row l causes [1/kg].
 template <int Dof>
 double schur_entry(const Row<Dof>& k, const Row<Dof>& l) {
   double sum = 0;

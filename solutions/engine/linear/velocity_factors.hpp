@@ -1,15 +1,16 @@
 #pragma once
-// Factors of Eq. (11.15), whose unknowns are velocities of bodies: dense ones of few, else chapter 11's.
+// Factors of the matrix of Eq. (11.15), whose unknowns are velocities of bodies: dense factors for small systems, else
+// those of chapter 11.
 #include "11_direct/direct.hpp"
 #include "engine/linear/dense_ldlt.hpp"
 
 namespace spook {
 
-/// Either kind, whichever the last matrix had.
+/// Dense or sparse factors of the last matrix.
 class VelocityFactors {
  public:
-  /// Takes a symmetric positive definite matrix, given as its lower triangle. False for a pivot that is not sound, Eq. (11.4);
-  /// the factors are then of no use.
+  /// Factorises a symmetric positive definite matrix, given as its lower triangle. Returns false, with useless factors,
+  /// if a pivot fails Eq. (11.4).
   bool factorise(const SparseMatrix& A) {
     is_small_ = A.cols() <= DenseLdlt::most;
     if (!is_small_) return spook::factorise(A, sparse_);

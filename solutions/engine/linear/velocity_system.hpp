@@ -1,5 +1,5 @@
 #pragma once
-// Rows as they meet on bodies: M + Gᵀ K G, a block a body and one for each two bodies that share a row.
+// The matrix M + Gᵀ K G: one block per body, and one for each pair of bodies that share a row.
 #include <Eigen/LU>
 #include <algorithm>
 #include <utility>
@@ -32,7 +32,7 @@ class VelocitySystem {
     begin(rows, inverse_mass);
   }
 
-  /// With other rows. Where these act on the bodies on which the last ones did, their pattern stays.
+  /// Sets new rows. Keeps the pattern if they act on the same bodies as the last ones.
   void begin(const std::vector<Row<Dof>>& rows, const std::vector<InverseMass<Dof>>& inverse_mass) {
     if (!are_alike(rows, inverse_mass)) look_at(rows, inverse_mass);
     for (std::size_t b = 0; b < bodies_.size(); ++b) mass_[b] = mass_of(inverse_mass[bodies_[b]]);
@@ -40,7 +40,7 @@ class VelocitySystem {
   const std::vector<int>& bodies() const { return bodies_; }
   Eigen::Index size() const { return Dof * std::ssize(bodies_); }
 
-  /// M + Gᵀ K G, with K the `stiffness` of each row [kg]; one of 0 has no part in it.
+  /// Returns M + Gᵀ K G, with the `stiffness` K of each row [kg]; rows of stiffness 0 are skipped.
   const SparseMatrix& matrix(const std::vector<Row<Dof>>& rows, const Vector& stiffness) {
     std::fill(A_.valuePtr(), A_.valuePtr() + A_.nonZeros(), 0.0);
     for (std::size_t b = 0; b < bodies_.size(); ++b) add_lower(static_cast<int>(b), mass_[b]);
@@ -56,7 +56,7 @@ class VelocitySystem {
     return A_;
   }
 
-  /// Gᵀ `impulse` of a row into `right`.
+  /// Adds Gᵀ `impulse` of a row to `right`.
   void scatter(const Row<Dof>& row, double impulse, Vector& right) const {
     const auto add = [&](int body, const Twist<Dof>& G) {
       if (number_[body] >= 0) right.segment<Dof>(Dof * number_[body]) += impulse * G;
@@ -65,7 +65,7 @@ class VelocitySystem {
     add(row.j, row.Gj);
   }
 
-  /// G v of a row.
+  /// Returns G v of a row.
   double gather(const Row<Dof>& row, const Vector& v) const {
     const auto of = [&](int body, const Twist<Dof>& G) {
       return number_[body] < 0 ? 0.0 : G.dot(v.segment<Dof>(Dof * number_[body]));
@@ -150,11 +150,11 @@ class VelocitySystem {
   }
 
   std::vector<std::pair<int, int>> ends_;  // of each row: bodies i and j
-  std::vector<int> number_;                // of each body among those that move and have rows; -1 for others
+  std::vector<int> number_;                // of each dynamic body that has rows; -1 for other bodies
   std::vector<int> bodies_;
   std::vector<Block<Dof>> mass_;
   std::vector<std::pair<int, int>> pairs_;  // of each row, the lower number first
-  std::vector<int> below_;                  // which block of its column is a row's
+  std::vector<int> below_;                  // block of each row in its column
   SparseMatrix A_;
 };
 

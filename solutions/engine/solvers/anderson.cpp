@@ -1,14 +1,13 @@
-// Anderson acceleration: sweeps of chapter 04, or of chapter 09 on cones, mixed so that less is left to change. Chapter 10.
+// Anderson acceleration of sweeps of chapter 04, or of chapter 09 on cones: chapter 10.
 //
-//   sweep      T(λ), what a sweep makes of λ, and f = T(λ) - λ, what it changes; solved where f = 0
-//   mixed      λ <- T(λ) - Σ γ_i ΔT_i,  with the γ that make |f - Σ γ_i Δf_i| least; Δ over the last sweeps      Eq. (10.14)
+//   sweep      T(λ), the result of a sweep from λ, and its change f = T(λ) - λ; the solution has f = 0
+//   mixing     λ <- T(λ) - Σ γ_i ΔT_i,  with the γ that minimise |f - Σ γ_i Δf_i|; Δ over the last sweeps   Eq. (10.14)
 //   |f|²       Σ S_kk f_k²
-//   inside     then clamped to its bounds, friction onto its disc                                  Eq. (4.7), (9.4)
-//   safe       where f is then more than twice the least so far, back to T(λ), and plain sweeps, twice as many each time;
-//              and it ends where f was least since then
+//   bounds     λ is clamped to its bounds, and friction projected on its disc                      Eq. (4.7), (9.4)
+//   safeguard  if f exceeds twice the least so far, returns to T(λ) and makes plain sweeps, twice as many each time.
+//              Ends with the λ of the least f since then
 //
-// Between two mixtures there is a sweep. One entry of its history is what a sweep returned. Keeps
-// nothing.
+// There is a sweep between two mixtures. A history entry is the result of a sweep. Has no cache.
 //
 //   D. G. Anderson, Iterative procedures for nonlinear integral equations, J. ACM 12 (1965).
 //   H. F. Walker, P. Ni, Anderson acceleration for fixed-point iterations, SIAM J. Numer. Anal. 49 (2011).
@@ -26,7 +25,7 @@ namespace {
 
 using Impulses = Eigen::VectorXd;  // √S_kk λ_k, so that |f|² is a sum of squares
 
-/// The last sweeps: what each changed, and by how much more or less than the one before.
+/// The last sweeps: the change f of each, and the difference to the change of the sweep before.
 class Memory {
  public:
   explicit Memory(Eigen::Index rows) : df_(rows, depth), dT_(rows, depth) {}
@@ -51,7 +50,7 @@ class Memory {
   Impulses mixed() const {  // Eq. (10.14)
     const int n = size();
     Eigen::MatrixXd A = gram_.topLeftCorner(n, n);
-    A.diagonal() *= 1 + 1e-10;  // sweeps that repeat each other have an answer, too
+    A.diagonal() *= 1 + 1e-10;  // regular also for linearly dependent sweeps
     const Eigen::VectorXd gamma = A.ldlt().solve(df_.leftCols(n).transpose() * f_);
     return T_ - dT_.leftCols(n) * gamma;
   }
@@ -65,7 +64,7 @@ class Memory {
   int differences_ = 0;
 };
 
-/// Without contacts on cones a sweep on cones is one of chapter 04.
+/// Without contacts on cones, a sweep on cones equals a sweep of chapter 04.
 template <int Dof>
 class Sweeps {
  public:
@@ -80,7 +79,7 @@ class Sweeps {
     for (std::size_t k = 0; k < rows_.size(); ++k) all[k] = std::sqrt(rows_[k].diagonal) * rows_[k].lambda;
     return all;
   }
-  /// The nearest that is allowed, and V as it makes it.
+  /// Projects λ on the bounds, and updates V.
   void start_from(const Impulses& impulses) const {
     for (std::size_t k = 0; k < rows_.size(); ++k)
       rows_[k].lambda = std::clamp(impulses[k] / std::sqrt(rows_[k].diagonal), rows_[k].lo, rows_[k].hi);

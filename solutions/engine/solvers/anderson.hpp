@@ -1,11 +1,11 @@
 #pragma once
-// Accelerated sweeps, for solvers that have rows of their own: engine/solvers/anderson.cpp.
+// Accelerated sweeps as a function that other solvers call: engine/solvers/anderson.cpp.
 #include "09_better_friction/better_friction.hpp"
 
 namespace spook {
 
-/// Sweeps from λ and V as they are, by the rule of chapter 04's solve; with contacts in `rubbing`, which are in the order
-/// of their rows, on their cones. Ends with the λ that changed least.
+/// Sweeps from the current λ and V, with the stop rule of chapter 04's solve. Contacts in `rubbing`, in the order of
+/// their rows, are on their cones. Ends with the λ that changed least.
 template <int Dof>
 SolveReport anderson_solve(const std::vector<FrictionContact>& rubbing, std::vector<Row<Dof>>& rows,
                            std::vector<Twist<Dof>>& V, const StopRule& stop);

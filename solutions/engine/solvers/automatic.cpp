@@ -1,17 +1,16 @@
-// For each island by itself, "auto" by name:
+// The solver "auto", which selects a method for each island:
 //
-//   factors     at once where they cost less than the sweeps that are allowed: Eq. (11.1)-(11.15), and where contacts are on
-//               cones those of engine/solvers/solve_on_cones.hpp
-//   sweeps      else, as many as are allowed: projected Gauss-Seidel, chapter 04, interleaved, Eq. (14.13); on cones those of
-//               chapter 09 from the impulses of the last step, accelerated, Eq. (10.14), until they leave a
-//               hundred-millionth of what was asked for: where all rests a few are enough
-//   and factors where those left more than a thousandth of what was asked for, if they cost no more than a hundred times
-//               as much, until they leave a millionth. Its bodies are hard then, for the next hundred steps: without cones
-//               they have factors at once, and on cones factors wherever the sweeps do not end
+//   factors     at once if they cost less than the allowed sweeps: Eq. (11.1)-(11.15); with contacts on cones those of
+//               engine/solvers/solve_on_cones.hpp
+//   sweeps      otherwise, up to the allowed number: projected Gauss-Seidel, chapter 04, interleaved, Eq. (14.13). On
+//               cones: sweeps of chapter 09 from the impulses of the last step, accelerated, Eq. (10.14), to 1e-8 of
+//               the right-hand side; a few suffice at rest
+//   factors     after sweeps that left more than 1e-3 of the right-hand side, if factors cost at most 100 times as
+//               much; to 1e-6. The bodies are then marked as hard for the next hundred steps. Hard bodies get factors
+//               at once without cones; on cones they get factors whenever sweeps do not converge
 //
-// One entry of its history is the worst of all islands, after as many sweeps or factorisations of each. The number of sweeps
-// is asked for, and that of factorisations is not. Row updates are those of the sweeps. Keeps the islands, and the factors
-// of each.
+// A history entry is the worst of all islands, after as many sweeps or factorisations of each. The stop rule limits the
+// sweeps but not the factorisations. Row updates are those of the sweeps. Caches the islands, and the factors of each.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -30,7 +29,7 @@ namespace spook {
 
 namespace {
 
-/// One of several islands as a system of its own, with bodies of its own numbers.
+/// One of several islands as a separate system, with its own numbers of bodies.
 template <int Dof>
 struct IslandProblem {
   std::vector<Row<Dof>> rows;
@@ -38,9 +37,9 @@ struct IslandProblem {
   std::vector<InverseMass<Dof>> inverse_mass;
   std::vector<double> last;
   std::vector<FrictionContact> rubbing;
-  std::vector<int> bodies;  ///< their numbers outside
+  std::vector<int> bodies;  ///< their numbers in the world
 
-  /// `numbers` has -1 for every body, before and after.
+  /// `numbers` is work space: it has -1 for every body before and after the call.
   IslandProblem(const std::vector<int>& members, const SolverInput<Dof>& s,
                 const std::vector<FrictionContact>& on_cones, const std::vector<double>& impulses,
                 std::vector<int>& numbers) {
@@ -53,7 +52,7 @@ struct IslandProblem {
       }
       return numbers[body];
     };
-    // Rows of contacts follow those of joints, three each where contacts are on cones.
+    // Rows of contacts follow those of joints; a contact on a cone has three.
     const auto starts_contact = [&](std::size_t k) {
       return !on_cones.empty() && k >= s.first_contact_row && (k - s.first_contact_row) % 3 == 0;
     };
@@ -78,7 +77,7 @@ struct IslandProblem {
   }
 };
 
-/// An island's rows, and what holds for them as long as they act on the same bodies.
+/// An island's rows, and a cache that is valid as long as they act on the same bodies.
 template <int Dof>
 struct Island {
   std::vector<int> members;
@@ -87,7 +86,7 @@ struct Island {
   ContactVelocitySystem<Dof> on_cones;
 };
 
-/// The islands of rows, looked for anew where a row acts on other bodies than the last ones did, or has a bound more.
+/// The islands of rows. Searched for again if a row acts on other bodies than in the last step, or has a new bound.
 template <int Dof>
 class KnownIslands {
  public:
@@ -113,9 +112,9 @@ class KnownIslands {
   }
 
  private:
-  using Kind = std::tuple<int, int, bool>;  // on which bodies that move, -1 for others; with a bound
+  using Kind = std::tuple<int, int, bool>;  // the row's dynamic bodies, -1 for others; whether it has a bound
 
-  std::vector<std::unique_ptr<Island<Dof>>> islands_;  // more than there are now, where there were more
+  std::vector<std::unique_ptr<Island<Dof>>> islands_;  // as many as the largest number so far
   std::size_t count_ = 0;
   std::vector<Kind> kinds_;
   std::size_t bodies_ = 0;
@@ -154,11 +153,11 @@ class Automatic {
 
  private:
   static constexpr int calls_until_forgotten = 100;
-  static constexpr double worth_of_a_solution = 100;  // sweeps for one
+  static constexpr double worth_of_a_solution = 100;  // in sweeps
   static constexpr double share_left = 1e-3, share_of_factors = 1e-6,
-                          share_on_cones = 1e-8;  // of what was asked for
+                          share_on_cones = 1e-8;  // of the right-hand side
 
-  /// An island's rows and bodies: a copy, or all that there are.
+  /// An island's rows and bodies: a copy, or the whole system if there is only one island.
   struct IslandView {
     std::vector<Row<Dof>>& rows;
     std::vector<Twist<Dof>>& V;
@@ -166,14 +165,14 @@ class Automatic {
     const std::vector<double>& last;  ///< impulses of the last step; empty: none
     const std::vector<FrictionContact>& rubbing;
 
-    /// Returns whether factors can solve it: on cones they need Σ > 0 in every row.
+    /// Tells whether factors can solve the island: on cones they need Σ > 0 in every row.
     bool has_factors() const {
       return rubbing.empty() ||
              std::all_of(rows.begin(), rows.end(), [](const Row<Dof>& row) { return row.Sigma > 0; });
     }
   };
 
-  /// Dense factors, which need not know how the last step ended.
+  /// Solves by dense factors, which do not depend on the last step.
   static std::optional<SolverResult> few_at_once(Island<Dof>& island, std::vector<Row<Dof>>& rows,
                                                  std::vector<Twist<Dof>>& V,
                                                  const std::vector<FrictionContact>& rubbing,
@@ -189,7 +188,7 @@ class Automatic {
     const double sweeps = s.stop.max_sweeps;
     const bool may = *island.cost <= worth_of_a_solution * sweeps && part.has_factors();
     const bool at_once = may && *island.cost <= sweeps, hard = may && is_hard(island, s.rows);
-    // Sweeps on cones begin where the last step ended: they may be at an end already.
+    // Sweeps on cones start from the last step: they may have converged already.
     if (at_once || (hard && part.rubbing.empty())) {
       start_from(part.last, part.rows, part.V);
       return factorised(part, at_once ? s.stop.tolerance : enough(part, s.stop), s.stop, island);
@@ -218,8 +217,8 @@ class Automatic {
                           {.max_sweeps = stop.max_sweeps, .tolerance = enough(part, stop)});
   }
 
-  /// Solves rows with bounds until they leave `enough` [m/s], and those on cones as far as solve_on_cones can: what it leaves
-  /// is what the next step begins with.
+  /// Solves rows with bounds to `enough` [m/s], and rows on cones as far as solve_on_cones can, since the next step
+  /// starts from that result.
   static SolverResult factorised(const IslandView& part, double enough, const StopRule& stop,
                                  Island<Dof>& island) {
     if (part.rubbing.empty()) {
@@ -237,7 +236,7 @@ class Automatic {
   }
 
   bool on_cones_;
-  std::vector<bool> hard_;  // bodies of islands that sweeps did not solve
+  std::vector<bool> hard_;  // bodies of islands that sweeps did not solve in a recent step
   int calls_ = 0;
   ScratchCache<KnownIslands<Dof>> islands_;
 };

@@ -1,6 +1,6 @@
-// Sweeps on Coulomb's cones: chapter 09, Eq. (9.3)-(9.6), from the normal impulse of now; notes (3).
+// Sweeps on Coulomb's cones: chapter 09, Eq. (9.3)-(9.6), with the current normal impulse; notes (3).
 //
-// The bounds of friction rows are not looked at. One entry of its history is what a sweep returned. Keeps nothing.
+// Ignores the bounds of friction rows. A history entry is the result of a sweep. Has no cache.
 #include "09_better_friction/better_friction.hpp"
 #include "engine/solvers/registry.hpp"
 

@@ -11,12 +11,12 @@ namespace spook {
 
 namespace {
 
-/// Pushes off both bounds of a block's first row, and the speed of its slip [m/s]: they keep it inside.
+/// Multipliers of both bounds of a block's first row, and its slip speed [m/s].
 struct Push {
   double lo = 0, hi = 0, slip = 0;
 };
 
-/// Target of each product of a room and a push [J], and the second-order term of the slip [m/s].
+/// Targets of the products of slack and multiplier [J], and the second-order term of the slip [m/s].
 struct Target {
   double lo = 0, hi = 0, slip = 0;
   Vec2 turn = Vec2::Zero();
@@ -80,7 +80,7 @@ class InteriorPoint {
   std::size_t size() const { return problem_.blocks().size(); }
   const ContactBlock& block(std::size_t b) const { return problem_.blocks()[b]; }
 
-  /// L, and how it changes with λ_n.
+  /// L, and its derivative with respect to λ_n.
   double limit(std::size_t b) const {
     const double now = normal(block(b)).lambda;
     return block(b).mu * (theta_[b] == 1 ? now : theta_[b] * now + (1 - theta_[b]) * last_[b]);
@@ -94,12 +94,12 @@ class InteriorPoint {
   double normal_step(std::size_t b) const { return step_[block(b).row]; }
   Vec2 friction_step(std::size_t b) const { return {step_[block(b).row + 1], step_[block(b).row + 2]}; }
 
-  /// A product in units of what was asked for.
+  /// Returns a product relative to the target residual.
   double weight(std::size_t b) const {
     return normal(block(b)).diagonal / (problem_.asked() * problem_.asked());
   }
 
-  /// Well inside, with pushes as large as what was asked for.
+  /// Starts well inside the bounds, with multipliers as large as the right-hand side.
   void start() {
     std::vector<double> lambda = problem_.impulses();
     for (std::size_t b = 0; b < size(); ++b) {
@@ -125,8 +125,8 @@ class InteriorPoint {
     }
   }
 
-  /// One step, two solves with one factorisation; returns which part of it was taken, or -1 where there was none. `left`:
-  /// the least residual so far over what was asked for.
+  /// Takes one step: two solves with one factorisation. Returns the fraction of the step that was taken, or -1 if the
+  /// solve failed. `left`: the least residual so far, over the right-hand side.
   double step(double left) {
     constexpr double share_of_residual = 0.003;
     factorise();
@@ -134,7 +134,7 @@ class InteriorPoint {
     if (!solve(target)) return -1;
     const double far = longest_step(), before = mean_product(0), after = mean_product(far);
     double centre = before > 0 ? std::pow(std::max(0.0, after / before), 3) * before : 0;
-    // Limits that still change would leave λ too near to the boundary.
+    // Limits that still change would leave λ too close to the boundary.
     if (lagged_) centre = std::max(centre, share_of_residual * std::min(1.0, left * left));
     for (std::size_t b = 0; b < size(); ++b) target[b] = second_order(b, centre / weight(b));
     if (!solve(target)) return -1;
@@ -173,7 +173,7 @@ class InteriorPoint {
     problem_.factorise();
   }
 
-  /// Newton's step towards the target: that of λ, and then of the pushes.
+  /// Computes Newton's step towards the target: for λ, then for the multipliers.
   bool solve(const std::vector<Target>& target) {
     for (std::size_t b = 0; b < size(); ++b) {
       ContactBlock& of = problem_.blocks()[b];
@@ -204,7 +204,7 @@ class InteriorPoint {
     return limit_rate(b) * normal_step(b) * (1 + e.squaredNorm()) - 2 * e.dot(friction_step(b));
   }
 
-  /// The target for the products `centre`, less what the straight step would bring in to second order: Eq. (11.11).
+  /// Sets the target of the products to `centre`, minus the second-order change by the predictor: Eq. (11.11).
   Target second_order(std::size_t b, double centre) const {
     const double along = normal_step(b);
     Target target{.lo = centre - along * change_[b].lo, .hi = centre + along * change_[b].hi};
@@ -217,7 +217,7 @@ class InteriorPoint {
     return target;
   }
 
-  /// The part of the step after which the first room or push is 0; 1 where none is.
+  /// Returns the fraction of the step after which the first slack or multiplier is 0; 1 if there is none.
   double longest_step() const {
     double part = 1;
     const auto keep = [&](double room, double change) {
@@ -242,7 +242,7 @@ class InteriorPoint {
     return part;
   }
 
-  /// The mean of all products after that part of the step, in units of what was asked for.
+  /// Returns the mean of all products after that fraction of the step, relative to the target residual.
   double mean_product(double part) const {
     double sum = 0;
     int count = 0;
@@ -263,7 +263,8 @@ class InteriorPoint {
     return count > 0 ? sum / count : 0;
   }
 
-  /// Returns λ with those at a bound, or on the disc, that push by more than what their room would bring in [N s].
+  /// Returns λ, moved to a bound, or to the disc, where the multiplier exceeds the impulse that the slack would add [N
+  /// s].
   std::vector<double> answer() const {
     std::vector<double> lambda = problem_.impulses();
     for (std::size_t b = 0; b < size(); ++b) {
@@ -283,7 +284,7 @@ class InteriorPoint {
     return lambda;
   }
 
-  /// λ̄_n follows λ_n, and friction stays at the same part of its limit.
+  /// Sets λ̄_n to λ_n; friction keeps its ratio to the limit.
   std::vector<double> with_new_limits(std::vector<double> lambda) {
     problem_.set_impulses(lambda);
     for (std::size_t b = 0; b < size(); ++b) {

@@ -4,8 +4,8 @@
 
 namespace spook {
 
-/// Sets K and k of a row with the residual `r` [m/s]; returns what it aims at, before its bounds [N s]. `softer`: what is
-/// added to Σ, in S_kk.
+/// Sets K and k of a row with the residual `r` [m/s]; returns the updated λ without bounds [N s]. `softer`: addition to
+/// Σ, in units of S_kk.
 template <int Dof>
 static double linearise_row(const Row<Dof>& row, double r, double softer, ContactBlock& block) {
   const double aim = row.lambda + r / row.diagonal;
@@ -20,19 +20,19 @@ static double linearise_row(const Row<Dof>& row, double r, double softer, Contac
   return aim;
 }
 
-/// Sets K and k of a block, whose rows begin at `rows` and have the residuals `r` [m/s].
+/// Sets K and k of a block whose rows start at `rows` and have the residuals `r` [m/s].
 template <int Dof>
 static void linearise(const Row<Dof>* rows, const Vec3& r, double softer, ContactBlock& block) {
   const double limit = block.mu * linearise_row(*rows, r[0], softer, block);
   if (block.count == 1) return;
   const Vec2 along(rows[1].lambda, rows[2].lambda), lacks = r.tail<2>(), q = along + lacks / block.s;
   const double soft = rows[1].Sigma + softer * block.s, size = q.norm();
-  if (limit <= 0) {  // open, or smooth
+  if (limit <= 0) {  // open, or frictionless
     block.k.tail<2>() = -along;
-  } else if (size <= limit) {  // sticks
+  } else if (size <= limit) {  // sticking
     block.K(1, 1) = block.K(2, 2) = 1 / soft;
     block.k.tail<2>() = lacks / soft;
-  } else {  // slides
+  } else {  // sliding
     const Vec2 d = q / size, across(-d[1], d[0]);
     const double c = limit / size, turns = 1 - c + c * soft / block.s;
     block.K.template block<2, 2>(1, 1) = c / block.s / turns * across * across.transpose();
@@ -42,7 +42,7 @@ static void linearise(const Row<Dof>* rows, const Vec3& r, double softer, Contac
   }
 }
 
-/// Δλ of all rows; false where there is none.
+/// Computes Δλ of all rows; returns false if it is not finite.
 template <int Dof>
 static bool newton_step(ConeProblem<Dof>& problem, double softer, std::vector<double>& step) {
   for (ContactBlock& block : problem.blocks()) {

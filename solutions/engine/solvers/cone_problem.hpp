@@ -1,7 +1,7 @@
 #pragma once
-// Rows of which some are on Coulomb's cones, contact by contact, as methods with factors on bodies see them.
+// Rows and contacts on Coulomb's cones, for methods that factorise a matrix over bodies.
 //
-//   Δλ = k - K G v,  (M + Gᵀ K G) v = Gᵀ k     a linear step: each method says what K and k of a contact are
+//   Δλ = k - K G v,  (M + Gᵀ K G) v = Gᵀ k     a linear step: each method defines K and k of a contact
 #include <cstdint>
 
 #include "09_better_friction/better_friction.hpp"
@@ -9,11 +9,11 @@
 
 namespace spook {
 
-/// The three rows of a contact with friction, or one row by itself.
+/// The three rows of a contact with friction, or a single row.
 struct ContactBlock {
   std::size_t row;
   int count;
-  double mu = 0, s = 0;   ///< of friction: μ, and Eq. (9.5)
+  double mu = 0, s = 0;   ///< friction coefficient, and s of Eq. (9.5)
   Mat3 K = Mat3::Zero();  ///< [kg]
   Vec3 k = Vec3::Zero();  ///< [N s]
 };
@@ -21,8 +21,8 @@ struct ContactBlock {
 template <int Dof>
 class ConeProblem {
  public:
-  /// Refers to all that it is given. `rubbing` has the contacts on cones, in the order of their rows; without any, rows
-  /// have bounds alone.
+  /// Keeps references to its arguments. `rubbing` lists the contacts on cones, in the order of their rows; if it is
+  /// empty, all rows have bounds only.
   ConeProblem(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V,
               const std::vector<FrictionContact>& rubbing, const std::vector<InverseMass<Dof>>& inverse_mass,
               ContactVelocitySystem<Dof>& system);
@@ -35,24 +35,24 @@ class ConeProblem {
   }
 
   double asked() const { return asked_; }    ///< the largest |B| [m/s]
-  double row_residual(std::size_t k) const;  ///< of one row, before its bounds: Eq. (4.6) [m/s]
+  double row_residual(std::size_t k) const;  ///< of one row, without bounds: Eq. (4.6) [m/s]
   double residual() const;                   ///< Eq. (9.7) [m/s]
 
-  /// Whether that residual is at most the tolerance, or what round-off leaves of the λ that there are, Eq. (11.13) [m/s].
+  /// Tells whether a residual is at most the tolerance, or the round-off of the current λ, Eq. (11.13) [m/s].
   bool is_solved(double residual, double tolerance) const;
 
   std::vector<double> impulses() const;
-  void set_impulses(const std::vector<double>& lambda);  ///< and V with them
+  void set_impulses(const std::vector<double>& lambda);  ///< also updates V
   void sweep(int count);                                 ///< Eq. (4.7), (9.6)
   std::int64_t row_updates() const { return sweeps_ * std::ssize(rows_); }
 
-  /// Moves each contact to what is allowed and near: bounds, then the disc of Eq. (9.4).
+  /// Projects each contact: on its bounds, then on the disc of Eq. (9.4).
   void project(std::vector<double>& lambda) const;
 
-  /// Factorises with the K of the blocks.
+  /// Factorises M + Gᵀ K G with the K of the blocks.
   void factorise();
 
-  /// Solves with the k of the blocks for Δλ of each row; returns nothing where it is not finite.
+  /// Solves for Δλ of each row with the k of the blocks; returns false if Δλ is not finite.
   bool solve(std::vector<double>& step);
 
  private:

@@ -1,7 +1,7 @@
 // Projected conjugate gradients, preconditioned by sweeps: chapter 10, Eq. (10.6)-(10.9); notes, "conjugate gradient".
 //
-// One entry of its history is of an iteration, that costs four sweeps: two of the preconditioner, one to look, one for
-// S p. Keeps nothing.
+// A history entry belongs to an iteration, which costs four sweeps: two for the preconditioner, one for the residual,
+// one for S p. Has no cache.
 #include "10_convergence/convergence.hpp"
 #include "engine/solvers/registry.hpp"
 

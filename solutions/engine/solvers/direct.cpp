@@ -1,7 +1,8 @@
-// The direct solver: chapter 11, sparse factors, of rows or of bodies; notes, "direct methods". A few rows have dense ones.
+// The direct solver: chapter 11, sparse factors over rows or over bodies; dense factors for a few rows; notes, "direct
+// methods".
 //
-// One entry of its history is of a factorisation; it updates no rows, unless it has trouble and goes on by sweeps. Begins
-// with the impulses of the last step, and keeps the order and the pattern of the factors, where they are sparse.
+// A history entry belongs to a factorisation. Updates no rows, unless factors fail and sweeps continue. Starts from the
+// impulses of the last step. Caches the order and the pattern of sparse factors.
 #include "engine/solvers/registry.hpp"
 #include "engine/solvers/small_direct.hpp"
 #include "engine/solvers/solve_directly.hpp"

@@ -1,6 +1,6 @@
-// Projected Gauss-Seidel: chapter 04, Eq. (4.6), (4.7), in the order in which the rows come; notes, "Gauss-Seidel".
+// Projected Gauss-Seidel: chapter 04, Eq. (4.6), (4.7), in the order of the rows; notes, "Gauss-Seidel".
 //
-// One entry of its history is what a sweep returned. Keeps nothing.
+// A history entry is the result of a sweep. Has no cache.
 #include "engine/solvers/registry.hpp"
 
 namespace spook {

@@ -1,10 +1,10 @@
 // Stiff links: chapter 12, geometric stiffness in the mass matrix, Eq. (12.3)-(12.6); not in the notes.
 //
-//   links    the joints' rows on islands without a contact: solved as if they had no bounds, Eq. (12.6)
-//   others   all other rows: by the inner solver, which is handed a system without the links
+//   links    rows of joints on islands without a contact: solved without bounds, Eq. (12.6)
+//   others   all other rows: solved by the inner solver, whose input omits the links
 //
-// K is that of the tension of the last step, Eq. (12.4). The two have no body that moves in common. The links take one
-// factorisation, which is no entry of the history. Keeps the pattern of the factors.
+// K is that of the tension of the last step, Eq. (12.4). Links and others share no dynamic body. The links take one
+// factorisation, which is not in the history. Caches the pattern of the factors.
 #include "12_stiff_wires/stiff_wires.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace spook {
 
 namespace {
 
-/// The stiffness of each joint that was tight in the last step. None for one that is newer.
+/// Returns the stiffness of each joint that was under tension in the last step; none for a newer joint.
 std::vector<Stiffness> link_stiffness(const SolverInput<3>& s) {
   const std::vector<double> impulses = s.last.joint_impulses(s.first_contact_row, s.h);
   std::vector<Stiffness> all;
@@ -26,7 +26,7 @@ std::vector<Stiffness> link_stiffness(const SolverInput<3>& s) {
     const std::size_t first = row;
     row += static_cast<std::size_t>(joint.rows());
     if (row > impulses.size()) break;
-    if (!joint.length) continue;  // a ball joint has no length that could turn
+    if (!joint.length) continue;  // a ball joint has no length
     const Vec3 along =
         s.bodies.x[static_cast<std::size_t>(joint.j)] - s.bodies.x[static_cast<std::size_t>(joint.i)];
     const double length = along.norm(), tension = -impulses[first] / s.h;
@@ -36,7 +36,7 @@ std::vector<Stiffness> link_stiffness(const SolverInput<3>& s) {
   return all;
 }
 
-/// Which rows no contact has to do with: those of islands with rows of joints only.
+/// Marks the rows of islands that have rows of joints only.
 std::vector<bool> free_of_contacts(const SolverInput<3>& s) {
   std::vector<bool> free(s.rows.size(), true);
   for (const std::vector<int>& island : islands(s.rows, s.V.size())) {
@@ -46,17 +46,17 @@ std::vector<bool> free_of_contacts(const SolverInput<3>& s) {
   return free;
 }
 
-/// Some rows of a system as a system of their own. All rows of a joint, or of a contact, are in the same part.
+/// Some rows of a system as a separate system. All rows of a joint, or of a contact, are in the same part.
 struct SubSystem {
-  std::vector<std::size_t> from;  ///< which rows they are there
+  std::vector<std::size_t> from;  ///< their indices in the whole system
   std::vector<Row<3>> rows;
   std::vector<Twist<3>> V;
   std::vector<Joint> joints;
   std::vector<Contact> contacts;
   std::vector<FrictionContact> rubbing;
-  WarmStartCache none;  ///< those of the last step are numbered otherwise
+  WarmStartCache none;  ///< empty: impulses of the last step have other indices
 
-  /// The rows for which `wanted` is `value`; the contacts if that is false.
+  /// Selects the rows for which `wanted` is `value`; the contacts if `value` is false.
   SubSystem(const SolverInput<3>& s, const std::vector<bool>& wanted, bool value)
       : V(s.V.size(), Twist<3>::Zero()), contacts(value ? std::vector<Contact>{} : s.contacts) {
     for (std::size_t k = 0; k < s.rows.size(); ++k) {
@@ -72,7 +72,7 @@ struct SubSystem {
     }
     if (!value) rubbing = s.rubbing;
     for (FrictionContact& contact : rubbing)
-      contact.normal -= s.rows.size() - rows.size();  // contacts are all here, and last
+      contact.normal -= s.rows.size() - rows.size();  // all contacts are here, after the joints
   }
 
   SolverInput<3> system(const SolverInput<3>& s) {
@@ -150,7 +150,7 @@ Solver<Dof> geometric_stiffness(Solver<Dof> inner) {
     return {.solve = Stiff(std::move(inner)), .friction = friction, .wants_last = true};
   }
   throw std::invalid_argument(
-      "solver must be another than geometric_stiffness for rigid bodies: it is for links of point masses");
+      "solver must not be geometric_stiffness for rigid bodies: it is for links of point masses");
 }
 
 template Solver<3> geometric_stiffness<3>(Solver<3>);

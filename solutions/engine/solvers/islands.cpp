@@ -9,7 +9,7 @@ namespace spook {
 
 namespace {
 
-/// Which of some things belong together.
+/// Disjoint sets.
 class Groups {
  public:
   explicit Groups(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0); }
@@ -24,7 +24,7 @@ class Groups {
   std::vector<int> parent_;
 };
 
-/// Calls `each` with those bodies of a row that move.
+/// Calls `each` with the dynamic bodies of a row.
 template <int Dof, class Each>
 void for_moving(const Row<Dof>& row, const Each& each) {
   if (moves_i(row)) each(row.i);
@@ -38,7 +38,7 @@ std::size_t bodies_of(const std::vector<Row<Dof>>& rows) {
   return static_cast<std::size_t>(last) + 1;
 }
 
-/// The rows on each body, as far as it moves: those of all bodies in one list, one body after the other.
+/// The rows on each dynamic body, in one list for all bodies.
 class RowsOnBodies {
  public:
   template <int Dof>
@@ -59,8 +59,8 @@ class RowsOnBodies {
   std::vector<int> first_, all_;
 };
 
-/// Level by level from `start`: how far each body is from it, -1 where it is not reached. The last to be reached is left
-/// in `start`.
+/// Returns the level of each body, counted from `start`; -1 if it is not reached. Sets `start` to the last body
+/// reached.
 template <int Dof>
 std::vector<int> body_levels(const std::vector<Row<Dof>>& rows, const RowsOnBodies& on_bodies, int& start) {
   std::vector<int> levels(on_bodies.size(), -1), queue = {start};
@@ -78,7 +78,7 @@ std::vector<int> body_levels(const std::vector<Row<Dof>>& rows, const RowsOnBodi
   return levels;
 }
 
-/// How many of some things are in two neighbouring levels, at most.
+/// Returns the largest number of items in two neighbouring levels.
 int widest(const std::vector<int>& levels) {
   std::vector<int> in_level(1, 0);
   for (const int level : levels) {
@@ -91,7 +91,8 @@ int widest(const std::vector<int>& levels) {
   return most;
 }
 
-/// A row on the same two bodies as the one before it, as most are, tells of no other.
+/// Returns the number of dynamic bodies of the rows. Skips rows on the same two bodies as the row before, as most rows
+/// are.
 template <int Dof>
 int moving_bodies(const std::vector<Row<Dof>>& rows) {
   std::vector<bool> moves(bodies_of(rows), false);
@@ -128,7 +129,8 @@ std::vector<std::vector<int>> islands(const std::vector<Row<Dof>>& rows, std::si
   return all;
 }
 
-/// Whether so many velocities are the cheaper unknowns. What has bounds counts twice: on rows they cost factorisations.
+/// Tells whether so many velocities are the cheaper unknowns. Rows with bounds count twice, since their bounds cost
+/// factorisations over rows.
 template <int Dof>
 static bool fewer_than(const std::vector<Row<Dof>>& rows, int velocities) {
   std::ptrdiff_t count = 0;
@@ -141,12 +143,12 @@ bool wants_bodies(const std::vector<Row<Dof>>& rows) {
   return fewer_than(rows, Dof * moving_bodies(rows));
 }
 
-/// Levels from one end of an island.
+/// Returns the levels of bodies from one end of an island.
 template <int Dof>
 static std::vector<int> levels_of(const std::vector<Row<Dof>>& rows) {
   const RowsOnBodies on_bodies(rows);
   int end = moves_i(rows.front()) ? rows.front().i : rows.front().j;
-  body_levels(rows, on_bodies, end);  // to one of its ends
+  body_levels(rows, on_bodies, end);  // finds an end of the island
   return body_levels(rows, on_bodies, end);
 }
 
@@ -168,7 +170,7 @@ double factor_cost(const std::vector<Row<Dof>>& rows) {
   if (bodies == 0) return 0;
   const std::vector<int> levels = levels_of(rows);
   if (fewer_than(rows, Dof * bodies)) return on_velocities(rows, bodies, levels);
-  // The level of a row is that of the first of its bodies to be reached.
+  // The level of a row is the smaller level of its bodies.
   std::vector<int> of_rows;
   for (const Row<Dof>& row : rows) {
     const int i = moves_i(row) ? levels[row.i] : levels[row.j], j = moves_j(row) ? levels[row.j] : i;

@@ -1,9 +1,10 @@
 #pragma once
-// Islands: rows that feel each other, through bodies that move. What happens on one island has no part in another.
+// Islands: groups of rows that are coupled through dynamic bodies. Islands are independent of each other.
 //
-//   w      how many unknowns meet where an island is widest: level by level from one of its ends, those of two
-//          neighbouring levels of bodies. Unknowns are its n rows, or the velocities of its bodies, if those are fewer
-//   cost   of factors, in sweeps: w²/25 at most on rows, as a sweep of n rows takes some 25 n operations, and factors w² n
+//   w      width of an island: the largest number of unknowns in two neighbouring levels of bodies, counted from one
+//          end. Unknowns are the n rows, or the velocities of the bodies if those are fewer
+//   cost   of factors, in sweeps: at most w²/25 on rows, since a sweep of n rows takes about 25 n operations, and
+//          factors take w² n
 #include <cstddef>
 #include <vector>
 
@@ -11,7 +12,7 @@
 
 namespace spook {
 
-/// Whether a row acts on a body i, or j, that moves.
+/// Tells whether body i, or j, of a row is dynamic.
 template <int Dof>
 bool moves_i(const Row<Dof>& row) {
   return !row.MinvGi.isZero(0);
@@ -21,20 +22,21 @@ bool moves_j(const Row<Dof>& row) {
   return !row.MinvGj.isZero(0);
 }
 
-/// The rows of each island, in order; islands in the order of their first row. Rows without a body that moves are
-/// islands of their own.
+/// The rows of each island, in order; islands are in the order of their first row. A row without a dynamic body is an
+/// island of its own.
 template <int Dof>
 std::vector<std::vector<int>> islands(const std::vector<Row<Dof>>& rows, std::size_t bodies);
 
-/// Whether velocities are the cheaper unknowns: fewer than the rows with bounds, than half of those without.
+/// Tells whether velocities are the cheaper unknowns: fewer than the rows with bounds, or fewer than half of the rows
+/// without bounds.
 template <int Dof>
 bool wants_bodies(const std::vector<Row<Dof>>& rows);
 
-/// What factors of these rows, which are one island, cost at most, in sweeps of them.
+/// An upper bound of the cost of factors of one island, in sweeps of its rows.
 template <int Dof>
 double factor_cost(const std::vector<Row<Dof>>& rows);
 
-/// The same with the velocities of bodies as unknowns.
+/// An upper bound of the cost of factors with the velocities of bodies as unknowns, in sweeps of the rows.
 template <int Dof>
 double velocity_factor_cost(const std::vector<Row<Dof>>& rows);
 

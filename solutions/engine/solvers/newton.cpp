@@ -1,11 +1,11 @@
-// Newton's method by factors on bodies, and what helps where it does not converge:
+// Newton's method with factors over bodies, and its fallbacks:
 //
 //   on cones     engine/solvers/solve_on_cones.hpp
 //   on bounds    engine/solvers/primal_newton.hpp
 //
-// Accelerated sweeps, engine/solvers/anderson.cpp, take over where a row has Σ = 0, and where all else was in vain. One
-// entry of its history is the residual after a factorisation, or what a sweep returned after them. Begins with the impulses
-// of the last step. Keeps the order in which bodies are eliminated.
+// Accelerated sweeps, engine/solvers/anderson.cpp, follow if a row has Σ = 0, or if both methods fail. A history entry
+// is the residual after a factorisation, or the result of a later sweep. Starts from the impulses of the last step.
+// Caches the order of elimination of bodies.
 #include <algorithm>
 
 #include "engine/solvers/islands.hpp"

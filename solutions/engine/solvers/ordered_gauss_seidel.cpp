@@ -1,11 +1,12 @@
-// Projected Gauss-Seidel in an order of its own: chapter 10.
+// Projected Gauss-Seidel in a given order of rows: chapter 10.
 //
-//   up, down      by the height of what a row acts on, against gravity or along it     Eq. (10.3)   notes, "gravity"
-//   random        another order in every solve                                         Eq. (10.4)   notes, "randomize"
-//   interleaved   the rows of two halves in turn, which wait less for each other       Eq. (14.13)
+//   up, down      by height, against gravity or along gravity                          Eq. (10.3)   notes, "gravity"
+//   random        a new order in every solve                                           Eq. (10.4)   notes, "randomize"
+//   interleaved   rows of two halves alternate, so updates wait less for each other    Eq. (14.13)
 //
-// A joint is in the middle of its two points, a contact where it acts on body j; all rows of either follow each other.
-// One entry of its history is what a sweep returned. Keeps the generator of random orders.
+// The height of a joint is that of the middle of its two points; the height of a contact is that of its point on body
+// j. All rows of a joint or contact are consecutive. A history entry is the result of a sweep. Keeps the generator of
+// random orders.
 #include <random>
 
 #include "10_convergence/convergence.hpp"

@@ -7,7 +7,7 @@ namespace spook {
 
 namespace {
 
-/// The rows, and what was factorised of them. A row with lo = hi has no room to move in: it stays where it is.
+/// The rows and their factors. A row with lo = hi keeps its λ.
 template <int Dof>
 class BarrierSystem {
  public:
@@ -15,7 +15,7 @@ class BarrierSystem {
                 const VelocityFactors& factors, std::size_t bodies)
       : rows_(rows), on_(on), factors_(factors), V_(bodies) {}
 
-  /// Σ̃ [1/kg].
+  /// Returns Σ̃ [1/kg].
   Vector softness(const Interior& now) const {
     Vector sum(now.lambda.size());
     for (std::size_t k = 0; k < rows_.size(); ++k)
@@ -30,14 +30,14 @@ class BarrierSystem {
     return all;
   }
 
-  /// B - S λ, Eq. (4.6).
+  /// Returns B - S λ, Eq. (4.6).
   Vector lacking(const Vector& lambda) {
     Vector r = minus_S(lambda);
     for (std::size_t k = 0; k < rows_.size(); ++k) r[k] += rows_[k].B - rows_[k].Sigma * lambda[k];
     return r;
   }
 
-  /// Δλ of S̃ Δλ = r, refined up to so many times while that helps: Eq. (11.14), (11.15).
+  /// Returns Δλ of S̃ Δλ = r, refined up to so many times while that helps: Eq. (11.14), (11.15).
   Vector solve(Vector r, const Vector& softness, int refinements) {
     const Vector K = stiffness(softness), wanted = r;
     Vector x = Vector::Zero(r.size());
@@ -62,7 +62,7 @@ class BarrierSystem {
   bool is_open(std::size_t k) const { return rows_[k].lo < rows_[k].hi; }
 
  private:
-  /// -G M⁻¹ Gᵀ x.
+  /// Returns -G M⁻¹ Gᵀ x.
   Vector minus_S(const Vector& x) {
     std::fill(V_.begin(), V_.end(), Twist<Dof>::Zero());
     for (std::size_t k = 0; k < rows_.size(); ++k) apply_impulse(rows_[k], x[k], V_);
@@ -78,7 +78,7 @@ class BarrierSystem {
   std::vector<Twist<Dof>> V_;
 };
 
-/// Where to begin, Eq. (11.12). A row without room has no bounds to keep off.
+/// Sets the starting point, Eq. (11.12). A row with lo = hi has no slacks.
 template <int Dof>
 Interior start(const std::vector<Row<Dof>>& rows) {
   const auto n = std::ssize(rows);
@@ -100,7 +100,7 @@ Interior start(const std::vector<Row<Dof>>& rows) {
   return now;
 }
 
-/// Newton's step towards `target`: Eq. (11.8), (11.9). `lacking` is B - S λ.
+/// Returns Newton's step towards `target`: Eq. (11.8), (11.9). `lacking` is B - S λ.
 template <int Dof>
 Interior newton_step(const Interior& now, const Target& target, const Vector& lacking, const Vector& softness,
                      BarrierSystem<Dof>& system, int refinements) {
@@ -124,7 +124,7 @@ Interior newton_step(const Interior& now, const Target& target, const Vector& la
   return step;
 }
 
-/// μ, over the bounds that there are; NaN when there are none.
+/// Returns μ, the mean product over all bounds; NaN if there are none.
 double mean_product(const Interior& now) {
   double sum = 0;
   int bounds = 0;
@@ -143,7 +143,7 @@ Interior moved(const Interior& now, const Interior& step, double share) {
           .push_hi = now.push_hi + share * step.push_hi};
 }
 
-/// Two Newton steps, the second of which is taken: Eq. (11.10), (11.11). The nearer bound then says where λ is.
+/// Computes two Newton steps, and takes the second: Eq. (11.10), (11.11). Then computes λ from the nearer bound.
 template <int Dof>
 Interior next(const std::vector<Row<Dof>>& rows, const Interior& now, const Vector& softness,
               BarrierSystem<Dof>& system) {
@@ -171,7 +171,7 @@ Interior next(const std::vector<Row<Dof>>& rows, const Interior& now, const Vect
   return there;
 }
 
-/// What the bounds say that λ will be: at one that pushes by more than what its room would bring in, else where it is.
+/// Returns the predicted λ: at a bound whose multiplier exceeds the impulse that its slack would add, else λ itself.
 template <int Dof>
 double answer(const Row<Dof>& row, std::size_t k, const Interior& now) {
   if (now.push_lo[k] > row.diagonal * now.room_lo[k]) return row.lo;

@@ -10,7 +10,7 @@ namespace spook {
 
 namespace {
 
-/// Impulses of rows, and what they do.
+/// Impulses of rows, and the velocities that they cause.
 template <int Dof>
 struct State {
   Vector lambda;
@@ -24,7 +24,7 @@ struct State {
   double lacking(const Row<Dof>& row, Eigen::Index k) const {  // Eq. (4.6)
     return row.B - row.Gi.dot(V[row.i]) - row.Gj.dot(V[row.j]) - row.Sigma * lambda[k];
   }
-  /// ½ λᵀ S λ - Bᵀ λ [J], which the solution has least of.
+  /// Returns the energy ½ λᵀ S λ - Bᵀ λ [J], which the solution minimises.
   double energy(const std::vector<Row<Dof>>& rows) const {
     double sum = 0;
     for (std::size_t k = 0; k < rows.size(); ++k) sum -= lambda[k] * (rows[k].B + lacking(rows[k], k)) / 2;
@@ -32,10 +32,10 @@ struct State {
   }
 };
 
-/// Which rows are free: those strictly between their bounds that an update, Eq. (4.7), leaves there.
+/// The active set. Free rows are those that stay strictly between their bounds in the update of Eq. (4.7).
 struct ActiveSet {
-  Vector stiffness;  ///< Σ⁻¹; 0 of a row that is not free
-  Vector held_at;    ///< λ of such a row: its own at a bound, or the bound that the update would take it to
+  Vector stiffness;  ///< Σ⁻¹; 0 for a row that is not free
+  Vector held_at;    ///< λ of a row that is not free: the bound of the update
 };
 
 template <int Dof>
@@ -54,8 +54,8 @@ ActiveSet active_set(const std::vector<Row<Dof>>& rows, const State<Dof>& now) {
   return found;
 }
 
-/// Solves the rows that are free, the others being as they are: Eq. (11.15), and (11.14) as long as it helps and one lacks
-/// more than `enough` [m/s].
+/// Solves the free rows, with fixed λ of the others: Eq. (11.15), and (11.14) while this helps and a residual exceeds
+/// `enough` [m/s].
 template <int Dof>
 void solve_free(const std::vector<Row<Dof>>& rows, const VelocitySystem<Dof>& on, const Vector& stiffness,
                 const VelocityFactors& factors, double enough, State<Dof>& state) {
@@ -79,8 +79,8 @@ void solve_free(const std::vector<Row<Dof>>& rows, const VelocitySystem<Dof>& on
   }
 }
 
-/// The part `share` of the way from one state to another, clamped to the bounds. What was on the way to the other has left
-/// its roundings in that one's V: they are not taken over.
+/// Returns the state at the fraction `share` between two states, clamped to the bounds. Updates V of the first state,
+/// since V of the second contains the round-off of larger impulses.
 template <int Dof>
 State<Dof> projected(const std::vector<Row<Dof>>& rows, const State<Dof>& from, const State<Dof>& to,
                      double share) {
@@ -92,8 +92,8 @@ State<Dof> projected(const std::vector<Row<Dof>>& rows, const State<Dof>& from, 
   return state;
 }
 
-/// As far towards the solution of the rows that are free as the energy falls, or rises by no more than roundings: what
-/// starts where the last step ended has nothing else to gain.
+/// Moves towards the solution of the free rows as long as the energy falls, or rises by no more than round-off. A start
+/// from the last step may have no more energy to lose.
 template <int Dof>
 State<Dof> step(const std::vector<Row<Dof>>& rows, const VelocitySystem<Dof>& on, const ActiveSet& active,
                 const VelocityFactors& factors, double enough, const State<Dof>& now) {
@@ -103,9 +103,9 @@ State<Dof> step(const std::vector<Row<Dof>>& rows, const VelocitySystem<Dof>& on
   solve_free(rows, on, active.stiffness, factors, enough, there);
   double share = 1;
   State<Dof> inside = projected(rows, now, there, share);
-  // Where no row was taken to a bound, and none stopped there, no other λ of the free rows has less energy.
+  // If no row moved to a bound or was clamped, the free rows have the least energy.
   if (active.held_at == now.lambda && inside.lambda == there.lambda) return inside;
-  constexpr double rounding = 1e-14;  // of a sum, most of whose terms have one sign
+  constexpr double rounding = 1e-14;  // of a sum whose terms mostly have one sign
   const double energy = now.energy(rows), most = energy + rounding * std::abs(energy);
   while (inside.energy(rows) > most && share > 1e-2) inside = projected(rows, now, there, share /= 2);
   return inside;
@@ -118,13 +118,13 @@ Vector impulses_of(const std::vector<Row<Dof>>& rows) {
   return lambda;
 }
 
-/// Newton's method on whichever rows are free, as long as it gets on.
+/// Repeats Newton steps with the current active set while they make progress.
 template <int Dof>
 SolveReport newton_solve(std::vector<Row<Dof>>& rows, VelocitySystem<Dof>& on, std::vector<Twist<Dof>>& V,
                          const StopRule& stop, VelocityFactors& factors) {
   constexpr int sweeps = 4, most_in_vain = 2;
-  // Of roundings: what has found its free rows ends far below them. A tower under 10⁸:1 that is left with all that they
-  // allow may be about to buckle.
+  // In units of round-off: with the right active set the residual ends far below this. A tower under 10⁸:1 whose
+  // residual equals round-off may be about to buckle.
   constexpr double settled = 0.1;
   SolveReport report;
   const auto enough = [&] { return std::max(stop.tolerance, settled * roundings(rows)); };

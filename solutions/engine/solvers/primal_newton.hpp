@@ -1,17 +1,16 @@
 #pragma once
-// Solving a step on its bodies: where many rows meet on few bodies there are fewer velocities than impulses.
+// Active-set method with velocities of bodies as unknowns: many rows on few bodies have fewer velocities than impulses.
 //
-//   free rows       G V + Σ λ = B, so that λ = Σ⁻¹ (B - G V)
-//   velocities      (M + Gᵀ Σ⁻¹ G) V = Gᵀ Σ⁻¹ B + Gᵀ λ_bound                                          Eq. (11.15)
-//   bounds          rows at a bound are held there, and those that an update, Eq. (4.7), would take to one; the others are
-//                   free, and solved; then as far that way as ½ λᵀ S λ - Bᵀ λ falls, clamped; then a few sweeps
-//   from within     where that gets nowhere, since many rows with friction hold the same few bodies and it hardly matters
-//                   which of them slide: engine/solvers/primal_interior_point.hpp
-//   roundings       Σ⁻¹ is large, and λ a small difference: what its rows still lack is solved for in the same way, a few
-//                   times, Eq. (11.14)
+//   free rows        G V + Σ λ = B, so that λ = Σ⁻¹ (B - G V)
+//   velocities       (M + Gᵀ Σ⁻¹ G) V = Gᵀ Σ⁻¹ B + Gᵀ λ_bound                                         Eq. (11.15)
+//   active set       rows that the update of Eq. (4.7) leaves at a bound, or moves to a bound, are held there
+//   a step           solves the free rows, follows that direction, clamped, while ½ λᵀ S λ - Bᵀ λ falls, and sweeps
+//   interior point   if that stalls, as for many rows with friction between the same few bodies, whose active set is
+//                    nearly arbitrary: engine/solvers/primal_interior_point.hpp
+//   refinement       solves for the residual again, a few times, Eq. (11.14): λ = Σ⁻¹ (B - G V) cancels digits
 //
-// An unchanged active set takes one factorisation. Two bodies that touch at four points with friction are twelve rows
-// and a block of 6 x 6.
+// An unchanged active set takes one factorisation. Example: two bodies that touch at four points with friction have
+// twelve rows, and a block of 6 x 6.
 #include <optional>
 
 #include "11_direct/direct.hpp"
@@ -21,16 +20,16 @@
 
 namespace spook {
 
-/// What the next step most often has again: who shares rows with whom, and the order and the pattern of the factors.
+/// A cache for the next step: which bodies share rows, and the order and pattern of the factors.
 template <int Dof>
 struct PrimalFactors {
   VelocitySystem<Dof> on;
   VelocityFactors factors;
 };
 
-/// Solves the rows within their bounds, from the λ that they have, which is within them, and its V. Nothing, and rows
-/// and V as they were, where Σ is 0 in a row, a pivot is not sound, or stop.max_sweeps factorisations of either kind do not suffice.
-/// The history has the residual of Eq. (4.8) after each factorisation.
+/// Solves the rows within their bounds, from their current λ, which is within bounds, and its V. Appends the residual
+/// of Eq. (4.8) after each factorisation to the history. Returns nothing, and leaves rows and V unchanged, if Σ of a
+/// row is 0, if a pivot fails Eq. (11.4), or if stop.max_sweeps factorisations of neither method suffice.
 template <int Dof>
 std::optional<SolveReport> primal_newton(std::vector<Row<Dof>>& rows,
                                          const std::vector<InverseMass<Dof>>& inverse_mass,

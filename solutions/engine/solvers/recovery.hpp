@@ -8,8 +8,8 @@
 //   x += h (W + W_f + V)           positions move with the first solution, the overlap shrinks by the part a h
 //   W <- W + W_f + V'              velocities go on with the second: a plastic impact
 //
-// Σ = 0 leaves the corners of a box without one solution; a thousandth of S_kk is taken, which leaves a thousandth of the speed
-// that was stopped, inwards.
+// Σ = 0 leaves the corners of a box without one solution; a thousandth of S_kk is taken, which leaves a thousandth of
+// the speed that was stopped, inwards.
 #include <functional>
 #include <vector>
 

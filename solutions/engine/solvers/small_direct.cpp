@@ -15,7 +15,7 @@ namespace {
 
 using Few = std::array<double, most_dense_rows>;
 
-/// S of all rows, Eq. (11.1), as its factors; false where a pivot is not sound.
+/// Factorises S of all rows, Eq. (11.1); returns false if a pivot fails Eq. (11.4).
 template <int Dof>
 bool factorise(const std::vector<Row<Dof>>& rows, DenseLdlt& factors) {
   const int n = static_cast<int>(rows.size());
@@ -27,7 +27,7 @@ bool factorise(const std::vector<Row<Dof>>& rows, DenseLdlt& factors) {
   return factors.factorise();
 }
 
-/// What each row lacks, Eq. (4.6).
+/// Returns the residual of each row, Eq. (4.6).
 template <int Dof>
 Few lacking(const std::vector<Row<Dof>>& rows, const std::vector<Twist<Dof>>& V) {
   Few r;
@@ -59,7 +59,7 @@ std::optional<SolveReport> small_direct(std::vector<Row<Dof>>& rows, std::vector
   DenseLdlt factors;
   if (!factorise(rows, factors)) return {};
 
-  Few lambda;  // B, and then S⁻¹ B
+  Few lambda;  // B, then S⁻¹ B
   for (std::size_t k = 0; k < n; ++k) lambda[k] = rows[k].B;
   factors.solve(lambda.data());
   for (std::size_t k = 0; k < n; ++k)
@@ -70,7 +70,7 @@ std::optional<SolveReport> small_direct(std::vector<Row<Dof>>& rows, std::vector
   std::fill(V.begin(), V.end(), Twist<Dof>::Zero());
   for (Row<Dof>& row : rows) row.lambda = 0;
   add(lambda, rows, V);
-  Few more = lacking(rows, V);  // V has the roundings of λ/m, and the rows feel them
+  Few more = lacking(rows, V);  // V contains the round-off of λ/m
   factors.solve(more.data());
   add(more, rows, V);
   const double left = rubbing.empty() ? residual(rows, V) : residual_on_cones(rubbing, rows, V);

@@ -1,11 +1,12 @@
 #pragma once
-// A few rows by dense factors: S fits the stack, and is solved before a sparse matrix would have been written down.
+// A few rows by dense factors on the stack, which takes less time than setting up a sparse matrix.
 //
-//   factors     S λ = B, S = L D Lᵀ, Eq. (11.1), (11.3), (11.4): engine/linear/dense_ldlt.hpp
-//   roundings   refined once, Eq. (11.14), and looked at, Eq. (4.8)
+//   factors      S λ = B, S = L D Lᵀ, Eq. (11.1), (11.3), (11.4): engine/linear/dense_ldlt.hpp
+//   refinement   once, Eq. (11.14); then the residual is checked, Eq. (4.8)
 //
-// Returns nothing if a bound is active: if a λ is not strictly inside, chapter 11 begins anew. Where rows outnumber the velocities
-// of their bodies roundings alone may take one to its bound, and fewer are worth a try.
+// Returns nothing if a bound is active, that is if a λ is not strictly inside; chapter 11's method then starts anew. If
+// the rows outnumber the velocities of their bodies, round-off alone can move a λ to its bound. So a smaller number of
+// rows counts as few then.
 #include <optional>
 
 #include "09_better_friction/better_friction.hpp"
@@ -14,13 +15,13 @@
 
 namespace spook {
 
-/// How many rows are few, and how many where they outnumber the velocities.
+/// The largest number of rows, and the largest if the rows outnumber the velocities.
 inline constexpr int most_dense_rows = DenseLdlt::most, most_dense_rows_on_bodies = 12;
 
-/// Solves the rows, whatever V is; the history has one entry. Nothing where there are none or more than a few, a pivot is not
-/// sound, a λ is not strictly within its bounds, or what is left exceeds stop.tolerance and the roundings of Eq. (11.13). Then
-/// rows and V are as they were, or V is M⁻¹ Gᵀ λ with each λ within its bounds. `rubbing`: contacts whose friction is to
-/// be within its cone, too, Eq. (9.3). Throws as direct_solve does.
+/// Solves the rows for any initial V; the history has one entry. Returns nothing without rows, for too many rows, if a
+/// pivot fails Eq. (11.4), if a λ is not strictly within its bounds, or if the residual exceeds stop.tolerance and the
+/// round-off of Eq. (11.13). Then rows and V are unchanged, or V is M⁻¹ Gᵀ λ with each λ within its bounds. `rubbing`:
+/// contacts whose friction must also be within its cone, Eq. (9.3). Throws as direct_solve does.
 template <int Dof>
 std::optional<SolveReport> small_direct(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V,
                                         const StopRule& stop, const std::vector<FrictionContact>& rubbing = {});

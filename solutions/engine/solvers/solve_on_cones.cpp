@@ -9,11 +9,12 @@ namespace spook {
 
 namespace {
 
-// Of what was asked for. Contacts that bear nothing and do not part slow the interior point method down to a part of 0.4
-// a factorisation, and Newton's method may find no end where they are: what is left is far below what leapfrog leaves.
+// Relative to the right-hand side. Contacts without load that do not separate slow the interior-point method to a
+// factor of 0.4 per factorisation, and Newton's method may not converge with them. The remaining error is far below
+// that of leapfrog.
 constexpr double share_within = 1e-8, share_lagged = 1e-6;
 
-/// What is tried in turn, until all factorisations that are allowed were made.
+/// Tries the methods in turn, until all allowed factorisations were made.
 template <int Dof>
 class Attempts {
  public:
@@ -41,7 +42,8 @@ class Attempts {
     return cone_newton(problem_, tolerance_, std::min(most, remaining()), report_.history);
   }
 
-  /// What the interior point method left of the last step may be as good as it gets.
+  /// Accepts the initial λ if its residual is small enough, since the interior-point method of the last step may have
+  /// reached its accuracy.
   bool was_solved(double first) {
     if (first > part(share_within)) return false;
     end_with(start_, first);
@@ -95,7 +97,7 @@ class Attempts {
   double tolerance_;  // [m/s]
   int most_;
   std::vector<double> start_;
-  bool tried_within_ = false;  // before that, what is left says only that the factorisations ran out
+  bool tried_within_ = false;  // if false, the residual shows only that too few factorisations were allowed
   SolveReport report_;
 };
 

@@ -1,19 +1,19 @@
 #pragma once
-// Contacts on Coulomb's cones, by factors on bodies: what is tried in turn, until the residual says that it is solved.
+// Contacts on Coulomb's cones, with factors over bodies. Methods are tried in this order until the residual is small:
 //
-//   a look          λ as it is, after a sweep: what rests is solved already
-//   Newton          engine/solvers/cone_newton.hpp, while the residual halves
-//   from within     engine/solvers/cone_interior_point.hpp, first with limits that follow at once, then with lagged ones
-//   sweeps          with Newton in between
+//   a sweep          from the current λ: bodies at rest are solved by it
+//   Newton           engine/solvers/cone_newton.hpp, while the residual halves
+//   interior point   engine/solvers/cone_interior_point.hpp, first with current friction limits, then with lagged ones
+//   sweeps           alternating with Newton
 #include "engine/solvers/cone_problem.hpp"
 #include "engine/solvers/solver_result.hpp"
 
 namespace spook {
 
-/// Begins with λ and V as they are. It is solved where the residual, Eq. (9.7), is at most the tolerance or a rounding.
-/// Where Newton's method cannot get there, a hundred-millionth of the largest |B| is enough, and a millionth where lagged
-/// limits were needed. Makes at most `most` factorisations. Each entry of the history is the residual after a
-/// factorisation; the last one is that of λ. All rows must have Σ > 0.
+/// Starts from the current λ and V. A problem counts as solved if the residual, Eq. (9.7), is at most the tolerance or
+/// round-off. If Newton's method fails, 1e-8 of the largest |B| suffices, and 1e-6 with lagged limits. Makes at most
+/// `most` factorisations. Each history entry is the residual after a factorisation; the last entry belongs to the final
+/// λ. All rows must have Σ > 0.
 template <int Dof>
 SolverResult solve_on_cones(ConeProblem<Dof>& problem, double tolerance, int most = 300);
 

@@ -1,10 +1,10 @@
 #pragma once
-// What a solver is: a function from a step's system of rows to what it did about it.
+// The signature of a solver: a function from the rows of a step to a result.
 //
-//   System   rows, what they are about, and when to stop: all that any solver may want to look at
-//   Solver   brings λ to S λ = B within its bounds, and V to M⁻¹ Gᵀ λ
+//   SolverInput    rows, the joints and contacts of the rows, and the stop rule
+//   Solver         solves S λ = B within bounds, with V = M⁻¹ Gᵀ λ
 //
-// A solver may take another one to solve with (engine/solvers/registry.hpp): it is handed a system and hands it on.
+// A solver may call an inner solver with a changed input: engine/solvers/registry.hpp.
 #include <functional>
 #include <memory>
 
@@ -16,35 +16,35 @@
 
 namespace spook {
 
-/// One step's. The λ of the rows, their bounds of friction where those follow what presses, and V are the solver's to
-/// change; all else is to be looked at.
+/// The input of a solver in one step. A solver changes the λ of the rows, V, and, in friction models other than the
+/// box, the bounds of friction rows. It only reads all other members.
 template <int Dof>
 struct SolverInput {
-  std::vector<Row<Dof>>& rows;  ///< of the joints, then of the contacts; λ where to begin
-  std::vector<Twist<Dof>>& V;   ///< velocity change of each body by these λ
+  std::vector<Row<Dof>>& rows;  ///< of the joints, then of the contacts; λ is the initial guess
+  std::vector<Twist<Dof>>& V;   ///< velocity change of each body by the initial λ
   /// Contacts whose friction follows the normal impulse, in the order of their rows.
   const std::vector<FrictionContact>& rubbing;
   const std::vector<Joint>& joints;      ///< with k and d
-  const std::vector<Contact>& contacts;  ///< each with as many rows as the others
+  const std::vector<Contact>& contacts;  ///< all with the same number of rows
   std::size_t first_contact_row;
-  const Bodies<Dof>& bodies;   ///< where they are, and the motion that the rows were made of
-  const WarmStartCache& last;  ///< impulses of the last step, if the solver wants them
+  const Bodies<Dof>& bodies;   ///< current positions, and the motion from which the rows were built
+  const WarmStartCache& last;  ///< impulses of the last step, if wants_last is set
   Vec3 gravity;                ///< [m/s²]
   double h;                    ///< [s]
   StopRule stop;
-  int threads = 1;  ///< that a solver may use; its result does not depend on it
+  int threads = 1;  ///< worker threads; the result is the same for any number
 };
 
-/// May keep what helps it in the next step. A copy has a state of its own: copies of a world share nothing.
+/// A solver, which may keep caches for the next step. A copy has its own state: copies of a world share nothing.
 template <int Dof>
 struct Solver {
   std::function<SolverResult(const SolverInput<Dof>& system)> solve;
-  /// The friction model that it solves: it decides the limits of friction rows, and what the residual is.
+  /// The friction model of the solver, which defines the limits of friction rows, and the residual.
   FrictionModel friction = FrictionModel::box;
-  bool wants_last = false;  ///< it looks at SolverInput::last
+  bool wants_last = false;  ///< the solver reads SolverInput::last
 };
 
-/// A cache of a solver: a copy of the solver begins without it.
+/// A cache of a solver; a copy of the solver starts with an empty cache.
 template <class T>
 class ScratchCache {
  public:

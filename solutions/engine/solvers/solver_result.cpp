@@ -18,7 +18,7 @@ SolverResult without_updates(SolveReport report) {
 }
 
 double estimated_error(double residual, const std::vector<double>& history) {
-  // 1 - ρ of a hundred-millionth is a rounding.
+  // A 1 - ρ of 1e-8 is round-off.
   constexpr double least = 1e-8;
   const double rate = observed_rate(history);
   return residual / (rate < 1 ? std::max(1 - rate, least) : least);

@@ -1,5 +1,5 @@
 #pragma once
-// What a solver did, and how that of several is put together.
+// The result of a solver, and functions that combine results.
 #include <cstdint>
 
 #include "04_gauss_seidel/gauss_seidel.hpp"
@@ -10,33 +10,33 @@ struct SolverResult {
   SolverResult(SolveReport done) : report(std::move(done)) {}  // NOLINT: a chapter's solver is one, too
 
   SolveReport report;
-  std::int64_t row_updates = -1;  ///< that were made; -1: one of each row for each entry of the history
+  std::int64_t row_updates = -1;  ///< number of row updates; -1: one of each row for each history entry
 
-  /// Row updates that were made, of so many rows.
+  /// Returns the number of row updates of a solve with so many rows.
   std::int64_t updates(std::size_t rows) const;
 };
 
-/// Of a solver that updates no rows.
+/// Returns the result of a solver that updates no rows.
 SolverResult without_updates(SolveReport report);
 
-/// What a solve left [m/s]: its residual r as r/(1 - ρ), with the rate ρ of its history, Eq. (10.5). One that creeps has
-/// farther to go than its last sweep tells; without a rate below 1, assumes no convergence.
+/// Estimates the error that a solve left [m/s]: r/(1 - ρ), with the residual r and the rate ρ of its history, Eq.
+/// (10.5). Slow convergence leaves an error larger than the residual. Without a rate below 1, assumes no convergence.
 double estimated_error(double residual, const std::vector<double>& history);
 
-/// What the rows of a step ask for: the largest |B| [m/s].
+/// Returns the largest |B| of the rows [m/s].
 template <int Dof>
 double rhs_norm(const std::vector<Row<Dof>>& rows);
 
-/// What roundings leave, of the λ that rows have [m/s]: Eq. (11.13).
+/// Returns the round-off of the residual at the current λ [m/s]: Eq. (11.13).
 template <int Dof>
 double roundings(const std::vector<Row<Dof>>& rows);
 
-/// Of two solves, one after the other. A history goes on where the other ends; the second says whether it converged.
-/// Where one does not count its row updates, they are of so many rows.
+/// Combines two consecutive solves. Concatenates the histories; the second solve decides whether the result converged.
+/// If a solve does not count its row updates, they are computed from the number of rows.
 SolverResult append(SolverResult first, const SolverResult& second, std::size_t rows);
 
-/// Of two solves that have no part in each other, and count their row updates. A history has the larger of their
-/// entries, or a NaN; both must have converged.
+/// Combines two independent solves, both of which count their row updates. Each history entry is the larger of the two,
+/// or NaN if one is NaN. The result converged if both did.
 SolverResult merge_parallel(SolverResult one, const SolverResult& other);
 
 }  // namespace spook

@@ -1,13 +1,13 @@
-// Projected Gauss-Seidel on several threads, "spatial_decomposition" by name.
+// The solver "spatial_decomposition": projected Gauss-Seidel on several threads.
 //
-//   stripes    n bodies have ∛n/2 of them, side by side, a multiple of four from four on, with equally many rows in each:
-//              in a cube they are two bodies wide
-//   a row      is of the first stripe that it has a body in, and most reach into the next one at most
-//   a sweep    of all even stripes at the same time, then of all odd ones; then what reaches farther, alone
+//   stripes    n bodies are divided into ∛n/2 stripes side by side, a multiple of four from four on, with equal numbers
+//              of rows: in a cube a stripe is two bodies wide
+//   a row      belongs to the first stripe that contains one of its bodies; most rows reach at most into the next one
+//   a sweep    updates all even stripes in parallel, then all odd stripes in parallel; then the rows that reach farther
 //
-// What is swept at the same time shares no body that moves. So the result is the same to the last bit on any number of
-// threads, and with two rounds a sweep they wait for each other less than for each colour of chapter 14. Within a stripe
-// rows are interleaved, Eq. (14.13). One entry of its history is what a sweep returned. Keeps nothing.
+// Rows that are swept in parallel share no dynamic body. So the result is the same to the last bit for any number of
+// threads. With two rounds a sweep, threads wait less for each other than with a round for each colour of chapter 14.
+// Within a stripe rows are interleaved, Eq. (14.13). A history entry is the result of a sweep. Has no cache.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -22,12 +22,12 @@ namespace spook {
 namespace {
 
 struct Stripe {
-  std::vector<int> rows;  ///< which of all they are
-  double lacked = 0;      ///< in its last sweep [m/s]
+  std::vector<int> rows;  ///< indices of the rows
+  double lacked = 0;      ///< residual in the last sweep [m/s]
 };
 
-/// The axis along which bodies that follow each other are nearest, beside how far all of them reach: rows that follow each
-/// other, in memory as well, then are of one stripe.
+/// Returns the axis along which consecutive bodies are closest, relative to the extent of all bodies. So consecutive
+/// rows, which are also close in memory, belong to one stripe.
 template <int Dof>
 int axis_across(const std::vector<int>& moving, const Bodies<Dof>& bodies) {
   Eigen::Array3d steps = Eigen::Array3d::Zero();
@@ -43,7 +43,7 @@ int axis_across(const std::vector<int>& moving, const Bodies<Dof>& bodies) {
   return axis;
 }
 
-/// The place of each body that moves among those that do, along the axis; -1 of the others.
+/// Returns the rank of each dynamic body along the axis; -1 for the others.
 template <int Dof>
 std::vector<int> places(const Bodies<Dof>& bodies) {
   std::vector<int> moving;
@@ -57,7 +57,7 @@ std::vector<int> places(const Bodies<Dof>& bodies) {
   return place;
 }
 
-/// From where to where a row reaches: the places of its bodies that move, -1 where neither does.
+/// The extent of a row: the ranks of its dynamic bodies, -1 if there is none.
 struct Reach {
   int low, high;
 };
@@ -74,15 +74,16 @@ std::vector<Reach> reaches(const SolverInput<Dof>& s, const std::vector<int>& pl
   return all;
 }
 
-/// The stripe of each place, so that equally many rows begin in each stripe, as near as bodies let.
+/// Returns the stripe of each rank, such that stripes have nearly equal numbers of rows.
 std::vector<int> stripes_of_places(const std::vector<Reach>& rows) {
-  std::vector<std::size_t> begin;  // how many rows begin at each place
+  std::vector<std::size_t> begin;  // number of rows that start at each rank
   for (const Reach& row : rows) {
     if (row.high >= std::ssize(begin)) begin.resize(static_cast<std::size_t>(row.high) + 1, 0);
     if (row.low >= 0) ++begin[row.low];
   }
   auto count = static_cast<std::size_t>(std::max(1.0, std::cbrt(begin.size()) / 2));
-  if (count > 4) count -= count % 4;  // so that two threads have as many even ones each, and as many odd ones
+  if (count > 4)
+    count -= count % 4;  // so that two threads have equal numbers of even stripes, and of odd stripes
   std::vector<int> stripe;
   std::size_t before = 0;
   for (const std::size_t here : begin) {
@@ -92,7 +93,7 @@ std::vector<int> stripes_of_places(const std::vector<Reach>& rows) {
   return stripe;
 }
 
-/// While it lives, each stripe has a body of its own for what does not move, so that no two stripes write the same.
+/// Gives each stripe a static body of its own during its lifetime, so that no two stripes write to the same body.
 template <int Dof>
 class OwnGround {
  public:
@@ -111,13 +112,13 @@ class OwnGround {
   }
 
  private:
-  static constexpr std::size_t apart = 4;  // no two in one cache line
+  static constexpr std::size_t apart = 4;  // no two stripes share a cache line
   const SolverInput<Dof>& s_;
   std::size_t bodies_;
   std::vector<std::pair<int*, int>> lent_;
 };
 
-/// All rows by stripe; the last one is of what reaches farther.
+/// Returns all rows by stripe; the last stripe has the rows that reach farther.
 template <int Dof>
 std::vector<Stripe> divided(const SolverInput<Dof>& s, const std::vector<int>& place, OwnGround<Dof>& ground) {
   const std::vector<Reach> reach = reaches(s, place);
@@ -145,7 +146,7 @@ std::vector<Stripe> divided(const SolverInput<Dof>& s, const std::vector<int>& p
     stripe.rows = std::move(order);
   }
   for (std::size_t k = 0; k < reach.size(); ++k) {
-    if (reach[k].low < reach[k].high) continue;  // two that move
+    if (reach[k].low < reach[k].high) continue;  // two dynamic bodies
     for (int* body : {&s.rows[k].i, &s.rows[k].j})
       if (place[*body] < 0) ground.lend(stripe_of(reach[k]), *body);
   }
@@ -169,7 +170,7 @@ SolverResult solve_in_stripes(const SolverInput<Dof>& s) {
       if (thread == 0) sweep_one(stripes[rest]);
       return;
     }
-    const std::size_t n = (rest + 1 - round) / 2;  // stripes that are even, or odd
+    const std::size_t n = (rest + 1 - round) / 2;  // even stripes, or odd stripes
     for (std::size_t k = n * thread / threads; k < n * (thread + 1) / threads; ++k)
       sweep_one(stripes[2 * k + round]);
   };

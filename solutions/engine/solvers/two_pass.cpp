@@ -1,10 +1,10 @@
 // Two passes: chapter 09, Eq. (9.1); notes, "normal forces as limits".
 //
-//   first     without friction: its rows come with bounds of 0
-//   second    with the limits ±μ λ_n that the first found, from where it ended
+//   first     without friction: friction rows have bounds of 0
+//   second    with the limits ±μ λ_n of the first pass, starting from its result
 //
-// As chapter 09's two_pass_solve, but with any solver for a pass. Each has the whole stop rule, and the history has both.
-// Where nothing rubs there is one pass.
+// Equals two_pass_solve of chapter 09, but with any solver for a pass. Each pass has the whole stop rule, and the
+// history contains both. Without friction there is one pass.
 #include <stdexcept>
 
 #include "engine/solvers/registry.hpp"

@@ -1,11 +1,11 @@
 #pragma once
-// Whether a program is compiled as the library was. Eigen aligns its numbers by what the compiler may ask of the
-// processor (-march, -mavx), so with other flags a body has another layout, and a version of Eigen may have its own.
-// Whoever includes this needs a symbol that names how it is compiled, and the library has only its own:
+// Detects a program whose compiler flags do not match the library's. Eigen aligns its numbers as the target processor
+// allows (-march, -mavx). So with other flags, or another version of Eigen, a body has another layout. Every file that
+// includes this header refers to a symbol named after its flags. The library defines only that of its own flags:
 //
 //   undefined reference to `spook::LibraryCompiledWith<EigenVersion<3, 4>, AlignedTo<32>, DebugContainers<false>>::found'
 //
-// says that the program wants Eigen 3.4 with 32 bytes, and the library is compiled otherwise.
+// means that the program uses Eigen 3.4 with an alignment of 32 bytes, unlike the library.
 #include <Eigen/Core>
 
 namespace spook {
@@ -17,7 +17,7 @@ struct EigenVersion;
 template <int bytes>
 struct AlignedTo;
 template <bool debug>
-struct DebugContainers;  // of the standard library, -D_GLIBCXX_DEBUG
+struct DebugContainers;  // containers of the standard library, -D_GLIBCXX_DEBUG
 
 #ifdef _GLIBCXX_DEBUG
 using Containers = DebugContainers<true>;

@@ -6,7 +6,7 @@
 
 namespace spook {
 
-/// Letters to insert, drop, change, or swap with their neighbour, to get from `a` to `b`.
+/// Returns the number of letters to insert, drop, change, or swap with their neighbour, to get from `a` to `b`.
 static std::size_t typing_slips(const std::string& a, const std::string& b) {
   std::vector<std::size_t> before, last(b.size() + 1), now(b.size() + 1);
   std::iota(last.begin(), last.end(), std::size_t{0});

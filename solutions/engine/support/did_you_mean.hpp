@@ -1,15 +1,16 @@
 #pragma once
-// What to say of a word that is not known: "Did you mean ...?", or what it is called now.
+// Suggestions for unknown names: the nearest name, or the new name of a renamed option.
 #include <string>
 #include <vector>
 
 namespace spook {
 
-/// Returns `; did you mean "orbit"?` when one of `known` is within two typing slips of `given`, and less than half wrong;
-/// `; it is now called "row-order"` for a name of an earlier release; else `; there are: ...`, all of them.
+/// Returns `; did you mean "orbit"?` if a name of `known` is within two typing errors of `given`, and differs in less
+/// than half of its letters. Returns `; it is now called "row-order"` for a name of an earlier release, else `; there
+/// are: ...` with all known names.
 std::string did_you_mean(const std::string& given, const std::vector<std::string>& known);
 
-/// Returns the present name of an option or solver that an earlier release called `name`; empty if there is none.
+/// Returns the current name of an option or solver that an earlier release called `name`; empty if there is none.
 std::string present_name(const std::string& name);
 
 }  // namespace spook

@@ -7,17 +7,18 @@
 
 namespace spook {
 
-/// The most threads that a world may be given.
+/// The largest number of threads of a world.
 inline constexpr int most_threads = 256;
 
-/// How many shares so many threads make of n things: no more than have a thousand things each, and one at least.
+/// The number of shares of n items: at most one for each thread, and at least a thousand items in each; at least one
+/// share.
 inline std::size_t shares_of(int threads, std::size_t n) {
-  constexpr std::size_t worth_a_thread = 1000;  // of a fraction of a microsecond each
+  constexpr std::size_t worth_a_thread = 1000;  // items, of a fraction of a microsecond each
   return std::clamp<std::size_t>(n / worth_a_thread, 1, static_cast<std::size_t>(threads));
 }
 
-/// Calls work(share, first, end) for n things in that many shares, at the same time. Share by share they are in order.
-/// What one throws is thrown.
+/// Calls work(share, first, end) for n items in shares_of(threads, n) consecutive shares, at the same time. Throws what
+/// a call throws.
 template <class Work>
 void parallel_for(int threads, std::size_t n, const Work& work) {
   const std::size_t shares = shares_of(threads, n);

@@ -1,8 +1,8 @@
 #pragma once
 // Handles of bodies and joints: numbers from 0 on that stay while others are removed, where indices move up.
 //
-// A vector of a program's own, indexed by handles, holds whatever it wants to know of each body. A world without handles
-// pays nothing for them.
+// A vector of a program's own, indexed by handles, holds whatever it wants to know of each body. A world without
+// handles pays nothing for them.
 #include <stdexcept>
 #include <string>
 #include <vector>

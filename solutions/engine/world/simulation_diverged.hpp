@@ -1,21 +1,21 @@
 #pragma once
-// What a world throws when it cannot go on.
+// The exception of a step whose result is not finite.
 #include <cstdint>
 #include <sstream>
 #include <stdexcept>
 
 namespace spook {
 
-/// A position or velocity is no longer finite, or a distance has lost its direction. What was observed before this
-/// step is still good.
+/// A position or velocity is no longer finite, or the direction of a distance joint is undefined. Results of earlier
+/// steps are valid.
 class SimulationDiverged : public std::runtime_error {
  public:
   SimulationDiverged(std::int64_t step, double time, int body, const std::string& what = "is not finite")
       : std::runtime_error(describe(step, time, body, what)), step_(step), time_(time), body_(body) {}
 
-  std::int64_t step() const { return step_; }  ///< the step that did it; the first is 1
-  double time() const { return time_; }        ///< at its end [s]
-  int body() const { return body_; }           ///< the first body that it happened to
+  std::int64_t step() const { return step_; }  ///< the failed step; the first step is 1
+  double time() const { return time_; }        ///< at the end of that step [s]
+  int body() const { return body_; }           ///< the first affected body
 
  private:
   static std::string describe(std::int64_t step, double time, int body, const std::string& what) {

@@ -1,5 +1,5 @@
 #pragma once
-// The stages of a step, and what each of them costs.
+// The stages of a step, and the time that each takes.
 #include <array>
 #include <chrono>
 #include <cstddef>
@@ -13,14 +13,13 @@ enum class Stage { contacts, forces, impacts, rows, solve, integrate };
 inline constexpr std::array<const char*, 6> stage_names = {"contacts", "forces", "impacts",
                                                            "rows",     "solve",  "integrate"};
 
-/// What the stages took so far, and how often each ran.
+/// Total time and number of runs of each stage.
 struct StageTimes {
   std::array<double, stage_names.size()> seconds{};
   std::array<std::int64_t, stage_names.size()> runs{};
 };
 
-/// Runs stages, and looks at the clock only if it was asked to: a look takes longer than the whole step of a point
-/// mass.
+/// Runs stages, and times them only after start(): reading the clock takes longer than the whole step of a point mass.
 class StepTimer {
  public:
   void start() { running_ = true; }

@@ -114,11 +114,11 @@ void World<Dof>::evaluate_forces(double h) {
   if (!contacts_.empty() || !joints_.empty()) prepare_motion(h);
 }
 
-/// Moves W of free bodies from half of the last step before x_n to half of this one, Eq. (1.5). W of a body that rows
-/// hold stays: what presses and what holds it cancel.
+/// Moves W of free bodies from half of the last step before x_n to half of this step, Eq. (1.5). W of a body with rows
+/// does not change, since load and constraint forces cancel.
 template <int Dof>
 void World<Dof>::shift_to_step(double h) {
-  if (!rows_.empty() && V_.size() != bodies_.size()) return;  // bodies have come or gone
+  if (!rows_.empty() && V_.size() != bodies_.size()) return;  // bodies were added or removed
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (bodies_.is_fixed(i) || (!rows_.empty() && V_[i] != Twist<Dof>::Zero())) continue;
     const Vec3 v = bodies_.motion.W[i].template head<3>();
@@ -138,7 +138,8 @@ void World<Dof>::add_wrenches() {
   }
 }
 
-/// What torques, and the gyroscopic one where the rule takes it for one, add to ω in a step.
+/// Returns the change of ω in a step by torques, including the gyroscopic torque if the rotation rule treats it as a
+/// torque.
 template <int Dof>
 Vec3 World<Dof>::turned_by_torques(std::size_t i, const Vec3& omega, double h) const {
   Vec3 change = Vec3::Zero();
@@ -150,7 +151,7 @@ Vec3 World<Dof>::turned_by_torques(std::size_t i, const Vec3& omega, double h) c
   return change;
 }
 
-/// What rows and impacts want to know of the bodies beside W: W_f and, of those that turn, the inertia.
+/// Computes the input of rows and impacts in addition to W: W_f and, for rigid bodies, the inertia.
 template <int Dof>
 void World<Dof>::prepare_motion(double h) {
   Motion<Dof>& motion = bodies_.motion;
@@ -185,16 +186,16 @@ void World<Dof>::resolve_impacts(double h) {
     std::vector<bool> moved(before.size());
     for (std::size_t i = 0; i < moved.size(); ++i) moved[i] = bodies_.x[i] != before[i];
     pairs_ = finder_.find_moved(moved, shapes_, bodies_, margin(h), contacts_, settings_.threads);
-    prepare_motion(h);  // the gyroscopic torque goes with ω
+    prepare_motion(h);  // the gyroscopic torque depends on ω
   }
-  // What is still open and comes as fast as an impact will be one: until then nothing holds it back.
+  // An open contact that approaches fast enough for an impact gets no row, so that the impact can occur.
   const auto will_hit = [&](const Contact& contact) {
     return contact.gap > 0 && separation_speed(contact, bodies_.motion) < -law.threshold;
   };
   contacts_.erase(std::remove_if(contacts_.begin(), contacts_.end(), will_hit), contacts_.end());
 }
 
-/// Where no k is given. Bodies and forces may be others in each step; contacts do not get softer.
+/// Sets the default k. Bodies and forces may change in each step; the k of contacts never decreases.
 template <int Dof>
 void World<Dof>::set_default_stiffness(double h) {
   if (settings_.k) return;
@@ -208,7 +209,7 @@ void World<Dof>::set_default_stiffness(double h) {
   const double of_joints = joint_stiffness(mass, h);
   materials_.set_stiffness(spook::contact_stiffness(largest_load_, shapes_.smallest, of_joints));
   if (joints_.empty()) return;
-  double arm = 0;  // squared
+  double arm = 0;  // squared [m²]
   if constexpr (Dof == 6) {
     for (std::size_t i = 0; i < bodies_.size(); ++i)
       if (!bodies_.is_fixed(i))
@@ -221,7 +222,7 @@ void World<Dof>::set_default_stiffness(double h) {
   }
 }
 
-/// Rows of contacts are written over those of the last step: a large pile's are many megabytes.
+/// Overwrites the contact rows of the last step, since those of a large pile take many megabytes.
 template <int Dof>
 void World<Dof>::build_rows(double h) {
   set_default_stiffness(h);
@@ -272,8 +273,8 @@ void World<Dof>::warm_start_rows(double h) {
   if (!impulses.empty()) warm_start(impulses, rows_, V_);  // Eq. (10.2)
 }
 
-/// What a row lacks, Eq. (4.6), is a sum of four terms; where gravity presses the largest are no smaller than |gravity| h,
-/// and each is rounded. A sweep that returns no more than that has found nothing.
+/// Returns the stop rule, with a lower bound of the tolerance. A row's residual, Eq. (4.6), is a sum of four rounded
+/// terms; under gravity the largest are at least |gravity| h. A sweep with a smaller change has converged.
 template <int Dof>
 StopRule World<Dof>::stop_rule(double h) const {
   using Limits = std::numeric_limits<double>;
@@ -283,7 +284,7 @@ StopRule World<Dof>::stop_rule(double h) const {
   return stop;
 }
 
-/// What opens by less than a hundredth of |gravity| h falls back in the next step.
+/// A contact that opens by less than a hundredth of |gravity| h closes again in the next step.
 template <int Dof>
 void World<Dof>::take_out_recovery(double h) {
   const double size = std::isfinite(shapes_.smallest) ? shapes_.smallest : 0;
@@ -374,7 +375,8 @@ void World<Dof>::end_step(double h) {
   count_turns();
 }
 
-/// An angle is followed from step to step, as it shows within a turn only: Eq. (13.9).
+/// Updates the angles of hinges from step to step, since a quaternion determines an angle within one turn only: Eq.
+/// (13.9).
 template <int Dof>
 void World<Dof>::count_turns() {
   if constexpr (Dof == 6)
@@ -385,7 +387,7 @@ void World<Dof>::count_turns() {
 template <int Dof>
 void World<Dof>::require_finite_bodies() const {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    // One number that is not finite makes the sum so.
+    // The sum is not finite if one number is not.
     double sum = bodies_.x[i].sum() + bodies_.motion.W[i].sum();
     if constexpr (Dof == 6) sum += bodies_.orientations.q[i].coeffs().sum();
     if (!std::isfinite(sum)) throw SimulationDiverged(steps_, time_, static_cast<int>(i));
@@ -399,6 +401,6 @@ void World<Dof>::require_finite_bodies() const {
 #include "engine/world/world_setup.ipp"
 #include "engine/world/world_start.ipp"
 
-// All members are above: a class may be instantiated once in a program.
+// All members are defined above, since a class may be instantiated only once in a program.
 template class spook::World<3>;
 template class spook::World<6>;

@@ -1,4 +1,4 @@
-// Joints of a world: what is asked of a new one, and what can be known of those that are there.
+// Joints of a world: checks of new joints, and queries.
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +10,7 @@ static void require_kind(bool right, const Joint& joint, const std::string& rule
   if (!right) throw std::invalid_argument("kind must be " + rule + ", but is " + name_of(joint.kind));
 }
 
-/// Throws std::invalid_argument for a motor that makes no sense.
+/// Throws std::invalid_argument for an invalid motor.
 static void require_sound(const Motor& motor) {
   const Motion<6> at_rest{.inverse_mass = {{}, {}},
                           .W = {Twist<6>::Zero(), Twist<6>::Zero()},
@@ -34,7 +34,7 @@ int World<Dof>::add_joint(const Joint& given) {
   }
   joint.has_default_k = !joint.k && !settings_.k;
   joint.has_default_k_turn = joint.has_default_k && !joint.k_turn;
-  if (!joint.k) joint.k = settings_.k.value_or(1e6);  // the default is found in a step
+  if (!joint.k) joint.k = settings_.k.value_or(1e6);  // a step computes the default
   if (!joint.d) joint.d = settings_.d.value_or(settings_.integrator_order == 4 ? 0 : relaxation_of_joints);
   const SpookParameters spook = spook_parameters(1, *joint.k, *joint.d);
   if (joint.length) {
@@ -57,7 +57,7 @@ int World<Dof>::add_joint(const Joint& given) {
   return static_cast<int>(joints_.size()) - 1;
 }
 
-/// Fills in what a hinge, slider or weld has not been told.
+/// Fills in the defaults of a hinge, slider or weld.
 template <int Dof>
 void World<Dof>::complete(Joint& joint) const {
   require_kind(Dof == 6, joint, "ball or distance for point masses");
@@ -99,7 +99,7 @@ void World<Dof>::remove_joint(int joint) {
   forget_the_last_step();
 }
 
-/// Its rows are numbered otherwise now.
+/// Clears the results of the last step, since rows have new indices.
 template <int Dof>
 void World<Dof>::forget_the_last_step() {
   joint_rows_.clear();
@@ -129,7 +129,7 @@ const Row<Dof>* World<Dof>::joint_row(int joint, int row) const {
   const std::size_t j = joint_index(joint);
   if (row < 0 || row >= joints_[j].rows()) reject("row", row, "below " + std::to_string(joints_[j].rows()));
   const std::size_t r = joint_rows_[j] + static_cast<std::size_t>(row);
-  return r < first_contact_row_ ? &rows_[r] : nullptr;  // a joint that is new has had none
+  return r < first_contact_row_ ? &rows_[r] : nullptr;  // a new joint had no rows
 }
 
 template <int Dof>
@@ -159,7 +159,7 @@ Vec3 World<Dof>::joint_torque(int joint) const requires(Dof == 6) {
   return h_ > 0 ? Vec3(impulse / h_) : impulse;
 }
 
-/// The joint, if it leaves anything free. Throws std::invalid_argument for another.
+/// Returns a joint with a free coordinate. Throws std::invalid_argument for other joints.
 template <int Dof>
 const Joint& World<Dof>::free_joint(int joint) const {
   const Joint& found = joints_[joint_index(joint)];
@@ -183,7 +183,7 @@ double World<Dof>::joint_speed(int joint) const requires(Dof == 6) {
   return 0;
 }
 
-/// What a row of it did to body j, along what it leaves free [N m or N].
+/// Returns the force or torque of a row on body j along the free coordinate [N m or N].
 template <int Dof>
 double World<Dof>::along_free(int joint, int row) const {
   if constexpr (Dof == 6) {

@@ -1,4 +1,4 @@
-// A step of order four, engine/integration/rattle.hpp, and what it refuses.
+// Steps of order four, engine/integration/rattle.hpp, and their restrictions.
 #include "common/require.hpp"
 
 namespace spook {
@@ -36,7 +36,8 @@ void World<Dof>::step_composed(double h) {
   end_step(h);
 }
 
-/// W += h M⁻¹ f with the forces where the bodies are, at `time`; and the inertia of what turns, which rows want to know.
+/// Adds h M⁻¹ f to W, with forces at the current positions and `time`; updates the inertia of rigid bodies for the
+/// rows.
 template <int Dof>
 void World<Dof>::kick_all(double h, double time) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -61,7 +62,7 @@ void World<Dof>::kick_all(double h, double time) {
 
 static const std::string refused = "integrator_order must be 2 with ", reason = ", but is 4: ";
 
-/// Throws std::invalid_argument for what steps that are composed cannot have.
+/// Throws std::invalid_argument for features that steps of order four do not support.
 template <int Dof>
 void World<Dof>::require_smooth() const {
   if (settings_.integrator_order == 2) return;
@@ -94,7 +95,7 @@ void World<Dof>::require_no_relaxation(double d) const {
     reject("d", d, "0 with integrator_order 4: what relaxation loses, a step backwards does not give back");
 }
 
-/// Throws std::invalid_argument for a wrench that is another one where bodies are as they are, but move otherwise.
+/// Throws std::invalid_argument for a wrench that depends on velocities.
 template <int Dof>
 void World<Dof>::require_wrench_of_places() const {
   if (!settings_.wrench) return;

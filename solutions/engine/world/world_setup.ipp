@@ -1,4 +1,4 @@
-// What a world is told before it steps, and what it can be asked afterwards.
+// Setup of a world before its steps, and queries afterwards.
 #include <algorithm>
 
 #include "common/require.hpp"
@@ -6,7 +6,7 @@
 
 namespace spook {
 
-/// Throws std::invalid_argument where friction would have no bound, though a force may press bodies together.
+/// Throws std::invalid_argument if friction would have no bound although a force may press bodies together.
 template <int Dof>
 static void require_weight_in_box(const Settings<Dof>& settings, bool forced) {
   const bool boxed = settings.friction > 0 && settings.solver.friction == FrictionModel::box;
@@ -123,7 +123,7 @@ void World<Dof>::set_material(int i, int j, const Material& material) {
 template <int Dof>
 void World<Dof>::place(int body, const Vec3& x, const Vec3& v) {
   const std::size_t i = index(body);
-  if (bodies_.is_fixed(i)) reject("body", body, "one that moves; move_fixed is for the others");
+  if (bodies_.is_fixed(i)) reject("body", body, "a dynamic body; use move_fixed for static bodies");
   require_all_finite("x", x);
   require_all_finite("v", v);
   bodies_.x[i] = x;

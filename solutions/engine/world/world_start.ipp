@@ -1,4 +1,4 @@
-// How a world starts: velocities half a step behind positions, as leapfrog wants them.
+// Start of a world: velocities half a step behind positions, as leapfrog needs.
 #include "11_direct/direct.hpp"
 #include "common/require.hpp"
 
@@ -30,7 +30,8 @@ void World<Dof>::start_half_step_back(double h) {
   }
 }
 
-/// How G W of the joints' rows changes in time because G does [m/s²], by differences over a thousandth of a step.
+/// Returns the rate of G W of the joints' rows due to the change of G [m/s²], by differences over a thousandth of a
+/// step.
 template <int Dof>
 static std::vector<double> turning_rows(const std::vector<Joint>& joints, double h,
                                         const RotationRule<Dof>& rotation, const Bodies<Dof>& bodies) {
@@ -58,7 +59,7 @@ static std::vector<double> turning_rows(const std::vector<Joint>& joints, double
   return rates;
 }
 
-/// Which of so many rows are those of motors.
+/// Marks the rows of motors among so many rows.
 static std::vector<bool> rows_of_motors(const std::vector<Joint>& joints, std::size_t rows) {
   std::vector<bool> drives(rows, false);
   std::size_t end = 0;
@@ -86,12 +87,12 @@ void World<Dof>::start_consistently(double h) {
     const auto along = [&](const std::vector<Twist<Dof>>& of) {
       return row.Gi.dot(of[row.i]) + row.Gj.dot(of[row.j]);
     };
-    if (!drives[k]) row.B = -along(motion.Wf);  // a motor has a speed to come to
+    if (!drives[k]) row.B = -along(motion.Wf);  // a motor has a target speed
     if (k < turning.size()) row.B -= h * turning[k];
     if (rub && k >= first_contact_row_ && (k - first_contact_row_) % 3 > 0)
-      row.B -= along(motion.W);  // what slips is braked
+      row.B -= along(motion.W);  // friction opposes slip
     else if (row.lo == 0 && along(motion.W) > 0)
-      row.hi = 0;  // what parts is not held
+      row.hi = 0;  // a separating contact has no force
   }
   V_.assign(bodies_.size(), Twist<Dof>::Zero());
   if (rubbing_.empty()) {

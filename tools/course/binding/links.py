@@ -31,11 +31,11 @@ class Links:
         if target in self._drafts:
             there = self._drafts[target]
             if fragment and unquote(fragment) not in there.anchors:
-                draft.wrong(line, f"the link {href!r} leads nowhere: {target} has no heading #{fragment}")
+                draft.wrong(line, f"the link {href!r} is broken: {target} has no heading #{fragment}")
             address = "" if there is draft and fragment else between(draft.page.target, there.page.target)
             return f"{address}#{fragment}" if fragment else address
         if target not in self._files:
-            draft.wrong(line, f"the link {href!r} leads nowhere")
+            draft.wrong(line, f"the link {href!r} is broken: there is no such page")
             return href
         if target.suffix in _PICTURES:
             self.pictures.add(target)
@@ -49,7 +49,7 @@ class Links:
             return address
         target = self._source(draft, address)
         if target not in self._files:
-            draft.wrong(line, f"the picture {address!r} is not there")
+            draft.wrong(line, f"the picture {address!r} does not exist")
             return address
         self.pictures.add(target)
         return quote(between(draft.page.target, target))

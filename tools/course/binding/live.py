@@ -58,6 +58,6 @@ def live_figure(line: str) -> LiveFigure:
     """Throws ValueError for a line that cannot be read."""
     found = _LINE.fullmatch(line.strip())
     if not found:
-        raise ValueError("a live figure reads <!-- live: SCENE NAME=VALUE ... | CONTROL ... | GRAPH | VALUE at TIME -->")
+        raise ValueError("a live figure must be <!-- live: SCENE NAME=VALUE ... | CONTROL ... | GRAPH | VALUE at TIME -->")
     settings = dict(pair.split("=", 1) for pair in found[2].split())
     return LiveFigure(found[1], settings, tuple(found[3].split()), found[4], found[5], float(found[6]))

@@ -1,4 +1,4 @@
-"""What is wrong with a page: where it stands, and what leads nowhere."""
+"""Errors in a page, with their file and line."""
 
 from dataclasses import dataclass
 from pathlib import Path

@@ -117,10 +117,10 @@ def _add_equation(draft: Draft, token, line: int) -> None:
     formula, tags = display_formula(token)
     draft.formulas.append((formula, line))
     if len(tags) > 1:
-        draft.wrong(line, f"one formula has {len(tags)} tags, ({') and ('.join(tags)}); give each its own")
+        draft.wrong(line, f"one formula has {len(tags)} tags, ({') and ('.join(tags)}); give each equation its own formula")
     for tag in tags[:1]:
         if tag in draft.equations:
-            draft.wrong(line, f"equation ({tag}) is there twice")
+            draft.wrong(line, f"equation ({tag}) occurs twice; give it a new number")
         draft.equations[tag] = formula
         draft.anchors.add(anchor_of(tag))
         draft.sections[-1].words.append(f"({tag})")

@@ -2,12 +2,14 @@
 
 import html
 import json
+import re
 import shutil
 from pathlib import Path
 from string import Template
 
 from binding.code import highlighted, language_of
 from binding.formulas import files, rendered
+from binding.glossary import linked, terms, with_anchors
 from binding.links import Links, code_page
 from binding.live import ENGINE, PAGE
 from binding.outline import Page, between, pages
@@ -21,6 +23,7 @@ from paths import ROOT
 
 BOOK = ROOT / "tools" / "book"
 _ASSETS = Path("assets")
+_GLOSSARY = Path("chapters/SYMBOLS.md")
 _STYLES_AND_SCRIPTS = ("book.css", "copying.js", "figures.js", "preview.js", "reading.js", "running.js",
                        "search.js")
 
@@ -31,7 +34,7 @@ def build(folder: Path, views: bool = False, engine: Path | None = None) -> int:
     drafts = [read(page) for page in pages()]
     equations = _equations(drafts)
     links = Links(drafts)
-    bodies = [written(draft, links, equations, views, engine is not None) for draft in drafts]
+    bodies = _with_terms(drafts, [written(draft, links, equations, views, engine is not None) for draft in drafts])
     _refuse([problem for draft in drafts for problem in draft.problems])
     shutil.rmtree(folder, ignore_errors=True)
     template = Template((BOOK / "page.html").read_text(encoding="utf-8"))
@@ -71,10 +74,22 @@ def _equations(drafts: list[Draft]) -> Equations:
     return equations
 
 
+def _with_terms(drafts: list[Draft], bodies: list[str]) -> list[str]:
+    """Links each term from its first use in a lesson to the glossary."""
+    home = next(k for k, draft in enumerate(drafts) if draft.page.source == _GLOSSARY)
+    glossary = terms(bodies[home])
+    bodies[home] = with_anchors(bodies[home])
+    for k, draft in enumerate(drafts):
+        if chapter := re.match(r"chapters/([0-9]{2})_", draft.page.source.as_posix()):
+            address = between(draft.page.target, drafts[home].page.target)
+            bodies[k] = linked(bodies[k], int(chapter[1]), glossary, address)
+    return bodies
+
+
 def _refuse(problems: list[Problem]) -> None:
     if problems:
-        count = f"{len(problems)} things in it lead" if len(problems) > 1 else "one thing in it leads"
-        raise CourseError(f"book: {count} nowhere, or cannot be read", "\n".join(map(str, sorted(problems))))
+        count = f"{len(problems)} errors" if len(problems) > 1 else "one error"
+        raise CourseError(f"book: {count} in its pages", "\n".join(map(str, sorted(problems))))
 
 
 def _page(template: Template, draft: Draft, body: str, outline: list[Page]) -> str:

@@ -115,14 +115,14 @@ class _Writer:
 
     def _look_for_footnotes(self, text: str, line: int) -> None:
         for name in re.findall(r"\[\^[^\]\s]+\]", text):
-            self._draft.wrong(line, f"the footnote {name} leads nowhere")
+            self._draft.wrong(line, f"the footnote {name} does not exist")
 
     def _with_references(self, text: str, line: int) -> str:
         def follow(found: re.Match) -> str:
             tag = found[1]
             home = self._equations.home.get(tag)
             if home is None:
-                self._draft.wrong(line, f"the reference ({tag}) leads nowhere: no lesson has an equation ({tag})")
+                self._draft.wrong(line, f"the reference ({tag}) is broken: no lesson has an equation ({tag})")
                 return found[0]
             if home is not self._draft:
                 self._from_elsewhere.add(tag)

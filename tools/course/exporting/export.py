@@ -44,7 +44,7 @@ def export(arguments) -> int:
 
 def _grades(what: str, results: list[dict], arguments) -> int:
     if not arguments.roster:
-        raise BadInput(f"export: {what} wants --roster FILE: {_OF_A_ROSTER[what]}")
+        raise BadInput(f"export: {what} needs --roster FILE: {_OF_A_ROSTER[what]}")
     roster = read_roster(Path(arguments.roster))
     for name in grades.not_on_it(results, roster):
         print(f"not in {arguments.roster}, and so not in the import: {one_line(name)}", file=sys.stderr)

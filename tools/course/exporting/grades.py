@@ -17,7 +17,7 @@ def for_canvas(results: list[dict], roster: Roster, assignment: str) -> str:
     """`assignment` is the title of its column, "Chapter 1 (4711)", which Canvas knows by the number."""
     titles = [title for title in _CANVAS if title in roster.columns]
     if "Student" not in titles or "ID" not in titles:
-        raise BadInput("export: canvas wants the gradebook that Canvas exports, with columns Student and ID")
+        raise BadInput("export: for canvas, --roster must be the gradebook that Canvas exports, with columns Student and ID")
     by_row = _scores(results, roster)
     possible = ["Points Possible", *([""] * (len(titles) - 1)), f"{results[0]['max_score']:g}"]
     lines = [[row[title] for title in titles] + [f"{by_row.get(id(row), {'score': 0})['score']:g}"]
@@ -27,7 +27,7 @@ def for_canvas(results: list[dict], roster: Roster, assignment: str) -> str:
 
 def for_moodle(results: list[dict], roster: Roster) -> str:
     if "Identifier" not in roster.columns or "Grade" not in roster.columns:
-        raise BadInput("export: moodle wants the assignment's grading worksheet, with columns Identifier and Grade")
+        raise BadInput("export: for moodle, --roster must be the assignment's grading worksheet, with columns Identifier and Grade")
     by_row = _scores(results, roster)
     lines = []
     for row in roster.rows:

@@ -36,7 +36,7 @@ def grade(arguments) -> int:
     try:
         return _grade(arguments)
     except KeyboardInterrupt:
-        print("\nInterrupted. What is graded is kept: the same command again goes on from there.", file=sys.stderr)
+        print("\nInterrupted. Finished results are kept; the same command continues from there.", file=sys.stderr)
         return 130
     finally:
         signal.signal(signal.SIGTERM, before)
@@ -72,7 +72,7 @@ def _grade(arguments) -> int:
         write_gradebook(out, results, of_class)
     if grader.failures:
         raise CourseError(f"{len(grader.failures)} exercises or submissions could not be graded; the others were, "
-                          "and grading again goes on from there", "\n".join(grader.failures))
+                          "and the same command continues from there", "\n".join(grader.failures))
     if arguments.similarity:
         _compare(out, results)
     _say_who_is_missing(not_graded(results, of_class) + [f"{one_line(name)}: graded before, and not handed in now; "
@@ -88,7 +88,7 @@ def _grade(arguments) -> int:
 def _grade_on_slurm(arguments, out: Path, roster: Roster | None, names: list[str]) -> int:
     """Builds and tries the reference here, grades a shard in each part, and merges what came of them."""
     if arguments.shard:
-        raise BadInput("grade: --slurm makes shards of its own, and goes with no --shard")
+        raise BadInput("grade: --slurm makes its own shards; leave out --shard")
     with Grader(arguments):
         pass
     count, shards = min(arguments.slurm, len(names)), out.absolute() / "shards"
@@ -150,13 +150,13 @@ def _compare(out: Path, results: list[dict]) -> None:
     graded = {exercise["function"] for result in results for exercise in result["exercises"]}
     found = write_similarity(out, [exercise for exercise in all_exercises() if exercise.function in graded])
     pairs = f"{len(found.pairs)} pair{'' if len(found.pairs) == 1 else 's'}"
-    print(fold(f"{pairs} of works stand out by what they share, and {len(found.references)} are the reference's: "
+    print(fold(f"{pairs} of submissions share unusually much, and {len(found.references)} are the reference's: "
                f"{shown(out / 'similarity.html')}."))
 
 
 def _say_who_is_missing(lines: list[str]) -> None:
     if lines:
-        print("Not graded, or nobody's:")
+        print("Not graded, or not assigned to a student:")
         for line in lines:
             print(fold(f"- {line}", "  "))
 

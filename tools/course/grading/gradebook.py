@@ -133,7 +133,7 @@ def _summary(results: list[dict], counts: dict[str, dict[str, int]], figure: boo
     if figure:
         lines.append("![Histogram of the points](histogram.png)\n")
     if left_out := not_graded(results, of_class):
-        lines += ["## Not graded, or nobody's\n", *(f"- {markdown(line)}" for line in left_out), ""]
+        lines += ["## Not graded, or not assigned to a student\n", *(f"- {markdown(line)}" for line in left_out), ""]
     looks = [(result["submission"], ["**tampered**"] * tampered(result) + [markdown(note) for note in result["notes"]])
              for result in results]
     looks = [(name, notes) for name, notes in looks if notes]

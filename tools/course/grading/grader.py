@@ -159,7 +159,7 @@ class Grader:
                 for test in tests:
                     if test.verdict != "passed":
                         raise CourseError(f"the reference itself does not pass {test.test} ({test.verdict}) with seed "
-                                          f"{self.seed}; nobody is graded", test.message)
+                                          f"{self.seed}; nothing is graded", test.message)
         finally:
             _end(pool)
             bar.done()

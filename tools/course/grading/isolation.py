@@ -25,7 +25,7 @@ _WHAT_IT_DOES_NOT_DENY = {
     "bubblewrap and a uid": "",
     "bubblewrap": "",
     "uid": "the network, files that everyone may read, and writing where everyone may",
-    "limits": "the network, and whatever the user who grades may do, such as reading the reference",
+    "limits": "the network, and everything that the grading user may do, such as reading the reference",
 }
 _FIRST_UID, _LAST_UID = 61_000, 61_999
 _SYSTEM = ("/bin", "/sbin", "/lib", "/lib32", "/lib64", "/libx32")
@@ -175,7 +175,7 @@ def _problem(isolation: Isolation) -> str:
     if isolation.uses_uid and not root:
         return "only root can change the user"
     if isolation.name == "limits" and root:
-        return "not as root, whom nothing is denied"
+        return "not available to root, who has all permissions"
     needed = ["prlimit", *(["bwrap"] if isolation.name.startswith("bubblewrap") else []),
               *(["setpriv"] if isolation.uses_uid else [])]
     missing = [program for program in needed if not shutil.which(program)]

@@ -28,7 +28,7 @@ VERDICTS = (PASSED, FAILED, NOT_STARTED, DOES_NOT_COMPILE, TIMED_OUT, CRASHED, O
 
 LOOPED, WAITED, NOT_RUN = "looped", "waited", "not run"  # reasons of TIMED_OUT
 # The same, whether its processor time was up or, on a busy machine, that on the clock.
-_DOES_IT_END = "It was stopped: it was still computing when its time was up. Does a loop never end?"
+_DOES_IT_END = "It was stopped because its time was up. Does a loop never end?"
 _THREADED = {"solve_in_colours"}  # they start threads
 _THREADS = {"processes": 300, "stack": 1 << 20}  # they may start 256, whose stacks must have room in the memory allowed
 _PRINTED = 4000  # characters kept of what the student's code printed
@@ -202,7 +202,7 @@ def read_verdict(ran: Ran, cpu_limit: int) -> tuple[str, str, list[str]]:
     if ran.too_much:
         return TOO_MUCH_OUTPUT, "", ["It printed more than the limit, and was stopped."]
     if ran.timed_out and ran.cpu < _WORKED:
-        return TIMED_OUT, WAITED, ["It was stopped: it waited for something that never came."]
+        return TIMED_OUT, WAITED, ["It was stopped while waiting. Does it wait for input, or for a thread?"]
     if ran.timed_out:
         return TIMED_OUT, LOOPED, [_DOES_IT_END]
     if ran.nonsense:
@@ -225,15 +225,15 @@ def _without_verdict(ran: Ran, cpu_limit: int) -> tuple[str, str, list[str]]:
     if number == signal.SIGXCPU or (number == signal.SIGKILL and ran.cpu >= cpu_limit):
         return TIMED_OUT, LOOPED, [_DOES_IT_END]
     if number == signal.SIGABRT and "std::bad_alloc" in ran.output:
-        return OUT_OF_MEMORY, "", ["It asked for more memory than there is."]
+        return OUT_OF_MEMORY, "", ["It requested more memory than available."]
     if number:
         return CRASHED, _name(number), [crash.explained(_name(number), ran.output[-_LAST_WORDS:], None)]
     if ran.tests_code:  # the test, and not the function: it could not work with what it got
         of_test = _signal(ran.tests_code)
         if of_test in (signal.SIGXCPU, signal.SIGKILL):
-            return TIMED_OUT, LOOPED, ["The test was still computing when its time was up, with what it had got."]
+            return TIMED_OUT, LOOPED, ["The test's time was up while it was computing with the answer."]
         return CRASHED, _name(of_test) if of_test else f"exit code {ran.tests_code}", [
-            "The test could not work with what it got: a size or an index that makes no sense."]
+            "The test could not use the answer: it has an invalid size or index."]
     return ENDED_EARLY, f"exit code {ran.code}", ["The program ended before the test did. Does it call exit?"]
 
 

@@ -82,12 +82,12 @@ def _from_object(exercise: Exercise, source: Source, file: Path, workshop: Works
     except TooLarge as error:
         return Made(None, "does not compile", "too large", f"{file} compiles to {error}, more than an answer needs.")
     except Unreadable as error:
-        return Made(None, "tampered", "no object", f"{file} compiles to what is no object of this machine: {error}.")
+        return Made(None, "tampered", "no object", f"{file} does not compile to an object file of this machine: {error}.")
     if is_stub(source.text) and any(symbol.name == _STUB for symbol in found.symbols):
         return Made(None, "not started", message=STILL_A_STUB)
     refused = "" if source.is_reference else tampering(found)
     if refused:
-        return Made(None, "tampered", refused, f"{file} {refused}. No exercise needs that; it is not run.")
+        return Made(None, "tampered", refused, f"{file} {refused}. No exercise needs that, so it is not run.")
     stranger = "" if source.is_reference else not_allowed(found, workshop.reference.callable_symbols(exercise))
     if owner := _owner(stranger, workshop):
         return Made(None, "does not compile", _NOT_AVAILABLE, _not_yet(file, owner, exercise))

@@ -32,7 +32,7 @@ class Reference:
         self._members.mkdir(parents=True)
         names = _ran(["ar", "t", str(archive)], folder).split()
         if len(set(names)) != len(names):
-            raise CourseError(f"{archive.name} has two objects of one name; nobody is graded")
+            raise CourseError(f"{archive.name} has two objects of one name; nothing is graded")
         _ran(["ar", "x", str(archive.resolve())], self._members)
         # Instances of templates, which a compiler defines as weak.
         self.weak = frozenset(line.split()[0] for line in _ran(["nm", "-P", "--defined-only", str(archive)], folder)

@@ -32,7 +32,7 @@ def report_of(result: dict, exercises: dict[str, Exercise]) -> str:
     unseen = [exercise["id"] for exercise, tests in wrong if not tests]
     if unseen:
         parts.append(f"Every test that is shown passes in {', '.join(unseen)}, but a hidden one does not: read the "
-                     "lesson once more for what the tests here do not ask.\n")
+                     "lesson again for cases that these tests do not cover.\n")
     if result["notes"]:
         parts += ["## Notes\n", *(f"- {markdown(note)}" for note in result["notes"]), ""]
     return "\n".join(parts)

@@ -44,13 +44,13 @@ def _stub(exercise: Exercise) -> str:
 
 
 def _page(found: Similarity) -> str:
-    parts = [_HEAD, "<h1>Works that have more in common than chance gives</h1>",
+    parts = [_HEAD, "<h1>Submissions that share more than chance explains</h1>",
              "<p>Compared are fingerprints of tokens: names, comments and spaces do not count, and neither does what "
              "the stubs and the reference have. A fingerprint that few have counts more. A pair is shown when its "
              f"likeness is above {found.threshold:.1f}, far from what the pairs of this class usually have, or when the two "
              f"share more than {MOST_ALONE:.0%} of what few have. It is a reason to read both, and proves nothing.</p>"]
     if not found.pairs:
-        parts.append("<p>No pair stands out.</p>")
+        parts.append("<p>No pair shares unusually much.</p>")
     else:
         parts.append("<table><tr><th>pair</th><th>likeness</th><th>exercises</th></tr>")
         for number, pair in enumerate(found.pairs):
@@ -58,7 +58,7 @@ def _page(found: Similarity) -> str:
                          f"<td>{pair.likeness:.1f}</td><td>{_text(', '.join(pair.shared))}</td></tr>")
         parts.append("</table>")
     if found.references:
-        parts += ["<h2>The reference, under whatever names</h2>", "<ul>",
+        parts += ["<h2>Copies of the reference, possibly renamed</h2>", "<ul>",
                   *(f"<li>{_text(name)}: {_text(exercise)}, {share} % of the work</li>"
                     for name, exercise, share in found.references), "</ul>"]
     parts += [_side_by_side(number, pair, found.works) for number, pair in enumerate(found.pairs)]

@@ -137,7 +137,7 @@ def _choose(submission: Submission, function: str, candidates: list[_Candidate])
     candidates.sort(key=lambda one: one.attempt, reverse=True)
     candidates.sort(key=lambda one: one.rank)
     if len(candidates) > _MOST_CANDIDATES:
-        submission.notes.append(f"{len(candidates)} files could be {function}; only {_MOST_CANDIDATES} were looked at")
+        submission.notes.append(f"{len(candidates)} files could be {function}; only {_MOST_CANDIDATES} were examined")
         del candidates[_MOST_CANDIDATES:]
     sources = [_read(one.entry) for one in candidates]
     chosen = next((k for k, source in enumerate(sources) if not source.problem

@@ -54,7 +54,7 @@ class Weights:
         for test in self._rows:
             suite = test.partition(".")[0]
             if suite not in known or (suite in suites and test not in expected):
-                raise BadInput(f"the table of weights has a row for {test}, and there is no such test"
+                raise BadInput(f"the table of weights has a row for {test}, which is not a test"
                                f"{near(test, list(expected))}")
         lacking = [test for test in expected if test not in self._rows]
         if lacking:
@@ -125,5 +125,5 @@ def _row(row: dict[str, str], where: str) -> Weight:
 def _check_hint(weight: Weight, exercise: Exercise) -> None:
     number = weight.hint.removeprefix(f"{exercise.id}/")
     if not (number.isdecimal() and 1 <= int(number) <= len(exercise.hints)):
-        raise CourseError(f"{weight.test}: the hint {weight.hint!r} is none of {exercise.id}/1 to "
+        raise CourseError(f"{weight.test}: the hint must be one of {exercise.id}/1 to "
                           f"{exercise.id}/{len(exercise.hints)}")

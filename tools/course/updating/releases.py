@@ -37,7 +37,7 @@ def source(given: str | None) -> Source:
     chosen = next((name for name in ("upstream", "origin") if name in remotes), None)
     chosen = chosen or (remotes[0] if len(remotes) == 1 else None)
     if not chosen:
-        known = f"none of {', '.join(remotes)} is called upstream or origin" if remotes else "git knows no remote"
+        known = f"none of {', '.join(remotes)} is called upstream or origin" if remotes else "git has no remote"
         raise CourseError(f"{known}; name where releases come from: ./course update --from ADDRESS")
     return Source(chosen, _address(chosen))
 
@@ -68,7 +68,7 @@ def chosen(wanted: str | None, versions: list[str], place: Source) -> str:
         return final[-1]
     version = wanted.removeprefix("v")
     if version not in versions:
-        known = f"the newest there is {final[-1]}" if final else "there is none"
+        known = f"the newest is {final[-1]}" if final else "it has none"
         raise BadInput(f"update: {place} has no release {wanted!r}; {known}")
     return version
 
