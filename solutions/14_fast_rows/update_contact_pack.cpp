@@ -7,7 +7,7 @@ namespace spook {
 
 namespace {
 
-/// What the rows lack in their lanes, Eq. (4.6) [m/s].
+/// The residuals of the rows in their lanes, Eq. (4.6) [m/s].
 template <int Dof>
 Lanes lacked_by(const LaneRows<Dof>& row, const LaneTwists<Dof>& Vi, const LaneTwists<Dof>& Vj) {
   return row.B - dot<Dof>(row.Gi, Vi) - dot<Dof>(row.Gj, Vj) - row.Sigma * row.lambda;

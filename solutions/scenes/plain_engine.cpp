@@ -26,7 +26,7 @@ bool turns_otherwise(const World<6>& world) {
   return world.settings().rotation.update != RotationUpdate::splitting;
 }
 
-/// Whether point masses are all there is.
+/// Returns whether all bodies are point masses.
 template <int Dof>
 bool is_free(const World<Dof>& world) {
   return Dof == 3 && world.joints().empty() && !world.shapes().may_touch();
@@ -91,7 +91,7 @@ void copy_shapes(const Shapes& shapes, std::vector<RigidBody>& bodies) {
   }
 }
 
-/// What the world is, in plain data. A stiffness that nobody has set is the engine's own.
+/// The world in plain data. A stiffness that nobody has set is the engine's own.
 template <int Dof>
 Simulation copy_of(const World<Dof>& world, double h) {
   const Settings<Dof>& settings = world.settings();

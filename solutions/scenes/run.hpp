@@ -35,7 +35,7 @@ std::int64_t step_count(double h, double time);
 /// Returns the exercise whose step runs the scene in the plain engine. Throws std::invalid_argument where none does.
 std::string plain_step_of(const Scene& scene);
 
-/// What is looked at on the way, in the first run.
+/// The observations of the first run.
 struct Watch {
   std::ostream* csv = nullptr;  ///< gets a line of names, and a line for each substep, the start included
   bool positions = false;       ///< adds x, y, z of each body to these lines

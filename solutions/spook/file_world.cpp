@@ -80,7 +80,7 @@ void add_moving(const Place& place, World<Dof>& world) {
   world.add(body);
 }
 
-/// Of the static body that was added last.
+/// Sets the velocity of the static body that was added last.
 template <int Dof>
 void add_velocity(const Place& place, World<Dof>& world) {
   const int body = static_cast<int>(world.bodies().size()) - 1;

@@ -48,7 +48,7 @@ inline RigidBody random_rigid_body(Random& random) {
   return body;
 }
 
-/// A body that nothing moves, though numbers say that it would.
+/// A static body, though numbers say that it would.
 inline RigidBody random_static_body(Random& random) {
   RigidBody body = random_rigid_body(random);
   body.mass = 0;
@@ -67,7 +67,7 @@ inline std::vector<double> state_of(const Simulation& all) {
   return numbers;
 }
 
-/// Of one body what a step changes: x, v, q and omega in one vector; q as the nearer of q and -q to `near`.
+/// The state of one body that a step changes: x, v, q and omega in one vector; q as the nearer of q and -q to `near`.
 inline Eigen::Matrix<double, 13, 1> state_of(const RigidBody& body, const Quat& near) {
   const double sign = body.q.dot(near) < 0 ? -1 : 1;
   Eigen::Matrix<double, 13, 1> state;
@@ -81,7 +81,7 @@ struct Mistake {
   std::string text;
 };
 
-/// Whether every body of two simulations is alike, to within `close`.
+/// Returns whether every body of two simulations is alike, to within `close`.
 inline bool are_alike(const Simulation& a, const Simulation& b, double close) {
   for (std::size_t k = 0; k < a.bodies.size(); ++k)
     if (!((state_of(a.bodies[k], b.bodies[k].q) - state_of(b.bodies[k], b.bodies[k].q)).norm() <= close))

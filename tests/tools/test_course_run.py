@@ -43,7 +43,7 @@ class CourseRun(unittest.TestCase):
     def test_mine_without_an_exercise_is_the_reference(self):
         error, said = self.run_free_fall("--mine")
         self.assertLess(error, 1e-9)
-        self.assertIn("all of it is the reference", said)
+        self.assertIn("everything is the reference", said)
 
     def test_mine_takes_what_the_student_wrote(self):
         self.box.file(self.kick).write_text(STILL)
@@ -75,7 +75,7 @@ class CourseRun(unittest.TestCase):
         step = next(exercise for exercise in all_exercises() if exercise.function == "leapfrog_step")
         error, said = self.run_free_fall("--engine", "mine")
         self.assertLess(error, 1e-9)
-        self.assertIn("all of it is the reference", said)
+        self.assertIn("everything is the reference", said)
         try:
             self.box.file(step).write_text(STILL.replace("Vec3 kick(const Vec3& v, const Vec3&, double, double) { return v; }",
                                                          "void leapfrog_step(Particles&, const ForceField&, double) {}"))

@@ -124,7 +124,7 @@ def _recorded(runs: list[Run]) -> tuple[list[Recording], int]:
             recordings.append(_signed(file.read_bytes(), mine if run.mine else []))
     if any(run.mine for run in runs):
         print(fold(told(mine, called.names)) if mine else
-              "No exercise of yours is written yet: all of it is the reference.", file=sys.stderr)
+              "You have written no exercise yet: everything is the reference.", file=sys.stderr)
     headers = [_header(content) or {} for content in recordings]
     return [Recording(label_of(k, runs, headers), content) for k, content in enumerate(recordings)], code
 

@@ -174,8 +174,8 @@ class World {
   void move_fixed(int body, const Vec3& x);
 
   /// Moves a static body from now on with a velocity [m/s], and turns it with an angular velocity [rad/s], both about its
-  /// centre and in world coordinates: a kinematic body, such as a platform. Contacts, friction and joints see its motion, and
-  /// nothing changes it. Zero stops it. Throws std::invalid_argument for a body that is not static, a plane, a velocity that
+  /// centre and in world coordinates: a kinematic body, such as a platform. Rows of contacts, friction and joints contain its
+  /// velocity, and nothing changes it. Zero stops it. Throws std::invalid_argument for a body that is not static, a plane, a velocity that
   /// is not finite, and with integrator_order 4.
   void set_velocity(int body, const Vec3& v);
   void set_velocity(int body, const Vec3& v, const Vec3& omega) requires(Dof == 6);
@@ -184,7 +184,7 @@ class World {
   /// takes a plane.
   void set_surface_velocity(int body, const Vec3& v);
 
-  /// Whether static bodies have been given a velocity.
+  /// Returns whether static bodies have been given a velocity.
   bool has_kinematic_bodies() const { return !kinematic_.empty(); }
 
   /// Gives a body an impulse through its centre [N s].
