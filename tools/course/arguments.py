@@ -25,7 +25,7 @@ Exit codes: 0 fine, 1 a wrong answer or a failure, 2 bad input.
 """
 
 
-EXPORTS = ("gradescope", "github", "autolab", "junit", "csv", "canvas", "moodle", "weights")
+EXPORTS = ("gradescope", "github", "autolab", "junit", "csv", "canvas", "moodle", "weights", "students")
 
 
 class Parser(argparse.ArgumentParser):
@@ -151,6 +151,14 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     command.add_argument("--views", action="store_true", help="with each film as a page of ./course view behind it")
     command.add_argument("--publish", metavar="REMOTE",
                          help="push it to branch gh-pages of this git remote, as its only commit")
+    command = add("slides", "a chapter's lecture, made of its lesson, as one HTML file that prints; with notes")
+    command.add_argument("which", metavar="N", help="a chapter")
+    command.add_argument("--out", metavar="FILE", help="default: build/slides/NN_topic.html")
+    command = add("exam", "exam questions on the objectives of chapters, drawn by a seed; with their answers")
+    command.add_argument("chapters", nargs="?", type=_chapters, metavar="A-B", help="1-5, or 1,3,5-7")
+    command.add_argument("--seed", type=_seed, metavar="S", help="of numbers, signs and conventions (default: 1)")
+    command.add_argument("--answers", action="store_true", help="below each question")
+    command.add_argument("--objectives", action="store_true", help="print chapters/OBJECTIVES.md")
     command = add("import", "a model in MJCF, MuJoCo's format, as a scene file")
     command.add_argument("model", metavar="FILE.xml")
     command.add_argument("--out", metavar="FILE.json", help="default: to standard output")
@@ -159,12 +167,12 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     command.add_argument("--yes", action="store_true", help="install without asking")
     command.add_argument("words", nargs="*", metavar="FILE ...", help="what Python runs, with spook to import")
     _add_grade(add("grade", "marks for a class: folders and zips that hold chapters/"))
-    command = add("export", "what another platform needs to grade, or results in its form")
+    command = add("export", "what another platform needs to grade, results in its form, or a repository for students")
     command.add_argument("what", metavar="FORMAT", choices=EXPORTS, help=", ".join(EXPORTS))
     command.add_argument("results", nargs="*", metavar="RESULTS",
                          help="results.json of one submission, or a folder that grade has written")
     command.add_argument("--out", metavar="FILE", help="where to write; without it, what is text is printed")
-    command.add_argument("--chapters", type=_chapters, metavar="A-B", help="what the platform is to grade")
+    command.add_argument("--chapters", type=_chapters, metavar="A-B", help="what the platform is to grade, or students are to write")
     command.add_argument("--hidden", metavar="DIR", help="hidden tests that the platform gets")
     command.add_argument("--seed", type=_seed, metavar="S", help="the seed with which it grades")
     command.add_argument("--weights", metavar="FILE", help="points by this table: of a kit, or of results once more")
@@ -233,7 +241,7 @@ def _add_grade(command: Parser) -> None:
                          help="the same of a submission (default: 600)")
     command.add_argument("--isolation", choices=NAMES, metavar="NAME",
                          help=f"default: the first that works of {', '.join(NAMES)}")
-    command.add_argument("--fresh", action="store_true", help="forget what was judged before")
+    command.add_argument("--fresh", action="store_true", help="forget what was judged before; interrupted, the command without it goes on")
     command.add_argument("--prepare", action="store_true", help="install what is missing, build, try the reference")
     command.add_argument("--yes", action="store_true", help="install without asking")
     command.add_argument("--gradescope", metavar="FILE", help="of one submission: Gradescope's results, as they come")

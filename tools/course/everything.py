@@ -13,6 +13,7 @@ from manifest import all_exercises, read_chapters
 from needs import BOOK_NEEDS, BROWSER_NEEDS, NEEDS, PEER_NEEDS, SLURM_NEEDS, TEST_NEEDS, Need
 from paths import shown
 from process import stream
+from sources import need_sources
 from terminal import fold, paint
 from tree import Tree, jobs
 
@@ -34,6 +35,7 @@ class Outcome:
 
 
 def test(arguments) -> int:
+    need_sources("test")
     install(NEEDS + TEST_NEEDS, arguments.yes)
     _install_if_offered(BOOK_NEEDS, "book to test", arguments.yes)
     return _everything(arguments) if arguments.all else _fast(arguments.strict)
