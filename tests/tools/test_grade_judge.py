@@ -25,9 +25,10 @@ from grading.submission import Handed, Source
 class Judges(Judge):
     """Without tests to run: the verdicts are given, one for each time that it is asked anew."""
 
-    def __init__(self, memory: Path, verdicts: list[str]):
+    def __init__(self, memory: Path, verdicts: list[str], forget: bool = False):
         workshop = SimpleNamespace(build="build", expected_tests=lambda exercise: ["Kick.IsRight"])
-        super().__init__(workshop, SimpleNamespace(name="none"), seed=1, seconds=2, of_exercise=10, memory=memory)
+        super().__init__(workshop, SimpleNamespace(name="none"), seed=1, seconds=2, of_exercise=10, memory=memory,
+                         forget=forget)
         self.verdicts = verdicts
 
     def _judge_anew(self, exercise, source, tests, user):
@@ -44,6 +45,24 @@ class Remembers(unittest.TestCase):
 
     def test_a_submission_keeps_its_verdict(self):
         self.assertEqual(self.judged(False, [TIMED_OUT, PASSED]), [TIMED_OUT, TIMED_OUT])
+
+    def test_what_is_forgotten_stays_so_for_who_goes_on(self):
+        """An interrupted --fresh is resumed without it: what it has judged is remembered, what was older is not."""
+        exercise = next(iter(all_exercises()))
+        old, new = Source("kick.cpp", b"Vec3 kick() {}"), Source("kick.cpp", b"Vec3 kick() { return {}; }")
+        with tempfile.TemporaryDirectory() as folder:
+            memory = Path(folder)
+            before = Judges(memory, [TIMED_OUT, TIMED_OUT])
+            for source in (old, new):
+                before.judge(exercise, source, None)
+            for file in memory.glob("*.json"):
+                os.utime(file, (file.stat().st_mtime - 10,) * 2)
+            fresh = Judges(memory, [PASSED], forget=True)
+            self.assertEqual(fresh.judge(exercise, old, None).tests[0].verdict, PASSED)
+            resumed = Judges(memory, [PASSED])
+            self.assertEqual(resumed.judge(exercise, old, None).tests[0].verdict, PASSED)
+            self.assertEqual(resumed.judge(exercise, new, None).tests[0].verdict, PASSED)
+            self.assertEqual(resumed.verdicts, [])
 
     def test_a_reference_that_was_stopped_has_another_try(self):
         self.assertEqual(self.judged(True, [TIMED_OUT, PASSED, TIMED_OUT]), [TIMED_OUT, PASSED, PASSED])

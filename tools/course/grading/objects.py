@@ -5,6 +5,7 @@ and a helper may have any name. `ld -r` comes first, to dissolve groups of inlin
 of each, and it must not be the student's.
 """
 
+import os
 import re
 import shlex
 import subprocess
@@ -52,6 +53,7 @@ def make(exercise: Exercise, source: Source, workshop: Workshop, isolation: Isol
     file = Path("chapters", exercise.folder, exercise.file.name)
     (compiling / file).parent.mkdir(parents=True)
     (compiling / file).write_bytes(source.content)
+    os.utime(compiling / file, (0, 0))  # which __TIMESTAMP__ would tell
     user.own(compiling)
 
     command, reads = workshop.compile_command(exercise, str(file), "student.o"), [workshop.headers]
