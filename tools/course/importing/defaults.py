@@ -7,6 +7,7 @@ from xml.etree.ElementTree import Element
 from errors import BadInput
 
 _TOP = "main"
+_DEEPEST = 300  # elements: far from where Python's own calls end
 
 
 def read(path: Path, left_out: list[str]) -> Element:
@@ -27,10 +28,12 @@ def _parse(path: Path) -> Element:
         raise BadInput(f"{path}: {error}") from None
 
 
-def _include(element: Element, folder: Path, left_out: list[str], depth: int = 0) -> None:
+def _include(element: Element, folder: Path, left_out: list[str], depth: int = 0, deep: int = 1) -> None:
+    if deep > _DEEPEST:
+        raise BadInput(f"elements lie more than {_DEEPEST} deep in one another")
     for child in list(element):
         if child.tag != "include":
-            _include(child, folder, left_out, depth)
+            _include(child, folder, left_out, depth, deep + 1)
             continue
         path = folder / child.get("file", "")
         place = list(element).index(child)
@@ -41,7 +44,7 @@ def _include(element: Element, folder: Path, left_out: list[str], depth: int = 0
         if depth > 20:
             raise BadInput(f"{path}: files include each other without an end")
         included = _parse(path)
-        _include(included, path.parent, left_out, depth + 1)
+        _include(included, path.parent, left_out, depth + 1, deep)
         element[place:place] = list(included)
 
 

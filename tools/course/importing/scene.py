@@ -41,7 +41,7 @@ class SceneWriter:
         self.scene = {
             "format": "spook scene", "version": 1,
             "summary": f"{root.get('model', name)}, a model in MJCF.",
-            "model": "rigid", "h": float(self._option.get("timestep", "0.002")), "time": 5, "solver": "auto",
+            "model": "rigid", "h": float(self._of_option("timestep", 1, "0.002")[0]), "time": 5, "solver": "auto",
             "half_step_start": True,
             "settings": {"gravity": self._gravity(), "friction": self._friction()},
             "bodies": self._bodies}
@@ -51,7 +51,10 @@ class SceneWriter:
     def _gravity(self) -> list[float]:
         if self._flags.get("gravity") == "disable":
             return [0.0, 0.0, 0.0]
-        return [float(word) for word in self._option.get("gravity", "0 0 -9.81").split()]
+        return _list(self._of_option("gravity", 3, "0 0 -9.81"))
+
+    def _of_option(self, name: str, count: int, default: str):
+        return numbers(Element("option", self._option), name, count, default)
 
     def _friction(self) -> float:
         """MJCF's is the larger of two geoms'; a scene of ours has one."""

@@ -64,7 +64,7 @@ class Model:
         if compiler.get("coordinate", "local") != "local":
             raise BadInput("coordinate=\"global\" was given up by MJCF itself: save the model with MuJoCo 2.3 first")
         for name in ("settotalmass", "boundmass", "boundinertia"):
-            if float(compiler.get(name, "-1").split()[0]) > 0:
+            if numbers(Element("compiler", compiler), name, 1, "-1")[0] > 0:
                 left_out.append(f"compiler {name}")
         self.world = Part("world", None, False, [])
         self.planes: list[Element] = []

@@ -7,6 +7,7 @@ import numpy as np
 
 from errors import BadInput
 
+_LARGEST = 1e30  # of which the fifth power, as in a moment of inertia, is still a number
 IDENTITY = np.array([1.0, 0, 0, 0])
 
 
@@ -78,7 +79,7 @@ def turn_of(element: Element, in_degrees: bool, euler_order: str) -> np.ndarray:
 
 
 def numbers(element: Element, name: str, count: int | None = None, default: str | None = None) -> np.ndarray:
-    """An attribute as numbers. Raises BadInput, naming it, where it is missing, or not so many, or none."""
+    """An attribute as numbers. Raises BadInput, naming it, where it is missing, or not so many, or none, or too large."""
     text = element.get(name, default)
     if text is None:
         raise BadInput(f"{_named(element)} has no {name}")
@@ -88,6 +89,8 @@ def numbers(element: Element, name: str, count: int | None = None, default: str 
         values = np.array([math.nan])
     if not np.all(np.isfinite(values)) or (count is not None and len(values) != count):
         raise BadInput(f"{name} of {_named(element)} must be {count or 'finite'} numbers, but is \"{text}\"")
+    if np.any(np.abs(values) > _LARGEST):
+        raise BadInput(f"{name} of {_named(element)} must be at most {_LARGEST:g}, but is \"{text}\"")
     return values
 
 
