@@ -257,6 +257,21 @@ class Delivered(Finds):
         self.assertIn("200 archives", read[0].notes[0])
         self.assertEqual((read[1].sources["kick"].content, read[1].notes), (KICK, []))
 
+    def test_a_path_that_is_too_long_to_ask_for_stops_nobody(self):
+        """Folders within folders, each with a name as long as may be: no call takes the whole path."""
+        folder = self.put({f"ann/{WHERE}": KICK, f"eve/{WHERE}": KICK})
+        here = os.open(folder / "eve", os.O_RDONLY)
+        for _ in range(30):
+            os.mkdir("d" * 255, dir_fd=here)
+            below = os.open("d" * 255, os.O_RDONLY, dir_fd=here)
+            os.close(here)
+            here = below
+        os.close(here)
+        self.addCleanup(subprocess.run, ["rm", "-rf", str(folder)])
+        submissions, _ = self.found(folder)
+        self.assert_kicks(submissions, "ann", "eve")
+        self.assertIn("names so long", " ".join(submissions["eve"].notes))
+
     def test_folders_without_end_stop_nobody(self):
         """The walk through them calls itself for each level."""
         folder = self.put({f"{name}/{WHERE}": KICK for name in ("ann", "bo", "cy")})
@@ -338,6 +353,13 @@ submission_13:
                                    "assignment_1/submission_11/kick.cpp": KICK}))
         with self.assertRaisesRegex(BadInput, "unpack it"):
             self.found(packed)
+
+    def test_a_students_file_of_that_name_stops_no_class(self):
+        packed = self.root / "class.zip"
+        packed.write_bytes(zipped({"eve/submission_metadata.yml": self.METADATA, f"eve/{WHERE}": KICK,
+                                   f"submission_11/{WHERE}": KICK}))
+        submissions, _ = self.found(packed)
+        self.assert_kicks(submissions, "eve", "submission_11")
 
     def test_a_file_of_that_name_that_says_nothing_names_nobody(self):
         for content in (b"", b"\xff\xfe", b"submission_11: [" * 1000, b"submission_11:\n  :submitters:\n    :name: x\n"):

@@ -27,7 +27,8 @@ spook::Box any_box(Random& random, int body, double spread) {
 EXERCISE_TEST(BallBall, DoesNotAskWhichIsFirst) {
   Random random;
   const Ball i{.body = 0, .x = random.vector(), .radius = random.uniform(1, 2)};
-  const Ball j{.body = 1, .x = random.vector(), .radius = random.uniform(1, 2)};
+  const Vec3 apart = random.vector_of_length(0.3, 1.9);  // they overlap, whatever their radii
+  const Ball j{.body = 1, .x = i.x + apart, .radius = random.uniform(1, 2)};
   const auto one = ball_ball(i, j), other = ball_ball(j, i);
   expect_true("both orders find the contact", "Eq. (8.2)", one && other);
   if (!one || !other) return;

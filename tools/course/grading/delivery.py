@@ -52,7 +52,7 @@ def find_submissions(paths: list[Path], out: Path) -> Delivery:
         if not path.is_dir() and not is_archive(path.name):
             raise BadInput(f"grade: {path} is neither a folder nor a zip, tar.gz or 7z")
         names = _names(path, out)
-        if not path.is_dir() and any(name.name == METADATA and len(name.parts) < 3 for name in names):
+        if not path.is_dir() and _is_gradescopes(names):
             raise BadInput(f"grade: {path} is Gradescope's download: unpack it, and name the folder")
         taken, left = len(delivery.handed), len(delivery.left_out)
         if path.is_dir() and _is_class(names, exercises, at_top=True):
@@ -86,6 +86,12 @@ def _names(path: Path, out: Path) -> list[PurePosixPath]:
         return names_apart(path)
     marks = PurePosixPath(os.path.relpath(_real(out), _real(path)))
     return [name for name in names_in(path, opened=False) if marks not in name.parents]
+
+
+def _is_gradescopes(names: list[PurePosixPath]) -> bool:
+    """Of an archive: the file is at the top, or in the only folder there, and so no student's in a class."""
+    is_alone = len({name.parts[0] for name in names}) == 1
+    return any(name.name == METADATA and len(name.parts) <= 1 + is_alone for name in names)
 
 
 def _is_one(names: list[PurePosixPath], exercises: list[Exercise]) -> bool:
