@@ -12,12 +12,12 @@ from types import SimpleNamespace
 from sandbox import all_exercises
 
 from grading.complaints import compiler_says
-from grading.confined import reap, spawn
+from grading.confined import Ended, reap, spawn
 from grading.grader import Grader
 from grading.isolation import ENVIRONMENT
 from grading.judge import NOT_RUN, PASSED, TIMED_OUT, WAITED, ExerciseVerdict, Judge, TestVerdict
 from grading.names import Student
-from grading.objects import Made
+from grading.objects import Made, _not_compiled
 from grading.pair import Ran, _only_on, _take_core, exit_code
 from grading.submission import Handed, Source
 
@@ -144,6 +144,13 @@ class Status(unittest.TestCase):
 
 
 class Complaints(unittest.TestCase):
+    def test_a_compiler_without_words_is_told(self):
+        """As of a macro that doubles itself forty times: it ends without naming a line."""
+        exercise = next(iter(all_exercises()))
+        ended = Ended(1, "virtual memory exhausted: Cannot allocate memory\n", False, False, 3.0)
+        made = _not_compiled(exercise, Source("kick.cpp", b"A40"), Path("kick.cpp"), ended)
+        self.assertIn("gave up", made.message)
+
     def test_a_long_line_is_looked_through_once(self):
         """A name of megabytes: our own paths are sought at its beginning only."""
         exercise = next(iter(all_exercises()))
