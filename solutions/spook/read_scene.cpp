@@ -74,16 +74,27 @@ class FileScene : public WorldScene<Dof> {
   std::vector<Expected> expected_;
 };
 
+/// Levels of lists and objects. A scene has five; what copies or prints JSON calls itself for each.
+constexpr int deepest = 20;
+
 Json parsed(const std::string& file) {
   std::ifstream in(file);
   if (!in) throw std::invalid_argument("the file cannot be read");
   try {
-    return Json::parse(in);
-  } catch (const Json::parse_error& error) {
+    return Json::parse(in, [](int depth, Json::parse_event_t, Json&) {
+      if (depth > deepest) {
+        throw std::invalid_argument("lists and objects lie more than " + std::to_string(deepest) +
+                                    " deep in one another");
+      }
+      return true;
+    });
+  } catch (const Json::exception& error) {
     // "[json.exception.parse_error.101] parse error at line 1, column 2: ..."
     const std::string what = error.what();
-    const std::size_t where = what.find("line ");
-    throw std::invalid_argument(where == std::string::npos ? what : what.substr(where));
+    const std::size_t where = what.find("line "), said = what.find("] ");
+    throw std::invalid_argument(where != std::string::npos  ? what.substr(where)
+                                : said != std::string::npos ? what.substr(said + 2)
+                                                            : what);
   }
 }
 

@@ -257,6 +257,21 @@ class Delivered(Finds):
         self.assertIn("200 archives", read[0].notes[0])
         self.assertEqual((read[1].sources["kick"].content, read[1].notes), (KICK, []))
 
+    def test_a_path_that_is_too_long_to_ask_for_stops_nobody(self):
+        """Folders within folders, each with a name as long as may be: no call takes the whole path."""
+        folder = self.put({f"ann/{WHERE}": KICK, f"eve/{WHERE}": KICK})
+        here = os.open(folder / "eve", os.O_RDONLY)
+        for _ in range(30):
+            os.mkdir("d" * 255, dir_fd=here)
+            below = os.open("d" * 255, os.O_RDONLY, dir_fd=here)
+            os.close(here)
+            here = below
+        os.close(here)
+        self.addCleanup(subprocess.run, ["rm", "-rf", str(folder)])
+        submissions, _ = self.found(folder)
+        self.assert_kicks(submissions, "ann", "eve")
+        self.assertIn("names so long", " ".join(submissions["eve"].notes))
+
     def test_folders_without_end_stop_nobody(self):
         """The walk through them calls itself for each level."""
         folder = self.put({f"{name}/{WHERE}": KICK for name in ("ann", "bo", "cy")})
@@ -296,6 +311,114 @@ class Delivered(Finds):
                                ("kick.cpp", None), ("01_leapfrog", None), ("half_step_start.cpp", None)):
             found = student_of(name)
             self.assertEqual((found[0].name, found[0].identifier, found[0].late, found[1]) if found else None, expected)
+
+
+class Gradescope(Finds):
+    """Its download has folders of numbers, and a file that says who they are of."""
+
+    METADATA = b"""---
+submission_11:
+  :submitters:
+  - :name: "\\u00c5sa Lee"
+    :sid: '1234'
+    :email: asa@example.edu
+  :created_at: 2026-11-20 10:11:12.000000000 Z
+  :history:
+  - :submitters:
+    - :name: Nobody
+submission_12:
+  :submitters:
+  - :name: 'Bo O''Ek'
+    :sid:
+    :email: bo@example.edu
+  - :name: Cy
+    :email: cy@example.edu
+submission_13:
+  :submitters: []
+"""
+
+    def test_who_is_who(self):
+        folder = self.put({"submission_metadata.yml": self.METADATA, "submission_11/kick.cpp": KICK,
+                           "submission_12/kick.cpp": KICK, "submission_13/kick.cpp": KICK})
+        submissions, left = self.found(folder)
+        self.assertEqual(set(submissions), {"Åsa Lee", "Bo O_Ek", "Cy", "submission_13"})
+        self.assert_kicks(submissions, *submissions)
+        self.assertEqual(submissions["Åsa Lee"].student.identifier, "1234")
+        self.assertEqual(submissions["Bo O_Ek"].student, Student("Bo O'Ek", "bo@example.edu"))
+        self.assertEqual(left, set())
+
+    def test_one_that_is_packed_is_to_be_unpacked(self):
+        packed = self.root / "export.zip"
+        packed.write_bytes(zipped({"assignment_1/submission_metadata.yml": self.METADATA,
+                                   "assignment_1/submission_11/kick.cpp": KICK}))
+        with self.assertRaisesRegex(BadInput, "unpack it"):
+            self.found(packed)
+
+    def test_a_students_file_of_that_name_stops_no_class(self):
+        packed = self.root / "class.zip"
+        packed.write_bytes(zipped({"eve/submission_metadata.yml": self.METADATA, f"eve/{WHERE}": KICK,
+                                   f"submission_11/{WHERE}": KICK}))
+        submissions, _ = self.found(packed)
+        self.assert_kicks(submissions, "eve", "submission_11")
+
+    def test_a_file_of_that_name_that_says_nothing_names_nobody(self):
+        for content in (b"", b"\xff\xfe", b"submission_11: [" * 1000, b"submission_11:\n  :submitters:\n    :name: x\n"):
+            folder = self.put({"submission_metadata.yml": content, "submission_11/kick.cpp": KICK,
+                               "submission_12/kick.cpp": KICK})
+            submissions, _ = self.found(folder)
+            self.assertEqual(set(submissions), {"submission_11", "submission_12"})
+
+
+class Doubts(Finds):
+    def doubts(self, folder: Path) -> list[str]:
+        return find_submissions([folder], self.root / "out").doubts
+
+    def test_a_folder_of_other_things_is_asked_about(self):
+        for files in ({"Downloads/a.pdf": b"x", "Music/b.mp3": b"x", "Work/kick.cpp": KICK},
+                      {"ann/kick.cpp": KICK, "a.pdf": b"x", "b.pdf": b"x"}):
+            folder = self.put(files)
+            doubt, = self.doubts(folder)
+            self.assertIn("no form that is known", doubt)
+            shutil.rmtree(folder)
+
+    def test_a_class_is_not(self):
+        for files in (Delivered.MOODLE, {"ann/kick.cpp": KICK, "bo/kick.cpp": KICK, "cy/essay.docx": b"x"},
+                      {WHERE: KICK}, {"ann.zip": zipped({WHERE: KICK}), "bo.rar": b"x"}):
+            folder = self.put(files)
+            self.assertEqual(self.doubts(folder), [])
+            shutil.rmtree(folder)
+
+
+class Told(Finds):
+    """Words that help."""
+
+    def notes(self, files: dict[str, bytes], functions: tuple[str, ...] = ("kick",)) -> list[str]:
+        folder = self.put(files)
+        one, = find_submissions([folder], self.root / "out").handed
+        shutil.move(folder, self.root / "read")
+        one = replace(one, places=(Place(self.root / "read"),))
+        notes = read_submission(one, [each for each in all_exercises() if each.function in functions]).notes
+        shutil.rmtree(self.root / "read")
+        return notes
+
+    def test_a_right_file_that_is_not_asked_for(self):
+        note, = self.notes({WHERE: KICK}, ("drift",))
+        self.assertEqual(note, f"of exercises that are not asked for now: {WHERE} (1.1 kick)")
+
+    def test_what_cannot_be_read_is_not_called_empty(self):
+        note, = self.notes({"chapters/work.rar": b"Rar!"})
+        self.assertIn("this kind of archive is not read", note)
+        self.assertIn("chapters/essay.txt", self.notes({"chapters/essay.txt": b"x"})[0])
+
+    def test_twins_are_told_of_each_other(self):
+        names = ("Ann Lee", "Ann\u200b Lee", "\u0410nn L\u0435e", "Ann\u3164 Lee", "Anna Lee")
+        folder = self.put({f"{name}/kick.cpp": KICK for name in names})
+        noted = {one.student.name: one.notes for one in find_submissions([folder], self.root / "out").handed}
+        self.assertEqual(noted.pop("Anna Lee"), ())
+        self.assertEqual(len(noted), 4)
+        for name, (note,) in noted.items():
+            self.assertIn(ascii(name), note)
+            self.assertIn("looks like that of", note)
 
 
 class ReadApart(InFolder):

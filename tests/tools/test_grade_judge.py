@@ -12,12 +12,12 @@ from types import SimpleNamespace
 from sandbox import all_exercises
 
 from grading.complaints import compiler_says
-from grading.confined import reap, spawn
+from grading.confined import Ended, reap, spawn
 from grading.grader import Grader
 from grading.isolation import ENVIRONMENT
 from grading.judge import NOT_RUN, PASSED, TIMED_OUT, WAITED, ExerciseVerdict, Judge, TestVerdict
 from grading.names import Student
-from grading.objects import Made
+from grading.objects import Made, _not_compiled
 from grading.pair import Ran, _only_on, _take_core, exit_code
 from grading.submission import Handed, Source
 
@@ -25,9 +25,10 @@ from grading.submission import Handed, Source
 class Judges(Judge):
     """Without tests to run: the verdicts are given, one for each time that it is asked anew."""
 
-    def __init__(self, memory: Path, verdicts: list[str]):
+    def __init__(self, memory: Path, verdicts: list[str], forget: bool = False):
         workshop = SimpleNamespace(build="build", expected_tests=lambda exercise: ["Kick.IsRight"])
-        super().__init__(workshop, SimpleNamespace(name="none"), seed=1, seconds=2, of_exercise=10, memory=memory)
+        super().__init__(workshop, SimpleNamespace(name="none"), seed=1, seconds=2, of_exercise=10, memory=memory,
+                         forget=forget)
         self.verdicts = verdicts
 
     def _judge_anew(self, exercise, source, tests, user):
@@ -44,6 +45,24 @@ class Remembers(unittest.TestCase):
 
     def test_a_submission_keeps_its_verdict(self):
         self.assertEqual(self.judged(False, [TIMED_OUT, PASSED]), [TIMED_OUT, TIMED_OUT])
+
+    def test_what_is_forgotten_stays_so_for_who_goes_on(self):
+        """An interrupted --fresh is resumed without it: what it has judged is remembered, what was older is not."""
+        exercise = next(iter(all_exercises()))
+        old, new = Source("kick.cpp", b"Vec3 kick() {}"), Source("kick.cpp", b"Vec3 kick() { return {}; }")
+        with tempfile.TemporaryDirectory() as folder:
+            memory = Path(folder)
+            before = Judges(memory, [TIMED_OUT, TIMED_OUT])
+            for source in (old, new):
+                before.judge(exercise, source, None)
+            for file in memory.glob("*.json"):
+                os.utime(file, (file.stat().st_mtime - 10,) * 2)
+            fresh = Judges(memory, [PASSED], forget=True)
+            self.assertEqual(fresh.judge(exercise, old, None).tests[0].verdict, PASSED)
+            resumed = Judges(memory, [PASSED])
+            self.assertEqual(resumed.judge(exercise, old, None).tests[0].verdict, PASSED)
+            self.assertEqual(resumed.judge(exercise, new, None).tests[0].verdict, PASSED)
+            self.assertEqual(resumed.verdicts, [])
 
     def test_a_reference_that_was_stopped_has_another_try(self):
         self.assertEqual(self.judged(True, [TIMED_OUT, PASSED, TIMED_OUT]), [TIMED_OUT, PASSED, PASSED])
@@ -125,6 +144,13 @@ class Status(unittest.TestCase):
 
 
 class Complaints(unittest.TestCase):
+    def test_a_compiler_without_words_is_told(self):
+        """As of a macro that doubles itself forty times: it ends without naming a line."""
+        exercise = next(iter(all_exercises()))
+        ended = Ended(1, "virtual memory exhausted: Cannot allocate memory\n", False, False, 3.0)
+        made = _not_compiled(exercise, Source("kick.cpp", b"A40"), Path("kick.cpp"), ended)
+        self.assertIn("gave up", made.message)
+
     def test_a_long_line_is_looked_through_once(self):
         """A name of megabytes: our own paths are sought at its beginning only."""
         exercise = next(iter(all_exercises()))

@@ -110,6 +110,14 @@ class SceneFiles(unittest.TestCase):
         ball, box = 1000 * 4 / 3 * math.pi * 0.2**3, 5
         self.assertAlmostEqual(result["error"]["value"], box / (ball + box) / 4 * 1e-4 * 0.1 / 1e-4, delta=1e-4)
 
+    def test_what_is_too_deep_or_too_large_is_refused_in_a_line(self):
+        for text, words in (("[" * 100_000, "more than 20 deep"), ("[" * 100_000 + "]" * 100_000, "more than 20 deep"),
+                            ('{"a":' * 100_000, "more than 20 deep"), ('{"h": 1e400}', "1e400")):
+            self.file.write_text(text)
+            done = self.spook("run", self.file)
+            self.assertEqual((done.returncode, done.stdout, done.stderr.count("\n")), (2, "", 1), done.stderr[:300])
+            self.assertIn(words, done.stderr)
+
     def test_a_file_of_version_1_runs_with_its_own_words(self):
         bodies = [{"name": "nail", "fixed": True, "x": [0, 0, 0]}, {"name": "ball", "x": [1, 0, 0], "mass": 1}]
         old = {"format": "spook scene", "version": 1, "model": "point", "h": "1/60", "time": 0.5, "solver": "stiff",

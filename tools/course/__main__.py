@@ -10,6 +10,7 @@ from book import book
 from check import check
 from errors import CourseError
 from everything import test
+from exam import exam
 from exporting.export import export
 from grading.grade import grade
 from hint import hint
@@ -21,6 +22,7 @@ from predict import predict
 from python import python
 from reset import reset
 from run import run, scenes
+from slides import slides
 from solution import solution
 from start import start
 from update import update
@@ -31,7 +33,7 @@ from watch import watch
 COMMANDS = {"progress": progress, "check": check, "watch": watch, "plot": plot, "hint": hint, "solution": solution,
             "reset": reset, "start": start, "test": test, "grade": grade, "export": export, "view": view,
             "play": play, "predict": predict, "book": book, "try": playground, "python": python,
-            "import": import_model, "update": update, "version": show_version}
+            "import": import_model, "update": update, "slides": slides, "exam": exam, "version": show_version}
 FORWARDED = {"run": run, "scenes": scenes}
 
 

@@ -25,7 +25,7 @@ Exit codes: 0 success, 1 a wrong answer or a failure, 2 bad input.
 """
 
 
-EXPORTS = ("gradescope", "github", "autolab", "junit", "csv", "canvas", "moodle", "weights")
+EXPORTS = ("gradescope", "github", "autolab", "junit", "csv", "canvas", "moodle", "weights", "students")
 
 
 class Parser(argparse.ArgumentParser):

@@ -14,6 +14,7 @@ from manifest import all_exercises, read_chapters
 from needs import BOOK_NEEDS, BROWSER_NEEDS, NEEDS, PEER_NEEDS, SLURM_NEEDS, TEST_NEEDS, Need
 from paths import shown
 from process import stream
+from sources import need_sources
 from terminal import fold, paint
 from tree import Tree, jobs
 

@@ -2,12 +2,14 @@
 
 from paths import shown
 from pick import pick_one
+from sources import need_sources
 from terminal import paint
 from verdict import judge
 
 
 def solution(arguments) -> int:
     exercise = pick_one(arguments.which)
+    need_sources("solution")
     if not arguments.spoil:
         state = judge(exercise).state
         if state != "done":

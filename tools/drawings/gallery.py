@@ -1,4 +1,5 @@
-"""All drawings: the functions of chapter_NN.py that return a Drawing, by the file that each is kept in."""
+"""All drawings: the functions of chapter_NN.py, and of course.py, that return a Drawing, by the file that each is kept
+in."""
 
 import importlib
 import sys
@@ -10,11 +11,13 @@ CHAPTERS = HERE.parents[1] / "chapters"
 
 
 def drawings() -> dict[Path, Callable]:
-    """chapters/NN_topic/drawings/NAME.svg: what draws it."""
+    """chapters/NN_topic/drawings/NAME.svg, or chapters/drawings/NAME.svg: what draws it."""
     sys.path.insert(0, str(HERE))
     table = {}
-    for script in sorted(HERE.glob("chapter_[0-9][0-9]*.py")):
-        folder, = CHAPTERS.glob(f"{script.stem.split('_')[1]}_*")
+    for script in [*sorted(HERE.glob("chapter_[0-9][0-9]*.py")), HERE / "course.py"]:
+        folder = CHAPTERS
+        if script.stem != "course":
+            folder, = CHAPTERS.glob(f"{script.stem.split('_')[1]}_*")
         module = importlib.import_module(script.stem)
         for name, draw in vars(module).items():
             if getattr(draw, "__module__", "") == script.stem and not name.startswith("_") and callable(draw):

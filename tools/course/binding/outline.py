@@ -13,7 +13,7 @@ _GROUPS = (
     ("Chapters", ("chapters/[0-9][0-9]_*/README.md",)),
     ("To look up", ("chapters/SYMBOLS.md", "chapters/EIGEN.md", "chapters/*.md")),
     ("Experiments", ("plots/README.md", "plots/*/README.md")),
-    ("For instructors", ("tools/course/grading/README.md",)),
+    ("For instructors", ("INSTRUCTORS.md", "tools/course/grading/README.md")),
     ("For contributors", ("CONTRIBUTING.md", "*.md", "*/**/*.md")),
 )
 

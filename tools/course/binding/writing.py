@@ -9,7 +9,7 @@ from binding.formulas import Formula
 from binding.links import Links
 from binding.live import LiveFigure, is_live, live_figure
 from binding.outline import between
-from binding.reading import (REFERENCE, Draft, anchor_of, display_formula, inline_formula, is_display, line_of, parser,
+from binding.reading import (REFERENCE, Draft, anchor_of, display_formula, inline_formula, is_display, line_of, parser, plain,
                              with_lines)
 from binding.typography import typeset
 from binding.views import page_of_film
@@ -29,8 +29,22 @@ class Equations:
         return self.html[self.home[tag].equations[tag]]
 
 
+@dataclass(frozen=True)
+class Piece:
+    """A block of a page: a heading, a paragraph, a figure with its caption."""
+    kind: str  # h1 to h4, paragraph, list, code, equation, figure, table, quote, or folded
+    html: str
+    text: str  # without marks
+    tags: tuple[str, ...] = ()  # of an equation
+
+
 def written(draft: Draft, links: Links, equations: Equations, views: bool = False, live: bool = False) -> str:
     return _Writer(draft, links, equations).page(views, live)
+
+
+def pieces(draft: Draft, links: Links, equations: Equations) -> list[Piece]:
+    """The page's blocks in their order, each as the book sets it."""
+    return _Writer(draft, links, equations).pieces()
 
 
 class _Writer:
@@ -41,6 +55,24 @@ class _Writer:
         self._from_elsewhere: set[str] = set()  # tags of equations that are shown here, and stand on another page
 
     def page(self, views: bool, live: bool) -> str:
+        self._set(views, live)
+        body = _rendered(self._draft.tokens)
+        return body + "".join(f'<template id="preview-{tag}">{self._equations.of(tag)}</template>\n'
+                              for tag in sorted(self._from_elsewhere))
+
+    def pieces(self) -> list[Piece]:
+        outlined = _blocks(self._draft.tokens)  # before the tokens become what they are set as
+        self._set(views=False, live=False)
+        found: list[Piece] = []
+        for kind, first, end, text, tags in outlined:
+            part = _rendered(self._draft.tokens[first:end])
+            if found and found[-1].kind == "figure" and "</figure>" not in found[-1].html:  # and this is its caption
+                found[-1] = Piece("figure", found[-1].html + part, text)
+            elif part.strip():
+                found.append(Piece("figure" if part.startswith("<figure") else kind, part, text, tags))
+        return found
+
+    def _set(self, views: bool, live: bool) -> None:
         tokens = self._draft.tokens
         for k, token in enumerate(tokens):
             if token.type == "inline":
@@ -67,9 +99,6 @@ class _Writer:
         _set_figures(tokens, between(target, page_of_film(self._draft.page.source)) if views else "",
                      f' data-live="{running.attribute(folder)}" data-says="{html.escape(running.says())}"'
                      if running else "")
-        body = _renderer().render(tokens, parser().options, {})
-        return body + "".join(f'<template id="preview-{tag}">{self._equations.of(tag)}</template>\n'
-                              for tag in sorted(self._from_elsewhere))
 
     def _take_live(self, token) -> None:
         try:
@@ -148,8 +177,37 @@ class _Writer:
                 f"{number}</div>\n")
 
 
-def _renderer():
-    return parser().renderer
+def _rendered(tokens: list) -> str:
+    return parser().renderer.render(tokens, parser().options, {})
+
+
+_KINDS = {"bullet_list_open": "list", "ordered_list_open": "list", "table_open": "table", "blockquote_open": "quote",
+          "paragraph_open": "paragraph"}
+
+
+def _blocks(tokens: list) -> list[tuple[str, int, int, str, tuple[str, ...]]]:
+    """Of each block at the top its kind, its first token and the one after its last, its text, its equation's tags."""
+    found: list[tuple[str, int, int, str, tuple[str, ...]]] = []
+    k = 0
+    while k < len(tokens):
+        first, depth = k, tokens[k].nesting
+        k += 1
+        while depth > 0:
+            depth += tokens[k].nesting
+            k += 1
+        kind = _KINDS.get(tokens[first].type, tokens[first].tag if tokens[first].type == "heading_open" else "code")
+        if is_display(tokens[first]):
+            kind = "equation"
+        elif tokens[first].type == "html_block":
+            kind = "html"
+            if tokens[first].content.startswith("<details"):
+                kind = "folded"
+                while "</details>" not in tokens[k - 1].content:
+                    k += 1
+        text = " ".join(plain(token) for token in tokens[first:k] if token.type == "inline")
+        tags = tuple(display_formula(tokens[first])[1]) if kind == "equation" else ()
+        found.append((kind, first, k, text, tags))
+    return found
 
 
 def _become(token, content: str, kind: str = "html_block") -> None:

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from errors import BadInput
-from exporting import autolab, github, gradescope, grades, junit, table, weights
+from exporting import autolab, github, gradescope, grades, junit, students, table, weights
 from grading.merge import read_result, read_results
 from grading.results import scored
 from grading.roster import read_roster
@@ -13,7 +13,7 @@ from grading.text import one_line
 from grading.weights import TABLE, read_weights
 
 _KITS: dict[str, Callable] = {"gradescope": gradescope.write_kit, "github": github.write_kit,
-                              "autolab": autolab.write_kit}
+                              "autolab": autolab.write_kit, "students": students.write_repository}
 # What the results of several submissions can be written as, and what holds one submission only.
 _OF_MANY = {"junit": junit.of_results, "csv": table.of_results}
 _OF_ONE = {"gradescope": gradescope.of_result, "github": github.of_result, "autolab": autolab.of_result}

@@ -21,6 +21,7 @@ LARGEST = 256 << 10  # bytes of a file; the reference's longest answer has a twe
 _LARGEST_ARCHIVE = 64 << 20  # inside another
 _DEEPEST = 4
 _DEEPEST_FOLDER = 40
+_LONGEST_FOLDER = 3800  # bytes of its path: a file's may have 4095, with a name of 255
 _MOST = 20_000  # files
 _MOST_ARCHIVES = 200  # of one submission, one in another
 _UNPACKED = 1 << 30  # bytes that a submission's archives may give, those read twice counted twice
@@ -181,6 +182,10 @@ def _expanded(entries: Iterator[Entry], depth: int, budget: _Budget) -> Iterator
 
 def _of_folder(root: Path) -> Iterator[Entry]:
     for folder, folders, files in os.walk(root):
+        if len(os.fsencode(folder)) > _LONGEST_FOLDER:
+            folders.clear()
+            yield Entry(_below(root, Path(folder)), "damaged", 0, lambda: b"", "folders with names so long are not read")
+            continue
         # A link to a folder is listed among the folders, and never followed.
         folders.sort()
         for name in sorted(files + [name for name in folders if Path(folder, name).is_symlink()]):

@@ -11,7 +11,8 @@ from pathlib import Path, PurePosixPath
 
 from errors import BadInput
 from grading.archives import is_archive, is_litter, names_in, text, without_suffix
-from grading.names import Student, platforms_of, safe, student_of
+from grading.gradescope_export import METADATA, submitters
+from grading.names import Student, look, platforms_of, safe, student_of
 from grading.reading import names_apart
 from grading.submission import Handed, Place, rank_of
 from manifest import Exercise, all_exercises
@@ -23,6 +24,7 @@ _LOOSE = "a loose file, and its name does not say whose it is"
 class Delivery:
     handed: list[Handed] = field(default_factory=list)
     left_out: list[tuple[str, str]] = field(default_factory=list)  # what, and why
+    doubts: list[str] = field(default_factory=list)  # of downloads that have no known form
 
     def add(self, student: Student, *places: Place) -> None:
         self.handed.append(Handed(safe(student.name), places, student))
@@ -50,6 +52,9 @@ def find_submissions(paths: list[Path], out: Path) -> Delivery:
         if not path.is_dir() and not is_archive(path.name):
             raise BadInput(f"grade: {path} is neither a folder nor a zip, tar.gz or 7z")
         names = _names(path, out)
+        if not path.is_dir() and _is_gradescopes(names):
+            raise BadInput(f"grade: {path} is Gradescope's download: unpack it, and name the folder")
+        taken, left = len(delivery.handed), len(delivery.left_out)
         if path.is_dir() and _is_class(names, exercises, at_top=True):
             _take_folder(delivery, path, out, exercises)
         elif not path.is_dir() and _is_class(names, exercises, at_top=False):
@@ -58,8 +63,21 @@ def find_submissions(paths: list[Path], out: Path) -> Delivery:
             _take_folder(delivery, path, out, exercises)
         else:
             delivery.add(_student(path), Place(path))
+        if path.is_dir():
+            _doubt(delivery, path, delivery.handed[taken:], len(delivery.left_out) - left, names, exercises)
     delivery.handed = _named_apart(sorted(delivery.handed, key=lambda one: (one.name, str(one.places[0].path))))
     return delivery
+
+
+def _doubt(delivery: Delivery, path: Path, handed: list[Handed], left_out: int, names: list[PurePosixPath],
+           exercises: list[Exercise]) -> None:
+    """Whether a folder is no class at all: most of it is left out, or most of its folders hold no exercise's file."""
+    holding = {name.parts[0] for name in names if is_archive(name.name) or rank_of(name, exercises)}
+    empty = sum(place.path != path and place.path.relative_to(path).parts[0] not in holding
+                for one in handed for place in one.places[:1])
+    if left_out > len(handed) or 2 * empty > len(handed):
+        delivery.doubts.append(f"{path} has no form that is known: of {len(handed)} submissions in it {empty} hold no "
+                               f"exercise's file, and {left_out} other things are left out.")
 
 
 def _names(path: Path, out: Path) -> list[PurePosixPath]:
@@ -68,6 +86,12 @@ def _names(path: Path, out: Path) -> list[PurePosixPath]:
         return names_apart(path)
     marks = PurePosixPath(os.path.relpath(_real(out), _real(path)))
     return [name for name in names_in(path, opened=False) if marks not in name.parents]
+
+
+def _is_gradescopes(names: list[PurePosixPath]) -> bool:
+    """Of an archive: the file is at the top, or in the only folder there, and so no student's in a class."""
+    is_alone = len({name.parts[0] for name in names}) == 1
+    return any(name.name == METADATA and len(name.parts) <= 1 + is_alone for name in names)
 
 
 def _is_one(names: list[PurePosixPath], exercises: list[Exercise]) -> bool:
@@ -98,7 +122,7 @@ def _take_folder(delivery: Delivery, folder: Path, out: Path, exercises: list[Ex
     known: list[tuple[Student, Place]] = []
     taken = False
     children = sorted(folder.iterdir())
-    platforms = platforms_of(text(child.name) for child in children)
+    platforms, of_gradescope = platforms_of(text(child.name) for child in children), submitters(folder)
     # Only what the instructor names is a class, or the only thing in it: another's archive or folder may be made to
     # look like one, and to hold submissions under the names of others.
     is_alone = sum(not is_litter(PurePosixPath(child.name)) and _real(child) != _real(out)
@@ -112,6 +136,10 @@ def _take_folder(delivery: Delivery, folder: Path, out: Path, exercises: list[Ex
             delivery.left_out.append((shown, "a link, and those are not followed"))
         elif child.name.startswith("."):
             delivery.left_out.append((shown, "hidden by its name"))
+        elif child.name == METADATA and of_gradescope:
+            continue
+        elif of_gradescope.get(child.name) and child.is_dir():
+            known += [(student, Place(child)) for student in of_gradescope[child.name]]
         elif of_platform := student_of(text(child.name), platforms):
             known.append((of_platform[0], Place(child)))
         elif child.is_dir():
@@ -175,4 +203,17 @@ def _named_apart(handed: list[Handed]) -> list[Handed]:
             name = f"{base} ({number})"
         taken.add(name.casefold())
         apart.append(Handed(name, one.places, one.student))
-    return apart
+    return _twins_noted(apart)
+
+
+def _twins_noted(handed: list[Handed]) -> list[Handed]:
+    """A name may have letters that are not seen, or of another alphabet, and look like another's."""
+    by_look: dict[str, list[Handed]] = {}
+    for one in handed:
+        by_look.setdefault(look(one.student.name), []).append(one)
+    noted = []
+    for one in handed:
+        twins = [other.name for other in by_look[look(one.student.name)] if other.student.name != one.student.name]
+        note = f"its name looks like that of {', '.join(ascii(name) for name in twins[:3])}, but is {ascii(one.student.name)}"
+        noted.append(replace(one, notes=(note,)) if twins else one)
+    return noted

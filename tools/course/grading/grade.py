@@ -8,7 +8,7 @@ from pathlib import Path
 
 from errors import BadInput, CourseError
 from exporting import gradescope
-from grading.delivery import find_submissions
+from grading.delivery import Delivery, find_submissions
 from grading.gradebook import Class, not_graded, statistics_line, write_gradebook
 from grading.grader import Grader
 from grading.isolation import Isolation
@@ -25,7 +25,11 @@ from manifest import all_exercises
 from needs import GRADE_NEEDS, NEEDS
 from paths import ROOT, shown
 from slurm import run_array
+from sources import need_sources
 from terminal import fold
+
+
+_NAMED = 10  # submissions that are named before a question
 
 
 def grade(arguments) -> int:
@@ -43,6 +47,7 @@ def grade(arguments) -> int:
 
 
 def _grade(arguments) -> int:
+    need_sources("grade")
     out = Path(arguments.out)
     roster = read_roster(Path(arguments.roster)) if arguments.roster else None
     if arguments.merge:
@@ -56,6 +61,8 @@ def _grade(arguments) -> int:
         raise BadInput("grade: a submission, or a folder of them, is needed; see ./course grade --help")
     delivery = find_submissions([Path(path) for path in arguments.paths], out)
     names = [one.name for one in delivery.handed]
+    if delivery.doubts and not arguments.yes:
+        _ask(delivery)
     if arguments.slurm:
         return _grade_on_slurm(arguments, out, roster, names)
     first, count = arguments.shard or (1, 1)
@@ -83,6 +90,17 @@ def _grade(arguments) -> int:
     print(f"{statistics_line(results)}; {took / len(results):.2g} s each.")
     print(f"{_where(out)},\nand each student's report in {shown(out / 'submissions')}/NAME/report.md.")
     return 0
+
+
+def _ask(delivery: Delivery) -> None:
+    """What is believed of a download of no known form; on a terminal nothing is graded before the answer."""
+    for doubt in delivery.doubts:
+        print(fold(doubt))
+    names = [one_line(one.name) for one in delivery.handed]
+    more = f", and {len(names) - _NAMED} more" if len(names) > _NAMED else ""
+    print(fold(f"Taken for a submission each: {', '.join(names[:_NAMED])}{more}."))
+    if sys.stdin and sys.stdin.isatty() and input("Grade these? [y/N] ").strip().lower() not in ("y", "yes"):
+        raise BadInput("grade: nothing was graded; README of tools/course/grading has the forms that are read")
 
 
 def _grade_on_slurm(arguments, out: Path, roster: Roster | None, names: list[str]) -> int:

@@ -51,7 +51,7 @@ class Grader:
             idle = self._workshop.idle_tests() if hidden else set()
             self._weights.check(expected, self._workshop.hidden_tests, idle)
             self._judge = Judge(self._workshop, self.isolation, self.seed, self._seconds, arguments.exercise_time,
-                                None if arguments.fresh else _MEMORY)
+                                _MEMORY, arguments.fresh)
             for _ in range(self._jobs):
                 self._users.put(take_user(self.isolation))
             self._grade_reference()

@@ -31,6 +31,7 @@ LOOPED, WAITED, NOT_RUN = "looped", "waited", "not run"  # reasons of TIMED_OUT
 _DOES_IT_END = "It was stopped because its time was up. Does a loop never end?"
 _THREADED = {"solve_in_colours"}  # they start threads
 _THREADS = {"processes": 300, "stack": 1 << 20}  # they may start 256, whose stacks must have room in the memory allowed
+_FORGOTTEN = "forgotten"  # written when --fresh was last given: what is older is not recalled
 _PRINTED = 4000  # characters kept of what the student's code printed
 _MESSAGE = 20_000
 _LAST_WORDS = 4000  # characters of what it printed, in which an assertion is sought
@@ -60,12 +61,17 @@ class Judge:
     """Judges with fixed limits and a fixed seed, and remembers: the same file always gets the same verdict."""
 
     def __init__(self, workshop: Workshop, isolation: Isolation, seed: int, seconds: int, of_exercise: int,
-                 memory: Path | None):
-        """Seconds of a test, and what time-outs may cost of an exercise, after which no more of its tests are run."""
+                 memory: Path, forget: bool = False):
+        """Seconds of a test, and what time-outs may cost of an exercise, after which no more of its tests are run. With
+        `forget`, what is remembered of earlier runs is not recalled, by this one or a later."""
         self._workshop, self._isolation, self._seed, self._of_exercise = workshop, isolation, seed, of_exercise
         self._limits = Limits(cpu=seconds, wall=3 * seconds + 2, memory=1 << 30, files=1 << 20, processes=16,
                               output=1 << 20)
         self._memory = memory
+        memory.mkdir(parents=True, exist_ok=True)
+        if forget:
+            (memory / _FORGOTTEN).touch()
+        self._since = (memory / _FORGOTTEN).stat().st_mtime_ns if (memory / _FORGOTTEN).exists() else 0
 
     def unjudged(self, exercise: Exercise) -> ExerciseVerdict:
         return _all(self._workshop.expected_tests(exercise), NOT_STARTED, "not graded yet")
@@ -178,10 +184,11 @@ class Judge:
         return hashlib.sha256("\0".join(parts).encode() + b"\0" + source.content).hexdigest()
 
     def _recall(self, key: str) -> ExerciseVerdict | None:
-        if not self._memory:
-            return None
+        file = self._memory / f"{key}.json"
         try:
-            found = json.loads((self._memory / f"{key}.json").read_text(encoding="utf-8"))
+            if file.stat().st_mtime_ns < self._since:
+                return None
+            found = json.loads(file.read_text(encoding="utf-8"))
             if found["load"] > 1 and _load() < found["load"] / 2:
                 return None  # it was stopped by the clock, on a machine that was busy, and is less so now
             return ExerciseVerdict([TestVerdict(**test) for test in found["tests"]], found["notes"], found["slow"])
@@ -190,11 +197,9 @@ class Judge:
 
     def _remember(self, key: str, verdict: ExerciseVerdict, load: float) -> None:
         """With the load under which the clock has stopped one of its tests; 0 if none."""
-        if self._memory:
-            self._memory.mkdir(parents=True, exist_ok=True)
-            with tempfile.NamedTemporaryFile("w", dir=self._memory, delete=False, encoding="utf-8") as file:
-                json.dump(asdict(verdict) | {"load": load}, file)
-            os.replace(file.name, self._memory / f"{key}.json")
+        with tempfile.NamedTemporaryFile("w", dir=self._memory, delete=False, encoding="utf-8") as file:
+            json.dump(asdict(verdict) | {"load": load}, file)
+        os.replace(file.name, self._memory / f"{key}.json")
 
 
 def read_verdict(ran: Ran, cpu_limit: int) -> tuple[str, str, list[str]]:

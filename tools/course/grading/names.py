@@ -79,6 +79,18 @@ def attempt_of(name: str) -> str:
     return ""
 
 
+# Letters that are not seen, and those of other alphabets that look like Latin ones.
+_UNSEEN = re.compile("[\u00ad\u034f\u115f\u1160\u17b4\u17b5\u180b-\u180f\u200b-\u200f\u202a-\u202e\u2060-\u206f"
+                     "\u3164\ufe00-\ufe0f\ufeff\uffa0\U000e0000-\U000e0fff]")
+_TWINS = str.maketrans("\u0430\u0435\u043e\u0440\u0441\u0443\u0445\u0456\u0458\u0455\u0501\u04bb\u03b1\u03bf\u03c1\u03bd\u0131",
+                       "aeopcyxijsdhaopvi")
+
+
+def look(name: str) -> str:
+    """What names have in common that a reader takes for the same."""
+    return " ".join(_UNSEEN.sub("", unicodedata.normalize("NFKC", name)).casefold().translate(_TWINS).split())
+
+
 _LONGEST = 200  # bytes; a folder's name may have 255
 _NAMELESS = "nameless"
 

@@ -5,6 +5,7 @@ and a helper may have any name. `ld -r` comes first, to dissolve groups of inlin
 of each, and it must not be the student's.
 """
 
+import os
 import re
 import shlex
 import subprocess
@@ -52,6 +53,7 @@ def make(exercise: Exercise, source: Source, workshop: Workshop, isolation: Isol
     file = Path("chapters", exercise.folder, exercise.file.name)
     (compiling / file).parent.mkdir(parents=True)
     (compiling / file).write_bytes(source.content)
+    os.utime(compiling / file, (0, 0))  # which __TIMESTAMP__ would tell
     user.own(compiling)
 
     command, reads = workshop.compile_command(exercise, str(file), "student.o"), [workshop.headers]
@@ -66,12 +68,15 @@ def make(exercise: Exercise, source: Source, workshop: Workshop, isolation: Isol
     return replace(made, slow=round(took, 1) if 2 * took > _COMPILING.cpu else 0.0)
 
 
+_WORDLESS = "The compiler gave up, and named no line of the file: it may have needed more memory than there is."
+
+
 def _not_compiled(exercise: Exercise, source: Source, file: Path, ended: Ended) -> Made:
     stopped = "the compiler was stopped by a limit on its time, memory or output\n" if (
         ended.timed_out or ended.too_much or ended.code in (-9, 137, -24, 152)
         or "signal terminated program" in ended.output) else ""
     said = compiler_says(ended.output, exercise, str(file), source.text)
-    return Made(None, "does not compile", message=stopped + said)
+    return Made(None, "does not compile", message=stopped + said or _WORDLESS)
 
 
 def _from_object(exercise: Exercise, source: Source, file: Path, workshop: Workshop, isolation: Isolation,

@@ -40,10 +40,10 @@ def read_apart(handed: Handed, exercises: list[Exercise]) -> Submission:
         found = _asked({"places": [[str(place.path), place.inside] for place in handed.places],
                         "late": handed.student.late, "exercises": [exercise.function for exercise in exercises]})
     except NotRead as error:
-        return Submission(handed.name, handed.student, {}, [f"it cannot be read: {error}"])
+        return Submission(handed.name, handed.student, {}, [*handed.notes, f"it cannot be read: {error}"])
     sources = {function: Source(path, base64.b64decode(content), problem, is_link)
                for function, path, content, problem, is_link in found["sources"]}
-    return Submission(handed.name, handed.student, sources, found["notes"])
+    return Submission(handed.name, handed.student, sources, [*handed.notes, *found["notes"]])
 
 
 def names_apart(path: Path) -> list[PurePosixPath]:

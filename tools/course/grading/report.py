@@ -18,8 +18,12 @@ def report_of(result: dict, exercises: dict[str, Exercise]) -> str:
     hidden = [test for test in _tests(result) if test["visibility"] != "visible"]
     if hidden:
         passed = sum(test["verdict"] == "passed" for test in hidden)
-        parts.append(f"{len(hidden)} further tests, whose words are not shown, are part of the points; "
-                     f"{passed} of them {'passes' if passed == 1 else 'pass'}.\n")
+        if len(hidden) == 1:
+            parts.append("1 further test, whose words are not shown, is part of the points; it "
+                         f"{'passes' if passed else 'does not pass'}.\n")
+        else:
+            parts.append(f"{len(hidden)} further tests, whose words are not shown, are part of the points; "
+                         f"{passed} of them {'passes' if passed == 1 else 'pass'}.\n")
     wrong = [(exercise, _failing(exercise)) for exercise in result["exercises"] if exercise["state"] == "wrong"]
     seen = [(exercise, tests) for exercise, tests in wrong if tests]
     if seen:

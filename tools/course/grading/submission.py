@@ -6,7 +6,7 @@ from pathlib import Path, PurePosixPath
 
 from grading.archives import LARGEST, Entry, entries_of
 from grading.names import Student, attempt_of, student_of
-from manifest import Exercise
+from manifest import Exercise, all_exercises
 from marker import is_stub
 from paths import CHAPTERS
 from text_encoding import decoded, encoding_of
@@ -49,6 +49,7 @@ class Handed:
     name: str
     places: tuple[Place, ...]
     student: Student
+    notes: tuple[str, ...] = ()  # of what was noticed before it is read
 
 
 @dataclass
@@ -68,9 +69,9 @@ class _Candidate:
 
 def read_submission(handed: Handed, exercises: list[Exercise]) -> Submission:
     """Never raises for what is in it: a damaged archive is a submission without files, and its notes say why."""
-    submission = Submission(handed.name, handed.student, {})
+    submission = Submission(handed.name, handed.student, {}, list(handed.notes))
     if handed.student.late:
-        submission.notes.append("late, by the platform's name of it")
+        submission.notes.append("handed in late: the platform's name of it says so")
     seen: list[str] = []
     found: dict[str, list[_Candidate]] = {}
     for place in handed.places:
@@ -84,14 +85,26 @@ def read_submission(handed: Handed, exercises: list[Exercise]) -> Submission:
     for function, candidates in found.items():
         _choose(submission, function, candidates)
     if not found:
-        submission.notes.append("no file of an exercise was found" + (f" in {_listed(seen)}" if seen else
-                                                                      "; there is nothing in it"))
+        _say_what_is_there(submission, seen)
     else:
         others = [name for name in seen if _is_worth_a_line(name)]
         if others:
             submission.notes.append(f"not an exercise's file, so not taken: {_listed(others)}")
     submission.notes = _cut(submission.notes)
     return submission
+
+
+def _say_what_is_there(submission: Submission, seen: list[str]) -> None:
+    """Where no file of the exercises was found that are graded."""
+    known = [(name, ranked[0]) for name in seen if (ranked := rank_of(PurePosixPath(name), all_exercises()))]
+    if known:
+        more = len(known) - _NAMES_IN_A_NOTE
+        told = ", ".join(f"{name[:_NAME]} ({exercise.label})" for name, exercise in known[:_NAMES_IN_A_NOTE])
+        submission.notes.append(f"of exercises that are not asked for now: {told}" + (f" and {more} more" if more > 0 else ""))
+    elif seen:
+        submission.notes.append(f"no file of an exercise was found in {_listed(seen)}")
+    elif not any("cannot be read" in note for note in submission.notes):
+        submission.notes.append("no file of an exercise was found: it is empty")
 
 
 def rank_of(path: PurePosixPath, exercises: list[Exercise]) -> tuple[Exercise, int] | None:

@@ -8,6 +8,7 @@ from errors import BadInput
 from importing.report import Report, attributes, parsed
 
 _TOP = "main"
+_DEEPEST = 300  # elements: far from where Python's own calls end
 
 
 def read(path: Path, report: Report) -> Element:

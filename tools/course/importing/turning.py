@@ -8,6 +8,7 @@ import numpy as np
 from errors import BadInput
 from importing.report import where
 
+_LARGEST = 1e30  # of which the fifth power, as in a moment of inertia, is still a number
 IDENTITY = np.array([1.0, 0, 0, 0])
 
 
@@ -79,7 +80,7 @@ def turn_of(element: Element, in_degrees: bool, euler_order: str) -> np.ndarray:
 
 
 def numbers(element: Element, name: str, count: int | None = None, default: str | None = None) -> np.ndarray:
-    """An attribute as numbers. Raises BadInput, naming it, where it is missing, or not so many, or none."""
+    """An attribute as numbers. Raises BadInput, naming it, where it is missing, or not so many, or none, or too large."""
     text = element.get(name, default)
     if text is None:
         raise BadInput(f"{_named(element)} has no {name}")

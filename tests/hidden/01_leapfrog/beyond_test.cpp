@@ -1,0 +1,79 @@
+// Beyond chapter 01's own tests: steps that add up, and steps that go back.
+#include "01_leapfrog/leapfrog.hpp"
+#include "exercise_test.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(Kick, "1.1 kick");
+EXERCISE(HalfStepStart, "1.3 half_step_start");
+EXERCISE(LeapfrogStep, "1.4 leapfrog_step");
+EXERCISE(ComposedStep, "1.5 composed_step");
+
+EXERCISE_TEST(Kick, TwoShortOnesAreOneLong) {
+  Random random;
+  const Vec3 v = random.vector(5), f = random.vector(20);
+  const double inverse_mass = random.log_uniform(0.1, 10);
+  const double h1 = random.uniform(0.01, 0.1);
+  const double h2 = random.uniform(-0.1, 0.1);
+  const Vec3 got = kick(kick(v, f, inverse_mass, h1), f, inverse_mass, h2);
+  expect_near_vector("v after two kicks [m/s]", "Eq. (1.3)", got, v + (h1 + h2) * inverse_mass * f,
+                     roundings(16, v.norm() + inverse_mass * f.norm()));
+}
+
+EXERCISE_TEST(HalfStepStart, MakesAnyFreeFallExact) {
+  Random random;
+  const Vec3 x0 = random.vector(3), v0 = random.vector(5), f = random.vector(10);
+  const double inverse_mass = random.uniform(0.5, 2);
+  const double h = random.uniform(0.01, 0.1);
+  const int n = random.integer(20, 60);
+  Vec3 x = x0, v = half_step_start(v0, f, inverse_mass, h);
+  for (int k = 0; k < n; ++k) {
+    v = kick(v, f, inverse_mass, h);
+    x = drift(x, v, h);
+  }
+  const double t = n * h;
+  const double size = x0.norm() + t * v0.norm() + t * t * inverse_mass * f.norm();
+  expect_near_vector("x after " + std::to_string(n) + " steps [m]", "Eq. (1.5)", x,
+                     x0 + t * v0 + 0.5 * t * t * inverse_mass * f, roundings(4.0 * n, size));
+}
+
+EXERCISE_TEST(LeapfrogStep, GoesBackTheWayItCame) {
+  Random random;
+  const double k = random.uniform(1, 5), h = 0.05;
+  const ForceField spring = [k](std::size_t i, const std::vector<Vec3>& x) -> Vec3 {
+    return k * (x[1 - i] - x[i]);
+  };
+  const std::vector<Vec3> start = {random.vector(), random.vector()};
+  Particles bodies{.x = start, .v = {random.vector(), random.vector()}, .inverse_mass = {1, 0.25}};
+  const int n = random.integer(30, 60);
+  for (int step = 0; step < n; ++step) leapfrog_step(bodies, spring, h);
+  for (std::size_t i = 0; i < 2; ++i)  // the velocity after the next kick, turned around
+    bodies.v[i] = -(bodies.v[i] + h * bodies.inverse_mass[i] * spring(i, bodies.x));
+  for (int step = 0; step < n; ++step) leapfrog_step(bodies, spring, h);
+  for (std::size_t i = 0; i < 2; ++i)
+    expect_near_vector("x after as many steps back [m]", "Eq. (1.3), (1.4)", bodies.x[i], start[i],
+                       roundings(200.0 * n, 10), {},
+                       "All kicks first, by forces at the old positions; then all drifts.");
+}
+
+EXERCISE_TEST(ComposedStep, HasOrderFourForAnyFrequency) {
+  Random random;
+  const double omega = random.uniform(1, 2);
+  for (const int pairs : {1, 2}) {
+    const auto error = [&](double h) {
+      Particles body{.x = {Vec3(1, 0, 0)}, .v = {Vec3::Zero()}, .inverse_mass = {1}};
+      const auto steps = std::lround(1 / h);
+      for (long k = 0; k < steps; ++k)
+        composed_step(
+            body, [omega](std::size_t i, const std::vector<Vec3>& x) -> Vec3 { return -omega * omega * x[i]; },
+            h, pairs);
+      return std::abs(body.x[0].x() - std::cos(omega));
+    };
+    expect_order("x after 1 s", "Eq. (1.13)", error, 0.1, 3, 4, 0.3);
+  }
+}
+
+}  // namespace

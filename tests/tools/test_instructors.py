@@ -1,0 +1,74 @@
+"""The page for instructors: its syllabi add up, its chapters are in an order that their needs allow."""
+
+import re
+import unittest
+
+from sandbox import ROOT
+
+from manifest import read_chapters
+from syllabus import calls_of, closure, hours_of, needs_of
+
+PAGE = ROOT / "INSTRUCTORS.md"
+_ROW = re.compile(r"^\| (\d+|hours) \|([^|]*)\|([^|]*)\|([^|]*)\|$", re.MULTILINE)
+
+
+class Instructors(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.chapters = {chapter.number: chapter for chapter in read_chapters()}
+        cls.needs = {number: needs_of(chapter) for number, chapter in cls.chapters.items()}
+        cls.rows = _ROW.findall(PAGE.read_text(encoding="utf-8"))
+
+    def test_a_chapter_needs_earlier_ones_and_no_reference_calls_a_later(self):
+        for number, chapter in self.chapters.items():
+            with self.subTest(chapter.folder):
+                self.assertTrue(all(one < number for one in self.needs[number] | calls_of(chapter)))
+                self.assertEqual(bool(self.needs[number]), number > 1)
+
+    def test_what_the_references_call_is_among_what_the_lessons_need(self):
+        """But for one function, which a reader of 08 takes from the reference without knowing it."""
+        beside = {(number, one) for number, chapter in self.chapters.items()
+                  for one in calls_of(chapter) - closure(self.needs, number)}
+        self.assertEqual(beside, {(8, 5)})
+
+    def test_syllabi_have_their_weeks_in_an_order_that_the_needs_allow(self):
+        weeks = [row for row in self.rows if row[0] != "hours"]
+        self.assertEqual([row[0] for row in weeks], [str(k) for k in range(1, 15)])
+        for column, count in ((1, 7), (2, 10), (3, 14)):
+            with self.subTest(weeks=count):
+                parts = [row[column].strip() for row in weeks if row[column].strip()]
+                self.assertEqual(len(parts), count)
+                met: set[int] = set()
+                low = high = 0.0
+                for part in parts:
+                    number, half = int(part[:2]), "half" in part
+                    self.assertLessEqual(self.needs[number], met)
+                    met.add(number)
+                    least, most = hours_of(self.chapters[number])
+                    low, high = low + least / (1 + half), high + most / (1 + half)
+                self.assertEqual(self.rows[-1][column].strip(), f"{low:g} to {high:g}")
+
+    def test_the_halves_are_all_exercises(self):
+        text = " ".join(PAGE.read_text(encoding="utf-8").split())
+        self.assertIn("8.1 to 8.4 with 8.9 to 8.11, then 8.5 to 8.8; and 11.1 to 11.4", text)
+        self.assertEqual(len(self.chapters[8].exercises), 11)
+
+    def test_every_chapter_has_hidden_tests_to_start_from(self):
+        for chapter in self.chapters.values():
+            with self.subTest(chapter.folder):
+                text = "".join(file.read_text(encoding="utf-8")
+                               for file in (ROOT / "tests" / "hidden" / chapter.folder).glob("*.cpp"))
+                suites = set(re.findall(r"EXERCISE_TEST\((\w+),", text))
+                self.assertGreaterEqual(len(suites), 3)
+                self.assertLessEqual(suites, {exercise.suite for exercise in chapter.exercises})
+                self.assertIn("Random random;", text)
+
+    def test_its_commands_are_those_of_the_course(self):
+        from arguments import parse
+        for line in re.findall(r"^\./course (.+?)(?: +#.*)?$", PAGE.read_text(encoding="utf-8"), re.MULTILINE):
+            with self.subTest(line):
+                parse(line.split())
+
+
+if __name__ == "__main__":
+    unittest.main()

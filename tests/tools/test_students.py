@@ -1,0 +1,145 @@
+"""./course export students: what is in the repository, what is not, and how a change of it comes to students."""
+
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+from classroom import run_course
+from sandbox import ROOT
+
+from manifest import read_chapters
+
+CHOSEN = range(1, 3)
+ENVIRONMENT = {name: value for name, value in os.environ.items() if not name.startswith(("COURSE_", "SPOOK_", "GIT_"))}
+
+
+def git(folder: Path, *words: str) -> str:
+    command = ["git", "-C", str(folder), "-c", "user.name=Student", "-c", "user.email=student@localhost", *words]
+    return subprocess.run(command, check=True, capture_output=True, text=True).stdout
+
+
+def course(folder: Path, *words: str) -> subprocess.CompletedProcess:
+    return subprocess.run([str(folder / "course"), *words], capture_output=True, text=True, cwd=folder,
+                          env=ENVIRONMENT, stdin=subprocess.DEVNULL)
+
+
+def code_of(file: Path) -> list[str]:
+    """Lines that say something."""
+    lines = (line.strip() for line in file.read_text(encoding="utf-8", errors="replace").splitlines())
+    return [line for line in lines if line and not line.startswith(("//", "#", "template", "}", "namespace"))]
+
+
+class Students(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        scratch = tempfile.TemporaryDirectory(prefix="students-")
+        cls.addClassCleanup(scratch.cleanup)
+        cls.root = Path(scratch.name)
+        cls.out = cls.root / "repository"
+        cls.exported = cls.export()
+
+    @classmethod
+    def export(cls) -> subprocess.CompletedProcess:
+        result = run_course("export", "students", "--chapters", "1-2", "--out", cls.out, cwd=cls.root)
+        if result.returncode != 0:
+            raise AssertionError(result.stderr)
+        return result
+
+    def test_no_answer_is_in_it(self):
+        """Nor three of an answer's lines in a row, but where the page for instructors says so."""
+        texts = {file: "\n".join(code_of(file)) for file in self.out.rglob("*")
+                 if file.suffix in (".cpp", ".hpp", ".md", ".py") and ".git" not in file.parts}
+        shown = set()
+        for chapter in read_chapters():
+            for exercise in chapter.exercises:
+                lines = code_of(exercise.reference)
+                for k in range(len(lines) - 2):
+                    three = "\n".join(lines[k:k + 3])
+                    shown |= {(exercise.id, file.name) for file, text in texts.items()
+                              if len(three) >= 62 and three in text}
+        self.assertEqual(shown, {(number, "primal_interior_point.cpp") for number in ("11.6", "11.9")})
+        told = " ".join((ROOT / "INSTRUCTORS.md").read_text(encoding="utf-8").split())
+        self.assertIn("`primal_interior_point.cpp` has most of 11.6 and 11.9", told)
+        self.assertEqual(list(self.out.glob("solutions/[0-9][0-9]_*/*.cpp")), [])
+        self.assertEqual(list(self.out.glob("tests/mutants/*/*")), [])
+        self.assertEqual(list(self.out.glob("tests/hidden/*/*")), [])
+
+    def test_chosen_chapters_are_stubs_and_others_are_lessons(self):
+        for chapter in read_chapters():
+            folder = self.out / "chapters" / chapter.folder
+            self.assertTrue((folder / "README.md").exists())
+            chosen = chapter.number in CHOSEN
+            self.assertEqual((folder / "hints.md").exists(), chosen)
+            for exercise in chapter.exercises:
+                file = folder / exercise.file.name
+                self.assertEqual(file.exists(), chosen)
+                if chosen:
+                    self.assertIn("not_implemented(", file.read_text(encoding="utf-8"))
+        listed = (self.out / "solutions" / "compiled" / "exercises.txt").read_text(encoding="utf-8").split()
+        self.assertEqual(len(listed), sum(len(chapter.exercises) for chapter in read_chapters() if chapter.number in CHOSEN))
+
+    def test_the_reference_is_there_for_both_trees_without_paths(self):
+        machine, = [path for path in (self.out / "solutions" / "compiled").iterdir() if path.is_dir()]
+        functions = {exercise.function for chapter in read_chapters() for exercise in chapter.exercises}
+        for preset in ("check", "release"):
+            objects = list((machine / preset).glob("*.o"))
+            self.assertLessEqual(functions, {file.name.partition(".")[0] for file in objects})
+            for file in objects:
+                self.assertNotIn(str(ROOT).encode(), file.read_bytes(), file.name)
+
+    def test_what_needs_sources_is_refused_in_a_line(self):
+        for words, what in ((("solution", "1.1"), "solution"), (("test",), "test"), (("grade", "x"), "grade"),
+                            (("exam", "1"), "exam")):
+            result = course(self.out, *words)
+            self.assertEqual((result.returncode, result.stdout, result.stderr.count("\n")), (1, "", 1), result.stderr)
+            self.assertIn("repository for students", result.stderr)
+            self.assertIn(what, result.stderr)
+        self.assertIn("of 11 done", course(self.out).stdout)
+
+    def test_a_change_comes_to_students_as_a_release_and_their_answers_stay(self):
+        clone = self.root / "clone"
+        git(self.root, "clone", "-q", str(self.out), str(clone))
+        answer = (ROOT / "solutions" / "01_leapfrog" / "kick.cpp").read_text(encoding="utf-8")
+        (clone / "chapters" / "01_leapfrog" / "kick.cpp").write_text(answer, encoding="utf-8")
+        first = re.search(r"Release (\d+\.\d+\.)(\d+)", self.exported.stdout)
+        lesson = self.out / "chapters" / "01_leapfrog" / "README.md"
+        kept = lesson.read_text(encoding="utf-8")
+        self.assertIn(f"Release {first[1]}{first[2]} ", self.export().stdout)  # nothing has changed: no new release
+        lesson.write_text(kept + "\nOf an older course.\n", encoding="utf-8")
+        git(self.out, "commit", "-qam", "As if the course had been another")
+        self.assertIn(f"Release {first[1]}{int(first[2]) + 1} ", self.export().stdout)
+        self.assertEqual(lesson.read_text(encoding="utf-8"), kept)
+        updated = course(clone, "update")
+        self.assertEqual(updated.returncode, 0, updated.stderr)
+        self.assertEqual((clone / "chapters" / "01_leapfrog" / "kick.cpp").read_text(encoding="utf-8"), answer)
+        self.assertIn(f"VERSION {first[1]}{int(first[2]) + 1}", (clone / "CMakeLists.txt").read_text(encoding="utf-8"))
+
+    def test_an_answer_is_checked_with_the_compiled_reference(self):
+        if not shutil.which("ninja"):
+            self.skipTest("ninja is not installed")
+        clone = self.root / "checked"
+        git(self.root, "clone", "-q", str(self.out), str(clone))
+        shutil.copyfile(ROOT / "solutions" / "01_leapfrog" / "half_step_start.cpp",
+                        clone / "chapters" / "01_leapfrog" / "half_step_start.cpp")
+        result = course(clone, "check", "1.3")
+        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
+        self.assertIn("1.3 half_step_start", result.stdout)
+
+    def test_what_is_refused(self):
+        (self.root / "full").mkdir(exist_ok=True)
+        (self.root / "full" / "thesis.txt").write_text("mine")
+        for words, told in (((), "--out DIR"), (("--out", "full"), "something else"), (("--out", str(ROOT)), "something else"),
+                            (("--out", str(ROOT / "new")), "in the course itself"),
+                            (("--chapters", "99", "--out", "new"), "no chapter 99")):
+            result = run_course("export", "students", *words, cwd=self.root)
+            self.assertEqual((result.returncode, result.stdout), (2, ""), result.stderr)
+            self.assertIn(told, result.stderr)
+        self.assertEqual((self.root / "full" / "thesis.txt").read_text(), "mine")
+
+
+if __name__ == "__main__":
+    unittest.main()

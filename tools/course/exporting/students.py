@@ -1,0 +1,166 @@
+"""A repository for students: the course without the reference's sources, in which all that a student does still works.
+
+The answers to the exercises are there as objects of this machine's kind, in solutions/compiled. Mutants, submissions of
+the grader's tests, hidden tests and the exam's answers are left out. Written into an earlier export, the command makes
+a new release of it, which `./course update` brings into students' copies; on a machine of another kind it adds that
+one's objects.
+"""
+
+import platform
+import re
+import shutil
+import subprocess
+import tempfile
+from pathlib import Path, PurePosixPath
+
+from errors import BadInput, CourseError
+from files import course_files
+from manifest import Chapter, read_chapters
+from paths import ROOT, shown
+from reset import stub_of
+from tree import Tree
+from version import stated_in, version
+
+_COMPILED = Path("solutions/compiled")
+_LISTED = _COMPILED / "exercises.txt"
+_LEFT_OUT = ("solutions/[0-9][0-9]_*/*.cpp", "tests/mutants/*/*", "tests/mutants/*.txt", "tests/submissions/*/*",
+             "tests/submissions/*/*/*", "tests/submissions/*/*/*/*", "tests/hidden/*/*",
+             "tools/course/examining/chapters_*", ".github/*", ".github/*/*", ".ci/*")
+_OF_EXERCISES = ("hints.md", "try.md")  # without which a chapter is a text to read
+_PRESETS = ("check", "release")
+_UNNAMED = ("-c", "user.name=course", "-c", "user.email=course@localhost")
+_VERSION = re.compile(r"^(project\(\w+ VERSION )\d+\.\d+\.\d+", re.MULTILINE)
+_NOTE = """\
+# The reference, compiled
+
+This repository has no sources of the answers to its exercises. Here they are as objects, for {machines}.
+`./course check`, `watch`, `run`, `plot` and all other commands for students link them where your own functions are not
+yet written. `./course solution`, `./course test` and `./course grade` need the sources, and are not for this
+repository.
+
+The objects can be linked by the compiler that made them ({compiler}) and by newer ones of its kind. Elsewhere ask your
+instructor, who can add another machine's objects.
+"""
+
+
+def write_repository(arguments) -> list[Path]:
+    if not arguments.out:
+        raise BadInput("export: students wants --out DIR, the folder of the repository")
+    out = Path(arguments.out)
+    chapters = _chosen(arguments.chapters)
+    if out.exists() and not (out / _LISTED).exists() and any(out.iterdir()):
+        raise BadInput(f"export: {out} holds something else than a repository for students")
+    if ROOT == out.resolve() or ROOT in out.resolve().parents and out.resolve().parts[len(ROOT.parts)] != "build":
+        raise BadInput(f"export: {out} lies in the course itself; choose a folder beside it")
+    machine = f"{platform.system()}-{platform.machine()}"
+    with tempfile.TemporaryDirectory(prefix="students-") as scratch:
+        objects = Path(scratch)
+        for preset in _PRESETS:
+            _compile(preset, objects / preset)
+        _write(out, chapters, machine, objects)
+    release = _commit(out, chapters)
+    print(f"Release {release} for students: exercises of {', '.join(str(one.number) for one in chapters)}; "
+          f"the reference is compiled for {', '.join(_machines(out))}.\n"
+          "Push it with its tags (git push --follow-tags) to where students clone it from.")
+    return [out]
+
+
+def _chosen(numbers: set[int] | None) -> list[Chapter]:
+    chapters = read_chapters()
+    if numbers and (unknown := numbers - {chapter.number for chapter in chapters}):
+        raise BadInput(f"export: there is no chapter {min(unknown)}")
+    return [chapter for chapter in chapters if not numbers or chapter.number in numbers]
+
+
+def _compile(preset: str, folder: Path) -> None:
+    """The reference's objects, without what a debugger would show of their sources."""
+    tree = Tree(preset)
+    built = tree.build(["spook_reference"], f"building the reference, {preset}")
+    if not built.ok:
+        raise tree.own_failure(built)
+    folder.mkdir()
+    _run(["ar", "x", str(tree.path / "solutions" / "libspook_reference.a")], folder)
+    for file in folder.iterdir():
+        if file.name.startswith("operations."):  # whose source is among the chapters'
+            file.unlink()
+        else:
+            _run(["strip", "--strip-debug", file.name], folder)
+
+
+def _write(out: Path, chapters: list[Chapter], machine: str, objects: Path) -> None:
+    """What an earlier export has written goes first, but for other machines' objects."""
+    for name in _tracked(out):
+        if _COMPILED not in name.parents:
+            (out / name).unlink(missing_ok=True)
+    stubs = {one.file.relative_to(ROOT): one for chapter in chapters for one in chapter.exercises}
+    kept = {chapter.folder for chapter in chapters}
+    for name in course_files():
+        if _is_left_out(name, kept):
+            continue
+        (out / name).parent.mkdir(parents=True, exist_ok=True)
+        if name in stubs:
+            (out / name).write_bytes(stub_of(stubs[name]))
+        else:
+            shutil.copy2(ROOT / name, out / name)
+    place = out / _COMPILED / machine
+    shutil.rmtree(place, ignore_errors=True)
+    shutil.copytree(objects, place)
+    exercises = [f"{one.folder}/{one.function}.cpp" for chapter in chapters for one in chapter.exercises]
+    (out / _LISTED).write_text("\n".join(exercises) + "\n", encoding="utf-8")
+    compiler = subprocess.run(["c++", "--version"], capture_output=True, text=True).stdout.splitlines()
+    (out / _COMPILED / "README.md").write_text(_NOTE.format(machines=" and ".join(_machines(out)),
+                                                            compiler=compiler[0] if compiler else "unknown"), encoding="utf-8")
+
+
+def _is_left_out(name: Path, kept: set[str]) -> bool:
+    if any(PurePosixPath(name).match(pattern) and len(name.parts) == pattern.count("/") + 1 for pattern in _LEFT_OUT):
+        return True
+    if len(name.parts) != 3 or name.parts[0] != "chapters" or name.parts[1] in kept or not name.parts[1][:2].isdecimal():
+        return False
+    return name.suffix == ".cpp" or name.name in _OF_EXERCISES
+
+
+def _machines(out: Path) -> list[str]:
+    return sorted(folder.name for folder in (out / _COMPILED).iterdir() if folder.is_dir())
+
+
+def _tracked(out: Path) -> list[Path]:
+    if not (out / ".git").exists():
+        return []
+    return [Path(name) for name in _git(out, "ls-files", "-z").split("\0") if name]
+
+
+def _commit(out: Path, chapters: list[Chapter]) -> str:
+    """As a release: its version is the course's, and of each further export the last number is one more."""
+    if not (out / ".git").exists():
+        _git(out, "init", "-q", "-b", "main")
+    tags = [tag[1:] for tag in _git(out, "tag", "--list", "v*.*.*").split()]
+    numbers = [tuple(map(int, tag.split("."))) for tag in tags if re.fullmatch(r"\d+\.\d+\.\d+", tag)]
+    own = tuple(map(int, version().split(".")))
+    last = max(numbers, default=None)
+    lists = out / "CMakeLists.txt"
+    text = lists.read_text(encoding="utf-8")
+    if last and last >= own:
+        lists.write_text(_VERSION.sub(rf"\g<1>{'.'.join(map(str, last))}", text), encoding="utf-8")
+        _git(out, "add", "-A", "--", ".")
+        if not _git(out, "status", "--porcelain", "--untracked-files=no"):
+            return ".".join(map(str, last))
+        lists.write_text(_VERSION.sub(rf"\g<1>{last[0]}.{last[1]}.{last[2] + 1}", text), encoding="utf-8")
+    release = stated_in(lists.read_text(encoding="utf-8"))
+    _git(out, "add", "-A", "--", ".")
+    named = () if _git(out, "config", "--default", "", "user.email") else _UNNAMED
+    numbered = ", ".join(str(chapter.number) for chapter in chapters)
+    _git(out, *named, "commit", "-q", "-m", f"The course {release}, exercises of chapters {numbered}")
+    _git(out, *named, "tag", "-a", f"v{release}", "-m", f"The course {release}")
+    return release
+
+
+def _git(out: Path, *words: str) -> str:
+    return _run(["git", "-C", str(out), *words], out)
+
+
+def _run(command: list[str], folder: Path) -> str:
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
+    if done.returncode != 0:
+        raise CourseError(f"export: {command[0]} failed", done.stderr.strip())
+    return done.stdout
