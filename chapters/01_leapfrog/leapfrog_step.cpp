@@ -1,5 +1,6 @@
 #include "01_leapfrog/leapfrog.hpp"
 #include "common/not_implemented.hpp"
+#include "common/require.hpp"
 
 namespace spook {
 

@@ -10,12 +10,15 @@
 //   gyroscopic      τ_gyro = -ω × (I_world ω)                                         Eq. (2.9)    not in the notes
 //   free rotation   q -> q (cos α/2, sin(α/2) e_c),  α = t L_c / I_c           Eq. (2.10), (2.11)     not in the notes
 //
+//   step            kick v, drift x, then turn q: for each body by itself   Eq. (1.3), (1.4), (2.6), (2.11)
+//
 //   ω   angular velocity [rad/s]    I1, I2, I3   principal moments [kg m²], along the body's own axes e_1, e_2, e_3
 //   h   time step [s], of any sign  L = I ω      angular momentum [kg m²/s]
 //
 // Differs from the notes: (38) there uses the old ω together with the new v of (37). And a body whose ω changes by
 // torques only conserves ω, although L is conserved in nature.
 #include "01_leapfrog/leapfrog.hpp"
+#include "common/simulation.hpp"
 #include "common/types.hpp"
 
 namespace spook {
@@ -43,5 +46,11 @@ Vec3 gyroscopic_torque(const Mat3& inertia, const Vec3& omega);
 /// Exercise 2.6. Torque-free motion for `h` [s]: five turns about body axes with L fixed in the world, Eq. (2.11).
 /// Second order, reversible, and L = I ω kept up to round-off. Changes `q` and `omega` [rad/s, world].
 void free_rotation(Quat& q, Vec3& omega, const Vec3& principal, double h);
+
+/// Exercise 2.7. Steps bodies without contacts, as the first step of your own engine. Each body is kicked by its weight
+/// and drifts, Eq. (1.3), (1.4). It turns by Eq. (2.6) if its three moments are equal, otherwise by Eq. (2.11). A point
+/// mass does not turn, and a static body does not move. Joints and contacts come in later chapters. Throws
+/// std::invalid_argument that names h unless h is positive and finite.
+void step_free(Simulation& simulation, double h);
 
 }  // namespace spook

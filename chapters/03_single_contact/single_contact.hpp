@@ -15,6 +15,8 @@
 //
 //   a = 4/(h(1+4d))    b = 4d/(1+4d)    Σ = 4/(h² k (1+4d))                      Eq. (3.4)-(3.6)   notes (9)-(11)
 //
+//   step   λ from W and W_f, W <- W + M⁻¹ Gᵀ λ, then the step of chapter 02       Eq. (3.7), (4.5)
+//
 //   K   collision matrix, the inverse mass at the contact point [1/kg]; G M⁻¹ Gᵀ is n·Kn  Eq. (3.8), (3.9)
 //
 // Differs from the notes: -a times the *gap*, not Gq nor a positive depth; K is an inverse mass throughout.
@@ -81,5 +83,27 @@ Mat3 collision_matrix(const InverseMass<6>& body_i, const Vec3& r_i, const Inver
 ///   force_velocity    h G M⁻¹ f, its change by the forces of this step [m/s]; for a sphere on a floor -h 9.81 m/s²
 double contact_impulse(const SpookParameters& spook, double nKn, double gap, double normal_velocity,
                        double force_velocity);
+
+/// Helpers for the steps: W, M⁻¹ and W_f = h M⁻¹ f of a body, and W <- W + V.
+inline Twist<6> twist_of(const RigidBody& body) {
+  return twist(body.v, body.omega);
+}
+inline InverseMass<6> inverse_mass_of(const RigidBody& body) {
+  if (body.mass == 0) return {};
+  if (body.principal == Vec3::Zero()) return {.linear = 1 / body.mass};
+  return {.linear = 1 / body.mass, .angular = world_inertia(body.q, body.principal.cwiseInverse())};
+}
+inline Twist<6> force_twist_of(const RigidBody& body, const Vec3& gravity, double h) {
+  return twist(body.mass == 0 ? Vec3::Zero() : Vec3(h * gravity), Vec3::Zero());
+}
+inline void add_twist(RigidBody& body, const Twist<6>& V) {
+  body.v += V.head<3>();
+  body.omega += V.tail<3>();
+}
+
+/// Exercise 3.5. Steps bodies of which two touch at the given contact. The impulse of the contact changes the
+/// velocities of both, then all bodies move as in step_free: Eq. (3.3), (3.8), (3.10), (3.11), (2.11). k and d are
+/// the simulation's. Throws std::invalid_argument as spook_parameters does, without changing anything.
+void step_touching(Simulation& simulation, const Contact& contact, double h);
 
 }  // namespace spook

@@ -1,5 +1,6 @@
 #include "03_single_contact/single_contact.hpp"
 #include "common/not_implemented.hpp"
+#include "common/require.hpp"
 
 namespace spook {
 

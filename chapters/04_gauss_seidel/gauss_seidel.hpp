@@ -12,6 +12,8 @@
 //   residual     max_k S_kk |clamp(λ + r/S_kk) - λ|          Eq. (4.8)    not in the notes
 //   stop         max_k S_kk |Δλ_k| <= tolerance in a sweep   Eq. (4.9)    not in the notes
 //
+//   step         rows, solve, W <- W + V, then the step of chapter 02
+//
 //   G   Jacobian row, blocks Gi, Gj on bodies i, j        λ     impulse [N s], between lo and hi
 //   V   velocity change of each body so far               W_f   velocity change by this step's forces: h M⁻¹ f
 //   r   residual of a row [m/s]                           Σ     regularisation [1/kg]
@@ -103,5 +105,21 @@ struct SolveReport {
 /// >= 0 and finite.
 template <int Dof>
 SolveReport solve(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V, const StopRule& stop);
+
+/// Helper for the steps: input of the rows, with W at t_n - h/2 and inertias at t_n.
+inline Motion<6> motion_of(const Simulation& simulation, double h) {
+  Motion<6> motion;
+  for (const RigidBody& body : simulation.bodies) {
+    motion.inverse_mass.push_back(inverse_mass_of(body));
+    motion.W.push_back(twist_of(body));
+    motion.Wf.push_back(force_twist_of(body, simulation.gravity, h));
+  }
+  return motion;
+}
+
+/// Exercise 4.7. Steps bodies with any number of contacts. Builds a row for each contact, in order, solves all rows
+/// together, adds V to the velocities, then moves all bodies: Eq. (4.4), (4.7), (2.11). Throws std::invalid_argument as
+/// spook_parameters and solve do, without changing anything.
+void step_contacts(Simulation& simulation, const std::vector<Contact>& contacts, double h);
 
 }  // namespace spook

@@ -1,5 +1,6 @@
 #include "04_gauss_seidel/gauss_seidel.hpp"
 #include "common/not_implemented.hpp"
+#include "common/require.hpp"
 
 namespace spook {
 

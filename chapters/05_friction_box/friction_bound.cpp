@@ -1,5 +1,6 @@
 #include "05_friction_box/friction_box.hpp"
 #include "common/not_implemented.hpp"
+#include "common/require.hpp"
 
 namespace spook {
 

@@ -1,5 +1,6 @@
 #include "06_distance/distance.hpp"
 #include "common/not_implemented.hpp"
+#include "common/require.hpp"
 
 namespace spook {
 

@@ -1,5 +1,6 @@
 #include "07_impacts/impacts.hpp"
 #include "common/not_implemented.hpp"
+#include "common/require.hpp"
 
 namespace spook {
 

@@ -1,5 +1,6 @@
 #include "09_better_friction/better_friction.hpp"
 #include "common/not_implemented.hpp"
+#include "common/require.hpp"
 
 namespace spook {
 

@@ -14,6 +14,7 @@
 //   step             d = clamp(λ + α p) - λ,  α = p·r / p·Sp;
 //                    λ += t d,  t = d·r / d·Sd, but within [0, 1]                  Eq. (10.8)   not in the notes
 //   energy           E = ½ λ·Sλ - B·λ, which no part of it increases               Eq. (10.9)   not in the notes
+//   relaxed          B = -G W - G W_f,  Σ = 0,  once positions have moved          Eq. (10.15)  not in the notes
 //
 //   r   residuals of the rows [m/s], Eq. (4.6)   free   a row between its bounds, lo < λ < hi
 //   e   result of sweep() [m/s]                  z', r'   z and r of the iteration before
@@ -73,5 +74,14 @@ std::vector<double> precondition(const std::vector<Row<Dof>>& rows, const std::v
 /// one entry per iteration: the result of its sweep, or without a sweep the residual of Eq. (4.8).
 template <int Dof>
 SolveReport conjugate_solve(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V, const StopRule& stop);
+
+/// Exercise 10.9. Solves the rows a second time, for the velocities that a relaxed substep keeps: Eq. (10.15).
+/// Positions have already moved with the velocities of the first solve. Sweeps the rows as rigid ones, with a = 0,
+/// b = 1 and Σ = 0, from the λ and V of the first solve. Changes only λ in the rows. `motion` is the one that the
+/// rows were built from. Valid for contacts, friction and joints; the target of a motor would be lost. V, the stop
+/// rule and the exceptions are as in solve().
+template <int Dof>
+SolveReport relax(const Motion<Dof>& motion, std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V,
+                  const StopRule& stop);
 
 }  // namespace spook

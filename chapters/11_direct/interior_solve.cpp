@@ -1,5 +1,6 @@
 #include "11_direct/direct.hpp"
 #include "common/not_implemented.hpp"
+#include "common/require.hpp"
 
 namespace spook {
 

@@ -1,5 +1,6 @@
 #include "12_stiff_wires/stiff_wires.hpp"
 #include "common/not_implemented.hpp"
+#include "common/require.hpp"
 
 namespace spook {
 

@@ -1,5 +1,6 @@
 #include "13_mechanisms/mechanisms.hpp"
 #include "common/not_implemented.hpp"
+#include "common/require.hpp"
 
 namespace spook {
 

@@ -12,6 +12,7 @@
 //   colour of a pair     the smallest that neither body has yet                         Eq. (14.7)    not in the notes
 //   number of colours    <= 2 Δ - 1,  Δ the most pairs on a body                        Eq. (14.8)    not in the notes
 //   lanes                Eq. (4.6), (4.7) in each, Δλ = 0 in an empty lane              Eq. (14.9)    not in the notes
+//   discs in lanes       λ_t m,  m = 1 where |λ_t| <= Λ, else Λ/|λ_t|                   Eq. (14.14)   not in the notes
 //
 //   r   residual of the three rows, Eq. (4.6) [m/s]       α   slip over friction [1/kg]
 //
@@ -62,6 +63,7 @@ struct Pack {
   std::array<int, lane_count> i = {-1, -1, -1, -1}, j = i;  ///< -1: a static body, or an empty lane
   std::array<int, lane_count> first = i;  ///< index of each lane's first row in the packed list; -1: none
   std::vector<LaneRows<Dof>> rows;
+  std::vector<Lanes> mu = {};  ///< of each three rows, if these are a contact with friction; otherwise empty
 };
 
 /// Exercise 14.4. Updates all rows of a pack in their order: Eq. (14.9), that is Eq. (4.6), (4.7) in each lane. A body
@@ -74,9 +76,10 @@ template <int Dof>
 using Colour = std::vector<Pack<Dof>>;
 
 /// Packs all rows by colour, using colour_pairs(). Given. Consecutive rows of the same two bodies stay together and
-/// keep their order. `bodies`: the number of bodies.
+/// keep their order. The rows of `contacts` are in packs of their own, with μ. `bodies`: the number of bodies.
 template <int Dof>
-std::vector<Colour<Dof>> packed(const std::vector<Row<Dof>>& rows, std::size_t bodies);
+std::vector<Colour<Dof>> packed(const std::vector<Row<Dof>>& rows, std::size_t bodies,
+                                const std::vector<FrictionContact>& contacts = {});
 
 /// Copies the λ of packs back to the rows that were packed. Given.
 template <int Dof>
@@ -94,5 +97,17 @@ void in_rounds(int threads, const std::function<void(int thread)>& work, const s
 template <int Dof>
 SolveReport solve_in_colours(std::vector<Colour<Dof>>& colours, std::vector<Twist<Dof>>& V,
                              const StopRule& stop, int threads);
+
+/// Two impulses in each lane [N s]: along t1 in column 0, along t2 in column 1.
+using LanePairs = Eigen::Array<double, lane_count, 2>;
+
+/// Exercise 14.6. Returns the nearest point of the disc |λ_t| <= radius in each lane, without a branch: Eq.
+/// (14.14), that is Eq. (9.4). Returns zero for a radius of 0, even if λ_t is 0, as in an empty lane.
+LanePairs onto_discs(const LanePairs& lambda, const Lanes& radius);
+
+/// Updates the contacts of a pack with μ, in their order, using onto_discs(): Eq. (4.7) and then (9.6), in each lane.
+/// Given. Returns the largest S_kk |Δλ_k| or s |Δλ_t| [m/s].
+template <int Dof>
+double update_contact_pack(Pack<Dof>& pack, std::vector<Twist<Dof>>& V);
 
 }  // namespace spook

@@ -1,5 +1,6 @@
 #include "14_fast_rows/fast_rows.hpp"
 #include "common/not_implemented.hpp"
+#include "common/require.hpp"
 
 namespace spook {
 

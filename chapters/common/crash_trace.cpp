@@ -1,6 +1,6 @@
-// What a student's programs hold besides: when one crashes, and SPOOK_CRASH_TRACE names a file, the addresses of the calls
-// that led there are written to it, a line each, the innermost first. tools/course/crash.py finds the student's line by
-// them.
+// What a student's programs hold besides: when one crashes, and SPOOK_CRASH_TRACE names a file, the addresses of the
+// calls that led there are written to it, a line each, the innermost first. tools/course/crash.py finds the student's
+// line by them.
 #include <execinfo.h>
 #include <fcntl.h>
 #include <unistd.h>
@@ -10,12 +10,18 @@
 #include <cstdint>
 #include <cstdlib>
 
-// The linker's: addresses are told from here, wherever the program was put.
+// The linker's name of the program's start: addresses are told from here, wherever the program was put.
+#ifdef __APPLE__
+extern "C" const char _mh_execute_header;
+static const char& program_start = _mh_execute_header;
+#else
 extern "C" const char __executable_start;
+static const char& program_start = __executable_start;
+#endif
 
 namespace {
 
-constexpr std::array crashes = {SIGABRT, SIGSEGV, SIGFPE, SIGILL, SIGBUS};
+constexpr std::array crashes = {SIGABRT, SIGSEGV, SIGFPE, SIGILL, SIGBUS, SIGTRAP};
 constexpr int most_calls = 64;
 
 const char* file = nullptr;
@@ -39,7 +45,7 @@ void tell(int number) {
   // where calls return to, which may be the line after: the byte before belongs to the call.
   for (int k = 2; descriptor >= 0 && k < count; ++k)
     write_line(descriptor, reinterpret_cast<std::uintptr_t>(calls[static_cast<std::size_t>(k)]) -
-                               reinterpret_cast<std::uintptr_t>(&__executable_start) - (k > 2));
+                               reinterpret_cast<std::uintptr_t>(&program_start) - (k > 2));
   std::raise(number);  // now with its usual end
 }
 
@@ -48,7 +54,9 @@ __attribute__((constructor)) void listen() {
   if (!file) return;
   std::array<void*, 1> call;
   backtrace(call.data(), 1);  // the first time it loads a library, which a crash is no place for
-  const stack_t elsewhere{.ss_sp = stack.data(), .ss_flags = 0, .ss_size = stack.size()};
+  stack_t elsewhere{};        // its members' order differs between systems
+  elsewhere.ss_sp = stack.data();
+  elsewhere.ss_size = stack.size();
   sigaltstack(&elsewhere, nullptr);
   struct sigaction action {};
   action.sa_handler = tell;

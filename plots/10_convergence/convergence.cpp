@@ -20,6 +20,7 @@
 // And the time of a sweep and of an iteration [us].
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "10_convergence/convergence.hpp"
 #include "machinery/experiment.hpp"

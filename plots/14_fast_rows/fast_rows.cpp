@@ -11,6 +11,7 @@
 //             and of its operations; the lower quartile
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "14_fast_rows/fast_rows.hpp"
 #include "engine/world/world.hpp"

@@ -7,7 +7,11 @@
 //   stands     after a second: the mean depth of the balls, in radii, and the largest speed [m/s]
 //   memory     per link, ball, and contact with friction [bytes]
 //   same       1 if two threads give the same bits as one, else 0
+#ifdef __APPLE__
+#include <malloc/malloc.h>
+#else
 #include <malloc.h>
+#endif
 
 #include <cmath>
 #include <map>
@@ -24,8 +28,14 @@ constexpr double g = 9.81, h = 1.0 / 240, radius = 0.1;
 
 /// Returns the size of all allocated memory [bytes].
 double allocated() {
+#ifdef __APPLE__
+  malloc_statistics_t all;
+  malloc_zone_statistics(nullptr, &all);
+  return static_cast<double>(all.size_in_use);
+#else
   const struct mallinfo2 all = mallinfo2();
   return static_cast<double>(all.uordblks + all.hblkhd);
+#endif
 }
 
 /// A wire so stiff that a pull at the top reaches the end within a step.

@@ -45,6 +45,7 @@ struct Chosen {
       {"friction-model", "", "box, two_pass, cone", &TypedRun::friction_model},
       {"tangents", "", "fixed, sliding", &TypedRun::tangents},
       {"threads", "", "worker threads", &TypedRun::threads},
+      {"engine", "", "fast, plain", &TypedRun::engine},
       {"tolerance", "", "stop sweeping at this [m/s]", &TypedRun::tolerance},
       {"iterations", "10,30,100,300,1000", "most sweeps in a step", &TypedRun::iterations, false}};
 };
@@ -110,6 +111,8 @@ std::vector<Asked> all_runs(const Chosen& chosen, bool solves, bool quick) {
     all =
         times(all, option, quick && option.name == "iterations" ? 3 : std::numeric_limits<std::size_t>::max());
   }
+  for (Asked& asked : all)
+    if (asked.run.engine == "plain") asked.run.solver.reset();  // it sweeps, and has no other
   std::vector<Asked> with_starts;
   for (const Asked& asked : all)
     for (const std::string& start : parts(chosen.warm_start)) {

@@ -7,19 +7,22 @@ namespace spook {
 
 namespace {
 
-/// Consecutive rows of the same two bodies.
+/// Consecutive rows of the same two bodies: all of contacts with friction, or none.
 struct Run {
   int first, count;
+  bool rubs;
 };
 
+/// `mu`: of each row that is a contact's, else -1.
 template <int Dof>
-std::vector<Run> runs_of(const std::vector<Row<Dof>>& rows) {
+std::vector<Run> runs_of(const std::vector<Row<Dof>>& rows, const std::vector<double>& mu) {
   std::vector<Run> runs;
   for (int k = 0; k < std::ssize(rows); ++k) {
-    if (k > 0 && rows[k - 1].i == rows[k].i && rows[k - 1].j == rows[k].j)
+    const bool rubs = mu[k] >= 0;
+    if (k > 0 && rows[k - 1].i == rows[k].i && rows[k - 1].j == rows[k].j && runs.back().rubs == rubs)
       ++runs.back().count;
     else
-      runs.push_back({.first = k, .count = 1});
+      runs.push_back({.first = k, .count = 1, .rubs = rubs});
   }
   return runs;
 }
@@ -37,8 +40,11 @@ void put(const Row<Dof>& row, int lane, LaneRows<Dof>& into) {
 }  // namespace
 
 template <int Dof>
-std::vector<Colour<Dof>> packed(const std::vector<Row<Dof>>& rows, std::size_t bodies) {
-  const std::vector<Run> runs = runs_of(rows);
+std::vector<Colour<Dof>> packed(const std::vector<Row<Dof>>& rows, std::size_t bodies,
+                                const std::vector<FrictionContact>& contacts) {
+  std::vector<double> mu(rows.size(), -1.0);
+  for (const FrictionContact& contact : contacts) std::fill_n(&mu[contact.normal], 3, contact.mu);
+  const std::vector<Run> runs = runs_of(rows, mu);
   std::vector<Pair> pairs;
   for (const Run& run : runs) {
     const Row<Dof>& row = rows[run.first];
@@ -51,18 +57,27 @@ std::vector<Colour<Dof>> packed(const std::vector<Row<Dof>>& rows, std::size_t b
 
   std::vector<Colour<Dof>> all(members.size());
   for (std::size_t c = 0; c < all.size(); ++c) {
-    // The longest first, so that rows side by side have similar lengths.
-    std::stable_sort(members[c].begin(), members[c].end(),
-                     [&](int a, int b) { return runs[a].count > runs[b].count; });
-    for (std::size_t k = 0; k < members[c].size(); ++k) {
-      const int lane = static_cast<int>(k % lane_count), run = members[c][k];
-      if (lane == 0)
-        all[c].push_back({.rows = std::vector<LaneRows<Dof>>(static_cast<std::size_t>(runs[run].count))});
+    // The longest first, so that rows side by side have similar lengths; those of contacts last, in packs of their own.
+    std::stable_sort(members[c].begin(), members[c].end(), [&](int a, int b) {
+      return runs[a].rubs != runs[b].rubs ? runs[b].rubs : runs[a].count > runs[b].count;
+    });
+    int lane = lane_count - 1;
+    bool rubs = false;
+    for (const int run : members[c]) {
+      lane = rubs == runs[run].rubs ? (lane + 1) % lane_count : 0;
+      rubs = runs[run].rubs;
+      if (lane == 0) {
+        const auto count = static_cast<std::size_t>(runs[run].count);
+        all[c].push_back({.rows = std::vector<LaneRows<Dof>>(count),
+                          .mu = std::vector<Lanes>(rubs ? count / 3 : 0, Lanes::Zero())});
+      }
       Pack<Dof>& pack = all[c].back();
       pack.i[lane] = pairs[run].first;
       pack.j[lane] = pairs[run].second;
       pack.first[lane] = runs[run].first;
       for (int m = 0; m < runs[run].count; ++m) put(rows[runs[run].first + m], lane, pack.rows[m]);
+      for (std::size_t m = 0; rubs && 3 * m < static_cast<std::size_t>(runs[run].count); ++m)
+        pack.mu[m][lane] = mu[static_cast<std::size_t>(runs[run].first) + 3 * m];
     }
   }
   return all;
@@ -83,8 +98,10 @@ void unpack(const std::vector<Colour<Dof>>& colours, std::vector<Row<Dof>>& rows
       }
 }
 
-template std::vector<Colour<3>> packed<3>(const std::vector<Row<3>>&, std::size_t);
-template std::vector<Colour<6>> packed<6>(const std::vector<Row<6>>&, std::size_t);
+template std::vector<Colour<3>> packed<3>(const std::vector<Row<3>>&, std::size_t,
+                                          const std::vector<FrictionContact>&);
+template std::vector<Colour<6>> packed<6>(const std::vector<Row<6>>&, std::size_t,
+                                          const std::vector<FrictionContact>&);
 template void unpack<3>(const std::vector<Colour<3>>&, std::vector<Row<3>>&);
 template void unpack<6>(const std::vector<Colour<6>>&, std::vector<Row<6>>&);
 

@@ -80,7 +80,7 @@ void in_rounds(int threads, const std::function<void(int thread)>& work, const s
       all_done.meet();
     }
   };
-  std::vector<std::jthread> others;
+  std::vector<std::thread> others;  // many releases of libc++ have no std::jthread
   try {
     for (int thread = 1; thread < threads; ++thread) others.emplace_back(member, thread);
     member(0);
@@ -88,7 +88,7 @@ void in_rounds(int threads, const std::function<void(int thread)>& work, const s
     thrown[0] = std::current_exception();
     for (int missing = static_cast<int>(others.size()); missing < threads; ++missing) all_done.leave();
   }
-  others.clear();  // waits for them
+  for (std::thread& other : others) other.join();
   for (const std::exception_ptr& what : thrown)
     if (what) std::rethrow_exception(what);
 }

@@ -4,6 +4,9 @@
 
 namespace spook {
 
+/// The engine's own step, or the plain one: the steps that the chapters end with, scenes/plain_engine.hpp.
+enum class Engine { fast, plain };
+
 struct Method {
   double h;          ///< [s]
   int substeps = 1;  ///< number of steps of h/substeps in a step
@@ -19,6 +22,8 @@ struct Method {
       {};  ///< the order that steps are composed to, 2 or 4; the scene's own, unless given
   int threads = 1;
   std::optional<double> contact_margin = {};  ///< [m]; the world's own, unless given
+
+  Engine engine = Engine::fast;
 
   double step() const { return h / substeps; }  ///< [s]
 };

@@ -41,6 +41,10 @@ static std::vector<double> sample(const Scene& scene, const Watch& watch) {
   return values;
 }
 
+std::string plain_step_of(const Scene& scene) {
+  return scene.points() ? plain_step_of(*scene.points()) : plain_step_of(*scene.rigid_bodies());
+}
+
 static void observed_run(Scene& scene, std::int64_t steps, const Watch& watch) {
   constexpr std::int64_t steps_between_reports = 100'000;
   if (watch.csv) write_line(*watch.csv, columns(scene, watch), [](const std::string& name) { return name; });
@@ -111,6 +115,7 @@ RunResult run(const SceneDescription& description, const Parameters& parameters,
 
   const std::int64_t substeps = result.steps * settings.method.substeps;
   const std::unique_ptr<Scene> scene = build();
+  if (settings.method.engine == Engine::plain) result.plain_step = plain_step_of(*scene);
   observed_run(*scene, substeps, watch);
   result.verdict = scene->verdict();
   result.error = scene->error();

@@ -26,10 +26,14 @@ struct RunResult {
   std::optional<double> us_per_step;  ///< median of several runs [µs]; none without steps
   double us_low = 0, us_high = 0;     ///< quartiles of those runs [µs]
   StageTimes stages;                  ///< time of each stage, scaled to add up to us_per_step
+  std::string plain_step;  ///< the exercise whose step ran, such as "2.7 step_free"; in the plain engine only
 };
 
 /// Returns time/h, rounded. Throws std::invalid_argument unless h > 0 and time >= 0, and for more than 1e9 steps.
 std::int64_t step_count(double h, double time);
+
+/// Returns the exercise whose step runs the scene in the plain engine. Throws std::invalid_argument where none does.
+std::string plain_step_of(const Scene& scene);
 
 /// Output of the first run.
 struct Watch {

@@ -17,6 +17,7 @@
 #include "scenes/hand.hpp"
 #include "scenes/method.hpp"
 #include "scenes/parameters.hpp"
+#include "scenes/plain_engine.hpp"
 
 namespace spook {
 
@@ -169,6 +170,7 @@ class WorldScene : public Scene {
     settings.contact_margin = method.contact_margin;
     if (method.integrator_order) settings.integrator_order = *method.integrator_order;
     settings.threads = method.threads;
+    if (method.engine == Engine::plain) settings.stepper = plain_stepper<Dof>();
     return settings;
   }
 

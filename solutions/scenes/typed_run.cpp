@@ -56,6 +56,21 @@ static void refuse_solver_beside_composed(const TypedRun& typed, const Method& m
                                   " has no effect with integrator-order 4, which uses no solver: leave it out");
 }
 
+/// Refuses options of the fast engine, since the plain engine has no choices.
+static void refuse_beside_plain(const TypedRun& typed) {
+  const std::pair<const char*, bool> of_the_fast[] = {{"solver", typed.solver.has_value()},
+                                                      {"row-order", typed.row_order.has_value()},
+                                                      {"contact-margin", typed.contact_margin.has_value()},
+                                                      {"friction-model", typed.friction_model.has_value()},
+                                                      {"tangents", typed.tangents.has_value()},
+                                                      {"threads", typed.threads.has_value()},
+                                                      {"warm-start", typed.warm_start}};
+  for (const auto& [option, given] : of_the_fast)
+    if (given)
+      throw std::invalid_argument(std::string(option) +
+                                  " needs the fast engine: leave it out, or leave out --engine");
+}
+
 Parameters TypedRun::parameters(const SceneDescription& description) const {
   Parameters parameters(description.parameters);
   for (const std::string& text : set) assign(parameters, text);
@@ -84,6 +99,9 @@ RunSettings TypedRun::settings(const SceneDescription& description) const {
   if (threads) method.threads = parse_whole("threads", *threads, 1, most_threads);
   if (integrator_order)
     method.integrator_order = choose<int>("integrator-order", *integrator_order, {{"2", 2}, {"4", 4}});
+  if (engine)
+    method.engine = choose<Engine>("engine", *engine, {{"fast", Engine::fast}, {"plain", Engine::plain}});
+  if (method.engine == Engine::plain) refuse_beside_plain(*this);
   set_rows(*this, method);
   refuse_solver_beside_composed(*this, method);
   // A row order, or the cone, replaces the scene's solver if that solver does not support it.

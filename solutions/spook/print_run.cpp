@@ -27,24 +27,30 @@ static bool may_rub(const Parameters& parameters) {
          std::any_of(all.begin(), all.end(), [](const Parameter& one) { return one.name == "mu"; });
 }
 
-static std::string method_text(const SceneDescription& scene, const Parameters& parameters,
-                               const RunSettings& settings, const RunResult& result) {
-  const Method& method = settings.method;
-  std::string text = counted(result.steps, "step") + " of " + short_text(method.h) + " s, " +
-                     short_text(static_cast<double>(result.steps) * method.h) + " s";
-  if (method.threads > 1) text += " on " + counted(method.threads, "thread");
-  if (method.substeps > 1) text += ", each of " + counted(method.substeps, "substep");
-  if (method.integrator_order == 4)
-    return text + "; composed to order four" + (scene.solves ? ", joints rigid" : "");
-  if (!scene.solves) return text + "; no constraints, no solver";
+/// Text about the rows and their solution: the friction model, its tangents, the solver and its stop rule.
+static std::string solver_text(const SceneDescription& scene, const Parameters& parameters,
+                               const Method& method) {
+  if (method.integrator_order == 4) return scene.solves ? "none: order four holds joints rigid" : "none";
+  if (!scene.solves) return "none: no constraints";
+  if (method.engine == Engine::plain) return "at most " + counted(method.solver_limits.max_sweeps, "sweep");
+  std::string text;
   if (may_rub(parameters))
-    text +=
-        "; friction " + name_of(friction_model(method)) + (method.sliding_tangents ? " along the slip" : "");
-  text += "; " + method.solver + ", at most " +
+    text = "friction " + name_of(friction_model(method)) + ", tangents " +
+           (method.sliding_tangents ? "sliding" : "fixed") + "; ";
+  text += method.solver + ", at most " +
           counted(method.solver_limits.max_sweeps, find_solver<3>(method.solver).iteration);
   if (method.solver_limits.tolerance > 0)
     text += " or to " + short_text(method.solver_limits.tolerance) + " m/s";
   return text;
+}
+
+static std::string steps_text(const Method& method, const RunResult& result) {
+  std::string text = counted(result.steps, "step") + " of " + short_text(method.h) + " s, " +
+                     short_text(static_cast<double>(result.steps) * method.h) + " s";
+  if (method.threads > 1) text += " on " + counted(method.threads, "thread");
+  if (method.substeps > 1) text += ", each of " + counted(method.substeps, "substep");
+  if (method.engine == Engine::plain) return text + "; plain engine, exercise " + result.plain_step;
+  return method.integrator_order == 4 ? text + "; composed to order four" : text;
 }
 
 static std::string last_step_text(const std::string& solver, const StepReport& last) {
@@ -95,9 +101,10 @@ static std::string verdict_text(const Verdict& verdict) {
 void print_text(std::ostream& out, const SceneDescription& scene, const Parameters& parameters,
                 const RunSettings& settings, const RunResult& result) {
   print_entry(out, "scene", scene.name + ": " + scene.summary);
+  print_entry(out, "solver", solver_text(scene, parameters, settings.method));
   if (!parameters.all().empty()) print_entry(out, "set", parameters_text(parameters));
   print_entry(out, "answer", scene.answer);
-  print_entry(out, "run", method_text(scene, parameters, settings, result));
+  print_entry(out, "run", steps_text(settings.method, result));
   print_entry(out, "end", state_text(result));
   if (scene.error_unit.empty())
     print_entry(out, "error", scene.error_name);
@@ -107,6 +114,7 @@ void print_text(std::ostream& out, const SceneDescription& scene, const Paramete
   if (!result.verdict.note.empty()) print_entry(out, "note", result.verdict.note);
   print_entry(out, "speed",
               result.us_per_step ? short_text(*result.us_per_step) + " µs a step" : "no step taken");
+  if (settings.method.engine == Engine::plain) return;  // its stages and rows are its own
   if (result.us_per_step) print_entry(out, "stages", stages_text(result));
   if (scene.solves) print_entry(out, "residual", last_step_text(settings.method.solver, result.last));
   if (!result.last.trouble.empty()) print_entry(out, "trouble", result.last.trouble);

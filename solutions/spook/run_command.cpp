@@ -85,7 +85,10 @@ void RunCommand::execute(std::ostream& out) const {
   steps_of_frame(settings.method.h, per_second);
 
   std::ofstream table, recording;
-  if (csv || record) description.build(parameters, settings.method);
+  if (csv || record) {  // what is refused leaves older files as they are
+    const std::unique_ptr<Scene> built = description.build(parameters, settings.method);
+    if (settings.method.engine == Engine::plain) plain_step_of(*built);
+  }
   open(table, "csv", csv);
   open(recording, "record", record);
   Recorder recorder(recording, description, parameters, settings, per_second);

@@ -127,7 +127,7 @@ EXERCISE_TEST(HalfStepStart, GoesBackHalfAStep) {
                        "it lands at +h/2."},
                       {b.v - change, "This is a whole step back; the first kick would only bring v to time 0."},
                       {b.v,
-                       "This is v unshifted: the simulation would be half a step late, of first order only. "
+                       "This is v unshifted: all velocities would be half a step ahead, of first order only. "
                        "(In C++, 1 / 2 is 0: "
                        "write h / 2.)"},
                       {b.v + change, "This is a whole step forwards: go back, and half a step only."},

@@ -26,6 +26,7 @@ EXERCISE(SweepInOrder, "10.5 sweep_in_order");
 EXERCISE(ObservedRate, "10.6 observed_rate");
 EXERCISE(Precondition, "10.7 precondition");
 EXERCISE(ConjugateSolve, "10.8 conjugate_solve");
+EXERCISE(Relax, "10.9 relax");
 
 /// Rows with bounds of every kind.
 Problem<6> bounded_rows() {
@@ -104,6 +105,14 @@ EXERCISE_TEST(ConjugateSolve, IsTheSameInAnyUnits) {
   for (const StopRule& stop :
        {StopRule{.max_sweeps = 5, .tolerance = 0}, {.max_sweeps = 100, .tolerance = 1e-6}})
     expect_same_in_any_units("Eq. (10.6)-(10.9)", conjugate_solve<6>, by_field, p.rows, p.V * velocity, stop);
+}
+
+EXERCISE_TEST(Relax, IsTheSameInAnyUnits) {
+  using namespace units;
+  const Problem<6> p = bounded_rows();
+  for (const StopRule& stop :
+       {StopRule{.max_sweeps = 5, .tolerance = 0}, {.max_sweeps = 100, .tolerance = 1e-6}})
+    expect_same_in_any_units("Eq. (10.15)", relax<6>, by_field, p.motion, p.rows, p.V * velocity, stop);
 }
 
 }  // namespace

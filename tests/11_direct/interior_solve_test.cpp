@@ -1,4 +1,6 @@
 // From within to the answer: against enumerated solutions, on hard rows, and honest where there is none.
+#include <algorithm>
+
 #include "algebra.hpp"
 #include "exercise_test.hpp"
 #include "stop_rule.hpp"
@@ -364,7 +366,9 @@ EXERCISE_TEST(InteriorSolve, RemembersTheResiduals) {
       Solved early;
       solve_bounded(q, {.max_sweeps = sweeps, .tolerance = 0}, early);
       if (early.report.history.empty()) continue;
-      const double got = dense_residual(q, early.lambda), least = std::ranges::min(early.report.history);
+      const std::vector<double>& history = early.report.history;
+      const double got = dense_residual(q, early.lambda);
+      const double least = *std::min_element(history.begin(), history.end());
       const double sums = (q.S.cwiseAbs() * early.lambda.cwiseAbs()).maxCoeff() + 1;
       const Tolerance roundings_of_sums{16 * std::numeric_limits<double>::epsilon() * sums,
                                         "roundings of twelve products and B, added in any order, twice"};
@@ -426,7 +430,8 @@ EXERCISE_TEST(InteriorSolve, ReportsWhatHasNoAnswer) {
   expect_true("and leave λ finite", "Eq. (11.4)", solved.lambda.allFinite(),
               "Do not solve with factors that are not sound.");
   expect_true("and leave no NaN in the history", "Eq. (4.8)",
-              std::ranges::none_of(solved.report.history, [](double entry) { return std::isnan(entry); }),
+              std::none_of(solved.report.history.begin(), solved.report.history.end(),
+                           [](double entry) { return std::isnan(entry); }),
               "A factorisation that fails brings no λ to look at.");
   Solved refused, stopped;
   solve_bounded(p, {.max_sweeps = 1, .tolerance = 0}, refused);

@@ -15,6 +15,10 @@ inline void each_number(Visitor& visitor, Lanes& lanes, const BoundUnits& units)
   for (double& value : lanes) visitor.bound(value, units.unit);
 }
 
+inline void each_number(Visitor& visitor, LanePairs& pairs, const Unit& unit) {
+  for (double& value : pairs.reshaped()) visitor.number(value, unit);
+}
+
 inline void each_number(Visitor& visitor, LaneTwists<6>& twists, const TwistUnits& units) {
   for (int k = 0; k < 6; ++k)
     for (int lane = 0; lane < lane_count; ++lane)
@@ -52,6 +56,7 @@ EXERCISE(SolveOnCone, "14.1 solve_on_cone");
 EXERCISE(UpdateContact, "14.2 update_contact");
 EXERCISE(UpdatePack, "14.4 update_pack");
 EXERCISE(SolveInColours, "14.5 solve_in_colours");
+EXERCISE(OntoDiscs, "14.6 onto_discs");
 
 EXERCISE_TEST(SolveOnCone, IsTheSameInAnyUnits) {
   using namespace units;
@@ -88,6 +93,13 @@ EXERCISE_TEST(SolveInColours, IsTheSameInAnyUnits) {
   for (const int sweeps : {100, 5})
     expect_same_in_any_units("Eq. (14.10)", solve_in_colours<6>, by_field, colours, heap.V * velocity,
                              StopRule{.max_sweeps = sweeps, .tolerance = 1e-4}, 1);
+}
+
+EXERCISE_TEST(OntoDiscs, IsTheSameInAnyUnits) {
+  using namespace units;
+  LanePairs lambda;
+  lambda << Lanes(3, -1, 0.2, 5), Lanes(-4, 2, 0.1, 0.3);
+  expect_same_in_any_units("Eq. (14.14)", onto_discs, N * s, lambda * (N * s), Lanes(5, 1, 2, 0) * (N * s));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 
 #include "scenes/elliptic.hpp"
 #include "scenes/free_top.hpp"

@@ -97,6 +97,45 @@ TEST(Solvers, TwoPassesTakeAnyOther) {
       << "where nothing rubs there is one pass";
 }
 
+TEST(Solvers, ColoursAndBlocksEndWhereSweepsRowByRowDo) {
+  for (const int masses : {1, 2, 7}) {
+    const auto expect_same = [&](const Solver<3>& solver, const Solver<3>& known, double bound) {
+      const std::vector<double> got = by(solver, bound, to_the_end, masses),
+                                expected = by(known, bound, to_the_end, masses);
+      for (std::size_t row = 0; row < expected.size(); ++row)
+        EXPECT_NEAR(got[row], expected[row], 1e-11) << "row " << row << " of " << masses << " masses";
+    };
+    expect_same(colours<3>(), gauss_seidel<3>(), 0.1);
+    expect_same(colours<3>(FrictionModel::cone), cone_gauss_seidel<3>(), infinity);
+    expect_same(blocks<3>(), cone_gauss_seidel<3>(), infinity);
+    expect_same(two_pass(colours<3>()), two_pass(gauss_seidel<3>()), 0);
+  }
+}
+
+// All four contacts of one pair are in one lane, in their order: sweeps are the same one by one, but for roundings.
+TEST(Solvers, ColoursSweepTheContactsOfAPairInTheirOrder) {
+  const auto impulses = [](Solver<6> solver, double mu) {
+    World<6> world({.friction = mu, .solver = std::move(solver), .solver_limits = {.max_sweeps = 5}});
+    world.add_plane(Vec3::UnitZ(), 0);
+    world.add({.x = Vec3(0, 0, 0.499),
+               .v = Vec3(1, 0.3, 0),
+               .omega = Vec3(0, 0, 2),
+               .half_sides = Vec3(0.7, 0.4, 0.5)});
+    world.step(h);
+    std::vector<double> all;
+    for (const Row<6>& row : world.rows()) all.push_back(row.lambda);
+    return all;
+  };
+  for (const double mu : {0.0, 0.1, 0.9}) {
+    const std::vector<double> row_by_row = impulses(cone_gauss_seidel<6>(), mu),
+                              in_lanes = impulses(colours<6>(FrictionModel::cone), mu);
+    ASSERT_EQ(row_by_row.size(), mu > 0 ? 12U : 4U);
+    ASSERT_EQ(in_lanes.size(), row_by_row.size());
+    for (std::size_t row = 0; row < row_by_row.size(); ++row)
+      EXPECT_NEAR(in_lanes[row], row_by_row[row], 1e-12) << "row " << row << ", mu = " << mu;
+  }
+}
+
 TEST(Solvers, SayWhichLimitsTheirRowsComeWith) {
   for (const NamedSolver<3>& named : solvers<3>()) {
     EXPECT_EQ(named.make().friction, FrictionModel::box) << named.name;

@@ -21,7 +21,7 @@ void leapfrog() {
   for (int n = 0; n < 500; ++n)
     leapfrog_step(
         ball, [&](auto, const auto&) -> Vec3 { return -g * up; }, h);
-  say("1.late_fall", std::abs(ball.x[0].z() / (-g * time * time / 2) - 1));
+  say("1.fall_without_start", std::abs(ball.x[0].z() / (-g * time * time / 2) - 1));
 
   // The largest step of a spring, by bisection: beyond it the motion grows.
   const auto grows = [](double step) {

@@ -1,7 +1,10 @@
 #pragma once
 // Random inputs from a seed. Every failure prints the seed, and `./course check N.M --seed S` repeats its inputs. They
 // are the same with every compiler if no two draws are arguments of one call or operands of one sum, since the compiler
-// chooses the order of those. Initialisers in braces, and statements, have a fixed order.
+// chooses the order of those. Initialisers in braces, and statements, have a fixed order. The engines of the standard
+// library give the same bits everywhere; its distributions do not, and are not used.
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
@@ -22,8 +25,14 @@ class Random {
   Random() : engine_(seed()) { used_ = true; }
   explicit Random(std::uint64_t seed) : engine_(seed) {}  ///< for a test that names the seed in its failures
 
-  double uniform(double lo, double hi) { return std::uniform_real_distribution<double>(lo, hi)(engine_); }
-  int integer(int lo, int hi) { return std::uniform_int_distribution<int>(lo, hi)(engine_); }
+  /// Draws from [lo, hi).
+  double uniform(double lo, double hi) { return unit() * (hi - lo) + lo; }
+
+  /// Draws from lo to hi, both included; as often each, to 2⁻³² and less.
+  int integer(int lo, int hi) {
+    const double numbers = static_cast<double>(hi) - lo + 1;
+    return static_cast<int>(lo + std::floor(unit() * numbers));
+  }
 
   /// Draws a number evenly distributed over magnitudes: as often between 0.01 and 0.1 as between 10 and 100.
   double log_uniform(double lo, double hi) { return std::exp(uniform(std::log(lo), std::log(hi))); }
@@ -64,7 +73,18 @@ class Random {
   static void forget_seed() { used_ = false; }
 
  private:
-  double normal() { return std::normal_distribution<double>()(engine_); }
+  /// Draws from [0, 1): 64 random bits, rounded to 53.
+  double unit() { return std::min(std::ldexp(static_cast<double>(engine_()), -64), std::nextafter(1.0, 0.0)); }
+
+  /// Draws from the normal distribution. Source: Marsaglia's polar method.
+  double normal() {
+    for (;;) {
+      const double x = uniform(-1, 1);
+      const double y = uniform(-1, 1);
+      const double square = x * x + y * y;
+      if (square > 0 && square <= 1) return y * std::sqrt(-2 * std::log(square) / square);
+    }
+  }
 
   std::mt19937_64 engine_;
   static inline bool used_ = false;

@@ -65,6 +65,21 @@ class Crash(unittest.TestCase):
             self.assertIn(told, crash.explained("SIGABRT", f"before\n{said}\n", None))
         self.assertEqual(crash.without_assertion(f"h is 3\n{self.EIGEN}\n").strip(), "h is 3")
 
+    def test_clang_s_library_and_macos_assert_in_other_words(self):
+        vector = ("/opt/llvm/include/c++/v1/vector:1393: assertion __n < size() failed: vector[] index out of bounds",
+                  "fails an assertion of the C++ library", "An index is past the end of a std::vector.")
+        optional = ("/opt/llvm/include/c++/v1/optional:808: assertion this->has_value() failed: no value",
+                    "fails an assertion of the C++ library", "An optional is empty")
+        eigen = ("Assertion failed: (index >= 0 && index < size()), function operator[], file DenseCoeffsBase.h, "
+                 "line 410.", "fails an assertion", "An index or a block is not inside its vector or matrix.")
+        for said, ending, told in (vector, optional, eigen):
+            with self.subTest(said):
+                self.assertEqual(crash.ending("SIGABRT", f"before\n{said}\n"), ending)
+                self.assertIn(told, crash.explained("SIGABRT", f"before\n{said}\n", None))
+                self.assertEqual(crash.without_assertion(f"h is 3\n{said}\n").strip(), "h is 3")
+        # The last one has ended the program.
+        self.assertIn("optional", crash.explained("SIGABRT", f"{self.VECTOR}\n{optional[0]}\n", None))
+
     def test_an_assertion_names_its_library(self):
         clamp = ("/usr/include/c++/12/bits/stl_algo.h:3623: constexpr const _Tp& std::clamp(const _Tp&, const _Tp&, "
                  "const _Tp&) [with _Tp = double]: Assertion '!(__hi < __lo)' failed.")

@@ -43,7 +43,7 @@ class CourseRun(unittest.TestCase):
     def test_mine_without_an_exercise_is_the_reference(self):
         error, said = self.run_free_fall("--mine")
         self.assertLess(error, 1e-9)
-        self.assertIn("all of it is the reference", said)
+        self.assertIn("everything is the reference", said)
 
     def test_mine_takes_what_the_student_wrote(self):
         self.box.file(self.kick).write_text(STILL)
@@ -57,6 +57,34 @@ class CourseRun(unittest.TestCase):
         self.assertFalse((self.box.root / "build/release" / compiled).exists())
         self.box.solve(self.kick)
         self.assertLess(self.run_free_fall("--mine")[0], 1e-9)
+
+    def test_mine_tells_what_a_run_has_called(self):
+        drift, rate = (next(exercise for exercise in all_exercises() if exercise.function == function)
+                       for function in ("drift", "quaternion_rate"))
+        for exercise in (drift, rate):
+            self.addCleanup(self.box.restore, exercise)
+            self.box.solve(exercise)
+        said = " ".join(self.run_free_fall("--mine")[1].split())
+        self.assertIn("Yours, right or wrong: 1.2; the rest is the reference. Yours, too, but not called: 2.1.", said)
+        self.box.restore(drift)
+        self.assertIn("This run calls no function of yours; you have begun 2.1.",
+                      " ".join(self.run_free_fall("--mine")[1].split()))
+
+    def test_an_engine_of_ones_own(self):
+        """The step that the student wrote moves the bodies, and the reference's where there is none yet."""
+        step = next(exercise for exercise in all_exercises() if exercise.function == "leapfrog_step")
+        error, said = self.run_free_fall("--engine", "mine")
+        self.assertLess(error, 1e-9)
+        self.assertIn("everything is the reference", said)
+        try:
+            self.box.file(step).write_text(STILL.replace("Vec3 kick(const Vec3& v, const Vec3&, double, double) { return v; }",
+                                                         "void leapfrog_step(Particles&, const ForceField&, double) {}"))
+            error, said = self.run_free_fall("--engine=mine")
+            self.assertGreater(error, 0.1)  # it hangs in the air
+            self.assertIn("Yours, right or wrong: 1.4; the rest is the reference.", said)
+            self.assertLess(self.run_free_fall("--mine")[0], 1e-9)  # the fast engine has a step of its own
+        finally:
+            self.box.restore(step)
 
     def test_mine_that_does_not_compile_or_define(self):
         for source, told in (("not C++", "does not compile: chapters/01_leapfrog/kick.cpp:1:"),

@@ -1,14 +1,14 @@
 """The films at the head of the lessons: they are there, small, move, and the command below each shows the same."""
 
 import os
-import re
 import subprocess
+import tempfile
 import unittest
 from pathlib import Path
 
-from sandbox import ROOT
+from sandbox import ROOT, all_exercises
 
-from films import command, films, milestone
+from films import command, films, milestones, not_shown, own_step
 
 MOST_BYTES = 400_000
 
@@ -48,11 +48,46 @@ class Films(unittest.TestCase):
                 done = subprocess.run([spook, "run", film["scene"], *options], capture_output=True, text=True)
                 self.assertEqual((done.returncode, done.stderr), (0, ""))
 
-    def test_a_milestone_is_short_enough_for_the_board(self):
+    def test_milestones_are_short_enough_for_the_board(self):
         for folder in self.lessons:
-            self.assertRegex(milestone(folder), re.compile(r"^\./course view \w+ --mine$"))
-            self.assertLessEqual(len(f"  See it move, on your functions:  {milestone(folder)}"), 80)
-        self.assertEqual(milestone("99_nothing"), "")
+            self.assertTrue(milestones(folder), folder)
+            for milestone in milestones(folder):
+                self.assertRegex(milestone, r"^\./course view \w+ .*--mine$|^\./course view \w+ --mine$")
+                self.assertLessEqual(len(f"  {milestone}"), 80)
+        self.assertEqual((milestones("99_nothing"), not_shown("99_nothing")), ([], []))
+
+    def test_milestones_call_every_exercise_of_their_chapter(self):
+        """A function that is called and throws ends the run. So each change of it that matters can be seen."""
+        spook = Path(os.environ["COURSE_BUILD"], "check", "solutions", "spook_mine")
+        for folder in self.lessons:
+            exercises = {exercise.function for exercise in all_exercises() if exercise.folder == folder}
+            called: set[str] = set()
+            own = [f"{own_step(folder).removesuffix(' mine')} plain"] if own_step(folder) else []
+            for milestone in milestones(folder) + own:
+                words = milestone.removeprefix("./course view ").removesuffix(" --mine").split()
+                with self.subTest(folder, words=words), tempfile.TemporaryDirectory() as scratch:
+                    calls, record = Path(scratch, "calls"), Path(scratch, "record")
+                    done = subprocess.run([spook, "run", *words, "--record", record, "--fps", "1", "--json"],
+                                          capture_output=True, text=True, env=os.environ | {"SPOOK_CALLS": str(calls)})
+                    self.assertEqual(done.returncode, 0, done.stderr)
+                    if not calls.exists():
+                        self.skipTest("this program cannot tell what it calls; see tools/noting.py")
+                    called |= set(calls.read_text().split())
+            with self.subTest(folder):
+                self.assertEqual(exercises - called, set(not_shown(folder)))
+
+    def test_a_chapter_with_a_step_says_how_to_run_it(self):
+        spook = Path(os.environ["COURSE_BUILD"], "check", "solutions", "spook")
+        shown = {folder: own_step(folder) for folder in self.lessons if own_step(folder)}
+        self.assertEqual([folder[:2] for folder in shown], [f"{chapter:02}" for chapter in range(1, 9)])
+        for folder, command in shown.items():
+            with self.subTest(folder):
+                scene = re.fullmatch(r"\./course view (\w+) --engine mine", command)[1]
+                self.assertIn(f"{scene} --engine mine", self.lessons[folder].partition("## Exercises")[2])
+                done = subprocess.run([spook, "run", scene, "--engine", "plain", "--time", "0.05"],
+                                      capture_output=True, text=True)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                self.assertRegex(done.stdout, rf"plain engine, exercise {int(folder[:2])}\.\d+ ")
 
 
 if __name__ == "__main__":

@@ -17,13 +17,18 @@ from unittest import mock
 
 from sandbox import ROOT, Sandbox, all_exercises
 
+import diagnostics
+import everything
 import install
 import javascript
 import machine
 import needs
 import packages
 import symbols
+import trial
+from arguments import parse
 from errors import CourseError
+from grading.grade import grade
 from needs import BOOK_NEEDS, NEEDS, VIEW_NEEDS
 from trial import run_limited
 
@@ -164,6 +169,58 @@ class MacParts(unittest.TestCase):
             self.assertTrue(machine.has_command("ninja"))
 
 
+    def test_what_needs_linux_says_so_in_one_line(self):
+        for words in (["grade", "."], ["test", "--all"]):
+            with self.assertRaises(CourseError) as caught:
+                arguments = parse(words)
+                grade(arguments) if words[0] == "grade" else everything.test(arguments)
+            self.assertIn("needs Linux", str(caught.exception))
+
+    def test_what_is_compiled_is_tested_and_the_rest_is_named(self):
+        passed = everything.Outcome("check", 3, [], [], True)
+        with mock.patch.object(everything, "install"), mock.patch.object(everything, "_build") as build, \
+             mock.patch.object(everything, "_run", return_value=passed) as run, \
+             contextlib.redirect_stdout(io.StringIO()) as said:
+            self.assertEqual(everything.test(parse(["test"])), 0)
+        self.assertEqual(build.call_args.args[1], ["fast"])
+        self.assertEqual(run.call_args.args[1], ["-L", "^(fast)$", "-E", r"^tools\."])
+        self.assertIn("3 of 3 tests passed\nLeft out: mutant.*, plot.*, tools.*", said.getvalue())
+
+    def test_apple_s_linker_names_a_function_in_the_line_below(self):
+        for output, told in (
+                ('Undefined symbols for architecture arm64:\n  "spook::twice(int)", referenced from:\n      a.o\n',
+                 'Undefined symbols for architecture arm64: "spook::twice(int)", referenced from:'),
+                ("duplicate symbol 'spook::kick(int)' in:\n    a.o\n", "duplicate symbol 'spook::kick(int)' in: a.o"),
+                ("x.o: undefined reference to `f()'\ny", "undefined reference to `f()'"),
+                ("ld.lld: error: undefined symbol: f()\ny", "undefined symbol: f()")):
+            self.assertEqual(diagnostics.linker_error(output), told)
+
+
+class Lines(unittest.TestCase):
+    """Lines of the source, as each system's tool tells them; the distances are hexadecimal."""
+
+    def lines(self, tool: str, told: str, mac: bool) -> tuple[list[tuple[str, int]], str]:
+        fake = Fake(self)
+        fake.program(tool, f"#!/bin/sh\necho \"$@\" >\"$FAKE/asked\"\ncat <<'end'\n{told}end\n")
+        with mock.patch.dict(os.environ, fake.environment()), mock.patch.object(machine, "is_mac", return_value=mac):
+            found = machine.lines_at(Path("check"), ["1a", "2b"])
+        return found, (fake.root / "asked").read_text().strip()
+
+    def test_on_linux(self):
+        found, asked = self.lines("addr2line", "/c/kick.cpp:7 (discriminator 2)\n??:0\n/c/my drift.cpp:3\n", False)
+        self.assertEqual(found, [("/c/kick.cpp", 7), ("??", 0), ("/c/my drift.cpp", 3)])
+        self.assertEqual(asked, "-i -e check 1a 2b")
+
+    def test_on_macos(self):
+        found, asked = self.lines("atos", "spook::kick(int) (in check) (/c/my kick.cpp:7)\n\n0x2b (in check)\n", True)
+        self.assertEqual(found, [("/c/my kick.cpp", 7)])
+        self.assertEqual(asked, "-o check -fullPath -i -offset 0x1a 0x2b")
+
+    def test_without_the_tool(self):
+        with mock.patch.dict(os.environ, Fake(self).environment()):
+            self.assertEqual(machine.lines_at(Path("check"), ["1a"]), [])
+
+
 class Symbols(unittest.TestCase):
     """Reads symbols as nm lists them on macOS, with one more _ before each name."""
 
@@ -266,7 +323,9 @@ class PythonWithoutLinux(unittest.TestCase):
 
     def test_limits(self):
         for how, calls in (("by a shell", mock.Mock(spec=[])), ("by prlimit", resource)):
-            with self.subTest(how), mock.patch.object(machine, "resource", calls):
+            # A busy machine may have its second of processor time for a loop in minutes.
+            with self.subTest(how), mock.patch.object(machine, "resource", calls), \
+                 mock.patch.object(trial, "_PATIENCE", 600):
                 self.assertEqual(self.limited('printf %s "$1"; exit 3'), (3, False, "two words"))
                 self.assertEqual(self.limited("while :; do :; done", processor=1)[:2], (-signal.SIGXCPU, True))
                 code, _, said = self.limited("sleep 0.2; ulimit -f; ulimit -c")  # prlimit needs a moment
@@ -287,6 +346,29 @@ class Command(unittest.TestCase):
             self.assertEqual((done.returncode, done.stdout, done.stderr.count("\n")), (1, "", 1))
             self.assertIn("WSL", done.stderr)
 
+    def test_a_mac_s_python_is_too_old_and_homebrew_has_a_newer_one(self):
+        fake = Fake(self)
+        fake.program("uname", "#!/bin/sh\necho Darwin\n")
+        fake.program("id", "#!/bin/sh\necho 501\n")
+        fake.program("apples", '#!/bin/sh\n[ "$1" = --version ] && echo Python 3.9.6\n')
+        command = fake.root / "course"  # with Apple's Python in place of this machine's
+        text = (ROOT / "course").read_text(encoding="utf-8")
+        command.write_text(text.replace("/usr/bin/python3", str(fake.root / "bin" / "apples")))
+        command.chmod(0o755)
+        (fake.root / "tools").symlink_to(ROOT / "tools")
+        done = self.run_course(fake, "hint", command=command)
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(done.stderr, "course: Python 3.9.6 was found, and the course needs Python 3.10 or newer; "
+                                      "install it with:  brew install python\n")
+        fake.program("brew", f"""#!/bin/sh
+echo "$@" >"$FAKE/asked"
+printf '#!/bin/sh\\nexec {sys.executable} "$@"\\n' >"$FAKE/bin/python3"; chmod +x "$FAKE/bin/python3"
+""")
+        done = self.run_course(fake, "hint", "--yes", command=command)
+        self.assertEqual((fake.root / "asked").read_text(), "install python\n")
+        self.assertIn("Installing Python", done.stderr)
+        self.assertIn("course hint", done.stderr)  # the course itself runs now
+
     def test_links_are_followed_where_readlink_knows_no_f(self):
         fake = Fake(self)
         fake.program("uname", "#!/bin/sh\necho Darwin\n")
@@ -304,6 +386,7 @@ class Container(unittest.TestCase):
     def test_it_starts_the_course_and_has_the_editors_extensions(self):
         told = json.loads((ROOT / ".devcontainer" / "devcontainer.json").read_text(encoding="utf-8"))
         self.assertEqual(told["onCreateCommand"], "./course start --yes")
+        self.assertIn("clangd gdb", told["postCreateCommand"])  # as CONTRIBUTING.md has it for editors
         wanted = json.loads((ROOT / ".vscode" / "extensions.json").read_text(encoding="utf-8"))["recommendations"]
         self.assertEqual(told["customizations"]["vscode"]["extensions"], wanted)
 

@@ -2,9 +2,11 @@
 
 import http.client
 import json
+import os
 import time
 import unittest
 from pathlib import Path
+from unittest import mock
 from urllib.parse import urlsplit
 
 from browser import Browser
@@ -81,6 +83,19 @@ class LocalServer(unittest.TestCase):
             self.assertEqual(self.page.ask("GET", path, **headers), 403, headers)
             self.assertEqual(self.page.ask("POST", f"{path}command", "{}", **headers), 403, headers)
         self.assertEqual(self.commands, [])
+
+    def test_a_codespace_s_own_name_is_taken_there_and_nowhere_else(self):
+        path, port = self.page.path, urlsplit(self.server.address).port
+        name = f"mine-{port}.app.github.dev"
+        ours = ({"Host": name}, {"Host": name, "Origin": f"https://{name}"}, {"Origin": f"https://localhost:{port}"})
+        for headers in ours:
+            self.assertEqual(self.page.ask("GET", path, **headers), 403, headers)
+        with mock.patch.dict(os.environ, {"CODESPACE_NAME": "mine",
+                                          "GITHUB_CODESPACES_PORT_FORWARDING_DOMAIN": "app.github.dev"}):
+            for headers in ours:
+                self.assertEqual(self.page.ask("GET", path, **headers), 200, headers)
+            for headers in ({"Host": f"other-{port}.app.github.dev"}, {"Origin": "https://example.org"}):
+                self.assertEqual(self.page.ask("GET", path, **headers), 403, headers)
 
     def test_only_this_machine_can_reach_it(self):
         self.assertEqual(self.server._server.server_address[0], "127.0.0.1")

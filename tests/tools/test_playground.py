@@ -75,7 +75,7 @@ class Playgrounds(unittest.TestCase):
 
     def test_it_runs_the_reference_and_then_what_the_student_writes(self):
         said = self.tried().stdout
-        self.assertIn("all of it is the reference", said)
+        self.assertIn("everything is the reference", said)
         self.assertIn("v after 0.1 s = (1, 0, -0.981) m/s", said)
         self.box.file(self.kick).write_text(TWICE)
         said = self.tried("kick").stdout

@@ -63,9 +63,10 @@ class Papers(unittest.TestCase):
         self.assertRegex(self.text("README.md"), r"\[MIT License\]\(LICENSE\).*CC BY 4\.0.*\(LICENSE-TEXT\)")
         self.assertRegex(self.text("CITATION.cff"), r"license:\n  - MIT\n  - CC-BY-4\.0\n")
 
-    def test_the_workflow_calls_what_there_is(self):
+    def test_the_workflows_call_what_there_is(self):
         workflow = self.text(".github/workflows/publish.yml")
-        for command in re.findall(r"run: (?:python3 (\S+\.py)|\./(course))", workflow):
+        for command in re.findall(r"run: (?:python3 (\S+\.py)|\./(course))",
+                                  workflow + self.text(".github/workflows/releases.yml")):
             self.assertTrue((ROOT / (command[0] or command[1])).exists(), command)
         self.assertIn("tools/release.py --out dist", workflow)
         self.assertIn("notes-file dist/notes.md", workflow)

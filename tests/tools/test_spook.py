@@ -112,6 +112,15 @@ class Refusals(unittest.TestCase):
             self.refused(f"run orbit --integrator-order 4 --{option}", option.split()[0], "integrator-order 4")
         self.refused("play orbit --integrator-order 4", "--integrator-order")
 
+    def test_the_plain_engine_has_one_way_of_doing_it(self):
+        self.refused("run stack --engine mine", "engine", "plain")
+        for option in ["solver direct", "row-order up", "contact-margin 0", "friction-model box", "tangents sliding",
+                       "threads 2", "warm-start"]:
+            self.refused(f"run stack --engine plain --{option}", option.split()[0], "--engine")
+        for scene, has in (("door", "a hinge"), ("andrews", "a wrench"), ("spinning_disc", "corners"),
+                           ("top --set update=first_order", "a rotation update")):
+            self.refused(f"run {scene} --engine plain", f"engine plain cannot run a scene with {has}")
+
     def test_csv(self):
         self.refused("run orbit --csv /no/such/folder/a.csv", "csv", "/no/such/folder/a.csv")
         with tempfile.TemporaryDirectory() as folder:
@@ -119,6 +128,7 @@ class Refusals(unittest.TestCase):
             kept.write_text("mine")
             self.refused(["run", "top", "--set", "I1=5", "--csv", str(kept)], "I2")
             self.refused(["run", "top", "--h", "0", "--csv", str(kept)], "h")
+            self.refused(["run", "door", "--engine", "plain", "--csv", str(kept)], "hinge")
             self.assertEqual(kept.read_text(), "mine")
             self.refused(["run", "orbit", "--csv", folder], "csv", folder)
 
@@ -181,8 +191,9 @@ class Runs(unittest.TestCase):
 
     def test_threads_change_the_time_alone(self):
         words = "run pile --set bodies=300 mu=0.3 --solver spatial_decomposition --iterations 10 --time 0.3 --h 1/240".split()
-        self.assertIn("on 2 threads; friction two_pass; spatial_decomposition",
-                      " ".join(spook(*words, "--threads", "2").stdout.split()))
+        said = " ".join(spook(*words, "--threads", "2").stdout.split())
+        self.assertIn("on 2 threads", said)
+        self.assertIn("friction two_pass, tangents fixed; spatial_decomposition, at most 10 sweeps", said)
         one, two = (json.loads(spook(*words, "--threads", n, "--json").stdout) for n in "12")
         self.assertEqual([one["threads"], two["threads"]], [1, 2])
         for what in ["error", "residual", "row_updates", "last_step"]:
@@ -190,7 +201,9 @@ class Runs(unittest.TestCase):
 
     def test_composed_steps_say_so(self):
         words = "run double_pendulum --set d=0 --integrator-order 4 --h 1/60"
-        self.assertIn("composed to order four, joints rigid", spook(*words.split()).stdout)
+        text = spook(*words.split()).stdout
+        self.assertIn("composed to order four", text)
+        self.assertIn("none: order four holds joints rigid", text)
         run = json.loads(spook(*words.split(), "--json").stdout)
         self.assertEqual(run["integrator_order"], 4)
         self.assertLess(run["error"]["value"], 1.5e-6)  # 3e-6 m of 2 m
@@ -218,6 +231,19 @@ class Runs(unittest.TestCase):
         text = said("stiff_wire")
         self.assertIn("geometric_stiffness, at most 50 iterations", text)
         self.assertIn("m/s in the last step;", text)
+
+    def test_the_method_comes_first(self):
+        """What is modelled, and how it is solved, below the scene's name."""
+        for words, said in [("sliding_block --tangents sliding --friction-model box",
+                             r"friction box, tangents sliding; gauss_seidel, at most 50 sweeps"),
+                            ("pile --solver colours", r"friction cone, tangents fixed; colours, at most 50 sweeps"),
+                            ("wire --solver direct", r"direct, at most 50 factorisations"),
+                            ("free_fall", r"none: no constraints")]:
+            lines = spook("run", *words.split(), "--time", "0.02").stdout.splitlines()
+            with self.subTest(words):
+                entry = next(k for k, line in enumerate(lines) if line.startswith("solver "))
+                self.assertLessEqual(entry, 2)
+                self.assertRegex(" ".join(lines[entry].split()), f"^solver {said}$")
 
     def test_no_step_is_fine(self):
         result = json.loads(spook("run", "orbit", "--time", "0", "--json").stdout)

@@ -614,16 +614,23 @@ class WhereItCanNotBe(Updating):
         git(self.original, "tag", "-d", "v1.0.0")
         self.assertIn("has no release", self.refused())
 
-    def test_in_the_middle_of_a_merge(self):
+    def test_after_a_pull_that_stopped(self):
+        """As git pull leaves a folder: with markers in a committed answer whose stub the release has changed."""
         self.release()
-        git(self.mine, "checkout", "-qb", "other")
-        self.write("notes.md", "one\n")
-        self.commit("notes.md")
-        git(self.mine, "checkout", "-q", "main")
-        self.write("notes.md", "two\n")
-        self.commit("notes.md")
-        subprocess.run(["git", "-C", str(self.mine), "merge", "other"], capture_output=True, env=os.environ | _IDENTITY)
-        self.assertIn("in the middle of a merge", self.refused())
+        self.write(DRIFT, MINE)
+        self.commit(DRIFT)
+        for how in ("merge", "rebase"):
+            with self.subTest(how):
+                subprocess.run(["git", "-C", str(self.mine), "pull", f"--rebase={str(how == 'rebase').lower()}"],
+                               capture_output=True, env=os.environ | _IDENTITY)
+                self.assertIn("<<<<<<<", self.text(DRIFT))
+                said = self.refused()
+                self.assertIn(f"in the middle of a {how}", said)
+                self.assertTrue(said.endswith(f"  git {how} --abort\n"), said)
+                git(self.mine, how, "--abort")
+                self.assertEqual(self.text(DRIFT), MINE)
+        self.updated()
+        self.assert_is_release(but=(DRIFT,))
 
     def test_while_another_git_is_at_work(self):
         self.release()

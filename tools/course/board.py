@@ -2,12 +2,12 @@
 
 import json
 
-from films import milestone
+from films import milestones, not_shown, own_step
 from manifest import Chapter, Exercise, all_exercises, read_chapters
 from paths import shown
 from predict import count_right, guesses
 from predictions import predictions_of
-from terminal import WIDTH, paint, symbol
+from terminal import WIDTH, fold, paint, symbol
 from verdict import Verdict, judge_all
 
 
@@ -75,8 +75,18 @@ def _is_last_begun(own: list[Verdict], verdicts: list[Verdict]) -> bool:
 
 
 def show_milestone(folder: str) -> None:
-    if command := milestone(folder):
-        print(f"  See it move, on your functions:  {command}")
+    commands = milestones(folder)
+    if not commands:
+        return
+    print("  See it move, on your functions:")
+    for command in commands:
+        print(f"  {command}")
+    if command := own_step(folder):
+        print(f"  By a step of your own:  {command}")
+    left_out = [exercise.id for exercise in all_exercises()
+                if exercise.folder == folder and exercise.function in not_shown(folder)]
+    if left_out:
+        print(fold(f"No scene calls {', '.join(left_out)}; ./course try does, such as ./course try {left_out[0]}.", "  "))
 
 
 def board_line(verdict: Verdict) -> str:

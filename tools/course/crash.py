@@ -1,25 +1,27 @@
 """Where in a student's file a program crashed, and why, as far as the program told."""
 
 import re
-import subprocess
 from pathlib import Path
 
+import machine
 from manifest import Exercise
 from paths import shown
 
 VARIABLE = "SPOOK_CRASH_TRACE"  # names the file that chapters/common/crash_trace.cpp writes
 
-_PLACE = re.compile(r"^(\S.*):(\d+)(?: \(discriminator \d+\))?$")
-_ASSERTION = re.compile(r"^(?P<where>.*:\d+: .*)Assertion [`'](?P<claim>.*)' failed\.?$", re.MULTILINE)
+_ASSERTIONS = tuple(re.compile(text, re.MULTILINE) for text in (
+    r"^(?P<where>.*:\d+: .*)Assertion [`'](?P<claim>.*)' failed\.?$",  # assert of Linux, and GCC's library
+    r"^(?P<where>.*:\d+: )assertion (?P<claim>.*) failed: .*$",  # clang's library
+    r"^Assertion failed: \((?P<claim>.*)\), function .*, file (?P<where>.*), line \d+\.$"))  # assert of macOS
 _CLAIMS = (  # what the libraries assert, and what it means to a student
-    (r"__n < this->size\(\)|__n < _Nm|__n < size\(\)", "an index is past the end of a {kind}"),
+    (r"__\w+ < (this->)?size\(\)|__n < _Nm|__n < _Size", "an index is past the end of a {kind}"),
     (r"!this->empty\(\)|!empty\(\)", "a {kind} is empty, and has neither a first nor a last element"),
     (r"index >= 0 && index < |row >= 0 && row < |startRow >= 0|start >= 0 |i>=0 && ",
      "an index or a block is outside its vector or matrix"),
     (r"you mixed different sizes|lhs.cols\(\) == rhs.rows\(\)|rows\(\) == other.rows\(\)|aLhs.rows\(\) == aRhs.rows\(\)",
      "two vectors or matrices have sizes that do not match"),
-    (r"_M_is_engaged\(\)", "the value of an empty optional is read"),
-    (r"__lo < __hi|!\(__hi < __lo\)", "the lower bound of std::clamp is above its upper bound"),
+    (r"_M_is_engaged\(\)|has_value\(\)", "the value of an empty optional is read"),
+    (r"__lo < __hi|!\(__hi < __lo\)|!__comp\(__hi, __lo\)", "the lower bound of std::clamp is above its upper bound"),
 )
 _SIGNALS = {"SIGFPE": "an integer is divided by 0",
             "SIGSEGV": "nothing is at that address: an index far past the end, a reference to what is gone, or a "
@@ -33,16 +35,9 @@ def place(program: Path, trace: Path, exercises: list[Exercise]) -> tuple[Exerci
     addresses = trace.read_text(encoding="ascii").split() if trace.exists() else []
     if not addresses:
         return None
-    try:
-        told = subprocess.run(["addr2line", "-i", "-e", str(program), *addresses], capture_output=True, text=True)
-    except FileNotFoundError:
-        return None
     by_file = {str(exercise.file): exercise for exercise in exercises}
-    for line in told.stdout.splitlines():
-        found = _PLACE.match(line)
-        if found and found[1] in by_file:
-            return by_file[found[1]], int(found[2])
-    return None
+    lines = machine.lines_at(program, addresses)
+    return next(((by_file[file], number) for file, number in lines if file in by_file), None)
 
 
 def ending(signal_name: str, output: str) -> str:
@@ -68,7 +63,9 @@ def explained(signal_name: str, output: str, where: tuple[Exercise, int] | None)
 
 def without_assertion(printed: str) -> str:
     """What the student's code printed, and no library in its name."""
-    return _ASSERTION.sub("", printed)
+    for assertion in _ASSERTIONS:
+        printed = assertion.sub("", printed)
+    return printed
 
 
 def _cause(output: str) -> str:
@@ -85,7 +82,5 @@ def _cause(output: str) -> str:
 
 def _last_assertion(output: str) -> re.Match[str] | None:
     """The one that ended the program."""
-    found = None
-    for found in _ASSERTION.finditer(output):
-        pass
-    return found
+    found = [match for assertion in _ASSERTIONS for match in assertion.finditer(output)]
+    return max(found, key=re.Match.start, default=None)

@@ -8,7 +8,9 @@ from paths import ROOT
 _ANSI = re.compile(r"\x1b\[[0-9;]*[mK]")
 _ERROR = re.compile(r"^(?P<file>[^\s:]+):\d+:\d+: (?:fatal )?error: ")
 _LOCATED = re.compile(r"^[^\s:]+:\d+:(?:\d+:)? |^\[\d+/\d+\]|^ninja: |^In file included")
-_LINKER = re.compile(r"(undefined reference to|multiple definition of) .*$")
+# GNU's linker, LLVM's, and Apple's.
+_LINKER = re.compile(r"(undefined reference to|multiple definition of|undefined symbol:|duplicate symbol:?"
+                     r"|Undefined symbols for) .*$")
 _DETAIL_LINES = 4
 
 
@@ -31,11 +33,13 @@ def first_error(output: str, exercise: Exercise) -> list[str]:
 
 
 def linker_error(output: str) -> str | None:
-    """What is undefined, or defined twice."""
-    for line in _lines(output):
+    """What is undefined, or defined twice. Apple's linker names it in the line below."""
+    lines = _lines(output)
+    for k, line in enumerate(lines):
         found = _LINKER.search(line)
         if found:
-            return found[0]
+            below = lines[k + 1:k + 2] if found[0].endswith(":") else []
+            return " ".join([found[0], *(text.strip() for text in below)])
     return None
 
 

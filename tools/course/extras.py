@@ -1,13 +1,15 @@
-"""What ./course run has besides the options of the engine's program: --mine, --plot, --sweep and their like."""
+"""What ./course run has besides the options of the engine's program: --mine, --engine mine, --plot, --sweep, and more."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from errors import BadInput
+from mine import own_engine
 
 HELP = """
 Of the course:
   --mine                  With what you have written so far, right or wrong
+  --engine mine           By your own step: the plain engine, with --mine
   --plot NAME[,NAME ...]  Draw what --csv has over time: a column, or all whose
                           names begin with this word
   --sweep NAME=A,B,... ...
@@ -31,7 +33,7 @@ class Extras:
 
 def taken(arguments: list[str]) -> tuple[Extras, list[str]]:
     """The extras, and the words that are left for the engine."""
-    words = [word for word in arguments if word != "--mine"]
+    own, words = own_engine([word for word in arguments if word != "--mine"])
     plot, words = _taken("--plot", words)
     shard, words = _taken("--shard", words)
     slurm, words = _taken("--slurm", words)
@@ -48,7 +50,7 @@ def taken(arguments: list[str]) -> tuple[Extras, list[str]]:
         axes[name] = values
     if not axes and (shard or slurm):
         raise BadInput(f"run: {'--shard' if shard else '--slurm'} needs --sweep")
-    extras = Extras("--mine" in arguments, names, axes, _shard(shard) if shard else (1, 1), _count(slurm) if slurm else 0)
+    extras = Extras(own or "--mine" in arguments, names, axes, _shard(shard) if shard else (1, 1), _count(slurm) if slurm else 0)
     return extras, words
 
 

@@ -1,4 +1,8 @@
-"""What is filmed of each chapter, tools/films.json: what its reader will be able to simulate."""
+"""What is filmed of each chapter, tools/films.json: what its reader will be able to simulate.
+
+`mine` has what shows a finished chapter on the student's own functions: words of ./course view, one text a film. Between
+them they call every exercise of the chapter but those in `without`.
+"""
 
 import json
 
@@ -21,7 +25,17 @@ def command(film: dict) -> str:
     return " ".join(["./course", *words(film)])
 
 
-def milestone(folder: str) -> str:
-    """What shows a finished chapter's scene on the student's own functions; empty where nothing is filmed."""
-    film = films().get(folder)
-    return f"./course view {film['scene']} --mine" if film else ""
+def milestones(folder: str) -> list[str]:
+    """The commands that show a finished chapter on the student's own functions; none where nothing is filmed."""
+    return [f"./course view {mine} --mine" for mine in films().get(folder, {}).get("mine", [])]
+
+
+def not_shown(folder: str) -> list[str]:
+    """The functions of the chapter that no milestone calls."""
+    return films().get(folder, {}).get("without", [])
+
+
+def own_step(folder: str) -> str:
+    """What shows a scene moved by the step that the chapter ends with; empty where it ends with none."""
+    scene = films().get(folder, {}).get("own_step")
+    return f"./course view {scene} --engine mine" if scene else ""

@@ -1,11 +1,14 @@
 """Hides what differs between Linux and macOS: a function for each difference."""
 
 import os
+import re
 import resource
 import shutil
 import subprocess
 from dataclasses import dataclass
 from pathlib import Path
+
+from errors import CourseError
 
 # Where Homebrew puts things on Apple's processors, and on Intel's.
 _BREW_PREFIXES = ("/opt/homebrew", "/usr/local")
@@ -13,6 +16,12 @@ _BREW_PREFIXES = ("/opt/homebrew", "/usr/local")
 
 def is_mac() -> bool:
     return os.uname().sysname == "Darwin"
+
+
+def require_linux(what: str) -> None:
+    """Raises on another system; `what` begins the sentence."""
+    if is_mac():
+        raise CourseError(f"{what} needs Linux: a machine with Debian or Ubuntu, or a container")
 
 
 def processors() -> int:
@@ -33,6 +42,12 @@ def has_command(name: str) -> bool:
 def has_desktop() -> bool:
     """Returns True if a browser can be opened."""
     return is_mac() or bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
+
+
+def forwarded_host(port: int) -> str:
+    """Returns the name under which a Codespace shows a local port to its owner; empty elsewhere."""
+    name, domain = (os.environ.get(what) for what in ("CODESPACE_NAME", "GITHUB_CODESPACES_PORT_FORWARDING_DOMAIN"))
+    return f"{name}-{port}.{domain}" if name and domain else ""
 
 
 def conda() -> Path | None:
@@ -83,6 +98,24 @@ def start_limited(command: list[str], limits: Limits, **options) -> subprocess.P
 
 
 _SHELL_LIMITS = 'ulimit -S -t "$1"; ulimit -H -t "$2"; ulimit -f "$3"; ulimit -c 0; shift 3; exec "$@"'
+
+
+def lines_at(program: Path, distances: list[str]) -> list[tuple[str, int]]:
+    """Finds the files and lines of addresses, given in hexadecimal from the program's start; inlined calls first.
+
+    Returns none if the tool is missing.
+    """
+    if is_mac():
+        command = ["atos", "-o", str(program), "-fullPath", "-i", "-offset", *(f"0x{at}" for at in distances)]
+        line = re.compile(r"^.* \((/.+):(\d+)\)$", re.MULTILINE)
+    else:
+        command = ["addr2line", "-i", "-e", str(program), *distances]
+        line = re.compile(r"^(\S.*):(\d+)(?: \(discriminator \d+\))?$", re.MULTILINE)
+    try:
+        told = subprocess.run(command, capture_output=True, text=True).stdout
+    except FileNotFoundError:
+        return []
+    return [(file, int(number)) for file, number in line.findall(told)]
 
 
 def chromedriver() -> str:

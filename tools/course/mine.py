@@ -1,6 +1,7 @@
 """--mine: programs of the engine that take what a student has written so far in place of the reference's."""
 
 import json
+import re
 from pathlib import Path
 
 import diagnostics
@@ -13,13 +14,33 @@ from text_encoding import refuse_odd
 from tree import Tree
 from verdict import CHECK
 
+CALLS = "SPOOK_CALLS"  # names the file to which a program writes what it has called; see tools/noting.py
+
+
+def own_engine(words: list[str]) -> tuple[bool, list[str]]:
+    """Tells whether the words ask for --engine mine, which is the plain engine on the student's functions; and the words
+    that the program takes for it."""
+    text = "\n".join(words)
+    plain = re.sub(r"^--engine[=\n]mine$", "--engine\nplain", text, flags=re.MULTILINE)
+    return plain != text, plain.split("\n") if words else words
+
 
 def begun() -> list[Exercise]:
     return [exercise for exercise in all_exercises() if exercise.started() and exercise.file.exists()]
 
 
-def told(mine: list[Exercise]) -> str:
-    return f"Yours, right or wrong: {', '.join(exercise.id for exercise in mine)}; the rest is the reference."
+def told(mine: list[Exercise], called: set[str] | None = None) -> str:
+    """Tells which functions are the student's: only those that were `called`, if that is known."""
+    used = [exercise for exercise in mine if called is None or exercise.function in called]
+    if not used:
+        return f"This run calls no function of yours; you have begun {_listed(mine)}. Everything is the reference."
+    idle = [exercise for exercise in mine if exercise not in used]
+    not_called = f" Yours, too, but not called: {_listed(idle)}." if idle else ""
+    return f"Yours, right or wrong: {_listed(used)}; the rest is the reference.{not_called}"
+
+
+def _listed(exercises: list[Exercise]) -> str:
+    return ", ".join(exercise.id for exercise in exercises)
 
 
 def signed(line: str, mine: list[Exercise]) -> str:

@@ -15,7 +15,7 @@ from errors import BadInput, CourseError
 from install import install
 from machine import has_desktop
 from manifest import all_exercises
-from mine import begun, checked_program, signed, told
+from mine import begun, checked_program, own_engine, signed, told
 from needs import VIEW_NEEDS
 from page import live
 from playing.engine import PlayingEngine
@@ -40,7 +40,8 @@ def play(arguments) -> int:
 
 class _Session:
     def __init__(self, arguments, trace: Path):
-        self._words, self._is_mine, self._opens = ["play", *arguments.words], arguments.mine, not arguments.no_open
+        own, words = own_engine(arguments.words)
+        self._words, self._is_mine, self._opens = ["play", *words], own or arguments.mine, not arguments.no_open
         self._trace = trace
         self._hub = Hub()
         self._ended: queue.Queue[int] = queue.Queue()

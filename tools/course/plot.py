@@ -46,11 +46,17 @@ class Experiment:
         return BUILD / "plots" / (self.name + ("-mine" if mine else ""))
 
 
+_OF_ENGINES = "work_precision"
+
+
 def experiments() -> list[Experiment]:
     return [Experiment(path) for path in sorted(PLOTS.glob("*/*.cpp")) if path.parent.name != "machinery"]
 
 
 def plot(arguments) -> int:
+    if arguments.engine and arguments.which != _OF_ENGINES:
+        raise BadInput(f"plot: only {_OF_ENGINES} has --engine; leave it out")
+    arguments.mine |= arguments.engine is not None
     if arguments.which is None:
         _require_no_options(arguments)
         return _list()
@@ -157,6 +163,7 @@ def _compute(experiment: Experiment, arguments, path: Path, folder: Path) -> int
     for other in arguments.merge or []:
         _merge(Path(other), folder)
     command = [str(path), "--out", str(folder), *arguments.more]
+    command += ["--engine", "plain"] if mine and arguments.engine else []
     command += ["--quick"] if arguments.quick else []
     command += ["--shard", arguments.shard] if arguments.shard else []
     live = Live(experiment.name)

@@ -12,7 +12,7 @@ from engine import parameters_of, program
 from errors import CourseError
 from extras import HELP, taken
 from manifest import Exercise
-from mine import begun, checked_program, told
+from mine import CALLS, begun, checked_program, told
 from paths import shown
 from provenance import write_manifest
 from runs import Runs, value_of
@@ -30,30 +30,42 @@ def run(arguments: list[str]) -> int:
     csv = value_of("--csv", words)
     if not (extras.mine or extras.plot or extras.sweep or csv):
         return _become(["run", *words])
-    mine = begun() if extras.mine else []
-    several = Runs(words, extras, lambda words, call=None: _started(["run", *words], mine, call),
+    mine, called = begun() if extras.mine else [], Called()
+    several = Runs(words, extras, lambda words, call=None: _started(["run", *words], mine, called, call),
                    parameters_of)
-    code = several.all() if extras.plot or extras.sweep else _started(["run", *words], mine)
+    code = several.all() if extras.plot or extras.sweep else _started(["run", *words], mine, called)
     if code != 2 and csv and Path(csv).is_file():
         write_manifest(Path(csv), ["run", *arguments])
     if code == 0 and extras.mine:  # an error stands alone
-        print(fold(f"{told(mine)} {_CHECKS}") if mine else
+        print(fold(f"{told(mine, called.names)} {_CHECKS}") if mine else
               "You have written no exercise yet: everything is the reference.", file=sys.stderr)
     return code
 
 
-def _started(words: list[str], mine: list[Exercise], call=None) -> int:
-    return with_yours(words, mine, call) if mine else (call or _call)([str(program("spook")), *words])
+class Called:
+    """The exercises' functions that runs have called; None where the program cannot tell."""
+
+    def __init__(self):
+        self.names: set[str] | None = None
+
+    def add(self, file: Path) -> None:
+        if file.exists():
+            self.names = (self.names or set()) | set(file.read_text(encoding="ascii").split())
 
 
-def with_yours(arguments: list[str], mine: list[Exercise], call=None) -> int:
+def _started(words: list[str], mine: list[Exercise], called: Called, call=None) -> int:
+    return with_yours(words, mine, called, call) if mine else (call or _call)([str(program("spook")), *words])
+
+
+def with_yours(arguments: list[str], mine: list[Exercise], called: Called, call=None) -> int:
     """The exit code; `call` starts the program, as _call does. A crash is told as what it is."""
     path = checked_program(mine)
     with tempfile.TemporaryDirectory(prefix="course-") as folder:
-        trace = Path(folder, "trace")
-        code = (call or _call)([str(path), *arguments], **{crash.VARIABLE: str(trace)})
+        trace, calls = Path(folder, "trace"), Path(folder, "calls")
+        code = (call or _call)([str(path), *arguments], **{crash.VARIABLE: str(trace), CALLS: str(calls)})
         if code < 0:
             raise crashed(code, path, trace, mine)
+        called.add(calls)
     return code
 
 

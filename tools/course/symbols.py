@@ -25,7 +25,7 @@ def missing_functions(tree: Tree, exercise: Exercise, built: Tree | None = None)
     missing = sorted(wanted - functions_in(object_file(tree, exercise), exercise.function))
     if not missing:
         return []
-    return subprocess.run(["c++filt", *missing], capture_output=True, text=True).stdout.splitlines()
+    return subprocess.run(["c++filt", "-n", *missing], capture_output=True, text=True).stdout.splitlines()
 
 
 def reference_functions(tree: Tree, exercise: Exercise) -> set[str]:

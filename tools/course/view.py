@@ -15,11 +15,11 @@ from errors import BadInput, CourseError
 from frames import with_frames
 from install import install
 from manifest import Exercise
-from mine import begun, signed, told
+from mine import begun, own_engine, signed, told
 from needs import VIEW_NEEDS
 from page import film
 from paths import BUILD, shown
-from run import with_yours
+from run import Called, with_yours
 from terminal import fold
 
 _LARGE = 50e6  # bytes; pages beyond it take long to open
@@ -45,6 +45,8 @@ def view(arguments) -> int:
         recordings, code = _files(arguments), 0
         runs: list[Run] = []
     else:
+        own, words = own_engine(words)
+        arguments.mine |= own
         runs = variations(words, arguments, parameters_of)
     out = _target(out or BUILD / "views" / f"{Path(words[0]).stem}.html", made=out is None)
     if not arguments.gltf:
@@ -109,20 +111,20 @@ def _target(path: Path, made: bool) -> Path:
 def _recorded(runs: list[Run]) -> tuple[list[Recording], int]:
     """What was recorded, and the worst exit code. Ends the command where a run makes no sense."""
     code, recordings = 0, []
-    mine = begun() if any(run.mine for run in runs) else []
-    if any(run.mine for run in runs):
-        print(fold(told(mine)) if mine else "You have written no exercise yet: everything is the reference.",
-              file=sys.stderr)
+    mine, called = begun() if any(run.mine for run in runs) else [], Called()
     with tempfile.TemporaryDirectory(prefix="course-") as folder:
         for k, run in enumerate(runs):
             file = Path(folder, f"{k}.jsonl")
             words = ["run", *with_frames(run.words), "--record", str(file)]
-            ended = (with_yours(words, mine, call=_Call(file)) if run.mine and mine
+            ended = (with_yours(words, mine, called, _Call(file)) if run.mine and mine
                      else _Call(file)([str(program("spook")), *words]))
             if ended == 2 or not file.exists():
                 raise SystemExit(ended or 1)  # the program has said why
             code = max(code, ended)
             recordings.append(_signed(file.read_bytes(), mine if run.mine else []))
+    if any(run.mine for run in runs):
+        print(fold(told(mine, called.names)) if mine else
+              "You have written no exercise yet: everything is the reference.", file=sys.stderr)
     headers = [_header(content) or {} for content in recordings]
     return [Recording(label_of(k, runs, headers), content) for k, content in enumerate(recordings)], code
 

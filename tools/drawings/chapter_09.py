@@ -70,6 +70,8 @@ def leaning_rod() -> Drawing:
         d.text((foot + 34, ground + 24), "friction", "impulse", size="small")
         d.text((foot, 298), title, "ink")
         d.text((foot, 324), told, "soft", size="small")
+        d.arc(at, 30, *((0, lean) if side > 0 else (lean, 180)), "ink")
+        d.text((foot + 44 * side, ground - 20), "$θ$", "ink", "middle", "small")
         # Friction at the foot, towards the right, turns either rod counterclockwise.
         d.arc(middle, 56, *turn, "impulse", arrow=True)
     return d

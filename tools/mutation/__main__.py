@@ -22,6 +22,7 @@ sys.path.append(str(Path(__file__).resolve().parents[1] / "course"))
 from equivalents import exempted, read_equivalents  # noqa: E402
 from errors import BadInput, CourseError  # noqa: E402
 from exercise_run import ExerciseRun, Result  # noqa: E402
+from machine import require_linux  # noqa: E402
 from manifest import Chapter, Exercise, read_chapters  # noqa: E402
 from mutate import mutants_of  # noqa: E402
 from outcome import SURVIVED  # noqa: E402
@@ -40,6 +41,7 @@ def main(words: list[str]) -> int:
             for exercise in exercises:
                 _list(exercise, options.subtle)
         return 0
+    require_linux("mutation testing")
     tree, known = Tree("check"), read_equivalents()
     _build(tree, chosen)
     rows, complaints = [], []

@@ -59,7 +59,7 @@ def wraps(found: list[tuple[str, str, str]]) -> str:
     return "".join(f"--wrap={symbol}\n" for _, _, symbol in found)
 
 
-def _write(file: Path, text: str) -> None:
+def write(file: Path, text: str) -> None:
     """What reads the same is not compiled again."""
     if not file.exists() or file.read_text(encoding="utf-8") != text:
         file.write_text(text, encoding="utf-8")
@@ -71,10 +71,10 @@ def main(words: list[str]) -> int:
         if what == "asking":
             options, *functions = functions
             found = instances(Path(reference), functions)
-            _write(Path(options), wraps(found))
-            _write(Path(result), asking(header, found))
+            write(Path(options), wraps(found))
+            write(Path(result), asking(header, found))
         else:
-            _write(Path(result), answering(header, instances(Path(reference), functions)))
+            write(Path(result), answering(header, instances(Path(reference), functions)))
     except CourseError as error:
         print(error, file=sys.stderr)
         return 1

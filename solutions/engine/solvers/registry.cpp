@@ -26,6 +26,11 @@ static Solver<Dof> newton_of() {
   return newton<Dof>(model);
 }
 
+template <int Dof, FrictionModel model>
+static Solver<Dof> colours_of() {
+  return colours<Dof>(model);
+}
+
 template <int Dof>
 const std::vector<NamedSolver<Dof>>& solvers() {
   using enum FrictionModel;
@@ -40,6 +45,10 @@ const std::vector<NamedSolver<Dof>>& solvers() {
        "factorisation", &newton_of<Dof, box>, &newton_of<Dof, cone>},
       {"spatial_decomposition", "Gauss-Seidel in stripes of space: for large piles on several threads", "sweep",
        &spatial_decomposition<Dof>, nullptr},
+      {"colours", "Gauss-Seidel by colours, four rows or contacts in the lanes of an instruction", "sweep",
+       &colours_of<Dof, box>, &colours_of<Dof, cone>},
+      {"blocks", "Gauss-Seidel by contacts; on a box or in two passes as gauss_seidel", "sweep",
+       &gauss_seidel<Dof>, &blocks<Dof>},
       {"direct", "sparse factors of S; bounds by an interior-point method", "factorisation", &direct<Dof>,
        nullptr},
       {"auto", "for each island of bodies: the direct solver if it is cheap or needed, else Gauss-Seidel",

@@ -1,8 +1,8 @@
 #pragma once
 // The solvers: one file each in this room, all with the signature of Solver.
 //
-//   complete     gauss_seidel, ordered_gauss_seidel, cone_gauss_seidel, spatial_decomposition, conjugate_gradients,
-//                anderson, newton, direct, automatic
+//   complete     gauss_seidel, ordered_gauss_seidel, cone_gauss_seidel, spatial_decomposition, colours, blocks,
+//                conjugate_gradients, anderson, newton, direct, automatic
 //   composed     two_pass(solver), geometric_stiffness(solver): the outer solver selects rows and bounds, and the inner
 //                solver solves them
 //
@@ -44,6 +44,14 @@ Solver<Dof> automatic(FrictionModel model = FrictionModel::cone);
 /// Projected Gauss-Seidel in stripes of space, on the threads of the settings.
 template <int Dof>
 Solver<Dof> spatial_decomposition();
+
+/// Sweeps by colours in lanes, as in chapter 14. `model` is box or cone.
+template <int Dof>
+Solver<Dof> colours(FrictionModel model = FrictionModel::box);
+
+/// Gauss-Seidel on cones, with each contact and its friction as a block, as in chapter 14.
+template <int Dof>
+Solver<Dof> blocks();
 
 /// The order of rows in a sweep.
 enum class RowOrder {

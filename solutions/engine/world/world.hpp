@@ -43,6 +43,13 @@ template <int Dof>
 using Wrench = std::function<Twist<Dof>(std::size_t i, const Bodies<Dof>& bodies, double time)>;
 
 template <int Dof>
+class World;
+
+/// A step of another engine: moves the bodies of a world by `h` [s], velocities from t_{n-1/2} to t_{n+1/2}.
+template <int Dof>
+using Stepper = std::function<void(const World<Dof>& world, double h, Bodies<Dof>& bodies)>;
+
+template <int Dof>
 struct Settings {
   Vec3 gravity = Vec3(0, 0, -9.81);  ///< [m/s²]
   ForceField force = nullptr;        ///< on each body, in addition to its weight [N]. Default: none
@@ -82,6 +89,8 @@ struct Settings {
   int threads = 1;  ///< worker threads for contact search, rows, sweeps; the result is the same for any number
   /// Stop rule of the solver. A solver also stops when a sweep changes less than four rounding errors of |gravity| h.
   StopRule solver_limits = {};
+  /// Replaces the stages of the step, whose contacts, rows and report are empty then. Default: none
+  Stepper<Dof> stepper = nullptr;
 };
 
 /// Default relaxation of contacts and of joints [steps].
@@ -188,6 +197,7 @@ class World {
 
   const Settings<Dof>& settings() const { return settings_; }
   const Shapes& shapes() const { return shapes_; }
+  const Materials& materials() const { return materials_; }
   const Bodies<Dof>& bodies() const { return bodies_; }
   std::int64_t steps() const { return steps_; }  ///< number of steps so far
   double time() const { return time_; }          ///< [s]
@@ -289,6 +299,7 @@ class World {
   Vec3 turned(std::size_t i, Vec3 omega, double h) requires(Dof == 6);
   void end_step(double h);
   void step_composed(double h);
+  void step_elsewhere(double h);
   void kick_all(double h, double time);
   void require_smooth() const;
   void require_smooth(const Joint& joint) const;

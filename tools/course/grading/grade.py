@@ -20,6 +20,7 @@ from grading.similar_page import write_similarity
 from grading.submission import Handed, Place
 from grading.text import one_line
 from install import install
+from machine import require_linux
 from manifest import all_exercises
 from needs import GRADE_NEEDS, NEEDS
 from paths import ROOT, shown
@@ -46,6 +47,7 @@ def _grade(arguments) -> int:
     roster = read_roster(Path(arguments.roster)) if arguments.roster else None
     if arguments.merge:
         return _merge([Path(folder) for folder in arguments.merge], out, roster, arguments.similarity)
+    require_linux("grading isolates submissions, and")
     if arguments.prepare:
         return _prepare(arguments)
     if arguments.gradescope:

@@ -289,7 +289,7 @@ def _counting(exercise: Exercise) -> list[str]:
     """The options that count its operations; none, where no test asks for its cost."""
     file = f"chapters/{exercise.folder}/{exercise.function}.cpp"
     words = _compile_command(lambda entry: Path(entry["file"]).match(file))
-    return [word for word in words if word.startswith("-fsanitize-coverage=") or word == "-fno-builtin"]
+    return [word for word in words if word.startswith(("-fsanitize-coverage=", "-fno-builtin-"))]
 
 
 def _without_files(command: list[str]) -> list[str]:

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 
 from errors import BadInput
+from machine import forwarded_host
 from playing.hub import Hub
 
 _LONGEST = 64 * 1024  # bytes of a command
@@ -85,9 +86,14 @@ class _Handler(BaseHTTPRequestHandler):
 
         Another site's page that has this machine's address under a name of its own is told by that name.
         """
-        hosts = {f"{name}:{self.server.server_port}" for name in ("127.0.0.1", "localhost")}
+        port = self.server.server_port
+        hosts = {f"{name}:{port}" for name in ("127.0.0.1", "localhost")}
+        origins = {f"http://{host}" for host in hosts}
+        if forwarded := forwarded_host(port):  # requests come by https, and with either name
+            hosts.add(forwarded)
+            origins |= {f"https://{host}" for host in hosts}
         origin = self.headers.get("Origin")
-        if self.headers.get("Host") not in hosts or (origin and origin not in {f"http://{host}" for host in hosts}):
+        if self.headers.get("Host") not in hosts or (origin and origin not in origins):
             self.close_connection = True
             self._answer(403, "This page is for this machine only.\n")
             return None

@@ -13,9 +13,9 @@ from updating.git import asked, call, git, holds, why
 from updating.releases import Source
 from version import version
 
-# What git keeps while it waits for somebody to end what was begun.
-_BEGUN = {"MERGE_HEAD": "a merge", "rebase-merge": "a rebase", "rebase-apply": "a rebase or am",
-          "CHERRY_PICK_HEAD": "a cherry-pick", "REVERT_HEAD": "a revert"}
+# What git keeps while it waits for somebody to end a command. A pull begins a merge or a rebase.
+_BEGUN = {"MERGE_HEAD": "merge", "rebase-merge": "rebase", "rebase-apply": "rebase", "CHERRY_PICK_HEAD": "cherry-pick",
+          "REVERT_HEAD": "revert"}
 
 
 def has_history() -> bool:
@@ -41,7 +41,8 @@ def refuse_without_history() -> CourseError:
 def refuse_what_is_begun() -> None:
     for name, what in _BEGUN.items():
         if os.path.exists(ROOT / git("rev-parse", "--git-path", name)):
-            raise CourseError(f"git is in the middle of {what}; finish it, then update (git status shows how)")
+            raise CourseError(f"git is in the middle of a {what}; finish it, then update; or take it back:  "
+                              f"git {what} --abort")
     if asked("ls-files", "--unmerged"):
         raise CourseError("files have conflicts that git waits for; end them, then update (git status names them)")
     lock = ROOT / git("rev-parse", "--git-path", "index.lock")

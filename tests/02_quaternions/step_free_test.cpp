@@ -1,0 +1,155 @@
+// The step of bodies that touch nothing: each by itself, exact where gravity is all there is.
+#include "contract.hpp"
+#include "simulations.hpp"
+#include "top.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(StepFree, "2.7 step_free");
+
+/// As many bodies as are asked for: tops, balls, point masses, and static ones among them.
+Simulation bodies_of_all_kinds(Random& random, int count) {
+  Simulation all;
+  all.gravity = random.vector(5, 10);
+  for (int b = 0; b < count; ++b) {
+    RigidBody body = b % 4 == 3 ? random_static_body(random) : random_rigid_body(random);
+    if (b % 4 == 1) body.principal = Vec3::Constant(body.principal[0]);
+    if (b % 4 == 2) body.principal = body.omega = Vec3::Zero();
+    all.bodies.push_back(body);
+  }
+  return all;
+}
+
+/// The step, by the functions of this chapter and the last, with what may be done wrongly.
+struct Way {
+  bool drifts_first = false, splits_balls = false, splits_tops = true;
+  double drifts_by = 1, turns_by = 1;
+};
+
+void turn(RigidBody& body, const Way& way, double h) {
+  if (body.principal == Vec3::Zero()) return;
+  const bool is_round = body.principal == Vec3::Constant(body.principal[0]);
+  if (is_round ? way.splits_balls : way.splits_tops)
+    free_rotation(body.q, body.omega, body.principal, h);
+  else
+    body.q = update_exponential(body.q, body.omega, h);
+}
+
+Simulation moved(Simulation all, double h, const Way& way = {}) {
+  for (RigidBody& body : all.bodies) {
+    if (body.mass == 0) continue;
+    const Vec3 before = body.v;
+    body.v += h * all.gravity;
+    body.x += way.drifts_by * h * (way.drifts_first ? before : body.v);
+    turn(body, way, way.turns_by * h);
+  }
+  return all;
+}
+
+const Tolerance of_a_step = roundings(64, 20);
+
+EXERCISE_TEST(StepFree, MovesEachBodyByItself) {
+  Random random;
+  const Simulation before = bodies_of_all_kinds(random, many);
+  const double h = 0.1;
+  Simulation got = before;
+  step_free(got, h);
+
+  Simulation heavy = moved(before, h), fixed_fall = heavy;
+  for (std::size_t b = 0; b < before.bodies.size(); ++b) {
+    RigidBody& body = heavy.bodies[b];
+    if (body.mass == 0) {
+      fixed_fall.bodies[b].v += h * before.gravity;
+      fixed_fall.bodies[b].x += h * fixed_fall.bodies[b].v;
+      continue;
+    }
+    body.v = before.bodies[b].v + h * body.mass * before.gravity;
+    body.x = before.bodies[b].x + h * body.v;
+  }
+  expect_same_bodies(
+      "of 100 after a step of 0.1 s", "Eq. (1.3), (1.4), (2.6), (2.11)", got, moved(before, h), of_a_step,
+      {{before,
+        "Nothing has changed: is it a copy of the body that moves (auto body, where auto& body is meant)?"},
+       {moved(before, h, {.drifts_first = true}),
+        "This drifts with the velocity of before the kick: kick first."},
+       {moved(before, h, {.splits_tops = false}),
+        "This turns a top as if its ω were constant, by Eq. (2.6): three different moments need Eq. (2.11)."},
+       {moved(before, h, {.splits_balls = true}),
+        "This turns a ball by Eq. (2.11), which is of second order where Eq. (2.6) is exact."},
+       {moved(before, h, {.turns_by = 0}), "It has not turned."},
+       {moved(before, h, {.turns_by = 2}), "It has turned twice."},
+       {moved(before, h, {.drifts_by = 0}), "It has not drifted."},
+       {moved(before, h, {.drifts_by = 2}), "It has drifted twice."},
+       {heavy, "The force m g is divided by m: Eq. (1.3) takes 1/m, and here it has not been used."},
+       {fixed_fall, "A body with mass 0 is static: it does not fall."}},
+      ends_early);
+}
+
+EXERCISE_TEST(StepFree, LeavesAStaticBodyAlone) {
+  Random random;
+  Simulation all;
+  all.bodies = {random_static_body(random)};
+  const Simulation before = all;
+  step_free(all, 0.1);
+  expect_same_bodies("after a step, static", "Eq. (1.3)", all, before, {0, "nothing is computed"}, {},
+                     "A static body has mass 0. It stays, and 1/0 must not come near it.");
+}
+
+// A point mass has no moments: nothing divides by them.
+EXERCISE_TEST(StepFree, TurnsNoPointMass) {
+  Random random;
+  Simulation all;
+  all.bodies = {random_rigid_body(random)};
+  all.bodies[0].principal = all.bodies[0].omega = Vec3::Zero();
+  const Quat before = all.bodies[0].q;
+  step_free(all, 0.1);
+  expect_true("orientation of a point mass stays as it was", "Eq. (2.11)",
+              all.bodies[0].q.coeffs() == before.coeffs() && all.bodies[0].omega == Vec3::Zero(),
+              "A point mass has moments of zero, and I⁻¹ would be infinite: leave out how it turns.");
+}
+
+// From rest n steps fall by g h² n(n+1)/2, Eq. (1.7); a top that falls keeps L.
+EXERCISE_TEST(StepFree, FallsExactlyAndKeepsAngularMomentum) {
+  const double h = 0.02;
+  const int n = 1000;
+  const Top start = tumbling_top();
+  Simulation all;
+  all.bodies = {{.q = start.q, .omega = start.omega, .mass = 2, .principal = start.principal}};
+  for (int k = 0; k < n; ++k) step_free(all, h);
+  const RigidBody& body = all.bodies[0];
+  const double fall = 9.81 * h * h * n * (n + 1) / 2;
+  expect_near("height of a tumbling body after 1000 steps from rest [m]", "Eq. (1.7)", body.x.z(), -fall,
+              roundings(4 * n, fall),
+              {{-fall * (n - 1) / (n + 1), "It drifts with the velocity of before the kick."}},
+              "A body falls alike whether it turns or not.");
+  expect_near_vector<Vec3>("L of a tumbling body after 1000 steps [kg m²/s]", "Eq. (2.11)",
+                           Top{start.principal, body.q, body.omega}.L(), start.L(), roundings(16.0 * n, 2), {},
+                           "No torque acts: L = I ω is what free_rotation keeps. Is ω changed besides?");
+  expect_at_least("how far it has turned and moved from where it began", "Eq. (2.11)",
+                  distance({start.principal, body.q, body.omega}, start), 0.01, "half of its period of 39 s",
+                  "It does not turn.");
+}
+
+EXERCISE_TEST(StepFree, RejectsAStepThatIsNotPositive) {
+  Random random;
+  Simulation all = bodies_of_all_kinds(random, 4);
+  for (const double h : {0.0, -0.1, std::nan(""), HUGE_VAL})
+    expect_rejects(
+        "h = " + show(h), "h", [&] { step_free(all, h); }, "See require_positive in common/require.hpp.",
+        [&] { return state_of(all); });
+  Simulation nobody;
+  expect_rejects(
+      "h = 0, with no bodies", "h", [&] { step_free(nobody, 0); },
+      "A step that makes no sense is refused whether or not there is something to move: check it first.");
+}
+
+EXERCISE_TEST(StepFree, IsTheSameInAnyUnits) {
+  Random random;
+  const Simulation all = bodies_of_all_kinds(random, 4);
+  expect_same_in_any_units("Eq. (1.3), (1.4), (2.6), (2.11)", step_free, units::nothing, all, 0.1 * units::s);
+}
+
+}  // namespace

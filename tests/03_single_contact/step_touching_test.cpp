@@ -1,0 +1,183 @@
+// The step of two bodies that touch: its stages one by one, what is conserved, and where a ball rests.
+#include "contract.hpp"
+#include "exercise_test.hpp"
+#include "quantities.hpp"
+#include "simulations.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(StepTouching, "3.5 step_touching");
+
+/// Two bodies that press on each other, and a third that touches nothing.
+struct TwoTouch {
+  Simulation all;
+  Contact contact;
+};
+
+TwoTouch two_touch(Random& random) {
+  TwoTouch two;
+  two.all.gravity = random.vector(5, 10);
+  two.all.k = 1e3;
+  for (int b = 0; b < 3; ++b) two.all.bodies.push_back(random_rigid_body(random));
+  two.contact = {
+      2, 0, random.unit_vector(), random.uniform(-0.02, -0.01), random.vector(0.5), random.vector(0.5)};
+  two.all.bodies[0].v = two.all.bodies[2].v - 3 * two.contact.n;  // they approach
+  return two;
+}
+
+/// The step with its stages in an order, and with what may be forgotten.
+struct StagesOfTouch {
+  bool kicks_before = false, moves_before = false;
+  double W_f = 1, on_i = 1, on_j = 1;
+  bool turns = true;
+};
+
+Simulation touched(Simulation all, const Contact& contact, double h, const StagesOfTouch& stages = {}) {
+  if (stages.moves_before) step_free(all, h);
+  if (stages.kicks_before)
+    for (RigidBody& body : all.bodies)
+      if (body.mass > 0) body.v += h * all.gravity;
+  RigidBody &i = all.bodies[contact.i], &j = all.bodies[contact.j];
+  const InverseMass<6> Mi = inverse_mass_of(i), Mj = inverse_mass_of(j);
+  const auto [Gi, Gj] = contact_jacobian(contact);
+  const double GW = Gi.dot(twist_of(i)) + Gj.dot(twist_of(j));
+  const double GWf = Gi.dot(force_twist_of(i, all.gravity, h)) + Gj.dot(force_twist_of(j, all.gravity, h));
+  const double lambda =
+      contact_impulse(spook_parameters(h, all.k, all.d), Gi.dot(Mi.times(Gi)) + Gj.dot(Mj.times(Gj)),
+                      contact.gap, GW, stages.W_f * GWf);
+  Twist<6> Vi = stages.on_i * lambda * Mi.times(Gi), Vj = stages.on_j * lambda * Mj.times(Gj);
+  if (!stages.turns) Vi.tail<3>().setZero(), Vj.tail<3>().setZero();
+  add_twist(i, Vi);
+  add_twist(j, Vj);
+  if (!stages.moves_before) step_free(all, h);
+  return all;
+}
+
+const Tolerance of_the_stages = {1e-11,
+                                 "roundings of the products in G W, some 100 in all, of impulses up to 100"};
+
+EXERCISE_TEST(StepTouching, HasItsStagesInOrder) {
+  Random random;
+  for (const bool on_static : {false, true}) {
+    auto [all, contact] = two_touch(random);
+    if (on_static) {
+      all.bodies[2].mass = 0;
+      all.bodies[2].v.setZero();
+      all.bodies[0].v = -3 * contact.n;
+    }
+    all.bodies[2].omega = on_static ? Vec3::Zero() : Vec3(3 * contact.r_i.cross(contact.n));
+    const double h = 0.1;
+    Simulation got = all, free = all;
+    step_touching(got, contact, h);
+    step_free(free, h);
+    expect_same_bodies(
+        "after a step of 0.1 s in which two of three touch", "Eq. (3.10), (3.11)", got,
+        touched(all, contact, h), of_the_stages,
+        {{free, "The contact does nothing: is λ added to the velocities of both bodies, before they move?"},
+         {touched(all, contact, h, {.moves_before = true}),
+          "The bodies move before the contact is solved: its gap and its velocities are those of before the "
+          "move."},
+         {touched(all, contact, h, {.kicks_before = true}),
+          "Gravity counts twice: the bodies are kicked before λ is computed, and step_free kicks them again."},
+         {touched(all, contact, h, {.W_f = 0}),
+          "W_f is missing: the contact does not know what the forces of this step will add."},
+         {touched(all, contact, h, {.turns = false}),
+          "The impulse turns neither of the two: V has an angular part, I⁻¹ (r × J)."},
+         {touched(all, contact, h, {.on_i = 0}),
+          "Body i gets no impulse: it is as large as j's, and opposite."},
+         {touched(all, contact, h, {.on_j = 0}), "Body j gets no impulse."},
+         {touched(all, contact, h, {.on_i = -1, .on_j = -1}),
+          "Both impulses have the wrong sign: G has a minus on i already."}},
+        "First λ, from velocities of t_n - h/2; then W + M⁻¹ Gᵀ λ; then the step of chapter 02.");
+  }
+}
+
+EXERCISE_TEST(StepTouching, KeepsMomentum) {
+  Random random;
+  auto [all, contact] = two_touch(random);
+  all.gravity.setZero();
+  contact.r_j = all.bodies[contact.i].x + contact.r_i - all.bodies[contact.j].x;  // one point of both
+  const auto momenta = [&](const Simulation& now, const Simulation& places) {
+    Twist<6> sum = Twist<6>::Zero();
+    for (std::size_t b = 0; b < now.bodies.size(); ++b) {
+      const RigidBody& body = now.bodies[b];
+      const Vec3 p = body.mass * body.v, L = world_inertia(body.q, body.principal) * body.omega;
+      sum += twist(p, places.bodies[b].x.cross(p) + L);
+    }
+    return sum;
+  };
+  Simulation got = all;
+  step_touching(got, contact, 0.1);
+  expect_near_vector<Twist<6>>(
+      "momentum and angular momentum of three bodies, two of which push each other [kg m/s, kg m²/s]",
+      "Eq. (3.3)", momenta(got, all), momenta(all, all), roundings(200, 20), {},
+      "The impulse on i is opposite to that on j, at one point of space: nothing is left in the sum.");
+  expect_at_least("by how much the contact changed v of body j [m/s]", "Eq. (3.11)",
+                  (got.bodies[contact.j].v - all.bodies[contact.j].v).norm(), 0.1,
+                  "they approach at about 3 m/s", "Nothing has pushed.");
+}
+
+EXERCISE_TEST(StepTouching, LetsGoWhatMovesApart) {
+  Random random;
+  auto [all, contact] = two_touch(random);
+  all.bodies[contact.j].v = all.bodies[contact.i].v + 100 * contact.n;
+  Simulation got = all, free = all;
+  step_touching(got, contact, 0.1);
+  step_free(free, 0.1);
+  expect_same_bodies("after a step in which two part at 100 m/s", "Eq. (3.11)", got, free, roundings(8, 100),
+                     {}, "A contact may push, never pull: contact_impulse has said 0.");
+}
+
+/// A ball of 0.5 m on a floor, its contact found before each step.
+EXERCISE_TEST(StepTouching, RestsAtTheDepthOfItsWeight) {
+  const double radius = 0.5, mass = 2, g = 9.81;
+  for (const double d : {1.0, 3.0}) {
+    Simulation all;
+    all.k = 1e4;
+    all.d = d;
+    all.bodies = {{.normal = Vec3::UnitZ()},
+                  {.x = Vec3(0, 0, radius), .mass = mass, .principal = Vec3::Constant(0.2), .radius = radius}};
+    for (int n = 0; n < 1000; ++n) {
+      const double gap = all.bodies[1].x.z() - radius;
+      const Contact contact{
+          .i = 0, .j = 1, .n = Vec3::UnitZ(), .gap = gap, .r_i = Vec3::Zero(), .r_j = Vec3(0, 0, -radius)};
+      if (gap <= 0)
+        step_touching(all, contact, 1.0 / 60);
+      else
+        step_free(all, 1.0 / 60);
+    }
+    const double gap = all.bodies[1].x.z() - radius, depth = mass * g / all.k;
+    expect_near(
+        "gap of a ball after 1000 steps on a floor, d = " + show(d) + " [m]", "Eq. (3.13)", gap, -depth,
+        {1e-12, "roundings of x, and a rest of the motion, which falls by half and more in d + 1 steps"},
+        {{0, "It rests without any depth: then nothing says how large the impulse is."}},
+        "At rest the contact carries h m g in each step, at a gap of -m g/k.");
+  }
+}
+
+EXERCISE_TEST(StepTouching, RejectsWhatMakesNoSense) {
+  Random random;
+  auto [all, contact] = two_touch(random);
+  const auto rejects = [&](const std::string& what, const std::string& name, double h) {
+    expect_rejects(
+        what, name, [&, c = contact] { step_touching(all, c, h); },
+        "spook_parameters refuses it: call that before anything changes.", [&] { return state_of(all); });
+  };
+  for (const double h : {0.0, -0.1, std::nan("")}) rejects("h = " + show(h), "h", h);
+  all.k = 0;
+  rejects("k = 0", "k", 0.1);
+  all.k = 1e3;
+  all.d = -1;
+  rejects("d = -1", "d", 0.1);
+}
+
+EXERCISE_TEST(StepTouching, IsTheSameInAnyUnits) {
+  Random random;
+  const auto [all, contact] = two_touch(random);
+  expect_same_in_any_units("Eq. (3.10), (3.11)", step_touching, units::nothing, all, contact, 0.1 * units::s);
+}
+
+}  // namespace

@@ -1,0 +1,130 @@
+// The step with friction: its rows and bounds, and a ball that slides until it rolls.
+#include "contract.hpp"
+#include "exercise_test.hpp"
+#include "stages.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(StepFriction, "5.7 step_friction");
+
+Crowd rough_crowd(Random& random, int bodies, int contacts) {
+  Crowd made = crowd(random, bodies, contacts);
+  made.all.mu = 0.5;
+  made.all.viscosity = 1e3;
+  return made;
+}
+
+const Tolerance of_rough_contacts = {1e-10, "roundings of 5 sweeps over some 450 rows, of impulses up to 100"};
+
+EXERCISE_TEST(StepFriction, HasItsStagesInOrder) {
+  Random random;
+  const auto [all, contacts] = rough_crowd(random, 30, many);
+  const double h = 0.1;
+  Simulation got = all;
+  step_friction(got, contacts, h);
+  std::vector<std::pair<Stages, std::string>> wrong = {
+      {{.without_friction = true}, "There is no friction: the two rows of the tangents are missing."},
+      {{.counts_no_pairs = true},
+       "N is 1 for every contact. It counts the contacts of the same two bodies, which share the load."},
+      {{.whole_gravity = true}, "The bound takes all of gravity: g_n is its part along the normal, |g·n|."},
+      {{.contact_parameters = true},
+       "The friction rows have the contact's a, b and Σ: they need those of friction_parameters."},
+      {{.normals_first = true},
+       "The rows of all normals come first: those of the tangents stand right behind the normal of their "
+       "contact."}};
+  for (const auto& mistake : mistakes_in_order()) wrong.push_back(mistake);
+  expect_same_bodies("after a step of 0.1 s with 100 rough contacts and more", "Eq. (5.3)-(5.8)", got,
+                     assembled(all, contacts, h), of_rough_contacts, mistakes_of(all, contacts, h, wrong),
+                     "The step of chapter 04, with two rows more for each contact.");
+}
+
+EXERCISE_TEST(StepFriction, WithoutFrictionIsTheStepOfContacts) {
+  Random random;
+  auto [all, contacts] = rough_crowd(random, 10, 20);
+  all.mu = 0;
+  Simulation got = all, smooth = all;
+  step_friction(got, contacts, 0.1);
+  step_contacts(smooth, contacts, 0.1);
+  expect_same_bodies("after a step with mu = 0", "Eq. (5.8)", got, smooth, roundings(200, 20), {},
+                     "With mu = 0 there are no friction rows, and the step is that of chapter 04.");
+}
+
+/// A ball on a floor, at a speed of 3 m/s.
+Simulation sliding_ball() {
+  Simulation all;
+  all.k = 1e5;
+  all.mu = 0.2;
+  const double mass = 2, radius = 0.5;
+  all.bodies = {{.normal = Vec3::UnitZ()},
+                {.x = Vec3(0, 0, radius - mass * 9.81 / all.k),
+                 .v = Vec3(3, 0, 0),
+                 .mass = mass,
+                 .principal = Vec3::Constant(0.4 * mass * radius * radius),
+                 .radius = radius}};
+  return all;
+}
+
+void roll(Simulation& all, double h) {
+  const RigidBody& ball = all.bodies[1];
+  const Contact touching{.i = 0,
+                         .j = 1,
+                         .n = Vec3::UnitZ(),
+                         .gap = ball.x.z() - ball.radius,
+                         .r_i = Vec3(ball.x.x(), ball.x.y(), 0),
+                         .r_j = Vec3(0, 0, -ball.radius)};
+  step_friction(all, {touching}, h);
+}
+
+EXERCISE_TEST(StepFriction, SlidesAtTheBound) {
+  const double h = 0.01;
+  Simulation all = sliding_ball();
+  for (int n = 0; n < 10; ++n) roll(all, h);
+  const double lost = all.mu * 9.81 * 10 * h;
+  expect_near("v of a sliding ball after 10 steps of 0.01 s [m/s]", "Eq. (5.7), (5.8)", all.bodies[1].v.x(),
+              3 - lost, {1e-9, "roundings, and a contact that begins at rest"},
+              {{3, "Nothing slows it down."}, {3 - lost * h, "The bound has a factor h too much."}},
+              "While it slides each step takes μ g h of its speed.");
+}
+
+// Friction changes v by λ/m and ω by R λ/I: it rolls at 5/7 of its speed, whatever μ.
+EXERCISE_TEST(StepFriction, RollsAtFiveSeventhsOfItsSpeed) {
+  Simulation all = sliding_ball();
+  for (int n = 0; n < 200; ++n) roll(all, 0.01);
+  const RigidBody& ball = all.bodies[1];
+  expect_near("v of a ball that slid and now rolls [m/s]", "Eq. (5.8)", ball.v.x(), 15.0 / 7,
+              {1e-9, "a creep of F/c = 4e-12 m/s a step, and roundings"},
+              {{3, "It slides on: there is no friction."},
+               {0, "It has come to rest: friction must turn the ball, too, and rolling takes none."}},
+              "From 3 m/s a solid ball ends at 5/7 of that, rolling.");
+  expect_near("speed of its lowest point [m/s]", "Eq. (5.2)", ball.v.x() - ball.omega.y() * ball.radius, 0,
+              {1e-9, "a creep of F/c, and roundings"}, {}, "A ball that rolls touches the floor at rest.");
+}
+
+EXERCISE_TEST(StepFriction, RejectsWhatMakesNoSense) {
+  Random random;
+  const auto [start, contacts] = rough_crowd(random, 5, 5);
+  const auto rejects = [&, touching = contacts](const std::string& what, const std::string& name,
+                                                Simulation all, double h) {
+    expect_rejects(
+        what, name, [&] { step_friction(all, touching, h); },
+        "A function of this chapter refuses it: call it before anything changes.",
+        [&] { return state_of(all); });
+  };
+  for (const double h : {0.0, -0.1, std::nan("")}) rejects("h = " + show(h), "h", start, h);
+  Simulation pulled = start, stuck = start, idle = start;
+  pulled.mu = -0.1, stuck.viscosity = 0, idle.max_sweeps = 0;
+  rejects("mu = -0.1", "mu", pulled, 0.1);
+  rejects("viscosity = 0", "c", stuck, 0.1);
+  rejects("max_sweeps = 0", "max_sweeps", idle, 0.1);
+}
+
+EXERCISE_TEST(StepFriction, IsTheSameInAnyUnits) {
+  Random random;
+  const auto [all, contacts] = rough_crowd(random, 5, 5);
+  expect_same_in_any_units("Eq. (5.3)-(5.8)", step_friction, units::nothing, all, contacts, 0.1 * units::s);
+}
+
+}  // namespace

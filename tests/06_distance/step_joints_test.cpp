@@ -1,0 +1,131 @@
+// The step with joints: its rows, what hangs from one, and what is conserved.
+#include "contract.hpp"
+#include "exercise_test.hpp"
+#include "stages.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(StepJoints, "6.5 step_joints");
+
+/// A crowd with contacts, and with joints of both kinds, each with a k and d of its own.
+Crowd joined_crowd(Random& random, int bodies, int contacts, int joints) {
+  Crowd made = crowd(random, bodies, contacts);
+  made.all.mu = 0.5;
+  made.all.viscosity = 1e3;
+  for (int n = 0; n < joints; ++n) {
+    PointJoint joint{n % bodies, (n + 1) % bodies, random.vector(0.3), random.vector(0.3)};
+    joint.length = n % 2 ? random.uniform(0.5, 1) : 0;
+    joint.k = random.uniform(100, 200);
+    joint.d = random.uniform(0.2, 0.3);
+    made.all.joints.push_back(joint);
+  }
+  return made;
+}
+
+const Tolerance of_joints = {1e-10, "roundings of 5 sweeps over some 300 rows, of impulses up to 100"};
+
+EXERCISE_TEST(StepJoints, HasItsStagesInOrder) {
+  Random random;
+  const auto [all, contacts] = joined_crowd(random, 30, 40, 30);
+  const double h = 0.1;
+  Simulation got = all, loose = all;
+  step_joints(got, contacts, h);
+  loose.joints.pop_back();
+  std::vector<std::pair<Stages, std::string>> wrong = {
+      {{.without_joints = true}, "The joints do nothing: their rows are missing."},
+      {{.joints_last = true}, "The rows of the joints come last: here they are the first."},
+      {{.joints_as_contacts = true}, "The joints have the k and d of contacts: each has its own."},
+      {{.points_unturned = true}, "p is in the axes of its body: r = q p turns it into the world, Eq. (6.1)."},
+      {{.length_ignored = true}, "Every joint is a ball joint: where length is more than 0 it is a distance."},
+      {{.without_friction = true}, "There is no friction: this is still the step of chapter 05, with joints."}};
+  for (const auto& mistake : mistakes_in_order()) wrong.push_back(mistake);
+  std::vector<Mistake> mistakes = mistakes_of(all, contacts, h, wrong);
+  mistakes.push_back(
+      {assembled(all, {}, h), "The contacts do nothing: joints and contacts are solved together."});
+  mistakes.push_back({assembled(loose, contacts, h), "The last joint is missing."});
+  expect_same_bodies("after a step of 0.1 s with joints and contacts", "Eq. (6.1)-(6.6)", got,
+                     assembled(all, contacts, h), of_joints, mistakes,
+                     "First the rows of the joints, then those of the contacts; all solved together.");
+}
+
+EXERCISE_TEST(StepJoints, WithoutJointsIsTheStepWithFriction) {
+  Random random;
+  const auto [all, contacts] = joined_crowd(random, 10, 20, 0);
+  Simulation got = all, rough = all;
+  step_joints(got, contacts, 0.1);
+  step_friction(rough, contacts, 0.1);
+  expect_same_bodies("after a step without joints", "Eq. (5.8)", got, rough, roundings(200, 20), {},
+                     "Without joints this is the step of chapter 05.");
+}
+
+EXERCISE_TEST(StepJoints, KeepsMomentum) {
+  Random random;
+  Simulation all = joined_crowd(random, 4, 0, 0).all;
+  all.gravity.setZero();
+  all.max_sweeps = 200;
+  for (int n = 0; n < 3; ++n) {  // a chain, whose points are together at first
+    PointJoint joint{n, n + 1, random.vector(0.3), Vec3::Zero()};
+    const RigidBody &i = all.bodies[n], &j = all.bodies[n + 1];
+    joint.p_j = j.q.conjugate() * Vec3(i.x + i.q * joint.p_i - j.x);
+    joint.k = 1e6;
+    all.joints.push_back(joint);
+  }
+  Simulation got = all;
+  step_joints(got, {}, 0.01);
+  expect_near_vector<Twist<6>>("momentum and angular momentum of a chain of four [kg m/s, kg m²/s]",
+                               "Eq. (6.6)", momenta(got, all), momenta(all, all),
+                               {1e-10, "roundings of 200 sweeps over 9 rows"}, {},
+                               "A ball joint acts on both bodies at one point.");
+  expect_at_least("by how much the joints changed the velocities [m/s, rad/s]", "Eq. (6.5)",
+                  (twist_of(got.bodies[0]) - twist_of(all.bodies[0])).norm(), 0.1,
+                  "the two points have other velocities", "The joints do nothing.");
+}
+
+/// A mass that hangs at rest stretches what it hangs from by m g/k.
+EXERCISE_TEST(StepJoints, StretchesByTheWeight) {
+  for (const double length : {0.0, 1.0}) {
+    const double mass = 2, k = 1e4;
+    Simulation all;
+    all.bodies = {{}, {.x = Vec3(0, 0, -length), .mass = mass, .principal = Vec3(0.1, 0.2, 0.25)}};
+    all.joints = {{.i = 0, .j = 1, .p_i = Vec3::Zero(), .p_j = Vec3::Zero(), .length = length, .k = k, .d = 3}};
+    for (int n = 0; n < 500; ++n) step_joints(all, {}, 1.0 / 60);
+    expect_near(
+        "stretch of a joint of length " + show(length) + " m after 500 steps [m]", "Eq. (6.7)",
+        -all.bodies[1].x.z() - length, mass * 9.81 / k,
+        {1e-12, "roundings of x, and a rest of the motion, which falls by half and more in d + 1 steps"},
+        {{-mass * 9.81 / k, "The sign of the gap is the other one."}},
+        "At rest its impulse is h m g, at a gap of m g/k.");
+  }
+}
+
+EXERCISE_TEST(StepJoints, RejectsWhatMakesNoSense) {
+  Random random;
+  const auto [start, contacts] = joined_crowd(random, 5, 5, 4);
+  const auto rejects = [&, touching = contacts](const std::string& what, const std::string& name,
+                                                Simulation all, double h) {
+    expect_rejects(
+        what, name, [&] { step_joints(all, touching, h); },
+        "A function of the chapters refuses it: call it before anything changes.",
+        [&] { return state_of(all); });
+  };
+  for (const double h : {0.0, -0.1, std::nan("")}) rejects("h = " + show(h), "h", start, h);
+  Simulation soft = start, wild = start, together = start, slippery = start;
+  soft.joints[3].k = 0, wild.joints[0].d = -1, slippery.mu = -1;
+  together.joints[1].p_i = together.joints[1].p_j = Vec3::Zero();
+  together.bodies[2].x = together.bodies[1].x;
+  rejects("k of joint 3 = 0", "k", soft, 0.1);
+  rejects("d of joint 0 = -1", "d", wild, 0.1);
+  rejects("two points at one place, to be 0.5 m and more apart", "distance", together, 0.1);
+  rejects("mu = -1", "mu", slippery, 0.1);
+}
+
+EXERCISE_TEST(StepJoints, IsTheSameInAnyUnits) {
+  Random random;
+  const auto [all, contacts] = joined_crowd(random, 5, 5, 4);
+  expect_same_in_any_units("Eq. (6.1)-(6.6)", step_joints, units::nothing, all, contacts, 0.1 * units::s);
+}
+
+}  // namespace

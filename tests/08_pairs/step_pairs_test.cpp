@@ -1,0 +1,160 @@
+// The whole step: its contacts are those of all pairs, found where the bodies are before they move.
+#include "contract.hpp"
+#include "exercise_test.hpp"
+#include "quantities.hpp"
+#include "shapes.hpp"
+#include "simulations.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(StepPairs, "8.12 step_pairs");
+
+/// Which contacts are looked for; all, unless a mistake is made.
+struct LookedFor {
+  bool planes = true, balls = true, boxes = true, first_plane_only = false, axes_unturned = false;
+};
+
+/// Every pair by itself: no broad phase.
+std::vector<Contact> all_contacts(const Simulation& all, const LookedFor& what = {}) {
+  std::vector<Contact> contacts;
+  const int count = static_cast<int>(all.bodies.size());
+  const auto has_box = [&](int b) { return all.bodies[b].half_sides != Vec3::Zero(); };
+  const auto is_solid = [&](int b) {
+    return (has_box(b) && what.boxes) || (all.bodies[b].radius > 0 && what.balls);
+  };
+  const auto ball = [&](int b) { return Ball{b, all.bodies[b].x, all.bodies[b].radius}; };
+  const auto box = [&](int b) {
+    const RigidBody& body = all.bodies[b];
+    return Box{b, body.x, what.axes_unturned ? Mat3(Mat3::Identity()) : body.q.toRotationMatrix(),
+               body.half_sides};
+  };
+  const auto add = [&](const std::optional<Contact>& contact) {
+    if (contact) contacts.push_back(*contact);
+  };
+  bool is_first = true;
+  for (int p = 0; p < count && what.planes; ++p) {
+    if (all.bodies[p].normal == Vec3::Zero() || (what.first_plane_only && !is_first)) continue;
+    is_first = false;
+    const Plane plane{p, all.bodies[p].x, all.bodies[p].normal, all.bodies[p].offset};
+    for (int b = 0; b < count; ++b) {
+      if (!is_solid(b) || all.bodies[b].mass == 0) continue;
+      if (has_box(b))
+        plane_box(plane, box(b), contacts);
+      else
+        add(plane_ball(plane, ball(b)));
+    }
+  }
+  for (int i = 0; i < count; ++i)
+    for (int j = i + 1; j < count; ++j) {
+      if (!is_solid(i) || !is_solid(j) || all.bodies[i].mass + all.bodies[j].mass == 0) continue;
+      if (has_box(i) && has_box(j))
+        box_box(box(i), box(j), contacts);
+      else if (has_box(i))
+        add(box_ball(box(i), ball(j)));
+      else if (has_box(j))
+        add(box_ball(box(j), ball(i)));
+      else
+        add(ball_ball(ball(i), ball(j)));
+    }
+  return contacts;
+}
+
+/// Two planes, and balls and boxes between them, some static, that overlap a little.
+Simulation heap(Random& random, int count) {
+  Simulation all;
+  all.k = 1e3;
+  all.mu = 0.4;
+  all.max_sweeps = 5;
+  all.bodies = {{.normal = Vec3::UnitZ(), .offset = -0.8}, {.normal = Vec3(0.6, 0, 0.8), .offset = -0.9}};
+  for (int b = 0; b < count; ++b) {
+    RigidBody body = b % 7 == 6 ? random_static_body(random) : random_rigid_body(random);
+    if (b % 2)
+      body.half_sides = random.vector(0.2, 0.4);
+    else
+      body.radius = random.uniform(0.2, 0.4);
+    all.bodies.push_back(body);
+  }
+  for (const double x : {5.0, 5.1})
+    all.bodies.push_back({.x = Vec3(x, 0, 0), .radius = 0.2});  // static, and in each other
+  all.bodies.push_back({.x = Vec3(0.1, 0.1, 0.1), .mass = 1});  // without a shape
+  return all;
+}
+
+EXERCISE_TEST(StepPairs, FindsWhatAllPairsHave) {
+  Random random;
+  const double h = 0.01;
+  for (int n = 0; n < 10 && !::testing::Test::HasFailure(); ++n) {
+    const Simulation all = heap(random, 20);
+    const auto by = [&](const std::vector<Contact>& contacts) {
+      Simulation stepped = all;
+      step_impacts(stepped, contacts, h);
+      return stepped;
+    };
+    Simulation moved = all, got = all, moved_first = all;
+    step_free(moved, h);
+    for (std::size_t b = 0; b < all.bodies.size(); ++b) {
+      moved_first.bodies[b].x = moved.bodies[b].x;
+      moved_first.bodies[b].q = moved.bodies[b].q;
+    }
+    step_pairs(got, h);
+    expect_same_bodies("of a heap after a step of 0.01 s", "Eq. (8.1)-(8.12)", got, by(all_contacts(all)),
+                       {1e-9, "roundings of 5 sweeps over some 200 rows, of impulses up to 1000"},
+                       {{by({}), "There are no contacts at all."},
+                        {by(all_contacts(all, {.planes = false})), "The contacts of planes are missing."},
+                        {by(all_contacts(all, {.first_plane_only = true})),
+                         "Only the first plane has contacts: there are two."},
+                        {by(all_contacts(all, {.boxes = false})), "The contacts of boxes are missing."},
+                        {by(all_contacts(all, {.balls = false})), "The contacts of balls are missing."},
+                        {by(all_contacts(all, {.axes_unturned = true})),
+                         "The boxes are not turned: their axes are the columns of the rotation matrix of q."},
+                        {by(all_contacts(moved_first)),
+                         "The contacts are those of after the move: gaps and points belong to t_n, as W "
+                         "belongs to t_n - h/2."}},
+                       "First the contacts where the bodies are; then the step of chapter 07.");
+  }
+}
+
+/// A box on a box on a floor: four corners carry each.
+EXERCISE_TEST(StepPairs, StacksBoxes) {
+  const double mass = 2, side = 0.5;
+  Simulation all;
+  all.k = 1e4;
+  all.mu = 0.5;
+  all.max_sweeps = 200;
+  all.bodies = {{.normal = Vec3::UnitZ()}};
+  for (int b = 0; b < 2; ++b)
+    all.bodies.push_back({.x = Vec3(0, 0, side * (2 * b + 1)),
+                          .mass = mass,
+                          .principal = Vec3::Constant(mass * side * side * 2 / 3),
+                          .half_sides = Vec3::Constant(side)});
+  for (int n = 0; n < 600; ++n) step_pairs(all, 1.0 / 60);
+  const double quarter = mass * 9.81 / (4 * all.k), lower = all.bodies[1].x.z(), upper = all.bodies[2].x.z();
+  expect_near("gap below the lower of two boxes after 600 steps [m]", "Eq. (3.13)", lower - side, -2 * quarter,
+              {1e-3 * quarter, "what 200 sweeps leave in a step of what four corners share"},
+              {{-2 * 4 * quarter, "One corner carries all: a box on a plane has four contacts."}},
+              "Two boxes weigh on four corners: a gap of -2 m g/(4 k).");
+  expect_near("gap between the two [m]", "Eq. (3.13)", upper - lower - 2 * side, -quarter,
+              {1e-3 * quarter, "what 200 sweeps leave in a step of what four corners share"},
+              {{-4 * quarter, "One corner carries all: well_spread keeps four."}},
+              "The upper box weighs on four corners: a gap of -m g/(4 k).");
+}
+
+EXERCISE_TEST(StepPairs, RejectsAStepThatIsNotPositive) {
+  Random random;
+  Simulation all = heap(random, 8);
+  for (const double h : {0.0, -0.1, std::nan("")})
+    expect_rejects(
+        "h = " + show(h), "h", [&] { step_pairs(all, h); }, "The step of chapter 07 refuses it.",
+        [&] { return state_of(all); });
+}
+
+EXERCISE_TEST(StepPairs, IsTheSameInAnyUnits) {
+  Random random;
+  const Simulation all = heap(random, 8);
+  expect_same_in_any_units_nans_aside("Eq. (8.1)-(8.12)", step_pairs, units::nothing, all, 0.01 * units::s);
+}
+
+}  // namespace

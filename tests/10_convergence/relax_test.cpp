@@ -1,0 +1,218 @@
+// The second solve of a relaxed substep: rigid rows, from where the first solve ended.
+#include "exercise_test.hpp"
+#include "random_input.hpp"
+#include "stop_rule.hpp"
+#include "systems.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(Relax, "10.9 relax");
+
+/// The rows as relax() is to make them, from the same motion: by chapter 04's make_row.
+template <int Dof>
+std::vector<Row<Dof>> made_rigid(const Problem<Dof>& p,
+                                 const SpookParameters& spook = {.a = 0, .b = 1, .Sigma = 0}) {
+  std::vector<Row<Dof>> rows;
+  for (const Row<Dof>& row : p.rows) {
+    rows.push_back(make_row<Dof>({.i = row.i, .j = row.j, .Gi = row.Gi, .Gj = row.Gj, .gap = 0, .spook = spook},
+                                 p.motion));
+    rows.back().lo = row.lo, rows.back().hi = row.hi, rows.back().lambda = row.lambda;
+  }
+  return rows;
+}
+
+/// The same of a motion of which a part is missing.
+Eigen::VectorXd right_sides_without(Problem<6> p, bool W, bool Wf) {
+  if (W) p.motion.W.assign(p.V.size(), Twist<6>::Zero());
+  if (Wf) p.motion.Wf.assign(p.V.size(), Twist<6>::Zero());
+  return gathered(made_rigid(p), &Row<6>::B);
+}
+
+/// A ball of 2 kg on a floor, so deep in it, that falls at 0.1 m/s while a step adds 0.06 m/s; solved once.
+Problem<3> overlapping_ball(double gap) {
+  const Twist<3> up(0, 0, 1);
+  Problem<3> p;
+  p.motion = {.inverse_mass = {{.linear = 0}, {.linear = 0.5}},
+              .W = {Twist<3>::Zero(), -0.1 * up},
+              .Wf = {Twist<3>::Zero(), -0.06 * up}};
+  p.V.assign(2, Twist<3>::Zero());
+  p.rows = {make_row<3>(
+      {.i = 0, .j = 1, .Gi = -up, .Gj = up, .gap = gap, .spook = {.a = 20, .b = 0.9, .Sigma = 0.25}},
+      p.motion)};
+  solve(p.rows, p.V, {.max_sweeps = 1, .tolerance = 0});
+  return p;
+}
+
+EXERCISE_TEST(Relax, KeepsNoVelocityThatClosesAGap) {
+  // First solve: B = 20 · 0.02 + 0.9 · 0.1 + 0.06 = 0.55 m/s, S + Σ = 0.75/kg. Relaxed: λ = 0.16/0.5.
+  Problem<3> p = overlapping_ball(-0.02);
+  const double first = 0.55 / 0.75;
+  relax(p.motion, p.rows, p.V, {.max_sweeps = 1, .tolerance = 0});
+  expect_near("λ [N s] of a ball that falls into the floor, 0.7333 N s before", "Eq. (10.15)", p.rows[0].lambda,
+              0.32, roundings(16),
+              {{first, "Nothing has been swept, or with the B and Σ of the first solve."},
+               {0.16 / 0.75, "Σ is still there: here it is 0."},
+               {first + (0.16 - 0.5 * first) / 0.75, "Σ is still in the diagonal: compute it anew, without Σ."},
+               {0.55 / 0.5, "The gap is still in B. Here a = 0, and b = 1."},
+               {0.15 / 0.5, "b is 1 here, not that of the first solve: B = -G W - G W_f."},
+               {0.1 / 0.5, "W_f is missing in B: -G W - G W_f."},
+               {0.06 / 0.5, "W is missing in B: -G W - G W_f."},
+               {first + 0.32, "The impulse of the second solve has been added to that of the first."}});
+  expect_near("its velocity afterwards, W + W_f + V [m/s]", "Eq. (10.15)",
+              (p.motion.W[1] + p.motion.Wf[1] + p.V[1]).z(), 0, roundings(16), {},
+              "A contact that presses keeps no normal velocity. V must be M⁻¹ Gᵀ λ at all times.");
+}
+
+EXERCISE_TEST(Relax, LetsGoOfWhatTheGapAloneHadPushed) {
+  // It moves out faster than it falls: without the gap nothing presses.
+  Problem<3> p = overlapping_ball(-0.02);
+  p.motion.W[1].z() = 0.4;
+  relax(p.motion, p.rows, p.V, {.max_sweeps = 1, .tolerance = 0});
+  expect_near("λ [N s] of a ball that rises by itself", "Eq. (10.15), (4.7)", p.rows[0].lambda, 0,
+              roundings(16), {{-0.34 / 0.5, "A contact does not pull: the bounds are those of the rows."}},
+              "λ may shrink again, down to its bound.");
+  expect_near("V of the ball [m/s]", "Eq. (10.15), (4.5)", p.V[1].z(), 0, roundings(16), {},
+              "What the first solve had done has to leave V, too.");
+}
+
+EXERCISE_TEST(Relax, AgreesWithEnumeratedContacts) {
+  Random random;
+  for (int trial = 0; trial < 25 && !::testing::Test::HasFailure(); ++trial) {
+    const int rows = 1 + trial % 6;
+    Problem<6> p = random_problem(random, 3 + rows / 2, rows);
+    solve(p.rows, p.V, {.max_sweeps = 100, .tolerance = 0});
+    const Bounded exact = bounded(made_rigid(p));
+    const auto otherwise = [&](const Eigen::VectorXd& B, double Sigma) {
+      Bounded other = exact;
+      other.B = B;
+      other.S.diagonal().array() += Sigma;
+      return enumerate_solution(other);
+    };
+    const Eigen::VectorXd old_B = gathered(p.rows, &Row<6>::B), without_W = right_sides_without(p, true, false),
+                          without_Wf = right_sides_without(p, false, true);
+    const Bounded soft = bounded(p.rows);
+    const double tolerance = 1e-13;
+    const SolveReport report = relax(p.motion, p.rows, p.V, {.max_sweeps = 200000, .tolerance = tolerance});
+    expect_true("it converged within 200000 sweeps", "Eq. (4.9)", report.converged);
+    expect_near_vector(
+        "λ of " + std::to_string(rows) + " contacts [N s]", "Eq. (10.15)", lambdas(p),
+        enumerate_solution(exact),
+        {10 * rows * condition(exact.S) * (tolerance + 1e-14), "residual times condition of S"},
+        {{enumerate_solution(soft), "This is the first solve's: B, Σ and diagonal are to change."},
+         {otherwise(old_B, 0), "The gap is still in B: -G W - G W_f."},
+         {otherwise(without_W, 0), "W is missing in B: -G W - G W_f."},
+         {otherwise(without_Wf, 0), "W_f is missing in B: -G W - G W_f."},
+         {enumerate_solution({.S = soft.S, .B = exact.B, .lo = exact.lo, .hi = exact.hi}),
+          "Σ is still there: here it is 0."}},
+        "Each set of contacts that could press was tried; this is the one solution.");
+    expect_near_vector("V, all bodies [m/s, rad/s]", "Eq. (4.5)", flat(p.V), moved(p), roundings(5e4, 10), {},
+                       "V is M⁻¹ Gᵀ λ at all times.");
+  }
+}
+
+EXERCISE_TEST(Relax, LeavesJointsWithoutVelocity) {
+  Random random;
+  for (int trial = 0; trial < 10 && !::testing::Test::HasFailure(); ++trial) {
+    Problem<6> p = random_problem(random, 6, trial == 0 ? many / 10 : 4);
+    take_bounds_off(p);
+    solve(p.rows, p.V, {.max_sweeps = 10, .tolerance = 0});
+    relax(p.motion, p.rows, p.V, {.max_sweeps = 200000, .tolerance = 1e-12});
+    for (const Row<6>& row : p.rows) {
+      const auto after = [&](int body) -> Twist<6> { return p.motion.W[body] + p.motion.Wf[body] + p.V[body]; };
+      // A sweep that returns 1e-12 leaves a row what later rows change: with |S_kl| <= S_kk, once for each of them.
+      expect_at_most("speed of a joint's row afterwards [m/s]", "Eq. (10.15)",
+                     std::abs(row.Gi.dot(after(row.i)) + row.Gj.dot(after(row.j))),
+                     1e-12 * static_cast<double>(3 * p.rows.size()) + roundings(1e4, 10).value,
+                     "three times the tolerance for each row, and roundings",
+                     "B is -G W - G W_f of both bodies, Σ is 0, and nothing else is asked of a joint.");
+    }
+  }
+}
+
+EXERCISE_TEST(Relax, BeginsWhereTheFirstSolveEnded) {
+  Random random;
+  for (int trial = 0; trial < 20 && !::testing::Test::HasFailure(); ++trial) {
+    const int count = trial == 0 ? many : 8;
+    Problem<6> p = random_problem(random, count / 2, count);
+    solve(p.rows, p.V, {.max_sweeps = 20, .tolerance = 0});
+    Problem<6> from_zero = p, once = p;
+    once.rows = made_rigid(p);
+    sweep(once.rows, once.V);
+    for (Row<6>& row : from_zero.rows) row.lambda = 0;
+    for (Twist<6>& V : from_zero.V) V.setZero();
+    from_zero.rows = made_rigid(from_zero);
+    sweep(from_zero.rows, from_zero.V);
+    const SolveReport report = relax(p.motion, p.rows, p.V, {.max_sweeps = 1, .tolerance = 0});
+    expect_near_vector(
+        "λ of " + std::to_string(count) + " rows after one sweep [N s]", "Eq. (10.15)", lambdas(p),
+        lambdas(once), roundings(1e5 * count, 10),
+        {{lambdas(from_zero), "It began with λ = 0: begin with the λ and V of the first solve."}},
+        "One sweep of rigid rows, from the λ and V that are there. " + ends_early);
+    expect_near_vector("V after one sweep [m/s, rad/s]", "Eq. (10.15)", flat(p.V), flat(once.V),
+                       roundings(1e5 * count, 10), {},
+                       "λ and V belong together: change neither before the sweep.");
+    expect_true("its history has one entry", "Eq. (4.9)", report.history.size() == 1,
+                "One sweep was allowed, and one is to be made.");
+  }
+}
+
+EXERCISE_TEST(Relax, CountsNothingOfAVerySoftRow) {
+  // S = 0.5/kg beside Σ = 1e16/kg: the sum of both has forgotten S.
+  Problem<3> p = overlapping_ball(-0.02);
+  p.rows[0].Sigma = 1e16;
+  p.rows[0].diagonal = 0.5 + 1e16;
+  relax(p.motion, p.rows, p.V, {.max_sweeps = 1, .tolerance = 0});
+  expect_near("λ [N s] of a row that was very soft, after one sweep", "Eq. (10.15), (4.3)", p.rows[0].lambda,
+              0.32, roundings(16), {},
+              "Compute Gi·M⁻¹Gi + Gj·M⁻¹Gj anew: the old diagonal less Σ is round-off where Σ is large.");
+}
+
+EXERCISE_TEST(Relax, ChangesOnlyTheImpulsesOfTheRows) {
+  Random random;
+  Problem<6> p = random_problem(random, 4, 6);
+  solve(p.rows, p.V, {.max_sweeps = 10, .tolerance = 0});
+  const std::vector<Row<6>> before = p.rows;
+  relax(p.motion, p.rows, p.V, {.max_sweeps = 3, .tolerance = 0});
+  for (std::size_t k = 0; k < before.size(); ++k)
+    expect_true("B, Σ, diagonal and bounds of row " + std::to_string(k) + " are those of before", "Eq. (10.15)",
+                p.rows[k].B == before[k].B && p.rows[k].Sigma == before[k].Sigma &&
+                    p.rows[k].diagonal == before[k].diagonal && p.rows[k].lo == before[k].lo &&
+                    p.rows[k].hi == before[k].hi,
+                "The rows are the caller's: make copies of them rigid, and copy λ back.");
+}
+
+EXERCISE_TEST(Relax, StopsByTheRule) {
+  const auto by = [](const StopRule& stop) {
+    Random random(11);
+    Problem<6> p = random_problem(random, 4, 6);
+    take_bounds_off(p);  // contacts may all let go in one sweep
+    return relax(p.motion, p.rows, p.V, stop);
+  };
+  expect_stops_by_the_rule("Eq. (4.9)", 5, by);
+}
+
+EXERCISE_TEST(Relax, RefusesABadRule) {
+  Random random;
+  Problem<6> p = random_problem(random, 4, 6);
+  solve(p.rows, p.V, {.max_sweeps = 10, .tolerance = 0});
+  const auto state = [&] {
+    std::vector<double> all = state_of(p.rows, p.V)();
+    for (const Row<6>& row : p.rows) all.insert(all.end(), {row.B, row.Sigma, row.diagonal});
+    return all;
+  };
+  for (const int sweeps : {0, -1})
+    expect_rejects(
+        "relax(max_sweeps = " + std::to_string(sweeps) + ")", "max_sweeps",
+        [&] { relax(p.motion, p.rows, p.V, {.max_sweeps = sweeps, .tolerance = 0}); },
+        "As solve() does, and before anything is changed.", state);
+  for (const double tolerance : {-1e-9, std::nan(""), infinity})
+    expect_rejects(
+        "relax(tolerance = " + show(tolerance) + ")", "tolerance",
+        [&] { relax(p.motion, p.rows, p.V, {.max_sweeps = 5, .tolerance = tolerance}); },
+        "As solve() does, and before anything is changed.", state);
+}
+
+}  // namespace

@@ -1,0 +1,127 @@
+// The plain engine, made of the steps that chapters end with: where both run a scene, it and the fast engine agree.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/diagnostics/conserved_quantities.hpp"
+#include "refusals.hpp"
+#include "scene_runs.hpp"
+
+namespace spook::plain_engine_test {
+namespace {
+
+struct Case {
+  std::string scene;
+  SceneSettings settings;
+  std::string step;  ///< the exercise that runs it
+  std::int64_t steps = 100;
+};
+
+/// Of each chapter; none is chaotic within its steps.
+const std::vector<Case> cases = {{"free_fall", {}, "1.4 leapfrog_step"},
+                                 {"oscillator", {}, "1.4 leapfrog_step"},
+                                 {"orbit", {}, "1.4 leapfrog_step"},
+                                 {"top", {}, "2.7 step_free"},
+                                 {"resting_sphere", {}, "3.5 step_touching"},
+                                 {"stack", {{"bodies", "5"}}, "4.7 step_contacts"},
+                                 {"incline", {}, "5.7 step_friction"},
+                                 {"slide_to_roll", {}, "5.7 step_friction"},
+                                 {"pendulum", {}, "6.5 step_joints"},
+                                 {"double_pendulum", {}, "6.5 step_joints"},
+                                 {"rope", {}, "6.5 step_joints"},
+                                 {"cloth", {}, "6.5 step_joints"},
+                                 {"tower", {}, "8.12 step_pairs"}};
+
+/// The fast engine by the methods of the plain one: sweeps, the friction box, contacts with a gap of 0 at most.
+Method method_of(const SceneDescription& scene, Engine engine) {
+  return {.h = scene.h, .friction_model = FrictionModel::box, .contact_margin = 0, .engine = engine};
+}
+
+std::vector<double> numbers(const Frame& frame) {
+  std::vector<double> all;
+  const auto add = [&](const std::vector<Vec3>& vectors) {
+    for (const Vec3& v : vectors) all.insert(all.end(), {v.x(), v.y(), v.z()});
+  };
+  add(frame.x);
+  add(frame.v);
+  add(frame.omega);
+  for (const Quat& q : frame.q) all.insert(all.end(), {q.w(), q.x(), q.y(), q.z()});
+  return all;
+}
+
+TEST(PlainEngine, AgreesWithTheFastEngine) {
+  for (const auto& [name, settings, step, steps] : cases) {
+    const SceneDescription& description = find_scene(name);
+    const Parameters parameters = with(description, settings);
+    const auto plain = description.build(parameters, method_of(description, Engine::plain));
+    const auto fast = description.build(parameters, method_of(description, Engine::fast));
+    const std::vector<double> start = numbers(fast->frame());
+    EXPECT_EQ(plain_step_of(*plain), step) << name;
+    plain->advance(steps);
+    fast->advance(steps);
+    const std::vector<double> a = numbers(plain->frame()), b = numbers(fast->frame());
+    double apart = 0, moved = 0, size = 0;
+    for (std::size_t k = 0; k < b.size(); ++k) {
+      apart = largest(apart, std::abs(a[k] - b[k]));
+      moved = largest(moved, std::abs(start[k] - b[k]));
+      size = largest(size, std::abs(b[k]));
+    }
+    // Sums in another order are roundings apart in each step. The rows of a step take a part 4/(h(1 + 4d)) of a gap as
+    // velocity, some 100/s, so that roundings of x are 100 times as large in v; 100 steps add up as many of them.
+    EXPECT_LE(apart, 1e-9 * size) << name;
+    EXPECT_GT(moved, 1e-6 * size) << name;
+  }
+}
+
+TEST(PlainEngine, TakesTheFirstStepThatHasAllThatAWorldNeeds) {
+  const auto step_of = [](Settings<6> settings, auto... radii) {
+    World<6> world(std::move(settings));
+    world.add_plane(Vec3::UnitZ(), 0);
+    double x = 0;
+    (world.add({.x = Vec3(x += 5, 0, 1), .radius = radii}), ...);
+    return plain_step_of(world);
+  };
+  EXPECT_EQ(step_of({}), "2.7 step_free");
+  EXPECT_EQ(step_of({}, 0.5), "3.5 step_touching");
+  EXPECT_EQ(step_of({}, 0.5, 0.5), "4.7 step_contacts");
+  EXPECT_EQ(step_of({.friction = 0.5}, 0.5), "5.7 step_friction");
+  EXPECT_EQ(step_of({.impacts = ImpactLaw{.restitution = 0.5}}, 0.5), "7.9 step_impacts");
+}
+
+TEST(PlainEngine, RefusesWhatNoStepHas) {
+  for (const auto& [scene, what] : std::vector<std::pair<std::string, std::string>>{
+           {"door", "hinge"}, {"andrews", "wrench"}, {"spinning_disc", "corners"}}) {
+    const SceneDescription& description = find_scene(scene);
+    const auto built = description.build(with(description, {}), {.h = description.h, .engine = Engine::plain});
+    expect_refusal({"engine", what}, [&] { built->advance(1); });
+    expect_refusal({"engine", what}, [&] { plain_step_of(*built); });
+  }
+}
+
+TEST(PlainEngine, ABallBouncesNearlyAsHighAsTheFastEnginesBall) {
+  const SceneDescription& description = find_scene("bouncing_ball");
+  const Parameters parameters = with(description, {});
+  const double h = 0.01;
+  const auto second_peak = [&](Engine engine) {
+    const auto scene = description.build(parameters, {.h = h, .engine = engine});
+    double highest = 0;
+    bool fell = false, bounced = false;
+    for (int n = 0; n < 120; ++n) {
+      scene->advance(1);
+      const Frame frame = scene->frame();
+      const double z = frame.x[1].z(), v = frame.v[1].z();
+      fell = fell || v < 0;
+      bounced = bounced || (fell && v > 0);
+      if (bounced) highest = std::max(highest, z);
+    }
+    return highest;
+  };
+  // The contact is found up to a step late, when gravity has added up to g h to a speed of √(2 g h0): the height goes with
+  // the square of that.
+  const double v = std::sqrt(2 * 9.81 * parameters.number("h0")), late = 2 * 9.81 * h / v;
+  const double exact = second_peak(Engine::fast);
+  EXPECT_NEAR(second_peak(Engine::plain), exact, (late + v * h / exact) * exact);
+}
+
+}  // namespace
+}  // namespace spook::plain_engine_test

@@ -1,0 +1,189 @@
+#pragma once
+// A step composed of the chapters' functions, stage by stage, with possible mistakes in each stage.
+#include "07_impacts/impacts.hpp"
+#include "quantities.hpp"
+#include "simulations.hpp"
+
+namespace spook::testing {
+
+/// Mistakes of a step; the default has none.
+struct Stages {
+  bool moves_before = false;           ///< moves the bodies, and then makes rows of old contacts
+  bool kicks_before = false;           ///< kicks the bodies before the rows are made, and again when they move
+  bool forgets_forces = false;         ///< W_f = 0
+  bool forgets_V = false;              ///< solves, and adds nothing
+  bool adds_linear_part_only = false;  ///< of V
+  bool one_by_one = false;             ///< a system of one row for each, from the same velocities
+  int max_sweeps = 0;                  ///< in place of the simulation's; 0: its own
+  bool without_friction = false;
+  bool counts_no_pairs = false;     ///< N = 1
+  bool whole_gravity = false;       ///< |g| for g_n
+  bool contact_parameters = false;  ///< a, b, Σ of contacts for friction
+  bool normals_first = false;       ///< the rows of all normals, then those of all tangents
+  bool without_joints = false;
+  bool joints_last = false;
+  bool joints_as_contacts = false;  ///< k and d of contacts for joints
+  bool points_unturned = false;     ///< r = p
+  bool length_ignored = false;      ///< ball joints only
+};
+
+inline int contacts_between(const std::vector<Contact>& contacts, int i, int j) {
+  int count = 0;
+  for (const Contact& contact : contacts) count += contact.i == i && contact.j == j;
+  return count;
+}
+
+inline std::vector<Constraint<6>> joint_constraints(const Simulation& all, double h, const Stages& stages) {
+  std::vector<Constraint<6>> constraints;
+  for (const PointJoint& joint : all.joints) {
+    const auto attached = [&](int body, const Vec3& p) {
+      const RigidBody& to = all.bodies[static_cast<std::size_t>(body)];
+      return Attachment{.body = body, .x = to.x, .r = stages.points_unturned ? p : Vec3(to.q * p)};
+    };
+    const SpookParameters spook =
+        stages.joints_as_contacts ? spook_parameters(h, all.k, all.d) : spook_parameters(h, joint.k, joint.d);
+    const Attachment i = attached(joint.i, joint.p_i), j = attached(joint.j, joint.p_j);
+    if (joint.length > 0 && !stages.length_ignored)
+      constraints.push_back(distance_constraint<6>(i, j, joint.length, spook));
+    else
+      for (const Constraint<6>& along : ball_joint_constraints<6>(i, j, spook)) constraints.push_back(along);
+  }
+  return constraints;
+}
+
+inline std::vector<Constraint<6>> contact_constraints(const Simulation& all,
+                                                      const std::vector<Contact>& contacts, double h,
+                                                      const Stages& stages) {
+  const SpookParameters spook = spook_parameters(h, all.k, all.d);
+  const SpookParameters of_friction = stages.contact_parameters ? spook : friction_parameters(h, all.viscosity);
+  std::vector<Constraint<6>> constraints, tangential;
+  for (const Contact& contact : contacts) {
+    const auto [Gi, Gj] = contact_jacobian(contact);
+    constraints.push_back(
+        {.i = contact.i, .j = contact.j, .Gi = Gi, .Gj = Gj, .gap = contact.gap, .spook = spook});
+    if (all.mu == 0 || stages.without_friction) continue;
+    const auto inverse = [&](int body) {
+      return inverse_mass_of(all.bodies[static_cast<std::size_t>(body)]).linear;
+    };
+    const int count = stages.counts_no_pairs ? 1 : contacts_between(contacts, contact.i, contact.j);
+    const double g = stages.whole_gravity ? all.gravity.norm() : std::abs(all.gravity.dot(contact.n));
+    const double bound =
+        friction_bound(all.mu, representative_mass(inverse(contact.i), inverse(contact.j), count), g, h);
+    for (const Constraint<6>& along : friction_constraints<6>(contact, tangents(contact.n), bound, of_friction))
+      (stages.normals_first ? tangential : constraints).push_back(along);
+  }
+  constraints.insert(constraints.end(), tangential.begin(), tangential.end());
+  return constraints;
+}
+
+/// Returns V of all rows solved together, or of each row alone.
+inline std::vector<Twist<6>> solved(const Simulation& all, std::vector<Row<6>> rows, const Stages& stages) {
+  std::vector<Twist<6>> V(all.bodies.size(), Twist<6>::Zero());
+  const StopRule stop{.max_sweeps = stages.max_sweeps ? stages.max_sweeps : all.max_sweeps,
+                      .tolerance = all.tolerance};
+  if (!stages.one_by_one) {
+    solve(rows, V, stop);
+    return V;
+  }
+  for (const Row<6>& row : rows) {
+    std::vector<Row<6>> alone = {row};
+    std::vector<Twist<6>> of_it(V.size(), Twist<6>::Zero());
+    solve(alone, of_it, stop);
+    for (std::size_t b = 0; b < V.size(); ++b) V[b] += of_it[b];
+  }
+  return V;
+}
+
+/// Builds rows, solves and integrates, as the steps of chapters 04 to 06.
+inline Simulation assembled(Simulation all, const std::vector<Contact>& contacts, double h,
+                            const Stages& stages = {}) {
+  if (stages.moves_before) step_free(all, h);
+  if (stages.kicks_before)
+    for (RigidBody& body : all.bodies)
+      if (body.mass > 0) body.v += h * all.gravity;
+  Motion<6> motion = motion_of(all, h);
+  if (stages.forgets_forces) motion.Wf.assign(motion.Wf.size(), Twist<6>::Zero());
+
+  std::vector<Row<6>> rows;
+  const auto add = [&](const std::vector<Constraint<6>>& constraints) {
+    for (const Constraint<6>& constraint : constraints) rows.push_back(make_row(constraint, motion));
+  };
+  if (!stages.without_joints && !stages.joints_last) add(joint_constraints(all, h, stages));
+  add(contact_constraints(all, contacts, h, stages));
+  if (!stages.without_joints && stages.joints_last) add(joint_constraints(all, h, stages));
+
+  std::vector<Twist<6>> V = solved(all, rows, stages);
+  for (std::size_t b = 0; b < V.size(); ++b) {
+    if (stages.adds_linear_part_only) V[b].tail<3>().setZero();
+    if (!stages.forgets_V) add_twist(all.bodies[b], V[b]);
+  }
+  if (!stages.moves_before) step_free(all, h);
+  return all;
+}
+
+/// Bodies, every fifth of them static, with contacts at random places; some pairs have several.
+struct Crowd {
+  Simulation all;
+  std::vector<Contact> contacts;
+};
+
+inline Contact random_contact(Random& random, int i, int j) {
+  return {i, j, random.unit_vector(), random.uniform(-0.02, -0.01), random.vector(0.5), random.vector(0.5)};
+}
+
+inline Crowd crowd(Random& random, int bodies, int contacts) {
+  Crowd made;
+  made.all.gravity = random.vector(5, 10);
+  made.all.k = 1e3;
+  made.all.max_sweeps = 5;  // so that the order of rows shows
+  for (int b = 0; b < bodies; ++b)
+    made.all.bodies.push_back(b % 5 == 4 ? random_static_body(random) : random_rigid_body(random));
+  while (std::ssize(made.contacts) < contacts) {
+    const int i = random.integer(0, bodies - 1);
+    const int step = random.integer(1, bodies - 1);
+    const int j = (i + step) % bodies;
+    const auto is_static = [&](int b) { return made.all.bodies[static_cast<std::size_t>(b)].mass == 0; };
+    if (is_static(i) && is_static(j)) continue;
+    made.contacts.push_back(random_contact(random, i, j));
+    const bool twice = random.integer(0, 1) == 1;
+    if (twice) made.contacts.push_back(random_contact(random, i, j));
+  }
+  return made;
+}
+
+/// Returns momentum, then angular momentum about the world's origin, with the velocities of `now` at the positions of
+/// `places`.
+inline Twist<6> momenta(const Simulation& now, const Simulation& places) {
+  Twist<6> sum = Twist<6>::Zero();
+  for (std::size_t b = 0; b < now.bodies.size(); ++b) {
+    const RigidBody& body = now.bodies[b];
+    const Vec3 p = body.mass * body.v, L = world_inertia(body.q, body.principal) * body.omega;
+    sum += twist(p, places.bodies[b].x.cross(p) + L);
+  }
+  return sum;
+}
+
+/// Texts about some mistakes, with their results.
+inline std::vector<Mistake> mistakes_of(const Simulation& all, const std::vector<Contact>& contacts, double h,
+                                        const std::vector<std::pair<Stages, std::string>>& which) {
+  std::vector<Mistake> mistakes;
+  for (const auto& [stages, text] : which) mistakes.push_back({assembled(all, contacts, h, stages), text});
+  return mistakes;
+}
+
+/// The mistakes of stages that chapters 04 to 06 have in common.
+inline std::vector<std::pair<Stages, std::string>> mistakes_in_order() {
+  return {
+      {{.forgets_V = true}, "The rows do nothing: is V added to the velocities before the bodies move?"},
+      {{.moves_before = true},
+       "The bodies move before the rows are made: gaps and velocities are those of before the move."},
+      {{.kicks_before = true},
+       "Gravity counts twice: the bodies are kicked before the rows are made, and step_free kicks them again."},
+      {{.forgets_forces = true},
+       "W_f is missing: the rows do not know what the forces of this step will add. motion_of has it."},
+      {{.adds_linear_part_only = true}, "V has an angular part, too: it changes ω."},
+      {{.one_by_one = true},
+       "Each row is solved for itself, as if there were no others: put all into one list, and solve that."}};
+}
+
+}  // namespace spook::testing
