@@ -80,28 +80,48 @@ void add_moving(const Place& place, World<Dof>& world) {
   world.add(body);
 }
 
+/// Sets the velocity of the static body that was added last.
+template <int Dof>
+void add_velocity(const Place& place, World<Dof>& world) {
+  const int body = static_cast<int>(world.bodies().size()) - 1;
+  const auto surface = place.find("surface_velocity");
+  if (surface) world.set_surface_velocity(body, surface->vector());
+  Vec3 v = Vec3::Zero(), omega = Vec3::Zero();
+  read(place.find("v"), v);
+  if constexpr (Dof == 6) read(place.find("omega"), omega);
+  if (v.isZero(0) && omega.isZero(0)) return;
+  if (surface) surface->reject("left out where v or omega is given");
+  if constexpr (Dof == 6)
+    world.set_velocity(body, v, omega);
+  else
+    world.set_velocity(body, v);
+}
+
 template <int Dof>
 void add_static(const Place& place, World<Dof>& world) {
   if constexpr (Dof == 3) {
-    place.require_keys({"name", "fixed", "x", "radius"});
+    place.require_keys({"name", "fixed", "x", "radius", "v", "surface_velocity"});
     double radius = 0;
     read(place.find("radius"), radius);
     world.add_fixed(place["x"].vector(), radius);
   } else {
-    place.require_keys({"name", "fixed", "x", "q", "radius", "half_length", "half_sides", "corners"});
+    place.require_keys({"name", "fixed", "x", "q", "radius", "half_length", "half_sides", "corners", "v",
+                        "omega", "surface_velocity"});
     Body<6> body;
     if (const auto q = place.find("q")) body.q = q->quaternion();
     read_shape(place, body);
     world.add_fixed(place["x"].vector(), shape_of(body), body.q);
   }
+  add_velocity(place, world);
 }
 
 template <int Dof>
 void add_body(const Place& place, World<Dof>& world) {
   if (const auto plane = place.find("plane")) {
-    place.require_keys({"name", "plane"});
+    place.require_keys({"name", "plane", "surface_velocity"});
     plane->require_keys({"n", "offset"});
     at(*plane, [&] { world.add_plane((*plane)["n"].vector(), (*plane)["offset"].number()); });
+    add_velocity(place, world);
   } else if (place.has("fixed") && place["fixed"].flag()) {
     add_static(place, world);
   } else {

@@ -45,6 +45,9 @@ static Json body_to_json(const Bodies<Dof>& bodies, std::size_t i) {
     if constexpr (Dof == 6)
       if (!bodies.orientations.q[i].coeffs().isApprox(Quat::Identity().coeffs(), 0))
         json["q"] = numbers(bodies.orientations.q[i]);
+    if (!bodies.motion.W[i].isZero(0)) json["v"] = numbers(bodies.motion.W[i].template head<3>());
+    if constexpr (Dof == 6)
+      if (!bodies.motion.W[i].isZero(0)) json["omega"] = numbers(bodies.motion.W[i].template tail<3>());
     return json;
   }
   const Twist<Dof>& W = bodies.motion.W[i];

@@ -48,7 +48,7 @@ inline RigidBody random_rigid_body(Random& random) {
   return body;
 }
 
-/// Draws a static body; its other numbers are those of a dynamic one.
+/// Draws a static body at rest, whose moments of inertia are those of a dynamic one.
 inline RigidBody random_static_body(Random& random) {
   RigidBody body = random_rigid_body(random);
   body.mass = 0;

@@ -69,9 +69,9 @@ class Crash(unittest.TestCase):
         vector = ("/opt/llvm/include/c++/v1/vector:1393: assertion __n < size() failed: vector[] index out of bounds",
                   "fails an assertion of the C++ library", "An index is past the end of a std::vector.")
         optional = ("/opt/llvm/include/c++/v1/optional:808: assertion this->has_value() failed: no value",
-                    "fails an assertion of the C++ library", "An optional is empty")
+                    "fails an assertion of the C++ library", "The value of an empty optional is read")
         eigen = ("Assertion failed: (index >= 0 && index < size()), function operator[], file DenseCoeffsBase.h, "
-                 "line 410.", "fails an assertion", "An index or a block is not inside its vector or matrix.")
+                 "line 410.", "fails an assertion", "An index or a block is outside its vector or matrix.")
         for said, ending, told in (vector, optional, eigen):
             with self.subTest(said):
                 self.assertEqual(crash.ending("SIGABRT", f"before\n{said}\n"), ending)

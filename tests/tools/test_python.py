@@ -72,6 +72,22 @@ class Worlds(WithModule):
         np.testing.assert_array_equal(one.x, other.x)
         np.testing.assert_array_equal(one.q, other.q)
 
+    def test_static_bodies_that_move_carry_what_lies_on_them(self):
+        for velocity in ("set_velocity", "set_surface_velocity"):
+            world = spook.World(friction=0.5)
+            under = world.add_fixed((0, 0, -0.1), half_sides=(9, 1, 0.1))
+            box = world.add(x=(0, 0, 0.2), half_sides=(0.2, 0.2, 0.2))
+            getattr(world, velocity)(under, (1, 0, 0))
+            world.step(1 / 60, steps=60)
+            self.assertAlmostEqual(world.v[box, 0], 1, 6)
+            self.assertAlmostEqual(world.x[under, 0], 1 if velocity == "set_velocity" else 0, 9)
+            self.assertEqual(world.state, "sound")
+        points = spook.PointWorld(gravity=(0, 0, 0))
+        nail = points.add_fixed((0, 0, 0))
+        points.set_velocity(nail, (0, 2, 0))
+        points.step(0.5)
+        self.assertEqual(points.x[nail, 1], 1)
+
     def test_threads_change_no_bit(self):
         worlds = [spook.World(friction=0.5, solver="spatial_decomposition", threads=threads) for threads in (1, 2)]
         for world in worlds:

@@ -29,6 +29,10 @@ REFUSED = (
     ("bodies.2.radius", None, "bodies[2].density must be left out for a body that is no sphere, no capsule and no box, but is 1000"),
     ("bodies.3.name", "ball", 'bodies[3].name must be another name than those before, but is "ball"'),
     ("bodies.0.plane.n", [0, 0, 2], "bodies[0].plane: length of n must be 1, but is 2"),
+    ("bodies.1.v", [1, "x", 0], 'bodies[1].v[1] must be'),
+    ("bodies.1", {"name": "nail", "fixed": True, "x": [0, 0, 2], "v": [1, 0, 0], "surface_velocity": [1, 0, 0]},
+     "bodies[1].surface_velocity must be left out where v or omega is given"),
+    ("bodies.0.v", [0, 0, 1], 'bodies[0].v is unknown'),
     ("bodies.1.fixed", 1, "bodies[1].fixed must be true or false, but is 1"),
     ("bodies.3", {"x": [2, 0, 1], "mass": 1, "principal": [1, 1, 1], "corners": [[0, 0, 0]]},
      "bodies[3].corners are points, which pass through bodies[2]"),
@@ -146,6 +150,21 @@ class SceneFiles(unittest.TestCase):
                             {"x": [0, 0, 2 * radius], "q": across, "density": 1000, **shape}],
                  "expected": [{"body": 1, "time": 1, "x": [0, 0, z], "tolerance": 1e-7}]}
         self.assertLess(self.run_of(scene)["error"]["value"], 1)
+
+    def test_static_bodies_that_move_carry_what_lies_on_them(self):
+        # A box slips on until it has the speed of what it lies on, and is behind by v²/(2 μ g) then.
+        h, mu, speed = 1 / 240, 0.5, 1
+        wanted = speed * 2 - speed**2 / (2 * mu * 9.81)
+        plate = {"fixed": True, "x": [0, 0, -0.1], "half_sides": [9, 1, 0.1]}
+        floor = {"plane": {"n": [0, 0, 1], "offset": 0}}
+        for under in (plate | {"v": [speed, 0, 0]}, plate | {"surface_velocity": [speed, 0, 0]},
+                      floor | {"surface_velocity": [speed, 0, 0]}):
+            scene = {"format": "spook scene", "version": 2, "model": "rigid", "h": h, "time": 2, "settings": {"friction": mu},
+                     "bodies": [under, {"x": [0, 0, 0.2], "mass": 1, "half_sides": [0.2, 0.2, 0.2]}],
+                     "expected": [{"body": 1, "time": 2, "x": [wanted, 0, 0.2], "tolerance": 2 * h}]}
+            done = self.run_of(scene)
+            self.assertLess(done["error"]["value"], 1, under)
+            self.assertEqual(done["state"]["name"], "sound", done["state"])
 
     def test_friction_is_coulombs_unless_the_file_or_an_option_says_another_model(self):
         # Thrown diagonally with 3 m/s at μ = 0.5 it slides v²/(2μg) = 0.917 m, less v h/2; by the box 1/√2 of it.

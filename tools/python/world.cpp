@@ -266,6 +266,10 @@ void bind_both(Binding<Dof>& type, const char* name) {
           "move_fixed", [](Self& self, int body, const Vec3& x) { self.moved().move_fixed(body, x); }, "body"_a,
           "x"_a)
       .def(
+          "set_surface_velocity",
+          [](Self& self, int body, const Vec3& v) { self.moved().set_surface_velocity(body, v); }, "body"_a,
+          "v"_a)
+      .def(
           "start_half_step_back", [](Self& self, double h) { self.moved().start_half_step_back(h); }, "h"_a)
       .def(
           "start_consistently", [](Self& self, double h) { self.moved().start_consistently(h); }, "h"_a)
@@ -318,7 +322,11 @@ void bind_points(py::module_& module) {
           "x"_a, "radius"_a = 0.0)
       .def(
           "set_force", [](PythonWorld<3>& self, int body, const Vec3& force) { self.put_load(body, force); },
-          "body"_a, "force"_a);
+          "body"_a, "force"_a)
+      .def(
+          "set_velocity",
+          [](PythonWorld<3>& self, int body, const Vec3& v) { self.moved().set_velocity(body, v); }, "body"_a,
+          "v"_a);
 }
 
 void bind_rigid(py::module_& module) {
@@ -341,6 +349,12 @@ void bind_rigid(py::module_& module) {
             self.put_load(body, load);
           },
           "body"_a, "force"_a = zero, "torque"_a = zero)
+      .def(
+          "set_velocity",
+          [](PythonWorld<6>& self, int body, const Vec3& v, const Vec3& omega) {
+            self.moved().set_velocity(body, v, omega);
+          },
+          "body"_a, "v"_a, "omega"_a = zero)
       .def("turn", &turn, "body"_a, "q"_a = py::none(), "omega"_a = py::none())
       .def("turn_all", &turn_all, py::kw_only(), "q"_a = py::none(), "omega"_a = py::none())
       .def(

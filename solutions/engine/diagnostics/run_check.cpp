@@ -89,6 +89,8 @@ void RunCheck<Dof>::look(const World<Dof>& world, double h) {
   if (world.steps() == last_step_) return;
   const Bodies<Dof>& bodies = world.bodies();
   const double T = kinetic_energy(bodies);
+  // What a kinematic body gives by an impact is not known.
+  moved_ = moved_ || (world.has_kinematic_bodies() && world.report().impacts > 0);
   const bool goes_on = world.steps() == last_step_ + 1 && before_.size() == bodies.size();
   if (!goes_on || moved_ || sizes_.empty()) sizes_ = sizes_of(world.shapes(), bodies.size());
   if (goes_on) {
@@ -193,7 +195,7 @@ void RunCheck<Dof>::look_at_energy(const World<Dof>& world, double h, double T) 
         given_ += h / 2 * world.torques()[i].dot(both.template tail<3>());
     lift += force.norm();
   }
-  given_ += world.work_of_motors();
+  given_ += world.work_of_drives();
   had_rows_ = had_rows_ || !world.rows().empty();
   if (first_) given_ += energy_of_contacts(world);
   most_ = std::max(most_, T);

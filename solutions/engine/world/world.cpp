@@ -17,7 +17,7 @@ void World<Dof>::step(double h) {
   ++steps_;
   if (settings_.stepper) return step_elsewhere(h);
   impacts_ = 0;
-  work_of_motors_ = 0;
+  work_of_drives_ = 0;
   if (settings_.integrator_order == 4) return step_composed(h);
   divide_steps(h);
   SolveReport unsolved{.history = {}, .converged = true};
@@ -44,7 +44,7 @@ void World<Dof>::step_part(double h) {
   }
   if (!rows_.empty()) clock_.run(Stage::solve, [&] { solve_rows(h); });
   if (!rows_.empty() && !settings_.k) clock_.run(Stage::solve, [&] { take_out_recovery(h); });
-  if constexpr (Dof == 6) add_work_of_motors();
+  if (!joints_.empty() || !kinematic_.empty()) add_work_of_drives();
   clock_.run(Stage::integrate, [&] { integrate(h); });
 }
 
@@ -159,6 +159,7 @@ void World<Dof>::prepare_motion(double h) {
     // W_f = h M⁻¹ f, the kick of a body at rest.
     motion.Wf[i].template head<3>() = kick(Vec3::Zero(), forces_[i], motion.inverse_mass[i].linear, h);
     if constexpr (Dof == 6) {
+      if (bodies_.is_fixed(i)) continue;
       const Vec3 omega = motion.W[i].template tail<3>();
       motion.Wf[i].template tail<3>() = turned_by_torques(i, omega, h);
       motion.inverse_mass[i].angular = bodies_.orientations.inverse_inertia(i);
@@ -334,7 +335,18 @@ void World<Dof>::integrate(double h) {
     if (!recovered_.empty()) W.template head<3>() += recovered_[i].template head<3>();
   }
   recovered_.clear();
+  move_kinematic(h);
   end_step(h);
+}
+
+template <int Dof>
+void World<Dof>::move_kinematic(double h) {
+  for (const int body : carried_) {
+    const Twist<Dof>& W = bodies_.motion.W[body];
+    bodies_.x[body] = drift(bodies_.x[body], Vec3(W.template head<3>()), h);
+    if constexpr (Dof == 6)
+      bodies_.orientations.q[body] = update_exponential(bodies_.orientations.q[body], W.template tail<3>(), h);
+  }
 }
 
 /// Turns a body by ω; returns its ω afterwards. What recovers turns as it would without that, in the body's own axes: its

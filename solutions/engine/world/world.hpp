@@ -173,7 +173,21 @@ class World {
   /// Moves a static body to x. Throws std::invalid_argument for a dynamic body and for a plane.
   void move_fixed(int body, const Vec3& x);
 
-  /// Applies an impulse at a body's centre of mass [N s].
+  /// Moves a static body from now on with a velocity [m/s], and turns it with an angular velocity [rad/s], both about its
+  /// centre and in world coordinates: a kinematic body, such as a platform. Rows of contacts, friction and joints contain its
+  /// velocity, and nothing changes it. Zero stops it. Throws std::invalid_argument for a body that is not static, a plane, a velocity that
+  /// is not finite, and with integrator_order 4.
+  void set_velocity(int body, const Vec3& v);
+  void set_velocity(int body, const Vec3& v, const Vec3& omega) requires(Dof == 6);
+
+  /// Moves the surface of a static body, and not the body, with a velocity [m/s]: a conveyor belt. Throws as set_velocity, but
+  /// takes a plane.
+  void set_surface_velocity(int body, const Vec3& v);
+
+  /// Returns whether static bodies have been given a velocity.
+  bool has_kinematic_bodies() const { return !kinematic_.empty(); }
+
+  /// Gives a body an impulse through its centre [N s].
   void apply_central_impulse(int body, const Vec3& impulse);
 
   /// Copies positions and velocities from `other` for the bodies that are dynamic in both worlds. The time of this
@@ -245,8 +259,8 @@ class World {
   double motor_force(int joint) const requires(Dof == 6);
   double limit_force(int joint) const requires(Dof == 6);
 
-  /// The work of all motors in the last step [J].
-  double work_of_motors() const { return work_of_motors_; }
+  /// The work of all motors and kinematic bodies in the last step, that of impacts left out [J].
+  double work_of_drives() const { return work_of_drives_; }
 
   /// The torque of a joint on body j in the last step [N m], about the point where its force acts.
   Vec3 joint_torque(int joint) const requires(Dof == 6);
@@ -294,7 +308,11 @@ class World {
   void warm_start_rows(double h);
   StopRule stop_rule(double h) const;
   void take_out_recovery(double h);
-  void add_work_of_motors();
+  void add_work_of_drives();
+  void move_kinematic(double h);
+  std::size_t static_body(int body) const;
+  void require_not_a_plane(int body) const;
+  void drive(std::size_t i, const Twist<Dof>& W, bool moves);
   void integrate(double h);
   Vec3 turned(std::size_t i, Vec3 omega, double h) requires(Dof == 6);
   void end_step(double h);
@@ -341,9 +359,11 @@ class World {
   StepTimer clock_;
   std::int64_t steps_ = 0;
   double time_ = 0;
-  double largest_load_ = 0;    // sum of the forces on all dynamic bodies [N]
-  double h_ = 0;               // of the last step [s]
-  double work_of_motors_ = 0;  // in the last step [J]
+  double largest_load_ = 0;     // sum of the forces on all dynamic bodies [N]
+  double h_ = 0;                // of the last step [s]
+  double work_of_drives_ = 0;   // in the last step [J]
+  std::vector<int> kinematic_;  // static bodies with a velocity
+  std::vector<int> carried_;    // those of them that move with it
   int parts_ = 1, calm_steps_ = 0;
   int pairs_ = 0;
   int impacts_ = 0;

@@ -194,16 +194,20 @@ double World<Dof>::along_free(int joint, int row) const {
   return 0;
 }
 
-/// λ times the mean speed of the row, after the solve.
+/// λ times the mean speed of a motor's row, after the solve; and of all rows at kinematic bodies, times what they move by.
 template <int Dof>
-void World<Dof>::add_work_of_motors() {
+void World<Dof>::add_work_of_drives() {
+  const std::vector<Twist<Dof>>& W = bodies_.motion.W;
   for (std::size_t n = 0; n < joints_.size(); ++n) {
     if (!joints_[n].motor) continue;
     const Row<Dof>& row = rows_[joint_rows_[n] + static_cast<std::size_t>(joints_[n].rows()) - 1];
-    const auto both = [&](int body) {
-      return Twist<Dof>(2 * bodies_.motion.W[body] + bodies_.motion.Wf[body] + V_[body]);
-    };
-    work_of_motors_ += row.lambda * (row.Gi.dot(both(row.i)) + row.Gj.dot(both(row.j))) / 2;
+    const auto both = [&](int body) { return Twist<Dof>(2 * W[body] + bodies_.motion.Wf[body] + V_[body]); };
+    work_of_drives_ += row.lambda * (row.Gi.dot(both(row.i)) + row.Gj.dot(both(row.j))) / 2;
+  }
+  if (kinematic_.empty()) return;
+  for (const Row<Dof>& row : rows_) {
+    if (bodies_.is_fixed(static_cast<std::size_t>(row.i))) work_of_drives_ -= row.lambda * row.Gi.dot(W[row.i]);
+    if (bodies_.is_fixed(static_cast<std::size_t>(row.j))) work_of_drives_ -= row.lambda * row.Gj.dot(W[row.j]);
   }
 }
 

@@ -43,6 +43,8 @@ class _EitherWorld:
         arrays that look at the bodies."""
     def move_fixed(self, body: int, x: Vector) -> None:
         """Puts a fixed body elsewhere [m]."""
+    def set_surface_velocity(self, body: int, v: Vector) -> None:
+        """Moves the surface of a static body or plane, and not the body, with a velocity [m/s]: a conveyor belt."""
     def start_half_step_back(self, h: float) -> None:
         """Takes the velocities half a step back, under gravity alone; once, before the first step."""
     def start_consistently(self, h: float) -> None:
@@ -122,6 +124,8 @@ class PointWorld(_EitherWorld):
         """Adds a point mass, with a sphere about it if it has a radius, and returns its index. Raises BufferError
         while there are arrays that look at the bodies."""
 
+    def set_velocity(self, body: int, v: Vector) -> None:
+        """Moves a static body from now on with a velocity [m/s]: a kinematic body, which contacts and joints see."""
     def set_force(self, body: int, force: Vector) -> None:
         """On a body from now on, beside its weight [N]; until it is set anew."""
 
@@ -157,6 +161,9 @@ class World(_EitherWorld):
         while there are arrays that look at the bodies."""
     def set_force(self, body: int, force: Vector = (0, 0, 0), torque: Vector = (0, 0, 0)) -> None:
         """At its centre from now on, beside its weight [N, N m], in world coordinates; until it is set anew."""
+    def set_velocity(self, body: int, v: Vector, omega: Vector = (0, 0, 0)) -> None:
+        """Moves a static body from now on with a velocity [m/s], and turns it with an angular velocity [rad/s]: a kinematic
+        body, such as a platform, which contacts, friction and joints see."""
     def turn(self, body: int, q: Sequence[float] | None = None, omega: Vector | None = None) -> None:
         """Gives a body that moves an orientation, and lets it turn [rad/s]; what is left out stays as it is."""
     def turn_all(self, *, q: Array | None = None, omega: Array | None = None) -> None:

@@ -1,0 +1,144 @@
+// Kinematic bodies and conveyor belts: static bodies with a velocity that contacts, friction and joints see.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/diagnostics/run_check.hpp"
+#include "engine/world/world.hpp"
+#include "refusals.hpp"
+
+namespace spook::kinematic_test {
+namespace {
+
+constexpr double g = 9.81;
+constexpr double steps_to_try[] = {1.0 / 60, 1.0 / 240, 1.0 / 1000};
+
+template <int Dof>
+Verdict run(World<Dof>& world, double h, double time) {
+  RunCheck<Dof> check;
+  check.look(world, h);
+  while (world.time() < time) {
+    world.step(h);
+    check.look(world, h);
+  }
+  return check.verdict();
+}
+
+TEST(Kinematic, PlatformCarriesWhatLiesOnIt) {
+  for (const double h : steps_to_try) {
+    World<6> world({.friction = 0.5});
+    const int platform = world.add_fixed_box(Vec3(0, 0, -0.1), Vec3(1, 1, 0.1));
+    world.set_velocity(platform, Vec3(1, 0, 0));
+    const int box = world.add({.x = Vec3(0, 0, 0.2), .mass = 1, .half_sides = Vec3::Constant(0.2)});
+    const Verdict verdict = run(world, h, 2);
+    EXPECT_EQ(verdict.state, State::sound) << verdict.reason;
+    EXPECT_NEAR(world.x(platform).x(), world.time(), 1e-9);
+    EXPECT_NEAR(world.v(box).x(), 1, 1e-6) << "h = " << h;
+    // It slips until μ g t = 1 m/s, and loses half of that way; a step's drift more or less.
+    EXPECT_NEAR(world.x(box).x(), world.time() - 1 / (2 * 0.5 * g), h) << "h = " << h;
+  }
+}
+
+TEST(Kinematic, LiftRaisesAndLowers) {
+  for (const double speed : {1.0, -1.0}) {
+    World<6> world({.friction = 0.5});
+    const int lift = world.add_fixed_box(Vec3(0, 0, -0.1), Vec3(1, 1, 0.1));
+    world.set_velocity(lift, Vec3(0, 0, speed));
+    const int ball = world.add({.x = Vec3(0, 0, 0.2), .v = Vec3(0, 0, speed), .mass = 1, .radius = 0.2});
+    const Verdict verdict = run(world, 1.0 / 60, 2);
+    EXPECT_EQ(verdict.state, State::sound) << verdict.reason;
+    EXPECT_NEAR(world.x(ball).z(), 0.2 + speed * world.time(), 1e-3);
+    EXPECT_NEAR(world.contact_force(0).z(), g, 1e-3 * g);
+  }
+}
+
+TEST(Kinematic, WallPushesWithoutSinkingIn) {
+  for (const double h : steps_to_try) {
+    World<6> world({.friction = 0.2});
+    world.add_plane(Vec3::UnitZ(), 0);
+    const int wall = world.add_fixed_box(Vec3(-1, 0, 0.5), Vec3(0.1, 1, 0.5));
+    world.set_velocity(wall, Vec3(2, 0, 0));
+    const int box = world.add({.x = Vec3(0, 0, 0.2), .mass = 10, .half_sides = Vec3::Constant(0.2)});
+    const Verdict verdict = run(world, h, 2);
+    EXPECT_EQ(verdict.state, State::sound) << verdict.reason << ", h = " << h;
+    EXPECT_NEAR(world.x(box).x(), world.x(wall).x() + 0.3, 1e-3 * 0.2) << "h = " << h;
+    EXPECT_NEAR(world.v(box).x(), 2, 2e-2) << "h = " << h;
+  }
+}
+
+TEST(Kinematic, TurntableTurnsWhatItHolds) {
+  // A hinge that is welded to a turning body: the arm goes round with it.
+  const double rate = 3;
+  World<6> world({.gravity = Vec3::Zero()});
+  const int table = world.add_fixed(Vec3::Zero());
+  world.set_velocity(table, Vec3::Zero(), Vec3(0, 0, rate));
+  const int arm = world.add({.x = Vec3(0.5, 0, 0),
+                             .v = Vec3(0, 0.5 * rate, 0),
+                             .mass = 1,
+                             .omega = Vec3(0, 0, rate),
+                             .principal = Vec3::Constant(0.1)});
+  world.add_joint({.i = table, .j = arm, .p_j = Vec3(-0.5, 0, 0), .kind = JointKind::weld});
+  const Verdict verdict = run(world, 1.0 / 240, 2);
+  EXPECT_EQ(verdict.state, State::sound) << verdict.reason;
+  const double angle = rate * world.time();
+  EXPECT_NEAR((world.x(arm) - 0.5 * Vec3(std::cos(angle), std::sin(angle), 0)).norm(), 0, 2e-2 * 0.5);
+  EXPECT_NEAR(orientation(world, table).angularDistance(Quat(Eigen::AngleAxisd(angle, Vec3::UnitZ()))), 0,
+              1e-9);
+}
+
+TEST(Kinematic, BeltCarriesAndStaysWhereItIs) {
+  for (const bool plane : {false, true}) {
+    World<6> world({.friction = 0.5});
+    const int belt =
+        plane ? world.add_plane(Vec3::UnitZ(), 0) : world.add_fixed_box(Vec3(0, 0, -0.1), Vec3(5, 1, 0.1));
+    const Vec3 before = world.x(belt);
+    world.set_surface_velocity(belt, Vec3(1, 0, 0));
+    const int box = world.add({.x = Vec3(0, 0, 0.2), .mass = 1, .half_sides = Vec3::Constant(0.2)});
+    const Verdict verdict = run(world, 1.0 / 60, 2);
+    EXPECT_EQ(verdict.state, State::sound) << verdict.reason;
+    EXPECT_NEAR(world.v(box).x(), 1, 1e-6);
+    EXPECT_EQ(world.x(belt), before);
+    world.set_surface_velocity(belt, Vec3::Zero());
+    run(world, 1.0 / 60, 4);
+    EXPECT_NEAR(world.v(box).norm(), 0, 1e-6);
+  }
+}
+
+TEST(Kinematic, MeetsWhatWasFarAway) {
+  World<3> world({.gravity = Vec3::Zero()});
+  const int pusher = world.add_fixed(Vec3(-5, 0, 0), 0.5);
+  world.set_velocity(pusher, Vec3(2, 0, 0));
+  const int ball = world.add({.x = Vec3::Zero(), .mass = 1, .radius = 0.5});
+  const Verdict verdict = run(world, 1.0 / 60, 4);
+  EXPECT_EQ(verdict.state, State::sound) << verdict.reason;
+  EXPECT_NEAR(world.v(ball).x(), 2, 2e-2);
+  EXPECT_GE(world.x(ball).x() - world.x(pusher).x(), 1 - 1e-3);
+}
+
+TEST(Kinematic, GoesOnAfterAnotherBodyIsTakenOut) {
+  World<6> world({});
+  const int first = world.add_fixed(Vec3(9, 0, 0), 0.1);
+  const int second = world.add_fixed(Vec3::Zero(), 0.1);
+  world.set_velocity(second, Vec3(1, 0, 0));
+  world.remove_body(first);
+  world.step(0.5);
+  EXPECT_NEAR(world.x(0).x(), 0.5, 1e-15);
+  world.set_velocity(0, Vec3::Zero());
+  EXPECT_FALSE(world.has_kinematic_bodies());
+}
+
+TEST(Kinematic, RefusesWhatIsNotStatic) {
+  World<6> world({});
+  const int plane = world.add_plane(Vec3::UnitZ(), 0);
+  const int ball = world.add({.x = Vec3(0, 0, 1), .mass = 1, .radius = 0.5});
+  const int wall = world.add_fixed_box(Vec3(3, 0, 0), Vec3::Ones());
+  expect_refusal({"body", "static"}, [&] { world.set_velocity(ball, Vec3::UnitX()); });
+  expect_refusal({"body", "plane"}, [&] { world.set_velocity(plane, Vec3::UnitX()); });
+  expect_refusal({"v"}, [&] { world.set_velocity(wall, Vec3(NAN, 0, 0)); });
+  expect_refusal({"omega"}, [&] { world.set_velocity(wall, Vec3::Zero(), Vec3(INFINITY, 0, 0)); });
+  expect_refusal({"v"}, [&] { world.set_surface_velocity(wall, Vec3(NAN, 0, 0)); });
+  expect_refusal({"body", "7"}, [&] { world.set_velocity(7, Vec3::Zero()); });
+}
+
+}  // namespace
+}  // namespace spook::kinematic_test
