@@ -47,10 +47,10 @@ Vec3 gyroscopic_torque(const Mat3& inertia, const Vec3& omega);
 /// Second order, reversible, and L = I ω kept up to round-off. Changes `q` and `omega` [rad/s, world].
 void free_rotation(Quat& q, Vec3& omega, const Vec3& principal, double h);
 
-/// Exercise 2.7. The step of bodies that touch nothing, the first of an engine of your own: each is kicked by its weight,
-/// drifts, and turns, by Eq. (2.6) if its three moments are equal, else by Eq. (2.11): Eq. (1.3), (1.4). A point mass does
-/// not turn, and a static body stays. Joints and contacts are of later chapters. Throws std::invalid_argument that names h
-/// unless it is positive and finite.
+/// Exercise 2.7. Steps bodies without contacts, as the first step of your own engine. Each body is kicked by its weight
+/// and drifts, Eq. (1.3), (1.4). It turns by Eq. (2.6) if its three moments are equal, otherwise by Eq. (2.11). A point
+/// mass does not turn, and a static body does not move. Joints and contacts come in later chapters. Throws
+/// std::invalid_argument that names h unless h is positive and finite.
 void step_free(Simulation& simulation, double h);
 
 }  // namespace spook

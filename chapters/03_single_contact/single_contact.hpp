@@ -17,7 +17,7 @@
 //
 //   step   λ from W and W_f, W <- W + M⁻¹ Gᵀ λ, then the step of chapter 02       Eq. (3.7), (4.5)
 //
-//   K   collision matrix, how easily the contact point moves [1/kg]; G M⁻¹ Gᵀ is n·Kn     Eq. (3.8), (3.9)
+//   K   collision matrix, the inverse mass at the contact point [1/kg]; G M⁻¹ Gᵀ is n·Kn  Eq. (3.8), (3.9)
 //
 // Differs from the notes: -a times the *gap*, not Gq nor a positive depth; K is an inverse mass throughout.
 #include "02_quaternions/quaternions.hpp"
@@ -84,7 +84,7 @@ Mat3 collision_matrix(const InverseMass<6>& body_i, const Vec3& r_i, const Inver
 double contact_impulse(const SpookParameters& spook, double nKn, double gap, double normal_velocity,
                        double force_velocity);
 
-/// For the steps: W, M⁻¹ and W_f = h M⁻¹ f of a body, and W <- W + V.
+/// Helpers for the steps: W, M⁻¹ and W_f = h M⁻¹ f of a body, and W <- W + V.
 inline Twist<6> twist_of(const RigidBody& body) {
   return twist(body.v, body.omega);
 }
@@ -101,9 +101,9 @@ inline void add_twist(RigidBody& body, const Twist<6>& V) {
   body.omega += V.tail<3>();
 }
 
-/// Exercise 3.5. The step of bodies of which two touch, at a contact that somebody has found: its impulse changes the
-/// velocities of both, and then all move as before: Eq. (3.3), (3.8), (3.10), (3.11), (2.11). k and d are the simulation's.
-/// Throws std::invalid_argument as spook_parameters does, and then nothing has changed.
+/// Exercise 3.5. Steps bodies of which two touch at the given contact. The impulse of the contact changes the
+/// velocities of both, then all bodies move as in step_free: Eq. (3.3), (3.8), (3.10), (3.11), (2.11). k and d are
+/// the simulation's. Throws std::invalid_argument as spook_parameters does, without changing anything.
 void step_touching(Simulation& simulation, const Contact& contact, double h);
 
 }  // namespace spook

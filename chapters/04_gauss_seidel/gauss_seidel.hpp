@@ -106,7 +106,7 @@ struct SolveReport {
 template <int Dof>
 SolveReport solve(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V, const StopRule& stop);
 
-/// For the steps: what rows are made of, with W at t_n - h/2 and inertias at t_n.
+/// Helper for the steps: input of the rows, with W at t_n - h/2 and inertias at t_n.
 inline Motion<6> motion_of(const Simulation& simulation, double h) {
   Motion<6> motion;
   for (const RigidBody& body : simulation.bodies) {
@@ -117,9 +117,9 @@ inline Motion<6> motion_of(const Simulation& simulation, double h) {
   return motion;
 }
 
-/// Exercise 4.7. The step of bodies that touch in many places: a row for each contact, in order; all solved together; V
-/// added to the velocities; and then all move: Eq. (4.4), (4.7), (2.11). Throws std::invalid_argument as spook_parameters and
-/// solve do, and then nothing has changed.
+/// Exercise 4.7. Steps bodies with any number of contacts. Builds a row for each contact, in order, solves all rows
+/// together, adds V to the velocities, then moves all bodies: Eq. (4.4), (4.7), (2.11). Throws std::invalid_argument as
+/// spook_parameters and solve do, without changing anything.
 void step_contacts(Simulation& simulation, const std::vector<Contact>& contacts, double h);
 
 }  // namespace spook

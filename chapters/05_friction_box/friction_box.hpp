@@ -66,9 +66,10 @@ std::array<Constraint<Dof>, 2> friction_constraints(const Contact& contact, cons
 ///   bound    Λ [N s]
 Vec3 friction_impulse(const Mat3& K, const Vec3& u, const Tangents& tangents, double Gamma, double bound);
 
-/// Exercise 5.7. The step of chapter 04 with friction: behind the row of each contact those of its two tangents, unless mu
-/// is 0: Eq. (5.3)-(5.8). N counts the contacts of the list with the same i and j; g_n is |gravity · n|. Throws
-/// std::invalid_argument as step_contacts, friction_parameters and friction_bound do, and then nothing has changed.
+/// Exercise 5.7. Adds friction to the step of chapter 04: unless mu is 0, the row of each contact is followed by
+/// those of its two tangents, Eq. (5.3)-(5.8). N is the number of contacts with the same i and j; g_n is |gravity ·
+/// n|. Throws std::invalid_argument as step_contacts, friction_parameters and friction_bound do, without changing
+/// anything.
 void step_friction(Simulation& simulation, const std::vector<Contact>& contacts, double h);
 
 }  // namespace spook

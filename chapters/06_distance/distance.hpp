@@ -71,9 +71,9 @@ Net rope(const Vec3& from, const Vec3& to, int links, double mass);
 /// finite, corner, u and v are finite, and area, |u × v|, is positive.
 Net cloth(const Vec3& corner, const Vec3& u, const Vec3& v, int cells_u, int cells_v, double mass);
 
-/// Exercise 6.5. The step of chapter 05 with joints: their rows come first, in order, each joint with its own k and d:
-/// Eq. (6.1)-(6.6). Throws std::invalid_argument as step_friction, distance_constraint and spook_parameters do, and then
-/// nothing has changed.
+/// Exercise 6.5. Adds joints to the step of chapter 05. Their rows come first, in order, each joint with its own k
+/// and d: Eq. (6.1)-(6.6). Throws std::invalid_argument as step_friction, distance_constraint and spook_parameters
+/// do, without changing anything.
 void step_joints(Simulation& simulation, const std::vector<Contact>& contacts, double h);
 
 }  // namespace spook

@@ -138,9 +138,9 @@ std::vector<Pair> sweep_and_prune(const std::vector<Bounds>& bounds);
 /// the number of pairs that share a cell, for any mixture of sizes. Throws as sweep_and_prune does.
 std::vector<Pair> spatial_hash(const std::vector<Bounds>& bounds);
 
-/// Exercise 8.12. The whole step: finds the contacts of all bodies where they are at t_n, Eq. (8.1)-(8.12), and goes on as
-/// chapter 07's. Those of planes come first, plane by plane; then those of each pair of balls and boxes, in the order of
-/// the pairs. Two static bodies have none. Throws std::invalid_argument as step_impacts does.
+/// Exercise 8.12. Finds the contacts of all bodies at t_n, Eq. (8.1)-(8.12), then continues as the step of chapter
+/// 07. Contacts of planes come first, plane by plane, then those of each pair of balls and boxes, in the order of
+/// the pairs. Two static bodies have no contacts. Throws std::invalid_argument as step_impacts does.
 void step_pairs(Simulation& simulation, double h);
 
 }  // namespace spook

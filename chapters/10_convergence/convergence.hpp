@@ -75,10 +75,11 @@ std::vector<double> precondition(const std::vector<Row<Dof>>& rows, const std::v
 template <int Dof>
 SolveReport conjugate_solve(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V, const StopRule& stop);
 
-/// Exercise 10.9. The second solve of a relaxed substep, which finds the velocities to keep: Eq. (10.15). Positions have
-/// moved by those of the first. Sweeps the rows as if they were rigid, a = 0, b = 1 and Σ = 0, from the λ and V that the
-/// first solve left. Of the rows only λ changes. `motion` is that of which they were made. For contacts, friction and
-/// joints: the target of a motor would be lost. Contract of solve(): V, the stop rule, what is thrown.
+/// Exercise 10.9. Solves the rows a second time, for the velocities that a relaxed substep keeps: Eq. (10.15).
+/// Positions have already moved with the velocities of the first solve. Sweeps the rows as rigid ones, with a = 0,
+/// b = 1 and Σ = 0, from the λ and V of the first solve. Changes only λ in the rows. `motion` is the one that the
+/// rows were built from. Valid for contacts, friction and joints; the target of a motor would be lost. V, the stop
+/// rule and the exceptions are as in solve().
 template <int Dof>
 SolveReport relax(const Motion<Dof>& motion, std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V,
                   const StopRule& stop);

@@ -16,8 +16,8 @@
 //   motor                            B = w - G W - G W_f,  a = 0, b = 1, |λ| <= h T           Eq. (13.12), (13.13)
 //
 //   c   axes of the joint in a body's own axes, a quaternion; of a motor its viscosity [N m s/rad, N s/m]
-//   w   scalar part of Q; of a motor the wanted speed [rad/s, m/s]
-//   d   shift p_j - p_i [m], and not SPOOK's relaxation
+//   w   scalar part of Q; of a motor the target speed [rad/s, m/s]
+//   d   shift p_j - p_i [m], not SPOOK's relaxation
 //   e_k unit vectors          s   angle [rad] or shift [m]          T   largest torque or force of a motor [N m, N]
 //
 // Differs from the notes: the second term of their (22) is kept. This term moves i's lever arm to j's point. It is

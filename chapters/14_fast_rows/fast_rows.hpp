@@ -5,13 +5,13 @@
 // dynamic body, so they can be updated in parallel: four in the lanes of one instruction, and several packs on threads.
 //
 //   block of a contact   S_cc = G M⁻¹ Gᵀ + Σ,  3 x 3                                    Eq. (14.1)    not in the notes
-//   what it asks for     q = r + S_cc λ                                                 Eq. (14.2)    not in the notes
-//   it parts             q_n <= 0:  λ = 0                                               Eq. (14.3)    notes (31)
-//   it sticks            S_cc λ = q  within |λ_t| <= μ λ_n                              Eq. (14.4)    notes (3)
-//   it slides            (S_cc + diag(0, α, α)) λ = q,  |λ_t| = μ λ_n,  α > 0           Eq. (14.5)    not in the notes
-//   colours              the smallest that neither body has yet                         Eq. (14.7)    not in the notes
-//   their number         <= 2 Δ - 1,  Δ the most pairs on a body                        Eq. (14.8)    not in the notes
-//   lanes                Eq. (4.6), (4.7) in each, Δλ = 0 in an empty one               Eq. (14.9)    not in the notes
+//   right-hand side      q = r + S_cc λ                                                 Eq. (14.2)    not in the notes
+//   separating           q_n <= 0:  λ = 0                                               Eq. (14.3)    notes (31)
+//   sticking             S_cc λ = q  within |λ_t| <= μ λ_n                              Eq. (14.4)    notes (3)
+//   sliding              (S_cc + diag(0, α, α)) λ = q,  |λ_t| = μ λ_n,  α > 0           Eq. (14.5)    not in the notes
+//   colour of a pair     the smallest that neither body has yet                         Eq. (14.7)    not in the notes
+//   number of colours    <= 2 Δ - 1,  Δ the most pairs on a body                        Eq. (14.8)    not in the notes
+//   lanes                Eq. (4.6), (4.7) in each, Δλ = 0 in an empty lane              Eq. (14.9)    not in the notes
 //   discs in lanes       λ_t m,  m = 1 where |λ_t| <= Λ, else Λ/|λ_t|                   Eq. (14.14)   not in the notes
 //
 //   r   residual of the three rows, Eq. (4.6) [m/s]       α   slip over friction [1/kg]
@@ -63,7 +63,7 @@ struct Pack {
   std::array<int, lane_count> i = {-1, -1, -1, -1}, j = i;  ///< -1: a static body, or an empty lane
   std::array<int, lane_count> first = i;  ///< index of each lane's first row in the packed list; -1: none
   std::vector<LaneRows<Dof>> rows;
-  std::vector<Lanes> mu = {};  ///< of each three rows, where these are a contact's with friction; else empty
+  std::vector<Lanes> mu = {};  ///< of each three rows, if these are a contact with friction; otherwise empty
 };
 
 /// Exercise 14.4. Updates all rows of a pack in their order: Eq. (14.9), that is Eq. (4.6), (4.7) in each lane. A body
@@ -75,8 +75,8 @@ double update_pack(Pack<Dof>& pack, std::vector<Twist<Dof>>& V);
 template <int Dof>
 using Colour = std::vector<Pack<Dof>>;
 
-/// All rows as packs, by colour_pairs(), which is given. Rows of the same two bodies that follow each other stay together,
-/// and in their order. `bodies`: how many there are. The rows of `contacts` are in packs of their own, with μ.
+/// Packs all rows by colour, using colour_pairs(). Given. Consecutive rows of the same two bodies stay together and
+/// keep their order. The rows of `contacts` are in packs of their own, with μ. `bodies`: the number of bodies.
 template <int Dof>
 std::vector<Colour<Dof>> packed(const std::vector<Row<Dof>>& rows, std::size_t bodies,
                                 const std::vector<FrictionContact>& contacts = {});
@@ -101,12 +101,12 @@ SolveReport solve_in_colours(std::vector<Colour<Dof>>& colours, std::vector<Twis
 /// Two impulses in each lane [N s]: along t1 in column 0, along t2 in column 1.
 using LanePairs = Eigen::Array<double, lane_count, 2>;
 
-/// Exercise 14.6. In each lane the point of the disc |λ_t| <= radius that is nearest, without a branch: Eq. (14.14),
-/// that is Eq. (9.4). Zero for a radius of 0, also where λ_t is 0, as in an empty lane.
+/// Exercise 14.6. Returns the nearest point of the disc |λ_t| <= radius in each lane, without a branch: Eq.
+/// (14.14), that is Eq. (9.4). Returns zero for a radius of 0, even if λ_t is 0, as in an empty lane.
 LanePairs onto_discs(const LanePairs& lambda, const Lanes& radius);
 
-/// Brings the contacts of a pack with μ up to date, in their order, by onto_discs(): Eq. (4.7) and then (9.6), in each
-/// lane. Given. Returns the largest S_kk |Δλ_k| or s |Δλ_t| [m/s].
+/// Updates the contacts of a pack with μ, in their order, using onto_discs(): Eq. (4.7) and then (9.6), in each lane.
+/// Given. Returns the largest S_kk |Δλ_k| or s |Δλ_t| [m/s].
 template <int Dof>
 double update_contact_pack(Pack<Dof>& pack, std::vector<Twist<Dof>>& V);
 

@@ -1,6 +1,6 @@
-// What a student's programs hold besides: when one crashes, and SPOOK_CRASH_TRACE names a file, the addresses of the calls
-// that led there are written to it, a line each, the innermost first. tools/course/crash.py finds the student's line by
-// them.
+// What a student's programs hold besides: when one crashes, and SPOOK_CRASH_TRACE names a file, the addresses of the
+// calls that led there are written to it, a line each, the innermost first. tools/course/crash.py finds the student's
+// line by them.
 #include <execinfo.h>
 #include <fcntl.h>
 #include <unistd.h>

@@ -2,11 +2,11 @@
 //
 //   link       a hanging wire, solved directly: time of a step per link [us], and the top link's tension over the
 //              weight below
-//   body       balls in a pyramid's layers between walls, 20 sweeps a step of 1/240 s: time of a step for each ball [us],
-//              in the order that is given, in stripes, and in stripes on two threads
-//   stands     after a second: how far they have sunk in the mean, in radii, and how fast the fastest is [m/s]
-//   memory     for each link, ball, and contact with friction [bytes]
-//   same       whether two threads have every bit as one has it: 1, or 0
+//   body       balls in a pyramid's layers between walls, 20 sweeps a step of 1/240 s: time of a step per ball [us],
+//              in the given order, in stripes, and in stripes on two threads
+//   stands     after a second: the mean depth of the balls, in radii, and the largest speed [m/s]
+//   memory     per link, ball, and contact with friction [bytes]
+//   same       1 if two threads give the same bits as one, else 0
 #ifdef __APPLE__
 #include <malloc/malloc.h>
 #else

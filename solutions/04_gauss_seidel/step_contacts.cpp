@@ -6,7 +6,7 @@ void step_contacts(Simulation& simulation, const std::vector<Contact>& contacts,
   const SpookParameters spook = spook_parameters(h, simulation.k, simulation.d);
   const Motion<6> motion = motion_of(simulation, h);
 
-  // Rows, by positions and velocities as they are.
+  // Rows, from the present positions and velocities.
   std::vector<Row<6>> rows;
   for (const Contact& contact : contacts) {
     const ContactJacobian G = contact_jacobian(contact);

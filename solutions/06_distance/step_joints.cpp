@@ -4,7 +4,7 @@
 
 namespace spook {
 
-/// N, the contacts between the two bodies of one.
+/// N, the number of contacts between the same two bodies.
 static int contacts_of_pair(const std::vector<Contact>& contacts, const Contact& one) {
   return static_cast<int>(std::count_if(contacts.begin(), contacts.end(), [&](const Contact& other) {
     return other.i == one.i && other.j == one.j;

@@ -36,7 +36,7 @@ static void add_contacts_of_planes(const Simulation& simulation, const std::vect
   }
 }
 
-/// The narrow phase of two that may touch.
+/// Narrow phase for two bodies that may touch.
 static void add_contacts_of_pair(const Simulation& simulation, int i, int j, std::vector<Contact>& contacts) {
   const RigidBody &a = simulation.bodies[i], &b = simulation.bodies[j];
   if (a.mass == 0 && b.mass == 0) return;

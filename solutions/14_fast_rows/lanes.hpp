@@ -4,7 +4,8 @@
 
 namespace spook {
 
-/// The bodies' velocities, 0 for an index of -1. Component by component: what is written and read again in other pieces makes a processor wait.
+/// Returns the velocities of the bodies, 0 for an index of -1. Copies component by component, because a processor waits
+/// when it reads in other pieces what it has just written.
 template <int Dof>
 LaneTwists<Dof> gathered(const std::array<int, lane_count>& bodies, const std::vector<Twist<Dof>>& V) {
   static const Twist<Dof> none = Twist<Dof>::Zero();
@@ -15,7 +16,7 @@ LaneTwists<Dof> gathered(const std::array<int, lane_count>& bodies, const std::v
   return all;
 }
 
-/// Writes nothing for an index of -1.
+/// Stores the velocities; an index of -1 is skipped.
 template <int Dof>
 void scatter(const LaneTwists<Dof>& all, const std::array<int, lane_count>& bodies,
              std::vector<Twist<Dof>>& V) {
@@ -26,7 +27,7 @@ void scatter(const LaneTwists<Dof>& all, const std::array<int, lane_count>& bodi
   }
 }
 
-/// a·b in each lane, component by component.
+/// Returns a·b of each lane, summed component by component.
 template <int Dof>
 Lanes dot(const LaneTwists<Dof>& a, const LaneTwists<Dof>& b) {
   Lanes sum = a.col(0) * b.col(0);

@@ -7,7 +7,7 @@ namespace spook {
 
 namespace {
 
-/// Rows of the same two bodies that follow each other: all of contacts with friction, or none.
+/// Consecutive rows of the same two bodies: all of contacts with friction, or none.
 struct Run {
   int first, count;
   bool rubs;
@@ -57,7 +57,7 @@ std::vector<Colour<Dof>> packed(const std::vector<Row<Dof>>& rows, std::size_t b
 
   std::vector<Colour<Dof>> all(members.size());
   for (std::size_t c = 0; c < all.size(); ++c) {
-    // The longest first: those side by side are about as long. Those of contacts come last, in packs of their own.
+    // The longest first, so that rows side by side have similar lengths; those of contacts last, in packs of their own.
     std::stable_sort(members[c].begin(), members[c].end(), [&](int a, int b) {
       return runs[a].rubs != runs[b].rubs ? runs[b].rubs : runs[a].count > runs[b].count;
     });

@@ -7,13 +7,13 @@ namespace spook {
 
 namespace {
 
-/// The residuals of the rows in their lanes, Eq. (4.6) [m/s].
+/// Residuals of the rows in their lanes, Eq. (4.6) [m/s].
 template <int Dof>
 Lanes lacked_by(const LaneRows<Dof>& row, const LaneTwists<Dof>& Vi, const LaneTwists<Dof>& Vj) {
   return row.B - dot<Dof>(row.Gi, Vi) - dot<Dof>(row.Gj, Vj) - row.Sigma * row.lambda;
 }
 
-/// Eq. (4.5).
+/// Adds Δλ to V, Eq. (4.5).
 template <int Dof>
 void apply(const LaneRows<Dof>& row, const Lanes& delta, LaneTwists<Dof>& Vi, LaneTwists<Dof>& Vj) {
   for (int d = 0; d < Dof; ++d) {
@@ -22,7 +22,7 @@ void apply(const LaneRows<Dof>& row, const Lanes& delta, LaneTwists<Dof>& Vi, La
   }
 }
 
-/// Eq. (4.7), for contacts: λ >= 0. Returns S_kk |Δλ_k|.
+/// Updates normal rows by Eq. (4.7) with λ >= 0. Returns S_kk |Δλ_k|.
 template <int Dof>
 Lanes update_normal(LaneRows<Dof>& row, LaneTwists<Dof>& Vi, LaneTwists<Dof>& Vj) {
   const Lanes wanted = row.lambda + lacked_by<Dof>(row, Vi, Vj) / row.diagonal;
@@ -32,7 +32,7 @@ Lanes update_normal(LaneRows<Dof>& row, LaneTwists<Dof>& Vi, LaneTwists<Dof>& Vj
   return row.diagonal * delta.abs();
 }
 
-/// Eq. (9.5), (9.6), for a disc of that radius. Returns s |Δλ_t|.
+/// Updates friction rows by Eq. (9.5), (9.6), on discs of these radii. Returns s |Δλ_t|.
 template <int Dof>
 Lanes update_pairs(LaneRows<Dof>& row1, LaneRows<Dof>& row2, const Lanes& radius, LaneTwists<Dof>& Vi,
                    LaneTwists<Dof>& Vj) {

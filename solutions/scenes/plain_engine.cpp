@@ -26,7 +26,7 @@ bool turns_otherwise(const World<6>& world) {
   return world.settings().rotation.update != RotationUpdate::splitting;
 }
 
-/// Returns whether all bodies are point masses.
+/// Returns true if all bodies are point masses, without joints or contacts.
 template <int Dof>
 bool is_free(const World<Dof>& world) {
   return Dof == 3 && world.joints().empty() && !world.shapes().may_touch();
@@ -50,7 +50,7 @@ void refuse_what_no_step_has(const World<Dof>& world) {
 
 enum class Step { leapfrog, composed, free, touching, contacts, friction, joints, impacts, pairs };
 
-/// The first step that has all that the world needs. Boxes meet by chapter 08.
+/// Returns the first step with all features that the world needs. Contacts between boxes need chapter 08.
 template <int Dof>
 Step first_step_for(const World<Dof>& world) {
   const Settings<Dof>& settings = world.settings();
@@ -91,7 +91,7 @@ void copy_shapes(const Shapes& shapes, std::vector<RigidBody>& bodies) {
   }
 }
 
-/// The world in plain data. A stiffness that nobody has set is the engine's own.
+/// Copies the world into plain data. An unset stiffness is the engine's default.
 template <int Dof>
 Simulation copy_of(const World<Dof>& world, double h) {
   const Settings<Dof>& settings = world.settings();
@@ -137,7 +137,7 @@ void copy_back(const Simulation& simulation, Bodies<Dof>& bodies) {
   }
 }
 
-/// Chapter 01's step, of point masses.
+/// Step of chapter 01, for point masses.
 void step_points(const World<3>& world, double h, Bodies<3>& bodies) {
   const Settings<3>& settings = world.settings();
   Particles particles{.x = bodies.x, .v = bodies.motion.W, .inverse_mass = {}};
@@ -192,7 +192,7 @@ Stepper<Dof> plain_stepper() {
     const Step step = first_step_for(world);
     if constexpr (Dof == 3)
       if (is_free(world)) return step_points(world, h, bodies);
-    // Until chapter 08 somebody else finds the contacts.
+    // Before chapter 08 the engine finds the contacts.
     if (step != Step::pairs && world.shapes().may_touch()) finder.find(world.shapes(), bodies, 0, contacts);
     Simulation simulation = copy_of(world, h);
     step_by(step, simulation, contacts, h);

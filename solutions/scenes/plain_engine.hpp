@@ -1,15 +1,15 @@
 #pragma once
-// The plain engine: the steps that the chapters end with, put in place of a world's own stages.
+// The plain engine: the last exercises of the chapters, steps, replace the world's own stages.
 //
-// A world still holds bodies, shapes and joints. Each step copies them into the plain data of the chapters, calls the step
-// of the first chapter that has all that the world needs, and copies positions and velocities back. So a hand that pulls,
-// a new setting and a new scene need nothing more.
+// A world still holds bodies, shapes and joints. Each step copies them into the plain data of the chapters, calls the
+// step of the first chapter that has all that the world needs, and copies positions and velocities back. So pulls by
+// hand, new settings and new scenes need no further code.
 #include "engine/world/world.hpp"
 
 namespace spook {
 
-/// A step of the plain engine for Settings::stepper. It throws std::invalid_argument that names what the world has and no
-/// chapter's step runs, such as a hinge.
+/// Returns a step of the plain engine for Settings::stepper. The step throws std::invalid_argument for a feature
+/// that no chapter's step has, such as a hinge; the message names it.
 template <int Dof>
 Stepper<Dof> plain_stepper();
 

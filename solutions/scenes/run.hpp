@@ -17,16 +17,16 @@ struct RunSettings {
 
 struct RunResult {
   std::int64_t steps = 0;
-  double error = 0;                   ///< in the scene's unit
-  Verdict verdict;                    ///< the worst of all steps
-  StepReport last;                    ///< of the last step
-  std::vector<std::string> columns;   ///< of the scene
-  std::vector<double> state;          ///< the last, in these columns
-  std::int64_t row_updates = 0;       ///< of all steps
-  std::optional<double> us_per_step;  ///< median of several runs [µs]; none when no step was taken
-  double us_low = 0, us_high = 0;     ///< their quartiles [µs]
-  StageTimes stages;                  ///< their shares of us_per_step
-  std::string plain_step;  ///< the exercise whose step ran, such as "2.7 step_free"; of the plain engine only
+  double error = 0;                   ///< error in the scene's unit
+  Verdict verdict;                    ///< the worst verdict of all steps
+  StepReport last;                    ///< report of the last step
+  std::vector<std::string> columns;   ///< names of the state's numbers
+  std::vector<double> state;          ///< final state, in these columns
+  std::int64_t row_updates = 0;       ///< row updates of all steps
+  std::optional<double> us_per_step;  ///< median of several runs [µs]; none without steps
+  double us_low = 0, us_high = 0;     ///< quartiles of those runs [µs]
+  StageTimes stages;                  ///< time of each stage, scaled to add up to us_per_step
+  std::string plain_step;  ///< the exercise whose step ran, such as "2.7 step_free"; in the plain engine only
 };
 
 /// Returns time/h, rounded. Throws std::invalid_argument unless h > 0 and time >= 0, and for more than 1e9 steps.
@@ -35,7 +35,7 @@ std::int64_t step_count(double h, double time);
 /// Returns the exercise whose step runs the scene in the plain engine. Throws std::invalid_argument where none does.
 std::string plain_step_of(const Scene& scene);
 
-/// The observations of the first run.
+/// Output of the first run.
 struct Watch {
   std::ostream* csv = nullptr;  ///< gets a line of names, and a line for each substep, the start included
   bool positions = false;       ///< adds x, y, z of each body to these lines

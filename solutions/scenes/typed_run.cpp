@@ -56,7 +56,7 @@ static void refuse_solver_beside_composed(const TypedRun& typed, const Method& m
                                   " has no effect with integrator-order 4, which uses no solver: leave it out");
 }
 
-/// The plain step is what the chapters say it is, and has one way of doing it.
+/// Refuses options of the fast engine, since the plain engine has no choices.
 static void refuse_beside_plain(const TypedRun& typed) {
   const std::pair<const char*, bool> of_the_fast[] = {{"solver", typed.solver.has_value()},
                                                       {"row-order", typed.row_order.has_value()},
@@ -68,7 +68,7 @@ static void refuse_beside_plain(const TypedRun& typed) {
   for (const auto& [option, given] : of_the_fast)
     if (given)
       throw std::invalid_argument(std::string(option) +
-                                  " is for the fast engine: leave it out, or leave out --engine");
+                                  " needs the fast engine: leave it out, or leave out --engine");
 }
 
 Parameters TypedRun::parameters(const SceneDescription& description) const {

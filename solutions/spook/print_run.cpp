@@ -27,7 +27,7 @@ static bool may_rub(const Parameters& parameters) {
          std::any_of(all.begin(), all.end(), [](const Parameter& one) { return one.name == "mu"; });
 }
 
-/// The method for rows: the friction model, its tangents, the solver and its stop rule.
+/// Text about the rows and their solution: the friction model, its tangents, the solver and its stop rule.
 static std::string solver_text(const SceneDescription& scene, const Parameters& parameters,
                                const Method& method) {
   if (method.integrator_order == 4) return scene.solves ? "none: order four holds joints rigid" : "none";

@@ -1,8 +1,8 @@
 #pragma once
-// Random inputs from a seed that every failure prints, and that `./course check N.M --seed S` gives back: with every
-// compiler, as long as no two draws are arguments in the same parentheses or operands of the same sum, whose order is the
-// compiler's. Braces have an order, and so have statements. Engines of the standard library give the same bits everywhere;
-// its distributions do not, and are not used.
+// Random inputs from a seed. Every failure prints the seed, and `./course check N.M --seed S` repeats its inputs. They
+// are the same with every compiler if no two draws are arguments of one call or operands of one sum, since the compiler
+// chooses the order of those. Initialisers in braces, and statements, have a fixed order. The engines of the standard
+// library give the same bits everywhere; its distributions do not, and are not used.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

@@ -1,5 +1,5 @@
 #pragma once
-// What the tests of steps share: bodies of every kind, their units, and how far two simulations are apart.
+// Helpers for the tests of steps: bodies of every kind, their units, and the comparison of two simulations.
 #include <string>
 
 #include "checks.hpp"
@@ -40,7 +40,7 @@ inline void each_number(Visitor& visitor, Simulation& all, ByField) {
   visitor.fixed(false);
 }
 
-/// A body that moves and turns, of 1 to 2 kg and three different moments.
+/// Draws a body that moves and turns, of 1 to 2 kg, with three different moments of inertia.
 inline RigidBody random_rigid_body(Random& random) {
   RigidBody body{.x = random.vector(), .v = random.vector(), .q = random.rotation(), .omega = random.vector()};
   body.mass = random.uniform(1, 2);
@@ -48,7 +48,7 @@ inline RigidBody random_rigid_body(Random& random) {
   return body;
 }
 
-/// A static body, though numbers say that it would.
+/// Draws a static body at rest, whose moments of inertia are those of a dynamic one.
 inline RigidBody random_static_body(Random& random) {
   RigidBody body = random_rigid_body(random);
   body.mass = 0;
@@ -56,7 +56,7 @@ inline RigidBody random_static_body(Random& random) {
   return body;
 }
 
-/// All numbers of the bodies that a step changes.
+/// Returns all numbers of the bodies that a step changes.
 inline std::vector<double> state_of(const Simulation& all) {
   std::vector<double> numbers;
   for (const RigidBody& body : all.bodies)
@@ -67,7 +67,7 @@ inline std::vector<double> state_of(const Simulation& all) {
   return numbers;
 }
 
-/// The state of one body that a step changes: x, v, q and omega in one vector; q as the nearer of q and -q to `near`.
+/// Returns the numbers of one body that a step changes: x, v, q and ω. Of q and -q it takes the one nearer to `near`.
 inline Eigen::Matrix<double, 13, 1> state_of(const RigidBody& body, const Quat& near) {
   const double sign = body.q.dot(near) < 0 ? -1 : 1;
   Eigen::Matrix<double, 13, 1> state;
@@ -75,13 +75,13 @@ inline Eigen::Matrix<double, 13, 1> state_of(const RigidBody& body, const Quat& 
   return state;
 }
 
-/// A simulation that a known mistake gives, and the mistake.
+/// Result of a known mistake, and a text about the mistake.
 struct Mistake {
   Simulation wrong;
   std::string text;
 };
 
-/// Returns whether every body of two simulations is alike, to within `close`.
+/// Returns true if all bodies of two simulations agree within `close`.
 inline bool are_alike(const Simulation& a, const Simulation& b, double close) {
   for (std::size_t k = 0; k < a.bodies.size(); ++k)
     if (!((state_of(a.bodies[k], b.bodies[k].q) - state_of(b.bodies[k], b.bodies[k].q)).norm() <= close))
@@ -89,8 +89,8 @@ inline bool are_alike(const Simulation& a, const Simulation& b, double close) {
   return true;
 }
 
-/// Each body is where it should be, as fast, and turned alike. A failure shows the first that is not, and names one of the
-/// mistakes if all bodies are as the mistake has them.
+/// Expects the same positions, velocities, orientations and angular velocities. A failure shows the first body that
+/// differs, and names a mistake if its simulation agrees with `got`.
 inline void expect_same_bodies(const std::string& what, const std::string& equation, const Simulation& got,
                                const Simulation& expected, const Tolerance& tolerance,
                                const std::vector<Mistake>& mistakes = {}, const std::string& otherwise = "") {

@@ -1,12 +1,12 @@
 #pragma once
-// A step put together from the chapters' functions, stage by stage, and what may be done wrongly in each stage.
+// A step composed of the chapters' functions, stage by stage, with possible mistakes in each stage.
 #include "07_impacts/impacts.hpp"
 #include "quantities.hpp"
 #include "simulations.hpp"
 
 namespace spook::testing {
 
-/// The mistakes of a step; without any it is right.
+/// Mistakes of a step; the default has none.
 struct Stages {
   bool moves_before = false;           ///< moves the bodies, and then makes rows of old contacts
   bool kicks_before = false;           ///< kicks the bodies before the rows are made, and again when they move
@@ -76,7 +76,7 @@ inline std::vector<Constraint<6>> contact_constraints(const Simulation& all,
   return constraints;
 }
 
-/// V of all rows together, or of each by itself.
+/// Returns V of all rows solved together, or of each row alone.
 inline std::vector<Twist<6>> solved(const Simulation& all, std::vector<Row<6>> rows, const Stages& stages) {
   std::vector<Twist<6>> V(all.bodies.size(), Twist<6>::Zero());
   const StopRule stop{.max_sweeps = stages.max_sweeps ? stages.max_sweeps : all.max_sweeps,
@@ -94,7 +94,7 @@ inline std::vector<Twist<6>> solved(const Simulation& all, std::vector<Row<6>> r
   return V;
 }
 
-/// Rows, solve, integrate: the step of chapters 04 to 06.
+/// Builds rows, solves and integrates, as the steps of chapters 04 to 06.
 inline Simulation assembled(Simulation all, const std::vector<Contact>& contacts, double h,
                             const Stages& stages = {}) {
   if (stages.moves_before) step_free(all, h);
@@ -121,7 +121,7 @@ inline Simulation assembled(Simulation all, const std::vector<Contact>& contacts
   return all;
 }
 
-/// So many bodies, every fifth of them static, and contacts anywhere between them, several of some pairs.
+/// Bodies, every fifth of them static, with contacts at random places; some pairs have several.
 struct Crowd {
   Simulation all;
   std::vector<Contact> contacts;
@@ -151,7 +151,8 @@ inline Crowd crowd(Random& random, int bodies, int contacts) {
   return made;
 }
 
-/// Momentum, then angular momentum about the world's origin, of velocities `now` where the bodies are in `places`.
+/// Returns momentum, then angular momentum about the world's origin, with the velocities of `now` at the positions of
+/// `places`.
 inline Twist<6> momenta(const Simulation& now, const Simulation& places) {
   Twist<6> sum = Twist<6>::Zero();
   for (std::size_t b = 0; b < now.bodies.size(); ++b) {
@@ -162,7 +163,7 @@ inline Twist<6> momenta(const Simulation& now, const Simulation& places) {
   return sum;
 }
 
-/// The answers to some mistakes, each in words.
+/// Texts about some mistakes, with their results.
 inline std::vector<Mistake> mistakes_of(const Simulation& all, const std::vector<Contact>& contacts, double h,
                                         const std::vector<std::pair<Stages, std::string>>& which) {
   std::vector<Mistake> mistakes;

@@ -138,7 +138,7 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     command = add("plot", "run an experiment, check its claims, draw it; without a name: list all")
     command.add_argument("which", nargs="?", metavar="NAME", help="an experiment, a topic, or all")
     command.add_argument("--mine", action="store_true", help="add a curve of your own functions")
-    command.add_argument("--engine", choices=["mine"], help="add a curve of your own engine: for work_precision")
+    command.add_argument("--engine", choices=["mine"], help="add a curve of your own engine (work_precision only)")
     command.add_argument("--quick", action="store_true", help="use the small size of the tests")
     command.add_argument("--shard", metavar="I/N", help="compute only each N-th point, from the I-th")
     command.add_argument("--merge", nargs="+", metavar="FOLDER", help="combine the results of shards")

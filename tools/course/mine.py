@@ -30,10 +30,10 @@ def begun() -> list[Exercise]:
 
 
 def told(mine: list[Exercise], called: set[str] | None = None) -> str:
-    """Which functions are the student's; those alone that were `called`, where that is known."""
+    """Tells which functions are the student's: only those that were `called`, if that is known."""
     used = [exercise for exercise in mine if called is None or exercise.function in called]
     if not used:
-        return f"This run calls no function of yours; you have begun {_listed(mine)}. All of it is the reference."
+        return f"This run calls no function of yours; you have begun {_listed(mine)}. Everything is the reference."
     idle = [exercise for exercise in mine if exercise not in used]
     not_called = f" Yours, too, but not called: {_listed(idle)}." if idle else ""
     return f"Yours, right or wrong: {_listed(used)}; the rest is the reference.{not_called}"

@@ -55,7 +55,7 @@ def experiments() -> list[Experiment]:
 
 def plot(arguments) -> int:
     if arguments.engine and arguments.which != _OF_ENGINES:
-        raise BadInput(f"plot: --engine is for {_OF_ENGINES}, which runs any scene")
+        raise BadInput(f"plot: only {_OF_ENGINES} has --engine; leave it out")
     arguments.mine |= arguments.engine is not None
     if arguments.which is None:
         _require_no_options(arguments)

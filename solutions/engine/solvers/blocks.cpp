@@ -1,6 +1,6 @@
-// Gauss-Seidel whose unit is a contact: chapter 14, Eq. (14.1)-(14.6); rows that are no contact's by Eq. (4.7).
+// Gauss-Seidel by contacts: chapter 14, Eq. (14.1)-(14.6). Rows without a contact are updated by Eq. (4.7).
 //
-// One entry of its history is what a sweep returned. Keeps nothing.
+// An entry of its history is the value returned by a sweep. Stores nothing between steps.
 #include <cmath>
 
 #include "14_fast_rows/fast_rows.hpp"

@@ -1,10 +1,10 @@
 // Sweeps by colours, four rows in the lanes of an instruction: chapter 14.
 //
 //   bounds   packs of rows on several threads                   Eq. (14.9), (14.10)
-//   cones    packs of contacts; what is no contact's as above   Eq. (14.9), (14.14)
+//   cones    packs of contacts; other rows as above             Eq. (14.9), (14.14)
 //
-// On cones it uses one thread. One entry of its history is what a sweep returned. Keeps nothing: the packs are made anew
-// in each step.
+// On cones it uses one thread. An entry of its history is the value returned by a sweep. Stores nothing between steps:
+// every step makes new packs.
 #include <cmath>
 
 #include "14_fast_rows/fast_rows.hpp"

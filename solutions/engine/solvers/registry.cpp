@@ -47,7 +47,7 @@ const std::vector<NamedSolver<Dof>>& solvers() {
        &spatial_decomposition<Dof>, nullptr},
       {"colours", "Gauss-Seidel by colours, four rows or contacts in the lanes of an instruction", "sweep",
        &colours_of<Dof, box>, &colours_of<Dof, cone>},
-      {"blocks", "Gauss-Seidel whose unit is a contact; on a box or in two passes as gauss_seidel", "sweep",
+      {"blocks", "Gauss-Seidel by contacts; on a box or in two passes as gauss_seidel", "sweep",
        &gauss_seidel<Dof>, &blocks<Dof>},
       {"direct", "sparse factors of S; bounds by an interior-point method", "factorisation", &direct<Dof>,
        nullptr},

@@ -1,10 +1,10 @@
 #pragma once
 // The solvers: one file each in this room, all with the signature of Solver.
 //
-//   on their own     gauss_seidel, ordered_gauss_seidel, cone_gauss_seidel, spatial_decomposition, colours, blocks,
-//                    conjugate_gradients, anderson, newton, direct, automatic
-//   with another     two_pass(solver), geometric_stiffness(solver): the outer one says which rows there are and what
-//                    bounds they have, and the inner one solves them
+//   complete     gauss_seidel, ordered_gauss_seidel, cone_gauss_seidel, spatial_decomposition, colours, blocks,
+//                conjugate_gradients, anderson, newton, direct, automatic
+//   composed     two_pass(solver), geometric_stiffness(solver): the outer solver selects rows and bounds, and the inner
+//                solver solves them
 //
 //   two_pass(direct<6>())                                       friction limited by exact normal forces
 //   two_pass(ordered_gauss_seidel<3>(RowOrder::random, 1))      friction limited by normal forces of random sweeps
@@ -45,15 +45,15 @@ Solver<Dof> automatic(FrictionModel model = FrictionModel::cone);
 template <int Dof>
 Solver<Dof> spatial_decomposition();
 
-/// Sweeps by colours in lanes, chapter 14's. The model is box or cone.
+/// Sweeps by colours in lanes, as in chapter 14. `model` is box or cone.
 template <int Dof>
 Solver<Dof> colours(FrictionModel model = FrictionModel::box);
 
-/// Gauss-Seidel on cones, each contact with its friction as a block, chapter 14's.
+/// Gauss-Seidel on cones, with each contact and its friction as a block, as in chapter 14.
 template <int Dof>
 Solver<Dof> blocks();
 
-/// In which order the sweeps go through the rows.
+/// The order of rows in a sweep.
 enum class RowOrder {
   given,   ///< order of the list
   up,      ///< by the height of a row's bodies, against gravity: Eq. (10.3)

@@ -41,8 +41,8 @@ def refuse_without_history() -> CourseError:
 def refuse_what_is_begun() -> None:
     for name, what in _BEGUN.items():
         if os.path.exists(ROOT / git("rev-parse", "--git-path", name)):
-            raise CourseError(f"git is in the middle of a {what}; end it, or take it back, and update then; to take it "
-                              f"back:  git {what} --abort")
+            raise CourseError(f"git is in the middle of a {what}; finish it, then update; or take it back:  "
+                              f"git {what} --abort")
     if asked("ls-files", "--unmerged"):
         raise CourseError("files have conflicts that git waits for; end them, then update (git status names them)")
     lock = ROOT / git("rev-parse", "--git-path", "index.lock")
