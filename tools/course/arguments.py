@@ -152,6 +152,14 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     command.add_argument("--views", action="store_true", help="link each film to its page of ./course view")
     command.add_argument("--publish", metavar="REMOTE",
                          help="push the site to branch gh-pages of this git remote, as its only commit")
+    command = add("slides", "make a chapter's slides from its lesson: one HTML file that prints, with notes")
+    command.add_argument("which", metavar="N", help="a chapter")
+    command.add_argument("--out", metavar="FILE", help="output file (default: build/slides/NN_topic.html)")
+    command = add("exam", "print exam questions on the objectives of chapters, drawn by a seed; with their answers")
+    command.add_argument("chapters", nargs="?", type=_chapters, metavar="A-B", help="1-5, or 1,3,5-7")
+    command.add_argument("--seed", type=_seed, metavar="S", help="seed of numbers, signs and conventions (default: 1)")
+    command.add_argument("--answers", action="store_true", help="print the answer below each question")
+    command.add_argument("--objectives", action="store_true", help="print chapters/OBJECTIVES.md")
     command = add("import", "convert a model in MJCF, MuJoCo's format, to a scene file")
     command.add_argument("model", metavar="FILE.xml")
     command.add_argument("--out", metavar="FILE.json", help="output file (default: standard output)")
@@ -160,12 +168,12 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     command.add_argument("--yes", action="store_true", help="install without asking")
     command.add_argument("words", nargs="*", metavar="FILE ...", help="arguments of Python; the file may import spook")
     _add_grade(add("grade", "grade a class: folders and zips that contain chapters/"))
-    command = add("export", "make files for grading on another platform, or convert results for it")
+    command = add("export", "make files for grading on another platform, convert results for it, or make a repository for students")
     command.add_argument("what", metavar="FORMAT", choices=EXPORTS, help=", ".join(EXPORTS))
     command.add_argument("results", nargs="*", metavar="RESULTS",
                          help="results.json of one submission, or a folder that grade has written")
     command.add_argument("--out", metavar="FILE", help="output file (default: print text formats)")
-    command.add_argument("--chapters", type=_chapters, metavar="A-B", help="chapters that the platform grades")
+    command.add_argument("--chapters", type=_chapters, metavar="A-B", help="chapters that the platform grades, or that students write")
     command.add_argument("--hidden", metavar="DIR", help="folder of hidden tests for the platform")
     command.add_argument("--seed", type=_seed, metavar="S", help="seed of random inputs on the platform")
     command.add_argument("--weights", metavar="FILE", help="table of points, for a kit or to score results again")
@@ -240,7 +248,7 @@ def _add_grade(command: Parser) -> None:
                          help="largest total of time-outs in a submission (default: 600)")
     command.add_argument("--isolation", choices=NAMES, metavar="NAME",
                          help=f"isolation of submissions (default: the first that works of {', '.join(NAMES)})")
-    command.add_argument("--fresh", action="store_true", help="grade everything again, ignoring earlier results")
+    command.add_argument("--fresh", action="store_true", help="grade everything again, ignoring earlier results; if interrupted, the command without it goes on")
     command.add_argument("--prepare", action="store_true",
                          help="only install missing packages, build, and test the reference")
     command.add_argument("--yes", action="store_true", help="install without asking")

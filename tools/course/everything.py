@@ -36,6 +36,7 @@ class Outcome:
 
 
 def test(arguments) -> int:
+    need_sources("test")
     if machine.is_mac():
         return _on_mac(arguments)
     install(NEEDS + TEST_NEEDS, arguments.yes)

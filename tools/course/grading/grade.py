@@ -40,7 +40,8 @@ def grade(arguments) -> int:
     try:
         return _grade(arguments)
     except KeyboardInterrupt:
-        print("\nInterrupted. Finished results are kept; the same command continues from there.", file=sys.stderr)
+        again = "the same command without --fresh" if arguments.fresh else "the same command"
+        print(f"\nInterrupted. Finished results are kept; {again} continues from there.", file=sys.stderr)
         return 130
     finally:
         signal.signal(signal.SIGTERM, before)

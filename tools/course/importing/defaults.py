@@ -30,10 +30,12 @@ def _parse(path: Path, file: str) -> Element:
         raise BadInput(f"{path}: {error}") from None
 
 
-def _include(element: Element, folder: Path, report: Report, depth: int = 0) -> None:
+def _include(element: Element, folder: Path, report: Report, depth: int = 0, deep: int = 1) -> None:
+    if deep > _DEEPEST:
+        raise BadInput(f"elements lie more than {_DEEPEST} deep in one another")
     for child in list(element):
         if child.tag != "include":
-            _include(child, folder, report, depth)
+            _include(child, folder, report, depth, deep + 1)
             continue
         path = folder / child.get("file", "")
         place = list(element).index(child)
@@ -44,7 +46,7 @@ def _include(element: Element, folder: Path, report: Report, depth: int = 0) -> 
         if depth > 20:
             raise BadInput(f"{path}: files include each other without an end")
         included = _parse(path, f"{child.get('file')} ")
-        _include(included, path.parent, report, depth + 1)
+        _include(included, path.parent, report, depth + 1, deep)
         element[place:place] = list(included)
 
 

@@ -91,6 +91,8 @@ def numbers(element: Element, name: str, count: int | None = None, default: str 
     if not np.all(np.isfinite(values)) or (count is not None and len(values) != count):
         wanted = "a finite number" if count == 1 else f"{count or 'finite'} numbers"
         raise BadInput(f"{name} of {_named(element)} must be {wanted}, but is \"{text}\"")
+    if np.any(np.abs(values) > _LARGEST):
+        raise BadInput(f"{name} of {_named(element)} must be at most {_LARGEST:g}, but is \"{text}\"")
     return values
 
 
