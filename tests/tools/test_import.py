@@ -268,8 +268,8 @@ class Import(unittest.TestCase):
         self.refused("<body><freejoint/><geom size='1' contype='a'/></body>", "contype of a geom")
         self.refused("", "coordinate=\"global\"", compiler="coordinate='global'")
         self.refused("<body>" * 400 + "<freejoint/><geom size='1'/>" + "</body>" * 400, "more than 300 deep")
-        self.refused("<body pos='1e308 0 0'><freejoint/><geom size='1'/></body>", "pos of a body must be at most 1e+30")
-        self.refused("<body><freejoint/><geom size='1e308'/></body>", "size of a geom must be at most 1e+30")
+        self.refused("<body pos='1e308 0 0'><freejoint/><geom size='1'/></body>", "pos of a body (line 2) must be at most 1e+30")
+        self.refused("<body><freejoint/><geom size='1e308'/></body>", "must be at most 1e+30, but is")
         self.refused("<body><freejoint/><geom size='1' density='1e308'/></body>", "density")
         self.refused("<body><freejoint/><geom size='1'/></body>", "body that there is not", rest="<equality><connect body1='b' anchor='0 0 0'/></equality>")
         for text, words in (("<robot/>", "MJCF begins with <mujoco>"), ("<mujoco>", "no element found")):

@@ -87,7 +87,7 @@ def _list() -> int:
             topic = experiment.source.parent.name
             print(paint(topic, "bold"))
         print(textwrap.fill(experiment.title, 80, initial_indent=f"  {experiment.name:<17} ", subsequent_indent=20 * " "))
-    print("\n./course plot NAME runs one, checks its claims, and draws it; ./course plot all runs all.")
+    print("\n./course plot NAME runs one, checks its claims, and draws it; NAME may be all.")
     return 0
 
 
@@ -137,7 +137,7 @@ def _run(experiment: Experiment, arguments, mine: list[Exercise]) -> int:
     folder = experiment.folder(bool(mine))
     folder.mkdir(parents=True, exist_ok=True)
     with _results_set_aside(folder):
-        return _compute(experiment, arguments, path, folder)
+        return _compute(experiment, arguments, path, folder, own_step=bool(mine and arguments.engine))
 
 
 @contextlib.contextmanager
@@ -159,11 +159,11 @@ def _results_set_aside(folder: Path):
         kept.unlink(missing_ok=True)
 
 
-def _compute(experiment: Experiment, arguments, path: Path, folder: Path) -> int:
+def _compute(experiment: Experiment, arguments, path: Path, folder: Path, own_step: bool) -> int:
     for other in arguments.merge or []:
         _merge(Path(other), folder)
     command = [str(path), "--out", str(folder), *arguments.more]
-    command += ["--engine", "plain"] if mine and arguments.engine else []
+    command += ["--engine", "plain"] if own_step else []
     command += ["--quick"] if arguments.quick else []
     command += ["--shard", arguments.shard] if arguments.shard else []
     live = Live(experiment.name)
