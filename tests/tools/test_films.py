@@ -1,6 +1,7 @@
 """The films at the head of the lessons: they are there, small, move, and the command below each shows the same."""
 
 import os
+import re
 import subprocess
 import tempfile
 import unittest
