@@ -27,10 +27,14 @@ class Questions(unittest.TestCase):
         asked = {(one.chapter, one.objective) for one in self.by_id.values()}
         self.assertEqual(len(asked), len(self.by_id))
         listed = {(chapter.number, k) for chapter in self.chapters for k in range(1, len(objectives_of(chapter)) + 1)}
-        self.assertEqual(asked, listed)
+        # Code is asked for in the last objective of these chapters: a step of one's own, a substep, lanes.
+        of_code = {(2, 4), (3, 4), (4, 4), (6, 4), (7, 4), (8, 5), (10, 5), (14, 6)}
+        self.assertEqual(asked, listed - of_code)
         for chapter in self.chapters:
             named = {name for one in self.by_id.values() if one.chapter == chapter.number for name in one.exercises}
-            self.assertEqual(named, {exercise.id for exercise in chapter.exercises})
+            code = {exercise.id for exercise in chapter.exercises
+                    if exercise.function.startswith("step_") or exercise.function in ("relax", "onto_discs")}
+            self.assertEqual(named, {exercise.id for exercise in chapter.exercises} - code)
 
     def test_the_page_of_objectives_is_what_the_lessons_say(self):
         self.assertEqual((ROOT / "chapters" / "OBJECTIVES.md").read_text(encoding="utf-8"), objectives_page(),
