@@ -110,11 +110,12 @@ void print_text(std::ostream& out, const SceneDescription& scene, const Paramete
     print_entry(out, "error", scene.error_name);
   else
     print_entry(out, "error", short_text(result.error) + " " + scene.error_unit + ": " + scene.error_name);
-  print_entry(out, "state", verdict_text(result.verdict));
+  const bool plain = settings.method.engine == Engine::plain;  // which hands out no residual
+  print_entry(out, "state", verdict_text(result.verdict) + (plain ? "; its solves are not judged" : ""));
   if (!result.verdict.note.empty()) print_entry(out, "note", result.verdict.note);
   print_entry(out, "speed",
               result.us_per_step ? short_text(*result.us_per_step) + " µs a step" : "no step taken");
-  if (settings.method.engine == Engine::plain) return;  // its stages and rows are its own
+  if (plain) return;  // its stages and rows are its own
   if (result.us_per_step) print_entry(out, "stages", stages_text(result));
   if (scene.solves) print_entry(out, "residual", last_step_text(settings.method.solver, result.last));
   if (!result.last.trouble.empty()) print_entry(out, "trouble", result.last.trouble);

@@ -84,7 +84,7 @@ EXERCISE_TEST(StepImpacts, HasItsStagesInOrder) {
   }
 }
 
-/// Of a ball that falls on a floor at 3 m/s, half a step before they touch.
+/// A ball that falls on a floor at 3 m/s, half a step before they touch.
 double speed_after_bounce(double restitution, double speed, double h) {
   Simulation all;
   all.restitution = restitution;

@@ -17,7 +17,7 @@ struct Case {
   std::int64_t steps = 100;
 };
 
-/// Of each chapter; none is chaotic within its steps.
+/// Scenes of each chapter; none is chaotic within its steps.
 const std::vector<Case> cases = {{"free_fall", {}, "1.4 leapfrog_step"},
                                  {"oscillator", {}, "1.4 leapfrog_step"},
                                  {"orbit", {}, "1.4 leapfrog_step"},

@@ -15,7 +15,7 @@ namespace {
 constexpr double g = 9.81;
 constexpr double steps_to_try[] = {1.0 / 30, 1.0 / 60, 1.0 / 240, 1.0 / 1000};
 
-/// What a step leaves of an overlap, 1 - a h, with the relaxation of contacts.
+/// The part of an overlap that a step leaves, 1 - a h, with the relaxation of contacts.
 constexpr double share_left = 1 - 4 / (1 + 4 * relaxation_of_contacts);
 
 /// The second solve leaves a thousandth of the speed that it stops; gravity adds |g| h in a step, of which a hundredth is

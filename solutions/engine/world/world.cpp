@@ -6,7 +6,6 @@
 
 #include "common/require.hpp"
 #include "engine/impacts/impacts.hpp"
-#include "engine/solvers/recovery.hpp"
 
 namespace spook {
 
@@ -46,31 +45,6 @@ void World<Dof>::step_part(double h) {
   if (!rows_.empty() && !settings_.k) clock_.run(Stage::solve, [&] { take_out_recovery(h); });
   if (!joints_.empty() || !kinematic_.empty()) add_work_of_drives();
   clock_.run(Stage::integrate, [&] { integrate(h); });
-}
-
-/// The forces of joints before a first step: those of a step that is not taken.
-template <int Dof>
-void World<Dof>::find_joint_forces(double h) {
-  evaluate_forces(h);
-  build_rows(h);
-  solve_rows(h);
-  h_ = h;
-}
-
-/// Divides more as soon as joints need it, and less after a hundred steps that needed no more than half.
-template <int Dof>
-void World<Dof>::divide_steps(double h) {
-  if (joints_.empty() || settings_.k || settings_.max_parts == 1) return;
-  if (rows_.empty()) find_joint_forces(h);
-  const auto force_of = [&](int joint) { return joint_force(joint).norm(); };
-  const double needed = std::min<double>(parts_needed(joints_, bodies_, h, force_of), settings_.max_parts);
-  int parts = 1;  // powers of two: other numbers would change the step more often
-  while (parts < needed) parts *= 2;
-  calm_steps_ = parts < parts_ ? calm_steps_ + 1 : 0;
-  if (parts > parts_) parts_ = parts;
-  if (calm_steps_ < 100) return;
-  parts_ /= 2;
-  calm_steps_ = 0;
 }
 
 template <int Dof>
@@ -244,7 +218,7 @@ template <int Dof>
 void World<Dof>::solve_rows(double h) {
   V_.assign(bodies_.size(), Twist<Dof>::Zero());
   if (settings_.warm_start) warm_start_rows(h);
-  SolverResult outcome = settings_.solver.solve(solver_input(h, stop_rule(h)));
+  SolverResult outcome = settings_.solver.solve(solver_input(rows_, V_, start_, h, stop_rule(h)));
   row_updates_ += outcome.updates(rows_.size());
   solved_ = std::move(outcome.report);
   if (settings_.warm_start || settings_.solver.wants_last)
@@ -252,15 +226,16 @@ void World<Dof>::solve_rows(double h) {
 }
 
 template <int Dof>
-SolverInput<Dof> World<Dof>::solver_input(double h, const StopRule& stop) {
-  return {.rows = rows_,
-          .V = V_,
+SolverInput<Dof> World<Dof>::solver_input(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V,
+                                          const WarmStartCache& last, double h, const StopRule& stop) {
+  return {.rows = rows,
+          .V = V,
           .rubbing = rubbing_,
           .joints = joints_,
           .contacts = contacts_,
           .first_contact_row = first_contact_row_,
           .bodies = bodies_,
-          .last = start_,
+          .last = last,
           .gravity = settings_.gravity,
           .h = h,
           .stop = stop,
@@ -284,38 +259,6 @@ StopRule World<Dof>::stop_rule(double h) const {
   return stop;
 }
 
-/// A contact that opens by less than a hundredth of |gravity| h closes again in the next step.
-template <int Dof>
-void World<Dof>::take_out_recovery(double h) {
-  const double size = std::isfinite(shapes_.smallest) ? shapes_.smallest : 0;
-  const double ignored = 1e-2 * settings_.gravity.norm() * h + 1e-9 * size / h;
-  std::function<bool(const Contact&)> may_throw = nullptr;
-  if (materials_.any())
-    may_throw = [&](const Contact& c) { return materials_.of(c.i, c.j).k < materials_.stiffness(); };
-  std::vector<Row<Dof>> rows = rows_without_recovery(solver_input(h, {}), ignored, may_throw);
-  if (rows.empty()) return;
-  StopRule stop = stop_rule(h);
-  stop.tolerance = std::max(stop.tolerance, 0.1 * ignored);
-  WarmStartCache first;
-  first.remember(rows, first_contact_row_, contacts_, h, settings_.threads);
-  std::vector<Twist<Dof>> V = V_;
-  const SolverResult solved = settings_.solver.solve({.rows = rows,
-                                                      .V = V,
-                                                      .rubbing = rubbing_,
-                                                      .joints = joints_,
-                                                      .contacts = contacts_,
-                                                      .first_contact_row = first_contact_row_,
-                                                      .bodies = bodies_,
-                                                      .last = first,
-                                                      .gravity = settings_.gravity,
-                                                      .h = h,
-                                                      .stop = stop,
-                                                      .threads = settings_.threads});
-  row_updates_ += solved.updates(rows.size());
-  recovered_.resize(V.size());
-  for (std::size_t i = 0; i < V.size(); ++i) recovered_[i] = V[i] - V_[i];
-}
-
 template <int Dof>
 void World<Dof>::integrate(double h) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -337,34 +280,6 @@ void World<Dof>::integrate(double h) {
   recovered_.clear();
   move_kinematic(h);
   end_step(h);
-}
-
-template <int Dof>
-void World<Dof>::move_kinematic(double h) {
-  for (const int body : carried_) {
-    const Twist<Dof>& W = bodies_.motion.W[body];
-    bodies_.x[body] = drift(bodies_.x[body], Vec3(W.template head<3>()), h);
-    if constexpr (Dof == 6)
-      bodies_.orientations.q[body] = update_exponential(bodies_.orientations.q[body], W.template tail<3>(), h);
-  }
-}
-
-/// Turns a body by ω; returns its ω afterwards. What recovers turns as it would without that, in the body's own axes: its
-/// energy stays.
-template <int Dof>
-Vec3 World<Dof>::turned(std::size_t i, Vec3 omega, double h) requires(Dof == 6) {
-  Quat& q = bodies_.orientations.q[i];
-  if (recovered_.empty() || recovered_[i].template tail<3>().isZero(0)) {
-    rotate(settings_.rotation, bodies_.orientations, i, omega, h);
-    return omega;
-  }
-  const Quat before = q;
-  Vec3 kept = omega + recovered_[i].template tail<3>();
-  rotate(settings_.rotation, bodies_.orientations, i, kept, h);
-  const Vec3 in_body = q.conjugate() * kept;
-  q = before;
-  rotate(settings_.rotation, bodies_.orientations, i, omega, h);
-  return q * in_body;
 }
 
 template <int Dof>
@@ -397,7 +312,10 @@ void World<Dof>::require_finite_bodies() const {
 }  // namespace spook
 
 #include "engine/world/world_joints.ipp"
+#include "engine/world/world_kinematic.ipp"
 #include "engine/world/world_order_four.ipp"
+#include "engine/world/world_parts.ipp"
+#include "engine/world/world_recovery.ipp"
 #include "engine/world/world_setup.ipp"
 #include "engine/world/world_start.ipp"
 

@@ -291,9 +291,16 @@ class World {
   const StageTimes& stage_times() const { return clock_.times(); }
 
  private:
+  /// A static body with a velocity.
+  struct Kinematic {
+    int body;
+    bool moves;  ///< with it; else its surface alone
+  };
+
   void step_part(double h);
   void divide_steps(double h);
-  void find_joint_forces(double h);
+  double parts_needed_now(double h) const;
+  double parts_needed_at_first(double h);
   void find_contacts(double h);
   double margin(double h) const;
   void evaluate_forces(double h);
@@ -304,7 +311,8 @@ class World {
   void set_default_stiffness(double h);
   void build_rows(double h);
   void solve_rows(double h);
-  SolverInput<Dof> solver_input(double h, const StopRule& stop);
+  SolverInput<Dof> solver_input(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V,
+                                const WarmStartCache& last, double h, const StopRule& stop);
   void warm_start_rows(double h);
   StopRule stop_rule(double h) const;
   void take_out_recovery(double h);
@@ -312,7 +320,7 @@ class World {
   void move_kinematic(double h);
   std::size_t static_body(int body) const;
   void require_not_a_plane(int body) const;
-  void drive(std::size_t i, const Twist<Dof>& W, bool moves);
+  void drive(int body, const Twist<Dof>& W, bool moves);
   void integrate(double h);
   Vec3 turned(std::size_t i, Vec3 omega, double h) requires(Dof == 6);
   void end_step(double h);
@@ -359,11 +367,10 @@ class World {
   StepTimer clock_;
   std::int64_t steps_ = 0;
   double time_ = 0;
-  double largest_load_ = 0;     // sum of the forces on all dynamic bodies [N]
-  double h_ = 0;                // of the last step [s]
-  double work_of_drives_ = 0;   // in the last step [J]
-  std::vector<int> kinematic_;  // static bodies with a velocity
-  std::vector<int> carried_;    // those of them that move with it
+  double largest_load_ = 0;           // sum of the forces on all dynamic bodies [N]
+  double h_ = 0;                      // of the last step [s]
+  double work_of_drives_ = 0;         // in the last step [J]
+  std::vector<Kinematic> kinematic_;  // static bodies with a velocity
   int parts_ = 1, calm_steps_ = 0;
   int pairs_ = 0;
   int impacts_ = 0;

@@ -96,10 +96,8 @@ void World<Dof>::remove_body(int body) {
   bodies_.remove(i);
   shapes_.remove(body);
   materials_.remove(body);
-  for (std::vector<int>* list : {&kinematic_, &carried_}) {
-    std::erase(*list, body);
-    for (int& other : *list) other -= other > body;
-  }
+  std::erase_if(kinematic_, [&](const Kinematic& one) { return one.body == body; });
+  for (Kinematic& other : kinematic_) other.body -= other.body > body;
   const auto is_of_it = [&](const Joint& joint) { return joint.i == body || joint.j == body; };
   joints_.erase(std::remove_if(joints_.begin(), joints_.end(), is_of_it), joints_.end());
   for (Joint& joint : joints_) {
@@ -159,54 +157,6 @@ template <int Dof>
 void World<Dof>::require_not_a_plane(int body) const {
   for (const Plane& plane : shapes_.planes)
     if (plane.body == body) reject("body", body, "another than a plane");
-}
-
-/// Throws std::invalid_argument for a body that is not static.
-template <int Dof>
-std::size_t World<Dof>::static_body(int body) const {
-  const std::size_t i = index(body);
-  if (!bodies_.is_fixed(i)) reject("body", body, "a static one");
-  if (settings_.integrator_order == 4)
-    throw std::invalid_argument("integrator_order must be 2 where static bodies have velocities, but is 4");
-  return i;
-}
-
-template <int Dof>
-void World<Dof>::drive(std::size_t i, const Twist<Dof>& W, bool moves) {
-  const int body = static_cast<int>(i);
-  std::erase(kinematic_, body);
-  std::erase(carried_, body);
-  bodies_.motion.W[i] = W;
-  if (W.isZero(0)) return;
-  kinematic_.push_back(body);
-  if (moves) carried_.push_back(body);
-}
-
-template <int Dof>
-void World<Dof>::set_velocity(int body, const Vec3& v) {
-  const std::size_t i = static_body(body);
-  require_not_a_plane(body);
-  require_all_finite("v", v);
-  Twist<Dof> W = Twist<Dof>::Zero();
-  W.template head<3>() = v;
-  drive(i, W, true);
-}
-
-// `if constexpr`, though `requires` says the same: clang before 16 compiles this for point masses, too.
-template <int Dof>
-void World<Dof>::set_velocity(int body, const Vec3& v, const Vec3& omega) requires(Dof == 6) {
-  set_velocity(body, v);
-  require_all_finite("omega", omega);
-  if constexpr (Dof == 6) drive(index(body), (Twist<6>() << v, omega).finished(), true);
-}
-
-template <int Dof>
-void World<Dof>::set_surface_velocity(int body, const Vec3& v) {
-  const std::size_t i = static_body(body);
-  require_all_finite("v", v);
-  Twist<Dof> W = Twist<Dof>::Zero();
-  W.template head<3>() = v;
-  drive(i, W, false);
 }
 
 template <int Dof>

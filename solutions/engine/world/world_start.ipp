@@ -99,7 +99,7 @@ void World<Dof>::start_consistently(double h) {
     Factors factors;
     direct_solve(rows_, V_, StopRule{}, factors);
   } else {
-    newton<Dof>(FrictionModel::cone).solve(solver_input(h, StopRule{}));
+    newton<Dof>(FrictionModel::cone).solve(solver_input(rows_, V_, start_, h, StopRule{}));
   }
   h_ = h;
   divide_steps(h);  // by these forces

@@ -1,0 +1,48 @@
+// Overlaps leave no speed: engine/solvers/recovery.hpp.
+#include <cmath>
+
+#include "engine/solvers/recovery.hpp"
+
+namespace spook {
+
+/// A contact that opens by less than a hundredth of |gravity| h closes again in the next step.
+template <int Dof>
+void World<Dof>::take_out_recovery(double h) {
+  const double size = std::isfinite(shapes_.smallest) ? shapes_.smallest : 0;
+  const double ignored = 1e-2 * settings_.gravity.norm() * h + 1e-9 * size / h;
+  std::function<bool(const Contact&)> may_throw = nullptr;
+  if (materials_.any())
+    may_throw = [&](const Contact& c) { return materials_.of(c.i, c.j).k < materials_.stiffness(); };
+  std::vector<Row<Dof>> rows =
+      rows_without_recovery(solver_input(rows_, V_, start_, h, {}), ignored, may_throw);
+  if (rows.empty()) return;
+  StopRule stop = stop_rule(h);
+  stop.tolerance = std::max(stop.tolerance, 0.1 * ignored);
+  WarmStartCache first;
+  first.remember(rows, first_contact_row_, contacts_, h, settings_.threads);
+  std::vector<Twist<Dof>> V = V_;
+  const SolverResult solved = settings_.solver.solve(solver_input(rows, V, first, h, stop));
+  row_updates_ += solved.updates(rows.size());
+  recovered_.resize(V.size());
+  for (std::size_t i = 0; i < V.size(); ++i) recovered_[i] = V[i] - V_[i];
+}
+
+/// Turns a body by ω, and returns its ω afterwards. Where an overlap recovers, that is the ω without recovery, the same in
+/// the body's own axes: its energy stays.
+template <int Dof>
+Vec3 World<Dof>::turned(std::size_t i, Vec3 omega, double h) requires(Dof == 6) {
+  Quat& q = bodies_.orientations.q[i];
+  if (recovered_.empty() || recovered_[i].template tail<3>().isZero(0)) {
+    rotate(settings_.rotation, bodies_.orientations, i, omega, h);
+    return omega;
+  }
+  const Quat before = q;
+  Vec3 kept = omega + recovered_[i].template tail<3>();
+  rotate(settings_.rotation, bodies_.orientations, i, kept, h);
+  const Vec3 in_body = q.conjugate() * kept;
+  q = before;
+  rotate(settings_.rotation, bodies_.orientations, i, omega, h);
+  return q * in_body;
+}
+
+}  // namespace spook
