@@ -7,7 +7,7 @@
 //               the right-hand side; a few suffice at rest
 //   factors     after sweeps that left more than 1e-3 of the right-hand side, if factors cost at most 100 times as
 //               much; to 1e-6. The bodies are then marked as hard for the next hundred steps. Hard bodies get factors
-//               at once without cones; on cones they get factors whenever sweeps do not converge
+//               at once without cones; on cones they get factors unless one sweep converges, as it does at rest
 //
 // A history entry is the worst of all islands, after as many sweeps or factorisations of each. The stop rule limits the
 // sweeps but not the factorisations. Row updates are those of the sweeps. Caches the islands, and the factors of each.
@@ -188,12 +188,13 @@ class Automatic {
     const double sweeps = s.stop.max_sweeps;
     const bool may = *island.cost <= worth_of_a_solution * sweeps && part.has_factors();
     const bool at_once = may && *island.cost <= sweeps, hard = may && is_hard(island, s.rows);
-    // Sweeps on cones start from the last step: they may have converged already.
+    // On cones λ of the last step may be a solution still, which a sweep shows.
     if (at_once || (hard && part.rubbing.empty())) {
       start_from(part.last, part.rows, part.V);
       return factorised(part, at_once ? s.stop.tolerance : enough(part, s.stop), s.stop, island);
     }
-    SolverResult swept = this->swept(part, s.stop);
+    SolverResult swept =
+        this->swept(part, {.max_sweeps = hard ? 1 : s.stop.max_sweeps, .tolerance = s.stop.tolerance});
     swept.row_updates = swept.updates(part.rows.size());
     const auto left = [&] { return estimated_error(swept.report.history.back(), swept.report.history); };
     if (swept.report.converged || !may || (!hard && left() <= share_left * rhs_norm(part.rows))) return swept;

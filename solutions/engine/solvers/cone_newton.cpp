@@ -20,11 +20,17 @@ static double linearise_row(const Row<Dof>& row, double r, double softer, Contac
   return aim;
 }
 
-/// Sets K and k of a block whose rows start at `rows` and have the residuals `r` [m/s].
+/// Sets K and k of a block whose rows start at `rows` and have the residuals `r` [m/s]. `light`: the load λ̂_n S_nn below
+/// which a contact is left to the sweeps [m/s].
 template <int Dof>
-static void linearise(const Row<Dof>* rows, const Vec3& r, double softer, ContactBlock& block) {
-  const double limit = block.mu * linearise_row(*rows, r[0], softer, block);
+static void linearise(const Row<Dof>* rows, const Vec3& r, double softer, double light, ContactBlock& block) {
+  const double aim = linearise_row(*rows, r[0], softer, block), limit = block.mu * aim;
   if (block.count == 1) return;
+  if (aim > 0 && aim * rows[0].diagonal < light) {
+    block.K.setZero();
+    block.k.setZero();
+    return;
+  }
   const Vec2 along(rows[1].lambda, rows[2].lambda), lacks = r.tail<2>(), q = along + lacks / block.s;
   const double soft = rows[1].Sigma + softer * block.s, size = q.norm();
   if (limit <= 0) {  // open, or frictionless
@@ -45,10 +51,12 @@ static void linearise(const Row<Dof>* rows, const Vec3& r, double softer, Contac
 /// Computes Δλ of all rows; returns false if it is not finite.
 template <int Dof>
 static bool newton_step(ConeProblem<Dof>& problem, double softer, std::vector<double>& step) {
+  constexpr double share_of_light = 1e-2;
+  const double light = share_of_light * problem.asked();
   for (ContactBlock& block : problem.blocks()) {
     Vec3 r = Vec3::Zero();
     for (int n = 0; n < block.count; ++n) r[n] = problem.row_residual(block.row + n);
-    linearise(&problem.row(block.row), r, softer, block);
+    linearise(&problem.row(block.row), r, softer, light, block);
   }
   problem.factorise();
   return problem.solve(step);
@@ -56,12 +64,14 @@ static bool newton_step(ConeProblem<Dof>& problem, double softer, std::vector<do
 
 template <int Dof>
 bool cone_newton(ConeProblem<Dof>& problem, double tolerance, int most, std::vector<double>& history) {
-  constexpr int sweeps = 2, most_in_vain = 2;
-  double least = problem.residual();
-  std::vector<double> step;
-  for (int n = 0, in_vain = 0; n < most && in_vain < most_in_vain; ++n) {
-    if (!newton_step(problem, 1e-3 * std::min(1.0, least / problem.asked()), step)) return false;
-    std::vector<double> there = problem.impulses();
+  constexpr int sweeps = 5, most_in_vain = 5;
+  constexpr double accurate = 1e-8, least_softer = 1e-5, most_softer = 1e-2;
+  double least = problem.residual(), softer = 0;
+  std::vector<double> step, best = problem.impulses();
+  const auto may_fail = [&] { return least <= accurate * problem.asked() ? 1 : most_in_vain; };
+  for (int n = 0, in_vain = 0; n < most && in_vain < may_fail(); ++n) {
+    if (!newton_step(problem, std::max(softer, 1e-3 * std::min(1.0, least / problem.asked())), step)) break;
+    std::vector<double> there = best;
     for (std::size_t k = 0; k < there.size(); ++k) there[k] += step[k];
     problem.project(there);
     problem.set_impulses(there);
@@ -73,8 +83,17 @@ bool cone_newton(ConeProblem<Dof>& problem, double tolerance, int most, std::vec
     history.push_back(left);
     if (problem.is_solved(left, tolerance)) return true;
     in_vain += !(left < least / 2);
-    least = std::min(least, left);
+    if (left < least) {
+      least = left;
+      best = problem.impulses();
+      softer /= 10;
+    } else {
+      softer = std::clamp(10 * softer, least_softer, most_softer);
+      problem.set_impulses(best);
+    }
   }
+  problem.set_impulses(best);
+  if (!history.empty()) history.back() = least;
   return false;
 }
 

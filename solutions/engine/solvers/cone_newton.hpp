@@ -13,17 +13,26 @@
 // K of a sliding contact is not symmetric, since friction depends on the normal impulse, but not conversely.
 //
 // If redundant contacts can share forces in many ways, Δλ would be large and arbitrary. So Σ is enlarged by a fraction
-// of S_kk that goes to 0 with the residual, which keeps convergence superlinear.
+// of S_kk that goes to 0 with the residual, which keeps convergence superlinear. After a step that increases the
+// residual, λ returns to the best so far, and the fraction is ten times larger.
 //
+//   light       0 < λ̂_n S_nn < a hundredth of the largest |B|:   Δλ = 0
+//
+// A light contact is next to the tip of its cone, where a linear step says little: hundreds of them, such as the faces
+// of cubes that stand side by side, would change their kind with every step. Sweeps after the step solve them: nothing
+// rests on them, so that few sweeps suffice.
+//
+//   K. Levenberg, D. Marquardt: a diagonal that grows while steps fail, and shrinks while they succeed.
 //   P. Alart, A. Curnier, A mixed formulation for frictional contact problems prone to Newton like solution methods,
 //   Comput. Methods Appl. Mech. Eng. 92 (1991).
 #include "engine/solvers/cone_problem.hpp"
 
 namespace spook {
 
-/// Takes Newton steps from the current λ, at most `most`. Stops at the second step that does not halve the least
-/// residual so far. Appends the residual after each factorisation to the history. Returns whether the problem is solved
-/// to the tolerance [m/s], or to round-off.
+/// Takes Newton steps from the current λ, at most `most`. Stops at the fifth step that does not halve the least residual
+/// so far; at the first one if the residual is 1e-8 of the largest |B|. Ends with the λ of the least residual. Appends
+/// the residual after each factorisation to the history; the last entry belongs to the final λ. Returns whether the
+/// problem is solved to the tolerance [m/s], or to round-off.
 template <int Dof>
 bool cone_newton(ConeProblem<Dof>& problem, double tolerance, int most, std::vector<double>& history);
 

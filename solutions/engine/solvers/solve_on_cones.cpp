@@ -25,7 +25,7 @@ class Attempts {
     problem_.sweep(1);
     start_ = problem_.impulses();
     const double first = problem_.residual();
-    const bool solved = problem_.is_solved(first, tolerance_) || newton(most_of_newton) || was_solved(first) ||
+    const bool solved = problem_.is_solved(first, tolerance_) || newton(most_of_newton) || is_accurate() ||
                         from_within() || by_sweeps();
     if (report_.history.empty()) report_.history.push_back(first);
     report_.converged = solved;
@@ -33,7 +33,7 @@ class Attempts {
   }
 
  private:
-  static constexpr int most_of_newton = 6, most_within = 60;
+  static constexpr int most_of_newton = 12, most_within = 60;
 
   int remaining() const { return most_ - static_cast<int>(report_.history.size()); }
   double part(double share) const { return std::max(tolerance_, share * problem_.asked()); }
@@ -42,13 +42,8 @@ class Attempts {
     return cone_newton(problem_, tolerance_, std::min(most, remaining()), report_.history);
   }
 
-  /// Accepts the initial λ if its residual is small enough, since the interior-point method of the last step may have
-  /// reached its accuracy.
-  bool was_solved(double first) {
-    if (first > part(share_within)) return false;
-    end_with(start_, first);
-    return true;
-  }
+  /// Accepts the best λ of Newton's method, the initial λ included, if its residual is small enough.
+  bool is_accurate() const { return problem_.residual() <= part(share_within); }
 
   bool from_within() {
     std::vector<double> best = problem_.impulses();

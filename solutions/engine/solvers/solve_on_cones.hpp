@@ -2,7 +2,7 @@
 // Contacts on Coulomb's cones, with factors over bodies. Methods are tried in this order until the residual is small:
 //
 //   a sweep          from the current λ: bodies at rest are solved by it
-//   Newton           engine/solvers/cone_newton.hpp, while the residual halves
+//   Newton           engine/solvers/cone_newton.hpp, as long as the residual falls
 //   interior point   engine/solvers/cone_interior_point.hpp, first with current friction limits, then with lagged ones
 //   sweeps           alternating with Newton
 #include "engine/solvers/cone_problem.hpp"
@@ -11,7 +11,7 @@
 namespace spook {
 
 /// Starts from the current λ and V. A problem counts as solved if the residual, Eq. (9.7), is at most the tolerance or
-/// round-off. If Newton's method fails, 1e-8 of the largest |B| suffices, and 1e-6 with lagged limits. Makes at most
+/// round-off. If that cannot be reached, 1e-8 of the largest |B| suffices, and 1e-6 with lagged limits. Makes at most
 /// `most` factorisations. Each history entry is the residual after a factorisation; the last entry belongs to the final
 /// λ. All rows must have Σ > 0.
 template <int Dof>
