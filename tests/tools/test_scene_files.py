@@ -42,7 +42,7 @@ REFUSED = (
     ("joints.0.i", "ball", "joints[0]: joint's j must be another body than its i, but is 2"),
     ("joints.0.length", -1, "joints[0].length must be positive"),
     ("joints.0.kind", "hing", 'joints[0].kind must be ball or distance or hinge or slider or weld, but is "hing"'),
-    ("joints.0.kind", "hinge", "joints[0].kind must be distance, where it has a length, but is hinge"),
+    ("joints.0.kind", "hinge", "joints[0].kind must be distance or rope, where it has a length, but is hinge"),
     ("joints.0", {"i": "nail", "j": "ball", "kind": "hinge", "axis": [0, 0, 2]},
      "joints[0]: length of axis must be 1, but is 2"),
     ("joints.0", {"i": "nail", "j": "ball", "kind": "hinge", "limits": {"lower": 1, "upper": 0}},

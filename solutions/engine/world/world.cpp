@@ -60,7 +60,7 @@ void World<Dof>::require_directions(double h) const {
   for (const Joint& joint : joints_) {
     if (!joint.length) continue;
     const double apart = distance(joint, bodies_);
-    if (apart > 0 && std::isfinite(apart)) continue;
+    if ((apart > 0 || joint.kind == JointKind::rope) && std::isfinite(apart)) continue;
     const std::string where = apart == 0 ? "distance 0" : "an infinite distance";
     throw SimulationDiverged(steps_ + 1, time_ + h, joint.j,
                              "is at " + where + " of the body that it is joined to");

@@ -142,11 +142,14 @@ class World {
   /// - a point off the centre of a point mass, a bad k or d;
   /// - a length that is not positive, a distance whose two points coincide;
   /// - a hinge, slider or weld of point masses, or with an axis or rest that is not of unit length;
-  /// - an empty range of limits, a bad motor, a motor or limit on a joint without a free axis.
+  /// - an empty range of limits, a bad motor or spring, and any of these on a joint without a free axis.
   int add_joint(const Joint& joint);
 
   /// Replaces the motor of a hinge or slider; {} removes the motor. Throws std::invalid_argument as add_joint does.
   void set_motor(int joint, const std::optional<Motor>& motor) requires(Dof == 6);
+
+  /// Replaces the spring of a hinge or slider; {} removes the spring. Throws std::invalid_argument as add_joint does.
+  void set_spring(int joint, const std::optional<Spring>& spring) requires(Dof == 6);
 
   /// Sets the material of a body, or of the contact of two bodies. engine/bodies/materials.hpp combines the materials
   /// of two bodies. The restitution and friction of the settings' impact law hold for all other pairs.
@@ -254,12 +257,13 @@ class World {
   double joint_position(int joint) const requires(Dof == 6);
   double joint_speed(int joint) const requires(Dof == 6);
 
-  /// The torque or force of the motor, or of the limit, of a hinge or slider on body j in the last step, along the free
-  /// coordinate [N m or N]. Zero before the first step, and without a motor or limit.
+  /// The torque or force of the motor, the limit, or the spring of a hinge or slider on body j in the last step, along
+  /// the free coordinate [N m or N]. Zero before the first step, and without a motor, limit or spring.
   double motor_force(int joint) const requires(Dof == 6);
   double limit_force(int joint) const requires(Dof == 6);
+  double spring_force(int joint) const requires(Dof == 6);
 
-  /// The work of all motors and kinematic bodies in the last step, that of impacts left out [J].
+  /// The work of all motors, springs and kinematic bodies in the last step, that of impacts left out [J].
   double work_of_drives() const { return work_of_drives_; }
 
   /// The torque of a joint on body j in the last step [N m], about the point where its force acts.
