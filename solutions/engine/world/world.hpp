@@ -156,6 +156,11 @@ class World {
   void set_material(int body, const Material& material);
   void set_material(int i, int j, const Material& material);
 
+  /// Excludes contacts: no two of these bodies touch from now on. A world may have several such lists, and a body may
+  /// be in more than one. Without a list, bodies on a joint touch as any two bodies do. Throws std::invalid_argument for
+  /// an index out of range, a body that is there twice, and fewer than two bodies.
+  void exclude_contacts(const std::vector<int>& bodies);
+
   /// Sets the position and velocity, or the orientation and angular velocity, of a dynamic body. Leapfrog's velocities
   /// are half a step older than its positions.
   void place(int body, const Vec3& x, const Vec3& v);

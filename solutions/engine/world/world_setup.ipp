@@ -119,6 +119,18 @@ void World<Dof>::set_material(int i, int j, const Material& material) {
 }
 
 template <int Dof>
+void World<Dof>::exclude_contacts(const std::vector<int>& bodies) {
+  for (const int body : bodies) {
+    index(body);
+    if (std::count(bodies.begin(), bodies.end(), body) > 1) reject("body", body, "there once");
+  }
+  if (bodies.size() < 2)
+    reject("number of bodies", static_cast<double>(bodies.size()),
+           "at least 2 to exclude contacts between them");
+  shapes_.exclusions.add(bodies);
+}
+
+template <int Dof>
 void World<Dof>::place(int body, const Vec3& x, const Vec3& v) {
   const std::size_t i = index(body);
   if (bodies_.is_fixed(i)) reject("body", body, "a dynamic body; use move_fixed for static bodies");
