@@ -85,6 +85,7 @@ void World<Dof>::evaluate_forces(double h) {
   forces_.resize(bodies_.size());
   for (std::size_t i = 0; i < bodies_.size(); ++i) forces_[i] = force(i);
   if (settings_.wrench) add_wrenches();
+  if (!kinematic_.empty()) update_kinematic_velocities(h);
   if (!contacts_.empty() || !joints_.empty()) prepare_motion(h);
 }
 
