@@ -34,6 +34,11 @@ static Energy energy_of(const World<Dof>& world, double h) {
     const Joint& pulled = world.joints()[static_cast<std::size_t>(joint)];
     for (int row = 0; row < pulled.rows(); ++row)
       energy.springs += held(world.joint_lambda(joint, row), pulled.stiffness(row));
+    if constexpr (Dof == 6)
+      if (pulled.spring) {
+        const double drawn = world.joint_position(joint) - pulled.spring->rest;
+        energy.springs += pulled.spring->stiffness * drawn * drawn / 2;
+      }
   }
   for (int c = 0; c < contacts; ++c) energy.springs += held(world.lambda(c), world.contact_stiffness());
   return energy;

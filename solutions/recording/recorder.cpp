@@ -53,6 +53,7 @@ static Json to_json(const Joint& joint) {
     json["rest"] = {joint.rest->w(), joint.rest->x(), joint.rest->y(), joint.rest->z()};
   }
   if (joint.limits) json["limits"] = {joint.limits->lower, joint.limits->upper};
+  if (joint.spring) json["spring"] = {{"stiffness", joint.spring->stiffness}, {"rest", joint.spring->rest}};
   if (joint.motor) json["motor"] = {{"speed", joint.motor->speed}, {"strength", joint.motor->strength}};
   return json;
 }

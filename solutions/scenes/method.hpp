@@ -20,6 +20,7 @@ struct Method {
   bool warm_start = false;
   std::optional<int> integrator_order =
       {};  ///< the order that steps are composed to, 2 or 4; the scene's own, unless given
+  std::optional<int> max_parts = {};  ///< largest number of parts of a step; the scene's own, unless given
   int threads = 1;
   std::optional<double> contact_margin = {};  ///< [m]; the world's own, unless given
 

@@ -42,7 +42,9 @@ void refuse_what_no_step_has(const World<Dof>& world) {
   if (turns_otherwise(world)) refuse("a rotation update other than splitting");
   if (world.materials().any()) refuse("materials of single bodies");
   for (const Joint& joint : world.joints())
-    if (joint.is_guided()) refuse("a " + name_of(joint.kind));
+    if (joint.is_guided() || joint.kind == JointKind::rope) refuse("a " + name_of(joint.kind));
+  if (!world.shapes().exclusions.lists().empty()) refuse("excluded contacts");
+  if (world.has_kinematic_bodies()) refuse("static bodies that have a velocity");
   if (!world.shapes().corners.empty()) refuse("corners");
   for (const Solid& solid : world.shapes().solids)
     if (std::holds_alternative<Capsule>(solid.shape)) refuse("capsules");

@@ -169,6 +169,7 @@ class WorldScene : public Scene {
     settings.warm_start = method.warm_start;
     settings.contact_margin = method.contact_margin;
     if (method.integrator_order) settings.integrator_order = *method.integrator_order;
+    if (method.max_parts) settings.max_parts = *method.max_parts;
     settings.threads = method.threads;
     if (method.engine == Engine::plain) settings.stepper = plain_stepper<Dof>();
     return settings;

@@ -49,11 +49,12 @@ static void refuse_solver_beside_composed(const TypedRun& typed, const Method& m
                                                      {"row-order", typed.row_order.has_value()},
                                                      {"friction-model", typed.friction_model.has_value()},
                                                      {"tangents", typed.tangents.has_value()},
+                                                     {"max-parts", typed.max_parts.has_value()},
                                                      {"warm-start", typed.warm_start}};
   for (const auto& [option, given] : of_solvers)
     if (given)
-      throw std::invalid_argument(std::string(option) +
-                                  " has no effect with integrator-order 4, which uses no solver: leave it out");
+      throw std::invalid_argument(
+          std::string(option) + " has no effect with integrator-order 4, whose joints are rigid: leave it out");
 }
 
 /// Refuses options of the fast engine, since the plain engine has no choices.
@@ -63,6 +64,7 @@ static void refuse_beside_plain(const TypedRun& typed) {
                                                       {"contact-margin", typed.contact_margin.has_value()},
                                                       {"friction-model", typed.friction_model.has_value()},
                                                       {"tangents", typed.tangents.has_value()},
+                                                      {"max-parts", typed.max_parts.has_value()},
                                                       {"threads", typed.threads.has_value()},
                                                       {"warm-start", typed.warm_start}};
   for (const auto& [option, given] : of_the_fast)
@@ -96,6 +98,7 @@ RunSettings TypedRun::settings(const SceneDescription& description) const {
       throw std::invalid_argument("tolerance must be at least 0, but is " + *tolerance);
   }
   if (substeps) method.substeps = parse_whole("substeps", *substeps, 1, 1'000'000);
+  if (max_parts) method.max_parts = parse_whole("max-parts", *max_parts, 1, 1024);
   if (threads) method.threads = parse_whole("threads", *threads, 1, most_threads);
   if (integrator_order)
     method.integrator_order = choose<int>("integrator-order", *integrator_order, {{"2", 2}, {"4", 4}});

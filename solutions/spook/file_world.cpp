@@ -80,10 +80,29 @@ void add_moving(const Place& place, World<Dof>& world) {
   world.add(body);
 }
 
+/// Returns the keyframes of a kinematic body. Their errors name the place of the keyframe.
+template <int Dof>
+Keyframes keyframes_in(const Place& place) {
+  std::vector<Keyframe> frames;
+  for (const Place& each : place.list()) {
+    each.require_keys(Dof == 3 ? std::vector<std::string>{"time", "x"}
+                               : std::vector<std::string>{"time", "x", "q"});
+    frames.push_back({.time = each["time"].number(), .x = each["x"].vector()});
+    if (const auto q = each.find("q")) frames.back().q = q->quaternion();
+    at(each, [&] { Keyframes(frames).at(0); });
+  }
+  return Keyframes(std::move(frames));
+}
+
 /// Sets the velocity of the static body that was added last.
 template <int Dof>
 void add_velocity(const Place& place, World<Dof>& world) {
   const int body = static_cast<int>(world.bodies().size()) - 1;
+  if (const auto keyframes = place.find("keyframes")) {
+    for (const char* key : {"x", "q", "v", "omega", "surface_velocity"})
+      if (place.has(key)) place[key].reject("left out where keyframes are given");
+    return world.set_keyframes(body, keyframes_in<Dof>(*keyframes));
+  }
   const auto surface = place.find("surface_velocity");
   if (surface) world.set_surface_velocity(body, surface->vector());
   Vec3 v = Vec3::Zero(), omega = Vec3::Zero();
@@ -97,20 +116,25 @@ void add_velocity(const Place& place, World<Dof>& world) {
     world.set_velocity(body, v);
 }
 
+/// Returns the position of a static body; keyframes have their own.
+Vec3 position_in(const Place& place) {
+  return place.has("keyframes") ? Vec3::Zero() : place["x"].vector();
+}
+
 template <int Dof>
 void add_static(const Place& place, World<Dof>& world) {
   if constexpr (Dof == 3) {
-    place.require_keys({"name", "fixed", "x", "radius", "v", "surface_velocity"});
+    place.require_keys({"name", "fixed", "x", "radius", "v", "surface_velocity", "keyframes"});
     double radius = 0;
     read(place.find("radius"), radius);
-    world.add_fixed(place["x"].vector(), radius);
+    world.add_fixed(position_in(place), radius);
   } else {
     place.require_keys({"name", "fixed", "x", "q", "radius", "half_length", "half_sides", "corners", "v",
-                        "omega", "surface_velocity"});
+                        "omega", "surface_velocity", "keyframes"});
     Body<6> body;
     if (const auto q = place.find("q")) body.q = q->quaternion();
     read_shape(place, body);
-    world.add_fixed(place["x"].vector(), shape_of(body), body.q);
+    world.add_fixed(position_in(place), shape_of(body), body.q);
   }
   add_velocity(place, world);
 }
@@ -146,10 +170,19 @@ Motor motor_in(const Place& place) {
   return motor;
 }
 
+Spring spring_in(const Place& place) {
+  place.require_keys({"stiffness", "damping", "rest"});
+  Spring spring;
+  read(place.find("stiffness"), spring.stiffness);
+  read(place.find("damping"), spring.damping);
+  read(place.find("rest"), spring.rest);
+  return spring;
+}
+
 template <int Dof>
 void add_joint(const Place& place, const BodyNames& names, World<Dof>& world) {
   place.require_keys({"i", "j", "p_i", "p_j", "length", "k", "d", "kind", "axis", "rest", "k_turn", "limits",
-                      "limit_d", "motor", "angle"});
+                      "limit_d", "spring", "motor", "angle"});
   Joint joint{.i = names.index(place["i"]), .j = names.index(place["j"])};
   read(place.find("p_i"), joint.p_i);
   read(place.find("p_j"), joint.p_j);
@@ -159,6 +192,7 @@ void add_joint(const Place& place, const BodyNames& names, World<Dof>& world) {
   if (const auto kind = place.find("kind"))
     joint.kind = one_of<JointKind>(*kind, {{"ball", JointKind::ball},
                                            {"distance", JointKind::distance},
+                                           {"rope", JointKind::rope},
                                            {"hinge", JointKind::hinge},
                                            {"slider", JointKind::slider},
                                            {"weld", JointKind::weld}});
@@ -167,6 +201,7 @@ void add_joint(const Place& place, const BodyNames& names, World<Dof>& world) {
   read(place.find("k_turn"), joint.k_turn);
   if (const auto limits = place.find("limits")) joint.limits = limits_in(*limits);
   read(place.find("limit_d"), joint.limit_d);
+  if (const auto spring = place.find("spring")) joint.spring = spring_in(*spring);
   if (const auto motor = place.find("motor")) joint.motor = motor_in(*motor);
   read(place.find("angle"), joint.angle);
   world.add_joint(joint);
@@ -196,12 +231,13 @@ Settings<Dof> settings_in(const Place& file) {
   // Version 1 called the integrator's order "compose".
   const std::string order = file["version"].whole() == 1 ? "compose" : "integrator_order";
   place->require_keys({"gravity", "k", "d", "friction", "friction_model", "viscosity", order, "impacts",
-                       "rotation", "gyroscopic_torque", "points_pass"});
+                       "rotation", "gyroscopic_torque", "points_pass", "max_parts"});
   read(place->find("gravity"), settings.gravity);
   read(place->find("k"), settings.k);
   read(place->find("d"), settings.d);
   read(place->find("friction"), settings.friction);
   read(place->find("viscosity"), settings.viscosity);
+  if (const auto parts = place->find("max_parts")) settings.max_parts = parts->whole();
   if (const auto given = place->find(order)) settings.integrator_order = given->whole();
   if (const auto impacts = place->find("impacts")) {
     impacts->require_keys({"restitution", "friction", "threshold", "max_passes"});
@@ -254,6 +290,7 @@ static void refuse_points_that_could_meet(const Place& file, const World<Dof>& w
   const std::vector<int> first = joined(world);
   const auto refuse = [&](int points, int other) {
     if (first[static_cast<std::size_t>(points)] == first[static_cast<std::size_t>(other)]) return;
+    if (shapes.exclusions.exclude(points, other)) return;
     const auto named = [](int body) { return "bodies[" + std::to_string(body) + "]"; };
     throw std::invalid_argument(named(points) + ".corners are points, which pass through " + named(other) +
                                 ": give it another shape, or say so by settings.points_pass");
@@ -264,11 +301,22 @@ static void refuse_points_that_could_meet(const Place& file, const World<Dof>& w
   }
 }
 
+/// Reads the lists of bodies that do not touch each other.
+template <int Dof>
+static void exclude_contacts(const Place& lists, const BodyNames& names, World<Dof>& world) {
+  for (const Place& list : lists.list()) {
+    std::vector<int> bodies;
+    for (const Place& body : list.list()) bodies.push_back(names.index(body));
+    at(list, [&] { world.exclude_contacts(bodies); });
+  }
+}
+
 template <int Dof>
 void add_all(const Place& file, const BodyNames& names, World<Dof>& world) {
   for (const Place& body : file["bodies"].list()) at(body, [&] { add_body(body, world); });
   if (const auto joints = file.find("joints"))
     for (const Place& joint : joints->list()) at(joint, [&] { add_joint(joint, names, world); });
+  if (const auto lists = file.find("no_contact")) exclude_contacts(*lists, names, world);
   refuse_points_that_could_meet(file, world);
 }
 

@@ -31,7 +31,7 @@ class BodyNames {
 template <int Dof>
 Settings<Dof> settings_in(const Place& file);
 
-/// Adds the bodies and joints of a file to a world.
+/// Adds the bodies, joints and excluded contacts of a file to a world.
 template <int Dof>
 void add_all(const Place& file, const BodyNames& names, World<Dof>& world);
 

@@ -32,6 +32,7 @@ Json to_json(const Method& method, bool solves) {
       {"tolerance", of_rows(method.solver_limits.tolerance)},
       {"row_order", of_rows(name_of(method.row_order))},
       {"warm_start", of_rows(method.warm_start)},
+      {"max_parts", method.max_parts ? Json(*method.max_parts) : Json()},
       {"contact_margin", method.contact_margin ? of_rows(*method.contact_margin) : Json()},
       {"friction_model", of_rows(name_of(friction_model(method)))},
       {"tangents", of_rows(method.sliding_tangents ? "sliding" : "fixed")},

@@ -101,7 +101,7 @@ Json parsed(const std::string& file) {
 SceneDescription described(const std::string& name, const Json& written) {
   Place(written, "")
       .require_keys({"format", "version", "summary", "model", "h", "time", "solver", "half_step_start",
-                     "parameters", "settings", "bodies", "joints", "expected"});
+                     "parameters", "settings", "bodies", "joints", "no_contact", "expected"});
   const std::vector<Parameter> parameters = parameters_in(written);
   const Json json = with_values(written, parameters);
   const Place file(json, "");

@@ -23,6 +23,7 @@ static Json to_json(const Settings<Dof>& settings) {
                {"viscosity", number(settings.viscosity)}};
   if (settings.k) json["k"] = *settings.k;
   if (settings.d) json["d"] = *settings.d;
+  if (settings.max_parts != Settings<Dof>{}.max_parts) json["max_parts"] = settings.max_parts;
   if (settings.integrator_order != 2) json["integrator_order"] = settings.integrator_order;
   if (const auto& law = settings.impacts)
     json["impacts"] = {{"restitution", law->restitution},
@@ -45,9 +46,6 @@ static Json body_to_json(const Bodies<Dof>& bodies, std::size_t i) {
     if constexpr (Dof == 6)
       if (!bodies.orientations.q[i].coeffs().isApprox(Quat::Identity().coeffs(), 0))
         json["q"] = numbers(bodies.orientations.q[i]);
-    if (!bodies.motion.W[i].isZero(0)) json["v"] = numbers(bodies.motion.W[i].template head<3>());
-    if constexpr (Dof == 6)
-      if (!bodies.motion.W[i].isZero(0)) json["omega"] = numbers(bodies.motion.W[i].template tail<3>());
     return json;
   }
   const Twist<Dof>& W = bodies.motion.W[i];
@@ -58,6 +56,26 @@ static Json body_to_json(const Bodies<Dof>& bodies, std::size_t i) {
     json["principal"] = numbers(bodies.orientations.principal[i]);
   }
   return json;
+}
+
+/// Adds what moves a static body.
+template <int Dof>
+static void put_velocity(Json& json, const Kinematic<Dof>& kinematic, const Twist<Dof>& W) {
+  const Vec3 v = W.template head<3>();
+  if (!kinematic.moves) {
+    json["surface_velocity"] = numbers(v);
+  } else if (kinematic.keyframes) {
+    json.erase("x");
+    json.erase("q");
+    for (const Keyframe& frame : kinematic.keyframes->frames()) {
+      Json each = {{"time", frame.time}, {"x", numbers(frame.x)}};
+      if constexpr (Dof == 6) each["q"] = numbers(frame.q);
+      json["keyframes"].push_back(each);
+    }
+  } else {
+    json["v"] = numbers(v);
+    if constexpr (Dof == 6) json["omega"] = numbers(W.template tail<3>());
+  }
 }
 
 template <int Dof>
@@ -97,6 +115,10 @@ static void put_guide(Json& json, const Joint& joint) {
     json["limits"] = {{"lower", number(joint.limits->lower)}, {"upper", number(joint.limits->upper)}};
     json["limit_d"] = *joint.limit_d;
   }
+  if (joint.spring)
+    json["spring"] = {{"stiffness", joint.spring->stiffness},
+                      {"damping", joint.spring->damping},
+                      {"rest", joint.spring->rest}};
   if (joint.motor)
     json["motor"] = {{"speed", joint.motor->speed},
                      {"strength", number(joint.motor->strength)},
@@ -111,6 +133,10 @@ static Json to_json(const std::vector<Joint>& joints) {
     if (!joint.has_default_k) json["k"] = *joint.k;
     json["d"] = *joint.d;
     if (joint.is_guided()) put_guide(json, joint);
+    if (joint.kind == JointKind::rope) {
+      json["kind"] = name_of(joint.kind);
+      json["limit_d"] = *joint.limit_d;
+    }
     list.push_back(json);
   }
   return list;
@@ -122,6 +148,11 @@ static void put_world(Json& json, const World<Dof>& world, const std::string& na
     throw std::invalid_argument(name + " cannot be written as a file: its force is a formula");
   json["settings"] = to_json(world.settings());
   json["bodies"] = to_json(world.bodies(), world.shapes());
+  for (const Kinematic<Dof>& kinematic : world.kinematic_bodies()) {
+    const std::size_t i = world.index(kinematic.body);
+    put_velocity(json["bodies"][i], kinematic, world.bodies().motion.W[i]);
+  }
+  for (const std::vector<int>& list : world.shapes().exclusions.lists()) json["no_contact"].push_back(list);
   if (!world.joints().empty()) json["joints"] = to_json(world.joints());
 }
 

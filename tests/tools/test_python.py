@@ -88,6 +88,88 @@ class Worlds(WithModule):
         points.step(0.5)
         self.assertEqual(points.x[nail, 1], 1)
 
+    def test_a_lift_follows_keyframes_or_a_function(self):
+        for way in ("keyframes", "function"):
+            world = spook.World()
+            lift = world.add_fixed((0, 0, 0), half_sides=(1, 1, 0.1))
+            box = world.add(x=(0, 0, 0.3), half_sides=(0.2, 0.2, 0.2))
+            if way == "keyframes":
+                turned = (math.cos(0.25), 0, 0, math.sin(0.25))
+                world.set_keyframes(lift, [0, 1], np.array([[0, 0, 0], [0, 0, 0.5]]), q=np.array([[1, 0, 0, 0], turned]))
+            else:
+                world.set_velocity_function(lift, lambda t: (0, 0, t), lambda t: np.array([0, 0, 0.5]))
+            world.step(1 / 60, steps=60)
+            self.assertAlmostEqual(world.x[lift, 2], 0.5, 9)  # of v = t, the middle of a step has the mean
+            self.assertAlmostEqual(world.x[box, 2], 0.8, 3)
+            self.assertAlmostEqual(world.q[lift, 3], math.sin(0.25), 9)
+            self.assertEqual(world.state, "sound", world.reason)
+        points = spook.PointWorld()
+        nail = points.add_fixed((0, 0, 0))
+        points.set_velocity_function(nail, lambda t: (1, 0, 0))
+        points.step(0.5)
+        self.assertEqual(points.x[nail, 0], 0.5)
+        points.set_keyframes(nail, [0.5, 1.5], np.array([[0, 0, 0], [0, 2, 0]]))
+        self.assertEqual(points.x[nail].tolist(), [0, 0, 0])
+        copied = points.save()
+        for one in (points, copied):
+            one.step(0.5)
+            self.assertAlmostEqual(one.x[nail, 1], 1)
+        self.refused("x must have a row for each of 2 times, but has 1", points.set_keyframes, nail, [0, 1], np.zeros((1, 3)))
+        points.set_velocity_function(nail, lambda t: "up")
+        with self.assertRaisesRegex(TypeError, "v must return three numbers, but returned 'up'"):
+            points.step(0.5)
+        points.set_velocity_function(nail, lambda t: 1 / 0)
+        with self.assertRaises(ZeroDivisionError):
+            points.step(0.5)
+
+    def test_bodies_of_a_list_do_not_touch(self):
+        for excluded in (False, True):
+            world = spook.World()
+            world.add_plane()
+            for _ in range(3):
+                world.add(x=(0, 0, 0.05), radius=0.1)
+            if excluded:
+                world.exclude_contacts([1, 2, 3])
+            world.step(1e-6)
+            contacts = world.contacts()
+            between = np.count_nonzero(contacts["i"] * contacts["j"])
+            self.assertEqual((between, len(contacts["gap"])), (0, 3) if excluded else (3, 6))
+        self.refused("body must be there once, but is 1", world.exclude_contacts, [1, 1])
+
+    def test_a_spring_holds_and_a_rope_catches(self):
+        world = spook.World()
+        top, weight = world.add_fixed((0, 0, 0)), world.add(mass=2, principal=(1, 1, 1))
+        slider = world.add_slider(top, weight, spring=(200, 20, -0.5))
+        world.step(1 / 60, steps=1200)
+        self.assertAlmostEqual(world.joint_position(slider), -0.5 - 2 * 9.81 / 200, 6)
+        self.assertAlmostEqual(world.spring_force(slider), 2 * 9.81, 6)
+        world.set_spring(slider, (400, 20))
+        world.step(1 / 60, steps=1200)
+        self.assertAlmostEqual(world.joint_position(slider), -2 * 9.81 / 400, 6)
+        self.refused("stiffness must be positive where damping is 0, but is 0", world.set_spring, slider, (0, 0))
+        self.refused("spring must have a stiffness, a damping and a rest, but has 0 numbers", world.set_spring, slider, ())
+        for world in (spook.World(), spook.PointWorld()):
+            nail, ball = world.add_fixed((0, 0, 0)), world.add(x=(0, 0, -0.2), radius=0.1)
+            rope = world.add_rope(nail, ball, 1)
+            world.step(1 / 240, steps=24)
+            self.assertEqual(world.joint_force(rope).tolist(), [0, 0, 0])
+            world.step(1 / 240, steps=240)
+            self.assertAlmostEqual(world.x[ball, 2], -1, 4)
+            self.assertAlmostEqual(world.joint_force(rope)[2], 9.81, 4)
+            self.assertEqual(world.joints()["kind"], ["rope"])
+
+    def test_steps_are_divided_at_most_so_often(self):
+        off = []
+        for max_parts in (32, 1):
+            world = spook.World(gravity=(0, 0, 0), max_parts=max_parts, check=False)
+            nail, ball = world.add_fixed((0, 0, 0)), world.add(x=(1, 0, 0), v=(0, 60, 0), radius=0.1)
+            world.add_joint(nail, ball, length=1)
+            world.step(1 / 60, steps=60)
+            off.append(abs(np.linalg.norm(world.x[ball]) - 1))
+        self.assertLess(off[0], 0.01)
+        self.assertGreater(off[1], 0.05)
+        self.refused("max_parts must be a power of two from 1 to 1024, but is 3", lambda: spook.World(max_parts=3))
+
     def test_threads_change_no_bit(self):
         worlds = [spook.World(friction=0.5, solver="spatial_decomposition", threads=threads) for threads in (1, 2)]
         for world in worlds:

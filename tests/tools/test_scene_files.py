@@ -41,14 +41,38 @@ REFUSED = (
     ("joints.0.j", "bal", 'joints[0].j must be ball or box or floor or nail, but is "bal"'),
     ("joints.0.i", "ball", "joints[0]: joint's j must be another body than its i, but is 2"),
     ("joints.0.length", -1, "joints[0].length must be positive"),
-    ("joints.0.kind", "hing", 'joints[0].kind must be ball or distance or hinge or slider or weld, but is "hing"'),
-    ("joints.0.kind", "hinge", "joints[0].kind must be distance, where it has a length, but is hinge"),
+    ("joints.0.kind", "hing", 'joints[0].kind must be ball or distance or hinge or rope or slider or weld, but is "hing"'),
+    ("joints.0.kind", "hinge", "joints[0].kind must be distance or rope, where it has a length, but is hinge"),
     ("joints.0", {"i": "nail", "j": "ball", "kind": "hinge", "axis": [0, 0, 2]},
      "joints[0]: length of axis must be 1, but is 2"),
     ("joints.0", {"i": "nail", "j": "ball", "kind": "hinge", "limits": {"lower": 1, "upper": 0}},
      "joints[0]: upper must be more than lower, which is 1"),
     ("joints.0", {"i": "nail", "j": "ball", "kind": "slider", "motor": {"sped": 1}},
      'joints[0].motor.sped is unknown; did you mean "speed"?'),
+    ("joints.0", {"i": "nail", "j": "ball", "kind": "hinge", "spring": {"stiffness": -1}},
+     "joints[0]: stiffness must be zero or positive, and finite, but is -1"),
+    ("joints.0", {"i": "nail", "j": "ball", "kind": "hinge", "spring": {"stifness": 1}},
+     'joints[0].spring.stifness is unknown; did you mean "stiffness"?'),
+    ("joints.0", {"i": "nail", "j": "ball", "spring": {"stiffness": 1}},
+     "joints[0]: kind must be hinge or slider, where it has a spring, but is ball"),
+    ("joints.0", {"i": "nail", "j": "ball", "kind": "rope"},
+     "joints[0].kind must be another than distance or rope, without a length, but is rope"),
+    ("no_contact", [["ball", "bx"]], 'no_contact[0][1] must be ball or box or floor or nail, but is "bx"'),
+    ("no_contact", [["ball", "box"], ["ball"]],
+     "no_contact[1]: number of bodies must be at least 2 to exclude contacts between them, but is 1"),
+    ("no_contact", [["ball", "ball"]], "no_contact[0]: body must be there once, but is 2"),
+    ("no_contact", ["ball", "box"], 'no_contact[0] must be a list, but is "ball"'),
+    ("bodies.1", {"name": "nail", "fixed": True, "x": [0, 0, 3], "keyframes": [{"time": 0, "x": [0, 0, 3]}]},
+     "bodies[1].x must be left out where keyframes are given"),
+    ("bodies.1", {"name": "nail", "fixed": True, "keyframes": [{"time": 1, "x": [0, 0, 3]}, {"time": 1, "x": [0, 0, 3]}]},
+     "bodies[1].keyframes[1].time must be later than that of the keyframe before, which is 1"),
+    ("bodies.1", {"name": "nail", "fixed": True, "keyframes": [{"time": 1}]}, "bodies[1].keyframes[0].x is missing"),
+    ("bodies.1", {"name": "nail", "fixed": True, "keyframes": []}, "keyframes must be at least one, but are none"),
+    ("bodies.1", {"name": "nail", "fixed": True, "keyframes": [{"time": 1, "x": [0, 0, 3], "q": [2, 0, 0, 0]}]},
+     "bodies[1].keyframes[0]: length of q must be 1, but is 2"),
+    ("bodies.3.keyframes", [], "bodies[3].keyframes is unknown"),
+    ("settings.max_parts", 3, "max_parts must be a power of two from 1 to 1024, but is 3"),
+    ("settings.max_parts", "many", 'settings.max_parts must be a whole number, but is "many"'),
     ("settings.k", 0, "k must be positive and finite, but is 0"),
     ("settings.friktion", 0, 'settings.friktion is unknown; did you mean "friction"?'),
     ("settings.friction_model", "cones", 'settings.friction_model must be box or cone or two_pass, but is "cones"'),
@@ -173,6 +197,99 @@ class SceneFiles(unittest.TestCase):
             done = self.run_of(scene)
             self.assertLess(done["error"]["value"], 1, under)
             self.assertEqual(done["state"]["name"], "sound", done["state"])
+
+    def test_a_spring_swings_as_its_closed_form(self):
+        """A torsion pendulum of k = 2, c = 0.1 and I = 0.5, let go at 1 rad from rest, and a mark on its rim."""
+        k, c, inertia, time, h = 2, 0.1, 0.5, 3, 1 / 960
+        decay = c / inertia / 2
+        frequency = math.sqrt(k / inertia - decay**2)
+        angle = math.exp(-decay * time) * (math.cos(frequency * time) + decay / frequency * math.sin(frequency * time)) - 1
+        disc = {"name": "disc", "x": [0, 0, 0], "mass": 1, "principal": [0.3, 0.3, inertia]}
+        mark = {"name": "mark", "x": [1, 0, 0], "mass": 1e-9, "principal": [1e-9, 1e-9, 1e-9]}
+        scene = {"format": "spook scene", "version": 2, "model": "rigid", "h": h, "time": time,
+                 "settings": {"gravity": [0, 0, 0]}, "bodies": [{"name": "nail", "fixed": True, "x": [0, 0, 0]}, disc, mark],
+                 "joints": [{"i": "nail", "j": "disc", "kind": "hinge",
+                             "spring": {"stiffness": k, "damping": c, "rest": -1}},
+                            {"i": "disc", "j": "mark", "p_i": [1, 0, 0], "kind": "weld"}],
+                 "expected": [{"body": "mark", "time": time, "x": [math.cos(angle), math.sin(angle), 0], "tolerance": 2 * h}]}
+        done = self.run_of(scene)
+        self.assertLess(done["error"]["value"], 1)  # the start is half a step late, an error of order h
+        self.assertEqual(done["state"]["name"], "sound", done["state"])
+
+    def test_a_rope_catches_what_falls(self):
+        for model in ("point", "rigid"):
+            ball = {"name": "ball", "x": [0, 0, -0.2], "mass": 1, "radius": 0.1}
+            scene = {"format": "spook scene", "version": 2, "model": model, "h": "1/240", "time": 2,
+                     "bodies": [{"name": "nail", "fixed": True, "x": [0, 0, 0]}, ball],
+                     "joints": [{"i": "nail", "j": "ball", "kind": "rope", "length": 1}],
+                     "expected": [{"body": "ball", "time": 0.3, "x": [0, 0, -0.2 - 9.81 * 0.3**2 / 2], "tolerance": 0.01},
+                                  {"body": "ball", "time": 1, "x": [0, 0, -1], "tolerance": 1e-4},
+                                  {"body": "ball", "time": 2, "x": [0, 0, -1], "tolerance": 1e-4}]}
+            self.assertLess(self.run_of(scene)["error"]["value"], 1)
+
+    def test_bodies_of_a_list_pass_through_each_other(self):
+        # Two balls fall on a floor, one through the other; by names, and by numbers.
+        scene = {"format": "spook scene", "version": 2, "model": "rigid", "h": "1/240", "time": 2,
+                 "bodies": [{"name": "floor", "plane": {"n": [0, 0, 1], "offset": 0}},
+                            {"name": "low", "x": [0, 0, 0.1], "mass": 1, "radius": 0.1},
+                            {"name": "high", "x": [0, 0, 0.5], "mass": 1, "radius": 0.1}],
+                 "expected": [{"body": "high", "time": 2, "x": [0, 0, 0.1], "tolerance": 1e-4}]}
+        self.assertGreater(self.run_of(scene)["error"]["value"], 100)
+        for lists in ([["low", "high"]], [[1, "high"]]):
+            self.assertLess(self.run_of(scene | {"no_contact": lists})["error"]["value"], 1)
+
+    def test_a_lift_follows_its_keyframes_and_carries_a_box(self):
+        lift = {"name": "lift", "fixed": True, "half_sides": [1, 1, 0.1],
+                "keyframes": [{"time": 0, "x": [0, 0, 0]}, {"time": 2, "x": [0, 0, "$top"]}, {"time": 3, "x": [0, 0, 0.5]}]}
+        scene = {"format": "spook scene", "version": 2, "model": "rigid", "h": "1/240", "time": 4, "settings": {"friction": 0.5},
+                 "parameters": {"top": {"default": 1}},
+                 "bodies": [lift, {"name": "box", "x": [0, 0, 0.3], "mass": 2, "half_sides": [0.2, 0.2, 0.2]}],
+                 "expected": [{"body": "lift", "time": 1, "x": [0, 0, 0.5], "tolerance": 1e-9},
+                              {"body": "box", "time": 1, "x": [0, 0, 0.8], "tolerance": 1e-3},
+                              {"body": "box", "time": 4, "x": [0, 0, 0.8], "tolerance": 1e-3}]}
+        done = self.run_of(scene)
+        self.assertLess(done["error"]["value"], 1)
+        self.assertEqual(done["state"]["name"], "sound", done["state"])
+        self.assertGreater(self.run_of(scene, "--set", "top=2")["error"]["value"], 100)
+
+    def test_what_moves_and_what_does_not_touch_is_exported(self):
+        turned = [0.6, 0, 0, 0.8]
+        scene = {"format": "spook scene", "version": 2, "model": "rigid", "h": "1/60", "time": 1,
+                 "settings": {"friction": 0.5, "max_parts": 4},
+                 "bodies": [{"plane": {"n": [0, 0, 1], "offset": 0}, "surface_velocity": [1, 0, 0]},
+                            {"fixed": True, "half_sides": [1, 1, 0.1],
+                             "keyframes": [{"time": 0, "x": [9, 0, 1], "q": [1, 0, 0, 0]}, {"time": 1, "x": [9, 0, 2], "q": turned}]},
+                            {"fixed": True, "x": [0, 9, 0.1], "radius": 0.2, "v": [1, 0, 0], "omega": [0, 0, 1]},
+                            {"x": [0, 0, 0.1], "mass": 1, "half_sides": [0.1, 0.1, 0.1]},
+                            {"x": [0, 0, 0.5], "mass": 1, "radius": 0.1}, {"x": [1, 0, 0.9], "mass": 1, "radius": 0.1}],
+                 "joints": [{"i": 3, "j": 4, "kind": "slider", "spring": {"stiffness": 30, "damping": 1, "rest": -0.1}},
+                            {"i": 4, "j": 5, "kind": "rope", "length": 2}],
+                 "no_contact": [[3, 4], [4, 5, 0]]}
+        self.file.write_text(json.dumps(scene))
+        done = self.spook("scenes", self.file, "--export")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        exported = json.loads(done.stdout)
+        self.assertEqual((exported["no_contact"], exported["settings"]["max_parts"]), (scene["no_contact"], 4))
+        before = self.positions(self.file)
+        self.file.write_text(done.stdout)
+        self.assertEqual(self.positions(self.file), before)
+
+    def test_a_step_is_divided_at_most_so_often(self):
+        """A ball whirled at 60 rad/s at 1/60 s leaves its circle unless steps are divided; the option goes before the file."""
+        scene = {"format": "spook scene", "version": 2, "model": "rigid", "h": "1/60", "time": 1, "settings": {"gravity": [0, 0, 0]},
+                 "bodies": [{"fixed": True, "x": [0, 0, 0]}, {"x": [1, 0, 0], "v": [0, 60, 0], "mass": 1, "radius": 0.1}],
+                 "joints": [{"i": 0, "j": 1, "length": 1}]}
+
+        def off(max_parts=None, *words) -> float:
+            settings = scene["settings"] | ({} if max_parts is None else {"max_parts": max_parts})
+            self.file.write_text(json.dumps(scene | {"settings": settings}))
+            return max(abs(math.hypot(*map(float, row[-3:])) - 1) for row in self.positions(self.file, *words)[1:])
+
+        self.assertLess(off(), 0.01)
+        self.assertGreater(off(1), 0.05)
+        self.assertGreater(off(32, "--max-parts", "1"), 0.05)
+        self.assertLess(off(1, "--max-parts", "32"), 0.01)
+        self.assertEqual(self.run_of(scene, "--max-parts", "8")["max_parts"], 8)
 
     def test_friction_is_coulombs_unless_the_file_or_an_option_says_another_model(self):
         # Thrown diagonally with 3 m/s at μ = 0.5 it slides v²/(2μg) = 0.917 m, less v h/2; by the box 1/√2 of it.

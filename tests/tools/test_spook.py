@@ -90,6 +90,8 @@ class Refusals(unittest.TestCase):
         for option in ["substeps", "seed", "contact-margin"]:
             self.refused(f"run stack --{option} -1", option, "-1")
         self.refused("run stack --substeps 0", "substeps")
+        for parts in ["0", "1025", "two", "3"]:
+            self.refused(f"run stack --max-parts {parts}", "parts", parts)
         for threads in ["0", "257", "two"]:
             self.refused(f"run stack --threads {threads}", "threads", threads)
 
@@ -108,14 +110,14 @@ class Refusals(unittest.TestCase):
         self.refused("run physical_pendulum --integrator-order 4 --set d=0 stop=30", "integrator_order", "limit")
         self.refused("run flywheel --integrator-order 4 --set d=0", "integrator_order", "motor")
         self.refused("run top --integrator-order 4 --set update=first_order", "integrator_order", "rotation")
-        for option in ["solver direct", "row-order up", "friction-model cone", "tangents sliding", "warm-start"]:
+        for option in ["solver direct", "row-order up", "friction-model cone", "tangents sliding", "max-parts 1", "warm-start"]:
             self.refused(f"run orbit --integrator-order 4 --{option}", option.split()[0], "integrator-order 4")
         self.refused("play orbit --integrator-order 4", "--integrator-order")
 
     def test_the_plain_engine_has_one_way_of_doing_it(self):
         self.refused("run stack --engine mine", "engine", "plain")
         for option in ["solver direct", "row-order up", "contact-margin 0", "friction-model box", "tangents sliding",
-                       "threads 2", "warm-start"]:
+                       "max-parts 1", "threads 2", "warm-start"]:
             self.refused(f"run stack --engine plain --{option}", option.split()[0], "--engine")
         for scene, has in (("door", "a hinge"), ("andrews", "a wrench"), ("spinning_disc", "corners"),
                            ("top --set update=first_order", "a rotation update")):

@@ -40,7 +40,7 @@ class _Scene:
         for k, body in enumerate(header["bodies"]):
             self._add_body(k, body)
         for joint in header.get("joints", ()):
-            if joint["kind"] == "distance":
+            if joint["kind"] in ("distance", "rope"):
                 self._add_rod(joint)
         self.document["buffers"] = [{"byteLength": len(self._data), "uri": "data:application/octet-stream;base64,"
                                      + base64.b64encode(self._data).decode()}]

@@ -60,7 +60,7 @@ py::dict joints(const PythonWorld<Dof>& self) {
   Eigen::VectorXd position = Eigen::VectorXd::Constant(n, none), speed = position;
   for (int c = 0; c < n; ++c) {
     const Joint& joint = world.joints()[static_cast<std::size_t>(c)];
-    kind.append(joint.length ? "distance" : joint.is_guided() ? name_of(joint.kind) : "ball");
+    kind.append(name_of(joint.kind));
     i[c] = joint.i;
     j[c] = joint.j;
     force.row(c) = world.joint_force(c);

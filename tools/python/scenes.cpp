@@ -36,6 +36,7 @@ RunCommand command_of(const std::string& scene, const Texts& parameters, const T
       {"row_order", &command.row_order},
       {"seed", &command.seed},
       {"contact_margin", &command.contact_margin},
+      {"max_parts", &command.max_parts},
       {"friction_model", &command.friction_model},
       {"tangents", &command.tangents},
       {"threads", &command.threads}};

@@ -42,8 +42,8 @@ PythonWorld<Dof> make(const Vec3& gravity, std::optional<double> k, std::optiona
                       double viscosity, std::optional<double> restitution, double threshold,
                       const std::string& solver, const std::optional<std::string>& model,
                       const std::string& tangents, int iterations, double tolerance, bool warm_start,
-                      std::optional<double> contact_margin, int integrator_order, int threads, bool check,
-                      const std::string& rotation) {
+                      std::optional<double> contact_margin, int integrator_order, int max_parts, int threads,
+                      bool check, const std::string& rotation) {
   if (iterations < 1)
     throw std::invalid_argument("iterations must be at least 1, but is " + std::to_string(iterations));
   Method method{.h = 1, .solver = solver};
@@ -60,11 +60,58 @@ PythonWorld<Dof> make(const Vec3& gravity, std::optional<double> k, std::optiona
       .contact_margin = contact_margin,
       .rotation = rotation_rule<Dof>(rotation),
       .integrator_order = integrator_order,
+      .max_parts = max_parts,
       .threads = threads,
       .solver_limits = {.max_sweeps = iterations, .tolerance = tolerance}};
   if (restitution)
     settings.impacts = ImpactLaw{.restitution = *restitution, .friction = friction, .threshold = threshold};
   return {World<Dof>(std::move(settings)), check};
+}
+
+/// Calls a function of Python for three numbers.
+Vec3 called(const py::function& function, const char* name, double time) {
+  const py::gil_scoped_acquire locked;
+  const py::object result = function(time);
+  try {
+    const auto numbers = result.cast<std::array<double, 3>>();
+    return {numbers[0], numbers[1], numbers[2]};
+  } catch (const py::cast_error&) {
+    throw py::type_error(std::string(name) + " must return three numbers, but returned " +
+                         py::repr(result).cast<std::string>());
+  }
+}
+
+void set_velocity_function_of_points(PythonWorld<3>& self, int body, const py::function& v) {
+  self.moved().set_velocity_function(body, [v](double time) -> Twist<3> { return called(v, "v", time); });
+}
+
+void set_velocity_function(PythonWorld<6>& self, int body, const py::function& v,
+                           const std::optional<py::function>& omega) {
+  self.moved().set_velocity_function(body, [v, omega](double time) {
+    Twist<6> W = Twist<6>::Zero();
+    W.head<3>() = called(v, "v", time);
+    if (omega) W.tail<3>() = called(*omega, "omega", time);
+    return W;
+  });
+}
+
+/// Sets keyframes from a time and a row each.
+template <int Dof>
+void set_keyframes(PythonWorld<Dof>& self, int body, const std::vector<double>& times, const Rows<3>& x,
+                   const std::optional<Rows<4>>& q) {
+  const auto require_rows = [&](const char* name, Eigen::Index rows) {
+    if (rows != std::ssize(times))
+      throw std::invalid_argument(std::string(name) + " must have a row for each of " +
+                                  std::to_string(times.size()) + " times, but has " + std::to_string(rows));
+  };
+  require_rows("x", x.rows());
+  if (q) require_rows("q", q->rows());
+  std::vector<Keyframe> frames;
+  for (Eigen::Index n = 0; n < x.rows(); ++n) {
+    frames.push_back({.time = times[static_cast<std::size_t>(n)], .x = x.row(n)});
+    if (q) frames.back().q = Quat((*q)(n, 0), (*q)(n, 1), (*q)(n, 2), (*q)(n, 3));
+  }
+  self.moved().set_keyframes(body, Keyframes(std::move(frames)));
 }
 
 /// What is left out stays as it is.
@@ -154,6 +201,19 @@ int add_joint(PythonWorld<Dof>& self, int i, int j, const Vec3& p_i, const Vec3&
   return self.world().add_joint({.i = i, .j = j, .p_i = p_i, .p_j = p_j, .length = length, .k = k, .d = d});
 }
 
+template <int Dof>
+int add_rope(PythonWorld<Dof>& self, int i, int j, double length, const Vec3& p_i, const Vec3& p_j,
+             std::optional<double> k, std::optional<double> d) {
+  return self.world().add_joint({.i = i,
+                                 .j = j,
+                                 .p_i = p_i,
+                                 .p_j = p_j,
+                                 .length = length,
+                                 .k = k,
+                                 .kind = JointKind::rope,
+                                 .limit_d = d});
+}
+
 /// A pair of numbers as a struct of theirs.
 template <class Of>
 std::optional<Of> pair_as(const std::optional<std::array<double, 2>>& pair) {
@@ -161,11 +221,24 @@ std::optional<Of> pair_as(const std::optional<std::array<double, 2>>& pair) {
   return Of{(*pair)[0], (*pair)[1]};
 }
 
+/// Stiffness, damping, and the coordinate at rest; what is left out is 0.
+using SpringNumbers = std::optional<std::vector<double>>;
+
+std::optional<Spring> spring_of(const SpringNumbers& numbers) {
+  if (!numbers) return {};
+  if (numbers->empty() || numbers->size() > 3)
+    throw std::invalid_argument("spring must have a stiffness, a damping and a rest, but has " +
+                                std::to_string(numbers->size()) + " numbers");
+  std::vector<double> all = *numbers;
+  all.resize(3, 0.0);
+  return Spring{.stiffness = all[0], .damping = all[1], .rest = all[2]};
+}
+
 /// A hinge, slider or weld.
 int add_guided(PythonWorld<6>& self, JointKind kind, int i, int j, const Vec3& p_i, const Vec3& p_j,
                const Vec3& axis, std::optional<std::array<double, 2>> limits,
-               std::optional<std::array<double, 2>> motor, std::optional<double> k, std::optional<double> d,
-               std::optional<double> k_turn) {
+               std::optional<std::array<double, 2>> motor, const SpringNumbers& spring, std::optional<double> k,
+               std::optional<double> d, std::optional<double> k_turn) {
   return self.world().add_joint({.i = i,
                                  .j = j,
                                  .p_i = p_i,
@@ -176,6 +249,7 @@ int add_guided(PythonWorld<6>& self, JointKind kind, int i, int j, const Vec3& p
                                  .axis = axis,
                                  .k_turn = k_turn,
                                  .limits = pair_as<JointLimits>(limits),
+                                 .spring = spring_of(spring),
                                  .motor = pair_as<Motor>(motor)});
 }
 
@@ -185,19 +259,20 @@ void bind_guided(Binding<6>& type) {
   const auto add = [](JointKind kind) {
     return [kind](Self& self, int i, int j, const Vec3& p_i, const Vec3& p_j, const Vec3& axis,
                   std::optional<std::array<double, 2>> limits, std::optional<std::array<double, 2>> motor,
-                  std::optional<double> k, std::optional<double> d, std::optional<double> k_turn) {
-      return add_guided(self, kind, i, j, p_i, p_j, axis, limits, motor, k, d, k_turn);
+                  std::optional<double> k, std::optional<double> d, std::optional<double> k_turn,
+                  const SpringNumbers& spring) {
+      return add_guided(self, kind, i, j, p_i, p_j, axis, limits, motor, spring, k, d, k_turn);
     };
   };
   for (const JointKind kind : {JointKind::hinge, JointKind::slider})
     type.def("add_" + name_of(kind), add(kind), "i"_a, "j"_a, "p_i"_a = zero, "p_j"_a = zero, "axis"_a = up,
              "limits"_a = py::none(), "motor"_a = py::none(), "k"_a = py::none(), "d"_a = py::none(),
-             "k_turn"_a = py::none());
+             "k_turn"_a = py::none(), "spring"_a = py::none());
   type.def(
           "add_weld",
           [](Self& self, int i, int j, const Vec3& p_i, const Vec3& p_j, std::optional<double> k,
              std::optional<double> d, std::optional<double> k_turn) {
-            return add_guided(self, JointKind::weld, i, j, p_i, p_j, Vec3::UnitZ(), {}, {}, k, d, k_turn);
+            return add_guided(self, JointKind::weld, i, j, p_i, p_j, Vec3::UnitZ(), {}, {}, {}, k, d, k_turn);
           },
           "i"_a, "j"_a, "p_i"_a = zero, "p_j"_a = zero, "k"_a = py::none(), "d"_a = py::none(),
           "k_turn"_a = py::none())
@@ -207,21 +282,28 @@ void bind_guided(Binding<6>& type) {
             self.world().set_motor(joint, pair_as<Motor>(motor));
           },
           "joint"_a, "motor"_a)
+      .def(
+          "set_spring",
+          [](Self& self, int joint, const SpringNumbers& spring) {
+            self.world().set_spring(joint, spring_of(spring));
+          },
+          "joint"_a, "spring"_a)
       .ask("joint_position", std::mem_fn(&World<6>::joint_position), "joint"_a)
       .ask("joint_speed", std::mem_fn(&World<6>::joint_speed), "joint"_a)
       .ask("joint_torque", std::mem_fn(&World<6>::joint_torque), "joint"_a)
       .ask("motor_force", std::mem_fn(&World<6>::motor_force), "joint"_a)
-      .ask("limit_force", std::mem_fn(&World<6>::limit_force), "joint"_a);
+      .ask("limit_force", std::mem_fn(&World<6>::limit_force), "joint"_a)
+      .ask("spring_force", std::mem_fn(&World<6>::spring_force), "joint"_a);
 }
 
 PythonWorld<3> make_points(const Vec3& gravity, std::optional<double> k, std::optional<double> d,
                            double friction, double viscosity, std::optional<double> restitution,
                            double threshold, const std::string& solver, const std::optional<std::string>& model,
                            const std::string& tangents, int iterations, double tolerance, bool warm_start,
-                           std::optional<double> contact_margin, int integrator_order, int threads,
-                           bool check) {
+                           std::optional<double> contact_margin, int integrator_order, int max_parts,
+                           int threads, bool check) {
   return make<3>(gravity, k, d, friction, viscosity, restitution, threshold, solver, model, tangents,
-                 iterations, tolerance, warm_start, contact_margin, integrator_order, threads, check,
+                 iterations, tolerance, warm_start, contact_margin, integrator_order, max_parts, threads, check,
                  "splitting");
 }
 
@@ -234,7 +316,7 @@ void bind_constructor(Binding<Dof>& type, const Make& make_world, const Rest&...
                   "threshold"_a = ImpactLaw{}.threshold, "solver"_a = "auto", "friction_model"_a = py::none(),
                   "tangents"_a = "fixed", "iterations"_a = StopRule{}.max_sweeps, "tolerance"_a = 0.0,
                   "warm_start"_a = false, "contact_margin"_a = py::none(), "integrator_order"_a = 2,
-                  "threads"_a = 1, "check"_a = true, rest...);
+                  "max_parts"_a = Settings<Dof>{}.max_parts, "threads"_a = 1, "check"_a = true, rest...);
 }
 
 template <int Dof>
@@ -250,7 +332,12 @@ void bind_both(Binding<Dof>& type, const char* name) {
       .def("remove_body", &Self::remove_body, "body"_a)
       .def("set_material", &set_material<Dof>, "body"_a, "other"_a = py::none(), py::kw_only(),
            "friction"_a = py::none(), "restitution"_a = py::none(), "k"_a = py::none(), "d"_a = py::none())
+      .def(
+          "exclude_contacts",
+          [](Self& self, const std::vector<int>& bodies) { self.world().exclude_contacts(bodies); }, "bodies"_a)
       .def("add_joint", &add_joint<Dof>, "i"_a, "j"_a, "p_i"_a = zero, "p_j"_a = zero, "length"_a = py::none(),
+           "k"_a = py::none(), "d"_a = py::none())
+      .def("add_rope", &add_rope<Dof>, "i"_a, "j"_a, "length"_a, "p_i"_a = zero, "p_j"_a = zero,
            "k"_a = py::none(), "d"_a = py::none())
       .def(
           "remove_joint", [](Self& self, int joint) { self.world().remove_joint(joint); }, "joint"_a)
@@ -326,7 +413,14 @@ void bind_points(py::module_& module) {
       .def(
           "set_velocity",
           [](PythonWorld<3>& self, int body, const Vec3& v) { self.moved().set_velocity(body, v); }, "body"_a,
-          "v"_a);
+          "v"_a)
+      .def("set_velocity_function", &set_velocity_function_of_points, "body"_a, "v"_a)
+      .def(
+          "set_keyframes",
+          [](PythonWorld<3>& self, int body, const std::vector<double>& times, const Rows<3>& x) {
+            set_keyframes<3>(self, body, times, x, {});
+          },
+          "body"_a, "times"_a, "x"_a);
 }
 
 void bind_rigid(py::module_& module) {
@@ -355,6 +449,8 @@ void bind_rigid(py::module_& module) {
             self.moved().set_velocity(body, v, omega);
           },
           "body"_a, "v"_a, "omega"_a = zero)
+      .def("set_velocity_function", &set_velocity_function, "body"_a, "v"_a, "omega"_a = py::none())
+      .def("set_keyframes", &set_keyframes<6>, "body"_a, "times"_a, "x"_a, "q"_a = py::none())
       .def("turn", &turn, "body"_a, "q"_a = py::none(), "omega"_a = py::none())
       .def("turn_all", &turn_all, py::kw_only(), "q"_a = py::none(), "omega"_a = py::none())
       .def(

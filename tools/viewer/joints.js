@@ -3,7 +3,7 @@
 // lies.
 
 const ROD = 2;  // half the width of a rod on the screen [pixels]
-const FORCES = { distance: 1, ball: 3, hinge: 3, slider: 2, weld: 3 };  // which of its first rows are forces
+const FORCES = { distance: 1, rope: 1, ball: 3, hinge: 3, slider: 2, weld: 3 };  // which of its first rows are forces
 
 /** The tension of each joint [N], T = -λ/h as in Eq. (6.7); of another than a distance the size of its force. */
 function tensions(run, frame) {
@@ -15,7 +15,7 @@ function tensions(run, frame) {
     row += joint.rows || forces;
     if (row > frame.jointImpulses.length) return 0;
     const lambda = frame.jointImpulses.subarray(first, first + forces);
-    return (lambda.length === 1 ? -lambda[0] : Math.hypot(...lambda)) / h;
+    return (joint.kind === "distance" ? -lambda[0] : joint.kind === "rope" ? lambda[0] : Math.hypot(...lambda)) / h;
   });
 }
 
@@ -60,7 +60,7 @@ class Joints {
       const a = placeOf(frame, joint.i, joint.p_i), b = placeOf(frame, joint.j, joint.p_j);
       if (![...a, ...b].every(Number.isFinite)) continue;
       const colour = this.colourOfTension(pull[k]);
-      if (joint.kind === "distance") this.rods.addBetween(...a, ...b, width, colour);
+      if (joint.kind === "distance" || joint.kind === "rope") this.rods.addBetween(...a, ...b, width, colour);
       else {
         this.rods.addBetween(...placeOf(frame, joint.i), ...a, 0.6 * width, colour);
         this.rods.addBetween(...placeOf(frame, joint.j), ...b, 0.6 * width, colour);

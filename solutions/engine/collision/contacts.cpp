@@ -33,6 +33,7 @@ void Shapes::remove(int body) {
   from(planes);
   from(solids);
   from(corners);
+  exclusions.remove(body);
 }
 
 namespace {
@@ -189,7 +190,9 @@ int ContactFinder::find_moved(const std::vector<bool>& moved, const Shapes& shap
     plane.offset += grown;
     for (std::size_t s = 0; s < shapes.solids.size(); ++s) {
       ++pairs;
-      if (!shapes.solids[s].is_static) touch(plane, placed_[s], contacts);
+      const Solid& solid = shapes.solids[s];
+      if (solid.is_static || shapes.exclusions.exclude(plane.body, solid.body)) continue;
+      touch(plane, placed_[s], contacts);
     }
   }
   // The point of a contact with a plane is on the original shape, before it was grown.
@@ -214,6 +217,7 @@ int ContactFinder::find_moved(const std::vector<bool>& moved, const Shapes& shap
                    b = static_cast<std::size_t>(near[first].second);
         const Solid &one = shapes.solids[a], &other = shapes.solids[b];
         if (one.is_static && other.is_static) continue;
+        if (shapes.exclusions.exclude(one.body, other.body)) continue;
         if (!has_moved(one) && !has_moved(other)) {
           if (!of_these) of_these = former.from({one.body, other.body});
           of_these->add_those_of({one.body, other.body}, found);
@@ -241,7 +245,8 @@ int ContactFinder::find_moved(const std::vector<bool>& moved, const Shapes& shap
     for (const Plane& plane : shapes.planes)
       for (const Corners& corners : shapes.corners) {
         ++pairs;
-        touch(plane, corners, bodies, margin, contacts);
+        if (!shapes.exclusions.exclude(plane.body, corners.body))
+          touch(plane, corners, bodies, margin, contacts);
       }
   return pairs;
 }

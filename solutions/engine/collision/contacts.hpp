@@ -8,6 +8,7 @@
 //              up to 2000          sweep and prune                                          Eq. (8.12)
 //              more                spatial hash                                             Eq. (8.13), (8.14)
 //            with enlarged bounds, valid until a body leaves its own: engine/collision/pair_cache.hpp
+//   excluded pairs are skipped before their shapes are compared: engine/collision/exclusions.hpp
 //   ghosts   contacts with the inner edges of flush boxes are removed: engine/collision/ghost_contacts.hpp
 #include <variant>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "08_pairs/pairs.hpp"
 #include "engine/bodies/bodies.hpp"
 #include "engine/collision/capsules.hpp"
+#include "engine/collision/exclusions.hpp"
 #include "engine/collision/pair_cache.hpp"
 
 namespace spook {
@@ -38,6 +40,7 @@ struct Shapes {
   std::vector<Plane> planes;
   std::vector<Solid> solids;
   std::vector<Corners> corners;
+  Exclusions exclusions;  ///< bodies that do not touch each other
   /// The least size of a dynamic body's shape [m], see size_of.
   double smallest = infinity;
 

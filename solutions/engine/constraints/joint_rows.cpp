@@ -41,8 +41,9 @@ static Constraint<6> holding(const Coordinate& c, const SpookParameters& spook) 
 }
 
 /// Returns an upper bound of a row's motion in a step [m or rad].
-static double reach(const Constraint<6>& row, double h, const Motion<6>& motion) {
-  const auto rate = [&](const std::vector<Twist<6>>& of) {
+template <int Dof>
+static double reach(const Constraint<Dof>& row, double h, const Motion<Dof>& motion) {
+  const auto rate = [&](const std::vector<Twist<Dof>>& of) {
     return std::abs(row.Gi.dot(of[row.i]) + row.Gj.dot(of[row.j]));
   };
   return 2 * h * (rate(motion.W) + rate(motion.Wf));
@@ -52,8 +53,49 @@ static void add_limit_row(const Joint& joint, const Coordinate& free, double h, 
                           std::vector<Row<6>>& rows) {
   const double k = joint.stiffness(joint.holding_rows());
   Constraint<6> limit = limit_constraint(free, *joint.limits, spook_parameters(h, k, *joint.limit_d), h);
-  if (limit.gap > reach(limit, h, motion)) limit.hi = 0;
+  if (limit.gap > reach<6>(limit, h, motion)) limit.hi = 0;
   rows.push_back(make_row(limit, motion));
+}
+
+/// Adds the row of a rope, a limit of the distance: Eq. (13.10), (13.11). λ/h is its tension.
+template <int Dof>
+static void add_rope_row(const Joint& joint, double h, const Bodies<Dof>& bodies, std::vector<Row<Dof>>& rows) {
+  const Attachment i = attachment(joint.i, joint.p_i, bodies), j = attachment(joint.j, joint.p_j, bodies);
+  const Vec3 apart = (j.x + j.r) - (i.x + i.r);
+  const double distance = apart.norm();
+  const Vec3 inwards = distance > 0 ? Vec3(-apart / distance) : Vec3::Zero();  // points that coincide are slack
+  const ContactJacobian G =
+      contact_jacobian({.i = i.body, .j = j.body, .n = inwards, .gap = 0, .r_i = i.r, .r_j = j.r});
+  Constraint<Dof> rope{.i = i.body,
+                       .j = j.body,
+                       .Gi = G.Gi.template head<Dof>(),
+                       .Gj = G.Gj.template head<Dof>(),
+                       .gap = *joint.length - distance,
+                       .spook = spook_parameters(h, *joint.k, *joint.limit_d),
+                       .lo = 0,
+                       .hi = infinity};
+  if (rope.gap > 0) rope.spook.a = 1 / h;
+  rope.spook.b = 1;
+  if (rope.gap > reach<Dof>(rope, h, bodies.motion)) rope.hi = 0;
+  rows.push_back(make_row(rope, bodies.motion));
+}
+
+/// Returns the row of a spring and its damper; the formulas are in joint_rows.hpp.
+static Row<6> spring_row(const Coordinate& free, const Spring& spring, double h, const Motion<6>& motion) {
+  const auto mobility = [&](int body, const Twist<6>& G) { return G.dot(motion.inverse_mass[body].times(G)); };
+  const double m = 1 / (mobility(free.i, free.Gi) + mobility(free.j, free.Gj));
+  const double hhk = h * h * spring.stiffness, hc = h * spring.damping;
+  const double held = std::min(hhk / 4, m), braked = std::min(hc / 2, m);
+  const double P = hhk - 3 * held + hc - braked, Q = held - braked;
+  return make_row<6>({.i = free.i,
+                      .j = free.j,
+                      .Gi = free.Gi,
+                      .Gj = free.Gj,
+                      .gap = free.value - spring.rest,
+                      .spook = {.a = h * spring.stiffness / P, .b = 1 - Q / P, .Sigma = 1 / P},
+                      .lo = -infinity,
+                      .hi = infinity},
+                     motion);
 }
 
 /// Returns the speed nearest to a motor's target that the limits allow: within the limits, the remaining distance in a
@@ -64,7 +106,7 @@ static double speed_within(const JointLimits& limits, double value, double speed
   return std::min(std::max(speed, -allowed(value - limits.lower)), allowed(limits.upper - value));
 }
 
-/// Adds the holding rows of a hinge, slider or weld, then the rows of its limits and its motor.
+/// Adds the holding rows of a hinge, slider or weld, then the rows of its limits, its spring and its motor.
 static void add_guided_rows(const Joint& joint, double h, const Bodies<6>& bodies, std::vector<Row<6>>& rows) {
   const Motion<6>& motion = bodies.motion;
   const SpookParameters spook = spook_parameters(h, *joint.k, *joint.d),
@@ -81,9 +123,10 @@ static void add_guided_rows(const Joint& joint, double h, const Bodies<6>& bodie
   const std::size_t held = joint.kind == JointKind::hinge ? 2 : 3;
   for (std::size_t axis = 0; axis < held; ++axis)
     rows.push_back(make_row(holding(turned[axis], spook_turn), motion));
-  if (!joint.limits && !joint.motor) return;
+  if (!joint.limits && !joint.spring && !joint.motor) return;
   const Coordinate free = free_coordinate(joint, bodies);
   if (joint.limits) add_limit_row(joint, free, h, motion, rows);
+  if (joint.spring) rows.push_back(spring_row(free, *joint.spring, h, motion));
   if (!joint.motor) return;
   Motor motor = *joint.motor;
   if (joint.limits) motor.speed = speed_within(*joint.limits, free.value, motor.speed, h, *joint.limit_d);
@@ -100,6 +143,10 @@ void add_joint_rows(const std::vector<Joint>& joints, double h, const Bodies<Dof
         add_guided_rows(joint, h, bodies, rows);
         continue;
       }
+    if (joint.kind == JointKind::rope) {
+      add_rope_row(joint, h, bodies, rows);
+      continue;
+    }
     const SpookParameters& spook = spook_of(*joint.k, *joint.d);
     // (World::step has checked that every distance has a direction.)
     const Attachment i = attachment(joint.i, joint.p_i, bodies), j = attachment(joint.j, joint.p_j, bodies);

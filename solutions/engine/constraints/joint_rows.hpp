@@ -3,9 +3,23 @@
 //
 //   dg/dt = G W       G of a distance, Eq. (6.3); a ball joint, Eq. (6.6); angles, Eq. (13.4); shifts, Eq. (13.6)
 //   a, b, Σ           from h, k, d, Eq. (3.4)-(3.6); for a motor 0, 1, 1/(h c), Eq. (13.12)
-//   -∞ < λ < ∞        holding rows
-//   0 <= λ < ∞        a limit; bounds of 0 while the limit is out of reach
+//   -∞ < λ < ∞        holding rows, and springs
+//   0 <= λ < ∞        a limit, or a rope; bounds of 0 while out of reach
 //   -h T <= λ <= h T  a motor
+// A spring k with a damper c, of a coordinate s that was s_0 at rest, with u = G W before and u' after the step:
+//
+//   λ = -h k (s - s_0) - P u' + Q u
+//   P = ¼h²k + ½h c, Q = ¼h²k - ½h c      where the step resolves the spring and the damper
+//   a, b, Σ = h k/P, 1 - Q/P, 1/P
+//
+// So the spring acts at the mean of three positions, as SPOOK's own rows with d = 0 do, and the damper at the mean of
+// two speeds: the order is two. Both parts of Q are at most the inertia m = 1/(G M⁻¹Gᵀ), and what is beyond acts at the
+// end of the step:
+//
+//   P = h²k + h c - 3 min(¼h²k, m) - min(½h c, m),  Q = min(¼h²k, m) - min(½h c, m)
+//
+// Then P >= |Q| and P + Q >= h²k - 2m, so that a step is stable for any k and c. A spring or damper that the step does
+// not resolve comes to rest within a few steps, and does not change its sign in each.
 #include <vector>
 
 #include "engine/constraints/joints.hpp"
@@ -13,7 +27,7 @@
 namespace spook {
 
 /// Adds the rows of each joint in turn: one for a distance, three for a ball joint, five or six for a hinge, slider or
-/// weld, then the row of its limit and that of its motor. Defaults of the joints must be filled in, as a world does.
+/// weld, then the rows of its limit, its spring and its motor. Defaults of the joints must be filled in, as a world does.
 template <int Dof>
 void add_joint_rows(const std::vector<Joint>& joints, double h, const Bodies<Dof>& bodies,
                     std::vector<Row<Dof>>& rows);

@@ -1,13 +1,16 @@
 #include "engine/constraints/joints.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
 
+#include "common/require.hpp"
+
 namespace spook {
 
 std::string name_of(JointKind kind) {
-  return std::array{"ball", "distance", "hinge", "slider", "weld"}[static_cast<std::size_t>(kind)];
+  return std::array{"ball", "distance", "rope", "hinge", "slider", "weld"}[static_cast<std::size_t>(kind)];
 }
 
 namespace {
@@ -23,6 +26,7 @@ HoldingRows held_by(JointKind kind) {
     case JointKind::ball:
       return {3, 0};
     case JointKind::distance:
+    case JointKind::rope:
       return {1, 0};
     case JointKind::hinge:
       return {3, 2};
@@ -32,7 +36,7 @@ HoldingRows held_by(JointKind kind) {
       return {3, 3};
   }
   throw std::invalid_argument(
-      "kind of joint must be one of ball, distance, hinge, slider, weld, but is number " +
+      "kind of joint must be one of ball, distance, rope, hinge, slider, weld, but is number " +
       std::to_string(static_cast<int>(kind)));
 }
 
@@ -45,19 +49,26 @@ Quat turn_of_z_to(const Vec3& axis) {
 
 }  // namespace
 
+void require_sound(const Spring& spring) {
+  require_not_negative("stiffness", spring.stiffness);
+  require_not_negative("damping", spring.damping);
+  if (spring.stiffness == 0 && spring.damping == 0) reject("stiffness", 0, "positive where damping is 0");
+  require_finite("rest", spring.rest);
+}
+
 int Joint::holding_rows() const {
-  const HoldingRows held = held_by(length ? JointKind::distance : kind);
+  const HoldingRows held = held_by(kind);
   return held.along + held.about;
 }
 
 bool Joint::turns(int row) const {
   if (row >= holding_rows()) return kind == JointKind::hinge;
-  return row >= held_by(length ? JointKind::distance : kind).along;
+  return row >= held_by(kind).along;
 }
 
 double Joint::stiffness(int row) const {
-  const bool is_motor = motor && row == rows() - 1;
-  return is_motor ? infinity : turns(row) ? *k_turn : *k;
+  if (row >= spring_row()) return infinity;
+  return turns(row) ? *k_turn : *k;
 }
 
 JointFrames frames(const Joint& joint, const Bodies<6>& bodies) {
@@ -77,7 +88,12 @@ template <int Dof>
 JointGap gap_of(const Joint& joint, const Bodies<Dof>& bodies) {
   const Attachment i = attachment(joint.i, joint.p_i, bodies), j = attachment(joint.j, joint.p_j, bodies);
   JointGap gap{.apart = (j.x + j.r) - (i.x + i.r)};
-  if (joint.length) gap.apart -= *joint.length * gap.apart.normalized();
+  if (joint.length) {
+    const double apart = gap.apart.norm();
+    const double off =
+        joint.kind == JointKind::rope ? std::max(apart - *joint.length, 0.0) : apart - *joint.length;
+    gap.apart = off * gap.apart.normalized();
+  }
   if constexpr (Dof == 6)
     if (joint.is_guided()) {
       const JointFrames at = frames(joint, bodies);

@@ -14,20 +14,33 @@ namespace spook {
 enum class JointKind {
   ball,      ///< two points coincide
   distance,  ///< two points keep a distance
+  rope,      ///< two points have a largest distance
   hinge,     ///< two points coincide; only rotation about an axis is free
   slider,    ///< only a shift along an axis is free
   weld       ///< no relative motion is free
 };
 
-/// Returns "ball", "distance", "hinge", "slider" or "weld".
+/// Returns "ball", "distance", "rope", "hinge", "slider" or "weld".
 std::string name_of(JointKind kind);
+
+/// A spring and a damper on the free coordinate of a hinge or slider: -k (s - rest) - c ds/dt, on j. The step is stable
+/// for any k and c: engine/constraints/joint_rows.hpp.
+struct Spring {
+  double stiffness = 0;  ///< k [N m/rad or N/m]
+  double damping = 0;    ///< c [N m s/rad or N s/m]
+  double rest = 0;       ///< angle [rad] or shift [m] at which the spring is relaxed
+};
+
+/// Throws std::invalid_argument, naming the parameter, unless stiffness and damping are finite and at least 0, one of
+/// them is positive, and rest is finite.
+void require_sound(const Spring& spring);
 
 /// The description of a joint that is added to a world.
 struct Joint {
   int i, j;                           ///< body indices, i ≠ j; not both static
   Vec3 p_i = Vec3::Zero();            ///< the point on i, in the axes of i [m]; zero for a point mass
   Vec3 p_j = Vec3::Zero();            ///< the point on j, in the axes of j [m]
-  std::optional<double> length = {};  ///< length of a distance joint [m]
+  std::optional<double> length = {};  ///< length of a distance, or largest length of a rope [m]
   std::optional<double> k = {};       ///< stiffness [N/m]. Default: the world's
   std::optional<double> d = {};       ///< relaxation [steps]. Default: the world's
 
@@ -39,7 +52,9 @@ struct Joint {
   /// Stiffness of the angles that the joint holds [N m/rad]. Default: the value of k, if k is given.
   std::optional<double> k_turn = {};
   std::optional<JointLimits> limits = {};  ///< range of the angle [rad] or shift [m]
-  std::optional<double> limit_d = {};      ///< relaxation of a limit [steps]. Default: 3, which damps bouncing
+  /// Relaxation of a limit, or of a rope [steps]. Default: 3, which damps bouncing.
+  std::optional<double> limit_d = {};
+  std::optional<Spring> spring = {};
   std::optional<Motor> motor = {};
   /// The angle of a hinge after the last step, full turns included [rad]. Before the first step only its number of full
   /// turns matters.
@@ -48,13 +63,15 @@ struct Joint {
        has_default_k_turn = false;  ///< set by the world if k, k_turn follow masses and step
 
   /// Tells whether the joint is a hinge, a slider or a weld.
-  bool is_guided() const { return kind > JointKind::distance; }
-  /// The number of rows: the holding rows first, then one for the limits, and one for the motor.
-  int rows() const { return holding_rows() + (limits ? 1 : 0) + (motor ? 1 : 0); }
+  bool is_guided() const { return kind > JointKind::rope; }
+  /// The number of rows: the holding rows first, then one each for the limits, the spring, and the motor.
+  int rows() const { return spring_row() + (spring ? 1 : 0) + (motor ? 1 : 0); }
+  /// The index of the spring's row, if there is a spring.
+  int spring_row() const { return holding_rows() + (limits ? 1 : 0); }
   int holding_rows() const;
   /// Tells whether a row holds an angle.
   bool turns(int row) const;
-  /// The stiffness of a row's spring [N/m or N m/rad]; infinite for a motor.
+  /// The stiffness of a holding row, or of the limit's row [N/m or N m/rad]; infinite for the rows of spring and motor.
   double stiffness(int row) const;
 };
 

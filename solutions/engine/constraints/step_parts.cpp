@@ -68,8 +68,9 @@ double parts_needed(const std::vector<Joint>& joints, const Bodies<Dof>& bodies,
   for (int n = 0; n < std::ssize(joints); ++n) {
     const Joint& joint = joints[static_cast<std::size_t>(n)];
     if (!joint.has_default_k) continue;
-    const End<Dof> i = end_of(joint.i, joint.p_i, bodies), j = end_of(joint.j, joint.p_j, bodies);
     const double force = force_of(n);
+    if (joint.kind == JointKind::rope && force == 0) continue;  // slack
+    const End<Dof> i = end_of(joint.i, joint.p_i, bodies), j = end_of(joint.j, joint.p_j, bodies);
     if (joint.length) {
       const Vec3 apart = bodies.x[j.body] + j.r - bodies.x[i.body] - i.r;
       const double across = apart.cross(j.v - i.v).norm() / apart.squaredNorm();

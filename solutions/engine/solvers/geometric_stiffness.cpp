@@ -1,6 +1,6 @@
 // Stiff links: chapter 12, geometric stiffness in the mass matrix, Eq. (12.3)-(12.6); not in the notes.
 //
-//   links    rows of joints on islands without a contact: solved without bounds, Eq. (12.6)
+//   links    rows of joints on islands without a contact or rope: solved without bounds, Eq. (12.6)
 //   others   all other rows: solved by the inner solver, whose input omits the links
 //
 // K is that of the tension of the last step, Eq. (12.4). Links and others share no dynamic body. The links take one
@@ -29,18 +29,20 @@ std::vector<Stiffness> link_stiffness(const SolverInput<3>& s) {
     if (!joint.length) continue;  // a ball joint has no length
     const Vec3 along =
         s.bodies.x[static_cast<std::size_t>(joint.j)] - s.bodies.x[static_cast<std::size_t>(joint.i)];
-    const double length = along.norm(), tension = -impulses[first] / s.h;
+    const double length = along.norm(), pull = -impulses[first] / s.h,
+                 tension = joint.kind == JointKind::rope ? -pull : pull;
     if (tension > 0)
       all.push_back({.i = joint.i, .j = joint.j, .K = geometric_stiffness(along / length, length, tension)});
   }
   return all;
 }
 
-/// Marks the rows of islands that have rows of joints only.
+/// Marks the rows of islands that have rows without bounds only, those of joints other than ropes.
 std::vector<bool> free_of_contacts(const SolverInput<3>& s) {
   std::vector<bool> free(s.rows.size(), true);
   for (const std::vector<int>& island : islands(s.rows, s.V.size())) {
-    if (island.back() < static_cast<int>(s.first_contact_row)) continue;  // rows of contacts come last
+    const auto is_bounded = [&](int k) { return s.rows[k].lo > -infinity; };
+    if (std::none_of(island.begin(), island.end(), is_bounded)) continue;
     for (const int k : island) free[static_cast<std::size_t>(k)] = false;
   }
   return free;
@@ -106,7 +108,9 @@ class Stiff {
   explicit Stiff(Solver<3> inner) : inner_(std::move(inner)) {}
 
   SolverResult operator()(const SolverInput<3>& s) {
-    if (s.first_contact_row == s.rows.size()) return solve_links(s, s);
+    const bool has_ropes = std::any_of(s.joints.begin(), s.joints.end(),
+                                       [](const Joint& joint) { return joint.kind == JointKind::rope; });
+    if (s.first_contact_row == s.rows.size() && !has_ropes) return solve_links(s, s);
     const std::vector<bool> free = free_of_contacts(s);
     if (std::find(free.begin(), free.end(), true) == free.end()) return inner_.solve(s);
     SubSystem links(s, free, true), others(s, free, false);

@@ -60,7 +60,7 @@ void World<Dof>::require_directions(double h) const {
   for (const Joint& joint : joints_) {
     if (!joint.length) continue;
     const double apart = distance(joint, bodies_);
-    if (apart > 0 && std::isfinite(apart)) continue;
+    if ((apart > 0 || joint.kind == JointKind::rope) && std::isfinite(apart)) continue;
     const std::string where = apart == 0 ? "distance 0" : "an infinite distance";
     throw SimulationDiverged(steps_ + 1, time_ + h, joint.j,
                              "is at " + where + " of the body that it is joined to");
@@ -85,6 +85,7 @@ void World<Dof>::evaluate_forces(double h) {
   forces_.resize(bodies_.size());
   for (std::size_t i = 0; i < bodies_.size(); ++i) forces_[i] = force(i);
   if (settings_.wrench) add_wrenches();
+  if (!kinematic_.empty()) update_kinematic_velocities(h);
   if (!contacts_.empty() || !joints_.empty()) prepare_motion(h);
 }
 

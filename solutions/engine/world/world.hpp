@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "07_impacts/impacts.hpp"
+#include "engine/bodies/keyframes.hpp"
 #include "engine/bodies/materials.hpp"
 #include "engine/collision/contacts.hpp"
 #include "engine/constraints/contact_rows.hpp"
@@ -41,6 +42,19 @@ namespace spook {
 /// leapfrog's velocities are half a step older, so a force that depends on them is of first order.
 template <int Dof>
 using Wrench = std::function<Twist<Dof>(std::size_t i, const Bodies<Dof>& bodies, double time)>;
+
+/// Returns the velocity of a kinematic body at a time [s]: v, then ω, in world coordinates [m/s, rad/s].
+template <int Dof>
+using VelocityFunction = std::function<Twist<Dof>(double time)>;
+
+/// A static body with a velocity.
+template <int Dof>
+struct Kinematic {
+  int body;
+  bool moves = true;                         ///< with its velocity; else its surface alone
+  VelocityFunction<Dof> velocity = nullptr;  ///< null: constant
+  std::optional<Keyframes> keyframes = {};   ///< where it is, from which its velocity follows
+};
 
 template <int Dof>
 class World;
@@ -142,16 +156,24 @@ class World {
   /// - a point off the centre of a point mass, a bad k or d;
   /// - a length that is not positive, a distance whose two points coincide;
   /// - a hinge, slider or weld of point masses, or with an axis or rest that is not of unit length;
-  /// - an empty range of limits, a bad motor, a motor or limit on a joint without a free axis.
+  /// - an empty range of limits, a bad motor or spring, and any of these on a joint without a free axis.
   int add_joint(const Joint& joint);
 
   /// Replaces the motor of a hinge or slider; {} removes the motor. Throws std::invalid_argument as add_joint does.
   void set_motor(int joint, const std::optional<Motor>& motor) requires(Dof == 6);
 
+  /// Replaces the spring of a hinge or slider; {} removes the spring. Throws std::invalid_argument as add_joint does.
+  void set_spring(int joint, const std::optional<Spring>& spring) requires(Dof == 6);
+
   /// Sets the material of a body, or of the contact of two bodies. engine/bodies/materials.hpp combines the materials
   /// of two bodies. The restitution and friction of the settings' impact law hold for all other pairs.
   void set_material(int body, const Material& material);
   void set_material(int i, int j, const Material& material);
+
+  /// Excludes contacts: no two of these bodies touch from now on. A world may have several such lists, and a body may
+  /// be in more than one. Without a list, bodies on a joint touch as any two bodies do. Throws std::invalid_argument for
+  /// an index out of range, a body that is there twice, and fewer than two bodies.
+  void exclude_contacts(const std::vector<int>& bodies);
 
   /// Sets the position and velocity, or the orientation and angular velocity, of a dynamic body. Leapfrog's velocities
   /// are half a step older than its positions.
@@ -184,8 +206,17 @@ class World {
   /// takes a plane.
   void set_surface_velocity(int body, const Vec3& v);
 
+  /// The same with a velocity that depends on time. A step takes the velocity at its middle, so that positions are of
+  /// second order. A step throws std::invalid_argument, naming the velocity, if it is not finite.
+  void set_velocity_function(int body, VelocityFunction<Dof> velocity);
+
+  /// Moves a static body along keyframes, and places it where it is at the present time. After each step it is where
+  /// the keyframes say, and rows of contacts and joints contain the velocity that takes it there. Throws as set_velocity.
+  void set_keyframes(int body, Keyframes keyframes);
+
   /// Returns whether static bodies have been given a velocity.
   bool has_kinematic_bodies() const { return !kinematic_.empty(); }
+  const std::vector<Kinematic<Dof>>& kinematic_bodies() const { return kinematic_; }
 
   /// Gives a body an impulse through its centre [N s].
   void apply_central_impulse(int body, const Vec3& impulse);
@@ -254,12 +285,13 @@ class World {
   double joint_position(int joint) const requires(Dof == 6);
   double joint_speed(int joint) const requires(Dof == 6);
 
-  /// The torque or force of the motor, or of the limit, of a hinge or slider on body j in the last step, along the free
-  /// coordinate [N m or N]. Zero before the first step, and without a motor or limit.
+  /// The torque or force of the motor, the limit, or the spring of a hinge or slider on body j in the last step, along
+  /// the free coordinate [N m or N]. Zero before the first step, and without a motor, limit or spring.
   double motor_force(int joint) const requires(Dof == 6);
   double limit_force(int joint) const requires(Dof == 6);
+  double spring_force(int joint) const requires(Dof == 6);
 
-  /// The work of all motors and kinematic bodies in the last step, that of impacts left out [J].
+  /// The work of all motors, springs and kinematic bodies in the last step, that of impacts left out [J].
   double work_of_drives() const { return work_of_drives_; }
 
   /// The torque of a joint on body j in the last step [N m], about the point where its force acts.
@@ -291,12 +323,6 @@ class World {
   const StageTimes& stage_times() const { return clock_.times(); }
 
  private:
-  /// A static body with a velocity.
-  struct Kinematic {
-    int body;
-    bool moves;  ///< with it; else its surface alone
-  };
-
   void step_part(double h);
   void divide_steps(double h);
   double parts_needed_now(double h) const;
@@ -317,10 +343,12 @@ class World {
   StopRule stop_rule(double h) const;
   void take_out_recovery(double h);
   void add_work_of_drives();
+  void update_kinematic_velocities(double h);
   void move_kinematic(double h);
+  void place_on_keyframes();
   std::size_t static_body(int body) const;
   void require_not_a_plane(int body) const;
-  void drive(int body, const Twist<Dof>& W, bool moves);
+  void drive(const Kinematic<Dof>& one, const Twist<Dof>& W);
   void integrate(double h);
   Vec3 turned(std::size_t i, Vec3 omega, double h) requires(Dof == 6);
   void end_step(double h);
@@ -367,10 +395,10 @@ class World {
   StepTimer clock_;
   std::int64_t steps_ = 0;
   double time_ = 0;
-  double largest_load_ = 0;           // sum of the forces on all dynamic bodies [N]
-  double h_ = 0;                      // of the last step [s]
-  double work_of_drives_ = 0;         // in the last step [J]
-  std::vector<Kinematic> kinematic_;  // static bodies with a velocity
+  double largest_load_ = 0;                // sum of the forces on all dynamic bodies [N]
+  double h_ = 0;                           // of the last step [s]
+  double work_of_drives_ = 0;              // in the last step [J]
+  std::vector<Kinematic<Dof>> kinematic_;  // static bodies with a velocity
   int parts_ = 1, calm_steps_ = 0;
   int pairs_ = 0;
   int impacts_ = 0;

@@ -37,16 +37,21 @@ int World<Dof>::add_joint(const Joint& given) {
   if (!joint.k) joint.k = settings_.k.value_or(1e6);  // a step computes the default
   if (!joint.d) joint.d = settings_.d.value_or(settings_.integrator_order == 4 ? 0 : relaxation_of_joints);
   const SpookParameters spook = spook_parameters(1, *joint.k, *joint.d);
-  if (joint.length) {
+  if (joint.length && joint.kind == JointKind::rope) {
+    require_positive("length", *joint.length);
+    if (!joint.limit_d) joint.limit_d = relaxation_of_contacts;
+    require_not_negative("limit_d", *joint.limit_d);
+  } else if (joint.length) {
     if (joint.kind == JointKind::ball) joint.kind = JointKind::distance;
-    require_kind(joint.kind == JointKind::distance, joint, "distance, where it has a length");
+    require_kind(joint.kind == JointKind::distance, joint, "distance or rope, where it has a length");
     distance_constraint<Dof>(attachment(joint.i, joint.p_i, bodies_), attachment(joint.j, joint.p_j, bodies_),
                              *joint.length, spook);
   }
-  require_kind(joint.length || joint.kind != JointKind::distance, joint,
-               "another than distance, without a length");
+  const bool needs_length = joint.kind == JointKind::distance || joint.kind == JointKind::rope;
+  require_kind(joint.length || !needs_length, joint, "another than distance or rope, without a length");
   const bool leaves_free = joint.kind == JointKind::hinge || joint.kind == JointKind::slider;
   if (joint.limits) require_kind(leaves_free, joint, "hinge or slider, where it has limits");
+  if (joint.spring) require_kind(leaves_free, joint, "hinge or slider, where it has a spring");
   if (joint.motor) require_kind(leaves_free, joint, "hinge or slider, where it has a motor");
   if (joint.is_guided()) complete(joint);
   require_smooth(joint);
@@ -60,7 +65,7 @@ int World<Dof>::add_joint(const Joint& given) {
 /// Fills in the defaults of a hinge, slider or weld.
 template <int Dof>
 void World<Dof>::complete(Joint& joint) const {
-  require_kind(Dof == 6, joint, "ball or distance for point masses");
+  require_kind(Dof == 6, joint, "ball, distance or rope for point masses");
   if constexpr (Dof == 6) {
     const std::vector<Quat>& q = bodies_.orientations.q;
     require_unit_length("axis", joint.axis.norm());
@@ -75,6 +80,7 @@ void World<Dof>::complete(Joint& joint) const {
       if (!joint.limit_d) joint.limit_d = relaxation_of_contacts;
       require_not_negative("limit_d", *joint.limit_d);
     }
+    if (joint.spring) require_sound(*joint.spring);
     if (joint.motor) require_sound(*joint.motor);
     require_finite("angle", joint.angle);
     if (joint.kind == JointKind::hinge) joint.angle = free_coordinate(joint, bodies_).value;
@@ -90,6 +96,18 @@ void World<Dof>::set_motor(int joint, const std::optional<Motor>& motor) require
   if (motor) require_smooth({.i = 0, .j = 0, .d = 0, .motor = motor});
   const bool as_many_rows = motor.has_value() == driven.motor.has_value();
   driven.motor = motor;
+  if (!as_many_rows) forget_the_last_step();
+}
+
+template <int Dof>
+void World<Dof>::set_spring(int joint, const std::optional<Spring>& spring) requires(Dof == 6) {
+  Joint& sprung = joints_[joint_index(joint)];
+  require_kind(sprung.kind == JointKind::hinge || sprung.kind == JointKind::slider, sprung,
+               "hinge or slider, where it has a spring");
+  if (spring) require_sound(*spring);
+  if (spring) require_smooth({.i = 0, .j = 0, .d = 0, .spring = spring});
+  const bool as_many_rows = spring.has_value() == sprung.spring.has_value();
+  sprung.spring = spring;
   if (!as_many_rows) forget_the_last_step();
 }
 
@@ -194,15 +212,19 @@ double World<Dof>::along_free(int joint, int row) const {
   return 0;
 }
 
-/// λ times the mean speed of a motor's row, after the solve; and of all rows at kinematic bodies, times what they move by.
+/// Adds λ times the mean speed of the rows of motors and springs, after the solve; and of all rows at kinematic bodies,
+/// times what they move by.
 template <int Dof>
 void World<Dof>::add_work_of_drives() {
   const std::vector<Twist<Dof>>& W = bodies_.motion.W;
-  for (std::size_t n = 0; n < joints_.size(); ++n) {
-    if (!joints_[n].motor) continue;
-    const Row<Dof>& row = rows_[joint_rows_[n] + static_cast<std::size_t>(joints_[n].rows()) - 1];
+  const auto add = [&](std::size_t joint, int of_joint) {
+    const Row<Dof>& row = rows_[joint_rows_[joint] + static_cast<std::size_t>(of_joint)];
     const auto both = [&](int body) { return Twist<Dof>(2 * W[body] + bodies_.motion.Wf[body] + V_[body]); };
     work_of_drives_ += row.lambda * (row.Gi.dot(both(row.i)) + row.Gj.dot(both(row.j))) / 2;
+  };
+  for (std::size_t n = 0; n < joints_.size(); ++n) {
+    if (joints_[n].spring) add(n, joints_[n].spring_row());
+    if (joints_[n].motor) add(n, joints_[n].rows() - 1);
   }
   if (kinematic_.empty()) return;
   for (const Row<Dof>& row : rows_) {
@@ -221,6 +243,12 @@ template <int Dof>
 double World<Dof>::limit_force(int joint) const requires(Dof == 6) {
   const Joint& found = free_joint(joint);
   return found.limits ? along_free(joint, found.holding_rows()) : 0;
+}
+
+template <int Dof>
+double World<Dof>::spring_force(int joint) const requires(Dof == 6) {
+  const Joint& found = free_joint(joint);
+  return found.spring ? along_free(joint, found.spring_row()) : 0;
 }
 
 }  // namespace spook

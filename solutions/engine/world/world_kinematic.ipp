@@ -16,10 +16,10 @@ std::size_t World<Dof>::static_body(int body) const {
 }
 
 template <int Dof>
-void World<Dof>::drive(int body, const Twist<Dof>& W, bool moves) {
-  bodies_.motion.W[index(body)] = W;
-  std::erase_if(kinematic_, [&](const Kinematic& one) { return one.body == body; });
-  if (!W.isZero(0)) kinematic_.push_back({.body = body, .moves = moves});
+void World<Dof>::drive(const Kinematic<Dof>& given, const Twist<Dof>& W) {
+  bodies_.motion.W[index(given.body)] = W;
+  std::erase_if(kinematic_, [&](const Kinematic<Dof>& one) { return one.body == given.body; });
+  if (given.velocity || given.keyframes || !W.isZero(0)) kinematic_.push_back(given);
 }
 
 template <int Dof>
@@ -34,7 +34,7 @@ void World<Dof>::set_velocity(int body, const Vec3& v) {
   static_body(body);
   require_not_a_plane(body);
   require_all_finite("v", v);
-  drive(body, without_rotation<Dof>(v), true);
+  drive({.body = body}, without_rotation<Dof>(v));
 }
 
 // `if constexpr`, though `requires` says the same: clang before 16 compiles this for point masses, too.
@@ -42,20 +42,65 @@ template <int Dof>
 void World<Dof>::set_velocity(int body, const Vec3& v, const Vec3& omega) requires(Dof == 6) {
   require_all_finite("omega", omega);
   set_velocity(body, v);
-  if constexpr (Dof == 6) drive(body, (Twist<6>() << v, omega).finished(), true);
+  if constexpr (Dof == 6) drive({.body = body}, (Twist<6>() << v, omega).finished());
 }
 
 template <int Dof>
 void World<Dof>::set_surface_velocity(int body, const Vec3& v) {
   static_body(body);
   require_all_finite("v", v);
-  drive(body, without_rotation<Dof>(v), false);
+  drive({.body = body, .moves = false}, without_rotation<Dof>(v));
+}
+
+template <int Dof>
+void World<Dof>::set_velocity_function(int body, VelocityFunction<Dof> velocity) {
+  static_body(body);
+  require_not_a_plane(body);
+  if (!velocity) throw std::invalid_argument("velocity must be a function, but is null");
+  drive({.body = body, .velocity = std::move(velocity)}, Twist<Dof>::Zero());
+}
+
+template <int Dof>
+void World<Dof>::set_keyframes(int body, Keyframes keyframes) {
+  static_body(body);
+  require_not_a_plane(body);
+  drive({.body = body, .keyframes = std::move(keyframes)}, Twist<Dof>::Zero());
+  place_on_keyframes();
+}
+
+template <int Dof>
+void World<Dof>::place_on_keyframes() {
+  for (const Kinematic<Dof>& one : kinematic_) {
+    if (!one.keyframes) continue;
+    const Keyframe now = one.keyframes->at(time_);
+    bodies_.x[index(one.body)] = now.x;
+    if constexpr (Dof == 6) bodies_.orientations.q[index(one.body)] = now.q;
+  }
+}
+
+/// Sets the velocities of the step of `h` that begins now, where they depend on time.
+template <int Dof>
+void World<Dof>::update_kinematic_velocities(double h) {
+  for (const Kinematic<Dof>& one : kinematic_) {
+    const std::size_t i = index(one.body);
+    Twist<Dof>& W = bodies_.motion.W[i];
+    if (one.velocity) {
+      W = one.velocity(time_ + h / 2);
+      require_all_finite("velocity of body " + std::to_string(one.body), W);
+    } else if (one.keyframes) {
+      const Keyframe next = one.keyframes->at(time_ + h);
+      W.template head<3>() = (next.x - bodies_.x[i]) / h;
+      if constexpr (Dof == 6)
+        W.template tail<3>() = angular_velocity_between(bodies_.orientations.q[i], next.q, h);
+    }
+  }
 }
 
 template <int Dof>
 void World<Dof>::move_kinematic(double h) {
-  for (const auto& [body, moves] : kinematic_) {
-    if (!moves) continue;
+  for (const Kinematic<Dof>& one : kinematic_) {
+    if (!one.moves) continue;
+    const auto body = static_cast<std::size_t>(one.body);
     const Twist<Dof>& W = bodies_.motion.W[body];
     bodies_.x[body] = drift(bodies_.x[body], Vec3(W.template head<3>()), h);
     if constexpr (Dof == 6)

@@ -82,6 +82,11 @@ template <int Dof>
 void World<Dof>::require_smooth(const Joint& joint) const {
   if (settings_.integrator_order == 2) return;
   require_no_relaxation(*joint.d);
+  if (joint.kind == JointKind::rope)
+    throw std::invalid_argument(refused + "a rope" + reason + "a rope that becomes taut is not smooth");
+  if (joint.spring)
+    throw std::invalid_argument(refused + "a spring" + reason +
+                                "its joints are rigid: use wrench for a spring");
   if (joint.limits)
     throw std::invalid_argument(refused + "a limit" + reason +
                                 "a row of one side that begins to push is not smooth");

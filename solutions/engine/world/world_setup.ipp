@@ -96,8 +96,8 @@ void World<Dof>::remove_body(int body) {
   bodies_.remove(i);
   shapes_.remove(body);
   materials_.remove(body);
-  std::erase_if(kinematic_, [&](const Kinematic& one) { return one.body == body; });
-  for (Kinematic& other : kinematic_) other.body -= other.body > body;
+  std::erase_if(kinematic_, [&](const Kinematic<Dof>& one) { return one.body == body; });
+  for (Kinematic<Dof>& other : kinematic_) other.body -= other.body > body;
   const auto is_of_it = [&](const Joint& joint) { return joint.i == body || joint.j == body; };
   joints_.erase(std::remove_if(joints_.begin(), joints_.end(), is_of_it), joints_.end());
   for (Joint& joint : joints_) {
@@ -116,6 +116,18 @@ template <int Dof>
 void World<Dof>::set_material(int i, int j, const Material& material) {
   if (index(i) == index(j)) reject("j", j, "another body than i");
   materials_.set(i, j, material);
+}
+
+template <int Dof>
+void World<Dof>::exclude_contacts(const std::vector<int>& bodies) {
+  for (const int body : bodies) {
+    index(body);
+    if (std::count(bodies.begin(), bodies.end(), body) > 1) reject("body", body, "there once");
+  }
+  if (bodies.size() < 2)
+    reject("number of bodies", static_cast<double>(bodies.size()),
+           "at least 2 to exclude contacts between them");
+  shapes_.exclusions.add(bodies);
 }
 
 template <int Dof>
@@ -169,13 +181,15 @@ void World<Dof>::apply_central_impulse(int body, const Vec3& impulse) {
 template <int Dof>
 void World<Dof>::take_state_from(const World& other) {
   for (std::size_t i = 0; i < std::min(bodies_.size(), other.bodies_.size()); ++i) {
-    const bool is_static = bodies_.is_fixed(i) && bodies_.motion.W[i].isZero(0);
+    const auto is_this = [&](const Kinematic<Dof>& one) { return one.body == static_cast<int>(i); };
+    const bool is_static = bodies_.is_fixed(i) && std::none_of(kinematic_.begin(), kinematic_.end(), is_this);
     if (is_static || bodies_.is_fixed(i) != other.bodies_.is_fixed(i)) continue;
     bodies_.x[i] = other.bodies_.x[i];
     bodies_.motion.W[i] = other.bodies_.motion.W[i];
     if constexpr (Dof == 6) bodies_.orientations.q[i] = other.bodies_.orientations.q[i];
   }
   time_ = other.time_;
+  place_on_keyframes();
   if (joints_.size() != other.joints_.size()) return;
   start_ = other.start_;
   for (const std::size_t hinge : hinges_) joints_[hinge].angle = other.joints_[hinge].angle;

@@ -59,11 +59,12 @@ static std::vector<double> turning_rows(const std::vector<Joint>& joints, double
   return rates;
 }
 
-/// Marks the rows of motors among so many rows.
-static std::vector<bool> rows_of_motors(const std::vector<Joint>& joints, std::size_t rows) {
+/// Marks the rows of springs and motors among so many rows.
+static std::vector<bool> rows_of_drives(const std::vector<Joint>& joints, std::size_t rows) {
   std::vector<bool> drives(rows, false);
   std::size_t end = 0;
   for (const Joint& joint : joints) {
+    if (joint.spring) drives[end + static_cast<std::size_t>(joint.spring_row())] = true;
     end += static_cast<std::size_t>(joint.rows());
     if (joint.motor) drives[end - 1] = true;
   }
@@ -80,14 +81,14 @@ void World<Dof>::start_consistently(double h) {
   build_rows(h);
   const std::vector<double> turning = turning_rows(joints_, h, settings_.rotation, bodies_);
   const Motion<Dof>& motion = bodies_.motion;
-  const std::vector<bool> drives = rows_of_motors(joints_, rows_.size());
+  const std::vector<bool> drives = rows_of_drives(joints_, rows_.size());
   const bool rub = rows_.size() - first_contact_row_ > contacts_.size();  // three rows each
   for (std::size_t k = 0; k < rows_.size(); ++k) {
     Row<Dof>& row = rows_[k];
     const auto along = [&](const std::vector<Twist<Dof>>& of) {
       return row.Gi.dot(of[row.i]) + row.Gj.dot(of[row.j]);
     };
-    if (!drives[k]) row.B = -along(motion.Wf);  // a motor has a target speed
+    if (!drives[k]) row.B = -along(motion.Wf);  // motors and springs act at a speed of their own
     if (k < turning.size()) row.B -= h * turning[k];
     if (rub && k >= first_contact_row_ && (k - first_contact_row_) % 3 > 0)
       row.B -= along(motion.W);  // friction opposes slip

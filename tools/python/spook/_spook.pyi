@@ -1,6 +1,6 @@
 """The extension module: worlds of the engine, and scenes in the words of ./course run."""
 
-from typing import Any, Sequence
+from typing import Any, Callable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,9 +24,16 @@ class _EitherWorld:
                      restitution: float | None = None, k: float | None = None, d: float | None = None) -> None:
         """Sets the material of a body where it touches, or of a pair of bodies; what is left out is the world's. For two
         bodies friction is the geometric mean, restitution the larger, k the softer, d the larger."""
+    def exclude_contacts(self, bodies: Sequence[int]) -> None:
+        """Excludes contacts: no two of these bodies touch from now on. A body may be in several such lists. Without a
+        list, bodies on a joint touch as any two bodies do."""
     def add_joint(self, i: int, j: int, p_i: Vector = ..., p_j: Vector = ..., length: float | None = None,
                   k: float | None = None, d: float | None = None) -> int:
         """Joins points p_i, p_j of two bodies, in their axes [m]: a distance if length is given, else a ball joint."""
+    def add_rope(self, i: int, j: int, length: float, p_i: Vector = ..., p_j: Vector = ..., k: float | None = None,
+                 d: float | None = None) -> int:
+        """Adds a largest distance of the points p_i, p_j of two bodies, in their axes [m]: a rope, which pulls where it is
+        taut, and does nothing where it is slack."""
     def remove_joint(self, joint: int) -> None:
         """Takes a joint out; the indices of those after it go down by one."""
     def apply_central_impulse(self, body: int, impulse: Vector) -> None:
@@ -108,7 +115,7 @@ class PointWorld(_EitherWorld):
                  viscosity: float = 1e12, restitution: float | None = None, threshold: float = 1e-9,
                  solver: str = "auto", friction_model: str | None = None, tangents: str = "fixed", iterations: int = 50,
                  tolerance: float = 0, warm_start: bool = False, contact_margin: float | None = None,
-                 integrator_order: int = 2, threads: int = 1, check: bool = True) -> None:
+                 integrator_order: int = 2, max_parts: int = 32, threads: int = 1, check: bool = True) -> None:
         """Makes an empty world. Raises ValueError for what makes no sense.
 
         gravity [m/s^2]; k [N/m] and d [steps] of contacts and joints, with a default k that goes with masses and
@@ -116,8 +123,9 @@ class PointWorld(_EitherWorld):
         cone where the solver has it, else two_pass); tangents "fixed" or "sliding" are the directions of friction.
         There are impacts only with a restitution, beyond the threshold [m/s]. solver is one of spook.solvers(); it
         stops after so many iterations, or at the tolerance [m/s]. A slightly open contact keeps its row within the
-        contact_margin [m]. integrator_order is 2 or 4. check looks after each step whether the run is still sound, for
-        state, reason and the warning; this costs about as much as a sweep."""
+        contact_margin [m]. integrator_order is 2 or 4. max_parts is the largest number of parts of a step, a power of two.
+        check looks after each step whether the run is still sound, for state, reason and the warning; this costs about
+        as much as a sweep."""
     def add_fixed(self, x: Vector, radius: float = 0) -> int:
         """Adds a static body; a sphere, if it has a radius [m]. Raises BufferError as add."""
     def add(self, *, x: Vector = ..., v: Vector = ..., mass: float = 1, radius: float = 0) -> int:
@@ -126,6 +134,12 @@ class PointWorld(_EitherWorld):
 
     def set_velocity(self, body: int, v: Vector) -> None:
         """Moves a static body from now on with a velocity [m/s]: a kinematic body, which contacts and joints see."""
+    def set_velocity_function(self, body: int, v: Callable[[float], Vector]) -> None:
+        """Moves a static body from now on with a velocity that depends on time, v(t) [m/s]; a step takes the velocity at
+        its middle."""
+    def set_keyframes(self, body: int, times: Sequence[float], x: Array) -> None:
+        """Moves a static body along keyframes: at each of the times [s] it is at a row of x [m], with a constant velocity
+        between them, and stands still before and after. Places it where it is at the present time."""
     def set_force(self, body: int, force: Vector) -> None:
         """On a body from now on, beside its weight [N]; until it is set anew."""
 
@@ -136,7 +150,7 @@ class World(_EitherWorld):
                  viscosity: float = 1e12, restitution: float | None = None, threshold: float = 1e-9,
                  solver: str = "auto", friction_model: str | None = None, tangents: str = "fixed", iterations: int = 50,
                  tolerance: float = 0, warm_start: bool = False, contact_margin: float | None = None,
-                 integrator_order: int = 2, threads: int = 1, check: bool = True,
+                 integrator_order: int = 2, max_parts: int = 32, threads: int = 1, check: bool = True,
                  rotation: str = "splitting") -> None:
         """Makes an empty world. Raises ValueError for what makes no sense.
 
@@ -145,9 +159,10 @@ class World(_EitherWorld):
         cone where the solver has it, else two_pass); tangents "fixed" or "sliding" are the directions of friction.
         There are impacts only with a restitution, beyond the threshold [m/s]. solver is one of spook.solvers(); it
         stops after so many iterations, or at the tolerance [m/s]. A slightly open contact keeps its row within the
-        contact_margin [m]. integrator_order is 2 or 4, and rotation "splitting", "exponential" or "first_order". check
-        looks after each step whether the run is still sound, for state, reason and the warning; this costs about as
-        much as a sweep."""
+        contact_margin [m]. integrator_order is 2 or 4, and rotation "splitting", "exponential" or "first_order". max_parts
+        is the largest number of parts of a step, a power of two: steps are divided where bodies on joints turn fast or
+        carry heavy loads. check looks after each step whether the run is still sound, for state, reason and the
+        warning; this costs about as much as a sweep."""
     def add_fixed(self, x: Vector, radius: float = 0, *, q: Sequence[float] = (1, 0, 0, 0), half_length: float = 0,
                   half_sides: Vector = ...) -> int:
         """Adds a static body: a point, a sphere of a radius, a capsule of a radius and a half_length, or a box of
@@ -164,6 +179,14 @@ class World(_EitherWorld):
     def set_velocity(self, body: int, v: Vector, omega: Vector = (0, 0, 0)) -> None:
         """Moves a static body from now on with a velocity [m/s], and turns it with an angular velocity [rad/s]: a kinematic
         body, such as a platform, which contacts, friction and joints see."""
+    def set_velocity_function(self, body: int, v: Callable[[float], Vector],
+                              omega: Callable[[float], Vector] | None = None) -> None:
+        """Moves a static body from now on with velocities that depend on time, v(t) [m/s] and omega(t) [rad/s]; a step
+        takes the velocities at its middle."""
+    def set_keyframes(self, body: int, times: Sequence[float], x: Array, q: Array | None = None) -> None:
+        """Moves a static body along keyframes: at each of the times [s] it is at a row of x [m], and turned as a row of q
+        says (w, x, y, z). Between them its velocity is constant, and it turns about one axis, by the shorter way. Before
+        and after it stands still. Places it where it is at the present time."""
     def turn(self, body: int, q: Sequence[float] | None = None, omega: Vector | None = None) -> None:
         """Gives a body that moves an orientation, and lets it turn [rad/s]; what is left out stays as it is."""
     def turn_all(self, *, q: Array | None = None, omega: Array | None = None) -> None:
@@ -173,19 +196,25 @@ class World(_EitherWorld):
         """The angular velocity at the time of the position, as synchronized_velocity."""
     def add_hinge(self, i: int, j: int, p_i: Vector = ..., p_j: Vector = ..., axis: Vector = (0, 0, 1),
                   limits: Sequence[float] | None = None, motor: Sequence[float] | None = None,
-                  k: float | None = None, d: float | None = None, k_turn: float | None = None) -> int:
+                  k: float | None = None, d: float | None = None, k_turn: float | None = None,
+                  spring: Sequence[float] | None = None) -> int:
         """Points p_i, p_j of two bodies, in their axes [m], together, and free to turn about an axis of i's. The angle is
         0 as they are now. limits: from, to [rad]; motor: its speed [rad/s] and its largest torque [N m]; k_turn: stiffness
-        of what must not turn [N m/rad]."""
+        of what must not turn [N m/rad]; spring: its stiffness [N m/rad], its damping [N m s/rad] and the angle at which it is
+        relaxed [rad], 0 where left out."""
     def add_slider(self, i: int, j: int, p_i: Vector = ..., p_j: Vector = ..., axis: Vector = (0, 0, 1),
                    limits: Sequence[float] | None = None, motor: Sequence[float] | None = None,
-                   k: float | None = None, d: float | None = None, k_turn: float | None = None) -> int:
-        """Free to slide along an axis of i's, and not to turn. limits [m]; motor: its speed [m/s], its largest force [N]."""
+                   k: float | None = None, d: float | None = None, k_turn: float | None = None,
+                   spring: Sequence[float] | None = None) -> int:
+        """Free to slide along an axis of i's, and not to turn. limits [m]; motor: its speed [m/s], its largest force [N];
+        spring: its stiffness [N/m], its damping [N s/m] and the shift at which it is relaxed [m], 0 where left out."""
     def add_weld(self, i: int, j: int, p_i: Vector = ..., p_j: Vector = ..., k: float | None = None,
                  d: float | None = None, k_turn: float | None = None) -> int:
         """Points of two bodies together, and neither turns from how it is now."""
     def set_motor(self, joint: int, motor: Sequence[float] | None) -> None:
         """Drives a hinge or slider otherwise from now on, or with None no longer."""
+    def set_spring(self, joint: int, spring: Sequence[float] | None) -> None:
+        """Replaces the spring of a hinge or slider, or with None removes it: stiffness, damping, rest."""
     def joint_position(self, joint: int) -> float:
         """The angle of a hinge, its turns counted [rad], or the shift of a slider [m]."""
     def joint_speed(self, joint: int) -> float:
@@ -196,6 +225,8 @@ class World(_EitherWorld):
         """What its motor did to body j in the last step, along what is free [N m, N]."""
     def limit_force(self, joint: int) -> float:
         """The same of its limit."""
+    def spring_force(self, joint: int) -> float:
+        """The same of its spring and damper."""
     @property
     def omega(self) -> Array:
         """Angular velocities, in world coordinates [rad/s]; as x."""
