@@ -43,6 +43,8 @@ class LiveFigures(unittest.TestCase):
                 header, _ = played(figure.scene, figure.settings, 1)
                 names = {control["name"] for control in header["controls"]}
                 self.assertTrue(1 <= len(figure.controls) <= MOST_CONTROLS and names.issuperset(figure.controls))
+                for control in header["controls"]:
+                    self.assertTrue(control["meaning"], control["name"])
                 self.assertIn(figure.graph, (*HEAD, *header["columns"]))
                 steps = round(figure.time / header["method"]["h"])
                 self.assertAlmostEqual(steps * header["method"]["h"], figure.time, delta=0.51 * header["method"]["h"])

@@ -13,7 +13,9 @@ class Bodies {
     const turns = run.frames.some((frame) => frame.q);
     this.crowds = crowdsOf(parent, this.forms, style, turns);
     this.places = new Array(this.forms.length).fill(null);  // [crowd, its index] of each body
-    const own = colourOf(style.colour);
+    this.chosen = null;  // the body that stands out
+    const own = colourOf(style.colour), standing = colourOf(palette().hand);
+    this.colourAt = (body) => body === this.chosen ? standing : this.colours[body];
     this.colours = run.header.bodies.map((body) => body.fixed ? own.clone().lerp(colourOf(palette().line), 0.5) : own);
   }
 
@@ -29,7 +31,7 @@ class Bodies {
       const [sx, sy, sz] = form.kind === "point" ? [r, r, r] : form.sides;
       const crowd = this.crowds[form.kind];
       this.places[body] = [crowd, crowd.addPosed(x[at], x[at + 1], x[at + 2], q[turn], q[turn + 1], q[turn + 2],
-                                                 q[turn + 3], sx, sy, sz, this.colours[body])];
+                                                 q[turn + 3], sx, sy, sz, this.colourAt(body))];
     }
     for (const crowd of Object.values(this.crowds)) crowd.end();
   }
