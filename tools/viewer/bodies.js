@@ -15,7 +15,9 @@ class Bodies {
     this.places = new Array(this.forms.length).fill(null);  // [crowd, its index] of each body
     this.chosen = null;  // the body that stands out
     const own = colourOf(style.colour), standing = colourOf(palette().hand);
-    this.colourAt = (body) => body === this.chosen ? standing : this.colours[body];
+    this.tint = null;  // a colour of each body that moves: tinting.js
+    this.colourAt = (body) => body === this.chosen ? standing
+      : this.tint && !run.header.bodies[body].fixed ? this.tint(body) : this.colours[body];
     this.colours = run.header.bodies.map((body) => body.fixed ? own.clone().lerp(colourOf(palette().line), 0.5) : own);
   }
 
@@ -41,6 +43,12 @@ class Bodies {
     if (!this.places[body]) return null;
     const [crowd, index] = this.places[body];
     return Array.from(crowd.mesh.instanceMatrix.array.subarray(16 * index + 12, 16 * index + 15));
+  }
+
+  /** The colour in which a body is drawn: likewise. */
+  tintAt(body) {
+    const [crowd, index] = this.places[body];
+    return Array.from(crowd.mesh.geometry.attributes.tint.array.subarray(3 * index, 3 * index + 3));
   }
 
   count() {

@@ -6,7 +6,7 @@ const STILL = 4;  // a pointer that has moved less has clicked [pixels]
 
 /** What a mouse does, or a finger. */
 function howTo(live) {
-  const touch = window.matchMedia("(hover: none)").matches;
+  const touch = window.matchMedia("(pointer: coarse)").matches;
   if (touch) return live ? "drag a body: pull · tap it: its numbers" : "drag: turn · tap a body: its numbers";
   return live ? "drag a body: pull · shift and click: push · click: its numbers · double click: follow · drag beside it: turn"
     : "drag: turn · wheel: zoom · click on a body: its numbers · double click: follow";
