@@ -1,7 +1,10 @@
 """Live figures in a browser where nothing can compile the engine: recordings stand for it. What the page makes of them:
 words beside sliders, reset, the numbers of a body, and the book's first page."""
 
+import functools
+import http.server
 import tempfile
+import threading
 import unittest
 from pathlib import Path
 
@@ -10,7 +13,7 @@ from fake_engine import fake_engine
 from test_live_figures import figures
 
 from binding.front import hero
-from binding.live import live_figure
+from binding.live import ENGINE, live_figure
 from binding.site import build
 from needs import BOOK_NEEDS
 
@@ -36,9 +39,12 @@ class LivePage(unittest.TestCase):
         return self.browser.run(f"return {expression}")
 
     def show(self, page: str) -> None:
-        """Opens a page, and asks its figure's frame from then on."""
+        """Opens a page from the file system, and asks its figure's frame from then on."""
+        self.show_at((self.folder / page).as_uri())
+
+    def show_at(self, address: str) -> None:
         driver = self.browser.driver
-        driver.get((self.folder / page).as_uri())
+        driver.get(address)
         self.browser.wait("return Boolean(document.querySelector('figure.running'))")
         driver.switch_to.frame(driver.find_element("css selector", "figure.running > iframe"))
         self.addCleanup(driver.switch_to.default_content)
@@ -94,6 +100,28 @@ class LivePage(unittest.TestCase):
         self.assertIn("drag a cube", self.ask("document.querySelector('.says').textContent"))
         self.browser.driver.find_element("link text", "Begin").click()
         self.browser.wait(f"return location.pathname.endsWith('{LESSON}/index.html')")
+
+    def test_a_plain_static_server_will_do(self):
+        class Quiet(http.server.SimpleHTTPRequestHandler):
+            def log_message(self, *said):
+                pass
+
+        with http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Quiet, directory=self.folder)) as server:
+            threading.Thread(target=server.serve_forever, daemon=True).start()
+            self.addCleanup(self.browser.driver.get, "about:blank")
+            self.show_at(f"http://127.0.0.1:{server.server_port}/chapters/{LESSON}/index.html")
+            self.browser.wait("return viewer.runs[0].frames.length > 3")
+            server.shutdown()
+
+    def test_a_damaged_engine_leaves_the_film_and_says_so(self):
+        file = self.folder / ENGINE
+        self.addCleanup(file.write_text, file.read_text(encoding="utf-8"), encoding="utf-8")
+        for text in ("", "window.spookEngine = { text: 'AAAA', wasm: 'AAAA' };"):
+            file.write_text(text, encoding="utf-8")
+            self.browser.driver.get((self.folder / "index.html").as_uri())
+            self.browser.wait("return Boolean(document.querySelector('.says'))")
+            self.assertIn("Shown is the film", self.ask("document.querySelector('.says').textContent"))
+            self.assertTrue(self.ask("document.querySelector('figure[data-live] img').offsetHeight > 0"))
 
 
 if __name__ == "__main__":

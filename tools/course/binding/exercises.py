@@ -78,4 +78,4 @@ def _tests(exercise: Exercise) -> str:
     files = sorted((ROOT / "tests" / exercise.folder).glob("*_test.cpp"))
     names = [f"`{test}`" for file in files for suite, test in _TEST.findall(file.read_text(encoding="utf-8"))
              if suite == exercise.suite]
-    return _folded("Tests", ", ".join(names))
+    return _folded("Tests", ", ".join(names)) if names else ""
