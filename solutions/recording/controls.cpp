@@ -10,7 +10,7 @@ struct Range {
 };
 
 /// Begins a control; `meaning` is shown beside its name.
-static Json named(const std::string& name, const std::string& meaning) {
+static Json control_of(const std::string& name, const std::string& meaning) {
   return {{"name", name}, {"meaning", meaning}};
 }
 
@@ -32,7 +32,7 @@ static Json choice(Json control, const std::string& value, const std::vector<std
 /// Returns the range of a control: a factor of 30 in both directions, or from zero to one or two, within the
 /// parameter's limits.
 static Json control(const Parameter& parameter) {
-  const Json begun = named(parameter.name, parameter.meaning);
+  const Json begun = control_of(parameter.name, parameter.meaning);
   if (!parameter.choices.empty()) return choice(begun, parameter.choice, parameter.choices);
   const double value = parameter.value, size = std::max(1.0, 2 * std::abs(value));
   const Limits& limits = parameter.limits;
@@ -53,15 +53,16 @@ static std::vector<std::string> solver_names() {
 
 Json controls(const SceneDescription& description, const Parameters& parameters, const Method& method) {
   Json list = Json::array();
-  list.push_back(
-      slider(named("h", "time step"), method.h, "s", {description.h / 30, description.h * 10, true, false}));
+  list.push_back(slider(control_of("h", "time step"), method.h, "s",
+                        {description.h / 30, description.h * 10, true, false}));
   if (description.solves) {
-    list.push_back(choice(named("solver", "of the step's constraint rows"), method.solver, solver_names()));
-    list.push_back(slider(named("iterations", "largest number of sweeps in a step"),
+    list.push_back(
+        choice(control_of("solver", "of the step's constraint rows"), method.solver, solver_names()));
+    list.push_back(slider(control_of("iterations", "largest number of sweeps in a step"),
                           method.solver_limits.max_sweeps, "", {1, 1000, true, true}));
-    list.push_back(choice(named("friction_model", "limits of the friction impulse"),
+    list.push_back(choice(control_of("friction_model", "limits of the friction impulse"),
                           name_of(friction_model(method)), {"box", "two_pass", "cone"}));
-    list.push_back(choice(named("warm_start", "sweeps begin with the last step's impulses"),
+    list.push_back(choice(control_of("warm_start", "sweeps begin with the last step's impulses"),
                           method.warm_start ? "on" : "off", {"off", "on"}));
   }
   for (const Parameter& parameter : parameters.all()) list.push_back(control(parameter));
