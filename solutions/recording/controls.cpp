@@ -9,20 +9,31 @@ struct Range {
   bool logarithmic, whole;
 };
 
-static Json slider(const std::string& name, double value, const std::string& unit, const Range& range) {
-  return {{"name", name},        {"value", value},     {"unit", unit},
-          {"low", range.low},    {"high", range.high}, {"logarithmic", range.logarithmic},
-          {"whole", range.whole}};
+/// Begins a control; `meaning` is shown beside its name.
+static Json control_of(const std::string& name, const std::string& meaning) {
+  return {{"name", name}, {"meaning", meaning}};
 }
 
-static Json choice(const std::string& name, const std::string& value, const std::vector<std::string>& choices) {
-  return {{"name", name}, {"value", value}, {"choices", choices}};
+static Json slider(Json control, double value, const std::string& unit, const Range& range) {
+  control.update({{"value", value},
+                  {"unit", unit},
+                  {"low", range.low},
+                  {"high", range.high},
+                  {"logarithmic", range.logarithmic},
+                  {"whole", range.whole}});
+  return control;
+}
+
+static Json choice(Json control, const std::string& value, const std::vector<std::string>& choices) {
+  control.update({{"value", value}, {"choices", choices}});
+  return control;
 }
 
 /// Returns the range of a control: a factor of 30 in both directions, or from zero to one or two, within the
 /// parameter's limits.
 static Json control(const Parameter& parameter) {
-  if (!parameter.choices.empty()) return choice(parameter.name, parameter.choice, parameter.choices);
+  const Json begun = control_of(parameter.name, parameter.meaning);
+  if (!parameter.choices.empty()) return choice(begun, parameter.choice, parameter.choices);
   const double value = parameter.value, size = std::max(1.0, 2 * std::abs(value));
   const Limits& limits = parameter.limits;
   Range range{.low = limits.low >= 0 ? 0 : -size, .high = size, .logarithmic = false, .whole = limits.whole};
@@ -31,7 +42,7 @@ static Json control(const Parameter& parameter) {
   if (limits.whole) range.high = std::ceil(range.high);
   range.low = std::max(range.low, limits.low);
   range.high = std::min(range.high, limits.high);
-  return slider(parameter.name, value, parameter.unit, range);
+  return slider(begun, value, parameter.unit, range);
 }
 
 static std::vector<std::string> solver_names() {
@@ -42,12 +53,17 @@ static std::vector<std::string> solver_names() {
 
 Json controls(const SceneDescription& description, const Parameters& parameters, const Method& method) {
   Json list = Json::array();
-  list.push_back(slider("h", method.h, "s", {description.h / 30, description.h * 10, true, false}));
+  list.push_back(slider(control_of("h", "time step"), method.h, "s",
+                        {description.h / 30, description.h * 10, true, false}));
   if (description.solves) {
-    list.push_back(choice("solver", method.solver, solver_names()));
-    list.push_back(slider("iterations", method.solver_limits.max_sweeps, "", {1, 1000, true, true}));
-    list.push_back(choice("friction_model", name_of(friction_model(method)), {"box", "two_pass", "cone"}));
-    list.push_back(choice("warm_start", method.warm_start ? "on" : "off", {"off", "on"}));
+    list.push_back(
+        choice(control_of("solver", "of the step's constraint rows"), method.solver, solver_names()));
+    list.push_back(slider(control_of("iterations", "largest number of sweeps in a step"),
+                          method.solver_limits.max_sweeps, "", {1, 1000, true, true}));
+    list.push_back(choice(control_of("friction_model", "limits of the friction impulse"),
+                          name_of(friction_model(method)), {"box", "two_pass", "cone"}));
+    list.push_back(choice(control_of("warm_start", "sweeps begin with the last step's impulses"),
+                          method.warm_start ? "on" : "off", {"off", "on"}));
   }
   for (const Parameter& parameter : parameters.all()) list.push_back(control(parameter));
   return list;

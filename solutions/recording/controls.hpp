@@ -4,7 +4,7 @@
 
 namespace spook {
 
-/// Returns a list of controls: name, value, unit, and either low, high and logarithmic, or choices.
+/// Returns a list of controls: name, meaning, value, unit, and either low, high and logarithmic, or choices.
 Json controls(const SceneDescription& description, const Parameters& parameters, const Method& method);
 
 }  // namespace spook

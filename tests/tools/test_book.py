@@ -1,5 +1,6 @@
 """./course book: what is in the site, which pages are refused, and where it is published."""
 
+import html
 import os
 import re
 import subprocess
@@ -9,7 +10,7 @@ from html.parser import HTMLParser
 from pathlib import Path
 from urllib.parse import unquote
 
-from sandbox import ROOT, Sandbox, our_files
+from sandbox import ROOT, Sandbox, all_exercises, our_files
 
 from binding.code import code_in_text, highlighted
 from binding.glossary import linked, terms, with_anchors
@@ -77,8 +78,19 @@ class Book(unittest.TestCase):
         sources = [name for name in our_files() if name.suffix == ".md" and name.name not in ("hints.md", "try.md")]
         self.assertGreater(len(sources), 15)
         for name in sources:
-            stem = "index" if name.name == "README.md" else name.stem
+            stem = "manual" if name == Path("README.md") else "index" if name.name == "README.md" else name.stem
             self.assertIn(self.folder / name.with_name(f"{stem}.html"), self.pages)
+
+    def test_it_begins_with_a_picture_a_sentence_and_the_chapters(self):
+        text = (self.folder / "index.html").read_text(encoding="utf-8").partition("<article>")[2]
+        self.assertLess(text.index("plots/film.webp"), text.index("<h1>"))
+        self.assertIn("<p>In this course you write a rigid-body physics engine in C++, one idea at a time.</p>", text)
+        self.assertIn('<a class="begin" href="chapters/01_leapfrog/index.html">Begin</a>', text)
+        self.assertIn('<a href="manual.html">', text)
+        cards = re.findall(r'<li><a href="([^"]+)"><img src="([^"]+)"', text)
+        lessons = sorted(path.parent.name for path in ROOT.glob("chapters/[0-9][0-9]_*/README.md"))
+        self.assertEqual([page for page, _ in cards], [f"chapters/{name}/index.html" for name in lessons])
+        self.assertLess(sum((self.folder / still).stat().st_size for _, still in cards), 150_000)
 
     def test_every_link_leads_somewhere(self):
         count = 0
@@ -124,6 +136,27 @@ class Book(unittest.TestCase):
         self.assertEqual(len(faces), len(fonts))
         for face in faces:
             self.assertIn("font-display: swap", face)
+
+    def test_an_exercise_shows_its_declaration_its_hints_and_its_tests(self):
+        for exercise in all_exercises():
+            text = (self.folder / "chapters" / exercise.folder / "index.html").read_text(encoding="utf-8")
+            text = text.replace("\u00a0", " ")
+            part = re.split(r"<h[23]", text.partition(f"{exercise.label}</h3>")[2])[0]
+            shown = html.unescape(re.sub(r"<[^>]*>", "", part))
+            header = next((ROOT / "chapters" / exercise.folder).glob("*.hpp")).read_text(encoding="utf-8")
+            comment = re.search(rf"^/// Exercise {re.escape(exercise.id)}\. (\w+)", header, re.MULTILINE)
+            self.assertRegex(part, rf"^\s*<p>(?:<a [^>]*>)?{comment[1]}\b")
+            self.assertIn(f"{exercise.function}(", shown)
+            self.assertIn(f"Hint {len(exercise.hints)} of {len(exercise.hints)}", shown)
+            folded = part.partition("<summary>Tests</summary>")[2].partition("</details>")[0]
+            self.assertGreater(len(re.findall(r"<code>[A-Z]\w+</code>", folded)), 1, exercise.label)
+
+    def test_the_first_text_waits_for_no_script(self):
+        for page in self.pages:
+            head, _, text = page.read_text(encoding="utf-8").partition("<article>")
+            for script in re.findall(r"<script\b[^>]*\bsrc=[^>]*>", head):
+                self.assertIn(" defer ", script, page)
+            self.assertNotIn("<script", text, page)
 
     def test_an_equation_of_another_page_is_brought_along(self):
         text = (self.folder / "chapters/04_gauss_seidel/index.html").read_text(encoding="utf-8")

@@ -7,6 +7,7 @@ from playing_scene import played
 from sandbox import ROOT
 
 from binding.live import is_live, live_figure
+from films import films
 
 MOST_CONTROLS = 3
 HEAD = "error", "energy", "residual"
@@ -43,6 +44,8 @@ class LiveFigures(unittest.TestCase):
                 header, _ = played(figure.scene, figure.settings, 1)
                 names = {control["name"] for control in header["controls"]}
                 self.assertTrue(1 <= len(figure.controls) <= MOST_CONTROLS and names.issuperset(figure.controls))
+                for control in header["controls"]:
+                    self.assertTrue(control["meaning"], control["name"])
                 self.assertIn(figure.graph, (*HEAD, *header["columns"]))
                 steps = round(figure.time / header["method"]["h"])
                 self.assertAlmostEqual(steps * header["method"]["h"], figure.time, delta=0.51 * header["method"]["h"])
@@ -50,6 +53,12 @@ class LiveFigures(unittest.TestCase):
                 # As many digits as the line has: those of a number that is right, whatever the compiler rounds.
                 shown = number(figure, header, frame)
                 self.assertEqual(f"{shown:.{digits(figure.said)}g}", f"{figure.value:.{digits(figure.said)}g}")
+
+    def test_what_a_film_shows_side_by_side_the_figure_has_as_a_control(self):
+        for folder, line in figures().items():
+            if beside := films()[folder].get("beside"):
+                with self.subTest(folder):
+                    self.assertIn(beside.partition("=")[0], live_figure(line).controls)
 
     def test_what_cannot_be_read_is_refused(self):
         for line in ("<!-- live: orbit -->", "<!-- live: orbit | h | error -->", "<!-- live: orbit | h | error | 1 -->",

@@ -319,6 +319,53 @@ class Seen(Viewer):
         self.open(recordings.rolling_ball())
         self.assertIn("double click", self.ask("document.getElementById('how').textContent"))
 
+    def colours(self, tint: str, bodies: range) -> list:
+        self.browser.run("const select = document.getElementById('tint'); select.value = arguments[0];"
+                         "select.dispatchEvent(new Event('change'))", tint)
+        self.browser.drawn()
+        return [self.ask(f"viewer.picture.parts[0].bodies.tintAt({body})") for body in bodies]
+
+    def test_colours_tell_bodies_and_islands_apart(self):
+        lines = [json.loads(line) for line in recordings.tower(boxes=4, frames=2).splitlines()]
+        lines[1] |= {"between": recordings.integers(0, 2, 2, 3, 0, 4, 4, 5), "contacts": recordings.floats(*[0] * 40)}
+        self.open(recordings.text(*lines))
+        bodies = range(2, 6)
+        self.assertEqual(len({tuple(colour) for colour in self.colours("plain", bodies)}), 1)
+        self.assertEqual(len({tuple(colour) for colour in self.colours("body", bodies)}), 4)
+        first, second, third, fourth = self.colours("island", bodies)  # two on each of two places of the floor
+        self.assertEqual((first, third), (second, fourth))
+        self.assertNotEqual(first, third)
+
+    def test_colours_tell_speeds(self):
+        lines = [json.loads(line) for line in recordings.tower(boxes=3, frames=2).splitlines()]
+        lines[1]["v"] = recordings.floats(*[0] * 6, 1, 0, 0, 0, 2, 0, 0, 0, 0)
+        self.open(recordings.text(*lines))
+        slow, fast, still = self.colours("speed", range(2, 5))
+        for k in range(3):
+            self.assertAlmostEqual(slow[k], (fast[k] + still[k]) / 2, delta=FLOAT)
+        self.assertNotEqual(fast, still)
+
+    def test_a_click_on_a_body_shows_its_numbers(self):
+        from selenium.webdriver.common.action_chains import ActionChains
+        self.open(recordings.rolling_ball(speed=0.6))
+        canvas = self.browser.driver.find_element("id", "picture")
+
+        def click(x: float, y: float) -> str:
+            ActionChains(self.browser.driver).move_to_element_with_offset(
+                canvas, round(x - canvas.rect["width"] / 2), round(y - canvas.rect["height"] / 2)).click().perform()
+            self.browser.drawn()
+            return self.ask("document.getElementById('body').hidden ? '' : document.getElementById('body').textContent")
+
+        self.browser.run("viewer.scrubTo(30)")
+        self.browser.drawn()
+        said = click(*self.ask("viewer.project(1)"))
+        for text in ("body 1 · ball", "(0.3, 0, 0.2) m", "speed0.6 m/s", "(0, 3, 0) rad/s", "1 contact"):
+            self.assertIn(text, said)
+        self.browser.run("viewer.scrubTo(60)")
+        self.browser.drawn()
+        self.assertIn("(0.6, 0, 0.2) m", self.ask("document.getElementById('body').textContent"))
+        self.assertEqual(click(5, 5), "")
+
 
 class Runs(Viewer):
     def test_they_are_in_step_and_part(self):

@@ -24,12 +24,11 @@ def sweeps_up_and_down() -> Drawing:
             x = left + 76 * n
             for k, value in enumerate(state):
                 y = floor - size * k - 9
-                d.line((x, y - 6), (x, y + 22), "faint")
                 if value > 1e-9:
                     d.bar((x, y), 62 * value / 5, 16, "impulse")
-                d.line((x + 62 * (count - k) / 5, y - 4), (x + 62 * (count - k) / 5, y + 20), "good bold")
+                d.box((x, y), 62 * (count - k) / 5, 16, "good")
             d.text((x + 31, 350), f"after {n + 1}", "soft", size="small")
-    d.text((437, 384), "bars: impulses so far; green: what each must carry in the end", "soft", size="small")
+    d.text((437, 384), "bars: impulses so far; frames: what each contact must carry in the end", "soft", size="small")
     return d
 
 

@@ -13,7 +13,11 @@ class Bodies {
     const turns = run.frames.some((frame) => frame.q);
     this.crowds = crowdsOf(parent, this.forms, style, turns);
     this.places = new Array(this.forms.length).fill(null);  // [crowd, its index] of each body
-    const own = colourOf(style.colour);
+    this.chosen = null;  // the body that stands out
+    const own = colourOf(style.colour), standing = colourOf(palette().hand);
+    this.tint = null;  // a colour of each body that moves: tinting.js
+    this.colourAt = (body) => body === this.chosen ? standing
+      : this.tint && !run.header.bodies[body].fixed ? this.tint(body) : this.colours[body];
     this.colours = run.header.bodies.map((body) => body.fixed ? own.clone().lerp(colourOf(palette().line), 0.5) : own);
   }
 
@@ -29,7 +33,7 @@ class Bodies {
       const [sx, sy, sz] = form.kind === "point" ? [r, r, r] : form.sides;
       const crowd = this.crowds[form.kind];
       this.places[body] = [crowd, crowd.addPosed(x[at], x[at + 1], x[at + 2], q[turn], q[turn + 1], q[turn + 2],
-                                                 q[turn + 3], sx, sy, sz, this.colours[body])];
+                                                 q[turn + 3], sx, sy, sz, this.colourAt(body))];
     }
     for (const crowd of Object.values(this.crowds)) crowd.end();
   }
@@ -39,6 +43,12 @@ class Bodies {
     if (!this.places[body]) return null;
     const [crowd, index] = this.places[body];
     return Array.from(crowd.mesh.instanceMatrix.array.subarray(16 * index + 12, 16 * index + 15));
+  }
+
+  /** The colour in which a body is drawn: likewise. */
+  tintAt(body) {
+    const [crowd, index] = this.places[body];
+    return Array.from(crowd.mesh.geometry.attributes.tint.array.subarray(3 * index, 3 * index + 3));
   }
 
   count() {

@@ -48,6 +48,7 @@ class Controls {
     box.replaceChildren(...SWITCHES.filter(([key]) => has[key]).map(([key, text, title]) =>
       this.toggle(key, text, title, () => picture.shown[key], (on) => { picture.shown[key] = on; })));
     if (has.impulses || has.velocities) box.append(this.arrowScale());
+    box.append(this.tints());
     if (runs.length > 1)
       box.append(this.toggle("overlaid", "in one picture", "laid over each other, not side by side",
                              () => picture.shown.overlaid, (on) => this.rebuildWith({ overlaid: on })));
@@ -59,6 +60,14 @@ class Controls {
     pressed(button, get());
     button.onclick = () => { set(!get()); pressed(button, get()); this.viewer.dirty(); };
     return button;
+  }
+
+  tints() {
+    const { shown } = this.viewer.picture;
+    const select = element("select", { id: "tint", title: "what the colour of a body tells" }, ...TINTS.map(
+      ([value, textContent]) => element("option", { value, textContent, selected: value === shown.tint })));
+    select.onchange = () => { shown.tint = select.value; this.viewer.dirty(); };
+    return select;
   }
 
   arrowScale() {

@@ -2,7 +2,7 @@
 // The viewer as a lesson's live figure: a frame in the lesson's page. The address says what runs, as JSON behind #:
 //   scene, set        what is run, and what is set at first
 //   controls          names of those that the reader may turn
-//   graph             error, energy, residual, or a column of the scene's own numbers
+//   graph             error, energy, residual, or a column of the scene's own numbers; without one there is a picture alone
 //   rate, shows       simulated seconds a second; marks that are on, as `contacts`
 // The page around tells it to pause while it is out of sight.
 
@@ -12,6 +12,7 @@ class Figure {
     Object.assign(this, { set: {}, controls: [], shows: [], rate: 1, seen: true },
                   JSON.parse(decodeURIComponent(location.hash.slice(1))));
     document.body.classList.add("figure");
+    document.body.classList.toggle("bare", !this.graph);
     for (const mark of this.shows) viewer.picture.shown[mark] = true;
     window.addEventListener("message", ({ source, data }) => {
       if (source === window.parent && typeof data.seen === "boolean") this.see(data.seen);

@@ -15,6 +15,7 @@ class Live {
     this.sent = Promise.resolve();
     document.body.classList.add("live");
     document.getElementById("drop").onclick = () => this.drop();
+    document.getElementById("reset").onclick = () => this.reset();
     document.getElementById("next").title = "next step (right)";
     transport.open((line) => this.take(line), (why) => this.lose(why));
   }
@@ -86,7 +87,9 @@ class Live {
     this.viewer.show([this.run], same || before.length > 0 || frame.touched);
     this.run.frames.pop();  // it is added as any other
     if (!before.length) this.firstSize = this.viewer.picture.box.size;
+    if (first) this.first = header.controls || [];
     this.makeSliders(header.controls || []);
+    document.getElementById("reset").hidden = Object.keys(this.changed()).length === 0;
   }
 
   /** The graphs, and the view as long as nobody has turned it, now and then. */
@@ -109,9 +112,27 @@ class Live {
   makeSliders(controls) {
     const parent = document.getElementById("sliders");
     if (parent.contains(document.activeElement)) return;
-    const shown = this.figure ? this.figure.controlsOf(controls) : controls;
-    parent.replaceChildren(...shown.map((control) => controlNode(control, (value) =>
+    parent.replaceChildren(...this.shownOf(controls).map((control) => controlNode(control, (value) =>
       this.send({ set: { [control.name]: value } }))));
+  }
+
+  shownOf(controls) {
+    return this.figure ? this.figure.controlsOf(controls) : controls;
+  }
+
+  /** The controls that are no longer as this page first had them, with the values that they had. */
+  changed() {
+    const first = new Map(this.first.map((control) => [control.name, control.value]));
+    return Object.fromEntries(this.shownOf(this.run.header.controls || [])
+      .filter(({ name, value }) => first.has(name) && first.get(name) !== value).map(({ name }) => [name, first.get(name)]));
+  }
+
+  /** Sets everything as it was when the page was opened, and begins again. */
+  reset() {
+    const set = this.changed();
+    document.activeElement.blur();  // so that the sliders follow
+    if (Object.keys(set).length) this.send({ set });
+    this.restart();
   }
 
   /** One after the other, in the order in which they were given. */
@@ -178,9 +199,16 @@ class Live {
   }
 }
 
+/** Its name, and in words what that is: as much of them as a line holds, all of them in the tip. */
+function controlName({ name, meaning }) {
+  const spoken = name.replaceAll("_", " ");
+  const words = element("span", { className: "words", textContent: (meaning || "").split(";")[0] });
+  return element("span", { className: "control", title: `${spoken}: ${meaning}` }, element("b", { textContent: spoken }),
+                 " ", words);
+}
+
 function controlNode(control, send) {
-  const name = control.name.replaceAll("_", " ");
-  const label = element("label", {}, element("span", { textContent: name }));
+  const label = element("label", {}, controlName(control));
   if (control.choices) {
     const select = element("select", { name: control.name }, ...control.choices.map((choice) => element("option", {
       value: JSON.stringify(choice), textContent: String(choice), selected: choice === control.value })));

@@ -36,6 +36,7 @@ class Viewer {
     this.controls = new Controls(this);
     this.legend = new Legend(document.getElementById("stage"));
     this.picture.camera.orbit.addEventListener("change", () => this.dirty());
+    this.telling = new Telling(this);
     this.pointing = new Pointing(this);
     new ResizeObserver(() => this.resize()).observe(document.getElementById("stage"));
     IN_THE_DARK.addEventListener("change", () => this.rebuild());
@@ -88,6 +89,8 @@ class Viewer {
   makeGraphs() {
     const parent = document.getElementById("graphs");
     parent.replaceChildren();
+    this.graphs = [];
+    if (this.figure && !this.figure.graph) return;
     const columns = this.runs[0].header.columns;
     this.column = clamp(this.column, 0, Math.max(0, columns.length - 1));
     const choose = (column) => {
@@ -125,6 +128,7 @@ class Viewer {
     this.controls.update();
     if (!this.runs) return;
     const frames = this.player.frames();
+    this.telling.draw(frames);
     this.picture.draw(frames);
     ++this.draws;
     const at = { time: this.player.time, frameOf: (run) => this.player.frameOf(run) };

@@ -13,7 +13,7 @@ class Picture {
     this.renderer.setScissorTest(true);
     this.camera = new Camera(canvas);
     this.shown = { contacts: false, impulses: false, friction: false, velocities: false, pairs: false, ghosts: true,
-                   paths: false, shadows: true, automatic: true, scale: 1, overlaid: false };
+                   paths: false, shadows: true, automatic: true, scale: 1, overlaid: false, tint: "plain" };
     this.hand = null;  // { body, local, to } of a pull: the point of the body, and where it is drawn to
     this.runs = [];
   }
@@ -67,6 +67,7 @@ class Picture {
     for (const [k, part] of this.parts.entries()) {
       const frame = frames[k];
       const point = this.box.empty ? ALONE * this.box.size : POINT * unit * part.joints.closeness(unit);
+      part.bodies.tint = tintOf(this.shown.tint, part.run, frame);
       part.bodies.draw(frame, point);
       part.ghosts.draw(this.shown.ghosts ? frame : { ...frame, ghostBodies: [] },
                        this.box.empty ? 1.03 * point : 1.25 * point);

@@ -1,17 +1,27 @@
 "use strict";
-// The pointer on the picture: a double click follows a body. In a live run a drag pulls one, and with shift pushes it.
+// The pointer on the picture: a click on a body shows its numbers, a double click follows it. In a live run a drag pulls
+// one, and with shift a click pushes it.
+
+const STILL = 4;  // a pointer that has moved less has clicked [pixels]
+
+/** What a mouse does, or a finger. */
+function howTo(live) {
+  const touch = window.matchMedia("(pointer: coarse)").matches;
+  if (touch) return live ? "drag a body: pull · tap it: its numbers" : "drag: turn · tap a body: its numbers";
+  return live ? "drag a body: pull · shift and click: push · click: its numbers · double click: follow · drag beside it: turn"
+    : "drag: turn · wheel: zoom · click on a body: its numbers · double click: follow";
+}
 
 class Pointing {
   constructor(viewer) {
     this.viewer = viewer;
-    document.getElementById("how").textContent = document.getElementById("live")
-      ? "drag a body: pull · shift and click: push · drag beside it: turn · wheel: zoom · double click: follow"
-      : "drag: turn · wheel: zoom · double click on a body: follow";
+    document.getElementById("how").textContent = howTo(Boolean(document.getElementById("live")));
     const { canvas } = viewer.picture;
     // Before the camera's own listeners, which begin with the mouse events that follow.
     canvas.addEventListener("pointerdown", (event) => this.down(event), true);
     canvas.addEventListener("pointermove", (event) => this.move(event));
-    for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => this.up());
+    canvas.addEventListener("pointerup", (event) => this.up(event));
+    canvas.addEventListener("pointercancel", () => this.letGo());
     canvas.addEventListener("dblclick", (event) => {
       const hit = this.hit(event);
       viewer.follow(hit ? hit.body : null);
@@ -24,17 +34,25 @@ class Pointing {
   }
 
   down(event) {
-    const { live, picture } = this.viewer, hit = live && event.button === 0 ? this.hit(event) : null;
-    if (!hit || this.viewer.runs[0].header.bodies[hit.body].fixed) return;
+    const { live, picture } = this.viewer, hit = event.button === 0 ? this.hit(event) : null;
+    this.pressed = { hit, x: event.clientX, y: event.clientY };
+    if (!live || !hit || this.viewer.runs[0].header.bodies[hit.body].fixed) return;
     picture.camera.orbit.enabled = false;  // this drag is not the camera's
-    if (event.shiftKey) return live.push(hit, picture.camera.eye);
+    if (event.shiftKey) {
+      this.pressed = null;
+      return live.push(hit, picture.camera.eye);
+    }
     picture.canvas.setPointerCapture(event.pointerId);
-    this.pulled = hit;
-    this.move(event);
+    this.held = hit;
+  }
+
+  hasMoved(event) {
+    return !this.pressed || Math.hypot(event.clientX - this.pressed.x, event.clientY - this.pressed.y) >= STILL;
   }
 
   /** In the plane through the point that was hit, parallel to the screen. */
   move(event) {
+    if (this.held && this.hasMoved(event)) this.pulled = this.held;
     if (!this.pulled) return;
     const { picture, live } = this.viewer, { left, top } = picture.canvas.getBoundingClientRect();
     const { ray } = picture.rayAt(event.clientX - left, event.clientY - top);
@@ -44,10 +62,14 @@ class Pointing {
     if (to) live.pull(this.pulled, to.toArray());
   }
 
-  up() {
+  up(event) {
+    if (!this.hasMoved(event)) this.viewer.telling.choose(this.pressed.hit);
+    this.letGo();
+  }
+
+  letGo() {
     this.viewer.picture.camera.orbit.enabled = true;
-    if (!this.pulled) return;
-    this.pulled = null;
-    this.viewer.live.release();
+    if (this.pulled) this.viewer.live.release();
+    this.held = this.pulled = this.pressed = null;
   }
 }

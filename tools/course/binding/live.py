@@ -24,10 +24,10 @@ _LINE = re.compile(rf"{_MARK} (\w+)((?: \w+=\S+)*) \|((?: \w+){{1,3}}) \| ([^|]+
 class LiveFigure:
     scene: str
     settings: dict[str, str]
-    controls: tuple[str, ...]
-    graph: str
-    said: str  # the value, with the digits that are right
-    time: float  # [s]
+    controls: tuple[str, ...] = ()
+    graph: str = ""  # empty: none
+    said: str = ""  # the value, with the digits that are right
+    time: float = 0  # [s]
 
     @property
     def value(self) -> float:

@@ -1,4 +1,5 @@
-"""The pages of the book: every Markdown file of the course but hints and playgrounds, in the order of reading."""
+"""The pages of the book: a front page, then every Markdown file of the course but hints and playgrounds, in the order of
+reading."""
 
 import os
 from dataclasses import dataclass
@@ -9,9 +10,8 @@ from paths import ROOT
 
 # Each group's title, and the files that it begins with; what no group asks for is in the last.
 _GROUPS = (
-    ("", ("README.md",)),
     ("Chapters", ("chapters/[0-9][0-9]_*/README.md",)),
-    ("To look up", ("chapters/SYMBOLS.md", "chapters/EIGEN.md", "chapters/*.md")),
+    ("To look up", ("README.md", "chapters/SYMBOLS.md", "chapters/EIGEN.md", "chapters/*.md")),
     ("Experiments", ("plots/README.md", "plots/*/README.md")),
     ("For instructors", ("INSTRUCTORS.md", "tools/course/grading/README.md")),
     ("For contributors", ("CONTRIBUTING.md", "*.md", "*/**/*.md")),
@@ -29,6 +29,8 @@ class Page:
     @property
     def target(self) -> Path:
         """From the root of the site, which has the folders of the course: so links and pictures stay as they are."""
+        if self.source == Path("README.md"):
+            return Path("manual.html")
         return self.source.with_name("index.html" if self.source.name == "README.md" else f"{self.source.stem}.html")
 
     def text(self) -> str:
@@ -42,7 +44,7 @@ def pages() -> list[Page]:
         for pattern in patterns:
             here = [name for name in left if _matches(name, pattern)]
             left = [name for name in left if name not in here]
-            found += [Page(name, _title(name), group) for name in here]
+            found += [MANUAL if name == MANUAL.source else Page(name, _title(name), group) for name in here]
     return found
 
 
@@ -56,6 +58,10 @@ def _title(name: Path) -> str:
         if line.startswith("# "):
             return line[2:].strip().replace("`", "")
     return name.stem
+
+
+FRONT = Page(Path("index.md"), "Write a physics engine", "")  # of which there is no file: binding.front
+MANUAL = Page(Path("README.md"), "The manual", "To look up")
 
 
 def between(here: Path, there: Path) -> str:

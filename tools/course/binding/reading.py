@@ -44,8 +44,9 @@ def parser():
             .use(dollarmath_plugin, allow_labels=False, allow_space=False, allow_digits=False).use(footnote_plugin))
 
 
-def read(page: Page) -> Draft:
-    draft = Draft(page, parser().parse(page.text()))
+def read(page: Page, added: dict[str, tuple[str, str]] | None = None) -> Draft:
+    """`added` is Markdown that goes below headings, by their text, and Markdown that goes before the next heading."""
+    draft = Draft(page, _with(added or {}, parser().parse(page.text())))
     draft.sections.append(Section(1, "", page.title))
     heading = None
     for token in draft.tokens:
@@ -70,6 +71,26 @@ def read(page: Page) -> Draft:
         if token.type == "html_block" or token.type == "inline":
             draft.anchors.update(_ID.findall(token.content))
     return draft
+
+
+def _with(added: dict[str, tuple[str, str]], tokens: list) -> list:
+    found, waiting = [], []
+    for k, token in enumerate(tokens):
+        if token.type == "heading_open":
+            found += waiting
+            waiting = []
+        found.append(token)
+        if token.type == "heading_close" and (texts := added.get(tokens[k - 1].content)):
+            below, waiting = (_on_line(tokens[k - 1].map, parser().parse(text)) for text in texts)
+            found += below
+    return found + waiting
+
+
+def _on_line(place: list, tokens: list) -> list:
+    """What is added has the line of its heading, for messages."""
+    for token in tokens:
+        token.map = place
+    return tokens
 
 
 def line_of(token) -> int:

@@ -8,11 +8,13 @@ from pathlib import Path
 from string import Template
 
 from binding.code import highlighted, language_of
+from binding.exercises import exercises_of
 from binding.formulas import files, rendered
+from binding.front import front, stills
 from binding.glossary import linked, terms, with_anchors
 from binding.links import Links, code_page
 from binding.live import ENGINE, PAGE
-from binding.outline import Page, between, pages
+from binding.outline import FRONT, Page, between, pages
 from binding.problems import Problem
 from binding.reading import Draft, read
 from binding.typefaces import typefaces
@@ -31,16 +33,20 @@ _STYLES_AND_SCRIPTS = ("book.css", "copying.js", "figures.js", "preview.js", "re
 def build(folder: Path, views: bool = False, engine: Path | None = None) -> int:
     """Writes the site into the folder, which holds nothing else; how many pages it has. With `views`, films are links
     to pages that binding.views makes; with the engine as WebAssembly, figures run in their place."""
-    drafts = [read(page) for page in pages()]
+    drafts = [read(page, exercises_of(page.source)) for page in pages()]
     equations = _equations(drafts)
     links = Links(drafts)
     bodies = _with_terms(drafts, [written(draft, links, equations, views, engine is not None) for draft in drafts])
     _refuse([problem for draft in drafts for problem in draft.problems])
     shutil.rmtree(folder, ignore_errors=True)
     template = Template((BOOK / "page.html").read_text(encoding="utf-8"))
-    outline = [draft.page for draft in drafts]
+    outline = [FRONT, *(draft.page for draft in drafts)]
+    bodies.append(front(outline, views, engine is not None))
+    _write(folder / FRONT.target, _page(template, FRONT, bodies[-1], outline))
+    for place, content in stills(outline).items():
+        _write_bytes(folder / place, content)
     for draft, body in zip(drafts, bodies):
-        _write(folder / draft.page.target, _page(template, draft, body, outline))
+        _write(folder / draft.page.target, _page(template, draft.page, body, outline, _contents(draft)))
     for source in sorted(links.sources):
         _write(folder / code_page(source), _code(template, source, outline))
     for picture in links.pictures:
@@ -92,12 +98,15 @@ def _refuse(problems: list[Problem]) -> None:
         raise CourseError(f"book: {count} in its pages", "\n".join(map(str, sorted(problems))))
 
 
-def _page(template: Template, draft: Draft, body: str, outline: list[Page]) -> str:
-    here = outline.index(draft.page)
+def _contents(draft: Draft) -> str:
     inside = [section for section in draft.sections if section.level == 2]
     contents = "".join(f'<li><a href="#{section.anchor}">{html.escape(section.title)}</a></li>' for section in inside)
-    return _filled(template, draft.page.target, draft.page.title, body, outline,
-                   contents=f"<ol>{contents}</ol>" if contents else "",
+    return f"<ol>{contents}</ol>" if contents else ""
+
+
+def _page(template: Template, page: Page, body: str, outline: list[Page], contents: str = "") -> str:
+    here = outline.index(page)
+    return _filled(template, page.target, page.title, body, outline, contents=contents,
                    before=outline[here - 1] if here else None,
                    after=outline[here + 1] if here + 1 < len(outline) else None)
 
@@ -149,13 +158,17 @@ def _index(drafts: list[Draft]) -> str:
 
 def _write_typefaces(folder: Path, text: str) -> None:
     for place, content in typefaces(html.unescape(text)).items():
-        (folder / place).parent.mkdir(parents=True, exist_ok=True)
-        (folder / place).write_bytes(content)
+        _write_bytes(folder / place, content)
 
 
 def _write(path: Path, text: str) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(text, encoding="utf-8")
+
+
+def _write_bytes(path: Path, content: bytes) -> None:
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_bytes(content)
 
 
 def _copy(source: Path, target: Path) -> None:

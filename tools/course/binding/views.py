@@ -4,7 +4,7 @@ import contextlib
 import io
 from pathlib import Path
 
-from binding.outline import pages
+from binding.outline import FRONT, pages
 from films import films, words
 
 _FOLDER = Path("views")
@@ -17,8 +17,7 @@ def page_of_film(source: Path) -> Path:
 
 def _way_back(name: str) -> tuple[str, str]:
     """Address and title of the page that shows the film."""
-    page = next(page for page in pages() if page.source == Path("README.md") or page.source.parent.name == name
-                if page_of_film(page.source).stem == name)
+    page = FRONT if name == "README" else next(page for page in pages() if page_of_film(page.source).stem == name)
     return f"../{page.target.as_posix()}", page.title
 
 
