@@ -1,4 +1,4 @@
-// Order four from leapfrogs: parts that make a whole step, the order of both compositions, reversal, energy.
+// Steps of order four, composed of leapfrog steps: the sum of the parts, the order, reversal, and energy.
 #include "01_leapfrog/leapfrog.hpp"
 #include "exercise_test.hpp"
 #include "systems.hpp"
@@ -14,17 +14,17 @@ const ForceField no_force = [](std::size_t, const std::vector<Vec3>&) -> Vec3 { 
 
 const double round_trip = 2 * std::acos(-1.0);
 
-/// The orders that known mistakes have.
+/// A clue for each order that a known mistake leads to.
 const std::string cubes =
-    "Order 2 means that the cubes of the parts do not add up to 0: is it the cube root, of 2N?";
+    "Order 2 means that the cubes of the parts do not add up to 0. Does w take the cube root of 2N?";
 const std::string not_symmetric =
-    "Order 3 means that the cubes of the parts add up to 0, but the parts do not read the same from either "
-    "end: N of them, then the one backwards, then N again.";
+    "Order 3 means that the cubes of the parts add up to 0, but the parts are not symmetric: take N of them, "
+    "then the one backwards, then N again.";
 
 const std::string one_place =
-    "Order 1 means that all parts took their force from one place: each is kicked by that of where it is.";
+    "Order 1 means that all parts used the force at one place. Compute the force anew where each part begins.";
 
-/// The distance from where it began after one round.
+/// Returns the distance from the start after one round.
 double error_of_a_round(double h, int pairs) {
   Particles p = orbit();
   const int steps = static_cast<int>(std::lround(round_trip / h));
@@ -51,9 +51,13 @@ EXERCISE_TEST(ComposedStep, TakesAFreeBodyOnByAWholeStep) {
         "x of a free body at 4 m/s, from 1 m, after one step of 0.3 s, pairs = " + show(pairs) + " [m]",
         "Eq. (1.12)", p.x[0].x(), 2.2, roundings(20, 5),
         {{1 + 4 * h * (4 * pairs * w - 1),
-          "The part in the middle went forwards. It is negative: what the others have too much."},
-         {1 + 4 * h * 2 * pairs * w, "The part in the middle is missing: pairs, one, pairs."},
-         {1 + 4 * h / 2, "Half a step: there are two drifts of half a part, before and after the kick."},
+          "The part in the middle went forwards. It is negative, since the other parts add up to more than h."},
+         {1 + 4 * h * 2 * pairs * w,
+          "The part in the middle is missing. Take `pairs` parts, then the middle "
+          "one, then `pairs` parts again."},
+         {1 + 4 * h / 2,
+          "This is half a step. Each part drifts twice by half its length, before and after the "
+          "kick."},
          {1, "Nothing moved."}},
         "The parts must add up to h.");
   }
@@ -75,8 +79,8 @@ EXERCISE_TEST(ComposedStep, IsExactInFreeFall) {
           "Each part kicks and then drifts all the way: here v is of the time of x, so half the drift "
           "comes before the kick."},
          {-g / 2 - late, "Each part drifts all the way and then kicks: half the drift comes after the kick."},
-         {-mass * g / 2, "A factor m too much: the inverse mass has not been used."}},
-        "With a constant force (1.11) is exact, and so are any parts of it.");
+         {-mass * g / 2, "This is m times too much: the inverse mass has not been used."}},
+        "With a constant force (1.11) is exact, and so is any composition of it.");
     expect_near("its speed then [m/s]", "Eq. (1.11)", p.v[0].z(), -g, roundings(200, 20), {},
                 "The kicks of all parts must add up to h f/m.");
   }
@@ -111,11 +115,12 @@ EXERCISE_TEST(ComposedStep, TakesAsManyPartsAsItIsAskedFor) {
   const double h = round_trip / 200;
   expect_at_most("error of five parts over that of three, on an orbit with 200 steps a round", "Eq. (1.13)",
                  error_of_a_round(h, 2) / error_of_a_round(h, 1), 0.1,
-                 "the parts of the triple jump are three times as long, and their errors go with a high power",
+                 "the parts of the triple jump are three times as long, and the error is a high power of that "
+                 "length",
                  "A ratio of 1 means that pairs was not used.");
 }
 
-// With one number of pairs after the other: parts that were worked out for another call would show.
+// Calls with different numbers of pairs in turn. This shows parts that were kept from another call.
 EXERCISE_TEST(ComposedStep, TakesThePartsOfThisCall) {
   const double h = 0.1;
   const auto by_hand = [&](int pairs, double w) {
@@ -133,14 +138,14 @@ EXERCISE_TEST(ComposedStep, TakesThePartsOfThisCall) {
     Particles p = oscillator();
     composed_step(p, spring, h, pairs);
     const std::string other =
-        "These are as many parts as should be, each as long as for another number of pairs: does "
-        "something live on from an earlier call, a static variable?";
+        "The number of parts is right, but their length belongs to another number of pairs. Is it kept from an "
+        "earlier call, in a static variable?";
     expect_near("x of an oscillator after a step of 0.1 s, pairs = " + show(pairs) + " [m]",
                 "Eq. (1.11), (1.13)", p.x[0].x(), by_hand(pairs, w_of(pairs)), roundings(200),
                 {{by_hand(pairs, w_of(pairs == 1 ? 2 : 1)), other},
                  {by_hand(pairs, w_of(pairs == 3 ? 2 : 3)), other},
                  {by_hand(pairs, w_of(5)), other}},
-                "Parts of w h, the middle one of (1 - 2N w) h, w of Eq. (1.13).");
+                "Each part has the length w h, and the middle one (1 - 2N w) h, with w of Eq. (1.13).");
     if (::testing::Test::HasFailure()) return;
   }
 }
@@ -162,7 +167,7 @@ EXERCISE_TEST(ComposedStep, MovesEveryBody) {
       const Vec3 turned = std::cos(h) * v - std::sin(h) * x;
       expect_near_vector("velocity of body " + std::to_string(k) + " of 300, on a spring, after 0.1 s [m/s]",
                          "Eq. (1.11)", p.v[k], turned,
-                         {std::pow(h, 5) * (x.norm() + v.norm()), "h⁵, by which a step of order four is off"},
+                         {std::pow(h, 5) * (x.norm() + v.norm()), "the error of a step of order four, h⁵"},
                          {{v, "It has not been kicked: a loop that ends early leaves the rest as they were."}},
                          "Every body is an oscillator by itself.");
       continue;
@@ -170,7 +175,7 @@ EXERCISE_TEST(ComposedStep, MovesEveryBody) {
     expect_near_vector(
         "x of body " + std::to_string(k) + ", of 1/m = 0, that moves at " + show(v) + " m/s, after 0.1 s [m]",
         "Eq. (1.11)", p.x[k], x + h * v, roundings(20, 10 + x.norm()),
-        {{x, "It has not moved. Also a body that no force moves goes on with its velocity."}},
+        {{x, "It has not moved. A body with 1/m = 0 goes on with its velocity, too."}},
         "No force changes its velocity, and it drifts by h v.");
     expect_near_vector("its velocity [m/s]", "Eq. (1.3)", p.v[k], v, {0, "exact"}, {},
                        "With an inverse mass of 0 no force changes v.");
@@ -191,8 +196,8 @@ EXERCISE_TEST(ComposedStep, ConservesMomentum) {
   expect_near_vector(
       "momentum of three coupled bodies after 100 steps [kg m/s]", "Eq. (1.3)", momentum(), before,
       roundings(100 * steps, 10), {},
-      "The springs pull both ends alike. Body by body the second would feel the first where it has "
-      "already gone: all drifts, all kicks, all drifts.");
+      "The springs pull both ends alike. If you move body by body, the force on the second comes from the "
+      "first's new place. Do all drifts, then all kicks, then all drifts.");
 }
 
 EXERCISE_TEST(ComposedStep, RunsBackToWhereItCameFrom) {
@@ -201,9 +206,9 @@ EXERCISE_TEST(ComposedStep, RunsBackToWhereItCameFrom) {
   for (int n = 0; n < steps; ++n) composed_step(p, sun, 0.1, 2);
   p.v[0] = -p.v[0];
   for (int n = 0; n < steps; ++n) composed_step(p, sun, 0.1, 2);
-  expect_near_vector("x after 300 steps forth and 300 back [m]", "Eq. (1.11)", p.x[0], orbit().x[0],
+  expect_near_vector("x after 300 steps forwards and 300 backwards [m]", "Eq. (1.11)", p.x[0], orbit().x[0],
                      {1e-9, "roundings, which grow with the square of the 600 steps"}, {},
-                     "The parts must read the same from either end: N of them, the one backwards, N again.");
+                     "The parts must be symmetric: N of them, then the one backwards, then N again.");
 }
 
 EXERCISE_TEST(ComposedStep, KeepsTheOrbitsEnergyInItsBand) {
@@ -218,7 +223,7 @@ EXERCISE_TEST(ComposedStep, KeepsTheOrbitsEnergyInItsBand) {
   }
   expect_at_most("largest energy error of an orbit over 200 rounds, over that of the first 10", "Eq. (1.11)",
                  all / first_orbits, 1.1, "the band does not widen; 10 % for where in the orbit the steps fall",
-                 "What is made of leapfrogs keeps its energy as they do.");
+                 "The energy error of a composition of leapfrog steps stays bounded, too.");
 }
 
 EXERCISE_TEST(ComposedStep, RejectsAStepThatIsNotPositive) {

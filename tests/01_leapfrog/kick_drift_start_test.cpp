@@ -25,10 +25,9 @@ struct OneBody {
   }
 };
 
-const std::string no_time =
-    "In no time nothing happens. A step of 0 is a step like any other: put no other in its place.";
+const std::string no_time = "A step of 0 changes nothing. Do not replace it by another step.";
 
-/// What is (1, 1, 1) changes by a small part of itself, to a rounding or two.
+/// Tests small changes of (1, 1, 1), to a rounding or two.
 void expect_small_change(const std::string& what, const std::string& equation,
                          const std::function<Vec3(const Vec3&, const Vec3&)>& step) {
   const Vec3 large(1, 1, 1);
@@ -65,10 +64,9 @@ EXERCISE_TEST(Kick, AddsForceOverMassTimesStep) {
 EXERCISE_TEST(Kick, LeavesAFixedBodyAlone) {
   const OneBody b;
   const Vec3 got = kick(b.v, 1e9 * b.f, 0, b.h);
-  expect_near_vector(
-      "v of a body with inverse mass 0 [m/s]", "Eq. (1.3)", got, b.v, {0, "exact"},
-      {{Vec3::Zero(), "It has been stopped. What no force moves keeps the velocity that it has."}},
-      "An inverse mass of 0 is a body that no force moves. Multiply by it; never divide by it.");
+  expect_near_vector("v of a body with inverse mass 0 [m/s]", "Eq. (1.3)", got, b.v, {0, "exact"},
+                     {{Vec3::Zero(), "It has been stopped. A body with 1/m = 0 keeps its velocity."}},
+                     "An inverse mass of 0 is a body that no force moves. Multiply by it; never divide by it.");
 }
 
 EXERCISE_TEST(Kick, BackwardsUndoesForwards) {
@@ -87,7 +85,7 @@ EXERCISE_TEST(Kick, DropsNoSmallChange) {
   expect_near_vector<Vec3>(
       "v of a body at (1e20, 0, 3) m/s, pushed by (0, 8, 16) N, 2 kg, h = 0.25 s [m/s]", "Eq. (1.3)", got,
       Vec3(1e20, 1, 5), {0, "exact"},
-      {{Vec3(1e20, 0, 3), "The change is small beside |v|, and is no rounding of v_y and v_z."}});
+      {{Vec3(1e20, 0, 3), "The change is small beside |v|, but v_y and v_z hold it with all digits."}});
 }
 
 EXERCISE_TEST(Drift, MovesByVelocityTimesStep) {
@@ -147,8 +145,8 @@ EXERCISE_TEST(HalfStepStart, TakesStepsOfEitherSign) {
   expect_near_vector(
       "v half a step of -h before the start [m/s]", "Eq. (1.5)", half_step_start(b.v, b.f, 1 / b.mass, -b.h),
       b.v + b.h / 2 * b.f / b.mass, roundings(8, 5),
-      {{back, "The sign of h has been lost. For a film that runs backwards, half a step back lies ahead."},
-       {b.v, "Nothing has changed: a negative h is a step, too."}},
+      {{back, "The sign of h has been lost. When time runs backwards, half a step back is half a step ahead."},
+       {b.v, "Nothing has changed. A negative h is allowed."}},
       "Eq. (1.5) with -h for h.");
   expect_near_vector("v half a step of h = 0 before the start [m/s]", "Eq. (1.5)",
                      half_step_start(b.v, b.f, 1 / b.mass, 0), b.v, {0, "exact"}, {}, no_time);

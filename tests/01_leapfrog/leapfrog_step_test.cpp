@@ -55,12 +55,13 @@ EXERCISE_TEST(LeapfrogStep, FallsByTheExactDiscreteLaw) {
       {{-g * h * h * n * (n - 1) / 2,
         "This is explicit Euler: it drifts with the old velocity. Kick first, then drift with the new one."},
        {-g * h * h * n * n / 2,
-        "This is -g t²/2. Two half kicks a step are velocity Verlet, with v at the time of x; this leapfrog's "
-        "v "
-        "lives half a step behind: one whole kick, then the drift."},
+        "This is -g t²/2. Two half kicks a step are velocity Verlet, with v at the time of x. In this leapfrog "
+        "v is half a step behind: take one whole kick, then the drift."},
        {0, "Nothing moved: is the drift missing, or was a copy kicked (auto v, where auto& v is meant)?"},
-       {-g * h * h * n * (n + 1) / 4, "Exactly half: half a kick a step. Only the start takes half a step."},
-       {-mass * g * h * h * n * (n + 1) / 2, "A factor m too much: the inverse mass has not been used."}},
+       {-g * h * h * n * (n + 1) / 4,
+        "This is exactly half: each step has half a kick. Only the start takes "
+        "half a step."},
+       {-mass * g * h * h * n * (n + 1) / 2, "This is m times too much: the inverse mass has not been used."}},
       "From rest, x_n = -g h² n(n+1)/2, exactly.");
 }
 
@@ -82,14 +83,14 @@ EXERCISE_TEST(LeapfrogStep, FeelsAllBodiesAtTheirOldPositions) {
   expect_near_vector("x of the last of three coupled bodies after one step [m]", "Eq. (1.3), (1.4)", p.x[2],
                      right.x[2], roundings(16, 5),
                      {{body_by_body.x[2],
-                       "Body by body: the last body felt the others where they had already moved to. "
-                       "Finish all kicks before the first drift."},
-                      {euler.x[2], "This drifted with the velocity of before the kick."}});
+                       "Body by body: the force on the last body came from places to which the others had "
+                       "already moved. Finish all kicks before the first drift."},
+                      {euler.x[2], "This drifted with the velocity before the kick."}});
   expect_near_vector("v of the last of three coupled bodies after one step [m/s]", "Eq. (1.3)", p.v[2],
                      right.v[2], roundings(16, 5),
                      {{body_by_body.v[2],
-                       "Body by body: the last body felt the others where they had already moved to. "
-                       "Finish all kicks before the first drift."}});
+                       "Body by body: the force on the last body came from places to which the others had "
+                       "already moved. Finish all kicks before the first drift."}});
 }
 
 EXERCISE_TEST(LeapfrogStep, GivesEachBodyItsOwnMass) {
@@ -112,13 +113,12 @@ EXERCISE_TEST(LeapfrogStep, GivesEachBodyItsOwnMass) {
         "body " + std::to_string(i) + " of 300, 1/m = " + show(old.inverse_mass[i]) + "/kg";
     expect_near_vector(
         "v of " + body + " [m/s]", "Eq. (1.3)", p.v[i], with(old.inverse_mass[i]), roundings(8, 5),
-        {{with(old.inverse_mass[0]), "This is with the mass of the first body: each has its own."},
+        {{with(old.inverse_mass[0]), "This used the mass of the first body. Each body has its own."},
          {Vec3::Zero(), "A body with 1/m = 0 keeps its velocity: no force changes it."}},
         "Each body has its own mass, and its own force.");
-    expect_near_vector(
-        "x of " + body + " [m]", "Eq. (1.4)", p.x[i], Vec3(old.x[i] + h * with(old.inverse_mass[i])),
-        roundings(16, 5),
-        {{old.x[i], "It has not moved. Also a body that no force moves goes on with its velocity."}});
+    expect_near_vector("x of " + body + " [m]", "Eq. (1.4)", p.x[i],
+                       Vec3(old.x[i] + h * with(old.inverse_mass[i])), roundings(16, 5),
+                       {{old.x[i], "It has not moved. A body with 1/m = 0 goes on with its velocity, too."}});
   }
 }
 
@@ -173,7 +173,7 @@ EXERCISE_TEST(LeapfrogStep, KeepsTheOrbitsEnergyInItsBandFor1e5Steps) {
   }
   expect_at_most("largest energy error of an orbit over 500 rounds, over that of the first 5", "Eq. (1.9)",
                  all / first_orbits, 1.05, "the band does not widen; 5 % for where in the orbit the steps fall",
-                 "A leapfrog's energy error swings, but does not grow.");
+                 "The energy error of leapfrog oscillates, but does not grow.");
   expect_at_most("largest energy error of the orbit, over its energy", "Eq. (1.9)", all / 0.5, 0.01,
                  "ten times (2π/200)², h² in units of the orbit");
 }
@@ -185,11 +185,11 @@ EXERCISE_TEST(LeapfrogStep, RunsBackToWhereItCameFrom) {
   start_half_step_back(p, sun, h);
   const Particles start = p;
   for (int n = 0; n < steps; ++n) leapfrog_step(p, sun, h);
-  p.v[0] = -kick(p.v[0], sun(0, p.x), 1, h);  // the kick that comes next, reversed
+  p.v[0] = -kick(p.v[0], sun(0, p.x), 1, h);  // the next kick, reversed
   for (int n = 0; n < steps; ++n) leapfrog_step(p, sun, h);
-  expect_near_vector("x after 1000 steps forth and 1000 back [m]", "Eq. (1.3), (1.4)", p.x[0], start.x[0],
-                     {1e-9, "roundings, which grow with the square of the 2000 steps"}, {},
-                     "Leapfrog is reversible. A step that is not has used two different times in one line.");
+  expect_near_vector("x after 1000 steps forwards and 1000 backwards [m]", "Eq. (1.3), (1.4)", p.x[0],
+                     start.x[0], {1e-9, "roundings, which grow with the square of the 2000 steps"}, {},
+                     "Leapfrog is reversible. If yours is not, one of its lines mixes values of two times.");
 }
 
 EXERCISE_TEST(LeapfrogStep, RejectsAStepThatIsNotPositive) {
@@ -205,7 +205,7 @@ EXERCISE_TEST(LeapfrogStep, RejectsAStepThatIsNotPositive) {
   Particles nobody;
   expect_rejects(
       "h = 0, with no bodies", "h", [&] { leapfrog_step(nobody, spring, 0); },
-      "A step that makes no sense is refused whether or not there is something to move: check it first.");
+      "Check h first: a step that makes no sense is refused even if there is nothing to move.");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-// Systems that the steps of this chapter are tried on.
+// Systems on which this chapter's steps are tested.
 #include <cmath>
 
 #include "01_leapfrog/leapfrog.hpp"

@@ -1,4 +1,4 @@
-// Free rotation, the promises of one step: how far it turns, L, reversal, second order.
+// Free rotation: what one step turns by, conservation of L, reversal, second order.
 #include "relative_scales.hpp"
 #include "top.hpp"
 
@@ -9,14 +9,14 @@ namespace {
 
 EXERCISE(FreeRotation, "2.6 free_rotation");
 
-// A step so small that every way of ordering the turns gives the same mean ω, but for h|ω| of it.
+// Uses a step so small that all orders of the turns give the same mean ω, up to a relative error of h|ω|.
 EXERCISE_TEST(FreeRotation, TurnsByOmegaTimesStep) {
   Random random;
   const Top start = random_top(random);
   Top top = start;
   const double h = 1e-6;
   top.step(h);
-  const Quat turn = start.q.conjugate() * top.q;  // as the body sees it
+  const Quat turn = start.q.conjugate() * top.q;  // in body coordinates
   const Vec3 got = (turn.w() < 0 ? -2 : 2) * turn.vec() / h;
 
   const Vec3 right = start.omega_body(), L = start.L(), L_body = start.q.conjugate() * L;
@@ -26,7 +26,7 @@ EXERCISE_TEST(FreeRotation, TurnsByOmegaTimesStep) {
       {10 * h * size * size, "ω changes by some h|ω|² within the step"},
       {{Vec3::Zero(), "q has not moved."},
        {2 * right, "Twice too fast: a quaternion takes half the angle."},
-       {right / 2, "Half too slow: are there two halvings where one belongs?"},
+       {right / 2, "Half too slow: is the angle halved twice?"},
        {-right, "This body turns backwards."},
        {L.cwiseQuotient(start.principal),
         "L was taken in world coordinates: L_c in Eq. (2.10) is along the body's axis c. Take q* L."},
@@ -34,19 +34,19 @@ EXERCISE_TEST(FreeRotation, TurnsByOmegaTimesStep) {
         "L was turned the wrong way: q takes body to world coordinates, its conjugate takes them back."},
        {L_body, "α = h L_c: divide by the moment I_c."},
        {start.q.conjugate() * right,
-        "The turns were multiplied from the left, as if e_c were an axis of the world. A body's turn stands "
-        "right of q."},
+        "The turns were multiplied from the left, as if e_c were an axis of the world. A turn about the body's "
+        "axis stands right of q."},
        {{2 * right[0], 2 * right[1], right[2]},
         "Axes 1 and 2 turn by two whole steps: each of their turns is half a step."},
        {{right[0] / 2, right[1] / 2, right[2]},
         "Axes 1 and 2 turn by half a step only: the way back is missing."},
-       {{right[0], right[1], right[2] / 2}, "Axis 3 has its turn only once, so it takes the whole step."},
+       {{right[0], right[1], right[2] / 2}, "Axis 3 turns only once, so it takes the whole step."},
        {{right[0], right[1], 2 * right[2]}, "Axis 3 turns by two steps: once is enough, in the middle."}},
-      "Each axis c turns by h L_c/I_c in all. Is h in every angle, and I_c?");
+      "Axis c turns by h L_c/I_c in total. Does every angle contain h and I_c?");
 }
 
 EXERCISE_TEST(FreeRotation, DropsNoSmallTurn) {
-  // From q = 1 the turn is in the small numbers of q, which keep all their digits.
+  // Starts from q = 1, since the turn is then in the small coefficients of q, which keep all their digits.
   Random random;
   for (const double h : {1e-9, 1e-15, 1e-30}) {
     Top top = random_top(random);
@@ -56,7 +56,7 @@ EXERCISE_TEST(FreeRotation, DropsNoSmallTurn) {
     expect_near_vector<Vec3>(
         "turn from q = 1 in a step of " + show(h) + " s, over the step [rad/s]", "Eq. (2.11)",
         Vec3(2 * top.q.vec() / h), omega, {10 * h * omega.squaredNorm() + 1e-13, "h|ω|², and roundings"},
-        {{Vec3::Zero(), "So small a turn has been dropped. Many small steps make a large one."}});
+        {{Vec3::Zero(), "This small turn has been dropped. Many small turns add up to a large one."}});
     if (::testing::Test::HasFailure()) return;
   }
 }
@@ -67,8 +67,7 @@ EXERCISE_TEST(FreeRotation, StandsStillInNoTime) {
   Top top = start;
   top.step(0);
   expect_near("distance from the start, after a step of h = 0", "Eq. (2.11)", distance(top, start), 0,
-              roundings(64), {},
-              "In no time nothing turns. A step of 0 is a step like any other: put no other in its place.");
+              roundings(64), {}, "A step of 0 turns nothing. Do not replace it by another step.");
 }
 
 EXERCISE_TEST(FreeRotation, KeepsAngularMomentum) {
@@ -82,15 +81,17 @@ EXERCISE_TEST(FreeRotation, KeepsAngularMomentum) {
                            Vec3((top.q.conjugate() * start.L()).cwiseQuotient(top.principal));
   expect_near_vector<Vec3>(
       "L after a step of 0.3 s [kg m²/s]", "Eq. (2.11)", top.L(), start.L(), roundings(64, 5),
-      {{L_with(start.omega), "ω is still the old one: with L fixed and q new, ω = I⁻¹ L has changed."},
-       {L_with(top.q.conjugate() * omega_right), "The new ω is in body coordinates; the world's is asked for."},
+      {{L_with(start.omega), "This is the old ω. L is fixed and q is new, so ω = I⁻¹ L has changed."},
+       {L_with(top.q.conjugate() * omega_right),
+        "The new ω is in body coordinates. Return it in world "
+        "coordinates."},
        {L_with(world_inertia(top.q, top.principal) * start.L()),
         "This ω is I L: ω = I⁻¹ L takes the inverse moments, world_inertia(q, principal.cwiseInverse())."},
        {Vec3(start.principal.cwiseProduct(start.omega)),
         "L was formed from moments along the body's axes and ω in the world: L = I_world(q) ω."},
        {L_with(top.q.conjugate() * start.omega), "The old ω, in body coordinates, has been returned."}},
-      "L in the world is a constant of the whole step: work it out once, before q moves, and get ω from it "
-      "after.");
+      "L in world coordinates is constant during the step. Compute it once, before q changes, and compute ω "
+      "from it afterwards.");
 }
 
 EXERCISE_TEST(FreeRotation, FollowsTheTrueMotion) {
@@ -101,8 +102,8 @@ EXERCISE_TEST(FreeRotation, FollowsTheTrueMotion) {
   const auto error = [&](double h) { return distance(after(start, time, h), truth); };
   expect_second_order(
       "random top, error of q and ω after 2 s", "Eq. (2.11)", error, 0.1, 1e-10,
-      "Order 1: is the second half the mirror image of the first, each turn with L as the body sees it "
-      "then? Order 0: another motion.");
+      "Order 1: the second half must mirror the first, and each turn needs L in the body coordinates of that "
+      "moment. Order 0: this is another motion.");
 }
 
 EXERCISE_TEST(FreeRotation, RunsBackToWhereItCameFrom) {
@@ -113,10 +114,12 @@ EXERCISE_TEST(FreeRotation, RunsBackToWhereItCameFrom) {
   expect_moved(top, start);
   for (int n = 1; n < 50; ++n) top.step(0.1);
   for (int n = 0; n < 50; ++n) top.step(-0.1);
-  expect_near("distance from the start after 50 steps of 0.1 s forth and 50 back", "Eq. (2.11)",
+  expect_near("distance from the start after 50 steps of 0.1 s forwards and 50 backwards", "Eq. (2.11)",
               distance(top, start), 0,
-              {1e-11, "100 steps of 16 roundings, times e^(5 s · 0.7/s), how fast neighbours part at most"}, {},
-              "A sequence of turns that reads the same from both ends runs back on itself.");
+              {1e-11,
+               "100 steps of 16 roundings, times e^(5 s · 0.7/s), the fastest growth of a small "
+               "difference"},
+              {}, "A symmetric sequence of turns is reversible.");
 }
 
 EXERCISE_TEST(FreeRotation, SpinsOnAboutAPrincipalAxis) {
@@ -152,14 +155,14 @@ EXERCISE_TEST(FreeRotation, OfASphereIsAPlainTurn) {
   Top sphere{Vec3::Constant(0.4), random.rotation(), 2 * random.unit_vector()};
   const Top end = after(sphere, 1, 0.1);
   expect_near_vector<Vec3>("ω of a sphere after 1 s [rad/s]", "Eq. (2.8)", end.omega, sphere.omega,
-                           roundings(64 * 10, 2), {}, "For a sphere ω = L/I, and L is fixed.");
+                           roundings(64 * 10, 2), {}, "For a sphere ω = L/I, and L is constant.");
   const auto error = [&](double h) {
     const Quat exact = update_exponential(sphere.q, sphere.omega, 1);
     return distance(after(sphere, 1, h), {sphere.principal, exact, sphere.omega});
   };
   expect_second_order(
       "sphere, distance from the turn by |ω| about ω after 1 s", "Eq. (2.6), (2.11)", error, 0.1, 1e-10,
-      "A sphere turns by h|ω| about ω; turns about three axes in a row come near that by order 2.");
+      "A sphere turns by h|ω| about ω. Turns about three axes in a row approximate this to order 2.");
 }
 
 // ω = L/I1 + ω_3 (1 - I3/I1) e_3: the body spins about its axis e_3, and e_3 goes round L at |L|/I1.
@@ -175,7 +178,7 @@ EXERCISE_TEST(FreeRotation, OfASymmetricTopPrecesses) {
   truth.omega = top.L() / I1 + spin * (truth.q * Vec3::UnitZ());
   const auto error = [&](double h) { return distance(after(top, time, h), truth); };
   expect_second_order("symmetric top, error of q and ω after 2 s", "Eq. (2.8), (2.11)", error, 0.1, 1e-10,
-                      "Its axis goes round L at |L|/I1, at a fixed angle. Order 0 is another speed.");
+                      "Its axis precesses about L at |L|/I1, at a fixed angle. Order 0 means another speed.");
 }
 
 EXERCISE_TEST(FreeRotation, DropsNothingSmall) {
@@ -188,13 +191,14 @@ EXERCISE_TEST(FreeRotation, DropsNothingSmall) {
       const std::string of = " of ω = " + show(Eigen::MatrixXd(omega)) + " rad/s";
       expect_near_vector<Vec3>("L after 1 ms" + of + ", less L before [kg m²/s]", "Eq. (2.8)",
                                top.L() - start.L(), Vec3::Zero(), roundings(64, start.L().norm()), {},
-                               "L is fixed in the world, each coefficient of it. " + small_is_dropped);
+                               "In world coordinates each coefficient of L is constant. " + small_is_dropped);
       const Vec3 mean = 2 * top.q.vec() / h;
       for (int c = 0; c < 3; ++c)
-        expect_near("mean ω about axis " + std::to_string(c + 1) + " in 1 ms" + of + ", over what it was",
-                    "Eq. (2.10), (2.11)", mean[c] / omega[c], 1,
-                    {10 * h, "ω changes by some h|ω|² within the step, and its small part by that part of it"},
-                    {{0, "It has not turned about this axis. " + small_is_dropped}}, small_is_dropped);
+        expect_near(
+            "mean ω about axis " + std::to_string(c + 1) + " in 1 ms" + of + ", over what it was",
+            "Eq. (2.10), (2.11)", mean[c] / omega[c], 1,
+            {10 * h, "within the step ω changes by about h|ω|², and its small part by the same fraction"},
+            {{0, "It has not turned about this axis. " + small_is_dropped}}, small_is_dropped);
       if (::testing::Test::HasFailure()) return;
     }
 }
@@ -220,7 +224,8 @@ EXERCISE_TEST(FreeRotation, TakesMomentsInAnyOrder) {
     const auto error = [&](double h) { return distance(after(top, time, h), truth); };
     given() = "given the moments " + show(Eigen::MatrixXd(principal)) + " kg m²";
     expect_second_order("error of q and ω after 1 s", "Eq. (2.11)", error, 0.1, 1e-9,
-                        "No axis is special, and two moments may be equal: each turn takes its own axis's.");
+                        "No axis is special, and two moments may be equal. Each turn takes the moment of its "
+                        "own axis.");
     if (::testing::Test::HasFailure()) return;
   }
 }

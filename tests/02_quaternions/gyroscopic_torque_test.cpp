@@ -1,4 +1,4 @@
-// The gyroscopic torque by itself: Euler's equations, where it is zero, and that it does no work.
+// The gyroscopic torque alone: Euler's equations, where it is zero, and that it does no work.
 #include "exercise_test.hpp"
 #include "relative_scales.hpp"
 #include "rotations.hpp"
@@ -25,18 +25,17 @@ EXERCISE_TEST(GyroscopicTorque, IsEulersInBodyAxes) {
       "gyroscopic torque for moments 1, 2, 4 and ω = (1, 1, 1) [N m]", "Eq. (2.9)", got, {-2, 3, -1},
       roundings(8, 4),
       {{{2, -3, 1},
-        "The sign: this is +ω × Iω. In Eq. (2.8) it stands on the side of the torques with a minus."},
+        "The sign: this is +ω × Iω. In Eq. (2.8) it stands with a minus on the side of the torques."},
        {Vec3::Zero(), "This is 0: the cross product of ω with itself. The second factor is L = Iω."},
        {{-4, 6, -2}, "Twice too much: one of the terms of dL/dt is counted twice."},
-       {{-2, 1.5, -0.25},
-        "This has been divided by the inertia: it is an acceleration. A torque is asked for."}},
-      "Euler's equations: τ1 = (I2 - I3) ω2 ω3, and so on round.");
+       {{-2, 1.5, -0.25}, "This has been divided by the inertia, so it is an acceleration. Return a torque."}},
+      "Euler's equations: τ1 = (I2 - I3) ω2 ω3, and cyclically.");
 }
 
 EXERCISE_TEST(GyroscopicTorque, IsMinusOmegaCrossL) {
   const FreeTop b;
   const Vec3 got = gyroscopic_torque(b.inertia, b.omega);
-  // Euler's equations in body coordinates, then into the world's.
+  // Euler's equations in body coordinates, converted to world coordinates.
   const Vec3 w = b.R.transpose() * b.omega, I = b.principal;
   const Vec3 euler((I[1] - I[2]) * w[1] * w[2], (I[2] - I[0]) * w[2] * w[0], (I[0] - I[1]) * w[0] * w[1]);
   const Vec3 expected = b.R * euler;
@@ -44,14 +43,15 @@ EXERCISE_TEST(GyroscopicTorque, IsMinusOmegaCrossL) {
   expect_near_vector<Vec3>(
       "gyroscopic torque on a random body [N m]", "Eq. (2.9)", got, expected, roundings(64, 40),
       {{-expected,
-        "The sign: this is +ω × Iω. In Eq. (2.8) it stands on the side of the torques with a minus."},
+        "The sign: this is +ω × Iω. In Eq. (2.8) it stands with a minus on the side of the torques."},
        {Vec3::Zero(), "This is 0: the cross product of ω with itself. The second factor is L = Iω."},
        {2 * expected, "Twice too much: one of the terms of dL/dt is counted twice."},
        {b.inertia.inverse() * expected,
-        "This has been divided by the inertia: it is an acceleration. A torque is asked for."},
+        "This has been divided by the inertia, so it is an acceleration. Return a torque."},
        {-b.omega.cross(b.inertia.inverse() * b.omega), "The inverse inertia has been used: L is Iω, not I⁻¹ω."},
        {-b.omega.cross(diagonal_only),
-        "Only the diagonal of the inertia has been used: in world coordinates the other six matter, too."}},
+        "Only the diagonal of the inertia has been used. In world coordinates the other six entries matter, "
+        "too."}},
       "Eq. (2.9): -ω × L, with L = Iω.");
 }
 
@@ -73,7 +73,8 @@ EXERCISE_TEST(GyroscopicTorque, IsZeroAboutAPrincipalAxis) {
 
 EXERCISE_TEST(GyroscopicTorque, DropsNoSmallTorque) {
   for (const double part : relative_scales) {
-    // Euler's equations again: a body that is nearly round, and one that nearly spins about an axis of its own.
+    // Euler's equations again: a body with nearly equal moments, and one that spins nearly about a principal
+    // axis.
     const Vec3 round(1, 1 + part, 1 - part),
         differences(round[1] - round[2], round[2] - round[0], round[0] - round[1]);
     expect_near_vector<Vec3>(
@@ -92,7 +93,7 @@ EXERCISE_TEST(GyroscopicTorque, DoesNoWork) {
   const FreeTop b;
   const Vec3 got = gyroscopic_torque(b.inertia, b.omega);
   expect_near("power ω · τ [W]", "Eq. (2.9)", b.omega.dot(got), 0, roundings(64, 100), {},
-              "The torque must be at right angles to ω: nothing feeds a body that spins freely.");
+              "The torque must be at right angles to ω: a body that spins freely gains no energy.");
   expect_near("L · τ, half the rate of |L|² [kg² m⁴/s³]", "Eq. (2.9)", (b.inertia * b.omega).dot(got), 0,
               roundings(64, 400), {}, "The torque must be at right angles to L = Iω: it only turns it.");
 }
@@ -102,7 +103,7 @@ EXERCISE_TEST(GyroscopicTorque, GrowsWithTheSquareOfOmega) {
   const Vec3 once = gyroscopic_torque(b.inertia, b.omega);
   expect_near_vector<Vec3>("torque at -3 ω, for one of 9 τ(ω) [N m]", "Eq. (2.9)",
                            gyroscopic_torque(b.inertia, -3 * b.omega), 9 * once, roundings(64, 400), {},
-                           "Eq. (2.9) has ω twice, so the way round does not matter.");
+                           "Eq. (2.9) has ω twice, so the sign of ω does not matter.");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The rate of a quaternion: which side ω stands on, the ½, and what the rate does to points of the body.
+// The rate of a quaternion: the side of ω, the factor ½, and the velocity of points of the body.
 #include "exercise_test.hpp"
 #include "rotations.hpp"
 
@@ -50,7 +50,7 @@ EXERCISE_TEST(QuaternionRate, IsHalfOmegaTimesQ) {
                     : "The sign: this body turns backwards."},
        {expected.normalized(),
         "The rate has been normalised. Only orientations have length 1; this is a rate, of length |ω|/2."},
-       {Vec4(w, v.x() / 2, v.y() / 2, v.z() / 2), "The ½ belongs to all four numbers; here w has not got it."},
+       {Vec4(w, v.x() / 2, v.y() / 2, v.z() / 2), "The ½ belongs to all four numbers. Here w lacks it."},
        {coefficients(omega_w_last * b.q) / 2,
         "ω was put in as (ωx, ωy, ωz, 0), but Quat(w, x, y, z) takes w first: only coeffs() has it last."}},
       "Eq. (2.3): ½ times the quaternion product of (0, ω) and q, in this order.");
@@ -63,7 +63,7 @@ EXERCISE_TEST(QuaternionRate, IsAtRightAnglesToQ) {
               coefficients(rate).dot(coefficients(b.q)), 0, roundings(16, 3),
               {{b.omega.x() / 2,
                 "ω has a real part: it was put in as (ωx, ωy, ωz, 0), but Quat(w, x, y, z) takes w first."}},
-              "A turning body keeps |q| = 1, so its rate can't point along q.");
+              "A turning body keeps |q| = 1, so its rate cannot point along q.");
   expect_near("|q'| [1/s]", "Eq. (2.3)", rate.norm(), b.omega.norm() / 2, roundings(16, 3),
               {{b.omega.norm(), "Twice too long: the ½ is missing."}}, "The rate has the length |ω|/2.");
 }
@@ -80,7 +80,7 @@ EXERCISE_TEST(QuaternionRate, MovesPointsByOmegaCrossR) {
       "velocity of a point of the body, from q' and Eq. (2.1) [m/s]", "Eq. (2.1), (2.3)", velocity, expected,
       roundings(64, 6),
       {{(b.q * b.omega).cross(b.q * r),
-        "The point turns about q ω q*: ω was taken for body coordinates. Multiply from the left."},
+        "The point turns about q ω q*, as if ω were in body coordinates. Multiply from the left."},
        {2 * expected, "Twice too fast: the ½ is missing."},
        {-expected, "The sign: the point moves backwards."}},
       "A point r of a turning body moves with ω × r.");
@@ -92,7 +92,7 @@ EXERCISE_TEST(QuaternionRate, GrowsWithOmega) {
   const Vec4 thrice = coefficients(quaternion_rate(b.q, 3 * b.omega));
   expect_near_vector<Vec4>(
       "q' at 3 ω, for one of 3 q'(ω) [1/s]", "Eq. (2.3)", thrice, 3 * once, roundings(32, 6),
-      {{once, "It does not depend on |ω|: the rate is not to be normalised."}}, "Eq. (2.3) is linear in ω.");
+      {{once, "This does not depend on |ω|: do not normalise the rate."}}, "Eq. (2.3) is linear in ω.");
   expect_near_vector<Vec4>("q' of a body at rest [1/s]", "Eq. (2.3)",
                            coefficients(quaternion_rate(b.q, Vec3::Zero())), Vec4::Zero(), {0, "exact"}, {},
                            "With ω = 0 the orientation does not change.");

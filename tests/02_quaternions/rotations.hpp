@@ -1,5 +1,5 @@
 #pragma once
-// What the tests of this chapter share: turns with known answers, and comparing rotations.
+// Shared by this chapter's tests: turns with known answers, and comparison of rotations.
 #include "02_quaternions/quaternions.hpp"
 #include "checks.hpp"
 
@@ -18,7 +18,7 @@ inline Quat turn_about(const Vec3& axis, double angle) {
   return {std::cos(angle / 2), v.x(), v.y(), v.z()};
 }
 
-/// ½ a b and the like, without leaving the quaternions.
+/// Multiplies all four coefficients, as in ½ a b.
 inline Quat scaled(double factor, const Quat& q) {
   return Quat(Vec4(factor * q.coeffs()));
 }
@@ -30,7 +30,8 @@ inline double angle_about(const Vec3& axis, const Quat& from, const Quat& to) {
   return std::remainder(2 * half_angle, 4 * std::acos(0.0));
 }
 
-/// As expect_near_vector on (w, x, y, z), but q and -q are the same rotation. A length other than 1 is a difference.
+/// Compares (w, x, y, z) as expect_near_vector does, except that q and -q are the same rotation. A length other
+/// than 1 counts as a difference.
 inline void expect_same_rotation(const std::string& what, const std::string& equation, const Quat& got,
                                  const Quat& expected, const Tolerance& tolerance,
                                  const std::vector<Clue<Quat>>& clues = {}, const std::string& otherwise = "") {

@@ -1,4 +1,4 @@
-// The gyroscopic torque put to use, ω += h I⁻¹ τ: it keeps L to first order in h, and it feeds the body energy.
+// A step with the gyroscopic torque, ω += h I⁻¹ τ: it conserves L to first order in h, and adds energy.
 #include "exercise_test.hpp"
 #include "rotations.hpp"
 
@@ -37,7 +37,7 @@ EXERCISE_TEST(GyroscopicTorque, KeepsLToFirstOrder) {
   expect_order(
       "top (1, 2, 3) at ω = (1, 1, 1), change of L after 2 s over |L|", "Eq. (2.8), (2.9)",
       [](double h) { return change_of_L(h, true); }, 0.02, 3, 1, 0.1,
-      "Order 0 means that ω changes by another torque than the one that keeps L: look at sign and factors.");
+      "Order 0 means that the torque is not the one that conserves L. Look at its sign and factors.");
 }
 
 EXERCISE_TEST(GyroscopicTorque, KeepsLWhereConstantOmegaDoesNot) {
@@ -45,11 +45,12 @@ EXERCISE_TEST(GyroscopicTorque, KeepsLWhereConstantOmegaDoesNot) {
   const double without = change_of_L(0.002, false);
   expect_at_most("change of L after 2 s, over the change with ω held constant", "Eq. (2.8)",
                  with_torque / without, 0.02,
-                 "ω constant turns L by about 1 rad, the torque leaves an error of some h |ω| = 0.0035",
-                 "Nothing pulls at the body, so nature keeps L, and ω must change.");
+                 "a constant ω turns L by about 1 rad; with the torque the error is about h |ω| = 0.0035",
+                 "No torque acts on the body, so L is constant, and ω must change.");
 }
 
-// The turn about ω leaves ½ ω · I ω as it is; the kick adds h ω · τ = 0 and ½ h² τ · I⁻¹ τ, never less than nothing.
+// The turn about ω leaves ½ ω · I ω as it is; the kick adds h ω · τ = 0 and ½ h² τ · I⁻¹ τ, which is never
+// negative.
 EXERCISE_TEST(GyroscopicTorque, FeedsAnExplicitStepEnergy) {
   Spin body;
   const double h = 0.01;
@@ -65,8 +66,8 @@ EXERCISE_TEST(GyroscopicTorque, FeedsAnExplicitStepEnergy) {
   expect_near("energy gained over 100 explicit steps, for one of Σ ½ h² τ·I⁻¹τ", "Eq. (2.9)", gain / expected,
               1, roundings(16 * 100, before / expected), {},
               "A torque that does no work leaves only the second-order term, which is positive at every step.");
-  expect_at_least("that gain, over the energy", "Eq. (2.9)", gain / before, 1e-4, "of the order of h² a step",
-                  "No torque?");
+  expect_at_least("this gain, relative to the energy", "Eq. (2.9)", gain / before, 1e-4,
+                  "of the order of h² a step", "No torque?");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The step of bodies that touch nothing: each by itself, exact where gravity is all there is.
+// The step of bodies without contacts: each moves by itself, and exactly where only gravity acts.
 #include "contract.hpp"
 #include "simulations.hpp"
 #include "top.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 EXERCISE(StepFree, "2.7 step_free");
 
-/// As many bodies as are asked for: tops, balls, point masses, and static ones among them.
+/// Returns so many bodies: tops, balls, point masses, and static bodies among them.
 Simulation bodies_of_all_kinds(Random& random, int count) {
   Simulation all;
   all.gravity = random.vector(5, 10);
@@ -23,7 +23,7 @@ Simulation bodies_of_all_kinds(Random& random, int count) {
   return all;
 }
 
-/// The step, by the functions of this chapter and the last, with what may be done wrongly.
+/// The step, made of the functions of chapters 01 and 02, with switches for known mistakes.
 struct Way {
   bool drifts_first = false, splits_balls = false, splits_tops = true;
   double drifts_by = 1, turns_by = 1;
@@ -72,9 +72,8 @@ EXERCISE_TEST(StepFree, MovesEachBodyByItself) {
   expect_same_bodies(
       "of 100 after a step of 0.1 s", "Eq. (1.3), (1.4), (2.6), (2.11)", got, moved(before, h), of_a_step,
       {{before,
-        "Nothing has changed: is it a copy of the body that moves (auto body, where auto& body is meant)?"},
-       {moved(before, h, {.drifts_first = true}),
-        "This drifts with the velocity of before the kick: kick first."},
+        "Nothing has changed. Does the step move a copy of the body (auto body, where auto& body is meant)?"},
+       {moved(before, h, {.drifts_first = true}), "This drifts with the velocity before the kick: kick first."},
        {moved(before, h, {.splits_tops = false}),
         "This turns a top as if its ω were constant, by Eq. (2.6): three different moments need Eq. (2.11)."},
        {moved(before, h, {.splits_balls = true}),
@@ -83,7 +82,7 @@ EXERCISE_TEST(StepFree, MovesEachBodyByItself) {
        {moved(before, h, {.turns_by = 2}), "It has turned twice."},
        {moved(before, h, {.drifts_by = 0}), "It has not drifted."},
        {moved(before, h, {.drifts_by = 2}), "It has drifted twice."},
-       {heavy, "The force m g is divided by m: Eq. (1.3) takes 1/m, and here it has not been used."},
+       {heavy, "The inverse mass has not been used: Eq. (1.3) multiplies the force m g by 1/m."},
        {fixed_fall, "A body with mass 0 is static: it does not fall."}},
       ends_early);
 }
@@ -95,7 +94,7 @@ EXERCISE_TEST(StepFree, LeavesAStaticBodyAlone) {
   const Simulation before = all;
   step_free(all, 0.1);
   expect_same_bodies("after a step, static", "Eq. (1.3)", all, before, {0, "nothing is computed"}, {},
-                     "A static body has mass 0. It stays, and 1/0 must not come near it.");
+                     "A static body has mass 0. Skip it, so that no division by 0 reaches it.");
 }
 
 // A point mass has no moments: nothing divides by them.
@@ -108,10 +107,10 @@ EXERCISE_TEST(StepFree, TurnsNoPointMass) {
   step_free(all, 0.1);
   expect_true("orientation of a point mass stays as it was", "Eq. (2.11)",
               all.bodies[0].q.coeffs() == before.coeffs() && all.bodies[0].omega == Vec3::Zero(),
-              "A point mass has moments of zero, and I⁻¹ would be infinite: leave out how it turns.");
+              "A point mass has moments of zero, so I⁻¹ would be infinite. Leave out its rotation.");
 }
 
-// From rest n steps fall by g h² n(n+1)/2, Eq. (1.7); a top that falls keeps L.
+// From rest, n steps fall by g h² n(n+1)/2, Eq. (1.7). A falling top conserves L.
 EXERCISE_TEST(StepFree, FallsExactlyAndKeepsAngularMomentum) {
   const double h = 0.02;
   const int n = 1000;
@@ -123,12 +122,13 @@ EXERCISE_TEST(StepFree, FallsExactlyAndKeepsAngularMomentum) {
   const double fall = 9.81 * h * h * n * (n + 1) / 2;
   expect_near("height of a tumbling body after 1000 steps from rest [m]", "Eq. (1.7)", body.x.z(), -fall,
               roundings(4 * n, fall),
-              {{-fall * (n - 1) / (n + 1), "It drifts with the velocity of before the kick."}},
-              "A body falls alike whether it turns or not.");
-  expect_near_vector<Vec3>("L of a tumbling body after 1000 steps [kg m²/s]", "Eq. (2.11)",
-                           Top{start.principal, body.q, body.omega}.L(), start.L(), roundings(16.0 * n, 2), {},
-                           "No torque acts: L = I ω is what free_rotation keeps. Is ω changed besides?");
-  expect_at_least("how far it has turned and moved from where it began", "Eq. (2.11)",
+              {{-fall * (n - 1) / (n + 1), "It drifts with the velocity before the kick."}},
+              "The fall does not depend on the rotation.");
+  expect_near_vector<Vec3>(
+      "L of a tumbling body after 1000 steps [kg m²/s]", "Eq. (2.11)",
+      Top{start.principal, body.q, body.omega}.L(), start.L(), roundings(16.0 * n, 2), {},
+      "No torque acts, and free_rotation conserves L = I ω. Does something else change ω?");
+  expect_at_least("distance from the start in q and ω", "Eq. (2.11)",
                   distance({start.principal, body.q, body.omega}, start), 0.01, "half of its period of 39 s",
                   "It does not turn.");
 }
@@ -143,7 +143,7 @@ EXERCISE_TEST(StepFree, RejectsAStepThatIsNotPositive) {
   Simulation nobody;
   expect_rejects(
       "h = 0, with no bodies", "h", [&] { step_free(nobody, 0); },
-      "A step that makes no sense is refused whether or not there is something to move: check it first.");
+      "Check h first: a step that makes no sense is refused even if there is nothing to move.");
 }
 
 EXERCISE_TEST(StepFree, IsTheSameInAnyUnits) {

@@ -1,5 +1,5 @@
 #pragma once
-// A body that nothing pulls at, and what is known of its motion.
+// A body without forces and torques, and its known motion.
 #include "exercise_test.hpp"
 #include "rotations.hpp"
 
@@ -22,7 +22,7 @@ inline Top after(Top top, double time, double h) {
   return top;
 }
 
-/// No two moments alike, spinning about no axis of its own.
+/// Three different moments, and a spin about none of the principal axes.
 inline Top random_top(Random& random) {
   Top top;
   top.principal = {random.uniform(2, 2.3), random.uniform(3, 3.3), random.uniform(4, 4.3)};
@@ -31,7 +31,8 @@ inline Top random_top(Random& random) {
   return top;
 }
 
-/// Moments 1, 2, 3, spinning nearly about the middle axis, on which it can't stay: every half period it tumbles over.
+/// Moments 1, 2, 3, spinning nearly about the middle axis. This spin is unstable: the body tumbles over every
+/// half period.
 inline Top tumbling_top() {
   return {Vec3(1, 2, 3), Quat(1, 0, 0, 0), Vec3(0.01, 1, 0.01)};
 }
@@ -58,7 +59,8 @@ inline double tumbling_period() {
   return 4 * complete_elliptic_integral(1 - k_squared) / omega_p;
 }
 
-/// The same motion by brute force: q' = ½ ω q with ω = I⁻¹ L and L fixed, in `steps` Runge-Kutta steps of order 4.
+/// Integrates the same motion directly: q' = ½ ω q with ω = I⁻¹ L and L constant, by `steps` Runge-Kutta steps
+/// of order 4.
 inline Top true_motion(const Top& start, double time, int steps) {
   const Vec3 L = start.L();
   const auto omega_at = [&](const Quat& q) -> Vec3 {
@@ -80,20 +82,21 @@ inline Top true_motion(const Top& start, double time, int steps) {
   return {start.principal, q, omega_at(q)};
 }
 
-/// How far apart two states are: the chord between the orientations, and ω relative to its size.
+/// Returns the distance of two states: the chord between the orientations, and the relative difference of ω.
 inline double distance(const Top& a, const Top& b) {
   const double sign = a.q.dot(b.q) < 0 ? -1 : 1;
   return std::hypot((coefficients(a.q) - sign * coefficients(b.q)).norm(),
                     (a.omega - b.omega).norm() / b.omega.norm());
 }
 
-/// For a test of what stays the same: after a first step of 0.1 s or more, something must not.
+/// For tests of conserved quantities: expects that a first step of 0.1 s or more changes the state.
 inline void expect_moved(const Top& top, const Top& start) {
   expect_at_least("distance from the start in q and ω, after one step", "Eq. (2.10)", distance(top, start),
                   0.01, "it spins at about 1 rad/s", "The body has not moved: q and ω are changed in place.");
 }
 
-/// expect_order 2, at steps h to h/8; an error that is already down at `exact` with the finest step passes, too.
+/// Calls expect_order for order 2, with steps h to h/8. An error as small as `exact` at the finest step passes,
+/// too.
 inline void expect_second_order(const std::string& what, const std::string& equation,
                                 const std::function<double(double)>& error, double h, double exact,
                                 const std::string& clue) {

@@ -29,9 +29,8 @@ double measured_period(double h) {
 EXERCISE_TEST(FreeRotation, HasTheTopsPeriod) {
   const double h = 0.005, period = tumbling_period();
   const std::string otherwise =
-      "The distance to a top that never tumbles is 2e-4 of the energy, so the period shows the smallest "
-      "mistake. "
-      "NaN: it never tumbled.";
+      "A change of 2e-4 in the energy would end the tumbling, so the period shows the smallest mistake. NaN "
+      "means that it never tumbled.";
   expect_near("period of the top at h = 0.005 s [s]", "Eq. (2.12)", measured_period(h), period,
               {period * h * h, "(h ω)² of the period"}, {}, otherwise);
   expect_second_order(
@@ -47,9 +46,10 @@ EXERCISE_TEST(FreeRotation, StandsOnItsHeadAfterHalfAPeriodAndReturns) {
                       (foot.omega_body() - Vec3(0.01, 1, 0.01)).norm());
   };
   expect_second_order(
-      "ω in body coordinates, off (-0.01, -1, 0.01) after half a period and off the start after one [rad/s]",
+      "ω in body coordinates: difference from (-0.01, -1, 0.01) after half a period, and from the start after "
+      "one [rad/s]",
       "Eq. (2.12)", error, 0.1, 1e-10,
-      "Half way through, axis 2 points the other way. With ω constant it never would.");
+      "After half a period, axis 2 points the other way. With a constant ω it never does.");
 }
 
 EXERCISE_TEST(FreeRotation, KeepsLFor1e5Steps) {
@@ -61,10 +61,11 @@ EXERCISE_TEST(FreeRotation, KeepsLFor1e5Steps) {
   for (int n = 1; n < steps; ++n) top.step(0.1);
   expect_near_vector<Vec3>(
       "L after 1e5 steps of 0.1 s [kg m²/s]", "Eq. (2.11)", top.L(), before, roundings(16.0 * steps, 2), {},
-      "Each step hands on L by ω = I⁻¹ L, and the next gets it by L = I ω: with the same q? A q that is "
-      "not normalised makes each of the two wrong by its length.");
-  expect_near("|q| after 1e5 steps", "Eq. (2.11)", top.q.norm(), 1, roundings(16.0 * steps), {},
-              "Turns are unit quaternions, so |q| = 1 but for roundings; normalise to take these away, too.");
+      "A step ends with ω = I⁻¹ L, and the next one begins with L = I ω. Do both use the same q? If q is not "
+      "normalised, its length makes both wrong.");
+  expect_near(
+      "|q| after 1e5 steps", "Eq. (2.11)", top.q.norm(), 1, roundings(16.0 * steps), {},
+      "Turns are unit quaternions, so |q| = 1 up to round-off. Normalise to remove the round-off, too.");
 }
 
 EXERCISE_TEST(FreeRotation, KeepsEnergyInItsBandFor1e5Steps) {
@@ -84,12 +85,14 @@ EXERCISE_TEST(FreeRotation, KeepsEnergyInItsBandFor1e5Steps) {
     before = now;
   }
   expect_at_most("largest relative error of the energy over two periods", "Eq. (2.11)", early, h * h, "(h ω)²",
-                 "An explicit gyroscopic torque feeds the top at every step.");
+                 "An explicit gyroscopic torque adds energy in every step.");
   expect_at_most("the same over 1e5 steps", "Eq. (2.11)", all, 1.05 * early + 1e5 * 16 * 2.3e-16,
                  "the band does not widen; 5 % for where the steps fall, and 1e5 steps of 16 roundings",
-                 "A reversible step swings in energy, but does not gain.");
-  expect_near("times that it tumbled from head to foot in 1e4 s", "Eq. (2.12)", tumbles, 1e4 / period,
-              {5, "2 %, as a period of a few (hω)² more or less makes"}, {}, "One a period of 39.1 s.");
+                 "The energy of a reversible step oscillates, but does not grow.");
+  expect_near("number of times that it tumbled over in 1e4 s", "Eq. (2.12)", tumbles, 1e4 / period,
+              {5, "2 %, the effect of an error of a few (hω)² in the period"}, {},
+              "It tumbles once in each "
+              "period of 39.1 s.");
 }
 
 }  // namespace

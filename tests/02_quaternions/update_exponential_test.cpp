@@ -47,7 +47,7 @@ EXERCISE_TEST(UpdateExponential, TurnsByTheWholeAngleAboutOmega) {
         "The four numbers are in the wrong places: Quat(w, x, y, z) takes w first; only coeffs() has it last."},
        {long_axis * q, "The axis has the length |ω|: divide ω by |ω|, so that the turn is a unit quaternion."},
        {(long_axis * q).normalized(),
-        "The axis has the length |ω|: normalising afterwards hides it, but bends the angle."},
+        "The axis has the length |ω|. Normalising afterwards hides this, but the angle is wrong."},
        {turned_by(2 * std::atan(x / 2)),
         "This is the first-order update, 2 atan(hω/2): Eq. (2.5). Here θ is exact."},
        {turned_by(speed), "h is missing: this turns for a whole second."},
@@ -68,7 +68,7 @@ EXERCISE_TEST(UpdateExponential, MakesSeveralTurnsInOneStep) {
                          roundings(16 + 4 * angle),
                          {{turn_about(axis, 2 * std::atan(angle / 2)) * q,
                            "This is the first-order update: it never turns by more than half a turn a step."}},
-                         "Eq. (2.6) holds for any angle: sine and cosine, no series cut short.");
+                         "Eq. (2.6) holds for any angle. Use sine and cosine, not a truncated series.");
   }
 }
 
@@ -80,10 +80,9 @@ EXERCISE_TEST(UpdateExponential, LeavesABodyAtRestAlone) {
                          update_exponential(q, Vec3(0, 0, speed), 1), q, roundings(8), {},
                          "ω/|ω| is 0/0 at rest, and |ω|² is 0 long before ω is. Only sin(θ/2)/|ω| is needed, "
                          "and it tends to h/2.");
-  expect_same_rotation(
-      "q after a step of h = 0 at 3 rad/s (w, x, y, z)", "Eq. (2.6)", update_exponential(q, Vec3(0, 0, 3), 0),
-      q, roundings(8), {},
-      "In no time nothing turns. A step of 0 is a step like any other: put no other in its place.");
+  expect_same_rotation("q after a step of h = 0 at 3 rad/s (w, x, y, z)", "Eq. (2.6)",
+                       update_exponential(q, Vec3(0, 0, 3), 0), q, roundings(8), {},
+                       "A step of 0 turns nothing. Do not replace it by another step.");
 }
 
 EXERCISE_TEST(UpdateExponential, DropsNoSmallTurn) {
@@ -93,9 +92,10 @@ EXERCISE_TEST(UpdateExponential, DropsNoSmallTurn) {
     expect_near_vector<Vec3>(
         "axis part of q = 1 after 1 s at |ω| = " + show(speed) + " rad/s, over |ω|/2", "Eq. (2.6)",
         got.vec() / (speed / 2), std::sin(speed / 2) / (speed / 2) * axis, roundings(16),
-        {{Vec3::Zero(), "The turn was dropped for being small: a million of them add up to a lot."}},
+        {{Vec3::Zero(), "This small turn was dropped. A million of them add up to a large one."}},
         "For a small angle, the axis part tends to (h/2) ω. From h|ω| = 1e-7 on the next term of the sine, "
-        "(h|ω|)²/24 of it, is more than a rounding, and may not be left out.");
+        "with "
+        "the factor (h|ω|)²/24, is larger than a rounding and is needed.");
   }
 }
 
@@ -117,11 +117,13 @@ EXERCISE_TEST(UpdateExponential, ClosesTheCircleInAnyNumberOfSteps) {
     const double h = 0.01, angle = 2 * pi / steps;
     Quat q = start;
     for (int n = 0; n < steps; ++n) q = update_exponential(q, angle / h * axis, h);
-    expect_same_rotation("q after one turn in " + std::to_string(steps) + " steps (w, x, y, z)", "Eq. (2.6)", q,
-                         start, roundings(16 * steps + 16),
-                         {{turn_about(axis, steps * 2 * std::atan(angle / 2)) * start,
-                           "The circle stays open: this is the first-order update, too slow by Eq. (2.5)."}},
-                         "With ω constant there is no error a step: N steps of 2π/N make one turn.");
+    expect_same_rotation(
+        "q after one turn in " + std::to_string(steps) + " steps (w, x, y, z)", "Eq. (2.6)", q, start,
+        roundings(16 * steps + 16),
+        {{turn_about(axis, steps * 2 * std::atan(angle / 2)) * start,
+          "The circle does not close: this is the first-order update, which is too slow by Eq. "
+          "(2.5)."}},
+        "With a constant ω a step has no error: N steps of 2π/N make one turn.");
   }
 }
 
@@ -134,7 +136,7 @@ EXERCISE_TEST(UpdateExponential, KeepsUnitLength) {
               "The turn must be a unit quaternion: cos² + sin² = 1 needs an axis of length 1.");
 }
 
-// A turn's own error, a rounding or two, goes the same way at every step while the turn stays the same.
+// Equal turns have equal errors of a rounding or two, so the errors add up with one sign.
 EXERCISE_TEST(UpdateExponential, LetsNoRoundingsOfTheLengthAddUp) {
   Random random;
   double farthest = 0;
@@ -145,9 +147,9 @@ EXERCISE_TEST(UpdateExponential, LetsNoRoundingsOfTheLengthAddUp) {
     farthest = std::max(farthest, std::abs(q.norm() - 1));
   }
   expect_at_most("| |q| - 1 | after 1e4 equal turns, the largest of ten", "Eq. (2.6)", farthest, 16 * 2.3e-16,
-                 "16 roundings, those of the last step: each coefficient has a few, whatever was before",
-                 "The product of two unit quaternions is one, but for a rounding a step, and those add up: "
-                 "normalise it. (2.7) takes q for a unit quaternion.");
+                 "16 roundings, all of the last step: each coefficient has a few",
+                 "The product of two unit quaternions has length 1 up to a rounding, but these add up step by "
+                 "step. Normalise it, since (2.7) assumes |q| = 1.");
 }
 
 EXERCISE_TEST(UpdateExponential, BackwardsUndoesForwards) {
@@ -158,7 +160,7 @@ EXERCISE_TEST(UpdateExponential, BackwardsUndoesForwards) {
   expect_same_rotation(
       "q after an update of h and one of -h (w, x, y, z)", "Eq. (2.6)", update_exponential(there, omega, -0.7),
       q, roundings(32), {},
-      "The angle h|ω| is negative when h is. A test for a small angle must not take it for small.");
+      "The angle h|ω| is negative when h is. Do not treat it as small: compare its absolute value.");
 }
 
 EXERCISE_TEST(UpdateExponential, TurnsFromAnyOrientation) {

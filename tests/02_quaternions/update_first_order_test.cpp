@@ -1,4 +1,4 @@
-// The notes' update: a step along the tangent, and back to the unit sphere. It turns by 2 atan(h|ω|/2).
+// The notes' update: a step along the tangent, then normalisation. It turns by 2 atan(h|ω|/2).
 #include "exercise_test.hpp"
 #include "regions.hpp"
 #include "relative_scales.hpp"
@@ -32,7 +32,7 @@ EXERCISE_TEST(UpdateFirstOrder, TurnsByTwiceTheArcTangent) {
         "The direction is right, the length is not: normalise the sum."},
        {scaled(1 / std::sqrt(1 + x * x / 4), expected),
         "The direction is right, the length is not: divide by the norm, not by its square."},
-       {turned_by(2 * std::atan(x)), "The step is twice too long: is the ½ of Eq. (2.3) in?"},
+       {turned_by(2 * std::atan(x)), "The step is twice too long: does it contain the ½ of Eq. (2.3)?"},
        {turned_by(2 * std::atan(x / 4)), "The step is half too short: the ½ is already in quaternion_rate."},
        {turned_by(-2 * std::atan(x / 2)), "This body turns backwards."},
        {s.q * turn_about(s.axis, 2 * std::atan(x / 2)),
@@ -44,38 +44,40 @@ EXERCISE_TEST(UpdateFirstOrder, TurnsByTwiceTheArcTangent) {
         "This is the rate alone, normalised. Add h times it to q."},
        {s.q, "q has not moved."},
        {turned_by(x),
-        "This turns by h|ω|, exactly: that is exercise 2.3. Here the notes' update is asked for, to compare."}},
+        "This turns by h|ω|, exactly: that is exercise 2.3. This exercise is the notes' update, for "
+        "comparison."}},
       std::abs(coefficients(got).norm() - 1) > 1e-12
-          ? "Its length is not 1: divide by the length of q + h q', itself, by the root and not by a few terms "
-            "of it."
+          ? "Its length is not 1. Divide q + h q' by its exact length, with a square root and not a series."
           : "Eq. (2.4): q plus h times quaternion_rate, then normalised.");
 }
 
-// An odd number of steps: who divides by |q|² where |q| belongs comes back at every even one.
+// The number of steps is odd, since a division by |q|² in place of |q| corrects itself at each even step.
 EXERCISE_TEST(UpdateFirstOrder, KeepsUnitLengthFor1001Steps) {
   const Vec3 omega(0, 0, 1);
   const double h = 0.1;
   const int steps = 1001;
   Quat q(1, 0, 0, 0);
   for (int n = 0; n < steps; ++n) q = update_first_order(q, omega, h);
-  expect_near("|q| after 1001 steps, h ω = 0.1", "Eq. (2.4)", q.norm(), 1, roundings(8),
-              {{std::pow(1 + h * h / 4, steps / 2.0),
-                "Each step has lengthened q by √(1 + (hω/2)²): it follows the tangent and never comes back. "
-                "Normalise."}},
-              "Normalise after the sum: the step leaves the unit sphere.");
+  expect_near(
+      "|q| after 1001 steps, h ω = 0.1", "Eq. (2.4)", q.norm(), 1, roundings(8),
+      {{std::pow(1 + h * h / 4, steps / 2.0),
+        "Each step has lengthened q by √(1 + (hω/2)²), since it follows the tangent of the unit sphere. "
+        "Normalise."}},
+      "Normalise after the sum: the step leaves the unit sphere.");
 }
 
 EXERCISE_TEST(UpdateFirstOrder, ComesBackToUnitLengthFromAnyDistance) {
   const Step s;
   for (const double x : {1.0, 1e-2, 1e-4, 1e-5, 1e-6, 2e-7}) {  // the sum is too long by x²/8
     const Quat next = update_first_order(s.q, s.omega, x / s.speed);
-    expect_near("|q| - 1 after an update with hω = " + show(x), "Eq. (2.4)", next.norm() - 1, 0, roundings(8),
-                {{x * x / 8, "This is the sum as it is. Small as it is, it adds up: normalise in every step."}},
-                "Normalise after the sum, however little it is off.");
+    expect_near(
+        "|q| - 1 after an update with hω = " + show(x), "Eq. (2.4)", next.norm() - 1, 0, roundings(8),
+        {{x * x / 8, "This is the sum itself. Its error is small but adds up: normalise in every step."}},
+        "Normalise after the sum, however small the error is.");
   }
 }
 
-// 2 atan(x/2)/x - 1 = -x²/12 + x⁴/80 - …, an alternating series: what is left out is less than its first term.
+// 2 atan(x/2)/x - 1 = -x²/12 + x⁴/80 - …, an alternating series: the remainder is smaller than its first term.
 EXERCISE_TEST(UpdateFirstOrder, FallsShortByATwelfthOfTheSquare) {
   const Step s;
   for (const double x : {0.2, 0.1, 0.05}) {
@@ -84,8 +86,8 @@ EXERCISE_TEST(UpdateFirstOrder, FallsShortByATwelfthOfTheSquare) {
     expect_near(
         "relative error of the angle at hω = " + show(x), "Eq. (2.5)", relative_error, -x * x / 12,
         {std::pow(x, 4) / 80 + 1e-14, "the next term of the series, (hω)⁴/80"},
-        {{0, "The turn is exact: that is exercise 2.3. Here the notes' update is asked for, to compare."},
-         {2 * std::atan(x) / x - 1, "It turns twice as far: is the ½ of Eq. (2.3) in?"}},
+        {{0, "The turn is exact: that is exercise 2.3. This exercise is the notes' update, for comparison."},
+         {2 * std::atan(x) / x - 1, "It turns twice as far: does it contain the ½ of Eq. (2.3)?"}},
         "The tangent of length hω/2 to the unit circle spans an angle of atan(hω/2).");
   }
 }
@@ -101,7 +103,7 @@ EXERCISE_TEST(UpdateFirstOrder, TurnsTooSlowlyByOrderTwo) {
   };
   expect_order(
       "constant ω, error of the angle after 1 s [rad]", "Eq. (2.5)", error, 0.1, 3, 2, 0.1,
-      "With ω constant, the angle is off by (hω)²/12 of itself: order 2. Order 0 is another speed altogether.");
+      "With ω constant, the angle is off by (hω)²/12 of itself: order 2. Order 0 means another speed.");
 }
 
 EXERCISE_TEST(UpdateFirstOrder, LeavesABodyAtRestAlone) {
@@ -109,10 +111,8 @@ EXERCISE_TEST(UpdateFirstOrder, LeavesABodyAtRestAlone) {
   expect_same_rotation("q of a body with ω = 0 (w, x, y, z)", "Eq. (2.4)",
                        update_first_order(s.q, Vec3::Zero(), s.h), s.q, roundings(4), {},
                        "With ω = 0, Eq. (2.4) is q itself.");
-  expect_same_rotation(
-      "q after a step of h = 0 (w, x, y, z)", "Eq. (2.4)", update_first_order(s.q, s.omega, 0), s.q,
-      roundings(4), {},
-      "In no time nothing turns. A step of 0 is a step like any other: put no other in its place.");
+  expect_same_rotation("q after a step of h = 0 (w, x, y, z)", "Eq. (2.4)", update_first_order(s.q, s.omega, 0),
+                       s.q, roundings(4), {}, "A step of 0 turns nothing. Do not replace it by another step.");
 }
 
 EXERCISE_TEST(UpdateFirstOrder, BackwardsUndoesForwards) {

@@ -1,4 +1,4 @@
-// Inertia seen from the world: its axes turn with the body, its moments do not.
+// Inertia in world coordinates: its axes turn with the body, its moments do not.
 
 #include "algebra.hpp"
 #include "exercise_test.hpp"
@@ -15,7 +15,7 @@ EXERCISE(WorldInertia, "2.4 world_inertia");
 struct TurnedBody {
   Random random;
   Quat q = random.rotation();
-  // Well apart, and such that I1 + I2 > I3: moments that a body can have.
+  // Moments that are well apart and that a body can have: I1 + I2 > I3.
   Vec3 principal = {random.uniform(2, 2.4), random.uniform(3, 3.4), random.uniform(4, 4.4)};
   Mat3 R = q.toRotationMatrix();
 };
@@ -25,7 +25,7 @@ EXERCISE_TEST(WorldInertia, QuarterTurnSwapsTwoMoments) {
   expect_near_vector<Mat3>("inertia of an unturned body, moments 1, 2, 3 [kg m²]", "Eq. (2.7)", unturned,
                            Vec3(1, 2, 3).asDiagonal().toDenseMatrix(), roundings(16, 3),
                            {{Vec3(1, 1 / 2.0, 1 / 3.0).asDiagonal().toDenseMatrix(),
-                             "This is the inverse inertia. Whoever wants it passes inverse moments."}},
+                             "This is the inverse inertia. To get it, a caller passes inverse moments."}},
                            "With q = 1, body and world coordinates are the same.");
   const Mat3 turned = world_inertia(turn_about(Vec3::UnitZ(), std::acos(0.0)), Vec3(1, 2, 3));
   expect_near_vector<Mat3>(
@@ -35,14 +35,14 @@ EXERCISE_TEST(WorldInertia, QuarterTurnSwapsTwoMoments) {
         "These are the body's own coordinates: q has not been used."},
        {Vec3(-2, -1, 3).asDiagonal().toDenseMatrix(), "This is R I R: the right one must be transposed."},
        {Vec3(-2, 1, 3).asDiagonal().toDenseMatrix(),
-        "The moments are no vector: they belong to axes, and the axes turn."}},
+        "The moments are not a vector. They belong to axes, and the axes turn."}},
       "The body's axis 1 points along y now, so the moment about y is I1.");
 }
 
 EXERCISE_TEST(WorldInertia, IsTheSumOverTheBodysAxes) {
   const TurnedBody b;
   const Mat3 got = world_inertia(b.q, b.principal);
-  Mat3 expected = Mat3::Zero();  // Σ I_c e_c e_cᵀ, with the body's axes e_c as the world sees them
+  Mat3 expected = Mat3::Zero();  // Σ I_c e_c e_cᵀ, with the body's axes e_c in world coordinates
   for (int c = 0; c < 3; ++c) {
     const Vec3 axis = b.q * Vec3::Unit(c);
     expected += b.principal[c] * axis * axis.transpose();
@@ -55,12 +55,14 @@ EXERCISE_TEST(WorldInertia, IsTheSumOverTheBodysAxes) {
         "This is Rᵀ I R: it takes world to body coordinates. A column of R is an axis of the body, so R stands "
         "left."},
        {body, "This is still in body coordinates: q has not been used."},
-       {b.R * body, "This is R I: the second half, Rᵀ, is missing. An inertia has two sides to turn."},
-       {body * b.R.transpose(), "This is I Rᵀ: R is missing on the left. An inertia has two sides to turn."},
+       {b.R * body, "This is R I: the second half, Rᵀ, is missing. An inertia is multiplied from both sides."},
+       {body * b.R.transpose(),
+        "This is I Rᵀ: R is missing on the left. An inertia is multiplied from both "
+        "sides."},
        {b.R * body * b.R, "This is R I R: the right one must be transposed."},
        {turned_moments.asDiagonal().toDenseMatrix(),
-        "The three moments were turned like a vector. They belong to axes: it is the axes that turn."},
-       {expected.inverse(), "This is the inverse inertia. Whoever wants it passes inverse moments."}},
+        "The three moments were rotated like a vector. They belong to axes, and only the axes turn."},
+       {expected.inverse(), "This is the inverse inertia. To get it, a caller passes inverse moments."}},
       "Eq. (2.7): R diag(I1, I2, I3) Rᵀ with R = R(q).");
 }
 
@@ -114,8 +116,8 @@ EXERCISE_TEST(WorldInertia, TakesMomentsInAnyOrder) {
     expect_near_vector<Mat3>(
         "inertia of a body with the moments " + show(Eigen::MatrixXd(principal)) + " [kg m²]", "Eq. (2.7)",
         world_inertia(b.q, principal), with(principal), roundings(64, 5),
-        {{with(sorted), "The moments have been sorted: each belongs to its own axis."},
-         {with(sorted.reverse()), "The moments have been sorted: each belongs to its own axis."}},
+        {{with(sorted), "The moments have been sorted. Each must stay with its own axis."},
+         {with(sorted.reverse()), "The moments have been sorted. Each must stay with its own axis."}},
         "No axis is special, and two moments may be equal.");
     if (::testing::Test::HasFailure()) return;
   }

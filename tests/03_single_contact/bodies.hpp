@@ -6,7 +6,7 @@
 
 namespace spook::testing {
 
-/// A solid box of 0.5 to 2 kg with edges of 0.4 to 1.2 m, turned any way.
+/// Returns a solid box of 0.5 to 2 kg with edges of 0.4 to 1.2 m, in any orientation.
 struct RandomBody {
   double mass;
   InverseMass<6> inverse_mass;
@@ -28,7 +28,7 @@ struct RandomPair {
         j(random),
         contact{0, 1, random.unit_vector(), random.uniform(-0.01, 0.01), random.vector(), random.vector()} {}
 
-  /// What K can be at most: the size of the numbers that are added up in it [1/kg].
+  /// The largest possible |K|: the size of the numbers that are added up in it [1/kg].
   double size() const {
     return 1 / i.mass + 1 / j.mass + contact.r_i.squaredNorm() * i.inverse_mass.angular.norm() +
            contact.r_j.squaredNorm() * j.inverse_mass.angular.norm();

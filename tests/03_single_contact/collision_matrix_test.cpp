@@ -24,7 +24,7 @@ Mat3 cross_matrix(const Vec3& r) {
   return result;
 }
 
-// What an impulse J at r does to the velocity of the point at r: the share of one body in K J.
+// Returns the change of velocity of the point at r by an impulse J there: one body's share of K J.
 Vec3 point_kick(const InverseMass<6>& body, const Vec3& r, const Vec3& J) {
   const Vec3 dv = body.linear * J, domega = body.angular * r.cross(J);
   return dv + domega.cross(r);
@@ -46,11 +46,11 @@ EXERCISE_TEST(CollisionMatrix, TimesImpulseIsTheChangeOfRelativeVelocity) {
   expect_near_vector(
       "K J, change of the relative contact velocity [m/s]", "Eq. (3.8)", got, Vec3(from_i + from_j),
       roundings(64, pair.size() * J.norm()),
-      {{from_j, "Only body j gives way here. Body i has a share of its own, of the same form."},
-       {from_i, "Only body i gives way here. Body j has a share of its own, of the same form."},
+      {{from_j, "This is the share of body j alone. Body i has a share of the same form."},
+       {from_i, "This is the share of body i alone. Body j has a share of the same form."},
        {from_j - from_i,
         "The shares of the two bodies add up: the impulse on i is -J, and i counts with a minus."},
-       {linear, "The rotation is missing: both bodies also turn when they are hit beside the centre."},
+       {linear, "The rotation is missing: an impulse beside the centre also turns both bodies."},
        {linear - angular,
         "The sign of the rotation: K = (1/m_i + 1/m_j) 1 - [r] I⁻¹ [r] …, with a minus, as [r][r] is "
         "negative."},
@@ -77,7 +77,7 @@ EXERCISE_TEST(CollisionMatrix, TimesImpulseIsTheChangeOfRelativeVelocity) {
        {linear - (Rj * Aj * Rj - Ri * Ai * Ri) * J, "The sign of body i's rotation: both have a minus."},
        {linear - (Ri * Ai * Ri - Rj * Aj * Rj) * J, "The sign of body j's rotation: both have a minus."},
        {linear - (Ri * Ai * Ri + Rj * Aj * Rj).diagonal().cwiseProduct(J),
-        "Only the diagonal of K: a push along x moves the point along y and z, too."},
+        "This is only the diagonal of K. A push along x moves the point along y and z, too."},
        {linear - (Ri * Ai.inverse() * Ri + Rj * Aj.inverse() * Rj) * J,
         "InverseMass::angular is I⁻¹ already: do not invert it."}},
       "J turns a body by I⁻¹ (r × J), and its contact point then moves by ω × r.");
@@ -92,14 +92,14 @@ EXERCISE_TEST(CollisionMatrix, OfASphereOnAPlane) {
   expect_near_vector(
       "K of a sphere of 3 kg on a fixed plane, column by column [1/kg]", "Eq. (3.8)", K, expected,
       roundings(16, 2),
-      {{Mat3::Identity() / m, "The share of the rotation is missing: pushed at its rim, a sphere also turns."},
+      {{Mat3::Identity() / m, "The share of the rotation is missing: a push at its rim also turns a sphere."},
        {Vec3(-1.5 / m, -1.5 / m, 1 / m).asDiagonal(),
         "The rotation makes the point easier to move, not harder: [r] I⁻¹ [r] is negative, and so is its sign "
         "in K."},
-       {Mat3::Zero(), "This is the share of body i alone. Both bodies give way."},
+       {Mat3::Zero(), "This is the share of body i alone. An impulse moves both bodies."},
        {-expected, "K is the sum of both shares: the sphere's has a minus here."},
        {Mat3::Identity() * (3.5 / m),
-        "The rotation counts across r only: the middle matters, not |r|² alone."}},
+        "The rotation adds only across r: [r] I⁻¹ [r] has I⁻¹ in the middle, and |r|² alone is not enough."}},
       "1/m through the centre, 7/(2m) along the plane.");
 }
 
@@ -112,8 +112,11 @@ EXERCISE_TEST(CollisionMatrix, OfAFixedBodyAndAnotherIsTheOthersShare) {
   for (int k = 0; k < 3; ++k) share.col(k) = point_kick(free, r, Vec3::Unit(k));
   const std::string missing = "The share of the free body is missing.";
   const std::string short_arm =
-      "This is 1/m alone: the free body's arm has been left out. It counts, however long the other one is.";
-  const std::string rule = "All zero is a static body: it adds nothing. Multiply; never divide by 0.";
+      "This is 1/m alone: the free body's lever arm has been left out. It counts, however long the other one "
+      "is.";
+  const std::string rule =
+      "A static body has inverse masses of 0, so it adds nothing. Multiply by them; never "
+      "divide by 0.";
   expect_near_vector("K when body i is fixed, column by column [1/kg]", "Eq. (3.8)",
                      collision_matrix(fixed, far, free, r), share, roundings(64, pair.size()),
                      {{Mat3::Zero(), missing}, {free.linear * Mat3::Identity(), short_arm}}, rule);
@@ -144,7 +147,7 @@ EXERCISE_TEST(CollisionMatrix, IsSymmetricAndPositiveDefinite) {
     const Mat3 K = K_of(pair);
     const Mat3 skew = K - K.transpose();
     expect_near("|K - Kᵀ| [1/kg]", "Eq. (3.8)", skew.norm(), 0, roundings(64, pair.size()), {},
-                "K is symmetric: the transpose of [r] I⁻¹ [r] is itself. [r] and I⁻¹ may not change places.");
+                "K is symmetric: the transpose of [r] I⁻¹ [r] is itself. Keep the order of [r] and I⁻¹.");
     const double smallest = eigenvalues(K).minCoeff();
     expect_at_least(
         "smallest eigenvalue of K [1/kg]", "Eq. (3.8)", smallest,
@@ -173,7 +176,7 @@ EXERCISE_TEST(CollisionMatrix, AlongTheNormalIsTheMassThatTheRowSees) {
 }
 
 EXERCISE_TEST(CollisionMatrix, CountsLinearAndAngularApart) {
-  // A body on a pin turns and does not move; one in a sleeve moves and does not turn.
+  // A body on a pin turns but does not move. A body in a sleeve moves but does not turn.
   Random random;
   Regions regions(
       {"i does not move", "i does not turn", "j does not move", "j does not turn", "neither moves"});
@@ -198,7 +201,7 @@ EXERCISE_TEST(CollisionMatrix, CountsLinearAndAngularApart) {
         "K J, for J = " + show(Eigen::MatrixXd(J)) + " N s [m/s]", "Eq. (3.8)",
         Vec3(collision_matrix(i, r_i, j, r_j) * J), expected, roundings(64, pair.size()),
         {{share(i, r_i), "This is body i's share alone."}, {share(j, r_j), "This is body j's share alone."}},
-        "1/m and I⁻¹ are two things: where one of them is zero, the other still counts.");
+        "1/m and I⁻¹ are independent: where one of them is zero, the other still counts.");
   }
 }
 

@@ -1,4 +1,4 @@
-// One impulse: the SPOOK equation of a single row, and the projection.
+// The impulse of one contact: the SPOOK equation of a single row, and the projection.
 #include "03_single_contact/single_contact.hpp"
 #include "exercise_test.hpp"
 #include "regions.hpp"
@@ -24,9 +24,9 @@ EXERCISE_TEST(ContactImpulse, SolvesOneRowByHand) {
        {0.3 / 2, "The sign of the force term: forces that press the bodies together need a larger push."},
        {0.8 / 2, "The gap is missing on the right side."},
        {0.55 / 2, "The velocity G W is missing on the right side."},
-       {0.65 / 2, "The force term h G M⁻¹ f is missing: the contact would learn of the weight one step late."},
+       {0.65 / 2, "The force term h G M⁻¹ f is missing: the contact would carry the weight one step late."},
        {1.45 / 2, "The whole velocity has been taken: b G W, not G W."},
-       {0.825 / 2, "b weighs the old velocity only: the force term has no factor."},
+       {0.825 / 2, "b multiplies the old velocity only: the force term has no factor."},
        {1 / 1.75, "Σ is missing: divide by n·Kn + Σ."},
        {1 / 1.5, "The sign of Σ: divide by n·Kn + Σ."},
        {1 / 0.25, "n·Kn is missing: divide by n·Kn + Σ."},
@@ -37,8 +37,10 @@ EXERCISE_TEST(ContactImpulse, SolvesOneRowByHand) {
       "(n·Kn + Σ) λ = -a g - b G W - h G M⁻¹ f.");
   expect_near("the same between two static bodies, n·Kn = 0 [N s]", "Eq. (3.10)",
               contact_impulse(spook, 0, gap, velocity, force), 1 / 0.25, roundings(8),
-              {{1 / 1.25, "This took n·Kn for 1. Its 0 is a number like any other: both bodies are fixed."}},
-              "Σ alone is left to divide by.");
+              {{1 / 1.25,
+                "This took n·Kn for 1. Here it is 0, since both bodies are static, and needs no "
+                "special case."}},
+              "The divisor is Σ alone.");
 }
 
 SpookParameters some_parameters(Random& random, double h) {
@@ -72,15 +74,13 @@ EXERCISE_TEST(ContactImpulse, NeverPulls) {
     const double lambda = contact_impulse(c.spook, c.nKn, c.gap, c.velocity, c.force);
     const double unprojected = c.right_side() / (c.nKn + c.spook.Sigma);
     expect_at_least("λ [N s] for " + c.text(), "Eq. (3.11)", lambda, 0, "a contact pushes or does nothing",
-                    "Without the projection a contact is sticky: it pulls at what wants to leave.");
+                    "Without the projection a contact is sticky: it pulls at bodies that separate.");
     if (unprojected < 0)
       expect_near(
           "λ [N s] of a contact that lets go, for " + c.text(), "Eq. (3.11)", lambda, 0, {0, "exact"},
-          {{-unprojected,
-            "This is |λ|: a contact that should let go kicks its bodies apart. Take the larger of λ and 0."}},
-          "Where the equation wants λ < 0, the contact lets go: λ = 0. What is kept from pulling is the sum of "
-          "all that "
-          "it wants, not each part of it.");
+          {{-unprojected, "This is |λ|: it pushes bodies that already separate. Take the larger of λ and 0."}},
+          "Where the equation gives λ < 0, the contact lets go: λ = 0. Project the sum of all terms, not each "
+          "term by itself.");
   }
 }
 
@@ -110,7 +110,7 @@ EXERCISE_TEST(ContactImpulse, SolvesTheRowWheneverItPushes) {
   }
 }
 
-// Bodies that just touch: G W' = (1 - σ b) G W, σ = S/(S + Σ). They end up slower, and are not thrown back.
+// Bodies that just touch: G W' = (1 - σ b) G W, σ = S/(S + Σ). They end up slower, and do not bounce.
 EXERCISE_TEST(ContactImpulse, SlowsBodiesThatMeet) {
   Random random;
   for (int trial = 0; trial < 50 && !::testing::Test::HasFailure(); ++trial) {
@@ -122,14 +122,16 @@ EXERCISE_TEST(ContactImpulse, SlowsBodiesThatMeet) {
     expect_near("G W after two bodies have met at " + show(velocity) + " m/s, gap 0 [m/s]",
                 "Eq. (3.10), (3.12)", after, (1 - sigma * spook.b) * velocity, roundings(16, velocity),
                 {{velocity, "The contact did nothing."},
-                 {(1 + sigma * spook.b) * velocity, "The contact pulled: the sign of b G W."},
+                 {(1 + sigma * spook.b) * velocity, "The contact pulled. Look at the sign of b G W."},
                  {(1 - spook.b) * velocity, "Σ is missing: divide by n·Kn + Σ."},
                  {(1 - sigma) * velocity, "b is missing: b G W, not G W."}},
-                "What is left of the velocity is 1 - σ b of it.");
+                "The velocity afterwards is 1 - σ b times the velocity before.");
     // The change of kinetic energy is λ times the mean of G W before and after.
     expect_at_most("energy gained by the bodies as they meet [J]", "Eq. (3.12)",
-                   lambda * (velocity + after) / 2, 0, "a contact that is not squeezed holds no energy to give",
-                   "They were thrown back faster than they came.");
+                   lambda * (velocity + after) / 2, 0,
+                   "a contact without penetration stores no energy that it "
+                   "could release",
+                   "They separate faster than they approached.");
   }
 }
 
@@ -137,25 +139,27 @@ EXERCISE_TEST(ContactImpulse, KeepsANaN) {
   const SpookParameters spook = {.a = 1, .b = 1, .Sigma = 0};
   expect_true("a gap that is NaN gives a λ that is NaN", "Eq. (3.11)",
               std::isnan(contact_impulse(spook, 1, std::nan(""), 0, 0)),
-              "std::max(0.0, NaN) is 0: the number that should have warned you has become a contact at rest. "
-              "std::max(NaN, 0.0), in this order, is NaN.");
+              "std::max(0.0, NaN) is 0, so a NaN that should warn you becomes a contact at rest. std::max(NaN, "
+              "0.0), in this order, is NaN.");
 }
 
 EXERCISE_TEST(ContactImpulse, DropsNothingSmall) {
   for (const double part :
-       relative_scales) {  // the gap asks for 1 m/s, and the velocity takes nearly all of it back
-    expect_near("λ of a contact that wants " + show(part) + " m/s, a difference of two large wants [N s]",
+       relative_scales) {  // the term of the gap is 1 m/s, and that of the velocity cancels nearly all of it
+    expect_near("λ of a contact whose terms add up to " + show(part) +
+                    " m/s, a difference of two large terms "
+                    "[N s]",
                 "Eq. (3.10)", contact_impulse({.a = 1, .b = 1, .Sigma = 0}, 1, -1, 1 - part, 0), part,
                 roundings(4), {{0, "There is none. " + small_is_dropped}}, small_is_dropped);
     if (::testing::Test::HasFailure()) return;
   }
-  for (const double part : relative_scales)  // of the three that are wanted one is large, and another small
+  for (const double part : relative_scales)  // of the three terms one is large, and another small
     for (int large = 0; large < 3; ++large)
       for (const int more : {1, 2}) {
         double want[3] = {0, 0, 0};
         want[large] = 1, want[(large + more) % 3] = part;
-        expect_near("λ of 1 kg, for which gap, velocity and force ask for " + show(want[0]) + ", " +
-                        show(want[1]) + " and " + show(want[2]) + " m/s [N s]",
+        expect_near("λ of 1 kg, where gap, velocity and force require " + show(want[0]) + ", " + show(want[1]) +
+                        " and " + show(want[2]) + " m/s [N s]",
                     "Eq. (3.10)",
                     contact_impulse({.a = 1, .b = 1, .Sigma = 0}, 1, -want[0], -want[1], -want[2]), 1 + part,
                     roundings(4), {{1, "The small one is missing. " + small_is_dropped}}, small_is_dropped);

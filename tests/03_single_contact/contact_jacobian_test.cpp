@@ -1,4 +1,4 @@
-// The Jacobian of a contact: its blocks, what it does to velocities, and what its transpose does to impulses.
+// The Jacobian of a contact: its blocks, G W for velocities, and Gᵀ λ for impulses.
 #include "03_single_contact/single_contact.hpp"
 #include "bodies.hpp"
 #include "exercise_test.hpp"
@@ -44,13 +44,12 @@ EXERCISE_TEST(ContactJacobian, DoesNotMindTheBodiesNumbers) {
   for (const auto& [i, j] : {std::pair(1, 0), std::pair(7, 3), std::pair(3, 7)}) {
     contact.i = i, contact.j = j;
     const ContactJacobian same = contact_jacobian(contact);
-    const std::string clue =
-        "n points from i to j, whichever of the two numbers is the lower: G of j has +n, and G of i has -n.";
+    const std::string clue = "n points from i to j, also where i > j: G of j has +n, and G of i has -n.";
     const std::string pair = " for bodies i = " + std::to_string(i) + " and j = " + std::to_string(j);
-    expect_near_vector("Gi" + pair, "Eq. (3.3)", same.Gi, G.Gi, {0, "the numbers of bodies say nothing"}, {},
-                       clue);
-    expect_near_vector("Gj" + pair, "Eq. (3.3)", same.Gj, G.Gj, {0, "the numbers of bodies say nothing"}, {},
-                       clue);
+    expect_near_vector("Gi" + pair, "Eq. (3.3)", same.Gi, G.Gi,
+                       {0, "the order of body numbers does not matter"}, {}, clue);
+    expect_near_vector("Gj" + pair, "Eq. (3.3)", same.Gj, G.Gj,
+                       {0, "the order of body numbers does not matter"}, {}, clue);
   }
 }
 
@@ -58,7 +57,7 @@ EXERCISE_TEST(ContactJacobian, HasFourBlocks) {
   Random random;
   Contact contact = RandomPair(random).contact;
   const Vec3 n = contact.n, r_i = contact.r_i, r_j = contact.r_j;
-  for (const double gap : {-0.01, 0.0, 0.01}) {  // which G does not look at
+  for (const double gap : {-0.01, 0.0, 0.01}) {  // which G does not use
     contact.gap = gap;
     const ContactJacobian G = contact_jacobian(contact);
     expect_near_vector(
@@ -71,8 +70,9 @@ EXERCISE_TEST(ContactJacobian, HasFourBlocks) {
          {twist(n, -r_j.cross(n)), "The sign of the angular block: it goes with n, as r_j × n."},
          {twist(r_j.cross(n), n), "The linear part comes first, then the angular one."},
          {twist(n, r_j), "The angular block is a cross product, r_j × n."},
-         {twist(Vec3::Zero(), Vec3::Zero()), "All are 0, and the gap is " + show(gap) +
-                                                 " m: G does not look at it. An open contact has one, too."}},
+         {twist(Vec3::Zero(), Vec3::Zero()), "All are 0 for the gap " + show(gap) +
+                                                 " m. G does not depend on the gap: an open contact has a G, "
+                                                 "too."}},
         "Gj = (n, r_j × n).");
     expect_near_vector(
         "Gi", "Eq. (3.3)", G.Gi, twist(-n, -r_i.cross(n)), roundings(8, 2),
@@ -110,7 +110,7 @@ EXERCISE_TEST(ContactJacobian, TimesVelocityIsTheRateOfTheGap) {
     expect_near(
         "G W against the gap of two moving bodies, differentiated numerically [m/s]", "Eq. (3.2), (3.3)", got,
         rate, {1e-8, "dt²/6 |ω|³|r| of two bodies < 3e-10, and 16 roundings of 4 m over dt"},
-        {{-rate, "This is the rate at which the gap closes: i and j are exchanged, or the sign of n."}},
+        {{-rate, "This is the rate at which the gap closes: i and j are exchanged, or n has the wrong sign."}},
         "Write down the velocities of the two contact points, v + ω × r, then their difference along n.");
   }
 }
@@ -121,7 +121,7 @@ EXERCISE_TEST(ContactJacobian, PushesBothBodiesAlike) {
   const ContactJacobian G = contact_jacobian(pair.contact);
   expect_near_vector("sum of the linear blocks", "Eq. (3.3)", Vec3(G.Gi.head<3>() + G.Gj.head<3>()),
                      Vec3::Zero(), roundings(4), {},
-                     "Action equals reaction: the impulses n λ and -n λ add up to nothing.");
+                     "Action equals reaction: the impulses n λ and -n λ add up to zero.");
 }
 
 EXERCISE_TEST(ContactJacobian, GivesNoAngularMomentum) {
@@ -136,7 +136,7 @@ EXERCISE_TEST(ContactJacobian, GivesNoAngularMomentum) {
       "angular momentum about the origin that an impulse of 1 N s adds, when the contact points meet",
       "Eq. (3.3), (3.12)", Vec3(about_origin(x_i, G.Gi) + about_origin(x_j, G.Gj)), Vec3::Zero(),
       roundings(32, 4), {},
-      "Two opposite pushes at one point have no torque. Look at r × n of both bodies, and the signs.");
+      "Two opposite pushes at one point have no torque. Look at r × n of both bodies, and at the signs.");
 }
 
 EXERCISE_TEST(ContactJacobian, DropsNothingSmall) {

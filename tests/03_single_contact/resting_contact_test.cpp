@@ -1,4 +1,4 @@
-// A sphere on a plane, step by step: where it rests, and how it gets there.
+// A sphere on a plane, step by step: its depth at rest, and its decay to that depth.
 #include <complex>
 
 #include "03_single_contact/single_contact.hpp"
@@ -13,7 +13,7 @@ EXERCISE(ContactImpulse, "3.4 contact_impulse");
 
 constexpr double g = 9.81, mass = 2;
 
-/// A sphere above (or in) a fixed plane. The contact is straight below its centre, so n·Kn = 1/m.
+/// A sphere above (or in) a static plane. The contact is straight below its centre, so n·Kn = 1/m.
 struct Sphere {
   double h, k, d;
   double gap, v = 0;
@@ -62,7 +62,8 @@ EXERCISE_TEST(ContactImpulse, StaysAtRest) {
          {hmg / (1 + lift), "The gap is missing on the right side."}},
         "At rest the contact carries the weight: λ = h m g.");
     for (int n = 1; n < 1000; ++n) s.step();
-    // 16 roundings of λ a step change v by as much of h g, which lives for some 1 + d steps before it is taken back.
+    // In each step 16 roundings of λ change v by as many roundings of h g. Such an error decays within about 1
+    // + d steps.
     expect_near("gap after 1000 steps at rest, " + s.text() + " [m]", "Eq. (3.13)", s.gap, -s.depth_at_rest(),
                 roundings(16 * (1 + d), h * h * g + s.depth_at_rest()), {},
                 "A sphere at gap = -mg/k, with v = 0, is at rest and stays there.");
@@ -76,8 +77,8 @@ EXERCISE_TEST(ContactImpulse, StaysAtRest) {
 EXERCISE_TEST(ContactImpulse, SettlesToADepthOfMgOverK) {
   for (const auto& [h, k, d] : settings) {
     Sphere s{h, k, d, 0};
-    // With roots of size r at most, y_0 = mg/k and |y_1| <= 3 y_0, a linear recurrence of two terms has
-    // |y_n| <= (1 + 4n/r) r^n y_0. Step until that is 1e-9, and once more, as λ looks back by a step.
+    // With roots of size r at most, y_0 = mg/k and |y_1| <= 3 y_0, a linear recurrence of two terms has |y_n|
+    // <= (1 + 4n/r) r^n y_0. Step until that is 1e-9, and once more, as λ depends on the step before.
     const double r = s.decay();
     int steps = 1;
     while ((1 + 4 * steps / r) * std::pow(r, steps) > 1e-9) ++steps;
@@ -88,9 +89,9 @@ EXERCISE_TEST(ContactImpulse, SettlesToADepthOfMgOverK) {
     expect_near(
         "gap" + text + " [m]", "Eq. (3.13)", s.gap, rest,
         {1e-9 * s.depth_at_rest(), "1e-9 of mg/k, by the decay of Eq. (3.14)"},
-        {{0, "It does not sink in at all: Σ is missing. Divide by n·Kn + Σ."},
+        {{0, "It does not sink at all: Σ is missing. Divide by n·Kn + Σ."},
          {rest - h * h * g * (1 + 4 * d) / 4, "It is h² g (1 + 4d)/4 too deep: the force term is missing."}},
-        "It rests at -mg/k, whatever h and d.");
+        "It rests at -mg/k, for any h and d.");
     expect_near("λ" + text + " [N s]", "Eq. (3.13)", s.lambda, hmg,
                 {1e-9 * (1 + 2 * d) * hmg, "1e-9 of λ from the gap, 2d times that from the velocity"}, {},
                 "At rest the contact carries the weight: λ = h m g.");
@@ -102,7 +103,7 @@ EXERCISE_TEST(ContactImpulse, LetsAViolationDecayByItsRecurrence) {
   const double h = 1.0 / 60;
   for (const double d : {0.5, 1.0, 2.0, 3.0, 4.0, 5.0, 10.0})
     for (const double k : {1e3, 1e5, 1e12}) {
-      // Within a tenth of h² g of rest, λ stays within 40 % of h m g: the projection has no part in this.
+      // Within a tenth of h² g of rest, λ stays within 40 % of h m g, so the projection is not active.
       Sphere s{h, k, d, -mass * g / k - 0.1 * h * h * g};
       double y0 = s.deviation(), y1 = (1 - 4 * s.sigma() / (1 + 4 * d)) * y0;  // as v = 0 at first
       const Tolerance tolerance = roundings(32, h * h * g + s.depth_at_rest());
@@ -131,7 +132,7 @@ EXERCISE_TEST(ContactImpulse, IsCriticalAtDTwo) {
     expect_near("deviation from rest at step " + std::to_string(n) + ", d = 2, k = 1e12 N/m [m]", "Eq. (3.14)",
                 s.deviation(), (1 + 2.0 * n / 3) * y0 / std::pow(3, n),
                 {1e-8 * std::abs(y0), "3 m Σ, how far σ is from 1: 3 · 3.2e-9"}, {},
-                "d = 2 is critical: in the long run a step leaves a third, and nothing swings.");
+                "d = 2 is critical: in the long run a third remains after each step, and nothing oscillates.");
   }
 }
 
@@ -142,7 +143,7 @@ EXERCISE_TEST(ContactImpulse, LetsASphereLeave) {
   for (int n = 1; n <= 20; ++n) {
     s.step();
     expect_near("λ of a sphere thrown up from the plane, step " + std::to_string(n) + " [N s]", "Eq. (3.11)",
-                s.lambda, 0, {0, "exact"}, {}, "It moves away, and a contact never pulls.");
+                s.lambda, 0, {0, "exact"}, {}, "The sphere moves away, and a contact never pulls.");
     if (::testing::Test::HasFailure()) return;
   }
   expect_near("height after 20 steps [m]", "Eq. (3.11)", s.gap, 3 * 20 * h - g * h * h * 20 * 21 / 2,

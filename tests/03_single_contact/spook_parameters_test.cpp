@@ -1,4 +1,4 @@
-// The three numbers a, b, Σ: closed forms, how they hang together, and what they do to a violation.
+// The three numbers a, b, Σ: closed forms, the relations between them, and the decay of a violation.
 #include "03_single_contact/single_contact.hpp"
 #include "exercise_test.hpp"
 
@@ -9,8 +9,8 @@ namespace {
 
 EXERCISE(SpookParameters, "3.1 spook_parameters");
 
-// d is never 1/4 or 1, so that no two of the known mistakes give the same number.
-// 1 - b is a fair way to 1/(1 + 4d), and loses 1 + 4d roundings on it: `count` allows for them.
+// d is never 1/4 or 1, so that no two of the known mistakes give the same number. Computing 1/(1 + 4d) as 1 - b
+// is allowed. It loses 1 + 4d roundings, for which `count` allows.
 struct Input {
   Random random;
   double h = random.log_uniform(0.001, 0.03);
@@ -32,11 +32,13 @@ EXERCISE_TEST(SpookParameters, WeighTheGapByA) {
   const double h = in.h, d = in.d, a = 4 * in.upsilon / h;
   const double got = spook_parameters(h, in.k, d).a;
   expect_near("a [1/s] for " + in.text, "Eq. (3.4)", got, a, roundings(in.count, a),
-              {{a / h, "This has h² below: one h too many. a times a gap must be a velocity, so a is in 1/s."},
+              {{a / h, "This divides by h²: one h too many. a times a gap must be a velocity, so a is in 1/s."},
                {a * h, "h is missing: a times a gap [m] must be a velocity [m/s], so a is in 1/s."},
-               {a * h * h, "This is 4h/(1 + 4d): h belongs below the line. a is in 1/s."},
-               {4 / h, "This is 4/h: the 1 + 4d is missing. A violation is to take some d steps, not one."},
-               {1 / (h * (1 + 4 * d)), "The 4 above the line is missing."},
+               {a * h * h, "This is 4h/(1 + 4d): h belongs in the denominator. a is in 1/s."},
+               {4 / h,
+                "This is 4/h: the 1 + 4d is missing. A violation should decay in about d steps, not in "
+                "one."},
+               {1 / (h * (1 + 4 * d)), "The 4 in the numerator is missing."},
                {1 / (h * d), lost_one},
                {4 / (h * (1 + 4 * d / h)), d_is_time},
                {4 / (h * (1 + 4 * d * h)), d_in_seconds},
@@ -48,16 +50,16 @@ EXERCISE_TEST(SpookParameters, WeighTheVelocityByB) {
   const Input in;
   const double d = in.d, b = 4 * d * in.upsilon;
   const double got = spook_parameters(in.h, in.k, d).b;
-  expect_near(
-      "b for " + in.text, "Eq. (3.5)", got, b, roundings(8),
-      {{1, "This is b = 1. Eq. (3.5) leaves 1/(1 + 4d) of the velocity to the next step."},
-       {in.upsilon, "This is 1/(1 + 4d), the share of the velocity that stays: b is the share that goes."},
-       {4 * d, "This is 4d: the 1 + 4d below is missing. b lies between 0 and 1."},
-       {d * in.upsilon, "The 4 above the line is missing."},
-       {4 * d / in.h / (1 + 4 * d / in.h), d_is_time},
-       {4 * d * in.h / (1 + 4 * d * in.h), d_in_seconds},
-       {d / (1 + d), "This has d/(1 + d) where 4d/(1 + 4d) belongs."}},
-      "Eq. (3.5): b = 4d/(1 + 4d).");
+  expect_near("b for " + in.text, "Eq. (3.5)", got, b, roundings(8),
+              {{1, "This is b = 1. Eq. (3.5) leaves 1/(1 + 4d) of the velocity to the next step."},
+               {in.upsilon,
+                "This is 1/(1 + 4d), the share of the velocity that stays. b is the share that is removed."},
+               {4 * d, "This is 4d: the denominator 1 + 4d is missing. b lies between 0 and 1."},
+               {d * in.upsilon, "The 4 in the numerator is missing."},
+               {4 * d / in.h / (1 + 4 * d / in.h), d_is_time},
+               {4 * d * in.h / (1 + 4 * d * in.h), d_in_seconds},
+               {d / (1 + d), "This has d/(1 + d) where 4d/(1 + 4d) belongs."}},
+              "Eq. (3.5): b = 4d/(1 + 4d).");
 }
 
 EXERCISE_TEST(SpookParameters, SoftenByStiffnessAndStep) {
@@ -67,12 +69,12 @@ EXERCISE_TEST(SpookParameters, SoftenByStiffnessAndStep) {
   expect_near(
       "Σ [1/kg] for " + in.text, "Eq. (3.6)", got, Sigma, roundings(in.count, Sigma),
       {{1 / k, "This is 1/k, a compliance [m/N]. Σ stands beside an inverse mass: Eq. (3.6) makes it one."},
-       {Sigma * h, "One h too few: Σ stands beside an inverse mass, so 1/(h² k) it is."},
+       {Sigma * h, "One h too few: Σ stands beside an inverse mass, so it contains 1/(h² k)."},
        {Sigma * h * h, "h² is missing: Σ stands beside an inverse mass [1/kg], and 1/k is in m/N."},
-       {Sigma / h, "One h too many: Σ stands beside an inverse mass, so 1/(h² k) it is."},
-       {Sigma * k * k, "k belongs below the line: a stiffer contact is regularised less."},
+       {Sigma / h, "One h too many: Σ stands beside an inverse mass, so it contains 1/(h² k)."},
+       {Sigma * k * k, "k belongs in the denominator: a stiffer contact has a smaller Σ."},
        {4 / (h * h * k), "The 1 + 4d is missing."},
-       {in.upsilon / (h * h * k), "The 4 above the line is missing."},
+       {in.upsilon / (h * h * k), "The 4 in the numerator is missing."},
        {1 / (h * h * k * d), lost_one},
        {4 / (h * h * k * (1 + 4 * d / h)), d_is_time},
        {4 / (h * h * k * (1 + 4 * d * h)), d_in_seconds},
@@ -89,10 +91,10 @@ EXERCISE_TEST(SpookParameters, HangTogether) {
     expect_near("a h for d = " + show(d), "Eq. (3.4)", a * h, 4 * upsilon, roundings(8), {},
                 "a h = 4/(1 + 4d) depends on d alone.");
     expect_near("1 - b for d = " + show(d), "Eq. (3.4), (3.5)", 1 - b, a * h / 4, roundings(4), {},
-                "1 - b = 1/(1 + 4d) = a h/4, whatever h and k.");
+                "1 - b = 1/(1 + 4d) = a h/4, for any h and k.");
     expect_near("Σ h k over a, for d = " + show(d), "Eq. (3.4), (3.6)", Sigma * h * k / a, 1,
                 roundings(16 / upsilon), {},
-                "Σ = a/(h k), whatever d. With it, a weight rests at a depth of mg/k: Eq. (3.13).");
+                "Σ = a/(h k), for any d. With it, a weight rests at a depth of mg/k: Eq. (3.13).");
   }
 }
 
@@ -101,12 +103,12 @@ EXERCISE_TEST(SpookParameters, FollowTheUnitsOfTheStep) {
   const SpookParameters whole = spook_parameters(in.h, in.k, in.d),
                         half = spook_parameters(in.h / 2, in.k, in.d);
   expect_near("a at h/2 over a at h", "Eq. (3.4)", half.a / whole.a, 2, roundings(2 * in.count, 2),
-              {{4, d_is_time}}, "a is in 1/s: half the step, twice the number.");
+              {{4, d_is_time}}, "a is in 1/s, so half the step gives twice the number.");
   expect_near("b at h/2 minus b at h", "Eq. (3.5)", half.b - whole.b, 0, roundings(4), {},
-              "b has no unit: it may not depend on h. d counts steps, not seconds.");
+              "b has no unit, so it must not depend on h. d counts steps, not seconds.");
   expect_near("Σ at h/2 over Σ at h", "Eq. (3.6)", half.Sigma / whole.Sigma, 4, roundings(2 * in.count, 4),
               {{2, "One h too few."}, {1, "h is missing."}, {8, "One h too many."}},
-              "With k in N/m = kg/s², 1/(h² k) is in 1/kg: half the step, four times the number.");
+              "With k in N/m = kg/s², 1/(h² k) is in 1/kg, so half the step gives four times the number.");
 }
 
 EXERCISE_TEST(SpookParameters, NeedNoRelaxation) {
@@ -125,7 +127,7 @@ EXERCISE_TEST(SpookParameters, TakeAnyRelaxation) {
     const auto [a, b, Sigma] = spook_parameters(h, k, d);
     const double upsilon = 1 / (1 + 4 * d), count = 8 * (1 + 4 * d);
     const std::string of = " for d = " + show(d);
-    const std::string clue = "It has been dropped for being small. d may be any number from 0 on.";
+    const std::string clue = "This small d has been treated as 0. d may be any number from 0 on.";
     expect_near("a h" + of, "Eq. (3.4)", a * h, 4 * upsilon, roundings(count, upsilon), {{0, clue}}, clue);
     expect_near("b" + of, "Eq. (3.5)", b, 4 * d * upsilon, roundings(8, 4 * d * upsilon), {{0, clue}}, clue);
     expect_near("Σ h² k" + of, "Eq. (3.6)", Sigma * h * h * k, 4 * upsilon, roundings(count, upsilon),
@@ -134,7 +136,7 @@ EXERCISE_TEST(SpookParameters, TakeAnyRelaxation) {
   }
 }
 
-// A violation y without forces, pushed and pulled freely: v <- v - σ (a y + b v), y <- y + h v, σ = S/(S + Σ).
+// A violation y without forces and without bounds on λ: v <- v - σ (a y + b v), y <- y + h v, σ = S/(S + Σ).
 EXERCISE_TEST(SpookParameters, LetAViolationDecayAtTheRateOfD) {
   const double h = 1.0 / 60, k = 1e12, inverse_mass = 1;
   for (const double d : {3.0, 4.0, 5.0, 10.0}) {
@@ -148,8 +150,9 @@ EXERCISE_TEST(SpookParameters, LetAViolationDecayAtTheRateOfD) {
     }
     // The roots of Eq. (3.14) for σ = 1; the smaller one has died out by (0.118/0.651)^20 = 1e-15 at the latest.
     const double root = (2 * d - 1 + 2 * std::sqrt(d * (d - 2))) / (1 + 4 * d);
-    expect_near("what a step leaves of a violation, d = " + show(d) + ", k = 1e12 N/m", "Eq. (3.14)",
-                y / before, root, {1e-8, "4Υ m/(h² k) < 2e-9, how far σ is from 1, and roundings"}, {},
+    expect_near("fraction of a violation that remains after a step, d = " + show(d) + ", k = 1e12 N/m",
+                "Eq. (3.14)", y / before, root,
+                {1e-8, "4Υ m/(h² k) < 2e-9, how far σ is from 1, and roundings"}, {},
                 "For Σ -> 0 it is 0.651 for d = 3, 0.745 for d = 4, 0.797 for d = 5, 0.900 for d = 10.");
   }
 }
@@ -174,7 +177,7 @@ EXERCISE_TEST(SpookParameters, RejectANegativeRelaxation) {
     expect_rejects(
         "d = " + show(d), "d", [&] { spook_parameters(0.01, 1e4, d); },
         "See require_not_negative in require.hpp. d = 0 is allowed.");
-  const std::string clue = "h and k are looked at before anything is returned, also where d = 0.";
+  const std::string clue = "Check h and k before you return, also where d = 0.";
   expect_rejects(
       "h = 0 where d = 0", "h", [&] { spook_parameters(0, 1e4, 0); }, clue);
   expect_rejects(

@@ -1,4 +1,4 @@
-// The step of two bodies that touch: its stages one by one, what is conserved, and where a ball rests.
+// The step of two bodies that touch: each of its stages, conservation laws, and the depth of a ball at rest.
 #include "contract.hpp"
 #include "exercise_test.hpp"
 #include "quantities.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 EXERCISE(StepTouching, "3.5 step_touching");
 
-/// Two bodies that press on each other, and a third that touches nothing.
+/// Two bodies that press on each other, and a third without a contact.
 struct TwoTouch {
   Simulation all;
   Contact contact;
@@ -28,7 +28,7 @@ TwoTouch two_touch(Random& random) {
   return two;
 }
 
-/// The step with its stages in an order, and with what may be forgotten.
+/// The step with its stages in any order, and with switches for parts that may be forgotten.
 struct StagesOfTouch {
   bool kicks_before = false, moves_before = false;
   double W_f = 1, on_i = 1, on_j = 1;
@@ -78,16 +78,15 @@ EXERCISE_TEST(StepTouching, HasItsStagesInOrder) {
         touched(all, contact, h), of_the_stages,
         {{free, "The contact does nothing: is λ added to the velocities of both bodies, before they move?"},
          {touched(all, contact, h, {.moves_before = true}),
-          "The bodies move before the contact is solved: its gap and its velocities are those of before the "
-          "move."},
+          "The bodies move before the contact is solved: use the gap and the velocities before the move."},
          {touched(all, contact, h, {.kicks_before = true}),
           "Gravity counts twice: the bodies are kicked before λ is computed, and step_free kicks them again."},
          {touched(all, contact, h, {.W_f = 0}),
           "W_f is missing: the contact does not know what the forces of this step will add."},
          {touched(all, contact, h, {.turns = false}),
-          "The impulse turns neither of the two: V has an angular part, I⁻¹ (r × J)."},
+          "The impulse turns neither body: V has an angular part, I⁻¹ (r × J)."},
          {touched(all, contact, h, {.on_i = 0}),
-          "Body i gets no impulse: it is as large as j's, and opposite."},
+          "Body i gets no impulse. Its impulse is the opposite of body j's."},
          {touched(all, contact, h, {.on_j = 0}), "Body j gets no impulse."},
          {touched(all, contact, h, {.on_i = -1, .on_j = -1}),
           "Both impulses have the wrong sign: G has a minus on i already."}},
@@ -114,8 +113,8 @@ EXERCISE_TEST(StepTouching, KeepsMomentum) {
   expect_near_vector<Twist<6>>(
       "momentum and angular momentum of three bodies, two of which push each other [kg m/s, kg m²/s]",
       "Eq. (3.3)", momenta(got, all), momenta(all, all), roundings(200, 20), {},
-      "The impulse on i is opposite to that on j, at one point of space: nothing is left in the sum.");
-  expect_at_least("by how much the contact changed v of body j [m/s]", "Eq. (3.11)",
+      "The impulses on i and j are opposite and act at one point of space, so their sum is zero.");
+  expect_at_least("change of body j's v by the contact [m/s]", "Eq. (3.11)",
                   (got.bodies[contact.j].v - all.bodies[contact.j].v).norm(), 0.1,
                   "they approach at about 3 m/s", "Nothing has pushed.");
 }
@@ -127,8 +126,8 @@ EXERCISE_TEST(StepTouching, LetsGoWhatMovesApart) {
   Simulation got = all, free = all;
   step_touching(got, contact, 0.1);
   step_free(free, 0.1);
-  expect_same_bodies("after a step in which two part at 100 m/s", "Eq. (3.11)", got, free, roundings(8, 100),
-                     {}, "A contact may push, never pull: contact_impulse has said 0.");
+  expect_same_bodies("after a step in which two bodies separate at 100 m/s", "Eq. (3.11)", got, free,
+                     roundings(8, 100), {}, "A contact may push, never pull: here contact_impulse returns 0.");
 }
 
 /// A ball of 0.5 m on a floor, its contact found before each step.
@@ -150,11 +149,10 @@ EXERCISE_TEST(StepTouching, RestsAtTheDepthOfItsWeight) {
         step_free(all, 1.0 / 60);
     }
     const double gap = all.bodies[1].x.z() - radius, depth = mass * g / all.k;
-    expect_near(
-        "gap of a ball after 1000 steps on a floor, d = " + show(d) + " [m]", "Eq. (3.13)", gap, -depth,
-        {1e-12, "roundings of x, and a rest of the motion, which falls by half and more in d + 1 steps"},
-        {{0, "It rests without any depth: then nothing says how large the impulse is."}},
-        "At rest the contact carries h m g in each step, at a gap of -m g/k.");
+    expect_near("gap of a ball after 1000 steps on a floor, d = " + show(d) + " [m]", "Eq. (3.13)", gap, -depth,
+                {1e-12, "roundings of x, and what remains of the motion, which halves at least in d + 1 steps"},
+                {{0, "It rests without any depth, so nothing determines how large the impulse is."}},
+                "At rest the contact carries h m g in each step, at a gap of -m g/k.");
   }
 }
 
@@ -164,7 +162,7 @@ EXERCISE_TEST(StepTouching, RejectsWhatMakesNoSense) {
   const auto rejects = [&](const std::string& what, const std::string& name, double h) {
     expect_rejects(
         what, name, [&, c = contact] { step_touching(all, c, h); },
-        "spook_parameters refuses it: call that before anything changes.", [&] { return state_of(all); });
+        "spook_parameters refuses this: call it before you change anything.", [&] { return state_of(all); });
   };
   for (const double h : {0.0, -0.1, std::nan("")}) rejects("h = " + show(h), "h", h);
   all.k = 0;

@@ -4,7 +4,7 @@
 
 namespace spook::testing {
 
-/// Bodies, rows, and the velocity changes that belong to the rows' λ.
+/// Bodies, rows, and the velocity changes V = M⁻¹ Gᵀ λ.
 template <int Dof>
 struct Problem {
   Motion<Dof> motion;
@@ -12,7 +12,7 @@ struct Problem {
   std::vector<Twist<Dof>> V;
 };
 
-/// Rigid bodies that nothing holds, all moving.
+/// Returns free rigid bodies, all moving.
 inline Motion<6> random_motion(Random& random, int bodies) {
   Motion<6> motion;
   for (int k = 0; k < bodies; ++k) {
@@ -61,7 +61,7 @@ inline Problem<3> stack(const std::vector<double>& masses, double h, double Sigm
   return p;
 }
 
-/// All of V below each other.
+/// Returns all entries of V in one vector.
 template <int Dof>
 Eigen::VectorXd joined_V(const Problem<Dof>& p) {
   Eigen::VectorXd all(Dof * std::ssize(p.V));

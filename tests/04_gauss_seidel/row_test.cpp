@@ -1,4 +1,4 @@
-// What a row holds before the sweeps, and what an impulse along it does.
+// A row before the sweeps, and the effect of an impulse along it.
 #include "exercise_test.hpp"
 #include "problems.hpp"
 #include "regions.hpp"
@@ -42,7 +42,7 @@ EXERCISE_TEST(MakeRow, CountsBothBodiesAndSigmaInTheDiagonal) {
        {share_j - share_i + Sigma, "Gi has its sign twice in Gi·M⁻¹Gi: both shares are positive."},
        {t.MinvGi.dot(t.MinvGi) + t.MinvGj.dot(t.MinvGj) + Sigma, "M⁻¹ is there twice: this is M⁻¹G·M⁻¹G + Σ."},
        {linear + Sigma, "The angular parts are missing: all six numbers of a block count."},
-       {1 / (share_i + share_j + Sigma), "This is one over it: the diagonal is an inverse mass, [1/kg]."}},
+       {1 / (share_i + share_j + Sigma), "This is 1/S_kk: the diagonal is an inverse mass, [1/kg]."}},
       "S_kk = Gi·M⁻¹Giᵀ + Gj·M⁻¹Gjᵀ + Σ, each block with its own body's M⁻¹.");
 }
 
@@ -53,7 +53,7 @@ double difference(const TwoBodies& t, const std::vector<Twist<6>>& W) {
 EXERCISE_TEST(MakeRow, FillsTheRightSide) {
   TwoBodies t;
   Regions regions(
-      {"open", "overlaps", "i is at rest, and nothing pulls at it", "j is at rest, and nothing pulls at it"});
+      {"open", "overlaps", "i is at rest, and no force acts on it", "j is at rest, and no force acts on it"});
   while (regions.lack_draws()) {
     t.motion = random_motion(t.random, 2);
     t.c = random_constraint(t.random, 2);
@@ -63,8 +63,8 @@ EXERCISE_TEST(MakeRow, FillsTheRightSide) {
     if (rests >= 0) t.motion.Wf[static_cast<std::size_t>(rests)].setZero();
     regions.draw({{"open", t.c.gap > 0},
                   {"overlaps", t.c.gap < 0},
-                  {"i is at rest, and nothing pulls at it", at_rest(t.c.i)},
-                  {"j is at rest, and nothing pulls at it", at_rest(t.c.j)}});
+                  {"i is at rest, and no force acts on it", at_rest(t.c.i)},
+                  {"j is at rest, and no force acts on it", at_rest(t.c.j)}});
     const double ag = t.c.spook.a * t.c.gap, GW = t.along(t.motion.W), GWf = t.along(t.motion.Wf);
     const double b = t.c.spook.b;
     const Row<6> row = make_row(t.c, t.motion);
@@ -83,9 +83,8 @@ EXERCISE_TEST(MakeRow, FillsTheRightSide) {
         "B = -a g - b G W - G W_f, with the blocks Gi and Gj each on its own body.");
     const double shares = t.c.Gi.dot(t.at(t.motion.inverse_mass, t.c.i).times(t.c.Gi)) +
                           t.c.Gj.dot(t.at(t.motion.inverse_mass, t.c.j).times(t.c.Gj));
-    expect_near(
-        "its diagonal [1/kg]", "Eq. (4.3)", row.diagonal, shares + t.c.spook.Sigma, roundings(32, 20), {},
-        "The masses say how easily the row moves, and nothing else does: a body at rest can be pushed, too.");
+    expect_near("its diagonal [1/kg]", "Eq. (4.3)", row.diagonal, shares + t.c.spook.Sigma, roundings(32, 20),
+                {}, "S_kk depends on the masses only: an impulse moves a body at rest, too.");
   }
 }
 
@@ -99,7 +98,7 @@ EXERCISE_TEST(MakeRow, DividesTheJacobianByTheMasses) {
 }
 
 EXERCISE_TEST(MakeRow, FeelsABodyThatMovesAndThatNothingMoves) {
-  TwoBodies t;  // a conveyor: it has a velocity, which no impulse changes
+  TwoBodies t;  // a conveyor: its velocity is not changed by impulses
   for (const int belt : {t.c.i, t.c.j}) {
     Motion<6> motion = t.motion;
     motion.inverse_mass[static_cast<std::size_t>(belt)] = {};
@@ -110,8 +109,8 @@ EXERCISE_TEST(MakeRow, FeelsABodyThatMovesAndThatNothingMoves) {
     expect_near("B of a contact with a body that moves, but has an infinite mass [m/s]", "Eq. (4.4)", row.B,
                 -ag - b * GW - GWf, roundings(32, 10),
                 {{-ag - b * (GW - without) - (GWf - without_f),
-                  "The velocity of the body without inverse mass has been left out: it counts, though nothing "
-                  "changes it."}},
+                  "The velocity of the body with inverse mass 0 has been left out. It counts, although no "
+                  "impulse changes it."}},
                 "B = -a g - b G W - G W_f, with both bodies' velocities.");
     const double share = belt == t.c.i ? t.c.Gj.dot(t.MinvGj) : t.c.Gi.dot(t.MinvGi);
     expect_near("its diagonal: the other body's share, and Σ [1/kg]", "Eq. (4.3)", row.diagonal,
@@ -122,9 +121,9 @@ EXERCISE_TEST(MakeRow, FeelsABodyThatMovesAndThatNothingMoves) {
 EXERCISE_TEST(MakeRow, CarriesTheRestOver) {
   TwoBodies t;
   t.motion = random_motion(t.random, 3);
-  t.c.i = 2;  // and none is 0, which could stand for a number that was never set
+  t.c.i = 2;  // and none is 0, which could be a number that was never set
   t.c.j = 1;
-  // λ begins at 0, as V does, whatever its bounds: an update takes it there.
+  // λ begins at 0, as V does, for any bounds. The first update projects it.
   for (const double lo : {0.25, -0.75}) {
     t.c.lo = lo;
     t.c.hi = lo + 0.5;
@@ -136,14 +135,14 @@ EXERCISE_TEST(MakeRow, CarriesTheRestOver) {
     expect_near("Σ [1/kg]", "Eq. (4.3)", row.Sigma, t.c.spook.Sigma, {0, "a copy"});
     expect_near(
         "lower bound of λ [N s]", "Eq. (4.1)", row.lo, t.c.lo, {0, "a copy"}, {},
-        "A contact has the bounds 0 and infinity, but other rows have others: copy them. A field that is "
-        "never set holds anything.");
+        "A contact has the bounds 0 and infinity, but other rows have others: copy them. A field that is never "
+        "set can hold any value.");
     expect_near("upper bound of λ [N s]", "Eq. (4.1)", row.hi, t.c.hi, {0, "a copy"}, {},
                 "A contact has the bounds 0 and infinity, but other rows have others: copy them.");
     expect_near("λ before the first sweep, of bounds " + show(t.c.lo) + " and " + show(t.c.hi) + " [N s]",
                 "Eq. (4.1)", row.lambda, 0, {0, "exact"},
                 {{lo > 0 ? t.c.lo : t.c.hi,
-                  "This is a bound. λ begins at 0, as V does, whatever its bounds: sweeps take it there."}});
+                  "This is a bound. λ begins at 0, as V does, for any bounds. The sweeps project it."}});
     if (::testing::Test::HasFailure()) return;
   }
 }
@@ -153,17 +152,17 @@ EXERCISE_TEST(MakeRow, TakesPointMasses) {
   expect_near("S_kk of a contact between 2 kg and 4 kg, Σ = 1/8 [1/kg]", "Eq. (4.3)", p.rows[1].diagonal,
               0.5 + 0.25 + 0.125, roundings(8));
   expect_near("B of the contact of 2 kg with the floor, h g = 1 m/s [m/s]", "Eq. (4.4)", p.rows[0].B, 1,
-              roundings(8), {}, "Gravity takes the body into the floor at h g; B asks for that much back.");
+              roundings(8), {}, "Gravity moves the body into the floor at h g, and B is the opposite of that.");
 }
 
 EXERCISE_TEST(ApplyImpulse, MovesBothBodies) {
   const TwoBodies t;
   Row<6> row = make_row(t.c, t.motion);
   for (const double delta : {0.7, -0.7, 1e-20, -1e-20}) {
-    // Whatever λ is by now, and its bounds are.
+    // Any λ and any bounds.
     row.lambda = delta > 0 ? 0.3 : -0.3;
     row.lo = row.lambda - 0.1, row.hi = row.lambda + 0.1;
-    // What other rows have done; beside the smallest impulses nothing, as they would be lost in roundings.
+    // V from other rows. It is 0 beside the smallest impulses, which would otherwise be lost in round-off.
     const Twist<6> so_far = Twist<6>::Constant(std::abs(delta) < 0.1 ? 0 : 0.5);
     const double size = std::abs(delta) < 0.1 ? std::abs(delta) * 10 : 10;
     std::vector<Twist<6>> V(2, so_far);
@@ -177,7 +176,7 @@ EXERCISE_TEST(ApplyImpulse, MovesBothBodies) {
         " N s. An impulse acts on both, Newton's third law, and Δλ may have either sign and any size.";
     const std::string unscaled = "Δλ is missing: this is M⁻¹G alone.";
     const std::string whole = "This is the row's own λ, times M⁻¹G. The impulse to scatter is `delta`.";
-    const std::string lost = "What was there before must stay: add, do not assign.";
+    const std::string lost = "Keep what V held before: add, do not assign.";
     expect_near_vector("velocity change of body i", "Eq. (4.5)", change_i, delta * row.MinvGi,
                        roundings(16, size),
                        {{delta * row.Gi, masses},
@@ -220,8 +219,7 @@ EXERCISE_TEST(ApplyImpulse, KeepsANaN) {
   expect_true(
       "an impulse that is NaN makes the velocities of both its bodies NaN", "Eq. (4.5)",
       std::isnan(V[1].z()) && std::isnan(V[2].z()),
-      "A NaN went in and did not come out: no comparison with a NaN is true, so \"if there is any\" leaves "
-      "it out.");
+      "The NaN was lost: every comparison with a NaN is false, so an `if` that looks for an impulse skips it.");
 }
 
 EXERCISE_TEST(ApplyImpulse, LeavesTheOtherBodiesAndTheFloorAlone) {
@@ -229,7 +227,7 @@ EXERCISE_TEST(ApplyImpulse, LeavesTheOtherBodiesAndTheFloorAlone) {
   std::vector<Twist<3>> V = p.V;
   apply_impulse(p.rows[0], 0.0, V);
   expect_near("speed of 1 kg after an impulse of 0 N s from the floor [m/s]", "Eq. (4.5)", V[1].norm(), 0,
-              {0, "exact"}, {}, "An impulse of 0 is a number like any other: put no other in its place.");
+              {0, "exact"}, {}, "An impulse of 0 changes nothing. Do not replace it by another one.");
   apply_impulse(p.rows[0], 5.0, V);
   expect_near("speed of 1 kg after an impulse of 5 N s from the floor [m/s]", "Eq. (4.5)", V[1].z(), 5,
               roundings(8));
@@ -257,11 +255,11 @@ EXERCISE_TEST(MakeRow, DropsNothingSmall) {
       const Twist<3> heavy = light_i ? row.MinvGj : row.MinvGi;
       expect_near("M⁻¹Gᵀ of a body whose 1/m is " + show(part) + " of the other's [1/kg]", "Eq. (4.5)",
                   std::abs(heavy.z()), part, {0, "a product with 1"},
-                  {{0, "This takes it for fixed, and momentum is lost. " + small_is_dropped}},
+                  {{0, "This treats the body as static, and momentum is lost. " + small_is_dropped}},
                   small_is_dropped);
     }
   const std::string names[] = {"gap", "velocity of i", "velocity of j", "forces on i", "forces on j"};
-  for (const double part : relative_scales)  // of the five that B is made of one is large, and another small
+  for (const double part : relative_scales)  // of the five terms of B one is large, and another small
     for (int large = 0; large < 5; ++large)
       for (int more = 1; more < 5; ++more) {
         const int small = (large + more) % 5;

@@ -1,4 +1,4 @@
-// Sweeps until it is good enough: against enumerated solutions, and counted.
+// Sweeps until the tolerance is met: compared with enumerated solutions, and counted.
 #include "exercise_test.hpp"
 #include "problems.hpp"
 #include "regions.hpp"
@@ -20,7 +20,7 @@ void compare_with_enumeration(Problem<6>& p, const std::string& what) {
   expect_near_vector("λ of " + what + " [N s]", "Eq. (4.1)", gathered(p.rows, &Row<6>::lambda),
                      enumerate_solution(problem),
                      {10 * n * condition(problem.S) * (tolerance + 1e-14), "residual times condition of S"}, {},
-                     "Each set of bounds that could be active was tried; this is the one solution.");
+                     "Every possible active set was tried, and this is the only solution.");
 }
 
 EXERCISE_TEST(Solve, AgreesWithEveryEnumeratedContactProblem) {
@@ -55,10 +55,10 @@ EXERCISE_TEST(Solve, Needs13823SweepsFor1000To1) {
   const double slack = 1e-6 * 1e-8;  // roundings of 13,823 sweeps, against a step of 1e-3 between two sweeps
   expect_at_most("error of λ after 13,823 sweeps, 1 kg under 1000 kg", "Eq. (4.11)",
                  relative_error_after(13823, 1, 1000), 1e-6 + slack, "ln(1e6)/ln(1.001) = 13,822.4 sweeps",
-                 "The error falls by 1/1.001 a sweep. Is V kept from one sweep to the next?");
+                 "The error falls by 1/1.001 a sweep. Does V keep its value from one sweep to the next?");
   expect_at_least("error of λ after 13,822 sweeps, 1 kg under 1000 kg", "Eq. (4.11)",
                   relative_error_after(13822, 1, 1000), 1e-6 - slack, "one sweep fewer is not enough",
-                  "Faster than Gauss-Seidel can be: has a sweep been made that was not counted?");
+                  "This is faster than Gauss-Seidel can be. Was a sweep made but not counted?");
 }
 
 EXERCISE_TEST(Solve, Needs2SweepsWithTheHeavyBodyBelow) {
@@ -90,7 +90,7 @@ EXERCISE_TEST(Solve, ConservesMomentum) {
   for (std::size_t k = 0; k < p.V.size(); ++k) momentum += p.V[k].head<3>() / p.motion.inverse_mass[k].linear;
   expect_near_vector("momentum that 100 sweeps of 12 contacts give 5 free bodies in all [kg m/s]", "Eq. (4.5)",
                      momentum, Vec3::Zero(), roundings(100 * 12 * 4, 5), {},
-                     "Converged or not, every impulse acts on two bodies.");
+                     "Every impulse acts on two bodies, before convergence, too.");
 }
 
 EXERCISE_TEST(Solve, LetsASeparatingContactGo) {
@@ -102,7 +102,7 @@ EXERCISE_TEST(Solve, LetsASeparatingContactGo) {
       expect_at_least("λ of a contact [N s]", "Eq. (4.1)", row.lambda, 0, "contacts never pull");
   }
   Problem<3> p = stack({1, 1}, 0.01);
-  p.rows[1].B = -1;  // the upper body is thrown up
+  p.rows[1].B = -1;  // the upper body is moving up
   solve(p.rows, p.V, {.max_sweeps = 100, .tolerance = 1e-14});
   expect_near("λ under a body that leaves [N s]", "Eq. (4.1)", p.rows[1].lambda, 0, {0, "exact"});
   expect_near("λ under the one that stays [N s]", "Eq. (4.1)", p.rows[0].lambda, 0.01 * 9.81, roundings(16));
@@ -118,9 +118,9 @@ EXERCISE_TEST(Solve, StopsAtTheFirstSweepThatIsGoodEnough) {
       "A sweep that returns at most the tolerance is the last one, and `converged` says that there was one.");
   if (!stopped) return;
   expect_at_most("what the last sweep returned [m/s]", "Eq. (4.9)", report.history[n - 1], 1e-6,
-                 "the tolerance", "Is the sweep that was good enough in the history, too?");
+                 "the tolerance", "Does the history contain the last sweep, too?");
   expect_at_least("what the sweep before it returned [m/s]", "Eq. (4.9)", report.history[n - 2], 1e-6,
-                  "not good enough", "It could have stopped earlier.");
+                  "not good enough", "It should have stopped earlier.");
   for (std::size_t k = 2; k < n; ++k)
     expect_near("ratio of what two sweeps returned", "Eq. (4.10)", report.history[k] / report.history[k - 1],
                 1 / 1.1, {1e-6, "1e-14 roundings over changes above 1e-7"}, {},
@@ -143,9 +143,10 @@ EXERCISE_TEST(Solve, RemembersWhatEachSweepReturned) {
 
 EXERCISE_TEST(Solve, StopsByTheRule) {
   Random random;
-  for (const double size : {1e-3, 1.0, 1e3}) {  // of B: the tolerance is a velocity, and not a part of it
+  for (const double size : {1e-3, 1.0, 1e3}) {  // a factor of B: the tolerance is a velocity, and not relative
+                                                // to B
     Problem<6> p = random_problem(random, 10, 14);
-    // Without bounds, as rows none of which pushes are done after two sweeps.
+    // Without bounds, since rows that all have λ = 0 are solved after two sweeps.
     for (Row<6>& row : p.rows) row.B *= size, row.lo = -infinity;
     const auto anew = [&](const StopRule& stop) {
       Problem<6> again = p;
@@ -155,7 +156,8 @@ EXERCISE_TEST(Solve, StopsByTheRule) {
   }
 }
 
-// Bounds and the stop rule at once: rows that reach a bound, or leave it, let a sweep return more than the one before.
+// Bounds and the stop rule together: when rows reach or leave a bound, a sweep may return more than the one
+// before.
 EXERCISE_TEST(Solve, GoesOnWhenASweepReturnsMore) {
   Random random;
   Regions regions({"a sweep returns more than the one before"}, 20);
@@ -175,7 +177,7 @@ EXERCISE_TEST(Solve, GoesOnWhenASweepReturnsMore) {
   }
 }
 
-// What belongs together: V as it comes out is what the λ that come out do, whatever the sweeps were.
+// V and λ belong together: V = M⁻¹ Gᵀ λ after any number of sweeps.
 EXERCISE_TEST(Solve, LeavesVAndLambdaTogether) {
   Random random;
   for (int trial = 0; trial < 10 && !::testing::Test::HasFailure(); ++trial) {
@@ -188,12 +190,13 @@ EXERCISE_TEST(Solve, LeavesVAndLambdaTogether) {
     set_lambda(again, gathered(p.rows, &Row<6>::lambda));
     expect_near_vector("V of five bodies after a solve, against M⁻¹ Gᵀ λ of the λ that it left", "Eq. (4.5)",
                        joined_V(p), joined_V(again), roundings(20 * 30 * 4, 5),
-                       {{before, "V is as it was before: it has to be that of the last sweep."}},
+                       {{before, "V has not changed. Return the V of the last sweep."}},
                        "V = M⁻¹ Gᵀ λ, after any number of sweeps.");
   }
 }
 
-// Swept from the top down, a stack hears of the ground one row a sweep: at first every sweep returns the same.
+// In a stack that is swept from the top down, the ground's effect rises one row a sweep, so the first sweeps
+// all return the same.
 EXERCISE_TEST(Solve, GoesOnWhenTwoSweepsReturnTheSame) {
   Problem<3> p = stack({1, 1, 1, 1, 1, 1}, 0.1);
   std::reverse(p.rows.begin(), p.rows.end());
@@ -202,9 +205,8 @@ EXERCISE_TEST(Solve, GoesOnWhenTwoSweepsReturnTheSame) {
   const SolveReport report = solve(p.rows, p.V, {.max_sweeps = 40, .tolerance = 0});
   expect_near("sweeps of a stack of six, from the top down, of 40 that are allowed", "Eq. (4.9)",
               static_cast<double>(report.history.size()), 40, {0, "a count"}, {},
-              "Its first sweeps all return the same, for the news from the ground goes up by one row a sweep. "
-              "That is no "
-              "sign that nothing happens: only the tolerance and max_sweeps end it.");
+              "The first sweeps all return the same, since the ground's effect rises one row a sweep. Equal "
+              "values are no reason to stop: only the tolerance and max_sweeps end the solve.");
   expect_near_vector("λ after them [N s]", "Eq. (4.2)", gathered(p.rows, &Row<3>::lambda),
                      gathered(again.rows, &Row<3>::lambda), {0, "the same 40 sweeps"});
 }
@@ -214,16 +216,16 @@ EXERCISE_TEST(Solve, StopsWhenASweepChangesNothing) {
   const SolveReport report = solve(p.rows, p.V, {.max_sweeps = 50, .tolerance = 0});
   expect_true("one row, tolerance 0: solved in sweep 1, seen in sweep 2", "Eq. (4.9)",
               report.converged && report.history.size() == 2,
-              "At most the tolerance: 0 <= 0. With < a solved system is swept to the end, every step.");
+              "Stop when the value is at most the tolerance, as 0 <= 0. With < a solved system takes all "
+              "max_sweeps in every step.");
 }
 
 EXERCISE_TEST(Solve, DoesNotTakeANaNForConverged) {
   Problem<3> p = stack({1, 1}, 0.1);
   p.rows[0].B = std::nan("");
   const SolveReport report = solve(p.rows, p.V, {.max_sweeps = 5, .tolerance = 1e-6});
-  expect_true(
-      "a solve of NaN has not converged", "Eq. (4.9)", !report.converged,
-      "Every comparison with NaN is false: ask whether it is <= the tolerance, not whether it is not >.");
+  expect_true("a solve of NaN has not converged", "Eq. (4.9)", !report.converged,
+              "Every comparison with NaN is false. Test for <= the tolerance, not for the opposite of >.");
 }
 
 EXERCISE_TEST(Solve, StopsAtMaxSweeps) {
@@ -232,7 +234,7 @@ EXERCISE_TEST(Solve, StopsAtMaxSweeps) {
   expect_near("sweeps made, of at most 7", "Eq. (4.9)", static_cast<double>(report.history.size()), 7,
               {0, "a count"});
   expect_true("a solve that ran out of sweeps says so", "Eq. (4.9)", !report.converged,
-              "`converged` is whether the last sweep was at or below the tolerance.");
+              "`converged` is true if the last sweep returned at most the tolerance.");
 }
 
 EXERCISE_TEST(Solve, GoesOnWhereItStopped) {
@@ -270,7 +272,7 @@ EXERCISE_TEST(Solve, RejectsARuleThatCannotBeMet) {
   expect_rejects(
       "max_sweeps = 0, with no rows", "max_sweeps",
       [&] { solve(none, p.V, {.max_sweeps = 0, .tolerance = 0}); },
-      "A rule that makes no sense is refused whether or not there is work: check it first.");
+      "Check the rule first: one that makes no sense is refused even if there are no rows.");
 }
 
 }  // namespace

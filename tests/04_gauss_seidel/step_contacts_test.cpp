@@ -1,4 +1,4 @@
-// The step of many contacts: its stages in order, what is conserved, and how deep a column rests.
+// The step of many contacts: its stages in order, conservation laws, and the depth of a column at rest.
 #include "contract.hpp"
 #include "exercise_test.hpp"
 #include "stages.hpp"
@@ -14,7 +14,11 @@ const Tolerance of_many_contacts = {1e-10, "roundings of 5 sweeps over some 150 
 
 EXERCISE_TEST(StepContacts, HasItsStagesInOrder) {
   Random random;
-  const auto [all, contacts] = crowd(random, 30, many);
+  auto [all, contacts] = crowd(random, 30, many);
+  for (std::size_t k = 0; k < contacts.size(); k += 3) contacts[k].gap = 0.02;  // may close within the step
+  std::vector<Contact> overlapping;
+  for (const Contact& contact : contacts)
+    if (contact.gap <= 0) overlapping.push_back(contact);
   const double h = 0.1;
   Simulation got = all;
   step_contacts(got, contacts, h);
@@ -22,11 +26,15 @@ EXERCISE_TEST(StepContacts, HasItsStagesInOrder) {
   const std::vector<Contact> backwards(contacts.rbegin(), contacts.rend());
   std::vector<Mistake> mistakes = mistakes_of(all, contacts, h, mistakes_in_order());
   mistakes.push_back(
-      {assembled(all, contacts, h, {.max_sweeps = 1}), "One sweep alone: solve takes max_sweeps."});
+      {assembled(all, contacts, h, {.max_sweeps = 1}), "This made one sweep only: pass max_sweeps to solve."});
   mistakes.push_back({assembled(all, contacts, h, {.max_sweeps = 50}),
-                      "The number of sweeps is the simulation's own max_sweeps, here 5."});
+                      "The number of sweeps is simulation.max_sweeps, here 5."});
   mistakes.push_back({assembled(all, first, h), "The last contact is missing."});
-  mistakes.push_back({assembled(all, backwards, h), "The rows are in the other order: as the contacts are."});
+  mistakes.push_back({assembled(all, overlapping, h),
+                      "The contacts with a gap above 0 are missing. They may close within the step."});
+  mistakes.push_back({assembled(all, backwards, h),
+                      "The rows are in reverse order. Take the order of the "
+                      "contacts."});
   expect_same_bodies(
       "after a step of 0.1 s with 100 contacts and more", "Eq. (4.4), (4.7)", got, assembled(all, contacts, h),
       of_many_contacts, mistakes,
@@ -44,9 +52,9 @@ EXERCISE_TEST(StepContacts, KeepsMomentum) {
   expect_near_vector<Twist<6>>("momentum and angular momentum of four bodies with contacts [kg m/s, kg m²/s]",
                                "Eq. (4.5)", momenta(got, all), momenta(all, all), roundings(2000, 20), {},
                                "Each row gives i the opposite of what j gets. Is V added to all bodies?");
-  expect_at_least("by how much the contacts changed the velocities [m/s, rad/s]", "Eq. (4.7)",
+  expect_at_least("change of the velocities by the contacts [m/s, rad/s]", "Eq. (4.7)",
                   (twist_of(got.bodies[0]) - twist_of(all.bodies[0])).norm(), 0.01,
-                  "they are pressed in by 1 cm and more, which takes some cm/s", "Nothing has pushed.");
+                  "they overlap by 1 cm and more, which needs some cm/s", "Nothing has pushed.");
 }
 
 EXERCISE_TEST(StepContacts, WithoutContactsIsTheStepOfBodiesThatAreFree) {
@@ -93,8 +101,8 @@ EXERCISE_TEST(StepContacts, PressesAColumnByItsWeight) {
     expect_near("gap below ball " + std::to_string(below + 1) + " of 5 after 1000 steps [m]",
                 "Eq. (3.13), (4.1)", gap(below), -load / all.k,
                 {1e-9, "what 500 sweeps leave of the rates of Eq. (4.11), and of the motion"},
-                {{-mass * g / all.k, "It carries one ball alone. Do the rows know of each other, by V?"}},
-                "At rest each contact carries what is above it: a gap of minus that weight over k.");
+                {{-mass * g / all.k, "It carries only one ball. Do the rows share one V?"}},
+                "At rest each contact carries the weight above it, with a gap of minus this weight over k.");
   }
 }
 
@@ -105,7 +113,7 @@ EXERCISE_TEST(StepContacts, RejectsWhatMakesNoSense) {
                                                 Simulation all, double h) {
     expect_rejects(
         what, name, [&] { step_contacts(all, touching, h); },
-        "spook_parameters and solve refuse it: both come before anything changes.",
+        "spook_parameters and solve refuse this: call both before you change anything.",
         [&] { return state_of(all); });
   };
   for (const double h : {0.0, -0.1, std::nan("")}) rejects("h = " + show(h), "h", start, h);

@@ -1,4 +1,4 @@
-// All rows once, and how far they still are.
+// One sweep over all rows, and the residual.
 #include "algebra.hpp"
 #include "cancellation.hpp"
 #include "exercise_test.hpp"
@@ -38,12 +38,12 @@ EXERCISE_TEST(Sweep, IsOneGaussSeidelIteration) {
       "λ of six coupled rows after one sweep [N s]", "Eq. (4.2)", gathered(p.rows, &Row<6>::lambda),
       swept(S, B, start, true, false), roundings(1000, 10),
       {{swept(S, B, start, false, false),
-        "This is Jacobi's iteration: each row saw what the others were before the sweep. Scatter every "
-        "update at once."},
+        "This is Jacobi's iteration: each row used the λ of the others before the sweep. Scatter every update "
+        "immediately."},
        {swept(S, B, start, true, true), "The rows were swept from the last to the first."},
        {start, "No row has changed."},
        {swept(S, B, swept(S, B, start, true, false), true, false), "These are two sweeps."},
-       {swept(S, B, swept(S, B, start, true, false), true, true), "This went over the rows there and back."}},
+       {swept(S, B, swept(S, B, start, true, false), true, true), "This swept forwards and then backwards."}},
       "Every row once, in order, by update_row.");
 }
 
@@ -58,9 +58,7 @@ EXERCISE_TEST(Sweep, ContractsTheStackAtItsExactRate) {
         expect_near("error of the upper λ after sweep " + std::to_string(n) +
                         ", over the one before the first; ratio " + show(ratio) + ", Σ = " + show(Sigma),
                     "Eq. (4.10)", (exact[1] - p.rows[1].lambda) / exact[1], std::pow(rho, n),
-                    {1e-11,
-                     "1e5 roundings, "
-                     "S of ratio 100 being that much worse than its rows"},
+                    {1e-11, "1e5 roundings, by the condition of S at the mass ratio 100"},
                     {{std::pow(rho, n / 2.0),
                       "This is the rate of Jacobi's iteration, the square root of Gauss-Seidel's."}},
                     "A light body under a heavy one: ρ = 1/((1+mΣ)(1+m/M+mΣ)) a sweep.");
@@ -83,15 +81,15 @@ EXERCISE_TEST(Sweep, ReturnsTheLargestLack) {
   }
   expect_near("what a sweep of 10 rows returns [m/s]", "Eq. (4.9)", got, largest, roundings(64, 10),
               {{without_diagonal,
-                "This is the largest |Δλ|, an impulse. Times S_kk it is a velocity, which can be compared "
+                "This is the largest |Δλ|, an impulse. Multiply it by S_kk: this velocity can be compared "
                 "between rows."},
                {last, "This is the last row's, not the largest."},
                {sum, "This is the sum over the rows, not the largest."}},
               "The largest S_kk |Δλ_k| of the sweep.");
 }
 
-/// Rows that are skipped by mistake: by what they lack before a sweep, those that would stay at a bound, or the contacts
-/// among them; or all contacts that do not push.
+/// Rows skipped by mistake: rows that would stay at a bound before the sweep, contacts among these, or all contacts
+/// with λ = 0.
 enum class Skips { at_any_bound, contacts_that_stay_off, contacts_off };
 
 /// λ after three sweeps.
@@ -112,8 +110,8 @@ Eigen::VectorXd swept_but_for(const Bounded& problem, Eigen::VectorXd lambda, Sk
 
 EXERCISE_TEST(Sweep, TakesAnyBoundsAndAnyStart) {
   Random random;
-  Regions regions({"is off, and pushed later in the sweep", "was off, and pushes in the next", "lets go again",
-                   "more than eight bodies", "a hundred rows"});
+  Regions regions({"has λ = 0, and is pushed later in the sweep", "had λ = 0, and pushes in the next sweep",
+                   "lets go again", "more than eight bodies", "a hundred rows"});
   while (regions.lack_draws()) {
     const int bodies = random.integer(2, 14), rows = random.integer(0, 3) ? 20 : many;
     Problem<6> p = any_rows(random, bodies, rows);
@@ -139,8 +137,8 @@ EXERCISE_TEST(Sweep, TakesAnyBoundsAndAnyStart) {
         lets_go = lets_go || (is_contact && round > 0 && old[k] > 0 && off);
       }
     }
-    regions.draw({{"is off, and pushed later in the sweep", pushed_later},
-                  {"was off, and pushes in the next", pushes_next},
+    regions.draw({{"has λ = 0, and is pushed later in the sweep", pushed_later},
+                  {"had λ = 0, and pushes in the next sweep", pushes_next},
                   {"lets go again", lets_go},
                   {"more than eight bodies", bodies > 8},
                   {"a hundred rows", rows == many}});
@@ -152,28 +150,27 @@ EXERCISE_TEST(Sweep, TakesAnyBoundsAndAnyStart) {
     set_lambda(again, gathered(p.rows, &Row<6>::lambda));
     expect_near_vector("V after three sweeps, against M⁻¹ Gᵀ λ of the λ that they left", "Eq. (4.5)",
                        joined_V(p), joined_V(again), roundings(1e5, 10),
-                       {{V_before, "V is as it was before the sweeps: every update scatters to it."}},
+                       {{V_before, "V has not changed: every update must scatter to it."}},
                        "V = M⁻¹ Gᵀ λ, after every update.");
     const std::string skipped =
-        "Rows have been skipped by what V was before the sweep: who has no reason to push then may have one "
-        "when its turn comes. Each row is asked by the V of now.";
+        "Rows have been skipped by the V before the sweep. Other updates change V, so decide for each row by "
+        "the present V.";
     expect_near_vector(
         "λ of " + of + " after three sweeps [N s]", "Eq. (4.2), (4.7)", gathered(p.rows, &Row<6>::lambda),
         lambda, roundings(1e5, 10),
         {{swept_but_for(problem, start, Skips::at_any_bound), skipped},
          {swept_but_for(problem, start, Skips::contacts_that_stay_off), skipped},
          {swept_but_for(problem, start, Skips::contacts_off),
-          "Contacts that are off have been skipped: one that is off may be pushed later, and is then "
-          "updated."}},
-        "Every row is updated in every sweep, within its own bounds, from what V is then: one that is off "
-        "may be pushed later. " +
+          "Contacts with λ = 0 have been skipped. Another update may push them later, so update them, too."}},
+        "Every row is updated in every sweep, within its own bounds, from the present V: a row with λ = 0 may "
+        "be pushed later. " +
             ends_early);
     for (std::size_t round = 0; round < largest.size(); ++round)
-      expect_near(
-          "what sweep " + std::to_string(round + 1) + " of three over " + of + " between " +
-              std::to_string(bodies) + " bodies returned [m/s]",
-          "Eq. (4.9)", returned[round], largest[round], roundings(1e5, 10), {},
-          "The largest S_kk |Δλ_k|. Every row is updated in every sweep: one that is off may be pushed later.");
+      expect_near("what sweep " + std::to_string(round + 1) + " of three over " + of + " between " +
+                      std::to_string(bodies) + " bodies returned [m/s]",
+                  "Eq. (4.9)", returned[round], largest[round], roundings(1e5, 10), {},
+                  "The largest S_kk |Δλ_k|. Every row is updated in every sweep: a row with λ = 0 may be "
+                  "pushed later.");
   }
 }
 
@@ -190,18 +187,17 @@ EXERCISE_TEST(Sweep, OfNothingChangesNothing) {
   std::vector<Row<3>> none;
   std::vector<Twist<3>> V(3, Twist<3>::Ones());
   expect_near("what a sweep of no rows returns [m/s]", "Eq. (4.9)", sweep(none, V), 0, {0, "exact"}, {},
-              "No rows lack nothing: start the maximum at 0.");
+              "Without rows the maximum is 0: start it at 0.");
 }
 
 EXERCISE_TEST(Sweep, DoesNotHideANaN) {
   Problem<3> p = stack({1, 1, 1}, 0.1);
   p.rows[1].B = std::nan("");
-  p.rows[2].j = 0;  // ends on the floor: a row after the broken one that is sound itself, but for its neighbour
+  p.rows[2].j = 0;  // ends on the floor: the row after the NaN is valid itself, but its neighbour is not
   p.rows[2].i = 0;
   expect_true("a sweep with a NaN in one row returns NaN", "Eq. (4.9)", std::isnan(sweep(p.rows, p.V)),
-              "A NaN went in and did not come out. std::max(a, NaN) is a, in the running maximum and in a "
-              "projection alike "
-              "(std::clamp keeps a NaN); and once the largest is NaN, no later row may replace it.");
+              "The NaN was lost. std::max(a, NaN) is a, in the running maximum and in a projection (std::clamp "
+              "keeps a NaN). Once the maximum is NaN, no later row may replace it.");
 }
 
 EXERCISE_TEST(Residual, IsZeroAtTheSolution) {
@@ -239,8 +235,8 @@ EXERCISE_TEST(Residual, IsWhatTheNextUpdateWouldChange) {
   expect_near("residual of 9 contacts after one sweep [m/s]", "Eq. (4.8)", residual(p.rows, p.V), expected,
               roundings(100, 10),
               {{impulse, "This is the largest |Δλ|, an impulse. Times S_kk it is a velocity."}},
-              "r = B - G V - Σ λ, then Eq. (4.8). Each row against the same V: nothing is scattered, and the "
-              "largest counts.");
+              "r = B - G V - Σ λ, then Eq. (4.8). All rows use the same V: do not scatter, and return the "
+              "largest.");
 }
 
 EXERCISE_TEST(Residual, SeesAPullAndALackAlike) {
@@ -249,12 +245,13 @@ EXERCISE_TEST(Residual, SeesAPullAndALackAlike) {
   for (const double lambda : {0.0, exact / 2, 2 * exact}) {
     set_lambda(p, Eigen::VectorXd::Constant(1, lambda));
     const double expected = 0.625 * std::abs(lambda - exact);
-    expect_near("residual of one contact with λ = " + show(lambda) + " N s [m/s]", "Eq. (4.8)",
-                residual(p.rows, p.V), expected, roundings(16, 2),
-                {{std::abs(1 - 0.5 * lambda), "Σ λ is missing in r = B - G V - Σ λ."},
-                 {0, lambda > 0 ? "Too much is as wrong as too little: take the absolute value."
-                                : "Too little is as wrong as too much: take the absolute value. And a row at a "
-                                  "bound is not solved if its update would leave it."}});
+    expect_near(
+        "residual of one contact with λ = " + show(lambda) + " N s [m/s]", "Eq. (4.8)", residual(p.rows, p.V),
+        expected, roundings(16, 2),
+        {{std::abs(1 - 0.5 * lambda), "Σ λ is missing in r = B - G V - Σ λ."},
+         {0, lambda > 0 ? "A λ that is too large counts, too: take the absolute value."
+                        : "A λ that is too small counts, too: take the absolute value. A row at a bound "
+                          "is not solved if its update would leave the bound."}});
   }
 }
 
@@ -282,18 +279,23 @@ EXERCISE_TEST(Residual, ProjectsOnTheRowsOwnBounds) {
                 "Eq. (4.8)", residual(p.rows, p.V), lacks(c.next), roundings(16, 4),
                 {{lacks(1.6 * c.B), "This row was not projected at all."},
                  {lacks(std::max(1.6 * c.B, 0.0)),
-                  "This row was projected on 0 and infinity, a contact's bounds: others have others."}},
-                "The next update projects on this row's own bounds, row.lo and row.hi, both as they stand.");
+                  "This row was projected on 0 and infinity, a contact's bounds. It has bounds of its own."}},
+                "Project on this row's own bounds, row.lo and row.hi.");
   }
 }
 
 EXERCISE_TEST(Residual, TakesAnyBoundsAndAnyStart) {
   Random random;
-  // Whatever an answer leaves out, it misses nothing else as much as the row that lacks most.
-  Regions regions(
-      {"the row that lacks most is between its bounds", "the row that lacks most is at its lower bound",
-       "the row that lacks most is at its upper bound", "the row that lacks most is below its lower bound",
-       "the row that lacks most is above its upper bound", "of a hundred rows one of the last lacks most"});
+  // The row with the largest residual is of each kind in turn, so an answer that leaves out a kind is noticed.
+  Regions regions({"the row with the largest residual is between its bounds",
+                   "the row with the largest residual is at its "
+                   "lower bound",
+                   "the row with the largest residual is at its upper bound",
+                   "the row with the largest residual is below "
+                   "its lower bound",
+                   "the row with the largest residual is above its upper bound",
+                   "of a hundred rows one of the last has the "
+                   "largest residual"});
   while (regions.lack_draws()) {
     const int bodies = random.integer(2, 14), rows = random.integer(0, 3) ? 20 : many;
     const Problem<6> p = any_rows(random, bodies, rows);
@@ -312,18 +314,19 @@ EXERCISE_TEST(Residual, TakesAnyBoundsAndAnyStart) {
       without_sigma = std::max(without_sigma, lacks(r[k] + Sigma * lambda[k]));
     }
     const double at = lambda[most], lo = problem.lo[most], hi = problem.hi[most];
-    regions.draw({{"the row that lacks most is between its bounds", lo < at && at < hi},
-                  {"the row that lacks most is at its lower bound", at == lo},
-                  {"the row that lacks most is at its upper bound", at == hi},
-                  {"the row that lacks most is below its lower bound", at < lo},
-                  {"the row that lacks most is above its upper bound", at > hi},
-                  {"of a hundred rows one of the last lacks most", rows == many && most >= 2 * many / 3}});
+    regions.draw(
+        {{"the row with the largest residual is between its bounds", lo < at && at < hi},
+         {"the row with the largest residual is at its lower bound", at == lo},
+         {"the row with the largest residual is at its upper bound", at == hi},
+         {"the row with the largest residual is below its lower bound", at < lo},
+         {"the row with the largest residual is above its upper bound", at > hi},
+         {"of a hundred rows one of the last has the largest residual", rows == many && most >= 2 * many / 3}});
     expect_near(
         "residual of " + std::to_string(rows) + " rows with bounds of all kinds, λ within them or not [m/s]",
         "Eq. (4.8)", residual(p.rows, p.V), largest, roundings(1e4, 10),
         {{without_sigma, "Σ λ is missing in r = B - G V - Σ λ."}},
-        "What an update would change, of every row, times its S_kk: also of those that are at a bound, at "
-        "either, and would leave it. Of " +
+        "The change that an update would make, times S_kk, of every row: also of rows at a bound that would "
+        "leave it. Of " +
             std::to_string(rows) + " rows the last counts like the first.");
   }
 }
@@ -333,9 +336,8 @@ EXERCISE_TEST(Residual, OfNothingIsZeroAndOfNaNIsNaN) {
   expect_near("residual of no rows [m/s]", "Eq. (4.8)", residual<3>({}, p.V), 0, {0, "exact"});
   p.rows[1].B = std::nan("");
   expect_true("a NaN in one row makes the residual NaN", "Eq. (4.8)", std::isnan(residual(p.rows, p.V)),
-              "A NaN went in and did not come out. std::max(a, NaN) is a, in the running maximum and in a "
-              "projection alike "
-              "(std::clamp keeps a NaN); and once the largest is NaN, no later row may replace it.");
+              "The NaN was lost. std::max(a, NaN) is a, in the running maximum and in a projection (std::clamp "
+              "keeps a NaN). Once the maximum is NaN, no later row may replace it.");
 }
 
 EXERCISE_TEST(Residual, CostsAsMuchForEachOfManyRows) {
@@ -346,8 +348,8 @@ EXERCISE_TEST(Residual, CostsAsMuchForEachOfManyRows) {
   expect_growth(
       "the residual of 800 rows", "Eq. (4.8)", operations(100), operations(800), 800 / 16, 12,
       "a part for each row makes it 8, and one for each pair of rows 64",
-      "It is to cost about as much as a sweep: each row looks at two bodies. A copy of all velocities for "
-      "each row is quadratic.");
+      "The residual should cost about as much as a sweep, since each row reads two bodies. A copy of all "
+      "velocities for each row is quadratic.");
 }
 
 EXERCISE_TEST(Residual, DropsNothingSmall) {

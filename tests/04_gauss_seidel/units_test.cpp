@@ -1,4 +1,4 @@
-// Of what the arguments and results of this chapter's functions are made, and that they are right in any units.
+// Units of this chapter's arguments and results. The answers must be the same in any system of units.
 #include "contract.hpp"
 #include "exercise_test.hpp"
 #include "problems.hpp"
@@ -16,7 +16,7 @@ EXERCISE(Sweep, "4.4 sweep");
 EXERCISE(Residual, "4.5 residual");
 EXERCISE(Solve, "4.6 solve");
 
-/// Rows of contacts; swept a little, so that some push and some do not.
+/// Rows of contacts after a few sweeps, so that some push and some do not.
 Problem<6> some_rows(int sweeps) {
   Random random;
   Problem<6> p = random_problem(random, 4, 8);
@@ -53,7 +53,7 @@ EXERCISE_TEST(Sweep, IsTheSameInAnyUnits) {
 EXERCISE_TEST(Residual, IsTheSameInAnyUnits) {
   using namespace units;
   Problem<6> p = some_rows(1);
-  // Who takes S_kk (lo - λ) for a bound loses a NaN of the diagonal as one of a bound.
+  // An answer that projects on S_kk (lo - λ) reports a NaN of the diagonal as one of a bound.
   const auto of_sound_diagonals = [&](std::vector<Row<6>> rows, const std::vector<Twist<6>>& V) {
     for (std::size_t k = 0; k < rows.size(); ++k) rows[k].diagonal = p.rows[k].diagonal;
     return residual(rows, V);

@@ -1,4 +1,4 @@
-// One row brought up to date: solved, projected, scattered.
+// The update of one row: solve, project, scatter.
 #include "cancellation.hpp"
 #include "exercise_test.hpp"
 #include "problems.hpp"
@@ -37,10 +37,10 @@ EXERCISE_TEST(UpdateRow, SolvesOneRowInOneUpdate) {
                {4, "Σ has been added to the diagonal once more: S_kk contains it already."},
                {1.5, "This is B S_kk: divide by the diagonal."},
                {0, "The row's λ has not been stored."},
-               {-6, "The sign: what the row lacks, r = B - G V - Σ λ, is made up by a positive Δλ."}});
+               {-6, "The sign: a positive residual r = B - G V - Σ λ needs a positive Δλ."}});
   expect_near("the returned change Δλ [N s]", "Eq. (4.7)", delta, 6, roundings(8, 6));
   expect_near("velocity change of the body, Δλ/m = 6/4 [m/s]", "Eq. (4.5)", V[1].z(), 1.5, roundings(8, 6),
-              {{0, "Nothing was scattered: the next row will not know what this one did."}});
+              {{0, "Nothing was scattered, so the next row uses an old V."}});
 }
 
 EXERCISE_TEST(UpdateRow, CountsSigmaLambdaAndTheVelocitySoFar) {
@@ -49,13 +49,14 @@ EXERCISE_TEST(UpdateRow, CountsSigmaLambdaAndTheVelocitySoFar) {
   std::vector<Twist<3>> V{Twist<3>::Zero(), Twist<3>(0, 0, 0.5 + 0.25)};
   update_row(row, V);
   // r = 3 - 0.75 - 0.25*2 = 1.75, Δλ = 3.5
-  expect_near("λ, from 2 N s and a body that moves already [N s]", "Eq. (4.6), (4.7)", row.lambda, 5.5,
-              roundings(16, 6),
-              {{2 + 2.25 / 0.5, "Σ λ is missing in what the row lacks: r = B - G V - Σ λ."},
-               {2 + 2.5 / 0.5, "G V is missing in what the row lacks: r = B - G V - Σ λ."},
-               {3.5, "This is Δλ alone: add it to the λ so far."},
-               {2 + 3 / 0.5, "This is λ + B/S_kk: B is what was lacking at the start, not now."},
-               {2 + 3.25 / 0.5, "The sign of G V: what the body moves already is no longer lacking."}});
+  expect_near(
+      "λ, from 2 N s and a body that moves already [N s]", "Eq. (4.6), (4.7)", row.lambda, 5.5,
+      roundings(16, 6),
+      {{2 + 2.25 / 0.5, "Σ λ is missing in the residual: r = B - G V - Σ λ."},
+       {2 + 2.5 / 0.5, "G V is missing in the residual: r = B - G V - Σ λ."},
+       {3.5, "This is Δλ alone: add it to the λ so far."},
+       {2 + 3 / 0.5, "This is λ + B/S_kk: B is the residual at the start, not the present one."},
+       {2 + 3.25 / 0.5, "The sign of G V: the velocity that the body already has is subtracted from B."}});
 }
 
 EXERCISE_TEST(UpdateRow, GathersFromBothBodies) {
@@ -86,7 +87,7 @@ EXERCISE_TEST(UpdateRow, LeavesNothingLacking) {
     const double lacks = row.B - row.Gi.dot(p.V[static_cast<std::size_t>(row.i)]) -
                          row.Gj.dot(p.V[static_cast<std::size_t>(row.j)]) - row.Sigma * row.lambda;
     expect_near(
-        "what a row without bounds lacks right after its update [m/s]", "Eq. (4.6)", lacks, 0,
+        "residual of a row without bounds right after its update [m/s]", "Eq. (4.6)", lacks, 0,
         roundings(200, 5), {},
         "One update solves its own row exactly. If it does not, the change that was scattered is not the "
         "change that was stored, or the diagonal is not the row's own.");
@@ -99,12 +100,12 @@ EXERCISE_TEST(UpdateRow, NeverPulls) {
   const double delta = update_row(row, V);
   expect_near("λ of a contact that comes apart, B = -3 m/s [N s]", "Eq. (4.7)", row.lambda, 0, {0, "exact"},
               {{-6, "A negative λ pulls. Project it: a contact's λ may not leave [lo, hi]."},
-               {6, "This is the absolute value: it kicks bodies that part. Project to 0 instead."}});
+               {6, "This is the absolute value: it pushes bodies that separate. Project to 0 instead."}});
   expect_near("the returned change Δλ [N s]", "Eq. (4.7)", delta, 0, {0, "exact"},
               {{-6, "Return the change after projection, not before."}});
   expect_near(
       "velocity change of the body [m/s]", "Eq. (4.7)", V[1].z(), 0, {0, "exact"},
-      {{-1.5, "The unprojected change was scattered. Project first, then scatter what is left of it."}});
+      {{-1.5, "The unprojected change was scattered. Project first, then scatter the change that remains."}});
 }
 
 EXERCISE_TEST(UpdateRow, ImpulseMayShrinkAgain) {
@@ -112,7 +113,7 @@ EXERCISE_TEST(UpdateRow, ImpulseMayShrinkAgain) {
   Row<3> row = by_hand(3, 6);
   std::vector<Twist<3>> V{Twist<3>::Zero(), Twist<3>(0, 0, 1.5 + 1)};
   const double delta = update_row(row, V);
-  expect_near("λ, when a contact needs less than it took [N s]", "Eq. (4.7)", row.lambda, 4, roundings(16, 6),
+  expect_near("λ of a contact that needs less than it has [N s]", "Eq. (4.7)", row.lambda, 4, roundings(16, 6),
               {{6, "The change was clamped instead of the impulse: Δλ may be negative, λ may not."},
                {0, "λ was set to zero because Δλ is negative: only a negative λ is projected."}});
   expect_near("the returned change Δλ [N s]", "Eq. (4.7)", delta, -2, roundings(16, 6),
@@ -145,8 +146,7 @@ EXERCISE_TEST(UpdateRow, StaysOffABoundThatIsNear) {
       expect_near(
           "λ, less the bound of 6 N s, where it should be " + show(side * part) + " of that off it [N s]",
           "Eq. (4.7)", row.lambda - 6, 6 * side * part, roundings(4, 6),
-          {{0, "It is at the bound, because that is near? A row that is nearly at its bound is free."}},
-          small_is_dropped);
+          {{0, "It was set to the bound, which is near. A row close to its bound is free."}}, small_is_dropped);
       if (::testing::Test::HasFailure()) return;
     }
 }
@@ -172,9 +172,9 @@ EXERCISE_TEST(UpdateRow, ComesBackWithinBoundsThoughItLacksNothing) {
   std::vector<Twist<3>> V(2, Twist<3>::Zero());
   V[1].z() = 1;  // what λ = 4 N s does
   update_row(row, V);
-  expect_near("λ of a row that lacks nothing with λ = 4, and may have 3 at most [N s]", "Eq. (4.7)", row.lambda,
-              3, {0, "exact"},
-              {{4, "A row that lacks nothing may still be beyond its bounds, with a warm λ: project."}});
+  expect_near("λ of a row with residual 0 at λ = 4, and the upper bound 3 [N s]", "Eq. (4.7)", row.lambda, 3,
+              {0, "exact"},
+              {{4, "With a warm start a row with residual 0 may still be outside its bounds: project."}});
 }
 
 EXERCISE_TEST(UpdateRow, TakesAnyBoundsAndAnyStart) {
@@ -207,18 +207,18 @@ EXERCISE_TEST(UpdateRow, TakesAnyBoundsAndAnyStart) {
     expect_near(
         "λ within " + bounds + ", from " + show(old.lambda) + " [N s]", "Eq. (4.6), (4.7)", row.lambda,
         expected, roundings(100, 5),
-        {{wanted, "This has not been projected: look at both of the row's bounds."},
-         {old.lambda, "λ stayed where it was. Where it begins outside its bounds, it is brought inside."},
-         {std::max(0.0, wanted), "Projected on a contact's bounds: this row has its own."}},
-        "λ + r/S_kk, projected on [lo, hi], wherever it comes from.");
+        {{wanted, "This has not been projected: use both of the row's bounds."},
+         {old.lambda, "λ has not changed. A λ outside its bounds must be projected."},
+         {std::max(0.0, wanted), "This was projected on a contact's bounds. The row has bounds of its own."}},
+        "λ + r/S_kk, projected on [lo, hi], from any λ.");
     expect_near("the returned change Δλ [N s]", "Eq. (4.7)", delta, change, roundings(100, 5),
                 {{std::abs(change), "Return the change with its sign."},
                  {expected - std::min(old.hi, std::max(old.lo, old.lambda)),
                   old.hi == 0 || old.lo == 0
-                      ? "This is λ, or the change from the old λ brought within its bounds: what "
-                        "changed is counted from the old λ as it was, within its bounds or not."
-                      : "This is the change from the old λ brought within its bounds. It is "
-                        "counted from the old λ as it was, for that is what V has of it."},
+                      ? "This is λ, or the change from the projected old λ. Return the change from the old λ "
+                        "itself, inside its bounds or not."
+                      : "This is the change from the projected old λ. Return the change from the old λ itself, "
+                        "since V contains the old λ."},
                  {expected, "This is λ: return what changed."},
                  {wanted - old.lambda, "Return the change after projection, not before."}});
     expect_near("what G V changed by [m/s]", "Eq. (4.5)", along(p.V) - along(before),
@@ -226,7 +226,7 @@ EXERCISE_TEST(UpdateRow, TakesAnyBoundsAndAnyStart) {
                 {{(wanted - old.lambda) * (old.diagonal - old.Sigma), "The unprojected change was scattered."},
                  {expected * (old.diagonal - old.Sigma), "All of λ was scattered, not its change."},
                  {0, "Nothing was scattered."}},
-                "What is scattered is Δλ, of which the bodies feel S_kk - Σ.");
+                "Scatter Δλ, which changes G V by (S_kk - Σ) Δλ.");
   }
 }
 
@@ -236,7 +236,7 @@ EXERCISE_TEST(UpdateRow, KeepsANaN) {
   update_row(row, V);
   expect_true(
       "a right side that is NaN gives a λ that is NaN", "Eq. (4.7)", std::isnan(row.lambda),
-      "std::min and std::max return their first argument when the other is NaN, and so made a number of it. "
+      "std::min and std::max return their first argument when the other is NaN, so the NaN became a number. "
       "std::clamp keeps a NaN.");
 }
 
@@ -249,7 +249,7 @@ EXERCISE_TEST(UpdateRow, DropsNothingSmall) {
       expect_near("λ of a row with " + of.text + " [N s]", "Eq. (4.7)", of.row.lambda, before + of.lacks / 3,
                   roundings(4), {}, small_is_dropped);
     }
-    // λ = 1 N s holds but for a little.
+    // λ = 1 N s is nearly enough.
     CancellationCase nearly = cancellation_cases(part).back();
     nearly.V = {Twist<3>::Zero(), Twist<3>::Zero()};
     nearly.row.lambda = 1;
@@ -257,15 +257,15 @@ EXERCISE_TEST(UpdateRow, DropsNothingSmall) {
     update_row(nearly.row, nearly.V);
     expect_near("velocity of body j, where λ = 1 N s grows by " + show(part / 3) + " of itself [m/s]",
                 "Eq. (4.7)", nearly.V[1].z(), part / 3, roundings(8),
-                {{0, "It has been left alone. " + small_is_dropped}}, small_is_dropped);
-    // And it loses all of it but for a little.
+                {{0, "It has not been changed. " + small_is_dropped}}, small_is_dropped);
+    // And it loses nearly all of it.
     nearly.V = {Twist<3>::Zero(), Twist<3>::Zero()};
     nearly.row.lambda = 1;
     nearly.row.B = 3 * part - 2;
     update_row(nearly.row, nearly.V);
     expect_near("velocity of body j, where " + show(part) + " of λ = 1 N s is left [m/s]", "Eq. (4.7)",
                 nearly.V[1].z(), part - 1, roundings(8),
-                {{-1, "It has been taken for nothing. " + small_is_dropped}}, small_is_dropped);
+                {{-1, "It has been treated as 0. " + small_is_dropped}}, small_is_dropped);
     if (::testing::Test::HasFailure()) return;
   }
 }

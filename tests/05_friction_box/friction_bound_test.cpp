@@ -14,20 +14,19 @@ const std::string not_an_impulse =
     "would be 60 times too strong.";
 
 EXERCISE_TEST(FrictionBound, IsTheFrictionForceOfAStep) {
-  expect_near(
-      "Λ [N s] for μ = 0.4, m = 3 kg, g_n = 10 m/s², h = 0.02 s", "Eq. (5.7)", friction_bound(0.4, 3, 10, 0.02),
-      0.24, roundings(8, 0.24),
-      {{12, not_an_impulse},
-       {0.6, "μ is missing: this is the normal impulse m g_n h."},
-       {0.08, "The mass is missing."},
-       {0.024, "Gravity is missing."},
-       {0.4 * 3 * 9.81 * 0.02, "This has 9.81 m/s² in it: take what comes in, gravity along the normal."},
-       {0.0048, "h² is one h too many: a force times h is an impulse."},
-       {600, "This has been divided by h: a force times h is an impulse."},
-       {0.4 / 3 * 10 * 0.02, "This has been divided by the mass. What comes in is the mass, not 1/m."},
-       {0.12, "This is half of it: the box reaches from -Λ to Λ."},
-       {0.48, "This is twice of it: the box reaches from -Λ to Λ."}},
-      "Λ = μ m g_n h.");
+  expect_near("Λ [N s] for μ = 0.4, m = 3 kg, g_n = 10 m/s², h = 0.02 s", "Eq. (5.7)",
+              friction_bound(0.4, 3, 10, 0.02), 0.24, roundings(8, 0.24),
+              {{12, not_an_impulse},
+               {0.6, "μ is missing: this is the normal impulse m g_n h."},
+               {0.08, "The mass is missing."},
+               {0.024, "Gravity is missing."},
+               {0.4 * 3 * 9.81 * 0.02, "This contains 9.81 m/s². Use the argument, gravity along the normal."},
+               {0.0048, "h² is one h too many: a force times h is an impulse."},
+               {600, "This has been divided by h: a force times h is an impulse."},
+               {0.4 / 3 * 10 * 0.02, "This has been divided by the mass. The argument is the mass, not 1/m."},
+               {0.12, "This is half the bound: the box reaches from -Λ to Λ."},
+               {0.48, "This is twice the bound: the box reaches from -Λ to Λ."}},
+              "Λ = μ m g_n h.");
 }
 
 EXERCISE_TEST(FrictionBound, IsProportionalToEach) {
@@ -47,7 +46,7 @@ EXERCISE_TEST(FrictionBound, IsProportionalToEach) {
 EXERCISE_TEST(FrictionBound, IsAnImpulse) {
   const double whole = friction_bound(0.5, 2, 9.81, 1.0 / 60), half = friction_bound(0.5, 2, 9.81, 1.0 / 120);
   expect_near("Λ at h/2 over Λ at h", "Eq. (5.7)", half / whole, 0.5, roundings(8),
-              {{1, not_an_impulse}, {0.25, "h² is one h too many."}, {2, "h belongs above the line."}},
+              {{1, not_an_impulse}, {0.25, "h² is one h too many."}, {2, "h belongs in the numerator."}},
               "Half the step, half the impulse: two steps of h/2 brake as much as one of h.");
 }
 
@@ -117,7 +116,7 @@ EXERCISE_TEST(FrictionBound, LetsABlockSlideFasterByTheSamePerStep) {
   }
 }
 
-// A block sent off on a level floor along t1, by leapfrog from half a step early, until it stops.
+// A block slides on a level floor along t1, by leapfrog with a half-step start, until it stops.
 struct Slide {
   int steps = 0;
   double x = 0;
@@ -141,7 +140,7 @@ EXERCISE_TEST(FrictionBound, StopsABlockAfterItsTimeAndDistance) {
   Random random;
   for (int trial = 0; trial < 20 && !::testing::Test::HasFailure(); ++trial) {
     const double mu = random.uniform(0.1, 1.5), g = random.uniform(1, 20), h = random.log_uniform(0.001, 0.01);
-    // Not within 1e-3 of a half, where a rounding decides on one step more.
+    // Not within 1e-3 of a half, where round-off may add a step.
     const double steps = random.integer(20, 200), z = steps + random.uniform(-0.499, 0.499),
                  v0 = z * mu * g * h;
     const Slide slide = slide_out(v0, mu, g, h);
@@ -151,7 +150,7 @@ EXERCISE_TEST(FrictionBound, StopsABlockAfterItsTimeAndDistance) {
                 std::round(z), {0, "a count"},
                 {{0, "It stops within a step: the bound is too large. Is h in it?"}},
                 "It stops after v0/(μ g), to the nearest step.");
-    expect_near("distance that it comes [m]", "Eq. (5.7), (5.10)", slide.x, stopping_distance(v0, mu * g, h),
+    expect_near("distance until it stops [m]", "Eq. (5.7), (5.10)", slide.x, stopping_distance(v0, mu * g, h),
                 {1e-12 * z * v0 * h, "a few roundings of v in each of up to 200 steps, added up"},
                 {{0, "It stops within a step: the bound is too large. Is h in it?"}},
                 "v0²/(2 μ g), less μ g h²/2 times the square of what v0/(μ g h) is off an integer.");
@@ -164,18 +163,18 @@ EXERCISE_TEST(FrictionBound, StopsABlockAtADistanceThatIsOfSecondOrder) {
   expect_order(
       "error of the distance after which a sliding block stops [m]", "Eq. (5.7), (5.10)",
       [&](double step) { return std::abs(slide_out(v0, mu, g, step).x - v0 * v0 / (2 * mu * g)); }, h, 4, 2,
-      0.05, "With a bound in N s the distance does not depend on h, but for an error of h².");
+      0.05, "With a bound in N s the distance depends on h only by an error of order h².");
 }
 
-// A solid sphere, sent off without spin: the velocity u of its contact changes by 7/(2m) J, its own, v, by J/m. It
-// slides until u is zero.
+// A solid sphere that starts without spin. An impulse J changes the velocity u of its contact by 7/(2m) J, and v by
+// J/m. It slides until u is zero.
 EXERCISE_TEST(FrictionBound, LetsASphereSlideUntilItRolls) {
   const double mu = 0.2, g = 9.81, h = 0.01, m = 3, bound = friction_bound(mu, m, g, h);
   const int sliding = 40;
   const double v0 = 3.5 * mu * g * h * sliding;
   const Tangents t{Vec3::UnitX(), Vec3::UnitY()};
   const Mat3 K = 3.5 / m * Mat3::Identity();
-  // Half a step early, as leapfrog has it.
+  // Leapfrog's velocity is half a step early.
   double u = v0 + 3.5 * mu * g * h / 2, v = v0 + mu * g * h / 2;
   int steps = 0;
   for (; steps < 10000; ++steps) {
@@ -188,7 +187,7 @@ EXERCISE_TEST(FrictionBound, LetsASphereSlideUntilItRolls) {
               {0, "a count"}, {{0, "It rolls at once: the bound is too large. Is h in it?"}},
               "It rolls after 2 v0/(7 μ g).");
   expect_near("its velocity then [m/s]", "Eq. (5.11)", v, 5 * v0 / 7, roundings(8 * sliding, v0), {},
-              "5/7 of v0, whatever the bound.");
+              "5/7 of v0, for any bound.");
 }
 
 EXERCISE_TEST(FrictionBound, MayBeZero) {
@@ -223,8 +222,8 @@ EXERCISE_TEST(FrictionBound, RejectsAStepThatIsNotPositive) {
 EXERCISE_TEST(FrictionBound, RejectsWhereTheBoundIsZeroToo) {
   friction_bound(0.4, 3, 10, 0.02);
   const std::string clue =
-      "All four are looked at before anything is returned. A bound that is 0 by one of them is right only "
-      "if the others make sense.";
+      "Check all four arguments before you return. A bound of 0 is right only if the other arguments are "
+      "valid.";
   const double nan = std::nan("");
   expect_rejects(
       "h = 0 where mu = 0", "h", [&] { friction_bound(0, 3, 10, 0); }, clue);

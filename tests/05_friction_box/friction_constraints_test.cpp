@@ -1,4 +1,4 @@
-// The two friction constraints of a contact: what they hold, and what they ask of two bodies.
+// The two friction constraints of a contact: their fields, and their rows for two bodies.
 #include "exercise_test.hpp"
 #include "sliding.hpp"
 
@@ -72,12 +72,12 @@ EXERCISE_TEST(FrictionConstraints, TakePointMasses) {
 EXERCISE_TEST(FrictionConstraints, CarryTheRestOver) {
   const AnyContact touch;
   const SpookParameters spook{
-      .a = 3, .b = 0.75, .Sigma = 0.125};  // not friction's own, but a copy does not ask
+      .a = 3, .b = 0.75, .Sigma = 0.125};  // not friction's own values, but they must be copied
   for (const auto& constraint : friction_constraints<6>(touch.contact, touch.t, 0.75, spook)) {
     expect_true("the constraint has the contact's bodies", "Eq. (5.2)", constraint.i == 3 && constraint.j == 1,
                 "Copy i and j, in that order.");
-    const std::string copy = "Copy `spook`: friction has numbers of its own, and they come in.";
-    const std::string again = " has been set here once more. friction_parameters does so: copy what it gave.";
+    const std::string copy = "Copy `spook`: it holds friction's own a, b and Γ.";
+    const std::string again = " has been set here again. friction_parameters has set it: copy its result.";
     expect_near("a of a spook with a = 3 /s [1/s]", "Eq. (5.3)", constraint.spook.a, 3, {0, "a copy"},
                 {{0, "a = 0" + again}}, copy);
     expect_near("b of a spook with b = 0.75", "Eq. (5.3)", constraint.spook.b, 0.75, {0, "a copy"},
@@ -93,12 +93,12 @@ EXERCISE_TEST(FrictionConstraints, AreBoundedOnBothSides) {
   for (const auto& constraint : friction_constraints<6>(touch.contact, touch.t, 0.75, rigid)) {
     expect_near("lower bound of λ, Λ = 0.75 N s [N s]", "Eq. (5.8)", constraint.lo, -0.75, {0, "a sign"},
                 {{0, "This is a contact's bound. Friction acts both ways along t: from -Λ to Λ."},
-                 {0.75, "The lower bound is the upper one: λ would have no choice. It is -Λ."},
+                 {0.75, "The lower bound equals the upper one, so λ would be constant. It is -Λ."},
                  {-0.375, half_bound}},
                 "-Λ <= λ <= Λ.");
     expect_near("upper bound of λ, Λ = 0.75 N s [N s]", "Eq. (5.8)", constraint.hi, 0.75, {0, "a copy"},
                 {{0.375, half_bound}},
-                "-Λ <= λ <= Λ. A contact's own bound, infinity, would let nothing ever slide.");
+                "-Λ <= λ <= Λ. With a contact's bound, infinity, nothing would ever slide.");
   }
 }
 
@@ -107,7 +107,8 @@ EXERCISE_TEST(FrictionConstraints, AreBoundedOnIceToo) {
   for (const double bound : {0.0, 1e-300, 1e300}) {
     const std::string of = " bound of λ, Λ = " + show(bound) + " N s [N s]";
     const std::string clue =
-        "Λ is a bound, whatever it is. Zero is one, too, and not none: on ice λ is 0, and nothing rubs.";
+        "Any Λ is a bound. Λ = 0 does not mean that there is no bound: on ice λ is 0, and there is no "
+        "friction.";
     for (const auto& constraint : friction_constraints<6>(touch.contact, touch.t, bound, rigid)) {
       expect_near("lower" + of, "Eq. (5.8)", constraint.lo, -bound, {0, "a sign"}, {}, clue);
       expect_near("upper" + of, "Eq. (5.8)", constraint.hi, bound, {0, "a copy"}, {}, clue);
@@ -123,12 +124,12 @@ EXERCISE_TEST(FrictionConstraints, DoNotAskWhetherTheContactIsOpen) {
     for (const auto& constraint : friction_constraints<6>(touch.contact, touch.t, 0.75, rigid)) {
       const std::string text = " bound of λ at a contact with a gap of " + show(gap) + " m, Λ = 0.75 N s [N s]";
       const std::string clue =
-          "A contact that is still open may close within the step, and rub. How much it may is `bound`, and "
-          "comes in.";
+          "A contact that is still open may close within the step and have friction. The argument `bound` "
+          "limits it.";
       expect_near("lower" + text, "Eq. (5.8)", constraint.lo, -0.75, {0, "a sign"}, {}, clue);
       expect_near("upper" + text, "Eq. (5.8)", constraint.hi, 0.75, {0, "a copy"}, {}, clue);
       expect_near("gap of a friction constraint where the contact's is " + show(gap) + " m", "Eq. (5.3)",
-                  constraint.gap, 0, {0, "exact"}, {}, "Friction wants a velocity to be zero, not a place.");
+                  constraint.gap, 0, {0, "exact"}, {}, "Friction makes a velocity zero, not a position.");
     }
     if (::testing::Test::HasFailure()) return;
   }
@@ -137,11 +138,11 @@ EXERCISE_TEST(FrictionConstraints, DoNotAskWhetherTheContactIsOpen) {
 EXERCISE_TEST(FrictionConstraints, HaveNoGap) {
   const AnyContact touch;
   for (const auto& constraint : friction_constraints<6>(touch.contact, touch.t, 0.75, rigid))
-    expect_near(
-        "gap of a friction constraint [m]", "Eq. (5.3)", constraint.gap, 0, {0, "exact"},
-        {{touch.contact.gap,
-          "This is the contact's gap, along n. How deep bodies overlap must not drive them along the plane."}},
-        "Friction wants a velocity to be zero, not a place.");
+    expect_near("gap of a friction constraint [m]", "Eq. (5.3)", constraint.gap, 0, {0, "exact"},
+                {{touch.contact.gap,
+                  "This is the contact's gap, along n. The overlap of two bodies must not drive them along the "
+                  "plane."}},
+                "Friction makes a velocity zero, not a position.");
 }
 
 EXERCISE_TEST(FrictionConstraints, AskForTheVelocityOfTheContactToVanish) {
@@ -155,7 +156,7 @@ EXERCISE_TEST(FrictionConstraints, AskForTheVelocityOfTheContactToVanish) {
     motion.W.push_back(random.twist());
     motion.Wf.push_back(random.twist());
   }
-  // What the point of j does as seen from that of i: u of velocities, u_f of what forces add to them.
+  // Relative velocity of j's contact point: u from velocities, u_f from what forces add.
   const auto seen = [&](const std::vector<Twist<6>>& W) -> Vec3 {
     const Vec3 w_i = W[0].tail<3>(), w_j = W[1].tail<3>();
     return W[1].head<3>() + w_j.cross(touch.contact.r_j) - W[0].head<3>() - w_i.cross(touch.contact.r_i);
@@ -165,20 +166,20 @@ EXERCISE_TEST(FrictionConstraints, AskForTheVelocityOfTheContactToVanish) {
     const Vec3& t = k == 0 ? touch.t.t1 : touch.t.t2;
     expect_near("right side of friction row " + std::to_string(k + 1) + ", by make_row [m/s]",
                 "Eq. (5.2), (5.3)", make_row(constraints[k], motion).B, -(u + u_f).dot(t), roundings(64, 10),
-                {{(u + u_f).dot(t), "The sign: friction would drive what slides."},
-                 {-(u + u_f).dot(touch.contact.n), "This asks for the velocity along n to vanish."}},
+                {{(u + u_f).dot(t), "The sign: this friction would accelerate a sliding body."},
+                 {-(u + u_f).dot(touch.contact.n), "This makes the velocity along n zero."}},
                 "B = -u·t - u_f·t, of both contact points.");
   }
 }
 
-// A rigid body with moments that differ, turned any way.
+// Returns a rigid body with different moments, in any orientation.
 InverseMass<6> random_body(Random& random) {
   const Mat3 R = random.rotation().toRotationMatrix();
   const Vec3 inverse_moments{random.uniform(0.5, 5), random.uniform(0.5, 5), random.uniform(0.5, 5)};
   return {.linear = 1 / random.uniform(0.5, 3), .angular = R * inverse_moments.asDiagonal() * R.transpose()};
 }
 
-// With a = 0 and b = 1 each update makes ½ V·M V + V·M W smaller, or leaves it, whatever the sweeps still lack.
+// With a = 0 and b = 1 no update increases ½ V·M V + V·M W, also before the sweeps have converged.
 EXERCISE_TEST(FrictionConstraints, NeverAddEnergy) {
   Random random;
   for (int trial = 0; trial < 200 && !::testing::Test::HasFailure(); ++trial) {
@@ -217,7 +218,9 @@ EXERCISE_TEST(FrictionConstraints, NeverAddEnergy) {
     expect_at_most("kinetic energy of " + std::to_string(bodies) + " bodies that rub at " +
                        std::to_string(rows.size() / 2) + " contacts, after " + std::to_string(sweeps) +
                        " sweeps [J]",
-                   "Eq. (5.3), (5.8)", after, before * (1 + 1e-12), "what it was, and 1e-12 of it in roundings",
+                   "Eq. (5.3), (5.8)", after, before * (1 + 1e-12),
+                   "the energy before, and 1e-12 of it in "
+                   "roundings",
                    "Friction can only brake. Does it act on both bodies, against their velocity?");
   }
 }
@@ -268,12 +271,12 @@ EXERCISE_TEST(FrictionConstraints, HoldABlockOnASlopeUpToTanTheta) {
     expect_near("speed after 1000 steps on a slope, θ = " + show(theta) + ", μ = tan θ (1 + 1e-9) [m/s]",
                 "Eq. (5.9)", speed_on_slope(1000, h, tangent * (1 + 1e-9), theta, touch.t), 0,
                 roundings(64, unit), {},
-                "With μ >= tan θ it sticks. Does each row have its whole bound, and on both sides?");
+                "With μ >= tan θ it sticks. Does each row have its full bound, on both sides?");
     const double mu = tangent * (1 - 1e-9);
     expect_near("speed after 100 steps on a slope, θ = " + show(theta) + ", μ = tan θ (1 - 1e-9) [m/s]",
                 "Eq. (5.9)", speed_on_slope(100, h, mu, theta, touch.t),
                 100 * h * gravity * (std::sin(theta) - mu * std::cos(theta)), roundings(64 * 100, unit),
-                {{0, "It sticks, and should slide: is the bound kept on both sides?"}},
+                {{0, "It sticks, but it should slide. Is λ bounded on both sides?"}},
                 "With μ < tan θ it slides, by 1e-9 of g sin θ.");
   }
 }
@@ -286,7 +289,7 @@ EXERCISE_TEST(FrictionConstraints, LetABlockStayForTenThousandSteps) {
   for (int n = 0; n < 10000; ++n) block.step(F * touch.t.t1);
   expect_near("creep in 10,000 steps of a block pushed by 5 N, c = ∞ [m]", "Eq. (5.5)", block.x.dot(touch.t.t1),
               0, roundings(10000 * 16, h * h * F / mass), {},
-              "Stuck is stuck: the push stays below μ m g = 9.81 N, and 1/c is 0.");
+              "It must not move: the push is below μ m g = 9.81 N, and 1/c is 0.");
 }
 
 // A solid sphere, I = 2/5 m R², sent off along t1 without spin, by leapfrog from half a step early. Friction
@@ -324,15 +327,15 @@ EXERCISE_TEST(FrictionConstraints, LetASlidingSphereRoll) {
   expect_near_vector("velocity of the sphere once it rolls [m/s]", "Eq. (5.11)", v, Vec3(5 * v0 / 7 * t.t1),
                      roundings(64 * sliding, v0),
                      {{(v0 - mu * gravity * h * (sliding + 0.5)) * t.t1,
-                       "It has been braked as a block. Friction must turn it, too: r × t."}},
-                     "5/7 of v0, whatever μ: the angular momentum about the contact stays.");
+                       "It slows down like a block. Friction must turn it, too: r × t."}},
+                     "5/7 of v0, for any μ: the angular momentum about the contact is conserved.");
   for (int n = 0; n < 1000; ++n) step();
   expect_near_vector("velocity 1000 steps later [m/s]", "Eq. (5.11)", Vec3(motion.W[1].head<3>()),
                      Vec3(5 * v0 / 7 * t.t1), roundings(64 * sliding + 8000, v0), {},
-                     "What rolls goes on rolling: friction has nothing left to do.");
+                     "It goes on rolling, with no friction.");
 }
 
-// What is special about a box: it has corners, and they turn with the tangents.
+// The friction box has corners, and they turn with the tangents.
 
 double across(double phi) {
   return std::max(std::abs(std::cos(phi)), std::abs(std::sin(phi)));
@@ -357,12 +360,12 @@ EXERCISE_TEST(FrictionConstraints, AreStrongerAlongTheDiagonal) {
     }
     expect_near("speed after 100 steps" + text + "1 - 1e-9 [m/s]", "Eq. (5.8), (5.12)",
                 std::hypot(below.v.dot(touch.t.t1), below.v.dot(touch.t.t2)), 0, roundings(64, h * F / mass),
-                {}, "It should stick: each row has the bound Λ for itself, and at 45° that makes √2 Λ.");
+                {}, "It should stick: each row has its own bound Λ, so that the sum at 45° is √2 Λ.");
     const double slip = std::max(std::abs(above.v.dot(touch.t.t1)), std::abs(above.v.dot(touch.t.t2)));
     expect_near("its larger component after 100 steps" + text + "1 + 1e-9 [m/s]", "Eq. (5.8), (5.12)", slip,
                 1e-9 * 100 * h * mu * gravity, roundings(64 * 100, h * F / mass),
-                {{0, "It should slide: is the bound kept, on both sides?"}},
-                "The row with the larger share of the push gives way first.");
+                {{0, "It should slide. Is λ bounded on both sides?"}},
+                "The row with the larger component of the push reaches its bound first.");
     if (::testing::Test::HasFailure()) return;
   }
 }
@@ -388,12 +391,12 @@ EXERCISE_TEST(FrictionConstraints, StopEachComponentForItself) {
     given() = "sent off at " + show(v0) + " m/s, at φ = " + show(phi) + " from t1; μ = 0.5, h = 0.005 s";
     expect_at_most("time until it stops less v0 max(|cos φ|, |sin φ|)/(μ g) [s]", "Eq. (5.12)",
                    std::abs(steps * h - v0 * across(phi) / A), h * (0.5 + 1e-6), "half a step",
-                   "The larger component takes the longest, and the other does not make it any shorter.");
+                   "The larger component decides the time, and the other one does not shorten it.");
     const Tolerance slides{1e-12 * v0 * v0 / A, "a few roundings of v in each of up to 200 steps, added up"};
-    expect_near("how far it came along t1 [m]", "Eq. (5.13)", sent.x.dot(t.t1), stopping_distance(v0 * c, A, h),
-                slides, {}, "Each component is braked by μ g until it is zero, whatever the other does.");
-    expect_near("how far it came along t2 [m]", "Eq. (5.13)", sent.x.dot(t.t2), stopping_distance(v0 * s, A, h),
-                slides, {}, "Each component is braked by μ g until it is zero, whatever the other does.");
+    expect_near("distance along t1 [m]", "Eq. (5.13)", sent.x.dot(t.t1), stopping_distance(v0 * c, A, h),
+                slides, {}, "Each component decreases by μ g until it is zero, independently of the other.");
+    expect_near("distance along t2 [m]", "Eq. (5.13)", sent.x.dot(t.t2), stopping_distance(v0 * s, A, h),
+                slides, {}, "Each component decreases by μ g until it is zero, independently of the other.");
     expect_near("distance from start to stop [m]", "Eq. (5.13)", sent.x.norm(),
                 std::sqrt(c * c * c * c + s * s * s * s) * v0 * v0 / (2 * A),
                 {A * h * h / 4, "μ g h²/8 along each tangent"},
@@ -439,13 +442,15 @@ EXERCISE_TEST(FrictionConstraints, StopASpinningDiscEarly) {
   expect_near("spin of a disc after 10 steps of 10.3 that the box needs [rad/s]", "Eq. (5.14)", spin,
               omega0 - steps * box * h,
               {1e-9 * omega0, "the solver's tolerance, 1e-14 m/s a row, and its condition"},
-              {{omega0 - steps * coulomb * h, "This is Coulomb's disc. A box is stronger across its corners."},
-               {omega0, "Nothing brakes it: r × t is missing."}},
+              {{omega0 - steps * coulomb * h,
+                "This is Coulomb's disc. A friction box is stronger towards its "
+                "corners."},
+               {omega0, "Its spin does not change: r × t is missing."}},
               "Each spoke has |cos φ| + |sin φ| times Coulomb's friction, 4/π in the mean.");
   step();
   expect_near("spin one step later [rad/s]", "Eq. (5.14)", motion.W[1].tail<3>().dot(n), 0,
               {1e-9 * omega0, "the solver's tolerance, 1e-14 m/s a row, and its condition"}, {},
-              "It stops after π/4 of Coulomb's 3 R ω0/(4 μ g), as 24 spokes see it.");
+              "It stops after π/4 of Coulomb's 3 R ω0/(4 μ g), computed for 24 spokes.");
 }
 
 }  // namespace

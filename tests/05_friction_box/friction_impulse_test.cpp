@@ -16,15 +16,15 @@ EXERCISE_TEST(FrictionImpulse, SolvesBothRowsByHand) {
   const Tangents t{Vec3(0, 1, 0), Vec3(0, 0, 1)};
   const Mat3 K = Vec3(9.5, 1.5, 3.5).asDiagonal();
   const Vec3 u(7, -3, 2), J = friction_impulse(K, u, t, 0.5, 10);
-  // One λ is positive, one negative. Where one is 0, the opposite motion tells a missing row from one that is kept on
-  // one side of 0.
+  // One λ is positive, one negative. Where one is 0, the opposite motion distinguishes a missing row from a λ that is
+  // bounded by 0.
   const bool one_sided = (J + friction_impulse(K, -u, t, 0.5, 10)).norm() > 0.1;
   const std::string both_ways = " side of 0 only, as a contact's. Friction pushes both ways along t.";
   // Along t1: 3/(1.5 + 0.5); along t2: -2/(3.5 + 0.5). Along n there is no friction.
   expect_near_vector(
       "J [N s] for t1·Kt1 = 1.5, t2·Kt2 = 3.5, n·Kn = 9.5, Γ = 0.5, u = (7, -3, 2), Λ = 10", "Eq. (5.3)", J,
       Vec3(0, 1.5, -0.5), roundings(16, 2),
-      {{Vec3(0, -1.5, 0.5), "The sign: this drives what slides. λ is against u."},
+      {{Vec3(0, -1.5, 0.5), "The sign: this accelerates a sliding body. λ is opposite to u."},
        {Vec3(0, 2, -2 / 3.5), "Γ is missing: divide by t·Kt + Γ."},
        {Vec3(0, 3, -2 / 3.0), "The sign of Γ: divide by t·Kt + Γ."},
        {Vec3(0, 6, -4), "K is missing: divide by t·Kt + Γ."},
@@ -41,8 +41,8 @@ EXERCISE_TEST(FrictionImpulse, SolvesBothRowsByHand) {
         "K(0, 0) and K(1, 1) belong to x and y, which here are n and t1. Along t it is t·Kt."},
        {Vec3(0, 1.5, 0), one_sided ? "λ is kept on the positive" + both_ways : "The row along t2 is missing."},
        {Vec3(0, 0, -0.5), one_sided ? "λ is kept on the negative" + both_ways : "The row along t1 is missing."},
-       {Vec3(0, 10, -10), "This is the bound at full strength. Friction takes no more than it needs to stop."},
-       {Vec3(0, 10, 10), "This is the bound itself. Friction takes no more than it needs to stop."}},
+       {Vec3(0, 10, -10), "This is always the full bound. Friction is no larger than needed to stop the slip."},
+       {Vec3(0, 10, 10), "This is the bound itself. Friction is no larger than needed to stop the slip."}},
       "J = λ1 t1 + λ2 t2, and (t·Kt + Γ) λ = -u·t along each.");
 }
 
@@ -55,9 +55,9 @@ EXERCISE_TEST(FrictionImpulse, DividesByWhatKDoesAlongEachTangent) {
   const Vec3 diagonal = K.diagonal();
   const auto along_axes = [&](const Vec3& tangent) { return tangent.dot(diagonal.cwiseProduct(tangent)); };
   const std::string axes =
-      "K.diagonal() is what K does along x, y and z. Along t it is t·Kt: one division by that for each row.";
+      "K.diagonal() holds K along x, y and z. Along t it is t·Kt: one division by that for each row.";
   const std::string together =
-      "This is -K⁻¹u, the motion stopped as a whole. Here there is one division by t·Kt for each row.";
+      "This is -K⁻¹u, which stops all motion of the point. Divide by t·Kt once for each row.";
   const Vec3 full = -K.inverse() * u, one_by_one = -u.cwiseQuotient(diagonal);
   expect_near_vector(
       "J [N s] for t1 = (0.6, 0.8, 0), t2 = (-0.8, 0.6, 0), K = ((2, 1, 0), (1, 4, 0), (0, 0, 3)), Γ = 0, "
@@ -71,11 +71,11 @@ EXERCISE_TEST(FrictionImpulse, DividesByWhatKDoesAlongEachTangent) {
        {divided_by(diagonal.dot(t.t1), diagonal.dot(t.t2)), axes},
        {divided_by(diagonal.x(), diagonal.y()), axes},
        {divided_by((K * t.t1).norm(), (K * t.t2).norm()),
-        "This divides by |Kt|, the whole change of velocity. The row is about its part along t, t·Kt."}},
+        "This divides by |Kt|, the whole change of velocity. The row needs its component along t, t·Kt."}},
       "t1·Kt1 = 4.24 and t2·Kt2 = 1.76: one division for each row.");
 }
 
-/// A contact anywhere, with t1·K t2 = 0: its two rows do not see each other. They do see the normal.
+/// Any contact with t1·K t2 = 0: its two rows are not coupled to each other, but to the normal.
 struct Touch {
   Tangents t;
   double k1, k2, p, q, k3;  ///< K in the frame of t1, t2, n
@@ -113,18 +113,18 @@ EXERCISE_TEST(FrictionImpulse, StopsThePointWhereItCan) {
         "velocity left along t1, Γ = 0, Λ = 100 N s, for " + touch.text() + " [m/s]", "Eq. (5.2), (5.3)",
         slip[0], 0, roundings(64, 4),
         {{touch.u.dot(touch.t.t1), "Nothing has changed along t1."}, {after_full.dot(touch.t.t1), in_full}},
-        "Without softness and bound, friction leaves nothing of u·t.");
+        "With Γ = 0 and λ inside its bounds, friction makes u·t zero.");
     expect_near(
         "velocity left along t2, Γ = 0, Λ = 100 N s, for " + touch.text() + " [m/s]", "Eq. (5.2), (5.3)",
         slip[1], 0, roundings(64, 4),
         {{touch.u.dot(touch.t.t2), "Nothing has changed along t2."}, {after_full.dot(touch.t.t2), in_full}},
-        "Without softness and bound, friction leaves nothing of u·t.");
+        "With Γ = 0 and λ inside its bounds, friction makes u·t zero.");
     expect_near("J·n [N s]", "Eq. (5.2)", slip[2], 0, roundings(64, 4), {{full.dot(n), in_full}},
                 "Friction acts along the plane: J = λ1 t1 + λ2 t2 has no part along n.");
   }
 }
 
-// Along one tangent only: there the box and the cone of Coulomb agree.
+// Along one tangent only, where the box and Coulomb's cone agree.
 EXERCISE_TEST(FrictionImpulse, KeepsItsBoundBothWays) {
   Random random;
   for (int trial = 0; trial < 20 && !::testing::Test::HasFailure(); ++trial) {
@@ -139,13 +139,13 @@ EXERCISE_TEST(FrictionImpulse, KeepsItsBoundBothWays) {
                 " N s",
             "Eq. (5.8)", friction_impulse(touch.K, u, touch.t, 0, bound), Vec3(-sign * bound * t),
             roundings(16, speed + 1),
-            {{-needed * t, "The bound has not been kept: λ lies between -Λ and Λ."},
+            {{-needed * t, "λ exceeds its bound: it lies between -Λ and Λ."},
              {Vec3::Zero(),
               sign > 0 ? "λ has been kept between 0 and Λ, as a contact's. Friction acts both ways along t."
                        : "λ has been kept between -Λ and 0. Friction acts both ways along t."},
              {-sign * bound / 2 * t, "Half of the bound: λ may be as large as Λ either way, from -Λ to Λ."},
-             {sign * bound * t, "The sign: this drives what slides. λ is against u."}},
-            "-Λ <= λ <= Λ, and against the motion.");
+             {sign * bound * t, "The sign: this accelerates a sliding body. λ is opposite to u."}},
+            "-Λ <= λ <= Λ, opposite to the motion.");
       }
   }
 }
@@ -171,14 +171,15 @@ EXERCISE_TEST(FrictionImpulse, IsBoundedByABox) {
     const Vec3 free = free1 * t1 + free2 * t2, u_t = touch.u.dot(t1) * t1 + touch.u.dot(t2) * t2;
     const Vec3 expected = std::clamp(free1, -bound, bound) * t1 + std::clamp(free2, -bound, bound) * t2;
     const std::string cone =
-        "This is Coulomb's cone: J as a whole has been shortened to Λ. It is the better law, and the business "
-        "of chapter 09. The box bounds λ1 and λ2 each for itself.";
+        "This is Coulomb's cone: It shortens the vector J to Λ. This law is better, and chapter 09 uses it. "
+        "The "
+        "box bounds λ1 and λ2 separately.";
     expect_near_vector("J [N s] for " + touch.text() + ", Λ = " + show(bound) + " N s", "Eq. (5.8)",
                        friction_impulse(touch.K, touch.u, touch.t, Gamma, bound), expected, roundings(64, 4),
-                       {{free, "The bound has not been kept: λ lies between -Λ and Λ."},
+                       {{free, "λ exceeds its bound: it lies between -Λ and Λ."},
                         {bound / size * free, cone},
                         {-bound * u_t.normalized(), cone}},
-                       "Each λ by itself: -Λ <= λ1 <= Λ and -Λ <= λ2 <= Λ, whatever the other is.");
+                       "-Λ <= λ1 <= Λ and -Λ <= λ2 <= Λ, each independently of the other.");
   }
 }
 
@@ -190,15 +191,17 @@ EXERCISE_TEST(FrictionImpulse, TakesEachRowForItself) {
                      "Eq. (5.3)", friction_impulse(K, Vec3(-4, 6, 0), t, 0, 10), Vec3(2, -1.5, 0),
                      roundings(16, 3),
                      {{Vec3(22, -16, 0) / 7,
-                       "This solves both rows together. The solver's sweeps do that: here each row is "
-                       "solved as if the other were not there."},
-                      {Vec3(2, -2, 0), "The second row has seen what the first did: here each is for itself."},
+                       "This solves both rows together, which is the task of the solver's sweeps. Here solve "
+                       "each row as if the other did not exist."},
+                      {Vec3(2, -2, 0),
+                       "The second row used the result of the first. Solve each from the same "
+                       "u."},
                       {Vec3(4 / 3.0, -6 / 5.0, 0),
                        "t·Kt is one number of K in the frame of the tangents, not the sum of a row."}},
                      "Each row for itself: λ = -u·t/(t·Kt).");
 }
 
-// As the numbers of SolvesBothRowsByHand, but for the speed: nothing about it is too small to count.
+// The numbers of SolvesBothRowsByHand with another speed: no speed is small enough to ignore.
 EXERCISE_TEST(FrictionImpulse, IsProportionalToTheSlip) {
   const Tangents t{Vec3(0, 1, 0), Vec3(0, 0, 1)};
   const Mat3 K = Vec3(9.5, 1.5, 3.5).asDiagonal();
@@ -207,8 +210,8 @@ EXERCISE_TEST(FrictionImpulse, IsProportionalToTheSlip) {
     const std::string text = "J [N s] for t1·Kt1 = 1.5, t2·Kt2 = 3.5, Γ = 0.5, u·t1 = " + show(-3 * slip) +
                              " m/s, u·t2 = " + show(2 * slip) + " m/s, Λ = ";
     const std::string small =
-        "So slow a slip, or so small a bound, has been taken for none. It is stopped as any other: what is "
-        "left each step adds up.";
+        "This slow slip, or this small bound, has been treated as 0. Even a slow slip adds up step by step, so "
+        "stop it.";
     expect_near_vector(text + "10 N s", "Eq. (5.3)", friction_impulse(K, u, t, 0.5, 10),
                        Vec3(slip * Vec3(0, 1.5, -0.5)), roundings(16, 2 * slip),
                        {{Vec3::Zero(), small}, {Vec3(slip * Vec3(0, 1.5, 0)), small}},
@@ -220,8 +223,8 @@ EXERCISE_TEST(FrictionImpulse, IsProportionalToTheSlip) {
   }
 }
 
-// Even where the rows see each other, t1·K t2 ≠ 0: of two rows solved side by side, each takes more energy than
-// their meeting can give back.
+// Also for coupled rows, t1·K t2 ≠ 0: two rows solved independently remove more energy than their coupling can
+// add.
 EXERCISE_TEST(FrictionImpulse, NeverAddsEnergy) {
   Random random;
   for (int trial = 0; trial < 500 && !::testing::Test::HasFailure(); ++trial) {
@@ -235,7 +238,7 @@ EXERCISE_TEST(FrictionImpulse, NeverAddsEnergy) {
     expect_at_most("energy that friction adds, for " + touch.text() + ", Λ = " + show(bound) + " N s [J]",
                    "Eq. (5.3), (5.8)", J.dot(touch.u + K * J / 2), roundings(64, size).value,
                    "friction only brakes; 64 roundings",
-                   "Against the motion, and no more than stops it: then it takes energy, and never gives any.");
+                   "Friction opposes the motion and at most stops it, so it never adds energy.");
   }
 }
 
@@ -254,7 +257,7 @@ EXERCISE_TEST(FrictionImpulse, IsNothingAtRest) {
   const Touch touch(random);
   expect_near_vector("J [N s] for u = 0", "Eq. (5.3)", friction_impulse(touch.K, Vec3::Zero(), touch.t, 0, 1),
                      Vec3::Zero(), {0, "exact"}, {},
-                     "What is at rest needs no friction. Neither the sign of 0 nor u/|u| has a place here.");
+                     "A contact at rest needs no friction. Use neither the sign of 0 nor u/|u|.");
 }
 
 EXERCISE_TEST(FrictionImpulse, KeepsANaN) {
@@ -265,10 +268,11 @@ EXERCISE_TEST(FrictionImpulse, KeepsANaN) {
   for (const double bound : {0.5, 0.0}) {
     const std::string at = ", Λ = " + show(bound) + " N s";
     const std::string clue =
-        bound > 0 ? "std::min and std::max return their first argument when the other is NaN, and "
-                    "so made a number of it. std::clamp keeps a NaN."
-                  : "Where Λ = 0, too: a zero returned before u and K are looked at hides the NaN. std::clamp "
-                    "keeps it.";
+        bound > 0
+            ? "std::min and std::max return their first argument when the other is NaN, so the NaN became "
+              "a number. std::clamp keeps a NaN."
+            : "Also for Λ = 0: a zero that is returned before u and K are used hides the NaN. std::clamp "
+              "keeps it.";
     for (const Vec3& unknown : {Vec3(nan, 1, 0), Vec3(1, nan, 0)})
       expect_true("a velocity of NaN gives a J of NaN" + at, "Eq. (5.8)",
                   friction_impulse(one, unknown, t, 0, bound).hasNaN(), clue);
@@ -277,7 +281,7 @@ EXERCISE_TEST(FrictionImpulse, KeepsANaN) {
     expect_true("a Γ of NaN gives a J of NaN" + at, "Eq. (5.8)",
                 friction_impulse(one, u, t, nan, bound).hasNaN(), clue);
   }
-  const std::string at_rest = "At rest, too: a zero returned before K and Γ are looked at hides the NaN.";
+  const std::string at_rest = "Also at rest: a zero that is returned before K and Γ are used hides the NaN.";
   expect_true("a K of NaN gives a J of NaN, u = 0", "Eq. (5.3)",
               friction_impulse(Mat3::Constant(nan), Vec3::Zero(), t, 0, 0.5).hasNaN(), at_rest);
   expect_true("a Γ of NaN gives a J of NaN, u = 0", "Eq. (5.3)",
@@ -303,7 +307,8 @@ EXERCISE_TEST(FrictionImpulse, LetsAStuckBlockCreepAtFOverC) {
   Pushed block{.m = m, .h = h, .Gamma = Gamma, .bound = 0.5 * m * 9.81 * h, .t = random_tangents(random)};
   const int steps = 10000;
   for (int n = 0; n < steps; ++n) block.step(F * block.t.t1);
-  // It gets there by a factor r = mΓ/(1 + mΓ) a step: the sum of 1 - rⁿ over n is n - r/(1 - r).
+  // The difference from this speed shrinks by r = mΓ/(1 + mΓ) a step: the sum of 1 - rⁿ over n is n - r/(1 -
+  // r).
   const double r = m * Gamma / (1 + m * Gamma), distance = h * F / c * (steps - r / (1 - r));
   expect_near(
       "distance of a stuck block after 10,000 steps, F = 5 N, c = 1000 N s/m [m]", "Eq. (5.4), (5.5)",
@@ -319,7 +324,7 @@ EXERCISE_TEST(FrictionImpulse, LetsAStuckBlockStayWhenRigid) {
   for (int n = 0; n < 10000; ++n) block.step(F * block.t.t2);
   expect_near("creep of a stuck block in 10,000 steps, F = 9.8 N of 9.81 N, Γ = 0 [m]", "Eq. (5.5)",
               block.x.dot(block.t.t2), 0, roundings(10000 * 16, h * h * F / m), {},
-              "Stuck is stuck: friction makes up for exactly what the force adds, up to Λ.");
+              "It must not move: up to Λ, friction cancels exactly what the force adds.");
 }
 
 EXERCISE_TEST(FrictionImpulse, StopsASlidingBlock) {
@@ -334,7 +339,7 @@ EXERCISE_TEST(FrictionImpulse, StopsASlidingBlock) {
                     " m/s², h = " + show(h) + " s [m]",
                 "Eq. (5.10)", block.x.dot(block.t.t1), stopping_distance(v0, A, h),
                 {1e-12 * z * v0 * h, "a few roundings of v in each of up to 400 steps, added up"}, {},
-                "Full strength Λ until less is enough, then exactly that: it stops, and does not turn round.");
+                "λ is Λ until less is enough, and then exactly that. The block stops and does not reverse.");
   }
 }
 

@@ -1,4 +1,4 @@
-// The mass that stands in for the load on a contact: closed forms, and what becomes of it.
+// The representative mass, which stands for the load on a contact: closed forms, and sliding blocks.
 #include "exercise_test.hpp"
 #include "relative_scales.hpp"
 #include "sliding.hpp"
@@ -10,18 +10,20 @@ namespace {
 
 EXERCISE(RepresentativeMass, "5.3 representative_mass");
 
-const std::string sum = "This adds the masses. Of two bodies the lighter one decides: add the inverse masses.";
+const std::string sum = "This adds the masses. Add the inverse masses: the lighter body decides.";
 
 EXERCISE_TEST(RepresentativeMass, IsTheReducedMassOfTwoBodies) {
   expect_near("m of one contact between 3 kg and 6 kg [kg]", "Eq. (5.6)",
               representative_mass(1.0 / 3, 1.0 / 6, 1), 2, roundings(16, 2),
               {{9, sum},
-               {0.5, "This is 1/m_i + 1/m_j, an inverse mass: one over it is the mass."},
+               {0.5, "This is 1/m_i + 1/m_j, an inverse mass. Return its reciprocal."},
                {4.5, "This is the mean of the masses. m is 1/(1/m_i + 1/m_j)."},
                {4, "This is twice the reduced mass. m is 1/(1/m_i + 1/m_j)."},
-               {3, "This is the mass of the lighter body alone. Both give way: m is less than either."},
-               {6, "This is the mass of body j alone. Both give way: m is less than either."},
-               {1.0 / 9, "This took the inverse masses for masses: what comes in is 1/m already."}},
+               {3,
+                "This is the mass of the lighter body alone. An impulse moves both, so m is less than either "
+                "mass."},
+               {6, "This is the mass of body j alone. An impulse moves both, so m is less than either mass."},
+               {1.0 / 9, "This took the inverse masses for masses. The arguments are 1/m already."}},
               "m = 1/(1/m_i + 1/m_j) for one contact.");
 }
 
@@ -31,7 +33,7 @@ EXERCISE_TEST(RepresentativeMass, FeelsAHeavyBodyGiveWay) {
       expect_near("m of one contact between 1 kg and " + show(1 / part) + " kg, less 1 kg [kg]", "Eq. (5.6)",
                   (i_is_light ? representative_mass(1, part, 1) : representative_mass(part, 1, 1)) - 1,
                   -part / (1 + part), roundings(4),
-                  {{0, "The heavy body counts as fixed. Only an inverse mass of 0 is that of a fixed body."}},
+                  {{0, "The heavy body counts as static. Only a body with inverse mass 0 is static."}},
                   small_is_dropped);
 }
 
@@ -40,7 +42,7 @@ EXERCISE_TEST(RepresentativeMass, IsSharedByTheContacts) {
               representative_mass(1.0 / 3, 1.0 / 6, 5), 0.4, roundings(16),
               {{2, "This is the mass of all five. Each contact has its share, a fifth."},
                {0.08, "This has been shared twice: divide by N once."},
-               {10, "This has been multiplied by N: more contacts have less each."},
+               {10, "This has been multiplied by N. With more contacts each one has less."},
                {0, "1/N in integers is 0: let a double take part in the division."},
                {9.0 / 5, sum}},
               "Each of N contacts stands for m/N.");
@@ -52,13 +54,13 @@ EXERCISE_TEST(RepresentativeMass, IsSharedByTheContacts) {
   for (const int contacts : numbers)
     expect_near("N m over m of a single contact, N = " + std::to_string(contacts), "Eq. (5.6)",
                 contacts * representative_mass(inverse_i, inverse_j, contacts) / whole, 1, roundings(16), {},
-                "Together the contacts stand for what one alone would.");
+                "All contacts together stand for the same mass as a single one.");
 }
 
 EXERCISE_TEST(RepresentativeMass, BesideAFixedBodyIsTheOthers) {
   const std::string rule =
-      "A fixed body has the inverse mass 0 and adds nothing to 1/m_i + 1/m_j: only add, "
-      "and divide by the sum. No mass is computed on the way, as the fixed body's is infinite.";
+      "A static body has the inverse mass 0 and adds nothing to 1/m_i + 1/m_j. Add, then divide by the sum. Do "
+      "not compute the mass of a static body: it is infinite.";
   for (const int contacts : {1, 4}) {
     const std::string text = "m of each of " + std::to_string(contacts) + " between a fixed body and 3 kg";
     const double m = 3.0 / contacts;
@@ -78,10 +80,10 @@ EXERCISE_TEST(RepresentativeMass, IsLessThanEitherAndTheSameFromBothSides) {
     expect_near("m with i and j exchanged [kg]", "Eq. (5.6)", representative_mass(1 / m_j, 1 / m_i, 1), m,
                 roundings(16, m), {}, "Friction acts on both alike: neither body comes first.");
     expect_at_most("m [kg]", "Eq. (5.6)", m, lighter * (1 + 1e-15), "the lighter mass, and its roundings",
-                   "Both bodies give way: m is less than either mass.");
+                   "An impulse moves both bodies, so m is less than either mass.");
     expect_at_least("m [kg]", "Eq. (5.6)", m, lighter / 2 * (1 - 1e-15),
                     "half the lighter mass, less roundings",
-                    "Two equal masses have half of one; a heavier partner can only make it more.");
+                    "For two equal masses m is half of one. A heavier second body makes m larger.");
   }
 }
 
@@ -98,12 +100,13 @@ EXERCISE_TEST(RepresentativeMass, BrakesABlockAlikeOnAnyNumberOfContacts) {
                                         friction_parameters(h, infinity)));
     block.v = 2 * t.t1;
     block.step();
-    expect_near(
-        "deceleration of a sliding block on " + std::to_string(contacts) + " contacts [m/s²]",
-        "Eq. (5.6), (5.7)", (2 - block.v.dot(t.t1)) / h, mu * g, roundings(64, 2 / h),
-        {{contacts * mu * g, "N times too much: every contact has the friction of all. Share the mass."},
-         {mu * g / contacts, "N times too little: the mass has been shared twice."}},
-        "All N together brake it by μ g, as one would.");
+    expect_near("deceleration of a sliding block on " + std::to_string(contacts) + " contacts [m/s²]",
+                "Eq. (5.6), (5.7)", (2 - block.v.dot(t.t1)) / h, mu * g, roundings(64, 2 / h),
+                {{contacts * mu * g,
+                  "This is N times too much: each contact has the friction of all. Divide the mass "
+                  "by N."},
+                 {mu * g / contacts, "This is N times too little: the mass has been divided by N twice."}},
+                "All N together decelerate it by μ g, as a single contact would.");
   }
 }
 
@@ -129,8 +132,8 @@ struct Tower {
   }
 };
 
-// Each block is faster than the one below: every contact slides at its bound. Coulomb would brake each block by
-// μ g, as each contact carries what is above it.
+// Each block is faster than the one below, so every contact slides at its bound. By Coulomb's law each block
+// decelerates by μ g, as each contact carries the blocks above.
 EXERCISE_TEST(RepresentativeMass, KnowsNothingOfWhatRestsOnTop) {
   const int blocks = 5;
   Random random;
@@ -144,16 +147,16 @@ EXERCISE_TEST(RepresentativeMass, KnowsNothingOfWhatRestsOnTop) {
         "Eq. (5.6), (5.15)", V[static_cast<std::size_t>(k)].dot(tower.t.t1) / h,
         k == 1 || k == blocks ? half : 0, roundings(64, blocks / h),
         {{-mu * g,
-          "This is Coulomb's, by the load above. The box knows the two bodies only: between two "
-          "equal ones m is half of one."},
+          "This is Coulomb's law, by the load above. The friction box uses the two bodies only: between equal "
+          "ones m is half of one mass."},
          {4 * half, "Between two equal bodies m is half of one, not the sum."}},
-        "Between equal blocks m is m/2 everywhere, so what brakes a block from below drives it from above. "
-        "On the floor it is m, so the lowest block is left with half.");
+        "Between equal blocks m is m/2 everywhere, so the friction from below and from above cancel. On the "
+        "floor it is m, so half remains for the lowest block.");
   }
 }
 
-// The contact above the lowest block must hold the n - 1 blocks on it, and has half of what one on the floor has:
-// it gives way first. Coulomb would hold the tower wherever he holds a block.
+// The contact above the lowest block must hold the n - 1 blocks on it, and has half of what one on the floor has: it
+// slides first. By Coulomb's law the tower holds wherever a single block does.
 EXERCISE_TEST(RepresentativeMass, HoldsATowerOnASlopeLessThanABlock) {
   Random random;
   const double theta = 0.1, pull = h * g * std::sin(theta);
@@ -171,8 +174,8 @@ EXERCISE_TEST(RepresentativeMass, HoldsATowerOnASlopeLessThanABlock) {
                     "Eq. (5.6), (5.15)", pull + V[static_cast<std::size_t>(k)].dot(t.t1),
                     above < 0 && k > 1 ? 1e-9 * pull : 0,
                     {1e-12, "the solver's tolerance, 1e-14 m/s, times n²"},
-                    {{0, "It holds. Between equal bodies m is half of one, whatever rests on it."}},
-                    "Between equal blocks m is half of one, and must hold all that is above.");
+                    {{0, "It sticks. Between equal bodies m is half of one mass, for any load above."}},
+                    "Between equal blocks m is half of one mass, but the contact holds all blocks above.");
     }
   }
 }
@@ -192,7 +195,7 @@ EXERCISE_TEST(RepresentativeMass, RejectsTwoFixedBodies) {
   representative_mass(1, 1, 1);
   expect_rejects(
       "both inverse masses 0", "inverse_mass_j", [] { representative_mass(0, 0, 1); },
-      "Two fixed bodies have no reduced mass: 1/0 would be a friction without bound. See reject in "
+      "Two static bodies have no reduced mass: 1/0 would make a friction without bound. See reject in "
       "require.hpp.");
 }
 
@@ -206,7 +209,7 @@ EXERCISE_TEST(RepresentativeMass, RejectsLessThanOneContact) {
     expect_rejects(
         "contacts = 0 of a body on a fixed one", "contacts",
         [&] { representative_mass(first ? 0 : 1, first ? 1 : 0, 0); },
-        "A fixed body is no reason to return before the contacts are looked at.");
+        "Check the number of contacts also for a static body.");
 }
 
 }  // namespace

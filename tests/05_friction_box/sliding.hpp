@@ -1,5 +1,5 @@
 #pragma once
-// Planes turned any way, and blocks that slide on them, for the tests of chapter 05.
+// Planes in any orientation, and blocks that slide on them, for the tests of chapter 05.
 #include <string>
 #include <vector>
 
@@ -8,7 +8,8 @@
 
 namespace spook::testing {
 
-/// Tangents of any plane, turned any way within it: the tests below hold for whichever a student has chosen.
+/// Returns tangents of a random plane, in a random direction within it. The tests hold for any choice of
+/// tangents.
 inline Tangents random_tangents(Random& random) {
   const Mat3 R = random.rotation().toRotationMatrix();
   return {R.col(0), R.col(1)};
@@ -23,12 +24,12 @@ inline Vec3 heading(const Tangents& t, double phi) {
   return std::cos(phi) * t.t1 + std::sin(phi) * t.t2;
 }
 
-/// A contact at the centres of two bodies, with a gap that friction has nothing to do with.
+/// Returns a contact at the centres of two bodies. Friction does not depend on its gap.
 inline Contact contact_between(int i, int j, const Tangents& t) {
   return {.i = i, .j = j, .n = normal_of(t), .gap = -0.01, .r_i = Vec3::Zero(), .r_j = Vec3::Zero()};
 }
 
-/// What the constraints, solved together, change each body's velocity by [m/s, rad/s].
+/// Solves the constraints together. Returns the change of each body's velocity [m/s, rad/s].
 template <int Dof>
 std::vector<Twist<Dof>> solved(const std::vector<Constraint<Dof>>& constraints, const Motion<Dof>& motion) {
   std::vector<Row<Dof>> rows;
@@ -38,7 +39,8 @@ std::vector<Twist<Dof>> solved(const std::vector<Constraint<Dof>>& constraints, 
   return V;
 }
 
-/// A point mass, body 1, on a fixed plane, body 0, that carries its weight: only the plane is left to look at.
+/// A point mass, body 1, on a static plane, body 0, that carries its weight. Only motion along the plane
+/// remains.
 struct Block {
   double m, h;
   std::vector<Constraint<3>> constraints;
@@ -58,8 +60,8 @@ struct Block {
   }
 };
 
-/// How far a body comes that leapfrog slows from v0 by A h a step, beginning half a step early: the sum of its
-/// steps. It is v0²/(2A), less A h²/2 times the square of what v0/(A h) is off an integer.
+/// Returns the distance of a body that leapfrog slows from v0 by A h a step, with a half-step start: the sum of
+/// its steps. It is v0²/(2A), less A h²/2 times the square of what v0/(A h) is off an integer.
 inline double stopping_distance(double v0, double A, double h) {
   const double z = v0 / (A * h), off = z - std::round(z);
   return v0 * v0 / (2 * A) - A * h * h * off * off / 2;

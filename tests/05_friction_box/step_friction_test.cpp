@@ -28,17 +28,17 @@ EXERCISE_TEST(StepFriction, HasItsStagesInOrder) {
   std::vector<std::pair<Stages, std::string>> wrong = {
       {{.without_friction = true}, "There is no friction: the two rows of the tangents are missing."},
       {{.counts_no_pairs = true},
-       "N is 1 for every contact. It counts the contacts of the same two bodies, which share the load."},
-      {{.whole_gravity = true}, "The bound takes all of gravity: g_n is its part along the normal, |g·n|."},
+       "N is 1 for every contact. N counts the contacts of the same two bodies, which share the load."},
+      {{.whole_gravity = true}, "The bound uses all of gravity. g_n is the component along the normal, |g·n|."},
       {{.contact_parameters = true},
        "The friction rows have the contact's a, b and Σ: they need those of friction_parameters."},
       {{.normals_first = true},
-       "The rows of all normals come first: those of the tangents stand right behind the normal of their "
+       "The rows of all normals come first. Put the tangents' rows right behind the normal row of their "
        "contact."}};
   for (const auto& mistake : mistakes_in_order()) wrong.push_back(mistake);
   expect_same_bodies("after a step of 0.1 s with 100 rough contacts and more", "Eq. (5.3)-(5.8)", got,
                      assembled(all, contacts, h), of_rough_contacts, mistakes_of(all, contacts, h, wrong),
-                     "The step of chapter 04, with two rows more for each contact.");
+                     "The step of chapter 04, with two additional rows for each contact.");
 }
 
 EXERCISE_TEST(StepFriction, WithoutFrictionIsTheStepOfContacts) {
@@ -85,7 +85,7 @@ EXERCISE_TEST(StepFriction, SlidesAtTheBound) {
   const double lost = all.mu * 9.81 * 10 * h;
   expect_near("v of a sliding ball after 10 steps of 0.01 s [m/s]", "Eq. (5.7), (5.8)", all.bodies[1].v.x(),
               3 - lost, {1e-9, "roundings, and a contact that begins at rest"},
-              {{3, "Nothing slows it down."}, {3 - lost * h, "The bound has a factor h too much."}},
+              {{3, "Nothing slows it down."}, {3 - lost * h, "The bound has one factor h too many."}},
               "While it slides each step takes μ g h of its speed.");
 }
 
@@ -94,11 +94,12 @@ EXERCISE_TEST(StepFriction, RollsAtFiveSeventhsOfItsSpeed) {
   Simulation all = sliding_ball();
   for (int n = 0; n < 200; ++n) roll(all, 0.01);
   const RigidBody& ball = all.bodies[1];
-  expect_near("v of a ball that slid and now rolls [m/s]", "Eq. (5.8)", ball.v.x(), 15.0 / 7,
-              {1e-9, "a creep of F/c = 4e-12 m/s a step, and roundings"},
-              {{3, "It slides on: there is no friction."},
-               {0, "It has come to rest: friction must turn the ball, too, and rolling takes none."}},
-              "From 3 m/s a solid ball ends at 5/7 of that, rolling.");
+  expect_near(
+      "v of a ball that slid and now rolls [m/s]", "Eq. (5.8)", ball.v.x(), 15.0 / 7,
+      {1e-9, "a creep of F/c = 4e-12 m/s a step, and roundings"},
+      {{3, "It goes on sliding: there is no friction."},
+       {0, "It has come to rest. Friction must turn the ball, too, and a rolling ball has no friction."}},
+      "A solid ball that starts at 3 m/s rolls at 5/7 of that.");
   expect_near("speed of its lowest point [m/s]", "Eq. (5.2)", ball.v.x() - ball.omega.y() * ball.radius, 0,
               {1e-9, "a creep of F/c, and roundings"}, {}, "A ball that rolls touches the floor at rest.");
 }
@@ -110,7 +111,7 @@ EXERCISE_TEST(StepFriction, RejectsWhatMakesNoSense) {
                                                 Simulation all, double h) {
     expect_rejects(
         what, name, [&] { step_friction(all, touching, h); },
-        "A function of this chapter refuses it: call it before anything changes.",
+        "A function of this chapter refuses this: call it before you change anything.",
         [&] { return state_of(all); });
   };
   for (const double h : {0.0, -0.1, std::nan("")}) rejects("h = " + show(h), "h", start, h);

@@ -16,16 +16,17 @@ bool is_axis(const Vec3& t) {
   return t.cwiseAbs().maxCoeff() == 1 && (t.array() != 0).count() == 1;
 }
 
-// What is nearly right has another cause than what is wrong.
+// Clues for lost digits, which have other causes than wrong answers.
 std::string clue(const Vec3& n, const Tangents& t, double error, const std::string& rule) {
   if (!(std::abs(error) < 1e-4)) return rule;
   if ((n.array() != 0 && n.array().abs() < 1e-150).any())
-    return "The square of 1e-160 underflows: it is 0, or has few digits left. What is normalised here is as "
-           "short as that: take a second factor that is far from n.";
+    return "The square of 1e-160 underflows: it is 0, or has few digits left. The vector that is normalised "
+           "here is that short. Take a second factor that is far from n.";
   if (is_axis(t.t1) || is_axis(t.t2))
-    return "This tangent is an axis itself, as if n were one, too. n is tilted against it, if only a little, "
-           "and its tangents tilt with it.";
-  return "Right, but for lost digits: near this n something in the formula nearly cancels, or is nearly 0.";
+    return "This tangent is an axis, as if n were an axis, too. n is slightly tilted against its axis, and the "
+           "tangents tilt with it.";
+  return "This is right except for lost digits: near this n a term of the formula nearly cancels, or is nearly "
+         "0.";
 }
 
 void expect_unit(const Vec3& n, const Tangents& t) {
@@ -41,7 +42,7 @@ void expect_unit(const Vec3& n, const Tangents& t) {
 }
 
 void expect_perpendicular(const Vec3& n, const Tangents& t) {
-  const std::string leaves = "It leaves the plane of contact: friction would push along the normal.";
+  const std::string leaves = "This tangent leaves the plane of contact: friction would push along the normal.";
   const double off1 = t.t1.dot(n), off2 = t.t2.dot(n), off = t.t1.dot(t.t2);
   expect_near("t1·n", "Eq. (5.1)", off1, 0, few, {}, clue(n, t, off1, leaves));
   expect_near("t2·n", "Eq. (5.1)", off2, 0, few, {}, clue(n, t, off2, leaves));
@@ -61,7 +62,7 @@ void expect_frame(const Vec3& n, const Tangents& t) {
     if (!::testing::Test::HasFailure()) expect(n, t);
 }
 
-// Looks at tangents(n), and says whether to go on.
+// Checks tangents(n). Returns false to stop.
 bool holds_at(const Vec3& n, void (*expect)(const Vec3&, const Tangents&), const std::string& note = "") {
   const Tangents t = tangents(n);
   given() = "n = " + show(n) + ", t1 = " + show(t.t1) + ", t2 = " + show(t.t2) + note;
@@ -107,7 +108,7 @@ EXERCISE_TEST(Tangents, HoldAtAndNearEveryAxis) {
         }
 }
 
-// Where |n_x|, |n_y| or |n_z| are equal, "the smallest of them" and "larger than the others" are two questions.
+// Where |n_x|, |n_y| or |n_z| are equal, "the smallest" and "smaller than the others" are different conditions.
 EXERCISE_TEST(Tangents, HoldWhereCoefficientsAreEqual) {
   for (const double x : {-1.0, 0.0, 1.0})
     for (const double y : {-1.0, 0.0, 1.0})

@@ -1,5 +1,5 @@
 #pragma once
-// Two points of two bodies, and what is asked of every row between them.
+// Two points of two bodies, and checks for every row between them.
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -17,7 +17,7 @@ struct RandomPair {
   Random random;
   Attachment i{.body = 4, .x = random.vector(), .r = random.vector()};
   Attachment j{.body = 2, .x = Vec3::Zero(), .r = random.vector()};
-  Vec3 n = random.unit_vector();  ///< from i's point to j's
+  Vec3 n = random.unit_vector();  ///< from i's point to j's point
   double distance = random.uniform(1, 2);
   double length = random.uniform(0.5, 2.5);
   SpookParameters spook{
@@ -25,7 +25,7 @@ struct RandomPair {
 
   explicit RandomPair(const Random& stream = Random()) : random(stream) { put(); }
 
-  /// j to where the others want it.
+  /// Moves j so that the points have this distance.
   void put() {
     j.x = i.x + i.r + distance * n - j.r;
     given() = "given x_i = " + show(i.x) + ", r_i = " + show(i.r) + ", x_j = " + show(j.x) +
@@ -37,8 +37,8 @@ struct RandomPair {
   double size() const { return i.x.norm() + i.r.norm() + j.x.norm() + j.r.norm() + length; }
 };
 
-/// The next of a stream of them, of any kind: bodies in either order, arms of any length or none, points near each other
-/// or far, and further apart than they should be or nearer.
+/// Returns the next random pair, of any kind: bodies in either order, arms of any length or 0, points near or far, and
+/// too far apart or too close.
 inline RandomPair any_pair(const Random& stream) {
   RandomPair t(stream);
   Random& random = t.random;
@@ -51,7 +51,7 @@ inline RandomPair any_pair(const Random& stream) {
   return t;
 }
 
-/// What kinds there are of pairs, and of which this one is.
+/// The kinds of pairs, and whether this pair is of each kind.
 inline std::vector<std::pair<std::string, bool>> kinds_of(const RandomPair& t) {
   const bool at_i = t.i.r.norm() == 0, at_j = t.j.r.norm() == 0;
   const double arms = std::max(t.i.r.norm(), t.j.r.norm());
@@ -64,7 +64,7 @@ inline std::vector<std::pair<std::string, bool>> kinds_of(const RandomPair& t) {
           {"arms longer than the distance", arms > t.distance}};
 }
 
-/// Eq. (6.1) a time t later, when the body moves and turns as W says.
+/// Eq. (6.1) a time t later, when the body moves and turns with W.
 inline Vec3 point_after(double t, const Attachment& at, const Twist<6>& W) {
   const Vec3 v = W.head<3>(), omega = W.tail<3>();
   return at.x + t * v + Eigen::AngleAxisd(t * omega.norm(), omega.normalized()) * at.r;
@@ -78,7 +78,7 @@ inline Attachment attachment_after(double t, Attachment at, const Twist<6>& W) {
   return at;
 }
 
-/// What an impulse of 1 N s along the row adds to the angular momentum about the origin [m].
+/// Angular momentum about the origin that an impulse of 1 N s along the row adds [m].
 inline Vec3 angular_momentum_of(const Constraint<6>& row, const Attachment& i, const Attachment& j) {
   return i.x.cross(row.Gi.head<3>()) + row.Gi.tail<3>() + j.x.cross(row.Gj.head<3>()) + row.Gj.tail<3>();
 }
@@ -86,7 +86,7 @@ inline Vec3 angular_momentum_of(const Constraint<6>& row, const Attachment& i, c
 template <int Dof>
 void expect_pulls_and_pushes(const std::string& row, const Constraint<Dof>& c) {
   const std::string text = c.lo == 0   ? "These are a contact's bounds: it may only push. This row pulls, too."
-                           : c.hi == 0 ? "It may only pull. Held at a distance, a point is pushed, too."
+                           : c.hi == 0 ? "These bounds allow only a pull. A distance also pushes."
                            : c.lo > c.hi ? "The bounds are exchanged: no λ lies between them."
                                          : "Neither direction of λ has a bound.";
   expect_true(row + " has the bounds lo = -∞ and hi = ∞; here lo = " + show(c.lo) + ", hi = " + show(c.hi),
@@ -100,7 +100,7 @@ void expect_carries(const std::string& row, const Constraint<Dof>& c, const Rand
                   ", j = " + std::to_string(c.j),
               "Eq. (6.3)", c.i == pair.i.body && c.j == pair.j.body,
               "Copy the bodies of the two attachments, in that order.");
-  const std::string set = "Copy the spook that was handed over.";
+  const std::string set = "Copy the argument `spook`.";
   expect_near("a of " + row + " [1/s]", "Eq. (3.4)", c.spook.a, pair.spook.a, {0, "a copy"}, {}, set);
   expect_near("b of " + row, "Eq. (3.5)", c.spook.b, pair.spook.b, {0, "a copy"}, {}, set);
   expect_near("Σ of " + row + " [1/kg]", "Eq. (3.6)", c.spook.Sigma, pair.spook.Sigma, {0, "a copy"}, {}, set);

@@ -1,4 +1,4 @@
-// The three rows of a ball joint: gaps, Jacobians, bounds, and what they do to two bodies.
+// The three rows of a ball joint: gaps, Jacobians, bounds, and the motion of two bodies.
 #include "attachments.hpp"
 #include "exercise_test.hpp"
 #include "relative_scales.hpp"
@@ -23,13 +23,13 @@ EXERCISE_TEST(BallJointConstraints, HasThreeGaps) {
   const Vec3 gaps(rows[0].gap, rows[1].gap, rows[2].gap), apart = t.apart(), centres = t.j.x - t.i.x;
   expect_near_vector(
       "gaps of the rows along x, y, z [m]", "Eq. (6.5)", gaps, apart, roundings(32, t.size()),
-      {{-apart, "The sign: g goes from i's point to j's."},
+      {{-apart, "The sign: g goes from i's point to j's point."},
        {Vec3::Constant(t.distance),
         "This is the distance, three times. A ball joint has a gap along each axis."},
        {t.n, "This is the unit vector. The gaps are p_j - p_i itself, in metres."},
-       {apart.cwiseAbs(), "These are absolute values. Which way the points are apart decides the sign of λ."},
-       {Vec3::Zero(), "The gaps are missing: nothing would bring the points together again."},
-       {centres, "This is from centre to centre. The points are beside them, at x + r."},
+       {apart.cwiseAbs(), "These are absolute values. The sign of the gap decides the sign of λ."},
+       {Vec3::Zero(), "The gaps are missing, so the points would stay apart."},
+       {centres, "This is from centre to centre. The points are at x + r."},
        {centres + t.j.r, "r_i is missing: both points are beside their body's centre."},
        {centres - t.i.r, "r_j is missing: both points are beside their body's centre."},
        {centres - t.j.r + t.i.r,
@@ -38,7 +38,7 @@ EXERCISE_TEST(BallJointConstraints, HasThreeGaps) {
   const auto exchanged = ball_joint_constraints<6>(t.j, t.i, t.spook);
   expect_near_vector("gaps with i and j exchanged [m]", "Eq. (6.5)",
                      Vec3(exchanged[0].gap, exchanged[1].gap, exchanged[2].gap), Vec3(-apart),
-                     roundings(32, t.size()), {}, "Each gap turns its sign: it is no length.");
+                     roundings(32, t.size()), {}, "Each gap changes its sign, since a gap is not a length.");
 }
 
 EXERCISE_TEST(BallJointConstraints, HasARowAlongEachAxis) {
@@ -57,7 +57,7 @@ EXERCISE_TEST(BallJointConstraints, HasARowAlongEachAxis) {
     const Vec3 apart = t.j.x + t.j.r - t.i.x - t.i.r;
     expect_near_vector(
         "Gj" + of, "Eq. (6.6)", row.Gj, twist(e, torque_j), roundings(16, 2),
-        {{twist(-e, -torque_j), "The sign: the gap is that of j minus that of i, so j comes with a plus."},
+        {{twist(-e, -torque_j), "The sign: the gap is j's point minus i's point, so j has a plus."},
          {twist(e, Vec3::Zero()), missing},
          {twist(e, -torque_j), "The sign of the angular block: it is r_j × e, not e × r_j."},
          {twist(e, torque_i), "This used r_i for body j. Each body has its own lever arm."},
@@ -66,7 +66,7 @@ EXERCISE_TEST(BallJointConstraints, HasARowAlongEachAxis) {
          {twist(e, (t.j.x + t.j.r).cross(e)), origin},
          {twist(t.n, t.j.r.cross(t.n)), line},
          {twist(e, (t.j.r - apart / 2).cross(e)),
-          "This is the arm to the point midway between the two. The arms are r_i and r_j, as they are given."}},
+          "This is the arm to the point midway between the two. Use r_i and r_j as they are."}},
         "Gj = (e, r_j × e).");
     expect_near_vector(
         "Gi" + of, "Eq. (6.6)", row.Gi, twist(-e, -torque_i), roundings(16, 2),
@@ -78,8 +78,7 @@ EXERCISE_TEST(BallJointConstraints, HasARowAlongEachAxis) {
           "The angular block is a cross product, -r_i × e: it has no part along e."},
          {twist(-e, -(t.i.x + t.i.r).cross(e)), origin},
          {twist(-e, -(t.i.r + apart).cross(e)),
-          "This arm goes on to the point of j, as (6.15) would have it. Here each body has the arm to "
-          "its own point."},
+          "This arm ends at the point of j, as in (6.15). Here each body has the arm to its own point."},
          {twist(-t.n, -t.i.r.cross(t.n)), line}},
         "Gi = (-e, -r_i × e).");
   }
@@ -106,7 +105,7 @@ EXERCISE_TEST(BallJointConstraints, HoldsPointsOfAnyKind) {
       const std::string of = " of the row along " + axis_names[static_cast<std::size_t>(k)];
       const Vec3 e = Vec3::Unit(k);
       expect_near("gap" + of + " [m]", "Eq. (6.5)", row.gap, apart[k], roundings(32, t.size()),
-                  {{-apart[k], "The sign: g goes from i's point to j's."}},
+                  {{-apart[k], "The sign: g goes from i's point to j's point."}},
                   "g = p_j - p_i, one coefficient a row.");
       expect_near_vector("Gj" + of, "Eq. (6.6)", row.Gj, twist(e, t.j.r.cross(e)), roundings(4, t.size()), {},
                          "Gj = (e, r_j × e).");
@@ -147,7 +146,7 @@ EXERCISE_TEST(BallJointConstraints, HoldsPointsThatCoincide) {
   const Attachment i{.body = 0, .x = Vec3(1, 2, 3), .r = Vec3(0.5, 0, -0.25)};
   const Attachment j{.body = 1, .x = Vec3(2, 2, 3), .r = Vec3(-0.5, 0, -0.25)};
   const auto rows = ball_joint_constraints<6>(i, j, {.a = 1, .b = 1, .Sigma = 0});
-  const std::string clue = "This is where a joint belongs. Nothing is divided by a distance here.";
+  const std::string clue = "This is a joint's normal state. Do not divide by the distance.";
   for (int k = 0; k < 3; ++k) {
     const Constraint<6>& row = rows[static_cast<std::size_t>(k)];
     const std::string of = " along " + axis_names[static_cast<std::size_t>(k)] + ", with the points together";
@@ -158,7 +157,7 @@ EXERCISE_TEST(BallJointConstraints, HoldsPointsThatCoincide) {
   }
 }
 
-// The first point at the origin: the gaps are what the second is off by, and no digit of them is lost.
+// With the first point at the origin the gaps are the second point itself, with all digits.
 EXERCISE_TEST(BallJointConstraints, DropsNoSmallGap) {
   for (const double off : {1e-3, 1e-6, 1e-9, 1e-12, 1e-15}) {
     const Vec3 apart = off * Vec3(1, -2, 3);
@@ -168,13 +167,13 @@ EXERCISE_TEST(BallJointConstraints, DropsNoSmallGap) {
         "gaps of points that are " + show(apart.norm()) + " m apart [m]", "Eq. (6.5)",
         Vec3(rows[0].gap, rows[1].gap, rows[2].gap), apart, roundings(8, apart.norm()),
         {{Vec3::Zero(),
-          "So small a gap has been dropped. Nothing is divided by it here, so it needs no case of its own."}},
+          "This small gap has been dropped. It needs no case of its own, since nothing is divided by it."}},
         "g = p_j - p_i, however small.");
     if (::testing::Test::HasFailure()) return;
   }
 }
 
-// The rows against the gaps as they were returned.
+// The rows compared with the returned gaps.
 EXERCISE_TEST(BallJointConstraints, TimesVelocityIsTheRateOfTheGaps) {
   RandomPair t;
   const auto rows = rows_between(t);
@@ -220,7 +219,7 @@ EXERCISE_TEST(BallJointConstraints, TakesNoMomentum) {
   }
 }
 
-// Two free bodies and a joint that asks for nothing but equal velocities: a = 0, b = 1, Σ = 0.
+// Two free bodies and a joint that makes the two velocities equal: a = 0, b = 1, Σ = 0.
 EXERCISE_TEST(BallJointConstraints, LetsThePointsMoveAsOne) {
   RandomPair t;
   t.i.body = 0, t.j.body = 1;
@@ -248,7 +247,7 @@ EXERCISE_TEST(BallJointConstraints, LetsThePointsMoveAsOne) {
   expect_near_vector(
       "relative velocity of the two points after the solve [m/s]", "Eq. (6.6)", after, Vec3::Zero(), tolerance,
       {{u, "Nothing has changed."}},
-      "Three rows hold all three coefficients. One along the line of the points holds one of them.");
+      "Three rows hold all three coefficients. A row along the line of the points holds only one.");
   expect_near_vector("impulse on body j, λ of the rows along x, y, z [N s]", "Eq. (3.8), (6.6)",
                      Vec3(s.lambda[0], s.lambda[1], s.lambda[2]), -K.inverse() * u,
                      {tolerance.value * K.inverse().norm(), tolerance.reason}, {},

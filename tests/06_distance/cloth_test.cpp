@@ -1,4 +1,4 @@
-// A cloth: where its points are, what they weigh, what is joined, and what its supports carry.
+// A cloth: places and masses of its points, its links, and the load on its supports.
 #include <Eigen/Core>
 #include <algorithm>
 #include <map>
@@ -29,7 +29,7 @@ struct ClothInput {
     tell();
   }
 
-  /// The next of a stream of them, of any kind: from one cell on, heavy or light, long or square.
+  /// Returns the next random cloth: of one cell or more, heavy or light, long or square.
   static ClothInput any(const Random& stream) {
     ClothInput in(false, stream);
     in.cells_u = in.random.integer(0, 9) ? in.random.integer(1, 4) : in.random.integer(300, 400);
@@ -56,8 +56,8 @@ bool has_its_points(const Net& net, const ClothInput& in) {
   const double cells = in.cells_u * in.cells_v;
   expect_near("points of the cloth", "Eq. (6.11)", static_cast<double>(net.x.size()), in.points(),
               {0, "a count"},
-              {{cells, "These are as many as cells. A side of n cells has n + 1 points."},
-               {4 * cells, "Four a cell: neighbours share their corners."},
+              {{cells, "This is the number of cells. A side of n cells has n + 1 points."},
+               {4 * cells, "This is four points for each cell. Neighbours share their corners."},
                {cells + in.cells_v, "The last row along v is missing: b goes from 0 to cells_v."},
                {cells + in.cells_u, "The last point of each row is missing: a goes from 0 to cells_u."}},
               "(cells_u + 1)(cells_v + 1) points.");
@@ -116,7 +116,7 @@ EXERCISE_TEST(Cloth, PutsAQuarterOfEachCellOnEachCorner) {
       far_inside[in.index(a, b)] = (a == 0 ? 1 : 2) * (b == 0 ? 1 : 2);
       near_inside[in.index(a, b)] = (a == in.cells_u ? 1 : 2) * (b == in.cells_v ? 1 : 2);
     }
-  // What comes out when (a, b) is taken for the index `a_adds` a + `b_adds` b.
+  // Returns the cloth's result with the index `a_adds` a + `b_adds` b for (a, b).
   const auto misplaced = [&](int a_adds, int b_adds) {
     Eigen::VectorXd mass = 0 * ones;
     for (int b = 0; b < in.cells_v; ++b)
@@ -132,34 +132,33 @@ EXERCISE_TEST(Cloth, PutsAQuarterOfEachCellOnEachCorner) {
   };
   const std::string clue = explain<Eigen::VectorXd>(
       got,
-      {{0 * ones,
-        "There is no mass at all: 1/n and 1/4 of integers are 0. Let a double take part in the division."},
+      {{0 * ones, "All masses are 0: in C++ 1/n and 1/4 of integers are 0. Divide doubles."},
        {cell * whole_cells,
         "1/4 and 2/4 of integers are 0: only points inside have any mass. Divide as double."},
        {in.mass * ones, "Every point has the whole cloth's mass."},
-       {in.mass / 4 * cells_beside, "Every cell has the whole cloth's mass. It has its share of it."},
+       {in.mass / 4 * cells_beside, "Every cell has the whole cloth's mass. Divide it by the number of cells."},
        {area * cell / 4 * cells_beside,
-        "`mass` is taken for that of 1 m². It is the whole cloth's, whatever its area."},
+        "This takes `mass` for the mass of 1 m². It is the mass of the whole cloth."},
        {cell / 4 * far_inside,
-        "The far hem, at a = cells_u and b = cells_v, is as heavy as the inside. No cells lie beyond it."},
+        "The far edge, at a = cells_u and b = cells_v, is as heavy as the inside. No cells lie beyond it."},
        {cell / 4 * near_inside,
-        "The near hem, at a = 0 and b = 0, is as heavy as the inside. No cells lie before it."},
+        "The near edge, at a = 0 and b = 0, is as heavy as the inside. No cells lie before it."},
        {misplaced(1, in.cells_u),
-        "b -> b + 1 adds cells_u + 1 to the index, as many as a row has points. Here it adds cells_u."},
+        "b -> b + 1 adds cells_u + 1 to the index, the number of points in a row. Here it adds cells_u."},
        {misplaced(in.cells_v + 1, 1),
         "The index is a + b (cells_u + 1): a, along u, runs fastest. Here b does."},
        {cell / 4 * like_hem,
-        "The corners are as heavy as the hem. Only one cell meets there, along the hem two."},
+        "The corners are as heavy as the edges. A corner has one cell, an edge point two."},
        {in.mass / in.points() * ones,
         "The mass is divided evenly among the points. It belongs to the cells, and fewer "
         "of them meet at an edge."},
        {cell * ones, "Every point is as heavy as one inside. At an edge fewer cells meet."},
-       {cell / 4 * ones, "Every point has one quarter. Where several cells meet, each gives one."},
+       {cell / 4 * ones, "Every point has one quarter. Where several cells meet, each adds a quarter."},
        {cell * cells_beside, "All of each cell's mass is on each of its corners: four times the cloth."},
        {cell / 2 * cells_beside, "Half of each cell's mass is on each of its four corners: twice the cloth."},
        {cell * near_corners, "All of each cell's mass is on one of its corners."}},
       distance, 1e-9 * in.mass,
-      all_equal ? "All points are equally heavy. One cell meets at a corner, two at the hem, four inside."
+      all_equal ? "All points are equally heavy. A corner has one cell, an edge point two, an inner point four."
                 : "A quarter of the mass of each cell on each of its corners.");
   for (int b = 0; b <= in.cells_v; ++b)
     for (int a = 0; a <= in.cells_u; ++a) {
@@ -188,13 +187,13 @@ EXERCISE_TEST(Cloth, KeepsItsMassAndCentre) {
                      "The middle of the cloth: no edge weighs more than the opposite one.");
 }
 
-// Whether the index could be that of a neighbour, where a row has so many points.
+// Returns true if the index may belong to a neighbour, for this number of points in a row.
 bool are_neighbours(const Link& link, int per_row) {
   const auto [low, high] = std::minmax(link.i, link.j);
   return high - low == per_row || (high - low == 1 && high % per_row != 0);
 }
 
-// Whether every link is one between neighbours. A wrong index function joins others, as many as there should be.
+// Returns true if every link joins neighbours. A wrong index function joins other points, in the right number.
 bool joins_neighbours(const Net& net, const ClothInput& in) {
   const int per_row = in.cells_u + 1;
   const auto inside = [&](const Link& link) {
@@ -217,15 +216,15 @@ bool joins_neighbours(const Net& net, const ClothInput& in) {
                                                       : "";
   const auto name = [&](int k) {
     return "point " + std::to_string(k) +
-           (0 <= k && k < in.points() ? ", " + in.name(k % per_row, k / per_row) : ", which there is not");
+           (0 <= k && k < in.points() ? ", " + in.name(k % per_row, k / per_row) : ", which does not exist");
   };
   expect_true(
       "a link from " + name(found->i) + ", to " + name(found->j) + ", joins neighbours", "Eq. (6.11)", false,
       transposed   ? "The index is a + b (cells_u + 1): a, along u, runs fastest. Here b does."
-      : added == 0 ? "A link joins two points, not one with itself."
+      : added == 0 ? "A link joins two different points."
       : run_on     ? "The last point of a row is not joined to the first of the next row."
-      : added == 1 ? "There are no such two points."
-                   : "b -> b + 1 adds cells_u + 1 to the index, as many as a row has points. Here it adds " +
+      : added == 1 ? "Such points do not exist."
+                   : "b -> b + 1 adds cells_u + 1 to the index, the number of points in a row. Here it adds " +
                          std::to_string(added) + same_as + ".");
   return false;
 }
@@ -238,12 +237,15 @@ EXERCISE_TEST(Cloth, JoinsTheCornersOfEachCellAlongItsSides) {
     const double cells = in.cells_u * in.cells_v;
     expect_near(
         "links of the cloth", "Eq. (6.11)", static_cast<double>(net.links.size()), in.sides(), {0, "a count"},
-        {{4 * cells, "Four a cell: two cells that meet share a side, and it is one link."},
-         {2 * cells, "Two a cell: the last row and the last column have one more side, at the far edges."},
+        {{4 * cells,
+          "This is four links for each cell. Two neighbouring cells share a side, which is one link."},
+         {2 * cells,
+          "This is two links for each cell. The last row and column have one more side, at the far "
+          "edges."},
          {2 * cells + in.cells_u, "The far edge at b = cells_v is there; the one at a = cells_u is missing."},
          {2 * cells + in.cells_v, "The far edge at a = cells_u is there; the one at b = cells_v is missing."},
-         {in.sides() + cells, "One more a cell: no diagonals."},
-         {in.sides() + 2 * cells, "Two more a cell: no diagonals."},
+         {in.sides() + cells, "This is one more for each cell. Diagonals are not links."},
+         {in.sides() + 2 * cells, "This is two more for each cell. Diagonals are not links."},
          {in.sides() + in.cells_v + 0.0, "The last point of a row is not joined to the first of the next row."},
          {2.0 * in.sides(), "Each side has two links: one is enough."}},
         "cells_u (cells_v + 1) along u, (cells_u + 1) cells_v along v.");
@@ -252,7 +254,7 @@ EXERCISE_TEST(Cloth, JoinsTheCornersOfEachCellAlongItsSides) {
     for (const Link& link : net.links) ++count[std::minmax(link.i, link.j)];
     const auto expect_once = [&](int a, int b, int next_a, int next_b) {
       const int found = count[{in.index(a, b), in.index(next_a, next_b)}];
-      expect_true(std::to_string(found) + " links where one is to be, from point " + in.name(a, b) + " to " +
+      expect_true(std::to_string(found) + " links instead of one, from point " + in.name(a, b) + " to " +
                       in.name(next_a, next_b),
                   "Eq. (6.11)", found == 1,
                   found > 1 ? "Two cells that meet share a side." : "Every side of every cell is a link.");
@@ -313,7 +315,7 @@ EXERCISE_TEST(Cloth, IsOfAnyCellsMassAndSize) {
                   "Eq. (6.11)", link.length, along_u ? u / in.cells_u : v / in.cells_v, roundings(64, size),
                   {{along_u ? u / in.cells_v : v / in.cells_u,
                     "This is the side over the number of cells along the other one."}},
-                  "At rest as it lies: the distance of its two points.");
+                  "The length is the distance of the two points, since the cloth is at rest as it lies.");
     }
   }
 }
@@ -328,19 +330,19 @@ EXERCISE_TEST(Cloth, IsAtRestAsItLies) {
         0 <= link.i && link.i < in.points() && 0 <= link.j && link.j < in.points() && link.i != link.j;
     expect_true("a link from point " + std::to_string(link.i) + " to point " + std::to_string(link.j) + " of " +
                     std::to_string(in.points()),
-                "Eq. (6.11)", sound, "There are no such two points.");
+                "Eq. (6.11)", sound, "Such points do not exist.");
     if (!sound) return;
     const double distance =
         (net.x[static_cast<std::size_t>(link.j)] - net.x[static_cast<std::size_t>(link.i)]).norm();
     expect_near("length of the link from point " + std::to_string(link.i) + " to point " +
                     std::to_string(link.j) + " [m]",
                 "Eq. (6.11)", link.length, distance, roundings(64, 10),
-                {{0, "1/n of two integers is 0: let a double take part in the division."},
+                {{0, "1/n of two integers is 0: divide doubles."},
                  {in.u.norm(), "This is the whole side, along u."},
                  {in.v.norm(), "This is the whole side, along v."},
                  {along_u, "This is a cell's side along u. The link lies along v."},
                  {along_v, "This is a cell's side along v. The link lies along u."}},
-                "At rest as it lies: the distance of its two points.");
+                "The length is the distance of the two points, since the cloth is at rest as it lies.");
     if (::testing::Test::HasFailure()) return;
   }
 }
@@ -364,7 +366,8 @@ EXERCISE_TEST(Cloth, OfOneCellIsItsFourCorners) {
   expect_near("length of all links of a cell of 2 m × 3 m [m]", "Eq. (6.11)", around, 10, roundings(16, 10));
 }
 
-// Hung by its four corners, which are nearer to each other than the cloth is wide; air brings it to rest.
+// The cloth hangs by its four corners, which are closer to each other than its sides are long. Air drag brings
+// it to rest.
 EXERCISE_TEST(Cloth, HangsOnItsCornersWithAllItsWeight) {
   const double h = 1.0 / 60, mass = 0.9;
   const Net net = cloth(Vec3(-0.5, -0.4, 0), Vec3(1, 0, 0), Vec3(0, 0.8, 0), 3, 3, mass);
@@ -400,14 +403,14 @@ EXERCISE_TEST(Cloth, HangsOnItsCornersWithAllItsWeight) {
     }
     fastest = points.fastest();
   }
-  expect_at_most("fastest point after 2000 steps of 1/60 s in syrup [m/s]", "Eq. (6.14)", fastest, 1e-8,
-                 "at rest");
+  expect_at_most("largest speed of a point after 2000 steps of 1/60 s with drag [m/s]", "Eq. (6.14)", fastest,
+                 1e-8, "at rest");
   expect_near(
-      "what four supports carry of a cloth of 0.9 kg [N]", "Eq. (6.14)", carried, mass * gravity,
+      "force on the four supports of a cloth of 0.9 kg [N]", "Eq. (6.14)", carried, mass * gravity,
       {1e-6, "0.9 kg times 1e-8 m/s over h, what the points may still gain or lose in a step"},
       {{mass * gravity * 4, "Four times its weight: all of each cell's mass is on each of its corners."},
        {mass * gravity * 16, "Sixteen times its weight: the whole cloth's mass is on each of its points."}},
-      "At rest the supports carry the weight of the cloth, their own points' shares among it.");
+      "At rest the supports carry the weight of the cloth, with that of their own points.");
 }
 
 EXERCISE_TEST(Cloth, RejectsWhatIsNoCloth) {

@@ -10,8 +10,7 @@ namespace {
 
 EXERCISE(DistanceConstraint, "6.1 distance_constraint");
 
-const std::string by_length =
-    "This is p_j - p_i over the wanted length. |n| is 1 only when it is divided by the distance.";
+const std::string by_length = "This is p_j - p_i over the length l. Divide by the distance, so that |n| = 1.";
 
 Constraint<6> row_of(const RandomPair& t) {
   return distance_constraint<6>(t.i, t.j, t.length, t.spook);
@@ -23,13 +22,13 @@ EXERCISE_TEST(DistanceConstraint, MeasuresPointMasses) {
   const Constraint<3> c = distance_constraint<3>(i, j, 4, {.a = 1, .b = 1, .Sigma = 0});
   expect_near("gap of points at (1, 2, -1) and (4, 2, 3), l = 4 m [m]", "Eq. (6.2)", c.gap, 1, roundings(16, 5),
               {{-1, "The sign: g is the distance minus the length, positive when they are too far apart."},
-               {5, "The length is missing: g is what the distance is off by."},
+               {5, "The length is missing: g is the distance minus the length."},
                {4.5, "This is half the difference of the squares. Its rate is not that of the distance."},
                {9, "This is the difference of the squares. g is in metres."},
                {1 - 2 * 4, "This is minus the sum: g is the distance minus the length."}},
               "g = |p_j - p_i| - l.");
   const Vec3 n(0.6, 0, 0.8);
-  const std::string reversed = "n goes from i's point to j's. This one goes from j to i.";
+  const std::string reversed = "n goes from i's point to j's point. This one goes from j to i.";
   expect_near_vector(
       "Gj", "Eq. (6.3)", c.Gj, n, roundings(8),
       {{-n, reversed}, {5 * n, "This is p_j - p_i: n is a unit vector."}, {5.0 / 4 * n, by_length}}, "Gj = n.");
@@ -51,8 +50,8 @@ EXERCISE_TEST(DistanceConstraint, GoesFromPointToPointHoweverShortTheArms) {
         "Gj of points at arms of " + show(part) + " m, 1 m apart", "Eq. (6.3)", c.Gj, twist(n, r_j.cross(n)),
         roundings(4),
         {{twist(Vec3::UnitZ(), r_j.cross(Vec3::UnitZ())),
-          "n goes from centre to centre here. It goes from point to point, however near they are to them."},
-         {twist(n, Vec3::Zero()), "The arm has been left out: it is short, and it counts."}},
+          "This n goes from centre to centre. It must go from point to point, also for short arms."},
+         {twist(n, Vec3::Zero()), "The arm has been left out. A short arm counts, too."}},
         small_is_dropped);
     expect_near_vector("Gi of points at arms of " + show(part) + " m, 1 m apart", "Eq. (6.3)", c.Gi,
                        twist(-n, -r_i.cross(n)), roundings(4), {}, small_is_dropped);
@@ -79,20 +78,20 @@ EXERCISE_TEST(DistanceConstraint, HasANegativeGapWhenCompressed) {
   const Constraint<3> c = distance_constraint<3>(i, j, 7, {.a = 1, .b = 1, .Sigma = 0});
   expect_near("gap of points at (1, 2, -1) and (4, 2, 3), l = 7 m [m]", "Eq. (6.2)", c.gap, -2,
               roundings(16, 5),
-              {{2, "The gap has lost its sign: what is too short would be pulled together further."},
-               {0, "The gap is negative here, and must stay so: what is too short is pushed apart."},
-               {5, "The length is missing: g is what the distance is off by."}},
+              {{2, "The gap has lost its sign, so points that are too close would be pulled together."},
+               {0, "The gap is negative here, so that points that are too close are pushed apart."},
+               {5, "The length is missing: g is the distance minus the length."}},
               "g = |p_j - p_i| - l, negative when they are too close.");
   expect_near_vector(
       "Gj of the compressed pair", "Eq. (6.3)", c.Gj, Vec3(0.6, 0, 0.8), roundings(8),
       {{Vec3(-0.6, 0, -0.8),
-        "n goes from i's point to j's, whether they are too far apart or too close. The sign is in the gap."},
+        "n goes from i's point to j's point, whether they are too far apart or too close. The sign is in the "
+        "gap."},
        {5.0 / 7 * Vec3(0.6, 0, 0.8), by_length}},
       "Gj = n.");
 }
 
-// "Positive" has no lower end but 0: a length in metres may belong to a wire of nanometres, and a rod may be pressed
-// together to next to nothing.
+// Any length above 0 is positive: a wire may be nanometres long, and a rod may be compressed to almost 0.
 EXERCISE_TEST(DistanceConstraint, TakesAnyPositiveDistance) {
   const SpookParameters spook{.a = 1, .b = 1, .Sigma = 0};
   const Vec3 n(0.6, 0, 0.8);
@@ -108,19 +107,21 @@ EXERCISE_TEST(DistanceConstraint, TakesAnyPositiveDistance) {
       } catch (const std::invalid_argument& error) {
         refused = error.what();
       }
-      expect_true("the row" + text + " is made" + (refused.empty() ? "" : "; here: " + refused), "Eq. (6.2)",
-                  refused.empty(),
-                  "Positive means more than 0, however little. Only 0 itself has no direction, and a tolerance "
-                  "does not belong here.");
+      expect_true(
+          "the row" + text + " is made" + (refused.empty() ? "" : "; here: " + refused), "Eq. (6.2)",
+          refused.empty(),
+          "Any distance above 0 is positive. Only 0 itself has no direction, so do not use a tolerance.");
       if (::testing::Test::HasFailure()) return;
-      expect_near("gap" + text + " [m]", "Eq. (6.2)", c.gap, distance - length,
-                  roundings(8, std::max(distance, length)),
-                  {{0, "So small a gap has been dropped. It is the distance minus the length, however small."}},
-                  "g = |p_j - p_i| - l.");
-      expect_near_vector("Gj" + text, "Eq. (6.3)", c.Gj, n, roundings(8),
-                         {{Vec3::Zero(), "There is no direction: so short a distance has been taken for none."},
-                          {Vec3(distance / length * n), by_length}},
-                         "Gj = n, of length 1 at any distance.");
+      expect_near(
+          "gap" + text + " [m]", "Eq. (6.2)", c.gap, distance - length,
+          roundings(8, std::max(distance, length)),
+          {{0, "This small gap has been dropped. The gap is the distance minus the length at any size."}},
+          "g = |p_j - p_i| - l.");
+      expect_near_vector(
+          "Gj" + text, "Eq. (6.3)", c.Gj, n, roundings(8),
+          {{Vec3::Zero(), "The direction is missing: this short distance has been treated as 0."},
+           {Vec3(distance / length * n), by_length}},
+          "Gj = n, of length 1 at any distance.");
       if (::testing::Test::HasFailure()) return;
     }
 }
@@ -135,8 +136,8 @@ EXERCISE_TEST(DistanceConstraint, MeasuresFromPointToPoint) {
       {{l - d,
         "The sign: g is the distance minus the length, positive when they are too far apart and negative when "
         "too close."},
-       {0, "A gap of 0 asks for nothing. Too close is a gap, too: a negative one."},
-       {d, "The length is missing: g is what the distance is off by."},
+       {0, "The gap is 0. Points that are too close have a negative gap."},
+       {d, "The length is missing: g is the distance minus the length."},
        {(d * d - l * l) / 2, "This is half the difference of the squares. g is in metres."},
        {d * d - l * l, "This is the difference of the squares. g is in metres."},
        {centres.norm() - l, "This is the distance of the centres. The points are beside them, at x + r."},
@@ -158,7 +159,7 @@ EXERCISE_TEST(DistanceConstraint, HasFourBlocks) {
   const std::string length = "This has the length of p_j - p_i: n is a unit vector.";
   const auto block = [](const Vec3& along, const Vec3& r) { return twist(along, r.cross(along)); };
   expect_near_vector("Gj", "Eq. (6.3)", c.Gj, block(n, t.j.r), roundings(64, t.size()),
-                     {{block(-n, t.j.r), "n goes from i's point to j's. This one goes from j to i."},
+                     {{block(-n, t.j.r), "n goes from i's point to j's point. This one goes from j to i."},
                       {twist(n, Vec3::Zero()), missing},
                       {twist(n, -t.j.r.cross(n)), "The sign of the angular block: it is r_j × n, not n × r_j."},
                       {twist(n, t.i.r.cross(n)), "This used r_i for body j. Each body has its own lever arm."},
@@ -221,7 +222,7 @@ EXERCISE_TEST(DistanceConstraint, CarriesTheRestOver) {
                  distance_constraint<3>({.body = 4, .x = t.i.x}, {.body = 2, .x = t.j.x}, 1, t.spook), t);
 }
 
-// The row against the gap as it was returned.
+// The row compared with the returned gap.
 EXERCISE_TEST(DistanceConstraint, TimesVelocityIsTheRateOfTheDistance) {
   RandomPair t;
   const Constraint<6> c = row_of(t);
@@ -263,11 +264,11 @@ EXERCISE_TEST(DistanceConstraint, IsTheSameFromBothEnds) {
   const RandomPair t;
   const Constraint<6> c = row_of(t), other = distance_constraint<6>(t.j, t.i, t.length, t.spook);
   expect_near("gap with i and j exchanged, minus the gap [m]", "Eq. (6.2)", other.gap - c.gap, 0,
-              roundings(32, t.size()), {}, "A distance has no direction: neither has its gap.");
+              roundings(32, t.size()), {}, "The gap does not depend on the order of i and j.");
   expect_near_vector("Gi with i and j exchanged, against Gj", "Eq. (6.3)", other.Gi, c.Gj,
-                     roundings(64, t.size()), {}, "n turns round with the exchange, and so does the sign.");
+                     roundings(64, t.size()), {}, "The exchange reverses n, and the sign, too.");
   expect_near_vector("Gj with i and j exchanged, against Gi", "Eq. (6.3)", other.Gj, c.Gi,
-                     roundings(64, t.size()), {}, "n turns round with the exchange, and so does the sign.");
+                     roundings(64, t.size()), {}, "The exchange reverses n, and the sign, too.");
 }
 
 EXERCISE_TEST(DistanceConstraint, RejectsPointsThatCoincide) {
@@ -293,8 +294,8 @@ EXERCISE_TEST(DistanceConstraint, RejectsADistanceThatIsNone) {
     expect_rejects(
         "x_j = (" + show(x) + ", 0, 0)", "distance",
         [&] { distance_constraint<3>(i, {.body = 1, .x = Vec3(x, 0, 0)}, 1, spook); },
-        "See require_positive in require.hpp. The distance must be finite, too, and a comparison with 0 lets "
-        "NaN through.");
+        "See require_positive in require.hpp. The distance must be finite, too. A comparison with 0 does not "
+        "find a NaN.");
 }
 
 EXERCISE_TEST(DistanceConstraint, RejectsALengthThatIsNotPositive) {

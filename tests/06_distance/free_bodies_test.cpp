@@ -1,4 +1,4 @@
-// Chains of rigid bodies that nothing holds: momentum and angular momentum, over many steps.
+// Free chains of rigid bodies: momentum and angular momentum over many steps.
 #include "exercise_test.hpp"
 #include "systems.hpp"
 
@@ -10,7 +10,8 @@ namespace {
 EXERCISE(DistanceConstraint, "6.1 distance_constraint");
 EXERCISE(BallJointConstraints, "6.2 ball_joint_constraints");
 
-/// Four boxes without weight; a point of each is connected with a point of the next, `apart` [m] from it.
+/// Four boxes without gravity. A point of each is connected with a point of the next, at the distance `apart`
+/// [m].
 struct Chain {
   static constexpr std::size_t bodies = 4;
   std::vector<Rigid> boxes = {};
@@ -48,7 +49,7 @@ struct Chain {
     for (const Rigid& box : boxes) sum += box.angular_momentum();
     return sum;
   }
-  /// The size of the numbers that are added up in both: 8 kg in all, some 3 m from the origin, at some 3 m/s.
+  /// The size of the terms of both sums: 8 kg in total, about 3 m from the origin, at about 3 m/s.
   static constexpr double size = 72;
 
   void step_with_distances(double h) {
@@ -145,7 +146,7 @@ EXERCISE_TEST(BallJointConstraints, KeepsAngularMomentumButForTheGaps) {
   expect_near_vector(
       "angular momentum of four boxes with three ball joints, after 500 steps [kg m²/s]", "Eq. (6.5), (6.6)",
       chain.angular_momentum(), L, after_steps(steps), {},
-      "A joint adds (p_j - p_i) × J in a step and nothing else. Look at r × e of both bodies, and the signs.");
+      "In a step a joint adds only (p_j - p_i) × J. Look at r × e of both bodies, and at the signs.");
 }
 
 EXERCISE_TEST(BallJointConstraints, LosesAngularMomentumWithOrderTwo) {

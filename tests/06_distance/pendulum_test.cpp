@@ -1,4 +1,4 @@
-// A point on a rod without mass, and a bar in a ball joint, let go from the horizontal: their period and tension.
+// A point on a massless rod, and a bar on a ball joint, released from the horizontal: period and tension.
 #include <numbers>
 
 #include "exercise_test.hpp"
@@ -30,13 +30,13 @@ const double exact_period = period(std::numbers::pi / 2);  // 2.34524 s
 /// Times at which the pendulum is straight below the hook.
 class Crossings {
  public:
-  /// It was at x before the step to t, and is at y now. The hook is at the origin.
+  /// Takes the positions x before the step to t, and y after it. The hook is at the origin.
   void look(const Vec3& x, const Vec3& y, double t, double h) {
     const double before = std::atan2(x.x(), -x.z()), now = std::atan2(y.x(), -y.z());
     if ((before > 0) != (now > 0)) times_.push_back(t - h * now / (now - before));
   }
   bool done() const { return times_.size() == 3; }
-  /// NaN when it has not come by three times.
+  /// NaN if it has not passed three times.
   double period() const { return done() ? times_[2] - times_[0] : std::nan(""); }
 
  private:
@@ -67,7 +67,7 @@ Swing swing_on_a_rod(double h, double d) {
   return {crossings.period(), tension};
 }
 
-// A uniform bar of 1 kg that is 3l/2 long and hung by its end swings like a point at l: I/(m s) = (2/3) 3l/2.
+// A uniform bar of 1 kg and length 3l/2 that hangs by its end swings like a point at l: I/(m s) = (2/3) 3l/2.
 double swing_of_a_bar(double h, double d) {
   const double length = 1.5 * l, s = length / 2;
   const SpookParameters spook = spook_parameters(h, stiffness, d);
@@ -90,10 +90,10 @@ double swing_of_a_bar(double h, double d) {
   return crossings.period();
 }
 
-// A step goes along the tangent, and SPOOK takes back what that adds to the gap over some d steps: at speed v the
-// rod is longer by h² v² (1 + 2d)/(4l). The longer way, and the work that the tension does on the way out, make the
-// period longer by 5/2 (1 + 2d) h² √(g/2l) ∫ √cos θ dθ, where the integral from 0 to π/2 is 1.198. What a step of
-// leapfrog adds has the other sign, and is less.
+// A step goes along the tangent, which lengthens the rod. SPOOK corrects this over about d steps, so at speed v the rod
+// is longer by h² v² (1 + 2d)/(4l). The longer path, and the work of the tension during the lengthening, make the
+// period longer by 5/2 (1 + 2d) h² √(g/2l) ∫ √cos θ dθ, where the integral from 0 to π/2 is 1.198. Leapfrog's own error
+// has the other sign, and is smaller.
 double lateness(double h, double d) {
   return 3 * (1 + 2 * d) * h * h * std::sqrt(gravity / (2 * l));
 }
@@ -106,7 +106,7 @@ EXERCISE_TEST(DistanceConstraint, SwingsWithTheExactPeriod) {
         swing_on_a_rod(h, d).period, exact_period,
         {lateness(h, d), "3 (1 + 2d) h² √(g/2l), from the gap that a turning rod keeps"},
         {{2 * std::numbers::pi * std::sqrt(l / gravity), "This is the period of small swings."}},
-        "It swings at another length, or not at all. NaN: it has not come by three times within two periods.");
+        "It swings at another length, or not at all. NaN: it has not passed three times within two periods.");
     if (::testing::Test::HasFailure()) return;
   }
 }
@@ -126,7 +126,7 @@ EXERCISE_TEST(DistanceConstraint, PullsThreefoldAtTheBottom) {
         swing_on_a_rod(h, d).tension, 3 * gravity,
         {(d + 1.25) * h * h * gravity * gravity / l,
          "(d + ½) h² m g²/l from the gap of a turning rod, ¾ h² m g²/l as no step is at the very bottom"},
-        {{gravity, "This is its weight. At the bottom m v²/l = 2 m g comes on top."},
+        {{gravity, "This is its weight. At the bottom add m v²/l = 2 m g."},
          {0, "It never pulls: λ < 0 is a pull, T = -λ/h."}},
         "m g + m v²/l, with v² = 2 g l.");
     if (::testing::Test::HasFailure()) return;

@@ -1,4 +1,4 @@
-// A rope: where its points are, what they weigh, what is joined, and how many sweeps it takes to hang.
+// A rope: places and masses of its points, its links, and the sweeps until it hangs.
 #include <algorithm>
 #include <numbers>
 
@@ -23,7 +23,7 @@ struct RopeInput {
 
   explicit RopeInput(const Random& stream = Random()) : random(stream) { tell(); }
 
-  /// The next of a stream of them, of any kind: from one link on, heavy or light, short or long.
+  /// Returns the next random rope: of one link or more, heavy or light, short or long.
   static RopeInput any(const Random& stream) {
     RopeInput in(stream);
     in.links = in.random.integer(0, 9) ? in.random.integer(1, 15) : in.random.integer(300, 3000);
@@ -41,7 +41,7 @@ struct RopeInput {
   Net net() const { return rope(from, to, links, mass); }
 };
 
-// Whether the net has as many points, masses and links as it should; later checks look at each of them.
+// Checks the numbers of points, masses and links. Later checks look at each of them.
 bool has_its_parts(const Net& net, int links) {
   expect_near("points of a rope of " + std::to_string(links) + " links", "Eq. (6.10)",
               static_cast<double>(net.x.size()), links + 1, {0, "a count"},
@@ -67,7 +67,7 @@ EXERCISE_TEST(Rope, LiesInAStraightLine) {
         net.x[static_cast<std::size_t>(k)], Vec3(in.from + part * (in.to - in.from)), roundings(16, 4),
         {{in.to + part * (in.from - in.to), "The rope begins at `from`. This one begins at `to`."},
          {in.from + short_of * (in.to - in.from), "It ends too early: the last point is at `to`."},
-         {in.from, "k/N of two integers is 0 but for the last: divide as double."},
+         {in.from, "k/N of two integers is 0 except for the last: divide doubles."},
          {part * (in.to - in.from), "`from` is missing: this rope begins at the origin."}},
         "Equal steps from `from` to `to`.");
   }
@@ -89,8 +89,8 @@ EXERCISE_TEST(Rope, JoinsNeighbours) {
                 {{in.length, "This is the whole rope's length."},
                  {in.length / (in.links + 1), "The rope is divided among its links, not among its points."},
                  {1, "A link has its own length, at rest as the rope lies."},
-                 {0, "1/N of two integers is 0: let a double take part in the division."}},
-                "At rest as it lies: the distance of its two points.");
+                 {0, "1/N of two integers is 0: divide doubles."}},
+                "The length is the distance of the two points, since the cloth is at rest as it lies.");
   }
 }
 
@@ -108,15 +108,14 @@ EXERCISE_TEST(Rope, PutsHalfOfEachLinkOnEitherEnd) {
       "masses of all points, from the first to the last [kg]", "Eq. (6.10)",
       Eigen::VectorXd(Eigen::VectorXd::Map(net.mass.data(), in.links + 1)), link / 2 * halves,
       roundings(64, in.mass),
-      {{0 * ones,
-        "There is no mass at all: 1/N and 1/2 of integers are 0. Let a double take part in the division."},
+      {{0 * ones, "All masses are 0: in C++ 1/N and 1/2 of integers are 0. Divide doubles."},
        {in.mass * ones, "Every point has the whole rope's mass."},
-       {in.mass / 2 * halves, "Every link has the whole rope's mass. It has its share, mass/N."},
+       {in.mass / 2 * halves, "Every link has the whole rope's mass. Its share is mass/N."},
        {in.length * link / 2 * halves,
-        "`mass` is taken for that of 1 m. It is the whole rope's, whatever its length."},
+        "This takes `mass` for the mass of 1 m. It is the mass of the whole rope."},
        {in.mass / (in.links + 1) * ones,
-        "The mass is divided evenly among the points. It belongs to the "
-        "links: an end has half a link, any other point two halves."},
+        "The mass is divided evenly among the points. It belongs to the links: an end has half a link's mass, "
+        "any other point two halves."},
        {link * ones, "Every point is as heavy as a link. An end has one link beside it, so half of one."},
        {link / 2 * ones, "Every point has half a link. Where two links meet, each gives a half."},
        {link * halves, "All of each link's mass is on either of its ends: twice the rope."},
@@ -165,7 +164,9 @@ EXERCISE_TEST(Rope, IsOfAnyLinksMassAndLength) {
                   "Eq. (6.10)", std::minmax(joined.i, joined.j) == std::minmax(k, k + 1),
                   "Point k is joined to point k + 1 by link k.");
       expect_near("length of link " + std::to_string(k) + " [m]", "Eq. (6.10)", joined.length, each,
-                  roundings(32, size), {}, "At rest as it lies: the distance of its two points.");
+                  roundings(32, size), {},
+                  "The length is the distance of the two points, since the cloth is at "
+                  "rest as it lies.");
     }
   }
 }
@@ -189,9 +190,8 @@ EXERCISE_TEST(Rope, KeepsItsMassAndCentre) {
 EXERCISE_TEST(Rope, OfOneLinkIsItsTwoEnds) {
   const Net net = rope(Vec3(1, 0, 2), Vec3(1, 0, -1), 1, 5);
   if (!has_its_parts(net, 1)) return;
-  const std::string
-      whole = "This is all of the link's mass. One link is no special case: each of its ends has a half.",
-      halves = "Each end has half of the one link there is.";
+  const std::string whole = "This is all of the link's mass. For a single link, too, each end has a half.",
+                    halves = "Each end has half the mass of the only link.";
   expect_near_vector("first point [m]", "Eq. (6.10)", net.x[0], Vec3(1, 0, 2), roundings(8, 2));
   expect_near_vector("last point [m]", "Eq. (6.10)", net.x[1], Vec3(1, 0, -1), roundings(8, 2));
   expect_near("mass of the first point, of 5 kg [kg]", "Eq. (6.10)", net.mass[0], 2.5, roundings(8, 5),
@@ -236,7 +236,7 @@ EXERCISE_TEST(Rope, CarriesWhatHangsBelowTheMiddleOfEachLink) {
          {weight * (links - i + 1) / (links + 1),
           "The mass is divided among the points. It belongs to the "
           "links, half on either end."}},
-        "A rope carries at each height what hangs below: half of the link itself, and all that follow.");
+        "A link carries half of its own mass and all links below it.");
 }
 
 // The rate of Gauss-Seidel on a tridiagonal S is the square of Jacobi's, and that is the largest eigenvalue of
@@ -283,13 +283,13 @@ Count sweeps_to_hang(Net net, double M, double epsilon, bool from_below, int at_
   return {static_cast<double>(sweeps), error, error / before};
 }
 
-// Whether it got there, with as many sweeps again as Eq. (6.12) says.
+// Checks that it converged within twice the sweeps of Eq. (6.12).
 bool hangs(const Count& count, double epsilon, const std::string& of) {
   expect_at_most(
       "error of λ after " + show(count.sweeps) + " sweeps," + of, "Eq. (6.8), (6.12)", count.error, epsilon,
       "twice as many sweeps as it takes",
-      "It tends to other tensions than (M + (N - i) m) g, or more slowly: is a point as heavy as a link, and "
-      "each joined to the next?");
+      "It converges to other tensions than (M + (N - i) m) g, or more slowly. Is a point as heavy as a link, "
+      "and is each joined to the next?");
   return !::testing::Test::HasFailure();
 }
 
@@ -305,7 +305,7 @@ EXERCISE_TEST(Rope, NeedsSweepsLikeTheSquareOfItsLinks) {
     if (!has_its_parts(net, links)) return;
     // The eigenvectors of Jacobi's matrix are λ_i = cos((i - 1) θ) with cos N θ = 0: its rate is cos π/(2N).
     const double rho = std::pow(std::cos(pi / (2 * links)), 2);
-    // T falls evenly to the load; at the top, 8/π² of that is in the slowest of these modes.
+    // T falls linearly to the load. At the top, 8/π² of this is in the slowest of these modes.
     const double predicted = std::log(8 / (pi * pi) / epsilon) / std::log(1 / rho);
     const double lesson = 5.6 * links * links;
     for (const bool from_below : {false, true}) {

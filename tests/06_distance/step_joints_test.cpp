@@ -1,4 +1,4 @@
-// The step with joints: its rows, what hangs from one, and what is conserved.
+// The step with joints: its rows, a hanging mass, and conservation laws.
 #include "contract.hpp"
 #include "exercise_test.hpp"
 #include "stages.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 EXERCISE(StepJoints, "6.5 step_joints");
 
-/// A crowd with contacts, and with joints of both kinds, each with a k and d of its own.
+/// Returns many bodies with contacts, and with joints of both kinds, each with its own k and d.
 Crowd joined_crowd(Random& random, int bodies, int contacts, int joints) {
   Crowd made = crowd(random, bodies, contacts);
   made.all.mu = 0.5;
@@ -36,11 +36,13 @@ EXERCISE_TEST(StepJoints, HasItsStagesInOrder) {
   loose.joints.pop_back();
   std::vector<std::pair<Stages, std::string>> wrong = {
       {{.without_joints = true}, "The joints do nothing: their rows are missing."},
-      {{.joints_last = true}, "The rows of the joints come last: here they are the first."},
+      {{.joints_last = true}, "The rows of the joints come last. Put them first."},
       {{.joints_as_contacts = true}, "The joints have the k and d of contacts: each has its own."},
-      {{.points_unturned = true}, "p is in the axes of its body: r = q p turns it into the world, Eq. (6.1)."},
+      {{.points_unturned = true},
+       "p is in body coordinates. Eq. (6.1) converts it to world coordinates, r = q "
+       "p."},
       {{.length_ignored = true}, "Every joint is a ball joint: where length is more than 0 it is a distance."},
-      {{.without_friction = true}, "There is no friction: this is still the step of chapter 05, with joints."}};
+      {{.without_friction = true}, "There is no friction. This is the step of chapter 05 with joints."}};
   for (const auto& mistake : mistakes_in_order()) wrong.push_back(mistake);
   std::vector<Mistake> mistakes = mistakes_of(all, contacts, h, wrong);
   mistakes.push_back(
@@ -79,12 +81,12 @@ EXERCISE_TEST(StepJoints, KeepsMomentum) {
                                "Eq. (6.6)", momenta(got, all), momenta(all, all),
                                {1e-10, "roundings of 200 sweeps over 9 rows"}, {},
                                "A ball joint acts on both bodies at one point.");
-  expect_at_least("by how much the joints changed the velocities [m/s, rad/s]", "Eq. (6.5)",
+  expect_at_least("change of the velocities by the joints [m/s, rad/s]", "Eq. (6.5)",
                   (twist_of(got.bodies[0]) - twist_of(all.bodies[0])).norm(), 0.1,
-                  "the two points have other velocities", "The joints do nothing.");
+                  "the two points have different velocities", "The joints do nothing.");
 }
 
-/// A mass that hangs at rest stretches what it hangs from by m g/k.
+/// A mass that hangs at rest stretches its joint by m g/k.
 EXERCISE_TEST(StepJoints, StretchesByTheWeight) {
   for (const double length : {0.0, 1.0}) {
     const double mass = 2, k = 1e4;
@@ -92,12 +94,11 @@ EXERCISE_TEST(StepJoints, StretchesByTheWeight) {
     all.bodies = {{}, {.x = Vec3(0, 0, -length), .mass = mass, .principal = Vec3(0.1, 0.2, 0.25)}};
     all.joints = {{.i = 0, .j = 1, .p_i = Vec3::Zero(), .p_j = Vec3::Zero(), .length = length, .k = k, .d = 3}};
     for (int n = 0; n < 500; ++n) step_joints(all, {}, 1.0 / 60);
-    expect_near(
-        "stretch of a joint of length " + show(length) + " m after 500 steps [m]", "Eq. (6.7)",
-        -all.bodies[1].x.z() - length, mass * 9.81 / k,
-        {1e-12, "roundings of x, and a rest of the motion, which falls by half and more in d + 1 steps"},
-        {{-mass * 9.81 / k, "The sign of the gap is the other one."}},
-        "At rest its impulse is h m g, at a gap of m g/k.");
+    expect_near("stretch of a joint of length " + show(length) + " m after 500 steps [m]", "Eq. (6.7)",
+                -all.bodies[1].x.z() - length, mass * 9.81 / k,
+                {1e-12, "roundings of x, and what remains of the motion, which halves at least in d + 1 steps"},
+                {{-mass * 9.81 / k, "The gap has the wrong sign."}},
+                "At rest its impulse is h m g, at a gap of m g/k.");
   }
 }
 
@@ -108,7 +109,7 @@ EXERCISE_TEST(StepJoints, RejectsWhatMakesNoSense) {
                                                 Simulation all, double h) {
     expect_rejects(
         what, name, [&] { step_joints(all, touching, h); },
-        "A function of the chapters refuses it: call it before anything changes.",
+        "A function of the chapters refuses this: call it before you change anything.",
         [&] { return state_of(all); });
   };
   for (const double h : {0.0, -0.1, std::nan("")}) rejects("h = " + show(h), "h", start, h);

@@ -11,19 +11,19 @@
 
 namespace spook::testing {
 
-/// As std::max, but a NaN stays one.
+/// The larger of two numbers, as std::max, except that a NaN stays a NaN.
 inline double larger(double a, double b) {
   return std::isnan(a) || a > b ? a : b;
 }
 
-/// What a solve has found out.
+/// The result of a solve.
 template <int Dof>
 struct Solution {
   std::vector<double> lambda;  ///< impulse of each constraint [N s]
   std::vector<Twist<Dof>> V;   ///< velocity change of each body
 };
 
-/// The rows of the constraints. One that would make the solver stop the program is told in words instead.
+/// Returns the rows of the constraints. Reports a row that would make the solver stop the program.
 template <int Dof>
 std::vector<Row<Dof>> rows_of(const std::vector<Constraint<Dof>>& constraints, const Motion<Dof>& motion) {
   const int bodies = static_cast<int>(motion.W.size());
@@ -50,7 +50,7 @@ Solution<Dof> solved(const std::vector<Constraint<Dof>>& constraints, const Moti
   return solution;
 }
 
-/// Says so when a wrong answer has made a simulation grow without bounds.
+/// Reports a simulation that a wrong answer has made grow without bounds.
 inline void require_within_reach(const Vec3& x) {
   if (!(x.norm() < 1e6))
     throw std::logic_error("a body is 1000 km away, or nowhere: the simulation has blown up");
@@ -63,7 +63,7 @@ struct Points {
   double g = gravity;
   double drag = 0;  ///< of the air: the force is -drag m v [1/s]
   std::vector<Vec3> x = {}, v = {};
-  std::vector<double> inverse_mass = {};  ///< 0 is held fast
+  std::vector<double> inverse_mass = {};  ///< body 0 is static
 
   void add(const Vec3& at, double inverse) {
     x.push_back(at);
@@ -95,7 +95,7 @@ struct Points {
     return motion;
   }
 
-  /// One step with these constraints. Returns their λ [N s].
+  /// Advances by one step with these constraints. Returns the λ [N s].
   std::vector<double> step(const std::vector<Constraint<3>>& constraints, double h, const StopRule& stop) {
     const Motion<3> before = motion(h);
     const Solution<3> solution = solved(constraints, before, stop);
@@ -110,7 +110,7 @@ struct Points {
 
 /// A rigid body; v and ω are half a step behind x and q.
 struct Rigid {
-  double inverse_mass;  ///< 0 is held fast
+  double inverse_mass;  ///< body 0 is static
   Vec3 principal;       ///< moments [kg m²]
   Vec3 x;
   Quat q = Quat::Identity();
@@ -121,7 +121,7 @@ struct Rigid {
   Vec3 angular_momentum() const { return x.cross(momentum()) + world_inertia(q, principal) * omega; }
 };
 
-/// A solid box of 0.5 to 2 kg with edges of 0.4 to 1.2 m, turned any way.
+/// Returns a solid box of 0.5 to 2 kg with edges of 0.4 to 1.2 m, in any orientation.
 inline Rigid random_box(Random& random) {
   const double mass = random.uniform(0.5, 2);
   const Vec3 edges{random.uniform(0.4, 1.2), random.uniform(0.4, 1.2), random.uniform(0.4, 1.2)};
@@ -130,7 +130,7 @@ inline Rigid random_box(Random& random) {
   return {.inverse_mass = 1 / mass, .principal = principal, .x = random.vector(2), .q = random.rotation()};
 }
 
-/// One step of rigid bodies with these constraints, with weight or without. Returns their λ [N s].
+/// Advances rigid bodies by one step with these constraints, with gravity or without. Returns the λ [N s].
 inline std::vector<double> step(std::vector<Rigid>& bodies, const std::vector<Constraint<6>>& constraints,
                                 bool weight, double h, const StopRule& stop) {
   Motion<6> motion;

@@ -24,7 +24,7 @@ struct Wire {
   Setting setting;
   Points points = {};
 
-  /// With each link longer by so many times its T/k.
+  /// Each link is longer by `times` T/k.
   Wire(const Setting& of, double stretch) : setting(of) {
     points.add(Vec3::Zero(), 0);
     for (int i = 1; i <= links; ++i)
@@ -62,14 +62,14 @@ EXERCISE_TEST(DistanceConstraint, CarriesWhatHangsOnIt) {
           "Eq. (6.7), (6.8)", got, T,
           {1e-9 * T, "1e-14 m/s that a sweep may still change, over S of 15 kg on 1 kg and h"},
           {{-T, "The sign of the tension: a link that pulls has λ < 0. Is it the gap's sign, or n's?"},
-           {0, "It does not pull at all: these are a contact's bounds, or the sign of the gap."}},
-          "The link carries all that hangs below it, T = (M + (N - i) m) g.");
+           {0, "It does not pull at all. Are these a contact's bounds, or has the gap the wrong sign?"}},
+          "The link carries everything below it, T = (M + (N - i) m) g.");
     }
     if (::testing::Test::HasFailure()) return;
     for (int n = 0; n < 50; ++n) wire.step();
-    expect_at_most("fastest point after 50 steps, " + setting.text() + " [m/s]", "Eq. (6.9)",
-                   wire.points.fastest(), 1e-9, "at rest, to what the sweeps leave over",
-                   "A wire whose links are longer by T/k each hangs at rest and stays there.");
+    expect_at_most("largest speed of a point after 50 steps, " + setting.text() + " [m/s]", "Eq. (6.9)",
+                   wire.points.fastest(), 1e-9, "at rest, within the error that the sweeps leave",
+                   "A wire whose links are each longer by T/k hangs at rest and stays there.");
     if (::testing::Test::HasFailure()) return;
   }
 }
@@ -80,8 +80,8 @@ EXERCISE_TEST(DistanceConstraint, StretchesByTensionOverStiffness) {
     int steps = 0;
     do wire.step();
     while (wire.points.fastest() > 1e-9 && ++steps < 5000);
-    expect_at_most("fastest point of a wire that was let go unstretched, after " + std::to_string(steps) +
-                       " steps, " + setting.text() + " [m/s]",
+    expect_at_most("largest speed of a point of a wire that was released unstretched, after " +
+                       std::to_string(steps) + " steps, " + setting.text() + " [m/s]",
                    "Eq. (6.9)", wire.points.fastest(), 1e-9, "at rest",
                    "It does not settle: the gap is missing, or it pulls the wrong way.");
     double sum = 0;
@@ -91,7 +91,7 @@ EXERCISE_TEST(DistanceConstraint, StretchesByTensionOverStiffness) {
       expect_near("stretch of link " + std::to_string(i) + " of 5 at rest, " + setting.text() + " [m]",
                   "Eq. (6.9)", wire.stretch(i), expected,
                   {1e-5 * expected, "1e-9 m/s over the slowest decay, 0.1 /s, is 1e-8 m of 1e-4 m to 1e-2 m"},
-                  {}, "A link gives way by T/k, whatever h and d.");
+                  {}, "A link is stretched by T/k, for any h and d.");
     }
     if (::testing::Test::HasFailure()) return;
     expect_near("stretch of the whole wire at rest, " + setting.text() + " [m]", "Eq. (6.9)",
@@ -125,9 +125,12 @@ EXERCISE_TEST(DistanceConstraint, FindsTheMeanOfTwoLengths) {
             " m with k = " + show(k2) + " N/m [m]",
         "Eq. (3.13), (6.2)", points.x[1].norm(), (k1 * l1 + k2 * l2) / (k1 + k2),
         {1e-9, "what 500 steps leave of the start, and 1e-14 m/s of every solve"},
-        {{l1, "Only the first has a say."}, {l2, "Only the second has a say, and i and j are exchanged."}},
-        "Each pulls or pushes with k times its gap, and the two forces are opposite: the mean, weighted by "
-        "stiffness.");
+        {{l1, "Only the first constraint has an effect."},
+         {l2,
+          "Only the second constraint has an effect, and "
+          "i and j are exchanged."}},
+        "Each pulls or pushes with k times its gap, and the two forces are opposite. The result is the mean, "
+        "weighted by stiffness.");
   }
 }
 
@@ -141,12 +144,13 @@ EXERCISE_TEST(DistanceConstraint, PullsWhenTooLongAndPushesWhenTooShort) {
     const double lambda = points.step({distance_constraint<3>(points.at(0), points.at(1), length, spook)}, h,
                                       {.max_sweeps = 1})[0];
     const double gap = 1 - length;
-    expect_near(
-        "λ of 0.5 kg at 1 m from a hook, held at " + show(length) + " m [N s]", "Eq. (6.4)", lambda,
-        -10 * gap / 2.5, roundings(16),
-        {{10 * gap / 2.5, "The wrong way: what is too far is pulled, λ < 0, what is too near is pushed."},
-         {0, "It does nothing this way: one of the bounds is 0."}},
-        "λ = -a g/(S + Σ), and no bound holds it.");
+    expect_near("λ of 0.5 kg at 1 m from a hook, held at " + show(length) + " m [N s]", "Eq. (6.4)", lambda,
+                -10 * gap / 2.5, roundings(16),
+                {{10 * gap / 2.5,
+                  "The sign is wrong: points that are too far apart are pulled, λ < 0, and points that "
+                  "are too close are pushed."},
+                 {0, "It does nothing this way: one of the bounds is 0."}},
+                "λ = -a g/(S + Σ), without a bound.");
   }
 }
 

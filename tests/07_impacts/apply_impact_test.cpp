@@ -1,4 +1,4 @@
-// What an impulse at a contact does to the two bodies.
+// The effect of an impulse at a contact on the two bodies.
 #include "collisions.hpp"
 #include "exercise_test.hpp"
 
@@ -23,14 +23,14 @@ void expect_change(const std::string& name, const Twist<6>& got, const InverseMa
       "velocity change of body " + name + ", linear and then angular", "Eq. (7.9)", got, expected,
       roundings(64, before.norm() + expected.norm()),
       {{-expected, "The sign: J acts on j, and -J on i."},
-       {Twist<6>::Zero(), "This body has not moved. An impulse acts on both, Newton's third law."},
+       {Twist<6>::Zero(), "This body has not moved. By Newton's third law an impulse acts on both."},
        {linear, "The rotation is missing: off the centre an impulse also turns the body, by I⁻¹ (r×J)."},
        {linear - angular, "The sign of the torque: r×J, not J×r."},
-       {change(body, other_r, J), "The arm is the other body's: r_i belongs to i, and r_j to j."},
+       {change(body, other_r, J), "This uses the other body's lever arm: r_i belongs to i, and r_j to j."},
        {(Twist<6>() << J, r.cross(J)).finished(), "The masses are missing: motion.inverse_mass[i].times(...)."},
        {(Twist<6>() << J / body.linear, inertia * r.cross(J)).finished(),
         "InverseMass holds 1/m and I⁻¹ already: multiply by them."},
-       {expected - before, "What was there before must stay: add, do not assign."}},
+       {expected - before, "Keep the velocity before: add, do not assign."}},
       "M⁻¹ (J, r×J): J/m, and I⁻¹ (r×J).");
 }
 
@@ -53,7 +53,7 @@ EXERCISE_TEST(ApplyImpact, CountsLinearAndAngularApart) {
   Random random;
   for (const bool linear : {false, true}) {
     Boxes bodies(random, 2);
-    for (InverseMass<6>& body : bodies.motion.inverse_mass)  // each can only shift, or only turn
+    for (InverseMass<6>& body : bodies.motion.inverse_mass)  // each can only move, or only turn
       body =
           linear ? InverseMass<6>{.linear = body.linear} : InverseMass<6>{.linear = 0, .angular = body.angular};
     const Contact contact = bodies.contact(random, 0, 1);
@@ -66,7 +66,7 @@ EXERCISE_TEST(ApplyImpact, CountsLinearAndAngularApart) {
       expect_near_vector("velocity change of a body that can only " + std::string(linear ? "shift" : "turn"),
                          "Eq. (7.9)", Twist<6>(bodies.motion.W[b] - before[b]), right,
                          roundings(64, before[b].norm() + right.norm()), {},
-                         "1/m and I⁻¹ are two things: where one of them is zero, the other still counts.");
+                         "1/m and I⁻¹ are independent: where one of them is zero, the other still counts.");
     }
   }
 }
@@ -83,7 +83,9 @@ EXERCISE_TEST(ApplyImpact, ChangesTheVelocityOfTheContactByKJ) {
     const Vec3 KJ = K * J, gained = pair.velocity(contact, 0) - u;
     expect_near_vector("change of u by an impulse between two boxes [m/s]", "Eq. (3.8), (7.9)", gained, KJ,
                        roundings(500, u.norm() + K.norm() * J.norm()),
-                       {{-KJ, "The sign: J acts on j, and -J on i."}}, "It is K J, for this is what K means.");
+                       {{-KJ, "The sign: J acts on j, and -J on i."}},
+                       "The change is K J, by the definition of "
+                       "K.");
   }
 }
 
@@ -124,7 +126,7 @@ EXERCISE_TEST(ApplyImpact, LeavesFixedBodiesAndAllOthersAlone) {
   const Motion<6> before = bodies.motion;
   apply_impact(bodies.contact(random, 0, 2), Vec3(1, -2, 3), bodies.motion);
   const Motion<6>& after = bodies.motion;
-  expect_near_vector("velocity of a fixed body, all of whose inverse mass is 0", "Eq. (7.9)", after.W[0],
+  expect_near_vector("velocity of a static body, with inverse masses of 0", "Eq. (7.9)", after.W[0],
                      Twist<6>::Zero(), {0, "exact"}, {},
                      "Multiply by the inverse mass, and never divide by a mass.");
   for (const std::size_t k : {1U, 3U})
@@ -140,7 +142,7 @@ EXERCISE_TEST(ApplyImpact, TakesPointMasses) {
   Motion<3> motion{.inverse_mass = {{.linear = 0.5}, {.linear = 0.25}},
                    .W = {Vec3(1, 0, 0), Vec3(-1, 0, 2)},
                    .Wf = {Vec3::Zero(), Vec3::Zero()}};
-  // The arms are those of a contact of spheres: a point mass doesn't feel them.
+  // The lever arms are those of a contact of spheres. They have no effect on a point mass.
   const Contact contact{
       .i = 0, .j = 1, .n = Vec3(1, 0, 0), .gap = 0, .r_i = Vec3(0.5, 0, 0), .r_j = Vec3(-0.5, 0, 0)};
   apply_impact(contact, Vec3(4, 0, 2), motion);
@@ -149,14 +151,14 @@ EXERCISE_TEST(ApplyImpact, TakesPointMasses) {
       roundings(8, 4),
       {{Vec3(3, 0, 1), "The sign: J acts on j, and -J on i."},
        {Vec3(1, 0, 0), "This body has not moved."},
-       {Vec3(-1, 0, 0), "This is by J's part along n alone. A point mass has friction, too: all of J."},
+       {Vec3(-1, 0, 0), "This uses only J's component along n. A point mass has friction, too: use all of J."},
        {Vec3(-3, 0, -2), "The mass is missing: J/m."}});
   expect_near_vector(
       "velocity of j, 4 kg, after (4, 0, 2) N s [m/s]", "Eq. (7.9)", motion.W[1], Vec3(0, 0, 2.5),
       roundings(8, 4),
       {{Vec3(-2, 0, 1.5), "The sign: J acts on j, and -J on i."},
        {Vec3(-1, 0, 2), "This body has not moved."},
-       {Vec3(0, 0, 2), "This is by J's part along n alone. A point mass has friction, too: all of J."},
+       {Vec3(0, 0, 2), "This uses only J's component along n. A point mass has friction, too: use all of J."},
        {Vec3(3, 0, 4), "The mass is missing: J/m."}});
 }
 

@@ -62,10 +62,10 @@ struct Ball {
   /// The velocity at the time of x.
   double v() const { return motion.W[1].z() + motion.Wf[1].z() / 2; }
 
-  /// Where the parabola of now has its top. Leapfrog is exact on it, wherever the steps fall.
+  /// Returns the height of the present parabola's top. Leapfrog is exact on it for any steps.
   double apex() const { return x + v() * v() / (2 * g); }
 
-  /// Resolves an impact, if there is one now, and says so.
+  /// Resolves an impact if there is one now. Returns true if there was one.
   bool resolve(double e) {
     if (x > tolerance) return false;
     return resolve_impacts<3>({contact_along(0, 1, Vec3::UnitZ())}, {.restitution = e}, motion).impacts > 0;

@@ -11,7 +11,7 @@
 
 namespace spook::testing {
 
-/// One impact, and the lesson's formulas for it: what the functions return, and what known mistakes give.
+/// One impact and the lesson's formulas for it: the right results, and those of known mistakes.
 struct Impact {
   Mat3 K;
   Vec3 u, n;
@@ -31,7 +31,7 @@ struct Impact {
   Vec3 safe(double kappa) const { return (1 + e) * P() + kappa * D(); }
   Vec3 safe() const { return safe(std::min(1.0, kappa_of_the_edge())); }
 
-  /// Where κ takes J out of the cone, Eq. (7.8); infinity if nowhere.
+  /// The κ at which J leaves the cone, Eq. (7.8); infinity if it never does.
   double kappa_of_the_edge() const { return leaves() > 0 ? kappa_by_division() : infinity; }
   double kappa_by_division() const { return mu * (1 + e) * P().dot(n) / leaves(); }
 
@@ -52,7 +52,7 @@ struct Impact {
   Tolerance impulse_roundings(double count) const {
     return roundings(count * condition(), (1 + e) * K.inverse().norm() * u.norm());
   }
-  /// The same for the safe impulse: κ of an edge that D nearly follows is found with fewer digits.
+  /// The same for the safe impulse. If D is nearly parallel to an edge of the cone, κ has fewer digits.
   Tolerance safe_roundings(double count) const { return impulse_roundings(count * edge_loss()); }
   double edge_loss() const {
     const double kappa = kappa_of_the_edge();
@@ -75,8 +75,8 @@ struct Impact {
   }
 };
 
-/// A solid box of 0.2 to 5 kg, from a cube to a rod or a sheet, turned any way. A unit impulse anywhere on it
-/// moves that point by 1/m to 7/m: the condition of K is at most 7.
+/// Returns a solid box of 0.2 to 5 kg, from a cube to a rod or a sheet, in any orientation. A unit impulse
+/// anywhere on it moves that point by 1/m to 7/m: the condition of K is at most 7.
 struct SolidBox {
   double mass;
   Vec3 half;  ///< half the edges [m]
@@ -118,7 +118,7 @@ struct Boxes {
     }
   }
 
-  /// A contact of two boxes that approach each other there, forces or not.
+  /// Returns a contact at which two boxes approach each other, with or without forces.
   Contact contact(Random& random, int i, int j) const {
     const Vec3 r_i = boxes[i].point_of_surface(random);
     const Vec3 r_j = boxes[j].point_of_surface(random);
@@ -154,7 +154,7 @@ struct Boxes {
   }
 };
 
-/// Two boxes that approach each other, μ from 0.05 to 5, e from 0 to 1 and each of the two at times.
+/// Two boxes that approach each other, with μ from 0.05 to 5, and e from 0 to 1, sometimes exactly 0 or 1.
 inline Impact random_impact(Random& random) {
   const Boxes pair(random, 2);
   const Contact contact = pair.contact(random, 0, 1);
@@ -162,7 +162,7 @@ inline Impact random_impact(Random& random) {
   return {pair.K(contact), pair.velocity(contact, 0.5), contact.n, e, random.log_uniform(0.05, 5)};
 }
 
-/// The same with any K at all, also such as no two boxes have: eigenvalues of 0.05 to about 9, in any direction.
+/// The same with any K, also one that no boxes have: eigenvalues of 0.05 to about 9, in any direction.
 inline Impact impact_of_any_K(Random& random) {
   Mat3 A;
   for (int column = 0; column < 3; ++column) A.col(column) = random.vector();
@@ -176,7 +176,7 @@ inline Mat3 K_of_sphere(double mass) {
   return Vec3(3.5, 3.5, 1).asDiagonal() * (1 / mass);
 }
 
-/// A thin rod of 1 kg, of any length, at 45° in the x-z plane, whose lower end hits a fixed floor. A unit impulse
+/// A thin rod of 1 kg, of any length, at 45° in the x-z plane, whose lower end hits a static floor. A unit impulse
 /// moves the end by 1/m along the rod's direction d, and by 4/m across: K = (4 - 3 d dᵀ)/m.
 inline Mat3 K_of_rod() {
   return (Mat3() << 2.5, 0, -1.5, 0, 4, 0, -1.5, 0, 2.5).finished();

@@ -1,4 +1,4 @@
-// Which of the impulses an impact takes, and what must hold for all of them.
+// The choice of an impact's impulse, and the properties that all of them have.
 #include "collisions.hpp"
 #include "exercise_test.hpp"
 #include "regions.hpp"
@@ -15,7 +15,7 @@ Vec3 impulse_of(const Impact& impact) {
   return impact_impulse(impact.K, impact.u, impact.n, impact.e, impact.mu);
 }
 
-// What the notes do, Eq. (7.3) or (7.5), without looking at the energy or the denominator.
+// The notes' choice, Eq. (7.3) or (7.5), without a test of the energy or the denominator.
 Vec3 unguarded(const Impact& impact) {
   const Vec3 stick = impact.stick();
   return impact.inside(stick) ? stick : impact.slide();
@@ -27,8 +27,9 @@ EXERCISE_TEST(ImpactImpulse, LeavesBodiesThatPartAlone) {
     Impact impact = random_impact(random);
     impact.u = -impact.u;
     given() = impact.text();
-    expect_near_vector("J of two boxes that part, u·n > 0 [N s]", "Eq. (7.2)", impulse_of(impact), Vec3::Zero(),
-                       {0, "exact"}, {}, "They part already: it is an impact only if u·n < 0.");
+    expect_near_vector("J of two boxes that separate, u·n > 0 [N s]", "Eq. (7.2)", impulse_of(impact),
+                       Vec3::Zero(), {0, "exact"}, {},
+                       "They separate already. There is an impact only if u·n < 0.");
   }
   given().clear();
   expect_near_vector(
@@ -54,8 +55,8 @@ EXERCISE_TEST(ImpactImpulse, LetsASphereStickUpToItsLargestSlip) {
         expect_near_vector(
             "J of a solid " + text + " [N s]", "Eq. (7.3)-(7.5)", J, part < 1 ? stick : slide,
             roundings(64, (1 + mu) * 12),
-            {{stick, "It sticks, though |J_t| > μ J_n: the cone has not been asked."},
-             {slide, "It slides, though it could stick: |J_t| <= μ J_n for the impulse of Eq. (7.3)."},
+            {{stick, "It sticks, although |J_t| > μ J_n: use inside_cone."},
+             {slide, "It slides, although it can stick: |J_t| <= μ J_n for the impulse of Eq. (7.3)."},
              {(1 + e) * m * w * n, "The friction is missing."}},
             "It sticks if the impulse that sticks is inside the cone, and slides otherwise.");
         const Vec3 omega = r.cross(J) / (0.4 * m * R * R);
@@ -95,7 +96,7 @@ EXERCISE_TEST(ImpactImpulse, IsThatOfTheNotesWhereItLosesEnergy) {
         inside ? "Eq. (7.3), (7.4)" : "Eq. (7.4), (7.5)", got, J,
         inside ? impact.impulse_roundings(64) : impact.slide_roundings(64),
         {{impact.safe(), "This is the safe impulse, Eq. (7.7). It is for impacts that would add energy."},
-         {stick, "This sticks, though |J_t| > μ J_n: the cone has not been asked."},
+         {stick, "This sticks, although |J_t| > μ J_n: use inside_cone."},
          {impact.slide(), "This slides, though the impulse that sticks is inside the cone."},
          {Vec3::Zero(), "They approach each other, u·n < 0: there must be an impulse."}},
         "Eq. (7.3) if it is inside the cone, else Eq. (7.5); only if energy would be added, Eq. (7.7).");
@@ -109,29 +110,28 @@ EXERCISE_TEST(ImpactImpulse, SlidesOnIce) {
     impact.mu = 0;
     given() = impact.text();
     const double j = (1 + impact.e) * impact.approach() / impact.n.dot(impact.K * impact.n);
-    expect_near_vector(
-        "J of two boxes on ice, μ = 0 [N s]", "Eq. (7.4), (7.5)", impulse_of(impact), Vec3(j * impact.n),
-        roundings(256 * impact.condition(), j),
-        {{impact.stick(), "This sticks, though |J_t| > μ J_n = 0: the cone has not been asked."}},
-        "μ = 0 is a coefficient like any other: nothing sticks, and J is along n.");
+    expect_near_vector("J of two boxes on ice, μ = 0 [N s]", "Eq. (7.4), (7.5)", impulse_of(impact),
+                       Vec3(j * impact.n), roundings(256 * impact.condition(), j),
+                       {{impact.stick(), "This sticks, although |J_t| > μ J_n = 0: use inside_cone."}},
+                       "μ = 0 needs no special case: nothing sticks, and J is along n.");
   }
 }
 
-// Masses of any size: what counts is whether ΔE is positive, not whether it is large.
+// Masses of any size: the sign of ΔE decides, not its size.
 constexpr double rod_masses[] = {1, 1e-9};
 
 std::string end_of(double mass, const std::string& numbers) {
   return "J of a rod of " + show(mass) + " kg at 45°, " + numbers + " [N s]";
 }
 
-const std::string safe_rule = "Where Eq. (7.6) is positive, however little, the safe impulse takes over.";
+const std::string safe_rule = "Where Eq. (7.6) is positive, even slightly, use the safe impulse.";
 
 EXERCISE_TEST(ImpactImpulse, DoesNotLetStickingAddEnergy) {
   // With u' = (0, 0, 1): ½ u'·K⁻¹u' = 0.3125 m after, ½ u·K⁻¹u = 0.2 m before. And Q = P, so that J = (1+e) P.
   for (const double m : rod_masses) {
     const Impact rod{.K = K_of_rod() / m, .u = Vec3(0.6, 0, -1), .n = Vec3(0, 0, 1), .e = 1, .mu = 1};
     const Vec3 J = impulse_of(rod), stick = m * Vec3(0.375, 0, 1.025);
-    expect_near("ΔE if the rod's end sticks: it is inside the cone, and wrong [J]", "Eq. (7.3), (7.6)",
+    expect_near("ΔE if the rod's end sticks, which is inside the cone but wrong [J]", "Eq. (7.3), (7.6)",
                 rod.work(stick), 0.1125 * m, roundings(64, m));
     expect_near_vector(end_of(m, "u = (0.6, 0, -1) m/s, e = 1, μ = 1"), "Eq. (7.6), (7.7)", J,
                        Vec3(0, 0, 0.8 * m), roundings(64, m),
@@ -143,8 +143,8 @@ EXERCISE_TEST(ImpactImpulse, DoesNotLetStickingAddEnergy) {
 }
 
 EXERCISE_TEST(ImpactImpulse, DoesNotSlideWhereStickingAddsEnergy) {
-  // J = (1, 0, 7)/8 N s would stick, and add 1/16 J; (-4, 0, 8)/13 N s would slide, and take 8/169 J away. It is not
-  // outside the cone, and a contact that could stick has no law to slide by. κ = 1 in Eq. (7.7).
+  // J = (1, 0, 7)/8 N s would stick, and add 1/16 J; (-4, 0, 8)/13 N s would slide, and take 8/169 J away. But the
+  // first is inside the cone, and no law lets a contact slide that can stick. κ = 1 in Eq. (7.7).
   for (const double m : rod_masses) {
     const Impact rod{.K = K_of_rod() / m, .u = Vec3(1, 0, -1), .n = Vec3(0, 0, 1), .e = 1, .mu = 0.5};
     const Vec3 J = impulse_of(rod), stick = m * Vec3(0.125, 0, 0.875), slide = m * Vec3(-4, 0, 8) / 13;
@@ -152,8 +152,8 @@ EXERCISE_TEST(ImpactImpulse, DoesNotSlideWhereStickingAddsEnergy) {
         end_of(m, "u = (1, 0, -1) m/s, e = 1, μ = 0.5, which would gain energy if it stuck"),
         "Eq. (7.6), (7.7)", J, m * Vec3(-0.25, 0, 0.65), roundings(64, m),
         {{slide,
-          "This slides, though the impulse that sticks is inside the cone. Where that one adds energy, the "
-          "safe impulse takes over, not the sliding one, even if sliding would lose some."},
+          "This slides, though the impulse that sticks is inside the cone. If that one adds energy, use the "
+          "safe impulse, not the sliding one, even if sliding would lose energy."},
          {stick, "This sticks, and adds 0.06 J/kg to 0.25 J/kg. " + safe_rule}},
         safe_rule);
     if (::testing::Test::HasFailure()) return;
@@ -165,31 +165,32 @@ EXERCISE_TEST(ImpactImpulse, DoesNotLetSlidingAddEnergy) {
   for (const double m : rod_masses) {
     const Impact rod{.K = K_of_rod() / m, .u = Vec3(0.25, 0, -1), .n = Vec3(0, 0, 1), .e = 1, .mu = 0.5};
     const Vec3 J = impulse_of(rod), slide = m * Vec3(-4, 0, 8) / 13;
-    expect_near("ΔE if the rod's end slides: what Eq. (7.5) says, and wrong [J]", "Eq. (7.5), (7.6)",
+    expect_near("ΔE if the rod's end slides by Eq. (7.5), which is wrong [J]", "Eq. (7.5), (7.6)",
                 rod.work(slide), 31.0 / 169 * m, roundings(64, m));
     expect_near_vector(end_of(m, "u = (0.25, 0, -1) m/s, e = 1, μ = 0.5"), "Eq. (7.6), (7.7)", J,
                        m * Vec3(0.21875, 0, 0.93125), roundings(64, m),
                        {{slide, "This slides, and adds 0.18 J/kg to 0.24 J/kg. " + safe_rule},
-                        {rod.stick(), "This sticks, though |J_t| > μ J_n: the cone has not been asked."}},
+                        {rod.stick(), "This sticks, although |J_t| > μ J_n: use inside_cone."}},
                        safe_rule);
     if (::testing::Test::HasFailure()) return;
   }
 }
 
 EXERCISE_TEST(ImpactImpulse, HasOneWhereSlidingHasNone) {
-  // K as of bodies of odd shapes: n·K(n - μt) = 1 - 1.125, and the impulse that sticks has |J_t| = 1.149 J_n.
+  // K of bodies with unusual shapes: n·K(n - μt) = 1 - 1.125, and the impulse that sticks has |J_t| = 1.149
+  // J_n.
   const Mat3 K = (Mat3() << 2, 0.75, 1, 0.75, 1, 0, 1, 0, 1).finished();
   const Impact odd{.K = K, .u = Vec3(4, 0, -1), .n = Vec3(0, 0, 1), .e = 0, .mu = 1.125};
   const Vec3 J = impulse_of(odd);
-  expect_near_vector("J where neither the impulse that sticks nor one that slides will do [N s]",
-                     "Eq. (7.5), (7.7)", J, odd.safe(), odd.safe_roundings(64),
+  expect_near_vector("J where neither the sticking nor a sliding impulse is possible [N s]", "Eq. (7.5), (7.7)",
+                     J, odd.safe(), odd.safe_roundings(64),
                      {{odd.slide(),
-                       "n·K(n - μt) is negative, and so is this J·n: it pulls. sliding_impulse says "
-                       "when there is none."},
+                       "n·K(n - μt) is negative, and so is this J·n: it pulls. sliding_impulse then returns "
+                       "nothing."},
                       {odd.stick(), "This sticks, though |J_t| > μ J_n."},
-                      {odd.P(), "This has no friction at all: the safe impulse has."},
+                      {odd.P(), "This has no friction, but the safe impulse has."},
                       {Vec3::Zero(), "They approach each other, u·n < 0: there must be an impulse."}},
-                     "Where there is none of Eq. (7.5), the safe impulse takes over.");
+                     "Where Eq. (7.5) has no impulse, use the safe impulse.");
 }
 
 EXERCISE_TEST(ImpactImpulse, HasTheRestitutionWhateverK) {
@@ -201,7 +202,7 @@ EXERCISE_TEST(ImpactImpulse, HasTheRestitutionWhateverK) {
     const double w = impact.approach();
     expect_near("u'·n = (u + K J)·n [m/s]", "Eq. (7.2)", impact.n.dot(impact.u + impact.K * J), impact.e * w,
                 impact.velocity_roundings(64, J), {{-w, "Nothing has changed along n."}},
-                "Whichever law applies, u'·n = -e u·n.");
+                "By each of the laws, u'·n = -e u·n.");
   }
 }
 
@@ -234,20 +235,20 @@ EXERCISE_TEST(ImpactImpulse, NeverAddsEnergy) {
     if (impact.work(J) <= 0) continue;
     given() = impact.text();
     const std::string unguarded_stick =
-        "The impulse that sticks has been taken, and adds energy: ask impact_work first.";
+        "This is the impulse that sticks, and it adds energy: call impact_work first.";
     const std::string unguarded_slide =
-        "The impulse that slides has been taken, and adds energy: ask impact_work.";
+        "This is the impulse that slides, and it adds energy: call impact_work.";
     const double close = 1e-9 * J.norm();
     expect_at_most("ΔE of an impact [J]", "Eq. (7.6)", impact.work(J), impact.energy_roundings(64, J).value,
                    "64 roundings of the energies in it",
                    (J - stick).norm() <= close            ? unguarded_stick
                    : (J - impact.slide()).norm() <= close ? unguarded_slide
-                                                          : "An impact can lose energy, not make it.");
+                                                          : "An impact cannot add energy.");
   }
   if (::testing::Test::HasFailure()) return;
   given().clear();
-  // What the guard is for: the notes' laws alone add energy to some of these.
-  const std::string needed = "or the guard would not be tested", rare = "Has the random input changed?";
+  // Shows that the guard is needed: the notes' laws alone add energy to some of these impacts.
+  const std::string needed = "otherwise the guard is not tested", rare = "Has the random input changed?";
   expect_at_least("impacts of 100,000 that would add energy if they stuck", "Eq. (7.3)", sticks, 100, needed,
                   rare);
   expect_at_least("impacts of 100,000 that would add energy if they slid", "Eq. (7.5)", slides, 100, needed,
@@ -266,7 +267,7 @@ EXERCISE_TEST(ImpactImpulse, IsTheSameWhicheverBodyIsCalledI) {
     const Vec3 J = impulse_of(impact);
     expect_near_vector("J with i and j exchanged: -u for u, -n for n [N s]", "Eq. (7.2)", impulse_of(exchanged),
                        -J, impact.safe_roundings(64), {{J, "J must change its sign with u and n."}},
-                       "The same impact, seen from the other body.");
+                       "It is the same impact with the bodies exchanged.");
   }
 }
 
@@ -300,8 +301,8 @@ EXERCISE_TEST(ImpactImpulse, KeepsANaN) {
       const Vec3 J = impact_impulse(K_of_rod(), u, Vec3(0, 0, 1), 0.5, mu);
       expect_true(
           "J is NaN for u = " + show(u) + ", μ = " + show(mu), "Eq. (7.2)", J.hasNaN(),
-          "A NaN went in and a number came out. Every comparison with NaN is false: leave early if u·n >= 0, "
-          "not unless u·n < 0.");
+          "The NaN was lost. Every comparison with NaN is false: return early if u·n >= 0, not if u·n < 0 "
+          "fails.");
     }
 }
 

@@ -1,4 +1,4 @@
-// The stage: which impacts it resolves, in which order, until when, and what it reports.
+// The stage of impacts: the impacts that it resolves, their order, its end, and its report.
 #include <algorithm>
 
 #include "balls.hpp"
@@ -54,8 +54,9 @@ EXERCISE_TEST(ResolveImpacts, LetsPointMassesMeetAtAnyAngle) {
         {{after(smooth), "The friction of the law is not used."},
          {after(slides), "It slides, though it can stick: |J_t| = J_n/3 for Eq. (7.3)."},
          {after(sticks), "It sticks, though |J_t| = J_n/3 for Eq. (7.3) is more than μ J_n."}},
-        "Between point masses K = (1/m_i + 1/m_j) 1, in all directions alike, and u has no ω × r, whatever r_i "
-        "and r_j: a point does not turn.");
+        "Between point masses K = (1/m_i + 1/m_j) 1 in all directions. A point does not turn, so u has no ω × "
+        "r "
+        "for any r_i and r_j.");
   }
 }
 
@@ -77,8 +78,8 @@ EXERCISE_TEST(ResolveImpacts, EqualMassesExchangeTheirVelocities) {
 
 EXERCISE_TEST(ResolveImpacts, CradleGivesTheSpeedToTheLastBall) {
   const std::string single =
-      "The second impact comes from the first, and its contact was looked at before: go over all contacts "
-      "again until a pass finds none.";
+      "The first impact causes the second, whose contact was tested before. Repeat the pass over all contacts "
+      "until one finds no impact.";
   const std::vector<Contact> forwards = contacts_of_row(3);
   const std::vector<Contact> backwards(forwards.rbegin(), forwards.rend());
   const std::vector<Contact> exchanged{contact_along(2, 1, -Vec3::UnitX()),
@@ -94,7 +95,7 @@ EXERCISE_TEST(ResolveImpacts, CradleGivesTheSpeedToTheLastBall) {
         {{numbers({0, 2, 0}), single},
          {numbers({2, 0, 0}), "Nothing has happened: u·n = -2 m/s is an approach."},
          {numbers({-2.0 / 3, 4.0 / 3, 4.0 / 3}),
-          "This is for both contacts at once. Pair by pair the last ball leaves alone."}},
+          "This resolves both contacts together. Pair by pair only the last ball leaves."}},
         "Ball by ball they exchange their velocities: only the last one leaves.");
   }
 }
@@ -106,7 +107,7 @@ EXERCISE_TEST(ResolveImpacts, TakesAnyNumberOfContacts) {
   Motion<3> motion = row_of_balls(v);
   const ImpactReport report =
       resolve_impacts(contacts_of_row(balls), {.restitution = 1, .threshold = 1e-9}, motion);
-  const std::string clue = "Every contact that is listed, however many there are.";
+  const std::string clue = "Resolve every contact in the list.";
   expect_near("impacts in a cradle of 300", "Eq. (7.13)", report.impacts, balls - 1, {0, "a count"}, {}, clue);
   expect_near_vector("velocities in a cradle of 300, 1 m/s of the first before [m/s]", "Eq. (7.13)",
                      speeds(motion), numbers(after), roundings(64 * balls), {}, clue);
@@ -138,8 +139,8 @@ EXERCISE_TEST(ResolveImpacts, SeesWhatTheImpactBeforeDid) {
       "velocities of three equal balls, (1, 0, -1) before, e = 1 [m/s]", "Eq. (7.1), (7.13)", speeds(motion),
       numbers({-1, 0, 1}), roundings(64),
       {{numbers({0, 0, 0}),
-        "Both impacts were computed with the velocities from before the pass, and all energy is "
-        "gone. Resolve each at once, so that the next sees it."},
+        "Both impacts were computed with the velocities from before the pass, and all energy is gone. Apply "
+        "each immediately, so that the next uses the new velocities."},
        {numbers({0, -1, 1}), "This is one pass: the middle ball now flies at the first one again."},
        {numbers({1, 0, -1}), "Nothing has happened."}},
       "The middle ball is hit by the first, then hits the third, then the first again.");
@@ -164,7 +165,7 @@ EXERCISE_TEST(ResolveImpacts, LeavesASlowApproachAlone) {
                 "It is slower than the threshold: that is a resting contact, left to the rows.");
   expect_bounce(-0.5, 0.5, -0.5, "It is as fast as the threshold: an impact is faster, u·n < -threshold.");
   expect_bounce(-0.75, 0.5, 0.375, "It is faster than the threshold: an impact.");
-  expect_bounce(0.75, 0.5, 0.75, "It leaves: u·n > 0, however fast, is no impact.");
+  expect_bounce(0.75, 0.5, 0.75, "It separates: u·n > 0 is not an impact at any speed.");
   expect_bounce(-0.25, 0, 0.125, "Without a threshold every approach is an impact.");
 }
 
@@ -174,8 +175,8 @@ EXERCISE_TEST(ResolveImpacts, TakesANaNForNoImpact) {
   const ImpactReport report = resolve_impacts(contacts_of_row(2), {.restitution = 0.5}, motion);
   expect_near(
       "impacts of a ball whose velocity is NaN", "Eq. (7.10)", report.impacts, 0, {0, "a number"}, {},
-      "A question about a NaN is answered by no, as NUMBERS.md has it: ask whether the approach is faster than "
-      "the threshold, and not whether it is as slow.");
+      "Every comparison with NaN is false (NUMBERS.md). Test if the approach is faster than the threshold, not "
+      "if it is slower.");
   expect_near("velocity of the ball beside it [m/s]", "Eq. (7.10)", speeds(motion)[1], 1, {0, "exact"});
 }
 
@@ -204,10 +205,10 @@ EXERCISE_TEST(ResolveImpacts, ResolvesEveryContactListedWhateverItsGap) {
         "velocities of two equal balls, 3 and 1 m/s before, e = 1, gap = " + show(gap) + " m [m/s]",
         "Eq. (7.10)", speeds(motion), numbers({1, 3}), roundings(32, 4),
         {{numbers({3, 1}),
-          gap > 0 ? "An open contact has been left out. The list has what is about to meet, too: only "
-                    "u·n decides."
+          gap > 0 ? "An open contact has been left out. The list also contains bodies that are about to meet. "
+                    "Only u·n decides."
                   : "Nothing has happened: u·n = -2 m/s is an approach."}},
-        "Whether it is an impact is asked of u·n alone: Eq. (7.10) has no gap in it.");
+        "Only u·n decides if it is an impact: Eq. (7.10) does not contain the gap.");
   }
 }
 
@@ -284,7 +285,7 @@ EXERCISE_TEST(ResolveImpacts, LeavesNoApproachAboveTheThreshold) {
     const ImpactLaw law{
         .restitution = random.uniform(0, 1), .friction = 0.5, .threshold = 0.01, .max_passes = 100000};
     const ImpactReport report = resolve_impacts(contacts, law, boxes.motion);
-    expect_true("five boxes in a chain are at peace before 100,000 passes", "Eq. (7.10)",
+    expect_true("five boxes in a chain have no more impacts before 100,000 passes", "Eq. (7.10)",
                 report.passes < 100000);
     for (const Contact& contact : contacts)
       expect_at_least("u·n of a contact afterwards [m/s]", "Eq. (7.1), (7.10)",
@@ -309,14 +310,14 @@ EXERCISE_TEST(ResolveImpacts, CountsImpactsAndPasses) {
               {{1, "This counts passes, or only one impact a pass."}}, "One of each pair.");
   expect_near("passes, contacts listed from the first ball on", "Eq. (7.10)", once.passes, 2, {0, "a count"},
               {{1, "The last pass, which finds none, counts as well."},
-               {100, "Stop when a pass finds none: that there may be 100 does not mean that there must."}},
+               {100, "Stop when a pass finds none. max_passes = 100 is a limit, not a number to reach."}},
               "One that resolves both, and one that finds none.");
   expect_near("impacts, contacts listed from the last ball on", "Eq. (7.13)", twice.impacts, 2, {0, "a count"});
   expect_near("passes, contacts listed from the last ball on", "Eq. (7.10)", twice.passes, 3, {0, "a count"},
               {{2, "The last pass, which finds none, counts as well."}},
               "One for each impact, and one that finds none.");
-  expect_near("impacts of balls that part", "Eq. (7.10)", none.impacts, 0, {0, "a count"});
-  expect_near("passes over balls that part", "Eq. (7.10)", none.passes, 1, {0, "a count"},
+  expect_near("impacts of balls that separate", "Eq. (7.10)", none.impacts, 0, {0, "a count"});
+  expect_near("passes over balls that separate", "Eq. (7.10)", none.passes, 1, {0, "a count"},
               {{0, "The pass that finds none counts as well."}});
 }
 
@@ -335,10 +336,10 @@ EXERCISE_TEST(ResolveImpacts, StopsAtMaxPasses) {
         passes == 1 ? numbers({0, 1, 0, 0}) : numbers({0, 0, 1, 0}), roundings(64),
         {{numbers({0, 0, 0, 1}),
           report.passes == passes
-              ? "One of these passes went from the first ball on. Every pass goes through the contacts "
-                "in order, as they are listed: none the other way round."
+              ? "One of these passes went from the first ball on. Every pass must take the contacts in the "
+                "order of the list."
               : "It went on after max_passes."}},
-        "One exchange a pass in this order.");
+        "In this order each pass has one exchange.");
   }
 }
 
@@ -355,9 +356,9 @@ EXERCISE_TEST(ResolveImpacts, ReportsTheEnergyOfAllImpacts) {
     expect_near(
         "energy that all impacts of four boxes add [J]", "Eq. (7.1), (7.6)", report.energy, change,
         roundings(5000, before),
-        {{-change, "The sign: what they add, negative when they lose."},
+        {{-change, "The sign: return the energy added, which is negative when energy is lost."},
          {boxes.kinetic_energy(0) - early,
-          "This is of the velocities W, half a step before the contact. Take the u of Eq. (7.1)."},
+          "This uses W, the velocities half a step before the contact. Use the u of Eq. (7.1)."},
          {0, "Add up impact_work over all impacts."}},
         "The sum of impact_work over all impacts, in every pass, each with its own u before and its own J.");
   }
@@ -369,7 +370,7 @@ EXERCISE_TEST(ResolveImpacts, OfNothingDoesNothing) {
   expect_near("impacts without contacts", "Eq. (7.10)", report.impacts, 0, {0, "a count"});
   expect_near("energy that they add [J]", "Eq. (7.10)", report.energy, 0, {0, "exact"});
   expect_near("passes over no contacts", "Eq. (7.10)", report.passes, 0, {0, "a count"},
-              {{1, "Without contacts there is nothing to go over, not even once."}}, "No contacts, no pass.");
+              {{1, "Without contacts the number of passes is 0."}}, "No contacts, no pass.");
   expect_near_vector("velocities without contacts [m/s]", "Eq. (7.10)", speeds(motion), numbers({1, 0}),
                      {0, "exact"});
 }
@@ -380,8 +381,8 @@ void expect_law_rejected(const std::string& what, const std::string& parameter, 
     expect_rejects(
         what + (empty ? ", without contacts" : ""), parameter,
         [&] { resolve_impacts(empty ? std::vector<Contact>() : contacts_of_row(2), law, motion); },
-        "See common/require.hpp. A law that makes no sense is refused whether or not there is work: check it "
-        "first.");
+        "See common/require.hpp. Check the law first: one that makes no sense is refused even if there are no "
+        "contacts.");
     expect_near_vector("velocities after a law was refused [m/s]", "", speeds(motion), numbers({1, 0}),
                        {0, "exact"}, {}, "Check before anything changes.");
   }
@@ -404,7 +405,8 @@ EXERCISE_TEST(ResolveImpacts, RejectsALawThatMakesNoSense) {
 
 enum class Forgets { nothing, kick_of_i, kick_of_j };
 
-// One pass as the header says, with a part of W_f in u, forwards or backwards, from fresh or frozen velocities.
+// One pass as in the header. It may use another part of W_f in u, the reverse order, or the velocities before
+// the pass.
 std::vector<Twist<6>> one_pass(const Boxes& boxes, std::vector<Contact> contacts, const ImpactLaw& law,
                                double part, bool backwards, bool frozen, Forgets what = Forgets::nothing) {
   if (backwards) std::reverse(contacts.begin(), contacts.end());
@@ -456,22 +458,22 @@ EXERCISE_TEST(ResolveImpacts, IsPairByPairInOrder) {
        {joined(one_pass(boxes, contacts, law, 0.5, false, false, Forgets::kick_of_j)),
         "Half of what the forces add is missing for body j: W_f/2 belongs to both."},
        {pass(0.5, false, true),
-        "All impacts were computed with the velocities from before the pass: resolve each at once, so that the "
-        "next sees it."},
-       {pass(0.5, true, false), "The contacts were gone through backwards."},
+        "All impacts were computed with the velocities from before the pass: apply each immediately, so that "
+        "the next uses the new velocities."},
+       {pass(0.5, true, false), "The contacts were taken in reverse order."},
        {joined(one_pass(boxes, contacts, smooth, 0.5, false, false)), "The friction of the law is not used."},
        {joined(one_pass(boxes, contacts, dead, 0.5, false, false)), "The restitution of the law is not used."},
        {joined(one_pass(boxes, contacts, swapped, 0.5, false, false)),
         "e and μ are exchanged: impact_impulse takes the restitution first, then the friction."},
-       {joined(boxes.motion.W), "Nothing has happened, though all five pairs approach."}},
-      "For each contact in order: u, K, the impulse, applied at once.");
+       {joined(boxes.motion.W), "Nothing has happened, although all five pairs approach."}},
+      "For each contact in order: compute u, K and the impulse, and apply it immediately.");
   for (std::size_t k = 0; k < 4; ++k)
     expect_near_vector("W_f, which belongs to the forces", "Eq. (7.1)", resolved.motion.Wf[k],
                        boxes.motion.Wf[k], {0, "exact"}, {},
                        "u is at the time of the contact; W itself stays half a step behind.");
 }
 
-// Two boxes may touch at many points: each of them is a contact of its own, in its turn.
+// Two boxes may touch at many points. Each point is a contact of its own.
 EXERCISE_TEST(ResolveImpacts, TakesEveryContactOfAPair) {
   Random random;
   const ImpactLaw law{.restitution = 0.6, .friction = 0.4, .threshold = 0.01, .max_passes = 1};
@@ -492,8 +494,8 @@ EXERCISE_TEST(ResolveImpacts, TakesEveryContactOfAPair) {
     Boxes resolved = boxes;
     resolve_impacts(contacts, law, resolved.motion);
     const std::string left_out =
-        "The second contact of a pair has been left out, or put off to the next pass. Every contact that is "
-        "listed has its turn in every pass, and sees what those before it did.";
+        "The second contact of a pair has been left out, or delayed to the next pass. Each pass must resolve "
+        "every contact in the list, with the velocities that the earlier ones left.";
     expect_near_vector("velocities of three boxes after one pass over four contacts, three of them of one pair",
                        "Eq. (7.1), (7.10)", joined(resolved.motion.W), expected,
                        roundings(20000, expected.norm()), {{one_a_pair, left_out}, {one_as_named, left_out}},
@@ -501,7 +503,7 @@ EXERCISE_TEST(ResolveImpacts, TakesEveryContactOfAPair) {
   }
 }
 
-// A roller that no impulse slows: it comes up to a ball, and turns below it.
+// A roller with inverse mass 0 moves up to a ball, and turns below it.
 EXERCISE_TEST(ResolveImpacts, DropsNothingSmall) {
   const ImpactLaw law{.restitution = 0.5, .friction = 0.5, .threshold = 0, .max_passes = 1};
   for (const double part : relative_scales)
@@ -576,14 +578,13 @@ EXERCISE_TEST(ResolveImpacts, FeelsABodyThatMovesAndThatNothingMoves) {
         "impacts of a ball at rest with a roller" + as + ", that comes at 1 m/s", "Eq. (7.1), (7.10)",
         report.impacts, 1, {0, "a count"},
         {{0,
-          "The velocity of the body without inverse mass has been left out: it counts, though no impulse "
+          "The velocity of the body with inverse mass 0 has been left out. It counts, although no impulse "
           "changes it."}});
     if (::testing::Test::HasFailure()) return;
     expect_near_vector(
         "velocity of the ball after it [m/s]", "Eq. (7.1), (7.9)", Vec3(motion.W[1].head<3>()),
         Vec3((roller_is_i ? 0.5 : -0.5) * J), roundings(64, 5),
-        {{Vec3(0, 0, 1.5),
-          "It goes straight up: how the roller turns, ω × r, is a part of the velocity at the contact, too."}},
+        {{Vec3(0, 0, 1.5), "It goes straight up. The velocity at the contact includes the roller's ω × r."}},
         "1.5 m/s up, and friction takes it along with the turning roller.");
     expect_near_vector("velocity of the roller", "Eq. (7.9)", motion.W[0], before.W[0],
                        {0, "nothing moves it"});

@@ -1,4 +1,5 @@
-// A ball that is dropped: how high it comes, and when it is done. Kick, drift and impacts take turns.
+// A ball that is dropped: the heights of its bounces, and the time of the last. Kick, drift and impacts
+// alternate.
 #include "balls.hpp"
 #include "exercise_test.hpp"
 
@@ -20,7 +21,7 @@ bool fall(Ball& ball, double e, int most_steps) {
 
 const std::string never = "The ball approaches the floor, u·n < 0, and fell through it.";
 
-// The height to which the ball comes with this speed after the impact.
+// Returns the height that the ball reaches with this speed after the impact.
 double top_of(const Ball& ball, double v_after) {
   return ball.x + v_after * v_after / (2 * ball.g);
 }
@@ -42,7 +43,8 @@ EXERCISE_TEST(ResolveImpacts, BallReturnsToItsHeight) {
            {top_of(ball, v + g * h),
             "It has gained about h g v a bounce: the velocity is half a step ahead. Add W_f/2, not W_f."},
            {ball.x, "It stays on the floor: this is for e = 0. The law has e = 1, and no friction."}},
-          "With u at the time of the contact, the way up is the way down reversed, as leapfrog is.");
+          "With u at the time of the contact, the way up is the reverse of the way down, since leapfrog is "
+          "reversible.");
       ball.step();
     }
   }
@@ -68,12 +70,12 @@ EXERCISE_TEST(ResolveImpacts, BallComesToTheSquareOfEAtEveryBounce) {
         expect_near("height to which a ball comes, given where it hit, " + text, "Eq. (7.1), (7.11)",
                     ball.apex(), top, roundings(32 * ball.steps, h0),
                     {{top_of(ball, e * v - (1 + e) * g * h / 2),
-                      "It lost speed to the step: without W_f/2 the velocity is half a step old. Eq. (7.1)."},
+                      "The step took speed from it: without W_f/2 the velocity is half a step old. Eq. (7.1)."},
                      {top_of(ball, e * v + (1 + e) * g * h / 2),
                       "It gained speed from the step: the velocity is half a step ahead. Add W_f/2, not W_f."}},
                     "½ v² becomes e² times what it was.");
         expect_near("height to which a ball comes, " + text, "Eq. (7.11)", ball.apex(), ideal,
-                    {deepest, "how deep it can be when it is seen to touch"});
+                    {deepest, "the largest depth at which the contact is found"});
         ball.step();
       }
     }

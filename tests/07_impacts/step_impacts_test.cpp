@@ -1,4 +1,4 @@
-// The step with impacts: where they stand in it, what a ball has after a bounce, and what is conserved.
+// The step with impacts: their place in it, a ball's velocity after a bounce, and conservation laws.
 #include "contract.hpp"
 #include "exercise_test.hpp"
 #include "stages.hpp"
@@ -68,17 +68,16 @@ EXERCISE_TEST(StepImpacts, HasItsStagesInOrder) {
     expect_same_bodies(
         "after a step of 0.02 s with impacts", "Eq. (7.1)-(7.10)", got, step_after(law),
         {1e-10, "roundings of some passes and 5 sweeps, of impulses up to 100"},
-        {{without, "Nothing bounces: are the velocities of motion.W put back, and before the rows are made?"},
+        {{without,
+          "Nothing bounces. Does the step copy motion.W back to the bodies, before it makes the rows?"},
          {after_impacts(without, contacts, h, law),
-          "The impacts come last: they belong before the rows are made, which stop what would have bounced."},
+          "The impacts come last. Resolve them before you make the rows, since rows stop every approach."},
          {rows_of_old_velocities(all, contacts, h),
-          "The rows are made of the velocities from before the impacts. They would stop what has bounced "
-          "already."},
+          "The rows use the velocities before the impacts, so they stop bodies that have bounced already."},
          {step_after(law, true),
           "The velocities are kicked before the impacts, which add W_f/2 themselves, Eq. (7.1)."},
-         {step_after(smooth), "The impacts have no friction: it is the simulation's mu."},
-         {step_after(eager),
-          "The threshold is that of ImpactLaw by itself: here it is |gravity| h, Eq. (7.10)."}},
+         {step_after(smooth), "The impacts have no friction: use the simulation's mu."},
+         {step_after(eager), "The threshold is ImpactLaw's default. Here it is |gravity| h, Eq. (7.10)."}},
         "First the impacts, on W at t_n - h/2; then the step of chapter 06, with the velocities that they "
         "leave.");
   }
@@ -103,7 +102,7 @@ EXERCISE_TEST(StepImpacts, BouncesWithTheSpeedOfTheTimeOfContact) {
               e * (3 + g * h / 2) - g * h / 2, roundings(32, 3),
               {{e * 3 - g * h, "This is e times the speed half a step before: u is W + W_f/2."},
                {e * (3 + g * h) - g * h, "This is e times the speed half a step after: u is W + W_f/2."},
-               {speed_after_bounce(0, 3, h), "It stops: rows alone do not bounce."}},
+               {speed_after_bounce(0, 3, h), "It stops. Rows alone make no bounce."}},
               "At the contact u is W + W_f/2. It turns into -e u, and the step kicks by W_f.");
 }
 
@@ -111,7 +110,7 @@ EXERCISE_TEST(StepImpacts, BouncesWithTheSpeedOfTheTimeOfContact) {
 EXERCISE_TEST(StepImpacts, LetsRestingBallsRest) {
   const double h = 0.01, slow = 0.4 * 9.81 * h;
   expect_near("v of a ball that comes at 0.4 g h [m/s]", "Eq. (7.10)", speed_after_bounce(0.6, slow, h), 0,
-              {0.5 * slow, "the rows stop it, but for what k and d leave in a step"},
+              {0.5 * slow, "the rows stop it, except for what k and d leave in a step"},
               {{0.6 * (slow + 9.81 * h / 2) - 9.81 * h / 2, "It bounces: the threshold is |gravity| h."}},
               "Below the threshold |gravity| h an approach is left to the rows.");
 }
@@ -162,7 +161,7 @@ EXERCISE_TEST(StepImpacts, RejectsWhatMakesNoSense) {
                                                 Simulation all, double h) {
     expect_rejects(
         what, name, [&] { step_impacts(all, touching, h); },
-        "Look at h before the impacts: they change velocities.", [&] { return state_of(all); });
+        "Check h before the impacts, since they change velocities.", [&] { return state_of(all); });
   };
   for (const double h : {0.0, -0.1, std::nan("")}) rejects("h = " + show(h), "h", start, h);
   Simulation wild = start, rough = start;

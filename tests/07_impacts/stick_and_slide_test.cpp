@@ -21,17 +21,20 @@ EXERCISE_TEST(StickImpulse, OfASphereByHand) {
       "Eq. (7.2), (7.3)", stick_impulse(K_of_sphere(m), u, n, 0.5), J, roundings(32, 10),
       {{Vec3(0, 0, 3), "This is K⁻¹ u'. An impulse makes the change of the velocity: from u to u'."},
        {K_of_sphere(m) * Vec3(-1.4, 0.7, 3),
-        "This is K (u' - u). K is an inverse mass: K J is the change, and J is what is asked for."},
+        "This is K (u' - u). K is an inverse mass: K J is the change of velocity. Return J."},
        {Vec3(-1.2, 0.6, 3),
         "The sign of e: u·n is negative before, and u'·n = -e u·n must be positive, or the sphere goes on "
         "into the plane."},
        {Vec3(-1.2, 0.6, 6), "This stops the sphere, u' = 0: the restitution is missing."},
        {-J, "This is K⁻¹ (u - u'), the impulse on i. J is the one on j."},
-       {Vec3(0, 0, 9), "This leaves the slip as it was. A contact that sticks has none after: u'_t = 0."},
+       {Vec3(0, 0, 9),
+        "This does not change the slip. A contact that sticks has no slip afterwards: u'_t = 0."},
        {Vec3(-1.8, 0.9, 9), "This is for u' = -e u, which reverses the slip, too. Restitution is along n."},
        {Vec3(-0.6, 0.3, 9), "The slip should vanish, u'_t = 0. This is for u'_t = e u_t."},
        {Vec3(-4.2, 2.1, 9),
-        "This is m (u' - u). Pushed at its rim the sphere also turns, and gives way more easily: K⁻¹."}},
+        "This is m (u' - u). A push at its rim also turns the sphere, which makes the point easier to move: "
+        "use "
+        "K⁻¹."}},
       "u' = -e (u·n) n, then J = K⁻¹ (u' - u).");
 }
 
@@ -49,8 +52,8 @@ EXERCISE_TEST(StickImpulse, LeavesTheRestitutionAndNoSlip) {
                         {Vec3::Zero(), "They stop: the restitution is missing."},
                         {-e * u, "The slip has been reversed, too: u'_t = 0."},
                         {u, "Nothing has changed."}},
-                       "u'·n = -e u·n and u'_t = 0, whatever K. Every number of K counts: invert it, or solve "
-                       "with it.");
+                       "u'·n = -e u·n and u'_t = 0, for any K. All entries of K count: invert K, or solve with "
+                       "it.");
   }
 }
 
@@ -65,10 +68,10 @@ EXERCISE_TEST(StickImpulse, IsTheSameWhicheverBodyIsCalledI) {
                        {{impact.stick(), "J must change its sign with u: it is the impulse on j."}},
                        "J is linear in u, and n enters twice.");
     expect_near_vector(
-        "J of bodies that part, -u for u [N s]", "Eq. (7.3)", stick_impulse(K, -u, n, e), -impact.stick(),
+        "J of bodies that separate, -u for u [N s]", "Eq. (7.3)", stick_impulse(K, -u, n, e), -impact.stick(),
         impact.impulse_roundings(32), {{impact.stick(), "J must change its sign with u."}},
-        "J is linear in u, also where u·n > 0: u'·n = -e u·n has a sign. Whether there is an impact is "
-        "decided elsewhere.");
+        "J is linear in u, also where u·n > 0: u'·n = -e u·n has a sign. Another function decides if there is "
+        "an impact.");
   }
 }
 
@@ -129,7 +132,7 @@ EXERCISE_TEST(InsideCone, IsAsWideAsMuSays) {
 }
 
 EXERCISE_TEST(InsideCone, HasItsEdgeInside) {
-  const std::string edge = "|J_t| = μ J_n exactly: on the cone counts as inside, <= and not <.";
+  const std::string edge = "|J_t| = μ J_n exactly: the surface of the cone is inside, so use <= and not <.";
   expect_inside(Vec3(3, 4, 10), Vec3(0, 0, 1), 0.5, true, edge);
   expect_inside(Vec3(0.75, 1.5, 0), Vec3(0, 1, 0), 0.5, true, edge);
   expect_inside(Vec3(-2, 0, 0), Vec3(-1, 0, 0), 0, true, edge);
@@ -140,7 +143,7 @@ EXERCISE_TEST(InsideCone, HasItsEdgeInside) {
 
 EXERCISE_TEST(InsideCone, HasNoSlack) {
   const Vec3 n(0, 0, 1);
-  const std::string slack = "Compare |J_t| with μ J_n, without a tolerance: impulses of any size come.";
+  const std::string slack = "Compare |J_t| with μ J_n, without a tolerance, since impulses have any size.";
   // 1e-12 is far above the roundings of these numbers.
   for (const double size : {1.0, 1e-15, 1e15}) {
     expect_inside(size * Vec3(0.5 * (1 + 1e-12), 0, 1), n, 0.5, false,
@@ -155,7 +158,8 @@ EXERCISE_TEST(InsideCone, HasNoSlack) {
 
 EXERCISE_TEST(InsideCone, HasNoPullInside) {
   Random random;
-  const std::string pull = "J·n is negative: it pulls. A squared comparison, or |J·n|, does not see that.";
+  const std::string pull =
+      "J·n is negative: it pulls. A comparison of squares, or |J·n|, does not notice this.";
   for (int trial = 0; trial < 100 && !::testing::Test::HasFailure(); ++trial) {
     const Vec3 n = random.unit_vector();
     const double mu = random.log_uniform(0.02, 5);
@@ -164,8 +168,8 @@ EXERCISE_TEST(InsideCone, HasNoPullInside) {
   expect_inside(Vec3(0, 0, -2), Vec3(0, 0, 1), 0.5, false, pull);
   expect_inside(
       Vec3(0, 0, -2), Vec3(0, 0, 1), 0, false,
-      "It pulls straight along n. Then |J_t| = 0, and μ J_n is -0 for μ = 0: 0 <= -0 is true. Ask for "
-      "J·n >= 0 as well.");
+      "It pulls straight along n. Then |J_t| = 0, and μ J_n is -0 for μ = 0: 0 <= -0 is true. Test J·n >= 0 as "
+      "well.");
 }
 
 EXERCISE_TEST(InsideCone, IsALineWithoutFriction) {
@@ -177,13 +181,13 @@ EXERCISE_TEST(InsideCone, IsALineWithoutFriction) {
 EXERCISE_TEST(InsideCone, HasNoNaNInside) {
   const double NaN = std::nan("");
   const std::string clue =
-      "Every comparison with NaN is false: ask whether |J_t| <= μ J_n, not whether it is not >.";
+      "Every comparison with NaN is false. Test for |J_t| <= μ J_n, not for the opposite of >.";
   expect_inside(Vec3(NaN, 0, 1), Vec3(0, 0, 1), 0.5, false, clue);
   expect_inside(Vec3(0, 0, NaN), Vec3(0, 0, 1), 0.5, false, clue);
   expect_inside(Vec3(0.1, 0, 1), Vec3(0, 0, 1), NaN, false, clue);
 }
 
-// An impulse where there must be one. If there is none the test has failed, and goes on with a zero.
+// Returns the impulse where there must be one. If there is none, the test fails and goes on with 0.
 Vec3 value(const std::optional<Vec3>& J, double denominator,
            const std::string& clue = "Nothing is returned only when n·K(n - μt) <= 0, or NaN.") {
   expect_true("there is a sliding impulse, as n·K(n - μt) = " + show(denominator) + "/kg is positive",
@@ -199,7 +203,7 @@ EXERCISE_TEST(SlidingImpulse, OfASphereByHand) {
       "J of a solid sphere of 3 kg, u = (3, 4, -2) m/s, on a plane with normal z, e = 0.5, μ = 0.25 [N s]",
       "Eq. (7.5)", value(sliding_impulse(K_of_sphere(m), u, n, 0.5, 0.25), 1 / m), Vec3(-1.35, -1.8, 9),
       roundings(32, 10),
-      {{Vec3(1.35, 1.8, 9), "This pushes along the slip. Friction is against it: n - μt."},
+      {{Vec3(1.35, 1.8, 9), "This pushes along the slip. Friction opposes the slip: n - μt."},
        {Vec3(-0.9, -1.2, 6), "1 + e is missing: this is for e = 0."},
        {Vec3(-0.45, -0.6, 3), "This is for e instead of 1 + e: the approach must be stopped, too."},
        {Vec3(0, 0, 9), "The friction, -μ j t, is missing."},
@@ -216,7 +220,7 @@ EXERCISE_TEST(SlidingImpulse, HasTheRestitutionWhateverK) {
   for (int trial = 0, met = 0; met < 300 && !::testing::Test::HasFailure(); ++trial) {
     Impact impact = random_impact(random);
     if (trial % 2 == 0)
-      impact.mu /= 10;  // friction that changes the approach somewhat, and friction that rules it
+      impact.mu /= 10;  // friction that changes the approach a little, and friction that dominates it
     given() = impact.text();
     const auto& [K, u, n, e, mu] = impact;
     const std::optional<Vec3> J = sliding_impulse(K, u, n, e, mu);
@@ -230,7 +234,7 @@ EXERCISE_TEST(SlidingImpulse, HasTheRestitutionWhateverK) {
           "This divides by n·Kn. Friction changes the approach as well: the denominator is n·K(n - μt)."},
          {-w + (1 + e) * w / (2 * nKn - impact.eased()) * impact.eased(),
           "The denominator is n·K(n + μt): the same direction, n - μt, belongs in both places."},
-         {0, "They do not part: 1 + e, not 1."},
+         {0, "They do not separate: use 1 + e, not 1."},
          {-w, "Nothing has changed."}},
         "One N s along n and μ against t changes u·n by n·K(n - μt).");
   }
@@ -250,7 +254,7 @@ EXERCISE_TEST(SlidingImpulse, IsOnTheEdgeOfTheConeAgainstTheSlip) {
     const Vec3 J_t = J - J_n * n;
     expect_near_vector("J_t over J_n of two boxes that slide, against -μt", "Eq. (7.4), (7.5)", Vec3(J_t / J_n),
                        -mu * t, roundings(64 * impact.condition(), (1 + mu) * u.norm() / impact.slip().norm()),
-                       {{mu * t, "This pushes along the slip. Friction is against it: n - μt."},
+                       {{mu * t, "This pushes along the slip. Friction opposes the slip: n - μt."},
                         {-t, "μ is missing in the friction, -μ j t."},
                         {-mu * impact.slip(), "t is a direction: divide u_t by its length."},
                         {Vec3::Zero(), "The friction, -μ j t, is missing."}},
@@ -268,8 +272,7 @@ EXERCISE_TEST(SlidingImpulse, IsAlongTheNormalWithoutFriction) {
     const double nKn = n.dot(K * n), j = (1 + e) * impact.approach() / nKn;
     expect_near_vector("J of two boxes on ice, μ = 0 [N s]", "Eq. (7.5)",
                        value(sliding_impulse(K, u, n, e, mu), nKn), Vec3(j * n),
-                       roundings(256 * impact.condition(), j), {},
-                       "μ = 0 is a coefficient like any other: n - μt is n.");
+                       roundings(256 * impact.condition(), j), {}, "μ = 0 needs no special case: n - μt is n.");
   }
 }
 
@@ -288,12 +291,13 @@ EXERCISE_TEST(SlidingImpulse, IsAlongTheNormalWithoutSlip) {
 
 EXERCISE_TEST(SlidingImpulse, TakesASlipOfRoundingsForNone) {
   const std::string rule =
-      "u_t is 1e-15 of u here, and its direction noise: a slip of up to 1e-12 |u| counts as none, J = j n.";
+      "u_t is 1e-15 of u here, and its direction is round-off. A slip of up to 1e-12 |u| counts as none: J = j "
+      "n.";
   const auto J = sliding_impulse(K_of_rod(), Vec3(2e-15, 0, -2), Vec3(0, 0, 1), 0.25, 0.5);
   const Vec3 by_noise(-5.0 / 13, 0, 10.0 / 13), forwards(5.0 / 7, 0, 10.0 / 7);  // n·K(n ∓ μt) = 2.5 ± 0.75
-  expect_near_vector("J of a rod that comes down with a slip of roundings [N s]", "Eq. (7.5)",
+  expect_near_vector("J of a rod that comes down with a slip of the size of round-off [N s]", "Eq. (7.5)",
                      value(J, 2.5, rule), Vec3(0, 0, 1), roundings(16),
-                     {{by_noise, "This is full friction, against noise. " + rule},
+                     {{by_noise, "This is full friction, against round-off. " + rule},
                       {forwards,
                        "This is full friction, and forwards. Has it the wrong sign, or is it against the slip "
                        "that an impulse along n would leave? What counts is u_t, as it comes. " +
@@ -304,8 +308,8 @@ EXERCISE_TEST(SlidingImpulse, TakesASlipOfRoundingsForNone) {
   expect_near_vector("J of a rod that comes down at 10 km/s with a slip of 1e-9 m/s [N s]", "Eq. (7.5)",
                      value(fast, 2.5, rule), Vec3(0, 0, 5000), roundings(16, 5000),
                      {{5000 * by_noise,
-                       "This is full friction, against noise: compare |u_t| with |u|, not with a "
-                       "velocity in m/s."}},
+                       "This is full friction, against round-off: compare |u_t| with |u|, not with a velocity "
+                       "in m/s."}},
                      rule);
 }
 
@@ -316,13 +320,11 @@ EXERCISE_TEST(SlidingImpulse, TakesASmallSlipForOne) {
     expect_near_vector(
         "J of a rod that slips at " + show(slip) + " m/s and comes down at 2 m/s [N s]", "Eq. (7.5)",
         value(sliding_impulse(K_of_rod(), Vec3(slip, 0, -2), Vec3(0, 0, 1), 0.25, 0.5), 3.25), J, roundings(32),
-        {{Vec3(0, 0, 1),
-          "The friction is missing. A slip is none only up to 1e-12 |u|; above, it has a direction "
-          "like any other."}},
+        {{Vec3(0, 0, 1), "The friction is missing. Only a slip of up to 1e-12 |u| counts as none."}},
         "The friction depends on the slip's direction, not on how large it is.");
 }
 
-// Eq. (7.5) knows no size of its own: J grows with u and with the masses.
+// Eq. (7.5) contains no fixed size: J is proportional to u and to the masses.
 EXERCISE_TEST(SlidingImpulse, GrowsWithVelocitiesAndMasses) {
   const Vec3 u(1, 0, -2), n(0, 0, 1), J(-5.0 / 13, 0, 10.0 / 13), normal(0, 0, 1);
   for (const double size : {1e-13, 1e-9, 1e9, 1e13}) {
@@ -360,8 +362,7 @@ EXERCISE_TEST(SlidingImpulse, ExistsWhereTheDenominatorIsSmall) {
     const double mu = 2 - part, eased = 2.5 - 1.25 * mu, j = 1.5 / eased;
     const auto J = sliding_impulse(K, Vec3(-4, 0, -1), Vec3(0, 0, 1), 0.5, mu);
     const std::string rule =
-        "Wherever the denominator is above zero there is such an impulse: however small it is, and however "
-        "large J.";
+        "Such an impulse exists wherever the denominator is above zero, also where it is small and J is large.";
     expect_near_vector("J where n·K(n - μt) = " + show(eased) + " /kg, over j", "Eq. (7.5)",
                        Vec3(value(J, eased, rule) / j), Vec3(mu, 0, 1), roundings(16, 3 + 2.5 / eased), {},
                        rule);

@@ -1,4 +1,4 @@
-// Of what the arguments and results of this chapter's functions are made, and that they are right in any units.
+// Units of this chapter's arguments and results. The answers must be the same in any system of units.
 #include "collisions.hpp"
 #include "contract.hpp"
 #include "exercise_test.hpp"

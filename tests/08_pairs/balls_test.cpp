@@ -1,4 +1,4 @@
-// A ball on a plane, and two balls: the gap, the normal and the one point that both bodies share.
+// A ball on a plane, and two balls: the gap, the normal, and the point that both bodies share.
 #include "relative_scales.hpp"
 #include "shapes.hpp"
 
@@ -23,21 +23,21 @@ EXERCISE_TEST(PlaneBall, PressesIntoTheFloor) {
   const auto found = plane_ball(floor, {.body = 3, .x = Vec3(4, 5, 1.4), .radius = 0.5});
   if (!expect_some(
           "they", "Eq. (8.1)", found,
-          "The centre is 1.4 - 1 = 0.4 m above the plane, and the ball's surface nearer by 0.5 m: g = -0.1 m. "
-          "No contact is right for g > 0 only."))
+          "The centre is 1.4 - 1 = 0.4 m above the plane, and the ball's surface is 0.5 m closer: g = -0.1 m. "
+          "Return no contact only for g > 0."))
     return;
   expect_contact(
       "ball in the floor", "Eq. (8.1), (8.3)", *found,
       {7, 3, Vec3::UnitZ(), -0.1, Vec3(4, 5, 0.9), floor.x, Vec3(4, 5, 1.4)},
       {{0.1, "This is a depth. The gap has a sign, and is negative where they overlap."},
        {0.9, "The offset is missing: the plane is at n·x = offset."},
-       {0.4, "This is the height of the centre: the ball's surface is nearer by its radius."},
+       {0.4, "This is the height of the centre. Subtract the radius."},
        {5.9, "This is measured from the centre of the plane's body; the offset is from the origin."},
-       {-1.1, "The offset is taken off twice, or the diameter for the radius."}},
+       {-1.1, "The offset is subtracted twice, or the diameter in place of the radius."}},
       {{Vec3(4, 5, 1), "This is on the plane. p is the ball's deepest point."},
        {Vec3(4, 5, 0.95), "This is the middle of the overlap. Against a plane p is the ball's deepest point."},
        {Vec3(4, 5, 1.9), "This is the ball's highest point: p is R below its centre, against n."},
-       {Vec3(6, 8, -4.1), "r_i is an arm, from the centre of the plane's body to p: p - x_i."},
+       {Vec3(6, 8, -4.1), "r_i is a lever arm, from the centre of the plane's body to p: p - x_i."},
        {Vec3(4, 5, 1.4), "This is the ball's centre. p is R from it, against n."}});
 }
 
@@ -47,20 +47,22 @@ EXERCISE_TEST(PlaneBall, FollowsAnyPlane) {
     const Vec3 x = random.vector(3), centre = random.vector(3);
     const Vec3 n = random.unit_vector();
     const double radius = random.uniform(0.1, 2);
-    // Centres below the plane, too: whatever is behind it is in the solid.
+    // Centres below the plane, too: everything behind it is solid.
     const double gap = random.uniform(-2 * radius - 1, 0);
     const Plane plane{.body = 0, .x = x, .n = n, .offset = n.dot(centre) - radius - gap};
     const auto found = plane_ball(plane, {.body = 1, .x = centre, .radius = radius});
     if (!expect_some("a plane and a ball with g = " + show(gap) + " m", "Eq. (8.1)", found,
-                     "Everything behind a plane is solid, however deep."))
+                     "Everything behind a plane is solid, at any depth."))
       return;
     expect_contact(
         "random plane and ball", "Eq. (8.1), (8.3)", *found, {0, 1, n, gap, centre - radius * n, x, centre},
         {{-gap, "This is a depth: the gap is negative where they overlap."},
-         {gap + radius, "This is the height of the centre: take off the radius."},
+         {gap + radius, "This is the height of the centre: subtract the radius."},
          {n.dot(centre - x) - plane.offset - radius,
           "The offset is from the origin, not from the plane's body."},
-         {std::abs(gap + radius) - radius, "The absolute height: below the plane n·x - offset is negative."}},
+         {std::abs(gap + radius) - radius,
+          "This is the absolute height. Below the plane n·x - offset is "
+          "negative."}},
         {{Vec3(centre + radius * n), "p is R from the ball's centre against n."},
          {Vec3(centre - (radius + gap) * n), "This is on the plane: p is the ball's deepest point."}});
   }
@@ -94,7 +96,7 @@ EXERCISE_TEST(PlaneBall, DropsNothingSmall) {
 }
 
 EXERCISE_TEST(PlaneBall, CountsWhatIsSmall) {
-  // Of the ball's place, its radius and the plane's offset one is small, or two are.
+  // One or two of the ball's place, its radius and the plane's offset are small.
   for (const double part : relative_scales)
     for (const auto& [z, radius, offset] : {std::tuple(1.0, part, 2.0),
                                             {part, 1.0, 0.5},
@@ -128,24 +130,23 @@ EXERCISE_TEST(BallBall, OverlapInTheMiddle) {
   given() = "given body 4, a ball of radius 2 at (1, 1, 1), and body 9, one of radius 0.5 at (1, 1, 3.3)";
   const Ball i{.body = 4, .x = Vec3(1, 1, 1), .radius = 2}, j{.body = 9, .x = Vec3(1, 1, 3.3), .radius = 0.5};
   const auto found = ball_ball(i, j);
-  if (!expect_some(
-          "they", "Eq. (8.2)", found,
-          "The centres are 2.3 m apart, the radii together 2.5 m: g = -0.2 m. No contact is right for g > 0 "
-          "only."))
+  if (!expect_some("they", "Eq. (8.2)", found,
+                   "The centres are 2.3 m apart, the radii together 2.5 m: g = -0.2 m. Return no contact only "
+                   "for g > 0."))
     return;
   expect_contact(
       "two balls", "Eq. (8.2), (8.3)", *found, {4, 9, Vec3::UnitZ(), -0.2, Vec3(1, 1, 2.9), i.x, j.x},
       {{0.2, "This is a depth. The gap has a sign, and is negative where they overlap."},
-       {2.3, "This is the distance of the centres: take off both radii."},
-       {0.3, "Only R_i is taken off."},
-       {1.8, "Only R_j is taken off."},
+       {2.3, "This is the distance of the centres: subtract both radii."},
+       {0.3, "Only R_i is subtracted."},
+       {1.8, "Only R_j is subtracted."},
        {5.29 - 6.25, "These are squares: the gap is a length."}},
       {{Vec3(1, 1, 3),
         "This is on i's surface. p is in the middle of the overlap, half a gap from each surface."},
        {Vec3(1, 1, 2.8),
         "This is on j's surface. p is in the middle of the overlap, half a gap from each surface."},
        {Vec3(1, 1, 2.15), "This is in the middle between the centres. p is in the middle of the overlap."},
-       {Vec3(1, 1, 3.1), "p is in the overlap: g is negative, so from i's surface it is back by half of it."}});
+       {Vec3(1, 1, 3.1), "p is in the overlap: g is negative, so p is half a gap behind i's surface."}});
 }
 
 EXERCISE_TEST(BallBall, FollowsAnyTwo) {
@@ -161,7 +162,7 @@ EXERCISE_TEST(BallBall, FollowsAnyTwo) {
     const double size = 1 + i.x.norm() + j.x.norm();
     expect_near("gap of random balls [m]", "Eq. (8.2)", found->gap, gap, roundings(64, size),
                 {{-gap, "This is a depth: the gap is negative where they overlap."},
-                 {distance - i.radius, "Only R_i is taken off."}});
+                 {distance - i.radius, "Only R_i is subtracted."}});
     expect_near_vector("n of random balls", "Eq. (8.2)", found->n, n, roundings(64, size / distance),
                        {{Vec3(-n), "n points from i to j: this is from j to i."},
                         {Vec3(distance * n), "This has the length of the distance: n is a unit vector."}});
@@ -172,7 +173,7 @@ EXERCISE_TEST(BallBall, FollowsAnyTwo) {
         {{Vec3(i.x + i.radius * n), "This is on i's surface: p is in the middle of the overlap."},
          {Vec3(i.x + distance / 2 * n), "This is in the middle between the centres, not of the overlap."}});
     expect_true("i is " + std::to_string(found->i) + ", j is " + std::to_string(found->j), "Eq. (8.2)",
-                found->i == 1 && found->j == 0, "Bodies as they are given; no order is asked for.");
+                found->i == 1 && found->j == 0, "Keep the order of the bodies.");
     if (!expect_common_point(*found, i.x, j.x)) return;
   }
 }
@@ -200,7 +201,7 @@ EXERCISE_TEST(BallBall, PartsCentresAtOnePlace) {
   expect_near("gap of balls of radius 1 and 0.25 with one centre [m]", "Eq. (8.2)", found->gap, -1.25,
               roundings(4));
   expect_near("|n| of balls with one centre", "Eq. (8.2)", found->n.norm(), 1, roundings(8), {},
-              "0/0 is NaN: where there is no direction choose one.");
+              "0/0 is NaN: where there is no direction, choose any.");
   expect_true("their arms are finite", "Eq. (8.3)", found->r_i.allFinite() && found->r_j.allFinite());
   expect_common_point(*found, x, x);
 }
@@ -218,8 +219,8 @@ EXERCISE_TEST(BallBall, FollowsCentresThatAreNear) {
     expect_near_vector(
         "n", "Eq. (8.2)", found->n, n, roundings(16),
         {{Vec3(-n), "n points from i to j: this is from j to i."}},
-        "Only centres at one place have no direction. However near, n is along x_j - x_i: another one "
-        "would turn the contact around while they pass through each other.");
+        "Only centres at the same place have no direction. At any other distance n is along x_j - x_i, so that "
+        "it stays continuous while the balls pass.");
     if (::testing::Test::HasFailure()) return;
   }
 }
@@ -242,8 +243,8 @@ EXERCISE_TEST(BallBall, DropsNothingSmall) {
 }
 
 EXERCISE_TEST(BallBall, CountsWhatIsSmall) {
-  // Of the distance and the radii one is small, or two are; or two are nearly alike. One of the centres is hardly off
-  // the origin.
+  // One or two of the distance and the radii are small, or two are nearly equal. One of the centres is close to the
+  // origin.
   for (const double part : relative_scales)
     for (const auto& [distance, one, other] : {std::tuple(1 - part, 1.0, 2 * part),
                                                {part, 1.0, 0.25},

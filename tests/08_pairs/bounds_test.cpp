@@ -1,4 +1,4 @@
-// Bounds of a box: along the axes of the world, no larger than they must be.
+// Bounds of a box: along the axes of the world, and as small as possible.
 #include "relative_scales.hpp"
 #include "shapes.hpp"
 
@@ -18,8 +18,7 @@ EXERCISE_TEST(Bounds, AreTheBoxIfItLiesStraight) {
                       {Vec3(0.75, 1, 1), "h_k are halves already: no further half."},
                       {Vec3(0, -2, -5), "h_k are halves of the sides, not sides."}},
                      got.lower.x() < 0.5
-                         ? "They are larger than they need be. The smallest bounds are asked for, without "
-                           "room for roundings."
+                         ? "These are too large. Return the smallest bounds, without a margin for round-off."
                          : "x - Σ h_k |e_k|.");
   expect_near_vector("upper [m]", "Eq. (8.11)", got.upper, Vec3(1.5, 4, 7), roundings(8, 4),
                      {{Vec3(0.5, 2, 4), "The centre is missing."}});
@@ -41,18 +40,17 @@ EXERCISE_TEST(Bounds, HoldEveryCornerAndNoMore) {
     const std::string otherwise = "Each side reaches h_k |e_k| along each axis of the world, and they add up.";
     expect_near_vector(
         "upper, the largest of all corners [m]", "Eq. (8.11)", got.upper, upper, roundings(32, 8),
-        {{Vec3(box.x + once), "This is one corner, where all signs are +. Others may be farther out."},
+        {{Vec3(box.x + once), "This is the corner with all signs +. Others may be farther out."},
          {Vec3(box.x + once.cwiseAbs()),
-          "The absolute value of one corner: each term has its own, |e_k|, before they are added."},
+          "This is the absolute value of one corner. Take |e_k| of each term before you add them."},
          {Vec3(box.x + across), "The axes are the columns of `axes`: these are its rows."},
-         {Vec3(box.x + box.half_sides), "The box is turned: its sides are along e_k, not x, y and z."},
+         {Vec3(box.x + box.half_sides), "The box is rotated: its sides are along e_k, not along x, y and z."},
          {Vec3(box.x + Vec3::Constant(sphere)),
-          "This holds the sphere around the box: there are smaller bounds."}},
+          "These are the bounds of the sphere around the box. Smaller bounds exist."}},
         otherwise);
     expect_near_vector(
         "lower, the smallest of all corners [m]", "Eq. (8.11)", got.lower, lower, roundings(32, 8),
-        {{Vec3(box.x - once), "This is one corner, where all signs are -. Others may be farther out."}},
-        otherwise);
+        {{Vec3(box.x - once), "This is the corner with all signs -. Others may be farther out."}}, otherwise);
   }
 }
 

@@ -1,4 +1,4 @@
-// Two boxes: faces that lie on each other, edges that cross, and what doesn't change when they tremble.
+// Two boxes: faces that lie on each other, edges that cross, and contacts that round-off must not change.
 #include <algorithm>
 #include <numbers>
 
@@ -26,11 +26,11 @@ Box straight(int body, const Vec3& x, const Vec3& half_sides) {
 bool expect_count(const std::string& what, const std::vector<Contact>& got, int count,
                   const std::string& clue) {
   expect_near("contacts of " + what, "Eq. (8.8), (8.10)", static_cast<double>(got.size()), count,
-              {0, "a count"}, {{8, "Eight are more than are needed: well_spread leaves four."}}, clue);
+              {0, "a count"}, {{8, "Eight are too many: well_spread chooses four."}}, clue);
   return !::testing::Test::HasFailure();
 }
 
-/// Each of `wanted`, points in the world, is the point of one contact, with that gap and normal.
+/// Expects that each of `wanted`, points in the world, is the point of one contact with this gap and normal.
 bool expect_points(const std::string& what, const Box& i, const Box& j, const std::vector<Contact>& got,
                    const std::vector<Vec3>& wanted, const Vec3& n, double gap, double size = 1) {
   for (const Vec3& p : wanted) {
@@ -46,22 +46,23 @@ bool expect_points(const std::string& what, const Box& i, const Box& j, const st
                        {{Vec3(-n), "n points from i to j: where the face is j's its outward normal is -n."}});
     expect_near(which + ": gap [m]", "Eq. (8.6), (8.8)", nearest->gap, gap, {1e-9, "roundings"},
                 {{-gap, "This is a depth: the gap is negative where they overlap."},
-                 {gap / 2, "Half the gap belongs to the point, not to the gap."}},
-                "How far the corner is in front of the face that is met.");
+                 {gap / 2, "Half the gap is for the point p. The gap itself is not halved."}},
+                "The gap is the distance of the corner from the reference face.");
     const std::string surface = "p is half way between the two surfaces: this is on one of them.";
     const std::string sign =
         "p is half way between the two surfaces: from a corner of j go back by gap/2 along n, "
         "against the sign of the gap.";
     expect_near_vector(
         which + ": the point x_i + r_i [m]", "Eq. (8.3), (8.8)", Vec3(i.x + nearest->r_i), p,
-        {4e-6 * size, "two of the planes that cut, moved out by a millionth of the smallest half side"},
+        {4e-6 * size, "two of the clipping planes, moved outwards by a millionth of the smallest half side"},
         {{Vec3(p + gap / 2 * n), surface},
          {Vec3(p - gap / 2 * n), surface},
          {Vec3(p + gap * n), sign},
          {Vec3(p - gap * n), sign},
          {Vec3(i.x + p - j.x), "r_i is from the centre of i, r_j from that of j."}},
-        "Corners that hang over are cut off, by the planes of the four sides around the face that is "
-        "met; where edges cross it is their nearest points.");
+        "Overhanging corners are clipped by the four sides around the face that is met. Where edges cross, "
+        "take "
+        "their nearest points.");
     if (::testing::Test::HasFailure() || !expect_common_point(*nearest, i.x, j.x)) return false;
   }
   return true;
@@ -81,7 +82,7 @@ EXERCISE_TEST(BoxBox, LiesOnALargerOne) {
 }
 
 EXERCISE_TEST(BoxBox, LiesOnAnyOfItsFaces) {
-  // Which of its axes is the vertical one makes no difference, nor where the vertical is.
+  // Any of its axes may be the vertical one, and the world may have any orientation.
   Random random;
   for (int up_i = 0; up_i < 3; ++up_i)
     for (int up_j = 0; up_j < 3; ++up_j)
@@ -115,7 +116,7 @@ EXERCISE_TEST(BoxBox, LiesOnAnyOfItsFaces) {
 }
 
 EXERCISE_TEST(BoxBox, CarriesALargerOne) {
-  // Now the corners of i are under the face of j: those of j hang over.
+  // Now the corners of i are under the face of j, and those of j hang over.
   for (const double size : {1.0, 1e-6}) {
     const Box stand = straight(3, size * Vec3(1, 2, 3), size * Vec3(0.5, 0.5, 1)),
               plate = straight(8, size * Vec3(1, 2, 4.24), size * Vec3(2, 2, 0.25));
@@ -152,10 +153,10 @@ EXERCISE_TEST(BoxBox, MovesTheSidesOutByAMillionth) {
         expect_near(
             std::string("distance of a contact from the middle, along ") + "xy"[k] + " [m]", "Eq. (8.8)",
             std::abs(contact.r_i[k]), std::min(hangs, side + slack), roundings(64, 4),
-            {{side, "The sides are where they are: move them outwards."},
-             {side - slack, "The sides have been moved inwards."}},
-            "What hangs over is cut by the sides of i, moved outwards by a millionth of the smallest half "
-            "side, of the six.");
+            {{side, "The clipping planes are exactly on the sides. Move them outwards."},
+             {side - slack, "The clipping planes have been moved inwards."}},
+            "The overhang is clipped by the sides of i, moved outwards by a millionth of the smallest of the "
+            "six half sides.");
         if (::testing::Test::HasFailure()) return;
       }
   }
@@ -177,15 +178,14 @@ EXERCISE_TEST(BoxBox, LeavesOutWhatIsAboveTheFaceByLittle) {
     const auto got = contacts_of(table, cube);
     const std::string what = "a cube that leans on a table, two of its lower corners " + show(std::abs(above)) +
                              " m " + (above > 0 ? "above" : "below") + " the top";
-    expect_near("contacts of " + what, "Eq. (8.8)", static_cast<double>(got.size()), above > 0 ? 2 : 4,
-                {0, "a count"},
-                {{above > 0 ? 4.0 : 2.0,
-                  above > 0 ? "Corners that are hardly above the face that is met are kept: of the corners "
-                              "those with g <= 0. "
-                              "The millionth is for the four sides around that face, and not for the face."
-                            : "Corners that are hardly below the face that is met are left out: all those with "
-                              "g <= 0 stay."}},
-                "Of the corners that are left those with g <= 0.");
+    expect_near(
+        "contacts of " + what, "Eq. (8.8)", static_cast<double>(got.size()), above > 0 ? 2 : 4, {0, "a count"},
+        {{above > 0 ? 4.0 : 2.0,
+          above > 0 ? "Corners slightly above the face that is met are kept, but only those with g <= 0 "
+                      "may stay. The millionth is for the four sides around the face, not for the face "
+                      "itself."
+                    : "Corners slightly below the face that is met are left out. Keep all with g <= 0."}},
+        "Keep the remaining corners with g <= 0.");
     for (const Contact& contact : got)
       expect_at_most("gap of a contact of " + what + " [m]", "Eq. (8.8)", contact.gap, 0, "g <= 0");
     if (::testing::Test::HasFailure()) return;
@@ -212,15 +212,15 @@ EXERCISE_TEST(BoxBox, TouchesWhereTheFaceLeavesNothing) {
   const auto got = contacts_of(i, j);
   if (!expect_count(
           what, got, 1,
-          "They overlap along all fifteen axes. Where the face that looks most against n leaves nothing take "
-          "the corner that is deepest along n."))
+          "They overlap along all fifteen axes. If clipping leaves nothing of the incident face, take the "
+          "corner that is deepest along n."))
     return;
   expect_near(what + ": gap [m]", "Eq. (8.6)", got[0].gap, -1.08 * millionth, roundings(64, 4), {},
               "How far the deepest corner of j is in front of the face of i.");
   expect_near_vector(what + ": n", "Eq. (8.7)", got[0].n, Vec3(Vec3::UnitZ()), roundings(16));
   expect_near_vector(what + ": the point x_i + r_i [m]", "Eq. (8.3)", Vec3(i.x + got[0].r_i),
                      Vec3(beside + 0.54 * millionth * Vec3::UnitZ()), roundings(64, 4), {},
-                     "The corner of j that is deepest along n, and from there half a gap back.");
+                     "p is the corner of j that is deepest along n, moved back by half a gap.");
   expect_common_point(got[0], i.x, j.x);
 }
 
@@ -321,7 +321,7 @@ EXERCISE_TEST(BoxBox, FindsWhereEdgesCrossToTheLastDigits) {
     j.x = Vec3(part, -0.2, 2 * ridge - depth);
     given() = describe_both(i, j);
     const auto got = contacts_of(i, j);
-    if (!expect_count("two ridges that cross", got, 1, "Where edges cross there is one contact.")) return;
+    if (!expect_count("two ridges that cross", got, 1, "Two edges that cross have one contact.")) return;
     const Vec3 p(part - (part + 0.2) * std::tan(part), part, ridge - depth / 2);
     const Tolerance close = roundings(64, 2);
     expect_near_vector("x_i + r_i where two ridges cross [m]", "Eq. (8.3), (8.9)", Vec3(i.x + got[0].r_i), p,
@@ -341,7 +341,7 @@ EXERCISE_TEST(BoxBox, TouchesFromZeroGapOn) {
   expect_near("contacts of a cube that just touches another, g = 0", "Eq. (8.6), (8.8)", at(1), 4,
               {0, "a count"}, {}, "g <= 0: exactly zero counts.");
   expect_near("contacts of a cube that is 1e-12 m above another", "Eq. (8.6), (8.8)", at(1 + 1e-12), 0,
-              {0, "a count"}, {}, "With a gap along some axis there is none.");
+              {0, "a count"}, {}, "If there is a gap along any axis, there is no contact.");
   // Ridges that cross, where no corner is near: edges have a gap, too.
   const Box i = turned(below, std::numbers::pi / 4, Vec3::UnitX());
   Box j = turned(below, std::numbers::pi / 4, Vec3::UnitY());
@@ -352,7 +352,8 @@ EXERCISE_TEST(BoxBox, TouchesFromZeroGapOn) {
                     (apart > 0 ? "apart" : "deep"),
                 "Eq. (8.6), (8.9)", static_cast<double>(contacts_of(i, j).size()), apart > 0 ? 0 : 1,
                 {0, "a count"}, {},
-                "Only g <= 0 is a contact, also where edges cross: with a gap along some axis there is none.");
+                "Only g <= 0 is a contact, also where edges cross. If there is a gap along any axis, there is "
+                "none.");
   }
 }
 
@@ -370,8 +371,8 @@ EXERCISE_TEST(BoxBox, PiercesAThinPlate) {
   const auto got = contacts_of(plate, cube);
   if (!expect_count(
           "a corner that pierces a plate", got, 1,
-          "One corner is behind the upper face of the plate. The four sides around that face cut, and neither "
-          "it nor its opposite."))
+          "One corner is behind the upper face of the plate. Clip by the four sides around that face, not by "
+          "the face itself or its opposite."))
     return;
   expect_points("a corner that pierces a plate", plate, cube, got, {Vec3(lowest + 0.025 * Vec3::UnitZ())},
                 Vec3::UnitZ(), -0.05);
@@ -424,7 +425,9 @@ EXERCISE_TEST(BoxBox, NeedsNoMoreThanFour) {
   Box above = turned(straight(1, Vec3(0, 0, 0.999), Vec3(0.5, 0.5, 0.5)), std::numbers::pi / 4, Vec3::UnitZ());
   given() = describe_both(below, above);
   const auto got = contacts_of(below, above);
-  if (!expect_count("a cube on an equal one, turned by 45 degrees", got, 4, "Four of the eight, well_spread."))
+  if (!expect_count("a cube on an equal one, turned by 45 degrees", got, 4,
+                    "Keep four of the eight, by "
+                    "well_spread."))
     return;
   for (const Contact& contact : got)
     expect_near("distance of a corner of the octagon from its middle [m]", "Eq. (8.8)",
@@ -437,10 +440,9 @@ EXERCISE_TEST(BoxBox, NeedsNoMoreThanFour) {
   std::sort(angles.begin(), angles.end());
   double widest = angles.front() + 2 * std::numbers::pi - angles.back();
   for (std::size_t k = 1; k < angles.size(); ++k) widest = std::max(widest, angles[k] - angles[k - 1]);
-  expect_at_most(
-      "the widest angle between neighbours of the four, as seen from the middle [rad]", "Eq. (8.10)", widest,
-      std::numbers::pi + 1e-6, "half a turn: the middle of all is within them",
-      "The cube would tip over these four: not any four of the eight, but those that well_spread chooses.");
+  expect_at_most("the widest angle between neighbours of the four, as seen from the middle [rad]", "Eq. (8.10)",
+                 widest, std::numbers::pi + 1e-6, "half a turn: the middle of all is within them",
+                 "The cube would tip over these four. Do not take any four: well_spread chooses them.");
 }
 
 EXERCISE_TEST(BoxBox, EdgesCrossAtAPoint) {
@@ -524,7 +526,7 @@ EXERCISE_TEST(BoxBox, ContactsAreWhereTheBoxesAre) {
           {{Vec3(-axis.n), "n points from i to j: where the face is j's its outward normal is -n."}},
           "The separating axis.");
       expect_at_most("gap of a contact [m]", "Eq. (8.8)", contact.gap, 0, "those with g <= 0 stay",
-                     "A corner in front of the face that is met is no contact.");
+                     "A corner in front of the face that is met is not a contact.");
       expect_at_least("gap of a contact [m]", "Eq. (8.6)", contact.gap, axis.gap - 1e-12,
                       "that along the axis: nothing is deeper", "Measure from the face that is met, along n.");
       const Vec3 p = i.x + contact.r_i;
@@ -555,8 +557,8 @@ EXERCISE_TEST(BoxBox, BoxesApartHaveNone) {
     given() = describe_both(i, j);
     expect_near("contacts, with one of another pair, of boxes that are apart", "Eq. (8.7)",
                 static_cast<double>(contacts.size()), 1, {0, "a count"},
-                {{0, "What was in `contacts` before is lost: append."}},
-                "With a gap along some axis there is none.");
+                {{0, "The earlier entries of `contacts` are lost: append."}},
+                "If there is a gap along any axis, there is no contact.");
   }
 }
 
@@ -571,7 +573,7 @@ EXERCISE_TEST(BoxBox, KeepsWhatWasFoundBefore) {
     box_box(i, j, contacts);
     expect_near("contacts, after the same pair a second time", "Eq. (8.8)",
                 static_cast<double>(contacts.size()), 2 * alone, {0, "a count"},
-                {{alone, "What was in `contacts` before is lost: append."}},
+                {{alone, "The earlier entries of `contacts` are lost: append."}},
                 "well_spread chooses among the contacts of this pair, and not among those of others.");
     if (::testing::Test::HasFailure()) return;
     for (std::size_t k = 0; k < before.size(); ++k)
@@ -639,7 +641,7 @@ EXERCISE_TEST(BoxBox, TremblesNoMoreThanItsBoxes) {
       expect_near("contacts of " + what + ", moved by 1e-9 m", "Eq. (8.8), (8.10)",
                   static_cast<double>(now.size()), static_cast<double>(still.size()),
                   {0, "their number without"}, {},
-                  "Sides that lie on each other are cut by roundings: move the planes that cut outwards, by a "
+                  "Round-off decides where sides lie on each other. Move the clipping planes outwards by a "
                   "millionth of the smallest half side.");
       if (::testing::Test::HasFailure()) return;
       double farthest = 0;
@@ -647,7 +649,7 @@ EXERCISE_TEST(BoxBox, TremblesNoMoreThanItsBoxes) {
       expect_at_most("how far a contact of " + what + " has gone, where a box has moved by 1e-9 m",
                      "Eq. (8.8), (8.10)", farthest, 1e-7,
                      "points, gaps and normals move with the boxes; 1e-9 m and rad, and a few times that",
-                     "Roundings have chosen: another face, another edge, or others of many contacts.");
+                     "Round-off has chosen another face, another edge, or other contacts of many.");
     }
   }
 }
@@ -673,7 +675,7 @@ EXERCISE_TEST(BoxBox, DoesNotMindWhichIsFirst) {
     given() = describe_both(i, j);
     expect_near("contacts of box_box(j, i), for " + what, "Eq. (8.8)", static_cast<double>(other.size()),
                 static_cast<double>(one.size()), {0, "as many as box_box(i, j) has"}, {},
-                "Let the box of the lower body number be i wherever the two are not treated alike.");
+                "Wherever the two boxes are treated differently, let the box with the lower body number be i.");
     if (::testing::Test::HasFailure()) return;
     for (const Contact& contact : other) {
       expect_true("box_box(j, i) has i = " + std::to_string(contact.i) + ", j = " + std::to_string(contact.j),
@@ -687,8 +689,8 @@ EXERCISE_TEST(BoxBox, DoesNotMindWhichIsFirst) {
       expect_at_most(
           "how far a contact of box_box(j, i) is from one of box_box(i, j), for " + what, "Eq. (8.8)",
           nearest(back, one), 1e-9, "roundings",
-          "The same points and gaps, with n reversed: let the box of the lower body number be i wherever "
-          "the two are not treated alike, and exchange the bodies again at the end.");
+          "The same points and gaps, with n reversed: wherever the boxes are treated differently, let the one "
+          "with the lower body number be i, and exchange the bodies again at the end.");
       if (::testing::Test::HasFailure()) return;
     }
   }
@@ -711,8 +713,8 @@ EXERCISE_TEST(BoxBox, MeetsTheFaceOfTheLowerNumber) {
       expect_near_vector(
           "n", "Eq. (8.7)", got[0].n, Vec3(table_first ? face : -face), roundings(64),
           {{Vec3(table_first ? -face : face), "n points from i to j."}},
-          "Where both faces are as good it is that of the box with the lower body number, whichever comes "
-          "first.");
+          "If both faces are equally good, take that of the box with the lower body number, in either order of "
+          "the arguments.");
       if (::testing::Test::HasFailure()) return;
     }
   }
@@ -757,8 +759,9 @@ EXERCISE_TEST(BoxBox, IsTheSameFarFromTheOrigin) {
     const auto near = contacts_of(near_i, near_j), there = contacts_of(far_i, far_j);
     given() = describe_both(far_i, far_j);
     const std::string clue =
-        "Work with places from the centre of one box: far away only x_j - x_i is exact, and of p - x little is "
-        "left.";
+        "Use positions relative to the centre of one box. Far from the origin x_j - x_i is exact, but p - x "
+        "has "
+        "few digits.";
     expect_near("contacts of " + what + ", 2000 km away", "Eq. (8.8)", static_cast<double>(there.size()),
                 static_cast<double>(near.size()), {0, "as many as at the origin"}, {}, clue);
     if (::testing::Test::HasFailure()) return;

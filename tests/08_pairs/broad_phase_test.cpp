@@ -38,7 +38,7 @@ std::string show_bounds(const spook::Bounds& one) {
   return "from " + show(one.lower) + " to " + show(one.upper);
 }
 
-/// The first difference between what was found and what there is, in words.
+/// Describes the first difference between the pairs found and the true pairs.
 bool expect_all(const std::string& equation, const std::string& scene, const std::vector<spook::Bounds>& bounds,
                 const std::vector<Pair>& got, const std::vector<Pair>& want) {
   if (got == want) return true;
@@ -47,7 +47,7 @@ bool expect_all(const std::string& equation, const std::string& scene, const std
   for (const Pair& pair : got) {
     expect_true("the pair " + show_pair(pair) + of + ": are indices, the lower first", equation,
                 0 <= pair.first && pair.first < pair.second && pair.second < count,
-                pair.first == pair.second ? "No body makes a pair with itself."
+                pair.first == pair.second ? "A body and itself are not a pair."
                                           : "Pairs are of indices in `bounds`, the lower first.");
     if (::testing::Test::HasFailure()) return false;
   }
@@ -60,9 +60,8 @@ bool expect_all(const std::string& equation, const std::string& scene, const std
   };
   const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
   if (twice != sorted.end()) {
-    expect_true(
-        "the pair " + show_pair(*twice) + of + ", is there once", equation, false,
-        "Bodies may share several cells, or meet several times in a sweep: one of those tells of the pair.");
+    expect_true("the pair " + show_pair(*twice) + of + ", is there once", equation, false,
+                "Bodies may share several cells, or meet several times in a sweep. Report each pair once.");
     return false;
   }
   std::vector<Pair> missing, wrong;
@@ -74,15 +73,16 @@ bool expect_all(const std::string& equation, const std::string& scene, const std
     const double width = (a.upper.cwiseMin(b.upper) - a.lower.cwiseMax(b.lower)).minCoeff();
     given() = "given " + both(missing[0]);
     expect_true("the pair " + show_pair(missing[0]) + of + ", is found", equation, false,
-                (width == 0 ? "They share no more than a point, a line or a face: touching counts."
-                            : "They overlap, and no pair may be missed.") +
+                (width == 0 ? "They share only a point, a line or a face. Touching counts."
+                            : "They overlap, so this pair is missing.") +
                     (equation == "Eq. (8.14)"
                          ? std::string(" Of three cells along an axis the one in the middle counts, too.")
                          : ""));
   } else if (!wrong.empty()) {
     given() = "given " + both(wrong[0]);
     expect_true("the pair " + show_pair(wrong[0]) + of + ", does not touch, and is left out", equation, false,
-                "All three axes have to overlap: sharing a cell, or an interval of one axis, is not enough.");
+                "They must overlap along all three axes. A shared cell, or an overlap along one axis, is not "
+                "enough.");
   } else {
     expect_true("the pairs" + of + ", are sorted", equation, false, "std::sort, at the end.");
   }
@@ -175,7 +175,9 @@ void expect_refusals(BroadPhase find) {
       spook::Bounds one = sound, other = sound;
       one.lower[k] = bad;
       other.upper[k] = bad;
-      const std::string clue = "See require_all_finite in require.hpp. One NaN, and no order is an order.";
+      const std::string clue =
+          "See require_all_finite in require.hpp. A single NaN makes any sorting "
+          "meaningless.";
       expect_rejects(
           "a lower with " + show(bad), "lower",
           [&] {
@@ -239,8 +241,8 @@ EXERCISE_TEST(SweepAndPrune, LeavesMostPairsOut) {
   expect_slow_growth(
       sweep_and_prune, "Eq. (8.12)", "in a cube", few, many, 45,
       "a layer for each body, twice as wide and high, makes it 32, and all pairs 64",
-      "In order of their lower ends, whoever begins behind the end of one, and all after it, are no "
-      "neighbours of that one: stop there.");
+      "Sorted by lower ends: if a body begins behind the end of another, neither it nor any later one is a "
+      "neighbour. Stop there.");
 }
 
 EXERCISE_TEST(SweepAndPrune, SortsAlongTheLongestAxis) {
@@ -269,7 +271,7 @@ EXERCISE_TEST(SweepAndPrune, SortsAlongTheLongestAxis) {
           few, many, as_many_bodies, why_as_many,
           "Along this axis they are apart, along the others they all overlap: sort along the axis in which "
           "their centres are spread farthest, around where they are on average. And stop at the first that "
-          "begins behind the end of one: all after it do, too.");
+          "begins behind the end of a body, since all later ones do, too.");
       if (::testing::Test::HasFailure()) return;
     }
 }
@@ -286,10 +288,11 @@ Bodies layers(int side) {
 EXERCISE_TEST(SweepAndPrune, SortsManyThatBeginAlike) {
   expect_slow_growth(sweep_and_prune, "Eq. (8.12)", "of which a hundred begin alike", layers(5), layers(10), 45,
                      "a layer for each body, twice as wide and high, makes it 32, and all pairs 64",
-                     "Many begin at the same place: a sort has to be fast with equal keys, too. std::sort is.");
+                     "Many begin at the same place, so the sort must be fast with equal keys, too. std::sort "
+                     "is.");
 }
 
-/// The bounds of some bodies, in units that are as many times as long.
+/// Returns the bounds of some bodies, scaled by a factor.
 Bodies larger(Bodies bounds, double times) {
   for (spook::Bounds& one : bounds) one.lower *= times, one.upper *= times;
   return bounds;
@@ -304,8 +307,8 @@ bool hash_takes_each_bodys_own_level() {
   Bodies with_a_giant = cubes;
   with_a_giant.push_back(around(Vec3(200, 0, 0), Vec3::Constant(30)));
   const std::string own =
-      "The level of a body comes from its own size, with 2^l not below it: 2 m for a side of 1.4 m, "
-      "1/2 m for one of 0.35 m. Here bodies are in very many cells, or very many in one.";
+      "The level of a body comes from its own size, with 2^l not below it: 2 m for a side of 1.4 m, 1/2 m for "
+      "one of 0.35 m. Here a body is in very many cells, or a cell holds very many bodies.";
   for (const auto& [scene, bodies] : {std::pair("cubes of 1.4 m in place of 0.7 m", larger(cubes, 2)),
                                       {"cubes of 0.35 m in place of 0.7 m", larger(cubes, 0.5)},
                                       {"cubes of 0.7 m, and one of 60 m apart from them", with_a_giant}}) {
@@ -336,9 +339,8 @@ bool hash_takes_the_longest_side() {
         "operations for 5,000 bounds, " + scene + ", over those for cubes", "Eq. (8.13)",
         operations_for(spatial_hash, boards) / operations_for(spatial_hash, cubes), 2,
         "a board lies in the cells of the cube that it was cut from",
-        "A body's size is its longest side: in cells of 2^l that are not below it, it is in two "
-        "along each axis, at most. Here its level seems to come from another side, so that it is in very "
-        "many.");
+        "A body's size is its longest side: in cells of 2^l that are not below it, it is in two along each "
+        "axis, at most. Here its level seems to come from another side, so that it is in very many cells.");
     if (::testing::Test::HasFailure()) return false;
   }
   return true;
@@ -376,8 +378,8 @@ EXERCISE_TEST(SpatialHash, TellsCellsApartByAllBits) {
   expect_slow_growth(
       spatial_hash, "Eq. (8.14)", "each 2^20 m from the next", lattice(10), lattice(20), as_many_bodies,
       why_as_many,
-      "Cells that are far from each other have the same index in the table, and its lists grow long: "
-      "let all bits of the three numbers count, and not only the low ones.");
+      "Cells that are far from each other have the same index in the table, and its lists grow long: use all "
+      "bits of the three numbers, not only the low ones.");
 }
 
 EXERCISE_TEST(SpatialHash, TellsPointsApart) {

@@ -41,10 +41,9 @@ EXERCISE_TEST(Clip, CutsASquare) {
       return;
     expect_near(
         "its area [m²]", "Eq. (8.8)", area(left).norm(), whole, roundings(32, 4),
-        {{right,
-          "This is what was to be cut off: n·x <= offset stays. Or the cut is measured from the wrong end."},
+        {{right, "This is the part to remove: n·x <= offset stays. Or t is measured from the wrong end."},
          {2 * (1 - offset) + 0.0, "The sign of the offset."},
-         {4, "Nothing has been cut off."}},
+         {4, "The polygon has not been clipped."}},
         "A side from a to b is cut at a + t (b - a), t = height_a/(height_a - height_b).");
     if (::testing::Test::HasFailure()) return;
   }
@@ -57,9 +56,9 @@ EXERCISE_TEST(Clip, KeepsAllOrNothing) {
     return;
   for (std::size_t k = 0; k < 4; ++k)
     expect_true("corner " + show(square[k]) + " is still there", "Eq. (8.8)",
-                std::find(all.begin(), all.end(), square[k]) != all.end(), "Corners inside stay as they are.");
+                std::find(all.begin(), all.end(), square[k]) != all.end(), "Corners inside do not change.");
   expect_count("a square that is all on the outer side", clip(square, Vec3::UnitX(), -2), 0,
-               "No point has n·x <= offset: nothing is left.");
+               "No point has n·x <= offset, so nothing remains.");
 }
 
 EXERCISE_TEST(Clip, KeepsACornerOnThePlaneOnce) {
@@ -106,13 +105,13 @@ EXERCISE_TEST(Clip, CutsAnyPolygonInTwo) {
     cut += !left.empty() && !rest.empty();
     double outside = 0;
     for (const Vec3& corner : left) outside = std::max(outside, n.dot(corner) - offset);
-    expect_near("how far what is left reaches beyond the plane [m]", "Eq. (8.8)", outside, 0,
+    expect_near("distance that the clipped polygon reaches beyond the plane [m]", "Eq. (8.8)", outside, 0,
                 roundings(32, 4 * size), {},
                 "The point where a side is cut has n·x = offset, and a corner stays only where n·x <= offset.");
     const double whole = area(polygon).norm();
     expect_near("area left, and that left by the opposite plane, over the whole", "Eq. (8.8)",
                 (area(left).norm() + area(rest).norm()) / whole, 1, roundings(4000), {},
-                "With its corners in order what is left and what is cut off make up the whole.");
+                "With the corners in order, both parts add up to the whole.");
     // The vector area: the same direction all round.
     if (!left.empty())
       expect_near_vector("vector area of both parts together [m²]", "Eq. (8.8)", Vec3(area(left) + area(rest)),
@@ -123,10 +122,10 @@ EXERCISE_TEST(Clip, CutsAnyPolygonInTwo) {
           "corners of both parts, beyond those of the whole", "Eq. (8.8)",
           static_cast<double>(left.size() + rest.size()) - corners, 4, {0, "two sides are cut, for each part"},
           {{2,
-            "Where the polygon is cut, a point is missing: two sides are, the last one may be that from the "
+            "A point is missing where the polygon is cut. Two sides are cut, and one may be the side from the "
             "last corner to the first."},
            {3,
-            "Where the polygon is cut, a point is missing: two sides are, the last one may be that from the "
+            "A point is missing where the polygon is cut. Two sides are cut, and one may be the side from the "
             "last corner to the first."}});
   }
   expect_at_least("polygons, of 500, that were cut in two", "Eq. (8.8)", cut, 100, "more than a half are");
@@ -141,7 +140,7 @@ EXERCISE_TEST(Clip, TakesAnyNumberOfCorners) {
     const Vec3 n = random.unit_vector();
     const std::vector<Vec3> left = clip(polygon, n, n.dot(middle)), rest = clip(polygon, -n, -n.dot(middle));
     const std::string of = " of a polygon of " + std::to_string(corners) + " corners, cut through its middle";
-    const std::string clue = "Every corner counts, however many there are.";
+    const std::string clue = "Clip all corners, for any number of them.";
     expect_near("corners of both parts" + of + ", beyond those of the whole", "Eq. (8.8)",
                 static_cast<double>(left.size() + rest.size()) - corners, 4,
                 {0, "two sides are cut, for each part"}, {}, clue);
@@ -158,16 +157,15 @@ bool same(const Contact& a, const Contact& b) {
   return a.i == b.i && a.j == b.j && a.gap == b.gap && a.n == b.n && a.r_i == b.r_i && a.r_j == b.r_j;
 }
 
-/// Some of what was given, each at most once.
+/// Expects some of the given contacts, each at most once.
 bool expect_some_of(const std::vector<Contact>& kept, const std::vector<Contact>& given_contacts,
                     std::size_t count) {
-  expect_near(
-      "contacts kept of " + std::to_string(given_contacts.size()), "Eq. (8.10)",
-      static_cast<double>(kept.size()), static_cast<double>(count), {0, "a count"},
-      {{0,
-        "None at all. Where the mean is on one of the points, or on a line between two, a term is zero but for "
-        "roundings, which may make it negative: allow for those."}},
-      "Four of more than four; four or fewer stay as they are.");
+  expect_near("contacts kept of " + std::to_string(given_contacts.size()), "Eq. (8.10)",
+              static_cast<double>(kept.size()), static_cast<double>(count), {0, "a count"},
+              {{0,
+                "No contact is kept. If the mean is on a point, or on a line between two, a term is zero up to "
+                "round-off and may be negative. Allow for this."}},
+              "Four of more than four; four or fewer stay as they are.");
   if (::testing::Test::HasFailure()) return false;
   std::vector<bool> taken(given_contacts.size(), false);
   for (const Contact& contact : kept) {
@@ -176,7 +174,7 @@ bool expect_some_of(const std::vector<Contact>& kept, const std::vector<Contact>
     expect_true("a contact kept, with r_i = " + show(contact.r_i) + " and gap " + show(contact.gap) +
                     ", is one of those given, and kept once",
                 "Eq. (8.10)", found < given_contacts.size(),
-                "Contacts stay as they are: none is changed, or kept twice.");
+                "Do not change a contact, and do not keep it twice.");
     if (::testing::Test::HasFailure()) return false;
     taken[found] = true;
   }
@@ -294,14 +292,13 @@ void expect_well_spread(const std::vector<Contact>& contacts, const std::string&
   expect_at_most("gap of the deepest that is kept, of " + what + " [m]", "Eq. (8.10)", deepest_of(kept),
                  deepest_of(contacts) + 1e-6 * extent,
                  "that of the deepest of all, and a millionth of the distances",
-                 "The deepest has most to say about how far they overlap: of all that come in, however many, "
-                 "it is always kept.");
+                 "The deepest contact describes the overlap best, so it is always kept.");
   if (::testing::Test::HasFailure()) return;
   expect_at_least(
       "how far the mean of all points is within the four, of " + what + " [m]", "Eq. (8.10)",
       depth_of_origin(four), -1e-9 * extent, "within, to roundings",
-      "A body whose weight is over the mean of all would tip over these four: with more than half a turn "
-      "from one to the next, seen from the mean, it is outside.");
+      "A body with its centre over the mean would tip over these four. If two neighbours are more than half a "
+      "turn apart, as seen from the mean, the mean is outside.");
   if (::testing::Test::HasFailure()) return;
   // Which of those that are as deep is kept is open: half of the largest area with the one that allows the least.
   double largest = infinity;
@@ -311,7 +308,7 @@ void expect_well_spread(const std::vector<Contact>& contacts, const std::string&
   expect_at_least("area that the four span, of " + what + " [m²]", "Eq. (8.10)", hull_area(four),
                   0.5 * largest - 1e-5 * extent * extent,
                   "half of the largest by Eq. (8.10), with the deepest and the mean",
-                  "Points beside each other hold no more than one: take such that are far from each other.");
+                  "Points close together support no more than a single one. Take points far from each other.");
 }
 
 EXERCISE_TEST(WellSpread, TakesTheCornersOfASquare) {
@@ -353,7 +350,7 @@ std::vector<Eigen::Vector2d> random_places(Random& random, int count) {
       const double turn = random.uniform(0, kind == 2 ? 0.5 : 2 * std::numbers::pi);
       places.push_back(towards(turn, kind == 1 ? 1 : random.uniform(0, 1)));
     }
-  // The order in which they are given says nothing.
+  // The order of the input does not matter.
   for (int k = count - 1; k > 0; --k)
     std::swap(places[static_cast<std::size_t>(k)], places[static_cast<std::size_t>(random.integer(0, k))]);
   return places;
@@ -392,12 +389,11 @@ EXERCISE_TEST(WellSpread, LooksAlongNWhereverItPoints) {
       for (Contact& contact : contacts) contact = at(R * contact.r_i, contact.gap, R.col(2));
       if (is_sound(contacts)) continue;
       this_failure_explains();
-      expect_true(
-          "four of five that were well chosen with n = (0, 0, 1) are so with n = " + show(Vec3(R.col(2))) +
-              ", all points turned along",
-          "Eq. (8.10)", false,
-          "n has been taken for z: the angles around the mean, and the areas, are those that are seen along n. "
-          "Contacts lie in any plane.");
+      expect_true("four of five that were well chosen with n = (0, 0, 1) are so with n = " +
+                      show(Vec3(R.col(2))) + ", all points turned along",
+                  "Eq. (8.10)", false,
+                  "This takes n for z. Angles and areas are those in the plane across n, and contacts lie in "
+                  "any plane.");
       return;
     }
 }
@@ -529,9 +525,8 @@ bool expect_the_same_while_they_tremble(Random& random, const std::vector<Contac
         "of the contacts 0 to " + std::to_string(still.size() - 1) + " those kept," + listed(now) +
             ", are the same as before they moved by " + show(1e-9 * size) + " m," + listed(first),
         "Eq. (8.10)", now == first,
-        "Roundings have chosen, and a box would tremble. Of points that are as deep to a millionth of the "
-        "distances take one by a rule of its own, and let another four win only if its area is larger by as "
-        "much.");
+        "Round-off has chosen, so a box would tremble. If points are equally deep to a millionth of the "
+        "distances, choose by a fixed rule. Let another four win only if its area is larger by as much.");
     if (::testing::Test::HasFailure()) return false;
   }
   return true;

@@ -89,7 +89,7 @@ EXERCISE_TEST(PlaneBox, KeepsWhatWasFoundBefore) {
   plane_box(floor, box, contacts);
   expect_near("contacts, after one of another pair, of a box that just touches the floor, g = 0", "Eq. (8.4)",
               static_cast<double>(contacts.size()), 5, {0, "a count"},
-              {{4, "What was in `contacts` before is lost: append."},
+              {{4, "The earlier entries of `contacts` are lost: append."},
                {1, "g <= 0: corners exactly on the plane count."}});
   if (::testing::Test::HasFailure()) return;
   expect_true("the contact that was there before stays first", "Eq. (8.4)",
@@ -213,14 +213,14 @@ EXERCISE_TEST(BoxBall, MeetsAFaceAnEdgeAndACorner) {
         what + " and ball: n", "Eq. (8.5)", found->n, n, roundings(64),
         {{Vec3(-n), "n points from the box, i, to the ball, j."},
          {from_centre, "This is from the centre of the box. n is from the box's nearest point to the ball."},
-         {Vec3(Vec3::Unit(axis)), "Beside an edge or a corner n is no face's: it is along x_j - c."},
+         {Vec3(Vec3::Unit(axis)), "Beside an edge or a corner n is not a face's normal: it is along x_j - c."},
          {Vec3(0.4 * n), "This has the length of the distance: n is a unit vector."}},
         "c is the ball's centre with each coordinate along the box's axes cut off at ± h_k.");
     if (::testing::Test::HasFailure()) return;
     expect_contact(
         what + " and ball", "Eq. (8.3), (8.5)", *found, {6, 2, n, -0.1, box.x + c - 0.05 * n, box.x, ball.x},
         {{0.1, "This is a depth. The gap has a sign, and is negative where they overlap."},
-         {0.4, "This is the distance of the centre: take off the radius."},
+         {0.4, "This is the distance of the centre: subtract the radius."},
          {-0.34, "This is the square of the distance, less R."}},
         {{Vec3(box.x + c), "This is on the box. p is in the middle of the overlap."},
          {Vec3(box.x + c - 0.1 * n), "This is on the ball. p is in the middle of the overlap."},
@@ -290,7 +290,7 @@ EXERCISE_TEST(BoxBall, LeavesThroughTheNearestFace) {
     rest[axis] = 10;
     if (rest.minCoeff() < depth[axis] + 1e-6) continue;  // as near to another face
     const auto found = box_ball(box, ball);
-    if (!expect_some(found, "A ball whose centre is in the box touches it, whatever its radius.")) return;
+    if (!expect_some(found, "A ball whose centre is in the box touches it, for any radius.")) return;
     const auto out = [&](int k) { return Vec3((seen[k] < 0 ? -1 : 1) * box.axes.col(k)); };
     expect_near_vector(
         "n of a ball within", "Eq. (8.5)", found->n, out(axis), roundings(16),
@@ -299,15 +299,15 @@ EXERCISE_TEST(BoxBall, LeavesThroughTheNearestFace) {
           "coordinate."},
          {out(largest), "The largest coordinate is not the nearest face: compare h_k - |coordinate|."},
          {Vec3(ball.x - box.x).normalized(),
-          "From the centre of the box it is no way out: take the nearest face."}},
+          "This is the direction from the centre of the box. Take the normal of the nearest face."}},
         "The nearest face is that with the least h_k - |coordinate|.");
     if (::testing::Test::HasFailure()) return;
     const double gap = -depth[axis] - ball.radius;
     expect_contact(
         "ball within", "Eq. (8.3), (8.5)", *found,
         {0, 1, out(axis), gap, ball.x + (depth[axis] + gap / 2) * out(axis), box.x, ball.x},
-        {{-ball.radius, "The distance from the face is missing: it has to get out, too."},
-         {depth[axis] - ball.radius, "Within, the distance from the face is negative."},
+        {{-ball.radius, "The distance of the centre from the face is missing: the ball must cover it, too."},
+         {depth[axis] - ball.radius, "Inside the box the distance from the face is negative."},
          {-gap, "This is a depth: the gap is negative."}},
         {{Vec3(ball.x + depth[axis] * out(axis)), "This is on the face: p is in the middle of the overlap."}});
   }
@@ -320,11 +320,11 @@ EXERCISE_TEST(BoxBall, LeavesFromTheMiddle) {
     given() = "given a box with half sides (2, 1, 3) along x, y and z, and a ball of radius 0.5 at " +
               show(seen) + " from its centre";
     const auto found = box_ball(box, {.body = 1, .x = box.x + seen, .radius = 0.5});
-    if (!expect_some(found, "A ball whose centre is in the box touches it, whatever its radius.")) return;
+    if (!expect_some(found, "A ball whose centre is in the box touches it, for any radius.")) return;
     expect_near(
         "|n·e_2|, of the nearest two faces", "Eq. (8.5)", std::abs(found->n.y()), 1, roundings(4),
         {{0, found->n.isZero(0)
-                 ? "The sign of a coordinate of 0 is neither 1 nor -1: n is to be a face's normal here, too."
+                 ? "The sign of a coordinate of 0 is neither 1 nor -1, but n must be a face's normal here, too."
                  : "This is along another axis. The nearest face is that with the least h_k - |coordinate|."}},
         "The nearest faces are those across y, 1 m away.");
     expect_near("gap [m]", "Eq. (8.5)", found->gap, -1.5, roundings(16));
@@ -352,9 +352,8 @@ EXERCISE_TEST(BoxBall, FollowsACentreThatIsNearACorner) {
       if (!expect_some(found)) return;
       expect_near_vector("n", "Eq. (8.5)", found->n, n,
                          {1e-15 / distance, "roundings of x_j, over its distance"}, {},
-                         "Only a centre in the box, or on it, is pushed out along a face's normal. Outside, "
-                         "however near, n is along "
-                         "x_j - c.");
+                         "Only a centre in the box, or on it, is pushed out along a face's normal. Outside, at "
+                         "any distance, n is along x_j - c.");
       if (::testing::Test::HasFailure()) return;
     }
 }

@@ -1,4 +1,4 @@
-// The whole step: its contacts are those of all pairs, found where the bodies are before they move.
+// The whole step: it finds the contacts of all pairs at the positions before the move.
 #include "contract.hpp"
 #include "exercise_test.hpp"
 #include "quantities.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 EXERCISE(StepPairs, "8.12 step_pairs");
 
-/// Which contacts are looked for; all, unless a mistake is made.
+/// The contacts that the search finds. Default: all; the others are known mistakes.
 struct LookedFor {
   bool planes = true, balls = true, boxes = true, first_plane_only = false, axes_unturned = false;
 };
@@ -100,20 +100,21 @@ EXERCISE_TEST(StepPairs, FindsWhatAllPairsHave) {
       moved_first.bodies[b].q = moved.bodies[b].q;
     }
     step_pairs(got, h);
-    expect_same_bodies("of a heap after a step of 0.01 s", "Eq. (8.1)-(8.12)", got, by(all_contacts(all)),
-                       {1e-9, "roundings of 5 sweeps over some 200 rows, of impulses up to 1000"},
-                       {{by({}), "There are no contacts at all."},
-                        {by(all_contacts(all, {.planes = false})), "The contacts of planes are missing."},
-                        {by(all_contacts(all, {.first_plane_only = true})),
-                         "Only the first plane has contacts: there are two."},
-                        {by(all_contacts(all, {.boxes = false})), "The contacts of boxes are missing."},
-                        {by(all_contacts(all, {.balls = false})), "The contacts of balls are missing."},
-                        {by(all_contacts(all, {.axes_unturned = true})),
-                         "The boxes are not turned: their axes are the columns of the rotation matrix of q."},
-                        {by(all_contacts(moved_first)),
-                         "The contacts are those of after the move: gaps and points belong to t_n, as W "
-                         "belongs to t_n - h/2."}},
-                       "First the contacts where the bodies are; then the step of chapter 07.");
+    expect_same_bodies(
+        "of a heap after a step of 0.01 s", "Eq. (8.1)-(8.12)", got, by(all_contacts(all)),
+        {1e-9, "roundings of 5 sweeps over some 200 rows, of impulses up to 1000"},
+        {{by({}), "There are no contacts at all."},
+         {by(all_contacts(all, {.planes = false})), "The contacts of planes are missing."},
+         {by(all_contacts(all, {.first_plane_only = true})),
+          "Only the first plane has contacts: there are two."},
+         {by(all_contacts(all, {.boxes = false})), "The contacts of boxes are missing."},
+         {by(all_contacts(all, {.balls = false})), "The contacts of balls are missing."},
+         {by(all_contacts(all, {.axes_unturned = true})),
+          "The boxes are not rotated: their axes are the columns of the rotation matrix of q."},
+         {by(all_contacts(moved_first)),
+          "These contacts were found after the move. Gaps and points belong to t_n, as W belongs "
+          "to t_n - h/2."}},
+        "First the contacts where the bodies are; then the step of chapter 07.");
   }
 }
 
@@ -132,13 +133,14 @@ EXERCISE_TEST(StepPairs, StacksBoxes) {
                           .half_sides = Vec3::Constant(side)});
   for (int n = 0; n < 600; ++n) step_pairs(all, 1.0 / 60);
   const double quarter = mass * 9.81 / (4 * all.k), lower = all.bodies[1].x.z(), upper = all.bodies[2].x.z();
-  expect_near("gap below the lower of two boxes after 600 steps [m]", "Eq. (3.13)", lower - side, -2 * quarter,
-              {1e-3 * quarter, "what 200 sweeps leave in a step of what four corners share"},
-              {{-2 * 4 * quarter, "One corner carries all: a box on a plane has four contacts."}},
-              "Two boxes weigh on four corners: a gap of -2 m g/(4 k).");
+  expect_near(
+      "gap below the lower of two boxes after 600 steps [m]", "Eq. (3.13)", lower - side, -2 * quarter,
+      {1e-3 * quarter, "what 200 sweeps leave in a step of what four corners share"},
+      {{-2 * 4 * quarter, "One corner carries the whole weight, but a box on a plane has four contacts."}},
+      "Two boxes weigh on four corners: a gap of -2 m g/(4 k).");
   expect_near("gap between the two [m]", "Eq. (3.13)", upper - lower - 2 * side, -quarter,
               {1e-3 * quarter, "what 200 sweeps leave in a step of what four corners share"},
-              {{-4 * quarter, "One corner carries all: well_spread keeps four."}},
+              {{-4 * quarter, "One corner carries the whole weight, but well_spread keeps four."}},
               "The upper box weighs on four corners: a gap of -m g/(4 k).");
 }
 
@@ -147,7 +149,7 @@ EXERCISE_TEST(StepPairs, RejectsAStepThatIsNotPositive) {
   Simulation all = heap(random, 8);
   for (const double h : {0.0, -0.1, std::nan("")})
     expect_rejects(
-        "h = " + show(h), "h", [&] { step_pairs(all, h); }, "The step of chapter 07 refuses it.",
+        "h = " + show(h), "h", [&] { step_pairs(all, h); }, "The step of chapter 07 refuses this.",
         [&] { return state_of(all); });
 }
 

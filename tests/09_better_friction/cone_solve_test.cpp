@@ -1,4 +1,4 @@
-// Sweeps on cones until it is good enough: Coulomb's law, and scenes that know their answer.
+// Sweeps on cones until the tolerance is met: Coulomb's law, and scenes with known answers.
 #include "exercise_test.hpp"
 #include "regions.hpp"
 #include "rubbing.hpp"
@@ -13,23 +13,23 @@ EXERCISE(ConeSolve, "9.8 cone_solve");
 
 constexpr StopRule long_and_sharp{.max_sweeps = 20000, .tolerance = 1e-12};
 
-/// The two halves of Coulomb's law, and that contacts push. `size` [m/s]: what may be left of the tolerance, times the
-/// coupling of the rows.
+/// Checks both parts of Coulomb's law, and that contacts push. `size` [m/s]: the tolerance times the coupling of the
+/// rows.
 void expect_coulomb(const System<6>& s, const FrictionContact& contact, double size) {
   const double press = s.rows[contact.normal].lambda, limit = contact.mu * press;
   const Vec2 friction = s.tangential(contact), slip = -s.slip_lacks(contact);
   expect_at_least("λ_n [N s]", "Eq. (4.1)", press, 0, "contacts never pull");
-  expect_at_most("what a contact lacks [m/s]", "Eq. (4.1)", s.lacks(contact.normal), size,
-                 "it holds, or comes apart");
+  expect_at_most("residual of a contact [m/s]", "Eq. (4.1)", s.lacks(contact.normal), size,
+                 "it presses, or separates");
   expect_at_most("|λ_t| [N s]", "Eq. (9.3)", friction.norm(), limit + 1e-12, "μ λ_n");
-  if (slip.norm() <= 100 * size || limit <= 100 * size) return;  // it sticks, or is off
+  if (slip.norm() <= 100 * size || limit <= 100 * size) return;  // it sticks, or has λ_n = 0
   expect_near("|λ_t| of a contact that slides at " + show(slip.norm()) + " m/s, over μ λ_n", "Eq. (9.3)",
               friction.norm() / limit, 1, {size / limit, "the tolerance over μ λ_n"}, {},
-              "What slides has friction at full strength.");
+              "A sliding contact has |λ_t| = μ λ_n.");
   expect_near("cosine between friction and a slip of " + show(slip.norm()) + " m/s", "Eq. (9.3), (9.6)",
               friction.dot(slip) / (friction.norm() * slip.norm()), -1,
               {1e-9 + size / std::min(slip.norm(), limit), "the tolerance over slip and limit"}, {},
-              "What slides has friction against the slip.");
+              "The friction of a sliding contact opposes the slip.");
 }
 
 EXERCISE_TEST(ConeSolve, FindsCoulombsLaw) {
@@ -45,7 +45,8 @@ EXERCISE_TEST(ConeSolve, FindsCoulombsLaw) {
   }
 }
 
-// Cones and the stop rule at once: what begins to slide, or sticks again, lets a sweep return more than the one before.
+// Cones and the stop rule together: when contacts begin to slide, or stick again, a sweep may return more than
+// the one before.
 EXERCISE_TEST(ConeSolve, GoesOnWhenASweepReturnsMore) {
   Random random;
   Regions regions({"a sweep returns more than the one before"}, 10);
@@ -76,7 +77,7 @@ EXERCISE_TEST(ConeSolve, WithoutContactsIsChapter04s) {
                   " sweeps, and not " + std::to_string(report.history.size()),
               "Eq. (4.9)",
               report.history.size() == expected.history.size() && report.converged == expected.converged,
-              "Rows that are no contact's are swept, too: only without *rows* there is nothing to do.");
+              "Sweep the rows of joints, too. Return early only if there are no rows.");
   expect_near_vector("λ of four joints' rows after it [N s]", "Eq. (4.7)", all_lambda(s.rows),
                      all_lambda(plain.rows), roundings(1e4, 5), {},
                      "Without contacts it is chapter 04's solve.");
@@ -88,13 +89,12 @@ EXERCISE_TEST(ConeSolve, NeverAddsEnergy) {
     System<6> s = random_bodies(random, 4);
     for (int k = 0; k < 4; ++k) add_random_contact(s, random, 0.3);
     cone_solve(s.contacts, s.rows, s.V, long_and_sharp);
-    double change = 0;  // W·M V + V·M V/2, and M V is what the rows' impulses are: Gᵀ λ
+    double change = 0;  // W·M V + V·M V/2, and M V is the sum of the rows' impulses, Gᵀ λ
     for (const Row<6>& row : s.rows)
       change += row.lambda * (row.Gi.dot(s.motion.W[row.i] + s.V[row.i] / 2) +
                               row.Gj.dot(s.motion.W[row.j] + s.V[row.j] / 2));
     expect_at_most("energy that four contacts without a gap add to four bodies [J]", "Eq. (9.9)", change, 1e-10,
-                   "0, and what the tolerance leaves",
-                   "Friction is against the slip, contacts do not spring back.");
+                   "0, within the tolerance", "Friction opposes the slip, and contacts do not bounce.");
   }
 }
 
@@ -112,11 +112,13 @@ EXERCISE_TEST(ConeSolve, HoldsAStackFromTanThetaOn) {
     sliding = points_on_a_slope(n, slope, 0.9 * std::tan(slope), turn, h);
     cone_solve(sliding.contacts, sliding.rows, sliding.V, {.max_sweeps = 20000, .tolerance = 1e-13});
     for (std::size_t k = 1; k < s.V.size(); ++k)
-      expect_near_vector(
-          "velocity of one of " + stack + ", μ = 0.9 tan θ [m/s]", "Eq. (9.3)", Vec3(sliding.velocity(k)),
-          Vec3(0.1 * h * g * std::sin(slope), 0, 0), {1e-10, "the tolerance times the condition of their S"},
-          {{Vec3::Zero(), "It sticks, though the cone is not wide enough: a box is, along its diagonals."}},
-          "Straight downhill, with h (g sin θ - μ g cos θ), whatever the tangents.");
+      expect_near_vector("velocity of one of " + stack + ", μ = 0.9 tan θ [m/s]", "Eq. (9.3)",
+                         Vec3(sliding.velocity(k)), Vec3(0.1 * h * g * std::sin(slope), 0, 0),
+                         {1e-10, "the tolerance times the condition of their S"},
+                         {{Vec3::Zero(),
+                           "It sticks, although the cone is not wide enough. A friction box is, along its "
+                           "diagonals."}},
+                         "Straight downhill, at h (g sin θ - μ g cos θ), for any tangents.");
   }
 }
 
@@ -151,7 +153,8 @@ EXERCISE_TEST(ConeSolve, StopsASpinningDiscWhereItShould) {
   const int n = 40;
   const double h = 1.0 / 60, mu = 0.4, radius = 0.5, inertia = radius * radius / 2, omega0 = 30;
   Plate disc{.points = {}, .inertia = inertia, .mu = mu, .h = h, .omega = omega0};
-  for (int k = 0; k < n; ++k) {  // a sunflower's, each with one opposite: as much area each
+  for (int k = 0; k < n; ++k) {  // spaced as in a sunflower, each with an opposite point, and each with equal
+                                 // area
     const double angle = 2.399963 * k, r = radius * std::sqrt((k + 0.5) / n);
     const Vec3 point(r * std::cos(angle), r * std::sin(angle), 0);
     disc.points.push_back(point);
@@ -163,8 +166,8 @@ EXERCISE_TEST(ConeSolve, StopsASpinningDiscWhereItShould) {
   expect_near("spin lost in the first step [rad/s]", "Eq. (9.11)", omega0 - disc.omega,
               mu * g * h * arm / inertia, {1e-11, "the tolerance of each of 80 contacts, over the inertia"},
               {{mu * g * h * box_arm / inertia,
-                "This is a box of ±μ λ_n: 4/π too much. Coulomb's disc has no corners."},
-               {0, "It has not been slowed at all: has the friction its λ_n?"}},
+                "This is a box of ±μ λ_n, 4/π times too much. Coulomb's disc has no corners."},
+               {0, "It has not been slowed. Does the friction use λ_n?"}},
               "μ m g h times the mean distance from the centre, over the inertia.");
   int steps = 1;
   while (std::abs(disc.omega) > 1e-9 && steps < 1000) {
@@ -206,7 +209,7 @@ EXERCISE_TEST(ConeSolve, SlowsABlockAlikeInAllDirections) {
     cone_solve(s.contacts, s.rows, s.V, long_and_sharp);
     const double loss = mu * g * h;
     expect_near_vector(
-        "what a block loses in a step that slides at an angle of " + show(phi) + " to t1, over μ g h",
+        "speed lost in a step by a block that slides at an angle of " + show(phi) + " to t1, over μ g h",
         "Eq. (9.3)", Vec3((v - s.velocity(1)) / loss), v, roundings(1e4),
         {{Vec3(std::copysign(1, v.x()), std::copysign(1, v.y()), 0),
           "This is a box: μ g h along each tangent."}},
@@ -215,17 +218,17 @@ EXERCISE_TEST(ConeSolve, SlowsABlockAlikeInAllDirections) {
 }
 
 EXERCISE_TEST(ConeSolve, SaysSoWhenItGoesRoundInCircles) {
-  // μ n·Kt/n·Kn = -1.5: friction that lifts more than the contact presses. λ_n, then none, then λ_n again.
+  // μ n·Kt/n·Kn = -1.5: friction lifts more than the contact presses, so λ_n alternates with 0.
   System<6> s = leaning_rod(2, 3, 0.16);
   const SolveReport report = cone_solve(s.contacts, s.rows, s.V, {.max_sweeps = 1000, .tolerance = 1e-6});
   expect_true(
       "a rod that is dragged with μ = 2 has not converged after 1000 sweeps", "Eq. (9.8), (4.9)",
       !report.converged && report.history.size() == 1000,
-      "The sweeps go between two answers for ever, and neither is one. Then `converged` is false, and the "
-      "history shows it.");
+      "The sweeps alternate between two values for ever, and neither is a solution. Then `converged` is false, "
+      "and the history shows this.");
   if (report.history.empty()) return;
   expect_at_least("what its last sweep returned [m/s]", "Eq. (9.8)", report.history.back(), 0.16,
-                  "λ_n comes and goes: 0.16 m/s at least");
+                  "λ_n alternates with 0: 0.16 m/s at least");
 }
 
 EXERCISE_TEST(ConeSolve, BeginsWithWhatIsThere) {
@@ -238,7 +241,7 @@ EXERCISE_TEST(ConeSolve, BeginsWithWhatIsThere) {
   expect_true(
       "begun at a solution it is done after one sweep, and not " + std::to_string(report.history.size()),
       "Eq. (4.9)", report.converged && report.history.size() == 1,
-      "λ and V come in with what is known already. They are not set to zero.");
+      "λ and V are a warm start. Do not set them to zero.");
   expect_near_vector("λ, begun at a solution [N s]", "Eq. (4.9)", all_lambda(again.rows), all_lambda(s.rows),
                      {1e-9, "one sweep of the tolerance"});
 }
@@ -249,10 +252,12 @@ EXERCISE_TEST(ConeSolve, RemembersWhatEachSweepReturnedAndStops) {
   std::vector<double> expected;
   do expected.push_back(sweep_on_cones(by_hand.contacts, by_hand.rows, by_hand.V));
   while (!(expected.back() <= 1e-6) && expected.size() < 1000);
-  expect_true("it made " + std::to_string(expected.size()) + " sweeps to a tolerance of 1e-6 m/s, and not " +
-                  std::to_string(report.history.size()),
-              "Eq. (4.9)", report.history.size() == expected.size(),
-              "The first sweep that returns at most the tolerance is the last one, and each leaves an entry.");
+  expect_true(
+      "it made " + std::to_string(expected.size()) + " sweeps to a tolerance of 1e-6 m/s, and not " +
+          std::to_string(report.history.size()),
+      "Eq. (4.9)", report.history.size() == expected.size(),
+      "The first sweep that returns at most the tolerance is the last one, and each sweep adds an entry "
+      "to the history.");
   expect_true("it converged", "Eq. (4.9)", report.converged);
   for (std::size_t k = 0; k < std::min(expected.size(), report.history.size()); ++k)
     expect_near("entry " + std::to_string(k) + " of the history [m/s]", "Eq. (4.9)", report.history[k],
@@ -273,7 +278,8 @@ EXERCISE_TEST(ConeSolve, RemembersWhatEachSweepReturnedAndStops) {
 
 EXERCISE_TEST(ConeSolve, StopsByTheRule) {
   Random random;
-  for (const double size : {1e-3, 1.0, 1e3}) {  // of B: the tolerance is a velocity, and not a part of it
+  for (const double size : {1e-3, 1.0, 1e3}) {  // a factor of B: the tolerance is a velocity, and not relative
+                                                // to B
     System<6> s = random_system(random, 10, 6, 0.5);
     for (Row<6>& row : s.rows) row.B *= size;
     const auto anew = [&](const StopRule& stop) {
@@ -301,12 +307,12 @@ EXERCISE_TEST(ConeSolve, RefusesABadStopRule) {
   const SolveReport report = cone_solve(none.contacts, none.rows, none.V, {.max_sweeps = 5, .tolerance = 0});
   expect_true("without rows it has converged without a sweep", "Eq. (4.9)",
               report.converged && report.history.empty(),
-              "There is nothing to solve: `converged` starts as rows.empty().");
+              "Without rows the system is solved: `converged` starts as rows.empty().");
   s.rows[0].B = std::nan("");
   const SolveReport broken = cone_solve(s.contacts, s.rows, s.V, {.max_sweeps = 5, .tolerance = 1});
   expect_true("a NaN has not converged, and is swept 5 times of 5 at most", "Eq. (4.9)",
               !broken.converged && broken.history.size() == 5,
-              "Ask whether it is at most the tolerance: a NaN is not at most anything, nor is it more.");
+              "Test for at most the tolerance. Every comparison with NaN is false.");
 }
 
 }  // namespace

@@ -16,8 +16,8 @@ EXERCISE_TEST(OntoDisc, LeavesWhatIsInside) {
           "λ_t = " + show(Eigen::MatrixXd(inside)) + " N s in a disc of " + show(radius) + " N s", "Eq. (9.4)",
           onto_disc(inside, radius), inside, {0, "exact"},
           {{Vec2(radius / 5 * inside),
-            "This is on the edge: friction that is inside needs no more than it is. min(1, Λ/|λ_t|)."}},
-          "What is inside, or on the edge, stays, also where dividing would be 0/0 or ∞/∞.");
+            "This is on the edge, but friction inside the disc does not change. Use min(1, Λ/|λ_t|)."}},
+          "A λ_t inside the disc or on its edge does not change, also where a division would be 0/0 or ∞/∞.");
 }
 
 EXERCISE_TEST(OntoDisc, ShortensWhatIsOutside) {
@@ -25,12 +25,14 @@ EXERCISE_TEST(OntoDisc, ShortensWhatIsOutside) {
   expect_near_vector(
       "λ_t = (-3, 4) N s, onto a disc of 2.5 N s", "Eq. (9.4)", onto_disc(lambda, 2.5), Vec2(-1.5, 2),
       roundings(8, 4),
-      {{Vec2(-2.5, 2.5), "This is the box: each component for itself. The disc shortens both alike."},
+      {{Vec2(-2.5, 2.5),
+        "This is the box, which bounds each component separately. The disc shortens both by "
+        "one factor."},
        {lambda, "It has not been shortened: |λ_t| = 5."},
-       {Vec2(-3, 4) / 5, "This has length 1: times the radius."},
+       {Vec2(-3, 4) / 5, "This has length 1. Multiply by the radius."},
        {Vec2(-7.5, 10), "This is Λ λ_t: divide by |λ_t|, too."},
        {Vec2(-0.3, 0.4), "This is divided by |λ_t|², or by too much by |λ_t|: Λ/|λ_t|."},
-       {Vec2(1.5, -2), "The direction has been turned round."},
+       {Vec2(1.5, -2), "The direction has been reversed."},
        {Vec2(-7.5, 10) / 7, "The length is √(λ1² + λ2²), not |λ1| + |λ2|."},
        {Vec2(-2.5 * 0.75, 2.5), "The length is √(λ1² + λ2²), not the larger of |λ1| and |λ2|."}});
 }
@@ -46,7 +48,7 @@ EXERCISE_TEST(OntoDisc, IsTheNearestPoint) {
     const std::string of = " of λ_t = " + show(Eigen::MatrixXd(lambda)) + ", radius " + show(radius) + " [N s]";
     expect_at_most("length of the nearest point" + of, "Eq. (9.4)", p.norm(), radius * (1 + roundings(8).value),
                    "the radius, and 8 roundings");
-    expect_at_most("how far a point of the disc lies on λ's side of the nearest one" + of, "Eq. (9.4)",
+    expect_at_most("distance of a point of the disc on λ's side of the nearest one" + of, "Eq. (9.4)",
                    (lambda - p).dot(q - p), roundings(32, 4 * (1 + radius) * (1 + radius)).value,
                    "0, and 32 roundings", "There is a nearer one. It is on the line from 0 to λ_t.");
   }
@@ -58,7 +60,7 @@ EXERCISE_TEST(OntoDisc, TakesInWhatIsJustOutside) {
       expect_near_vector(
           "λ_t = (1 + " + show(beyond) + ") " + show(Eigen::MatrixXd(edge)) + " N s, onto a disc of 5",
           "Eq. (9.4)", onto_disc((1 + beyond) * edge, 5), edge, roundings(16, 5), {},
-          "However little it is outside, it is to be shortened: |λ_t| <= Λ has no slack of its own.");
+          "It is slightly outside and must be shortened: compare |λ_t| <= Λ without a tolerance.");
 }
 
 EXERCISE_TEST(OntoDisc, IsNothingForNoRadius) {
@@ -67,7 +69,7 @@ EXERCISE_TEST(OntoDisc, IsNothingForNoRadius) {
                        onto_disc(lambda, 0), Vec2::Zero(), {0, "exact"}, {},
                        "The disc of radius 0 is a point, also for λ_t = 0, where Λ/|λ_t| is 0/0.");
   expect_near_vector("λ_t = 0, onto a disc of 1 N s", "Eq. (9.4)", onto_disc(Vec2::Zero(), 1), Vec2::Zero(),
-                     {0, "exact"}, {}, "0 has no direction, and needs none: it is inside.");
+                     {0, "exact"}, {}, "0 has no direction and needs none, since it is inside.");
 }
 
 EXERCISE_TEST(OntoDisc, HasNoSizeOfItsOwn) {
@@ -75,17 +77,17 @@ EXERCISE_TEST(OntoDisc, HasNoSizeOfItsOwn) {
     expect_near_vector("λ_t = (3, 4) over " + show(size) + " N s, onto a disc of 2.5", "Eq. (9.4)",
                        Vec2(onto_disc(size * Vec2(3, 4), 2.5 * size) / size), Vec2(1.5, 2), roundings(16, 4),
                        {{Vec2(3, 4),
-                         "So small an impulse has been left outside: there is no size below which "
-                         "Coulomb's law does not hold."}},
-                       "Whatever the unit of λ, the answer is the same.");
+                         "This small impulse has been left outside. Coulomb's law holds for impulses of any "
+                         "size."}},
+                       "The answer is the same in any unit of λ.");
 }
 
 EXERCISE_TEST(OntoDisc, KeepsANaN) {
   const double nan = std::nan("");
   const std::string clue =
       "std::min and std::max drop a NaN, and a comparison with one is false. `if (|λ_t| <= radius) return "
-      "λ_t`, and "
-      "a division after it, keep it.";
+      "λ_t`, "
+      "followed by a division, keeps the NaN.";
   expect_true("λ_t = (NaN, 1) stays a NaN", "Eq. (9.4)", onto_disc(Vec2(nan, 1), 0.5).hasNaN(), clue);
   expect_true("λ_t = (1, NaN) stays a NaN", "Eq. (9.4)", onto_disc(Vec2(1, nan), 0.5).hasNaN(), clue);
   expect_true("λ_t = (NaN, 1) stays a NaN in a disc of 0", "Eq. (9.4)", onto_disc(Vec2(nan, 1), 0).hasNaN(),

@@ -1,5 +1,5 @@
 #pragma once
-// Bodies that rub against each other, with rows as chapter 09 wants them, for its tests.
+// Bodies with friction between them, and rows as in chapter 09, for its tests.
 #include <Eigen/Dense>
 #include <numbers>
 #include <string>
@@ -22,7 +22,7 @@ struct System {
   std::vector<Row<Dof>> rows;
   std::vector<Twist<Dof>> V;
 
-  /// What the row lacks, Eq. (4.6) [m/s].
+  /// The residual of the row, Eq. (4.6) [m/s].
   double lacks(std::size_t k) const {
     const Row<Dof>& row = rows[k];
     return row.B - row.Gi.dot(V[row.i]) - row.Gj.dot(V[row.j]) - row.Sigma * row.lambda;
@@ -33,10 +33,10 @@ struct System {
   Vec2 slip_lacks(const FrictionContact& contact) const {
     return {lacks(contact.normal + 1), lacks(contact.normal + 2)};
   }
-  /// After the step: what was, what the forces add, and what the rows add.
+  /// The velocity after the step: before, plus the forces' part, plus the rows' part.
   Twist<Dof> velocity(std::size_t body) const { return motion.W[body] + motion.Wf[body] + V[body]; }
 
-  /// Sets a row's λ, and keeps V what all λ do.
+  /// Sets a row's λ, and updates V = M⁻¹ Gᵀ λ.
   void begin_with(std::size_t k, double lambda) {
     Row<Dof>& row = rows[k];
     V[row.i] += (lambda - row.lambda) * row.MinvGi;
@@ -89,7 +89,7 @@ inline Contact random_contact(Random& random, int bodies) {
           .r_j = random.vector()};
 }
 
-/// Rigid bodies that move, and no rows yet.
+/// Returns moving rigid bodies without rows.
 inline System<6> random_bodies(Random& random, int bodies) {
   System<6> s;
   for (int k = 0; k < bodies; ++k) {
@@ -107,7 +107,7 @@ inline void add_random_contact(System<6>& s, Random& random, double mu) {
   add_contact(s, contact, t, mu, Sigma, random.uniform(0, 0.1));
 }
 
-/// A row that is no contact's, and holds both ways.
+/// Adds a row of a joint, without bounds.
 inline void add_random_joint(System<6>& s, Random& random) {
   const Contact at = random_contact(random, static_cast<int>(s.V.size()));
   const ContactJacobian G = contact_jacobian(at);

@@ -1,4 +1,4 @@
-// Tangents that follow the sliding, and what they make of the box.
+// Tangents along the slip, and the friction box that they give.
 #include "exercise_test.hpp"
 #include "relative_scales.hpp"
 #include "rubbing.hpp"
@@ -14,14 +14,14 @@ EXERCISE_TEST(SlidingTangents, FollowTheSlipByHand) {
   const Tangents t = sliding_tangents(Vec3::UnitZ(), Vec3(3, 4, 12), 0.1);
   expect_near_vector(
       "t1 for n = (0, 0, 1), u = (3, 4, 12) m/s", "Eq. (9.2)", t.t1, Vec3(0.6, 0.8, 0), roundings(16),
-      {{Vec3(3, 4, 12) / 13, "This is u/|u|. What u has along n is no slip: take it off first."},
-       {Vec3(3, 4, 0) / 13, "The slip has been divided by |u|: by |u_t| it has length 1."},
+      {{Vec3(3, 4, 12) / 13, "This is u/|u|. The component of u along n is not slip: subtract it first."},
+       {Vec3(3, 4, 0) / 13, "The slip has been divided by |u|. Divide by |u_t|, so that it has length 1."},
        {Vec3(3, 4, 0), "This is u_t itself, in m/s: a tangent has length 1."},
        {Vec3(-0.6, -0.8, 0), "This points against the slip. t1 = u_t/|u_t|: the friction row finds the sign."},
        {Vec3(-0.8, 0.6, 0), "This is n × u_t/|u_t|: the second tangent."}});
   expect_near_vector("t2 for n = (0, 0, 1), u = (3, 4, 12) m/s", "Eq. (9.2)", t.t2, Vec3(-0.8, 0.6, 0),
                      roundings(16),
-                     {{Vec3(0.8, -0.6, 0), "The tangents are left-handed: n = t1 × t2 wants t2 = n × t1."},
+                     {{Vec3(0.8, -0.6, 0), "The tangents are left-handed: n = t1 × t2 requires t2 = n × t1."},
                       {Vec3(-4, 3, 0), "A tangent has length 1."}});
 }
 
@@ -29,11 +29,11 @@ EXERCISE_TEST(SlidingTangents, FollowTheSlipByHand) {
 void expect_frame(const std::string& when, const Vec3& n, const Tangents& t, const std::string& clue) {
   Mat3 frame;
   frame << t.t1, t.t2, n;
-  expect_at_most("how far t1, t2 and n are from unit vectors at right angles, " + when, "Eq. (5.1), (9.2)",
+  expect_at_most("deviation of t1, t2 and n from unit vectors at right angles, " + when, "Eq. (5.1), (9.2)",
                  (frame.transpose() * frame - Mat3::Identity()).norm(), roundings(32).value, "32 roundings",
                  clue);
   expect_near_vector("t1 × t2, " + when, "Eq. (5.1)", Vec3(t.t1.cross(t.t2)), n, roundings(32),
-                     {{-n, "The tangents are left-handed: n = t1 × t2 wants t2 = n × t1."}}, clue);
+                     {{-n, "The tangents are left-handed: n = t1 × t2 requires t2 = n × t1."}}, clue);
 }
 
 EXERCISE_TEST(SlidingTangents, FollowAnySlipAcrossAnyNormal) {
@@ -58,17 +58,15 @@ EXERCISE_TEST(SlidingTangents, StayAcrossTheNormalWhenMostOfUIsAlongIt) {
     const Tangents t = sliding_tangents(n, 10 * n + slip * tangents(n).t1, 1e-12);
     expect_frame(
         "u = 10 m/s along n and " + show(slip) + " m/s across it", n, t,
-        "u - n (n·u) is across n to a rounding of u, and that is much of a small slip. Take off once more "
-        "what t1 has along n.");
+        "u - n (n·u) is across n up to a rounding of u, which is large beside a small slip. Subtract the "
+        "component of t1 along n once more.");
   }
 }
 
 EXERCISE_TEST(SlidingTangents, TakeAnyWhereNothingSlides) {
   Random random;
   const std::string clue =
-      "There is no direction in a slip of 0, or of roundings: 0/0. Compare |u_t| with `slow`, and take chapter "
-      "05's "
-      "tangents where it is at most that.";
+      "A slip of 0, or of round-off, has no direction. If |u_t| is at most `slow`, use chapter 05's tangents.";
   // Along the axes, where u - (n·u) n is 0 exactly; and anywhere, where it is roundings. Those may lie along n, too:
   // a `slow` of 0 would say that they have a direction.
   const Vec3 anywhere = random.unit_vector();
@@ -92,8 +90,8 @@ EXERCISE_TEST(SlidingTangents, FollowAsSoonAsItIsNotSlow) {
         "t1 for a slip of " + show(slip) + " m/s, slow = " + show(slow) + " m/s", "Eq. (9.2)",
         sliding_tangents(n, u, slow).t1, across.t1, roundings(32),
         {{tangents(n).t1,
-          "These are chapter 05's tangents, though the slip is more than `slow`. Compare |u_t| with "
-          "`slow` itself: not its square, and no threshold of your own."}});
+          "These are chapter 05's tangents, although the slip is more than `slow`. Compare |u_t| with `slow` "
+          "itself, not with its square or another threshold."}});
   }
 }
 
@@ -130,7 +128,7 @@ EXERCISE_TEST(SlidingTangents, StopABlockAtTheSameDistanceInEveryDirection) {
     }
     const double reach = v0 * v0 / (2 * A);
     expect_near_vector(
-        "where a block stops that slides off at an angle of " + show(angle) +
+        "where a block stops that starts at an angle of " + show(angle) +
             " to chapter 05's t1, in units of v0²/(2μg)",
         "Eq. (9.2), (5.10)", Vec3(x / reach), heading, {1e-9, "roundings of 300 steps"}, {},
         "With t1 along the slip, the box is as strong in every direction: v0²/(2μg), and straight.");

@@ -1,4 +1,4 @@
-// All rows once, each contact with its cone, and how far they still are.
+// One sweep over all rows, each contact with its cone, and the residual.
 #include "cancellation.hpp"
 #include "exercise_test.hpp"
 #include "random_input.hpp"
@@ -35,20 +35,19 @@ EXERCISE_TEST(SweepOnCones, TakesEveryRowInOrderAndTheFrictionOfAContactTogether
         "λ [N s] after one sweep of joint, contact, joint, contact, joint", "Eq. (4.7), (9.6)",
         all_lambda(s.rows), swept(before, {0, 1, -1, 4, 5, -2, 8}), roundings(1000, 5),
         {{all_lambda(before.rows), "No row has changed."},
-         {swept(before, {1, -1, 5, -2}),
-          "Rows that are no contact's have been left out: joints are swept, too."},
+         {swept(before, {1, -1, 5, -2}), "The rows of joints have been left out. Sweep them, too."},
          {swept(before, {0, 1, 4, 5, 8, -1, -2}),
           "Friction came after all other rows. It comes right after its own normal row."},
          {swept(before, {0, 4, 8, 1, -1, 5, -2}), "The joints came first. Rows come in their order."},
          {swept(before, {0, -1, 1, 4, -2, 5, 8}),
-          "Friction came before its normal row, and had the normal impulse of the last sweep."},
+          "Friction came before its normal row, so it used the normal impulse of the last sweep."},
          {swept(before, {0, 1, 2, 3, 4, 5, 6, 7, 8}),
-          "This is chapter 04's sweep: each friction row by itself, with bounds of its own."},
+          "This is chapter 04's sweep, which updates each friction row by itself, with its own bounds."},
          {swept(before, {0, 1, -1, 2, 3, 4, 5, -2, 6, 7, 8}),
-          "The friction rows have been updated twice, together and then each by itself: go on after them."},
+          "The friction rows have been updated twice, together and then separately. Continue behind them."},
          {swept(before, {0, 1, -1, 4, 5, 6, 7, 8}), "Only the first contact has had its cone."},
          {swept(before, {0, 1, 2, 3, -1, 4, 5, 6, 7, -2, 8}),
-          "The friction rows have been updated each by itself, too: only together, on the cone."},
+          "The friction rows have also been updated separately. Update them only together, on the cone."},
          {swept(before, {0, 1, 4, 5, 8}), "The friction rows have not been swept."},
          {swept(before, {8, 5, -2, 4, 1, -1, 0}), "The rows were swept from the last to the first."}},
         "Row by row; at a contact's normal row, the row, then its two friction rows by update_friction, "
@@ -75,7 +74,7 @@ EXERCISE_TEST(SweepOnCones, WithoutMuIsASweepWithoutFriction) {
                      "On ice it is chapter 04's sweep, with friction rows that have bounds of 0.");
 }
 
-// Friction of before, in λ and in V, and a contact on ice, or one that has come apart since.
+// Friction of an earlier step, in λ and in V, at a contact with μ = 0, or at one that has separated since.
 EXERCISE_TEST(SweepOnCones, TakesOldFrictionOff) {
   Random random;
   for (const bool on_ice : {true, false}) {
@@ -84,7 +83,7 @@ EXERCISE_TEST(SweepOnCones, TakesOldFrictionOff) {
     const FrictionContact& contact = s.contacts[1];
     if (on_ice) s.contacts[1].mu = 0;
     Row<6>& normal = s.rows[contact.normal];
-    if (!on_ice) normal.B -= 1000;  // nothing else comes near that: it lets go
+    if (!on_ice) normal.B -= 1000;  // larger than all other terms, so that the contact separates
     const Vec2 old = s.tangential(contact);
     System<6> by_hand = s;
     double largest = 0;
@@ -98,15 +97,15 @@ EXERCISE_TEST(SweepOnCones, TakesOldFrictionOff) {
     }
     const double got = sweep_on_cones(s.contacts, s.rows, s.V);
     const std::string where = on_ice ? "with μ = 0" : "that has come apart";
-    const std::string stays = "The friction of before stays at a contact " + where +
-                              ": update_friction takes it off, and is called for every contact.";
+    const std::string stays = "The old friction stays at a contact " + where +
+                              ": call update_friction, which removes it, for every contact.";
     expect_near_vector("λ_t of a contact " + where + ", a sweep after it was " + show(old) + " [N s]",
                        "Eq. (9.3), (9.6)", s.tangential(contact), Vec2::Zero(), {0, "exact"}, {{old, stays}},
                        "A cone of radius 0 is a point.");
     expect_near_vector("V after it", "Eq. (4.5)", all_V(s.V), V_of_lambda(s.rows, s.V.size()),
-                       roundings(1e4, 10 + normal.lambda), {}, "What λ_t was has to leave V, too.");
+                       roundings(1e4, 10 + normal.lambda), {}, "Remove the old λ_t from V, too.");
     expect_near("what the sweep returned [m/s]", "Eq. (9.6), (4.9)", got, largest, roundings(1e4, largest), {},
-                "What friction lost counts, too.");
+                "The change of friction counts, too.");
   }
 }
 
@@ -141,7 +140,7 @@ EXERCISE_TEST(SweepOnCones, ReturnsTheLargestChange) {
   for (int trial = 0; trial < 20 && !::testing::Test::HasFailure(); ++trial) {
     System<6> s = random_system(random, 3, 2, 1);
     for (const FrictionContact& contact : s.contacts) s.begin_with(contact.normal, 1);
-    // One of the three shall lack most: a normal row, a pair of friction rows, or the last joint.
+    // One of three has the largest residual: a normal row, a pair of friction rows, or the last joint.
     const std::size_t most = std::vector<std::size_t>{1, 6, 8}[static_cast<std::size_t>(trial % 3)];
     s.rows[most].B += 20;
     const System<6> before = s;
@@ -188,9 +187,7 @@ System<6> system_with_bounds(Random& random, int contacts) {
 }
 
 const std::string any_row =
-    "Every row that is no contact's goes by Eq. (4.7), with its own bounds: also one that begins at a bound, "
-    "at "
-    "either, and leaves it.";
+    "Update every joint's row by Eq. (4.7), with its own bounds, also if it begins at a bound and leaves it.";
 
 EXERCISE_TEST(SweepOnCones, TakesAnyBoundsOfTheOtherRows) {
   Random random;
@@ -230,8 +227,7 @@ EXERCISE_TEST(SweepOnCones, OfNothingIsZeroAndOfNaNIsNaN) {
     expect_true(
         "a sweep with a NaN in row " + std::to_string(broken) + " of 9 returns NaN", "Eq. (4.9)",
         std::isnan(sweep_on_cones(s.contacts, s.rows, s.V)),
-        "A NaN went in and did not come out. std::max(a, NaN) is a; and once the largest is NaN, no later row "
-        "may replace it.");
+        "The NaN was lost. std::max(a, NaN) is a. Once the maximum is NaN, no later row may replace it.");
   }
 }
 
@@ -252,7 +248,7 @@ EXERCISE_TEST(SweepOnCones, ContractsASlidingRodAtItsRate) {
     }
 }
 
-/// A system at a solution that is known because it was there first: λ, sticking, sliding, or off, and B to it.
+/// A system with a known solution: λ is chosen first, sticking, sliding, or 0, and B is computed from it.
 System<6> solved_system(Random& random) {
   System<6> s = random_system(random, 4, 4, 1);
   std::vector<double> lacking(s.rows.size(), 0);
@@ -263,7 +259,7 @@ System<6> solved_system(Random& random) {
     const double share = c == 1 ? random.uniform(0.1, 0.9) : 1;  // contact 1 sticks, 2 and 3 slide
     const double slip = c == 1 ? 0 : random.uniform(0.1, 2);
     s.begin_with(contact.normal, press);
-    for (const std::size_t k : {contact.normal + 1, contact.normal + 2}) {  // for those who look at them
+    for (const std::size_t k : {contact.normal + 1, contact.normal + 2}) {  // for answers that use them
       s.rows[k].lo = -0.01;
       s.rows[k].hi = 0.01;
     }
@@ -288,15 +284,16 @@ EXERCISE_TEST(ResidualOnCones, IsZeroWhereCoulombsLawHolds) {
         "residual of joints and contacts of which one is off, one sticks and two slide [m/s]", "Eq. (9.7)",
         residual_on_cones(s.contacts, s.rows, s.V), 0, roundings(3000, 5),
         {{unprojected,
-          "This is the largest |r|. A contact that rightly slides has r_t along λ_t, and one that comes "
-          "apart r < 0."},
+          "This is the largest |r|. At a solution a sliding contact has r_t along λ_t, and a separating one r "
+          "< "
+          "0."},
          {residual(s.rows, s.V),
           "This is Eq. (4.8) for all rows, with the friction rows' own bounds. On the cone it is Eq. (9.7)."}},
         "Nothing would change: zero.");
   }
 }
 
-// Friction of before, and a contact that does not press now, or one on ice: λ_t will go to 0.
+// Old friction at a contact with λ_n = 0, or with μ = 0: λ_t will go to 0.
 EXERCISE_TEST(ResidualOnCones, CountsOldFriction) {
   for (const auto& [press, mu] : {std::pair(0.0, 0.5), std::pair(2.0, 0.0)}) {
     System<3> s = points_on_a_slope(2, 0.3, 0.5, 0, 0.1);
@@ -318,10 +315,11 @@ EXERCISE_TEST(ResidualOnCones, CountsOldFriction) {
         "residual of two contacts, of which one has λ_t of 50 N s, λ_n = " + show(press) +
             " N s and μ = " + show(mu) + " [m/s]",
         "Eq. (9.7)", residual_on_cones(s.contacts, s.rows, s.V), 50 * s_of_pair, roundings(1000, 100),
-        {{others, press == 0 ? "The friction of a contact that does not press (λ_n = 0) has been left out. "
-                               "Its next update takes all of λ_t away, and that is what it lacks."
-                             : "The friction of a contact with μ = 0 has been left out. Its next update takes "
-                               "all of λ_t away, and that is what it lacks."}},
+        {{others, press == 0
+                      ? "The friction of a contact with λ_n = 0 has been left out. Its next update "
+                        "removes all of λ_t, so this counts."
+                      : "The friction of a contact with μ = 0 has been left out. Its next update removes "
+                        "all of λ_t, so this counts."}},
         "s |Δλ_t|, with a cone of radius 0: all of λ_t.");
   }
 }
@@ -331,7 +329,7 @@ EXERCISE_TEST(ResidualOnCones, IsWhatEachUpdateByItselfWouldChange) {
   for (int trial = 0; trial < 20 && !::testing::Test::HasFailure(); ++trial) {
     System<6> s = random_system(random, 4, 3, 1);
     for (std::size_t k = 0; k < s.rows.size(); ++k) s.begin_with(k, random.uniform(0.2, 0.6));
-    // One of these shall lack most.
+    // One of these has the largest residual.
     s.rows[std::vector<std::size_t>{5, 10, 12}[static_cast<std::size_t>(trial % 3)]].B += 20;
     double rows = 0, pairs = 0, components = 0, impulse = 0, pairs_of_next = 0;
     std::size_t contact = 0;
@@ -358,27 +356,30 @@ EXERCISE_TEST(ResidualOnCones, IsWhatEachUpdateByItselfWouldChange) {
         "residual of three contacts and four joints' rows [m/s]", "Eq. (9.7)",
         residual_on_cones(s.contacts, s.rows, s.V), std::max(rows, pairs), roundings(1000, 30),
         {{std::max(rows, components),
-          "Friction is missing, or of a pair one component was taken: its length counts, s |Δλ_t|."},
+          "Friction is missing, or only one component of a pair is used. The length counts, s |Δλ_t|."},
          {rows, "Friction is missing: s |Δλ_t| of each pair counts, too."},
          {std::max(rows, pairs_of_next),
-          "Here a pair's limit is μ times the λ_n that its normal row's update would give. It is that of now."},
+          "This uses the λ_n after an update of the normal row. A pair's limit is μ times the present λ_n."},
          {pairs, "The rows that are no friction rows are missing: Eq. (4.8)."},
          {impulse, "This is the largest |Δλ|, an impulse. Times S_kk, or s, it is a velocity."},
          {next_sweep,
-          "This is what the next sweep returns: there a row sees what those before it have just done. Here "
-          "each is compared with this λ and this V."}},
-        "Each row, or pair, against the same λ and V; nothing is scattered; the largest counts.");
+          "This is the value that the next sweep returns, where each row uses the updates before it. For the "
+          "residual compare all rows with the same λ and V."}},
+        "Compare each row, or pair, with the same λ and V. Do not scatter, and return the largest.");
   }
 }
 
 EXERCISE_TEST(ResidualOnCones, TakesAnyBoundsOfTheOtherRows) {
   Random random;
-  // Whatever an answer leaves out, it misses nothing else as much as the row that lacks most.
-  Regions regions(
-      {"the row that lacks most is between its bounds", "the row that lacks most is at its lower bound",
-       "the row that lacks most is at its upper bound", "the row that lacks most is out of its bounds",
-       "the row that lacks most goes to a lower bound above 0", "friction lacks most",
-       "of a hundred rows one of the last lacks most"});
+  // The row with the largest residual is of each kind in turn, so an answer that leaves out a kind is noticed.
+  Regions regions({"the row with the largest residual is between its bounds",
+                   "the row with the largest residual is at its "
+                   "lower bound",
+                   "the row with the largest residual is at its upper bound",
+                   "the row with the largest residual is out of "
+                   "its bounds",
+                   "the row with the largest residual goes to a lower bound above 0", "friction lacks most",
+                   "of a hundred rows one of the last has the largest residual"});
   while (regions.lack_draws()) {
     const System<6> s = system_with_bounds(random, random.integer(0, 3) ? 3 : many / 4);
     double of_first = 0;
@@ -398,15 +399,16 @@ EXERCISE_TEST(ResidualOnCones, TakesAnyBoundsOfTheOtherRows) {
     }
     const bool is_row = rows > pairs;
     const double at = most.lambda;
-    regions.draw({{"the row that lacks most is between its bounds", is_row && most.lo < at && at < most.hi},
-                  {"the row that lacks most is at its lower bound", is_row && at == most.lo},
-                  {"the row that lacks most is at its upper bound", is_row && at == most.hi},
-                  {"the row that lacks most is out of its bounds", is_row && (at < most.lo || at > most.hi)},
-                  {"the row that lacks most goes to a lower bound above 0",
-                   is_row && most.lo > 0 && next_of_most == most.lo},
-                  {"friction lacks most", !is_row},
-                  {"of a hundred rows one of the last lacks most",
-                   s.rows.size() > many && of_first < std::max(rows, pairs)}});
+    regions.draw(
+        {{"the row with the largest residual is between its bounds", is_row && most.lo < at && at < most.hi},
+         {"the row with the largest residual is at its lower bound", is_row && at == most.lo},
+         {"the row with the largest residual is at its upper bound", is_row && at == most.hi},
+         {"the row with the largest residual is out of its bounds", is_row && (at < most.lo || at > most.hi)},
+         {"the row with the largest residual goes to a lower bound above 0",
+          is_row && most.lo > 0 && next_of_most == most.lo},
+         {"friction lacks most", !is_row},
+         {"of a hundred rows one of the last has the largest residual",
+          s.rows.size() > many && of_first < std::max(rows, pairs)}});
     expect_near("residual of " + std::to_string(s.contacts.size()) +
                     " contacts and rows with bounds of all kinds between them [m/s]",
                 "Eq. (4.8), (9.7)", residual_on_cones(s.contacts, s.rows, s.V), std::max(rows, pairs),
@@ -447,9 +449,9 @@ EXERCISE_TEST(ResidualOnCones, SeesFrictionThatHasTheWrongDirection) {
                 "Eq. (9.7)", residual_on_cones(s.contacts, s.rows, s.V),
                 limit * (direction - Vec2(-1, 0)).norm(), roundings(32, 10),
                 {{0,
-                  "Full strength is not enough: it is the difference of two vectors that counts, not of their "
+                  "The length μ λ_n is not enough: take the difference of the two vectors, not of their "
                   "lengths."}},
-                "s = 1/kg times the distance to full strength against the slip.");
+                "s = 1/kg times the distance to μ λ_n against the slip.");
   }
 }
 
@@ -463,8 +465,7 @@ EXERCISE_TEST(ResidualOnCones, OfNothingIsZeroAndOfNaNIsNaN) {
     expect_true(
         "a NaN in row " + std::to_string(broken) + " of 9 makes the residual NaN", "Eq. (9.7)",
         std::isnan(residual_on_cones(s.contacts, s.rows, s.V)),
-        "A NaN went in and did not come out. std::max(a, NaN) is a; and once the largest is NaN, no later row "
-        "may replace it.");
+        "The NaN was lost. std::max(a, NaN) is a. Once the maximum is NaN, no later row may replace it.");
   }
 }
 

@@ -1,4 +1,4 @@
-// Limits from what presses: set, and used in two passes.
+// Friction limits from normal impulses: set, and used in two passes.
 #include "exercise_test.hpp"
 #include "random_input.hpp"
 #include "rubbing.hpp"
@@ -22,11 +22,11 @@ EXERCISE_TEST(LimitFriction, IsMuTimesWhatPresses) {
   limit_friction(s.contacts, s.rows);
   for (const std::size_t k : {1u, 2u}) {
     const std::string row = " of the row along t" + std::to_string(k) + ", μ = 0.25, λ_n = 8 N s [N s]";
-    const std::string untouched = "It still has the bound of before: both friction rows get new ones.";
+    const std::string untouched = "It still has the old bound. Set new bounds in both friction rows.";
     expect_near("upper bound" + row, "Eq. (9.1)", s.rows[k].hi, 2, roundings(2, 2),
                 {{77, untouched},
                  {8, "μ is missing."},
-                 {1, "Each row gets all of μ λ_n: it is not shared between t1 and t2."},
+                 {1, "Each row gets all of μ λ_n. Do not divide it between t1 and t2."},
                  {2 / std::numbers::sqrt2, "Each row gets all of μ λ_n. (This box would fit into the disc.)"},
                  {32, "This is λ_n/μ."}});
     expect_near("lower bound" + row, "Eq. (9.1)", s.rows[k].lo, -2, roundings(2, 2),
@@ -50,13 +50,15 @@ EXERCISE_TEST(LimitFriction, TakesEachContactsOwnNormalAndMu) {
         const std::string row = "row " + std::to_string(k) + ", of " + std::to_string(contacts) + " contacts";
         expect_near(
             "upper bound of " + row + " [N s]", "Eq. (9.1)", s.rows[k].hi, expected, roundings(4, 3),
-            {{77, "It still has the bound of before. " + ends_early},
-             {s.contacts[0].mu * press, "This has the μ of the first contact. Each has its own."},
-             {contact.mu * before[0].lambda, "This has row 0's λ. Each contact says where its normal row is."}},
+            {{77, "It still has the old bound. " + ends_early},
+             {s.contacts[0].mu * press, "This uses the μ of the first contact. Each contact has its own."},
+             {contact.mu * before[0].lambda,
+              "This uses row 0's λ. contact.normal is the index of the normal "
+              "row."}},
             "μ of this contact times λ of its own normal row, rows[contact.normal]. Other rows may stand "
             "between.");
         expect_near("lower bound of " + row + " [N s]", "Eq. (9.1)", s.rows[k].lo, -expected, roundings(4, 3),
-                    {{-77, "It still has the bound of before. " + ends_early}}, "Minus the upper one.");
+                    {{-77, "It still has the old bound. " + ends_early}}, "Minus the upper one.");
         if (::testing::Test::HasFailure()) return;
       }
   }
@@ -71,7 +73,7 @@ EXERCISE_TEST(LimitFriction, ReplacesOldBounds) {
     }
     s.rows[0].lambda = 4;
     limit_friction(s.contacts, s.rows);
-    const std::string clue = "What the bounds were does not count: they may become wider, and narrower.";
+    const std::string clue = "The old bounds do not matter: the new ones may be wider or narrower.";
     expect_near("upper bound, ±" + show(old) + " before, μ = 0.5, λ_n = 4 N s [N s]", "Eq. (9.1)", s.rows[1].hi,
                 2, roundings(2, 2), {{old, clue}}, clue);
     expect_near("lower bound, ±" + show(old) + " before, μ = 0.5, λ_n = 4 N s [N s]", "Eq. (9.1)", s.rows[2].lo,
@@ -85,9 +87,9 @@ EXERCISE_TEST(LimitFriction, LeavesNothingToWhatDoesNotPress) {
     s.rows[0].lambda = press;
     limit_friction(s.contacts, s.rows);
     expect_near("upper bound for μ = " + show(mu) + ", λ_n = " + show(press) + " N s [N s]", "Eq. (9.1)",
-                s.rows[2].hi, 0, {0, "exact"}, {}, "Ice, or no contact: no friction.");
+                s.rows[2].hi, 0, {0, "exact"}, {}, "With μ = 0, or λ_n = 0, there is no friction.");
     expect_near("lower bound for μ = " + show(mu) + ", λ_n = " + show(press) + " N s [N s]", "Eq. (9.1)",
-                s.rows[2].lo, 0, {0, "exact"}, {}, "Ice, or no contact: no friction.");
+                s.rows[2].lo, 0, {0, "exact"}, {}, "With μ = 0, or λ_n = 0, there is no friction.");
   }
 }
 
@@ -98,14 +100,14 @@ EXERCISE_TEST(LimitFriction, KeepsANaN) {
   s.rows[s.contacts[1].normal].lambda = nan;
   limit_friction(s.contacts, s.rows);
   for (const std::size_t k : {s.contacts[1].normal + 1, s.contacts[1].normal + 2})
-    expect_true(
-        "bounds of row " + std::to_string(k) + " where λ_n is NaN: here from " + show(s.rows[k].lo) + " to " +
-            show(s.rows[k].hi) + " N s, and to be NaN",
-        "Eq. (9.1)", std::isnan(s.rows[k].lo) && std::isnan(s.rows[k].hi),
-        "A NaN went in and did not come out: std::max(0.0, NaN) is 0, and a comparison with NaN is false. "
-        "Where something is wrong, friction would quietly be none.");
+    expect_true("bounds of row " + std::to_string(k) + " where λ_n is NaN: here from " + show(s.rows[k].lo) +
+                    " to " + show(s.rows[k].hi) + " N s, and to be NaN",
+                "Eq. (9.1)", std::isnan(s.rows[k].lo) && std::isnan(s.rows[k].hi),
+                "The NaN was lost: std::max(0.0, NaN) is 0, and a comparison with NaN is false. An error would "
+                "silently "
+                "remove the friction.");
   expect_near("upper bound beside it, μ = 0.5, λ_n = 4 N s [N s]", "Eq. (9.1)",
-              s.rows[s.contacts[0].normal + 1].hi, 2, roundings(2, 2), {}, "The other contact is sound.");
+              s.rows[s.contacts[0].normal + 1].hi, 2, roundings(2, 2), {}, "The other contact has no NaN.");
 }
 
 EXERCISE_TEST(LimitFriction, ChangesNothingElse) {
@@ -117,7 +119,7 @@ EXERCISE_TEST(LimitFriction, ChangesNothingElse) {
   for (std::size_t k = 0; k < before.size(); ++k)
     expect_near("λ of row " + std::to_string(k) + " [N s]", "Eq. (9.1)", s.rows[k].lambda, before[k].lambda,
                 {0, "untouched"}, {},
-                "A λ outside its new bounds stays where it is: its next update takes it in, and V with it.");
+                "Do not change a λ outside its new bounds. Its next update projects it, and corrects V.");
   for (std::size_t k = 0; k < before.size(); k += 4)  // the joint, and with it the normal row after it
     for (std::size_t other = k; other < std::min(k + 2, before.size()); ++other)
       expect_true("row " + std::to_string(other) + ", no friction row, has the bounds it had", "Eq. (9.1)",
@@ -150,21 +152,20 @@ EXERCISE_TEST(TwoPassSolve, HoldsAStackFromTanThetaOn) {
       if (times > 1)
         expect_at_most("speed of the fastest of " + stack + ", μ = 1.001 tan θ [m/s]", "Eq. (9.1)", fastest,
                        1e-10, "0: they stick; the tolerance, 1e-13, times the condition of their S",
-                       "The lowest contact carries them all, and its limit is μ times that. Is the limit of "
-                       "another time, or another contact?");
+                       "The lowest contact carries them all, and its limit is μ times that impulse. Does the "
+                       "limit belong to another time, or to another contact?");
       else
-        expect_near(
-            "speed of the slowest of " + stack + ", μ = 0.9 tan θ [m/s]", "Eq. (9.1)", slowest,
-            0.1 * h * g * std::sin(slope), {1e-10, "the tolerance times the condition of their S"},
-            {{0, "It sticks, though μ λ_n is not enough: is the friction bounded at all?"},
-             {h * g * std::sin(slope), "There is no friction in this: did the second pass have its limits?"}},
-            "It slides with h (g sin θ - μ g cos θ).");
+        expect_near("speed of the slowest of " + stack + ", μ = 0.9 tan θ [m/s]", "Eq. (9.1)", slowest,
+                    0.1 * h * g * std::sin(slope), {1e-10, "the tolerance times the condition of their S"},
+                    {{0, "It sticks, although μ λ_n is too small. Is the friction bounded?"},
+                     {h * g * std::sin(slope), "There is no friction. Did the second pass use the limits?"}},
+                    "It slides with h (g sin θ - μ g cos θ).");
     }
   }
 }
 
-// Each of two walls presses with an impulse P in a step. Along the walls' normals gravity is nothing: chapter 05's box
-// would let the block fall.
+// Each of two walls presses with an impulse P in a step. Gravity has no component along the walls' normals, so with
+// chapter 05's box the block would fall.
 EXERCISE_TEST(TwoPassSolve, HoldsABlockBetweenTwoWalls) {
   const double h = 0.01, P = 0.3, Sigma = 0.5;
   for (const double times : {1.001, 0.8}) {
@@ -183,7 +184,7 @@ EXERCISE_TEST(TwoPassSolve, HoldsABlockBetweenTwoWalls) {
         "velocity of a block of 1 kg between two walls, upwards, μ = " + show(times) + " h g/(2P) [m/s]",
         "Eq. (9.1)", s.velocity(1).z(), std::min(0.0, (times - 1) * h * g), {1e-12, "the tolerance"},
         {{-h * g, "It falls freely: friction ignores the wall forces."}},
-        "Two contacts hold 2 μ P. The limit comes from what presses, and not from gravity.");
+        "Two contacts hold 2 μ P. The limit comes from the normal impulse, not from gravity.");
   }
 }
 
@@ -200,7 +201,7 @@ EXERCISE_TEST(TwoPassSolve, LimitsFrictionByThePressureWithoutIt) {
         "This is Coulomb's cone, with the normal impulse at the end. The two-pass limit is μ times "
         "the normal impulse of the first pass, without friction."},
        {0, "There is no friction. Its bounds come from the first pass, and then a second one uses them."},
-       {-slip / (1 + 3 * 0.8), "There is no limit in this: it stops the slip."}},
+       {-slip / (1 + 3 * 0.8), "This has no limit: it stops the slip."}},
       "Limits are set once, after the first pass, from its normal impulses.");
   expect_near("what then presses [N s]", "Eq. (9.1)", s.rows[0].lambda, without * (1 - mu * rod_Knx / rod_Knn),
               roundings(64),
@@ -216,7 +217,7 @@ enum class Start {
   friction_left_on_ice
 };
 
-/// Makes the two passes step by step, and returns the number of sweeps of the first.
+/// Performs the two passes. Returns the number of sweeps of the first.
 template <int Dof>
 std::size_t by_hand(System<Dof>& s, const StopRule& stop, std::vector<double>* history = nullptr,
                     Start start = Start::right) {
@@ -265,20 +266,19 @@ EXERCISE_TEST(TwoPassSolve, IsTwoSolvesOneAfterTheOther) {
     const SolveReport report = two_pass_solve(s.contacts, s.rows, s.V, stop);
     std::vector<double> history;
     const std::size_t first_pass = by_hand(expected, stop, &history);
-    // Where all begin at 0 these mistakes make no difference.
+    // If all λ begin at 0, these mistakes have no effect.
     if (warm)
       expect_near_vector("λ after two passes [N s]", "Eq. (9.1)", all_lambda(s.rows), all_lambda(expected.rows),
                          roundings(1e4, 5),
                          {{with(Start::all_rows_at_0),
-                           "All rows began at 0. Only the friction rows do: all other rows keep theirs, the λ "
-                           "that they bring."},
+                           "All rows began at 0. Only the friction rows do: all other rows keep their λ on "
+                           "entry."},
                           {with(Start::friction_left_to_its_bounds),
-                           "The old friction was left to its bounds of 0, so that the first rows of the first "
-                           "sweep still saw it: "
-                           "their λ is 0 before it."},
+                           "The old friction was removed only by its bounds of 0, so the first rows of the "
+                           "sweep still used it. Set λ to 0 before the sweep."},
                           {with(Start::friction_left_in_V),
-                           "The old friction has left λ, but not V: A λ that is set to 0 must leave V, too."}},
-                         contacts == many ? ends_early : "Friction rows off; solve; limits; solve.");
+                           "The old friction was removed from λ, but not from V. Subtract it from V, too."}},
+                         contacts == many ? ends_early : "Set friction to 0; solve; set limits; solve.");
     const std::size_t entries = report.history.size();
     expect_true("two passes leave " + std::to_string(history.size()) + " entries in the history, and not " +
                     std::to_string(entries),
@@ -289,11 +289,12 @@ EXERCISE_TEST(TwoPassSolve, IsTwoSolvesOneAfterTheOther) {
       expect_near("entry " + std::to_string(k) + " of the history [m/s]", "Eq. (9.1), (4.9)", report.history[k],
                   history[k], roundings(1e4, 1 + history[k]), {},
                   k < first_pass
-                      ? "It is of the first pass, which is solve() with friction rows that may do nothing."
+                      ? "It is of the first pass, which is solve() with bounds of 0 for friction rows."
                       : "It is of the second pass, which goes on where the first ended: λ and V stay.");
-    expect_near_vector("λ after two passes [N s]", "Eq. (9.1)", all_lambda(s.rows), all_lambda(expected.rows),
-                       roundings(1e4, 5), {},
-                       "Friction rows off; solve; limits; solve. Joints and normal rows are in both passes.");
+    expect_near_vector(
+        "λ after two passes [N s]", "Eq. (9.1)", all_lambda(s.rows), all_lambda(expected.rows),
+        roundings(1e4, 5), {},
+        "Set friction to 0; solve; set limits; solve. Joints and normal rows are in both passes.");
   }
 }
 
@@ -305,12 +306,12 @@ EXERCISE_TEST(TwoPassSolve, TakesOldFrictionOutOfTheVelocitiesToo) {
     two_pass_solve(s.contacts, s.rows, s.V, {.max_sweeps = 5, .tolerance = 0});
     expect_near_vector("V, when friction rows brought in impulses of their own", "Eq. (4.5)", all_V(s.V),
                        V_of_lambda(s.rows, s.V.size()), roundings(1000, 20), {},
-                       "V is M⁻¹ Gᵀ λ at all times. A λ that is set to 0 must leave V, too: apply_impulse(row, "
-                       "-row.lambda, V) first.");
+                       "V is M⁻¹ Gᵀ λ at all times. Before you set a λ to 0, remove it from V: "
+                       "apply_impulse(row, -row.lambda, V).");
   }
 }
 
-// Ice on one of two contacts, and old friction on both: both conditions at once.
+// μ = 0 at one of two contacts, and old friction at both.
 EXERCISE_TEST(TwoPassSolve, TakesOldFrictionOffIceToo) {
   Random random;
   for (int trial = 0; trial < 10 && !::testing::Test::HasFailure(); ++trial) {
@@ -324,16 +325,15 @@ EXERCISE_TEST(TwoPassSolve, TakesOldFrictionOffIceToo) {
     by_hand(expected, stop);
     by_hand(kept, stop, nullptr, Start::friction_left_on_ice);
     two_pass_solve(s.contacts, s.rows, s.V, stop);
-    const std::string stays =
-        "The friction that the rows brought stays where μ = 0: it is taken out of λ and V at every contact.";
+    const std::string stays = "The old friction stays where μ = 0. Remove it from λ and V at every contact.";
     expect_near_vector("λ_t of a contact with μ = 0, two passes after it was " + show(old) + " [N s]",
                        "Eq. (9.1)", s.tangential(s.contacts[ice]), Vec2::Zero(), {0, "exact"},
                        {{old, stays}, {kept.tangential(s.contacts[ice]), stays}},
-                       "On ice there is no friction, whatever the rows brought.");
+                       "With μ = 0 there is no friction, for any λ on entry.");
     expect_near_vector("λ after two passes, μ = 0 at one of two contacts [N s]", "Eq. (9.1)",
                        all_lambda(s.rows), all_lambda(expected.rows), roundings(1e4, 5),
                        {{all_lambda(kept.rows), stays}},
-                       "Friction rows off, those on ice as well; solve; limits; solve.");
+                       "Set friction to 0, also at μ = 0; solve; set limits; solve.");
   }
 }
 
@@ -341,9 +341,10 @@ EXERCISE_TEST(TwoPassSolve, TakesOldFrictionOffIceToo) {
 EXERCISE_TEST(TwoPassSolve, HasConvergedWhenTheSecondPassHas) {
   System<6> s = leaning_rod(2, -0.01, 0.5);
   const SolveReport report = two_pass_solve(s.contacts, s.rows, s.V, {.max_sweeps = 3, .tolerance = 1e-12});
-  expect_true("a first pass that converged in 2 sweeps and a second that did not in 3 have not converged",
-              "Eq. (4.9)", !report.converged && report.history.size() == 5,
-              "`converged` is about the answer, and that is the second pass's; and each pass stops by itself.");
+  expect_true(
+      "a first pass that converged in 2 sweeps and a second that did not in 3 have not converged", "Eq. (4.9)",
+      !report.converged && report.history.size() == 5,
+      "`converged` belongs to the second pass, whose result is the answer. Each pass has its own stop.");
 
   // A stack is solved at a rate; what 60 sweeps leave is above the tolerance, what 120 leave below it.
   System<3> stack = points_on_a_slope(5, 0.2, 0, 0, 0.01);
@@ -355,7 +356,7 @@ EXERCISE_TEST(TwoPassSolve, HasConvergedWhenTheSecondPassHas) {
       two_pass_solve(stack.contacts, stack.rows, stack.V, {.max_sweeps = 60, .tolerance = tolerance});
   expect_true("a first pass that did not converge and a second that did have converged", "Eq. (4.9)",
               later.converged && later.history.size() < 120,
-              "The second pass goes on where the first ended, and what counts is what is left at its end.");
+              "The second pass goes on where the first ended, and only its own end decides `converged`.");
 }
 
 EXERCISE_TEST(TwoPassSolve, RefusesABadStopRule) {
@@ -365,7 +366,9 @@ EXERCISE_TEST(TwoPassSolve, RefusesABadStopRule) {
     apply_impulse(s.rows[k], s.rows[k].lambda, s.V);
   }
   const auto state = state_of(s.rows, s.V);
-  const std::string late = "Look at the rule yourself: when solve throws, the friction rows have been touched.";
+  const std::string late =
+      "Check the rule first: when solve throws, the friction rows have been changed "
+      "already.";
   expect_rejects(
       "a rule of no sweeps", "max_sweeps",
       [&] { two_pass_solve(s.contacts, s.rows, s.V, {.max_sweeps = 0, .tolerance = 0}); }, late, state);

@@ -1,4 +1,4 @@
-// Two friction rows brought up to date together: by hand, against bisection, and whichever the tangents are.
+// The common update of two friction rows: by hand, compared with bisection, and for any tangents.
 #include "exercise_test.hpp"
 #include "regions.hpp"
 #include "rubbing.hpp"
@@ -10,8 +10,8 @@ namespace {
 
 EXERCISE(UpdateFriction, "9.5 update_friction");
 
-// A floor and a body whose tangential S is ((4, 1), (1, 2))/kg: Γ = 1/kg and G M⁻¹ Gᵀ = ((3, 1), (1, 1))/kg. Eq.
-// (9.5) gives s = 3 + √2. The numbers of B are what the two rows lack at λ = 0.
+// A floor and a body whose tangential S is ((4, 1), (1, 2))/kg: Γ = 1/kg and G M⁻¹ Gᵀ = ((3, 1), (1, 1))/kg. Eq. (9.5)
+// gives s = 3 + √2. B is the residual of the two rows at λ = 0.
 System<3> by_hand(const Vec2& B, double press, double mu) {
   System<3> s;
   add_body<3>(s, {});
@@ -47,13 +47,12 @@ EXERCISE_TEST(UpdateFriction, DividesByTheStiffestDirection) {
       "λ_t [N s] from 0, of rows that lack (7, -3) m/s, S = ((4, 1), (1, 2))/kg, far inside the cone",
       "Eq. (9.5), (9.6)", s.tangential(s.contacts[0]), Vec2(B / s_right), roundings(16, 3),
       {{Vec2(7.0 / 4, -3.0 / 2),
-        "Each row has been divided by its own diagonal. Both by one number, s: else the update turns what they "
-        "lack, "
-        "and the disc is no longer the one it is for."},
+        "Each row has been divided by its own diagonal. Divide both by s, or the update changes the direction "
+        "of the residual."},
        {Vec2(7.0 / 4, -3.0 / 2 - 7.0 / 8),
         "These are two updates of Eq. (4.7), one after the other. The two rows go together."},
        {Vec2(7 / s_right, (-3 - 7 / s_right) / s_right),
-        "The second row has seen what the first one did. Compute what both lack first, and then change both."},
+        "The second row used the update of the first. Compute both residuals first, and then change both."},
        {Vec2(B / (3 - root)), "The sign of the root: this is the softest direction, and the step overshoots."},
        {Vec2(B / 3), "This is the mean of S11 and S22. Along the stiffest direction that is too long a step."},
        {Vec2(B / 4),
@@ -62,8 +61,8 @@ EXERCISE_TEST(UpdateFriction, DividesByTheStiffestDirection) {
        {Vec2(B / (3 + std::sqrt(5.0))), "Under the root: half the difference of S11 and S22, squared."},
        {Vec2(B / (2 + root)), "Γ is missing in the diagonals: row.diagonal has it."},
        {Vec2(B / 5), "This is S11 + S12, or a sum like it. Eq. (9.5) has a root."},
-       {Vec2(-B / s_right), "The sign: what the rows lack is made up for by a change of the same sign."},
-       {Vec2(0.01, -0.01), "The rows' bounds `lo` and `hi` have been kept: here the cone takes their place."},
+       {Vec2(-B / s_right), "The sign: a positive residual needs a positive change."},
+       {Vec2(0.01, -0.01), "This uses the rows' bounds `lo` and `hi`. Here the cone replaces them."},
        {Vec2(0, 0), "No λ has been stored."}},
       "λ_t + r_t/s, with s = (S11 + S22)/2 + √(((S11 - S22)/2)² + S12²) = 3 + √2.");
   expect_near("what it returns [m/s]", "Eq. (9.6)", got, B.norm(), roundings(32, 8),
@@ -106,16 +105,16 @@ EXERCISE_TEST(UpdateFriction, KeepsTheConeOfTheNormalImpulseOfNow) {
   expect_near_vector(
       "λ_t [N s] of rows that lack (30, -40) m/s, μ = 0.25, λ_n = 2 N s", "Eq. (9.3), (9.6)",
       s.tangential(s.contacts[0]), Vec2(0.3, -0.4), roundings(16),
-      {{Vec2(30, -40) / stiffest, "The cone has not been kept: |λ_t| <= μ λ_n."},
+      {{Vec2(30, -40) / stiffest, "λ_t is outside the cone: |λ_t| <= μ λ_n."},
        {Vec2(0.5, -0.5), "This is a box of ±μ λ_n. The disc shortens both components alike."},
        {Vec2(1.2, -1.6), "μ is missing: the radius is μ λ_n."},
-       {Vec2(0.01, -0.01), "The rows' bounds `lo` and `hi` have been kept: here μ λ_n takes their place."},
+       {Vec2(0.01, -0.01), "This uses the rows' bounds `lo` and `hi`. Here μ λ_n replaces them."},
        {Vec2(0.006, -0.008), "The radius is μ λ_n, not a row's `hi`."},
        {Vec2(0.15, -0.2),
         "The radius is μ λ_n, with the μ of `contact`: not its square, and not half of it."}});
   expect_near("what it returns: s |Δλ_t| with |Δλ_t| = 0.5 N s [m/s]", "Eq. (9.6)", got, 0.5 * stiffest,
               roundings(32, 3),
-              {{50, "This is what was lacking before the projection. Return the change that was made."}});
+              {{50, "This is the residual before the projection. Return the change after it."}});
 }
 
 EXERCISE_TEST(UpdateFriction, LetsGoWhereNothingPresses) {
@@ -129,13 +128,12 @@ EXERCISE_TEST(UpdateFriction, LetsGoWhereNothingPresses) {
     expect_near_vector(
         "λ_t [N s] that was (0.6, -0.8)" + with, "Eq. (9.3), (9.6)", s.tangential(s.contacts[0]), Vec2::Zero(),
         {0, "exact"},
-        {{Vec2(0.6, -0.8),
-          "It holds on to the friction of before. A disc of radius 0 is a point, and λ_t goes there."}},
-        "Where nothing presses there is no friction.");
+        {{Vec2(0.6, -0.8), "It keeps the old friction. A disc of radius 0 is a point, so λ_t becomes 0."}},
+        "With λ_n = 0 there is no friction.");
     expect_near("what it returns: s times 1 N s" + with + " [m/s]", "Eq. (9.6)", got, 3 + std::numbers::sqrt2,
                 roundings(32, 5));
     expect_near_vector("V after it" + with, "Eq. (4.5)", all_V(s.V), V_of_lambda(s.rows, 2), roundings(64, 5),
-                       {}, "What λ_t was has to leave V, too: scatter the change.");
+                       {}, "Remove the old λ_t from V, too: scatter the change.");
     if (::testing::Test::HasFailure()) return;
   }
 }
@@ -153,7 +151,7 @@ EXERCISE_TEST(UpdateFriction, ProjectsTheImpulseNotItsChange) {
                      s.tangential(s.contacts[0]), Vec2(wanted.normalized()), roundings(32),
                      {{Vec2(0.8, 0.6) + lacks.normalized(),
                        "The change has been projected instead of λ_t: the change may be twice the radius."},
-                      {Vec2(lacks.normalized()), "λ_t of before is missing: λ_t + r_t/s is projected."}});
+                      {Vec2(lacks.normalized()), "The old λ_t is missing: project λ_t + r_t/s."}});
   expect_near_vector("V after it", "Eq. (4.5)", all_V(s.V), V_of_lambda(s.rows, 2), roundings(64, 5), {},
                      "V is M⁻¹ Gᵀ λ at all times: scatter the change of λ_t, after the projection.");
 }
@@ -180,11 +178,11 @@ EXERCISE_TEST(UpdateFriction, ScattersWhatItChanges) {
     for (const std::size_t k : {1u, 2u})
       expect_true("bounds of row " + std::to_string(k) + " are still those of before", "Eq. (9.6)",
                   s.rows[k].lo == -infinity && s.rows[k].hi == infinity,
-                  "The rows' own bounds play no part: they are neither looked at nor set.");
+                  "Neither use nor set the rows' own bounds.");
   }
 }
 
-// With S = s 1 there is nothing between the two rows: a point mass, or a ball on a plane.
+// With S = s 1 the two rows are not coupled: a point mass, or a ball on a plane.
 EXERCISE_TEST(UpdateFriction, SolvesAContactThatIsAlikeInAllDirectionsAtOnce) {
   Random random;
   Regions regions({"sticks", "slides", "nothing presses", "begins outside the disc", "Γ = 0"}, 20);
@@ -218,7 +216,8 @@ EXERCISE_TEST(UpdateFriction, SolvesAContactThatIsAlikeInAllDirectionsAtOnce) {
                        "Eq. (9.6)", s.tangential(s.contacts[0]), expected, roundings(64, 5),
                        {{Vec2(std::clamp(sticks.x(), -radius, radius), std::clamp(sticks.y(), -radius, radius)),
                          "This is a box of ±μ λ_n."}},
-                       "Alike in all directions, one update is exact: stick, or the edge, against the slip.");
+                       "If S is the same in all directions, one update is exact: stick, or λ_t on the edge "
+                       "against the slip.");
   }
 }
 
@@ -274,7 +273,7 @@ EXERCISE_TEST(UpdateFriction, LowersTheEnergyWhileThePressureStays) {
       const double now = energy();
       expect_at_most("energy after update " + std::to_string(n + 1) + ", ½ λ·Sλ - B·λ [J]", "Eq. (9.5), (9.6)",
                      now, before + roundings(64, 10).value, "that of before: a step of 1/s is never too long",
-                     "Friction that adds energy has the wrong sign, or too long a step: divide by s.");
+                     "Friction that adds energy has the wrong sign, or its step is too long: divide by s.");
       before = now;
     }
   }

@@ -163,7 +163,8 @@ bool nans_are_kept(const std::string& equation, const std::function<Outcome(Repl
         "what is computed with a NaN in place of " + was + " in " + not_a_number.place(), equation,
         "  expected  a NaN\n  got       numbers\n",
         "A NaN went in and none came out. Every comparison with a NaN is false, and std::max(x, NaN) is x: "
-        "see NUMBERS.md. A broken simulation must not go on in silence.");
+        "see NUMBERS.md. Eigen's ldlt() solves with 0 for a pivot that is NaN; inverse() keeps the NaN. "
+        "A broken simulation must not go on in silence.");
     return false;
   }
   return true;

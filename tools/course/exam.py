@@ -67,9 +67,6 @@ def objectives_page() -> str:
             found = [one for one in questions if (one.chapter, one.objective) == (chapter.number, number)]
             exercises = sorted({name for one in found for name in one.exercises}, key=lambda name: int(name.split(".")[1]))
             named = ", ".join(one.id for one in found)
-            if not exercises:  # of the chapter's last exercises, and asked by no question
-                parts.append(_item(objective))
-                continue
             parts.append(_item(f"{objective} *Exercise{'s'[:len(exercises) > 1]} {', '.join(exercises)}; question {named}.*"))
     return "\n".join(parts) + "\n"
 

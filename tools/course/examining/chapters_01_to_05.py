@@ -73,6 +73,19 @@ def torque_of_a_spin(draw: Draw):
             f"{vector([-x for x in cross], 'N m')}; the direction of ω stays, and so L does not")
 
 
+@asks(2, 4, "2.7")
+def step_of_a_ball(draw: Draw):
+    v, omega, h = draw.whole(2, 9), draw.of(3, 5, 20), draw.of(0.01, 0.02, 0.1)
+    down = draw.of(True, False)
+    sign = -1 if down else 1
+    told = "Count heights downwards. " if down else ""
+    return (f"{told}A ball flies up at {v} m/s when a step of {h} s begins, and turns at {omega} rad/s. g = 9.81 m/s². "
+            "By how much does the step change its height, and by which angle does the ball turn? What would the change "
+            "of the height be if the drift came before the kick? Why may one body finish the step before the next one "
+            "begins it?", f"{said(sign * h * (v - 9.81 * h), 'm')} and {said(h * omega, 'rad')}; "
+            f"{said(sign * h * v, 'm')}; the bodies do not influence each other yet")
+
+
 @asks(3, 1, "3.2 3.4")
 def impulse_of_a_contact(draw: Draw):
     m, deep, v, k, d = draw.of(1, 2, 4), draw.of(1, 2, 5), draw.tenth(0, 1), draw.of(1e4, 1e5), draw.of(2, 3, 4)
@@ -100,6 +113,19 @@ def mass_of_a_point(draw: Draw):
     s = part * length
     return (f"A thin rod of {m} kg and {length} m is struck across at {s:g} m from its middle. Which mass does an "
             "impulse meet there?", said(1 / (1 / m + s * s / (m * length**2 / 12)), "kg"))
+
+
+@asks(3, 4, "3.5")
+def kick_before_the_impulse(draw: Draw):
+    m, k, h, d = draw.of(1, 2, 4), draw.of(1e4, 1e5), draw.of(0.01, 0.02), draw.of(2, 3, 4)
+    down = draw.of(True, False)
+    b, s = 4 * d / (1 + 4 * d), 4 / h**2 / k / (1 + 4 * d)
+    twice = b * h * 9.81 / (1 + m * s)
+    return (f"A ball of {m} kg rests on the floor, at the depth mg/k. h = {h} s, k = {k:g} N/m, d = {d}, and g = 9.81 m/s². "
+            f"Count velocities {'downwards' if down else 'upwards'}. Which velocity has the ball after a step that "
+            "computes λ by (3.10) and then kicks? And after a step that kicks first, and then computes λ by (3.10)? Why "
+            "does the drift come last?", f"0; {said(-twice if down else twice, 'm/s')}, for gravity counts twice; the "
+            "position must advance with a velocity that has the impulse in it")
 
 
 @asks(4, 1, "4.1 4.2 4.4")
@@ -135,13 +161,27 @@ def sweeps_of_a_stack(draw: Draw):
             f"to 10^-{digits}?", f"{said(rate)}, {math.ceil(digits * math.log(10) / -math.log(rate))} sweeps")
 
 
-@asks(5, 1, "5.1 5.4 5.5 5.6")
+@asks(4, 4, "4.7")
+def rest_of_a_stack(draw: Draw):
+    n, m, h = draw.whole(3, 6), draw.of(1, 2, 5), draw.of(0.01, 0.02)
+    row, from_top = draw.whole(1, 3), draw.of(True, False)
+    carried = row if from_top else n + 1 - row
+    return (f"A stack of {n} balls of {m} kg rests on the floor, and a step of {h} s begins. g = 9.81 m/s². Contacts are "
+            f"counted from the {'top' if from_top else 'floor'}, from 1. Which λ has contact {row} after the solve, and "
+            "which V has each ball? Why must V not be added to W after each sweep?",
+            f"{said(carried * m * 9.81 * h, 'N s')}, and {said(9.81 * h, 'm/s')} upwards, which the kick takes away; B "
+            "is made of W, and the residual already contains V")
+
+
+@asks(5, 1, "5.1 5.4 5.5 5.6 5.7")
 def block_on_a_slope(draw: Draw):
     angle, mu = draw.of(10, 20, 25, 30, 35), draw.of(0.2, 0.3, 0.5, 0.6)
     t = math.radians(angle)
-    a = 9.81 * (math.sin(t) - mu * math.cos(t))
-    return (f"A block lies on a slope of {angle}°, with μ = {mu} and g = 9.81 m/s². Does it stick? If not, how does it "
-            "accelerate?", "it sticks" if mu >= math.tan(t) else f"no: {said(a, 'm/s²')}")
+    a = max(0.0, 9.81 * (math.sin(t) - mu * math.cos(t)))
+    return (f"A block lies at rest on a slope of {angle}°, with μ = {mu} and g = 9.81 m/s². Does it stick? If not, how does "
+            "it accelerate? Which velocity has it after a step of 0.02 s? Why may the step solve friction and normals "
+            "together?", ("it sticks" if a == 0 else f"no: {said(a, 'm/s²')}")
+            + f"; {said(0.02 * a, 'm/s')}; the friction box has bounds that are known before the solve")
 
 
 @asks(5, 2, "5.2")

@@ -34,6 +34,20 @@ def hanging_wire(draw: Draw):
             "sweeps grow with the load?", f"{said(tensions[0], 'N')}, {said(sum(tensions) / k, 'm')}; in proportion to it")
 
 
+@asks(6, 4, "6.5")
+def rod_and_wall(draw: Draw):
+    m, h, degrees = draw.of(1, 2, 5), draw.of(0.01, 0.02), draw.of(30, 45, 60)
+    towards = draw.of(True, False)
+    sine, cosine = math.sin(math.radians(degrees)), math.cos(math.radians(degrees))
+    off = 9.81 * h * sine * sine * cosine
+    return (f"A point mass of {m} kg hangs at rest on a rod, {degrees}° from the vertical, where a smooth vertical wall "
+            f"holds it. Both rows are rigid: Σ = 0. h = {h} s and g = 9.81 m/s². Which impulses do the rod and the wall "
+            "give in one solve? Now the rod is solved first, by itself, and then the wall. At which velocity does "
+            f"the point {'approach' if towards else 'leave'} the pivot after the kick?",
+            f"{said(m * 9.81 * h / cosine, 'N s')} and {said(m * 9.81 * h * sine / cosine, 'N s')}; "
+            f"{said(-off if towards else off, 'm/s')}")
+
+
 @asks(7, 1, "7.1 7.2 7.3 7.6 7.7 7.8")
 def bounce_with_friction(draw: Draw):
     e, mu, down, along = draw.of(0.2, 0.5, 0.8), draw.of(0.1, 0.2, 0.4), draw.whole(1, 4), draw.whole(1, 8)
@@ -60,6 +74,19 @@ def bounces(draw: Draw):
     return (f"A ball falls from {h} m, with e = {e} and g = 9.81 m/s². How high is bounce {n}, and after which time has it "
             "come to rest? Which velocity does leapfrog need for it?",
             f"{said(h * e ** (2 * n), 'm')}, {said(total, 's')}; that of the time of the positions, W + W_f/2")
+
+
+@asks(7, 4, "7.9")
+def step_of_a_bounce(draw: Draw):
+    v, e, h = draw.whole(2, 9), draw.of(0.5, 0.8, 1), draw.of(0.01, 0.02)
+    down = draw.of(True, False)
+    W = -v + (1 + e) * (v + 9.81 * h / 2)
+    sign = -1 if down else 1
+    return (f"Count velocities {'downwards' if down else 'upwards'}. A ball touches the floor at t_n, and its W, of t_n − "
+            f"h/2, is {said(sign * -v)} m/s. e = {e}, h = {h} s, and g = 9.81 m/s². Which W do the impacts leave, and which "
+            "one the whole step? What would become of the bounce if the rows came before the impacts?",
+            f"{said(sign * W, 'm/s')} and {said(sign * (W - 9.81 * h), 'm/s')}; the rows would stop the ball, and nothing "
+            "would be left to bounce")
 
 
 @asks(8, 1, "8.1 8.2 8.3 8.4 8.5 8.6 8.8")
@@ -96,6 +123,16 @@ def margin_of_a_face(draw: Draw):
             "5 per cent of the gap and a millionth of the smallest half side. Which face is the axis, and what is the "
             "margin for?", f"{'that of i' if g - other <= 0.05 * g + 0.0005 else 'that of j'}; round-off must not "
             "choose between descriptions of one contact")
+
+
+@asks(8, 5, "8.12")
+def step_of_a_tower(draw: Draw):
+    n, mu, v, h = draw.whole(3, 20), draw.of(0, 0.5), draw.of(0.5, 2, 5), draw.of(0.01, 0.02)
+    return (f"A tower of {n} equal boxes stands on a plane. Each box overlaps the one below a little. μ = {mu}. How many "
+            "pairs does the broad phase return? How many contacts does the search find, and how many rows does the step "
+            f"build? Bodies approach at {v} m/s, and h = {h} s. How wrong are the gaps in the rows if the bodies move "
+            "between the search and the rows?",
+            f"{n - 1}, since planes have no bounds; {4 * n}; {4 * n * (3 if mu else 1)}; {said(h * v, 'm')}")
 
 
 @asks(9, 1, "9.2 9.3")

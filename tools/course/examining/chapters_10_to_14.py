@@ -42,6 +42,19 @@ def observed(draw: Draw):
             f"{said(rho)}, {n}; if these cost more than a factorisation")
 
 
+@asks(10, 5, "10.9")
+def relaxed_ball(draw: Draw):
+    m, deep, up = draw.of(1, 2, 4), draw.of(5, 10, 20), draw.of(0, 0.05)
+    h, k, d = draw.of(0.001, 0.002), 1e6, draw.of(2, 3)
+    a, b, s = 4 / h / (1 + 4 * d), 4 * d / (1 + 4 * d), 4 / h**2 / k / (1 + 4 * d)
+    free = up - 9.81 * h  # W + W_f
+    moved = free + (a * deep / 1000 - b * up + 9.81 * h) / (1 + m * s)
+    return (f"A ball of {m} kg is {deep} mm deep in the floor, and its W is {up} m/s upwards. h = {h} s, k = {k:g} N/m, "
+            f"d = {d}, and g = 9.81 m/s². By which velocity does a relaxed substep move the ball, and which velocity does "
+            "it keep? For which scenes is this wrong?",
+            f"{said(moved, 'm/s')} and {said(max(0.0, free), 'm/s')}; where a row stores energy, as in a bungee")
+
+
 @asks(11, 1, "11.1 11.2")
 def entries_of_a_hub(draw: Draw):
     n, kind = draw.whole(20, 60), draw.of("hub", "wire")  # a small hub has fewer entries in S
@@ -188,7 +201,17 @@ def empty_lanes(draw: Draw):
             "empty? What Δλ has an empty one?", f"{packs}, {packs * lanes - pairs}; 0")
 
 
-@asks(14, 4, "14.5")
+@asks(14, 4, "14.6")
+def discs_in_lanes(draw: Draw):
+    sizes = [draw.of((3, 4), (6, 8)), (0, 0), draw.of((5, 12), (8, 15)), draw.of((0.3, 0.4), (0.6, 0.8))]
+    radii = [draw.of(2, 4), 0, draw.of(5, 20), draw.of(0.5, 1)]
+    scales = [1.0 if math.hypot(*size) <= radius else radius / math.hypot(*size) for size, radius in zip(sizes, radii)]
+    return (f"Four lanes hold λ_t = {sizes[0]}, {sizes[1]}, {sizes[2]} and {sizes[3]} N s. Their discs have the radii "
+            f"{radii[0]}, {radii[1]}, {radii[2]} and {radii[3]} N s. Which factor m has each lane? The second lane is empty. "
+            "What is computed there that is not used?", f"{vector(scales)}; 0/0, in the case that is not selected")
+
+
+@asks(14, 5, "14.5")
 def share_of_a_thread(draw: Draw):
     n, T = draw.whole(7, 40), draw.of(2, 3, 4)
     t = draw.whole(0, T - 1)
@@ -197,7 +220,7 @@ def share_of_a_thread(draw: Draw):
             "share a body, and all wait before the next colour")
 
 
-@asks(14, 5, "14.4 14.5")
+@asks(14, 6, "14.4 14.5")
 def roofline(draw: Draw):
     phi, beta = draw.of(5, 10, 40), draw.of(5, 10, 50)
     compute, move = 55 / phi, 240 / beta
