@@ -311,12 +311,15 @@ class World {
   void step_part(double h);
   void step_softly(double h);
   void find_contacts_on_the_way(double h);
-  void build_soft_rows(double h);
+  void build_soft_contacts(double h);
+  void integrate_velocities();
   void build_soft_joints(double h);
+  template <class Act>
+  void for_rows_with_gaps(const Act& act);
   void sweep_soft_rows(double h);
   void sweep_rigid_rows(double h);
   void sweep_all_rows();
-  void move_softly(double h);
+  void integrate_positions(double h);
   void add_work_of_soft_drives();
   void note_approaches(double h);
   void restitute();
@@ -384,7 +387,7 @@ class World {
   std::vector<FrictionContact> rubbing_;  // where friction follows what presses
   std::vector<Twist<Dof>> V_;             // what the rows add to each velocity
   std::vector<Twist<Dof>> recovered_;     // what is taken out of each velocity again, Eq. (7.17)
-  std::vector<SoftGap> soft_gaps_;        // of the rows, in soft steps
+  std::vector<SoftGap> soft_gaps_;        // of the rows of joints, then of contacts, in soft steps
   std::vector<Row<Dof>> soft_joints_;     // of the joints where they are now, in soft steps
   std::vector<Twist<Dof>> at_rest_;       // velocities that soft rows are built with
   std::vector<Approach> approaches_;      // of a soft step, for restitution

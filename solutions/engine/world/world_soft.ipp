@@ -16,23 +16,21 @@ namespace spook {
 
 template <int Dof>
 void World<Dof>::step_softly(double h) {
-  const SoftSteps& soft = *settings_.soft_steps;
-  parts_ = soft.substeps;
+  parts_ = settings_.soft_steps->substeps;
   const double h_part = h / parts_;
   solved_.history.clear();
   solved_.converged = true;
   clock_.run(Stage::contacts, [&] { find_contacts_on_the_way(h); });
   clock_.run(Stage::forces, [&] { evaluate_forces(h_part); });
   if (h_ > 0 && h_part != h_) shift_to_step(h_part);
-  clock_.run(Stage::rows, [&] { build_soft_rows(h_part); });
+  clock_.run(Stage::rows, [&] { build_soft_contacts(h_part); });
   note_approaches(h);
   for (int part = 0; part < parts_; ++part) {
-    if (part > 0) {
-      clock_.run(Stage::forces, [&] { evaluate_forces(h_part); });
-      clock_.run(Stage::rows, [&] { build_soft_joints(h_part); });
-    }
+    if (part > 0) clock_.run(Stage::forces, [&] { evaluate_forces(h_part); });
+    integrate_velocities();
+    clock_.run(Stage::rows, [&] { build_soft_joints(h_part); });
     clock_.run(Stage::solve, [&] { sweep_soft_rows(h_part); });
-    clock_.run(Stage::integrate, [&] { move_softly(h_part); });
+    clock_.run(Stage::integrate, [&] { integrate_positions(h_part); });
     clock_.run(Stage::solve, [&] { sweep_rigid_rows(h_part); });
     add_work_of_soft_drives();
     end_step(h_part);
@@ -55,9 +53,9 @@ void World<Dof>::find_contacts_on_the_way(double h) {
   pairs_ = finder_.find(shapes_, bodies_, margin, contacts_, settings_.threads);
 }
 
-/// Builds the rows of a step: contacts as they stay for all substeps, joints as they are at first.
+/// Builds the rows of contacts, and gives all rows their impulses of the last step.
 template <int Dof>
-void World<Dof>::build_soft_rows(double h) {
+void World<Dof>::build_soft_contacts(double h) {
   set_default_stiffness(h);
   first_contact_row_ = next_joint_row_;
   const Friction friction{.c = settings_.viscosity,
@@ -66,17 +64,22 @@ void World<Dof>::build_soft_rows(double h) {
                           .sliding_tangents = settings_.sliding_tangents};
   add_contact_rows(contacts_, h, materials_, friction, bodies_.motion, settings_.threads, first_contact_row_,
                    rows_, rubbing_);
-  soft_gaps_.assign(rows_.size(), {});
-  for (std::size_t k = first_contact_row_; k < rows_.size(); ++k) rows_[k].B = 0;
-  for (std::size_t c = 0; c < contacts_.size(); ++c) {
-    const std::size_t k = first_row(static_cast<int>(c));
-    soft_gaps_[k] = {.kind = SoftKind::limits, .gap = contacts_[c].gap, .S = rigid_diagonal(rows_[k])};
-  }
+  soft_gaps_.assign(first_contact_row_ + contacts_.size(), {});
   for (std::size_t k = 0; k < first_contact_row_; ++k) rows_[k].lambda = 0;
-  build_soft_joints(h);
+  for (std::size_t k = first_contact_row_; k < rows_.size(); ++k) rows_[k].B = 0;
+  for (std::size_t c = 0; c < contacts_.size(); ++c)
+    soft_gaps_[first_contact_row_ + c] = {.kind = SoftKind::limits,
+                                          .gap = contacts_[c].gap,
+                                          .S = rigid_diagonal(rows_[first_row(static_cast<int>(c))])};
   const std::vector<double> impulses = start_.impulses(rows_, first_contact_row_, contacts_, h);
-  for (std::size_t k = 0; k < impulses.size(); ++k)
-    rows_[k].lambda = std::clamp(impulses[k], rows_[k].lo, rows_[k].hi);
+  for (std::size_t k = 0; k < impulses.size(); ++k) rows_[k].lambda = impulses[k];
+}
+
+template <int Dof>
+void World<Dof>::integrate_velocities() {
+  std::vector<Twist<Dof>>& W = bodies_.motion.W;
+  if (!joints_.empty() || !kinematic_.empty()) V_ = W;
+  for (std::size_t i = 0; i < W.size(); ++i) W[i] += bodies_.motion.Wf[i];
 }
 
 /// Builds the rows of joints where they are now, with their λ of the last substep. They are built without velocities, so
@@ -84,40 +87,47 @@ void World<Dof>::build_soft_rows(double h) {
 template <int Dof>
 void World<Dof>::build_soft_joints(double h) {
   if (joints_.empty()) return;
-  soft_joints_.clear();
-  at_rest_.assign(bodies_.size(), Twist<Dof>::Zero());
   Motion<Dof>& motion = bodies_.motion;
+  at_rest_.assign(bodies_.size(), Twist<Dof>::Zero());
+  motion.Wf = at_rest_;  // which W has by now
   motion.W.swap(at_rest_);
-  const std::vector<Twist<Dof>> forces = std::move(motion.Wf);
-  motion.Wf = motion.W;
+  soft_joints_.clear();
   add_joint_rows(joints_, h, bodies_, soft_joints_);
-  motion.Wf = std::move(forces);
   motion.W.swap(at_rest_);
   for (std::size_t n = 0; n < joints_.size(); ++n)
     soften_joint(joints_[n], h, &soft_joints_[joint_rows_[n]], &soft_gaps_[joint_rows_[n]]);
   for (std::size_t k = 0; k < first_contact_row_; ++k) {
-    soft_joints_[k].lambda = rows_[k].lambda;
+    const double lambda = rows_[k].lambda;
     rows_[k] = soft_joints_[k];
+    rows_[k].lambda = std::clamp(lambda, rows_[k].lo, rows_[k].hi);
   }
+}
+
+/// Calls act(row, gap) for the rows that may follow a gap: those of joints, and the normal rows of contacts.
+template <int Dof>
+template <class Act>
+void World<Dof>::for_rows_with_gaps(const Act& act) {
+  for (std::size_t k = 0; k < first_contact_row_; ++k) act(rows_[k], soft_gaps_[k]);
+  const auto each = static_cast<std::size_t>(rows_per_contact(materials_.rub()));
+  for (std::size_t c = 0; c < contacts_.size(); ++c)
+    act(rows_[first_contact_row_ + each * c], soft_gaps_[first_contact_row_ + c]);
 }
 
 template <int Dof>
 void World<Dof>::sweep_soft_rows(double h) {
   const SoftSteps& soft = *settings_.soft_steps;
-  std::vector<Twist<Dof>>& W = bodies_.motion.W;
-  if (!joints_.empty() || !kinematic_.empty()) V_ = W;
-  for (std::size_t i = 0; i < W.size(); ++i) W[i] += bodies_.motion.Wf[i];
-  for (std::size_t k = 0; k < rows_.size(); ++k) {
-    make_soft(soft_gaps_[k], k < first_contact_row_ ? soft.joints : soft.contacts, soft.closing_speed, h,
-              rows_[k]);
-    apply_impulse(rows_[k], rows_[k].lambda, W);
-  }
+  for_rows_with_gaps([&](Row<Dof>& row, const SoftGap& at) {
+    const bool of_joint = &row < rows_.data() + first_contact_row_;
+    make_soft(at, of_joint ? soft.joints : soft.contacts, soft.closing_speed, h, row);
+  });
+  for (const Row<Dof>& row : rows_)
+    if (row.lambda != 0) apply_impulse(row, row.lambda, bodies_.motion.W);
   sweep_all_rows();
 }
 
 template <int Dof>
 void World<Dof>::sweep_rigid_rows(double h) {
-  for (std::size_t k = 0; k < rows_.size(); ++k) make_rigid(soft_gaps_[k], h, rows_[k]);
+  for_rows_with_gaps([&](Row<Dof>& row, const SoftGap& at) { make_rigid(at, h, row); });
   sweep_all_rows();
 }
 
@@ -131,17 +141,17 @@ void World<Dof>::sweep_all_rows() {
 
 /// Moves bodies, and each gap as far as their points move along its row.
 template <int Dof>
-void World<Dof>::move_softly(double h) {
-  const std::vector<Twist<Dof>>& W = bodies_.motion.W;
-  for (std::size_t k = 0; k < rows_.size(); ++k) {
-    if (soft_gaps_[k].kind != SoftKind::limits) continue;
-    soft_gaps_[k].gap += h * (rows_[k].Gi.dot(W[rows_[k].i]) + rows_[k].Gj.dot(W[rows_[k].j]));
-    soft_gaps_[k].pressed |= rows_[k].lambda > 0;
-  }
+void World<Dof>::integrate_positions(double h) {
+  std::vector<Twist<Dof>>& W = bodies_.motion.W;
+  for_rows_with_gaps([&](const Row<Dof>& row, SoftGap& at) {
+    if (at.kind != SoftKind::limits) return;
+    at.gap += h * (row.Gi.dot(W[row.i]) + row.Gj.dot(W[row.j]));
+    at.pressed |= row.lambda > 0;
+  });
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (bodies_.is_fixed(i)) continue;
     bodies_.x[i] = drift(bodies_.x[i], Vec3(W[i].template head<3>()), h);
-    if constexpr (Dof == 6) bodies_.motion.W[i].template tail<3>() = turned(i, W[i].template tail<3>(), h);
+    if constexpr (Dof == 6) W[i].template tail<3>() = turned(i, W[i].template tail<3>(), h);
   }
   move_kinematic(h);
 }
@@ -173,7 +183,7 @@ template <int Dof>
 void World<Dof>::restitute() {
   for (const auto& [c, speed] : approaches_) {
     const std::size_t k = first_row(static_cast<int>(c));
-    if (!soft_gaps_[k].pressed) continue;
+    if (!soft_gaps_[first_contact_row_ + c].pressed) continue;
     Row<Dof> impact = rows_[k];
     impact.lambda = 0;
     impact.B = -materials_.of(contacts_[c].i, contacts_[c].j).restitution * speed;
