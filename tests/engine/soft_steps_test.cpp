@@ -149,7 +149,7 @@ TEST(SoftSteps, LetAPyramidStandForAThousandSteps) {
   EXPECT_LE(kinetic_energy(world.bodies()), 1e-3 * 100 * g * sink * 55);
 }
 
-// With ten warm sweeps of rows that are not relaxed this grid reaches 1e145 J.
+// Ten warm sweeps a step of rows that are not relaxed give this grid thirty times its energy in half a second.
 TEST(SoftSteps, HoldAGridOfBallJoints) {
   for (const int substeps : {2, 3, 4}) {
     World<6> world(soft(0, {.substeps = substeps}));
@@ -182,7 +182,10 @@ TEST(SoftSteps, HoldAGridOfBallJoints) {
     double apart = 0;
     for (const Joint& joint : world.joints())
       apart = std::max(apart, gap_of(joint, world.bodies()).apart.norm());
-    EXPECT_LE(apart, 0.05) << substeps << " substeps";
+    // Eq. (10.18): 39 bodies hang from the joints at the top, where S is 1/m of a fixed body's neighbour and 2/m below; a
+    // quarter more while they swing.
+    const double omega = SoftSteps{}.joints.turn() * substeps / h;
+    EXPECT_LE(apart, 1.25 * 2 * 39 * g / (omega * omega)) << substeps << " substeps";
     EXPECT_LE(energy(), given + 0.01 * T) << substeps << " substeps";
   }
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Rows of soft steps: a spring and a damper for each row, by a frequency and a damping ratio, Eq. (10.16).
+// Rows of soft steps: a spring and a damper for each row, by a frequency and a damping ratio, Eq. (10.16)-(10.18).
 //
 //   velocities V of a sweep are the bodies' own, forces included: V = W + W_f + M⁻¹ Gᵀ λ, so B has no G W
 //   soft        a closed gap     B = -a g, at most the closing speed; Σ = S/(h ω (2ζ + h ω))
@@ -19,7 +19,7 @@ struct SoftSpring {
 
   /// h ω, which is 2π times the frequency.
   double turn() const { return 2 * std::numbers::pi * frequency; }
-  /// h a, the part of a gap that is closed in a substep, and Σ/S: Eq. (10.16).
+  /// h a, the part of a gap that is closed in a substep, and Σ/S: Eq. (10.17).
   double closed_part() const { return turn() / (2 * damping + turn()); }
   double softness() const { return 1 / (turn() * (2 * damping + turn())); }
 };

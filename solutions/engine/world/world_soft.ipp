@@ -4,13 +4,13 @@
 //   a substep   integrate velocities   W <- W + W_f
 //               warm start             W <- W + M⁻¹ Gᵀ λ, with λ of the last substep            Eq. (10.2)
 //               soft sweep             closes gaps                                            Eq. (10.16)
-//               integrate positions    x <- x + h v, and each gap g <- g + h G W
+//               integrate positions    x <- x + h v, and each gap g <- g + h G W                   Eq. (10.19)
 //               relaxing sweep         without gap and softness, from this λ                  Eq. (10.15)
 //   once        restitution            of what approached fast, and pressed
 //
-// The sweeps are those of chapter 09. W takes the place of their V, so that B has no velocities. A substep is a part of
-// the step: World::parts().
+// W takes the place of the sweeps' V, so that B has no velocities. A substep is a part of the step: World::parts().
 #include <algorithm>
+#include <cmath>
 
 namespace spook {
 
@@ -131,15 +131,27 @@ void World<Dof>::sweep_rigid_rows(double h) {
   sweep_all_rows();
 }
 
+/// Updates joints, then all friction, then all normal rows, by Eq. (4.7) and (9.6). So each sweep ends with what carries
+/// the weight: with friction after each normal row, large pyramids fall.
 template <int Dof>
 void World<Dof>::sweep_all_rows() {
   if (rows_.empty()) return;
-  solved_.history.push_back(sweep_on_cones(rubbing_, rows_, bodies_.motion.W));
-  solved_.converged = solved_.history.back() <= settings_.solver_limits.tolerance;
+  std::vector<Twist<Dof>>& W = bodies_.motion.W;
+  double largest = 0;
+  const auto note = [&](double lacked) {
+    if (std::isnan(lacked) || lacked > largest) largest = lacked;
+  };
+  const auto update = [&](Row<Dof>& row) { note(row.diagonal * std::abs(update_row(row, W))); };
+  for (std::size_t k = 0; k < first_contact_row_; ++k) update(rows_[k]);
+  for (const FrictionContact& contact : rubbing_) note(update_friction(contact, rows_, W));
+  const auto each = static_cast<std::size_t>(rows_per_contact(materials_.rub()));
+  for (std::size_t k = first_contact_row_; k < rows_.size(); k += each) update(rows_[k]);
+  solved_.history.push_back(largest);
+  solved_.converged = largest <= settings_.solver_limits.tolerance;
   row_updates_ += std::ssize(rows_);
 }
 
-/// Moves bodies, and each gap as far as their points move along its row.
+/// Moves bodies, and each gap as far as their points move along its row: Eq. (10.19).
 template <int Dof>
 void World<Dof>::integrate_positions(double h) {
   std::vector<Twist<Dof>>& W = bodies_.motion.W;
