@@ -170,6 +170,10 @@ class WorldScene : public Scene {
     settings.contact_margin = method.contact_margin;
     if (method.integrator_order) settings.integrator_order = *method.integrator_order;
     settings.threads = method.threads;
+    if (method.soft_steps) {
+      settings.soft_steps = SoftSteps{.substeps = *method.soft_steps};
+      settings.k = settings.d = {};
+    }
     if (method.engine == Engine::plain) settings.stepper = plain_stepper<Dof>();
     return settings;
   }

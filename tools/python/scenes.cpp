@@ -38,6 +38,7 @@ RunCommand command_of(const std::string& scene, const Texts& parameters, const T
       {"contact_margin", &command.contact_margin},
       {"friction_model", &command.friction_model},
       {"tangents", &command.tangents},
+      {"soft_steps", &command.soft_steps},
       {"threads", &command.threads}};
   for (const auto& [name, value] : options) {
     std::vector<std::string> names = {"warm_start"};
