@@ -149,6 +149,9 @@ class WorldScene : public Scene {
   /// The time from velocities to positions [s].
   double velocity_lag() const { return world_.velocity_lag(h_); }
 
+  /// The time in which the impulses of the last step act [s]: that of its last part.
+  double impulse_time() const { return h_ / world_.parts(); }
+
   double time() const { return since_ + static_cast<double>(world_.steps()) * h_; }
 
   World<Dof> world_;
