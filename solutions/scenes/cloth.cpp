@@ -81,7 +81,7 @@ class Cloth : public WorldScene<Dof> {
   Vec3 support() const {
     Vec3 sum = Vec3::Zero();
     for (int joint = 0; joint < supports_; ++joint)
-      for (int row = 0; row < 3; ++row) sum[row] += world_.joint_lambda(joint, row) / h_;
+      for (int row = 0; row < 3; ++row) sum[row] += world_.joint_lambda(joint, row) / this->impulse_time();
     return sum;
   }
 
@@ -92,7 +92,8 @@ class Cloth : public WorldScene<Dof> {
 
   /// The length that a thread should have by its tension in the last step.
   double strain_of_pull(int joint) const {
-    return -world_.joint_lambda(joint) / (h_ * k_ * *world_.joints()[static_cast<std::size_t>(joint)].length);
+    return -world_.joint_lambda(joint) /
+           (this->impulse_time() * k_ * *world_.joints()[static_cast<std::size_t>(joint)].length);
   }
 
   double largest_strain() const {

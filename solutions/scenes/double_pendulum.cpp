@@ -88,8 +88,8 @@ class DoublePendulum : public WorldScene<3> {
             x.z(),
             answer.x(),
             answer.z(),
-            -world_.joint_lambda(0) / h_,
-            -world_.joint_lambda(1) / h_,
+            -world_.joint_lambda(0) / impulse_time(),
+            -world_.joint_lambda(1) / impulse_time(),
             half_step_energy(world_.bodies(), rods_.g, 2 * velocity_lag())};
   }
 

@@ -11,7 +11,7 @@ inline double load_on(int below, const World<6>& world, double h) {
   const int contacts = static_cast<int>(world.contacts().size());
   for (int c = 0; c < contacts; ++c)
     if (world.contacts()[static_cast<std::size_t>(c)].i == below) impulse += world.lambda(c);
-  return impulse / h;
+  return impulse / (h / world.parts());
 }
 
 }  // namespace spook

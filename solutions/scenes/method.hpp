@@ -24,6 +24,9 @@ struct Method {
   int threads = 1;
   std::optional<double> contact_margin = {};  ///< [m]; the world's own, unless given
 
+  /// Substeps of soft steps, engine/constraints/soft_rows.hpp, which ignore the scene's k and d; none, unless given.
+  std::optional<int> soft_steps = {};
+
   Engine engine = Engine::fast;
 
   double step() const { return h / substeps; }  ///< [s]

@@ -80,7 +80,6 @@ class Pendulum : public WorldScene<Dof> {
 
  private:
   using WorldScene<Dof>::world_;
-  using WorldScene<Dof>::h_;
 
   static double degrees(const Vec3& x) { return std::atan2(x.x(), -x.z()) / radians(1); }
 
@@ -94,9 +93,9 @@ class Pendulum : public WorldScene<Dof> {
 
   /// The tension in the last step, along the current direction of the rod [N].
   double tension() const {
-    if constexpr (Dof == 3) return -world_.joint_lambda(0) / h_;
+    if constexpr (Dof == 3) return -world_.joint_lambda(0) / this->impulse_time();
     const Vec3 on_bob(world_.joint_lambda(0, 0), world_.joint_lambda(0, 1), world_.joint_lambda(0, 2));
-    return -on_bob.dot(world_.x(bob_).normalized()) / h_;
+    return -on_bob.dot(world_.x(bob_).normalized()) / this->impulse_time();
   }
 
   double l_, g_;

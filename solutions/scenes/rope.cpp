@@ -64,7 +64,7 @@ class Rope : public WorldScene<3> {
 
  private:
   /// The tension of a link in the last step [N].
-  double tension(int link) const { return -world_.joint_lambda(link) / h_; }
+  double tension(int link) const { return -world_.joint_lambda(link) / impulse_time(); }
 
   int links_;
   double length_, g_;

@@ -149,6 +149,9 @@ class WorldScene : public Scene {
   /// The time from velocities to positions [s].
   double velocity_lag() const { return world_.velocity_lag(h_); }
 
+  /// The time in which the impulses of the last step act [s]: that of its last part.
+  double impulse_time() const { return h_ / world_.parts(); }
+
   double time() const { return since_ + static_cast<double>(world_.steps()) * h_; }
 
   World<Dof> world_;
@@ -171,6 +174,10 @@ class WorldScene : public Scene {
     if (method.integrator_order) settings.integrator_order = *method.integrator_order;
     if (method.max_parts) settings.max_parts = *method.max_parts;
     settings.threads = method.threads;
+    if (method.soft_steps) {
+      settings.soft_steps = SoftSteps{.substeps = *method.soft_steps};
+      settings.k = settings.d = {};
+    }
     if (method.engine == Engine::plain) settings.stepper = plain_stepper<Dof>();
     return settings;
   }

@@ -57,6 +57,19 @@ static void refuse_solver_beside_composed(const TypedRun& typed, const Method& m
           std::string(option) + " has no effect with integrator-order 4, whose joints are rigid: leave it out");
 }
 
+/// Rejects options that have no effect in soft steps, whose sweeps are their own.
+static void refuse_beside_soft(const TypedRun& typed) {
+  const std::pair<const char*, bool> of_solvers[] = {{"solver", typed.solver.has_value()},
+                                                     {"iterations", typed.iterations.has_value()},
+                                                     {"row-order", typed.row_order.has_value()},
+                                                     {"friction-model", typed.friction_model.has_value()},
+                                                     {"integrator-order", typed.integrator_order.has_value()},
+                                                     {"warm-start", typed.warm_start}};
+  for (const auto& [option, given] : of_solvers)
+    if (given)
+      throw std::invalid_argument(std::string(option) + " has no effect with soft-steps: leave it out");
+}
+
 /// Refuses options of the fast engine, since the plain engine has no choices.
 static void refuse_beside_plain(const TypedRun& typed) {
   const std::pair<const char*, bool> of_the_fast[] = {{"solver", typed.solver.has_value()},
@@ -66,6 +79,7 @@ static void refuse_beside_plain(const TypedRun& typed) {
                                                       {"tangents", typed.tangents.has_value()},
                                                       {"max-parts", typed.max_parts.has_value()},
                                                       {"threads", typed.threads.has_value()},
+                                                      {"soft-steps", typed.soft_steps.has_value()},
                                                       {"warm-start", typed.warm_start}};
   for (const auto& [option, given] : of_the_fast)
     if (given)
@@ -105,6 +119,10 @@ RunSettings TypedRun::settings(const SceneDescription& description) const {
   if (engine)
     method.engine = choose<Engine>("engine", *engine, {{"fast", Engine::fast}, {"plain", Engine::plain}});
   if (method.engine == Engine::plain) refuse_beside_plain(*this);
+  if (soft_steps) {
+    refuse_beside_soft(*this);
+    method.soft_steps = parse_whole("soft-steps", *soft_steps, 1, 1024);
+  }
   set_rows(*this, method);
   refuse_solver_beside_composed(*this, method);
   // A row order, or the cone, replaces the scene's solver if that solver does not support it.

@@ -14,7 +14,7 @@ struct TypedRun {
   std::vector<std::string> set;
   std::optional<std::string> h, time, solver, iterations, tolerance;
   std::optional<std::string> substeps, integrator_order, row_order, seed, contact_margin, friction_model,
-      tangents, max_parts, threads, engine;
+      tangents, max_parts, threads, engine, soft_steps;
   bool warm_start = false;
 
   /// Converts the options to numbers. Throws std::invalid_argument for an invalid option.

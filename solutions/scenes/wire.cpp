@@ -59,7 +59,6 @@ class Wire : public WorldScene<Dof> {
 
  private:
   using WorldScene<Dof>::world_;
-  using WorldScene<Dof>::h_;
 
   double link() const { return length_ / links_; }
 
@@ -89,7 +88,7 @@ class Wire : public WorldScene<Dof> {
   /// The tension of a link in the last step [N].
   double tension(int joint) const {
     // A ball joint's third row pulls the lower body along +z.
-    return (Dof == 3 ? -world_.joint_lambda(joint) : world_.joint_lambda(joint, 2)) / h_;
+    return (Dof == 3 ? -world_.joint_lambda(joint) : world_.joint_lambda(joint, 2)) / this->impulse_time();
   }
 
   int links_;

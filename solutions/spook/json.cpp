@@ -40,6 +40,7 @@ Json to_json(const Method& method, bool solves) {
       {"substeps", method.substeps},
       {"integrator_order", method.integrator_order.value_or(2)},
       {"threads", method.threads},
+      {"soft_steps", method.soft_steps ? of_rows(*method.soft_steps) : Json()},
       {"engine", method.engine == Engine::plain ? "plain" : "fast"},
   };
 }

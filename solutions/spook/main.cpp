@@ -32,6 +32,7 @@ static CLI::App* add_scene_command(CLI::App& app, const std::string& name, const
   command->add_option("--tangents", run.tangents, "Directions of friction: fixed, sliding");
   command->add_option("--max-parts", run.max_parts, "Largest number of parts of a step: 1 to 1024");
   command->add_option("--threads", run.threads, "Number of worker threads");
+  command->add_option("--soft-steps", run.soft_steps, "Soft steps of so many substeps, as game engines take");
   command->add_option("--engine", run.engine, "fast, or plain: the steps of chapters 01 to 08");
   return command;
 }

@@ -32,6 +32,7 @@ static std::string solver_text(const SceneDescription& scene, const Parameters& 
                                const Method& method) {
   if (method.integrator_order == 4) return scene.solves ? "none: order four holds joints rigid" : "none";
   if (!scene.solves) return "none: no constraints";
+  if (method.soft_steps) return "soft steps of " + counted(*method.soft_steps, "substep");
   if (method.engine == Engine::plain) return "at most " + counted(method.solver_limits.max_sweeps, "sweep");
   std::string text;
   if (may_rub(parameters))

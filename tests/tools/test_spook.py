@@ -123,6 +123,14 @@ class Refusals(unittest.TestCase):
                            ("top --set update=first_order", "a rotation update")):
             self.refused(f"run {scene} --engine plain", f"engine plain cannot run a scene with {has}")
 
+    def test_soft_steps_have_sweeps_of_their_own(self):
+        for option in ["solver direct", "iterations 5", "row-order up", "friction-model cone", "integrator-order 2",
+                       "warm-start"]:
+            self.refused(f"run stack --soft-steps 4 --{option}", option.split()[0], "soft-steps")
+        for substeps in ["0", "1025", "few"]:
+            self.refused(f"run stack --soft-steps {substeps}", "soft-steps", substeps)
+        self.refused("run stack --engine plain --soft-steps 4", "soft-steps", "--engine")
+
     def test_csv(self):
         self.refused("run orbit --csv /no/such/folder/a.csv", "csv", "/no/such/folder/a.csv")
         with tempfile.TemporaryDirectory() as folder:
@@ -200,6 +208,14 @@ class Runs(unittest.TestCase):
         self.assertEqual([one["threads"], two["threads"]], [1, 2])
         for what in ["error", "residual", "row_updates", "last_step"]:
             self.assertEqual(one[what], two[what])
+
+    def test_soft_steps_say_so(self):
+        words = "run stack --set bodies=3 --soft-steps 4 --time 1"
+        self.assertIn("soft steps of 4 substeps", " ".join(spook(*words.split()).stdout.split()))
+        run = json.loads(spook(*words.split(), "--json").stdout)
+        self.assertEqual(run["soft_steps"], 4)
+        self.assertEqual(run["last_step"]["iterations"], 8)
+        self.assertEqual(run["row_updates"], 8 * run["last_step"]["rows"] * run["steps"])
 
     def test_composed_steps_say_so(self):
         words = "run double_pendulum --set d=0 --integrator-order 4 --h 1/60"

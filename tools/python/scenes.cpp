@@ -39,6 +39,7 @@ RunCommand command_of(const std::string& scene, const Texts& parameters, const T
       {"max_parts", &command.max_parts},
       {"friction_model", &command.friction_model},
       {"tangents", &command.tangents},
+      {"soft_steps", &command.soft_steps},
       {"threads", &command.threads}};
   for (const auto& [name, value] : options) {
     std::vector<std::string> names = {"warm_start"};

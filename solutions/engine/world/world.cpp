@@ -18,6 +18,7 @@ void World<Dof>::step(double h) {
   impacts_ = 0;
   work_of_drives_ = 0;
   if (settings_.integrator_order == 4) return step_composed(h);
+  if (settings_.soft_steps) return step_softly(h);
   divide_steps(h);
   SolveReport unsolved{.history = {}, .converged = true};
   for (int part = 0; part < parts_; ++part) {
@@ -86,7 +87,7 @@ void World<Dof>::evaluate_forces(double h) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) forces_[i] = force(i);
   if (settings_.wrench) add_wrenches();
   if (!kinematic_.empty()) update_kinematic_velocities(h);
-  if (!contacts_.empty() || !joints_.empty()) prepare_motion(h);
+  if (!contacts_.empty() || !joints_.empty() || settings_.soft_steps) prepare_motion(h);
 }
 
 /// Moves W of free bodies from half of the last step before x_n to half of this step, Eq. (1.5). W of a body with rows
@@ -318,6 +319,7 @@ void World<Dof>::require_finite_bodies() const {
 #include "engine/world/world_parts.ipp"
 #include "engine/world/world_recovery.ipp"
 #include "engine/world/world_setup.ipp"
+#include "engine/world/world_soft.ipp"
 #include "engine/world/world_start.ipp"
 
 // All members are defined above, since a class may be instantiated only once in a program.

@@ -27,6 +27,7 @@
 #include "engine/constraints/contact_rows.hpp"
 #include "engine/constraints/default_stiffness.hpp"
 #include "engine/constraints/joint_rows.hpp"
+#include "engine/constraints/soft_rows.hpp"
 #include "engine/constraints/step_parts.hpp"
 #include "engine/constraints/warm_start_cache.hpp"
 #include "engine/integration/rattle.hpp"
@@ -100,6 +101,10 @@ struct Settings {
   /// for a joint: engine/constraints/step_parts.hpp. Worlds and joints with a given k do not divide steps. Default: 32;
   /// 1: never.
   int max_parts = 32;
+  /// Soft steps, the method of today's game engines: fast, and accurate to a per cent or so. They have contacts on
+  /// Coulomb's cones and warm starts, and do not use `solver`, `warm_start` and `max_parts`. Then k and d must not be
+  /// given; joints with a k of their own are springs. Default: none
+  std::optional<SoftSteps> soft_steps = {};
   int threads = 1;  ///< worker threads for contact search, rows, sweeps; the result is the same for any number
   /// Stop rule of the solver. A solver also stops when a sweep changes less than four rounding errors of |gravity| h.
   StopRule solver_limits = {};
@@ -323,7 +328,27 @@ class World {
   const StageTimes& stage_times() const { return clock_.times(); }
 
  private:
+  /// A contact that approaches fast, in soft steps.
+  struct Approach {
+    std::size_t contact;
+    double speed;  ///< G W [m/s], negative
+  };
+
   void step_part(double h);
+  void step_softly(double h);
+  void find_contacts_on_the_way(double h);
+  void build_soft_contacts(double h);
+  void integrate_velocities();
+  void build_soft_joints(double h);
+  template <class Act>
+  void for_rows_with_gaps(const Act& act);
+  void sweep_soft_rows(double h);
+  void sweep_rigid_rows(double h);
+  void sweep_all_rows();
+  void integrate_positions(double h);
+  void add_work_of_soft_drives();
+  void note_approaches(double h);
+  void restitute();
   void divide_steps(double h);
   double parts_needed_now(double h) const;
   double parts_needed_at_first(double h);
@@ -390,6 +415,10 @@ class World {
   std::vector<FrictionContact> rubbing_;  // where friction follows what presses
   std::vector<Twist<Dof>> V_;             // what the rows add to each velocity
   std::vector<Twist<Dof>> recovered_;     // what is taken out of each velocity again, Eq. (7.17)
+  std::vector<SoftGap> soft_gaps_;        // of the rows of joints, then of contacts, in soft steps
+  std::vector<Row<Dof>> soft_joints_;     // of the joints where they are now, in soft steps
+  std::vector<Twist<Dof>> at_rest_;       // velocities that soft rows are built with
+  std::vector<Approach> approaches_;      // of a soft step, for restitution
   WarmStartCache start_;                  // for the rows of the next step
   SolveReport solved_;
   StepTimer clock_;

@@ -6,6 +6,10 @@ namespace spook {
 /// Divides more as soon as joints need it, and less after a hundred steps that needed no more than half.
 template <int Dof>
 void World<Dof>::divide_steps(double h) {
+  if (settings_.soft_steps) {
+    parts_ = settings_.soft_steps->substeps;
+    return;
+  }
   const auto has_default_k = [](const Joint& joint) { return joint.has_default_k; };
   if (settings_.max_parts == 1 || std::none_of(joints_.begin(), joints_.end(), has_default_k)) return;
   const double needed = rows_.empty() ? parts_needed_at_first(h) : parts_needed_now(h);

@@ -9,11 +9,26 @@ namespace spook {
 /// Throws std::invalid_argument if friction would have no bound although a force may press bodies together.
 template <int Dof>
 static void require_weight_in_box(const Settings<Dof>& settings, bool forced) {
-  const bool boxed = settings.friction > 0 && settings.solver.friction == FrictionModel::box;
+  const bool boxed =
+      settings.friction > 0 && settings.solver.friction == FrictionModel::box && !settings.soft_steps;
   if (boxed && forced && settings.gravity.isZero(0))
     throw std::invalid_argument(
         "gravity must not be 0 where force presses bodies together: the friction box takes its bound from it; "
         "solver cone_gauss_seidel() or two_pass() does not");
+}
+
+/// Throws std::invalid_argument for soft steps beside settings that they do not use.
+template <int Dof>
+static void require_soft_alone(const Settings<Dof>& settings) {
+  if (!settings.soft_steps) return;
+  require_sound(*settings.soft_steps);
+  const auto refuse = [](const std::string& name, double value) {
+    reject(name, value, "left out with soft_steps, whose springs follow from frequencies");
+  };
+  if (settings.k) refuse("k", *settings.k);
+  if (settings.d) refuse("d", *settings.d);
+  if (settings.integrator_order != 2)
+    reject("integrator_order", settings.integrator_order, "2 with soft_steps");
 }
 
 template <int Dof>
@@ -38,6 +53,7 @@ World<Dof>::World(Settings<Dof> settings)
   if (settings_.threads < 1 || settings_.threads > most_threads)
     reject("threads", settings_.threads, "from 1 to " + std::to_string(most_threads));
   if (!settings_.solver.solve) throw std::invalid_argument("solver must be one of solvers(), but is null");
+  require_soft_alone(settings_);
   require_smooth();
   require_weight_in_box(settings_, settings_.force || settings_.wrench);
 }
@@ -107,14 +123,21 @@ void World<Dof>::remove_body(int body) {
   forget_the_last_step();
 }
 
+static void require_no_spring(const Material& material) {
+  if (material.k) reject("k", *material.k, "left out with soft_steps");
+  if (material.d) reject("d", *material.d, "left out with soft_steps");
+}
+
 template <int Dof>
 void World<Dof>::set_material(int body, const Material& material) {
+  if (settings_.soft_steps) require_no_spring(material);
   materials_.set(static_cast<int>(index(body)), material);
 }
 
 template <int Dof>
 void World<Dof>::set_material(int i, int j, const Material& material) {
   if (index(i) == index(j)) reject("j", j, "another body than i");
+  if (settings_.soft_steps) require_no_spring(material);
   materials_.set(i, j, material);
 }
 
@@ -245,6 +268,7 @@ StepReport World<Dof>::report() const {
           .iterations = static_cast<int>(solved_.history.size()),
           .residual = rows_.empty()                     ? 0
                       : settings_.integrator_order == 4 ? solved_.history.back()
+                      : settings_.soft_steps            ? residual_on_cones(rubbing_, rows_, bodies_.motion.W)
                       : settings_.solver.friction == FrictionModel::cone
                           ? residual_on_cones(rubbing_, rows_, V_)
                           : residual(rows_, V_),

@@ -14,7 +14,8 @@ from . import _spook
 from .film import page, show
 
 OPTIONS = ("h", "time", "solver", "iterations", "tolerance", "substeps", "integrator_order", "row_order", "seed",
-           "warm_start", "contact_margin", "friction_model", "tangents", "max_parts", "threads")
+           "warm_start", "contact_margin", "friction_model", "tangents", "max_parts", "threads",
+           "soft_steps")
 
 
 def as_typed(value: Any) -> str:
@@ -39,7 +40,8 @@ class Scene:
     def run(self, *, h: Any = None, time: Any = None, solver: str | None = None, iterations: int | None = None,
             tolerance: float | None = None, substeps: int | None = None, integrator_order: int | None = None,
             row_order: str | None = None, seed: int | None = None, warm_start: bool | None = None,
-            contact_margin: float | None = None, friction_model: str | None = None, tangents: str | None = None, max_parts: int | None = None, threads: int | None = None) -> Run:
+            contact_margin: float | None = None, friction_model: str | None = None, tangents: str | None = None,
+            max_parts: int | None = None, threads: int | None = None, soft_steps: int | None = None) -> Run:
         """Runs it and compares it with its answer; then runs it again without looking, for its speed.
 
         What is not given is the scene's own. h and time are in seconds. Raises ValueError for what makes no sense, and

@@ -1,0 +1,206 @@
+// Soft steps, the method of today's game engines: SoftSteps of engine/constraints/soft_rows.hpp.
+//
+//   once        find contacts, and build their rows
+//   a substep   integrate velocities   W <- W + W_f
+//               warm start             W <- W + M⁻¹ Gᵀ λ, with λ of the last substep            Eq. (10.2)
+//               soft sweep             closes gaps                                            Eq. (10.16)
+//               integrate positions    x <- x + h v, and each gap g <- g + h G W                   Eq. (10.19)
+//               relaxing sweep         without gap and softness, from this λ                  Eq. (10.15)
+//   once        restitution            of what approached fast, and pressed
+//
+// W takes the place of the sweeps' V, so that B has no velocities. A substep is a part of the step: World::parts().
+#include <algorithm>
+#include <cmath>
+
+namespace spook {
+
+template <int Dof>
+void World<Dof>::step_softly(double h) {
+  parts_ = settings_.soft_steps->substeps;
+  const double h_part = h / parts_;
+  solved_.history.clear();
+  solved_.converged = true;
+  clock_.run(Stage::contacts, [&] { find_contacts_on_the_way(h); });
+  clock_.run(Stage::forces, [&] { evaluate_forces(h_part); });
+  if (h_ > 0 && h_part != h_) shift_to_step(h_part);
+  clock_.run(Stage::rows, [&] { build_soft_contacts(h_part); });
+  note_approaches(h);
+  for (int part = 0; part < parts_; ++part) {
+    if (part > 0) clock_.run(Stage::forces, [&] { evaluate_forces(h_part); });
+    integrate_velocities();
+    clock_.run(Stage::rows, [&] { build_soft_joints(h_part); });
+    clock_.run(Stage::solve, [&] { sweep_soft_rows(h_part); });
+    clock_.run(Stage::integrate, [&] { integrate_positions(h_part); });
+    clock_.run(Stage::solve, [&] { sweep_rigid_rows(h_part); });
+    add_work_of_soft_drives();
+    end_step(h_part);
+  }
+  clock_.run(Stage::rows,
+             [&] { start_.remember(rows_, first_contact_row_, contacts_, h_part, settings_.threads); });
+  if (!approaches_.empty()) clock_.run(Stage::impacts, [&] { restitute(); });
+}
+
+/// Finds the contacts of a whole step: those that bodies can close in it, up to a tenth of the smallest shape's size.
+template <int Dof>
+void World<Dof>::find_contacts_on_the_way(double h) {
+  contacts_.clear();
+  if (!shapes_.may_touch()) return;
+  double fastest = 0;
+  for (const Twist<Dof>& W : bodies_.motion.W) fastest = std::max(fastest, W.template head<3>().squaredNorm());
+  const double way = h * (2 * std::sqrt(fastest) + h * settings_.gravity.norm());
+  const double size = std::isfinite(shapes_.smallest) ? shapes_.smallest : 0;
+  const double margin = settings_.contact_margin.value_or(std::min(way, 0.1 * size) + 1e-9 * size);
+  pairs_ = finder_.find(shapes_, bodies_, margin, contacts_, settings_.threads);
+}
+
+/// Builds the rows of contacts, and gives all rows their impulses of the last step.
+template <int Dof>
+void World<Dof>::build_soft_contacts(double h) {
+  set_default_stiffness(h);
+  first_contact_row_ = next_joint_row_;
+  const Friction friction{.c = settings_.viscosity,
+                          .gravity = settings_.gravity,
+                          .model = FrictionModel::cone,
+                          .sliding_tangents = settings_.sliding_tangents};
+  add_contact_rows(contacts_, h, materials_, friction, bodies_.motion, settings_.threads, first_contact_row_,
+                   rows_, rubbing_);
+  soft_gaps_.assign(first_contact_row_ + contacts_.size(), {});
+  for (std::size_t k = 0; k < first_contact_row_; ++k) rows_[k].lambda = 0;
+  for (std::size_t k = first_contact_row_; k < rows_.size(); ++k) rows_[k].B = 0;
+  for (std::size_t c = 0; c < contacts_.size(); ++c)
+    soft_gaps_[first_contact_row_ + c] = {.kind = SoftKind::limits,
+                                          .gap = contacts_[c].gap,
+                                          .S = rigid_diagonal(rows_[first_row(static_cast<int>(c))])};
+  const std::vector<double> impulses = start_.impulses(rows_, first_contact_row_, contacts_, h);
+  for (std::size_t k = 0; k < impulses.size(); ++k) rows_[k].lambda = impulses[k];
+}
+
+template <int Dof>
+void World<Dof>::integrate_velocities() {
+  std::vector<Twist<Dof>>& W = bodies_.motion.W;
+  if (!joints_.empty() || !kinematic_.empty()) V_ = W;
+  for (std::size_t i = 0; i < W.size(); ++i) W[i] += bodies_.motion.Wf[i];
+}
+
+/// Builds the rows of joints where they are now, with their λ of the last substep. They are built without velocities, so
+/// that B is -a g, or the speed of a motor.
+template <int Dof>
+void World<Dof>::build_soft_joints(double h) {
+  if (joints_.empty()) return;
+  Motion<Dof>& motion = bodies_.motion;
+  at_rest_.assign(bodies_.size(), Twist<Dof>::Zero());
+  motion.Wf = at_rest_;  // which W has by now
+  motion.W.swap(at_rest_);
+  soft_joints_.clear();
+  add_joint_rows(joints_, h, bodies_, soft_joints_);
+  motion.W.swap(at_rest_);
+  for (std::size_t n = 0; n < joints_.size(); ++n)
+    soften_joint(joints_[n], h, &soft_joints_[joint_rows_[n]], &soft_gaps_[joint_rows_[n]]);
+  for (std::size_t k = 0; k < first_contact_row_; ++k) {
+    const double lambda = rows_[k].lambda;
+    rows_[k] = soft_joints_[k];
+    rows_[k].lambda = std::clamp(lambda, rows_[k].lo, rows_[k].hi);
+  }
+}
+
+/// Calls act(row, gap) for the rows that may follow a gap: those of joints, and the normal rows of contacts.
+template <int Dof>
+template <class Act>
+void World<Dof>::for_rows_with_gaps(const Act& act) {
+  for (std::size_t k = 0; k < first_contact_row_; ++k) act(rows_[k], soft_gaps_[k]);
+  const auto each = static_cast<std::size_t>(rows_per_contact(materials_.rub()));
+  for (std::size_t c = 0; c < contacts_.size(); ++c)
+    act(rows_[first_contact_row_ + each * c], soft_gaps_[first_contact_row_ + c]);
+}
+
+template <int Dof>
+void World<Dof>::sweep_soft_rows(double h) {
+  const SoftSteps& soft = *settings_.soft_steps;
+  for_rows_with_gaps([&](Row<Dof>& row, const SoftGap& at) {
+    const bool of_joint = &row < rows_.data() + first_contact_row_;
+    make_soft(at, of_joint ? soft.joints : soft.contacts, soft.closing_speed, h, row);
+  });
+  for (const Row<Dof>& row : rows_)
+    if (row.lambda != 0) apply_impulse(row, row.lambda, bodies_.motion.W);
+  sweep_all_rows();
+}
+
+template <int Dof>
+void World<Dof>::sweep_rigid_rows(double h) {
+  for_rows_with_gaps([&](Row<Dof>& row, const SoftGap& at) { make_rigid(at, h, row); });
+  sweep_all_rows();
+}
+
+/// Updates joints, then all friction, then all normal rows, by Eq. (4.7) and (9.6). So each sweep ends with what carries
+/// the weight: with friction after each normal row, large pyramids fall.
+template <int Dof>
+void World<Dof>::sweep_all_rows() {
+  if (rows_.empty()) return;
+  std::vector<Twist<Dof>>& W = bodies_.motion.W;
+  double largest = 0;
+  const auto note = [&](double lacked) {
+    if (std::isnan(lacked) || lacked > largest) largest = lacked;
+  };
+  const auto update = [&](Row<Dof>& row) { note(row.diagonal * std::abs(update_row(row, W))); };
+  for (std::size_t k = 0; k < first_contact_row_; ++k) update(rows_[k]);
+  for (const FrictionContact& contact : rubbing_) note(update_friction(contact, rows_, W));
+  const auto each = static_cast<std::size_t>(rows_per_contact(materials_.rub()));
+  for (std::size_t k = first_contact_row_; k < rows_.size(); k += each) update(rows_[k]);
+  solved_.history.push_back(largest);
+  solved_.converged = largest <= settings_.solver_limits.tolerance;
+  row_updates_ += std::ssize(rows_);
+}
+
+/// Moves bodies, and each gap as far as their points move along its row: Eq. (10.19).
+template <int Dof>
+void World<Dof>::integrate_positions(double h) {
+  std::vector<Twist<Dof>>& W = bodies_.motion.W;
+  for_rows_with_gaps([&](const Row<Dof>& row, SoftGap& at) {
+    if (at.kind != SoftKind::limits) return;
+    at.gap += h * (row.Gi.dot(W[row.i]) + row.Gj.dot(W[row.j]));
+    at.pressed |= row.lambda > 0;
+  });
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (bodies_.is_fixed(i)) continue;
+    bodies_.x[i] = drift(bodies_.x[i], Vec3(W[i].template head<3>()), h);
+    if constexpr (Dof == 6) W[i].template tail<3>() = turned(i, W[i].template tail<3>(), h);
+  }
+  move_kinematic(h);
+}
+
+/// The work of λ at the mean of a substep's two velocities. V_ holds the first one.
+template <int Dof>
+void World<Dof>::add_work_of_soft_drives() {
+  if (joints_.empty() && kinematic_.empty()) return;
+  for (std::size_t i = 0; i < V_.size(); ++i) V_[i] -= bodies_.motion.W[i] + bodies_.motion.Wf[i];
+  add_work_of_drives();
+}
+
+/// Notes at which speed each contact with restitution approaches, as far as that makes an impact.
+template <int Dof>
+void World<Dof>::note_approaches(double h) {
+  approaches_.clear();
+  if (!settings_.impacts && !materials_.bounce()) return;
+  const double threshold = settings_.impacts.value_or(ImpactLaw{}).threshold + settings_.gravity.norm() * h;
+  for (std::size_t c = 0; c < contacts_.size(); ++c) {
+    const std::size_t k = first_row(static_cast<int>(c));
+    const double speed =
+        rows_[k].Gi.dot(bodies_.motion.W[rows_[k].i]) + rows_[k].Gj.dot(bodies_.motion.W[rows_[k].j]);
+    if (speed < -threshold) approaches_.push_back({.contact = c, .speed = speed});
+  }
+}
+
+/// Newton's law for contacts that approached and pressed: u' = -e u, Eq. (7.3). Their λ stays that of the last substep.
+template <int Dof>
+void World<Dof>::restitute() {
+  for (const auto& [c, speed] : approaches_) {
+    const std::size_t k = first_row(static_cast<int>(c));
+    if (!soft_gaps_[first_contact_row_ + c].pressed) continue;
+    Row<Dof> impact = rows_[k];
+    impact.lambda = 0;
+    impact.B = -materials_.of(contacts_[c].i, contacts_[c].j).restitution * speed;
+    if (update_row(impact, bodies_.motion.W) > 0) ++impacts_;
+  }
+}
+
+}  // namespace spook
