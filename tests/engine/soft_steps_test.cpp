@@ -389,6 +389,16 @@ TEST(SoftSteps, RefuseWhatTheyDoNotUse) {
   World<6> world = on_a_floor();
   EXPECT_THROW(world.set_material(0, {.k = 1e6}), std::invalid_argument);
   EXPECT_THROW(world.set_material(0, {.d = 3}), std::invalid_argument);
+
+  const int ball = world.add({.x = Vec3(0, 0, 5), .mass = 1, .radius = 0.1}),
+            joints = static_cast<int>(world.joints().size());
+  EXPECT_THROW(world.add_joint({.i = 0, .j = ball, .kind = JointKind::rope, .length = 1}),
+               std::invalid_argument);
+  EXPECT_THROW(world.add_joint({.i = 0, .j = ball, .kind = JointKind::hinge, .spring = Spring{.stiffness = 1}}),
+               std::invalid_argument);
+  const int hinge = world.add_joint({.i = 0, .j = ball, .kind = JointKind::hinge});
+  EXPECT_THROW(world.set_spring(hinge, Spring{.stiffness = 1}), std::invalid_argument);
+  EXPECT_EQ(static_cast<int>(world.joints().size()), joints + 1);
 }
 
 }  // namespace

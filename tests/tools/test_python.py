@@ -692,7 +692,7 @@ class Sweeps(WithModule):
         self.assertEqual(len(table), 3)
         (skipped,) = table.skipped
         self.assertEqual((skipped["solver"], skipped["row_order"]), ("direct", "random"))
-        self.assertIn("an order of rows is for sweeps", skipped["why"])
+        self.assertIn("with a row order, solver must be gauss_seidel", skipped["why"])
 
     def test_a_parameter_goes_before_an_option_and_seeds_have_a_mean(self):
         table = spook.sweep(spook.scene("pile", bodies=5), seed=[1, 2, 3], time=0.1)

@@ -176,8 +176,8 @@ class World {
   void set_material(int i, int j, const Material& material);
 
   /// Excludes contacts: no two of these bodies touch from now on. A world may have several such lists, and a body may
-  /// be in more than one. Without a list, bodies on a joint touch as any two bodies do. Throws std::invalid_argument for
-  /// an index out of range, a body that is there twice, and fewer than two bodies.
+  /// be in more than one. Without a list, bodies on a joint touch as any two bodies do. Throws std::invalid_argument
+  /// for an index out of range, a body that is there twice, and fewer than two bodies.
   void exclude_contacts(const std::vector<int>& bodies);
 
   /// Sets the position and velocity, or the orientation and angular velocity, of a dynamic body. Leapfrog's velocities
@@ -200,15 +200,15 @@ class World {
   /// Moves a static body to x. Throws std::invalid_argument for a dynamic body and for a plane.
   void move_fixed(int body, const Vec3& x);
 
-  /// Moves a static body from now on with a velocity [m/s], and turns it with an angular velocity [rad/s], both about its
-  /// centre and in world coordinates: a kinematic body, such as a platform. Rows of contacts, friction and joints contain its
-  /// velocity, and nothing changes it. Zero stops it. Throws std::invalid_argument for a body that is not static, a plane, a velocity that
-  /// is not finite, and with integrator_order 4.
+  /// Moves a static body from now on with a velocity [m/s], and turns it with an angular velocity [rad/s], both about
+  /// its centre and in world coordinates: a kinematic body, such as a platform. Rows of contacts, friction and joints
+  /// contain its velocity, and nothing changes it. Zero stops it. Throws std::invalid_argument for a body that is not
+  /// static, a plane, a velocity that is not finite, and with integrator_order 4.
   void set_velocity(int body, const Vec3& v);
   void set_velocity(int body, const Vec3& v, const Vec3& omega) requires(Dof == 6);
 
-  /// Moves the surface of a static body, and not the body, with a velocity [m/s]: a conveyor belt. Throws as set_velocity, but
-  /// takes a plane.
+  /// Moves the surface of a static body, and not the body, with a velocity [m/s]: a conveyor belt. Throws as
+  /// set_velocity, but takes a plane.
   void set_surface_velocity(int body, const Vec3& v);
 
   /// The same with a velocity that depends on time. A step takes the velocity at its middle, so that positions are of
@@ -216,7 +216,8 @@ class World {
   void set_velocity_function(int body, VelocityFunction<Dof> velocity);
 
   /// Moves a static body along keyframes, and places it where it is at the present time. After each step it is where
-  /// the keyframes say, and rows of contacts and joints contain the velocity that takes it there. Throws as set_velocity.
+  /// the keyframes say, and rows of contacts and joints contain the velocity that takes it there. Throws as
+  /// set_velocity.
   void set_keyframes(int body, Keyframes keyframes);
 
   /// Returns whether static bodies have been given a velocity.
@@ -382,6 +383,7 @@ class World {
   void kick_all(double h, double time);
   void require_smooth() const;
   void require_smooth(const Joint& joint) const;
+  void require_for_soft_steps(const Joint& joint) const;
   void require_no_relaxation(double d) const;
   void require_wrench_of_places() const;
 

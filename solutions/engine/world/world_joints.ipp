@@ -55,11 +55,20 @@ int World<Dof>::add_joint(const Joint& given) {
   if (joint.motor) require_kind(leaves_free, joint, "hinge or slider, where it has a motor");
   if (joint.is_guided()) complete(joint);
   require_smooth(joint);
+  require_for_soft_steps(joint);
   joints_.push_back(joint);
   joint_rows_.push_back(next_joint_row_);
   next_joint_row_ += static_cast<std::size_t>(joint.rows());
   if (joint.kind == JointKind::hinge) hinges_.push_back(joints_.size() - 1);
   return static_cast<int>(joints_.size()) - 1;
+}
+
+/// Rows of springs and ropes depend on velocities, which the rows of soft steps do not contain.
+template <int Dof>
+void World<Dof>::require_for_soft_steps(const Joint& joint) const {
+  if (!settings_.soft_steps) return;
+  if (joint.spring) reject("spring's stiffness", joint.spring->stiffness, "left out with soft_steps");
+  require_kind(joint.kind != JointKind::rope, joint, "another than rope with soft_steps");
 }
 
 /// Fills in the defaults of a hinge, slider or weld.
@@ -106,6 +115,7 @@ void World<Dof>::set_spring(int joint, const std::optional<Spring>& spring) requ
                "hinge or slider, where it has a spring");
   if (spring) require_sound(*spring);
   if (spring) require_smooth({.i = 0, .j = 0, .d = 0, .spring = spring});
+  if (spring) require_for_soft_steps({.i = 0, .j = 0, .spring = spring});
   const bool as_many_rows = spring.has_value() == sprung.spring.has_value();
   sprung.spring = spring;
   if (!as_many_rows) forget_the_last_step();

@@ -34,6 +34,7 @@ class Reference:
         if len(set(names)) != len(names):
             raise CourseError(f"{archive.name} has two objects of one name; nothing is graded")
         _ran(["ar", "x", str(archive.resolve())], self._members)
+        self._asked = {file.name: _asked_by(file) for file in self._members.iterdir()}
         # Instances of templates, which a compiler defines as weak.
         self.weak = frozenset(line.split()[0] for line in _ran(["nm", "-P", "--defined-only", str(archive)], folder)
                               .splitlines() if line.split()[1:2] == ["W"])
@@ -49,7 +50,20 @@ class Reference:
                    if (name := file.name.partition(".")[0]) in allowed or name not in exercises]
         with self._making:
             if not made.exists():
+                members = [self._without_later(exercise, file) for file in members]
                 _ran(["ar", "rcsT", str(made), *(str(file) for file in members)], self._folder)
+        return made
+
+    def _without_later(self, exercise: Exercise, member: Path) -> Path:
+        """A member that is no exercise itself may stay undefined where it calls a later one: it would not link else."""
+        known = {exercise.function, *callable_from(exercise)}
+        later = frozenset().union(*(symbols for function, symbols in self.symbols.items() if function not in known))
+        called = later & self._asked[member.name]
+        if not called:
+            return member
+        made = self._folder / f"{exercise.function}-{member.name}"
+        _ran(["objcopy", *(f"--weaken-symbol={symbol}" for symbol in sorted(called)), str(member), str(made)],
+             self._folder)
         return made
 
     def asks_only_for(self, exercise: Exercise, asking: Path) -> Path:
@@ -64,6 +78,12 @@ class Reference:
             if not made.exists():
                 _ran(["objcopy", *others, str(asking), str(made)], self._folder)
         return made
+
+
+def _asked_by(file: Path) -> frozenset[str]:
+    """The symbols that an object leaves undefined."""
+    lines = _ran(["nm", "-P", "--undefined-only", str(file)], file.parent).splitlines()
+    return frozenset(line.split()[0] for line in lines if line.strip())
 
 
 def _ran(command: list[str], folder: Path) -> str:
