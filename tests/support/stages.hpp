@@ -151,6 +151,18 @@ inline Crowd crowd(Random& random, int bodies, int contacts) {
   return made;
 }
 
+/// Opens every third contact by 0.02 m: it may close within the step, so that it has its rows.
+inline void open_every_third(std::vector<Contact>& contacts) {
+  for (std::size_t k = 0; k < contacts.size(); k += 3) contacts[k].gap = 0.02;
+}
+
+/// The mistake of a step that takes contacts only where bodies overlap.
+inline Mistake overlapping_only(const Simulation& all, std::vector<Contact> contacts, double h) {
+  std::erase_if(contacts, [](const Contact& contact) { return contact.gap > 0; });
+  return {assembled(all, contacts, h),
+          "The contacts with a gap above 0 are missing. They may close within the step."};
+}
+
 /// Returns momentum, then angular momentum about the world's origin, with the velocities of `now` at the positions of
 /// `places`.
 inline Twist<6> momenta(const Simulation& now, const Simulation& places) {
