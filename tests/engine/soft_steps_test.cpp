@@ -392,7 +392,7 @@ TEST(SoftSteps, RefuseWhatTheyDoNotUse) {
 
   const int ball = world.add({.x = Vec3(0, 0, 5), .mass = 1, .radius = 0.1}),
             joints = static_cast<int>(world.joints().size());
-  EXPECT_THROW(world.add_joint({.i = 0, .j = ball, .kind = JointKind::rope, .length = 1}),
+  EXPECT_THROW(world.add_joint({.i = 0, .j = ball, .length = 1, .kind = JointKind::rope}),
                std::invalid_argument);
   EXPECT_THROW(world.add_joint({.i = 0, .j = ball, .kind = JointKind::hinge, .spring = Spring{.stiffness = 1}}),
                std::invalid_argument);
