@@ -17,6 +17,7 @@ struct Stages {
   int max_sweeps = 0;                  ///< in place of the simulation's; 0: its own
   bool without_friction = false;
   bool counts_no_pairs = false;     ///< N = 1
+  bool overlapping_only = false;    ///< no rows where a gap is above 0
   bool whole_gravity = false;       ///< |g| for g_n
   bool contact_parameters = false;  ///< a, b, Σ of contacts for friction
   bool normals_first = false;       ///< the rows of all normals, then those of all tangents
@@ -58,6 +59,7 @@ inline std::vector<Constraint<6>> contact_constraints(const Simulation& all,
   const SpookParameters of_friction = stages.contact_parameters ? spook : friction_parameters(h, all.viscosity);
   std::vector<Constraint<6>> constraints, tangential;
   for (const Contact& contact : contacts) {
+    if (stages.overlapping_only && contact.gap > 0) continue;
     const auto [Gi, Gj] = contact_jacobian(contact);
     constraints.push_back(
         {.i = contact.i, .j = contact.j, .Gi = Gi, .Gj = Gj, .gap = contact.gap, .spook = spook});
@@ -154,13 +156,6 @@ inline Crowd crowd(Random& random, int bodies, int contacts) {
 /// Opens every third contact by 0.02 m: it may close within the step, so that it has its rows.
 inline void open_every_third(std::vector<Contact>& contacts) {
   for (std::size_t k = 0; k < contacts.size(); k += 3) contacts[k].gap = 0.02;
-}
-
-/// The mistake of a step that takes contacts only where bodies overlap.
-inline Mistake overlapping_only(const Simulation& all, std::vector<Contact> contacts, double h) {
-  std::erase_if(contacts, [](const Contact& contact) { return contact.gap > 0; });
-  return {assembled(all, contacts, h),
-          "The contacts with a gap above 0 are missing. They may close within the step."};
 }
 
 /// Returns momentum, then angular momentum about the world's origin, with the velocities of `now` at the positions of

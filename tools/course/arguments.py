@@ -155,7 +155,7 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     command = add("slides", "make a chapter's slides from its lesson: one HTML file that prints, with notes")
     command.add_argument("which", metavar="N", help="a chapter")
     command.add_argument("--out", metavar="FILE", help="output file (default: build/slides/NN_topic.html)")
-    command = add("exam", "print exam questions on the objectives of chapters, drawn by a seed; with their answers")
+    command = add("exam", "print exam questions and their answers, drawn by a seed")
     command.add_argument("chapters", nargs="?", type=_chapters, metavar="A-B", help="1-5, or 1,3,5-7")
     command.add_argument("--seed", type=_seed, metavar="S", help="seed of numbers, signs and conventions (default: 1)")
     command.add_argument("--answers", action="store_true", help="print the answer below each question")
@@ -168,7 +168,7 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     command.add_argument("--yes", action="store_true", help="install without asking")
     command.add_argument("words", nargs="*", metavar="FILE ...", help="arguments of Python; the file may import spook")
     _add_grade(add("grade", "grade a class: folders and zips that contain chapters/"))
-    command = add("export", "make files for grading on another platform, convert results for it, or make a repository for students")
+    command = add("export", "make files for grading elsewhere, or a repository for students")
     command.add_argument("what", metavar="FORMAT", choices=EXPORTS, help=", ".join(EXPORTS))
     command.add_argument("results", nargs="*", metavar="RESULTS",
                          help="results.json of one submission, or a folder that grade has written")

@@ -50,9 +50,7 @@ static void linearise(const Row<Dof>* rows, const Vec3& r, double softer, double
 
 /// Computes Δλ of all rows; returns false if it is not finite.
 template <int Dof>
-static bool newton_step(ConeProblem<Dof>& problem, double softer, std::vector<double>& step) {
-  constexpr double share_of_light = 1e-2;
-  const double light = share_of_light * problem.asked();
+static bool newton_step(ConeProblem<Dof>& problem, double softer, double light, std::vector<double>& step) {
   for (ContactBlock& block : problem.blocks()) {
     Vec3 r = Vec3::Zero();
     for (int n = 0; n < block.count; ++n) r[n] = problem.row_residual(block.row + n);
@@ -65,12 +63,14 @@ static bool newton_step(ConeProblem<Dof>& problem, double softer, std::vector<do
 template <int Dof>
 bool cone_newton(ConeProblem<Dof>& problem, double tolerance, int most, std::vector<double>& history) {
   constexpr int sweeps = 5, most_in_vain = 5;
-  constexpr double accurate = 1e-8, least_softer = 1e-5, most_softer = 1e-2;
+  constexpr double accurate = 1e-8, near = 1e-3, share_of_light = 1e-2, least_softer = 1e-5, most_softer = 1e-2;
   double least = problem.residual(), softer = 0;
   std::vector<double> step, best = problem.impulses();
   const auto may_fail = [&] { return least <= accurate * problem.asked() ? 1 : most_in_vain; };
   for (int n = 0, in_vain = 0; n < most && in_vain < may_fail(); ++n) {
-    if (!newton_step(problem, std::max(softer, 1e-3 * std::min(1.0, least / problem.asked())), step)) break;
+    const double share = least / problem.asked();
+    const double light = share < near ? share_of_light * problem.asked() : 0;
+    if (!newton_step(problem, std::max(softer, 1e-3 * std::min(1.0, share)), light, step)) break;
     std::vector<double> there = best;
     for (std::size_t k = 0; k < there.size(); ++k) there[k] += step[k];
     problem.project(there);

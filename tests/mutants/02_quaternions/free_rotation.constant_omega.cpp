@@ -1,6 +1,6 @@
 // Wrong: lets the body turn about an ω that never changes.
 // Killed by: FreeRotation.StandsOnItsHeadAfterHalfAPeriodAndReturns
-// Says: With ω constant it never would
+// Says: With a constant ω it never does
 #include "02_quaternions/quaternions.hpp"
 
 namespace spook {

@@ -1,6 +1,6 @@
 // Wrong: adds the gyroscopic torque explicitly: the top gains energy.
 // Killed by: FreeRotation.KeepsEnergyInItsBandFor1e5Steps
-// Says: feeds the top at every step
+// Says: adds energy in every step
 #include "02_quaternions/quaternions.hpp"
 
 namespace spook {

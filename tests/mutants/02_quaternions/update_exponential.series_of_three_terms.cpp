@@ -1,6 +1,6 @@
 // Wrong: cuts the exponential series short.
 // Killed by: UpdateExponential.MakesSeveralTurnsInOneStep
-// Says: no series cut short
+// Says: not a truncated series
 #include "02_quaternions/quaternions.hpp"
 
 namespace spook {

@@ -1,6 +1,6 @@
 // Wrong: knows no rotation.
 // Killed by: CollisionMatrix.OfASphereOnAPlane
-// Says: pushed at its rim, a sphere also turns
+// Says: also turns a sphere
 #include "03_single_contact/single_contact.hpp"
 
 namespace spook {

@@ -1,6 +1,6 @@
 // Wrong: leaves the bounds of a contact, 0 and infinity.
 // Killed by: FrictionConstraints.AreBoundedOnBothSides
-// Says: would let nothing ever slide
+// Says: nothing would ever slide
 #include "05_friction_box/friction_box.hpp"
 
 namespace spook {

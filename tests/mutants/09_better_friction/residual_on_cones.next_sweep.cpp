@@ -1,6 +1,6 @@
 // Wrong: returns what the next sweep would.
 // Killed by: ResidualOnCones.IsWhatEachUpdateByItselfWouldChange
-// Says: This is what the next sweep returns
+// Says: This is the value that the next sweep returns
 #include "09_better_friction/better_friction.hpp"
 
 namespace spook {
