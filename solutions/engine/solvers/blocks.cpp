@@ -11,8 +11,8 @@ namespace spook {
 template <int Dof>
 static double sweep_blocks(const SolverInput<Dof>& s) {
   double largest = 0;
-  const auto note = [&](double lacked) {
-    if (std::isnan(lacked) || lacked > largest) largest = lacked;
+  const auto note = [&](double lacked) {  // NaN stays
+    if (!(std::isnan(largest) || lacked <= largest)) largest = lacked;
   };
   auto contact = s.rubbing.begin();
   for (std::size_t k = 0; k < s.rows.size(); ++k) {
