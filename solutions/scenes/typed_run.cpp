@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "engine/support/parallel_for.hpp"
 #include "scenes/choose.hpp"
@@ -42,49 +44,50 @@ static void set_rows(const TypedRun& typed, Method& method) {
     method.sliding_tangents = choose<bool>("tangents", *typed.tangents, {{"fixed", false}, {"sliding", true}});
 }
 
+/// An option, and whether it is given.
+using Option = std::pair<const char*, bool>;
+
+/// Throws std::invalid_argument for the first option that is given; `why` goes on after its name.
+static void refuse_given(const std::vector<Option>& options, const std::string& why) {
+  for (const auto& [option, given] : options)
+    if (given) throw std::invalid_argument(std::string(option) + " " + why);
+}
+
 /// Rejects options that have no effect in steps of order four, which have their own method for joints.
-static void refuse_solver_beside_composed(const TypedRun& typed, const Method& method) {
-  if (method.integrator_order != 4) return;
-  const std::pair<const char*, bool> of_solvers[] = {{"solver", typed.solver.has_value()},
-                                                     {"row-order", typed.row_order.has_value()},
-                                                     {"friction-model", typed.friction_model.has_value()},
-                                                     {"tangents", typed.tangents.has_value()},
-                                                     {"max-parts", typed.max_parts.has_value()},
-                                                     {"warm-start", typed.warm_start}};
-  for (const auto& [option, given] : of_solvers)
-    if (given)
-      throw std::invalid_argument(
-          std::string(option) + " has no effect with integrator-order 4, whose joints are rigid: leave it out");
+static void refuse_beside_composed(const TypedRun& typed) {
+  refuse_given({{"solver", typed.solver.has_value()},
+                {"row-order", typed.row_order.has_value()},
+                {"friction-model", typed.friction_model.has_value()},
+                {"tangents", typed.tangents.has_value()},
+                {"max-parts", typed.max_parts.has_value()},
+                {"warm-start", typed.warm_start}},
+               "has no effect with integrator-order 4, whose joints are rigid: leave it out");
 }
 
 /// Rejects options that have no effect in soft steps, whose sweeps are their own.
 static void refuse_beside_soft(const TypedRun& typed) {
-  const std::pair<const char*, bool> of_solvers[] = {{"solver", typed.solver.has_value()},
-                                                     {"iterations", typed.iterations.has_value()},
-                                                     {"row-order", typed.row_order.has_value()},
-                                                     {"friction-model", typed.friction_model.has_value()},
-                                                     {"integrator-order", typed.integrator_order.has_value()},
-                                                     {"warm-start", typed.warm_start}};
-  for (const auto& [option, given] : of_solvers)
-    if (given)
-      throw std::invalid_argument(std::string(option) + " has no effect with soft-steps: leave it out");
+  refuse_given({{"solver", typed.solver.has_value()},
+                {"iterations", typed.iterations.has_value()},
+                {"row-order", typed.row_order.has_value()},
+                {"friction-model", typed.friction_model.has_value()},
+                {"integrator-order", typed.integrator_order.has_value()},
+                {"max-parts", typed.max_parts.has_value()},
+                {"warm-start", typed.warm_start}},
+               "has no effect with soft-steps: leave it out");
 }
 
 /// Refuses options of the fast engine, since the plain engine has no choices.
 static void refuse_beside_plain(const TypedRun& typed) {
-  const std::pair<const char*, bool> of_the_fast[] = {{"solver", typed.solver.has_value()},
-                                                      {"row-order", typed.row_order.has_value()},
-                                                      {"contact-margin", typed.contact_margin.has_value()},
-                                                      {"friction-model", typed.friction_model.has_value()},
-                                                      {"tangents", typed.tangents.has_value()},
-                                                      {"max-parts", typed.max_parts.has_value()},
-                                                      {"threads", typed.threads.has_value()},
-                                                      {"soft-steps", typed.soft_steps.has_value()},
-                                                      {"warm-start", typed.warm_start}};
-  for (const auto& [option, given] : of_the_fast)
-    if (given)
-      throw std::invalid_argument(std::string(option) +
-                                  " needs the fast engine: leave it out, or leave out --engine");
+  refuse_given({{"solver", typed.solver.has_value()},
+                {"row-order", typed.row_order.has_value()},
+                {"contact-margin", typed.contact_margin.has_value()},
+                {"friction-model", typed.friction_model.has_value()},
+                {"tangents", typed.tangents.has_value()},
+                {"max-parts", typed.max_parts.has_value()},
+                {"threads", typed.threads.has_value()},
+                {"soft-steps", typed.soft_steps.has_value()},
+                {"warm-start", typed.warm_start}},
+               "needs the fast engine: leave it out, or leave out --engine");
 }
 
 Parameters TypedRun::parameters(const SceneDescription& description) const {
@@ -124,7 +127,7 @@ RunSettings TypedRun::settings(const SceneDescription& description) const {
     method.soft_steps = parse_whole("soft-steps", *soft_steps, 1, 1024);
   }
   set_rows(*this, method);
-  refuse_solver_beside_composed(*this, method);
+  if (method.integrator_order == 4) refuse_beside_composed(*this);
   // A row order, or the cone, replaces the scene's solver if that solver does not support it.
   if (!solver && method.row_order != RowOrder::given) method.solver = solvers<3>().front().name;
   if (!solver && method.friction_model == FrictionModel::cone && !find_solver<3>(method.solver).make_on_cones)

@@ -89,7 +89,8 @@ Keyframes keyframes_in(const Place& place) {
                                : std::vector<std::string>{"time", "x", "q"});
     frames.push_back({.time = each["time"].number(), .x = each["x"].vector()});
     if (const auto q = each.find("q")) frames.back().q = q->quaternion();
-    at(each, [&] { Keyframes(frames).at(0); });
+    const auto checked = frames.end() - std::min<std::ptrdiff_t>(2, std::ssize(frames));  // with the one before
+    at(each, [&] { Keyframes({checked, frames.end()}); });
   }
   return Keyframes(std::move(frames));
 }

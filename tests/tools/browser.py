@@ -1,6 +1,7 @@
 """A browser that tests drive: Debian's Chromium, without a window, drawing in software."""
 
 import io
+import tempfile
 import time
 import unittest
 from pathlib import Path
@@ -8,10 +9,21 @@ from pathlib import Path
 import sandbox  # noqa: F401  (finds the course's modules)
 
 from chromium import headless
-from needs import BROWSER_NEEDS, VIEW_NEEDS
+from needs import BOOK_NEEDS, BROWSER_NEEDS, VIEW_NEEDS
 
 SIZE = (1280, 800)
 _PATIENCE = 60  # seconds, where other tests take the processors
+
+
+def browser_for_book(case: type[unittest.TestCase]) -> Path:
+    """Gives a test case a browser, and returns an empty folder for a book. Skips the case where either lacks packages."""
+    if missing := [need.package for need in BOOK_NEEDS if not need.there()]:
+        raise unittest.SkipTest(f"no book: {', '.join(missing)} not installed")
+    case.browser = Browser()
+    case.addClassCleanup(case.browser.close)
+    folder = tempfile.TemporaryDirectory()
+    case.addClassCleanup(folder.cleanup)
+    return Path(folder.name)
 
 
 class Browser:

@@ -1,17 +1,15 @@
 """Live figures in a browser, from the file system: each starts, moves and is quiet; sliders, pauses, damage."""
 
 import json
-import tempfile
 import unittest
 from pathlib import Path
 
-from browser import Browser
+from browser import browser_for_book
 from test_live_engine import built
 from test_live_figures import figures
 
 from binding.live import ENGINE, live_figure
 from binding.site import build
-from needs import BOOK_NEEDS
 
 MOST_RUNNING = 2
 
@@ -20,13 +18,7 @@ class Live(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         engine = built()
-        if missing := [need.package for need in BOOK_NEEDS if not need.there()]:
-            raise unittest.SkipTest(f"no book: {', '.join(missing)} not installed")
-        cls.browser = Browser()
-        cls.addClassCleanup(cls.browser.close)
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.folder = Path(folder.name)
+        cls.folder = browser_for_book(cls)
         build(cls.folder, engine=engine)
 
     def tearDown(self):

@@ -3,19 +3,17 @@ words beside sliders, reset, the numbers of a body, and the book's first page.""
 
 import functools
 import http.server
-import tempfile
 import threading
 import unittest
 from pathlib import Path
 
-from browser import Browser
+from browser import browser_for_book
 from fake_engine import fake_engine
 from test_live_figures import figures
 
 from binding.front import hero
 from binding.live import ENGINE, live_figure
 from binding.site import build
-from needs import BOOK_NEEDS
 
 LESSON = "01_leapfrog"
 
@@ -23,14 +21,9 @@ LESSON = "01_leapfrog"
 class LivePage(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        if missing := [need.package for need in BOOK_NEEDS if not need.there()]:
-            raise unittest.SkipTest(f"no book: {', '.join(missing)} not installed")
-        cls.browser = Browser()
-        cls.addClassCleanup(cls.browser.close)
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.folder = Path(folder.name, "site")
-        build(cls.folder, engine=fake_engine(Path(folder.name), [hero(), live_figure(figures()[LESSON])]))
+        folder = browser_for_book(cls)
+        cls.folder = folder / "site"
+        build(cls.folder, engine=fake_engine(folder, [hero(), live_figure(figures()[LESSON])]))
 
     def tearDown(self):
         self.assertEqual(self.browser.messages(), [])

@@ -173,7 +173,8 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     command.add_argument("results", nargs="*", metavar="RESULTS",
                          help="results.json of one submission, or a folder that grade has written")
     command.add_argument("--out", metavar="FILE", help="output file (default: print text formats)")
-    command.add_argument("--chapters", type=_chapters, metavar="A-B", help="chapters that the platform grades, or that students write")
+    command.add_argument("--chapters", type=_chapters, metavar="A-B",
+                         help="chapters that the platform grades, or that students write")
     command.add_argument("--hidden", metavar="DIR", help="folder of hidden tests for the platform")
     command.add_argument("--seed", type=_seed, metavar="S", help="seed of random inputs on the platform")
     command.add_argument("--weights", metavar="FILE", help="table of points, for a kit or to score results again")
@@ -248,7 +249,9 @@ def _add_grade(command: Parser) -> None:
                          help="largest total of time-outs in a submission (default: 600)")
     command.add_argument("--isolation", choices=NAMES, metavar="NAME",
                          help=f"isolation of submissions (default: the first that works of {', '.join(NAMES)})")
-    command.add_argument("--fresh", action="store_true", help="grade everything again, ignoring earlier results; if interrupted, the command without it goes on")
+    command.add_argument("--fresh", action="store_true",
+                         help="grade everything again, ignoring earlier results; if interrupted, the command without "
+                              "it goes on")
     command.add_argument("--prepare", action="store_true",
                          help="only install missing packages, build, and test the reference")
     command.add_argument("--yes", action="store_true", help="install without asking")

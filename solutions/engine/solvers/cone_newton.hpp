@@ -22,17 +22,18 @@
 // of cubes that stand side by side, would change their kind with every step. Sweeps after the step solve them: nothing
 // rests on them, so that few sweeps suffice. While the residual is large, it is not known which contacts are light.
 //
-//   K. Levenberg, D. Marquardt: a diagonal that grows while steps fail, and shrinks while they succeed.
+//   D. W. Marquardt, An algorithm for least-squares estimation of nonlinear parameters, J. SIAM 11 (1963): a diagonal
+//   that grows while steps fail.
 //   P. Alart, A. Curnier, A mixed formulation for frictional contact problems prone to Newton like solution methods,
 //   Comput. Methods Appl. Mech. Eng. 92 (1991).
 #include "engine/solvers/cone_problem.hpp"
 
 namespace spook {
 
-/// Takes Newton steps from the current λ, at most `most`. Stops at the fifth step that does not halve the least residual
-/// so far; at the first one if the residual is 1e-8 of the largest |B|. Ends with the λ of the least residual. Appends
-/// the residual after each factorisation to the history; the last entry belongs to the final λ. Returns whether the
-/// problem is solved to the tolerance [m/s], or to round-off.
+/// Takes Newton steps from the current λ, at most `most`. Stops at the fifth step that does not halve the least
+/// residual so far; if the residual is at most 1e-8 of the largest |B|, the first such step suffices. Ends with the λ
+/// of the least residual. Appends the residual after each factorisation to the history; the last entry belongs to the
+/// final λ. Returns whether the problem is solved to the tolerance [m/s], or to round-off.
 template <int Dof>
 bool cone_newton(ConeProblem<Dof>& problem, double tolerance, int most, std::vector<double>& history);
 

@@ -18,8 +18,8 @@ void World<Dof>::step(double h) {
   impacts_ = 0;
   work_of_drives_ = 0;
   if (settings_.integrator_order == 4) return step_composed(h);
-  if (settings_.soft_steps) return step_softly(h);
   divide_steps(h);
+  if (settings_.soft_steps) return step_softly(h);
   SolveReport unsolved{.history = {}, .converged = true};
   for (int part = 0; part < parts_; ++part) {
     step_part(h / parts_);

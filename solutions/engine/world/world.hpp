@@ -103,7 +103,7 @@ struct Settings {
   int max_parts = 32;
   /// Soft steps, the method of today's game engines: fast, and accurate to a per cent or so. They have contacts on
   /// Coulomb's cones and warm starts, and do not use `solver`, `warm_start` and `max_parts`. Then k and d must not be
-  /// given; joints with a k of their own are springs. Default: none
+  /// given, joints with a k of their own are springs, and `Joint::spring` and ropes are refused. Default: none
   std::optional<SoftSteps> soft_steps = {};
   int threads = 1;  ///< worker threads for contact search, rows, sweeps; the result is the same for any number
   /// Stop rule of the solver. A solver also stops when a sweep changes less than four rounding errors of |gravity| h.
@@ -161,7 +161,8 @@ class World {
   /// - a point off the centre of a point mass, a bad k or d;
   /// - a length that is not positive, a distance whose two points coincide;
   /// - a hinge, slider or weld of point masses, or with an axis or rest that is not of unit length;
-  /// - an empty range of limits, a bad motor or spring, and any of these on a joint without a free axis.
+  /// - an empty range of limits, a bad motor or spring, and any of these on a joint without a free axis;
+  /// - a spring or rope in soft steps.
   int add_joint(const Joint& joint);
 
   /// Replaces the motor of a hinge or slider; {} removes the motor. Throws std::invalid_argument as add_joint does.

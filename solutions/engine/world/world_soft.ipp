@@ -16,7 +16,6 @@ namespace spook {
 
 template <int Dof>
 void World<Dof>::step_softly(double h) {
-  parts_ = settings_.soft_steps->substeps;
   const double h_part = h / parts_;
   solved_.history.clear();
   solved_.converged = true;
