@@ -104,8 +104,8 @@ Problem<3> cancelling_problem(double part) {
   return p;
 }
 
-/// Three rows around three bodies, some of them so heavy that they hardly move. B = 1 m/s or a fraction of that. All such
-/// systems are tried, some with a small Σ, and one with terms that all but cancel. S stays well conditioned.
+/// Three rows around three bodies, some of them so heavy that they hardly move. B = 1 m/s or a fraction of that. All
+/// such systems are tried, some with a small Σ, and one with terms that all but cancel. S stays well conditioned.
 std::vector<Problem<3>> unlike_problems(double part) {
   const Twist<3> up(0, 0, 1);
   std::vector<Problem<3>> all;
@@ -362,8 +362,8 @@ EXERCISE_TEST(ConjugateSolve, NeedsFewIterationsForAHeavyLoad) {
 }
 
 // The rows of a wire are coloured like a chessboard, so Jacobi's eigenvalues come in pairs ±μ. After the two sweeps of
-// (10.6) each pair gives one eigenvalue: half as many steps suffice, and the load adds one. (Plain directions, z = r, have
-// one for each row.)
+// (10.6) each pair gives one eigenvalue: half as many steps suffice, and the load adds one. (Plain directions, z = r,
+// have one for each row.)
 EXERCISE_TEST(ConjugateSolve, NeedsHalfAsManyIterationsAsAWireHasLinks) {
   for (const double load : {1.0, 1e3, 1e6}) {
     std::vector<double> masses(100, 1.0);
@@ -764,8 +764,8 @@ EXERCISE_TEST(ConjugateSolve, DoesNotTakeANaNForConverged) {
 }
 
 EXERCISE_TEST(ConjugateSolve, SeesANaNThatIsAloneInItsIsland) {
-  // Four pairs of bodies, with one row each. The NaN is in one of them and never reaches another row. Nor does it reach one
-  // without a bound, which is free and enters the direction.
+  // Four pairs of bodies, with one row each. The NaN is in one of them and never reaches another row. Nor does it reach
+  // one without a bound, which is free and enters the direction.
   for (const bool bounds : {true, false})
     for (std::size_t broken = 0; broken < 4; ++broken) {
       Problem<3> p;

@@ -5,8 +5,8 @@
 
 namespace spook::testing {
 
-/// A point of a system with four kinds of rows in turn: no bound, one below, one above, two. Its λ, rooms and pushes are not
-/// a solution.
+/// A point of a system with four kinds of rows in turn: no bound, one below, one above, two. Its λ, rooms and pushes
+/// are not a solution.
 struct Inside {
   MatrixXd S;
   VectorXd B;

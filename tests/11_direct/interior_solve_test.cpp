@@ -354,8 +354,8 @@ EXERCISE_TEST(InteriorSolve, RemembersTheResiduals) {
   expect_near("the last entry of the history [m/s]", "Eq. (4.8)", solved.report.history.back(),
               dense_residual(p, solved.lambda), {1e-12, "roundings"}, {},
               "An entry is the residual of the λ that would be returned, clamped.");
-  // The order of the residuals is free. But where twelve contacts disagree about three degrees of freedom, in eight cases
-  // of ten some step makes the residual larger before it decreases.
+  // The order of the residuals is free. But where twelve contacts disagree about three degrees of freedom, in eight
+  // cases of ten some step makes the residual larger before it decreases.
   for (int repeat = 0; repeat < 10; ++repeat) {
     const MatrixXd G = MatrixXd::NullaryExpr(12, 3, [&] { return random.uniform(-1, 1); });
     const Bounded q{.S = G * G.transpose() + 1e-5 * MatrixXd::Identity(12, 12),

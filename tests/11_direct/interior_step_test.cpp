@@ -132,8 +132,8 @@ VectorXd finite(const VectorXd& v) {
 const Tolerance conditioned{1e-10, "round-off times a condition of 1e3, and some more"};
 
 EXERCISE_TEST(InteriorStep, TakesTheSmallestStep) {
-  // λ = 0 of 1 kg that has to lose 1 m/s, just above its bound: it goes as far as the bound allows. The push is so small
-  // that its change, times that of the room, does not reverse the second step.
+  // λ = 0 of 1 kg that has to lose 1 m/s, just above its bound: it goes as far as the bound allows. The push is so
+  // small that its change, times that of the room, does not reverse the second step.
   const VectorXd one = VectorXd::Ones(1), none = VectorXd::Zero(1), unbounded = infinity * one;
   for (const double part : relative_scales) {
     const Inside p{.S = MatrixXd::Identity(1, 1),

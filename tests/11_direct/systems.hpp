@@ -41,8 +41,8 @@ System<6> random_system(Random& random, int bodies, int rows);
 /// Gives each row one of: no bound, one below, one above, two; some of them 0. About half of the rows end at a bound.
 void add_random_bounds(Random& random, std::vector<Row<6>>& rows);
 
-/// Points that hang straight down in `links` links from a static point, at rest, each link stretched by T/k. The last has
-/// `ratio` times the mass of the others, 1 kg. λ of link k is -h tension(k), with 0 at the top.
+/// Points that hang straight down in `links` links from a static point, at rest, each link stretched by T/k. The last
+/// has `ratio` times the mass of the others, 1 kg. λ of link k is -h tension(k), with 0 at the top.
 struct HangingWire {
   int links;
   double ratio, k, h, d = 2, g = 9.81;

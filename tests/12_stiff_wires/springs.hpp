@@ -42,8 +42,8 @@ inline Mat3 across(const Vec3& n, double k) {
   return k * (Mat3::Identity() - n * n.transpose());
 }
 
-/// A chain from the first body to the last, and some more springs between any two, in either order. Of the bodies, `fixed`
-/// are static.
+/// A chain from the first body to the last, and some more springs between any two, in either order. Of the bodies,
+/// `fixed` are static.
 inline Springs random_springs(Random& random, int bodies, int fixed, int more) {
   Springs s{.h = random.log_uniform(1e-3, 0.1)};
   for (int body = 0; body < bodies; ++body) {

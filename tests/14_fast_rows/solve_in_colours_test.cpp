@@ -54,8 +54,8 @@ EXERCISE_TEST(SolveInColours, GoesColourByColour) {
 }
 
 EXERCISE_TEST(SolveInColours, HasAnyNumberOfColoursAndPacks) {
-  // Body 1 is a table that carries a hundred bodies, and so is in a hundred colours. Twelve hundred pairs without common
-  // bodies all have one colour, in three hundred packs.
+  // Body 1 is a table that carries a hundred bodies, and so is in a hundred colours. Twelve hundred pairs without
+  // common bodies all have one colour, in three hundred packs.
   Random random;
   Heap heap(random, 2502, 0);
   for (int k = 0; k < 100; ++k) heap.rows.push_back(some_row(random, 1, 2 + k, heap.motion));
@@ -75,8 +75,8 @@ EXERCISE_TEST(SolveInColours, HasAnyNumberOfColoursAndPacks) {
                 "Sweep all colours, and all packs of each, however many there are.");
 }
 
-// If two threads share a number, the order of their accesses is random, and so is the result of the same work. All other
-// mistakes give the same wrong result each time, and other tests find them.
+// If two threads share a number, the order of their accesses is random, and so is the result of the same work. All
+// other mistakes give the same wrong result each time, and other tests find them.
 EXERCISE_TEST(SolveInColours, HasNoDataRace) {
   Random random;
   const Heap crowd(random, 30, 150);  // many colours: each begins when the last is done

@@ -186,8 +186,8 @@ EXERCISE_TEST(SolveOnCone, ObeysCoulombsLawWhereItNearlyJams) {
 }
 
 EXERCISE_TEST(SolveOnCone, LooksForTheRootUntilItIsFound) {
-  // A nearly singular block and a large μ. For about one μ of twenty, Newton's method starts far from a small root. On the
-  // way back each halving is one step.
+  // A nearly singular block and a large μ. For about one μ of twenty, Newton's method starts far from a small root. On
+  // the way back each halving is one step.
   const Mat3 S = (Mat3() << 0.12, 0, -0.34, 0, 0.01, 0.02, -0.34, 0.02, 1.01).finished();
   const Vec3 q(1, 5000, 4000);
   for (int k = 0; k < 200 && !::testing::Test::HasFailure(); ++k) {
