@@ -1,4 +1,4 @@
-"""What is lost without the second term, and the errors of four mechanisms over the step."""
+"""Momentum lost without the second term, and the errors of four mechanisms over the step."""
 
 import sys
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""What the figure of ./course start claims, checked against the numbers that it draws."""
+"""Claims of the figure of ./course start, checked against the numbers that it draws."""
 
 import math
 from dataclasses import dataclass
@@ -8,7 +8,7 @@ MARGIN = 0.1  # on an observed order
 
 
 class ClaimError(Exception):
-    """The numbers do not show what the caption would say."""
+    """The numbers do not support the caption."""
 
 
 @dataclass
@@ -36,13 +36,13 @@ class Series:
         return len({point["h"] for point in self.points}) > 1
 
     def order(self) -> float:
-        """log2 of what halving h divides the error by, between the two smallest h."""
+        """Returns log2 of the ratio of errors at the two smallest h, each half of the other."""
         coarse, fine = sorted(self.points, key=lambda point: -point["h"])[-2:]
         return math.log(coarse["error"]["value"] / fine["error"]["value"]) / math.log(coarse["h"] / fine["h"])
 
 
 def expected_order(series: Series) -> int | None:
-    """The order in h that theory gives; None where h makes no error, or another thing than h is varied."""
+    """Returns the theoretical order in h; None where h makes no error, or where something other than h varies."""
     chosen = series.points[0]["parameters"]
     if series.scene in ("orbit", "oscillator"):
         return 2 if chosen["start"] == "half_step" else 1
@@ -54,7 +54,7 @@ def expected_order(series: Series) -> int | None:
 
 
 def caption(all_series: list[Series]) -> str:
-    """What the figure shows, in words. Raises ClaimError where it does not show it."""
+    """Describes the figure in words. Raises ClaimError if the numbers do not support a claim."""
     parts = []
     for order, factor in ((2, 4), (1, 2)):
         found = [series for series in all_series if series.varies_h and expected_order(series) == order]
@@ -95,7 +95,7 @@ def _sweeps(series: Series) -> str:
 
 
 def _number(value: float) -> str:
-    """85, 0.12 or 6·10⁻¹⁴."""
+    """Returns a number as 85, 0.12 or 6·10⁻¹⁴."""
     if 0.01 <= value < 1000:
         return f"{value:.0f}" if value >= 10 else f"{value:.2g}"
     digits, exponent = f"{value:.0e}".split("e")
