@@ -1,4 +1,4 @@
-"""./course progress: where the student is, and what comes next."""
+"""./course progress: the student's state, and the next step."""
 
 import json
 
@@ -108,7 +108,7 @@ def predictions_as_json(chapters: list[Chapter]) -> list[dict]:
 
 
 def next_after(exercise: Exercise) -> Exercise | None:
-    """The first that is not begun: from here on, and if there is none, of all."""
+    """Returns the first exercise that is not begun, from here on; if there is none, the first of all."""
     exercises = all_exercises()
     here = exercises.index(exercise)
     return next((other for other in exercises[here:] + exercises[:here] if not other.started()), None)
@@ -122,7 +122,7 @@ def show_next(exercise: Exercise) -> None:
 
 
 def _to_predict(exercise: Exercise) -> list[tuple[str, str]]:
-    """The chapter's questions, before its first exercise, as long as one is open."""
+    """Returns the chapter's open questions, if none of its exercises is begun."""
     if exercise.number != 1:
         return []
     chapter = next(chapter for chapter in read_chapters() if chapter.number == exercise.chapter)

@@ -73,7 +73,7 @@ def _chosen(numbers: set[int] | None) -> list[Chapter]:
 
 
 def _compile(preset: str, folder: Path) -> None:
-    """The reference's objects, without what a debugger would show of their sources."""
+    """Compiles the reference's objects, without debug information about their sources."""
     tree = Tree(preset)
     built = tree.build(["spook_reference"], f"building the reference, {preset}")
     if not built.ok:
@@ -88,7 +88,7 @@ def _compile(preset: str, folder: Path) -> None:
 
 
 def _write(out: Path, chapters: list[Chapter], machine: str, objects: Path) -> None:
-    """What an earlier export has written goes first, but for other machines' objects."""
+    """Writes the export. Files of an earlier export are removed first, except for other machines' objects."""
     for name in _tracked(out):
         if _COMPILED not in name.parents:
             (out / name).unlink(missing_ok=True)
@@ -131,7 +131,7 @@ def _tracked(out: Path) -> list[Path]:
 
 
 def _commit(out: Path, chapters: list[Chapter]) -> str:
-    """As a release: its version is the course's, and of each further export the last number is one more."""
+    """Commits a release: its version is the course's, and each further export increases the last number by one."""
     if not (out / ".git").exists():
         _git(out, "init", "-q", "-b", "main")
     tags = [tag[1:] for tag in _git(out, "tag", "--list", "v*.*.*").split()]

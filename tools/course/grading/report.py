@@ -1,4 +1,4 @@
-"""report.md: what a student reads. The first failure in full, with its hint; of hidden tests only their number."""
+"""report.md for a student: the first failure in full, with its hint; of hidden tests only their number."""
 
 from grading.results import said
 from grading.text import fenced, markdown
@@ -12,7 +12,7 @@ _PRINTED_LINES = 20
 
 
 def report_of(result: dict, exercises: dict[str, Exercise]) -> str:
-    """`exercises` by their function."""
+    """Returns the report; `exercises` are by their function."""
     points = f"{result['score']:g} of {result['max_score']:g} points"
     parts = [f"# {markdown(result['submission'])}: {points}\n", _board(result), f"{RULE[result['points']]}\n"]
     hidden = [test for test in _tests(result) if test["visibility"] != "visible"]
