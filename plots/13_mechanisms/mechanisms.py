@@ -1,4 +1,4 @@
-"""Momentum lost without the second term, and the errors of four mechanisms over the step."""
+"""What is lost without the second term, and the errors of four mechanisms over the step."""
 
 import sys
 from pathlib import Path

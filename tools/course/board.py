@@ -108,7 +108,7 @@ def predictions_as_json(chapters: list[Chapter]) -> list[dict]:
 
 
 def next_after(exercise: Exercise) -> Exercise | None:
-    """Returns the first exercise that is not begun, from here on; if there is none, the first of all."""
+    """The first that is not begun: from here on, and if there is none, of all."""
     exercises = all_exercises()
     here = exercises.index(exercise)
     return next((other for other in exercises[here:] + exercises[:here] if not other.started()), None)

@@ -152,7 +152,7 @@ def edge_against_edge() -> Drawing:
 
 
 def _ridge(d: Drawing, view: View, q, e, side: int) -> None:
-    """Draws the two faces of a box that meet at an edge, above it or below it."""
+    """The two faces of a box that meet at an edge, above it or below it."""
     length = math.hypot(e[0], e[1])
     across = (-e[1] / length * 0.55, e[0] / length * 0.55, 0.0)
     end = tuple(x + y for x, y in zip(q, e))

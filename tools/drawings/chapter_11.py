@@ -1,4 +1,4 @@
-"""Chapter 11: patterns of S and of its factors, a bound that stiffens, and the central path."""
+"""Chapter 11: patterns of S and of its factors, a bound that stiffens, and the way from within."""
 
 import math
 

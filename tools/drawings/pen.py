@@ -164,7 +164,7 @@ def _number(value: float) -> str:
 
 
 def _runs(label: str) -> str:
-    """Returns the label as tspans: mathematics in italics, indices and powers smaller."""
+    """The label as tspans: mathematics in italics, what is raised or lowered smaller."""
     result = []
     for k, part in enumerate(label.split("$")):
         result.append(_mathematics(part) if k % 2 else escape(part))
@@ -187,6 +187,6 @@ def _mathematics(part: str) -> str:
 
 
 def _letters(text: str) -> list[tuple[bool, str]]:
-    """Returns letters in italics; digits, capital Greek, signs, and words such as cos upright."""
+    """Letters are in italics; digits, capital Greek, signs, and words such as cos upright."""
     found = re.findall(r"([A-Za-zα-ω]+)|([^A-Za-zα-ω]+)", text)
     return [(0 < len(letters) < 3, letters or others) for letters, others in found]
