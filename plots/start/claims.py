@@ -66,9 +66,9 @@ def caption(all_series: list[Series]) -> str:
     for series in resting:
         if not series.exact:
             worst = max(series.errors)
-            raise ClaimError(f"{series.label} is said to be exact to roundings, but its error is {worst:.1e}")
+            raise ClaimError(f"{series.label} is claimed to be exact to round-off, but its error is {worst:.1e}")
     if resting:
-        said.append(f"Exact to roundings at any h: {_listed([series.label for series in resting])}.")
+        said.append(f"Exact to round-off at any h: {_listed([series.label for series in resting])}.")
 
     said += [_sweeps(series) for series in all_series if series.scene == "stack" and len(series.points) > 1]
     return " ".join(said)
@@ -77,7 +77,7 @@ def caption(all_series: list[Series]) -> str:
 def _with_order(series: Series, order: int) -> str:
     observed = series.order()
     if not abs(observed - order) <= MARGIN:
-        raise ClaimError(f"{series.label} is said to be of order {order} ± {MARGIN}, but shows {observed:.2f}")
+        raise ClaimError(f"{series.label} is claimed to be of order {order} ± {MARGIN}, but shows {observed:.2f}")
     return f"{series.scene} ({series.choice + ', ' if series.choice else ''}order {observed:.2f})"
 
 
@@ -88,8 +88,8 @@ def _falls_exactly(series: Series) -> bool:
 def _sweeps(series: Series) -> str:
     first, last = series.points[0], series.points[-1]
     if not all(after < max(before, ROUNDINGS) for before, after in zip(series.errors, series.errors[1:])):
-        raise ClaimError(f"{series.label} is said to gain by more sweeps, but its errors are {series.errors}")
-    return (f"A heavy sphere on light ones asks for sweeps, not for small steps: from {first['iterations']} to "
+        raise ClaimError(f"{series.label} is claimed to gain by more sweeps, but its errors are {series.errors}")
+    return (f"A heavy sphere on light ones needs sweeps, not small steps: from {first['iterations']} to "
             f"{last['iterations']} of them, the error goes from {_number(series.errors[0])} to "
             f"{_number(series.errors[-1])}.")
 

@@ -24,7 +24,7 @@ _CLAIMS = (  # what the libraries assert, and what it means to a student
     (r"__lo < __hi|!\(__hi < __lo\)|!__comp\(__hi, __lo\)", "the lower bound of std::clamp is above its upper bound"),
 )
 _SIGNALS = {"SIGFPE": "an integer is divided by 0",
-            "SIGSEGV": "nothing is at that address: an index far past the end, a reference to what is gone, or a "
+            "SIGSEGV": "invalid address: an index far past the end, a reference to a destroyed object, or a "
                        "function that calls itself without end"}
 _OWNERS = {"/c++/": " of the C++ library", "/Eigen/": " of Eigen"}  # of the file that asserts
 _KINDS = ("vector", "array", "span", "deque", "basic_string")
@@ -78,7 +78,7 @@ def _cause(output: str) -> str:
         if re.search(claim, found["claim"]):
             kinds = [kind for kind in _KINDS if f"std::{kind}<" in found["where"] or f"/{kind}:" in found["where"]]
             return meaning.format(kind=f"std::{kinds[0]}" if kinds else "container")
-    return f"it is asserted that {found['claim']}, which is not so"
+    return f"the assertion {found['claim']} failed"
 
 
 def _last_assertion(output: str) -> re.Match[str] | None:

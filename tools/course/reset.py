@@ -44,7 +44,7 @@ def _git(*arguments: str, must_work: bool = True) -> bytes:
                           "./course start installs it") from None
     if result.returncode != 0 and must_work:
         reason = (result.stderr.decode(errors="replace").strip() or "git failed").splitlines()[0]
-        raise CourseError(f"no stub to be had from git's history: {reason}")
+        raise CourseError(f"git's history cannot be read for the stub: {reason}")
     return result.stdout if result.returncode == 0 else b""
 
 

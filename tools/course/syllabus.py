@@ -47,5 +47,5 @@ def _head(chapter: Chapter) -> str:
     lesson = chapter.exercises[0].lesson.read_text(encoding="utf-8")
     found = _HEAD.search(lesson)
     if not found or not _HOURS.search(found[1]):
-        raise CourseError(f"{chapter.folder}: the lesson does not say what it takes")
+        raise CourseError(f"{chapter.folder}: the lesson does not state its requirements")
     return found[1]

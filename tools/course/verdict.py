@@ -90,8 +90,8 @@ def _judge_built(exercise: Exercise, built: Built, seed: int | None) -> Verdict:
     verdict = _judge_trial(exercise, trial)
     # What a data race gives is another number in each run.
     if verdict.details and "data race" not in verdict.details and _depends_on_calls_before(program, trial, seed):
-        verdict.details = ("Run alone, this test does not fail as it does here. So something lives on from one call to the "
-                           "next: a static or a global variable? Or does one never get a value?\n\n" + verdict.details)
+        verdict.details = ("Run alone, this test does not fail as it does here. So a value is kept from one call to the next, "
+                           "in a static or a global variable? Or does one never get a value?\n\n" + verdict.details)
     verdict.warnings = diagnostics.warnings(built.output, exercise)
     return verdict
 

@@ -45,11 +45,11 @@ instructor, who can add another machine's objects.
 
 def write_repository(arguments) -> list[Path]:
     if not arguments.out:
-        raise BadInput("export: students wants --out DIR, the folder of the repository")
+        raise BadInput("export: students needs --out DIR, the folder of the repository")
     out = Path(arguments.out)
     chapters = _chosen(arguments.chapters)
     if out.exists() and not (out / _LISTED).exists() and any(out.iterdir()):
-        raise BadInput(f"export: {out} holds something else than a repository for students")
+        raise BadInput(f"export: {out} holds files other than a repository for students")
     if ROOT == out.resolve() or ROOT in out.resolve().parents and out.resolve().parts[len(ROOT.parts)] != "build":
         raise BadInput(f"export: {out} lies in the course itself; choose a folder beside it")
     machine = f"{platform.system()}-{platform.machine()}"

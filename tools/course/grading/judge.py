@@ -211,7 +211,7 @@ def read_verdict(ran: Ran, cpu_limit: int) -> tuple[str, str, list[str]]:
     if ran.timed_out:
         return TIMED_OUT, LOOPED, [_DOES_IT_END]
     if ran.nonsense:
-        return TAMPERED, "a forged answer", ["Something else than the function's answer came back to the tests."]
+        return TAMPERED, "a forged answer", ["The tests received something other than the function's answer."]
     if ran.verdict is None:
         return _without_verdict(ran, cpu_limit)
     result, ran_count, skipped = (field.decode() for field in ran.verdict[:3])

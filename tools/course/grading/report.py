@@ -6,7 +6,7 @@ from manifest import Exercise
 
 _SYMBOL = {"done": "✓", "wrong": "✗", "not started": "·"}
 RULE = {"exercises": "An exercise has its points when all of its tests pass.",
-        "tests": "Each test that passes has its points; those that a function passes which does nothing have none."}
+        "tests": "Each test that passes has its points. Tests that an empty function passes have none."}
 _MORE_IN_FULL = 5
 _PRINTED_LINES = 20
 

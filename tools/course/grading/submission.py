@@ -72,7 +72,7 @@ def read_submission(handed: Handed, exercises: list[Exercise]) -> Submission:
     notes give the reason."""
     submission = Submission(handed.name, handed.student, {}, list(handed.notes))
     if handed.student.late:
-        submission.notes.append("handed in late: the platform's name of it says so")
+        submission.notes.append("handed in late, by the platform's name of it")
     seen: list[str] = []
     found: dict[str, list[_Candidate]] = {}
     for place in handed.places:
