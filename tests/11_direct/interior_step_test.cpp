@@ -150,7 +150,7 @@ EXERCISE_TEST(InteriorStep, TakesTheSmallestStep) {
     expect_near("room below, of " + show(part) + " N s with a target of 1 N s, over its value before",
                 "Eq. (11.10)", got.room_lo[0] / part, 1 - share, roundings(8),
                 {{1, "It has not moved. " + small_is_dropped},
-                 {0.001, "This is 0.999 of the longest part, however far the straight step went."}},
+                 {0.001, "This is 0.999 of the longest part, however far the trial step went."}},
                 "Take 0.9 + 0.0999 α of the longest part. " + small_is_dropped);
     expect_near("λ, over the room before", "Eq. (11.10)", got.lambda[0] / part, -share, roundings(8), {},
                 small_is_dropped);
@@ -197,7 +197,7 @@ EXERCISE_TEST(InteriorStep, LooksBeforeItGoes) {
     expect_near_vector(
         "λ of the next point, of " + std::to_string(rows) + " rows [N s]", "Eq. (11.11)", got.lambda,
         right.lambda, conditioned,
-        {{otherwise({.look = false}), "This is the straight step, τ = 0, which only serves to choose τ."},
+        {{otherwise({.look = false}), "This is the trial step, τ = 0, which only serves to choose τ."},
          {otherwise({.second_order = 0}), "The product of the two changes is left out of τ."},
          {otherwise({.second_order = 1}),
           "The product of the two changes is added to τ: it has to be taken away."},
@@ -216,11 +216,11 @@ EXERCISE_TEST(InteriorStep, LooksBeforeItGoes) {
          {otherwise({.least_share = 0.5, .more_share = 0}),
           "Take 0.9 + 0.0999 α of the longest part: this is half of it."},
          {otherwise({.least_share = 0.9, .more_share = 0}),
-          "Take 0.9 + 0.0999 α of the longest part: this is 0.9 of it, however far the straight step went."},
+          "Take 0.9 + 0.0999 α of the longest part: this is 0.9 of it, however far the trial step went."},
          {otherwise({.least_share = 0.999, .more_share = 0}),
-          "Take 0.9 + 0.0999 α of the longest part: this is 0.999 of it, however far the straight step went."},
+          "Take 0.9 + 0.0999 α of the longest part: this is 0.999 of it, however far the trial step went."},
          {otherwise({.share_of_itself = true}),
-          "Take 0.9 + 0.0999 α of the longest part, by α of the straight step, not by its own."}},
+          "Take 0.9 + 0.0999 α of the longest part, by α of the trial step, not by its own."}},
         "First compute the step with τ = 0 and its longest part. Then compute τ from its result, and the step "
         "to take. " +
             ends_early);
@@ -269,7 +269,7 @@ EXERCISE_TEST(InteriorStep, DoesNotGoRoundInCircles) {
     return dense_residual({.S = p.S, .B = p.B, .lo = bounds.lo, .hi = bounds.hi}, now.lambda.cwiseMax(0));
   };
 
-  // This is a hard case: stopping a thousandth short of the bound, whatever the straight step did, repeats every third
+  // This is a hard case: stopping a thousandth short of the bound, whatever the trial step did, repeats every third
   // step.
   p.now = start;
   std::vector<double> lacked;
