@@ -30,7 +30,7 @@ def book(arguments) -> int:
 
 
 def _engine() -> Path | None:
-    """Returns the engine of live figures; None, with a message, if it cannot be made or drawn."""
+    """The engine of live figures; None where there is nothing to make it or to draw it with, which is told."""
     missing = [need.package for need in (*LIVE_NEEDS, *VIEW_NEEDS) if not need.there()]
     if missing:
         print(f"Figures are films, since {' and '.join(missing)} is missing (emscripten is a download of 110 MB).")

@@ -32,7 +32,7 @@ def parameters_of(scene: str) -> set[str]:
 
 
 def program_of_pages() -> Path:
-    """Builds the engine as WebAssembly: the script that loads it, with the .wasm file beside it."""
+    """The engine as WebAssembly, up to date: the script that loads it, with the .wasm file beside."""
     compiled = _WEB.path / "solutions" / "spook_live.js"
     first = "" if compiled.exists() else " (some minutes, the first time)"
     built = _WEB.build(["spook_live"], f"building the engine for live figures{first}", keep_going=True)

@@ -59,7 +59,7 @@ def checked_program(mine: list[Exercise]) -> Path:
 
 
 def fast_program(target: str, mine: list[Exercise]) -> Path:
-    """Builds the program with the student's functions optimised, too."""
+    """The target, with the student's functions at full speed, too."""
     _set("SPOOK_MINE", [exercise.function for exercise in mine])
     _compile(RELEASE, mine)
     return _complete(program(target), RELEASE, mine)

@@ -94,7 +94,7 @@ class Drawing:
         self.path([*points, _along(end, unit, -lead), end], style)
 
     def text(self, at: Point, label: str, style: str = "ink", anchor: str = "middle", size: str = "") -> None:
-        """Writes a label. `at` is on the base line; anchor is start, middle or end; size is "", small or large."""
+        """`at` is on the base line; anchor is start, middle or end; size is "", small or large."""
         lines = label.split("\n")
         for k, line in enumerate(lines):
             place = f'x="{_number(at[0])}" y="{_number(at[1] + 21 * k)}" text-anchor="{anchor}"'

@@ -43,7 +43,7 @@ class LiveFigure:
         return html.escape(json.dumps(self.asked(folder)))
 
     def says(self) -> str:
-        """Returns the sentence below the figure."""
+        """The sentence below the figure."""
         unit = self.graph.partition(" [")[2]
         unit = unit.rstrip("]").replace("-", "")
         value = f"{self.said} {unit}".rstrip().replace("-", "−")

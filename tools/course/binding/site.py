@@ -31,8 +31,8 @@ _STYLES_AND_SCRIPTS = ("book.css", "copying.js", "figures.js", "preview.js", "re
 
 
 def build(folder: Path, views: bool = False, engine: Path | None = None) -> int:
-    """Writes the site into an empty folder, and returns the number of its pages. With `views`, films are links to pages
-    of binding.views; with the engine as WebAssembly, figures run in their place."""
+    """Writes the site into the folder, which holds nothing else; how many pages it has. With `views`, films are links
+    to pages that binding.views makes; with the engine as WebAssembly, figures run in their place."""
     drafts = [read(page, exercises_of(page.source)) for page in pages()]
     equations = _equations(drafts)
     links = Links(drafts)

@@ -22,7 +22,7 @@ def _way_back(name: str) -> tuple[str, str]:
 
 
 def film_pages(folder: Path) -> None:
-    """Runs the films' scenes, and writes the pages into the site."""
+    """Runs what is filmed, and writes the pages into the site."""
     from arguments import parse
     from terminal import Bar
     from view import view
