@@ -44,7 +44,7 @@ void PythonWorld<Dof>::step_unlocked(double h, std::int64_t steps) {
   }
 }
 
-/// Says once that the world is lost, as Python says such things.
+/// Warns once that the world is lost, by Python's warnings.
 template <int Dof>
 void PythonWorld<Dof>::warn() {
   if (warned_ || state() != State::lost) return;
