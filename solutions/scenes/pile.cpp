@@ -111,33 +111,34 @@ SceneDescription pile() {
   // With ten times the stiffness, fifty sweeps a step leave the pile jittering.
   Parameter k = parameter::stiffness();
   k.value = 1e5;
-  return {.name = "pile",
-          .summary = "Spheres or cubes are dropped into a box, and come to rest.",
-          .answer =
-              "There is no closed form. But at rest the floor carries the whole weight, for any mu, and k "
-              "times the overlaps, with friction, balance each body. (While it falls they do not.)",
-          .error_name = "largest unbalanced force or torque on a body, by its overlaps, over its weight",
-          .error_unit = "relative",
-          .parameters = {parameter::bodies(20, 100000),
-                         {.name = "shape", .meaning = "of the bodies", .choices = {"sphere", "box"}},
-                         parameter::friction(),
-                         parameter::restitution(0.2),
-                         parameter::threshold(),
-                         {.name = "seed",
-                          .meaning = "of the jitter that they start with",
-                          .value = 1,
-                          .limits = {.low = 0, .high = 1e9, .whole = true}},
-                         parameter::mass(),
-                         parameter::radius(0.1),
-                         parameter::gravity(),
-                         k,
-                         parameter::relaxation(),
-                         parameter::viscosity()},
-          .h = 0.01,
-          .time = 4,
-          .solves = true,
-          .build = build_as<Pile>,
-          .solver = "auto"};
+  return {
+      .name = "pile",
+      .summary = "Spheres or cubes are dropped into a box, and come to rest.",
+      .answer =
+          "There is no closed form. But at rest the floor carries the whole weight, whatever mu, and k times "
+          "the overlaps, with friction, balance each body. (While it falls they do not.)",
+      .error_name = "largest unbalanced force or torque on a body, by its overlaps, over its weight",
+      .error_unit = "relative",
+      .parameters = {parameter::bodies(20, 100000),
+                     {.name = "shape", .meaning = "of the bodies", .choices = {"sphere", "box"}},
+                     parameter::friction(),
+                     parameter::restitution(0.2),
+                     parameter::threshold(),
+                     {.name = "seed",
+                      .meaning = "of the jitter that they start with",
+                      .value = 1,
+                      .limits = {.low = 0, .high = 1e9, .whole = true}},
+                     parameter::mass(),
+                     parameter::radius(0.1),
+                     parameter::gravity(),
+                     k,
+                     parameter::relaxation(),
+                     parameter::viscosity()},
+      .h = 0.01,
+      .time = 4,
+      .solves = true,
+      .build = build_as<Pile>,
+      .solver = "auto"};
 }
 
 }  // namespace spook

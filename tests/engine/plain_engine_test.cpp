@@ -1,4 +1,4 @@
-// The plain engine, made of the chapters' final steps: on common scenes it agrees with the fast engine.
+// The plain engine, made of the steps that chapters end with: where both run a scene, it and the fast engine agree.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -32,7 +32,7 @@ const std::vector<Case> cases = {{"free_fall", {}, "1.4 leapfrog_step"},
                                  {"cloth", {}, "6.5 step_joints"},
                                  {"tower", {}, "8.12 step_pairs"}};
 
-/// The fast engine with the methods of the plain one: sweeps, the friction box, contacts with a gap of at most 0.
+/// The fast engine by the methods of the plain one: sweeps, the friction box, contacts with a gap of 0 at most.
 Method method_of(const SceneDescription& scene, Engine engine) {
   return {.h = scene.h, .friction_model = FrictionModel::box, .contact_margin = 0, .engine = engine};
 }
@@ -66,8 +66,8 @@ TEST(PlainEngine, AgreesWithTheFastEngine) {
       moved = largest(moved, std::abs(start[k] - b[k]));
       size = largest(size, std::abs(b[k]));
     }
-    // Sums in another order differ by round-off in each step. The rows of a step turn a part 4/(h(1 + 4d)) of a gap
-    // into velocity, about 100/s, so round-off of x is 100 times as large in v; 100 steps add up as many of them.
+    // Sums in another order are roundings apart in each step. The rows of a step take a part 4/(h(1 + 4d)) of a gap as
+    // velocity, some 100/s, so that roundings of x are 100 times as large in v; 100 steps add up as many of them.
     EXPECT_LE(apart, 1e-9 * size) << name;
     EXPECT_GT(moved, 1e-6 * size) << name;
   }
@@ -116,8 +116,8 @@ TEST(PlainEngine, ABallBouncesNearlyAsHighAsTheFastEnginesBall) {
     }
     return highest;
   };
-  // The contact is found up to a step late. By then gravity has added g h to a speed of √(2 g h0), and the height grows
-  // with the square of that.
+  // The contact is found up to a step late, when gravity has added up to g h to a speed of √(2 g h0): the height goes with
+  // the square of that.
   const double v = std::sqrt(2 * 9.81 * parameters.number("h0")), late = 2 * 9.81 * h / v;
   const double exact = second_peak(Engine::fast);
   EXPECT_NEAR(second_peak(Engine::plain), exact, (late + v * h / exact) * exact);

@@ -428,7 +428,7 @@ class Worlds(WithModule):
         self.refused("force must be finite, but is nan", world.set_force, 0, (0, 0, math.nan))
         self.refused("body must be an index below 1, but is 1", world.set_force, 1, (0, 0, 0))
         floor = world.add_plane()
-        self.refused(f"body must be one that moves, but is {floor}", world.set_force, floor, (0, 0, 1))
+        self.refused(f"body must be a dynamic one, but is {floor}", world.set_force, floor, (0, 0, 1))
         self.refused("x must be finite, but is inf", world.place, 0, x=(0, 0, math.inf))
 
 

@@ -1,7 +1,7 @@
-"""The films of the chapters, from tools/films.json: each shows what its reader will be able to simulate.
+"""What is filmed of each chapter, tools/films.json: what its reader will be able to simulate.
 
-`mine` has commands that show a finished chapter with the student's own functions: words of ./course view, one text for
-each film. Between them they call every exercise of the chapter except those in `without`.
+`mine` has what shows a finished chapter on the student's own functions: words of ./course view, one text a film. Between
+them they call every exercise of the chapter but those in `without`.
 """
 
 import json
@@ -12,12 +12,12 @@ TABLE = ROOT / "tools" / "films.json"
 
 
 def films() -> dict[str, dict]:
-    """Returns the films by the chapter's folder; README has one, too."""
+    """By the chapter's folder; README has one, too."""
     return json.loads(TABLE.read_text(encoding="utf-8"))
 
 
 def words(film: dict) -> list[str]:
-    """Returns the words of ./course that show a film."""
+    """Of ./course, that show what is filmed."""
     return ["view", film["scene"], *film["options"], *(["--beside", film["beside"]] if "beside" in film else [])]
 
 
@@ -26,16 +26,16 @@ def command(film: dict) -> str:
 
 
 def milestones(folder: str) -> list[str]:
-    """Returns the commands that show a finished chapter with the student's own functions; empty if it has no film."""
+    """The commands that show a finished chapter on the student's own functions; none where nothing is filmed."""
     return [f"./course view {mine} --mine" for mine in films().get(folder, {}).get("mine", [])]
 
 
 def not_shown(folder: str) -> list[str]:
-    """Returns the functions of the chapter that no milestone calls."""
+    """The functions of the chapter that no milestone calls."""
     return films().get(folder, {}).get("without", [])
 
 
 def own_step(folder: str) -> str:
-    """Returns the command for a scene that runs by the chapter's final step; empty if the chapter has no such step."""
+    """What shows a scene moved by the step that the chapter ends with; empty where it ends with none."""
     scene = films().get(folder, {}).get("own_step")
     return f"./course view {scene} --engine mine" if scene else ""
