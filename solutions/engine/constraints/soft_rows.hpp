@@ -5,7 +5,7 @@
 //   soft        a closed gap     B = -a g, at most the closing speed; Σ = S/(h ω (2ζ + h ω))
 //   relaxed     the same gap     B = 0,  Σ = 0                                              Eq. (10.15)
 //   both        an open gap      B = -g/h,  Σ = 0: closes it in a substep at most           Eq. (13.11)
-//               others           unchanged: friction, motors, joints with a k of their own
+//               others           as they were built: friction, motors, joints with a k of their own
 #include <numbers>
 
 #include "engine/constraints/joints.hpp"

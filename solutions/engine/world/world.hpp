@@ -417,7 +417,7 @@ class World {
   std::size_t first_contact_row_ = 0;
   std::vector<FrictionContact> rubbing_;  // where friction follows what presses
   std::vector<Twist<Dof>> V_;             // what the rows add to each velocity
-  std::vector<Twist<Dof>> recovered_;     // removed again from each velocity, Eq. (7.17)
+  std::vector<Twist<Dof>> recovered_;     // what is taken out of each velocity again, Eq. (7.17)
   std::vector<SoftGap> soft_gaps_;        // of the rows of joints, then of contacts, in soft steps
   std::vector<Row<Dof>> soft_joints_;     // of the joints where they are now, in soft steps
   std::vector<Twist<Dof>> at_rest_;       // velocities that soft rows are built with
