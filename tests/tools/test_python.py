@@ -1,4 +1,4 @@
-"""The Python module: worlds, arrays that look at them, scenes, sweeps, films, and what is refused."""
+"""The Python module: worlds, arrays of their numbers, scenes, sweeps, films, and refused input."""
 
 import ast
 import contextlib
@@ -532,7 +532,7 @@ class Scenes(WithModule):
 
 
 class Arguments(WithModule):
-    """What no function takes is told in one line: which argument, what is wanted, what it got."""
+    """A wrong argument gives one line: the argument, the accepted kind, the given value."""
 
     def told(self, what: str, call, *arguments, **named) -> None:
         with self.assertRaises(TypeError) as caught:
