@@ -6,7 +6,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
 import figures  # noqa: E402
 
-TITLE = "A warm start saves most; conjugate gradients win where no bound is active"
+TITLE = "The same rows in other orders, from a warm start, and along conjugate directions"
 SCENES = {"stack": "20 bodies, one on the other", "wire": "20 points, a load of 100:1",
           "pile": "55 smooth balls", "wall": "27 bricks, with friction"}
 FIXED = {"up": "-", "down": "--", "given": ":"}  # one colour, as they have one rate

@@ -10,7 +10,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
 import figures  # noqa: E402
 from matplotlib.ticker import NullFormatter  # noqa: E402
 
-TITLE = "At equal error SPOOK takes at most half the time of Bullet, ODE and DART, in the mean"
+TITLE = "Ours beside Bullet, ODE and DART: speed against error"
 
 COLOURS = {"spook": "#0072B2", "Bullet": "#D55E00", "ODE": "#009E73", "DART": "#CC79A7"}
 LINES = {"spook": "-", "Bullet": "--", "ODE": "-.", "DART": ":"}
