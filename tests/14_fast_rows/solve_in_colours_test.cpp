@@ -68,11 +68,12 @@ EXERCISE_TEST(SolveInColours, HasAnyNumberOfColoursAndPacks) {
     for (Colour<6>& colour : by_hand)
       for (Pack<6>& pack : colour) update_pack(pack, V);
   for (const int threads : {1, 2})
-    expect_true("on " + std::to_string(threads) +
-                    " threads, V after two sweeps in 100 colours, with 301 packs in the first, equals that of "
-                    "one pack after the other",
-                "Eq. (14.10)", same_bits(solved(heap, {.max_sweeps = 2}, threads).heap.V, V),
-                "Sweep all colours, and all packs of each, however many there are.");
+    expect_true(
+        "on " + std::to_string(threads) +
+            " threads, V after two sweeps in 100 colours, with 301 packs in the first, is that of one pack "
+            "after the other",
+        "Eq. (14.10)", same_bits(solved(heap, {.max_sweeps = 2}, threads).heap.V, V),
+        "All colours, and all packs of each, however many there are.");
 }
 
 // If two threads share a number, the order of their accesses is random, and so is the result of the same work. All
