@@ -158,7 +158,8 @@ def sweeps_of_a_stack(draw: Draw):
     rate = 1 / (1 + 1 / ratio)
     upper, lower = (M, 1) if top else (1, M)
     return (f"A body of {upper} kg lies on one of {lower} kg, and that on the floor. Σ = 0. By which factor does "
-            f"a sweep reduce the error, and how many sweeps reduce it to 10^-{digits}?", f"{said(rate)}, {math.ceil(digits * math.log(10) / -math.log(rate))} sweeps")
+            f"a sweep reduce the error, and how many sweeps reduce it to 10^-{digits}?",
+            f"{said(rate)}, {math.ceil(digits * math.log(10) / -math.log(rate))} sweeps")
 
 
 @asks(4, 4, "4.7")

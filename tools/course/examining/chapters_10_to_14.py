@@ -61,7 +61,8 @@ def entries_of_a_hub(draw: Draw):
     entries = n * (n + 1) // 2 if kind == "hub" else 2 * n - 1
     what = "rods from one moving hub to as many fixed points" if kind == "hub" else "links in a row, the first one fixed"
     return (f"{n} {what}, one row each. How many entries does the lower triangle of S have, including its "
-            "diagonal? Which of S and the saddle point is the sparser?", f"{entries}; {'the saddle point' if kind == 'hub' else 'S'}")
+            "diagonal? Which of S and the saddle point is the sparser?",
+            f"{entries}; {'the saddle point' if kind == 'hub' else 'S'}")
 
 
 @asks(11, 2, "11.3 11.4 11.11")
@@ -209,7 +210,8 @@ def discs_in_lanes(draw: Draw):
     scales = [1.0 if math.hypot(*size) <= radius else radius / math.hypot(*size) for size, radius in zip(sizes, radii)]
     return (f"Four lanes hold λ_t = {sizes[0]}, {sizes[1]}, {sizes[2]} and {sizes[3]} N s. Their discs have the radii "
             f"{radii[0]}, {radii[1]}, {radii[2]} and {radii[3]} N s. What is the factor m of each lane? The second "
-            "lane is empty. Which value is computed there and not used?", f"{vector(scales)}; 0/0, in the case that is not selected")
+            "lane is empty. Which value is computed there and not used?",
+            f"{vector(scales)}; 0/0, in the case that is not selected")
 
 
 @asks(14, 5, "14.5")
