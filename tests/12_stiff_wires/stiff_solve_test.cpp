@@ -33,7 +33,7 @@ Answer solved(Springs& s) {
   return answer;
 }
 
-/// The velocities that a spring resists: those of both ends, or by mistake that of one end.
+/// Velocities that a spring's push is computed from: those of both ends, or by mistake that of one end.
 enum class Push { of_both, of_its_own_end, of_the_other_end, on_i_only };
 
 /// Computes V and λ by dense algebra, with so many times h²K in M̃, and K acting on these velocities.
@@ -101,10 +101,9 @@ EXERCISE_TEST(StiffSolve, SolvesTheStep) {
          {dense(s, 1, Wf, Push::of_its_own_end).V,
           "The other end's W_f is missing: a spring resists W_f,j - W_f,i, the difference of its two ends."},
          {dense(s, 1, Wf, Push::of_the_other_end).V,
-          "The end's own W_f is missing: a spring resists W_f,j - W_f,i, the difference of its two ends."},
-         {dense(s, 1, Wf, Push::on_i_only).V,
-          "K acts on body i only. Body j gets the opposite: what one gets the other gives."},
-         {right.V + forces, "This is V + W_f: V is the part that rows and springs add to W_f."},
+          "The end's own W_f is missing: a spring resists W_f,j - W_f,i, what its two ends move apart."},
+         {dense(s, 1, Wf, Push::on_i_only).V, "K acts on body i only: what one end gets the other gives."},
+         {right.V + forces, "This is V + W_f: V is what rows and springs add to W_f."},
          {-right.V, "The sign of V."}},
         "M̃ V - Gᵀλ = -h²K W_f and G V + Σ λ = B, whatever V and λ were before.");
     expect_near_vector<Eigen::VectorXd>(

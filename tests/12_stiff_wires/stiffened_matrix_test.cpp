@@ -74,13 +74,15 @@ EXERCISE_TEST(StiffenedMatrix, IsTheDenseAssembly) {
     const double size = right.cwiseAbs().maxCoeff();
     for (Eigen::Index column = 0; column < A.cols(); ++column)
       for (Eigen::Index line = column; line < A.rows() && !::testing::Test::HasFailure(); ++line)
-        expect_near("entry (" + std::to_string(line) + ", " + std::to_string(column) + ") for " +
-                        std::to_string(s.bodies()) + " bodies, " + std::to_string(s.stiffness.size()) +
-                        " springs, h = " + show(s.h) + " s",
-                    "Eq. (12.5)", A(line, column), right(line, column), roundings(50, size), {},
-                    "Springs come in any order, with i above j or below it, and some share a body or both. "
-                    "Each adds h²K to the blocks of both bodies, and -h²K to the block of the pair that is "
-                    "below the diagonal. With h = 0 that is 0.");
+        expect_near(
+            "entry (" + std::to_string(line) + ", " + std::to_string(column) + ") for " +
+                std::to_string(s.bodies()) + " bodies, " + std::to_string(s.stiffness.size()) +
+                " springs, h = " + show(s.h) + " s",
+            "Eq. (12.5)", A(line, column), right(line, column), roundings(50, size), {},
+            "Springs in any order, i above j or below it, some that share a body or both: each adds h²K to "
+            "both of its bodies' blocks, and -h²K to the block of the pair that is below the diagonal. With h "
+            "= 0 "
+            "that is 0.");
   }
 }
 

@@ -88,7 +88,7 @@ class SceneWriter:
         return max(pairs, default=0.0)
 
     def _as_points(self, root: Element) -> set[int]:
-        """Returns parts, by id, that become points because contacts with another free body are excluded."""
+        """Parts, by id, that become points, as contacts with another free body are excluded."""
         found = set()
         for exclude in root.findall("contact/exclude"):
             one, two = (self._model.body(exclude.get(key, ""), "a contact exclude")[0] for key in ("body1", "body2"))
@@ -210,7 +210,7 @@ class SceneWriter:
 
 
 def _held_by(joint: ModelJoint, to_axes: np.ndarray) -> dict:
-    """Writes a joint's rows beyond its point. Damping is a motor with speed 0, with a torque for each speed."""
+    """What a joint has beside its point. Damping is a motor that wants to stand still, with a torque for each speed."""
     if joint.kind == "ball":
         return {}
     held: dict = {"kind": "hinge" if joint.kind == "hinge" else "slider", "axis": _list(to_axes @ joint.axis)}
