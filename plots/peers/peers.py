@@ -1,5 +1,4 @@
-"""Error against the time to simulate a second, one part for each scene, one line for each engine's solver and
-sweeps."""
+"""Error against the time to simulate a second, a part for each scene: a line for each engine's solver and sweeps."""
 
 import math
 import sys
@@ -48,7 +47,7 @@ def draw(data, mine):
 
 
 def _draw_line(axes, some, engine, solver):
-    """Draws a line from short steps to long ones; lost runs are hollow, on the line at the top."""
+    """From short steps to long ones; what is lost is hollow, on the line at the top."""
     points = sorted(zip(some["sweeps"], some["us a second"], some["error"]))
     for sweeps in sorted({point[0] for point in points}):
         kept = [(time, max(error, BEST)) for count, time, error in points if count == sweeps and error < LOST]
@@ -64,7 +63,7 @@ def _style(engine, solver) -> dict:
 
 
 def _at_equal_error(some) -> str:
-    """Returns the range of our least time over the others' least, over the errors that another engine reaches."""
+    """Our least time over the others' least, for each error that one of the others has: the range of it."""
     ours = [(time, error) for engine, time, error in zip(some["engine"], some["us a second"], some["error"])
             if engine == "spook" and error < LOST]
     others = [(time, error) for engine, time, error in zip(some["engine"], some["us a second"], some["error"])

@@ -68,9 +68,9 @@ EXERCISE_TEST(OrderAlong, PutsANaNLast) {
   expect_order_of("the order of heights NaN, ∞, 1, -∞", order_along({nan, infinity, 1, -infinity}),
                   {3, 2, 1, 0},
                   {{as_eigen(std::vector<int>{3, 2, 0, 1}),
-                    "A NaN is above every number, ∞ as well: it is not to be taken for ∞."}},
-                  "A NaN is above every number.");
-  expect_true("without rows the order is empty", "Eq. (10.3)", order_along({}).empty());
+                    "A NaN is higher than any, ∞ as well: it is not to be taken for ∞."}},
+                  "A NaN is higher than any.");
+  expect_true("no rows have an empty order", "Eq. (10.3)", order_along({}).empty());
 }
 
 EXERCISE_TEST(RandomOrder, HasEachIndexOnce) {
@@ -202,7 +202,7 @@ EXERCISE_TEST(SweepInOrder, UpdatesTheRowsInThatOrder) {
        {lambdas(start), "No row has changed."}});
   Problem<6> other = in_order(start, order);
   expect_near("what that sweep returns [m/s]", "Eq. (4.9)", returned, sweep(other.rows, other.V),
-              roundings(100, 10), {}, "Return the largest S_kk |Δλ_k|, as sweep() does.");
+              roundings(100, 10), {}, "As sweep() does: the largest S_kk |Δλ_k|.");
 }
 
 EXERCISE_TEST(SweepInOrder, IsSweepInTheOrderGiven) {

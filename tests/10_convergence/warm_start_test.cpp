@@ -26,7 +26,7 @@ EXERCISE_TEST(WarmStart, SetsImpulsesAndWhatTheyDo) {
       "λ of nine contacts [N s]", "Eq. (10.2)", lambdas(p), impulses, {0, "copies"},
       {{impulses + Eigen::VectorXd::Constant(9, 3), "λ is assigned, not added to what was there."},
        {Eigen::VectorXd::Constant(9, 3), "λ has not been set."}});
-  set_lambda(p, impulses);  // p gets the expected V
+  set_lambda(p, impulses);  // the expected V goes into p
   const Eigen::VectorXd expected = flat(p.V);
   for (auto& V : p.V) V.setConstant(0.5);
   warm_start(as_std(impulses), p.rows, p.V);
