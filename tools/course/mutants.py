@@ -1,7 +1,7 @@
-"""Finds chapters whose mutants ./course test must judge again: those that have changed since all were killed.
+"""Chapters whose mutants ./course test judges anew: those of which something has changed since all were killed.
 
-A digest for each chapter covers the sources of its mutants: the chapter, its reference, its tests and mutants, those of
-the chapters whose headers these include, and the common files. It does not cover the compiler; --all judges them all.
+A digest a chapter says of what its mutants are made: the chapter, its reference, its tests and mutants, those of the
+chapters whose headers these include, and what all chapters share. A newer compiler is not seen; --all judges them all.
 """
 
 import hashlib
@@ -24,14 +24,14 @@ def chapters(root: Path = ROOT) -> list[str]:
 
 
 def digests(root: Path = ROOT) -> dict[str, str]:
-    """Returns the digests by chapter."""
+    """By chapter."""
     shared = _digest(root, [file for pattern in _SHARED for file in root.glob(pattern)])
     return {chapter: hashlib.sha256(f"{shared} {_of(root, chapter)}".encode()).hexdigest()
             for chapter in chapters(root)}
 
 
 def changed(tree: Tree, now: dict[str, str]) -> list[str]:
-    """Returns chapters whose digests differ from the recorded ones; all if there are none."""
+    """Chapters whose digests differ from those that the tree remembers; all, if it remembers none."""
     try:
         known = json.loads(_memory(tree).read_text(encoding="utf-8"))
     except (OSError, ValueError):
@@ -40,7 +40,7 @@ def changed(tree: Tree, now: dict[str, str]) -> list[str]:
 
 
 def remember(tree: Tree, killed: dict[str, str]) -> None:
-    """Records the digests from before the build, once all mutants are killed."""
+    """What was there before the mutants were built, once all of them are killed."""
     new = _memory(tree).with_suffix(".new")
     new.write_text(json.dumps(killed, indent=2) + "\n", encoding="utf-8")
     os.replace(new, _memory(tree))

@@ -1,4 +1,4 @@
-// Further tests of chapter 01: steps that add up, and steps backwards.
+// Beyond chapter 01's own tests: steps that add up, and steps that go back.
 #include "01_leapfrog/leapfrog.hpp"
 #include "exercise_test.hpp"
 

@@ -1,4 +1,4 @@
-// Further tests of chapter 02: the effect of rotations on each function.
+// Beyond chapter 02's own tests: what rotations do to each function.
 #include "02_quaternions/quaternions.hpp"
 #include "exercise_test.hpp"
 
@@ -39,7 +39,7 @@ EXERCISE_TEST(WorldInertia, TurnsWithTheBody) {
   const Vec3 principal = random.vector(1, 5);
   const Mat3 R = p.toRotationMatrix();
   const Mat3 turned = R * world_inertia(q, principal) * R.transpose();
-  expect_near("largest difference of the inertia of a body after a second rotation [kg m²]", "Eq. (2.7)",
+  expect_near("largest difference of the inertia of a body that is turned once more [kg m²]", "Eq. (2.7)",
               (world_inertia(p * q, principal) - turned).cwiseAbs().maxCoeff(), 0, roundings(100, 5));
 }
 
@@ -65,7 +65,7 @@ EXERCISE_TEST(FreeRotation, IsExactAboutAPrincipalAxis) {
     Vec3 omega = spin;
     free_rotation(q, omega, principal, h);
     const Quat expected = start * Quat(Eigen::AngleAxisd(h * speed, Vec3::Unit(axis)));
-    expect_near("q times the expected one, up to its sign", "Eq. (2.10)", std::abs(q.dot(expected)), 1,
+    expect_near("q · what is expected, up to its sign", "Eq. (2.10)", std::abs(q.dot(expected)), 1,
                 roundings(64));
     expect_near_vector("ω [rad/s]", "Eq. (2.11)", omega, spin, roundings(200, 10));
   }

@@ -1,4 +1,4 @@
-// Further tests of chapter 03: exchanged bodies, and the effect of an impulse.
+// Beyond chapter 03's own tests: exchanged bodies, and what an impulse does.
 #include "03_single_contact/single_contact.hpp"
 #include "dense_rows.hpp"
 #include "exercise_test.hpp"

@@ -1,4 +1,4 @@
-// Further tests of chapter 04: exchanged bodies, impulses that add up, and elimination.
+// Beyond chapter 04's own tests: exchanged bodies, impulses that add up, and elimination.
 #include "dense_rows.hpp"
 #include "exercise_test.hpp"
 
@@ -92,7 +92,7 @@ EXERCISE_TEST(Residual, VanishesWhereEliminationEnds) {
   expect_near("residual at the solution [m/s]", "Eq. (4.8)", residual(t.rows, t.V), 0, roundings(1e4, 20));
   t.rows[3].lambda += 1;
   expect_at_least("residual away from it [m/s]", "Eq. (4.8)", residual(t.rows, t.V), 0.4,
-                  "Σ = 0.5 alone adds 0.5 of it");
+                  "Σ = 0.5 alone makes 0.5 of it");
 }
 
 EXERCISE_TEST(Solve, AgreesWithElimination) {
@@ -106,7 +106,7 @@ EXERCISE_TEST(Solve, AgreesWithElimination) {
   // below Σ = 0.5.
   const double most = 8 * S.norm() / S.diagonal().minCoeff() * tolerance / 0.5;
   expect_near_vector("λ [N s]", "Eq. (4.1)", gathered(t.rows, &Row<6>::lambda), expected,
-                     {most, "the tolerance, magnified by S"});
+                     {most, "the tolerance, as S carries it on"});
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Further tests of chapter 05: frames near every axis, and a box that is equal along both tangents.
+// Beyond chapter 05's own tests: frames near every axis, and a box that is the same along both tangents.
 #include "05_friction_box/friction_box.hpp"
 #include "exercise_test.hpp"
 

@@ -1,4 +1,4 @@
-// Further tests of chapter 06: exchanged ends, moved scenes, and the distribution of mass.
+// Beyond chapter 06's own tests: exchanged ends, moved scenes, and where the mass is.
 #include "06_distance/distance.hpp"
 #include "exercise_test.hpp"
 

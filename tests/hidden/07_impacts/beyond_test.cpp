@@ -1,4 +1,4 @@
-// Further tests of chapter 07: velocities after an impact, rotated scenes, energy, momentum.
+// Beyond chapter 07's own tests: velocities after an impact, turned scenes, energy, momentum.
 #include "07_impacts/impacts.hpp"
 #include "dense_rows.hpp"
 #include "exercise_test.hpp"
@@ -74,7 +74,7 @@ EXERCISE_TEST(ImpactWork, IsTheEnergyOfAMass) {
   const Vec3 u = random.vector(3), J = random.vector(3);
   const Vec3 after = u + J / m;
   const double change = 0.5 * m * (after.squaredNorm() - u.squaredNorm());
-  expect_near("energy that the impulse adds [J]", "Eq. (7.6)", impact_work(Mat3::Identity() / m, u, J), change,
+  expect_near("what the impulse adds [J]", "Eq. (7.6)", impact_work(Mat3::Identity() / m, u, J), change,
               roundings(64, m * (u.squaredNorm() + after.squaredNorm())));
 }
 

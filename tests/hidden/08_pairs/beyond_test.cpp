@@ -1,4 +1,4 @@
-// Further tests of chapter 08: exchanged bodies, areas, and comparisons of all pairs.
+// Beyond chapter 08's own tests: exchanged bodies, areas, and all pairs tried.
 #include <algorithm>
 #include <numbers>
 
@@ -27,7 +27,7 @@ spook::Box any_box(Random& random, int body, double spread) {
 EXERCISE_TEST(BallBall, DoesNotAskWhichIsFirst) {
   Random random;
   const Ball i{.body = 0, .x = random.vector(), .radius = random.uniform(1, 2)};
-  const Vec3 apart = random.vector_of_length(0.3, 1.9);  // they overlap, for any radii
+  const Vec3 apart = random.vector_of_length(0.3, 1.9);  // they overlap, whatever their radii
   const Ball j{.body = 1, .x = i.x + apart, .radius = random.uniform(1, 2)};
   const auto one = ball_ball(i, j), other = ball_ball(j, i);
   expect_true("both orders find the contact", "Eq. (8.2)", one && other);
@@ -43,7 +43,7 @@ EXERCISE_TEST(BoxBall, FindsTheNearestPointOfTheBox) {
     const Box box = any_box(random, 0, 1);
     const Vec3 way = random.unit_vector();
     const Vec3 inside = random.vector();
-    const Vec3 in_box = inside.cwiseProduct(box.half_sides) + 3 * way;  // far enough outside
+    const Vec3 in_box = inside.cwiseProduct(box.half_sides) + 3 * way;  // far enough to be outside
     const Vec3 nearest = in_box.cwiseMin(box.half_sides).cwiseMax(-box.half_sides);
     const double distance = (in_box - nearest).norm();
     if (distance < 0.1) continue;
@@ -61,8 +61,8 @@ EXERCISE_TEST(SeparatingAxis, IsTheSameForExchangedBoxes) {
   for (int k = 0; k < 50; ++k) {
     const Box i = any_box(random, 0, 1.5), j = any_box(random, 1, 1.5);
     const double gap = separating_axis(i, j).gap, other = separating_axis(j, i).gap;
-    expect_true("both orders agree whether the boxes touch", "Eq. (8.7)", (gap > 0) == (other > 0));
-    if (gap > 0) continue;  // any axis that separates them suffices
+    expect_true("both orders say whether the boxes touch", "Eq. (8.7)", (gap > 0) == (other > 0));
+    if (gap > 0) continue;  // any axis that parts them will do
     // Which of two nearly equal axes is kept may depend on the order: 5 per cent of the gap, and a millionth of
     // a side.
     expect_near("g(n) [m]", "Eq. (8.7)", other, gap, {0.06 * std::abs(gap) + 2e-6, "the margins"});
@@ -131,7 +131,7 @@ void expect_all_pairs(const std::string& equation,
         expected.emplace_back(i, j);
     }
   const std::vector<Pair> found = in_order(find(all));
-  expect_true("the pairs are those of all comparisons, " + std::to_string(expected.size()) +
+  expect_true("the pairs are those that all comparisons find, " + std::to_string(expected.size()) +
                   " of them, each once; found: " + std::to_string(found.size()),
               equation, found == expected);
 }

@@ -1,4 +1,4 @@
-// Further tests of chapter 09: any size, any heading.
+// Beyond chapter 09's own tests: any size, any heading.
 #include <numbers>
 
 #include "09_better_friction/better_friction.hpp"
@@ -80,7 +80,7 @@ struct Thrown {
 EXERCISE_TEST(ConeSolve, BrakesEveryHeadingAlike) {
   Random random;
   for (int k = 0; k < 20; ++k)
-    for (const double speed : {0.001, 3.0}) {  // it stops, or it slides on
+    for (const double speed : {0.001, 3.0}) {  // it stops, and it slides on
       Thrown t(random, speed);
       cone_solve(t.contacts, t.rows, t.V, {.max_sweeps = 50, .tolerance = 1e-15});
       t.expect_coulomb(speed);

@@ -1,4 +1,4 @@
-// Further tests of chapter 10: orders are permutations, and solvers agree with elimination.
+// Beyond chapter 10's own tests: orders are permutations, and solvers agree with elimination.
 #include <algorithm>
 #include <numeric>
 
@@ -100,8 +100,9 @@ EXERCISE_TEST(ConjugateSolve, AgreesWithElimination) {
   const Eigen::VectorXd expected = S.ldlt().solve(gathered(rows, &Row<6>::B));
   conjugate_solve(rows, V, {.max_sweeps = 200, .tolerance = 1e-12});
   // No eigenvalue of S is below Σ = 0.5, and no residual is above n S/min(S_kk) times the tolerance.
-  expect_near_vector("λ [N s]", "Eq. (10.8)", gathered(rows, &Row<6>::lambda), expected,
-                     {12 * S.norm() / S.diagonal().minCoeff() * 1e-12 / 0.5, "the tolerance, magnified by S"});
+  expect_near_vector(
+      "λ [N s]", "Eq. (10.8)", gathered(rows, &Row<6>::lambda), expected,
+      {12 * S.norm() / S.diagonal().minCoeff() * 1e-12 / 0.5, "the tolerance, as S carries it on"});
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Further tests of chapter 11: one system, by every function of the chapter, against dense elimination.
+// Beyond chapter 11's own tests: one system, by every function of the chapter, against dense elimination.
 #include "11_direct/direct.hpp"
 #include "dense_rows.hpp"
 #include "exercise_test.hpp"
@@ -61,7 +61,8 @@ EXERCISE_TEST(Factorise, SolvesWhatItWasGiven) {
   expect_true("S with Σ = 0.1 can be factorised", "Eq. (11.4)", factorise(lower.sparseView(), factors));
   const Eigen::MatrixXd nothing = Eigen::MatrixXd::Ones(2, 2).triangularView<Eigen::Lower>();
   Factors of_nothing;
-  expect_true("two equal rows with Σ = 0 cannot", "Eq. (11.4)", !factorise(nothing.sparseView(), of_nothing));
+  expect_true("two rows that say the same, with Σ = 0, cannot", "Eq. (11.4)",
+              !factorise(nothing.sparseView(), of_nothing));
 }
 
 EXERCISE_TEST(SaddleSolve, AgreesWithElimination) {

@@ -1,4 +1,4 @@
-// Further tests of chapter 12: units, null directions, and a wire without tension.
+// Beyond chapter 12's own tests: units, null directions, and a wire without tension.
 #include "12_stiff_wires/stiff_wires.hpp"
 #include "exercise_test.hpp"
 
@@ -28,7 +28,7 @@ EXERCISE_TEST(GeometricStiffness, ActsAcrossTheLinkAlone) {
   const Mat3 K = geometric_stiffness(n, l, T);
   const Vec3 across = n.cross(random.unit_vector());
   expect_near_vector("K n [N/m]", "Eq. (12.3)", Vec3(K * n), Vec3(0, 0, 0), roundings(32, T / l));
-  expect_near_vector("K of a direction across it [N/m]", "Eq. (12.3)", Vec3(K * across), Vec3(T / l * across),
+  expect_near_vector("K of a direction across [N/m]", "Eq. (12.3)", Vec3(K * across), Vec3(T / l * across),
                      roundings(32, T / l));
 }
 

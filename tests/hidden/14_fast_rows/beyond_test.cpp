@@ -1,4 +1,4 @@
-// Further tests of chapter 14: rotated tangents, valid colours, the same bits.
+// Beyond chapter 14's own tests: turned tangents, valid colours, the same bits.
 #include <algorithm>
 #include <set>
 
@@ -29,9 +29,9 @@ EXERCISE_TEST(SolveOnCone, TurnsWithTheTangents) {
     const Vec3 lambda = solve_on_cone(S, q, mu);
     expect_near_vector("λ for turned tangents [N s]", "Eq. (14.5)",
                        solve_on_cone(R * S * R.transpose(), R * q, mu), Vec3(R * lambda),
-                       {1e-9 * (1 + lambda.norm()), "the stop rule of an iteration, far above round-off"});
+                       {1e-9 * (1 + lambda.norm()), "an iteration's stop, far above round-off"});
     expect_at_most("|λ_t| - μ λ_n [N s]", "Eq. (14.5)", lambda.tail<2>().norm() - mu * lambda[0],
-                   1e-9 * (1 + lambda.norm()), "the stop rule of an iteration");
+                   1e-9 * (1 + lambda.norm()), "an iteration's stop");
   }
 }
 
@@ -83,8 +83,8 @@ EXERCISE_TEST(SolveInColours, GivesTheSameBitsOnAnyThreads) {
     std::vector<double> bits;
     for (const Row<6>& row : solved) bits.push_back(row.lambda);
     if (first.empty()) first = bits;
-    expect_true("λ on " + std::to_string(threads) + " threads equals that on one, to the last bit",
-                "Eq. (14.10)", bits == first);
+    expect_true("λ on " + std::to_string(threads) + " threads is that on one, to the last bit", "Eq. (14.10)",
+                bits == first);
   }
 }
 
