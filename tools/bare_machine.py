@@ -46,7 +46,7 @@ def make(release: str, compiler: str, folder: Path, log: Path) -> None:
 
 
 def run(command: str, compiler: str, folder: Path, log: Path) -> int:
-    """The exit code of one of README's commands in there."""
+    """Runs a command there, and returns its exit code."""
     code, _ = stream(["unshare", "--mount", "--pid", "--fork", "sh", "-c", ENTER, str(folder), command,
                       COMPILERS[compiler][1]], lambda line: print(line, end="", flush=True), log)
     return code
@@ -88,7 +88,7 @@ def _options(words: list[str]) -> argparse.Namespace:
 
 
 def _commit(course: Path) -> str:
-    """Which was cloned."""
+    """Returns the cloned commit."""
     return subprocess.run(["git", "-C", str(course), "rev-parse", "--short", "HEAD"], capture_output=True,
                           text=True).stdout.strip()
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Makes the films at the head of the lessons: python3 tools/make_films.py [NAME ...].
 
-What is filmed stands in films.json: a scene with options of ./course view, how fast it is shown, which of the viewer's
-switches are on, and how near it is seen (zoom). The viewer itself draws it, in a headless Chromium. A film is an
-animated WebP below 400 kB: film.webp in the chapter's folder, and plots/film.webp for README.
+films.json describes each film: a scene with options of ./course view, its speed, the viewer's switches, and the zoom.
+The viewer itself draws it, in a headless Chromium. A film is an animated WebP below 400 kB: film.webp in the chapter's
+folder, and plots/film.webp for README.
 """
 
 import argparse
@@ -44,7 +44,7 @@ def main() -> int:
 
 
 def _pictures(driver, film: dict) -> list:
-    """One for each fifteenth of a second of the film."""
+    """Returns a picture for each fifteenth of a second of the film."""
     from PIL import Image
     with tempfile.TemporaryDirectory() as folder:
         page = Path(folder, "film.html")
@@ -68,7 +68,7 @@ def _wait(driver, script: str) -> None:
 
 
 def _write(pictures: list, to: Path) -> None:
-    """As good as fits. The last picture stands for a second."""
+    """Writes the film at the best quality that fits. The last picture is shown for a second."""
     durations = [1000 // PER_SECOND] * (len(pictures) - 1) + [1000]
     for quality in (80, 65, 50, 35, 20):
         data = io.BytesIO()

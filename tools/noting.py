@@ -1,11 +1,11 @@
-"""Writes what lets a program tell which exercises' functions a run of it has called.
+"""Writes code by which a program records the exercises' functions that a run has called.
 
     noting.py REFERENCE RESULT WRAPS FUNCTION...
 
-REFERENCE is the archive with the right functions, FUNCTION the names of exercises; a name that is no exercise's has no
-function there, and is left out. RESULT has a function before each of theirs, which notes the call and jumps on; WRAPS
-are the linker's options that lead callers there. At its end the program writes the names of what was called, a line
-each, to the file that SPOOK_CALLS names. Calls within one file are not seen.
+REFERENCE is the archive with the right functions. FUNCTION gives the names of exercises; others have no function there,
+and are left out. RESULT has a function before each of theirs, which records the call and jumps on; WRAPS are the
+linker's options that lead callers there. At its end the program writes the names of the called functions, a line each,
+to the file that SPOOK_CALLS names. Calls within one file are not recorded.
 """
 
 import platform

@@ -1,4 +1,4 @@
-"""Errors of three updates against the steps and against the time that they take."""
+"""Errors of three updates against the number of steps and against their time."""
 
 import sys
 from pathlib import Path

@@ -6,7 +6,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
 import figures  # noqa: E402
 
-TITLE = "A heavy body on a light one: each sweep removes a small part of the error"
+TITLE = "With a heavy body on a light one each sweep removes a small part of the error"
 
 
 def draw(data, mine):

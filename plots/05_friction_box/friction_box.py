@@ -7,7 +7,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
 import figures  # noqa: E402
 
-TITLE = "The friction box: stronger along its diagonals, right on a slope"
+TITLE = "The friction box is √2 too strong along its diagonals, and right on a slope"
 ANGLE = "angle [rad]"
 
 

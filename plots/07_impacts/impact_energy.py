@@ -1,4 +1,4 @@
-"""Peaks of a bouncing ball, how they come right, and how often the notes' law adds energy."""
+"""Peaks of a bouncing ball with and without correction, and how often the notes' law adds energy."""
 
 import sys
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Pairs that three broad phases compare, and the time that they take, over the number of spheres."""
+"""Pairs compared by three broad phases, and their time, over the number of spheres."""
 
 import sys
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""What the sweeps return with each model of friction: a pile, and a rod that slides on its end."""
+"""Changes that sweeps return with each model of friction: a pile, and a rod that slides on its end."""
 
 import sys
 from pathlib import Path
@@ -39,7 +39,7 @@ name: name for name in ("box", "two passes", "cone")}),
 
 
 def _positive(table):
-    """Sweeps and values, without those that found nothing to do: they are off a logarithmic axis."""
+    """Returns sweeps and values, without zeros, which a logarithmic axis cannot show."""
     kept = [(sweep, value) for sweep, value in zip(table["sweep"], table["value"]) if value > 0]
     return [list(column) for column in zip(*kept)]
 

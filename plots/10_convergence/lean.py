@@ -1,4 +1,4 @@
-"""How far a tower of boxes leans and sinks with few sweeps, by order."""
+"""Lean and sinking of a tower of boxes with few sweeps, by order."""
 
 import sys
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""The error of a step's velocities that so much work leaves, by methods of many kinds, on nine problems."""
+"""Error of one step's velocities against work, for methods of many kinds, on nine problems."""
 
 import sys
 from pathlib import Path
@@ -38,7 +38,7 @@ def draw(data, mine):
 
 
 def _curve(panel, table, style):
-    """In the order of what was spent; it is left where it is right."""
+    """Draws one curve in the order of cost, and ends it where the error reaches round-off."""
     points = sorted(zip(table["cost [sweeps]"], table["error"]))
     shown = []
     for cost, error in points:

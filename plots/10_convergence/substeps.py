@@ -1,4 +1,4 @@
-"""The error that so many row updates in each step leave, as sweeps or as substeps, cold, warm, or as games take them."""
+"""Error against row updates in each step: sweeps and substeps, cold and warm, and two substep methods of games."""
 
 import sys
 from pathlib import Path
@@ -6,7 +6,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
 import figures  # noqa: E402
 
-TITLE = "Many sweeps, or many steps of one sweep; and when a warm start is safe"
+TITLE = "Substeps beat sweeps on a cold wire; a warm start needs enough of either"
 METHODS = ("sweeps", "substeps", "warm sweeps", "warm substeps", "XPBD", "relaxed substeps")
 LEAST, LOST = 1e-12, 1e6  # drawn at the lower edge, and at the upper one
 
@@ -40,7 +40,7 @@ def draw(data, mine):
 
 
 def _line(panel, updates, errors, label, style):
-    """What is beyond either edge has a cross at it, in place of its marker."""
+    """Draws one curve, with a cross in place of the marker for points beyond either edge."""
     shown = [min(max(error, LEAST), LOST) for error in errors]
     inside = [LEAST < error < LOST for error in errors]
     panel.plot(updates, shown, label=label, **style | {"markevery": [k for k, held in enumerate(inside) if held]})

@@ -50,7 +50,7 @@ def _times(axes, table):
 
 
 def _bounds(axes, table):
-    """Medians and all of the range of the draws in which a bound holds a row, and the others one by one."""
+    """Draws medians and the whole range of the draws with an active bound, and the others one by one."""
     for ratio, style in zip(table.values("ratio"), figures.STYLES):
         some, name = table.only("ratio", ratio), f"{figures.number(ratio)}:1"
         sizes = some.values("size")
@@ -68,7 +68,7 @@ def _bounds(axes, table):
 
 
 def _counts(table):
-    """Factorisations of the draws in which a bound holds a row, and of those in which none does."""
+    """Returns the factorisations of the draws with an active bound, and of those without."""
     draws = list(zip(table["value"], table["held"]))
     return [count for count, held in draws if held > 0], [count for count, held in draws if held == 0]
 

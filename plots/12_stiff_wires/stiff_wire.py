@@ -7,7 +7,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
 import figures  # noqa: E402
 
-TITLE = "A wire that swings under a load, with h²K and without"
+TITLE = "With h²K on the change of velocity, a swinging wire is stable and keeps its energy"
 NAMES = {"change": "K on the change", "velocity": "K on the velocity", "none": "no K"}
 RATES = (480, 240, 120, 60, 30)
 TOP = 3  # where what is lost is drawn
@@ -46,7 +46,7 @@ def _energies(axes, table):
 
 
 def _steps(axes, table, what, second, first):
-    """One column of the table against h, with slopes that begin at these heights."""
+    """Draws one column of the table against h, with lines of known slope that begin at these heights."""
     for form, style in zip(("change", "velocity"), figures.STYLES):
         some = table.only("form", form)
         axes.plot(some["h"], some[what], label=NAMES[form], **style)

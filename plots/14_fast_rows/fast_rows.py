@@ -1,4 +1,4 @@
-"""Blocks, colours and lanes: what they gain, counted and timed."""
+"""Gain by blocks, colours and lanes, as counts and as times."""
 
 import sys
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""What all figures share: the numbers of an experiment, a style that is readable in grey, and the caption.
+"""The common part of all figures: numbers of an experiment, a style that is readable in grey, and the caption.
 
 A drawing is a file NAME.py beside its experiment NAME.cpp, with a function draw(data, mine) that returns a figure, a
 TITLE, and, at its end,
@@ -6,7 +6,7 @@ TITLE, and, at its end,
     if __name__ == "__main__":
         figures.main(draw, TITLE)
 
-    NAME.py --data FOLDER [--mine FOLDER] --out FIGURE.png [--out FIGURE.svg]     .pdf will do, too
+    NAME.py --data FOLDER [--mine FOLDER] --out FIGURE.png [--out FIGURE.svg]     .pdf also works
 """
 
 import argparse
@@ -48,7 +48,7 @@ WIDTH = 8.0  # inches
 
 @dataclass
 class Table:
-    """Rows of a CSV file: numbers where they are some, text elsewhere."""
+    """Rows of a CSV file, with numbers as floats and other cells as text."""
 
     columns: list[str]
     rows: list[list]
@@ -62,7 +62,7 @@ class Table:
         return [row[k] for row in self.rows]
 
     def values(self, column: str) -> list:
-        """Each once, in the order in which they come."""
+        """Returns each value of a column once, in order of appearance."""
         return list(dict.fromkeys(self[column]))
 
 
@@ -87,7 +87,7 @@ def _number_or_text(cell: str):
 
 
 def new(columns: int = 1, height: float = 3.8, polar: int = 0, rows: int = 1, **options):
-    """A figure and its axes, the first few of them polar; further options as of plt.subplots."""
+    """Returns a figure and its axes, the first few of them polar. Further options are those of plt.subplots."""
     plt.rcParams.update({"font.size": 10, "axes.edgecolor": INK, "text.color": INK, "axes.labelcolor": INK,
                          "xtick.color": INK, "ytick.color": INK, "lines.linewidth": 1.6, "lines.markersize": 5.5,
                          "legend.frameon": False, "legend.fontsize": 9, "axes.titlesize": 10,
@@ -100,8 +100,8 @@ def new(columns: int = 1, height: float = 3.8, polar: int = 0, rows: int = 1, **
 
 
 def maps(data: Data, mine: Data | None, columns: int, height: float, rows: int = 1, **options):
-    """A figure of maps, and its parts: the reference's, and below it the student's, if there is one.
-    A part is a table, what draws a colour bar, and axes, as of plt.subplots."""
+    """Returns a figure of maps, and its parts: the reference's, and below it the student's, if there is one. A part is
+    a table, the place of a colour bar, and axes, as of plt.subplots."""
     if mine is None:
         figure, grid = new(columns=columns, height=height, rows=rows, **options)
         return figure, [(data.table, figure, grid)]
@@ -123,7 +123,7 @@ def tidy(axes) -> None:
 
 
 def slope(axes, power: float, x: tuple[float, float], y: float, text: str) -> None:
-    """A line of that slope on logarithmic axes from (x[0], y), with its name at its end."""
+    """Draws a line of that slope on logarithmic axes from (x[0], y), with its name at its end."""
     end = y * (x[1] / x[0]) ** power
     axes.plot(x, (y, end), color="#999999", linewidth=1)
     axes.annotate(text, (x[1], end), xytext=(4, 0), textcoords="offset points", va="center", fontsize=9)
@@ -131,8 +131,9 @@ def slope(axes, power: float, x: tuple[float, float], y: float, text: str) -> No
 
 def field(axes, table: Table, x: str, y: str, value: str, scale: tuple[float, float],
           lost: str | None = None):
-    """A map on logarithmic axes, a cell a row of the table: colour is the value, on a logarithmic scale, lighter for
-    more. Cells in which the column `lost` is not 0 are white, hatched. Returns what a colour bar wants."""
+    """Draws a map on logarithmic axes, one cell for each row of the table. The colour shows the value on a logarithmic
+    scale, lighter for more. Cells in which the column `lost` is not 0 are white and hatched. Returns the object for a
+    colour bar."""
     across, up = sorted(table.values(x)), sorted(table.values(y))
     cells = np.full((len(up), len(across)), np.nan)
     gone = np.zeros(cells.shape, dtype=bool)
@@ -155,27 +156,27 @@ def field(axes, table: Table, x: str, y: str, value: str, scale: tuple[float, fl
 
 
 def _sides(centres: list[float]) -> np.ndarray:
-    """Where cells around these begin and end, on a logarithmic axis."""
+    """Returns the edges of the cells around these values, on a logarithmic axis."""
     log = np.log(centres)
     between = (log[1:] + log[:-1]) / 2
     return np.exp([2 * log[0] - between[0], *between, 2 * log[-1] - between[-1]])
 
 
 def say_lost(axes, where: str, **place) -> None:
-    """What the hatching of a map means, in a legend."""
+    """Explains the hatching of a map in a legend."""
     patch = Rectangle((0, 0), 1, 1, facecolor="white", edgecolor="#888888", hatch="////", linewidth=0.5)
     axes.legend([*axes.get_legend_handles_labels()[0], patch], [*axes.get_legend_handles_labels()[1], where],
                 facecolor="white", framealpha=1, frameon=True, fontsize=8, **place)
 
 
 def law(axes, x, y, text: str | None = None, **style) -> None:
-    """The line of a law over a map: seen on dark and on light cells."""
+    """Draws the line of a law over a map, visible on dark and on light cells."""
     edge = [withStroke(linewidth=3.5, foreground="white")]
     axes.plot(x, y, color="#D00000", path_effects=edge, label=text, **style)
 
 
 def caption(figure: Figure, title: str, text: str) -> None:
-    """The title above, and below what the figure claims. The figure grows by what it takes."""
+    """Writes the title above the figure and its claims below. The figure grows by their height."""
     lines = textwrap.wrap(text, 118)
     if not _can_reserve_room(figure):
         figure.text(0.012, 1.02, title, fontsize=12, fontweight="bold", va="bottom")
@@ -191,18 +192,19 @@ def caption(figure: Figure, title: str, text: str) -> None:
 
 
 def _can_reserve_room(figure: Figure) -> bool:
-    """Before matplotlib 3.6 no layout leaves room for text: it stands outside then, and the saved figure grows."""
+    """Tells whether this matplotlib reserves room for text. Before 3.6 text is outside the layout, and the saved figure
+    grows."""
     return hasattr(figure, "get_layout_engine")
 
 
 def _sentence(text: str) -> str:
-    """With a capital, unless it begins with a symbol: n sweeps are not N."""
+    """Returns the text with a capital letter, unless it begins with a symbol: n sweeps are not N."""
     begins_with_symbol = len(text.split()[0]) == 1 and text[0] != "a"
     return (text[0] if begins_with_symbol else text[0].upper()) + text[1:] + "."
 
 
 def number(value: float) -> str:
-    """1000, 0.1, 10⁻⁶."""
+    """Returns a number as 1000, 0.1 or 10⁻⁶."""
     if value != 0 and not 1e-3 < abs(value) < 1e4:
         exponent = round(math.log10(abs(value)))
         if math.isclose(abs(value), 10.0**exponent):
@@ -212,7 +214,7 @@ def number(value: float) -> str:
 
 
 def _with_steady_names(svg: str) -> str:
-    """Names clip paths by their order: matplotlib names those of polar axes by where they are in memory."""
+    """Gives clip paths names by their order. Matplotlib would name those of polar axes by their place in memory."""
     names: dict[str, str] = {}
     return re.sub(r"\b[pm][0-9a-f]{10}\b", lambda found: names.setdefault(found[0], f"shape{len(names)}"), svg)
 

@@ -6,7 +6,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
 import figures  # noqa: E402
 
-TITLE = "Mechanisms with answers from elsewhere: steps of order two and of order four"
+TITLE = "Composed steps reach order four on seven mechanisms with independent answers"
 
 
 METHODS = {"composed": {"linestyle": "-"}, "leapfrog": {"linestyle": ":", "fillstyle": "none"}}

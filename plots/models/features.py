@@ -1,4 +1,4 @@
-"""Nanoseconds a body for features that a scene does not need, and for some that it does."""
+"""Nanoseconds a body for features that a scene does not need, and for some that it needs."""
 
 import sys
 from pathlib import Path

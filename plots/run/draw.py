@@ -36,7 +36,7 @@ def draw(parts: list[dict]):
 
 
 def _calm(axes, values: list[float]) -> None:
-    """Roundings are not magnified until they fill the axes."""
+    """Sets limits of the axes so that round-off does not fill them."""
     middle = (max(values, default=0) + min(values, default=0)) / 2
     if values and 0 < max(values) - min(values) < _ROUNDINGS * abs(middle):
         axes.set_ylim(sorted((0.9 * middle, 1.1 * middle)))

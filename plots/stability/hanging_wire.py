@@ -32,7 +32,7 @@ def draw(data, mine):
 
 
 def _ratio(table, level):
-    """Where the prediction, linear in the ratio, has that level; None below a ratio of 1."""
+    """Returns the ratio at which the prediction, linear in the ratio, has that level; None below a ratio of 1."""
     (r1, p1), (r2, p2) = sorted(zip(table["ratio"], table["predicted"]))[:2]
     ratio = r1 + (level - p1) * (r2 - r1) / (p2 - p1)
     return ratio if ratio >= 1 else None

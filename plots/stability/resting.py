@@ -34,7 +34,7 @@ def draw(data, mine):
 
 
 def _depths(axes, h, ds):
-    """Where the law allows a depth to be off by 10⁻¹², 10⁻⁹, 10⁻⁶."""
+    """Draws where the law allows a depth error of 10⁻¹², 10⁻⁹, 10⁻⁶."""
     w = math.ulp(h * G)
     for power in (-12, -9, -6):
         line = [(10.0**power * G / (U * (d / 2 + 1) + 2 * d * h * w), d) for d in ds]
@@ -43,7 +43,7 @@ def _depths(axes, h, ds):
 
 
 def _impulses(axes, h, table):
-    """Where the law allows a hop to put the impulse off by a power of ten. It does not know of k."""
+    """Draws where the law allows a hop to change the impulse by a power of ten. This does not depend on k."""
     ks = min(table["k"]), max(table["k"])
     for power in (-15, -14, -13, -12):
         d = (4 * U / (h**2 * G * 10.0**power) - 1) / 4

@@ -1,4 +1,4 @@
-"""Errors of the hard cases with a solver that fits them."""
+"""Errors of the hard cases with a suitable solver."""
 
 import sys
 from pathlib import Path
@@ -6,7 +6,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
 import figures  # noqa: E402
 
-TITLE = "The hard cases again, with a solver that fits them"
+TITLE = "With a solver that fits, the hard cases hold"
 PANELS = {"hanging": ("hanging wires, direct", "links", "load over a point's mass", "of the stretch, over the length"),
           "swinging": ("100 links that swing, stiff", "load over a point's mass", "h [s]",
                        "of a link, the largest, over its length"),
@@ -35,7 +35,7 @@ def draw(data, mine):
 
 
 def _mark_unsound(axes, table):
-    """A circle where a run was not sound, but not lost either."""
+    """Marks runs that were not sound, but not lost either, by circles."""
     unsound = [row for row, state, lost in zip(table.rows, table["state"], table["lost"]) if state != "sound" and not lost]
     across, up = table.columns.index("across"), table.columns.index("up")
     axes.plot([row[across] for row in unsound], [row[up] for row in unsound], color="white", marker="o",

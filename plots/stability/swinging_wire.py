@@ -6,7 +6,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
 import figures  # noqa: E402
 
-TITLE = "A swinging wire, solved exactly: its tension sets the step"
+TITLE = "Solved exactly, a swinging wire holds up to the step that its tension sets"
 SCALE = (1e-6, 1e-1)
 
 

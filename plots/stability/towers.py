@@ -38,7 +38,7 @@ def draw(data, mine):
 
 
 def _sweeps(ratio, deeper):
-    """After how many the lowest contact of two is deeper by that, from Eq. (4.10)."""
+    """Returns the number of sweeps after which the lowest contact of two is deeper by that, from Eq. (4.10)."""
     soft = 4 * 3600 / (RATIO_K * 13) / ratio
     rate = -math.log1p(soft) - math.log1p(1 / ratio + soft)  # of ρ
     first = G / 60 * ratio / A * -math.expm1(rate) / math.exp(rate)

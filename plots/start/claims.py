@@ -1,4 +1,4 @@
-"""What the figure of ./course start claims, checked against the numbers that it draws."""
+"""Claims of the figure of ./course start, checked against the numbers that it draws."""
 
 import math
 from dataclasses import dataclass
@@ -8,7 +8,7 @@ MARGIN = 0.1  # on an observed order
 
 
 class ClaimError(Exception):
-    """The numbers do not show what the caption would say."""
+    """The numbers do not support the caption."""
 
 
 @dataclass
@@ -36,13 +36,13 @@ class Series:
         return len({point["h"] for point in self.points}) > 1
 
     def order(self) -> float:
-        """log2 of what halving h divides the error by, between the two smallest h."""
+        """Returns log2 of the ratio of errors at the two smallest h, each half of the other."""
         coarse, fine = sorted(self.points, key=lambda point: -point["h"])[-2:]
         return math.log(coarse["error"]["value"] / fine["error"]["value"]) / math.log(coarse["h"] / fine["h"])
 
 
 def expected_order(series: Series) -> int | None:
-    """The order in h that theory gives; None where h makes no error, or another thing than h is varied."""
+    """Returns the theoretical order in h; None where h makes no error, or where something other than h varies."""
     chosen = series.points[0]["parameters"]
     if series.scene in ("orbit", "oscillator"):
         return 2 if chosen["start"] == "half_step" else 1
@@ -54,7 +54,7 @@ def expected_order(series: Series) -> int | None:
 
 
 def caption(all_series: list[Series]) -> str:
-    """What the figure shows, in words. Raises ClaimError where it does not show it."""
+    """Describes the figure in words. Raises ClaimError if the numbers do not support a claim."""
     parts = []
     for order, factor in ((2, 4), (1, 2)):
         found = [series for series in all_series if series.varies_h and expected_order(series) == order]
@@ -66,9 +66,9 @@ def caption(all_series: list[Series]) -> str:
     for series in resting:
         if not series.exact:
             worst = max(series.errors)
-            raise ClaimError(f"{series.label} is said to be exact to roundings, but its error is {worst:.1e}")
+            raise ClaimError(f"{series.label} is claimed to be exact to round-off, but its error is {worst:.1e}")
     if resting:
-        said.append(f"Exact to roundings at any h: {_listed([series.label for series in resting])}.")
+        said.append(f"Exact to round-off at any h: {_listed([series.label for series in resting])}.")
 
     said += [_sweeps(series) for series in all_series if series.scene == "stack" and len(series.points) > 1]
     return " ".join(said)
@@ -77,7 +77,7 @@ def caption(all_series: list[Series]) -> str:
 def _with_order(series: Series, order: int) -> str:
     observed = series.order()
     if not abs(observed - order) <= MARGIN:
-        raise ClaimError(f"{series.label} is said to be of order {order} ± {MARGIN}, but shows {observed:.2f}")
+        raise ClaimError(f"{series.label} is claimed to be of order {order} ± {MARGIN}, but shows {observed:.2f}")
     return f"{series.scene} ({series.choice + ', ' if series.choice else ''}order {observed:.2f})"
 
 
@@ -88,14 +88,14 @@ def _falls_exactly(series: Series) -> bool:
 def _sweeps(series: Series) -> str:
     first, last = series.points[0], series.points[-1]
     if not all(after < max(before, ROUNDINGS) for before, after in zip(series.errors, series.errors[1:])):
-        raise ClaimError(f"{series.label} is said to gain by more sweeps, but its errors are {series.errors}")
-    return (f"A heavy sphere on light ones asks for sweeps, not for small steps: from {first['iterations']} to "
+        raise ClaimError(f"{series.label} is claimed to gain by more sweeps, but its errors are {series.errors}")
+    return (f"A heavy sphere on light ones needs sweeps, not small steps: from {first['iterations']} to "
             f"{last['iterations']} of them, the error goes from {_number(series.errors[0])} to "
             f"{_number(series.errors[-1])}.")
 
 
 def _number(value: float) -> str:
-    """85, 0.12 or 6·10⁻¹⁴."""
+    """Returns a number as 85, 0.12 or 6·10⁻¹⁴."""
     if 0.01 <= value < 1000:
         return f"{value:.0f}" if value >= 10 else f"{value:.2g}"
     digits, exponent = f"{value:.0e}".split("e")

@@ -1,8 +1,8 @@
-"""Draws speed against error: what an error costs, one line a scene and choice of parameters.
+"""Draws speed against error: the cost of an error, one line for each scene and choice of parameters.
 
     draw.py --results RESULTS.json --out FIGURE.png
 
-RESULTS.json is a list of what `spook run --json` printed. Exit status 1 when the caption would not be true.
+RESULTS.json is a list of outputs of `spook run --json`. Exit status 1 if the numbers do not support the caption.
 """
 
 import argparse
@@ -29,7 +29,7 @@ HALO = [withStroke(linewidth=3, foreground="white")]
 
 
 def read(path: Path) -> list[Series]:
-    """One series for each scene and set of parameters, in the order of the file."""
+    """Returns one series for each scene and set of parameters, in the order of the file."""
     groups: dict[str, list[dict]] = {}
     for result in json.loads(path.read_text(encoding="utf-8")):
         if result["us_per_step"] is not None and result["error"]["value"] is not None:
@@ -42,17 +42,18 @@ def read(path: Path) -> list[Series]:
 
 
 def order(result: dict):
-    """From little work to much."""
+    """Sorts from little work to much."""
     return -result["h"], result["iterations"] or 0
 
 
 def cost(result: dict) -> float:
-    """Time to compute one second of the scene [µs]."""
+    """Returns the time to compute one second of the scene [µs]."""
     return result["us_per_step"] / result["h"]
 
 
 def choice(result: dict, runs: list[list[dict]]) -> str:
-    """What sets a line apart: parameters in which other lines of its scene differ, and those that were asked for."""
+    """Returns the label of a line: parameters in which other lines of its scene differ, and those that were asked
+    for."""
     others = [points[0]["parameters"] for points in runs if points[0]["scene"] == result["scene"]]
     asked = {text.split("=")[0] for text in result.get("asked", [])}
     return ", ".join(value if isinstance(value, str) else f"{name} {value:g}"
@@ -87,7 +88,7 @@ def draw(all_series: list[Series], text: str):
 
 
 def draw_errors(axes, styled) -> None:
-    """Errors beyond roundings, against what they cost."""
+    """Draws errors above round-off against their cost."""
     axes.set(xscale="log", yscale="log", ylabel="error, relative")
     for series, (colour, marker, dash) in styled:
         shown = [(cost(point), error) for point, error in zip(series.points, series.errors) if error > 0]
@@ -108,7 +109,7 @@ def draw_errors(axes, styled) -> None:
 
 
 def draw_exact(axes, exact) -> None:
-    """A row for each series that reaches roundings, where a logarithm would only magnify noise."""
+    """Draws a row for each series that reaches round-off, where a logarithm would only magnify noise."""
     axes.set(xscale="log", xlabel="time to compute one second of the scene [µs]", ylim=(-0.7, len(exact) - 0.3))
     axes.invert_yaxis()
     dearest = max((cost(point) for series, _ in exact for point in series.points), default=1)
@@ -128,7 +129,7 @@ def draw_exact(axes, exact) -> None:
 
 
 def name_lines(axes, styled) -> None:
-    """Each line's name beside its last or its first point."""
+    """Writes each line's name beside its last or its first point."""
     shown = [[(cost(point), error) for point, error in zip(series.points, series.errors) if error >= ROUNDINGS]
              for series, _ in styled]
     markers = [axes.transData.transform(point) for points in shown for point in points]
@@ -139,7 +140,8 @@ def name_lines(axes, styled) -> None:
 
 
 def place_name(axes, label, colour, points, markers, names) -> Bbox:
-    """Writes it at the first of some places where it hides no marker and no other name, or else at the last of them."""
+    """Writes a name at the first of some places where it hides no marker and no other name, or else at the last of
+    them."""
     first, last = points[0], points[-1]
     for point, offset in ((last, (8, 0)), (first, (-4, 12)), (last, (0, -13)), (first, (8, 10))):
         name = axes.annotate(label, point, xytext=offset, textcoords="offset points", va="center", fontsize=9,
@@ -154,12 +156,12 @@ def place_name(axes, label, colour, points, markers, names) -> Bbox:
 
 
 def darker(colour: str) -> str:
-    """The same hue, dark enough for letters."""
+    """Returns the same hue, dark enough for letters."""
     return to_hex([0.72 * channel for channel in to_rgb(colour)])
 
 
 def draw_guide(axes) -> None:
-    """What the slopes mean, in the corner where nothing is both cheap and wrong."""
+    """Explains the slopes, in the corner that has no points."""
     x = axes.get_xlim()[0] * 1.5
     y = axes.get_ylim()[1] / 6
     axes.annotate("twice the time buys", (x, y), xytext=(0, 6), textcoords="offset points", fontsize=9)
@@ -170,7 +172,7 @@ def draw_guide(axes) -> None:
 
 
 def subtitle(all_series: list[Series]) -> str:
-    """What the points of a line are."""
+    """Describes the points of a line."""
     steps = sorted({point["h"] for series in all_series if series.varies_h for point in series.points})
     said = [f"A point for each step h, from {1000 * steps[-1]:.3g} to {1000 * steps[0]:.3g} ms"] if steps else []
     said += [f"{series.label}: for each number of sweeps, h = {1000 * series.points[0]['h']:.3g} ms"

@@ -1,4 +1,4 @@
-"""Error against time and against row updates: a line for each way to solve and each step, a point for each number of
+"""Error against time and against row updates: one line for each method and step, one point for each number of
 sweeps."""
 
 import sys
@@ -41,7 +41,7 @@ def draw(data, mine):
 
 
 def _lines(table):
-    """Their names and steps; no step where there are no sweeps to tell apart: a line over h."""
+    """Returns lines by name and step; for methods without sweeps a line over h."""
     lines = list(dict.fromkeys(zip(table["line"], table["h"])))
     if len(lines) == len(table.rows):
         return [(name, None) for name in table.values("line")]
@@ -49,7 +49,7 @@ def _lines(table):
 
 
 def _marked(axes, cost, some, label, style):
-    """A line whose points are hollow where the run was not sound."""
+    """Draws a line with hollow points for runs that were not sound."""
     axes.plot(cost, some["error"], label=label, **style | {"fillstyle": "none"})
     sound = [k for k, state in enumerate(some["state"]) if state == "sound"]
     axes.plot([cost[k] for k in sound], [some["error"][k] for k in sound], **style | {"linestyle": "none"})

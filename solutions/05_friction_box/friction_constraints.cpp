@@ -5,7 +5,7 @@ namespace spook {
 template <int Dof>
 static Constraint<Dof> along(const Vec3& t, const Contact& contact, double bound,
                              const SpookParameters& spook) {
-  // Eq. (3.3), which holds for any direction. contact_jacobian would want a copy of the contact, with t for n.
+  // Eq. (3.3), which holds for any direction. contact_jacobian would need a copy of the contact, with t for n.
   return {.i = contact.i,
           .j = contact.j,
           .Gi = twist(-t, -contact.r_i.cross(t)).head<Dof>(),

@@ -80,9 +80,9 @@ SceneDescription bouncing_ball() {
   return {.name = "bouncing_ball",
           .summary = "A ball is dropped, and bounces.",
           .answer =
-              "Its peaks are h0 e^(2n), e the restitution, and all bounces end after √(2 h0/g) (1+e)/(1-e), "
-              "whatever its mass. A step finds it in the floor already; put back to where it touched, (7.15), "
-              "it has the right peak for any step.",
+              "Its peaks are h0 e^(2n), with e the restitution, and all bounces end after √(2 h0/g) "
+              "(1+e)/(1-e), for any mass. A step detects the ball in the floor. Moved back to where it "
+              "touched, (7.15), it has the right peaks with any step.",
           .error_name = "largest error of a peak over h0",
           .error_unit = "relative",
           .parameters = {{.name = "h0",

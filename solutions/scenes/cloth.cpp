@@ -121,12 +121,12 @@ class Cloth : public WorldScene<Dof> {
 
 SceneDescription cloth() {
   return {.name = "cloth",
-          .summary = "A cloth is let go flat and level, held by its corners.",
+          .summary = "A cloth is released flat and level, held by its corners.",
           .answer =
-              "Threads keep their length, but for T/k, T their tension. And in every step the supports give "
-              "h R = Δp + h m g, the change of momentum and the weight's impulse, to round-off, however few "
-              "the sweeps; over a long time their mean is the weight.",
-          .error_name = "farthest that a thread was from its length, over it",
+              "Threads keep their length, apart from T/k, with T their tension. In every step the supports "
+              "give h R = Δp + h m g, the change of momentum and the weight's impulse. This holds to "
+              "round-off, however few the sweeps; over a long time their mean is the weight.",
+          .error_name = "largest deviation of a thread's length so far, over its length",
           .error_unit = "relative",
           .parameters = {{.name = "cells",
                           .meaning = "along each side",

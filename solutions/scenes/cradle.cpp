@@ -95,7 +95,7 @@ class Cradle : public WorldScene<3> {
 SceneDescription cradle() {
   return {
       .name = "cradle",
-      .summary = "Newton's cradle: equal balls in line touch, and one more comes in.",
+      .summary = "Newton's cradle: equal balls in line touch, and another one hits them.",
       .answer =
           "Pair by pair: with restitution 1 the last leaves with v0 and the others rest. (With all contacts "
           "at once it would be (-1/3, 2/3, 2/3) v0 of three.) It is the same however late the first touch is "
@@ -106,7 +106,7 @@ SceneDescription cradle() {
                      parameter::speed(1),
                      parameter::restitution(1),
                      {.name = "late",
-                      .meaning = "by which part of a step the first touch is found too late",
+                      .meaning = "the fraction of a step by which the first touch is found too late",
                       .value = 0,
                       .limits = {.low = 0, .high = 1, .high_included = false}},
                      parameter::mass(),

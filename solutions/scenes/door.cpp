@@ -113,7 +113,7 @@ SceneDescription door() {
                       .value = 10,
                       .limits = {.low = 0, .high = 90}},
                      {.name = "angle",
-                      .meaning = "where it is let go, from where it hangs",
+                      .meaning = "initial angle, from hanging down",
                       .unit = "degrees",
                       .value = 90,
                       .limits = {.low = 0, .high = 180, .high_included = false}},

@@ -125,7 +125,7 @@ SceneDescription double_pendulum() {
   k.value = 1e9;  // so large that the stretch of the rods is smaller than the error of a step
   return {
       .name = "double_pendulum",
-      .summary = "Two point masses on rods, one hung from the other, are let go from rest.",
+      .summary = "Two point masses on rods, one hung from the other, are released from rest.",
       .answer =
           "The equations of the two angles, integrated to round-off by extrapolation; only the "
           "ratio of the masses counts. It is chaotic: from 90°, after some 7 s, errors grow about tenfold in "

@@ -63,7 +63,7 @@ SceneDescription flat_box_100_contacts() {
           .summary = "A flat box rests on a grid of contacts, many more than it needs.",
           .answer =
               "The contacts share the weight evenly: λ = h m g/n and gap = -m g/(n k) for each of the n. On a "
-              "stiff floor sweeps share it out slowly.",
+              "stiff floor sweeps distribute it slowly.",
           .error_name = "largest error of the last λ over the answer's",
           .error_unit = "relative",
           .parameters = {{.name = "side_contacts",

@@ -70,8 +70,8 @@ SceneDescription flywheel() {
       .name = "flywheel",
       .summary = "A motor of bounded torque brings a flywheel to speed.",
       .answer =
-          "ω = T t/I until I w/T, then w. A motor of viscosity c eases off where it lacks T/c, and comes to w "
-          "as exp(-c t/I).",
+          "ω = T t/I until I w/T, then w. A motor of viscosity c has less torque once the missing speed is "
+          "below T/c, and ω approaches w as exp(-c t/I).",
       .error_name = "largest error of the speed over the target",
       .error_unit = "relative",
       .parameters =

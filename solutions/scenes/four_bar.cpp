@@ -90,7 +90,9 @@ SceneDescription four_bar() {
   speed.meaning = "of the cranks' ends at first";
   return {
       .name = "four_bar",
-      .summary = "A chain of four-bar linkages turns over, through places where it could go on in two ways.",
+      .summary =
+          "A chain of four-bar linkages turns over, through positions from which it could continue in two "
+          "ways.",
       .answer =
           "One angle: θ'' = (g/l) ((N + 1)/2 + N)/((N + 1)/3 + N) sin θ from upright, integrated to round-off. "
           "The problem is A02 of La Coruña's library of multibody benchmarks.",

@@ -10,7 +10,7 @@ static constexpr double relaxation = 3;           // [steps]; for strong damping
 
 template <int Dof>
 bool HandIn<Dof>::pull(int body, const Vec3& point, const Vec3& to) {
-  if (world_.bodies().is_fixed(world_.index(body))) reject("body", body, "one that moves");
+  if (world_.bodies().is_fixed(world_.index(body))) reject("body", body, "a dynamic one");
   require_all_finite("point", point);
   require_all_finite("to", to);
   if (grip_ && grip_->body == body && grip_->point == point) {

@@ -93,8 +93,8 @@ SceneDescription incline() {
       {.name = "incline",
        .summary = "A block on a slope, from rest: it sticks, or slides.",
        .answer =
-           "It sticks if mu >= tan θ, whatever its mass; else x = ½ g (sin θ - mu cos θ) t², to round-off with "
-           "start=half_step. What sticks creeps, at m g sin θ over the viscosity of its contacts.",
+           "It sticks if mu >= tan θ, for any mass; else x = ½ g (sin θ - mu cos θ) t², to round-off with "
+           "start=half_step. A sticking block creeps, at m g sin θ over the viscosity of its contacts.",
        .error_name = "largest position error over ½ g sin θ t², the way without friction",
        .error_unit = "relative",
        .parameters = {parameter::friction(),

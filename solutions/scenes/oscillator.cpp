@@ -51,7 +51,7 @@ SceneDescription oscillator() {
   Parameter k = parameter::stiffness();
   k.value = 1;
   return {.name = "oscillator",
-          .summary = "A mass on a spring, let go from rest at its amplitude.",
+          .summary = "A mass on a spring, released from rest at its amplitude.",
           .answer = "x = A cos(t √(k/m)), A the amplitude.",
           .error_name = "largest position error over the amplitude",
           .error_unit = "relative",

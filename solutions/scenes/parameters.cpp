@@ -122,7 +122,7 @@ Parameter friction(double value) {
 
 Parameter viscosity() {
   return {.name = "viscosity",
-          .meaning = "what sticks creeps at its load over this",
+          .meaning = "a sticking contact creeps at its load over this",
           .unit = "N s/m",
           .value = 1e12,
           .limits = positive};
@@ -183,7 +183,7 @@ Parameter length() {
 
 Parameter begin() {
   return {.name = "begin",
-          .meaning = "natural: the links begin as long as without load; at_rest: as long as the answer says",
+          .meaning = "natural: links begin at their unloaded length; at_rest: at their length in the answer",
           .choices = {"natural", "at_rest"}};
 }
 

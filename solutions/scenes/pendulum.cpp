@@ -113,7 +113,7 @@ SceneDescription pendulum() {
   Parameter k = parameter::stiffness();
   k.value = 1e9;  // so large that the rod's stretch is smaller than the error of a step
   return {.name = "pendulum",
-          .summary = "A bob on a rod is let go from rest at any angle.",
+          .summary = "A bob on a rod is released from rest at any angle.",
           .answer =
               "sin(θ/2) = sin(θ0/2) cd(ωt), a Jacobian elliptic function, ω² = g/l of a point mass and "
               "m g l/I of a body; the period 4 K(sin(θ0/2))/ω is 2.34524 s from 90° with l = 1, g = 10 "
@@ -126,7 +126,7 @@ SceneDescription pendulum() {
                           .value = 1,
                           .limits = positive},
                          {.name = "angle",
-                          .meaning = "where it is let go, from hanging down",
+                          .meaning = "initial angle, from hanging down",
                           .unit = "degrees",
                           .value = 90,
                           .limits = {.low = 0, .high = 180, .high_included = false}},

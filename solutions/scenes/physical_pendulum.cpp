@@ -121,13 +121,13 @@ SceneDescription physical_pendulum() {
       .name = "physical_pendulum",
       .summary = "A rod swings on a hinge, to a stop if there is one.",
       .answer =
-          "sin(θ/2) = sin(θ0/2) cd(ωt), ω² = m g s/I. The stop takes I θ' of it at once; then it is a pendulum "
-          "that was let go there.",
+          "sin(θ/2) = sin(θ0/2) cd(ωt), ω² = m g s/I. The stop removes I θ' at once; afterwards it is a "
+          "pendulum released there.",
       .error_name = "largest error of the angle",
       .error_unit = "rad",
       .parameters = {{.name = "length", .meaning = "of the rod", .unit = "m", .value = 1, .limits = positive},
                      {.name = "angle",
-                      .meaning = "where it is let go, from hanging down",
+                      .meaning = "initial angle, from hanging down",
                       .unit = "degrees",
                       .value = 90,
                       .limits = {.low = 0, .high = 180, .low_included = false, .high_included = false}},

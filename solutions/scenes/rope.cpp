@@ -75,32 +75,31 @@ class Rope : public WorldScene<3> {
 }  // namespace
 
 SceneDescription rope() {
-  return {
-      .name = "rope",
-      .summary = "A rope hangs between two supports at one height.",
-      .answer =
-          "The chain of N links in balance: each pulls sideways with the same H, and up or down with the "
-          "weights between it and the middle; Σ (l/T_i + 1/k) H = span gives H. Whatever d, and h as long as "
-          "h √(T/(m l)) < 1 for the tightest link, m a point's mass.",
-      .error_name = "largest position error of a point over the length of the rope",
-      .error_unit = "relative",
-      .parameters = {parameter::links(10),
-                     parameter::length(),
-                     {.name = "span",
-                      .meaning = "between the supports; less than length, more than a link",
-                      .unit = "m",
-                      .value = 0.8,
-                      .limits = {.low = 0, .low_included = false}},
-                     parameter::begin(),
-                     parameter::mass(),
-                     parameter::weighing_gravity(),
-                     parameter::stiffness(),
-                     parameter::relaxation()},
-      .h = 1.0 / 240,
-      .time = 2,
-      .solves = true,
-      .build = build_as<Rope>,
-      .solver = "auto"};
+  return {.name = "rope",
+          .summary = "A rope hangs between two supports at one height.",
+          .answer =
+              "The chain of N links in balance: each link pulls sideways with the same H, and up or down with "
+              "the weights between it and the middle. Σ (l/T_i + 1/k) H = span gives H. This holds for any d, "
+              "and while h √(T/(m l)) < 1 for the tightest link, with m a point's mass.",
+          .error_name = "largest position error of a point over the length of the rope",
+          .error_unit = "relative",
+          .parameters = {parameter::links(10),
+                         parameter::length(),
+                         {.name = "span",
+                          .meaning = "between the supports; less than length, more than a link",
+                          .unit = "m",
+                          .value = 0.8,
+                          .limits = {.low = 0, .low_included = false}},
+                         parameter::begin(),
+                         parameter::mass(),
+                         parameter::weighing_gravity(),
+                         parameter::stiffness(),
+                         parameter::relaxation()},
+          .h = 1.0 / 240,
+          .time = 2,
+          .solves = true,
+          .build = build_as<Rope>,
+          .solver = "auto"};
 }
 
 }  // namespace spook

@@ -101,7 +101,7 @@ SceneDescription sliding_block() {
       FrictionModel::box,
       {.name = "sliding_block",
        .summary = "A block is thrown over a plane, and friction stops it.",
-       .answer = "By Coulomb it stops after v0/(mu g) and v0²/(2 mu g), whatever its mass and heading. By the "
+       .answer = "By Coulomb it stops after v0/(mu g) and v0²/(2 mu g), for any mass and heading. By the "
                  "friction box each tangent's component stops on its own: max(|cos φ|, |sin φ|) of that time, "
                  "√(cos⁴φ + sin⁴φ) of that distance, φ from a tangent to the heading.",
        .error_name = "largest position error over the distance by Coulomb, v0²/(2 mu g) at its end",

@@ -99,9 +99,9 @@ SceneDescription spinning_disc() {
       FrictionModel::box,
       {.name = "spinning_disc",
        .summary = "A flat disc spins on a plane, and friction stops it.",
-       .answer = "ω falls at a constant rate. By Coulomb the disc stops after 3 R w0/(4 mu g), whatever its "
-                 "mass; by the friction box after π/4 of that, since |sin φ| + |cos φ| is 4/π on average. Its "
-                 "points leave an error of some 1/points², whatever h.",
+       .answer = "ω falls at a constant rate. By Coulomb the disc stops after 3 R w0/(4 mu g), for any mass; "
+                 "by the friction box after π/4 of that, since |sin φ| + |cos φ| is 4/π on average. Its points "
+                 "cause an error of about 1/points², for any h.",
        .error_name = "largest error of ω over w0",
        .error_unit = "relative",
        .parameters = {{.name = "w0",

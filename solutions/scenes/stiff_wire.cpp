@@ -88,7 +88,7 @@ SceneDescription stiff_wire() {
   length.value = 10;
   return {
       .name = "stiff_wire",
-      .summary = "A wire with a heavy load is let go at an angle, and swings.",
+      .summary = "A wire with a heavy load is released at an angle, and swings.",
       .answer =
           "Links keep their length, and energy does not grow. With steps above 2/ω, ω = √(4 T/(m l)), every "
           "solver loses it, exact ones, too; but not \"stiff\", which has the tension's stiffness in M.",
@@ -97,9 +97,8 @@ SceneDescription stiff_wire() {
       .parameters = {parameter::links(100),
                      ratio,
                      {.name = "angle",
-                      .meaning =
-                          "from straight down, at the start; from 90 on the wire would fall slack, and be lost "
-                          "where it is tight again within a step",
+                      .meaning = "initial angle, from hanging down; from 90 on the wire would go slack, and be "
+                                 "lost when it becomes taut again within a step",
                       .unit = "degrees",
                       .value = 30,
                       .limits = {.low = 0, .high = 90, .high_included = false}},

@@ -93,7 +93,7 @@ SceneDescription top() {
     return Parameter{.name = name, .meaning = "angular velocity at time 0", .unit = "rad/s", .value = value};
   };
   return {.name = "top",
-          .summary = "An asymmetric top that no torque acts on.",
+          .summary = "An asymmetric top without a torque.",
           .answer =
               "ω in the body's axes is A cn(u), ±B sn(u), ±C dn(u), Jacobi's elliptic functions of time; "
               "with the default moments and spin it turns over and back in 39.1057 s.",

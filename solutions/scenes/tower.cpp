@@ -69,8 +69,8 @@ SceneDescription tower() {
   return {.name = "tower",
           .summary = "Cubes stand on top of each other; one may be heavy.",
           .answer =
-              "Level i is N_i/(4 k) deep, N_i the weight of all that rests on it: four contacts share it. No "
-              "cube moves sideways. Ten sweeps a step lose a tower of twenty.",
+              "Level i is N_i/(4 k) deep, with N_i the weight of all cubes above it: four contacts share it. "
+              "No cube moves sideways. Ten sweeps a step lose a tower of twenty.",
           .error_name = "largest error of the last sinkings over the top's",
           .error_unit = "relative",
           .parameters = {parameter::boxes(5, 1000),

@@ -53,34 +53,33 @@ class Wall : public BoxesOnFloor {
 }  // namespace
 
 SceneDescription wall() {
-  return {
-      .name = "wall",
-      .summary = "A wall of bricks stands.",
-      .answer =
-          "No brick moves sideways by more than its contacts give, some weight/k, and the floor carries the "
-          "weight of all.",
-      .error_name = "farthest that a brick is from its place, sideways, over its length",
-      .error_unit = "relative",
-      .parameters = {{.name = "columns",
-                      .meaning = "bricks in the lowest course",
-                      .value = 3,
-                      .limits = {.low = 2, .high = 100, .whole = true}},
-                     {.name = "courses",
-                      .meaning = "layers of bricks",
-                      .value = 3,
-                      .limits = {.low = 1, .high = 100, .whole = true}},
-                     parameter::friction(),
-                     parameter::mass(),
-                     parameter::side(),
-                     parameter::weighing_gravity(),
-                     parameter::stiffness(),
-                     parameter::relaxation(),
-                     parameter::viscosity()},
-      .h = 1.0 / 60,
-      .time = 5,
-      .solves = true,
-      .build = build_as<Wall>,
-      .solver = "auto"};
+  return {.name = "wall",
+          .summary = "A wall of bricks stands.",
+          .answer =
+              "No brick moves sideways by more than its contacts yield, some weight/k, and the floor carries "
+              "the weight of all.",
+          .error_name = "largest sideways displacement of a brick, over its length",
+          .error_unit = "relative",
+          .parameters = {{.name = "columns",
+                          .meaning = "bricks in the lowest course",
+                          .value = 3,
+                          .limits = {.low = 2, .high = 100, .whole = true}},
+                         {.name = "courses",
+                          .meaning = "layers of bricks",
+                          .value = 3,
+                          .limits = {.low = 1, .high = 100, .whole = true}},
+                         parameter::friction(),
+                         parameter::mass(),
+                         parameter::side(),
+                         parameter::weighing_gravity(),
+                         parameter::stiffness(),
+                         parameter::relaxation(),
+                         parameter::viscosity()},
+          .h = 1.0 / 60,
+          .time = 5,
+          .solves = true,
+          .build = build_as<Wall>,
+          .solver = "auto"};
 }
 
 }  // namespace spook

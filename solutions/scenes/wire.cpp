@@ -104,9 +104,9 @@ SceneDescription wire() {
   return {.name = "wire",
           .summary = "A wire of light links hangs straight down, with a load at its end.",
           .answer =
-              "The stretch is Σ T_i/k, T_i = (M + (N - i) m) g the tension of link i, M = ratio m the load, "
-              "whatever h and d. To get there Gauss-Seidel needs some (N - 1) ratio ln(1/tolerance) sweeps for "
-              "a heavy load, 5.6 N² to 1e-6 for a ratio of 1; with fewer it is elastic.",
+              "The stretch is Σ T_i/k, with T_i = (M + (N - i) m) g the tension of link i and M = ratio m the "
+              "load, for any h and d. Gauss-Seidel needs about (N - 1) ratio ln(1/tolerance) sweeps for a "
+              "heavy load, and 5.6 N² to 1e-6 for a ratio of 1; with fewer it is elastic.",
           .error_name = "error of the last stretch over the length of the wire",
           .error_unit = "relative",
           .parameters = {parameter::links(5),

@@ -294,7 +294,7 @@ static void refuse_points_that_could_meet(const Place& file, const World<Dof>& w
     if (shapes.exclusions.exclude(points, other)) return;
     const auto named = [](int body) { return "bodies[" + std::to_string(body) + "]"; };
     throw std::invalid_argument(named(points) + ".corners are points, which pass through " + named(other) +
-                                ": give it another shape, or say so by settings.points_pass");
+                                ": give it another shape, or set settings.points_pass");
   };
   for (const Corners& points : shapes.corners) {
     refuse(points.body, shapes.corners.front().body);

@@ -114,7 +114,7 @@ SceneDescription described(const std::string& name, const Json& written) {
       .name = name,
       .summary = file.has("summary") ? file["summary"].text() : "A scene of a file.",
       .answer =
-          answered ? "Where bodies should be at certain times, as the file says." : "None: the file has none.",
+          answered ? "Positions of bodies at certain times, as given in the file." : "None: the file has none.",
       .error_name = answered ? "largest distance from where a body should be" : "no answer to compare with",
       .error_unit = answered ? "tolerances" : "",
       .parameters = parameters,

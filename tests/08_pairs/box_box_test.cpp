@@ -163,8 +163,8 @@ EXERCISE_TEST(BoxBox, MovesTheSidesOutByAMillionth) {
 }
 
 EXERCISE_TEST(BoxBox, LeavesOutWhatIsAboveTheFaceByLittle) {
-  // A cube that leans by 0.01 on a table: two corners of its lower face are deep, the other two hardly above the table's
-  // top, or hardly below.
+  // A cube that leans by 0.01 on a table: two corners of its lower face are deep, the other two hardly above the
+  // table's top, or hardly below.
   const Box table = straight(3, Vec3(1, 2, 3), Vec3(2, 2, 1));
   for (const double above : {1e-7, 3e-7, 1e-8, 1e-10, -1e-7, -1e-10}) {
     Box cube = turned(straight(8, Vec3::Zero(), Vec3::Constant(0.5)), 0.01, Vec3::UnitY());

@@ -1,4 +1,5 @@
-// Both broad phases: against all pairs, on random scenes of every kind, and with a cost that grows more slowly than the number of pairs.
+// Both broad phases: against all pairs, on random scenes of every kind, and with a cost that grows more slowly than the
+// number of pairs.
 #include <algorithm>
 
 #include "operations.hpp"
@@ -246,8 +247,8 @@ EXERCISE_TEST(SweepAndPrune, LeavesMostPairsOut) {
 }
 
 EXERCISE_TEST(SweepAndPrune, SortsAlongTheLongestAxis) {
-  // Any one axis fails in one of these: a tower along x, along y, along z. Where it stands does not say which it is; nor,
-  // in a tower of boards of all lengths, how far their ends are spread.
+  // Any one axis fails in one of these: a tower along x, along y, along z. Where it stands does not say which it is;
+  // nor, in a tower of boards of all lengths, how far their ends are spread.
   Random random;
   const auto tower = [&random](int axis, bool boards, int height) {
     const int across = (axis + 1) % 3;

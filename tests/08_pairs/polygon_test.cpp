@@ -14,7 +14,8 @@ namespace {
 EXERCISE(Clip, "8.6 clip");
 EXERCISE(WellSpread, "8.7 well_spread");
 
-/// Vector area: half the sum of the cross products. Its length is the area of a flat polygon whose corners are in order.
+/// Vector area: half the sum of the cross products. Its length is the area of a flat polygon whose corners are in
+/// order.
 Vec3 area(const std::vector<Vec3>& polygon) {
   Vec3 sum = Vec3::Zero();
   for (std::size_t k = 0; k < polygon.size(); ++k)
@@ -312,7 +313,8 @@ void expect_well_spread(const std::vector<Contact>& contacts, const std::string&
 }
 
 EXERCISE_TEST(WellSpread, TakesTheCornersOfASquare) {
-  // Four corners and the middles of the sides, the deepest a corner; then more points than there is use for, at one side.
+  // Four corners and the middles of the sides, the deepest a corner; then more points than there is use for, at one
+  // side.
   for (const double size : {1.0, 1e-6}) {
     std::vector<Contact> contacts;
     for (int k = 0; k < 8; ++k) {
@@ -431,9 +433,9 @@ EXERCISE_TEST(WellSpread, TakesAnyNumber) {
     contacts.back().gap = -0.2;
     expect_well_spread(contacts, "30 random contacts, the last the deepest");
   }
-  // Seventy beside each other and then four corners, of which the last has ten at it. Around the mean, in the middle, come
-  // the deepest, the crowd, and the other corners. Without the second corner the others span less than half, and without
-  // the last the mean is outside.
+  // Seventy beside each other and then four corners, of which the last has ten at it. Around the mean, in the middle,
+  // come the deepest, the crowd, and the other corners. Without the second corner the others span less than half, and
+  // without the last the mean is outside.
   const Vec3 middle(5, -3, 2), corners[] = {Vec3(-1, 0, 0), Vec3(0, -4, 0), Vec3(3, -0.5, 0), Vec3(0, 1, 0)};
   const Vec3 balance = -(corners[0] + corners[1] + corners[2] + 10 * corners[3]) / 70;
   std::vector<Contact> contacts;
@@ -449,7 +451,8 @@ EXERCISE_TEST(WellSpread, TakesAnyNumber) {
 
 EXERCISE_TEST(WellSpread, HoldsTheMeanToRoundings) {
   // The largest four with the deepest, at (±1, 0) and (±1, 1), have the mean 4 nm behind one of their sides. Turned any
-  // way, so that no coordinate is small. The centre of the body may be anywhere: in the middle, and 20 nm from a corner.
+  // way, so that no coordinate is small. The centre of the body may be anywhere: in the middle, and 20 nm from a
+  // corner.
   const double outside = 4e-9;
   Random random;
   for (const Mat3& R : {Mat3(Mat3::Identity()), random.rotation().toRotationMatrix()})

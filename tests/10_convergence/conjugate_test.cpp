@@ -1,4 +1,4 @@
-// Conjugate gradients: what prepares them, and the solver.
+// Conjugate gradients: the preconditioner and the solver.
 #include "exercise_test.hpp"
 #include "random_input.hpp"
 #include "relative_scales.hpp"
@@ -34,7 +34,7 @@ Eigen::VectorXd and_back(const Eigen::MatrixXd& S, const Eigen::VectorXd& r, con
 EXERCISE_TEST(Precondition, SweepsForthAndBack) {
   Random random;
   Problem<6> p = random_problem(random, 3, 6);
-  set_lambda(p, Eigen::VectorXd::Constant(6, 0.3));  // of no importance, and neither are B and the bounds
+  set_lambda(p, Eigen::VectorXd::Constant(6, 0.3));  // irrelevant here, as are B and the bounds
   for (Row<6>& row : p.rows) row.hi = 0.31;
   const Eigen::VectorXd r = random_values(random, 6);
   const auto z = precondition(p.rows, as_std(r), all_free(6), p.V.size());
@@ -51,13 +51,14 @@ EXERCISE_TEST(Precondition, SweepsForthAndBack) {
   const Eigen::VectorXd forgetful = once + S.triangularView<Eigen::Upper>().solve(r - without_Sigma * once);
   expect_near_vector(
       "z of six coupled rows [N s]", "Eq. (10.6)", as_eigen(z), and_back(S, r, once), roundings(1000, 10),
-      {{once, "This is one sweep, first to last: then one from the last row to the first."},
+      {{once, "This is one sweep, first to last. Sweep back from the last row to the first afterwards."},
        {once + forth(S, r - S * once), "These are two sweeps from first to last: the second goes back."},
-       {back_first, "This went back first, and forth then."},
-       {r.cwiseQuotient(D), "This is r/S_kk alone: each row must see what those before it have done."},
-       {and_back(S, B, forth(S, B)), "The right side is r, and not the rows' B."},
-       {forgetful, "Σ z is missing in what a row lacks: r - G V - Σ z."}},
-      "Start at z = 0 and V = 0. For each row: lacks = r - G V - Σ z, z += lacks/S_kk, scatter.");
+       {back_first, "This swept back first, and forth afterwards."},
+       {r.cwiseQuotient(D), "This is r/S_kk alone: each row must use the updates of the rows before it."},
+       {and_back(S, B, forth(S, B)), "The right side is r, not the rows' B."},
+       {forgetful, "Σ z is missing in a row's residual: r - G V - Σ z."}},
+      "Start at z = 0 and V = 0. For each row compute r - G V - Σ z, add that divided by S_kk to z, and "
+      "scatter the change.");
 }
 
 EXERCISE_TEST(Precondition, SweepsAnyNumberOfBodies) {
@@ -67,19 +68,19 @@ EXERCISE_TEST(Precondition, SweepsAnyNumberOfBodies) {
     const Eigen::MatrixXd S = dense_S(p.rows);
     Eigen::VectorXd r(rows);
     for (double& each : r) each = random.uniform(-1, 1);
-    // Forth and back from zero: (D + U)⁻¹ D (D + L)⁻¹ r.
+    // Sweeps forth and back from zero: (D + U)⁻¹ D (D + L)⁻¹ r.
     const Eigen::VectorXd forth = S.triangularView<Eigen::Lower>().solve(r);
     const Eigen::VectorXd both = S.triangularView<Eigen::Upper>().solve(S.diagonal().cwiseProduct(forth));
     const auto z = precondition(p.rows, as_std(r), all_free(p.rows.size()), p.V.size());
     expect_near_vector(
         "z of " + std::to_string(rows) + " rows between " + std::to_string(bodies) + " bodies [N s]",
-        "Eq. (10.6)", as_eigen(z), both, roundings(1e4, 10), {{forth, "This is the sweep forth alone."}},
-        "One sweep first to last and one last to first, over all of them. " + ends_early);
+        "Eq. (10.6)", as_eigen(z), both, roundings(1e4, 10), {{forth, "This is the forward sweep alone."}},
+        "Sweep all rows, once first to last and once last to first. " + ends_early);
   }
 }
 
-/// Two rows with S_kk = 3/kg that share a body. After a sweep B - G V of the first is this part of its Σ λ: two large
-/// numbers all but cancel.
+/// Two rows with S_kk = 3/kg that share a body. After a sweep B - G V of the first row is a small part of its Σ λ: two
+/// large numbers all but cancel.
 Problem<3> cancelling_problem(double part) {
   Problem<3> p;
   p.V.assign(3, Twist<3>::Zero());
@@ -103,8 +104,8 @@ Problem<3> cancelling_problem(double part) {
   return p;
 }
 
-/// Three rows around three bodies, some of them so heavy that they hardly move, with B = 1 m/s or a part of it; every such
-/// system, some with a small Σ, and one with terms that all but cancel. S stays well conditioned.
+/// Three rows around three bodies, some of them so heavy that they hardly move. B = 1 m/s or a fraction of that. All
+/// such systems are tried, some with a small Σ, and one with terms that all but cancel. S stays well conditioned.
 std::vector<Problem<3>> unlike_problems(double part) {
   const Twist<3> up(0, 0, 1);
   std::vector<Problem<3>> all;
@@ -127,7 +128,7 @@ std::vector<Problem<3>> unlike_problems(double part) {
                         .hi = infinity});
     }
     all.push_back(p);
-    if (bits % 8 == 0) {  // where all bodies are light, Σ of one row may be small, too
+    if (bits % 8 == 0) {  // if all bodies are light, Σ of one row may be small, too
       p.rows[2].Sigma = part, p.rows[2].diagonal = 2 + part;
       all.push_back(p);
     }
@@ -159,12 +160,12 @@ EXERCISE_TEST(ConjugateSolve, DropsNothingSmall) {
       expect_near_vector("λ of three rows, for B = " + show(Eigen::MatrixXd(B)) +
                              " m/s and S_kk = " + show(Eigen::MatrixXd(S.diagonal())) + " /kg [N s]",
                          "Eq. (10.7)", gathered(p.rows, &Row<3>::lambda), Eigen::VectorXd(S.inverse() * B),
-                         {2e-14, "some roundings an iteration, times a condition of 4"}, {}, small_is_dropped);
+                         {2e-14, "round-off of each iteration, times a condition of 4"}, {}, small_is_dropped);
       if (::testing::Test::HasFailure()) return;
     }
 }
 
-/// λ after each of some iterations, without bounds and from 0: Eq. (10.6)-(10.8) in matrices.
+/// λ after each of some iterations, from 0 and without bounds, computed by Eq. (10.6)-(10.8) in matrices.
 std::vector<Eigen::VectorXd> iterated(const Eigen::MatrixXd& S, const Eigen::VectorXd& B, int iterations) {
   Eigen::VectorXd lambda = forth(S, B), p = Eigen::VectorXd::Zero(B.size());
   double zr = infinity;
@@ -193,7 +194,7 @@ EXERCISE_TEST(ConjugateSolve, CountsWhatIsSmallInEveryStep) {
         conjugate_solve(p.rows, p.V, {.max_sweeps = n + 1, .tolerance = 0});
         expect_near_vector("λ after iteration " + std::to_string(n + 1) + " of some rows" + of, "Eq. (10.7)",
                            lambdas(p), expected[static_cast<std::size_t>(n)],
-                           {2e-14, "some roundings an iteration, times a condition of 4"}, {},
+                           {2e-14, "round-off of each iteration, times a condition of 4"}, {},
                            small_is_dropped);
         if (::testing::Test::HasFailure()) return;
       }
@@ -208,7 +209,7 @@ EXERCISE_TEST(ConjugateSolve, CountsWhatIsSmallWhereABoundIsMet) {
       const Eigen::VectorXd z = and_back(S, r, forth(S, r));
       if (!(z.dot(S * z) > 1e-20)) continue;
       const Eigen::VectorXd aim = from + z.dot(r) / z.dot(S * z) * z;
-      for (Eigen::Index k = 0; k < B.size(); ++k) {  // half way there is a bound of row k
+      for (Eigen::Index k = 0; k < B.size(); ++k) {  // a bound of row k, half way along the step
         if (std::abs(aim[k] - from[k]) < 1e-2) continue;
         Problem<3> p = start;
         Row<3>& row = p.rows[static_cast<std::size_t>(k)];
@@ -222,7 +223,7 @@ EXERCISE_TEST(ConjugateSolve, CountsWhatIsSmallWhereABoundIsMet) {
                                ", for B = " + show(Eigen::MatrixXd(B)) +
                                " m/s and S_kk = " + show(Eigen::MatrixXd(S.diagonal())) + " /kg [N s]",
                            "Eq. (10.8)", lambdas(p), Eigen::VectorXd(from + t * d),
-                           {2e-14, "some roundings, times a condition of 4"}, {}, small_is_dropped);
+                           {2e-14, "some units of round-off, times a condition of 4"}, {}, small_is_dropped);
         if (::testing::Test::HasFailure()) return;
       }
     }
@@ -233,7 +234,7 @@ EXERCISE_TEST(Precondition, KnowsNoBounds) {
   const Eigen::Vector2d r(-1, -3);
   const auto z = precondition(p.rows, as_std(r), all_free(2), p.V.size());
   const Eigen::MatrixXd S = dense_S(p.rows);
-  expect_near_vector("z of two contacts that both lack less than nothing [N s]", "Eq. (10.6)", as_eigen(z),
+  expect_near_vector("z of two contacts with negative residuals [N s]", "Eq. (10.6)", as_eigen(z),
                      and_back(S, r, forth(S, r)), roundings(32, 4),
                      {{Eigen::Vector2d(0, 0), "z is a direction, and may be negative: it is not projected."}},
                      "z is not projected.");
@@ -245,7 +246,7 @@ EXERCISE_TEST(Precondition, LeavesTheOthersAlone) {
   const Eigen::VectorXd r = random_values(random, 7);
   const std::vector<bool> free = {true, false, true, true, false, true, false};
   const auto z = precondition(p.rows, as_std(r), free, p.V.size());
-  // The same system of the free rows alone.
+  // The same system, of its free rows alone.
   Problem<6> some = p;
   some.rows.clear();
   std::vector<double> some_r;
@@ -269,18 +270,19 @@ EXERCISE_TEST(Precondition, LeavesTheOthersAlone) {
     return x;
   };
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(7);
-  expect_true("asked again, it gives the same z", "Eq. (10.6)",
+  expect_true("a second call gives the same z", "Eq. (10.6)",
               precondition(p.rows, as_std(r), free, p.V.size()) == z,
-              "Something is kept from call to call: V begins at zero in each of them, and so does z.");
-  expect_near_vector("z of seven rows, of which 1, 4 and 6 are not free [N s]", "Eq. (10.6)", as_eigen(z),
-                     expected, roundings(1000, 10),
-                     {{and_back(whole, r, forth(whole, r)), "All rows were taken for free."},
-                      {swept(swept(none, false, true), true, false),
-                       "Rows that are not free are skipped on the way forth, but not on the way back."},
-                      {swept(swept(none, false, false), true, true),
-                       "Rows that are not free are skipped on the way back, but not on the way forth."},
-                      {swept(none, false, false), "All rows were taken for free, and there is no way back."}},
-                     "A row that is not free is skipped: z = 0, and nothing is scattered, whatever its r.");
+              "A value is kept from call to call. In each call both V and z start at zero.");
+  expect_near_vector(
+      "z of seven rows, of which 1, 4 and 6 are not free [N s]", "Eq. (10.6)", as_eigen(z), expected,
+      roundings(1000, 10),
+      {{and_back(whole, r, forth(whole, r)), "All rows were treated as free."},
+       {swept(swept(none, false, true), true, false),
+        "Rows that are not free are skipped on the way forth, but not on the way back."},
+       {swept(swept(none, false, false), true, true),
+        "Rows that are not free are skipped on the way back, but not on the way forth."},
+       {swept(none, false, false), "All rows were treated as free, and the sweep back is missing."}},
+      "Skip a row that is not free: z = 0, and nothing is scattered, whatever its r.");
 }
 
 EXERCISE_TEST(Precondition, IsSymmetricAndPositive) {
@@ -290,12 +292,12 @@ EXERCISE_TEST(Precondition, IsSymmetricAndPositive) {
   const auto P = [&](const Eigen::VectorXd& r) {
     return as_eigen(precondition(p.rows, as_std(r), all_free(9), p.V.size()));
   };
-  expect_near("u·P(v) against v·P(u), P the map from r to z [m N]", "Eq. (10.6)", u.dot(P(v)), v.dot(P(u)),
+  expect_near("u·P(v) against v·P(u), where P maps r to z [m N]", "Eq. (10.6)", u.dot(P(v)), v.dot(P(u)),
               roundings(1000, 10), {},
-              "Conjugate directions want a symmetric P. One sweep has none: what goes forth must come back.");
+              "Conjugate directions need a symmetric P. One sweep alone is not symmetric: add the sweep back.");
   expect_at_least("u·P(u) [m N]", "Eq. (10.6)", u.dot(P(u)), 1e-6, "P is positive definite",
-                  "Then -z leads downhill for sure.");
-  expect_true("no rows have no z", "Eq. (10.6)", precondition<3>({}, {}, {}, 2).empty());
+                  "Only then is z certain to be a direction of descent.");
+  expect_true("without rows z is empty", "Eq. (10.6)", precondition<3>({}, {}, {}, 2).empty());
 }
 
 double energy(const Eigen::MatrixXd& S, const Eigen::VectorXd& B, const Eigen::VectorXd& lambda) {
@@ -308,12 +310,12 @@ void compare_with_enumeration(Problem<6>& p, const std::string& what) {
   const Bounded problem = bounded(p.rows);
   expect_true(
       what + ": converged within 5000 iterations", "Eq. (4.9)", report.converged,
-      "Rows that are at a bound and should leave it are put off it by sweeps only: after a step that was "
-      "projected, and when one of them lacks most. And a sweep ends what p was conjugate to: β = 0 there.");
+      "Only sweeps take rows off a bound that they should leave. So sweep after a projected step, and when a "
+      "row at a bound has the largest residual. After a sweep p is no longer conjugate: set β = 0 there.");
   const double n = static_cast<double>(p.rows.size());
   expect_near_vector("λ of " + what + " [N s]", "Eq. (4.1)", lambdas(p), enumerate_solution(problem),
                      {10 * n * condition(problem.S) * (tolerance + 1e-14), "residual times condition of S"}, {},
-                     "Each set of bounds that could be active was tried; this is the one solution.");
+                     "All sets of active bounds were tried; this is the only solution.");
 }
 
 EXERCISE_TEST(ConjugateSolve, AgreesWithEveryEnumeratedProblem) {
@@ -336,17 +338,16 @@ EXERCISE_TEST(ConjugateSolve, NeedsNoMoreIterationsThanRowsAndOne) {
     Problem<6> p = random_problem(random, 4, rows);
     take_bounds_off(p);
     const SolveReport report = conjugate_solve(p.rows, p.V, {.max_sweeps = 200, .tolerance = 1e-9});
-    expect_at_most(
-        "iterations of " + std::to_string(rows) + " rows without bounds, to 1e-9 m/s", "Eq. (10.7)",
-        report.converged ? static_cast<double>(report.history.size()) : HUGE_VAL, rows + 1.0,
-        "as many steps as rows, and one iteration to see it",
-        "Directions that are conjugate never repeat themselves. Is β that of z and r of now over those of "
-        "before, is p kept, and does no sweep come in between?");
+    expect_at_most("iterations of " + std::to_string(rows) + " rows without bounds, to 1e-9 m/s", "Eq. (10.7)",
+                   report.converged ? static_cast<double>(report.history.size()) : HUGE_VAL, rows + 1.0,
+                   "as many steps as rows, and one iteration that finds convergence",
+                   "Conjugate directions never repeat. Is β the new z·r over that of the step before? Is p "
+                   "kept? Is there no sweep in between?");
   }
 }
 
 EXERCISE_TEST(ConjugateSolve, NeedsFewIterationsForAHeavyLoad) {
-  // Without bounds this is a wire upside down. Sweeps of the 30 take 200,000 for 1e-6.
+  // Without bounds this is a wire upside down. With 30 rows, sweeps alone take 200,000 to reach 1e-6.
   std::vector<double> masses(30, 1.0);
   masses.back() = 1000;
   Problem<3> p = stack(masses, 0.01);
@@ -354,15 +355,15 @@ EXERCISE_TEST(ConjugateSolve, NeedsFewIterationsForAHeavyLoad) {
   const SolveReport report = conjugate_solve(p.rows, p.V, {.max_sweeps = 1000, .tolerance = 1e-9});
   expect_at_most("iterations of 29 points of 1 kg with a load of 1000 kg", "Eq. (10.7)",
                  report.converged ? static_cast<double>(report.history.size()) : HUGE_VAL, 31,
-                 "as many steps as rows, and one iteration to see it",
-                 "Without directions that are conjugate, mass ratios cost what they cost Gauss-Seidel.");
+                 "as many steps as rows, and one iteration that finds convergence",
+                 "If the directions are not conjugate, mass ratios cost as much as with Gauss-Seidel.");
   expect_near("λ under the load, h M g [N s]", "Eq. (4.1)", p.rows.back().lambda, 0.01 * 9.81 * 1000,
               {1e-3, "tolerance 1e-9 m/s times a condition of 1e5"});
 }
 
-// The rows of a wire are coloured like a chessboard, so Jacobi's eigenvalues come in pairs ±μ. What is left of S behind
-// the two sweeps of (10.6) has one eigenvalue for each pair: half as many steps do, and the load is one more. (Plain
-// directions, z = r, have one for each row.)
+// The rows of a wire are coloured like a chessboard, so Jacobi's eigenvalues come in pairs ±μ. After the two sweeps of
+// (10.6) each pair gives one eigenvalue: half as many steps suffice, and the load adds one. (Plain directions, z = r,
+// have one for each row.)
 EXERCISE_TEST(ConjugateSolve, NeedsHalfAsManyIterationsAsAWireHasLinks) {
   for (const double load : {1.0, 1e3, 1e6}) {
     std::vector<double> masses(100, 1.0);
@@ -370,14 +371,15 @@ EXERCISE_TEST(ConjugateSolve, NeedsHalfAsManyIterationsAsAWireHasLinks) {
     Problem<3> p = stack(masses, 0.01);
     take_bounds_off(p);
     const SolveReport report = conjugate_solve(p.rows, p.V, {.max_sweeps = 1000, .tolerance = 1e-9});
-    expect_at_most("iterations of a wire of 100 links with a load of " + show(load) + ":1, to 1e-9 m/s",
-                   "Eq. (10.6)", report.converged ? static_cast<double>(report.history.size()) : HUGE_VAL, 60,
-                   "half as many as links, and some for roundings; without preconditioner about 100",
-                   "Is p made of z, both sweeps of the preconditioner, or of r, or of r/S_kk?");
+    expect_at_most(
+        "iterations of a wire of 100 links with a load of " + show(load) + ":1, to 1e-9 m/s", "Eq. (10.6)",
+        report.converged ? static_cast<double>(report.history.size()) : HUGE_VAL, 60,
+        "half as many as links, and a few for round-off; without preconditioner about 100",
+        "Is p made of z, after both sweeps of the preconditioner? Or is it made of r, or of r/S_kk?");
   }
 }
 
-// A row at a bound that its neighbours press it against is no part of the directions.
+// A row that its neighbours press against its bound has no part in the directions.
 EXERCISE_TEST(ConjugateSolve, LeavesRowsAtTheirBoundsOutOfTheDirections) {
   for (const bool below : {true, false}) {
     std::vector<double> masses(20, 1.0);
@@ -385,33 +387,32 @@ EXERCISE_TEST(ConjugateSolve, LeavesRowsAtTheirBoundsOutOfTheDirections) {
     Problem<3> p = stack(masses, 0.01);
     take_bounds_off(p);
     for (std::size_t k = 0; k < 20; k += 2) {
-      Row<3> held = p.rows[k];  // it asks for what it does not get: λ = 0 at its bound
+      Row<3> held = p.rows[k];  // its B has the wrong sign for its bound, so λ = 0
       held.B = below ? -100 : 100;
       (below ? held.lo : held.hi) = 0;
       p.rows.push_back(held);
     }
     const SolveReport report = conjugate_solve(p.rows, p.V, {.max_sweeps = 1000, .tolerance = 1e-9});
-    expect_at_most(
-        "iterations of 20 rows without bounds, and ten held at a bound from " +
-            std::string(below ? "below" : "above"),
-        "Eq. (10.7)", report.converged ? static_cast<double>(report.history.size()) : HUGE_VAL, 22,
-        "as many steps as free rows, one iteration to see it, and one that met bounds",
-        "Free is a row strictly between its bounds, both of them. One that is at a bound has r = 0 and "
-        "p = 0: else every step is projected, and its direction is lost.");
+    expect_at_most("iterations of 20 rows without bounds, and ten held at a bound from " +
+                       std::string(below ? "below" : "above"),
+                   "Eq. (10.7)", report.converged ? static_cast<double>(report.history.size()) : HUGE_VAL, 22,
+                   "as many steps as free rows, one that met bounds, and one iteration that finds convergence",
+                   "A row is free if it is strictly between its bounds, both of them. At a bound set r = 0 and "
+                   "p = 0. Otherwise every step is projected, and its direction is lost.");
   }
 }
 
 void expect_within_bounds(const Problem<6>& p, int iterations) {
   for (const Row<6>& row : p.rows)
-    expect_true(
-        "λ = " + show(row.lambda, 17) + " N s after " + std::to_string(iterations) + " iterations, within [" +
-            show(row.lo, 17) + ", " + show(row.hi, 17) + "]",
-        "Eq. (10.8)", row.lambda >= row.lo && row.lambda <= row.hi,
-        "A step goes no further than the bounds, and not by a rounding: λ + (hi - λ) may be more than hi.");
+    expect_true("λ = " + show(row.lambda, 17) + " N s after " + std::to_string(iterations) +
+                    " iterations, within [" + show(row.lo, 17) + ", " + show(row.hi, 17) + "]",
+                "Eq. (10.8)", row.lambda >= row.lo && row.lambda <= row.hi,
+                "A step goes no further than the bounds, and not by a rounding: λ + (hi - λ) may exceed hi.");
 }
 
 EXERCISE_TEST(ConjugateSolve, NeverLeavesTheBounds) {
-  // A bound is met nearly where the step aims at: then t = 1, the step ends at the bound, and λ + (hi - λ) is rounded.
+  // A bound is met very near the unprojected step's end. Then t = 1, the step ends at the bound, and λ + (hi - λ) is
+  // rounded.
   Random random;
   for (int repeat = 0; repeat < 1000 && !::testing::Test::HasFailure(); ++repeat) {
     Problem<6> p = random_problem(random, 4, 12);
@@ -442,21 +443,21 @@ EXERCISE_TEST(ConjugateSolve, NeverGainsEnergy) {
       const double now = energy(S, B, lambdas(p));
       expect_at_most(
           "E after " + std::to_string(iterations) + " iterations [J]", "Eq. (10.9)", now,
-          before + 1e-12 * (1 + std::abs(before)), "that of one iteration before, and roundings",
-          "α and t each stop at the lowest E along their way: α = p·r/p·Sp, t = d·r/d·Sd, at most 1.");
+          before + 1e-12 * (1 + std::abs(before)), "that of the iteration before, and round-off",
+          "Each of α and t stops at the lowest E along its path: α = p·r/p·Sp, and t = d·r/d·Sd, at most 1.");
       before = now;
     }
   }
 }
 
-// The point that was aimed at is far away, and most of the way to its projection goes uphill.
+// The unprojected point is far away, and E increases along most of the way to its projection.
 EXERCISE_TEST(ConjugateSolve, StopsAtTheLowestEnergyOnTheWayToAProjection) {
   for (const double limit : {0.1, 1.0, 10.0}) {
     std::vector<double> masses(12, 1.0);
     masses.back() = 1000;
     Problem<3> start = stack(masses, 0.01);
     take_bounds_off(start);
-    start.rows[5].hi = limit;  // a link that breaks under more
+    start.rows[5].hi = limit;  // a link that breaks under a larger load
     const Eigen::MatrixXd S = dense_S(start.rows);
     const Eigen::VectorXd B = gathered(start.rows, &Row<3>::B);
     double before = 0;
@@ -464,17 +465,17 @@ EXERCISE_TEST(ConjugateSolve, StopsAtTheLowestEnergyOnTheWayToAProjection) {
       Problem<3> p = start;
       conjugate_solve(p.rows, p.V, {.max_sweeps = iterations, .tolerance = 0});
       const double now = energy(S, B, lambdas(p));
-      expect_at_most("E of a wire whose link 5 takes no more than " + show(limit) + " N s, after " +
+      expect_at_most("E of a wire whose link 5 carries at most " + show(limit) + " N s, after " +
                          std::to_string(iterations) + " iterations [J]",
                      "Eq. (10.8)", now, before + 1e-12 * (1 + std::abs(before)),
-                     "that of one iteration before, and roundings",
+                     "that of the iteration before, and round-off",
                      "Not the whole way to the projected point: t = d·r/d·Sd, within [0, 1].");
       before = now;
     }
   }
 }
 
-// What the header says of the second iteration, from what the first must have been.
+// The header's second iteration, computed from the result of the first.
 EXERCISE_TEST(ConjugateSolve, SweepsWhenABoundWasMetOrLacksMost) {
   Random random;
   for (int repeat = 0; repeat < 40; ++repeat) {
@@ -510,9 +511,9 @@ EXERCISE_TEST(ConjugateSolve, SweepsWhenABoundWasMetOrLacksMost) {
                            std::string(projected ? "projected" : "whole") + " [N s]",
                        "Eq. (10.8)", lambdas(once), projected ? Eigen::VectorXd(from + t * d) : aim,
                        roundings(1000, 10),
-                       {{from, "This is what the sweep left: there was no step."},
-                        {from + d, "This is the whole way to the projected point, and not the part t of it."}},
-                       "d leads to the projected point; go the part t = d·r/d·Sd of it, within [0, 1].");
+                       {{from, "This is the result of the sweep: there was no step."},
+                        {from + d, "This is the whole way to the projected point, not the fraction t of it."}},
+                       "d leads to the projected point; go the fraction t = d·r/d·Sd of it, within [0, 1].");
     double of_free = 0, of_others = 0;
     for (const Row<6>& row : once.rows) {
       const double lacks = residual(std::vector<Row<6>>{row}, once.V);
@@ -523,26 +524,29 @@ EXERCISE_TEST(ConjugateSolve, SweepsWhenABoundWasMetOrLacksMost) {
     if (sweeps) {
       Problem<6> anew = once;
       conjugate_solve(anew.rows, anew.V, {.max_sweeps = 1, .tolerance = 0});
-      expect_near_vector("λ after a second iteration that sweeps, against one that begins anew [N s]",
+      expect_near_vector("λ after a second iteration that sweeps, against one that starts afresh [N s]",
                          "Eq. (10.7)", lambdas(twice), lambdas(anew), roundings(1000, 10), {},
-                         "After a sweep p is z alone: the direction of before is of no use any more, β = 0.");
+                         "After a sweep p is z alone: the old direction is no longer conjugate, so β = 0.");
     }
     const double lacked = residual(once.rows, once.V), returned = sweep(once.rows, once.V);
     expect_near(
         "the second entry of the history [m/s], after a step that was " +
             std::string(projected ? "projected" : "whole") +
-            (of_others > of_free ? "; a bound lacks most" : ""),
+            (of_others > of_free ? "; a row at a bound has the largest residual" : ""),
         "Eq. (4.9)", report.history.size() == 2 ? report.history[1] : std::nan(""), sweeps ? returned : lacked,
         roundings(1000, 10),
-        {{lacked, projected ? "There was no sweep, but the step before was projected: rows that should leave "
-                              "their bounds wait for one."
-                            : "There was no sweep, but a row at a bound lacks more than every free one."},
-         {returned, "There was a sweep, but no bound was met and none lacks most: it spoils the directions."}},
-        "What a sweep returned, or, where there was none, the residual of Eq. (4.8).");
+        {{lacked, projected
+                      ? "There was no sweep, but the step before was projected: rows that should leave their "
+                        "bounds need one."
+                      : "There was no sweep, but a row at a bound has a larger residual than all free rows."},
+         {returned,
+          "There was a sweep, although no bound was met and a free row has the largest residual. The sweep "
+          "destroys conjugacy."}},
+        "The sweep's return value or, without a sweep, the residual of Eq. (4.8).");
   }
 }
 
-/// λ after each iteration, in matrices, as the header has it; until little is lacking, where roundings would decide.
+/// λ after each iteration of the header, in matrices, until the residual is so small that round-off would decide.
 std::vector<Eigen::VectorXd> iterated(const Bounded& of, int iterations) {
   const Eigen::Index n = of.B.size();
   const auto clamped = [&](const Eigen::VectorXd& x) { return x.cwiseMax(of.lo).cwiseMin(of.hi).eval(); };
@@ -600,13 +604,13 @@ EXERCISE_TEST(ConjugateSolve, GoesByTheEquationsInEveryIteration) {
     for (std::size_t n = 0; n < expected.size() && !::testing::Test::HasFailure(); ++n) {
       Problem<6> p = start;
       conjugate_solve(p.rows, p.V, {.max_sweeps = static_cast<int>(n) + 1, .tolerance = 0});
-      expect_near_vector(
-          "λ of " + std::to_string(rows) + " rows with bounds after iteration " + std::to_string(n + 1) +
-              " [N s]",
-          "Eq. (10.6)-(10.8)", lambdas(p), expected[n], {1e-9, "roundings, over what is lacking"}, {},
-          "Up to here it was right. Whether there is a sweep depends on the step before alone, and "
-          "on what rows at bounds lack; and after a sweep p is z alone. " +
-              ends_early);
+      expect_near_vector("λ of " + std::to_string(rows) + " rows with bounds after iteration " +
+                             std::to_string(n + 1) + " [N s]",
+                         "Eq. (10.6)-(10.8)", lambdas(p), expected[n],
+                         {1e-9, "round-off, divided by the residual"}, {},
+                         "Up to here it was right. Whether there is a sweep depends on the step before alone, "
+                         "and on the residuals of rows at bounds. After a sweep p is z alone. " +
+                             ends_early);
     }
   }
 }
@@ -617,10 +621,9 @@ EXERCISE_TEST(ConjugateSolve, KeepsVAndImpulsesTogether) {
     Problem<6> p = random_problem(random, 4, 10);
     give_bounds(random, p);
     conjugate_solve(p.rows, p.V, {.max_sweeps = iterations, .tolerance = 0});
-    expect_near_vector(
-        "V after " + std::to_string(iterations) + " iterations, against M⁻¹ Gᵀ λ [m/s, rad/s]", "Eq. (10.8)",
-        flat(p.V), moved(p), roundings(3000, 10), {},
-        "What is added to λ has to be scattered, the same to the last: t d, after its projection.");
+    expect_near_vector("V after " + std::to_string(iterations) + " iterations, against M⁻¹ Gᵀ λ [m/s, rad/s]",
+                       "Eq. (10.8)", flat(p.V), moved(p), roundings(3000, 10), {},
+                       "What is added to λ has to be scattered, digit for digit: t d, after the projection.");
   }
 }
 
@@ -636,11 +639,11 @@ EXERCISE_TEST(ConjugateSolve, TakesTheSameRowTwice) {
   const SolveReport report = conjugate_solve(p.rows, p.V, {.max_sweeps = 2000, .tolerance = 1e-12});
   conjugate_solve(single.rows, single.V, {.max_sweeps = 2000, .tolerance = 1e-12});
   const Eigen::MatrixXd S = dense_S(single.rows);
-  expect_true("four rows, each twice, Σ = 0: converged", "Eq. (4.9)", report.converged,
+  expect_true("four rows, each of them twice, Σ = 0: converged", "Eq. (4.9)", report.converged,
               "S is singular, but the energy has a lowest value.");
-  expect_near_vector("V of rows that are there twice, against once [m/s, rad/s]", "Eq. (4.1)", flat(p.V),
+  expect_near_vector("V of rows that occur twice, against once [m/s, rad/s]", "Eq. (4.1)", flat(p.V),
                      flat(single.V), {1e-10 * condition(S), "tolerance times condition"}, {},
-                     "How the impulses are shared is free; what they do is not.");
+                     "The split of impulses between equal rows is arbitrary; their effect on V is not.");
 }
 
 EXERCISE_TEST(ConjugateSolve, StopsAtTheFirstIterationThatIsGoodEnough) {
@@ -651,27 +654,27 @@ EXERCISE_TEST(ConjugateSolve, StopsAtTheFirstIterationThatIsGoodEnough) {
   const std::size_t n = report.history.size();
   expect_true("of 100 iterations it made " + std::to_string(n) + ", and converged", "Eq. (4.9)",
               report.converged && n > 1 && n < 100,
-              "An iteration whose sweep, or residual, is at most the tolerance is the last one.");
+              "Stop at the first iteration whose sweep, or residual, is at most the tolerance.");
   if (!report.converged) return;
   expect_near("the first entry of the history [m/s]", "Eq. (4.9)", report.history[0],
               sweep(swept.rows, swept.V), roundings(8, 1), {},
-              "The first iteration begins with a sweep, and notes what it returned.");
+              "The first iteration starts with a sweep, and records what it returned.");
   expect_at_most("the last [m/s]", "Eq. (4.9)", report.history[n - 1], 1e-6, "the tolerance");
   for (std::size_t k = 0; k + 1 < n; ++k)
     expect_at_least("entry " + std::to_string(k + 1) + " of " + std::to_string(n) + " [m/s]", "Eq. (4.9)",
-                    report.history[k], 1e-6, "not good enough", "It could have stopped earlier.");
+                    report.history[k], 1e-6, "above the tolerance", "It could have stopped earlier.");
   expect_at_most("residual at the end [m/s]", "Eq. (4.8)", residual(p.rows, p.V), 1e-5,
-                 "of the size of the tolerance");
-  // 1e-6 is met by a leap to roundings; half of what the lowest lacked at first, under way.
+                 "of the order of the tolerance");
+  // One step takes it from far above 1e-6 to round-off. Half of the lowest initial residual is met on the way.
   Problem<3> coarse = stack(masses, 0.1);
   take_bounds_off(coarse);
   const SolveReport under_way = conjugate_solve(coarse.rows, coarse.V, {.max_sweeps = 100, .tolerance = 0.5});
   expect_at_least("iterations to 0.5 m/s", "Eq. (4.9)", static_cast<double>(under_way.history.size()), 2,
-                  "what the first sweep finds is a fall of 0.98 m/s");
+                  "the first sweep's value is a fall of 0.98 m/s");
   if (under_way.history.empty()) return;
   expect_near("residual at the end, which is the last entry of the history [m/s]", "Eq. (4.8)",
               residual(coarse.rows, coarse.V), under_way.history.back(), roundings(100, 1), {},
-              "Once it is good enough nothing is changed any more.");
+              "Once the tolerance is met, change nothing.");
 }
 
 EXERCISE_TEST(ConjugateSolve, HasConvergedInTheLastIterationThatIsAllowed) {
@@ -684,22 +687,21 @@ EXERCISE_TEST(ConjugateSolve, HasConvergedInTheLastIterationThatIsAllowed) {
   p = start;
   const SolveReport report =
       conjugate_solve(p.rows, p.V, {.max_sweeps = std::max(needed, 1), .tolerance = 1e-6});
-  expect_true(
-      "allowed the " + std::to_string(needed) + " iterations that it took before: converged", "Eq. (4.9)",
-      report.converged,
-      "The stop rule comes after the sweep of an iteration, or its look, and before its step. Not at the "
-      "begin of the next iteration: there may be none.");
+  expect_true("allowed the " + std::to_string(needed) + " iterations that it took before: converged",
+              "Eq. (4.9)", report.converged,
+              "Apply the stop rule after an iteration's sweep, or its residual, and before its step. Do not "
+              "wait for the next iteration: there may be none.");
   for (Row<3>& row : p.rows) row.B = 0;
   set_lambda(p, Eigen::VectorXd::Zero(12));
   const SolveReport nothing = conjugate_solve(p.rows, p.V, {.max_sweeps = 100, .tolerance = 0});
-  expect_true("rows that lack nothing, tolerance 0: converged in one iteration", "Eq. (4.9)",
+  expect_true("rows with residual 0, tolerance 0: converged in one iteration", "Eq. (4.9)",
               nothing.converged && nothing.history.size() == 1,
-              "At most the tolerance is <=, and 0 counts, too.");
+              "The rule is <= the tolerance, and 0 counts, too.");
 }
 
 EXERCISE_TEST(ConjugateSolve, StopsByTheRule) {
   Random random;
-  for (const double size : {1e-3, 1.0, 1e3}) {  // of B: the tolerance is a velocity, and not a part of it
+  for (const double size : {1e-3, 1.0, 1e3}) {  // of B: the tolerance is a velocity, not a fraction of it
     Problem<6> p = random_problem(random, 10, 20);
     for (Row<6>& row : p.rows) row.B *= size;
     const auto anew = [&](const StopRule& stop) {
@@ -727,43 +729,43 @@ EXERCISE_TEST(ConjugateSolve, BeginsWhereItIs) {
   p = start;
   set_lambda(p, enumerate_solution(bounded(p.rows)));
   const SolveReport report = conjugate_solve(p.rows, p.V, {.max_sweeps = 100, .tolerance = 1e-9});
-  expect_near("iterations from the solution", "Eq. (10.2)", static_cast<double>(report.history.size()), 1,
-              {0, "a count"}, {}, "λ and V on entry are a warm start: neither is set to zero.");
+  expect_near("iterations when it starts at the solution", "Eq. (10.2)",
+              static_cast<double>(report.history.size()), 1, {0, "a count"}, {},
+              "λ and V on entry are a warm start: neither is set to zero.");
 }
 
 EXERCISE_TEST(ConjugateSolve, LetsASeparatingContactGo) {
   Problem<3> p = stack({1, 1, 1}, 0.01);
-  p.rows[2].B = -1;  // the uppermost is thrown up
+  p.rows[2].B = -1;  // the top one is thrown up
   set_lambda(p, Eigen::VectorXd::Constant(3, 2));
   conjugate_solve(p.rows, p.V, {.max_sweeps = 100, .tolerance = 1e-14});
-  expect_near("λ under a body that leaves [N s]", "Eq. (4.1)", p.rows[2].lambda, 0, {0, "exact"});
-  expect_near("λ under the two that stay [N s]", "Eq. (4.1)", p.rows[0].lambda, 0.01 * 9.81 * 2,
+  expect_near("λ under a body that leaves its contact [N s]", "Eq. (4.1)", p.rows[2].lambda, 0, {0, "exact"});
+  expect_near("λ under the two that stay in contact [N s]", "Eq. (4.1)", p.rows[0].lambda, 0.01 * 9.81 * 2,
               roundings(100));
-  // The others thrown up as well: after the first sweep no row is free, and no direction is left.
+  // The other two are thrown up as well. After the first sweep no row is free, and no direction is left.
   Problem<3> all = stack({1, 1, 1}, 0.01);
   for (Row<3>& row : all.rows) row.B = -1;
   set_lambda(all, Eigen::VectorXd::Constant(3, 2));
   const SolveReport report = conjugate_solve(all.rows, all.V, {.max_sweeps = 10, .tolerance = 1e-14});
-  expect_near_vector(
-      "λ under three bodies that leave [N s]", "Eq. (4.1)", lambdas(all), Eigen::VectorXd::Zero(3),
-      {0, "exact"}, {},
-      "With no free row p is 0, and α = 0/0. There is nowhere to go: the next iteration sweeps.");
+  expect_near_vector("λ under three bodies that leave their contacts [N s]", "Eq. (4.1)", lambdas(all),
+                     Eigen::VectorXd::Zero(3), {0, "exact"}, {},
+                     "With no free row p is 0, and α = 0/0. Take no step: the next iteration sweeps.");
   expect_near("entries of its history", "Eq. (4.9)", static_cast<double>(report.history.size()), 2,
-              {0, "a sweep that lets them go, and one that sees it"});
+              {0, "one sweep that sets λ = 0, and one that finds convergence"});
 }
 
 EXERCISE_TEST(ConjugateSolve, DoesNotTakeANaNForConverged) {
   Problem<3> p = stack({1, 1, 1}, 0.1);
   p.rows[1].B = std::nan("");
   const SolveReport report = conjugate_solve(p.rows, p.V, {.max_sweeps = 5, .tolerance = 1e-6});
-  expect_true("a solve of NaN has not converged, and says so in its history", "Eq. (4.9)",
+  expect_true("a solve of NaN has not converged, and its history contains NaN", "Eq. (4.9)",
               !report.converged && !report.history.empty() && std::isnan(report.history.back()),
               "Every comparison with NaN is false: ask whether it is <= the tolerance.");
 }
 
 EXERCISE_TEST(ConjugateSolve, SeesANaNThatIsAloneInItsIsland) {
-  // Four pairs of bodies, a row each. The NaN is in one of them, and no other row ever meets it; nor does one without a
-  // bound: it is free, and goes into the direction.
+  // Four pairs of bodies, with one row each. The NaN is in one of them and never reaches another row. Nor does it reach
+  // one without a bound, which is free and enters the direction.
   for (const bool bounds : {true, false})
     for (std::size_t broken = 0; broken < 4; ++broken) {
       Problem<3> p;
@@ -787,13 +789,12 @@ EXERCISE_TEST(ConjugateSolve, SeesANaNThatIsAloneInItsIsland) {
       const SolveReport report = conjugate_solve(p.rows, p.V, {.max_sweeps = 6, .tolerance = 1e-6});
       const bool all =
           std::all_of(report.history.begin(), report.history.end(), [](double r) { return std::isnan(r); });
-      expect_true(
-          "a NaN in row " + std::to_string(broken) +
-              " of four that share no body: each entry of the history is "
-              "NaN, and it has not converged",
-          "Eq. (4.9)", !report.converged && !report.history.empty() && all,
-          "A NaN was lost. std::max(a, NaN) is a, also where the maximum of the free rows meets that of the "
-          "others; and once the largest is NaN no later row may replace it.");
+      expect_true("a NaN in row " + std::to_string(broken) +
+                      " of four that share no body: each entry of the history is "
+                      "NaN, and it has not converged",
+                  "Eq. (4.9)", !report.converged && !report.history.empty() && all,
+                  "A NaN was lost. std::max(a, NaN) is a, also where the maximum of the free rows meets that "
+                  "of the others. Once the maximum is NaN, no later row may replace it.");
     }
 }
 
@@ -801,11 +802,10 @@ EXERCISE_TEST(ConjugateSolve, RejectsARuleThatCannotBeMet) {
   std::vector<Row<3>> none;
   std::vector<Twist<3>> V;
   const SolveReport report = conjugate_solve(none, V, {});
-  expect_true("no rows: converged, without an iteration", "Eq. (4.9)",
-              report.converged && report.history.empty());
+  expect_true("no rows: converged after 0 iterations", "Eq. (4.9)", report.converged && report.history.empty());
   expect_rejects(
       "max_sweeps = 0", "max_sweeps", [&] { conjugate_solve(none, V, {.max_sweeps = 0, .tolerance = 0}); },
-      "The contract is that of solve(): a rule that makes no sense is refused, rows or not.");
+      "The contract is that of solve(): refuse a rule that cannot be met, with rows or without.");
   Problem<3> p = stack({1, 2}, 0.1);
   expect_rejects(
       "max_sweeps = 0, with rows", "max_sweeps",

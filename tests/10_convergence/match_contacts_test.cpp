@@ -1,4 +1,4 @@
-// Which contact of now was which of the last step's.
+// Matches each present contact with the last step's.
 #include "exercise_test.hpp"
 #include "random_input.hpp"
 #include "relative_scales.hpp"
@@ -23,7 +23,7 @@ void expect_matches(const std::string& what, const std::vector<int>& got, const 
   expect_near_vector(what, "Eq. (10.1)", as_eigen(got), as_eigen(expected), {0, "indices"}, clues, otherwise);
 }
 
-// The four corners of two boxes on the ground.
+// The four corners of two boxes that rest on the ground.
 std::vector<Contact> eight_corners() {
   std::vector<Contact> contacts;
   for (const int box : {1, 2})
@@ -45,11 +45,10 @@ EXERCISE_TEST(MatchContacts, FindsThemInAnyOrder) {
     expect_matches(
         "old contacts of two boxes at rest, listed in another order; reach " + show(reach) + " m",
         match_contacts(contacts, old, reach), place,
-        {{as_eigen(same), "These are the contacts' own indices. Lists come in any order: look at the points."},
+        {{as_eigen(same), "These are the contacts' own indices. Lists come in any order: compare the points."},
          {Eigen::VectorXd::Constant(8, -1),
-          reach > 0
-              ? "Nothing was found. Points are compared with r_j, which is relative to body j."
-              : "Nothing was found. They are at the same places, 0 m apart: that is within a reach of 0."}},
+          reach > 0 ? "Nothing was found. Compare points by r_j, which is relative to body j."
+                    : "Nothing was found. The points are the same, 0 m apart: that is within a reach of 0."}},
         "Both boxes have a corner at the same r_j: compare only those of the same pair (i, j).");
 }
 
@@ -79,12 +78,12 @@ EXERCISE_TEST(MatchContacts, KnowsNewOnesAndForgetsLostOnes) {
   expect_matches("four contacts, of which two are new; reach 0.5 m", match_contacts(contacts, old, 0.5),
                  {2, -1, -1, 0},
                  {{as_eigen(std::vector<int>{2, 1, -1, 0}),
-                   "The second is 2 m from what is left of its pair: out of reach, so it is new."},
+                   "The second is 2 m from the remaining contact of its pair: out of reach, so it is new."},
                   {as_eigen(std::vector<int>{2, -1, -1, -1}),
                    "The last is exactly at the reach: at most `reach`, <= and not <."},
                   {as_eigen(std::vector<int>{2, -1, 0, -1}),
                    "Bodies 1 and 2 had no contact before: compare only those of the same pair (i, j)."}},
-                 "An index into the old ones for the first and the last, -1 for the others.");
+                 "The first and the last get an index into the old ones, the others -1.");
 }
 
 EXERCISE_TEST(MatchContacts, TakesThePairInItsOrder) {
@@ -102,15 +101,16 @@ EXERCISE_TEST(MatchContacts, GivesEachOldOneToTheNearest) {
   const std::vector<Contact> far_first = {contact(0, 1, Vec3(0.2, 0, 0)), contact(0, 1, Vec3(0.1, 0, 0))};
   const std::vector<Contact> near_first = {far_first[1], far_first[0]};
   const auto twice = as_eigen(std::vector<int>{0, 0});
-  const std::string once = "Both got the same impulse, which is then there twice. Each old one is used once.";
-  expect_matches("two contacts that want the same old one, the farther comes first",
+  const std::string once = "Both got the same impulse, which now counts twice. Each old one is used once.";
+  expect_matches("two contacts with the same nearest old one, the farther listed first",
                  match_contacts(far_first, old, 1), {-1, 0},
                  {{twice, once},
-                  {as_eigen(std::vector<int>{0, -1}), "First come, first served: but the second is nearer."}},
-                 "The nearer gets it; the other is new.");
-  expect_matches("two contacts that want the same old one, the nearer comes first",
+                  {as_eigen(std::vector<int>{0, -1}),
+                   "First come, first served is wrong here: the second contact is nearer."}},
+                 "The nearer contact gets the old one; the other is new.");
+  expect_matches("two contacts with the same nearest old one, the nearer listed first",
                  match_contacts(near_first, old, 1), {0, -1}, {{twice, once}},
-                 "The nearer gets it; the other is new.");
+                 "The nearer contact gets the old one; the other is new.");
 }
 
 EXERCISE_TEST(MatchContacts, TakesTheNearestOfTwo) {
@@ -118,11 +118,11 @@ EXERCISE_TEST(MatchContacts, TakesTheNearestOfTwo) {
   const std::vector<OldContact> turned = {old[1], old[0]};
   const std::vector<Contact> one = {contact(0, 1, Vec3(0.1, 0, 0))};
   const std::string has_one =
-      "The contact has the nearer one already, of index 0: what is farther does not replace it.";
-  expect_matches("one contact, and two old ones within reach, the nearer first", match_contacts(one, old, 0.5),
-                 {0}, {}, has_one);
-  expect_matches("one contact, and two old ones within reach, the farther first",
-                 match_contacts(one, turned, 0.5), {1}, {}, "The nearer of the two.");
+      "The contact has the nearer one already, with index 0. A farther one does not replace it.";
+  expect_matches("one contact and two old ones within reach, the nearer listed first",
+                 match_contacts(one, old, 0.5), {0}, {}, has_one);
+  expect_matches("one contact and two old ones within reach, the farther listed first",
+                 match_contacts(one, turned, 0.5), {1}, {}, "Take the nearer of the two.");
 }
 
 EXERCISE_TEST(MatchContacts, TakesTheNearestHoweverLittleItIsNearer) {
@@ -130,9 +130,9 @@ EXERCISE_TEST(MatchContacts, TakesTheNearestHoweverLittleItIsNearer) {
     const std::vector<OldContact> old = {{0, 1, Vec3(-1 - part, 0, 0)}, {0, 1, Vec3(0, 1, 0)}};
     const std::vector<Contact> one = {contact(0, 1, Vec3::Zero())};
     const std::string of =
-        "one contact, and two old ones, of which the first is farther by " + show(part) + " of ";
+        "one contact and two old ones, of which the first is farther by " + show(part) + " of ";
     expect_matches(of + "that", match_contacts(one, old, 2), {1}, {}, small_is_dropped);
-    expect_matches(of + "the reach, and out of it", match_contacts(one, {old[0]}, 1), {-1}, {},
+    expect_matches(of + "exactly the reach, and outside it", match_contacts(one, {old[0]}, 1), {-1}, {},
                    small_is_dropped);
     if (::testing::Test::HasFailure()) return;
   }
@@ -145,7 +145,7 @@ EXERCISE_TEST(MatchContacts, LeavesTheNextBestToTheLoser) {
                  match_contacts(contacts, old, 0.5), {1, 0},
                  {{as_eigen(std::vector<int>{-1, 0}),
                    "The first lost the nearest to the second, but another one is within reach."}},
-                 "The two nearest first, then the nearest two of those that are left.");
+                 "Match the nearest two first, then the nearest two of the remaining ones.");
 }
 
 void expect_no_two_that_would_rather(Random& random, int count) {
@@ -156,7 +156,7 @@ void expect_no_two_that_would_rather(Random& random, int count) {
   for (int k = 0; k < count; ++k) old.push_back({0, body(), random.vector(0.5)});
   for (int k = 0; k < count; ++k) contacts.push_back(contact(0, body(), random.vector(0.5)));
   const auto match = match_contacts(contacts, old, reach);
-  expect_true("as many indices as contacts", "Eq. (10.1)", match.size() == contacts.size());
+  expect_true("one index for each contact", "Eq. (10.1)", match.size() == contacts.size());
   if (match.size() != contacts.size()) return;
 
   const auto distance = [&](std::size_t c, std::size_t k) { return (contacts[c].r_j - old[k].point).norm(); };
@@ -176,11 +176,11 @@ void expect_no_two_that_would_rather(Random& random, int count) {
   for (std::size_t c = 0; c < contacts.size(); ++c)
     for (std::size_t k = 0; k < old.size(); ++k) {
       if (old[k].j != contacts[c].j || distance(c, k) > reach) continue;
-      expect_true("of " + std::to_string(count) + ", contact " + std::to_string(c) + " or old contact " +
-                      std::to_string(k) + ", " + show(distance(c, k)) + " m apart, has a nearer one",
+      expect_true("of " + std::to_string(count) + ", contact " + std::to_string(c) + " and old contact " +
+                      std::to_string(k) + ", " + show(distance(c, k)) + " m apart, each with a nearer match",
                   "Eq. (10.1)", to_old[c] <= distance(c, k) || to_contact[k] <= distance(c, k),
-                  "These two are nearer to each other than what they got, or got nothing: the nearest two are "
-                  "joined first. " +
+                  "These two are nearer to each other than their own matches, or have none. Match the nearest "
+                  "two first. " +
                       ends_early);
       if (::testing::Test::HasFailure()) return;
     }
@@ -196,7 +196,7 @@ EXERCISE_TEST(MatchContacts, OfNothingIsNothing) {
   const std::vector<Contact> contacts = eight_corners();
   expect_true("no contacts: an empty list", "Eq. (10.1)",
               match_contacts({}, {{0, 1, Vec3::Zero()}}, 1).empty());
-  expect_true("no old ones: all are new", "Eq. (10.1)",
+  expect_true("no old contacts: all are new", "Eq. (10.1)",
               match_contacts(contacts, {}, 1) == std::vector<int>(contacts.size(), -1));
 }
 
@@ -205,13 +205,12 @@ EXERCISE_TEST(MatchContacts, TellsBodiesOfAnyNumbersApart) {
     const Contact now{
         .i = 0, .j = many + 5, .n = Vec3::UnitZ(), .gap = 0, .r_i = Vec3::Zero(), .r_j = Vec3::Zero()};
     expect_true(
-        "bodies 0 and " + std::to_string(many + 5) + " are no bodies 1 and 5, nor 5 and " +
+        "bodies 0 and " + std::to_string(many + 5) + " are not bodies 1 and 5, nor 5 and " +
             std::to_string(many),
         "Eq. (10.1)",
         match_contacts({now}, {{1, 5, Vec3::Zero()}, {5, many, Vec3::Zero()}}, 1) == std::vector<int>{-1},
-        "There may be more bodies than this: a pair is two numbers, and one made of them may be that of "
-        "another "
-        "pair.");
+        "There may be more bodies than here. A pair is two numbers: one number made of them may be that of "
+        "another pair.");
     if (::testing::Test::HasFailure()) return;
   }
 }

@@ -1,4 +1,4 @@
-// Orders: sorted, random, and what a sweep does with one.
+// Orders of rows: sorted, random, and swept.
 #include <map>
 
 #include "algebra.hpp"
@@ -26,10 +26,10 @@ EXERCISE_TEST(OrderAlong, GoesFromTheLowestToTheHighest) {
   expect_order_of("the order of heights 2.5, -1, 4, 0.5, 3", order_along({2.5, -1, 4, 0.5, 3}), {1, 3, 0, 4, 2},
                   {{as_eigen(std::vector<int>{2, 4, 0, 3, 1}), "This is from the highest to the lowest."},
                    {as_eigen(std::vector<int>{2, 0, 4, 1, 3}),
-                    "This says at which place each row is. The order says which row is at each place."},
+                    "This tells the place of each row. The order says which row is at each place."},
                    {as_eigen(std::vector<int>{3, 1, 0, 4, 2}),
-                    "A height below zero is lower than zero: no absolute value."}},
-                  "The index of the lowest comes first, then that of the next.");
+                    "A height below zero is lower than zero: take no absolute value."}},
+                  "The index of the lowest row comes first, then that of the next.");
 }
 
 EXERCISE_TEST(OrderAlong, SortsAnything) {
@@ -54,10 +54,9 @@ EXERCISE_TEST(OrderAlong, KeepsEqualHeightsInOrder) {
   for (int k = 0; k < 60; k += 3) expected.push_back(k);
   for (int k = 0; k < 60; ++k)
     if (k % 3 != 0) expected.push_back(k);
-  expect_order_of(
-      "60 rows at two heights", order_along(heights), expected, {},
-      "Equal heights stay in order (the three rows of a contact belong together): std::stable_sort, and a "
-      "comparison that is false for equals: <, not <=.");
+  expect_order_of("60 rows at two heights", order_along(heights), expected, {},
+                  "Equal heights stay in order, since the three rows of a contact belong together. Use "
+                  "std::stable_sort, and a comparison that is false for equal heights: <, not <=.");
 }
 
 EXERCISE_TEST(OrderAlong, PutsANaNLast) {
@@ -83,44 +82,44 @@ EXERCISE_TEST(RandomOrder, HasEachIndexOnce) {
   }
 }
 
-// χ² over the 24 orders of four, of which each is as likely as the others.
+// χ² over the 24 orders of four, which are equally likely.
 EXERCISE_TEST(RandomOrder, MakesEveryOrderAsLikely) {
   std::mt19937_64 generator(Random::seed());
   const int draws = 24000, orders = 24;
   std::map<std::vector<int>, int> seen;
   for (int k = 0; k < draws; ++k) ++seen[random_order(4, generator)];
-  expect_near("how many of the 24 orders of four come up in 24,000 draws", "Eq. (10.4)",
-              static_cast<double>(seen.size()), orders, {0, "each has 1,000 draws to be expected"},
-              {{6, "Six: those that go round through all. An element must also be able to stay where it is."},
-               {4, "Four: a random start, and then round in order."},
-               {12, "Twelve, one half: the last exchange, between two that are left, is missing."},
-               {1, "Always the same: the generator has not been used, or begins anew in each call."}},
-              "Some never come up: every place has to be open to every index that is not placed yet.");
+  expect_near(
+      "how many of the 24 orders of four occur in 24,000 draws", "Eq. (10.4)", static_cast<double>(seen.size()),
+      orders, {0, "1,000 draws are expected of each"},
+      {{6, "Only six occur: the cycles through all four. An element must also be able to stay where it is."},
+       {4, "Only four occur: a random start, and then round in order."},
+       {12, "Only twelve occur, one half: the last exchange, of the last two, is missing."},
+       {1, "The order is always the same: the generator is unused, or starts afresh in each call."}},
+      "Some never occur: every index that is not yet placed must be possible at every place.");
   double chi2 = 0;
   const double expected = static_cast<double>(draws) / orders;
   for (const auto& [order, count] : seen) chi2 += (count - expected) * (count - expected) / expected;
   expect_at_most(
-      "χ² of how often each came up, 23 degrees of freedom", "Eq. (10.4)", chi2, 80,
+      "χ² of how often each occurs, 23 degrees of freedom", "Eq. (10.4)", chi2, 80,
       "1 in 30 million for a fair order",
-      "Some orders are more likely than others. To exchange every element with any of all n gives nⁿ "
-      "equally likely ways to n! orders, which can't be fair: exchange with those that are not placed yet.");
+      "Some orders are more likely than others. Exchanging every element with any of all n gives nⁿ equally "
+      "likely ways to n! orders, which cannot be fair. Exchange with elements that are not yet placed.");
 }
 
-// Of two neighbours in a random order the first is the lower one half of the times, however many there are.
+// Of two neighbours in a random order the first is the lower one half of the times, for any number of rows.
 EXERCISE_TEST(RandomOrder, IsAsRandomForManyRows) {
   std::mt19937_64 generator(Random::seed());
   const int n = 100000;
   const auto order = random_order(n, generator);
   int rises = 0;
   for (std::size_t k = 1; k < order.size(); ++k) rises += order[k - 1] < order[k];
-  expect_near(
-      "part of the neighbours that rise, in a random order of 100,000", "Eq. (10.4)",
-      static_cast<double>(rises) / n, 0.5, {0.006, "6.5 times √(1/(12 n))"}, {},
-      "Are there as many random numbers as there are rows? If they are drawn from too few, many are alike, and "
-      "rows with equal numbers stay in order.");
+  expect_near("fraction of neighbours that rise, in a random order of 100,000", "Eq. (10.4)",
+              static_cast<double>(rises) / n, 0.5, {0.006, "6.5 times √(1/(12 n))"}, {},
+              "Are there as many random numbers as there are rows? If they are drawn from too few, many are "
+              "equal, and rows with equal numbers stay in order.");
 }
 
-// Where an index comes to stand is 0 to n - 1, each as likely: (n - 1)/2 in the mean, and n/√12 about it.
+// The place of an index is 0 to n - 1, all equally likely: the mean is (n - 1)/2, the deviation n/√12.
 EXERCISE_TEST(RandomOrder, TakesEveryIndexAnywhere) {
   std::mt19937_64 generator(Random::seed());
   const int n = 1000, draws = 300;
@@ -132,24 +131,24 @@ EXERCISE_TEST(RandomOrder, TakesEveryIndexAnywhere) {
     for (int k = 0; k < n; ++k) place[order[static_cast<std::size_t>(k)]] += static_cast<double>(k) / draws;
   }
   for (const int k : {0, 1, 100, 300, 500, 900, 998, 999})
-    expect_near("the mean place of index " + std::to_string(k) + " in " + std::to_string(draws) +
-                    " random orders of 1000",
-                "Eq. (10.4)", place[k], (n - 1) / 2.0,
-                {6 * n / std::sqrt(12.0 * draws), "six times n/√12 over the root of the draws"}, {},
-                "An index may come to stand anywhere, however many there are. Is a random number as large as n "
-                "can be?");
+    expect_near(
+        "the mean place of index " + std::to_string(k) + " in " + std::to_string(draws) +
+            " random orders of 1000",
+        "Eq. (10.4)", place[k], (n - 1) / 2.0,
+        {6 * n / std::sqrt(12.0 * draws), "six times n/√12 over the root of the draws"}, {},
+        "Any index may come to any place, for any number of rows. Is a random number as large as n possible?");
 }
 
 EXERCISE_TEST(RandomOrder, ComesFromTheGenerator) {
   std::mt19937_64 one(Random::seed()), same(Random::seed());
   const auto first = random_order(50, one), again = random_order(50, same);
   expect_true("two generators in the same state give the same order of 50", "Eq. (10.4)", first == again,
-              "A run must be repeatable: take chance from the generator that is given, and from nothing else.");
-  expect_true("and leave the generators in the same state, but not in that of before", "Eq. (10.4)",
+              "A run must be repeatable: take chance from the given generator, and from nothing else.");
+  expect_true("and leave both generators in the same, new state", "Eq. (10.4)",
               one == same && one != std::mt19937_64(Random::seed()),
-              "The generator has not gone on: is it a copy, or another one?");
-  expect_true("the next order of 50 is another", "Eq. (10.4)", random_order(50, one) != first,
-              "The generator is taken by reference, so that it goes on from call to call.");
+              "The generator's state has not changed: is it a copy, or another one?");
+  expect_true("the next order of 50 differs", "Eq. (10.4)", random_order(50, one) != first,
+              "Take the generator by reference, so that its state continues from call to call.");
 }
 
 template <int Dof>
@@ -194,12 +193,12 @@ EXERCISE_TEST(SweepInOrder, UpdatesTheRowsInThatOrder) {
   const std::string what = "λ of seven coupled rows, swept in the order 3 5 0 6 2 1 4 [N s]";
   expect_near_vector(
       what, "Eq. (4.9)", lambdas(p), swept(order), roundings(1000, 10),
-      {{swept(given), "They were swept as they stand: the order was not used."},
+      {{swept(given), "They were swept as listed: the order was not used."},
        {swept(inverse), "The order says which row comes first, and not at which place row 0 comes."},
        {swept(backwards), "This is the order backwards."},
        {lambdas(moved_rows),
-        "The rows have changed places. Others know them by index: leave them where they are."},
-       {jacobi, "This is Jacobi's iteration: each row must see what those before it have done."},
+        "The rows have changed places. Other functions refer to them by index: leave them in place."},
+       {jacobi, "This is Jacobi's iteration: each row must use the updates of the rows before it."},
        {lambdas(start), "No row has changed."}});
   Problem<6> other = in_order(start, order);
   expect_near("what that sweep returns [m/s]", "Eq. (4.9)", returned, sweep(other.rows, other.V),
@@ -219,7 +218,7 @@ EXERCISE_TEST(SweepInOrder, IsSweepInTheOrderGiven) {
                 returned, should, roundings(100, 10),
                 {{n == 1 ? impulse : std::nan(""),
                   "This is the largest |Δλ|, an impulse. Times S_kk it is a velocity."}},
-                "The largest S_kk |Δλ_k|, as sweep() returns it: also of a row that gives λ back, Δλ < 0.");
+                "Return the largest S_kk |Δλ_k|, as sweep() does, also of a row whose λ decreases, Δλ < 0.");
   }
   expect_near_vector("λ after three sweeps of ten contacts [N s]", "Eq. (4.7)", lambdas(p), lambdas(expected),
                      roundings(1000, 10));
@@ -238,9 +237,11 @@ EXERCISE_TEST(SweepInOrder, TakesAnyBoundsAndAnyStart) {
     const std::string of = std::to_string(rows) + " rows";
     expect_near("what a sweep in a random order returns, of " + of + " with bounds of all kinds [m/s]",
                 "Eq. (4.9)", sweep_in_order(order, p.rows, p.V), should, roundings(100, 10), {},
-                "The largest S_kk |Δλ_k|, also of rows that begin at a bound, at either, and leave it.");
-    expect_near_vector("λ of " + of + " after it, within their bounds before or not [N s]", "Eq. (4.7)",
-                       lambdas(p), put_back(lambdas(expected), order), roundings(1000, 10), {},
+                "Return the largest S_kk |Δλ_k|, also of rows that begin at either bound and leave it.");
+    expect_near_vector("of which some start outside their bounds, after it [N s] " + of +
+                           " after it, within their bounds before or not [N s]",
+                       "Update every row, also one that begins at a bound.", lambdas(p),
+                       put_back(lambdas(expected), order), roundings(1000, 10), {},
                        "Every row is updated, also one that begins at a bound. " + ends_early);
   }
 }
@@ -248,7 +249,7 @@ EXERCISE_TEST(SweepInOrder, TakesAnyBoundsAndAnyStart) {
 EXERCISE_TEST(SweepInOrder, DoesNotHideANaN) {
   Problem<3> p = stack({1, 1, 1}, 0.1);
   p.rows[1].B = std::nan("");
-  p.rows[2].i = p.rows[2].j = 0;  // a row after the broken one that is sound itself
+  p.rows[2].i = p.rows[2].j = 0;  // a row after the broken one, without NaN
   expect_true("a sweep with a NaN in one row returns NaN", "Eq. (4.9)",
               std::isnan(sweep_in_order({0, 1, 2}, p.rows, p.V)),
               "std::max(a, NaN) is a. Once the largest is NaN, no later row may replace it.");
@@ -257,7 +258,7 @@ EXERCISE_TEST(SweepInOrder, DoesNotHideANaN) {
               {0, "exact"});
 }
 
-// The factor of a sweep without bounds and right sides: how far it takes each unit vector.
+// The factor of a sweep without bounds and with B = 0: by how much it shrinks each unit vector.
 double factor_of_sweep(Problem<3> p, const std::vector<int>& order) {
   take_bounds_off(p);
   const auto n = static_cast<Eigen::Index>(p.rows.size());
@@ -284,8 +285,8 @@ EXERCISE_TEST(SweepInOrder, HasOneRateInEveryOrderOfATower) {
     expect_near("factor of the error a sweep of a tower of six, in a random order", "Eq. (10.10)",
                 factor_of_sweep(p, shuffled(random, 6)), jacobi * jacobi,
                 {1e-7, "eigenvalues of a matrix that is not symmetric"},
-                {{jacobi, "This is Jacobi's factor: each row must see what those before it have done."}},
-                "The square of Jacobi's, whatever the order: the rows of a tower have no cycle.");
+                {{jacobi, "This is Jacobi's factor: each row must use the updates of the rows before it."}},
+                "The factor is the square of Jacobi's in any order: the rows of a tower have no cycle.");
 }
 
 EXERCISE_TEST(SweepInOrder, GoingUpIsAheadBySweeps) {
@@ -304,7 +305,7 @@ EXERCISE_TEST(SweepInOrder, GoingUpIsAheadBySweeps) {
       expect_near("λ of row " + std::to_string(k) + " after 4 sweeps up, against " + std::to_string(n) +
                       " sweeps down [N s]",
                   "Eq. (10.11)", p.rows[k].lambda, other.rows[k].lambda, roundings(200, 10), {},
-                  "From λ = 0 going up is ahead by k sweeps in row k, and by no more later.");
+                  "From λ = 0, sweeping up is ahead by k sweeps in row k, and stays ahead by k.");
   }
 }
 

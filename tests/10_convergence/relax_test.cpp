@@ -1,4 +1,4 @@
-// The second solve of a relaxed substep: rigid rows, from where the first solve ended.
+// The second solve of a relaxed substep: rigid rows, from the result of the first solve.
 #include "exercise_test.hpp"
 #include "random_input.hpp"
 #include "stop_rule.hpp"
@@ -11,7 +11,7 @@ namespace {
 
 EXERCISE(Relax, "10.9 relax");
 
-/// The rows as relax() is to make them, from the same motion: by chapter 04's make_row.
+/// The rows that relax() has to make, from the same motion, by chapter 04's make_row.
 template <int Dof>
 std::vector<Row<Dof>> made_rigid(const Problem<Dof>& p,
                                  const SpookParameters& spook = {.a = 0, .b = 1, .Sigma = 0}) {
@@ -24,14 +24,14 @@ std::vector<Row<Dof>> made_rigid(const Problem<Dof>& p,
   return rows;
 }
 
-/// The same of a motion of which a part is missing.
+/// The same with a part of the motion missing.
 Eigen::VectorXd right_sides_without(Problem<6> p, bool W, bool Wf) {
   if (W) p.motion.W.assign(p.V.size(), Twist<6>::Zero());
   if (Wf) p.motion.Wf.assign(p.V.size(), Twist<6>::Zero());
   return gathered(made_rigid(p), &Row<6>::B);
 }
 
-/// A ball of 2 kg on a floor, so deep in it, that falls at 0.1 m/s while a step adds 0.06 m/s; solved once.
+/// A ball of 2 kg, so deep in a floor, falls at 0.1 m/s, and a step adds 0.06 m/s. The first solve is done.
 Problem<3> overlapping_ball(double gap) {
   const Twist<3> up(0, 0, 1);
   Problem<3> p;
@@ -51,10 +51,10 @@ EXERCISE_TEST(Relax, KeepsNoVelocityThatClosesAGap) {
   Problem<3> p = overlapping_ball(-0.02);
   const double first = 0.55 / 0.75;
   relax(p.motion, p.rows, p.V, {.max_sweeps = 1, .tolerance = 0});
-  expect_near("λ [N s] of a ball that falls into the floor, 0.7333 N s before", "Eq. (10.15)", p.rows[0].lambda,
-              0.32, roundings(16),
-              {{first, "Nothing has been swept, or with the B and Σ of the first solve."},
-               {0.16 / 0.75, "Σ is still there: here it is 0."},
+  expect_near("λ [N s] of a ball that falls into the floor, 0.7333 N s from the first solve", "Eq. (10.15)",
+              p.rows[0].lambda, 0.32, roundings(16),
+              {{first, "Nothing has been swept, or the B and Σ of the first solve are still in use."},
+               {0.16 / 0.75, "Σ is still there: set it to 0."},
                {first + (0.16 - 0.5 * first) / 0.75, "Σ is still in the diagonal: compute it anew, without Σ."},
                {0.55 / 0.5, "The gap is still in B. Here a = 0, and b = 1."},
                {0.15 / 0.5, "b is 1 here, not that of the first solve: B = -G W - G W_f."},
@@ -63,19 +63,19 @@ EXERCISE_TEST(Relax, KeepsNoVelocityThatClosesAGap) {
                {first + 0.32, "The impulse of the second solve has been added to that of the first."}});
   expect_near("its velocity afterwards, W + W_f + V [m/s]", "Eq. (10.15)",
               (p.motion.W[1] + p.motion.Wf[1] + p.V[1]).z(), 0, roundings(16), {},
-              "A contact that presses keeps no normal velocity. V must be M⁻¹ Gᵀ λ at all times.");
+              "An active contact keeps no normal velocity. V must be M⁻¹ Gᵀ λ at all times.");
 }
 
 EXERCISE_TEST(Relax, LetsGoOfWhatTheGapAloneHadPushed) {
-  // It moves out faster than it falls: without the gap nothing presses.
+  // It moves out faster than it falls: without the gap the contact is inactive.
   Problem<3> p = overlapping_ball(-0.02);
   p.motion.W[1].z() = 0.4;
   relax(p.motion, p.rows, p.V, {.max_sweeps = 1, .tolerance = 0});
-  expect_near("λ [N s] of a ball that rises by itself", "Eq. (10.15), (4.7)", p.rows[0].lambda, 0,
-              roundings(16), {{-0.34 / 0.5, "A contact does not pull: the bounds are those of the rows."}},
-              "λ may shrink again, down to its bound.");
+  expect_near("λ [N s] of a ball that rises by its own velocity", "Eq. (10.15), (4.7)", p.rows[0].lambda, 0,
+              roundings(16), {{-0.34 / 0.5, "A contact does not pull: use the rows' bounds."}},
+              "λ may decrease, down to its bound.");
   expect_near("V of the ball [m/s]", "Eq. (10.15), (4.5)", p.V[1].z(), 0, roundings(16), {},
-              "What the first solve had done has to leave V, too.");
+              "Remove the first solve's effect from V, too.");
 }
 
 EXERCISE_TEST(Relax, AgreesWithEnumeratedContacts) {
@@ -101,13 +101,13 @@ EXERCISE_TEST(Relax, AgreesWithEnumeratedContacts) {
         "λ of " + std::to_string(rows) + " contacts [N s]", "Eq. (10.15)", lambdas(p),
         enumerate_solution(exact),
         {10 * rows * condition(exact.S) * (tolerance + 1e-14), "residual times condition of S"},
-        {{enumerate_solution(soft), "This is the first solve's: B, Σ and diagonal are to change."},
+        {{enumerate_solution(soft), "This is the first solve's result: change B, Σ and the diagonal."},
          {otherwise(old_B, 0), "The gap is still in B: -G W - G W_f."},
          {otherwise(without_W, 0), "W is missing in B: -G W - G W_f."},
          {otherwise(without_Wf, 0), "W_f is missing in B: -G W - G W_f."},
          {enumerate_solution({.S = soft.S, .B = exact.B, .lo = exact.lo, .hi = exact.hi}),
-          "Σ is still there: here it is 0."}},
-        "Each set of contacts that could press was tried; this is the one solution.");
+          "Σ is still there: set it to 0."}},
+        "All sets of active contacts were tried; this is the only solution.");
     expect_near_vector("V, all bodies [m/s, rad/s]", "Eq. (4.5)", flat(p.V), moved(p), roundings(5e4, 10), {},
                        "V is M⁻¹ Gᵀ λ at all times.");
   }
@@ -122,12 +122,13 @@ EXERCISE_TEST(Relax, LeavesJointsWithoutVelocity) {
     relax(p.motion, p.rows, p.V, {.max_sweeps = 200000, .tolerance = 1e-12});
     for (const Row<6>& row : p.rows) {
       const auto after = [&](int body) -> Twist<6> { return p.motion.W[body] + p.motion.Wf[body] + p.V[body]; };
-      // A sweep that returns 1e-12 leaves a row what later rows change: with |S_kl| <= S_kk, once for each of them.
+      // After a sweep that returns 1e-12 later rows still change a row's residual. As |S_kl| <= S_kk, each adds at most
+      // 1e-12.
       expect_at_most("speed of a joint's row afterwards [m/s]", "Eq. (10.15)",
                      std::abs(row.Gi.dot(after(row.i)) + row.Gj.dot(after(row.j))),
                      1e-12 * static_cast<double>(3 * p.rows.size()) + roundings(1e4, 10).value,
-                     "three times the tolerance for each row, and roundings",
-                     "B is -G W - G W_f of both bodies, Σ is 0, and nothing else is asked of a joint.");
+                     "three times the tolerance for each row, and round-off",
+                     "B is -G W - G W_f of both bodies, Σ is 0, and B has no other term for a joint.");
     }
   }
 }
@@ -150,17 +151,17 @@ EXERCISE_TEST(Relax, BeginsWhereTheFirstSolveEnded) {
         "λ of " + std::to_string(count) + " rows after one sweep [N s]", "Eq. (10.15)", lambdas(p),
         lambdas(once), roundings(1e5 * count, 10),
         {{lambdas(from_zero), "It began with λ = 0: begin with the λ and V of the first solve."}},
-        "One sweep of rigid rows, from the λ and V that are there. " + ends_early);
+        "Make one sweep of rigid rows, from the present λ and V. " + ends_early);
     expect_near_vector("V after one sweep [m/s, rad/s]", "Eq. (10.15)", flat(p.V), flat(once.V),
                        roundings(1e5 * count, 10), {},
                        "λ and V belong together: change neither before the sweep.");
     expect_true("its history has one entry", "Eq. (4.9)", report.history.size() == 1,
-                "One sweep was allowed, and one is to be made.");
+                "One sweep is allowed: make exactly one.");
   }
 }
 
 EXERCISE_TEST(Relax, CountsNothingOfAVerySoftRow) {
-  // S = 0.5/kg beside Σ = 1e16/kg: the sum of both has forgotten S.
+  // S = 0.5/kg beside Σ = 1e16/kg: rounding loses S in their sum.
   Problem<3> p = overlapping_ball(-0.02);
   p.rows[0].Sigma = 1e16;
   p.rows[0].diagonal = 0.5 + 1e16;
@@ -177,18 +178,18 @@ EXERCISE_TEST(Relax, ChangesOnlyTheImpulsesOfTheRows) {
   const std::vector<Row<6>> before = p.rows;
   relax(p.motion, p.rows, p.V, {.max_sweeps = 3, .tolerance = 0});
   for (std::size_t k = 0; k < before.size(); ++k)
-    expect_true("B, Σ, diagonal and bounds of row " + std::to_string(k) + " are those of before", "Eq. (10.15)",
+    expect_true("B, Σ, diagonal and bounds of row " + std::to_string(k) + " are unchanged", "Eq. (10.15)",
                 p.rows[k].B == before[k].B && p.rows[k].Sigma == before[k].Sigma &&
                     p.rows[k].diagonal == before[k].diagonal && p.rows[k].lo == before[k].lo &&
                     p.rows[k].hi == before[k].hi,
-                "The rows are the caller's: make copies of them rigid, and copy λ back.");
+                "The rows belong to the caller: make copies of them rigid, and copy λ back.");
 }
 
 EXERCISE_TEST(Relax, StopsByTheRule) {
   const auto by = [](const StopRule& stop) {
     Random random(11);
     Problem<6> p = random_problem(random, 4, 6);
-    take_bounds_off(p);  // contacts may all let go in one sweep
+    take_bounds_off(p);  // all contacts may become inactive in one sweep
     return relax(p.motion, p.rows, p.V, stop);
   };
   expect_stops_by_the_rule("Eq. (4.9)", 5, by);
@@ -207,12 +208,12 @@ EXERCISE_TEST(Relax, RefusesABadRule) {
     expect_rejects(
         "relax(max_sweeps = " + std::to_string(sweeps) + ")", "max_sweeps",
         [&] { relax(p.motion, p.rows, p.V, {.max_sweeps = sweeps, .tolerance = 0}); },
-        "As solve() does, and before anything is changed.", state);
+        "Refuse it as solve() does, before anything is changed.", state);
   for (const double tolerance : {-1e-9, std::nan(""), infinity})
     expect_rejects(
         "relax(tolerance = " + show(tolerance) + ")", "tolerance",
         [&] { relax(p.motion, p.rows, p.V, {.max_sweeps = 5, .tolerance = tolerance}); },
-        "As solve() does, and before anything is changed.", state);
+        "Refuse it as solve() does, before anything is changed.", state);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-// Systems of rows for the tests of chapter 10: those of chapter 04, and what can be said about any of them.
+// Systems of rows for the tests of chapter 10: those of chapter 04, and properties of any of them.
 #include <numeric>
 
 #include "../04_gauss_seidel/problems.hpp"
@@ -15,7 +15,7 @@ void take_bounds_off(Problem<Dof>& p) {
   }
 }
 
-/// Some rows get two bounds, some one, some none.
+/// Gives some rows two bounds, some one, and some none.
 inline void give_bounds(Random& random, Problem<6>& p) {
   for (Row<6>& row : p.rows) {
     const int kind = random.integer(0, 3);
@@ -32,7 +32,7 @@ Eigen::VectorXd lambdas(const Problem<Dof>& p) {
   return gathered(p.rows, &Row<Dof>::lambda);
 }
 
-/// All velocities below each other.
+/// All velocities in one vector.
 template <int Dof>
 Eigen::VectorXd flat(const std::vector<Twist<Dof>>& V) {
   Eigen::VectorXd all(static_cast<Eigen::Index>(V.size()) * Dof);
@@ -40,7 +40,7 @@ Eigen::VectorXd flat(const std::vector<Twist<Dof>>& V) {
   return all;
 }
 
-/// M⁻¹ Gᵀ λ of the rows' λ.
+/// M⁻¹ Gᵀ λ, with the rows' λ.
 template <int Dof>
 Eigen::VectorXd moved(const Problem<Dof>& p) {
   std::vector<Twist<Dof>> V(p.V.size(), Twist<Dof>::Zero());
@@ -65,7 +65,7 @@ inline Eigen::VectorXd as_eigen(const std::vector<int>& v) {
   return result;
 }
 
-/// Whether these are the numbers 0 to n - 1, each once.
+/// Returns true if these are the numbers 0 to n - 1, each once.
 inline bool has_each_once(std::vector<int> order, int n) {
   std::sort(order.begin(), order.end());
   std::vector<int> all(static_cast<std::size_t>(n));

@@ -1,4 +1,4 @@
-// Beginning where the last step ended.
+// A start with the impulses of the last step.
 #include "exercise_test.hpp"
 #include "random_input.hpp"
 #include "regions.hpp"
@@ -30,12 +30,13 @@ EXERCISE_TEST(WarmStart, SetsImpulsesAndWhatTheyDo) {
   const Eigen::VectorXd expected = flat(p.V);
   for (auto& V : p.V) V.setConstant(0.5);
   warm_start(as_std(impulses), p.rows, p.V);
-  expect_near_vector("V, all bodies [m/s, rad/s]", "Eq. (10.2)", flat(p.V), expected, roundings(100, 10),
-                     {{before, "V has not been touched. It must hold what the impulses do, M⁻¹ Gᵀ λ."},
-                      {Eigen::VectorXd::Zero(24),
-                       "V is zero: what the impulses do is missing, and the sweeps would do it once more."},
-                      {expected + before, "V held something before. It is assigned: set it to zero first."}},
-                     "V = M⁻¹ Gᵀ λ: begin at zero, then apply_impulse for every row.");
+  expect_near_vector(
+      "V, all bodies [m/s, rad/s]", "Eq. (10.2)", flat(p.V), expected, roundings(100, 10),
+      {{before, "V is unchanged. It must be the effect of the impulses, M⁻¹ Gᵀ λ."},
+       {Eigen::VectorXd::Zero(24),
+        "V is zero: what the impulses do is missing, and the sweeps would apply it a second time."},
+       {expected + before, "V is assigned, whatever it was: set it to zero first."}},
+      "V = M⁻¹ Gᵀ λ: begin at zero, then apply_impulse for every row.");
 }
 
 EXERCISE_TEST(WarmStart, StaysWithinTheBoundsOfNow) {
@@ -44,19 +45,19 @@ EXERCISE_TEST(WarmStart, StaysWithinTheBoundsOfNow) {
   p.rows[2].lo = -0.25;
   warm_start({-2, 2, -2}, p.rows, p.V);
   expect_near_vector(
-      "λ, begun with (-2, 2, -2) within [0, ∞), [0, 0.5], [-0.25, ∞) [N s]", "Eq. (10.2)", lambdas(p),
+      "λ, started with (-2, 2, -2) within [0, ∞), [0, 0.5], [-0.25, ∞) [N s]", "Eq. (10.2)", lambdas(p),
       Eigen::Vector3d(0, 0.5, -0.25), {0, "bounds"},
-      {{Eigen::Vector3d(-2, 2, -2), "The bounds are those of this step, and may have changed: clamp to them."},
+      {{Eigen::Vector3d(-2, 2, -2), "The bounds are this step's, and may have changed: clamp to them."},
        {Eigen::Vector3d(0, 2, -0.25), "There is an upper bound, too."},
        {Eigen::Vector3d(0, 0.5, 0), "The lower bound is the row's own `lo`, not always zero."}});
   const Eigen::VectorXd expected = moved(p);
   expect_near_vector("V [m/s]", "Eq. (10.2)", flat(p.V), expected, roundings(16, 4), {},
-                     "Scatter the clamped impulse: V must belong to the λ that the row has.");
+                     "Scatter the clamped impulse: V must belong to the row's λ.");
 }
 
 EXERCISE_TEST(WarmStart, TakesAnyBounds) {
   Random random;
-  Regions regions({"below lo", "above hi", "within", "above hi = 0", "lo = hi", "of 0, where λ is another",
+  Regions regions({"below lo", "above hi", "within", "above hi = 0", "lo = hi", "of 0, while λ is not 0",
                    "more than eight bodies", "a hundred rows"});
   while (regions.lack_draws()) {
     const int bodies = random.integer(2, 14), rows = random.integer(0, 3) ? 12 : many;
@@ -81,14 +82,14 @@ EXERCISE_TEST(WarmStart, TakesAnyBounds) {
                   {"within", within},
                   {"above hi = 0", to_zero},
                   {"lo = hi", no_room},
-                  {"of 0, where λ is another", nothing},
+                  {"of 0, while λ is not 0", nothing},
                   {"more than eight bodies", bodies > 8},
                   {"a hundred rows", rows == many}});
     warm_start(impulses, p.rows, p.V);
     expect_near_vector(
         "λ of " + std::to_string(rows) + " rows [N s]", "Eq. (10.2)", lambdas(p), expected,
-        {0, "copies and bounds"}, {{as_eigen(impulses), "They have not been clamped to the rows' bounds."}},
-        "λ is the impulse, clamped: also where that is 0, whatever the row had before. " + ends_early);
+        {0, "copies and bounds"}, {{as_eigen(impulses), "They are not clamped to the rows' bounds."}},
+        "λ is the clamped impulse, also if that is 0, whatever the row had before. " + ends_early);
     const Eigen::VectorXd V = flat(p.V);
     expect_near_vector("V of all bodies [m/s, rad/s]", "Eq. (10.2)", V, moved(p), roundings(1000, 5), {},
                        "V = M⁻¹ Gᵀ λ, of the clamped λ, for every body.");
@@ -104,9 +105,9 @@ EXERCISE_TEST(WarmStart, LeavesNothingToDoAtRest) {
     above -= mass;
   }
   warm_start(impulses, p.rows, p.V);
-  expect_near("residual of a stack of five that begins with the impulses of the step before [m/s]",
+  expect_near("residual of a stack of five that starts with the impulses of the step before [m/s]",
               "Eq. (10.2)", residual(p.rows, p.V), 0, roundings(100, 1), {},
-              "At rest the impulses of the last step are the answer: no sweep is needed.");
+              "At rest the impulses of the last step are the solution: no sweep is needed.");
 }
 
 EXERCISE_TEST(WarmStart, SweepsOfManyStepsAddUp) {
@@ -122,22 +123,22 @@ EXERCISE_TEST(WarmStart, SweepsOfManyStepsAddUp) {
   }
   expect_near_vector("λ after 5 steps of 4 sweeps, against 20 sweeps at once; the same rows [N s]",
                      "Eq. (10.2)", lambdas(now), lambdas(once), roundings(200, 10), {},
-                     "A step that begins where the last one ended goes on with its sweeps.");
+                     "A step that starts at the result of the last one continues its sweeps.");
 }
 
 EXERCISE_TEST(WarmStart, KeepsANaN) {
   Problem<3> p = stack({1, 1}, 0.1);
   warm_start({std::nan(""), 1}, p.rows, p.V);
-  expect_true("a λ that was NaN is one still", "Eq. (10.2)", std::isnan(p.rows[0].lambda),
-              "std::min and std::max make a number of a NaN; std::clamp keeps it.");
+  expect_true("a λ that was NaN is still NaN", "Eq. (10.2)", std::isnan(p.rows[0].lambda),
+              "std::min and std::max turn a NaN into a number; std::clamp keeps it.");
 }
 
 EXERCISE_TEST(WarmStart, WantsOneImpulseARow) {
   Problem<3> p = stack({1, 1}, 0.1);
   warm_start({1, 1}, p.rows, p.V);
   const std::string other_rows =
-      "Too many are as wrong as too few: they belong to other rows. Compare the sizes before anything else.";
-  // Too many first: without any check too few end beyond the list, and with it the program.
+      "Too many are as wrong as too few: they belong to other rows. Compare the sizes first.";
+  // The case with too many comes first: without a check the other reads beyond the end of the list and may crash.
   expect_rejects(
       "three impulses for two rows", "impulses",
       [&] {
@@ -150,7 +151,7 @@ EXERCISE_TEST(WarmStart, WantsOneImpulseARow) {
   std::vector<Row<3>> none;
   warm_start({}, none, p.V);
   expect_near("V of a warm start without rows [m/s]", "Eq. (10.2)", flat(p.V).norm(), 0, {0, "exact"}, {},
-              "V is what the rows do: without rows nothing.");
+              "V is the effect of the rows: without rows 0.");
 }
 
 EXERCISE_TEST(WarmStart, DropsNothingSmall) {
@@ -158,7 +159,7 @@ EXERCISE_TEST(WarmStart, DropsNothingSmall) {
     Problem<3> p = stack({1, 1}, 0.1);
     warm_start({1, part}, p.rows, p.V);
     expect_near("λ that was " + show(part) + " N s, beside one of 1 N s [N s]", "Eq. (10.2)", p.rows[1].lambda,
-                part, {0, "a copy"}, {{0, "It begins with 0. " + small_is_dropped}}, small_is_dropped);
+                part, {0, "a copy"}, {{0, "It starts with 0. " + small_is_dropped}}, small_is_dropped);
     if (::testing::Test::HasFailure()) return;
   }
 }

@@ -1,4 +1,4 @@
-// Rows in, the answer out: wires, stacks, towers, and rows that repeat or contradict each other.
+// Rows in, solution out: wires, stacks, towers, and rows that are redundant or contradictory.
 #include <numeric>
 
 #include "algebra.hpp"
@@ -33,7 +33,7 @@ EXERCISE_TEST(DirectSolve, HoldsAWireWithALoad) {
     const std::string what = "100 links, " + show(ratio) + ":1";
     expect_solved(what, report);
     expect_near("factorisations, " + what, "Eq. (11.3)", static_cast<double>(report.history.size()), 1,
-                {0, "without bounds one does"});
+                {0, "without bounds one factorisation suffices"});
     double worst = 0;
     for (int link = 0; link < wire.links; ++link) {
       const double right = -wire.h * wire.tension(link);
@@ -56,9 +56,10 @@ EXERCISE_TEST(DirectSolve, RefinesTheImpulsesToo) {
     if (!(error <= worst)) worst = error;
   }
   expect_at_most("largest relative error of λ, 100 links of 1e12 N/m, 1e6:1", "Eq. (11.14)", worst, 1e-11,
-                 "what one refinement leaves of some 1e-9: its square, and roundings of a hundred rows",
-                 "Without refinement it is 1e-16 times the condition. λ takes δ as V does, with its sign.");
-  // With one row's bound next to its λ, nearer than the λ that is refined was; and what that leaves is tolerated.
+                 "the remainder of one refinement of 1e-9: its square, and round-off of a hundred rows",
+                 "Without refinement the error is 1e-16 times the condition. Add δ to λ as well as to V, with "
+                 "the same sign.");
+  // One row's bound is next to its λ, nearer than λ was before refinement. The resulting residual is tolerated.
   const System<3> solved = s;
   for (std::size_t k = 0; k < s.rows.size() && !::testing::Test::HasFailure(); ++k)
     for (const double side : {-1.0, 1.0}) {
@@ -67,14 +68,14 @@ EXERCISE_TEST(DirectSolve, RefinesTheImpulsesToo) {
       (side > 0 ? row.hi : row.lo) = row.lambda - side * 1e-10 * std::abs(row.lambda);
       solve_directly(s, {.max_sweeps = 100, .tolerance = 1e-3});
       expect_true(
-          "λ of link " + std::to_string(k) + " is within its bounds, also where refined it would not be",
+          "λ of link " + std::to_string(k) + " is within its bounds, also if refinement would move it out",
           "Eq. (11.14)", row.lo <= row.lambda && row.lambda <= row.hi,
-          "It was within, δ takes it out: clamp it once more.");
+          "λ was within its bounds, and δ moves it out: clamp it again.");
     }
 }
 
 EXERCISE_TEST(DirectSolve, StretchesAWireByItsTensions) {
-  // From where it is not stretched yet: links of 0.01 m and k = 1e10 N/m.
+  // The wire starts unstretched: links of 0.01 m and k = 1e10 N/m.
   const HangingWire wire{.links = 100, .ratio = 1e5, .k = 1e10, .h = 1.0 / 60};
   System<3> s = wire.system();
   const double rest = 1.0 / wire.links;
@@ -97,12 +98,12 @@ EXERCISE_TEST(DirectSolve, StretchesAWireByItsTensions) {
   double right = 0;
   for (int link = 0; link < wire.links; ++link) right += wire.tension(link) / wire.k;
   expect_near("stretch of a wire of 1 m after 200 steps, 1e5:1 [m]", "Eq. (6.9)", -z.back() - 1, right,
-              {1e-12, "roundings of 100 positions below 1 m, and a decay of 0.8 a step"}, {},
-              "λ of 1e4 N s has roundings that move 1 kg: a last solve for what the rows still lack, which V "
-              "takes up, makes them good, Eq. (11.14).");
+              {1e-12, "round-off of 100 positions below 1 m, and a decay of 0.8 a step"}, {},
+              "The round-off of λ = 1e4 N s moves 1 kg. Solve once more for the remaining residual of the rows "
+              "and add the result to V, Eq. (11.14).");
   expect_near("analyses in 200 steps", "Eq. (11.3)", factors.analyses, 1,
-              {0, "the pattern is that of the wire"}, {},
-              "The factors are handed in, so that the pattern need not be looked for again.");
+              {0, "the pattern is the wire's, and stays"}, {},
+              "The factors are an argument, so that the pattern is analysed once.");
 }
 
 EXERCISE_TEST(DirectSolve, ClosesAStackOfAnyRatio) {
@@ -129,11 +130,10 @@ EXERCISE_TEST(DirectSolve, ClosesAStackOfAnyRatio) {
     }
     const double lower = (ratio + 1) * g / k, upper = ratio * g / k;
     const std::string what = ", " + show(ratio) + ":1 [m]";
-    const Tolerance tolerance{1e-9 * lower, "roundings of the condition, which Σ bounds by 1e8"};
+    const Tolerance tolerance{1e-9 * lower, "round-off times the condition, which Σ bounds by 1e8"};
     const std::string clue =
-        "Where no bound is met, a last solve for what the rows lack, Eq. (11.14): V += M⁻¹ Gᵀ δ with δ itself. "
-        "Of "
-        "(λ + δ) - λ the last digits are gone.";
+        "Where no bound is active, solve once more for the remaining residual, Eq. (11.14): V += M⁻¹ Gᵀ δ with "
+        "δ itself. The difference (λ + δ) - λ has lost the last digits.";
     expect_near("depth at the floor" + what, "Eq. (3.13)", -gaps[0], lower, tolerance, {}, clue);
     expect_near("depth between the two" + what, "Eq. (3.13)", -gaps[1], upper, tolerance, {}, clue);
   }
@@ -145,8 +145,8 @@ EXERCISE_TEST(DirectSolve, CarriesATowerOfAHundredBoxes) {
   const SolveReport report = solve_directly(s);
   expect_solved("1200 rows", report);
   expect_near("factorisations for a tower at rest", "Eq. (11.3)", static_cast<double>(report.history.size()), 1,
-              {0, "no bound holds a row: one does"}, {},
-              "First solve as if there were no bounds, and see whether that keeps them.");
+              {0, "no bound is active: one suffices"}, {},
+              "First solve without bounds, and test whether the solution satisfies them.");
   double worst = 0;
   for (std::size_t box = 0; box < 100; ++box) {
     double sum = 0;
@@ -154,7 +154,7 @@ EXERCISE_TEST(DirectSolve, CarriesATowerOfAHundredBoxes) {
     const double error = std::abs(sum / (h * g * static_cast<double>(100 - box)) - 1);
     if (!(error <= worst)) worst = error;
   }
-  expect_at_most("largest relative error of what carries a box", "Eq. (4.1)", worst, 2.5e-5,
+  expect_at_most("largest relative error of the impulses under a box", "Eq. (4.1)", worst, 2.5e-5,
                  "Σ n²/4: Σ lets the top sink at Σ n²/8 of h g");
 }
 
@@ -169,7 +169,7 @@ EXERCISE_TEST(DirectSolve, LetsATowerSlide) {
   double friction = 0;
   for (std::size_t contact = 0; contact < 4; ++contact) friction += s.rows[3 * contact + 1].lambda;
   expect_near("friction of the floor along x, over its bound", "Eq. (5.7)", friction / (mu * h * g * 10), -1,
-              {1e-12, "at its bound"}, {}, "It slides at 3 m/s: friction cannot stop it in one step.");
+              {1e-12, "equal to its bound"}, {}, "It slides at 3 m/s: friction cannot stop it in one step.");
 }
 
 EXERCISE_TEST(DirectSolve, AgreesWithManySweeps) {
@@ -196,7 +196,7 @@ EXERCISE_TEST(DirectSolve, AgreesWithManySweeps) {
         "λ, against sweeps to 1e-14 m/s [N s]", "Eq. (4.1)", gathered(s.rows, &Row<6>::lambda),
         gathered(swept.rows, &Row<6>::lambda),
         {1e-11 * condition(dense_S(s.rows)), "the residual of Eq. (11.13) times the condition of S"}, {},
-        "Each row is held at its own bounds, by as much as it takes; a bound of 0 is one, too.");
+        "Hold each row at its own bounds, and use the impulse there; a bound of 0 is one, too.");
   }
 }
 
@@ -210,20 +210,21 @@ EXERCISE_TEST(DirectSolve, IsContentWithWhatIsToleratedClamped) {
     clamped[2] = s.rows[2].hi;
     System<6> to_roundings = s;
     const double residual = dense_residual(bounded(s.rows), clamped);
-    if (residual < 1e-7) continue;  // a row that shares no body: clamped it is solved
+    if (residual < 1e-7) continue;  // a row that shares no body: clamping it gives the solution
     ++met;
     const SolveReport report = solve_directly(s, {.max_sweeps = 100, .tolerance = 2 * residual});
-    expect_solved("a row that passes its bound by 1e-5 N s, to twice the residual of that", report);
-    expect_near("factorisations, where the solution without bounds, clamped, will do", "Eq. (4.9)",
+    expect_solved("a row whose λ exceeds its bound by 1e-5 N s, with a tolerance of twice that residual",
+                  report);
+    expect_near("factorisations, where clamping the solution without bounds suffices", "Eq. (4.9)",
                 static_cast<double>(report.history.size()), 1, {0, "a count"});
-    expect_near("λ of the row that passed its bound [N s]", "Eq. (4.1)", s.rows[2].lambda, s.rows[2].hi,
+    expect_near("λ of the row that exceeded its bound [N s]", "Eq. (4.1)", s.rows[2].lambda, s.rows[2].hi,
                 {0, "exact"});
     const SolveReport fine = solve_directly(to_roundings);
-    expect_solved("the same, to roundings", fine);
+    expect_solved("equal, up to round-off", fine);
     if (fine.history.empty()) return;
-    expect_near("first entry of the history, over the residual of the solution without bounds, clamped",
-                "Eq. (4.8)", fine.history.front() / residual, 1, {1e-6, "roundings of λ over the 1e-5 N s"}, {},
-                "Clamp λ to its bounds, take V from it, and then look.");
+    expect_near("first entry of the history, over the residual of the clamped solution without bounds",
+                "Eq. (4.8)", fine.history.front() / residual, 1, {1e-6, "round-off of λ over the 1e-5 N s"}, {},
+                "Clamp λ to its bounds, compute V from it, and then test the residual.");
   }
 }
 
@@ -236,13 +237,13 @@ EXERCISE_TEST(DirectSolve, LeavesTheVelocitiesOfItsImpulses) {
   solve_directly(s);
   expect_near("largest difference of V and M⁻¹Gᵀλ [m/s, rad/s]", "Eq. (4.5)",
               difference(s.V, velocities(s.rows, s.V.size())), 0, roundings(100, 5), {},
-              "Every row's λ is in V, also of one with lo = hi.");
+              "V contains every row's λ, also of one with lo = hi.");
   for (Row<6>& row : warm.rows) row.lambda = random.uniform(-5, 5);
   for (Twist<6>& V : warm.V) V.setConstant(random.uniform(-5, 5));
   solve_directly(warm);
-  expect_near("largest difference of V when rows and V held something [m/s, rad/s]", "Eq. (4.5)",
-              difference(warm.V, s.V), 0, {1e-9, "both are solved to roundings"}, {},
-              "It begins from scratch: V is assigned, and λ on entry does not count.");
+  expect_near("largest difference of V when rows and V held other values on entry [m/s, rad/s]", "Eq. (4.5)",
+              difference(warm.V, s.V), 0, {1e-9, "both are solved up to round-off"}, {},
+              "Assign V, and ignore λ on entry.");
 }
 
 EXERCISE_TEST(DirectSolve, KeepsRowsThatHaveNoRoom) {
@@ -258,7 +259,8 @@ EXERCISE_TEST(DirectSolve, KeepsRowsThatHaveNoRoom) {
       expect_near("λ of a row with lo = hi [N s]", "Eq. (4.1)", s.rows[k].lambda, s.rows[k].lo, {0, "exact"});
     expect_at_most("residual, with all zeros of S written down [m/s]", "Eq. (4.8)",
                    dense_residual(bounded(s.rows), gathered(s.rows, &Row<6>::lambda)), 1e-12, "roundings",
-                   "What a row with lo = hi does to the bodies is there before the others are solved.");
+                   "Apply the impulse of a row with lo = hi to the bodies before you solve for the other rows: "
+                   "it is there before the others are solved.");
   }
   System<6> all = random_system(random, 4, 3);
   for (Row<6>& row : all.rows) row.lo = row.hi = 0.1;
@@ -271,7 +273,7 @@ EXERCISE_TEST(DirectSolve, KeepsRowsThatHaveNoRoom) {
 EXERCISE_TEST(DirectSolve, WeighsContradictionsByStiffness) {
   Random random;
   for (int repeat = 0; repeat < 10; ++repeat) {
-    // Two springs between a point and the wall, of length l1 and l2. At rest their forces add up to 0.
+    // Two springs between a point and the wall, of lengths l1 and l2. At rest their forces cancel.
     const double k1 = random.log_uniform(1e2, 1e6), k2 = random.log_uniform(1e2, 1e6);
     const double l1 = random.uniform(0.5, 1), l2 = random.uniform(1, 2), h = 0.01;
     const double x = (k1 * l1 + k2 * l2) / (k1 + k2);
@@ -291,9 +293,9 @@ EXERCISE_TEST(DirectSolve, WeighsContradictionsByStiffness) {
     const SolveReport report = solve_directly(s);
     expect_solved("two lengths for one distance", report);
     const double force = k1 * (l1 - x);
-    const Tolerance tolerance{1e-8 * std::abs(force) * h, "roundings over Σ, times S"};
-    expect_near("λ of the first at the mean that the stiffnesses weigh [N s]", "Eq. (11.1)", s.rows[0].lambda,
-                h * force, tolerance);
+    const Tolerance tolerance{1e-8 * std::abs(force) * h, "round-off over Σ, times S"};
+    expect_near("λ of the first, at the mean length weighted by the stiffnesses [N s]", "Eq. (11.1)",
+                s.rows[0].lambda, h * force, tolerance);
     expect_near("λ of the second [N s]", "Eq. (11.1)", s.rows[1].lambda, -h * force, tolerance);
   }
 }
@@ -319,12 +321,12 @@ EXERCISE_TEST(DirectSolve, SharesAmongAHundredContacts) {
   expect_solved("a box on 100 contacts", report);
   for (const Row<6>& row : s.rows)
     expect_near("λ of one of 100 contacts under a box, over h m g/100", "Eq. (11.1)",
-                100 * row.lambda / (h * g), 1, {1e-6, "Σ/100 against S, and roundings over Σ"}, {},
-                "They are stiff alike, and lie evenly: each has the same share.");
+                100 * row.lambda / (h * g), 1, {1e-6, "Σ/100 against S, and round-off over Σ"}, {},
+                "The contacts are equally stiff and evenly placed: each carries the same share.");
 }
 
 EXERCISE_TEST(DirectSolve, ReportsWhatItCannotDo) {
-  // The same row twice, with Σ = 0, asking for different things.
+  // The same row twice, with Σ = 0 and different right sides.
   System<3> s;
   s.add(0, Twist<3>::Zero());
   s.add(1, Twist<3>::Zero());
@@ -339,14 +341,14 @@ EXERCISE_TEST(DirectSolve, ReportsWhatItCannotDo) {
            .lo = -infinity,
            .hi = infinity});
   const SolveReport report = solve_directly(s, {.max_sweeps = 20, .tolerance = 0});
-  expect_true("rows without an answer have not converged", "Eq. (11.4)", !report.converged);
+  expect_true("contradictory rows have not converged", "Eq. (11.4)", !report.converged);
   expect_true("a factorisation that failed is reported", "Eq. (11.4)", !report.trouble.empty(),
-              "The sweeps that went on instead are a second best: `trouble` says why.");
+              "The sweeps that follow are a second best: `trouble` gives the reason.");
   expect_true("λ is finite", "Eq. (11.4)", gathered(s.rows, &Row<3>::lambda).allFinite(),
-              "Do not solve with factors that are not sound.");
-  expect_near("sweeps that went on from there", "Eq. (4.9)", static_cast<double>(report.history.size()), 20,
+              "Do not solve with factors of a failed factorisation.");
+  expect_near("sweeps that follow", "Eq. (4.9)", static_cast<double>(report.history.size()), 20,
               {0, "max_sweeps, and no factorisation"}, {},
-              "Chapter 04's solve goes on, and its history is added.");
+              "Continue with chapter 04's solve, and append its history.");
 }
 
 EXERCISE_TEST(DirectSolve, SweepsOnWhenStoppedEarly) {
@@ -354,18 +356,18 @@ EXERCISE_TEST(DirectSolve, SweepsOnWhenStoppedEarly) {
   System<6> s = random_system(random, 12, 30);
   add_random_bounds(random, s.rows);
   const SolveReport report = solve_directly(s, {.max_sweeps = 2, .tolerance = 0});
-  expect_true("2 factorisations do not suffice, and that is told", "Eq. (11.13)", !report.trouble.empty(),
-              "interior_solve says why in its `trouble`: pass it on.");
+  expect_true("2 factorisations do not suffice, and `trouble` says so", "Eq. (11.13)", !report.trouble.empty(),
+              "interior_solve gives the reason in its `trouble`: pass it on.");
   expect_near(
       "entries of the history", "Eq. (4.9)", static_cast<double>(report.history.size()), 5,
-      {0, "one without bounds, two from within, two sweeps"},
+      {0, "one without bounds, two of interior_solve, two sweeps"},
       {{4,
-        "One is missing. Has the try without bounds taken one of those of interior_solve, or have the "
-        "sweeps got what factorisations had left of max_sweeps? Each has the whole rule to itself."},
+        "An entry is missing. Did the attempt without bounds use one of interior_solve's factorisations? Or "
+        "did the sweeps get only the rest of max_sweeps? Each of the three gets the whole rule to itself."},
        {3,
-        "Chapter 04's solve goes on from there, and the history has that of each of the three: without bounds, "
-        "from within, sweeps."}},
-      "Chapter 04's solve goes on from there, under the same rule, and its history is added.");
+        "Chapter 04's solve goes on from there. The history has the entries of all three: without bounds, "
+        "interior_solve, sweeps."}},
+      "Chapter 04's solve goes on from there, under the same rule, and its history is appended.");
   expect_near("largest difference of V and M⁻¹Gᵀλ [m/s, rad/s]", "Eq. (4.5)",
               difference(s.V, velocities(s.rows, s.V.size())), 0, roundings(200, 5));
 }
@@ -376,7 +378,7 @@ EXERCISE_TEST(DirectSolve, HandsItsFirstTryOnAsTheGuess) {
     System<6> s = random_system(random, 12, 30);
     add_random_bounds(random, s.rows);
     for (Row<6>& row : s.rows)
-      row.B *= 0.01, row.hi = row.lo < 0 ? row.hi : infinity;  // the bounds say more than B
+      row.B *= 0.01, row.hi = row.lo < 0 ? row.hi : infinity;  // the bounds determine more than B
     s.rows[0].B *= 1e4;
     const Bounded p = bounded(s.rows);
     const auto first_of = [&](const VectorXd& guess) {
@@ -389,23 +391,23 @@ EXERCISE_TEST(DirectSolve, HandsItsFirstTryOnAsTheGuess) {
     };
     const double right = first_of(solution_of(p.S, p.B)), from_zero = first_of(VectorXd::Zero(p.B.size()));
     const SolveReport report = solve_directly(s, {.max_sweeps = 2, .tolerance = 0});
-    expect_true("the history has the try without bounds, and what interior_solve left", "Eq. (4.9)",
+    expect_true("the history has the attempt without bounds, and the residuals of interior_solve", "Eq. (4.9)",
                 report.history.size() > 2,
-                "An entry after each factorisation: the first is that without bounds.");
+                "Append an entry after each factorisation: the first is that without bounds.");
     if (report.history.size() < 2) return;
     expect_near(
-        "what interior_solve leaves after its first factorisation, the second entry of the history [m/s]",
-        "Eq. (11.12)", report.history[1], right, {1e-7 * right, "the condition of S, times roundings"},
+        "the residual after interior_solve's first factorisation, the second entry of the history [m/s]",
+        "Eq. (11.12)", report.history[1], right, {1e-7 * right, "the condition of S, times round-off"},
         {{from_zero,
-          "interior_solve has begun with a guess of 0. The λ of the try without bounds knows more: it "
-          "tells how large the impulses may be."}},
-        "interior_solve gets S, B and the bounds of the rows, and the λ of the try without bounds for its "
-        "guess.");
+          "interior_solve has begun with a guess of 0. The λ of the attempt without bounds is a better guess: "
+          "it shows how large the impulses may be."}},
+        "interior_solve gets S, B and the bounds of the rows, and as its guess the λ of the attempt without "
+        "bounds.");
   }
 }
 
 EXERCISE_TEST(DirectSolve, IsNotFooledByHugeImpulses) {
-  // Rows that differ by 1e-13: without bounds they ask for impulses of 1e9 N s. Clamped, that is not the solution.
+  // Rows that differ by 1e-13: without bounds their impulses are 1e9 N s. Clamping these does not give the solution.
   for (const bool turned : {false, true}) {
     System<3> s;
     s.add(0, Twist<3>::Zero());
@@ -423,7 +425,7 @@ EXERCISE_TEST(DirectSolve, IsNotFooledByHugeImpulses) {
     }
     const SolveReport report = solve_directly(s);
     expect_at_most("residual [m/s]", "Eq. (4.8)", residual(s.rows, s.V), 1e-11, "roundings",
-                   "The roundings of Eq. (11.13) are those of the λ that is returned, within its bounds.");
+                   "The round-off of Eq. (11.13) is that of the λ that is returned, within its bounds.");
     expect_solved("rows that are nearly the same", report);
   }
 }
@@ -443,7 +445,7 @@ EXERCISE_TEST(DirectSolve, EndsWithANaN) {
 }
 
 EXERCISE_TEST(DirectSolve, RemembersNoCallBefore) {
-  // The same contact so many times, Σ = 0: S cannot be factorised, and what is there to begin with is zero, always.
+  // The same contact so many times, Σ = 0: S cannot be factorised, and the solve always starts at zero.
   const auto impulses = [](int contacts) {
     System<3> s;
     s.add(0, Twist<3>::Zero());
@@ -464,12 +466,12 @@ EXERCISE_TEST(DirectSolve, RemembersNoCallBefore) {
     return lambda;
   };
   const Eigen::VectorXd first = impulses(3), second = impulses(3), other = impulses(7), third = impulses(3);
-  expect_near("sum of the impulses of a contact that is there 7 times [N s]", "Eq. (11.13)", other.sum(), 2,
-              {1e-9, "what interior_solve leaves of it"}, {}, "2 kg lose 1 m/s.");
+  expect_near("sum of the impulses of a contact that occurs 7 times [N s]", "Eq. (11.13)", other.sum(), 2,
+              {1e-9, "the residual of interior_solve"}, {}, "2 kg lose 1 m/s.");
   for (const Eigen::VectorXd& again : {second, third})
-    expect_near_vector("impulses of a contact that is there 3 times, asked for again [N s]", "Eq. (11.13)",
-                       again, first, {0, "the same question, the same answer"}, {},
-                       "Something is left over from the call before: a static variable, perhaps.");
+    expect_near_vector("impulses of a contact that occurs 3 times, in a second call [N s]", "Eq. (11.13)",
+                       again, first, {0, "equal input, equal result"}, {},
+                       "A value is left over from the call before: from a static variable, perhaps.");
 }
 
 EXERCISE_TEST(DirectSolve, OfNothingIsDone) {
@@ -480,13 +482,13 @@ EXERCISE_TEST(DirectSolve, OfNothingIsDone) {
               report.converged && report.history.empty() && report.trouble.empty());
   expect_near("largest V without rows [m/s, rad/s]", "Eq. (4.5)",
               difference(s.V, std::vector<Twist<6>>(2, Twist<6>::Zero())), 0, {0, "exact"}, {},
-              "V is what the impulses do, and there are none.");
+              "V is the effect of the impulses: V = 0 without rows.");
   Random random;
   System<6> still = random_system(random, 4, 8);
   for (Row<6>& row : still.rows) row.B = 0;
-  expect_near("factorisations of rows that ask for nothing", "Eq. (11.13)",
+  expect_near("factorisations of rows with B = 0", "Eq. (11.13)",
               static_cast<double>(solve_directly(still).history.size()), 1, {0, "a count"}, {},
-              "λ = 0 leaves nothing: a residual of 0 is at most a tolerance of 0, and roundings of 0.");
+              "λ = 0 has a residual of 0: that is at most a tolerance of 0, and round-off of 0.");
 }
 
 EXERCISE_TEST(DirectSolve, RejectsARuleThatCannotBeMet) {

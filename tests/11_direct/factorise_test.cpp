@@ -1,4 +1,4 @@
-// L, D and P: right, found for a pattern once, and refused when a pivot is roundings.
+// L, D and P: correct, analysed once for a pattern, and refused when a pivot is round-off.
 #include "exercise_test.hpp"
 #include "random_input.hpp"
 #include "systems.hpp"
@@ -25,8 +25,8 @@ void expect_solves(const std::string& what, const MatrixXd& A, const Factors& fa
   const VectorXd x = VectorXd::LinSpaced(A.rows(), 1, 2);
   const VectorXd right = A * x;
   expect_near_vector("x of A x = b, " + what, "Eq. (11.3)", VectorXd(factors.ldlt.solve(right)), x,
-                     {1e-11 * x.norm(), "1e-15 times a condition up to 1e3, and some"}, {},
-                     "The numbers are to be found anew for each matrix, whether its pattern is known or not.");
+                     {1e-11 * x.norm(), "1e-15 times a condition of up to 1e3, and some more"}, {},
+                     "Compute the numbers anew for each matrix, whether its pattern is known or not.");
 }
 
 EXERCISE_TEST(Factorise, RebuildsTheMatrix) {
@@ -56,12 +56,13 @@ EXERCISE_TEST(Factorise, LooksForAPatternOnce) {
     expect_true("sound", "Eq. (11.4)", factorise(lower_triangle(other), factors));
     expect_solves("other numbers in the same places", other, factors);
   }
-  expect_near("analyses of 6 matrices with one pattern", "Eq. (11.3)", factors.analyses, 1, {0, "a count"},
-              {{6, "It is the places that count, not the numbers. What are `columns` and `entries` for?"},
-               {0, "`analyses` counts how often analyzePattern was called."}});
+  expect_near(
+      "analyses of 6 matrices with one pattern", "Eq. (11.3)", factors.analyses, 1, {0, "a count"},
+      {{6, "Only the places of entries matter, not the numbers. Compare them by `columns` and `entries`."},
+       {0, "`analyses` counts how often analyzePattern was called."}});
 }
 
-// Two hubs, 0 and 1, each tied to all others. To eliminate the others fills in (0, 1).
+// Two hubs, 0 and 1, each tied to all others. Eliminating the others fills in (0, 1).
 MatrixXd two_hubs(int n) {
   MatrixXd A = 4.0 * n * MatrixXd::Identity(n, n);
   for (int k = 2; k < n; ++k)
@@ -73,14 +74,13 @@ EXERCISE_TEST(Factorise, LooksAgainForAnotherPattern) {
   Factors factors;
   MatrixXd A = two_hubs(8);
   expect_true("sound", "Eq. (11.4)", factorise(lower_triangle(A), factors));
-  // First an entry less: its place is known to the old factors. With an entry elsewhere Eigen ends the program.
+  // First an entry fewer: its place is known to the old factors. With an entry elsewhere Eigen would abort the program.
   A(2, 1) = A(1, 2) = 0;
   expect_true("sound", "Eq. (11.4)", factorise(lower_triangle(A), factors));
-  expect_near(
-      "analyses after an entry is gone", "Eq. (11.3)", factors.analyses, 2, {0, "a count"},
-      {{1,
-        "It has its entries elsewhere than the last one: look for P and the pattern again. Eigen does not "
-        "notice, and ends the program where there are more."}});
+  expect_near("analyses after an entry is gone", "Eq. (11.3)", factors.analyses, 2, {0, "a count"},
+              {{1,
+                "Its entries have other places than those of the last one: look for P and the pattern again. "
+                "Eigen does not check this, and aborts the program where there are more."}});
   if (factors.analyses != 2) return;
   expect_solves("an entry fewer", A, factors);
   A(2, 0) = A(0, 2) = 0, A(1, 0) = A(0, 1) = 1;  // as many entries, one of them elsewhere
@@ -91,7 +91,7 @@ EXERCISE_TEST(Factorise, LooksAgainForAnotherPattern) {
 }
 
 EXERCISE_TEST(Factorise, LooksAtColumnsAsWellAsLines) {
-  // Entries on the lines 0 and 1: both in one column, then in two. (The first has none at its last pivot.)
+  // Entries in rows 0 and 1 of the matrix: both in one column, then in two. (The first has none at its last pivot.)
   Factors factors;
   MatrixXd A(2, 2);
   A << 2, 1, 1, 0;
@@ -100,8 +100,8 @@ EXERCISE_TEST(Factorise, LooksAtColumnsAsWellAsLines) {
   factorise(one_column, factors);
   A << 2, 0, 0, 3;
   expect_true("sound", "Eq. (11.4)", factorise(lower_triangle(A), factors));
-  expect_near("analyses of two matrices with entries on the lines 0 and 1", "Eq. (11.3)", factors.analyses, 2,
-              {0, "a count"}, {{1, "The lines of all entries are alike, but not where the columns begin."}});
+  expect_near("analyses of two matrices with entries in rows 0 and 1", "Eq. (11.3)", factors.analyses, 2,
+              {0, "a count"}, {{1, "All row indices are alike, but not where the columns begin."}});
   expect_solves("two columns after one", A, factors);
 }
 
@@ -109,15 +109,16 @@ EXERCISE_TEST(Factorise, RefusesTheSameRowTwice) {
   Random random;
   const std::string what = "the same row twice, with Σ = 0, is refused";
   const std::string clue =
-      "The second pivot is a difference of equal numbers: 0, or roundings. Its size says nothing; compare it "
-      "with the numbers that it is the difference of.";
+      "The second pivot is a difference of equal numbers: 0, or round-off. Its size says nothing: compare it "
+      "with the two numbers.";
   for (int repeat = 0; repeat < 20; ++repeat) {
     const double size = random.log_uniform(1e-8, 1e8);
     Factors factors;
     expect_true(what, "Eq. (11.4)", !factorise(lower_triangle(size * MatrixXd::Ones(2, 2)), factors), clue);
   }
   for (int repeat = 0; repeat < 20; ++repeat) {
-    MatrixXd G = MatrixXd::NullaryExpr(5, 4, [&] { return random.uniform(-1, 1); });  // 5 rows hold 4 motions
+    MatrixXd G =
+        MatrixXd::NullaryExpr(5, 4, [&] { return random.uniform(-1, 1); });  // 5 rows, 4 degrees of freedom
     G.row(4) = G.row(0) + random.uniform(0.5, 2) * G.row(1);
     Factors factors;
     expect_true("a row that is the sum of two others, with Σ = 0, is refused", "Eq. (11.4)",
@@ -126,7 +127,7 @@ EXERCISE_TEST(Factorise, RefusesTheSameRowTwice) {
 }
 
 EXERCISE_TEST(Factorise, WeighsEveryPivot) {
-  // Fifty pairs of rows, of which one is the same row twice but for roundings: each of them in turn, as P may put it
+  // Fifty pairs of rows. One pair is the same row twice except for round-off: each in turn, since P may put it
   // anywhere.
   const int pairs = many / 2;
   for (int bad = 0; bad < pairs && !::testing::Test::HasFailure(); ++bad) {
@@ -139,7 +140,7 @@ EXERCISE_TEST(Factorise, WeighsEveryPivot) {
     A.makeCompressed();
     Factors factors;
     expect_true(
-        "a hundred rows, of which " + std::to_string(2 * bad) + " and the next are the same but for " +
+        "a hundred rows, of which " + std::to_string(2 * bad) + " and the next are equal to within " +
             "1.5e-14, are refused",
         "Eq. (11.4)", !factorise(A, factors),
         "Its pivot is less than 1e-14 (|A_kk| + Σ_j L_kj² |D_j|), wherever P has put it. A loop over the "
@@ -148,7 +149,7 @@ EXERCISE_TEST(Factorise, WeighsEveryPivot) {
 }
 
 EXERCISE_TEST(Factorise, WeighsAPivotAgainstWhatItIsMadeOf) {
-  // The second pivot of [a a; a a(1+δ)] is aδ, and what it was subtracted from is a(1+δ) and a.
+  // The second pivot of [a a; a a(1+δ)] is aδ, the difference of a(1+δ) and a.
   for (const double a : {1.0, -1.0, 1e6, -1e-6})
     for (const double delta : {1.5e-14, 3e-14}) {
       MatrixXd A = MatrixXd::Constant(2, 2, a);
@@ -157,10 +158,9 @@ EXERCISE_TEST(Factorise, WeighsAPivotAgainstWhatItIsMadeOf) {
       const bool sound = factorise(lower_triangle(A), factors);
       const std::string numbers = show(a) + " times [1 1; 1 1+δ], δ = " + show(delta);
       if (delta < 2e-14)
-        expect_true(
-            numbers + ", is refused", "Eq. (11.4)", !sound,
-            "The pivot δ is less than 1e-14 (|1 + δ| + |1|): the sum is over all columns before it, the "
-            "first as well, and of what is negative the size counts.");
+        expect_true(numbers + ", is refused", "Eq. (11.4)", !sound,
+                    "The pivot δ is less than 1e-14 (|1 + δ| + |1|). The sum is over all columns before it, "
+                    "including the first, and takes absolute values.");
       else
         expect_true(numbers + ", is sound", "Eq. (11.4)", sound,
                     "The pivot δ is more than 1e-14 (|1 + δ| + |1|).");
@@ -171,7 +171,7 @@ EXERCISE_TEST(Factorise, RefusesASingularSaddlePoint) {
   Random random;
   int refused = 0;
   for (int repeat = 0; repeat < 20; ++repeat) {
-    // Two bodies, and two rows along the same G, to a factor: the diagonal has zeros where Σ is.
+    // Two bodies, and two rows along the same G, to a factor: the diagonal has zeros in place of Σ.
     MatrixXd A = MatrixXd::Zero(4, 4);
     A(0, 0) = random.uniform(0.5, 2), A(1, 1) = random.uniform(0.5, 2);
     A(2, 0) = A(0, 2) = random.uniform(0.5, 1);
@@ -193,27 +193,27 @@ EXERCISE_TEST(Factorise, TakesWhatIsOnlyIllConditioned) {
     A.diagonal() << 1, 1 / ratio, 2;
     A(2, 0) = A(0, 2) = 0.5;
     Factors factors;
-    expect_true("a mass ratio of " + show(ratio) + " is taken", "Eq. (11.4)",
+    expect_true("a mass ratio of " + show(ratio) + " is accepted", "Eq. (11.4)",
                 factorise(lower_triangle(A), factors),
-                "A pivot is not unsound for being smaller than others: compare it with its own row.");
+                "A pivot is sound even if others are larger: compare it with its own row.");
   }
   Factors factors;
   const MatrixXd twice = MatrixXd::Ones(2, 2) + 1e-9 * MatrixXd::Identity(2, 2);
-  expect_true("the same row twice with Σ = 1e-9 is taken", "Eq. (11.4)",
-              factorise(lower_triangle(twice), factors), "Σ is far above roundings.");
+  expect_true("the same row twice with Σ = 1e-9 is accepted", "Eq. (11.4)",
+              factorise(lower_triangle(twice), factors), "Σ is far above round-off.");
 }
 
 EXERCISE_TEST(Factorise, DoesNotCareForUnits) {
-  // A body and a row, [m G; G -Σ]: sound in grams as in tons. And that row twice, with Σ = 0: never.
+  // A body and a row, [m G; G -Σ], are sound in grams and in tons. With that row twice and Σ = 0 they never are.
   for (const double mass : {1e-12, 1e-6, 1.0, 1e6, 1e18}) {
     MatrixXd once(2, 2), twice(3, 3);
     once << mass, 1, 1, -0.1 / mass;
     twice << mass, 0.7, 0.3, 0.7, 0, 0, 0.3, 0, 0;
     Factors factors, others;
     const std::string clue = "What was subtracted from A_kk is the sum of L_kj² |D_j|: L twice, D once.";
-    expect_true("a row on a body of " + show(mass) + " kg is taken", "Eq. (11.4)",
+    expect_true("a row on a body of " + show(mass) + " kg is taken", "kg is accepted",
                 factorise(lower_triangle(once), factors), clue);
-    expect_true("a row that is there twice, on a body of " + show(mass) + " kg, is refused", "Eq. (11.4)",
+    expect_true("a row that occurs twice, on a body of " + show(mass) + " kg, is refused", "Eq. (11.4)",
                 !factorise(lower_triangle(twice), others), clue);
   }
 }
@@ -222,7 +222,7 @@ EXERCISE_TEST(Factorise, DrawsTheLineWhereItIsSaid) {
   for (const double Sigma : {1e-9, 1e-11, 1e-13}) {
     Factors factors;
     const MatrixXd A = MatrixXd::Ones(2, 2) + Sigma * MatrixXd::Identity(2, 2);
-    expect_true("the same row twice with Σ = " + show(Sigma) + " is taken", "Eq. (11.4)",
+    expect_true("the same row twice with Σ = " + show(Sigma) + " is accepted", "Eq. (11.4)",
                 factorise(lower_triangle(A), factors),
                 "The second pivot is 2 Σ; 1e-14 of what it is made of is less.");
   }
@@ -237,19 +237,19 @@ EXERCISE_TEST(Factorise, TakesNegativePivots) {
   MatrixXd A(3, 3);
   A << 2, 0, 1, 0, 3, -1, 1, -1, -0.1;  // two bodies and a row
   Factors factors;
-  expect_true("a saddle point is taken", "Eq. (11.4)", factorise(lower_triangle(A), factors),
-              "Its pivots have two signs: it is their size that counts.");
+  expect_true("a saddle point is accepted", "Eq. (11.4)", factorise(lower_triangle(A), factors),
+              "Its pivots have both signs: it is their size that counts.");
   expect_solves("two signs", A, factors);
 }
 
 EXERCISE_TEST(Factorise, ComparesAPivotWithItsOwnRow) {
-  // A hub that is heavy on the diagonal: least fill takes it last, so that D is in another order than A.
+  // A hub with a large diagonal entry: least fill takes it last, so that D has another order than A.
   const int n = 8;
   MatrixXd A = MatrixXd::Identity(n, n);
   A(0, 0) = 1e16;
   for (int k = 1; k < n; ++k) A(k, 0) = A(0, k) = 0.5;
   Factors factors;
-  expect_true("a diagonal of 1e16 and ones is taken", "Eq. (11.4)", factorise(lower_triangle(A), factors),
+  expect_true("a diagonal of 1e16 and ones is accepted", "Eq. (11.4)", factorise(lower_triangle(A), factors),
               "D is in the order of P A Pᵀ, not of A.");
 }
 
@@ -263,7 +263,7 @@ EXERCISE_TEST(Factorise, RefusesWhatIsNotFinite) {
       Factors factors;
       expect_true(
           show(bad) + " on the diagonal is refused", "Eq. (11.4)", !factorise(lower, factors),
-          "Every comparison with NaN is false: ask whether a pivot is sound, not whether it is unsound.");
+          "Every comparison with NaN is false: ask whether a pivot is sound, not whether it is too small.");
     }
   }
 }
@@ -272,7 +272,7 @@ EXERCISE_TEST(Factorise, GoesOnAfterARefusal) {
   Factors factors;
   const MatrixXd singular = MatrixXd::Ones(2, 2), sound = singular + MatrixXd::Identity(2, 2);
   expect_true("refused", "Eq. (11.4)", !factorise(lower_triangle(singular), factors));
-  expect_true("taken, after one with the same pattern was refused", "Eq. (11.4)",
+  expect_true("accepted, after one with the same pattern was refused", "Eq. (11.4)",
               factorise(lower_triangle(sound), factors));
   expect_solves("after a refusal", sound, factors);
 }

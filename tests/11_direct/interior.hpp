@@ -1,12 +1,12 @@
 #pragma once
-// Points between bounds, for the tests of the steps that an interior point is made of.
+// Points between bounds, for the tests of the parts of an interior-point step.
 #include "checks.hpp"
 #include "systems.hpp"
 
 namespace spook::testing {
 
-/// A point of a system with four kinds of rows in turn: no bound, one below, one above, two. λ, rooms and pushes do not
-/// solve it.
+/// A point of a system with four kinds of rows in turn: no bound, one below, one above, two. Its λ, rooms and pushes
+/// are not a solution.
 struct Inside {
   MatrixXd S;
   VectorXd B;
@@ -28,7 +28,7 @@ inline Inside random_inside(Random& random, int rows) {
     p.now.room_hi[k] = hi ? random.uniform(0.1, 2) : infinity;
     p.now.push_lo[k] = lo ? random.uniform(0.1, 2) : 0;
     p.now.push_hi[k] = hi ? random.uniform(0.1, 2) : 0;
-    p.target.lo[k] = random.uniform(-0.2, 1);  // there where there is no bound, too
+    p.target.lo[k] = random.uniform(-0.2, 1);  // where there is no bound, too
     p.target.hi[k] = random.uniform(-0.2, 1);
   }
   return p;
@@ -41,7 +41,7 @@ inline MatrixXd dense_barrier(const Inside& p) {
   return S;
 }
 
-/// A point, or a step, has as many entries in each of its vectors as there are rows.
+/// Tests that a point, or a step, has one entry a row in each of its vectors.
 inline bool has_size(const Interior& got, Eigen::Index rows, const std::string& equation) {
   const bool right = got.lambda.size() == rows && got.room_lo.size() == rows && got.room_hi.size() == rows &&
                      got.push_lo.size() == rows && got.push_hi.size() == rows;
@@ -49,7 +49,7 @@ inline bool has_size(const Interior& got, Eigen::Index rows, const std::string& 
   return right;
 }
 
-/// What has to stay positive.
+/// The vectors that have to stay positive.
 struct Part {
   const char* name;
   Vector Interior::*vector;

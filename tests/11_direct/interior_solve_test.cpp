@@ -1,4 +1,4 @@
-// From within to the answer: against enumerated solutions, on hard rows, and honest where there is none.
+// interior_solve against enumerated solutions, on hard rows, and where there is no solution.
 #include <algorithm>
 
 #include "algebra.hpp"
@@ -27,11 +27,10 @@ void solve_bounded(const Bounded& p, const StopRule& stop, Solved& solved) {
 void expect_solved(const std::string& what, const Solved& solved) {
   expect_true(what + " is solved", "Eq. (11.13)", solved.report.converged,
               (solved.report.trouble.empty() ? "" : "It reports: " + solved.report.trouble + ". ") +
-                  "With a tolerance of 0 it is solved when only the roundings of Eq. (11.13) are left: to go "
-                  "on from there "
-                  "is to divide by rooms of 0.");
-  expect_true(what + " gave no trouble", "Eq. (11.13)", solved.report.trouble.empty(),
-              "trouble is for what did not converge.");
+                  "With a tolerance of 0 it is solved when only the round-off of Eq. (11.13) is left: further "
+                  "steps divide by rooms of 0.");
+  expect_true(what + " leaves `trouble` empty", "Eq. (11.13)", solved.report.trouble.empty(),
+              "`trouble` is for solves that did not converge.");
 }
 
 EXERCISE_TEST(InteriorSolve, AgreesWithEveryEnumeratedProblem) {
@@ -46,12 +45,13 @@ EXERCISE_TEST(InteriorSolve, AgreesWithEveryEnumeratedProblem) {
       const std::string what = std::to_string(rows) + " rows with bounds";
       expect_solved(what, solved);
       const VectorXd expected = enumerate_solution(p), free = solution_of(p.S, p.B);
-      expect_near_vector("λ of " + what + " [N s]", "Eq. (4.1)", VectorXd(solved.lambda), expected,
-                         {1e-11 * condition(p.S), "the residual of Eq. (11.13) times the condition of S"},
-                         {{VectorXd(free.cwiseMax(p.lo).cwiseMin(p.hi)),
-                           "This is the solution without bounds, clamped: the other rows do not know of it."},
-                          {free, "This is the solution without bounds."}},
-                         "Each set of bounds that could be active was tried; this is the one solution.");
+      expect_near_vector(
+          "λ of " + what + " [N s]", "Eq. (4.1)", VectorXd(solved.lambda), expected,
+          {1e-11 * condition(p.S), "the residual of Eq. (11.13) times the condition of S"},
+          {{VectorXd(free.cwiseMax(p.lo).cwiseMin(p.hi)),
+            "This is the solution without bounds, clamped. Other rows then need other impulses."},
+           {free, "This is the solution without bounds."}},
+          "All sets of active bounds were tried; this is the only solution.");
     }
 }
 
@@ -65,7 +65,7 @@ EXERCISE_TEST(InteriorSolve, WithoutBoundsIsLinear) {
     expect_at_most("factorisations for rows without bounds", "Eq. (11.5)",
                    static_cast<double>(solved.report.history.size()), 2,
                    "one step is the solution, and one to spare",
-                   "interior_step takes all of a step that nothing limits.");
+                   "interior_step takes the whole step if no bound limits it.");
     const VectorXd expected = solution_of(p.S, p.B);
     expect_near_vector("λ of 15 rows without bounds [N s]", "Eq. (11.5)", VectorXd(solved.lambda), expected,
                        {1e-11 * condition(p.S), "the residual of Eq. (11.13) times the condition of S"});
@@ -82,8 +82,8 @@ EXERCISE_TEST(InteriorSolve, SolvesManyRows) {
     solve_bounded(p, exact, solved);
     expect_solved("a system of 120 rows with bounds", solved);
     expect_at_most("residual, with all zeros of S written down [m/s]", "Eq. (4.8)",
-                   dense_residual(p, solved.lambda), 1e-11, "roundings of 120 rows");
-    // 3^120 sets of bounds that could be active; ours takes about 12 factorisations.
+                   dense_residual(p, solved.lambda), 1e-11, "round-off of 120 rows");
+    // 3^120 sets of bounds could be active; ours takes about 12 factorisations.
     expect_at_most("factorisations", "Eq. (11.11)", static_cast<double>(solved.report.history.size()), 24,
                    "twice as many as are needed",
                    "One factorisation a step: from interior_start, by interior_step.");
@@ -98,12 +98,12 @@ EXERCISE_TEST(InteriorSolve, LooksForThePatternOnce) {
   solve_bounded(bounded(s.rows), exact, solved);
   expect_near("analyses for one system", "Eq. (11.7)", solved.factors.analyses, 1,
               {0, "S̃ has the pattern of S"},
-              {{0, "The caller's `factors` were not used: they are to keep the pattern for the next step."}});
+              {{0, "The caller's `factors` were not used: they keep the pattern for the next step."}});
   for (Row<6>& row : s.rows) row.B *= -0.7;
   solve_bounded(bounded(s.rows), exact, solved);
   expect_near("analyses for two systems of one pattern", "Eq. (11.7)", solved.factors.analyses, 1,
               {0, "the pattern is that of the system before"}, {},
-              "`factors` come with what they know: a wire keeps its pattern from step to step.");
+              "Use what `factors` hold on entry: a wire keeps its pattern from step to step.");
 }
 
 // Contacts on a column of point masses: λ_k = h g times the mass above.
@@ -134,20 +134,20 @@ EXERCISE_TEST(InteriorSolve, CarriesAnyMassRatio) {
       expect_solved(what, solved);
       const double allowed = roundings(lower_triangle(p.S), p.B, solved.lambda);
       expect_at_most("residual [m/s], " + what, "Eq. (4.8)", dense_residual(p, solved.lambda), 1.1 * allowed,
-                     "what Eq. (11.13) allows, and roundings of the residual itself",
-                     "With a tolerance of 0 only roundings end it, those of this S, B and λ.");
+                     "what Eq. (11.13) allows, and round-off of the residual itself",
+                     "With a tolerance of 0 only round-off ends it, that of this S, B and λ.");
       expect_near("λ under both, over h g (m + M), " + what, "Eq. (4.1)",
                   solved.lambda[0] / (0.1 * (lower + upper)), 1,
-                  {1e-4, "1e-13 times a ratio of up to 1e8, and some"});
+                  {1e-4, "1e-13 times a ratio of up to 1e8, and some more"});
       expect_near("λ between them, over h g M, " + what, "Eq. (4.1)", solved.lambda[1] / (0.1 * upper), 1,
-                  {1e-4, "1e-13 times a ratio of up to 1e8, and some"});
+                  {1e-4, "1e-13 times a ratio of up to 1e8, and some more"});
       factorisations += solved.report.history.size();
     }
   expect_at_most(
       "factorisations for all six", "Eq. (11.11)", static_cast<double>(factorisations), 75,
       "one and a half times as many as are needed",
       "One factorisation a step: from interior_start, by interior_step. With τ = μ/10 it would take 123.");
-  // A load of 1e4 to 1e8 kg on seven others: less than the second term of Eq. (11.13) is a matter of luck.
+  // A load of 1e4 to 1e8 kg on seven others: a residual below the second term of Eq. (11.13) is a matter of luck.
   Random random;
   factorisations = 0;
   for (int repeat = 0; repeat < 20; ++repeat) {
@@ -161,7 +161,7 @@ EXERCISE_TEST(InteriorSolve, CarriesAnyMassRatio) {
   }
   expect_at_most("factorisations for 20 columns under a load", "Eq. (11.13)",
                  static_cast<double>(factorisations), 320, "one and a half times as many as are needed",
-                 "Roundings of S λ are left, too, and here they are larger than those of B.");
+                 "Round-off of S λ is left, too: here it is larger than that of B.");
 }
 
 EXERCISE_TEST(InteriorSolve, LetsContactsOpen) {
@@ -169,7 +169,7 @@ EXERCISE_TEST(InteriorSolve, LetsContactsOpen) {
   p.B[2] = -5;  // the upper two are thrown up
   Solved solved;
   solve_bounded(p, exact, solved);
-  expect_solved("a column of which the upper half leaves", solved);
+  expect_solved("a column whose upper half separates", solved);
   const double right[] = {0.1 * 3, 0.1 * 2, 0, 0};
   for (Eigen::Index k = 0; k < 4; ++k)
     expect_near("λ of contact " + std::to_string(k) + " [N s]", "Eq. (4.1)", solved.lambda[k], right[k],
@@ -177,7 +177,7 @@ EXERCISE_TEST(InteriorSolve, LetsContactsOpen) {
 }
 
 EXERCISE_TEST(InteriorSolve, SharesAmongRowsThatAreTheSame) {
-  // 8 friction rows hold 3 motions, with a Σ of 1e-10: singular, but for that.
+  // 8 friction rows hold 3 degrees of freedom. Apart from a Σ of 1e-10, S is singular.
   Random random;
   for (int repeat = 0; repeat < 10; ++repeat) {
     const MatrixXd G = MatrixXd::NullaryExpr(8, 3, [&] { return random.uniform(-1, 1); });
@@ -189,7 +189,7 @@ EXERCISE_TEST(InteriorSolve, SharesAmongRowsThatAreTheSame) {
     solve_bounded(p, exact, solved);
     expect_solved("a box that 8 friction rows hold", solved);
     expect_at_most("residual [m/s]", "Eq. (4.8)", dense_residual(p, solved.lambda), 1e-12,
-                   "roundings of 8 rows");
+                   "round-off of 8 rows");
   }
   const int n = 50;
   const Bounded p{.S = MatrixXd::Ones(n, n) + 1e-6 * MatrixXd::Identity(n, n),
@@ -198,11 +198,11 @@ EXERCISE_TEST(InteriorSolve, SharesAmongRowsThatAreTheSame) {
                   .hi = VectorXd::Constant(n, infinity)};
   Solved solved;
   solve_bounded(p, exact, solved);
-  expect_solved("a body on 50 contacts that are the same", solved);
+  expect_solved("a body on 50 equal contacts", solved);
   for (Eigen::Index k = 0; k < n; ++k)
-    expect_near("λ of each of 50 contacts that are the same, times 50", "Eq. (11.1)", n * solved.lambda[k],
-                1 / (1 + 1e-6 / n), {1e-4, "1e-13 over Σ, times 50 rows, and some"}, {},
-                "Σ > 0 makes the answer one, and even.");
+    expect_near("λ of each of 50 equal contacts, times 50", "Eq. (11.1)", n * solved.lambda[k],
+                1 / (1 + 1e-6 / n), {1e-4, "1e-13 over Σ, times 50 rows, and some more"}, {},
+                "With Σ > 0 the solution is unique, and even.");
 }
 
 EXERCISE_TEST(InteriorSolve, TakesBoundsNarrowAndWide) {
@@ -235,19 +235,19 @@ EXERCISE_TEST(InteriorSolve, TakesAnyGuess) {
     solve_bounded(p, exact, guessed);
     expect_true("from a guess of size " + show(size) + " is solved, without trouble", "Eq. (11.13)",
                 guessed.report.converged && guessed.report.trouble.empty(),
-                "A guess tells interior_start a size, and that is all: rooms and pushes do not come from it.");
+                "A guess only tells interior_start a size: do not compute rooms and pushes from it.");
     expect_near_vector("λ from a guess of size " + show(size) + " [N s]", "Eq. (4.1)", guessed.lambda,
                        cold.lambda,
                        {1e-11 * condition(p.S), "the residual of Eq. (11.13) times the condition of S"}, {},
-                       "A guess may be outside the bounds. It tells interior_start a size, and that is all.");
+                       "A guess may be outside the bounds. It only tells interior_start a size.");
   }
-  // B tells of 0.1 m/s between bodies of 1 kg, and not of the ton above.
+  // B suggests 0.1 m/s between bodies of 1 kg, and does not show the ton above.
   const Bounded loaded = column({1, 1e3}, 0.1);
   Solved first, again;
   solve_bounded(loaded, exact, first);
   again.lambda = first.lambda;
   solve_bounded(loaded, exact, again);
-  expect_true("a ton on 1 kg takes fewer factorisations from its own solution for a guess than from 0",
+  expect_true("a ton on 1 kg takes fewer factorisations if the guess is its solution than if it is 0",
               "Eq. (11.12)", again.report.history.size() < first.report.history.size(),
               "Hand the guess to interior_start: it tells the size of λ, where B does not.");
 }
@@ -263,9 +263,9 @@ EXERCISE_TEST(InteriorSolve, StaysWithinTheBounds) {
     const std::string what = ", after at most " + std::to_string(sweeps) + " factorisations [N s]";
     for (Eigen::Index k = 0; k < 25; ++k) {
       expect_at_least("λ" + what, "Eq. (4.1)", solved.lambda[k], p.lo[k], "its bound below",
-                      "What is returned is within the bounds to the last digit: clamp it.");
+                      "The result is within the bounds to the last digit: clamp it.");
       expect_at_most("λ" + what, "Eq. (4.1)", solved.lambda[k], p.hi[k], "its bound above",
-                     "What is returned is within the bounds to the last digit: clamp it.");
+                     "The result is within the bounds to the last digit: clamp it.");
     }
   }
 }
@@ -279,22 +279,22 @@ EXERCISE_TEST(InteriorSolve, SaysWhenItStopsEarly) {
   expect_near("entries of the history after at most 2 factorisations", "Eq. (4.9)",
               static_cast<double>(solved.report.history.size()), 2, {0, "one a factorisation"});
   expect_true("what is not solved has not converged", "Eq. (11.13)", !solved.report.converged);
-  expect_true("why it stopped is told", "Eq. (11.13)", !solved.report.trouble.empty(),
-              "A solver that gives up in silence is worse than none: say so in `trouble`.");
+  expect_true("`trouble` gives the reason", "Eq. (11.13)", !solved.report.trouble.empty(),
+              "Never fail silently: give the reason in `trouble`.");
   Solved whole, nearly;
   solve_bounded(bounded(s.rows), exact, whole);
   const int needed = static_cast<int>(whole.report.history.size());
   if (needed < 2) return expect_true("30 rows with bounds take more than one step", "Eq. (11.13)", false);
   solve_bounded(bounded(s.rows), {.max_sweeps = needed - 1, .tolerance = 0}, nearly);
-  expect_true("one factorisation less than it takes is not enough", "Eq. (11.13)",
+  expect_true("one factorisation less than needed does not suffice", "Eq. (11.13)",
               !nearly.report.converged && !nearly.report.trouble.empty(),
-              "A tolerance of 0 asks for roundings: what is good is not good enough.");
+              "A tolerance of 0 means round-off: a small residual is not enough.");
 }
 
 EXERCISE_TEST(InteriorSolve, StopsByTheRule) {
   Random random;
   for (const double size :
-       {1e-3, 1.0, 1e3}) {  // of B and the bounds: the tolerance is a velocity, and not a part of it
+       {1e-3, 1.0, 1e3}) {  // of B and the bounds: the tolerance is a velocity, not a fraction of it
     System<6> s = random_system(random, 8, 20);
     add_random_bounds(random, s.rows);
     Bounded p = bounded(s.rows);
@@ -317,28 +317,29 @@ EXERCISE_TEST(InteriorSolve, StopsAtTheTolerance) {
   solve_bounded(p, {.max_sweeps = 100, .tolerance = 1e-3}, coarse);
   solve_bounded(p, exact, fine);
   expect_solved("a system, to 1e-3 m/s", coarse);
-  expect_at_most("residual of what was asked to 1e-3 m/s", "Eq. (4.8)", dense_residual(p, coarse.lambda), 1e-3,
+  expect_at_most("residual of a solve to 1e-3 m/s", "Eq. (4.8)", dense_residual(p, coarse.lambda), 1e-3,
                  "the tolerance");
-  expect_true("to 1e-3 m/s takes fewer factorisations than to roundings", "Eq. (4.9)",
-              coarse.report.history.size() < fine.report.history.size(), "Where is the tolerance looked at?");
+  expect_true("to 1e-3 m/s takes fewer factorisations than to round-off", "Eq. (4.9)",
+              coarse.report.history.size() < fine.report.history.size(),
+              "Is the tolerance compared with the residual?");
   Solved same;
   solve_bounded(p, {.max_sweeps = 100, .tolerance = coarse.report.history.back()}, same);
   expect_near("factorisations to a tolerance that is the residual of the last of them", "Eq. (4.9)",
               static_cast<double>(same.report.history.size()),
               static_cast<double>(coarse.report.history.size()), {0, "a count"}, {},
-              "At most the tolerance: a residual that is just that will do.");
+              "A residual equal to the tolerance suffices: at most, not below.");
   Solved any;
   solve_bounded(p, {.max_sweeps = 100, .tolerance = 1e9}, any);
   expect_solved("a system, to 1e9 m/s,", any);
   expect_at_most("factorisations to 1e9 m/s", "Eq. (4.9)", static_cast<double>(any.report.history.size()), 1,
-                 "the first will do", "Look at the residual after each of them, the first as well.");
+                 "the first suffices", "Look at the residual after each of them, the first as well.");
   Solved tiny;
   solve_bounded(p, {.max_sweeps = 100, .tolerance = 1e-300}, tiny);
   expect_solved("a system, to 1e-300 m/s,", tiny);
-  expect_near("factorisations to 1e-300 m/s, which is less than roundings", "Eq. (11.13)",
+  expect_near("factorisations to 1e-300 m/s, which is less than round-off", "Eq. (11.13)",
               static_cast<double>(tiny.report.history.size()), static_cast<double>(fine.report.history.size()),
               {0, "a count, and the same as for 0"}, {},
-              "The tolerance or the roundings: whichever is larger will do.");
+              "Stop at the larger of the tolerance and the round-off.");
 }
 
 EXERCISE_TEST(InteriorSolve, RemembersTheResiduals) {
@@ -352,9 +353,9 @@ EXERCISE_TEST(InteriorSolve, RemembersTheResiduals) {
   if (solved.report.history.empty()) return expect_true("there is a history", "Eq. (4.8)", false);
   expect_near("the last entry of the history [m/s]", "Eq. (4.8)", solved.report.history.back(),
               dense_residual(p, solved.lambda), {1e-12, "roundings"}, {},
-              "An entry is the residual of what would be returned, clamped.");
-  // Which step brought which residual is free. But where twelve contacts disagree about three motions, some step
-  // makes it larger, eight times out of ten, before it gets smaller.
+              "An entry is the residual of the λ that would be returned, clamped.");
+  // The order of the residuals is free. But where twelve contacts disagree about three degrees of freedom, in eight
+  // cases of ten some step makes the residual larger before it decreases.
   for (int repeat = 0; repeat < 10; ++repeat) {
     const MatrixXd G = MatrixXd::NullaryExpr(12, 3, [&] { return random.uniform(-1, 1); });
     const Bounded q{.S = G * G.transpose() + 1e-5 * MatrixXd::Identity(12, 12),
@@ -371,17 +372,16 @@ EXERCISE_TEST(InteriorSolve, RemembersTheResiduals) {
       const double least = *std::min_element(history.begin(), history.end());
       const double sums = (q.S.cwiseAbs() * early.lambda.cwiseAbs()).maxCoeff() + 1;
       const Tolerance roundings_of_sums{16 * std::numeric_limits<double>::epsilon() * sums,
-                                        "roundings of twelve products and B, added in any order, twice"};
-      // Who looked at the guess, too, and found nothing better, may return it.
+                                        "round-off of twelve products and B, added in any order, twice"};
+      // A solver that also tests the guess, and finds nothing better, may return the guess.
       const bool kept_guess = at_guess <= least && std::abs(got - at_guess) <= roundings_of_sums.value;
-      expect_near("residual of what is returned after at most " + std::to_string(sweeps) +
+      expect_near("residual of the result after at most " + std::to_string(sweeps) +
                       " factorisations, and the least of the history [m/s]",
                   "Eq. (4.8)", got, kept_guess ? at_guess : least, roundings_of_sums,
                   {{early.report.history.back(), "This is the last λ, not the best."}},
-                  got < least
-                      ? "What is returned is better than all of the history: are these the residuals of "
-                        "Eq. (4.8), of the row that lacks the most?"
-                      : "The best that was found is returned.");
+                  got < least ? "The result is better than every entry of the history. Are these the residuals "
+                                "of Eq. (4.8), that is, of the row with the largest one?"
+                              : "Return the best λ of all factorisations.");
       if (sweeps == 40) expect_solved("a system of contacts that disagree, Σ = 1e-5", early);
     }
   }
@@ -396,7 +396,7 @@ EXERCISE_TEST(InteriorSolve, EndsWithANaN) {
     s.rows[2].hi = kind & 2 ? 1 : infinity;
     Bounded p = bounded(s.rows);
     p.B[2] = std::nan("");
-    // A row by itself, with a bound for a NaN to become: no other row tells that it is not solved.
+    // A row by itself, with a bound that may replace a NaN: no other row shows that it is unsolved.
     if (kind == 4)
       p = {.S = MatrixXd::Identity(1, 1),
            .B = VectorXd::Constant(1, std::nan("")),
@@ -408,10 +408,10 @@ EXERCISE_TEST(InteriorSolve, EndsWithANaN) {
         "a right side with a NaN has not converged", "Eq. (11.13)", !solved.report.converged,
         "std::max, std::min and Eigen's cwiseMax drop a NaN: a bound takes its place. std::clamp keeps it.");
     expect_true("and is reported", "Eq. (11.13)", !solved.report.trouble.empty());
-    expect_true(
-        "and leaves λ within the bounds", "Eq. (4.1)",
-        (solved.lambda.array() >= p.lo.array()).all() && (solved.lambda.array() <= p.hi.array()).all(),
-        "A residual of NaN is not better than any, and its λ not the best: the guess is left, clamped.");
+    expect_true("and leaves λ within the bounds", "Eq. (4.1)",
+                (solved.lambda.array() >= p.lo.array()).all() && (solved.lambda.array() <= p.hi.array()).all(),
+                "A residual of NaN is not better than any number, so its λ is not the best. Return the guess, "
+                "clamped.");
   }
 }
 
@@ -424,23 +424,23 @@ EXERCISE_TEST(InteriorSolve, ReportsWhatHasNoAnswer) {
   Solved solved;
   solve_bounded(p, exact, solved);
   expect_true("contradictory rows with Σ = 0 and no bounds have not converged", "Eq. (11.4)",
-              !solved.report.converged, "factorise returned false: its factors are of no use.");
+              !solved.report.converged, "factorise returned false: do not use its factors.");
   expect_true("and are reported", "Eq. (11.4)", !solved.report.trouble.empty(),
               "factorise returned false: say so in `trouble`.");
   expect_true("and leave λ finite", "Eq. (11.4)", solved.lambda.allFinite(),
-              "Do not solve with factors that are not sound.");
+              "Do not solve with factors of a failed factorisation.");
   expect_true("and leave no NaN in the history", "Eq. (4.8)",
               std::none_of(solved.report.history.begin(), solved.report.history.end(),
                            [](double entry) { return std::isnan(entry); }),
-              "A factorisation that fails brings no λ to look at.");
+              "A factorisation that fails gives no λ, and so no residual to append.");
   Solved refused, stopped;
   solve_bounded(p, {.max_sweeps = 1, .tolerance = 0}, refused);
   solve_bounded(column({1, 1e4}, 0.1), {.max_sweeps = 1, .tolerance = 0}, stopped);
   expect_true(
-      "trouble tells a factorisation that failed from one that did not suffice", "Eq. (11.4)",
+      "`trouble` distinguishes a failed factorisation from one that did not suffice", "Eq. (11.4)",
       refused.report.trouble != stopped.report.trouble,
-      "Both are reported as: " + refused.report.trouble + ". More factorisations help one of them only.");
-  // A third row apart from them, which has bounds.
+      "Both are reported as: " + refused.report.trouble + ". More factorisations help only with the second.");
+  // A third row without shared bodies, which has bounds.
   Bounded q{.S = MatrixXd::Identity(3, 3),
             .B = VectorXd::Ones(3),
             .lo = VectorXd::Constant(3, -infinity),
@@ -453,7 +453,7 @@ EXERCISE_TEST(InteriorSolve, ReportsWhatHasNoAnswer) {
     solve_bounded(q, exact, early);
     expect_near_vector("λ where the first factorisation fails, from a guess of " + show(guess) + " [N s]",
                        "Eq. (4.1)", early.lambda, Vec3(guess, guess, std::clamp(guess, 1.0, 2.0)), {0, "exact"},
-                       {}, "Nothing was found: what is returned is the guess, within the bounds.");
+                       {}, "There is no solution: return the guess, within the bounds.");
   }
 }
 
@@ -480,7 +480,7 @@ EXERCISE_TEST(InteriorSolve, RejectsARuleThatCannotBeMet) {
   expect_rejects(
       "max_sweeps = 0, with no rows", "max_sweeps",
       [&] { solve_bounded(none, {.max_sweeps = 0, .tolerance = 0}, nothing); },
-      "It throws as solve does, rows or not: look at the rule before anything else.");
+      "It throws as solve does, with rows or without: check the rule first.");
 }
 
 }  // namespace

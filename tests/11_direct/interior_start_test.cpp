@@ -1,4 +1,4 @@
-// Where the interior point method begins: one energy for every bound, and a room that goes with it.
+// The start of the interior-point method: one energy for every bound, and the room that goes with it.
 #include "exercise_test.hpp"
 #include "interior.hpp"
 #include "random_input.hpp"
@@ -15,7 +15,7 @@ Interior start_of(const Bounded& p, const VectorXd& guess) {
   return interior_start(lower_triangle(p.S), p.B, p.lo, p.hi, guess);
 }
 
-/// What E of Eq. (11.12) is made of, each the largest of all rows.
+/// The terms of E in Eq. (11.12), each the largest of all rows.
 struct Energies {
   double all = 0, of_B = 0, without_guess = 0, without_least = 0, outside = 0, sum = 0;
 };
@@ -37,7 +37,7 @@ Energies energies(const Bounded& p, const VectorXd& guess) {
   return e;
 }
 
-/// One row, of which S is 2.
+/// One row, with S = 2.
 Bounded one_row(double B, double lo, double hi) {
   return {.S = MatrixXd::Constant(1, 1, 2),
           .B = VectorXd::Constant(1, B),
@@ -45,9 +45,9 @@ Bounded one_row(double B, double lo, double hi) {
           .hi = VectorXd::Constant(1, hi)};
 }
 
-const Tolerance close{1e-12, "roundings of bounds up to 0.5, over rooms of 0.005 and more"};
+const Tolerance close{1e-12, "round-off of bounds up to 0.5, over rooms of 0.005 and more"};
 
-/// Every number of a start, from Eq. (11.12) and the energy.
+/// Checks every number of a start, from Eq. (11.12) and the energy.
 void expect_start(const Bounded& p, const VectorXd& guess) {
   const Interior start = start_of(p, guess);
   if (!has_size(start, p.B.size(), "Eq. (11.12)")) return;
@@ -61,18 +61,19 @@ void expect_start(const Bounded& p, const VectorXd& guess) {
       expect_near(
           "s z " + side + what + ", over E", "Eq. (11.12)", room * push / e.all, 1, close,
           {{own / e.all,
-            "This is the row's own energy, or that of B alone. E is the largest of all rows', one for all, "
-            "and the guess and the bounds count in it."},
-           {e.of_B / e.all, "This knows B only: the guess and the bounds may ask for more."},
+            "This is the row's own energy, or that of B alone. E is the largest of all rows, one for all, and "
+            "includes the guess and the bounds."},
+           {e.of_B / e.all, "This is from B only: the guess and the bounds may need more."},
            {e.without_guess / e.all, e.without_guess == e.without_least
                                          ? "λ₀ and λ₁ are the same here, and both count: S λ² is in E twice."
                                          : "The guess is forgotten."},
-           {e.without_least / e.all, "The bounds may keep λ from 0, and S λ² is then needed in any case."},
-           {e.outside / e.all, "The guess is outside the bounds: the nearest λ within them counts."},
-           {e.sum / e.all, "The largest of all rows, and not their sum."},
-           {1 / e.all, "This is 1 J, which is for an E of 0: B, the guess or the bounds tell a size."}},
-          room > 0 ? "Every bound begins with the same s z, the largest of all rows' B²/S + S (λ₀² + λ₁²)."
-                   : "There is no room: take at most half of what is between two bounds, and z is finite.");
+           {e.without_least / e.all, "The bounds may keep λ from 0: then S λ² is needed in any case."},
+           {e.outside / e.all, "The guess is outside the bounds: use the nearest λ within them."},
+           {e.sum / e.all, "Take the largest of all rows, and not their sum."},
+           {1 / e.all, "This is 1 J, which is for an E of 0. Here B, the guess or the bounds tell a size."}},
+          room > 0
+              ? "Every bound begins with the same s z, the largest B²/S + S (λ₀² + λ₁²) of all rows."
+              : "There is no room: use at most half of the distance between two bounds, so that z is finite.");
     };
     const bool below = std::isfinite(p.lo[k]), above = std::isfinite(p.hi[k]);
     if (below) expect_energy("below", start.room_lo[k], start.push_lo[k]);
@@ -84,9 +85,9 @@ void expect_start(const Bounded& p, const VectorXd& guess) {
       expect_near(
           "s" + what + ", over min(√(E/S), (hi - lo)/2)", "Eq. (11.12)", got / room, 1, close,
           {{free / room, "That is more than half of the way to the other bound."},
-           {half / room, "As much as there is may be far too much: √(E/S) goes with the row."}},
-          "√(E/S) to the lower bound, or to the upper where there is no lower; half the way if that is less. "
-          "The guess tells a size, and not where to begin.");
+           {half / room, "The whole room may be far too much: √(E/S) depends on the row."}},
+          "The distance to the lower bound is √(E/S), or to the upper where there is no lower one. Take half "
+          "the way between two bounds if that is less. The guess tells a size, and not where to begin.");
     const double lambda = below ? p.lo[k] + room : above ? p.hi[k] - room : 0;
     expect_near(
         "λ" + what + " [N s]", "Eq. (11.5)", start.lambda[k], lambda,
@@ -94,8 +95,8 @@ void expect_start(const Bounded& p, const VectorXd& guess) {
         below || above ? "s⁻ = λ - lo, s⁺ = hi - λ." : "Without bounds it begins at 0, whatever the guess.");
     if (below && above)
       expect_near("s⁻ + s⁺" + what + " [N s]", "Eq. (11.5)", start.room_lo[k] + start.room_hi[k], 2 * half,
-                  {1e-12 * (1 + 2 * half), "roundings of the bounds"}, {}, "Together they are hi - lo.");
-    const std::string clue = "Where there is no bound its room is infinite, and it does not push.";
+                  {1e-12 * (1 + 2 * half), "round-off of the bounds"}, {}, "Together they are hi - lo.");
+    const std::string clue = "Where there is no bound its room is infinite, and its push 0.";
     if (!below)
       expect_true("no bound below" + what, "Eq. (11.5)", start.room_lo[k] == infinity && start.push_lo[k] == 0,
                   clue);
@@ -116,7 +117,7 @@ EXERCISE_TEST(InteriorStart, GivesEveryBoundTheSameEnergy) {
   while (regions.lack_draws()) {
     System<6> s = random_system(random, 4, 12);
     add_random_bounds(random, s.rows);
-    if (random.integer(0, 1))  // two bounds that are far from each other
+    if (random.integer(0, 1))  // two bounds far from each other
       for (Row<6>& row : s.rows)
         if (std::isfinite(row.lo) && std::isfinite(row.hi)) row.hi = row.lo + 100;
     const double size = random.integer(0, 1) ? 10 : 1e-3;
@@ -157,7 +158,7 @@ EXERCISE_TEST(InteriorStart, GivesEveryBoundTheSameEnergy) {
 }
 
 EXERCISE_TEST(InteriorStart, TakesTheLargestOfTheRows) {
-  // The row that tells the size is each in turn.
+  // Each row in turn determines the size.
   for (const auto& [rows, k] : {std::pair(3, 0), {3, 1}, {3, 2}, {many, many - 1}}) {
     Bounded p{.S = VectorXd::Constant(rows, 2).asDiagonal(),
               .B = VectorXd::Constant(rows, 0.1),
@@ -180,14 +181,14 @@ EXERCISE_TEST(InteriorStart, IsInTheMiddleOfANarrowWay) {
     if (!has_size(start, 1, "Eq. (11.12)")) return;
     const double half = ((1 + width) - 1) / 2;
     expect_near("s⁻ between bounds that are " + show(width) + " apart, over the half", "Eq. (11.12)",
-                start.room_lo[0] / half, 1, {1e-15 / half, "roundings of a bound of 1, over the room"});
+                start.room_lo[0] / half, 1, {1e-15 / half, "round-off of a bound of 1, over the room"});
     expect_near("s⁺ between bounds that are " + show(width) + " apart, over the half", "Eq. (11.12)",
-                start.room_hi[0] / half, 1, {1e-15 / half, "roundings of a bound of 1, over the room"});
+                start.room_hi[0] / half, 1, {1e-15 / half, "round-off of a bound of 1, over the room"});
   }
 }
 
 EXERCISE_TEST(InteriorStart, BeginsSomewhereWithNothingToGoBy) {
-  // B = 0, and something to go by all the same: the guess alone, and a bound alone.
+  // B = 0, and another source of a size: the guess alone, or a bound alone.
   expect_start(one_row(0, 0, infinity), VectorXd::Constant(1, 3));
   expect_start(one_row(0, 3, infinity), VectorXd::Zero(1));
   expect_start(one_row(0, -infinity, -3), VectorXd::Zero(1));
@@ -196,18 +197,18 @@ EXERCISE_TEST(InteriorStart, BeginsSomewhereWithNothingToGoBy) {
     if (!has_size(start, 1, "Eq. (11.12)")) return;
     const double room = std::min(std::sqrt(0.5), hi / 2);
     const std::string clue =
-        "No B, no guess, and bounds that let λ be 0: take 1 J, for there must be some room.";
-    expect_near("s⁻ with nothing to go by, S = 2, hi = " + show(hi) + " [N s]", "Eq. (11.12)", start.room_lo[0],
-                room, roundings(4), {}, clue);
-    expect_near("s⁻ z⁻ with nothing to go by [J]", "Eq. (11.12)", start.room_lo[0] * start.push_lo[0], 1,
+        "B and the guess are 0, and the bounds allow λ = 0: take 1 J, since rooms must be positive.";
+    expect_near("s⁻ where nothing tells a size, S = 2, hi = " + show(hi) + " [N s]", "Eq. (11.12)",
+                start.room_lo[0], room, roundings(4), {}, clue);
+    expect_near("s⁻ z⁻ where nothing tells a size [J]", "Eq. (11.12)", start.room_lo[0] * start.push_lo[0], 1,
                 roundings(4), {}, clue);
   }
-  for (const double B : {1e-9, 1e-150}) {  // B² is far from underflow
+  for (const double B : {1e-9, 1e-150}) {  // B² is far above underflow
     const Interior little = start_of(one_row(B, 0, infinity), VectorXd::Zero(1));
     if (!has_size(little, 1, "Eq. (11.12)")) return;
     expect_near("s⁻ of a row with S = 2, B = " + show(B) + " m/s, over B/2", "Eq. (11.12)",
                 little.room_lo[0] / (B / 2), 1, roundings(8), {},
-                "That is little, and something to go by: 1 J is for an E of 0.");
+                "A small B tells a size, too: 1 J is for an E of 0.");
   }
 }
 
@@ -226,8 +227,8 @@ EXERCISE_TEST(InteriorStart, DoesNotCareForTheScaleOfARow) {
   if (!has_size(one, 8, "Eq. (11.12)") || !has_size(other, 8, "Eq. (11.12)")) return;
   for (Eigen::Index k = 0; k < 8; ++k)
     expect_near("λ of row " + std::to_string(k) + " in other units, taken back [N s]", "Eq. (11.12)",
-                c[k] * other.lambda[k], one.lambda[k], {1e-12, "roundings of λ about 1"}, {},
-                "S_kk takes the square of the scale, B the scale, λ its inverse: energies do not change.");
+                c[k] * other.lambda[k], one.lambda[k], {1e-12, "round-off of λ about 1"}, {},
+                "S_kk scales by the square, B by the scale, λ by its inverse: energies do not change.");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The step from within: against dense algebra, kept off the bounds, and with λ and its rooms in one place.
+// The interior-point step: against dense algebra, away from the bounds, and with λ and its rooms consistent.
 #include "algebra.hpp"
 #include "exercise_test.hpp"
 #include "interior.hpp"
@@ -62,16 +62,16 @@ double longest_part(const Interior& now, const Interior& step) {
   return longest;
 }
 
-/// Eq. (11.11), and what it is easily mistaken for.
+/// Eq. (11.11), and likely mistakes in it.
 struct Way {
   double power = 3, second_order = -1;
   double least_share = 0.9, more_share = 0.0999;  // of the second step; the latter times α
   bool look = true, counts_rows = false, share_of_itself = false;
-  double look_share = 1;  // of what the first step may do
+  double look_share = 1;  // of the longest first step
   bool whole_mean = false, part_of_product = false, above_by_lambda = false;
 };
 
-/// The point before λ and its rooms are brought together.
+/// The point before λ and its rooms are made consistent.
 Interior dense_interior_step(const Inside& p, const Way& way = {}) {
   const Eigen::Index n = p.B.size();
   const auto mean = [&](const Interior& now) {
@@ -107,7 +107,7 @@ struct Place {
   double lambda, below, above;
 };
 
-/// The smallest of the three sets the other two.
+/// The smallest of the three determines the other two.
 Place reconciled(const Place& drifted, double lo, double hi) {
   const double smallest = std::min({std::abs(drifted.lambda), drifted.below, drifted.above});
   const double lambda = smallest == drifted.below   ? lo + drifted.below
@@ -124,16 +124,16 @@ Interior step_of(const Inside& p, const Bounds& bounds) {
   return interior_step(lower_triangle(p.S), p.B, bounds.lo, bounds.hi, p.now, factors);
 }
 
-/// Infinities as zeros: the rooms of bounds that there are.
+/// Replaces infinities by 0, which leaves the rooms of existing bounds.
 VectorXd finite(const VectorXd& v) {
   return v.unaryExpr([](double x) { return std::isinf(x) ? 0 : x; });
 }
 
-const Tolerance conditioned{1e-10, "roundings times a condition of 1e3, and some"};
+const Tolerance conditioned{1e-10, "round-off times a condition of 1e3, and some more"};
 
 EXERCISE_TEST(InteriorStep, TakesTheSmallestStep) {
-  // λ = 0 of 1 kg that is to lose 1 m/s, just above its bound: it goes as far as it may. So small a push that its change,
-  // times that of the room, does not turn the second step round.
+  // λ = 0 of 1 kg that has to lose 1 m/s, just above its bound: it goes as far as the bound allows. The push is so
+  // small that its change, times that of the room, does not reverse the second step.
   const VectorXd one = VectorXd::Ones(1), none = VectorXd::Zero(1), unbounded = infinity * one;
   for (const double part : relative_scales) {
     const Inside p{.S = MatrixXd::Identity(1, 1),
@@ -147,19 +147,19 @@ EXERCISE_TEST(InteriorStep, TakesTheSmallestStep) {
     const Interior got = step_of(p, {-part * one, unbounded});
     const double share = 0.9 + 0.0999 * longest_part(p.now, dense_newton_step(p, p.target));
     if (!has_size(got, 1, "Eq. (11.11)")) return;
-    expect_near("room below, of " + show(part) + " N s where 1 N s is wanted, over what it was", "Eq. (11.10)",
-                got.room_lo[0] / part, 1 - share, roundings(8),
+    expect_near("room below, of " + show(part) + " N s with a target of 1 N s, over its value before",
+                "Eq. (11.10)", got.room_lo[0] / part, 1 - share, roundings(8),
                 {{1, "It has not moved. " + small_is_dropped},
-                 {0.001, "This is 0.999 of its longest part, however far the straight step went."}},
-                "0.9 + 0.0999 α of its longest part. " + small_is_dropped);
-    expect_near("λ, over the room that there was", "Eq. (11.10)", got.lambda[0] / part, -share, roundings(8),
-                {}, small_is_dropped);
+                 {0.001, "This is 0.999 of the longest part, however far the trial step went."}},
+                "Take 0.9 + 0.0999 α of the longest part. " + small_is_dropped);
+    expect_near("λ, over the room before", "Eq. (11.10)", got.lambda[0] / part, -share, roundings(8), {},
+                small_is_dropped);
     if (::testing::Test::HasFailure()) return;
   }
 }
 
 EXERCISE_TEST(InteriorStep, IsWholeOnlyWhereNothingLimitsIt) {
-  // λ = 0 of 1 kg that is to lose 1 m/s, and may lose nearly that, or a little more.
+  // λ = 0 of 1 kg that has to lose 1 m/s, with a room a little smaller or larger than that.
   const VectorXd one = VectorXd::Ones(1), none = VectorXd::Zero(1), unbounded = infinity * one;
   for (const double room : {0.99, 0.9985, 0.9995, 0.9999, 1 - 1e-5, 1 - 1e-7, 1 + 1e-7, 1.0005}) {
     const Inside p{.S = MatrixXd::Identity(1, 1),
@@ -173,15 +173,14 @@ EXERCISE_TEST(InteriorStep, IsWholeOnlyWhereNothingLimitsIt) {
     const Interior got = step_of(p, {-room * one, unbounded});
     if (!has_size(got, 1, "Eq. (11.11)")) return;
     const double right = dense_interior_step(p).lambda[0], longest = std::min(room, 1.0);
-    expect_near(
-        "λ after a step towards -1 N s, with a room of " + show(room) + " N s below [N s]", "Eq. (11.11)",
-        got.lambda[0], right, {1e-11, "the push of 1e-12 m/s, and roundings"},
-        {{-1,
-          "All of the step was taken, though a bound limits it, by ever so little: it is whole only where α₂ "
-          "is 1."},
-         {-longest, "All of the longest part was taken: the room is 0 then. Take 0.9 + 0.0999 α of it."},
-         {-(0.9 + 0.0999 * longest) * longest, "Nothing limits this step: it is taken whole."}},
-        "The part (0.9 + 0.0999 α) α₂ of the step, or all of it if nothing limits it.");
+    expect_near("λ after a step towards -1 N s, with a room of " + show(room) + " N s below [N s]",
+                "Eq. (11.11)", got.lambda[0], right, {1e-11, "the push of 1e-12 m/s, and round-off"},
+                {{-1,
+                  "The whole step was taken, though a bound limits it, by a tiny amount. The step is whole "
+                  "only where α₂ is 1."},
+                 {-longest, "All of the longest part was taken, so the room is 0. Take 0.9 + 0.0999 α of it."},
+                 {-(0.9 + 0.0999 * longest) * longest, "Nothing limits this step: it is taken whole."}},
+                "Take the part (0.9 + 0.0999 α) α₂ of the step, or the whole step if nothing limits it.");
     if (::testing::Test::HasFailure()) return;
   }
 }
@@ -198,7 +197,7 @@ EXERCISE_TEST(InteriorStep, LooksBeforeItGoes) {
     expect_near_vector(
         "λ of the next point, of " + std::to_string(rows) + " rows [N s]", "Eq. (11.11)", got.lambda,
         right.lambda, conditioned,
-        {{otherwise({.look = false}), "This is the straight step, τ = 0: it only tells what τ shall be."},
+        {{otherwise({.look = false}), "This is the trial step, τ = 0, which only serves to choose τ."},
          {otherwise({.second_order = 0}), "The product of the two changes is left out of τ."},
          {otherwise({.second_order = 1}),
           "The product of the two changes is added to τ: it has to be taken away."},
@@ -206,10 +205,10 @@ EXERCISE_TEST(InteriorStep, LooksBeforeItGoes) {
          {otherwise({.power = 4}), "(μ'/μ)³ μ: this has the fourth power."},
          {otherwise({.power = 0}), "This aims at μ itself: (μ'/μ)³ is left out."},
          {otherwise({.look_share = 0.999}),
-          "α is all that the first step may do: the second step alone stays short of it."},
+          "α is the longest part of the first step: the second step alone stays short of it."},
          {otherwise({.whole_mean = true}),
           "μ' is the mean after the part α of the first step, not after all of it."},
-         {otherwise({.part_of_product = true}), "-Δs Δz, all of it: this is α of it."},
+         {otherwise({.part_of_product = true}), "The term is -Δs Δz, all of it: this is α of it."},
          {otherwise({.above_by_lambda = true}), "Δs⁺ is -Δλ: here the product above has the other sign."},
          {otherwise({.counts_rows = true}), "μ is the mean over bounds: a row has none, one or two."},
          {otherwise({.least_share = 1, .more_share = 0}),
@@ -217,13 +216,13 @@ EXERCISE_TEST(InteriorStep, LooksBeforeItGoes) {
          {otherwise({.least_share = 0.5, .more_share = 0}),
           "Take 0.9 + 0.0999 α of the longest part: this is half of it."},
          {otherwise({.least_share = 0.9, .more_share = 0}),
-          "Take 0.9 + 0.0999 α of the longest part: this is 0.9 of it, however far the straight step went."},
+          "Take 0.9 + 0.0999 α of the longest part: this is 0.9 of it, however far the trial step went."},
          {otherwise({.least_share = 0.999, .more_share = 0}),
-          "Take 0.9 + 0.0999 α of the longest part: this is 0.999 of it, however far the straight step went."},
+          "Take 0.9 + 0.0999 α of the longest part: this is 0.999 of it, however far the trial step went."},
          {otherwise({.share_of_itself = true}),
-          "Take 0.9 + 0.0999 α of the longest part, by α of the straight step, not by its own."}},
-        "First the step with τ = 0, as far as it goes; then τ from what that would do, and the step that is "
-        "taken. " +
+          "Take 0.9 + 0.0999 α of the longest part, by α of the trial step, not by its own."}},
+        "First compute the step with τ = 0 and its longest part. Then compute τ from its result, and the step "
+        "to take. " +
             ends_early);
     expect_near_vector("z⁻ of the next point [m/s]", "Eq. (11.9)", got.push_lo, right.push_lo, conditioned);
     expect_near_vector("z⁺ of the next point [m/s]", "Eq. (11.9)", got.push_hi, right.push_hi, conditioned);
@@ -232,7 +231,7 @@ EXERCISE_TEST(InteriorStep, LooksBeforeItGoes) {
     expect_near_vector("s⁺ of the next point [N s]", "Eq. (11.5)", finite(got.room_hi), finite(right.room_hi),
                        conditioned);
     for (Eigen::Index k = 0; k < rows; ++k)
-      expect_true("row " + std::to_string(k) + " has the bounds that it had, and no others", "Eq. (11.5)",
+      expect_true("row " + std::to_string(k) + " has the same bounds as before", "Eq. (11.5)",
                   has_lo(got, k) == has_lo(p.now, k) && has_hi(got, k) == has_hi(p.now, k),
                   "Where there is no bound, the room stays infinite.");
   }
@@ -252,13 +251,13 @@ EXERCISE_TEST(InteriorStep, KeepsATenThousandthOfEveryRoomAndPush) {
       }
     expect_at_least(
         "the least of rooms and pushes, over what it was", "Eq. (11.11)", least, 1e-4 - 1e-10,
-        "1 - 0.9999, and roundings",
-        "A room or a push of 0 is a division by zero in the next S̃: at most 0.9999 of the longest part.");
+        "1 - 0.9999, and round-off",
+        "A room or a push of 0 is a division by zero in the next S̃: take at most 0.9999 of the longest part.");
   }
 }
 
 EXERCISE_TEST(InteriorStep, DoesNotGoRoundInCircles) {
-  // Three contacts, two of which disagree: the lesson's.
+  // Three contacts, two of which disagree: the lesson's example.
   const MatrixXd G{{0.2, 0.6}, {-0.4, -0.7}, {0.6, -0.9}};
   Inside p{.S = G * G.transpose() + 0.001 * MatrixXd::Identity(3, 3),
            .B = VectorXd{{0.8, -1, -1}},
@@ -270,7 +269,8 @@ EXERCISE_TEST(InteriorStep, DoesNotGoRoundInCircles) {
     return dense_residual({.S = p.S, .B = p.B, .lo = bounds.lo, .hi = bounds.hi}, now.lambda.cwiseMax(0));
   };
 
-  // That it is a hard one: a thousandth short of the bound, whatever the straight step did, repeats every third step.
+  // This is a hard case: stopping a thousandth short of the bound, whatever the trial step did, repeats every third
+  // step.
   p.now = start;
   std::vector<double> lacked;
   for (int step = 0; step < 60; ++step) {
@@ -285,11 +285,10 @@ EXERCISE_TEST(InteriorStep, DoesNotGoRoundInCircles) {
     p.now = step_of(p, bounds);
     if (!has_size(p.now, 3, "Eq. (11.11)")) return;
   }
-  expect_at_most(
-      "what three rows lack after 20 steps at most [m/s]", "Eq. (11.11)", lacks(p.now), 1e-11,
-      "roundings of Eq. (11.13), a hundred times",
-      "With 0.999 of the longest part at every step they go round in circles: a row that gets far ahead of the "
-      "others is in the way of the next step. Take 0.9 + 0.0999 α of it.");
+  expect_at_most("residual of three rows after at most 20 steps [m/s]", "Eq. (11.11)", lacks(p.now), 1e-11,
+                 "round-off of Eq. (11.13), a hundred times",
+                 "With 0.999 of the longest part at every step they go round in circles: a row far ahead of "
+                 "the others limits the next step. Take 0.9 + 0.0999 α of it.");
 }
 
 EXERCISE_TEST(InteriorStep, IsTheSolutionWithoutBounds) {
@@ -299,10 +298,10 @@ EXERCISE_TEST(InteriorStep, IsTheSolutionWithoutBounds) {
   p.now.push_lo.setZero(), p.now.push_hi.setZero();
   const Interior got = step_of(p, bounds_of(p.now));
   if (!has_size(got, 10, "Eq. (11.11)")) return;
-  expect_near_vector(
-      "λ after one step without bounds [N s]", "Eq. (11.5)", got.lambda, solution_of(p.S, p.B), conditioned, {},
-      "Nothing limits the step, so it is taken whole. And there is no mean of no products: μ'/μ must "
-      "not be 0/0.");
+  expect_near_vector("λ after one step without bounds [N s]", "Eq. (11.5)", got.lambda, solution_of(p.S, p.B),
+                     conditioned, {},
+                     "Nothing limits the step, so it is taken whole. Without bounds there is no mean of "
+                     "products: μ'/μ must not be 0/0.");
   expect_true("rooms stay infinite, pushes 0", "Eq. (11.5)",
               (got.room_lo.array() == infinity).all() && (got.room_hi.array() == infinity).all() &&
                   got.push_lo.isZero(0) && got.push_hi.isZero(0));
@@ -323,20 +322,20 @@ EXERCISE_TEST(InteriorStep, LetsTheSmallestOfThreeSetTheOthers) {
       const Place before{drifted.lambda[k], drifted.room_lo[k], drifted.room_hi[k]};
       const Place right = reconciled(before, bounds.lo[k], bounds.hi[k]);
       const std::string what = " of row " + std::to_string(k) + " of " + std::to_string(rows) +
-                               ", as it would be λ = " + show(before.lambda) + ", s⁻ = " + show(before.below) +
+                               ", from λ = " + show(before.lambda) + ", s⁻ = " + show(before.below) +
                                ", s⁺ = " + show(before.above) + " [N s]";
       const std::string clue =
-          "λ had drifted from its rooms, and they apart, before the step. The smallest of |λ|, s⁻, s⁺ is "
-          "right: the other two follow, by s⁻ = λ - lo, s⁺ = hi - λ. " +
+          "λ had drifted from its rooms, and they apart, before the step. Keep the smallest of |λ|, s⁻, s⁺. "
+          "The other two follow by s⁻ = λ - lo, s⁺ = hi - λ. " +
           ends_early;
       expect_near("λ" + what, "Eq. (11.5)", got.lambda[k], right.lambda, conditioned,
-                  {{before.lambda, clue + " This λ did not."}}, clue);
+                  {{before.lambda, clue + " This λ was not changed."}}, clue);
       if (has_lo(p.now, k))
         expect_near("s⁻" + what, "Eq. (11.5)", got.room_lo[k], right.below, conditioned,
-                    {{before.below, clue + " This room did not."}}, clue);
+                    {{before.below, clue + " This room did not change."}}, clue);
       if (has_hi(p.now, k))
         expect_near("s⁺" + what, "Eq. (11.5)", got.room_hi[k], right.above, conditioned,
-                    {{before.above, clue + " This room did not."}}, clue);
+                    {{before.above, clue + " This room did not change."}}, clue);
     }
   }
 }
@@ -346,7 +345,7 @@ EXERCISE_TEST(InteriorStep, KeepsTheDigitsOfASmallRoom) {
   for (const bool above : {false, true}) {
     const double room = 1e-9, push = 0.8, side = above ? -1 : 1;
     Inside p{.S = MatrixXd::Ones(1, 1),
-             .B = (1 - side * 0.6) * one,  // a push of 0.6 would do: the room is to shrink to a quarter
+             .B = (1 - side * 0.6) * one,  // a push of 0.6 would suffice: the room shrinks to a quarter
              .now = {.lambda = (1 + side * room) * one,
                      .room_lo = (above ? infinity : room) * one,
                      .room_hi = (above ? room : infinity) * one,
@@ -358,10 +357,10 @@ EXERCISE_TEST(InteriorStep, KeepsTheDigitsOfASmallRoom) {
     if (!has_size(got, 1, "Eq. (11.11)")) return;
     const auto part = above ? &Interior::room_hi : &Interior::room_lo;
     expect_near("room " + std::string(above ? "above" : "below") +
-                    " a bound of 1, 1e-9 before the step, over what is right",
+                    " a bound of 1, 1e-9 before the step, over the exact room",
                 "Eq. (11.5)", (got.*part)[0] / (right.*part)[0], 1,
-                {1e-11, "roundings of the room itself; those of λ would be 1e-7 of it"}, {},
-                "The room is the smallest of the three, so it stays: λ - lo knows seven digits of it.");
+                {1e-11, "round-off of the room itself; that of λ would be 1e-7 of it"}, {},
+                "The room is the smallest of the three, so keep it: λ - lo has seven digits of it only.");
   }
 }
 

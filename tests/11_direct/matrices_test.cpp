@@ -1,4 +1,4 @@
-// What is written down: S, and the saddle point that it comes from.
+// The matrices: S, and the saddle point from which it comes.
 #include <functional>
 
 #include "exercise_test.hpp"
@@ -17,7 +17,7 @@ std::string entry(std::size_t k, std::size_t l) {
   return "entry (" + std::to_string(k) + ", " + std::to_string(l) + ")";
 }
 
-// Whether two rows meet at i and i, i and j ... : what a wrong entry depends on.
+// Tells if two rows meet at i and i, i and j, and so on: a wrong entry depends on that.
 std::string meeting(const Row<6>& a, const Row<6>& b) {
   const auto body = [](const Row<6>& row) { return std::to_string(row.i) + "-" + std::to_string(row.j); };
   return ", rows between bodies " + body(a) + " and " + body(b);
@@ -36,17 +36,16 @@ EXERCISE_TEST(SchurComplement, AgreesWithTheDenseMatrix) {
                  (one.j == other.i || one.j == other.j ? one.MinvGj.dot(other.Gi) : 0);
         };
         const std::string one_block = "Row l's block is Gi on its body i, and Gj on its body j.";
-        expect_near(
-            entry(k, l) + " of S" + meeting(a, b) + " [1/kg]", "Eq. (11.1)", S(k, l), expected(k, l),
-            roundings(40, 10),
-            {{expected(k, l) - (k == l ? a.Sigma : 0), "Σ is missing from the diagonal."},
-             {expected(k, l) + (k == l ? 0 : a.Sigma), "Σ belongs to the diagonal only."},
-             {as_if_i(a, b), one_block},
-             {as_if_i(b, a), one_block},
-             {expected(k, l) == 0 ? HUGE_VAL : 0,
-              "Nothing stands here, but the rows share a body. Is it in the other triangle? Row and body may "
-              "meet at i and j, too."}},
-            "Each body that the two rows share gives M⁻¹Gᵀ of one row times G of the other.");
+        expect_near(entry(k, l) + " of S" + meeting(a, b) + " [1/kg]", "Eq. (11.1)", S(k, l), expected(k, l),
+                    roundings(40, 10),
+                    {{expected(k, l) - (k == l ? a.Sigma : 0), "Σ is missing from the diagonal."},
+                     {expected(k, l) + (k == l ? 0 : a.Sigma), "Add Σ to the diagonal only."},
+                     {as_if_i(a, b), one_block},
+                     {as_if_i(b, a), one_block},
+                     {expected(k, l) == 0 ? HUGE_VAL : 0,
+                      "There is no entry, but the rows share a body. Is it in the other triangle? Row and body "
+                      "may meet at i and j, too."}},
+                    "Each body that the two rows share adds M⁻¹Gᵀ of one row times G of the other.");
       }
   }
 }
@@ -70,10 +69,10 @@ EXERCISE_TEST(SchurComplement, AddsBothBodiesOfTheSamePair) {
     for (std::size_t l = 0; l < k; ++l)
       expect_near(entry(k, l) + " of S" + meeting(two.rows[k], two.rows[l]) + " [1/kg]", "Eq. (11.1)", S(k, l),
                   expected(k, l), roundings(40, 20), {},
-                  "Rows that share two bodies have a share from each: add them up.");
+                  "Rows that share two bodies have a share from each: add both.");
 }
 
-// Few rows between bodies of high numbers: a scene has thousands of bodies, and three of them touch.
+// Few rows between bodies with high numbers: a scene has thousands of bodies, and three of them touch.
 EXERCISE_TEST(SchurComplement, TakesBodiesOfAnyNumber) {
   Random random;
   System<6> s = random_system(random, 3, 5);
@@ -87,7 +86,7 @@ EXERCISE_TEST(SchurComplement, TakesBodiesOfAnyNumber) {
   for (std::size_t k = 0; k < 5; ++k)
     for (std::size_t l = 0; l <= k; ++l)
       expect_near(entry(k, l) + of, "Eq. (11.1)", full(S)(k, l), expected(k, l), roundings(40, 10), {},
-                  "The number of a body says nothing about how many rows there are: it may be far above that.");
+                  "The number of a body says nothing about the number of rows: it may be far above it.");
 }
 
 EXERCISE_TEST(SchurComplement, IsALowerTriangle) {
@@ -104,7 +103,7 @@ EXERCISE_TEST(SchurComplement, IsALowerTriangle) {
       diagonal += at.row() == at.col();
     }
   expect_near("entries above the diagonal", "Eq. (11.1)", above, 0, {0, "a count"}, {},
-              "What reads the matrix takes the upper triangle from the lower.");
+              "Functions that read the matrix take the upper triangle from the lower.");
   expect_near("entries on the diagonal", "Eq. (11.1)", diagonal, 10, {0, "a count"});
 }
 
@@ -116,7 +115,7 @@ EXERCISE_TEST(SchurComplement, OfAWireHasTwoEntriesALink) {
                 static_cast<double>(S.nonZeros()), 2 * links - 1, {0, "each link, and each pair of neighbours"},
                 {{links * (links + 1) / 2.0, "Every pair of rows has an entry, most of them 0."},
                  {3.0 * links - 2, "Both triangles are stored."}},
-                "Rows that share no body that moves have no entry.");
+                "Rows that share no dynamic body have no entry.");
   }
 }
 
@@ -125,9 +124,10 @@ EXERCISE_TEST(SchurComplement, DoesNotCompareAllPairs) {
     const System<3> wire = HangingWire{.links = links, .ratio = 10, .k = 1e6, .h = 0.01}.system();
     return operations_of([&] { schur_complement(wire.rows); });
   };
-  expect_growth("the matrix of a wire of 2,000 links", "Eq. (11.1)", operations(250), operations(2000), 2000,
-                12, "a part for each link makes it 8, and one for each pair of links 64",
-                "All pairs are compared, or something as long. Make a list of the rows of each body first.");
+  expect_growth(
+      "the matrix of a wire of 2,000 links", "Eq. (11.1)", operations(250), operations(2000), 2000, 12,
+      "work proportional to links makes it 8, to pairs of links 64",
+      "All pairs are compared, or the work grows like that. Make a list of the rows of each body first.");
 }
 
 EXERCISE_TEST(SchurComplement, DoesNotCompareAllThatLieOnTheFloor) {
@@ -141,11 +141,10 @@ EXERCISE_TEST(SchurComplement, DoesNotCompareAllThatLieOnTheFloor) {
     }
     return operations_of([&] { schur_complement(s.rows); });
   };
-  expect_growth(
-      "the matrix of 2,000 bodies on one floor", "Eq. (11.1)", operations(250), operations(2000), 2000, 12,
-      "a part for each body makes it 8, and one for each pair of bodies 64",
-      "For each row all others of the floor were looked at. A body that does not move joins no rows: do not "
-      "go through its list.");
+  expect_growth("the matrix of 2,000 bodies on one floor", "Eq. (11.1)", operations(250), operations(2000),
+                2000, 12, "work proportional to bodies makes it 8, to pairs of bodies 64",
+                "For each row all others of the floor were visited. A static body couples no rows: do not go "
+                "through its list.");
 }
 
 EXERCISE_TEST(SchurComplement, RowsThatShareOnlyTheFloorHaveNoEntry) {
@@ -164,8 +163,8 @@ EXERCISE_TEST(SchurComplement, RowsThatShareOnlyTheFloorHaveNoEntry) {
   }
   const SparseMatrix S = schur_complement(s.rows);
   expect_near("entries of S for 20 bodies side by side on a floor", "Eq. (11.1)",
-              static_cast<double>(S.nonZeros()), 20, {0, "no two rows share a body that moves"}, {},
-              "What nothing moves passes nothing on: M⁻¹Gᵀ is 0 there, and so is the entry. Leave it out.");
+              static_cast<double>(S.nonZeros()), 20, {0, "no two rows share a dynamic body"}, {},
+              "A static body couples no rows: M⁻¹Gᵀ is 0 there, and so is the entry. Leave it out.");
 }
 
 EXERCISE_TEST(SchurComplement, OfAStarHasAllPairs) {
@@ -178,7 +177,7 @@ EXERCISE_TEST(SchurComplement, OfAStarHasAllPairs) {
   }
 }
 
-// Eq. (11.2) with all its zeros.
+// Eq. (11.2) as a dense matrix.
 MatrixXd dense_saddle(const std::vector<Row<6>>& rows, const std::vector<InverseMass<6>>& inverse_mass) {
   const auto bodies = std::ssize(inverse_mass), n = 6 * bodies + std::ssize(rows);
   MatrixXd A = MatrixXd::Zero(n, n);
@@ -225,19 +224,18 @@ EXERCISE_TEST(SaddleMatrix, AgreesWithTheDenseMatrix) {
         expect_near(
             entry(line, column) + part_of(line, column, 18), "Eq. (11.2)", got(line, column), right,
             {1e-13, "an inverse of 3 by 3 with a condition up to 10"},
-            {{inverted, "This is of I⁻¹, as InverseMass has it; here stands I, its inverse, 3 by 3."},
+            {{inverted, "This is from I⁻¹, which InverseMass has. The entry is from I, its inverse, 3 by 3."},
              {line >= 18 ? -right : right, "The sign: it is +G, and -Σ."},
-             {line < 18 && right != 0 ? 1 / right : right, "This is of M⁻¹; here stands M."},
+             {line < 18 && right != 0 ? 1 / right : right, "This is from M⁻¹: the entry is from M."},
              {turns && line == column ? 1 / inverted : right,
-              "This is 1 over an entry of I⁻¹. I is the inverse of all 3 by 3, off the diagonal, too."},
+              "This is 1 over an entry of I⁻¹. Invert all of I⁻¹, 3 by 3, with its off-diagonal entries."},
              {right == 0 ? HUGE_VAL : 0,
               line >= 18
-                  ? "Nothing stands here: G is below M, on the line of its row, in the columns of its body."
-              : column < 6
-                  ? "A static body has the identity for its M, 6 by 6."
-                  : "Nothing stands here: M of a rigid body has m three times and, below it, 3 by 3 of I, "
-                    "its lower triangle."}},
-            "First six unknowns for each body, then one for each row.");
+                  ? "There is no entry: G is below M, on the line of its row, in the columns of its body."
+              : column < 6 ? "A static body has the identity for its M, 6 by 6."
+                           : "There is no entry: M of a rigid body has m three times and, below it, the lower "
+                             "triangle of the 3 by 3 block I."}},
+            "The first unknowns are six for each body, then comes one for each row.");
       }
   }
 }
@@ -249,7 +247,7 @@ EXERCISE_TEST(SaddleMatrix, WhatNothingMovesStandsStill) {
   expect_near_vector("M of a static body, its diagonal", "Eq. (11.2)", VectorXd(A.diagonal().head<6>()),
                      VectorXd::Ones(6), {0, "exact"},
                      {{VectorXd::Zero(6), "Its mass is not 0 but infinite. The identity keeps its V at 0."}});
-  expect_near_vector("what the rows have of that body, each the norm of a block of G", "Eq. (11.2)",
+  expect_near_vector("blocks of that body in the rows, each by the norm of its G", "Eq. (11.2)",
                      VectorXd(A.block(12, 0, 3, 6).rowwise().norm()), VectorXd::Zero(3), {0, "exact"}, {},
                      "With its G there, the identity would be its mass.");
 }
@@ -265,10 +263,10 @@ EXERCISE_TEST(SaddleMatrix, OfPointsHasThreeUnknownsForEach) {
       const double expected = line != column ? 0 : line >= 9 ? 7 : 1;
       expect_near(
           entry(static_cast<std::size_t>(line), static_cast<std::size_t>(column)) +
-              ", of the masses of points [kg]: the first stands still, the last has 7 kg",
+              ", of the masses of points [kg]: the first is static, the last has 7 kg",
           "Eq. (11.2)", A(line, column), expected, roundings(4, 7),
-          {{1.0 / 7, "This is of M⁻¹; here stands M."}},
-          "M of a point is its mass times the identity, 3 by 3; that of what nothing moves is the identity.");
+          {{1.0 / 7, "This is from M⁻¹: the entry is from M."}},
+          "M of a point is its mass times the identity, 3 by 3; that of a static body is the identity.");
     }
 }
 
@@ -280,9 +278,9 @@ EXERCISE_TEST(SaddleMatrix, IsALowerTriangle) {
   for (int column = 0; column < A.cols(); ++column)
     for (SparseMatrix::InnerIterator at(A, column); at; ++at) above += at.row() < at.col();
   expect_true("the matrix is compressed", "Eq. (11.2)", A.isCompressed());
-  expect_near(
-      "entries above the diagonal", "Eq. (11.2)", above, 0, {0, "a count"}, {},
-      "Only the lower triangle is stored: G, and not Gᵀ; of the blocks of M, too, what is below the diagonal.");
+  expect_near("entries above the diagonal", "Eq. (11.2)", above, 0, {0, "a count"}, {},
+              "Store the lower triangle only: G, and not Gᵀ, and of the blocks of M the part below the "
+              "diagonal and the diagonal.");
 }
 
 EXERCISE_TEST(SaddleMatrix, OfAStarGrowsWithItsRows) {

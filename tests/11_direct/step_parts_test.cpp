@@ -1,4 +1,4 @@
-// The three parts of a step from within: S̃, Newton's step, and how much of it.
+// The three parts of an interior-point step: S̃, Newton's step, and its longest part.
 #include "algebra.hpp"
 #include "exercise_test.hpp"
 #include "interior.hpp"
@@ -38,9 +38,9 @@ EXERCISE_TEST(BarrierMatrix, StiffensTheDiagonal) {
                   "Eq. (11.7)", got[k], S + lo + hi, roundings(10, S + lo + hi),
                   {{S + lo, "The bound above makes it stiffer, too."},
                    {S + hi, "The bound below makes it stiffer, too."},
-                   {S + lo - hi, "Both bounds make it stiffer: coming nearer to either, the push grows."},
+                   {S + lo - hi, "Both bounds make it stiffer: the push grows towards either."},
                    {S + flat_lo + flat_hi, "Push over room: [m/s]/[N s] is 1/kg."},
-                   {lo + hi, "It comes on top of S."},
+                   {lo + hi, "Add it to S."},
                    {S, "No bound makes it stiffer. " + ends_early}});
     }
   }
@@ -54,7 +54,7 @@ EXERCISE_TEST(BarrierMatrix, LeavesRowsWithoutBounds) {
   const SparseMatrix S = lower_triangle(p.S);
   const MatrixXd change = MatrixXd(barrier_matrix(S, p.now)) - MatrixXd(S);
   expect_near("|S̃ - S| without any bound", "Eq. (11.7)", change.norm(), 0, {0, "0/∞ is 0"}, {},
-              "Only the diagonal changes, and without bounds not even that: S̃ is a lower triangle, as S is.");
+              "Only the diagonal changes, and only by bounds: S̃ is a lower triangle, as S is.");
 }
 
 EXERCISE_TEST(BarrierMatrix, KeepsThePatternAndTheRest) {
@@ -64,7 +64,7 @@ EXERCISE_TEST(BarrierMatrix, KeepsThePatternAndTheRest) {
   expect_true("S̃ is compressed", "Eq. (11.7)", got.isCompressed());
   expect_near("entries of S̃", "Eq. (11.7)", static_cast<double>(got.nonZeros()),
               static_cast<double>(S.nonZeros()), {0, "as many as S has"}, {},
-              "Its pattern is that of S: else L's would be looked for again in every step.");
+              "Keep the pattern of S: otherwise L's pattern is analysed in every step.");
   MatrixXd off = MatrixXd(got) - MatrixXd(S);
   off.diagonal().setZero();
   expect_near("change off the diagonal [1/kg]", "Eq. (11.7)", off.norm(), 0, {0, "exact"}, {},
@@ -77,7 +77,7 @@ EXERCISE_TEST(BarrierMatrix, KeepsThePatternAndTheRest) {
   zero.makeCompressed();
   expect_near("entries of S̃ when one of the three of S is 0", "Eq. (11.7)",
               static_cast<double>(barrier_matrix(zero, two.now).nonZeros()), 3, {0, "as many as S has"}, {},
-              "An entry that is 0 is part of the pattern: without it `factorise` has to look again.");
+              "An entry that is 0 is part of the pattern: without it `factorise` has to analyse it again.");
 }
 
 EXERCISE_TEST(BarrierMatrix, IsAsStiffAsThePushIsSteep) {
@@ -88,7 +88,7 @@ EXERCISE_TEST(BarrierMatrix, IsAsStiffAsThePushIsSteep) {
                .push_lo = Vector::Constant(1, 3),
                .push_hi = Vector::Zero(1)};
   const SparseMatrix S = lower_triangle(MatrixXd::Constant(1, 1, 2));
-  expect_near("diagonal of a row 0.01 N s from its bound, which pushes with 3 m/s [1/kg]", "Eq. (11.7)",
+  expect_near("diagonal of a row 0.01 N s from its bound, with a push of 3 m/s [1/kg]", "Eq. (11.7)",
               barrier_matrix(S, now).coeff(0, 0), 302, roundings(4, 302));
 }
 
@@ -112,10 +112,9 @@ EXERCISE_TEST(NewtonStep, SolvesTheRowsWithTheNewPushes) {
     for (Eigen::Index k = 0; k < rows && !::testing::Test::HasFailure(); ++k)
       expect_near("B + z⁻ - z⁺ - S λ after the whole step," + row(k) + " of " + std::to_string(rows) +
                       bounds_of(p.now, k) + " [m/s]",
-                  "Eq. (11.5)", missing[k], 0, {1e-12, "roundings times stiffnesses up to 20"}, {},
-                  "It is linear, so that one whole step gets it right, wherever it began. S comes as its lower "
-                  "triangle: in "
-                  "the product S λ the other half counts, too. " +
+                  "Eq. (11.5)", missing[k], 0, {1e-12, "round-off times stiffnesses up to 20"}, {},
+                  "The equation is linear, so one whole step gets it right from any point. S is stored as its "
+                  "lower triangle: the product S λ needs the other half, too. " +
                       ends_early);
   }
 }
@@ -134,13 +133,13 @@ EXERCISE_TEST(NewtonStep, MissesTheTargetByItsSecondOrderOnly) {
         expect_near(
             "(s + Δs)(z + Δz) - τ - Δs Δz below," + row(k), "Eq. (11.9)",
             product_error(p.now.room_lo[k], p.now.push_lo[k], p.target.lo[k], step.room_lo[k], step.push_lo[k]),
-            0, {1e-12, "roundings times 1e2"}, {}, "s Δz + z Δs is to be τ - s z, with Δs = Δλ.");
+            0, {1e-12, "round-off times 1e2"}, {}, "s Δz + z Δs has to be τ - s z, with Δs = Δλ.");
       if (has_hi(p.now, k))
         expect_near(
             "(s + Δs)(z + Δz) - τ - Δs Δz above," + row(k), "Eq. (11.9)",
             product_error(p.now.room_hi[k], p.now.push_hi[k], p.target.hi[k], step.room_hi[k], step.push_hi[k]),
-            0, {1e-12, "roundings times 1e2"}, {},
-            "s Δz + z Δs is to be τ - s z, with Δs = -Δλ: the room above shrinks as λ grows.");
+            0, {1e-12, "round-off times 1e2"}, {},
+            "s Δz + z Δs has to be τ - s z, with Δs = -Δλ: the room above shrinks as λ grows.");
     }
   }
 }
@@ -167,7 +166,7 @@ EXERCISE_TEST(NewtonStep, LeavesBoundsThatAreNotThere) {
   if (!has_size(step, 12, "Eq. (11.9)")) return;
   for (Eigen::Index k = 0; k < 12; ++k) {
     const std::string what = row(k) + bounds_of(p.now, k);
-    const std::string clue = "Where there is no bound, room and push stay as they are.";
+    const std::string clue = "Where there is no bound, room and push do not change.";
     if (!has_lo(p.now, k)) {
       expect_near("Δs below," + what + " [N s]", "Eq. (11.5)", step.room_lo[k], 0, {0, "exact"}, {}, clue);
       expect_near("Δz below," + what + " [m/s]", "Eq. (11.9)", step.push_lo[k], 0, {0, "exact"}, {}, clue);
@@ -187,7 +186,7 @@ EXERCISE_TEST(NewtonStep, IsThatOfAllFiveVectorsAtOnce) {
     p.now.room_lo[k] = random.uniform(0.1, 2), p.now.room_hi[k] = random.uniform(0.1, 2);
     p.now.push_lo[k] = random.uniform(0.1, 2), p.now.push_hi[k] = random.uniform(0.1, 2);
   }
-  // Unknowns Δλ, Δz⁻, Δz⁺; lines: Eq. (11.5), then (11.6) of the bounds below and above, each to first order.
+  // Unknowns Δλ, Δz⁻, Δz⁺; equations: (11.5), then (11.6) of the bounds below and above, each to first order.
   const MatrixXd one = MatrixXd::Identity(n, n);
   MatrixXd A = MatrixXd::Zero(3 * n, 3 * n);
   A.topRows(n) << p.S, -one, one;
@@ -202,9 +201,9 @@ EXERCISE_TEST(NewtonStep, IsThatOfAllFiveVectorsAtOnce) {
   const VectorXd expected = solution_of(A, right);
   const Interior step = step_of(p);
   if (!has_size(step, n, "Eq. (11.9)")) return;
-  const Tolerance tolerance{1e-10 * (1 + expected.norm()), "roundings times a condition of 1e3, and some"};
+  const Tolerance tolerance{1e-10 * (1 + expected.norm()), "round-off times a condition of 1e3, and some more"};
   expect_near_vector("Δλ [N s]", "Eq. (11.8)", VectorXd(step.lambda), VectorXd(expected.head(n)), tolerance, {},
-                     "τ/s stands for z + Δz, but for what Δλ does to it, and that is in S̃ already.");
+                     "τ/s is z + Δz without the effect of Δλ, which is in S̃ already.");
   expect_near_vector("Δz⁻ [m/s]", "Eq. (11.9)", VectorXd(step.push_lo), VectorXd(expected.segment(n, n)),
                      tolerance);
   expect_near_vector("Δz⁺ [m/s]", "Eq. (11.9)", VectorXd(step.push_hi), VectorXd(expected.tail(n)), tolerance);
@@ -220,8 +219,8 @@ EXERCISE_TEST(NewtonStep, StaysWhereAllIsRight) {
   }
   const Interior step = step_of(p);
   if (!has_size(step, 12, "Eq. (11.9)")) return;
-  const Tolerance tolerance{1e-12, "roundings times stiffnesses up to 20"};
-  const std::string clue = "Nothing is missing and s z is what it shall be: there is no reason to move.";
+  const Tolerance tolerance{1e-12, "round-off times stiffnesses up to 20"};
+  const std::string clue = "The residual is 0 and s z has its target: the step is 0.";
   expect_near("|Δλ| [N s]", "Eq. (11.8)", step.lambda.norm(), 0, tolerance, {}, clue);
   expect_near("|Δz⁻| [m/s]", "Eq. (11.9)", step.push_lo.norm(), 0, tolerance, {}, clue);
   expect_near("|Δz⁺| [m/s]", "Eq. (11.9)", step.push_hi.norm(), 0, tolerance, {}, clue);
@@ -236,12 +235,12 @@ Interior four(double value) {
 EXERCISE_TEST(LongestStep, IsWholeWhereNothingShrinks) {
   expect_near("the part of a step that changes nothing", "Eq. (11.10)", longest_step(four(1), four(0)), 1,
               {0, "exact"});
-  expect_near("the part of a step in which all grows", "Eq. (11.10)", longest_step(four(1), four(5)), 1,
-              {0, "exact"}, {{0.2, "What grows is no limit: only a negative change is."}});
+  expect_near("the part of a step in which all values grow", "Eq. (11.10)", longest_step(four(1), four(5)), 1,
+              {0, "exact"}, {{0.2, "An increase is no limit: only a negative change is."}});
   Interior step = four(0);
   step.lambda.setConstant(-5);
   expect_near("the part of a step in which λ alone shrinks", "Eq. (11.10)", longest_step(four(1), step), 1,
-              {0, "exact"}, {{0.2, "λ may have any sign: it is its room that is kept."}});
+              {0, "exact"}, {{0.2, "λ may have any sign: keep its rooms positive."}});
 }
 
 EXERCISE_TEST(LongestStep, EndsAtTheFirstBound) {
@@ -253,7 +252,7 @@ EXERCISE_TEST(LongestStep, EndsAtTheFirstBound) {
     expect_near("the part of a step in which the " + std::string(part.name) + " of the last of " +
                     std::to_string(many) + " rows goes from 1 to -3",
                 "Eq. (11.10)", longest_step(start, step), 0.25, roundings(4),
-                {{1, "This one is no limit? A loop that ends early does not see it."}});
+                {{1, "Is this one no limit? A loop that ends early misses it."}});
   }
   for (const Part& part : parts)
     for (Eigen::Index k = 0; k < 4; ++k) {
@@ -264,13 +263,13 @@ EXERCISE_TEST(LongestStep, EndsAtTheFirstBound) {
       expect_near("the part of a step in which the " + std::string(part.name) + row(k) +
                       " goes from 0.3 to -0.1, and the next from 1 to -0.1",
                   "Eq. (11.10)", longest_step(now, step), 0.75, roundings(4),
-                  {{1, "This one is no limit? Four vectors are to stay >= 0: two rooms, two pushes."},
+                  {{1, "Is this one no limit? Four vectors have to stay >= 0: two rooms, two pushes."},
                    {1 / 1.1, "The first to reach 0 counts, not the last."}},
                   "0.3 - share 0.4 = 0.");
     }
 }
 
-// At a solution some rooms are 1e-12 of others, and the last steps are about them.
+// At a solution some rooms are 1e-12 of others, and the last steps change these.
 EXERCISE_TEST(LongestStep, LooksAtTheSmallestToo) {
   for (const double part : relative_scales)
     for (const Part& of : parts) {
@@ -280,12 +279,12 @@ EXERCISE_TEST(LongestStep, LooksAtTheSmallestToo) {
       expect_near("the part of a step in which the " + std::string(of.name) + row(1) + " falls from " +
                       show(part) + " to -3 times that, beside others of 1",
                   "Eq. (11.10)", longest_step(now, step), 0.25, roundings(4),
-                  {{1, "It is no limit? " + small_is_dropped}}, small_is_dropped);
+                  {{1, "Is it no limit? " + small_is_dropped}}, small_is_dropped);
       (step.*of.vector)[1] = -1;
       expect_near("the part of a step in which the " + std::string(of.name) + row(1) + " falls from " +
                       show(part) + " by 1",
                   "Eq. (11.10)", longest_step(now, step), part, roundings(4, part),
-                  {{0, "It has been taken for none. " + small_is_dropped}}, small_is_dropped);
+                  {{0, "Its change was treated as 0. " + small_is_dropped}}, small_is_dropped);
       if (::testing::Test::HasFailure()) return;
     }
 }
@@ -296,11 +295,11 @@ EXERCISE_TEST(LongestStep, IsNeverMoreThanWhole) {
     (step.*part.vector)[2] = -0.01;
     expect_near("the part of a step in which the " + std::string(part.name) + " goes from 1 to 0.99",
                 "Eq. (11.10)", longest_step(four(1), step), 1, {0, "exact"},
-                {{100, "A whole step is what Newton asks for: at most 1."}});
+                {{100, "A whole step is Newton's: the part is at most 1."}});
     (step.*part.vector)[2] = -1;
     expect_near("the part of a step in which the " + std::string(part.name) + " goes from 1 to 0",
                 "Eq. (11.10)", longest_step(four(1), step), 1, {0, "exact"}, {},
-                "Down to 0, but not below; interior_solve keeps a distance by itself.");
+                "The part may lead to 0, but not below; interior_solve keeps a distance by itself.");
   }
 }
 
@@ -309,7 +308,8 @@ EXERCISE_TEST(LongestStep, IsNoneFromABoundOutwards) {
   now.push_hi[1] = 0;
   step.push_hi[1] = -2;
   expect_near("the part of a step that takes a push from 0 to -2", "Eq. (11.10)", longest_step(now, step), 0,
-              {0, "exact"}, {{1, "What is 0 already and falls is at its end: 0/2 is a limit as any other."}},
+              {0, "exact"},
+              {{1, "A value of 0 that falls leaves no part of the step: 0/2 is a limit like any other."}},
               "No part of the step is left.");
 }
 
@@ -321,9 +321,9 @@ EXERCISE_TEST(LongestStep, IgnoresBoundsThatAreNotThere) {
   expect_near(
       "the part of a step with rows that have no bound", "Eq. (11.10)", longest_step(now, step), 0.25,
       {0, "exact"},
-      {{1, "The row with a bound was left out: where one of two bounds is not there, the other still is."},
+      {{1, "The row with a bound was left out: where one of two bounds is missing, the other still counts."},
        {0, "A push of 0 that does not change is no limit: there is no bound."}},
-      "An infinite room ends nowhere, and a push that stays 0 does not, either.");
+      "An infinite room is no limit, and neither is a push that stays 0.");
 }
 
 EXERCISE_TEST(LongestStep, KeepsAllAndCannotBeLonger) {
@@ -343,14 +343,14 @@ EXERCISE_TEST(LongestStep, KeepsAllAndCannotBeLonger) {
       a_little_more = std::min(a_little_more, (value + (share + 1e-9) * change).minCoeff());
     }
     expect_at_least("least of rooms and pushes after that part, over what it was", "Eq. (11.10)", least, -1e-9,
-                    "0, and roundings of a change 1e6 times as large",
-                    "Something goes below 0: all four vectors, and of each all rows, are a limit. The smallest "
+                    "0, and round-off of a change 1e6 times as large",
+                    "A value goes below 0: all rows of all four vectors are limits. Take the smallest "
                     "-value/change of those that fall.");
     if (share < 1)
       expect_at_most("least of rooms and pushes after a part that is 1e-9 longer", "Eq. (11.10)", a_little_more,
-                     0, "it would be negative", "It could have been longer.");
+                     0, "one would be negative", "It could have been longer.");
     expect_at_most("the part", "Eq. (11.10)", share, 1, "a whole step",
-                   "At most 1, also where nothing limits it.");
+                   "The part is at most 1, also where nothing limits it.");
   }
 }
 
@@ -359,7 +359,7 @@ EXERCISE_TEST(BarrierMatrix, DropsNothingSmall) {
     Interior now = four(1);
     now.push_lo.setConstant(part), now.push_hi.setConstant(part);
     const SparseMatrix S = lower_triangle(MatrixXd::Identity(4, 4));
-    expect_near("what bounds that push with " + show(part) + " m/s add to the diagonal [1/kg]", "Eq. (11.7)",
+    expect_near("what bounds with a push of " + show(part) + " m/s add to the diagonal [1/kg]", "Eq. (11.7)",
                 barrier_matrix(S, now).coeff(2, 2) - 1, 2 * part, roundings(4),
                 {{0, "They add nothing. " + small_is_dropped}}, small_is_dropped);
     if (::testing::Test::HasFailure()) return;
@@ -367,7 +367,7 @@ EXERCISE_TEST(BarrierMatrix, DropsNothingSmall) {
 }
 
 EXERCISE_TEST(NewtonStep, DropsNothingSmall) {
-  // One row, λ between two bounds; of the four that ask for a change one is large, and another small.
+  // One row, λ between two bounds. Of the four terms in its equation one is large, and another small.
   const VectorXd one = VectorXd::Ones(1);
   const std::string names[] = {"B", "S λ", "τ⁻/s⁻", "τ⁺/s⁺"};
   for (const double part : relative_scales)

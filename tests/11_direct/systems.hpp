@@ -1,5 +1,5 @@
 #pragma once
-// Rows whose solutions are known, and what solves any rows slowly, for the tests of chapter 11.
+// Rows with known solutions, and slow solvers for any rows, for the tests of chapter 11.
 #include <Eigen/Dense>
 #include <string>
 #include <vector>
@@ -12,7 +12,7 @@ namespace spook::testing {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// To roundings.
+/// Solves until only round-off is left.
 constexpr StopRule exact{.max_sweeps = 100, .tolerance = 0};
 
 /// Bodies, the rows between them, and room for V.
@@ -35,15 +35,14 @@ inline int System<3>::add(double inverse, const Twist<3>& Wf) {
   return static_cast<int>(V.size()) - 1;
 }
 
-/// Rigid bodies, the first of which nothing moves, and rows of contacts anywhere between two of them, without bounds.
+/// Rigid bodies, the first of them static, and rows of contacts between any two of them, without bounds.
 System<6> random_system(Random& random, int bodies, int rows);
 
-/// For each row one of: no bound, one below, one above, two; some of them 0. They hold about half of the rows.
+/// Gives each row one of: no bound, one below, one above, two; some of them 0. About half of the rows end at a bound.
 void add_random_bounds(Random& random, std::vector<Row<6>>& rows);
 
-/// Points that hang straight down in `links` links, from a static point, at rest where the links have
-/// stretched by T/k each; the last is `ratio` times as heavy as the others, of 1 kg. λ of link k, 0 at the top, is -h
-/// tension(k).
+/// Points that hang straight down in `links` links from a static point, at rest, each link stretched by T/k. The last
+/// has `ratio` times the mass of the others, 1 kg. λ of link k is -h tension(k), with 0 at the top.
 struct HangingWire {
   int links;
   double ratio, k, h, d = 2, g = 9.81;
@@ -53,21 +52,21 @@ struct HangingWire {
   System<3> system() const;
 };
 
-/// Points around one in the middle, each tied to it by a row along its own direction; Σ = 0.1.
+/// Points around a central one, each tied to it by a row along its own direction; Σ = 0.1.
 System<3> star(Random& random, int points);
 
-/// Boxes of 1 kg and edges of 1 m on a floor, one on the other, with four contacts each of three rows: normal, t1, t2.
-/// The friction rows have bounds ±mu h g/4 times the mass that rests on the contact, and Σ = 1e-10. The boxes slide
-/// as `slide` says.
+/// A tower of boxes of 1 kg with edges of 1 m on a floor. Each has four contacts of three rows: normal, t1, t2. The
+/// friction rows have bounds ±mu h g/4 times the mass that rests on the contact, and Σ = 1e-10. The boxes slide
+/// at the velocity `slide`.
 System<6> box_tower(int boxes, double h, double mu, const Vec3& slide);
 
 /// The lower triangle, compressed.
 SparseMatrix lower_triangle(const MatrixXd& A);
 
-/// The symmetric matrix of which this is the lower triangle.
+/// The symmetric matrix with this lower triangle.
 MatrixXd full(const SparseMatrix& lower);
 
-/// V = M⁻¹ Gᵀ λ of the rows' λ.
+/// V = M⁻¹ Gᵀ λ, with the rows' λ.
 template <int Dof>
 std::vector<Twist<Dof>> velocities(const std::vector<Row<Dof>>& rows, std::size_t bodies) {
   std::vector<Twist<Dof>> V(bodies, Twist<Dof>::Zero());

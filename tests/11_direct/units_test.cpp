@@ -1,4 +1,4 @@
-// Of what the arguments and results of this chapter's functions are made, and that they are right in any units.
+// The units of arguments and results of this chapter's functions, and tests in any units.
 #include "contract.hpp"
 #include "exercise_test.hpp"
 #include "interior.hpp"
@@ -37,7 +37,7 @@ EXERCISE(InteriorStep, "11.9 interior_step");
 EXERCISE(InteriorSolve, "11.10 interior_solve");
 EXERCISE(DirectSolve, "11.11 direct_solve");
 
-/// Rigid bodies, of which the first is fixed, and rows without bounds or with bounds of every kind.
+/// Rigid bodies, of which the first is static, and rows without bounds or with bounds of every kind.
 System<6> some_system(bool bounds) {
   Random random;
   System<6> system = random_system(random, 4, 9);
@@ -45,7 +45,7 @@ System<6> some_system(bool bounds) {
   return system;
 }
 
-/// A symmetric system with bounds, as interior_solve wants it.
+/// A symmetric system with bounds, as interior_solve takes it.
 struct Sparse {
   SparseMatrix S;
   VectorXd B, lo, hi;
@@ -57,7 +57,7 @@ Sparse sparse_system() {
   return {.S = lower_triangle(p.S), .B = p.B, .lo = p.lo, .hi = p.hi};
 }
 
-/// What the steps are given.
+/// The arguments of the steps.
 struct FactorsOf : Factors {
   explicit FactorsOf(const SparseMatrix& A) { factorise(A, *this); }
 };

@@ -1,4 +1,4 @@
-// The spring across a tight link: against the change of its pull, and in its eigenvalues.
+// The transverse spring of a tight link: against the change of its pull, and by its eigenvalues.
 
 #include "12_stiff_wires/stiff_wires.hpp"
 #include "algebra.hpp"
@@ -31,11 +31,11 @@ void expect_stiffness(const std::string& what, const Link& link, const Mat3& got
   const double k = link.T / link.l;
   expect_near_vector<Mat3>(
       what, "Eq. (12.3)", got, right, tolerance,
-      {{-k * (one - along),
-        "The sign: K pulls a turned link back, its force is -K times the change of distance."},
-       {k * one, "This is T/l in all directions. Along the link its tension does not change: take n nᵀ away."},
-       {k * along, "This is along the link, where the row holds it. The spring is across it: 1 - n nᵀ."},
-       {link.T * (one - along), "The length is missing: turned by an angle, a short link moves its end less."},
+      {{-k * (one - along), "The sign: K turns the link back, its force is -K times the change of distance."},
+       {k * one, "This is T/l in all directions. Along the link its tension does not change: subtract n nᵀ."},
+       {k * along, "This is along the link, where the row holds it. The spring acts across it: 1 - n nᵀ."},
+       {link.T * (one - along),
+        "The length is missing: turned by the same angle, a short link moves its end less."},
        {k * link.l * link.l * (one - along), "This is T l: divide by the length."}},
       "The pull on the end j is -T n, and n turns with the distance of the ends: K = (T/l)(1 - n nᵀ).");
 }
@@ -53,7 +53,7 @@ EXERCISE_TEST(GeometricStiffness, FollowsALinkThatNearlyLiesAlongAnAxis) {
     expect_near_vector<Vec3>(
         "K of a link of 3 m that leans by " + show(part) + " from z, under 12 N, times z [N/m]", "Eq. (12.3)",
         K.col(2), 4 * Vec3(-n.x() * n.z(), -n.y() * n.z(), n.x() * n.x() + n.y() * n.y()), roundings(8, 4),
-        {{Vec3::Zero(), "It has been taken to lie along z. " + small_is_dropped}}, small_is_dropped);
+        {{Vec3::Zero(), "It was treated as a link along z. " + small_is_dropped}}, small_is_dropped);
     if (::testing::Test::HasFailure()) return;
   }
 }
@@ -71,8 +71,8 @@ EXERCISE_TEST(GeometricStiffness, IsHowThePullTurns) {
       change.col(k) = -(pull(d + aside) - pull(d - aside)) / (2 * delta);
     }
     expect_stiffness(
-        "K as minus the change of the pull over that of the distance, " + text(link) + " [N/m]", link, K,
-        change, {1e-9 * link.T / link.l, "differences of 1e-5 of a link, 1e-10, and their roundings, 1e-10"});
+        "K against minus the change of the pull over that of the distance, " + text(link) + " [N/m]", link, K,
+        change, {1e-9 * link.T / link.l, "differences of 1e-5 of a link, 1e-10, and their round-off, 1e-10"});
   }
 }
 
@@ -83,7 +83,7 @@ EXERCISE_TEST(GeometricStiffness, LeavesTheLinksOwnDirectionAlone) {
     const Mat3 K = geometric_stiffness(link.n, link.l, link.T);
     expect_near_vector<Vec3>("K n, " + text(link) + " [N/m]", "Eq. (12.3)", K * link.n, Vec3::Zero(),
                              roundings(16, link.T / link.l), {},
-                             "Along itself the link is held by its row; K must not hold it once more.");
+                             "Along itself the link is held by its row; K must not hold it twice.");
   }
 }
 
@@ -93,12 +93,14 @@ EXERCISE_TEST(GeometricStiffness, IsTheSameAllAround) {
     const Link link = random_link(random);
     const Mat3 K = geometric_stiffness(link.n, link.l, link.T);
     const double k = link.T / link.l;
-    expect_near_vector<Mat3>("K and its transpose, " + text(link) + " [N/m]", "Eq. (12.3)", K, K.transpose(),
-                             roundings(8, k), {}, "A force that has an energy has a symmetric stiffness.");
+    expect_near_vector<Mat3>("K against its transpose, " + text(link) + " [N/m]", "Eq. (12.3)", K,
+                             K.transpose(), roundings(8, k), {},
+                             "A force with a potential energy has a symmetric stiffness.");
     const Vec3 found = eigenvalues(K);
     expect_near_vector<Vec3>("eigenvalues of K, from the smallest, " + text(link) + " [N/m]", "Eq. (12.3)",
-                             found, Vec3(0, k, k), roundings(50, k), {{Vec3(-k, -k, 0), "The sign of K."}},
-                             "None along the link, and T/l in both directions across it.");
+                             found, Vec3(0, k, k), roundings(50, k),
+                             {{Vec3(-k, -k, 0), "Check the sign of K."}},
+                             "The eigenvalue is 0 along the link, and T/l in both directions across it.");
   }
 }
 
@@ -110,9 +112,9 @@ EXERCISE_TEST(GeometricStiffness, OfALinkThatPushesIsZero) {
         "K of a link of 3 m along z, for T = " + show(T) + " N [N/m]", "Eq. (12.4)",
         geometric_stiffness(n, 3, T), Mat3::Zero(), {0, "exact"},
         {{T * across,
-          "A link that pushes would turn away: this K is negative, and could make a mass of M̃ negative."},
-         {-T * across, "A link that pushes does not pull back: not |T|, but none."}},
-        "Slack or pushing, a link has no K.");
+          "A link under compression would turn away: this K is negative, and could make a mass of M̃ negative."},
+         {-T * across, "A link under compression does not turn back: K is not |T|/l, but 0."}},
+        "Slack or under compression, a link has K = 0.");
   }
 }
 

@@ -10,7 +10,7 @@
 
 namespace spook::testing {
 
-/// What stiff_solve is given.
+/// The arguments of stiff_solve.
 struct Springs {
   Motion<3> motion = {};
   std::vector<Row<3>> rows = {};
@@ -42,8 +42,8 @@ inline Mat3 across(const Vec3& n, double k) {
   return k * (Mat3::Identity() - n * n.transpose());
 }
 
-/// A chain from the first body to the last, and some more springs between any two, in either order; `fixed` of the
-/// bodies do not move.
+/// A chain from the first body to the last, and some more springs between any two, in either order. Of the bodies,
+/// `fixed` are static.
 inline Springs random_springs(Random& random, int bodies, int fixed, int more) {
   Springs s{.h = random.log_uniform(1e-3, 0.1)};
   for (int body = 0; body < bodies; ++body) {
@@ -51,7 +51,7 @@ inline Springs random_springs(Random& random, int bodies, int fixed, int more) {
     const Vec3 W = random.vector(3), Wf = random.vector(0.2);
     s.add(inverse_mass, W, Wf);
   }
-  std::vector<int> order;  // a fixed one may be anywhere in the chain
+  std::vector<int> order;  // a static one may be anywhere in the chain
   for (int body = 0; body < bodies; ++body) order.insert(order.begin() + random.integer(0, body), body);
   const auto pair = [&](int i, int j) {
     const Vec3 n = random.unit_vector();
@@ -67,13 +67,13 @@ inline Springs random_springs(Random& random, int bodies, int fixed, int more) {
   return s;
 }
 
-/// The matrix of Eq. (12.5) in Eq. (11.2), both triangles, with so many times h² before K.
+/// The matrix of Eq. (12.5) in Eq. (11.2), both triangles, with `times` h² before K.
 inline Eigen::MatrixXd dense_matrix(const Springs& s, double times = 1) {
   const int first = 3 * s.bodies(), n = first + static_cast<int>(s.rows.size());
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n, n);
   for (int k = 0; k < first; ++k) A(k, k) = s.mass(k / 3);
   for (const Stiffness& spring : s.stiffness) {
-    // The difference of the two ends' velocities, of those ends that move.
+    // The difference of the two ends' velocities. A static end counts as 0.
     Eigen::MatrixXd ends = Eigen::MatrixXd::Zero(3, n);
     if (s.moves(spring.i)) ends.block<3, 3>(0, 3 * spring.i) = -Mat3::Identity();
     if (s.moves(spring.j)) ends.block<3, 3>(0, 3 * spring.j) = Mat3::Identity();
@@ -89,7 +89,7 @@ inline Eigen::MatrixXd dense_matrix(const Springs& s, double times = 1) {
   return A.selfadjointView<Eigen::Lower>();
 }
 
-/// That matrix times x, spring by spring and row by row: for hundreds of them.
+/// That matrix times x, spring by spring and row by row: fast enough for hundreds of them.
 inline Eigen::VectorXd times_matrix(const Springs& s, const Eigen::VectorXd& x) {
   Eigen::VectorXd y(x.size());
   const auto of = [&](int body) -> Vec3 { return s.moves(body) ? Vec3(x.segment<3>(3 * body)) : Vec3::Zero(); };
@@ -112,7 +112,7 @@ inline Eigen::VectorXd times_matrix(const Springs& s, const Eigen::VectorXd& x) 
   return y;
 }
 
-/// Throws, in words, if the matrix has not the size that it should have.
+/// Throws an error that explains the size if the matrix has a wrong one.
 inline void require_size(const SparseMatrix& A, const Springs& s) {
   const auto n = 3 * s.bodies() + std::ssize(s.rows);
   if (A.rows() != n || A.cols() != n)
@@ -120,7 +120,7 @@ inline void require_size(const SparseMatrix& A, const Springs& s) {
                            "; three unknowns a body and one a row are " + std::to_string(n));
 }
 
-/// All entries that are there, of a matrix of the right size.
+/// All stored entries, of a matrix of the right size.
 inline Eigen::MatrixXd entries(const SparseMatrix& A, const Springs& s) {
   require_size(A, s);
   return Eigen::MatrixXd(A);

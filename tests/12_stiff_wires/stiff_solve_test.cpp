@@ -1,4 +1,4 @@
-// One solve with M̃: against dense algebra, and what it keeps.
+// One solve with M̃: against dense algebra, and for what it conserves.
 #include <Eigen/LU>
 
 #include "algebra.hpp"
@@ -24,8 +24,8 @@ Answer solved(Springs& s) {
   Factors factors;
   expect_true("the factorisation of sound rows succeeds", "Eq. (12.6)",
               stiff_solve(s.rows, s.motion, s.stiffness, s.h, V, factors),
-              "Return what factorise says: true when it has succeeded.");
-  if (std::ssize(V) != s.bodies()) throw std::logic_error("V has not one velocity a body any more");
+              "Return the result of factorise: true when it has succeeded.");
+  if (std::ssize(V) != s.bodies()) throw std::logic_error("V no longer has one velocity a body");
   Answer answer{.V = Eigen::VectorXd(3 * s.bodies()), .lambda = Eigen::VectorXd(std::ssize(s.rows))};
   for (int body = 0; body < s.bodies(); ++body)
     answer.V.segment<3>(3 * body) = V[static_cast<std::size_t>(body)];
@@ -36,7 +36,7 @@ Answer solved(Springs& s) {
 /// Velocities that a spring's push is computed from: those of both ends, or by mistake that of one end.
 enum class Push { of_both, of_its_own_end, of_the_other_end, on_i_only };
 
-/// By dense algebra, with so many times h²K in M̃, and K acting on these velocities.
+/// Computes V and λ by dense algebra, with so many times h²K in M̃, and K acting on these velocities.
 Answer dense(const Springs& s, double times, const std::vector<Vec3>& pushed, Push how = Push::of_both) {
   const Eigen::MatrixXd A = dense_matrix(s, times);
   Eigen::VectorXd right = Eigen::VectorXd::Zero(A.rows());
@@ -55,7 +55,7 @@ Answer dense(const Springs& s, double times, const std::vector<Vec3>& pushed, Pu
   return {.V = unknowns.head(3 * s.bodies()), .lambda = -unknowns.tail(std::ssize(s.rows))};
 }
 
-/// The same with another h, but for its rows.
+/// The same problem with another h; the rows stay.
 Springs stepped(Springs s, double h) {
   s.h = h;
   return s;
@@ -81,10 +81,10 @@ EXERCISE_TEST(StiffSolve, SolvesTheStep) {
     const Answer tournier = dense(s, 1, whole), backwards = dense(s, 1, back);
     const std::string of = ", of " + std::to_string(s.bodies()) + " bodies with " +
                            std::to_string(s.rows.size()) + " rows, h = " + show(s.h) + " s";
-    const std::string no_K = "This is the answer with M for M̃: there is no K in it.";
+    const std::string no_K = "This is the solution with M for M̃: there is no K in it.";
     const std::string no_push =
-        "The forces' own part W_f is missing in what K resists: in terms of V the right side of the bodies is "
-        "M W_f - M̃ W_f = -h²K W_f, not 0.";
+        "K must also resist the forces' part W_f. In terms of V the right side of the bodies is M W_f - M̃ W_f "
+        "= -h²K W_f, not 0. The forces' own part W_f is missing.";
     const std::string damps =
         "This is Tournier's form, Eq. (12.8): K acts on the whole new velocity, and damps it. It should act on "
         "the "
@@ -92,15 +92,14 @@ EXERCISE_TEST(StiffSolve, SolvesTheStep) {
     const std::string sign = "The sign of what the forces add: the right side of the bodies is -h²K W_f.";
     expect_near_vector<Eigen::VectorXd>(
         "V of all bodies" + of + " [m/s]", "Eq. (12.6)", got.V, right.V,
-        {1e-10 * right.V.norm(), "roundings times a condition of up to 1e5"},
+        {1e-10 * right.V.norm(), "round-off times a condition of up to 1e5"},
         {{repeat == 9 ? dense(stepped(s, 1), 1, Wf).V : unstiff.V,
-          repeat == 9 ? "This is a step of 1 s, where one of 0 is asked for: put no other in its place."
-                      : no_K},
+          repeat == 9 ? "This is a step of 1 s. The given step is 0: use it." : no_K},
          {unpushed.V, no_push},
          {tournier.V, damps},
          {backwards.V, sign},
          {dense(s, 1, Wf, Push::of_its_own_end).V,
-          "The other end's W_f is missing: a spring resists W_f,j - W_f,i, what its two ends move apart."},
+          "The other end's W_f is missing: a spring resists W_f,j - W_f,i, the difference of its two ends."},
          {dense(s, 1, Wf, Push::of_the_other_end).V,
           "The end's own W_f is missing: a spring resists W_f,j - W_f,i, what its two ends move apart."},
          {dense(s, 1, Wf, Push::on_i_only).V, "K acts on body i only: what one end gets the other gives."},
@@ -109,12 +108,13 @@ EXERCISE_TEST(StiffSolve, SolvesTheStep) {
         "M̃ V - Gᵀλ = -h²K W_f and G V + Σ λ = B, whatever V and λ were before.");
     expect_near_vector<Eigen::VectorXd>(
         "λ of all rows" + of + " [N s]", "Eq. (12.6)", got.lambda, right.lambda,
-        {1e-10 * right.lambda.norm(), "roundings times a condition of up to 1e5"},
+        {1e-10 * right.lambda.norm(), "round-off times a condition of up to 1e5"},
         {{-right.lambda, "The unknowns of Eq. (11.2) are V and -λ."},
          {unstiff.lambda, no_K},
          {unpushed.lambda, no_push},
          {tournier.lambda, damps},
-         {Eigen::VectorXd::Constant(right.lambda.size(), 7), "The rows still have the λ that they came with."}},
+         {Eigen::VectorXd::Constant(right.lambda.size(), 7),
+          "The rows still have the λ that they had on entry."}},
         "M̃ V - Gᵀλ = -h²K W_f and G V + Σ λ = B, whatever V and λ were before.");
   }
 }
@@ -125,7 +125,7 @@ EXERCISE_TEST(StiffSolve, TakesAnyNumberOfSpringsAndRows) {
   const Answer got = solved(s);
   Eigen::VectorXd x(got.V.size() + got.lambda.size()), right(x.size());
   x << got.V, -got.lambda;
-  // h²K takes V + W_f, so the right side is the matrix's own springs times -W_f, without masses and rows.
+  // h²K multiplies V + W_f. So the right side is the matrix's own springs times -W_f, without masses and rows.
   Springs springs{.motion = s.motion, .rows = {}, .stiffness = s.stiffness, .h = s.h};
   Eigen::VectorXd Wf(3 * s.bodies()), masses(3 * s.bodies());
   for (int body = 0; body < s.bodies(); ++body) {
@@ -138,10 +138,10 @@ EXERCISE_TEST(StiffSolve, TakesAnyNumberOfSpringsAndRows) {
   Eigen::Index worst = 0;
   (left - right).cwiseAbs().maxCoeff(&worst);
   expect_near("line " + std::to_string(worst) + " of the equations of " + std::to_string(s.stiffness.size()) +
-                  " springs and " + std::to_string(s.rows.size()) + " rows, with V and λ put in",
+                  " springs and " + std::to_string(s.rows.size()) + " rows, with V and λ inserted",
               "Eq. (12.6)", left[worst], right[worst],
               {1e-9 * x.cwiseAbs().maxCoeff() * std::max(1.0, right.cwiseAbs().maxCoeff()),
-               "roundings times what factors grow"},
+               "round-off times the growth of the factors"},
               {}, "All springs and all rows, however many there are.");
 }
 
@@ -156,7 +156,7 @@ EXERCISE_TEST(StiffSolve, WithoutSpringsIsTheSaddlePoint) {
   for (int body = 0; body < 6; ++body)
     expect_near_vector<Vec3>("V of body " + std::to_string(body) + " without springs [m/s]", "Eq. (11.2)",
                              got.V.segment<3>(3 * body), V[static_cast<std::size_t>(body)],
-                             {1e-10, "roundings times a condition of up to 1e5"});
+                             {1e-10, "round-off times a condition of up to 1e5"});
 }
 
 EXERCISE_TEST(StiffSolve, KnowsNoBounds) {
@@ -169,8 +169,8 @@ EXERCISE_TEST(StiffSolve, KnowsNoBounds) {
     expect_near_vector("λ of rows with bounds, against the same rows without [N s]", "Eq. (12.6)",
                        bounded.lambda, free.lambda, {0, "the same numbers"},
                        {{free.lambda.cwiseMax(-1e-9).cwiseMin(1e-9),
-                         "It is clamped, and V, found with the others, does not belong to it."}},
-                       "It solves rows as if they had no bounds.");
+                         "It is clamped, and V, computed from the other λ, does not belong to it."}},
+                       "Rows are solved as if they had no bounds.");
   }
 }
 
@@ -180,8 +180,8 @@ EXERCISE_TEST(StiffSolve, DropsNothingSmall) {
       Springs s{.h = 0.5};
       s.add(1, Vec3::Zero(), Vec3::Zero());
       s.add(1, Vec3::Zero(), apart);
-      s.stiffness = {{.i = 0, .j = 1, .K = 4 * Mat3::Identity()}};  // h²K is 1 kg, as are the masses
-      expect_each_near<Eigen::VectorXd>("V of two bodies that forces part nearly along an axis [m/s]",
+      s.stiffness = {{.i = 0, .j = 1, .K = 4 * Mat3::Identity()}};  // h²K is 1 kg, and so are the masses
+      expect_each_near<Eigen::VectorXd>("V of two bodies that forces separate nearly along an axis [m/s]",
                                         "Eq. (12.6)", solved(s).V,
                                         (Eigen::VectorXd(6) << apart / 3, -apart / 3).finished(), 16);
       if (::testing::Test::HasFailure()) return;
@@ -201,7 +201,7 @@ EXERCISE_TEST(StiffSolve, KeepsMomentum) {
       size += s.mass(body) * got.V.segment<3>(3 * body).norm();
     }
     expect_near_vector<Vec3>("Σ m V of " + std::to_string(s.bodies()) + " free bodies [N s]", "Eq. (12.6)", sum,
-                             Vec3::Zero(), {1e-10 * size, "roundings times a condition of up to 1e5"}, {},
+                             Vec3::Zero(), {1e-10 * size, "round-off times a condition of up to 1e5"}, {},
                              "Rows and springs act between two bodies: what one gets the other gives.");
   }
 }
@@ -213,11 +213,10 @@ EXERCISE_TEST(StiffSolve, FeelsNoSteadyMotion) {
   s.rows.clear();
   for (Vec3& Wf : s.motion.Wf) Wf = Vec3(0, 0, -0.16);
   const Answer got = solved(s);
-  expect_near(
-      "largest of V of six bodies on springs, without rows [m/s]", "Eq. (12.6)", got.V.cwiseAbs().maxCoeff(), 0,
-      {1e-12, "roundings times a condition of up to 1e3"}, {},
-      "K acts on changes of velocity, and here none differs from another. What it does to a steady motion is "
-      "damping: the Tournier form, Eq. (12.8).");
+  expect_near("largest of V of six bodies on springs, without rows [m/s]", "Eq. (12.6)",
+              got.V.cwiseAbs().maxCoeff(), 0, {1e-12, "round-off times a condition of up to 1e3"}, {},
+              "K acts on changes of velocity, and here all changes are equal. Acting on a steady motion is "
+              "damping: the Tournier form, Eq. (12.8).");
 }
 
 EXERCISE_TEST(StiffSolve, MovesNothingThatIsFixed) {
@@ -226,7 +225,7 @@ EXERCISE_TEST(StiffSolve, MovesNothingThatIsFixed) {
     Springs s = random_springs(random, 6, 2, 4);
     const Answer got = solved(s);
     for (int body = 0; body < 2; ++body)
-      expect_near_vector<Vec3>("V of body " + std::to_string(body) + ", which is fixed [m/s]", "Eq. (12.6)",
+      expect_near_vector<Vec3>("V of body " + std::to_string(body) + ", which is static [m/s]", "Eq. (12.6)",
                                got.V.segment<3>(3 * body), Vec3::Zero(), {0, "exact"}, {},
                                "Its M is the identity, so its V is its right side: keep that at 0.");
   }
@@ -235,9 +234,9 @@ EXERCISE_TEST(StiffSolve, MovesNothingThatIsFixed) {
     while (s.bodies() < bodies - 1) s.add(1, Vec3::Zero(), Vec3(0, 0, -1));
     s.add(0, Vec3::Zero(), Vec3::Zero());
     s.stiffness.push_back({0, bodies - 1, 50 * Mat3::Identity()});
-    expect_near_vector<Vec3>("V of the last of " + std::to_string(bodies) + " bodies, which is fixed [m/s]",
+    expect_near_vector<Vec3>("V of the last of " + std::to_string(bodies) + " bodies, which is static [m/s]",
                              "Eq. (12.6)", solved(s).V.tail<3>(), Vec3::Zero(), {0, "exact"}, {},
-                             "Any body may be the fixed one, and the last as well. " + ends_early);
+                             "Any body may be static, also the last. " + ends_early);
   }
 }
 
@@ -246,20 +245,21 @@ EXERCISE_TEST(StiffSolve, LeavesAllAsItWasWhenItFails) {
   s.add(0, Vec3::Zero(), Vec3::Zero());
   s.add(0, Vec3::Zero(), Vec3::Zero());
   s.add(1, Vec3::Zero(), Vec3(0, 0, -1));
-  s.add_row(0, 1, Vec3::UnitZ(), 0, {.a = 1, .b = 1, .Sigma = 0});  // asks two fixed bodies to move, with Σ = 0
+  s.add_row(0, 1, Vec3::UnitZ(), 0,
+            {.a = 1, .b = 1, .Sigma = 0});  // B ≠ 0 between two static bodies, with Σ = 0
   s.rows[0].lambda = 7;
   std::vector<Twist<3>> V(3, Vec3(1, 2, 3));
   Factors factors;
-  expect_true("a row of which nothing moves, with Σ = 0, has no answer, and stiff_solve says so by false",
+  expect_true("a row between static bodies, with Σ = 0, has no solution, and stiff_solve returns false",
               "Eq. (11.4)", !stiff_solve(s.rows, s.motion, s.stiffness, s.h, V, factors),
-              "factorise returns false for a pivot that is not sound: hand that on.");
-  expect_near("λ of that row, which was 7 N s before [N s]", "Eq. (12.6)", s.rows[0].lambda, 7, {0, "exact"},
-              {}, "Return before anything is written.");
+              "factorise returns false for a pivot that is not sound: return that.");
+  expect_near("λ of that row, which was 7 N s on entry [N s]", "Eq. (12.6)", s.rows[0].lambda, 7, {0, "exact"},
+              {}, "Return before you write to rows or V.");
   for (const Vec3& velocity : V)
-    expect_near_vector<Vec3>("V of a body, which was (1, 2, 3) before [m/s]", "Eq. (12.6)", velocity,
+    expect_near_vector<Vec3>("V of a body, which was (1, 2, 3) on entry [m/s]", "Eq. (12.6)", velocity,
                              Vec3(1, 2, 3), {0, "exact"},
-                             {{Vec3::Zero(), "V has been cleared before it was known to be solved."}},
-                             "Return before anything is written.");
+                             {{Vec3::Zero(), "V has been cleared before the solve had succeeded."}},
+                             "Return before you write to rows or V.");
 }
 
 EXERCISE_TEST(StiffSolve, LooksForThePatternOnce) {
@@ -276,7 +276,7 @@ EXERCISE_TEST(StiffSolve, LooksForThePatternOnce) {
   }
   expect_near("analyses in five solves of the same wire under other tensions", "Eq. (11.3)", factors.analyses,
               1, {0, "exact"}, {{0, "The factors that were given have not been used."}},
-              "Use the factors that are handed in: they remember the pattern.");
+              "Use the factors in the arguments: they hold the pattern.");
 }
 
 }  // namespace

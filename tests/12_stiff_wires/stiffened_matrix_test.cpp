@@ -1,4 +1,4 @@
-// M̃ in the saddle-point matrix: by hand, against a dense assembly, and what springs do not do.
+// M̃ in the saddle-point matrix: by hand, against a dense assembly, and for what springs leave unchanged.
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <numbers>
@@ -32,28 +32,27 @@ EXERCISE_TEST(StiffenedMatrix, PutsASpringBetweenTwoPoints) {
               {{2, "There is no K on the diagonal of body i."},
                {18, "This is m + K: without h² it is not even a mass."},
                {10, "This is m + h K: a spring adds the impulse h K times the way h v, so h²K."},
-               {4, "Half of K is missing: each end takes all of it, with the other held."},
-               {3, "This is m + h²K/4, which would just do if the tension never grew."},
+               {4, "Half of K is missing: each end gets all of it, as if the other were held."},
+               {3, "This is m + h²K/4, which would suffice if the tension never grew."},
                {-2, "The sign: K resists, so it adds to the mass."},
-               {4.5, "1/m stands where m belongs: inverse_mass is 1/m."}});
+               {4.5, "This is 1/m, but m belongs here: inverse_mass is 1/m."}});
   expect_near("entry (3, 3): 4 kg and h²K = 4 kg", "Eq. (12.5)", A(3, 3), 8, {0, "exact"},
               {{4, "There is no K on the diagonal of body j."}});
-  expect_near(
-      "entry (3, 0), below the diagonal: -h²K", "Eq. (12.5)", A(3, 0), -4, {0, "exact"},
-      {{0,
-        "Nothing couples the two bodies below the diagonal: K is on the distance of the two, so that both "
-        "moving alike is free."},
-       {4, "The sign: K resists only what turns the link. If both move alike, it must cancel."}});
+  expect_near("entry (3, 0), below the diagonal: -h²K", "Eq. (12.5)", A(3, 0), -4, {0, "exact"},
+              {{0,
+                "Nothing couples the two bodies below the diagonal. K acts on their distance, so a common "
+                "motion is free."},
+               {4, "The sign: K resists only a rotation of the link. For a common motion it must cancel."}});
   expect_near("entry (2, 2), along the link", "Eq. (12.5)", A(2, 2), 2, {0, "exact"});
   expect_near("entry (6, 5), G of the row on body 1", "Eq. (11.2)", A(6, 5), 1, {0, "exact"},
-              {{0, "The rows are missing: below M̃ stands G, as in Eq. (11.2)."}});
+              {{0, "The rows are missing: below M̃ is G, as in Eq. (11.2)."}});
   expect_near("entry (6, 6), -Σ", "Eq. (11.2)", A(6, 6), -0.125, {0, "exact"});
 }
 
 EXERCISE_TEST(StiffenedMatrix, IsTheDenseAssembly) {
   Random random;
-  Regions regions({"i above j", "i below j", "a spring to a fixed i", "a spring to a fixed j",
-                   "a pair with two springs", "nothing is fixed", "a step of no time"});
+  Regions regions({"i above j", "i below j", "a spring to a static i", "a spring to a static j",
+                   "a pair with two springs", "no body is static", "a step of no time"});
   while (regions.lack_draws()) {
     const int bodies = random.integer(3, 8), fixed = random.integer(0, 2);
     Springs s = random_springs(random, bodies, fixed, random.integer(0, 6));
@@ -64,12 +63,12 @@ EXERCISE_TEST(StiffenedMatrix, IsTheDenseAssembly) {
     regions.draw(
         {{"i above j", any([](const Stiffness& one) { return one.i > one.j; })},
          {"i below j", any([](const Stiffness& one) { return one.i < one.j; })},
-         {"a spring to a fixed i",
+         {"a spring to a static i",
           any([&](const Stiffness& one) { return !s.moves(one.i) && s.moves(one.j); })},
-         {"a spring to a fixed j",
+         {"a spring to a static j",
           any([&](const Stiffness& one) { return s.moves(one.i) && !s.moves(one.j); })},
          {"a pair with two springs", pairs.size() < s.stiffness.size()},
-         {"nothing is fixed", !any([&](const Stiffness& one) { return !s.moves(one.i) || !s.moves(one.j); })},
+         {"no body is static", !any([&](const Stiffness& one) { return !s.moves(one.i) || !s.moves(one.j); })},
          {"a step of no time", s.h == 0}});
     const Eigen::MatrixXd A = stiffened(s), right = dense_matrix(s);
     const double size = right.cwiseAbs().maxCoeff();
@@ -110,14 +109,14 @@ EXERCISE_TEST(StiffenedMatrix, HasTheLayoutOfTheSaddlePoint) {
   const Eigen::MatrixXd all = entries(A, s);
   expect_near("sum of the sizes of all entries above the diagonal", "Eq. (12.5)",
               Eigen::MatrixXd(all.triangularView<Eigen::StrictlyUpper>()).cwiseAbs().sum(), 0, {0, "exact"}, {},
-              "The lower triangle only. For i < j the block of the pair stands at line 3j, column 3i.");
+              "Store the lower triangle only. For i < j the block of the pair is at line 3j, column 3i.");
   expect_true("the matrix is compressed", "", A.isCompressed(),
-              "setFromTriplets compresses; what was put in afterwards asks for makeCompressed.");
+              "setFromTriplets compresses; entries inserted later need makeCompressed.");
   s.stiffness.clear();
   const Eigen::MatrixXd without = stiffened(s);
   expect_near("largest difference from saddle_matrix where there are no springs", "Eq. (11.2)",
               (without - entries(saddle_matrix(s.rows, s.motion.inverse_mass), s)).cwiseAbs().maxCoeff(), 0,
-              roundings(4, 10), {}, "First three unknowns a body, then one a row.");
+              roundings(4, 10), {}, "The first unknowns are three a body, then comes one a row.");
 }
 
 EXERCISE_TEST(StiffenedMatrix, FeelsNoSpringWhenAllMoveAlike) {
@@ -131,7 +130,7 @@ EXERCISE_TEST(StiffenedMatrix, FeelsNoSpringWhenAllMoveAlike) {
     expect_near_vector<Vec3>(
         "M̃ times the same velocity of all 7 bodies, at body " + std::to_string(body) + " [N s]", "Eq. (12.5)",
         momentum.segment<3>(3 * body), s.mass(body) * v, roundings(500, 100), {},
-        "K is on distances: each line has as much of +K as of -K. So momentum is kept.");
+        "K acts on distances: each line has as much of +K as of -K, and so momentum is conserved.");
 }
 
 EXERCISE_TEST(StiffenedMatrix, CountsTheEnergyOfStretching) {
@@ -150,11 +149,10 @@ EXERCISE_TEST(StiffenedMatrix, CountsTheEnergyOfStretching) {
     const Vec3 apart = v.segment<3>(3 * spring.j) - v.segment<3>(3 * spring.i);
     springs += s.h * s.h * apart.dot(spring.K * apart);
   }
-  expect_near(
-      "vᵀM̃v of six bodies, two of them fixed, and nine springs [J]", "Eq. (12.5)", v.dot(M * v),
-      expected + springs, roundings(500, expected + springs), {{expected, "There is no K in it."}},
-      "Σ m v² and, for each spring, h² times K between the two velocities' difference. (A spring to a fixed "
-      "body has one end that moves.)");
+  expect_near("vᵀM̃v of six bodies, two of them static, and nine springs [J]", "Eq. (12.5)", v.dot(M * v),
+              expected + springs, roundings(500, expected + springs), {{expected, "There is no K in it."}},
+              "The sum has Σ m v² and, for each spring, h² times K between the difference of its two "
+              "velocities. (A spring to a static body has one end that moves.)");
 }
 
 EXERCISE_TEST(StiffenedMatrix, LeavesWhatIsFixedAlone) {
@@ -163,14 +161,13 @@ EXERCISE_TEST(StiffenedMatrix, LeavesWhatIsFixedAlone) {
   s.add(0.5, Vec3::Zero(), Vec3::Zero());
   s.stiffness = {{.i = 0, .j = 1, .K = across(Vec3::UnitZ(), 8)}};
   const Eigen::MatrixXd A = stiffened(s);
-  expect_near("entry (0, 0), of a body that is fixed", "Eq. (12.5)", A(0, 0), 1, {0, "exact"},
-              {{3, "What is fixed takes no stiffness: it does not move, whatever pulls."}},
-              "What is fixed has the identity for its M: its inverse mass is 0.");
-  expect_near(
-      "entry (3, 0), between it and a body that moves", "Eq. (12.5)", A(3, 0), 0, {0, "exact"},
-      {{-2, "With this entry the fixed body would be pulled along. It has none, as it has none of G."}});
-  expect_near("entry (3, 3), of the body that moves: 2 kg and 2 kg", "Eq. (12.5)", A(3, 3), 4, {0, "exact"},
-              {{2, "A link to a fixed body is a spring, too: the topmost of every wire."}});
+  expect_near("entry (0, 0), of a static body", "Eq. (12.5)", A(0, 0), 1, {0, "exact"},
+              {{3, "A static body takes no stiffness: no force moves it."}},
+              "A static body has the identity for its M: its inverse mass is 0.");
+  expect_near("entry (3, 0), between it and a dynamic body", "Eq. (12.5)", A(3, 0), 0, {0, "exact"},
+              {{-2, "With this entry the static body would be pulled along. Leave it out, as its G."}});
+  expect_near("entry (3, 3), of the dynamic body: 2 kg and 2 kg", "Eq. (12.5)", A(3, 3), 4, {0, "exact"},
+              {{2, "A link to a static body is a spring, too: the topmost of every wire."}});
 }
 
 EXERCISE_TEST(StiffenedMatrix, KeepsItsPatternWhenAWireGoesSlack) {
@@ -182,17 +179,16 @@ EXERCISE_TEST(StiffenedMatrix, KeepsItsPatternWhenAWireGoesSlack) {
   for (Stiffness& spring : s.stiffness) spring.K.setZero();
   const auto slack = stiffened_matrix(s.rows, s.motion.inverse_mass, s.stiffness, s.h).nonZeros();
   const std::string clue =
-      "A spring has its entries even where they are 0; else each link that goes slack, or lies along an axis, "
-      "makes "
-      "factorise look for the pattern again.";
+      "A spring has its entries even where they are 0. Otherwise each link that goes slack, or lies along an "
+      "axis, makes factorise look for the pattern again.";
   expect_near("entries of a wire of five points that lies along x", "Eq. (12.5)", static_cast<double>(along_x),
-              static_cast<double>(tight), {0, "those that it has when it lies in any direction"}, {}, clue);
+              static_cast<double>(tight), {0, "as many as in any direction"}, {}, clue);
   expect_near("entries of it when it is slack", "Eq. (12.5)", static_cast<double>(slack),
-              static_cast<double>(tight), {0, "those that it has when it is tight"}, {}, clue);
+              static_cast<double>(tight), {0, "as many as when it is tight"}, {}, clue);
 }
 
 EXERCISE_TEST(StiffenedMatrix, MakesEachModeOfAStringHeavier) {
-  // N points of mass m between two that are fixed, along x: across, M̃ is m + h²T/l times (-1, 2, -1).
+  // N points of mass m between two static ones, along x: across, M̃ is m + h²T/l times (-1, 2, -1).
   Random random;
   const int points = 12;
   const double m = random.log_uniform(0.01, 1), l = random.log_uniform(0.01, 1), T = random.log_uniform(1, 100);

@@ -1,4 +1,4 @@
-// What swings, step by step with stiff_solve: a pendulum at any step, and a wire that leapfrog alone would lose.
+// Swinging, step by step with stiff_solve: a pendulum at any step, and a wire for which leapfrog alone is unstable.
 #include "exercise_test.hpp"
 #include "wires.hpp"
 
@@ -19,10 +19,10 @@ EXERCISE_TEST(StiffSolve, SwingsAPendulumInStepsOfAnySize) {
       expect_true("stiff_solve succeeds", "Eq. (12.6)", pendulum.step());
       const double start = l * std::sin(angle);
       expect_near(
-          "how far out a pendulum of 0.5 m is after " + std::to_string(n) + " steps of " + show(h) +
-              " s, over where it began",
+          "amplitude of a pendulum of 0.5 m after " + std::to_string(n) + " steps of " + show(h) +
+              " s, over the initial one",
           "Eq. (12.9)", pendulum.load().x() / start, std::cos(n * turn),
-          {1e-5, "what is not linear at an angle of 1e-4: 1e-8 of it a step"}, {},
+          {1e-5, "nonlinear terms at an angle of 1e-4: 1e-8 of it a step"}, {},
           "Across the link a mass m is m + h²T/l, and nothing is damped: cos(nθ), 4 sin²(θ/2) = q/(1+q), "
           "q = h²g/l.");
     }
@@ -33,7 +33,7 @@ EXERCISE_TEST(StiffSolve, HoldsAWireOfAHundredLinks) {
   const double h = 1.0 / 60, mass = 0.01, length = 10, angle = std::numbers::pi / 6;
   for (const double ratio : {1e3, 1e5}) {
     const std::string wire =
-        " of 100 links and " + show(ratio) + ":1, let go at 30°, in 5 s of steps of 1/60 s";
+        " of 100 links and " + show(ratio) + ":1, released at 30°, in 5 s of steps of 1/60 s";
     Wire swing(100, length, mass, ratio * mass, angle, h);
     const double scale = ratio * mass * gravity * length * (1 - std::cos(angle));
     double link = 0, gained = -infinity, side = infinity;
@@ -45,15 +45,15 @@ EXERCISE_TEST(StiffSolve, HoldsAWireOfAHundredLinks) {
       side = std::min(side, swing.load().x());
     }
     expect_at_most("largest error of a link, over its length" + wire, "Eq. (12.6)", link, 1e-3,
-                   "what the reference has is 2.4e-4", "The wire has not been held.");
-    expect_at_most("energy above that of the start, over m g l (1 - cos 30°)" + wire, "Eq. (12.6)",
-                   gained / scale, 1e-9, "K takes no energy and gives none, and SPOOK only takes",
-                   "Energy has come from nowhere: is K of the right sign, and on the right bodies?");
+                   "the reference's error is 2.4e-4", "The wire has stretched.");
+    expect_at_most("energy above the initial one, over m g l (1 - cos 30°)" + wire, "Eq. (12.6)",
+                   gained / scale, 1e-9, "K does no net work, and SPOOK only dissipates",
+                   "The energy has increased: does K have the right sign, and act on the right bodies?");
     expect_at_most("loss of energy, over the same" + wire, "Eq. (12.6)", -swing.gained() / scale, 5e-3,
-                   "what the reference has is 1.4e-3",
+                   "the reference's loss is 1.4e-3",
                    "Is there damping in it? K acts on the change of velocity, V + W_f.");
-    expect_at_most("how far to the other side the load gets" + wire + " [m]", "Eq. (12.6)", side, -4.9,
-                   "as far as it came from, 5 m", "It does not swing through.");
+    expect_at_most("how far the load swings to the other side" + wire + " [m]", "Eq. (12.6)", side, -4.9,
+                   "as far as it was at the start, 5 m", "It does not swing through.");
     if (::testing::Test::HasFailure()) return;
   }
 }
@@ -71,10 +71,10 @@ EXERCISE_TEST(StiffSolve, IsOfSecondOrder) {
   place(1.0 / 30, &Wire::step);
   const Vec3 right = place(1.0 / 1920, &Wire::step_without_stiffness);
   expect_order(
-      "the load's place after 1 s, on 10 links and 1000:1 let go at 30°, against chapter 11's in steps of "
-      "1/1920 s [m]",
+      "position of the load after 1 s, on 10 links and 1000:1 released at 30°, against chapter 11's in steps "
+      "of 1/1920 s [m]",
       "Eq. (12.6)", [&](double h) { return (place(h, &Wire::step) - right).norm(); }, 1.0 / 30, 3, 2, 0.2,
-      "Order 1 is what K costs that acts on the new velocity, Eq. (12.8). Let it act on the change.");
+      "A K that acts on the new velocity, Eq. (12.8), reduces the order to 1. Let it act on the change.");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The fastest frequency of a tight wire: by hand, against the modes of a string, and as what leapfrog can follow.
+// The highest frequency of a tight wire: by hand, against the modes of a string, and as the limit of leapfrog.
 #include <numbers>
 
 #include "12_stiff_wires/stiff_wires.hpp"
@@ -23,7 +23,8 @@ EXERCISE_TEST(TransverseFrequency, IsThatOfNeighboursOnEitherSide) {
        {std::sqrt(T / (m * l)), "This is √(T/(m l)): the factor 4 is missing."},
        {3600, "This is ω²: take the root."},
        {60 / (2 * std::numbers::pi), "This is in turns a second. ω is in radians a second."},
-       {std::sqrt(4 * T / m) / l, "One l too many: T/l is the spring constant of a turned link."},
+       {std::sqrt(4 * T / m) / l,
+        "This divides by l twice. One l too many: T/l is the spring constant of a turned link."},
        {std::sqrt(4 * T / m), "l is missing: T/l is the spring constant of a turned link."},
        {2.0 / 60, "This is 2/ω, the step of Eq. (12.2)."},
        {1.0 / 60, "This is 1/ω."}});
@@ -44,16 +45,16 @@ EXERCISE_TEST(TransverseFrequency, IsTheEdgeOfTheModesOfAString) {
     }
     const double fastest = std::sqrt(eigenvalues(A).maxCoeff());
     const double share = std::sin(points * std::numbers::pi / (2 * (points + 1)));
-    expect_near("fastest frequency of a string of " + std::to_string(points) +
+    expect_near("highest frequency of a string of " + std::to_string(points) +
                     " points between fixed ends, as ω sin(Nπ/(2(N+1))), T = " + show(T) + " N, m = " + show(m) +
                     " kg, l = " + show(l) + " m [rad/s]",
                 "Eq. (12.1), (12.10)", omega * share, fastest,
-                {1e-12 * fastest, "the eigenvalues of a matrix of up to 64 points, in roundings"}, {},
-                "The eigenvalues of the string's matrix are what they are; ω is their upper edge.");
+                {1e-12 * fastest, "the eigenvalues of a matrix of up to 64 points, in units of round-off"}, {},
+                "The eigenvalues of the string's matrix are exact; ω is their upper limit.");
   }
 }
 
-/// How far the points get, in units of where they begin, if leapfrog steps them in the fastest mode of a string.
+/// The largest distance of the points, over the initial one, if leapfrog steps them in the highest mode of a string.
 double amplitude(double h, double T, double m, double l, int points, int steps) {
   Particles string;
   for (int k = 0; k <= points + 1; ++k) {
@@ -79,13 +80,13 @@ double amplitude(double h, double T, double m, double l, int points, int steps) 
 EXERCISE_TEST(TransverseFrequency, SaysWhichStepsLeapfrogFollows) {
   const double T = 50, m = 0.02, l = 0.1;
   const double largest = 2 / transverse_frequency(T, m, l);
-  expect_at_most("how far a string of 30 points gets with h = 0.99·2/ω, from 1 m, in 200 steps [m]",
+  expect_at_most("largest distance in a string of 30 points with h = 0.99·2/ω, from 1 m, in 200 steps [m]",
                  "Eq. (12.2)", amplitude(0.99 * largest, T, m, l, 30, 200), 1 + 1e-9,
-                 "cos(nθ), Eq. (1.8); what roundings are in other modes stays as small",
-                 "Leapfrog loses this string at a step that 2/ω says is small enough: your ω is too small.");
-  expect_at_least("how far it gets with h = 1.05·2/ω, in 200 steps [m]", "Eq. (12.2)",
+                 "cos(nθ), Eq. (1.8); round-off in other modes stays as small",
+                 "Leapfrog is unstable for this string at a step below your 2/ω: your ω is too small.");
+  expect_at_least("largest distance with h = 1.05·2/ω, in 200 steps [m]", "Eq. (12.2)",
                   amplitude(1.05 * largest, T, m, l, 30, 200), 1e6, "beyond 2/ω it grows by 1.9 a step",
-                  "Leapfrog follows this string at a step that 2/ω says is too large: your ω is too large.");
+                  "Leapfrog is stable for this string at a step above your 2/ω: your ω is too large.");
 }
 
 EXERCISE_TEST(TransverseFrequency, OfASlackWireIsZero) {
@@ -101,7 +102,7 @@ EXERCISE_TEST(TransverseFrequency, RefusesWhatIsNoWire) {
   for (const double bad : {0.0, -1.0, nan, inf}) {
     expect_rejects("a mass of " + show(bad) + " kg", "mass", [=] { transverse_frequency(1, bad, 1); });
     expect_rejects("a length of " + show(bad) + " m", "length", [=] { transverse_frequency(1, 1, bad); });
-    const std::string slack = "All are looked at before anything is returned, also where the tension is 0.";
+    const std::string slack = "Check all arguments before you return, also where the tension is 0.";
     expect_rejects(
         "a mass of " + show(bad) + " kg, slack", "mass", [=] { transverse_frequency(0, bad, 1); }, slack);
     expect_rejects(

@@ -1,4 +1,4 @@
-// Of what the arguments and results of this chapter's functions are made, and that they are right in any units.
+// The units of arguments and results of this chapter's functions, and tests in any units.
 #include "contract.hpp"
 #include "exercise_test.hpp"
 #include "matrices.hpp"

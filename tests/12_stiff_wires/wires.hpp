@@ -1,5 +1,5 @@
 #pragma once
-// A wire that swings, for the tests of chapter 12.
+// A swinging wire, for the tests of chapter 12.
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -13,10 +13,10 @@ namespace spook::testing {
 
 constexpr double gravity = 10;  // [m/s²], along -z
 
-/// Links between points, from a hook at the origin; x is of one time, v of half a step before. Let go at rest.
+/// Links between points, from a hook at the origin. x is at one time, v half a step earlier. It is released at rest.
 class Wire {
  public:
-  /// Straight, at an angle from the vertical; points of `mass`, `load` in place of the last.
+  /// A straight wire, at an angle from the vertical; points of `mass`, the last of `load`.
   Wire(int links, double length, double mass, double load, double angle, double h)
       : h_(h), length_(length / links), spook_(spook_parameters(h, 1e12, 3)) {
     const Vec3 along(std::sin(angle), 0, -std::cos(angle));
@@ -33,10 +33,10 @@ class Wire {
     start_ = potential();
   }
 
-  /// With K, by stiff_solve. False when it says that it cannot.
+  /// Steps with K, by stiff_solve. Returns false when stiff_solve does.
   bool step() { return step(true); }
 
-  /// Without, by chapter 11's saddle_solve.
+  /// Steps without K, by chapter 11's saddle_solve.
   bool step_without_stiffness() { return step(false); }
 
   Vec3 load() const { return x_.back(); }
@@ -49,7 +49,7 @@ class Wire {
     return largest;
   }
 
-  /// Kinetic and of the weight, both as the last step began, less that at the start [J].
+  /// Kinetic energy and that of the weight, both at the begin of the last step, less their sum at the start [J].
   double gained() const { return gained_; }
 
  private:
@@ -76,7 +76,7 @@ class Wire {
     const bool solved = stiff ? stiff_solve(rows, motion_, stiffness, h_, V_, factors_)
                               : saddle_solve(rows, motion_.inverse_mass, V_, factors_);
     if (!solved) return false;
-    if (V_.size() != x_.size()) throw std::logic_error("V has not one velocity a body any more");
+    if (V_.size() != x_.size()) throw std::logic_error("V no longer has one velocity a body");
 
     gained_ = potential() - start_;
     for (std::size_t k = 1; k < x_.size(); ++k) {
@@ -85,7 +85,8 @@ class Wire {
       if (begun_) gained_ += mass(k) * (before + motion_.W[k]).squaredNorm() / 8;  // Eq. (1.6)
       x_[k] = drift(x_[k], motion_.W[k], h_);
       if (!(x_[k].norm() < 1e6))
-        throw std::logic_error("a body is 1000 km away, or nowhere: the simulation has blown up");
+        throw std::logic_error(
+            "a body is more than 1000 km away, or its position is NaN: the simulation has blown up");
     }
     for (std::size_t k = 0; k < rows.size(); ++k) tension_[k] = -rows[k].lambda / (part * h_);  // Eq. (12.4)
     begun_ = true;

@@ -21,30 +21,28 @@ double angle_at(double angle, double last) {
 
 EXERCISE_TEST(HingeAngle, IsHowFarJIsTurnedAsISeesIt) {
   for (const double angle : {0.0, 0.3, -0.3, 1.5, -2.0, 3.1, -3.1})
-    expect_near(
-        "angle of a hinge that is turned by " + show(angle) + " rad, last seen at 0", "Eq. (13.8)",
-        angle_at(angle, 0), angle, roundings(64),
-        {{std::abs(angle), "The sign is lost, as it is where only the cosine is asked. atan2 has both."},
-         {-angle, "The sign: this is how i is turned as j sees it."},
-         {angle / 2, "This is half of it: w and v_3 are cosine and sine of half the angle."},
-         {2 * std::sin(angle / 2), "This is 2v_3, the chord. The angle is 2 atan2(v_3, w)."}},
-        "θ = 2 atan2(v_3, w), with Q = P_i* P_j.");
+    expect_near("angle of a hinge that is turned by " + show(angle) + " rad, last seen at 0", "Eq. (13.8)",
+                angle_at(angle, 0), angle, roundings(64),
+                {{std::abs(angle), "The sign is lost, as the cosine alone does not have it. atan2 uses both."},
+                 {-angle, "The sign: this is how i is turned as seen from j."},
+                 {angle / 2, "This is half of it: w and v_3 are cosine and sine of half the angle."},
+                 {2 * std::sin(angle / 2), "This is 2v_3, the chord. The angle is 2 atan2(v_3, w)."}},
+                "θ = 2 atan2(v_3, w), with Q = P_i* P_j.");
 }
 
 EXERCISE_TEST(HingeAngle, GoesOnBeyondHalfATurn) {
   for (const double sign : {1.0, -1.0}) {
     const double last = sign * 3.1, angle = sign * 3.2;
-    expect_near(
-        "angle of a hinge last seen at " + show(last) + " rad, at " + show(angle) + " rad", "Eq. (13.9)",
-        angle_at(angle, last), angle, roundings(64),
-        {{angle - sign * turn,
-          "A turn is missing: at half a turn it has jumped to the other side. Which of the angles that look "
-          "alike is nearest to the last one?"}},
-        "It turned by 0.1 rad since it was last seen, not by almost a turn back.");
+    expect_near("angle of a hinge last seen at " + show(last) + " rad, at " + show(angle) + " rad",
+                "Eq. (13.9)", angle_at(angle, last), angle, roundings(64),
+                {{angle - sign * turn,
+                  "A turn is missing: at half a turn the angle has jumped to the other side. Of the equivalent "
+                  "angles take the one nearest to `last`."}},
+                "It turned by 0.1 rad since it was last seen, not by almost a turn back.");
   }
 }
 
-// Two hinges are looked at in turn: what is known of the one says nothing about the other.
+// Two hinges are read in turn: the angle of one says nothing about the other.
 EXERCISE_TEST(HingeAngle, KnowsOnlyTheLastAngleThatItIsGiven) {
   RandomFrames t;
   t.close_hinge(0.3);
@@ -56,11 +54,11 @@ EXERCISE_TEST(HingeAngle, KnowsOnlyTheLastAngleThatItIsGiven) {
     expect_near("angle of a hinge at 0.3 rad, last seen at " + show(right + 0.1) + " rad", "Eq. (13.9)", got,
                 right, roundings(64, 20),
                 {{nearest,
-                  "This is nearest to what an earlier call has returned. A static variable? There are many "
-                  "hinges: only `last` tells of this one."},
+                  "This is nearest to the result of an earlier call. A static variable? There are many hinges: "
+                  "use `last` only."},
                  {right + std::round((got - right) / turn) * turn,
                   "It is whole turns off. `last` may be any number of turns away, not one or two."}},
-                "Of the angles that look alike, the one nearest to `last`.");
+                "Of the equivalent angles take the one nearest to `last`.");
     if (::testing::Test::HasFailure()) return;
     before = right;
   }
@@ -87,9 +85,8 @@ EXERCISE_TEST(HingeAngle, IsTheNearestWhateverTheSignsOfTheQuaternions) {
                   {"some turns back", angle < -turn}});
     expect_near("angle of a hinge at " + show(angle) + " rad, last seen at " + show(last) + " rad",
                 "Eq. (13.9)", hinge_angle(t.i, t.j, last).value, angle, roundings(64, 40), {},
-                "q and -q are one orientation, so the angle of atan2 is right but for whole turns, of either "
-                "sign: take "
-                "the nearest to `last`.");
+                "q and -q are the same orientation, so atan2's angle is right except for whole turns of either "
+                "sign. Take the angle nearest to `last`.");
   }
 }
 
@@ -97,13 +94,12 @@ EXERCISE_TEST(HingeAngle, CountsManyTurns) {
   Random random;
   double angle = 0, last = 0;
   for (int n = 0; n < 300 && !::testing::Test::HasFailure(); ++n) {
-    angle += random.uniform(-1.5, 3.1);  // less than half a turn, and forwards on the whole
+    angle += random.uniform(-1.5, 3.1);  // less than half a turn, and forwards on average
     last = angle_at(angle, last);
-    expect_near(
-        "angle after " + std::to_string(n + 1) + " looks [rad]", "Eq. (13.9)", last, angle, roundings(64, 300),
-        {},
-        "From look to look it turns by less than half a turn. However many turns it has made already, the "
-        "new angle is the one nearest to the last.");
+    expect_near("angle after " + std::to_string(n + 1) + " calls [rad]", "Eq. (13.9)", last, angle,
+                roundings(64, 300), {},
+                "From call to call it turns by less than half a turn. However many turns it has made already, "
+                "the new angle is the one nearest to the last.");
   }
 }
 
@@ -112,12 +108,11 @@ EXERCISE_TEST(HingeAngle, IsTheSameForMinusTheQuaternion) {
   for (const double angle : {0.4, -2.5}) {
     t.close_hinge(angle);
     t.j.axes.coeffs() *= -1;
-    expect_near(
-        "angle of a hinge at " + show(angle) + " rad, whose j has the quaternion -q", "Eq. (13.8), (13.9)",
-        hinge_angle(t.i, t.j, 0).value, angle, roundings(64),
-        {{angle + turn, "A turn too many: q and -q are the same orientation."},
-         {angle - turn, "A turn too few: q and -q are the same orientation."}},
-        "q and -q are the same orientation, and 2 atan2 sees them a turn apart. (13.9) takes that away.");
+    expect_near("angle of a hinge at " + show(angle) + " rad, whose j has the quaternion -q",
+                "Eq. (13.8), (13.9)", hinge_angle(t.i, t.j, 0).value, angle, roundings(64),
+                {{angle + turn, "There is a turn too many: q and -q are the same orientation."},
+                 {angle - turn, "There is a turn too few: q and -q are the same orientation."}},
+                "q and -q are the same orientation, but 2 atan2 differs by a turn. Subtract it by (13.9).");
   }
 }
 
@@ -128,20 +123,20 @@ EXERCISE_TEST(HingeAngle, TimesVelocityIsItsRate) {
   for (int trial = 0; trial < 10 && !::testing::Test::HasFailure(); ++trial) {
     const Twist<6> Wi = t.random.twist(), Wj = t.random.twist();
     const double rate = rate_of(value, t, Wi, Wj);
-    expect_near("G W, against the angle of two bodies that turn, differentiated numerically [rad/s]",
+    expect_near("G W, against the angle of two rotating bodies, differentiated numerically [rad/s]",
                 "Eq. (13.8)", rate_by(hinge_angle(t.i, t.j, 2.1), Wi, Wj), rate, of_differences,
                 {{-rate, "The sign: j comes with a plus, i with a minus."},
                  {Wj[5] - Wi[5], "This is about the world's z. The axis is the third of i's frame."},
                  {rate / 2, "This is the rate of half the angle."},
                  {(t.i.axes * Vec3::UnitX()).dot(Vec3(Wj.tail<3>() - Wi.tail<3>())),
                   "This is about the frame's first axis. The hinge is along the third."}},
-                "The angle changes as the part of ω_j - ω_i along the axis.");
+                "The angle's rate is the part of ω_j - ω_i along the axis.");
   }
   expect_pure_torque("the row of an angle", "Eq. (13.8)", hinge_angle(t.i, t.j, 0));
   expect_between("the row of an angle", hinge_angle(t.i, t.j, 0), t);
 }
 
-// Q = (opening) (turn about the third axis): atan2(v_3, w) is that of the turn, however wide the joint is open.
+// Q = (opening) (turn about the third axis): atan2(v_3, w) is that of the turn, however far the joint is open.
 EXERCISE_TEST(HingeAngle, DoesNotCountTheOpening) {
   RandomFrames t;
   for (int trial = 0; trial < 30 && !::testing::Test::HasFailure(); ++trial) {
@@ -158,16 +153,16 @@ EXERCISE_TEST(HingeAngle, DoesNotCountTheOpening) {
             show(last) + " rad",
         "Eq. (13.8)", hinge_angle(t.i, t.j, last).value, angle, roundings(256, 4),
         {{nearest(whole),
-          "This has |v| in place of v_3, or 2 acos(w), the whole angle of Q: that by which the hinge is open "
-          "counts, too."},
+          "This has |v| in place of v_3, or 2 acos(w), the whole angle of Q: both include the opening of the "
+          "hinge."},
          {nearest(2 * std::asin(Q.z() * (Q.w() < 0 ? -1 : 1))),
-          "This is 2 asin(v_3), right only where the hinge is shut. Where it is open w² + v_3² is below 1."}},
-        "θ = 2 atan2(v_3, w): what opens the hinge takes the same share of both.");
+          "This is 2 asin(v_3), right only where the hinge is closed. Where it is open w² + v_3² is below 1."}},
+        "θ = 2 atan2(v_3, w): the opening multiplies both by the same factor.");
   }
 }
 
 EXERCISE_TEST(HingeAngle, TurnsAboutTheAxisOfI) {
-  // Of a hinge that is a little open, too.
+  // The same for a hinge that is slightly open.
   RandomFrames t;
   t.close_hinge(0.5);
   t.j.axes = t.j.axes * turn_about(Vec3(1, 2, 0), 0.01);

@@ -1,4 +1,4 @@
-// The row of a limit: which one, which way, and when it begins to act.
+// The row of a limit: its side, its direction, and when it acts.
 #include "exercise_test.hpp"
 #include "frames.hpp"
 #include "regions.hpp"
@@ -38,9 +38,10 @@ EXERCISE_TEST(LimitConstraint, HasTheGapToTheNearerLimit) {
                 {{-c.gap, "The sign: the gap is positive within the limits, negative beyond."},
                  {c.value - narrow.lower, "This is the gap to the lower limit. The upper one is nearer."},
                  {narrow.upper - c.value, "This is the gap to the upper limit. The lower one is nearer."},
-                 {c.value, "This is the coordinate itself. The gap is what is left to the limit."},
-                 {0, "Beyond the limit the gap is negative: nothing would bring it back."}},
-                "Above the lower limit s - lower, below the upper one upper - s; the smaller of the two.");
+                 {c.value, "This is the coordinate itself. The gap is its distance to the limit."},
+                 {0, "Beyond the limit the gap is negative: with 0 nothing would bring it back."}},
+                "The gap is s - lower to the lower limit, and upper - s to the upper one. Take the smaller of "
+                "the two.");
 }
 
 EXERCISE_TEST(LimitConstraint, PushesBackFromEither) {
@@ -52,15 +53,15 @@ EXERCISE_TEST(LimitConstraint, PushesBackFromEither) {
     const std::string of = std::string(" at the ") + (low ? "lower" : "upper") + " limit";
     const std::string clue =
         low ? "At the lower limit the gap grows with the coordinate."
-            : "At the upper limit the gap falls as the coordinate grows: both blocks turn their sign.";
+            : "At the upper limit the gap falls as the coordinate grows: both blocks change their sign.";
     expect_near_vector("Gj" + of, "Eq. (13.10)", row.Gj, Twist<6>(sign * free.Gj), {0, "exact"}, {}, clue);
     expect_near_vector("Gi" + of, "Eq. (13.10)", row.Gi, Twist<6>(sign * free.Gi), {0, "exact"}, {}, clue);
-    expect_true(
-        "the row" + of + " has lo = 0 and hi = ∞; here lo = " + show(row.lo) + ", hi = " + show(row.hi),
-        "Eq. (13.10)", row.lo == 0 && row.hi == infinity,
-        row.lo < 0 ? "It also pulls this way: a limit is a contact, and lets go." : "λ is a push: 0 <= λ < ∞.");
+    expect_true("the row" + of + " has lo = 0 and hi = ∞; here lo = " + show(row.lo) + ", hi = " + show(row.hi),
+                "Eq. (13.10)", row.lo == 0 && row.hi == infinity,
+                row.lo < 0 ? "It also pulls this way: a limit acts like a contact, which only pushes."
+                           : "λ only pushes: 0 <= λ < ∞.");
     expect_true("the row" + of + " is between bodies 3 and 1; here " + show(row.i) + " and " + show(row.j),
-                "Eq. (13.10)", row.i == 3 && row.j == 1, "Copy the bodies of the coordinate.");
+                "Eq. (13.10)", row.i == 3 && row.j == 1, "Copy the bodies of the coordinate's row.");
   }
 }
 
@@ -69,14 +70,14 @@ EXERCISE_TEST(LimitConstraint, LetsComeAsFarAsTheLimit) {
     const SpookParameters got = row_at(value).spook;
     expect_near(
         "a, before the limit [1/s]", "Eq. (13.11)", got.a, 1 / limit_step, roundings(2, 1 / limit_step),
-        {{numbers.a, "This is SPOOK's a. It brakes what is still on its way: the limit would begin too early."},
-         {0, "Without a it stops where it is, before the limit."},
-         {1, "It is 1/h: in a step it may use up the gap, g + h dg/dt >= 0."}},
-        "g + h dg/dt >= 0 asks for dg/dt >= -g/h: a = 1/h.");
-    expect_near(
-        "b, before the limit", "Eq. (13.11)", got.b, 1, {0, "exact"},
-        {{numbers.b, "This is SPOOK's b: it leaves 1 - b of the speed, and that goes beyond the limit."}},
-        "The whole speed counts: b = 1.");
+        {{numbers.a,
+          "This is SPOOK's a. It brakes a coordinate that is still on its way: the limit would act too early."},
+         {0, "Without a it stops at once, before the limit."},
+         {1, "It is 1/h: a step may use up the gap, g + h dg/dt >= 0."}},
+        "g + h dg/dt >= 0 requires dg/dt >= -g/h: a = 1/h.");
+    expect_near("b, before the limit", "Eq. (13.11)", got.b, 1, {0, "exact"},
+                {{numbers.b, "This is SPOOK's b: it leaves 1 - b of the speed, which leads beyond the limit."}},
+                "The whole speed counts: b = 1.");
     expect_near("Σ, before the limit", "Eq. (3.6)", got.Sigma, numbers.Sigma, {0, "a copy"}, {}, "Copy Σ.");
   }
 }
@@ -89,9 +90,8 @@ EXERCISE_TEST(LimitConstraint, IsASpringBeyondIt) {
         {{1 / limit_step, "This is 1/h: it would bring back the whole gap in one step, and throw it off."}},
         "Beyond the limit a is that of SPOOK.");
     expect_near("b, beyond the limit or at it", "Eq. (13.11)", got.b, 1, {0, "exact"},
-                {{numbers.b,
-                  "SPOOK's b leaves 1 - b of the speed of what has just arrived, and that goes on into it."}},
-                "What arrives is stopped in one step: b = 1.");
+                {{numbers.b, "SPOOK's b leaves 1 - b of the speed on arrival, which leads beyond the limit."}},
+                "Stop it in one step on arrival: b = 1.");
     expect_near("Σ, beyond the limit or at it", "Eq. (3.6)", got.Sigma, numbers.Sigma, {0, "a copy"}, {},
                 "Copy Σ.");
   }
@@ -101,16 +101,16 @@ EXERCISE_TEST(LimitConstraint, MayHaveOneLimitOnly) {
   const Constraint<6> low = limit_constraint(at(7), {.lower = 5}, numbers, limit_step),
                       high = limit_constraint(at(7), {.upper = 5}, numbers, limit_step);
   expect_near("gap above a lower limit, without an upper one", "Eq. (13.10)", low.gap, 2, roundings(16, 7), {},
-              "A limit that is infinite is infinitely far away, and never the nearer one.");
+              "An infinite limit is infinitely far away, and never the nearer one.");
   expect_near("gap beyond an upper limit, without a lower one", "Eq. (13.10)", high.gap, -2, roundings(16, 7),
-              {}, "A limit that is infinite is infinitely far away, and never the nearer one.");
+              {}, "An infinite limit is infinitely far away, and never the nearer one.");
 }
 
 EXERCISE_TEST(LimitConstraint, IsThatOfTheNearerAtAnyPlace) {
   Random random;
   Regions regions({"nearer the lower one", "nearer the upper one", "below the lower one", "above the upper one",
-                   "only a lower one", "only an upper one", "at a limit", "below both, which are at one place",
-                   "above both, which are at one place", "nearer the lower one, which is at 0",
+                   "only a lower one", "only an upper one", "at a limit", "below both, which are equal",
+                   "above both, which are equal", "nearer the lower one, which is at 0",
                    "nearer the upper one, which is at 0"},
                   5);
   while (regions.lack_draws()) {
@@ -127,26 +127,26 @@ EXERCISE_TEST(LimitConstraint, IsThatOfTheNearerAtAnyPlace) {
                   {"only a lower one", kind == 1},
                   {"only an upper one", kind == 0},
                   {"at a limit", gap == 0},
-                  {"below both, which are at one place", kind == 4 && above < 0},
-                  {"above both, which are at one place", kind == 4 && below < 0},
+                  {"below both, which are equal", kind == 4 && above < 0},
+                  {"above both, which are equal", kind == 4 && below < 0},
                   {"nearer the lower one, which is at 0", above < below && some.lower == 0},
                   {"nearer the upper one, which is at 0", below < above && some.upper == 0}});
     const Constraint<6> row = limit_constraint(at(value), some, numbers, limit_step);
     const std::string where =
         " of a coordinate at " + show(value) + ", between " + show(some.lower) + " and " + show(some.upper);
-    expect_near(
-        "gap" + where, "Eq. (13.10)", row.gap, gap, roundings(4, 8), {},
-        "Above the lower limit s - lower, below the upper one upper - s; the smaller of the two, with its "
-        "sign: one that is passed is negative, and smaller than one that is not.");
+    expect_near("gap" + where, "Eq. (13.10)", row.gap, gap, roundings(4, 8), {},
+                "Above the lower limit the gap is s - lower, below the upper one upper - s. Take the smaller "
+                "of the two, with its sign: one that is passed is negative, and so it is the smaller one.");
     expect_near_vector("Gj" + where, "Eq. (13.10)", row.Gj, Twist<6>((above < below ? 1 : -1) * at(value).Gj),
-                       {0, "exact"}, {}, "The sign of the row whose gap it has.");
+                       {0, "exact"}, {}, "Use the sign of the row whose gap you take.");
     expect_near("a" + where + " [1/s]", "Eq. (13.11)", row.spook.a, gap > 0 ? 1 / limit_step : numbers.a,
-                roundings(2, 100), {}, "1/h before the limit, that of SPOOK beyond it.");
-    expect_near("b" + where, "Eq. (13.11)", row.spook.b, 1, {0, "exact"}, {}, "b = 1 either way.");
+                roundings(2, 100), {}, "Use 1/h before the limit, and SPOOK's a beyond it.");
+    expect_near("b" + where, "Eq. (13.11)", row.spook.b, 1, {0, "exact"}, {},
+                "Use b = 1 before the limit and beyond it.");
   }
 }
 
-// A wheel that turns towards its limit, by hand: one row, solved exactly in every step.
+// A wheel turns towards its limit, computed by hand: one row, solved exactly in every step.
 EXERCISE_TEST(LimitConstraint, StopsAWheelWhereItShould) {
   const double I = 2, limit = 0.237;
   const SpookParameters spook = spook_parameters(limit_step, 1e9, 3);
@@ -164,17 +164,15 @@ EXERCISE_TEST(LimitConstraint, StopsAWheelWhereItShould) {
     farthest = std::max(farthest, angle);
     if (n * limit_step * 1.3 < limit - limit_step * 1.3)
       expect_near("angle on the way, after " + show(n * limit_step) + " s [rad]", "Eq. (13.11)", angle,
-                  n * limit_step * 1.3, roundings(64), {},
-                  "Nothing slows it before the step in which it arrives.");
+                  n * limit_step * 1.3, roundings(64), {}, "Nothing slows it before the step of its arrival.");
     if (::testing::Test::HasFailure()) return;
   }
-  expect_near("the farthest that it came [rad]", "Eq. (13.11)", farthest, limit,
-              {1e-6, "h Σ I ω is below 1e-6"}, {},
-              "What arrives within a step is stopped at the limit, not beyond.");
+  expect_near("the largest angle [rad]", "Eq. (13.11)", farthest, limit, {1e-6, "h Σ I ω is below 1e-6"}, {},
+              "If it arrives within a step it is stopped at the limit, not beyond.");
   expect_near("angle at the end [rad]", "Eq. (13.11)", angle, limit, {1e-6, "h Σ I ω is below 1e-6"}, {},
               "It stays there: a limit does not throw it back.");
-  expect_near("impulse that the limit has given [N m s]", "Eq. (13.10)", given, I * 1.3,
-              {1e-4, "Σ of 1e-5 of it"}, {}, "It took all of I ω.");
+  expect_near("total impulse of the limit [N m s]", "Eq. (13.10)", given, I * 1.3, {1e-4, "Σ of 1e-5 of it"},
+              {}, "The limit took all of I ω.");
 }
 
 }  // namespace

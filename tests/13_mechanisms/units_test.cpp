@@ -1,4 +1,4 @@
-// Of what the arguments and results of this chapter's functions are made, and that they are right in any units.
+// The units of arguments and results of this chapter's functions, and tests in any units.
 #include "contract.hpp"
 #include "exercise_test.hpp"
 #include "frames.hpp"
@@ -9,7 +9,7 @@ using namespace spook::testing;
 
 namespace spook::testing {
 
-/// The units of all that has to do with a coordinate: an angle is a pure number, a shift is in metres.
+/// The units of a coordinate's quantities: an angle is a pure number, a shift is in metres.
 struct OfCoordinate {
   Unit value;
 
@@ -111,7 +111,7 @@ EXERCISE_TEST(HingeAngle, IsTheSameInAnyUnits) {
 
 EXERCISE_TEST(LimitConstraint, IsTheSameInAnyUnits) {
   for (const auto& [free, of] : coordinates())
-    for (const double before : {0.3, 1e-9, -0.2}) {  // far from the limit, nearly there, and beyond
+    for (const double before : {0.3, 1e-9, -0.2}) {  // far from the limit, close to it, and beyond
       const JointLimits range{.lower = free.value - 1, .upper = free.value + before};
       const SpookParameters spook{.a = 3, .b = 0.8, .Sigma = 0.1};
       if (!expect_same_in_any_units_nans_aside("Eq. (13.10), (13.11)", limit_constraint, of, with(free, of),

@@ -1,4 +1,4 @@
-// Colours: what has the same one shares no body that moves.
+// Colours: pairs of one colour share no dynamic body.
 #include <map>
 #include <set>
 
@@ -23,7 +23,7 @@ std::vector<Pair> random_pairs(Random& random, int bodies, int count) {
   return pairs;
 }
 
-/// Δ: in how many pairs the body is that is in most.
+/// Δ: the largest number of pairs of any body.
 int most_on_a_body(const std::vector<Pair>& pairs) {
   std::map<int, int> on;
   int most = 0;
@@ -45,7 +45,7 @@ EXERCISE_TEST(ColourPairs, NoTwoOfAColourShareABody) {
   Random random;
   Regions regions({"up to 8 pairs on a body", "more than 64 pairs on a body", "more than 256 pairs on a body"});
   while (regions.lack_draws()) {
-    // Few bodies with many pairs: a table with hundreds of things on it.
+    // Few bodies with many pairs: a table that carries hundreds of bodies.
     const int bodies = random.integer(2, 12);
     const std::vector<Pair> pairs = random_pairs(random, bodies, static_cast<int>(random.log_uniform(1, 1500)));
     const int most = most_on_a_body(pairs);
@@ -54,17 +54,18 @@ EXERCISE_TEST(ColourPairs, NoTwoOfAColourShareABody) {
                   {"more than 256 pairs on a body", most > 256}});
     const std::vector<int> colour = colour_pairs(pairs, static_cast<std::size_t>(bodies));
     expect_true(
-        std::to_string(pairs.size()) + " pairs have a colour each, and not " + std::to_string(colour.size()),
-        "Eq. (14.7)", colour.size() == pairs.size(), "One for each, in the order of the pairs.");
+        std::to_string(pairs.size()) + " pairs have one colour each, and not " + std::to_string(colour.size()),
+        "Eq. (14.7)", colour.size() == pairs.size(), "Return one for each, in the order of the pairs.");
     if (colour.size() != pairs.size()) return;
     const std::string any_number =
-        most > 64 ? " Here a body is in " + std::to_string(most) +
-                        " pairs: is there a mask of 64 bits, or a list that is too short? Any number may meet."
-                  : "";
+        most > 64
+            ? " Here a body is in " + std::to_string(most) +
+                  " pairs: is there a mask of 64 bits, or a list that is too short? Any number is possible."
+            : "";
     std::set<std::pair<int, int>> seen;  // colour and body
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       expect_at_least("colour of pair " + std::to_string(k), "Eq. (14.7)", colour[k], 0,
-                      "they are 0, 1, 2 ...");
+                      "colours are 0, 1, 2 ...");
       for (const int body : {pairs[k].first, pairs[k].second})
         if (body >= 0)
           expect_true("colour " + std::to_string(colour[k]) + " has body " + std::to_string(body) + " once",
@@ -77,9 +78,9 @@ EXERCISE_TEST(ColourPairs, NoTwoOfAColourShareABody) {
 
 EXERCISE_TEST(ColourPairs, TakesTheSmallestThatIsFree) {
   expect_colours("a chain of four links has colours 0 1 0 1", {{0, 1}, {1, 2}, {2, 3}, {3, 4}}, 5, {0, 1, 0, 1},
-                 "Two colours do: the third link shares no body with the first.");
-  expect_colours("three around one body, then one apart: 0 1 2 0", {{0, 1}, {0, 2}, {0, 3}, {4, 5}}, 6,
-                 {0, 1, 2, 0}, "One that shares nothing begins at 0 again.");
+                 "Two colours suffice: the third link shares no body with the first.");
+  expect_colours("three around one body, then a separate one: 0 1 2 0", {{0, 1}, {0, 2}, {0, 3}, {4, 5}}, 6,
+                 {0, 1, 2, 0}, "A pair that shares no body begins at 0 again.");
   expect_colours("a gap is filled: 0 1 1 0 2", {{0, 1}, {1, 2}, {0, 3}, {2, 3}, {1, 3}}, 4, {0, 1, 1, 0, 2},
                  "Take the smallest number that neither body has, not one more than the largest.");
 }
@@ -87,8 +88,8 @@ EXERCISE_TEST(ColourPairs, TakesTheSmallestThatIsFree) {
 EXERCISE_TEST(ColourPairs, TheFloorDoesNotCount) {
   expect_colours("four bodies on the floor have colours 0 0 0 0", {{-1, 0}, {-1, 1}, {2, -1}, {-1, 3}}, 4,
                  {0, 0, 0, 0},
-                 "-1 does not move: no update writes its velocity, and it may be in all pairs of a colour.");
-  expect_colours("what stands on it does: 0 1 0", {{-1, 0}, {0, 1}, {-1, 1}}, 2, {0, 1, 0},
+                 "-1 is static: no update writes its velocity, and it may be in all pairs of a colour.");
+  expect_colours("a stack on one of them: 0 1 0", {{-1, 0}, {0, 1}, {-1, 1}}, 2, {0, 1, 0},
                  "The second shares body 0 with the first, and the third body 1 with the second.");
 }
 
@@ -104,21 +105,21 @@ EXERCISE_TEST(ColourPairs, NeedsFewerThanTwiceTheMost) {
     expect_at_most("number of colours of " + std::to_string(pairs.size()) + " pairs, at most " +
                        std::to_string(most) + " on a body",
                    "Eq. (14.8)", largest + 1, 2 * most - 1, "2 Δ - 1",
-                   "When a pair takes its colour, each of its bodies has been in Δ - 1 others at most.");
+                   "When a pair gets its colour, each of its bodies has been in at most Δ - 1 others.");
   }
 }
 
 EXERCISE_TEST(ColourPairs, MayNeedAsManyAsTheBound) {
-  // Body 0 has colours 0 and 1, body 1 has 2 and 3; then they meet: Δ = 3, and five colours.
+  // Body 0 has colours 0 and 1, body 1 has 2 and 3, and then they meet. Δ = 3, with five colours.
   const std::vector<Pair> pairs = {{0, 2}, {0, 3}, {4, 5},  {4, 6}, {1, 4},
                                    {7, 8}, {7, 9}, {7, 10}, {1, 7}, {0, 1}};
   const std::vector<int> expected = {0, 1, 0, 1, 2, 0, 1, 2, 3, 4};
   expect_colours("an unlucky order of ten pairs takes five colours: 0 1 0 1 2 0 1 2 3 4", pairs, 11, expected,
-                 "Greedy means that no pair's colour is changed later.");
+                 "Greedy means that a pair keeps its colour.");
 }
 
 EXERCISE_TEST(ColourPairs, HasNothingToDoWithoutPairs) {
-  expect_true("no pairs, no colours", "Eq. (14.7)", colour_pairs({}, 3).empty());
+  expect_true("no pairs have no colours", "Eq. (14.7)", colour_pairs({}, 3).empty());
 }
 
 EXERCISE_TEST(ColourPairs, SweepsAreTheSameInAnyOrderWithinAColour) {
@@ -144,7 +145,7 @@ EXERCISE_TEST(ColourPairs, SweepsAreTheSameInAnyOrderWithinAColour) {
     }
     expect_true("five sweeps, each colour forwards or backwards, give the same λ and V to the last bit",
                 "Eq. (14.7)", same_bits(one, other),
-                "Rows of one colour do not feel each other: their order cannot matter.");
+                "Rows of one colour are not coupled: their order cannot matter.");
   }
 }
 

@@ -1,4 +1,4 @@
-// Four discs at once, each of which is chapter 09's.
+// Four discs at once: each lane computes chapter 09's onto_disc.
 #include "exercise_test.hpp"
 #include "packs.hpp"
 #include "random_input.hpp"
@@ -26,7 +26,7 @@ std::string lane_of(int lane) {
 }
 
 EXERCISE_TEST(OntoDiscs, ShortensWhatIsOutside) {
-  // Each lane has a direction and a disc of its own, and all are outside.
+  // Each lane has its own direction and disc, and all points are outside.
   const std::array<Vec2, lane_count> outside = {Vec2(-3, 4), Vec2(8, 6), Vec2(-5, -12), Vec2(24, -7)};
   const Lanes radius(2.5, 1, 6.5, 5);
   const LanePairs got = onto_discs(pairs_of(outside), radius);
@@ -38,8 +38,8 @@ EXERCISE_TEST(OntoDiscs, ShortensWhatIsOutside) {
         "Eq. (14.14)", in_lane(got, lane), disc / length * lambda, roundings(8, disc),
         {{lambda, "It has not been shortened: |λ_t| = " + show(length) + "."},
          {Vec2(lambda.cwiseMax(-disc).cwiseMin(disc)),
-          "This is the box: each component for itself. The disc shortens both alike."},
-         {Vec2(lambda / length), "This has length 1: times the radius."},
+          "This is the box, which clamps each component by itself. The disc shortens both by one factor."},
+         {Vec2(lambda / length), "This has length 1: multiply by the radius."},
          {Vec2(disc * lambda), "This is Λ λ_t: divide by |λ_t|, too."},
          {Vec2(disc / (length * length) * lambda), "The length is the root of λ1² + λ2²."},
          {Vec2(disc / (std::abs(lambda.x()) + std::abs(lambda.y())) * lambda),
@@ -59,8 +59,8 @@ EXERCISE_TEST(OntoDiscs, LeavesWhatIsInside) {
       expect_near_vector(
           "λ_t = " + show(Eigen::MatrixXd(inside[lane])) + " N s in a disc of " + show(radius) + lane_of(lane),
           "Eq. (14.14)", in_lane(got, lane), inside[lane], {0, "exact"},
-          {{Vec2(radius / 5 * inside[lane]), "This is on the edge. What is inside stays inside."}},
-          "What is inside, or on the edge, stays, also where dividing would be 0/0 or ∞/∞.");
+          {{Vec2(radius / 5 * inside[lane]), "This is on the edge. A point inside does not move."}},
+          "A point inside, or on the edge, does not move, also where dividing would be 0/0 or ∞/∞.");
   }
 }
 
@@ -80,11 +80,11 @@ EXERCISE_TEST(OntoDiscs, SelectsInEachLane) {
       const bool slides = (pattern >> lane) % 2;
       const Vec2 shortened = radius[lane] / lambda[lane].norm() * lambda[lane];
       expect_near_vector(std::string("λ_t [N s] of a contact that ") + (slides ? "slides" : "sticks") +
-                             lane_of(lane) + ", others doing otherwise",
+                             lane_of(lane) + ", with others in the other lanes",
                          "Eq. (14.14)", in_lane(got, lane), slides ? shortened : lambda[lane], roundings(8, 3),
                          {{slides ? lambda[lane] : shortened,
                            "Another lane's comparison has decided here. Select lane by lane."}},
-                         "Each lane takes its own case.");
+                         "Each lane selects its own case.");
     }
   }
 }
@@ -110,11 +110,10 @@ EXERCISE_TEST(OntoDiscs, IsNothingForNoRadius) {
   const std::array<Vec2, lane_count> lambda = {Vec2(3, -4), Vec2(1e-12, 0), Vec2(-2, 0), Vec2(0, 1e9)};
   const LanePairs got = onto_discs(pairs_of(lambda), Lanes::Zero());
   for (int lane = 0; lane < lane_count; ++lane)
-    expect_near_vector(
-        "λ_t = " + show(Eigen::MatrixXd(lambda[lane])) + " N s onto a disc of 0" + lane_of(lane), "Eq. (14.14)",
-        in_lane(got, lane), Vec2(0, 0), {0, "exact"},
-        {{lambda[lane], "It holds on to the friction of before. A disc of radius 0 is a point."}},
-        "Where nothing presses there is no friction.");
+    expect_near_vector("λ_t = " + show(Eigen::MatrixXd(lambda[lane])) + " N s onto a disc of 0" + lane_of(lane),
+                       "Eq. (14.14)", in_lane(got, lane), Vec2(0, 0), {0, "exact"},
+                       {{lambda[lane], "The old friction stays. A disc of radius 0 is a point."}},
+                       "With λ_n = 0 there is no friction.");
 }
 
 EXERCISE_TEST(OntoDiscs, TakesInWhatIsJustOutside) {
@@ -124,13 +123,12 @@ EXERCISE_TEST(OntoDiscs, TakesInWhatIsJustOutside) {
     lambda.row(lane) << 3 * (1 + beyond[lane]), 4 * (1 + beyond[lane]);
   const LanePairs got = onto_discs(lambda, Lanes::Constant(5));
   for (int lane = 0; lane < lane_count; ++lane)
-    expect_near_vector(
-        "λ_t = (1 + " + show(beyond[lane]) + ") (3, 4) N s onto a disc of 5" + lane_of(lane), "Eq. (14.14)",
-        in_lane(got, lane), Vec2(3, 4), roundings(16, 5), {},
-        "However little it is outside, it is to be shortened: |λ_t| <= Λ has no slack of its own.");
+    expect_near_vector("λ_t = (1 + " + show(beyond[lane]) + ") (3, 4) N s onto a disc of 5" + lane_of(lane),
+                       "Eq. (14.14)", in_lane(got, lane), Vec2(3, 4), roundings(16, 5), {},
+                       "Shorten it, however little it is outside: |λ_t| <= Λ has no tolerance.");
 }
 
-// Regions are drawn until contacts that stick, slide and part have stood in each lane.
+// Regions are drawn until each lane has had sticking, sliding and separating contacts.
 EXERCISE_TEST(OntoDiscs, IsChapterNinesDiscInEachLane) {
   Random random;
   std::vector<std::string> names;
@@ -152,7 +150,7 @@ EXERCISE_TEST(OntoDiscs, IsChapterNinesDiscInEachLane) {
     for (int lane = 0; lane < lane_count; ++lane)
       expect_near_vector("λ_t" + lane_of(lane) + " [N s]", "Eq. (14.14), (9.4)", in_lane(got, lane),
                          onto_disc(lambda[lane], radius[lane]), roundings(16, 3), {},
-                         "In each lane this is exercise 9.4.");
+                         "Each lane computes exercise 9.4.");
   }
 }
 
@@ -164,15 +162,15 @@ EXERCISE_TEST(OntoDiscs, HasNoSizeOfItsOwn) {
   for (int lane = 0; lane < lane_count; ++lane)
     expect_near_vector("λ_t = (3, 4) times " + show(size[lane]) + " N s, onto a disc of 2.5 times that",
                        "Eq. (14.14)", Vec2(in_lane(got, lane) / size[lane]), Vec2(1.5, 2), roundings(16, 4),
-                       {{Vec2(3, 4), "So small an impulse has been left outside."}},
-                       "Whatever the unit of λ, the answer is the same.");
+                       {{Vec2(3, 4), "This small impulse was treated as inside."}},
+                       "Whatever the unit of λ, the result is the same.");
 }
 
 EXERCISE_TEST(OntoDiscs, KeepsANaNInItsLane) {
   const double nan = std::nan("");
   const std::string clue =
       "A comparison with a NaN is false. `(length <= radius).select(1, radius / length)` keeps it; min() and "
-      "max() may not. No other lane has a part in it.";
+      "max() may not. Other lanes are not affected.";
   for (int lane = 0; lane < lane_count; ++lane)
     for (int of = 0; of < 3; ++of) {  // a component, or the radius
       LanePairs lambda = LanePairs::Constant(3);

@@ -1,5 +1,5 @@
 #pragma once
-// Rows that meet on a few bodies, for the tests of packs and colours.
+// Rows that couple a few bodies, for the tests of packs and colours.
 #include <cstring>
 
 #include "14_fast_rows/fast_rows.hpp"
@@ -9,7 +9,7 @@
 
 namespace spook::testing {
 
-/// A row between two bodies, anywhere, with bounds that some of them meet.
+/// A row between two bodies, anywhere. Some of the bounds are active.
 inline Row<6> some_row(Random& random, int i, int j, const Motion<6>& motion) {
   Constraint<6> c;
   c.i = i, c.j = j, c.gap = random.uniform(-1, 1);
@@ -19,7 +19,7 @@ inline Row<6> some_row(Random& random, int i, int j, const Motion<6>& motion) {
   return make_row(c, motion);
 }
 
-/// Rows among bodies; body 0 does not move. Runs of one to three rows are of the same two.
+/// Rows among bodies; body 0 is static. Runs of one to three rows are of the same two bodies.
 struct Heap {
   Motion<6> motion;
   std::vector<Row<6>> rows;
@@ -52,7 +52,7 @@ inline bool same_bits(const Heap& a, const Heap& b) {
   return same_bits(a.V, b.V);
 }
 
-/// A pack of rows, by which lane each is in; all lists are as long. Lanes without rows are empty.
+/// A pack of rows, with one list of rows for each lane; all lists are equally long. Lanes without rows are empty.
 inline Pack<6> pack_of(const std::array<std::vector<Row<6>>, lane_count>& lanes, std::size_t rows) {
   Pack<6> pack{.rows = std::vector<LaneRows<6>>(rows)};
   for (int lane = 0; lane < lane_count; ++lane)

@@ -13,7 +13,7 @@ namespace {
 
 EXERCISE(SolveInColours, "14.5 solve_in_colours");
 
-/// What a solve left: impulses in the rows, velocities, and the history.
+/// The result of a solve: impulses in the rows, velocities, and the history.
 struct Solved {
   Heap heap;
   SolveReport report;
@@ -43,19 +43,19 @@ EXERCISE_TEST(SolveInColours, GoesColourByColour) {
   }
   const Solved got = solved(heap, {.max_sweeps = 4}, 1);
   expect_true("four sweeps make a history of four, and not of " + std::to_string(got.report.history.size()),
-              "Eq. (4.9)", got.report.history.size() == 4, "One entry a sweep, not one a colour.");
+              "Eq. (4.9)", got.report.history.size() == 4, "Append one entry a sweep, not one a colour.");
   for (std::size_t n = 0; n < std::min<std::size_t>(4, got.report.history.size()); ++n)
     expect_near("entry " + std::to_string(n) + " of the history [m/s]", "Eq. (4.9)", got.report.history[n],
                 history[n], {0, "the same updates"},
-                {{last_colour[n], "This is the largest of the last colour: those before it count, too."}},
-                "The largest that any pack of this sweep returned.");
-  expect_true("V is that of one pack after the other, to the last bit", "Eq. (14.10)", same_bits(got.heap.V, V),
-              "All packs of a colour, then the next colour, in order.");
+                {{last_colour[n], "This is the largest of the last colour: include the others."}},
+                "Append the largest value that any pack of this sweep returned.");
+  expect_true("V equals that of one pack after the other, to the last bit", "Eq. (14.10)",
+              same_bits(got.heap.V, V), "Update all packs of a colour, then the next colour, in order.");
 }
 
 EXERCISE_TEST(SolveInColours, HasAnyNumberOfColoursAndPacks) {
-  // Body 1 is a table with a hundred things on it, and so in a hundred colours. Twelve hundred pairs that share nothing
-  // are all of one colour, three hundred packs.
+  // Body 1 is a table that carries a hundred bodies, and so is in a hundred colours. Twelve hundred pairs without
+  // common bodies all have one colour, in three hundred packs.
   Random random;
   Heap heap(random, 2502, 0);
   for (int k = 0; k < 100; ++k) heap.rows.push_back(some_row(random, 1, 2 + k, heap.motion));
@@ -76,13 +76,13 @@ EXERCISE_TEST(SolveInColours, HasAnyNumberOfColoursAndPacks) {
         "All colours, and all packs of each, however many there are.");
 }
 
-// Whoever is first to read or write a number that two threads share is chance: the same work gives one answer, then
-// another. All other mistakes give the same wrong answer each time, and other tests find them.
+// If two threads share a number, the order of their accesses is random, and so is the result of the same work. All
+// other mistakes give the same wrong result each time, and other tests find them.
 EXERCISE_TEST(SolveInColours, HasNoDataRace) {
   Random random;
-  const Heap crowd(random, 30, 150);  // of many colours: one begins when the last is done
+  const Heap crowd(random, 30, 150);  // many colours: each begins when the last is done
   Heap apart(random, 2 * lane_count * many + 1,
-             0);  // of one colour, and many packs: what do they write together?
+             0);  // one colour with many packs: do they write to a common place?
   for (int k = 1; k < 2 * lane_count * many; k += 2)
     for (int row = 0; row < 3; ++row) {
       apart.rows.push_back(some_row(random, k, k + 1, apart.motion));
@@ -95,7 +95,7 @@ EXERCISE_TEST(SolveInColours, HasNoDataRace) {
   for (const Work& work : {Work{crowd, 2, 4}, Work{apart, 20, 6}}) {
     const StopRule stop{.max_sweeps = work.sweeps, .tolerance = 0};
     const Solved alone = solved(work.heap, stop, 1), once = solved(work.heap, stop, 8);
-    if (!same_bits(solved(work.heap, stop, 1).heap, alone.heap)) return;  // then it is no question of threads
+    if (!same_bits(solved(work.heap, stop, 1).heap, alone.heap)) return;  // then threads are not the cause
     for (int n = 1; n < work.times; ++n) {
       const Solved again = solved(work.heap, stop, 8);
       if (same_bits(again.heap, once.heap) && again.report.history == once.report.history) continue;
@@ -104,9 +104,9 @@ EXERCISE_TEST(SolveInColours, HasNoDataRace) {
           "the same work on one thread, twice, and on eight threads, " + std::to_string(n + 1) + " times",
           "Eq. (14.10)",
           "  expected  the same each time\n  got       the same on one thread, but not on eight\n",
-          "This is a data race: two threads use one number at the same time, and one of them writes it. Do "
-          "all keep their largest in one variable? Does a colour begin before all threads are done with the "
-          "last one? Is a pack in two shares?");
+          "This is a data race: two threads use one number at the same time, and one of them writes it. Do all "
+          "threads keep their largest in one variable? Does a colour begin before all threads are done with "
+          "the last one? Is a pack in two shares?");
       return;
     }
   }
@@ -114,7 +114,7 @@ EXERCISE_TEST(SolveInColours, HasNoDataRace) {
 
 EXERCISE_TEST(SolveInColours, IsTheSameOnAnyNumberOfThreads) {
   Random random;
-  // Few rounds: on a busy machine threads wait for a core in each.
+  // Few rounds suffice: on a busy machine threads wait for a core in each.
   for (int trial = 0; trial < 3 && !::testing::Test::HasFailure(); ++trial) {
     const Heap heap(random, 40, 150);
     const Solved alone = solved(heap, {.max_sweeps = 5}, 1);
@@ -122,11 +122,11 @@ EXERCISE_TEST(SolveInColours, IsTheSameOnAnyNumberOfThreads) {
     for (const int threads : {2, 3, 8}) {
       const Solved together = solved(heap, {.max_sweeps = 5}, threads);
       const std::string on = "on " + std::to_string(threads) + " threads ";
-      expect_true(on + "λ and V are the same as on one, to the last bit", "Eq. (14.10)",
+      expect_true(on + "λ and V are the same as on one thread, to the last bit", "Eq. (14.10)",
                   same_bits(alone.heap, together.heap),
-                  "Has every pack been updated once, and does no colour begin before the last one is done?");
+                  "Has every pack been updated once? Does each colour wait for the end of the last one?");
       expect_true(on + "so is the history", "Eq. (4.9)", alone.report.history == together.report.history,
-                  "The largest of all threads, and of this sweep only.");
+                  "Append the largest of all threads, and of this sweep only.");
     }
   }
 }
@@ -135,13 +135,13 @@ EXERCISE_TEST(SolveInColours, HasThreadsWithNothingToDo) {
   Random random;
   const Heap heap(random, 3, 2);
   const Solved alone = solved(heap, {.max_sweeps = 3}, 1), many = solved(heap, {.max_sweeps = 3}, 16);
-  expect_true("16 threads for a pack or two give the same", "Eq. (14.10)",
+  expect_true("16 threads for a pack or two give the same result", "Eq. (14.10)",
               same_bits(alone.heap, many.heap) && alone.report.history == many.report.history,
               "A share may be empty.");
 }
 
 EXERCISE_TEST(SolveInColours, AsksEveryThreadWhatItsPacksLacked) {
-  // A hundred packs of one colour, so that each of a hundred threads has one; the last lacks most.
+  // A hundred packs of one colour, so that each of a hundred threads has one. The last pack has the largest residual.
   Random random;
   Heap heap(random, 2 * lane_count * many + 2, 0);
   for (int k = 1; k <= lane_count * many; ++k)
@@ -151,12 +151,13 @@ EXERCISE_TEST(SolveInColours, AsksEveryThreadWhatItsPacksLacked) {
   const std::vector<double> alone = solved(heap, stop, 1).report.history,
                             together = solved(heap, stop, many).report.history;
   expect_true(
-      "on a hundred threads, of which the last has the pack that lacks most, the history is that of one",
+      "on a hundred threads, the last of which has the pack with the largest residual, the history is that of "
+      "one thread",
       "Eq. (4.9), (14.10)", alone == together,
-      "The largest of all threads, however many there are; and in the next sweep each begins at 0.");
+      "Append the largest of all threads, however many there are. In the next sweep each begins at 0.");
 }
 
-// From here on one thread: on several it is the same, or a test above has said what is not.
+// From here on the tests use one thread: the tests above compare several.
 EXERCISE_TEST(SolveInColours, HasChapter04sSolution) {
   Random random;
   for (int trial = 0; trial < 2; ++trial) {
@@ -166,11 +167,11 @@ EXERCISE_TEST(SolveInColours, HasChapter04sSolution) {
     const SolveReport slow = solve(plain.rows, plain.V, stop);
     expect_true("it converged, as chapter 04's does", "Eq. (4.9)", got.report.converged && slow.converged);
     expect_at_most("residual of what is left [m/s]", "Eq. (4.8)", residual(got.heap.rows, got.heap.V), 1e-10,
-                   "the tolerance, times how the rows are coupled", "V and λ must belong together.");
+                   "the tolerance, times the coupling of the rows", "V and λ must belong together.");
     for (std::size_t body = 0; body < plain.V.size(); ++body)
       expect_near_vector("V of body " + std::to_string(body), "Eq. (4.1)", got.heap.V[body], plain.V[body],
                          {1e-8, "the tolerance, times the condition"}, {},
-                         "In another order the sweeps arrive at the same solution.");
+                         "In another order the sweeps converge to the same solution.");
   }
 }
 

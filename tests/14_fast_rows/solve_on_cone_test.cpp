@@ -1,4 +1,4 @@
-// One contact, solved at once: it parts, it sticks, or it slides on its cone.
+// One contact, solved at once: it separates, it sticks, or it slides on its cone.
 #include <Eigen/Dense>
 #include <numbers>
 
@@ -40,18 +40,19 @@ EXERCISE_TEST(SolveOnCone, PartsWhereNothingPresses) {
     const Vec3 q(q_n, 1, -0.5);
     const Mat3 S = coupled_block(random);
     expect_near_vector(
-        "λ of a contact that asks for q_n = " + show(q_n) + " m/s [N s]", "Eq. (14.3)",
-        solve_on_cone(S, q, 0.5), Vec3::Zero(), {0, "it parts"},
-        {{S.inverse() * q, "This is S⁻¹ q, as if it stuck. Where q_n <= 0 it parts, and λ is 0."}},
-        "Where nothing presses, nothing rubs: all three are 0.");
+        "λ of a contact with q_n = " + show(q_n) + " m/s [N s]", "Eq. (14.3)", solve_on_cone(S, q, 0.5),
+        Vec3::Zero(), {0, "it separates"},
+        {{S.inverse() * q, "This is S⁻¹ q, as if it stuck. Where q_n <= 0 it separates, and λ is 0."}},
+        "Without a normal impulse there is no friction: all three are 0.");
   }
-  // A wedge: a push from the side would hold it as well as no push.
+  // A wedge: an impulse from the side would satisfy Coulomb's law as well as none.
   const Mat3 S = (Mat3() << 1, 0.9, 0, 0.9, 1, 0, 0, 0, 1).finished();
   const Vec3 held(1, -1.2, 0), q = S * held;
-  expect_near_vector("λ of a contact in a wedge, q_n = " + show(q[0]) + " m/s [N s]", "Eq. (14.3)",
-                     solve_on_cone(S, q, 2), Vec3::Zero(), roundings(1e3),
-                     {{held, "This sticks, which is on the cone, too. (14.3) is asked first: q_n <= 0 parts."}},
-                     "Where nothing presses, nothing rubs: all three are 0.");
+  expect_near_vector(
+      "λ of a contact in a wedge, q_n = " + show(q[0]) + " m/s [N s]", "Eq. (14.3)", solve_on_cone(S, q, 2),
+      Vec3::Zero(), roundings(1e3),
+      {{held, "This sticks, which is on the cone, too. But (14.3) is asked first: if q_n <= 0 it separates."}},
+      "Without a normal impulse there is no friction: all three are 0.");
 }
 
 EXERCISE_TEST(SolveOnCone, SticksWhereTheConeIsWideEnough) {
@@ -62,16 +63,16 @@ EXERCISE_TEST(SolveOnCone, SticksWhereTheConeIsWideEnough) {
     const Vec3 lambda = press * Vec3(1, 0.9 * mu * std::cos(angle), 0.9 * mu * std::sin(angle));
     const Vec3 q = S * lambda;
     if (q[0] <= 0.01) continue;
-    expect_near_vector("λ of a contact that sticks [N s]", "Eq. (14.4)", solve_on_cone(S, q, mu), lambda,
-                       roundings(400, 2),
-                       {{q.cwiseQuotient(Vec3(S.diagonal())),
-                         "Each has been divided by its own diagonal: the rows of a contact are coupled."}},
-                       "Inside the cone nothing holds it back: S λ = q, all three rows.");
+    expect_near_vector(
+        "λ of a contact that sticks [N s]", "Eq. (14.4)", solve_on_cone(S, q, mu), lambda, roundings(400, 2),
+        {{q.cwiseQuotient(Vec3(S.diagonal())),
+          "Each row has been divided by its own diagonal, but the rows of a contact are coupled."}},
+        "Inside the cone it sticks: S λ = q, all three rows.");
   }
 }
 
 EXERCISE_TEST(SolveOnCone, SlidesLikeABall) {
-  // Normal and tangents of a ball are not coupled, and no direction across is stiffer than another.
+  // Normal and tangents of a ball are not coupled, and both tangents have the same stiffness.
   const Mat3 S = Vec3(0.5, 1.75, 1.75).asDiagonal();
   const double mu = 0.4;
   const Vec3 q(2, -30, 40);
@@ -81,9 +82,9 @@ EXERCISE_TEST(SolveOnCone, SlidesLikeABall) {
       roundings(100, 4),
       {{Vec3(4, -30 / 1.75, 40 / 1.75), "It sticks, with more friction than μ λ_n."},
        {Vec3(4, -mu * 4, mu * 4), "This is a box of ±μ λ_n."},
-       {Vec3(4, -along[0], -along[1]), "The sign: q is what is asked for, and λ_t goes that way."},
+       {Vec3(4, -along[0], -along[1]), "The sign: λ_t points along q, the velocity to be made up."},
        {Vec3(4, along[0] / mu, along[1] / mu), "μ is missing: |λ_t| = λ_n."}},
-      "λ_n = q_n/S_nn, and μ times that along q_t.");
+      "λ_n = q_n/S_nn, and λ_t is μ times that along q_t.");
 }
 
 EXERCISE_TEST(SolveOnCone, DoesWithoutFriction) {
@@ -91,16 +92,16 @@ EXERCISE_TEST(SolveOnCone, DoesWithoutFriction) {
   const Mat3 S = coupled_block(random);
   for (const Vec3& q : {Vec3(1.5, 1, -2), Vec3(1.5, 0, 0), Vec3(1.5e-12, 1, -2)})
     expect_near_vector("λ with μ = 0 [N s]", "Eq. (14.5)", solve_on_cone(S, q, 0), Vec3(q[0] / S(0, 0), 0, 0),
-                       roundings(10, q[0] / S(0, 0)), {}, "Nothing rubs: chapter 04's single row.");
+                       roundings(10, q[0] / S(0, 0)), {},
+                       "There is no friction: this is chapter 04's single row.");
 }
 
 EXERCISE_TEST(SolveOnCone, DropsNothingSmall) {
   const Mat3 S = Vec3(2, 4, 4).asDiagonal();
   for (const double part : relative_scales) {
     const double length = std::hypot(1, part);
-    expect_each_near<Vec3>("λ of a contact that sticks, where little is asked of its friction [N s]",
-                           "Eq. (14.4)", solve_on_cone(S, Vec3(2, part, -part / 2), 0.5),
-                           Vec3(1, part / 4, -part / 8), 16);
+    expect_each_near<Vec3>("λ of a contact that sticks, with little friction [N s]", "Eq. (14.4)",
+                           solve_on_cone(S, Vec3(2, part, -part / 2), 0.5), Vec3(1, part / 4, -part / 8), 16);
     expect_each_near<Vec3>("λ of a contact that slides nearly along a tangent [N s]", "Eq. (14.5)",
                            solve_on_cone(S, Vec3(2, 40, 40 * part), 0.5),
                            Vec3(1, 0.5 / length, 0.5 * part / length), 100);
@@ -110,32 +111,32 @@ EXERCISE_TEST(SolveOnCone, DropsNothingSmall) {
   }
 }
 
-/// What Eq. (14.3)-(14.5) say of an answer.
+/// Checks Eq. (14.3)-(14.5) for a result.
 void expect_coulomb(const Mat3& S, const Vec3& q, double mu, const Vec3& lambda) {
   const Vec3 lacks = q - S * lambda;
   const Tolerance close = roundings(1e4, q.norm() + lambda.norm());
   expect_at_least("λ_n [N s]", "Eq. (14.3)", lambda[0], 0, "contacts never pull");
   expect_at_most("|λ_t| - μ λ_n [N s]", "Eq. (14.5)", friction_of(lambda) - mu * lambda[0], close.value,
-                 "the cone, but for " + close.reason, "More friction than Coulomb allows.");
+                 "the cone, apart from " + close.reason, "This is more friction than Coulomb's law allows.");
   if (q[0] <= 0) return;  // see PartsWhereNothingPresses
   const Vec3 stuck = S.inverse() * q;
-  expect_near("what the normal row lacks in the end [m/s]", "Eq. (14.5)", lacks[0], 0, close,
-              {{-S.row(0).tail<2>().dot(lambda.tail<2>()), "This λ_n does not feel the friction."},
+  expect_near("final residual of the normal row [m/s]", "Eq. (14.5)", lacks[0], 0, close,
+              {{-S.row(0).tail<2>().dot(lambda.tail<2>()), "This λ_n does not include the effect of friction."},
                {S.row(0).tail<2>().dot(stuck.tail<2>() - lambda.tail<2>()),
-                "λ_n is still that of sticking. With less friction there is another one: solve for both."}},
-              "Where it slides the normal row holds as well, with the friction that there is.");
+                "λ_n is still that of sticking. With less friction it changes: solve for both."}},
+              "Where it slides the residual of the normal row is 0, too, with the present friction.");
   if (friction_of(lambda) < mu * lambda[0] - close.value) {
-    expect_near("what the tangents of a contact inside its cone lack [m/s]", "Eq. (14.4)",
-                lacks.tail<2>().norm(), 0, close, {}, "Inside the cone it sticks.");
+    expect_near("residuals of the tangents of a contact inside its cone [m/s]", "Eq. (14.4)",
+                lacks.tail<2>().norm(), 0, close, {}, "Inside the cone it sticks: the residuals are 0.");
     return;
   }
   const double across = lacks[1] * lambda[2] - lacks[2] * lambda[1];
-  expect_near("what the tangents lack, across their friction [m²/s² kg]", "Eq. (14.5)", across, 0,
+  expect_near("residuals of the tangents, across their friction [m²/s² kg]", "Eq. (14.5)", across, 0,
               {close.value * (q.norm() + lambda.norm()), close.reason}, {},
-              "Friction is along what is still lacking: (S_tt + α) λ_t = q_t - S_tn λ_n, with one α for both.");
+              "Friction is along the remaining slip: (S_tt + α) λ_t = q_t - S_tn λ_n, with one α for both.");
   expect_at_least("α [1/kg]", "Eq. (14.5)",
                   (lacks.tail<2>().dot(lambda.tail<2>()) + close.value) / lambda.tail<2>().squaredNorm(), 0,
-                  "friction brakes", "It is driven, not braked.");
+                  "friction brakes", "Friction drives it, but has to brake it.");
 }
 
 EXERCISE_TEST(SolveOnCone, ObeysCoulombsLaw) {
@@ -160,7 +161,8 @@ EXERCISE_TEST(SolveOnCone, ObeysCoulombsLaw) {
 }
 
 EXERCISE_TEST(SolveOnCone, ObeysCoulombsLawWhereItNearlyJams) {
-  // Blocks that are up to ten thousand times as soft one way as another: friction lifts, or presses, a hundredfold.
+  // Blocks that are up to ten thousand times softer in one direction than in another: friction lifts, or presses, a
+  // hundredfold.
   Random random;
   Regions regions({"parts", "sticks", "slides", "slides with a friction that lifts", "nearly jams"}, 200);
   while (regions.lack_draws()) {
@@ -173,7 +175,7 @@ EXERCISE_TEST(SolveOnCone, ObeysCoulombsLawWhereItNearlyJams) {
         stuck = S.inverse() * q;
     const bool presses = q[0] > 0, slides = presses && !(friction_of(stuck) <= mu * stuck[0]);
     const Vec3 lambda = solve_on_cone(S, q, mu);
-    const double share = lambda[0] / (q[0] / S(0, 0));  // of what it is without friction
+    const double share = lambda[0] / (q[0] / S(0, 0));  // of its value without friction
     regions.draw({{"parts", !presses},
                   {"sticks", presses && !slides},
                   {"slides", slides},
@@ -184,8 +186,8 @@ EXERCISE_TEST(SolveOnCone, ObeysCoulombsLawWhereItNearlyJams) {
 }
 
 EXERCISE_TEST(SolveOnCone, LooksForTheRootUntilItIsFound) {
-  // A nearly singular block and a large μ: for one μ in some twenty, Newton's method is thrown far from a small root, and
-  // on the way back halving takes a step for each factor of two.
+  // A nearly singular block and a large μ. For about one μ of twenty, Newton's method starts far from a small root. On
+  // the way back each halving is one step.
   const Mat3 S = (Mat3() << 0.12, 0, -0.34, 0, 0.01, 0.02, -0.34, 0.02, 1.01).finished();
   const Vec3 q(1, 5000, 4000);
   for (int k = 0; k < 200 && !::testing::Test::HasFailure(); ++k) {
@@ -197,14 +199,14 @@ EXERCISE_TEST(SolveOnCone, LooksForTheRootUntilItIsFound) {
 }
 
 EXERCISE_TEST(SolveOnCone, FindsWhatSweepsDoNot) {
-  // The rod of (9.8) with ρ = -1.5, dragged at 3 m/s: rows one by one find λ_n, none, λ_n, none, for ever.
+  // The rod of (9.8) with ρ = -1.5, dragged at 3 m/s: row by row the update alternates between λ_n and 0, for ever.
   const Mat3 S = (Mat3() << 1.6, -1.2, 0, -1.2, 3.4, 0, 0, 0, 4).finished();
   const double mu = 2, q_n = 0.16, expected = q_n / (1.6 + 1.2 * mu);
   const Vec3 lambda = solve_on_cone(S, Vec3(q_n, -3, 0), mu);
   expect_near("λ_n of a rod that is dragged with μ = 2 [N s]", "Eq. (9.8), (14.5)", lambda[0], expected,
-              roundings(100, 1), {{q_n / 1.6, "This is the one without friction."}},
+              roundings(100, 1), {{q_n / 1.6, "This is λ_n without friction."}},
               "λ_n = q_n/(S_nn (1 - ρ)): put λ_1 = -μ λ_n into the first row.");
-  expect_near("λ_1 of it [N s]", "Eq. (14.5)", lambda[1], -mu * expected, roundings(100, 1), {}, "-μ λ_n.");
+  expect_near("its λ_1 [N s]", "Eq. (14.5)", lambda[1], -mu * expected, roundings(100, 1), {}, "-μ λ_n.");
 }
 
 EXERCISE_TEST(SolveOnCone, TurnsWithTheTangents) {
@@ -213,11 +215,12 @@ EXERCISE_TEST(SolveOnCone, TurnsWithTheTangents) {
     const Mat3 S = coupled_block(random), R = Eigen::AngleAxisd(random.uniform(0, 6), Vec3::UnitX()).matrix();
     const Vec3 q{random.uniform(0.1, 1), random.uniform(-2, 2), random.uniform(-2, 2)};
     const Vec3 before = solve_on_cone(S, q, 0.5);
-    expect_true("λ_n of a contact that is pressed is positive", "Eq. (14.5)", before[0] > 0);
+    expect_true("λ_n of a contact under pressure is positive", "Eq. (14.5)", before[0] > 0);
     if (before[0] > 10) continue;  // nearly jammed
     expect_near_vector("λ with other tangents [N s]", "Eq. (14.5)",
                        Vec3(solve_on_cone(R * S * R.transpose(), R * q, 0.5)), Vec3(R * before),
-                       {1e-9, "roundings, times how nearly it jams"}, {}, "A cone has no corners.");
+                       {1e-9, "round-off, divided by the distance from jamming"}, {},
+                       "A cone has the same radius in all directions.");
   }
 }
 
@@ -231,9 +234,9 @@ EXERCISE_TEST(SolveOnCone, DoesNotMindMuchSlip) {
     expect_near_vector("λ at a slip of " + show(fast) + " m/s, over λ_n", "Eq. (14.5)",
                        Vec3(lambda / lambda[0]), ahead,
                        {10 / fast + 1e-12, "α is about the slip over the friction, S is 3 at most"}, {},
-                       "The faster it slides, the more is friction against that alone.");
-    expect_near("what the normal row lacks then [m/s]", "Eq. (14.5)", 1 - S.row(0).dot(lambda), 0,
-                roundings(1e3, 1 + lambda.norm()), {}, "It holds, however fast it slides.");
+                       "The faster it slides, the more exactly friction is opposite to the slip.");
+    expect_near("residual of the normal row then [m/s]", "Eq. (14.5)", 1 - S.row(0).dot(lambda), 0,
+                roundings(1e3, 1 + lambda.norm()), {}, "It is 0, however fast the contact slides.");
   }
 }
 
@@ -246,7 +249,7 @@ EXERCISE_TEST(SolveOnCone, KeepsANaN) {
       expect_true(
           "a q of " + show(q_n) + " with NaN in its entry " + std::to_string(k) + " makes a λ with a NaN",
           "Eq. (14.3)", solve_on_cone(S, q, mu).hasNaN(),
-          "A NaN went in and none came out. A q_n of 0 or less gives λ = 0 only if all of q are numbers.");
+          "The NaN was lost. A q_n of 0 or less gives λ = 0 only if all of q are numbers.");
     }
 }
 

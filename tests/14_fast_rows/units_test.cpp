@@ -1,4 +1,4 @@
-// Of what the arguments and results of this chapter's functions are made, and that they are right in any units.
+// The units of arguments and results of this chapter's functions, and tests in any units.
 #include "../09_better_friction/rubbing.hpp"
 #include "contract.hpp"
 #include "exercise_test.hpp"
@@ -89,7 +89,7 @@ EXERCISE_TEST(SolveInColours, IsTheSameInAnyUnits) {
   Random random;
   const Heap heap(random, 10, 20);
   const std::vector<Colour<6>> colours = packed(heap.rows, heap.V.size());
-  // On one thread: what two threads make of a number that both write is another on every call.
+  // On one thread only: with a data race the result of several threads differs from call to call.
   for (const int sweeps : {100, 5})
     expect_same_in_any_units("Eq. (14.10)", solve_in_colours<6>, by_field, colours, heap.V * velocity,
                              StopRule{.max_sweeps = sweeps, .tolerance = 1e-4}, 1);

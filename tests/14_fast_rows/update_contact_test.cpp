@@ -11,7 +11,7 @@ namespace {
 
 EXERCISE(UpdateContact, "14.2 update_contact");
 
-/// Some contacts and joints among a few bodies, with impulses already.
+/// Some contacts and joints among a few bodies, with impulses on entry.
 System<6> busy_system(Random& random) {
   System<6> s = random_system(random, 4, 4, 0.6);
   for (const FrictionContact& contact : s.contacts) s.begin_with(contact.normal, random.uniform(0.2, 1));
@@ -19,7 +19,7 @@ System<6> busy_system(Random& random) {
   return s;
 }
 
-/// The block of a contact, from all of S.
+/// The block of a contact, taken from all of S.
 Mat3 block_of(const System<6>& s, const FrictionContact& contact) {
   const auto k = static_cast<Eigen::Index>(contact.normal);
   return dense_S(s.rows).block<3, 3>(k, k);
@@ -59,10 +59,10 @@ EXERCISE_TEST(UpdateContact, SolvesTheThreeRowsTogether) {
       const auto with = [&](const Mat3& block, const Vec3& q) { return solve_on_cone(block, q, contact.mu); };
       update_contact(contact, s.rows, s.V);
       expect_near_vector(
-          "λ of a contact between two bodies that move, after its update [N s]", "Eq. (14.1), (14.2)",
+          "λ of a contact between two dynamic bodies, after its update [N s]", "Eq. (14.1), (14.2)",
           impulses_of(s, contact), with(S, r + S * before), roundings(1e4, 5),
-          {{with(S, r), "q is what it lacks only: what its λ of before do, S_cc λ, is missing."},
-           {Vec3(before + with(S, r)), "This adds the λ of what it lacks, on its cone, to the λ of before."},
+          {{with(S, r), "q is the residual only: S_cc λ, the effect of the old λ, is missing."},
+           {Vec3(before + with(S, r)), "This adds the λ of the residual, on its cone, to the old λ."},
            {with(of_j, r + of_j * before), "S_cc has the part of body j only."},
            {with(of_i, r + of_i * before), "S_cc has the part of body i only: that of body j is left out."},
            {with(beside_the_diagonal(of_j), r + beside_the_diagonal(of_j) * before),
@@ -75,9 +75,9 @@ EXERCISE_TEST(UpdateContact, SolvesTheThreeRowsTogether) {
             "In r the velocity of body i is left out: r = B - G V - Σ λ has both."},
            {with(without_softness, r + without_softness * before), "S_cc is without Σ and Γ on its diagonal."},
            {with(alone, r + alone * before),
-            "S_cc has its diagonal only: how the rows feel each other is missing."},
+            "S_cc has its diagonal only: the coupling of the rows is missing."},
            {with(S, r + alone * before),
-            "In q, too, the rows feel each other: this has the diagonal of S_cc there."}},
+            "In q, too, the rows are coupled: this has the diagonal of S_cc there."}},
           "q = r + S_cc λ, on the cone of μ.");
     }
   }
@@ -104,7 +104,7 @@ EXERCISE_TEST(UpdateContact, ScattersWhatHasChanged) {
   }
 }
 
-// Impulses of before, in λ and in V, and a contact on ice, or one that has come apart since.
+// Old impulses, in λ and in V, and a contact with μ = 0, or one that has separated since.
 EXERCISE_TEST(UpdateContact, TakesOldImpulsesOff) {
   Random random;
   for (const bool on_ice : {true, false}) {
@@ -112,25 +112,24 @@ EXERCISE_TEST(UpdateContact, TakesOldImpulsesOff) {
     const FrictionContact& contact = s.contacts[1];
     if (on_ice) s.contacts[1].mu = 0;
     Row<6>& normal = s.rows[contact.normal];
-    normal.B += on_ice ? 1000 : -1000;  // nothing else comes near that
+    normal.B += on_ice ? 1000 : -1000;  // larger than all other terms
     const Vec3 before = impulses_of(s, contact);
     const double alone = before[0] + s.lacks(contact.normal) / normal.diagonal;
     const Mat3 S = block_of(s, contact);
     const Vec3 q = lacks_of(s, contact) + S * before;
     update_contact(contact, s.rows, s.V);
-    const std::string where = on_ice ? "with μ = 0" : "that comes apart";
-    expect_near_vector(
-        "λ of a contact " + where + ", after an update; " + show(before) + " N s before [N s]",
-        "Eq. (14.3), (14.4)", impulses_of(s, contact), on_ice ? Vec3(q[0] / S(0, 0), 0, 0) : Vec3::Zero(),
-        roundings(1e4, 1e3),
-        {{before, "It has not been updated: what it had stays."},
-         {Vec3(on_ice ? alone : 0, before[1], before[2]),
-          "The friction of before stays at a contact " + where + ": λ_t goes to 0, and V with it."},
-         {Vec3(q[0] / S(0, 0), before[1], before[2]),
-          "The friction of before stays at a contact " + where + ": λ_t goes to 0, and V with it."}},
-        "A cone without width has no room for friction.");
+    const std::string where = on_ice ? "with μ = 0" : "that separates";
+    expect_near_vector("λ of a contact " + where + ", after an update; " + show(before) + " N s on entry [N s]",
+                       "Eq. (14.3), (14.4)", impulses_of(s, contact),
+                       on_ice ? Vec3(q[0] / S(0, 0), 0, 0) : Vec3::Zero(), roundings(1e4, 1e3),
+                       {{before, "It has not been updated: the old λ is unchanged."},
+                        {Vec3(on_ice ? alone : 0, before[1], before[2]),
+                         "The old friction stays at a contact " + where + ": λ_t goes to 0, and V with it."},
+                        {Vec3(q[0] / S(0, 0), before[1], before[2]),
+                         "The old friction stays at a contact " + where + ": λ_t goes to 0, and V with it."}},
+                       "A cone without width allows no friction.");
     expect_near_vector("V after it", "Eq. (4.5)", all_V(s.V), V_of_lambda(s.rows, s.V.size()),
-                       roundings(1e4, 1e4), {}, "V = M⁻¹ Gᵀ λ, always: what λ was has to leave V, too.");
+                       roundings(1e4, 1e4), {}, "V = M⁻¹ Gᵀ λ, always: remove the old λ from V, too.");
   }
 }
 
@@ -144,16 +143,17 @@ EXERCISE_TEST(UpdateContact, ReturnsWhatItLacked) {
     const double got = update_contact(contact, s.rows, s.V);
     expect_near(
         "what update_contact returned [m/s]", "Eq. (14.2)", got, (S * change).norm(), roundings(1e3, 5),
-        {{change.norm(), "This is |Δλ|, an impulse. A velocity is asked for: |S_cc Δλ|."},
-         {(S * change).cwiseAbs().maxCoeff(), "This is the largest of S_cc Δλ. It is its length, |S_cc Δλ|."},
+        {{change.norm(), "This is |Δλ|, an impulse. Return a velocity: |S_cc Δλ|."},
+         {(S * change).cwiseAbs().maxCoeff(),
+          "This is the largest entry of S_cc Δλ. Return its length, |S_cc Δλ|."},
          {S.diagonal().cwiseProduct(change).cwiseAbs().maxCoeff(),
-          "This is the largest S_kk |Δλ_k|, of three rows by themselves. The contact is one: |S_cc Δλ|."},
+          "This is the largest S_kk |Δλ_k|, of three rows by themselves. Treat the contact as one: |S_cc Δλ|."},
          {S.diagonal().cwiseProduct(change).norm(),
-          "This is for the diagonal of S_cc alone. All nine count: |S_cc Δλ|."}},
+          "This is for the diagonal of S_cc alone. All nine entries count: |S_cc Δλ|."}},
         "|S_cc Δλ|.");
     const double again = update_contact(contact, s.rows, s.V);
     expect_at_most("what a second update of it returned [m/s]", "Eq. (14.2)", again, 1e-11,
-                   "one update solves it, but for roundings", "It was not solved by one update.");
+                   "one update solves it, up to round-off", "One update did not solve it.");
   }
 }
 
@@ -165,7 +165,7 @@ EXERCISE_TEST(UpdateContact, SolvesTheDraggedRodAtOnce) {
         "λ_n of a rod that is dragged, μ = " + show(mu) + " [N s]", "Eq. (9.8)", s.rows[0].lambda,
         0.16 / (rod_Knn - rod_Knx * mu), roundings(100, 1),
         {{0.16 / rod_Knn, "This is the one without friction."}},
-        "λ_n = q_n/(n·Kn (1 - ρ)), by one update, where rows one by one take many, or go round for ever.");
+        "λ_n = q_n/(n·Kn (1 - ρ)), by one update. Row by row it takes many updates, or never converges.");
   }
 }
 
@@ -178,7 +178,7 @@ EXERCISE_TEST(UpdateContact, FindsItsRows) {
   for (std::size_t k = 0; k < s.rows.size(); ++k) {
     if (k >= second.normal && k <= second.normal + 2) continue;
     expect_near("λ of row " + std::to_string(k) + ", of another contact or a joint [N s]", "Eq. (14.2)",
-                s.rows[k].lambda, before[static_cast<Eigen::Index>(k)], {0, "it is not touched"}, {},
+                s.rows[k].lambda, before[static_cast<Eigen::Index>(k)], {0, "unchanged"}, {},
                 "Its rows are contact.normal and the two after it.");
   }
 }
@@ -193,8 +193,8 @@ EXERCISE_TEST(UpdateContact, DoesNotLookAtBounds) {
     update_contact(contact, free.rows, free.V);
     update_contact(contact, bounded_too.rows, bounded_too.V);
     expect_near_vector("λ where the friction rows have bounds of 0 [N s]", "Eq. (14.5)",
-                       impulses_of(bounded_too, contact), impulses_of(free, contact), {0, "the same"}, {},
-                       "The limit is μ λ_n of now, not the rows' bounds.");
+                       impulses_of(bounded_too, contact), impulses_of(free, contact), {0, "the same value"}, {},
+                       "The limit is μ times the present λ_n, not the rows' bounds.");
   }
 }
 
@@ -204,7 +204,7 @@ EXERCISE_TEST(UpdateContact, KeepsANaN) {
   const FrictionContact& contact = s.contacts[0];
   s.rows[contact.normal].B = std::nan("");
   expect_true("a right side of NaN makes it return NaN", "Eq. (14.2)",
-              std::isnan(update_contact(contact, s.rows, s.V)), "A NaN went in and none came out.");
+              std::isnan(update_contact(contact, s.rows, s.V)), "The NaN was lost.");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Four lanes, each of which is chapter 04's update.
+// Four lanes: each computes chapter 04's update_row.
 #include "14_fast_rows/fast_rows.hpp"
 #include "exercise_test.hpp"
 #include "packs.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 EXERCISE(UpdatePack, "14.4 update_pack");
 
-/// Four pairs of eight bodies that move, so many rows each, with impulses and velocities already.
+/// Four pairs of eight dynamic bodies, with so many rows each, and with impulses and velocities on entry.
 struct FourPairs {
   Motion<6> motion;
   std::vector<Twist<6>> V;
@@ -34,7 +34,7 @@ struct FourPairs {
   }
 };
 
-/// What is left of the order of sums: 12 products in each scalar product, of numbers of about 1.
+/// The round-off of another order of sums: 12 products in each scalar product, of numbers of about 1.
 const Tolerance other_order = roundings(500, 1);
 
 EXERCISE_TEST(UpdatePack, IsUpdateRowInEachLane) {
@@ -66,13 +66,13 @@ EXERCISE_TEST(UpdatePack, IsUpdateRowInEachLane) {
       const auto clamped = [&](double x) { return std::clamp(x, row.lo, row.hi); };
       expect_near(
           "λ" + where + " [N s]", "Eq. (14.9), (4.7)", pack.rows[0].lambda[lane], at, other_order,
-          {{clamped(before + (row.B - GV) / S), "Σ λ is missing in what the row lacks."},
-           {clamped(before + (r + GVi) / S), "What body i does is missing."},
-           {clamped(before + (r + GVj) / S), "What body j does is missing."},
+          {{clamped(before + (row.B - GV) / S), "Σ λ is missing in the rows' residual."},
+           {clamped(before + (r + GVi) / S), "The velocity of body i is missing."},
+           {clamped(before + (r + GVj) / S), "The velocity of body j is missing."},
            {clamped(before + (row.B - row.Sigma * before) / S), "Neither body has been gathered."},
            {before + r / S, at == row.lo ? "The lower bound is missing." : "The upper bound is missing."},
            {before + clamped(r / S), "Δλ has been clamped, and not λ."}},
-          "Chapter 04's update_row, in this lane.");
+          "Compute chapter 04's update_row in this lane.");
       expect_near_vector("V of body i" + where, "Eq. (4.5)", V[row.i], t.V[row.i], other_order, {},
                          "Gather, update, then write the velocity back.");
       expect_near_vector("V of body j" + where, "Eq. (4.5)", V[row.j], t.V[row.j], other_order, {},
@@ -99,15 +99,16 @@ EXERCISE_TEST(UpdatePack, TakesRowsInTheirOrder) {
         std::vector<Twist<6>> unseen = V0;
         update_row(blind, unseen);
         update_row(row, t.V);
-        expect_near("λ of row " + std::to_string(m) + " of " + std::to_string(count) + " in lane " +
-                        std::to_string(lane) + " [N s]",
-                    "Eq. (14.9), (4.2)", pack.rows[m].lambda[lane], row.lambda, tolerance,
-                    {{blind.lambda, "It has not seen what the rows before it have just done to its bodies."}},
-                    "Keep the velocities up to date from row to row. " + ends_early);
+        expect_near(
+            "λ of row " + std::to_string(m) + " of " + std::to_string(count) + " in lane " +
+                std::to_string(lane) + " [N s]",
+            "Eq. (14.9), (4.2)", pack.rows[m].lambda[lane], row.lambda, tolerance,
+            {{blind.lambda, "The velocities are old: each row must use the updates of the rows before it."}},
+            "Update the velocities from row to row. " + ends_early);
       }
     for (std::size_t body = 0; body < V.size() && !::testing::Test::HasFailure(); ++body)
       expect_near_vector("V of body " + std::to_string(body) + " after them", "Eq. (4.5)", V[body], t.V[body],
-                         tolerance, {}, "All rows, then the scatter.");
+                         tolerance, {}, "Update all rows, then scatter.");
   }
 }
 
@@ -115,7 +116,7 @@ EXERCISE_TEST(UpdatePack, LeavesBodiesThatDoNotMoveAlone) {
   Random random;
   FourPairs t(random, 2);
   for (std::vector<Row<6>>& rows : t.lanes)
-    for (Row<6>& row : rows) row.MinvGi.setZero();  // body i stands still: it has no velocity to look up
+    for (Row<6>& row : rows) row.MinvGi.setZero();  // body i is static: there is no velocity to read
   for (int lane = 0; lane < lane_count; ++lane) t.V[2 * lane + 1].setZero();
   Pack<6> pack = pack_of(t.lanes, 2);
   std::vector<Twist<6>> V = t.V;
@@ -123,11 +124,11 @@ EXERCISE_TEST(UpdatePack, LeavesBodiesThatDoNotMoveAlone) {
   update_pack(pack, V);
   for (int lane = 0; lane < lane_count; ++lane) {
     for (Row<6>& row : t.lanes[lane]) update_row(row, t.V);
-    expect_near("λ in lane " + std::to_string(lane) + ", body i does not move [N s]", "Eq. (14.9)",
+    expect_near("λ in lane " + std::to_string(lane) + ", body i is static [N s]", "Eq. (14.9)",
                 pack.rows[1].lambda[lane], t.lanes[lane][1].lambda, roundings(5000, 1), {},
                 "Where pack.i is -1 the velocity is 0.");
     expect_near_vector("V of a body that is in no lane", "Eq. (14.9)", V[2 * lane + 1],
-                       Twist<6>(Twist<6>::Constant(77)), {0, "it is not touched"}, {},
+                       Twist<6>(Twist<6>::Constant(77)), {0, "unchanged"}, {},
                        "Where pack.i is -1 nothing is written.");
   }
 }
@@ -138,13 +139,13 @@ EXERCISE_TEST(UpdatePack, LeavesEmptyLanesEmpty) {
     FourPairs t(random, 2);
     const auto all = t.lanes;
     for (int lane = filled; lane < lane_count; ++lane) t.lanes[lane].clear();
-    if (filled == 3) t.lanes[1].pop_back();  // its second row is not there
+    if (filled == 3) t.lanes[1].pop_back();  // its second row is missing
     Pack<6> pack = pack_of(t.lanes, 2);
     std::vector<Twist<6>> V = t.V;
     const double got = update_pack(pack, V);
     const std::string with = " with " + std::to_string(filled) + " lanes filled";
     expect_true("it returns a number," + with, "Eq. (14.9)", std::isfinite(got),
-                "An empty lane has a diagonal of 1, and asks for nothing.");
+                "An empty lane has a diagonal of 1, and B = 0.");
     for (int lane = 0; lane < lane_count; ++lane) {
       for (Row<6>& row : t.lanes[lane]) update_row(row, t.V);
       for (std::size_t m = t.lanes[lane].size(); m < 2; ++m)
@@ -153,7 +154,7 @@ EXERCISE_TEST(UpdatePack, LeavesEmptyLanesEmpty) {
     }
     for (std::size_t body = 0; body < V.size(); ++body)
       expect_near_vector("V of body " + std::to_string(body) + "," + with, "Eq. (14.9)", V[body], t.V[body],
-                         roundings(5000, 1), {}, "Only bodies of lanes that are filled change.");
+                         roundings(5000, 1), {}, "Only bodies of filled lanes change.");
   }
 }
 
@@ -176,9 +177,9 @@ EXERCISE_TEST(UpdatePack, ReturnsTheLargest) {
     }
     expect_near("what update_pack returned [m/s]", "Eq. (4.9)", update_pack(pack, V), expected,
                 roundings(5000, 3),
-                {{impulse, "This is the largest |Δλ|, an impulse: S_kk times it is asked for."},
+                {{impulse, "This is the largest |Δλ|, an impulse: multiply it by S_kk."},
                  {last, "This is that of the last rows only."}},
-                "The largest S_kk |Δλ_k| of all lanes and rows.");
+                "Return the largest S_kk |Δλ_k| of all lanes and rows.");
   }
 }
 

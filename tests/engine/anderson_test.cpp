@@ -1,4 +1,4 @@
-// Anderson acceleration: the answer of sweeps, after fewer of them, and at no time outside the bounds.
+// Anderson acceleration: the solution of sweeps, after fewer sweeps, and always within the bounds.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double mu = 0.5;
 
-/// A leaning column of boxes that have just been pushed, after one step.
+/// A leaning column of boxes after one step with a push.
 World<6> pushed_tower(const Solver<6>& solver, const StopRule& stop, double top = 1) {
   World<6> world({.k = 1e6, .friction = mu, .solver = solver, .solver_limits = stop});
   world.add_plane(Vec3::UnitZ(), 0);
@@ -39,7 +39,8 @@ TEST(Anderson, HasTheAnswerOfSweepsAfterFewer) {
   for (const auto& [name, plain, accelerated] : models) {
     const World<6> slow = pushed_tower(plain, stop), fast = pushed_tower(accelerated, stop);
     ASSERT_TRUE(slow.solved().converged && fast.solved().converged) << name;
-    // What the last sweep changed by 1e-10 m/s may be 1/(1 - ρ) as far off: ten thousand sweeps, at most.
+    // A last sweep with a change of 1e-10 m/s may be 1/(1 - ρ) times as far from the solution, for at most ten thousand
+    // sweeps.
     EXPECT_LE(apart(slow, fast), 1e-6) << name;
     EXPECT_LE(4 * fast.report().iterations, slow.report().iterations) << name;
   }
@@ -61,7 +62,7 @@ TEST(Anderson, IsWithinTheBoundsWheneverItStops) {
 }
 
 TEST(Anderson, BeginsAsSweepsDo) {
-  // It has nothing to mix before the third sweep.
+  // There is nothing to mix before the third sweep.
   for (const int sweeps : {1, 2})
     EXPECT_EQ(apart(pushed_tower(anderson<6>(), {.max_sweeps = sweeps}),
                     pushed_tower(gauss_seidel<6>(), {.max_sweeps = sweeps})),

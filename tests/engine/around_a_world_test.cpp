@@ -1,4 +1,4 @@
-// What a program around a world uses: steps that return their outcome, pairs that begin and end to touch, handles.
+// Functions for programs around a world: steps that return their outcome, begins and ends of touching, handles.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -69,7 +69,7 @@ TEST(ContactEvents, APairIsNamedOnceHoweverManyContactsItHas) {
   EXPECT_TRUE(events.touching().empty());
 }
 
-/// Bodies and joints are told apart by numbers that they keep: masses, and lengths.
+/// Bodies and joints are identified by numbers that they keep: masses and lengths.
 TEST(Handles, NameTheSameWhateverIsRemoved) {
   const unsigned seed = std::random_device()();
   SCOPED_TRACE("seed " + std::to_string(seed));

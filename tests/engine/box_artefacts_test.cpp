@@ -1,5 +1,5 @@
-// What the friction box is known to get wrong, as exactly as it gets it wrong: a bound from a mass does not know what
-// rests on the contact, Eq. (5.15).
+// The known errors of the friction box, to their exact size: its bound comes from a mass, not from the load, Eq.
+// (5.15).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double g = 9.81, radius = 0.5, k = 1e6, h = 1.0 / 60;
 
-/// Speed of the fastest of n equal spheres, as points, one on the other on a slope, after a second from rest.
+/// Speed of the fastest of n equal spheres, stacked as points on a slope, after a second from rest.
 double speed_of_pile_on_slope(int n, double mu, double angle) {
   World<3> world({.gravity = g * Vec3(std::sin(angle), 0, -std::cos(angle)),
                   .k = k,
@@ -33,7 +33,7 @@ double speed_of_pile_on_slope(int n, double mu, double angle) {
 }
 
 TEST(FrictionBox, APileOnASlopeNeedsMoreFrictionThanABody) {
-  // The ground must hold n weights and has the bound for one; contact i above it holds n - i and has half a bound.
+  // The ground needs the bound for n weights and has it for one. Contact i above it needs n - i and has half a bound.
   const double angle = 0.2;
   const auto needed = [&](int n) {
     double factor = n;
@@ -44,7 +44,8 @@ TEST(FrictionBox, APileOnASlopeNeedsMoreFrictionThanABody) {
   EXPECT_DOUBLE_EQ(needed(2), 2 * std::tan(angle));
   EXPECT_DOUBLE_EQ(needed(3), 4 * std::tan(angle)) << "between the first and the second";
   for (const int n : {1, 2, 3}) {
-    // A thousandth too little in each step of a second moves something by some hundredths of g sin θ · 1 s or more.
+    // In a second, a bound that is a thousandth too small in each step moves a sphere at some hundredths of g sin θ · 1
+    // s or more.
     EXPECT_GT(speed_of_pile_on_slope(n, 0.99 * needed(n), angle), 0.005 * g * std::sin(angle))
         << n << " spheres";
     EXPECT_LT(speed_of_pile_on_slope(n, 1.01 * needed(n), angle), 1e-10) << n << " spheres";

@@ -1,4 +1,4 @@
-// Boxes among planes, balls and each other; and that however many bodies there are, every contact is found.
+// Boxes with planes, balls and each other: every contact is found, for any number of bodies.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -49,7 +49,7 @@ TEST(Boxes, RestOnEachOtherAndOnTheGround) {
   World<6> world({.k = k, .friction = 0.5, .solver = find_solver<6>("direct").make()});
   world.add_plane(Vec3::UnitZ(), 0);
   const Vec3 half(0.5, 0.3, 0.2);
-  // A little in each other, so that no rounding decides which corners touch first.
+  // They overlap a little, so that round-off does not decide which corners touch first.
   const int low = world.add(box(Vec3(0, 0, half.z() - 1e-7), half, 2));
   const int top = world.add(box(Vec3(0, 0, 3 * half.z() - 2e-7), half, 1));
   for (int step = 0; step < 200; ++step) world.step(h);
@@ -86,12 +86,12 @@ TEST(Boxes, ThatMeetInTheVoidKeepTheirMomenta) {
     world.step(h);
     contacts += world.contacts().size();
   }
-  EXPECT_GT(contacts, 0U) << "they were meant to meet";
+  EXPECT_GT(contacts, 0U) << "they should meet";
   EXPECT_LE((momentum(world.bodies()) - p).norm(), 1e-13);
   EXPECT_LE((angular_momentum(world.bodies()) - L).norm(), 1e-13);
 }
 
-/// Which bodies touch, whatever the order.
+/// The pairs of bodies that touch, in any order.
 std::set<std::pair<int, int>> touching(const World<6>& world) {
   std::set<std::pair<int, int>> pairs;
   for (const Contact& contact : world.contacts()) pairs.insert(std::minmax(contact.i, contact.j));
@@ -99,7 +99,7 @@ std::set<std::pair<int, int>> touching(const World<6>& world) {
 }
 
 TEST(Contacts, AreAllFoundHoweverManyBodiesThereAre) {
-  // On either side of where the broad phase changes: 32 and 2000 bodies.
+  // Below and above the number at which the broad phase changes: 32 and 2000 bodies.
   testing::Random random;
   for (const int n : {20, 32, 33, 300, 2000, 2001}) {
     World<6> world({.gravity = Vec3::Zero(), .k = 1e-6});
@@ -118,7 +118,7 @@ TEST(Contacts, AreAllFoundHoweverManyBodiesThereAre) {
     EXPECT_FALSE(expected.empty());
     EXPECT_EQ(touching(world), expected) << n << " balls";
     if (n > 32) {
-      EXPECT_LT(world.report().pairs, n * (n - 1) / 4) << "most pairs need no closer look";
+      EXPECT_LT(world.report().pairs, n * (n - 1) / 4) << "most pairs need no narrow phase";
     }
   }
 }

@@ -23,7 +23,7 @@ Quat turned(double degrees, const Vec3& axis) {
   return Quat(Eigen::AngleAxisd(degrees * 3.14159265358979323846 / 180, axis.normalized()));
 }
 
-/// How far the highest of the box's faces is from being level: 0 when it lies on one.
+/// The deviation of the box's highest face from the horizontal: 0 when it lies on a face.
 double tilt(const Quat& q) {
   return 1 - (q.conjugate() * Vec3::UnitZ()).cwiseAbs().maxCoeff();
 }
@@ -59,7 +59,7 @@ void expect_rest_on_a_face(const World<6>& world, double k) {
 }
 
 TEST(Box, IsTurnedByWhatPushesItsCorner) {
-  // About the point where it is pushed, nothing changes its angular momentum: gap and friction, impact or row.
+  // About the point of the impulse the angular momentum is constant: for gap and friction, for impact or row.
   testing::Random random;
   for (int trial = 0; trial < 40; ++trial) {
     const bool hits = trial % 2 == 0;
@@ -85,13 +85,14 @@ TEST(Box, IsTurnedByWhatPushesItsCorner) {
     ASSERT_EQ(world.report().impacts, hits ? 1 : 0);
     const Vec3 pushed = m * (world.v(1) - v);
     EXPECT_GE(pushed.norm(), 0.1);
-    // An impact was 1e-9 m over the approach ago: so much shorter were its lever arms, and no more than thrice as much.
+    // An impact is detected 1e-9 m over the approach too late. Its lever arms differ by that, and by at most three
+    // times that.
     EXPECT_LE((spin() - spin_before - world.contacts()[0].r_j.cross(pushed)).norm(),
               hits ? 3e-9 * pushed.norm() : 1e-12)
         << "trial " << trial;
     const Vec3 corner = q.conjugate() * world.contacts()[0].r_j;
     EXPECT_LE((corner.cwiseAbs() - half).norm(), 1e-12)
-        << "r is from the centre to the corner, as it is turned";
+        << "r is from the centre to the corner, in the present orientation";
   }
 }
 
@@ -128,7 +129,7 @@ TEST(Box, ThrownTumblingComesToRestOnAFace) {
 }
 
 TEST(Box, FlatOnTheFloorHasTheGapOfAQuarterOfItsWeight) {
-  // The default k, and d: what Gauss-Seidel has left to share among the corners does not move the middle.
+  // With the default k and d, the incomplete sharing of the load by Gauss-Seidel does not move the centre.
   World<6> world = box_above_floor({}, 1e6, Quat::Identity());
   for (int n = 0; n < 600; ++n) world.step(h);
   ASSERT_EQ(world.contacts().size(), 4U);

@@ -1,4 +1,4 @@
-// Capsules: moments by quadrature, contacts against a dense search, and how they rest, roll and collide.
+// Capsules: moments by quadrature, contacts against a dense search, and their rest, rolling and collisions.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -50,7 +50,7 @@ double deepest(const std::vector<Contact>& contacts) {
   return least;
 }
 
-/// Expects unit normals, lever arms to one point, and a gap that moves as it should when j does.
+/// Expects unit normals, lever arms to one point, and a gap that changes correctly when j moves.
 void expect_sound(const std::vector<Contact>& contacts, const Vec3& x_i, const Vec3& x_j) {
   EXPECT_LE(contacts.size(), 3U);
   for (const Contact& contact : contacts) {
@@ -130,7 +130,7 @@ TEST(Capsule, StandsOnTwoPointsWhereItLies) {
     box_capsule(table, capsule(1, x, Vec3::UnitX(), 0.2, half_length), contacts);
     return contacts;
   };
-  // Within the face, over both of its sides, over one, and along its rim: the ends of what lies on it.
+  // Within the face, over both of its sides, over one, and along its rim: the ends of the part on the face.
   for (const auto& [x, half_length, from, to] :
        {std::tuple(Vec3(0.1, 0, 0.699), 0.5, -0.4, 0.6), std::tuple(Vec3(0.1, 0, 0.699), 2.0, -1.0, 1.0),
         std::tuple(Vec3(0.8, 0, 0.699), 0.5, 0.3, 1.0), std::tuple(Vec3(0.1, 1.1, 0.67), 0.5, -0.4, 0.6)}) {
@@ -182,7 +182,7 @@ TEST(Capsule, RollsDownASlopeAsItsInertiaSays) {
                               .half_length = half});
   const double I = solid_capsule_moments(m, r, half).z(), a = g * std::sin(alpha) / (1 + I / (m * r * r));
   for (int step = 0; step < 1000; ++step) world.step(h);
-  // Its velocity is half a step ahead, as nothing takes it back at the start: a t h/2 of a t²/2, which is 1e-3.
+  // Its velocity is half a step ahead, since it starts without the half step back: a t h/2 of a t²/2, which is 1e-3.
   EXPECT_NEAR(world.x(body).dot(down), a / 2, 2e-3 * a / 2);
 }
 
@@ -226,7 +226,7 @@ TEST(Capsule, KeepsMomentaWhenTwoCollide) {
     world.step(h);
     contacts += static_cast<int>(world.contacts().size());
   }
-  EXPECT_GT(contacts, 0) << "they were meant to meet (seed " << testing::Random::seed() << ")";
+  EXPECT_GT(contacts, 0) << "they should meet (seed " << testing::Random::seed() << ")";
   EXPECT_LT((momentum() - before).norm(), 1e-12);
 }
 

@@ -1,4 +1,4 @@
-// Steps that change: leapfrog's velocity is half a step behind, whichever step that was.
+// Steps of changing size: leapfrog's velocity belongs to the middle of its step, of whichever size.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -29,7 +29,7 @@ TEST(ChangedSteps, KeepTheHeightOfAnElasticBall) {
 }
 
 TEST(ChangedSteps, LetABodyFallAsOneStepWould) {
-  // ½ g t² to round-off, as leapfrog has it with one step; and what rests stays where it is.
+  // The fall is ½ g t² to round-off, as with one step size, and a body at rest stays at rest.
   World<6> world({.friction = 0.5});
   world.add_plane(Vec3::UnitZ(), 0);
   const int falling = world.add({.x = Vec3(5, 0, 100), .mass = 2, .radius = 0.1}),

@@ -1,4 +1,4 @@
-// Bodies that touch: rest, piles, and what a step without contacts leaves undone.
+// Bodies that touch: rest, piles, and the work that a step without contacts leaves out.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ constexpr double radius = 0.5;
 
 struct Case {
   double h, d;
-  int steps;  ///< enough for the decay of the first violation to reach roundings
+  int steps;  ///< enough for the decay of the first violation to reach round-off
 };
 
 TEST(RestingSphere, GapAndImpulseAreThoseOfTheWeightForAnyStepAndRelaxation) {
@@ -38,7 +38,7 @@ TEST(RestingSphere, GapAndImpulseAreThoseOfTheWeightForAnyStepAndRelaxation) {
     const double gap_rounding = 4 * epsilon * radius;
     const std::string which = "h " + std::to_string(c.h) + ", d " + std::to_string(c.d);
     ASSERT_EQ(world.contacts().size(), 1U) << which;
-    // A contact that is stiff moves x by less than a rounding while its decay is not yet over.
+    // A stiff contact moves x by less than round-off before its decay is over.
     const double last_move = gap_rounding * (1 + 4 * c.d);
     EXPECT_NEAR(n.dot(world.x(sphere)) - radius, -m * g / k, last_move) << which;
     EXPECT_NEAR(world.lambda(0), c.h * m * g, s.a * last_move / (1 / m + s.Sigma) + 8 * epsilon * c.h * m * g)
@@ -65,7 +65,7 @@ TEST(RestingSphere, ContactPushesAndNeverPulls) {
     }
   }
   EXPECT_TRUE(touched);
-  EXPECT_TRUE(let_go) << "the sphere was meant to bounce";
+  EXPECT_TRUE(let_go) << "the sphere should bounce";
 }
 
 template <int Dof>
@@ -93,7 +93,7 @@ TEST(Stack, EveryContactCarriesTheWeightAboveIt) {
       double load = 0;
       for (int c = count - 1; c >= 0; --c) {
         load += world.bodies().mass[static_cast<std::size_t>(c + 1)] * g;
-        // What Gauss-Seidel leaves undone, 1e-12 m/s over a rate of 1 - ρ >= 1e-4, is far below.
+        // The residual of Gauss-Seidel, 1e-12 m/s over a rate of 1 - ρ >= 1e-4, is far smaller.
         EXPECT_NEAR(world.contacts()[static_cast<std::size_t>(c)].gap, -load / 1e6, 1e-5 * load / 1e6)
             << "ratio " << ratio << ", heavy on top " << heavy_on_top << ", contact " << c;
         EXPECT_NEAR(world.lambda(c), h * load, 1e-5 * h * load);
@@ -137,11 +137,11 @@ TEST(Stack, PointMassesAndRigidBodiesAgree) {
     points.step(1.0 / 60);
     bodies.step(1.0 / 60);
     for (int i = 1; i <= 5; ++i)
-      // The same operations, but for products with zero and the order of a sum.
+      // The same operations, except for products with zero and the order of a sum.
       ASSERT_NEAR((points.x(i) - bodies.x(i)).norm(), 0, 1e-12) << "step " << step << ", body " << i;
   }
   for (int i = 1; i <= 5; ++i)
-    EXPECT_EQ(angular_velocity(bodies, i), Vec3::Zero().eval()) << "nothing turns a frictionless pile";
+    EXPECT_EQ(angular_velocity(bodies, i), Vec3::Zero().eval()) << "no torque acts in a frictionless pile";
 }
 
 TEST(Spheres, CollisionKeepsMomentumAndAngularMomentum) {
@@ -151,9 +151,9 @@ TEST(Spheres, CollisionKeepsMomentumAndAngularMomentum) {
   const Vec3 p = momentum(world.bodies()), L = angular_momentum(world.bodies());
   const Vec3 v = world.v(0);
   for (int step = 0; step < 200; ++step) world.step(0.01);
-  EXPECT_GT((world.v(0) - v).norm(), 0.1) << "they were meant to meet";
+  EXPECT_GT((world.v(0) - v).norm(), 0.1) << "they should meet";
   EXPECT_LE((momentum(world.bodies()) - p).norm(), 200 * epsilon * 7);
-  // The impulse acts along the line of centres at x_n, the same line for both: L is kept, too.
+  // The impulse acts along the line of centres at x_n, the same line for both: L is conserved, too.
   EXPECT_LE((angular_momentum(world.bodies()) - L).norm(), 200 * epsilon * 50);
 }
 
@@ -189,7 +189,7 @@ TEST(Step, DoesNothingForWhatASceneDoesNotHave) {
   World<3> plain({.solver = counting});
   plain.add({});
   plain.step(0.01);
-  EXPECT_EQ(plain.report().pairs, 0) << "no shapes: no pair is looked at";
+  EXPECT_EQ(plain.report().pairs, 0) << "without shapes no pair is tested";
 
   World<3> apart({.solver = counting});
   apart.add_plane(Vec3::UnitZ(), 0);

@@ -1,4 +1,4 @@
-// What is remembered from step to step changes no contact: each is what a search from nothing finds.
+// The values kept from step to step change no contact: each is the same as in a search without them.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -12,7 +12,7 @@
 namespace spook::contacts_test {
 namespace {
 
-/// Of one pair of shapes or none, to the last bit.
+/// Expects the same contacts, of one pair of shapes or none, to the last bit.
 bool same(const Contact& a, const Contact& b) {
   return a.i == b.i && a.j == b.j && a.n == b.n && a.gap == b.gap && a.r_i == b.r_i && a.r_j == b.r_j;
 }
@@ -32,7 +32,7 @@ std::vector<Contact> found_from_nothing(const Shapes& shapes, const Bodies<6>& b
   return contacts;
 }
 
-/// A floor, a wall, and balls and boxes in a heap between them that many of them share.
+/// A floor, a wall, and a heap of balls and boxes; many of them overlap the wall.
 World<6> heap(int n, testing::Random& random) {
   World<6> world({.k = 1e6});
   world.add_plane(Vec3::UnitZ(), 0);
@@ -46,7 +46,7 @@ World<6> heap(int n, testing::Random& random) {
       body.radius = random.uniform(0.3, 0.9);
     else
       body.half_sides = random.vector(0.2, 0.8);
-    if (i == 1) {  // points, which only planes stop
+    if (i == 1) {  // points, which collide with planes only
       body.half_sides.setZero();
       body.corners = {Vec3(0.5, 0, 0), Vec3(-0.5, 0, 0)};
     }
@@ -55,7 +55,7 @@ World<6> heap(int n, testing::Random& random) {
   return world;
 }
 
-/// Some of the bodies, each as far as `far` at most.
+/// Moves some of the bodies, each by at most `far`.
 std::vector<bool> move_some(Bodies<6>& bodies, double share, double far, testing::Random& random) {
   std::vector<bool> moved(bodies.size(), false);
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -77,7 +77,7 @@ TEST(Contacts, AreThoseOfASearchFromNothingHoweverFarBodiesHaveMoved) {
     std::vector<Contact> contacts;
     std::size_t all = 0;
     for (int step = 0; step < 40; ++step) {
-      // Most steps are within the room that pairs are remembered for, and some far beyond it.
+      // Most moves are within the margin of kept pairs, and some are far larger.
       const double far = step % 5 == 4 ? 1 : 0.02, margin = step % 3 == 2 ? 0.05 : 0;
       move_some(bodies, 1, far, random);
       finder.find(shapes, bodies, margin, contacts);
@@ -89,7 +89,7 @@ TEST(Contacts, AreThoseOfASearchFromNothingHoweverFarBodiesHaveMoved) {
                   std::to_string(n) + " bodies, some moved in step " + std::to_string(step));
       all += contacts.size();
     }
-    EXPECT_GT(all, 0U) << "some were meant to touch";
+    EXPECT_GT(all, 0U) << "some should touch";
   }
 }
 
@@ -100,7 +100,7 @@ TEST(Contacts, AreFoundAnewWhereABodyHasGone) {
   ContactFinder finder;
   std::vector<Contact> contacts;
   finder.find(shapes, world.bodies(), 0, contacts);
-  // The last body's shape is gone: all others have the numbers that they had.
+  // The last body's shape is removed: all others keep their numbers.
   shapes.remove(static_cast<int>(world.bodies().size()) - 1);
   finder.find(shapes, world.bodies(), 0, contacts);
   expect_same(contacts, found_from_nothing(shapes, world.bodies(), 0), "without the last body");
@@ -119,7 +119,7 @@ std::vector<Bounds> row_of_bounds() {
 TEST(Contacts, StayInOrderWhileOneBoxRestsOnAnother) {
   testing::Random random;
   const auto tilted = [&](const Vec3& x) {
-    const Vec3 by = random.vector(1e-14);  // as roundings do
+    const Vec3 by = random.vector(1e-14);  // by round-off
     const Quat q = Quat(1, by.x(), by.y(), by.z()).normalized();
     return Body<6>{.x = x, .q = q, .half_sides = Vec3(0.5, 0.4, 0.3)};
   };
@@ -142,7 +142,7 @@ TEST(Contacts, StayInOrderWhileOneBoxRestsOnAnother) {
 TEST(PairCache, TouchOnlyWhereTheirBoundsDo) {
   PairCache neighbours;
   EXPECT_TRUE(neighbours.touching(row_of_bounds()).empty())
-      << "room around bounds is for memory, not for contacts";
+      << "the margin of bounds keeps pairs, but adds no contacts";
   std::vector<Bounds> bounds = row_of_bounds();
   bounds[7].upper.x() += 0.15;
   EXPECT_EQ(neighbours.touching(bounds), std::vector<Pair>({{7, 8}}));
@@ -150,7 +150,7 @@ TEST(PairCache, TouchOnlyWhereTheirBoundsDo) {
   EXPECT_EQ(neighbours.touching(bounds), std::vector<Pair>({{7, 8}, {7, 9}, {7, 10}}));
 }
 
-/// All pairs that touch, each looked at.
+/// All pairs that touch, each tested.
 std::vector<Pair> all_touching(const std::vector<Bounds>& bounds) {
   std::vector<Pair> pairs;
   for (int a = 0; a < std::ssize(bounds); ++a)
@@ -170,7 +170,7 @@ TEST(PairCache, AreAllThatTouchWhoeverHasMoved) {
     one.upper = one.lower + half.cwiseAbs() + Vec3::Constant(0.2);
   }
   PairCache neighbours;
-  // Nobody moves, a few jump, most do, all creep, and then somebody is gone.
+  // First no body moves, a few jump, most move, and all creep; then one body is removed.
   for (int round = 0; round < 30; ++round) {
     const int moving = std::array{0, 1, 40, 400, 600}[round % 5];
     const double far = moving == 600 ? 0.01 : 1;

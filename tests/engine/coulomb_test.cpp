@@ -1,4 +1,4 @@
-// Friction by default: Coulomb's, limited by what presses, whichever step a newcomer types.
+// Default friction: Coulomb's law, limited by the normal impulse, at every step size that a newcomer types.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double g = 9.81;
 
-/// Steps that users type [s].
+/// Step sizes that users type [s].
 const std::vector<double> all_steps = {1.0 / 30, 1.0 / 60, 1.0 / 240, 1.0 / 1000};
 
 int add_box(World<6>& world, const Vec3& x, const Vec3& half, double mass, const Vec3& v = Vec3::Zero(),
@@ -22,7 +22,7 @@ int add_box(World<6>& world, const Vec3& x, const Vec3& half, double mass, const
       {.x = x, .v = v, .mass = mass, .q = q, .principal = solid_box_moments(mass, half), .half_sides = half});
 }
 
-/// Runs for so long, and expects it to be sound.
+/// Runs for a time, and expects it to be sound.
 void run(World<6>& world, double h, double time) {
   RunCheck<6> check;
   for (int n = 0; n < std::lround(time / h); ++n) {
@@ -32,7 +32,8 @@ void run(World<6>& world, double h, double time) {
   EXPECT_EQ(name_of(check.verdict().state), "sound") << check.verdict().reason << ", h " << h;
 }
 
-/// What slides to a stop from v0 goes v0²/(2 μ g), less what leapfrog misses: half a step of its first and of its last speed.
+/// A body that slides to a stop from v0 goes v0²/(2 μ g), less leapfrog's error: half a step of its first and last
+/// speed.
 void expect_way(double way, double v0, double mu, double h) {
   const double coulomb = v0 * v0 / (2 * mu * g);
   EXPECT_NEAR(way, coulomb - v0 * h / 2, mu * g * h * h + 0.003 * coulomb) << "h " << h;
@@ -65,7 +66,7 @@ TEST(Coulomb, SlidesAsFarInEveryDirection) {
 }
 
 TEST(Coulomb, WhatAForcePressesSticksWithoutGravityToo) {
-  // 50 N press, 15 N pull, and μ is 0.6: 30 N would be held. A tenth of the pressure holds 3 N.
+  // 50 N press, 15 N pull, and μ is 0.6, which holds up to 30 N. A tenth of the normal force holds 3 N.
   for (const double gravity : {0.0, 9.81})
     for (const double h : all_steps)
       for (const double press : {50.0, 5.0}) {
@@ -80,14 +81,14 @@ TEST(Coulomb, WhatAForcePressesSticksWithoutGravityToo) {
         run(world, h, 1);
         const double pull = 15 - 0.6 * (press + gravity);
         const double wanted = pull > 0 ? pull / 2 : 0;
-        // Leapfrog from rest is half a step of the speed ahead, h a t/2; a fall of the first step adds to it. What sticks
-        // leans by 15 N 0.1 m over k r² of four corners, 3.75e-5 rad.
+        // Leapfrog from rest is half a step of the speed ahead, h a t/2; a fall in the first step adds to it. A
+        // sticking box leans by 15 N 0.1 m over k r² of four corners, 3.75e-5 rad.
         EXPECT_NEAR(world.x(cube).x(), wanted, 1.2 * h * std::max(pull, 0.0) + 4e-6) << press << " N, h " << h;
       }
 }
 
 TEST(Coulomb, OnTwoBoxesAsOnOne) {
-  // A slope of 0.4 rad with μ = 0.3: g (sin θ - μ cos θ) t²/2 in two seconds, whatever it lies on.
+  // A slope of 0.4 rad with μ = 0.3: g (sin θ - μ cos θ) t²/2 in two seconds, for a slope of any kind.
   const double angle = 0.4, mu = 0.3;
   for (const double h : all_steps) {
     World<6> world({.gravity = g * Vec3(std::sin(angle), 0, -std::cos(angle)), .friction = mu});
@@ -115,7 +116,7 @@ TEST(Coulomb, APlankStaysOnTheBoxThatItIsPartlyOn) {
 }
 
 TEST(Coulomb, WhatRestsIsSolvedByALook) {
-  // A pyramid of 55 cubes: after two seconds a step takes some sweeps on average, not twenty factorisations.
+  // A pyramid of 55 cubes: after two seconds a step takes a few sweeps on average, not twenty factorisations.
   World<6> world({.friction = 0.6});
   world.add_plane(Vec3::UnitZ(), 0);
   for (int row = 0; row < 10; ++row)

@@ -1,4 +1,4 @@
-// Stiffness by default: whatever stands or hangs gives by less than a thousandth of its size, at any size and mass.
+// Default stiffness: standing and hanging bodies yield by less than a thousandth of their size, at any size and mass.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double g = 9.81;
 
-/// The verdict after so many steps.
+/// Returns the verdict after so many steps.
 template <int Dof>
 Verdict run(World<Dof>& world, double h, int steps) {
   RunCheck<Dof> check;
@@ -23,7 +23,7 @@ Verdict run(World<Dof>& world, double h, int steps) {
 }
 
 TEST(DefaultStiffness, LetsNothingSinkInAtAnySizeAndMass) {
-  // Concrete cubes with sides from 20 µm to 200 m, a few steps of the time in which they would fall by their size.
+  // Concrete cubes with sides from 20 µm to 200 m. The steps are a small part of the time to fall by that side.
   for (const double half : {1e-5, 1e-3, 0.1, 5.0, 100.0}) {
     const double mass = 2400 * 8 * half * half * half;
     const double h = std::min(1.0 / 60, 0.3 * std::sqrt(half / g));

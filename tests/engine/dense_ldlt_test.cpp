@@ -1,4 +1,4 @@
-// Dense factors of few unknowns: what sparse ones give, and a pivot that is not sound.
+// Dense factors of few unknowns: the same as sparse ones, and a refusal of pivots that are not sound.
 #include "engine/linear/dense_ldlt.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 using Matrix = Eigen::MatrixXd;
 
-/// Positive definite, n x n; a part of its entries below the diagonal are 0.
+/// Positive definite, n x n; a part of its entries below the diagonal is 0.
 Matrix random_matrix(int n, double zeros, testing::Random& random) {
   Matrix A = Matrix::Zero(n, n);
   for (int k = 0; k < n; ++k)
@@ -41,7 +41,7 @@ void fill(const Matrix& A, DenseLdlt& factors) {
 
 TEST(DenseLdlt, SolveWhatTheyAreFactorsOf) {
   testing::Random random;
-  DenseLdlt factors;  // one for all: it forgets what it had
+  DenseLdlt factors;  // one for all: it keeps nothing of its last matrix
   for (const double zeros : {0.0, 0.5, 0.9})
     for (int n = 1; n <= DenseLdlt::most; ++n) {
       const Matrix A = random_matrix(n, zeros, random);
@@ -50,7 +50,8 @@ TEST(DenseLdlt, SolveWhatTheyAreFactorsOf) {
       ASSERT_TRUE(factors.factorise()) << n;
       Vector x = b;
       factors.solve(x.data());
-      // A dominant diagonal: no growth, so that each line's n products and sums round by ε of what they are of.
+      // A dominant diagonal: there is no growth, so the n products and sums of a line each have an error of ε of their
+      // size.
       const double rounding = 4 * n * std::numeric_limits<double>::epsilon();
       EXPECT_LE((A * x - b).norm(), rounding * A.norm() * x.norm()) << n << " lines, zeros " << zeros;
       EXPECT_LE((x - A.llt().solve(b)).norm(), rounding * A.norm() * A.inverse().norm() * x.norm()) << n;
@@ -64,9 +65,9 @@ TEST(DenseLdlt, RefuseAPivotThatIsNotSound) {
     factors.at(0, 0) = a, factors.at(1, 0) = b, factors.at(1, 1) = c;
     return factors.factorise();
   };
-  EXPECT_TRUE(factorised(4, 2, 1 + 1e-12)) << "a hundred times what Eq. (11.4) asks for";
+  EXPECT_TRUE(factorised(4, 2, 1 + 1e-12)) << "a hundred times the bound of Eq. (11.4)";
   EXPECT_FALSE(factorised(4, 2, 1)) << "singular";
-  EXPECT_FALSE(factorised(4, 2, 1 + 1e-15)) << "a pivot of roundings";
+  EXPECT_FALSE(factorised(4, 2, 1 + 1e-15)) << "a pivot of round-off";
   EXPECT_FALSE(factorised(4, 2, 0.5)) << "a saddle";
   EXPECT_FALSE(factorised(0, 0, 1));
   EXPECT_FALSE(factorised(-1, 0, 1));

@@ -1,4 +1,4 @@
-// The direct solver and the stiff links in the engine: what neither sweeps nor small steps were needed for.
+// The direct solver and the stiff links in the engine: hard scenes without many sweeps or small steps.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,8 @@ using testing::expect_order;
 constexpr double h = 1.0 / 60;
 
 TEST(DirectSolver, HoldsAWireOfAHundredLinksAtAHundredThousandToOne) {
-  // Of its length: roundings of 16,000 m/s, which each light point's two impulses make, are corrected by their residual.
+  // The error is relative to its length. Two impulses on each light point cause round-off of 16,000 m/s, which is
+  // corrected by the residual.
   const SceneSettings wire = {{"links", "100"}, {"ratio", "1e5"}, {"begin", "at_rest"}};
   EXPECT_LE(error_of("wire", wire, h, 5, {}, "direct"), 1e-12);
   EXPECT_GT(error_of("wire", wire, h, 5, {}, "gauss_seidel"), 1) << "which is rubber";
@@ -25,7 +26,7 @@ TEST(DirectSolver, HoldsAWireOfAHundredLinksAtAHundredThousandToOne) {
 TEST(DirectSolver, ClosesStacksOfAnyRatio) {
   for (const auto& [ratio, k] : {std::pair<std::string, std::string>{"1e6", "1e12"}, {"1e8", "1e14"}}) {
     const SceneSettings stack = {{"bodies", "2"}, {"ratio", ratio}, {"k", k}};
-    // A gap of 1e-5 m is a difference of heights with roundings of 1e-16 m.
+    // A gap of 1e-5 m is a difference of heights with round-off of 1e-16 m.
     EXPECT_LE(error_of("stack", stack, h, 5, {}, "direct"), 1e-9) << ratio;
   }
 }
@@ -40,7 +41,7 @@ TEST(DirectSolver, HoldsATowerOfAHundredBoxes) {
 TEST(DirectSolver, SharesTheLoadOfAHundredContacts) {
   EXPECT_LE(error_of("flat_box_100_contacts", {}, h, 2), 1e-8);
   EXPECT_LE(error_of("flat_box_100_contacts", {{"mu", "0.5"}}, h, 1), 1e-8);
-  EXPECT_GT(error_of("flat_box_100_contacts", {}, h, 2, {}, "gauss_seidel"), 0.1) << "sweeps share slowly";
+  EXPECT_GT(error_of("flat_box_100_contacts", {}, h, 2, {}, "gauss_seidel"), 0.1) << "sweeps distribute slowly";
 }
 
 TEST(DirectSolver, SolvesContradictoryRows) {
@@ -51,13 +52,13 @@ TEST(DirectSolver, SolvesContradictoryRows) {
 }
 
 TEST(DirectSolver, SaysWhenItCouldNot) {
-  // The same distance twice, with k so large that Σ is nothing beside S: no pivot is left for the second.
+  // The same distance twice, with k so large that Σ is negligible beside S: the second has no pivot.
   World<3> world({.k = 1e30, .solver = find_solver<3>("direct").make()});
   world.add_fixed(Vec3::Zero());
   world.add({.x = Vec3(0, 0, -1)});
   for (int twice = 0; twice < 2; ++twice) world.add_joint({.i = 0, .j = 1, .length = 1});
   world.step(h);
-  EXPECT_NE(world.report().trouble, "") << "it had to go on by sweeps, and must say so";
+  EXPECT_NE(world.report().trouble, "") << "it had to continue by sweeps, and must report that";
   EXPECT_LE(world.report().residual, 1e-9) << "which solve two equal rows at once";
   EXPECT_LE(world.v(1).norm(), 1e-9);
 }
@@ -83,20 +84,21 @@ TEST(Solvers, CountTheirRowUpdates) {
 }
 
 TEST(StiffLinks, HoldASwingingWire) {
-  // The issue of the whole chapter: h = 1/60 is far above 2/ω, and the direct solver alone loses it.
+  // The purpose of the whole chapter: h = 1/60 is far above 2/ω, where the direct solver alone is unstable.
   EXPECT_GT(error_of("stiff_wire", {}, h, 1, {}, "direct"), 0.1);
   for (const std::string ratio : {"1000", "1e5"}) {
     const SceneRun wire = run_of("stiff_wire", {{"ratio", ratio}}, h, 5);
     EXPECT_GT(h, 5 * wire.last("largest step without stiffness [s]"));
     EXPECT_LE(wire.error, 1e-3) << ratio;
     const std::vector<double>& energy = wire.all("energy over the start's");
-    EXPECT_LE(*std::max_element(energy.begin(), energy.end()), 1 + 1e-9) << "it is never above the start's";
+    EXPECT_LE(*std::max_element(energy.begin(), energy.end()), 1 + 1e-9)
+        << "it never exceeds that of the start";
     EXPECT_GE(*std::min_element(energy.begin(), energy.end()), 1 - 5e-3);
   }
 }
 
 TEST(StiffLinks, BeginTight) {
-  // Up to the horizontal a weight pulls at its wire. Above it falls slack, and has no K when it snaps tight.
+  // Up to the horizontal the weight keeps its wire tight. Above it goes slack, and has no K when it snaps tight.
   const auto set = [](const std::string& angle) {
     Parameters(find_scene("stiff_wire").parameters).set("angle", angle);
   };
@@ -104,7 +106,7 @@ TEST(StiffLinks, BeginTight) {
     expect_refusal({"angle must be at least 0 and less than 90", angle}, [&] { set(angle); });
   EXPECT_NO_THROW(set("89.9"));
   EXPECT_LE(run_of("stiff_wire", {{"angle", "89.9"}}, h, 5).error, 2e-2)
-      << "8e-3 was measured; let go from 120° it is 0.1 and more";
+      << "8e-3 was measured; released at 120° it is 0.1 and more";
 }
 
 TEST(StiffLinks, LoseEnergyWithTheSquareOfTheStep) {
@@ -120,7 +122,7 @@ TEST(StiffLinks, AreNotForRigidBodies) {
 }
 
 TEST(StiffLinks, LeaveAloneWhatContactsHaveToDoWith) {
-  // One wire swings freely; the load of another lies on the ground: that one is solved without.
+  // One wire swings freely; the load of another lies on the ground, and is solved without K.
   World<3> world({.k = 1e6,
                   .solver = find_solver<3>("geometric_stiffness").make(),
                   .solver_limits = {.max_sweeps = 1000, .tolerance = 1e-13}});

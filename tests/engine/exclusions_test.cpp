@@ -1,4 +1,4 @@
-// Excluded contacts: bodies of a list do not touch each other, and touch all others.
+// Excluded contacts: bodies of one list do not touch each other, but touch all others.
 #include <gtest/gtest.h>
 
 #include "engine/world/world.hpp"
@@ -21,7 +21,7 @@ World<6> heap() {
 
 using Pairs = std::vector<Pair>;
 
-/// The pairs of bodies that touch in the next step.
+/// Returns the pairs of bodies that touch in the next step.
 Pairs touching(World<6> world) {
   world.step(1e-6);
   Pairs pairs;
@@ -51,7 +51,7 @@ TEST(Exclusions, BodiesOfAListDoNotTouchAndTouchAllOthers) {
 }
 
 TEST(Exclusions, ABodyMayBeInSeveralLists) {
-  // Neighbours of a chain: 1 and 3 are in no list together.
+  // Neighbours of a chain: 1 and 3 have no list in common.
   World<6> world = heap();
   world.exclude_contacts({1, 2});
   world.exclude_contacts({2, 3});
@@ -80,7 +80,7 @@ TEST(Exclusions, FollowTheirBodiesWhenOthersAreRemoved) {
   world.remove_body(1);  // the bodies 2, 3, 4 are 1, 2, 3 now, and the last two are a list
   EXPECT_EQ(touching(world), (Pairs{{0, 1}, {0, 2}, {1, 2}, {1, 3}}));
   world.remove_body(3);
-  world.add({.x = Vec3(0, 0, 0.05), .mass = 1, .radius = 0.1});  // takes the index, and not the list
+  world.add({.x = Vec3(0, 0, 0.05), .mass = 1, .radius = 0.1});  // removes the index, and not the list
   EXPECT_EQ(touching(world), (Pairs{{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}));
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 
-/// F by the midpoint rule, which converges exponentially for a smooth periodic integrand: only for φ = π/2.
+/// F by the midpoint rule, which converges exponentially for a smooth periodic integrand, so for φ = π/2 only.
 double quarter_period_by_quadrature(double complement) {
   const int n = 4000;
   double sum = 0;
@@ -36,7 +36,7 @@ TEST(Elliptic, IntegralsAgreeWithQuadratureAndInvertTheFunctions) {
 }
 
 TEST(Elliptic, HaveTheirDerivatives) {
-  // sn' = cn dn by a central difference: an error of δ²/6 |sn'''|, at most 4/6 δ², and of roundings over δ.
+  // sn' = cn dn by a central difference: an error of δ²/6 |sn'''|, at most 4/6 δ², and of round-off over δ.
   const double delta = 1e-5;
   for (const double complement : {1.0, 0.3, 1e-4, 0.0})
     for (double u = -5; u < 5; u += 0.7) {

@@ -1,4 +1,4 @@
-// Friction whose limit follows what presses: chapter 09 in the engine, against the box and against Coulomb.
+// Friction limited by the normal impulse: chapter 09 in the engine, against the box and against Coulomb's law.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double g = 9.81, radius = 0.5, k = 1e6, h = 1.0 / 60;
 
-/// How something is rubbed.
+/// A friction model.
 struct Way {
   std::string name;
   FrictionModel model;
@@ -24,7 +24,7 @@ const std::vector<Way> better = {{"two passes", FrictionModel::two_pass},
                                  {"cone", FrictionModel::cone},
                                  {"cone along the slip", FrictionModel::cone, true}};
 
-/// Speed of the fastest of n spheres, as points, one on the other on a slope, after a second from rest.
+/// Speed of the fastest of n spheres, stacked as points on a slope, after a second from rest.
 double speed_of_pile_on_slope(int n, double mu, double angle, const Way& way) {
   World<3> world({.gravity = g * Vec3(std::sin(angle), 0, -std::cos(angle)),
                   .k = k,
@@ -58,7 +58,7 @@ TEST(BetterFriction, APileOnASlopeNeedsNoMoreThanABody) {
     }
 }
 
-/// Where a block, as a point, that slides at 1 m/s at so many radians from the x axis comes to rest [m].
+/// The stopping position of a block, as a point, that slides at 1 m/s at so many radians from the x axis [m].
 Vec3 stop_of_block(double heading, const Way& way) {
   const double mu = 0.3;
   const Vec3 along(std::cos(heading), std::sin(heading), 0);
@@ -85,7 +85,7 @@ TEST(BetterFriction, ABlockStopsAsCoulombSaysInEveryDirection) {
 }
 
 TEST(BetterFriction, ADiscStopsAtCoulombsTime) {
-  // ω falls linearly to 0 at 3Rω0/(4μg) under an even pressure; the box stops it at π/4 of that.
+  // Under an even pressure ω falls linearly to 0 at 3Rω0/(4μg); the box stops it at π/4 of that.
   const SceneSettings coulomb = {{"answer", "coulomb"}};
   const SceneDescription& disc = find_scene("spinning_disc");
   const auto error = [&](FrictionModel model, bool sliding, const std::string& solver) {
@@ -108,7 +108,7 @@ TEST(BetterFriction, ADiscStopsAtCoulombsTime) {
 }
 
 TEST(BetterFriction, KeepsTheMomentaOfFreeBodies) {
-  // Two balls overlap and rub, far from anything. Their contact point is one, Eq. (8.3): nothing is lost of L.
+  // Two balls overlap and slide on each other in free space. Their contact point is one, Eq. (8.3): L is conserved.
   for (const Way& way : better) {
     World<6> world({.gravity = Vec3::Zero(),
                     .k = 1e3,
@@ -120,9 +120,9 @@ TEST(BetterFriction, KeepsTheMomentaOfFreeBodies) {
     world.add({.x = Vec3(0.9, 0.1, 0), .v = Vec3(-1, 0.5, 0.2), .radius = radius, .principal = moments});
     const Vec3 p = momentum(world.bodies()), L = angular_momentum(world.bodies());
     for (int step = 0; step < 60; ++step) world.step(h);
-    EXPECT_GT((world.v(0)).norm(), 0.1) << "they were meant to meet";
+    EXPECT_GT((world.v(0)).norm(), 0.1) << "they should meet";
     EXPECT_LE((momentum(world.bodies()) - p).norm(), 1e-13) << way.name;
-    // The impulse is at the contact, x_n; L is summed with it at x_n, too: no error of order h is left.
+    // The impulse acts at the contact, at x_n. L is computed at x_n, too, so there is no error of order h.
     EXPECT_LE((angular_momentum(world.bodies()) - L).norm(), 1e-13) << way.name;
   }
 }

@@ -1,4 +1,5 @@
-// Blocks, spheres and discs that rub on a plane, against chapter 05's formulas, and those against something else.
+// Blocks, spheres and discs that slide on a plane, against chapter 05's formulas, and those against independent
+// results.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,8 +18,7 @@ namespace {
 constexpr double epsilon = 2.2e-16;
 constexpr double g = 9.81;
 
-// Four corners on soft contacts: a thousand sweeps share the load among them to roundings; on stiff ones they do
-// not.
+// Four corners on soft contacts: a thousand sweeps distribute the load to round-off; on stiff ones they do not.
 const SceneSettings a_point = {{"model", "point"}}, a_soft_box = {{"model", "box"}, {"k", "1e4"}};
 const StopRule patient = {.max_sweeps = 1000, .tolerance = 1e-15};
 
@@ -33,7 +33,7 @@ TEST(InclineScene, SticksFromTanThetaOnAndSlidesBelow) {
   const double h = 1.0 / 60, time = 1;
   for (const SceneSettings& model : {a_point, a_soft_box})
     for (const double angle : {1.0, 20.0, 45.0, 70.0}) {
-      // What is just too little friction lets it slide by this part of the way without friction.
+      // With μ a little too small it slides by this fraction of the way without friction.
       const double part = 1e-6;
       const auto moved = [&](double mu) {
         const SceneSettings settings =
@@ -43,7 +43,7 @@ TEST(InclineScene, SticksFromTanThetaOnAndSlidesBelow) {
       };
       SCOPED_TRACE(model.front().second + ", angle " + exact_text(angle));
       const double enough = std::tan(radians(angle));
-      // Far below: the creep, and what the box, which lies right to first order in its pitch, settles by.
+      // Far below: the creep, and the settling of the box, which starts right to first order in its pitch.
       EXPECT_NEAR(moved(enough * (1 + part)), 0, 0.01 * part);
       EXPECT_NEAR(moved(enough * (1 - part)), part, 0.01 * part);
     }
@@ -55,7 +55,7 @@ TEST(InclineScene, SlidesWithItsAccelerationToRoundings) {
     for (const std::string mu : {"0", "0.1", "0.5"})
       for (const std::string angle : {"27", "45", "80"})
         for (const std::string m : {"0.01", "1", "100"})
-          // Each step rounds x and v a few times, at the size that they have at the end.
+          // Each step rounds x and v a few times, at their final size.
           EXPECT_LE(error_of("incline", model + SceneSettings{{"mu", mu}, {"angle", angle}, {"m", m}}, h, time),
                     4 * 120 * epsilon)
               << model.front().second << ", mu " << mu << ", angle " << angle << ", m " << m;
@@ -75,12 +75,12 @@ TEST(InclineScene, CreepsAtTheLoadOverTheViscosityOfItsContacts) {
     return run.last("v at t - h/2 [m/s]");
   };
   EXPECT_NEAR(speed(a_point), load / c, 1e-9 * load / c) << "Eq. (5.5)";
-  // Four contacts. Of the box's load, roundings of the pitch (1e-4, squared) may go elsewhere.
+  // Four contacts. Of the box's load, round-off of the pitch (1e-4, squared) may go elsewhere.
   EXPECT_NEAR(speed(a_soft_box), load / (4 * c), 1e-6 * load / c);
 }
 
 TEST(InclineScene, DoesNotCreepInTenThousandSteps) {
-  // On contacts so soft that fifty sweeps get to roundings on four of them, too.
+  // The contacts are so soft that fifty sweeps reach round-off on four of them, too.
   const double h = 1.0 / 60, load = g * std::sin(radians(26.5));
   for (const SceneSettings& model : {a_point, SceneSettings{{"model", "box"}, {"k", "100"}}}) {
     const SceneRun run = run_of("incline", model + SceneSettings{{"angle", "26.5"}}, h, 10'000 * h);
@@ -135,7 +135,7 @@ TEST(Heading, IsExactAlongTheAxes) {
   EXPECT_LE((heading(45) - Vec3(1, 1, 0).normalized()).norm(), 2 * epsilon);
 }
 
-/// Until a motion that ends at time `stops` is next to a step [s].
+/// The distance of the time `stops`, when a motion ends, from the nearest step [s].
 double to_nearest_step(double stops, double h) {
   return std::abs(stops - h * std::round(stops / h));
 }
@@ -145,7 +145,7 @@ TEST(SlidingBlockScene, IsOffByWhatTheLastStepMisses) {
   for (const double h : {0.1, 0.04, 0.01, 1.0 / 60, 0.003}) {
     const double off = mu * g * std::pow(to_nearest_step(stops, h), 2) / 2;
     EXPECT_NEAR(error_of("sliding_block", {}, h, 1.2), off / scale, 1e-11) << "h " << h;
-    // Far from an axis each component stops on its own.
+    // Far from an axis each component stops at its own time.
     for (const double heading : {30.0, 225.0, -80.0}) {
       const double x =
           mu * g * std::pow(to_nearest_step(std::abs(std::cos(radians(heading))) * stops, h), 2) / 2;
@@ -159,13 +159,13 @@ TEST(SlidingBlockScene, IsOffByWhatTheLastStepMisses) {
 }
 
 TEST(SlidingBlockScene, IsOfSecondOrder) {
-  // Where it stops is a third of a step from the nearest one, for every halving.
+  // It stops a third of a step from the nearest one, for every halving.
   const double stops = 3 / (0.5 * g), coarsest = stops / (10 + 1.0 / 3);
   const auto error = [](const SceneSettings& settings) {
     return [=](double h) { return error_of("sliding_block", settings, h, 1); };
   };
   testing::expect_order("sliding_block", "Eq. (5.10)", error({}), coarsest, 4, 2, 0.01);
-  // The pitch of the box goes when it stops, and moves the centre by 1e-7 m.
+  // The pitch of the box vanishes when it stops, which moves the centre by 1e-7 m.
   testing::expect_order("sliding_block, box", "Eq. (5.10)", error({{"model", "box"}}), coarsest, 2, 2, 0.05);
   testing::expect_order("sliding_block, unshifted", "Eq. (1.5)", error({{"start", "unshifted"}}), coarsest, 3,
                         1, 0.1);
@@ -198,7 +198,7 @@ TEST(SlidingBlockScene, CoulombIsMissedDiagonallyByTheBoxOnly) {
 
 TEST(SlidingBlockScene, DoesNotDependOnItsMass) {
   for (const std::string model : {"point", "box"}) {
-    // Contacts as stiff, and as viscous, as the mass: the same pitch, and the same creep.
+    // Contacts with stiffness and viscosity in proportion to the mass: the same pitch and the same creep.
     const double light = run_of("sliding_block", {{"model", model}}, 0.01, 1).last("x [m]");
     const double heavy =
         run_of("sliding_block", {{"model", model}, {"m", "1000"}, {"k", "1e9"}, {"viscosity", "1e15"}}, 0.01, 1)
@@ -225,7 +225,7 @@ TEST(Braking, AgreesWithAnIntegration) {
 // slide_to_roll
 
 TEST(SlideToRollScene, AgreesWithAnIntegrationOfCoulombsLaw) {
-  // v' = -μg and Rω' = (5/2) μg while it slips: by steps so small that the end of slipping does not matter.
+  // v' = -μg and Rω' = (5/2) μg while it slips, by steps so small that the end of slipping does not matter.
   const double v0 = 3, mu = 0.2, dt = 1e-6;
   double v = v0, surface = 0, x = 0, t = 0;
   while (v > surface) {
@@ -265,7 +265,7 @@ TEST(SlideToRollScene, IsOfSecondOrder) {
 
 // spinning_disc
 
-/// What n equal angles leave of a mean, over 4/π: Σ_q 2/(n² q² - 1), q = 1, 2, …
+/// The error of a mean over n equal angles, over 4/π: Σ_q 2/(n² q² - 1), q = 1, 2, …
 double left_by_angles(int n) {
   return 1 - pi / n / std::tan(pi / n);
 }
@@ -307,7 +307,7 @@ TEST(DiscPoints, LieWithinRingsOfEqualArea) {
 }
 
 TEST(SpinningDiscScene, TorquesAreThoseOfAQuadrature) {
-  // ∫ r dr dφ of pressure, over the area: r times 1, or times |sin φ| + |cos φ|.
+  // ∫ r dr dφ of the pressure, over the area: r times 1, or times |sin φ| + |cos φ|.
   const double R = 0.5, mu = 0.5, w0 = 10;
   const int n = 1000;
   double coulomb = 0, box = 0;
@@ -329,10 +329,10 @@ TEST(SpinningDiscScene, IsStoppedByTheBoxAfterPiOver4OfCoulombsTime) {
     const SceneRun run = run_of("spinning_disc", {{"points", std::to_string(points)}}, h, 1);
     EXPECT_LE(run.error, left_by_angles(points)) << points << " points";
     EXPECT_NEAR(run.last("spinning for [s]"), pi / 4 * coulomb, h + left_by_angles(points) * coulomb);
-    EXPECT_LE(run.last("off the centre [m]"), 1e-6) << "nothing pushes it sideways";
+    EXPECT_LE(run.last("off the centre [m]"), 1e-6) << "no force acts sideways";
   }
   EXPECT_NEAR(error_of("spinning_disc", {{"answer", "coulomb"}}, h, 1), 1 - pi / 4, left_by_angles(16));
-  // (On softer contacts yet: the longer the step, the more sweeps.)
+  // (On still softer contacts: a longer step needs more sweeps.)
   for (const double any_h : {0.04, 0.02, 0.005})
     EXPECT_LE(error_of("spinning_disc", {{"k", "1e3"}}, any_h, 1), left_by_angles(16)) << "h " << any_h;
 }

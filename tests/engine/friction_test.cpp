@@ -1,4 +1,4 @@
-// Contacts that rub and contacts that hit, in the engine: what is done, what is left out, and what is kept.
+// Friction and impacts in the engine: the work done, the work left out, and conserved quantities.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -72,7 +72,7 @@ TEST(StageTimes, AreOfStagesThatRanOnly) {
   World<3> untimed({});
   add_sphere(untimed, 3);
   untimed.step(0.01);
-  for (const std::int64_t runs : untimed.stage_times().runs) EXPECT_EQ(runs, 0) << "nobody asked";
+  for (const std::int64_t runs : untimed.stage_times().runs) EXPECT_EQ(runs, 0) << "it is off by default";
 }
 
 TEST(Impacts, DoNothingWhereNothingTouches) {
@@ -109,7 +109,7 @@ TEST(Impacts, KeepMomentumAndAngularMomentum) {
     const double mu = trial % 2 == 0 ? 0 : random.uniform(0, 2);
     World<6> world(
         {.gravity = Vec3::Zero(), .impacts = ImpactLaw{.restitution = random.uniform(0, 1), .friction = mu}});
-    // They come from 2 m on either side, and meet off their centres, by 0.5 m and at most 0.4 m more.
+    // They come from 2 m on either side, and meet off-centre, by 0.5 m and at most 0.4 m more.
     for (const double side : {-1.0, 1.0}) {
       const double m = random.log_uniform(0.1, 10);
       world.add({.x = side * Vec3(2, 0.2, 0.15),
@@ -132,7 +132,7 @@ TEST(Impacts, KeepMomentumAndAngularMomentum) {
   }
 }
 
-/// A rigid sphere that lies on the plane as deep as it rests.
+/// A rigid sphere on a plane, at its depth at rest.
 World<6> rubbing_sphere(double mu, const Vec3& v, const Vec3& omega) {
   World<6> world({.friction = mu});
   world.add_plane(Vec3::UnitZ(), 0);
@@ -155,7 +155,7 @@ TEST(Friction, NeverAddsEnergy) {
     for (int n = 0; n < 100; ++n) {
       sphere.step(0.01);
       const double now = kinetic_energy(sphere.bodies());
-      // A sphere's friction does not press: nothing but friction is at work, and roundings.
+      // A sphere's friction does not change its normal force: only friction acts, and round-off.
       ASSERT_LE(now, energy * (1 + 20 * epsilon)) << "trial " << trial << ", step " << n;
       energy = now;
     }
@@ -183,7 +183,7 @@ TEST(Friction, OfADiscNeverAddsEnergy) {
       ASSERT_LE(now, energy + 1e-11) << "trial " << trial << ", step " << n;
       energy = now;
     }
-    EXPECT_LE(energy, 1e-12) << "it was meant to stop";
+    EXPECT_LE(energy, 1e-12) << "it should stop";
   }
 }
 

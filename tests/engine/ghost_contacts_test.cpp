@@ -1,4 +1,4 @@
-// Flush boxes make one surface: what slides over it keeps its speed, and what is higher is still a wall.
+// Flush boxes make one surface: a sliding body keeps its speed, and a higher box is still a wall.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ constexpr double steps_per_second[] = {30, 60, 120, 240, 1000};
 
 enum class Slider { cube, ball, capsule };
 
-/// Adds a body that lies at a height of 0, deep in it by its sag.
+/// Adds a body that lies at a height of 0, with a depth of its sag.
 int add_slider(World<6>& world, Slider kind, double mass, const Vec3& heading, double sag) {
   Body<6> body{.x = Vec3(0, 0, half - sag), .v = speed * heading, .mass = mass};
   if (kind == Slider::cube) body.half_sides = Vec3::Constant(half);
@@ -34,10 +34,10 @@ double shares(Slider kind) {
   return kind == Slider::cube ? 4 : kind == Slider::capsule ? 2 : 1;
 }
 
-/// Checks that speed and heading are kept to 1e-3 of the speed: nothing pushes along the surface, and a single ghost costs
-/// a tenth or more. A box on a seam has more contacts, each with the same stiffness, at one end than at the other. So its
-/// ends may differ in depth, by at most what one is deep where it carries everything: twice the sag. Over a side that is
-/// an angle of 2 sag, and half of it in the quaternion.
+/// Checks that speed and heading are kept to 1e-3 of the speed. No force acts along the surface, and a single ghost
+/// contact costs a tenth or more. A box on a seam has more contacts, each with the same stiffness, at one end than at
+/// the other. So its ends may differ in depth, by at most the depth of one contact with the whole load: twice the sag.
+/// Over a side that is an angle of 2 sag, and half of it in the quaternion.
 void expect_slides_on(const World<6>& world, int body, const Vec3& heading, bool may_roll, double sag,
                       const std::string& when) {
   EXPECT_LT((world.v(body) - world.v(body).z() * Vec3::UnitZ() - speed * heading).norm(), 1e-3 * speed) << when;
@@ -70,11 +70,12 @@ TEST(FlushBoxes, KeepSpeedBesideAPlane) {
       for (const double sag : {1e-6, 1e-2}) {
         const double depth = sag * 2 * half;
         World<6> world({.k = 1e6});
-        world.add_plane(Vec3::UnitZ(), 0);  // goes on below the boxes and beside them
+        world.add_plane(Vec3::UnitZ(), 0);  // the surface continues below the boxes and beside them
         for (int a = 1; a < 4; ++a) world.add_fixed_box(Vec3(a, 0, -0.5), Vec3::Constant(0.5));
         const int body = add_slider(world, kind, depth * shares(kind) * 1e6 / g, Vec3::UnitX(), depth);
         for (int step = 0; step < 1.4 * rate; ++step) world.step(1 / rate);
-        // Where plane and boxes both carry, a body is lifted by up to half its sag: its speed along x does not change.
+        // Where plane and boxes both carry it, a body is lifted by up to half its sag: its speed along x does not
+        // change.
         EXPECT_NEAR(world.v(body).x(), speed, 1e-3 * speed)
             << "kind " << static_cast<int>(kind) << ", " << rate << " steps a second, sag " << sag;
       }
@@ -94,7 +95,7 @@ TEST(FlushBoxes, KeepSpeedOnARowOfMovingOnes) {
     }
 }
 
-/// Slides at 1 m/s over boxes, the last of which is higher by so much, and returns the smallest speed along x.
+/// Slides at 1 m/s over boxes, the last of which is higher by `higher`, and returns the smallest speed along x.
 double slowest_over_step(Slider kind, double higher, double rate) {
   World<6> world({.k = 1e6});
   for (int a = -1; a < 3; ++a) world.add_fixed_box(Vec3(a, 0, -0.5), Vec3::Constant(0.5));
@@ -119,8 +120,8 @@ TEST(HigherBoxes, StillStopWhatSlides) {
 
 TEST(HigherBoxes, TakeFromABallWhatTheirEdgeTakes) {
   // The edge is at the angle θ before the lowest point, cos θ = 1 - s/R. The part of v along the edge's normal is lost,
-  // and the climb of s takes 2 g s of what is left. In a step the ball comes nearer by up to v h, and θ is off by as much
-  // over R: .005 rad, which changes cos θ by .005 sin θ = .0016.
+  // and the climb of s takes 2 g s from the rest of v². In a step the ball comes nearer by up to v h, and θ is off by
+  // as much over R: .005 rad, which changes cos θ by .005 sin θ = .0016.
   const double rate = 1000, s = 0.01, cosine = 1 - s / half;
   EXPECT_NEAR(slowest_over_step(Slider::ball, s, rate), std::sqrt(cosine * cosine - 2 * g * s), 0.002);
 }
@@ -137,7 +138,8 @@ TEST(BrickWall, KeepsItsContactsBetweenBricksSideBySide) {
   for (int step = 0; step < 30; ++step) world.step(1.0 / 60);
   int beside = 0, below = 0;
   for (const Contact& contact : world.contacts()) ++(std::abs(contact.n.x()) > 0.5 ? beside : below);
-  // Four contacts of each two neighbours, of each brick with the floor, and of each two bricks that overlap by half.
+  // Four contacts of each pair of neighbours, of each brick with the floor, and of each two bricks that overlap by
+  // half.
   EXPECT_EQ(beside, 4 * courses * (bricks - 1));
   EXPECT_EQ(below, 4 * bricks + 4 * (courses - 1) * (2 * bricks - 1));
 }
@@ -153,7 +155,7 @@ TEST(Gap, TakesABoxThatFitsBetweenItsWalls) {
 }
 
 TEST(FlushBoxes, CostNoMorePairs) {
-  // A slider looks at its neighbours alone, however long the row is.
+  // A slider is tested against its neighbours alone, however long the row is.
   const auto pairs = [](int length) {
     World<6> world({.k = 1e6});
     for (int a = 0; a < length; ++a) world.add_fixed_box(Vec3(a, 0, -0.5), Vec3::Constant(0.5));
@@ -161,7 +163,7 @@ TEST(FlushBoxes, CostNoMorePairs) {
     world.step(1.0 / 60);
     return world.report().pairs;
   };
-  // Each box of the row touches one more.
+  // Each further box of the row touches one more.
   EXPECT_EQ(pairs(81) - pairs(41), pairs(121) - pairs(81));
 }
 

@@ -1,4 +1,4 @@
-// What a page does to a running scene, and what a recording says of it.
+// The changes that a page makes in a running scene, and how a recording reports them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -32,7 +32,7 @@ TEST(Hand, HoldsABodyByASpringOf640NewtonAMetreAndKilogram) {
     HandIn<3> hand(world);
     hand.pull(0, Vec3::Zero(), Vec3(1, 2, 3));
     step(world, 1200);
-    // It hangs where the spring carries its weight. The swing is gone: SPOOK's relaxation damps it.
+    // It hangs where the spring carries its weight. The swing has decayed: SPOOK's relaxation damps it.
     EXPECT_NEAR((world.x(0) - Vec3(1, 2, 3 - g / 640)).norm(), 0, 1e-9) << mass << " kg";
     hand.pull(0, Vec3::Zero(), Vec3(-1, 0, 0));  // the place moves
     step(world, 1200);
@@ -40,11 +40,12 @@ TEST(Hand, HoldsABodyByASpringOf640NewtonAMetreAndKilogram) {
     EXPECT_EQ(world.joints().size(), 1U);
 
     hand.let_go();
-    hand.let_go();  // of nothing
+    hand.let_go();  // of no body
     EXPECT_TRUE(world.joints().empty());
     const double z = world.x(0).z(), v = world.v(0).z();
     step(world, 60);
-    EXPECT_NEAR(world.x(0).z(), z + v - g * h * h * 60 * 61 / 2, 1e-12) << "a fall, as if nothing had been";
+    EXPECT_NEAR(world.x(0).z(), z + v - g * h * h * 60 * 61 / 2, 1e-12)
+        << "a fall, as if there had been no spring";
   }
 }
 
@@ -55,7 +56,7 @@ TEST(Hand, HoldsARigidBodyByThePointThatItTook) {
   step(world, 3000);
   const Vec3 point = world.x(0) + orientation(world, 0) * Vec3(0, 0, 0.5);
   const Vec3 along = point - world.x(0), pull = Vec3(1, 0, 0.5) - point;
-  EXPECT_GT(point.x(), 0.5) << "it has come along";
+  EXPECT_GT(point.x(), 0.5) << "it has moved along";
   EXPECT_NEAR(pull.normalized().dot(along.normalized()), 1, 0.2) << "and swings below the point";
 }
 
@@ -105,7 +106,7 @@ TEST(Hand, RefusesWhatItCanNotHold) {
   expect_refusal({"mass", "-1"}, [&] { hand.drop(Vec3::Zero(), 1, -1); });
   expect_refusal({"to"}, [&] { hand.pull(0, Vec3::Zero(), Vec3(INFINITY, 0, 0)); });
   expect_refusal({"point"}, [&] { hand.pull(0, Vec3(NAN, 0, 0), Vec3::Zero()); });
-  EXPECT_EQ(world.bodies().size(), 2U) << "what was refused has left nothing";
+  EXPECT_EQ(world.bodies().size(), 2U) << "a refused change leaves no trace";
   EXPECT_TRUE(world.joints().empty());
 }
 
@@ -120,7 +121,7 @@ TEST(World, MovesOnlyWhatIsFixedAndNoPlane) {
 }
 
 TEST(World, TakesAJointOutAndNumbersTheRestAnew) {
-  // Three weights on three springs: each joint's impulse is that of its own weight, whichever comes out.
+  // Three weights on three springs: each joint's impulse is that of its own weight, whichever is removed.
   for (const bool warm : {false, true})
     for (int out = 0; out < 3; ++out) {
       World<3> world({.gravity = gravity, .k = 1e4, .warm_start = warm});
@@ -136,7 +137,8 @@ TEST(World, TakesAJointOutAndNumbersTheRestAnew) {
       step(world, 600);
       world.remove_joint(out);
       masses.erase(masses.begin() + out);
-      for (int joint = 0; joint < 2; ++joint) EXPECT_EQ(world.joint_lambda(joint), 0) << "nothing is known yet";
+      for (int joint = 0; joint < 2; ++joint)
+        EXPECT_EQ(world.joint_lambda(joint), 0) << "nothing is computed yet";
       step(world, 600);
       for (int joint = 0; joint < 2; ++joint) {
         const bool rod = world.joints()[static_cast<std::size_t>(joint)].length.has_value();
@@ -149,7 +151,7 @@ TEST(World, TakesAJointOutAndNumbersTheRestAnew) {
 
 TEST(GoOn, IsTheSameRunToTheLastBit) {
   for (const SceneDescription& scene : scenes()) {
-    // Nothing that is kept from step to step: no impulses.
+    // Nothing is kept from step to step: no impulses.
     const Parameters parameters(scene.parameters);
     const Method method{.h = scene.h, .solver = scene.solver};
     const auto whole = scene.build(parameters, method), first = scene.build(parameters, method);
@@ -163,7 +165,8 @@ TEST(GoOn, IsTheSameRunToTheLastBit) {
     EXPECT_EQ(got.v, expected.v) << scene.name;
     EXPECT_EQ(got.omega, expected.omega) << scene.name;
     EXPECT_NEAR(got.time, expected.time, 1e-12);
-    EXPECT_NEAR(second->sample().at(0), whole->sample().at(0), 1e-12) << "the time that answers are asked for";
+    EXPECT_NEAR(second->sample().at(0), whole->sample().at(0), 1e-12)
+        << "the time up to which answers are requested";
   }
 }
 
@@ -200,11 +203,11 @@ TEST(Recording, GhostsAreWhereTheAnswerIs) {
     scenes_with_ghosts += !ghosts.empty();
     for (const Ghost& ghost : ghosts) {
       const auto body = static_cast<std::size_t>(ghost.body);
-      // The errors that scenes_test allows; the ball's time of a bounce is late by up to a step at 4 m/s.
+      // The tolerances of scenes_test; the ball's bounce is late by up to a step at 4 m/s.
       const double allowed = description.name == "wire" ? 1e-2 : 5e-3;
       EXPECT_NEAR((frame.x.at(body) - ghost.x).norm(), 0, allowed) << description.name << ", body " << body;
     }
-    // Those whose answer turns.
+    // Scenes whose answer has an orientation.
     if (description.name == "top" || description.name == "slide_to_roll" ||
         description.name == "spinning_disc") {
       const Quat& q = frame.q.at(static_cast<std::size_t>(ghosts.at(0).body));
@@ -216,7 +219,7 @@ TEST(Recording, GhostsAreWhereTheAnswerIs) {
 }
 
 TEST(Recording, KnowsWhereTheEnergyIs) {
-  // Each of these keeps its energy, in two or three kinds that pass it to each other.
+  // Each of these conserves its energy, exchanged between two or three kinds.
   for (const char* name :
        {"free_fall", "oscillator", "orbit", "top", "pendulum", "double_pendulum", "cradle"}) {
     const SceneDescription& description = find_scene(name);

@@ -1,4 +1,4 @@
-// Balls that hit each other, or the floor, against chapter 07's formulas, and those against something else.
+// Balls that hit each other, or the floor, against chapter 07's formulas, and those against independent results.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ TEST(Bounces, AgreesWithFlightsOneByOne) {
     begin += 2 * v / g;
   }
   EXPECT_NEAR(answer.end(), begin + 2 * e * v / (g * (1 - e)), 1e-12) << "Eq. (7.12)";
-  EXPECT_EQ(answer.height(answer.end() - 1e-16), 0) << "flights shorter than a rounding";
+  EXPECT_EQ(answer.height(answer.end() - 1e-16), 0) << "flights shorter than round-off";
   EXPECT_EQ(answer.height(answer.end() + 1), 0);
 }
 
@@ -52,14 +52,14 @@ TEST(BouncingBallScene, ComesBackForEverWithRestitution1) {
   for (const double h : {1.0 / 60, 1.0 / 600})
     for (const std::string h0 : {"1", "0.3"}) {
       const SceneRun run = run_of("bouncing_ball", {{"restitution", "1"}, {"h0", h0}}, h, 20);
-      // Each step rounds z, v² and the sum of the two; they may all go one way.
+      // Each step rounds z, v² and their sum, possibly all in one direction.
       EXPECT_LE(run.error, 8 * epsilon * 20 / h) << "h " << h << ", h0 " << h0;
       EXPECT_GE(run.last("bounces"), 20);
     }
 }
 
 TEST(BouncingBallScene, HasTheRightPeaksWhateverTheStep) {
-  // Leapfrog is on the parabola, and an impact that is found late is put where the two parabolas meet: Eq. (7.15).
+  // Leapfrog is on the parabola, and a late impact is moved to where the two parabolas meet: Eq. (7.15).
   for (const double h : {0.05, 1.0 / 60, 0.01, 1.0 / 600})
     for (const double e : {0.5, 0.8, 0.95}) {
       const SceneRun run = run_of("bouncing_ball", {{"restitution", exact_text(e)}}, h, 0.55);
@@ -69,7 +69,7 @@ TEST(BouncingBallScene, HasTheRightPeaksWhateverTheStep) {
 }
 
 TEST(BouncingBallScene, IsOffByTheBouncesThatTakeLessThanAStep) {
-  // Once it returns within a step of half of g h², two parabolas in one step are more than an impact a step can do.
+  // Once it returns within a step of half of g h², two parabolas in one step are beyond one impact a step.
   for (const double h : {1.0 / 60, 0.005, 0.001})
     for (const std::string e : {"0", "0.34", "0.5", "0.8", "0.99"})
       EXPECT_LE(error_of("bouncing_ball", {{"restitution", e}}, h, 5), 2 * g * h * h)
@@ -77,7 +77,8 @@ TEST(BouncingBallScene, IsOffByTheBouncesThatTakeLessThanAStep) {
 }
 
 TEST(BouncingBallScene, StaysWhereItFallsWithoutRestitution) {
-  // It stops on the floor some time τ before x_n, and falls on for τ: so it is g τ²/2 deep, and as fast as that makes it.
+  // It stops on the floor some time τ before x_n, and falls for τ more. So it is g τ²/2 deep, and has the speed of that
+  // fall.
   for (const double h : {1.0 / 60, 0.004, 0.0007}) {
     const double time = h * (std::ceil(std::sqrt(2 / g) / h) + 1);
     const SceneRun run = run_of("bouncing_ball", {{"restitution", "0"}}, h, time);
@@ -88,7 +89,7 @@ TEST(BouncingBallScene, StaysWhereItFallsWithoutRestitution) {
 
 TEST(BouncingBallScene, BouncesAboveTheThresholdOnly) {
   const double h = 0.001, e = 0.8, fastest = std::sqrt(2 * g);
-  // (Not for less: of the low bounces the floor hides too much.)
+  // (Not for less: the floor hides too much of low bounces.)
   for (const double threshold : {0.5, 1.0, 2.0}) {
     int bounces = 0;
     for (double v = fastest; v > threshold + g * h; v *= e) ++bounces;
@@ -103,7 +104,7 @@ TEST(BouncingBallScene, EndsWhenTheSeriesDoes) {
   const double h = 0.0005, e = 0.6;
   const SceneRun run = run_of("bouncing_ball", {{"restitution", exact_text(e)}}, h, 3);
   const double end = Bounces(1, g, e).end();
-  // Each bounce is up to a step late, and what is left at the threshold, g h, takes 2 e h/(1 - e).
+  // Each bounce is up to a step late, and the bounces below the threshold, g h, would take 2 e h/(1 - e).
   EXPECT_NEAR(run.last("last bounce [s]"), end, h * (run.last("bounces") + 2 / (1 - e))) << "Eq. (7.12)";
   EXPECT_GE(run.last("bounces"), 10);
 }
@@ -126,7 +127,7 @@ TEST(PairByPair, KeepsMomentumAndLeavesNoApproach) {
       EXPECT_NEAR(v.front(), v.back(), 1e-11) << "they stay together";
     }
   }
-  // One impact: it parts at e times the approach.
+  // One impact: the speed of separation is e times that of approach.
   const std::vector<double> two = pair_by_pair({1, 0}, 0.5, 0);
   EXPECT_EQ(two, (std::vector<double>{0.25, 0.75}));
 }
@@ -135,7 +136,8 @@ TEST(CradleScene, OneInOneOut) {
   for (const std::string bodies : {"1", "2", "3", "5", "50"})
     for (const std::string radius : {"0.1", "0.3", "7"})
       for (const double h : {1.0 / 60, 0.01, 1e-4}) {
-        // What is left to overlap, a few roundings of x, at most the length of all, is paid back as 4/(13 h) of it.
+        // The remaining overlap, a few units of round-off of x, at most the length of all, returns 4/(13 h) of it as
+        // speed.
         const double length = 2 * std::stod(bodies) * std::stod(radius) + 1;
         EXPECT_LE(error_of("cradle", {{"bodies", bodies}, {"radius", radius}}, h, 30 * h),
                   4 * epsilon * length * 4 / (13 * h))
@@ -146,7 +148,7 @@ TEST(CradleScene, OneInOneOut) {
 TEST(CradleScene, ExchangesPairByPairForAnyRestitution) {
   for (const std::string e : {"0", "0.3", "0.5", "0.9", "0.99"})
     for (const int bodies : {2, 3, 5, 20})
-      // An approach of 1e-9 v is let be in each contact.
+      // Each contact ignores an approach of 1e-9 v.
       EXPECT_LE(error_of("cradle", {{"restitution", e}, {"bodies", std::to_string(bodies)}}, 0.01, 0.5),
                 bodies * 1e-9)
           << "e " << e << ", " << bodies << " bodies";
@@ -163,7 +165,7 @@ TEST(CradleScene, LatenessIsMadeGoodWhateverTheStep) {
 }
 
 TEST(CradleScene, PutsTheBallsWhereTheyWouldBe) {
-  // Nobody had looked in time, and the last ball is as far as if somebody had.
+  // The impact was late, and the last ball is as far as if it had not been.
   const auto farthest = [](const std::string& late) {
     const SceneDescription& cradle = find_scene("cradle");
     const auto scene = cradle.build(with(cradle, {{"late", late}}), {.h = 0.01, .solver = "auto"});
@@ -195,24 +197,24 @@ TEST(PileScene, ComesToRestOnItsFloor) {
   const SceneRun run = run_of("pile", {{"bodies", "12"}}, 0.01, 4);
   const std::vector<double>& energy = run.all("kinetic energy [J]");
   const double most = *std::max_element(energy.begin(), energy.end());
-  EXPECT_GE(most, 1) << "they were meant to fall";
+  EXPECT_GE(most, 1) << "they should fall";
   EXPECT_LE(run.last("fastest centre [m/s]"), 0.01);
-  EXPECT_LE(energy.back(), 0.01 * most)
-      << "a sphere may spin on for ever about the one point that it stands on";
+  EXPECT_LE(energy.back(), 0.01 * most) << "a sphere may spin for ever about the one point that it stands on";
   EXPECT_NEAR(run.last("floor's load over the weight"), 1, 1e-3);
   const double overlap = run.last("deepest overlap [m]");
   EXPECT_LE(overlap, 12 * g / 1e5) << "the whole weight on one contact, over k";
-  EXPECT_GE(overlap, g / 1e5) << "those on the floor carry themselves at least";
+  EXPECT_GE(overlap, g / 1e5) << "those on the floor carry at least themselves";
 }
 
 TEST(PileScene, OverlapsBalanceTheWeightsOnceItRests) {
-  // A sphere alone on its floor sinks in by m g/k to roundings of its height, 1e-17 m; until it lands all is unbalanced.
+  // A sphere alone on its floor sinks in by m g/k, to round-off of its height, 1e-17 m. Before it lands nothing is
+  // balanced.
   EXPECT_LE(run_of("pile", {{"bodies", "1"}}, 0.01, 4).error, 1e-9);
   EXPECT_NEAR(run_of("pile", {{"bodies", "1"}}, 0.01, 0.05).error, 1, 1e-12);
   for (const std::string shape : {"sphere", "box"}) {
     const SceneSettings few = {{"bodies", "8"}, {"shape", shape}};
     EXPECT_LE(run_of("pile", few, 0.01, 8).error, 1e-5) << shape;
-    // Sweeps that do too little let it sink until they do: by as many times m g/k as they lack.
+    // Too few sweeps let it sink until the impulses suffice: by as many times m g/k as they are short.
     EXPECT_GE(run_of("pile", few, 0.01, 8, {.max_sweeps = 1}, "gauss_seidel").error, 1) << shape;
   }
 }
@@ -230,7 +232,7 @@ TEST(PileScene, HasImpactsOnlyWhereItBounces) {
     const std::vector<double>& impacts = run.all("impacts");
     return *std::max_element(impacts.begin(), impacts.end());
   };
-  EXPECT_EQ(most("0"), 0) << "rows hold what does not bounce";
+  EXPECT_EQ(most("0"), 0) << "rows hold contacts that do not bounce";
   EXPECT_GT(most("0.2"), 0);
 }
 

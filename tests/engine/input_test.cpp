@@ -1,4 +1,4 @@
-// What the engine refuses, with the parameter and its value in the message.
+// Input that the engine refuses, with the parameter and its value in the message.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -43,7 +43,7 @@ TEST(Input, Bodies) {
   expect_refusal({"n", "2"}, [&] { points.add_plane(Vec3(0, 0, 2), 0); });
   expect_refusal({"n", "nan"}, [&] { points.add_plane(Vec3(0, 0, nan), 0); });
   expect_refusal({"offset", "inf"}, [&] { points.add_plane(Vec3::UnitZ(), infinity); });
-  EXPECT_EQ(points.bodies().size(), 0U) << "a refused body must leave nothing behind";
+  EXPECT_EQ(points.bodies().size(), 0U) << "a refused body must leave no trace";
   EXPECT_EQ(rigid.bodies().size(), 0U);
 }
 

@@ -1,4 +1,4 @@
-// Islands, how wide they are, and which solver they get.
+// Islands, their width, and the solver for each.
 #include "engine/solvers/islands.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double h = 1.0 / 60, g = 9.81;
 
-/// Points of 1 kg, but for those of infinite mass, with rows along x between them.
+/// Points of 1 kg, except for those of infinite mass, with rows along x between them.
 struct Net {
   Motion<3> motion;
   std::vector<Row<3>> rows;
@@ -52,7 +52,7 @@ TEST(Islands, AreWhatMovesTogether) {
   Net net;
   const int anchor = net.add_point(0);
   net.hang(anchor, 2);
-  net.hang(anchor, 3);  // another island: what is fixed carries nothing over
+  net.hang(anchor, 3);  // another island: a static body couples nothing
   const int free = net.add_point(), other = net.add_point();
   net.join(free, other);
   net.join(2, free);  // makes one island of the first and the last
@@ -87,7 +87,7 @@ TEST(Islands, AWireIsTwoWideAndARibbonOfKWiresTwoK) {
     }
     for (int rail = 1; rail < k; ++rail) ribbon.join(last[rail - 1], last[rail]);
   }
-  // Levels are counted from a corner, so that they run aslant: still as many rails, and rungs, in two of them.
+  // Levels are counted from a corner, and so they are diagonal: two of them still have as many rails and rungs.
   EXPECT_GE(factor_cost(ribbon.rows), std::pow(2 * k - 1, 2) / 25);
   EXPECT_LE(factor_cost(ribbon.rows), std::pow(2 * (2 * k - 1), 2) / 25);
 }
@@ -102,7 +102,7 @@ TEST(Islands, BodiesAreTheUnknownsWhereRowsAreMore) {
   EXPECT_FALSE(wants_bodies(pair.rows));
   join(1);
   EXPECT_TRUE(wants_bodies(pair.rows));
-  // All in one level, of one body: w = 3 velocities of 3, and 7 rows to sweep.
+  // All rows in one level, of one body: w = 3 velocities of 3, and 7 rows to sweep.
   EXPECT_DOUBLE_EQ(factor_cost(pair.rows), 3.0 * 3 * 3 / (25 * 7));
   pair.rows.resize(4);
   EXPECT_FALSE(wants_bodies(pair.rows));
@@ -110,7 +110,7 @@ TEST(Islands, BodiesAreTheUnknownsWhereRowsAreMore) {
   EXPECT_TRUE(wants_bodies(pair.rows)) << "on rows, bounds cost factorisations";
 }
 
-/// A hub with 60 spokes: all its rows meet in one body.
+/// A hub with 60 spokes: all its rows couple one body.
 Net star(double inverse_mass) {
   Net net;
   const int hub = net.add_point(inverse_mass);
@@ -121,7 +121,7 @@ Net star(double inverse_mass) {
 TEST(Islands, WhatSweepsDoNotSolveGetsFactors) {
   Net stiff = star(1000);
   const StopRule few{.max_sweeps = 50};
-  ASSERT_GT(factor_cost(stiff.rows), few.max_sweeps) << "sweeps are to be tried first";
+  ASSERT_GT(factor_cost(stiff.rows), few.max_sweeps) << "sweeps are tried first";
   std::vector<Row<3>> exact = stiff.rows;
   std::vector<Twist<3>> exact_V = stiff.V;
   Factors factors;
@@ -132,12 +132,12 @@ TEST(Islands, WhatSweepsDoNotSolveGetsFactors) {
     std::vector<Row<3>> rows = stiff.rows;
     std::vector<Twist<3>> V = stiff.V;
     const SolverResult outcome = solve_by(solver, stiff.motion, rows, V, few);
-    EXPECT_EQ(outcome.row_updates, updates) << "the second time it knows";
+    EXPECT_EQ(outcome.row_updates, updates) << "the second time the outcome is known";
     EXPECT_TRUE(outcome.report.converged);
     for (std::size_t k = 0; k < rows.size(); ++k)
       EXPECT_NEAR(rows[k].lambda, exact[k].lambda, 1e-12 * std::abs(exact[k].lambda)) << "row " << k;
   }
-  // Where factors cost more than a hundred times the sweeps, nobody waits for them.
+  // Where factors cost more than a hundred times the sweeps, they are not used.
   const SolverResult poor = solve_by(automatic<3>(), stiff.motion, stiff.rows, stiff.V, {.max_sweeps = 1});
   EXPECT_EQ(poor.row_updates, 60);
   EXPECT_FALSE(poor.report.converged);
@@ -173,7 +173,7 @@ TEST(Islands, AreEachSolvedByTheirOwnSolver) {
   for (int spoke = 0; spoke < 60; ++spoke) net.join(hub, net.add_point());
   const SolverResult outcome = solve_by(automatic<3>(), net.motion, net.rows, net.V, {.max_sweeps = 100});
   EXPECT_EQ(outcome.row_updates, 100 * 60) << "the star is swept, the wire is not";
-  EXPECT_EQ(outcome.report.history.size(), 101U) << "and what that left is factorised";
+  EXPECT_EQ(outcome.report.history.size(), 101U) << "and the remainder is factorised";
 }
 
 TEST(Outcomes, InTurnGoOn) {
@@ -182,7 +182,7 @@ TEST(Outcomes, InTurnGoOn) {
   direct.row_updates = 0;
   const SolverResult both = append(swept, direct, 10);
   EXPECT_EQ(both.report.history, (std::vector<double>{3, 2, 1}));
-  EXPECT_FALSE(both.report.converged) << "the second says";
+  EXPECT_FALSE(both.report.converged) << "the second reports it";
   EXPECT_EQ(both.report.trouble, "why");
   EXPECT_EQ(both.row_updates, 20) << "of two sweeps of 10 rows; factors have none";
   EXPECT_TRUE(append(direct, swept, 10).report.converged);
@@ -196,7 +196,7 @@ TEST(Outcomes, SideBySideAreAsFarAsTheWorse) {
   for (const SolverResult& both : {merge_parallel(one, other), merge_parallel(other, one)}) {
     ASSERT_EQ(both.report.history.size(), 3U);
     EXPECT_EQ(both.report.history[0], 3);
-    EXPECT_TRUE(std::isnan(both.report.history[1])) << "a NaN is not lost beside a number";
+    EXPECT_TRUE(std::isnan(both.report.history[1])) << "a NaN is kept beside a number";
     EXPECT_EQ(both.report.history[2], 1);
     EXPECT_FALSE(both.report.converged);
     EXPECT_EQ(both.report.trouble, "why");

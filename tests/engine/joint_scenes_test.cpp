@@ -1,4 +1,4 @@
-// Pendulums, wires, ropes and cloth against their answers, and the answers against something else.
+// Pendulums, wires, ropes and cloth against their answers, and the answers against independent results.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -64,7 +64,7 @@ TEST(PlanePendulum, SolvesItsEquation) {
     for (double t = 0; t < 8; t += 0.05) {
       const PlanePendulum::Direction theta = pendulum.direction(t);
       const Motion::State& y = integrated.at(t);
-      // Near the top, what is rounded away from the angle grows as exp(ωt) until it falls.
+      // Near the top, round-off in the angle grows as exp(ωt) until it falls.
       const double roundings = 1e-11 / std::cos(radians(degrees) / 2);
       ASSERT_NEAR(theta.sin, std::sin(y[0]), roundings) << degrees << " degrees, " << t << " s";
       ASSERT_NEAR(theta.cos, std::cos(y[0]), roundings) << degrees << " degrees, " << t << " s";
@@ -102,7 +102,7 @@ TEST(HangingChain, IsInBalanceAndOfItsLength) {
         const Vec3 before = chain.x[i] - chain.x[i - 1];
         const Vec3 force = chain.tension[i] * link.normalized() - chain.tension[i - 1] * before.normalized() -
                            weight * Vec3::UnitZ();
-        // A link is 1/N long, so that roundings of x turn it by N times as much.
+        // A link is 1/N long, so that round-off of x turns it by N times as much.
         EXPECT_NEAR(force.norm(), 0, 100 * N * N * epsilon * weight * N) << which << ", point " << i;
       }
     }
@@ -120,14 +120,14 @@ TEST(HangingChain, BecomesTheCatenary) {
   expect_order("sag of a chain of rigid links", "", sag_error, length / 10, 4, 2, 0.05);
   const HangingChain fine = hanging_chain(2000, length / 2000, span, length / 2000, infinity);
   EXPECT_NEAR(fine.sideways, a, 1e-5);
-  // The ends hold up half a link's weight each, which is not the chain's.
+  // Each end carries half a link's weight, which the chain does not.
   EXPECT_NEAR(fine.tension.front(), a * std::cosh(span / 2 / a), length / 2000);
 }
 
 TEST(HangingChain, RefusesWhatHasNoShape) {
   expect_refusal({"span", "0.1"}, [] { hanging_chain(10, 0.1, 0.1, 1, infinity); });
   expect_refusal({"span", "1"}, [] { hanging_chain(10, 0.1, 1.0, 1, infinity); });
-  EXPECT_NO_THROW(hanging_chain(10, 0.1, 1.5, 1, 100)) << "links that give may be stretched";
+  EXPECT_NO_THROW(hanging_chain(10, 0.1, 1.5, 1, 100)) << "yielding links may be stretched";
 }
 
 // pendulum
@@ -149,7 +149,7 @@ TEST(PendulumScene, IsOfSecondOrderForBothModels) {
 }
 
 TEST(PendulumScene, HasTheGapOfItsAcceleration) {
-  // (1 + 2d) h² A/4 + T/k, A = v²/l = 2g (cos θ - cos θ0), is largest at the bottom. It trails behind by some d h.
+  // (1 + 2d) h² A/4 + T/k, A = v²/l = 2g (cos θ - cos θ0), is largest at the bottom. It lags by some d h.
   const double k = 1e6, m = 2;
   for (const double d : {0.5, 3.0})
     for (const double h : {0.002, 0.001}) {
@@ -180,12 +180,12 @@ TEST(PendulumScene, LosesEnergyAsTheSquareOfDAndTheCubeOfH) {
 }
 
 TEST(PendulumScene, HasTheTensionOfItsMotion) {
-  // T = m g (3 cos θ - 2 cos θ0), of the θ that the step began with.
+  // T = m g (3 cos θ - 2 cos θ0), with θ at the begin of the step.
   const auto error = [](const std::string& model, double h) {
     const SceneSettings settings = {
         {"model", model}, {"angle", "60"}, {"m", "2"}, {"k", "1e12"}, {"radius", "0.1"}};
     const SceneRun run = run_of("pendulum", settings, h, 2, {.max_sweeps = 10'000, .tolerance = 1e-12});
-    // A body has less speed at the bottom, as it turns, too: A = 2 (m g l/I) l (cos θ - cos θ0).
+    // A rigid body is slower at the bottom, since it also rotates: A = 2 (m g l/I) l (cos θ - cos θ0).
     const double inertia = model == "body" ? 1 + 0.4 * 0.01 : 1;
     double off = 0;
     for (std::size_t n = 1; n < run.all("tension [N]").size(); ++n) {
@@ -196,8 +196,8 @@ TEST(PendulumScene, HasTheTensionOfItsMotion) {
   };
   expect_order(
       "tension of the rod", "", [&](double h) { return error("point", h); }, 0.004, 3, 2, 0.1);
-  // That of the body is looked at along the rod as it is a step later: the force across it is none, so that is
-  // of second order, too.
+  // That of the body is measured along the rod of the next step. There is no force across the rod, so the error is of
+  // second order, too.
   expect_order(
       "pull of the ball joint", "", [&](double h) { return error("body", h); }, 0.004, 3, 2, 0.1);
 }
@@ -212,11 +212,11 @@ TEST(PendulumScene, TurnsWithItsRodAsABody) {
 }
 
 TEST(PendulumScene, HangsStillOrStaysNearTheTop) {
-  // At rest it only gives by m g/k.
+  // At rest it only yields by m g/k.
   EXPECT_NEAR(run_of("pendulum", {{"angle", "0"}, {"k", "1e6"}}, 0.001, 1).last("gap [m]"), g / 1e6,
               4 * epsilon);
   EXPECT_LE(error_of("pendulum", {{"g", "0"}}, 0.001, 1), 4 * epsilon);
-  // The fall from 179.9° takes its time: an error grows as exp(ωt) until then, some thousandfold.
+  // The fall from 179.9° takes its time: until then an error grows as exp(ωt), about a thousandfold.
   const auto error = [](double h) { return error_of("pendulum", {{"angle", "179.9"}, {"k", "1e12"}}, h, 2); };
   EXPECT_LE(error(0.001), 1e-2);
   expect_order("pendulum, from near the top", "", error, 0.001, 2, 2, 0.1);
@@ -224,7 +224,7 @@ TEST(PendulumScene, HangsStillOrStaysNearTheTop) {
 
 // double_pendulum
 
-/// The same two masses in Cartesian coordinates: no angles, but the tensions that keep both lengths.
+/// The same two masses in Cartesian coordinates: no angles, but the tensions that hold both lengths.
 struct Cartesian {
   double l1, l2, m1, m2;
   using State = Eigen::Matrix<double, 8, 1>;  // x1, z1, x2, z2 and their rates
@@ -233,8 +233,8 @@ struct Cartesian {
     using Eigen::Vector2d;
     const Vector2d x1 = y.segment<2>(0), x2 = y.segment<2>(2) - x1, v1 = y.segment<2>(4),
                    v2 = y.segment<2>(6) - v1;
-    // x2 and v2 from mass 1. With tensions s per length, x1'' = g + (s2 x2 - s1 x1)/m1 and
-    // x2'' = s1 x1/m1 - s2 x2 (1/m1 + 1/m2); the lengths stay for x1·x1'' = -v1² and x2·x2'' = -v2².
+    // x2 and v2 from mass 1. With tensions s per length, x1'' = g + (s2 x2 - s1 x1)/m1 and x2'' = s1 x1/m1 - s2 x2
+    // (1/m1 + 1/m2). The lengths are constant for x1·x1'' = -v1² and x2·x2'' = -v2².
     const Vector2d weight(0, -g);
     Eigen::Matrix2d A;
     A << x1.dot(x1) / m1, -x1.dot(x2) / m1, -x1.dot(x2) / m1, x2.dot(x2) * (1 / m1 + 1 / m2);
@@ -258,7 +258,7 @@ TEST(DoublePendulumScene, AnswerIsThatOfTheTensions) {
   ReferenceMotion<8> motion([&](const Cartesian::State& y) { return rods.rate(y); }, start);
   for (int n = 0; n <= std::lround(time / h); ++n) {
     const Cartesian::State& y = motion.at(n * h);
-    // Both are right to some 1e-13 a step, and the motion multiplies that by ten or so in the time.
+    // Both are right to some 1e-13 a step, and the motion multiplies that by about ten in the time.
     ASSERT_NEAR(run.all("answer x [m]")[static_cast<std::size_t>(n)], y[2], 1e-9) << "step " << n;
     ASSERT_NEAR(run.all("answer z [m]")[static_cast<std::size_t>(n)], y[3], 1e-9) << "step " << n;
   }
@@ -272,7 +272,7 @@ TEST(DoublePendulumScene, SwingsInItsTwoModes) {
         "double_pendulum", {{"angle1", exact_text(small)}, {"angle2", exact_text(ratio * small)}}, 0.01, 3);
     const double amplitude = radians(small) * (1 + ratio);
     for (std::size_t n = 0; n < run.all("time [s]").size(); ++n)
-      // The angle's third power is left out, of the force, and so of the rate.
+      // The angle's third power is neglected in the force, and so in the rate.
       ASSERT_NEAR(run.all("answer x [m]")[n], amplitude * std::cos(rate * run.all("time [s]")[n]),
                   10 * (1 + rate * run.all("time [s]")[n]) * std::pow(radians(small), 3))
           << "mode " << sign << ", step " << n;
@@ -300,7 +300,7 @@ TEST(DoublePendulumScene, RefusesWhatItsAnswerCannotFollow) {
   expect_refusal({"m2/m1", "20000"}, [&] { build({{"m1", "0.5"}, {"m2", "1e4"}}, 0.001); });
   expect_refusal({"l2/l1", "1e-05"}, [&] { build({{"l2", "1e-5"}}, 0.001); });
   expect_refusal({"h", "5"}, [&] { build({}, 5); });
-  EXPECT_NO_THROW(build({{"g", "0"}}, 5)) << "without weight nothing moves";
+  EXPECT_NO_THROW(build({{"g", "0"}}, 5)) << "without gravity nothing moves";
 }
 
 // wire
@@ -315,7 +315,8 @@ TEST(WireScene, IsRightOnceGaussSeidelIs) {
         const SceneRun run = run_of("wire", settings, 1.0 / 60, 10, patient, "gauss_seidel");
         // Σ T_i = (5 · 5 + 4 + 3 + 2 + 1) m g
         const double stretch = 35 * 2 * g / 1e6;
-        // The solve is right to 1e-13/(1 - ρ), ρ = exp(-1/20), in a velocity; gaps answer with 1/a < h (1 + 4d)/4.
+        // The solve is right to 1e-13/(1 - ρ), ρ = exp(-1/20), in velocity; that changes gaps by 1/a < h (1 + 4d)/4 of
+        // it.
         const double slack = 5 * 2e-12 / 60 * 11 + 100 * epsilon;
         EXPECT_NEAR(run.last("stretch [m]"), stretch, slack) << model << ", " << begin << ", d " << d;
         EXPECT_LE(run.error, slack) << "of a wire of 1 m";
@@ -326,7 +327,7 @@ TEST(WireScene, IsRightOnceGaussSeidelIs) {
 }
 
 TEST(WireScene, IsWrongByWhatTheSweepsLeave) {
-  // At rest, s sweeps from λ = 0 must give h T, whatever gaps that takes: λ = (1 - E^s) S⁻¹ B, E the matrix of
+  // At rest, s sweeps from λ = 0 must give h T, with the gaps needed for that: λ = (1 - E^s) S⁻¹ B. E is the matrix of
   // Gauss-Seidel, and B = -a gap - h g e1. So a gap = -S (1 - E^s)⁻¹ h T - h g e1.
   const int N = 5, s = 50;
   const double m = 0.01, M = 0.04, h = 1.0 / 60, k = 1e6;
@@ -348,7 +349,7 @@ TEST(WireScene, IsWrongByWhatTheSweepsLeave) {
       run_of("wire", {{"ratio", "4"}, {"begin", "at_rest"}}, h, 10, {.max_sweeps = s}, "gauss_seidel");
   EXPECT_NEAR(run.last("stretch [m]"), stretch, 1e-9);
   EXPECT_NEAR(run.error, stretch + T.sum() / k, 1e-9) << "of a wire of 1 m";
-  EXPECT_GT(run.error, 1e-5) << "which the sweeps were meant to leave";
+  EXPECT_GT(run.error, 1e-5) << "which the sweeps should not remove";
 }
 
 TEST(WireScene, IsRubberWithFewSweepsAndManyLinks) {
@@ -357,8 +358,8 @@ TEST(WireScene, IsRubberWithFewSweepsAndManyLinks) {
         .last("stretch over length [-]");
   };
   EXPECT_GT(stretched("50", "1000", 1.0 / 60, 50), 1);
-  // The same number of sweeps a second, spread over fifty times as many steps: s sweeps leave a part of the order 1/s
-  // of a sag that is of the order h², so with s as h it is of the order h.
+  // The same number of sweeps a second, distributed over fifty times as many steps. s sweeps leave a fraction of order
+  // 1/s of a sag of order h², so with s proportional to h the rest is of order h.
   EXPECT_NEAR(stretched("20", "10", 1.0 / 3000, 1) / stretched("20", "10", 1.0 / 60, 50), 0.02, 0.01);
 }
 
@@ -378,7 +379,7 @@ TEST(RopeScene, StaysOnceGaussSeidelIsRight) {
     for (const std::string d : {"0.5", "3"}) {
       const SceneRun run =
           run_of("rope", {{"begin", "at_rest"}, {"links", links}, {"d", d}}, 1.0 / 240, 2, patient);
-      // 480 steps of 1e-13/(1 - ρ) m/s, ρ = cos²(π/10), if they all go one way.
+      // 480 steps of 1e-13/(1 - ρ) m/s, ρ = cos²(π/10), if all have one direction.
       EXPECT_LE(run.error, 2 * 1e-12) << links << " links, d " << d;
       EXPECT_NEAR(run.last("end tension [N]"), run.last("answer's end [N]"), 1e-5);
       EXPECT_NEAR(run.last("middle tension [N]"), run.last("answer's middle [N]"), 1e-5);
@@ -386,8 +387,8 @@ TEST(RopeScene, StaysOnceGaussSeidelIsRight) {
 }
 
 TEST(RopeScene, GivesWayByItsStretchFromItsNaturalLength) {
-  // Without damping it swings about the answer: no further than it began, but for what rows and steps add. And it began
-  // as far away as links that give by T/k let it, to first order in 1/k.
+  // Without damping it swings about the answer, no further than its start, except for errors of rows and steps. Its
+  // start is as far away as links that yield by T/k allow, to first order in 1/k.
   const StopRule patient = {.max_sweeps = 100'000, .tolerance = 1e-12};
   const double h = 1.0 / 240;
   const auto error = [&](const std::string& k, double time) {
@@ -401,7 +402,7 @@ TEST(RopeScene, GivesWayByItsStretchFromItsNaturalLength) {
 }
 
 TEST(RopeScene, StandsOnlyWhileTheStepFollowsItsTightestLink) {
-  // What moves a point across its links is a spring of some 4T/l, ω² = 4T/(m l): leapfrog wants h ω < 2.
+  // A point moves across its links on a spring of about 4T/l, ω² = 4T/(m l): leapfrog needs h ω < 2.
   const auto ended = [](const std::string& length) {
     const SceneSettings settings = {
         {"begin", "at_rest"}, {"length", length}, {"span", exact_text(0.8 * std::stod(length))}};
@@ -428,13 +429,13 @@ TEST(ClothScene, IsHeldByItsWeightAndItsChangeOfMomentum) {
   for (const std::string model : {"point", "body"})
     for (const std::string held : {"four_corners", "two_corners"}) {
       const SceneSettings settings = {{"cells", "6"}, {"model", model}, {"held", held}};
-      // However few the sweeps. A step rounds some thousand times at the size of a point's momentum, m v/49 < 0.1.
+      // For any number of sweeps. A step rounds some thousand times at the size of a point's momentum, m v/49 < 0.1.
       for (const int sweeps : {1, 50}) {
         const SceneRun run = run_of("cloth", settings, 0.002, 0.4, {.max_sweeps = sweeps}, "gauss_seidel");
         EXPECT_LE(largest_difference(run.all("support z [N]"), run.all("balance z [N]")),
                   8400 * epsilon * 0.1 / 0.002)
             << model << ", " << held << ", " << sweeps << " sweeps";
-        EXPECT_GE(run.last("support z [N]"), 0.1) << "it was meant to be held";
+        EXPECT_GE(run.last("support z [N]"), 0.1) << "it should be held";
       }
     }
 }
@@ -455,9 +456,9 @@ TEST(ClothScene, HoldsItsLengthsOnceItIsSolved) {
   const auto error = [&](double h, int sweeps, const std::string& solver) {
     return error_of("cloth", small, h, 0.3, {.max_sweeps = sweeps}, solver);
   };
-  // The lag of a distance, h² A (1 + 2d)/(4 l), A some 100 m/s² as its threads of 0.25 m pull taut.
+  // The lag of a distance, h² A (1 + 2d)/(4 l), with A about 100 m/s² as its threads of 0.25 m pull taut.
   EXPECT_LE(error(0.002, 50, "auto"), 3e-3);
-  // In small steps it is that λ is some d steps late behind a tension that changes.
+  // In small steps λ is some d steps behind a changing tension.
   testing::expect_order(
       "lengths of a cloth", "", [&](double h) { return error(h, 50, "auto"); }, 0.001, 3, 1, 0.1);
   EXPECT_NEAR(error(0.002, 2000, "gauss_seidel") / error(0.002, 50, "auto"), 1, 0.01);
@@ -474,7 +475,7 @@ TEST(ClothScene, IsHeldByTheCornersThatItIsSaidToBe) {
   // 2 · 3 · 4 links, and three rows a corner.
   EXPECT_EQ(rows("four_corners"), 24 + 12);
   EXPECT_EQ(rows("two_corners"), 24 + 6);
-  // By one side it swings down until its far side hangs below, about as far as it is long.
+  // Held by one side it swings down until its far side hangs below, by about its length.
   const auto lowest = [](const std::string& held) {
     const std::vector<double> z =
         run_of("cloth", {{"cells", "6"}, {"held", held}}, 0.001, 1).all("lowest z [m]");
@@ -490,7 +491,7 @@ TEST(ClothScene, OfPointsAndOfBodiesMovesAlike) {
                  bodies = run_of("cloth", small + SceneSettings{{"model", "body"}}, 0.002, 0.3);
   for (const std::string column : {"support z [N]", "largest strain [-]", "lowest z [m]", "energy [J]"})
     EXPECT_LE(largest_difference(points.all(column), bodies.all(column)), 1e-9) << column;
-  EXPECT_LT(points.last("lowest z [m]"), -0.02) << "it was meant to fall";
+  EXPECT_LT(points.last("lowest z [m]"), -0.02) << "it should fall";
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Distances and ball joints in a world: what they hold, what they keep, and what is refused.
+// Distances and ball joints in a world: constraints, conserved quantities, and refused input.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,11 +25,11 @@ Vec3 impulse_of_ball_joint(const World<6>& world, int joint) {
   return {world.joint_lambda(joint, 0), world.joint_lambda(joint, 1), world.joint_lambda(joint, 2)};
 }
 
-// What is kept
+// Conserved quantities
 
 TEST(FreeChain, OfPointsKeepsMomentumAndAngularMomentum) {
   World<3> world({.gravity = Vec3::Zero(), .k = 1e6, .d = 3});
-  double momenta = 0;  // Σ |p|, the size of what is rounded
+  double momenta = 0;  // Σ |p|, the scale of round-off
   for (int i = 0; i < 6; ++i) {
     const double mass = 0.3 * (i + 1);
     const Vec3 v(std::sin(3.0 * i), std::cos(5.0 * i), std::sin(7.0 * i + 1));
@@ -41,10 +41,11 @@ TEST(FreeChain, OfPointsKeepsMomentumAndAngularMomentum) {
   const Vec3 first = world.v(0);
   const int steps = 10'000;
   for (int step = 0; step < steps; ++step) world.step(0.005);
-  EXPECT_GT((world.v(0) - first).norm(), 0.1) << "the rods were meant to pull";
+  EXPECT_GT((world.v(0) - first).norm(), 0.1) << "the rods should pull";
   double reach = 0;
   for (const Vec3& x : world.bodies().x) reach = std::max(reach, x.norm());
-  // Each impulse acts along the line of centres at x_n, the same line for both. What is left is a few roundings a step.
+  // Each impulse acts along the line of centres at x_n, the same line for both. The error is a few units of round-off a
+  // step.
   EXPECT_LE((momentum(world.bodies()) - p).norm(), 10 * steps * epsilon * momenta);
   EXPECT_LE((angular_momentum(world.bodies()) - L).norm(), 10 * steps * epsilon * momenta * reach);
 }
@@ -64,7 +65,7 @@ World<6> necklace(int count, double k) {
   return world;
 }
 
-/// The gap of a ball joint of a necklace, now.
+/// The present gap of a ball joint of a necklace.
 Vec3 gap(const World<6>& world, int joint) {
   const Joint& ball = world.joints()[static_cast<std::size_t>(joint)];
   return world.x(ball.j) + orientation(world, ball.j) * ball.p_j - world.x(ball.i) -
@@ -72,7 +73,7 @@ Vec3 gap(const World<6>& world, int joint) {
 }
 
 TEST(FreeChain, OfBodiesKeepsMomentumAndAngularMomentum) {
-  // J and -J at one point between i's and j's: no torque, however far the two are apart.
+  // J and -J at one point between i's and j's: no torque, however far apart the two are.
   World<6> world = necklace(4, 1e6);
   const Vec3 p = momentum(world.bodies());
   const Vec3 L = angular_momentum(world.bodies());
@@ -88,21 +89,21 @@ TEST(FreeChain, OfBodiesKeepsMomentumAndAngularMomentum) {
     most_beside = std::max(most_beside, beside.norm());
     for (const Vec3& x : world.bodies().x) reach = std::max(reach, x.norm());
   }
-  const double momenta = 10;  // no less than Σ |p|, and than Σ |I ω| over a metre
+  const double momenta = 10;  // at least Σ |p|, and Σ |I ω| over a metre
   EXPECT_LE((momentum(world.bodies()) - p).norm(), 10 * steps * epsilon * momenta);
   const double roundings = 10 * steps * epsilon * momenta * (1 + reach);
   EXPECT_GT(most_beside, 100 * roundings) << "J at one point and -J at the other would turn it visibly";
   EXPECT_LE((angular_momentum(world.bodies()) - L).norm(), roundings);
 }
 
-/// The part of m g l that a rod of 1 m, let go from the horizontal, has lost after 10 s.
+/// The fraction of m g l that a rod of 1 m, released from the horizontal, has lost after 10 s.
 double lost_by_a_rod(double h, std::optional<double> d) {
   World<3> world({.d = d, .solver = direct<3>()});
   world.add_fixed(Vec3::Zero());
   world.add({.x = Vec3(1, 0, 0)});
   world.add_joint({.i = 0, .j = 1, .length = 1, .k = 1e9});
   world.start_consistently(h);
-  // T is of half a step before x.
+  // T is half a step earlier than x.
   const auto energy = [&] {
     return kinetic_energy(world.bodies()) + g * (world.x(1) - h / 2 * world.v(1)).z();
   };
@@ -121,13 +122,12 @@ TEST(Relaxation, OfARodCostsWhatTheLessonSays) {
   EXPECT_NEAR(lost_by_a_rod(1.0 / 240, 1), 0.0003, 5e-5);
   EXPECT_NEAR(lost_by_a_rod(1.0 / 240, 3), 0.0014, 5e-5);
   EXPECT_NEAR(lost_by_a_rod(1.0 / 240, 10), 0.009, 5e-4);
-  EXPECT_EQ(lost_by_a_rod(1.0 / 60, {}), lost_by_a_rod(1.0 / 60, 0.25))
-      << "which joints have unless told otherwise";
+  EXPECT_EQ(lost_by_a_rod(1.0 / 60, {}), lost_by_a_rod(1.0 / 60, 0.25)) << "the default of joints";
 }
 
 TEST(Whirl, HasTheGapAndTensionOfTheDiscreteCircle) {
-  // x_n = R (cos nα, sin nα): v_{n±1/2} has the size w = 2R sin(α/2)/h, and ∓w sin(α/2) of it along the rod at x_n. So
-  // λ = -2 m w sin(α/2), and (1/m + Σ) λ = -a gap - b w sin(α/2) says what the gap is.
+  // x_n = R (cos nα, sin nα). So v_{n±1/2} has the size w = 2R sin(α/2)/h, and ∓w sin(α/2) of it along the rod at x_n.
+  // Hence λ = -2 m w sin(α/2), and (1/m + Σ) λ = -a gap - b w sin(α/2) determines the gap.
   const double m = 2.5, R = 0.8, alpha = 0.05, k = 1e5;
   for (const double h : {0.001, 1.0 / 60})
     for (const double d : {0.25, 1.0, 3.0, 10.0}) {
@@ -142,7 +142,7 @@ TEST(Whirl, HasTheGapAndTensionOfTheDiscreteCircle) {
       for (int n = 1; n <= steps; ++n) {
         world.step(h);
         const Vec3 answer = R * Vec3(std::cos(n * alpha), std::sin(n * alpha), 0);
-        // Roundings of the angle add up, and those of the speed add up in the angle.
+        // Round-off of the angle adds up, and that of the speed adds up in the angle.
         ASSERT_NEAR((world.x(body) - answer).norm(), 0, (10 + n) * n * epsilon * R)
             << "h " << h << ", d " << d << ", step " << n;
       }
@@ -152,7 +152,7 @@ TEST(Whirl, HasTheGapAndTensionOfTheDiscreteCircle) {
     }
 }
 
-// What is held
+// Constraints
 
 TEST(Wire, HasTheTensionsOfTheLoadAndStretchesByTOverK) {
   // Eq. (6.8) and (6.9), for any h and d. N links, m each and M the last.
@@ -171,8 +171,8 @@ TEST(Wire, HasTheTensionsOfTheLoadAndStretchesByTOverK) {
         const double T = (M + (N - i) * m) * g;
         const std::string which =
             "link " + std::to_string(i) + ", h " + std::to_string(h) + ", d " + std::to_string(d);
-        // The solver's last sweep changed a velocity by 1e-13 at most, and its slowest part, of a rate of 1 - ρ > 1/100,
-        // a hundred times that: of the gap, over a; and of the stiffness times that in T.
+        // The solver's last sweep changed a velocity by 1e-13 at most. Its slowest part, of a rate of 1 - ρ > 1/100, is
+        // off by a hundred times that: in the gap over a, and in T times the stiffness.
         const double slack = 1e-11 / spook_parameters(h, k, d).a + 16 * epsilon * N;
         EXPECT_NEAR((world.x(i) - world.x(i - 1)).norm() - 1, T / k, slack) << which;
         EXPECT_NEAR(-world.joint_lambda(i - 1) / h, T, k * slack) << which;
@@ -201,7 +201,7 @@ TEST(Wire, OfTwoBodiesFollowsTheSolutionOfTwoEquations) {
     v += Eigen::Vector2d(h * g + (lambda[0] - lambda[1]) / m1, h * g + lambda[1] / m2);
     z += h * v;
     world.step(h);
-    // Every step's solve is right to some 1e-13/(1 - ρ), and old errors are forgotten by the relaxation.
+    // Every step's solve is right to about 1e-13/(1 - ρ), and the relaxation damps old errors.
     ASSERT_NEAR(world.x(1).z(), -z[0], 1e-11) << "step " << step;
     ASSERT_NEAR(world.x(2).z(), -z[1], 1e-11) << "step " << step;
     ASSERT_NEAR(world.joint_lambda(0), lambda[0], 1e-10);
@@ -224,7 +224,7 @@ int sweeps_of_wire(int N, double ratio, double tolerance, bool top_down) {
   return world.report().iterations;
 }
 
-/// What a sweep leaves of the slowest part of the error: the largest eigenvalue of Gauss-Seidel's matrix.
+/// The factor of the slowest part of the error a sweep: the largest eigenvalue of Gauss-Seidel's matrix.
 double rate_of_wire(int N, double ratio) {
   Eigen::MatrixXd S = Eigen::MatrixXd::Zero(N, N);
   for (int i = 0; i < N; ++i) {
@@ -240,7 +240,7 @@ TEST(Wire, NeedsTheSweepsOfTheTheory) {
     int N;
     double ratio;
     double sweeps_per_e;  ///< Eq. (6.12): 4N²/π², or (N-1) M/m
-    double off;           ///< how far that may be off: 1/N² for the first, N m/M for the second
+    double off;           ///< its error: 1/N² for the first, N m/M for the second
   };
   for (const Case& c : {Case{10, 1, 400 / (M_PI * M_PI), 0.01}, Case{20, 1, 1600 / (M_PI * M_PI), 0.0025},
                         Case{5, 300, 4 * 300, 5.0 / 300}, Case{3, 1000, 2 * 1000, 3.0 / 1000}}) {
@@ -257,7 +257,7 @@ TEST(Wire, NeedsTheSweepsOfTheTheory) {
 }
 
 TEST(Loop, ThatContradictsItselfSettlesBetween) {
-  // Two rods of one point: at rest k1 (x - l1) + k2 (x - l2) = 0, whatever either's d.
+  // Two rods of one point: at rest k1 (x - l1) + k2 (x - l2) = 0, for any d of either.
   const double l1 = 1, l2 = 1.3, k1 = 2e3, k2 = 5e3;
   for (const double h : {1.0 / 60, 1.0 / 240})
     for (const double d2 : {0.5, 3.0, 8.0}) {
@@ -269,7 +269,7 @@ TEST(Loop, ThatContradictsItselfSettlesBetween) {
       for (int step = 0; step < 1000; ++step) world.step(h);
       const double x = (k1 * l1 + k2 * l2) / (k1 + k2);
       EXPECT_NEAR(world.x(body).y(), x, 1e-11) << "h " << h << ", d " << d2;
-      EXPECT_NEAR(world.joint_lambda(0), -h * k1 * (x - l1), 1e-8) << "it pulls back what is too far";
+      EXPECT_NEAR(world.joint_lambda(0), -h * k1 * (x - l1), 1e-8) << "it pulls back a point that is too far";
       EXPECT_NEAR(world.joint_lambda(1), -h * k2 * (x - l2), 1e-8);
     }
 }
@@ -292,11 +292,12 @@ TEST(Loop, OfTheSameRowTwiceIsOneOfTwiceTheStiffness) {
     ASSERT_NEAR(twice.joint_lambda(0), twice.joint_lambda(1), 1e-10);
     ASSERT_NEAR(2 * twice.joint_lambda(0), once.joint_lambda(0), 1e-9);
   }
-  EXPECT_GT((once.x(1) - Vec3(1, 0, 0)).norm(), 0.1) << "it was meant to swing";
+  EXPECT_GT((once.x(1) - Vec3(1, 0, 0)).norm(), 0.1) << "it should swing";
 }
 
 TEST(BallJoint, OfTwoPointMassesMakesThemOne) {
-  // The gap and its rate fade, momentum is kept: both end with the velocity of their centre of mass, at one place.
+  // The gap and its rate fade, and momentum is conserved: both end with the velocity of their centre of mass, at one
+  // place.
   World<3> world({.gravity = Vec3::Zero(), .k = 1e6, .d = 1});
   world.add({.v = Vec3(1, 2, 0), .mass = 1});
   world.add({.v = Vec3(-1, 0, 3), .mass = 3});
@@ -311,7 +312,8 @@ TEST(BallJoint, OfTwoPointMassesMakesThemOne) {
 }
 
 TEST(BallJoint, HangsABodyByAPointInItsOwnAxes) {
-  // Hung by a point above its centre it rests, however its axes lie; the joint carries its weight, and gives T/k.
+  // Hung by a point above its centre it rests, for any direction of its axes. The joint carries its weight, and yields
+  // by T/k.
   const double m = 2, k = 1e5, h = 1.0 / 60;
   const Quat q = Quat(1, 2, -3, 0.5).normalized();
   const Vec3 up(0, 0, 0.4);
@@ -327,13 +329,13 @@ TEST(BallJoint, HangsABodyByAPointInItsOwnAxes) {
   EXPECT_NEAR((impulse_of_ball_joint(world, 0) - h * m * g * Vec3::UnitZ()).norm(), 0, 1e-9);
 }
 
-/// How far a box that swings about one of its axes is from the compound pendulum, after 1.5 s.
+/// The difference of a box that swings about one of its axes from the compound pendulum, after 1.5 s.
 double box_error(double h, bool by_distance) {
   const double m = 1.5, s = 0.5;
   const Vec3 half(0.1, 0.2, 0.5);
   const Vec3 I = solid_box_moments(m, half);
   const double angle = 1;
-  // Its axes are those of the world, turned by the angle about y. From the centre, s up its own z to where it hangs.
+  // Its axes are those of the world, turned by the angle about y. From the centre, s along its own z, to the hook.
   const Quat q(Eigen::AngleAxisd(-angle, Vec3::UnitY()));
   const Vec3 hung = s * Vec3::UnitZ();
   const double rate2 = m * g * s / (I.y() + m * s * s);
@@ -343,8 +345,8 @@ double box_error(double h, bool by_distance) {
   const Vec3 omega = -spin * Vec3::UnitY();
   const int body = world.add({.x = x, .v = omega.cross(x), .mass = m, .q = q, .omega = omega, .principal = I});
   if (by_distance) {
-    // Two rods to the ends of an axle through the point, along the axis that it swings about, and one across: together
-    // they hold the point as a ball joint does.
+    // Two rods to the ends of an axle through the point, along the axis of the swing, and one across: together they
+    // hold the point as a ball joint does.
     for (const Vec3& from : {Vec3(0, 1, 0), Vec3(0, -1, 0.2), Vec3(1, 0, 0.1)}) {
       const int anchor = world.add_fixed(from);
       world.add_joint({.i = body, .j = anchor, .p_i = hung, .length = from.norm()});
@@ -375,7 +377,7 @@ TEST(Distance, HoldsPointsBesideTheCentres) {
   EXPECT_LE(box_error(0.0025, true), 6e-3);
 }
 
-// What is refused
+// Refused input
 
 TEST(Input, JointsOfPoints) {
   World<3> world({});
@@ -400,8 +402,9 @@ TEST(Input, JointsOfPoints) {
   for (const double d : {-1.0, infinity, nan})
     expect_refusal({"d"}, [&] { world.add_joint({.i = a, .j = b, .length = 1, .d = d}); });
   expect_refusal({"d", "-0.5"}, [&] { world.add_joint({.i = a, .j = b, .d = -0.5}); });
-  EXPECT_TRUE(world.joints().empty()) << "a refused joint must leave nothing behind";
-  EXPECT_NO_THROW(world.add_joint({.i = a, .j = on_a})) << "a ball joint may be where it is closed";
+  EXPECT_TRUE(world.joints().empty()) << "a refused joint must leave no trace";
+  EXPECT_NO_THROW(world.add_joint({.i = a, .j = on_a}))
+      << "a ball joint may be at the place where it is closed";
 }
 
 TEST(Input, JointsOfBodies) {
@@ -413,7 +416,7 @@ TEST(Input, JointsOfBodies) {
     world.add_joint({.i = a, .j = b, .p_i = Vec3(0.5, 0, 0), .p_j = Vec3(-0.5, 0, 0), .length = 1});
   });
   const int joint = world.add_joint({.i = a, .j = b, .p_i = Vec3(0.5, 0, 0), .length = 1});
-  EXPECT_EQ(world.joint_lambda(joint), 0) << "a joint that is new has had no impulse";
+  EXPECT_EQ(world.joint_lambda(joint), 0) << "a new joint has had no impulse";
   expect_refusal({"joint", "1"}, [&] { world.joint_lambda(1); });
   expect_refusal({"joint", "-1"}, [&] { world.joint_lambda(-1); });
   expect_refusal({"row", "1"}, [&] { world.joint_lambda(joint, 1); });
@@ -433,9 +436,9 @@ TEST(Input, AJointThatIsNewIsNotMistakenForAContact) {
   EXPECT_NE(world.joint_lambda(joint, 2), world.lambda(0));
 }
 
-// What goes wrong on the way
+// Failures during a run
 
-/// Two points that fly at each other, joined by a distance far too soft to be felt: at one place after 1/h steps.
+/// Two points that fly at each other, joined by a distance far too soft to matter: they coincide after 1/h steps.
 class Collapse : public WorldScene<3> {
  public:
   Collapse(const Parameters&, const Method& method) : WorldScene({.gravity = Vec3::Zero()}, method) {
@@ -458,7 +461,7 @@ TEST(SimulationDiverged, NamesTheBodyOfADistanceWithoutDirectionAndLeavesWhatWas
     run(scene, Parameters({}), {.method = {.h = 0.25}, .time = 3}, {.csv = &csv});
     FAIL() << "no SimulationDiverged";
   } catch (const SimulationDiverged& blowup) {
-    EXPECT_EQ(blowup.step(), 5) << "the first that begins where they coincide";
+    EXPECT_EQ(blowup.step(), 5) << "the first step that begins with both at one place";
     EXPECT_EQ(blowup.time(), 1.25);
     EXPECT_EQ(blowup.body(), 2);
     EXPECT_STREQ(blowup.what(),
@@ -485,7 +488,7 @@ TEST(SimulationDiverged, OfADistanceLeavesTheStepBefore) {
 }
 
 TEST(SimulationDiverged, IsWhatAnInfiniteDistanceIs) {
-  // |x| is a number, but its square is not.
+  // |x| is finite, but its square overflows.
   World<3> world({.gravity = Vec3::Zero()});
   world.add({.v = Vec3(1e200, 0, 0)});
   world.add({.x = Vec3(0, 1, 0)});
@@ -494,7 +497,7 @@ TEST(SimulationDiverged, IsWhatAnInfiniteDistanceIs) {
   EXPECT_THROW(world.step(1), SimulationDiverged);
 }
 
-// What is timed
+// Timing
 
 TEST(StageTimes, OfJointsAreRowsAndSolve) {
   using Names = std::vector<std::string>;
@@ -510,13 +513,13 @@ TEST(StageTimes, OfJointsAreRowsAndSolve) {
   world.add_fixed(Vec3::Zero());
   world.add({.x = Vec3(1, 0, 0)});
   world.step(0.01);
-  EXPECT_EQ(ran(world), Names{}) << "nobody has asked";
+  EXPECT_EQ(ran(world), Names{}) << "timing is off by default";
   world.time_stages();
   world.step(0.01);
   EXPECT_EQ(ran(world), (Names{"forces", "integrate"}));
   world.add_joint({.i = 0, .j = 1, .length = 1});
   world.step(0.01);
-  EXPECT_EQ(ran(world), (Names{"forces", "rows", "solve", "integrate"})) << "nothing has a shape";
+  EXPECT_EQ(ran(world), (Names{"forces", "rows", "solve", "integrate"})) << "no body has a shape";
 }
 
 }  // namespace

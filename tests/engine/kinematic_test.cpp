@@ -1,4 +1,4 @@
-// Kinematic bodies and conveyor belts: static bodies with a velocity that contacts, friction and joints see.
+// Kinematic bodies and conveyor belts: static bodies whose velocity acts in contacts, friction and joints.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -34,7 +34,7 @@ TEST(Kinematic, PlatformCarriesWhatLiesOnIt) {
     EXPECT_EQ(verdict.state, State::sound) << verdict.reason;
     EXPECT_NEAR(world.x(platform).x(), world.time(), 1e-9);
     EXPECT_NEAR(world.v(box).x(), 1, 1e-6) << "h = " << h;
-    // It slips until μ g t = 1 m/s, and loses half of that way; a step's drift more or less.
+    // It slips until μ g t = 1 m/s, and loses half of that way, within a step's drift.
     EXPECT_NEAR(world.x(box).x(), world.time() - 1 / (2 * 0.5 * g), h) << "h = " << h;
   }
 }
@@ -67,7 +67,7 @@ TEST(Kinematic, WallPushesWithoutSinkingIn) {
 }
 
 TEST(Kinematic, TurntableTurnsWhatItHolds) {
-  // A hinge that is welded to a turning body: the arm goes round with it.
+  // A hinge welded to a rotating body: the arm rotates with it.
   const double rate = 3;
   World<6> world({.gravity = Vec3::Zero()});
   const int table = world.add_fixed(Vec3::Zero());

@@ -1,4 +1,4 @@
-// Scenes of mechanisms, against what their answers were not made from: energies, momenta, and each other.
+// Scenes of mechanisms, against laws that their answers do not use: energies, momenta, and each other.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ TEST(Door, MovesAlikeOnAnyNumberOfHinges) {
   const SceneRun one = run_of("door", {{"hinges", "1"}}, h, time);
   for (const std::string hinges : {"2", "3", "10"}) {
     const SceneRun more = run_of("door", {{"hinges", hinges}}, h, time);
-    // A hinge lags by h² times what it carries, and more of them share that otherwise.
+    // A hinge lags by h² times its load, and several of them share it in another way.
     EXPECT_NEAR(more.last("angle [degrees]"), one.last("angle [degrees]"), 1e-3) << hinges << " hinges";
     EXPECT_NEAR(more.last("along the post [N]"), 20 * 9.81 * std::cos(10 * pi / 180), 1e-3);
   }
@@ -45,16 +45,16 @@ TEST(PhysicalPendulum, GivesItsMomentumToTheStop) {
   for (const double stop : {-20.0, 0.0, 30.0, 60.0}) {
     const SceneRun run = run_of("physical_pendulum", {{"stop", std::to_string(stop)}}, 0.001, 1);
     const double E = m * 9.81 * L / 2 * std::cos(stop * pi / 180);
-    // What gravity gives during the two or three steps of the stop is counted, too.
+    // The impulse of gravity in the two or three steps of the stop is included.
     EXPECT_NEAR(run.last("its impulse [N m s]"), std::sqrt(2 * I * E), 0.003 * 9.81 * L / 2 + 1e-3) << stop;
     EXPECT_LE(run.error, 5e-3) << "stop at " << stop
-                               << " degrees: ω h at the stop, 5e-3 rad, is its share of a step";
+                               << " degrees: ω h at the stop, 5e-3 rad, is the fraction of one step";
     for (const double angle : run.all("angle [degrees]")) ASSERT_LE(angle, stop + 1e-3);
   }
 }
 
 TEST(Flywheel, HasTurnedByTheAreaUnderItsSpeed) {
-  // w t - I w²/(2T), and half a step of w more: the speed of a step's end is held through it.
+  // w t - I w²/(2T), and half a step of w more: the speed at a step's end holds through it.
   const double I = 10 * 0.25 / 2, T = 5, w = 20, h = 0.01, time = 10;
   const SceneRun run = run_of("flywheel", {}, h, time);
   EXPECT_NEAR(run.last("turned [rad]"), w * time - I * w * w / (2 * T) + h / 2 * w, 1e-6);
@@ -79,14 +79,15 @@ TEST(Gyroscope, KeepsItsSpinAndDoesNotNod) {
 }
 
 TEST(Bead, KeepsItsAngularMomentum) {
-  // The frame pulls at the rod's centre, F/k beside the axis, F up to 7 N: a torque of F²/k = 5e-8 N m at most, for 0.6 s.
+  // The frame pulls at the rod's centre, F/k beside the axis, F up to 7 N: a torque of F²/k = 5e-8 N m at most, for 0.6
+  // s.
   const SceneRun run = run_of("bead", {}, 0.001, 0.6);
   const std::vector<double>& L = run.all("L [kg m²/s]");
   const double out = run.last("out [m]"), slow = run.last("spin [rad/s]");
   for (std::size_t n = 1; n < L.size(); ++n) ASSERT_NEAR(L[n], L[1], 3e-8) << "step " << n;
   EXPECT_NEAR(slow, L[1] / (1 + 0.001 + 0.0004 + out * out), 2e-3 * slow)
       << "ω = L/(I + m r²); and ω is half a step older, by h r r'/(I + m r²) of it";
-  EXPECT_GT(out, 0.5) << "it was meant to slide out";
+  EXPECT_GT(out, 0.5) << "it should slide out";
 }
 
 TEST(Mechanisms, AreTheSameByAnySolver) {

@@ -1,4 +1,4 @@
-// Hinges, sliders, welds, their limits and motors in a world: what they hold, what they keep, what can be read off.
+// Hinges, sliders, welds, their limits and motors in a world: constraints, conserved quantities, and outputs.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -42,9 +42,9 @@ struct Wheel {
   }
 };
 
-// What is held
+// Constraints
 
-/// How far a box that swings on a hinge is from the compound pendulum, after 1.5 s.
+/// The difference of a box that swings on a hinge from the compound pendulum, after 1.5 s.
 double pendulum_error(double h) {
   const double m = 1.5, s = 0.5, angle = 1;
   const Vec3 half(0.1, 0.2, 0.5);
@@ -59,7 +59,7 @@ double pendulum_error(double h) {
                                      .kind = JointKind::hinge,
                                      .axis = -Vec3::UnitY(),
                                      .rest = Quat::Identity()});
-  EXPECT_NEAR(world.joint_position(hinge), angle, 4 * epsilon) << "counted from where it hangs";
+  EXPECT_NEAR(world.joint_position(hinge), angle, 4 * epsilon) << "counted from its rest position";
   world.start_consistently(h);
   const PlanePendulum answer(angle, std::sqrt(rate2));
   double error = 0;
@@ -94,11 +94,11 @@ TEST(Slider, LetsABodyFallAlongItsAxisOnly) {
       (world.joint_force(slider) - m * g * std::cos(angle) * Vec3(std::sin(angle), 0, std::cos(angle))).norm(),
       0, 1e-9);
   EXPECT_LE(orientation(world, body).angularDistance(Quat::Identity()), 1e-9);
-  EXPECT_NEAR(world.joint_torque(slider).norm(), 0, 1e-9) << "it is pushed through its centre";
+  EXPECT_NEAR(world.joint_torque(slider).norm(), 0, 1e-9) << "the force acts through its centre";
 }
 
 TEST(Weld, CarriesAWeightAtALeverArm) {
-  // A beam out of a wall: the force m g and the torque m g s; it gives by m g/k, and turns by m g s/k_turn.
+  // A beam clamped to a wall: the force m g and the torque m g s; it yields by m g/k, and turns by m g s/k_turn.
   const double m = 2, s = 0.7, k = 1e5, k_turn = 3e4, h = 1.0 / 60;
   World<6> world({.k = k});
   const int wall = world.add_fixed(Vec3(0, 0, 1));
@@ -136,7 +136,7 @@ TEST(Weld, OfTwoBoxesMovesThemAsOne) {
   // Both are of second order in h ω = 3e-3, over 3 rad.
   EXPECT_LE(orientation(two, 0).angularDistance(orientation(one, whole)), 1e-4);
   EXPECT_LE(orientation(two, 0).angularDistance(orientation(two, 1)), 1e-4);
-  EXPECT_GT(orientation(one, whole).angularDistance(Quat::Identity()), 1) << "it was meant to tumble";
+  EXPECT_GT(orientation(one, whole).angularDistance(Quat::Identity()), 1) << "it should tumble";
 }
 
 /// Two bodies without shapes that tumble freely, joined beside their centres.
@@ -159,8 +159,8 @@ World<6> pair_of_bodies(JointKind kind, testing::Random& random) {
 }
 
 TEST(FreePair, KeepsMomentumAndAngularMomentum) {
-  // The rows of a slider have both lever arms at j's point, of what turns no force: no torque is left over, however
-  // far the slider is out. Where the points of hinge and weld are apart, (6.15) sees to it.
+  // Both lever arms of a slider's rows end at j's point. The rows' forces have no net torque, however far the slider is
+  // out. Where the points of hinge and weld are apart, (6.15) ensures the same.
   testing::Random random;
   for (const JointKind kind : guided) {
     World<6> world = pair_of_bodies(kind, random);
@@ -181,7 +181,7 @@ TEST(FreePair, KeepsMomentumAndAngularMomentum) {
 }
 
 TEST(AnySolver, FindsTheSameMotionOfALoop) {
-  // Four hinges in a plane: three of their rows are needed twice over.
+  // Four hinges in a plane: three of their rows are redundant.
   const auto four_bar = [](Solver<6> solver) {
     World<6> world({.solver = std::move(solver), .solver_limits = {.max_sweeps = 20'000, .tolerance = 1e-11}});
     const std::array<Vec3, 4> corners = {Vec3(0, 0, 0), Vec3(0, 0, 1), Vec3(1.5, 0, 1), Vec3(1.5, 0, 0)};
@@ -210,7 +210,7 @@ TEST(AnySolver, FindsTheSameMotionOfALoop) {
     return world;
   };
   const World<6> one = four_bar(direct<6>());
-  EXPECT_GT(one.joint_position(0), 0.2) << "it was meant to swing";
+  EXPECT_GT(one.joint_position(0), 0.2) << "it should swing";
   for (const Solver<6>& solver : {automatic<6>(), gauss_seidel<6>()}) {
     const World<6> other = four_bar(solver);
     for (int body = 1; body < 4; ++body) EXPECT_NEAR((one.x(body) - other.x(body)).norm(), 0, 1e-6);
@@ -220,7 +220,7 @@ TEST(AnySolver, FindsTheSameMotionOfALoop) {
 // Limits
 
 TEST(Limit, HoldsAWeightAtAnAngle) {
-  // It comes to rest where the limit's torque is that of the weight, τ/k_turn beyond it.
+  // It comes to rest where the limit's torque equals that of the weight, τ/k_turn beyond it.
   const double s = 0.5, m = 3, k_turn = 1e4, h = 1.0 / 60, limit = 0.3;
   Wheel wheel({.i = 0, .j = 0, .k_turn = k_turn, .limits = JointLimits{-1, limit}}, 2, Vec3(s, 0, 0),
               Vec3(0, 0, -g));
@@ -232,8 +232,8 @@ TEST(Limit, HoldsAWeightAtAnAngle) {
 }
 
 TEST(Limit, StopsWhatComesAndGivesItsMomentum) {
-  // It arrives at either limit at ω, stays there, and has given I ω; before that nothing slows it. What it goes beyond
-  // the limit is h Σ I ω, 4 I ω/(h k (1 + 4d)) = 1e-8 or less.
+  // It arrives at either limit at ω, stays there, and has given I ω; nothing slows it before. It passes the limit by h
+  // Σ I ω, 4 I ω/(h k (1 + 4d)) = 1e-8 or less.
   const double I = 2, omega = 1.7, h = 0.01, limit = 1;
   for (const double sign : {1.0, -1.0}) {
     Wheel wheel({.i = 0, .j = 0, .k_turn = 1e10, .limits = JointLimits{-limit, limit}}, I);
@@ -274,8 +274,8 @@ TEST(Limit, OfASliderStopsAFall) {
 }
 
 TEST(Limit, IsPassedByNoMotor) {
-  // An arm driven at 1e6 N m rested at 1.5 rad where its limit is 0.5. Both rows ask for an end at the
-  // limit. What remains is the turn of an arm by a finite angle, where rows are of the first order: 1e-3 is required.
+  // An arm driven at 1e6 N m rested at 1.5 rad where its limit is 0.5. Both rows close to the limit. The rest is due to
+  // the rotation of an arm by a finite angle, where rows are of the first order: 1e-3 is required.
   for (const std::optional<double> k : {std::optional<double>(), std::optional<double>(1e8)})
     for (const double strength : {1e3, 1e6, 1e9, infinity})
       for (const double h : {1.0 / 30, 1.0 / 60, 1.0 / 240, 1.0 / 1000})
@@ -304,7 +304,7 @@ TEST(Limit, IsPassedByNoMotor) {
 }
 
 TEST(Limit, LeavesAMotorAloneUntilItIsReached) {
-  // Eq. (13.17) is the speed itself, bit by bit, while the limit is farther than the way of a step.
+  // Eq. (13.17) is the speed itself, bit by bit, while the distance to the limit exceeds that of a step.
   const double h = 1.0 / 60, speed = 2;
   const auto wheel = [&](const JointLimits& limits) {
     return Wheel({.i = 0, .j = 0, .limits = limits, .motor = Motor{.speed = speed, .strength = 7}});
@@ -358,7 +358,7 @@ TEST(Motor, OfSomeViscosityLagsByTorqueOverViscosity) {
 }
 
 TEST(Motor, BetweenTwoBodiesTurnsBoth) {
-  // Momenta are kept: I_i ω_i = -I_j ω_j.
+  // Angular momentum is conserved: I_i ω_i = -I_j ω_j.
   World<6> world({.gravity = Vec3::Zero()});
   const int i = world.add({.principal = Vec3(1, 1, 1)}), j = world.add({.principal = Vec3(3, 3, 3)});
   const int hinge = world.add_joint({.i = i, .j = j, .kind = JointKind::hinge, .motor = Motor{.speed = 4}});
@@ -389,7 +389,7 @@ TEST(Motor, CanBeSetAndTakenAway) {
 TEST(Angle, CountsTurns) {
   for (const double speed : {7.0, -7.0}) {
     Wheel wheel({.i = 0, .j = 0, .motor = Motor{.speed = speed}, .angle = 4 * pi}, 2);
-    EXPECT_NEAR(wheel.world.joint_position(wheel.joint), 4 * pi, 1e-12) << "from where it is told to begin";
+    EXPECT_NEAR(wheel.world.joint_position(wheel.joint), 4 * pi, 1e-12) << "from its given start";
     wheel.world.step(0.01);
     const double before = wheel.world.joint_position(wheel.joint);
     for (int n = 0; n < 2000; ++n) wheel.world.step(0.01);
@@ -398,7 +398,7 @@ TEST(Angle, CountsTurns) {
 }
 
 TEST(Angle, IsOfJAsISeesIt) {
-  // Whatever the two do together, and wherever the axis is.
+  // For any common motion, and any place of the axis.
   testing::Random random;
   const Quat q = random.rotation(), turned = random.rotation();
   const Vec3 axis = random.unit_vector();
@@ -411,7 +411,7 @@ TEST(Angle, IsOfJAsISeesIt) {
   EXPECT_LE(gap_of(world.joints()[0], world.bodies()).turned.norm(), 1e-12);
 }
 
-// What is refused
+// Refused input
 
 TEST(Input, GuidedJoints) {
   World<3> points({});
@@ -447,7 +447,7 @@ TEST(Input, GuidedJoints) {
   refuse({"kind", "ball"}, [](Joint& joint) { joint.kind = JointKind::ball, joint.motor = Motor{}; });
   refuse({"kind", "distance", "hinge"}, [](Joint& joint) { joint.length = 1; });
   refuse({"kind", "distance"}, [](Joint& joint) { joint.kind = JointKind::distance; });
-  EXPECT_TRUE(world.joints().empty()) << "a refused joint must leave nothing behind";
+  EXPECT_TRUE(world.joints().empty()) << "a refused joint must leave no trace";
   const int ball = world.add_joint({.i = 0, .j = 1});
   expect_refusal({"kind", "ball"}, [&] { world.set_motor(ball, Motor{}); });
   expect_refusal({"kind", "ball"}, [&] { world.joint_position(ball); });

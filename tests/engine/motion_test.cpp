@@ -1,4 +1,4 @@
-// Bodies that nothing touches: what leapfrog gets exactly, and what it keeps.
+// Bodies without contacts: motions for which leapfrog is exact, and conserved quantities.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -19,7 +19,7 @@ TEST(FreeFall, UnshiftedStartGivesTheDiscreteSum) {
     for (int n = 1; n <= 1000; ++n) {
       world.step(h);
       const double answer = -g * h * h * n * (n + 1.0) / 2;
-      // Each step rounds v and x once or twice, and the roundings of v add up in x.
+      // Each step rounds v and x once or twice, and the round-off of v adds up in x.
       ASSERT_NEAR(world.x(0).z(), answer, 2 * n * epsilon * std::abs(answer)) << "h " << h << ", step " << n;
     }
   }
@@ -49,7 +49,7 @@ TEST(FreeFall, FixedBodiesStay) {
 }
 
 TEST(ForceField, SeesEveryBodyWhereItWasBeforeTheStep) {
-  // A spring between two bodies: equal and opposite only if neither has moved when the other is looked at.
+  // A spring between two bodies: equal and opposite only if both are evaluated before either moves.
   const ForceField spring = [](std::size_t i, const std::vector<Vec3>& x) -> Vec3 {
     return 100 * (x[1 - i] - x[i]);
   };
@@ -85,9 +85,9 @@ TEST(Rotation, SplittingKeepsAngularMomentumAndBoundsEnergy) {
     ASSERT_FALSE(std::isnan(off));
     band = std::max(band, off);
   }
-  // A few roundings a step, that may all go one way.
+  // A few units of round-off a step, possibly all in one direction.
   EXPECT_LE((angular_momentum(world.bodies()) - L).norm(), 4 * steps * epsilon * L.norm());
-  // Reversible and of second order: off by a multiple of (h|ω|)² that does not grow.
+  // Reversible and of second order: the error is a multiple of (h|ω|)² that does not grow.
   EXPECT_LE(band, h * h * angular_velocity(world, 0).squaredNorm());
   EXPECT_NEAR(orientation(world, 0).norm(), 1, 4 * epsilon);
 }
@@ -115,7 +115,7 @@ TEST(Rotation, WithoutGyroscopicTorqueOmegaStays) {
 }
 
 TEST(Rotation, UpdatesAgreeAboutAPrincipalAxis) {
-  // About a principal axis nothing precesses: the turn is hω a step, and 2 atan(hω/2) for the first-order update.
+  // About a principal axis there is no precession: the turn is hω a step, and 2 atan(hω/2) for the first-order update.
   const double h = 0.05, spin = 2;
   const auto angle = [&](RotationUpdate update) {
     World<6> world({.gravity = Vec3::Zero(), .rotation = {update, true}});
@@ -129,7 +129,7 @@ TEST(Rotation, UpdatesAgreeAboutAPrincipalAxis) {
 }
 
 TEST(Rotation, TurnsARoundBodyExactly) {
-  // ω is constant, so the turn is known; three turns about body axes, which do not commute, would miss it by O(h²).
+  // ω is constant, so the turn is known. Three turns about body axes, which do not commute, would miss it by O(h²).
   const Vec3 omega(1.2, 0.9, 1.3);
   const double h = 0.1;
   World<6> world({.gravity = Vec3::Zero()});

@@ -1,4 +1,4 @@
-// Newton's method on cones and bounds: answers that are known, after few factorisations, and never outside.
+// Newton's method on cones and bounds: known answers, after few factorisations, and never outside.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -36,7 +36,7 @@ World<6> tower(const Solver<6>& solver, int boxes, double ratio = 1, const StopR
   return world;
 }
 
-/// A leaning column that has just been pushed: some contacts open, some stick, some slide.
+/// A leaning column after a push: some contacts open, some stick, some slide.
 World<6> pushed_tower(const Solver<6>& solver, const StopRule& stop, double top = 1) {
   World<6> world = ground(solver, stop);
   for (int n = 0; n < 6; ++n)
@@ -75,8 +75,8 @@ TEST(Newton, SlidesAsCoulombSaysInEveryDirection) {
 }
 
 TEST(Newton, HasTheAnswerOfTheDirectSolverWhereNothingSlides) {
-  // Far from any limit of friction box and cones are one problem: a tower at rest. Both stop at Eq. (11.13), of which a
-  // soft tower of ten makes some hundred times as much: S has its least pivot at Σ, 1e-3/kg, beside 2/kg.
+  // Far from all limits friction box and cones are one problem: a tower at rest. Both stop at Eq. (11.13), of which a
+  // soft tower of ten makes about a hundred times as much: S has its least pivot at Σ, 1e-3/kg, beside 2/kg.
   for (const double ratio : {1.0, 1e3}) {
     World<6> exact = tower(direct<6>(), 10, ratio), cones = tower(on_cones(), 10, ratio),
              rows = tower(newton<6>(), 10, ratio);
@@ -106,8 +106,8 @@ TEST(Newton, HasTheAnswerOfSweepsWhereSomeContactsSlide) {
   const World<6> fast = pushed_tower(on_cones(), {});
   ASSERT_TRUE(slow.solved().converged);
   EXPECT_LE(4 * fast.row_updates(), slow.row_updates());
-  // What the last sweep changed by 1e-10 m/s may be 1/(1 - ρ) as far off: ten thousand sweeps, at most; and Newton's method
-  // may stop at a millionth of |B|, some 2 m/s, where it gets no further.
+  // A last sweep with a change of 1e-10 m/s may be 1/(1 - ρ) times as far from the solution, for at most ten thousand
+  // sweeps. Newton's method may stop at a millionth of |B|, about 2 m/s, if it makes no further progress.
   EXPECT_LE(apart(slow, fast), 1e-5);
 }
 
@@ -125,7 +125,7 @@ TEST(Newton, IsWithinTheBoundsWheneverItStops) {
 }
 
 TEST(Newton, LeavesNoMoreThanSweepsDo) {
-  // Where it does not help, sweeps take over: as many of them as are asked for, from what it has found.
+  // Where it does not help, sweeps continue from its result, with their full number.
   for (const double top : {1e-3, 1.0, 10.0, 1e3, 1e5}) {
     const StopRule stop{.max_sweeps = 100};
     const double left = pushed_tower(on_cones(), stop, top).report().residual;
@@ -140,7 +140,7 @@ TEST(Newton, GoesOnBySweepsWhereItsFactorisationsAreUsedUp) {
 }
 
 TEST(Newton, SweepsWhereNoSigmaSoftensARow) {
-  // An infinite viscosity makes Σ of friction 0: there is no K to go by.
+  // An infinite viscosity makes Σ of friction 0: there is no K to use.
   World<6> world(
       {.friction = mu, .viscosity = infinity, .solver = on_cones(), .solver_limits = {.max_sweeps = 200}});
   world.add_plane(Vec3::UnitZ(), 0);

@@ -1,4 +1,4 @@
-// Factors on bodies: the same answer as chapter 11's on rows, whatever the bounds.
+// Factors on bodies: the same solution as chapter 11's on rows, with any bounds.
 #include "engine/solvers/primal_newton.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double h = 1.0 / 60;
 
-/// Rows between random bodies of a random net, some of which are fixed.
+/// Rows between random bodies of a random net, some of which are static.
 template <int Dof>
 struct Random {
   Motion<Dof> motion;
@@ -88,8 +88,8 @@ void expect_answers_of_rows() {
       ASSERT_TRUE(report) << "seed " << seed << ", rub " << rub;
       ASSERT_TRUE(report->converged);
       ASSERT_TRUE(direct_solve(on_rows.rows, on_rows.V, {}, others).converged);
-      // Both stop at roundings of B, Eq. (11.13), and the least stiff direction of S turns those into λ: it is a
-      // friction row's, of which Σ is 1/(h c) = 0.06, some hundredth of S_kk.
+      // Both stop at round-off of B, Eq. (11.13). The softest direction of S turns that into λ: it is a friction row's,
+      // with Σ = 1/(h c) = 0.06, about a hundredth of S_kk.
       EXPECT_LE(apart(on_bodies.rows, on_rows.rows), 1e-9) << "seed " << seed << ", rub " << rub;
       std::vector<Twist<Dof>> V(on_bodies.V.size(), Twist<Dof>::Zero());
       for (const Row<Dof>& row : on_bodies.rows) apply_impulse(row, row.lambda, V);
@@ -109,11 +109,11 @@ TEST(BodySolve, FromItsOwnAnswerTakesOneFactorisation) {
   const auto again = primal_newton(s.rows, s.motion.inverse_mass, s.V, {}, factors);
   ASSERT_TRUE(again);
   EXPECT_EQ(again->history.size(), 1U);
-  EXPECT_EQ(factors.factors.analyses(), 1) << "the pattern is that of the bodies, whatever row is held";
+  EXPECT_EQ(factors.factors.analyses(), 1) << "the pattern is that of the bodies, whichever rows are held";
 }
 
 TEST(BodySolve, WhatStandsTakesOneFactorisationAStep) {
-  // After the first steps all that changes is roundings; the energy, of which they are all, must not ask for more.
+  // After the first steps all changes are round-off. The energy is a sum of these, and must not require more.
   for (const double ratio : {1.0, 1e3, 1e6}) {
     World<6> world({.k = 1e6 * ratio, .friction = 0.5, .solver = direct<6>()});
     world.add_plane(Vec3::UnitZ(), 0);
@@ -134,17 +134,17 @@ TEST(BodySolve, WhatStandsTakesOneFactorisationAStep) {
 }
 
 TEST(BodySolve, RefinesWhatASmallSigmaLeaves) {
-  // Σ = 1/(h c) = 6e-11: λ = Σ⁻¹ (B - G V) has lost ten digits when it is first found.
+  // Σ = 1/(h c) = 6e-11: λ = Σ⁻¹ (B - G V) has lost ten digits when it is first computed.
   Random<6> s(3, 8, 12, infinity, 1e12);
   PrimalFactors<6> factors;
   const auto report = primal_newton(s.rows, s.motion.inverse_mass, s.V, {}, factors);
   ASSERT_TRUE(report);
-  // Unrefined it would lack some 1e-6 of what was asked for; Eq. (11.13) allows far less.
+  // Without refinement the residual would be about 1e-6 of B; Eq. (11.13) allows far less.
   EXPECT_LE(residual(s.rows, s.V), roundings(s.rows));
   EXPECT_LT(roundings(s.rows), 1e-10);
 }
 
-/// By primal_interior_point alone, which primal_newton asks only where Newton's method does not get on.
+/// By primal_interior_point alone, which primal_newton calls only if Newton's method makes no progress.
 template <int Dof>
 SolveReport from_within(Random<Dof>& s) {
   VelocitySystem<Dof> on(s.rows, s.motion.inverse_mass);
@@ -174,8 +174,8 @@ TEST(BodyInterior, HasTheAnswersOfRows) {
 }
 
 TEST(BodySolve, SolvesFrictionThatIsMoreThanEnough) {
-  // A hundred rows on six bodies that move, with Σ = 6e-11 of friction: which of them are at their bounds hardly matters
-  // to the energy, and Newton's method on those that are free never settles.
+  // A hundred rows on six dynamic bodies, with Σ = 6e-11 of friction. The active set hardly changes the energy, and
+  // Newton's method on the free rows never settles.
   for (unsigned seed = 1; seed <= 10; ++seed) {
     Random<6> s(seed, 8, 40, 0.1, 1e12);
     PrimalFactors<6> factors;

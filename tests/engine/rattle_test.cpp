@@ -1,4 +1,4 @@
-// Steps of order four: their order, what they keep, and what is refused.
+// Steps of order four: their order, conserved quantities, and refused input.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -89,7 +89,7 @@ Vec3 end_of_tumbling(double h, double time) {
 }
 
 TEST(Composed, BodiesThatTurnAreOfOrderFour) {
-  // No closed form: two steps of h/2 against one of h, whose difference falls as their error does.
+  // Without a closed form: two steps of h/2 against one of h, whose difference falls as their error does.
   const auto difference = [](double h) {
     return (end_of_tumbling(h, 0.8) - end_of_tumbling(h / 2, 0.8)).norm();
   };
@@ -129,9 +129,9 @@ TEST(Composed, RowsThatRepeatEachOtherDoNotMatter) {
   expect_order("a flap on two ball joints, x(h) - x(h/2) [m]", "Eq. (1.13)", difference, 0.02, 3, 4, 0.15);
 }
 
-// What is kept
+// Conserved quantities
 
-/// Points on rods, from a fixed one, lying along x.
+/// Points on rods, from a static one, along x.
 World<3> chain(int links) {
   World<3> world({.gravity = Vec3(0, 0, -g), .integrator_order = 4});
   int last = world.add_fixed(Vec3::Zero());
@@ -152,7 +152,7 @@ TEST(Composed, JointsAreHeldToRoundings) {
       for (const Joint& joint : world.joints()) {
         const Vec3 apart = world.x(joint.j) - world.x(joint.i);
         ASSERT_NEAR(apart.norm(), 1, 20 * epsilon * links) << "step " << n;
-        // The last correction is of G where it is, and leaves Σ's share of what it corrects: 1e-12 of some m/s.
+        // The last correction uses the present G, and leaves Σ's fraction of it: 1e-12 of some m/s.
         ASSERT_NEAR(apart.dot(world.v(joint.j) - world.v(joint.i)), 0, 1e-11) << "step " << n;
       }
     }
@@ -163,14 +163,14 @@ TEST(Composed, RunsBackToWhereItCameFrom) {
   World<6> world = tumbling();
   const std::vector<Vec3> x = world.bodies().x;
   for (int n = 0; n < 100; ++n) world.step(0.01);
-  EXPECT_GT((world.x(3) - x[3]).norm(), 0.1) << "it was meant to go somewhere";
+  EXPECT_GT((world.x(3) - x[3]).norm(), 0.1) << "it should move";
   for (int body = 1; body <= 3; ++body) {
     world.place(body, world.x(body), -world.v(body));
     world.turn(body, orientation(world, body), -angular_velocity(world, body));
   }
   for (int n = 0; n < 100; ++n) world.step(0.01);
   for (std::size_t body = 1; body <= 3; ++body)
-    EXPECT_LE((world.bodies().x[body] - x[body]).norm(), 1e-9) << "roundings, which the chain lets grow";
+    EXPECT_LE((world.bodies().x[body] - x[body]).norm(), 1e-9) << "round-off, which grows in the chain";
 }
 
 TEST(Composed, EnergyStaysInItsBand) {
@@ -207,7 +207,7 @@ TEST(Composed, MomentumIsKept) {
                .omega = Vec3(1, 2.0 * n, 3),
                .principal = solid_box_moments(1.0 + n, half)});
   world.add_joint({.i = 0, .j = 1, .p_i = 0.3 * Vec3::UnitX(), .p_j = -0.3 * Vec3::UnitX()});
-  world.step(0.01);  // the first brings the velocities to what the joint allows
+  world.step(0.01);  // the first brings the velocities to those that the joint allows
   const Vec3 p = momentum(world.bodies()), L = angular_momentum(world.bodies());
   const int steps = 1000;
   for (int n = 0; n < steps; ++n) world.step(0.01);
@@ -235,7 +235,7 @@ TEST(Composed, VelocitiesAreOfTheTimeOfPositions) {
   EXPECT_EQ(world.synchronized_velocity(0, 0.1), world.v(0));
 }
 
-// What cannot be solved, and what is refused
+// Unsolvable steps and refused input
 
 TEST(Composed, SaysWhenCorrectionsDoNotSuffice) {
   World<3> world({.gravity = Vec3(0, 0, -g), .integrator_order = 4, .solver_limits = {.max_sweeps = 1}});
@@ -264,7 +264,7 @@ TEST(Composed, RefusesWhatHasNoWayBack) {
                    [&] { Solids world({.rotation = {.update = update}, .integrator_order = 4}); });
 
   Solids world({.integrator_order = 4});
-  const int ball = world.add({.radius = 0.5});  // one alone touches nothing
+  const int ball = world.add({.radius = 0.5});  // a single body touches nothing
   expect_refusal({"integrator_order", "touch"}, [&] { world.add_plane(Vec3::UnitZ(), 0); });
   Solids others({.integrator_order = 4});
   others.add({.radius = 0.5});

@@ -1,5 +1,5 @@
 #pragma once
-// Rows that belong to no world, as a solver is handed them.
+// Rows that belong to no world, as a solver gets them.
 #include "engine/solvers/registry.hpp"
 
 namespace spook {

@@ -1,4 +1,4 @@
-// Recovery: overlaps and impacts without restitution leave no speed, Eq. (7.17).
+// Recovery: overlaps and impacts without restitution leave no velocity, Eq. (7.17).
 #include "engine/solvers/recovery.hpp"
 
 #include <gtest/gtest.h>
@@ -15,11 +15,11 @@ namespace {
 constexpr double g = 9.81;
 constexpr double steps_to_try[] = {1.0 / 30, 1.0 / 60, 1.0 / 240, 1.0 / 1000};
 
-/// The part of an overlap that a step leaves, 1 - a h, with the relaxation of contacts.
+/// The remaining fraction of an overlap after a step, 1 - a h, with the relaxation of contacts.
 constexpr double share_left = 1 - 4 / (1 + 4 * relaxation_of_contacts);
 
-/// The second solve leaves a thousandth of the speed that it stops; gravity adds |g| h in a step, of which a hundredth is
-/// ignored.
+/// The second solve leaves a thousandth of the speed that it stops; gravity adds |g| h in a step, of which a hundredth
+/// is ignored.
 double ignored(double h) {
   return 2e-2 * g * h;
 }
@@ -72,7 +72,7 @@ TEST(Recovery, MovesAnOverlapApartWithoutSpeed) {
 }
 
 TEST(Recovery, TakesThePartOfAnOverlapThatAAndDSay) {
-  // Without gravity k is that of joints, so that Σ is nothing beside S.
+  // Without gravity k is that of joints, so that Σ is negligible beside S.
   const double h = 1.0 / 60, depth = 0.1;
   World<6> world({.gravity = Vec3::Zero()});
   world.add_plane(Vec3::UnitZ(), 0);
@@ -103,7 +103,7 @@ TEST(Recovery, LetsCubesThatBeginInOnePlacePart) {
 }
 
 TEST(Recovery, AddsNoEnergy) {
-  // Boxes, balls and capsules strewn into each other, without gravity: what they lose is lost.
+  // Boxes, balls and capsules that overlap at random, without gravity: the energy that they lose stays lost.
   testing::Random random;
   for (int trial = 0; trial < 10; ++trial) {
     World<6> world({.gravity = Vec3::Zero(), .friction = 0.5});
@@ -128,7 +128,7 @@ TEST(Recovery, AddsNoEnergy) {
 }
 
 TEST(Recovery, BrakesASlidingImpactByCoulombsLaw) {
-  // Thrown at the floor: friction takes μ times what stops the fall, and no more for the overlap.
+  // Thrown at the floor: friction removes μ times the impulse that stops the fall, and nothing for the overlap.
   const double mu = 0.2, h = 1.0 / 240;
   World<6> world = on_a_floor(mu);
   const int box =
@@ -136,12 +136,12 @@ TEST(Recovery, BrakesASlidingImpactByCoulombsLaw) {
   world.step(h);
   const double after_a_step = 6;
   for (int n = 0; n < 8; ++n) world.step(h);
-  // μ (v_z + g t): the fall's, and that of the weight since.
+  // μ (v_z + g t): that of the fall, and that of the weight since.
   EXPECT_NEAR(world.v(box).x(), after_a_step - mu * (6 + g * 9 * h), 2e-3 * 6 + 2 * mu * g * h);
 }
 
 TEST(Recovery, LeavesASpringItsRebound) {
-  // k was asked for, of the world or of a body: a mass on a spring comes back with what its damping leaves.
+  // With a k of the world or of a body it is a mass on a spring, which returns with the speed that its damping leaves.
   for (const bool of_body : {false, true}) {
     Settings<6> settings;
     if (!of_body) settings.k = 1e3;

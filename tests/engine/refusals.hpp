@@ -1,5 +1,5 @@
 #pragma once
-// What must be refused, in words.
+// Expected refusals, by the words of their messages.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -9,7 +9,7 @@
 
 namespace spook {
 
-/// `call` throws std::invalid_argument with a message that has each of the parts.
+/// Expects that `call` throws std::invalid_argument with a message that has each of the parts.
 inline void expect_refusal(const std::vector<std::string>& named, const std::function<void()>& call) {
   try {
     call();

@@ -1,4 +1,4 @@
-// Ropes: a largest distance, which pulls where it is taut.
+// Ropes: a largest distance, which pulls when it is taut.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -75,7 +75,8 @@ TEST(Ropes, CatchWithoutRebound) {
 }
 
 TEST(Ropes, CaughtBallSwingsAsAPendulum) {
-  // At (0.6, -0.8) the rope takes the radial part of √(2 g 0.8); 0.6 of it is left, and v² = 2 g (0.36 0.8 + 0.2) below.
+  // At (0.6, -0.8) the rope removes the radial part of √(2 g 0.8). 0.6 of it remains, and v² = 2 g (0.36 0.8 + 0.2)
+  // below.
   const double lowest_speed = std::sqrt(2 * g * (0.36 * 0.8 + 0.2));
   std::vector<double> errors;
   for (const double h : {1.0 / 120, 1.0 / 960}) {
@@ -111,7 +112,7 @@ TEST(Ropes, TautRopeIsARod) {
 }
 
 TEST(Ropes, GoSlackAboveTheCircle) {
-  // With v² = 3 g l below, a ball on a rope leaves the circle at the height l/3, and flies as a stone.
+  // With v² = 3 g l below, a ball on a rope leaves the circle at the height l/3, and then flies freely.
   const double h = 1.0 / 960;
   Hanging<3> rope(Vec3(0, 0, -1), JointKind::rope, Vec3(std::sqrt(3 * g), 0, 0));
   while (rope.world.joint_force(0).norm() > 0 || rope.world.time() < 0.1) {
@@ -123,7 +124,7 @@ TEST(Ropes, GoSlackAboveTheCircle) {
 }
 
 TEST(Ropes, TowWhatFollows) {
-  // Momentum: 1 kg at 3 m/s takes 2 kg along at 1 m/s.
+  // Momentum: 1 kg at 3 m/s pulls 2 kg along at 1 m/s.
   World<3> world({.gravity = Vec3::Zero()});
   world.add({.v = Vec3(3, 0, 0), .mass = 1});
   world.add({.x = Vec3(0.2, 0, 0), .mass = 2});

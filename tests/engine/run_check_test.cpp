@@ -1,4 +1,4 @@
-// Whether a run says that it is no longer the problem that was set, and only then.
+// A run reports when it no longer solves the given problem, and only then.
 #include "engine/diagnostics/run_check.hpp"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ Verdict judged(const std::string& name, const SceneSettings& settings, double ti
   return scene->verdict();
 }
 
-/// A heavy ball on a light one on the floor. Sweeps leave (m/M) of its fall each, Eq. (4.10).
+/// A heavy ball on a light one on the floor. Each sweep leaves m/M of its fall, Eq. (4.10).
 World<3> heavy_on_light(double ratio, int sweeps, double unit = 1, double gravity = g) {
   World<3> world({.gravity = Vec3(0, 0, -gravity) * unit,
                   .k = 1e9 * unit,
@@ -72,8 +72,8 @@ TEST(RunCheck, WhatIsBelowTheRoundingsOfItsVelocitiesIsSolved) {
 }
 
 TEST(RunCheck, ASmallResidualOfSweepsThatCreepIsNoSolution) {
-  // A wire of a hundred equal links: ρ = cos²(π/200), so that a hundredth of a residual is what 1/(1 - ρ) = 4,000 of
-  // them would be.
+  // A wire of a hundred equal links: ρ = cos²(π/200). An error of a hundredth of the residual's size would be 1/(1 - ρ)
+  // = 4,000 times the residual.
   const auto hundred = [](Solver<3> solver) {
     World<3> world({.k = 1e12, .solver = std::move(solver), .solver_limits = {.max_sweeps = 3000}});
     world.add_fixed(Vec3::Zero());
@@ -83,12 +83,12 @@ TEST(RunCheck, ASmallResidualOfSweepsThatCreepIsNoSolution) {
   };
   World<3> swept = hundred(gauss_seidel<3>()), factorised = hundred(direct<3>());
   EXPECT_EQ(judged(swept, 1).state, State::unsolved);
-  EXPECT_LT(swept.report().residual, 1e-2 * g * h) << "which flatters";
+  EXPECT_LT(swept.report().residual, 1e-2 * g * h) << "which is too optimistic";
   EXPECT_EQ(judged(factorised, 1).state, State::sound);
 }
 
 TEST(RunCheck, IsTheSameInOtherUnits) {
-  // Mass and length by 2^-20, and g with the length: λ and velocities with them, to the last bit.
+  // Masses and lengths scale by 2^-20, g as lengths, and λ and velocities with them, to the last bit.
   for (const int sweeps : {40, 50, 3000, 20000}) {
     World<3> one = heavy_on_light(1000, sweeps), other = heavy_on_light(1000, sweeps, std::ldexp(1, -20));
     EXPECT_EQ(judged(one, 5).state, judged(other, 5).state) << sweeps;
@@ -112,8 +112,8 @@ TEST(RunCheck, WhatGivesUnderItsLoadIsSound) {
 }
 
 TEST(RunCheck, BodiesThatPassThroughEachOtherAreLost) {
-  // With k so small the floor holds the ball a hundred radii down: that is the problem that was set. One that begins
-  // there, on a hard floor, was not.
+  // With so small a k the floor holds the ball a hundred radii down: that solves the given problem. A ball that starts
+  // there on a hard floor does not.
   World<3> soft({.k = g / 10, .solver = direct<3>()});
   soft.add_plane(Vec3::UnitZ(), 0);
   soft.add({.x = Vec3(0, 0, 0.1 - 10), .mass = 1, .radius = 0.1});
@@ -126,7 +126,7 @@ TEST(RunCheck, BodiesThatPassThroughEachOtherAreLost) {
     hard.step(h);
     check.look(hard, h);
     const bool lost = check.verdict().state == State::lost;
-    EXPECT_EQ(lost, n >= 10) << "what is thin and fast may be so for a moment, step " << n;
+    EXPECT_EQ(lost, n >= 10) << "a thin and fast body may be so for a moment, step " << n;
     hard.place(ball, Vec3(0, 0, 0.1 - 10), Vec3::Zero());
   }
   EXPECT_EQ(check.verdict().state, State::lost);
@@ -147,7 +147,7 @@ TEST(RunCheck, NotesASpringThatIsTooSoftForItsLoad) {
 }
 
 TEST(RunCheck, AnImpactIsNotALoad) {
-  // Dropped from 10 m it gives way by more than a hundredth of its radius, and only while it is stopped.
+  // Dropped from 10 m it sinks in by more than a hundredth of its radius, and only while it is stopped.
   World<3> world({.solver = direct<3>()});
   world.add_plane(Vec3::UnitZ(), 0);
   world.add({.x = Vec3(0, 0, 10), .mass = 1, .radius = 0.5});
@@ -167,7 +167,7 @@ TEST(RunCheck, KeepsItsVerdictWhenBodiesAreMoved) {
   EXPECT_EQ(check.verdict().state, State::lost);
   check.begin_again();
   EXPECT_EQ(check.verdict().state, State::sound);
-  // Energy that somebody gives between two looks is not from nothing.
+  // Energy that a caller adds between two checks is not an error.
   for (int n = 1; n < 100; ++n) {
     check.bodies_were_moved();
     top.turn(body, Quat::Identity(), Vec3(n, 0, 0));
@@ -177,7 +177,7 @@ TEST(RunCheck, KeepsItsVerdictWhenBodiesAreMoved) {
 }
 
 TEST(RunCheck, EnergyFromNothingIsLost) {
-  // A fast top by the notes' update without its gyroscopic torque keeps ω and so gains and loses energy as it turns.
+  // By the notes' update without its gyroscopic torque a fast top keeps ω, and so its energy changes as it turns.
   World<6> top({.gravity = Vec3::Zero(),
                 .rotation = {.update = RotationUpdate::first_order, .gyroscopic_torque = true}});
   top.add({.omega = Vec3(0.1, 3, 0.1), .principal = Vec3(1, 2, 3)});

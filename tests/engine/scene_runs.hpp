@@ -1,5 +1,5 @@
 #pragma once
-// Runs scenes for tests: as run(), but without the timing.
+// Runs scenes for tests, as run() does, but without timing.
 #include <map>
 #include <string>
 #include <utility>
@@ -19,7 +19,7 @@ inline Parameters with(const SceneDescription& scene, const SceneSettings& setti
   return parameters;
 }
 
-/// What a scene showed, a column by its name, the start included.
+/// A scene's output, a column by its name, including the start.
 struct SceneRun {
   double error = 0;
   std::map<std::string, std::vector<double>> columns;
@@ -28,7 +28,7 @@ struct SceneRun {
   double last(const std::string& column) const { return all(column).back(); }
 };
 
-/// By the scene's own solver, unless another is named.
+/// Uses the scene's own solver, unless another is named.
 inline SceneRun run_of(const std::string& name, const SceneSettings& settings, double h, double time,
                        const StopRule& stop = {}, const std::string& solver = "") {
   const SceneDescription& description = find_scene(name);

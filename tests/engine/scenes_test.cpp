@@ -1,4 +1,4 @@
-// Every scene against its own answer, and the answers against something else.
+// Every scene against its own answer, and the answers against independent results.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -28,33 +28,33 @@ TEST(Registry, EverySceneRunsWithItsDefaults) {
       {"cradle", 1e-13},
       // A sphere that still rolls a little: a hundredth of its weight, after 4 s.
       {"pile", 1e-2},
-      // Its rod is too long by (1 + 2d) h² A/(4l) at most, A = 2g, and half of that is in the period, for 5 s of
-      // 4.4 m/s. The double one: A up to some 6g, in both rods, and doubled by the motion.
+      // Its rod is too long by (1 + 2d) h² A/(4l) at most, A = 2g, and half of that is in the period, for 5 s of 4.4
+      // m/s. For the double one A is up to about 6g in both rods, and the motion doubles the error.
       {"pendulum", 5e-4},
       {"double_pendulum", 1e-3},
-      // A gap is a difference of heights with roundings of 1e-16 m, of a wire of 1 m.
+      // A gap is a difference of heights with round-off of 1e-16 m, of a wire of 1 m.
       {"wire", 1e-14},
       {"rope", 5e-4},
-      // The lag (1 + 2d) h² A/(4 l) of a thread of 5 cm, A some 200 m/s² as threads pull taut.
+      // The lag (1 + 2d) h² A/(4 l) of a thread of 5 cm, A about 200 m/s² as threads pull taut.
       {"cloth", 7e-3},
-      // h v of the lag behind a swinging load, (1 + 2d) h² v²/(4 l) of a rod, and T/k: for links a promise of 1e-3.
+      // h v of the lag behind a swinging load, (1 + 2d) h² v²/(4 l) of a rod, and T/k: at most 1e-3 for links.
       {"stiff_wire", 1e-3},
       {"closed_loop", 1e-12},
       {"tower", 1e-9},
       {"wall", 1e-5},
-      // λ is a difference of gaps over their scale, m g/(n k) = 1e-7 m, at roundings of the height, 1e-17 m.
+      // λ is a difference of gaps over their scale, m g/(n k) = 1e-7 m, with round-off of the height, 1e-17 m.
       {"flat_box_100_contacts", 1e-8},
-      // Leapfrog is late by (hω)²/24 of the way, 16 rad at ω = 1.6/s, and the hinges' lag (1 + 2d) h² A/(4 l) is three
+      // Leapfrog is late by (hω)²/24 of the way, 16 rad at ω = 1.6/s. The hinges' lag (1 + 2d) h² A/(4 l) is three
       // times as much, for 10 s. The rod's ω is 3.8/s, with a tenth of the step.
       {"door", 2e-3},
       {"physical_pendulum", 2e-4},
       // T/(c w) is 2.5e-13.
       {"flywheel", 1e-12},
-      // (h ω)²/24 is 4e-4, of a spin that a step of 1/1000 s turns by a tenth; 4.9 rad of precession feel a part of it.
+      // (h ω)²/24 is 4e-4, of a spin that a step of 1/1000 s turns by a tenth; 4.9 rad of precession have a part of it.
       {"gyroscope", 2e-4},
       // (1 + 2d) h² ω² / 4 and the like, with 5/s.
       {"bead", 5e-5},
-      // Of second order, with constants that the motion tells: published in plots/mechanisms.
+      // Of second order, with constants that depend on the motion: published in plots/mechanisms.
       {"four_bar", 1e-4},
       {"andrews", 1e-3},
       {"bricard", 1e-4},
@@ -94,12 +94,12 @@ TEST(Registry, AnErrorTellsWhatTheSolverLeftUndone) {
     const SceneDescription& scene = find_scene(name);
     return run_of(name, settings, scene.h, scene.time, {.max_sweeps = iterations}, solver).error;
   };
-  // One contact, one rod, or a wheel on its axis: a sweep is a solution. In the cradle impacts do it all, and rows have
-  // nothing left to do.
+  // One contact, one rod, or a wheel on its axis: a sweep is a solution. In the cradle impacts determine everything,
+  // and rows have nothing left to solve.
   const std::set<std::string> one_sweep_solves = {"resting_sphere", "incline",       "sliding_block",
                                                   "slide_to_roll",  "bouncing_ball", "pendulum",
                                                   "cradle",         "flywheel"};
-  // Hinges that say the same thing help a sweep, and a light bead does not turn its rod.
+  // Redundant hinges help a sweep, and a light bead does not turn its rod.
   const std::map<std::string, SceneSettings> where_sweeps_have_work = {{"door", {{"hinges", "1"}}},
                                                                        {"bead", {{"m", "10"}}}};
   for (const SceneDescription& scene : scenes()) {
@@ -174,8 +174,8 @@ TEST(FreeFallScene, ErrorIsThatOfTheDiscreteSum) {
 }
 
 TEST(OscillatorScene, ErrorIsThatOfTheDiscreteFrequency) {
-  // Leapfrog turns by 2 asin(h w/2) a step where h w is right, with the half-step start and no other error:
-  // x_n = A cos(n 2 asin(hw/2)), exactly.
+  // Leapfrog turns by 2 asin(h w/2) a step where h w is right, with the half-step start and no other error. So x_n = A
+  // cos(n 2 asin(hw/2)), exactly.
   const double h = 0.1, w = std::sqrt(4.0 / 0.25);
   double answer = 0;
   for (int n = 0; n <= 100; ++n)
@@ -213,7 +213,7 @@ TEST(TopScene, RefusesWhatDoesNotGoTogether) {
 TEST(RestingSphereScene, IsRightForAnyStepAndRelaxation) {
   for (const std::string d : {"0.5", "1", "2", "3", "10"})
     for (const double h : {1.0 / 30, 1.0 / 60, 1.0 / 1000})
-      // x is about radius = 0.5, and its roundings stand beside a gap of 1e-5.
+      // x is about radius = 0.5, and its round-off is added to a gap of 1e-5.
       EXPECT_LE(error_of("resting_sphere", {{"d", d}}, h, 8), 1e-10) << "d " << d << ", h " << h;
 }
 
@@ -224,7 +224,7 @@ TEST(StackScene, IsRightOnceGaussSeidelIs) {
   EXPECT_LE(error_of("stack", {{"bodies", "10"}}, h, 3, patient), 1e-6);
   EXPECT_LE(error_of("stack", {{"bodies", "2"}, {"ratio", "1000"}}, h, 3, patient), 1e-6);
   EXPECT_LE(error_of("stack", {{"bodies", "2"}, {"ratio", "1000"}, {"heavy", "bottom"}}, h, 3), 1e-8);
-  // The default's fifty sweeps are nowhere near enough for 1000:1.
+  // The default's fifty sweeps are far too few for 1000:1.
   EXPECT_GE(error_of("stack", {{"bodies", "2"}, {"ratio", "1000"}}, h, 3), 0.1);
 }
 

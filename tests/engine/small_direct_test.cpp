@@ -1,4 +1,4 @@
-// Dense factors of a few rows: the answer of sparse ones, or nothing and nothing changed.
+// Dense factors of a few rows: the solution of sparse ones, or none and no change.
 #include "engine/solvers/small_direct.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double h = 1.0 / 60;
 
-/// Random rows between bodies of masses from e⁻³ to e³, the first of which is fixed, as far as there are masses.
+/// Random rows between bodies of masses from e⁻³ to e³, the first of which is static.
 template <int Dof>
 struct Random {
   Motion<Dof> motion;
@@ -57,7 +57,7 @@ struct Random {
   }
 };
 
-/// max |λ - μ|, of the largest of λ.
+/// max |λ - μ|, over the largest λ.
 template <int Dof>
 double difference(const std::vector<Row<Dof>>& some, const std::vector<Row<Dof>>& others) {
   double most = 0, largest = 0;
@@ -70,8 +70,8 @@ double difference(const std::vector<Row<Dof>>& some, const std::vector<Row<Dof>>
 
 template <int Dof>
 void expect_what_sparse_factors_find(unsigned seed, int rows) {
-  // A row a body: well conditioned but for the masses, of which e⁶ ≈ 400 and its square are the most. Their square times
-  // ε, ten times over for so many rows and two ways of adding up, is 3.5e-10; nearly all are below 1e-13.
+  // A row a body: well conditioned except for the masses, of which the ratio is at most e⁶ ≈ 400. Their square times ε,
+  // ten times that for so many rows and two orders of summation, is 3.5e-10; nearly all are below 1e-13.
   Random<Dof> dense(seed, rows + 1, rows), sparse = dense;
   Factors factors;
   const SolveReport theirs = direct_solve(sparse.rows, sparse.V, {.tolerance = 0}, factors);
@@ -108,7 +108,7 @@ TEST(DenseSolve, SolvesRowsThatShareBothBodies) {
 }
 
 TEST(DenseSolve, TriesFewerWhereTheyOutnumberVelocities) {
-  // Two bodies that move have six velocities.
+  // Two dynamic bodies have six velocities.
   Random<3> few(5, 3, most_dense_rows_on_bodies, 1e12), many(5, 3, most_dense_rows_on_bodies + 1, 1e12);
   EXPECT_TRUE(small_direct(few.rows, few.V, {}));
   EXPECT_FALSE(small_direct(many.rows, many.V, {}));
@@ -116,7 +116,7 @@ TEST(DenseSolve, TriesFewerWhereTheyOutnumberVelocities) {
   EXPECT_TRUE(small_direct(chain.rows, chain.V, {}));
 }
 
-/// Nothing, and all as it was.
+/// There is no solution, and no change.
 void expect_nothing(Random<3> s, const char* why, const StopRule& stop = {}) {
   const Random<3> before = s;
   EXPECT_FALSE(small_direct(s.rows, s.V, stop)) << why;
@@ -128,7 +128,7 @@ TEST(DenseSolve, LeavesToOthersWhatItDoesNotSolve) {
   expect_nothing(Random<3>(1, 2, 0), "no rows");
   expect_nothing(Random<3>(1, 50, most_dense_rows + 1), "too many");
   expect_nothing(Random<3>(1, 4, 3, 0), "no room");
-  expect_nothing(Random<3>(1, 4, 3, 1e-9), "bounds that are met");
+  expect_nothing(Random<3>(1, 4, 3, 1e-9), "bounds that are active");
   for (unsigned seed = 1; seed <= 20; ++seed) {
     Random<3> twice(seed, 3, 1);
     twice.rows.front().Sigma = 0;
@@ -136,14 +136,14 @@ TEST(DenseSolve, LeavesToOthersWhatItDoesNotSolve) {
     Row<3>& second = twice.rows.back();
     for (Twist<3>* block : {&second.Gi, &second.Gj, &second.MinvGi, &second.MinvGj}) *block *= 0.7;
     second.B *= 0.7;
-    expect_nothing(twice, "a row that says the same as another, Σ = 0: a pivot of roundings");
+    expect_nothing(twice, "an equal row, Σ = 0: a pivot of round-off");
   }
   Random<3> bad(1, 4, 3);
   bad.rows[1].B = std::numeric_limits<double>::quiet_NaN();
-  expect_nothing(bad, "a B that is no number");
+  expect_nothing(bad, "a B of NaN");
   bad = Random<3>(1, 4, 3);
   bad.rows[1].B = infinity;
-  expect_nothing(bad, "a B without end");
+  expect_nothing(bad, "an infinite B");
 }
 
 TEST(DenseSolve, RefusesWhatSolveRefuses) {

@@ -1,4 +1,4 @@
-// The soft step of today's engines, in this course's numbers: Eq. (10.16), and chapters/ENGINES.md.
+// The soft step of other engines, in this course's numbers: Eq. (10.16), and chapters/ENGINES.md.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,7 +9,8 @@
 
 namespace spook::soft_step {
 
-/// A row's frequency and damping ratio, its step and its inverse mass; and the three numbers that engines keep of them.
+/// A row's frequency and damping ratio, its step and its inverse mass; and the three numbers that engines store for
+/// them.
 struct SoftStep {
   double omega, zeta, h, S;
 
@@ -31,7 +32,7 @@ struct SoftStep {
   }
 };
 
-// A dozen operations each: 30 roundings of the larger number.
+// A dozen operations each: 30 units of round-off of the larger number.
 void expect_same(double got, double expected) {
   EXPECT_NEAR(got, expected, 30 * 2.3e-16 * std::abs(expected)) << "seed " << testing::Random::seed();
 }

@@ -60,7 +60,7 @@ TEST(SoftSteps, RestAtTheDepthThatTheFrequencySays) {
     const double depth = g / std::pow(omega_of_contacts(steps), 2);
     const int ball = world.add({.x = Vec3(0, 0, 0.5 - depth), .mass = 3, .radius = 0.5});
     for (int n = 0; n < 300; ++n) world.step(h);
-    // Each substep closes a tenth and more of what is left: (1 - h a)^300 is below 1e-15, and a gap is a difference of
+    // Each substep closes a tenth or more of the remainder: (1 - h a)^300 is below 1e-15, and a gap is a difference of
     // numbers near 0.5.
     EXPECT_NEAR(world.x(ball).z(), 0.5 - depth, 1e-15) << substeps << " substeps";
     EXPECT_NEAR(world.contact_force(0).z(), 3 * g, 1e-9) << substeps << " substeps";
@@ -99,7 +99,7 @@ TEST(SoftSteps, SwingAPendulumWithAnErrorOfFirstOrder) {
   for (std::size_t n = 1; n < errors.size(); ++n) EXPECT_LE(errors[n], errors[n - 1] / 1.5) << n;
 }
 
-// A joint with a k of its own is a spring, which both sweeps leave as it is.
+// A joint with a k of its own is a spring, which both sweeps leave unchanged.
 TEST(SoftSteps, HangAWeightOnASpring) {
   const double k = 200, mass = 3;
   World<3> world(soft<3>());
@@ -109,8 +109,8 @@ TEST(SoftSteps, HangAWeightOnASpring) {
   EXPECT_NEAR(-world.x(weight).z(), 1 + mass * g / k, 1e-6);
 }
 
-// A contact of a cube has S = (1 + 6 (1/4 + 1/4))/m at each cube's corner, and four corners bear the weight above. So a
-// cube gives way by g/ω² on the floor, and by 2 g/ω² on another, times the number of cubes that it bears.
+// A contact of a cube has S = (1 + 6 (1/4 + 1/4))/m at each cube's corner, and four corners carry the weight above. So
+// a cube yields by g/ω² on the floor, and by 2 g/ω² on another, times the number of cubes above it.
 TEST(SoftSteps, LetATowerOfTwentyStandWhereItsSpringsSay) {
   World<6> world = on_a_floor();
   const int n = 20;
@@ -122,7 +122,7 @@ TEST(SoftSteps, LetATowerOfTwentyStandWhereItsSpringsSay) {
     world.step(h);
     if (step == 500) half_way = world.x(top).z();
   }
-  // A tower that leans by an angle has more than half of the weight on two corners: to second order of it.
+  // A tower that leans by an angle has more than half of the weight on two corners, to second order in it.
   EXPECT_NEAR(world.x(top).z(), n - 0.5 - sink, 0.02 * sink);
   EXPECT_NEAR(world.x(top).z(), half_way, 0.01 * sink);
   EXPECT_LE(world.x(top).head<2>().norm(), 0.05);
@@ -140,7 +140,7 @@ TEST(SoftSteps, LetAPyramidStandForAThousandSteps) {
     world.step(h);
     if (step == 500) half_way = world.bodies().x;
   }
-  // As a tower of ten does at most: 100 g/ω².
+  // At most as much as a tower of ten: 100 g/ω².
   const double sink = 100 * g / std::pow(omega_of_contacts(), 2);
   for (const int cube : cubes) {
     EXPECT_LE((world.x(cube) - before[world.index(cube)]).norm(), sink) << cube;
@@ -149,7 +149,7 @@ TEST(SoftSteps, LetAPyramidStandForAThousandSteps) {
   EXPECT_LE(kinetic_energy(world.bodies()), 1e-3 * 100 * g * sink * 55);
 }
 
-// Ten warm sweeps a step of rows that are not relaxed give this grid thirty times its energy in half a second.
+// Ten warm-started sweeps a step, without relaxation, give this grid thirty times its energy in half a second.
 TEST(SoftSteps, HoldAGridOfBallJoints) {
   for (const int substeps : {2, 3, 4}) {
     World<6> world(soft(0, {.substeps = substeps}));
@@ -182,7 +182,7 @@ TEST(SoftSteps, HoldAGridOfBallJoints) {
     double apart = 0;
     for (const Joint& joint : world.joints())
       apart = std::max(apart, gap_of(joint, world.bodies()).apart.norm());
-    // Eq. (10.18): 39 bodies hang from the joints at the top, where S is 1/m of a fixed body's neighbour and 2/m below; a
+    // Eq. (10.18): 39 bodies hang from the joints at the top. S is 1/m at a static body's neighbour and 2/m below; a
     // quarter more while they swing.
     const double omega = SoftSteps{}.joints.turn() * substeps / h;
     EXPECT_LE(apart, 1.25 * 2 * 39 * g / (omega * omega)) << substeps << " substeps";
@@ -238,9 +238,9 @@ TEST(SoftSteps, MoveAnOverlapApartWithoutSpeed) {
   }
 }
 
-// The ball stops on the floor within the step of the impact, and leaves at its end with -e times the speed that it had
-// when the step began. Its height then was at most u h, and its velocity belongs to half a substep before: together at
-// most 2 u h.
+// The ball stops on the floor within the step of the impact, and leaves at its end with -e times its speed at the begin
+// of the step. Its height then was at most u h, and its velocity belongs to half a substep before: together at most 2 u
+// h.
 TEST(SoftSteps, BounceToESquaredOfTheHeight) {
   for (const double e : {0.0, 0.5, 1.0})
     for (const double step : {1.0 / 60, 1.0 / 240, 1.0 / 960}) {
@@ -261,8 +261,8 @@ TEST(SoftSteps, BounceToESquaredOfTheHeight) {
     }
 }
 
-/// A sledge of 1 kg under a box of 20 kg, both at rest, is pulled along the floor by a force for a second. Returns how far
-/// both have come.
+/// A sledge of 1 kg under a box of 20 kg, both at rest, is pulled along the floor by a force for a second. Returns the
+/// distances of both.
 std::pair<double, double> pulled(double force, double direction, double mu) {
   Settings<6> settings = soft(mu);
   const Vec3 along(std::cos(direction), std::sin(direction), 0);
@@ -285,8 +285,8 @@ TEST(SoftSteps, HoldASledgeUnderALoadInsideTheCone) {
   for (int trial = 0; trial < 5; ++trial) {
     const double direction = random.uniform(0, 2 * std::numbers::pi);
     const auto [held, its_load] = pulled(0.9 * mu * weight, direction, mu);
-    // The force of friction needs some sweeps to build up, in which the sledge is free for a substep or two: by then it
-    // has moved by F/m h² at most, with h of a step.
+    // The force of friction needs some sweeps to build up, in which the sledge is free for a substep or two. By then it
+    // has moved by at most F/m h², with h of a step.
     const double free = 0.9 * mu * weight / 1 * h * h;
     EXPECT_LE(std::abs(held), free) << testing::Random::seed();
     EXPECT_LE(std::abs(its_load), free) << testing::Random::seed();
@@ -328,8 +328,8 @@ TEST(SoftSteps, StopAtALimitAndRunAMotor) {
   const double omega = steps.joints.turn() * steps.substeps / h;
   const double turned = g * 0.5 * std::cos(0.5) / 0.02 / (omega * omega);
   EXPECT_NEAR(world.joint_position(hinge), 0.5 + turned, 0.02 * turned);
-  // The arm comes with √(2 m g s/I) or 4 rad/s, and a sweep of the limit's row moves it by S λ for its own inertia, a
-  // tenth of that about the hinge: it may take a substep's way to stop.
+  // The arm arrives with √(2 m g s/I) or 4 rad/s, and a sweep of the limit's row changes its speed by S λ for its own
+  // inertia, a tenth of that about the hinge: it may take a substep's way to stop.
   EXPECT_LE(farthest, 0.5 + turned + 4 * h / 4);
   EXPECT_NEAR(world.joint_speed(drive), 3, 1e-6);
 }
@@ -339,7 +339,7 @@ TEST(SoftSteps, FollowABelt) {
   const int cube = world.add(cube_at(Vec3(0, 0, 0.5)));
   world.set_surface_velocity(0, Vec3(1, 0, 0));
   for (int n = 0; n < 60; ++n) world.step(h);
-  // It slides for v/(μ g), and then goes with the belt.
+  // It slides for v/(μ g), and then moves with the belt.
   EXPECT_NEAR(world.v(cube).x(), 1, 1e-3);
   EXPECT_NEAR(world.x(cube).x(), 1 - 1 / (2 * 0.5 * g), 0.02);
 }

@@ -1,4 +1,4 @@
-// Solvers by one signature: each by its word, one within another, copied, and what must not be put together.
+// Solvers by one signature: each by its name, one within another, copies, and combinations that are refused.
 #include "engine/solvers/registry.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ namespace {
 constexpr double h = 1.0 / 60, g = 9.81, k = 1e6, rigid = 1e12, radius = 0.5;
 const StopRule to_the_end{.max_sweeps = 200'000, .tolerance = 1e-14};
 
-/// A point mass that is pushed over a floor, and others on top of it: three rows each, μ = 0.5.
+/// A point mass that is pushed along a floor, and others on top of it: three rows each, μ = 0.5.
 struct Rubbed {
   std::vector<Row<3>> rows;
   std::vector<Twist<3>> V;
@@ -50,7 +50,7 @@ struct Rubbed {
   }
 };
 
-/// What `solver` makes of rows with such bounds of friction.
+/// The result of `solver` for rows with such bounds of friction.
 std::vector<double> by(const Solver<3>& solver, double bound, const StopRule& stop = {}, int masses = 2) {
   Rubbed s(bound, masses);
   solve_by(solver, s.motion, s.rows, s.V, stop, s.rubbing);
@@ -71,16 +71,16 @@ TEST(Solvers, AreTheirChaptersFunctions) {
   EXPECT_EQ(by(conjugate_gradients<3>(), 0.1), conjugate.impulses());
   EXPECT_EQ(by(direct<3>(), 0.1, {}, many), direct_.impulses());
   EXPECT_EQ(by(automatic<3>(FrictionModel::box), 0.1, {}, many), direct_.impulses())
-      << "so small an island wants the direct solver";
+      << "so small an island gets the direct solver";
   EXPECT_EQ(by(cone_gauss_seidel<3>(), infinity), on_cones.impulses());
   EXPECT_EQ(by(two_pass(gauss_seidel<3>()), 0), twice.impulses());
 }
 
 TEST(Solvers, TwoPassesTakeAnyOther) {
-  // One on the other, both slide: the second pass has limits of μ times what the first found, h g and 2 h g.
+  // One on the other, both slide: the second pass has limits of μ times the first pass's impulses, h g and 2 h g.
   const std::vector<double> sweeps = by(two_pass(gauss_seidel<3>()), 0, to_the_end);
   EXPECT_NEAR(sweeps[0], 2 * h * g, 1e-8);
-  EXPECT_GT(std::abs(sweeps[1]) + std::abs(sweeps[2]), 0.01) << "they rub";
+  EXPECT_GT(std::abs(sweeps[1]) + std::abs(sweeps[2]), 0.01) << "they have friction";
   for (const Solver<3>& inner : {conjugate_gradients<3>(), direct<3>(), automatic<3>(FrictionModel::box),
                                  ordered_gauss_seidel<3>(RowOrder::random, 4)}) {
     const std::vector<double> other = by(two_pass(inner), 0, to_the_end);
@@ -94,7 +94,7 @@ TEST(Solvers, TwoPassesTakeAnyOther) {
   EXPECT_EQ(
       solve_by(two_pass(gauss_seidel<3>()), smooth.motion, smooth.rows, smooth.V, {.max_sweeps = 3}).updates(6),
       3 * 6)
-      << "where nothing rubs there is one pass";
+      << "without friction there is one pass";
 }
 
 TEST(Solvers, ColoursAndBlocksEndWhereSweepsRowByRowDo) {
@@ -112,7 +112,7 @@ TEST(Solvers, ColoursAndBlocksEndWhereSweepsRowByRowDo) {
   }
 }
 
-// All four contacts of one pair are in one lane, in their order: sweeps are the same one by one, but for roundings.
+// All four contacts of one pair are in one lane, in their order. So sweeps are the same one by one, up to round-off.
 TEST(Solvers, ColoursSweepTheContactsOfAPairInTheirOrder) {
   const auto impulses = [](Solver<6> solver, double mu) {
     World<6> world({.friction = mu, .solver = std::move(solver), .solver_limits = {.max_sweeps = 5}});
@@ -142,14 +142,14 @@ TEST(Solvers, SayWhichLimitsTheirRowsComeWith) {
     if (!named.make_on_cones) continue;
     EXPECT_EQ(named.make_on_cones().friction, FrictionModel::cone) << named.name;
   }
-  EXPECT_EQ(Settings<6>{}.solver.friction, FrictionModel::cone) << "a newcomer's friction is Coulomb's";
+  EXPECT_EQ(Settings<6>{}.solver.friction, FrictionModel::cone) << "default friction is Coulomb's";
   EXPECT_EQ(cone_gauss_seidel<6>().friction, FrictionModel::cone);
   EXPECT_EQ(two_pass(direct<6>()).friction, FrictionModel::two_pass);
   EXPECT_EQ(geometric_stiffness(cone_gauss_seidel<3>()).friction, FrictionModel::cone);
 }
 
 TEST(Solvers, OneOfYourOwnIsOneMore) {
-  // A floor that pushes back by halves: whoever is handed the system may do with it what he likes.
+  // A floor with half the impulse: a solver may change the system in any way.
   World<3> world({.k = rigid, .solver = {.solve = [](const SolverInput<3>& s) {
                                 SolverResult outcome = gauss_seidel<3>().solve(s);
                                 for (Row<3>& row : s.rows) row.lambda /= 2;
@@ -197,7 +197,7 @@ TEST(Methods, LetFrictionFollowNormalForcesUnlessTheBoxIsAskedFor) {
   EXPECT_EQ(make_solver<6>({.h = h, .row_order = RowOrder::up}).friction, FrictionModel::two_pass);
 }
 
-/// A wire that swings freely beside a ball on the floor, which rubs.
+/// A wire that swings freely beside a ball on the floor, which slides.
 World<3> wire_and_ball(Solver<3> solver) {
   World<3> world({.k = k, .friction = 0.5, .viscosity = infinity, .solver = std::move(solver)});
   world.add_plane(Vec3::UnitZ(), -5);
@@ -213,7 +213,7 @@ World<3> wire_and_ball(Solver<3> solver) {
 constexpr int load = 7, ball = 8;
 
 TEST(StiffSolver, LeavesTheOthersToItsInnerOne) {
-  // The ball is braked by μ g, as if it were alone, whatever limits its friction; the wire swings as if it were.
+  // The ball is braked by μ g, as if it were alone, with any friction limits; so does the wire swing.
   World<3> smooth = wire_and_ball(geometric_stiffness(direct<3>()));
   for (int step = 0; step < 10; ++step) smooth.step(h);
   for (const Solver<3>& solver :
@@ -229,7 +229,7 @@ TEST(StiffSolver, LeavesTheOthersToItsInnerOne) {
 }
 
 TEST(StiffSolver, ByItsNameIsEquationTwelveSix) {
-  // Step by step what stiff_solve makes of the wire's rows, with K from the impulses of the step before.
+  // Step by step the result of stiff_solve for the wire's rows, with K from the impulses of the step before.
   const int points = 3;
   World<3> world({.k = k, .solver = find_solver<3>("geometric_stiffness").make()});
   world.add_fixed(Vec3::Zero());
@@ -261,7 +261,7 @@ TEST(StiffSolver, ByItsNameIsEquationTwelveSix) {
 }
 
 TEST(Sweeps, EndWhereOnlyRoundingsChange) {
-  // One row that swings: the first sweep solves it, the second finds roundings. In any units, and as long as it may.
+  // A single row: the first sweep solves it, and the second finds round-off. In any units, with any number of sweeps.
   for (const double unit : {1.0, 0x1p40, 0x1p-40}) {
     World<3> world({.gravity = Vec3(0, 0, -g * unit), .solver_limits = {.max_sweeps = 1000}});
     world.add_fixed(Vec3::Zero());
@@ -275,7 +275,7 @@ TEST(Sweeps, EndWhereOnlyRoundingsChange) {
   }
 }
 
-/// Spheres in a stack that is a bit too high, so that they move.
+/// Spheres in a stack that is slightly too high, so that they move.
 World<3> stack(Solver<3> solver, bool warm = false) {
   World<3> world({.k = k, .solver = std::move(solver), .warm_start = warm, .solver_limits = {.max_sweeps = 3}});
   world.add_plane(Vec3::UnitZ(), 0);
@@ -283,7 +283,7 @@ World<3> stack(Solver<3> solver, bool warm = false) {
   return world;
 }
 
-/// Cubes of 1 m that exactly touch each other, `base` of them in the lowest row.
+/// Cubes of 1 m that touch exactly, `base` of them in the lowest row.
 World<6> pyramid(int base) {
   World<6> world({.friction = 0.6});
   world.add_plane(Vec3::UnitZ(), 0);
@@ -294,8 +294,9 @@ World<6> pyramid(int base) {
 }
 
 TEST(Default, SolvesASettlingPyramidInFewIterationsOfAStep) {
-  // Most contacts at the sides of the cubes carry nothing. Where they go through Newton's step as all others do, it fails,
-  // and each step takes some 25 factorisations of the interior-point method besides; left to the sweeps, four in all.
+  // Most contacts at the sides of the cubes carry nothing. If they take part in Newton's step as all others do, it
+  // fails, and each step takes some 25 factorisations of the interior-point method besides. Left to the sweeps they
+  // need four in all.
   World<6> world = pyramid(12);
   const int steps = 60;
   int iterations = 0;
@@ -317,7 +318,7 @@ TEST(CopiesOfAWorld, GoOnAlikeAndShareNothing) {
     World<3> first = stack(solver, true), alone = stack(solver, true);
     for (int step = 0; step < 5; ++step) first.step(h), alone.step(h);
     World<3> copy = first;
-    for (int step = 0; step < 5; ++step) first.step(h);  // what it draws must not be lost to the copy
+    for (int step = 0; step < 5; ++step) first.step(h);  // its random numbers must continue in the copy
     for (int step = 0; step < 5; ++step) copy.step(h), alone.step(h);
     for (int body = 1; body <= 6; ++body) {
       EXPECT_EQ(first.x(body), alone.x(body)) << body;
@@ -346,7 +347,7 @@ TEST(CopiesOfAWorld, WithoutWhatIsKeptForSpeedHaveTheSameBits) {
                  .q = Quat(Eigen::AngleAxisd(0.3 * n, Vec3(1, 2, 3).normalized())),
                  .principal = solid_box_moments(1, half),
                  .half_sides = half});
-    std::set<int> contacts;  // how many there were
+    std::set<int> contacts;  // the number before
     for (int step = 0; step < 150; ++step) {
       World<6> copy = world;
       copy.step(h);

@@ -26,7 +26,7 @@ struct TorsionPendulum {
   double angle() const { return world.joint_position(hinge); }
 };
 
-/// The position of a damped oscillator that is let go at 1, with k and c for each unit of inertia.
+/// The position of a damped oscillator that is released at 1, with k and c for each unit of inertia.
 double damped(double k, double c, double t) {
   const double decay = c / 2, frequency = std::sqrt(k - decay * decay);
   return std::exp(-decay * t) * (std::cos(frequency * t) + decay / frequency * std::sin(frequency * t));
@@ -58,7 +58,7 @@ TEST(Springs, TorsionPendulumKeepsPeriodAndDecayToSecondOrder) {
 }
 
 TEST(Springs, UndampedPendulumNeitherGainsNorLoses) {
-  // The discrete oscillator has the amplitude 1/cos(ωh/2) of one that was let go half a step before.
+  // The discrete oscillator has the amplitude 1/cos(ωh/2) of one that was released half a step before.
   for (const double h : {1.0 / 30, 1.0 / 60, 1.0 / 240}) {
     const double k = 10, omega = std::sqrt(k / inertia);
     TorsionPendulum pendulum({.stiffness = k, .rest = -1});
@@ -149,7 +149,7 @@ TEST(Springs, TwoBodiesSwingWithTheirReducedMass) {
 }
 
 TEST(Springs, HoldAnArmAgainstItsWeight) {
-  // A horizontal arm on a spring sags by m g l/k, with the spring's full turns counted.
+  // A horizontal arm on a spring sags by m g l/k, including the spring's full turns.
   const double length = 0.5, mass = 3;
   for (const double k : {100.0, 1e4, 1e8}) {
     World<6> world({});

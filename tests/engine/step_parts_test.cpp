@@ -1,4 +1,4 @@
-// Steps in parts: joints hold while bodies turn fast, or carry heavy loads, without a single setting.
+// Steps in parts: joints hold while bodies rotate fast, or carry heavy loads, with default settings.
 #include "engine/constraints/step_parts.hpp"
 
 #include <gtest/gtest.h>
@@ -103,8 +103,8 @@ TEST(StepParts, HoldAChainOfRigidLinks) {
 }
 
 TEST(StepParts, LetAGyroscopePrecess) {
-  // At Ω with m g r = (I_a ω - (I_t + m r² - I_a) Ω) Ω about a vertical axis of precession; the wheel's axis is level: the
-  // second term does not press. Ω = m g r/(I_a ω).
+  // About a vertical axis the wheel precesses at Ω with m g r = (I_a ω - (I_t + m r² - I_a) Ω) Ω. Its own axis is
+  // level, and the second term vanishes: Ω = m g r/(I_a ω).
   const double spin = 100, r = 0.3, axial = 0.02, across = 0.012;
   const double rate = g * r / (axial * spin);
   for (const double h : {1.0 / 60, 1.0 / 240, 1.0 / 1000}) {
@@ -132,7 +132,7 @@ TEST(StepParts, AreOneWhereNothingAsksForMore) {
     world.step(1.0 / 60);
     ASSERT_EQ(world.parts(), 1);
   }
-  // A given k is a spring that somebody chose, with the step that they chose for it.
+  // A given k is a deliberate spring, with the step that belongs to it.
   World<6> soft({.gravity = Vec3::Zero(), .k = 1e6});
   soft.add_fixed(Vec3::Zero());
   soft.add({.x = Vec3(1, 0, 0), .v = Vec3(0, 60, 0), .mass = 1, .radius = 0.1});
@@ -161,12 +161,12 @@ TEST(StepParts, CountAsOneStep) {
   for (int n = 0; n < 60; ++n) world.step(1.0 / 60);
   EXPECT_EQ(world.steps(), 60);
   EXPECT_NEAR(world.time(), 1, 1e-12);
-  // m v²/r, whatever the parts; each part knows it to α²/2.
+  // m v²/r, with any number of parts; each part has it to α²/2.
   EXPECT_NEAR(world.joint_force(0).norm(), 3600, 0.02 * 3600);
 }
 
 TEST(StepParts, LeaveWhatFallsBesideThemExact) {
-  // The first step finds the forces of joints, and must leave no trace of it in what no joint holds.
+  // The first step computes the forces of joints. It must leave no trace in bodies without joints.
   for (const bool shifted : {false, true}) {
     const double h = 1.0 / 64;
     World<6> world({});

@@ -1,4 +1,4 @@
-// Threads: what is found, built and solved does not depend on their number; and sweeps in stripes solve what sweeps do.
+// Threads: contacts, rows and solutions do not depend on their number, and sweeps in stripes solve as sweeps do.
 #include <gtest/gtest.h>
 
 #include "10_convergence/convergence.hpp"
@@ -13,8 +13,8 @@ namespace {
 
 constexpr double h = 1.0 / 120, side = 0.2, k = 1e4;
 
-/// Balls and boxes in a heap over a floor and between walls, in an order that has nothing to do with where they are; some
-/// are tied to others, far away.
+/// Balls and boxes in a heap over a floor and between walls, in an order unrelated to their places. Some are tied to
+/// others, far away.
 World<6> heap(const Solver<6>& solver, int threads, bool tied = true, int high = 12,
               const StopRule& stop = {.max_sweeps = 5}) {
   testing::Random random;  // the same in each call
@@ -70,7 +70,7 @@ TEST(Threads, ChangeNoBitWhateverTheirNumberAndTheSolver) {
     for (const int threads : {2, 3, 8}) others.push_back(heap(solver, threads));
     for (int n = 0; n < 12; ++n) {
       one.step(h);
-      ASSERT_GT(one.rows().size(), 3000U) << "too few to be shared among three";
+      ASSERT_GT(one.rows().size(), 3000U) << "too few for three threads";
       for (World<6>& other : others) {
         other.step(h);
         expect_same_bits(one, other,
@@ -83,7 +83,7 @@ TEST(Threads, ChangeNoBitWhateverTheirNumberAndTheSolver) {
 }
 
 TEST(Stripes, SolveWhatSweepsDo) {
-  // Σ > 0 makes the solution of a box of friction the only one. Both stop where a sweep changes 1e-7 m/s or less.
+  // Σ > 0 makes the solution of a box of friction unique. Both stop where a sweep changes 1e-7 m/s or less.
   const StopRule sharp{.max_sweeps = 100'000, .tolerance = 1e-7};
   for (const bool tied : {false, true}) {
     World<6> swept = heap(gauss_seidel<6>(), 1, tied, 5, sharp),
@@ -91,9 +91,9 @@ TEST(Stripes, SolveWhatSweepsDo) {
     swept.step(h);
     striped.step(h);
     EXPECT_TRUE(striped.solved().converged);
-    // Less than a hundred rows, those of its two bodies, may have changed what a row lacks since its last update.
-    EXPECT_LE(striped.report().residual, 100 * 1e-7) << "of every row, whichever stripe has it";
-    // What is left of a rate ρ is r ρ/(1 - ρ), (10.5): with as many sweeps as it took, 1e-7 of them at the most.
+    // Less than a hundred rows, those of its two bodies, may have changed a row's residual since its last update.
+    EXPECT_LE(striped.report().residual, 100 * 1e-7) << "of every row, in any stripe";
+    // The remaining error at a rate ρ is r ρ/(1 - ρ), (10.5): with as many sweeps as it took, 1e-7 of them at the most.
     const double bound = 1e-7 * static_cast<double>(swept.solved().history.size());
     EXPECT_LE(apart(swept, striped), bound);
   }

@@ -1,5 +1,5 @@
 #pragma once
-// What two worlds of the same bodies differ by.
+// The difference of two worlds with the same bodies.
 #include <cmath>
 
 #include "engine/world/world.hpp"

@@ -1,4 +1,4 @@
-// What rows begin with, and in which order they are swept.
+// The initial impulses of rows, and the order of their sweep.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -70,7 +70,8 @@ std::vector<Row<3>> numbered_rows(std::size_t contacts) {
 TEST(WarmStartCache, AreThoseOfMatchedContactsWhateverBecameOfThem) {
   testing::Random random;
   for (int round = 0; round < 2000; ++round) {
-    // Up to five pairs with up to four contacts each; then they creep, or jump, some change places, one is gone, or new.
+    // Up to five pairs with up to four contacts each. Then they creep, or jump, some change places, one is removed, or
+    // added.
     std::vector<Contact> before;
     const int pairs = random.integer(1, 5);
     for (int pair = 0; pair < pairs; ++pair)
@@ -124,21 +125,22 @@ TEST(WarmStartCache, FollowTheirContactsAndForgetTheRest) {
   const std::vector<Row<3>> rows = rows_with(1, {9, 1, 2, 3, 4, 5, 6});
   start.remember(rows, 1, {contact(0, 1, Vec3(1, 0, 0)), contact(0, 1, Vec3(-1, 0, 0))}, h);
 
-  // A joint more; the contacts in the other order, one of them moved; and one of another pair.
+  // One joint more; the contacts in the other order, one of them moved; and one of another pair.
   const std::vector<Contact> now = {contact(0, 1, Vec3(-1.1, 0, 0)), contact(0, 2, Vec3(1, 0, 0)),
                                     contact(0, 1, Vec3(1, 0, 0))};
   std::vector<Row<3>> next = rows_with(2, std::vector<double>(11, 0));
   EXPECT_EQ(start.impulses(next, 2, now, 2 * h), (std::vector<double>{18, 0, 8, 10, 12, 0, 0, 0, 2, 4, 6}))
       << "all twice, as h is";
 
-  // A contact whose tangents have turned by a quarter keeps its friction, not its numbers.
+  // A contact whose tangents have turned by a quarter keeps its friction as a vector, not its numbers.
   next[3].Gj = Vec3::UnitY();
   next[4].Gj = -Vec3::UnitX();
   EXPECT_EQ(start.impulses(next, 2, now, 2 * h), (std::vector<double>{18, 0, 8, 12, -10, 0, 0, 0, 2, 4, 6}));
 }
 
 TEST(RowOrder, OneSweepShowsWhichWayItWent) {
-  // From the ground up each sphere knows its own weight and what is below; from the top down nothing arrives yet.
+  // Swept from the ground up, each sphere gets its own weight and the impulse below; from the top down the loads have
+  // not arrived yet.
   const auto after_a_sweep = [](RowOrder order) {
     World<3> world = stack(3, {.solver = ordered_gauss_seidel<3>(order), .solver_limits = {.max_sweeps = 1}});
     world.step(h);
@@ -148,7 +150,7 @@ TEST(RowOrder, OneSweepShowsWhichWayItWent) {
   EXPECT_EQ(up, after_a_sweep(RowOrder::given)) << "a stack is listed from the ground up";
   EXPECT_GT(up[0], 0);
   EXPECT_NE(up, down);
-  EXPECT_GT(down[0], up[0]) << "what the upper contacts found presses on the lowest at once";
+  EXPECT_GT(down[0], up[0]) << "the impulses of the upper contacts act on the lowest at once";
 }
 
 TEST(RowOrder, RandomIsTheSameForTheSameSeed) {
@@ -168,7 +170,7 @@ TEST(RowOrder, InterleavedTakesTwoHalvesInTurn) {
   EXPECT_EQ(interleaved_order(6), (std::vector<int>{0, 3, 1, 4, 2, 5}));
   EXPECT_EQ(interleaved_order(7), (std::vector<int>{0, 4, 1, 5, 2, 6, 3}));
 
-  // In one sweep each sphere of a stack of four learns of those that came before it: the third only of what it weighs.
+  // In one sweep each sphere of a stack of four gets the impulses of those before it: the third only its own weight.
   const auto after_a_sweep = [](RowOrder order) {
     World<3> world = stack(4, {.solver = ordered_gauss_seidel<3>(order), .solver_limits = {.max_sweeps = 1}});
     world.step(h);
@@ -177,7 +179,7 @@ TEST(RowOrder, InterleavedTakesTwoHalvesInTurn) {
   const std::vector<double> given = after_a_sweep(RowOrder::given),
                             interleaved = after_a_sweep(RowOrder::interleaved);
   EXPECT_EQ(given[0], interleaved[0]) << "the lowest comes first in both";
-  EXPECT_LT(interleaved[2], given[2]) << "the third does not know of the second yet";
+  EXPECT_LT(interleaved[2], given[2]) << "the second has not acted on the third yet";
 }
 
 TEST(RowOrder, AllSolveTheSame) {

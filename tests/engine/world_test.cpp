@@ -1,4 +1,4 @@
-// What a world can be told and asked beside its steps: materials, wrenches, states, forces, starts.
+// The settings and queries of a world beside its steps: materials, wrenches, states, forces, starts.
 #include "engine/world/world.hpp"
 
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ TEST(Materials, OfTwoBodiesAreTheRulesOfTheHeader) {
   EXPECT_EQ(materials.of(1, 3).friction, 0.9) << "of the pair, in either order";
   EXPECT_EQ(materials.of(1, 3).k, 1e4) << "and for the rest of the bodies";
   materials.remove(0);
-  EXPECT_EQ(materials.of(0, 2).friction, 0.9) << "what was 1 and 3";
+  EXPECT_EQ(materials.of(0, 2).friction, 0.9) << "the former 1 and 3";
   EXPECT_EQ(materials.of(1, 0).friction, 0);
   expect_refusal({"friction", "-1"}, [&] { materials.set(0, {.friction = -1.0}); });
   expect_refusal({"restitution", "2"}, [&] { materials.set(0, {.restitution = 2.0}); });
@@ -61,7 +61,7 @@ TEST(Materials, DecideWhoSlidesWhoBouncesAndHowDeep) {
   EXPECT_NEAR(world.x(rough).x(), 1 / (2 * 0.5 * g), h) << "and a step of it";
   const double v = world.synchronized_velocity(bouncy, h).z();
   EXPECT_NEAR(world.x(bouncy).z() - 0.1 + v * v / (2 * g), 1 + g * h * h / 8, 1e-9)
-      << "1 m, and what a start with v = 0 half a step before is worth";
+      << "1 m, and the part of a start with v = 0 half a step before";
   EXPECT_NEAR(world.x(soft).z() - 0.1, -g / 1e3, 1e-9);
   EXPECT_NEAR(world.x(smooth).z() - 0.1, -g / 1e6, 1e-9);
 }
@@ -78,7 +78,7 @@ TEST(Wrench, SeesVelocityAndTime) {
     for (int n = 0; n < std::lround(1 / step); ++n) world.step(step);
     return std::abs(world.v(0).z() + g / 4 * (1 - std::exp(-4.0)));
   };
-  testing::expect_order("speed of what falls against drag", "", fallen, 0.05, 4, 1, 0.2);
+  testing::expect_order("speed of a fall with drag", "", fallen, 0.05, 4, 1, 0.2);
   World<3> pushed({.gravity = Vec3::Zero(),
                    .wrench = [](std::size_t, const Bodies<3>&, double t) { return Twist<3>(t, 0, 0); }});
   pushed.add({});
@@ -128,8 +128,7 @@ TEST(Bodies, AFixedBoxHoldsWhatLiesOnIt) {
   const int box = world.add({.x = q * Vec3(0, 0, 0.6), .q = q, .half_sides = Vec3(0.1, 0.1, 0.1)});
   const Vec3 start = world.x(box);
   step(world, 120);
-  EXPECT_LE((world.x(box) - start).norm(), 1e-4)
-      << "it sinks by its weight over k, and creeps no more than that";
+  EXPECT_LE((world.x(box) - start).norm(), 1e-4) << "it sinks by its weight over k, and creeps no further";
   EXPECT_EQ(world.contacts().size(), 4U);
   expect_refusal({"half side", "0"}, [&] { world.add_fixed_box(Vec3::Zero(), Vec3(1, 0, 1)); });
 }
@@ -170,7 +169,7 @@ TEST(Bodies, ArePlacedAndTurned) {
   expect_refusal({"q", "2"}, [&] { world.turn(body, Quat(2, 0, 0, 0), Vec3::Zero()); });
 }
 
-// What is held
+// Constraints
 
 TEST(Forces, OfJointsAndContactsCarryTheWeight) {
   World<6> world({});
@@ -190,8 +189,8 @@ TEST(Forces, OfJointsAndContactsCarryTheWeight) {
 
 // Starts
 
-/// Where a box of 1 m that hangs by the middle of a face is after a second, from an angle and 2 rad/s. Its joint takes up
-/// a part of the weight that is no part of it at rest: only so much of it turns the box.
+/// The position after a second of a box of 1 m that hangs by the middle of a face, from an angle and 2 rad/s. In motion
+/// its joint carries a part of the weight that it does not carry at rest, and only that part turns the box.
 Vec3 swung(double step, bool consistently) {
   World<6> world({.k = 1e12, .d = 0.25, .solver = direct<6>()});
   const int hook = world.add_fixed(Vec3::Zero());
@@ -217,9 +216,9 @@ TEST(Starts, AConsistentOneIsOfSecondOrderWithAConstraint) {
 }
 
 TEST(Starts, WhatSlipsIsBrakedFromTheStart) {
-  // A point with 3 m/s on a floor with μ = 0.5 stops after v²/(2μg), to the last step. The box comes short by half a step
-  // of its speed where friction is not in its start; on the cone the first step makes up for it, as its normal force has
-  // half of the weight's speed to take away.
+  // A point with 3 m/s on a floor with μ = 0.5 stops after v²/(2μg), to the last step. With the box it is short by half
+  // a step of its speed if friction is not in its start. On the cone the first step compensates, since its normal force
+  // stops half of the weight's speed.
   const auto stops = [](double step, bool consistently, FrictionModel model) {
     World<3> world({.friction = 0.5, .solver = automatic<3>(model)});
     world.add_plane(Vec3::UnitZ(), 0);
@@ -244,7 +243,7 @@ TEST(Starts, WhatRestsDoesNotMove) {
   world.add_plane(Vec3::UnitZ(), 0);
   const int ball = world.add({.x = Vec3(0, 0, 0.1), .radius = 0.1});
   world.start_consistently(h);
-  EXPECT_LE(world.v(ball).norm(), 1e-3 * g * h) << "Σ gives a little";
+  EXPECT_LE(world.v(ball).norm(), 1e-3 * g * h) << "Σ yields a little";
   EXPECT_LE(angular_velocity(world, ball).norm(), 1e-12);
   expect_refusal({"once"}, [&] { world.start_half_step_back(h); });
   expect_refusal({"once"}, [&] { world.start_consistently(h); });

@@ -1,11 +1,11 @@
 #pragma once
-// Numbers that the lessons work out by hand, or ask for, as the reference computes them. The program prints a line for
+// Numbers of the lessons' worked examples and predictions, computed by the reference. The program prints a line for
 // each, "group.name value"; compare_numbers.py reads them.
 #include <string>
 
 namespace spook::lessons {
 
-/// Prints one number to ten digits; what is 0 but for roundings as 0.
+/// Prints one number to ten digits; a number that is 0 up to round-off is printed as 0.
 void say(const std::string& name, double value);
 
 void worked_examples();

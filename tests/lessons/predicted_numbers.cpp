@@ -1,4 +1,4 @@
-// What the lessons ask their readers to predict, computed by the reference: see chapters/predictions.ini.
+// The numbers that the lessons ask their readers to predict, computed by the reference: see chapters/predictions.ini.
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ void leapfrog() {
         ball, [&](auto, const auto&) -> Vec3 { return -g * up; }, h);
   say("1.fall_without_start", std::abs(ball.x[0].z() / (-g * time * time / 2) - 1));
 
-  // The largest step of a spring, by bisection: beyond it the motion grows.
+  // The largest stable step of a spring, by bisection.
   const auto grows = [](double step) {
     Particles mass{.x = {up}, .v = {Vec3::Zero()}, .inverse_mass = {1}};
     for (int n = 0; n < 20'000; ++n)
@@ -82,7 +82,7 @@ Stack stack(int bodies) {
   return s;
 }
 
-/// Where two rows leave a point mass along z that each want elsewhere, with stiffnesses k1 and k2.
+/// The position at which two contradictory rows leave a point mass along z, with stiffnesses k1 and k2.
 double between(double want_1, double k1, double want_2, double k2) {
   const double h = 1.0 / 60;
   Motion<3> motion;
@@ -113,7 +113,7 @@ void many_contacts() {
   Stack s = stack(3);
   sweep(s.rows, s.V);
   say("4.top_after_one_sweep", s.rows[2].lambda);
-  // Wall 1 wants the ball at z >= 0, wall 2 at z <= -4 mm: its depth in wall 1, in millimetres.
+  // Wall 1 requires z >= 0, wall 2 z <= -4 mm: the ball's depth in wall 1, in millimetres.
   say("4.depth_in_wall_1", -1000 * between(0, 3e4, -0.004, 1e4));
   Stack down = stack(3);
   for (int sweeps = 0; sweeps < 2; ++sweeps) sweep_in_order({2, 1, 0}, down.rows, down.V);
@@ -123,7 +123,8 @@ void many_contacts() {
   say("10.sweeps_to_be_safe", sweeps);
 }
 
-/// How far a block slides at 45° to its tangents, with a box of friction or with a disc, for μg = 1 and v0 = 1.
+/// The distance of a block that slides at 45° to its tangents, with a box of friction or with a disc, for μg = 1 and v0
+/// = 1.
 double way_to_a_stop(bool box) {
   const double h = 1e-4;
   const Tangents t = tangents(up);
@@ -222,7 +223,7 @@ void mechanisms() {
   }
   say("13.flywheel", time);
 
-  // A bead that was pushed out along a rod, each of 1 kg or 1 kg m²: the row across the rod, solved in each step.
+  // A bead after a push out along a rod, each of 1 kg or 1 kg m²: the row across the rod, solved in each step.
   double turned = 0, omega = 5;
   Vec3 x = Vec3::Zero(), v(1, 0, 0);
   while (x.norm() < 1) {
@@ -238,7 +239,7 @@ void mechanisms() {
   say("13.slower", omega);
 }
 
-/// A block S of the rod of (9.8), and what it asks for.
+/// The block S of the rod of (9.8), and its right-hand side.
 int updates_of_the_rod(double mu) {
   const Mat3 S = (Mat3() << 1.6, -1.2, 0, -1.2, 3.4, 0, 0, 0, 4).finished();
   const Vec3 q(0.16, -3, 0);

@@ -1,4 +1,4 @@
-// The examples that the lessons work out with numbers, in the order in which each lesson shows them.
+// The lessons' examples with numbers, in the order of each lesson.
 #include <Eigen/Dense>
 #include <cmath>
 
@@ -91,7 +91,7 @@ void three_rows() {
   std::vector<Twist<3>> V(4, Twist<3>::Zero());
   for (int sweeps = 0; sweeps < 2; ++sweeps)
     for (Row<3>& row : rows) {
-      // In the order of the lesson's table: what the row lacks, its new λ, and the velocities of its two bodies.
+      // In the order of the lesson's table: the row's residual, its new λ, and the velocities of its two bodies.
       say("three_rows.lacks", row.B - row.Gi.dot(V[row.i]) - row.Gj.dot(V[row.j]));
       update_row(row, V);
       say("three_rows.lambda", row.lambda);
@@ -169,7 +169,7 @@ void boxes() {
   for (const Contact& contact : contacts) say_all(name + "contact", contact.r_i);
 }
 
-/// Chapter 13: a hinge that is a little open.
+/// Chapter 13: a hinge that is slightly open.
 void open_hinge() {
   const std::string name = "open_hinge.";
   const Quat turned(Eigen::AngleAxisd(1, Vec3::UnitZ())), opened(Eigen::AngleAxisd(0.02, Vec3::UnitX()));

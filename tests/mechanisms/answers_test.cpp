@@ -34,7 +34,7 @@ Numbers by_dormand_prince(const NaturalCoordinates& mechanism, double time, doub
 
 TEST(PublishedNumbers, PendulumFromHorizontal) {
   const double x = -0.27508746, y = -0.96141921, period = 2.367841947576;
-  // Starting at +x: published is the one that starts at -x.
+  // Starts at +x: the published pendulum starts at -x.
   const Numbers end = by_dormand_prince(pendulum(), 10, 1e-12);
   EXPECT_NEAR(std::abs(end[0]), std::abs(x), 1e-8) << "eight digits are published";
   EXPECT_NEAR(end[2], y, 1e-8);
@@ -58,20 +58,20 @@ TEST(PublishedNumbers, AndrewsSqueezer) {
                                    [](const State& y) { return projected(y); });
   for (int n = 0; n < 7; ++n) {
     EXPECT_NEAR(extrapolated.at(0.03)[n], end[n], 2e-11) << "two methods, angle " << n;
-    // The crank turns at 1140 rad/s then: what is published is late by 1e-12 s, more than the two methods differ.
+    // The crank turns at 1140 rad/s then. The published angles are late by 1e-12 s, more than the two methods differ.
     EXPECT_NEAR(end[n], published[n], 1140 * 1.5e-12) << "angle " << n;
   }
 }
 
 TEST(NaturalCoordinates, KeepEnergyAndWhatIsHeld) {
-  NaturalCoordinates rods;  // a double pendulum of rods, out of its plane
+  NaturalCoordinates rods;  // a double pendulum of rods, not in its plane of rest
   const auto origin = NaturalCoordinates::fixed(Vec3::Zero());
   const auto first = rods.add(Vec3::UnitX()), second = rods.add(Vec3(1, 1, 0), Vec3(0.5, 0, 1));
   rods.hold(first, origin, first, origin);
   rods.hold(second, first, second, first);
   rods.add_rod(origin, first, 1, down);
   rods.add_rod(first, second, 2, down);
-  // The velocities given are not all possible: only what is held counts.
+  // The given velocities need not satisfy the constraints: only the admissible part counts.
   const Numbers start = rods.projected(rods.start());
   const Numbers end = dormand_prince([&](const Numbers& y) { return rods.rate(y); }, start, 3, 1e-11,
                                      [&](const Numbers& y) { return rods.projected(y); });
@@ -81,7 +81,7 @@ TEST(NaturalCoordinates, KeepEnergyAndWhatIsHeld) {
 }
 
 TEST(NaturalCoordinates, ARodSwingsAsItsInertiaSays) {
-  // m l²/3 about its end: as a point at 2 l/3.
+  // m l²/3 about its end, as a point at 2 l/3.
   NaturalCoordinates one;
   const auto origin = NaturalCoordinates::fixed(Vec3::Zero());
   const auto end = one.add(Vec3::UnitX());
@@ -98,7 +98,7 @@ TEST(NaturalCoordinates, ExtrapolationAndDormandPrinceAgree) {
   EXPECT_LE((motion.at(3) - by_dormand_prince(point, 3, 1e-12)).cwiseAbs().maxCoeff(), 1e-10);
 }
 
-// A governor of a steady speed that is known, and of any other.
+// A governor with a known steady speed, and one with any other.
 
 const Governor watts{.l = 0.3, .M = 0.5, .J = 3.2e-4, .m = 1, .I0 = 0.011, .g = 9.81};
 
@@ -108,7 +108,7 @@ TEST(FlyballGovernor, ExtrapolationAndDormandPrinceAgree) {
   const auto rate = [&](const Governor::State& y) { return watts.rate(y, L); };
   ReferenceMotion<3> extrapolated(rate, start);
   const Numbers end = dormand_prince([&](const Numbers& y) -> Numbers { return rate(y); }, start, 2, 1e-13);
-  EXPECT_GT(std::abs(end[0] - start[0]), 0.01) << "it was meant to swing";
+  EXPECT_GT(std::abs(end[0] - start[0]), 0.01) << "the governor should swing";
   EXPECT_LE((extrapolated.at(2) - end).cwiseAbs().maxCoeff(), 1e-10);
   EXPECT_NEAR(watts.energy(end, L), watts.energy(start, L), 1e-11);
 }

@@ -14,8 +14,8 @@ namespace spook {
 
 using Numbers = Eigen::VectorXd;
 
-/// y at `time`, from `y` at 0. A step's error is at most `tolerance` in every number; `settle` is asked for what is held
-/// after each.
+/// Returns y at `time`, starting from `y` at 0. The error of a step is at most `tolerance` in every number. After each
+/// step `settle` projects y onto the constraints.
 inline Numbers dormand_prince(
     const std::function<Numbers(const Numbers&)>& rate, Numbers y, double time, double tolerance,
     const std::function<Numbers(const Numbers&)>& settle = [](const Numbers& now) { return now; }) {

@@ -11,7 +11,7 @@
 namespace spook {
 namespace {
 
-/// A scene by steps that are composed, so that what is left is no error of second order.
+/// A scene with composed steps, whose remaining error is not of second order.
 class Composed {
  public:
   Composed(const std::string& name, SceneSettings settings, double h) : h_(h) {
@@ -22,7 +22,7 @@ class Composed {
     scene_->observe();
   }
 
-  /// The error after `time`, and the energy that came or went, the largest so far.
+  /// The largest error and the largest change of energy until `time`.
   double error_after(double time) {
     const auto energy = [&] {
       const Energy now = scene_->frame().energy;
@@ -51,7 +51,8 @@ class Composed {
 TEST(Mechanisms, APendulumFromHorizontalIsWherePublishedAfterTenSeconds) {
   Composed run("pendulum", {{"model", "point"}, {"angle", "90"}, {"l", "1"}, {"g", "9.81"}}, 0.002);
   run.error_after(10);
-  // Eight digits are published; steps of 2 ms leave 2e-10 m in 4 s, published.cpp, and less than 2e-9 m in ten.
+  // Eight digits are published. By published.cpp, steps of 2 ms have an error of 2e-10 m in 4 s, and below 2e-9 m in
+  // ten.
   EXPECT_NEAR(std::abs(run.points().x(1).x()), 0.27508746, 1e-8);
   EXPECT_NEAR(run.points().x(1).z(), -0.96141921, 1e-8);
 }
@@ -67,34 +68,34 @@ TEST(Mechanisms, AndrewsSqueezerReachesThePublishedAngles) {
   const Angles wanted = of_bodies(published);
   for (int body = 1; body <= 7; ++body) {
     const Quat right(Eigen::AngleAxisd(wanted[body - 1], Vec3::UnitZ()));
-    // The published ones are right to 1.2e-9, answers_test.cpp; steps of 2e-5 s leave 1e-9.
+    // The published numbers are right to 1.2e-9, by answers_test.cpp; steps of 2e-5 s have an error of 1e-9.
     EXPECT_LE(orientation(run.world(), body).angularDistance(right), 3e-9) << "body " << body;
   }
-  EXPECT_NEAR(run.world().joints()[0].angle + start()[0], published[0], 3e-9) << "β, with its turns";
+  EXPECT_NEAR(run.world().joints()[0].angle + start()[0], published[0], 3e-9) << "β, with whole turns";
 }
 
 TEST(Mechanisms, BricardsKeepsItsEnergyForTenSeconds) {
   Composed run("bricard", {}, 0.01);
   EXPECT_LE(run.error_after(10), 2e-6);
   EXPECT_EQ(run.verdict().state, spook::State::sound) << run.verdict().reason;
-  EXPECT_LE(run.energy_change(), 1e-3) << "what the problem allows [J]; it is far less";
+  EXPECT_LE(run.energy_change(), 1e-3) << "the bound of the problem [J]; the actual change is far smaller";
 }
 
 TEST(Mechanisms, FourBarsPassPlacesWithTwoWaysOn) {
-  // Steps of 1/50 s leave 4e-6 in two seconds, by order four, and a share of 1e-6 of the energy: published.cpp. In five
-  // times as long the way is five times as long, and a cycle may be late by five times as much.
+  // By published.cpp, steps of 1/50 s of order four have an error of 4e-6 in two seconds, and change the energy by 1e-6
+  // of it. In five times the time the path is five times as long, and a cycle may be late by five times as much.
   for (const double loops : {2, 40}) {
     Composed run("four_bar", {{"loops", std::to_string(static_cast<int>(loops))}}, 0.02);
     EXPECT_LE(run.error_after(10), 25 * 4e-6) << loops;
     EXPECT_EQ(run.verdict().state, spook::State::sound) << run.verdict().reason;
     const double fall =
-        2 * 9.81 * ((loops + 1) / 2 + loops);  // of the weight, from upright to hanging down [J]
+        2 * 9.81 * ((loops + 1) / 2 + loops);  // of the weight, between upright and hanging down [J]
     EXPECT_LE(run.energy_change(), 2e-6 * fall) << loops;
   }
 }
 
 TEST(Mechanisms, AGovernorStaysWhereItTurnsSteadily) {
-  // cos 40° = (1 + sleeve/(2 m)) g/(l ω²). Of a governor that swings such steps leave 3e-11 m.
+  // cos 40° = (1 + sleeve/(2 m)) g/(l ω²). For a swinging governor such steps have an error of 3e-11 m.
   const double angle = 40 * std::acos(-1) / 180, spin = std::sqrt(2 * 9.81 / (0.3 * std::cos(angle)));
   std::ostringstream exact;
   exact << std::setprecision(17) << spin;

@@ -1,10 +1,10 @@
-// The program that holds a student's function: it answers calls, and knows no test.
+// The program with a student's function: it answers calls, and contains no tests.
 //
-//   descriptor 3   calls come, answers go: see channel.hpp
+//   descriptor 3   receives calls, sends answers: see channel.hpp
 //
-// For each test a process of its own answers. It begins before the student's constants are made: none of the student's
-// code ever runs in the process that counts its time, and says how it ended. It starts threads and no processes, so that
-// the limit of its memory is the limit of all that it does.
+// A process of its own answers for each test. It is forked before the student's constants are made, so none of the
+// student's code ever runs in the process that measures its time and reports its end. It may start threads, but no
+// processes, so the limit of its memory is the limit of everything it does.
 #include "answering.hpp"
 
 #include <linux/audit.h>
@@ -36,7 +36,7 @@ constexpr unsigned machine = AUDIT_ARCH_X86_64;
 constexpr unsigned machine = AUDIT_ARCH_AARCH64;
 #endif
 
-// Whoever writes what is no call is not the tests.
+// A sender of other data than a call is not the tests.
 constexpr int not_asked = 97;
 
 [[noreturn]] void answer_until_the_end() {
@@ -55,7 +55,7 @@ constexpr int not_asked = 97;
   _exit(0);
 }
 
-/// Has the kernel refuse new processes and programs, however it is called. Where it knows no filters, nothing changes.
+/// Makes the kernel refuse new processes and programs, by any call. Kernels without filters are unchanged.
 void start_no_process() {
 #if defined(__x86_64__) || defined(__aarch64__)
   constexpr auto load = [](std::size_t offset) -> sock_filter {
@@ -71,7 +71,7 @@ void start_no_process() {
       result(SECCOMP_RET_KILL_PROCESS),
       load(offsetof(seccomp_data, nr)),
 #ifdef __x86_64__
-      BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, 0x40000000, 0, 1),  // the same calls with pointers of 32 bits
+      BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, 0x40000000, 0, 1),  // the same calls with 32-bit pointers
       result(SECCOMP_RET_KILL_PROCESS),
       unless(SYS_fork),
       result(SECCOMP_RET_ERRNO | EPERM),
@@ -82,7 +82,7 @@ void start_no_process() {
       result(SECCOMP_RET_ERRNO | EPERM),
       unless(SYS_execveat),
       result(SECCOMP_RET_ERRNO | EPERM),
-      unless(SYS_clone3),  // clone3, whose flags a filter cannot see: the library then calls clone
+      unless(SYS_clone3),  // clone3, whose flags a filter cannot read: the library then calls clone
       result(SECCOMP_RET_ERRNO | ENOSYS),
       BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_clone, 0, 3),
       load(offsetof(seccomp_data, args)),
@@ -96,7 +96,7 @@ void start_no_process() {
 #endif
 }
 
-/// SIGKILL for a process that could not be made.
+/// SIGKILL if a process could not be made.
 Ending wait_for(pid_t process) {
   int status = SIGKILL;
   rusage used{};
@@ -107,13 +107,13 @@ Ending wait_for(pid_t process) {
   return {status, seconds(used.ru_utime) + seconds(used.ru_stime)};
 }
 
-/// Returns in the processes that answer, one for each test, and leaves when there are no more tests.
+/// Returns in the answering processes, one for each test, and exits when there are no more tests.
 void begin_each_test_apart() {
   try {
     for (;;) {
       const Message message = receive();
       if (message.kind == Kind::closed) _exit(0);
-      if (message.kind != Kind::begin) continue;  // meant for a process that has ended
+      if (message.kind != Kind::begin) continue;  // sent to a process that has ended
       send(Kind::begun);
       const pid_t process = fork();
       if (process == 0) return start_no_process();
@@ -127,7 +127,7 @@ void begin_each_test_apart() {
   }
 }
 
-// Before all that the program makes before its main.
+// Before everything that the program does before its main.
 __attribute__((constructor(101))) void begin_before_the_students_code() {
   begin_each_test_apart();
 }
@@ -154,12 +154,12 @@ ForceField force_of_the_tests() {
 
 }  // namespace spook::remote
 
-/// What a student's system("pause") is linked to, which keeps a window open on other systems.
+/// The replacement of a student's system("pause"), which keeps a window open on other systems.
 extern "C" int spook_no_system(const char*) {
   return 0;
 }
 
-/// Stands in for syscall(): std::latch and std::atomic wait by it, and nothing else gets through.
+/// Replaces syscall(): std::latch and std::atomic wait by it, and all other calls are refused.
 extern "C" long spook_only_futex(long number, ...) {
   if (number != SYS_futex) {
     errno = ENOSYS;

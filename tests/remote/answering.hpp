@@ -1,5 +1,5 @@
 #pragma once
-// The side of the student's function: takes a call out of a message, makes it, and sends back what came of it.
+// The side of the student's function: decodes a call, makes it, and sends back the result.
 #include <exception>
 #include <string>
 #include <tuple>
@@ -13,10 +13,10 @@
 
 namespace spook::remote {
 
-/// A force that is worked out on the side of the tests.
+/// A force that is computed on the side of the tests.
 ForceField force_of_the_tests();
 
-/// The whole answer to a call of `function`: the operations it took, what it changed, what it returned.
+/// The whole answer to a call of `function`: its operations, its changed arguments, its result.
 template <class Result, class... Arguments>
 Message answered(Result (*function)(Arguments...), Reader& reader) {
   std::tuple<std::remove_cvref_t<Arguments>...> values;
@@ -60,7 +60,7 @@ void give_changed(Writer& writer, T& value) {
   if constexpr (is_changed<Declared>) pass(writer, value);
 }
 
-/// The answer to the call of function `number` of the chapter: written by tools/remote.
+/// The answer to the call of function `number` of the chapter; written by tools/remote.
 Message answer_call(int number, Reader& reader);
 
 }  // namespace spook::remote

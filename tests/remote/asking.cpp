@@ -9,7 +9,7 @@ namespace spook::remote {
 
 namespace {
 
-/// What the student's function asks of the force that it was given.
+/// The student's function's calls of the force in its arguments.
 bool tell_force(const Message& question, const ForceField* force) {
   if (force == nullptr) throw Nonsense{};
   Reader reader(question.bytes);
@@ -31,7 +31,7 @@ bool tell_force(const Message& question, const ForceField* force) {
   return send(kind, bytes);
 }
 
-/// Takes the operations off the front of an answer.
+/// Removes the operations from the front of an answer.
 std::uint64_t take_operations(Message& answer) {
   std::uint64_t operations = 0;
   Reader reader(answer.bytes);

@@ -1,5 +1,5 @@
 #pragma once
-// The side of the tests: a function that is graded sends its arguments away, and takes what comes back for its answer.
+// The side of the tests: a graded function sends its arguments away, and returns the answer.
 #include <concepts>
 #include <functional>
 #include <string>
@@ -12,20 +12,20 @@
 
 namespace spook::remote {
 
-/// Returns what comes back for a call: a Returned or Threw, with the operations that it took taken off it, and added to
-/// testing::operations_elsewhere. Every force that is asked for meanwhile is told. Where the other
-/// side sends anything else, or has ended, this process says so to the grader, and ends.
+/// Returns the answer to a call: a Returned or Threw, without its operations, which are added to
+/// testing::operations_elsewhere. Calls of the force in the meantime are answered. If the other side sends anything
+/// else, or has ended, this process reports that to the grader, and ends.
 Message answer_to(const std::string& call, const ForceField* force);
 
 [[noreturn]] void end_for_nonsense();
 
-/// After a test: the only thing that may come unasked is that the other side has ended. Ends this process.
+/// Called after a test: an unexpected message can only say that the other side has ended. Ends this process.
 [[noreturn]] void take_what_has_arrived();
 
 template <class T>
 inline constexpr bool is_force = std::is_same_v<std::remove_cvref_t<T>, ForceField>;
 
-/// What a function may change: it comes back with the answer.
+/// The arguments that a function may change: they come back with the answer.
 template <class T>
 inline constexpr bool is_changed =
     std::is_lvalue_reference_v<T> && !std::is_const_v<std::remove_reference_t<T>>;
@@ -63,7 +63,7 @@ struct Asked<number, Result(Arguments...)> {
  private:
   template <class T>
   static void send_argument(Writer& writer, T& argument) {
-    // Writing changes nothing; a constant is passed by the same words as a variable.
+    // Writing changes nothing: constants and variables are written by the same code.
     if constexpr (!is_force<T>) pass(writer, const_cast<std::remove_const_t<T>&>(argument));
   }
 
@@ -78,7 +78,8 @@ struct Asked<number, Result(Arguments...)> {
   }
 };
 
-/// A function that does nothing: zeros, and nothing changed. A test that it passes shows nothing of an answer.
+/// A function that does nothing: it returns zeros and changes nothing. A test that it passes says nothing about an
+/// answer.
 template <class Function>
 struct Idle;
 
@@ -95,7 +96,7 @@ struct Idle<Result(Arguments...)> {
   }
 };
 
-/// One function of the chapter: the slot through which its callers jump, and what may stand in it.
+/// One function of the chapter: the slot through which its callers jump, and its possible targets.
 struct Graded {
   const char* exercise;
   void (**slot)();
@@ -103,7 +104,7 @@ struct Graded {
   void (*idle)();
 };
 
-/// Of the chapter, and how many: written by tools/remote.
+/// The functions of the chapter, and their number; written by tools/remote.
 extern const Graded graded_functions[];
 extern const int graded_count;
 

@@ -14,10 +14,10 @@ namespace spook::remote {
 
 namespace {
 
-// Length and kind, before each message.
+// Length and kind precede each message.
 constexpr std::size_t head_size = 5;
 
-// What has been read and not yet taken: most messages come whole, and cost one call of the system.
+// Bytes that were read and not yet used: most messages come whole, and cost one system call.
 std::array<char, 1 << 16> arrived;
 std::size_t taken = 0, filled = 0;
 

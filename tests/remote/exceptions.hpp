@@ -1,5 +1,5 @@
 #pragma once
-// An exception as a message, and thrown again on the other side: of the kinds that tests tell apart.
+// An exception as a message, thrown again on the other side. Its kind is one of those that tests distinguish.
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -11,13 +11,13 @@ namespace spook::remote {
 
 enum class Thrown : int { not_implemented, invalid_argument, bad_alloc, standard, unknown };
 
-/// Of a kind that is not told apart.
+/// An exception of another kind.
 struct Standard : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 struct Unknown {};
 
-/// What is being handled.
+/// The exception that is being handled.
 inline void describe_exception(Thrown& kind, std::string& text) {
   try {
     throw;

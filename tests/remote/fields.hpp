@@ -1,5 +1,5 @@
 #pragma once
-// The members of a plain struct, as a tuple of references: what is sent of a Row or a Contact, the struct itself tells.
+// The members of a plain struct, as a tuple of references: the struct itself determines how a Row or a Contact is sent.
 #include <cstddef>
 #include <tuple>
 #include <type_traits>
@@ -7,7 +7,7 @@
 
 namespace spook::remote {
 
-/// Stands for a value of whatever type is asked for; only ever named, never made.
+/// Represents a value of any type; only named, never made.
 struct Anything {
   template <class T>
   operator T() const;
@@ -20,7 +20,7 @@ constexpr bool takes(std::index_sequence<I...>) {
   };
 }
 
-/// The most values that T can be made of in braces, which is how many members it has.
+/// The largest number of values in braces that T accepts, which is its number of members.
 template <class T, std::size_t N = 12>
 constexpr std::size_t member_count() {
   if constexpr (N == 0 || takes<T>(std::make_index_sequence<N>{}))

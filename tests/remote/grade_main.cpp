@@ -1,9 +1,9 @@
-// The main of the tests when they grade. The student's function is in another process, which knows none of them: all
-// that it can do here is answer.
+// The main of the tests when they grade. The student's function is in another process without tests, and can only
+// answer.
 //
 //   grade_01_leapfrog --list       every test, a line each
-//   grade_01_leapfrog --idle kick  of the tests on its input, those that a function that does nothing passes
-//   grade_01_leapfrog kick         runs the tests that stand on its input, a line each; reports on descriptor 4
+//   grade_01_leapfrog --idle kick  the tests of its input that an empty function passes
+//   grade_01_leapfrog kick         runs the tests of its input, a line each; reports on descriptor 4
 //
 // Calls of the named exercise go over descriptor 3. Each test has a process of its own, on both sides.
 #include <gtest/gtest.h>
@@ -75,8 +75,8 @@ int list_tests() {
   _exit(0);
 }
 
-/// Brings the student's side to an end, and reports on it, unless the test has done so. After a test that has come to
-/// its end nobody has asked for another answer.
+/// Ends the student's side, and reports on it, unless the test has done so. After a test has ended, no further answer
+/// is expected.
 void end_partner(bool at_its_end) {
   send(Kind::end);
   for (;;) {
@@ -99,7 +99,7 @@ void run_apart(char* program, const std::string& test) {
   int status = 0;
   Message message = receive();
   while (message.kind != Kind::begun && message.kind != Kind::closed)
-    message = receive();  // what is left of an earlier test
+    message = receive();  // the rest of an earlier test
   if (message.kind == Kind::begun) {
     const pid_t process = fork();
     if (process == 0) run(program, test);
@@ -114,7 +114,7 @@ void run_apart(char* program, const std::string& test) {
   report({"done", std::to_string(status)});
 }
 
-/// The callers of this exercise's functions jump to what sends them away, or to what does nothing.
+/// The callers of this exercise's functions jump to code that sends the arguments away, or to an empty function.
 bool choose(std::string_view exercise, bool idle) {
   bool found = false;
   for (int k = 0; k < graded_count; ++k) {
@@ -156,7 +156,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   if (idle) return list_passing(argv[0]);
-  prctl(PR_SET_DUMPABLE, 0);  // no other process of this user may look into it
+  prctl(PR_SET_DUMPABLE, 0);  // no other process of this user may read it
   try {
     for (std::string test; std::getline(std::cin, test);) run_apart(argv[0], test);
   } catch (const Nonsense&) {

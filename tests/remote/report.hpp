@@ -1,10 +1,10 @@
 #pragma once
-// What the grader is told, on a descriptor that only the tests have: records of fields, each field ended by a NUL.
+// Reports to the grader, on a descriptor that only the tests have: records of fields, each field ended by a NUL.
 //
 //   verdict    GoogleTest's result, tests that ran, "skipped" or nothing, and each failure
-//   nonsense   what came back for a call was no answer
-//   partner    how the process of the student's function ended: its wait status, and its processor time [s]
-//   done       how the process of the test ended: its wait status; nothing more comes of this test
+//   nonsense   the answer to a call was invalid
+//   partner    the end of the student's process: its wait status, and its processor time [s]
+//   done       the end of the test's process: its wait status; the last record of this test
 #include <string>
 #include <vector>
 
@@ -13,11 +13,11 @@
 namespace spook::remote {
 
 inline constexpr int report_descriptor = 4;
-inline constexpr int partner_has_ended = 77;  ///< exit code of a test that has told so itself
+inline constexpr int partner_has_ended = 77;  ///< exit code of a test that has reported its own end
 
-inline constexpr int stream_is_lost = 78;  ///< of one to which came what is no message: nothing can follow it
+inline constexpr int stream_is_lost = 78;  ///< exit code after an invalid message: nothing can follow it
 
-/// One record, its length before it.
+/// One record, preceded by its length.
 void report(const std::vector<std::string>& fields);
 
 void report_ending(const Ending& ending);

@@ -1,6 +1,6 @@
 #pragma once
-// Values as bytes, to the last bit, and back. What is read comes from a program that may be hostile: every size is held
-// against what has arrived, and every index against its matrix, before anything is done with it.
+// Values as bytes, to the last bit, and back. The input comes from a program that may be hostile. So every size is
+// compared with the received bytes, and every index with its matrix, before it is used.
 #include <Eigen/SparseCholesky>
 #include <array>
 #include <cstdint>
@@ -17,7 +17,7 @@
 
 namespace spook::remote {
 
-/// What has arrived is no message of ours.
+/// The received bytes are not a valid message.
 struct Nonsense {};
 
 /// Appends values to a message.
@@ -33,7 +33,7 @@ class Writer {
   std::string& bytes_;
 };
 
-/// Takes values out of a message.
+/// Reads values from a message.
 class Reader {
  public:
   static constexpr bool reads = true;
@@ -76,7 +76,7 @@ inline constexpr bool is_pair<std::pair<A, B>> = true;
 template <class Wire, class T>
 void pass(Wire& wire, T& value);
 
-/// A size; when it is read, `bytes_each` at least must follow for each.
+/// A size. When it is read, at least `bytes_each` must follow for each element.
 template <class Wire>
 std::size_t pass_size(Wire& wire, std::size_t size, std::size_t bytes_each = 1) {
   std::uint64_t sent = size;
@@ -85,7 +85,7 @@ std::size_t pass_size(Wire& wire, std::size_t size, std::size_t bytes_each = 1) 
   return sent;
 }
 
-/// A bool is a byte of 0 or 1, whatever has arrived.
+/// A bool is a byte of 0 or 1, whatever was received.
 template <class Wire>
 void pass_bool(Wire& wire, bool& value) {
   unsigned char byte = value ? 1 : 0;
@@ -119,7 +119,7 @@ void pass_dense(Wire& wire, Matrix& value) {
   wire.raw(value.data(), static_cast<std::size_t>(value.size()) * sizeof(Scalar));
 }
 
-/// Compressed: how many rows and columns, where each column begins, and each entry's row and value.
+/// A compressed matrix: the numbers of rows and columns, the start of each column, and each entry's row and value.
 template <class Wire, class Scalar>
 void pass_sparse(Wire& wire, Eigen::SparseMatrix<Scalar>& value) {
   Eigen::Index rows = value.rows(), columns = value.cols();
@@ -169,7 +169,7 @@ void pass_permutation(Wire& wire, Permutation& value) {
   }
 }
 
-/// Eigen's factors have no public way in: a class that inherits from them may name what they protect.
+/// Eigen's factors cannot be set from outside: a derived class can access their protected members.
 struct OpenSolver : Eigen::SparseSolverBase<Eigen::SimplicialLDLT<SparseMatrix>> {
   static bool& is_initialised(Eigen::SimplicialLDLT<SparseMatrix>& f) {
     return f.*(&OpenSolver::m_isInitialized);
@@ -200,7 +200,7 @@ struct Open : Eigen::SimplicialLDLT<SparseMatrix> {
   }
 
  private:
-  /// Before there is anything all are empty; without an order of its own P is empty.
+  /// Factors are empty before the first factorisation. Without an order of its own P is empty.
   static bool sizes_are(Eigen::SimplicialLDLT<SparseMatrix>& f, Eigen::Index n) {
     const auto is = [n](Eigen::Index size) { return size == n || size == 0; };
     const bool used = f.*(&Open::m_factorizationIsOk);
@@ -211,7 +211,7 @@ struct Open : Eigen::SimplicialLDLT<SparseMatrix> {
   }
 };
 
-/// The library's generator is its words and how many of them are used up.
+/// The library's generator consists of its words and the number of used ones.
 template <class Wire>
 void pass_generator(Wire& wire, std::mt19937_64& generator) {
   constexpr std::size_t size = std::mt19937_64::state_size;

@@ -13,9 +13,9 @@ namespace spook::testing {
 namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr double share_gained = 0.1;  // of the energy that there is
+constexpr double share_gained = 0.1;  // of the present energy
 constexpr int steps = 120;
-constexpr double reach = 3;  // farthest from the origin, about [m]
+constexpr double reach = 3;  // largest distance from the origin, about [m]
 
 template <int Dof>
 Body<Dof> draw_body(Random& random, const Vec3& place, double room) {
@@ -42,7 +42,7 @@ Body<Dof> draw_body(Random& random, const Vec3& place, double room) {
   return body;
 }
 
-/// Between the points where it begins: nothing is pulled at the start.
+/// Between the points' initial positions: no joint is stretched at the start.
 template <int Dof>
 void join(World<Dof>& world, Random& random, int i, int j) {
   Joint joint{.i = i, .j = j};
@@ -61,7 +61,7 @@ template <int Dof>
 struct RandomScene {
   World<Dof> world;
   double h;
-  bool free;  ///< nothing is fixed
+  bool free;  ///< no body is static
 
   static RandomScene draw(Random& random) {
     Settings<Dof> settings;
@@ -76,7 +76,7 @@ struct RandomScene {
     const bool floor = random.integer(0, 2) > 0;
     if (floor) world.add_plane(Vec3::UnitZ(), 0);
 
-    // In cells of their own, side by side and above each other.
+    // Each body in a cell of its own, side by side and above each other.
     const int first = static_cast<int>(world.bodies().size()), bodies = random.integer(1, 8);
     for (int b = 0; b < bodies; ++b) {
       const Vec3 cell(b % 2, b / 2 % 2, b / 4);
@@ -133,7 +133,7 @@ class Watch {
     if (!(value <= allowed) && findings_.wrong[what].empty()) findings_.wrong[what] = text.str();
   }
 
-  /// λ within its bounds, and each body moved by what it says.
+  /// Checks that λ is within its bounds, and that the impulses explain the motion of each body.
   void look_at_rows() {
     const Bodies<Dof>& bodies = world().bodies();
     std::vector<Vec3> impulse(bodies.size(), Vec3::Zero());
@@ -152,7 +152,7 @@ class Watch {
       if (bodies.is_fixed(b)) continue;
       const Vec3 v = bodies.motion.W[b].template head<3>(), was = before_[b].template head<3>();
       const Vec3 kick = scene_.h * world().forces()[b] + impulse[b];
-      // Some rounding for each row, of what it adds; rows of a solve by factors were there before.
+      // Each row adds some round-off of its own contribution. Rows of a direct solve had a contribution before.
       const double scale =
           bodies.mass[b] * (v.norm() + was.norm()) + scene_.h * world().forces()[b].norm() + size[b];
       compare("solve", (bodies.mass[b] * (v - was) - kick).norm(), 1000 * epsilon * scale);
@@ -166,7 +166,7 @@ class Watch {
     if (!scene_.free) return;
     const Vec3 p = p0_ + mass_ * world().time() * world().settings().gravity;
     compare("momentum", (momentum(bodies) - p).norm(), 10 * epsilon * pushed_);
-    // Weight acts where a body is before its drift: at x_n, or where an impact that was found late has put it.
+    // Gravity acts at the position of a body before its drift: at x_n, or where a late impact has put it.
     for (std::size_t b = 0; b < bodies.size(); ++b) {
       const Vec3 x = bodies.x[b] - scene_.h * bodies.motion.W[b].template head<3>();
       L_ += scene_.h * x.cross(world().forces()[b]);
@@ -175,7 +175,7 @@ class Watch {
       compare("angular momentum", (angular_momentum(bodies) - L_).norm(), 10 * epsilon * reach * pushed_);
   }
 
-  /// Friction turns balls that do not turn, and a ball joint of points acts on two that are not quite one.
+  /// Friction turns balls whose rotation is fixed, and a ball joint acts on two points that do not quite coincide.
   bool keeps_angular_momentum() const {
     const auto is_ball_joint = [](const Joint& joint) { return !joint.length; };
     const std::vector<Joint>& joints = world().joints();
@@ -190,7 +190,7 @@ class Watch {
       const Vec3 way = scene_.h / 2 * (before_[b] + bodies.motion.W[b]).template head<3>();
       const Vec3 force = bodies.is_fixed(b) ? Vec3::Zero() : world().forces()[b];
       given_ += force.dot(way);
-      lift += force.norm() * 0.1;  // by as much as the smallest is wide
+      lift += force.norm() * 0.1;  // by the width of the smallest body
     }
     const double T = kinetic_energy(bodies);
     most_ = std::max(most_, T);
@@ -204,7 +204,7 @@ class Watch {
   Findings findings_;
   RunCheck<Dof> soundness_;
   std::vector<Twist<Dof>> before_;
-  Vec3 p0_, L_;  // what they should be
+  Vec3 p0_, L_;  // the right values
   double mass_ = 0, started_ = 0, given_ = 0, most_ = 0, pushed_ = 0;
 };
 

@@ -1,5 +1,5 @@
-// For long runs of random scenes: random_scenes FIRST COUNT runs those of COUNT seeds from FIRST, prints each that
-// something is wrong with, and at the end how often, and how near the others came. Exit code 1 if there was one.
+// Runs many random scenes: `random_scenes FIRST COUNT` runs those of COUNT seeds from FIRST. It prints each failure,
+// and at the end the number of failures and the largest values over their bounds. Exit code 1 if there is a failure.
 #include <cstdio>
 #include <cstdlib>
 
@@ -7,7 +7,7 @@
 
 int main(int argc, char** argv) {
   if (argc != 3) {
-    std::fprintf(stderr, "random_scenes FIRST COUNT: the first seed, and how many\n");
+    std::fprintf(stderr, "random_scenes FIRST COUNT: the first seed, and the number of seeds\n");
     return 2;
   }
   const std::uint64_t first = std::strtoull(argv[1], nullptr, 10), count = std::strtoull(argv[2], nullptr, 10);
@@ -26,7 +26,7 @@ int main(int argc, char** argv) {
   for (const auto& [what, n] : times)
     std::printf("%s: %llu\n", what.c_str(), static_cast<unsigned long long>(n));
   for (const auto& [what, most] : worst)
-    std::printf("the most of what is allowed, %s: %g, seed %llu\n", what.c_str(), most.first,
+    std::printf("the largest value over its bound, %s: %g, seed %llu\n", what.c_str(), most.first,
                 static_cast<unsigned long long>(most.second));
   return times.empty() ? 0 : 1;
 }

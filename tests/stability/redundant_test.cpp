@@ -1,4 +1,4 @@
-// More rows than there is to hold: a box on a hundred contacts, and a loop that cannot close.
+// Redundant rows: a box on a hundred contacts, and a loop that cannot close.
 #include <cmath>
 
 #include "stepping.hpp"
@@ -23,8 +23,9 @@ World<6> box_on_a_hundred(double k, int sweeps) {
 }
 
 TEST(FlatBox, OnAHundredContactsIsHeldByTheirSum) {
-  // At rest W = 0 and G V = h g, so a row lacks r = -a gap - Σ λ, and their mean is that of λ, h m g/100, and of r.
-  // So the depth is off by at most max|r|/a; and as the λ have no torque, a tilt over x by Σ r x/Σ x², over a.
+  // At rest W = 0 and G V = h g. So the residual of a row is r = -a gap - Σ λ, and the means of λ and r determine the
+  // mean depth, with h m g/100 for λ. So the depth has an error of at most max|r|/a. As the λ have no torque, a tilt
+  // over x has an error of Σ r x/Σ x², over a.
   const double h = 1.0 / 60, m = 2, u = std::ldexp(1, -55);
   double x_over_x2 = 0, x2 = 0;
   for (int i = 0; i < 10; ++i) {
@@ -41,22 +42,22 @@ TEST(FlatBox, OnAHundredContactsIsHeldByTheirSum) {
       EXPECT_GT(world.lambda(c), 0) << "contact " << c;
       sum += world.lambda(c);
     }
-    EXPECT_NEAR(sum / (h * m * g), 1, 1e-10) << "k " << k << ": what is left of the fall after 60 steps";
+    EXPECT_NEAR(sum / (h * m * g), 1, 1e-10) << "k " << k << ": the remaining velocity after 60 steps";
     const double lacks = world.report().residual / spook_parameters(h, k, 3).a;
     const double right = m * g / (100 * k), roundings = 10 * u + 1e-10 * right;
     EXPECT_NEAR(0.2 - world.x(1).z(), right, lacks + roundings) << "k " << k;
     const Vec3 up = orientation(world, 1) * Vec3::UnitZ();
     EXPECT_LE(up.head<2>().cwiseAbs().maxCoeff(), lacks * x_over_x2 + 10 * roundings) << "k " << k;
     if (k == 1e3) {
-      EXPECT_LE(lacks, 1e-6 * right) << "softness decides which solution there is, and 2000 sweeps find it";
+      EXPECT_LE(lacks, 1e-6 * right) << "softness selects a solution, and 2000 sweeps find it";
     }
   }
 }
 
 TEST(Loop, ThatCanNotCloseIsWhereItsSweepsSay) {
-  // Two rods of 1 m and 1.1 m from one anchor. E of Eq. (4.2) has one number other than 0, ρ, and at rest n sweeps
-  // from λ = 0 find two impulses whose sum is 0 where x is the mean with the weights below. As ρⁿ goes to 0 these are
-  // as k₁ to k₂; until then it is the last row that has its way.
+  // Two rods of 1 m and 1.1 m from one anchor. E of Eq. (4.2) has one nonzero eigenvalue, ρ. At rest n sweeps from λ =
+  // 0 give two impulses that sum to 0 where x is the mean with the weights below. As ρⁿ goes to 0 the weights go to k₁
+  // and k₂; before that the last row dominates.
   const double h = 1.0 / 60, l1 = 1, l2 = 1.1;
   for (const auto& [k1, k2] :
        {std::pair{1e2, 1e2}, {1e6, 2e6}, {1e6, 1e2}, {1e2, 1e6}, {1e9, 3e9}, {1e12, 1e12}})

@@ -28,10 +28,10 @@ TEST(Spin, BySplittingKeepsLAndSoBoundsTheEnergyForAnyStep) {
                           highest = std::max(highest, kinetic_energy(world.bodies()));
                         }),
                 steps);
-      const double roundings = 4 * steps * 2.2e-16;  // a few a step, that may all go one way
+      const double roundings = 4 * steps * 2.2e-16;  // a few a step, possibly all in one direction
       EXPECT_LE((angular_momentum(world.bodies()) - L).norm(), roundings * L.norm())
           << spin << " rad/s, h " << h;
-      // With |L| given the energy is that of a spin about an axis between the first and the third.
+      // For a given |L| the energy is that of a spin about an axis between the first and the third.
       EXPECT_GE(lowest, L.squaredNorm() / 6 * (1 - 2 * roundings));
       EXPECT_LE(highest, L.squaredNorm() / 2 * (1 + 2 * roundings));
     }

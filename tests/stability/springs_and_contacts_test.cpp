@@ -27,7 +27,8 @@ TEST(Spring, AsAForceHoldsBelowTwoOverOmega) {
       double farthest = 0;
       EXPECT_EQ(step_on(world, h, 2000, [&] { farthest = std::max(farthest, std::abs(world.x(0).x())); }),
                 2000);
-      // x_n = cos nθ. A rounding in v is a swing of its own, up to h/sin θ far; four of 2⁻⁵³ a step, all one way.
+      // x_n = cos nθ. Round-off in v is a swing of its own, with an amplitude of up to h/sin θ; four units of 2⁻⁵³ a
+      // step, all in one direction.
       const double roundings = 4 * 2000 * 1.2e-16 * turn / std::sqrt(1 - turn * turn / 4);
       EXPECT_LE(farthest, 1 + roundings / turn) << "k " << k << ", hω " << turn;
     }
@@ -43,8 +44,8 @@ TEST(Spring, AsAForceAboveItIsNumbersOrABlowup) {
 }
 
 TEST(Spring, AsADistanceHoldsForAnyStep) {
-  // Both roots of Eq. (3.14) are within the unit circle: what it began with is the farthest that it gets, for d >= 1/4
-  // without swinging out on the other side beyond that.
+  // Both roots of Eq. (3.14) are within the unit circle. For d >= 1/4 the initial amplitude is the largest, without a
+  // larger swing to the other side.
   for (const double k : {1.0, 1e2, 1e4, 1e8, 1e12})
     for (const double d : {0.25, 0.5, 3.0, 50.0})
       for (const double h : {1.0 / 1000, 1.0 / 30, 1.0}) {
@@ -60,8 +61,9 @@ TEST(Spring, AsADistanceHoldsForAnyStep) {
 }
 
 TEST(RestingContact, IsRightToTheRoundingsOfItsPlace) {
-  // See plots/stability/resting.cpp: with u between two numbers just below 0.5 m, a depth that is off by less than d
-  // u/2 moves nothing, and mg/k is no multiple of u. An impulse is off by as much as a u, where the ball still hops.
+  // See plots/stability/resting.cpp. Let u be the spacing of numbers just below 0.5 m. A depth error below d u/2
+  // changes nothing, and mg/k is not a multiple of u. While the ball still bounces, an impulse may be off by as much as
+  // u.
   const double u = std::ldexp(1, -54);
   for (const double k : {1e2, 1e4, 1e6, 1e9, 1e12})
     for (const double d : {0.25, 0.5, 3.0, 50.0})
@@ -69,16 +71,16 @@ TEST(RestingContact, IsRightToTheRoundingsOfItsPlace) {
         World<3> world({.gravity = Vec3(0, 0, -g), .k = k, .d = d});
         world.add_plane(Vec3::UnitZ(), 0);
         const int ball = world.add({.x = Vec3(0, 0, 0.5 - g / k), .radius = 0.5});
-        // Where it rests, but for a rounding: does it stay there?
+        // At rest, up to round-off: does it stay there?
         EXPECT_EQ(step_on(world, h, 2000), 2000);
-        const double off = (d / 2 + 1) * u + 8 * 1.2e-16 * g / k;  // the second of what is computed of g/k
+        const double off = (d / 2 + 1) * u + 8 * 1.2e-16 * g / k;  // the second of two results for g/k
         EXPECT_NEAR(0.5 - world.x(ball).z(), g / k, off) << "k " << k << ", d " << d << ", h " << h;
         ASSERT_EQ(world.contacts().size(), 1U);
         EXPECT_NEAR(world.lambda(0), h * g, spook_parameters(h, k, d).a * u + 8 * 1.2e-16 * h * g);
       }
 }
 
-/// Spheres of radius 0.5 m from the floor up, where they touch.
+/// Spheres of radius 0.5 m stacked from the floor, in contact.
 World<3> tower(const std::vector<double>& masses, double k, int sweeps) {
   World<3> world({.gravity = Vec3(0, 0, -g), .k = k, .solver_limits = {.max_sweeps = sweeps}});
   world.add_plane(Vec3::UnitZ(), 0);
@@ -88,7 +90,7 @@ World<3> tower(const std::vector<double>& masses, double k, int sweeps) {
 }
 
 TEST(Tower, OfTwoIsRightAfterTheSweepsOfItsRatio) {
-  // Too deep by (h N₂/(a m)) ρⁿ⁻¹ (1-ρ)/(1-ρⁿ), Eq. (4.10): solved for the n of 1 per cent of N/k.
+  // Too deep by (h N₂/(a m)) ρⁿ⁻¹ (1-ρ)/(1-ρⁿ), Eq. (4.10): solved for the n that gives 1 per cent of N/k.
   const double h = 1.0 / 60, k = 1e6, d = 3;
   for (const double ratio : {1e-3, 1.0, 1e2, 3e3}) {
     const double light = 1 / ratio, soft = light * spook_parameters(h, k, d).Sigma;
@@ -102,7 +104,7 @@ TEST(Tower, OfTwoIsRightAfterTheSweepsOfItsRatio) {
 }
 
 TEST(Tower, OfEqualsIsRightAfterSquaredSweeps) {
-  // The slowest error shrinks by cos²(π/(2n)) a sweep, and is the first divided by mΣ of the depth.
+  // The slowest error shrinks by cos²(π/(2n)) a sweep; its initial value is the first one divided by mΣ of the depth.
   const double h = 1.0 / 60, k = 1e8, d = 3;
   for (const int n : {2, 5, 20}) {
     const double slow = std::pow(3.14159 / (2 * n), 2);

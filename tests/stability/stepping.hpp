@@ -1,5 +1,5 @@
 #pragma once
-// Steps that may end in a SimulationDiverged, but never in a number that is none.
+// Steps that may end in a SimulationDiverged, but never in NaN or infinity.
 #include <gtest/gtest.h>
 
 #include "engine/world/world.hpp"
@@ -16,8 +16,8 @@ bool all_finite(const Bodies<Dof>& bodies) {
   return true;
 }
 
-/// Steps, and calls `see` after each, until all are done or one ends in a SimulationDiverged, which must name that step and a body.
-/// Returns how many were done. All bodies' numbers are finite after each of these.
+/// Makes steps, and calls `see` after each, until all are done or one throws a SimulationDiverged, which must name that
+/// step and a body. Returns the number of steps done. All bodies' numbers are finite after each.
 template <int Dof, class See>
 int step_on(World<Dof>& world, double h, int steps, const See& see) {
   for (int n = 1; n <= steps; ++n) {
@@ -33,7 +33,8 @@ int step_on(World<Dof>& world, double h, int steps, const See& see) {
       return n - 1;
     }
     if (!all_finite(world.bodies())) {
-      ADD_FAILURE() << "step " << n << " ended without a SimulationDiverged, but not in numbers";
+      ADD_FAILURE() << "step " << n
+                    << " ended without a SimulationDiverged, but with numbers that are not finite";
       return n;
     }
     see();

@@ -1,4 +1,4 @@
-// Wires: that swing below and above the step which their tension allows, and that hang with too few sweeps.
+// Wires that swing below and above the step limit of their tension, and wires that hang with too few sweeps.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -12,7 +12,7 @@ using testing::step_on;
 
 constexpr double g = 9.81;
 
-/// `links` links of 1 m in all along a direction, points of 1 kg, a load of `ratio` in place of the last.
+/// `links` links, 1 m in all, along a direction; points of 1 kg, the last of mass `ratio`.
 World<3> wire(int links, double ratio, const Vec3& along, double k, int sweeps) {
   World<3> world({.gravity = Vec3(0, 0, -g), .k = k, .solver_limits = {.max_sweeps = sweeps}});
   world.add_fixed(Vec3::Zero());
@@ -26,7 +26,7 @@ World<3> wire(int links, double ratio, const Vec3& along, double k, int sweeps) 
 constexpr double angle = std::numbers::pi / 6;
 const Vec3 aside(std::sin(angle), 0, -std::cos(angle));
 
-/// The largest of the angles between a link and the next.
+/// The largest angle between a link and the next.
 double bend(const World<3>& world) {
   double largest = 0;
   for (int point = 1; point + 1 < static_cast<int>(world.bodies().size()); ++point) {
@@ -42,8 +42,8 @@ double largest_step(int links, double ratio) {
 }
 
 TEST(SwingingWire, StaysStraightBelowTheStepOfItsTension) {
-  // Its own weight across bends it by m g sin θ/(M g cos θ) at a point; let go straight it trembles about that, to
-  // twice as much. Twice again for the links that do not tremble together.
+  // The transverse part of its own weight bends it by m g sin θ/(M g cos θ) at a point. Released straight it oscillates
+  // about that, up to twice as far. Another factor of two is for links that do not oscillate together.
   for (const auto& [links, ratio] : {std::pair{5, 100.0}, {10, 30.0}, {10, 100.0}}) {
     const int sweeps = static_cast<int>((links - 1) * ratio * std::log(1e7));  // Eq. (6.12)
     World<3> world = wire(links, ratio, aside, 1e12, sweeps);
@@ -52,7 +52,7 @@ TEST(SwingingWire, StaysStraightBelowTheStepOfItsTension) {
     double largest = 0;
     EXPECT_EQ(step_on(world, h, steps, [&] { largest = std::max(largest, bend(world)); }), steps);
     EXPECT_LE(largest, 4 * std::tan(angle) / ratio) << links << " links, " << ratio << ":1";
-    EXPECT_LE(world.x(links).x(), -0.3) << "it was meant to swing across";
+    EXPECT_LE(world.x(links).x(), -0.3) << "the wire should swing across";
   }
 }
 
@@ -65,8 +65,8 @@ TEST(SwingingWire, AboveItIsStillNumbersOrABlowup) {
 }
 
 TEST(HangingWire, IsNoLongerThanItsSweepsMakeIt) {
-  // n sweeps make each link but the last a spring of k' = 4 n m/(h² (1+4d)) or stiffer, and its end swings to at most
-  // twice Σ T/k'. A solver that does more in a sweep does better.
+  // n sweeps make each link except the last a spring of k' = 4 n m/(h² (1+4d)) or stiffer, and its end swings to at
+  // most twice Σ T/k'. A solver that does more in a sweep does better.
   struct Case {
     int links, sweeps;
     double ratio, h;
@@ -77,7 +77,7 @@ TEST(HangingWire, IsNoLongerThanItsSweepsMakeIt) {
     World<3> world = wire(c.links, c.ratio, -Vec3::UnitZ(), 1e15, c.sweeps);
     const double tensions = (c.links - 1) * (c.ratio + c.links / 2.0) * g;
     const double law = tensions * c.h * c.h * (1 + 4 * d) / (4 * c.sweeps);
-    ASSERT_LT(law, 0.5) << "beyond what is promised";
+    ASSERT_LT(law, 0.5) << "beyond the bound";
     const int steps = std::min(1000, static_cast<int>(5 / c.h));
     double longest = 0, shortest = infinity;
     EXPECT_EQ(step_on(world, c.h, steps,

@@ -54,7 +54,7 @@ int digits_apart(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   return digits_until_they_differ(a, b);
 }
 
-// Breaks text into lines of at most 78 letters, each after two spaces. A byte of 10xxxxxx goes on with a letter.
+// Breaks text into lines of at most 78 letters, each after two spaces. A byte of 10xxxxxx continues a letter.
 static std::string wrapped(const std::string& text) {
   std::istringstream words(text);
   std::string out, word;
@@ -156,7 +156,7 @@ void expect_order(const std::string& what, const std::string& equation,
                      observed, clues, [](double a, double b) { return std::abs(a - b); }, 0.25, otherwise));
 }
 
-// Whether the text has the name as a word of its own: the d of "and" does not count.
+// Returns true if the text has the name as a word of its own: the d of "and" does not count.
 static bool names(const std::string& text, const std::string& name) {
   const auto is_letter = [&](std::size_t k) {
     return k < text.size() && (std::isalnum(static_cast<unsigned char>(text[k])) || text[k] == '_');
@@ -178,9 +178,8 @@ void expect_rejects(const std::string& what, const std::string& parameter, const
     const std::string text = error.what();
     if (names(text, parameter)) {
       if (state && state() != before)
-        report_failure(
-            what + ": refused, but not before something was changed", "", "",
-            "What is refused leaves everything as it was: look at " + parameter + " before anything else.");
+        report_failure(what + ": refused, but not before something was changed", "", "",
+                       "A call that is refused must change nothing: check " + parameter + " first.");
       return;
     }
     got = "std::invalid_argument that does not name it: " + text;

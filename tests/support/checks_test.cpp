@@ -1,4 +1,4 @@
-// What a failed check prints: two numbers that differ look different, in as few digits as it takes.
+// The texts of failed checks: two different numbers look different, in as few digits as possible.
 #include "checks.hpp"
 
 #include <gtest/gtest-spi.h>

@@ -11,8 +11,8 @@ namespace spook::testing {
 
 namespace {
 
-// 2^60 is about 1e18: far enough that no threshold that anyone would write lies beyond, and near enough that the fourth
-// power of a volume is still a number.
+// 2^60 is about 1e18: far enough to exceed every plausible threshold, and near enough that the fourth power of a volume
+// is still a finite number.
 const UnitSystem systems[] = {
     {-60, 0, 0, "masses counted in 2^60 kg, a million billion tonnes"},
     {60, 0, 0, "masses counted in 2^-60 kg, about a femtogram"},
@@ -22,21 +22,20 @@ const UnitSystem systems[] = {
     {0, 0, 60, "times counted in 2^-60 s, about an attosecond"},
 };
 
-// Powers of two change no digit. The room is for answers on the way to which a logarithm is taken, or a power.
+// Powers of two change no digit. The tolerance is for functions that use a logarithm or a power.
 constexpr double room = 1e-12;
 
 const char* const clue =
-    "Only the units were changed, so the answer may not change, either. Is a number compared with one that has "
-    "no "
+    "Only the units were changed, so the result must not change. Is a number compared with one that has no "
     "unit, an absolute threshold such as `if (x < 1e-9)`? What is small in one unit is large in another. "
-    "Compare "
-    "with something of the same unit, or do without. Else: is something added to what has another unit?";
+    "Compare with something of the same unit, or do without. Else: is something added to what has another "
+    "unit?";
 
 bool same_bits(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (std::isnan(a) && std::isnan(b));
 }
 
-// The largest number of the same unit: what a difference is measured by.
+// The largest number of the same unit, which is the scale of a difference.
 double size_of(const Outcome& outcome, const Unit& unit) {
   double largest = 0;
   for (std::size_t k = 0; k < outcome.numbers.size(); ++k)
@@ -49,7 +48,7 @@ std::string quantity(double value, const Unit& unit, int digits) {
   return show(value, digits) + (unit == Unit{} ? "" : " " + show(unit));
 }
 
-// The lines that say what differs; empty if nothing does.
+// The lines that describe a difference; empty if there is none.
 std::string difference(const Outcome& got, const Outcome& expected) {
   if (!got.thrown.empty()) return "  expected  no exception\n  got       one that says: " + got.thrown + "\n";
   if (got.counts != expected.counts || got.units != expected.units) {
@@ -113,28 +112,26 @@ bool same_bits(const Outcome& a, const Outcome& b) {
 bool compare_calls(const std::string& equation, const std::function<Outcome(const UnitSystem&)>& call) {
   const Outcome first = call({});
   if (!first.thrown.empty()) {
-    report_failure("a call with numbers that nothing is wrong with", equation,
+    report_failure("a call with valid numbers", equation,
                    "  expected  no exception\n  got       one that says: " + first.thrown + "\n", "");
     return false;
   }
   if (!first.inputs_stayed) {
     this_failure_explains();
-    report_failure(
-        "what is given, after the call", equation,
-        "  expected  the same as before\n  got       something else\n",
-        "An input was changed. It is const, or a part that is given, such as a mass: whoever asks still "
-        "needs it. Work on a copy.");
+    report_failure("the inputs, after the call", equation,
+                   "  expected  the same as before\n  got       something else\n",
+                   "An input was changed. It is const, or a fixed part such as a mass, and the caller still "
+                   "needs it. Work on a copy.");
     return false;
   }
   for (const UnitSystem& system : systems) {
     const Outcome other = call(system);
     if (!same_bits(call({}), first) || !same_bits(call(system), other)) {
       this_failure_explains();
-      report_failure(
-          "the same call again, after others", equation,
-          "  expected  the same to the last digit\n  got       something else\n",
-          "Something lives on from one call to the next: a static or a global variable, or one that never "
-          "got a value? All that counts is in the arguments.");
+      report_failure("the same call again, after others", equation,
+                     "  expected  the same to the last digit\n  got       something else\n",
+                     "A value is kept from one call to the next: is there a static or a global variable, or "
+                     "one that never got a value? The result must depend on the arguments only.");
       return false;
     }
     const std::string differs = difference(other, first);
@@ -159,12 +156,11 @@ bool nans_are_kept(const std::string& equation, const std::function<Outcome(Repl
     const bool is_no = lost.counts != first.counts || lost.numbers.size() != first.numbers.size();
     if (is_one || is_no || !lost.thrown.empty()) continue;
     const std::string was = quantity(not_a_number.was(), not_a_number.unit(), 3);
-    report_failure(
-        "what is computed with a NaN in place of " + was + " in " + not_a_number.place(), equation,
-        "  expected  a NaN\n  got       numbers\n",
-        "A NaN went in and none came out. Every comparison with a NaN is false, and std::max(x, NaN) is x: "
-        "see NUMBERS.md. Eigen's ldlt() solves with 0 for a pivot that is NaN; inverse() keeps the NaN. "
-        "A broken simulation must not go on in silence.");
+    report_failure("the result with a NaN in place of " + was + " in " + not_a_number.place(), equation,
+                   "  expected  a NaN\n  got       numbers\n",
+                   "The NaN was lost. Every comparison with a NaN is false, and std::max(x, NaN) is x: see "
+                   "NUMBERS.md. Eigen's ldlt() solves with 0 for a pivot that is NaN; inverse() keeps the NaN. "
+                   "A broken simulation must not continue unnoticed.");
     return false;
   }
   return true;

@@ -13,7 +13,7 @@ namespace {
 
 enum State { at_lo, free_row, at_hi };
 
-// λ with the free rows solved and the others at their bounds; false when it is not the solution.
+// Solves for the free rows with the others at their bounds. Returns false if the result is not the solution.
 bool solves(const Bounded& problem, const std::vector<State>& states, VectorXd& lambda) {
   const auto n = problem.B.size();
   MatrixXd A = MatrixXd::Identity(n, n);

@@ -42,10 +42,10 @@ inline void run_exercise(const char* suite, void (*body)()) {
     // A test of one exercise may use another; only its own stub means "not started".
     GTEST_SKIP() << stub.what();
   } catch (const std::bad_alloc&) {
-    report_failure(
-        "this test's call", "", "  expected  an answer\n  got       std::bad_alloc: there is no more memory\n",
-        "Does a list grow without end? Or is a size, such as a number of cells, worked out wrongly, so that it "
-        "is very large or negative?");
+    report_failure("this test's call", "",
+                   "  expected  an answer\n  got       std::bad_alloc: there is no more memory\n",
+                   "Does a list grow without end? Or is a size, such as a number of cells, computed wrongly, "
+                   "so that it is very large or negative?");
   } catch (const std::exception& error) {
     report_failure("this test's call", "",
                    "  expected  no exception\n  got       one that says: " + std::string(error.what()) + "\n",

@@ -28,7 +28,7 @@ class Random {
   /// Draws from [lo, hi).
   double uniform(double lo, double hi) { return unit() * (hi - lo) + lo; }
 
-  /// Draws from lo to hi, both included; as often each, to 2⁻³² and less.
+  /// Draws from lo to hi, both included; all equally often, within 2⁻³².
   int integer(int lo, int hi) {
     const double numbers = static_cast<double>(hi) - lo + 1;
     return static_cast<int>(lo + std::floor(unit() * numbers));

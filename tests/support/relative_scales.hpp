@@ -12,9 +12,8 @@ namespace spook::testing {
 inline constexpr double relative_scales[] = {1e-1, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13};
 
 inline const std::string small_is_dropped =
-    "Has something been left out because it is small beside something else, as in `if (x < 1e-6 * y)`? It is "
-    "small, "
-    "and it counts: there is no size below which the rule is another.";
+    "Is a small term left out because another one is large, as in `if (x < 1e-6 * y)`? It is small, and it "
+    "counts: there is no size below which the rule changes.";
 
 /// Returns vectors with one coefficient of 1, along each axis in turn, and two small ones.
 inline std::array<Vec3, 3> lopsided(double part) {
@@ -32,7 +31,7 @@ void expect_each_near(const std::string& what, const std::string& equation, cons
     const double wanted = expected.data()[k];
     expect_near(what + ", coefficient (" + place + ") of " + show(Eigen::MatrixXd(expected)), equation,
                 got.data()[k], wanted, roundings(count, wanted),
-                {{0, "It has been taken for zero. " + small_is_dropped}}, small_is_dropped);
+                {{0, "It was treated as 0. " + small_is_dropped}}, small_is_dropped);
   }
 }
 

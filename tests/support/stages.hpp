@@ -11,7 +11,7 @@ struct Stages {
   bool moves_before = false;           ///< moves the bodies, and then makes rows of old contacts
   bool kicks_before = false;           ///< kicks the bodies before the rows are made, and again when they move
   bool forgets_forces = false;         ///< W_f = 0
-  bool forgets_V = false;              ///< solves, and adds nothing
+  bool forgets_V = false;              ///< solves, and does not add V
   bool adds_linear_part_only = false;  ///< of V
   bool one_by_one = false;             ///< a system of one row for each, from the same velocities
   int max_sweeps = 0;                  ///< in place of the simulation's; 0: its own
@@ -181,16 +181,16 @@ inline std::vector<Mistake> mistakes_of(const Simulation& all, const std::vector
 /// The mistakes of stages that chapters 04 to 06 have in common.
 inline std::vector<std::pair<Stages, std::string>> mistakes_in_order() {
   return {
-      {{.forgets_V = true}, "The rows do nothing: is V added to the velocities before the bodies move?"},
+      {{.forgets_V = true}, "The rows have no effect: is V added to the velocities before the bodies move?"},
       {{.moves_before = true},
-       "The bodies move before the rows are made: gaps and velocities are those of before the move."},
+       "The bodies move before the rows are made: gaps and velocities are those before the move."},
       {{.kicks_before = true},
        "Gravity counts twice: the bodies are kicked before the rows are made, and step_free kicks them again."},
       {{.forgets_forces = true},
-       "W_f is missing: the rows do not know what the forces of this step will add. motion_of has it."},
+       "W_f is missing: the rows need the effect of this step's forces. motion_of has it."},
       {{.adds_linear_part_only = true}, "V has an angular part, too: it changes ω."},
       {{.one_by_one = true},
-       "Each row is solved for itself, as if there were no others: put all into one list, and solve that."}};
+       "Each row is solved for itself, without the others: put all into one list, and solve that."}};
 }
 
 }  // namespace spook::testing

@@ -39,7 +39,7 @@ bool expect_as_said(const std::string& equation, const Case& c, const std::vecto
       "  expected  " + entries(c.entries) + state(c.converged) + "\n  got       " +
           entries(got.history.size()) + state(got.converged) +
           (right ? "; but other entries than without a tolerance" : "") + "\n",
-      right ? "The tolerance says when to stop, and changes nothing before." : c.clue);
+      right ? "The tolerance only decides when to stop: it must not change earlier entries." : c.clue);
   return false;
 }
 
@@ -49,7 +49,7 @@ bool expect_stops_by_the_rule(const std::string& equation, int entries, const So
   const std::vector<double> all = solve({.max_sweeps = entries, .tolerance = 0}).history;
   expect_true("of " + std::to_string(entries) +
                   " entries without a tolerance there are at least three: " + std::to_string(all.size()),
-              equation, all.size() >= 3, "One entry a sweep.");
+              equation, all.size() >= 3, "Append one entry a sweep.");
   if (all.size() < 3) return false;
   double lowest = infinity;
   for (std::size_t k = 0; k < all.size(); ++k) {
@@ -57,26 +57,23 @@ bool expect_stops_by_the_rule(const std::string& equation, int entries, const So
     lowest = all[k];
     const int last = static_cast<int>(k) + 1;
     const auto as_said = [&](const Case& c) { return expect_as_said(equation, c, all, solve(c.stop)); };
-    if (!as_said(
-            {{.max_sweeps = 10 * entries, .tolerance = lowest},
-             k + 1,
-             true,
-             "It stops at the first entry that is at most the tolerance, equal to it as well. The tolerance is "
-             "in m/s, as the entries are: not a part of the first, and no square. The entry that is good "
-             "enough "
-             "is one of the history."}))
+    if (!as_said({{.max_sweeps = 10 * entries, .tolerance = lowest},
+                  k + 1,
+                  true,
+                  "Stop at the first entry that is at most the tolerance, equal to it as well. The tolerance "
+                  "is in m/s, as the entries are: not a part of the first, and no square. The history includes "
+                  "the entry that meets it."}))
       return false;
     if (!as_said({{.max_sweeps = last, .tolerance = lowest},
                   k + 1,
                   true,
-                  "The last sweep that is allowed was good enough: `converged` is whether the tolerance was "
-                  "met, not "
-                  "whether there were sweeps left."}))
+                  "The last allowed sweep met the tolerance: `converged` says whether the tolerance was met, "
+                  "not whether sweeps were left."}))
       return false;
     if (k > 0 && !as_said({{.max_sweeps = last - 1, .tolerance = lowest},
                            k,
                            false,
-                           "There were only max_sweeps, and none was good enough: it has not converged."}))
+                           "Only max_sweeps were allowed, and none met the tolerance: it has not converged."}))
       return false;
   }
   return true;
@@ -103,8 +100,8 @@ bool expect_goes_on_when_one_returns_more(const std::string& equation, const std
           " m/s after " + show(by_hand[more - 1]) + " m/s",
       equation,
       "  expected  " + std::to_string(by_hand.size()) + "\n  got       " + std::to_string(got.size()) + "\n",
-      ended_there ? "It ended where a sweep returned more than the one before. Where rows reach bounds, or "
-                    "leave them, that is no sign of trouble: only the tolerance and max_sweeps end it."
+      ended_there ? "It ended where a sweep returned more than the one before. Rows that reach bounds, or "
+                    "leave them, may cause this: only the tolerance and max_sweeps end it."
                   : "Only the tolerance and max_sweeps end it.");
   return false;
 }

@@ -1,4 +1,4 @@
-"""A browser that tests drive: Debian's Chromium, without a window, drawing in software."""
+"""A browser for tests: Debian's Chromium, headless, with software rendering."""
 
 import io
 import tempfile
@@ -27,7 +27,7 @@ def browser_for_book(case: type[unittest.TestCase]) -> Path:
 
 
 class Browser:
-    """Skips the test where there is none."""
+    """Skips the test if there is no browser."""
 
     def __init__(self):
         missing = [need.package for need in (*VIEW_NEEDS, *BROWSER_NEEDS) if not need.there()]
@@ -48,7 +48,7 @@ class Browser:
         self.driver.execute_cdp_cmd(what, parameters)
 
     def open(self, page: Path | str, plays: bool = False) -> None:
-        """Opens a page and waits until it is ready; a film stands at its start unless it `plays`."""
+        """Opens a page and waits until it is ready; a film waits at its start unless it `plays`."""
         self.driver.get(page if isinstance(page, str) else page.as_uri())
         self.wait("return Boolean(window.viewer && viewer.ready)")
         if not plays:
@@ -66,15 +66,15 @@ class Browser:
             time.sleep(0.05)
 
     def drawn(self) -> None:
-        """Waits until what was set is in the picture."""
+        """Waits until the settings are visible in the picture."""
         self.wait("return !viewer.stale")
 
     def messages(self) -> list[str]:
-        """Warnings and errors in the console since the last call."""
+        """Returns warnings and errors in the console since the last call."""
         return [entry["message"] for entry in self.driver.get_log("browser") if entry["level"] in ("SEVERE", "WARNING")]
 
     def pixels(self):
-        """The picture, as rows of pixels of red, green and blue from 0 to 1."""
+        """Returns the picture, as rows of pixels of red, green and blue from 0 to 1."""
         import matplotlib.image
         self.drawn()
         left, top, width, height = self.run(
@@ -85,7 +85,7 @@ class Browser:
 
     def drag(self, element, start: tuple[float, float], by: tuple[float, float], hold=lambda: None,
              shift: bool = False) -> None:
-        """From a place in the element, by so many pixels; `hold` is called before the button is let go."""
+        """Drags from a place in the element, by so many pixels; `hold` is called before the button is released."""
         from selenium.webdriver.common.action_chains import ActionChains
         from selenium.webdriver.common.keys import Keys
         box = element.rect

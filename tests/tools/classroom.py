@@ -1,4 +1,4 @@
-"""Submissions for the tests of the grader, and the grader, run as an instructor runs it."""
+"""Submissions for the tests of the grader, and calls of the grader as an instructor makes them."""
 
 import contextlib
 import fcntl
@@ -23,7 +23,7 @@ _CALL = re.compile(r"^(?:Vec3|void) \w+\(.*\) \{$", re.MULTILINE)
 
 
 class Classroom:
-    """A folder with submissions; everything in it is gone with it."""
+    """A folder with submissions, which is deleted at the end."""
 
     def __init__(self):
         self._closed = closed_to_others() if isolation() == "uid" else contextlib.nullcontext()
@@ -38,7 +38,7 @@ class Classroom:
         self._closed.__exit__(None, None, None)
 
     def hand_in(self, name: str, sources: dict[str, str | bytes], chapter: str = "01_leapfrog") -> Path:
-        """`sources` by file name."""
+        """Adds a submission; `sources` are by file name."""
         folder = self.handed_in / name / "chapters" / chapter
         folder.mkdir(parents=True, exist_ok=True)
         for file, content in sources.items():
@@ -68,7 +68,7 @@ class Marks:
         return (self.folder / "submissions" / name / "report.md").read_text(encoding="utf-8")
 
     def verdicts(self, name: str, function: str = "kick") -> set[str]:
-        """Those of an exercise's tests that have points, with their reasons."""
+        """Returns the verdicts of an exercise's tests with points, with their reasons."""
         for exercise in self.result(name)["exercises"]:
             if exercise["function"] == function:
                 return {said(test) for test in exercise["tests"] if test["max_score"] > 0}
@@ -84,14 +84,14 @@ def run_course(*words: str | Path, cwd: Path, **env: str) -> subprocess.Complete
 
 @functools.cache
 def isolation() -> str:
-    """That which the grader chooses here."""
+    """Returns the isolation that the grader chooses here."""
     return choose().name
 
 
 @contextlib.contextmanager
 def closed_to_others():
-    """Where a submission is kept away by its user alone, the course must be closed to other users: by the first of
-    the tests that need it, until the last of them ends, which puts back what was."""
+    """Closes the course to other users, which isolation by user alone requires, from the first test that needs it to
+    the last, which restores the permissions."""
     remembered = ROOT / ".course" / "mode"
     folder = os.open(ROOT, os.O_RDONLY)
     if _is_alone(folder):
@@ -117,7 +117,7 @@ def _is_alone(folder: int) -> bool:
 
 
 def corpus() -> dict[str, tuple[Path, str]]:
-    """Each answer to 1.1: its file, and how the verdict of each of its tests begins."""
+    """Returns each answer to 1.1: its file, and how the verdict of each of its tests begins."""
     found = {}
     for file in sorted((CORPUS / "kick").glob("*.cpp")):
         fields = dict(re.findall(r"^// (Verdict.*?): (.+)$", file.read_text(encoding="utf-8"), re.MULTILINE))
@@ -134,7 +134,7 @@ def right(function: str, style: str = "reference") -> str:
 
 
 def beginning_with(statement: str, function: str, *includes: str) -> str:
-    """The right answer, but for the statement that it begins with."""
+    """Returns the right answer with another first statement."""
     source, count = _CALL.subn(lambda call: f"{call[0]}\n  {statement}", right(function), count=1)
     if count != 1:
         sys.exit(f"{function} begins in an unknown way")

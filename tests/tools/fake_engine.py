@@ -1,4 +1,4 @@
-"""An engine for live figures where nothing can compile one: recordings of the native program, played in the worker."""
+"""A replacement of the live engine without a compiler: recordings of the native program, played in the worker."""
 
 import json
 import subprocess
@@ -14,7 +14,7 @@ _SCRIPT = ROOT / "tests" / "tools" / "fake_engine.js"
 
 
 def recorded(figure: LiveFigure) -> dict:
-    """The figure's header, and a frame for each sixtieth of a second, as they are written."""
+    """Returns the figure's header, and a frame for each sixtieth of a second, as text."""
     first = _lines(figure, 1)
     header = next(line for line in first if "format" in line)
     steps = max(1, round(1 / 60 / header["method"]["h"]))
@@ -33,7 +33,7 @@ def _lines(figure: LiveFigure, steps: int) -> list[dict]:
 
 
 def fake_engine(folder: Path, figures: list[LiveFigure]) -> Path:
-    """Writes what em++ would into the folder: NAME.js, whose path it returns, and NAME.wasm."""
+    """Writes em++'s output files into the folder: NAME.js, whose path it returns, and NAME.wasm."""
     compiled = folder / "engine.js"
     runs = json.dumps([recorded(figure) for figure in figures])
     compiled.write_text(f"const RECORDED = {runs};\n{_SCRIPT.read_text(encoding='utf-8')}", encoding="utf-8")

@@ -14,7 +14,7 @@ echo mounted && exec cat"""  # until this process closes the pipe, or ends
 
 class Layer:
     def __init__(self, below: Path, scratch: Path):
-        """Throws OSError where the kernel, or what surrounds this process, does not allow it."""
+        """Throws OSError if the kernel or a container does not allow it."""
         if set(":,\\") & set(str(below)):
             raise OSError("an overlay's folders are divided by colons and commas")
         for name in ("upper", "work"):
@@ -38,6 +38,6 @@ class Layer:
         self._holder.stdout.close()
 
     def inside(self, command: list[str], cwd: Path | None = None) -> list[str]:
-        """The command line that runs it in there, from the folder's root or from another folder."""
+        """Returns a command line that runs inside, from the folder's root or from another folder."""
         return ["nsenter", "--target", str(self._holder.pid), "--mount", "--root", "--wd", *self._user,
                 "sh", "-c", 'cd "$0" && exec "$@"', str(cwd or self._below), *command]

@@ -15,7 +15,7 @@ PROGRAMS = ("munged", "slurmctld", "slurmd", "sbatch", "squeue", "scancel", "sco
 
 
 def lacking() -> str:
-    """Why it cannot be started here; empty if it can."""
+    """Returns why Slurm cannot be started here; empty if it can."""
     missing = [program for program in PROGRAMS if not _which(program)]
     if missing:
         return f"{missing[0]} is not installed (slurm-wlm, munge)"
@@ -23,7 +23,7 @@ def lacking() -> str:
 
 
 class OneNode:
-    """`tasks` at a time, whatever the machine has."""
+    """Runs `tasks` at a time, on any machine."""
 
     def __init__(self, folder: Path, tasks: int = 2):
         self._folder, self._processes = folder, []
@@ -77,7 +77,7 @@ PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP
         self._node = self._start("slurmd", "-D", "-f", self.environment["SLURM_CONF"])
 
     def cut_the_power(self, process: int) -> None:
-        """Of the node, with what runs on it: the session that `process` is in, and its parents up to us."""
+        """Kills the node and everything that it runs: the session of `process`, and its parents up to this process."""
         family = []
         while process > 1 and process != os.getpid():
             family.append(process)
@@ -88,7 +88,7 @@ PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP
         self._node.wait()
 
     def close(self) -> None:
-        """The node first, and what it still runs with it."""
+        """Stops the node and its jobs first."""
         with contextlib.suppress(OSError):
             subprocess.run([_which("scancel"), "--full", "--user=root"], env=self.environment, capture_output=True,
                            timeout=10)
@@ -112,7 +112,8 @@ PartitionName=all Nodes=ALL Default=YES MaxTime=INFINITE State=UP
         return process
 
     def _start_munge(self, folder: Path) -> None:
-        """As its own user; a key that only it may read, in folders that others may not write to."""
+        """Starts munge as its own user, with a key that only this user may read, in folders that others may not write
+        to."""
         user = pwd.getpwnam("munge")
         key = folder / "key"
         key.write_bytes(os.urandom(128))

@@ -1,4 +1,4 @@
-"""A scene of `spook play`, held, and advanced by so many steps: its header and its last frame."""
+"""A scene of `spook play`, paused, and advanced by so many steps: its header and its last frame."""
 
 import json
 import os
@@ -15,7 +15,7 @@ def commands(steps: int) -> list[dict]:
 
 
 def played(scene: str, settings: dict, steps: int) -> tuple[dict, dict]:
-    """Of the native program. Whatever it wrote before it was held comes before the last header."""
+    """Plays the native program. Its output before the pause precedes the last header."""
     lines = [{"pause": True}, *([{"set": settings}] if settings else []), *commands(steps)]
     done = subprocess.run([native(), "play", scene], input="".join(f"{json.dumps(line)}\n" for line in lines),
                           capture_output=True, text=True)

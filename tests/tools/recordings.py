@@ -1,4 +1,4 @@
-"""Recordings for tests of the viewer, made up: solutions/recording/README.md has their format."""
+"""Invented recordings for tests of the viewer: solutions/recording/README.md has their format."""
 
 import array
 import base64
@@ -41,7 +41,7 @@ def frame(step: int, x: list[float], **more) -> dict:
 
 
 def rolling_ball(frames: int = 61, speed: float = 1, side: float = 0) -> str:
-    """It rolls along x over a floor, pressed to it, and its ghost rolls beside it."""
+    """A ball that rolls along x over a floor, with its contact, and its ghost beside it."""
     bodies = [{"shape": "plane", "n": [0, 0, 1], "offset": 0, "fixed": True}, {"shape": "ball", "radius": 0.2}]
     lines = [header("rolling_ball", bodies, parameters={"g": _G, "mu": 0.5},
                     curves=[{"name": "its height", "points": [[-0.5, 0, 0.2], [1.5, 0, 0.2]]}])]
@@ -57,7 +57,7 @@ def rolling_ball(frames: int = 61, speed: float = 1, side: float = 0) -> str:
 
 
 def lying_capsule(radius: float, half_length: float, frames: int = 3) -> str:
-    """On a floor, along x."""
+    """A capsule on a floor, along x."""
     bodies = [{"shape": "plane", "n": [0, 0, 1], "offset": 0, "fixed": True},
               {"shape": "capsule", "radius": radius, "half_length": half_length}]
     lines = [header("capsule", bodies)]
@@ -68,7 +68,7 @@ def lying_capsule(radius: float, half_length: float, frames: int = 3) -> str:
 
 
 def hanging_wire(links: int = 12, frames: int = 61, amplitude: float = 0.5) -> str:
-    """Point masses on rods, swinging as one; the tension falls from the top to the end."""
+    """Point masses on rods that swing together; the tension decreases from the top to the end."""
     bodies = [{"shape": "point", "fixed": True}, *({"shape": "point"} for _ in range(links))]
     joints = [{"kind": "distance", "i": k, "j": k + 1, "p_i": [0, 0, 0], "p_j": [0, 0, 0], "length": 1 / links}
               for k in range(links)]
@@ -102,7 +102,7 @@ def tower(boxes: int = 5, frames: int = 61, lean: float = 0.2) -> str:
 
 
 def crowd(count: int = 1000, frames: int = 31) -> str:
-    """Balls on a grid that go up and down."""
+    """Balls on a grid that move up and down."""
     side = round(count ** (1 / 3))
     bodies = [{"shape": "plane", "n": [0, 0, 1], "offset": 0, "fixed": True},
               *({"shape": "ball", "radius": 0.05} for _ in range(count))]

@@ -1,4 +1,4 @@
-"""A copy of the course to try things in: all exercises are stubs, and git's history knows them."""
+"""A copy of the course for experiments: all exercises are stubs, also in git's history."""
 
 import os
 import shutil
@@ -24,7 +24,7 @@ _IDENTITY = ("-c", "user.name=Sandbox", "-c", "user.email=sandbox@localhost", "-
 
 
 def our_files() -> list[Path]:
-    """Without the exercises that a student has begun: how those look is the student's business."""
+    """Returns the course's files without exercises that a student has begun, whose style is free."""
     begun = {exercise.file.relative_to(ROOT) for exercise in all_exercises() if exercise.started()}
     return [name for name in course_files() if name not in begun]
 
@@ -41,7 +41,7 @@ def _copy(root: Path) -> Path:
 
 
 def _layer(scratch: Path) -> Layer | None:
-    """With the course's files and build trees, and without its history and what is remembered of the student."""
+    """Makes a layer with the course's files and build trees, without its history and its memory of the student."""
     try:
         layer = Layer(ROOT, scratch)
     except OSError:
@@ -54,8 +54,8 @@ def _layer(scratch: Path) -> Layer | None:
 
 
 class Sandbox:
-    """With `built`, the course's build trees are there, too, where a layer can be laid over it; else they are built
-    when something asks for them."""
+    """With `built`, the course's build trees are included, where a layer can be mounted; otherwise they are built on
+    demand."""
 
     def __init__(self, built: bool = False):
         self._folder = tempfile.TemporaryDirectory(prefix="course-sandbox-")
@@ -76,13 +76,13 @@ class Sandbox:
 
     def course(self, *words: str, cwd: Path | None = None, command: Path | None = None,
                **env: str) -> subprocess.CompletedProcess:
-        """Runs the course command; the output as text."""
+        """Runs the course command; returns its output as text."""
         line, options = self._command(words, cwd, command)
         return subprocess.run(line, capture_output=True, text=True, stdin=subprocess.DEVNULL,
                               env=_clean_environment() | env, **options)
 
     def assert_refused(self, test: unittest.TestCase, words: list[str], told: list[str]) -> None:
-        """One line that names what is wrong, and exit code 2."""
+        """Expects one line that names the error, and exit code 2."""
         with test.subTest(words=words):
             result = self.course(*words)
             test.assertEqual((result.returncode, result.stdout), (2, ""), result.stderr)
@@ -94,12 +94,12 @@ class Sandbox:
         return self.start("watch", *words)
 
     def start(self, *words: str) -> Watching:
-        """A command that goes on until it is told to stop."""
+        """Starts a command that runs until it is stopped."""
         line, options = self._command(words)
         return Watching(line, env=_clean_environment(), **options)
 
     def _git(self, *words: str) -> None:
-        """From inside: git would follow the layer's path to the folder below it, and change that."""
+        """Runs git inside: otherwise git would follow the layer's path to the folder below, and change that."""
         line, options = self._inside(["git", *words])
         subprocess.run(line, check=True, capture_output=True, **options)
 
@@ -109,7 +109,7 @@ class Sandbox:
         return self._inside([str(course), *words], cwd)
 
     def _inside(self, line: list[str], cwd: Path | None = None) -> tuple[list[str], dict]:
-        """The command line, and what to start it with."""
+        """Returns the command line, and the arguments to start it with."""
         if self._layer:
             return self._layer.inside(line, cwd), {}
         return line, {"cwd": cwd or self.root}
@@ -124,7 +124,7 @@ class Sandbox:
         self._git("checkout", "-q", "--", *(str(exercise.file.relative_to(ROOT)) for exercise in exercises))
 
     def _restore(self, exercise: Exercise) -> None:
-        """The student's copy may hold answers; the sandbox starts from the stub."""
+        """Restores stubs, since the student's copy may hold answers."""
         try:
             self.file(exercise).write_bytes(stub_of(exercise))
         except CourseError as error:

@@ -1,4 +1,4 @@
-"""./course book: what is in the site, which pages are refused, and where it is published."""
+"""./course book: the content of the site, refused pages, and publishing."""
 
 import html
 import os
@@ -23,7 +23,7 @@ TAG = re.compile(r"\\tag\{([0-9.]+[a-z]?)\}")
 
 
 def bound(test: type[unittest.TestCase]) -> Sandbox:
-    """A sandbox for all tests of a class; skips them where the book cannot be made."""
+    """Makes a sandbox for all tests of a class; skips them where the book cannot be made."""
     missing = [need.package for need in BOOK_NEEDS if not need.there()]
     if missing:
         raise unittest.SkipTest(f"no book: {', '.join(missing)} not installed")
@@ -33,7 +33,7 @@ def bound(test: type[unittest.TestCase]) -> Sandbox:
 
 
 class Site(HTMLParser):
-    """One page: its links, its anchors, and the text that is no code, formula or link."""
+    """One page: its links, its anchors, and its text without code, formulas and links."""
 
     _VOID = {"meta", "link", "img", "input", "br", "hr", "source"}
     _QUIET = {"code", "pre", "a", "script", "template", "title"}
@@ -190,7 +190,7 @@ class Book(unittest.TestCase):
 
 
 class Text(unittest.TestCase):
-    """As it is typed, and as the book sets it; ~ is a space at which no line ends."""
+    """Text as typed, and as typeset; ~ is a space at which no line breaks."""
 
     def test_typing(self):
         for typed, expected in {
@@ -219,7 +219,7 @@ class Text(unittest.TestCase):
 
 
 class Glossary(unittest.TestCase):
-    """A term is a link from its first use in each lesson, and its entry stands beside the link."""
+    """The first use of a term in each lesson is a link, and its entry is beside the link."""
 
     PAGE = ('<ul><li><strong>W</strong> (03): a letter.</li></ul><h2 id="terms">Terms</h2><ul>'
             "<li><strong>active set</strong> (04): rows at a bound.</li>\n"
@@ -255,7 +255,7 @@ class Glossary(unittest.TestCase):
 
 
 class Markdown(unittest.TestCase):
-    """As GitHub shows it."""
+    """Markdown as GitHub shows it."""
 
     PAGE = r"""# A page
 
@@ -335,7 +335,7 @@ class Refused(unittest.TestCase):
         cls.box = bound(cls)
 
     def refused(self, *planted: tuple[str, str]) -> None:
-        """Each piece of text, put at the end of a lesson, is found where it stands."""
+        """Expects that each piece of text, at the end of a lesson, is reported with its line."""
         lesson = self.box.root / LESSON
         before = lesson.read_text(encoding="utf-8")
         text, wanted = before, []

@@ -1,5 +1,5 @@
-"""The book in a browser: every page is quiet, fits a phone, and has its formulas; equations show themselves, and the
-search finds."""
+"""The book in a browser: each page loads without messages, fits a phone, and has its formulas; equations appear, and
+the search finds."""
 
 import gzip
 import re
@@ -154,7 +154,7 @@ class Reading(InBrowser):
                     self.assertTrue(0 < top < size[1] and height > 0, (page, size, part, top, height))
 
     def loaded_fonts(self, styles: list[Path]) -> set[Path]:
-        """Files of the typefaces that the page has loaded: its style sheets say which file is which."""
+        """Returns the files of the typefaces that the page has loaded, by its style sheets."""
         def key(family: str, style: str, weight: str) -> tuple[str, str, str]:
             return family.strip("\"'"), style, {"normal": "400", "bold": "700"}.get(weight, weight)
 

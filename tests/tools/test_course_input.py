@@ -1,4 +1,4 @@
-"""The course command where nothing has to be built: the board, bad input, hints, reset."""
+"""The course command without a build: the board, bad input, hints, reset."""
 
 import json
 import subprocess

@@ -1,4 +1,4 @@
-"""The parts of the course command that can be looked at alone."""
+"""Parts of the course command that can be tested alone."""
 
 import contextlib
 import io
@@ -60,7 +60,7 @@ class Crash(unittest.TestCase):
     def test_an_assertion_is_told_as_what_it_means(self):
         for said, told in ((self.VECTOR, "An index is past the end of a std::vector."),
                            (self.EIGEN, "An index or a block is outside its vector or matrix."),
-                           ("a.cpp:3: int f(): Assertion `mass > 0' failed.", "It is asserted that mass > 0"),
+                           ("a.cpp:3: int f(): Assertion `mass > 0' failed.", "The assertion mass > 0 failed"),
                            ("h is 3", "That is most often")):
             self.assertIn(told, crash.explained("SIGABRT", f"before\n{said}\n", None))
         self.assertEqual(crash.without_assertion(f"h is 3\n{self.EIGEN}\n").strip(), "h is 3")
@@ -167,7 +167,7 @@ class BeforeAnythingIsInstalled(unittest.TestCase):
 
 class Installing(unittest.TestCase):
     def refused(self, *, root: bool, there=(), yes=False, apt_works=False) -> str:
-        """What install() says when it can't go on."""
+        """Returns the message of install() when it cannot continue."""
         stream = mock.Mock(return_value=(0 if apt_works else 100, "E: no network\n"))
         with mock.patch.object(Need, "there", return_value=False), \
              mock.patch.object(install, "_is_root", return_value=root), \
@@ -228,7 +228,7 @@ class Installing(unittest.TestCase):
 
 class MovedTree(unittest.TestCase):
     def said(self, home: str) -> str:
-        """What is said while a tree is configured that CMake once configured for this folder."""
+        """Returns the output while a tree is configured that CMake once configured for this folder."""
         with tempfile.TemporaryDirectory() as folder, contextlib.redirect_stderr(io.StringIO()) as said, \
              mock.patch.object(tree, "stream", return_value=(0, "")):
             moved = tree.Tree("check")
@@ -291,7 +291,7 @@ class Versions(unittest.TestCase):
 
 class WhatSomeTestsWant(unittest.TestCase):
     def said(self, offered: bool, error: CourseError | None = None) -> tuple[str, bool]:
-        """What is said, and whether something was to be installed."""
+        """Returns the output, and whether a package was to be installed."""
         with mock.patch.object(Need, "there", return_value=False), \
              mock.patch.object(everything, "is_offered", return_value=offered), \
              mock.patch.object(everything, "install", side_effect=error) as installing, \

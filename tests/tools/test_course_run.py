@@ -1,4 +1,4 @@
-"""The course command where the engine runs: run, scenes, --mine, plot, start."""
+"""The course command with the engine: run, scenes, --mine, plot, start."""
 
 import json
 import shutil
@@ -27,7 +27,7 @@ class CourseRun(unittest.TestCase):
         self.box.restore(self.kick)
 
     def run_free_fall(self, *words: str) -> tuple[float, str]:
-        """The error, and what was said on stderr."""
+        """Returns the error, and the output on stderr."""
         result = self.box.course("run", "free_fall", "--h", "1/60", "--json", *words)
         self.assertEqual(result.returncode, 0, result.stderr)
         run = json.loads(result.stdout)
@@ -146,7 +146,7 @@ class CourseRun(unittest.TestCase):
             self.assertNotIn(text, result.stdout)
 
     def plot(self, *words: str, code: int = 0) -> str:
-        """What was said on stdout."""
+        """Returns the output on stdout."""
         result = self.box.course("plot", *words)
         self.assertEqual(result.returncode, code, result.stdout + result.stderr)
         self.assertNotIn("Traceback", result.stderr)

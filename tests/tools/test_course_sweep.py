@@ -146,7 +146,7 @@ class Words(unittest.TestCase):
 
 
 class OnSlurm(unittest.TestCase):
-    """A Slurm that runs each part at once: what is tested is how a sweep is divided and put together."""
+    """An imitation of Slurm that runs each part at once: only the division of a sweep is tested."""
 
     def test_parts_are_put_together_in_order(self):
         folder = tempfile.TemporaryDirectory()
@@ -162,7 +162,7 @@ class OnSlurm(unittest.TestCase):
         self.assertEqual(code, 1)
 
     def start(self, words, call):
-        """Refuses one combination; the columns of another are asked for."""
+        """Refuses one combination; the columns of another are requested."""
         Path(words[words.index("--csv") + 1]).write_text("time [s]\n")
         refused = "a=2" in words and "b=y" in words
         return call(["sh", "-c", f"echo no >&2; exit {2 * refused}"])
@@ -209,7 +209,7 @@ class Columns(unittest.TestCase):
 
 
 class Lessons(unittest.TestCase):
-    """What a student copies from a lesson runs: each command, for no time at all."""
+    """Each command that a student copies from a lesson runs, for a time of zero."""
 
     def test_the_commands_of_all_lessons(self):
         box = Sandbox(built=True)

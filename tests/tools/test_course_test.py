@@ -1,4 +1,4 @@
-"""./course test: its two sets are all tests there are, what it left out is said, and changed mutants are judged."""
+"""./course test: its two sets are all tests; it lists those left out; changed mutants are judged."""
 
 import contextlib
 import io
@@ -109,7 +109,7 @@ class Command(unittest.TestCase):
         self.folder = Path(folder.name)
 
     def run_test(self, *words: str, ok: bool = True) -> tuple[list[tuple[str, list[str]]], list[list[str] | None], str]:
-        """The trees and targets that were built, what was chosen of each run, and what was printed."""
+        """Returns the trees and targets that were built, the selection of each run, and the output."""
         built, chosen = [], []
 
         def build(tree, targets, _strict):
@@ -163,7 +163,7 @@ class Digests(unittest.TestCase):
             copy(ROOT / name, cls.root / name)
 
     def changed_by(self, name: str) -> list[str]:
-        """Chapters whose digest is another one when this file has one line more."""
+        """Returns the chapters whose digest changes when this file has one line more."""
         before, file = mutants.digests(self.root), self.root / name
         text = file.read_bytes()
         file.write_bytes(text + b"\n")

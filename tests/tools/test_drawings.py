@@ -1,4 +1,4 @@
-"""The drawings of the lessons: what is committed is what the scripts draw, and each is shown, legible, and small."""
+"""The drawings of the lessons: committed files equal the scripts' output, and each is used, legible, and small."""
 
 import re
 import sys

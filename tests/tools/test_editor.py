@@ -1,4 +1,4 @@
-"""What editors are told of the course holds: .vscode/ for VS Code, .clangd for all that ask clangd."""
+"""The files for editors are right: .vscode/ for VS Code, .clangd for editors with clangd."""
 
 import json
 import re
@@ -24,7 +24,7 @@ def read(name: str) -> dict:
 
 
 def filled_in(text: str, settings: dict) -> str:
-    """As VS Code would, with the first exercise open and every question answered by its default."""
+    """Fills in variables as VS Code does, with the first exercise open and the default answer to each question."""
     values = {"workspaceFolder": str(ROOT), "fileBasenameNoExtension": EXERCISE.function,
               "fileDirnameBasename": EXERCISE.folder}
     values |= {f"input:{question['id']}": question["default"] for question in settings["inputs"]}
@@ -98,7 +98,7 @@ class VisualStudioCode(unittest.TestCase):
 
 @unittest.skipUnless(shutil.which("clangd"), "clangd is not installed")
 class Clangd(unittest.TestCase):
-    """Its own look at a file, without its search for refactorings at every word (--check-lines)."""
+    """clangd's own check of a file, without its search for refactorings at every word (--check-lines)."""
 
     def setUp(self):
         if BUILD != ROOT / "build":

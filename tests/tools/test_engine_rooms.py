@@ -1,4 +1,4 @@
-"""The map of the engine, solutions/engine/README.md, is true: which file is in which room, and what a room includes."""
+"""The map of the engine, solutions/engine/README.md, is right: the files of each room, and its includes."""
 
 import re
 import unittest
@@ -13,7 +13,7 @@ _INCLUDE = re.compile(r'^#include "engine/(\w+)/', re.MULTILINE)
 
 
 def rooms() -> dict[str, tuple[str, str]]:
-    """What each room holds, and what it may include, as the map says."""
+    """Returns the files of each room, and the rooms that it may include, by the map."""
     text = (ENGINE / "README.md").read_text(encoding="utf-8")
     return {name: (holds, may) for name, holds, may in _ROW.findall(text)}
 

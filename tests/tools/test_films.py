@@ -1,4 +1,4 @@
-"""The films at the head of the lessons: they are there, small, move, and the command below each shows the same."""
+"""The films at the head of the lessons: they exist, are small, move, and show the command below."""
 
 import os
 import re

@@ -1,4 +1,4 @@
-"""How the files are laid out."""
+"""The layout of the files."""
 
 import re
 import shutil

@@ -1,4 +1,4 @@
-"""What an object may hold and call: objects made by hand, each with one thing that no answer has."""
+"""Allowed content and calls of an object: objects made by hand, each with one forbidden thing."""
 
 import subprocess
 import tempfile

@@ -1,4 +1,5 @@
-"""A class of two hundred, drawn from right and broken answers: each mark, interrupted, in shards, and once more."""
+"""A class of two hundred, drawn from right and broken answers: each mark, also after an interruption, in shards, and
+again."""
 
 import random
 import resource
@@ -15,7 +16,7 @@ FUNCTIONS = [exercise.function for exercise in all_exercises() if exercise.chapt
 
 
 def answers(function: str) -> dict[str, tuple[str | None, str]]:
-    """Source (None: not handed in) and the verdict that every test of the exercise must get."""
+    """Returns sources (None: not handed in) and the verdict that every test of the exercise must get."""
     text = right(function)
     found = {
         "right": (text, "passed"),

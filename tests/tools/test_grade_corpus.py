@@ -1,4 +1,4 @@
-"""The grader on every answer that we could think of: right, broken, and cheating."""
+"""The grader on a collection of right, broken and cheating answers."""
 
 import platform
 import unittest

@@ -1,4 +1,4 @@
-"""What platforms deliver, in all its shapes: who it is of, what is taken, and that nobody vanishes."""
+"""Deliveries of platforms in all forms: their students, the files taken, and that nobody is lost."""
 
 import bz2
 import io
@@ -65,7 +65,7 @@ class InFolder(unittest.TestCase):
 
 class Finds(InFolder):
     def found(self, path: Path):
-        """Each submission by its name, and what is left out."""
+        """Returns each submission by its name, and the files left out."""
         delivery = find_submissions([path], self.root / "out")
         exercises = all_exercises()
         return ({one.name: read_submission(one, exercises) for one in delivery.handed},
@@ -314,7 +314,7 @@ class Delivered(Finds):
 
 
 class Gradescope(Finds):
-    """Its download has folders of numbers, and a file that says who they are of."""
+    """Gradescope's download has numbered folders, and a file with their students."""
 
     METADATA = b"""---
 submission_11:
@@ -390,7 +390,7 @@ class Doubts(Finds):
 
 
 class Told(Finds):
-    """Words that help."""
+    """Messages that help."""
 
     def notes(self, files: dict[str, bytes], functions: tuple[str, ...] = ("kick",)) -> list[str]:
         folder = self.put(files)
@@ -422,7 +422,7 @@ class Told(Finds):
 
 
 class ReadApart(InFolder):
-    """In a process of its own: what it gives is the same, and what it costs has an end."""
+    """Reading in a process of its own gives the same result, and has a limited cost."""
 
     def read(self, name: str, content: bytes, **limits: int):
         (self.root / name).write_bytes(content)
@@ -457,7 +457,7 @@ class ReadApart(InFolder):
 
 
 class Names(Finds):
-    """A name that somebody chose leads nowhere but to a folder of that one's own."""
+    """A student's name leads only to that student's own folder."""
 
     NAMES = ("/x", "../x", "..", ".", "", "a/b", "\0", "x" * 300, "Ö" * 300, "\udcff", "a\nb", "con\u202etrol", "  ",
              "/", "results.json/..", "~root", "é", "e\u0301")

@@ -1,4 +1,4 @@
-"""Results in the forms of other platforms, and the kits, run in an imitation of the platform's folders."""
+"""Results in the formats of other platforms, and the kits, run in an imitation of the platform's folders."""
 
 import base64
 import csv
@@ -18,7 +18,7 @@ from sandbox import ROOT
 
 
 def unpack(archive: Path, folder: Path) -> None:
-    """As unzip does: what may be run stays so."""
+    """Unpacks as unzip does, and keeps executable files executable."""
     with zipfile.ZipFile(archive) as content:
         for info in content.infolist():
             os.chmod(content.extract(info, folder), info.external_attr >> 16)

@@ -1,4 +1,4 @@
-"""What is handed in, in all its forms; and what is said to an instructor who asks for the impossible."""
+"""Submissions in all forms, and messages to an instructor about impossible requests."""
 
 import io
 import os

@@ -1,4 +1,4 @@
-"""What a submission can reach, tried in every isolation that works here; and how a verdict is read."""
+"""The access of a submission in every isolation that works here, and the reading of verdicts."""
 
 import contextlib
 import os
@@ -41,7 +41,7 @@ class InIsolation(unittest.TestCase):
         self.folder.chmod(0o755)
 
     def python(self, name: str, code: str, limits: Limits = LIMITS) -> Ended:
-        """Runs the code isolated; it sees the folder, and may not write to it."""
+        """Runs the code isolated; it can read the folder, but not write to it."""
         user = take_user(Isolation(name))
         self.addCleanup(user.release)
         return Isolation(name).run([PYTHON, "-c", code], limits, user, (self.folder,), folder=self.folder)
@@ -125,7 +125,7 @@ for path in ("/x", "/tmp/x", "/usr/x", "/dev/shm/x", {str(self.folder / "x")!r})
 
 
 class ReadVerdict(unittest.TestCase):
-    """By hand, what only broken or hostile programs send."""
+    """Outputs, made by hand, that only broken or hostile programs send."""
 
     def read(self, *fields: bytes, **more) -> str:
         verdict, reason, _ = read_verdict(Ran(fields or None, **more), 10)
@@ -146,7 +146,7 @@ class ReadVerdict(unittest.TestCase):
         said = "kick.cpp:7: Vec3 kick(): Assertion `inverse_mass >= 0' failed.\n"
         for output in (said, "x" * 60_000 + "\n" + said, ":1: " * 15_000 + "\n" + said):
             told = read_verdict(Ran(code=-signal.SIGABRT, output=output), 10)[2]
-            self.assertIn("It is asserted that inverse_mass >= 0", told[0])
+            self.assertIn("The assertion inverse_mass >= 0", told[0])
         self.assertIn("most often an index", read_verdict(Ran(code=-signal.SIGABRT), 10)[2][0])
 
     def test_without_a_verdict(self):
@@ -166,7 +166,7 @@ class ReadVerdict(unittest.TestCase):
 
 
 def _running(mark: str) -> list[Path]:
-    """The processes whose command line holds the mark."""
+    """Returns the processes whose command line contains the mark."""
     found = []
     for path in Path("/proc").glob("[0-9]*/cmdline"):
         with contextlib.suppress(OSError):  # it has ended

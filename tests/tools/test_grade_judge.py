@@ -1,4 +1,4 @@
-"""Who judges remembers what is certain, and runs the two processes of a test where they wait for each other least."""
+"""The judge remembers certain verdicts, and runs the two processes of a test on one core."""
 
 import os
 import signal
@@ -23,7 +23,7 @@ from grading.submission import Handed, Source
 
 
 class Judges(Judge):
-    """Without tests to run: the verdicts are given, one for each time that it is asked anew."""
+    """A judge without tests to run: each new request gets the next given verdict."""
 
     def __init__(self, memory: Path, verdicts: list[str], forget: bool = False):
         workshop = SimpleNamespace(build="build", expected_tests=lambda exercise: ["Kick.IsRight"])
@@ -69,7 +69,7 @@ class Remembers(unittest.TestCase):
 
 
 class Waits(unittest.TestCase):
-    """A process that the clock has stopped may have been one of a machine that stood still."""
+    """A process that the clock has stopped may have waited for a busy machine."""
 
     def run_all(self, rans: list[Ran], tests: list[str]) -> list[str]:
         pairs = []
@@ -109,7 +109,7 @@ class Waits(unittest.TestCase):
 
 
 class Grades(Grader):
-    """Without exercises, tests or the reference; what is called eve makes the grader itself fail."""
+    """Grades without exercises, tests or the reference; the submission eve makes the grader itself fail."""
 
     def __init__(self):
         self.seed, self.exercises, self.failures = 1, [], []

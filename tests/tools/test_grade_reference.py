@@ -1,4 +1,5 @@
-"""The reference answers for nobody: what a submission is linked with holds neither its own exercise nor a later one."""
+"""The reference answers for nobody: the linked part of it contains neither the submission's exercise nor a later
+one."""
 
 import unittest
 
@@ -20,7 +21,7 @@ __attribute__((weak)) void composed_step(Particles& bodies, const ForceField& fo
 
 
 def versioned(name: str) -> str:
-    """A function of no use, which a checker that stops at the @ takes for kick."""
+    """A useless function that a checker would take for kick if it stopped at the @."""
     return HEAD + f'extern "C" void mine() {{}}\nasm(".symver mine, {name}");\n'
 
 
@@ -29,7 +30,7 @@ def quoted(name: str) -> str:
 
 
 def inline_of_the_reference() -> str:
-    """An inline function that the reference's object of composed_step holds, as a symbol that must be found."""
+    """Returns an inline function in the reference's object of composed_step, as a symbol."""
     reject = "_ZN5spook6rejectERKNSt7__cxx1112basic_stringIcSt11char_traitsIcESaIcEEEdS7_"
     return f'asm(".pushsection .data\\n.quad {reject}\\n.popsection");\n'
 

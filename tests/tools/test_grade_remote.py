@@ -1,4 +1,4 @@
-"""Whatever comes back for a call, the tests neither take it for a right answer nor lose their way."""
+"""With any answer to a call, the tests neither pass wrongly nor break."""
 
 import contextlib
 import os
@@ -24,7 +24,7 @@ def chapter_of(function: str) -> Chapter:
 
 
 class Tests:
-    """The program with the tests, and the socket over which it asks."""
+    """The program with the tests, and its socket."""
 
     def __init__(self, function: str):
         self.chapter = chapter_of(function)
@@ -63,7 +63,7 @@ class Tests:
         return found
 
     def run(self, test: str, answer) -> list[bytes]:
-        """What is reported of the test, when each call is answered by `answer`, which sends."""
+        """Returns the report of the test, when each call is answered by `answer`, which sends."""
         self.process.stdin.write(test.encode() + b"\n")
         self.process.stdin.flush()
         while self.receive()[0] != BEGIN:

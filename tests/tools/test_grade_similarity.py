@@ -1,4 +1,4 @@
-"""Works that share more than chance gives are found under other names, and independent ones are not accused."""
+"""Similar works are found under other names, and independent ones are not accused."""
 
 import random
 import re
@@ -37,7 +37,7 @@ def written(draw: random.Random, length: int = 24) -> str:
 
 
 def disguised(source: str, draw: random.Random) -> str:
-    """Other names, comments, spaces, and a line more here and there."""
+    """Returns a program with other names, comments, spaces, and a few more lines."""
     other = dict(zip(NAMES, draw.sample([f"my_{name}" for name in NAMES], len(NAMES))))
     source = re.sub(r"\b\w+\b", lambda word: other.get(word[0], word[0]), source)
     lines = []

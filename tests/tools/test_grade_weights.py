@@ -1,4 +1,4 @@
-"""The table of weights is complete, and says something of each test."""
+"""The table of weights is complete, and has a title for each test."""
 
 import unittest
 from collections import Counter

@@ -50,7 +50,7 @@ class Import(unittest.TestCase):
         self.assertIn(words, done.stderr)
 
     def run_of(self, scene: dict, *words) -> tuple[dict, dict[str, np.ndarray]]:
-        """What a run says, and columns of positions."""
+        """Returns the report of a run, and columns of positions."""
         file, table = self.folder / "scene.json", self.folder / "table.csv"
         file.write_text(json.dumps(scene))
         done = self.course("run", file, "--json", "--csv", table, "--positions", *words)
@@ -59,7 +59,7 @@ class Import(unittest.TestCase):
         return json.loads(done.stdout), dict(zip(rows[0], np.array(rows[1:], dtype=float).T))
 
     def at(self, table: dict, scene: dict, name: str) -> np.ndarray:
-        """Where a body was, a row a step."""
+        """Returns the positions of a body, a row for each step."""
         k = next(k for k, body in enumerate(scene["bodies"]) if body["name"] == name)
         return np.column_stack([table[f"{axis} of body {k} [m]"] for axis in "xyz"])
 

@@ -1,4 +1,4 @@
-"""The page for instructors: its syllabi add up, its chapters are in an order that their needs allow."""
+"""The page for instructors: its syllabi add up, and its chapters come after those that they need."""
 
 import re
 import unittest

@@ -1,4 +1,4 @@
-"""kill.py accepts a failed check that says what was promised, and nothing else."""
+"""kill.py accepts a failed check with the mutant's words, and nothing else."""
 
 import os
 import subprocess
@@ -32,7 +32,7 @@ class KillMutant(unittest.TestCase):
         self.folder.mkdir()
 
     def kill(self, *, header=HEADER, name="kick.half.cpp", body="", tests=(FAILED,), code=1):
-        """The exit code, and what was said; of more than one mutant if more than one is in the folder."""
+        """Returns the exit code and the output; for several mutants if the folder has several."""
         (self.folder / name).write_text(header)
         program = self.folder / "mutants_01_leapfrog"
         program.write_text(PROGRAM.format(python=sys.executable, body=body, tests=list(tests), code=code))

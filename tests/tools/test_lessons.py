@@ -1,4 +1,4 @@
-"""Lessons, headers, stubs, solutions, hints and mutants tell of the same exercises and the same equations."""
+"""Lessons, headers, stubs, solutions, hints and mutants agree about exercises and equations."""
 
 import itertools
 import re
@@ -27,7 +27,7 @@ _NEXT_LINE = re.compile(r"\n[ \t]*(?://[/!]?|\*|#|>)?[ \t]*")
 
 
 def unwrapped(text: str) -> str:
-    """With the line breaks of comments taken out, so that a list may run over them."""
+    """Removes the line breaks of comments, so that a list may continue over them."""
     return _NEXT_LINE.sub(" ", text)
 
 
@@ -40,13 +40,13 @@ def lesson(exercise: Exercise) -> str:
 
 
 def section(text: str, title: str) -> str:
-    """What stands under `## title`, down to the next heading of that level."""
+    """Returns the text under `## title`, down to the next heading of that level."""
     found = re.search(rf"^## +{title}\b.*?$(.*?)(?=^## |\Z)", text, re.MULTILINE | re.DOTALL | re.IGNORECASE)
     return found[1] if found else ""
 
 
 def entries(text: str) -> list[str]:
-    """The parts of a section that may describe one exercise: below a heading, a table's row, a paragraph."""
+    """Returns the parts of a section that may describe one exercise: below a heading, a table's row, a paragraph."""
     return re.split(r"^#{3,} ", text, flags=re.MULTILINE) + text.splitlines() + text.split("\n\n")
 
 
@@ -56,7 +56,7 @@ def all_tags() -> list[str]:
 
 
 def header_comment(exercise: Exercise) -> str:
-    """The docstring of the exercise's function in its chapter's header."""
+    """Returns the docstring of the exercise's function in its chapter's header."""
     lines = [line for header in sorted(exercise.file.parent.glob("*.hpp"))
              for line in header.read_text(encoding="utf-8").splitlines()]
     for k, line in enumerate(lines):

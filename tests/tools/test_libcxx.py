@@ -36,7 +36,7 @@ def has_libcxx() -> bool:
 
 
 def googletest() -> Path:
-    """Builds GoogleTest for this library: an installed one is compiled for GCC's, whose strings are others."""
+    """Builds GoogleTest for this library. An installed one is compiled for GCC's library, which has other strings."""
     folder = BUILD / "libcxx-googletest"
     prefix = folder / "installed"
     if not prefix.exists():

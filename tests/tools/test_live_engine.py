@@ -1,4 +1,4 @@
-"""The engine of live figures, compiled to WebAssembly: every scene runs in node as the native program runs it."""
+"""The engine of live figures, compiled to WebAssembly: every scene in node gives the native program's motion."""
 
 import base64
 import json
@@ -24,7 +24,7 @@ ROUNDING = 2.0**-53 * 1e7 + 2.0**-23
 
 
 def built() -> Path:
-    """Skips where there is no compiler for it."""
+    """Builds it; skips the test without a compiler for it."""
     if not all(need.there() for need in LIVE_NEEDS) or not shutil.which("node"):
         raise unittest.SkipTest("emscripten or node is not installed")
     return program_of_pages()

@@ -1,4 +1,4 @@
-"""The live figures of the lessons, which are lines of Markdown: each can be run, and shows the number that it names."""
+"""The live figures of the lessons, given by lines of Markdown: each can be run, and shows the number in its line."""
 
 import re
 import unittest
@@ -14,7 +14,7 @@ HEAD = "error", "energy", "residual"
 
 
 def figures() -> dict[str, str]:
-    """The line of each lesson, by its folder."""
+    """Returns the line of each lesson, by its folder."""
     found = {}
     for path in sorted(ROOT.glob("chapters/[0-9][0-9]_*/README.md")):
         lines = [line for line in path.read_text(encoding="utf-8").splitlines() if is_live(line)]
@@ -71,7 +71,7 @@ class LiveFigures(unittest.TestCase):
 
 
 def digits(text: str) -> int:
-    """How many significant ones are written."""
+    """Returns the number of significant digits in a text."""
     return len(re.sub(r"^0+", "", re.sub(r"e.*|[-.]", "", text)))
 
 

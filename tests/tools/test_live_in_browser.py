@@ -1,4 +1,4 @@
-"""Live figures in a browser, from the file system: each starts, moves and is quiet; sliders, pauses, damage."""
+"""Live figures in a browser, from the file system: each starts and moves without messages; sliders, pauses, damage."""
 
 import json
 import unittest
@@ -28,7 +28,7 @@ class Live(unittest.TestCase):
         return self.folder / "chapters" / name / "index.html"
 
     def show(self, page: Path) -> None:
-        """Opens a page, and waits until its first figure runs; what is asked then is asked of the figure's frame."""
+        """Opens a page, and waits until its first figure runs; later requests go to the figure's frame."""
         driver = self.browser.driver
         driver.get(page.as_uri())
         self.browser.run("document.querySelector('figure[data-live]').scrollIntoView({ block: 'center' })")

@@ -1,4 +1,4 @@
-"""Other systems, as far as a Linux machine can pretend to be one: macOS with Homebrew, conda, Windows' shells."""
+"""Other systems, simulated on Linux: macOS with Homebrew, conda, Windows' shells."""
 
 import contextlib
 import io
@@ -52,7 +52,7 @@ done
 
 
 class Fake:
-    """A folder of programs that is the whole PATH."""
+    """A folder of programs as the whole PATH."""
 
     def __init__(self, test: unittest.TestCase):
         folder = tempfile.TemporaryDirectory(prefix="machine-")
@@ -69,7 +69,7 @@ class Fake:
         path.chmod(0o755)
 
     def mac(self) -> dict[str, str]:
-        """The environment of a Mac with Apple's compiler."""
+        """Returns the environment of a Mac with Apple's compiler."""
         self.program("uname", "#!/bin/sh\necho Darwin\n")
         self.program("c++", "#!/bin/sh\necho Apple clang version 15.0.0\n")
         (self.root / "python").mkdir()
@@ -197,7 +197,7 @@ class MacParts(unittest.TestCase):
 
 
 class Lines(unittest.TestCase):
-    """Lines of the source, as each system's tool tells them; the distances are hexadecimal."""
+    """Source lines in the formats of each system's tool; the distances are hexadecimal."""
 
     def lines(self, tool: str, told: str, mac: bool) -> tuple[list[tuple[str, int]], str]:
         fake = Fake(self)
@@ -315,7 +315,7 @@ class PythonWithoutLinux(unittest.TestCase):
             self.assertEqual(machine.processors(), 1)
 
     def limited(self, text: str, **options) -> tuple[int, bool, str]:
-        """The exit code, whether it took too long, and what is printed, of a shell's program."""
+        """Returns the exit code, whether it took too long, and the output, of a shell's program."""
         with tempfile.TemporaryDirectory() as folder, open(Path(folder, "out"), "wb") as out:
             command = ["sh", "-c", text, "a name", "two words"]
             code, late = run_limited(command, out, dict(os.environ), folder, **options)
@@ -333,7 +333,7 @@ class PythonWithoutLinux(unittest.TestCase):
 
 
 class Command(unittest.TestCase):
-    """The script `course`, before it has a Python."""
+    """The script `course` before it has a Python."""
 
     def run_course(self, fake: Fake, *words: str, command: Path | str = ROOT / "course", cwd: Path | None = None):
         return subprocess.run([str(command), *words], capture_output=True, text=True, env=fake.environment(), cwd=cwd)

@@ -1,4 +1,4 @@
-"""Wrong answers are changes to the reference that are found in it exactly once, or are refused."""
+"""Mutants are changes whose lines occur exactly once in the reference; others are refused."""
 
 import sys
 import tempfile

@@ -1,4 +1,4 @@
-"""The wrong answers to an exercise are those of its .diff and its files, each with a name of its own."""
+"""The mutants of an exercise are those of its .diff and its files, each with its own name."""
 
 import subprocess
 import sys

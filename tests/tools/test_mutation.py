@@ -1,4 +1,4 @@
-"""The mutation run: the mutants that it makes of small files, the survivor that it finds, the equivalents."""
+"""The mutation run: the mutants of small files, the survivor that it finds, the equivalents."""
 
 import os
 import subprocess
@@ -29,7 +29,7 @@ from trial import Test, Trial  # noqa: E402
 
 
 def changed(body: str, kind: str | None = None) -> set[str]:
-    """The mutants of a function's body, as they read."""
+    """Returns the mutants of a function's body, as text."""
     text = f"namespace spook {{\ndouble f() {{\n{body}\n}}\n}}\n"
     return {mutant.after(text) for mutant in mutants_of(text) if kind in (None, mutant.kind)}
 
@@ -249,7 +249,7 @@ class Outcomes(unittest.TestCase):
 
 
 class Small(unittest.TestCase):
-    """A course of one function, compiled and run: `program` is told by a script in GoogleTest's place."""
+    """A course with one function, compiled and run; a script in GoogleTest's place calls `program`."""
 
     FILE = "namespace spook {\nint twice(int x) {\n  return x + x;\n}\n\n}  // namespace spook\n"
     TESTS = """\
@@ -283,7 +283,7 @@ class Small(unittest.TestCase):
         self.tree = mock.Mock(path=self.root / "build")
 
     def results(self, check: str, seeds: tuple[int, ...] = (1,)) -> dict[str, str]:
-        """What became of the mutants, by how they read."""
+        """Returns the outcomes of the mutants, by their text."""
         self.tree.path.mkdir(exist_ok=True)
         (self.tree.path / "tests.cpp").write_text(textwrap.dedent(self.TESTS).replace("CHECK", check))
         compiler = os.environ.get("CXX") or "c++"

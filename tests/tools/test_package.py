@@ -1,4 +1,4 @@
-"""The engine as a package: a program of somebody else's finds it installed, or takes its sources."""
+"""The engine as a package: another program finds it installed, or adds its sources."""
 
 import os
 import re
@@ -30,7 +30,7 @@ def run(*command) -> subprocess.CompletedProcess:
 
 
 class Consumer:
-    """A project of a dozen lines: the one that the page shows."""
+    """A project of a dozen lines: the page's example."""
 
     def __init__(self, folder: Path, lists: str):
         self.folder = folder
@@ -151,7 +151,7 @@ class Package(unittest.TestCase):
 
 
 class Page(unittest.TestCase):
-    """A member that the page forgets is found here."""
+    """Finds members that the page does not list."""
 
     def test_it_has_every_function_of_a_world_and_every_setting(self):
         text, page = HEADER.read_text(encoding="utf-8"), PAGE.read_text(encoding="utf-8")

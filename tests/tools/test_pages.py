@@ -1,4 +1,4 @@
-"""The pages to look things up: what they say of Eigen is compiled and run, and they are linked."""
+"""The reference pages: their statements about Eigen are compiled and run, and they are linked."""
 
 import os
 import re
@@ -48,7 +48,7 @@ void check(const char* place, const Got& got, const std::vector<double>& wanted)
 
 
 def program(page: Path) -> tuple[str, int]:
-    """All code of a page, each piece a function of its own, whose claims are checked; and how many those are."""
+    """Returns all code of a page, each piece as a function whose claims are checked; and their number."""
     text = page.read_text(encoding="utf-8")
     functions, claims = [], 0
     for k, found in enumerate(_BLOCK.finditer(text)):

@@ -1,4 +1,4 @@
-"""./course plot peers: what it says without other engines, what it draws, and its claims with those that are there."""
+"""./course plot peers: its message without other engines, its figure, and its claims with the installed ones."""
 
 import importlib.util
 import json
@@ -28,7 +28,7 @@ NOWHERE = tuple(Need(need.package, "header", "there/is/none.h") for need in PEER
 
 
 class Table:
-    """The columns that a part of the figure is drawn from."""
+    """The columns from which a part of the figure is drawn."""
 
     def __init__(self, *rows):
         self.columns = dict(zip(("engine", "us a second", "error"), zip(*rows)))

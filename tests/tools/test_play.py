@@ -1,4 +1,4 @@
-"""./course play: the local server, what keeps it alive and what ends it, and the page in a browser."""
+"""./course play: the local server, how it is kept alive and ended, and the page in a browser."""
 
 import http.client
 import json
@@ -34,7 +34,7 @@ def setUpModule():
 
 
 class Page:
-    """Asks a server as a browser would, or as none should."""
+    """Sends a server good and bad requests."""
 
     def __init__(self, address: str):
         parts = urlsplit(address)
@@ -54,7 +54,7 @@ class Page:
 
 
 def data(response) -> dict:
-    """The next line of the engine."""
+    """Returns the next line of the engine."""
     while not (line := response.readline()).startswith(b"data: "):
         if not line:
             raise AssertionError("the stream has ended")
@@ -150,7 +150,7 @@ class Played(unittest.TestCase):
     """Starts ./course play."""
 
     def start(self, *words: str) -> tuple:
-        """What runs, and the address of its page."""
+        """Returns the process, and the address of its page."""
         running = box.start("play", *words, "--no-open").__enter__()
         self.addCleanup(running.__exit__)
         return running, running.wait_for("http://127.0.0.1:", 300).strip()
@@ -158,7 +158,7 @@ class Played(unittest.TestCase):
 
 class Play(Played):
     def children(self, scene: str) -> list[str]:
-        """Engines that play this scene."""
+        """Returns the engines that play this scene."""
         found = []
         for entry in Path("/proc").iterdir():
             try:

@@ -1,4 +1,4 @@
-"""./course try: what it begins with compiles, runs and prints; a save runs it again, on the student's functions."""
+"""./course try: the first file compiles, runs and prints; a save runs it again, on the student's functions."""
 
 import os
 import re

@@ -1,4 +1,4 @@
-"""./course predict: what is asked, what counts as right, and what is remembered."""
+"""./course predict: questions, right answers, and stored guesses."""
 
 import json
 import re
@@ -95,7 +95,7 @@ class Asking(unittest.TestCase):
         (self.box.root / ".course" / "predictions.json").unlink(missing_ok=True)
 
     def ask(self, *words: str, lines: str, code: int) -> subprocess.CompletedProcess:
-        """With lines for a terminal that is none."""
+        """Answers with lines, without a terminal."""
         result = subprocess.run([self.box.root / "course", "predict", *words], input=lines, capture_output=True,
                                 text=True, cwd=self.box.root)
         self.assertEqual(result.returncode, code, result.stdout + result.stderr)

@@ -1,4 +1,4 @@
-"""The Python module: worlds, arrays that look at them, scenes, sweeps, films, and what is refused."""
+"""The Python module: worlds, arrays of their numbers, scenes, sweeps, films, and refused input."""
 
 import ast
 import contextlib
@@ -428,7 +428,7 @@ class Worlds(WithModule):
         self.refused("force must be finite, but is nan", world.set_force, 0, (0, 0, math.nan))
         self.refused("body must be an index below 1, but is 1", world.set_force, 1, (0, 0, 0))
         floor = world.add_plane()
-        self.refused(f"body must be one that moves, but is {floor}", world.set_force, floor, (0, 0, 1))
+        self.refused(f"body must be a dynamic one, but is {floor}", world.set_force, floor, (0, 0, 1))
         self.refused("x must be finite, but is inf", world.place, 0, x=(0, 0, math.inf))
 
 
@@ -532,7 +532,7 @@ class Scenes(WithModule):
 
 
 class Arguments(WithModule):
-    """What no function takes is told in one line: which argument, what is wanted, what it got."""
+    """A wrong argument gives one line: the argument, the accepted kind, the given value."""
 
     def told(self, what: str, call, *arguments, **named) -> None:
         with self.assertRaises(TypeError) as caught:

@@ -1,4 +1,4 @@
-"""A seed gives the same inputs with every compiler: no two draws whose order C++ leaves open."""
+"""A seed gives the same inputs with every compiler: no two draws are in an order that C++ leaves open."""
 
 import re
 import unittest
@@ -12,12 +12,12 @@ ORDERED = re.compile(r"[;{},?:]|&&|\|\||<<| = ")
 
 
 def without_words(code: str) -> str:
-    """The code with blanks for comments and strings."""
+    """Returns the code with blanks for comments and strings."""
     return SILENT.sub(lambda found: " " * len(found[0]), code)
 
 
 def arguments_of_calls(code: str):
-    """Where each pair of parentheses opens, and its arguments."""
+    """Returns where each pair of parentheses opens, and its arguments."""
     open_ones = []
     for k, letter in enumerate(code):
         if letter in "([{":
@@ -31,7 +31,7 @@ def arguments_of_calls(code: str):
 
 
 def operands(code: str):
-    """Where each expression begins whose operands have no order, with an @ for each draw."""
+    """Returns where each expression begins whose operands have no order, with an @ for each draw."""
     while found := DRAW.search(code):
         depth, end = 1, found.end()
         while depth:

@@ -1,4 +1,4 @@
-"""Commands as the pages print them: all are ones that the course takes, and those of grading grade a class."""
+"""The commands in pages: the course accepts all of them, and those of grading grade a class."""
 
 import contextlib
 import csv
@@ -35,12 +35,12 @@ def pages() -> list[Path]:
 
 
 def commands(page: Path) -> list[str]:
-    """What stands at the beginning of a line, as it would be typed."""
+    """Returns the commands at the beginnings of lines, as typed."""
     return [line for line in page.read_text(encoding="utf-8").splitlines() if line.startswith("./course")]
 
 
 def words_of(line: str) -> list[str]:
-    """Without a comment, and without where a shell sends the output."""
+    """Returns the words without a comment and without redirections."""
     words = shlex.split(line, comments=True)[1:]
     return words[:words.index(">")] if ">" in words else words
 

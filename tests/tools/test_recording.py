@@ -168,7 +168,7 @@ class Play(unittest.TestCase):
         process.stdin.flush()
 
     def until(self, process: subprocess.Popen, wanted) -> dict:
-        """The first line that is wanted."""
+        """Returns the first line that satisfies the condition."""
         for _ in range(10_000):
             line = process.stdout.readline()
             self.assertTrue(line, "the program has ended")

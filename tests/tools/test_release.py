@@ -1,4 +1,4 @@
-"""One version, stated once; what a release is made of; what others must be told about it."""
+"""The version, stated once; the content of a release; and the notes about it."""
 
 import re
 import shutil

@@ -1,4 +1,4 @@
-"""Scenes as files: what is read, what is refused and where, and that what is exported runs as the scene itself."""
+"""Scenes as files: reading, refusals with their place, and that an exported scene runs as the scene itself."""
 
 import base64
 import copy

@@ -1,4 +1,4 @@
-"""./course slides: what of a lesson is on its slides and in its notes, and that one file is all there is."""
+"""./course slides: the parts of a lesson on its slides and in its notes, in one self-contained file."""
 
 import html
 import re
@@ -24,7 +24,7 @@ class Slides(unittest.TestCase):
         cls.decks = {chapter: slide_page(chapter, drafts) for chapter in read_chapters()}
 
     def sections(self, chapter) -> list[tuple[str, str]]:
-        """Of each slide what it shows, and its notes."""
+        """Returns for each slide its content and its notes."""
         return re.findall(r'<section\b[^>]*>(.*?)<aside>(.*?)</aside></section>', self.decks[chapter][0], re.DOTALL)
 
     def test_every_equation_and_picture_of_a_lesson_is_shown(self):

@@ -1,4 +1,4 @@
-"""The slides in a browser: each fits its page, keys go through them, the notes come along, and it prints."""
+"""The slides in a browser: each fits its page, keys turn them, the notes follow, and they print."""
 
 import base64
 import re
@@ -29,7 +29,7 @@ class InBrowser(unittest.TestCase):
         cls.counts: dict = {}
 
     def open(self, chapter) -> int:
-        """The deck of a chapter; how many slides it has."""
+        """Opens the deck of a chapter; returns the number of its slides."""
         file = self.folder / f"{chapter.folder}.html"
         if not file.exists():
             page, self.counts[chapter] = slide_page(chapter, self.drafts)
@@ -97,7 +97,7 @@ class InBrowser(unittest.TestCase):
         self.assertEqual(set(sizes), {(595, 842)})
 
     def pages(self) -> list[tuple[int, int]]:
-        """Width and height of each page of a print, in points."""
+        """Returns width and height of each page of a print, in points."""
         printed = self.browser.driver.execute_cdp_cmd("Page.printToPDF", {"preferCSSPageSize": True})
         content = base64.b64decode(printed["data"])
         boxes = re.findall(rb"/MediaBox\s*\[\s*0 0 ([0-9.]+) ([0-9.]+)", content)

@@ -1,4 +1,4 @@
-"""--slurm on a real Slurm of one node: the same marks and tables as without, and what fails is told."""
+"""--slurm on a real Slurm of one node: the same marks and tables as without, and reports of failures."""
 
 import filecmp
 import os

@@ -20,7 +20,7 @@ def spook(*arguments):
 
 
 class Refusals(unittest.TestCase):
-    """What makes no sense is one line on stderr that names it, nothing on stdout, and exit status 2."""
+    """Invalid input gives one line on stderr that names it, nothing on stdout, and exit status 2."""
 
     def refused(self, call, *named):
         arguments = call.split() if isinstance(call, str) else call

@@ -1,4 +1,4 @@
-"""Every stub compiles, where the course is held to it without a warning, and passes no test: all are skipped."""
+"""Every stub compiles, in the course's own checks without a warning, and passes no test: all are skipped."""
 
 import concurrent.futures
 import itertools
@@ -20,7 +20,7 @@ CHECK = Tree("check")
 
 
 def pristine() -> list[Exercise]:
-    """Exercises that someone has begun to write are none of this test's business."""
+    """Returns the exercises that nobody has begun: others are not tested here."""
     exercises = all_exercises()
     begun = [exercise.label for exercise in exercises if exercise.started()]
     if begun:
@@ -29,7 +29,7 @@ def pristine() -> list[Exercise]:
 
 
 def strict_command(exercise: Exercise, database: list[dict]) -> tuple[list[str], str] | None:
-    """How CMake compiles the stub, but with warnings as errors, what comes from stdin, and without an object."""
+    """Returns CMake's command for the stub, with warnings as errors, source from stdin, and no object."""
     for entry in database:
         if Path(entry["file"]) == exercise.file:
             words = shlex.split(entry["command"])

@@ -1,4 +1,4 @@
-"""./course export students: what is in the repository, what is not, and how a change of it comes to students."""
+"""./course export students: the content of the repository, the omitted files, and how a change reaches students."""
 
 import os
 import re
@@ -28,7 +28,7 @@ def course(folder: Path, *words: str) -> subprocess.CompletedProcess:
 
 
 def code_of(file: Path) -> list[str]:
-    """Lines that say something."""
+    """Returns lines that contain code."""
     lines = (line.strip() for line in file.read_text(encoding="utf-8", errors="replace").splitlines())
     return [line for line in lines if line and not line.startswith(("//", "#", "template", "}", "namespace"))]
 

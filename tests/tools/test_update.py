@@ -1,4 +1,4 @@
-"""./course update: in every state that a student's folder may be in, nothing that the student wrote is lost."""
+"""./course update: in every state of a student's folder, everything that the student wrote is kept."""
 
 import os
 import shutil
@@ -32,7 +32,7 @@ def git(folder: Path, *words: str) -> str:
 
 
 def snapshot(folder: Path) -> dict[str, bytes]:
-    """All files but git's own."""
+    """Returns all files but git's own."""
     return {path.relative_to(folder).as_posix(): path.read_bytes() for path in sorted(folder.rglob("*"))
             if path.is_file() and ".git" not in path.relative_to(folder).parts}
 
@@ -111,7 +111,7 @@ class Updating(unittest.TestCase):
         return done.stdout
 
     def refused(self, *words: str, code: int = 1, folder: Path | None = None, lines: int = 1, **env: str) -> str:
-        """One line, and nothing is changed."""
+        """Expects one line of refusal, and no change."""
         before = snapshot(folder or self.mine)
         done = self.course(*words, folder=folder, **env)
         self.assertEqual(done.returncode, code, done.stdout + done.stderr)
@@ -132,7 +132,7 @@ class Updating(unittest.TestCase):
         git(self.mine, "commit", "-qm", "Mine")
 
     def assert_is_release(self, version: str = "1.1.0", but: tuple[str, ...] = (), more: tuple[str, ...] = ()) -> None:
-        """Every file is the release's, `but` for these, and there are `more`."""
+        """Expects that every file is the release's, `but` for these, and there are `more`."""
         want = self.here / f"want-{version}"
         if not want.exists():
             git(self.original, "worktree", "add", "-q", "--detach", str(want), f"v{version}")
@@ -553,7 +553,7 @@ class DryRunAndUndo(Updating):
         self.assertIn("another branch", self.refused("--undo"))
 
     def interrupted(self, command: str, by: str) -> dict[str, str]:
-        """An environment in which this is done when one of git's commands is called."""
+        """Returns an environment in which a function is called at one of git's commands."""
         (self.here / "bin").mkdir()
         fake = self.here / "bin" / "git"
         fake.write_text(f'#!/bin/sh\ncase "$*" in *{command}*) {by};; esac\nexec {shutil.which("git")} "$@"\n')

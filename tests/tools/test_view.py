@@ -1,4 +1,4 @@
-"""./course view where no browser is needed: bad input, what is recorded, and what the page holds."""
+"""./course view without a browser: bad input, the recording, and the content of the page."""
 
 import contextlib
 import gzip
@@ -52,7 +52,7 @@ def arguments(*words: str, **options) -> SimpleNamespace:
 
 
 def contents(page: str) -> list[tuple[str, str]]:
-    """What each recording in a page is called, and its text."""
+    """Returns the label and the text of each recording in a page."""
     found = re.findall(r'data-recording="([^"]*)">([^<]+)<', page)
     return [(label, gzip.decompress(b64decode(packed)).decode()) for label, packed in found]
 
@@ -172,7 +172,7 @@ class Size(unittest.TestCase):
 
 
 class Frames(unittest.TestCase):
-    """A short run is recorded so finely that it can be seen."""
+    """A short run is recorded finely enough to be seen."""
 
     def words(self, *words: str, h: float = 0.01, time: float = 10) -> list[str]:
         with mock.patch.object(frames, "_defaults", return_value={"h": h, "time": time}):

@@ -1,4 +1,5 @@
-"""The viewer's page in a browser: what is drawn, and what the controls do. Looks at pixels and the page's own numbers."""
+"""The viewer's page in a browser: the drawing, and the effect of the controls. Compares pixels and the page's own
+numbers."""
 
 import gzip
 import json
@@ -161,7 +162,7 @@ class Picture(Viewer):
 
 
 class Films(Viewer):
-    """Of every scene there is, as the engine records it."""
+    """Films of all scenes, as the engine records them."""
 
     def test_every_scene(self):
         box = Sandbox(built=True)
@@ -260,7 +261,7 @@ class Time(Viewer):
 
 
 class Seen(Viewer):
-    """A film can be followed by eye, and its numbers mean what they show."""
+    """A film can be followed by eye, and its numbers have the meaning that they show."""
 
     def test_a_short_run_is_slowed(self):
         lines = [json.loads(line) for line in recordings.rolling_ball().splitlines()]
@@ -490,7 +491,7 @@ class Damage(Viewer):
 
 
 class Gltf(Viewer):
-    """What is written for other programs, as three.js' own reader of it understands it."""
+    """The output for other programs, as three.js' own reader reads it."""
 
     LOADER = "examples/js/loaders/GLTFLoader.js"
     POSES = """

@@ -12,7 +12,7 @@ from pathlib import Path
 
 
 def main(program: str, source: Path) -> list[str]:
-    """What is wrong."""
+    """Returns the failures."""
     with tempfile.TemporaryDirectory() as temporary:
         folder = Path(temporary)
         done = subprocess.run([program, "--quick", "--jobs", "1", "--out", temporary], stdout=subprocess.PIPE, text=True)

@@ -1,4 +1,4 @@
-"""A course command that goes on until it is told to stop, seen from outside."""
+"""A course command that runs until it is stopped, observed from outside."""
 
 import os
 import queue
@@ -26,7 +26,7 @@ class Watching:
         self._process.stderr.close()
 
     def wait_for(self, text: str, seconds: float = 120) -> str:
-        """Reads on until a line holds the text, and returns it."""
+        """Reads until a line holds the text, and returns it."""
         end = time.monotonic() + seconds
         seen = []
         while time.monotonic() < end:
@@ -39,7 +39,7 @@ class Watching:
         raise AssertionError(f"no '{text}' in:\n{''.join(seen)}")
 
     def interrupt(self) -> tuple[int, str]:
-        """Ctrl-C; the exit code, and what was said on stderr from the beginning."""
+        """Sends Ctrl-C; returns the exit code, and the output on stderr from the beginning."""
         os.killpg(self._process.pid, signal.SIGINT)  # as a terminal does it
         code = self._process.wait(30)
         return code, self._process.stderr.read()

@@ -1,4 +1,4 @@
-"""The course command. One file a subcommand; errors come here."""
+"""The course command: calls one file for each subcommand, and reports errors."""
 
 import os
 import sys

@@ -73,8 +73,8 @@ def _chapters(text: str) -> set[int]:
 
 
 def parse(words: list[str]) -> argparse.Namespace:
-    """`command` and its options. `words` are what belongs to the engine or to Python: for run, scenes, python all that
-    follows."""
+    """Reads `command` and its options. For run, scenes and python all words that follow belong to the engine or to
+    Python."""
     parser, commands = _parsers()
     if words and not words[0].startswith("-") and words[0] not in commands:
         raise BadInput(f"unknown command {words[0]!r}{near(words[0], list(commands))}; see ./course --help")

@@ -1,4 +1,4 @@
-"""--beside: further runs of a scene, each with something changed."""
+"""Handles --beside: further runs of a scene, each with a change."""
 
 from collections.abc import Callable, Collection
 from dataclasses import dataclass
@@ -21,7 +21,7 @@ class Run:
 
 
 def variations(words: list[str], arguments, parameters: Callable[[str], set[str]] = lambda scene: set()) -> list[Run]:
-    """The run that was asked for, and those beside it. `parameters` gives the names of a scene's parameters."""
+    """Returns the requested run and those beside it. `parameters` gives the names of a scene's parameters."""
     if "--record" in words:
         raise BadInput("view: --record is an option of ./course run; leave it out")
     words = [*words, "--fps", arguments.fps] if arguments.fps else words
@@ -45,7 +45,7 @@ def _changed(run: Run, what: str, parameters: set[str]) -> Run:
 
 
 def with_changed(words: list[str], name: str, value: str, parameters: Collection[str] = ()) -> list[str]:
-    """A run's words, with one of the scene's parameters or else an option of run typed anew."""
+    """Returns a run's words with one of the scene's parameters, or an option of run, replaced."""
     option = name.replace("_", "-")
     if name in parameters:
         return [*_without_parameter(words, name), "--set", f"{name}={value}"]
@@ -63,14 +63,14 @@ def _flagged(words: list[str], value: str) -> list[str]:
 
 
 def _without_parameter(words: list[str], name: str) -> list[str]:
-    """Set twice the program would take neither."""
+    """Removes a parameter, since the program refuses one that is set twice."""
     kept = [word for word in words if not word.startswith((f"{name}=", f"--set={name}="))]
     return [word for k, word in enumerate(kept)
             if word != "--set" or k + 1 < len(kept) and not kept[k + 1].startswith("-")]
 
 
 def without(words: list[str], option: str) -> list[str]:
-    """Given twice the program would take neither."""
+    """Removes an option, since the program refuses one that is given twice."""
     kept: list[str] = []
     skip = False
     for word in words:
@@ -81,7 +81,7 @@ def without(words: list[str], option: str) -> list[str]:
 
 
 def label_of(index: int, runs: list[Run], headers: list[dict]) -> str:
-    """What a run is called in the picture; nothing if it is alone."""
+    """Returns the name of a run in the picture; empty if it is alone."""
     if len(runs) == 1:
         return ""
     run = runs[index]

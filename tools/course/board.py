@@ -1,4 +1,4 @@
-"""./course progress: where the student is, and what comes next."""
+"""./course progress: the student's state, and the next step."""
 
 import json
 
@@ -122,7 +122,7 @@ def show_next(exercise: Exercise) -> None:
 
 
 def _to_predict(exercise: Exercise) -> list[tuple[str, str]]:
-    """The chapter's questions, before its first exercise, as long as one is open."""
+    """Returns the chapter's open questions, if none of its exercises is begun."""
     if exercise.number != 1:
         return []
     chapter = next(chapter for chapter in read_chapters() if chapter.number == exercise.chapter)

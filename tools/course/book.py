@@ -39,7 +39,7 @@ def _engine() -> Path | None:
 
 
 def _target(folder: Path) -> Path:
-    """What is there is replaced, if it is a book or nothing."""
+    """Checks that the target is empty or an old book, which is replaced."""
     if folder.exists() and not (folder / "assets" / "index.js").exists() and not _is_empty(folder):
         raise BadInput(f"book: {folder} holds files other than a book, which would be deleted; choose another --out")
     if not folder.absolute().parent.is_dir():
@@ -52,7 +52,7 @@ def _is_empty(folder: Path) -> bool:
 
 
 def _remote(name: str) -> str:
-    """The address of one of the course's remotes, or what is one itself."""
+    """Returns the address of one of the course's remotes, or the given address."""
     known = _git(["-C", str(ROOT), "remote", "get-url", name])
     address = known.stdout.strip() if known.returncode == 0 else name
     reached = _git(["ls-remote", address])
@@ -62,7 +62,7 @@ def _remote(name: str) -> str:
 
 
 def _push(folder: Path, remote: str) -> None:
-    """One commit, in place of what the branch held: what was published before is made again from the course."""
+    """Replaces the content of the branch by one commit: earlier books can be made again from the course."""
     with tempfile.TemporaryDirectory(prefix="course-") as scratch:
         tree = ["--git-dir", scratch, "--work-tree", str(folder)]
         for words in (["init", "-q"], ["add", "-A", "-f"],

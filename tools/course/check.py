@@ -48,7 +48,7 @@ def _show_what_follows(exercise: Exercise) -> None:
 
 
 def _check_started(seed: int | None) -> int:
-    """What a student is at: the first started exercise that is not right; if all are, the next one."""
+    """Checks the first started exercise that is wrong; if all are right, names the next one."""
     exercises = all_exercises()
     verdicts = judge_all([exercise for exercise in exercises if exercise.started()], seed)
     wrong = [verdict for verdict in verdicts if verdict.state != "done"]
@@ -69,7 +69,7 @@ def _check_started(seed: int | None) -> int:
 
 
 def _show_many(verdicts: list[Verdict]) -> None:
-    """A line each; the first that is wrong is shown in full, after the lines."""
+    """Shows one line for each exercise, and the first wrong one in full below."""
     for verdict in verdicts:
         print(board_line(verdict))
     wrong = [verdict for verdict in verdicts if verdict.state == "wrong"]
@@ -98,7 +98,7 @@ def show(verdict: Verdict) -> None:
 
 
 def _what_was_shown(exercise: Exercise) -> str:
-    """The first few tests, by what they are called for people."""
+    """Names the first few tests by their titles."""
     rows = read_rows(TABLE).values()
     titles = [row.title for row in rows if row.test.partition(".")[0] == exercise.suite]
     titles = [title[:1].lower() + title[1:] if title[1:2].islower() else title for title in titles]

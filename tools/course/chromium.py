@@ -1,4 +1,4 @@
-"""A Chromium without a window, which draws in software: for films, and for tests of the viewer."""
+"""A headless Chromium with software rendering, for films and for tests of the viewer."""
 
 from machine import chromedriver
 
@@ -7,7 +7,7 @@ _OPTIONS = ("--headless=new", "--no-sandbox", "--use-angle=swiftshader", "--enab
 
 
 def headless(width: int, height: int):
-    """Its Selenium driver, with a page of so many pixels. Throws what Selenium throws where it cannot be driven."""
+    """Returns its Selenium driver, with a page of so many pixels. Raises Selenium's errors."""
     from selenium import webdriver
     from selenium.webdriver.chrome.service import Service
     options = webdriver.ChromeOptions()

@@ -1,4 +1,4 @@
-"""Where in a student's file a program crashed, and why, as far as the program told."""
+"""Finds the line of a student's file in which a program crashed, and the reason if the program printed one."""
 
 import re
 from pathlib import Path
@@ -24,14 +24,14 @@ _CLAIMS = (  # what the libraries assert, and what it means to a student
     (r"__lo < __hi|!\(__hi < __lo\)|!__comp\(__hi, __lo\)", "the lower bound of std::clamp is above its upper bound"),
 )
 _SIGNALS = {"SIGFPE": "an integer is divided by 0",
-            "SIGSEGV": "nothing is at that address: an index far past the end, a reference to what is gone, or a "
+            "SIGSEGV": "invalid address: an index far past the end, a reference to a destroyed object, or a "
                        "function that calls itself without end"}
 _OWNERS = {"/c++/": " of the C++ library", "/Eigen/": " of Eigen"}  # of the file that asserts
 _KINDS = ("vector", "array", "span", "deque", "basic_string")
 
 
 def place(program: Path, trace: Path, exercises: list[Exercise]) -> tuple[Exercise, int] | None:
-    """The student's line that was being done: of all that the calls went through, the innermost in a student's file."""
+    """Returns the innermost line of a student's file in the trace."""
     addresses = trace.read_text(encoding="ascii").split() if trace.exists() else []
     if not addresses:
         return None
@@ -41,7 +41,8 @@ def place(program: Path, trace: Path, exercises: list[Exercise]) -> tuple[Exerci
 
 
 def ending(signal_name: str, output: str) -> str:
-    """ "crashed (SIGSEGV)", or "fails an assertion of the C++ library", which ends a program by a signal, too."""
+    """Returns "crashed (SIGSEGV)", or "fails an assertion of the C++ library", which also ends a program by a
+    signal."""
     found = _last_assertion(output) if signal_name == "SIGABRT" else None
     if not found:
         return f"crashed ({signal_name})"
@@ -50,7 +51,7 @@ def ending(signal_name: str, output: str) -> str:
 
 
 def explained(signal_name: str, output: str, where: tuple[Exercise, int] | None) -> str:
-    """ "chapters/01_leapfrog/kick.cpp:7: an index is past the end of a std::vector", and the line itself."""
+    """Returns "chapters/01_leapfrog/kick.cpp:7: an index is past the end of a std::vector", and the line itself."""
     why = _cause(output) or _SIGNALS.get(signal_name, "")
     if where is None:
         return (f"{why[:1].upper()}{why[1:]}." if why else
@@ -62,14 +63,14 @@ def explained(signal_name: str, output: str, where: tuple[Exercise, int] | None)
 
 
 def without_assertion(printed: str) -> str:
-    """What the student's code printed, and no library in its name."""
+    """Returns the output of the student's code, without that of libraries."""
     for assertion in _ASSERTIONS:
         printed = assertion.sub("", printed)
     return printed
 
 
 def _cause(output: str) -> str:
-    """What an assertion that failed means, or what it says; empty if there was none."""
+    """Explains a failed assertion, or returns its text; empty if there was none."""
     found = _last_assertion(output)
     if not found:
         return ""
@@ -77,10 +78,10 @@ def _cause(output: str) -> str:
         if re.search(claim, found["claim"]):
             kinds = [kind for kind in _KINDS if f"std::{kind}<" in found["where"] or f"/{kind}:" in found["where"]]
             return meaning.format(kind=f"std::{kinds[0]}" if kinds else "container")
-    return f"it is asserted that {found['claim']}, which is not so"
+    return f"the assertion {found['claim']} failed"
 
 
 def _last_assertion(output: str) -> re.Match[str] | None:
-    """The one that ended the program."""
+    """Returns the assertion that ended the program."""
     found = [match for assertion in _ASSERTIONS for match in assertion.finditer(output)]
     return max(found, key=re.Match.start, default=None)

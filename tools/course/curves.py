@@ -23,7 +23,7 @@ class Table:
 
     @classmethod
     def read(cls, file: Path, label: str = "") -> "Table":
-        """What is there: a run that blew up has less of it."""
+        """Reads the columns; a run that blew up has fewer rows."""
         with file.open(encoding="utf-8", newline="") as lines:
             rows = list(csv.reader(lines))
         if not rows:
@@ -36,7 +36,7 @@ def name_of(column: str) -> str:
 
 
 def matching(columns: list[str], wanted: str) -> list[str]:
-    """The column of this name, or all whose names begin with these words; refuses what is none."""
+    """Returns the column of this name, or all columns whose names begin with these words. Refuses unknown names."""
     names = {name_of(column): column for column in columns}
     names.pop(_TIME, None)
     if wanted in names:
@@ -53,7 +53,7 @@ def _listed(names: list[str]) -> str:
 
 
 def draw(tables: list[Table], wanted: tuple[str, ...], scene: str, command: str) -> Path:
-    """A part for each name; in it a curve for each column and run."""
+    """Draws a part for each name, with a curve for each column and run."""
     parts = []
     for name in wanted:
         columns = matching(tables[0].columns, name)

@@ -1,4 +1,4 @@
-"""What a student needs of what the compiler says."""
+"""Extracts the useful part of a compiler's messages for a student."""
 
 import re
 
@@ -19,7 +19,7 @@ def _lines(output: str) -> list[str]:
 
 
 def first_error(output: str, exercise: Exercise) -> list[str]:
-    """The first error, with the code it points at; before it, the student's line that led there."""
+    """Returns the first error with its code, below the student's line that led there."""
     lines = _lines(output)
     name = exercise.file.name
     for k, line in enumerate(lines):
@@ -33,7 +33,7 @@ def first_error(output: str, exercise: Exercise) -> list[str]:
 
 
 def linker_error(output: str) -> str | None:
-    """What is undefined, or defined twice. Apple's linker names it in the line below."""
+    """Returns the symbol that is undefined or defined twice. Apple's linker names it in the line below."""
     lines = _lines(output)
     for k, line in enumerate(lines):
         found = _LINKER.search(line)
@@ -44,7 +44,7 @@ def linker_error(output: str) -> str | None:
 
 
 def warnings(output: str, exercise: Exercise) -> list[str]:
-    """The warnings about the student's file, one line each."""
+    """Returns the warnings about the student's file, one line each."""
     return [line for line in _lines(output) if "warning: " in line and f"/{exercise.file.name}:" in line]
 
 

@@ -1,4 +1,4 @@
-"""The programs of the engine, at full speed: built when they are needed."""
+"""The programs of the engine, optimised, and built when needed."""
 
 import json
 import subprocess
@@ -13,7 +13,7 @@ _WEB = Tree("web", ("emcmake",))
 
 
 def program(target: str) -> Path:
-    """The path of the program, up to date."""
+    """Builds the program and returns its path."""
     built = RELEASE.build([target], f"building the engine{_how_long()}", keep_going=True)
     if built.ok:
         return RELEASE.program(target)
@@ -24,7 +24,7 @@ def program(target: str) -> Path:
 
 
 def parameters_of(scene: str) -> set[str]:
-    """The names of a scene's parameters; none of a scene that there is not."""
+    """Returns the names of a scene's parameters; empty for an unknown scene."""
     done = subprocess.run([str(program("spook")), "scenes", scene, "--json"], capture_output=True, text=True)
     if done.returncode != 0:
         return set()

@@ -1,8 +1,8 @@
-"""What goes wrong, as the user sees it: one line, and an exit code."""
+"""Errors as the user sees them: one line, and an exit code."""
 
 
 class CourseError(Exception):
-    """Something that the user can act on. Printed as one line; details may follow it."""
+    """An error that the user can correct. Printed as one line; details may follow."""
 
     code = 1
 
@@ -12,6 +12,6 @@ class CourseError(Exception):
 
 
 class BadInput(CourseError):
-    """An argument that makes no sense."""
+    """An invalid argument."""
 
     code = 2

@@ -1,4 +1,4 @@
-"""./course test: whether this checkout works; with --all every test there is."""
+"""./course test: checks that this checkout works; with --all by every test."""
 
 import re
 import subprocess
@@ -45,7 +45,7 @@ def test(arguments) -> int:
 
 
 def _fast(strict: bool) -> int:
-    """Tests with the label `fast`, and the mutants of the chapters that have changed."""
+    """Runs tests with the label `fast`, and the mutants of changed chapters."""
     check, now = Tree("check"), mutants.digests()
     chapters = mutants.changed(check, now)
     labels = ["fast", *(f"mutants.{chapter}" for chapter in chapters)]
@@ -61,7 +61,7 @@ def _fast(strict: bool) -> int:
 
 
 def _on_mac(arguments) -> int:
-    """Tests what is compiled. Mutants, the grader, and the tests of the tools are made for Linux."""
+    """Runs the tests of compiled code. Mutants, the grader, and the tests of the tools need Linux."""
     if arguments.all:
         machine.require_linux("./course test --all")
     install(NEEDS, arguments.yes)
@@ -87,7 +87,7 @@ def _everything(arguments) -> int:
 
 
 def _stubs(check: Tree) -> list[str]:
-    """Programs of the exercises that nobody has begun, which a test runs: one ninja makes them, not one beside it."""
+    """Builds the programs of exercises that are not begun for a test that runs them, by one ninja."""
     stubs = [exercise for exercise in all_exercises() if not exercise.started()]
     for exercise in stubs:
         drop_if_stale(check, exercise)
@@ -95,24 +95,24 @@ def _stubs(check: Tree) -> list[str]:
 
 
 def _graded(chapters: int | None = None) -> list[str]:
-    """What a class is graded with, in the first chapters, or all."""
+    """Builds what the grader needs for the first chapters, or for all."""
     return [f"{side}_{chapter.folder}" for chapter in read_chapters()[:chapters] for side in ("grade", "answer")]
 
 
 def selection(labels: list[str]) -> list[str]:
-    """Words for ctest: tests with one of the labels."""
+    """Returns ctest's arguments for tests with one of the labels."""
     return ["-L", f"^({'|'.join(re.escape(label) for label in labels)})$"]
 
 
 def names(tree: Tree, chosen: list[str] | None = None) -> list[str]:
-    """Of the tests that ctest would run."""
+    """Returns the names of the tests that ctest would run."""
     listing = subprocess.run(["ctest", "--test-dir", str(tree.path), "-N", *(chosen or [])],
                              capture_output=True, text=True).stdout
     return _NAME.findall(listing)
 
 
 def left_out(every: list[str], run: list[str]) -> str:
-    """`Left out: 80 mutant.* (unchanged since they were killed), 31 plot.*, tools.slurm, all tests under sanitizers. ...`"""
+    """Returns a line such as `Left out: 80 mutant.* (unchanged since they were killed), 31 plot.*, tools.slurm, ...`"""
     there = set(run)
     rest = [name for name in every if name not in there]
     said = []
@@ -124,7 +124,7 @@ def left_out(every: list[str], run: list[str]) -> str:
 
 
 def _install_if_offered(needs: tuple[Need, ...], what: str, yes: bool) -> None:
-    """Where the system has none, the tests that want it say that they are skipped."""
+    """Installs a package if the system offers it; otherwise its tests report that they are skipped."""
     if not all(need.there() or is_offered(need.package) for need in needs):
         return
     try:
@@ -143,7 +143,7 @@ def _build(tree: Tree, targets: list[str], strict: bool) -> None:
 
 
 def _run(tree: Tree, chosen: list[str] | None = None) -> Outcome:
-    """Passes on what ctest prints, as it prints it."""
+    """Prints ctest's output as it comes."""
     print(f"\nTesting {shown(tree.path)}.", flush=True)
     command = ["ctest", "--test-dir", str(tree.path), "--output-on-failure", "--no-tests=error",
                "-j", str(jobs()), *(chosen or [])]
@@ -157,7 +157,7 @@ def _run(tree: Tree, chosen: list[str] | None = None) -> Outcome:
 
 
 def _skipped(log: Path) -> list[str]:
-    """Each reason once, in the words of the tests."""
+    """Returns each reason for skipped tests once, in the tests' words."""
     try:
         text = log.read_text(encoding="utf-8", errors="replace")
     except FileNotFoundError:

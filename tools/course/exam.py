@@ -40,7 +40,7 @@ def exam(arguments) -> int:
 
 
 def all_questions() -> list[Question]:
-    """In the order of chapters and objectives."""
+    """Returns all questions in the order of chapters and objectives."""
     try:
         for name in _FILES:
             importlib.import_module(f"examining.{name}")
@@ -50,14 +50,14 @@ def all_questions() -> list[Question]:
 
 
 def objectives_of(chapter: Chapter) -> list[str]:
-    """The list of the lesson's section of that name."""
+    """Returns the list in the lesson's section of objectives."""
     lesson = chapter.exercises[0].lesson.read_text(encoding="utf-8")
     section = lesson.partition(f"\n{_HEADING}\n")[2].partition("\n## ")[0]
     return [" ".join(item.split()) for item in re.findall(r"^- (.*?)(?=^- |\Z)", section, re.MULTILINE | re.DOTALL)]
 
 
 def objectives_page() -> str:
-    """chapters/OBJECTIVES.md."""
+    """Returns the text of chapters/OBJECTIVES.md."""
     questions = all_questions()
     parts = [_HEAD]
     for chapter in read_chapters():
@@ -72,7 +72,7 @@ def objectives_page() -> str:
 
 
 def _item(text: str) -> str:
-    """An item of a list, in lines of at most 120 columns."""
+    """Formats an item of a list, in lines of at most 120 columns."""
     lines, line = [], "-"
     for word in text.split():
         if len(line) + 1 + len(word) > 120:

@@ -1,4 +1,4 @@
-"""The object file that a student's file is compiled to."""
+"""The object file compiled from a student's file."""
 
 import hashlib
 from pathlib import Path
@@ -15,8 +15,8 @@ def object_file(tree: Tree, exercise: Exercise) -> Path:
 def drop_if_stale(tree: Tree, exercise: Exercise) -> None:
     """Removes the object of another answer.
 
-    Ninja looks at times only: a file that is unpacked or copied with its old time would be taken for the one
-    that was compiled last, and get its marks.
+    Ninja compares times only. It would take a file that is unpacked or copied with its old time for the one that was
+    compiled last, which would then get its marks.
     """
     compiled = object_file(tree, exercise)
     record = compiled.with_suffix(".source")

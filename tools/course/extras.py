@@ -1,4 +1,4 @@
-"""What ./course run has besides the options of the engine's program: --mine, --engine mine, --plot, --sweep, and more."""
+"""Options of ./course run beyond those of the engine's program: --mine, --engine mine, --plot, --sweep, and more."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -32,7 +32,7 @@ class Extras:
 
 
 def taken(arguments: list[str]) -> tuple[Extras, list[str]]:
-    """The extras, and the words that are left for the engine."""
+    """Returns the extras, and the remaining words for the engine."""
     own, words = own_engine([word for word in arguments if word != "--mine"])
     plot, words = _taken("--plot", words)
     shard, words = _taken("--shard", words)
@@ -70,7 +70,7 @@ def _taken(option: str, words: list[str]) -> tuple[str | None, list[str]]:
 
 
 def _taken_lists(option: str, words: list[str], is_list: Callable[[str], bool]) -> tuple[list[str], list[str]]:
-    """The lists after an option, which takes several words and may be repeated, and all other words."""
+    """Separates the values of options that take several words and may be repeated from all other words."""
     lists: list[str] = []
     left: list[str] = []
     k = 0

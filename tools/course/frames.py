@@ -1,4 +1,4 @@
-"""How finely a film is recorded: a short run has frames enough to be seen in slow motion."""
+"""The frame rate of recordings: a short run gets enough frames for slow motion."""
 
 import json
 import subprocess
@@ -11,8 +11,8 @@ _USUAL = 60  # a second of simulated time
 
 
 def with_frames(words: tuple[str, ...]) -> list[str]:
-    """The words of a run, with --fps where a usual film of it would be short; and with a longer --time where the run
-    has not so many steps. What was typed stays."""
+    """Adds --fps to a run's words if a usual film of it would be short, and a longer --time if the run has too few
+    steps. Options that were typed stay."""
     if _value(words, "--fps") is not None:
         return list(words)
     scene = _defaults(words[0])
@@ -28,7 +28,7 @@ def with_frames(words: tuple[str, ...]) -> list[str]:
 
 
 def _defaults(scene: str) -> dict:
-    """As ./course scenes has them; nothing for a scene that is a file, or that there is not."""
+    """Returns the defaults listed by ./course scenes; empty for a scene file or an unknown scene."""
     done = subprocess.run([str(program("spook")), "scenes", scene, "--json"], capture_output=True, text=True)
     return json.loads(done.stdout)["scenes"][0] if done.returncode == 0 else {}
 
@@ -43,7 +43,7 @@ def _value(words: tuple[str, ...], option: str) -> str | None:
 
 
 def _number(text: str | None, otherwise: float) -> float:
-    """0 for what is no number, which the engine's program refuses in its own words."""
+    """Returns a number; 0 for other text, which the engine's program then refuses."""
     try:
         return float(otherwise if text is None else Fraction(text))
     except (ValueError, ZeroDivisionError):

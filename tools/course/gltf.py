@@ -1,4 +1,5 @@
-"""A recording as glTF 2.0, which Blender and many viewers read: bodies and rods as they move. No contacts, no answer."""
+"""Converts a recording to glTF 2.0, which Blender and many viewers read: moving bodies and rods, without contacts and
+answer."""
 
 import base64
 import json
@@ -12,7 +13,7 @@ _ROD = 0.3  # radius of a rod, over that of a point
 
 
 def gltf(recording: bytes) -> str:
-    """Throws ValueError, KeyError, TypeError or IndexError for what is no recording, or has no frames."""
+    """Throws ValueError, KeyError, TypeError or IndexError for other input than a recording with frames."""
     header, *frames = (json.loads(line) for line in recording.splitlines())
     frames = [frame for frame in frames if "x" in frame]
     if not frames:
@@ -84,7 +85,7 @@ class _Scene:
         self._animate(node, "scale", np.stack([thick, thick, lengths / 2], axis=1))
 
     def _turns(self, k: int) -> np.ndarray:
-        """(x, y, z, w), as glTF has them, from one to the next by the shorter way."""
+        """Returns quaternions in glTF's order (x, y, z, w), each turned the shorter way from the one before."""
         return _continuous(self._q[:, k, [1, 2, 3, 0]])
 
     def _turned(self, body: int, point: np.ndarray) -> np.ndarray:
@@ -143,7 +144,7 @@ def _continuous(q: np.ndarray) -> np.ndarray:
 
 
 def _turn_z_to(directions: np.ndarray) -> np.ndarray:
-    """The shortest turns, as (x, y, z, w)."""
+    """Returns the shortest rotation as (x, y, z, w)."""
     x, y, z = directions.T
     q = np.stack([-y, x, np.zeros_like(x), 1 + z], axis=1)
     q[q[:, 3] < 1e-9] = [1, 0, 0, 0]  # half a turn, about any axis across
@@ -161,7 +162,7 @@ def _sphere(across: int = 24, up: int = 12) -> tuple[np.ndarray, np.ndarray, np.
 
 
 def _capsule(half_length: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Of radius 1 about the z axis: a sphere whose halves are so far from the middle, with a cylinder between them."""
+    """Returns a capsule of radius 1 about the z axis: a sphere in two halves, and a cylinder between them."""
     points, normals, triangles = _sphere(up=13)  # an odd number of bands, so that no ring lies on the equator
     return points + np.sign(points[:, 2:]) * [0, 0, half_length], normals, triangles
 

@@ -1,4 +1,4 @@
-"""./course hint: one more each time."""
+"""./course hint: shows one more hint at each call."""
 
 import remembered
 from manifest import Exercise
@@ -30,5 +30,5 @@ def _show(exercise: Exercise, number: int, repeated: bool) -> None:
 
 
 def _read() -> dict[str, int]:
-    """How many hints of each exercise were given."""
+    """Reads how many hints of each exercise were shown."""
     return {key: value for key, value in remembered.read(_FILE, _TABLE).items() if type(value) is int and value >= 0}

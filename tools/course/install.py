@@ -1,4 +1,4 @@
-"""Installs what the course needs and the system lacks: by apt on Debian and Ubuntu, by Homebrew on macOS."""
+"""Installs missing packages of the course: by apt on Debian and Ubuntu, by Homebrew on macOS."""
 
 import importlib
 import os
@@ -22,7 +22,7 @@ _CONDA_UPDATE = "conda env update -f environment.yml"
 
 
 def install(needs: tuple[Need, ...], yes: bool) -> None:
-    """Returns when everything is there, and new enough; asks first, unless root or told not to."""
+    """Returns when everything is present and new enough. Asks first, unless root or told not to."""
     lacking = [need for need in needs if not need.there()]
     if lacking:
         _install([need.package for need in lacking], yes)
@@ -53,7 +53,7 @@ def _install(lacking: list[str], yes: bool) -> None:
 
 
 def _install_beside_conda(lacking: list[str], yes: bool, instead: CourseError) -> None:
-    """Installs npm's libraries only: the environment is the user's to change."""
+    """Installs npm's libraries only: the user manages the environment."""
     npm, rest = packages.split(lacking, packages.NPM)
     if rest or not shutil.which("npm") or not (yes or _agreed(lacking, "npm")):
         raise instead

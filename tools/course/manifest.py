@@ -30,7 +30,7 @@ class Exercise:
 
     @property
     def suite(self) -> str:
-        """Its GoogleTest suite: update_row is tested by UpdateRow."""
+        """Returns its GoogleTest suite: update_row is tested by UpdateRow."""
         return "".join(word.capitalize() for word in self.function.split("_"))
 
     @property
@@ -46,7 +46,7 @@ class Exercise:
         return CHAPTERS / self.folder / "README.md"
 
     def source(self) -> str | None:
-        """What the student's file holds now; None if it is missing."""
+        """Returns the current text of the student's file; None if it is missing."""
         try:
             return self.file.read_text(encoding="utf-8", errors="replace")
         except FileNotFoundError:
@@ -66,7 +66,7 @@ class Chapter:
 
 
 def read_chapters() -> list[Chapter]:
-    """All chapters that have exercises, in order."""
+    """Returns all chapters with exercises, in order."""
     files = sorted(CHAPTERS.glob("[0-9][0-9]_*/hints.md"))
     if not files:
         raise CourseError("no exercises: chapters/NN_topic/hints.md, which lists them, is missing")
@@ -84,7 +84,7 @@ def _read_chapter(file: Path) -> Chapter:
 
 
 def listed(hints: str, folder: str) -> list[Exercise]:
-    """The exercises that the text of a hints.md lists, in order."""
+    """Returns the exercises listed in the text of a hints.md, in order."""
     exercises = []
     for heading, body in _sections(hints):
         chapter, number, function = heading.groups()
@@ -93,13 +93,13 @@ def listed(hints: str, folder: str) -> list[Exercise]:
 
 
 def _title(readme: Path) -> str:
-    """The first line of the lesson, "# 01 · Leapfrog", without its #."""
+    """Returns the first line of the lesson, "# 01 · Leapfrog", without its #."""
     lines = readme.read_text(encoding="utf-8").splitlines() if readme.exists() else []
     return lines[0].lstrip("# ").strip() if lines else readme.parent.name
 
 
 def _sections(text: str):
-    """Each exercise's heading with the lines below it."""
+    """Returns each exercise's heading with the lines below it."""
     heading, body = None, []
     for line in text.splitlines():
         found = _HEADING.match(line)
@@ -114,7 +114,7 @@ def _sections(text: str):
 
 
 def numbered_items(lines: list[str]) -> list[str]:
-    """The items of a numbered Markdown list, their paragraphs and code kept."""
+    """Returns the items of a numbered Markdown list, with their paragraphs and code."""
     items: list[list[str]] = []
     in_code = False
     for line in lines:

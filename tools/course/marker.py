@@ -14,17 +14,17 @@ _MARKER = re.compile(r"\bnot_implemented\s*\(")
 
 
 def code_of(source: str) -> str:
-    """The source without comments, strings and characters; every line keeps its number."""
+    """Returns the source without comments, strings and characters; every line keeps its number."""
     return _COMMENT_OR_LITERAL.sub(lambda match: " " + "\n" * match.group().count("\n"), source)
 
 
 def blanked(source: str) -> str:
-    """The same with spaces in their place: everything keeps its line and column."""
+    """Returns the source with spaces in their place: everything keeps its line and column."""
     return _COMMENT_OR_LITERAL.sub(lambda match: re.sub(r"[^\n]", " ", match.group()), source)
 
 
 def marker_line(source: str) -> int | None:
-    """The line of the first call of not_implemented(), counted from 1."""
+    """Returns the line of the first call of not_implemented(), counted from 1."""
     found = _MARKER.search(code_of(source))
     return source_line(code_of(source), found.start()) if found else None
 

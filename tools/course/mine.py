@@ -1,4 +1,4 @@
-"""--mine: programs of the engine that take what a student has written so far in place of the reference's."""
+"""--mine: programs of the engine with the student's finished functions in place of the reference's."""
 
 import json
 import re
@@ -44,14 +44,14 @@ def _listed(exercises: list[Exercise]) -> str:
 
 
 def signed(line: str, mine: list[Exercise]) -> str:
-    """The header of a recording, with which functions were the student's."""
+    """Adds the names of the student's functions to the header of a recording."""
     return json.dumps(json.loads(line) | {"mine": [exercise.function for exercise in mine]})
 
 
 def checked_program(mine: list[Exercise]) -> Path:
-    """The program spook_mine, of the objects that `check` tests: after a check there is nothing to compile, only to link.
+    """Builds the program spook_mine from the objects that `check` tests. After a check it only needs linking.
 
-    They have their checks on, and are slower for it.
+    It has its checks on, and is slower for that.
     """
     _compile(CHECK, mine)
     _set("SPOOK_MINE_OBJECTS", [str(object_file(CHECK, exercise)) for exercise in mine])
@@ -79,7 +79,7 @@ def _compile(tree: Tree, mine: list[Exercise]) -> None:
 
 
 def _complete(path: Path, compiled: Tree, mine: list[Exercise]) -> Path:
-    """The program, if the reference had to fill no function of these exercises."""
+    """Returns the program if none of these exercises' functions is the reference's."""
     for exercise in mine:
         if missing_functions(compiled, exercise, RELEASE):
             raise CourseError(f"{exercise.label} is not defined in its file; see ./course check {exercise.id}")

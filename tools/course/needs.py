@@ -1,4 +1,4 @@
-"""What the course needs of the system: Debian's name of it, what shows that it is there, and the oldest that will do."""
+"""The packages that the course needs: Debian's name, a sign that it is present, and the oldest sufficient version."""
 
 import importlib.metadata
 import importlib.util
@@ -42,7 +42,7 @@ class Need:
         return importlib.util.find_spec(self.name) is not None
 
     def version(self) -> str:
-        """As 3.25.1; empty if it does not say."""
+        """Returns the version as 3.25.1; empty if the program does not print one."""
         if self.kind == "command":
             said = subprocess.run([self.name, "--version"], capture_output=True, text=True, errors="replace").stdout
             return _number((said.splitlines() or [""])[0])
@@ -63,7 +63,7 @@ class Need:
         return ""
 
     def too_old(self) -> str:
-        """One sentence; empty when it will do, or does not say how old it is."""
+        """Returns a sentence about a package that is too old; empty if it suffices, or prints no version."""
         version = self.version() if self.least else ""
         if not version or _parts(version) >= _parts(self.least):
             return ""
@@ -75,7 +75,7 @@ def _find_header(name: str) -> Path | None:
 
 
 def _number(line: str) -> str:
-    """The last version in a line such as `c++ (Debian 12.2.0-14) 12.2.0` or `v18.19.0`."""
+    """Returns the last version in a line such as `c++ (Debian 12.2.0-14) 12.2.0` or `v18.19.0`."""
     found = re.findall(r"(?<![\d.])\d+(?:\.\d+)+", line)
     return found[-1] if found else ""
 
@@ -90,7 +90,8 @@ def _links_sanitizers(compiler: str) -> bool:
 
 
 def _compiler() -> tuple[str, bool]:
-    """What CMake will take: the environment's CXX, or the system's c++; and whether it is clang by another name."""
+    """Returns the compiler that CMake will use: the environment's CXX, or the system's c++; and if it is clang by
+    another name."""
     name = os.environ.get("CXX") or "c++"
     return name, "clang" in Path(os.path.realpath(shutil.which(name) or name)).name
 
@@ -101,7 +102,7 @@ def compiler() -> Need:
 
 
 def sanitizers() -> tuple[Need, ...]:
-    """Debian's clang comes without them; g++ brings its own."""
+    """Returns the package of the sanitizers. Debian's clang comes without them; g++ has its own."""
     name, is_clang = _compiler()
     return (Need("libclang-rt-dev", "sanitizers", name),) if is_clang else ()
 

@@ -1,4 +1,4 @@
-"""The viewer's page: tools/viewer, the libraries, and the data, in one file that needs no other."""
+"""The viewer's page: tools/viewer, the libraries, and the data, in one self-contained file."""
 
 import base64
 import gzip
@@ -21,25 +21,25 @@ _DATA, _BACK = "<!-- data -->", "<!-- back -->"
 
 
 def film(recordings: list[tuple[str, bytes]], back: tuple[str, str] | None = None) -> str:
-    """The page of recordings, each with what it is called; the first is the one that others are compared with. `back`
-    is the address and title of the page that leads here."""
+    """Returns the page of recordings, each with its label. The first is the one to compare with. `back` is the address
+    and title of the page that leads here."""
     return _page("\n".join(f'<script type="application/gzip" data-recording="{html.escape(label)}">{_packed(content)}'
                            "</script>" for label, content in recordings), back)
 
 
 def live() -> str:
-    """The page of a run that goes on: it asks for `frames` and sends to `command`, beside its own address."""
+    """Returns the page of a running simulation. It reads `frames` and writes to `command`, next to its own address."""
     return _page('<script type="application/json" id="live">{}</script>')
 
 
 def figure() -> str:
-    """The page of a lesson's live figure, which runs the engine of engine_file() in its folder."""
+    """Returns the page of a lesson's live figure, which runs the engine of engine_file() in its folder."""
     return _page('<script type="application/json" id="live">{"figure": true}</script>')
 
 
 def engine_file(compiled: Path) -> str:
-    """The engine that em++ made, NAME.js with NAME.wasm beside it, as a script that holds it as text: any page may load
-    a script, from the file system, too."""
+    """Returns the engine of em++, NAME.js with NAME.wasm beside it, as a script that holds it as text. Any page may
+    load a script, also from the file system."""
     text = compiled.read_bytes() + b"\n" + (VIEWER / "worker.js").read_bytes()
     wasm = compiled.with_suffix(".wasm").read_bytes()
     return f'window.spookEngine = {{\n  text: "{_packed(text)}",\n  wasm: "{_packed(wasm)}" }};\n'

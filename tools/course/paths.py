@@ -1,4 +1,4 @@
-"""Where things are."""
+"""The folders of the course."""
 
 import os
 from pathlib import Path
@@ -11,5 +11,5 @@ BUILD = Path(os.environ.get("COURSE_BUILD") or ROOT / "build").absolute()
 
 
 def shown(path: Path) -> str:
-    """A path as it is printed: from the root of the course, if it lies there."""
+    """Returns a path for printing: relative to the root of the course, if it is inside."""
     return str(path.relative_to(ROOT)) if path.is_relative_to(ROOT) else str(path)

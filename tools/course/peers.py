@@ -1,4 +1,4 @@
-"""Other engines for ./course plot peers: which are installed, and a tree that is configured for them."""
+"""Other engines for ./course plot peers: the installed ones, and a build tree configured for them."""
 
 import sys
 
@@ -12,7 +12,7 @@ NAME = "peers"  # the experiment, and its folder in plots/
 
 
 def require() -> None:
-    """Raises CourseError, with what to install, where there is none of them; says which are missing where some are."""
+    """Raises CourseError, with what to install, if none is installed; names the missing ones if some are."""
     missing = [need.package for need in PEER_NEEDS if not need.there()]
     if len(missing) == len(PEER_NEEDS):
         raise CourseError(f"{NAME} needs at least one other engine, which ./course start does not install:  "

@@ -70,7 +70,7 @@ class _Session:
             self._server.close()
 
     def _watch(self, seen: list) -> int:
-        """Until the page is left, or the engine ends."""
+        """Waits until the page is closed, or the engine ends."""
         while self._hub.alone_for() < _ALONE:
             try:
                 code = self._ended.get(timeout=_PERIOD)
@@ -86,7 +86,8 @@ class _Session:
         return 0
 
     def _build_again(self) -> None:
-        """From the same start, with what was set; the old engine goes on if the new one does not compile."""
+        """Builds the engine again, with the same start and settings. The old one continues if the new one does not
+        compile."""
         self._hub.say("Building what you have saved ...")
         self._mine = begun()
         try:
@@ -113,7 +114,7 @@ class _Session:
         self._began.set()
 
     def _first_line(self) -> int | None:
-        """The exit code of an engine that ends before it has begun."""
+        """Returns the exit code of an engine that ends before its first line."""
         while not self._began.wait(0.05):
             if not self._ended.empty():
                 return self._ended.get() or 1

@@ -56,7 +56,7 @@ class Playground:
         return self.file.read_text(encoding="utf-8", errors="replace")
 
     def make(self) -> bool:
-        """Whether there was none before."""
+        """Writes the playground. Returns True if there was none before."""
         self.file.parent.mkdir(exist_ok=True)
         try:
             with self.file.open("x", encoding="utf-8") as out:
@@ -67,7 +67,7 @@ class Playground:
 
 
 def first_text(exercise: Exercise) -> str:
-    """The whole file: what chapters/NN_topic/try.md has of the exercise, in a program."""
+    """Returns the whole file: the code in chapters/NN_topic/try.md for the exercise, in a program."""
     body = examples(exercise.folder).get(exercise.label)
     if body is None:
         raise CourseError(f"chapters/{exercise.folder}/try.md has no example for {exercise.label}")
@@ -77,7 +77,7 @@ def first_text(exercise: Exercise) -> str:
 
 
 def examples(folder: str) -> dict[str, str]:
-    """The code below each heading of try.md, by the heading."""
+    """Returns the code below each heading of try.md, by the heading."""
     page = CHAPTERS / folder / "try.md"
     text = page.read_text(encoding="utf-8") if page.exists() else ""
     return dict(re.findall(r"^## +(.+?)\s*$\n+```cpp\n(.*?)^```$", text, re.MULTILINE | re.DOTALL))

@@ -72,7 +72,7 @@ def plot(arguments) -> int:
 
 
 def _require_no_options(arguments) -> None:
-    """What would be left aside without an experiment to apply it to."""
+    """Refuses options that have no effect without an experiment."""
     for name in ("mine", "quick", "shard", "merge", "slurm", "publish", "format"):
         if getattr(arguments, name):
             raise BadInput(f"plot: --{name} needs the NAME of an experiment; ./course plot lists them")
@@ -142,7 +142,8 @@ def _run(experiment: Experiment, arguments, mine: list[Exercise]) -> int:
 
 @contextlib.contextmanager
 def _results_set_aside(folder: Path):
-    """The last results are gone once there are new ones; a command that is refused, or stopped, leaves them."""
+    """Moves the last results away. They are deleted once there are new ones, and restored if the command is refused or
+    stopped."""
     results = [folder / name for name in ("table.csv", "claims.json")]
     aside = [result.with_name(f"{result.name}.before") for result in results]
     for result, kept in zip(results, aside):
@@ -190,7 +191,7 @@ def _compute(experiment: Experiment, arguments, path: Path, folder: Path, own_st
 
 
 def _compute_on_slurm(experiment: Experiment, arguments) -> None:
-    """Each part is written into the experiment's own folder; what is missing afterwards is computed here."""
+    """Computes each part in the experiment's own folder, and missing points here."""
     if arguments.mine or arguments.shard or arguments.merge:
         raise BadInput("plot: --slurm divides the experiment itself; leave out --mine, --shard and --merge")
     path, folder = program(f"plot_{experiment.name}"), experiment.folder(False)
@@ -202,7 +203,7 @@ def _compute_on_slurm(experiment: Experiment, arguments) -> None:
 
 
 def _merge(other: Path, folder: Path) -> None:
-    """Takes over what a shard has computed, here or on another machine."""
+    """Copies the results of shards, computed here or on another machine."""
     parts = other / "parts" if (other / "parts").is_dir() else other
     found = sorted(parts.glob("[0-9]*.csv"))
     if not found:

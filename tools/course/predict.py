@@ -30,7 +30,7 @@ def predict(arguments) -> int:
 
 
 def guesses(asked: list[Prediction]) -> dict[str, str]:
-    """By the question's number, of those that can still be read: questions change."""
+    """Returns the stored guesses by question number, without those that cannot be read any more."""
     kept = remembered.read(_FILE, _TABLE)
     return {each.id: kept[each.id] for each in asked
             if isinstance(kept.get(each.id), str) and each.read(kept[each.id]) is not None}
@@ -86,5 +86,5 @@ def _sum_up(chapter: Chapter, asked: list[Prediction]) -> None:
 
 
 def _plain(text: str) -> str:
-    """Without the marks of Markdown."""
+    """Removes Markdown's marks."""
     return text.replace("`", "").replace("*", "")

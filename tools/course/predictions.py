@@ -1,4 +1,4 @@
-"""What a chapter asks its readers to predict: questions from its lesson, answers from chapters/predictions.ini."""
+"""Questions that a chapter asks before the code, from its lesson; answers from chapters/predictions.ini."""
 
 import configparser
 import functools
@@ -28,7 +28,7 @@ class Prediction:
     remarks: dict[str, str] = field(default_factory=dict)
 
     def read(self, text: str) -> str | None:
-        """The guess in the form in which it is kept; None if it is neither a number nor one of the letters."""
+        """Returns the guess in its stored form; None if it is neither a number nor one of the letters."""
         if self.choices:
             letter = text.strip().lower().rstrip(").")
             return letter if letter in self.choices else None
@@ -41,7 +41,7 @@ class Prediction:
         return _near(float(guess), float(self.answer), self.within)
 
     def remark(self, guess: str) -> str:
-        """What is said to those who answer this, and to no others."""
+        """Returns the remark for this answer."""
         return next((said for answer, said in self.remarks.items()
                      if (guess == answer if self.choices else _near(float(guess), float(answer), self.within))), "")
 
@@ -56,7 +56,7 @@ class Prediction:
 
 
 def number(text: str, unit: str = "") -> float | None:
-    """A number such as 0.2, 2e-3, 1/60 or 5 %, perhaps with its unit."""
+    """Reads a number such as 0.2, 2e-3, 1/60 or 5 %, perhaps with its unit."""
     text = text.strip().replace("\u2212", "-")
     if unit and text.lower().endswith(unit.lower()):
         text = text[: -len(unit)].strip()
@@ -72,7 +72,7 @@ def _near(guess: float, answer: float, within: float) -> bool:
 
 
 def predictions_of(chapter: Chapter) -> list[Prediction]:
-    """In the lesson's order."""
+    """Returns the predictions in the lesson's order."""
     lesson = (CHAPTERS / chapter.folder / "README.md").read_text(encoding="utf-8")
     questions = numbered_items(lesson.partition(f"\n{HEADING}\n")[2].partition("\n## ")[0].splitlines())
     return [_prediction(f"{chapter.number}.{k}", question) for k, question in enumerate(questions, 1)]

@@ -1,4 +1,4 @@
-"""Runs a tool, keeps every line it prints, and shows how far it is."""
+"""Runs a tool, keeps all of its output, and shows its progress."""
 
 import subprocess
 from collections.abc import Callable
@@ -9,7 +9,7 @@ from errors import CourseError
 
 def stream(command: list[str], on_line: Callable[[str], None], log: Path | None = None,
            env: dict[str, str] | None = None, cwd: Path | None = None) -> tuple[int, str]:
-    """Runs to the end; returns the exit code and all that was printed."""
+    """Runs it to the end; returns the exit code and the output."""
     lines: list[str] = []
     try:
         process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
@@ -35,7 +35,7 @@ def tail(text: str, count: int = 15) -> str:
 
 
 def from_failure(text: str, count: int = 15) -> str:
-    """What ninja says of the first failure, without the compiler's command line."""
+    """Returns ninja's first failure, without the compiler's command line."""
     lines = text.rstrip().splitlines()
     first = next((k for k, line in enumerate(lines) if line.startswith("FAILED:")), None)
     if first is None or "build.ninja" in lines[first]:  # CMake, run again by ninja, says why before it fails

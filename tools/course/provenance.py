@@ -1,4 +1,4 @@
-"""A manifest beside a result: by which command, commit, compiler and machine it was computed."""
+"""Writes a manifest beside a result: the command, commit, compiler and machine that computed it."""
 
 import json
 import os
@@ -13,7 +13,7 @@ from version import commit, version
 
 
 def write_manifest(result: Path, command: list[str]) -> None:
-    """Writes RESULT.manifest.json. `command` is what was typed, with all options and seeds."""
+    """Writes RESULT.manifest.json. `command` is the typed command, with all options and seeds."""
     manifest = {"command": ["./course", *command], "version": version(), "commit": commit(),
                 "compiler": _compiler(), "flags": RELEASE.setting("CMAKE_CXX_FLAGS"), "machine": _machine(),
                 "processors": processors(), "date": time.strftime("%Y-%m-%dT%H:%M:%SZ", time.gmtime())}
@@ -22,7 +22,7 @@ def write_manifest(result: Path, command: list[str]) -> None:
 
 
 def _compiler() -> str:
-    """The first line of what the compiler says of itself."""
+    """Returns the first line of the compiler's version."""
     path = RELEASE.setting("CMAKE_CXX_COMPILER")
     try:
         told = subprocess.run([path, "--version"], capture_output=True, text=True) if path else None
@@ -32,7 +32,7 @@ def _compiler() -> str:
 
 
 def _machine() -> str:
-    """The processor by its model, where the system names it."""
+    """Returns the processor's model, where the system names it."""
     try:
         lines = Path("/proc/cpuinfo").read_text(encoding="utf-8", errors="replace").splitlines()
         model = next(line.partition(":")[2].strip() for line in lines if line.startswith("model name"))

@@ -1,4 +1,4 @@
-"""./course python: the Python module, built, and what to do with it."""
+"""./course python: builds the Python module, and runs Python with it."""
 
 import os
 import subprocess
@@ -32,7 +32,7 @@ An environment of yours:               pip install {ROOT}""")
 
 
 def built() -> Path:
-    """The folder to import from, up to date."""
+    """Builds the module, and returns the folder to import from."""
     tree = Tree("release")
     if tree.setting("SPOOK_PYTHON") != "ON":
         tree.configure("-DSPOOK_PYTHON=ON")

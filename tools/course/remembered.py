@@ -1,4 +1,4 @@
-"""What the course remembers of its student, in .course/: a table for each purpose, in a JSON file."""
+"""The course's memory of its student, in .course/: a table for each purpose, in a JSON file."""
 
 import json
 import os
@@ -7,7 +7,7 @@ from paths import STATE
 
 
 def read(file: str, table: str) -> dict:
-    """Empty, if the file is not what was written."""
+    """Reads a table; empty if the file is not valid."""
     try:
         found = json.loads((STATE / file).read_text(encoding="utf-8"))[table]
         return {str(key): value for key, value in found.items()}

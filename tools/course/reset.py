@@ -1,4 +1,4 @@
-"""./course reset: the stub comes back, and nothing is lost."""
+"""./course reset: restores the stub, and keeps the old file."""
 
 import subprocess
 from pathlib import Path
@@ -25,7 +25,7 @@ def reset(arguments) -> int:
 
 
 def stub_of(exercise: Exercise) -> bytes:
-    """The newest version in git's history that still held the marker."""
+    """Returns the newest version in git's history that still held the marker."""
     path = exercise.file.relative_to(ROOT).as_posix()
     # With --full-history git also follows a release that was merged while the student's answer stayed.
     for revision in _git("rev-list", "--full-history", "HEAD", "--", path).decode().split():
@@ -44,12 +44,12 @@ def _git(*arguments: str, must_work: bool = True) -> bytes:
                           "./course start installs it") from None
     if result.returncode != 0 and must_work:
         reason = (result.stderr.decode(errors="replace").strip() or "git failed").splitlines()[0]
-        raise CourseError(f"no stub to be had from git's history: {reason}")
+        raise CourseError(f"git's history cannot be read for the stub: {reason}")
     return result.stdout if result.returncode == 0 else b""
 
 
 def _keep(file: Path, source: bytes) -> Path:
-    """Beside the file, under a name that no build looks for and nothing had before."""
+    """Keeps the file beside the stub, under an unused name that no build looks for."""
     number = 1
     while True:
         kept = file.with_name(f"{file.name}.mine-{number}")

@@ -43,7 +43,7 @@ def run(arguments: list[str]) -> int:
 
 
 class Called:
-    """The exercises' functions that runs have called; None where the program cannot tell."""
+    """The exercises' functions that runs have called; None if the program cannot record them."""
 
     def __init__(self):
         self.names: set[str] | None = None
@@ -58,7 +58,7 @@ def _started(words: list[str], mine: list[Exercise], called: Called, call=None) 
 
 
 def with_yours(arguments: list[str], mine: list[Exercise], called: Called, call=None) -> int:
-    """The exit code; `call` starts the program, as _call does. A crash is told as what it is."""
+    """Returns the exit code. `call` starts the program, as _call does. Explains a crash."""
     path = checked_program(mine)
     with tempfile.TemporaryDirectory(prefix="course-") as folder:
         trace, calls = Path(folder, "trace"), Path(folder, "calls")
@@ -70,7 +70,7 @@ def with_yours(arguments: list[str], mine: list[Exercise], called: Called, call=
 
 
 def crashed(code: int, path: Path, trace: Path, mine: list[Exercise]) -> CourseError:
-    """An error in one of the student's functions: which, if the trace says so."""
+    """Returns an error that names the student's function in which the program crashed, if the trace has one."""
     name, where = signal.Signals(-code).name, crash.place(path, trace, mine)
     if where:
         return CourseError(f"the run crashed ({name}) at {shown(where[0].file)}:{where[1]}; "
@@ -88,7 +88,7 @@ def _call(command: list[str], **env: str) -> int:
 
 
 def _become(arguments: list[str]) -> int:
-    """Exit code, signals and terminal are the program's own."""
+    """Replaces this process by the program, so that exit code, signals and terminal are its own."""
     path = str(program("spook"))
     sys.stdout.flush()
     os.execv(path, [path, *arguments])

@@ -1,4 +1,4 @@
-"""./course run --plot and --sweep: one run or several, what they are in a table and in a figure."""
+"""./course run --plot and --sweep: one run or several, as a table and as a figure."""
 
 import json
 import os
@@ -20,11 +20,11 @@ from terminal import Bar, fold_lines
 
 
 class Runs:
-    """Of one scene: its columns drawn, or a row of a table for each combination that is swept, or both."""
+    """Runs of one scene: a figure of its columns, a table row for each combination of swept values, or both."""
 
     def __init__(self, words: list[str], extras: Extras, start: Callable[..., int],
                  parameters: Callable[[str], set[str]]):
-        """`start` runs the program with the words, by subprocess or by the function `call`, and gives its exit code.
+        """`start` runs the program with the words, by subprocess or by the function `call`, and returns its exit code.
         `parameters` gives the names of a scene's parameters.
         """
         if not words or words[0].startswith("-"):
@@ -81,7 +81,7 @@ class Runs:
         return words
 
     def _results(self, asked: list[tuple[dict, list[str]]], folder: Path) -> tuple[list[Result], list[Table], int]:
-        """Takes the runs. Returns their results, their tables where those are drawn, and the worst exit code."""
+        """Makes the runs. Returns their results, the tables of the drawn ones, and the worst exit code."""
         if self._extras.slurm:
             return self._on_slurm([point for point, _ in asked])
         bar, results, tables, worst = Bar("sweep", len(asked)), [], [], 0
@@ -163,14 +163,14 @@ def _last_line(err: str) -> str:
 
 
 def _require_writable(file: str) -> None:
-    """Before time is spent on runs; nothing is changed yet."""
+    """Checks that the result can be written before time is spent on runs; nothing is changed yet."""
     path = Path(file)
     if path.is_dir() or not path.parent.is_dir() or not os.access(path if path.exists() else path.parent, os.W_OK):
         raise BadInput(f'run: csv "{file}" cannot be written')
 
 
 def value_of(option: str, words: list[str]) -> str | None:
-    """The value of an option in a command line; None if it is not there."""
+    """Returns the value of an option in a command line; None if it is missing."""
     for k, word in enumerate(words):
         if word.startswith(f"{option}="):
             return word.partition("=")[2]

@@ -1,4 +1,4 @@
-"""./course slides N: a chapter's lecture, made of its lesson, as one HTML file that opens anywhere and prints."""
+"""./course slides N: a chapter's lecture, made of its lesson, as one self-contained HTML file that prints."""
 
 from pathlib import Path
 

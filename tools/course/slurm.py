@@ -1,7 +1,7 @@
-"""Runs a command as an array of an existing Slurm, waits, and says what became of each part.
+"""Runs a command as a Slurm array, waits, and reports the result of each part.
 
-Nothing is copied: the course, its build trees and the folder of results must lie where every node sees them under the
-same path. Which queue, how long, for whom: sbatch reads SBATCH_PARTITION, SBATCH_TIMELIMIT and SBATCH_ACCOUNT.
+Nothing is copied: the course, its build trees and the folder of results must be visible to every node under the same
+path. Sbatch reads queue, time and account from SBATCH_PARTITION, SBATCH_TIMELIMIT and SBATCH_ACCOUNT.
 """
 
 import os
@@ -23,7 +23,7 @@ _ENDED_BADLY = 5.0  # seconds that an exit code may take to be seen across a net
 def run_array(command: list[str], count: int, folder: Path, what: str) -> dict[int, str]:
     """Runs `command` count times, with @I@ in its words replaced by 1 to count; logs and exit codes go to `folder`.
 
-    Returns, for each part that failed, why. A part whose node dies is not run again; the others go on.
+    Returns the failed parts with their reasons. A part whose node dies is not run again; the others continue.
     """
     for program in ("sbatch", "squeue", "scancel"):
         if not shutil.which(program):
@@ -51,7 +51,7 @@ def run_array(command: list[str], count: int, folder: Path, what: str) -> dict[i
 
 
 def _shared(folder: Path) -> str:
-    """The fewest folders that hold everything."""
+    """Returns the fewest folders that contain everything."""
     needed = sorted({ROOT, BUILD, folder.parent.absolute()})
     return ", ".join(str(path) for path in needed if not any(other in path.parents for other in needed))
 
@@ -66,12 +66,12 @@ def _submit(script: Path, count: int, folder: Path) -> str:
 
 
 def _environment() -> dict[str, str]:
-    """What tells this command where things are, and nothing of a job that it may run in itself."""
+    """Returns the environment variables that this command needs, without those of a surrounding job."""
     return {name: value for name, value in os.environ.items() if not name.startswith("SLURM_") or name == "SLURM_CONF"}
 
 
 def _waiting(job: str) -> int:
-    """How many parts have not ended. A controller that does not answer may come back: it is asked again."""
+    """Returns the number of unfinished parts. Asks again if the controller does not answer."""
     told = subprocess.run(["squeue", "--noheader", "--array", f"--jobs={job}", "--format=%T"], capture_output=True,
                           text=True)
     if told.returncode != 0:
@@ -80,7 +80,7 @@ def _waiting(job: str) -> int:
 
 
 def _failure(job: str, part: int, folder: Path) -> str:
-    """Empty for a part that ended well."""
+    """Returns the reason of a failure; empty for a part that succeeded."""
     code, deadline = folder / f"{part}.code", time.monotonic() + _ENDED_BADLY
     while not code.exists() and time.monotonic() < deadline:
         time.sleep(0.2)

@@ -1,4 +1,4 @@
-"""./course solution: the reference, once it can't spoil anything."""
+"""./course solution: shows the reference once the exercise passes."""
 
 from paths import shown
 from pick import pick_one

@@ -1,4 +1,4 @@
-"""Refuses what needs the reference's sources in a repository that has it compiled, as students have it."""
+"""Refuses commands that need the reference's sources in a repository for students, which has it compiled."""
 
 from errors import CourseError
 from paths import SOLUTIONS

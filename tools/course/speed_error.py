@@ -1,4 +1,4 @@
-"""Speed against error: the reference engine on scenes that know their answers."""
+"""Speed against error: the reference engine on scenes with known answers."""
 
 import json
 import subprocess
@@ -30,7 +30,7 @@ CASES = (
 
 
 def measure(program: str) -> list[dict]:
-    """Runs every case; a list of what `spook run --json` printed, each with what was `asked` of it."""
+    """Runs every case. Returns a list of outputs of `spook run --json`, each with the requested values as `asked`."""
     runs = [(case, h, count) for case in CASES for h in case.steps for count in case.iterations or (None,)]
     results = []
     live = Live("running")
@@ -77,6 +77,6 @@ def _number(value: float | None) -> str:
 
 
 def _step(h: float) -> str:
-    """1/60 rather than 0.016667, where that is what it is."""
+    """Returns a step as 1/60 rather than 0.016667 if it is exactly that."""
     fraction = Fraction(h).limit_denominator(100000)
     return str(fraction) if abs(float(fraction) - h) < 1e-12 and len(str(fraction)) <= 6 else f"{h:.4g}"

@@ -30,7 +30,7 @@ def start(arguments) -> int:
 
 
 def _build_tests() -> None:
-    """What the first `check` does not have to wait for: tests of the chapters that are begun, and of the next."""
+    """Builds what the first `check` would wait for: tests of the begun chapters, and of the next."""
     chapters = read_chapters()
     begun = [chapter for chapter in chapters if any(exercise.started() for exercise in chapter.exercises)]
     ahead = [chapter for chapter in chapters if not all(exercise.started() for exercise in chapter.exercises)][:1]

@@ -1,4 +1,4 @@
-"""./course run --sweep: the same scene with other values, a row of a table each."""
+"""./course run --sweep: the same scene with other values, one table row for each."""
 
 import json
 from collections.abc import Mapping, Sequence

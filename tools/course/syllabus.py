@@ -1,4 +1,4 @@
-"""What a lesson's head says it takes: earlier chapters, and hours. And what the reference calls of other chapters."""
+"""The requirements in a lesson's head: earlier chapters, and hours; and the reference's calls of other chapters."""
 
 import re
 
@@ -13,7 +13,7 @@ _WORDS = ("zero", "one", "two", "three", "four", "five", "six", "seven", "eight"
 
 
 def needs_of(chapter: Chapter) -> set[int]:
-    """The chapters that a reader must know before."""
+    """Returns the chapters that a reader must know before."""
     head = _head(chapter)
     return {int(number) for number in _CHAPTER.findall(head[:_HOURS.search(head).start()])}
 
@@ -24,7 +24,7 @@ def hours_of(chapter: Chapter) -> tuple[int, int]:
 
 
 def calls_of(chapter: Chapter) -> set[int]:
-    """The other chapters of which the reference calls an exercise's function."""
+    """Returns the other chapters with an exercise whose function the reference calls."""
     text = "\n".join(re.sub(r"//.*", "", file.read_text(encoding="utf-8"))
                      for file in sorted((SOLUTIONS / chapter.folder).glob("*.cpp")))
     return {one.chapter for one in all_exercises()
@@ -32,7 +32,7 @@ def calls_of(chapter: Chapter) -> set[int]:
 
 
 def closure(needs: dict[int, set[int]], number: int) -> set[int]:
-    """All that a chapter needs, by what those need in turn."""
+    """Returns all chapters that a chapter needs, directly or indirectly."""
     found: set[int] = set()
     waiting = set(needs[number])
     while waiting:
@@ -47,5 +47,5 @@ def _head(chapter: Chapter) -> str:
     lesson = chapter.exercises[0].lesson.read_text(encoding="utf-8")
     found = _HEAD.search(lesson)
     if not found or not _HOURS.search(found[1]):
-        raise CourseError(f"{chapter.folder}: the lesson does not say what it takes")
+        raise CourseError(f"{chapter.folder}: the lesson does not state its requirements")
     return found[1]

@@ -1,7 +1,7 @@
-"""Whether a student's object really holds the exercise's function.
+"""Tells whether a student's object defines the exercise's function.
 
-The linker fills whatever is missing from the reference. Without this check an empty file, or a function with
-another name or signature, would be tested as the reference, and pass.
+The linker fills missing functions from the reference. Without this check an empty file, or a function with another
+name or signature, would be tested as the reference, and pass.
 """
 
 import functools
@@ -15,7 +15,7 @@ from tree import Tree
 
 
 def missing_functions(tree: Tree, exercise: Exercise, built: Tree | None = None) -> list[str]:
-    """The functions, readable, which the reference defines for the exercise and the student doesn't.
+    """Returns the functions, readable, that the reference defines for the exercise and the student does not.
 
     The student's object is in `tree`; the reference is there, too, or in `built`.
     """
@@ -33,7 +33,8 @@ def reference_functions(tree: Tree, exercise: Exercise) -> set[str]:
 
 
 def functions_in(file: Path, name: str) -> set[str]:
-    """The functions spook::`name` that other objects can call: overloads, and a template's instances, too."""
+    """Returns the functions spook::`name` that other objects can call, including overloads and a template's
+    instances."""
     mangled = f"_ZN5spook{len(name)}{name}"
     written = file.stat().st_mtime_ns if file.exists() else 0
     return {symbol for symbol in _defined_in(file, written) if symbol.startswith(mangled)}
@@ -41,7 +42,7 @@ def functions_in(file: Path, name: str) -> set[str]:
 
 @functools.cache
 def _defined_in(file: Path, _written: int) -> frozenset[str]:
-    """All that others can call; the archive of the reference is asked once, however many exercises there are."""
+    """Returns all functions that others can call. The archive of the reference is read once for all exercises."""
     listing = subprocess.run(["nm", "-P", "--defined-only", str(file)], capture_output=True, text=True)
     # macOS puts one more _ before each name.
     lines = [line.removeprefix("_").split() if line.startswith("__Z") else line.split()

@@ -1,4 +1,4 @@
-"""How output looks: colour only where it can be seen, plain letters where symbols can't be printed."""
+"""Formats output: colour only on a terminal, plain letters where symbols cannot be printed."""
 
 import os
 import sys
@@ -11,7 +11,7 @@ _CODES = {"green": "32", "red": "31", "yellow": "33", "bold": "1", "dim": "2"}
 
 
 def prepare() -> None:
-    """Text that the terminal has no letter for must not end the program."""
+    """Keeps text that the terminal cannot print from ending the program."""
     for stream in (sys.stdout, sys.stderr):
         stream.reconfigure(errors="replace")
 
@@ -42,7 +42,7 @@ def counted(count: int, what: str) -> str:
 
 
 def fold(text: str, indent: str = "") -> str:
-    """Paragraphs filled to the width; code (fenced, or indented by four) and lists keep their lines."""
+    """Fills paragraphs to the width; code (fenced, or indented by four) and lists keep their lines."""
     blocks = []
     in_code = False
     for paragraph in text.split("\n\n"):
@@ -55,7 +55,7 @@ def fold(text: str, indent: str = "") -> str:
 
 
 def fold_lines(text: str, indent: str = "") -> str:
-    """Each line for itself, broken where it is too long and going on at its own indent: what is laid out stays so."""
+    """Breaks each line that is too long, and continues at its own indent: tables keep their layout."""
     return "\n".join(
         textwrap.fill(line, WIDTH, initial_indent=indent,
                       subsequent_indent=indent + line[: len(line) - len(line.lstrip())], **_WHOLE_WORDS)
@@ -63,7 +63,7 @@ def fold_lines(text: str, indent: str = "") -> str:
 
 
 class Live:
-    """One line on stderr that says how long work goes on; nothing at all if it takes less than a second."""
+    """Shows how long work takes, on one line of stderr; nothing if it takes less than a second."""
 
     def __init__(self, what: str, delay: float = 1.0):
         self._what, self._start = what, time.monotonic() + delay
@@ -86,7 +86,7 @@ class Live:
 
 
 class Bar:
-    """How far a count has come, and how long the rest will take, on one line of stderr."""
+    """Shows a count and its remaining time on one line of stderr."""
 
     def __init__(self, what: str, total: int):
         self._live, self._total, self._count = Live(what), total, 0

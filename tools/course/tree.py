@@ -1,4 +1,4 @@
-"""A build tree, one a CMake preset: configured when it has to be, built with ninja."""
+"""A build tree for a CMake preset: configured when needed, built with ninja."""
 
 import contextlib
 import fcntl
@@ -31,13 +31,13 @@ def jobs() -> int:
 
 class Tree:
     def __init__(self, preset: str, wrapper: tuple[str, ...] = ()):
-        """`wrapper` stands before cmake and sets its compiler, as emcmake does."""
+        """`wrapper` precedes cmake and sets its compiler, as emcmake does."""
         self.preset = preset
         self._wrapper = wrapper
         self.path = BUILD / preset
 
     def build(self, targets: list[str], what: str, keep_going: bool = False) -> Built:
-        """Brings the targets up to date; a failure is the caller's to explain."""
+        """Brings the targets up to date; the caller explains a failure."""
         going = ["-k", "0"] if keep_going else []
         command = ["ninja", "-C", str(self.path), "-j", str(jobs()), *going, *targets]
         env = os.environ | {"NINJA_STATUS": "[%f/%t] ", "LC_ALL": "C"}
@@ -66,7 +66,7 @@ class Tree:
                               "(is something missing? ./course start)", tail(output))
 
     def setting(self, name: str) -> str:
-        """A value in CMake's cache; empty if there is none."""
+        """Returns a value in CMake's cache; empty if there is none."""
         try:
             cache = (self.path / "CMakeCache.txt").read_text(encoding="utf-8", errors="replace")
         except FileNotFoundError:
@@ -75,14 +75,14 @@ class Tree:
         return found[1] if found else ""
 
     def program(self, target: str) -> Path:
-        """Where ninja puts the program of a target."""
+        """Returns the path of a target's program."""
         query = subprocess.run(["ninja", "-C", str(self.path), "-t", "query", target],
                                capture_output=True, text=True)
         alias = re.search(r"^  input: phony\n    (\S+)$", query.stdout, re.MULTILINE)
         return self.path / (alias[1] if alias else target)
 
     def failed(self, built: Built, *names: str) -> bool:
-        """Whether one of these targets is what failed, and not the course's own code."""
+        """Tells whether one of these targets has failed, and not the course's own code."""
         lines = [line for line in built.output.splitlines() if line.startswith("FAILED:")]
         return any(re.search(rf"\b{name}\b", line) for line in lines for name in names)
 
@@ -95,13 +95,13 @@ class Tree:
         return self.setting("CMAKE_HOME_DIRECTORY") in ("", str(ROOT))
 
     def _say_that_it_was_moved(self) -> None:
-        """Tells a student who moved the folder about the wait: what is built holds paths of the old place."""
+        """Explains the wait to a student who moved the folder: built files hold paths of the old place."""
         old = self.setting("CMAKE_HOME_DIRECTORY")
         print(f"{shown(self.path)} was built for {old}, and the course is in {ROOT} now: it is built anew.",
               file=sys.stderr, flush=True)
 
     def _is_current(self) -> bool:
-        """Whether CMake has seen the presets as they are now, and this Python; ninja itself looks after the rest."""
+        """Tells whether CMake has read the present presets, and this Python. Ninja checks the rest."""
         log = self.path / "course-configure.log"
         return (log.exists() and log.stat().st_mtime >= (ROOT / "CMakePresets.json").stat().st_mtime
                 and self.setting("Python3_EXECUTABLE") == sys.executable)
@@ -112,7 +112,7 @@ class Tree:
 
     @contextlib.contextmanager
     def _alone(self):
-        """Two ninjas in one tree get into each other's way: `watch` in one window, `check` in another."""
+        """Locks the tree, since two ninjas in one tree conflict: `watch` in one window, `check` in another."""
         self.path.mkdir(parents=True, exist_ok=True)
         with open(self.path / "course.lock", "w") as lock:
             fcntl.flock(lock, fcntl.LOCK_EX)

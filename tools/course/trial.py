@@ -1,4 +1,4 @@
-"""Runs one exercise's tests in a process of their own, with limits, and says what happened."""
+"""Runs one exercise's tests in a process of their own, with limits, and reports the result."""
 
 import json
 import math
@@ -47,7 +47,7 @@ class Trial:
                 self.unfinished = mark[2] if mark[1] == "RUN" else ""
 
     def printed_by(self, test: str) -> str:
-        """What the program printed while this test ran, without GoogleTest's own lines."""
+        """Returns the program's output during this test, without GoogleTest's own lines."""
         body, inside = [], False
         for line in self.output.splitlines():
             mark = _MARK.match(line)
@@ -59,7 +59,7 @@ class Trial:
 
 
 def time_limit() -> float:
-    """Seconds of processor time for all tests of an exercise."""
+    """Returns the seconds of processor time for all tests of an exercise."""
     given = os.environ.get("COURSE_TIME_LIMIT", "20")
     try:
         limit = float(given)
@@ -71,16 +71,17 @@ def time_limit() -> float:
 
 
 def clock_limit() -> float:
-    """Seconds on the clock for all tests of an exercise."""
+    """Returns the seconds on the clock for all tests of an exercise."""
     return _WAITING * math.ceil(time_limit())
 
 
 def run_tests(program: Path, test_filter: str, seed: int | None = None, *, processor: float | None = None,
               more: dict[str, str] | None = None, exercise: Exercise | None = None) -> Trial:
-    """In an environment without GoogleTest's variables, but with `more`. A crash is looked for in the exercise's file.
+    """Runs the tests in an environment without GoogleTest's variables, but with `more`. A crash is located in
+    the exercise's file.
 
-    Processor time counts, whatever else the machine does: time_limit(), or the `processor` seconds given, for which a
-    busy machine has all the time that it wants.
+    Processor time counts, whatever else the machine does: time_limit(), or the given seconds of `processor`. A busy
+    machine gets enough time on the clock for these.
     """
     env = {name: value for name, value in os.environ.items() if not name.startswith("GTEST_")} | (more or {})
     if seed is not None:
@@ -101,7 +102,7 @@ def run_tests(program: Path, test_filter: str, seed: int | None = None, *, proce
 
 def run_limited(command: list[str], out, env: dict[str, str], folder: str,
                 processor: float | None = None) -> tuple[int, bool]:
-    """Its exit code, and whether it ran for too long. Memory and what it may write are limited, too."""
+    """Returns the exit code, and whether it ran for too long. Memory and written files are limited, too."""
     # A loop that never ends may also fill the memory or the disk.
     limits = Limits(math.ceil(processor or time_limit()), _MEMORY, _OUTPUT)
     process = start_limited(command, limits, stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.STDOUT,
@@ -129,7 +130,7 @@ def _read_report(report: Path) -> list[Test] | None:
 
 
 def _as_utf8(text: str) -> str:
-    """GoogleTest 1.12 escapes each byte of a letter by itself, so that λ arrives as two letters."""
+    """Decodes letters such as λ, of which GoogleTest 1.12 escapes each byte."""
     try:
         return text.encode("latin-1").decode("utf-8")
     except UnicodeError:

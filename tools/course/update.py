@@ -1,4 +1,4 @@
-"""./course update: another release of the course, with everything that the student has written kept."""
+"""./course update: installs another release of the course, and keeps everything that the student has written."""
 
 from dataclasses import dataclass
 

@@ -1,4 +1,4 @@
-"""The state of an exercise, and the reason for it."""
+"""The state of an exercise, and its reason."""
 
 import re
 import signal
@@ -34,12 +34,12 @@ class Verdict:
 
 
 def judge(exercise: Exercise, seed: int | None = None) -> Verdict:
-    """Builds and tests what the student wrote."""
+    """Builds and tests the student's file."""
     return without_building(exercise) or _judge_built(exercise, _build([exercise]), seed)
 
 
 def judge_all(exercises: list[Exercise], seed: int | None = None) -> list[Verdict]:
-    """The same for many: one build, and the tests side by side."""
+    """Judges several exercises: one build, and the tests side by side."""
     to_build = [exercise for exercise in exercises if not without_building(exercise)]
     built = _build(to_build) if to_build else Built(True, "")
 
@@ -90,14 +90,14 @@ def _judge_built(exercise: Exercise, built: Built, seed: int | None) -> Verdict:
     verdict = _judge_trial(exercise, trial)
     # What a data race gives is another number in each run.
     if verdict.details and "data race" not in verdict.details and _depends_on_calls_before(program, trial, seed):
-        verdict.details = ("Run alone, this test does not fail as it does here. So something lives on from one call to the "
-                           "next: a static or a global variable? Or does one never get a value?\n\n" + verdict.details)
+        verdict.details = ("Run alone, this test does not fail as it does here. So a value is kept from one call to the next, "
+                           "in a static or a global variable? Or does one never get a value?\n\n" + verdict.details)
     verdict.warnings = diagnostics.warnings(built.output, exercise)
     return verdict
 
 
 def without_building(exercise: Exercise) -> Verdict | None:
-    """The verdict, if a look at the file is enough for it."""
+    """Returns the verdict if the file alone determines it."""
     source = exercise.source()
     if source is None:
         return Verdict(exercise, "wrong", "file missing", f"{shown(exercise.file)} is not there; "
@@ -142,12 +142,12 @@ def _judge_trial(exercise: Exercise, trial: Trial) -> Verdict:
 
 
 def _first(failed: list[Test]) -> Test:
-    """The failure to show: that with the highest rank, and of those that are alike the first."""
+    """Returns the failure to show: that with the highest rank, and the first of equal ones."""
     return max(failed, key=lambda test: test.rank)
 
 
 def _depends_on_calls_before(program: Path, trial: Trial, seed: int | None) -> bool:
-    """Whether the failure that is shown is another one, or none, when its test is run alone."""
+    """Tells whether the shown failure changes or vanishes when its test runs alone."""
     failed = [test for test in trial.tests or [] if test.failures]
     if not failed:
         return False
@@ -157,7 +157,7 @@ def _depends_on_calls_before(program: Path, trial: Trial, seed: int | None) -> b
 
 
 def _what(test: Test) -> list[str]:
-    """What each failure looked at, without numbers: times differ."""
+    """Returns the subject of each failure without numbers, since times differ."""
     return [re.sub(r"[\d.e+-]+", "", _BOILERPLATE.sub("", failure).partition("\n")[0]) for failure in test.failures]
 
 

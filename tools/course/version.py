@@ -1,4 +1,4 @@
-"""The version of the course: CMakeLists.txt states it, everything else reads it there."""
+"""The version of the course, which CMakeLists.txt states."""
 
 import re
 import subprocess

@@ -100,7 +100,7 @@ def _header(content: bytes) -> dict | None:
 
 
 def _target(path: Path, made: bool) -> Path:
-    """Where the page goes; looked at first, so that no run is made in vain."""
+    """Returns the page's path; checked first, so that no run is wasted."""
     if made:
         path.parent.mkdir(parents=True, exist_ok=True)
     if path.is_dir() or not path.parent.is_dir() or not os.access(path if path.exists() else path.parent, os.W_OK):
@@ -109,7 +109,7 @@ def _target(path: Path, made: bool) -> Path:
 
 
 def _recorded(runs: list[Run]) -> tuple[list[Recording], int]:
-    """What was recorded, and the worst exit code. Ends the command where a run makes no sense."""
+    """Returns the recordings, and the worst exit code. Ends the command after a run with invalid input."""
     code, recordings = 0, []
     mine, called = begun() if any(run.mine for run in runs) else [], Called()
     with tempfile.TemporaryDirectory(prefix="course-") as folder:
@@ -137,7 +137,7 @@ def _signed(content: bytes, mine: list[Exercise]) -> bytes:
 
 
 class _Call:
-    """Runs the program; says, as soon as that can be seen, that the recording will be large."""
+    """Runs the program, and warns early if the recording will be large."""
 
     def __init__(self, file: Path):
         self._file, self._warned = file, False
@@ -158,7 +158,7 @@ class _Call:
 
 
 def expected_size(file: Path) -> float:
-    """Of the whole recording, once a few frames are there; 0 before that."""
+    """Estimates the size of the whole recording from its first frames; 0 before these."""
     with file.open("rb") as stream:
         lines = [line for _, line in zip(range(_ENOUGH), stream)]
     header = _header(lines[0]) if len(lines) == _ENOUGH else None

@@ -1,4 +1,4 @@
-"""./course watch: check at every save."""
+"""./course watch: checks at every save."""
 
 import sys
 import time
@@ -25,7 +25,7 @@ def watch(arguments) -> int:
 
 
 def saved(file) -> int | None:
-    """When; None of a file that is not there."""
+    """Returns the time of the last save; None for a missing file."""
     try:
         return file.stat().st_mtime_ns
     except FileNotFoundError:

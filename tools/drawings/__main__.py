@@ -1,7 +1,7 @@
-"""Draws what the lessons show: python3 tools/drawings [NAME ...]; all unless named.
+"""Draws the lessons' drawings: python3 tools/drawings [NAME ...]; all unless named.
 
-A drawing is a function in a chapter_NN.py beside this file; it lands in chapters/NN_topic/drawings/NAME.svg. Those in
-course.py land in chapters/drawings.
+A drawing is a function in a chapter_NN.py beside this file. Its file is chapters/NN_topic/drawings/NAME.svg. Those of
+course.py are in chapters/drawings.
 """
 
 import argparse

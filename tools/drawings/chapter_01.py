@@ -1,4 +1,4 @@
-"""Chapter 01: velocities between positions, and what that does to a mass on a spring."""
+"""Chapter 01: velocities between positions, and their effect on a mass on a spring."""
 
 import math
 
@@ -52,7 +52,7 @@ def _half(n: int) -> str:
 
 
 def middle_velocity() -> Drawing:
-    """The area below v is the way; each method has a rectangle for it."""
+    """The area below v is the distance; each method has a rectangle for it."""
     d = Drawing(262, "The way in a step as an area: with the velocity at its start, and with that in its middle")
 
     def v(t: float) -> float:

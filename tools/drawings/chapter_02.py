@@ -1,4 +1,4 @@
-"""Chapter 02: what q does, a step of it, and the turns that the splitting is made of."""
+"""Chapter 02: the rotation by q, a step of it, and the rotations of the splitting."""
 
 import math
 
@@ -52,7 +52,7 @@ def _beyond(start, end, by: float):
 
 
 def _cuboid(d: Drawing, view: View, orientation: np.ndarray, half: np.ndarray) -> None:
-    """The three faces that one sees."""
+    """Draws the three visible faces."""
     for k in range(3):
         side = 1 if view.depth(*orientation[:, k]) > 0 else -1
         a, b = (k + 1) % 3, (k + 2) % 3
@@ -139,7 +139,7 @@ def splitting() -> Drawing:
 
 
 def _truth(L: np.ndarray, moments: np.ndarray, time: float) -> list[np.ndarray]:
-    """dL/dt = L × ω in body axes, by small Runge-Kutta steps."""
+    """Integrates dL/dt = L × ω in body axes, by small Runge-Kutta steps."""
     def rate(at):
         return np.cross(at, at / moments)
 

@@ -1,4 +1,4 @@
-"""Chapter 03: a contact's parts, the spring and damper in SPOOK, and how a violation dies out."""
+"""Chapter 03: a contact's parts, the spring and damper in SPOOK, and the decay of a violation."""
 
 import cmath
 import math
@@ -43,7 +43,7 @@ def contact() -> Drawing:
 
 
 def _bean(d: Drawing, touch, lean: float, size: float) -> None:
-    """An oval whose boundary passes through `touch`, at right angles to the direction `lean`."""
+    """Draws an oval whose boundary passes through `touch`, at right angles to the direction `lean`."""
     a, b = size, 0.62 * size
     middle = turned(touch, b, lean + 180)
     along = math.radians(lean + 90)
@@ -57,7 +57,7 @@ def _bean(d: Drawing, touch, lean: float, size: float) -> None:
 
 
 def spring_and_damper() -> Drawing:
-    """What SPOOK is made of: a spring that sees three gaps, and a damper that sees the new velocity."""
+    """SPOOK as a spring that acts on three gaps, and a damper that acts on the new velocity."""
     d = Drawing(330, "A spring and a damper hold the gap; the spring sees a mean of three gaps, the damper a new slope")
     d.circle((130, 84), 44, "body fill")
     d.text((130, 90), "$m$", "ink")
@@ -96,7 +96,7 @@ def spring_and_damper() -> Drawing:
 
 
 def decay() -> Drawing:
-    """The roots of (3.14) for a stiff contact, and the gap that they make of -1, at rest before the first step."""
+    """The roots of (3.14) for a stiff contact, and the gap that they give from -1, at rest before the first step."""
     d = Drawing(330, "How a violation dies out for several d: as a curve over steps, and as roots in the unit circle")
     choices = ((0.5, "impulse"), (2, "good"), (5, "velocity"), (20, "gold"))
     f = Frame((60, 130), 19.5, 100)

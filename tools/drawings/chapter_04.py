@@ -73,7 +73,7 @@ def plane_of_impulses() -> Drawing:
 
 
 def _levels(d: Drawing, f: Frame, S, best) -> None:
-    """Where E of Eq. (10.9) has the same value, inside the bounds and the card."""
+    """Draws lines of equal E of Eq. (10.9), inside the bounds and the card."""
     for size in (0.25, 0.5, 0.8, 1.15, 1.55):
         piece = []
         for k in range(181):
@@ -91,7 +91,7 @@ def _levels(d: Drawing, f: Frame, S, best) -> None:
 
 
 def _valley(d: Drawing, f: Frame, row, B: float, name: str, colour: str) -> None:
-    """The line on which a row is satisfied, inside the card."""
+    """Returns the line on which a row is satisfied, inside the card."""
     inside = [(x, y) for x, y in ((k / 200, (B - row[0] * k / 200) / row[1]) for k in range(305)) if -0.32 <= y <= 1.2]
     d.path([f(*inside[0]), f(*inside[-1])], colour)
     at = f(*between(inside[0], inside[-1], 0.08))

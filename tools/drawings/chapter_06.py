@@ -1,4 +1,4 @@
-"""Chapter 06: a rod and a ball joint, and where the mass of a rope and of a cloth goes."""
+"""Chapter 06: a rod and a ball joint, and the distribution of the mass of a rope and of a cloth."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Chapter 08, shapes: the one point, the nearest point of a box, shadows on an axis, and two edges."""
+"""Chapter 08, shapes: the single contact point, the nearest point of a box, shadows on an axis, and two edges."""
 
 import math
 
@@ -66,7 +66,7 @@ def box_and_ball() -> Drawing:
 
 
 def shadows_on_an_axis() -> Drawing:
-    """Two boxes; their shadows along an axis that parts them, and along one that does not."""
+    """Two boxes, and their shadows along an axis that separates them, and along one that does not."""
     d = Drawing(366, "The shadows of two boxes along an axis: apart along one, overlapping along another")
     f = Frame((228, 176), 52)
     boxes = (_corners((-1.35, -0.35), (1.25, 0.75), 12), _corners((1.35, 0.75), (0.95, 0.8), 50))
@@ -99,7 +99,7 @@ def shadows_on_an_axis() -> Drawing:
 
 
 def _axis(f: Frame, lean: float, distance: float):
-    """Places along a line that leans, so far from the origin, and perhaps a little beside it."""
+    """Returns places along an oblique line, so far from the origin, and perhaps a little beside it."""
     c, s = math.cos(math.radians(lean)), math.sin(math.radians(lean))
     return lambda t, beside=0.0: f(t * c - (distance + beside) * s, t * s + (distance + beside) * c)
 

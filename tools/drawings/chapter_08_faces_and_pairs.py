@@ -1,4 +1,4 @@
-"""Chapter 08, continued: a face that is met and cut, four of eight, sorted intervals, and grids."""
+"""Chapter 08, continued: a face that is clipped, four of eight points, sorted intervals, and grids."""
 
 import math
 
@@ -73,7 +73,7 @@ def clipping() -> Drawing:
 
 
 def _cut(polygon, n, offset: float):
-    """Eq. (8.8)."""
+    """Clips a polygon by Eq. (8.8)."""
     result = []
     for p, q in zip(polygon, polygon[1:] + polygon[:1]):
         a, b = n[0] * p[0] + n[1] * p[1] - offset, n[0] * q[0] + n[1] * q[1] - offset
@@ -118,7 +118,7 @@ def _choices(rest: list[int]):
 
 
 def _area(points, four, mean) -> float:
-    """Eq. (8.10); less than nothing if the mean is outside."""
+    """Returns the area of Eq. (8.10); negative if the mean is outside."""
     terms = []
     for k, n in zip(four, four[1:] + four[:1]):
         p, q = ((points[m][0] - mean[0], points[m][1] - mean[1]) for m in (k, n))

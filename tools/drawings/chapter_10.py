@@ -1,4 +1,4 @@
-"""Chapter 10: what sweeps up and down carry through a stack, and steps along conjugate directions."""
+"""Chapter 10: impulses in a stack after sweeps up and down, and steps along conjugate directions."""
 
 import math
 
@@ -33,7 +33,7 @@ def sweeps_up_and_down() -> Drawing:
 
 
 def _sweeps(count: int, upwards: bool, sweeps: int) -> list[list[float]]:
-    """λ in units of hmg, after each sweep; row k is below body k."""
+    """Returns λ in units of hmg, after each sweep; row k is below body k."""
     impulses, states = np.zeros(count), []
     for _ in range(sweeps):
         for k in range(count) if upwards else reversed(range(count)):
@@ -82,7 +82,7 @@ def conjugate_directions() -> Drawing:
 
 
 def _level(S: np.ndarray, level: float, angle: float) -> tuple[float, float]:
-    """½ λ·Sλ = level, along the eigenvectors (1, 1) and (1, -1)."""
+    """Draws ½ λ·Sλ = level, along the eigenvectors (1, 1) and (1, -1)."""
     u = math.sqrt(2 * level / (S[0, 0] + S[0, 1])) * math.cos(angle)
     v = math.sqrt(2 * level / (S[0, 0] - S[0, 1])) * math.sin(angle)
     return (u + v) / math.sqrt(2), (u - v) / math.sqrt(2)

@@ -10,7 +10,7 @@ _ROWS = 7
 
 
 def patterns() -> Drawing:
-    """Rows are links; two of them meet in S if they share a body that moves. L by elimination in order."""
+    """Rows are links; two of them have an entry in S if they share a dynamic body. L by elimination in order."""
     d = Drawing(400, "A wire, a ring and a hub: how their links meet, the pattern of S, and that of its factor L")
     scenes = (("wire", [(k, k + 1) for k in range(_ROWS - 1)]),
               ("ring", [(k, (k + 1) % _ROWS) for k in range(_ROWS)]),
@@ -67,7 +67,7 @@ def _pattern(d: Drawing, corner, filled, original, lower: bool) -> None:
 
 
 def bound_that_stiffens() -> Drawing:
-    """One row with a lower bound at 0: what it lacks, and what the bound pushes, z = τ/s, for three τ."""
+    """One row with a lower bound at 0: its residual and the bound's push, z = τ/s, for three τ."""
     d = Drawing(340, "A bound pushes more the nearer it is; as τ fades, it pushes only where it is touched")
     f = Frame((90, 290), 105, 82)
     d.box((20, 30), 70, 260, "faint fill")

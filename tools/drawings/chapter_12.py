@@ -1,4 +1,4 @@
-"""Chapter 12: a string pulled apart at two points, and what h²K does to the fastest motion."""
+"""Chapter 12: a string pulled apart at two points, and the effect of h²K on the fastest motion."""
 
 import math
 
@@ -37,7 +37,7 @@ def string_pulled_apart() -> Drawing:
 
 
 def heavier_in_a_step() -> Drawing:
-    """(12.7): what leapfrog makes of a spring, by the mass that it is given."""
+    """(12.7): leapfrog's motion of a spring, by the mass that it uses."""
     d = Drawing(330, "With the mass m + αh²k a step stays below leapfrog's bound for every stiffness, from α = 1/4 on")
     f = Frame((80, 282), 46, 82)
     d.arrow(f(0, 0), f(8.4, 0), "soft thin")

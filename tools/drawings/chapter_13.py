@@ -1,4 +1,4 @@
-"""Chapter 13: what joints hold, the axes of a hinge's rows, the second term, and an angle that arrives at its limit."""
+"""Chapter 13: the rows of joints, the axes of a hinge's rows, the second term, and the arrival at a limit."""
 
 import math
 
@@ -119,7 +119,7 @@ def arriving_at_a_limit() -> Drawing:
 
 
 def _arrivals(limit: float, name: str) -> list[tuple[float, float]]:
-    """Steps of length 1, speed 1; Σ = 0."""
+    """Simulates steps of length 1 at speed 1; Σ = 0."""
     relaxed, s, speed = 3, 0.0, 1.0
     points = [(0.0, 0.0)]
     for step in range(1, 20):

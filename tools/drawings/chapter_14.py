@@ -40,7 +40,7 @@ def sliding_root() -> Drawing:
 
 
 def colours_of_a_wall() -> Drawing:
-    """Three layers of boxes, half a box further in every other one; colours by (14.7), computed."""
+    """Three layers of boxes, every other one shifted by half a box; colours by (14.7), computed."""
     d = Drawing(330, "The pairs of a small wall in four colours: no box has two pairs of one colour")
     width, height, left, floor = 132, 74, 96, 274
     boxes, pairs = [], []

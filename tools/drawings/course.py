@@ -1,4 +1,4 @@
-"""The whole course: which chapter needs which."""
+"""The whole course: the chapters that each chapter needs."""
 
 import sys
 from pathlib import Path
@@ -14,7 +14,7 @@ _WIDTH, _HEIGHT, _STEP = 132, 46, 76
 
 
 def needs() -> Drawing:
-    """Each chapter below those that its lesson names in its head, without those that these name in turn."""
+    """Each chapter is below those named in its lesson's head, without those that these name in turn."""
     chapters = read_chapters()
     named = {chapter.number: needs_of(chapter) for chapter in chapters}
     depth: dict[int, int] = {}

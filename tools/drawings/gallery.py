@@ -1,5 +1,4 @@
-"""All drawings: the functions of chapter_NN.py, and of course.py, that return a Drawing, by the file that each is kept
-in."""
+"""All drawings: the functions of chapter_NN.py, and of course.py, that return a Drawing, by their files."""
 
 import importlib
 import sys
@@ -11,7 +10,7 @@ CHAPTERS = HERE.parents[1] / "chapters"
 
 
 def drawings() -> dict[Path, Callable]:
-    """chapters/NN_topic/drawings/NAME.svg, or chapters/drawings/NAME.svg: what draws it."""
+    """Returns the function for each file: chapters/NN_topic/drawings/NAME.svg, or chapters/drawings/NAME.svg."""
     sys.path.insert(0, str(HERE))
     table = {}
     for script in [*sorted(HERE.glob("chapter_[0-9][0-9]*.py")), HERE / "course.py"]:

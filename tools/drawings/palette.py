@@ -1,4 +1,4 @@
-"""The colours and weights of all drawings: those of the viewer, tools/viewer/colours.js, and what its pages are on.
+"""The colours and weights of all drawings: those of the viewer, tools/viewer/colours.js, and the pages' backgrounds.
 
 Bodies are grey, impulses orange, velocities blue, right answers green, in every chapter. A class is written into a
 drawing only if the drawing uses it.
@@ -35,7 +35,7 @@ _SHAPES = "path,circle,rect{fill:none;stroke-width:2;stroke-linecap:round;stroke
 
 
 def style_sheet(used: set[str]) -> str:
-    """The rules of the classes that are used: for light paper, and what changes on dark paper."""
+    """Returns the rules of the used classes: for light paper, and the differences on dark paper."""
     fixed = [_SHAPES, *(f".{name}{{{rule}}}" for name, rule in (WEIGHTS | TEXT).items() if name in used)]
     return "\n" + "\n".join([*fixed, *_coloured(used, 0), "@media (prefers-color-scheme:dark){",
                              *_coloured(used, 1), "}"]) + "\n"

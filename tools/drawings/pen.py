@@ -36,7 +36,7 @@ class Drawing:
         self.path([start, end], style)
 
     def path(self, points: Iterable[Point], style: str = "ink", closed: bool = False) -> None:
-        """Straight from point to point; a style with "fill" fills it with the colour's tint."""
+        """Draws straight lines from point to point; a style with "fill" fills the shape with the colour's tint."""
         data = "M" + "L".join(f"{_number(x)} {_number(y)}" for x, y in points) + ("Z" if closed else "")
         self._add("path", style, d=data)
 
@@ -51,11 +51,11 @@ class Drawing:
                   **({"rx": round_by} if round_by else {}))
 
     def bar(self, corner: Point, width: float, height: float, style: str) -> None:
-        """A box of a full colour."""
+        """Draws a box of a full colour."""
         self._add("rect", f"on-{style}", x=corner[0], y=corner[1], width=width, height=height)
 
     def arrow(self, start: Point, end: Point, style: str = "ink", both: bool = False) -> None:
-        """From start to the tip at end."""
+        """Draws an arrow from start to its tip at end."""
         colour = style.split()[0]
         size = 13 if "bold" in style else 9 if "thin" in style else 11
         length = math.dist(start, end)
@@ -68,7 +68,8 @@ class Drawing:
 
     def arc(self, centre: Point, radius: float, start: float, end: float, style: str = "ink",
             arrow: bool = False) -> None:
-        """Angles in degrees, counterclockwise from the right as one sees them; from start to end, either way around."""
+        """Draws an arc. Angles are in degrees, counterclockwise from the right; from start to end, either way
+        around."""
         count = max(2, int(abs(end - start) / 4) + 1)
         last = end - math.copysign(math.degrees(8 / radius), end - start) if arrow else end
         self.path((turned(centre, radius, start + (last - start) * k / count) for k in range(count + 1)), style)
@@ -81,7 +82,7 @@ class Drawing:
         self.path([function(start + (end - start) * k / count) for k in range(count + 1)], style)
 
     def spring(self, start: Point, end: Point, style: str = "ink", turns: int = 6, width: float = 9) -> None:
-        """A zigzag between two short straight ends."""
+        """Draws a zigzag between two short straight ends."""
         length = math.dist(start, end)
         unit = ((end[0] - start[0]) / length, (end[1] - start[1]) / length)
         across = (-unit[1], unit[0])
@@ -114,7 +115,7 @@ class Drawing:
 
 
 class Frame:
-    """Metres in a plane, y up: frame(x, y) is the pixel."""
+    """Maps metres in a plane, y up, to pixels: frame(x, y)."""
 
     def __init__(self, origin: Point, scale: float, scale_y: float | None = None):
         self.origin, self.scale, self.scale_y = origin, scale, scale_y or scale
@@ -124,7 +125,7 @@ class Frame:
 
 
 class View:
-    """Metres in space, z up, seen from a direction, without perspective: view(x, y, z) is the pixel."""
+    """Maps metres in space, z up, seen from a direction without perspective, to pixels: view(x, y, z)."""
 
     def __init__(self, origin: Point, scale: float, azimuth: float = 30, elevation: float = 20):
         a, e = math.radians(azimuth), math.radians(elevation)
@@ -139,7 +140,7 @@ class View:
         return self.origin[0] + self.scale * across, self.origin[1] - self.scale * above
 
     def depth(self, x: float, y: float, z: float) -> float:
-        """Larger is nearer to the eye."""
+        """Returns the depth of a point; larger is nearer to the eye."""
         return sum(a * b for a, b in zip(self.towards, (x, y, z)))
 
 
@@ -157,7 +158,8 @@ def _along(start: Point, unit: Point, by: float) -> Point:
 
 
 def _number(value: float) -> str:
-    """A tenth of a pixel. Rounded twice, so that the last bits of a computation decide nothing."""
+    """Returns a coordinate to a tenth of a pixel. It is rounded twice, so that a computation's last bits change
+    nothing."""
     return f"{round(round(float(value), 6), 1) + 0.0:g}" if abs(value) < 1e5 else f"{value:.0f}"
 
 

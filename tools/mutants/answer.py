@@ -1,4 +1,4 @@
-"""An answer to an exercise, line by line, and what must become of it."""
+"""An answer to an exercise, line by line, and its expected verdict."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -10,7 +10,7 @@ from paths import shown
 
 @dataclass(frozen=True)
 class Line:
-    """A line, and where it stands."""
+    """A line, and its place."""
 
     file: Path
     number: int
@@ -18,7 +18,7 @@ class Line:
 
     @property
     def code(self) -> str:
-        """Without indentation and comment."""
+        """Returns the line without indentation and comment."""
         return self.text.split("//")[0].strip()
 
     @property
@@ -42,7 +42,7 @@ class Answer:
 
     @property
     def full_name(self) -> str:
-        """Unlike all others of the chapter; it chooses this answer in the chapter's program."""
+        """Returns a name that is unique in the chapter, and chooses this answer in the chapter's program."""
         return f"{self.name}_of_{self.file.name.split('.')[0]}"
 
     @property
@@ -50,7 +50,7 @@ class Answer:
         return f"{shown(self.file)}:{self.line}: {self.name}"
 
     def source(self) -> str:
-        """The text, with directives by which a compiler's complaint names the file and the line."""
+        """Returns the text, with directives for the file and the line in a compiler's messages."""
         texts: list[str] = []
         inside, expected = False, None
         for line in self.lines:
@@ -63,10 +63,10 @@ class Answer:
 
 
 def code_of(lines: Iterable[Line]) -> list[str]:
-    """What is compiled, but for what is included."""
+    """Returns the compiled lines, without includes."""
     return [line.code for line in lines if line.code and not line.code.startswith("#include")]
 
 
 def refused(file: Path, line: int, reason: str, name: str = "") -> CourseError:
-    """What is wrong with a mutant, in the form of a compiler."""
+    """Returns an error about a mutant, in the form of a compiler's."""
     return CourseError(f"{shown(file)}:{line}: {f'{name}: ' if name else ''}{reason}")

@@ -29,7 +29,7 @@ def files_of(exercise: Exercise) -> list[Path]:
 
 
 def exercise_of(file: Path) -> Exercise:
-    """The exercise to which this is an answer."""
+    """Returns the exercise that this file answers."""
     function = file.name.split(".")[0]
     for exercise in all_exercises():
         if (exercise.folder, exercise.function) == (file.parent.name, function):
@@ -38,7 +38,7 @@ def exercise_of(file: Path) -> Exercise:
 
 
 def read_answers(files: list[Path]) -> list[Answer]:
-    """Those of one exercise."""
+    """Reads the answers to one exercise."""
     known: dict[str, Answer] = {}
     reference = exercise_of(files[0]).reference
     right = code_of(lines_of(reference))
@@ -53,12 +53,12 @@ def read_answers(files: list[Path]) -> list[Answer]:
 
 
 def reference_of(exercise: Exercise) -> Answer:
-    """The right answer that the others are changes to."""
+    """Returns the right answer, which the others change."""
     return Answer(exercise.reference, 1, "reference", "", "", "", tuple(lines_of(exercise.reference)))
 
 
 def by_exercise(files: list[Path]) -> list[list[Path]]:
-    """The files of each exercise, in the order of their names."""
+    """Returns the files of each exercise, in the order of their names."""
     found: dict[tuple[str, str], list[Path]] = {}
     for file in sorted(files):
         found.setdefault((file.parent.name, file.name.split(".")[0]), []).append(file)

@@ -8,14 +8,14 @@ from errors import CourseError
 
 @dataclass(frozen=True)
 class Signed:
-    """A line of a change; the sign is - for what goes, + for what comes, a space for what stays."""
+    """A line of a change. The sign is - for a removed line, + for a new one, a space for one that stays."""
 
     sign: str
     line: Line
 
     @property
     def includes(self) -> bool:
-        """Then it goes to the top."""
+        """Tells whether the line is an include, which goes to the top."""
         return self.sign == "+" and self.line.code.startswith("#include")
 
 
@@ -23,7 +23,7 @@ Change = list[Signed]
 
 
 def applied(name: str, changes: list[Change], right: list[Line]) -> tuple[Line, ...]:
-    """The reference with the changes of this mutant made."""
+    """Returns the reference with the changes of this mutant made."""
     gone: set[int] = set()
     new: dict[int, list[Line]] = {}  # by the line of the reference that they stand before
     for change in changes:
@@ -44,7 +44,7 @@ def applied(name: str, changes: list[Change], right: list[Line]) -> tuple[Line, 
 
 
 def _places(name: str, change: Change, right: list[Line]) -> list[int]:
-    """Where in the reference the lines of before stand, comments and empty lines apart."""
+    """Returns the places of the old lines in the reference, without regard to comments and empty lines."""
     before = [signed.line for signed in change if signed.sign != "+"]
     if not before and all(signed.includes for signed in change):
         return []

@@ -23,7 +23,7 @@ _PROMISE = re.compile(r'(.*\S) (?:Killed by (\w+\.\w+), which says "(.+)"|Passes
 
 @dataclass
 class _Mutant:
-    """As it is read."""
+    """A mutant, as read."""
 
     line: int
     name: str
@@ -33,7 +33,7 @@ class _Mutant:
 
 
 def read_changes(file: Path, reference: Path) -> list[Answer]:
-    """The answers of a .diff, in its order."""
+    """Reads the answers of a .diff, in its order."""
     right = lines_of(reference)
     return [_answer(file, mutant, right) for mutant in _mutants(file)]
 

@@ -2,9 +2,9 @@
 
 And if each right answer in them passes all tests of its exercise.
 
-The test must fail by one of its checks, and the failure must say what the mutant promises: that is what the
-student will read. A crash, a skip or running out of time doesn't count. Each answer has a process of its own. The
-folder PROGRAMS holds a chapter's wrong answers in one program, mutants_04_gauss_seidel: see together.py.
+The test must fail by one of its checks, and its message must contain the mutant's words, since students will read
+them. A crash, a skip or a time-out does not count. Each answer has a process of its own. The folder PROGRAMS holds a
+chapter's wrong answers in one program, mutants_04_gauss_seidel: see together.py.
 """
 
 import os
@@ -23,7 +23,8 @@ from trial import Trial, run_tests, time_limit  # noqa: E402
 
 
 def judged(program: Path, files: list[Path]) -> dict[Answer, str]:
-    """Of each answer to an exercise why it is not killed as promised, or not passed if right; empty if it is."""
+    """Returns for each answer why it is not killed by its test, or, if right, why it does not pass; empty if all is
+    well."""
     exercise = exercise_of(files[0])
     reasons: dict[Answer, str] = {}
     for answer in read_answers(files):

@@ -22,7 +22,7 @@ from symbols import functions_in  # noqa: E402
 
 
 def together(files: list[Path]) -> tuple[Crowd, dict[str, range]]:
-    """The texts, and by each exercise's function the numbers of its own: first the reference's."""
+    """Returns the texts, and by each exercise's function their numbers, of which the reference's is the first."""
     answers: list[Answer] = []
     numbers: dict[str, range] = {}
     for some in by_exercise(files):
@@ -37,7 +37,7 @@ def together(files: list[Path]) -> tuple[Crowd, dict[str, range]]:
 
 
 def _write(file: Path, text: str) -> None:
-    """What reads the same is not compiled again."""
+    """Writes a file only if its text has changed, so that it is not compiled again."""
     if not file.exists() or file.read_text(encoding="utf-8") != text:
         file.write_text(text, encoding="utf-8")
 

@@ -1,4 +1,4 @@
-"""Compiles and links mutants of an exercise, and keeps what it has compiled while nothing has changed."""
+"""Compiles and links mutants of an exercise, and keeps compiled files while nothing has changed."""
 
 import hashlib
 import json
@@ -21,7 +21,8 @@ class Building:
         self.made_from = content(text, *commands.compiler, *map(content_of, _headers(exercise.chapter)))
 
     def alone(self, name: str, text: str) -> Path | None:
-        """The object of a file by itself, named as the exercise is: objects hold it. None if it isn't C++."""
+        """Returns the object of a single file. Its name is the exercise's, since objects contain it. None if it is not
+        C++."""
         folder = self.folder / name
         folder.mkdir(parents=True, exist_ok=True)
         source = folder / self._exercise.reference.name
@@ -36,7 +37,7 @@ class Building:
         return compiled if compiled.exists() else None
 
     def together(self, folder: Path, texts: dict[int, str]) -> tuple[Path, set[int]]:
-        """A program with all that compile, and their numbers; with 0, the unchanged text."""
+        """Returns a program with all texts that compile, and their numbers; 0 is the unchanged text."""
         compiled, record = folder / "crowd.o", folder / "compiled.json"
         good = {int(k) for k in read_json(record).get("good", [])} if compiled.exists() else set()
         if not good:
@@ -52,7 +53,7 @@ class Building:
             raise CourseError(f"mutants of {self._exercise.label} do not link", said.stderr[:2000])
 
     def _compile_crowd(self, folder: Path, texts: dict[int, str]) -> set[int]:
-        """Leaves out those that the compiler complains about, until it has no complaints."""
+        """Compiles the texts together, and drops those with compiler errors until there are none."""
         source, compiled = folder / "crowd.cpp", folder / "crowd.o"
         while True:
             everyone = Crowd(texts)
@@ -76,7 +77,7 @@ class Building:
 
 
 def stripped(compiled: Path) -> bytes:
-    """The object without the lines' numbers."""
+    """Returns the object without line numbers."""
     result = compiled.with_suffix(".stripped")
     subprocess.run(["objcopy", "--strip-debug", str(compiled), str(result)], check=True)
     return result.read_bytes()
@@ -101,7 +102,7 @@ def read_json(path: Path) -> dict:
 
 
 def _headers(chapter: int) -> list[Path]:
-    """What decides, with the texts, what is compiled: the headers, and how a crowd is put together."""
+    """Returns the other inputs of the compiler: the headers, and the method of joining texts."""
     of_chapters = [*CHAPTERS.glob("[0-9]*/*.hpp"), *SOLUTIONS.glob("[0-9]*/*.hpp")]
     return sorted([*(path for path in of_chapters if int(path.parent.name[:2]) <= chapter),
                    *CHAPTERS.glob("common/*.hpp"), Path(crowd.__file__)])

@@ -1,4 +1,4 @@
-"""A call that is left out, or whose arguments come in another order."""
+"""Drops a call, or reorders its arguments."""
 
 from collections.abc import Iterator
 
@@ -36,7 +36,7 @@ def _exchanged(source: Source, bracket: int) -> Iterator[Mutant]:
 
 
 def _other_way_round(source: Source, k: int) -> Iterator[Mutant]:
-    """a.cross(b) -> b.cross(a)."""
+    """Changes a.cross(b) to b.cross(a)."""
     begin = _operand(source, k - 1)
     close = source.partner[k + 1]
     one = source.text[source.tokens[begin].start:source.tokens[k - 1].start]
@@ -45,7 +45,7 @@ def _other_way_round(source: Source, k: int) -> Iterator[Mutant]:
 
 
 def _operand(source: Source, dot: int) -> int:
-    """The first token of what stands before a dot: names, calls and indices joined by dots."""
+    """Returns the first token of the operand before a dot: names, calls and indices joined by dots."""
     k = dot - 1
     while True:
         while source.tokens[k].text in (")", "]"):

@@ -1,4 +1,4 @@
-"""How the build tree compiles and links an exercise."""
+"""The build tree's commands to compile and link an exercise."""
 
 import json
 import shlex
@@ -14,7 +14,7 @@ from tree import Tree
 
 @dataclass(frozen=True)
 class Commands:
-    """What CMake wrote for `check_<function>`: its compiler's and its linker's command."""
+    """CMake's commands for `check_<function>`: the compiler's and the linker's."""
 
     folder: Path
     compiler: tuple[str, ...]  # ends where the object and the source have to be named
@@ -32,7 +32,7 @@ class Commands:
         return self._run([*words[:at], *map(str, objects), *words[at + 1:]])
 
     def inputs(self) -> list[Path]:
-        """What is linked with the exercise."""
+        """Returns the files linked with the exercise."""
         return [self.folder / word for word in self.linker
                 if word.endswith((".o", ".a")) and word != self.own]
 

@@ -1,4 +1,4 @@
-"""Another number."""
+"""Changes a number."""
 
 import re
 from collections.abc import Iterator
@@ -32,7 +32,7 @@ def _others(number: str) -> list[str]:
 
 
 def indices(source: Source) -> Iterator[Mutant]:
-    """[k] -> [k + 1], col(k) -> col(k + 1); those that are numbers are constants."""
+    """Changes [k] to [k + 1], col(k) to col(k + 1); numeric indices are constants."""
     for k in source.code:
         token = source.tokens[k]
         if token.kind == "name" and source.is_at(k + 1, "]") and source.is_at(k - 1, "["):

@@ -1,4 +1,4 @@
-"""C++ as tokens, as far as a mutator must know it: what is a name, an operator, the inside of a function."""
+"""C++ as tokens, as far as a mutator needs: names, operators, and the insides of functions."""
 
 import re
 from dataclasses import dataclass
@@ -34,16 +34,16 @@ class Source:
                        for found in _TOKEN.finditer(text) if found.lastgroup != "skip"]
 
     def is_at(self, k: int, *texts: str) -> bool:
-        """Whether these tokens stand at k."""
+        """Tells whether these tokens are at k."""
         return [token.text for token in self.tokens[max(k, 0):k + len(texts)]] == list(texts)
 
     def spaced(self, k: int) -> bool:
-        """Whether there is a space before token k: then it is a binary operator, if an operator."""
+        """Tells whether there is a space before token k, which makes an operator binary."""
         return k > 0 and self.tokens[k - 1].end < self.tokens[k].start
 
     @cached_property
     def partner(self) -> dict[int, int]:
-        """Of each opening bracket the closing one, and the other way round."""
+        """Returns the closing bracket of each opening one, and the reverse."""
         pairs, stack = {}, []
         for k, token in enumerate(self.tokens):
             if token.text in _CLOSING and token.kind == "sign":
@@ -55,7 +55,7 @@ class Source:
 
     @cached_property
     def code(self) -> list[int]:
-        """The tokens that can be changed: those between a function's or a class's braces, without templates'
+        """Returns the tokens that can be changed: those between a function's or a class's braces, without template
         arguments, and the values of constants outside."""
         inside = []
         begin = k = 0
@@ -75,7 +75,7 @@ class Source:
 
     @cached_property
     def _of_no_contract(self) -> set[int]:
-        """What an error says beside the parameter's name, and for how many there is room beforehand."""
+        """Returns tokens that no contract fixes: an error's words beside the parameter's name, and reserved sizes."""
         inside: set[int] = set()
         for k in range(len(self.tokens)):
             if self.is_at(k, "reject", "("):
@@ -86,7 +86,7 @@ class Source:
 
     @cached_property
     def _in_angles(self) -> set[int]:
-        """Of templates: the brackets and what they hold."""
+        """Returns templates' angle brackets and their content."""
         inside: set[int] = set()
         for k, token in enumerate(self.tokens):
             opens = token.text == "<" and k > 0 and (not self.spaced(k) or self.is_at(k - 1, "template"))
@@ -104,7 +104,7 @@ class Source:
         return k
 
     def up_to(self, k: int, *ends: str) -> int:
-        """The first of these tokens from k on, past brackets; or where the bracket around k ends."""
+        """Returns the first of these tokens from k on, past brackets; or the end of the bracket around k."""
         while k < len(self.tokens) and self.tokens[k].text not in ends:
             if self.tokens[k].text in _CLOSING:
                 k = self.partner.get(k, k)
@@ -114,7 +114,7 @@ class Source:
         return min(k, len(self.tokens) - 1)
 
     def arguments(self, k: int) -> list[tuple[int, int]]:
-        """What is between the commas of the bracket that opens at k: places in the text, from and to."""
+        """Returns the arguments of the bracket that opens at k, as ranges in the text."""
         close, begin, found = self.partner[k], k + 1, []
         while begin < close:
             end = self.up_to(begin, ",")
@@ -129,12 +129,12 @@ class Source:
         return before in (";", "{", "}", "else")
 
     def is_member(self, k: int) -> bool:
-        """Whether the statement at k declares a member of a struct or a class."""
+        """Tells whether the statement at k declares a member of a struct or a class."""
         opens = max((at for at in self.partner if at < k < self.partner[at] and self.is_at(at, "{")), default=0)
         return self.is_at(opens - 2, "struct") or self.is_at(opens - 2, "class")
 
     def is_expression(self, k: int) -> bool:
-        """Whether the statement that begins at k is an expression, and declares nothing."""
+        """Tells whether the statement that begins at k is an expression, and declares nothing."""
         if self.tokens[k].kind != "name":
             return self.tokens[k].text in ("++", "--", "*")
         if self.tokens[k].text in _NO_EXPRESSION:
@@ -148,7 +148,7 @@ class Source:
         return following.kind == "sign" and following.text not in ("&", "*", "{", ":")
 
     def is_assignment(self, k: int) -> bool:
-        """Whether the `=` at k gives a new value to what there is already."""
+        """Tells whether the `=` at k assigns to an existing variable."""
         begin = k
         while begin > 0 and not self.begins_statement(begin):
             begin = self.partner[begin] if self.tokens[begin].text in (")", "]") else begin

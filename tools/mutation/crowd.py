@@ -1,7 +1,7 @@
 """Compiles many mutants as one file, each in a namespace of its own.
 
-Most of a compiler's time goes into what mutants share, Eigen's templates. An environment variable chooses the mutant
-when the program starts: each exercise's function jumps through a pointer.
+Most of a compiler's time is spent on common code, Eigen's templates. An environment variable chooses the mutant when
+the program starts: each exercise's function jumps through a pointer.
 """
 
 import platform
@@ -23,7 +23,7 @@ _JUMP = {"x86_64": "jmp *{slot}(%rip)",
 
 
 class Named(Protocol):
-    """A mutant that has a name, unlike all others in the program, and a place in a file."""
+    """A mutant with a name, unique in the program, and a place in a file."""
 
     full_name: str
     place: str
@@ -39,10 +39,10 @@ class Switched:
 
 
 class Crowd:
-    """The texts by number."""
+    """A set of texts by number."""
 
     def __init__(self, texts: dict[int, str], named: Mapping[int, Named] | None = None):
-        """A complaint calls those in `named` by their names."""
+        """Compiler messages call those in `named` by their names."""
         self.texts, self._named = texts, named or {}
 
     @staticmethod
@@ -55,7 +55,7 @@ class Crowd:
         return self._head() + "".join(self._bodies())
 
     def _head(self) -> str:
-        """What any of them includes, once."""
+        """Returns the includes of all texts, each once."""
         lines = {line: None for text in self.texts.values() for line in _BEGIN.split(text)[0].splitlines()
                  if line.startswith("#include")}
         return "".join(f"{line}\n" for line in lines)
@@ -68,15 +68,15 @@ class Crowd:
         return bodies
 
     def _namespace(self, k: int) -> str:
-        """Of those without a name, all are as long as each other."""
+        """Returns the namespace of a text. Those without a name are all equally long."""
         return f"mutant_0_{self._named[k].full_name}" if k in self._named else f"mutant_{k:06d}"
 
     def _choice(self, k: int) -> str:
-        """The value of the variable that chooses a text."""
+        """Returns the value of the variable that chooses a text."""
         return self._named[k].full_name if k in self._named else str(k)
 
     def culprits(self, errors: str) -> set[int]:
-        """Which of the texts the compiler complains about."""
+        """Returns the texts with compiler errors."""
         ends, line = [], self._head().count("\n") + 1
         for k, body in zip(self.texts, self._bodies()):
             line += body.count("\n")
@@ -92,7 +92,7 @@ class Crowd:
         return found
 
     def switch(self, compiled: list[Path], exercises: list[Switched]) -> str:
-        """The source of the exercises' functions: each jumps to one of the texts that are in the objects `compiled`."""
+        """Returns the source of the exercises' functions: each jumps to one of the texts in the objects `compiled`."""
         listing = subprocess.run(["nm", "-P", "--defined-only", *map(str, compiled)], capture_output=True, text=True)
         symbols = [line.split()[0] for line in listing.stdout.splitlines() if "mutant_0" in line]
         symbol = dict(zip(_readable(symbols), symbols))
@@ -122,7 +122,7 @@ class Crowd:
 
 
 def jump_through(slot: str, symbol: str) -> str:
-    """The source of a function that goes on in whatever the pointer `slot` points to, whatever its arguments are."""
+    """Returns the source of a function that jumps to the target of the pointer `slot`, with any arguments."""
     jump = _JUMP.get(platform.machine())
     if not jump:
         raise CourseError(f"functions can't be made to jump on {platform.machine()}")
@@ -136,6 +136,6 @@ def _readable(symbols: list[str]) -> list[str]:
 
 
 def _inside(readable: str, namespace: str) -> set[str]:
-    """spook::kick(...) as it is called in the namespace."""
+    """Returns the call spook::kick(...) in the namespace."""
     return {readable[: found.end()] + f"{namespace}::" + readable[found.end():]
             for found in re.finditer(r"\bspook::", readable)}

@@ -61,7 +61,7 @@ def read_equivalents(file: Path = LIST) -> list[Equivalent]:
 
 def exempted(exercise: Exercise, results: list[Result],
              known: list[Equivalent], subtle: bool = False) -> tuple[list[Result], list[str]]:
-    """The results with the listed survivors marked; and what is wrong with the list."""
+    """Returns the results with the listed survivors marked, and the errors in the list."""
     text = exercise.reference.read_text(encoding="utf-8")
     path = str(exercise.reference.relative_to(ROOT))
     entries = {(entry.kind, entry.before, entry.after): entry for entry in known

@@ -1,4 +1,4 @@
-"""All mutants of an exercise: made, run, and the survivors looked at alone."""
+"""Makes and runs all mutants of an exercise, and looks at survivors alone."""
 
 import json
 import time
@@ -33,7 +33,7 @@ class ExerciseRun:
     def __init__(self, tree: Tree, exercise: Exercise, jobs: int,
                  on_done: Callable[[int], None] = lambda count: None, subtle: bool = False,
                  seeds: tuple[int, ...] = (1,)):
-        """A mutant has to be noticed with each of the seeds."""
+        """A mutant has to be detected with each of the seeds."""
         self._subtle, self._seeds = subtle, seeds
         self._exercise, self._jobs, self._on_done = exercise, jobs, on_done
         self._text = exercise.reference.read_text(encoding="utf-8")
@@ -43,7 +43,7 @@ class ExerciseRun:
                                   self._folder)
 
     def results(self) -> list[Result]:
-        """Of each mutant, in the order of the file."""
+        """Returns the result of each mutant, in the order of the file."""
         mutants = mutants_of(self._text, self._subtle)
         key = content(self._building.made_from, repr(mutants), repr(self._seeds), *map(content_of, self._commands.inputs()))
         kept = self._folder / ("subtle.json" if self._subtle else "results.json")
@@ -61,7 +61,8 @@ class ExerciseRun:
         return results
 
     def _measure(self) -> None:
-        """The reference must pass, compiled as a student's file is; a mutant has ten times as long."""
+        """Measures the reference, which must pass, compiled as a student's file is. A mutant gets ten times its
+        time."""
         compiled = self._building.alone("reference", self._text)
         if not compiled:
             raise CourseError(f"{self._exercise.label}: the reference does not compile as a student's file")
@@ -77,7 +78,7 @@ class ExerciseRun:
         self._reference = stripped(compiled)
 
     def _group(self, mutants: list[Mutant]) -> list[Result]:
-        """Those that are compiled together."""
+        """Returns the mutants that are compiled together."""
         texts = {k: mutant.of(self._text) for k, mutant in enumerate(mutants, 1)}
         folder = self._folder / content(self._building.made_from, *texts.values())[:16]
         folder.mkdir(exist_ok=True)
@@ -116,8 +117,7 @@ class ExerciseRun:
         return self._judge_alone(mutant) if found[0] == SURVIVED else found
 
     def _judge_alone(self, mutant: Mutant) -> tuple[str, str]:
-        """A survivor is compiled by itself, exactly as a student's file is: to see whether it is one, and not
-        the reference in other words."""
+        """Compiles a survivor alone, exactly as a student's file, to see whether it differs from the reference."""
         text = mutant.of(self._text)
         compiled = self._building.alone(f"alone-{content(text)[:16]}", text)
         if not compiled:
@@ -129,7 +129,7 @@ class ExerciseRun:
         return self._outcome(program, None)
 
     def _outcome(self, program: Path, number: int | None) -> tuple[str, str]:
-        """With the first seed; or that it survived, and with which."""
+        """Returns the outcome with the first seed, or the seed with which it survived."""
         found = [self._with_seed(program, number, self._seeds[0])]
         for seed in self._seeds[1:]:
             if found[-1][0] == SURVIVED:

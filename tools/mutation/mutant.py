@@ -1,4 +1,4 @@
-"""A change to a file: one place, another text."""
+"""A change to a file: one place, with another text."""
 
 import re
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ class Mutant:
         return source.count("\n", 0, self.start) + 1
 
     def before(self, source: str) -> str:
-        """The lines that change, without comments, on one line."""
+        """Returns the changed lines, without comments, on one line."""
         first, last = self._lines(source)
         return _joined(source[first:last])
 

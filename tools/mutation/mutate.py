@@ -15,7 +15,7 @@ SUBTLE_KINDS = {"threshold", "part", "float", "static", "input", "limit", "zero"
 
 
 def mutants_of(text: str, subtle: bool = False) -> list[Mutant]:
-    """In the order of the lines; what reads the same is one mutant."""
+    """Returns the mutants in the order of the lines, without repetition."""
     source = Source(text)
     made = [mutant for kind in (_SUBTLE if subtle else _KINDS) for mutant in kind(source)]
     if subtle:

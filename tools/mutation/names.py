@@ -1,4 +1,4 @@
-"""A name that is one letter, or one end, or one half turn away."""
+"""Changes a name by one letter, one end, or one sign."""
 
 import re
 from collections.abc import Iterator

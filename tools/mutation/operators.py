@@ -1,4 +1,4 @@
-"""Another operator, or a sign that is lost or one too many."""
+"""Changes an operator, or adds or drops a sign."""
 
 from collections.abc import Iterator
 
@@ -45,5 +45,5 @@ def added_signs(source: Source) -> Iterator[Mutant]:
 
 
 def _is_asked_to_be_finite(source: Source, k: int) -> bool:
-    """Whether k, which a bracket closes behind, is the last argument of one of those calls."""
+    """Tells whether k, before a closing bracket, is the last argument of one of those calls."""
     return source.tokens[source.partner[k + 1] - 1].text in _ASK_WHETHER_FINITE

@@ -1,4 +1,4 @@
-"""What became of a mutant: of its tests, those of its exercise only are asked, as `./course check` does."""
+"""The outcome of a mutant under the tests of its own exercise only, as `./course check` runs them."""
 
 import signal
 from pathlib import Path
@@ -11,7 +11,7 @@ NOT_COMPILED, EQUIVALENT, LISTED = "does not compile", "same object", "listed"
 
 def outcome(program: Path, suite: str, seconds: float, number: int | None, variable: str,
             seed: int | None = None) -> tuple[str, str]:
-    """And the test that noticed, or how it crashed; `seconds` are the processor's."""
+    """Returns the outcome, and the test that detected it or the crash; `seconds` are the processor's."""
     more = {"GTEST_FAIL_FAST": "1"} | ({} if number is None else {variable: str(number)})
     return judged(run_tests(program, f"{suite}.*", seed, processor=seconds, more=more))
 

@@ -1,4 +1,4 @@
-"""How many mutants of a chapter its checks detect."""
+"""The number of a chapter's mutants that its checks detect."""
 
 from collections import Counter
 from collections.abc import Iterable
@@ -17,7 +17,8 @@ class Score:
 
     @property
     def detected(self) -> int:
-        """A crash and a loop without end are seen, too, but teach less than a check that fails."""
+        """Counts detected mutants. A crash or an endless loop is detected, too, but teaches less than a failed
+        check."""
         return self.counts[KILLED] + self.counts[CRASHED] + self.counts[TIMED_OUT]
 
     @property

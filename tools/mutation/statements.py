@@ -1,4 +1,4 @@
-"""A statement that is left out, a condition turned round, a loop that ends elsewhere."""
+"""Drops a statement, negates a condition, or ends a loop elsewhere."""
 
 from collections.abc import Iterator
 
@@ -36,7 +36,7 @@ def conditions(source: Source) -> Iterator[Mutant]:
 
 
 def loops(source: Source) -> Iterator[Mutant]:
-    """for (...; k < n; ...) that ends one earlier; one later is `<=`, an operator."""
+    """Ends for (...; k < n; ...) one earlier; one later is `<=`, an operator."""
     for k in source.code:
         if source.is_at(k, "for", "("):
             first = source.up_to(k + 2, ";")
@@ -47,7 +47,7 @@ def loops(source: Source) -> Iterator[Mutant]:
 
 
 def _leaves_early(source: Source, k: int) -> bool:
-    """A function's last return is no early one: without it there is no result."""
+    """Tells whether a return is early. A function's last return is not: without it there is no result."""
     if source.tokens[k].text not in _LEAVE:
         return False
     last = source.is_at(source.up_to(k, ";") + 1, "}")

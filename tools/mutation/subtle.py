@@ -1,6 +1,6 @@
 """Mistakes that look right, and are with most numbers: a threshold without a unit, or a part of something, a float for a
-double, what lives on from one call to the next, an input that is changed, a loop that ends after sixty-four, a zero that is
-taken for nothing given, a NaN that is dropped, a field that should not matter, and two small changes at once."""
+double, a value kept from one call to the next, a changed input, a loop that ends after sixty-four, a zero taken for a
+missing value, a dropped NaN, a field that should not matter, and two small changes at once."""
 
 import random
 import re
@@ -28,7 +28,7 @@ _MATRIX = re.compile(r"const (Vec3|Mat3|Vec2|Vector)& (\w+)")
 
 
 def thresholds(source: Source) -> Iterator[Mutant]:
-    """What is small is taken for zero: in a comparison, in a value, in a result."""
+    """Treats a small number as zero: in a comparison, in a value, in a result."""
     for k in source.code:
         token, before = source.tokens[k], source.tokens[k - 1].text
         if token.text == "0" and before in ("<", "<=", ">", ">=") and source.spaced(k):
@@ -45,7 +45,7 @@ def thresholds(source: Source) -> Iterator[Mutant]:
 
 
 def relative_scales(source: Source) -> Iterator[Mutant]:
-    """What is a millionth of the rest is taken for zero: in any units, and as wrong."""
+    """Treats a millionth of the rest as zero, which is as wrong, in any units."""
     for kind, begin, end in _values(source):
         if kind in ("Vec3", "Mat3"):
             yield Mutant("part", begin, end,
@@ -54,7 +54,7 @@ def relative_scales(source: Source) -> Iterator[Mutant]:
 
 
 def addends(source: Source) -> Iterator[Mutant]:
-    """Of two that are added, one is taken for zero where it is a millionth of the other."""
+    """Treats one of two addends as zero if it is a millionth of the other."""
     size = {"double": "({0} < 0 ? -{0} : {0})", "Vec3": "{0}.norm()", "Vector": "{0}.norm()"}
     for kind, begin, end in _values(source):
         signs = _sum(source, begin, end) if kind in size else []
@@ -70,7 +70,7 @@ def addends(source: Source) -> Iterator[Mutant]:
 
 
 def _sum(source: Source, begin: int, end: int) -> list[int]:
-    """The signs between the terms, if that is all that holds the value together."""
+    """Returns the signs between the terms, if a value is only a sum."""
     found = []
     k = next(k for k, token in enumerate(source.tokens) if token.start == begin)
     while source.tokens[k].start < end:
@@ -92,7 +92,7 @@ def floats(source: Source) -> Iterator[Mutant]:
 
 
 def statics(source: Source) -> Iterator[Mutant]:
-    """A value that is computed once, and a list that keeps what it held."""
+    """Keeps a value from the first call, or a list with its old content."""
     for k in source.code:
         if not source.begins_statement(k) or source.is_member(k):
             continue
@@ -102,7 +102,7 @@ def statics(source: Source) -> Iterator[Mutant]:
 
 
 def limits(source: Source) -> Iterator[Mutant]:
-    """What comes after the first sixty-four of a loop is left out."""
+    """Leaves out everything after the first sixty-four of a loop."""
     for k in source.code:
         if not source.is_at(k, "for", "("):
             continue
@@ -119,14 +119,14 @@ def limits(source: Source) -> Iterator[Mutant]:
 
 
 def zeros(source: Source) -> Iterator[Mutant]:
-    """A parameter that is zero is one that nobody gave."""
+    """Treats a parameter of zero as one that was not given."""
     for body, _, parameters in _bodies(source):
         for name in _NUMBER.findall(parameters):
             yield Mutant("zero", body, body, f" if ({name} == 0) const_cast<double&>({name}) = 1;")
 
 
 def nans(source: Source) -> Iterator[Mutant]:
-    """What is no number does nothing."""
+    """Does nothing for NaN."""
     for body, returns, parameters in _bodies(source):
         checks = [f"{name} != {name}" for name in _NUMBER.findall(parameters)]
         checks += [f"{name}.hasNaN()" for _, name in _MATRIX.findall(parameters)]
@@ -135,7 +135,7 @@ def nans(source: Source) -> Iterator[Mutant]:
 
 
 def fields(source: Source) -> Iterator[Mutant]:
-    """Nothing happens where a field of what is given has one sign or the other."""
+    """Does nothing if a field of the input has one sign or the other."""
     for body, returns, parameters in _bodies(source):
         for kind, name in _STRUCT.findall(parameters):
             for field in _FIELDS[kind] if returns in _NOTHING else ():
@@ -144,7 +144,7 @@ def fields(source: Source) -> Iterator[Mutant]:
 
 
 def inputs(source: Source) -> Iterator[Mutant]:
-    """A parameter that is const is another one after the call."""
+    """Changes a const parameter."""
     for body, _, parameters in _bodies(source):
         found = [(type_, name, f"const_cast<{type_}&>({name}) *= 2;") for type_, name in _MATRIX.findall(parameters)]
         found += [(type_, name, f"if (!{name}.empty()) std::swap(const_cast<{type_}&>({name}).front(), "
@@ -156,7 +156,7 @@ def inputs(source: Source) -> Iterator[Mutant]:
 
 
 def pairs(source: Source, singles: list[Mutant]) -> Iterator[Mutant]:
-    """Two of the first-order changes, the same ones for the same text."""
+    """Combines two of the first-order changes, the same ones for the same text."""
     chosen = random.Random(source.text)
     for _ in range(PAIRS if len(singles) > 1 else 0):
         one, other = sorted(chosen.sample(singles, 2), key=lambda mutant: mutant.start)
@@ -166,7 +166,7 @@ def pairs(source: Source, singles: list[Mutant]) -> Iterator[Mutant]:
 
 
 def _bodies(source: Source) -> Iterator[tuple[int, str, str]]:
-    """Where the body of each function begins, what it returns, and its parameters."""
+    """Returns the start of each function's body, its return type, and its parameters."""
     for function in _FUNCTION.finditer(source.text):
         opens = next((k for k, token in enumerate(source.tokens) if token.start == function.end() - 1), None)
         if opens is not None and source.is_at(source.partner[opens] + 1, "{"):
@@ -176,7 +176,7 @@ def _bodies(source: Source) -> Iterator[tuple[int, str, str]]:
 
 
 def _values(source: Source) -> Iterator[tuple[str, int, int]]:
-    """The type of each value that a constant gets, or a function returns, and where it stands."""
+    """Returns the type of each value that a constant gets, or a function returns, and its place."""
     for k in source.code:
         token = source.tokens[k]
         if not source.begins_statement(k):

@@ -1,5 +1,5 @@
 #pragma once
-// What a program includes: the world, its solvers, whether a run is sound, contacts that begin and end, handles.
+// Includes for programs: the world, its solvers, the check of runs, contacts that begin and end, handles.
 #include "spook/engine/diagnostics/contact_events.hpp"
 #include "spook/engine/diagnostics/run_check.hpp"
 #include "spook/engine/world/handles.hpp"

@@ -1,6 +1,6 @@
 #pragma once
-// What a world is made of and what its last step did, as NumPy arrays: copies, since contacts and rows are made anew in
-// each step.
+// The parts of a world and the results of its last step, as NumPy arrays. These are copies, since contacts and rows are
+// made anew in each step.
 #include <pybind11/eigen.h>
 
 #include <limits>
@@ -24,7 +24,7 @@ inline py::array_t<double> orientations(const PythonWorld<6>& self) {
   return copy;
 }
 
-/// The contacts of the last step, an array of each of their numbers.
+/// The contacts of the last step, with an array for each number.
 template <int Dof>
 py::dict contacts(const PythonWorld<Dof>& self) {
   const World<Dof>& world = self.world();
@@ -48,7 +48,7 @@ py::dict contacts(const PythonWorld<Dof>& self) {
                   "normal_impulse"_a = normal_impulse, "impulse"_a = impulse, "force"_a = force);
 }
 
-/// The joints, an array of each of their numbers.
+/// The joints, with an array for each number.
 template <int Dof>
 py::dict joints(const PythonWorld<Dof>& self) {
   const World<Dof>& world = self.world();

@@ -1,7 +1,7 @@
-"""What `pip install .` calls: CMake builds and installs the module, and a wheel is that folder as a zip (PEP 427, 517).
+"""The backend of `pip install .`: CMake builds and installs the module, a wheel is that folder as a zip (PEP 427, 517).
 
-It needs of the system what ./course start installs, and pybind11-dev and python3-dev. Nothing else is downloaded, so
-that pip works without a network where NumPy is there.
+It needs the packages that ./course start installs, and pybind11-dev and python3-dev. Nothing else is downloaded, so
+pip works without a network where NumPy is installed.
 """
 
 import base64
@@ -55,7 +55,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None) 
 
 
 def build_sdist(sdist_directory, config_settings=None) -> str:
-    """The files that git knows, as PEP 517 wants them."""
+    """Archives the files that git tracks, as PEP 517 requires."""
     name = f"spook-{VERSION}"
     known = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, check=True, capture_output=True, text=True).stdout
     with tempfile.NamedTemporaryFile() as about, tarfile.open(Path(sdist_directory, f"{name}.tar.gz"), "w:gz") as archive:

@@ -1,5 +1,5 @@
 #pragma once
-// A Python class of worlds, whose members have the docstrings of _spook.pyi.
+// A Python class for worlds, whose members have the docstrings of _spook.pyi.
 #include "module.hpp"
 #include "python_world.hpp"
 
@@ -19,7 +19,7 @@ class Binding {
     type_.def(member.c_str(), function, documentation(member), extra...);
     return *this;
   }
-  /// A function of the engine's world, that changes nothing.
+  /// A function of the engine's world that changes nothing.
   template <class Function, class... Extra>
   Binding& ask(const std::string& member, const Function& function, const Extra&... extra) {
     return def(
@@ -30,7 +30,7 @@ class Binding {
     type_.def_property_readonly(member, function, documentation(member));
     return *this;
   }
-  /// An array that looks at numbers of the engine.
+  /// An array over numbers of the engine.
   template <class Show>
   Binding& view(const char* member, const Show& show) {
     return property(member, [show](const py::object& object) { return show(object, object.cast<Self&>()); });

@@ -1,6 +1,6 @@
-"""Writes the docstrings of _spook.pyi as C++, so that help() says what an editor shows.
+"""Writes the docstrings of _spook.pyi as C++, so that help() and editors show the same text.
 
-    docstrings.py _spook.pyi docstrings.cpp
+docstrings.py _spook.pyi docstrings.cpp
 """
 
 import ast
@@ -10,7 +10,7 @@ from pathlib import Path
 
 
 def docstrings(stub: str) -> dict[str, str]:
-    """The text of each class, function and member that has one, by its dotted name."""
+    """Returns the text of each class, function and member that has one, by its dotted name."""
     found = {}
 
     def look(node, prefix: str):

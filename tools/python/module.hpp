@@ -11,7 +11,7 @@ namespace py = pybind11;
 void bind_worlds(py::module_& module);
 void bind_scenes(py::module_& module);
 
-/// Returns the text that _spook.pyi gives to "World", "World.add" or "scenes". Throws std::logic_error where it has none.
+/// Returns the text of "World", "World.add" or "scenes" in _spook.pyi. Throws std::logic_error if there is none.
 const char* docstring(const std::string& name);
 
 }  // namespace spook

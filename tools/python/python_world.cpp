@@ -44,7 +44,7 @@ void PythonWorld<Dof>::step_unlocked(double h, std::int64_t steps) {
   }
 }
 
-/// Says once that the world is lost, as Python says such things.
+/// Warns once that the world is lost, by Python's warnings.
 template <int Dof>
 void PythonWorld<Dof>::warn() {
   if (warned_ || state() != State::lost) return;
@@ -58,7 +58,7 @@ template <int Dof>
 void PythonWorld<Dof>::put_load(int body, const Twist<Dof>& load) {
   const std::size_t i = world().index(body);
   if (world_.bodies().is_fixed(i))
-    throw std::invalid_argument("body must be one that moves, but is " + std::to_string(body));
+    throw std::invalid_argument("body must be a dynamic one, but is " + std::to_string(body));
   require_all_finite("force", load.template head<3>());
   if constexpr (Dof == 6) require_all_finite("torque", load.template tail<3>());
   if (!world_.settings().wrench) world_.set_wrench(Loads<Dof>());

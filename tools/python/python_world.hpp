@@ -1,5 +1,5 @@
 #pragma once
-// A world as Python has it: with forces that are set, arrays that look at it, and a verdict on its steps.
+// A world for Python: with forces on its bodies, arrays over its numbers, and a verdict on its steps.
 #include <memory>
 
 #include "engine/diagnostics/run_check.hpp"
@@ -7,7 +7,7 @@
 
 namespace spook {
 
-/// What Python puts on each body; a world without any has none of it. The world's copy has a copy.
+/// The forces that Python sets on bodies; empty without any. A copy of the world copies them.
 template <int Dof>
 class Loads {
  public:
@@ -46,35 +46,35 @@ class PythonWorld {
     if (busy_) throw std::runtime_error("the world is taking a step in another thread");
     return world_;
   }
-  /// The same, to add or remove bodies. Throws py::buffer_error while there are arrays that look at them.
+  /// Locks the world to add or remove bodies. Throws py::buffer_error while arrays of the bodies' numbers exist.
   World<Dof>& bodies_of(const char* what) {
     views.require_none(what);
     return moved();
   }
-  /// The same, to move bodies from outside.
+  /// Locks the world to move bodies from outside.
   World<Dof>& moved() {
     check_.bodies_were_moved();
     return world();
   }
 
-  /// Takes steps, without Python's lock but for a look at Ctrl-C. Throws what World::step throws, and a Python error.
+  /// Takes steps without Python's lock, except to check for Ctrl-C. Throws as World::step does, or a Python error.
   void step(double h, std::int64_t steps);
 
   State state() const { return reason_.empty() ? check_.verdict().state : State::lost; }
   const std::string& reason() const { return reason_.empty() ? check_.verdict().reason : reason_; }
   const std::string& note() const { return check_.verdict().note; }
 
-  /// Throws std::invalid_argument for what is not finite, and for a body that does not move.
+  /// Throws std::invalid_argument for a number that is not finite, and for a static body.
   void put_load(int body, const Twist<Dof>& load);
   void remove_body(int body);
-  /// Goes back to `saved`: bodies, joints, settings, time and the impulses of a warm start. Throws py::buffer_error while
-  /// there are arrays that look at the bodies.
+  /// Restores `saved`: bodies, joints, settings, time and the impulses of a warm start. Throws py::buffer_error while
+  /// arrays of the bodies' numbers exist.
   void restore(const PythonWorld& saved);
 
   Views views = {};
 
  private:
-  /// The clock is asked after so many steps, so that a fast step pays nothing for it.
+  /// The clock is read after so many steps, so that it does not slow fast steps.
   static constexpr std::int64_t most_between_looks = 1024;
   static constexpr std::chrono::milliseconds patience{50};
 

@@ -1,5 +1,5 @@
-// Scenes and their runs, in the words of `spook run`: each option is text, as it would be typed, and is refused in the
-// same words. The package's Python makes objects of it.
+// Scenes and their runs, with the options of `spook run`: each option is text, as typed, and is refused with the same
+// message. The package's Python code turns the results into objects.
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
@@ -20,7 +20,7 @@ namespace {
 using namespace py::literals;
 using Texts = std::map<std::string, std::string>;
 
-/// As typed. Throws std::invalid_argument for an option that `spook run` has not.
+/// The options as typed. Throws std::invalid_argument for an unknown option.
 RunCommand command_of(const std::string& scene, const Texts& parameters, const Texts& options) {
   RunCommand command;
   command.scene = scene;
@@ -66,14 +66,14 @@ py::dict describe(const std::string& name) {
                   "time"_a = scene.time, "solver"_a = scene.solver, "parameters"_a = parameters);
 }
 
-/// Refuses what a run would refuse, without one.
+/// Refuses invalid options as a run would, without a step.
 void check(const std::string& name, const Texts& set, const Texts& options) {
   const SceneDescription scene = scene_named(name);
   const RunCommand command = command_of(name, set, options);
   scene.build(command.parameters(scene), command.settings(scene).method);
 }
 
-/// Each step's sample, a row each.
+/// The sample of each step, a row each.
 using Samples = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 Samples as_rows(const std::vector<double>& numbers, std::size_t columns) {
@@ -104,7 +104,7 @@ py::dict run_scene(const std::string& name, const Texts& set, const Texts& optio
                   "columns"_a = result.columns, "samples"_a = as_rows(samples, result.columns.size()));
 }
 
-/// What `spook run --record` writes; of a run that blows up, up to there.
+/// The output of `spook run --record`; if a run blows up, its output until then.
 py::bytes record(const std::string& name, const Texts& set, const Texts& options, double fps) {
   const SceneDescription scene = scene_named(name);
   const RunCommand command = command_of(name, set, options);

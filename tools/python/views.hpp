@@ -1,9 +1,9 @@
 #pragma once
 // Numbers of a C++ object as NumPy arrays, without a copy.
 //
-// An array keeps the object alive, and may be read as long as it is wanted. What it shows are the numbers as they are
-// now. While there is one, nothing may be added that would move them in memory: the object asks Views first, and the
-// caller gets a BufferError, as from a bytearray.
+// An array keeps the object alive, and may be read at any time. It shows the current numbers. While an array exists,
+// nothing may be added that would move the numbers in memory: the object checks Views first, and the caller gets a
+// BufferError, as from a bytearray.
 #include <pybind11/numpy.h>
 
 #include <string>
@@ -15,7 +15,8 @@ namespace py = pybind11;
 
 class Views {
  public:
-  /// The first `columns` numbers of each of `items`, from the `first` on, to be read only. `owner` has this member.
+  /// A read-only array of the first `columns` numbers of each of `items`, from the `first` on. It keeps `owner` alive,
+  /// whose member this is.
   template <class Item>
   py::array of(const std::vector<Item>& items, py::ssize_t columns, std::size_t first,
                const py::object& owner) {

@@ -1,4 +1,4 @@
-// spook.World and spook.PointWorld: a world of the engine, with arrays to look at it.
+// spook.World and spook.PointWorld: a world of the engine, with arrays over its numbers.
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 
@@ -16,7 +16,7 @@ using MaybeVec3 = std::optional<Vec3>;
 template <int Columns>
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, Columns, Eigen::RowMajor>;
 
-/// Throws std::invalid_argument unless there is a finite row for each body, or none is given.
+/// Throws std::invalid_argument unless there is a finite row for each body, or no row at all.
 template <class Given>
 void require_a_row_each(const char* name, const Given& rows, std::size_t bodies) {
   if (!rows) return;
@@ -95,7 +95,7 @@ void set_velocity_function(PythonWorld<6>& self, int body, const py::function& v
   });
 }
 
-/// Sets keyframes from a time and a row each.
+/// Sets keyframes from a list of times and a row for each.
 template <int Dof>
 void set_keyframes(PythonWorld<Dof>& self, int body, const std::vector<double>& times, const Rows<3>& x,
                    const std::optional<Rows<4>>& q) {
@@ -114,13 +114,13 @@ void set_keyframes(PythonWorld<Dof>& self, int body, const std::vector<double>& 
   self.moved().set_keyframes(body, Keyframes(std::move(frames)));
 }
 
-/// What is left out stays as it is.
+/// Omitted arguments change nothing.
 template <int Dof>
 void place(PythonWorld<Dof>& self, int body, const MaybeVec3& x, const MaybeVec3& v) {
   self.moved().place(body, x.value_or(self.world().x(body)), v.value_or(self.world().v(body)));
 }
 
-/// Sets rows of all bodies; those of static bodies are left as they are.
+/// Sets rows of all bodies; rows of static bodies are ignored.
 template <int Dof>
 void place_all(PythonWorld<Dof>& self, const std::optional<Rows<3>>& x, const std::optional<Rows<3>>& v) {
   const Bodies<Dof>& bodies = self.world().bodies();
@@ -182,7 +182,7 @@ void set_material(PythonWorld<Dof>& self, int body, std::optional<int> other, st
     self.world().set_material(body, material);
 }
 
-/// A static body with the shape that its numbers tell, in the words of add.
+/// A static body with the shape that its arguments give, named as those of add.
 int add_static(PythonWorld<6>& self, const Vec3& x, double radius, const std::array<double, 4>& q,
                double half_length, const Vec3& half_sides) {
   World<6>& world = self.bodies_of("add_fixed");
@@ -214,14 +214,14 @@ int add_rope(PythonWorld<Dof>& self, int i, int j, double length, const Vec3& p_
                                  .limit_d = d});
 }
 
-/// A pair of numbers as a struct of theirs.
+/// Converts a pair of numbers to a struct of two.
 template <class Of>
 std::optional<Of> pair_as(const std::optional<std::array<double, 2>>& pair) {
   if (!pair) return {};
   return Of{(*pair)[0], (*pair)[1]};
 }
 
-/// Stiffness, damping, and the coordinate at rest; what is left out is 0.
+/// Stiffness, damping, and the rest coordinate. Default of each: 0.
 using SpringNumbers = std::optional<std::vector<double>>;
 
 std::optional<Spring> spring_of(const SpringNumbers& numbers) {
@@ -307,7 +307,7 @@ PythonWorld<3> make_points(const Vec3& gravity, std::optional<double> k, std::op
                  "splitting");
 }
 
-/// `rest`: parameters of this world alone.
+/// `rest`: the parameters of this world only.
 template <int Dof, class Make, class... Rest>
 void bind_constructor(Binding<Dof>& type, const Make& make_world, const Rest&... rest) {
   type.type().def(py::init(make_world), type.documentation("__init__"), py::kw_only(),

@@ -1,4 +1,4 @@
-"""Writes what joins the tests of a chapter with a student's function that is in another process.
+"""Writes code that connects the tests of a chapter with a student's function in another process.
 
     functions.py asking REFERENCE HEADER RESULT WRAPS FUNCTION...
     functions.py answering REFERENCE HEADER RESULT FUNCTION...
@@ -21,7 +21,7 @@ from symbols import functions_in  # noqa: E402
 
 
 def instances(reference: Path, functions: list[str]) -> list[tuple[str, str, str]]:
-    """Of each exercise all that it defines: its name, the function as C++ says it, and its symbol."""
+    """Returns all definitions of each exercise: its name, the function's declaration in C++, and its symbol."""
     found = []
     for function in functions:
         symbols = sorted(functions_in(reference, function))
@@ -60,7 +60,7 @@ def wraps(found: list[tuple[str, str, str]]) -> str:
 
 
 def write(file: Path, text: str) -> None:
-    """What reads the same is not compiled again."""
+    """Writes a file only if its text has changed, so that it is not compiled again."""
     if not file.exists() or file.read_text(encoding="utf-8") != text:
         file.write_text(text, encoding="utf-8")
 

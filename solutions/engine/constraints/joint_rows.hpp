@@ -13,7 +13,7 @@
 //   a, b, Σ = h k/P, 1 - Q/P, 1/P
 //
 // So the spring acts at the mean of three positions, as SPOOK's own rows with d = 0 do, and the damper at the mean of
-// two speeds: the order is two. Both parts of Q are at most the inertia m = 1/(G M⁻¹Gᵀ), and what is beyond acts at the
+// two speeds: the order is two. Both parts of Q are at most the inertia m = 1/(G M⁻¹Gᵀ), and any excess acts at the
 // end of the step:
 //
 //   P = h²k + h c - 3 min(¼h²k, m) - min(½h c, m),  Q = min(¼h²k, m) - min(½h c, m)

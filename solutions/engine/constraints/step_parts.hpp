@@ -7,7 +7,7 @@
 //   h √(Σ F |p| s² / I)       the same about an axis, with levers p across it      at most 1
 //
 // Joints are linear within a step. A point on an arm of length r that turns by α leaves the circle by α²/2 of r, and
-// the arm settles at a speed that is 0.7 α² lower: 0.12 holds both to a hundredth. A load F makes what is light swing
+// the arm settles at a speed that is 0.7 α² lower: 0.12 holds both to a hundredth. A load F makes light bodies swing
 // about it, and leapfrog is stable up to a frequency of 2/h.
 #include <functional>
 #include <vector>

@@ -1,5 +1,5 @@
 #pragma once
-// Which pairs of bodies began to touch in a step, and which ended. A world that nobody asks pays nothing for it.
+// Reports the pairs of bodies that began or ended to touch in a step. It costs nothing unless requested.
 #include <algorithm>
 #include <iterator>
 #include <utility>

@@ -1,7 +1,7 @@
 #pragma once
 // Handles of bodies and joints: numbers from 0 on that stay while others are removed, where indices move up.
 //
-// A vector of a program's own, indexed by handles, holds whatever it wants to know of each body. A world without
+// A program may keep data on each body in a vector of its own, indexed by handles. A world without
 // handles pays nothing for them.
 #include <stdexcept>
 #include <string>
@@ -23,16 +23,18 @@ class HandleList {
     return handles_[static_cast<std::size_t>(index)];
   }
 
-  /// Returns the index of a handle. Throws std::invalid_argument for a handle of something that was removed, or of none.
+  /// Returns the index of a handle. Throws std::invalid_argument for a handle of something that was removed, or of
+  /// none.
   int index(const char* name, int handle) const {
     const bool known = handle >= 0 && static_cast<std::size_t>(handle) < indices_.size();
     if (!known || indices_[static_cast<std::size_t>(handle)] < 0)
-      throw std::invalid_argument(std::string(name) + " must be a handle of what is still there, but is " +
+      throw std::invalid_argument(std::string(name) +
+                                  " must be a handle of an existing body or joint, but is " +
                                   std::to_string(handle));
     return indices_[static_cast<std::size_t>(handle)];
   }
 
-  /// Forgets what is at an index; what is after it moves up.
+  /// Removes the handle at an index; later indices decrease by one.
   void remove(int index) {
     if (static_cast<std::size_t>(index) >= handles_.size()) return;  // it has no handle
     indices_[static_cast<std::size_t>(handles_[static_cast<std::size_t>(index)])] = removed;

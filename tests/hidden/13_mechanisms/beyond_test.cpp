@@ -1,4 +1,4 @@
-// Beyond chapter 13's own tests: Jacobians against differences, turns, limits, motors.
+// Further tests of chapter 13: Jacobians against differences, turns, limits, motors.
 #include "13_mechanisms/mechanisms.hpp"
 #include "dense_rows.hpp"
 #include "exercise_test.hpp"
@@ -79,7 +79,7 @@ EXERCISE_TEST(HingeAngle, CountsTurnsBothWays) {
 EXERCISE_TEST(LimitConstraint, TakesTheNearerLimit) {
   Random random;
   Coordinate free{.i = 0, .j = 1, .Gi = random.twist(), .Gj = random.twist(), .value = 0};
-  for (const double past : {0.25, -0.25}) {  // before the limit, and past it
+  for (const double past : {0.25, -0.25}) {  // before the limit, and beyond it
     free.value = 2 - past;
     const Constraint<6> upper =
         limit_constraint(free, {.lower = -5, .upper = 2}, spook_parameters(0.01, 1e6, 2), 0.01);

@@ -1,4 +1,4 @@
-// Wrong: leaves out what is exactly at the reach.
+// Wrong: leaves out a contact exactly at the reach.
 // Killed by: MatchContacts.KnowsNewOnesAndForgetsLostOnes
 // Says: at most `reach`, <= and not <
 #include "10_convergence/convergence.hpp"

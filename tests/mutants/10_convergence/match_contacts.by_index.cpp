@@ -1,4 +1,4 @@
-// Wrong: takes the lists to be in the same order.
+// Wrong: assumes that both lists are in the same order.
 // Killed by: MatchContacts.FindsThemInAnyOrder
 // Says: These are the contacts' own indices
 #include "10_convergence/convergence.hpp"

@@ -1,4 +1,4 @@
-// Wrong: takes the first that is within reach.
+// Wrong: takes the first old contact within reach.
 // Killed by: MatchContacts.FollowsPointsThatMoved
 // Says: Of those within reach, 0.3 m, the nearest is the one
 #include "10_convergence/convergence.hpp"

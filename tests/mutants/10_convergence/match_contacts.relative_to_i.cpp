@@ -1,6 +1,6 @@
 // Wrong: compares the points relative to body i.
 // Killed by: MatchContacts.FindsThemInAnyOrder
-// Says: Points are compared with r_j
+// Says: Compare points by r_j
 #include "10_convergence/convergence.hpp"
 
 namespace spook {

@@ -1,4 +1,4 @@
-// Wrong: lets several contacts continue the same one.
+// Wrong: lets several contacts continue the same old one.
 // Killed by: MatchContacts.GivesEachOldOneToTheNearest
 // Says: Each old one is used once
 #include "10_convergence/convergence.hpp"

@@ -1,6 +1,6 @@
 // Wrong: compares every row with every other.
 // Killed by: SchurComplement.DoesNotCompareAllPairs
-// Says: All pairs are compared, or something as long
+// Says: All pairs are compared, or the work grows like that
 #include "11_direct/direct.hpp"
 
 namespace spook {

@@ -1,6 +1,6 @@
 // Wrong: adds its entries to a matrix that is compressed already.
 // Killed by: StiffenedMatrix.HasTheLayoutOfTheSaddlePoint
-// Says: asks for makeCompressed
+// Says: need makeCompressed
 #include "12_stiff_wires/stiff_wires.hpp"
 
 namespace spook {

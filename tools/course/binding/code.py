@@ -1,4 +1,4 @@
-"""Code with its keywords, comments and strings marked: Pygments."""
+"""Marks keywords, comments and strings in code, by Pygments."""
 
 import html
 import re
@@ -32,7 +32,7 @@ def highlighted(code: str, language: str) -> str:
 
 
 def code_in_text(code: str) -> str:
-    """A line breaks between words only, and not within what is short: an option such as --out stays in one piece."""
+    """Sets code within text. A line breaks between words only, and never within an option such as --out."""
     if len(code) <= 20:
         whole = ' class="whole"' if " " in code or "-" in code else ""
         return f"<code{whole}>{html.escape(code)}</code>"
@@ -42,7 +42,7 @@ def code_in_text(code: str) -> str:
 
 
 def language_of(name: Path) -> str:
-    """As Pygments calls it; text, where the name does not tell."""
+    """Returns Pygments' name of the language; text, if the file's name does not tell."""
     from pygments.lexers import get_lexer_for_filename
     from pygments.util import ClassNotFound
 

@@ -1,7 +1,7 @@
-"""A lesson as slides: what can be shown, with the words around it as the speaker's notes.
+"""A lesson as slides, with its prose as the speaker's notes.
 
-Each figure, equation and table is a slide, with the line that leads to it. What the lesson says besides is in the notes
-of the slide that it explains. Sections that list something are a slide each.
+Each figure, equation and table is a slide, with the line that introduces it. Other sentences of the lesson are in the
+notes of the slide that they explain. Each section that is a list is a slide.
 """
 
 import html
@@ -81,7 +81,7 @@ def _predictions(chapter: Chapter) -> list[Slide]:
 
 
 def _text(text: str) -> str:
-    """A line of Markdown, as its words."""
+    """Returns the words of a line of Markdown."""
     return typeset(html.escape(re.sub(r"[*`]", "", " ".join(text.split())), quote=False), True)
 
 
@@ -129,7 +129,8 @@ def _is_long(piece: Piece) -> bool:
 
 
 def _lead_to(slide: Slide, waiting: list[Piece], shown: Piece, before: list[Slide]) -> None:
-    """The last paragraph leads to an equation or a table. Those before it explain what was shown before them."""
+    """Moves the last paragraph to the equation or table that it introduces. Those before it explain the slide
+    before."""
     *explaining, last = waiting if waiting else [None]
     leads = last is not None and last.kind == "paragraph" and shown.kind in ("equation", "table")
     if last is not None and not leads:
@@ -146,7 +147,7 @@ def _lead_to(slide: Slide, waiting: list[Piece], shown: Piece, before: list[Slid
 
 
 def _titled(title: str, text: str) -> tuple[str, str]:
-    """A paragraph's own title, and what is shown of it: from that title on, and not the end of an earlier sentence."""
+    """Returns a paragraph's own title and its content, from that title on, without the end of an earlier sentence."""
     if run_in := _RUN_IN.search(text):
         title, text = run_in[1], text[run_in.end():].strip()
     elif bold := _BOLD.search(text):

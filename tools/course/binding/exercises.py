@@ -1,4 +1,4 @@
-"""What the book adds to an exercise of a lesson: its declaration, the comment above that, its hints, and its tests."""
+"""The book's additions to an exercise of a lesson: its declaration, the comment above, its hints, and its tests."""
 
 import html
 import re
@@ -13,8 +13,8 @@ _TEST = re.compile(r"^EXERCISE_TEST\((\w+), (\w+)\)", re.MULTILINE)
 
 
 def exercises_of(lesson: Path) -> dict[str, tuple[str, str]]:
-    """By their headings, as Markdown: what goes below the heading, and what ends the exercise. Empty for a page that is no
-    lesson."""
+    """Returns Markdown for each exercise by its heading: the part below the heading and the part at the end. Empty for
+    a page that is not a lesson."""
     chapter = next((chapter for chapter in read_chapters() if CHAPTERS / chapter.folder / "README.md" == ROOT / lesson),
                    None)
     if chapter is None:
@@ -30,7 +30,8 @@ def _promise(exercise: Exercise, headers: str) -> str:
 
 
 def _prose(comment: list[str]) -> str:
-    """As Markdown: a line such as `   gap    signed [m]` is an item of a list, and goes on in lines that are further in."""
+    """Converts a comment to Markdown. A line such as `   gap    signed [m]` is an item of a list, and continues in
+    lines that are indented further."""
     parts: list[str] = []
     in_list = False
     for line in comment:
@@ -51,7 +52,7 @@ def _escaped(text: str) -> str:
 
 
 def declaration(exercise: Exercise, header: str) -> tuple[list[str], str]:
-    """The lines of its comment without the exercise's number, and what it declares, to the semicolon."""
+    """Returns the lines of an exercise's comment without its number, and the declaration, up to the semicolon."""
     lines = header.splitlines()
     for begin, line in enumerate(lines):
         if line.startswith(f"/// Exercise {exercise.id}. "):
@@ -63,7 +64,7 @@ def declaration(exercise: Exercise, header: str) -> tuple[list[str], str]:
 
 
 def _hints(exercise: Exercise) -> str:
-    """Each inside the one before, so that they are read one at a time."""
+    """Nests each hint in the one before, so that they are read one at a time."""
     text = ""
     for number, hint in reversed(list(enumerate(exercise.hints, 1))):
         text = _folded(f"Hint {number} of {len(exercise.hints)}", f"{hint}\n\n{text}")

@@ -1,4 +1,4 @@
-"""Formulas as HTML: KaTeX, in one run for all of them."""
+"""Converts formulas to HTML by KaTeX, in one run for all."""
 
 import json
 import subprocess
@@ -19,7 +19,7 @@ class Formula:
 
 
 def rendered(formulas: list[Formula]) -> dict[Formula, tuple[str, str]]:
-    """Of each its HTML, and what is wrong with it: one of the two is empty."""
+    """Returns for each formula its HTML and its error message; one of the two is empty."""
     wanted = list(dict.fromkeys(formulas))
     text = json.dumps([{"tex": formula.tex, "display": formula.display} for formula in wanted])
     done = subprocess.run(["node", str(_SCRIPT), str(KATEX / "katex.js")], input=text, capture_output=True, text=True)
@@ -30,7 +30,7 @@ def rendered(formulas: list[Formula]) -> dict[Formula, tuple[str, str]]:
 
 
 def files() -> dict[Path, Path]:
-    """What the formulas' look needs: the place in the site, and where Debian has it."""
+    """Lists the files that formulas need: the place in the site, and the place in Debian."""
     fonts = sorted((KATEX / "fonts").glob("*.woff2"))
     return ({Path("assets/katex/katex.min.css"): KATEX / "katex.min.css"}
             | {Path("assets/katex/fonts", font.name): font for font in fonts})

@@ -1,4 +1,5 @@
-"""The book's first page: README's film, which runs where there is an engine, a sentence, and a card for each chapter."""
+"""The book's first page: README's film, which runs if an engine is available, a sentence, and a card for each
+chapter."""
 
 import html
 import io
@@ -22,7 +23,7 @@ _SAYS = "The engine runs in this page: drag a cube to pull it."
 
 
 def front(outline: list[Page], views: bool, live: bool) -> str:
-    """The body of the page; `outline` has the lessons."""
+    """Returns the body of the page; `outline` has the lessons."""
     text = MANUAL.text()
     lessons = {page.source: page for page in outline if page.group == "Chapters"}
     first = next(iter(lessons.values()))
@@ -34,7 +35,7 @@ def front(outline: list[Page], views: bool, live: bool) -> str:
 
 
 def stills(outline: list[Page]) -> dict[Path, bytes]:
-    """The pictures of the cards, by their places in the site."""
+    """Returns the pictures of the cards, by their places in the site."""
     return {_still(page): _middle(page) for page in outline if page.group == "Chapters" and _film_of(page).exists()}
 
 
@@ -47,7 +48,7 @@ def _film_of(page: Page) -> Path:
 
 
 def _middle(page: Page) -> bytes:
-    """A lesson's film, halfway."""
+    """Returns the middle picture of a lesson's film."""
     from PIL import Image  # comes with matplotlib
 
     content = io.BytesIO()
@@ -67,7 +68,7 @@ def _film(alt: str, views: bool, live: bool) -> str:
 
 
 def hero() -> LiveFigure:
-    """What is filmed, without sliders and graph."""
+    """Returns the first figure, without sliders and graph."""
     film = films()["README"]
     settings = dict(option.split("=") for option in film["options"] if "=" in option)
     return LiveFigure(film["scene"], settings)

@@ -20,12 +20,13 @@ class Term:
     entry: str  # as HTML
 
     def is_linked_in(self, chapter: int) -> bool:
-        """A single word may have its everyday meaning in chapters before its own."""
+        """Tells whether a term is linked in a chapter. Before its own chapter, a single word may have its everyday
+        meaning."""
         return chapter >= self.chapter or " " in _plain(self.name)
 
 
 def terms(page: str) -> list[Term]:
-    """All names of the entries below "Terms"; `page` is SYMBOLS.md as HTML."""
+    """Returns all names of the entries below "Terms"; `page` is SYMBOLS.md as HTML."""
     found = []
     for entry in _ENTRY.finditer(page, page.index(_HEADING)):
         names = entry[1].split(", ")
@@ -38,15 +39,15 @@ def terms(page: str) -> list[Term]:
 
 
 def with_anchors(page: str) -> str:
-    """The glossary, with an anchor at each entry."""
+    """Adds an anchor to each entry of the glossary."""
     before, heading, after = page.partition(_HEADING)
     return before + heading + _ENTRY.sub(
         lambda entry: entry[0].replace("<li>", f'<li id="{_anchor(entry[1].split(", ")[0])}">', 1), after)
 
 
 def linked(page: str, chapter: int, glossary: list[Term], address: str) -> str:
-    """A lesson in which the first use of each term is a link to the glossary at `address`. Brings the entries along, to
-    be shown beside the links."""
+    """Links the first use of each term in a lesson to the glossary at `address`, and appends the entries to show beside
+    the links."""
     left = {_plain(term.name): term for term in glossary if term.is_linked_in(chapter)}
     names = "|".join(name.replace(" ", _BETWEEN.pattern) for name in sorted(left, key=len, reverse=True))
     use = re.compile(rf"(?<![\w-])({names})(?:s|es)?(?![\w-])", re.IGNORECASE)

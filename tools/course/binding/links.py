@@ -1,4 +1,4 @@
-"""Where a link of a page leads in the site; what leads nowhere is told."""
+"""Translates the links of a page to addresses in the site, and reports broken ones."""
 
 import re
 from pathlib import Path
@@ -23,7 +23,7 @@ class Links:
         self.sources: set[Path] = set()  # files of code that are shown as pages
 
     def link(self, draft: Draft, href: str, line: int) -> str:
-        """The address in the site; as it was, if it leads nowhere."""
+        """Returns the address in the site; the unchanged link if it is broken."""
         if _ELSEWHERE.match(href):
             return href
         path, _, fragment = href.partition("#")
@@ -59,7 +59,7 @@ class Links:
         return size_of(ROOT / target) if target in self._files else None
 
     def in_html(self, draft: Draft, text: str, line: int) -> str:
-        """HTML that stands in the page, with its links and pictures followed."""
+        """Translates links and pictures in the HTML of a page."""
         def follow(found: re.Match) -> str:
             name, mark, value = found.groups()
             place = line + text.count("\n", 0, found.start())
@@ -74,7 +74,7 @@ class Links:
         return _ATTRIBUTE.sub(follow, text)
 
     def _source(self, draft: Draft, path: str) -> Path | None:
-        """Of the course; a folder stands for its README.md."""
+        """Returns the source file in the course; a folder stands for its README.md."""
         if not path:
             return draft.page.source
         whole = (ROOT / draft.page.source).parent / unquote(path)

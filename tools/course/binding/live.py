@@ -1,10 +1,10 @@
-"""A lesson's live figure, as one line of Markdown above its film says it:
+"""A lesson's live figure, given by one line of Markdown above its film:
 
     <!-- live: SCENE NAME=VALUE ... | CONTROL ... | GRAPH | VALUE at TIME -->
 
-The scene and what is set at first; one to three controls that the reader may turn; the graph that the text speaks of,
-`error`, `energy`, `residual` or a column of the scene's own numbers; and what it shows after so many seconds, which
-tests compare with a run. GitHub shows the film alone."""
+The line gives the scene and its initial settings; one to three controls for the reader; the graph that the text
+describes, `error`, `energy`, `residual` or a column of the scene's own numbers; and its value after so many seconds,
+which tests compare with a run. GitHub shows the film alone."""
 
 import html
 import json
@@ -34,7 +34,7 @@ class LiveFigure:
         return float(self.said)
 
     def asked(self, folder: str) -> dict:
-        """What tools/viewer/figure.js reads; the film of the chapter has its rate and marks."""
+        """Returns the input of tools/viewer/figure.js; rate and marks are those of the chapter's film."""
         film = films().get(folder, {})
         return {"scene": self.scene, "set": self.settings, "controls": self.controls, "graph": self.graph,
                 "rate": film.get("rate", 1), "shows": film.get("shows", [])}
@@ -55,7 +55,7 @@ def is_live(text: str) -> bool:
 
 
 def live_figure(line: str) -> LiveFigure:
-    """Throws ValueError for a line that cannot be read."""
+    """Reads the line of a live figure. Throws ValueError if it is invalid."""
     found = _LINE.fullmatch(line.strip())
     if not found:
         raise ValueError("a live figure must be <!-- live: SCENE NAME=VALUE ... | CONTROL ... | GRAPH | VALUE at TIME -->")

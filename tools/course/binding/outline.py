@@ -1,5 +1,5 @@
-"""The pages of the book: a front page, then every Markdown file of the course but hints and playgrounds, in the order of
-reading."""
+"""The pages of the book in reading order: a front page, then every Markdown file of the course except hints and
+playgrounds."""
 
 import os
 from dataclasses import dataclass
@@ -28,7 +28,8 @@ class Page:
 
     @property
     def target(self) -> Path:
-        """From the root of the site, which has the folders of the course: so links and pictures stay as they are."""
+        """Returns the address of a file, relative to the site's root. The folders are the course's, so links and
+        pictures stay valid."""
         if self.source == Path("README.md"):
             return Path("manual.html")
         return self.source.with_name("index.html" if self.source.name == "README.md" else f"{self.source.stem}.html")
@@ -49,7 +50,7 @@ def pages() -> list[Page]:
 
 
 def _matches(name: Path, pattern: str) -> bool:
-    """With as many folders as the pattern has, or any number where it has **."""
+    """Matches a path with as many folders as the pattern, or any number in place of **."""
     return name.match(pattern) and ("**" in pattern or len(name.parts) == len(Path(pattern).parts))
 
 
@@ -65,5 +66,5 @@ MANUAL = Page(Path("README.md"), "The manual", "To look up")
 
 
 def between(here: Path, there: Path) -> str:
-    """The way from one file of the site to another, as in an address."""
+    """Returns the relative address from one file of the site to another."""
     return Path(os.path.relpath(there, here.parent)).as_posix()

@@ -1,4 +1,4 @@
-"""A page as its Markdown says it: tokens, and what others may refer to."""
+"""Reads a page's Markdown: its tokens, and the places that other pages refer to."""
 
 import re
 from dataclasses import dataclass, field
@@ -35,7 +35,7 @@ class Draft:
 
 
 def parser():
-    """As GitHub reads it: CommonMark with tables, footnotes and formulas."""
+    """Returns a parser with GitHub's rules: CommonMark with tables, footnotes and formulas."""
     from markdown_it import MarkdownIt
     from mdit_py_plugins.dollarmath import dollarmath_plugin
     from mdit_py_plugins.footnote import footnote_plugin
@@ -45,7 +45,7 @@ def parser():
 
 
 def read(page: Page, added: dict[str, tuple[str, str]] | None = None) -> Draft:
-    """`added` is Markdown that goes below headings, by their text, and Markdown that goes before the next heading."""
+    """Reads a page. `added` is Markdown to insert below headings, by their text, and before the next heading."""
     draft = Draft(page, _with(added or {}, parser().parse(page.text())))
     draft.sections.append(Section(1, "", page.title))
     heading = None
@@ -87,7 +87,7 @@ def _with(added: dict[str, tuple[str, str]], tokens: list) -> list:
 
 
 def _on_line(place: list, tokens: list) -> list:
-    """What is added has the line of its heading, for messages."""
+    """Gives inserted tokens the line of their heading, for messages."""
     for token in tokens:
         token.map = place
     return tokens
@@ -98,7 +98,7 @@ def line_of(token) -> int:
 
 
 def with_lines(inline):
-    """Each child, with the line on which it begins."""
+    """Yields each child with its first line."""
     line = line_of(inline)
     for child in inline.children:
         yield child, line
@@ -115,7 +115,7 @@ def is_display(token) -> bool:
 
 
 def display_formula(token) -> tuple[Formula, list[str]]:
-    """Without its tags, and those."""
+    """Returns a formula without its tags, and the tags."""
     return Formula(_TAG.sub("", token.content).strip(), True), _TAG.findall(token.content)
 
 

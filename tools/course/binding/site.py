@@ -1,4 +1,4 @@
-"""The site: every page written, with all that it needs beside it."""
+"""Writes the site: every page and the files that it needs."""
 
 import html
 import json
@@ -112,7 +112,7 @@ def _page(template: Template, page: Page, body: str, outline: list[Page], conten
 
 
 def _code(template: Template, source: Path, outline: list[Page]) -> str:
-    """A file that a page links to."""
+    """Writes the page of a file that another page links to."""
     text = (ROOT / source).read_text(encoding="utf-8", errors="replace")
     body = f"<h1><code>{html.escape(str(source))}</code></h1>\n{highlighted(text, language_of(source))}"
     return _filled(template, code_page(source), str(source), body, outline)
@@ -148,7 +148,8 @@ def _sidebar(outline: list[Page], target: Path, contents: str) -> str:
 
 
 def _index(drafts: list[Draft]) -> str:
-    """What the search looks through: each section with its words. A script, since a page may not read other files."""
+    """Writes the index of the search: each section with its words. It is a script, since a page may not read other
+    files."""
     entries = [{"url": f"{draft.page.target.as_posix()}{f'#{section.anchor}' if section.anchor else ''}",
                 "page": draft.page.title, "section": section.title, "text": " ".join(" ".join(section.words).split())}
                for draft in drafts for section in draft.sections]

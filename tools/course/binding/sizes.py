@@ -1,4 +1,4 @@
-"""How large a picture is: a page keeps its place, so that text does not jump when the picture comes."""
+"""Sizes of pictures, so that a page reserves their space and text does not jump when they load."""
 
 import re
 import struct
@@ -8,7 +8,7 @@ _SVG = re.compile(r'<svg\b[^>]*\bwidth="([0-9.]+)(?:px)?"[^>]*\bheight="([0-9.]+
 
 
 def size_of(picture: Path) -> tuple[int, int] | None:
-    """Width and height in pixels; None where the file does not say."""
+    """Returns width and height in pixels; None if the file does not contain them."""
     if picture.suffix == ".svg":
         found = _SVG.search(picture.read_text(encoding="utf-8", errors="replace")[:2000])
         return (round(float(found[1])), round(float(found[2]))) if found else None

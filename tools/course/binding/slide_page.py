@@ -1,4 +1,4 @@
-"""Slides as one HTML file that needs no other: styles, typefaces, pictures and formulas are in it."""
+"""Slides as one self-contained HTML file, with styles, typefaces, pictures and formulas."""
 
 import base64
 import html
@@ -27,7 +27,7 @@ _FONT = re.compile(r"url\(\"?fonts/([\w-]+\.woff2)\"?\) format\(['\"]woff2['\"]\
 
 
 def slide_page(chapter: Chapter, drafts: list[Draft]) -> tuple[str, int]:
-    """The page, and how many slides it has. `drafts` are all pages as they are read, which are changed by it."""
+    """Returns the page and its number of slides. `drafts` are all pages as read; they are changed."""
     lesson = next(draft for draft in drafts if draft.page.source == chapter.exercises[0].lesson.relative_to(ROOT))
     equations = _equations(drafts, lesson)
     slides = deck(chapter, pieces(lesson, Links(drafts), equations))
@@ -48,7 +48,7 @@ def slide_page(chapter: Chapter, drafts: list[Draft]) -> tuple[str, int]:
 
 
 def _equations(drafts: list[Draft], lesson: Draft) -> Equations:
-    """All are known by their tags; those of the lesson are set."""
+    """Numbers the equations of all pages, and sets those of the lesson."""
     equations = Equations({tag: draft for draft in drafts for tag in draft.equations})
     for formula, (text, error) in rendered([formula for formula, _ in lesson.formulas]).items():
         equations.html[formula] = text
@@ -66,7 +66,7 @@ def _section(slide: Slide, number: int) -> str:
 
 
 def _without_links(text: str) -> str:
-    """A link of the lesson leads to another page, which is not here; its words stay."""
+    """Replaces links to other pages by their words."""
     return _LINK.sub(lambda found: f'<span class="tag">{found[2]}</span>' if 'class="tag"' in found[1] else found[2], text)
 
 

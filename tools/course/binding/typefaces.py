@@ -1,4 +1,4 @@
-"""The book's typeface as WOFF2, with no more letters than the book has."""
+"""The book's typeface as WOFF2, reduced to the letters of the book."""
 
 import io
 from pathlib import Path
@@ -10,7 +10,8 @@ _ALWAYS = "".join(map(chr, range(0x20, 0x7f)))  # what scripts write
 
 
 def typefaces(text: str) -> dict[Path, bytes]:
-    """Each font's place in the site and content; of the letters of `text` only. The same text makes the same files."""
+    """Returns each font's place in the site and its content, with the letters of `text` only. The same text gives the
+    same files."""
     letters = {ord(letter) for letter in text + _ALWAYS}
     return {Path("assets/fonts", f"{font.stem}.woff2"): _subset(font, letters) for font in BOOK_FONTS}
 

@@ -1,4 +1,4 @@
-"""Text as a book sets it. Lessons are typed with what is on a keyboard: x_n, 2^l, -1, u', "quoted"."""
+"""Typesets text that was typed with the keyboard's characters: x_n, 2^l, -1, u', "quoted"."""
 
 import re
 
@@ -28,8 +28,8 @@ _RULES = tuple((re.compile(pattern), by) for pattern, by in (
 
 
 def typeset(text: str, begins_a_line: bool = False) -> str:
-    """Of text in which &, < and > are escaped, outside of code and formulas. What does not begin a line follows code or
-    a formula without a space, as in `x`-axis."""
+    """Typesets text in which &, < and > are escaped, outside of code and formulas. Text that does not begin a line
+    follows code or a formula without a space, as in `x`-axis."""
     if begins_a_line:
         return typeset(" " + text)[1:]
     for pattern, by in _RULES:

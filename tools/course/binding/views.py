@@ -1,4 +1,4 @@
-"""Each film as a page of ./course view, which one can turn and scrub."""
+"""Each film as a page of ./course view, to turn and scrub."""
 
 import contextlib
 import io
@@ -11,12 +11,12 @@ _FOLDER = Path("views")
 
 
 def page_of_film(source: Path) -> Path:
-    """Where the film of a page's source is viewed: that of its chapter, or README's."""
+    """Returns the page for the film of a page's source: that of its chapter, or README's."""
     return _FOLDER / f"{source.parent.name or 'README'}.html"
 
 
 def _way_back(name: str) -> tuple[str, str]:
-    """Address and title of the page that shows the film."""
+    """Returns the address and title of the page that shows the film."""
     page = FRONT if name == "README" else next(page for page in pages() if page_of_film(page.source).stem == name)
     return f"../{page.target.as_posix()}", page.title
 

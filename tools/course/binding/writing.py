@@ -1,4 +1,4 @@
-"""A page's tokens as HTML: links followed, formulas set, code marked, pictures with their captions."""
+"""Writes a page's tokens as HTML, with links translated, formulas set, code marked, and captions for pictures."""
 
 import html
 import re
@@ -21,7 +21,7 @@ _PICTURE = re.compile(r"^\s*<(?:picture|img)\b")
 
 @dataclass
 class Equations:
-    """Of all pages, as they are set."""
+    """Equations of all pages, as they are typeset."""
     home: dict[str, Draft] = field(default_factory=dict)
     html: dict[Formula, str] = field(default_factory=dict)
 
@@ -43,7 +43,7 @@ def written(draft: Draft, links: Links, equations: Equations, views: bool = Fals
 
 
 def pieces(draft: Draft, links: Links, equations: Equations) -> list[Piece]:
-    """The page's blocks in their order, each as the book sets it."""
+    """Returns the page's blocks in order, typeset for the book."""
     return _Writer(draft, links, equations).pieces()
 
 
@@ -131,7 +131,7 @@ class _Writer:
             yield child
 
     def _place_picture(self, image, line: int) -> None:
-        """The first one is at the top of the page; what is further down waits until it comes near."""
+        """Places a picture. The first is at the top of the page; later ones load when they come near."""
         source = str(image.attrGet("src"))
         image.attrSet("src", self._links.picture(self._draft, source, line))
         if size := self._links.picture_size(self._draft, source):
@@ -161,7 +161,7 @@ class _Writer:
         return REFERENCE.sub(follow, text)
 
     def _references_in_html(self, text: str, line: int) -> str:
-        """Those between the tags, as of <summary>."""
+        """Links references in text between HTML tags, such as <summary>."""
         parts = []
         for part in _TAG.split(text):
             parts.append(part if part.startswith("<") else self._with_references(typeset(part), line))
@@ -186,7 +186,8 @@ _KINDS = {"bullet_list_open": "list", "ordered_list_open": "list", "table_open":
 
 
 def _blocks(tokens: list) -> list[tuple[str, int, int, str, tuple[str, ...]]]:
-    """Of each block at the top its kind, its first token and the one after its last, its text, its equation's tags."""
+    """Yields for each top-level block its kind, its first token and the one after its last, its text, and its
+    equation's tags."""
     found: list[tuple[str, int, int, str, tuple[str, ...]]] = []
     k = 0
     while k < len(tokens):
@@ -215,7 +216,7 @@ def _become(token, content: str, kind: str = "html_block") -> None:
 
 
 def _mark_callout(quote, following: list) -> None:
-    """> [!NOTE] as GitHub has it."""
+    """Marks GitHub's callouts, such as > [!NOTE]."""
     inline = following[-1]
     first = inline.children[0] if inline.type == "inline" and inline.children else None
     found = _CALLOUT.match(first.content) if first is not None and first.type == "text" else None
@@ -225,9 +226,8 @@ def _mark_callout(quote, following: list) -> None:
 
 
 def _set_figures(tokens: list, view: str, live: str) -> None:
-    """A paragraph that is a picture, and the one below it if it is all emphasised: its caption. A film leads to the
-    view of it, if there is one, and has the attributes of what runs in its place; another picture leads to itself, to
-    be seen as large as it is."""
+    """Joins a picture with the emphasised paragraph below it, its caption. A film links to its view, if there is one,
+    and has the attributes of the figure that runs in its place. Other pictures link to their full size."""
     for k, token in enumerate(tokens):
         if token.type == "paragraph_open" and _is_picture(tokens[k + 1]):
             address = str(tokens[k + 1].children[0].attrGet("src"))
@@ -241,7 +241,7 @@ def _set_figures(tokens: list, view: str, live: str) -> None:
 
 
 def _set_caption(tokens: list, end: int) -> None:
-    """Takes the caption that follows into the figure that ends here."""
+    """Moves the caption that follows into the figure that ends here."""
     below = tokens[end + 1:end + 4]
     if len(below) == 3 and below[0].type == "paragraph_open" and _is_emphasised(below[1]):
         tokens[end].content = tokens[end].content.rsplit("</figure>", 1)[0]

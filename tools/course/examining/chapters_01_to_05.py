@@ -17,8 +17,8 @@ def falls(draw: Draw):
 @asks(1, 2, "1.3 1.4")
 def order_of_a_table(draw: Draw):
     order, error, digits = draw.of(1, 2, 4), draw.tenth(2, 8), draw.whole(2, 4)
-    return (f"A method's errors at h and h/2 are {error}e-{digits} m and {error / 2**order:.3g}e-{digits} m. Which order "
-            "has it? If it is leapfrog, is there a half-step start?",
+    return (f"A method's errors at h and h/2 are {error}e-{digits} m and {error / 2**order:.3g}e-{digits} m. What is "
+            "its order? If it is leapfrog, is there a half-step start?",
             f"{order}; " + {1: "without one, for it would have 2", 2: "with one", 4: "it is not leapfrog, but steps of "
                                                                                    "leapfrog composed"}[order])
 
@@ -69,7 +69,7 @@ def torque_of_a_spin(draw: Draw):
     L = [i * x for i, x in zip(I, w)]
     cross = [w[1] * L[2] - w[2] * L[1], w[2] * L[0] - w[0] * L[2], w[0] * L[1] - w[1] * L[0]]
     return (f"A free body with the principal moments {I} kg m² turns at ω = {tuple(w)} rad/s, in its own axes. What is "
-            "its gyroscopic torque? What does a simulation lose that leaves it out?",
+            "its gyroscopic torque? What is lost in a simulation without it?",
             f"{vector([-x for x in cross], 'N m')}; the direction of ω stays, and so L does not")
 
 
@@ -95,15 +95,15 @@ def impulse_of_a_contact(draw: Draw):
     impulse = max(0.0, (a * deep / 1000 - b * rate + h * 9.81) / (1 / m + s))
     gap = f"the overlap is {deep} mm, counted positive," if overlap else f"the gap is −{deep} mm"
     return (f"A ball of {m} kg touches the floor: {gap} and its centre moves {'up' if rate >= 0 else 'down'} at {v} m/s. "
-            f"g = 9.81 m/s², h = {h} s, k = {k:g} N/m, d = {d}. Which impulse does the contact give? What is each term "
-            "of it for?", said(impulse, "N s"))
+            f"g = 9.81 m/s², h = {h} s, k = {k:g} N/m, d = {d}. Which impulse does the contact give? What is the purpose "
+            "of each term?", said(impulse, "N s"))
 
 
 @asks(3, 2, "3.1")
 def stiffness_of_a_depth(draw: Draw):
     m, deep = draw.of(2, 5, 50, 400), draw.of(0.1, 0.5, 2)
-    return (f"A body of {m} kg is to rest {deep} mm deep in the floor, on one contact, with g = 9.81 m/s². Which k is "
-            "that? What changes about the depth with half the step, and with twice the d?",
+    return (f"A body of {m} kg has to rest {deep} mm deep in the floor, on one contact, with g = 9.81 m/s². Which k is "
+            "that? How does the depth change with half the step, and with twice the d?",
             f"{said(m * 9.81 / deep * 1000, 'N/m')}; nothing")
 
 
@@ -111,8 +111,8 @@ def stiffness_of_a_depth(draw: Draw):
 def mass_of_a_point(draw: Draw):
     m, length, part = draw.of(1, 2, 3), draw.of(1, 2, 3), draw.of(0.25, 0.4, 0.5)
     s = part * length
-    return (f"A thin rod of {m} kg and {length} m is struck across at {s:g} m from its middle. Which mass does an "
-            "impulse meet there?", said(1 / (1 / m + s * s / (m * length**2 / 12)), "kg"))
+    return (f"A thin rod of {m} kg and {length} m is struck across at {s:g} m from its middle. What is its effective "
+            "mass there?", said(1 / (1 / m + s * s / (m * length**2 / 12)), "kg"))
 
 
 @asks(3, 4, "3.5")
@@ -122,9 +122,9 @@ def kick_before_the_impulse(draw: Draw):
     b, s = 4 * d / (1 + 4 * d), 4 / h**2 / k / (1 + 4 * d)
     twice = b * h * 9.81 / (1 + m * s)
     return (f"A ball of {m} kg rests on the floor, at the depth mg/k. h = {h} s, k = {k:g} N/m, d = {d}, and g = 9.81 m/s². "
-            f"Count velocities {'downwards' if down else 'upwards'}. Which velocity has the ball after a step that "
+            f"Count velocities {'downwards' if down else 'upwards'}. What is the ball's velocity after a step that "
             "computes λ by (3.10) and then kicks? And after a step that kicks first, and then computes λ by (3.10)? Why "
-            "does the drift come last?", f"0; {said(-twice if down else twice, 'm/s')}, for gravity counts twice; the "
+            "does the drift come last?", f"0; {said(-twice if down else twice, 'm/s')}, since gravity counts twice; the "
             "position must advance with a velocity that has the impulse in it")
 
 
@@ -157,8 +157,9 @@ def sweeps_of_a_stack(draw: Draw):
     ratio = M if top else 1 / M
     rate = 1 / (1 + 1 / ratio)
     upper, lower = (M, 1) if top else (1, M)
-    return (f"A body of {upper} kg lies on one of {lower} kg, and that on the floor. Σ = 0. By which factor does a sweep shrink the error, and how many sweeps shrink it "
-            f"to 10^-{digits}?", f"{said(rate)}, {math.ceil(digits * math.log(10) / -math.log(rate))} sweeps")
+    return (f"A body of {upper} kg lies on one of {lower} kg, and that on the floor. Σ = 0. By which factor does "
+            f"a sweep reduce the error, and how many sweeps reduce it to 10^-{digits}?",
+            f"{said(rate)}, {math.ceil(digits * math.log(10) / -math.log(rate))} sweeps")
 
 
 @asks(4, 4, "4.7")
@@ -168,9 +169,9 @@ def rest_of_a_stack(draw: Draw):
     carried = row if from_top else n + 1 - row
     return (f"A stack of {n} balls of {m} kg rests on the floor, and a step of {h} s begins. g = 9.81 m/s². Contacts are "
             f"counted from the {'top' if from_top else 'floor'}, from 1. Which λ has contact {row} after the solve, and "
-            "which V has each ball? Why must V not be added to W after each sweep?",
-            f"{said(carried * m * 9.81 * h, 'N s')}, and {said(9.81 * h, 'm/s')} upwards, which the kick takes away; B "
-            "is made of W, and the residual already contains V")
+            "which V does each ball have? Why must V not be added to W after each sweep?",
+            f"{said(carried * m * 9.81 * h, 'N s')}, and {said(9.81 * h, 'm/s')} upwards, which the kick cancels; B is "
+            "computed from W, and the residual already contains V")
 
 
 @asks(5, 1, "5.1 5.4 5.5 5.6 5.7")
@@ -179,7 +180,7 @@ def block_on_a_slope(draw: Draw):
     t = math.radians(angle)
     a = max(0.0, 9.81 * (math.sin(t) - mu * math.cos(t)))
     return (f"A block lies at rest on a slope of {angle}°, with μ = {mu} and g = 9.81 m/s². Does it stick? If not, how does "
-            "it accelerate? Which velocity has it after a step of 0.02 s? Why may the step solve friction and normals "
+            "it accelerate? Which velocity does it have after a step of 0.02 s? Why may the step solve friction and normals "
             "together?", ("it sticks" if a == 0 else f"no: {said(a, 'm/s²')}")
             + f"; {said(0.02 * a, 'm/s')}; the friction box has bounds that are known before the solve")
 

@@ -21,8 +21,8 @@ def gap_of_a_rod(draw: Draw):
 def masses_of_a_cloth(draw: Draw):
     m, u, v = draw.of(1, 2, 6), draw.whole(2, 5), draw.whole(2, 5)
     place, corners = draw.of(("at a corner", 1), ("on a side", 2), ("inside", 4))
-    return (f"A cloth of {m} kg has {u} by {v} cells. Which mass has a point {place}? And a point in the middle of a rope "
-            f"of {m} kg with {u} links?", f"{said(m * corners / 4 / u / v, 'kg')}, {said(m / u, 'kg')}")
+    return (f"A cloth of {m} kg has {u} by {v} cells. What is the mass of a point {place}? And a point in the middle of a "
+            f"rope of {m} kg with {u} links?", f"{said(m * corners / 4 / u / v, 'kg')}, {said(m / u, 'kg')}")
 
 
 @asks(6, 3, "6.1")
@@ -63,8 +63,8 @@ def bounce_with_friction(draw: Draw):
 def work_of_an_impulse(draw: Draw):
     u, J, K = draw.whole(-5, -1), draw.whole(1, 12), draw.of(1, 2)
     work = J * (u + K * J / 2)
-    return (f"At a contact u·n = {said(u)} m/s and nᵀKn = {K}/kg. A law answers with J = {J} N s along n. Which energy "
-            "does that add? May it?", f"{said(work, 'J')}; " + ("no" if work > 0 else "yes"))
+    return (f"At a contact u·n = {said(u)} m/s and nᵀKn = {K}/kg. A law gives J = {J} N s along n. How much "
+            "energy does that add? May it?", f"{said(work, 'J')}; " + ("no" if work > 0 else "yes"))
 
 
 @asks(7, 3, "7.8")
@@ -73,7 +73,7 @@ def bounces(draw: Draw):
     total = math.sqrt(2 * h / 9.81) * (1 + e) / (1 - e)
     return (f"A ball falls from {h} m, with e = {e} and g = 9.81 m/s². How high is bounce {n}, and after which time has it "
             "come to rest? Which velocity does leapfrog need for it?",
-            f"{said(h * e ** (2 * n), 'm')}, {said(total, 's')}; that of the time of the positions, W + W_f/2")
+            f"{said(h * e ** (2 * n), 'm')}, {said(total, 's')}; that at the time of the positions, W + W_f/2")
 
 
 @asks(7, 4, "7.9")
@@ -83,10 +83,10 @@ def step_of_a_bounce(draw: Draw):
     W = -v + (1 + e) * (v + 9.81 * h / 2)
     sign = -1 if down else 1
     return (f"Count velocities {'downwards' if down else 'upwards'}. A ball touches the floor at t_n, and its W, of t_n − "
-            f"h/2, is {said(sign * -v)} m/s. e = {e}, h = {h} s, and g = 9.81 m/s². Which W do the impacts leave, and which "
-            "one the whole step? What would become of the bounce if the rows came before the impacts?",
-            f"{said(sign * W, 'm/s')} and {said(sign * (W - 9.81 * h), 'm/s')}; the rows would stop the ball, and nothing "
-            "would be left to bounce")
+            f"h/2, is {said(sign * -v)} m/s. e = {e}, h = {h} s, and g = 9.81 m/s². What is W after the impacts, and after "
+            "the step? What would happen to the bounce if the rows came before the impacts?",
+            f"{said(sign * W, 'm/s')} and {said(sign * (W - 9.81 * h), 'm/s')}; the rows would stop the ball, and it "
+            "would not bounce")
 
 
 @asks(8, 1, "8.1 8.2 8.3 8.4 8.5 8.6 8.8")
@@ -103,8 +103,8 @@ def nearest_of_a_box(draw: Draw):
 @asks(8, 2, "8.2 8.4 8.8")
 def couple_of_two_points(draw: Draw):
     g, J = draw.of(1, 2, 5), draw.of(3, 4, 10)
-    return (f"Two balls overlap by {g} mm. Friction of {J} N s acts at the nearest point of each surface. Which angular "
-            "momentum comes from nowhere? Why may the gap of a single point be negative?",
+    return (f"Two balls overlap by {g} mm. Friction of {J} N s acts at the nearest point of each surface. How much "
+            "spurious angular momentum appears? Why may the gap of a single point be negative?",
             f"{said(g * J / 1000, 'N m s')}; the gap is a number of its own, and both arms end at the one point")
 
 
@@ -149,8 +149,8 @@ def onto_the_disc(draw: Draw):
     size, bound = math.hypot(*lt), mu * ln
     part = min(1, bound / size)
     box = [min(bound, max(-bound, x)) for x in lt]
-    return (f"A contact has λ_n = {ln} N s, μ = {mu}, and asks for λ_t = {lt} N s. What does the cone give it, and what "
-            "the box of the same bound?", f"{vector([part * x for x in lt], 'N s')}, {vector(box, 'N s')}")
+    return (f"A contact has λ_n = {ln} N s, μ = {mu}, and without a bound λ_t would be {lt} N s. What is λ_t with the "
+            "cone, and with a box of the same bound?", f"{vector([part * x for x in lt], 'N s')}, {vector(box, 'N s')}")
 
 
 @asks(9, 3, "9.7 9.8")
@@ -159,5 +159,5 @@ def rate_of_a_rod(draw: Draw):
     rho = (1 if ahead else -1) * 0.75 * mu
     does = ("the rod jams" if rho >= 1 else "they oscillate for ever" if rho <= -1 else "they converge")
     return (f"A thin rod leans with tan θ = 2, and its end is {'pushed ahead' if ahead else 'dragged behind'}. nᵀKt is "
-            f"{'+' if ahead else '−'}0.75 nᵀKn, and μ = {mu}. What becomes of sweeps on the cone?",
+            f"{'+' if ahead else '−'}0.75 nᵀKn, and μ = {mu}. What happens to sweeps on the cone?",
             f"ρ = {said(rho)}: {does}")

@@ -9,15 +9,15 @@ from examining.question import Draw, asks, said, vector
 def safe_warm_start(draw: Draw):
     rho, d = draw.of(0.95, 0.98, 0.99), draw.of(1, 3, 4)
     n = math.ceil(math.log(d / (1 + d)) / math.log(rho) + 1e-12)
-    return (f"A sweep multiplies the slowest error by {rho}, and d = {d}. How many sweeps a step make warm starts safe? "
+    return (f"A sweep multiplies the slowest error by {rho}, and d = {d}. How many sweeps a step make a warm start safe? "
             "What must be set besides λ?", f"{n}; V = M⁻¹Gᵀλ")
 
 
 @asks(10, 2, "10.3 10.4 10.5")
 def lead_of_an_order(draw: Draw):
     k, s, rho = draw.whole(3, 15), draw.whole(2, 8), draw.of(0.9, 0.96, 0.81)
-    return (f"Jacobi's iteration shrinks an error by {rho} a sweep in a stack. By which factor does a Gauss-Seidel sweep "
-            f"shrink it, upwards and downwards? How many sweeps down leave row {k} where {s} sweeps up leave it?",
+    return (f"Jacobi's iteration reduces an error by {rho} a sweep in a stack. By which factor does a Gauss-Seidel sweep "
+            f"reduce it, upwards and downwards? How many sweeps down leave row {k} where {s} sweeps up leave it?",
             f"{said(rho * rho)}, in either order; {s + k}")
 
 
@@ -28,7 +28,7 @@ def step_of_descent(draw: Draw):
     alpha = (B[0] ** 2 + B[1] ** 2) / (B[0] * Sp[0] + B[1] * Sp[1])
     energy = -alpha * (B[0] ** 2 + B[1] ** 2) / 2
     return (f"S has the rows ({S[0]}, {S[1]}) and ({S[1]}, {S[2]}), B = {B}, without bounds. From λ = 0 a step goes along "
-            "p = B to the lowest energy. How long is it, and which energy is left? How many steps solve it?",
+            "p = B to the lowest energy. How long is it, and what is the energy afterwards? How many steps solve it?",
             f"α = {said(alpha)}, E = {said(energy)}; two")
 
 
@@ -38,7 +38,7 @@ def observed(draw: Draw):
     history = [e * rho**k for k in range(4)]
     n = math.ceil(math.log(1e-6) / math.log(rho))
     return (f"Errors after four sweeps are {', '.join(f'{x:.4g}' for x in history)}. What is the observed rate, and how "
-            "many sweeps make the error a millionth of what it is? When do you choose another solver?",
+            "many sweeps reduce the error to a millionth? When do you choose another solver?",
             f"{said(rho)}, {n}; if these cost more than a factorisation")
 
 
@@ -60,8 +60,9 @@ def entries_of_a_hub(draw: Draw):
     n, kind = draw.whole(20, 60), draw.of("hub", "wire")  # a small hub has fewer entries in S
     entries = n * (n + 1) // 2 if kind == "hub" else 2 * n - 1
     what = "rods from one moving hub to as many fixed points" if kind == "hub" else "links in a row, the first one fixed"
-    return (f"{n} {what}, one row each. How many entries has the lower triangle of S, with its diagonal? Which of S and "
-            "the saddle point is the sparser?", f"{entries}; {'the saddle point' if kind == 'hub' else 'S'}")
+    return (f"{n} {what}, one row each. How many entries does the lower triangle of S have, including its "
+            "diagonal? Which of S and the saddle point is the sparser?",
+            f"{entries}; {'the saddle point' if kind == 'hub' else 'S'}")
 
 
 @asks(11, 2, "11.3 11.4 11.11")
@@ -90,15 +91,16 @@ def contradiction(draw: Draw):
     # (1 + s1) x + y = b1, x + (1 + s2) y = b2
     det = (1 + s1) * (1 + s2) - 1
     x, y = ((1 + s2) * b1 - b2) / det, ((1 + s1) * b2 - b1) / det
-    return (f"Two rows say the same of a body of 1 kg but for B, {b1} and {b2} m/s. Σ is {s1} and {s2}/kg. What does the "
-            "direct solver answer? And with Σ = 0?",
-            f"λ = {vector((x, y), 'N s')}, which makes the velocity {said(x + y, 'm/s')}; there is none, and a pivot says so")
+    return (f"Two rows of a body of 1 kg are equal except for B, {b1} and {b2} m/s. Σ is {s1} and {s2}/kg. What is the "
+            "direct solver's result? And with Σ = 0?",
+            f"λ = {vector((x, y), 'N s')}, which makes the velocity {said(x + y, 'm/s')}; "
+            "there is none, and a pivot shows it")
 
 
 @asks(12, 1, "12.1")
 def step_of_a_wire(draw: Draw):
     T, m, length = draw.of(100, 1000, 10000), draw.of(0.01, 0.1), draw.of(0.1, 0.2)
-    return (f"A wire of points of {m} kg, {length} m apart, is under {T} N. From which step on is plain leapfrog lost?",
+    return (f"A wire of points of {m} kg, {length} m apart, is under {T} N. From which step on is plain leapfrog unstable?",
             said(2 / math.sqrt(4 * T / m / length), "s"))
 
 
@@ -152,7 +154,7 @@ def turns_of_a_hinge(draw: Draw):
     h, d, gap = 0.02, draw.of(1, 2), draw.of(0.04, -0.05)
     fastest = gap / h if gap > 0 else 4 * gap / h / (1 + 4 * d)
     return (f"A hinge stood at {before:.4f} rad, and atan2 now gives {now} rad. What is its angle? A limit is {said(gap)} "
-            f"rad away, h = {h} s, d = {d}. Up to which speed may the joint go on towards it?",
+            f"rad away, h = {h} s, d = {d}. With which speed may the joint move towards it at most?",
             f"{said(found, 'rad')}; {said(fastest, 'rad/s')}")
 
 
@@ -167,7 +169,7 @@ def motor_of_a_joint(draw: Draw):
 @asks(13, 4, "13.2")
 def torque_of_a_shift(draw: Draw):
     d, J = draw.of(0.2, 0.5, 2), draw.of(1, 3, 8)
-    return (f"A drawer is {d} m open, and its guide gives it {J} N s across. Which angular momentum appears from nowhere "
+    return (f"A drawer is {d} m open, and its guide exerts on it {J} N s across. How much spurious angular momentum appears "
             "without the second term? Does a smaller step help?", f"{said(d * J, 'N m s')}; no")
 
 
@@ -198,7 +200,7 @@ def empty_lanes(draw: Draw):
     lanes, pairs = draw.of(2, 4, 8), draw.whole(5, 40)
     packs = -(-pairs // lanes)
     return (f"A colour has {pairs} pairs, and a pack {lanes} lanes. How many packs are that, and how many lanes are "
-            "empty? What Δλ has an empty one?", f"{packs}, {packs * lanes - pairs}; 0")
+            "empty? What is Δλ in an empty one?", f"{packs}, {packs * lanes - pairs}; 0")
 
 
 @asks(14, 4, "14.6")
@@ -207,8 +209,9 @@ def discs_in_lanes(draw: Draw):
     radii = [draw.of(2, 4), 0, draw.of(5, 20), draw.of(0.5, 1)]
     scales = [1.0 if math.hypot(*size) <= radius else radius / math.hypot(*size) for size, radius in zip(sizes, radii)]
     return (f"Four lanes hold λ_t = {sizes[0]}, {sizes[1]}, {sizes[2]} and {sizes[3]} N s. Their discs have the radii "
-            f"{radii[0]}, {radii[1]}, {radii[2]} and {radii[3]} N s. Which factor m has each lane? The second lane is empty. "
-            "What is computed there that is not used?", f"{vector(scales)}; 0/0, in the case that is not selected")
+            f"{radii[0]}, {radii[1]}, {radii[2]} and {radii[3]} N s. What is the factor m of each lane? The second "
+            "lane is empty. Which value is computed there and not used?",
+            f"{vector(scales)}; 0/0, in the case that is not selected")
 
 
 @asks(14, 5, "14.5")

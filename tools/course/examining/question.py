@@ -1,4 +1,4 @@
-"""Exam questions that are drawn by a seed: other numbers, other signs, other conventions, and the answer to each."""
+"""Exam questions drawn by a seed: numbers, signs and conventions vary, and each has its answer."""
 
 import random
 from collections.abc import Callable, Sequence
@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 
 class Draw:
-    """The choices of one question; the same seed makes the same ones."""
+    """The random choices of one question; the same seed gives the same ones."""
 
     def __init__(self, seed: int, key: str):
         self._random = random.Random(f"{seed}/{key}")
@@ -18,7 +18,7 @@ class Draw:
         return self._random.randint(low, high)
 
     def tenth(self, low: float, high: float) -> float:
-        """A number with one digit after the point."""
+        """Draws a number with one digit after the point."""
         return self._random.randint(round(10 * low), round(10 * high)) / 10
 
 
@@ -34,7 +34,7 @@ class Question:
         return f"{self.chapter}.{'abcdefgh'[self.objective - 1]}"
 
     def drawn(self, seed: int) -> tuple[str, str]:
-        """The text, and its answer."""
+        """Returns the text and its answer."""
         text, answer = self.ask(Draw(seed, self.id))
         return " ".join(text.split()), answer
 
@@ -43,7 +43,7 @@ QUESTIONS: list[Question] = []
 
 
 def asks(chapter: int, objective: int, exercises: str):
-    """Adds a function that draws a question."""
+    """Registers a function that draws a question."""
     def add(ask: Callable[[Draw], tuple[str, str]]):
         QUESTIONS.append(Question(chapter, objective, tuple(exercises.split()), ask))
         return ask
@@ -51,7 +51,7 @@ def asks(chapter: int, objective: int, exercises: str):
 
 
 def said(value: float, unit: str = "") -> str:
-    """Four digits, and a true minus sign."""
+    """Formats a number with four digits and a true minus sign."""
     return f"{round(value, 12) + 0.0:.4g} {unit}".strip().replace("-", "−")
 
 

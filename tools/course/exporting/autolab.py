@@ -1,4 +1,4 @@
-"""Autolab: autograde-Makefile and autograde.tar; the last line that the Makefile prints holds the scores."""
+"""Autolab's autograde-Makefile and autograde.tar; the Makefile's last printed line holds the scores."""
 
 import io
 import json
@@ -27,7 +27,7 @@ def write_kit(arguments) -> list[Path]:
 
 
 def _add(tar: tarfile.TarFile, name: str, file: Path) -> None:
-    """Without the times and owners of this machine."""
+    """Adds a file without the times and owners of this machine."""
     content = file.read_bytes()
     info = tarfile.TarInfo(name)
     info.size, info.mode = len(content), 0o755 if file.stat().st_mode & 0o100 else 0o644

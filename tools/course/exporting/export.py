@@ -1,4 +1,4 @@
-"""./course export: kits with which other platforms run the grader, and results in their forms."""
+"""./course export: kits that run the grader on other platforms, and results in their formats."""
 
 import sys
 from collections.abc import Callable
@@ -54,7 +54,7 @@ def _grades(what: str, results: list[dict], arguments) -> int:
 
 
 def _weigh_again(results: list[dict], arguments) -> None:
-    """Points by another table, or another rule, than they were graded with; what was run stays as it was."""
+    """Computes the points again by another table or rule; the verdicts do not change."""
     if arguments.time_limit is not None:
         raise BadInput("export: --time-limit is for grading; these are results, graded with "
                        f"{results[0]['seconds_a_test']} s a test")

@@ -1,6 +1,6 @@
-"""GitHub Classroom: a workflow, and the JSON, in base64, that its reporter reads.
+"""GitHub Classroom: a workflow, and the JSON, in base64, for its reporter.
 
-Students own the workflow, so that what it says is advice.
+Students can change the workflow, so its result is only advice.
 """
 
 import base64
@@ -31,7 +31,7 @@ def of_result(result: dict) -> str:
 
 
 def converted(result: dict) -> dict:
-    """A test an exercise; the reporter divides by the number of tests, so that there must be one."""
+    """Returns one test for each exercise. There must be at least one, since the reporter divides by their number."""
     tests = [_test(exercise) for exercise in result["exercises"]] or [
         {"name": "no exercise was graded", "status": "error", "score": 0, "message": ""}]
     passed = all(test["status"] == "pass" for test in tests)

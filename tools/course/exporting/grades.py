@@ -1,6 +1,6 @@
-"""Marks for the import of Canvas and of Moodle: the table that the platform has given, with a column filled in.
+"""Marks for the import of Canvas and of Moodle: the platform's own table, with one column filled in.
 
-Canvas:  Grades > Export; its first columns are handed back, and a column with the assignment's name and the points.
+Canvas:  Grades > Export; its first columns are returned, and a column with the assignment's name and the points.
 Moodle:  the assignment > Download grading worksheet; its column Grade is filled in, scaled to Maximum grade.
 """
 
@@ -14,7 +14,8 @@ _CANVAS = ("Student", "ID", "SIS User ID", "SIS Login ID", "Section")
 
 
 def for_canvas(results: list[dict], roster: Roster, assignment: str) -> str:
-    """`assignment` is the title of its column, "Chapter 1 (4711)", which Canvas knows by the number."""
+    """Returns Canvas' table. `assignment` is the title of its column, "Chapter 1 (4711)", which Canvas identifies by
+    the number."""
     titles = [title for title in _CANVAS if title in roster.columns]
     if "Student" not in titles or "ID" not in titles:
         raise BadInput("export: for canvas, --roster must be the gradebook that Canvas exports, with columns Student and ID")
@@ -43,7 +44,7 @@ def for_moodle(results: list[dict], roster: Roster) -> str:
 
 
 def not_on_it(results: list[dict], roster: Roster) -> list[str]:
-    """The submissions that no row is of: their marks are in no import."""
+    """Returns the submissions without a row, whose marks are in no import."""
     return roster.matched(results)[2]
 
 

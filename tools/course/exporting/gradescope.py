@@ -1,4 +1,4 @@
-"""Gradescope: a zip with setup.sh and run_autograder at its root, and results in its form."""
+"""Gradescope: a zip with setup.sh and run_autograder at its root, and results in its format."""
 
 import json
 import zipfile

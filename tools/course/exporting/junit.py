@@ -1,4 +1,4 @@
-"""JUnit XML, for continuous integration and whatever else reads it: a suite an exercise."""
+"""JUnit XML, for continuous integration and other readers: a suite for each exercise."""
 
 import xml.etree.ElementTree as ET
 

@@ -1,4 +1,4 @@
-"""What the kits share: hidden tests, and the words with which the grader is called."""
+"""The common part of kits: hidden tests, and the grader's command line."""
 
 import shlex
 from pathlib import Path
@@ -21,7 +21,7 @@ def hidden_files(arguments) -> list[Path]:
 
 
 def check_weights(arguments) -> bytes | None:
-    """The table of weights that the platform gets, which must be one."""
+    """Checks the table of weights for the platform, and returns it."""
     if not arguments.weights:
         return None
     read_rows(Path(arguments.weights))
@@ -29,7 +29,7 @@ def check_weights(arguments) -> bytes | None:
 
 
 def options(arguments, hidden_at: str, weights_at: str) -> str:
-    """Of ./course grade, for a shell."""
+    """Returns the options of ./course grade, quoted for a shell."""
     words = []
     if arguments.chapters:
         words += ["--chapters", ",".join(map(str, sorted(arguments.chapters)))]
@@ -46,7 +46,7 @@ def options(arguments, hidden_at: str, weights_at: str) -> str:
 
 
 def filled(name: str, **values: str) -> str:
-    """A file of kits/, with each @NAME@ replaced."""
+    """Returns a file of kits/, with each @NAME@ replaced."""
     text = (KITS / name).read_text(encoding="utf-8")
     for key, value in values.items():
         text = text.replace(f"@{key.upper()}@", value)

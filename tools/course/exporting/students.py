@@ -45,11 +45,11 @@ instructor, who can add another machine's objects.
 
 def write_repository(arguments) -> list[Path]:
     if not arguments.out:
-        raise BadInput("export: students wants --out DIR, the folder of the repository")
+        raise BadInput("export: students needs --out DIR, the folder of the repository")
     out = Path(arguments.out)
     chapters = _chosen(arguments.chapters)
     if out.exists() and not (out / _LISTED).exists() and any(out.iterdir()):
-        raise BadInput(f"export: {out} holds something else than a repository for students")
+        raise BadInput(f"export: {out} holds files other than a repository for students")
     if ROOT == out.resolve() or ROOT in out.resolve().parents and out.resolve().parts[len(ROOT.parts)] != "build":
         raise BadInput(f"export: {out} lies in the course itself; choose a folder beside it")
     machine = f"{platform.system()}-{platform.machine()}"
@@ -73,7 +73,7 @@ def _chosen(numbers: set[int] | None) -> list[Chapter]:
 
 
 def _compile(preset: str, folder: Path) -> None:
-    """The reference's objects, without what a debugger would show of their sources."""
+    """Compiles the reference's objects, without debug information about their sources."""
     tree = Tree(preset)
     built = tree.build(["spook_reference"], f"building the reference, {preset}")
     if not built.ok:
@@ -88,7 +88,7 @@ def _compile(preset: str, folder: Path) -> None:
 
 
 def _write(out: Path, chapters: list[Chapter], machine: str, objects: Path) -> None:
-    """What an earlier export has written goes first, but for other machines' objects."""
+    """Writes the export. Files of an earlier export are removed first, except for other machines' objects."""
     for name in _tracked(out):
         if _COMPILED not in name.parents:
             (out / name).unlink(missing_ok=True)
@@ -131,7 +131,7 @@ def _tracked(out: Path) -> list[Path]:
 
 
 def _commit(out: Path, chapters: list[Chapter]) -> str:
-    """As a release: its version is the course's, and of each further export the last number is one more."""
+    """Commits a release: its version is the course's, and each further export increases the last number by one."""
     if not (out / ".git").exists():
         _git(out, "init", "-q", "-b", "main")
     tags = [tag[1:] for tag in _git(out, "tag", "--list", "v*.*.*").split()]

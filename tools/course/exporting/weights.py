@@ -1,4 +1,4 @@
-"""The table of weights, with a first draft of a row for each test that has none."""
+"""The table of weights, with a first draft of a row for each new test."""
 
 import io
 
@@ -8,7 +8,7 @@ from manifest import read_chapters
 
 
 def table() -> str:
-    """What was changed by hand stays; a row for what is no test any more goes."""
+    """Returns the table. Rows changed by hand are kept; rows of removed tests are dropped."""
     rows = read_rows(TABLE) if TABLE.exists() else {}
     chapters = read_chapters()
     build_tests(chapters)

@@ -1,7 +1,7 @@
-"""What the object of a student's file may hold, and what it may call: all else is refused.
+"""Checks the symbols and calls in the object of a student's file: everything outside the lists is refused.
 
-An answer works out numbers. It needs the C++ library, mathematics, memory, text, and the course's own functions; no
-section but those that compilers write, and no symbol that replaces another program's.
+An answer computes numbers. It needs the C++ library, mathematics, memory, text, and the course's own functions. It may
+have the sections that compilers write, and no symbol that replaces another program's.
 """
 
 import re
@@ -68,7 +68,7 @@ _NAME = re.compile(r"[\w.$]+")  # to the linker an @ begins a version
 
 
 def tampering(found: Object) -> str:
-    """What no answer does by accident; empty if nothing."""
+    """Describes signs of tampering that no answer has by accident; empty if there are none."""
     for section in found.sections:
         if not _SECTIONS.fullmatch(section) or ".init_array." in section:
             early = re.match(r"(?:\.rela?)?\.(init|fini|preinit_array|init_array|fini_array|ctors|dtors)\b", section)
@@ -96,7 +96,7 @@ def tampering(found: Object) -> str:
 
 
 def not_allowed(found: Object, course: frozenset[str]) -> str:
-    """What it calls that is on no list, by its name; empty if nothing.
+    """Returns the name of a called function that is on no list; empty if there is none.
 
     `course`: the symbols of the exercises that it may call.
     """

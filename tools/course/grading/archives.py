@@ -1,4 +1,4 @@
-"""The files in a folder or an archive, and in archives inside it: never unpacked, read only when they are wanted."""
+"""The files in a folder or an archive, and in archives inside it: never unpacked to disk, and read only when needed."""
 
 import bz2
 import contextlib
@@ -43,7 +43,7 @@ class Entry:
 
 
 class _Budget:
-    """What one submission may cost to look through."""
+    """The cost limits for reading one submission."""
 
     def __init__(self, archives: int = _MOST_ARCHIVES, unpacked: int = _UNPACKED):
         self._archives, self._bytes = archives, unpacked
@@ -61,11 +61,11 @@ class _Budget:
 
 
 class OverBudget(Exception):
-    """Ends the whole submission, and not only the archive that was one too many."""
+    """Ends the whole submission, not only the archive that exceeded the limit."""
 
 
 class _Unpacking(io.RawIOBase):
-    """What a decompressor gives, counted: a file of a few bytes may unpack to a terabyte."""
+    """Counts a decompressor's output: a file of a few bytes may unpack to a terabyte."""
 
     def __init__(self, source, budget: _Budget):
         self._source, self._budget = source, budget
@@ -85,7 +85,7 @@ class _Unpacking(io.RawIOBase):
         return found
 
     def seek(self, offset: int, whence: int = io.SEEK_SET) -> int:
-        """Forwards in steps: a decompressor gets there by unpacking, and begins anew for one that is behind it."""
+        """Seeks forwards in steps, by unpacking. Seeking backwards starts again."""
         if whence != io.SEEK_SET:
             raise ValueError("only from the start")
         if offset < self._source.tell():
@@ -100,7 +100,7 @@ def is_archive(name: str) -> bool:
 
 
 def without_suffix(name: str) -> str:
-    """Of an archive."""
+    """Returns an archive's name without its suffix."""
     for suffix in sorted(_ZIP + _TAR + _SEVEN + _NOT_READ[:1], key=len, reverse=True):
         if name.lower().endswith(suffix):
             return name[: -len(suffix)]
@@ -108,14 +108,14 @@ def without_suffix(name: str) -> str:
 
 
 def is_litter(path: PurePosixPath) -> bool:
-    """What systems leave in folders, and nobody has written."""
+    """Tells whether a file was left by the system and not written by a person."""
     return bool(_LITTER & set(path.parts)) or path.name.startswith("._")
 
 
 def entries_of(path: Path, inside: str = "") -> Iterator[Entry]:
-    """All files of a submission, those in archives below the archive's name. Litter and what tools made are left out.
+    """Returns all files of a submission, those in archives below the archive's name, without litter and tools' products.
 
-    `inside`: the submission is what lies at the top of `path` under this name; nothing else is opened or counted.
+    `inside`: the submission is the file at the top of `path` with this name; nothing else is opened or counted.
     """
     count, budget = 0, _Budget()
     entries = _entries(path, _Budget(unpacked=_OF_A_CLASS) if inside else budget)
@@ -130,7 +130,7 @@ def entries_of(path: Path, inside: str = "") -> Iterator[Entry]:
 
 
 def names_in(path: Path, opened: bool) -> Iterator[PurePosixPath]:
-    """Of the files, to tell a class from a submission; `opened`: also of those in archives inside it.
+    """Returns the files' names, to tell a class from a submission. `opened`: includes those in archives inside it.
 
     Each name at the top has a budget of its own, and beyond it no further names.
     """
@@ -146,7 +146,7 @@ def names_in(path: Path, opened: bool) -> Iterator[PurePosixPath]:
 
 
 def text(name: str) -> str:
-    """A file's name may hold bytes that are no letters."""
+    """Returns a file's name, of which some bytes may not be letters."""
     return os.fsencode(name).decode("utf-8", errors="replace")
 
 
@@ -214,7 +214,7 @@ def _read_regular(path: Path, largest: int = LARGEST) -> bytes:
 
 
 def _open_regular(path: Path, flags: int = 0):
-    """What is a link or a pipe by the time that it is opened is an error, and does not block."""
+    """Opens a regular file. If it has become a link or a pipe in the meantime, this is an error and does not block."""
     file = open(os.open(path, os.O_RDONLY | os.O_NONBLOCK | flags), "rb")
     if not stat.S_ISREG(os.fstat(file.fileno()).st_mode):
         file.close()
@@ -223,7 +223,7 @@ def _open_regular(path: Path, flags: int = 0):
 
 
 def _of_archive(name: str, file, budget: _Budget) -> Iterator[Entry]:
-    """`file` is open, and can be sought in."""
+    """Yields the members of an archive; `file` is open and seekable."""
     name = name.lower()
     if name.endswith(_ZIP):
         yield from _of_zip(zipfile.ZipFile(file))
@@ -236,7 +236,7 @@ def _of_archive(name: str, file, budget: _Budget) -> Iterator[Entry]:
 
 
 def _decompressed(file):
-    """By what it begins with: a tar.gz may be named .tar."""
+    """Detects the compression from the first bytes: a tar.gz may be named .tar."""
     start = file.read(6)
     file.seek(0)
     for begins, opened in ((b"\x1f\x8b", gzip.open), (b"BZh", bz2.open), (b"\xfd7zXZ\0", lzma.open)):
@@ -261,7 +261,7 @@ def _of_tar(archive: tarfile.TarFile) -> Iterator[Entry]:
 
 
 def _path(name: str) -> PurePosixPath:
-    """Of a member; one without a name, or with bytes that are no letters, has a name that can be shown."""
+    """Returns a member's path; a printable one if it has no name or invalid bytes."""
     path = PurePosixPath(name.encode("utf-8", errors="replace").decode("utf-8").replace("\0", "?"))
     return path if path.parts else PurePosixPath("nameless")
 
@@ -272,7 +272,7 @@ def _read_up_to(file, name: str) -> bytes:
 
 
 def _of_seven(file) -> Iterator[Entry]:
-    """By libarchive's bsdtar, which makes a tar of it: Python's own library has no 7z."""
+    """Reads a 7z archive by libarchive's bsdtar, which converts it to tar, since Python's library has no 7z."""
     bsdtar = shutil.which("bsdtar")
     if not bsdtar:
         raise ValueError("7z needs bsdtar, of the package libarchive-tools")

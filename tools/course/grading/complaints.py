@@ -1,8 +1,8 @@
-"""What a compiler says of a submission, without what it may have read elsewhere.
+"""A compiler's messages about a submission, without content that it may have read elsewhere.
 
 A compiler quotes the file that it reports on, and a submission can include, or claim to be, any file that the compiler
-may read. So its quotations are off, its words are shown of the submission and of headers only, and the line is quoted
-from what was handed in.
+may read. So its quotations are turned off. Messages are shown about the submission and headers only, and the line is
+quoted from the submitted text.
 """
 
 import re
@@ -39,7 +39,7 @@ def _may_be_shown(name: str, file: str) -> bool:
 
 
 def _quoted(source: str, line: int, column: int) -> list[str]:
-    """The line, as it was handed in, and a mark below the column."""
+    """Returns the submitted line, and a mark below the column."""
     lines = source.splitlines()
     if not 1 <= line <= len(lines):
         return []

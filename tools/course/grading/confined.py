@@ -1,4 +1,4 @@
-"""Runs commands that are not trusted to their end, whatever they do, and leaves nothing over."""
+"""Runs untrusted commands to their end, and leaves no process behind."""
 
 import contextlib
 import fcntl
@@ -14,11 +14,11 @@ _KEPT = 64 << 10
 
 
 class Interrupted(Exception):
-    """The whole grading is to end now."""
+    """The whole grading must end now."""
 
 
 class Stop:
-    """Ends every wait, in whatever thread, at once."""
+    """Ends every wait, in every thread, at once."""
 
     def __init__(self):
         self._event, self.descriptor = threading.Event(), os.eventfd(0)
@@ -56,7 +56,7 @@ class Ended:
 
 
 def run(command: list[str], limits: Limits, env: dict[str, str]) -> Ended:
-    """What the command leaves behind is killed, if the command brings its own namespace of processes."""
+    """Runs a command. Processes that it leaves are killed if the command has its own namespace of processes."""
     with contextlib.ExitStack() as open_ends:
         printed, printed_in = pipe(open_ends)
         process = spawn(command, env, {1: printed_in.fileno(), 2: printed_in.fileno()})
@@ -81,20 +81,20 @@ def run(command: list[str], limits: Limits, env: dict[str, str]) -> Ended:
 
 
 def pipe(stack: contextlib.ExitStack) -> list:
-    """Two files, closed with the stack."""
+    """Returns two ends of a pipe, closed with the stack."""
     return [stack.enter_context(os.fdopen(high(end), "rb" if not k else "wb", buffering=0))
             for k, end in enumerate(os.pipe())]
 
 
 def high(descriptor: int) -> int:
-    """Under a number above those that a command sees, so that none is overwritten by another."""
+    """Moves a descriptor above those that a command uses, so that none is overwritten."""
     copy = fcntl.fcntl(descriptor, fcntl.F_DUPFD_CLOEXEC, 16)
     os.close(descriptor)
     return copy
 
 
 def spawn(command: list[str], env: dict[str, str], descriptors: dict[int, int]) -> int:
-    """Starts it in a session of its own with these descriptors and no others; what is not given leads nowhere."""
+    """Starts a process in a session of its own, with these descriptors and no others; the rest lead to /dev/null."""
     _keep_to_ourselves()
     with open(os.devnull, "r+b", buffering=0) as null:
         given = {0: null.fileno(), 1: null.fileno(), 2: null.fileno()} | descriptors
@@ -104,7 +104,7 @@ def spawn(command: list[str], env: dict[str, str], descriptors: dict[int, int]) 
 
 @functools.cache
 def _keep_to_ourselves() -> None:
-    """Python hands on no descriptor that it opens, but might those that it was started with."""
+    """Keeps the descriptors that Python was started with from being inherited; its own never are."""
     for descriptor in map(int, os.listdir("/proc/self/fd")):
         with contextlib.suppress(OSError):
             if descriptor > 2:
@@ -112,7 +112,7 @@ def _keep_to_ourselves() -> None:
 
 
 def waits(descriptors: list[int], deadline: float):
-    """Each descriptor that something has come to, as it comes, until the deadline; one that is at its end, once."""
+    """Yields each descriptor with input, as it comes, until the deadline; one at its end only once."""
     poll = select.poll()
     for descriptor in descriptors:
         poll.register(descriptor, select.POLLIN)
@@ -134,14 +134,14 @@ def kill(process: int) -> None:
 
 
 def reap(process: int) -> tuple[int, float]:
-    """Kills it; its exit code, or minus the signal, and its processor time."""
+    """Kills the process; returns its exit code, or minus the signal, and its processor time."""
     kill(process)
     _, status, usage = os.wait4(process, 0)
     return os.waitstatus_to_exitcode(status), usage.ru_utime + usage.ru_stime
 
 
 def rest_of(descriptor: int) -> bytes:
-    """What is there now: whatever lived on may hold the other end open."""
+    """Reads the available rest: a surviving process may hold the other end open."""
     found = bytearray()
     os.set_blocking(descriptor, False)
     with contextlib.suppress(BlockingIOError):

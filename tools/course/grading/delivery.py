@@ -1,6 +1,6 @@
-"""Finds the submissions in what an instructor names: one, a folder of them, or what a platform has delivered.
+"""Finds the submissions in a delivery: one submission, a folder of them, or a platform's download.
 
-Nobody vanishes: what lies there and is part of no submission is returned, too, with the reason.
+Nobody is lost: files that belong to no submission are returned, too, with the reason.
 """
 
 import os
@@ -30,7 +30,7 @@ class Delivery:
         self.handed.append(Handed(safe(student.name), places, student))
 
     def add_known(self, found: list[tuple[Student, Place]]) -> None:
-        """One submission for each student, in however many files and folders a platform delivers it."""
+        """Collects one submission for each student, in however many files and folders a platform delivers it."""
         by_student: dict[tuple[str, str], list[tuple[Student, Place]]] = {}
         for student, place in found:
             by_student.setdefault((student.name, student.identifier), []).append((student, place))
@@ -40,9 +40,9 @@ class Delivery:
 
 
 def find_submissions(paths: list[Path], out: Path) -> Delivery:
-    """Each path is a submission or many; in the order of their names, which are made different.
+    """Returns the submissions in these paths, sorted by name. Equal names are made different.
 
-    `out`, where marks are written, may lie among them and is none.
+    `out`, the folder for marks, may be among the paths and is ignored.
     """
     delivery = Delivery()
     exercises = all_exercises()
@@ -71,7 +71,8 @@ def find_submissions(paths: list[Path], out: Path) -> Delivery:
 
 def _doubt(delivery: Delivery, path: Path, handed: list[Handed], left_out: int, names: list[PurePosixPath],
            exercises: list[Exercise]) -> None:
-    """Whether a folder is no class at all: most of it is left out, or most of its folders hold no exercise's file."""
+    """Tells whether a folder is probably not a class: most of it is left out, or most of its folders hold no exercise's
+    file."""
     holding = {name.parts[0] for name in names if is_archive(name.name) or rank_of(name, exercises)}
     empty = sum(place.path != path and place.path.relative_to(path).parts[0] not in holding
                 for one in handed for place in one.places[:1])
@@ -81,7 +82,7 @@ def _doubt(delivery: Delivery, path: Path, handed: list[Handed], left_out: int, 
 
 
 def _names(path: Path, out: Path) -> list[PurePosixPath]:
-    """What is in it, in an archive also in archives inside it; none of what cannot be read."""
+    """Returns the names in it, in an archive also in archives inside it; none if it cannot be read."""
     if not path.is_dir():
         return names_apart(path)
     marks = PurePosixPath(os.path.relpath(_real(out), _real(path)))
@@ -89,20 +90,21 @@ def _names(path: Path, out: Path) -> list[PurePosixPath]:
 
 
 def _is_gradescopes(names: list[PurePosixPath]) -> bool:
-    """Of an archive: the file is at the top, or in the only folder there, and so no student's in a class."""
+    """Tells whether an archive is Gradescope's: its file is at the top, or in the only folder there, and so not a
+    student's."""
     is_alone = len({name.parts[0] for name in names}) == 1
     return any(name.name == METADATA and len(name.parts) <= 1 + is_alone for name in names)
 
 
 def _is_one(names: list[PurePosixPath], exercises: list[Exercise]) -> bool:
-    """Whether there is something of one submission at the very top."""
+    """Tells whether the top holds a file of one submission."""
     return any(name.parts[0] == "chapters" or (len(name.parts) == 1 and rank_of(name, exercises)) for name in names)
 
 
 def _is_class(names: list[PurePosixPath], exercises: list[Exercise], at_top: bool) -> bool:
-    """Whether several students' work lies in it: a platform's names, or an exercise in more than one place.
+    """Tells whether it holds several students' work: a platform's names, or an exercise in more than one place.
 
-    `at_top`: of a folder that the instructor names, where each folder and archive is somebody's.
+    `at_top`: for a folder that the instructor names, where each folder and archive belongs to one student.
     """
     if any(name.parts[0].lower() == "chapters" for name in names):
         return False
@@ -163,7 +165,8 @@ def _take_folder(delivery: Delivery, folder: Path, out: Path, exercises: list[Ex
 
 
 def _take_archive(delivery: Delivery, archive: Path, names: Iterable[PurePosixPath]) -> None:
-    """A submission for each folder or archive at its top, and for each student whose loose files lie there."""
+    """Adds a submission for each folder or archive at the archive's top, and for each student whose loose files lie
+    there."""
     known: list[tuple[Student, Place]] = []
     tops = list(dict.fromkeys(name.parts[0] for name in names))
     platforms = platforms_of(tops)
@@ -178,7 +181,7 @@ def _take_archive(delivery: Delivery, archive: Path, names: Iterable[PurePosixPa
 
 
 def _real(path: Path) -> Path:
-    """Where it leads; a link to itself leads to itself, and is no error."""
+    """Returns the target of a link; a link to itself leads to itself, without an error."""
     return Path(os.path.realpath(path))
 
 
@@ -189,7 +192,7 @@ def _student(path: Path) -> Student:
 
 
 def _named_apart(handed: list[Handed]) -> list[Handed]:
-    """Two students of one name by the platform's number, and else by a count."""
+    """Distinguishes students of one name by the platform's number, or else by a count."""
     count = Counter(one.name.casefold() for one in handed)
     taken: set[str] = set()
     apart = []
@@ -207,7 +210,7 @@ def _named_apart(handed: list[Handed]) -> list[Handed]:
 
 
 def _twins_noted(handed: list[Handed]) -> list[Handed]:
-    """A name may have letters that are not seen, or of another alphabet, and look like another's."""
+    """Notes names that look alike: a name may have invisible letters, or letters of another alphabet."""
     by_look: dict[str, list[Handed]] = {}
     for one in handed:
         by_look.setdefault(look(one.student.name), []).append(one)

@@ -1,6 +1,6 @@
-"""Reads sections and symbols of an object file, exactly as the linker does: names to the last byte.
+"""Reads sections and symbols of an object file as the linker does, with exact names.
 
-A tool's listing would be read back from lines that a symbol's name can imitate.
+The output of a tool would not be safe, since a symbol's name can imitate its lines.
 """
 
 import struct
@@ -42,7 +42,7 @@ class Object:
     symbols: tuple[Symbol, ...]
 
     def binding_of(self, name: str) -> str:
-        """GLOBAL or WEAK, of a function that other objects can call; empty if it defines none."""
+        """Returns GLOBAL or WEAK for a function that other objects can call; empty if there is none."""
         return next((symbol.binding for symbol in self.symbols
                      if symbol.name == name and symbol.defined and symbol.binding in ("GLOBAL", "WEAK")
                      and symbol.kind in ("FUNC", "NOTYPE")), "")
@@ -52,7 +52,7 @@ class Object:
 
 
 def read_object(file: Path) -> Object:
-    """Raises TooLarge, and Unreadable for what is no 64-bit ELF object, or a damaged one."""
+    """Raises TooLarge, and Unreadable for other files than 64-bit ELF objects, and for damaged ones."""
     if file.stat().st_size > LARGEST:
         raise TooLarge(f"more than {LARGEST >> 20} MiB")
     content = file.read_bytes()

@@ -1,7 +1,7 @@
-"""Fingerprints of a program: what stays the same when names, comments and spaces are changed.
+"""Fingerprints of a program that do not change with names, comments and spaces.
 
-Winnowing (Schleimer, Wilkerson, Aiken 2003): every run of K tokens has a number, and of each W runs that follow each
-other the least is kept. Any piece of K + W - 1 tokens that two programs share then gives them a fingerprint in common.
+Winnowing (Schleimer, Wilkerson, Aiken 2003): every run of K tokens has a number, and the least of each W consecutive
+runs is kept. So any K + W - 1 tokens that two programs share give them a common fingerprint.
 """
 
 import re
@@ -25,7 +25,7 @@ class Token:
 
 
 def tokens_of(source: str) -> list[Token]:
-    """Without comments and lines for the preprocessor. Names of one's own are all alike."""
+    """Returns the tokens without comments and preprocessor lines. All names of the program's own are equal."""
     code = re.sub(r"^[ \t]*#[^\n]*", lambda line: " " * len(line[0]), blanked(source), flags=re.MULTILINE)
     found = []
     for match in _TOKEN.finditer(code):
@@ -37,7 +37,7 @@ def tokens_of(source: str) -> list[Token]:
 
 
 def fingerprints(tokens: list[Token]) -> dict[int, int]:
-    """Each fingerprint, and where its first run of tokens begins."""
+    """Returns each fingerprint, with the start of its first run of tokens."""
     runs = [zlib.crc32(" ".join(token.text for token in tokens[at: at + K]).encode())
             for at in range(max(len(tokens) - K + 1, 0))]
     kept: dict[int, int] = {}

@@ -33,7 +33,7 @@ _NAMED = 10  # submissions that are named before a question
 
 
 def grade(arguments) -> int:
-    """Ctrl-C, or SIGTERM, ends it at once; nothing is left but the results of those who are done."""
+    """Grades a class. Ctrl-C, or SIGTERM, ends it at once, and keeps the results of finished submissions."""
     def interrupt(*_):
         raise KeyboardInterrupt
     before = signal.signal(signal.SIGTERM, interrupt)
@@ -94,7 +94,7 @@ def _grade(arguments) -> int:
 
 
 def _ask(delivery: Delivery) -> None:
-    """What is believed of a download of no known form; on a terminal nothing is graded before the answer."""
+    """Reports how a download of unknown form was understood; on a terminal it asks before it grades."""
     for doubt in delivery.doubts:
         print(fold(doubt))
     names = [one_line(one.name) for one in delivery.handed]
@@ -105,7 +105,7 @@ def _ask(delivery: Delivery) -> None:
 
 
 def _grade_on_slurm(arguments, out: Path, roster: Roster | None, names: list[str]) -> int:
-    """Builds and tries the reference here, grades a shard in each part, and merges what came of them."""
+    """Builds and tests the reference here, grades a shard in each part, and merges the results."""
     if arguments.shard:
         raise BadInput("grade: --slurm makes its own shards; leave out --shard")
     with Grader(arguments):
@@ -135,7 +135,7 @@ def _has_results(folder: Path) -> bool:
 
 
 def _for_a_shard(arguments) -> list[str]:
-    """The options that a shard is graded with, as they were given here."""
+    """Returns the options for a shard, which are those given here."""
     words = ["--jobs", str(arguments.jobs), "--points", arguments.points,
              "--weights", str(Path(arguments.weights).absolute())]
     for name in ("seed", "time_limit", "exercise_time", "submission_time", "isolation"):
@@ -150,7 +150,7 @@ def _for_a_shard(arguments) -> list[str]:
 
 def _merge(folders: list[Path], out: Path, roster: Roster | None, compare: bool,
            names: list[str] | None = None) -> int:
-    """`names` are all that were handed in, where they are known; whoever was graded before and is none is gone."""
+    """Merges results. `names` are all submissions, if known; results of others are removed."""
     results, left_out = merge(folders, out)
     of_class = Class(left_out, roster)
     write_gradebook(out, results, of_class)
@@ -193,7 +193,7 @@ def _prepare(arguments) -> int:
 
 
 def _grade_on_gradescope(arguments, out: Path) -> int:
-    """One submission, whatever its folders; the file is written at once, and again after each exercise."""
+    """Grades one submission, whatever its folders. The file is written at once, and again after each exercise."""
     if len(arguments.paths) != 1:
         raise BadInput(f"grade: --gradescope takes one submission, but {len(arguments.paths)} are named")
     path, file = Path(arguments.paths[0]), Path(arguments.gradescope)

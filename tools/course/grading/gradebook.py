@@ -1,4 +1,4 @@
-"""The class: grades.csv, tests.csv, summary.md and its histogram, all from the results of the submissions."""
+"""The class: grades.csv, tests.csv, summary.md and its histogram, all from the submissions' results."""
 
 import csv
 import re
@@ -18,13 +18,14 @@ _FORMULA = re.compile(r"""([;,]\s*["']?)([=+\-@])""")
 
 @dataclass
 class Class:
-    """What is known of a class besides the results."""
+    """Information about a class besides the results."""
 
     left_out: list[tuple[str, str]] = field(default_factory=list)  # what lay there and was not graded, and why
     roster: Roster | None = None
 
     def matched(self, results: list[dict]) -> tuple[dict[str, dict], list[str], list[str]]:
-        """Rows of the roster by submission; who has handed in nothing; which submissions are nobody's."""
+        """Returns rows of the roster by submission, students without a submission, and submissions without a
+        student."""
         if not self.roster:
             return {}, [], []
         found, missing, strangers = self.roster.matched(results)
@@ -47,7 +48,7 @@ def statistics_line(results: list[dict]) -> str:
 
 
 def not_graded(results: list[dict], of_class: Class) -> list[str]:
-    """A line for all that is in the class or lay in its folder and has no mark: nobody vanishes."""
+    """Returns a line for each student or file without a mark: nobody is lost."""
     _, missing, strangers = of_class.matched(results)
     why = {result["submission"]: of_class.roster.contradiction(result) for result in results
            if result["submission"] in strangers}
@@ -83,7 +84,7 @@ def _write_grades(file: Path, results: list[dict], of_class: Class) -> None:
 
 
 def cell(text: str) -> str:
-    """A spreadsheet takes a cell that begins like a formula for one, and may take `;` for the end of a cell."""
+    """Protects a cell: a spreadsheet may treat its first letter as a formula, and `;` as the end of a cell."""
     text = _FORMULA.sub(r"\1'\2", one_line(text))
     return "'" + text if text[:1] in ("=", "+", "-", "@") else text
 
@@ -106,7 +107,7 @@ def _write_tests(file: Path, counts: dict[str, dict[str, int]]) -> None:
 
 
 def _draw(file: Path, results: list[dict]) -> bool:
-    """Whether there is a figure: without matplotlib there is none, and the marks are the same."""
+    """Draws the histogram. Returns false without matplotlib; the marks are the same."""
     try:
         import matplotlib
         matplotlib.use("Agg")

@@ -1,4 +1,4 @@
-"""The instructor's side of a grading: tests, weights, isolation and the judge."""
+"""The instructor's side of grading: tests, weights, isolation and the judge."""
 
 import queue
 import shutil
@@ -68,9 +68,9 @@ class Grader:
         self._workshop.close()
 
     def grade(self, handed: list[Handed], out: Path) -> list[dict]:
-        """In the order of `handed`; each submission's folder is written as soon as it is known.
+        """Grades in the order of `handed`, and writes each submission's folder as soon as its result is known.
 
-        What goes wrong in the grader itself stops no other submission: it is that one's row, and kept in `failures`.
+        An error in the grader stops no other submission: it is reported in that one's row, and kept in `failures`.
         """
         bar = Bar("grading", len(handed))
         results: dict[str, dict] = {}
@@ -88,7 +88,7 @@ class Grader:
         return [results[one.name] for one in handed]
 
     def grade_one(self, handed: Handed, out: Path, on_exercise: Callable[[dict, int], None] | None = None) -> dict:
-        """`on_exercise` is given what is known so far, and how many exercises are left."""
+        """Grades one submission. `on_exercise` gets the results so far, and the number of exercises left."""
         submission = read_apart(handed, self.exercises)
         judged = {exercise: self._judge.unjudged(exercise) for exercise in self.exercises}
         user, lost = self._users.get(), 0.0
@@ -120,7 +120,8 @@ class Grader:
         return result
 
     def _judged(self, submission: Submission, exercise: Exercise, user: User) -> ExerciseVerdict:
-        """What goes wrong in the grader itself costs this exercise of this submission, and is told at the end."""
+        """Judges one exercise. An error in the grader itself costs only this exercise of this submission, and is
+        reported at the end."""
         try:
             return self._judge.judge(exercise, submission.sources.get(exercise.function), user)
         except Interrupted:
@@ -146,7 +147,7 @@ class Grader:
         return result_of(submission, list(judged.items()), self._weights, settings)
 
     def _grade_reference(self) -> None:
-        """A test that the reference fails, here and with this seed, would fail everyone."""
+        """Grades the reference: a test that it fails, on this machine and with this seed, would fail everyone."""
         sources = {exercise.function: Source(str(exercise.reference.relative_to(SOLUTIONS.parent)),
                                              exercise.reference.read_bytes(), is_reference=True)
                    for exercise in self.exercises}
@@ -173,7 +174,7 @@ class Grader:
 
 
 def _end(pool: ThreadPoolExecutor) -> None:
-    """Lets what runs come to its end, unless something has gone wrong: then it is broken off."""
+    """Waits for running work to end; after an error it is stopped."""
     if sys.exc_info()[0] is not None:
         STOP.set()
     pool.shutdown(cancel_futures=True)

@@ -1,10 +1,10 @@
-"""Gradescope's download of submissions: folders submission_123, and submission_metadata.yml, which says who they are of.
+"""Gradescope's download of submissions: folders submission_123, and submission_metadata.yml with their authors.
 
-    submission_123:
-      :submitters:
-      - :name: Ann Lee
-        :sid: '1234'
-        :email: ann@example.edu
+submission_123:
+  :submitters:
+  - :name: Ann Lee
+    :sid: '1234'
+    :email: ann@example.edu
 """
 
 import json
@@ -20,7 +20,7 @@ _LARGEST = 64 << 20
 
 
 def submitters(folder: Path) -> dict[str, list[Student]]:
-    """Of each submission's folder its students, of a group several; empty where the file is not there."""
+    """Returns the students of each submission's folder, several for a group; empty without the file."""
     file = folder / METADATA
     if not file.is_file() or file.stat().st_size > _LARGEST:
         return {}

@@ -46,7 +46,7 @@ class Isolation:
 
     def run(self, command: list[str], limits: Limits, user: "User", reads: tuple[Path, ...] = (),
             writes: tuple[Path, ...] = (), folder: Path = Path("/")) -> Ended:
-        """Runs the command in `folder`, where it sees the system's programs and these paths."""
+        """Runs the command in `folder`, with access to the system's programs and these paths."""
         try:
             return run(self.command(command, limits, user, reads, writes, folder), limits, ENVIRONMENT)
         finally:
@@ -54,7 +54,7 @@ class Isolation:
 
     def command(self, command: list[str], limits: Limits, user: "User", reads: tuple[Path, ...] = (),
                 writes: tuple[Path, ...] = (), folder: Path = Path("/")) -> list[str]:
-        """The command line that runs it isolated."""
+        """Returns the command line that runs it isolated."""
         words = []
         if user.uid is not None:
             words += [_which("setpriv"), f"--reuid={user.uid}", f"--regid={user.uid}", "--clear-groups",
@@ -68,13 +68,14 @@ class Isolation:
         return words + _limited(limits) + ([f"--nproc={limits.processes}"] if own else []) + ["--", *command]
 
     def command_of_tests(self, command: list[str], limits: Limits, reads: tuple[Path, ...]) -> list[str]:
-        """For the tests, which are ours and read what hostile code sends: as the grader, and without files or network."""
+        """Returns the command line of the tests. They are ours, but read data from hostile code: as the grader, without
+        files and network."""
         alone = ["--unshare-user", "--unshare-ipc", "--unshare-net", "--unshare-uts"]
         return (_namespaces(alone, reads, (), Path("/")) if self.namespaces else []) + [
             *_limited(limits), "--", *command]
 
     def clear(self, user: "User") -> None:
-        """Ends whatever the user still runs; a namespace does so by itself."""
+        """Kills all processes of the user; a namespace does so by itself."""
         if self.name == "uid" and user.uid is not None:
             user.kill_all()
 
@@ -96,7 +97,7 @@ def _namespaces(kinds: list[str], reads, writes, folder: Path) -> list[str]:
 
 @dataclass
 class User:
-    """Whom a worker's commands run as; the one who grades, where `uid` is None."""
+    """The user who runs a worker's commands; the grader's own, if `uid` is None."""
 
     uid: int | None
     lock: object = None  # held as long as the user is in use
@@ -118,7 +119,7 @@ GRADER = User(None)
 
 
 def choose(name: str = "") -> Isolation:
-    """The strongest isolation that works here, or the one named."""
+    """Returns the strongest isolation that works here, or the named one."""
     tried = []
     for candidate in [Isolation(name)] if name else map(Isolation, NAMES):
         problem = _problem(candidate)
@@ -130,7 +131,7 @@ def choose(name: str = "") -> Isolation:
 
 
 def take_user(isolation: Isolation) -> User:
-    """A user that no one else is: no account, no process, and no other grader, has its number."""
+    """Returns a user whose number no account, process or other grader has."""
     if not isolation.uses_uid:
         return GRADER
     in_use = _users_of_processes()
@@ -170,7 +171,7 @@ def _limited(limits: Limits) -> list[str]:
 
 
 def _problem(isolation: Isolation) -> str:
-    """Why it does not work here; empty if it does."""
+    """Returns the reason why it does not work here; empty if it does."""
     root = os.geteuid() == 0
     if isolation.uses_uid and not root:
         return "only root can change the user"

@@ -1,4 +1,4 @@
-"""The verdict of each test of one exercise of one submission. Every test that is expected gets one."""
+"""The verdict of each test of one exercise of one submission. Every expected test gets one."""
 
 import hashlib
 import json
@@ -58,12 +58,12 @@ class ExerciseVerdict:
 
 
 class Judge:
-    """Judges with fixed limits and a fixed seed, and remembers: the same file always gets the same verdict."""
+    """Judges with fixed limits and a fixed seed, and remembers verdicts: the same file always gets the same one."""
 
     def __init__(self, workshop: Workshop, isolation: Isolation, seed: int, seconds: int, of_exercise: int,
                  memory: Path, forget: bool = False):
-        """Seconds of a test, and what time-outs may cost of an exercise, after which no more of its tests are run. With
-        `forget`, what is remembered of earlier runs is not recalled, by this one or a later."""
+        """Takes the seconds of a test, and the limit of time-outs of an exercise, after which no more of its tests run.
+        With `forget`, verdicts of earlier runs are not used, by this one or a later."""
         self._workshop, self._isolation, self._seed, self._of_exercise = workshop, isolation, seed, of_exercise
         self._limits = Limits(cpu=seconds, wall=3 * seconds + 2, memory=1 << 30, files=1 << 20, processes=16,
                               output=1 << 20)
@@ -85,7 +85,7 @@ class Judge:
                     f"The grader itself has failed here ({type(error).__name__}): {error}"[:_MESSAGE])
 
     def lost(self, verdict: ExerciseVerdict) -> float:
-        """Seconds that its time-outs cost, by their kind, and what was slow, as it was when it was judged."""
+        """Returns the seconds lost to time-outs, by kind, and the slow tests, as they were judged."""
         cost = {LOOPED: self._limits.cpu, WAITED: self._limits.wall}
         return verdict.slow + sum(cost.get(test.reason, 0) if test.verdict == TIMED_OUT else test.slow
                                   for test in verdict.tests)
@@ -109,7 +109,7 @@ class Judge:
 
     def _judge_anew(self, exercise: Exercise, source: Source, tests: list[str],
                     user: User) -> tuple[ExerciseVerdict, bool]:
-        """The verdict, and whether it would be the same on a machine with less to do."""
+        """Returns the verdict, and whether an idle machine would give the same."""
         folder = Path(tempfile.mkdtemp(dir=self._workshop.root))
         folder.chmod(0o755)
         try:
@@ -127,7 +127,7 @@ class Judge:
 
     def _run_all(self, exercise: Exercise, tests: list[str], made: Made,
                  user: User) -> list[tuple[TestVerdict, bool]]:
-        """With one pair of processes, and another where the last could not go on."""
+        """Runs all tests with one pair of processes, or with another after one that could not continue."""
         ran: list[tuple[TestVerdict, bool]] = []
         pair, was_stopped = None, False
         try:
@@ -170,9 +170,9 @@ class Judge:
                 not ran.timed_out or reason == WAITED)
 
     def _slow(self, ran: Ran) -> float:
-        """Seconds of processor time, if they are more than half of what a test may take, and seconds of waiting.
+        """Returns the seconds of processor time, if they exceed half of a test's limit, and the seconds of waiting.
 
-        A busy machine waits, too, but not for much longer than it computes.
+        On a busy machine a test waits, too, but not for much longer than it computes.
         """
         computed = ran.used if 2 * ran.used > self._limits.cpu else 0.0
         waited = max(ran.clock - SLOW - _BUSY * ran.used, 0.0) if ran.clock > SLOW else 0.0
@@ -196,14 +196,14 @@ class Judge:
             return None  # never written, or cut off
 
     def _remember(self, key: str, verdict: ExerciseVerdict, load: float) -> None:
-        """With the load under which the clock has stopped one of its tests; 0 if none."""
+        """Stores the verdict, with the machine's load if the clock stopped one of the tests; else 0."""
         with tempfile.NamedTemporaryFile("w", dir=self._memory, delete=False, encoding="utf-8") as file:
             json.dump(asdict(verdict) | {"load": load}, file)
         os.replace(file.name, self._memory / f"{key}.json")
 
 
 def read_verdict(ran: Ran, cpu_limit: int) -> tuple[str, str, list[str]]:
-    """The verdict, its reason in a few words, and the failures."""
+    """Returns the verdict, its reason in a few words, and the failures."""
     if ran.too_much:
         return TOO_MUCH_OUTPUT, "", ["It printed more than the limit, and was stopped."]
     if ran.timed_out and ran.cpu < _WORKED:
@@ -211,7 +211,7 @@ def read_verdict(ran: Ran, cpu_limit: int) -> tuple[str, str, list[str]]:
     if ran.timed_out:
         return TIMED_OUT, LOOPED, [_DOES_IT_END]
     if ran.nonsense:
-        return TAMPERED, "a forged answer", ["Something else than the function's answer came back to the tests."]
+        return TAMPERED, "a forged answer", ["The tests received something other than the function's answer."]
     if ran.verdict is None:
         return _without_verdict(ran, cpu_limit)
     result, ran_count, skipped = (field.decode() for field in ran.verdict[:3])
@@ -243,12 +243,12 @@ def _without_verdict(ran: Ran, cpu_limit: int) -> tuple[str, str, list[str]]:
 
 
 def _load() -> float:
-    """How many processes want each processor."""
+    """Returns the number of processes per processor."""
     return os.getloadavg()[0] / (os.cpu_count() or 1)
 
 
 def _signal(code: int) -> int:
-    """A program inside bubblewrap that a signal ends is reported with 128 and the signal."""
+    """Returns the signal. Bubblewrap reports a program ended by a signal as 128 plus the signal."""
     return -code if code < 0 else code - 128 if 128 < code < 128 + signal.NSIG else 0
 
 

@@ -1,4 +1,4 @@
-"""What a run of the grader leaves for the next, and what shards of one grading have written, put together."""
+"""Results of a grading: those of earlier runs in the same folder, and those of shards, combined."""
 
 import json
 import shutil
@@ -14,13 +14,13 @@ _REMOVED = "no longer handed in"
 
 
 def write_delivery(out: Path, names: list[str], left_out: list[tuple[str, str]], shard: tuple[int, int]) -> None:
-    """All that was delivered, to every shard, and which of them this one is."""
+    """Writes the whole delivery into each shard's folder, and which shard this is."""
     out.mkdir(parents=True, exist_ok=True)
     write_json(out / _RECORD, {"names": names, "left_out": left_out, "shard": shard})
 
 
 def set_aside(out: Path, names: list[str]) -> list[str]:
-    """Moves the results of those who are not among the names, and were graded into this folder before."""
+    """Moves results of submissions that are no longer delivered aside."""
     gone = [file.parent for file in sorted((out / "submissions").glob("*/results.json"))
             if file.parent.name not in names]
     for folder in gone:
@@ -34,7 +34,7 @@ def set_aside(out: Path, names: list[str]) -> list[str]:
 def merge(folders: list[Path], out: Path) -> tuple[list[dict], list[tuple[str, str]]]:
     """Copies each submission's folder to `out`; all must have been graded with the same tests, seed and limits.
 
-    Returns the results, and what is in none of them, with the reason.
+    Returns the results, and the submissions without one, with the reason.
     """
     results: dict[str, dict] = {}
     records = []
@@ -63,7 +63,7 @@ def merge(folders: list[Path], out: Path) -> tuple[list[dict], list[tuple[str, s
 
 
 def missing_shards(folders: list[Path]) -> list[str]:
-    """As I/N, of those that the others tell of."""
+    """Returns the missing shards, as I/N, that other shards mention."""
     found = {tuple(_read_record(folder)["shard"]) for folder in folders}
     return [f"{k}/{count}" for count in sorted({count for _, count in found})
             for k in range(1, count + 1) if (k, count) not in found]
@@ -85,7 +85,7 @@ def _read_record(folder: Path) -> dict:
 
 
 def read_results(folder: Path) -> dict[str, dict]:
-    """By name; a folder without any is a mistake."""
+    """Reads results by name. A folder without any is an error."""
     found = {}
     for file in sorted((folder / "submissions").glob("*/results.json")):
         result = read_result(file)

@@ -1,10 +1,10 @@
-"""What platforms write into the names of what they deliver: who it is of, and whether it came late.
+"""Names that platforms give to delivered files: the student, and whether the work is late.
 
-    FIRST LAST_101_assignsubmission_file_/work.zip            Moodle, a folder each
-    FIRST LAST_101_assignsubmission_file_work.zip             Moodle, without folders
-    lastfirst_late_12345_678_kick.cpp                         Canvas: login or name, user, submission, file's name
-    Homework 1_leeann_attempt_2026-11-20-10-11-12_kick.cpp    Blackboard: login, time; a .txt each about the attempt
-    12345-678910 - FIRST LAST - Nov 20, 2026 1011 AM/         Brightspace, a folder each
+FIRST LAST_101_assignsubmission_file_/work.zip            Moodle, a folder each
+FIRST LAST_101_assignsubmission_file_work.zip             Moodle, without folders
+lastfirst_late_12345_678_kick.cpp                         Canvas: login or name, user, submission, file's name
+Homework 1_leeann_attempt_2026-11-20-10-11-12_kick.cpp    Blackboard: login, time; a .txt each about the attempt
+12345-678910 - FIRST LAST - Nov 20, 2026 1011 AM/         Brightspace, a folder each
 """
 
 import contextlib
@@ -53,12 +53,13 @@ _PLATFORMS = (_moodle, _canvas, _blackboard, _brightspace)
 
 
 def student_of(name: str, platforms: tuple = _PLATFORMS) -> tuple[Student, str] | None:
-    """Of a folder's or file's name, and what the file was called; None: no platform has written it."""
+    """Returns the student in a folder's or file's name, and the file's original name; None if no platform has written
+    it."""
     return next((found for platform in platforms if (found := platform(name))), None)
 
 
 def platforms_of(names: Iterable[str]) -> tuple:
-    """The one that has written most of the names of a class: the others a student may have written."""
+    """Returns the platform that has written most names of a class; students may have written the others."""
     counts = {platform: 0 for platform in _PLATFORMS}
     for name in names:
         for platform in _PLATFORMS:
@@ -67,7 +68,8 @@ def platforms_of(names: Iterable[str]) -> tuple:
 
 
 def attempt_of(name: str) -> str:
-    """Of the attempts of one student on one platform, the last has the greatest; empty where it is not said."""
+    """Returns a key: of the attempts of one student on one platform the last has the greatest. Empty if the name has
+    none."""
     if found := _BLACKBOARD.fullmatch(name):
         return found["time"]
     if found := _BRIGHTSPACE.fullmatch(name):
@@ -87,7 +89,7 @@ _TWINS = str.maketrans("\u0430\u0435\u043e\u0440\u0441\u0443\u0445\u0456\u0458\u
 
 
 def look(name: str) -> str:
-    """What names have in common that a reader takes for the same."""
+    """Reduces a name so that names that look alike become equal."""
     return " ".join(_UNSEEN.sub("", unicodedata.normalize("NFKC", name)).casefold().translate(_TWINS).split())
 
 
@@ -96,7 +98,8 @@ _NAMELESS = "nameless"
 
 
 def safe(name: str) -> str:
-    """As it names a folder, a file and a row: letters of any language, digits, and `-_. `; never empty, never dots."""
+    """Makes a name safe for a folder, a file and a row: letters of any language, digits, and `-_. `; never empty, never
+    dots."""
     letters = unicodedata.normalize("NFC", name.encode("utf-8", errors="replace").decode("utf-8"))
     plain = "".join(one if one in "-_. " or unicodedata.category(one)[0] in "LMN" else "_" for one in letters)
     plain = plain.encode("utf-8")[:_LONGEST].decode("utf-8", errors="ignore").strip(" ")

@@ -1,4 +1,4 @@
-"""A student's file, compiled inside the isolation, looked through, and linked into the program that answers calls.
+"""A student's file, compiled in isolation, checked, and linked into the program that answers calls.
 
 Of its symbols only the exercise's functions stay visible: a `sqrt` or a `main` of the student's own replaces nothing,
 and a helper may have any name. `ld -r` comes first, to dissolve groups of inline functions: the linker keeps one copy
@@ -35,7 +35,7 @@ _NOT_NEEDED = ("{} calls {}(), which is not available in grading, and no exercis
 
 @dataclass(frozen=True)
 class Made:
-    """A program, or the verdict that all of the exercise's tests get."""
+    """A program, or the common verdict of all tests of the exercise."""
 
     program: Path | None
     verdict: str = ""
@@ -136,7 +136,7 @@ def _link(exercise: Exercise, workshop: Workshop, isolation: Isolation, student:
 
 
 def _defined_elsewhere(told: str, wanted: set[str]) -> str:
-    """One of the wanted functions of which the linker says another origin than the submission, or none, or two."""
+    """Returns a required function whose origin, by the linker, is not the submission only."""
     origins: dict[str, list[str]] = {name: [] for name in wanted}
     for found in re.finditer(r"^(?:.*: )?(\S+): definition of (\S+)$", told, re.MULTILINE):
         origins.setdefault(found[2], []).append(found[1])
@@ -144,7 +144,7 @@ def _defined_elsewhere(told: str, wanted: set[str]) -> str:
 
 
 def _owner(symbol: str, workshop: Workshop) -> str:
-    """The exercise whose function it is; empty if it is none."""
+    """Returns the exercise of a function; empty if there is none."""
     return next((function for function, symbols in workshop.functions.items() if symbol in symbols), "")
 
 
@@ -165,7 +165,7 @@ def _notes(found: Object) -> tuple[str, ...]:
 
 
 def _readable(*symbols: str) -> str:
-    """Cut: a short symbol may say a name of megabytes, and a submission may have any number of them."""
+    """Shortens a demangled name: a short symbol may stand for megabytes, and a submission may have many."""
     shell = f"exec prlimit --cpu=5 --as={1 << 30} -- c++filt | head -c {_NAMES}"
     names = "\n".join(symbol[:_NAMES] for symbol in symbols[:_MOST_NAMES]) + "\n"
     told = subprocess.run(["/bin/sh", "-c", shell], input=names, capture_output=True, text=True,

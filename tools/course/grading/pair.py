@@ -1,7 +1,7 @@
 """The tests and a student's function, each in a process of its own; see tests/remote.
 
-The tests are ours, and run as the grader. The student's function is isolated, and knows no test: it is asked, over a
-socket, and answers. What it is asked, and whether the answer is right, is decided where it can reach nothing.
+The tests are ours, and run as the grader. The student's function is isolated, without the tests: it gets calls over a
+socket, and answers them. The calls and the verdicts are made where it has no access.
 """
 
 import contextlib
@@ -29,7 +29,7 @@ _LINGER = 2.0  # seconds that a process has to end after its socket has closed
 
 @dataclass(frozen=True)
 class Ran:
-    """One test: what the tests say of it, and how the process of the student's function ended."""
+    """The result of one test: its output, and the end of the function's process."""
 
     verdict: tuple[bytes, ...] | None = None  # GoogleTest's result, tests that ran, "skipped", failures
     nonsense: bool = False  # something came back that is no answer
@@ -46,7 +46,7 @@ class Ran:
 class Pair:
     def __init__(self, isolation: Isolation, user: User, tests: Path, exercise: str, answers: Path, limits: Limits,
                  env: dict[str, str], threads: bool = False):
-        """`threads`: the function starts some, and only where they run at once do they get in each other's way."""
+        """Starts both. `threads`: the function starts threads, and races show only if they run at once."""
         self._isolation, self._user, self._limits = isolation, user, limits
         self._stack = contextlib.ExitStack()
         self.was_asked = False  # whether the student's program came as far as its main
@@ -82,7 +82,7 @@ class Pair:
         self._isolation.clear(self._user)
 
     def run(self, test: str) -> Ran:
-        """When it cannot go on, it is closed afterwards."""
+        """Runs one test. A pair that cannot continue is closed afterwards."""
         with contextlib.suppress(BrokenPipeError):
             self._tests_from.write(test.encode() + b"\n")
         printed, records, state = bytearray(), [], bytearray()
@@ -121,7 +121,7 @@ class Pair:
         return ran
 
     def _waits(self, descriptors: list[int]):
-        """Until the deadline, and a little further while both still compute: then the machine is what is slow."""
+        """Waits until the deadline, and a little longer while both still compute: then the machine is slow."""
         used = self._used()
         for _ in range(1 + _EXTENSIONS):
             yield from waits(descriptors, time.monotonic() + self._limits.wall)
@@ -138,7 +138,7 @@ class Pair:
         return self._counted - before
 
     def _last_words(self, at_once: bool) -> tuple[int, float]:
-        """How the student's program ended that has not told; if it goes on without its socket, it is ended."""
+        """Returns how the student's program ended, if it sent no result; a program without its socket is ended."""
         deadline = time.monotonic() + (0 if at_once else _LINGER)
         look = os.WEXITED | os.WNOHANG | os.WNOWAIT
         while time.monotonic() < deadline and not os.waitid(os.P_PID, self._answers, look):
@@ -148,7 +148,7 @@ class Pair:
 
 
 def exit_code(status: bytes) -> int:
-    """Exit code, or minus the signal. What the student's side sends may be the status of no process."""
+    """Returns the exit code, or minus the signal. The student's side may send an invalid status."""
     try:
         return os.waitstatus_to_exitcode(int(status))
     except (ValueError, OverflowError):
@@ -156,7 +156,7 @@ def exit_code(status: bytes) -> int:
 
 
 def _take_core() -> int:
-    """One that the fewest pairs have, until it is given back."""
+    """Takes the core with the fewest pairs, until it is given back."""
     with _counting:
         core = min(os.sched_getaffinity(0), key=lambda core: (_pairs_on[core], random.random()))
         _pairs_on[core] += 1
@@ -165,8 +165,8 @@ def _take_core() -> int:
 
 @contextlib.contextmanager
 def _only_on(core: int):
-    """What is started here stays on this core. One asks and waits, the other answers and waits: on two cores each call
-    wakes one that sleeps, and 1e5 calls take 10 s in place of 2."""
+    """Binds the processes to this core. One sends and waits, the other answers and waits. On two cores each call wakes
+    a sleeping process, and 1e5 calls take 10 s in place of 2."""
     allowed = os.sched_getaffinity(0)  # of this thread
     os.sched_setaffinity(0, {core})
     try:
@@ -176,7 +176,7 @@ def _only_on(core: int):
 
 
 def _records(state: bytearray) -> list[tuple[bytes, ...]]:
-    """Takes the whole ones off the front: a length on a line, and fields that each end with a NUL."""
+    """Removes the whole records from the front: a length on a line, and fields that each end with a NUL."""
     found = []
     while (line_end := state.find(b"\n")) >= 0 and len(state) > line_end + int(state[:line_end]):
         body = bytes(state[line_end + 1: line_end + 1 + int(state[:line_end])])
@@ -186,7 +186,7 @@ def _records(state: bytearray) -> list[tuple[bytes, ...]]:
 
 
 def _processor_time(process: int, ended: bool = False) -> float:
-    """Of it and all that it has started, as far as they still run, or have `ended`, too."""
+    """Returns the processor time of the process and its descendants, running or `ended`."""
     parents, times = {}, {}
     for entry in os.listdir("/proc"):
         if entry.isdecimal():

@@ -1,6 +1,6 @@
-"""Reads what strangers handed in, in a process of its own: a delivery can cost time and memory, but not the class's.
+"""Reads submissions in a process of its own: a delivery can cost time and memory, but not the whole class.
 
-The process gets its request in a file of JSON, and writes its answer into another.
+The process gets its request in a JSON file, and writes its answer into another.
 """
 
 import base64
@@ -25,13 +25,13 @@ _START = "import sys; sys.path.insert(0, sys.argv[1]); from grading.reading impo
 
 
 class NotRead(Exception):
-    """With the reason."""
+    """The submission was not read, for this reason."""
 
 
 def read_apart(handed: Handed, exercises: list[Exercise]) -> Submission:
-    """As read_submission; what cannot be read within the limits is a submission without files, and a note says why.
+    """Reads a submission as read_submission does. One beyond the limits has no files, and a note gives the reason.
 
-    Folders without an archive are read here: nothing in them is unpacked.
+    Folders without an archive are read here, since nothing in them is unpacked.
     """
     if all(place.path.is_dir() and not any(is_archive(name.name) for name in names_in(place.path, opened=False))
            for place in handed.places):
@@ -47,7 +47,7 @@ def read_apart(handed: Handed, exercises: list[Exercise]) -> Submission:
 
 
 def names_apart(path: Path) -> list[PurePosixPath]:
-    """What is in an archive, where that can be read in time in archives inside it, too; none of what is damaged."""
+    """Returns the names in an archive and, if time allows, in archives inside it; none of damaged ones."""
     for opened in (True, False):
         try:
             return [PurePosixPath(name) for name in _asked({"names": str(path), "opened": opened})]
@@ -73,7 +73,7 @@ def _asked(request: dict):
 
 
 def answer(asked: str, answered: str) -> None:
-    """What the process does."""
+    """Answers the request, in the separate process."""
     request = json.loads(Path(asked).read_text(encoding="utf-8"))
     for kind, limit in ((resource.RLIMIT_CPU, "cpu"), (resource.RLIMIT_AS, "memory"), (resource.RLIMIT_FSIZE, "files")):
         resource.setrlimit(kind, (request["limits"][limit], request["limits"][limit]))

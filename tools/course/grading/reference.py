@@ -1,7 +1,7 @@
-"""The reference as a submission is linked with it: without the exercise's own answer, and without any later one.
+"""The reference for linking with a submission: without the exercise's own answer, and without later ones.
 
-Each exercise has an archive of its own, with the functions that come before it in the course, which its answer may
-call, and nothing else that answers.
+Each exercise has an archive of its own. It holds the earlier functions of the course, which the answer may call, and no
+other answers.
 """
 
 import subprocess
@@ -17,14 +17,14 @@ _ANSWERS_BY_ITSELF = {"drift": {"kick"}}
 
 
 def callable_from(exercise: Exercise) -> list[str]:
-    """The exercises whose functions an answer may call, by function."""
+    """Returns the exercises whose functions an answer may call, by function."""
     order = [one.function for one in all_exercises()]
     hidden = _ANSWERS_BY_ITSELF.get(exercise.function, set())
     return [function for function in order[: order.index(exercise.function)] if function not in hidden]
 
 
 class Reference:
-    """`archive` is taken apart into `folder`; archives are made when they are asked for, by whatever thread."""
+    """Extracts `archive` into `folder`, and makes archives on demand, from any thread."""
 
     def __init__(self, archive: Path, folder: Path):
         self._folder, self._members, self._making = folder, folder / "members", threading.Lock()
@@ -43,7 +43,7 @@ class Reference:
         return frozenset().union(*(self.symbols[function] for function in callable_from(exercise)))
 
     def archive_for(self, exercise: Exercise) -> Path:
-        """A list of the objects' names and symbols; the objects stay where they are."""
+        """Makes an archive of the objects' names and symbols; the objects stay in place."""
         made = self._folder / f"{exercise.function}.a"
         allowed, exercises = set(callable_from(exercise)), {one.function for one in all_exercises()}
         members = [file for file in sorted(self._members.iterdir())
@@ -55,7 +55,7 @@ class Reference:
         return made
 
     def _without_later(self, exercise: Exercise, member: Path) -> Path:
-        """A member that is no exercise itself may stay undefined where it calls a later one: it would not link else."""
+        """Allows a member that is not an exercise to leave later exercises undefined. Otherwise it would not link."""
         known = {exercise.function, *callable_from(exercise)}
         later = frozenset().union(*(symbols for function, symbols in self.symbols.items() if function not in known))
         called = later & self._asked[member.name]
@@ -67,9 +67,9 @@ class Reference:
         return made
 
     def asks_only_for(self, exercise: Exercise, asking: Path) -> Path:
-        """A copy of an object in which the functions of all other exercises may stay undefined.
+        """Returns a copy of an object that may leave the functions of all other exercises undefined.
 
-        Without it each of them would be linked, and its code could be read by a submission that never calls it.
+        Otherwise each of them would be linked, and a submission could read its code without a call.
         """
         made = self._folder / f"{exercise.function}-{asking.name}"
         others = [f"--weaken-symbol={symbol}" for function, symbols in self.symbols.items()
@@ -81,7 +81,7 @@ class Reference:
 
 
 def _asked_by(file: Path) -> frozenset[str]:
-    """The symbols that an object leaves undefined."""
+    """Returns the symbols that an object leaves undefined."""
     lines = _ran(["nm", "-P", "--undefined-only", str(file)], file.parent).splitlines()
     return frozenset(line.split()[0] for line in lines if line.strip())
 

@@ -1,4 +1,4 @@
-"""report.md: what a student reads. The first failure in full, with its hint; of hidden tests only their number."""
+"""report.md for a student: the first failure in full, with its hint; of hidden tests only their number."""
 
 from grading.results import said
 from grading.text import fenced, markdown
@@ -6,13 +6,13 @@ from manifest import Exercise
 
 _SYMBOL = {"done": "✓", "wrong": "✗", "not started": "·"}
 RULE = {"exercises": "An exercise has its points when all of its tests pass.",
-        "tests": "Each test that passes has its points; those that a function passes which does nothing have none."}
+        "tests": "Each test that passes has its points. Tests that an empty function passes have none."}
 _MORE_IN_FULL = 5
 _PRINTED_LINES = 20
 
 
 def report_of(result: dict, exercises: dict[str, Exercise]) -> str:
-    """`exercises` by their function."""
+    """Returns the report; `exercises` are by their function."""
     points = f"{result['score']:g} of {result['max_score']:g} points"
     parts = [f"# {markdown(result['submission'])}: {points}\n", _board(result), f"{RULE[result['points']]}\n"]
     hidden = [test for test in _tests(result) if test["visibility"] != "visible"]

@@ -1,6 +1,6 @@
-"""The result of one submission, results.json: all that is known of it, and the one source of every other report.
+"""results.json, the complete result of one submission, from which all other reports are made.
 
-It holds no times, so that the same work graded again gives the same file, byte for byte. README.md has its schema.
+It holds no times. So the same work, graded again, gives the same file, byte for byte. README.md has its schema.
 """
 
 import hashlib
@@ -19,7 +19,7 @@ RULES = ("exercises", "tests")  # what counts: an exercise that is right, or eac
 
 def result_of(submission: Submission, verdicts: list[tuple[Exercise, ExerciseVerdict]], weights: Weights,
               settings: dict) -> dict:
-    """`settings` are how it was graded, with the rule by which points are given among them."""
+    """Returns the result. `settings` are those of the grading, including the rule for points."""
     exercises = [_exercise(submission, exercise, verdict, weights, settings["points"])
                  for exercise, verdict in verdicts]
     return {
@@ -87,12 +87,12 @@ def _sum(parts: list[dict], key: str) -> float:
 
 
 def said(test: dict) -> str:
-    """The verdict with its reason, as everyone is told it."""
+    """Returns the verdict with its reason, in the words of all reports."""
     return test["verdict"] + (f": {test['reason']}" if test["reason"] else "")
 
 
 def folder_of(out: Path, name: str) -> Path:
-    """Where a submission's results are written, which is in `submissions/` and nowhere else."""
+    """Returns the folder of a submission's results, always inside `submissions/`."""
     folder = out / "submissions" / name
     if name in ("", ".", "..") or folder.name != name or folder.parent != out / "submissions":
         raise CourseError(f"the submission {name!a} cannot have a folder of its name")
@@ -100,7 +100,7 @@ def folder_of(out: Path, name: str) -> Path:
 
 
 def write_json(file: Path, content: dict) -> None:
-    """Whole or not at all."""
+    """Writes the file completely or not at all."""
     unfinished = file.with_name(file.name + ".part")
     unfinished.write_text(json.dumps(content, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
     unfinished.replace(file)

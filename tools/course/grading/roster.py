@@ -1,4 +1,4 @@
-"""The class as a platform lists it: Canvas' gradebook, Moodle's grading worksheet, or a table of one's own.
+"""The class as a platform lists it: Canvas' gradebook, Moodle's grading worksheet, or your own table.
 
 A CSV with a line of titles, of which some are known: names, numbers, logins and addresses. A submission belongs to the
 row whose number the platform wrote into its name, or else to the only row whose name, login or address is the same.
@@ -28,7 +28,8 @@ class Roster:
     rows: tuple[dict[str, str], ...]
 
     def matched(self, results: list[dict]) -> tuple[dict[str, dict], list[dict], list[str]]:
-        """Each submission's row, by the submission's name; the rows without one; the submissions without a row."""
+        """Returns each submission's row, by the submission's name; the rows without one; the submissions without a
+        row."""
         found, strangers = {}, []
         for result in results:
             by_number, by_name = self._rows_of(result)
@@ -41,7 +42,8 @@ class Roster:
         return found, missing, strangers
 
     def contradiction(self, result: dict) -> str:
-        """The number of one row with the name of another, by which two students would change places; else empty."""
+        """Describes a submission with the number of one row and the name of another, which would exchange two students;
+        else empty."""
         by_number, by_name = self._rows_of(result)
         if by_number is None or not by_name or any(row is by_number for row in by_name):
             return ""
@@ -49,7 +51,7 @@ class Roster:
                 f"is that of {self.name_of(by_name[0])}, so that it is given to neither")
 
     def _rows_of(self, result: dict) -> tuple[dict[str, str] | None, list[dict[str, str]]]:
-        """That with the number that the platform has written, and all with the name."""
+        """Returns the row with the platform's number, and all rows with the name."""
         by_number = self._by_number.get(result["identifier"]) if result["identifier"] else None
         return by_number, [row for word in _spellings(result["student"]) for row in self._by_name.get(word, [])]
 
@@ -67,7 +69,7 @@ class Roster:
         return found
 
     def _names_in(self, row: dict[str, str]) -> list[str]:
-        """All that the row calls the student: also first and last name, where they stand apart."""
+        """Returns all names of the student in a row, also first and last name in separate columns."""
         by_title = {_plain(title): row[title] for title in row}
         whole = [by_title[title] for title in _NAMES if title in by_title]
         first, last = (next((by_title[title] for title in titles if title in by_title), "")
@@ -80,7 +82,7 @@ class Roster:
 
 
 def read_roster(file: Path) -> Roster:
-    """A CSV with commas, semicolons or tabs, in UTF-8, UTF-16 or Latin-1, as spreadsheets write it."""
+    """Reads a CSV with commas, semicolons or tabs, in UTF-8, UTF-16 or Latin-1, as spreadsheets write it."""
     try:
         content = decoded(file.read_bytes())
         separator = max(",;\t", key=content.partition("\n")[0].count)
@@ -117,7 +119,7 @@ def _digits(text: str) -> str:
 
 
 def _spellings(name: str) -> set[str]:
-    """`Lee, Ann`, `Ann Lee` and `leeann` are one; so are letters with and without their accents."""
+    """Returns equal spellings: `Lee, Ann`, `Ann Lee` and `leeann`, and letters with and without accents."""
     def plain(text: str) -> str:
         letters = unicodedata.normalize("NFKD", text).casefold()
         return "".join(letter for letter in letters if letter.isalnum())

@@ -1,4 +1,4 @@
-"""similarity.html: the pairs of works that stand out, side by side, with what they share marked."""
+"""similarity.html: pairs of unusually similar works, side by side, with their common parts marked."""
 
 import html
 from pathlib import Path
@@ -23,7 +23,7 @@ mark { background: #ffd98a } h2 { margin-top: 2em }
 
 
 def write_similarity(folder: Path, exercises: list[Exercise]) -> Similarity:
-    """Of the works that a grading has kept in its folder."""
+    """Writes the page, from the works that a grading has kept in its folder."""
     works = {exercise.label: _works(folder, exercise) for exercise in exercises}
     given = {exercise.label: [_stub(exercise), exercise.reference.read_text(encoding="utf-8")]
              for exercise in exercises}
@@ -38,7 +38,7 @@ def _works(folder: Path, exercise: Exercise) -> dict[str, str]:
 
 
 def _stub(exercise: Exercise) -> str:
-    """Where there is no history, as in a kit, nobody has written over it."""
+    """Returns the stub. Without git's history, as in a kit, the file in the tree is still the stub."""
     source = exercise.source() or ""
     return source if is_stub(source) else stub_of(exercise).decode("utf-8", errors="replace")
 

@@ -1,11 +1,11 @@
-"""Which of a class's works have more in common than chance gives, and who has handed in the reference.
+"""Finds works in a class that have more in common than chance explains, and copies of the reference.
 
-Of each work the fingerprints count that are in no stub and not in the reference; one that few have counts more, the
-logarithm of the class over those who have it. The sum over all exercises is the likeness of a pair. A pair is shown
-when its likeness stands out: above the median of all pairs by six times their spread (from the median up to 84 % of the
-pairs), and worth at least five fingerprints that nobody else has. A small class has no usual: a
-pair is shown, too, when it shares more than 60 per cent of those that few have. (Two that wrote alone were found to
-share 12 to 44.) It is a reason to read, and proves nothing.
+For each work the fingerprints count that are in no stub and not in the reference. Rare ones count more: the logarithm
+of the class size over the number of works that have them. The sum over all exercises is the likeness of a pair. A pair
+is shown when its likeness stands out: above the median of all pairs by six times their spread (from the median up to
+84 % of the pairs), and worth at least five fingerprints that nobody else has. A small class has no usual likeness, so a
+pair is also shown when it shares more than 60 per cent of its rare fingerprints. (Works written independently shared
+12 to 44.) The result is a reason to read, and proves nothing.
 """
 
 import itertools
@@ -34,7 +34,7 @@ class Work:
         self.prints = fingerprints(self.tokens)
 
     def spans(self, shared: set[int]) -> list[tuple[int, int]]:
-        """The pieces of the source that these fingerprints are of, those that touch joined."""
+        """Returns the pieces of the source with these fingerprints; adjacent ones are joined."""
         joined: list[tuple[int, int]] = []
         for at in sorted(self.prints[one] for one in shared):
             start, end = self.tokens[at].start, self.tokens[min(at + K, len(self.tokens)) - 1].end
@@ -62,7 +62,8 @@ class Similarity:
 
 
 def similar(works: dict[str, dict[str, str]], given: dict[str, list[str]]) -> Similarity:
-    """`works` are sources by exercise and submission; `given` are each exercise's stub and reference, in this order."""
+    """Finds similar pairs. `works` are sources by exercise and submission; `given` are each exercise's stub and
+    reference, in this order."""
     read = {exercise: {name: Work(source) for name, source in of.items()} for exercise, of in works.items()}
     likeness: Counter = Counter()
     parts: Counter = Counter()  # by pair and exercise
@@ -99,7 +100,7 @@ def _mostly_one(shared: dict[str, set[int]], own: int) -> bool:
 
 
 def _threshold(likeness: Counter, people: int) -> float:
-    """Most pairs may have nothing in common, and are in no list."""
+    """Returns the threshold. Most pairs may have nothing in common, and are in no list."""
     count = max(people * (people - 1) // 2, 1)
     values = sorted(likeness.values())
 
@@ -111,7 +112,7 @@ def _threshold(likeness: Counter, people: int) -> float:
 
 
 def _references(exercise: str, of: dict[str, Work], stub: Work, reference: Work) -> list[tuple[str, str, int]]:
-    """Where so much of a work is the reference's that few can have come to it by themselves."""
+    """Returns works that share more with the reference than independent work is likely to."""
     found = []
     for name, work in of.items():
         own = work.prints.keys() - stub.prints.keys()

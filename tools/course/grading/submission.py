@@ -1,4 +1,4 @@
-"""What was handed in: the files with an exercise's name, out of a folder or an archive, and nothing else."""
+"""The submitted files with an exercise's name, from a folder or an archive, and no others."""
 
 import re
 from dataclasses import dataclass, field
@@ -23,7 +23,7 @@ _ENDING = re.compile(r"\.(?:cpp|cc|cxx|cpp\.txt|txt)(?: ?\(\d+\))?$")
 
 @dataclass(frozen=True)
 class Source:
-    """An exercise's file: what it holds, or why it can't be taken."""
+    """An exercise's file: its content, or the reason why it cannot be used."""
 
     path: str
     content: bytes = b""
@@ -68,10 +68,11 @@ class _Candidate:
 
 
 def read_submission(handed: Handed, exercises: list[Exercise]) -> Submission:
-    """Never raises for what is in it: a damaged archive is a submission without files, and its notes say why."""
+    """Reads a submission, and never raises for its content: a damaged archive is a submission without files, and its
+    notes give the reason."""
     submission = Submission(handed.name, handed.student, {}, list(handed.notes))
     if handed.student.late:
-        submission.notes.append("handed in late: the platform's name of it says so")
+        submission.notes.append("handed in late, by the platform's name of it")
     seen: list[str] = []
     found: dict[str, list[_Candidate]] = {}
     for place in handed.places:
@@ -95,7 +96,7 @@ def read_submission(handed: Handed, exercises: list[Exercise]) -> Submission:
 
 
 def _say_what_is_there(submission: Submission, seen: list[str]) -> None:
-    """Where no file of the exercises was found that are graded."""
+    """Describes the content of a submission without a file of the graded exercises."""
     known = [(name, ranked[0]) for name in seen if (ranked := rank_of(PurePosixPath(name), all_exercises()))]
     if known:
         more = len(known) - _NAMES_IN_A_NOTE
@@ -108,9 +109,9 @@ def _say_what_is_there(submission: Submission, seen: list[str]) -> None:
 
 
 def rank_of(path: PurePosixPath, exercises: list[Exercise]) -> tuple[Exercise, int] | None:
-    """Which exercise's file it is, and how much is guessed.
+    """Returns which exercise's file it is, and how uncertain that is.
 
-    0 where it belongs, or alone; 1 by its folder; 2 by its name; 3 by other capitals, marks or ending; 4 a copy.
+    0 in its place, or alone; 1 by its folder; 2 by its name; 3 by other capitals, marks or ending; 4 a copy.
     """
     parts = [part.lower() for part in path.parts]
     known = student_of(path.name)
@@ -145,7 +146,7 @@ def _look(submission: Submission, entry: Entry, attempt: str, exercises: list[Ex
 
 
 def _choose(submission: Submission, function: str, candidates: list[_Candidate]) -> None:
-    """The least guessed; of those the last attempt, and the first that is no stub."""
+    """Chooses the most certain file; of equal ones the last attempt, and the first that is not a stub."""
     candidates.sort(key=lambda one: (len(one.entry.path.parts), str(one.entry.path)))
     candidates.sort(key=lambda one: one.attempt, reverse=True)
     candidates.sort(key=lambda one: one.rank)
@@ -165,7 +166,7 @@ def _choose(submission: Submission, function: str, candidates: list[_Candidate])
 
 
 def _is_worth_a_line(name: str) -> bool:
-    """The course's own files come along with every fork; the instructor's are used."""
+    """Tells whether a file is worth a note. The course's own files are in every fork; the instructor's are used."""
     path = PurePosixPath(name)
     if ".." in path.parts or path.is_absolute():
         return True
@@ -175,7 +176,7 @@ def _is_worth_a_line(name: str) -> bool:
 
 
 def _cut(notes: list[str]) -> list[str]:
-    """What is written into every report: names and messages in a submission may have megabytes."""
+    """Shortens text for reports: names and messages in a submission may have megabytes."""
     more = len(notes) - _NOTES
     return [note[:_NOTE] for note in notes[:_NOTES]] + ([f"{more} further notes"] if more > 0 else [])
 
@@ -206,7 +207,7 @@ def _read(entry: Entry) -> Source:
 
 
 def _as_utf_8(content: bytes) -> bytes:
-    """As a compiler reads it; what is no text stays as it is."""
+    """Converts a text to UTF-8, as compilers read it; other content does not change."""
     if encoding_of(content) not in ("UTF-16", "UTF-32"):
         return content
     try:

@@ -1,4 +1,4 @@
-"""Text that a submission has chosen, made fit to be shown: on a terminal, and in Markdown."""
+"""Text from a submission, made safe to show on a terminal and in Markdown."""
 
 import re
 
@@ -8,7 +8,7 @@ _MARKUP = re.compile(r"([\\`*_{}\[\]<>#|])")
 
 
 def clean(text: str) -> str:
-    """Without what moves a cursor, colours, or turns the direction of writing."""
+    """Removes characters that move a cursor, set colours, or reverse the direction of writing."""
     return _CONTROL.sub("", text.encode("utf-8", errors="replace").decode("utf-8"))
 
 
@@ -17,12 +17,12 @@ def one_line(text: str) -> str:
 
 
 def markdown(text: str) -> str:
-    """As itself, on one line."""
+    """Escapes text so that Markdown shows it unchanged, on one line."""
     return _MARKUP.sub(r"\\\1", one_line(text))
 
 
 def fenced(text: str) -> str:
-    """As a block of code, whatever fences are in it."""
+    """Returns a block of code, with a fence longer than those in the text."""
     text = clean(text)
     longest = max((len(run) for run in re.findall(r"`+", text)), default=0)
     fence = "`" * max(3, longest + 1)

@@ -1,4 +1,4 @@
-"""What each test is worth, what it is called, and who sees it: tests/weights.csv, or a table of the instructor's.
+"""Points, title and visibility of each test: tests/weights.csv, or a table of the instructor's.
 
     test,points,visibility,hint,title
     Kick.AddsForceOverMass,1,visible,1.1/1,Adds the force over the mass
@@ -43,9 +43,9 @@ class Weights:
         return self._rows
 
     def check(self, expected: dict[str, Exercise], hidden: set[str], idle: set[str]) -> None:
-        """Each expected test has a row, and its hint exists; no row is of a test that there is not.
+        """Checks that each expected test has a row, that its hint exists, and that each row is of an existing test.
 
-        A hidden one without a row gets a first draft, without points for one of the `idle`.
+        A hidden test without a row gets a first draft, without points for one of the `idle`.
         """
         for test in hidden - set(self._rows):
             self._rows[test] = first_draft(test, expected[test], "hidden", 0.0 if test in idle else 1.0)
@@ -73,7 +73,8 @@ def read_weights(table: Path, hidden: Path | None) -> Weights:
 
 
 def first_draft(test: str, exercise: Exercise, visibility: str = "visible", points: float = 1.0) -> Weight:
-    """A row for a test that has none: the words of its name, and a point, unless what does nothing passes it."""
+    """Returns a row for a test that has none: the words of its name, and a point, or none if an idle function passes
+    it."""
     words = _HUMP.sub(" ", test.partition(".")[2]).split()
     title = " ".join(word if len(word) > 1 and word.isupper() else word.lower() for word in words)
     return Weight(test, points, visibility, f"{exercise.id}/1", title[:1].upper() + title[1:])
@@ -87,7 +88,7 @@ def as_table(weights: list[Weight], out) -> None:
 
 
 def read_rows(table: Path) -> dict[str, Weight]:
-    """By test, as they stand in the table."""
+    """Returns the rows by test, in the table's order."""
     try:
         with open(table, encoding="utf-8-sig", newline="") as file:
             reader = csv.DictReader(file)

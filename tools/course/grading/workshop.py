@@ -1,8 +1,8 @@
-"""What the instructor's tree gives to every submission: headers, the precompiled header, reference and tests.
+"""The instructor's files for every submission: headers, the precompiled header, reference and tests.
 
 All of it is built once and copied to two folders. A submission is compiled with the first, which holds no answers. The
-second has the reference, which the linker sees, and a program with each chapter's tests, which are never linked with
-what a student wrote.
+second has the reference, for the linker, and a program with each chapter's tests, which are never linked with a
+student's code.
 """
 
 import hashlib
@@ -32,13 +32,13 @@ _LOOKING = Limits(cpu=5, wall=20, memory=1 << 30, files=0, processes=16, output=
 
 @dataclass(frozen=True)
 class Linking:
-    """How a chapter's program is linked: `before` the student's object, or the hidden tests, and `after` it."""
+    """Linker options of a chapter's program: `before` the student's object, or the hidden tests, and `after` it."""
 
     before: tuple[str, ...]
     after: tuple[str, ...]
 
     def of_answer(self, exercise: Exercise, reference: Reference, object_file: str) -> list[str]:
-        """With the reference that this exercise may have."""
+        """Returns the options with the part of the reference that this exercise may call."""
         def chosen(word: str) -> str:
             file = Path(word)
             if file.name == _REFERENCE:
@@ -55,17 +55,17 @@ def build_tests(chapters: list[Chapter]) -> None:
 
 
 def listed_tests(chapter: Chapter) -> list[str]:
-    """The course's own tests of a chapter, which must be built."""
+    """Returns the course's own tests of a chapter, which must be built."""
     return _listed(test_program(chapter))
 
 
 def test_program(chapter: Chapter) -> Path:
-    """Of the course's own tests."""
+    """Returns the program of the course's own tests."""
     return CHECK.program(f"grade_{chapter.folder}")
 
 
 def idle_tests(program: Path, tests: list[str]) -> list[str]:
-    """Of a chapter's tests those that pass although the function of their exercise does nothing."""
+    """Returns the tests of a chapter that pass although their exercise's function does nothing."""
     passing = []
     for exercise in all_exercises():
         own = [test for test in tests if test.partition(".")[0] == exercise.suite]
@@ -106,7 +106,8 @@ class Workshop:
         return [*self._flags, *self._counting[exercise.function], "-c", source, "-o", to]
 
     def link_command(self, exercise: Exercise, object_file: str, to: str) -> list[str]:
-        """The linker says which object each of the exercise's functions is defined in: see objects.py."""
+        """Returns the linker's command, which reports the object that defines each of the exercise's functions: see
+        objects.py."""
         told = [f"-Wl,--trace-symbol={symbol}" for symbol in sorted(self.functions[exercise.function])]
         return [*self._links[exercise.folder].of_answer(exercise, self.reference, object_file), *told, "-o", to]
 
@@ -114,15 +115,15 @@ class Workshop:
         return self._programs[exercise.folder]
 
     def expected_tests(self, exercise: Exercise) -> list[str]:
-        """The tests of an exercise, hidden ones last."""
+        """Returns the tests of an exercise, hidden ones last."""
         return [test for test in self.tests[exercise.folder] if test.split(".")[0] == exercise.suite]
 
     def idle_tests(self) -> set[str]:
-        """Those that a function passes which does nothing."""
+        """Returns the tests that an idle function passes."""
         return {test for folder, tests in self.tests.items() for test in idle_tests(self._programs[folder], tests)}
 
     def check_unreadable(self, isolation: Isolation) -> None:
-        """Without namespaces, the users whom submissions run as must not be able to read the answers."""
+        """Checks that, without namespaces, the users of submissions cannot read the answers."""
         if isolation.name != "uid":
             return
         user = take_user(isolation)
@@ -152,7 +153,7 @@ class Workshop:
         return [*flags, *unique, f"-I{self.headers / 'chapters'}"]
 
     def _stage_precompiled(self, header: Path) -> Path:
-        """GCC's; clang's would have to stay where it was made, so that clang reads the header itself."""
+        """Copies GCC's precompiled header. Clang's must stay in place, so clang reads the header itself."""
         for name in (header, header.with_name(header.name + ".gch")):
             if name.exists():
                 shutil.copyfile(name, self.headers / name.name)
@@ -173,7 +174,7 @@ class Workshop:
         return Linking(tuple(before), tuple(after))
 
     def _stage_tests(self, chapter: Chapter, hidden: Path | None) -> Path:
-        """The chapter's tests as a program, linked anew where there are hidden ones."""
+        """Copies the chapter's tests as a program, linked again if there are hidden ones."""
         program = self.answers / f"grade_{chapter.folder}"
         sources = _hidden_sources(chapter, hidden)
         if not sources:
@@ -187,7 +188,7 @@ class Workshop:
         return program
 
     def _stage_answer(self, file: Path) -> str:
-        """Each file under a name of its own; archives that chapters share are copied once."""
+        """Copies each file under a name of its own; archives that chapters share are copied once."""
         copy = self.answers / hashlib.sha256(str(file).encode()).hexdigest()[:12] / file.name
         if not copy.exists():
             copy.parent.mkdir()
@@ -195,7 +196,7 @@ class Workshop:
         return str(copy)
 
     def _compile_hidden(self, chapter: Chapter, source: Path) -> str:
-        """With what the chapter's own tests are compiled with."""
+        """Compiles hidden tests with the options of the chapter's own tests."""
         compiled = self.answers / f"hidden_{chapter.folder}_{source.stem}.o"
         command = [*_without_files(_compile_command(lambda entry: f"/tests_{chapter.folder}.dir/" in entry["command"])),
                    "-c", str(source), "-o", str(compiled)]
@@ -214,7 +215,8 @@ class Workshop:
         return tests
 
     def _fingerprint_of_build(self) -> str:
-        """Of all that a verdict depends on here besides the student's file."""
+        """Returns a fingerprint of everything on this machine, besides the student's file, that a verdict depends
+        on."""
         total = hashlib.sha256(" ".join(self._flags).replace(str(self.root), "").encode())
         total.update(repr(self._counting).encode())
         for file in sorted(self.root.rglob("*")):
@@ -234,7 +236,7 @@ def _add_files(total, name: str, files: Iterable[Path]) -> None:
 
 
 def _fingerprint_of_sources(chapters: list[Chapter], hidden: Path | None) -> str:
-    """Of what is graded against: the same on every machine that has the same course and the same hidden tests."""
+    """Returns a fingerprint of the course and its hidden tests, the same on every machine."""
     total = hashlib.sha256()
     for chapter in chapters:
         for root, pattern in ((CHAPTERS, "*.hpp"), (SOLUTIONS, "*.[ch]pp"), (ROOT / "tests", "*.[ch]pp")):
@@ -261,7 +263,7 @@ def _listed(program: Path) -> list[str]:
 
 
 def _archive_content(archive: Path) -> bytes:
-    """Without the times of its members."""
+    """Returns an archive's content without the times of its members."""
     return hashlib.sha256(subprocess.run(["ar", "p", str(archive)], capture_output=True).stdout).digest()
 
 
@@ -270,13 +272,13 @@ def _hidden_sources(chapter: Chapter, hidden: Path | None) -> list[Path]:
 
 
 def check_hidden(hidden: Path | None, chapters: list[Chapter]) -> None:
-    """A folder of hidden tests in which nothing is found is a mistake of its path, not a wish for none."""
+    """Refuses a folder of hidden tests without tests: its path is probably wrong."""
     if hidden and not any(hidden.glob("[0-9][0-9]_*/*.cpp")):
         raise BadInput(f"grade: no hidden tests in {hidden}: they lie in NN_topic/*.cpp there, as in tests/")
 
 
 def _compile_command(wanted: Callable[[dict], bool]) -> list[str]:
-    """Of the first file that is wanted."""
+    """Returns the command that compiles the first of the requested files."""
     entries = json.loads((CHECK.path / "compile_commands.json").read_text(encoding="utf-8"))
     found = next(filter(wanted, entries), None)
     if not found:
@@ -286,7 +288,7 @@ def _compile_command(wanted: Callable[[dict], bool]) -> list[str]:
 
 
 def _counting(exercise: Exercise) -> list[str]:
-    """The options that count its operations; none, where no test asks for its cost."""
+    """Returns the options that count operations; none if no test measures cost."""
     file = f"chapters/{exercise.folder}/{exercise.function}.cpp"
     words = _compile_command(lambda entry: Path(entry["file"]).match(file))
     return [word for word in words if word.startswith(("-fsanitize-coverage=", "-fno-builtin-"))]
@@ -304,7 +306,7 @@ def _without_files(command: list[str]) -> list[str]:
 
 
 def _link_command(target: str) -> list[str]:
-    """The last of the commands that make the target: ": && c++ ... && :"."""
+    """Returns the last of the commands that make the target: ": && c++ ... && :"."""
     listing = subprocess.run(["ninja", "-C", str(CHECK.path), "-t", "commands", target], capture_output=True, text=True)
     command = listing.stdout.strip().splitlines()[-1].replace("-Xlinker ", "-Wl,")  # clang's word for it
     words = [word for word in shlex.split(command) if word not in (":", "&&")]
@@ -313,7 +315,7 @@ def _link_command(target: str) -> list[str]:
 
 
 def _compiler(name: str) -> list[str]:
-    """As it is called where only /usr can be seen, and no alternatives in /etc. clang++ is clang by another name."""
+    """Returns the compiler's path under /usr, without the alternatives in /etc. clang++ is clang by another name."""
     path = os.path.realpath(name)
     is_clang = "clang" in Path(path).name
     return [path, "--driver-mode=g++"] if is_clang else [path]

@@ -12,7 +12,7 @@ _DEEPEST = 300  # elements: far from where Python's own calls end
 
 
 def read(path: Path, report: Report) -> Element:
-    """The model, with what it includes in its place."""
+    """Reads a model, with included files in place."""
     root = _parse(path, "")
     if root.tag != "mujoco":
         raise BadInput(f"{path}: MJCF begins with <mujoco>, but this with <{root.tag}>")
@@ -21,7 +21,7 @@ def read(path: Path, report: Report) -> Element:
 
 
 def _parse(path: Path, file: str) -> Element:
-    """`file` stands before the line in the place of each element."""
+    """Parses a file; its name is part of each element's place."""
     try:
         return parsed(path.read_bytes(), file)
     except OSError as error:
@@ -69,7 +69,7 @@ class Defaults:
             self._add(child, child.get("class"), here)
 
     def applied(self, element: Element, childclass: str | None) -> Element:
-        """The element with what its class, or else the body's, gives to it."""
+        """Returns the element with the attributes of its class, or else of its body's class."""
         name = element.get("class") or childclass or _TOP
         if name not in self._classes:
             raise BadInput(f"class \"{name}\" has no default")

@@ -77,7 +77,7 @@ def _is_neutral(tag: str, name: str, value: str) -> bool:
 
 
 def _kind(tag: str) -> str:
-    """option density, but density of bodies."""
+    """Returns the kind of an element: `option density`, but `density` of bodies."""
     kinds = {"body": "bodies", "mujoco": "the model", "option": "the option", "compiler": "the compiler",
              "flag": "the option's flags", "inertial": "inertials"}
     return kinds.get(tag, f"{tag}s")

@@ -1,4 +1,4 @@
-"""MJCF's replicate: what is within it, so many times, each copy placed from the one before."""
+"""MJCF's replicate: copies of its content, each placed relative to the one before."""
 
 import copy
 from xml.etree.ElementTree import Element
@@ -13,7 +13,7 @@ _NAMES = ("name", "joint", "body1", "body2")
 
 
 def expand(element: Element, in_degrees: bool, euler_order: str) -> None:
-    """Puts a frame for each copy in the place of every replicate; names within get the copy's number at their end."""
+    """Replaces every replicate by a frame for each copy. Names inside get the copy's number at their end."""
     for child in list(element):
         expand(child, in_degrees, euler_order)
         if child.tag == "replicate":

@@ -1,4 +1,4 @@
-"""Collects what a scene does not have of its model, and what stands for what, with line and body."""
+"""Collects the parts of a model that the scene omits or replaces, with line and body."""
 
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element

@@ -1,4 +1,4 @@
-"""A model of MJCF as one of our scene files: see solutions/spook/SCENES.md."""
+"""Converts an MJCF model to a scene file: see solutions/spook/SCENES.md."""
 
 from xml.etree.ElementTree import Element
 
@@ -19,7 +19,7 @@ _NOT_OURS = ("actuator", "tendon", "keyframe", "deformable", "extension", "conta
 
 
 class SceneWriter:
-    """`scene` is the file; the report gets what did not come into it, and what stands for what."""
+    """`scene` is the file; the report gets the omitted and replaced parts."""
 
     def __init__(self, root: Element, name: str, report: Report):
         self._report = report
@@ -64,7 +64,7 @@ class SceneWriter:
         return self._flags.get(flag, "enable") != "disable"
 
     def _gravity(self) -> list[float]:
-        """MJCF may take a part of each body's weight away; a scene of ours has one gravity."""
+        """Sets gravity. MJCF may reduce the weight of single bodies; our scenes have one gravity."""
         if not self._has("gravity"):
             return [0.0, 0.0, 0.0]
         parts = {part.gravcomp for part in self._model.parts} if self._has("passive") else {0.0}
@@ -76,7 +76,8 @@ class SceneWriter:
         return [float(kept * each) for each in numbers(self._option, "gravity", 3, "0 0 -9.81")]
 
     def _friction(self) -> float:
-        """MJCF's is the larger of two geoms', and none where both have condim 1; a scene of ours has one."""
+        """Sets friction. MJCF's is the larger of two geoms', and none where both have condim 1; our scenes have one
+        value."""
         below = [(masks_of(plane), friction_of(plane), condim_of(plane)) for plane in self._planes]
         below += [(solid.masks, solid.friction, solid.condim) for solid in self._solids]
         pairs = {max(friction, geom.friction) if max(condim, geom.condim) > 1 else 0.0
@@ -155,13 +156,13 @@ class SceneWriter:
                              "p_i": _list(in_axes(q_i, point - x_i)), "p_j": _list(in_axes(q_j, point - x_j))} | held)
 
     def _is_solid(self, part: Part) -> bool:
-        """A free body of one sphere, capsule or box."""
+        """Tells whether a part is a free body of one sphere, capsule or box."""
         alone = part.free and len(part.geoms) == 1 and not part.inertial
         return alone and part.geoms[0].kind in ("sphere", "capsule", "box") and not any(
             each.parent is part for each in self._model.parts)
 
     def _shape(self, part: Part, x: np.ndarray, q: np.ndarray) -> dict:
-        """A sphere, a capsule or a box where a free body is one; else points that planes stop."""
+        """Writes a sphere, a capsule or a box for such a free body; else points for contacts with planes."""
         if not self._touches:
             return {}
         masks = [masks_of(plane) for plane in self._planes]
@@ -221,7 +222,7 @@ def _held_by(joint: ModelJoint, to_axes: np.ndarray) -> dict:
 
 
 def _shape_of(geom: Geom) -> dict:
-    """Of a sphere, a capsule or a box, along its own axes."""
+    """Writes the shape of a sphere, a capsule or a box, along its own axes."""
     if geom.kind == "box":
         return {"half_sides": _list(geom.size)}
     return {"radius": float(geom.size[0])} | ({"half_length": float(geom.size[1])} if geom.kind == "capsule" else {})

@@ -1,4 +1,4 @@
-"""MJCF's geoms: how heavy each is, and at which points a plane stops it."""
+"""MJCF's geoms: their masses, and their contact points with planes."""
 
 import itertools
 import math
@@ -34,7 +34,7 @@ class Geom:
         return bool(self.masks[0] & masks[1] or masks[0] & self.masks[1])
 
     def points(self) -> np.ndarray:
-        """What a plane stops, a row each."""
+        """Returns the contact points with planes, a row each."""
         return self.x + _surface(self.kind, self.size) @ self.R.T
 
 
@@ -51,7 +51,7 @@ def friction_of(element: Element) -> float:
 
 
 def geom_of(element: Element, in_degrees: bool, euler_order: str) -> Geom | None:
-    """None for what has no volume here: planes, and meshes and height fields, which the engine does not read."""
+    """Returns a geom; None for planes, and for meshes and height fields, which the engine does not read."""
     kind = element.get("type", "sphere")
     if kind not in _VOLUME:
         return None
@@ -95,7 +95,7 @@ def _cylinder(s):
 
 
 def _capsule(s):
-    """A cylinder and the halves of a sphere, whose centres of mass are 3/8 r beyond its ends."""
+    """Returns mass and moments of a cylinder and two half spheres, whose centres of mass are 3/8 r beyond its ends."""
     r, half = s
     cylinder, ball = 2 * math.pi * r * r * half, 4 / 3 * math.pi * r**3
     (_, of_cylinder), (_, of_ball) = _cylinder(s), _sphere(s[:1])

@@ -1,4 +1,4 @@
-"""The bodies of an MJCF model: which geoms move as one, how heavy they are, and what joins them.
+"""The bodies of an MJCF model: geoms that move as one, their masses, and their joints.
 
 A body without joints is part of its parent. A body with several joints hangs on its parent by as many: in the engine
 there is a light link between two of them.
@@ -19,7 +19,7 @@ from importing.turning import IDENTITY, from_matrix, inverse, matrix, numbers, p
 
 @dataclass
 class ModelJoint:
-    """One joint of MJCF, at the start."""
+    """A joint of MJCF, in its initial position."""
 
     kind: str  # hinge, slide or ball
     name: str
@@ -31,7 +31,7 @@ class ModelJoint:
 
 @dataclass
 class Part:
-    """What moves as one."""
+    """Geoms that move as one body."""
 
     name: str
     parent: "Part | None"  # None: it is free, or hangs on the world
@@ -44,7 +44,7 @@ class Part:
     element: Element | None = None
 
     def mass_and_inertia(self) -> tuple[float, np.ndarray, np.ndarray]:
-        """Mass, centre [m] and inertia about it, in the world's axes [kg m²]."""
+        """Returns mass, centre [m] and inertia about it, in the world's axes [kg m²]."""
         masses = list(self.inertial)
         masses += [(geom.mass, geom.x, geom.R @ np.diag(geom.moments) @ geom.R.T) for geom in self.geoms]
         mass = sum(m for m, _, _ in masses)
@@ -83,7 +83,8 @@ class Model:
             self._read(world, self.world, np.zeros(3), IDENTITY, None)
 
     def _read(self, body: Element, part: Part, x: np.ndarray, q: np.ndarray, childclass: str | None) -> None:
-        """What is in a body at x, turned by q: geoms go to the part, bodies are parts of their own or of this one."""
+        """Reads the content of a body at x, turned by q. Geoms join the part; bodies are parts of their own or join
+        this one."""
         R = matrix(q)
         self._take_masses(body, part, x, q, childclass)
         for child in body:
@@ -182,14 +183,14 @@ class Model:
         return placed
 
     def body(self, name: str, who: str) -> tuple[Part, np.ndarray, np.ndarray]:
-        """Its part, its place and its turn."""
+        """Returns a body's part, position and orientation."""
         if name not in self.bodies:
             raise BadInput(f"{who} names a body that there is not: \"{name}\"")
         return self.bodies[name]
 
 
 def principal(inertia: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Moments, and the turn from their axes to the world's."""
+    """Returns the principal moments, and the rotation from their axes to the world's."""
     moments, axes = np.linalg.eigh(inertia)
     if np.linalg.det(axes) < 0:
         axes[:, 0] *= -1
@@ -197,5 +198,5 @@ def principal(inertia: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def in_axes(q: np.ndarray, v: np.ndarray) -> np.ndarray:
-    """A vector of the world in the axes of a body that is turned by q."""
+    """Returns a world vector in the axes of a body that is turned by q."""
     return matrix(inverse(q)) @ v

@@ -1,4 +1,4 @@
-"""Rotations as MJCF writes them, and as the engine wants them: quaternions (w, x, y, z)."""
+"""Converts MJCF's rotations to the engine's: quaternions (w, x, y, z)."""
 
 import math
 from xml.etree.ElementTree import Element
@@ -28,7 +28,7 @@ def matrix(q: np.ndarray) -> np.ndarray:
 
 
 def from_matrix(R: np.ndarray) -> np.ndarray:
-    """The eigenvector of the largest eigenvalue of Shepperd's matrix: good for every angle."""
+    """Returns the eigenvector of the largest eigenvalue of Shepperd's matrix, which is accurate for every angle."""
     K = np.array([[R[0, 0] + R[1, 1] + R[2, 2], R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]],
                   [0, R[0, 0] - R[1, 1] - R[2, 2], R[1, 0] + R[0, 1], R[0, 2] + R[2, 0]],
                   [0, 0, R[1, 1] - R[0, 0] - R[2, 2], R[2, 1] + R[1, 2]],
@@ -49,7 +49,7 @@ def unit(v: np.ndarray) -> np.ndarray:
 
 
 def z_to(direction: np.ndarray) -> np.ndarray:
-    """The shortest turn that takes the z axis there."""
+    """Returns the shortest rotation of the z axis to a direction."""
     z = unit(direction)
     axis = np.cross((0, 0, 1), z)
     if np.linalg.norm(axis) < 1e-10:
@@ -58,7 +58,7 @@ def z_to(direction: np.ndarray) -> np.ndarray:
 
 
 def turn_of(element: Element, in_degrees: bool, euler_order: str) -> np.ndarray:
-    """By quat, axisangle, euler, xyaxes or zaxis, whichever it has; none of them: not turned."""
+    """Returns the rotation from quat, axisangle, euler, xyaxes or zaxis; without these the identity."""
     per_unit = math.pi / 180 if in_degrees else 1
     if "quat" in element.attrib:
         return unit(numbers(element, "quat", 4))
@@ -80,7 +80,8 @@ def turn_of(element: Element, in_degrees: bool, euler_order: str) -> np.ndarray:
 
 
 def numbers(element: Element, name: str, count: int | None = None, default: str | None = None) -> np.ndarray:
-    """An attribute as numbers. Raises BadInput, naming it, where it is missing, or not so many, or none, or too large."""
+    """Returns an attribute as numbers. Raises BadInput with its name if it is missing, too large, or of another
+    length."""
     text = element.get(name, default)
     if text is None:
         raise BadInput(f"{_named(element)} has no {name}")

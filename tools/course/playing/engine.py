@@ -1,4 +1,4 @@
-"""The program `spook play`, as a child that ends with us."""
+"""The program `spook play`, as a child process that ends with this one."""
 
 import json
 import subprocess
@@ -10,7 +10,7 @@ _PATIENCE = 2  # seconds that it has to end by itself
 
 
 class PlayingEngine:
-    """Calls `on_line` with each line that it writes, then `on_end` with its exit code unless it was stopped."""
+    """Calls `on_line` with each output line, then `on_end` with its exit code unless it was stopped."""
 
     def __init__(self, command: list[str], on_line: Callable[[str], None], on_end: Callable[[int], None],
                  env: dict[str, str] | None = None):

@@ -1,4 +1,4 @@
-"""Lines from the engine to every page that listens, and what a page that comes later has to know."""
+"""Sends lines from the engine to every listening page, and the present state to pages that open later."""
 
 import json
 import threading
@@ -25,7 +25,7 @@ class Listener:
             self._there.notify()
 
     def get(self, seconds: float) -> str | None:
-        """The next line; None if there is none for so long."""
+        """Returns the next line; None after the time-out."""
         with self._there:
             self._there.wait_for(lambda: self._lines, seconds)
             return self._lines.popleft()[0] if self._lines else None
@@ -41,7 +41,7 @@ class Hub:
         self.on_first = lambda: None  # called when the first page has come
 
     def take(self, line: str) -> None:
-        """A line of the engine."""
+        """Accepts a line of the engine."""
         header = is_header(line)
         is_frame = not header and '"energy"' in line
         with self._lock:
@@ -52,7 +52,7 @@ class Hub:
             self._send(line, is_frame)
 
     def say(self, text: str) -> None:
-        """What a person should read; nothing takes it away again."""
+        """Sends a message to the reader, which stays visible."""
         with self._lock:
             self._said = json.dumps({"said": text})
             self._send(self._said, False)
@@ -79,13 +79,13 @@ class Hub:
                 self._left = time.monotonic()
 
     def alone_for(self) -> float:
-        """Seconds since the last page went; 0 while there is one, or none has come yet."""
+        """Returns the seconds since the last page closed; 0 while one is open, or before the first."""
         with self._lock:
             return 0 if self._listeners or self._left is None else time.monotonic() - self._left
 
 
 class Settings:
-    """What pages have set, for an engine that takes over."""
+    """The settings made by pages, for an engine that takes over."""
 
     def __init__(self):
         self._set: dict = {}
@@ -100,7 +100,7 @@ class Settings:
             self._pause = command["pause"]
 
     def commands(self) -> list[dict]:
-        """From the start, with what was set."""
+        """Returns the commands that restore the settings from the start."""
         again = [{"set": self._set}, {"restart": True}] if self._set else []
         return [*again, {"rate": self._rate}, {"pause": self._pause}]
 

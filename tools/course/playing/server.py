@@ -1,4 +1,4 @@
-"""A page for this machine only: on the loopback address, below a path that nobody can guess."""
+"""A page for this machine only: on the loopback address, below a random path."""
 
 import json
 import secrets
@@ -17,7 +17,7 @@ _HEADERS = {"Cache-Control": "no-store", "Referrer-Policy": "no-referrer", "X-Co
 
 
 class Server:
-    """Serves the page, `frames` to it and `command` from it."""
+    """Serves the page, sends `frames` to it, and receives `command` from it."""
 
     def __init__(self, port: int | None, page: Callable[[], str], hub: Hub, command: Callable[[dict], None]):
         self.token = secrets.token_urlsafe(24)
@@ -82,9 +82,9 @@ class _Handler(BaseHTTPRequestHandler):
         self._answer(204, "")
 
     def _asked(self) -> str | None:
-        """What is asked for below the token; None if that was refused already.
+        """Returns the path below the token; None after a refusal.
 
-        Another site's page that has this machine's address under a name of its own is told by that name.
+        A page of another site may reach this machine under a name of its own; the Host header shows that name.
         """
         port = self.server.server_port
         hosts = {f"{name}:{port}" for name in ("127.0.0.1", "localhost")}
@@ -118,7 +118,7 @@ class _Handler(BaseHTTPRequestHandler):
         self.wfile.write(content)
 
     def _stream(self) -> None:
-        """Server-sent events: the engine's lines, until the page goes."""
+        """Sends the engine's lines as server-sent events, until the page closes."""
         self.close_connection = True
         self.send_response(200)
         for name, value in {**_HEADERS, "Content-Type": "text/event-stream", "Connection": "close"}.items():

@@ -1,4 +1,4 @@
-"""A rigid-body engine by the SPOOK method: worlds to build, and scenes that know their own answers.
+"""A rigid-body engine by the SPOOK method: worlds to build, and scenes with known answers.
 
     world = spook.World(friction=0.5)
     world.add_plane()
@@ -9,9 +9,9 @@
     run = spook.scene("stack", bodies=10, ratio=1000).run(h="1/60", time=5, solver="direct")
     print(run.error, run.state, run.us_per_step)
 
-Numbers are in SI units, angular velocities in world coordinates, quaternions (w, x, y, z). What makes no sense is a
-ValueError that names the parameter and its value. A world that is no longer finite raises SimulationDiverged; one that
-is finite and wrong says so once, as a RuntimeWarning, and in its state and reason.
+Numbers are in SI units, angular velocities in world coordinates, quaternions (w, x, y, z). Invalid input raises a
+ValueError that names the parameter and its value. A world whose numbers are not finite raises SimulationDiverged. One
+that is finite and wrong warns once, by a RuntimeWarning, and in its state and reason.
 """
 
 from ._spook import SimulationDiverged, PointWorld, World, __version__, scenes, solvers

@@ -1,4 +1,4 @@
-"""Explains arguments that no function takes: the extension module lists whole signatures, and not what is wrong."""
+"""Explains arguments that no function accepts: the extension module's own errors list whole signatures only."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _PARAMETER = re.compile(r"(\*)|(\w+): ((?:[^,\[(]|\[[^\]]*(?:\[[^\]]*\][^\]]*)*\
 
 
 def explained(kind: type) -> type:
-    """Makes the functions of a class say in their TypeError which argument is wrong, and what is wanted."""
+    """Makes the functions of a class name the wrong argument, and the accepted kind, in their TypeError."""
     for name, member in list(vars(kind).items()):
         if callable(member) and name != "step" and (not name.startswith("_") or name == "__init__"):
             setattr(kind, name, _explained(member, kind.__name__ if name == "__init__" else name))

@@ -1,4 +1,4 @@
-"""The film of a recording: the page that ./course view makes."""
+"""The film of a recording: the page of ./course view."""
 
 import subprocess
 import sys
@@ -10,7 +10,7 @@ _MAKER = Path(__file__).parent / "_film" / "tools" / "course" / "page.py"
 
 
 def page(recording: bytes) -> str:
-    """Raises RuntimeError where the library that draws it, Debian's libjs-three, is missing."""
+    """Returns the page. Raises RuntimeError without Debian's libjs-three, the library that draws it."""
     # A process of its own: the command's modules have names that a user's may have, too.
     done = subprocess.run([sys.executable, str(_MAKER)], input=recording, capture_output=True)
     if done.returncode != 0:
@@ -19,7 +19,7 @@ def page(recording: bytes) -> str:
 
 
 def show(recording: bytes, name: str, file: str | None) -> str:
-    """Writes the page, to a new folder and into a browser unless a file is named; returns where."""
+    """Writes the page, into a new folder and a browser unless a file is named; returns its path."""
     path = Path(file) if file else Path(tempfile.mkdtemp(prefix="spook-")) / f"{name}.html"
     path.write_text(page(recording), encoding="utf-8")
     if not file:

@@ -19,7 +19,7 @@ OPTIONS = ("h", "time", "solver", "iterations", "tolerance", "substeps", "integr
 
 
 def as_typed(value: Any) -> str:
-    """As one types it after `./course run`: 1/60 may be a number, a Fraction, or a text."""
+    """Returns a value as it is typed after `./course run`: 1/60 may be a number, a Fraction, or a text."""
     if isinstance(value, (bool, np.bool_)):
         return "on" if value else "off"
     if isinstance(value, (numbers.Integral, Fraction)):
@@ -28,10 +28,10 @@ def as_typed(value: Any) -> str:
 
 
 class Scene:
-    """A scene with its parameters set. `about` has what it is, its known answer, and the parameters it has."""
+    """A scene with its parameters set. `about` has its description, its known answer, and its parameters."""
 
     def __init__(self, name: str, **parameters: Any):
-        """Raises ValueError for a scene, a parameter or a value that there is not."""
+        """Raises ValueError for an unknown scene or parameter, or an invalid value."""
         self.name = name
         self.about: dict[str, Any] = _spook.describe(name)
         self.parameters = parameters
@@ -42,28 +42,28 @@ class Scene:
             row_order: str | None = None, seed: int | None = None, warm_start: bool | None = None,
             contact_margin: float | None = None, friction_model: str | None = None, tangents: str | None = None,
             max_parts: int | None = None, threads: int | None = None, soft_steps: int | None = None) -> Run:
-        """Runs it and compares it with its answer; then runs it again without looking, for its speed.
+        """Runs the scene and compares it with its answer; then runs it again without observation, for its speed.
 
-        What is not given is the scene's own. h and time are in seconds. Raises ValueError for what makes no sense, and
-        SimulationDiverged. Other threads of Python go on in the meantime.
+        Default of each option: the scene's own. h and time are in seconds. Raises ValueError for invalid input, and
+        SimulationDiverged. Other threads of Python continue in the meantime.
         """
         given = {name: value for name, value in locals().items() if name in OPTIONS and value is not None}
         return self.run_with(given)
 
     def run_with(self, options: dict[str, Any]) -> Run:
-        """The same, with the options in a dict."""
+        """Runs the scene with the options in a dict."""
         done = _spook.run(self.name, *self._typed(options))
         return Run(scene=self, options=dict(options), **done)
 
     def check(self, options: dict[str, Any]) -> None:
-        """Raises the ValueError that a run would, without one."""
+        """Raises the ValueError that a run would raise, without a step."""
         _spook.check(self.name, *self._typed(options))
 
     def with_parameters(self, **parameters: Any) -> Scene:
         return Scene(self.name, **{**self.parameters, **parameters})
 
     def record(self, options: dict[str, Any], fps: float = 60) -> bytes:
-        """What `./course run --record` writes: lines of JSON, one a frame."""
+        """Returns the output of `./course run --record`: lines of JSON, one a frame."""
         return _spook.record(self.name, *self._typed(options), fps)
 
     def _typed(self, options: dict[str, Any]) -> tuple[dict[str, str], dict[str, str]]:
@@ -79,13 +79,13 @@ class Scene:
 
 
 def scene(name: str, **parameters: Any) -> Scene:
-    """A scene of spook.scenes(), with its parameters."""
+    """Returns a scene of spook.scenes(), with its parameters."""
     return Scene(name, **parameters)
 
 
 @dataclass(frozen=True)
 class Run:
-    """What a run found. In a notebook it shows its film."""
+    """The results of a run. A notebook shows its film."""
 
     scene: Scene
     options: dict[str, Any]
@@ -103,18 +103,18 @@ class Run:
 
     @property
     def seconds(self) -> float:
-        """What it takes to compute all of it [s]."""
+        """The time to compute all of it [s]."""
         return 1e-6 * (self.us_per_step or 0) * self.steps
 
     def __getitem__(self, column: str) -> np.ndarray:
-        """A column of the samples, by its name with or without its unit: run["time"]."""
+        """Returns a column of the samples, by its name with or without its unit: run["time"]."""
         for k, name in enumerate(self.columns):
             if column in (name, name.split(" [")[0]):
                 return self.samples[:, k]
         raise KeyError(f"{column!r} is no column; there are: {', '.join(self.columns)}")
 
     def view(self, file: str | None = None, fps: float = 60) -> str:
-        """Writes the film's page and opens it in a browser, unless a file is named; returns where the page is."""
+        """Writes the film's page and opens it in a browser, unless a file is named; returns the page's path."""
         return show(self.scene.record(self.options, fps), self.scene.name, file)
 
     def _repr_html_(self) -> str:

@@ -1,4 +1,4 @@
-"""A scene run with every combination of some options and parameters."""
+"""Runs a scene with every combination of some options and parameters."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ RESULTS = ("h", "error", "order", "state", "us_per_step", "seconds", "row_update
 
 
 class Table:
-    """Rows, each a dict. `table["error"]` is a column; pandas.DataFrame(table.rows) is one of pandas'.
+    """Rows, each a dict. `table["error"]` is a column; pandas.DataFrame(table.rows) converts it.
 
-    `skipped` has a dict for each combination that is refused, with the reason as "why".
+    `skipped` has a dict for each refused combination, with the reason as "why".
     """
 
     def __init__(self, rows: list[dict[str, Any]], names: Iterable[str] = (), skipped: list[dict[str, Any]] | None = None):
@@ -45,7 +45,8 @@ class Table:
         return np.array([row[column] for row in self.rows])
 
     def where(self, **values: Any) -> Table:
-        """The rows with these values: table.where(solver="direct", h="1/60"). Numbers may be typed or computed."""
+        """Returns the rows with these values: table.where(solver="direct", h="1/60"). Numbers may be typed or
+        computed."""
         for name in values:
             if self.rows and name not in self.columns:
                 raise KeyError(f"{name!r} is no column; there are: {', '.join(self.columns)}")
@@ -53,7 +54,7 @@ class Table:
         return Table(rows, self._names)
 
     def means(self, over: str = grid.SEED) -> Table:
-        """The mean error over seeds, or over another name: `runs`, `mean`, `half_width` for each other combination.
+        """Returns the mean error over seeds, or another name: `runs`, `mean`, `half_width` for each other combination.
 
         half_width is that of the 95 % confidence interval of the mean, if errors are normally distributed; NaN for
         fewer than two runs. Runs without an error are left out. Raises KeyError for a name that is not swept.
@@ -82,7 +83,7 @@ class Table:
 
 
 def sweep(scene: Scene, *, jobs: int | None = None, progress: bool = True, **lists: Any) -> Table:
-    """Runs the scene with every combination of what is listed, on all cores, or on so many.
+    """Runs the scene with every combination of the listed values, on all cores, or on so many.
 
     A name is a parameter of the scene, or else an option of Scene.run; its value a list, or one value. A row has
     these, and:
@@ -92,11 +93,11 @@ def sweep(scene: Scene, *, jobs: int | None = None, progress: bool = True, **lis
         order         observed, from the last row where only h (or else d, or k) differs: log(e/e')/log(h/h')
         state         sound, unsolved, lost, or blew up
         us_per_step   [µs]; while other cores run, more than alone. jobs=1 measures speed
-        seconds       what the run takes to compute [s]
+        seconds       the time to compute the run [s]
         row_updates   the same cost on every machine
 
-    Combinations that are refused are skipped: the table's `skipped` has them. Raises ValueError for a value that every
-    combination refuses, before anything is run.
+    Refused combinations are skipped: the table's `skipped` has them. Raises ValueError, before any run, for a
+    value that every combination refuses.
     """
     axes = {name: list(value) if isinstance(value, (list, tuple, range, np.ndarray)) else [value]
             for name, value in lists.items()}
@@ -123,12 +124,12 @@ def sweep(scene: Scene, *, jobs: int | None = None, progress: bool = True, **lis
 
 
 def _processors() -> int:
-    """How many this process may use; macOS can tell only how many there are."""
+    """Returns the number of processors for this process; macOS only reports the total."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 def _prepared(scene: Scene, point: dict[str, Any]) -> tuple[Scene, dict[str, Any]] | str:
-    """The scene and options of a run, or why they are refused."""
+    """Returns the scene and options of a run, or the reason why they are refused."""
     options = {name: value for name, value in point.items() if name in OPTIONS and name not in scene.about["parameters"]}
     try:
         changed = scene.with_parameters(**{name: value for name, value in point.items() if name not in options})
