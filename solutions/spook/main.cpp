@@ -47,6 +47,7 @@ static void add_run(CLI::App& app, spook::RunCommand& run) {
   command->add_option("--record", run.record, "Write a recording, for view, to this file");
   command->add_option("--fps", run.fps, "With --record: frames per second (default: 60)");
   command->add_flag("--json", run.json, "Print one JSON object");
+  command->add_flag("-v,--verbose", run.verbose, "Print parameters, answer, stages and counts, too");
   command->add_flag("--strict", run.strict, "Fail unless the run is sound: solved, and not lost");
 }
 

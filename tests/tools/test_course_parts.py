@@ -2,6 +2,7 @@
 
 import contextlib
 import io
+import re
 import subprocess
 import sys
 import tempfile
@@ -122,6 +123,32 @@ class Done(unittest.TestCase):
              contextlib.redirect_stdout(io.StringIO()) as said:
             self.assertEqual(check._check_started(None), 0)
         self.assertIn("Every exercise is right. Well done!", said.getvalue())
+
+
+class LinesWritten(unittest.TestCase):
+    def test_comments_and_blank_lines_do_not_count(self):
+        self.assertEqual(board.lines_of("// one\n\nint f() {\n  /* two\n     lines */\n  return 1;  // three\n}\n"), 3)
+
+    def test_the_board_tells_them_of_what_is_right(self):
+        chapters, exercises = board.read_chapters(), board.all_exercises()
+        verdicts = [check.Verdict(exercise, "not started") for exercise in exercises]
+        with mock.patch.object(board.Exercise, "source", lambda exercise: "int f() {\n  return 1;\n}\n"):
+            for done, told in ((0, ""), (1, "an engine of 3 lines, in 1 function."), (3, "9 lines, in 3 functions.")):
+                for each in verdicts[:done]:
+                    each.state = "done"
+                with contextlib.redirect_stdout(io.StringIO()) as said:
+                    board.show_board(chapters, verdicts)
+                self.assertEqual("You have written" in said.getvalue(), bool(told))
+                self.assertIn(told, said.getvalue())
+
+    def test_the_last_lesson_says_how_long_the_reference_is(self):
+        """To a hundred lines or so."""
+        lesson = board.read_chapters()[-1].exercises[0].lesson.read_text(encoding="utf-8")
+        told = int(re.search(r"In the reference it has (\d+) lines", lesson)[1])
+        references = [exercise.reference for exercise in board.all_exercises()]
+        if not references[0].exists():
+            self.skipTest("this repository has no sources of the answers")
+        self.assertAlmostEqual(sum(board.lines_of(file.read_text(encoding="utf-8")) for file in references), told, delta=100)
 
 
 class Next(unittest.TestCase):

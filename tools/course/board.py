@@ -5,6 +5,7 @@ import json
 from films import milestones, not_shown, own_step
 from last_verdicts import last_state, remember
 from manifest import Chapter, Exercise, all_exercises, read_chapters
+from marker import code_of
 from paths import shown
 from predict import count_right, guesses
 from predictions import predictions_of
@@ -53,11 +54,19 @@ def show_board(chapters: list[Chapter], verdicts: list[Verdict]) -> None:
             show_milestone(chapter.folder)
         print()
     print(f"\n{count_done(verdicts)} of {len(verdicts)} done.")
+    if written := [verdict.exercise for verdict in verdicts if verdict.state == "done"]:
+        lines = lines_of("\n".join(exercise.source() or "" for exercise in written))
+        print(f"You have written an engine of {lines} lines, in {len(written)} {'function' if len(written) == 1 else 'functions'}.")
     waiting = first_left([(verdict.exercise, verdict.state) for verdict in verdicts])
     if waiting:
         show_next(*waiting)
     else:
         print("Every exercise is right. Well done!")
+
+
+def lines_of(source: str) -> int:
+    """The number of lines of code, without comments and blank lines."""
+    return sum(1 for line in code_of(source).splitlines() if line.strip())
 
 
 def is_open(chapter: Chapter, own: list[Verdict], verdicts: list[Verdict]) -> bool:
