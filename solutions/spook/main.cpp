@@ -33,7 +33,7 @@ static CLI::App* add_scene_command(CLI::App& app, const std::string& name, const
   command->add_option("--max-parts", run.max_parts, "Most parts of a step: a power of two up to 1024");
   command->add_option("--threads", run.threads, "Number of worker threads");
   command->add_option("--soft-steps", run.soft_steps, "Soft steps, of 1 to 1024 substeps, as in game engines");
-  command->add_option("--engine", run.engine, "fast, or plain: the steps of chapters 01 to 08");
+  command->add_option("--engine", run.engine, "fast, or plain: the steps of chapters 01 to 09");
   return command;
 }
 
