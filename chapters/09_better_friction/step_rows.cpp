@@ -5,7 +5,7 @@
 namespace spook {
 
 StepRows step_rows(Simulation& simulation, const std::vector<Contact>& contacts, double h) {
-  // Impacts, then the rows of joints and contacts, with the places of those that have friction; see better_friction.hpp.
+  // Impacts, then the rows of joints and contacts, and where friction is: see better_friction.hpp.
   not_implemented("9.9 step_rows", simulation, contacts, h);
 }
 

@@ -32,7 +32,7 @@ const std::vector<Case> cases = {{"free_fall", {}, "1.4 leapfrog_step"},
                                  {"cloth", {}, "6.5 step_joints"},
                                  {"tower", {}, "8.12 step_pairs"}};
 
-/// The fast engine by the methods of the plain one: sweeps, the friction box, contacts with a gap of 0 at most, one part.
+/// The fast engine by the methods of the plain one: sweeps, the friction box, one part, no contact with a gap above 0.
 Method method_of(const SceneDescription& scene, Engine engine) {
   return {.h = scene.h,
           .friction_model = FrictionModel::box,

@@ -321,8 +321,8 @@ class World {
   const std::vector<Row<Dof>>& rows() const { return rows_; }
   const SolveReport& solved() const { return solved_; }
 
-  /// Returns the stop rule of a step of `h` [s]: that of the settings, with a tolerance of at least four rounding errors
-  /// of |gravity| h.
+  /// Returns the stop rule of a step of `h` [s]: that of the settings, with a tolerance of at least four rounding
+  /// errors of |gravity| h.
   StopRule stop_rule(double h) const;
 
   /// Returns the report of the last step. Computes the residual here, not in the step.
