@@ -68,7 +68,7 @@ static std::string last_step_text(const std::string& solver, const StepReport& l
 
 /// Prints what the solver of the plain engine reported.
 static std::string own_step_text(const StepReport& last) {
-  if (last.iterations == 0) return "none: nothing was swept";
+  if (last.iterations == 0) return "none: the last step took no iterations";
   return short_text(last.residual) + " m/s in the last step, after " + counted(last.iterations, "iteration");
 }
 
