@@ -118,8 +118,8 @@ inline Motion<6> motion_of(const Simulation& simulation, double h) {
 }
 
 /// Exercise 4.7. Steps bodies with any number of contacts. Builds a row for each contact, in order, solves all rows
-/// together, adds V to the velocities, then moves all bodies: Eq. (4.4), (4.7), (2.11). Throws std::invalid_argument as
-/// spook_parameters and solve do, without changing anything.
-void step_contacts(Simulation& simulation, const std::vector<Contact>& contacts, double h);
+/// together, adds V to the velocities, then moves all bodies: Eq. (4.4), (4.7), (2.11). Returns the report of solve.
+/// Throws std::invalid_argument as spook_parameters and solve do, without changing anything.
+SolveReport step_contacts(Simulation& simulation, const std::vector<Contact>& contacts, double h);
 
 }  // namespace spook

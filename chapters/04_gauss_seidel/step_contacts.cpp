@@ -3,7 +3,7 @@
 
 namespace spook {
 
-void step_contacts(Simulation& simulation, const std::vector<Contact>& contacts, double h) {
+SolveReport step_contacts(Simulation& simulation, const std::vector<Contact>& contacts, double h) {
   // Rows by Eq. (4.4), all solved by (4.7), V added, then step_free; see gauss_seidel.hpp.
   not_implemented("4.7 step_contacts", simulation, contacts, h);
 }

@@ -68,8 +68,8 @@ Vec3 friction_impulse(const Mat3& K, const Vec3& u, const Tangents& tangents, do
 
 /// Exercise 5.7. Adds friction to the step of chapter 04: unless mu is 0, the row of each contact is followed by
 /// those of its two tangents, Eq. (5.3)-(5.8). N is the number of contacts with the same i and j; g_n is |gravity ·
-/// n|. Throws std::invalid_argument as step_contacts, friction_parameters and friction_bound do, without changing
-/// anything.
-void step_friction(Simulation& simulation, const std::vector<Contact>& contacts, double h);
+/// n|. Returns the report of solve. Throws std::invalid_argument as step_contacts, friction_parameters and
+/// friction_bound do, without changing anything.
+SolveReport step_friction(Simulation& simulation, const std::vector<Contact>& contacts, double h);
 
 }  // namespace spook

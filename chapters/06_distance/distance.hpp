@@ -72,8 +72,8 @@ Net rope(const Vec3& from, const Vec3& to, int links, double mass);
 Net cloth(const Vec3& corner, const Vec3& u, const Vec3& v, int cells_u, int cells_v, double mass);
 
 /// Exercise 6.5. Adds joints to the step of chapter 05. Their rows come first, in order, each joint with its own k
-/// and d: Eq. (6.1)-(6.6). Throws std::invalid_argument as step_friction, distance_constraint and spook_parameters
-/// do, without changing anything.
-void step_joints(Simulation& simulation, const std::vector<Contact>& contacts, double h);
+/// and d: Eq. (6.1)-(6.6). Returns the report of solve. Throws std::invalid_argument as step_friction,
+/// distance_constraint and spook_parameters do, without changing anything.
+SolveReport step_joints(Simulation& simulation, const std::vector<Contact>& contacts, double h);
 
 }  // namespace spook

@@ -83,8 +83,8 @@ ImpactReport resolve_impacts(const std::vector<Contact>& contacts, const ImpactL
 
 /// Exercise 7.9. Adds impacts to the step of chapter 06. They come first, if restitution is not 0: Eq.
 /// (7.1)-(7.10). Their friction is mu. Their threshold is |gravity| h, the change of speed by gravity in a step.
-/// Throws std::invalid_argument as resolve_impacts and step_joints do; for an h that is not positive, before
-/// anything has changed.
-void step_impacts(Simulation& simulation, const std::vector<Contact>& contacts, double h);
+/// Returns what step_joints returns. Throws std::invalid_argument as resolve_impacts and step_joints do; for an h
+/// that is not positive, before anything has changed.
+SolveReport step_impacts(Simulation& simulation, const std::vector<Contact>& contacts, double h);
 
 }  // namespace spook

@@ -4,7 +4,7 @@
 
 namespace spook {
 
-void step_impacts(Simulation& simulation, const std::vector<Contact>& contacts, double h) {
+SolveReport step_impacts(Simulation& simulation, const std::vector<Contact>& contacts, double h) {
   // Eq. (7.1)-(7.10) on the velocities of t_n - h/2, then step_joints; see impacts.hpp.
   not_implemented("7.9 step_impacts", simulation, contacts, h);
 }

@@ -140,7 +140,8 @@ std::vector<Pair> spatial_hash(const std::vector<Bounds>& bounds);
 
 /// Exercise 8.12. Finds the contacts of all bodies at t_n, Eq. (8.1)-(8.12), then continues as the step of chapter
 /// 07. Contacts of planes come first, plane by plane, then those of each pair of balls and boxes, in the order of
-/// the pairs. Two static bodies have no contacts. Throws std::invalid_argument as step_impacts does.
-void step_pairs(Simulation& simulation, double h);
+/// the pairs. Two static bodies have no contacts. Returns what step_impacts returns. Throws std::invalid_argument as
+/// step_impacts does.
+SolveReport step_pairs(Simulation& simulation, double h);
 
 }  // namespace spook

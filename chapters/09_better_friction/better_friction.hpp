@@ -13,6 +13,8 @@
 //   update              λ_t <- onto a disc of μ λ_n (λ_t + r_t/s)         Eq. (9.6)   not in the notes
 //   residual            s |Eq. (9.6) - λ_t| for tangents, else Eq. (4.8)  Eq. (9.7)   not in the notes
 //
+//   step                impacts and rows: step_rows; any solver; then finish_step
+//
 //   u   velocity of j's contact point relative to i's, with the change by this step's forces [m/s]
 //   u_t tangential part of u: the slip                 S11, S12, S22   of the two friction rows [1/kg]
 //   Λ   limit of the friction impulse [N s]            r_t             residuals of the friction rows, Eq. (4.6) [m/s]
@@ -77,5 +79,24 @@ double residual_on_cones(const std::vector<FrictionContact>& contacts, const std
 template <int Dof>
 SolveReport cone_solve(const std::vector<FrictionContact>& contacts, std::vector<Row<Dof>>& rows,
                        std::vector<Twist<Dof>>& V, const StopRule& stop);
+
+/// The rows of a step, ready for any solver.
+struct StepRows {
+  Motion<6> motion;                       ///< from which the rows were built: after the impacts
+  std::vector<Row<6>> rows;               ///< of the joints, then of each contact: normal, t1, t2
+  std::vector<FrictionContact> friction;  ///< places of the contacts in `rows`, with μ; empty if mu is 0
+};
+
+/// Exercise 9.9. The first half of a step, up to the solver: resolves the impacts as step_impacts does, then builds
+/// the rows of step_joints, in the same order and with the same bounds, Eq. (5.7). Changes velocities by the impacts
+/// only. Lists where each contact with friction is, for Eq. (9.1) and (9.3). Throws std::invalid_argument as
+/// step_impacts does, but does not look at max_sweeps and tolerance.
+StepRows step_rows(Simulation& simulation, const std::vector<Contact>& contacts, double h);
+
+/// The second half of a step, after the solver. Given. Adds V to the velocities, then moves all bodies.
+inline void finish_step(Simulation& simulation, const std::vector<Twist<6>>& V, double h) {
+  for (std::size_t b = 0; b < V.size(); ++b) add_twist(simulation.bodies[b], V[b]);
+  step_free(simulation, h);
+}
 
 }  // namespace spook

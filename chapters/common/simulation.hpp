@@ -4,7 +4,7 @@
 //   02 step_free      free bodies                    06 step_joints    adds joints
 //   03 step_touching  one contact                    07 step_impacts   adds impacts
 //   04 step_contacts  many contacts                  08 step_pairs     finds the contacts
-//   05 step_friction  adds friction
+//   05 step_friction  adds friction                  09 step_rows      half a step: any solver may follow
 //
 // The step of chapter 01 is leapfrog_step: point masses in a field of force, with Particles for data.
 #include <vector>

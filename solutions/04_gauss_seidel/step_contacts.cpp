@@ -2,7 +2,7 @@
 
 namespace spook {
 
-void step_contacts(Simulation& simulation, const std::vector<Contact>& contacts, double h) {
+SolveReport step_contacts(Simulation& simulation, const std::vector<Contact>& contacts, double h) {
   const SpookParameters spook = spook_parameters(h, simulation.k, simulation.d);
   const Motion<6> motion = motion_of(simulation, h);
 
@@ -16,11 +16,12 @@ void step_contacts(Simulation& simulation, const std::vector<Contact>& contacts,
 
   // Solve: V = M⁻¹ Gᵀ λ.
   std::vector<Twist<6>> V(simulation.bodies.size(), Twist<6>::Zero());
-  solve(rows, V, {.max_sweeps = simulation.max_sweeps, .tolerance = simulation.tolerance});
+  SolveReport report = solve(rows, V, {.max_sweeps = simulation.max_sweeps, .tolerance = simulation.tolerance});
 
   // Integrate.
   for (std::size_t b = 0; b < V.size(); ++b) add_twist(simulation.bodies[b], V[b]);
   step_free(simulation, h);
+  return report;
 }
 
 }  // namespace spook

@@ -11,7 +11,7 @@ static int contacts_of_pair(const std::vector<Contact>& contacts, const Contact&
   }));
 }
 
-void step_friction(Simulation& simulation, const std::vector<Contact>& contacts, double h) {
+SolveReport step_friction(Simulation& simulation, const std::vector<Contact>& contacts, double h) {
   const SpookParameters spook = spook_parameters(h, simulation.k, simulation.d);
   const SpookParameters of_friction = friction_parameters(h, simulation.viscosity);
   const Motion<6> motion = motion_of(simulation, h);
@@ -33,11 +33,12 @@ void step_friction(Simulation& simulation, const std::vector<Contact>& contacts,
 
   // Solve: V = M⁻¹ Gᵀ λ.
   std::vector<Twist<6>> V(simulation.bodies.size(), Twist<6>::Zero());
-  solve(rows, V, {.max_sweeps = simulation.max_sweeps, .tolerance = simulation.tolerance});
+  SolveReport report = solve(rows, V, {.max_sweeps = simulation.max_sweeps, .tolerance = simulation.tolerance});
 
   // Integrate.
   for (std::size_t b = 0; b < V.size(); ++b) add_twist(simulation.bodies[b], V[b]);
   step_free(simulation, h);
+  return report;
 }
 
 }  // namespace spook

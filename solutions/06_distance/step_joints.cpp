@@ -48,17 +48,18 @@ static void add_contact_rows(const Simulation& simulation, const std::vector<Con
   }
 }
 
-void step_joints(Simulation& simulation, const std::vector<Contact>& contacts, double h) {
+SolveReport step_joints(Simulation& simulation, const std::vector<Contact>& contacts, double h) {
   const Motion<6> motion = motion_of(simulation, h);
   std::vector<Row<6>> rows;
   add_joint_rows(simulation, h, motion, rows);
   add_contact_rows(simulation, contacts, h, motion, rows);
 
   std::vector<Twist<6>> V(simulation.bodies.size(), Twist<6>::Zero());
-  solve(rows, V, {.max_sweeps = simulation.max_sweeps, .tolerance = simulation.tolerance});
+  SolveReport report = solve(rows, V, {.max_sweeps = simulation.max_sweeps, .tolerance = simulation.tolerance});
 
   for (std::size_t b = 0; b < V.size(); ++b) add_twist(simulation.bodies[b], V[b]);
   step_free(simulation, h);
+  return report;
 }
 
 }  // namespace spook

@@ -3,7 +3,7 @@
 
 namespace spook {
 
-void step_impacts(Simulation& simulation, const std::vector<Contact>& contacts, double h) {
+SolveReport step_impacts(Simulation& simulation, const std::vector<Contact>& contacts, double h) {
   require_positive("h", h);
   if (simulation.restitution != 0) {
     Motion<6> motion = motion_of(simulation, h);
@@ -17,7 +17,7 @@ void step_impacts(Simulation& simulation, const std::vector<Contact>& contacts, 
       simulation.bodies[b].omega = motion.W[b].tail<3>();
     }
   }
-  step_joints(simulation, contacts, h);
+  return step_joints(simulation, contacts, h);
 }
 
 }  // namespace spook

@@ -50,7 +50,7 @@ static void add_contacts_of_pair(const Simulation& simulation, int i, int j, std
     add(ball_ball(ball(simulation, i), ball(simulation, j)), contacts);
 }
 
-void step_pairs(Simulation& simulation, double h) {
+SolveReport step_pairs(Simulation& simulation, double h) {
   std::vector<int> solids;
   std::vector<Bounds> around;
   for (int b = 0; b < std::ssize(simulation.bodies); ++b) {
@@ -65,7 +65,7 @@ void step_pairs(Simulation& simulation, double h) {
   add_contacts_of_planes(simulation, solids, contacts);
   for (const auto& [i, j] : sweep_and_prune(around))
     add_contacts_of_pair(simulation, solids[i], solids[j], contacts);
-  step_impacts(simulation, contacts, h);
+  return step_impacts(simulation, contacts, h);
 }
 
 }  // namespace spook

@@ -138,6 +138,7 @@ void Recorder::begin(const Scene& scene, bool live) {
                  {"scene", description_.name},
                  {"summary", description_.summary},
                  {"answer", description_.answer},
+                 {"chaotic", description_.chaotic},
                  {"parameters", to_json(parameters_)},
                  {"method", to_json(settings_.method, description_.solves)},
                  {"frame_time", static_cast<double>(steps_) * settings_.method.h},

@@ -141,7 +141,8 @@ SceneDescription double_pendulum() {
       .h = 0.001,
       .time = 2,
       .solves = true,
-      .build = build_as<DoublePendulum>};
+      .build = build_as<DoublePendulum>,
+      .chaotic = true};
 }
 
 }  // namespace spook

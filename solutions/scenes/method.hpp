@@ -28,6 +28,9 @@ struct Method {
   std::optional<int> soft_steps = {};
 
   Engine engine = Engine::fast;
+  /// In the plain engine: a solver, friction model, row order or warm start was asked for, so that step_rows of chapter
+  /// 09 runs, and any solver after it. Default: the first step that has all features of the scene.
+  bool plain_solver = false;
 
   double step() const { return h / substeps; }  ///< [s]
 };

@@ -138,7 +138,8 @@ SceneDescription pile() {
       .time = 4,
       .solves = true,
       .build = build_as<Pile>,
-      .solver = "auto"};
+      .solver = "auto",
+      .chaotic = true};
 }
 
 }  // namespace spook

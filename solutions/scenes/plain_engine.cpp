@@ -1,8 +1,10 @@
 #include "scenes/plain_engine.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
-#include "08_pairs/pairs.hpp"
+#include "09_better_friction/better_friction.hpp"
+#include "engine/constraints/joint_rows.hpp"
 
 namespace spook {
 
@@ -41,30 +43,53 @@ void refuse_what_no_step_has(const World<Dof>& world) {
     refuse("composed steps of what is more than point masses");
   if (turns_otherwise(world)) refuse("a rotation update other than splitting");
   if (world.materials().any()) refuse("materials of single bodies");
-  for (const Joint& joint : world.joints())
-    if (joint.is_guided() || joint.kind == JointKind::rope) refuse("a " + name_of(joint.kind));
   if (!world.shapes().exclusions.lists().empty()) refuse("excluded contacts");
   if (world.has_kinematic_bodies()) refuse("static bodies that have a velocity");
-  if (!world.shapes().corners.empty()) refuse("corners");
-  for (const Solid& solid : world.shapes().solids)
-    if (std::holds_alternative<Capsule>(solid.shape)) refuse("capsules");
 }
 
-enum class Step { leapfrog, composed, free, touching, contacts, friction, joints, impacts, pairs };
+/// Refuses shapes whose contacts step_pairs does not find.
+void refuse_what_pairs_lack(const Shapes& shapes) {
+  if (!shapes.corners.empty()) refuse("corners beside boxes");
+  for (const Solid& solid : shapes.solids)
+    if (std::holds_alternative<Capsule>(solid.shape)) refuse("capsules beside boxes");
+}
+
+/// Tells whether there can be one contact at most: of two balls, or of a ball and a plane.
+bool has_one_contact(const Shapes& shapes) {
+  const auto is_ball = [](const Solid& solid) { return std::holds_alternative<Sphere>(solid.shape); };
+  return shapes.planes.size() + shapes.solids.size() == 2 && shapes.corners.empty() &&
+         std::all_of(shapes.solids.begin(), shapes.solids.end(), is_ball);
+}
+
+/// Tells whether a joint is one of chapter 13, whose rows no chapter's step makes.
+bool is_mechanism(const Joint& joint) {
+  return joint.is_guided() || joint.kind == JointKind::rope;
+}
+template <int Dof>
+bool has_mechanisms(const World<Dof>& world) {
+  return std::any_of(world.joints().begin(), world.joints().end(), is_mechanism);
+}
+
+enum class Step { leapfrog, composed, free, touching, contacts, friction, joints, impacts, pairs, rows };
 
 /// Returns the first step with all features that the world needs. Contacts between boxes need chapter 08.
 template <int Dof>
-Step first_step_for(const World<Dof>& world) {
+Step first_step_for(const World<Dof>& world, bool plain_solver) {
   const Settings<Dof>& settings = world.settings();
   const Shapes& shapes = world.shapes();
   refuse_what_no_step_has(world);
   if (is_free(world)) return settings.integrator_order == 4 ? Step::composed : Step::leapfrog;
-  if (shapes.may_touch() && has_boxes(world)) return Step::pairs;
+  if (has_mechanisms(world) || (plain_solver && (shapes.may_touch() || !world.joints().empty())))
+    return Step::rows;
+  if (shapes.may_touch() && has_boxes(world)) {
+    refuse_what_pairs_lack(shapes);
+    return Step::pairs;
+  }
   if (shapes.may_touch() && settings.impacts && settings.impacts->restitution > 0) return Step::impacts;
   if (!world.joints().empty()) return Step::joints;
   if (!shapes.may_touch()) return Step::free;
   if (settings.friction > 0) return Step::friction;
-  return shapes.planes.size() + shapes.solids.size() == 2 ? Step::touching : Step::contacts;
+  return has_one_contact(shapes) ? Step::touching : Step::contacts;
 }
 
 RigidBody copy_of(const Bodies<3>& bodies, std::size_t b) {
@@ -93,9 +118,10 @@ void copy_shapes(const Shapes& shapes, std::vector<RigidBody>& bodies) {
   }
 }
 
-/// Copies the world into plain data. An unset stiffness is the engine's default.
+/// Copies the world into plain data. An unset stiffness is the engine's default. Beside a joint of chapter 13, joints
+/// are left out.
 template <int Dof>
-Simulation copy_of(const World<Dof>& world, double h) {
+Simulation copy_of(const World<Dof>& world) {
   const Settings<Dof>& settings = world.settings();
   const Bodies<Dof>& bodies = world.bodies();
   Simulation simulation{.bodies = {},
@@ -106,22 +132,17 @@ Simulation copy_of(const World<Dof>& world, double h) {
                         .restitution = settings.impacts.value_or(ImpactLaw{}).restitution,
                         .max_sweeps = settings.solver_limits.max_sweeps,
                         .tolerance = settings.solver_limits.tolerance};
-  double mass = 0, load = 0;
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    simulation.bodies.push_back(copy_of(bodies, b));
-    mass += bodies.mass[b];
-    load += world.forces()[b].norm();
-  }
+  for (std::size_t b = 0; b < bodies.size(); ++b) simulation.bodies.push_back(copy_of(bodies, b));
   copy_shapes(world.shapes(), simulation.bodies);
-  simulation.k =
-      settings.k.value_or(contact_stiffness(load, world.shapes().smallest, joint_stiffness(mass, h)));
+  simulation.k = settings.k.value_or(world.contact_stiffness());
+  if (has_mechanisms(world)) return simulation;
   for (const Joint& joint : world.joints())
     simulation.joints.push_back({.i = joint.i,
                                  .j = joint.j,
                                  .p_i = joint.p_i,
                                  .p_j = joint.p_j,
                                  .length = joint.length.value_or(0),
-                                 .k = joint.has_default_k ? joint_stiffness(mass, h) : *joint.k,
+                                 .k = *joint.k,
                                  .d = *joint.d});
   return simulation;
 }
@@ -157,11 +178,17 @@ void step_points(const World<3>& world, double h, Bodies<3>& bodies) {
   bodies.motion.W = particles.v;
 }
 
-void step_by(Step step, Simulation& simulation, const std::vector<Contact>& contacts, double h) {
+/// Report of a step without sweeps.
+SolveReport solved_exactly() {
+  return {.history = {}, .converged = true};
+}
+
+SolveReport step_by(Step step, Simulation& simulation, const std::vector<Contact>& contacts, double h) {
   if (step == Step::touching && contacts.empty()) step = Step::free;
   switch (step) {
     case Step::touching:
-      return step_touching(simulation, contacts.front(), h);
+      step_touching(simulation, contacts.front(), h);
+      return solved_exactly();
     case Step::contacts:
       return step_contacts(simulation, contacts, h);
     case Step::friction:
@@ -173,38 +200,143 @@ void step_by(Step step, Simulation& simulation, const std::vector<Contact>& cont
     case Step::pairs:
       return step_pairs(simulation, h);
     default:
-      return step_free(simulation, h);
+      step_free(simulation, h);
+      return solved_exactly();
   }
 }
+
+/// The first numbers of a row: all of a rigid body's, or those of point masses.
+template <int Dof>
+Row<Dof> row_of(const Row<6>& row) {
+  return {.i = row.i,
+          .j = row.j,
+          .Gi = row.Gi.head<Dof>(),
+          .Gj = row.Gj.head<Dof>(),
+          .MinvGi = row.MinvGi.head<Dof>(),
+          .MinvGj = row.MinvGj.head<Dof>(),
+          .B = row.B,
+          .Sigma = row.Sigma,
+          .diagonal = row.diagonal,
+          .lo = row.lo,
+          .hi = row.hi,
+          .lambda = row.lambda};
+}
+
+template <int Dof>
+void copy_motion(const Motion<6>& from, Motion<Dof>& to) {
+  for (std::size_t b = 0; b < from.W.size(); ++b) {
+    to.W[b] = from.W[b].head<Dof>();
+    to.Wf[b] = from.Wf[b].head<Dof>();
+    to.inverse_mass[b].linear = from.inverse_mass[b].linear;
+    if constexpr (Dof == 6) to.inverse_mass[b].angular = from.inverse_mass[b].angular;
+  }
+}
+
+/// A step in two halves, with a solver of the engine between them.
+template <int Dof>
+class SolverBetween {
+ public:
+  explicit SolverBetween(const Method& method)
+      : solver_(make_solver<Dof>(method)), warm_start_(method.warm_start) {}
+
+  SolveReport step(const World<Dof>& world, const std::vector<Contact>& contacts, double h,
+                   Simulation& simulation, Bodies<Dof>& bodies) {
+    StepRows half = step_rows(simulation, contacts, h);
+    const std::size_t contact_rows = (simulation.mu > 0 ? 3 : 1) * contacts.size();
+    require_whole(half, contact_rows);
+    copy_motion(half.motion, bodies.motion);
+    std::vector<Row<Dof>> rows;
+    if (has_mechanisms(world)) add_joint_rows(world.joints(), h, bodies, rows);
+    for (FrictionContact& contact : half.friction) contact.normal += rows.size();
+    for (const Row<6>& row : half.rows) rows.push_back(row_of<Dof>(row));
+    const std::size_t first = rows.size() - contact_rows;
+    take_bounds_off(rows, half.friction);
+
+    std::vector<Twist<Dof>> V(bodies.size(), Twist<Dof>::Zero());
+    if (warm_start_) {
+      const std::vector<double> impulses = last_.impulses(rows, first, contacts, h);
+      if (!impulses.empty()) warm_start(impulses, rows, V);
+    }
+    SolverResult result = solver_.solve({.rows = rows,
+                                         .V = V,
+                                         .rubbing = half.friction,
+                                         .joints = world.joints(),
+                                         .contacts = contacts,
+                                         .first_contact_row = first,
+                                         .bodies = bodies,
+                                         .last = last_,
+                                         .gravity = simulation.gravity,
+                                         .h = h,
+                                         .stop = world.stop_rule(h)});
+    if (warm_start_ || solver_.wants_last) last_.remember(rows, first, contacts, h);
+    std::vector<Twist<6>> changes(V.size(), Twist<6>::Zero());
+    for (std::size_t b = 0; b < V.size(); ++b) changes[b].template head<Dof>() = V[b];
+    finish_step(simulation, changes, h);
+    return std::move(result.report);
+  }
+
+ private:
+  /// Throws std::invalid_argument if a student's step_rows has left out rows, or lists rows that there are not.
+  static void require_whole(const StepRows& half, std::size_t contact_rows) {
+    const auto is_outside = [&](const FrictionContact& contact) {
+      return contact.normal + 2 >= half.rows.size();
+    };
+    if (half.rows.size() >= contact_rows && half.motion.W.size() == half.motion.inverse_mass.size() &&
+        half.motion.W.size() == half.motion.Wf.size() &&
+        std::none_of(half.friction.begin(), half.friction.end(), is_outside))
+      return;
+    throw std::invalid_argument(
+        "exercise 9.9 step_rows returns too few rows, or lists rows that do not exist: see ./course check 9.9");
+  }
+
+  /// Bounds of friction rows are those of chapter 05. Two passes begin without friction, and cones have no bounds.
+  void take_bounds_off(std::vector<Row<Dof>>& rows, std::vector<FrictionContact>& friction) const {
+    if (solver_.friction == FrictionModel::box) return friction.clear();
+    const double bound = solver_.friction == FrictionModel::cone ? infinity : 0;
+    for (const FrictionContact& contact : friction)
+      for (const std::size_t k : {contact.normal + 1, contact.normal + 2})
+        rows[k].lo = -bound, rows[k].hi = bound;
+  }
+
+  Solver<Dof> solver_;
+  bool warm_start_;
+  WarmStartCache last_;
+};
 
 }  // namespace
 
 template <int Dof>
-std::string plain_step_of(const World<Dof>& world) {
-  constexpr const char* names[] = {"1.4 leapfrog_step", "1.5 composed_step", "2.7 step_free",
-                                   "3.5 step_touching", "4.7 step_contacts", "5.7 step_friction",
-                                   "6.5 step_joints",   "7.9 step_impacts",  "8.12 step_pairs"};
-  return names[static_cast<std::size_t>(first_step_for(world))];
+std::string plain_step_of(const World<Dof>& world, const Method& method) {
+  constexpr const char* names[] = {
+      "1.4 leapfrog_step", "1.5 composed_step", "2.7 step_free",    "3.5 step_touching", "4.7 step_contacts",
+      "5.7 step_friction", "6.5 step_joints",   "7.9 step_impacts", "8.12 step_pairs",   "9.9 step_rows"};
+  return names[static_cast<std::size_t>(first_step_for(world, method.plain_solver))];
 }
 
 template <int Dof>
-Stepper<Dof> plain_stepper() {
-  return [finder = ContactFinder(), contacts = std::vector<Contact>()](const World<Dof>& world, double h,
-                                                                       Bodies<Dof>& bodies) mutable {
-    const Step step = first_step_for(world);
+Stepper<Dof> plain_stepper(const Method& method) {
+  return [finder = ContactFinder(), contacts = std::vector<Contact>(), plain_solver = method.plain_solver,
+          between = SolverBetween<Dof>(method)](const World<Dof>& world, double h,
+                                                Bodies<Dof>& bodies) mutable -> SolveReport {
+    const Step step = first_step_for(world, plain_solver);
     if constexpr (Dof == 3)
-      if (is_free(world)) return step_points(world, h, bodies);
-    // Before chapter 08 the engine finds the contacts.
+      if (is_free(world)) {
+        step_points(world, h, bodies);
+        return solved_exactly();
+      }
+    // In step_pairs alone the bodies find their contacts; for other steps the engine does.
     if (step != Step::pairs && world.shapes().may_touch()) finder.find(world.shapes(), bodies, 0, contacts);
-    Simulation simulation = copy_of(world, h);
-    step_by(step, simulation, contacts, h);
+    Simulation simulation = copy_of(world);
+    SolveReport report = step == Step::rows ? between.step(world, contacts, h, simulation, bodies)
+                                            : step_by(step, simulation, contacts, h);
     copy_back(simulation, bodies);
+    return report;
   };
 }
 
-template Stepper<3> plain_stepper<3>();
-template Stepper<6> plain_stepper<6>();
-template std::string plain_step_of<3>(const World<3>&);
-template std::string plain_step_of<6>(const World<6>&);
+template Stepper<3> plain_stepper<3>(const Method&);
+template Stepper<6> plain_stepper<6>(const Method&);
+template std::string plain_step_of<3>(const World<3>&, const Method&);
+template std::string plain_step_of<6>(const World<6>&, const Method&);
 
 }  // namespace spook

@@ -41,8 +41,8 @@ static std::vector<double> sample(const Scene& scene, const Watch& watch) {
   return values;
 }
 
-std::string plain_step_of(const Scene& scene) {
-  return scene.points() ? plain_step_of(*scene.points()) : plain_step_of(*scene.rigid_bodies());
+std::string plain_step_of(const Scene& scene, const Method& method) {
+  return scene.points() ? plain_step_of(*scene.points(), method) : plain_step_of(*scene.rigid_bodies(), method);
 }
 
 static void observed_run(Scene& scene, std::int64_t steps, const Watch& watch) {
@@ -115,7 +115,7 @@ RunResult run(const SceneDescription& description, const Parameters& parameters,
 
   const std::int64_t substeps = result.steps * settings.method.substeps;
   const std::unique_ptr<Scene> scene = build();
-  if (settings.method.engine == Engine::plain) result.plain_step = plain_step_of(*scene);
+  if (settings.method.engine == Engine::plain) result.plain_step = plain_step_of(*scene, settings.method);
   observed_run(*scene, substeps, watch);
   result.verdict = scene->verdict();
   result.error = scene->error();

@@ -33,7 +33,7 @@ struct RunResult {
 std::int64_t step_count(double h, double time);
 
 /// Returns the exercise whose step runs the scene in the plain engine. Throws std::invalid_argument where none does.
-std::string plain_step_of(const Scene& scene);
+std::string plain_step_of(const Scene& scene, const Method& method);
 
 /// Output of the first run.
 struct Watch {

@@ -91,6 +91,7 @@ struct SceneDescription {
   /// Default friction model, if it differs from that of Method.
   std::optional<FrictionModel> friction_model = {};
   std::optional<int> integrator_order = {};  ///< default order, if it differs from the world's
+  bool chaotic = false;                      ///< round-off alone parts two runs, by their end
 };
 
 /// Returns the scene with `model` as its default friction model.
@@ -178,7 +179,7 @@ class WorldScene : public Scene {
       settings.soft_steps = SoftSteps{.substeps = *method.soft_steps};
       settings.k = settings.d = {};
     }
-    if (method.engine == Engine::plain) settings.stepper = plain_stepper<Dof>();
+    if (method.engine == Engine::plain) settings.stepper = plain_stepper<Dof>(method);
     return settings;
   }
 

@@ -76,17 +76,13 @@ static void refuse_beside_soft(const TypedRun& typed) {
                "has no effect with soft-steps: leave it out");
 }
 
-/// Refuses options of the fast engine, since the plain engine has no choices.
+/// Refuses options that no step of the plain engine has.
 static void refuse_beside_plain(const TypedRun& typed) {
-  refuse_given({{"solver", typed.solver.has_value()},
-                {"row-order", typed.row_order.has_value()},
-                {"contact-margin", typed.contact_margin.has_value()},
-                {"friction-model", typed.friction_model.has_value()},
+  refuse_given({{"contact-margin", typed.contact_margin.has_value()},
                 {"tangents", typed.tangents.has_value()},
                 {"max-parts", typed.max_parts.has_value()},
                 {"threads", typed.threads.has_value()},
-                {"soft-steps", typed.soft_steps.has_value()},
-                {"warm-start", typed.warm_start}},
+                {"soft-steps", typed.soft_steps.has_value()}},
                "needs the fast engine: leave it out, or leave out --engine");
 }
 
@@ -121,7 +117,10 @@ RunSettings TypedRun::settings(const SceneDescription& description) const {
     method.integrator_order = choose<int>("integrator-order", *integrator_order, {{"2", 2}, {"4", 4}});
   if (engine)
     method.engine = choose<Engine>("engine", *engine, {{"fast", Engine::fast}, {"plain", Engine::plain}});
-  if (method.engine == Engine::plain) refuse_beside_plain(*this);
+  if (method.engine == Engine::plain) {
+    refuse_beside_plain(*this);
+    method.plain_solver = solver || friction_model || row_order || warm_start;
+  }
   if (soft_steps) {
     refuse_beside_soft(*this);
     method.soft_steps = parse_whole("soft-steps", *soft_steps, 1, 1024);

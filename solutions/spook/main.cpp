@@ -33,7 +33,7 @@ static CLI::App* add_scene_command(CLI::App& app, const std::string& name, const
   command->add_option("--max-parts", run.max_parts, "Most parts of a step: a power of two up to 1024");
   command->add_option("--threads", run.threads, "Number of worker threads");
   command->add_option("--soft-steps", run.soft_steps, "Soft steps, of 1 to 1024 substeps, as in game engines");
-  command->add_option("--engine", run.engine, "fast, or plain: the steps of chapters 01 to 08");
+  command->add_option("--engine", run.engine, "fast, or plain: the steps of chapters 01 to 09");
   return command;
 }
 
@@ -47,6 +47,7 @@ static void add_run(CLI::App& app, spook::RunCommand& run) {
   command->add_option("--record", run.record, "Write a recording, for view, to this file");
   command->add_option("--fps", run.fps, "With --record: frames per second (default: 60)");
   command->add_flag("--json", run.json, "Print one JSON object");
+  command->add_flag("-v,--verbose", run.verbose, "Print parameters, answer, stages and counts, too");
   command->add_flag("--strict", run.strict, "Fail unless the run is sound: solved, and not lost");
 }
 

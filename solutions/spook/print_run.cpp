@@ -33,7 +33,8 @@ static std::string solver_text(const SceneDescription& scene, const Parameters& 
   if (method.integrator_order == 4) return scene.solves ? "none: order four holds joints rigid" : "none";
   if (!scene.solves) return "none: no constraints";
   if (method.soft_steps) return "soft steps of " + counted(*method.soft_steps, "substep");
-  if (method.engine == Engine::plain) return "at most " + counted(method.solver_limits.max_sweeps, "sweep");
+  if (method.engine == Engine::plain && !method.plain_solver)
+    return "at most " + counted(method.solver_limits.max_sweeps, "sweep");
   std::string text;
   if (may_rub(parameters))
     text = "friction " + name_of(friction_model(method)) + ", tangents " +
@@ -54,14 +55,21 @@ static std::string steps_text(const Method& method, const RunResult& result) {
   return method.integrator_order == 4 ? text + "; composed to order four" : text;
 }
 
-static std::string last_step_text(const std::string& solver, const StepReport& last) {
+static std::string last_step_text(const std::string& solver, const StepReport& last, bool verbose) {
   // A solver with a fallback reason used another method.
   const std::string what = last.trouble.empty() ? find_solver<3>(solver).iteration : "iteration";
   // Stiff links, and steps without rows, take no iterations.
   const std::string after = last.iterations > 0 ? ", after " + counted(last.iterations, what) : "";
-  return short_text(last.residual) + " m/s in the last step" + after + "; " + counted(last.pairs, "pair") +
-         ", " + counted(last.contacts, "contact") + ", " + counted(last.impacts, "impact") + ", " +
-         counted(last.rows, "row");
+  const std::string residual = short_text(last.residual) + " m/s in the last step" + after;
+  if (!verbose) return residual;
+  return residual + "; " + counted(last.pairs, "pair") + ", " + counted(last.contacts, "contact") + ", " +
+         counted(last.impacts, "impact") + ", " + counted(last.rows, "row");
+}
+
+/// Prints what the solver of the plain engine reported.
+static std::string own_step_text(const StepReport& last) {
+  if (last.iterations == 0) return "none: the last step took no iterations";
+  return short_text(last.residual) + " m/s in the last step, after " + counted(last.iterations, "iteration");
 }
 
 /// Prints the times of the stages that ran, in the order of the step.
@@ -74,9 +82,9 @@ static std::string stages_text(const RunResult& result) {
   return text + " µs; no other stage ran";
 }
 
-/// Prints "x [m]" and 0.5 as "x 0.5 m", for the first few columns.
-static std::string state_text(const RunResult& result) {
-  constexpr std::size_t most = 6;
+/// Prints "x [m]" and 0.5 as "x 0.5 m", for the first few columns, or for all.
+static std::string state_text(const RunResult& result, bool all) {
+  const std::size_t most = all ? result.columns.size() : 4;
   const std::size_t count = std::min(result.columns.size(), most);
   std::ostringstream text;
   for (std::size_t c = 0; c < count; ++c) {
@@ -86,7 +94,7 @@ static std::string state_text(const RunResult& result) {
     text << column.substr(0, bracket) << ' ' << short_text(result.state[c]);
     if (bracket != std::string::npos) text << ' ' << column.substr(bracket + 2, column.size() - bracket - 3);
   }
-  if (count < result.columns.size()) text << ", ... (--csv has all)";
+  if (count < result.columns.size()) text << ", ... (-v has all)";
   return text.str();
 }
 
@@ -100,25 +108,27 @@ static std::string verdict_text(const Verdict& verdict) {
 }
 
 void print_text(std::ostream& out, const SceneDescription& scene, const Parameters& parameters,
-                const RunSettings& settings, const RunResult& result) {
+                const RunSettings& settings, const RunResult& result, bool verbose) {
   print_entry(out, "scene", scene.name + ": " + scene.summary);
   print_entry(out, "solver", solver_text(scene, parameters, settings.method));
-  if (!parameters.all().empty()) print_entry(out, "set", parameters_text(parameters));
-  print_entry(out, "answer", scene.answer);
+  if (verbose && !parameters.all().empty()) print_entry(out, "set", parameters_text(parameters));
+  if (verbose) print_entry(out, "answer", scene.answer);
   print_entry(out, "run", steps_text(settings.method, result));
-  print_entry(out, "end", state_text(result));
+  print_entry(out, "end", state_text(result, verbose));
   if (scene.error_unit.empty())
     print_entry(out, "error", scene.error_name);
   else
     print_entry(out, "error", short_text(result.error) + " " + scene.error_unit + ": " + scene.error_name);
-  const bool plain = settings.method.engine == Engine::plain;  // which hands out no residual
-  print_entry(out, "state", verdict_text(result.verdict) + (plain ? "; its solves are not judged" : ""));
+  print_entry(out, "state", verdict_text(result.verdict));
   if (!result.verdict.note.empty()) print_entry(out, "note", result.verdict.note);
-  print_entry(out, "speed",
+  print_entry(out, "time",
               result.us_per_step ? short_text(*result.us_per_step) + " µs a step" : "no step taken");
-  if (plain) return;  // its stages and rows are its own
-  if (result.us_per_step) print_entry(out, "stages", stages_text(result));
-  if (scene.solves) print_entry(out, "residual", last_step_text(settings.method.solver, result.last));
+  if (settings.method.engine == Engine::plain) {  // its stages and rows are its own
+    if (scene.solves) print_entry(out, "residual", own_step_text(result.last));
+    return;
+  }
+  if (verbose && result.us_per_step) print_entry(out, "stages", stages_text(result));
+  if (scene.solves) print_entry(out, "residual", last_step_text(settings.method.solver, result.last, verbose));
   if (!result.last.trouble.empty()) print_entry(out, "trouble", result.last.trouble);
 }
 

@@ -87,7 +87,7 @@ void RunCommand::execute(std::ostream& out) const {
   std::ofstream table, recording;
   if (csv || record) {  // what is refused leaves older files as they are
     const std::unique_ptr<Scene> built = description.build(parameters, settings.method);
-    if (settings.method.engine == Engine::plain) plain_step_of(*built);
+    if (settings.method.engine == Engine::plain) plain_step_of(*built, settings.method);
   }
   open(table, "csv", csv);
   open(recording, "record", record);
@@ -107,8 +107,10 @@ void RunCommand::execute(std::ostream& out) const {
   close(table, "csv", csv);
   close(recording, "record", record);
 
-  const auto print = json ? print_json : print_text;
-  print(out, description, parameters, settings, result);
+  if (json)
+    print_json(out, description, parameters, settings, result);
+  else
+    print_text(out, description, parameters, settings, result, verbose);
   if (strict && result.verdict.state != State::sound)
     throw std::runtime_error("the run is " + name_of(result.verdict.state) + ": " + result.verdict.reason);
 }

@@ -14,6 +14,7 @@ struct RunCommand : TypedRun {
   bool positions = false;
   bool json = false;
   bool strict = false;
+  bool verbose = false;
 
   /// Runs the scene and prints to `out`. Throws std::invalid_argument for an invalid option, before it writes anything;
   /// SimulationDiverged if the run diverges; and, with `strict`, std::runtime_error after a run that is not sound.

@@ -103,6 +103,15 @@ EXERCISE_TEST(StepContacts, PressesAColumnByItsWeight) {
   }
 }
 
+EXERCISE_TEST(StepContacts, ReturnsTheReportOfItsSolve) {
+  Random random;
+  const auto [all, contacts] = crowd(random, 10, 20);
+  const double h = 0.1;
+  expect_report(
+      "Eq. (4.9)", all, [&, touching = contacts](Simulation& now) { return step_contacts(now, touching, h); },
+      [&, touching = contacts](const Simulation& now) { return solve_of(now, touching, h); }, of_many_contacts);
+}
+
 EXERCISE_TEST(StepContacts, RejectsWhatMakesNoSense) {
   Random random;
   const auto [start, contacts] = crowd(random, 5, 5);
@@ -125,7 +134,7 @@ EXERCISE_TEST(StepContacts, RejectsWhatMakesNoSense) {
 EXERCISE_TEST(StepContacts, IsTheSameInAnyUnits) {
   Random random;
   const auto [all, contacts] = crowd(random, 5, 5);
-  expect_same_in_any_units("Eq. (4.4), (4.7)", step_contacts, units::nothing, all, contacts, 0.1 * units::s);
+  expect_same_in_any_units("Eq. (4.4), (4.7)", step_contacts, units::by_field, all, contacts, 0.1 * units::s);
 }
 
 }  // namespace

@@ -97,7 +97,7 @@ EXERCISE_TEST(FrictionParameters, MayBeRigid) {
   const double h = in.h, m = in.m, F = in.F;
   const SpookParameters spook = friction_parameters(h, infinity);
   expect_near("Γ for c = ∞ [1/kg]", "Eq. (5.4)", spook.Sigma, 0, {0, "exact"}, {},
-              "c may be infinite: 1/(h c) is then 0, and nothing creeps.");
+              "Γ is 1/(h c), which is 0 for c = ∞.");
   double u = 0, x = 0;
   for (int n = 0; n < 10000; ++n) {
     u = step(spook, m, u, h * F / m);

@@ -107,6 +107,18 @@ EXERCISE_TEST(StepFriction, RollsAtFiveSeventhsOfItsSpeed) {
               {1e-9, "a creep of F/c, and roundings"}, {}, "A ball that rolls touches the floor at rest.");
 }
 
+EXERCISE_TEST(StepFriction, ReturnsTheReportOfItsSolve) {
+  Random random;
+  auto [all, contacts] = crowd(random, 10, 20);
+  all.mu = 0.5;
+  all.viscosity = 1e3;
+  const double h = 0.1;
+  expect_report(
+      "Eq. (4.9)", all, [&, touching = contacts](Simulation& now) { return step_friction(now, touching, h); },
+      [&, touching = contacts](const Simulation& now) { return solve_of(now, touching, h); },
+      {1e-10, "roundings of 5 sweeps over some 100 rows, of impulses up to 100"});
+}
+
 EXERCISE_TEST(StepFriction, RejectsWhatMakesNoSense) {
   Random random;
   const auto [start, contacts] = rough_crowd(random, 5, 5);
@@ -128,7 +140,7 @@ EXERCISE_TEST(StepFriction, RejectsWhatMakesNoSense) {
 EXERCISE_TEST(StepFriction, IsTheSameInAnyUnits) {
   Random random;
   const auto [all, contacts] = rough_crowd(random, 5, 5);
-  expect_same_in_any_units("Eq. (5.3)-(5.8)", step_friction, units::nothing, all, contacts, 0.1 * units::s);
+  expect_same_in_any_units("Eq. (5.3)-(5.8)", step_friction, units::by_field, all, contacts, 0.1 * units::s);
 }
 
 }  // namespace

@@ -310,11 +310,15 @@ EXERCISE_TEST(Cloth, IsOfAnyCellsMassAndSize) {
     if (!joins_neighbours(net, in)) return;
     for (const Link& link : net.links) {
       const bool along_u = std::abs(link.i - link.j) == 1;
+      const double side = along_u ? u : v;
+      const int own = along_u ? in.cells_u : in.cells_v, other = along_u ? in.cells_v : in.cells_u;
+      const std::string whole = "This is the whole side: divide it by the number of cells along it.";
+      const std::string exchanged = "This is the side over the number of cells along the other one";
       expect_near("length of the link from point " + std::to_string(link.i) + " to point " +
                       std::to_string(link.j) + " [m]",
-                  "Eq. (6.11)", link.length, along_u ? u / in.cells_u : v / in.cells_v, roundings(64, size),
-                  {{along_u ? u / in.cells_v : v / in.cells_u,
-                    "This is the side over the number of cells along the other one."}},
+                  "Eq. (6.11)", link.length, side / own, roundings(64, size),
+                  {{side, other == 1 ? exchanged + ", which is 1, or the whole side." : whole},
+                   {side / other, exchanged + "."}},
                   "The length is the distance of the two points, since the cloth is at rest as it lies.");
     }
   }

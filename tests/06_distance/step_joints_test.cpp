@@ -105,6 +105,15 @@ EXERCISE_TEST(StepJoints, StretchesByTheWeight) {
   }
 }
 
+EXERCISE_TEST(StepJoints, ReturnsTheReportOfItsSolve) {
+  Random random;
+  const auto [all, contacts] = joined_crowd(random, 10, 20, 10);
+  const double h = 0.1;
+  expect_report(
+      "Eq. (4.9)", all, [&, touching = contacts](Simulation& now) { return step_joints(now, touching, h); },
+      [&, touching = contacts](const Simulation& now) { return solve_of(now, touching, h); }, of_joints);
+}
+
 EXERCISE_TEST(StepJoints, RejectsWhatMakesNoSense) {
   Random random;
   const auto [start, contacts] = joined_crowd(random, 5, 5, 4);
@@ -129,7 +138,7 @@ EXERCISE_TEST(StepJoints, RejectsWhatMakesNoSense) {
 EXERCISE_TEST(StepJoints, IsTheSameInAnyUnits) {
   Random random;
   const auto [all, contacts] = joined_crowd(random, 5, 5, 4);
-  expect_same_in_any_units("Eq. (6.1)-(6.6)", step_joints, units::nothing, all, contacts, 0.1 * units::s);
+  expect_same_in_any_units("Eq. (6.1)-(6.6)", step_joints, units::by_field, all, contacts, 0.1 * units::s);
 }
 
 }  // namespace

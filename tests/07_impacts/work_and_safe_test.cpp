@@ -22,7 +22,7 @@ void expect_work(const Vec3& u, const Vec3& J, double expected, const std::strin
         "½ is missing: the point moves at u at first and at u + K J at last, on average at u + ½ K J."},
        {(Ju + JKJ) / 2, "This is ½ J·(u + K J): ½ is in the wrong place. It belongs to K J alone."},
        {(Ju + JKJ / 2) / 2, "This is (J·u + ½ J·KJ)/2: ½ belongs to K J alone, u counts in full."},
-       {Ju, "This is J·u. The velocity changes while J acts: by ½ K J on average."},
+       {Ju, "This is J·u. The velocity changes while J acts: by ½ K J on average. (In C++, 1 / 2 is 0.)"},
        {JKJ / 2, "This is ½ J·KJ. The velocity of before, u, counts, too."},
        {JKJ, "This is J·KJ. The velocity of before, u, counts, too, and of the change K J one half."},
        {Ju - JKJ / 2, "The sign of K J: J changes the velocity by + K J."},

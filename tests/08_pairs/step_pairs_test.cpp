@@ -144,6 +144,14 @@ EXERCISE_TEST(StepPairs, StacksBoxes) {
               "The upper box weighs on four corners: a gap of -m g/(4 k).");
 }
 
+EXERCISE_TEST(StepPairs, ReturnsTheReportOfTheStepOfImpacts) {
+  Random random;
+  Simulation start = heap(random, 20);
+  const SolveReport got = step_pairs(start, 0.01);
+  expect_true("5 entries in the history of the report of a step with 5 sweeps", "Eq. (4.9)",
+              got.history.size() == 5, "Return what step_impacts returns.");
+}
+
 EXERCISE_TEST(StepPairs, RejectsAStepThatIsNotPositive) {
   Random random;
   Simulation all = heap(random, 8);
@@ -156,7 +164,7 @@ EXERCISE_TEST(StepPairs, RejectsAStepThatIsNotPositive) {
 EXERCISE_TEST(StepPairs, IsTheSameInAnyUnits) {
   Random random;
   const Simulation all = heap(random, 8);
-  expect_same_in_any_units_nans_aside("Eq. (8.1)-(8.12)", step_pairs, units::nothing, all, 0.01 * units::s);
+  expect_same_in_any_units_nans_aside("Eq. (8.1)-(8.12)", step_pairs, units::by_field, all, 0.01 * units::s);
 }
 
 }  // namespace

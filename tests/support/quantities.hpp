@@ -84,4 +84,9 @@ inline void each_number(Visitor& visitor, FrictionContact& contact, ByField) {
   visitor.bound(contact.mu, units::pure);
 }
 
+inline void each_number(Visitor& visitor, StepRows& step, ByField) {
+  each_number(visitor, step.motion, units::by_field), each_number(visitor, step.rows, units::by_field);
+  each_number(visitor, step.friction, units::by_field);
+}
+
 }  // namespace spook::testing

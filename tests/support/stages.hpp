@@ -123,6 +123,40 @@ inline Simulation assembled(Simulation all, const std::vector<Contact>& contacts
   return all;
 }
 
+/// Solves the rows of joints and contacts, as a step does, and returns the report.
+inline SolveReport solve_of(const Simulation& all, const std::vector<Contact>& contacts, double h) {
+  const Motion<6> motion = motion_of(all, h);
+  std::vector<Row<6>> rows;
+  for (const Constraint<6>& constraint : joint_constraints(all, h, {}))
+    rows.push_back(make_row(constraint, motion));
+  for (const Constraint<6>& constraint : contact_constraints(all, contacts, h, {}))
+    rows.push_back(make_row(constraint, motion));
+  std::vector<Twist<6>> V(all.bodies.size(), Twist<6>::Zero());
+  return solve(rows, V, {.max_sweeps = all.max_sweeps, .tolerance = all.tolerance});
+}
+
+/// Expects the report of the solve in a step, `step(simulation)`: of all its sweeps, and of a single sweep that is
+/// within the tolerance. `right(simulation)` returns the report of the same rows.
+template <class Step, class Right>
+void expect_report(const std::string& equation, Simulation all, const Step& step, const Right& right,
+                   const Tolerance& tolerance) {
+  for (const double enough : {0.0, 1e6}) {
+    all.tolerance = enough;
+    const SolveReport expected = right(all);
+    Simulation stepped = all;
+    const SolveReport got = step(stepped);
+    const std::string clue =
+        "The step solves, and returns the report of something else: return that of its solve.";
+    expect_true("as many entries in the history of the report as sweeps in the step, " +
+                    std::to_string(expected.history.size()),
+                equation, got.history.size() == expected.history.size(), clue);
+    expect_true("converged as the last sweep tells", "Eq. (4.9)", got.converged == expected.converged, clue);
+    for (std::size_t k = 0; k < std::min(got.history.size(), expected.history.size()); ++k)
+      expect_near("result of sweep " + std::to_string(k + 1) + " in the report [m/s]", equation, got.history[k],
+                  expected.history[k], tolerance, {}, clue);
+  }
+}
+
 /// Bodies, every fifth of them static, with contacts at random places; some pairs have several.
 struct Crowd {
   Simulation all;

@@ -2,6 +2,7 @@
 
 import contextlib
 import io
+import re
 import subprocess
 import sys
 import tempfile
@@ -15,13 +16,16 @@ import sandbox  # noqa: F401  (finds the course's modules)
 import board
 import check
 import crash
+import diagnostics
 import everything
 import install
+import last_verdicts
 import needs
 import speed_error
 import terminal
 import text_encoding
 import tree
+import verdict
 from errors import CourseError
 from manifest import numbered_items
 from marker import code_of, is_stub, marker_line
@@ -114,22 +118,159 @@ class Done(unittest.TestCase):
     def test_check_tells_it_too(self):
         with mock.patch.object(check, "judge_all", lambda exercises, seed: [check.Verdict(exercise, "done")
                                                                              for exercise in exercises]), \
+             mock.patch.object(check, "remember"), \
              mock.patch.object(board.Exercise, "started", lambda exercise: True), \
              contextlib.redirect_stdout(io.StringIO()) as said:
             self.assertEqual(check._check_started(None), 0)
         self.assertIn("Every exercise is right. Well done!", said.getvalue())
 
 
+class LinesWritten(unittest.TestCase):
+    def test_comments_and_blank_lines_do_not_count(self):
+        self.assertEqual(board.lines_of("// one\n\nint f() {\n  /* two\n     lines */\n  return 1;  // three\n}\n"), 3)
+
+    def test_the_board_tells_them_of_what_is_right(self):
+        chapters, exercises = board.read_chapters(), board.all_exercises()
+        verdicts = [check.Verdict(exercise, "not started") for exercise in exercises]
+        with mock.patch.object(board.Exercise, "source", lambda exercise: "int f() {\n  return 1;\n}\n"):
+            for done, told in ((0, ""), (1, "an engine of 3 lines, in 1 function."), (3, "9 lines, in 3 functions.")):
+                for each in verdicts[:done]:
+                    each.state = "done"
+                with contextlib.redirect_stdout(io.StringIO()) as said:
+                    board.show_board(chapters, verdicts)
+                self.assertEqual("You have written" in said.getvalue(), bool(told))
+                self.assertIn(told, said.getvalue())
+
+    def test_the_last_lesson_says_how_long_the_reference_is(self):
+        """To a hundred lines or so."""
+        lesson = board.read_chapters()[-1].exercises[0].lesson.read_text(encoding="utf-8")
+        told = int(re.search(r"In the reference it has (\d+) lines", lesson)[1])
+        references = [exercise.reference for exercise in board.all_exercises()]
+        if not references[0].exists():
+            self.skipTest("this repository has no sources of the answers")
+        self.assertAlmostEqual(sum(board.lines_of(file.read_text(encoding="utf-8")) for file in references), told, delta=100)
+
+
 class Next(unittest.TestCase):
-    def test_the_next_that_is_not_begun_comes_after_and_then_before(self):
-        first, second, third = board.all_exercises()[:3]
-        for begun, told in (((first,), second), ((first, second), third), ((first, second, third), None)):
-            with mock.patch.object(board, "all_exercises", return_value=[first, second, third]), \
-                 mock.patch.object(board.Exercise, "started", lambda exercise: exercise in begun):
-                self.assertEqual(board.next_after(first), told)
-        with mock.patch.object(board, "all_exercises", return_value=[first, second, third]), \
-             mock.patch.object(board.Exercise, "started", lambda exercise: exercise == third):
-            self.assertEqual(board.next_after(third), first)
+    """The first that is wrong, then the first that is not right: the same for the board and for every check."""
+
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.state = Path(scratch.name, "state")
+        self.three = board.all_exercises()[:3]
+        for module, name, value in ((last_verdicts.remembered, "STATE", self.state),
+                                    (board, "all_exercises", lambda: self.three),
+                                    (check, "all_exercises", lambda: self.three)):
+            patch = mock.patch.object(module, name, value)
+            patch.start()
+            self.addCleanup(patch.stop)
+        self.texts = {}
+        for name, method in (("source", lambda exercise: self.texts.get(exercise, "stub")),
+                             ("started", lambda exercise: self.texts.get(exercise, "stub") != "stub")):
+            patch = mock.patch.object(board.Exercise, name, method)
+            patch.start()
+            self.addCleanup(patch.stop)
+
+    def test_what_is_wrong_comes_first(self):
+        first, second, third = self.three
+        for states, told in ((("done", "not started", "wrong"), (third, "wrong")),
+                             (("wrong", "not started", "wrong"), (first, "wrong")),
+                             (("done", "not started", "not started"), (second, "not started")),
+                             (("done", "begun", "not started"), (second, "begun")),
+                             (("done", "done", "done"), None)):
+            self.assertEqual(board.first_left(list(zip(self.three, states))), told)
+
+    def test_what_a_check_found_is_remembered_for_this_text(self):
+        first, second, third = self.three
+        self.assertEqual(board.next_of_all(), (first, "not started"))
+        self.texts = {first: "right", third: "no"}
+        self.assertEqual(board.next_of_all(), (first, "begun"))
+        last_verdicts.remember([(first, "done"), (third, "wrong"), (second, "not started")])
+        self.assertEqual(board.next_of_all(), (third, "wrong"))
+        self.texts[third] = "another"
+        self.assertEqual(board.next_of_all(), (second, "not started"))
+        self.assertEqual([last_verdicts.last_state(each) for each in self.three], ["done", "not started", "begun"])
+        (self.state / "verdicts.json").write_text("[]")
+        self.assertEqual(last_verdicts.last_state(first), "begun")
+
+    def test_the_last_pass_of_a_chapter_shows_it_whichever_command_passed_it(self):
+        first, second, third = self.three
+        judged = []
+
+        def judge_all(exercises, seed):
+            judged.extend(exercises)
+            return [check.Verdict(exercise, "done") for exercise in exercises]
+
+        def said(which: str | None) -> str:
+            with mock.patch.object(check, "judge", lambda exercise, seed: check.Verdict(exercise, "done")), \
+                 mock.patch.object(check, "judge_all", judge_all), \
+                 contextlib.redirect_stdout(io.StringIO()) as text:
+                self.assertEqual(check.check_which(which, None), 0)
+            return text.getvalue()
+
+        self.texts = {first: "right", third: "right"}
+        self.assertNotIn("See it move", said(first.id))
+        self.texts[second] = "right"
+        for which in (second.id, third.id):
+            self.assertIn("See it move, on your functions:", said(which))
+        self.assertEqual(judged, [third])  # no check had seen it; then it is known
+        self.assertIn("See it move, on your functions:", said(None))
+        last_verdicts.remember([(first, "wrong")])
+        told = said(second.id)
+        self.assertNotIn("See it move", told)
+        self.assertIn(f"Next: {first.label}, which is wrong", told)
+
+
+class Causes(unittest.TestCase):
+    """What compilers say of mistakes that readers made, shortened, and the cause that is added."""
+    exercise = board.all_exercises()[0]
+    place = f"chapters/{exercise.folder}/{exercise.file.name}"
+
+    def told(self, *output: str) -> list[str]:
+        return diagnostics.first_error("\n".join(output), self.exercise)
+
+    def test_the_innermost_line_of_the_student_is_shown_before_an_error_in_a_library(self):
+        error = "/usr/include/eigen3/Eigen/src/Core/util/StaticAssert.h:177:5: error: static assertion failed: " \
+                "YOU_MIXED_MATRICES_OF_DIFFERENT_SIZES"
+        gcc = self.told("/usr/include/eigen3/Eigen/src/Core/CwiseBinaryOp.h: In instantiation of ‘Eigen::CwiseBinaryOp’:",
+                        "/usr/include/eigen3/Eigen/src/plugins/Ops.h:27:1:   required from ‘const Eigen::CwiseBinaryOp’",
+                        f"{self.place}:9:14:   required from ‘double spook::f(double) [with int Dof = 6]’",
+                        f"{self.place}:31:17:   required from here", error)
+        clang = self.told(error, f"{self.place}:9:14: note: in instantiation of member function 'operator+' requested here",
+                          f"{self.place}:31:17: note: in instantiation of function template 'f<6>' requested here")
+        for said in (gcc, clang):
+            self.assertIn(f"{self.place}:9:14:", said[0])
+            self.assertEqual(said[-1], "Cause: two parts of one expression have different sizes, such as a Vec3 and a "
+                                       "Twist<6>; see chapters/EIGEN.md.")
+
+    def test_other_causes(self):
+        for line, code, cause in (
+                ("error: expected primary-expression before ‘)’ token", "  return row.Gj.tail<3>().norm();",
+                 ".template tail<3>()"),
+                ("error: use 'template' keyword to treat 'tail' as a dependent template name", "  return row.Gj.tail<3>();",
+                 ".template tail<3>()"),
+                ("error: ‘require_positive’ was not declared in this scope", "  require_positive(h);", "common/require.hpp"),
+                ("error: use of undeclared identifier 'require_positive'", "  require_positive(h);", "common/require.hpp"),
+                ("error: static assertion failed: INVALID_VECTOR_VECTOR_PRODUCT__IF_YOU_WANTED_A_DOT", "  a * b;", "a.dot(b)")):
+            with self.subTest(line):
+                said = self.told(f"{self.place}:5:25: {line}", f"    5 | {code}", "      |   ^")
+                self.assertTrue(said[-1].startswith("Cause: "), said)
+                self.assertIn(cause, said[-1])
+
+    def test_no_cause_is_made_up(self):
+        for line, code in (("error: expected primary-expression before ‘)’ token", "  f(a, );"),
+                           ("error: expected primary-expression before ‘)’ token", "  return G.template tail<3>(+);"),
+                           ("error: ‘oops’ was not declared in this scope", "  oops();"),
+                           ("error: expected ‘;’ before ‘}’ token", "  return G.tail<3>()")):
+            self.assertNotIn("Cause:", "".join(self.told(f"{self.place}:5:25: {line}", f"    5 | {code}", "      |   ^")))
+
+    def test_a_division_of_whole_numbers_is_named_where_it_drops_a_fraction(self):
+        said = verdict.whole_division("// 1 / 2\ndouble f(double h) {\n  return 1 / 2 * h;\n}\n")
+        self.assertEqual(said, "Line 3 has 1 / 2. C++ divides whole numbers without the fraction, so this is 0: write 1.0 / 2.")
+        for right in ("return h * 1 / 2;", "return 1.0 / 2;", "return 1 / 2.0;", "return h / 2;", "return 4 / 2 * h;",
+                      "return x2 / 3;", "return 1'000 / 2;", 'say("1 / 2");', "return 1 / n;", "return 1 / 0;"):
+            self.assertEqual(verdict.whole_division(right), "", right)
 
 
 class Hints(unittest.TestCase):

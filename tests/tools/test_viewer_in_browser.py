@@ -397,8 +397,23 @@ class Runs(Viewer):
         self.open(recordings.tower(), recordings.tower(), recordings.tower(boxes=3))
         self.assertEqual(self.ask("viewer.since"), [None, None])
         said = self.ask("document.getElementById('parting').textContent").splitlines()
-        self.assertIn("never more than", said[0])
+        self.assertIn("at the same places", said[0])
         self.assertIn("not compared", said[1])
+
+    def test_the_largest_difference_is_told_and_chaos(self):
+        self.open(recordings.rolling_ball(), recordings.rolling_ball(speed=1 + 1e-4))
+        self.assertEqual(self.ask("viewer.since"), [None])
+        end = 60 * recordings.H
+        self.assertAlmostEqual(self.ask("viewer.farthest[0].distance"), 1e-4 * end, delta=1e-6 * end)
+        self.assertAlmostEqual(self.ask("viewer.farthest[0].time"), end, delta=1e-9)
+        told = self.ask("document.getElementById('parting').textContent")
+        self.assertIn("at most, at ", told)
+        self.assertNotIn("chaotic", told)
+        first = recordings.rolling_ball()
+        self.open(first.replace('"answer"', '"chaotic": true, "answer"', 1), recordings.rolling_ball(speed=1.2))
+        told = self.ask("document.getElementById('parting').textContent")
+        for text in ("at most, at ", "since", "This scene is chaotic"):
+            self.assertIn(text, told)
 
     def test_the_shorter_one_waits_at_its_end(self):
         self.open(recordings.rolling_ball(frames=11), recordings.rolling_ball(frames=61))

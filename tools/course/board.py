@@ -3,7 +3,9 @@
 import json
 
 from films import milestones, not_shown, own_step
+from last_verdicts import last_state, remember
 from manifest import Chapter, Exercise, all_exercises, read_chapters
+from marker import code_of
 from paths import shown
 from predict import count_right, guesses
 from predictions import predictions_of
@@ -14,6 +16,7 @@ from verdict import Verdict, judge_all
 def progress(arguments) -> int:
     chapters = read_chapters()
     verdicts = judge_all([exercise for chapter in chapters for exercise in chapter.exercises])
+    remember((verdict.exercise, verdict.state) for verdict in verdicts)
     if arguments.json:
         print(json.dumps(as_json(verdicts) | {"predictions": predictions_as_json(chapters)}, indent=2))
     else:
@@ -51,12 +54,19 @@ def show_board(chapters: list[Chapter], verdicts: list[Verdict]) -> None:
             show_milestone(chapter.folder)
         print()
     print(f"\n{count_done(verdicts)} of {len(verdicts)} done.")
-    # What is begun and wrong comes before what is not begun.
-    left = [verdict.exercise for state in ("wrong", "not started") for verdict in verdicts if verdict.state == state]
-    if left:
-        show_next(left[0])
+    if written := [verdict.exercise for verdict in verdicts if verdict.state == "done"]:
+        lines = lines_of("\n".join(exercise.source() or "" for exercise in written))
+        print(f"You have written an engine of {lines} lines, in {len(written)} {'function' if len(written) == 1 else 'functions'}.")
+    waiting = first_left([(verdict.exercise, verdict.state) for verdict in verdicts])
+    if waiting:
+        show_next(*waiting)
     else:
         print("Every exercise is right. Well done!")
+
+
+def lines_of(source: str) -> int:
+    """The number of lines of code, without comments and blank lines."""
+    return sum(1 for line in code_of(source).splitlines() if line.strip())
 
 
 def is_open(chapter: Chapter, own: list[Verdict], verdicts: list[Verdict]) -> bool:
@@ -107,15 +117,21 @@ def predictions_as_json(chapters: list[Chapter]) -> list[dict]:
             for chapter in chapters for asked in [predictions_of(chapter)]]
 
 
-def next_after(exercise: Exercise) -> Exercise | None:
-    """The first that is not begun: from here on, and if there is none, of all."""
-    exercises = all_exercises()
-    here = exercises.index(exercise)
-    return next((other for other in exercises[here:] + exercises[:here] if not other.started()), None)
+def first_left(states: list[tuple[Exercise, str]]) -> tuple[Exercise, str] | None:
+    """What comes next, and its state: the first that is wrong; then the first that is not started, or not yet checked."""
+    wrong = [pair for pair in states if pair[1] == "wrong"]
+    left = [pair for pair in states if pair[1] != "done"]
+    return next(iter(wrong + left), None)
 
 
-def show_next(exercise: Exercise) -> None:
-    print(f"\nNext: {paint(exercise.label, 'bold')}")
+def next_of_all() -> tuple[Exercise, str] | None:
+    """The same of all exercises, by what the last check of each has found."""
+    return first_left([(exercise, last_state(exercise)) for exercise in all_exercises()])
+
+
+def show_next(exercise: Exercise, state: str = "not started") -> None:
+    told = {"wrong": ", which is wrong", "begun": ", which you have begun and not checked"}.get(state, "")
+    print(f"\nNext: {paint(exercise.label, 'bold')}{told}")
     for verb, what in (("read", shown(exercise.lesson)), *_to_predict(exercise), ("write", shown(exercise.file)),
                        ("check", f"./course check {exercise.id}"), ("stuck", f"./course hint {exercise.id}")):
         print(f"  {verb:<8}{what}")

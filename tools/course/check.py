@@ -2,8 +2,9 @@
 
 import textwrap
 
-from board import board_line, count_done, next_after, show_milestone, show_next
+from board import board_line, count_done, next_of_all, show_milestone, show_next
 from grading.weights import TABLE, read_rows
+from last_verdicts import last_state, remember
 from manifest import Exercise, all_exercises
 from paths import shown
 from pick import pick
@@ -24,25 +25,45 @@ def check_which(which: str | None, seed: int | None) -> int:
     exercises = pick(which)
     if len(exercises) == 1:
         verdict = judge(exercises[0], seed)
+        remember([(verdict.exercise, verdict.state)])
         show(verdict)
         if verdict.state != "done":
             return 1
-        _show_what_follows(exercises[0])
+        if _completes_its_chapter(exercises[0], seed):
+            print(f"\nChapter {exercises[0].chapter} is done.")
+            show_milestone(exercises[0].folder)
+        _show_what_follows()
         return 0
-    verdicts = judge_all(exercises, seed)
+    verdicts = _judged(exercises, seed)
     _show_many(verdicts)
     print(f"\nChapter {exercises[0].chapter}: {count_done(verdicts)} of {len(verdicts)} done.")
     if count_done(verdicts) < len(verdicts):
         return 1
     show_milestone(exercises[0].folder)
-    _show_what_follows(exercises[-1])
+    _show_what_follows()
     return 0
 
 
-def _show_what_follows(exercise: Exercise) -> None:
-    waiting = next_after(exercise)
+def _judged(exercises: list[Exercise], seed: int | None) -> list[Verdict]:
+    verdicts = judge_all(exercises, seed)
+    remember((verdict.exercise, verdict.state) for verdict in verdicts)
+    return verdicts
+
+
+def _completes_its_chapter(exercise: Exercise, seed: int | None) -> bool:
+    """Tells whether all exercises of the chapter are right. Only those that no check has seen as they are now are
+    checked."""
+    own = [other for other in all_exercises() if other.folder == exercise.folder]
+    if any(last_state(other) in ("wrong", "not started") for other in own):
+        return False
+    unseen = [other for other in own if last_state(other) == "begun"]
+    return all(verdict.state == "done" for verdict in _judged(unseen, seed)) if unseen else True
+
+
+def _show_what_follows() -> None:
+    waiting = next_of_all()
     if waiting:
-        show_next(waiting)
+        show_next(*waiting)
     else:
         print("\nThat was the last exercise; ./course shows the board.")
 
@@ -50,13 +71,15 @@ def _show_what_follows(exercise: Exercise) -> None:
 def _check_started(seed: int | None) -> int:
     """Checks the first started exercise that is wrong; if all are right, names the next one."""
     exercises = all_exercises()
-    verdicts = judge_all([exercise for exercise in exercises if exercise.started()], seed)
+    verdicts = _judged([exercise for exercise in exercises if exercise.started()], seed)
     wrong = [verdict for verdict in verdicts if verdict.state != "done"]
     if wrong:
         _show_many(verdicts[: verdicts.index(wrong[0]) + 1])
         return 1
     _show_many(verdicts)
     waiting = [exercise for exercise in exercises if not exercise.started()]
+    if verdicts and not any(exercise.folder == verdicts[-1].exercise.folder for exercise in waiting):
+        show_milestone(verdicts[-1].exercise.folder)
     if not waiting:
         print("\nEvery exercise is right. Well done!")
     elif verdicts:

@@ -36,6 +36,7 @@ def not_shown(folder: str) -> list[str]:
 
 
 def own_step(folder: str) -> str:
-    """What shows a scene moved by the step that the chapter ends with; empty where it ends with none."""
-    scene = films().get(folder, {}).get("own_step")
-    return f"./course view {scene} --engine mine" if scene else ""
+    """What shows a scene moved by the student's own step, from chapter 09 on with what the chapter adds; empty if there is
+    none."""
+    scene, _, options = films().get(folder, {}).get("own_step", "").partition(" ")
+    return " ".join(["./course view", scene, "--engine mine", *options.split()]) if scene else ""

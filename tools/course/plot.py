@@ -167,7 +167,7 @@ def _compute(experiment: Experiment, arguments, path: Path, folder: Path, own_st
     command += ["--engine", "plain"] if own_step else []
     command += ["--quick"] if arguments.quick else []
     command += ["--shard", arguments.shard] if arguments.shard else []
-    live = Live(experiment.name)
+    live = Live(experiment.name, delay=0)  # the first point alone may take minutes
 
     def on_line(line: str) -> None:
         if _PROGRESS.match(line):

@@ -10,7 +10,7 @@ import crash
 import diagnostics
 from exercise_object import drop_if_stale
 from manifest import Exercise
-from marker import marker_line
+from marker import code_of, marker_line, source_line
 from paths import shown
 from symbols import missing_functions
 from text_encoding import complaint
@@ -18,6 +18,7 @@ from tree import Built, Tree, jobs
 from trial import Test, Trial, clock_limit, run_tests, time_limit
 
 CHECK = Tree("check")
+_WHOLE_DIVISION = re.compile(r"(?<![\w.'])(\d+)\s*/\s*(\d+)(?![\w.'])")
 _BOILERPLATE = re.compile(r"\A[^\n]*:\d+\n(?:Failed\n)?")
 
 
@@ -170,8 +171,22 @@ def _failing(exercise: Exercise, trial: Trial, failed: list[Test]) -> Verdict:
     details = _BOILERPLATE.sub("", first.failures[0]).rstrip()
     if len(first.failures) > 1:
         details += f"\n(and {len(first.failures) - 1} more in this test)"
+    if lost := whole_division(exercise.source() or ""):
+        details += f"\n\n{lost}"
     return Verdict(exercise, "wrong", f"fails {first.name}", details, printed.strip(),
                    [test.name for test in failed if test is not first], len(trial.tests))
+
+
+def whole_division(source: str) -> str:
+    """Names the first division of two whole numbers that drops a fraction; empty if there is none. In h * 1 / 3 there is
+    none, as h * 1 comes first."""
+    for found in _WHOLE_DIVISION.finditer(code_of(source)):
+        left, right = int(found[1]), int(found[2])
+        if right and left % right and not found.string[:found.start()].rstrip().endswith(("*", "/")):
+            line = source_line(found.string, found.start())
+            return (f"Line {line} has {found[0]}. C++ divides whole numbers without the fraction, so this is {left // right}: "
+                    f"write {left}.0 / {right}.")
+    return ""
 
 
 def _broken_off(exercise: Exercise, trial: Trial, what: str, question: str) -> Verdict:

@@ -39,15 +39,29 @@ function parting(first, other, size) {
   return null;
 }
 
+/** { distance, time } where two runs are farthest apart, over the frames of the first; null if they have no time in common. */
+function farthest(first, other) {
+  let most = null;
+  for (const frame of first.frames) {
+    const found = apart(first, other, frame);
+    if (found && (!most || !(found.distance <= most.distance))) most = { distance: found.distance, time: frame.time };
+  }
+  return most;
+}
+
 /** What is said about a run beside the first, at the cursor. */
-function partingLine(first, other, size, since, frame) {
+function partingLine(first, other, size, since, most, frame) {
   if (!comparable(first, other)) return `${other.label}: it has other bodies, so that their places are not compared.`;
   const now = apart(first, other, frame);
   const here = now ? `Now ${inUnit(now.distance, "m")}${now.body >= 0 ? `, at body ${now.body}` : ""}.`
     : "Only one of the runs has this time.";
   const limit = inUnit(PARTED * size, "m");
-  return since === null ? `${other.label}: never more than ${limit} from ${first.label}. ${here}`
-    : `${other.label}: more than ${limit} from ${first.label} since ${inUnit(since, "s")}. ${here}`;
+  if (!most) return `${other.label}: no time is common to it and ${first.label}.`;
+  if (most.distance === 0) return `${other.label}: at the same places as ${first.label}, in every frame.`;
+  const largest = `${inUnit(most.distance, "m")} from ${first.label} at most, at ${inUnit(most.time, "s")}`;
+  const parted = since === null ? "" : `, and more than ${limit} since ${inUnit(since, "s")}`;
+  const chaos = since !== null && first.header.chaotic ? " This scene is chaotic: round-off alone parts two runs of it." : "";
+  return `${other.label}: ${largest}${parted}. ${here}${chaos}`;
 }
 
 /** What is to be known of a run as of a frame; empty where it is sound. */

@@ -79,6 +79,7 @@ class Viewer {
     this.picture.show(runs, keep);
     this.player.show(runs);
     this.since = runs.slice(1).map((run) => parting(runs[0], run, this.picture.box.size));
+    this.farthest = runs.slice(1).map((run) => comparable(runs[0], run) ? farthest(runs[0], run) : null);
     this.controls.show(runs);
     describe(runs);
     this.makeGraphs();
@@ -136,7 +137,7 @@ class Viewer {
     this.legend.update(this.picture);
     const states = this.runs.map((run) => stateLine(run, this.player.frameOf(run)));
     const partings = this.runs.slice(1).map((run, k) =>
-      partingLine(this.runs[0], run, this.picture.box.size, this.since[k], frames[0]));
+      partingLine(this.runs[0], run, this.picture.box.size, this.since[k], this.farthest[k], frames[0]));
     document.getElementById("parting").textContent = [...states.filter(Boolean), ...partings].join("\n");
   }
 

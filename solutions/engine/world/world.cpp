@@ -50,9 +50,9 @@ void World<Dof>::step_part(double h) {
 
 template <int Dof>
 void World<Dof>::step_elsewhere(double h) {
-  solved_ = {.history = {}, .converged = true};
   evaluate_forces(h);
-  settings_.stepper(*this, h, bodies_);
+  set_default_stiffness(h);
+  solved_ = settings_.stepper(*this, h, bodies_);
   end_step(h);
 }
 

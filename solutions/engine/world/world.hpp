@@ -60,9 +60,10 @@ struct Kinematic {
 template <int Dof>
 class World;
 
-/// A step of another engine: moves the bodies of a world by `h` [s], velocities from t_{n-1/2} to t_{n+1/2}.
+/// A step of another engine: moves the bodies of a world by `h` [s], velocities from t_{n-1/2} to t_{n+1/2}. Returns
+/// the report of its solver; without one, an empty report that has converged.
 template <int Dof>
-using Stepper = std::function<void(const World<Dof>& world, double h, Bodies<Dof>& bodies)>;
+using Stepper = std::function<SolveReport(const World<Dof>& world, double h, Bodies<Dof>& bodies)>;
 
 template <int Dof>
 struct Settings {
@@ -108,7 +109,8 @@ struct Settings {
   int threads = 1;  ///< worker threads for contact search, rows, sweeps; the result is the same for any number
   /// Stop rule of the solver. A solver also stops when a sweep changes less than four rounding errors of |gravity| h.
   StopRule solver_limits = {};
-  /// Replaces the stages of the step, whose contacts, rows and report are empty then. Default: none
+  /// Replaces the stages of the step, whose contacts and rows are empty then. The report has its iterations, and the
+  /// last entry of its history for a residual. Default: none
   Stepper<Dof> stepper = nullptr;
 };
 
@@ -319,6 +321,10 @@ class World {
   const std::vector<Row<Dof>>& rows() const { return rows_; }
   const SolveReport& solved() const { return solved_; }
 
+  /// Returns the stop rule of a step of `h` [s]: that of the settings, with a tolerance of at least four rounding
+  /// errors of |gravity| h.
+  StopRule stop_rule(double h) const;
+
   /// Returns the report of the last step. Computes the residual here, not in the step.
   StepReport report() const;
 
@@ -367,7 +373,6 @@ class World {
   SolverInput<Dof> solver_input(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V,
                                 const WarmStartCache& last, double h, const StopRule& stop);
   void warm_start_rows(double h);
-  StopRule stop_rule(double h) const;
   void take_out_recovery(double h);
   void add_work_of_drives();
   void update_kinematic_velocities(double h);

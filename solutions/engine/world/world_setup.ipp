@@ -266,7 +266,8 @@ StepReport World<Dof>::report() const {
           .impacts = impacts_,
           .rows = static_cast<int>(rows_.size()),
           .iterations = static_cast<int>(solved_.history.size()),
-          .residual = rows_.empty()                     ? 0
+          .residual = settings_.stepper                 ? (solved_.history.empty() ? 0 : solved_.history.back())
+                      : rows_.empty()                   ? 0
                       : settings_.integrator_order == 4 ? solved_.history.back()
                       : settings_.soft_steps            ? residual_on_cones(rubbing_, rows_, bodies_.motion.W)
                       : settings_.solver.friction == FrictionModel::cone

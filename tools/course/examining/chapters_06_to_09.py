@@ -143,7 +143,7 @@ def bound_of_a_stack(draw: Draw):
             said(mu * (n - k) * m * 9.81, "N"))
 
 
-@asks(9, 2, "9.1 9.4 9.5 9.6 9.8")
+@asks(9, 2, "9.1 9.4 9.5 9.6 9.8 9.9")
 def onto_the_disc(draw: Draw):
     lt, ln, mu = draw.of((3, 4), (6, 8), (5, 12)), draw.whole(4, 20), draw.of(0.25, 0.5)
     size, bound = math.hypot(*lt), mu * ln

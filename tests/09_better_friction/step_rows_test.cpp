@@ -1,0 +1,181 @@
+// Half a step: impacts, rows, and the places of contacts with friction, for any solver that follows.
+#include "contract.hpp"
+#include "exercise_test.hpp"
+#include "stages.hpp"
+
+using namespace spook;
+using namespace spook::testing;
+
+namespace {
+
+EXERCISE(StepRows, "9.9 step_rows");
+
+/// Returns bodies with contacts that bounce and rub, and with joints of both kinds.
+Crowd whole_crowd(Random& random) {
+  Crowd made = crowd(random, 12, 20);
+  made.all.mu = 0.4;
+  made.all.viscosity = 1e3;
+  made.all.restitution = 0.5;
+  for (int n = 0; n < 6; ++n) {
+    PointJoint joint{n, n + 1, random.vector(0.3), random.vector(0.3)};
+    joint.length = n % 2 ? random.uniform(0.5, 1) : 0;
+    joint.k = random.uniform(100, 200);
+    made.all.joints.push_back(joint);
+  }
+  return made;
+}
+
+ImpactLaw impact_law_of(const Simulation& all, double h) {
+  return {.restitution = all.restitution, .friction = all.mu, .threshold = all.gravity.norm() * h};
+}
+
+Simulation with_impacts(Simulation all, const std::vector<Contact>& contacts, double h) {
+  Motion<6> motion = motion_of(all, h);
+  resolve_impacts(contacts, impact_law_of(all, h), motion);
+  for (std::size_t b = 0; b < motion.W.size(); ++b) {
+    all.bodies[b].v = motion.W[b].head<3>();
+    all.bodies[b].omega = motion.W[b].tail<3>();
+  }
+  return all;
+}
+
+/// The rest of the step with the sweeps of chapter 04.
+Simulation swept(Simulation all, StepRows step, double h) {
+  std::vector<Twist<6>> V(all.bodies.size(), Twist<6>::Zero());
+  solve(step.rows, V, {.max_sweeps = all.max_sweeps, .tolerance = all.tolerance});
+  finish_step(all, V, h);
+  return all;
+}
+
+/// Rows of the velocities before the impacts.
+Simulation rows_before_impacts(const Simulation& all, const std::vector<Contact>& contacts, double h) {
+  const Motion<6> motion = motion_of(all, h);
+  StepRows step{.motion = motion, .rows = {}, .friction = {}};
+  for (const Constraint<6>& constraint : joint_constraints(all, h, {}))
+    step.rows.push_back(make_row(constraint, motion));
+  for (const Constraint<6>& constraint : contact_constraints(all, contacts, h, {}))
+    step.rows.push_back(make_row(constraint, motion));
+  return swept(with_impacts(all, contacts, h), step, h);
+}
+
+const Tolerance of_half_steps = {1e-10, "roundings of some passes and 5 sweeps, of impulses up to 100"};
+
+EXERCISE_TEST(StepRows, SweptIsTheStepOfImpacts) {
+  Random random;
+  const double h = 0.02;
+  for (int n = 0; n < 5 && !::testing::Test::HasFailure(); ++n) {
+    const auto [all, contacts] = whole_crowd(random);
+    const Simulation bounced = with_impacts(all, contacts, h);
+    Simulation half = all, expected = all;
+    const StepRows step = step_rows(half, contacts, h);
+    step_impacts(expected, contacts, h);
+    expect_same_bodies(
+        "after step_rows, before the solver", "Eq. (7.9)", half, bounced, of_half_steps,
+        {{all, "Nothing has bounced: resolve the impacts, and copy motion.W back to the bodies."},
+         {swept(bounced, step, h), "The bodies have moved already: finish_step does that."}},
+        "step_rows changes velocities, by the impacts, and nothing else.");
+    expect_same_bodies(
+        "after step_rows, sweeps and finish_step", "Eq. (6.6), (5.8)", swept(half, step, h), expected,
+        of_half_steps,
+        {{rows_before_impacts(all, contacts, h),
+          "The rows use the velocities before the impacts, so they stop bodies that have bounced already."},
+         {assembled(bounced, contacts, h, {.joints_last = true}),
+          "The rows of the joints come last. Put them first."},
+         {assembled(bounced, contacts, h, {.without_joints = true}), "The rows of the joints are missing."},
+         {assembled(bounced, contacts, h, {.without_friction = true}), "The friction rows are missing."},
+         {assembled(bounced, {}, h), "The rows of the contacts are missing."}},
+        "Impacts first; then the rows of joints and contacts as in chapter 06.");
+    for (std::size_t b = 0; b < step.motion.W.size(); ++b)
+      expect_near_vector<Twist<6>>("W of body " + std::to_string(b) + " in the motion [m/s, rad/s]",
+                                   "Eq. (4.4)", step.motion.W[b], twist_of(half.bodies[b]), roundings(4, 10),
+                                   {}, "The motion is that of the rows: after the impacts.");
+  }
+}
+
+EXERCISE_TEST(StepRows, ListsTheContactsThatHaveFriction) {
+  Random random;
+  const auto [all, contacts] = whole_crowd(random);
+  Simulation half = all;
+  const StepRows step = step_rows(half, contacts, 0.02);
+  expect_true("as many entries in the list as contacts", "Eq. (9.1)", step.friction.size() == contacts.size(),
+              "With friction each contact has an entry.");
+  const std::size_t joint_rows = joint_constraints(all, 0.02, {}).size();
+  for (std::size_t c = 0; c < std::min(step.friction.size(), contacts.size()); ++c) {
+    const auto place = static_cast<double>(step.friction[c].normal), number = static_cast<double>(c);
+    expect_near(
+        "index of the normal row of contact " + std::to_string(c), "Eq. (9.1)", place,
+        static_cast<double>(joint_rows + 3 * c), {0, "it is a whole number"},
+        {{number, "This counts contacts: it is an index in `rows`."},
+         {3 * number, "The rows of the joints come before those of the contacts."},
+         {static_cast<double>(joint_rows + 3 * c + 1), "This is the row of t1. The normal row is before it."}});
+    expect_near("μ of contact " + std::to_string(c), "Eq. (9.3)", step.friction[c].mu, all.mu,
+                {0, "it is the simulation's mu"});
+  }
+  Simulation smooth = all;
+  smooth.mu = 0;
+  expect_true("no entry without friction", "Eq. (9.1)", step_rows(smooth, contacts, 0.02).friction.empty(),
+              "With mu = 0 a contact has one row, and the next two are those of other contacts.");
+}
+
+/// A point mass slides at 45° to the tangents. On the cone its deceleration is μ g in every direction; on the box of
+/// chapter 05 it would be √2 μ g.
+EXERCISE_TEST(StepRows, LetsTheConeBrakeEquallyInEveryDirection) {
+  const double h = 0.01, mass = 2, speed = 3;
+  const int steps = 20;
+  for (const bool two_passes : {false, true}) {
+    Simulation all;
+    all.mu = 0.5;
+    all.k = 1e5;
+    const Vec3 along = two_passes ? Vec3(1, 0, 0) : Vec3(Vec3(1, 1, 0).normalized());
+    all.bodies = {{.normal = Vec3::UnitZ()},
+                  {.x = Vec3(0, 0, -mass * 9.81 / all.k), .v = speed * along, .mass = mass}};
+    for (int n = 0; n < steps; ++n) {
+      const Contact contact{.i = 0,
+                            .j = 1,
+                            .n = Vec3::UnitZ(),
+                            .gap = all.bodies[1].x.z(),
+                            .r_i = Vec3::Zero(),
+                            .r_j = Vec3::Zero()};
+      StepRows step = step_rows(all, {contact}, h);
+      std::vector<Twist<6>> V(all.bodies.size(), Twist<6>::Zero());
+      const StopRule stop{.max_sweeps = 50, .tolerance = 0};
+      if (two_passes)
+        two_pass_solve(step.friction, step.rows, V, stop);
+      else
+        cone_solve(step.friction, step.rows, V, stop);
+      finish_step(all, V, h);
+    }
+    const double exact = speed - 0.5 * 9.81 * h * steps;
+    expect_near(
+        "speed along the first direction after 20 steps on " +
+            std::string(two_passes ? "bounds of two passes" : "the cone") + " [m/s]",
+        "Eq. (9.1), (9.3)", all.bodies[1].v.dot(along), exact,
+        {1e-10, "roundings of 20 steps; the regularisation 1/(h c) leaves a creep of 1e-10 m/s at most"},
+        {{speed, "There is no friction: is the contact in the list, with its μ?"},
+         {speed - std::sqrt(2.0) * 0.5 * 9.81 * h * steps, "This is the box of chapter 05."}},
+        "The list says where the normal row is, and μ.");
+  }
+}
+
+EXERCISE_TEST(StepRows, RejectsAStepThatIsNotPositive) {
+  Random random;
+  auto [all, contacts] = whole_crowd(random);
+  for (const double h : {0.0, -0.1, std::nan("")})
+    expect_rejects(
+        "h = " + show(h), "h", [&, touching = contacts] { step_rows(all, touching, h); },
+        "Check h before the impacts, since they change velocities.", [&] { return state_of(all); });
+  Simulation rough = all;
+  rough.mu = -1;
+  expect_rejects(
+      "mu = -1", "friction", [&, touching = contacts] { step_rows(rough, touching, 0.02); },
+      "resolve_impacts refuses this: call it before you change anything.", [&] { return state_of(rough); });
+}
+
+EXERCISE_TEST(StepRows, IsTheSameInAnyUnits) {
+  Random random;
+  const auto [all, contacts] = whole_crowd(random);
+  expect_same_in_any_units_nans_aside("Eq. (6.6), (5.8)", step_rows, units::by_field, all, contacts,
+                                      0.02 * units::s);
+}
+
+}  // namespace
