@@ -283,5 +283,5 @@ def write(figure: Figure, path: Path, **options) -> None:
     plt.rcParams.update({"svg.hashsalt": "figure", "svg.fonttype": "path"})
     figure.savefig(path, metadata=metadata, **options)
     if path.suffix == ".svg":
-        svg = _with_steady_names(path.read_text(encoding="utf-8"))
+        svg = re.sub(" +$", "", _with_steady_names(path.read_text(encoding="utf-8")), flags=re.MULTILINE)
         path.write_text(_for_light_and_dark(svg), encoding="utf-8")
