@@ -173,7 +173,7 @@ class CourseRun(unittest.TestCase):
                 self.assertIn(told, result.stderr.splitlines()[-1])
                 self.assertNotIn("Traceback", result.stderr)
         result = self.box.course("plot", "energy", "--quick", "--publish", "--format", "png")
-        self.assertEqual((result.returncode, "--format is svg" in result.stderr), (2, True), result.stderr)
+        self.assertEqual((result.returncode, "--format is png" in result.stderr), (2, True), result.stderr)
         result = self.box.course("plot", "energy", "--quick", "--publish")
         self.assertEqual(result.returncode, 1)
         self.assertIn("in full size", result.stderr)
