@@ -44,6 +44,10 @@ MINE = {"marker": "*", "markersize": 12, "fillstyle": "none", "linestyle": "none
         "zorder": 4, "label": "yours"}
 INK, FAINT = "#333333", "#DDDDDD"
 WIDTH = 8.0  # inches
+# On dark paper: these, and greys between paper and ink. Every other colour, such as those of maps, stays.
+DARK = {"#ffffff": "#16181c", "#0072b2": "#4db2f0", "#d55e00": "#ff8c42", "#009e73": "#2fc99a",
+        "#cc79a7": "#e59ac4", "#e69f00": "#f0b429", "#56b4e9": "#8fd0f5", "#d00000": "#ff6b6b"}
+DARK_PAPER, DARK_INK = 0x18, 0xE0  # in place of white and of INK
 
 
 @dataclass
@@ -90,8 +94,7 @@ def new(columns: int = 1, height: float = 3.8, polar: int = 0, rows: int = 1, **
     """Returns a figure and its axes, the first few of them polar. Further options are those of plt.subplots."""
     plt.rcParams.update({"font.size": 10, "axes.edgecolor": INK, "text.color": INK, "axes.labelcolor": INK,
                          "xtick.color": INK, "ytick.color": INK, "lines.linewidth": 1.6, "lines.markersize": 5.5,
-                         "legend.frameon": False, "legend.fontsize": 9, "axes.titlesize": 10,
-                         "svg.hashsalt": "figure", "svg.fonttype": "none"})
+                         "legend.frameon": False, "legend.fontsize": 9, "axes.titlesize": 10})
     if not polar:
         return plt.subplots(rows, columns, figsize=(WIDTH, height), layout="constrained", **options)
     figure = plt.figure(figsize=(WIDTH, height), layout="constrained")
@@ -127,6 +130,15 @@ def slope(axes, power: float, x: tuple[float, float], y: float, text: str) -> No
     end = y * (x[1] / x[0]) ** power
     axes.plot(x, (y, end), color="#999999", linewidth=1)
     axes.annotate(text, (x[1], end), xytext=(4, 0), textcoords="offset points", va="center", fontsize=9)
+
+
+def front(points: list[tuple[float, float]]) -> list[tuple[float, float]]:
+    """The points, by cost, that have a smaller error than every cheaper one."""
+    kept: list[tuple[float, float]] = []
+    for cost, error in sorted(points):
+        if not kept or error < kept[-1][1]:
+            kept.append((cost, error))
+    return kept
 
 
 def field(axes, table: Table, x: str, y: str, value: str, scale: tuple[float, float],
@@ -219,6 +231,30 @@ def _with_steady_names(svg: str) -> str:
     return re.sub(r"\b[pm][0-9a-f]{10}\b", lambda found: names.setdefault(found[0], f"shape{len(names)}"), svg)
 
 
+def on_dark_paper(colour: str) -> str:
+    """The colour, as #rrggbb, that takes the place of this one where the reader's page is dark."""
+    red, green, blue = (int(colour[k:k + 2], 16) for k in (1, 3, 5))
+    if colour in DARK or not red == green == blue:
+        return DARK.get(colour, colour)
+    ink = int(INK[1:3], 16)
+    grey = min(255, round(DARK_PAPER + (DARK_INK - DARK_PAPER) * (255 - red) / (255 - ink)))
+    return f"#{grey:02x}{grey:02x}{grey:02x}"
+
+
+def _for_light_and_dark(svg: str) -> str:
+    """Names the colours, each with its light and its dark value. What knows no such names draws the light ones."""
+    found = sorted(set(re.findall(r"(?:fill|stroke): (#[0-9a-f]{6})", svg)))
+    named = {colour: f"--c{k}" for k, colour in enumerate(found) if on_dark_paper(colour) != colour}
+    if not named:
+        return svg
+    light, dark = (";".join(f"{name}:{value(colour)}" for colour, name in named.items())
+                   for value in (str, on_dark_paper))
+    style = f"<style>svg{{{light}}}@media (prefers-color-scheme:dark){{svg{{{dark}}}}}</style>"
+    svg = re.sub(r"(fill|stroke): (#[0-9a-f]{6})",
+                 lambda use: f"{use[0]}; {use[1]}: var({named[use[2]]})" if use[2] in named else use[0], svg)
+    return re.sub(r"(<svg\b[^>]*>)", rf"\1\n{style}", svg, count=1)
+
+
 def main(draw: Callable[[Data, Data | None], Figure], title: str) -> None:
     parser = argparse.ArgumentParser(description=title)
     parser.add_argument("--data", type=Path, required=True, help="the folder that the experiment wrote")
@@ -236,11 +272,18 @@ def main(draw: Callable[[Data, Data | None], Figure], title: str) -> None:
 def save(figure: Figure, title: str, text: str, paths: list[Path]) -> None:
     caption(figure, title, text)
     for path in paths:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        # Without a date or a version in it, the same numbers give the same bytes.
-        metadata = {".svg": {"Date": None, "Creator": None}, ".pdf": {"CreationDate": None, "Creator": None}}.get(
-            path.suffix, {"Software": None})
         box = {} if _can_reserve_room(figure) else {"bbox_inches": "tight", "pad_inches": 0.1}
-        figure.savefig(path, dpi=120, metadata=metadata, **box)
-        if path.suffix == ".svg":
-            path.write_text(_with_steady_names(path.read_text(encoding="utf-8")), encoding="utf-8")
+        write(figure, path, dpi=120, **box)
+
+
+def write(figure: Figure, path: Path, **options) -> None:
+    """Saves a figure; an SVG fits a light page and a dark one, and its letters are shapes, so it needs no font."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    # Without a date or a version in it, the same numbers give the same bytes.
+    metadata = {".svg": {"Date": None, "Creator": None}, ".pdf": {"CreationDate": None, "Creator": None}}.get(
+        path.suffix, {"Software": None})
+    plt.rcParams.update({"svg.hashsalt": "figure", "svg.fonttype": "path"})
+    figure.savefig(path, metadata=metadata, **options)
+    if path.suffix == ".svg":
+        svg = re.sub(" +$", "", _with_steady_names(path.read_text(encoding="utf-8")), flags=re.MULTILINE)
+        path.write_text(_for_light_and_dark(svg), encoding="utf-8")

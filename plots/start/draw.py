@@ -11,9 +11,8 @@ import sys
 import textwrap
 from pathlib import Path
 
-import matplotlib
-
-matplotlib.use("Agg")
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
+import figures  # noqa: E402
 import matplotlib.pyplot as plt  # noqa: E402
 from claims import ROUNDINGS, ClaimError, Series, caption  # noqa: E402
 from matplotlib.colors import to_hex, to_rgb  # noqa: E402
@@ -189,9 +188,7 @@ def main() -> int:
     arguments = parser.parse_args()
     try:
         all_series = read(arguments.results)
-        figure = draw(all_series, caption(all_series))
-        arguments.out.parent.mkdir(parents=True, exist_ok=True)
-        figure.savefig(arguments.out, dpi=150, metadata={"Software": None})
+        figures.write(draw(all_series, caption(all_series)), arguments.out, dpi=150)
     except ClaimError as error:
         print(f"draw.py: {error}", file=sys.stderr)
         return 1

@@ -204,7 +204,7 @@ class Reading(InBrowser):
         for image, natural in self.ask("[...document.querySelectorAll('.picture img[src$=\".svg\"]')].map((image) => "
                                        "[image.clientWidth, Number(image.getAttribute('width'))])"):
             self.assertEqual(image, natural)  # with letters as large as they were drawn
-        self.browser.run("document.querySelector('.picture > a:has(img[src$=\".png\"])').click()")
+        self.browser.run("document.querySelector('.picture > a:has(img[src*=\"plots\"])').click()")
         self.browser.wait("return document.querySelector('#large[open] img').naturalWidth > 0")
         self.assertEqual(*self.ask("((image) => [image.clientWidth, image.naturalWidth])"
                                    "(document.querySelector('#large img'))"))

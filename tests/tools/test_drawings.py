@@ -14,34 +14,14 @@ from palette import COLOURS  # noqa: E402
 from pen import Drawing  # noqa: E402
 
 MOST_BYTES = 60_000
-_SIZES = {"t": 16, "small": 14, "large": 19}  # pixels
-# Widths of Arial's letters in thousandths of its size; what is not named takes _OTHERS. Times, of symbols, is narrower.
-_WIDTHS = {letter: width for letters, width in (
-    ("'|ijl", 222), (" !,./:;I[]ft", 278), ("()-r", 333), ("Jckszvxy", 500), ("FTZ", 611), ("&ABEKPSVXY", 667),
-    ("CDHNRUw", 722), ("GOQ", 778), ("Mm", 833), ("W", 944), ("\u200b", 0)) for letter in letters}
-_OTHERS = 570
 _SHOWN = re.compile(r"^!\[([^\]]*)\]\(drawings/(\w+)\.svg\)\n\n(\*[^*](?:.|\n(?!\n))*\*)$", re.MULTILINE)
-
-
-def labels(svg: str) -> list[tuple[str, float, float, float, float]]:
-    """Each label with its left, right, top and bottom, by the widths of Arial's letters."""
-    found = []
-    for text in ET.fromstring(svg).iter("{http://www.w3.org/2000/svg}text"):
-        classes = text.get("class").split()
-        if "rim" in classes:
-            continue
-        words = "".join(text.itertext())
-        size = _SIZES[next((name for name in ("small", "large") if name in classes), "t")]
-        width = sum(_WIDTHS.get(letter, _OTHERS) for letter in words) * size / 1000
-        left = float(text.get("x")) - {"start": 0, "middle": width / 2, "end": width}[text.get("text-anchor")]
-        found.append((words, left, left + width, float(text.get("y")) - 0.7 * size, float(text.get("y")) + 2))
-    return found
 
 
 class Drawings(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.drawn = {path: draw().svg() for path, draw in drawings().items()}
+        cls.pens = {path: draw() for path, draw in drawings().items()}
+        cls.drawn = {path: pen.svg() for path, pen in cls.pens.items()}
 
     def test_what_is_committed_is_what_is_drawn(self):
         there = {*ROOT.glob("chapters/*/drawings/*"), *ROOT.glob("chapters/drawings/*")}
@@ -70,8 +50,16 @@ class Drawings(unittest.TestCase):
                 self.assertLess(len(svg.encode()), MOST_BYTES)
                 root = ET.fromstring(svg)
                 self.assertGreater(len(root.findtext("{http://www.w3.org/2000/svg}title")), 20)
-                for word in ("href", "url(", "@import", "<script"):
-                    self.assertNotIn(word, svg)
+                self.assertEqual(re.findall(r'href="[^#][^"]*"|url\(|@import|<script', svg), [])
+
+    def test_letters_are_shapes(self):
+        for path, svg in self.drawn.items():
+            with self.subTest(path.stem):
+                self.assertNotIn("<text", svg)
+                self.assertNotIn("font", svg)
+                names = re.findall(r'\bid="([^"]*)"', svg)
+                self.assertEqual(len(names), len(set(names)))
+                self.assertEqual(set(re.findall(r'href="#([^"]*)"', svg)), set(names))
 
     def test_all_colours_have_their_dark_ones(self):
         for path, svg in self.drawn.items():
@@ -85,26 +73,39 @@ class Drawings(unittest.TestCase):
                         self.assertIn(f".{word}{{", dark)
 
     def test_no_label_leaves_the_card_or_lies_on_another(self):
-        for path, svg in self.drawn.items():
-            card = ET.fromstring(svg)
-            placed = labels(svg)
-            for k, (words, left, right, top, bottom) in enumerate(placed):
-                with self.subTest(path.stem, label=words):
-                    self.assertTrue(left > 2 and right < float(card.get("width")) - 2, f"from {left} to {right}")
-                    self.assertTrue(top > 2 and bottom < float(card.get("height")) - 2, f"from {top} to {bottom}")
-                    under = [other for other, *o in placed[k + 1:]
-                             if left < o[1] and o[0] < right and top < o[3] and o[2] < bottom]
+        for path, pen in self.pens.items():
+            for k, one in enumerate(pen.labels):
+                with self.subTest(path.stem, label=one.words):
+                    self.assertTrue(one.left > 2 and one.right < pen.width - 2, f"from {one.left} to {one.right}")
+                    self.assertTrue(one.top > 2 and one.bottom < pen.height - 2, f"from {one.top} to {one.bottom}")
+                    under = [other.words for other in pen.labels[k + 1:]
+                             if one.left < other.right and other.left < one.right
+                             and one.top < other.bottom and other.top < one.bottom]
                     self.assertEqual(under, [])
 
 
 class Pen(unittest.TestCase):
     def test_mathematics_in_labels(self):
+        """Letters in italics, digits and words such as cos upright, what is lowered smaller; a label's words are kept."""
         d = Drawing(10, "A title that is long enough")
-        d.text((1, 2), "the arm $r_i$ < $v_{n+1/2}$, cos: $cos θ$")
-        svg = d.svg()
-        self.assertIn('<tspan class="m">r</tspan><tspan class="m s" dy="5">i</tspan>', svg)
-        self.assertIn("&lt;", svg)
-        self.assertIn('<tspan class="r">cos </tspan>'.replace("cos ", "cos"), svg)
+        d.text((100, 2), "a $v_{n+1}$ $cos θ$")
+        self.assertEqual([label.words for label in d.labels], ["a v_{n+1} cos θ"])
+        self.assertEqual(set(d._letters), {("words", "a"), ("words", " "), ("italic", "v"), ("italic", "n"),
+                                           ("upright", "+"), ("upright", "1"), ("upright", "c"), ("upright", "o"),
+                                           ("upright", "s"), ("upright", " "), ("italic", "θ")} - {
+                                               ("words", " "), ("upright", " ")})
+        lowered = re.findall(r'<g transform="translate\(\d+ -(\d+)\) scale\(([.\d]+)\)">', d.svg())
+        self.assertEqual(lowered, [("312", "0.85")] * 2)  # 5 of 16 pixels, for n and for +1
+
+    def test_labels_stand_where_they_are_anchored(self):
+        d = Drawing(100, "A title that is long enough")
+        for anchor in ("start", "middle", "end"):
+            d.text((300, 50), "what $G_i$", anchor=anchor)
+        start, middle, end = d.labels
+        self.assertAlmostEqual(start.left, 300)
+        self.assertAlmostEqual(middle.left + middle.right, 600)
+        self.assertAlmostEqual(end.right, 300)
+        self.assertTrue(40 < start.right - start.left < 90, start)
 
     def test_the_last_bits_of_a_number_decide_nothing(self):
         d = Drawing(10, "A title that is long enough")

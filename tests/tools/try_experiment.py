@@ -38,7 +38,9 @@ def claims_not_shown(claims: Path, source: Path) -> list[str]:
     if not page.exists():
         page = plots / "README.md"
     text = " ".join(page.read_text(encoding="utf-8").split()).casefold()
-    figure, name = source.with_suffix(".png"), page.relative_to(plots.parent)
+    name = page.relative_to(plots.parent)
+    figure = next((path for kind in (".svg", ".png") if (path := source.with_suffix(kind)).exists()),
+                  source.with_suffix(".svg"))
     wrong = [] if figure.exists() else [f"{figure.relative_to(plots.parent)} is not in the tree"]
     if str(figure.relative_to(page.parent)) not in text:
         wrong.append(f"{name} does not show {figure.name}")

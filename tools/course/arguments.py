@@ -149,6 +149,8 @@ def _parsers() -> tuple[Parser, dict[str, Parser]]:
     command = add("book", "make a site of the lessons and all pages, which opens without a server")
     command.add_argument("--out", metavar="DIR", help="output folder (default: build/book)")
     command.add_argument("--films", action="store_true", help="make films instead of live figures")
+    command.add_argument("--mine", action="store_true",
+                         help="run your own functions in the figures; without emscripten, in pages of ./course view")
     command.add_argument("--views", action="store_true", help="link each film to its page of ./course view")
     command.add_argument("--publish", metavar="REMOTE",
                          help="push the site to branch gh-pages of this git remote, as its only commit")

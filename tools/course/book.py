@@ -9,8 +9,11 @@ from binding.views import film_pages
 from engine import program_of_pages
 from errors import BadInput, CourseError
 from install import install
+from manifest import Exercise
+from mine import begun, program_of_own_pages, told
 from needs import BOOK_NEEDS, LIVE_NEEDS, VIEW_NEEDS
 from paths import BUILD, ROOT, shown
+from terminal import fold
 
 _BRANCH = "gh-pages"
 
@@ -19,9 +22,14 @@ def book(arguments) -> int:
     folder = _target(Path(arguments.out)) if arguments.out else BUILD / "book"
     remote = _remote(arguments.publish) if arguments.publish else ""
     install(BOOK_NEEDS, yes=False)
-    count = build(folder, arguments.views, None if arguments.films else _engine())
-    if arguments.views:
-        film_pages(folder)
+    mine = begun() if arguments.mine else []
+    if arguments.mine:
+        print(fold(told(mine) if mine else "You have written no exercise yet, so all figures are the reference's."))
+    engine = None if arguments.films else _engine(mine)
+    views = arguments.views or bool(mine and engine is None)  # a film itself cannot be of theirs
+    count = build(folder, views, engine, mine=bool(mine))
+    if views:
+        film_pages(folder, mine=bool(mine))
     print(f"{shown((folder / 'index.html').absolute())}: {count} pages. Open it in a browser.")
     if remote:
         _push(folder, remote)
@@ -29,13 +37,13 @@ def book(arguments) -> int:
     return 0
 
 
-def _engine() -> Path | None:
-    """The engine of live figures; None where there is nothing to make it or to draw it with, which is told."""
+def _engine(mine: list[Exercise]) -> Path | None:
+    """The engine of live figures, with the student's functions; None where there is nothing to make it or to draw it with, which is told."""
     missing = [need.package for need in (*LIVE_NEEDS, *VIEW_NEEDS) if not need.there()]
     if missing:
         print(f"Figures are films, since {' and '.join(missing)} is missing (emscripten is a download of 110 MB).")
         return None
-    return program_of_pages()
+    return program_of_own_pages(mine) if mine else program_of_pages()
 
 
 def _target(folder: Path) -> Path:

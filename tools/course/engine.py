@@ -9,7 +9,7 @@ from errors import CourseError
 from tree import Tree
 
 RELEASE = Tree("release")
-_WEB = Tree("web", ("emcmake",))
+WEB = Tree("web", ("emcmake",))
 
 
 def program(target: str) -> Path:
@@ -31,14 +31,14 @@ def parameters_of(scene: str) -> set[str]:
     return {parameter["name"] for each in json.loads(done.stdout)["scenes"] for parameter in each["parameters"]}
 
 
-def program_of_pages() -> Path:
+def program_of_pages(target: str = "spook_live") -> Path:
     """The engine as WebAssembly, up to date: the script that loads it, with the .wasm file beside."""
-    compiled = _WEB.path / "solutions" / "spook_live.js"
-    first = "" if compiled.exists() else " (some minutes, the first time)"
-    built = _WEB.build(["spook_live"], f"building the engine for live figures{first}", keep_going=True)
+    archive = WEB.path / "solutions" / "libspook_scenes.a"
+    first = "" if archive.exists() else " (some minutes, the first time)"
+    built = WEB.build([target], f"building the engine for live figures{first}", keep_going=True)
     if not built.ok:
-        raise _WEB.own_failure(built)
-    return compiled
+        raise WEB.own_failure(built)
+    return WEB.path / "solutions" / f"{target}.js"
 
 
 def _how_long() -> str:

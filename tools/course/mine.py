@@ -5,7 +5,7 @@ import re
 from pathlib import Path
 
 import diagnostics
-from engine import RELEASE, program
+from engine import RELEASE, WEB, program, program_of_pages
 from errors import CourseError
 from exercise_object import drop_if_stale, object_file
 from manifest import Exercise, all_exercises
@@ -54,15 +54,26 @@ def checked_program(mine: list[Exercise]) -> Path:
     It has its checks on, and is slower for that.
     """
     _compile(CHECK, mine)
-    _set("SPOOK_MINE_OBJECTS", [str(object_file(CHECK, exercise)) for exercise in mine])
+    _set(RELEASE, "SPOOK_MINE_OBJECTS", [str(object_file(CHECK, exercise)) for exercise in mine])
     return _complete(program("spook_mine"), CHECK, mine)
 
 
 def fast_program(target: str, mine: list[Exercise]) -> Path:
     """The target, with the student's functions at full speed, too."""
-    _set("SPOOK_MINE", [exercise.function for exercise in mine])
+    _set(RELEASE, "SPOOK_MINE", [exercise.function for exercise in mine])
     _compile(RELEASE, mine)
     return _complete(program(target), RELEASE, mine)
+
+
+def program_of_own_pages(mine: list[Exercise]) -> Path:
+    """The engine of live figures with the student's functions.
+
+    They are compiled for this machine first: what does not compile, or is not there, is told as everywhere.
+    """
+    _compile(RELEASE, mine)
+    _complete(program("spook"), RELEASE, mine)
+    _set(WEB, "SPOOK_MINE", [exercise.function for exercise in mine])
+    return program_of_pages("spook_live_mine")
 
 
 def _compile(tree: Tree, mine: list[Exercise]) -> None:
@@ -86,7 +97,7 @@ def _complete(path: Path, compiled: Tree, mine: list[Exercise]) -> Path:
     return path
 
 
-def _set(name: str, values: list[str]) -> None:
+def _set(tree: Tree, name: str, values: list[str]) -> None:
     wanted = ";".join(values)
-    if RELEASE.setting(name) != wanted:
-        RELEASE.configure(f"-D{name}={wanted}")
+    if tree.setting(name) != wanted:
+        tree.configure(f"-D{name}={wanted}")

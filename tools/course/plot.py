@@ -63,8 +63,8 @@ def plot(arguments) -> int:
     chosen = _pick(arguments.which)
     if arguments.mine and len(chosen) > 1:
         chosen = [experiment for experiment in chosen if experiment.name != peers.NAME]  # which has no curve of theirs
-    if arguments.publish and arguments.format not in (None, "png"):
-        raise BadInput(f"plot: --publish needs the format png, but --format is {arguments.format}")
+    if arguments.publish and arguments.format not in (None, "svg"):
+        raise BadInput(f"plot: --publish needs the format svg, but --format is {arguments.format}")
     if len(chosen) > 1 and (arguments.more or arguments.merge):
         raise BadInput("--merge and options after -- are for one experiment")
     codes = [_one(experiment, arguments) for experiment in chosen]
@@ -122,7 +122,7 @@ def _one(experiment: Experiment, arguments) -> int:
         _run(experiment, arguments, mine)
     if not (experiment.folder(False) / "table.csv").exists():
         return code  # a shard
-    figure = _draw(experiment, bool(mine), arguments.format or "png")
+    figure = _draw(experiment, bool(mine), arguments.format or ("svg" if arguments.publish else "png"))
     if arguments.publish:
         if code != 0 or mine or arguments.quick:
             raise CourseError("--publish needs the reference in full size, with true claims")

@@ -64,6 +64,36 @@ def _cuboid(d: Drawing, view: View, orientation: np.ndarray, half: np.ndarray) -
         d.path(corners, "body fill", closed=True)
 
 
+def momentum_and_spin() -> Drawing:
+    """A free top, moments 1, 2, 3, at four times: L = (0, 0, 1) stays, and ω = I⁻¹L turns, with ω·L constant."""
+    d = Drawing(342, "The angular momentum L stays where it is, while the angular velocity turns around it")
+    moments, L = np.array([1.0, 2.0, 3.0]), np.array([0.0, 0.0, 1.0])
+    q = _about((1, 0.3, 0), math.radians(52))
+    path, frames, h = [], [], 0.01
+    for k in range(1001):
+        spin = q @ ((q.T @ L) / moments)
+        path.append(spin)
+        if k in (0, 250, 500, 750):
+            frames.append((q.copy(), spin))
+        half = _about(spin, h / 2 * np.linalg.norm(spin)) @ q  # the midpoint rule
+        spin = half @ ((half.T @ L) / moments)
+        q = _about(spin, h * np.linalg.norm(spin)) @ q
+    half = 0.34 * np.array([1.25, 1.0, 0.5])  # longest along the axis of the least moment
+    for k, (orientation, spin) in enumerate(frames):
+        view = View((95 + 176 * k, 228), 92, 24, 20)
+        _cuboid(d, view, orientation, half)
+        d.path([view(*(2.0 * p)) for p in path[::8]], "velocity thin")
+        d.arrow(view(0, 0, 0), view(0, 0, 1.55), "impulse bold")
+        d.arrow(view(0, 0, 0), view(*(2.0 * spin)), "velocity bold")
+        d.text((view(0, 0, 1.55)[0] - 12, view(0, 0, 1.55)[1] + 8), "$L$", "impulse", "end")
+        tip = view(*(2.0 * spin))
+        side = 1 if tip[0] > view(0, 0, 0)[0] else -1
+        d.text((tip[0] + 14 * side, tip[1] - 6), "$ω$", "velocity", "start" if side > 0 else "end")
+        d.text((95 + 176 * k, 318), f"$t = {2.5 * k:g}$ s" if k else "$t = 0$", "soft", size="small")
+    d.text((360, 30), "no torque: $L$ is constant, and $ω = I^{−1}L$ turns with the body", "ink")
+    return d
+
+
 def back_to_length_one() -> Drawing:
     """A step of (2.4) with h|ω|/2 = 0.62."""
     d = Drawing(300, "The first-order step leaves the sphere of unit quaternions along its tangent and comes back")
@@ -98,43 +128,61 @@ def back_to_length_one() -> Drawing:
 
 
 def splitting() -> Drawing:
-    """One long step of (2.11) for moments 1, 2, 3, as L moves in the body's axes."""
-    d = Drawing(372, "Five turns about body axes carry L along circles, near the path that it takes in truth")
+    """One long step of (2.11) for moments 1, 2, 3, as L moves in the body's axes; on the right the patch, enlarged."""
+    d = Drawing(400, "Five turns about body axes carry L along circles, and end near the true path's end")
     moments, step = np.array([1.0, 2.0, 3.0]), 2.6
-    view = View((205, 205), 140, 42, 30)
     L = np.array([0.52, 0.30, 0.80])
     L /= np.linalg.norm(L)
-    d.circle(view(0, 0, 0), 140, "faint fill")
+    truth = _truth(L, moments, step)
+    globe = View((130, 150), 92, 42, 30)
+    d.circle(globe(0, 0, 0), 92, "faint fill")
     for axis, name in zip(np.eye(3), _NAMES):
-        d.line(view(0, 0, 0), view(*axis), "faint thin")
-        d.arrow(view(*axis), view(*1.28 * axis), "soft")
-        d.text(_beyond(view(0, 0, 0), view(*1.28 * axis), 14), name, "soft")
-    d.path([view(*p) for p in _truth(L, moments, step)], "ink bold")
+        d.line(globe(0, 0, 0), globe(*axis), "faint thin")
+        d.arrow(globe(*axis), globe(*1.28 * axis), "soft")
+        d.text(_beyond(globe(0, 0, 0), globe(*1.28 * axis), 14), name, "soft")
+    d.path([globe(*p) for p in truth], "ink bold")
+
+    shown = View((0, 0), 510, 42, 30)
+    arcs, at = [], L
     order = ((0, 0.5), (1, 0.5), (2, 1.0), (1, 0.5), (0, 0.5))
-    at = L
     for axis, part in order:
         angle = -part * step * at[axis] / moments[axis]
-        d.path([view(*(_about(np.eye(3)[axis], angle * k / 20) @ at)) for k in range(21)], f"{_COLOURS[axis]}")
+        arcs.append([shown(*(_about(np.eye(3)[axis], angle * k / 20) @ at)) for k in range(21)])
         at = _about(np.eye(3)[axis], angle) @ at
-        d.dot(view(*at), _COLOURS[axis], 4)
-    d.dot(view(*L), "ink", 6)
-    first = view(*L)
-    d.text((first[0] - 10, first[1] + 22), "$L$ now", "ink", "end")
-    left, top, width = 425, 92, 66
-    d.text((left, 40), "A step of $h$ is five turns,", "ink", "start")
-    d.text((left, 62), "each about one body axis:", "ink", "start")
-    x = left
-    for axis, part in order:
-        wide = width * part
-        d.box((x, top), wide * 1.2, 44, f"{_COLOURS[axis]} fill")
-        d.text((x + wide * 0.6, top + 28), f"${axis + 1}$", _COLOURS[axis])
-        d.text((x + wide * 0.6, top + 66), "$h$" if part == 1 else "$h/2$", "soft", size="small")
-        x += wide * 1.2
-    d.text((left, 200), "A turn about $e_c$ moves $L$, as the\nbody sees it, on a circle around $e_c$.", "ink", "start",
-           "small")
-    d.text((left, 258), "the bold line: the path in truth", "ink", "start", "small")
-    d.text((left, 280), "The same way there and back: what\nthe first half leaves out, the second\nputs in again.",
-           "soft", "start", "small")
+    xs, ys = zip(*(p for arc in arcs for p in arc))
+    shift = 486 - (min(xs) + max(xs)) / 2, 178 - (min(ys) + max(ys)) / 2
+
+    def moved(p):
+        return p[0] + shift[0], p[1] + shift[1]
+
+    d.circle((486, 178), 168, "faint")
+    middle = globe(*truth[len(truth) // 2])
+    d.circle(middle, 34, "soft thin")
+    d.line((middle[0] + 14, middle[1] - 31), (434, 18), "faint thin")
+    d.line((middle[0] + 14, middle[1] + 31), (434, 338), "faint thin")
+    d.path([moved(shown(*p)) for p in truth], "ink bold")
+    for k, ((axis, _), arc) in enumerate(zip(order, arcs)):
+        d.path([moved(p) for p in arc], _COLOURS[axis])
+        d.dot(moved(arc[-1]), _COLOURS[axis], 5)
+        (x, y), (left, top) = moved(arc[10]), moved(arc[9])
+        length = math.hypot(x - left, y - top)
+        side = 15 if k in (0, 1, 3) else -15
+        d.text((x - side * (y - top) / length, y + side * (x - left) / length + 5), str(k + 1), _COLOURS[axis])
+    start, end = moved(shown(*L)), moved(shown(*truth[-1]))
+    d.dot(start, "ink", 6)
+    d.text((start[0] - 12, start[1] - 8), "$L$ now", "ink", "end", "small")
+    d.dot(end, "ink", 5)
+    d.text((end[0] + 10, end[1] + 20), "$L$ after $h$", "ink", "start", "small")
+    x = 40
+    for k, (axis, part) in enumerate(order):
+        wide = 76 * part
+        d.box((x, 296), wide, 40, f"{_COLOURS[axis]} fill")
+        d.text((x + wide / 2, 322), f"${k + 1}$", _COLOURS[axis])
+        d.text((x + wide / 2, 354), "$h$" if part == 1 else "$h/2$", "soft", size="small")
+        d.text((x + wide / 2, 376), f"$e_{axis + 1}$", _COLOURS[axis], size="small")
+        x += wide
+    d.text((486, 376), "black: the true path; a turn about $e_c$ moves $L$ on a circle around $e_c$", "soft",
+           size="small")
     return d
 
 

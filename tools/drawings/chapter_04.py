@@ -1,4 +1,4 @@
-"""Chapter 04: a row's two bodies, and sweeps in the plane of two impulses."""
+"""Chapter 04: a row's two bodies, an impulse that climbs a stack, and sweeps in the plane of two impulses."""
 
 import math
 
@@ -32,6 +32,31 @@ def gather_and_scatter() -> Drawing:
         d.circle((x, 284), 11, colour)
         d.text((x, 289), number, colour, size="small")
         d.text((x + 20, 290), label, colour, "start", "small")
+    return d
+
+
+def impulse_climbs() -> Drawing:
+    """Five equal spheres at rest, from λ = 0, rows in the order from the top down; each sweep's impulses."""
+    d = Drawing(340, "In the order from the top down the ground's impulse climbs one contact in a sweep")
+    count, floor, size = 5, 276, 46
+    impulses = [0.0] * count
+    for sweep in range(count + 1):
+        x = 70 + 116 * sweep
+        for k in reversed(range(count)) if sweep else ():
+            above = impulses[k + 1] if k + 1 < count else 0.0
+            below = impulses[k - 1] if k else 0.0
+            # On the ground S_kk = 1 and B = 1; above, S_kk = 2 and B = 0; neighbours have S_kl = -1.
+            impulses[k] = 1 + above if k == 0 else (above + below) / 2
+        for k in range(count):
+            pushed = impulses[k] > 0
+            d.circle((x, floor - size * (k + 0.5)), size / 2, "impulse fill" if pushed else "body fill")
+        for k, value in enumerate(impulses):
+            if value > 0:
+                d.bar((x + 26, floor - size * k - 5), max(3, 14 * value), 10, "impulse")
+        d.line((x - 30, floor), (x + 30, floor), "ink bold")
+        d.text((x, floor + 24), f"after {sweep}" if sweep else "at first", "soft", size="small")
+    d.text((360, 328), "bars: the impulse of each contact so far; orange: spheres that are held at all", "soft",
+           size="small")
     return d
 
 

@@ -1,29 +1,31 @@
-"""Chapter 07: the impulses of an impact, in the plane of normal and slip."""
+"""Chapter 07: the impulses of an impact, in the plane of normal and slip, and an impact on two balls."""
 
 from pen import Drawing, Frame
 
 
 def stick_and_slide() -> Drawing:
     """A solid sphere on a plane, where K is 7/2 along the slip and 1 along n; e = 0.5, μ = 0.5, approach 1."""
-    d = Drawing(356, "The impulse that sticks is taken if it is in the cone; else the impulse on the cone's edge")
+    d = Drawing(372, "The impulse that sticks is taken if it is in the cone; else the impulse on the cone's edge")
     K_t, friction, e = 3.5, 0.5, 0.5
-    for middle, slip, title in ((178, 1.3, "a slow slip: it sticks"), (548, 3.6, "a fast slip: it slides")):
-        f = Frame((middle, 322), 140)
+    J_n = 1 + e
+    for middle, slip, title in ((196, 1.3, "a slow slip: it sticks"), (556, 3.6, "a fast slip: it slides")):
+        f = Frame((middle, 316), 128)
         _cone(d, f, friction, 1.78)
-        J_n = 1 + e
-        d.line(f(-1.16, J_n), f(0.95, J_n), "velocity dash")
-        d.text((f(0.95, J_n)[0] + 4, f(0.95, J_n)[1] - 9), "restitution $e$", "velocity", "end", "small")
+        d.line(f(-1.4, J_n), f(0.85, J_n), "velocity dash")
         stick = -slip / K_t
-        d.line(f(stick, 0.35), f(stick, 1.72), "pair dash")
+        d.line(f(stick, 0.12), f(stick, 1.72), "pair dash")
         inside = abs(stick) <= friction * J_n
         chosen = stick if inside else -friction * J_n
+        if not inside:
+            d.arrow(f(stick, J_n), f(chosen - 0.03, J_n), "pair bold")
         d.arrow(f(0, 0), f(chosen, J_n), "impulse bold")
         d.dot(f(stick, J_n), "pair", 6)
         d.dot(f(chosen, J_n), "impulse", 6)
-        d.text((f(chosen, J_n)[0] - 8, f(chosen, J_n)[1] - 14), "$J$", "impulse", "end")
-        d.text((f(stick, 0.35)[0] - 4, f(stick, 0.35)[1] + 20), "no slip", "pair", "end" if inside else "middle",
-               "small")
+        d.text((f(chosen, J_n)[0] + 12, f(chosen, J_n)[1] - 10), "$J$", "impulse", "start")
+        d.text((f(stick, 0)[0] + (4 if inside else 0), f(stick, 0)[1] + 20), "slip ends", "pair", "middle", "small")
         d.text((middle, 28), title, "ink")
+        if inside:
+            d.text((f(-1.4, J_n)[0], f(-1.4, J_n)[1] + 22), "restitution $e$", "velocity", "start", "small")
     return d
 
 
@@ -33,7 +35,28 @@ def _cone(d: Drawing, f: Frame, friction: float, height: float) -> None:
     d.arrow(f(0, 0), f(0, height + 0.12), "soft thin")
     d.text((f(1.2, 0)[0], f(0, 0)[1] + 22), "$J_t$", "soft", "end")
     d.text((f(0, height)[0] + 12, f(0, height)[1] + 4), "$J_n$", "soft", "start")
-    d.text(f(0.62 * friction * height + 0.26, 0.62 * height - 0.25), "$|J_t| = μJ_n$", "good", "start", "small")
+    d.text((f(0.5 * friction * height, 0)[0] + 12, f(0, 0.5 * height)[1] + 14), "$|J_t| = μJ_n$", "good", "start",
+           "small")
+
+
+def one_after_the_other() -> Drawing:
+    """Three equal balls in a row, e = 1: (7.13), and what all contacts at once would give."""
+    d = Drawing(330, "A ball hits two that touch: pair by pair the last one flies off, at once all three move")
+    rows = ((66, "before", (1.0, 0.0, 0.0), "ink"), (172, "pair by pair", (0.0, 0.0, 1.0), "good"),
+            (270, "all at once", (-1 / 3, 2 / 3, 2 / 3), "impulse"))
+    for y, title, speeds, colour in rows:
+        for k, speed in enumerate(speeds):
+            x = 200 + 58 * k - (62 if title == "before" and k == 0 else 0)
+            d.circle((x, y), 28, "body fill")
+            if speed:
+                d.arrow((x, y), (x + 88 * speed, y), "velocity bold")
+            value = {1.0: "$v$", 0.0: "$0$"}.get(speed, "$−v/3$" if speed < 0 else "$2v/3$")
+            d.text((x, y - 36), value, "velocity", size="small")
+        d.text((98, y + 5), title, colour, "end")
+    d.text((478, 166), "the toy does this: an impact of\n1 and 2, then one of 2 and 3", "good", "start", "small")
+    d.text((478, 254), "both contacts with $e = 1$ in one\nsystem: as much momentum,\nas much energy", "impulse",
+           "start", "small")
+    return d
 
 
 def no_energy_gained() -> Drawing:

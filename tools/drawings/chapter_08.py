@@ -116,50 +116,61 @@ def _corners(centre, half, lean: float):
 
 
 def edge_against_edge() -> Drawing:
-    """Two long boxes that cross; s and t of (8.9) for their lowest and highest edges."""
-    d = Drawing(330, "Two edges that cross: the nearest points, and the contact in the middle between them")
-    view = View((265, 178), 74, 34, 34)
-    q_i, a = (2.1, 0.3, -0.1), (-4.2, -0.9, 0.0)
-    q_j, b = (0.5, -1.9, 0.32), (-0.8, 3.8, 0.0)
-    edge_i, edge_j = ([view(*q), view(*(x + y for x, y in zip(q, e)))] for q, e in ((q_i, a), (q_j, b)))
-    _ridge(d, view, q_i, a, -1)
-    d.path(edge_i, "velocity bold")
-    _ridge(d, view, q_j, b, 1)
-    d.path(edge_i, "velocity thin dash")  # what the upper box hides of it
-    d.path(edge_j, "pair bold")
+    """Two bars that cross, drawn apart; s and t of (8.9) for the highest edge of i and the lowest of j."""
+    d = Drawing(372, "Two edges that cross: the nearest points, and the contact in the middle between them")
+    view = View((262, 218), 78, 30, 26)
+    low = _bar(d, view, 160, -0.62)
+    high = _bar(d, view, 96, 0.62 + 0.75)
+    q_i, q_j = (tuple(-1.9 * x + y for x, y in zip(along, middle)) for along, middle in (low, high))
+    a, b = (tuple(3.8 * x for x in along) for along, _ in (low, high))
+    for q, e, name, colour in ((q_i, a, "i", "velocity"), (q_j, b, "j", "pair")):
+        end = view(*(x + y for x, y in zip(q, e)))
+        d.arrow(view(*q), end, f"{colour} bold")
+        d.dot(view(*q), colour, 5)
+        d.text((view(*q)[0] - 10, view(*q)[1] + (-8 if name == "i" else 20)), f"$q_{name}$", colour, "end")
+        d.text((end[0] + (-8 if name == "i" else 12), end[1] + (28 if name == "i" else 4)),
+               "$a$" if name == "i" else "$b$", colour, "start")
     w = tuple(y - x for x, y in zip(q_i, q_j))
     ab = _cross(a, b)
     size = _dot(ab, ab)
     s, t = _dot(_cross(w, b), ab) / size, _dot(_cross(w, a), ab) / size
-    near_i = tuple(q + s * e for q, e in zip(q_i, a))
-    near_j = tuple(q + t * e for q, e in zip(q_j, b))
-    d.line(view(*near_i), view(*near_j), "impulse")
+    near_i, near_j = (tuple(q + part * x for q, x in zip(start, e)) for start, part, e in ((q_i, s, a), (q_j, t, b)))
+    d.line(view(*near_i), view(*near_j), "good bold")
     d.dot(view(*near_i), "velocity", 6)
     d.dot(view(*near_j), "pair", 6)
     p = view(*((x + y) / 2 for x, y in zip(near_i, near_j)))
-    d.dot(p, "impulse", 6)
+    d.dot(p, "impulse", 7)
     d.text((p[0] + 14, p[1] + 6), "$p$", "impulse", "start")
-    for q, e, name, colour in ((q_i, a, "i", "velocity"), (q_j, b, "j", "pair")):
-        d.dot(view(*q), colour, 5)
-        at = view(*q)
-        d.text((at[0] - 10, at[1] - 10), f"$q_{name}$", colour, "end")
-        end = view(*(x + y for x, y in zip(q, e)))
-        d.text((end[0] + 10, end[1] + 2), "$a$" if name == "i" else "$b$", colour, "start")
-    d.text((505, 92), "What joins the nearest points\nis at right angles to both edges:", "ink", "start", "small")
-    d.text((505, 140), "$n$ is along $a × b$.", "good", "start")
-    d.text((505, 186), "(drawn apart; when they touch\nthey have passed each other)", "soft", "start", "small")
+    d.text((p[0] - 14, p[1] - 10), "$n$", "good", "end")
+    d.text((482, 96), "The green line joins the nearest\npoints, at right angles to both\nedges: $n$ is along $a × b$.",
+           "good", "start", "small")
+    d.text((482, 180), "The one contact, $p$, is in its\nmiddle.", "impulse", "start", "small")
+    d.text((482, 244), "The bars are drawn apart. When\nthey touch, the edges have passed\neach other a little.",
+           "soft", "start", "small")
     return d
 
 
-def _ridge(d: Drawing, view: View, q, e, side: int) -> None:
-    """The two faces of a box that meet at an edge, above it or below it."""
-    length = math.hypot(e[0], e[1])
-    across = (-e[1] / length * 0.55, e[0] / length * 0.55, 0.0)
-    end = tuple(x + y for x, y in zip(q, e))
-    for turn in (1, -1):
-        off = (turn * across[0], turn * across[1], 0.45 * side)
-        far = [view(*(x + y for x, y in zip(at, off))) for at in (end, q)]
-        d.path([view(*q), view(*end), *far], "body fill", closed=True)
+def _bar(d: Drawing, view: View, heading: float, height: float):
+    """A bar that stands on an edge; returns the direction, and the middle, of the edge that faces the other bar."""
+    c, s, side = math.cos(math.radians(heading)), math.sin(math.radians(heading)), math.sqrt(0.5)
+    along, across = (c, s, 0.0), (-s, c, 0.0)
+    normals = [tuple(side * (u * x + v * z) for x, z in zip(across, (0, 0, 1))) for u, v in
+               ((1, 1), (-1, 1), (-1, -1), (1, -1))]
+    half, long = 0.42, 1.9
+
+    def corner(u: float, p, q):
+        return view(*(u * long * x + half * (y + z) + (0, 0, height)[k]
+                      for k, (x, y, z) in enumerate(zip(along, p, q))))
+
+    for k, normal in enumerate(normals):
+        if view.depth(*normal) > 0:
+            before, after = normals[k - 1], normals[(k + 1) % 4]
+            d.path([corner(-1, before, normal), corner(1, before, normal), corner(1, normal, after),
+                    corner(-1, normal, after)], "body fill", closed=True)
+    end = 1 if view.depth(*along) > 0 else -1
+    d.path([corner(end, normals[k - 1], normals[k]) for k in range(4)], "body fill", closed=True)
+    reach = half * math.sqrt(2)
+    return along, (0.0, 0.0, height + (reach if height < 0 else -reach))
 
 
 def _cross(a, b):

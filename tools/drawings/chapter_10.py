@@ -9,26 +9,30 @@ from pen import Drawing, Frame
 
 def sweeps_up_and_down() -> Drawing:
     """Five equal spheres on the ground, from λ = 0: rows k = 0 ... 4 from the ground, each sweep's impulses."""
-    d = Drawing(396, "What each contact of a stack pushes after sweeps up and after sweeps down, from nothing")
-    count = 5
-    floor, size = 318, 50
+    d = Drawing(396, "Impulses in a stack: the first sweep up reaches the top, sweeps down climb one contact each")
+    count, floor, size, wide = 5, 316, 52, 42  # pixels for an impulse of hmg
     for k in range(count):
-        d.circle((84, floor - size * (k + 0.5)), size / 2, "body fill")
-    d.line((30, floor), (138, floor), "ink bold")
-    d.text((84, 350), "five equal\nspheres", "soft", size="small")
-    for left, upwards in ((190, True), (462, False)):
-        d.text((left + 105, 34), "sweeps up" if upwards else "sweeps down", "ink")
-        d.arrow((left - 16, floor - 40 if upwards else 84), (left - 16, 84 if upwards else floor - 10), "impulse")
-        states = _sweeps(count, upwards, 3)
-        for n, state in enumerate(states):
-            x = left + 76 * n
-            for k, value in enumerate(state):
-                y = floor - size * k - 9
-                if value > 1e-9:
-                    d.bar((x, y), 62 * value / 5, 16, "impulse")
-                d.box((x, y), 62 * (count - k) / 5, 16, "good")
-            d.text((x + 31, 350), f"after {n + 1}", "soft", size="small")
-    d.text((437, 384), "bars: impulses so far; frames: what each contact must carry in the end", "soft", size="small")
+        d.circle((74, floor - size * (k + 0.5)), size / 2, "body fill")
+        d.dot((74, floor - size * k), "impulse", 4)
+        d.text((22, floor - size * k + 5), str(k), "impulse", size="small")
+    d.line((38, floor), (112, floor), "ink bold")
+    for left, upwards in ((160, True), (450, False)):
+        d.text((left + 110, 30), "sweeps up" if upwards else "sweeps down", "ink")
+        d.arrow((left - 16, floor if upwards else 84), (left - 16, 84 if upwards else floor), "soft")
+        d.path([(left + wide * (count - k), floor - size * k) for k in range(count)], "good bold")
+        d.line((left, floor + 14), (left, 84), "soft thin")
+        d.arrow((left, floor + 14), (left + 5.4 * wide, floor + 14), "soft thin")
+        for n, state in enumerate(_sweeps(count, upwards, 8)):
+            if n + 1 not in (1, 2, 3, 8):
+                continue
+            points = [(left + wide * value, floor - size * k) for k, value in enumerate(state)]
+            d.path(points, "impulse" if n else "impulse bold")
+            for point in points:
+                d.dot(point, "impulse", 4)
+            d.text((points[0][0], floor + 32), str(n + 1), "impulse", size="small")
+        d.text((left + 5.4 * wide, floor + 34), "$λ$", "soft", "end")
+        d.text((left + wide * 2.6 + 16, floor - size * 2.4 - 8), "the answer", "good", "start", "small")
+    d.text((360, 380), "orange: the impulse of each contact after 1, 2, 3 and 8 sweeps from nothing", "soft", size="small")
     return d
 
 

@@ -1,4 +1,4 @@
-"""Chapter 11: patterns of S and of its factors, a bound that stiffens, and the way from within."""
+"""Chapter 11: patterns of S and of its factors, a bound that stiffens, the way from within, and a step along it."""
 
 import math
 
@@ -124,4 +124,45 @@ def way_from_within() -> Drawing:
     d.text((370, 176),
            "The way from within is smooth. Each Newton\nstep aims at a point farther along it; ten to\n"
            "thirty steps do for twelve rows or for twelve\nhundred.", "good", "start", "small")
+    return d
+
+
+def predictor_and_corrector() -> Drawing:
+    """The products s z of two rows with the bound 0 during a step; both steps by (11.11), computed."""
+    d = Drawing(372, "The trial step shows how far the products s z would bend away; the real step allows for that")
+    S, B = np.array([[1.0, -0.36], [-0.36, 1.0]]), np.array([0.13, 1.43])
+    s, z = np.array([1.03, 1.12]), np.array([0.71, 0.39])
+
+    def step(target) -> tuple[np.ndarray, np.ndarray]:
+        """Δs and Δz for products that change by `target`, to first order."""
+        ds = np.linalg.solve(S + np.diag(z / s), B + z - S @ s + target / s)
+        return ds, (target - z * ds) / s
+
+    trial = step(-s * z)
+    reach = min(1.0, *(-value / change for now, changes in ((s, trial[0]), (z, trial[1]))
+                       for value, change in zip(now, changes) if change < 0))
+    mean = (s * z).mean()
+    after = ((s + reach * trial[0]) * (z + reach * trial[1])).mean()
+    tau = mean * (after / mean) ** 3
+    real = step(tau - s * z - trial[0] * trial[1])
+    f = Frame((76, 262), 300)
+    d.arrow(f(-0.12, 0), f(1.02, 0), "soft thin")
+    d.arrow(f(0, -0.3), f(0, 0.76), "soft thin")
+    d.text((f(1.02, 0)[0], f(0, 0)[1] + 24), "$s_1 z_1$", "soft", "end")
+    d.text((f(0, 0.76)[0] + 12, f(0, 0.76)[1] + 6), "$s_2 z_2$", "soft", "start")
+    d.line(f(0, 0), f(0.72, 0.72), "good dash")
+    d.text((f(0.5, 0.5)[0] - 8, f(0.5, 0.54)[1]), "all products equal", "good", "end", "small")
+    start = f(*(s * z))
+    d.line(start, f(0, 0), "velocity dash")
+    for change, style in ((trial, "velocity bold"), (real, "impulse bold")):
+        d.curve(lambda a, change=change: f(*((s + a * change[0]) * (z + a * change[1]))), 0, 1, style)
+        end = f(*((s + change[0]) * (z + change[1])))
+        d.dot(end, style.split()[0], 6)
+    d.dot(start, "ink", 6)
+    d.text((start[0] + 12, start[1] + 4), "now", "ink", "start", "small")
+    d.text((436, 70), "The trial step aims at products of 0\nalong the dashed line. It ends off by\n$Δs Δz$, "
+                      "which Newton's step neglects.", "velocity", "start", "small")
+    d.text((436, 166), "The real step aims at $τ$ for all, and\nsubtracts this $Δs Δz$ beforehand. It\n"
+                       "ends near the line of equal products.", "impulse", "start", "small")
+    d.text((436, 262), "Both solve with the same factors.", "ink", "start", "small")
     return d

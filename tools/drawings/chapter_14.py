@@ -1,14 +1,14 @@
-"""Chapter 14: the root on the cone, the colours of a wall, and four lanes."""
+"""Chapter 14: the root on the cone, the colours of a wall, four lanes, and threads that meet."""
 
 from pen import Drawing, Frame
 
 
 def sliding_root() -> Drawing:
     """λ of (14.5) over α, for a block of one tangent: S_nn, S_nt, S_tt and q as below."""
-    d = Drawing(330, "As α grows, the impulse moves from where the contact would stick towards the normal, "
-                     "through the cone")
-    nn, nt, tt, q_n, q_t, mu = 1.0, 0.45, 1.3, 1.0, 3.0, 0.6
-    f = Frame((120, 286), 150, 210)
+    d = Drawing(356, "As α grows, the impulse moves from where the contact would stick towards the normal, "
+                     "and enters the cone")
+    nn, nt, tt, q_n, q_t, mu = 1.0, 0.25, 1.0, 1.3, 2.2, 0.5
+    f = Frame((190, 306), 185)
 
     def impulse(alpha: float) -> tuple[float, float]:
         along = (q_t - nt * q_n / nn) / (tt - nt * nt / nn + alpha)
@@ -19,23 +19,27 @@ def sliding_root() -> Drawing:
         middle = (low + high) / 2
         along, press = impulse(middle)
         low, high = (middle, high) if along > mu * press else (low, middle)
-    d.path([f(0, 0), f(mu * 1.12, 1.12), f(0, 1.12)], "good fill thin", closed=True)
-    d.arrow(f(0, 0), f(2.9, 0), "soft thin")
-    d.arrow(f(0, 0), f(0, 1.24), "soft thin")
-    d.text((f(2.9, 0)[0], f(0, 0)[1] + 22), "$λ_t$", "soft")
-    d.text((f(0, 1.24)[0] - 10, f(0, 1.24)[1] + 8), "$λ_n$", "soft", "end")
-    d.text((f(0.24, 0)[0], f(0, 0.2)[1]), "the cone, $|λ_t| ≤ μ λ_n$", "good", "start", "small")
-    d.curve(lambda t: f(*impulse(t / (1 - t))), 0.0, 0.985, "impulse bold")
-    d.dot(f(*impulse(0)), "ink", 5)
-    stick = f(*impulse(0))
-    d.text((stick[0] + 6, stick[1] - 42), "$α = $0: it would stick,\noutside the cone", "ink", "start")
-    d.dot(f(*impulse(low)), "impulse", 6)
+    d.path([f(-mu * 1.36, 1.36), f(0, 0), f(mu * 1.36, 1.36)], "good fill")
+    d.arrow(f(-0.9, 0), f(2.4, 0), "soft thin")
+    d.arrow(f(0, 0), f(0, 1.5), "soft thin")
+    d.text((f(2.4, 0)[0], f(0, 0)[1] + 24), "$λ_t$", "soft", "end")
+    d.text((f(0, 1.5)[0] - 10, f(0, 1.5)[1] + 10), "$λ_n$", "soft", "end")
+    d.text(f(-0.42, 0.66), "$|λ_t| ≤ μ λ_n$", "good", "end", "small")
+    d.line(f(*impulse(0)), f(*impulse(1e6)), "impulse")
     root = f(*impulse(low))
-    d.text((root[0] + 16, root[1] - 12), "here it slides", "impulse", "start")
+    d.arrow(f(0, 0), root, "impulse bold")
+    for alpha in (0.25, 0.5, 1.0, 4.0, 8.0):
+        d.dot(f(*impulse(alpha)), "ink", 4)
+        d.text((f(*impulse(alpha))[0] + 2, f(*impulse(alpha))[1] - 12), f"${alpha:g}$", "ink", "start", "small")
+    stick = f(*impulse(0))
+    d.dot(stick, "ink", 6)
+    d.text((stick[0] + 6, stick[1] + 26), "$α = 0$: it would stick,\noutside the cone", "ink", "start", "small")
+    d.dot(root, "impulse", 7)
+    d.text((root[0] + 14, root[1] + 56), f"$α = {low:.2f}$: it slides", "impulse", "start", "small")
     far = f(*impulse(1e6))
     d.dot(far, "ink", 4)
     d.text((far[0] - 12, far[1] + 5), "$α → ∞$", "ink", "end", "small")
-    d.text((400, 60), "$λ = (S + $diag$($0$, α, α))⁻¹ q$", "ink", "start")
+    d.text((530, 40), "numbers on the line: $α$ in (14.5)", "soft", size="small")
     return d
 
 
@@ -78,6 +82,36 @@ def colours_of_a_wall() -> Drawing:
     for n in range(len(boxes)):
         d.dot(centre(n), "ink", 5)
     d.text((360, 308), "the floor does not move: all that stand on it may have colour 0", "soft", size="small")
+    return d
+
+
+def threads_that_meet() -> Drawing:
+    """Two threads, four colours: packs of uneven time, and the barrier after each colour."""
+    d = Drawing(306, "Two threads share the packs of each colour, and both wait before the next colour begins")
+    colours = ("impulse", "velocity", "good", "pair")
+    packs = (((29, 29, 29, 29), (29, 36, 29, 34)), ((29, 33, 29), (29, 44, 29)), ((29, 29, 58, 29), (29, 29, 29, 29)),
+             ((29, 29), (29,)))
+    x = 96
+    for name, y in (("thread 0", 70), ("thread 1", 132)):
+        d.text((84, y + 27), name, "ink", "end", "small")
+    for number, (colour, shares) in enumerate(zip(colours, packs)):
+        longest = max(sum(share) + 4 * len(share) for share in shares)
+        for y, share in zip((70, 132), shares):
+            at = x
+            for wide in share:
+                d.box((at, y), wide, 42, f"{colour} fill", 3)
+                at += wide + 4
+            if at < x + longest - 6:
+                d.line((at + 4, y + 21), (x + longest - 4, y + 21), "soft dots")
+        d.text((x + longest / 2, 46), f"colour {number}", colour, size="small")
+        x += longest + 5
+        d.line((x, 58), (x, 186), "ink bold")
+        x += 13
+    d.arrow((96, 212), (x + 10, 212), "soft thin")
+    d.text((x + 10, 234), "time", "soft", "end", "small")
+    d.text((96, 258), "a box: a pack of rows; no two packs of a colour share a body that moves", "soft", "start", "small")
+    d.text((96, 284), "a bar: both have arrived; dots: a thread that waits, since the other's packs took longer", "ink",
+           "start", "small")
     return d
 
 

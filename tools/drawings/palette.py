@@ -23,14 +23,9 @@ TINTS = {  # what "fill" fills with
 PAPER = ("#fbfbf9", "#16181c")
 WEIGHTS = {"thin": "stroke-width:1.2", "bold": "stroke-width:3.4", "dash": "stroke-dasharray:7 5",
            "dots": "stroke-dasharray:1.5 5"}
-TEXT = {
-    "t": "font:16px 'Helvetica Neue',Arial,'Liberation Sans',sans-serif",
-    "rim": "stroke-width:5;stroke-linejoin:round",
-    "small": "font-size:14px", "large": "font-size:19px",
-    "m": "font-family:'Times New Roman',Times,'Liberation Serif',serif;font-style:italic;font-size:1.2em",
-    "r": "font-family:'Times New Roman',Times,'Liberation Serif',serif;font-size:1.2em",
-    "s": "font-size:.85em",
-}
+SIZES = {"": 16, "small": 14, "large": 19}  # of words [pixels]
+# Letters take the colour of the label that shows them; a rim is 5 pixels wide.
+TEXT = {"letter": "fill:inherit;stroke:inherit;stroke-width:inherit", "rim": "stroke-width:310;stroke-linejoin:round"}
 _SHAPES = "path,circle,rect{fill:none;stroke-width:2;stroke-linecap:round;stroke-linejoin:round}"
 
 

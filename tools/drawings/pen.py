@@ -8,28 +8,44 @@ between $ signs is mathematics: "the arm $r_i$", "$v_{n+1/2}$", "$h^2 K$".
 import math
 import re
 from collections.abc import Callable, Iterable
+from dataclasses import dataclass
 from html import escape
 
-from palette import style_sheet
+from letters import EM, letter
+from palette import SIZES, style_sheet
 
 Point = tuple[float, float]
 WIDTH = 720
 _RUN = re.compile(r"([_^])(?:\{([^}]*)\}|(.))|([^_^]+)")
 _SHIFT = {"": 0, "_": 5, "^": -7}  # pixels down
+_SYMBOLS, _RAISED = 1.2, 0.85  # sizes of symbols, and of those that are raised or lowered, over that of words
 _TAGS = re.compile(r"class=\"([^\"]*)\"")
+
+
+@dataclass(frozen=True)
+class Label:
+    words: str
+    left: float
+    right: float
+    top: float
+    bottom: float
 
 
 class Drawing:
     def __init__(self, height: float, title: str, width: float = WIDTH):
         self.width, self.height, self.title = width, height, title
+        self.labels: list[Label] = []
         self._parts: list[str] = []
+        self._letters: dict[tuple[str, str], str] = {}  # names of their outlines
+        self._shapes: list[str] = []  # outlines of letters, and labels made of them
 
     def svg(self) -> str:
-        used = {word for part in self._parts for words in _TAGS.findall(part) for word in words.split()}
+        used = {word for part in self._shapes + self._parts for words in _TAGS.findall(part) for word in words.split()}
         size = f'width="{_number(self.width)}" height="{_number(self.height)}"'
         return "\n".join([
             f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {_number(self.width)} {_number(self.height)}" '
             f'{size} role="img">', f"<title>{escape(self.title)}</title>", f"<style>{style_sheet(used)}</style>",
+            *(["<defs>", *self._shapes, "</defs>"] if self._shapes else []),
             f'<rect class="paper" {size} rx="10"/>', *self._parts, "</svg>", ""])
 
     def line(self, start: Point, end: Point, style: str = "ink") -> None:
@@ -95,12 +111,43 @@ class Drawing:
 
     def text(self, at: Point, label: str, style: str = "ink", anchor: str = "middle", size: str = "") -> None:
         """`at` is on the base line; anchor is start, middle or end; size is "", small or large."""
-        lines = label.split("\n")
-        for k, line in enumerate(lines):
-            place = f'x="{_number(at[0])}" y="{_number(at[1] + 21 * k)}" text-anchor="{anchor}"'
-            # First a rim of paper, which keeps what the label crosses away from its letters.
-            for classes in (f"t rim {size}", f"t on-{style} {size}"):
-                self._parts.append(f'<text class="{classes.strip()}" {place}>{_runs(line)}</text>')
+        for k, line in enumerate(label.split("\n")):
+            self._line_of_text((at[0], at[1] + 21 * k), line, style, anchor, SIZES[size])
+
+    def _line_of_text(self, at: Point, line: str, style: str, anchor: str, size: float) -> None:
+        scale = size / EM
+        letters, width = self._placed(line, scale)
+        left = at[0] - {"start": 0, "middle": width / 2, "end": width}[anchor] * scale
+        name = f"t{len(self.labels)}"
+        self._shapes.append(f'<g id="{name}" transform="translate({_number(left)} {_number(at[1])}) '
+                            f'scale({scale:g} {-scale:g})">{letters}</g>')
+        # First a rim of paper, which keeps what the label crosses away from its letters.
+        for classes in ("rim", f"on-{style}"):
+            self._parts.append(f'<use class="{classes}" href="#{name}"/>')
+        self.labels.append(Label(line.replace("$", ""), left, left + width * scale, at[1] - 0.7 * size, at[1] + 2))
+
+    def _placed(self, line: str, scale: float) -> tuple[str, float]:
+        """The letters of a line, side by side, and its width, in EM."""
+        uses, x = [], 0.0
+        for face, text, size, down in _runs(line):
+            placed, inside = [], 0.0
+            for character in text:
+                data, onward = letter(face, character)
+                if data:
+                    placed.append(f'<use href="#{self._outline(face, character, data)}" x="{round(inside)}"/>')
+                inside += onward
+            where = [f"translate({round(x)} {round(-down / scale)})"] if x or down else []
+            where += [f"scale({size:g})"] if size != 1 else []
+            uses.append(f'<g transform="{" ".join(where)}">{"".join(placed)}</g>' if where else "".join(placed))
+            x += size * inside
+        return "".join(uses), x
+
+    def _outline(self, face: str, character: str, data: str) -> str:
+        """The name of a letter's outline, which is written once."""
+        if (face, character) not in self._letters:
+            self._letters[face, character] = f"g{len(self._letters)}"
+            self._shapes.append(f'<path id="{self._letters[face, character]}" class="letter" d="{data}"/>')
+        return self._letters[face, character]
 
     def _head(self, tip: Point, unit: Point, size: float, colour: str) -> None:
         left, right = (-unit[1], unit[0]), (unit[1], -unit[0])
@@ -163,27 +210,21 @@ def _number(value: float) -> str:
     return f"{round(round(float(value), 6), 1) + 0.0:g}" if abs(value) < 1e5 else f"{value:.0f}"
 
 
-def _runs(label: str) -> str:
-    """The label as tspans: mathematics in italics, what is raised or lowered smaller."""
+def _runs(label: str) -> list[tuple[str, str, float, float]]:
+    """A label's pieces: face, text, size over that of words, pixels down. Mathematics is between $ signs."""
     result = []
     for k, part in enumerate(label.split("$")):
-        result.append(_mathematics(part) if k % 2 else escape(part))
-    return "".join(result)
+        result += _mathematics(part) if k % 2 else [("words", part, 1, 0)] if part else []
+    return result
 
 
-def _mathematics(part: str) -> str:
-    result, down = [], 0
+def _mathematics(part: str) -> list[tuple[str, str, float, float]]:
+    result = []
     for mark, group, single, plain in _RUN.findall(part):
-        for letters, text in _letters(group or single or plain):
-            want = _SHIFT[mark]
-            classes = " ".join(filter(None, ("m" if letters else "r", "s" if mark else "")))
-            shift = f' dy="{want - down}"' if want != down else ""
-            result.append(f'<tspan class="{classes}"{shift}>{escape(text)}</tspan>')
-            down = want
-    # The next run of plain text goes on at the base line.
-    if down:
-        result.append(f'<tspan class="r" dy="{-down}">\u200b</tspan>')
-    return "".join(result)
+        size = _RAISED if mark else _SYMBOLS
+        result += [("italic" if letters else "upright", text, size, _SHIFT[mark])
+                   for letters, text in _letters(group or single or plain)]
+    return result
 
 
 def _letters(text: str) -> list[tuple[bool, str]]:

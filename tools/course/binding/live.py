@@ -42,11 +42,13 @@ class LiveFigure:
     def attribute(self, folder: str) -> str:
         return html.escape(json.dumps(self.asked(folder)))
 
-    def says(self) -> str:
-        """The sentence below the figure."""
+    def says(self, mine: bool = False) -> str:
+        """The sentence below the figure, which with a student's functions may show something else."""
         unit = self.graph.partition(" [")[2]
         unit = unit.rstrip("]").replace("-", "")
         value = f"{self.said} {unit}".rstrip().replace("-", "−")
+        if mine:
+            return f"With right functions the graph shows {value} after {self.time:g} s, before you change a setting."
         return f"Before you change a setting, the graph shows {value} after {self.time:g} s."
 
 

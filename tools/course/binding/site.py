@@ -30,13 +30,15 @@ _STYLES_AND_SCRIPTS = ("book.css", "copying.js", "figures.js", "preview.js", "re
                        "search.js")
 
 
-def build(folder: Path, views: bool = False, engine: Path | None = None) -> int:
+def build(folder: Path, views: bool = False, engine: Path | None = None, mine: bool = False) -> int:
     """Writes the site into the folder, which holds nothing else; how many pages it has. With `views`, films are links
-    to pages that binding.views makes; with the engine as WebAssembly, figures run in their place."""
+    to pages that binding.views makes; with the engine as WebAssembly, figures run in their place; `mine` says that it has a
+    student's functions in it."""
     drafts = [read(page, exercises_of(page.source)) for page in pages()]
     equations = _equations(drafts)
     links = Links(drafts)
-    bodies = _with_terms(drafts, [written(draft, links, equations, views, engine is not None) for draft in drafts])
+    bodies = _with_terms(drafts, [written(draft, links, equations, views, engine is not None, mine)
+                                 for draft in drafts])
     _refuse([problem for draft in drafts for problem in draft.problems])
     shutil.rmtree(folder, ignore_errors=True)
     template = Template((BOOK / "page.html").read_text(encoding="utf-8"))

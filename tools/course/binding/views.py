@@ -21,8 +21,8 @@ def _way_back(name: str) -> tuple[str, str]:
     return f"../{page.target.as_posix()}", page.title
 
 
-def film_pages(folder: Path) -> None:
-    """Runs what is filmed, and writes the pages into the site."""
+def film_pages(folder: Path, mine: bool = False) -> None:
+    """Runs what is filmed, perhaps with the student's functions, and writes the pages into the site."""
     from arguments import parse
     from terminal import Bar
     from view import view
@@ -30,7 +30,7 @@ def film_pages(folder: Path) -> None:
     (folder / _FOLDER).mkdir()
     bar = Bar("views", len(films()))
     for name, film in films().items():
-        arguments = parse([*words(film), "--out", str(folder / _FOLDER / f"{name}.html")])
+        arguments = parse([*words(film), *(["--mine"] if mine else []), "--out", str(folder / _FOLDER / f"{name}.html")])
         arguments.back = _way_back(name)
         with contextlib.redirect_stdout(io.StringIO()):
             view(arguments)

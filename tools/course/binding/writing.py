@@ -38,8 +38,9 @@ class Piece:
     tags: tuple[str, ...] = ()  # of an equation
 
 
-def written(draft: Draft, links: Links, equations: Equations, views: bool = False, live: bool = False) -> str:
-    return _Writer(draft, links, equations).page(views, live)
+def written(draft: Draft, links: Links, equations: Equations, views: bool = False, live: bool = False,
+            mine: bool = False) -> str:
+    return _Writer(draft, links, equations).page(views, live, mine)
 
 
 def pieces(draft: Draft, links: Links, equations: Equations) -> list[Piece]:
@@ -54,15 +55,15 @@ class _Writer:
         self._live: LiveFigure | None = None
         self._from_elsewhere: set[str] = set()  # tags of equations that are shown here, and stand on another page
 
-    def page(self, views: bool, live: bool) -> str:
-        self._set(views, live)
+    def page(self, views: bool, live: bool, mine: bool) -> str:
+        self._set(views, live, mine)
         body = _rendered(self._draft.tokens)
         return body + "".join(f'<template id="preview-{tag}">{self._equations.of(tag)}</template>\n'
                               for tag in sorted(self._from_elsewhere))
 
     def pieces(self) -> list[Piece]:
         outlined = _blocks(self._draft.tokens)  # before the tokens become what they are set as
-        self._set(views=False, live=False)
+        self._set(views=False, live=False, mine=False)
         found: list[Piece] = []
         for kind, first, end, text, tags in outlined:
             part = _rendered(self._draft.tokens[first:end])
@@ -72,7 +73,7 @@ class _Writer:
                 found.append(Piece("figure" if part.startswith("<figure") else kind, part, text, tags))
         return found
 
-    def _set(self, views: bool, live: bool) -> None:
+    def _set(self, views: bool, live: bool, mine: bool) -> None:
         tokens = self._draft.tokens
         for k, token in enumerate(tokens):
             if token.type == "inline":
@@ -97,7 +98,7 @@ class _Writer:
         running = self._live if live else None
         folder = self._draft.page.source.parent.name
         _set_figures(tokens, between(target, page_of_film(self._draft.page.source)) if views else "",
-                     f' data-live="{running.attribute(folder)}" data-says="{html.escape(running.says())}"'
+                     f' data-live="{running.attribute(folder)}" data-says="{html.escape(running.says(mine))}"'
                      if running else "")
 
     def _take_live(self, token) -> None:
