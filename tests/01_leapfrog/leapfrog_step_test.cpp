@@ -91,6 +91,22 @@ EXERCISE_TEST(LeapfrogStep, FeelsAllBodiesAtTheirOldPositions) {
                      {{body_by_body.v[2],
                        "Body by body: the force on the last body came from places to which the others had "
                        "already moved. Finish all kicks before the first drift."}});
+  if (::testing::Test::HasFailure()) return;
+
+  // A second step, from where the first has ended.
+  const Particles between = p;
+  leapfrog_step(p, web, h);
+  const Tolerance close = roundings(16, 5);
+  const Vec3 again = between.v[2] + h * between.inverse_mass[2] * web(2, between.x);
+  const Vec3 old_forces = between.v[2] + h * between.inverse_mass[2] * web(2, old.x);
+  if (!((p.v[2] - again).norm() <= close.value)) this_failure_explains();
+  expect_near_vector(
+      "v of the last of three coupled bodies after a second step [m/s]", "Eq. (1.3)", p.v[2], again, close,
+      {{old_forces,
+        "These are the forces of the first step: does a static variable keep them, or the "
+        "positions? Ask for the forces in every step."}},
+      "The first step was right, and this one is not. Does a static variable keep something of the "
+      "first?");
 }
 
 EXERCISE_TEST(LeapfrogStep, GivesEachBodyItsOwnMass) {

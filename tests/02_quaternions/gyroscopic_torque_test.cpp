@@ -26,7 +26,9 @@ EXERCISE_TEST(GyroscopicTorque, IsEulersInBodyAxes) {
       roundings(8, 4),
       {{{2, -3, 1},
         "The sign: this is +ω × Iω. In Eq. (2.8) it stands with a minus on the side of the torques."},
-       {Vec3::Zero(), "This is 0: the cross product of ω with itself. The second factor is L = Iω."},
+       {Vec3::Zero(),
+        "This is 0: the cross product of ω with itself, or a diagonal inertia taken for a ball's. The second "
+        "factor is L = Iω, and here its direction is another."},
        {{-4, 6, -2}, "Twice too much: one of the terms of dL/dt is counted twice."},
        {{-2, 1.5, -0.25}, "This has been divided by the inertia, so it is an acceleration. Return a torque."}},
       "Euler's equations: τ1 = (I2 - I3) ω2 ω3, and cyclically.");

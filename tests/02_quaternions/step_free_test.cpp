@@ -10,7 +10,8 @@ namespace {
 
 EXERCISE(StepFree, "2.7 step_free");
 
-/// Returns so many bodies: tops, balls, point masses, and static bodies among them.
+/// Returns so many bodies: tops, balls, point masses, and static bodies among them. Some tops are nearly balls, and
+/// some have two equal moments.
 Simulation bodies_of_all_kinds(Random& random, int count) {
   Simulation all;
   all.gravity = random.vector(5, 10);
@@ -18,6 +19,8 @@ Simulation bodies_of_all_kinds(Random& random, int count) {
     RigidBody body = b % 4 == 3 ? random_static_body(random) : random_rigid_body(random);
     if (b % 4 == 1) body.principal = Vec3::Constant(body.principal[0]);
     if (b % 4 == 2) body.principal = body.omega = Vec3::Zero();
+    if (b % 12 == 0) body.principal = body.principal[0] * Vec3(1, 1.0005, 0.9998);
+    if (b % 12 == 4) body.principal[(b / 12) % 3] = body.principal[(b / 12 + 1) % 3];
     all.bodies.push_back(body);
   }
   return all;
@@ -25,13 +28,18 @@ Simulation bodies_of_all_kinds(Random& random, int count) {
 
 /// The step, made of the functions of chapters 01 and 02, with switches for known mistakes.
 struct Way {
-  bool drifts_first = false, splits_balls = false, splits_tops = true;
+  bool drifts_first = false, splits_balls = false, splits_tops = true, splits_near_balls = true;
+  bool splits_symmetric_tops = true;
   double drifts_by = 1, turns_by = 1;
 };
 
 void turn(RigidBody& body, const Way& way, double h) {
   if (body.principal == Vec3::Zero()) return;
-  const bool is_round = body.principal == Vec3::Constant(body.principal[0]);
+  const Vec3& I = body.principal;
+  const bool is_near = I.maxCoeff() < 1.001 * I.minCoeff(),
+             is_symmetric = I[0] == I[1] || I[1] == I[2] || I[2] == I[0];
+  const bool is_round = I == Vec3::Constant(I[0]) || (is_near && !way.splits_near_balls) ||
+                        (is_symmetric && !way.splits_symmetric_tops);
   if (is_round ? way.splits_balls : way.splits_tops)
     free_rotation(body.q, body.omega, body.principal, h);
   else
@@ -76,6 +84,11 @@ EXERCISE_TEST(StepFree, MovesEachBodyByItself) {
        {moved(before, h, {.drifts_first = true}), "This drifts with the velocity before the kick: kick first."},
        {moved(before, h, {.splits_tops = false}),
         "This turns a top as if its ω were constant, by Eq. (2.6): three different moments need Eq. (2.11)."},
+       {moved(before, h, {.splits_near_balls = false}),
+        "This turns a body by Eq. (2.6) whose moments differ by less than a thousandth: they are not equal, "
+        "and its ω changes."},
+       {moved(before, h, {.splits_symmetric_tops = false}),
+        "This turns a body by Eq. (2.6) of which two moments are equal: only three equal ones make it a ball."},
        {moved(before, h, {.splits_balls = true}),
         "This turns a ball by Eq. (2.11), which is of second order where Eq. (2.6) is exact."},
        {moved(before, h, {.turns_by = 0}), "It has not turned."},

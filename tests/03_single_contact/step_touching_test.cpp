@@ -30,9 +30,9 @@ TwoTouch two_touch(Random& random) {
 
 /// The step with its stages in any order, and with switches for parts that may be forgotten.
 struct StagesOfTouch {
-  bool kicks_before = false, moves_before = false;
-  double W_f = 1, on_i = 1, on_j = 1;
-  bool turns = true;
+  bool kicks_before = false, moves_before = false, pushes_after = false;
+  double W_f_i = 1, W_f_j = 1, on_i = 1, on_j = 1;
+  bool turns = true, turns_in_K = true;
 };
 
 Simulation touched(Simulation all, const Contact& contact, double h, const StagesOfTouch& stages = {}) {
@@ -44,15 +44,16 @@ Simulation touched(Simulation all, const Contact& contact, double h, const Stage
   const InverseMass<6> Mi = inverse_mass_of(i), Mj = inverse_mass_of(j);
   const auto [Gi, Gj] = contact_jacobian(contact);
   const double GW = Gi.dot(twist_of(i)) + Gj.dot(twist_of(j));
-  const double GWf = Gi.dot(force_twist_of(i, all.gravity, h)) + Gj.dot(force_twist_of(j, all.gravity, h));
-  const double lambda =
-      contact_impulse(spook_parameters(h, all.k, all.d), Gi.dot(Mi.times(Gi)) + Gj.dot(Mj.times(Gj)),
-                      contact.gap, GW, stages.W_f * GWf);
+  const double GWf = stages.W_f_i * Gi.dot(force_twist_of(i, all.gravity, h)) +
+                     stages.W_f_j * Gj.dot(force_twist_of(j, all.gravity, h));
+  const double nKn = stages.turns_in_K ? Gi.dot(Mi.times(Gi)) + Gj.dot(Mj.times(Gj)) : Mi.linear + Mj.linear;
+  const double lambda = contact_impulse(spook_parameters(h, all.k, all.d), nKn, contact.gap, GW, GWf);
   Twist<6> Vi = stages.on_i * lambda * Mi.times(Gi), Vj = stages.on_j * lambda * Mj.times(Gj);
   if (!stages.turns) Vi.tail<3>().setZero(), Vj.tail<3>().setZero();
+  if (stages.pushes_after) step_free(all, h);
   add_twist(i, Vi);
   add_twist(j, Vj);
-  if (!stages.moves_before) step_free(all, h);
+  if (!stages.moves_before && !stages.pushes_after) step_free(all, h);
   return all;
 }
 
@@ -61,8 +62,10 @@ const Tolerance of_the_stages = {1e-11,
 
 EXERCISE_TEST(StepTouching, HasItsStagesInOrder) {
   Random random;
-  for (const bool on_static : {false, true}) {
+  for (const auto& [on_static, is_open] :
+       {std::pair(false, false), std::pair(true, false), std::pair(false, true)}) {
     auto [all, contact] = two_touch(random);
+    if (is_open) contact.gap = 0.02;  // it closes within the step
     if (on_static) {
       all.bodies[2].mass = 0;
       all.bodies[2].v.setZero();
@@ -74,15 +77,26 @@ EXERCISE_TEST(StepTouching, HasItsStagesInOrder) {
     step_touching(got, contact, h);
     step_free(free, h);
     expect_same_bodies(
-        "after a step of 0.1 s in which two of three touch", "Eq. (3.10), (3.11)", got,
-        touched(all, contact, h), of_the_stages,
-        {{free, "The contact does nothing: is λ added to the velocities of both bodies, before they move?"},
+        std::string("after a step of 0.1 s in which two of three ") +
+            (is_open ? "come together, with a gap of 0.02 m at first" : "touch"),
+        "Eq. (3.10), (3.11)", got, touched(all, contact, h), of_the_stages,
+        {{free,
+          is_open
+              ? "The contact does nothing while its gap is above 0. It closes within this step, so it pushes."
+              : "The contact does nothing: is λ added to the velocities of both bodies, before they move?"},
          {touched(all, contact, h, {.moves_before = true}),
           "The bodies move before the contact is solved: use the gap and the velocities before the move."},
          {touched(all, contact, h, {.kicks_before = true}),
           "Gravity counts twice: the bodies are kicked before λ is computed, and step_free kicks them again."},
-         {touched(all, contact, h, {.W_f = 0}),
+         {touched(all, contact, h, {.W_f_i = 0, .W_f_j = 0}),
           "W_f is missing: the contact does not know what the forces of this step will add."},
+         {touched(all, contact, h, {.W_f_i = 0}), "W_f of body i is missing: G W_f has a part of each body."},
+         {touched(all, contact, h, {.W_f_j = 0}), "W_f of body j is missing: G W_f has a part of each body."},
+         {touched(all, contact, h, {.pushes_after = true}),
+          "The impulse comes when the bodies have moved: add it to the velocities before step_free."},
+         {touched(all, contact, h, {.turns_in_K = false}),
+          "n·Kn has the masses only. K of chapter 03 has a part by which the bodies turn, too: "
+          "collision_matrix."},
          {touched(all, contact, h, {.turns = false}),
           "The impulse turns neither body: V has an angular part, I⁻¹ (r × J)."},
          {touched(all, contact, h, {.on_i = 0}),
@@ -126,8 +140,10 @@ EXERCISE_TEST(StepTouching, LetsGoWhatMovesApart) {
   Simulation got = all, free = all;
   step_touching(got, contact, 0.1);
   step_free(free, 0.1);
-  expect_same_bodies("after a step in which two bodies separate at 100 m/s", "Eq. (3.11)", got, free,
-                     roundings(8, 100), {}, "A contact may push, never pull: here contact_impulse returns 0.");
+  expect_same_bodies(
+      "after a step in which two bodies separate at 100 m/s", "Eq. (3.11)", got, free, roundings(8, 100),
+      {{all, "The bodies have not moved. With λ = 0 there is no impulse, but step_free all the same."}},
+      "A contact may push, never pull: here contact_impulse returns 0.");
 }
 
 /// A ball of 0.5 m on a floor, its contact found before each step.

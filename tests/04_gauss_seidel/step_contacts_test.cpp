@@ -32,10 +32,12 @@ EXERCISE_TEST(StepContacts, HasItsStagesInOrder) {
   mistakes.push_back({assembled(all, backwards, h),
                       "The rows are in reverse order. Take the order of the "
                       "contacts."});
+  const Simulation right = assembled(all, contacts, h);
   expect_same_bodies(
-      "after a step of 0.1 s with 100 contacts and more", "Eq. (4.4), (4.7)", got, assembled(all, contacts, h),
-      of_many_contacts, mistakes,
-      "First rows from W and W_f, then one solve of all, then W + V, then the step of chapter 02.");
+      "after a step of 0.1 s with 100 contacts and more", "Eq. (4.4), (4.7)", got, right, of_many_contacts,
+      mistakes,
+      "First rows from W and W_f, then one solve of all, then W + V, then the step of chapter 02." +
+          wrong_part(got, right, all, contacts, h, step_contacts, of_many_contacts));
 }
 
 EXERCISE_TEST(StepContacts, KeepsMomentum) {
@@ -119,7 +121,9 @@ EXERCISE_TEST(StepContacts, RejectsWhatMakesNoSense) {
                                                 Simulation all, double h) {
     expect_rejects(
         what, name, [&] { step_contacts(all, touching, h); },
-        "spook_parameters and solve refuse this: call both before you change anything.",
+        "spook_parameters and solve refuse this: hand them all numbers of the simulation, the tolerance too, "
+        "before "
+        "you change anything.",
         [&] { return state_of(all); });
   };
   for (const double h : {0.0, -0.1, std::nan("")}) rejects("h = " + show(h), "h", start, h);

@@ -39,9 +39,11 @@ EXERCISE_TEST(StepFriction, HasItsStagesInOrder) {
        "The rows of all normals come first. Put the tangents' rows right behind the normal row of their "
        "contact."}};
   for (const auto& mistake : mistakes_in_order()) wrong.push_back(mistake);
-  expect_same_bodies("after a step of 0.1 s with 100 rough contacts and more", "Eq. (5.3)-(5.8)", got,
-                     assembled(all, contacts, h), of_rough_contacts, mistakes_of(all, contacts, h, wrong),
-                     "The step of chapter 04, with two additional rows for each contact.");
+  const Simulation right = assembled(all, contacts, h);
+  expect_same_bodies("after a step of 0.1 s with 100 rough contacts and more", "Eq. (5.3)-(5.8)", got, right,
+                     of_rough_contacts, mistakes_of(all, contacts, h, wrong),
+                     "The step of chapter 04, with two additional rows for each contact." +
+                         wrong_part(got, right, all, contacts, h, step_friction, of_rough_contacts));
 }
 
 EXERCISE_TEST(StepFriction, WithoutFrictionIsTheStepOfContacts) {

@@ -73,7 +73,9 @@ EXERCISE_TEST(ResolveImpacts, EqualMassesExchangeTheirVelocities) {
         "J is twice what it should be: it has been applied twice, or K has the mass of one ball only."}},
       "They exchange their velocities: (1 + e) m/2 · 2 m/s = 4 N s over 2 kg.");
   expect_near("what the impact adds to the energy, e = 1 [J]", "Eq. (7.6)", report.energy, 0, roundings(64, 10),
-              {}, "A central impact with e = 1 keeps the energy.");
+              {{-8, "This is J·u. The other part, ½ J·K J, is missing: impact_work has both."},
+               {16, "This has the velocity after the impact, or -u. Eq. (7.6) has u of before."}},
+              "A central impact with e = 1 keeps the energy.");
 }
 
 EXERCISE_TEST(ResolveImpacts, CradleGivesTheSpeedToTheLastBall) {

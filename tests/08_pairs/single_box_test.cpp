@@ -269,7 +269,10 @@ EXERCISE_TEST(BoxBall, MeetsAnyBoxFromOutside) {
         "the point x_i + r_i [m]", "Eq. (8.3), (8.5)", Vec3(box.x + found->r_i),
         Vec3(ball.x - (ball.radius + found->gap / 2) * found->n), roundings(256, 4),
         {{c, "This is on the box: p is in the middle of the overlap."},
-         {Vec3(ball.x - ball.radius * found->n), "This is on the ball: p is in the middle of the overlap."}});
+         {Vec3(ball.x - ball.radius * found->n), "This is on the ball: p is in the middle of the overlap."},
+         {Vec3(c + found->gap / 2 * (box.axes.transpose() * found->n)),
+          "A part of it is along the axes of the box: turn all of p into the world."}},
+        "p is on the line along n through the ball's centre, half way between the two surfaces.");
     if (!expect_common_point(*found, box.x, ball.x)) return;
   }
 }

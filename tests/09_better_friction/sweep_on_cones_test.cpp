@@ -54,6 +54,10 @@ EXERCISE_TEST(SweepOnCones, TakesEveryRowInOrderAndTheFrictionOfAContactTogether
         "then on behind them, to the very last row.");
     expect_near_vector("V after it", "Eq. (4.5)", all_V(s.V), V_of_lambda(s.rows, s.V.size()),
                        roundings(1000, 10));
+    for (std::size_t k = 0; k < s.rows.size(); ++k)
+      expect_true("after it row " + std::to_string(k) + " has the bounds that it had", "Eq. (9.6)",
+                  s.rows[k].lo == before.rows[k].lo && s.rows[k].hi == before.rows[k].hi,
+                  "update_friction takes its radius from λ_n and μ. Nobody has to set bounds for it.");
   }
 }
 

@@ -167,7 +167,8 @@ void expect_no_two_that_would_rather(Random& random, int count) {
     const auto k = static_cast<std::size_t>(match[c]);
     const bool sound = k < old.size() && old[k].j == contacts[c].j && distance(c, k) <= reach;
     expect_true("contact " + std::to_string(c) + " continues one of its own pair, within reach", "Eq. (10.1)",
-                sound);
+                sound,
+                "Both belong to one pair (i, j), and their distance is at most the reach: not its square.");
     if (!sound) return;
     expect_true("old contact " + std::to_string(k) + " is continued once", "Eq. (10.1)",
                 to_contact[k] == infinity, "Each old one is used once.");

@@ -65,11 +65,11 @@ EXERCISE_TEST(OrderAlong, PutsANaNLast) {
       "the order of heights 2, NaN, 1, NaN, 3, 0", order_along({2, nan, 1, nan, 3, 0}), {5, 2, 0, 4, 1, 3}, {},
       "Every comparison with NaN is false, and a sort by < alone leaves the others unsorted around it. "
       "Compare so that a NaN is above every number.");
-  expect_order_of("the order of heights NaN, ∞, 1, -∞", order_along({nan, infinity, 1, -infinity}),
-                  {3, 2, 1, 0},
-                  {{as_eigen(std::vector<int>{3, 2, 0, 1}),
-                    "A NaN is higher than any, ∞ as well: it is not to be taken for ∞."}},
-                  "A NaN is higher than any.");
+  expect_order_of(
+      "the order of heights NaN, ∞, 1, -∞", order_along({nan, infinity, 1, -infinity}), {3, 2, 1, 0},
+      {{as_eigen(std::vector<int>{3, 2, 0, 1}),
+        "A NaN is higher than any, ∞ as well: it is not to be taken for ∞."}},
+      "A NaN is higher than any. Infinities are heights like others: -∞ is the lowest, and ∞ is below NaN.");
   expect_true("no rows have an empty order", "Eq. (10.3)", order_along({}).empty());
 }
 
@@ -201,8 +201,17 @@ EXERCISE_TEST(SweepInOrder, UpdatesTheRowsInThatOrder) {
        {jacobi, "This is Jacobi's iteration: each row must use the updates of the rows before it."},
        {lambdas(start), "No row has changed."}});
   Problem<6> other = in_order(start, order);
-  expect_near("what that sweep returns [m/s]", "Eq. (4.9)", returned, sweep(other.rows, other.V),
-              roundings(100, 10), {}, "As sweep() does: the largest S_kk |Δλ_k|.");
+  Problem<6> by_hand = start;
+  double of_places = 0;  // the largest, with the diagonals in the order of the rows
+  for (std::size_t n = 0; n < order.size(); ++n) {
+    Row<6>& row = by_hand.rows[static_cast<std::size_t>(order[n])];
+    of_places = std::max(of_places, by_hand.rows[n].diagonal * std::abs(update_row(row, by_hand.V)));
+  }
+  expect_near(
+      "what that sweep returns [m/s]", "Eq. (4.9)", returned, sweep(other.rows, other.V), roundings(100, 10),
+      {{of_places,
+        "This multiplies Δλ of one row by S_kk of another: both are those of the row that is updated."}},
+      "As sweep() does: the largest S_kk |Δλ_k|.");
 }
 
 EXERCISE_TEST(SweepInOrder, IsSweepInTheOrderGiven) {

@@ -25,7 +25,8 @@ EXERCISE_TEST(WarmStart, SetsImpulsesAndWhatTheyDo) {
   expect_near_vector(
       "λ of nine contacts [N s]", "Eq. (10.2)", lambdas(p), impulses, {0, "copies"},
       {{impulses + Eigen::VectorXd::Constant(9, 3), "λ is assigned, not added to what was there."},
-       {Eigen::VectorXd::Constant(9, 3), "λ has not been set."}});
+       {Eigen::VectorXd::Constant(9, 3), "λ has not been set."}},
+      "Each λ is its old impulse, which is within the bounds here: all of it, as it was.");
   set_lambda(p, impulses);  // the expected V goes into p
   const Eigen::VectorXd expected = flat(p.V);
   for (auto& V : p.V) V.setConstant(0.5);

@@ -33,8 +33,17 @@ Answer solved(Springs& s) {
   return answer;
 }
 
-/// Velocities that a spring's push is computed from: those of both ends, or by mistake that of one end.
-enum class Push { of_both, of_its_own_end, of_the_other_end, on_i_only };
+/// How springs push: by the velocities of both ends; or by mistake by that of one end, on one end, only between dynamic
+/// bodies, each in place of the one before, or with K on one of the two velocities.
+enum class Push {
+  of_both,
+  of_its_own_end,
+  of_the_other_end,
+  on_i_only,
+  between_dynamic_bodies,
+  of_the_last_spring,
+  without_brackets
+};
 
 /// Computes V and λ by dense algebra, with so many times h²K in M̃, and K acting on these velocities.
 Answer dense(const Springs& s, double times, const std::vector<Vec3>& pushed, Push how = Push::of_both) {
@@ -43,9 +52,14 @@ Answer dense(const Springs& s, double times, const std::vector<Vec3>& pushed, Pu
   const auto of = [&](int body) -> Vec3 { return pushed[static_cast<std::size_t>(body)]; };
   for (const Stiffness& spring : s.stiffness) {
     const bool own = how != Push::of_the_other_end, other = how != Push::of_its_own_end;
+    if (how == Push::between_dynamic_bodies && !(s.moves(spring.i) && s.moves(spring.j))) continue;
     const auto push_on = [&](int body, int end) {
-      if (s.moves(body))
-        right.segment<3>(3 * body) += s.h * s.h * spring.K * (other * of(end) - own * of(body));
+      if (!s.moves(body)) return;
+      if (how == Push::of_the_last_spring) right.segment<3>(3 * body).setZero();
+      Vec3 pushed_by = spring.K * (other * of(end) - own * of(body));
+      if (how == Push::without_brackets)
+        pushed_by = (body == spring.i ? 1 : -1) * Vec3(spring.K * of(spring.j) - of(spring.i));
+      right.segment<3>(3 * body) += s.h * s.h * pushed_by;
     };
     push_on(spring.i, spring.j);
     if (how != Push::on_i_only) push_on(spring.j, spring.i);
@@ -103,6 +117,12 @@ EXERCISE_TEST(StiffSolve, SolvesTheStep) {
          {dense(s, 1, Wf, Push::of_the_other_end).V,
           "The end's own W_f is missing: a spring resists W_f,j - W_f,i, what its two ends move apart."},
          {dense(s, 1, Wf, Push::on_i_only).V, "K acts on body i only: what one end gets the other gives."},
+         {dense(s, 1, Wf, Push::between_dynamic_bodies).V,
+          "Springs with a static end do not push. They resist the W_f of the end that moves."},
+         {dense(s, 1, Wf, Push::of_the_last_spring).V,
+          "Of the springs of a body only the last pushes: what they push adds up."},
+         {dense(s, 1, Wf, Push::without_brackets).V,
+          "K multiplies the difference of the two: K (W_f,j - W_f,i), with brackets."},
          {right.V + forces, "This is V + W_f: V is what rows and springs add to W_f."},
          {-right.V, "The sign of V."}},
         "M̃ V - Gᵀλ = -h²K W_f and G V + Σ λ = B, whatever V and λ were before.");

@@ -169,7 +169,10 @@ EXERCISE_TEST(HingeAngle, TurnsAboutTheAxisOfI) {
   const Vec3 a = hinge_angle(t.i, t.j, 0).Gj.tail<3>(), axis = t.i.axes * Vec3::UnitZ();
   expect_near_vector(
       "angular block Gj of a hinge that is open by 0.01 rad", "Eq. (13.8)", a, axis, roundings(16),
-      {{Vec3(t.j.axes * Vec3::UnitZ()), "This is the third axis of j's frame. n is i's."}}, "n = P_i e_3.");
+      {{Vec3(t.j.axes * Vec3::UnitZ()), "This is the third axis of j's frame. n is i's."},
+       {Vec3(t.i.axes * (t.i.axes.conjugate() * t.j.axes).vec().normalized()),
+        "This is the axis about which Q turns. It is that of the hinge only if the hinge is not open at all."}},
+      "n = P_i e_3.");
 }
 
 EXERCISE_TEST(HingeAngle, DropsNothingSmall) {

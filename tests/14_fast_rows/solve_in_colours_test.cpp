@@ -74,6 +74,17 @@ EXERCISE_TEST(SolveInColours, HasAnyNumberOfColoursAndPacks) {
             "after the other",
         "Eq. (14.10)", same_bits(solved(heap, {.max_sweeps = 2}, threads).heap.V, V),
         "All colours, and all packs of each, however many there are.");
+  for (const int place : {0, 50, 100}) {
+    std::vector<Colour<6>> with_gap = packed(heap.rows, heap.V.size());
+    with_gap.insert(with_gap.begin() + place, Colour<6>{});
+    std::vector<Twist<6>> U = heap.V;
+    const SolveReport report = solve_in_colours(with_gap, U, {.max_sweeps = 2}, 1);
+    expect_true(
+        "with a colour without packs at place " + std::to_string(place) +
+            " there are two sweeps, and the same V",
+        "Eq. (14.10)", report.history.size() == 2 && same_bits(U, V),
+        "A colour may have no packs. It ends neither the sweep nor the solve: go on with the next colour.");
+  }
 }
 
 // If two threads share a number, the order of their accesses is random, and so is the result of the same work. All

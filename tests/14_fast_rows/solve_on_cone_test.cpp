@@ -115,7 +115,10 @@ EXERCISE_TEST(SolveOnCone, DropsNothingSmall) {
 void expect_coulomb(const Mat3& S, const Vec3& q, double mu, const Vec3& lambda) {
   const Vec3 lacks = q - S * lambda;
   const Tolerance close = roundings(1e4, q.norm() + lambda.norm());
-  expect_at_least("λ_n [N s]", "Eq. (14.3)", lambda[0], 0, "contacts never pull");
+  expect_at_least(
+      "λ_n [N s]", "Eq. (14.3)", lambda[0], 0, "contacts never pull",
+      "Where λ_n of sticking is negative, it does not stick: |λ_t| <= μ λ_n does not hold then, but the "
+      "squares of both sides do not see the sign.");
   expect_at_most("|λ_t| - μ λ_n [N s]", "Eq. (14.5)", friction_of(lambda) - mu * lambda[0], close.value,
                  "the cone, apart from " + close.reason, "This is more friction than Coulomb's law allows.");
   if (q[0] <= 0) return;  // see PartsWhereNothingPresses

@@ -86,7 +86,9 @@ std::string digits_clue(double error, double size, const Tolerance& tolerance) {
   if (tolerance.value > 1e-12 * size || !(error <= 1.2e-7 * size)) return "";
   return error > 1e-10 * size
              ? " It is right to the seven digits of a float: is there one on the way? All numbers are double."
-             : " Only the last digits are wrong: has a series been cut off, or something small been left out?";
+             : " Only the last digits are wrong: has a series been cut off, did an iteration end early, or has "
+               "something "
+               "small been left out?";
 }
 
 std::string nan_clue(bool is_nan) {

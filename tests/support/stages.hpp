@@ -1,5 +1,7 @@
 #pragma once
 // A step composed of the chapters' functions, stage by stage, with possible mistakes in each stage.
+#include <functional>
+
 #include "07_impacts/impacts.hpp"
 #include "quantities.hpp"
 #include "simulations.hpp"
@@ -210,6 +212,50 @@ inline std::vector<Mistake> mistakes_of(const Simulation& all, const std::vector
   std::vector<Mistake> mistakes;
   for (const auto& [stages, text] : which) mistakes.push_back({assembled(all, contacts, h, stages), text});
   return mistakes;
+}
+
+/// A step of chapters 04 to 06.
+using Step = std::function<void(Simulation& all, const std::vector<Contact>& contacts, double h)>;
+
+/// Returns a sentence about the smallest part of a simulation with which a step is wrong, too: no joint and no contact,
+/// one joint alone, or one contact alone. Empty if `got` is right. For a mistake that is not among the known ones.
+inline std::string wrong_part(const Simulation& got, const Simulation& right, const Simulation& all,
+                              const std::vector<Contact>& contacts, double h, const Step& step,
+                              const Tolerance& tolerance) {
+  if (got.bodies.size() != right.bodies.size() || are_alike(got, right, tolerance.value)) return "";
+  const auto is_wrong = [&](const Simulation& part, const std::vector<Contact>& some) {
+    Simulation stepped = part;
+    step(stepped, some, h);
+    return stepped.bodies.size() != part.bodies.size() ||
+           !are_alike(stepped, assembled(part, some, h), tolerance.value);
+  };
+  const auto between = [&](int i, int j) {
+    const auto body = [&](int b) {
+      return std::to_string(b) +
+             (all.bodies[static_cast<std::size_t>(b)].mass == 0 ? ", which is static," : "");
+    };
+    return " between body i = " + body(i) + " and body j = " + body(j) + " is enough for a wrong result.";
+  };
+  Simulation part = all;
+  part.joints.clear();
+  if (is_wrong(part, {})) return " The result is wrong without a joint or contact, too.";
+  for (const PointJoint& joint : all.joints) {
+    part.joints = {joint};
+    if (!is_wrong(part, {})) continue;
+    const RigidBody &i = all.bodies[static_cast<std::size_t>(joint.i)],
+                    &j = all.bodies[static_cast<std::size_t>(joint.j)];
+    const double apart = (j.x + j.q * joint.p_j - i.x - i.q * joint.p_i).norm();
+    return " A single " +
+           (joint.length > 0
+                ? "distance of " + show(joint.length) + " m, with points " + show(apart) + " m apart,"
+                : std::string("ball joint")) +
+           between(joint.i, joint.j);
+  }
+  part.joints.clear();
+  for (const Contact& contact : contacts)
+    if (is_wrong(part, {contact}))
+      return " A single contact with a gap of " + show(contact.gap) + " m" + between(contact.i, contact.j);
+  return " With one joint or contact alone the result is right. So look at what several have in common.";
 }
 
 /// The mistakes of stages that chapters 04 to 06 have in common.

@@ -15,8 +15,8 @@ using SolvesBy = std::function<SolveReport(const StopRule&)>;
 /// `entries`.
 bool expect_stops_by_the_rule(const std::string& equation, int entries, const SolvesBy& solve);
 
-/// Expects that the solver makes all sweeps although one returns more than the sweep before. Compares the history with
-/// sweeps by hand.
+/// Expects that the solver makes all sweeps although one returns more than the sweep before, or many are no better than
+/// those before. Compares the history with sweeps by hand.
 bool expect_goes_on_when_one_returns_more(const std::string& equation, const std::vector<double>& by_hand,
                                           const SolvesBy& solve);
 

@@ -122,7 +122,8 @@ def _without_function(exercise: Exercise, missing: list[str]) -> Verdict:
 def _judge_trial(exercise: Exercise, trial: Trial) -> Verdict:
     if trial.timed_out and trial.exit_code == -signal.SIGKILL:
         return _broken_off(exercise, trial, f"timed out after {clock_limit():g} s on the clock",
-                           "Does it wait for something, such as another thread?")
+                           "Does it wait for something, such as another thread? Or is this machine busy with "
+                           "other work?")
     if trial.timed_out:
         return _broken_off(exercise, trial, f"timed out after {time_limit():g} s", "Does a loop never end?")
     if trial.exit_code < 0:
