@@ -9,14 +9,14 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "machinery"))
 import figures  # noqa: E402
 from matplotlib.ticker import NullFormatter  # noqa: E402
 
-TITLE = "Ours beside Bullet, ODE and DART: speed against error"
+TITLE = "Ours beside Bullet, ODE, DART and MuJoCo: speed against error"
 
-COLOURS = {"spook": "#0072B2", "Bullet": "#D55E00", "ODE": "#009E73", "DART": "#CC79A7"}
-LINES = {"spook": "-", "Bullet": "--", "ODE": "-.", "DART": ":"}
+COLOURS = {"spook": "#0072B2", "Bullet": "#D55E00", "ODE": "#009E73", "DART": "#CC79A7", "MuJoCo": "#E69F00"}
+LINES = {"spook": "-", "Bullet": "--", "ODE": "-.", "DART": ":", "MuJoCo": (0, (5, 1))}
 # All at once, by sweeps, or what no other has: told apart without colour, too.
 SOLVERS = {"direct": "o", "stiff": "*", "composed": "*", "auto": "o", "gauss_seidel": "s", "cone": "s", "dantzig": "o",
            "sequential": "s", "step": "o", "quick": "s", "quick 0.4": "^",
-           "reduced": "D"}
+           "reduced": "D", "soft steps": "^", "newton": "o", "pyramids": "^", "sweeps": "s"}
 BEST, LOST = 1e-15, 1.0  # errors are drawn between these
 
 
