@@ -15,6 +15,9 @@
 //                    λ += t d,  t = d·r / d·Sd, but within [0, 1]                  Eq. (10.8)   not in the notes
 //   energy           E = ½ λ·Sλ - B·λ, which no part of it increases               Eq. (10.9)   not in the notes
 //   relaxed          B = -G W - G W_f,  Σ = 0,  once positions have moved          Eq. (10.15)  not in the notes
+//   gap in between   g <- g + h G W                                                Eq. (10.19)  not in the notes
+//   soft numbers     a,  σ = S/(S + Σ),  1 - σ  by frequency and damping ratio     Eq. (10.20)  not in the notes
+//   soft update      Δλ = σ (w - G W)/S - (1 - σ) λ,  w = -a g;  open: w = -g/h    Eq. (10.21)  not in the notes
 //
 //   r   residuals of the rows [m/s], Eq. (4.6)   free   a row between its bounds, lo < λ < hi
 //   e   result of sweep() [m/s]                  z', r'   z and r of the iteration before
@@ -83,5 +86,36 @@ SolveReport conjugate_solve(std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>
 template <int Dof>
 SolveReport relax(const Motion<Dof>& motion, std::vector<Row<Dof>>& rows, std::vector<Twist<Dof>>& V,
                   const StopRule& stop);
+
+/// The numbers of a soft row, as today's engines store them; by default, those of a rigid row.
+struct SoftParameters {
+  double bias_rate = 0;      ///< a: speed that closes a gap, per gap [1/s]
+  double mass_scale = 1;     ///< σ = S/(S + Σ)
+  double impulse_scale = 0;  ///< Σ/(S + Σ)
+};
+
+/// Exercise 10.10. Returns the numbers of a soft row in a substep of `h` [s], by the frequency [Hz] of its undamped
+/// oscillation and its damping ratio ζ: Eq. (10.20). Keeps the digits of the smaller scale, too, for very stiff and
+/// very soft rows. Throws std::invalid_argument, naming h or frequency, unless it is positive and finite, and naming
+/// damping unless it is at least 0 and finite.
+SoftParameters soft_parameters(double h, double frequency, double damping);
+
+/// Exercise 10.11. Updates a soft row in a substep of `h` [s], h > 0: Eq. (10.21), then (4.7). `gap` [m or rad] is
+/// that of the row. A row with lo = 0 only pushes. If its gap is open, that is above 0, the row is rigid, whatever
+/// `soft` says, and lets the gap close within the substep. W are the velocities of the bodies [m/s, rad/s], with all
+/// impulses and forces so far. Neither reads nor sets B, Σ and diagonal of the row. Returns Δλ [N s].
+template <int Dof>
+double update_soft_row(double h, const SoftParameters& soft, double gap, Row<Dof>& row,
+                       std::vector<Twist<Dof>>& W);
+
+/// Exercise 10.12. Makes a soft substep of `h` [s]: Eq. (10.15), (10.19), (10.21). Adds forces W_f and the λ of the
+/// substep before to W, sweeps the soft rows, moves the gaps, and sweeps them as rigid rows. Returns the W between
+/// the two sweeps, with which the positions of the bodies are to move. `gaps` [m or rad] has one number for each row;
+/// `Wf` and W have one velocity for each body [m/s, rad/s]. Throws std::invalid_argument, naming h unless it is
+/// positive and finite, or gaps unless there is one for each row.
+template <int Dof>
+std::vector<Twist<Dof>> soft_substep(double h, const SoftParameters& soft, const std::vector<Twist<Dof>>& Wf,
+                                     std::vector<Row<Dof>>& rows, std::vector<double>& gaps,
+                                     std::vector<Twist<Dof>>& W);
 
 }  // namespace spook

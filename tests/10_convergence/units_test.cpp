@@ -14,6 +14,11 @@ static void each_number(Visitor& visitor, OldContact& old, ByField) {
   each_number(visitor, old.point, units::m);
 }
 
+static void each_number(Visitor& visitor, SoftParameters& soft, ByField) {
+  visitor.number(soft.bias_rate, 1 / units::s);
+  visitor.number(soft.mass_scale, units::pure), visitor.number(soft.impulse_scale, units::pure);
+}
+
 }  // namespace spook::testing
 
 namespace {
@@ -27,6 +32,11 @@ EXERCISE(ObservedRate, "10.6 observed_rate");
 EXERCISE(Precondition, "10.7 precondition");
 EXERCISE(ConjugateSolve, "10.8 conjugate_solve");
 EXERCISE(Relax, "10.9 relax");
+EXERCISE(SoftParameters, "10.10 soft_parameters");
+EXERCISE(UpdateSoftRow, "10.11 update_soft_row");
+EXERCISE(SoftSubstep, "10.12 soft_substep");
+
+constexpr SoftParameters somewhat_soft{.bias_rate = 5, .mass_scale = 0.7, .impulse_scale = 0.3};
 
 /// Rows with bounds of every kind.
 Problem<6> bounded_rows() {
@@ -113,6 +123,28 @@ EXERCISE_TEST(Relax, IsTheSameInAnyUnits) {
   for (const StopRule& stop :
        {StopRule{.max_sweeps = 5, .tolerance = 0}, {.max_sweeps = 100, .tolerance = 1e-6}})
     expect_same_in_any_units("Eq. (10.15)", relax<6>, by_field, p.motion, p.rows, p.V * velocity, stop);
+}
+
+EXERCISE_TEST(SoftParameters, IsTheSameInAnyUnits) {
+  using namespace units;
+  expect_same_in_any_units("Eq. (10.20)", soft_parameters, by_field, 0.01 * s, 48 * (1 / s), 0.7);
+}
+
+EXERCISE_TEST(UpdateSoftRow, IsTheSameInAnyUnits) {
+  using namespace units;
+  const Problem<6> p = bounded_rows();
+  for (const double gap : {-0.03, 0.002})
+    for (const Row<6>& row : p.rows)
+      expect_same_in_any_units("Eq. (10.21)", update_soft_row<6>, N * s, 0.01 * s, somewhat_soft, gap * m, row,
+                               p.motion.W * velocity);
+}
+
+EXERCISE_TEST(SoftSubstep, IsTheSameInAnyUnits) {
+  using namespace units;
+  const Problem<6> p = bounded_rows();
+  const std::vector<double> gaps = {-0.03, 0.002, 0.01, -0.01, -0.02, 0.004, 0.02, -0.05, 0.001};
+  expect_same_in_any_units("Eq. (10.15), (10.19)", soft_substep<6>, velocity, 0.01 * s, somewhat_soft,
+                           p.motion.Wf * velocity, p.rows, gaps * m, p.motion.W * velocity);
 }
 
 }  // namespace

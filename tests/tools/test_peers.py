@@ -1,6 +1,8 @@
 """./course plot peers: its message without other engines, its figure, and its claims with the installed ones."""
 
+import contextlib
 import importlib.util
+import io
 import json
 import os
 import subprocess
@@ -45,6 +47,17 @@ class Peers(unittest.TestCase):
                 peers.require()
         for need in PEER_NEEDS:
             self.assertIn(need.package, str(caught.exception))
+
+    def test_an_engine_that_is_not_there_is_named_and_left_out(self):
+        for need in PEER_NEEDS:
+            there, gone = Need("python3", "command", "python3"), Need(need.package, "header", "there/is/none.h")
+            said = io.StringIO()
+            with (mock.patch.object(peers, "PEER_NEEDS", (there, gone)), mock.patch.object(peers, "RELEASE") as tree,
+                  contextlib.redirect_stderr(said)):
+                tree.setting.side_effect = {"SPOOK_PEERS": "ON", "SPOOK_PEERS_FOUND": "python3"}.get
+                peers.require()
+                tree.configure.assert_not_called()
+            self.assertIn(f"Without {need.package}:", said.getvalue())
 
     def test_with_mine_it_says_that_there_is_none(self):
         done = subprocess.run([str(ROOT / "course"), "plot", "peers", "--mine"], capture_output=True, text=True)

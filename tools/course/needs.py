@@ -131,7 +131,8 @@ PYTHON_NEEDS = (Need("pybind11-dev", "header", "pybind11/pybind11.h", "2.9", ("p
 # Other engines, for ./course plot peers; any of them will do. DART finds contacts by ODE's functions.
 PEER_NEEDS = (Need("libbullet-dev", "header", "bullet/btBulletDynamicsCommon.h"),
               Need("libode-dev", "header", "ode/ode.h"),
-              Need("libdart-collision-ode-dev", "header", "dart/collision/ode/OdeCollisionDetector.hpp"))
+              Need("libdart-collision-ode-dev", "header", "dart/collision/ode/OdeCollisionDetector.hpp"),
+              Need("libmujoco-dev", "header", "mujoco/mujoco.h"))
 TEST_NEEDS = (*GRADE_NEEDS, *VIEW_NEEDS, *PYTHON_NEEDS, Need("libarchive-tools", "command", "bsdtar"),
               Need("clang-format", "command", "clang-format"), Need("codespell", "command", "codespell"), *sanitizers())
 # Tests of the book are skipped where the system's packages have not all of these.

@@ -40,6 +40,25 @@ class InPlace : public Judge {
   double error_ = 0;
 };
 
+class Joints : public Judge {
+ public:
+  explicit Joints(const Problem& problem) : joints_(problem.joints) {
+    const auto x = [&](int body) { return problem.bodies[static_cast<std::size_t>(body)].x; };
+    link_ = (x(joints_.front().j) - x(joints_.front().i)).norm();
+  }
+  void look(const Engine& engine, double) override {
+    error_ = 0;
+    const auto point = [&](int body, const Vec3& p) { return Vec3(engine.x(body) + engine.q(body) * p); };
+    for (const Joint& joint : joints_)
+      error_ = largest(error_, (point(joint.j, joint.p_j) - point(joint.i, joint.p_i)).norm() / link_);
+  }
+  double error() const override { return error_; }
+
+ private:
+  std::vector<Joint> joints_;
+  double link_, error_ = 0;
+};
+
 class Length : public Judge {
  public:
   Length(const Problem& problem, double time)
@@ -286,6 +305,9 @@ class Pile : public Judge {
 
 std::unique_ptr<Judge> stays_in_place(const Problem& problem) {
   return std::make_unique<InPlace>(problem);
+}
+std::unique_ptr<Judge> holds_its_joints(const Problem& problem) {
+  return std::make_unique<Joints>(problem);
 }
 std::unique_ptr<Judge> keeps_its_length(const Problem& problem, double time) {
   return std::make_unique<Length>(problem, time);

@@ -23,6 +23,10 @@ using MakeJudge = std::function<std::unique_ptr<Judge>(const Problem& problem)>;
 /// first.
 std::unique_ptr<Judge> stays_in_place(const Problem& problem);
 
+/// The error of bodies on ball joints: the largest distance at the end between the two points that a joint holds
+/// together, over the length of the first link.
+std::unique_ptr<Judge> holds_its_joints(const Problem& problem);
+
 /// The error of a wire: its largest stretch in the second half of `time`, over its initial length.
 std::unique_ptr<Judge> keeps_its_length(const Problem& problem, double time);
 

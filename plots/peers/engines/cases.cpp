@@ -15,6 +15,8 @@
 //   top              integration of rotations only; no rows
 //   double pendulum  spook: d = 0, with which rods are of second order; and steps of order four
 //   slide to roll    one sweep, cold: the three rows of a sphere on a plane are not coupled
+//   structures       pyramids, walls and a grid of joints: soft steps, the default, and warm sweeps of the grid's rows.
+//                    Dense pivoting is impractical there. All engines may use 1/60 s.
 //   piles            sweeps, warm: direct solvers are impractical for thousands of rows. With few sweeps a warm start
 //                    needs a small d, Eq. (10.12), and a margin that finds contacts before they close. With five
 //                    sweeps, spheres jitter at such steps unless d is 10. Settings must work for five seeds.
@@ -49,11 +51,35 @@ const std::vector<double> tall = steps({30, 60, 240});
 
 /// The settings for wires and stacks: all rows at once, and sweeps in the engines that have them.
 std::vector<TheirWay> all_at_once_or_sweeps(const std::vector<double>& h, const std::vector<int>& sweeps) {
-  return {{"ODE", "step", h},
-          {"ODE", "quick", h, sweeps},
-          {"Bullet", "dantzig", h},
-          {"Bullet", "sequential", h, sweeps},
-          {"DART", "reduced", h}};
+  return {{"ODE", "step", h},       {"ODE", "quick", h, sweeps},
+          {"Bullet", "dantzig", h}, {"Bullet", "sequential", h, sweeps},
+          {"DART", "reduced", h},   {"MuJoCo", "newton", h}};
+}
+
+const std::vector<double> sixtieth = {1.0 / 60};
+
+OurWay soft(int substeps) {
+  return {.solver = "auto", .h = sixtieth, .soft_steps = substeps};
+}
+
+/// A structure that should stay as it is, for two seconds.
+Case standing(const std::string& name, Structure which, int size, const std::vector<OurWay>& ours) {
+  const bool joints = which == Structure::grid;
+  std::vector<TheirWay> theirs = {{"ODE", "quick", sixtieth, {10, 50}},
+                                  {"Bullet", "sequential", sixtieth, {10, 50}}};
+  if (size <= 10 && !joints && which != Structure::field)  // MuJoCo's memory grows with the square of the rows
+    theirs.insert(theirs.end(), {{"MuJoCo", "newton", sixtieth},
+                                 {"MuJoCo", "pyramids", sixtieth},
+                                 {"MuJoCo", "sweeps", sixtieth, {10, 50}}});
+  return {.name = name,
+          .scene = "",
+          .set = {{}},
+          .time = 2,
+          .error = joints ? "largest gap of a joint over a link" : "farthest move over half a side",
+          .judge = joints ? judge(holds_its_joints) : judge(stays_in_place),
+          .ours = ours,
+          .theirs = theirs,
+          .build = [which, size](Settings<6> settings) { return structure(which, size, std::move(settings)); }};
 }
 
 Case stack(const std::string& name, const std::string& ratio) {
@@ -187,6 +213,12 @@ std::vector<Case> cases() {
                   {"Bullet", "dantzig", many},
                   {"Bullet", "sequential", many, {50}},
                   {"DART", "reduced", many}}},
+      standing("pyramid of 10", Structure::pyramid, 10, {soft(2), soft(4), soft(8), {"auto", sixtieth}}),
+      standing("pyramid of 20", Structure::pyramid, 20, {soft(4), soft(8), {"auto", sixtieth}}),
+      standing("pyramid of 60", Structure::pyramid, 60, {soft(8), soft(16)}),
+      standing("field of 25 pyramids", Structure::field, 5, {soft(2), soft(4), soft(8), {"auto", sixtieth}}),
+      standing("wall 10 x 10", Structure::wall, 10, {soft(2), soft(4), soft(8), {"auto", sixtieth}}),
+      standing("grid 40 x 40", Structure::grid, 40, {soft(2), soft(4), soft(8), {"auto", sixtieth}}),
       pile("1000 spheres", "sphere",
            {warm_sweeps(steps({12, 15, 20}), {5}, 0.01, "d=10"),
             warm_sweeps(steps({20, 30, 60}), {10, 20}, 0.006, "d=2")}),
@@ -199,15 +231,16 @@ std::vector<Case> cases() {
 std::vector<Case> small_cases() {
   const std::vector<double> h = {1.0 / 480};
   const std::vector<TheirWay> each = {
-      {"ODE", "step", h}, {"Bullet", "sequential", h, {50}}, {"DART", "reduced", h}};
+      {"ODE", "step", h}, {"Bullet", "sequential", h, {50}}, {"DART", "reduced", h}, {"MuJoCo", "newton", h}};
   std::vector<Case> small;
   for (Case one : cases()) {
     const bool heap = one.scene == "pile",
                heavy = one.scene == "wire" || one.scene == "stiff_wire" || one.scene == "stack";
-    if (heap || heavy || one.name == "two boxes 1e6:1") continue;
+    if (heap || heavy || one.build || one.name == "two boxes 1e6:1") continue;
     one.time = std::min(one.time, 3.0);
     if (one.scene == "tower") one.set = {{"boxes=2", "k=1e12"}};
     one.theirs = each;
+    if (one.scene == "bouncing_ball") one.theirs.pop_back();  // MuJoCo has no restitution
     for (OurWay& way : one.ours) way.h = h;
     one.ours.resize(1);
     small.push_back(one);
@@ -231,6 +264,16 @@ std::unique_ptr<Scene> our_scene(const Case& one, std::size_t set, const OurWay&
   if (way.contact_margin >= 0) method.contact_margin = way.contact_margin;
   if (way.integrator_order != 2) method.integrator_order = way.integrator_order;
   return description.build(parameters, method);
+}
+
+World<6> our_structure(const Case& one, const OurWay& way, int sweeps) {
+  const NamedSolver<6>& named = find_solver<6>(way.solver);
+  Settings<6> settings{.friction = 0.6,
+                       .solver = named.make_on_cones ? named.make_on_cones() : named.make(),
+                       .warm_start = way.warm};
+  if (sweeps > 0) settings.solver_limits = {.max_sweeps = sweeps, .tolerance = way.tolerance};
+  if (way.soft_steps > 0) settings.soft_steps = SoftSteps{.substeps = way.soft_steps};
+  return one.build(std::move(settings));
 }
 
 }  // namespace spook::peers

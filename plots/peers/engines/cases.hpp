@@ -5,6 +5,7 @@
 
 #include "engine/solvers/registry.hpp"
 #include "peers/engines/answers.hpp"
+#include "peers/engines/structures.hpp"
 
 namespace spook::peers {
 
@@ -20,6 +21,7 @@ struct OurWay {
   int integrator_order = 2;           ///< the order of its steps
   double tolerance = 0;               ///< tolerance of sweeps [m/s]
   RowOrder row_order = RowOrder::given;
+  int soft_steps = 0;  ///< substeps of soft steps; 0: none
 };
 
 /// Settings of another engine.
@@ -39,6 +41,7 @@ struct Case {
   MakeJudge judge;
   std::vector<OurWay> ours;
   std::vector<TheirWay> theirs;
+  std::function<World<6>(Settings<6>)> build = {};  ///< of a structure, which is not one of the scenes
 };
 
 std::vector<Case> cases();
@@ -48,5 +51,8 @@ std::vector<Case> small_cases();
 
 /// Returns the scene of a case, ready to run in our engine.
 std::unique_ptr<Scene> our_scene(const Case& one, std::size_t set, const OurWay& way, double h, int sweeps);
+
+/// Returns the structure of a case, ready to run in our engine.
+World<6> our_structure(const Case& one, const OurWay& way, int sweeps);
 
 }  // namespace spook::peers

@@ -23,7 +23,7 @@ class Engine {
 
 /// A solver of an engine, with its step and sweeps.
 struct Way {
-  std::string engine;  ///< spook, Bullet, ODE, DART
+  std::string engine;  ///< spook, Bullet, ODE, DART, MuJoCo
   std::string solver;  ///< name in that engine
   double h;            ///< [s]
   int sweeps = 0;      ///< number of sweeps, for solvers with sweeps
@@ -32,5 +32,6 @@ struct Way {
 std::unique_ptr<Engine> make_bullet(const Problem& problem, const Way& way);
 std::unique_ptr<Engine> make_ode(const Problem& problem, const Way& way);
 std::unique_ptr<Engine> make_dart(const Problem& problem, const Way& way);
+std::unique_ptr<Engine> make_mujoco(const Problem& problem, const Way& way);
 
 }  // namespace spook::peers

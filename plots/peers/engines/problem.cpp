@@ -32,7 +32,7 @@ ProblemBody body_of(const Bodies<Dof>& bodies, std::size_t i) {
 }
 
 template <int Dof>
-Problem problem_of(const World<Dof>& world) {
+Problem problem_in(const World<Dof>& world) {
   const Settings<Dof>& settings = world.settings();
   if (settings.force || settings.wrench)
     throw std::invalid_argument("a force that is a formula is for no other engine");
@@ -59,7 +59,11 @@ Problem problem_of(const World<Dof>& world) {
 }  // namespace
 
 Problem problem_of(const Scene& scene) {
-  return scene.points() ? problem_of(*scene.points()) : problem_of(*scene.rigid_bodies());
+  return scene.points() ? problem_in(*scene.points()) : problem_in(*scene.rigid_bodies());
+}
+
+Problem problem_of(const World<6>& world) {
+  return problem_in(world);
 }
 
 }  // namespace spook::peers

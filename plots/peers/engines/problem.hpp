@@ -35,4 +35,7 @@ struct Problem {
 /// cannot hold either, and for corners other than those of a box.
 Problem problem_of(const Scene& scene);
 
+/// The same of a world without a scene.
+Problem problem_of(const World<6>& world);
+
 }  // namespace spook::peers

@@ -25,6 +25,9 @@ const std::map<std::string, Maker>& makers() {
 #ifdef PEER_DART
       {"DART", make_dart},
 #endif
+#ifdef PEER_MUJOCO
+      {"MuJoCo", make_mujoco},
+#endif
   };
   return known;
 }
@@ -54,12 +57,23 @@ std::vector<Runner> runners_of_ours(const Case& one) {
   for (const OurWay& way : one.ours)
     for (const double h : way.h)
       for (const int sweeps : way.sweeps) {
-        const std::string name = way.cone ? "cone" : way.integrator_order == 4 ? "composed" : way.solver;
-        runners.push_back({{"spook", name, h, sweeps}, [&one, way, h, sweeps](std::size_t set) {
+        const std::string name = way.cone                    ? "cone"
+                                 : way.integrator_order == 4 ? "composed"
+                                 : way.soft_steps > 0        ? "soft steps"
+                                                             : way.solver;
+        const int count = way.soft_steps > 0 ? way.soft_steps : sweeps;
+        runners.push_back({{"spook", name, h, count}, [&one, way, h, sweeps](std::size_t set) {
+                             if (one.build) return make_spook(our_structure(one, way, sweeps), h);
                              return make_spook(our_scene(one, set, way, h, sweeps));
                            }});
       }
   return runners;
+}
+
+/// Returns the initial state of a case.
+Problem start_of(const Case& one, std::size_t set, double h) {
+  if (one.build) return problem_of(our_structure(one, one.ours.front(), 0));
+  return problem_of(*our_scene(one, set, one.ours.front(), h, 0));
 }
 
 std::vector<Runner> runners_of_theirs(const Case& one) {
@@ -71,8 +85,7 @@ std::vector<Runner> runners_of_theirs(const Case& one) {
       for (const int sweeps : way.sweeps) {
         const Way chosen{way.engine, way.solver, h, sweeps};
         runners.push_back({chosen, [&one, chosen, make = maker->second](std::size_t set) {
-                             return make(problem_of(*our_scene(one, set, one.ours.front(), chosen.h, 0)),
-                                         chosen);
+                             return make(start_of(one, set, chosen.h), chosen);
                            }});
       }
   }
@@ -102,7 +115,7 @@ std::int64_t steps_of(const Case& one, const Way& way) {
 
 /// Runs with an observation after every step. The time of the steps counts as a round, too.
 double judged(const Case& one, const Runner& runner, std::size_t set, double& seconds) {
-  const Problem problem = problem_of(*our_scene(one, set, one.ours.front(), runner.way.h, 0));
+  const Problem problem = start_of(one, set, runner.way.h);
   const std::unique_ptr<Engine> engine = runner.make(set);
   const std::unique_ptr<Judge> judge = one.judge(problem);
   judge->look(*engine, 0);

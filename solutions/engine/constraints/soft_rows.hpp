@@ -5,7 +5,9 @@
 //   soft        a closed gap     B = -a g, at most the closing speed; Σ = S/(h ω (2ζ + h ω))
 //   relaxed     the same gap     B = 0,  Σ = 0                                              Eq. (10.15)
 //   both        an open gap      B = -g/h,  Σ = 0: closes it in a substep at most           Eq. (13.11)
-//               others           as they were built: friction, motors, joints with a k of their own
+//               others           as they were built: motors, joints with a k of their own
+//
+// Joints have these rows; soft_contacts.hpp has the contacts.
 #include <numbers>
 
 #include "engine/constraints/joints.hpp"
@@ -39,17 +41,16 @@ void require_sound(const SoftSteps& soft);
 
 /// The target of a row in soft steps.
 enum class SoftKind {
-  keeps,   ///< nothing: friction, a motor, a joint with a k of its own
+  keeps,   ///< nothing: a motor, a joint with a k of its own
   holds,   ///< a joint: holds it at zero
-  limits,  ///< a contact or a limit: stops it at zero
+  limits,  ///< a limit: stops it at zero
 };
 
-/// The gap that a row of soft steps follows.
+/// The gap that a joint's row of soft steps follows.
 struct SoftGap {
   SoftKind kind = SoftKind::keeps;
-  double gap = 0;        ///< [m or rad]
-  double S = 0;          ///< S_kk without Σ [1/kg]
-  bool pressed = false;  ///< λ was above 0 in a substep of this step
+  double gap = 0;  ///< [m or rad]
+  double S = 0;    ///< S_kk without Σ [1/kg]
 };
 
 /// Returns S_kk without Σ [1/kg].

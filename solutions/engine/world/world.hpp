@@ -27,7 +27,7 @@
 #include "engine/constraints/contact_rows.hpp"
 #include "engine/constraints/default_stiffness.hpp"
 #include "engine/constraints/joint_rows.hpp"
-#include "engine/constraints/soft_rows.hpp"
+#include "engine/constraints/soft_contacts.hpp"
 #include "engine/constraints/step_parts.hpp"
 #include "engine/constraints/warm_start_cache.hpp"
 #include "engine/integration/rattle.hpp"
@@ -348,11 +348,10 @@ class World {
   void build_soft_contacts(double h);
   void integrate_velocities();
   void build_soft_joints(double h);
-  template <class Act>
-  void for_rows_with_gaps(const Act& act);
   void sweep_soft_rows(double h);
   void sweep_rigid_rows(double h);
-  void sweep_all_rows();
+  template <class Normals>
+  void sweep_all_rows(const Normals& sweep_normals);
   void integrate_positions(double h);
   void add_work_of_soft_drives();
   void note_approaches(double h);
@@ -423,7 +422,8 @@ class World {
   std::vector<FrictionContact> rubbing_;  // where friction follows what presses
   std::vector<Twist<Dof>> V_;             // what the rows add to each velocity
   std::vector<Twist<Dof>> recovered_;     // what is taken out of each velocity again, Eq. (7.17)
-  std::vector<SoftGap> soft_gaps_;        // of the rows of joints, then of contacts, in soft steps
+  std::vector<SoftGap> soft_gaps_;        // of the rows of joints, in soft steps
+  SoftContacts<Dof> soft_contacts_;       // in soft steps
   std::vector<Row<Dof>> soft_joints_;     // of the joints where they are now, in soft steps
   std::vector<Twist<Dof>> at_rest_;       // velocities that soft rows are built with
   std::vector<Approach> approaches_;      // of a soft step, for restitution

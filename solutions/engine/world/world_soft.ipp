@@ -34,8 +34,10 @@ void World<Dof>::step_softly(double h) {
     add_work_of_soft_drives();
     end_step(h_part);
   }
-  clock_.run(Stage::rows,
-             [&] { start_.remember(rows_, first_contact_row_, contacts_, h_part, settings_.threads); });
+  clock_.run(Stage::rows, [&] {
+    soft_contacts_.return_impulses(rows_, first_contact_row_);
+    start_.remember(rows_, first_contact_row_, contacts_, h_part, settings_.threads);
+  });
   if (!approaches_.empty()) clock_.run(Stage::impacts, [&] { restitute(); });
 }
 
@@ -63,15 +65,12 @@ void World<Dof>::build_soft_contacts(double h) {
                           .sliding_tangents = settings_.sliding_tangents};
   add_contact_rows(contacts_, h, materials_, friction, bodies_.motion, settings_.threads, first_contact_row_,
                    rows_, rubbing_);
-  soft_gaps_.assign(first_contact_row_ + contacts_.size(), {});
+  soft_gaps_.assign(first_contact_row_, {});
   for (std::size_t k = 0; k < first_contact_row_; ++k) rows_[k].lambda = 0;
   for (std::size_t k = first_contact_row_; k < rows_.size(); ++k) rows_[k].B = 0;
-  for (std::size_t c = 0; c < contacts_.size(); ++c)
-    soft_gaps_[first_contact_row_ + c] = {.kind = SoftKind::limits,
-                                          .gap = contacts_[c].gap,
-                                          .S = rigid_diagonal(rows_[first_row(static_cast<int>(c))])};
   const std::vector<double> impulses = start_.impulses(rows_, first_contact_row_, contacts_, h);
   for (std::size_t k = 0; k < impulses.size(); ++k) rows_[k].lambda = impulses[k];
+  soft_contacts_.assign(contacts_, rows_, first_contact_row_, rubbing_);
 }
 
 template <int Dof>
@@ -102,49 +101,39 @@ void World<Dof>::build_soft_joints(double h) {
   }
 }
 
-/// Calls act(row, gap) for the rows that may follow a gap: those of joints, and the normal rows of contacts.
-template <int Dof>
-template <class Act>
-void World<Dof>::for_rows_with_gaps(const Act& act) {
-  for (std::size_t k = 0; k < first_contact_row_; ++k) act(rows_[k], soft_gaps_[k]);
-  const auto each = static_cast<std::size_t>(rows_per_contact(materials_.rub()));
-  for (std::size_t c = 0; c < contacts_.size(); ++c)
-    act(rows_[first_contact_row_ + each * c], soft_gaps_[first_contact_row_ + c]);
-}
-
 template <int Dof>
 void World<Dof>::sweep_soft_rows(double h) {
   const SoftSteps& soft = *settings_.soft_steps;
-  for_rows_with_gaps([&](Row<Dof>& row, const SoftGap& at) {
-    const bool of_joint = &row < rows_.data() + first_contact_row_;
-    make_soft(at, of_joint ? soft.joints : soft.contacts, soft.closing_speed, h, row);
-  });
-  for (const Row<Dof>& row : rows_)
-    if (row.lambda != 0) apply_impulse(row, row.lambda, bodies_.motion.W);
-  sweep_all_rows();
+  std::vector<Twist<Dof>>& W = bodies_.motion.W;
+  for (std::size_t k = 0; k < first_contact_row_; ++k) {
+    make_soft(soft_gaps_[k], soft.joints, soft.closing_speed, h, rows_[k]);
+    if (rows_[k].lambda != 0) apply_impulse(rows_[k], rows_[k].lambda, W);
+  }
+  soft_contacts_.warm_start(W);
+  sweep_all_rows([&] { return soft_contacts_.sweep_soft(soft.contacts, soft.closing_speed, h, W); });
 }
 
 template <int Dof>
 void World<Dof>::sweep_rigid_rows(double h) {
-  for_rows_with_gaps([&](Row<Dof>& row, const SoftGap& at) { make_rigid(at, h, row); });
-  sweep_all_rows();
+  for (std::size_t k = 0; k < first_contact_row_; ++k) make_rigid(soft_gaps_[k], h, rows_[k]);
+  sweep_all_rows([&] { return soft_contacts_.sweep_rigid(h, bodies_.motion.W); });
 }
 
-/// Updates joints, then all friction, then all normal rows, by Eq. (4.7) and (9.6). So each sweep ends with what carries
-/// the weight: with friction after each normal row, large pyramids fall.
+/// Updates joints, then all friction, then all normal rows, by Eq. (4.7), (9.6) and (10.21). So each sweep ends with
+/// what carries the weight: with friction after each normal row, large pyramids fall.
 template <int Dof>
-void World<Dof>::sweep_all_rows() {
+template <class Normals>
+void World<Dof>::sweep_all_rows(const Normals& sweep_normals) {
   if (rows_.empty()) return;
   std::vector<Twist<Dof>>& W = bodies_.motion.W;
   double largest = 0;
   const auto note = [&](double lacked) {
     if (std::isnan(lacked) || lacked > largest) largest = lacked;
   };
-  const auto update = [&](Row<Dof>& row) { note(row.diagonal * std::abs(update_row(row, W))); };
-  for (std::size_t k = 0; k < first_contact_row_; ++k) update(rows_[k]);
-  for (const FrictionContact& contact : rubbing_) note(update_friction(contact, rows_, W));
-  const auto each = static_cast<std::size_t>(rows_per_contact(materials_.rub()));
-  for (std::size_t k = first_contact_row_; k < rows_.size(); k += each) update(rows_[k]);
+  for (std::size_t k = 0; k < first_contact_row_; ++k)
+    note(rows_[k].diagonal * std::abs(update_row(rows_[k], W)));
+  note(soft_contacts_.sweep_friction(W));
+  note(sweep_normals());
   solved_.history.push_back(largest);
   solved_.converged = largest <= settings_.solver_limits.tolerance;
   row_updates_ += std::ssize(rows_);
@@ -154,11 +143,12 @@ void World<Dof>::sweep_all_rows() {
 template <int Dof>
 void World<Dof>::integrate_positions(double h) {
   std::vector<Twist<Dof>>& W = bodies_.motion.W;
-  for_rows_with_gaps([&](const Row<Dof>& row, SoftGap& at) {
-    if (at.kind != SoftKind::limits) return;
-    at.gap += h * (row.Gi.dot(W[row.i]) + row.Gj.dot(W[row.j]));
-    at.pressed |= row.lambda > 0;
-  });
+  for (std::size_t k = 0; k < first_contact_row_; ++k) {
+    if (soft_gaps_[k].kind != SoftKind::limits) continue;
+    const Row<Dof>& row = rows_[k];
+    soft_gaps_[k].gap += h * (row.Gi.dot(W[row.i]) + row.Gj.dot(W[row.j]));
+  }
+  soft_contacts_.move_gaps(h, W);
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (bodies_.is_fixed(i)) continue;
     bodies_.x[i] = drift(bodies_.x[i], Vec3(W[i].template head<3>()), h);
@@ -171,6 +161,7 @@ void World<Dof>::integrate_positions(double h) {
 template <int Dof>
 void World<Dof>::add_work_of_soft_drives() {
   if (joints_.empty() && kinematic_.empty()) return;
+  soft_contacts_.return_impulses(rows_, first_contact_row_);
   for (std::size_t i = 0; i < V_.size(); ++i) V_[i] -= bodies_.motion.W[i] + bodies_.motion.Wf[i];
   add_work_of_drives();
 }
@@ -194,9 +185,11 @@ template <int Dof>
 void World<Dof>::restitute() {
   for (const auto& [c, speed] : approaches_) {
     const std::size_t k = first_row(static_cast<int>(c));
-    if (!soft_gaps_[first_contact_row_ + c].pressed) continue;
+    if (!soft_contacts_.pressed(c)) continue;
     Row<Dof> impact = rows_[k];
     impact.lambda = 0;
+    impact.Sigma = 0;
+    impact.diagonal = rigid_diagonal(impact);
     impact.B = -materials_.of(contacts_[c].i, contacts_[c].j).restitution * speed;
     if (update_row(impact, bodies_.motion.W) > 0) ++impacts_;
   }

@@ -55,6 +55,19 @@ def relaxed_ball(draw: Draw):
             f"{said(moved, 'm/s')} and {said(max(0.0, free), 'm/s')}; where a row stores energy, as in a bungee")
 
 
+@asks(10, 6, "10.10 10.11 10.12")
+def depth_of_a_tower(draw: Draw):
+    x, zeta, h = draw.of(0.5, 1, 2), draw.of(1, 2, 5), draw.of(0.005, 0.01)
+    n, f = draw.whole(5, 20), draw.of(20, 40, 60)
+    stiffness = x * (2 * zeta + x)
+    omega = 2 * math.pi * f
+    return (f"A soft row has hω = {x}, ζ = {zeta} and h = {h} s. What are its bias rate, its mass scale and its impulse "
+            f"scale? Another one, with {f} Hz, is the lowest contact of a tower of {n} equal balls at rest, with "
+            "g = 9.81 m/s². How deep is it, and why does the mass of the balls not matter?",
+            f"{said(x / h / (2 * zeta + x), '/s')}, {said(stiffness / (1 + stiffness))} and "
+            f"{said(1 / (1 + stiffness))}; {said(n * 9.81 / omega**2, 'm')}, since S is 1/m and F is n m g")
+
+
 @asks(11, 1, "11.1 11.2")
 def entries_of_a_hub(draw: Draw):
     n, kind = draw.whole(20, 60), draw.of("hub", "wire")  # a small hub has fewer entries in S

@@ -1,0 +1,72 @@
+#pragma once
+// Contacts of soft steps in a layout of their own. A sweep reads 520 bytes of a contact with friction, where the rows of
+// chapter 04 have 720. It writes λ alone, and computes the target of a row where the row is updated.
+//
+//   G of a contact      -e and e in the linear parts, so e is stored once, and M⁻¹ Gᵀ is e times the inverse masses
+//   velocity of a row   u = e·(v_j - v_i) + A_i·ω_i + A_j·ω_j,  A the angular parts of G            Eq. (3.3)
+//   normal              Δλ = σ (w - u)/S - (1 - σ) λ,  λ >= 0;  w = -a g, or -g/h of an open gap    Eq. (10.21)
+//   friction            the nearest λ_t of the disc μ λ_n to λ_t + r/s                              Eq. (9.5), (9.6)
+#include "09_better_friction/better_friction.hpp"
+#include "engine/constraints/soft_rows.hpp"
+
+namespace spook {
+
+/// A row whose linear parts are opposite on its two bodies, without its right-hand side.
+template <int Dof>
+struct PointRow {
+  int i, j;
+  Vec3 e;                                    ///< linear part of G on body j
+  double inverse_mass_i, inverse_mass_j;     ///< [1/kg]
+  Eigen::Matrix<double, Dof - 3, 1> Ai, Aj;  ///< angular parts of G
+  Eigen::Matrix<double, Dof - 3, 1> MinvAi, MinvAj;
+  double lambda;  ///< [N s]
+};
+
+/// The contacts of soft steps: normal rows, and the two friction rows of each if any pair has friction.
+template <int Dof>
+class SoftContacts {
+ public:
+  /// Takes the rows of contacts, from `first` on, with their λ. `rubbing` is empty without friction.
+  void assign(const std::vector<Contact>& contacts, const std::vector<Row<Dof>>& rows, std::size_t first,
+              const std::vector<FrictionContact>& rubbing);
+
+  /// Adds M⁻¹ Gᵀ λ to W: Eq. (10.2).
+  void warm_start(std::vector<Twist<Dof>>& W) const;
+
+  /// Updates friction, and returns the largest s |Δλ_t| [m/s].
+  double sweep_friction(std::vector<Twist<Dof>>& W);
+
+  /// Updates the normal rows as soft or as rigid ones in a substep of `h` [s], and returns the largest S_kk |Δλ| [m/s].
+  /// An overlap is moved apart at most with the closing speed [m/s].
+  double sweep_soft(const SoftSpring& spring, double closing_speed, double h, std::vector<Twist<Dof>>& W);
+  double sweep_rigid(double h, std::vector<Twist<Dof>>& W);
+
+  /// Moves each gap as far as its points move along the normal: Eq. (10.19).
+  void move_gaps(double h, const std::vector<Twist<Dof>>& W);
+
+  /// Tells whether λ of a contact was above 0 when the gaps moved.
+  bool pressed(std::size_t contact) const { return normals_[contact].pressed; }
+
+  /// Copies λ to the rows from `first` on.
+  void return_impulses(std::vector<Row<Dof>>& rows, std::size_t first) const;
+
+ private:
+  template <class Target>
+  double sweep_normals(const Target& target, double softness, double h, std::vector<Twist<Dof>>& W);
+
+  struct Normal {
+    PointRow<Dof> row;
+    double gap;      ///< [m]
+    double S, mass;  ///< S_kk without Σ [1/kg], 1/S
+    bool pressed;
+  };
+  struct Rubbing {
+    PointRow<Dof> row1, row2;
+    double s, mass;    ///< s of Eq. (9.5) [1/kg], 1/s
+    double Sigma, mu;  ///< [1/kg], μ
+  };
+  std::vector<Normal> normals_;
+  std::vector<Rubbing> rubbing_;
+};
+
+}  // namespace spook
