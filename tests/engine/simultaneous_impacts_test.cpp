@@ -3,12 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <functional>
-#include <random>
 
 #include "engine/impacts/impacts.hpp"
 #include "engine/world/world.hpp"
+#include "random_input.hpp"
 
 namespace spook::simultaneous_impacts_test {
 namespace {
@@ -127,12 +127,7 @@ TEST(SimultaneousImpacts, ABallThatHitsTwoAtOnceLeavesStraight) {
 
 TEST(SimultaneousImpacts, RandomContactsHaveTheirRestitutionAndGainNoEnergy) {
   constexpr unsigned seed = 71;
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> number(-1, 1);
-  const auto vector = [&] {
-    const double x = number(random), y = number(random), z = number(random);
-    return Vec3(x, y, z);
-  };
+  testing::Random random(seed);
   for (int trial = 0; trial < 300; ++trial) {
     // A body on a fixed one, and a third body above. Normals are anything upwards.
     Motion<6> motion;
@@ -141,18 +136,19 @@ TEST(SimultaneousImpacts, RandomContactsHaveTheirRestitutionAndGainNoEnergy) {
     motion.W.assign(3, Twist<6>::Zero());
     motion.Wf.assign(3, Twist<6>::Zero());
     for (const int b : {1, 2}) {
-      motion.W[b].head<3>() = vector();
-      motion.W[b].tail<3>() = vector();
-      motion.Wf[b].head<3>() = 0.1 * vector();
+      motion.W[b].head<3>() = random.vector();
+      motion.W[b].tail<3>() = random.vector();
+      motion.Wf[b].head<3>() = 0.1 * random.vector();
     }
     std::vector<Contact> contacts;
     std::vector<ImpactLaw> laws;
     std::vector<double> before;
-    const double e = trial % 4 < 2 ? 1 : std::abs(number(random));
-    const double mu = trial % 2 == 0 ? 0 : std::abs(number(random));
+    const double e = trial % 4 < 2 ? 1 : random.uniform(0, 1);
+    const double mu = trial % 2 == 0 ? 0 : random.uniform(0, 1);
     while (contacts.size() < 4) {
       const int i = contacts.size() % 2 == 0 ? 0 : 1;
-      const Vec3 r_i = vector(), r_j = vector(), n = (Vec3::UnitZ() + 0.5 * vector()).normalized();
+      const Vec3 r_i = random.vector(), r_j = random.vector(),
+                 n = (Vec3::UnitZ() + 0.5 * random.vector()).normalized();
       const Contact contact{.i = i, .j = i + 1, .n = n, .gap = 0, .r_i = r_i, .r_j = r_j};
       if (!(separation_speed(contact, motion) < -1e-3)) continue;
       contacts.push_back(contact);

@@ -2,10 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
 #include "engine/diagnostics/run_check.hpp"
 #include "engine/world/try_step.hpp"
+#include "random_input.hpp"
 
 namespace spook::verdict_test {
 namespace {
@@ -157,34 +157,27 @@ double energy_of(const World<6>& world, double h) {
 }
 
 TEST(Verdict, IsRightOnRandomScenes) {
-  // Up to three bodies of any shape fall in a column. Nothing brings energy in, so a run that has gained a quarter of
-  // what there was, or has a body below its floor in the end, is wrong. One that has gained nothing, and in which a body
-  // turns by less than half a radian in a step, is right. The energy of a velocity is off by what gravity adds to it
-  // in a step, and positions are by as much as a body falls in two.
+  // Up to three bodies of any shape fall in a column. Nothing brings energy in. So a run that has gained a quarter of
+  // what there was is wrong, and so is one with a body below its floor in the end. A run that has gained nothing, in
+  // which no body turns by half a radian in a step, is right. The energy of a velocity is off by what gravity adds to
+  // it in a step, and positions are off by as much as a body falls in two.
   constexpr unsigned seed = 72;
-  std::mt19937 random(seed);
-  const auto between = [&](double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random);
-  };
-  const auto vector = [&](double most) {
-    const double x = between(-most, most), y = between(-most, most), z = between(-most, most);
-    return Vec3(x, y, z);
-  };
+  testing::Random random(seed);
   int right_and_lost = 0, right = 0, wrong = 0;
   constexpr int scenes = 2000;
   for (int scene = 0; scene < scenes; ++scene) {
     const double h = 1 / (scene % 3 == 0 ? 30.0 : scene % 3 == 1 ? 60.0 : 240.0);
-    const double size = std::exp(between(std::log(0.02), 0)), mu = between(0, 1);
+    const double size = random.log_uniform(0.02, 1), mu = random.uniform(0, 1);
     Settings<6> settings{.friction = scene % 2 == 0 ? 0 : mu};
-    if (scene % 4 == 3) settings.impacts = ImpactLaw{.restitution = between(0, 1), .friction = mu};
+    if (scene % 4 == 3) settings.impacts = ImpactLaw{.restitution = random.uniform(0, 1), .friction = mu};
     World<6> world(settings);
     world.add_plane(Vec3::UnitZ(), 0);
     double z = 0, weight = 0, slowest_turn = 0.5 / h;
     for (int n = scene % 3; n >= 0; --n) {
-      const double long_side = size * between(0.5, 1), side = size * between(0.5, 1);
-      const double thin = size * std::exp(between(std::log(0.03), 0));
-      Body<6> body{.mass = std::exp(between(-2, 2))};
-      const double kind = between(0, 4);
+      const double long_side = size * random.uniform(0.5, 1), side = size * random.uniform(0.5, 1);
+      const double thin = size * random.log_uniform(0.03, 1);
+      Body<6> body{.mass = random.log_uniform(0.1, 10)};
+      const double kind = random.uniform(0, 4);
       if (kind < 1)
         body.radius = side;
       else if (kind < 2)
@@ -192,13 +185,13 @@ TEST(Verdict, IsRightOnRandomScenes) {
       else
         body.half_sides = kind < 3 ? Vec3(long_side, side, thin) : Vec3(thin, thin, long_side);
       const double reach = body.radius + body.half_length + body.half_sides.norm();
-      const double w = between(-1, 1);
-      const Vec3 turned = vector(1);
+      const double w = random.uniform(-1, 1);
+      const Vec3 turned = random.vector(1);
       body.q = Quat(w, turned.x(), turned.y(), turned.z()).normalized();
-      const Vec3 aside = vector(0.3 * size);
+      const Vec3 aside = random.vector(0.3 * size);
       body.x = Vec3(aside.x(), aside.y(), z + 1.01 * reach);
-      body.v = vector(std::sqrt(g * size));
-      body.omega = vector(std::min(std::sqrt(g / size), slowest_turn));
+      body.v = random.vector(std::sqrt(g * size));
+      body.omega = random.vector(std::min(std::sqrt(g / size), slowest_turn));
       z += 2.02 * reach;
       weight += g * body.mass;
       world.add(body);

@@ -6,8 +6,8 @@
 //   way > seen, and the centre of one moves into the shape of the other: it may come out on the far side
 //
 // Candidates are pairs of solids whose bounds along the way overlap, found by sweep and prune, Eq. (8.12). Without a
-// body that moves by more than its own size there is no search. Nothing passes a plane, which is a half-space. Bodies do not
-// turn on their way here.
+// body that moves by more than its own size there is no search. Nothing passes a plane, which is a half-space. Bodies
+// do not turn on their way here.
 #include <optional>
 #include <vector>
 
