@@ -84,6 +84,16 @@ TEST(Verdict, TwoBulletsThatCrossAreNamed) {
   }
 }
 
+TEST(Verdict, AnOverlapThatRecoversIsNoSag) {
+  // It begins a fifth of its side deep, and comes out in the same number of steps for any h.
+  for (const double h : {1.0 / 60, 1.0 / 1000}) {
+    World<6> world({});
+    world.add_plane(Vec3::UnitZ(), 0);
+    world.add({.x = Vec3(0, 0, 0.3), .mass = 1000, .half_sides = Vec3(0.5, 0.5, 0.5)});
+    EXPECT_EQ(judged(world, h, 60 * h).note, "") << h;
+  }
+}
+
 TEST(Verdict, AWorldWithoutADynamicBodyIsNamed) {
   World<6> fixed({});
   fixed.add_plane(Vec3::UnitZ(), 0);

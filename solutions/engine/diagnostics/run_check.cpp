@@ -16,6 +16,7 @@ static constexpr double share_of_roundings =
     16 * std::numeric_limits<double>::epsilon();  // of the twelve products of a row
 static constexpr double share_gained = 0.1;       // of the energy in the scene
 static constexpr double share_of_size = 0.01;
+static constexpr double share_kept = 0.9;  // of a sag from step to step
 static constexpr int most_deep_steps = 10, most_sagging_steps = 10;
 
 std::string name_of(State state) {
@@ -143,6 +144,8 @@ void RunCheck<Dof>::look_at_solve(const World<Dof>& world, double h) {
 template <int Dof>
 void RunCheck<Dof>::look_at_gaps(const World<Dof>& world, double h) {
   sag_.clear();
+  const double sagged_before = sagged_;
+  sagged_ = 0;
   const bool soft = world.settings().soft_steps.has_value();
   double deepest = 0, recovered = 0;
   const Contact* deep = nullptr;
@@ -172,7 +175,8 @@ void RunCheck<Dof>::look_at_gaps(const World<Dof>& world, double h) {
     return find(State::lost, world,
                 pair_of(*deep) + " overlap by " + text(-deep->gap) + " m, more than the size of one");
   look_at_joints(world, h);
-  sagging_steps_ = sag_.empty() ? 0 : sagging_steps_ + 1;
+  // A load keeps its sag; an overlap that recovers does not.
+  sagging_steps_ = sag_.empty() || sagged_ < share_kept * sagged_before ? 0 : sagging_steps_ + 1;
   if (sagging_steps_ == most_sagging_steps) note(sag_);
 }
 
@@ -216,6 +220,7 @@ void RunCheck<Dof>::look_at_joints(const World<Dof>& world, double h) {
 template <int Dof>
 void RunCheck<Dof>::note_sag(const std::string& what, double sag, double size, const std::string& remedy) {
   if (!verdict_.note.empty() || !sag_.empty() || !(sag > share_of_size * size)) return;
+  sagged_ = sag / size;
   sag_ = what + " give by " + text(sag) + " m, more than a hundredth of the size " + text(size) +
          " m: " + remedy + " would hold them";
 }

@@ -84,6 +84,7 @@ class RunCheck {
   double deepest_ = 0;              // the largest overlap over its size in the last step
   int sagging_steps_ = 0;           // consecutive steps with too much sag
   std::string sag_;                 // the sagging spring of the last step; empty if none
+  double sagged_ = 0;               // its sag over its size
   double started_ = 0;              // kinetic energy at the start of the balance [J]
   double given_ = 0;                // work of forces since the start [J]
   double springs_ = 0;              // energy of springs at the start [J]
