@@ -5,7 +5,8 @@
 //
 // A contact at rest pushes with k times its overlap for any h and d: Eq. (3.13). With too few iterations a solver's
 // impulse is smaller, so bodies sink until it suffices. Then the force of the overlap exceeds the load. Friction is
-// the solver's, since a sticking contact can hold any load below its limit.
+// the solver's, since a sticking contact can hold any load below its limit. Soft steps have no k: there the push is the
+// impulse of the last substep.
 #include "engine/world/world.hpp"
 
 namespace spook {

@@ -67,6 +67,16 @@ def lying_capsule(radius: float, half_length: float, frames: int = 3) -> str:
     return text(*lines, {"end": "done"})
 
 
+def lift(frames: int = 3) -> str:
+    """A kinematic ball that rises by a metre in a frame, beside one that stands still."""
+    bodies = [{"shape": "ball", "radius": 0.1, "fixed": True}, {"shape": "ball", "radius": 0.1, "fixed": True}]
+    lines = [header("lift", bodies)]
+    for step in range(frames):
+        lines.append(frame(step, [0, 0, step, 1, 0, 0], q=floats(1, 0, 0, 0, 1, 0, 0, 0), v=floats(0, 0, 0, 0, 0, 0),
+                           omega=floats(0, 0, 0, 0, 0, 0)))
+    return text(*lines, {"end": "done"})
+
+
 def hanging_wire(links: int = 12, frames: int = 61, amplitude: float = 0.5) -> str:
     """Point masses on rods that swing together; the tension decreases from the top to the end."""
     bodies = [{"shape": "point", "fixed": True}, *({"shape": "point"} for _ in range(links))]

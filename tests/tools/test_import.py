@@ -153,12 +153,12 @@ class Import(unittest.TestCase):
     def test_what_was_left_out_is_said(self):
         _, said = self.imported(self.written(
             "<geom type='plane' size='1 1 1'/><geom name='ground' type='hfield' hfield='x'/>"
-            "<body><joint stiffness='1' frictionloss='2'/><joint type='ball' range='0 1' damping='1'/>"
+            "<body><joint frictionloss='2'/><joint type='ball' range='0 1' damping='1' stiffness='1'/>"
             "<geom size='.1'/></body>",
             rest="<tendon><fixed/></tendon><sensor><gyro/></sensor><include file='there_is_none.xml'/>"
                  "<equality><tendon name='t'/></equality>"))
         for words in ("include of there_is_none.xml", "edges of planes", "geom \"ground\" of type hfield",
-                      "stiffness of joints", "frictionloss of joints", "limits of ball joints",
+                      "stiffness of ball joints", "frictionloss of joints", "limits of ball joints",
                       "damping of ball joints", "equality tendon \"t\"", "tendon: 1", "of several joints at a body"):
             self.assertIn(words, said)
         self.assertNotIn("sensor", said)
@@ -198,6 +198,23 @@ class Import(unittest.TestCase):
                 tied, rest=f"<option><flag equality='{flag}'/></option><equality><connect body1='a' anchor='0 0 1'/></equality>"))
             self.assertEqual(len(scene.get("joints", [])), count)
 
+    def test_springs_of_joints_are_springs(self):
+        # A slider under its weight comes to rest at springref - m g/k; a hinge's angles are in degrees.
+        slide = ("<body name='s'><joint name='up' type='slide' axis='0 0 1' stiffness='200' damping='40' springref='.3' "
+                 "ref='.1'/><geom size='.1' mass='2'/></body>")
+        scene, said = self.imported(self.written(slide, option="timestep='.01'"))
+        self.assertEqual(scene["joints"][0]["spring"], {"stiffness": 200, "damping": 40, "rest": 0.3 - 0.1})
+        self.assertNotIn("motor", scene["joints"][0])
+        self.assertNotIn("stiffness", said)
+        _, table = self.run_of(scene, "--time", "5")
+        self.assertAlmostEqual(self.at(table, scene, "s")[-1, 2], 0.2 - 2 * 9.81 / 200, delta=1e-6)
+        hinge = "<body><joint axis='0 1 0' stiffness='3' springref='90'/><geom size='.1' pos='.5 0 0'/></body>"
+        scene, _ = self.imported(self.written(hinge))
+        self.assertAlmostEqual(scene["joints"][0]["spring"]["rest"], np.pi / 2)
+        for flag in ("passive", "spring"):
+            scene, _ = self.imported(self.written(hinge, rest=f"<option><flag {flag}='disable'/></option>"))
+            self.assertNotIn("spring", scene["joints"][0])
+
     def test_a_weight_that_is_taken_from_all_is_gravity(self):
         body = "<body name='{0}' gravcomp='{1}'><freejoint/><geom size='.1'/></body>"
         scene, said = self.imported(self.written(body.format("a", 0.25) + body.format("b", 0.25)))
@@ -228,7 +245,8 @@ class Import(unittest.TestCase):
                        for name, z in (("p", 0.1), ("q", 0.15)))
         scene, said = self.imported(self.written("<geom type='plane' size='0 0 1'/>" + pair,
                                                  rest="<contact><exclude body1='p' body2='q'/></contact>"))
-        self.assertIn('"q" is points that planes stop', said)
+        self.assertEqual(scene["no_contact"], [["p", "q"]])
+        self.assertNotIn("points", said)
         _, table = self.run_of(scene, "--h", "1/240", "--time", "1")
         for name in "pq":
             self.assertAlmostEqual(self.at(table, scene, name)[-1, 2], 0.1, delta=1e-3)

@@ -74,6 +74,12 @@ class Gltf(unittest.TestCase):
         for end, wanted in zip(ends, (0.2, 0.2, 0.7), strict=True):
             self.assertAlmostEqual(end, wanted, delta=2e-3)  # of facets
 
+    def test_a_kinematic_body_moves_and_a_static_one_does_not(self):
+        scene = json.loads(view._as_gltf([view.Recording("", recordings.lift().encode())]))
+        animated = [(scene["nodes"][channel["target"]["node"]]["name"], channel["target"]["path"])
+                    for channel in scene["animations"][0]["channels"]]
+        self.assertEqual(animated, [("ball 0", "translation")])
+
     def test_it_takes_one_recording(self):
         with self.assertRaisesRegex(BadInput, "one recording"):
             view._as_gltf([view.Recording("a", b""), view.Recording("b", b"")])

@@ -56,10 +56,11 @@ class _Scene:
         elif shape != "hand":
             mesh, scale = self._form(body)
             node = self._node(name, mesh, scale, self._x[0, k], self._turns(k)[0] if self._q is not None else None)
-            if not body.get("fixed"):
+            # A kinematic body is fixed, and moves.
+            if not body.get("fixed") or np.ptp(self._x[:, k], axis=0).any():
                 self._animate(node, "translation", self._x[:, k])
-                if self._q is not None:
-                    self._animate(node, "rotation", self._turns(k))
+            if self._q is not None and (not body.get("fixed") or np.ptp(self._q[:, k], axis=0).any()):
+                self._animate(node, "rotation", self._turns(k))
 
     def _form(self, body: dict) -> tuple[int, list[float]]:
         if body["shape"] == "ball":

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "engine/diagnostics/conserved_quantities.hpp"
+#include "engine/diagnostics/passage.hpp"
 
 namespace spook {
 
@@ -15,6 +16,7 @@ static constexpr double share_of_roundings =
     16 * std::numeric_limits<double>::epsilon();  // of the twelve products of a row
 static constexpr double share_gained = 0.1;       // of the energy in the scene
 static constexpr double share_of_size = 0.01;
+static constexpr double share_kept = 0.9;  // of a sag from step to step
 static constexpr int most_deep_steps = 10, most_sagging_steps = 10;
 
 std::string name_of(State state) {
@@ -27,13 +29,6 @@ static std::string text(double value) {
   out.precision(3);
   out << value;
   return out.str();
-}
-
-/// Returns the smallest distance from a body's centre to its surface [m]; infinite without a shape, and for a plane.
-static std::vector<double> sizes_of(const Shapes& shapes, std::size_t bodies) {
-  std::vector<double> sizes;
-  for (const Shape& shape : shapes.by_body(bodies)) sizes.push_back(size_of(shape));
-  return sizes;
 }
 
 static std::string pair_of(const Contact& contact) {
@@ -65,9 +60,15 @@ static double energy_of_joints(const World<Dof>& world) {
   return energy;
 }
 
-/// Returns ½ k gap² of all closed contacts [J].
+/// Tells whether a joint, beside its motor and spring, may take energy by intent: where a limit or a rope stops bodies.
+static bool may_stop(const Joint& joint) {
+  return joint.limits || joint.kind == JointKind::rope;
+}
+
+/// Returns ½ k gap² of all closed contacts [J]; 0 with soft steps, whose contacts have no k.
 template <int Dof>
 static double energy_of_contacts(const World<Dof>& world) {
+  if (world.settings().soft_steps) return 0;
   double energy = 0;
   for (const Contact& contact : world.contacts())
     if (contact.gap < 0) energy += world.contact_stiffness() * contact.gap * contact.gap / 2;
@@ -92,26 +93,33 @@ void RunCheck<Dof>::look(const World<Dof>& world, double h) {
   // What a kinematic body gives by an impact is not known.
   moved_ = moved_ || (world.has_kinematic_bodies() && world.report().impacts > 0);
   const bool goes_on = world.steps() == last_step_ + 1 && before_.size() == bodies.size();
-  if (!goes_on || moved_ || sizes_.empty()) sizes_ = sizes_of(world.shapes(), bodies.size());
+  if (!goes_on || moved_ || sizes_.empty()) {
+    shapes_ = world.shapes().by_body(bodies.size());
+    sizes_.clear();
+    for (const Shape& shape : shapes_) sizes_.push_back(size_of(shape));
+  }
   if (goes_on) {
     look_at_solve(world, h / world.parts());
     look_at_gaps(world, h / world.parts());
+    if (!moved_) look_at_motion(world);
   }
   if (goes_on && !moved_) {
     look_at_energy(world, h, T);
     first_ = false;
   } else {
     started_ = T;
-    given_ = energy_of_joints(world);
+    given_ = 0;
+    springs_ = energy_of_joints(world);
     most_ = T;
     first_ = true;
     had_rows_ = false;
+    may_dissipate_ = world.settings().impacts || world.materials().bounce() ||
+                     std::any_of(world.joints().begin(), world.joints().end(), may_stop);
   }
   moved_ = false;
   last_step_ = world.steps();
   before_ = bodies.motion.W;
-  x_before_.clear();
-  if (!world.joints().empty()) x_before_ = bodies.x;
+  x_before_ = bodies.x;
 }
 
 template <int Dof>
@@ -136,26 +144,59 @@ void RunCheck<Dof>::look_at_solve(const World<Dof>& world, double h) {
 template <int Dof>
 void RunCheck<Dof>::look_at_gaps(const World<Dof>& world, double h) {
   sag_.clear();
-  const double k = world.contact_stiffness();
+  const double sagged_before = sagged_;
+  sagged_ = 0;
+  const bool soft = world.settings().soft_steps.has_value();
+  double deepest = 0, recovered = 0;
   const Contact* deep = nullptr;
   for (int c = 0; c < static_cast<int>(world.contacts().size()); ++c) {
     const Contact& contact = world.contacts()[static_cast<std::size_t>(c)];
     const double size = std::min(sizes_[world.index(contact.i)], sizes_[world.index(contact.j)]);
-    const double sag = world.lambda(c) / (h * k);
-    if (-contact.gap - sag > size) deep = &contact;
-    note_sag(pair_of(contact), std::min(sag, -contact.gap), size, k);
+    const double lambda = world.lambda(c);
+    if (soft) {
+      if (lambda > 0) note_sag(pair_of(contact), -contact.gap, size, "more substeps");
+    } else if (-contact.gap > share_of_size * size) {
+      const double k = world.materials().of(contact.i, contact.j).k;
+      note_sag(pair_of(contact), std::min(lambda / (h * k), -contact.gap), size,
+               "a larger k than " + text(k) + " N/m");
+    }
+    if (-contact.gap <= std::max(1.0, deepest) * size) continue;
+    const PairMaterial touching = world.materials().of(contact.i, contact.j);
+    const double depth = (-contact.gap - (soft ? 0 : lambda / (h * touching.k))) / size;
+    if (depth <= std::max(1.0, deepest)) continue;
+    deep = &contact;
+    deepest = depth;
+    recovered = 2 / (1 + 4 * touching.d);
   }
-  deep_steps_ = deep ? deep_steps_ + 1 : 0;
+  // An overlap that shrinks is on its way out.
+  deep_steps_ = deep && deepest > (1 - recovered) * deepest_ ? deep_steps_ + 1 : 0;
+  deepest_ = deepest;
   if (deep_steps_ >= most_deep_steps)
     return find(State::lost, world,
                 pair_of(*deep) + " overlap by " + text(-deep->gap) + " m, more than the size of one");
   look_at_joints(world, h);
-  sagging_steps_ = sag_.empty() ? 0 : sagging_steps_ + 1;
-  if (sagging_steps_ == most_sagging_steps && verdict_.note.empty()) verdict_.note = sag_;
+  // A load keeps its sag; an overlap that recovers does not.
+  sagging_steps_ = sag_.empty() || sagged_ < share_kept * sagged_before ? 0 : sagging_steps_ + 1;
+  if (sagging_steps_ == most_sagging_steps) note(sag_);
+}
+
+template <int Dof>
+void RunCheck<Dof>::look_at_motion(const World<Dof>& world) {
+  if (!verdict_.note.empty()) return;
+  const Bodies<Dof>& bodies = world.bodies();
+  bool moves = world.has_kinematic_bodies();
+  for (std::size_t i = 0; i < bodies.size() && !moves; ++i) moves = !bodies.is_fixed(i);
+  if (!moves) return note("nothing can move: the world has no dynamic body");
+  if (const auto passage = find_passage(world, x_before_, shapes_, sizes_))
+    note("body " + std::to_string(passage->body) + " moves by " + text(passage->way) +
+         " m in a step, against body " + std::to_string(passage->other) + ", and contacts see " +
+         text(passage->seen) + " m: a shorter step than " + text(passage->longest_step) +
+         " of this one sees them meet");
 }
 
 template <int Dof>
 void RunCheck<Dof>::look_at_joints(const World<Dof>& world, double h) {
+  const bool soft = world.settings().soft_steps.has_value();
   for (int n = 0; n < static_cast<int>(world.joints().size()); ++n) {
     const Joint& joint = world.joints()[static_cast<std::size_t>(n)];
     const std::string name = "joint " + std::to_string(n);
@@ -165,48 +206,66 @@ void RunCheck<Dof>::look_at_joints(const World<Dof>& world, double h) {
       double& of = joint.is_guided() && joint.turns(row) ? torque : force;
       of = std::hypot(of, world.joint_lambda(n, row) / h);
     }
-    const double size = size_of(joint), sag = force / *joint.k;
+    const bool has_k = !(soft && joint.has_default_k);
+    const double size = size_of(joint), sag = has_k ? force / *joint.k : 0;
     if (size > 0 && gap.apart.norm() - sag > size)
       return find(State::lost, world, name + " is off by " + text(gap.apart.norm()) + " m, more than its size");
-    if (size > 0) note_sag(name, std::min(sag, gap.apart.norm()), size, *joint.k);
+    if (size > 0 && has_k)
+      note_sag(name, std::min(sag, gap.apart.norm()), size, "a larger k than " + text(*joint.k) + " N/m");
     if (joint.is_guided() && gap.turned.norm() - torque / *joint.k_turn > 1)
       return find(State::lost, world, name + " is turned by " + text(gap.turned.norm()) + ", more than 1 rad");
   }
 }
 
 template <int Dof>
-void RunCheck<Dof>::note_sag(const std::string& what, double sag, double size, double k) {
+void RunCheck<Dof>::note_sag(const std::string& what, double sag, double size, const std::string& remedy) {
   if (!verdict_.note.empty() || !sag_.empty() || !(sag > share_of_size * size)) return;
+  sagged_ = sag / size;
   sag_ = what + " give by " + text(sag) + " m, more than a hundredth of the size " + text(size) +
-         " m: a larger k than " + text(k) + " N/m would hold them";
+         " m: " + remedy + " would hold them";
+}
+
+template <int Dof>
+void RunCheck<Dof>::note(const std::string& what) {
+  if (verdict_.note.empty()) verdict_.note = what;
 }
 
 template <int Dof>
 void RunCheck<Dof>::look_at_energy(const World<Dof>& world, double h, double T) {
   const Bodies<Dof>& bodies = world.bodies();
+  // Velocities are half a step behind, so that from one to the next a body moves by half of two ways.
+  const bool lags = world.velocity_lag(h) > 0 && world.parts() == 1;
   double lift = 0;
+  ways_.resize(bodies.size());
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const Vec3 force = bodies.is_fixed(i) ? Vec3::Zero() : world.forces()[i];
-    const Twist<Dof> both = before_[i] + bodies.motion.W[i];
-    // Within a step of several parts velocities turn, and a way does not.
-    given_ += world.parts() > 1 && x_before_.size() == bodies.size()
-                  ? force.dot(bodies.x[i] - x_before_[i])
-                  : h / 2 * force.dot(both.template head<3>());
+    const Vec3 way = bodies.x[i] - x_before_[i];
+    const Vec3 last_way = first_ ? Vec3(h * before_[i].template head<3>()) : ways_[i];
+    ways_[i] = way;
+    if (bodies.is_fixed(i)) continue;
+    const Vec3& force = world.forces()[i];
+    given_ += force.dot(lags ? (way + last_way) / 2 : way);
     if constexpr (Dof == 6)
-      if (!world.torques().empty() && !bodies.is_fixed(i))
-        given_ += h / 2 * world.torques()[i].dot(both.template tail<3>());
+      if (!world.torques().empty())
+        given_ += h / 2 * world.torques()[i].dot((before_[i] + bodies.motion.W[i]).template tail<3>());
     lift += force.norm();
   }
   given_ += world.work_of_drives();
   had_rows_ = had_rows_ || !world.rows().empty();
-  if (first_) given_ += energy_of_contacts(world);
+  may_dissipate_ = may_dissipate_ || !world.contacts().empty();
+  if (first_) springs_ += energy_of_contacts(world);
   most_ = std::max(most_, T);
   const double gained = T - started_ - given_;
-  if (gained > share_gained * std::max(most_, lift * largest_size(sizes_, world.joints())))
+  const double too_much = share_gained * std::max(most_, lift * largest_size(sizes_, world.joints()));
+  const std::string too_long = "h is too long for what turns or swings here";
+  if (gained - springs_ > too_much)
     find(State::lost, world,
-         had_rows_
-             ? "constraints have brought in " + text(gained) + " J, and nothing else has"
-             : "the steps have brought in " + text(gained) + " J: h is too long for what turns or swings here");
+         had_rows_ ? "constraints have brought in " + text(gained - springs_) + " J, and nothing else has"
+                   : "the steps have brought in " + text(gained - springs_) + " J: " + too_long);
+  if (may_dissipate_ || !(-gained > too_much)) return;
+  if (had_rows_)
+    note("joints have taken out " + text(-gained) + " J, and nothing else has: a shorter step takes out less");
+  else
+    find(State::lost, world, "the steps have taken out " + text(-gained) + " J: " + too_long);
 }
 
 template <int Dof>

@@ -6,15 +6,23 @@
 //              results that depend on them, are wrong by some per cent
 //   lost       the motion is not that of the problem:
 //                - the gap of a joint exceeds the joint's size, in addition to the spring's sag under its load
-//                - contacts are too deep in ten steps in a row; a thin, fast body may be so for a moment
+//                - contacts are too deep in ten steps in a row, and recover at less than half of SPOOK's rate; a thin,
+//                  fast body may be deep for a moment
 //                - constraints, or the steps themselves, added energy: more than a tenth of the largest kinetic energy
 //                  so far, and of the energy that lifts every body by its size
-//   a note     springs sag by more than a hundredth of a size in ten steps in a row, longer than an impact takes: k
-//              is too small for this load
+//                - bodies without constraints lost as much
+//   a note     the first of these:
+//                - springs sag by more than a hundredth of a size in ten steps in a row, longer than an impact takes: k
+//                  is too small for this load
+//                - a body moves through another, or into it, by more than the sizes of both in one step: passage.hpp
+//                - joints took out as much energy as would be too much to add, and nothing else could
+//                - nothing can move
 //
 //   solver's error    from the residual, Eq. (4.8), and its rate of convergence: engine/solvers/solver_result.hpp
 //   right-hand side   the largest of |B| and of the velocity changes h f/m
-//   added energy      T - T₀ - Σ h (f·v + τ·ω), less ½ k gap² of the first step and the work of motors
+//   added energy      T - T₀ - Σ (f·Δx + h τ·ω), less ½ k gap² of the first step and the work of motors; Δx is a body's
+//                     way, so that the energy which lifts it out of an overlap counts
+//   SPOOK's rate      an overlap shrinks by the part a h = 4/(1 + 4 d) in a step, Eq. (3.4)
 //
 // A check costs about as much as a sweep. Runs for timing omit the check.
 #include <cstdint>
@@ -37,7 +45,7 @@ struct Verdict {
   double time = 0;        ///< at the end of that step [s]
   std::string reason;
   std::int64_t unsolved = 0;  ///< number of unsolved steps
-  std::string note;           ///< the first spring that sags too much; empty if none
+  std::string note;           ///< what a reader should know of a sound run, too; empty if nothing
 };
 
 template <int Dof>
@@ -60,8 +68,10 @@ class RunCheck {
   void look_at_solve(const World<Dof>& world, double h);
   void look_at_gaps(const World<Dof>& world, double h);
   void look_at_energy(const World<Dof>& world, double h, double T);
+  void look_at_motion(const World<Dof>& world);
   void look_at_joints(const World<Dof>& world, double h);
-  void note_sag(const std::string& what, double sag, double size, double k);
+  void note_sag(const std::string& what, double sag, double size, const std::string& remedy);
+  void note(const std::string& what);
   void find(State state, const World<Dof>& world, const std::string& reason);
 
   Verdict verdict_;
@@ -69,14 +79,20 @@ class RunCheck {
   bool first_ = true;               // first step of the energy balance
   bool moved_ = false;              // bodies were moved from outside since the last check
   bool had_rows_ = false;           // since the energy balance started
-  int deep_steps_ = 0;              // consecutive steps with too deep contacts
+  bool may_dissipate_ = false;      // so far something else than joints could take energy
+  int deep_steps_ = 0;              // consecutive steps with too deep contacts that do not recover
+  double deepest_ = 0;              // the largest overlap over its size in the last step
   int sagging_steps_ = 0;           // consecutive steps with too much sag
   std::string sag_;                 // the sagging spring of the last step; empty if none
+  double sagged_ = 0;               // its sag over its size
   double started_ = 0;              // kinetic energy at the start of the balance [J]
-  double given_ = 0;                // work of forces since the start, and energy of springs at the start [J]
+  double given_ = 0;                // work of forces since the start [J]
+  double springs_ = 0;              // energy of springs at the start [J]
   double most_ = 0;                 // the largest kinetic energy so far [J]
   std::vector<Twist<Dof>> before_;  // velocities at the last check
-  std::vector<Vec3> x_before_;      // positions, if there are joints
+  std::vector<Vec3> x_before_;      // positions at the last check
+  std::vector<Vec3> ways_;          // displacements in the last step
+  std::vector<Shape> shapes_;       // of bodies
   std::vector<double> sizes_;       // of bodies [m]
 };
 

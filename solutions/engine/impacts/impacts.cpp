@@ -2,8 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <queue>
+
+#include "engine/impacts/simultaneous_impacts.hpp"
 
 namespace spook {
+
+template <int Dof>
+double separation_speed(const Contact& contact, const Motion<Dof>& motion) {
+  const auto along_n = [&](int body, const Vec3& r) {
+    const Twist<Dof>&W = motion.W[body], &Wf = motion.Wf[body];
+    Vec3 v = W.template head<3>() + Wf.template head<3>() / 2;
+    if constexpr (Dof == 6) v += (W.template tail<3>() + Wf.template tail<3>() / 2).cross(r);
+    return contact.n.dot(v);
+  };
+  return along_n(contact.j, contact.r_j) - along_n(contact.i, contact.r_i);
+}
 
 namespace {
 
@@ -69,70 +84,176 @@ Contact moved_on(Contact contact, const std::vector<Vec3>& by, const std::vector
   return contact;
 }
 
-}  // namespace
+/// A closed contact whose bodies approach, and the time since its gap was 0.
+struct Approach {
+  double late;  ///< [s]
+  std::size_t contact;
+  int version;  ///< of the contact, when its bodies had these velocities
+  bool operator<(const Approach& other) const {
+    return late < other.late || (late == other.late && contact > other.contact);
+  }
+};
 
+/// Resolves the impacts of a step from the first to the last. Impacts at one time that share a dynamic body are
+/// resolved together.
 template <int Dof>
-double separation_speed(const Contact& contact, const Motion<Dof>& motion) {
-  const auto along_n = [&](int body, const Vec3& r) {
-    const Twist<Dof>&W = motion.W[body], &Wf = motion.Wf[body];
-    Vec3 v = W.template head<3>() + Wf.template head<3>() / 2;
-    if constexpr (Dof == 6) v += (W.template tail<3>() + Wf.template tail<3>() / 2).cross(r);
-    return contact.n.dot(v);
-  };
-  return along_n(contact.j, contact.r_j) - along_n(contact.i, contact.r_i);
-}
+class ImpactQueue {
+ public:
+  ImpactQueue(std::vector<Contact>& contacts, const LawOf& law, double h, const Shapes& shapes,
+              Bodies<Dof>& bodies)
+      : contacts_(contacts), law_(law), h_(h), bodies_(bodies) {
+    // A contact that touches up to round-off takes part in simultaneous impacts.
+    touching_gap_ = std::isfinite(shapes.smallest) ? 1e-9 * shapes.smallest : 0;
+    for (std::size_t c = 0; c < contacts.size(); ++c)
+      if (const auto late = lateness_of(contacts[c], law)) queue_.push({*late, c, 0});
+    if (queue_.empty()) return;
+    radii_ = radii_of(shapes, bodies.size());
+    moved_.assign(bodies.size(), Vec3::Zero());
+    version_.assign(contacts.size(), 0);
+    impacts_of_.assign(contacts.size(), 0);
+    waiting_.assign(contacts.size(), false);
+    list_contacts_of_bodies();
+  }
+
+  /// Returns the number of contacts that were resolved, each counted each time.
+  int resolve() {
+    int impacts = 0;
+    std::vector<std::size_t> first;
+    while (!queue_.empty()) {
+      take_first(first);
+      for (const std::size_t c : first) {
+        if (!waiting_[c]) continue;
+        impacts += resolve(connected(c), *lateness_of(now(c), law_));
+      }
+    }
+    if (impacts > 0)
+      for (Contact& contact : contacts_) contact = moved_on(contact, moved_, radii_);
+    return impacts;
+  }
+
+ private:
+  static constexpr double one_time = 1e-6;  // of a step
+
+  Contact now(std::size_t c) const { return moved_on(contacts_[c], moved_, radii_); }
+
+  /// Returns the delay of an impact at this contact [s]; nothing if there is none.
+  std::optional<double> lateness_of(const Contact& contact, const LawOf& law) const {
+    if (contact.gap > touching_gap_) return {};
+    const double u_n = separation_speed(contact, bodies_.motion);
+    if (u_n >= 0 || u_n >= -law(contact).threshold) return {};
+    return lateness(contact, u_n, h_, bodies_.motion);
+  }
+
+  void list_contacts_of_bodies() {
+    first_of_.assign(bodies_.size() + 1, 0);
+    const auto for_each = [&](const auto& visit) {
+      for (std::size_t c = 0; c < contacts_.size(); ++c)
+        for (const int body : {contacts_[c].i, contacts_[c].j})
+          if (!bodies_.is_fixed(static_cast<std::size_t>(body))) visit(static_cast<std::size_t>(body), c);
+    };
+    for_each([&](std::size_t body, std::size_t) { ++first_of_[body + 1]; });
+    for (std::size_t body = 0; body < bodies_.size(); ++body) first_of_[body + 1] += first_of_[body];
+    contacts_of_.resize(first_of_.back());
+    std::vector<std::size_t> next = first_of_;
+    for_each([&](std::size_t body, std::size_t c) { contacts_of_[next[body]++] = c; });
+  }
+
+  /// Calls `visit` with each contact of the dynamic bodies of contact c.
+  template <class Visit>
+  void around(std::size_t c, const Visit& visit) const {
+    for (const int body : {contacts_[c].i, contacts_[c].j})
+      for (std::size_t k = first_of_[body]; k < first_of_[body + 1]; ++k) visit(contacts_of_[k]);
+  }
+
+  /// Takes the first impact from the queue, and all at the same time.
+  void take_first(std::vector<std::size_t>& first) {
+    first.clear();
+    double late = 0;
+    while (!queue_.empty() && (first.empty() || queue_.top().late >= late - one_time * h_)) {
+      const Approach top = queue_.top();
+      queue_.pop();
+      if (top.version != version_[top.contact]) continue;
+      if (first.empty()) late = top.late;
+      first.push_back(top.contact);
+      waiting_[top.contact] = true;
+    }
+  }
+
+  /// Returns contact c, and the waiting contacts that are connected with it by dynamic bodies. They no longer wait.
+  std::vector<std::size_t> connected(std::size_t c) {
+    std::vector<std::size_t> together{c};
+    waiting_[c] = false;
+    for (std::size_t n = 0; n < together.size(); ++n)
+      around(together[n], [&](std::size_t other) {
+        if (!waiting_[other]) return;
+        waiting_[other] = false;
+        together.push_back(other);
+      });
+    return together;
+  }
+
+  /// Resolves impacts that were `late` ago [s]. Returns their number: none if one was too slow then.
+  int resolve(const std::vector<std::size_t>& together, double late) {
+    Motion<Dof>& motion = bodies_.motion;
+    std::vector<Contact> contacts;
+    std::vector<ImpactLaw> laws;
+    std::vector<std::size_t> moving;  // dynamic bodies
+    for (const std::size_t c : together) {
+      const Contact contact = now(c);
+      contacts.push_back(before(contact, late, radii_, bodies_));
+      laws.push_back(law_(contact));
+      laws.back().max_passes = 1;
+      for (const int body : {contact.i, contact.j})
+        if (!bodies_.is_fixed(static_cast<std::size_t>(body))) moving.push_back(static_cast<std::size_t>(body));
+    }
+    std::sort(moving.begin(), moving.end());
+    moving.erase(std::unique(moving.begin(), moving.end()), moving.end());
+
+    std::vector<Twist<Dof>> W;
+    for (const std::size_t body : moving) W.push_back(motion.W[body] -= late / h_ * motion.Wf[body]);
+    int impacts = static_cast<int>(together.size());
+    if (impacts == 1)
+      impacts = spook::resolve_impacts(contacts, laws.front(), motion).impacts;
+    else
+      resolve_together(contacts, laws, motion);
+    for (std::size_t n = 0; n < moving.size(); ++n) {
+      const std::size_t body = moving[n];
+      const Vec3 by = late * (motion.W[body] - W[n]).template head<3>();  // Eq. (7.16)
+      motion.W[body] += late / h_ * motion.Wf[body];
+      bodies_.x[body] += by;
+      moved_[body] += by;
+    }
+    if (impacts == 0) return 0;
+    for (const std::size_t c : together) ++impacts_of_[c];
+    for (const std::size_t c : together) around(c, [&](std::size_t other) { look_again(other); });
+    return impacts;
+  }
+
+  void look_again(std::size_t c) {
+    ++version_[c];
+    const Contact contact = now(c);
+    const auto late = lateness_of(contact, law_);
+    if (late && impacts_of_[c] < law_(contact).max_passes) queue_.push({*late, c, version_[c]});
+  }
+
+  std::vector<Contact>& contacts_;
+  const LawOf& law_;
+  double h_, touching_gap_;
+  Bodies<Dof>& bodies_;
+  std::priority_queue<Approach> queue_;
+  std::vector<double> radii_;
+  std::vector<Vec3> moved_;                          // displacement since the contacts were found
+  std::vector<int> version_, impacts_of_;            // of each contact
+  std::vector<bool> waiting_;                        // contacts of the current time
+  std::vector<std::size_t> first_of_, contacts_of_;  // the contacts of each dynamic body
+};
+
+}  // namespace
 
 template <int Dof>
 int resolve_late_impacts(std::vector<Contact>& contacts, const LawOf& law, double h, const Shapes& shapes,
                          Bodies<Dof>& bodies) {
-  Motion<Dof>& motion = bodies.motion;
-  const std::vector<double> radii = radii_of(shapes, bodies.size());
-  std::vector<Vec3> moved(bodies.size(), Vec3::Zero());  // displacement since the contacts were found
-  const auto move = [&](int body, const Vec3& by) {
-    bodies.x[body] += by;
-    moved[body] += by;
-  };
-
-  // A contact that touches up to round-off takes part in simultaneous impacts.
-  const double touching_gap = std::isfinite(shapes.smallest) ? 1e-9 * shapes.smallest : 0;
-  std::vector<Contact> one(1);
-  int impacts = 0;
-  // The number of impacts at the last impact of each body, and at the last check of each contact.
-  std::vector<int> last_of(bodies.size(), 0), looked_at(contacts.size(), -1);
-  bool quiet = false;
-  for (int pass = 0; !quiet; ++pass) {
-    quiet = true;
-    for (std::size_t c = 0; c < contacts.size(); ++c) {
-      const int i = contacts[c].i, j = contacts[c].j;
-      if (looked_at[c] >= std::max(last_of[i], last_of[j])) continue;  // unchanged since then
-      looked_at[c] = impacts;
-      const Contact contact = moved_on(contacts[c], moved, radii);
-      if (contact.gap > touching_gap) continue;
-      const double u_n = separation_speed(contact, motion);
-      if (u_n >= 0) continue;
-      ImpactLaw of_pair = law(contact);
-      if (pass >= of_pair.max_passes || u_n >= -of_pair.threshold) continue;
-      const double late = lateness(contact, u_n, h, motion);
-      one[0] = before(contact, late, radii, bodies);
-      of_pair.max_passes = 1;
-      const Twist<Dof> since_i = late / h * motion.Wf[i], since_j = late / h * motion.Wf[j];
-      const Twist<Dof> W_i = motion.W[i] -= since_i, W_j = motion.W[j] -= since_j;
-      const bool hit = spook::resolve_impacts(one, of_pair, motion).impacts > 0;
-      const Twist<Dof> change_i = motion.W[i] - W_i, change_j = motion.W[j] - W_j;
-      motion.W[i] += since_i;
-      motion.W[j] += since_j;
-      if (!hit) continue;
-      ++impacts;
-      for (const int body : {i, j})
-        if (!bodies.is_fixed(static_cast<std::size_t>(body))) last_of[body] = impacts;
-      quiet = false;
-      move(i, late * change_i.template head<3>());  // Eq. (7.16)
-      move(j, late * change_j.template head<3>());
-    }
-  }
-  if (impacts == 0) return 0;
-  for (Contact& contact : contacts) contact = moved_on(contact, moved, radii);
-  return impacts;
+  return ImpactQueue<Dof>(contacts, law, h, shapes, bodies).resolve();
 }
 
 template double separation_speed<3>(const Contact&, const Motion<3>&);

@@ -7,8 +7,9 @@
 //                x += τ Δv                                                                   Eq. (7.16)
 //
 // After the correction the gap is open, e times the overlap. So the rows need not push the bodies apart, which would
-// add energy. In a chain of balls each impact passes the delay on. Lever arms, and the normal of two spheres, are those
-// of the time of impact, so angular momentum is kept up to round-off. Orientations are not corrected.
+// add energy. In a chain of balls each impact passes the delay on. Impacts are resolved in the order of their times,
+// and those at one time together: engine/impacts/simultaneous_impacts.hpp. Lever arms, and the normal of two spheres,
+// are those of the time of impact, so angular momentum is kept up to round-off. Orientations are not corrected.
 #include <functional>
 
 #include "07_impacts/impacts.hpp"
@@ -23,8 +24,9 @@ using LawOf = std::function<ImpactLaw(const Contact& contact)>;
 template <int Dof>
 double separation_speed(const Contact& contact, const Motion<Dof>& motion);
 
-/// Resolves the impacts of all closed contacts, one by one, in passes as in chapter 07: Eq. (7.1)-(7.16). Updates
-/// velocities, positions and gaps. Returns the number of impacts.
+/// Resolves the impacts of all closed contacts, the longest delay first: Eq. (7.1)-(7.16). Contacts whose delays differ
+/// by at most a millionth of a step, and that share a dynamic body, are resolved together: Eq. (7.18). A contact has at
+/// most `max_passes` impacts. Updates velocities, positions and gaps. Returns the number of impacts.
 template <int Dof>
 int resolve_late_impacts(std::vector<Contact>& contacts, const LawOf& law, double h, const Shapes& shapes,
                          Bodies<Dof>& bodies);

@@ -27,6 +27,8 @@ class ModelJoint:
     axis: np.ndarray  # in the world
     limits: tuple[float, float] | None  # of angle or shift from where it begins [rad or m]
     damping: float  # [N m s/rad or N s/m]
+    stiffness: float  # of its spring [N m/rad or N/m]
+    rest: float  # angle or shift at which the spring is relaxed [rad or m]
 
 
 @dataclass
@@ -57,9 +59,9 @@ class Part:
 
 
 class Model:
-    def __init__(self, root: Element, report: Report, limits: bool = True, damping: bool = True):
-        """`limits` and `damping` say if joints have any: the options of a model may turn them off."""
-        self.report, self._has_limits, self._has_damping = report, limits, damping
+    def __init__(self, root: Element, report: Report, limits: bool = True, damping: bool = True, springs: bool = True):
+        """`limits`, `damping` and `springs` say if joints have any: the options of a model may turn them off."""
+        self.report, self._has_limits, self._has_damping, self._has_springs = report, limits, damping, springs
         self.defaults = Defaults(root)
         compiler = {key: value for each in root.findall("compiler") for key, value in each.attrib.items()}
         self.in_degrees = compiler.get("angle", "degree") == "degree"
@@ -120,14 +122,23 @@ class Model:
         kind, name = joint.get("type", "hinge"), joint.get("name", "without a name")
         if kind not in ("hinge", "slide", "ball"):
             raise BadInput(f"joint \"{name}\" must be a hinge, slide, ball or free joint, but is \"{kind}\"")
-        for key in ("stiffness", "frictionloss", "armature"):
+        for key in ("frictionloss", "armature"):
             if numbers(joint, key, None, "0")[0] != 0:
                 self.report.leave_out(f"{key} of joints", joint)
         damping = numbers(joint, "damping", None, "0")[0] if self._has_damping else 0.0
         if kind == "ball" and damping != 0:
             self.report.leave_out("damping of ball joints", joint)
+        stiffness = numbers(joint, "stiffness", None, "0")[0] if self._has_springs else 0.0
+        if stiffness != 0 and (kind == "ball" or stiffness < 0):
+            self.report.leave_out("stiffness of ball joints, or below 0", joint)
+            stiffness = 0.0
+        rest = (numbers(joint, "springref", 1, "0") - numbers(joint, "ref", 1, "0"))[0] * self._per_unit(kind)
         return ModelJoint(kind, name, x + matrix(q) @ numbers(joint, "pos", 3, "0 0 0"),
-                     matrix(q) @ unit(numbers(joint, "axis", 3, "0 0 1")), self._limits(joint, kind), float(damping))
+                          matrix(q) @ unit(numbers(joint, "axis", 3, "0 0 1")), self._limits(joint, kind), float(damping),
+                          float(stiffness), float(rest))
+
+    def _per_unit(self, kind: str) -> float:
+        return np.pi / 180 if kind == "hinge" and self.in_degrees else 1
 
     def _limits(self, joint: Element, kind: str) -> tuple[float, float] | None:
         limited = joint.get("limited", "auto")
@@ -138,8 +149,7 @@ class Model:
         if kind == "ball":
             self.report.leave_out("limits of ball joints", joint)
             return None
-        per_unit = np.pi / 180 if kind == "hinge" and self.in_degrees else 1
-        lower, upper = (numbers(joint, "range", 2) - numbers(joint, "ref", 1, "0")) * per_unit
+        lower, upper = (numbers(joint, "range", 2) - numbers(joint, "ref", 1, "0")) * self._per_unit(kind)
         if not lower <= 0 <= upper:
             self.report.stand_in("a joint begins outside its limits: the first steps push it back", joint)
         return float(lower), float(upper)

@@ -1,0 +1,125 @@
+#include "engine/impacts/simultaneous_impacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "09_better_friction/better_friction.hpp"
+#include "11_direct/direct.hpp"
+
+namespace spook {
+
+static constexpr double softness = 1e-12;  // Σ, of S_kk
+static constexpr StopRule of_factors{.max_sweeps = 100}, of_cones{.max_sweeps = 1000, .tolerance = 1e-12};
+
+namespace {
+
+/// The rows of the contacts, as if no other body existed.
+template <int Dof>
+struct Together {
+  std::vector<int> bodies;  ///< their indices in the world
+  Motion<Dof> motion;
+  std::vector<Row<Dof>> rows;
+  std::vector<FrictionContact> rubbing;
+  std::vector<Twist<Dof>> V;
+
+  Together(const std::vector<Contact>& contacts, const std::vector<ImpactLaw>& laws, const Motion<Dof>& world) {
+    for (const Contact& contact : contacts) bodies.insert(bodies.end(), {contact.i, contact.j});
+    std::sort(bodies.begin(), bodies.end());
+    bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+    for (const int body : bodies) {
+      motion.inverse_mass.push_back(world.inverse_mass[body]);
+      motion.W.push_back(world.W[body] + world.Wf[body] / 2);  // Eq. (7.1)
+    }
+    motion.Wf.assign(bodies.size(), Twist<Dof>::Zero());
+    V = motion.Wf;
+
+    const bool rub =
+        std::any_of(laws.begin(), laws.end(), [](const ImpactLaw& law) { return law.friction > 0; });
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+      Contact contact = contacts[c];
+      contact.i = number(contact.i);
+      contact.j = number(contact.j);
+      if (rub) rubbing.push_back({.normal = rows.size(), .mu = laws[c].friction});
+      const ContactJacobian G = contact_jacobian(contact);
+      // B = -(1 + e) u_n, and -u_t for friction.
+      add({.i = contact.i,
+           .j = contact.j,
+           .Gi = G.Gi.template head<Dof>(),
+           .Gj = G.Gj.template head<Dof>(),
+           .gap = 0,
+           .spook = {.a = 0, .b = 1 + laws[c].restitution, .Sigma = 0}});
+      if (!rub) continue;
+      for (const Constraint<Dof>& along :
+           friction_constraints<Dof>(contact, tangents(contact.n), 0, {.a = 0, .b = 1, .Sigma = 0}))
+        add(along);
+    }
+  }
+
+  int number(int body) const {
+    return static_cast<int>(std::lower_bound(bodies.begin(), bodies.end(), body) - bodies.begin());
+  }
+
+  void add(const Constraint<Dof>& constraint) {
+    rows.push_back(make_row(constraint, motion));
+    rows.back().Sigma = softness * rows.back().diagonal;
+    rows.back().diagonal += rows.back().Sigma;
+  }
+};
+
+/// Returns Σ λ G v over the rows [J].
+template <int Dof>
+double power(const std::vector<Row<Dof>>& rows, const std::vector<double>& lambda,
+             const std::vector<Twist<Dof>>& v) {
+  double sum = 0;
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    sum += lambda[k] * (rows[k].Gi.dot(v[rows[k].i]) + rows[k].Gj.dot(v[rows[k].j]));
+  return sum;
+}
+
+template <int Dof>
+std::vector<double> impulses(const std::vector<Row<Dof>>& rows) {
+  std::vector<double> lambda;
+  for (const Row<Dof>& row : rows) lambda.push_back(row.lambda);
+  return lambda;
+}
+
+/// Adds friction to V of the impulses without friction, as far as it adds no energy.
+template <int Dof>
+void add_friction(Together<Dof>& of) {
+  const std::vector<Twist<Dof>> V0 = of.V;
+  const std::vector<double> lambda0 = impulses(of.rows);
+  double fastest = 0;
+  for (const Row<Dof>& row : of.rows) fastest = std::max(fastest, std::abs(row.B));
+  cone_solve(of.rubbing, of.rows, of.V,
+             {.max_sweeps = of_cones.max_sweeps, .tolerance = of_cones.tolerance * fastest});
+  std::vector<double> more = impulses(of.rows);
+  std::vector<Twist<Dof>> by = of.V, middle = of.motion.W;
+  for (std::size_t k = 0; k < more.size(); ++k) more[k] -= lambda0[k];
+  for (std::size_t b = 0; b < by.size(); ++b) {
+    by[b] -= V0[b];
+    middle[b] += V0[b];
+  }
+  // The energy added is E + b κ + ½ c κ².
+  const double b = power(of.rows, more, middle), c = power(of.rows, more, by);
+  for (std::size_t body = 0; body < middle.size(); ++body) middle[body] -= V0[body] / 2;
+  const double E = std::min(0.0, power(of.rows, lambda0, middle));
+  const double kappa = E + b + c / 2 > 0 ? (std::sqrt(std::max(0.0, b * b - 2 * c * E)) - b) / c : 1;
+  for (std::size_t body = 0; body < by.size(); ++body) of.V[body] = V0[body] + kappa * by[body];
+}
+
+}  // namespace
+
+template <int Dof>
+void resolve_together(const std::vector<Contact>& contacts, const std::vector<ImpactLaw>& laws,
+                      Motion<Dof>& motion) {
+  Together<Dof> of(contacts, laws, motion);
+  Factors factors;
+  direct_solve(of.rows, of.V, of_factors, factors);  // friction rows have bounds of 0
+  if (!of.rubbing.empty()) add_friction(of);
+  for (std::size_t b = 0; b < of.bodies.size(); ++b) motion.W[of.bodies[b]] += of.V[b];
+}
+
+template void resolve_together<3>(const std::vector<Contact>&, const std::vector<ImpactLaw>&, Motion<3>&);
+template void resolve_together<6>(const std::vector<Contact>&, const std::vector<ImpactLaw>&, Motion<6>&);
+
+}  // namespace spook

@@ -1,0 +1,24 @@
+#pragma once
+// Impacts at one time: contacts that share bodies, such as the corners of a box that lands flat, have one solution.
+//
+//   u' = u + S λ,  S = G M⁻¹ Gᵀ                     velocities after the impulses λ of all these contacts
+//   λ_n >= 0,  u'_n + e u_n >= 0,  one of them 0     restitution, Eq. (7.18); its u' does not depend on the order
+//   |λ_t| <= μ λ_n, against the slip u'_t            friction on cones, Eq. (9.3)
+//   λ = λ⁰ + κ (λ¹ - λ⁰)                             λ⁰ without friction, which adds no energy if e <= 1; λ¹ with it;
+//                                                    κ the largest in [0, 1] that adds no energy
+//
+// Without friction this is Moreau's impact. With e = 1 the closed contacts reflect, and the energy is kept.
+#include <vector>
+
+#include "07_impacts/impacts.hpp"
+
+namespace spook {
+
+/// Resolves the impacts of several contacts at one time, each with its own restitution and friction: Eq. (7.18), with u
+/// of Eq. (7.1). Changes W of the contacts' bodies. The contacts approach. Each row has 1e-12 of S_kk as its Σ, since
+/// the corners of a box are redundant: velocities are right to about 1e-12 of u.
+template <int Dof>
+void resolve_together(const std::vector<Contact>& contacts, const std::vector<ImpactLaw>& laws,
+                      Motion<Dof>& motion);
+
+}  // namespace spook
