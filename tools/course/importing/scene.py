@@ -29,7 +29,8 @@ class SceneWriter:
         self._flags = {key: value for each in root.findall("option/flag") for key, value in each.attrib.items()}
         self._touches = self._has("contact") and self._has("constraint")
         self._model = Model(root, report, limits=self._has("limit") and self._has("constraint"),
-                            damping=self._has("passive") and self._has("damper"))
+                            damping=self._has("passive") and self._has("damper"),
+                            springs=self._has("passive") and self._has("spring"))
         if not self._model.parts:
             raise BadInput("nothing is left to simulate: no body has a joint that the import knows")
         self._planes = [each for each in self._model.planes if any(masks_of(each))] if self._touches else []
@@ -38,7 +39,6 @@ class SceneWriter:
         self._joints: list[dict] = []
         self._part_number: dict[int, int] = {}  # by id(part)
         self._placed: list[tuple[np.ndarray, np.ndarray]] = []  # of each body: centre and turn
-        self._points = self._as_points(root)
         self._write_world()
         for part in self._model.parts:
             self._write_part(part)
@@ -49,7 +49,7 @@ class SceneWriter:
             if count := len(root.findall(f"{path}/*" if "/" not in path else path)):
                 report.leave_out(f"{path}: {count}")
         self.scene = {
-            "format": "spook scene", "version": 1,
+            "format": "spook scene", "version": 2,
             "summary": f"{root.get('model', name)}, a model in MJCF.",
             "model": "rigid", "h": float(numbers(self._option, "timestep", 1, "0.002")[0]), "time": 5, "solver": "auto",
             "half_step_start": True,
@@ -57,6 +57,8 @@ class SceneWriter:
             "bodies": self._bodies}
         if self._joints:
             self.scene["joints"] = self._joints
+        if excluded := self._excluded(root):
+            self.scene["no_contact"] = excluded
         if any("corners" in body for body in self._bodies):
             self.scene["settings"]["points_pass"] = True  # it is named as left out
 
@@ -86,16 +88,18 @@ class SceneWriter:
             self._report.leave_out(f"all frictions but the largest, {max(pairs):g}")
         return max(pairs, default=0.0)
 
-    def _as_points(self, root: Element) -> set[int]:
-        """Parts, by id, that become points, as contacts with another free body are excluded."""
-        found = set()
+    def _excluded(self, root: Element) -> list[list[str]]:
+        """Pairs of free bodies, by name, whose contacts are excluded; others meet no other body here."""
+        pairs = []
         for exclude in root.findall("contact/exclude"):
-            one, two = (self._model.body(exclude.get(key, ""), "a contact exclude")[0] for key in ("body1", "body2"))
-            if one is not two and self._is_solid(one) and self._is_solid(two):
-                found.add(id(two))
-                self._report.stand_in(f"\"{two.name}\" is points that planes stop, since its contacts with "
-                                      f"\"{one.name}\" are excluded", exclude)
-        return found
+            parts = [self._model.body(exclude.get(key, ""), "a contact exclude")[0] for key in ("body1", "body2")]
+            if parts[0] is parts[1]:
+                continue
+            if all(self._is_solid(part) for part in parts):
+                pairs.append([self._bodies[self._part_number[id(part)]]["name"] for part in parts])
+            elif self._model.world in parts and any(self._is_solid(part) for part in parts):
+                self._report.leave_out("excluded contacts with static bodies", exclude)
+        return pairs
 
     def _add(self, body: dict, name: str, x: np.ndarray, q: np.ndarray) -> int:
         taken = {each["name"] for each in self._bodies}
@@ -165,7 +169,7 @@ class SceneWriter:
         if not self._touches:
             return {}
         masks = [masks_of(plane) for plane in self._planes]
-        solid = self._is_solid(part) and id(part) not in self._points
+        solid = self._is_solid(part)
         if solid:
             masks += [geom.masks for geom in self._solids]
             masks += [geom.masks for other in self._model.parts if other is not part for geom in other.geoms]
@@ -177,8 +181,7 @@ class SceneWriter:
             return {}
         if solid:
             return _shape_of(geoms[0])
-        if id(part) not in self._points:
-            self._report.leave_out("contacts of bodies with joints, or of several geoms, with anything but planes")
+        self._report.leave_out("contacts of bodies with joints, or of several geoms, with anything but planes")
         for kind in sorted({geom.kind for geom in geoms} - {"box"}):
             count = len(_points(geoms, kind))
             self._report.stand_in(f"{kind}s there are points on their surface, {count} each, which planes stop")
@@ -209,13 +212,15 @@ class SceneWriter:
 
 
 def _held_by(joint: ModelJoint, to_axes: np.ndarray) -> dict:
-    """What a joint has beside its point. Damping is a motor that wants to stand still, with a torque for each speed."""
+    """What a joint has beside its point. Damping without a spring is a motor at rest, with a torque for each speed."""
     if joint.kind == "ball":
         return {}
     held: dict = {"kind": "hinge" if joint.kind == "hinge" else "slider", "axis": _list(to_axes @ joint.axis)}
     if joint.limits:
         held["limits"] = {"lower": joint.limits[0], "upper": joint.limits[1]}
-    if joint.damping > 0:
+    if joint.stiffness > 0:
+        held["spring"] = {"stiffness": joint.stiffness, "damping": joint.damping, "rest": joint.relaxed}
+    elif joint.damping > 0:
         held["motor"] = {"speed": 0, "viscosity": joint.damping}
     return held
 
