@@ -197,7 +197,7 @@ class CourseRun(unittest.TestCase):
         self.assertIn("FALSE leapfrog's energy error", self.plot("energy", "--quick", "--mine"))
 
     def test_plot_takes_a_scene_from_a_file_that_has_an_answer(self):
-        text = {"format": "spook scene", "version": 2, "model": "point", "time": 1, "half_step_start": True,
+        text = {"format": "spook scene", "version": 2, "model": "point", "h": "1/60", "time": 1, "half_step_start": True,
                 "parameters": {"v": {"default": 1}}, "bodies": [{"x": [0, 0, 0], "v": ["$v", 0, 9.81], "mass": 1}]}
         options = ["work_precision", "--quick", "--", "--scene", str(self.box.root / "thrown.json"), "--h", "1/30,1/60"]
         Path(options[4]).write_text(json.dumps(text))
