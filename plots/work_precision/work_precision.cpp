@@ -1,12 +1,12 @@
 // Speed against error for any scene: one point for each combination of options.
 //
-//   --scene NAME --set name=value ...     a scene and its parameters (a stack of ten spheres)
+//   --scene NAME --set name=value ...     a scene, or a file.json, and its parameters (a stack of ten spheres)
 //   --solver A,B --iterations 10,100 --h 1/60,1/120 --row-order up,random --warm-start=off,on ...
 //
 // All options of ./course run and all parameters of the scene are available, each with one or more values: one point
 // for each combination, as in ./course run --sweep. Refused combinations are skipped and counted. The error is the
-// scene's own. The cost is the median of the microseconds per step with its quartiles, and the row updates per second,
-// which are the same on every machine.
+// scene's own, so a file must have an answer, its "expected". The cost is the median of the microseconds per step with
+// its quartiles, and the row updates per second, which are the same on every machine.
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <limits>
@@ -18,6 +18,7 @@
 #include "scenes/number.hpp"
 #include "scenes/registry.hpp"
 #include "scenes/typed_run.hpp"
+#include "spook/scene_file.hpp"
 
 namespace spook::plots {
 namespace {
@@ -167,8 +168,18 @@ std::vector<Asked> possible(const std::vector<Asked>& asked, const SceneDescript
   return found;
 }
 
+/// A scene of the registry, or one from a file. Throws std::invalid_argument if the file has no answer.
+SceneDescription chosen_scene(const std::string& name) {
+  if (!is_scene_file(name)) return find_scene(name);
+  const SceneDescription scene = read_scene(name);
+  if (scene.error_unit.empty())
+    throw std::invalid_argument(
+        name + " has no answer to compare with: add \"expected\", or use ./course run " + name + " --sweep");
+  return scene;
+}
+
 Experiment experiment(Size size, const Chosen& chosen) {
-  const SceneDescription& scene = find_scene(chosen.scene);
+  const SceneDescription scene = chosen_scene(chosen.scene);
   Experiment e;
   e.timed = true;
   e.columns = {"scene",     "line",           "all have",       "iterations",          "h", "error", "state",
@@ -204,7 +215,7 @@ int main(int argc, char** argv) {
   spook::plots::Chosen chosen;
   const auto make = [&](spook::plots::Size size) { return spook::plots::experiment(size, chosen); };
   return spook::plots::run_experiment(argc, argv, make, [&](CLI::App& app) {
-    app.add_option("--scene", chosen.scene, "one of ./course scenes");
+    app.add_option("--scene", chosen.scene, "one of ./course scenes, or a file.json");
     app.add_option("--set", chosen.set, "its parameters, NAME=VALUE ...; several values with commas");
     app.add_option("--time", chosen.time, "how long [s]");
     app.add_flag("--warm-start{on}", chosen.warm_start, "begin with the last impulses; =off,on for both");

@@ -1,9 +1,11 @@
 """The course command with the engine: run, scenes, --mine, plot, start."""
 
+import csv
 import json
 import shutil
 import subprocess
 import unittest
+from pathlib import Path
 
 from sandbox import Sandbox, all_exercises
 
@@ -193,6 +195,25 @@ class CourseRun(unittest.TestCase):
         self.assertNotEqual((self.box.root / "build/plots/energy/energy.svg").read_text(), alone)
         self.box.file(self.kick).write_text(STILL)
         self.assertIn("FALSE leapfrog's energy error", self.plot("energy", "--quick", "--mine"))
+
+    def test_plot_takes_a_scene_from_a_file_that_has_an_answer(self):
+        text = {"format": "spook scene", "version": 2, "model": "point", "h": "1/60", "time": 1, "half_step_start": True,
+                "parameters": {"v": {"default": 1}}, "bodies": [{"x": [0, 0, 0], "v": ["$v", 0, 9.81], "mass": 1}]}
+        options = ["work_precision", "--quick", "--", "--scene", str(self.box.root / "thrown.json"), "--h", "1/30,1/60"]
+        Path(options[4]).write_text(json.dumps(text))
+        refused = self.box.course("plot", *options)
+        self.assertEqual(refused.returncode, 2, refused.stderr)
+        self.assertIn('has no answer to compare with: add "expected"', refused.stderr.splitlines()[-1])
+        expected = {"body": 0, "time": 1, "x": [1, 0, 9.81 / 2], "tolerance": 1e-3}
+        Path(options[4]).write_text(json.dumps(text | {"expected": [expected]}))
+        self.assertIn("holds every point has a finite error", self.plot(*options, "--set", "v=1,2"))
+        with open(self.box.root / "build/plots/work_precision/table.csv", newline="") as table:
+            rows = [(row["line"], float(row["error"])) for row in csv.DictReader(table)]
+        for v, right in (("v=1", 0), ("v=2", 1000)):  # free fall is exact; 2 m/s leads 1 m farther, 1000 tolerances
+            errors = [error for line, error in rows if v in line]
+            self.assertGreaterEqual(len(errors), 2)
+            for error in errors:
+                self.assertAlmostEqual(error, right, delta=1e-6)
 
     def test_plot_in_shards_gives_the_same_table(self):
         folder = self.box.root / "build/plots/energy"

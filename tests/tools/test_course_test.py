@@ -38,8 +38,8 @@ class Sets(unittest.TestCase):
         for name in self.tests:
             with self.subTest(name):
                 labels = self.labels(name)
-                if name.startswith("mutant."):
-                    self.assertEqual(labels, [f"mutants.{name.removeprefix('mutant.')}"])
+                if name.startswith(("mutant.", "hidden.")):
+                    self.assertEqual(labels, [f"mutants.{name.split('.')[1]}"])
                 else:
                     self.assertIn(labels, ([], ["fast"]))
                     self.assertTrue(labels or name == "hidden" or name.startswith(("plot.", "tools.")))
@@ -74,16 +74,16 @@ class Sets(unittest.TestCase):
                 words = [Path(word) for word in test.get("command", [])]
                 programs = [word for word in words if word.is_relative_to(CHECK.path) and not word.is_dir()]
                 if label != "fast":
-                    programs = [CHECK.path / "tests" / f"mutants_{name.removeprefix('mutant.')}"]
+                    programs = [CHECK.path / "tests" / f"mutants_{name.split('.')[1]}"]
                 for program in programs:
                     with self.subTest(name):
                         self.assertIn(f"-o {program.relative_to(CHECK.path)} ", commands)
 
     def test_what_is_left_out_is_said(self):
-        said = everything.left_out(["a", "mutant.01", "mutant.02", "plot.energy", "tools.slurm"],
+        said = everything.left_out(["a", "hidden", "hidden.02", "mutant.01", "mutant.02", "plot.energy", "tools.slurm"],
                                    ["a", "mutant.01"])
-        self.assertEqual(said, "Left out: 1 mutant.* (unchanged since all were killed), 1 plot.*, tools.slurm, all "
-                               "tests under sanitizers. ./course test --all runs them.")
+        self.assertEqual(said, "Left out: 1 mutant.* (unchanged since all were killed), 1 hidden.* (likewise), 1 plot.*, "
+                               "hidden, tools.slurm, all tests under sanitizers. ./course test --all runs them.")
         self.assertEqual(everything.left_out(["a"], ["a"]),
                          "Left out: all tests under sanitizers. ./course test --all runs them.")
 

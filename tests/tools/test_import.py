@@ -246,12 +246,32 @@ class Import(unittest.TestCase):
         scene, said = self.imported(self.written("<geom type='plane' size='0 0 1'/>" + pair,
                                                  rest="<contact><exclude body1='p' body2='q'/></contact>"))
         self.assertEqual(scene["no_contact"], [["p", "q"]])
-        self.assertNotIn("points", said)
+        self.assertNotIn("left out", said.replace("edges of planes", ""))
         _, table = self.run_of(scene, "--h", "1/240", "--time", "1")
         for name in "pq":
             self.assertAlmostEqual(self.at(table, scene, name)[-1, 2], 0.1, delta=1e-3)
         self.refused("<body name='p'><freejoint/><geom size='1'/></body>", "body that there is not: \"z\"",
                      rest="<contact><exclude body1='p' body2='z'/></contact>")
+
+    def test_an_excluded_contact_with_a_static_body_is_named(self):
+        _, said = self.imported(self.written(
+            "<body name='table'><geom type='box' size='1 1 .1'/></body><body name='b' pos='0 0 1'><freejoint/><geom size='.1'/></body>",
+            rest="<contact><exclude body1='b' body2='table'/></contact>"))
+        self.assertIn("excluded contacts with static bodies", said)
+
+    def test_a_spring_swings_at_its_frequency_about_its_reference(self):
+        """A mass of 2 kg on a slider, without weight: ω = 6 rad/s for 72 N/m, about 0.3 m, where it stands still again."""
+        box = "<body><joint type='slide' axis='1 0 0' stiffness='72' springref='.3' {0}/><geom type='box' size='.1 .1 .1' mass='2'/></body>"
+        scene, said = self.imported(self.written(box.format(""), option="gravity='0 0 0'"))
+        self.assertNotIn("left out", said)
+        name = scene["bodies"][-1]["name"]
+        _, table = self.run_of(scene, "--h", "1/500", "--time", "1")
+        t = table["time [s]"]
+        # A step of the engine's springs has order 2, with a relative error of the period of (ω h)²/24 and less than 1e-4.
+        np.testing.assert_allclose(self.at(table, scene, name)[:, 0], 0.3 - 0.3 * np.cos(6 * t), atol=2e-3)
+        damped, _ = self.imported(self.written(box.format("damping='24'"), option="gravity='0 0 0'"))  # critical
+        _, table = self.run_of(damped, "--h", "1/500", "--time", "3")
+        self.assertAlmostEqual(self.at(table, damped, name)[-1, 0], 0.3, delta=1e-4)
 
     def test_a_replicate_is_as_many_copies(self):
         scene, _ = self.imported(self.written(

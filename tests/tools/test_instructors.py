@@ -2,6 +2,7 @@
 
 import re
 import unittest
+from pathlib import Path
 
 from sandbox import ROOT
 
@@ -9,7 +10,16 @@ from manifest import read_chapters
 from syllabus import calls_of, closure, hours_of, needs_of
 
 PAGE = ROOT / "INSTRUCTORS.md"
+TESTS = ROOT / "tests"
 _ROW = re.compile(r"^\| (\d+|hours) \|([^|]*)\|([^|]*)\|([^|]*)\|$", re.MULTILINE)
+
+
+def _text_of(folder: Path) -> str:
+    return "".join(file.read_text(encoding="utf-8") for file in sorted(folder.glob("*.cpp")))
+
+
+def _tests_in(folder: Path) -> list[tuple[str, str]]:
+    return re.findall(r"^EXERCISE_TEST\((\w+), (\w+)\)", _text_of(folder), re.MULTILINE)
 
 
 class Instructors(unittest.TestCase):
@@ -53,15 +63,19 @@ class Instructors(unittest.TestCase):
         self.assertIn("8.1 to 8.4 with 8.9 to 8.12, then 8.5 to 8.8; and 11.1 to 11.4", text)
         self.assertEqual(len(self.chapters[8].exercises), 12)
 
-    def test_every_chapter_has_hidden_tests_to_start_from(self):
+    def test_every_exercise_has_hidden_tests_to_start_from(self):
+        """Of names that the chapter's own tests do not have: one of both would be shown, and no hidden one."""
         for chapter in self.chapters.values():
             with self.subTest(chapter.folder):
-                text = "".join(file.read_text(encoding="utf-8")
-                               for file in (ROOT / "tests" / "hidden" / chapter.folder).glob("*.cpp"))
-                suites = set(re.findall(r"EXERCISE_TEST\((\w+),", text))
-                self.assertGreaterEqual(len(suites), 3)
-                self.assertLessEqual(suites, {exercise.suite for exercise in chapter.exercises})
-                self.assertIn("Random random;", text)
+                hidden, shown = (_tests_in(folder / chapter.folder) for folder in (TESTS / "hidden", TESTS))
+                self.assertEqual({suite for suite, _ in hidden}, {exercise.suite for exercise in chapter.exercises})
+                self.assertEqual(set(hidden) & set(shown), set())
+                self.assertEqual(len(set(hidden)), len(hidden))
+
+    def test_hidden_tests_draw_their_numbers_by_the_seed(self):
+        for chapter in self.chapters.values():
+            with self.subTest(chapter.folder):
+                self.assertIn("Random random;", _text_of(TESTS / "hidden" / chapter.folder))
 
     def test_its_commands_are_those_of_the_course(self):
         from arguments import parse

@@ -559,7 +559,8 @@ class Arguments(WithModule):
         self.told("add: there is no half_side; did you mean half_sides?", spook.World().add, half_side=(1, 2, 3))
         self.told("World: there is no frictoin; did you mean friction?", spook.World, frictoin=1)
         self.told("add_joint: j is missing", spook.World().add_joint, 0)
-        self.told("add: arguments with their names, got 1", spook.World().add, (1, 2, 3))
+        self.told("add: takes arguments by name, such as x=..., but got 1 without", spook.World().add, (1, 2, 3))
+        self.told("run: there is no sovler; did you mean solver?", spook.scene("stack").run, sovler="direct")
 
     def test_a_call_that_is_right_is_as_before(self):
         world = spook.World(friction=0.5)

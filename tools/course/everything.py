@@ -116,10 +116,10 @@ def left_out(every: list[str], run: list[str]) -> str:
     there = set(run)
     rest = [name for name in every if name not in there]
     said = []
-    for kind, why in (("mutant", " (unchanged since all were killed)"), ("plot", "")):
-        count = sum(name.startswith(f"{kind}.") for name in rest)
-        said += [f"{count} {kind}.*{why}"] if count else []
-    said += [name for name in rest if name.split(".")[0] not in ("mutant", "plot")]
+    for kind, why in (("mutant.", " (unchanged since all were killed)"), ("hidden.", " (likewise)"), ("plot.", "")):
+        count = sum(name.startswith(kind) for name in rest)
+        said += [f"{count} {kind}*{why}"] if count else []
+    said += [name for name in rest if not name.startswith(("mutant.", "hidden.", "plot."))]
     return f"Left out: {', '.join([*said, 'all tests under sanitizers'])}. ./course test --all runs them."
 
 

@@ -1,7 +1,8 @@
 """Chapters whose mutants ./course test judges anew: those of which something has changed since all were killed.
 
-A digest a chapter says of what its mutants are made: the chapter, its reference, its tests and mutants, those of the
-chapters whose headers these include, and what all chapters share. A newer compiler is not seen; --all judges them all.
+A digest a chapter says of what its mutants are made: the chapter, its reference, its tests, hidden ones and mutants,
+those of the chapters whose headers these include, and what all chapters share. A newer compiler is not seen; --all
+judges them all.
 """
 
 import hashlib
@@ -52,7 +53,7 @@ def _memory(tree: Tree) -> Path:
 
 def _of(root: Path, chapter: str) -> str:
     found, waiting = set(), {chapter}
-    files = list((root / "tests" / "mutants" / chapter).glob("*"))
+    files = [file for kind in ("mutants", "hidden") for file in (root / "tests" / kind / chapter).glob("*")]
     while waiting:
         name = waiting.pop()
         found.add(name)

@@ -381,7 +381,7 @@ class World {
   void require_not_a_plane(int body) const;
   void drive(const Kinematic<Dof>& one, const Twist<Dof>& W);
   void integrate(double h);
-  Vec3 turned(std::size_t i, Vec3 omega, double h) requires(Dof == 6);
+  Vec3 turned(std::size_t i, Vec3 omega, double h);
   void end_step(double h);
   void step_composed(double h);
   void step_elsewhere(double h);

@@ -27,22 +27,26 @@ void World<Dof>::take_out_recovery(double h) {
   for (std::size_t i = 0; i < V.size(); ++i) recovered_[i] = V[i] - V_[i];
 }
 
-/// Turns a body by ω, and returns its ω afterwards. Where an overlap recovers, that is the ω without recovery, the same in
-/// the body's own axes: its energy stays.
+/// Turns a rigid body by ω, and returns its ω afterwards. Where an overlap recovers, that is the ω without recovery, the
+/// same in the body's own axes: its energy stays. Not constrained to six degrees of freedom, since clang 14 instantiates
+/// the members of World<3> without regard to their constraints.
 template <int Dof>
-Vec3 World<Dof>::turned(std::size_t i, Vec3 omega, double h) requires(Dof == 6) {
-  Quat& q = bodies_.orientations.q[i];
-  if (recovered_.empty() || recovered_[i].template tail<3>().isZero(0)) {
+Vec3 World<Dof>::turned(std::size_t i, Vec3 omega, double h) {
+  if constexpr (Dof == 6) {
+    Quat& q = bodies_.orientations.q[i];
+    if (recovered_.empty() || recovered_[i].template tail<3>().isZero(0)) {
+      rotate(settings_.rotation, bodies_.orientations, i, omega, h);
+      return omega;
+    }
+    const Quat before = q;
+    Vec3 kept = omega + recovered_[i].template tail<3>();
+    rotate(settings_.rotation, bodies_.orientations, i, kept, h);
+    const Vec3 in_body = q.conjugate() * kept;
+    q = before;
     rotate(settings_.rotation, bodies_.orientations, i, omega, h);
-    return omega;
+    return q * in_body;
   }
-  const Quat before = q;
-  Vec3 kept = omega + recovered_[i].template tail<3>();
-  rotate(settings_.rotation, bodies_.orientations, i, kept, h);
-  const Vec3 in_body = q.conjugate() * kept;
-  q = before;
-  rotate(settings_.rotation, bodies_.orientations, i, omega, h);
-  return q * in_body;
+  return omega;
 }
 
 }  // namespace spook

@@ -1,22 +1,28 @@
-// Beyond chapter 08's own tests: exchanged bodies, areas, and all pairs tried.
+// Beyond chapter 08's own tests: exchanged bodies, areas, all axes, corners and pairs tried.
 #include <algorithm>
 #include <numbers>
 
 #include "08_pairs/pairs.hpp"
 #include "exercise_test.hpp"
+#include "simulations.hpp"
 
 using namespace spook;
 using namespace spook::testing;
 
 namespace {
 
+EXERCISE(PlaneBall, "8.1 plane_ball");
 EXERCISE(BallBall, "8.2 ball_ball");
+EXERCISE(PlaneBox, "8.3 plane_box");
 EXERCISE(BoxBall, "8.4 box_ball");
 EXERCISE(SeparatingAxis, "8.5 separating_axis");
 EXERCISE(Clip, "8.6 clip");
+EXERCISE(WellSpread, "8.7 well_spread");
+EXERCISE(BoxBox, "8.8 box_box");
 EXERCISE(Bounds, "8.9 bounds");
 EXERCISE(SweepAndPrune, "8.10 sweep_and_prune");
 EXERCISE(SpatialHash, "8.11 spatial_hash");
+EXERCISE(StepPairs, "8.12 step_pairs");
 
 spook::Box any_box(Random& random, int body, double spread) {
   const Vec3 x = random.vector(spread);
@@ -94,7 +100,7 @@ EXERCISE_TEST(Clip, SplitsTheArea) {
   }
 }
 
-EXERCISE_TEST(Bounds, HoldEveryCornerAndNoMore) {
+EXERCISE_TEST(Bounds, AreThoseOfEightCorners) {
   Random random;
   const Box box = any_box(random, 0, 3);
   const spook::Bounds found = bounds(box);
@@ -142,6 +148,567 @@ EXERCISE_TEST(SweepAndPrune, FindsWhatAllComparisonsFind) {
 
 EXERCISE_TEST(SpatialHash, FindsWhatAllComparisonsFind) {
   expect_all_pairs("Eq. (8.14)", spatial_hash);
+}
+
+EXERCISE_TEST(PlaneBall, IsRightForAnyPlane) {
+  Random random;
+  for (const double depth : {0.3, 1e-9, 0.0, -1e-9, -1.0}) {
+    const Plane plane{.body = 4, .x = random.vector(), .n = Vec3::Unit(random.integer(0, 2)), .offset = 0.5};
+    Ball ball{.body = 2, .x = random.vector(), .radius = 2};
+    ball.x += (plane.offset + ball.radius - depth - ball.x.dot(plane.n)) * plane.n;
+    const auto contact = plane_ball(plane, ball);
+    if (depth != 0)
+      expect_true("there is a contact where the gap is not positive", "Eq. (8.1)",
+                  contact.has_value() == (depth > 0));
+    if (!contact) continue;
+    expect_near("gap [m]", "Eq. (8.1)", contact->gap, -depth, roundings(16, 4));
+    expect_near_vector("arm of the ball [m]", "Eq. (8.3)", contact->r_j, Vec3(-2 * plane.n), roundings(16, 4));
+    expect_near_vector("arm of the plane's body [m]", "Eq. (8.3)", contact->r_i,
+                       Vec3(ball.x - 2 * plane.n - plane.x), roundings(32, 4));
+    expect_true("i is the plane's body, and n its normal", "Eq. (8.1)",
+                contact->i == 4 && contact->j == 2 && contact->n == plane.n);
+  }
+}
+
+/// Numbers of contacts that do not depend on their order: how many, and sums of gaps, arms and normals.
+Eigen::VectorXd sums_of(const std::vector<Contact>& contacts) {
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(14);
+  for (const Contact& c : contacts) {
+    sums[0] += 1;
+    sums[1] += c.gap;
+    sums[2] += c.gap * c.gap;
+    sums.segment<3>(3) += c.r_i;
+    sums.segment<3>(6) += c.r_j;
+    sums.segment<3>(9) += c.n;
+    sums[12] += c.i, sums[13] += c.j;
+  }
+  return sums;
+}
+
+EXERCISE_TEST(PlaneBox, FindsEveryCornerBelow) {
+  Random random;
+  for (int k = 0; k < 30; ++k) {
+    const Box box = any_box(random, 1, 0.5);
+    const Plane plane{
+        .body = 6, .x = random.vector(), .n = random.unit_vector(), .offset = random.uniform(-1, 1)};
+    std::vector<Contact> expected,
+        got = {{.i = 9, .j = 8, .n = Vec3::UnitX(), .gap = 7, .r_i = plane.x, .r_j = plane.x}};
+    expected = got;  // found before, and kept
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vec3 signs(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+      const Vec3 r = box.axes * signs.cwiseProduct(box.half_sides);
+      const double gap = plane.n.dot(box.x + r) - plane.offset;
+      if (gap <= 0)
+        expected.push_back({.i = 6, .j = 1, .n = plane.n, .gap = gap, .r_i = box.x + r - plane.x, .r_j = r});
+    }
+    plane_box(plane, box, got);
+    expect_near_vector<Eigen::VectorXd>("number of contacts, then sums of gaps, arms, normals and bodies",
+                                        "Eq. (8.4)", sums_of(got), sums_of(expected), roundings(500, 20));
+  }
+}
+
+EXERCISE_TEST(BallBall, IsRightApartAndAtOnePlace) {
+  Random random;
+  for (const double distance : {2.5, 1.5 + 1e-9, 1.4, 1e-9}) {
+    const Ball i{.body = 3, .x = random.vector(), .radius = 1};
+    const Vec3 way = random.unit_vector();
+    const Ball j{.body = 1, .x = i.x + distance * way, .radius = 0.5};
+    const auto contact = ball_ball(i, j);
+    expect_true("there is a contact where the gap is not positive", "Eq. (8.2)",
+                contact.has_value() == (distance < 1.5));
+    if (!contact) continue;
+    expect_near("gap [m]", "Eq. (8.2)", contact->gap, distance - 1.5, roundings(16, 4));
+    expect_near_vector("n from i to j", "Eq. (8.2)", contact->n, way, roundings(16 / distance, 4));
+    expect_near_vector("arm of i [m]", "Eq. (8.3)", contact->r_i, Vec3((1 + (distance - 1.5) / 2) * contact->n),
+                       roundings(32, 4));
+    expect_near_vector("arm of j [m]", "Eq. (8.3)", contact->r_j, Vec3(contact->r_i + i.x - j.x),
+                       roundings(32, 4));
+  }
+  const Ball one{.body = 0, .x = Vec3(1, 2, 3), .radius = 1};
+  const auto same = ball_ball(one, {.body = 1, .x = one.x, .radius = 1});
+  expect_true("two balls at one place touch, along a unit normal", "Eq. (8.2)",
+              same && std::abs(same->n.norm() - 1) < 1e-12 && same->gap == -2);
+}
+
+EXERCISE_TEST(BoxBall, LeavesByTheNearestFace) {
+  Random random;
+  for (int k = 0; k < 30; ++k) {
+    Box box = any_box(random, 3, 1);
+    const int axis = k % 3;
+    const double side = k % 2 ? 1 : -1, depth = random.uniform(0.01, 0.2);
+    Vec3 inside = random.vector(0.05).cwiseProduct(box.half_sides);
+    inside[axis] = side * (box.half_sides[axis] - depth);
+    const auto contact = box_ball(box, {.body = 2, .x = box.x + box.axes * inside, .radius = 0.1});
+    expect_true("a centre inside the box touches", "Eq. (8.5)", contact.has_value());
+    if (!contact) return;
+    expect_near("gap [m]", "Eq. (8.5)", contact->gap, -depth - 0.1, roundings(64, 4));
+    const Vec3 n = side * box.axes.col(axis);
+    expect_near_vector("normal", "Eq. (8.5)", contact->n, n, roundings(16));
+    const Vec3 r_j = (-depth - 0.1) / 2 * n + depth * n;  // the middle of the overlap, from the centre
+    expect_near_vector("arm of the ball [m]", "Eq. (8.3)", contact->r_j, r_j, roundings(64, 4));
+    expect_near_vector("arm of the box [m]", "Eq. (8.3)", contact->r_i, Vec3(r_j + box.axes * inside),
+                       roundings(64, 4));
+    expect_true("i is the box", "Eq. (8.5)", contact->i == 3 && contact->j == 2);
+    const Vec3 far = box.x + (2 * box.half_sides.norm() + 1) * n;
+    expect_true("a ball far away does not touch", "Eq. (8.5)",
+                !box_ball(box, {.body = 2, .x = far, .radius = 0.1}));
+  }
+}
+
+/// g(n) of (8.6), by all corners.
+double gap_along(const Vec3& n, const Box& i, const Box& j) {
+  return n.dot(j.x - i.x) - (i.axes.transpose() * n).cwiseAbs().dot(i.half_sides) -
+         (j.axes.transpose() * n).cwiseAbs().dot(j.half_sides);
+}
+
+EXERCISE_TEST(SeparatingAxis, IsTheBestOfAllFifteen) {
+  Random random;
+  for (int k = 0; k < 200; ++k) {
+    const Box i = any_box(random, 0, 1.5), j = any_box(random, 1, 1.5);
+    double best = -infinity;
+    for (int a = 0; a < 3; ++a) {
+      for (const Box* box : {&i, &j})
+        for (const double sign : {1.0, -1.0}) best = std::max(best, gap_along(sign * box->axes.col(a), i, j));
+      for (int b = 0; b < 3; ++b) {
+        const Vec3 across = i.axes.col(a).cross(j.axes.col(b));
+        if (across.norm() < 1e-3) continue;
+        for (const double sign : {1.0, -1.0})
+          best = std::max(best, gap_along(sign * across.normalized(), i, j));
+      }
+    }
+    const spook::SeparatingAxis found = separating_axis(i, j);
+    expect_true("it says whether the boxes touch", "Eq. (8.7)", (found.gap > 0) == (best > 0));
+    expect_near("g(n) of the normal that is returned [m]", "Eq. (8.6)", found.gap, gap_along(found.n, i, j),
+                roundings(500, 10));
+    expect_at_least("n·(x_j - x_i): the normal is from i to j [m]", "Eq. (8.6)", found.n.dot(j.x - i.x), 0,
+                    "it is that way round");
+    const bool face = (found.face_i >= 0) != (found.face_j >= 0),
+               edges = found.edge_i >= 0 && found.edge_j >= 0;
+    expect_true("either one face or both edges are named", "Eq. (8.7)", face != edges);
+    if (best <= 0)
+      expect_at_least("g(n) [m]", "Eq. (8.7)", found.gap, best - 0.06 * std::abs(best) - 2e-6,
+                      "a face is preferred by 5 per cent and a millionth of a side");
+  }
+}
+
+EXERCISE_TEST(Clip, KeepsWhatIsBelowThePlane) {
+  Random random;
+  for (int k = 0; k < 30; ++k) {
+    std::vector<Vec3> square = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)};
+    const Vec3 n = random.unit_vector();
+    const double offset = k % 3 == 0   ? 5
+                          : k % 3 == 1 ? -5
+                                       : n.dot(Vec3(0.5, 0.5, 0)) + random.uniform(-0.2, 0.2);
+    const std::vector<Vec3> left = clip(square, n, offset);
+    if (k % 3 == 0) expect_true("a polygon below the plane stays as it is", "Eq. (8.8)", left == square);
+    if (k % 3 == 1) expect_true("of a polygon above it nothing is left", "Eq. (8.8)", left.empty());
+    for (const Vec3& corner : left)
+      expect_at_most("n·p - offset [m]", "Eq. (8.8)", n.dot(corner) - offset, 1e-14, "round-off");
+    for (const Vec3& corner : square)
+      if (n.dot(corner) < offset)
+        expect_true("a corner below the plane is kept", "Eq. (8.8)",
+                    std::count(left.begin(), left.end(), corner) == 1);
+  }
+  expect_true("of no corners none are left", "Eq. (8.8)", clip({}, Vec3::UnitZ(), 0).empty());
+}
+
+EXERCISE_TEST(WellSpread, KeepsTheDeepestAndAWideArea) {
+  Random random;
+  for (const int count : {3, 4, 5, 8, 20}) {
+    std::vector<Contact> contacts;
+    for (int k = 0; k < count; ++k) {
+      const double angle = 2 * std::numbers::pi * k / count, depth = random.uniform(0.01, 0.02);
+      const Vec3 r(2 * std::cos(angle), std::sin(angle), 0);
+      contacts.push_back({.i = 0, .j = 1, .n = Vec3::UnitZ(), .gap = -depth, .r_i = r, .r_j = r});
+    }
+    const std::vector<Contact> kept = well_spread(contacts);
+    expect_true("four are kept, or all of fewer", "Eq. (8.10)", std::ssize(kept) == std::min(count, 4));
+    double deepest = 0, found = 0;
+    for (const Contact& c : contacts) deepest = std::min(deepest, c.gap);
+    for (const Contact& c : kept) found = std::min(found, c.gap);
+    expect_near("gap of the deepest that is kept [m]", "Eq. (8.10)", found, deepest, {0, "it is one of them"});
+    if (count < 8) continue;
+    std::vector<Vec3> corners;
+    for (const Contact& c : kept) corners.push_back(c.r_i);
+    std::sort(corners.begin(), corners.end(),
+              [](const Vec3& a, const Vec3& b) { return std::atan2(a.y(), a.x()) < std::atan2(b.y(), b.x()); });
+    expect_at_least("area of those that are kept [m²]", "Eq. (8.10)", area(corners, Vec3::UnitZ()), 3,
+                    "the largest four-cornered area in this ellipse is 4 m²");
+  }
+}
+
+EXERCISE_TEST(BoxBox, FindsFacesEdgesAndNothing) {
+  Random random;
+  for (const double depth : {0.02, -0.02}) {
+    const Mat3 R = random.rotation().toRotationMatrix();
+    const Vec3 x = random.vector();
+    const Box low{.body = 5, .x = x, .axes = R, .half_sides = Vec3(2, 2, 0.5)};
+    const Box flat{
+        .body = 3, .x = x + R * Vec3(0.3, 0.2, 1 - depth), .axes = R, .half_sides = Vec3(1, 0.5, 0.5)};
+    std::vector<Contact> contacts;
+    box_box(low, flat, contacts);
+    expect_true("a face on a face has four contacts, a face above it none", "Eq. (8.8)",
+                contacts.size() == (depth > 0 ? 4 : 0));
+    Vec3 middle(0, 0, 0);
+    for (const Contact& c : contacts) {
+      expect_near("gap [m]", "Eq. (8.8)", c.gap, -depth, roundings(100, 4));
+      expect_near_vector("normal from i to j", "Eq. (8.7)", c.n, Vec3(R.col(2)), roundings(32));
+      expect_true("i and j are those given", "Eq. (8.7)", c.i == 5 && c.j == 3);
+      expect_near_vector("one point has both arms [m]", "Eq. (8.3)", Vec3(low.x + c.r_i), Vec3(flat.x + c.r_j),
+                         roundings(100, 4));
+      middle += c.r_j / 4;
+    }
+    if (depth > 0 && contacts.size() == 4)
+      expect_near_vector("mean of the arms of j [m]", "Eq. (8.8)", middle,
+                         Vec3(R * Vec3(0, 0, -0.5 + depth / 2)), roundings(200, 4));
+    std::vector<Contact> exchanged;
+    box_box(flat, low, exchanged);
+    Eigen::VectorXd one = sums_of(contacts), other = sums_of(exchanged);
+    expect_near_vector<Eigen::VectorXd>("sums of arms, for exchanged boxes", "Eq. (8.7)",
+                                        Eigen::VectorXd(other.segment<3>(6)),
+                                        Eigen::VectorXd(one.segment<3>(3)), roundings(200, 20));
+  }
+  // Two beams that cross, each turned by 45 degrees about its length: an edge on an edge.
+  const Mat3 about_x = Quat(Eigen::AngleAxisd(std::numbers::pi / 4, Vec3::UnitX())).toRotationMatrix();
+  const Mat3 about_y = Quat(Eigen::AngleAxisd(std::numbers::pi / 4, Vec3::UnitY())).toRotationMatrix();
+  const double apart = std::sqrt(2.0) - 0.01;
+  const Box along{.body = 0, .x = Vec3(0, 0, 0), .axes = about_x, .half_sides = Vec3(3, 0.5, 0.5)};
+  const Box across{.body = 1, .x = Vec3(0.2, 0.1, apart), .axes = about_y, .half_sides = Vec3(0.5, 3, 0.5)};
+  std::vector<Contact> crossing;
+  box_box(along, across, crossing);
+  expect_true("two edges that cross have one contact", "Eq. (8.9)", crossing.size() == 1);
+  if (crossing.size() != 1) return;
+  expect_near("gap [m]", "Eq. (8.9)", crossing[0].gap, -0.01, roundings(100, 4));
+  expect_near_vector("arm of i [m]", "Eq. (8.9)", crossing[0].r_i, Vec3(0.2, 0, apart / 2), roundings(1000, 4));
+}
+
+EXERCISE_TEST(SweepAndPrune, RefusesWhatIsNoNumber) {
+  const spook::Bounds sound{.lower = Vec3(0, 0, 0), .upper = Vec3(1, 1, 1)};
+  const spook::Bounds odd{.lower = Vec3(0, std::nan(""), 0), .upper = Vec3(1, 1, 1)};
+  expect_rejects("a bound that is no number", "lower", [&] { sweep_and_prune({sound, odd}); });
+  expect_true(
+      "bounds that touch are a pair", "Eq. (8.12)",
+      sweep_and_prune({sound, {.lower = Vec3(1, 1, 1), .upper = Vec3(2, 2, 2)}}) == std::vector<Pair>{{0, 1}});
+}
+
+EXERCISE_TEST(SpatialHash, RefusesWhatIsNoNumber) {
+  const spook::Bounds sound{.lower = Vec3(0, 0, 0), .upper = Vec3(1, 1, 1)};
+  expect_rejects("an upper bound below the lower", "upper", [&] {
+    spatial_hash({sound, {.lower = Vec3(2, 0, 0), .upper = Vec3(1, 1, 1)}});
+  });
+  expect_true(
+      "bounds that touch are a pair", "Eq. (8.14)",
+      spatial_hash({sound, {.lower = Vec3(1, 1, 1), .upper = Vec3(2, 2, 2)}}) == std::vector<Pair>{{0, 1}});
+}
+
+/// Balls, boxes and planes; contacts by trying all pairs.
+EXERCISE_TEST(StepPairs, FindsItsContacts) {
+  Random random;
+  for (int n = 0; n < 10; ++n) {
+    Simulation all;
+    all.k = 1e3;
+    all.max_sweeps = 3000;
+    all.bodies.push_back({.normal = Vec3::UnitZ(), .offset = -1});
+    for (int b = 0; b < 12; ++b) {
+      all.bodies.push_back(b % 5 == 4 ? random_static_body(random) : random_rigid_body(random));
+      if (b % 2)
+        all.bodies.back().radius = random.uniform(0.3, 0.6);
+      else
+        all.bodies.back().half_sides = random.vector(0.2, 0.6);
+    }
+    all.bodies.push_back(random_rigid_body(random));  // without a shape
+    std::vector<Contact> contacts;
+    const auto at = [&](int b) -> const RigidBody& { return all.bodies[static_cast<std::size_t>(b)]; };
+    const auto box = [&](int b) { return Box{b, at(b).x, at(b).q.toRotationMatrix(), at(b).half_sides}; };
+    const auto ball = [&](int b) { return Ball{b, at(b).x, at(b).radius}; };
+    const auto add = [&](const std::optional<Contact>& found) {
+      if (found) contacts.push_back(*found);
+    };
+    for (int i = 0; i < 13; ++i)
+      for (int j = i + 1; j < 13; ++j) {
+        if (at(i).mass == 0 && at(j).mass == 0) continue;
+        const Plane plane{.body = 0, .x = at(0).x, .n = at(0).normal, .offset = at(0).offset};
+        const bool i_round = at(i).radius > 0, j_round = at(j).radius > 0;
+        if (i == 0 && j_round)
+          add(plane_ball(plane, ball(j)));
+        else if (i == 0)
+          plane_box(plane, box(j), contacts);
+        else if (i_round && j_round)
+          add(ball_ball(ball(i), ball(j)));
+        else if (i_round)
+          add(box_ball(box(j), ball(i)));
+        else if (j_round)
+          add(box_ball(box(i), ball(j)));
+        else
+          box_box(box(i), box(j), contacts);
+      }
+    Simulation got = all, expected = all;
+    step_pairs(got, 0.05);
+    step_impacts(expected, contacts, 0.05);
+    expect_same_bodies("after a step in which contacts are found", "Eq. (8.1)-(8.12)", got, expected,
+                       {1e-6, "what 3000 sweeps leave, in two orders of rows"});
+  }
+}
+
+EXERCISE_TEST(PlaneBall, TouchesAtZeroAndNotAtNaN) {
+  const Plane floor{.body = 0, .x = Vec3(0, 0, 0), .n = Vec3::UnitZ(), .offset = 0};
+  expect_true("a gap of 0 is a contact", "Eq. (8.1)", plane_ball(floor, {1, Vec3(3, 4, 0.5), 0.5}).has_value());
+  expect_true("a gap that is no number is none", "Eq. (8.1)",
+              !plane_ball(floor, {1, Vec3(0, 0, std::nan("")), 0.5}));
+}
+
+EXERCISE_TEST(BallBall, TouchesAtZeroAndNotAtNaN) {
+  const Ball ball{.body = 0, .x = Vec3(0, 0, 0), .radius = 0.5};
+  expect_true("a gap of 0 is a contact", "Eq. (8.2)", ball_ball(ball, {1, Vec3(1, 0, 0), 0.5}).has_value());
+  expect_true("a gap that is no number is none", "Eq. (8.2)",
+              !ball_ball(ball, {1, Vec3(std::nan(""), 0, 0), 0.5}));
+}
+
+EXERCISE_TEST(PlaneBox, TouchesAtZeroAndNotAtNaN) {
+  const Plane floor{.body = 0, .x = Vec3(0, 0, 0), .n = Vec3::UnitZ(), .offset = 0};
+  Box box{.body = 1, .x = Vec3(0, 0, 0.5), .axes = Mat3::Identity(), .half_sides = Vec3(1, 1, 0.5)};
+  std::vector<Contact> contacts;
+  plane_box(floor, box, contacts);
+  expect_true("corners with a gap of 0 are contacts", "Eq. (8.4)", contacts.size() == 4);
+  box.x.z() = std::nan("");
+  plane_box(floor, box, contacts);
+  expect_true("corners with a gap that is no number are none", "Eq. (8.4)", contacts.size() == 4);
+}
+
+EXERCISE_TEST(BoxBall, TouchesAtZeroAndNotAtNaN) {
+  const Box box{.body = 1, .x = Vec3(0, 0, 0), .axes = Mat3::Identity(), .half_sides = Vec3(1, 1, 1)};
+  expect_true("a gap of 0 is a contact", "Eq. (8.5)", box_ball(box, {2, Vec3(1.5, 0, 0), 0.5}).has_value());
+  expect_true("a gap that is no number is none", "Eq. (8.5)",
+              !box_ball(box, {2, Vec3(std::nan(""), 0, 0), 0.5}));
+  for (const double side : {1.0, -1.0}) {  // at the middle of the box along two axes
+    const auto contact = box_ball(box, {2, Vec3(0, side * 0.9, 0), 0.5});
+    expect_true("it leaves by the nearest face", "Eq. (8.5)", contact && contact->n == Vec3(0, side, 0));
+  }
+}
+
+/// How far a point is outside a box, along the axis where it is most; negative inside.
+double outside(const Vec3& p, const Box& box) {
+  return ((box.axes.transpose() * (p - box.x)).cwiseAbs() - box.half_sides).maxCoeff();
+}
+
+EXERCISE_TEST(BoxBox, HasAPointOnEachBox) {
+  Random random;
+  int seen = 0;
+  for (int k = 0; k < 300; ++k) {
+    const Box i = any_box(random, k % 2 ? 3 : 7, 1), j = any_box(random, 5, 1);
+    const Contact before{.i = 1, .j = 2, .n = Vec3::UnitX(), .gap = -1, .r_i = i.x, .r_j = j.x};
+    std::vector<Contact> found = {before}, exchanged = {before};
+    box_box(i, j, found);
+    box_box(j, i, exchanged);
+    expect_true("what was found before is kept", "Eq. (8.7)",
+                !found.empty() && found[0].i == 1 && found[0].j == 2 && found[0].n == Vec3::UnitX());
+    const std::vector<Contact> contacts(found.begin() + 1, found.end());
+    expect_true("boxes that overlap have one to four contacts, others none", "Eq. (8.10)",
+                separating_axis(i, j).gap > 0 ? contacts.empty() : !contacts.empty() && contacts.size() <= 4);
+    for (const Contact& c : contacts) {
+      expect_true("i and j are those given", "Eq. (8.7)", c.i == i.body && c.j == 5);
+      expect_at_least("n·(x_j - x_i): the normal is from i to j [m]", "Eq. (8.7)", c.n.dot(j.x - i.x), -1e-12,
+                      "it is that way round");
+      expect_near_vector("one point has both arms [m]", "Eq. (8.3)", Vec3(i.x + c.r_i), Vec3(j.x + c.r_j),
+                         roundings(200, 4));
+      expect_at_most("gap [m]", "Eq. (8.8)", c.gap, 0, "only what touches is a contact");
+      if (contacts.size() == 1) continue;  // a corner beside the face
+      ++seen;
+      // Half the gap from the point along n, to either side, is the surface of a box; a millionth of a side is allowed.
+      expect_near("from the surface of i [m]", "Eq. (8.8)", outside(i.x + c.r_i - c.gap / 2 * c.n, i), 0,
+                  {1e-5, "ten times the slack"});
+      expect_near("from the surface of j [m]", "Eq. (8.8)", outside(i.x + c.r_i + c.gap / 2 * c.n, j), 0,
+                  {1e-5, "ten times the slack"});
+    }
+    Eigen::VectorXd one = sums_of(found), other = sums_of(exchanged);
+    expect_near_vector<Eigen::VectorXd>("number of contacts and sums of gaps, for exchanged arguments",
+                                        "Eq. (8.7)", Eigen::VectorXd(other.head<3>()),
+                                        Eigen::VectorXd(one.head<3>()), roundings(500, 10));
+    expect_near_vector<Eigen::VectorXd>("sum of the arms of one box, for exchanged arguments", "Eq. (8.7)",
+                                        Eigen::VectorXd(other.segment<3>(6) - before.r_j),
+                                        Eigen::VectorXd(one.segment<3>(3) - before.r_i), roundings(500, 20));
+  }
+  expect_at_least("contacts that were looked at", "Eq. (8.8)", seen, 20,
+                  "some of 300 pairs of boxes meet by a face");
+}
+
+EXERCISE_TEST(BoxBox, CutsOffWhatHangsOver) {
+  Random random;
+  for (const double over : {0.0, 0.5, 1.2, 1.8}) {
+    const Mat3 R = random.rotation().toRotationMatrix();
+    const Vec3 x = random.vector();
+    const Box table{.body = 1, .x = x, .axes = R, .half_sides = Vec3(2, 2, 0.5)};
+    const Box plank{
+        .body = 4, .x = x + R * Vec3(1 + over, 0.3, 0.99), .axes = R, .half_sides = Vec3(1, 0.5, 0.5)};
+    std::vector<Contact> contacts;
+    box_box(table, plank, contacts);
+    expect_true("four contacts", "Eq. (8.8)", contacts.size() == 4);
+    Vec3 lower = Vec3::Constant(9), upper = -lower;
+    for (const Contact& c : contacts) {
+      const Vec3 p = R.transpose() * c.r_i;
+      lower = lower.cwiseMin(p), upper = upper.cwiseMax(p);
+    }
+    expect_near_vector("lower corner of the contacts in the table's axes [m]", "Eq. (8.8)", lower,
+                       Vec3(over, -0.2, 0.495), {2e-6, "the slack"});
+    expect_near_vector("upper corner of the contacts in the table's axes [m]", "Eq. (8.8)", upper,
+                       Vec3(std::min(2.0, 2 + over), 0.8, 0.495), {2e-6, "the slack"});
+  }
+  for (const double apart : {0.0, 1e-9}) {
+    std::vector<Contact> contacts;
+    box_box({.body = 0, .x = Vec3(0, 0, 0), .axes = Mat3::Identity(), .half_sides = Vec3(1, 1, 1)},
+            {.body = 1, .x = Vec3(0, 0, 2 + apart), .axes = Mat3::Identity(), .half_sides = Vec3(1, 1, 1)},
+            contacts);
+    expect_true("boxes that just touch have contacts, others none", "Eq. (8.8)",
+                contacts.size() == (apart > 0 ? 0 : 4));
+  }
+}
+
+EXERCISE_TEST(WellSpread, HasTheLargestAreaAroundTheMean) {
+  Random random;
+  for (int n = 0; n < 40; ++n) {
+    const Mat3 R = random.rotation().toRotationMatrix();
+    const Vec3 shift = random.vector(3);
+    std::vector<Contact> contacts;
+    for (int k = 0; k < 5 + n % 4; ++k) {
+      const double angle = random.uniform(0, 6.28), depth = random.uniform(0.01, 0.02);
+      const Vec3 r = shift + R * Vec3(2 * std::cos(angle), std::sin(angle), 0);
+      contacts.push_back({.i = 0, .j = 1, .n = R.col(2), .gap = -depth, .r_i = r, .r_j = r});
+    }
+    Vec3 mean(0, 0, 0);
+    std::size_t deepest = 0;
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+      mean += contacts[k].r_i / static_cast<double>(contacts.size());
+      if (contacts[k].gap < contacts[deepest].gap) deepest = k;
+    }
+    const auto area_of = [&](std::vector<Vec3> corners) {  // -1 if the mean is outside
+      const auto angle = [&](const Vec3& p) {
+        return std::atan2(R.col(1).dot(p - mean), R.col(0).dot(p - mean));
+      };
+      std::sort(corners.begin(), corners.end(),
+                [&](const Vec3& a, const Vec3& b) { return angle(a) < angle(b); });
+      for (std::size_t k = 0; k < 4; ++k)
+        if (R.col(2).dot((corners[k] - mean).cross(corners[(k + 1) % 4] - mean)) < 0) return -1.0;
+      return area(corners, R.col(2));
+    };
+    double largest = 0;
+    for (std::size_t a = 0; a < contacts.size(); ++a)
+      for (std::size_t b = a + 1; b < contacts.size(); ++b)
+        for (std::size_t c = b + 1; c < contacts.size(); ++c)
+          if (a != deepest && b != deepest && c != deepest)
+            largest = std::max(
+                largest, area_of({contacts[deepest].r_i, contacts[a].r_i, contacts[b].r_i, contacts[c].r_i}));
+    const std::vector<Contact> kept = well_spread(contacts);
+    expect_true("four are kept", "Eq. (8.10)", kept.size() == 4);
+    if (kept.size() != 4 || largest == 0) continue;
+    expect_near("area of those that are kept [m²]", "Eq. (8.10)",
+                area_of({kept[0].r_i, kept[1].r_i, kept[2].r_i, kept[3].r_i}), largest,
+                {1e-5, "a millionth of the extent squared, and round-off"});
+  }
+}
+
+/// Bodies from a millimetre to metres.
+std::vector<spook::Bounds> of_all_sizes() {
+  Random random;
+  std::vector<spook::Bounds> all;
+  for (int k = 0; k < 300; ++k) {
+    const double size = random.log_uniform(1e-3, 5);
+    const Vec3 lower = random.vector(2), sides = size * random.vector(0.1, 1);
+    all.push_back({.lower = lower, .upper = lower + sides});
+  }
+  return all;
+}
+
+std::vector<Pair> by_all_comparisons(const std::vector<spook::Bounds>& all) {
+  std::vector<Pair> pairs;
+  for (int i = 0; i < std::ssize(all); ++i)
+    for (int j = i + 1; j < std::ssize(all); ++j) {
+      const auto &a = all[static_cast<std::size_t>(i)], &b = all[static_cast<std::size_t>(j)];
+      if ((a.lower.array() <= b.upper.array()).all() && (b.lower.array() <= a.upper.array()).all())
+        pairs.emplace_back(i, j);
+    }
+  return pairs;
+}
+
+EXERCISE_TEST(SweepAndPrune, PutsPairsInOrder) {
+  const std::vector<spook::Bounds> all = of_all_sizes();
+  expect_true("pairs (i, j) with i < j, sorted", "Eq. (8.12)", sweep_and_prune(all) == by_all_comparisons(all));
+}
+
+EXERCISE_TEST(SpatialHash, PutsPairsInOrder) {
+  const std::vector<spook::Bounds> all = of_all_sizes();
+  expect_true("pairs (i, j) with i < j, sorted", "Eq. (8.14)", spatial_hash(all) == by_all_comparisons(all));
+}
+
+EXERCISE_TEST(Clip, CountsCornersOnThePlaneOnce) {
+  const std::vector<Vec3> square = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)};
+  expect_true("corners on the plane stay, once", "Eq. (8.8)", clip(square, Vec3::UnitX(), 1) == square);
+  expect_true("of a square above the plane one side on it stays", "Eq. (8.8)",
+              clip(square, Vec3::UnitX(), 0) == std::vector<Vec3>{Vec3(0, 0, 0), Vec3(0, 1, 0)});
+  expect_true("a cut through two corners leaves a triangle", "Eq. (8.8)",
+              clip(square, Vec3(1, 1, 0), 1) == std::vector<Vec3>{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)});
+  for (const double above : {1e-10, 1e-13}) {
+    const std::vector<Vec3> left = clip(square, Vec3::UnitX(), 1 - above);
+    double farthest = 0;
+    for (const Vec3& corner : left) farthest = std::max(farthest, corner.x());
+    expect_near("what is hardly above the plane is cut off: largest x [m]", "Eq. (8.8)", farthest, 1 - above,
+                roundings(4));
+  }
+  std::vector<Vec3> round;
+  for (int c = 0; c < many; ++c)
+    round.emplace_back(std::cos(2 * std::numbers::pi * c / many), std::sin(2 * std::numbers::pi * c / many), 0);
+  expect_true("a polygon of many corners stays as it is below the plane", "Eq. (8.8)",
+              clip(round, Vec3::UnitZ(), 1) == round);
+}
+
+EXERCISE_TEST(PlaneBall, IsTheSameForGrainsAndMountains) {
+  Random random;
+  for (const double size : {1e-12, 1e-6, 1e6, 1e12}) {
+    const Plane plane{.body = 0, .x = random.vector(size), .n = random.unit_vector(), .offset = 0};
+    const Vec3 beside = random.vector(size);
+    for (const double height : {0.9, 1.1}) {
+      const Ball ball{.body = 1, .x = beside + (height * size - plane.n.dot(beside)) * plane.n, .radius = size};
+      const auto contact = plane_ball(plane, ball);
+      expect_true("it touches below a height of one radius", "Eq. (8.1)", contact.has_value() == (height < 1));
+      if (contact)
+        expect_near("gap over the size", "Eq. (8.1)", contact->gap / size, height - 1, roundings(16, 2));
+    }
+  }
+}
+
+EXERCISE_TEST(PlaneBox, IsTheSameForGrainsAndPlates) {
+  const Plane floor{.body = 0, .x = Vec3(0, 0, 0), .n = Vec3::UnitZ(), .offset = 0};
+  for (const double size : {1e-12, 1e-6, 1e6})
+    for (const double thin : {1.0, 1e-8}) {
+      std::vector<Contact> contacts;
+      plane_box(floor,
+                {.body = 1,
+                 .x = Vec3(0, 0, 0.5 * thin * size),
+                 .axes = Mat3::Identity(),
+                 .half_sides = size * Vec3(1, 1, thin)},
+                contacts);
+      expect_true("the four lower corners touch", "Eq. (8.4)", contacts.size() == 4);
+      for (const Contact& c : contacts)
+        expect_near("gap over the thickness", "Eq. (8.4)", c.gap / (thin * size), -0.5, roundings(16));
+    }
+}
+
+EXERCISE_TEST(StepPairs, HasTwoPlanesAndStaticBodiesThatOverlap) {
+  Simulation all;
+  all.k = 1e3;
+  all.bodies.push_back({.normal = Vec3::UnitZ()});
+  all.bodies.push_back({.normal = Vec3::UnitX()});
+  all.bodies.push_back({.x = Vec3(0.45, 3, 0.48), .mass = 1, .principal = Vec3::Constant(0.1), .radius = 0.5});
+  all.bodies.push_back({.x = Vec3(0, -3, 0), .radius = 1});
+  all.bodies.push_back({.x = Vec3(0.5, -3, 0), .half_sides = Vec3(1, 1, 1)});
+  Simulation got = all, expected = all;
+  step_pairs(got, 0.05);
+  const Contact on_floor{
+      .i = 0, .j = 2, .n = Vec3::UnitZ(), .gap = -0.02, .r_i = Vec3(0.45, 3, -0.02), .r_j = Vec3(0, 0, -0.5)};
+  const Contact on_wall{
+      .i = 1, .j = 2, .n = Vec3::UnitX(), .gap = -0.05, .r_i = Vec3(-0.05, 3, 0.48), .r_j = Vec3(-0.5, 0, 0)};
+  step_impacts(expected, {on_floor, on_wall}, 0.05);
+  expect_same_bodies("after a step of a ball in a corner, beside static bodies", "Eq. (8.1), (8.3)", got,
+                     expected, roundings(400, 10));
 }
 
 }  // namespace

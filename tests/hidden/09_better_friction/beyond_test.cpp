@@ -1,8 +1,10 @@
-// Beyond chapter 09's own tests: any size, any heading.
+// Beyond chapter 09's own tests: any size, any heading, many contacts between other rows.
 #include <numbers>
 
 #include "09_better_friction/better_friction.hpp"
+#include "dense_rows.hpp"
 #include "exercise_test.hpp"
+#include "stop_rule.hpp"
 
 using namespace spook;
 using namespace spook::testing;
@@ -10,8 +12,12 @@ using namespace spook::testing;
 namespace {
 
 EXERCISE(SlidingTangents, "9.1 sliding_tangents");
+EXERCISE(LimitFriction, "9.2 limit_friction");
 EXERCISE(OntoDisc, "9.4 onto_disc");
 EXERCISE(TwoPassSolve, "9.3 two_pass_solve");
+EXERCISE(UpdateFriction, "9.5 update_friction");
+EXERCISE(SweepOnCones, "9.6 sweep_on_cones");
+EXERCISE(ResidualOnCones, "9.7 residual_on_cones");
 EXERCISE(ConeSolve, "9.8 cone_solve");
 
 EXERCISE_TEST(SlidingTangents, FollowTheSlip) {
@@ -94,6 +100,231 @@ EXERCISE_TEST(TwoPassSolve, StopsWhatIsSlow) {
     two_pass_solve(t.contacts, t.rows, t.V, {.max_sweeps = 50, .tolerance = 1e-15});
     t.expect_coulomb(0.001);
   }
+}
+
+/// Contacts of many bodies, with rows of any λ, between rows of joints.
+struct Rubbing {
+  Random random;
+  Motion<6> motion;
+  std::vector<Row<6>> rows;
+  std::vector<FrictionContact> contacts;
+  std::vector<Twist<6>> V;
+
+  explicit Rubbing(int count) {
+    for (int b = 0; b < 10; ++b) {
+      motion.inverse_mass.push_back(random_body(random));
+      motion.W.push_back(random.twist());
+      motion.Wf.push_back(random.twist(0.2));
+      V.push_back(random.twist(0.2));
+    }
+    const SpookParameters soft{.a = 4, .b = 0.8, .Sigma = 0.3}, rub{.a = 0, .b = 1, .Sigma = 0.01};
+    for (int k = 0; k < count; ++k) {
+      const int i = random.integer(0, 9), step = random.integer(1, 9);
+      Contact c{.i = i,
+                .j = (i + step) % 10,
+                .n = random.unit_vector(),
+                .gap = -0.05,
+                .r_i = random.vector(),
+                .r_j = random.vector()};
+      if (k % 4 != 3)
+        contacts.push_back({.normal = rows.size(), .mu = k % 5 == 4 ? 0 : random.uniform(0.1, 1)});
+      const Tangents t = tangents(c.n);
+      for (const Vec3& along : {c.n, t.t1, t.t2}) {
+        const bool normal = along == c.n;
+        const ContactJacobian G = contact_jacobian({c.i, c.j, along, c.gap, c.r_i, c.r_j});
+        rows.push_back(make_row<6>({.i = c.i,
+                                    .j = c.j,
+                                    .Gi = G.Gi,
+                                    .Gj = G.Gj,
+                                    .gap = normal ? c.gap : 0,
+                                    .spook = normal ? soft : rub,
+                                    .lo = normal ? 0 : -infinity,
+                                    .hi = infinity},
+                                   motion));
+        rows.back().lambda = random.uniform(normal ? 0 : -0.5, 0.5);
+        if (k % 4 == 3) break;  // one row of something else
+      }
+    }
+  }
+
+  double lacks(const Row<6>& row) const {
+    return row.B - row.Gi.dot(V[static_cast<std::size_t>(row.i)]) -
+           row.Gj.dot(V[static_cast<std::size_t>(row.j)]) - row.Sigma * row.lambda;
+  }
+  double stiffest(std::size_t k) const {
+    const Row<6>&a = rows[k + 1], &b = rows[k + 2];
+    const double S12 = a.Gi.dot(b.MinvGi) + a.Gj.dot(b.MinvGj);
+    return (a.diagonal + b.diagonal) / 2 + std::hypot((a.diagonal - b.diagonal) / 2, S12);
+  }
+  /// Both tangential impulses after the next update: Eq. (9.6).
+  Vec2 next(const FrictionContact& c) const {
+    const double s = stiffest(c.normal), radius = c.mu * rows[c.normal].lambda;
+    Vec2 wanted;
+    for (int a = 0; a < 2; ++a) {
+      const Row<6>& row = rows[c.normal + 1 + static_cast<std::size_t>(a)];
+      wanted[a] = row.lambda + lacks(row) / s;
+    }
+    return wanted.norm() <= radius ? wanted : Vec2(wanted.normalized() * radius);
+  }
+  Vec2 friction(const FrictionContact& c) const {
+    return {rows[c.normal + 1].lambda, rows[c.normal + 2].lambda};
+  }
+  /// Makes the update by hand; returns what it lacked.
+  double rub(const FrictionContact& c) {
+    const Vec2 to = next(c), change = to - friction(c);
+    for (int a = 0; a < 2; ++a) {
+      Row<6>& row = rows[c.normal + 1 + static_cast<std::size_t>(a)];
+      V[static_cast<std::size_t>(row.i)] += change[a] * row.MinvGi;
+      V[static_cast<std::size_t>(row.j)] += change[a] * row.MinvGj;
+      row.lambda = to[a];
+    }
+    return stiffest(c.normal) * change.norm();
+  }
+  const FrictionContact* of(std::size_t row) const {
+    for (const FrictionContact& c : contacts)
+      if (c.normal == row) return &c;
+    return nullptr;
+  }
+  double sweep_by_hand() {
+    double most = 0;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      const Row<6>& row = rows[k];
+      most = std::max(most, row.diagonal * std::abs(update_row(rows[k], V)));
+      if (const FrictionContact* c = of(k)) most = std::max(most, rub(*c)), k += 2;
+    }
+    return most;
+  }
+  void expect_same(const std::string& equation, const Rubbing& expected, double tolerance) const {
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      expect_near("λ of row " + std::to_string(k) + " [N s]", equation, rows[k].lambda, expected.rows[k].lambda,
+                  {tolerance, "roundings of the rows before"});
+    for (std::size_t b = 0; b < V.size(); ++b)
+      expect_near_vector("V of body " + std::to_string(b), equation, V[b], expected.V[b],
+                         {10 * tolerance, "roundings of the rows before"});
+  }
+};
+
+EXERCISE_TEST(SlidingTangents, FallBackWhereNothingSlides) {
+  Random random;
+  for (const double speed : {0.0, 1e-9, 1e-3, 1.0}) {
+    const Vec3 n = random.unit_vector(), way = random.unit_vector();
+    const Vec3 u = speed * n.cross(way).normalized() - 2 * n;
+    const Tangents t = sliding_tangents(n, u, 1e-4);
+    expect_near_vector("t1 × t2", "Eq. (5.1)", Vec3(t.t1.cross(t.t2)), n, roundings(64));
+    expect_near("|t1|", "Eq. (5.1)", t.t1.norm(), 1, roundings(16));
+    const Vec3 expected = speed > 1e-4 ? Vec3(n.cross(way).normalized()) : tangents(n).t1;
+    expect_near_vector("t1", "Eq. (9.2)", t.t1, expected, {1e-11, "roundings of 2 m/s beside the slip"});
+  }
+}
+
+EXERCISE_TEST(LimitFriction, GivesEachContactItsOwnBounds) {
+  Rubbing t(40);
+  const Rubbing before = t;
+  limit_friction(t.contacts, t.rows);
+  for (std::size_t k = 0; k < t.rows.size(); ++k) {
+    double lo = before.rows[k].lo, hi = before.rows[k].hi;
+    for (const FrictionContact& c : t.contacts)
+      if (k == c.normal + 1 || k == c.normal + 2) hi = c.mu * before.rows[c.normal].lambda, lo = -hi;
+    expect_true("bounds of row " + std::to_string(k) + " are ∓ μ λ_n for friction, and others stay",
+                "Eq. (9.1)", t.rows[k].lo == lo && t.rows[k].hi == hi);
+    expect_true("λ of row " + std::to_string(k) + " stays", "Eq. (9.1)",
+                t.rows[k].lambda == before.rows[k].lambda);
+  }
+}
+
+EXERCISE_TEST(OntoDisc, ChangesNothingInside) {
+  Random random;
+  for (const double part : {0.0, 1e-9, 0.5, 1.0}) {
+    const double angle = random.uniform(0, 6);
+    const Vec2 lambda(part * std::cos(angle), part * std::sin(angle));
+    expect_near_vector("λ_t inside", "Eq. (9.4)", onto_disc(lambda, 1 + 1e-12), lambda, {0, "it stays"});
+    expect_near_vector("λ_t on a disc of no size", "Eq. (9.4)", onto_disc(lambda, 0), Vec2(0, 0),
+                       {0, "only 0 is in it"});
+  }
+  expect_true("a NaN stays one", "Eq. (9.4)", onto_disc(Vec2(std::nan(""), 0), 1).hasNaN());
+}
+
+EXERCISE_TEST(UpdateFriction, MovesBothRowsTogether) {
+  Rubbing t(40);
+  Rubbing expected = t;
+  for (const FrictionContact& c : t.contacts)
+    expect_near("s |Δλ_t|, which is returned [m/s]", "Eq. (9.6)", update_friction(c, t.rows, t.V),
+                expected.rub(c), {1e-11, "roundings of the contacts before"});
+  t.expect_same("Eq. (9.5), (9.6)", expected, 1e-11);
+}
+
+EXERCISE_TEST(SweepOnCones, IsItsUpdatesInTheirOrder) {
+  Rubbing t(40);
+  Rubbing expected = t;
+  expect_near("the largest change, which is returned [m/s]", "Eq. (9.6)",
+              sweep_on_cones(t.contacts, t.rows, t.V), expected.sweep_by_hand(),
+              {1e-11, "roundings of a sweep"});
+  t.expect_same("Eq. (4.7), (9.6)", expected, 1e-11);
+  t.rows[4].B = std::nan("");
+  expect_true("a NaN stays one", "Eq. (9.7)", std::isnan(sweep_on_cones(t.contacts, t.rows, t.V)));
+}
+
+EXERCISE_TEST(ResidualOnCones, IsWhatTheNextUpdateWouldChange) {
+  for (int count = 1; count < 40; count += 3) {
+    Rubbing t(count);
+    for (int sweeps = 0; sweeps < 3; ++sweeps) {
+      double most = 0;
+      for (std::size_t k = 0; k < t.rows.size(); ++k) {
+        const Row<6>& row = t.rows[k];
+        const double to = std::max(row.lo, std::min(row.hi, row.lambda + t.lacks(row) / row.diagonal));
+        most = std::max(most, row.diagonal * std::abs(to - row.lambda));
+        if (const FrictionContact* c = t.of(k))
+          most = std::max(most, t.stiffest(k) * (t.next(*c) - t.friction(*c)).norm()), k += 2;
+      }
+      expect_near("residual [m/s]", "Eq. (9.7)", residual_on_cones(t.contacts, t.rows, t.V), most,
+                  {1e-11, "roundings"});
+      t.sweep_by_hand();
+    }
+  }
+}
+
+EXERCISE_TEST(ConeSolve, StopsByTheRuleAndGoesOn) {
+  Rubbing t(20);
+  Rubbing expected = t;
+  std::vector<double> history;
+  for (int k = 0; k < 5; ++k) history.push_back(expected.sweep_by_hand());
+  const SolveReport report = cone_solve(t.contacts, t.rows, t.V, {.max_sweeps = 5});
+  t.expect_same("Eq. (9.6)", expected, 1e-10);
+  expect_true("it makes 5 sweeps, and has not converged", "Eq. (4.9)",
+              std::ssize(report.history) == 5 && !report.converged);
+  expect_stops_by_the_rule("Eq. (4.9)", 20, [](const StopRule& stop) {
+    Rubbing fresh(20);
+    return cone_solve(fresh.contacts, fresh.rows, fresh.V, stop);
+  });
+  expect_rejects(
+      "max_sweeps = 0", "max_sweeps", [&] { cone_solve(t.contacts, t.rows, t.V, {.max_sweeps = 0}); }, "",
+      state_of(t.rows, t.V));
+  expect_rejects(
+      "tolerance = -1", "tolerance", [&] { cone_solve(t.contacts, t.rows, t.V, {.tolerance = -1}); }, "",
+      state_of(t.rows, t.V));
+}
+
+EXERCISE_TEST(TwoPassSolve, IsTwoSolvesWithLimitsBetween) {
+  Rubbing t(20);
+  Rubbing expected = t;
+  const StopRule stop{.max_sweeps = 6, .tolerance = 0};
+  for (const FrictionContact& c : expected.contacts)
+    for (const std::size_t k : {c.normal + 1, c.normal + 2}) {
+      Row<6>& row = expected.rows[k];
+      apply_impulse(row, -row.lambda, expected.V);
+      row.lambda = row.lo = row.hi = 0;
+    }
+  solve(expected.rows, expected.V, stop);
+  for (const FrictionContact& c : expected.contacts)
+    for (const std::size_t k : {c.normal + 1, c.normal + 2})
+      expected.rows[k].hi = c.mu * expected.rows[c.normal].lambda, expected.rows[k].lo = -expected.rows[k].hi;
+  solve(expected.rows, expected.V, stop);
+  const SolveReport report = two_pass_solve(t.contacts, t.rows, t.V, stop);
+  t.expect_same("Eq. (9.1), (9.3)", expected, 1e-10);
+  expect_true("the history has the sweeps of both passes", "Eq. (4.9)", std::ssize(report.history) == 12);
+  expect_rejects(
+      "max_sweeps = 0", "max_sweeps", [&] { two_pass_solve(t.contacts, t.rows, t.V, {.max_sweeps = 0}); }, "",
+      state_of(t.rows, t.V));
 }
 
 }  // namespace

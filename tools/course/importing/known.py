@@ -16,7 +16,7 @@ _READ = {
     "body": f"pos {_TURN} childclass mocap gravcomp",
     "frame": f"pos {_TURN} childclass",
     "inertial": f"pos {_TURN} mass diaginertia fullinertia",
-    "joint": "type pos axis range limited damping ref springref stiffness frictionloss armature",
+    "joint": "type pos axis range limited damping ref stiffness springref frictionloss armature",
     "freejoint": "",
     "geom": f"type size pos {_TURN} fromto mass density friction contype conaffinity condim",
     "connect": "body1 body2 anchor active",

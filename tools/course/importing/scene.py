@@ -49,7 +49,7 @@ class SceneWriter:
             if count := len(root.findall(f"{path}/*" if "/" not in path else path)):
                 report.leave_out(f"{path}: {count}")
         self.scene = {
-            "format": "spook scene", "version": 1,
+            "format": "spook scene", "version": 2,
             "summary": f"{root.get('model', name)}, a model in MJCF.",
             "model": "rigid", "h": float(numbers(self._option, "timestep", 1, "0.002")[0]), "time": 5, "solver": "auto",
             "half_step_start": True,
@@ -90,12 +90,16 @@ class SceneWriter:
         return max(pairs, default=0.0)
 
     def _excluded(self, root: Element) -> list[list[str]]:
-        """Pairs of bodies with shapes that do not touch. Points, of all other bodies, touch planes only."""
+        """Pairs of free bodies, by name, whose contacts are excluded; others meet no other body here."""
         pairs = []
         for exclude in root.findall("contact/exclude"):
-            one, two = (self._model.body(exclude.get(key, ""), "a contact exclude")[0] for key in ("body1", "body2"))
-            if one is not two and self._is_solid(one) and self._is_solid(two):
-                pairs.append([self._bodies[self._number(part)]["name"] for part in (one, two)])
+            parts = [self._model.body(exclude.get(key, ""), "a contact exclude")[0] for key in ("body1", "body2")]
+            if parts[0] is parts[1]:
+                continue
+            if all(self._is_solid(part) for part in parts):
+                pairs.append([self._bodies[self._part_number[id(part)]]["name"] for part in parts])
+            elif self._model.world in parts and any(self._is_solid(part) for part in parts):
+                self._report.leave_out("excluded contacts with static bodies", exclude)
         return pairs
 
     def _add(self, body: dict, name: str, x: np.ndarray, q: np.ndarray) -> int:
@@ -216,7 +220,7 @@ def _held_by(joint: ModelJoint, to_axes: np.ndarray) -> dict:
     if joint.limits:
         held["limits"] = {"lower": joint.limits[0], "upper": joint.limits[1]}
     if joint.stiffness > 0:
-        held["spring"] = {"stiffness": joint.stiffness, "damping": joint.damping, "rest": joint.rest}
+        held["spring"] = {"stiffness": joint.stiffness, "damping": joint.damping, "rest": joint.relaxed}
     elif joint.damping > 0:
         held["motor"] = {"speed": 0, "viscosity": joint.damping}
     return held

@@ -27,8 +27,8 @@ class ModelJoint:
     axis: np.ndarray  # in the world
     limits: tuple[float, float] | None  # of angle or shift from where it begins [rad or m]
     damping: float  # [N m s/rad or N s/m]
-    stiffness: float  # of its spring [N m/rad or N/m]
-    rest: float  # angle or shift at which the spring is relaxed [rad or m]
+    stiffness: float = 0.0  # [N m/rad or N/m]
+    relaxed: float = 0.0  # angle or shift of the relaxed spring, from where it begins [rad or m]
 
 
 @dataclass
@@ -61,7 +61,8 @@ class Part:
 class Model:
     def __init__(self, root: Element, report: Report, limits: bool = True, damping: bool = True, springs: bool = True):
         """`limits`, `damping` and `springs` say if joints have any: the options of a model may turn them off."""
-        self.report, self._has_limits, self._has_damping, self._has_springs = report, limits, damping, springs
+        self.report, self._has_limits = report, limits
+        self._has_damping, self._has_springs = damping, springs
         self.defaults = Defaults(root)
         compiler = {key: value for each in root.findall("compiler") for key, value in each.attrib.items()}
         self.in_degrees = compiler.get("angle", "degree") == "degree"
@@ -126,19 +127,16 @@ class Model:
             if numbers(joint, key, None, "0")[0] != 0:
                 self.report.leave_out(f"{key} of joints", joint)
         damping = numbers(joint, "damping", None, "0")[0] if self._has_damping else 0.0
-        if kind == "ball" and damping != 0:
-            self.report.leave_out("damping of ball joints", joint)
         stiffness = numbers(joint, "stiffness", None, "0")[0] if self._has_springs else 0.0
-        if stiffness != 0 and (kind == "ball" or stiffness < 0):
-            self.report.leave_out("stiffness of ball joints, or below 0", joint)
-            stiffness = 0.0
-        rest = (numbers(joint, "springref", 1, "0") - numbers(joint, "ref", 1, "0"))[0] * self._per_unit(kind)
+        if kind == "ball":
+            for name_of, value in (("damping", damping), ("stiffness", stiffness)):
+                if value != 0:
+                    self.report.leave_out(f"{name_of} of ball joints", joint)
+        elif stiffness < 0:
+            self.report.leave_out("stiffness below 0", joint)
         return ModelJoint(kind, name, x + matrix(q) @ numbers(joint, "pos", 3, "0 0 0"),
                           matrix(q) @ unit(numbers(joint, "axis", 3, "0 0 1")), self._limits(joint, kind), float(damping),
-                          float(stiffness), float(rest))
-
-    def _per_unit(self, kind: str) -> float:
-        return np.pi / 180 if kind == "hinge" and self.in_degrees else 1
+                          float(stiffness), 0.0 if kind == "ball" else self._from_start(joint, kind, "springref", 1)[0])
 
     def _limits(self, joint: Element, kind: str) -> tuple[float, float] | None:
         limited = joint.get("limited", "auto")
@@ -149,10 +147,15 @@ class Model:
         if kind == "ball":
             self.report.leave_out("limits of ball joints", joint)
             return None
-        lower, upper = (numbers(joint, "range", 2) - numbers(joint, "ref", 1, "0")) * self._per_unit(kind)
+        lower, upper = self._from_start(joint, kind, "range", 2)
         if not lower <= 0 <= upper:
             self.report.stand_in("a joint begins outside its limits: the first steps push it back", joint)
         return float(lower), float(upper)
+
+    def _from_start(self, joint: Element, kind: str, key: str, count: int) -> np.ndarray:
+        """Angles or shifts of the joint, from where it begins, which MJCF calls `ref` [rad or m]."""
+        per_unit = np.pi / 180 if kind == "hinge" and self.in_degrees else 1
+        return (numbers(joint, key, count, "0" if count == 1 else None) - numbers(joint, "ref", 1, "0")) * per_unit
 
     def _take_masses(self, body: Element, part: Part, x: np.ndarray, q: np.ndarray, childclass: str | None) -> None:
         R = matrix(q)

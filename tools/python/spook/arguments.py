@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import difflib
 import functools
+import inspect
 import re
-from typing import Any, Callable
+from typing import Any, Callable, Iterable, ParamSpec, TypeVar
 
 import numpy as np
 
+P = ParamSpec("P")
+R = TypeVar("R")
 _PARAMETER = re.compile(r"(\*)|(\w+): ((?:[^,\[(]|\[[^\]]*(?:\[[^\]]*\][^\]]*)*\]|\([^)]*\))+)")
 
 
@@ -18,6 +21,25 @@ def explained(kind: type) -> type:
         if callable(member) and name != "step" and (not name.startswith("_") or name == "__init__"):
             setattr(kind, name, _explained(member, kind.__name__ if name == "__init__" else name))
     return kind
+
+
+def by_known_names(function: Callable[P, R]) -> Callable[P, R]:
+    """Makes a function of Python say in its TypeError which name is unknown, and which may be meant."""
+    wanted = [name for name in inspect.signature(function).parameters if name != "self"]
+
+    @functools.wraps(function)
+    def call(*arguments: P.args, **named: P.kwargs) -> R:
+        for name in named:
+            if name not in wanted:
+                raise TypeError(f"{function.__name__}: {_unknown(name, wanted)}")
+        return function(*arguments, **named)
+
+    return call
+
+
+def _unknown(name: str, wanted: Iterable[str]) -> str:
+    near = difflib.get_close_matches(name, wanted, 1)
+    return f"there is no {name}; " + (f"did you mean {near[0]}?" if near else f"there are: {', '.join(wanted)}")
 
 
 def _explained(function: Callable, name: str) -> Callable:
@@ -45,14 +67,13 @@ def _why(message: str, arguments: tuple, named: dict[str, Any]) -> str:
             wanted[name] = kind.strip()
             positional += [name] if not by_name_only else []
     if len(arguments) > len(positional):
-        most = f"at most {len(positional)} arguments without a name" if positional else "arguments with their names"
-        return f"{most}, got {len(arguments)}"
+        if not positional:
+            return f"takes arguments by name, such as {next(iter(wanted))}=..., but got {len(arguments)} without"
+        return f"at most {len(positional)} arguments without a name, got {len(arguments)}"
     given = dict(zip(positional, arguments))
     for name, value in named.items():
         if name not in wanted:
-            near = difflib.get_close_matches(name, wanted, 1)
-            meant = f"; did you mean {near[0]}?" if near else f"; there are: {', '.join(wanted)}"
-            return f"there is no {name}{meant}"
+            return _unknown(name, wanted)
         if name in given:
             return f"{name} is given twice"
     missing = [name for name, kind in wanted.items() if " = " not in kind and name not in given and name not in named]

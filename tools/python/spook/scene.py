@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from . import _spook
+from .arguments import by_known_names
 from .film import page, show
 
 OPTIONS = ("h", "time", "solver", "iterations", "tolerance", "substeps", "integrator_order", "row_order", "seed",
@@ -37,6 +38,7 @@ class Scene:
         self.parameters = parameters
         self.check({})
 
+    @by_known_names
     def run(self, *, h: Any = None, time: Any = None, solver: str | None = None, iterations: int | None = None,
             tolerance: float | None = None, substeps: int | None = None, integrator_order: int | None = None,
             row_order: str | None = None, seed: int | None = None, warm_start: bool | None = None,
