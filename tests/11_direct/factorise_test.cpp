@@ -60,6 +60,15 @@ EXERCISE_TEST(Factorise, LooksForAPatternOnce) {
       "analyses of 6 matrices with one pattern", "Eq. (11.3)", factors.analyses, 1, {0, "a count"},
       {{6, "Only the places of entries matter, not the numbers. Compare them by `columns` and `entries`."},
        {0, "`analyses` counts how often analyzePattern was called."}});
+
+  Factors after_failure;
+  const MatrixXd ones = MatrixXd::Ones(12, 12);  // its second pivot is 1 - 1
+  expect_true("a matrix of ones is not sound", "Eq. (11.4)", !factorise(lower_triangle(ones), after_failure));
+  const MatrixXd more = ones + MatrixXd::Identity(12, 12);
+  expect_true("sound", "Eq. (11.4)", factorise(lower_triangle(more), after_failure));
+  expect_near("analyses of a matrix that fails, and of one with its pattern", "Eq. (11.3)",
+              after_failure.analyses, 1, {0, "a count"},
+              {{2, "The pattern of a matrix that failed is the last one, too: note it before you factorise."}});
 }
 
 // Two hubs, 0 and 1, each tied to all others. Eliminating the others fills in (0, 1).

@@ -131,7 +131,8 @@ EXERCISE_TEST(SaddleSolve, OfNoRowsMovesNothing) {
   expect_true("no rows: it has a solution", "Eq. (11.2)",
               saddle_solve(s.rows, s.motion.inverse_mass, s.V, factors));
   expect_near("largest V [m/s, rad/s]", "Eq. (11.2)",
-              difference(s.V, std::vector<Twist<6>>(3, Twist<6>::Zero())), 0, {0, "exact"});
+              difference(s.V, std::vector<Twist<6>>(3, Twist<6>::Zero())), 0, {0, "exact"}, {},
+              "V is set for every body. Without a row on it, it is 0, whatever it was.");
 }
 
 }  // namespace
