@@ -179,15 +179,15 @@ EXERCISE_TEST(SaddleSolve, GivesVelocitiesToo) {
 
 EXERCISE_TEST(Factorise, JudgesEachPivotByItsOwnTerms) {
   for (const double size : {1.0, 1e-20, 1e20}) {
-    SparseMatrix A(3, 3), singular(3, 3), open(2, 2);
+    SparseMatrix A(3, 3), singular(2, 2), open(2, 2);
     const std::vector<Eigen::Triplet<double>> apart = {
         {0, 0, size}, {1, 1, 1e-9 * size}, {2, 2, -1e-18 * size}};
     A.setFromTriplets(apart.begin(), apart.end());
     Factors factors, others, of_open;
     expect_true("pivots of any size and sign are sound where nothing cancels", "Eq. (11.4)",
                 factorise(A, factors));
-    const std::vector<Eigen::Triplet<double>> alike = {{0, 0, size},       {1, 0, size / 3}, {1, 1, size / 9},
-                                                       {2, 0, size / 2.0}, {2, 1, size / 6}, {2, 2, size}};
+    // The last pivot is that of round-off: where one before it is 0, Eigen leaves the rest of its factors undefined.
+    const std::vector<Eigen::Triplet<double>> alike = {{0, 0, size}, {1, 0, size / 3}, {1, 1, size / 9}};
     singular.setFromTriplets(alike.begin(), alike.end());
     expect_true("a pivot that is round-off of its terms is not", "Eq. (11.4)", !factorise(singular, others));
     const std::vector<Eigen::Triplet<double>> none = {{0, 0, size}, {1, 1, 0}};
