@@ -184,6 +184,8 @@ struct Open : Eigen::SimplicialLDLT<SparseMatrix> {
     pass_bool(wire, f.*(&Open::m_factorizationIsOk));
     pass_bool(wire, f.*(&Open::m_analysisIsOk));
     pass(wire, info);
+    if (!Wire::reads && !(f.*(&Open::m_factorizationIsOk) && info == Eigen::Success))
+      clear_entries(f.*(&Open::m_matrix));
     pass_sparse(wire, f.*(&Open::m_matrix));
     pass_dense(wire, f.*(&Open::m_diag));
     pass_dense(wire, f.*(&Open::m_parent));
@@ -200,6 +202,17 @@ struct Open : Eigen::SimplicialLDLT<SparseMatrix> {
   }
 
  private:
+  /// Sets the entries of factors that were analysed only, or whose factorisation stopped at a pivot of 0: Eigen leaves
+  /// them undefined, and uses only their number in each column.
+  template <class Matrix>
+  static void clear_entries(Matrix& L) {
+    for (int column = 0; column < L.cols(); ++column)
+      for (int k = L.outerIndexPtr()[column], row = column; k < L.outerIndexPtr()[column + 1]; ++k) {
+        L.innerIndexPtr()[k] = ++row;
+        L.valuePtr()[k] = 0;
+      }
+  }
+
   /// Factors are empty before the first factorisation. Without an order of its own P is empty.
   static bool sizes_are(Eigen::SimplicialLDLT<SparseMatrix>& f, Eigen::Index n) {
     const auto is = [n](Eigen::Index size) { return size == n || size == 0; };
