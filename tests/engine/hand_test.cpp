@@ -99,7 +99,7 @@ TEST(Hand, RefusesWhatItCanNotHold) {
   const int plane = world.add_plane(Vec3::UnitZ(), 0);
   HandIn<6> hand(world);
   expect_refusal({"body", "7"}, [&] { hand.pull(7, Vec3::Zero(), Vec3::Zero()); });
-  expect_refusal({"body", "moves"}, [&] { hand.pull(plane, Vec3::Zero(), Vec3::Zero()); });
+  expect_refusal({"body", "dynamic"}, [&] { hand.pull(plane, Vec3::Zero(), Vec3::Zero()); });
   expect_refusal({"body", "-1"}, [&] { hand.apply_central_impulse(-1, Vec3::Zero()); });
   expect_refusal({"impulse"}, [&] { hand.apply_central_impulse(0, Vec3(0, NAN, 0)); });
   expect_refusal({"radius", "0"}, [&] { hand.drop(Vec3::Zero(), 0, 1); });

@@ -127,6 +127,7 @@ TEST(Verdict, StepsThatLoseEnergyAreLost) {
       bodies.motion.W[i] *= 0.99;
       bodies.x[i] += h * bodies.motion.W[i];
     }
+    return SolveReport{};
   };
   World<3> world({.gravity = Vec3::Zero(), .stepper = tired});
   world.add({.v = Vec3(1, 0, 0)});

@@ -1,5 +1,6 @@
 // Beyond chapter 10's own tests: orders are permutations, nearest matches, bounds of every kind.
 #include <algorithm>
+#include <numbers>
 #include <numeric>
 
 #include "10_convergence/convergence.hpp"
@@ -21,6 +22,9 @@ EXERCISE(ObservedRate, "10.6 observed_rate");
 EXERCISE(Precondition, "10.7 precondition");
 EXERCISE(ConjugateSolve, "10.8 conjugate_solve");
 EXERCISE(Relax, "10.9 relax");
+EXERCISE(SoftParameters, "10.10 soft_parameters");
+EXERCISE(UpdateSoftRow, "10.11 update_soft_row");
+EXERCISE(SoftSubstep, "10.12 soft_substep");
 
 EXERCISE_TEST(MatchContacts, FollowsAContactThatMoves) {
   Random random;
@@ -309,6 +313,106 @@ EXERCISE_TEST(Relax, SolvesRowsWithoutGapAndSoftness) {
     expect_true("row " + std::to_string(k) + " keeps its B, Σ and diagonal", "Eq. (10.15)",
                 t.rows[k].B == expected.rows[k].B && t.rows[k].Sigma == expected.rows[k].Sigma &&
                     t.rows[k].diagonal == expected.rows[k].diagonal);
+}
+
+// One update of a row that has no bounds is a step of implicit Euler of an oscillator with S = 1.
+EXERCISE_TEST(SoftParameters, MakeAStepOfImplicitEuler) {
+  Random random;
+  for (int k = 0; k < 20; ++k) {
+    const double h = random.log_uniform(1e-4, 0.1), frequency = random.log_uniform(1e-3, 1e4);
+    const double damping = k == 0 ? 0 : random.log_uniform(1e-3, 50);
+    const double hw = h * 2 * std::numbers::pi * frequency, taken = 2 * damping * hw + hw * hw,
+                 denominator = 1 + taken;
+    const SoftParameters soft = soft_parameters(h, frequency, damping);
+    expect_near("part of a velocity that is left", "Eq. (10.20)", soft.impulse_scale * denominator, 1,
+                roundings(30));
+    expect_near("part of it that is taken", "Eq. (10.20)", soft.mass_scale * denominator / taken, 1,
+                roundings(30));
+    expect_near("velocity by a gap, times h over the gap", "Eq. (10.20)",
+                soft.mass_scale * soft.bias_rate * h * denominator / (hw * hw), 1, roundings(30));
+  }
+  expect_rejects("a negative frequency", "frequency", [] { soft_parameters(0.1, -1, 1); });
+  expect_rejects("a negative damping", "damping", [] { soft_parameters(0.1, 1, -1e-9); });
+}
+
+// The same update, by the velocity that is aimed at and the bounds of λ.
+double soft_update(double h, const SoftParameters& soft, double gap, Row<6>& row, std::vector<Twist<6>>& W) {
+  const auto i = static_cast<std::size_t>(row.i), j = static_cast<std::size_t>(row.j);
+  const double before = row.lambda, S = row.Gi.dot(row.MinvGi) + row.Gj.dot(row.MinvGj);
+  const double speed = row.Gi.dot(W[i]) + row.Gj.dot(W[j]);
+  if (row.lo == 0 && gap > 0)
+    row.lambda -= (speed + gap / h) / S;
+  else
+    row.lambda -= soft.mass_scale * (speed + soft.bias_rate * gap) / S + soft.impulse_scale * before;
+  row.lambda = std::min(row.hi, std::max(row.lo, row.lambda));
+  W[i] += (row.lambda - before) * row.MinvGi;
+  W[j] += (row.lambda - before) * row.MinvGj;
+  return row.lambda - before;
+}
+
+/// Rows with gaps and impulses of their own: contacts, open and closed, and rows with any bounds.
+struct Soft : Bound {
+  double h = 0.02;
+  SoftParameters soft{.bias_rate = 9, .mass_scale = 0.8, .impulse_scale = 0.2};
+  std::vector<double> gaps;
+
+  Soft() : Bound(many, true) {
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      if (k % 2 == 0) {
+        rows[k].lo = 0;
+        rows[k].hi = infinity;
+      }
+      rows[k].lambda = std::clamp(random.uniform(-0.1, 0.1), rows[k].lo, rows[k].hi);
+      gaps.push_back(random.uniform(-0.05, 0.05));
+    }
+  }
+};
+
+EXERCISE_TEST(UpdateSoftRow, ChangesOneRowOfMany) {
+  Soft t;
+  Soft expected = t;
+  for (std::size_t k = 0; k < t.rows.size(); ++k) {
+    const double delta = update_soft_row(t.h, t.soft, t.gaps[k], t.rows[k], t.motion.W);
+    const double right = soft_update(t.h, t.soft, t.gaps[k], expected.rows[k], expected.motion.W);
+    expect_near("Δλ of row " + std::to_string(k) + " [N s]", "Eq. (10.21)", delta, right,
+                {1e-9, "a sweep of rows"});
+  }
+  expect_same_rows("Eq. (10.21)", t, expected, 1e-9);
+  for (std::size_t body = 0; body < t.motion.W.size(); ++body)
+    expect_near_vector("W of body " + std::to_string(body), "Eq. (10.21)", t.motion.W[body],
+                       expected.motion.W[body], {1e-9, "a sweep of rows"});
+}
+
+EXERCISE_TEST(SoftSubstep, SweepsManyRowsTwice) {
+  Soft t;
+  Soft expected = t;
+  const std::vector<Twist<6>> moving = soft_substep(t.h, t.soft, t.motion.Wf, t.rows, t.gaps, t.motion.W);
+  std::vector<Twist<6>>& W = expected.motion.W;
+  for (std::size_t body = 0; body < W.size(); ++body) W[body] += expected.motion.Wf[body];
+  for (const Row<6>& row : expected.rows) {
+    W[static_cast<std::size_t>(row.i)] += row.lambda * row.MinvGi;
+    W[static_cast<std::size_t>(row.j)] += row.lambda * row.MinvGj;
+  }
+  for (std::size_t k = 0; k < expected.rows.size(); ++k)
+    soft_update(t.h, t.soft, expected.gaps[k], expected.rows[k], W);
+  const std::vector<Twist<6>> between = W;
+  for (std::size_t k = 0; k < expected.rows.size(); ++k) {
+    const Row<6>& row = expected.rows[k];
+    expected.gaps[k] +=
+        t.h * (row.Gi.dot(W[static_cast<std::size_t>(row.i)]) + row.Gj.dot(W[static_cast<std::size_t>(row.j)]));
+  }
+  for (std::size_t k = 0; k < expected.rows.size(); ++k)
+    soft_update(t.h, {}, expected.gaps[k], expected.rows[k], W);
+  expect_same_rows("Eq. (10.19)", t, expected, 1e-8);
+  for (std::size_t k = 0; k < t.gaps.size(); ++k)
+    expect_near("gap of row " + std::to_string(k) + " [m]", "Eq. (10.19)", t.gaps[k], expected.gaps[k],
+                {1e-8, "two sweeps of rows"});
+  for (std::size_t body = 0; body < W.size(); ++body) {
+    expect_near_vector("W of body " + std::to_string(body) + " between the sweeps", "Eq. (10.19)",
+                       moving.at(body), between[body], {1e-8, "two sweeps of rows"});
+    expect_near_vector("W of body " + std::to_string(body) + " after both", "Eq. (10.15)", t.motion.W[body],
+                       W[body], {1e-8, "two sweeps of rows"});
+  }
 }
 
 }  // namespace
