@@ -4,6 +4,7 @@
 #include "09_better_friction/better_friction.hpp"
 #include "dense_rows.hpp"
 #include "exercise_test.hpp"
+#include "stages.hpp"
 #include "stop_rule.hpp"
 
 using namespace spook;
@@ -19,6 +20,7 @@ EXERCISE(UpdateFriction, "9.5 update_friction");
 EXERCISE(SweepOnCones, "9.6 sweep_on_cones");
 EXERCISE(ResidualOnCones, "9.7 residual_on_cones");
 EXERCISE(ConeSolve, "9.8 cone_solve");
+EXERCISE(StepRows, "9.9 step_rows");
 
 EXERCISE_TEST(SlidingTangents, FollowTheSlip) {
   Random random;
@@ -325,6 +327,42 @@ EXERCISE_TEST(TwoPassSolve, IsTwoSolvesWithLimitsBetween) {
   expect_rejects(
       "max_sweeps = 0", "max_sweeps", [&] { two_pass_solve(t.contacts, t.rows, t.V, {.max_sweeps = 0}); }, "",
       state_of(t.rows, t.V));
+}
+
+// With the sweeps of chapter 04 between its halves, the step is chapter 07's, with and without friction and impacts.
+EXERCISE_TEST(StepRows, AreThoseOfAnyCrowd) {
+  Random random;
+  const double h = 0.01;
+  for (int n = 0; n < 8; ++n) {
+    auto [all, contacts] = crowd(random, 9, 15);
+    open_every_third(contacts);
+    all.mu = n % 2 == 0 ? 0.7 : 0;
+    all.viscosity = 400;
+    all.restitution = n % 4 < 2 ? 0.8 : 0;
+    for (int k = 0; k < 3; ++k) {
+      all.joints.push_back({k, k + 5, random.vector(0.2), random.vector(0.2)});
+      all.joints.back().length = k == 1 ? 0.7 : 0;
+      all.joints.back().d = random.uniform(2, 4);
+    }
+    Simulation half = all, expected = all;
+    StepRows step = step_rows(half, contacts, h);
+    const std::size_t of_joints = 3 + 1 + 3, each = all.mu > 0 ? 3 : 1;
+    expect_true("a row for each held direction, and one or three for each contact", "Eq. (6.6)",
+                step.rows.size() == of_joints + each * contacts.size());
+    expect_true("each contact with friction has its place", "Eq. (9.1)",
+                step.friction.size() == (all.mu > 0 ? contacts.size() : 0));
+    for (std::size_t c = 0; c < step.friction.size(); ++c)
+      expect_true("contact " + std::to_string(c) + " has its rows where friction says", "Eq. (9.1)",
+                  step.friction[c].normal == of_joints + 3 * c && step.friction[c].mu == all.mu);
+    for (std::size_t b = 0; b < all.bodies.size(); ++b)
+      expect_true("no body moves before the solver", "Eq. (5.8)", half.bodies[b].x == all.bodies[b].x);
+    std::vector<Twist<6>> V(all.bodies.size(), Twist<6>::Zero());
+    solve(step.rows, V, {.max_sweeps = all.max_sweeps, .tolerance = all.tolerance});
+    finish_step(half, V, h);
+    step_impacts(expected, contacts, h);
+    expect_same_bodies("after the step", "Eq. (7.9)", half, expected,
+                       {1e-9, "roundings of some passes and 5 sweeps, of impulses up to 100"});
+  }
 }
 
 }  // namespace
