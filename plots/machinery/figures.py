@@ -47,6 +47,7 @@ WIDTH = 8.0  # inches
 # On dark paper: these, and greys between paper and ink. Every other colour, such as those of maps, stays.
 DARK = {"#ffffff": "#16181c", "#0072b2": "#4db2f0", "#d55e00": "#ff8c42", "#009e73": "#2fc99a",
         "#cc79a7": "#e59ac4", "#e69f00": "#f0b429", "#56b4e9": "#8fd0f5", "#d00000": "#ff6b6b"}
+_NUMBER = r"-?\d+\.\d+(?:e-?\d+)?"
 DARK_PAPER, DARK_INK = 0x18, 0xE0  # in place of white and of INK
 
 
@@ -133,7 +134,7 @@ def slope(axes, power: float, x: tuple[float, float], y: float, text: str) -> No
 
 
 def front(points: list[tuple[float, float]]) -> list[tuple[float, float]]:
-    """The points, by cost, that have a smaller error than every cheaper one."""
+    """Returns the points, by cost, that have a smaller error than every cheaper one."""
     kept: list[tuple[float, float]] = []
     for cost, error in sorted(points):
         if not kept or error < kept[-1][1]:
@@ -232,13 +233,24 @@ def _with_steady_names(svg: str) -> str:
 
 
 def on_dark_paper(colour: str) -> str:
-    """The colour, as #rrggbb, that takes the place of this one where the reader's page is dark."""
+    """Returns the colour, as #rrggbb, that takes the place of this one where the reader's page is dark."""
     red, green, blue = (int(colour[k:k + 2], 16) for k in (1, 3, 5))
     if colour in DARK or not red == green == blue:
         return DARK.get(colour, colour)
     ink = int(INK[1:3], 16)
     grey = min(255, round(DARK_PAPER + (DARK_INK - DARK_PAPER) * (255 - red) / (255 - ink)))
     return f"#{grey:02x}{grey:02x}{grey:02x}"
+
+
+def _short(svg: str) -> str:
+    """Returns the same picture with one line for each element, to a hundredth of a point, and without metadata."""
+    def rounded(value: re.Match) -> str:
+        return f"{round(float(value[0]), 2) + 0.0:g}" if abs(float(value[0])) < 1e4 else value[0]
+
+    svg = re.sub(r'(?<=href="data:)[^"]*', lambda image: "".join(image[0].split()), svg)
+    svg = re.sub(r"<!DOCTYPE.*?>\s*| *<metadata>.*?</metadata>\n", "", svg, flags=re.DOTALL)
+    return re.sub(r'(?<= )(d|x|y)="([^"]*)"',
+                  lambda part: f'{part[1]}="{re.sub(_NUMBER, rounded, " ".join(part[2].split()))}"', svg)
 
 
 def _for_light_and_dark(svg: str) -> str:
@@ -286,4 +298,4 @@ def write(figure: Figure, path: Path, **options) -> None:
     figure.savefig(path, metadata=metadata, **options)
     if path.suffix == ".svg":
         svg = re.sub(" +$", "", _with_steady_names(path.read_text(encoding="utf-8")), flags=re.MULTILINE)
-        path.write_text(_for_light_and_dark(svg), encoding="utf-8")
+        path.write_text(_for_light_and_dark(_short(svg)), encoding="utf-8")

@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "09_better_friction/better_friction.hpp"
-#include "engine/constraints/joint_rows.hpp"
+#include "scenes/solver_between.hpp"
 
 namespace spook {
 
@@ -61,15 +61,6 @@ bool has_one_contact(const Shapes& shapes) {
          std::all_of(shapes.solids.begin(), shapes.solids.end(), is_ball);
 }
 
-/// Tells whether a joint is one of chapter 13, whose rows no chapter's step makes.
-bool is_mechanism(const Joint& joint) {
-  return joint.is_guided() || joint.kind == JointKind::rope;
-}
-template <int Dof>
-bool has_mechanisms(const World<Dof>& world) {
-  return std::any_of(world.joints().begin(), world.joints().end(), is_mechanism);
-}
-
 enum class Step { leapfrog, composed, free, touching, contacts, friction, joints, impacts, pairs, rows };
 
 /// Returns the first step with all features that the world needs. Contacts between boxes need chapter 08.
@@ -79,7 +70,7 @@ Step first_step_for(const World<Dof>& world, bool plain_solver) {
   const Shapes& shapes = world.shapes();
   refuse_what_no_step_has(world);
   if (is_free(world)) return settings.integrator_order == 4 ? Step::composed : Step::leapfrog;
-  if (has_mechanisms(world) || (plain_solver && (shapes.may_touch() || !world.joints().empty())))
+  if (has_mechanisms(world.joints()) || (plain_solver && (shapes.may_touch() || !world.joints().empty())))
     return Step::rows;
   if (shapes.may_touch() && has_boxes(world)) {
     refuse_what_pairs_lack(shapes);
@@ -135,7 +126,7 @@ Simulation copy_of(const World<Dof>& world) {
   for (std::size_t b = 0; b < bodies.size(); ++b) simulation.bodies.push_back(copy_of(bodies, b));
   copy_shapes(world.shapes(), simulation.bodies);
   simulation.k = settings.k.value_or(world.contact_stiffness());
-  if (has_mechanisms(world)) return simulation;
+  if (has_mechanisms(world.joints())) return simulation;
   for (const Joint& joint : world.joints())
     simulation.joints.push_back({.i = joint.i,
                                  .j = joint.j,
@@ -204,104 +195,6 @@ SolveReport step_by(Step step, Simulation& simulation, const std::vector<Contact
       return solved_exactly();
   }
 }
-
-/// The first numbers of a row: all of a rigid body's, or those of point masses.
-template <int Dof>
-Row<Dof> row_of(const Row<6>& row) {
-  return {.i = row.i,
-          .j = row.j,
-          .Gi = row.Gi.head<Dof>(),
-          .Gj = row.Gj.head<Dof>(),
-          .MinvGi = row.MinvGi.head<Dof>(),
-          .MinvGj = row.MinvGj.head<Dof>(),
-          .B = row.B,
-          .Sigma = row.Sigma,
-          .diagonal = row.diagonal,
-          .lo = row.lo,
-          .hi = row.hi,
-          .lambda = row.lambda};
-}
-
-template <int Dof>
-void copy_motion(const Motion<6>& from, Motion<Dof>& to) {
-  for (std::size_t b = 0; b < from.W.size(); ++b) {
-    to.W[b] = from.W[b].head<Dof>();
-    to.Wf[b] = from.Wf[b].head<Dof>();
-    to.inverse_mass[b].linear = from.inverse_mass[b].linear;
-    if constexpr (Dof == 6) to.inverse_mass[b].angular = from.inverse_mass[b].angular;
-  }
-}
-
-/// A step in two halves, with a solver of the engine between them.
-template <int Dof>
-class SolverBetween {
- public:
-  explicit SolverBetween(const Method& method)
-      : solver_(make_solver<Dof>(method)), warm_start_(method.warm_start) {}
-
-  SolveReport step(const World<Dof>& world, const std::vector<Contact>& contacts, double h,
-                   Simulation& simulation, Bodies<Dof>& bodies) {
-    StepRows half = step_rows(simulation, contacts, h);
-    const std::size_t contact_rows = (simulation.mu > 0 ? 3 : 1) * contacts.size();
-    require_whole(half, contact_rows);
-    copy_motion(half.motion, bodies.motion);
-    std::vector<Row<Dof>> rows;
-    if (has_mechanisms(world)) add_joint_rows(world.joints(), h, bodies, rows);
-    for (FrictionContact& contact : half.friction) contact.normal += rows.size();
-    for (const Row<6>& row : half.rows) rows.push_back(row_of<Dof>(row));
-    const std::size_t first = rows.size() - contact_rows;
-    take_bounds_off(rows, half.friction);
-
-    std::vector<Twist<Dof>> V(bodies.size(), Twist<Dof>::Zero());
-    if (warm_start_) {
-      const std::vector<double> impulses = last_.impulses(rows, first, contacts, h);
-      if (!impulses.empty()) warm_start(impulses, rows, V);
-    }
-    SolverResult result = solver_.solve({.rows = rows,
-                                         .V = V,
-                                         .rubbing = half.friction,
-                                         .joints = world.joints(),
-                                         .contacts = contacts,
-                                         .first_contact_row = first,
-                                         .bodies = bodies,
-                                         .last = last_,
-                                         .gravity = simulation.gravity,
-                                         .h = h,
-                                         .stop = world.stop_rule(h)});
-    if (warm_start_ || solver_.wants_last) last_.remember(rows, first, contacts, h);
-    std::vector<Twist<6>> changes(V.size(), Twist<6>::Zero());
-    for (std::size_t b = 0; b < V.size(); ++b) changes[b].template head<Dof>() = V[b];
-    finish_step(simulation, changes, h);
-    return std::move(result.report);
-  }
-
- private:
-  /// Throws std::invalid_argument if a student's step_rows has left out rows, or lists rows that there are not.
-  static void require_whole(const StepRows& half, std::size_t contact_rows) {
-    const auto is_outside = [&](const FrictionContact& contact) {
-      return contact.normal + 2 >= half.rows.size();
-    };
-    if (half.rows.size() >= contact_rows && half.motion.W.size() == half.motion.inverse_mass.size() &&
-        half.motion.W.size() == half.motion.Wf.size() &&
-        std::none_of(half.friction.begin(), half.friction.end(), is_outside))
-      return;
-    throw std::invalid_argument(
-        "exercise 9.9 step_rows returns too few rows, or lists rows that do not exist: see ./course check 9.9");
-  }
-
-  /// Bounds of friction rows are those of chapter 05. Two passes begin without friction, and cones have no bounds.
-  void take_bounds_off(std::vector<Row<Dof>>& rows, std::vector<FrictionContact>& friction) const {
-    if (solver_.friction == FrictionModel::box) return friction.clear();
-    const double bound = solver_.friction == FrictionModel::cone ? infinity : 0;
-    for (const FrictionContact& contact : friction)
-      for (const std::size_t k : {contact.normal + 1, contact.normal + 2})
-        rows[k].lo = -bound, rows[k].hi = bound;
-  }
-
-  Solver<Dof> solver_;
-  bool warm_start_;
-  WarmStartCache last_;
-};
 
 }  // namespace
 

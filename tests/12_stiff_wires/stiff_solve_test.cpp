@@ -33,8 +33,7 @@ Answer solved(Springs& s) {
   return answer;
 }
 
-/// How springs push: by the velocities of both ends; or by mistake by that of one end, on one end, only between dynamic
-/// bodies, each in place of the one before, or with K on one of the two velocities.
+/// The law of the springs: by the velocities of both ends, which is right, or with a mistake.
 enum class Push {
   of_both,
   of_its_own_end,

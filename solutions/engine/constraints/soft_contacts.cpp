@@ -1,6 +1,7 @@
 #include "engine/constraints/soft_contacts.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "09_better_friction/cone_rows.hpp"
 
@@ -62,19 +63,19 @@ static double larger(double a, double b) {
 
 template <int Dof>
 void SoftContacts<Dof>::assign(const std::vector<Contact>& contacts, const std::vector<Row<Dof>>& rows,
-                               std::size_t first, const std::vector<FrictionContact>& rubbing) {
+                               std::size_t first, const std::vector<FrictionContact>& friction) {
   normals_.clear();
-  rubbing_.clear();
+  friction_.clear();
   const std::size_t each = contacts.empty() ? 1 : (rows.size() - first) / contacts.size();
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const Row<Dof>& row = rows[first + each * c];
     const double S = rigid_diagonal(row);
     normals_.push_back({point_row(row), contacts[c].gap, S, 1 / S, false});
   }
-  for (const FrictionContact& contact : rubbing) {
+  for (const FrictionContact& contact : friction) {
     const Row<Dof>&row1 = rows[contact.normal + 1], &row2 = rows[contact.normal + 2];
     const double s = stiffest_direction(row1, row2);
-    rubbing_.push_back({point_row(row1), point_row(row2), s, 1 / s, row1.Sigma, contact.mu});
+    friction_.push_back({point_row(row1), point_row(row2), s, 1 / s, row1.Sigma, contact.mu});
   }
 }
 
@@ -82,7 +83,7 @@ template <int Dof>
 void SoftContacts<Dof>::warm_start(std::vector<Twist<Dof>>& W) const {
   for (const Normal& normal : normals_)
     if (normal.row.lambda != 0) push(normal.row, normal.row.lambda, W[normal.row.i], W[normal.row.j]);
-  for (const Rubbing& one : rubbing_) {
+  for (const Friction& one : friction_) {
     const Vec2 lambda(one.row1.lambda, one.row2.lambda);
     if (!lambda.isZero(0)) push(one.row1, one.row2, lambda, W[one.row1.i], W[one.row1.j]);
   }
@@ -91,8 +92,8 @@ void SoftContacts<Dof>::warm_start(std::vector<Twist<Dof>>& W) const {
 template <int Dof>
 double SoftContacts<Dof>::sweep_friction(std::vector<Twist<Dof>>& W) {
   double largest = 0;
-  for (std::size_t c = 0; c < rubbing_.size(); ++c) {
-    Rubbing& one = rubbing_[c];
+  for (std::size_t c = 0; c < friction_.size(); ++c) {
+    Friction& one = friction_[c];
     const double radius = one.mu * normals_[c].row.lambda;
     const Vec2 before(one.row1.lambda, one.row2.lambda);
     if (radius == 0 && before.isZero(0)) continue;
@@ -152,13 +153,13 @@ void SoftContacts<Dof>::move_gaps(double h, const std::vector<Twist<Dof>>& W) {
 
 template <int Dof>
 void SoftContacts<Dof>::return_impulses(std::vector<Row<Dof>>& rows, std::size_t first) const {
-  const std::size_t each = rubbing_.empty() ? 1 : 3;
+  const std::size_t each = friction_.empty() ? 1 : 3;
   for (std::size_t c = 0; c < normals_.size(); ++c) {
     Row<Dof>* const of = &rows[first + each * c];
     of[0].lambda = normals_[c].row.lambda;
-    if (rubbing_.empty()) continue;
-    of[1].lambda = rubbing_[c].row1.lambda;
-    of[2].lambda = rubbing_[c].row2.lambda;
+    if (friction_.empty()) continue;
+    of[1].lambda = friction_[c].row1.lambda;
+    of[2].lambda = friction_[c].row2.lambda;
   }
 }
 

@@ -26,9 +26,9 @@ struct PointRow {
 template <int Dof>
 class SoftContacts {
  public:
-  /// Takes the rows of contacts, from `first` on, with their λ. `rubbing` is empty without friction.
+  /// Takes the rows of contacts, from `first` on, with their λ. `friction` is empty without friction.
   void assign(const std::vector<Contact>& contacts, const std::vector<Row<Dof>>& rows, std::size_t first,
-              const std::vector<FrictionContact>& rubbing);
+              const std::vector<FrictionContact>& friction);
 
   /// Adds M⁻¹ Gᵀ λ to W: Eq. (10.2).
   void warm_start(std::vector<Twist<Dof>>& W) const;
@@ -60,13 +60,13 @@ class SoftContacts {
     double S, mass;  ///< S_kk without Σ [1/kg], 1/S
     bool pressed;
   };
-  struct Rubbing {
+  struct Friction {
     PointRow<Dof> row1, row2;
     double s, mass;    ///< s of Eq. (9.5) [1/kg], 1/s
     double Sigma, mu;  ///< [1/kg], μ
   };
   std::vector<Normal> normals_;
-  std::vector<Rubbing> rubbing_;
+  std::vector<Friction> friction_;
 };
 
 }  // namespace spook

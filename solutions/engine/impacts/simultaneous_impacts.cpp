@@ -15,14 +15,15 @@ namespace {
 
 /// The rows of the contacts, as if no other body existed.
 template <int Dof>
-struct Together {
+struct ImpactProblem {
   std::vector<int> bodies;  ///< their indices in the world
   Motion<Dof> motion;
   std::vector<Row<Dof>> rows;
-  std::vector<FrictionContact> rubbing;
+  std::vector<FrictionContact> friction;
   std::vector<Twist<Dof>> V;
 
-  Together(const std::vector<Contact>& contacts, const std::vector<ImpactLaw>& laws, const Motion<Dof>& world) {
+  ImpactProblem(const std::vector<Contact>& contacts, const std::vector<ImpactLaw>& laws,
+                const Motion<Dof>& world) {
     for (const Contact& contact : contacts) bodies.insert(bodies.end(), {contact.i, contact.j});
     std::sort(bodies.begin(), bodies.end());
     bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
@@ -33,13 +34,13 @@ struct Together {
     motion.Wf.assign(bodies.size(), Twist<Dof>::Zero());
     V = motion.Wf;
 
-    const bool rub =
+    const bool has_friction =
         std::any_of(laws.begin(), laws.end(), [](const ImpactLaw& law) { return law.friction > 0; });
     for (std::size_t c = 0; c < contacts.size(); ++c) {
       Contact contact = contacts[c];
       contact.i = number(contact.i);
       contact.j = number(contact.j);
-      if (rub) rubbing.push_back({.normal = rows.size(), .mu = laws[c].friction});
+      if (has_friction) friction.push_back({.normal = rows.size(), .mu = laws[c].friction});
       const ContactJacobian G = contact_jacobian(contact);
       // B = -(1 + e) u_n, and -u_t for friction.
       add({.i = contact.i,
@@ -48,7 +49,7 @@ struct Together {
            .Gj = G.Gj.template head<Dof>(),
            .gap = 0,
            .spook = {.a = 0, .b = 1 + laws[c].restitution, .Sigma = 0}});
-      if (!rub) continue;
+      if (!has_friction) continue;
       for (const Constraint<Dof>& along :
            friction_constraints<Dof>(contact, tangents(contact.n), 0, {.a = 0, .b = 1, .Sigma = 0}))
         add(along);
@@ -85,26 +86,28 @@ std::vector<double> impulses(const std::vector<Row<Dof>>& rows) {
 
 /// Adds friction to V of the impulses without friction, as far as it adds no energy.
 template <int Dof>
-void add_friction(Together<Dof>& of) {
-  const std::vector<Twist<Dof>> V0 = of.V;
-  const std::vector<double> lambda0 = impulses(of.rows);
+void add_friction(ImpactProblem<Dof>& problem) {
+  const std::vector<Twist<Dof>> V0 = problem.V;
+  const std::vector<double> lambda0 = impulses(problem.rows);
   double fastest = 0;
-  for (const Row<Dof>& row : of.rows) fastest = std::max(fastest, std::abs(row.B));
-  cone_solve(of.rubbing, of.rows, of.V,
+  for (const Row<Dof>& row : problem.rows) fastest = std::max(fastest, std::abs(row.B));
+  cone_solve(problem.friction, problem.rows, problem.V,
              {.max_sweeps = of_cones.max_sweeps, .tolerance = of_cones.tolerance * fastest});
-  std::vector<double> more = impulses(of.rows);
-  std::vector<Twist<Dof>> by = of.V, middle = of.motion.W;
+  std::vector<double> more = impulses(problem.rows);
+  std::vector<Twist<Dof>> by = problem.V, middle = problem.motion.W;
   for (std::size_t k = 0; k < more.size(); ++k) more[k] -= lambda0[k];
   for (std::size_t b = 0; b < by.size(); ++b) {
     by[b] -= V0[b];
     middle[b] += V0[b];
   }
   // The energy added is E + b κ + ½ c κ².
-  const double b = power(of.rows, more, middle), c = power(of.rows, more, by);
+  const double b = power(problem.rows, more, middle), c = power(problem.rows, more, by);
   for (std::size_t body = 0; body < middle.size(); ++body) middle[body] -= V0[body] / 2;
-  const double E = std::min(0.0, power(of.rows, lambda0, middle));
-  const double kappa = E + b + c / 2 > 0 ? (std::sqrt(std::max(0.0, b * b - 2 * c * E)) - b) / c : 1;
-  for (std::size_t body = 0; body < by.size(); ++body) of.V[body] = V0[body] + kappa * by[body];
+  const double E = std::min(0.0, power(problem.rows, lambda0, middle));
+  const double root = std::sqrt(std::max(0.0, b * b - 2 * c * E));
+  // Neither form divides by 0 or subtracts equals: c > 0 where b <= 0, since E <= 0 and E + b + c/2 > 0.
+  const double kappa = E + b + c / 2 <= 0 ? 1 : b > 0 ? -2 * E / (b + root) : (root - b) / c;
+  for (std::size_t body = 0; body < by.size(); ++body) problem.V[body] = V0[body] + kappa * by[body];
 }
 
 }  // namespace
@@ -112,11 +115,11 @@ void add_friction(Together<Dof>& of) {
 template <int Dof>
 void resolve_together(const std::vector<Contact>& contacts, const std::vector<ImpactLaw>& laws,
                       Motion<Dof>& motion) {
-  Together<Dof> of(contacts, laws, motion);
+  ImpactProblem<Dof> problem(contacts, laws, motion);
   Factors factors;
-  direct_solve(of.rows, of.V, of_factors, factors);  // friction rows have bounds of 0
-  if (!of.rubbing.empty()) add_friction(of);
-  for (std::size_t b = 0; b < of.bodies.size(); ++b) motion.W[of.bodies[b]] += of.V[b];
+  direct_solve(problem.rows, problem.V, of_factors, factors);  // friction rows have bounds of 0
+  if (!problem.friction.empty()) add_friction(problem);
+  for (std::size_t b = 0; b < problem.bodies.size(); ++b) motion.W[problem.bodies[b]] += problem.V[b];
 }
 
 template void resolve_together<3>(const std::vector<Contact>&, const std::vector<ImpactLaw>&, Motion<3>&);

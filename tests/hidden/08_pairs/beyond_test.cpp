@@ -486,7 +486,7 @@ EXERCISE_TEST(BoxBall, TouchesAtZeroAndNotAtNaN) {
   }
 }
 
-/// How far a point is outside a box, along the axis where it is most; negative inside.
+/// Returns the distance of a point from a box along its axes, the largest of three; negative inside.
 double outside(const Vec3& p, const Box& box) {
   return ((box.axes.transpose() * (p - box.x)).cwiseAbs() - box.half_sides).maxCoeff();
 }
