@@ -181,7 +181,7 @@ def splitting() -> Drawing:
         d.text((x + wide / 2, 354), "$h$" if part == 1 else "$h/2$", "soft", size="small")
         d.text((x + wide / 2, 376), f"$e_{axis + 1}$", _COLOURS[axis], size="small")
         x += wide
-    d.text((486, 376), "black: the true path; a turn about $e_c$ moves $L$ on a circle around $e_c$", "soft",
+    d.text((486, 376), "bold: the true path; a turn about $e_c$ moves $L$ on a circle around $e_c$", "soft",
            size="small")
     return d
 
