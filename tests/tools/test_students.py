@@ -133,7 +133,8 @@ class Students(unittest.TestCase):
     def test_what_is_refused(self):
         (self.root / "full").mkdir(exist_ok=True)
         (self.root / "full" / "thesis.txt").write_text("mine")
-        for words, told in (((), "--out DIR"), (("--out", "full"), "something else"), (("--out", str(ROOT)), "something else"),
+        for words, told in (((), "--out DIR"), (("--out", "full"), "other than a repository for students"),
+                            (("--out", str(ROOT)), "other than a repository for students"),
                             (("--out", str(ROOT / "new")), "in the course itself"),
                             (("--chapters", "99", "--out", "new"), "no chapter 99")):
             result = run_course("export", "students", *words, cwd=self.root)

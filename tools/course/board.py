@@ -92,7 +92,8 @@ def show_milestone(folder: str) -> None:
     for command in commands:
         print(f"  {command}")
     if command := own_step(folder):
-        print(f"  By a step of your own:  {command}")
+        print("  By a step of your own:")
+        print(f"  {command}")
     left_out = [exercise.id for exercise in all_exercises()
                 if exercise.folder == folder and exercise.function in not_shown(folder)]
     if left_out:
