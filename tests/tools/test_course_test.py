@@ -82,20 +82,14 @@ class Sets(unittest.TestCase):
     def test_what_is_left_out_is_said(self):
         said = everything.left_out(["a", "hidden", "hidden.02", "mutant.01", "mutant.02", "plot.energy", "tools.slurm"],
                                    ["a", "mutant.01"])
-        self.assertEqual(said, "Left out: 1 mutant.* (unchanged since all were killed), 1 hidden.* (likewise), 1 plot.*, "
-                               "hidden, tools.slurm, all tests under sanitizers. ./course test --all runs them.")
+        self.assertEqual(said, "Left out: 1 mutant.* (nothing changed), 1 hidden.* (likewise), 1 plot.*, hidden, tools.slurm, "
+                               "all tests under sanitizers. ./course test --all runs them.")
         self.assertEqual(everything.left_out(["a"], ["a"]),
                          "Left out: all tests under sanitizers. ./course test --all runs them.")
 
 
 class BuiltBesides(unittest.TestCase):
-    def test_stubs_that_nobody_has_begun_and_the_chapters_that_are_graded(self):
-        begun = SimpleNamespace(function="kick", started=lambda: True)
-        stub = SimpleNamespace(function="drift", started=lambda: False)
-        with mock.patch.object(everything, "all_exercises", return_value=[begun, stub]), \
-             mock.patch.object(everything, "drop_if_stale") as dropping:
-            self.assertEqual(everything._stubs(CHECK), ["check_drift"])
-        dropping.assert_called_once_with(CHECK, stub)
+    def test_the_chapters_that_are_graded(self):
         self.assertEqual(everything._graded(1), [f"grade_{CHAPTERS[0]}", f"answer_{CHAPTERS[0]}"])
         self.assertEqual(len(everything._graded()), 2 * len(CHAPTERS))
 
@@ -123,10 +117,10 @@ class Command(unittest.TestCase):
              mock.patch.object(everything, "Tree", lambda preset: SimpleNamespace(preset=preset, path=self.folder)), \
              mock.patch.object(everything, "_build", build), \
              mock.patch.object(everything, "_run", run), \
-             mock.patch.object(everything, "_stubs", return_value=[]), \
              mock.patch.object(everything, "_graded", return_value=[]), \
              mock.patch.object(everything, "names", lambda tree, some=None: ["a"] if some else ["a", "tools.slurm"]), \
              mock.patch.object(mutants, "digests", return_value=dict(self.NOW)), \
+             mock.patch.object(mutants, "_not_committed", return_value=None), \
              contextlib.redirect_stdout(io.StringIO()) as said:
             code = everything.test(parse(["test", *words]))
         self.assertEqual(code, 0 if ok else 1)
@@ -200,9 +194,33 @@ class Digests(unittest.TestCase):
             tree, now = SimpleNamespace(path=Path(folder)), {"01_leapfrog": "a"}
             for text in ("", "[]", "{", '{"01_leapfrog": 1}'):
                 Path(folder, "mutants-killed.json").write_text(text, encoding="utf-8")
-                self.assertEqual(mutants.changed(tree, now), ["01_leapfrog"])
+                self.assertEqual(mutants.changed(tree, now, self.root), ["01_leapfrog"])  # there is no git
             mutants.remember(tree, now)
-            self.assertEqual(mutants.changed(tree, now), [])
+            self.assertEqual(mutants.changed(tree, now, self.root), [])
+
+    def test_without_a_memory_the_last_commit_is_what_was_there(self):
+        with tempfile.TemporaryDirectory() as folder, tempfile.TemporaryDirectory() as tree_folder:
+            root, tree = Path(folder).resolve() / "copy", SimpleNamespace(path=Path(tree_folder))
+            shutil.copytree(self.root, root)
+            now = mutants.digests(root)
+            self.assertEqual(mutants.changed(tree, now, root), CHAPTERS)
+            for words in (["init", "-q"], ["add", "-A"],
+                          ["-c", "user.name=t", "-c", "user.email=t@localhost", "commit", "-qm", "All"]):
+                subprocess.run(["git", *words], cwd=root, check=True)
+            self.assertEqual(mutants.changed(tree, now, root), [])
+            for name, expected in (("chapters/01_leapfrog/kick.cpp", []), ("solutions/engine/README.md", []),
+                                   ("tests/mutants/13_mechanisms/a_new_one.diff", ["13_mechanisms"]),
+                                   ("solutions/12_stiff_wires/new.cpp", ["12_stiff_wires"]),
+                                   ("tests/support/checks.hpp", CHAPTERS)):
+                file = root / name
+                text = file.read_bytes() if file.exists() else None
+                file.write_bytes((text or b"") + b"\n")
+                with self.subTest(name):
+                    self.assertEqual(mutants.changed(tree, now, root), expected)
+                if text is None:
+                    file.unlink()
+                else:
+                    file.write_bytes(text)
 
 
 if __name__ == "__main__":

@@ -31,11 +31,12 @@ def answers(function: str) -> dict[str, tuple[str | None, str]]:
         "throws": (beginning_with("throw 42;", function), "failed"),
         "exits": (beginning_with("std::exit(0);", function, "cstdlib"), "ended early: exit code 0"),
         "traps": (beginning_with("__builtin_trap();", function), "crashed: SIGILL"),
-        "loops": (beginning_with("for (volatile int i = 0;; i = 1 - i) {}", function), "timed out: looped"),
         "floods": (beginning_with('for (;;) std::puts("forever and ever");', function, "cstdio"), "too much output"),
         "hogs": (beginning_with("throw std::bad_alloc();", function, "new"), "out of memory"),
         "forks": (beginning_with("fork();", function, "unistd.h"), "tampered: calls fork()"),
     }
+    if function == FUNCTIONS[0]:  # each of its tests takes the whole time limit
+        found["loops"] = (beginning_with("for (volatile int i = 0;; i = 1 - i) {}", function), "timed out: looped")
     return found
 
 

@@ -8,9 +8,8 @@ from pathlib import Path
 import machine
 import mutants
 from errors import CourseError
-from exercise_object import drop_if_stale
 from install import install, is_offered
-from manifest import all_exercises, read_chapters
+from manifest import read_chapters
 from needs import BOOK_NEEDS, BROWSER_NEEDS, NEEDS, PEER_NEEDS, SLURM_NEEDS, TEST_NEEDS, Need
 from paths import shown
 from process import stream
@@ -49,7 +48,7 @@ def _fast(strict: bool) -> int:
     check, now = Tree("check"), mutants.digests()
     chapters = mutants.changed(check, now)
     labels = ["fast", *(f"mutants.{chapter}" for chapter in chapters)]
-    _build(check, [*labels, *_stubs(check), *_graded(1)], strict)
+    _build(check, [*labels, *_graded(1)], strict)
     _build(Tree("release"), _IN_RELEASE, strict)
     chosen = selection(labels)
     outcome = _run(check, chosen)
@@ -78,20 +77,12 @@ def _everything(arguments) -> int:
     _install_if_offered(PEER_NEEDS, "other engines to compare with", arguments.yes)
     check, release, sanitize = Tree("check"), Tree("release"), Tree("sanitize")
     now = mutants.digests()
-    for tree, targets in ((check, ["all", *_stubs(check), *_graded()]), (release, _IN_RELEASE), (sanitize, [])):
+    for tree, targets in ((check, ["all", *_graded()]), (release, _IN_RELEASE), (sanitize, [])):
         _build(tree, targets, arguments.strict)
     outcomes = [_run(tree) for tree in (check, sanitize)]
     if outcomes[0].ok:
         mutants.remember(check, now)
     return _report(outcomes)
-
-
-def _stubs(check: Tree) -> list[str]:
-    """Builds the programs of exercises that are not begun for a test that runs them, by one ninja."""
-    stubs = [exercise for exercise in all_exercises() if not exercise.started()]
-    for exercise in stubs:
-        drop_if_stale(check, exercise)
-    return [f"check_{exercise.function}" for exercise in stubs]
 
 
 def _graded(chapters: int | None = None) -> list[str]:
@@ -112,11 +103,11 @@ def names(tree: Tree, chosen: list[str] | None = None) -> list[str]:
 
 
 def left_out(every: list[str], run: list[str]) -> str:
-    """Returns a line such as `Left out: 80 mutant.* (unchanged since they were killed), 31 plot.*, tools.slurm, ...`"""
+    """Returns a line such as `Left out: 14 mutant.* (nothing changed), 31 plot.*, tools.slurm, ...`"""
     there = set(run)
     rest = [name for name in every if name not in there]
     said = []
-    for kind, why in (("mutant.", " (unchanged since all were killed)"), ("hidden.", " (likewise)"), ("plot.", "")):
+    for kind, why in (("mutant.", " (nothing changed)"), ("hidden.", " (likewise)"), ("plot.", "")):
         count = sum(name.startswith(kind) for name in rest)
         said += [f"{count} {kind}*{why}"] if count else []
     said += [name for name in rest if not name.startswith(("mutant.", "hidden.", "plot."))]

@@ -1,14 +1,15 @@
-"""Chapters whose mutants ./course test judges anew: those of which something has changed since all were killed.
+"""Chapters whose mutants ./course test judges anew: those of which something has changed since the last green run.
 
-A digest a chapter says of what its mutants are made: the chapter, its reference, its tests, hidden ones and mutants,
-those of the chapters whose headers these include, and what all chapters share. A newer compiler is not seen; --all
-judges them all.
+Before the first one, a chapter has changed if one of its files differs from the last commit. The files of a chapter's
+mutants are the chapter, its reference, its tests, hidden ones and mutants, those of the chapters whose headers these
+include, and what all chapters share. A newer compiler is not seen; --all judges them all.
 """
 
 import hashlib
 import json
 import os
 import re
+import subprocess
 from pathlib import Path
 
 from paths import ROOT
@@ -26,24 +27,30 @@ def chapters(root: Path = ROOT) -> list[str]:
 
 def digests(root: Path = ROOT) -> dict[str, str]:
     """By chapter."""
-    shared = _digest(root, [file for pattern in _SHARED for file in root.glob(pattern)])
-    return {chapter: hashlib.sha256(f"{shared} {_of(root, chapter)}".encode()).hexdigest()
+    shared = _digest(root, _shared(root))
+    return {chapter: hashlib.sha256(f"{shared} {_digest(root, _of(root, chapter))}".encode()).hexdigest()
             for chapter in chapters(root)}
 
 
-def changed(tree: Tree, now: dict[str, str]) -> list[str]:
-    """Chapters whose digests differ from those that the tree remembers; all, if it remembers none."""
+def changed(tree: Tree, now: dict[str, str], root: Path = ROOT) -> list[str]:
+    """Returns the chapters whose digests differ from those of the tree's last green run, or without one those with files
+    that differ from the last commit. Without git it returns all."""
     try:
         known = json.loads(_memory(tree).read_text(encoding="utf-8"))
     except (OSError, ValueError):
-        known = {}
-    return [chapter for chapter, digest in now.items() if not isinstance(known, dict) or known.get(chapter) != digest]
+        known = None
+    if isinstance(known, dict):
+        return [chapter for chapter, digest in now.items() if known.get(chapter) != digest]
+    touched = _not_committed(root)
+    if touched is None or touched & set(_shared(root)):
+        return list(now)
+    return [chapter for chapter in now if touched & set(_of(root, chapter))]
 
 
-def remember(tree: Tree, killed: dict[str, str]) -> None:
-    """What was there before the mutants were built, once all of them are killed."""
+def remember(tree: Tree, now: dict[str, str]) -> None:
+    """Keeps the digests of before the mutants were built, after a green run."""
     new = _memory(tree).with_suffix(".new")
-    new.write_text(json.dumps(killed, indent=2) + "\n", encoding="utf-8")
+    new.write_text(json.dumps(now, indent=2) + "\n", encoding="utf-8")
     os.replace(new, _memory(tree))
 
 
@@ -51,7 +58,25 @@ def _memory(tree: Tree) -> Path:
     return tree.path / "mutants-killed.json"
 
 
-def _of(root: Path, chapter: str) -> str:
+def _not_committed(root: Path) -> set[Path] | None:
+    """Returns the files that differ from the last commit; None without git or a commit."""
+    try:
+        listing = subprocess.run(["git", "-C", str(root), "status", "--porcelain", "-uall", "-z", "--no-renames"],
+                                 capture_output=True, text=True)
+        head = subprocess.run(["git", "-C", str(root), "rev-parse", "--show-toplevel", "HEAD"],
+                              capture_output=True, text=True)
+    except OSError:
+        return None
+    if listing.returncode != 0 or head.returncode != 0 or Path(head.stdout.splitlines()[0]) != root.resolve():
+        return None
+    return {root / entry[3:] for entry in listing.stdout.split("\0") if entry}
+
+
+def _shared(root: Path) -> list[Path]:
+    return [file for pattern in _SHARED for file in root.glob(pattern)]
+
+
+def _of(root: Path, chapter: str) -> list[Path]:
     found, waiting = set(), {chapter}
     files = [file for kind in ("mutants", "hidden") for file in (root / "tests" / kind / chapter).glob("*")]
     while waiting:
@@ -64,7 +89,7 @@ def _of(root: Path, chapter: str) -> str:
         files += theirs
         texts = [file.read_bytes() for file in theirs if file.is_file()]
         waiting |= {word.decode() for text in texts for word in _INCLUDED.findall(text)} - found
-    return _digest(root, files)
+    return files
 
 
 def _digest(root: Path, files: list[Path]) -> str:
