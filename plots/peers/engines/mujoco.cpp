@@ -160,7 +160,8 @@ class Mujoco : public Engine {
   Mujoco(const Problem& problem, const Way& way)
       : problem_(problem), model_(model_of(problem, way)), data_(mj_makeData(model_)) {
     for (std::size_t i = 0; i < problem.bodies.size(); ++i) {
-      const std::string name = std::string("b") + std::to_string(i);
+      std::string name = "b";
+      name += std::to_string(i);
       bodies_.push_back(problem.bodies[i].moves ? mj_name2id(model_, mjOBJ_BODY, name.c_str()) : 0);
     }
     mj_kinematics(model_, data_);
