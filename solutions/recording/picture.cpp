@@ -1,5 +1,7 @@
 #include "recording/picture.hpp"
 
+#include "engine/diagnostics/spring_energy.hpp"
+
 namespace spook {
 
 template <int Dof>
@@ -26,21 +28,7 @@ static Energy energy_of(const World<Dof>& world, double h) {
       energy.turning += bodies.orientations.principal[i].dot(in_body.cwiseAbs2()) / 2;
     }
   }
-  if (world.settings().integrator_order == 4) return energy;  // joints are rigid
-  const auto held = [&](double lambda, double k) { return lambda * lambda / (2 * h * h * k); };
-  const auto joints = static_cast<int>(world.joints().size()),
-             contacts = static_cast<int>(world.contacts().size());
-  for (int joint = 0; joint < joints; ++joint) {
-    const Joint& pulled = world.joints()[static_cast<std::size_t>(joint)];
-    for (int row = 0; row < pulled.rows(); ++row)
-      energy.springs += held(world.joint_lambda(joint, row), pulled.stiffness(row));
-    if constexpr (Dof == 6)
-      if (pulled.spring) {
-        const double drawn = world.joint_position(joint) - pulled.spring->rest;
-        energy.springs += pulled.spring->stiffness * drawn * drawn / 2;
-      }
-  }
-  for (int c = 0; c < contacts; ++c) energy.springs += held(world.lambda(c), world.contact_stiffness());
+  energy.springs = spring_energy(world, h);
   return energy;
 }
 

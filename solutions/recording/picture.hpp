@@ -35,11 +35,9 @@ struct Touch {
 /// order 4 they belong to the current time.
 struct Energy {
   double motion = 0, turning = 0;
-  double weight = 0;  ///< 0 at the height of the origin
-  double field = 0;   ///< of forces other than the weight
-  /// Energy of the springs of contacts and joints under the forces of the last step, ½ (λ/h)²/k. If k h² is much larger
-  /// than the masses, a gap is an error of the step and not a spring's deflection, so ½ k gap² would be wrong.
-  double springs = 0;
+  double weight = 0;   ///< 0 at the height of the origin
+  double field = 0;    ///< of forces other than the weight
+  double springs = 0;  ///< spring_energy()
 };
 
 /// The state of a world at one time.

@@ -13,26 +13,29 @@ import subprocess
 import sys
 from pathlib import Path
 
-COMPILED = {"world.cpp", "kick.cpp"}  # in earnest: one of the engine, and one of the chapters
+COMPILED = {"unity_0_cxx.cxx.o", "kick.cpp.o"}  # in earnest: a group of the engine's sources, and one of the chapters
+_OURS = re.compile(r"\bspook_(?:engine|reference)\.dir/\S+")
 
 
 def objects(compile_commands: Path) -> dict[str, Path]:
-    """By source: those that are there."""
+    """Returns the objects that are there, by their places in the library."""
     found = {}
     if not compile_commands.exists():
         return found
     for entry in json.loads(compile_commands.read_text(encoding="utf-8")):
-        to = re.search(r" -o (\S*/spook_(?:engine|reference)\.dir/\S+)", entry["command"])
-        if to and Path(entry["directory"], to[1]).exists():
-            found[entry["file"]] = Path(entry["directory"], to[1])
+        to = re.search(r" -o (\S+)", entry["command"])
+        ours = to and _OURS.search(to[1])
+        if ours and Path(entry["directory"], to[1]).exists():
+            found[ours[0]] = Path(entry["directory"], to[1])
     return found
 
 
 def main(compile_commands: str, *command: str) -> int:
     if "-c" in command and "-o" in command:
-        source, to = (command[command.index(option) + 1] for option in ("-c", "-o"))
-        there = objects(Path(compile_commands)).get(source)
-        if there and there.name.removesuffix(".o") not in COMPILED:
+        to = command[command.index("-o") + 1]
+        ours = _OURS.search(to)
+        there = objects(Path(compile_commands)).get(ours[0]) if ours else None
+        if there and there.name not in COMPILED:
             shutil.copyfile(there, to)
             return 0
     return subprocess.run(command).returncode

@@ -143,6 +143,8 @@ class Worlds(WithModule):
         world.step(1 / 60, steps=1200)
         self.assertAlmostEqual(world.joint_position(slider), -0.5 - 2 * 9.81 / 200, 6)
         self.assertAlmostEqual(world.spring_force(slider), 2 * 9.81, 6)
+        # The slider's rows carry nothing.
+        self.assertAlmostEqual(world.energy["springs"], (2 * 9.81) ** 2 / (2 * 200), 6)
         world.set_spring(slider, (400, 20))
         world.step(1 / 60, steps=1200)
         self.assertAlmostEqual(world.joint_position(slider), -2 * 9.81 / 400, 6)
@@ -273,13 +275,30 @@ class Worlds(WithModule):
                 world.step(1 / 60)
         self.assertEqual(world.state, "sound")
 
+    def test_what_holds_a_weight_has_the_energy_of_a_spring(self):
+        m, g, k, h = 3, 9.81, 1e4, 1 / 60
+        standing = spook.World(k=k)
+        standing.add_plane((0, 0, 1))
+        standing.add(x=(0, 0, 0.1), mass=m, radius=0.1)
+        hanging = spook.World(k=k)
+        hanging.add_joint(hanging.add_fixed((0, 0, 0)), hanging.add(x=(0, 0, -1), mass=m, principal=(1, 1, 1)), length=1)
+        for world in (standing, hanging):
+            self.assertEqual(world.energy["springs"], 0)
+            world.step(h, steps=600)
+            self.assertAlmostEqual(world.energy["springs"] / ((m * g) ** 2 / (2 * k)), 1, 6)
+            saved = world.save()
+            world.step(1 / 30)
+            world.restore(saved)
+            self.assertAlmostEqual(world.energy["springs"] / ((m * g) ** 2 / (2 * k)), 1, 6)
+
     def test_energy_goes_over_from_one_kind_to_the_other(self):
         h, n, m, g = 1 / 256, 64, 3, 8
         world = spook.PointWorld(gravity=(0, 0, -g))
         world.add(x=(0, 0, 5), mass=m)
-        self.assertEqual(world.energy, {"kinetic": 0, "potential": m * g * 5})
+        self.assertEqual(world.energy, {"kinetic": 0, "potential": m * g * 5, "springs": 0})
         world.step(h, steps=n)  # all of it is exact in binary; the speed is half a step behind
-        self.assertEqual(world.energy, {"kinetic": m * (g * h * n) ** 2 / 2, "potential": m * g * (5 - g * h * h * n * (n + 1) / 2)})
+        self.assertEqual(world.energy, {"kinetic": m * (g * h * n) ** 2 / 2, "potential": m * g * (5 - g * h * h * n * (n + 1) / 2),
+                                        "springs": 0})
         world.add_fixed((0, 0, 0))
         np.testing.assert_array_equal(world.masses, [m, math.inf])
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "engine/diagnostics/conserved_quantities.hpp"
+#include "engine/diagnostics/spring_energy.hpp"
 #include "python_world.hpp"
 
 namespace spook {
@@ -85,7 +86,8 @@ template <int Dof>
 py::dict energy(const PythonWorld<Dof>& self) {
   const World<Dof>& world = self.world();
   return py::dict("kinetic"_a = kinetic_energy(world.bodies()),
-                  "potential"_a = potential_energy(world.bodies(), world.settings().gravity));
+                  "potential"_a = potential_energy(world.bodies(), world.settings().gravity),
+                  "springs"_a = spring_energy(world, self.last_h()));
 }
 
 /// Infinite for a static body.

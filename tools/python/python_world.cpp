@@ -33,6 +33,7 @@ void PythonWorld<Dof>::step_unlocked(double h, std::int64_t steps) {
   std::int64_t between = 1;
   for (std::int64_t n = 1, next = 1; n <= steps; ++n) {
     world_.step(h);
+    last_h_ = h;
     if (checked_) check_.look(world_, h);
     if (n < next) continue;
     const auto now = Clock::now();
@@ -78,6 +79,7 @@ void PythonWorld<Dof>::restore(const PythonWorld& saved) {
   check_ = saved.check_;
   checked_ = saved.checked_;
   warned_ = saved.warned_;
+  last_h_ = saved.last_h_;
   reason_ = saved.reason_;
 }
 

@@ -38,6 +38,7 @@ class PythonWorld {
         check_(other.check_),
         checked_(other.checked_),
         warned_(other.warned_),
+        last_h_(other.last_h_),
         reason_(other.reason_) {}
 
   /// Throws std::runtime_error while another thread steps.
@@ -59,6 +60,9 @@ class PythonWorld {
 
   /// Takes steps without Python's lock, except to check for Ctrl-C. Throws as World::step does, or a Python error.
   void step(double h, std::int64_t steps);
+
+  /// The length of the last step [s]; 1 before the first, when there are no impulses.
+  double last_h() const { return last_h_; }
 
   State state() const { return reason_.empty() ? check_.verdict().state : State::lost; }
   const std::string& reason() const { return reason_.empty() ? check_.verdict().reason : reason_; }
@@ -86,6 +90,7 @@ class PythonWorld {
   bool checked_;
   bool busy_ = false;
   bool warned_ = false;
+  double last_h_ = 1;
   std::string reason_;  // of a world that is no longer finite
 };
 

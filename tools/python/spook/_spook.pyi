@@ -74,7 +74,8 @@ class _EitherWorld:
         """The mass of each body [kg], as a copy; infinite for a static one."""
     @property
     def energy(self) -> dict[str, float]:
-        """The kinetic energy, from velocities half a step behind, and the potential energy of gravity [J]."""
+        """The kinetic energy, from velocities half a step behind, the potential energy of gravity, and the energy of
+        springs under the forces of the last step: of contacts, of joints, and on hinges and sliders [J]."""
     @property
     def state(self) -> str:
         """The verdict on all steps so far: "sound", "unsolved" (the solver's error in a step exceeds a hundredth of the
