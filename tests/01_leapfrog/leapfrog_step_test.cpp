@@ -65,7 +65,7 @@ EXERCISE_TEST(LeapfrogStep, FallsByTheExactDiscreteLaw) {
       "From rest, x_n = -g h² n(n+1)/2, exactly.");
 }
 
-EXERCISE_TEST(LeapfrogStep, FeelsAllBodiesAtTheirOldPositions) {
+EXERCISE_TEST(LeapfrogStep, ComputesAllForcesAtOldPositions) {
   Random random;
   Particles p = three_bodies(random);
   const Particles old = p;

@@ -61,7 +61,7 @@ EXERCISE_TEST(FreeRotation, DropsNoSmallTurn) {
   }
 }
 
-EXERCISE_TEST(FreeRotation, StandsStillInNoTime) {
+EXERCISE_TEST(FreeRotation, DoesNothingInAZeroStep) {
   Random random;
   const Top start = random_top(random);
   Top top = start;

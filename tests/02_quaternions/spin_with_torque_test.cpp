@@ -51,7 +51,7 @@ EXERCISE_TEST(GyroscopicTorque, KeepsLWhereConstantOmegaDoesNot) {
 
 // The turn about ω leaves ½ ω · I ω as it is; the kick adds h ω · τ = 0 and ½ h² τ · I⁻¹ τ, which is never
 // negative.
-EXERCISE_TEST(GyroscopicTorque, FeedsAnExplicitStepEnergy) {
+EXERCISE_TEST(GyroscopicTorque, AddsEnergyInAnExplicitStep) {
   Spin body;
   const double h = 0.01;
   const auto energy = [&] { return body.omega.dot(body.inertia() * body.omega) / 2; };

@@ -140,7 +140,7 @@ EXERCISE_TEST(UpdateExponential, KeepsUnitLength) {
 }
 
 // Equal turns have equal errors of a rounding or two, so the errors add up with one sign.
-EXERCISE_TEST(UpdateExponential, LetsNoRoundingsOfTheLengthAddUp) {
+EXERCISE_TEST(UpdateExponential, KeepsLengthErrorsFromAddingUp) {
   Random random;
   double farthest = 0;
   for (int trial = 0; trial < 10; ++trial) {

@@ -78,7 +78,7 @@ EXERCISE_TEST(UpdateFirstOrder, ComesBackToUnitLengthFromAnyDistance) {
 }
 
 // 2 atan(x/2)/x - 1 = -x²/12 + x⁴/80 - …, an alternating series: the remainder is smaller than its first term.
-EXERCISE_TEST(UpdateFirstOrder, FallsShortByATwelfthOfTheSquare) {
+EXERCISE_TEST(UpdateFirstOrder, HasARelativeErrorOfATwelfthOfTheAngleSquared) {
   const Step s;
   for (const double x : {0.2, 0.1, 0.05}) {
     const Quat next = update_first_order(s.q, s.omega, x / s.speed);

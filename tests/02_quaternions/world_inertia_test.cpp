@@ -66,7 +66,7 @@ EXERCISE_TEST(WorldInertia, IsTheSumOverTheBodysAxes) {
       "Eq. (2.7): R diag(I1, I2, I3) Rᵀ with R = R(q).");
 }
 
-EXERCISE_TEST(WorldInertia, OfABodyThatIsNearlyRoundIsNotThatOfASphere) {
+EXERCISE_TEST(WorldInertia, KeepsSmallDifferencesOfMoments) {
   const TurnedBody b;
   for (const double part : relative_scales) {
     const Vec3 more = part * Vec3(1, -0.5, 0.25);
@@ -79,7 +79,7 @@ EXERCISE_TEST(WorldInertia, OfABodyThatIsNearlyRoundIsNotThatOfASphere) {
   }
 }
 
-EXERCISE_TEST(WorldInertia, OfABodyThatHasHardlyTurnedIsNotThatOfOneThatHasNot) {
+EXERCISE_TEST(WorldInertia, KeepsTheEffectOfASmallTurn) {
   const Vec3 I(1, 2, 4);
   for (const double part : relative_scales)
     for (int c = 0; c < 3 && !::testing::Test::HasFailure(); ++c) {

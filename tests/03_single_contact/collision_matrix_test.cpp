@@ -103,7 +103,7 @@ EXERCISE_TEST(CollisionMatrix, OfASphereOnAPlane) {
       "1/m through the centre, 7/(2m) along the plane.");
 }
 
-EXERCISE_TEST(CollisionMatrix, OfAFixedBodyAndAnotherIsTheOthersShare) {
+EXERCISE_TEST(CollisionMatrix, HasNoShareOfAStaticBody) {
   Random random;
   const RandomPair pair(random);
   const InverseMass<6> fixed, &free = pair.j.inverse_mass;
@@ -157,7 +157,7 @@ EXERCISE_TEST(CollisionMatrix, IsSymmetricAndPositiveDefinite) {
   }
 }
 
-EXERCISE_TEST(CollisionMatrix, AlongTheNormalIsTheMassThatTheRowSees) {
+EXERCISE_TEST(CollisionMatrix, AlongTheNormalIsTheInverseMassOfTheRow) {
   Random random;
   for (int trial = 0; trial < 50 && !::testing::Test::HasFailure(); ++trial) {
     const RandomPair pair(random);

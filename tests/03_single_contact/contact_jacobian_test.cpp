@@ -37,7 +37,7 @@ EXERCISE_TEST(ContactJacobian, TurnsABodyAboutItsContactPoint) {
       "Gi = (-n, -r_i × n).");
 }
 
-EXERCISE_TEST(ContactJacobian, DoesNotMindTheBodiesNumbers) {
+EXERCISE_TEST(ContactJacobian, IsIndependentOfBodyNumbers) {
   Random random;
   Contact contact = RandomPair(random).contact;
   const ContactJacobian G = contact_jacobian(contact);

@@ -82,7 +82,7 @@ EXERCISE_TEST(SpookParameters, SoftenByStiffnessAndStep) {
       "Eq. (3.6): Σ = 4/(h² k (1 + 4d)).");
 }
 
-EXERCISE_TEST(SpookParameters, HangTogether) {
+EXERCISE_TEST(SpookParameters, SatisfyTheirRelations) {
   Random random;
   for (int trial = 0; trial < 50 && !::testing::Test::HasFailure(); ++trial) {
     const double h = random.log_uniform(1e-4, 0.1), k = random.log_uniform(1, 1e12);

@@ -97,7 +97,7 @@ EXERCISE_TEST(MakeRow, DividesTheJacobianByTheMasses) {
   expect_near_vector("M⁻¹ Gjᵀ", "Eq. (4.5)", row.MinvGj, t.MinvGj, roundings(16, 10), {{t.c.Gj, copy}});
 }
 
-EXERCISE_TEST(MakeRow, FeelsABodyThatMovesAndThatNothingMoves) {
+EXERCISE_TEST(MakeRow, IncludesTheVelocityOfAKinematicBody) {
   TwoBodies t;  // a conveyor: its velocity is not changed by impulses
   for (const int belt : {t.c.i, t.c.j}) {
     Motion<6> motion = t.motion;

@@ -66,7 +66,7 @@ EXERCISE_TEST(Sweep, ContractsTheStackAtItsExactRate) {
     }
 }
 
-EXERCISE_TEST(Sweep, ReturnsTheLargestLack) {
+EXERCISE_TEST(Sweep, ReturnsTheLargestVelocityChange) {
   Random random;
   Problem<6> p = random_problem(random, 4, 10);
   const auto before = p.rows;
@@ -239,7 +239,7 @@ EXERCISE_TEST(Residual, IsWhatTheNextUpdateWouldChange) {
               "largest.");
 }
 
-EXERCISE_TEST(Residual, SeesAPullAndALackAlike) {
+EXERCISE_TEST(Residual, CountsTooLargeAndTooSmallImpulses) {
   Problem<3> p = stack({2}, 0.1, 0.125, 10);  // S_kk = 5/8, B = 1
   const double exact = 1 / 0.625;
   for (const double lambda : {0.0, exact / 2, 2 * exact}) {
@@ -340,7 +340,7 @@ EXERCISE_TEST(Residual, OfNothingIsZeroAndOfNaNIsNaN) {
               "keeps a NaN). Once the maximum is NaN, no later row may replace it.");
 }
 
-EXERCISE_TEST(Residual, CostsAsMuchForEachOfManyRows) {
+EXERCISE_TEST(Residual, HasACostProportionalToTheRows) {
   const auto operations = [](int bodies) {
     const Problem<3> p = stack(std::vector<double>(static_cast<std::size_t>(bodies), 1.0), 0.1);
     return operations_of([&] { residual(p.rows, p.V); });

@@ -78,7 +78,7 @@ EXERCISE_TEST(UpdateRow, GathersFromBothBodies) {
                 "Gather with G, scatter with M⁻¹Gᵀ: the gather used M⁻¹G."}});
 }
 
-EXERCISE_TEST(UpdateRow, LeavesNothingLacking) {
+EXERCISE_TEST(UpdateRow, LeavesAResidualOfZero) {
   Random random;
   Problem<6> p = random_problem(random, 3, 6);
   for (Row<6>& row : p.rows) {
@@ -166,7 +166,7 @@ EXERCISE_TEST(UpdateRow, KeepsBothBounds) {
   }
 }
 
-EXERCISE_TEST(UpdateRow, ComesBackWithinBoundsThoughItLacksNothing) {
+EXERCISE_TEST(UpdateRow, ProjectsEvenWithAResidualOfZero) {
   Row<3> row = by_hand(2, 4);  // λ = B/S_kk: r = 0, were it not for its bound
   row.hi = 3;
   std::vector<Twist<3>> V(2, Twist<3>::Zero());

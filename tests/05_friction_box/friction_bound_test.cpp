@@ -219,7 +219,7 @@ EXERCISE_TEST(FrictionBound, RejectsAStepThatIsNotPositive) {
         "h = " + show(h), "h", [&] { friction_bound(0.4, 3, 10, h); }, "See require_positive in require.hpp.");
 }
 
-EXERCISE_TEST(FrictionBound, RejectsWhereTheBoundIsZeroToo) {
+EXERCISE_TEST(FrictionBound, ChecksAllArgumentsOfAZeroBound) {
   friction_bound(0.4, 3, 10, 0.02);
   const std::string clue =
       "Check all four arguments before you return. A bound of 0 is right only if the other arguments are "

@@ -117,7 +117,7 @@ EXERCISE_TEST(FrictionConstraints, AreBoundedOnIceToo) {
   }
 }
 
-EXERCISE_TEST(FrictionConstraints, DoNotAskWhetherTheContactIsOpen) {
+EXERCISE_TEST(FrictionConstraints, AreIndependentOfTheGap) {
   AnyContact touch;
   for (const double gap : {-0.02, 0.0, 0.02}) {
     touch.contact.gap = gap;
@@ -145,7 +145,7 @@ EXERCISE_TEST(FrictionConstraints, HaveNoGap) {
                 "Friction makes a velocity zero, not a position.");
 }
 
-EXERCISE_TEST(FrictionConstraints, AskForTheVelocityOfTheContactToVanish) {
+EXERCISE_TEST(FrictionConstraints, HaveZeroSlipAsTheirTarget) {
   AnyContact touch;
   touch.contact.i = 0;
   const auto constraints = friction_constraints<6>(touch.contact, touch.t, 0.5, rigid);

@@ -46,7 +46,7 @@ EXERCISE_TEST(FrictionImpulse, SolvesBothRowsByHand) {
       "J = λ1 t1 + λ2 t2, and (t·Kt + Γ) λ = -u·t along each.");
 }
 
-EXERCISE_TEST(FrictionImpulse, DividesByWhatKDoesAlongEachTangent) {
+EXERCISE_TEST(FrictionImpulse, DividesByKAlongEachTangent) {
   const Tangents t{Vec3(0.6, 0.8, 0), Vec3(-0.8, 0.6, 0)};
   Mat3 K;
   K << 2, 1, 0, 1, 4, 0, 0, 0, 3;

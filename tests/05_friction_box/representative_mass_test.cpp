@@ -27,7 +27,7 @@ EXERCISE_TEST(RepresentativeMass, IsTheReducedMassOfTwoBodies) {
               "m = 1/(1/m_i + 1/m_j) for one contact.");
 }
 
-EXERCISE_TEST(RepresentativeMass, FeelsAHeavyBodyGiveWay) {
+EXERCISE_TEST(RepresentativeMass, TreatsAHeavyBodyAsDynamic) {
   for (const double part : relative_scales)
     for (const bool i_is_light : {false, true})
       expect_near("m of one contact between 1 kg and " + show(1 / part) + " kg, less 1 kg [kg]", "Eq. (5.6)",
@@ -57,7 +57,7 @@ EXERCISE_TEST(RepresentativeMass, IsSharedByTheContacts) {
                 "All contacts together stand for the same mass as a single one.");
 }
 
-EXERCISE_TEST(RepresentativeMass, BesideAFixedBodyIsTheOthers) {
+EXERCISE_TEST(RepresentativeMass, BesideAStaticBodyIsTheMassOfTheOther) {
   const std::string rule =
       "A static body has the inverse mass 0 and adds nothing to 1/m_i + 1/m_j. Add, then divide by the sum. Do "
       "not compute the mass of a static body: it is infinite.";
@@ -134,7 +134,7 @@ struct Tower {
 
 // Each block is faster than the one below, so every contact slides at its bound. By Coulomb's law each block
 // decelerates by μ g, as each contact carries the blocks above.
-EXERCISE_TEST(RepresentativeMass, KnowsNothingOfWhatRestsOnTop) {
+EXERCISE_TEST(RepresentativeMass, IsIndependentOfTheLoadAbove) {
   const int blocks = 5;
   Random random;
   Tower tower(blocks, mu, g, random_tangents(random));

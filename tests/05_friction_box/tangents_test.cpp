@@ -119,7 +119,7 @@ EXERCISE_TEST(Tangents, HoldWhereCoefficientsAreEqual) {
 
 // Crossed with one and the same vector, every n gives a t1 (or a t2) perpendicular to it: two of them give the
 // vector away. There the formula breaks, as somewhere does every formula that is continuous over the sphere.
-EXERCISE_TEST(Tangents, HaveNoDirectionAtWhichTheyBreak) {
+EXERCISE_TEST(Tangents, HaveNoSingularDirection) {
   Random random;
   for (int trial = 0; trial < 100; ++trial) {
     const Tangents a = tangents(random.unit_vector()), b = tangents(random.unit_vector());

@@ -39,7 +39,7 @@ EXERCISE_TEST(DistanceConstraint, MeasuresPointMasses) {
                      "Gi = -n.");
 }
 
-EXERCISE_TEST(DistanceConstraint, GoesFromPointToPointHoweverShortTheArms) {
+EXERCISE_TEST(DistanceConstraint, IncludesShortArms) {
   const SpookParameters spook{.a = 1, .b = 1, .Sigma = 0};
   for (const double part : relative_scales) {
     // 1 m along z between the centres; the points are beside them, across that.
@@ -245,7 +245,7 @@ EXERCISE_TEST(DistanceConstraint, TimesVelocityIsTheRateOfTheDistance) {
   }
 }
 
-EXERCISE_TEST(DistanceConstraint, TakesNothingFromThePair) {
+EXERCISE_TEST(DistanceConstraint, ConservesTheMomentumOfThePair) {
   const RandomPair t;
   const Constraint<6> c = row_of(t);
   expect_near(
@@ -286,7 +286,7 @@ EXERCISE_TEST(DistanceConstraint, RejectsPointsThatCoincide) {
       [&] { distance_constraint<3>({.body = 0, .x = i.x}, {.body = 1, .x = i.x}, 1, spook); }, clue);
 }
 
-EXERCISE_TEST(DistanceConstraint, RejectsADistanceThatIsNone) {
+EXERCISE_TEST(DistanceConstraint, RejectsADistanceThatIsNotFinite) {
   const Attachment i{.body = 0, .x = Vec3(1, 2, 3)};
   const SpookParameters spook{.a = 1, .b = 1, .Sigma = 0};
   distance_constraint<3>(i, {.body = 1, .x = Vec3::Zero()}, 1, spook);

@@ -176,7 +176,7 @@ EXERCISE_TEST(ImpactImpulse, DoesNotLetSlidingAddEnergy) {
   }
 }
 
-EXERCISE_TEST(ImpactImpulse, HasOneWhereSlidingHasNone) {
+EXERCISE_TEST(ImpactImpulse, IsTheSafeImpulseWhereSlidingHasNone) {
   // K of bodies with unusual shapes: n·K(n - μt) = 1 - 1.125, and the impulse that sticks has |J_t| = 1.149
   // J_n.
   const Mat3 K = (Mat3() << 2, 0.75, 1, 0.75, 1, 0, 1, 0, 1).finished();

@@ -559,7 +559,7 @@ EXERCISE_TEST(ResolveImpacts, DropsNothingSmall) {
     }
 }
 
-EXERCISE_TEST(ResolveImpacts, FeelsABodyThatMovesAndThatNothingMoves) {
+EXERCISE_TEST(ResolveImpacts, IncludesTheVelocityOfAKinematicBody) {
   const Vec3 up = Vec3::UnitZ(), zero = Vec3::Zero(), lift(0, 0, 1), spin(0, 8, 0);
   const ImpactLaw law{.restitution = 0.5, .friction = 0.2};
   for (const bool roller_is_i : {true, false}) {

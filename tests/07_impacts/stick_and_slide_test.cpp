@@ -289,7 +289,7 @@ EXERCISE_TEST(SlidingImpulse, IsAlongTheNormalWithoutSlip) {
                      value(at_rest, 2.5, none + rule), Vec3::Zero(), {0, "exact"}, {}, none + rule);
 }
 
-EXERCISE_TEST(SlidingImpulse, TakesASlipOfRoundingsForNone) {
+EXERCISE_TEST(SlidingImpulse, TreatsASlipOfRoundOffAsZero) {
   const std::string rule =
       "u_t is 1e-15 of u here, and its direction is round-off. A slip of up to 1e-12 |u| counts as none: J = j "
       "n.";

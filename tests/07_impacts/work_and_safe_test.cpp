@@ -197,7 +197,7 @@ EXERCISE_TEST(SafeImpulse, IsTheLargestInsideTheCone) {
               at_edge > 50 && whole > 50);
 }
 
-EXERCISE_TEST(SafeImpulse, LosesWhatItShould) {
+EXERCISE_TEST(SafeImpulse, LosesThePredictedEnergy) {
   Random random;
   for (int trial = 0; trial < 1000 && !::testing::Test::HasFailure(); ++trial) {
     const Impact impact = trial % 2 ? random_impact(random) : impact_of_any_K(random);
@@ -240,7 +240,7 @@ EXERCISE_TEST(SafeImpulse, WithoutFrictionIsAlongTheNormal) {
                      roundings(16), {}, rule + " Where nothing leaves the cone there is nothing to divide by.");
 }
 
-EXERCISE_TEST(SafeImpulse, StopsTheContactWhenItMay) {
+EXERCISE_TEST(SafeImpulse, StopsTheContactInAWideCone) {
   Random random;
   for (int trial = 0; trial < 200 && !::testing::Test::HasFailure(); ++trial) {
     const Impact impact = random_impact(random);

@@ -192,7 +192,7 @@ EXERCISE_TEST(BoxBox, LeavesOutWhatIsAboveTheFaceByLittle) {
   }
 }
 
-EXERCISE_TEST(BoxBox, TouchesWhereTheFaceLeavesNothing) {
+EXERCISE_TEST(BoxBox, UsesTheDeepestCornerWhenClippingLeavesNothing) {
   // The face of j that looks down most leads from its lowest corner away from i. That corner is beside the top of i, by
   // more than the millionth by which sides are moved, and below it, by less than makes up for the head start that the
   // faces of i have. What overlaps is the other lower face, which is steeper.
@@ -394,7 +394,7 @@ EXERCISE_TEST(BoxBox, HangsOverTheRim) {
   }
 }
 
-EXERCISE_TEST(BoxBox, KeepsTheFaceOfTheOtherBoxApart) {
+EXERCISE_TEST(BoxBox, PutsACornerOfIOnAFaceOfJ) {
   // Turned so that the face that is met is j's: i stands on a corner of it.
   Random random;
   for (int trial = 0; trial < 100 && !::testing::Test::HasFailure(); ++trial) {
@@ -625,7 +625,7 @@ double nearest(const Contact& contact, const std::vector<Contact>& others) {
   return least;
 }
 
-EXERCISE_TEST(BoxBox, TremblesNoMoreThanItsBoxes) {
+EXERCISE_TEST(BoxBox, ChangesLittleWhenItsBoxesMoveLittle) {
   Random random;
   for (const auto& [what, i, j] : common_positions()) {
     const auto still = contacts_of(i, j);
@@ -654,7 +654,7 @@ EXERCISE_TEST(BoxBox, TremblesNoMoreThanItsBoxes) {
   }
 }
 
-EXERCISE_TEST(BoxBox, DoesNotMindWhichIsFirst) {
+EXERCISE_TEST(BoxBox, IsIndependentOfTheArgumentOrder) {
   Random random;
   std::vector<Position> positions = common_positions();
   Regions regions({"a face of i is met", "a face of j is met", "two edges are met", "j has the lower number"},

@@ -383,7 +383,7 @@ EXERCISE_TEST(SpatialHash, TellsCellsApartByAllBits) {
       "bits of the three numbers, not only the low ones.");
 }
 
-EXERCISE_TEST(SpatialHash, TellsPointsApart) {
+EXERCISE_TEST(SpatialHash, SeparatesBodiesOfZeroSize) {
   if (!hash_takes_each_bodys_own_level()) return;
   Random random;
   Bodies points;
@@ -397,7 +397,7 @@ EXERCISE_TEST(SpatialHash, TellsPointsApart) {
       "type.");
 }
 
-EXERCISE_TEST(SpatialHash, IsNotHeldUpByAGiant) {
+EXERCISE_TEST(SpatialHash, StaysFastBesideAVeryLargeBody) {
   if (!hash_takes_each_bodys_own_level()) return;
   Random random;
   const auto around_them = [&random](int count) {

@@ -485,7 +485,7 @@ EXERCISE_TEST(WellSpread, HoldsTheMeanWhereTheDeepestIs) {
   }
 }
 
-EXERCISE_TEST(WellSpread, DoesNotMindDepthsThatAreAlike) {
+EXERCISE_TEST(WellSpread, AcceptsEqualDepths) {
   Random random;
   for (int trial = 0; trial < 100 && !::testing::Test::HasFailure(); ++trial) {
     std::vector<Contact> contacts;
@@ -535,7 +535,7 @@ bool expect_the_same_while_they_tremble(Random& random, const std::vector<Contac
   return true;
 }
 
-EXERCISE_TEST(WellSpread, KeepsTheSameWhileTheyTremble) {
+EXERCISE_TEST(WellSpread, KeepsItsChoiceUnderSmallChanges) {
   // Eight that are as deep, on a circle or a square; or of which the deepest has as good a four on either side. And one
   // in the middle, not as deep, from which it cannot be told how far they are from each other.
   Random random;

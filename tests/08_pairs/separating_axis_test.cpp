@@ -360,7 +360,7 @@ EXERCISE_TEST(SeparatingAxis, DropsNothingOfThinBoxes) {
                   "many are");
 }
 
-EXERCISE_TEST(SeparatingAxis, NoDirectionIsMoreOpen) {
+EXERCISE_TEST(SeparatingAxis, NoDirectionHasALargerGap) {
   Random random;
   for (int trial = 0; trial < 100 && !::testing::Test::HasFailure(); ++trial) {
     const Box i = random_box(random, 0), j = random_box(random, 1);

@@ -65,7 +65,7 @@ EXERCISE_TEST(ConeSolve, GoesOnWhenASweepReturnsMore) {
   }
 }
 
-EXERCISE_TEST(ConeSolve, WithoutContactsIsChapter04s) {
+EXERCISE_TEST(ConeSolve, WithoutContactsEqualsSolve) {
   Random random;
   System<6> s = random_bodies(random, 3);
   for (int k = 0; k < 4; ++k) add_random_joint(s, random);
@@ -217,7 +217,7 @@ EXERCISE_TEST(ConeSolve, SlowsABlockAlikeInAllDirections) {
   }
 }
 
-EXERCISE_TEST(ConeSolve, SaysSoWhenItGoesRoundInCircles) {
+EXERCISE_TEST(ConeSolve, ReportsSweepsThatCycle) {
   // μ n·Kt/n·Kn = -1.5: friction lifts more than the contact presses, so λ_n alternates with 0.
   System<6> s = leaning_rod(2, 3, 0.16);
   const SolveReport report = cone_solve(s.contacts, s.rows, s.V, {.max_sweeps = 1000, .tolerance = 1e-6});

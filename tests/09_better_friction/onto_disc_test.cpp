@@ -72,7 +72,7 @@ EXERCISE_TEST(OntoDisc, IsNothingForNoRadius) {
                      {0, "exact"}, {}, "0 has no direction and needs none, since it is inside.");
 }
 
-EXERCISE_TEST(OntoDisc, HasNoSizeOfItsOwn) {
+EXERCISE_TEST(OntoDisc, IsTheSameAtEveryScale) {
   for (const double size : {1e-60, 1e-15, 1e-9, 1e-3, 1e9, 1e60})
     expect_near_vector("λ_t = (3, 4) over " + show(size) + " N s, onto a disc of 2.5", "Eq. (9.4)",
                        Vec2(onto_disc(size * Vec2(3, 4), 2.5 * size) / size), Vec2(1.5, 2), roundings(16, 4),

@@ -113,7 +113,7 @@ EXERCISE_TEST(SweepOnCones, TakesOldFrictionOff) {
   }
 }
 
-EXERCISE_TEST(SweepOnCones, WithoutContactsIsChapter04s) {
+EXERCISE_TEST(SweepOnCones, WithoutContactsEqualsSweep) {
   Random random;
   System<6> s = random_bodies(random, 3);
   for (int k = 0; k < 6; ++k) add_random_joint(s, random);
@@ -421,7 +421,7 @@ EXERCISE_TEST(ResidualOnCones, TakesAnyBoundsOfTheOtherRows) {
   }
 }
 
-EXERCISE_TEST(ResidualOnCones, WithoutContactsIsChapter04s) {
+EXERCISE_TEST(ResidualOnCones, WithoutContactsEqualsResidual) {
   Random random;
   System<6> s = random_bodies(random, 3);
   for (int k = 0; k < 6; ++k) add_random_joint(s, random);

@@ -81,7 +81,7 @@ EXERCISE_TEST(LimitFriction, ReplacesOldBounds) {
   }
 }
 
-EXERCISE_TEST(LimitFriction, LeavesNothingToWhatDoesNotPress) {
+EXERCISE_TEST(LimitFriction, SetsZeroBoundsWithoutPressureOrFriction) {
   for (const auto& [mu, press] : {std::pair(0.0, 3.0), std::pair(0.7, 0.0)}) {
     System<3> s = points_on_a_slope(1, 0, mu, 0, 0.1);
     s.rows[0].lambda = press;
@@ -188,7 +188,7 @@ EXERCISE_TEST(TwoPassSolve, HoldsABlockBetweenTwoWalls) {
   }
 }
 
-EXERCISE_TEST(TwoPassSolve, LimitsFrictionByThePressureWithoutIt) {
+EXERCISE_TEST(TwoPassSolve, LimitsFrictionByTheFirstPass) {
   const double mu = 0.5, fall = 0.16, slip = -3;
   System<6> s = leaning_rod(mu, slip, fall);
   two_pass_solve(s.contacts, s.rows, s.V, {.max_sweeps = 1000, .tolerance = 1e-14});
@@ -312,7 +312,7 @@ EXERCISE_TEST(TwoPassSolve, TakesOldFrictionOutOfTheVelocitiesToo) {
 }
 
 // μ = 0 at one of two contacts, and old friction at both.
-EXERCISE_TEST(TwoPassSolve, TakesOldFrictionOffIceToo) {
+EXERCISE_TEST(TwoPassSolve, RemovesOldFrictionWhereMuIsZero) {
   Random random;
   for (int trial = 0; trial < 10 && !::testing::Test::HasFailure(); ++trial) {
     System<6> s = random_system(random, 3, 2, 1);

@@ -279,7 +279,7 @@ EXERCISE_TEST(UpdateFriction, LowersTheEnergyWhileThePressureStays) {
   }
 }
 
-EXERCISE_TEST(UpdateFriction, DoesNotCareWhichTangents) {
+EXERCISE_TEST(UpdateFriction, IsIndependentOfTheTangents) {
   Random random;
   for (int trial = 0; trial < 50 && !::testing::Test::HasFailure(); ++trial) {
     System<6> bodies = random_bodies(random, 2);

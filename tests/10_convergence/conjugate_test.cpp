@@ -476,7 +476,7 @@ EXERCISE_TEST(ConjugateSolve, StopsAtTheLowestEnergyOnTheWayToAProjection) {
 }
 
 // The header's second iteration, computed from the result of the first.
-EXERCISE_TEST(ConjugateSolve, SweepsWhenABoundWasMetOrLacksMost) {
+EXERCISE_TEST(ConjugateSolve, SweepsWhenABoundWasMetOrHasTheLargestResidual) {
   Random random;
   for (int repeat = 0; repeat < 40; ++repeat) {
     Problem<6> swept = random_problem(random, 5, 10);

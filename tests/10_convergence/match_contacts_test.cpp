@@ -70,7 +70,7 @@ EXERCISE_TEST(MatchContacts, FollowsPointsThatMoved) {
                  "Of those within reach, 0.3 m, the nearest is the one: the next is at least 0.16 m away.");
 }
 
-EXERCISE_TEST(MatchContacts, KnowsNewOnesAndForgetsLostOnes) {
+EXERCISE_TEST(MatchContacts, MarksNewContactsAndDropsLostOnes) {
   const std::vector<Contact> contacts = {contact(0, 1, Vec3(0, 0, 0)), contact(0, 1, Vec3(3, 0, 0)),
                                          contact(1, 2, Vec3(0, 0, 0)), contact(0, 2, Vec3(0.5, 0, 0))};
   const std::vector<OldContact> old = {
@@ -138,7 +138,7 @@ EXERCISE_TEST(MatchContacts, TakesTheNearestHoweverLittleItIsNearer) {
   }
 }
 
-EXERCISE_TEST(MatchContacts, LeavesTheNextBestToTheLoser) {
+EXERCISE_TEST(MatchContacts, GivesTheNextNearestToAnUnmatchedContact) {
   const std::vector<OldContact> old = {{0, 1, Vec3(0, 0, 0)}, {0, 1, Vec3(0.6, 0, 0)}};
   const std::vector<Contact> contacts = {contact(0, 1, Vec3(0.2, 0, 0)), contact(0, 1, Vec3(0.1, 0, 0))};
   expect_matches("two contacts near an old one, and a second old one within reach",
@@ -148,7 +148,7 @@ EXERCISE_TEST(MatchContacts, LeavesTheNextBestToTheLoser) {
                  "Match the nearest two first, then the nearest two of the remaining ones.");
 }
 
-void expect_no_two_that_would_rather(Random& random, int count) {
+void expect_nearest_pairs_first(Random& random, int count) {
   const double reach = 0.4;
   std::vector<OldContact> old;
   std::vector<Contact> contacts;
@@ -187,10 +187,10 @@ void expect_no_two_that_would_rather(Random& random, int count) {
     }
 }
 
-EXERCISE_TEST(MatchContacts, LeavesNoTwoThatWouldRatherHaveEachOther) {
+EXERCISE_TEST(MatchContacts, MatchesTheNearestPairsFirst) {
   Random random;
   for (const int count : {40, 3 * many})
-    if (!::testing::Test::HasFailure()) expect_no_two_that_would_rather(random, count);
+    if (!::testing::Test::HasFailure()) expect_nearest_pairs_first(random, count);
 }
 
 EXERCISE_TEST(MatchContacts, OfNothingIsNothing) {

@@ -298,7 +298,7 @@ EXERCISE_TEST(SweepInOrder, HasOneRateInEveryOrderOfATower) {
                 "The factor is the square of Jacobi's in any order: the rows of a tower have no cycle.");
 }
 
-EXERCISE_TEST(SweepInOrder, GoingUpIsAheadBySweeps) {
+EXERCISE_TEST(SweepInOrder, GoingUpSavesOneSweepARow) {
   Random random;
   std::vector<double> masses;
   for (int k = 0; k < 6; ++k) masses.push_back(random.log_uniform(0.3, 3));

@@ -78,7 +78,7 @@ EXERCISE_TEST(ObservedRate, FindsTheRateOfAStack) {
               {1e-9, "the history's round-off over its smallest entry"});
 }
 
-EXERCISE_TEST(ObservedRate, AsksNothingOfTheOthers) {
+EXERCISE_TEST(ObservedRate, UsesTwoEntriesOnly) {
   // Of six entries the third and the last count.
   for (const double other : {0.0, -1.0, std::nan("")})
     expect_near("rate of six entries, of which the irrelevant ones are " + show(other), "Eq. (10.5)",

@@ -66,7 +66,7 @@ EXERCISE_TEST(Relax, KeepsNoVelocityThatClosesAGap) {
               "An active contact keeps no normal velocity. V must be M⁻¹ Gᵀ λ at all times.");
 }
 
-EXERCISE_TEST(Relax, LetsGoOfWhatTheGapAloneHadPushed) {
+EXERCISE_TEST(Relax, RemovesTheImpulseOfTheGap) {
   // It moves out faster than it falls: without the gap the contact is inactive.
   Problem<3> p = overlapping_ball(-0.02);
   p.motion.W[1].z() = 0.4;
@@ -160,7 +160,7 @@ EXERCISE_TEST(Relax, BeginsWhereTheFirstSolveEnded) {
   }
 }
 
-EXERCISE_TEST(Relax, CountsNothingOfAVerySoftRow) {
+EXERCISE_TEST(Relax, KeepsTheDigitsOfAVerySoftRow) {
   // S = 0.5/kg beside Σ = 1e16/kg: rounding loses S in their sum.
   Problem<3> p = overlapping_ball(-0.02);
   p.rows[0].Sigma = 1e16;

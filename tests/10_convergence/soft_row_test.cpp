@@ -20,7 +20,7 @@ Row<3> row_of_a_ball() {
       {.i = 0, .j = 1, .Gi = -up, .Gj = up, .gap = -1, .spook = {.a = 20, .b = 0.9, .Sigma = 0.25}}, motion);
 }
 
-EXERCISE_TEST(UpdateSoftRow, AddsWhatIsMissing) {
+EXERCISE_TEST(UpdateSoftRow, SolvesOneSoftRowByHand) {
   // w = 10 · 0.02 = 0.2 m/s, u = -0.3 m/s, S = 0.5/kg: Δλ = 0.6 · 0.5/0.5 - 0.4 · 0.8 = 0.28 N s.
   Row<3> row = row_of_a_ball();
   row.lambda = 0.8;

@@ -13,7 +13,7 @@ namespace {
 
 EXERCISE(WarmStart, "10.2 warm_start");
 
-EXERCISE_TEST(WarmStart, SetsImpulsesAndWhatTheyDo) {
+EXERCISE_TEST(WarmStart, SetsImpulsesAndTheirVelocities) {
   Random random;
   Problem<6> p = random_problem(random, 4, 9);
   Eigen::VectorXd impulses(9);
@@ -97,7 +97,7 @@ EXERCISE_TEST(WarmStart, TakesAnyBounds) {
   }
 }
 
-EXERCISE_TEST(WarmStart, LeavesNothingToDoAtRest) {
+EXERCISE_TEST(WarmStart, LeavesAResidualOfZeroAtRest) {
   Problem<3> p = stack({3, 1, 4, 1, 5}, 0.01);
   std::vector<double> impulses;
   double above = 14;

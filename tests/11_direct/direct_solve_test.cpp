@@ -200,7 +200,7 @@ EXERCISE_TEST(DirectSolve, AgreesWithManySweeps) {
   }
 }
 
-EXERCISE_TEST(DirectSolve, IsContentWithWhatIsToleratedClamped) {
+EXERCISE_TEST(DirectSolve, StopsWhenClampingMeetsTheTolerance) {
   Random random;
   for (int met = 0; met < 10;) {
     System<6> s = random_system(random, 4, 6);
@@ -246,7 +246,7 @@ EXERCISE_TEST(DirectSolve, LeavesTheVelocitiesOfItsImpulses) {
               "Assign V, and ignore λ on entry.");
 }
 
-EXERCISE_TEST(DirectSolve, KeepsRowsThatHaveNoRoom) {
+EXERCISE_TEST(DirectSolve, HoldsRowsWithEqualBounds) {
   Random random;
   for (int repeat = 0; repeat < 10; ++repeat) {
     System<6> s = random_system(random, 4, 6);
@@ -372,7 +372,7 @@ EXERCISE_TEST(DirectSolve, SweepsOnWhenStoppedEarly) {
               difference(s.V, velocities(s.rows, s.V.size())), 0, roundings(200, 5));
 }
 
-EXERCISE_TEST(DirectSolve, HandsItsFirstTryOnAsTheGuess) {
+EXERCISE_TEST(DirectSolve, StartsTheInteriorSolveFromItsFirstTry) {
   Random random;
   for (int repeat = 0; repeat < 5 && !::testing::Test::HasFailure(); ++repeat) {
     System<6> s = random_system(random, 12, 30);
@@ -406,7 +406,7 @@ EXERCISE_TEST(DirectSolve, HandsItsFirstTryOnAsTheGuess) {
   }
 }
 
-EXERCISE_TEST(DirectSolve, IsNotFooledByHugeImpulses) {
+EXERCISE_TEST(DirectSolve, SolvesNearlyEqualRows) {
   // Rows that differ by 1e-13: without bounds their impulses are 1e9 N s. Clamping these does not give the solution.
   for (const bool turned : {false, true}) {
     System<3> s;

@@ -212,7 +212,7 @@ EXERCISE_TEST(Factorise, TakesWhatIsOnlyIllConditioned) {
               factorise(lower_triangle(twice), factors), "Σ is far above round-off.");
 }
 
-EXERCISE_TEST(Factorise, DoesNotCareForUnits) {
+EXERCISE_TEST(Factorise, JudgesPivotsAlikeAtAnyMass) {
   // A body and a row, [m G; G -Σ], are sound in grams and in tons. With that row twice and Σ = 0 they never are.
   for (const double mass : {1e-12, 1e-6, 1.0, 1e6, 1e18}) {
     MatrixXd once(2, 2), twice(3, 3);
@@ -227,7 +227,7 @@ EXERCISE_TEST(Factorise, DoesNotCareForUnits) {
   }
 }
 
-EXERCISE_TEST(Factorise, DrawsTheLineWhereItIsSaid) {
+EXERCISE_TEST(Factorise, RefusesPivotsBelowTheStatedLimit) {
   for (const double Sigma : {1e-9, 1e-11, 1e-13}) {
     Factors factors;
     const MatrixXd A = MatrixXd::Ones(2, 2) + Sigma * MatrixXd::Identity(2, 2);

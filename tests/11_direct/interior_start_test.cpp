@@ -187,7 +187,7 @@ EXERCISE_TEST(InteriorStart, IsInTheMiddleOfANarrowWay) {
   }
 }
 
-EXERCISE_TEST(InteriorStart, BeginsSomewhereWithNothingToGoBy) {
+EXERCISE_TEST(InteriorStart, IsPositiveWhereBIsZero) {
   // B = 0, and another source of a size: the guess alone, or a bound alone.
   expect_start(one_row(0, 0, infinity), VectorXd::Constant(1, 3));
   expect_start(one_row(0, 3, infinity), VectorXd::Zero(1));
@@ -212,7 +212,7 @@ EXERCISE_TEST(InteriorStart, BeginsSomewhereWithNothingToGoBy) {
   }
 }
 
-EXERCISE_TEST(InteriorStart, DoesNotCareForTheScaleOfARow) {
+EXERCISE_TEST(InteriorStart, IsIndependentOfRowScaling) {
   Random random;
   System<6> s = random_system(random, 4, 8);
   add_random_bounds(random, s.rows);

@@ -185,7 +185,7 @@ EXERCISE_TEST(InteriorStep, IsWholeOnlyWhereNothingLimitsIt) {
   }
 }
 
-EXERCISE_TEST(InteriorStep, LooksBeforeItGoes) {
+EXERCISE_TEST(InteriorStep, ChoosesTauByATrialStep) {
   Random random;
   for (int repeat = 0; repeat < 10; ++repeat) {
     const int rows = repeat == 0 ? many : 14;  // with 100 or 13 bounds
@@ -307,7 +307,7 @@ EXERCISE_TEST(InteriorStep, IsTheSolutionWithoutBounds) {
                   got.push_lo.isZero(0) && got.push_hi.isZero(0));
 }
 
-EXERCISE_TEST(InteriorStep, LetsTheSmallestOfThreeSetTheOthers) {
+EXERCISE_TEST(InteriorStep, ReconcilesLambdaAndItsRooms) {
   Random random;
   for (int repeat = 0; repeat < 10; ++repeat) {
     const int rows = repeat == 0 ? many : 12;

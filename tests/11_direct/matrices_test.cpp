@@ -240,7 +240,7 @@ EXERCISE_TEST(SaddleMatrix, AgreesWithTheDenseMatrix) {
   }
 }
 
-EXERCISE_TEST(SaddleMatrix, WhatNothingMovesStandsStill) {
+EXERCISE_TEST(SaddleMatrix, KeepsStaticBodiesAtRest) {
   Random random;
   System<6> s = random_system(random, 2, 3);
   const MatrixXd A = full(saddle_matrix(s.rows, s.motion.inverse_mass));

@@ -28,7 +28,7 @@ EXERCISE_TEST(SaddleSolve, SolvesTheRows) {
   }
 }
 
-EXERCISE_TEST(SaddleSolve, ForgetsWhatWasThere) {
+EXERCISE_TEST(SaddleSolve, IgnoresInitialValues) {
   Random random;
   System<6> cold = random_system(random, 4, 6), warm = cold;
   Factors factors;

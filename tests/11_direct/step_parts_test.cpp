@@ -80,7 +80,7 @@ EXERCISE_TEST(BarrierMatrix, KeepsThePatternAndTheRest) {
               "An entry that is 0 is part of the pattern: without it `factorise` has to analyse it again.");
 }
 
-EXERCISE_TEST(BarrierMatrix, IsAsStiffAsThePushIsSteep) {
+EXERCISE_TEST(BarrierMatrix, AddsPushOverRoomToTheDiagonal) {
   // With s z = τ kept, z = τ/s, and -dz/ds = τ/s² = z/s.
   Interior now{.lambda = Vector::Zero(1),
                .room_lo = Vector::Constant(1, 0.01),
@@ -209,7 +209,7 @@ EXERCISE_TEST(NewtonStep, IsThatOfAllFiveVectorsAtOnce) {
   expect_near_vector("Δz⁺ [m/s]", "Eq. (11.9)", VectorXd(step.push_hi), VectorXd(expected.tail(n)), tolerance);
 }
 
-EXERCISE_TEST(NewtonStep, StaysWhereAllIsRight) {
+EXERCISE_TEST(NewtonStep, IsZeroAtTheSolution) {
   Random random;
   Inside p = random_inside(random, 12);
   p.B = p.S * p.now.lambda - p.now.push_lo + p.now.push_hi;
@@ -270,7 +270,7 @@ EXERCISE_TEST(LongestStep, EndsAtTheFirstBound) {
 }
 
 // At a solution some rooms are 1e-12 of others, and the last steps change these.
-EXERCISE_TEST(LongestStep, LooksAtTheSmallestToo) {
+EXERCISE_TEST(LongestStep, IncludesVerySmallEntries) {
   for (const double part : relative_scales)
     for (const Part& of : parts) {
       Interior now = four(1), step = four(0);
@@ -303,7 +303,7 @@ EXERCISE_TEST(LongestStep, IsNeverMoreThanWhole) {
   }
 }
 
-EXERCISE_TEST(LongestStep, IsNoneFromABoundOutwards) {
+EXERCISE_TEST(LongestStep, IsZeroFromABoundOutwards) {
   Interior now = four(1), step = four(0);
   now.push_hi[1] = 0;
   step.push_hi[1] = -2;

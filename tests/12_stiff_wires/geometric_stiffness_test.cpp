@@ -58,7 +58,7 @@ EXERCISE_TEST(GeometricStiffness, FollowsALinkThatNearlyLiesAlongAnAxis) {
   }
 }
 
-EXERCISE_TEST(GeometricStiffness, IsHowThePullTurns) {
+EXERCISE_TEST(GeometricStiffness, IsTheDerivativeOfThePull) {
   Random random;
   for (int repeat = 0; repeat < 10 && !::testing::Test::HasFailure(); ++repeat) {
     const Link link = random_link(random);

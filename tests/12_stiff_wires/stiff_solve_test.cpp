@@ -227,7 +227,7 @@ EXERCISE_TEST(StiffSolve, KeepsMomentum) {
   }
 }
 
-EXERCISE_TEST(StiffSolve, FeelsNoSteadyMotion) {
+EXERCISE_TEST(StiffSolve, DoesNotDampSteadyMotion) {
   // Bodies that move apart, each at its own velocity, and fall alike: no velocity difference changes.
   Random random;
   Springs s = random_springs(random, 6, 0, 3);

@@ -133,7 +133,7 @@ EXERCISE_TEST(StiffenedMatrix, HasTheLayoutOfTheSaddlePoint) {
               roundings(4, 10), {}, "The first unknowns are three a body, then comes one a row.");
 }
 
-EXERCISE_TEST(StiffenedMatrix, FeelsNoSpringWhenAllMoveAlike) {
+EXERCISE_TEST(StiffenedMatrix, AddsNothingToACommonVelocity) {
   Random random;
   Springs s = random_springs(random, 7, 0, 5);
   s.rows.clear();

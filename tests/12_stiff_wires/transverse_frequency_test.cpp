@@ -77,7 +77,7 @@ double amplitude(double h, double T, double m, double l, int points, int steps) 
   return largest;
 }
 
-EXERCISE_TEST(TransverseFrequency, SaysWhichStepsLeapfrogFollows) {
+EXERCISE_TEST(TransverseFrequency, IsTheStabilityLimitOfLeapfrog) {
   const double T = 50, m = 0.02, l = 0.1;
   const double largest = 2 / transverse_frequency(T, m, l);
   expect_at_most("largest distance in a string of 30 points with h = 0.99·2/ω, from 1 m, in 200 steps [m]",

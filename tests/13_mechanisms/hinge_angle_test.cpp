@@ -19,7 +19,7 @@ double angle_at(double angle, double last) {
   return hinge_angle(t.i, t.j, last).value;
 }
 
-EXERCISE_TEST(HingeAngle, IsHowFarJIsTurnedAsISeesIt) {
+EXERCISE_TEST(HingeAngle, IsTheTurnOfJRelativeToI) {
   for (const double angle : {0.0, 0.3, -0.3, 1.5, -2.0, 3.1, -3.1})
     expect_near("angle of a hinge that is turned by " + show(angle) + " rad, last seen at 0", "Eq. (13.8)",
                 angle_at(angle, 0), angle, roundings(64),
@@ -43,7 +43,7 @@ EXERCISE_TEST(HingeAngle, GoesOnBeyondHalfATurn) {
 }
 
 // Two hinges are read in turn: the angle of one says nothing about the other.
-EXERCISE_TEST(HingeAngle, KnowsOnlyTheLastAngleThatItIsGiven) {
+EXERCISE_TEST(HingeAngle, DependsOnTheGivenLastAngleOnly) {
   RandomFrames t;
   t.close_hinge(0.3);
   double before = hinge_angle(t.i, t.j, 0.4).value;

@@ -65,7 +65,7 @@ EXERCISE_TEST(LimitConstraint, PushesBackFromEither) {
   }
 }
 
-EXERCISE_TEST(LimitConstraint, LetsComeAsFarAsTheLimit) {
+EXERCISE_TEST(LimitConstraint, AllowsMotionUpToTheLimit) {
   for (const double value : {-0.4, 1.0, 1.99}) {
     const SpookParameters got = row_at(value).spook;
     expect_near(
@@ -109,7 +109,7 @@ EXERCISE_TEST(LimitConstraint, MayHaveOneLimitOnly) {
               {}, "An infinite limit is infinitely far away, and never the nearer one.");
 }
 
-EXERCISE_TEST(LimitConstraint, IsThatOfTheNearerAtAnyPlace) {
+EXERCISE_TEST(LimitConstraint, UsesTheNearerLimitEverywhere) {
   Random random;
   Regions regions({"nearer the lower one", "nearer the upper one", "below the lower one", "above the upper one",
                    "only a lower one", "only an upper one", "at a limit", "below both, which are equal",

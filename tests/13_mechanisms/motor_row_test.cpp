@@ -32,7 +32,7 @@ struct Driven {
   double along(const std::vector<Twist<6>>& of) const { return rate_by(free, of[0], of[1]); }
 };
 
-EXERCISE_TEST(MotorRow, AsksForTheSpeedThatIsLacking) {
+EXERCISE_TEST(MotorRow, HasTheMissingSpeedAsItsRightSide) {
   const Driven t;
   const double GW = t.along(t.motion.W), GWf = t.along(t.motion.Wf), w = t.motor.speed;
   expect_near(
@@ -56,7 +56,7 @@ EXERCISE_TEST(MotorRow, DoesNotLookAtTheAngle) {
               "A motor sets a speed, and no angle: a = 0.");
 }
 
-EXERCISE_TEST(MotorRow, IsAsStrongAsItIs) {
+EXERCISE_TEST(MotorRow, IsBoundedByItsStrength) {
   Driven t;
   const Row<6> row = t.row();
   const double most = motor_step * t.motor.strength;
@@ -116,7 +116,7 @@ EXERCISE_TEST(MotorRow, LagsByItsTorqueOverItsViscosity) {
               "Σ = 1/(h c).");
 }
 
-EXERCISE_TEST(MotorRow, DoesNotLagWithoutViscosityToLose) {
+EXERCISE_TEST(MotorRow, IsRigidAtInfiniteViscosity) {
   Driven t;
   t.motor.viscosity = infinity;
   expect_near("Σ of a motor of infinite viscosity", "Eq. (13.12)", t.row().Sigma, 0, {0, "1/∞"}, {},

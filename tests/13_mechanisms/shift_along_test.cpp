@@ -63,7 +63,7 @@ EXERCISE_TEST(ShiftAlong, HasFourBlocks) {
   }
 }
 
-EXERCISE_TEST(ShiftAlong, CountsAShortWayToo) {
+EXERCISE_TEST(ShiftAlong, IncludesAShortOffset) {
   RandomFrames t;
   const Vec3 apart = t.apart;
   for (const double part : relative_scales) {

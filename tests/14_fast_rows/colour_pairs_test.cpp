@@ -93,7 +93,7 @@ EXERCISE_TEST(ColourPairs, TheFloorDoesNotCount) {
                  "The second shares body 0 with the first, and the third body 1 with the second.");
 }
 
-EXERCISE_TEST(ColourPairs, NeedsFewerThanTwiceTheMost) {
+EXERCISE_TEST(ColourPairs, NeedsFewerColoursThanTwiceTheMostOnABody) {
   Random random;
   for (int trial = 0; trial < 50 && !::testing::Test::HasFailure(); ++trial) {
     const int bodies = random.integer(2, 12);

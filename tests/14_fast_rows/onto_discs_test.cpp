@@ -154,7 +154,7 @@ EXERCISE_TEST(OntoDiscs, IsChapterNinesDiscInEachLane) {
   }
 }
 
-EXERCISE_TEST(OntoDiscs, HasNoSizeOfItsOwn) {
+EXERCISE_TEST(OntoDiscs, IsTheSameAtEveryScale) {
   const Lanes size(1e-60, 1e-12, 1e9, 1e60);
   LanePairs lambda;
   lambda << 3 * size, 4 * size;

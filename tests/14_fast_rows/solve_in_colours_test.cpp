@@ -151,7 +151,7 @@ EXERCISE_TEST(SolveInColours, HasThreadsWithNothingToDo) {
               "A share may be empty.");
 }
 
-EXERCISE_TEST(SolveInColours, AsksEveryThreadWhatItsPacksLacked) {
+EXERCISE_TEST(SolveInColours, CombinesTheResidualsOfAllThreads) {
   // A hundred packs of one colour, so that each of a hundred threads has one. The last pack has the largest residual.
   Random random;
   Heap heap(random, 2 * lane_count * many + 2, 0);

@@ -201,7 +201,7 @@ EXERCISE_TEST(SolveOnCone, LooksForTheRootUntilItIsFound) {
   }
 }
 
-EXERCISE_TEST(SolveOnCone, FindsWhatSweepsDoNot) {
+EXERCISE_TEST(SolveOnCone, SolvesARodOnWhichSweepsCycle) {
   // The rod of (9.8) with ρ = -1.5, dragged at 3 m/s: row by row the update alternates between λ_n and 0, for ever.
   const Mat3 S = (Mat3() << 1.6, -1.2, 0, -1.2, 3.4, 0, 0, 0, 4).finished();
   const double mu = 2, q_n = 0.16, expected = q_n / (1.6 + 1.2 * mu);
@@ -227,7 +227,7 @@ EXERCISE_TEST(SolveOnCone, TurnsWithTheTangents) {
   }
 }
 
-EXERCISE_TEST(SolveOnCone, DoesNotMindMuchSlip) {
+EXERCISE_TEST(SolveOnCone, StaysExactAtAHighSlip) {
   Random random;
   for (const double fast : {1e3, 1e6, 1e9}) {
     const Mat3 S = coupled_block(random);

@@ -133,7 +133,7 @@ EXERCISE_TEST(UpdateContact, TakesOldImpulsesOff) {
   }
 }
 
-EXERCISE_TEST(UpdateContact, ReturnsWhatItLacked) {
+EXERCISE_TEST(UpdateContact, ReturnsTheVelocityChange) {
   Random random;
   System<6> s = busy_system(random);
   for (const FrictionContact& contact : s.contacts) {

@@ -118,7 +118,7 @@ TEST(Handles, NameTheSameWhateverIsRemoved) {
   }
 }
 
-TEST(Handles, RefuseWhatThereIsNot) {
+TEST(Handles, RefuseUnknownBodiesAndJoints) {
   World<3> world({});
   Handles<3> handles(world);
   EXPECT_THROW((void)handles.of_body(0), std::invalid_argument);

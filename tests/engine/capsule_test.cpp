@@ -230,7 +230,7 @@ TEST(Capsule, KeepsMomentaWhenTwoCollide) {
   EXPECT_LT((momentum() - before).norm(), 1e-12);
 }
 
-TEST(Capsule, AsksForWhatMakesSense) {
+TEST(Capsule, RefusesInvalidShapes) {
   World<6> world({});
   expect_refusal({"half length", "-1"}, [&] { world.add({.radius = 0.1, .half_length = -1}); });
   expect_refusal({"radius", "0"}, [&] { world.add({.principal = Vec3::Ones(), .half_length = 1}); });

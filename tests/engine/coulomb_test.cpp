@@ -115,7 +115,7 @@ TEST(Coulomb, APlankStaysOnTheBoxThatItIsPartlyOn) {
   }
 }
 
-TEST(Coulomb, WhatRestsIsSolvedByALook) {
+TEST(Coulomb, ARestingPileNeedsFewSweeps) {
   // A pyramid of 55 cubes: after two seconds a step takes a few sweeps on average, not twenty factorisations.
   World<6> world({.friction = 0.6});
   world.add_plane(Vec3::UnitZ(), 0);

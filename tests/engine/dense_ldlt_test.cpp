@@ -81,7 +81,7 @@ SparseMatrix lower(const Matrix& A) {
   return Matrix(A.triangularView<Eigen::Lower>()).sparseView();
 }
 
-TEST(VelocityFactors, AreOfEitherKindByTheNumberOfVelocities) {
+TEST(VelocityFactors, AreDenseForFewVelocities) {
   testing::Random random;
   VelocityFactors factors;
   int analyses = 0;

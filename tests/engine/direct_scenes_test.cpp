@@ -121,7 +121,7 @@ TEST(StiffLinks, AreNotForRigidBodies) {
                  [] { find_solver<6>("geometric_stiffness").make(); });
 }
 
-TEST(StiffLinks, LeaveAloneWhatContactsHaveToDoWith) {
+TEST(StiffLinks, AreNotUsedOnWiresWithContacts) {
   // One wire swings freely; the load of another lies on the ground, and is solved without K.
   World<3> world({.k = 1e6,
                   .solver = find_solver<3>("geometric_stiffness").make(),

@@ -60,7 +60,7 @@ TEST(Hand, HoldsARigidBodyByThePointThatItTook) {
   EXPECT_NEAR(pull.normalized().dot(along.normalized()), 1, 0.2) << "and swings below the point";
 }
 
-TEST(Hand, SaysWhenThereIsAnotherJoint) {
+TEST(Hand, ReportsAChangeOfItsJoint) {
   World<3> world({.gravity = gravity});
   world.add({.x = Vec3(0, 0, 0)});
   world.add({.x = Vec3(1, 0, 0)});

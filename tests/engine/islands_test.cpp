@@ -48,7 +48,7 @@ struct Net {
   }
 };
 
-TEST(Islands, AreWhatMovesTogether) {
+TEST(Islands, ConnectRowsThroughDynamicBodies) {
   Net net;
   const int anchor = net.add_point(0);
   net.hang(anchor, 2);
@@ -69,7 +69,7 @@ TEST(Islands, ARowOfFixedBodiesIsOneOfItsOwn) {
   EXPECT_EQ(islands(net.rows, net.V.size()), (std::vector<std::vector<int>>{{0}, {1}}));
 }
 
-TEST(Islands, AWireIsTwoWideAndARibbonOfKWiresTwoK) {
+TEST(Islands, HaveAFactorCostByTheirWidth) {
   Net wire;
   wire.hang(wire.add_point(0), 50);
   EXPECT_EQ(factor_cost(wire.rows), 2 * 2 / 25.0);
@@ -92,7 +92,7 @@ TEST(Islands, AWireIsTwoWideAndARibbonOfKWiresTwoK) {
   EXPECT_LE(factor_cost(ribbon.rows), std::pow(2 * (2 * k - 1), 2) / 25);
 }
 
-TEST(Islands, BodiesAreTheUnknownsWhereRowsAreMore) {
+TEST(Islands, FactoriseBodiesWhenRowsOutnumberThem) {
   Net pair;
   const int a = pair.add_point(0), b = pair.add_point();
   const auto join = [&](int rows) {
@@ -118,7 +118,7 @@ Net star(double inverse_mass) {
   return net;
 }
 
-TEST(Islands, WhatSweepsDoNotSolveGetsFactors) {
+TEST(Islands, AreFactorisedWhenSweepsFail) {
   Net stiff = star(1000);
   const StopRule few{.max_sweeps = 50};
   ASSERT_GT(factor_cost(stiff.rows), few.max_sweeps) << "sweeps are tried first";
@@ -188,7 +188,7 @@ TEST(Outcomes, InTurnGoOn) {
   EXPECT_TRUE(append(direct, swept, 10).report.converged);
 }
 
-TEST(Outcomes, SideBySideAreAsFarAsTheWorse) {
+TEST(Outcomes, InParallelAreAsGoodAsTheWorse) {
   SolverResult one{SolveReport{.history = {3, 1}, .converged = true}};
   SolverResult other{SolveReport{.history = {2, std::nan(""), 1}, .converged = false, .trouble = "why"}};
   one.row_updates = 20;

@@ -397,7 +397,7 @@ TEST(Angle, CountsTurns) {
   }
 }
 
-TEST(Angle, IsOfJAsISeesIt) {
+TEST(Angle, IsTheTurnOfJRelativeToI) {
   // For any common motion, and any place of the axis.
   testing::Random random;
   const Quat q = random.rotation(), turned = random.rotation();

@@ -150,7 +150,7 @@ TEST(Newton, SweepsWhereNoSigmaSoftensARow) {
   EXPECT_NEAR(world.v(block).x(), 1 - mu * 9.81 * h, 1e-3);
 }
 
-TEST(Newton, HasNothingToDoForRowsThatAskForNothing) {
+TEST(Newton, ReturnsAtOnceForRowsAtRest) {
   Motion<3> motion;
   motion.inverse_mass = {{.linear = 0}, {.linear = 1}};
   motion.W = motion.Wf = {Vec3::Zero(), Vec3::Zero()};

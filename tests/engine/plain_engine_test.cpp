@@ -145,7 +145,7 @@ TEST(PlainEngine, ReportsWhatItsSolverLeft) {
   EXPECT_EQ(scene->verdict().state, State::unsolved) << "50 sweeps carry no weight through ten balls";
 }
 
-TEST(PlainEngine, TakesTheFirstStepThatHasAllThatAWorldNeeds) {
+TEST(PlainEngine, ChoosesTheSimplestSufficientStep) {
   const auto step_of = [](Settings<6> settings, auto... radii) {
     World<6> world(std::move(settings));
     world.add_plane(Vec3::UnitZ(), 0);

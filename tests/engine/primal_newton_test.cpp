@@ -112,7 +112,7 @@ TEST(BodySolve, FromItsOwnAnswerTakesOneFactorisation) {
   EXPECT_EQ(factors.factors.analyses(), 1) << "the pattern is that of the bodies, whichever rows are held";
 }
 
-TEST(BodySolve, WhatStandsTakesOneFactorisationAStep) {
+TEST(BodySolve, AStackAtRestTakesOneFactorisationAStep) {
   // After the first steps all changes are round-off. The energy is a sum of these, and must not require more.
   for (const double ratio : {1.0, 1e3, 1e6}) {
     World<6> world({.k = 1e6 * ratio, .friction = 0.5, .solver = direct<6>()});

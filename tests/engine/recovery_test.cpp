@@ -71,7 +71,7 @@ TEST(Recovery, MovesAnOverlapApartWithoutSpeed) {
     }
 }
 
-TEST(Recovery, TakesThePartOfAnOverlapThatAAndDSay) {
+TEST(Recovery, RemovesTheShareOfAnOverlapThatDSets) {
   // Without gravity k is that of joints, so that Σ is negligible beside S.
   const double h = 1.0 / 60, depth = 0.1;
   World<6> world({.gravity = Vec3::Zero()});

@@ -209,7 +209,7 @@ TEST(RunCheck, APushIsNotFromNothing) {
   EXPECT_EQ(soundness.verdict().state, State::sound);
 }
 
-TEST(RunCheck, OfEverySceneAsItComes) {
+TEST(RunCheck, FindsEveryDefaultSceneSound) {
   for (const SceneDescription& scene : scenes()) {
     const Verdict verdict =
         judged(scene.name, {}, std::min(scene.time, 5.0), {.h = scene.h, .solver = scene.solver});

@@ -107,7 +107,7 @@ TEST(DenseSolve, SolvesRowsThatShareBothBodies) {
   EXPECT_LT(difference(sparse.rows, dense.rows), 1e-11);
 }
 
-TEST(DenseSolve, TriesFewerWhereTheyOutnumberVelocities) {
+TEST(DenseSolve, AcceptsFewerRowsOnFewVelocities) {
   // Two dynamic bodies have six velocities.
   Random<3> few(5, 3, most_dense_rows_on_bodies, 1e12), many(5, 3, most_dense_rows_on_bodies + 1, 1e12);
   EXPECT_TRUE(small_direct(few.rows, few.V, {}));
@@ -124,7 +124,7 @@ void expect_nothing(Random<3> s, const char* why, const StopRule& stop = {}) {
   EXPECT_EQ(s.V, before.V) << why;
 }
 
-TEST(DenseSolve, LeavesToOthersWhatItDoesNotSolve) {
+TEST(DenseSolve, ReturnsNothingForUnsuitableRows) {
   expect_nothing(Random<3>(1, 2, 0), "no rows");
   expect_nothing(Random<3>(1, 50, most_dense_rows + 1), "too many");
   expect_nothing(Random<3>(1, 4, 3, 0), "no room");

@@ -148,7 +148,7 @@ TEST(Solvers, SayWhichLimitsTheirRowsComeWith) {
   EXPECT_EQ(geometric_stiffness(cone_gauss_seidel<3>()).friction, FrictionModel::cone);
 }
 
-TEST(Solvers, OneOfYourOwnIsOneMore) {
+TEST(Solvers, MayBeWrittenByTheUser) {
   // A floor with half the impulse: a solver may change the system in any way.
   World<3> world({.k = rigid, .solver = {.solve = [](const SolverInput<3>& s) {
                                 SolverResult outcome = gauss_seidel<3>().solve(s);
@@ -337,7 +337,7 @@ TEST(CopiesOfAWorld, OfAWireKeepItsTension) {
 }
 
 // Islands, patterns and factors are kept as long as rows act on the same bodies. A copy begins without them.
-TEST(CopiesOfAWorld, WithoutWhatIsKeptForSpeedHaveTheSameBits) {
+TEST(CopiesOfAWorld, WithoutCachesHaveTheSameBits) {
   for (const char* solver : {"auto", "direct"}) {
     World<6> world({.friction = 0.4, .solver = find_solver<6>(solver).make()});
     world.add_plane(Vec3::UnitZ(), 0);

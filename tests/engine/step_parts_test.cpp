@@ -123,7 +123,7 @@ TEST(StepParts, LetAGyroscopePrecess) {
   }
 }
 
-TEST(StepParts, AreOneWhereNothingAsksForMore) {
+TEST(StepParts, AreOneForSlowOrSoftJoints) {
   World<6> world({});
   world.add_fixed(Vec3::Zero());
   const int bob = world.add({.x = Vec3(1, 0, 0), .mass = 1, .radius = 0.1});
@@ -165,7 +165,7 @@ TEST(StepParts, CountAsOneStep) {
   EXPECT_NEAR(world.joint_force(0).norm(), 3600, 0.02 * 3600);
 }
 
-TEST(StepParts, LeaveWhatFallsBesideThemExact) {
+TEST(StepParts, KeepBodiesWithoutJointsExact) {
   // The first step computes the forces of joints. It must leave no trace in bodies without joints.
   for (const bool shifted : {false, true}) {
     const double h = 1.0 / 64;

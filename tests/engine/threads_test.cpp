@@ -106,7 +106,7 @@ TEST(Stripes, UpdateEveryRowOnceASweep) {
   EXPECT_EQ(world.row_updates(), 5 * std::ssize(world.rows()));
 }
 
-TEST(Stripes, LeaveWhatTheyWereHandedInPlace) {
+TEST(Stripes, KeepTheOrderOfTheRows) {
   World<6> swept = heap(gauss_seidel<6>(), 1), striped = heap(spatial_decomposition<6>(), 2);
   swept.step(h);
   striped.step(h);
@@ -130,7 +130,7 @@ TEST(Stripes, TakeWhatHasFewBodiesOrNoExtent) {
   EXPECT_EQ(same.x(1), Vec3::Zero()) << "bodies at one place";
 }
 
-TEST(Shares, HaveAllThingsInOrderAndThrowWhatIsThrown) {
+TEST(Shares, CoverAllItemsInOrderAndPassExceptionsOn) {
   for (const std::size_t n : {std::size_t{0}, std::size_t{999}, std::size_t{2000}, std::size_t{10'007}})
     for (const int threads : {1, 2, 7}) {
       const std::size_t shares = shares_of(threads, n);

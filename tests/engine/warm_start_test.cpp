@@ -67,7 +67,7 @@ std::vector<Row<3>> numbered_rows(std::size_t contacts) {
   return rows;
 }
 
-TEST(WarmStartCache, AreThoseOfMatchedContactsWhateverBecameOfThem) {
+TEST(WarmStartCache, ReturnsTheImpulsesOfMatchedContacts) {
   testing::Random random;
   for (int round = 0; round < 2000; ++round) {
     // Up to five pairs with up to four contacts each. Then they creep, or jump, some change places, one is removed, or

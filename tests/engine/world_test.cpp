@@ -109,7 +109,7 @@ TEST(Wrench, TurnsWhatItTwists) {
 
 // Bodies
 
-TEST(Bodies, OfAShapeKnowTheirMomentsAndOthersMustSay) {
+TEST(Bodies, HaveTheMomentsOfTheirShapeOrGivenOnes) {
   World<6> world({});
   const int ball = world.add({.mass = 3, .radius = 0.2}),
             box = world.add({.mass = 2, .half_sides = Vec3(1, 2, 3)});

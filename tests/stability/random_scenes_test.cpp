@@ -6,7 +6,7 @@
 namespace spook::testing {
 namespace {
 
-TEST(RandomScenes, AThousandDoAsTheyShould) {
+TEST(RandomScenes, AThousandPassTheirChecks) {
   std::map<std::string, double> worst;
   for (std::uint64_t n = 0; n < 1000; ++n) {
     const std::uint64_t seed = Random::seed() + n;

@@ -54,7 +54,7 @@ TEST(FlatBox, OnAHundredContactsIsHeldByTheirSum) {
   }
 }
 
-TEST(Loop, ThatCanNotCloseIsWhereItsSweepsSay) {
+TEST(Loop, ThatCannotCloseRestsAtAWeightedMean) {
   // Two rods of 1 m and 1.1 m from one anchor. E of Eq. (4.2) has one nonzero eigenvalue, ρ. At rest n sweeps from λ =
   // 0 give two impulses that sum to 0 where x is the mean with the weights below. As ρⁿ goes to 0 the weights go to k₁
   // and k₂; before that the last row dominates.

@@ -34,7 +34,7 @@ TEST(Spring, AsAForceHoldsBelowTwoOverOmega) {
     }
 }
 
-TEST(Spring, AsAForceAboveItIsNumbersOrABlowup) {
+TEST(Spring, AsAForceAboveThatStepIsFiniteOrReported) {
   for (const double turn : {2.01, 3.0, 30.0, 1e4}) {
     const double h = turn / std::sqrt(1e4);
     World<3> world = mass_on_a_force(1e4);
@@ -116,7 +116,7 @@ TEST(Tower, OfEqualsIsRightAfterSquaredSweeps) {
   }
 }
 
-TEST(Tower, ThatIsLostIsStillNumbersOrABlowup) {
+TEST(Tower, BeyondItsSweepsIsFiniteOrReported) {
   for (const double ratio : {1e4, 1e8}) {
     World<3> world = tower({1 / ratio, 1}, 1e12, 10);
     step_on(world, 1.0 / 30, 1000);

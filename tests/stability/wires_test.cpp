@@ -56,7 +56,7 @@ TEST(SwingingWire, StaysStraightBelowTheStepOfItsTension) {
   }
 }
 
-TEST(SwingingWire, AboveItIsStillNumbersOrABlowup) {
+TEST(SwingingWire, AboveThatStepIsFiniteOrReported) {
   for (const double ratio : {1e2, 1e5, 1e8})
     for (const double h : {1.4 * largest_step(10, ratio), 1.0 / 30}) {
       World<3> world = wire(10, ratio, aside, 1e12, 100);
@@ -64,7 +64,7 @@ TEST(SwingingWire, AboveItIsStillNumbersOrABlowup) {
     }
 }
 
-TEST(HangingWire, IsNoLongerThanItsSweepsMakeIt) {
+TEST(HangingWire, HasAStretchBoundedByItsSweeps) {
   // n sweeps make each link except the last a spring of k' = 4 n m/(h² (1+4d)) or stiffer, and its end swings to at
   // most twice Σ T/k'. A solver that does more in a sweep does better.
   struct Case {
@@ -91,7 +91,7 @@ TEST(HangingWire, IsNoLongerThanItsSweepsMakeIt) {
   }
 }
 
-TEST(HangingWire, BeyondThatIsStillNumbersOrABlowup) {
+TEST(HangingWire, BeyondItsSweepsIsFiniteOrReported) {
   for (const double ratio : {1.0, 1e4, 1e8})
     for (const int links : {10, 1000}) {
       World<3> world = wire(links, ratio, -Vec3::UnitZ(), 1e12, 20);

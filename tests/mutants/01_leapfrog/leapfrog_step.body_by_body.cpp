@@ -1,5 +1,5 @@
 // Wrong: kicks and drifts one body before it looks at the next.
-// Killed by: LeapfrogStep.FeelsAllBodiesAtTheirOldPositions
+// Killed by: LeapfrogStep.ComputesAllForcesAtOldPositions
 // Says: Finish all kicks before the first drift
 #include "01_leapfrog/leapfrog.hpp"
 #include "common/require.hpp"

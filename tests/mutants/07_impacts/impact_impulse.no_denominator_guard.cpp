@@ -1,5 +1,5 @@
 // Wrong: slides with a negative denominator.
-// Killed by: ImpactImpulse.HasOneWhereSlidingHasNone
+// Killed by: ImpactImpulse.IsTheSafeImpulseWhereSlidingHasNone
 // Says: it pulls
 #include "07_impacts/impacts.hpp"
 

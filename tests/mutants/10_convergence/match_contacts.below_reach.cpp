@@ -1,5 +1,5 @@
 // Wrong: leaves out a contact exactly at the reach.
-// Killed by: MatchContacts.KnowsNewOnesAndForgetsLostOnes
+// Killed by: MatchContacts.MarksNewContactsAndDropsLostOnes
 // Says: at most `reach`, <= and not <
 #include "10_convergence/convergence.hpp"
 

@@ -1,5 +1,5 @@
 // Wrong: takes the nearest, however far it is.
-// Killed by: MatchContacts.KnowsNewOnesAndForgetsLostOnes
+// Killed by: MatchContacts.MarksNewContactsAndDropsLostOnes
 // Says: out of reach, so it is new
 #include "10_convergence/convergence.hpp"
 

@@ -1,5 +1,5 @@
 // Wrong: gives a contact that lost its nearest nothing at all.
-// Killed by: MatchContacts.LeavesTheNextBestToTheLoser
+// Killed by: MatchContacts.GivesTheNextNearestToAnUnmatchedContact
 // Says: but another one is within reach
 #include "10_convergence/convergence.hpp"
 

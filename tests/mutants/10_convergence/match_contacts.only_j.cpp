@@ -1,5 +1,5 @@
 // Wrong: compares the second body alone.
-// Killed by: MatchContacts.KnowsNewOnesAndForgetsLostOnes
+// Killed by: MatchContacts.MarksNewContactsAndDropsLostOnes
 // Says: Bodies 1 and 2 had no contact before
 #include "10_convergence/convergence.hpp"
 
