@@ -113,7 +113,9 @@ def show(verdict: Verdict) -> None:
         print(f"  {symbol('wrong')} {name} fails, too")
     for warning in verdict.warnings:
         print(fold_lines(warning, "  "))
-    if verdict.others or verdict.warnings:
+    if verdict.note:
+        print(fold(verdict.note, "  "))
+    if verdict.others or verdict.warnings or verdict.note:
         print()
     print(fold(f"{symbol(verdict.state)} {exercise.label} {_summary(verdict)}"))
     if verdict.state == "done":

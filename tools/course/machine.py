@@ -76,7 +76,7 @@ def header_folders() -> tuple[str, ...]:
 @dataclass(frozen=True)
 class Limits:
     processor: int  # seconds; a second later it is killed
-    memory: int  # bytes; macOS does not enforce it
+    memory: int | None  # bytes; macOS does not enforce it
     file: int  # bytes, of what is written
 
 
@@ -88,7 +88,8 @@ def start_limited(command: list[str], limits: Limits, **options) -> subprocess.P
                                  str(limits.file // 512), *command], **options)
     process = subprocess.Popen(command, **options)
     try:
-        resource.prlimit(process.pid, resource.RLIMIT_AS, (limits.memory, limits.memory))
+        if limits.memory is not None:
+            resource.prlimit(process.pid, resource.RLIMIT_AS, (limits.memory, limits.memory))
         resource.prlimit(process.pid, resource.RLIMIT_FSIZE, (limits.file, limits.file))
         resource.prlimit(process.pid, resource.RLIMIT_CORE, (0, 0))
         resource.prlimit(process.pid, resource.RLIMIT_CPU, (limits.processor, limits.processor + 1))

@@ -101,10 +101,10 @@ def run_tests(program: Path, test_filter: str, seed: int | None = None, *, proce
 
 
 def run_limited(command: list[str], out, env: dict[str, str], folder: str,
-                processor: float | None = None) -> tuple[int, bool]:
+                processor: float | None = None, memory: int | None = _MEMORY) -> tuple[int, bool]:
     """Returns the exit code, and whether it ran for too long. Memory and written files are limited, too."""
     # A loop that never ends may also fill the memory or the disk.
-    limits = Limits(math.ceil(processor or time_limit()), _MEMORY, _OUTPUT)
+    limits = Limits(math.ceil(processor or time_limit()), memory, _OUTPUT)
     process = start_limited(command, limits, stdin=subprocess.DEVNULL, stdout=out, stderr=subprocess.STDOUT,
                             env=env, cwd=folder)
     timed_out = False

@@ -12,6 +12,7 @@ from exercise_object import drop_if_stale
 from manifest import Exercise
 from marker import code_of, marker_line, source_line
 from paths import shown
+from races import Races, races_of
 from symbols import missing_functions
 from text_encoding import complaint
 from tree import Built, Tree, jobs
@@ -32,6 +33,7 @@ class Verdict:
     others: list[str] = field(default_factory=list)  # further tests that fail
     tests: int = 0
     warnings: list[str] = field(default_factory=list)
+    note: str = ""  # what could not be tested
 
 
 def judge(exercise: Exercise, seed: int | None = None) -> Verdict:
@@ -89,12 +91,23 @@ def _judge_built(exercise: Exercise, built: Built, seed: int | None) -> Verdict:
     program = CHECK.program(_targets(exercise)[0])
     trial = run_tests(program, f"{exercise.suite}.*", seed, exercise=exercise)
     verdict = _judge_trial(exercise, trial)
+    races = Races() if trial.timed_out else races_of(CHECK, exercise)
+    verdict.note = races.skipped
     # What a data race gives is another number in each run.
-    if verdict.details and "data race" not in verdict.details and _depends_on_calls_before(program, trial, seed):
+    if races.found:
+        verdict = _with_race(verdict, races.found)
+    elif verdict.details and "data race" not in verdict.details and _depends_on_calls_before(program, trial, seed):
         verdict.details = ("Run alone, this test does not fail as it does here. So a value is kept from one call to the next, "
                            "in a static or a global variable? Or does one never get a value?\n\n" + verdict.details)
     verdict.warnings = diagnostics.warnings(built.output, exercise)
     return verdict
+
+
+def _with_race(verdict: Verdict, found: str) -> Verdict:
+    """Returns the verdict on an answer with a data race, which explains whatever else fails."""
+    failing = re.findall(r"^fails (\S+)", verdict.reason) + verdict.others
+    return Verdict(verdict.exercise, "wrong", "has a data race", found, verdict.printed, failing,
+                   verdict.tests + 1 if verdict.tests else 0)
 
 
 def without_building(exercise: Exercise) -> Verdict | None:
