@@ -1,4 +1,4 @@
-// What a worker of a page calls: class Play, whose lines go to the page. See tools/viewer/worker.js.
+// Class Play for a web page: the functions that tools/viewer/worker.js calls.
 #include <emscripten/emscripten.h>
 
 #include <memory>
@@ -13,7 +13,7 @@ std::unique_ptr<spook::Play> play;
 std::ostringstream lines;
 std::string last_text;
 
-/// Returns the lines that were written since the last call.
+/// Returns the lines written since the last call.
 const char* written() {
   last_text = lines.str();
   lines.str("");
@@ -33,10 +33,9 @@ spook::RunCommand command_of(const spook::Json& asked) {
 
 extern "C" {
 
-// Each returns the lines that came of it.
+// Each function that returns text returns the lines that it has written.
 
-/// Opens {"scene": NAME, "set": {NAME: value, ...}}; where that makes no sense the answer is {"refused": why}, and there
-/// is no run.
+/// Opens {"scene": NAME, "set": {NAME: value, ...}}. For invalid input it writes {"refused": why} and opens no run.
 EMSCRIPTEN_KEEPALIVE const char* spook_open(const char* asked) {
   play.reset();
   try {

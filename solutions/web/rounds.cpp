@@ -1,5 +1,5 @@
-// Chapter 14's rounds where there is one thread alone: its shares one after the other. A round's shares have nothing to
-// do with each other, so that the numbers are those of threads.
+// Chapter 14's rounds on a single thread: runs the shares in sequence. The shares of a round are independent, so the
+// results equal those of several threads.
 #include "14_fast_rows/fast_rows.hpp"
 
 namespace spook {

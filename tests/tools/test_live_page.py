@@ -113,7 +113,7 @@ class LivePage(unittest.TestCase):
             file.write_text(text, encoding="utf-8")
             self.browser.driver.get((self.folder / "index.html").as_uri())
             self.browser.wait("return Boolean(document.querySelector('.says'))")
-            self.assertIn("Shown is the film", self.ask("document.querySelector('.says').textContent"))
+            self.assertIn("The film is shown", self.ask("document.querySelector('.says').textContent"))
             self.assertTrue(self.ask("document.querySelector('figure[data-live] img').offsetHeight > 0"))
 
 

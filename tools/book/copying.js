@@ -1,8 +1,7 @@
 "use strict";
-// A button at each piece of code that copies it. A page from the file system may have no clipboard: then the code is
-// selected, for the keyboard.
+// Adds a button that copies each piece of code. If the page may not use the clipboard, the button selects the code.
 (() => {
-  const SAID = 1500; // how long the button says what it did [ms]
+  const SAID = 1500; // time for which the button shows its result [ms]
 
   async function copy(code) {
     try {

@@ -1,6 +1,5 @@
 "use strict";
-// A click on a figure shows it in its own size, over the page, where it scrolls. Without this script the link leads to
-// the file.
+// Shows a clicked figure in its full size, over the page. Without this script the link leads to the file.
 (() => {
   const dialog = document.createElement("dialog");
   dialog.id = "large";

@@ -1,9 +1,9 @@
 "use strict";
-// Reads [{tex, display}] and writes [{html} or {error}], by the KaTeX whose file is given.
+// Reads [{tex, display}] and writes [{html} or {error}], with KaTeX from the given file.
 const katex = require(process.argv[2]);
 const formulas = JSON.parse(require("fs").readFileSync(0, "utf8"));
 
-// Plain letters such as λ and ⁻¹ stand in formulas as they do in text.
+// Formulas may contain characters such as λ and ⁻¹.
 const strict = (code) => (code === "unicodeTextInMathMode" || code === "mathVsTextUnits" ? "ignore" : "error");
 
 function render({ tex, display }) {

@@ -1,5 +1,5 @@
 "use strict";
-// The contents on a small screen, what is folded away, and links to headings.
+// Handles the contents on a small screen, folded text, and links to headings.
 (() => {
   const menu = document.getElementById("menu");
   const contents = document.getElementById("contents");
@@ -14,7 +14,7 @@
   const current = contents.querySelector("[aria-current]");
   if (current) contents.scrollTop = current.offsetTop - contents.clientHeight / 3;
 
-  // The section that is being read: the last one whose heading has passed the upper third of the window.
+  // Marks the present section: the last one whose heading has passed the upper third of the window.
   const headingOf = (link) => document.getElementById(decodeURIComponent(link.hash.slice(1)));
   const entries = [...contents.querySelectorAll("ol a")].map((link) => ({ link, heading: headingOf(link) }))
     .filter((entry) => entry.heading);
@@ -35,7 +35,7 @@
   addEventListener("resize", markSection);
   markSection();
 
-  // What a link leads to may be folded away.
+  // Unfolds the target of a link.
   function unfold() {
     const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
     if (!target) return;
@@ -45,7 +45,7 @@
   addEventListener("hashchange", unfold);
   if (location.hash) addEventListener("load", unfold);
 
-  // Paper shows all of it.
+  // Unfolds everything for printing.
   let folded = [];
   addEventListener("beforeprint", () => {
     folded = [...document.querySelectorAll("details:not([open])")];

@@ -1,13 +1,13 @@
 "use strict";
-// Figures that run: the engine in place of a film, once it comes into view. At most two run; a third that comes takes
-// the place of the one that was seen first. Out of sight they pause. Without this script, and on paper, the film stays.
+// Live figures: the engine replaces a film when it comes into view, and pauses out of sight. At most two figures run; a
+// third replaces the one that started first. Without this script, and on paper, the film stays.
 (() => {
   const MOST = 2, SEEN = 0.3;  // running figures; part of a figure that counts as seen
-  const seen = [];  // in the order in which they came
+  const seen = [];  // running figures, in the order in which they started
   const films = [...document.querySelectorAll("figure[data-live]")];
   if (!films.length) return;
 
-  /** The frame is laid over nothing until its first picture is there. */
+  /** Loads the live figure, which stays hidden until its first picture. */
   function load(figure) {
     const frame = document.createElement("iframe");
     frame.title = `${figure.querySelector("img").alt}, running`;
@@ -45,7 +45,7 @@
       figure.classList.remove("running");
       figure.frame.remove();
       figure.frame = null;
-      say(figure, `${data.lost} Shown is the film.`);
+      say(figure, `${data.lost} The film is shown instead.`);
     }
   });
   document.addEventListener("visibilitychange", tell);

@@ -1,14 +1,14 @@
 "use strict";
-// Finds sections that have all words, or beginnings of them; the index is a script, loaded when it is first wanted.
+// Finds sections that contain all words, or words that begin with them. The index is loaded at the first search.
 (() => {
   const MOST = 30; // results
-  const AROUND = 70; // letters beside the first find
+  const AROUND = 70; // letters beside the first match
   const dialog = document.getElementById("search");
   const input = dialog.querySelector("input");
   const list = dialog.querySelector("ol");
   const status = dialog.querySelector("p");
 
-  // Painlevé is found by painleve. Letter by letter, so that places in the text stay the same.
+  // Removes accents, so that painleve finds Painlevé. Each letter stays one letter, so positions are kept.
   const bare = (letter) => letter.normalize("NFD")[0].toLowerCase();
   const plain = (text) => Array.from(text, bare).join("");
   let entries = null;

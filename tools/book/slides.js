@@ -1,5 +1,5 @@
 "use strict";
-// Slides of ./course slides: one at a time, by keys or taps; the notes below them, or in a window of their own.
+// Shows the slides of ./course slides one at a time, by keys or taps, with notes below or in a separate window.
 const slides = [...document.querySelectorAll("section")];
 const last = slides.length - 1;
 let now = 0;
@@ -54,7 +54,7 @@ function onkeydown(event) {
   does();
 }
 
-// What does not fit is set smaller, all on the slide alike.
+// Reduces the type size of a slide until it fits.
 function fit() {
   for (const slide of document.querySelectorAll(".slide")) {
     const body = slide.querySelector(".body");

@@ -1,9 +1,9 @@
 "use strict";
-// The bodies of a run, each as its shape says; and the same shapes as ghosts, where the answer says they should be.
+// Draws the bodies of a run in their shapes, and ghosts of them at the places of the known answer.
 
 const NO_TURN = [1, 0, 0, 0];
 
-const TURNING_POINT = 2.4;  // what has an orientation is drawn so much larger, with its pattern
+const TURNING_POINT = 2.4;  // how much larger a point with an orientation is drawn, to show its pattern
 
 class Bodies {
   constructor(parent, run, style) {
@@ -13,15 +13,15 @@ class Bodies {
     const turns = run.frames.some((frame) => frame.q);
     this.crowds = crowdsOf(parent, this.forms, style, turns);
     this.places = new Array(this.forms.length).fill(null);  // [crowd, its index] of each body
-    this.chosen = null;  // the body that stands out
+    this.chosen = null;  // the highlighted body
     const own = colourOf(style.colour), standing = colourOf(palette().hand);
-    this.tint = null;  // a colour of each body that moves: tinting.js
+    this.tint = null;  // the colour of each moving body, from tinting.js
     this.colourAt = (body) => body === this.chosen ? standing
       : this.tint && !run.header.bodies[body].fixed ? this.tint(body) : this.colours[body];
     this.colours = run.header.bodies.map((body) => body.fixed ? own.clone().lerp(colourOf(palette().line), 0.5) : own);
   }
 
-  /** `point` is the radius in which a point mass is drawn. */
+  /** Draws a frame; `point` is the radius of a point mass in the picture. */
   draw(frame, point) {
     const posed = this.style.ghost ? ghostsOf(frame) : posesOf(frame);
     for (const crowd of Object.values(this.crowds)) crowd.begin();
@@ -38,14 +38,14 @@ class Bodies {
     for (const crowd of Object.values(this.crowds)) crowd.end();
   }
 
-  /** Where a body is drawn: read off the matrix that was drawn. */
+  /** Returns the place at which a body was drawn, from its matrix. */
   drawnAt(body) {
     if (!this.places[body]) return null;
     const [crowd, index] = this.places[body];
     return Array.from(crowd.mesh.instanceMatrix.array.subarray(16 * index + 12, 16 * index + 15));
   }
 
-  /** The colour in which a body is drawn: likewise. */
+  /** Returns the colour in which a body was drawn. */
   tintAt(body) {
     const [crowd, index] = this.places[body];
     return Array.from(crowd.mesh.geometry.attributes.tint.array.subarray(3 * index, 3 * index + 3));
@@ -56,7 +56,7 @@ class Bodies {
   }
 }
 
-/** What a body is drawn as, its half extents, and the radius around it. No kind for planes. */
+/** Returns a body's drawn kind, its half extents, and its bounding radius. Planes have an empty kind. */
 function formOf(body) {
   const three = (r) => [r, r, r];
   if (body.shape === "ball") return { kind: "ball", sides: three(body.radius), radius: body.radius };
@@ -70,7 +70,7 @@ function formOf(body) {
   return { kind: "point", sides: three(0), radius: 0 };
 }
 
-/** A box if one of the points is a corner of what holds them all, or else a disc. */
+/** Returns a box if one of the points is a corner of their bounding box, otherwise a disc. */
 function formOfCorners(points) {
   const sides = [0, 1, 2].map((axis) => Math.max(...points.map((p) => Math.abs(p[axis]))));
   const largest = Math.max(...sides);
@@ -81,7 +81,7 @@ function formOfCorners(points) {
            radius: Math.hypot(...sides), points };
 }
 
-/** A capsule of radius 1 about the z axis, whose segment has this half length: a kind for each proportion. */
+/** Returns a capsule of radius 1 about the z axis with this half length. Each proportion is a kind of its own. */
 function capsule(halfLength) {
   const steps = 12, profile = [];
   for (let k = 0; k <= 2 * steps + 1; ++k) {
@@ -106,7 +106,7 @@ function* ghostsOf(frame) {
   const turned = frame.ghost.length === 7 * frame.ghostBodies.length;
   for (const [k, body] of frame.ghostBodies.entries()) {
     const at = (turned ? 7 : 3) * k;
-    // Without an orientation of its own a ghost turns as the body does.
+    // A ghost without an orientation takes that of its body.
     if (turned) yield { body, x: frame.ghost, at, q: frame.ghost, turn: at + 3 };
     else yield { body, x: frame.ghost, at, q: frame.q || NO_TURN, turn: frame.q ? 4 * body : 0 };
   }
@@ -124,9 +124,9 @@ function crowdsOf(parent, forms, style, turns) {
   const used = Object.keys(shapes).filter((kind) => forms.some((form) => form.kind === kind));
   return Object.fromEntries(used.map((kind) => {
     const [geometry, marks] = shapes[kind];
-    // A run beside another is see-through, and has no pattern that would hide its colour.
+    // A ghost is transparent. Of its patterns only edges are drawn, so that its colour can be seen.
     const kinds = style.ghost ? [...marks.filter((mark) => mark === "BOX"), "GHOST"] : [...marks, "LIT"];
-    // Shadows are half of all corners, and need few of them.
+    // Shadows double the number of vertices; a coarse ball is enough for them.
     if (many && kind === "ball") geometry.forShade = new THREE.IcosahedronBufferGeometry(1, 1);
     const material = bodyMaterial(kinds, style.opacity);
     return [kind, new Crowd(parent, geometry, material, style.ghost ? 4 : style.order, style.shade)];

@@ -1,9 +1,9 @@
 "use strict";
-// Where one looks from: fitted to what the bodies do in the whole run; orbit, pan, zoom; follow a body.
+// The camera: fits the view to the whole run, orbits, pans, zooms, and follows a body.
 
-const FIELD = 32 * Math.PI / 180;  // of view, top to bottom
+const FIELD = 32 * Math.PI / 180;  // the vertical field of view
 
-/** What the bodies fill over the run: low, high, centre, and size, its diagonal. Planes do not count. */
+/** Returns the bounding box of all bodies but planes over the run: low, high, centre, and size, its diagonal. */
 function boundsOf(runs) {
   const places = [[], [], []], radii = [];
   for (const run of runs) {
@@ -27,14 +27,14 @@ function takePlaces(places, x, forms) {
       places.forEach((axis, k) => axis.push(x[3 * body + k]));
 }
 
-/** Both ends of each joint: a rod may reach far beyond the centres of its bodies. */
+/** Adds both ends of each joint, since a rod may reach far beyond the centres of its bodies. */
 function takeJoints(places, frame, joints) {
   for (const joint of joints)
     for (const end of [placeOf(frame, joint.i, joint.p_i), placeOf(frame, joint.j, joint.p_j)])
       if (end.every(Number.isFinite)) places.forEach((axis, k) => axis.push(end[k]));
 }
 
-/** From end to end, unless a few have gone far away. */
+/** Returns the least and the largest value, without the outliers if a few values are far away. */
 function extent(values) {
   if (!values.length) return [0, 0];
   const sorted = Float64Array.from(values).sort(), at = (part) => sorted[Math.floor(part * (sorted.length - 1))];
@@ -50,7 +50,7 @@ function boxOf(extents, radius) {
   return { low, high, size, centre: low.clone().add(high).multiplyScalar(0.5) };
 }
 
-/** From where a scene is seen best: along its thinnest side, or from a corner. */
+/** Returns the direction of the best view: along the thinnest side of the box, or from a corner. */
 function directionFor(box, hasFloor) {
   const side = box.high.clone().sub(box.low), thin = 0.2 * Math.max(side.x, side.y, side.z);
   const up = hasFloor ? 0.28 : 0.12;
@@ -65,11 +65,11 @@ class Camera {
     this.eye = new THREE.PerspectiveCamera(FIELD * 180 / Math.PI, 1, 0.01, 100);
     this.eye.up.set(0, 0, 1);
     this.orbit = new THREE.OrbitControls(this.eye, canvas);
-    this.orbit.enableKeys = false;  // they step through the frames
+    this.orbit.enableKeys = false;  // the arrow keys step through the frames
     this.followed = null;
   }
 
-  /** So that the box fills the view. */
+  /** Places the camera so that the box fills the view. */
   fit(box, direction, aspect) {
     this.eye.aspect = aspect;
     const right = new THREE.Vector3().crossVectors(direction, this.eye.up).normalize();
@@ -97,7 +97,7 @@ class Camera {
     return this.fitted && this.fitted.distanceTo(this.eye.position) < 1e-6 * this.fitted.length();
   }
 
-  /** Moves with the followed body, which is now there. */
+  /** Moves the camera with the followed body, to its new place. */
   keepUpWith(place) {
     if (!place || !place.every(Number.isFinite)) return;
     const moved = new THREE.Vector3(...place).sub(this.orbit.target);
@@ -106,7 +106,7 @@ class Camera {
     this.orbit.update();
   }
 
-  /** What a pixel is, at the point that is looked at [m]. */
+  /** Returns the size of a pixel at the point in the middle of the view [m]. */
   pixel(height) {
     return 2 * Math.tan(FIELD / 2) * this.eye.position.distanceTo(this.orbit.target) / Math.max(1, height);
   }

@@ -1,5 +1,5 @@
 "use strict";
-// Bodies are grey; each other thing has a colour of its own, the same everywhere.
+// Colours: bodies are grey, and every other kind of mark has one colour everywhere.
 
 const LIGHT = {
   paper: "#fbfbf9", body: "#868d97", mark: "#cdd1d6", edge: "#343a42", shade: "#000000", floor: "#eeeeeb",

@@ -1,9 +1,9 @@
 "use strict";
-// Runs beside the first: how far their bodies are from its bodies at the same time, and since when.
+// Compares runs with the first: distances of their bodies at the same time, and when they part.
 
 const PARTED = 1e-3;  // of the scene's size
 
-/** { distance, body } between two runs at a time of the first; null if they cannot be compared. */
+/** Returns the largest { distance, body } between two runs at a frame of the first; null if it cannot be compared. */
 function apart(first, other, frame) {
   if (!comparable(first, other) || !other.frames.length) return null;
   const last = lastOf(other.frames).time, slack = 1e-6 * (1 + Math.abs(frame.time));
@@ -22,7 +22,7 @@ function comparable(first, other) {
   return first.header.bodies.length === other.header.bodies.length;
 }
 
-/** The frames before and after a time, and which part of the way between them it is. */
+/** Returns the frames before and after a time, and its fraction of the time between them. */
 function around(frames, time, slack) {
   const k = nearest(frames, time), at = frames[k].time;
   if (Math.abs(at - time) <= slack) return [frames[k], frames[k], 0];
@@ -30,7 +30,7 @@ function around(frames, time, slack) {
   return [a, b, (time - a.time) / (b.time - a.time)];
 }
 
-/** The time from which they are apart by more than PARTED of the size; null if they never are. */
+/** Returns the first time at which two runs differ by more than PARTED of the size; null if there is none. */
 function parting(first, other, size) {
   for (const frame of first.frames) {
     const found = apart(first, other, frame);
@@ -39,7 +39,7 @@ function parting(first, other, size) {
   return null;
 }
 
-/** { distance, time } where two runs are farthest apart, over the frames of the first; null if they have no time in common. */
+/** Returns the largest { distance, time } over the frames of the first run; null if no time is common. */
 function farthest(first, other) {
   let most = null;
   for (const frame of first.frames) {
@@ -49,22 +49,22 @@ function farthest(first, other) {
   return most;
 }
 
-/** What is said about a run beside the first, at the cursor. */
+/** Returns the text that compares a run with the first, at the cursor. */
 function partingLine(first, other, size, since, most, frame) {
-  if (!comparable(first, other)) return `${other.label}: it has other bodies, so that their places are not compared.`;
+  if (!comparable(first, other)) return `${other.label}: its bodies differ, so their places are not compared.`;
   const now = apart(first, other, frame);
   const here = now ? `Now ${inUnit(now.distance, "m")}${now.body >= 0 ? `, at body ${now.body}` : ""}.`
     : "Only one of the runs has this time.";
   const limit = inUnit(PARTED * size, "m");
-  if (!most) return `${other.label}: no time is common to it and ${first.label}.`;
+  if (!most) return `${other.label}: it has no time in common with ${first.label}.`;
   if (most.distance === 0) return `${other.label}: at the same places as ${first.label}, in every frame.`;
   const largest = `${inUnit(most.distance, "m")} from ${first.label} at most, at ${inUnit(most.time, "s")}`;
   const parted = since === null ? "" : `, and more than ${limit} since ${inUnit(since, "s")}`;
-  const chaos = since !== null && first.header.chaotic ? " This scene is chaotic: round-off alone parts two runs of it." : "";
+  const chaos = since !== null && first.header.chaotic ? " This scene is chaotic: round-off alone parts runs." : "";
   return `${other.label}: ${largest}${parted}. ${here}${chaos}`;
 }
 
-/** What is to be known of a run as of a frame; empty where it is sound. */
+/** Returns a run's state at a frame, with the reason; empty if the run is sound. */
 function stateLine(run, frame) {
   if (!frame || !frame.state || frame.state === "sound") return "";
   const named = run.label ? `${run.label}: ` : "";

@@ -35,13 +35,13 @@ class Controls {
     this.speed.onchange = () => viewer.setRate(Number(this.speed.value));
     by("fit").onclick = () => viewer.fit();
     document.addEventListener("keydown", (event) => this.key(event));
-    // Keys go on meaning what they mean here after a click on a button.
+    // After a click on a button, keys still control the player.
     document.addEventListener("click", ({ detail, target }) => {
       if (detail && target.tagName === "BUTTON") target.blur();
     });
   }
 
-  /** The switches for what the runs have. */
+  /** Shows a switch for each kind of mark that the runs contain. */
   show(runs) {
     const { picture } = this.viewer, has = whatIsThere(runs);
     const box = document.getElementById("switches");
@@ -90,7 +90,7 @@ class Controls {
     this.viewer.rebuild();
   }
 
-  /** The state, as it is now. */
+  /** Updates the controls to the present state. */
   update() {
     const { player } = this.viewer, running = this.viewer.isRunning();
     this.play.dataset.playing = running;

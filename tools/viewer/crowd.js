@@ -1,8 +1,8 @@
 "use strict";
-// Many of one shape in one call of the graphics card: a matrix and a colour each.
+// Draws many copies of one shape in a single draw call, with a matrix and a colour each.
 
 class Crowd {
-  /** With `shade`, a material, all is drawn a second time in that: of `geometry.forShade`, if it is there. */
+  /** The material `shade` draws each copy a second time, as a shadow, from `geometry.forShade` if there is one. */
   constructor(parent, geometry, material, order = 0, shade = null) {
     Object.assign(this, { parent, geometry, material, order, shadeMaterial: shade });
     this.count = 0;
@@ -12,7 +12,7 @@ class Crowd {
   resize(capacity) {
     const mesh = new THREE.InstancedMesh(this.geometry.clone(), this.material, capacity);
     mesh.geometry.setAttribute("tint", new THREE.InstancedBufferAttribute(new Float32Array(3 * capacity), 3));
-    mesh.frustumCulled = false;  // its bounding sphere is that of one
+    mesh.frustumCulled = false;  // the bounding sphere is that of a single copy
     mesh.renderOrder = this.order;
     if (this.mesh) {
       mesh.instanceMatrix.array.set(this.mesh.instanceMatrix.array);
@@ -30,7 +30,7 @@ class Crowd {
     const shade = new THREE.InstancedMesh(this.geometry.forShade || mesh.geometry, this.shadeMaterial, 0);
     shade.instanceMatrix = mesh.instanceMatrix;
     shade.frustumCulled = false;
-    shade.renderOrder = 2;  // after the floor that it falls on
+    shade.renderOrder = 2;  // after the floor under the shadow
     return shade;
   }
 
@@ -38,7 +38,7 @@ class Crowd {
     this.count = 0;
   }
 
-  /** The columns of the matrix: three axes with their lengths, and the place. */
+  /** Adds a copy by the columns of its matrix: three scaled axes and the place. */
   add(ax, ay, az, bx, by, bz, cx, cy, cz, x, y, z, colour) {
     if (this.count === this.capacity) this.resize(2 * this.capacity);
     this.mesh.instanceMatrix.array.set([ax, ay, az, 0, bx, by, bz, 0, cx, cy, cz, 0, x, y, z, 1], 16 * this.count);
@@ -49,12 +49,12 @@ class Crowd {
     return this.count++;
   }
 
-  /** A ball of that radius. */
+  /** Adds a ball of radius r. */
   addBall(x, y, z, r, colour) {
     return this.add(r, 0, 0, 0, r, 0, 0, 0, r, x, y, z, colour);
   }
 
-  /** Turned by the quaternion (w, x, y, z), with an extent along each of its axes. */
+  /** Adds a copy turned by the quaternion (w, i, j, k), with the extents sx, sy, sz along its axes. */
   addPosed(x, y, z, w, i, j, k, sx, sy, sz, colour) {
     return this.add(sx * (1 - 2 * (j * j + k * k)), sx * 2 * (i * j + w * k), sx * 2 * (i * k - w * j),
                     sy * 2 * (i * j - w * k), sy * (1 - 2 * (i * i + k * k)), sy * 2 * (j * k + w * i),
@@ -62,7 +62,7 @@ class Crowd {
                     x, y, z, colour);
   }
 
-  /** Its z axis from one point to another, with a width. */
+  /** Adds a copy whose z axis leads from one point to another. */
   addBetween(x, y, z, toX, toY, toZ, width, colour) {
     const dx = toX - x, dy = toY - y, dz = toZ - z;
     const length = Math.hypot(dx, dy, dz);
@@ -87,7 +87,7 @@ class Crowd {
   }
 }
 
-/** Two unit vectors at right angles to n and each other: Eq. (5.1), as the friction box has them. */
+/** Returns two unit vectors perpendicular to n and to each other: the tangents of Eq. (5.1). */
 function acrossOf(x, y, z) {
   const size = [Math.abs(x), Math.abs(y), Math.abs(z)];
   const axis = size.indexOf(Math.min(...size));

@@ -1,10 +1,10 @@
 "use strict";
-// The viewer as a lesson's live figure: a frame in the lesson's page. The address says what runs, as JSON behind #:
-//   scene, set        what is run, and what is set at first
-//   controls          names of those that the reader may turn
-//   graph             error, energy, residual, or a column of the scene's own numbers; without one there is a picture alone
-//   rate, shows       simulated seconds a second; marks that are on, as `contacts`
-// The page around tells it to pause while it is out of sight.
+// The viewer as a live figure of a lesson, in an iframe. The address holds its settings as JSON behind #:
+//   scene, set        the scene and its initial parameters
+//   controls          names of the parameters that the reader may change
+//   graph             error, energy, residual, or a column of the scene's own numbers. Default: no graph
+//   rate, shows       simulated seconds per second; marks that are shown, such as `contacts`
+// The lesson's page pauses the figure while it is out of sight.
 
 class Figure {
   constructor(viewer) {
@@ -19,7 +19,7 @@ class Figure {
     });
   }
 
-  /** A run that its reader has paused stays so when it comes into sight again. */
+  /** Pauses a run out of sight and continues it in sight, unless the reader has paused it. */
   see(seen) {
     const { live } = this.viewer;
     if (seen === this.seen) return;
@@ -32,7 +32,7 @@ class Figure {
     return this.controls.map((name) => all.find((control) => control.name === name)).filter(Boolean);
   }
 
-  /** Of the graph that the lesson speaks of, as quantities() has it. */
+  /** Returns the key, in quantities(), of the graph that the lesson discusses. */
   keyOf(header) {
     return header.columns.includes(this.graph) ? "sample" : this.graph;
   }

@@ -1,13 +1,13 @@
 "use strict";
-// Graphs in time with the picture. A click or a drag in one goes to that time.
+// Graphs that follow the time of the picture. A click or a drag in a graph goes to that time.
 
-const MOST_DECADES = 8;  // of a logarithmic scale: below are roundings
-const SPIKE = 5;  // a few values that are so many times higher than the others are cut off, and told
-const ROUND_OFF = 1e-14;  // of a graph's largest number: what is smaller says nothing
+const MOST_DECADES = 8;  // of a logarithmic scale; smaller values are round-off
+const SPIKE = 5;  // a few values this many times higher than the others are cut off, with a notice
+const ROUND_OFF = 1e-14;  // of a graph's largest number; smaller values are shown as 0
 const PAD = { left: 60, right: 8, top: 6, bottom: 16 };  // around the curves [pixels]
 
 class Graph {
-  /** `seek` is called with a time, `chooseColumn` with the index of a sample's column. */
+  /** Adds a graph. Calls `seek` with a time, and `chooseColumn` with the index of a sample's column. */
   constructor(parent, quantity, seek, chooseColumn) {
     this.quantity = quantity;
     this.several = new Set(quantity.lines.map((line) => line.run)).size > 1;
@@ -41,7 +41,7 @@ class Graph {
     const number = element("b"), chip = element("span", { className: "chip" });
     const bar = element("i");
     bar.style.background = this.colour(line);
-    // Of several runs the colour says which: their names are in the picture.
+    // With several runs the colour identifies the run; the names are in the picture.
     chip.append(bar, this.quantity.lines.length > 1 && !this.several ? `${line.name} ` : "", number);
     this.values.append(chip);
     return number;
@@ -63,7 +63,7 @@ class Graph {
     this.canvas.onpointermove = (event) => { if (event.buttons) go(event); };
   }
 
-  /** Draws the curves, which stay; the cursor comes over them. */
+  /** Draws the curves once; the cursor is drawn over them. */
   prepare() {
     this.scaleButton.textContent = this.logarithmic ? "log" : "lin";
     const width = this.canvas.clientWidth, height = this.canvas.clientHeight, dense = window.devicePixelRatio || 1;
@@ -86,7 +86,7 @@ class Graph {
     this.largest = values.length ? Math.max(-low, high) : 0;
     const usual = values[Math.floor(0.98 * (values.length - 1))];
     const spiked = !this.logarithmic && high - low > SPIKE * (usual - low) && usual > low;
-    this.peak.textContent = spiked ? `a spike goes up to ${short(high)}` : "";
+    this.peak.textContent = spiked ? `a spike reaches ${short(high)}` : "";
     if (spiked) high = low + 1.5 * (usual - low);
     if (this.logarithmic && this.quantity.least) low = Math.max(low, Math.min(high, this.quantity.least));
     this.first = Math.min(...lines.map((line) => line.run.frames[0].time));
@@ -166,14 +166,14 @@ class Graph {
     pen.restore();
   }
 
-  /** What is smaller than rounding can tell is said to be so. */
+  /** Returns a value's text; a value below round-off is shown as such. */
   valueText(value) {
     const { least } = this.quantity;
     if (least && value !== 0 && Math.abs(value) < least) return "round-off";
     return !this.logarithmic && Math.abs(value) < ROUND_OFF * this.largest ? "0" : short(value);
   }
 
-  /** `at`: a time, and the frame of each run there. */
+  /** Draws the cursor; `at` has a time, and each run's frame at that time. */
   drawCursor(at) {
     this.at = at;
     if (!this.still || !at) return;
@@ -208,7 +208,7 @@ function stroke(pen, x, y, toX, toY) {
   pen.stroke();
 }
 
-/** With as many digits as it takes to tell neighbours apart; where that is too many, as what is added to the first. */
+/** Returns tick labels with enough digits to differ, or, beyond 7 digits, as differences from the first. */
 function tickTexts(ticks) {
   for (let digits = 3; digits <= 7; ++digits) {
     const texts = ticks.map((value) => digits === 3 ? short(value) : minus(String(Number(value.toPrecision(digits)))));
@@ -217,16 +217,16 @@ function tickTexts(ticks) {
   return ticks.map((value, k) => k ? `+${short(value - ticks[0])}` : short(value));
 }
 
-/** Round numbers between two, about so many. */
+/** Returns about `count` round numbers from low to high. */
 function steps(low, high, count) {
   const step = niceAbove((high - low) / count), found = [];
   for (let k = Math.ceil(low / step - 1e-9); k * step <= high * (1 + 1e-12) + 1e-12 * step; ++k) found.push(k * step);
   return found;
 }
 
-const DECADES = ["error", "residual"];  // what may go down by powers of ten
+const DECADES = ["error", "residual"];  // quantities that may fall by powers of ten
 
-/** Where values are over 0 and more than three decades apart, curves are read better on a logarithmic scale. */
+/** Returns whether a logarithmic scale suits: non-zero values are positive and span three decades. */
 function spansDecades({ lines, key }) {
   if (!DECADES.includes(key)) return false;
   let low = Infinity, high = 0;

@@ -1,11 +1,10 @@
 "use strict";
-// Joints: rods coloured by tension, others as dots with the axes of hinges and sliders, and the curves on which an answer
-// lies.
+// Draws joints: rods coloured by tension, dots for other joints, axes of hinges and sliders, and curves of answers.
 
 const ROD = 2;  // half the width of a rod on the screen [pixels]
-const FORCES = { distance: 1, rope: 1, ball: 3, hinge: 3, slider: 2, weld: 3 };  // which of its first rows are forces
+const FORCES = { distance: 1, rope: 1, ball: 3, hinge: 3, slider: 2, weld: 3 };  // number of first rows that are forces
 
-/** The tension of each joint [N], T = -λ/h as in Eq. (6.7); of another than a distance the size of its force. */
+/** Returns the tension of each joint [N], T = -λ/h as in Eq. (6.7); for joints other than distances, the force. */
 function tensions(run, frame) {
   const h = run.header.method.h / (run.header.method.substeps || 1);
   let row = 0;
@@ -19,7 +18,7 @@ function tensions(run, frame) {
   });
 }
 
-/** The largest of the run but for a hundredth, so that one jolt does not turn all else grey. */
+/** Returns the tension that 99 % of the run stay below, so that one jolt does not turn everything else grey. */
 function tensionScale(run) {
   if (!run.header.joints.length) return 0;
   const every = Math.ceil(run.frames.length / 200);
@@ -32,7 +31,7 @@ function tensionScale(run) {
 class Joints {
   constructor(parent, run, style) {
     this.run = run;
-    const material = bodyMaterial([], style.opacity);  // unlit: a colour is a tension
+    const material = bodyMaterial([], style.opacity);  // unlit, since the colour shows the tension
     const pipe = new THREE.CylinderBufferGeometry(1, 1, 1, 8, 1, true).rotateX(Math.PI / 2).translate(0, 0, 0.5);
     this.rods = new Crowd(parent, pipe, material, style.order);
     this.dots = new Crowd(parent, new THREE.SphereBufferGeometry(1, 12, 8), material, style.order);
@@ -45,7 +44,7 @@ class Joints {
     this.lengths = run.header.joints.map((joint) => joint.length).filter((length) => length > 0).sort((a, b) => a - b);
   }
 
-  /** Points that stand close are smaller, and rods thinner. */
+  /** Returns the factor, at most 1, that shrinks dots and rods where joints are close together. */
   closeness(unit) {
     const typical = this.lengths[this.lengths.length >> 1];
     return typical ? Math.min(1, typical / (14 * unit)) : 1;
@@ -75,7 +74,7 @@ class Joints {
     for (const crowd of [this.rods, this.dots, this.curves]) crowd.end();
   }
 
-  /** What is left free; in the colour of impulses where a motor drives it. */
+  /** Draws the free axis of a joint, in another colour if a motor drives it. */
   drawFree(joint, frame, unit) {
     const { axis, marks } = linesOf(joint, frame, unit);
     this.rods.addBetween(...axis[0], ...axis[1], 0.8 * unit, joint.motor ? this.colours.motor : this.colours.dot);
@@ -88,7 +87,7 @@ class Joints {
   }
 }
 
-/** Where a point of a body, in its axes, is; its centre without one. Not finite where it is not there. */
+/** Returns the place of a body's point, given in its axes (Default: its centre). NaN if there is no such body. */
 function placeOf(frame, body, point) {
   const x = [0, 1, 2].map((axis) => 3 * body < frame.x.length ? frame.x[3 * body + axis] : NaN);
   if (!point) return x;
@@ -96,7 +95,7 @@ function placeOf(frame, body, point) {
   return x.map((value, axis) => value + turned[axis]);
 }
 
-/** v turned by the unit quaternion (w, x, y, z): v + 2 r × (r × v + w v). */
+/** Returns v turned by the unit quaternion (w, x, y, z): v + 2 r × (r × v + w v). */
 function rotated([w, x, y, z], [a, b, c]) {
   const p = [y * c - z * b + w * a, z * a - x * c + w * b, x * b - y * a + w * c];
   return [a + 2 * (y * p[2] - z * p[1]), b + 2 * (z * p[0] - x * p[2]), c + 2 * (x * p[1] - y * p[0])];

@@ -1,5 +1,5 @@
 "use strict";
-// What stands over the picture: each run's name in its panel, the colours of tension, the length of arrows, the grid.
+// The legend over the picture: names of runs, colours of tension, length of arrows, spacing of the grid.
 
 class Legend {
   constructor(node) {
@@ -27,7 +27,7 @@ class Legend {
     this.update(picture);
   }
 
-  /** What the longest arrows are. */
+  /** Updates the values of the longest arrows. */
   update(picture) {
     const [part] = picture.parts, { shown } = picture, said = [];
     if (!part || !picture.frames) return;

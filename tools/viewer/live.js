@@ -1,9 +1,9 @@
 "use strict";
-// A run that is going on: frames come, commands go back, by one of transports.js.
+// A live run: receives frames and sends commands through one of transports.js.
 
-const KEPT = 1200;      // frames that one can go back to
-const GROWN = 1.1;      // when the bodies fill so much more the view is fitted anew, unless a hand was laid on them
-const FARTHEST = 4;     // but no more than so many times what they filled at first
+const KEPT = 1200;      // past frames that remain available
+const GROWN = 1.1;      // growth of the bodies' box after which the view is fitted again, unless the run was touched
+const FARTHEST = 4;     // largest size that is still fitted, over the first size
 const GRAPHS_EVERY = 150;  // [ms]
 
 class Live {
@@ -38,7 +38,7 @@ class Live {
     }
   }
 
-  /** How the clock was left, when the page is loaded again. */
+  /** Restores the clock after the page was reloaded. */
   takeClock({ pause, rate }) {
     this.running = !pause;
     const { speed } = this.viewer.controls;
@@ -46,7 +46,7 @@ class Live {
     this.viewer.dirty();
   }
 
-  /** What a build says: shown until a run goes on. */
+  /** Shows the messages of a build until a run continues. */
   show(text) {
     const box = document.getElementById("said");
     box.textContent = text;
@@ -59,7 +59,7 @@ class Live {
     this.flashing = setTimeout(() => this.viewer.say(""), 5000);
   }
 
-  /** Taken with the frame that follows it. */
+  /** Keeps a header until its first frame arrives. */
   header(line) {
     this.pending = checkedHeader(line);
   }
@@ -78,21 +78,21 @@ class Live {
   begin(frame) {
     const header = this.pending, first = !this.run;
     this.pending = null;
-    // After a drop what was before stays in the graphs; a restart begins them anew.
+    // After a drop the graphs keep their past; after a restart they begin again.
     const more = first ? 0 : header.bodies.length - this.run.header.bodies.length;
     const before = first || more < 0 || frame.time < lastOf(this.run.frames).time ? [] : this.run.frames;
     const same = !first && more === 0;
     this.run = { header, frames: [...before, frame], notice: "", label: "", live: true };
     if (first && this.figure) this.figure.begun(header);
     this.viewer.show([this.run], same || before.length > 0 || frame.touched);
-    this.run.frames.pop();  // it is added as any other
+    this.run.frames.pop();  // frame() adds it
     if (!before.length) this.firstSize = this.viewer.picture.box.size;
     if (first) this.first = header.controls || [];
     this.makeSliders(header.controls || []);
     document.getElementById("reset").hidden = Object.keys(this.changed()).length === 0;
   }
 
-  /** The graphs, and the view as long as nobody has turned it, now and then. */
+  /** Redraws the graphs at intervals, and fits the view unless the reader has turned it. */
   refresh() {
     const now = performance.now(), { viewer } = this;
     if (now - (this.refreshed || 0) < GRAPHS_EVERY) return;
@@ -105,7 +105,7 @@ class Live {
       viewer.picture.show([this.run]);
       viewer.legend.show(viewer.picture);
     }
-    // A figure has no button that brings the bodies back into view. One that is lost says so, and stays as it is.
+    // A figure has no button to fit the view, so it restarts when its bodies leave. A lost run stays and is reported.
     if (left && this.figure && last.state !== "lost") this.send({ restart: true });
   }
 
@@ -120,14 +120,14 @@ class Live {
     return this.figure ? this.figure.controlsOf(controls) : controls;
   }
 
-  /** The controls that are no longer as this page first had them, with the values that they had. */
+  /** Returns the first values of all controls that have changed since the page was opened. */
   changed() {
     const first = new Map(this.first.map((control) => [control.name, control.value]));
     return Object.fromEntries(this.shownOf(this.run.header.controls || [])
       .filter(({ name, value }) => first.has(name) && first.get(name) !== value).map(({ name }) => [name, first.get(name)]));
   }
 
-  /** Sets everything as it was when the page was opened, and begins again. */
+  /** Restores the first settings of the page and restarts. */
   reset() {
     const set = this.changed();
     document.activeElement.blur();  // so that the sliders follow
@@ -135,7 +135,7 @@ class Live {
     this.restart();
   }
 
-  /** One after the other, in the order in which they were given. */
+  /** Sends commands one at a time, in order. */
   send(command) {
     this.sent = this.sent.then(() => this.transport.send(command));
     return this.sent;
@@ -147,7 +147,7 @@ class Live {
     return this.send({ pause: on });
   }
 
-  /** Forwards the engine steps; backwards one looks at what was. */
+  /** Steps the engine forwards, or shows earlier frames. */
   step(count) {
     const { player } = this.viewer;
     if (this.running) this.hold(true);
@@ -168,7 +168,7 @@ class Live {
     if (!this.pulling) this.sendPulls();
   }
 
-  /** The pointer may be faster than the network: places that it has left meanwhile are not sent. */
+  /** Sends the latest place of the pointer; the places that it passes during a request are skipped. */
   async sendPulls() {
     this.pulling = true;
     while (this.wanted) {
@@ -186,7 +186,7 @@ class Live {
     this.send({ release: true });
   }
 
-  /** Away from the eye, by an impulse that gives the scene's size a second to 1 kg. */
+  /** Pushes a body away from the eye. The impulse gives a mass of 1 kg a speed of the scene's size per second. */
   push(hit, eye) {
     const along = eye.getWorldDirection(new THREE.Vector3()).multiplyScalar(this.viewer.picture.box.size);
     this.send({ push: { body: hit.body, impulse: along.toArray() } });
@@ -199,7 +199,7 @@ class Live {
   }
 }
 
-/** Its name, and in words what that is: as much of them as a line holds, all of them in the tip. */
+/** Returns a control's name and meaning: the first part as text, all of it in the tooltip. */
 function controlName({ name, meaning }) {
   const spoken = name.replaceAll("_", " ");
   const words = element("span", { className: "words", textContent: (meaning || "").split(";")[0] });

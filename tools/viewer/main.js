@@ -1,5 +1,5 @@
 "use strict";
-// Puts the parts together. `window.viewer` is the page's own account of itself: tests and notebooks read it.
+// Joins the parts of the page. Tests and notebooks read its state from `window.viewer`.
 
 class Viewer {
   constructor() {
@@ -10,7 +10,7 @@ class Viewer {
     this.graphs = [];
   }
 
-  /** Opens what the page holds: recordings, or a live run. */
+  /** Opens the recordings of the page, or its live run. */
   async open() {
     try {
       if (typeof DecompressionStream === "undefined") throw new Error("This browser is too old to unpack the page.");
@@ -148,7 +148,7 @@ class Viewer {
     node.hidden = !notice;
   }
 
-  /** The address now names this moment; copied where the browser allows it. */
+  /** Puts this moment into the address, and copies it if the browser allows this. */
   flashMoment() {
     const node = document.getElementById("moment"), say = (text) => {
       node.textContent = text;
@@ -176,7 +176,7 @@ class Viewer {
     this.dirty();
   }
 
-  /** The picture alone, held at its start, with these marks, from so many times nearer: for a film. */
+  /** Prepares a film: shows the picture alone, at its start, with these marks, magnified by `zoom`. */
   film(marks, zoom) {
     document.body.classList.add("film");
     for (const mark of marks) this.picture.shown[mark] = true;
@@ -189,7 +189,7 @@ class Viewer {
     this.dirty();
   }
 
-  // What tests ask.
+  // For tests.
 
   get index() { return this.player.index; }
   get time() { return this.player.time; }
@@ -200,7 +200,7 @@ class Viewer {
   drawn(run = 0) { return this.picture.parts[run].bodies.count(); }
   project(body, run = 0) { return this.picture.project(this.drawnAt(body, run), run); }
 
-  /** Pictures a second, of frame after frame, each waited for. */
+  /** Returns the pictures drawn per second, where each is complete before the next begins. */
   measure(pictures = 20) {
     const gl = this.picture.renderer.getContext(), pixel = new Uint8Array(4), start = performance.now();
     for (let k = 0; k < pictures; ++k) {
@@ -212,13 +212,13 @@ class Viewer {
   }
 }
 
-/** The time of a link such as film.html#t=1.25, within the run; null if the address has none. */
+/** Returns the time in a link such as film.html#t=1.25, limited to the run; null if the address has none. */
 function momentAsked(run) {
   const found = /^#t=([0-9.]+)$/.exec(location.hash);
   return found ? clamp(Number(found[1]), run.frames[0].time, lastOf(run.frames).time) : null;
 }
 
-/** The words above the picture. */
+/** Writes the text above the picture. */
 function describe(runs) {
   const { header } = runs[0], by = (id) => document.getElementById(id);
   by("scene").textContent = (header.scene || "").replaceAll("_", " ");

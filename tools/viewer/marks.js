@@ -1,7 +1,7 @@
 "use strict";
-// What is drawn over the bodies when it is switched on: contacts, impulses, friction, velocities, pairs.
+// Draws the marks that are switched on: contacts, impulses, friction, velocities, pairs.
 
-const LONGEST = 0.2;  // of an arrow, over the scene's size
+const LONGEST = 0.2;  // arrow, over the scene's size
 
 class Arrows {
   constructor(parent, material) {
@@ -50,7 +50,7 @@ class Marks {
     this.mu = [run.header.parameters.mu, run.header.parameters.friction].find(Number.isFinite);
   }
 
-  /** `shown` has the switches; `unit` is a pixel [m]. */
+  /** Draws the marks switched on in `shown`; `unit` is the size of a pixel [m]. */
   draw(frame, shown, unit) {
     const all = [this.arrows, this.points, this.pipes, this.limits];
     for (const crowd of all) crowd.begin();
@@ -84,7 +84,7 @@ class Marks {
     this.pipes.addBetween(...i, ...j, unit, colour);
   }
 
-  /** Where friction may reach: as high as the normal impulse, and mu times that wide. */
+  /** Draws the friction limit: as high as the normal impulse, and mu times as wide. */
   drawLimit(point, normal, impulse, scale, colour) {
     const press = normal.reduce((sum, value, axis) => sum + value * impulse[axis], 0);
     if (!(press > 0)) return;
@@ -109,7 +109,7 @@ class Marks {
                         this.colours.velocity);
   }
 
-  /** Metres a newton second. Automatic: the frame's longest arrow has one length. Fixed: one scale for the run. */
+  /** Returns the metres per newton second: the frame's own scale if automatic, otherwise one scale for the run. */
   scaleOf(frame, shown) {
     if (!shown.automatic) return this.fixed.impulse * shown.scale;
     const largest = largestOf(impulsesOf(frame));
@@ -132,13 +132,13 @@ function largestOf(values) {
   return largest;
 }
 
-/** The median over frames of the largest in each: an impact is not what the scale is made for. */
+/** Returns the median over frames of the largest value in each, so that an impact does not set the scale. */
 function typicalLargest(run, valuesOf) {
   const each = run.frames.map((frame) => largestOf(valuesOf(frame))).filter((value) => value > 0).sort((a, b) => a - b);
   return each.length ? each[each.length >> 1] : 1;
 }
 
-/** With its tip at the contact, one high and one wide: a cone, or the pyramid of a friction box. */
+/** Returns a friction cone, or the pyramid of a friction box, of height 1 with its tip at the contact. */
 function limitShape(model) {
   const shape = model === "cone" ? new THREE.CylinderBufferGeometry(1, 0, 1, 32, 1, true)
     : new THREE.CylinderBufferGeometry(Math.SQRT2, 0, 1, 4, 1, true, Math.PI / 4);

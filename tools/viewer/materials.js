@@ -1,12 +1,12 @@
 "use strict";
-// How surfaces look: shaders for crowds of bodies, marks and planes. Light comes from above, behind the viewer's left.
+// Shaders of bodies, marks and planes. The light comes from above, behind the viewer's left shoulder.
 
 const POSED = `
   varying vec3 vNormal, vBody, vTint; varying vec2 vUv;
   attribute vec3 tint;
   void pose() {
     vBody = position; vUv = uv; vTint = tint;
-    mat3 m = mat3(instanceMatrix);  // a rotation times a scaling: normals are divided by the scale's square
+    mat3 m = mat3(instanceMatrix);  // rotation times scaling, so normals are divided by the squared scale
     vNormal = m * (normal / vec3(dot(m[0], m[0]), dot(m[1], m[1]), dot(m[2], m[2])));
   }`;
 
@@ -19,7 +19,7 @@ const BODY_VERTEX = `${POSED}
     gl_Position = projectionMatrix * viewMatrix * world;
   }`;
 
-// A ball's eight octants take two tones, so that any turn is seen; a box has edges of the same width on the screen.
+// The octants of a ball alternate between two tones, which shows any turn. Edges of a box have a fixed width in pixels.
 const BODY_FRAGMENT = `
   uniform vec3 mark, edge; uniform float opacity;
   varying vec3 vNormal, vBody, vTint, vToEye; varying vec2 vUv;
@@ -51,7 +51,7 @@ const BODY_FRAGMENT = `
     gl_FragColor = vec4(colour, alpha);
   }`;
 
-// The same bodies, pressed flat on a floor along its normal.
+// Shadows: the bodies projected onto the floor along its normal.
 const SHADE_VERTEX = `
   uniform vec4 floor;
   attribute vec3 tint;
@@ -81,10 +81,10 @@ const FLOOR_FRAGMENT = `
     gl_FragColor = vec4(mix(colour, line, grid), 0.95 * fade);
   }`;
 
-/** Of a crowd of bodies: `kind` names what is drawn on them (BALL, BOX, DISC, LIT, GHOST). */
+/** Returns the material of a crowd of bodies; `kinds` selects parts of the shader (BALL, BOX, DISC, LIT, GHOST). */
 function bodyMaterial(kinds, opacity = 1) {
   const defines = Object.fromEntries(kinds.map((kind) => [kind, 1]));
-  const isGhost = kinds.includes("GHOST");  // set back, so that it is not seen where a body is right
+  const isGhost = kinds.includes("GHOST");  // drawn slightly behind, so that a body at its right place hides its ghost
   return new THREE.ShaderMaterial({
     vertexShader: BODY_VERTEX, fragmentShader: BODY_FRAGMENT, defines, extensions: { derivatives: true },
     transparent: opacity < 1, depthWrite: opacity === 1,
@@ -94,7 +94,7 @@ function bodyMaterial(kinds, opacity = 1) {
   });
 }
 
-/** A pixel is shaded once, however many bodies are above it. */
+/** Returns the material of shadows, which darkens a pixel once for any number of bodies. */
 function shadeMaterial(normal, offset) {
   return new THREE.ShaderMaterial({
     vertexShader: SHADE_VERTEX, fragmentShader: SHADE_FRAGMENT, transparent: true, depthWrite: false,

@@ -1,16 +1,16 @@
 "use strict";
-// What hinges and sliders leave free: an axis, a line, and the limits on them.
+// Draws the free motion of hinges and sliders: an axis or a line, and its limits.
 
-const AXIS = 22;  // how far an axis goes from its point on the screen [pixels]
-const HAND = 30;  // the same of what shows a hinge's limits
+const AXIS = 22;  // half the length of a hinge's axis [pixels]
+const HAND = 30;  // length of the hands that show a hinge's limits [pixels]
 const ARC = 16;   // pieces of an arc between two limits
 
-/** v turned by an angle about a unit vector. */
+/** Returns v turned by an angle about a unit vector. */
 function turnedAbout(axis, angle, v) {
   return rotated([Math.cos(angle / 2), ...axis.map((value) => Math.sin(angle / 2) * value)], v);
 }
 
-/** Across the axis in i's axes, towards j's centre where the angle is 0, or anywhere where j's centre is on the axis. */
+/** Returns the direction from the axis to j's centre at angle 0, in i's axes; any normal if it is on the axis. */
 function zeroDirection(joint) {
   const towards = rotated(joint.rest, joint.p_j.map((value) => -value));
   const along = joint.axis.reduce((sum, value, k) => sum + value * towards[k], 0);
@@ -18,7 +18,7 @@ function zeroDirection(joint) {
   return size > 1e-9 * Math.hypot(...towards) ? across.map((value) => value / size) : acrossOf(...joint.axis)[0];
 }
 
-/** Lines of a hinge or slider, [from, to] each, in world coordinates; `unit` is a pixel [m]. */
+/** Returns the lines of a hinge or slider, [from, to] each, in world coordinates; `unit` is a pixel [m]. */
 function linesOf(joint, frame, unit) {
   const point = placeOf(frame, joint.i, joint.p_i);
   const world = (v) => frame.q ? rotated(frame.q.subarray(4 * joint.i, 4 * joint.i + 4), v) : v;
@@ -36,7 +36,7 @@ function linesOf(joint, frame, unit) {
   return { axis, marks };
 }
 
-/** From limit to limit; where there is none, beyond the points of both bodies. */
+/** Returns a slider's line from limit to limit; without a limit it ends beyond the points of both bodies. */
 function sliderLine(joint, frame, point, world, limits, unit) {
   const n = world(joint.axis), other = placeOf(frame, joint.j, joint.p_j);
   const shift = n.reduce((sum, value, k) => sum + value * (other[k] - point[k]), 0);

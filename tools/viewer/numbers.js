@@ -1,12 +1,12 @@
 "use strict";
-// Numbers as they are written, and small helpers of all files.
+// Formats numbers; small helpers for all files.
 
 const lastOf = (list) => list[list.length - 1];
 const clamp = (value, low, high) => Math.min(high, Math.max(low, value));
 
 const cross = (p, q) => [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]];
 
-/** Three digits, and a power of ten where it is far from 1. */
+/** Returns a number as text with three digits, and a power of ten if it is far from 1. */
 function short(value) {
   if (value === null || value === undefined || Number.isNaN(value)) return "–";
   if (!Number.isFinite(value)) return value > 0 ? "∞" : "−∞";
@@ -28,13 +28,13 @@ function superscript(power) {
   return String(power).replace(/[-0-9]/g, (c) => c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(c)]);
 }
 
-/** The smallest of 1, 2, 5 times a power of ten that is not below the value. */
+/** Returns the smallest of 1, 2, 5 times a power of ten that is at least the value. */
 function niceAbove(value) {
   const power = 10 ** Math.floor(Math.log10(value));
   return power * [1, 2, 5, 10].find((digit) => digit * power >= value * (1 - 1e-9));
 }
 
-/** The index of the frame that is nearest in time. */
+/** Returns the index of the frame nearest in time. */
 function nearest(frames, time) {
   let low = 0, high = frames.length - 1;
   while (low < high) {

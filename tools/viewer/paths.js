@@ -1,8 +1,8 @@
 "use strict";
-// The way that bodies have come, as lines: of films with few bodies.
+// Draws the paths of bodies as lines, in films with few bodies.
 
-const FEW = 3;     // with so many, paths are shown unless they are switched off
-const MOST = 50;   // of more bodies they are not drawn
+const FEW = 3;     // up to this many bodies, paths are shown by default
+const MOST = 50;   // with more bodies, paths are not available
 
 function movingBodies(run) {
   return run.header.bodies.map((body, k) => body.fixed || body.shape === "plane" ? -1 : k).filter((k) => k >= 0);
@@ -25,7 +25,7 @@ class Paths {
     });
   }
 
-  /** Up to the frame. */
+  /** Draws the paths up to the frame. */
   draw(frame, shown) {
     const count = shown ? this.run.frames.indexOf(frame) + 1 : 0;
     for (const line of this.lines) {

@@ -1,9 +1,9 @@
 "use strict";
-// Which body is under the pointer, and where on it.
+// Finds the body under the pointer, and the point of it.
 
-const NEAR = 12;  // as far from a point mass a click may be [pixels]
+const NEAR = 12;  // largest distance of a click from a point mass [pixels]
 
-/** { run, body, place, local }: the place hit, in the world and in the body's axes; null if nothing was. */
+/** Returns { run, body, place, local }, with the point in world and body axes; null if no body is there. */
 function pick(picture, x, y) {
   const { run, ray } = picture.rayAt(x, y);
   const frame = picture.frames[run], unit = picture.camera.pixel(picture.panel(run).height);

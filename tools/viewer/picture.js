@@ -1,9 +1,9 @@
 "use strict";
-// The picture: the runs side by side under one camera, or laid over each other.
+// The picture: draws the runs side by side under one camera, or over each other.
 
 const POINT = 5;      // the radius of a point mass on the screen [pixels]
-const ALONE = 0.12;   // the same where there is nothing but one that stays where it is, over the picture's size
-const RUN_OPACITY = 0.55;  // of the second run and those after it, where they lie over the first
+const ALONE = 0.12;   // radius of a single point mass that does not move, over the picture's size
+const RUN_OPACITY = 0.55;  // of the runs that are drawn over the first
 
 class Picture {
   constructor(canvas) {
@@ -14,11 +14,11 @@ class Picture {
     this.camera = new Camera(canvas);
     this.shown = { contacts: false, impulses: false, friction: false, velocities: false, pairs: false, ghosts: true,
                    paths: false, shadows: true, automatic: true, scale: 1, overlaid: false, tint: "plain" };
-    this.hand = null;  // { body, local, to } of a pull: the point of the body, and where it is drawn to
+    this.hand = null;  // { body, local, to } of a pull: the point of the body, and its target
     this.runs = [];
   }
 
-  /** `keep` leaves the camera where it is. */
+  /** Shows runs; `keep` leaves the camera where it is. */
   show(runs, keep = false) {
     this.runs = runs;
     this.box = boundsOf(runs);
@@ -58,7 +58,7 @@ class Picture {
     this.camera.fit(this.box, directionFor(this.box, this.runs.some(floorOf)), width / height);
   }
 
-  /** A frame of each run. */
+  /** Draws one frame of each run. */
   draw(frames) {
     this.frames = frames;
     const unit = this.camera.pixel(this.panel(0).height);
@@ -90,7 +90,7 @@ class Picture {
 
   render() {
     const panels = this.shown.overlaid ? 1 : Math.max(1, this.parts.length);
-    // Panels may leave some of the canvas: three runs in two columns.
+    // Panels may not cover the canvas, as with three runs in two columns.
     this.renderer.setScissor(0, 0, this.canvas.clientWidth, this.canvas.clientHeight);
     this.renderer.clear();
     for (let k = 0; k < panels; ++k) {
@@ -104,7 +104,7 @@ class Picture {
     }
   }
 
-  /** Where a run's picture is on the canvas [CSS pixels]; side by side on a wide one, else below each other. */
+  /** Returns the panel of a run [CSS pixels]: side by side on a wide canvas, otherwise below each other. */
   panel(index) {
     const width = this.canvas.clientWidth || 1, height = this.canvas.clientHeight || 1;
     const count = this.shown.overlaid ? 1 : Math.max(1, this.runs.length);
@@ -125,14 +125,14 @@ class Picture {
     if (untouched) this.fit();
   }
 
-  /** Where a point of the world is on the canvas, in the panel of a run [CSS pixels]. */
+  /** Returns the place on the canvas of a point of the world, in the panel of a run [CSS pixels]. */
   project(place, index = 0) {
     this.camera.eye.updateMatrixWorld();
     const p = new THREE.Vector3(...place).project(this.camera.eye), panel = this.panel(index);
     return [panel.left + (p.x + 1) / 2 * panel.width, panel.top + (1 - p.y) / 2 * panel.height];
   }
 
-  /** The panel under a place on the canvas, and the ray of sight through it. */
+  /** Returns the run whose panel is at a place on the canvas, and the ray of sight through that place. */
   rayAt(x, y) {
     let run = this.runs.findIndex((_, k) => {
       const panel = this.panel(k);

@@ -1,9 +1,9 @@
 "use strict";
-// Planes: a floor is a soft disc with a grid; a wall is a pane as large as what the bodies fill, not there from behind.
+// Draws planes: a floor as a soft disc with a grid, a wall as a pane, visible from its front, of the size of the scene.
 
 const FLOOR = 0.5;  // the least z of a floor's normal
 
-/** `box` is what the bodies fill. Returns the spacing of a floor's grid, a round number of metres. */
+/** Adds the planes of a run with the bounding box `box`. Returns the spacing of the floor's grid, a round number. */
 function addPlanes(parent, run, box) {
   const spacing = niceAbove(box.size / 12);
   for (const body of run.header.bodies.filter((candidate) => candidate.shape === "plane")) {
@@ -39,7 +39,7 @@ function wall(n, centre, box) {
   return mesh;
 }
 
-/** The first plane that shadows fall on; null if there is none. */
+/** Returns the first plane that receives shadows; null if there is none. */
 function floorOf(run) {
   const plane = run.header.bodies.find((body) => body.shape === "plane" && body.n[2] > FLOOR);
   return plane ? { n: new THREE.Vector3(...plane.n), offset: plane.offset } : null;

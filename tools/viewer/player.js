@@ -1,10 +1,10 @@
 "use strict";
-// Time: which frame of each run is shown. Runs are in step by their times; the one that lasts longest leads.
+// The player: chooses the frame of each run that is shown. Runs share one clock; the longest run sets its end.
 
 const SPEEDS = [...Array.from({ length: 12 }, (_, k) => 2 ** (k - 12)), 1, 2, 4];
-const SEEN = 2;  // as long as a film takes at least, unless one sets its speed [s]
+const SEEN = 2;  // least duration of a film at the default speed [s]
 
-/** The speed at which a run lasts long enough to be seen: real time, or slow motion. */
+/** Returns the default speed: real time, or slow motion for a short run. */
 function rateFor(run) {
   const lasts = lastOf(run.frames).time - run.frames[0].time;
   return lasts > 0 ? [...SPEEDS].reverse().find((rate) => rate <= 1 && lasts / rate >= SEEN) || SPEEDS[0] : 1;
@@ -47,7 +47,7 @@ class Player {
     this.changed();
   }
 
-  /** So many seconds have passed. */
+  /** Advances the clock by this many real seconds. */
   advance(seconds) {
     if (!this.playing) return;
     this.clock += Math.min(seconds, 0.25) * this.rate;

@@ -1,10 +1,10 @@
 "use strict";
-// The pointer on the picture: a click on a body shows its numbers, a double click follows it. In a live run a drag pulls
-// one, and with shift a click pushes it.
+// The pointer on the picture: a click on a body shows its numbers, and a double click follows it. In a live run a drag
+// pulls a body, and shift with a click pushes it.
 
-const STILL = 4;  // a pointer that has moved less has clicked [pixels]
+const STILL = 4;  // a shorter move of the pointer is a click [pixels]
 
-/** What a mouse does, or a finger. */
+/** Returns the help text for a mouse or a finger. */
 function howTo(live) {
   const touch = window.matchMedia("(pointer: coarse)").matches;
   if (touch) return live ? "drag a body: pull · tap it: its numbers" : "drag: turn · tap a body: its numbers";
@@ -17,7 +17,7 @@ class Pointing {
     this.viewer = viewer;
     document.getElementById("how").textContent = howTo(Boolean(document.getElementById("live")));
     const { canvas } = viewer.picture;
-    // Before the camera's own listeners, which begin with the mouse events that follow.
+    // Captured, so that it precedes the camera's own listeners.
     canvas.addEventListener("pointerdown", (event) => this.down(event), true);
     canvas.addEventListener("pointermove", (event) => this.move(event));
     canvas.addEventListener("pointerup", (event) => this.up(event));
@@ -37,7 +37,7 @@ class Pointing {
     const { live, picture } = this.viewer, hit = event.button === 0 ? this.hit(event) : null;
     this.pressed = { hit, x: event.clientX, y: event.clientY };
     if (!live || !hit || this.viewer.runs[0].header.bodies[hit.body].fixed) return;
-    picture.camera.orbit.enabled = false;  // this drag is not the camera's
+    picture.camera.orbit.enabled = false;  // this drag must not turn the camera
     if (event.shiftKey) {
       this.pressed = null;
       return live.push(hit, picture.camera.eye);
@@ -50,7 +50,7 @@ class Pointing {
     return !this.pressed || Math.hypot(event.clientX - this.pressed.x, event.clientY - this.pressed.y) >= STILL;
   }
 
-  /** In the plane through the point that was hit, parallel to the screen. */
+  /** Pulls the body in the plane through the grasped point, parallel to the screen. */
   move(event) {
     if (this.held && this.hasMoved(event)) this.pulled = this.held;
     if (!this.pulled) return;

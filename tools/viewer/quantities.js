@@ -1,9 +1,9 @@
 "use strict";
-// What the graphs show: for each a name, a unit, and lines of a number over time.
+// The quantities of the graphs: each has a name, a unit, and lines of values over time.
 
 const KINDS = ["motion", "turning", "weight", "field", "springs"];
 
-/** Below it a velocity of these runs is nothing but rounding [m/s]. */
+/** Returns the speed below which velocities of these runs are round-off [m/s]. */
 function leastSpeed(runs) {
   const fastest = Math.max(0, ...runs.map((run) => run.live ? 1 : Math.max(0, ...run.frames.map((frame) =>
     largestOf(velocitiesOf(frame))))));
@@ -13,8 +13,8 @@ function leastSpeed(runs) {
 const totalOf = (values) => values.reduce((sum, value) => sum + (value === null ? NaN : value), 0);
 const energyOf = (frame) => totalOf(Object.values(frame.energy));
 
-/** The graphs of these runs; `column` is the sample's that is shown. A line a run, or a single run's parts. With `only`
- *  the graph of this key alone, numbers or not. */
+/** Returns the graphs of these runs: a line per run, or the parts of a single run. `column` selects a sample's column.
+ *  With `only`, returns the graph of this key alone, even without values. */
 function quantities(runs, column, only = "") {
   const { header } = runs[0], name = header.error.name || "error", alone = runs.length === 1;
   const each = (valueOf) => runs.map((run, k) => ({ name: run.label, run, colour: k, valueOf }));
@@ -36,7 +36,7 @@ function quantities(runs, column, only = "") {
         : each((frame) => frame.us.length ? totalOf(frame.us) : NaN) },
   ];
   if (only) return lists.filter((list) => list.key === only);
-  // Where nothing is solved the residual is nothing, too.
+  // A run that solves nothing has residuals of 0, which need no graph.
   const solved = runs.some((run) => run.live || run.frames.some((frame) => frame.residual > 0));
   return lists.filter((list) => list.key !== "residual" || solved).filter((list) => list.lines.some(hasNumbers));
 }

@@ -1,16 +1,16 @@
 "use strict";
-// A recording, line by line: solutions/recording/README.md has the format.
+// Reads a recording line by line. solutions/recording/README.md describes the format.
 //
-// What is wrong with one is said in a line, and what comes before is shown. A run is
+// Frames before an error are shown, with a notice about it. A run has
 //   header   as recorded
 //   frames   see frameOf
-//   notice   what a viewer must know of it; empty if all is well
+//   notice   an error or the reason of an early end; empty for a complete run
 
-// Characters; beyond, a tab runs out of memory.
+// In characters; a larger recording exhausts the memory of a tab.
 const LARGEST = 512 * 2 ** 20, LONGEST_LINE = 64 * 2 ** 20;
 const PER_BODY = { x: 3, v: 3, q: 4, omega: 3 };
 
-/** Reads a recording that comes as pieces of text. Never throws: what is wrong is the run's notice. */
+/** Reads a recording from pieces of text. Never throws; the run's notice describes an error. */
 async function readRecording(pieces) {
   const run = { header: null, frames: [], notice: "" };
   let line = 1;
@@ -29,7 +29,7 @@ async function readRecording(pieces) {
   return run;
 }
 
-/** An error that says all there is to say, whatever the line. */
+/** Returns an error whose message needs no line number. */
 const whole = (message) => Object.assign(new Error(message), { whole: true });
 
 function noticeOf(error, run, line) {
@@ -38,9 +38,9 @@ function noticeOf(error, run, line) {
   return `Line ${line} of the recording is damaged (${error.message}); ${shown}.`;
 }
 
-/** The pieces as lines. Throws for a recording that is too large to be shown. */
+/** Yields the lines of the pieces. Throws if the recording is too large to be shown. */
 async function* lines(pieces) {
-  let begun = [], size = 0, length = 0;  // the pieces of a line that is not complete
+  let begun = [], size = 0, length = 0;  // the pieces of an incomplete line
   for await (const piece of pieces) {
     const parts = piece.split("\n");
     size += piece.length;
@@ -58,7 +58,7 @@ async function* lines(pieces) {
   if (rest) yield rest;
 }
 
-/** Adds what a line says to the run. True for the last line of a recording. */
+/** Adds a line to the run. Returns true for the last line of a recording. */
 function takeLine(run, text) {
   const line = parsed(text, run.header ? new Error("it is not JSON") : whole("This file is not a recording of a run."));
   if (!run.header) run.header = checkedHeader(line);
@@ -69,7 +69,7 @@ function takeLine(run, text) {
   return false;
 }
 
-/** How a run ended, in a sentence; empty if all is well. The engine's own reason may begin with the same words. */
+/** Returns a sentence about a run's early end; empty for a complete run. The engine's reason may include the verb. */
 function endOf({ end, why }) {
   if (end === "done") return "";
   if (!why) return "The run diverged; the recording gives no reason.";
@@ -80,7 +80,7 @@ function parsed(text, otherwise) {
   try {
     const value = JSON.parse(text);
     if (value && typeof value === "object") return value;
-  } catch { /* said below */ }
+  } catch { /* thrown below */ }
   throw otherwise;
 }
 
@@ -94,7 +94,7 @@ function checkedHeader(header) {
   return { parameters: {}, method: {}, joints: [], curves: [], columns: [], stages: [], error: {}, ...header };
 }
 
-/** A frame, its crowds of numbers unpacked. Throws if they do not fit the header. */
+/** Returns a frame with its arrays unpacked. Throws if they do not fit the header. */
 function frameOf(line, header) {
   if (!Number.isFinite(line.time)) throw new Error("its time is missing");
   const frame = { ...line };

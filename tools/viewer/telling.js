@@ -1,5 +1,5 @@
 "use strict";
-// The numbers of one body, which a click chooses: where it is, how it moves and turns, and what presses on it.
+// Shows the numbers of the clicked body: its position, its velocities, and the impulses on it.
 
 class Telling {
   constructor(viewer) {
@@ -14,7 +14,7 @@ class Telling {
     this.viewer.dirty();
   }
 
-  /** Of the frame that is shown of each run. A body may have gone with the run that had it. */
+  /** Shows the numbers at each run's present frame. The chosen body may have been removed. */
   draw(frames) {
     const { runs, picture } = this.viewer;
     if (this.chosen && !(this.chosen.run < runs.length && this.chosen.body < runs[this.chosen.run].header.bodies.length))
@@ -31,7 +31,7 @@ class Telling {
   }
 }
 
-/** Names and values, of what the frame has. */
+/** Returns names and values of the quantities in the frame. */
 function numbersOf(frame, body) {
   const three = (list) => list && Array.from(list.subarray(3 * body, 3 * body + 3));
   const x = three(frame.x), v = three(frame.v), turn = three(frame.omega), rows = [["position", vectorText(x, "m")]];

@@ -1,11 +1,10 @@
 "use strict";
-// What the colour of a body may tell: which one it is, how fast it is, or its island, the bodies that contacts and
-// joints connect.
+// Colours bodies by their number, their speed, or their island: the bodies that contacts and joints connect.
 
 const TINTS = [["plain", "one colour"], ["body", "a colour each"], ["speed", "by speed"], ["island", "by island"]];
-const TURN = 0.618034;  // of the circle of hues, from one to the next: neighbours differ, however many there are
+const TURN = 0.618034;  // of the circle of hues between consecutive bodies, so that neighbours differ for any number
 
-/** The colour of each body that moves, in this frame; null where bodies keep the run's. */
+/** Returns the colour of each moving body in this frame; null if bodies keep the run's colour. */
 function tintOf(kind, { header }, frame) {
   if (kind === "body") return hue;
   if (kind === "speed" && frame.v) {
@@ -22,7 +21,7 @@ function tintOf(kind, { header }, frame) {
 
 const hue = (k) => new THREE.Color().setHSL(TURN * k % 1, 0.5, 0.55);
 
-/** Of each body the first one of its island. A fixed body connects nothing. */
+/** Returns for each body the first body of its island. A static body connects nothing. */
 function islandsOf({ bodies, joints }, frame) {
   const first = bodies.map((_, body) => body);
   const find = (body) => {

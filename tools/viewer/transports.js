@@ -1,8 +1,8 @@
 "use strict";
-// Two ways to an engine that runs. Each calls take(line) with what it writes, and lost(why) when it is no longer there;
-// what send() returns is kept when the command has been taken.
+// Two connections to a running engine. Each calls take(line) for every line of output, and lost(why) when the engine
+// has gone. send() returns a promise that resolves when the engine has received the command.
 
-/** ./course play: lines come as server-sent events, commands go back as posts. */
+/** Connects to ./course play: receives lines as server-sent events and posts commands. */
 class ServerTransport {
   open(take, lost) {
     this.lost = () => lost("The run has ended, because ./course play has stopped.");
@@ -18,12 +18,12 @@ class ServerTransport {
   }
 }
 
-/** The engine in a worker of this page. Its file is a script beside the page, which a page may load from anywhere, a
- *  file system too; the worker is made of its text, since a worker's own file may not come from there. */
+/** Runs the engine in a worker of this page. A page from the file system may load a script but no worker's file, so the
+ *  worker is made from the text of a script. */
 class WorkerTransport {
   constructor(figure) {
     this.figure = figure;
-    this.waiting = [];  // for the answers to what was sent
+    this.waiting = [];  // for replies to the commands sent
   }
 
   open(take, lost) {

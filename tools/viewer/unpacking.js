@@ -1,7 +1,7 @@
 "use strict";
-// What is large in a page is gzip in base64; the browser's own DecompressionStream unpacks it, piece by piece.
+// Unpacks the large parts of a page, which are gzip in base64, with the browser's DecompressionStream.
 
-/** The text of an element that holds gzip in base64, as pieces. */
+/** Yields the text of an element that holds gzip in base64, in pieces. */
 async function* unpacked(element) {
   const bytes = bytesOf(element.textContent.trim());
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))
@@ -21,7 +21,7 @@ function bytesOf(base64) {
   return bytes;
 }
 
-/** Runs the libraries of the page, in their order. */
+/** Runs the libraries of the page in order. */
 async function loadLibraries() {
   for (const element of document.querySelectorAll("script[data-library]")) {
     const script = document.createElement("script");

@@ -1,5 +1,5 @@
 "use strict";
-// The worker that runs the engine, in real time: solutions/web/live.cpp. Before it comes what the compiler made.
+// The worker that runs the engine of solutions/web/live.cpp in real time. The compiler's output precedes this file.
 
 let engine = null, timer = 0, due = 0;
 
@@ -7,7 +7,7 @@ const call = (name, text) => text === undefined ? engine.ccall(`spook_${name}`, 
   : engine.ccall(`spook_${name}`, "string", ["string"], [text]);
 const number = (name) => engine.ccall(`spook_${name}`, "number", [], []);
 
-/** What cannot keep up runs as fast as it can, and does not hurry after what it missed. */
+/** Schedules the next frame. A run slower than real time does not catch up later. */
 function schedule() {
   clearTimeout(timer);
   if (number("held")) due = 0;

@@ -1,4 +1,4 @@
-"""The program `spook play`, as a child process that ends with this one."""
+"""Runs `spook play` as a child process that ends with this one."""
 
 import json
 import subprocess
@@ -6,7 +6,7 @@ import threading
 from collections.abc import Callable
 from pathlib import Path
 
-_PATIENCE = 2  # seconds that it has to end by itself
+_PATIENCE = 2  # seconds for the program to end by itself
 
 
 class PlayingEngine:
@@ -29,13 +29,13 @@ class PlayingEngine:
                 self._process.stdin.write(json.dumps(command) + "\n")
                 self._process.stdin.flush()
             except (OSError, ValueError):
-                pass  # it has ended; on_end says so
+                pass  # the program has ended; on_end reports it
 
     def stop(self) -> None:
         self._stopped = True
         with self._writing:
             try:
-                self._process.stdin.close()  # upon which it ends by itself
+                self._process.stdin.close()  # ends the program
             except OSError:
                 pass
         try:

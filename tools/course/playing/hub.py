@@ -5,7 +5,7 @@ import threading
 import time
 from collections import deque
 
-_BACKLOG = 4  # frames that wait for a slow page; older ones are dropped
+_BACKLOG = 4  # frames kept for a slow page; older frames are dropped
 
 
 def is_header(line: str) -> bool:
@@ -36,9 +36,9 @@ class Hub:
         self._lock = threading.Lock()
         self._listeners: list[Listener] = []
         self._header = self._frame = self._said = ""
-        self._left = None  # when the last listener went
+        self._left = None  # the time at which the last listener left
         self.settings = Settings()
-        self.on_first = lambda: None  # called when the first page has come
+        self.on_first = lambda: None  # called when the first page connects
 
     def take(self, line: str) -> None:
         """Accepts a line of the engine."""
@@ -52,7 +52,7 @@ class Hub:
             self._send(line, is_frame)
 
     def say(self, text: str) -> None:
-        """Sends a message to the reader, which stays visible."""
+        """Shows a message to the reader until another replaces it."""
         with self._lock:
             self._said = json.dumps({"said": text})
             self._send(self._said, False)

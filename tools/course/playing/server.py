@@ -1,4 +1,4 @@
-"""A page for this machine only: on the loopback address, below a random path."""
+"""Serves a page to this machine only, on the loopback address below a random path."""
 
 import json
 import secrets
@@ -12,7 +12,7 @@ from machine import forwarded_host
 from playing.hub import Hub
 
 _LONGEST = 64 * 1024  # bytes of a command
-_BEAT = 1.0  # seconds after which a silent page is asked if it is still there
+_BEAT = 1.0  # seconds without a line after which the connection is tested
 _HEADERS = {"Cache-Control": "no-store", "Referrer-Policy": "no-referrer", "X-Content-Type-Options": "nosniff"}
 
 
@@ -42,7 +42,7 @@ class _LocalServer(ThreadingHTTPServer):
     daemon_threads = True
 
     def handle_error(self, request, client_address) -> None:
-        if not isinstance(sys.exc_info()[1], OSError):  # a page may go at any time
+        if not isinstance(sys.exc_info()[1], OSError):  # a page may close at any time
             super().handle_error(request, client_address)
 
 
@@ -68,8 +68,11 @@ class _Handler(BaseHTTPRequestHandler):
             return
         length = self.headers.get("Content-Length", "")
         if what != "command" or not length.isdecimal() or int(length) > _LONGEST:
-            self.close_connection = True  # what was sent with it is not read
-            self._answer(404 if what != "command" else 413, "There is nothing here.\n")
+            self.close_connection = True  # the body of the request is not read
+            if what != "command":
+                self._answer(404, "There is nothing here.\n")
+            else:
+                self._answer(413, f"A command has a Content-Length of at most {_LONGEST} bytes.\n")
             return
         try:
             command = json.loads(self.rfile.read(int(length)))
@@ -84,12 +87,12 @@ class _Handler(BaseHTTPRequestHandler):
     def _asked(self) -> str | None:
         """Returns the path below the token; None after a refusal.
 
-        A page of another site may reach this machine under a name of its own; the Host header shows that name.
+        A page of another site may reach this machine under another name, which the Host header reveals.
         """
         port = self.server.server_port
         hosts = {f"{name}:{port}" for name in ("127.0.0.1", "localhost")}
         origins = {f"http://{host}" for host in hosts}
-        if forwarded := forwarded_host(port):  # requests come by https, and with either name
+        if forwarded := forwarded_host(port):  # requests arrive by https, under either name
             hosts.add(forwarded)
             origins |= {f"https://{host}" for host in hosts}
         origin = self.headers.get("Origin")
@@ -130,7 +133,7 @@ class _Handler(BaseHTTPRequestHandler):
                 line = listener.get(_BEAT)
                 self.wfile.write(f"data: {line}\n\n".encode() if line else b": still here\n\n")
         except OSError:
-            pass  # the page has gone
+            pass  # the page has closed
         finally:
             self.hub.leave(listener)
 
