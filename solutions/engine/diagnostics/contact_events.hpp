@@ -1,5 +1,5 @@
 #pragma once
-// Reports the pairs of bodies that began or ended to touch in a step. It costs nothing unless requested.
+// Reports the pairs of bodies that began or ceased to touch in a step. It costs nothing unless requested.
 #include <algorithm>
 #include <iterator>
 #include <utility>
