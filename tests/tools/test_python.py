@@ -312,6 +312,25 @@ class Worlds(WithModule):
         with self.assertRaises(ValueError):
             spook.World().add_fixed((0, 0, 0), radius=1, half_sides=(1, 1, 1))
 
+    def test_a_ray_hits_the_first_body_and_a_ball_overlaps_the_near_ones(self):
+        world = spook.World()
+        floor = world.add_plane()
+        box = world.add(x=(0, 0, 1), half_sides=(1, 1, 0.5))
+        capsule = world.add(x=(4, 0, 1), radius=0.5, half_length=0.5)
+        hit = world.cast_ray((0.5, 0, 5), (0, 0, -2))
+        self.assertEqual((hit["body"], hit["distance"]), (box, 3.5))
+        self.assertEqual((hit["point"].tolist(), hit["normal"].tolist()), ([0.5, 0, 1.5], [0, 0, 1]))
+        self.assertIsNone(world.cast_ray((0.5, 0, 5), (0, 0, -2), longest=3.4))
+        self.assertEqual(world.cast_ray((0.5, 0, 1), (1, 0, 0))["body"], capsule)  # it begins in the box
+        self.assertEqual(world.overlapping((0, 0, 0), 0.5), [floor, box])
+        self.assertEqual(world.overlapping((4, 0, 1), radius=0), [capsule])
+        points = falling()
+        self.assertEqual((points.cast_ray((0, 0, 1), (0, 0, -1)), points.overlapping((0, 0, 0), 1)), (None, []))
+        self.refused("direction must be a vector that is not zero, but is 0", world.cast_ray, (0, 0, 1), (0, 0, 0))
+        self.refused("radius must be zero or positive, and finite, but is -1", world.overlapping, (0, 0, 1), -1)
+        with self.assertRaisesRegex(TypeError, "^cast_ray: direction: three numbers, got 2$"):
+            world.cast_ray((0, 0, 1), (0, 1))
+
     def test_a_body_that_is_taken_out_takes_its_force_along(self):
         world = spook.PointWorld(gravity=(0, 0, 0))
         for k in range(3):

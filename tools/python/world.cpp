@@ -4,6 +4,7 @@
 
 #include "arrays.hpp"
 #include "binding.hpp"
+#include "engine/collision/queries.hpp"
 #include "scenes/choose.hpp"
 #include "scenes/method.hpp"
 
@@ -180,6 +181,15 @@ void set_material(PythonWorld<Dof>& self, int body, std::optional<int> other, st
     self.world().set_material(body, *other, material);
   else
     self.world().set_material(body, material);
+}
+
+/// Returns None if the ray hits nothing.
+template <int Dof>
+py::object hit_by_ray(const PythonWorld<Dof>& self, const Vec3& origin, const Vec3& direction, double longest) {
+  const std::optional<RayHit> hit = cast_ray(self.world(), origin, direction, longest);
+  if (!hit) return py::none();
+  return py::dict("body"_a = hit->body, "point"_a = hit->point, "normal"_a = hit->normal,
+                  "distance"_a = hit->distance);
 }
 
 /// A static body with the shape that its arguments give, named as those of add.
@@ -377,6 +387,13 @@ void bind_both(Binding<Dof>& type, const char* name) {
       .def("joint_impulse", &joint_impulse<Dof>, "joint"_a)
       .ask("joint_force", std::mem_fn(&World<Dof>::joint_force), "joint"_a)
       .ask("contact_force", std::mem_fn(&World<Dof>::contact_force), "contact"_a)
+      .def("cast_ray", &hit_by_ray<Dof>, "origin"_a, "direction"_a, "longest"_a = infinity)
+      .def(
+          "overlapping",
+          [](const Self& self, const Vec3& centre, double radius) {
+            return overlapping(self.world(), centre, radius);
+          },
+          "centre"_a, "radius"_a)
       .def("report", &report<Dof>);
   type.view("x",
             [](const py::object& o, Self& self) { return self.views.of(self.world().bodies().x, 3, 0, o); });

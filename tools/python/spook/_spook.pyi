@@ -104,6 +104,13 @@ class _EitherWorld:
         """Returns the force of a joint on body j in the last step [N]."""
     def contact_force(self, contact: int) -> Array:
         """Returns the force of a contact on body j in the last step, including friction [N]."""
+    def cast_ray(self, origin: Vector, direction: Vector, longest: float = ...) -> dict[str, Any] | None:
+        """Returns the first body that a ray enters: body, point [m], outward normal and distance [m]; None if there is
+        none within longest [m]. Default: any distance. The direction may have any length above 0. A body that contains
+        the origin is not hit, nor one that the ray only touches."""
+    def overlapping(self, centre: Vector, radius: float) -> list[int]:
+        """Returns the bodies with a point within a radius [m] of the centre. With a radius of 0 these are the bodies
+        that contain the point."""
     def report(self) -> dict[str, Any]:
         """Numbers of the last step: pairs, contacts, impacts, rows, iterations, residual [m/s], trouble."""
     def __len__(self) -> int: ...
