@@ -154,6 +154,8 @@ TEST(CastRay, DoesNotHitWhatItOnlyTouches) {
     return found ? found->body : -1;
   };
   EXPECT_EQ(hit(Vec3(-5, 0, -8), X), -1) << "in the surface of the plane";
+  for (const double zero : {-0.0, 0.0})
+    EXPECT_EQ(hit(Vec3(5, 4, 0), Vec3(-1, zero, zero)), -1) << "parallel to the plane, far above";
   for (const double side : {-1.0, 1.0}) {
     EXPECT_EQ(hit(Vec3(-5, side, 0), X), -1) << "in a face";
     EXPECT_EQ(hit(Vec3(-5, below(side), 0), X), box);
