@@ -99,13 +99,55 @@ Interior step_of(const Inside& p) {
   return newton_step(lower_triangle(p.S), p.B, p.now, p.target, factors);
 }
 
+/// The right-hand side of Eq. (11.8), and likely mistakes in it.
+struct Right {
+  double S_lambda = -1, lo = 1, hi = -1;  // factors of S λ and of τ/s
+  double pushes = 0;                      // factor of z⁻ - z⁺
+  bool lower_triangle = false, rooms_swapped = false, undivided = false;
+};
+
+VectorXd dense_change(const Inside& p, const Right& right = {}) {
+  const MatrixXd S = right.lower_triangle ? MatrixXd(p.S.triangularView<Eigen::Lower>()) : p.S;
+  VectorXd lo = p.target.lo, hi = p.target.hi;
+  if (!right.undivided) {
+    lo = lo.cwiseQuotient(right.rooms_swapped ? p.now.room_hi : p.now.room_lo);
+    hi = hi.cwiseQuotient(right.rooms_swapped ? p.now.room_lo : p.now.room_hi);
+  }
+  return solution_of(dense_barrier(p), p.B + right.S_lambda * S * p.now.lambda + right.lo * lo + right.hi * hi +
+                                           right.pushes * (p.now.push_lo - p.now.push_hi));
+}
+
 EXERCISE_TEST(NewtonStep, SolvesTheRowsWithTheNewPushes) {
   Random random;
-  for (int repeat = 0; repeat < 10; ++repeat) {
-    const int rows = repeat == 0 ? many : 12;
+  for (int repeat = 0; repeat < 10 && !::testing::Test::HasFailure(); ++repeat) {
+    const int rows = repeat == 9 ? many : 12;
     const Inside p = random_inside(random, rows);
     const Interior step = step_of(p);
     if (!has_size(step, rows, "Eq. (11.9)")) return;
+    const VectorXd right = dense_change(p);
+    expect_near_vector(
+        "Δλ of " + std::to_string(rows) + " rows [N s]", "Eq. (11.8)", VectorXd(step.lambda), right,
+        {1e-10 * (1 + right.norm()), "round-off times a condition of 1e3, and some more"},
+        {{dense_change(p, {.lower_triangle = true}),
+          "S is stored as its lower triangle: the product S λ needs the other half, too."},
+         {dense_change(p, {.S_lambda = 0}), "S λ is missing: the residual is B - S λ."},
+         {dense_change(p, {.S_lambda = 1}), "The sign of S λ: the residual is B - S λ."},
+         {VectorXd(dense_change(p, {.S_lambda = 0}) - p.now.lambda),
+          "S λ is missing: subtracting λ from the result takes S̃ λ off, which is more."},
+         {dense_change(p, {.lo = 0, .hi = 0}), "τ⁻/s⁻ - τ⁺/s⁺ is missing."},
+         {dense_change(p, {.lo = 0}), "τ⁻/s⁻, of the bounds below, is missing."},
+         {dense_change(p, {.hi = 0}), "τ⁺/s⁺, of the bounds above, is missing."},
+         {dense_change(p, {.hi = 1}), "The sign of τ⁺/s⁺: a bound above pushes λ down."},
+         {dense_change(p, {.lo = -1}), "The sign of τ⁻/s⁻: a bound below pushes λ up."},
+         {dense_change(p, {.lo = -1, .hi = 1}), "The signs of τ⁻/s⁻ and τ⁺/s⁺."},
+         {dense_change(p, {.rooms_swapped = true}), "τ⁻ belongs to the room below, and τ⁺ to the room above."},
+         {dense_change(p, {.undivided = true}), "τ is not divided by the room."},
+         {dense_change(p, {.lo = 0, .hi = 0, .pushes = 1}),
+          "The present pushes z⁻ - z⁺ stand in place of τ⁻/s⁻ - τ⁺/s⁺."},
+         {dense_change(p, {.pushes = 1}),
+          "The present pushes z⁻ - z⁺ are added. Eq. (11.9) has taken them out of Eq. (11.8)."}},
+        "S̃ Δλ = B - S λ + τ⁻/s⁻ - τ⁺/s⁺, with S̃ in `factors`.");
+    if (::testing::Test::HasFailure()) return;
     const VectorXd lambda = p.now.lambda + step.lambda;
     const VectorXd lo = p.now.push_lo + step.push_lo, hi = p.now.push_hi + step.push_hi;
     const VectorXd missing = p.B + lo - hi - p.S * lambda;
@@ -113,9 +155,8 @@ EXERCISE_TEST(NewtonStep, SolvesTheRowsWithTheNewPushes) {
       expect_near("B + z⁻ - z⁺ - S λ after the whole step," + row(k) + " of " + std::to_string(rows) +
                       bounds_of(p.now, k) + " [m/s]",
                   "Eq. (11.5)", missing[k], 0, {1e-12, "round-off times stiffnesses up to 20"}, {},
-                  "The equation is linear, so one whole step gets it right from any point. S is stored as its "
-                  "lower triangle: the product S λ needs the other half, too. " +
-                      ends_early);
+                  "Δλ is right, so Δz⁻ or Δz⁺ is not. The equation is linear: one whole step gets it right. " +
+                      (rows == many ? ends_early : ""));
   }
 }
 
@@ -129,6 +170,32 @@ EXERCISE_TEST(NewtonStep, MissesTheTargetByItsSecondOrderOnly) {
       return (room + dr) * (push + dp) - target - dr * dp;
     };
     for (Eigen::Index k = 0; k < 12; ++k) {
+      const double change = step.lambda[k];
+      for (const bool above : {false, true}) {
+        if (!(above ? has_hi(p.now, k) : has_lo(p.now, k))) continue;
+        const double s = (above ? p.now.room_hi : p.now.room_lo)[k],
+                     z = (above ? p.now.push_hi : p.now.push_lo)[k];
+        const double tau = (above ? p.target.hi : p.target.lo)[k], ds = above ? -change : change;
+        const double other_tau = (above ? p.target.lo : p.target.hi)[k];
+        const double other_z = (above ? p.now.push_lo : p.now.push_hi)[k];
+        const std::string room =
+            above ? "the room above shrinks as λ grows: Δs is -Δλ." : "the room below grows with λ: Δs is Δλ.";
+        expect_near(std::string(above ? "Δz⁺" : "Δz⁻") + row(k) + bounds_of(p.now, k) + " [m/s]", "Eq. (11.9)",
+                    (above ? step.push_hi : step.push_lo)[k], (tau - z * ds) / s - z,
+                    {1e-12 * (1 + std::abs(tau) + std::abs(z * ds)) / s, "round-off of its terms"},
+                    {{(tau - z * ds) / s, "This is the push after the step. Its change is that minus z."},
+                     {tau / s - z, "z Δs/s is missing: the push also depends on how far the room changes."},
+                     {(tau + z * ds) / s - z, "The sign of z Δs: " + room},
+                     {tau / s - z * ds - z, "Divide z Δs by the room, too."},
+                     {(tau - z * ds) / (s + ds) - z, "Divide by the room before the step."},
+                     {(tau - s * z - z * ds) / s - z, "The present push z is subtracted twice."},
+                     {(other_tau - z * ds) / s - z, "This has the target of the row's other bound."},
+                     {(tau - other_z * ds) / s - other_z, "This has the push of the row's other bound."},
+                     {0, has_lo(p.now, k) && has_hi(p.now, k)
+                             ? "It has not changed. A row with two bounds has two pushes that change."
+                             : "It has not changed."}},
+                    "s Δz + z Δs has to be τ - s z: " + room);
+      }
       if (has_lo(p.now, k))
         expect_near(
             "(s + Δs)(z + Δz) - τ - Δs Δz below," + row(k), "Eq. (11.9)",
@@ -152,7 +219,8 @@ EXERCISE_TEST(NewtonStep, RoomsFollowTheImpulse) {
   for (Eigen::Index k = 0; k < 12; ++k) {
     const double change = step.lambda[k];
     if (has_lo(p.now, k))
-      expect_near("Δs below," + row(k) + " [N s]", "Eq. (11.5)", step.room_lo[k], change, {0, "s = λ - lo"});
+      expect_near("Δs below," + row(k) + " [N s]", "Eq. (11.5)", step.room_lo[k], change, {0, "s = λ - lo"},
+                  {{-change, "The room below grows with λ."}});
     if (has_hi(p.now, k))
       expect_near("Δs above," + row(k) + " [N s]", "Eq. (11.5)", step.room_hi[k], -change, {0, "s = hi - λ"},
                   {{change, "The room above shrinks as λ grows."}});

@@ -39,13 +39,22 @@ enum class Push {
   of_its_own_end,
   of_the_other_end,
   on_i_only,
+  on_j_only,
+  alike_on_both,
+  static_bodies_too,
   between_dynamic_bodies,
   of_the_last_spring,
   without_brackets
 };
 
+/// The right side: a factor of the springs' part, and one of B.
+struct RightSide {
+  double push = 1, B = 1;
+};
+
 /// Computes V and λ by dense algebra, with so many times h²K in M̃, and K acting on these velocities.
-Answer dense(const Springs& s, double times, const std::vector<Vec3>& pushed, Push how = Push::of_both) {
+Answer dense(const Springs& s, double times, const std::vector<Vec3>& pushed, Push how = Push::of_both,
+             const RightSide& right_side = {}) {
   const Eigen::MatrixXd A = dense_matrix(s, times);
   Eigen::VectorXd right = Eigen::VectorXd::Zero(A.rows());
   const auto of = [&](int body) -> Vec3 { return pushed[static_cast<std::size_t>(body)]; };
@@ -53,17 +62,19 @@ Answer dense(const Springs& s, double times, const std::vector<Vec3>& pushed, Pu
     const bool own = how != Push::of_the_other_end, other = how != Push::of_its_own_end;
     if (how == Push::between_dynamic_bodies && !(s.moves(spring.i) && s.moves(spring.j))) continue;
     const auto push_on = [&](int body, int end) {
-      if (!s.moves(body)) return;
+      if (!s.moves(body) && how != Push::static_bodies_too) return;
       if (how == Push::of_the_last_spring) right.segment<3>(3 * body).setZero();
       Vec3 pushed_by = spring.K * (other * of(end) - own * of(body));
       if (how == Push::without_brackets)
         pushed_by = (body == spring.i ? 1 : -1) * Vec3(spring.K * of(spring.j) - of(spring.i));
-      right.segment<3>(3 * body) += s.h * s.h * pushed_by;
+      const double sign = how == Push::alike_on_both && body == spring.j ? -1 : 1;
+      right.segment<3>(3 * body) += right_side.push * sign * s.h * s.h * pushed_by;
     };
-    push_on(spring.i, spring.j);
+    if (how != Push::on_j_only) push_on(spring.i, spring.j);
     if (how != Push::on_i_only) push_on(spring.j, spring.i);
   }
-  for (std::size_t k = 0; k < s.rows.size(); ++k) right[3 * s.bodies() + static_cast<int>(k)] = s.rows[k].B;
+  for (std::size_t k = 0; k < s.rows.size(); ++k)
+    right[3 * s.bodies() + static_cast<int>(k)] = right_side.B * s.rows[k].B;
   const Eigen::VectorXd unknowns = solution_of(A, right);
   return {.V = unknowns.head(3 * s.bodies()), .lambda = -unknowns.tail(std::ssize(s.rows))};
 }
@@ -103,6 +114,10 @@ EXERCISE_TEST(StiffSolve, SolvesTheStep) {
         "the "
         "change V + W_f.";
     const std::string sign = "The sign of what the forces add: the right side of the bodies is -h²K W_f.";
+    const auto with = [&](const RightSide& right_side) { return dense(s, 1, Wf, Push::of_both, right_side).V; };
+    const std::string equations = "M̃ V - Gᵀλ = -h²K W_f and G V + Σ λ = B, whatever V and λ were before.";
+    const bool right_V = (got.V - right.V).norm() <= 1e-9 * right.V.norm(),
+               right_lambda = (got.lambda - right.lambda).norm() <= 1e-9 * right.lambda.norm();
     expect_near_vector<Eigen::VectorXd>(
         "V of all bodies" + of + " [m/s]", "Eq. (12.6)", got.V, right.V,
         {1e-10 * right.V.norm(), "round-off times a condition of up to 1e5"},
@@ -116,6 +131,19 @@ EXERCISE_TEST(StiffSolve, SolvesTheStep) {
          {dense(s, 1, Wf, Push::of_the_other_end).V,
           "The end's own W_f is missing: a spring resists W_f,j - W_f,i, what its two ends move apart."},
          {dense(s, 1, Wf, Push::on_i_only).V, "K acts on body i only: what one end gets the other gives."},
+         {dense(s, 1, Wf, Push::on_j_only).V, "K acts on body j only: what one end gets the other gives."},
+         {dense(s, 1, Wf, Push::alike_on_both).V,
+          "Both ends get the same push: what one end gets the other gives, with the other sign."},
+         {dense(s, 1, Wf, Push::static_bodies_too).V,
+          "A static body moves. Its M is the identity, so its V is its right side: keep that at 0."},
+         {dense(s, 1, s.motion.W).V,
+          "K acts on the velocity W of before the step. It should act on W_f, which the forces add."},
+         {with({.push = 2}), "The push -h²K W_f counts twice."},
+         {s.h == 0 ? unpushed.V : with({.push = 1 / s.h}), "The push is h K W_f, with one h: it needs h²."},
+         {s.h == 0 ? unpushed.V : with({.push = 1 / (s.h * s.h)}), "The push is K W_f, without h²."},
+         {with({.B = 0}), "B is missing: it is the right side of the rows."},
+         {with({.B = -1}), "The sign of B, the right side of the rows."},
+         {with({.B = 0.5}), "The right side of a row is B, all of it: this has half of B."},
          {dense(s, 1, Wf, Push::between_dynamic_bodies).V,
           "Springs with a static end do not push. They resist the W_f of the end that moves."},
          {dense(s, 1, Wf, Push::of_the_last_spring).V,
@@ -123,8 +151,11 @@ EXERCISE_TEST(StiffSolve, SolvesTheStep) {
          {dense(s, 1, Wf, Push::without_brackets).V,
           "K multiplies the difference of the two: K (W_f,j - W_f,i), with brackets."},
          {right.V + forces, "This is V + W_f: V is what rows and springs add to W_f."},
-         {-right.V, "The sign of V."}},
-        "M̃ V - Gᵀλ = -h²K W_f and G V + Σ λ = B, whatever V and λ were before.");
+         {-right.V, "The sign of V."},
+         {right.V + Eigen::VectorXd::Constant(right.V.size(), 7),
+          "The result is added to the V that was there: it replaces V."}},
+        right_lambda ? "λ is right, so the equations are solved. V of body b is the three unknowns from 3 b on."
+                     : equations);
     expect_near_vector<Eigen::VectorXd>(
         "λ of all rows" + of + " [N s]", "Eq. (12.6)", got.lambda, right.lambda,
         {1e-10 * right.lambda.norm(), "round-off times a condition of up to 1e5"},
@@ -133,8 +164,13 @@ EXERCISE_TEST(StiffSolve, SolvesTheStep) {
          {unpushed.lambda, no_push},
          {tournier.lambda, damps},
          {Eigen::VectorXd::Constant(right.lambda.size(), 7),
-          "The rows still have the λ that they had on entry."}},
-        "M̃ V - Gᵀλ = -h²K W_f and G V + Σ λ = B, whatever V and λ were before.");
+          "The rows still have the λ that they had on entry."},
+         {right.lambda + Eigen::VectorXd::Constant(right.lambda.size(), 7),
+          "The result is added to the λ that was there: it replaces λ."},
+         {s.h * right.lambda, "This is h λ. λ is an impulse already, and is not multiplied by h."}},
+        right_V
+            ? "V is right, so the equations are solved. λ of row k is minus the unknown 3 n + k, of n bodies."
+            : equations);
   }
 }
 

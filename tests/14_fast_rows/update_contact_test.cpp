@@ -41,27 +41,50 @@ EXERCISE_TEST(UpdateContact, SolvesTheThreeRowsTogether) {
       const Mat3 S = block_of(s, contact);
       const Vec3 before = impulses_of(s, contact), r = lacks_of(s, contact);
       Mat3 of_i = S, of_j = S, without_softness = S, alone = S.diagonal().asDiagonal();
-      Vec3 r_of_i = r, r_of_j = r;
+      Mat3 without_mass = S, subtracted = S;
+      Vec3 r_of_i = r, r_of_j = r, r_hard = r, r_added = r, r_of_i_twice = r, r_without_B = r;
       for (int k = 0; k < 3; ++k) {
         const Row<6>& row = s.rows[contact.normal + k];
         for (int l = 0; l < 3; ++l) {
           const Row<6>& other = s.rows[contact.normal + l];
           of_i(k, l) -= row.Gj.dot(other.MinvGj);
           of_j(k, l) -= row.Gi.dot(other.MinvGi);
+          if (k == l) continue;
+          without_mass(k, l) = row.Gi.dot(other.Gi) + row.Gj.dot(other.Gj);
+          subtracted(k, l) -= 2 * row.Gj.dot(other.MinvGj);
         }
         without_softness(k, k) -= row.Sigma;
         r_of_i[k] += row.Gj.dot(s.V[row.j]), r_of_j[k] += row.Gi.dot(s.V[row.i]);
+        r_hard[k] += row.Sigma * row.lambda, r_added[k] += 2 * row.Gj.dot(s.V[row.j]);
+        r_of_i_twice[k] += row.Gj.dot(s.V[row.j] - s.V[row.i]), r_without_B[k] -= row.B;
       }
       const auto beside_the_diagonal = [&](Mat3 block) {
         block.diagonal() = S.diagonal();
         return block;
       };
       const auto with = [&](const Mat3& block, const Vec3& q) { return solve_on_cone(block, q, contact.mu); };
+      const Vec3 after = with(S, r + S * before);
       update_contact(contact, s.rows, s.V);
       expect_near_vector(
           "λ of a contact between two dynamic bodies, after its update [N s]", "Eq. (14.1), (14.2)",
-          impulses_of(s, contact), with(S, r + S * before), roundings(1e4, 5),
-          {{with(S, r), "q is the residual only: S_cc λ, the effect of the old λ, is missing."},
+          impulses_of(s, contact), after, roundings(1e4, 5),
+          {{before, "It has not been updated: the old λ is unchanged."},
+           {Vec3(before + after), "The new λ is added to the old one: it replaces that."},
+           {Vec3(after[0], after[2], after[1]), "The two tangents are swapped."},
+           {Vec3(S.inverse() * (r + S * before)), "The cone is missing: |λ_t| <= μ λ_n."},
+           {solve_on_cone(S, r + S * before, 1), "This is the solution for μ = 1: use the contact's μ."},
+           {with(S, r - S * before), "The sign of S_cc λ: q = r + S_cc λ."},
+           {with(S, r_hard + S * before), "In r the term Σ λ is missing: r = B - G V - Σ λ."},
+           {with(S, r_without_B + S * before), "In r the term B is missing: r = B - G V - Σ λ."},
+           {with(S, r_added + S * before),
+            "In r the sign of G_j V_j: both bodies are subtracted, r = B - G V - Σ λ."},
+           {with(S, r_of_i_twice + S * before),
+            "In r the velocity of body i stands in place of body j's, too."},
+           {with(without_mass, r + without_mass * before),
+            "Beside its diagonal S_cc is without masses: it is G M⁻¹ Gᵀ."},
+           {with(subtracted, r + subtracted * before),
+            "Beside the diagonal of S_cc the part of body j is subtracted: both parts are added."},
+           {with(S, r), "q is the residual only: S_cc λ, the effect of the old λ, is missing."},
            {Vec3(before + with(S, r)), "This adds the λ of the residual, on its cone, to the old λ."},
            {with(of_j, r + of_j * before), "S_cc has the part of body j only."},
            {with(of_i, r + of_i * before), "S_cc has the part of body i only: that of body j is left out."},
@@ -89,18 +112,33 @@ EXERCISE_TEST(UpdateContact, ScattersWhatHasChanged) {
     System<6> s = busy_system(random);
     const Eigen::VectorXd V = all_V(s.V);
     System<6> of_i = s, of_j = s;  // with Δλ scattered to one body only
+    System<6> backwards = s, without_mass = s, of_normal = s, all_of_it = s;
     for (const FrictionContact& contact : s.contacts) update_contact(contact, s.rows, s.V);
     for (std::size_t k = 0; k < s.rows.size(); ++k) {
       const Row<6>& row = s.rows[k];
       const double change = row.lambda - of_i.rows[k].lambda;
       of_i.V[row.i] += change * row.MinvGi, of_j.V[row.j] += change * row.MinvGj;
+      backwards.V[row.i] -= change * row.MinvGi, backwards.V[row.j] -= change * row.MinvGj;
+      without_mass.V[row.i] += change * row.Gi, without_mass.V[row.j] += change * row.Gj;
+    }
+    for (const FrictionContact& contact : s.contacts) {
+      of_normal.begin_with(contact.normal, s.rows[contact.normal].lambda);
+      for (std::size_t k = contact.normal; k <= contact.normal + 2; ++k) {
+        const Row<6>& row = s.rows[k];
+        all_of_it.V[row.i] += row.lambda * row.MinvGi, all_of_it.V[row.j] += row.lambda * row.MinvGj;
+      }
     }
     expect_true("an update of every contact changes V", "Eq. (4.5)", all_V(s.V) != V, "Nothing was scattered.");
-    expect_near_vector("V after an update of every contact", "Eq. (4.5)", all_V(s.V),
-                       V_of_lambda(s.rows, s.V.size()), roundings(1e4, 10),
-                       {{all_V(of_i.V), "Body j is left out: Δλ changes the velocities of both bodies."},
-                        {all_V(of_j.V), "Body i is left out: Δλ changes the velocities of both bodies."}},
-                       "V = M⁻¹ Gᵀ λ, always: scatter Δλ, and not λ.");
+    expect_near_vector(
+        "V after an update of every contact", "Eq. (4.5)", all_V(s.V), V_of_lambda(s.rows, s.V.size()),
+        roundings(1e4, 10),
+        {{all_V(of_i.V), "Body j is left out: Δλ changes the velocities of both bodies."},
+         {all_V(of_j.V), "Body i is left out: Δλ changes the velocities of both bodies."},
+         {all_V(all_of_it.V), "This scatters λ: scatter Δλ, and not λ."},
+         {all_V(backwards.V), "The sign: V changes by +M⁻¹ Gᵀ Δλ."},
+         {all_V(without_mass.V), "This is Gᵀ Δλ: V changes by M⁻¹ Gᵀ Δλ."},
+         {all_V(of_normal.V), "Only Δλ of the normal row is scattered: the friction rows' change V, too."}},
+        "V = M⁻¹ Gᵀ λ, always: scatter Δλ of all three rows.");
   }
 }
 
@@ -138,12 +176,15 @@ EXERCISE_TEST(UpdateContact, ReturnsTheVelocityChange) {
   System<6> s = busy_system(random);
   for (const FrictionContact& contact : s.contacts) {
     const Mat3 S = block_of(s, contact);
-    const Vec3 before = impulses_of(s, contact),
+    const Vec3 before = impulses_of(s, contact), lacks = lacks_of(s, contact),
                change = solve_on_cone(S, lacks_of(s, contact) + S * before, contact.mu) - before;
     const double got = update_contact(contact, s.rows, s.V);
     expect_near(
         "what update_contact returned [m/s]", "Eq. (14.2)", got, (S * change).norm(), roundings(1e3, 5),
-        {{change.norm(), "This is |Δλ|, an impulse. Return a velocity: |S_cc Δλ|."},
+        {{lacks.norm(), "This is |r|, what was missing before the update. Return what it changed: |S_cc Δλ|."},
+         {(S * (before + change)).norm(),
+          "This is |S_cc λ|, of the new λ. Return that of the change: |S_cc Δλ|."},
+         {change.norm(), "This is |Δλ|, an impulse. Return a velocity: |S_cc Δλ|."},
          {(S * change).cwiseAbs().maxCoeff(),
           "This is the largest entry of S_cc Δλ. Return its length, |S_cc Δλ|."},
          {S.diagonal().cwiseProduct(change).cwiseAbs().maxCoeff(),
