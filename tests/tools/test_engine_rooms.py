@@ -1,5 +1,6 @@
 """The map of the engine, solutions/engine/README.md, is right: the files of each room, and its includes."""
 
+import collections
 import re
 import unittest
 from pathlib import Path
@@ -9,6 +10,8 @@ from sandbox import ROOT
 ENGINE = ROOT / "solutions" / "engine"
 _ROW = re.compile(r"^\| `(\w+)/` \| (.+) \| (.*) \|$", re.MULTILINE)
 _LINK = re.compile(r"\]\((\w+)/(\w+\.hpp)\)")
+_CONSTANTS = re.compile(r"^(?:static )?constexpr [\w:]+ (\w+ = .*);", re.MULTILINE)
+_TYPE = re.compile(r"^(?:struct|class|enum class) (\w+)[^;\n]*\{", re.MULTILINE)
 _INCLUDE = re.compile(r'^#include "engine/(\w+)/', re.MULTILINE)
 
 
@@ -22,6 +25,20 @@ def allowed(may: str, name: str, names: list[str]) -> set[str]:
     if may.startswith("all"):
         return set(names) - set(re.findall(r"but (\w+)", may))
     return {name, *re.findall(r"\w+", may)}
+
+
+class Groups(unittest.TestCase):
+    def test_no_two_sources_give_one_name_to_two_things(self):
+        """They are compiled in groups, and a new file moves others into another group."""
+        for library in ("engine", "scenes"):
+            where = collections.defaultdict(set)
+            for source in (ROOT / "solutions" / library).rglob("*.cpp"):
+                text = source.read_text(encoding="utf-8")
+                constants = [name for line in _CONSTANTS.findall(text) for name in re.findall(r"(?:^|, )(\w+) = ", line)]
+                for name in (*constants, *_TYPE.findall(text)):
+                    where[name].add(source.name)
+            self.assertGreater(len(where), 40)
+            self.assertEqual({name: files for name, files in where.items() if len(files) > 1}, {})
 
 
 class Rooms(unittest.TestCase):

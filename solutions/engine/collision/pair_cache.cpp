@@ -8,8 +8,8 @@ namespace spook {
 
 namespace {
 
-constexpr double room = 0.1;      // on each side, relative to the widest of the bounds
-constexpr std::size_t few = 100;  // comparing these with all others costs no more than a broad phase
+constexpr double room = 0.1;             // on each side, relative to the widest of the bounds
+constexpr std::size_t few_bodies = 100;  // comparing these with all others costs no more than a broad phase
 
 Bounds roomier(const Bounds& one) {
   const Vec3 more = Vec3::Constant(room * (one.upper - one.lower).maxCoeff());
@@ -67,7 +67,7 @@ const std::vector<Pair>& PairCache::touching(const std::vector<Bounds>& bounds) 
   const std::vector<int> gone = that_left(bounds, roomy_);
   if (!gone.empty()) {
     require_sound(bounds);
-    if (roomy_.size() == bounds.size() && gone.size() <= few)
+    if (roomy_.size() == bounds.size() && gone.size() <= few_bodies)
       give_room(gone, bounds);
     else
       give_all_room(bounds);

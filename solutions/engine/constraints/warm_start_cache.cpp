@@ -8,15 +8,15 @@
 
 namespace spook {
 
-static std::pair<int, int> pair_of(const auto& contact) {
+static std::pair<int, int> numbers_of(const auto& contact) {
   return {contact.i, contact.j};
 }
 
 /// Returns the end of the contacts of one pair that start at k.
 template <class One>
 static std::size_t end_of_pair(const std::vector<One>& all, std::size_t k) {
-  const auto pair = pair_of(all[k]);
-  while (k < all.size() && pair_of(all[k]) == pair) ++k;
+  const auto pair = numbers_of(all[k]);
+  while (k < all.size() && numbers_of(all[k]) == pair) ++k;
   return k;
 }
 
@@ -52,8 +52,8 @@ static void match_all(const std::vector<Contact>& contacts, const std::vector<Ol
   std::size_t k = 0;
   for (std::size_t c = 0, end; c < contacts.size(); c = end) {
     end = end_of_pair(contacts, c);
-    while (k < old.size() && pair_of(old[k]) < pair_of(contacts[c])) old_left.push_back(k++);
-    const bool there = k < old.size() && pair_of(old[k]) == pair_of(contacts[c]);
+    while (k < old.size() && numbers_of(old[k]) < numbers_of(contacts[c])) old_left.push_back(k++);
+    const bool there = k < old.size() && numbers_of(old[k]) == numbers_of(contacts[c]);
     const std::size_t begin = k, old_end = there ? end_of_pair(old, k) : k;
     find_nearest(std::span(contacts).subspan(c, end - c), std::span(old).subspan(k, old_end - k), nearest);
     for (std::size_t n = 0; n < nearest.size(); ++n) match(begin + nearest[n], c + n);

@@ -8,7 +8,7 @@
 
 namespace spook {
 
-static constexpr double softness = 1e-12;  // Σ, of S_kk
+static constexpr double impact_softness = 1e-12;  // Σ, of S_kk
 static constexpr StopRule of_factors{.max_sweeps = 100}, of_cones{.max_sweeps = 1000, .tolerance = 1e-12};
 
 namespace {
@@ -62,7 +62,7 @@ struct ImpactProblem {
 
   void add(const Constraint<Dof>& constraint) {
     rows.push_back(make_row(constraint, motion));
-    rows.back().Sigma = softness * rows.back().diagonal;
+    rows.back().Sigma = impact_softness * rows.back().diagonal;
     rows.back().diagonal += rows.back().Sigma;
   }
 };

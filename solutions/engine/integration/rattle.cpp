@@ -8,8 +8,8 @@
 
 namespace spook {
 
-static constexpr std::size_t few = 12;     // rows
-static constexpr double softness = 1e-12;  // Σ, of the diagonal
+static constexpr std::size_t few_rows = 12;      // rows
+static constexpr double joint_softness = 1e-12;  // Σ, of the diagonal
 // Tolerances in rounding errors: the smallest attainable gaps, and the smallest near a bifurcation.
 static constexpr double blurred = 100, stuck = 1e4;
 
@@ -35,7 +35,7 @@ static bool invert(Eigen::MatrixXd& S, Eigen::MatrixXd& inverse) {
 
 template <int Dof>
 bool RowFactors::factorise(const std::vector<Row<Dof>>& rows) {
-  few_ = rows.size() <= few;
+  few_ = rows.size() <= few_rows;
   if (!few_) return spook::factorise(schur_complement(rows), many_);
   const auto n = static_cast<Eigen::Index>(rows.size());
   const auto row = [&](Eigen::Index k) -> const Row<Dof>& { return rows[static_cast<std::size_t>(k)]; };
@@ -102,7 +102,7 @@ void RattleJoints<Dof>::begin(const std::vector<Joint>& joints, const Bodies<Dof
   add_joint_rows(joints, 1, bodies, rows);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     rows[k].B = 0;
-    rows[k].Sigma = softness * rows[k].diagonal;
+    rows[k].Sigma = joint_softness * rows[k].diagonal;
     if (lambda_.size() > 0) rows[k].lambda = lambda_[static_cast<Eigen::Index>(k)];
   }
   lacking_.resize(static_cast<Eigen::Index>(rows.size()));

@@ -6,7 +6,7 @@
 
 namespace spook {
 
-static constexpr double softness = 1e-3;  // of S_kk, in place of Σ
+static constexpr double recovery_softness = 1e-3;  // of S_kk, in place of Σ
 
 /// Returns G (W + W_f + V) of Eq. (7.17) [m/s], or without V where there is none.
 template <int Dof>
@@ -22,7 +22,7 @@ static double opening_speed(const Row<Dof>& row, const Motion<Dof>& motion, cons
 template <int Dof>
 static void forget_gap(Row<Dof>& row, const Motion<Dof>& motion) {
   row.diagonal -= row.Sigma;
-  row.Sigma = std::min(row.Sigma, softness * row.diagonal);
+  row.Sigma = std::min(row.Sigma, recovery_softness * row.diagonal);
   row.diagonal += row.Sigma;
   row.B = -opening_speed<Dof>(row, motion, nullptr);
 }
