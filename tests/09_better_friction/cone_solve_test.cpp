@@ -21,7 +21,8 @@ void expect_coulomb(const System<6>& s, const FrictionContact& contact, double s
   expect_at_least("λ_n [N s]", "Eq. (4.1)", press, 0, "contacts never pull");
   expect_at_most("residual of a contact [m/s]", "Eq. (4.1)", s.lacks(contact.normal), size,
                  "it presses, or separates");
-  expect_at_most("|λ_t| [N s]", "Eq. (9.3)", friction.norm(), limit + 1e-12, "μ λ_n");
+  expect_at_most("|λ_t| [N s]", "Eq. (9.3)", friction.norm(), limit + 1e-12, "μ λ_n",
+                 "Each update of sweep_on_cones keeps friction inside its cone. Is it what sweeps here?");
   if (slip.norm() <= 100 * size || limit <= 100 * size) return;  // it sticks, or has λ_n = 0
   expect_near("|λ_t| of a contact that slides at " + show(slip.norm()) + " m/s, over μ λ_n", "Eq. (9.3)",
               friction.norm() / limit, 1, {size / limit, "the tolerance over μ λ_n"}, {},
@@ -38,10 +39,12 @@ EXERCISE_TEST(ConeSolve, FindsCoulombsLaw) {
     System<6> s = random_system(random, 4, 4, 0.3);
     const SolveReport report = cone_solve(s.contacts, s.rows, s.V, long_and_sharp);
     expect_true("4 contacts and 5 joints' rows, μ up to 0.3, have converged in 20000 sweeps", "Eq. (4.9)",
-                report.converged);
-    for (const FrictionContact& contact : s.contacts) expect_coulomb(s, contact, 1e-10);
+                report.converged, "`converged` tells whether the last sweep returned at most the tolerance.");
     expect_near_vector("V after it", "Eq. (4.5)", all_V(s.V), V_of_lambda(s.rows, s.V.size()),
-                       {1e-10, "roundings of up to 20000 sweeps"});
+                       {1e-10, "roundings of up to 20000 sweeps"},
+                       {{Eigen::VectorXd::Zero(6 * std::ssize(s.V)),
+                         "V has not changed, but λ has. Has a copy of V been swept?"}});
+    for (const FrictionContact& contact : s.contacts) expect_coulomb(s, contact, 1e-10);
   }
 }
 
@@ -73,11 +76,13 @@ EXERCISE_TEST(ConeSolve, WithoutContactsEqualsSolve) {
   const StopRule stop{.max_sweeps = 20, .tolerance = 1e-9};
   const SolveReport report = cone_solve(s.contacts, s.rows, s.V, stop),
                     expected = solve(plain.rows, plain.V, stop);
-  expect_true("four joints' rows and no contact take " + std::to_string(expected.history.size()) +
-                  " sweeps, and not " + std::to_string(report.history.size()),
-              "Eq. (4.9)",
-              report.history.size() == expected.history.size() && report.converged == expected.converged,
-              "Sweep the rows of joints, too. Return early only if there are no rows.");
+  expect_true(
+      "four joints' rows and no contact take " + std::to_string(expected.history.size()) + " sweeps, and not " +
+          std::to_string(report.history.size()),
+      "Eq. (4.9)", report.history.size() == expected.history.size() && report.converged == expected.converged,
+      report.history.empty() ? "Sweep the rows of joints, too. Return early only if there are no rows."
+                             : "Append what each sweep returns. The first entry that is at most the tolerance "
+                               "is the last.");
   expect_near_vector("λ of four joints' rows after it [N s]", "Eq. (4.7)", all_lambda(s.rows),
                      all_lambda(plain.rows), roundings(1e4, 5), {},
                      "Without contacts it is chapter 04's solve.");
