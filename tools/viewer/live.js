@@ -34,7 +34,7 @@ class Live {
       else if ("format" in line) this.header(line);
       else this.frame(frameOf(line, this.pending || this.run.header));
     } catch (error) {
-      this.flash(`A line of the run is not valid: ${error.message}.`);
+      this.flash(`A line of the run cannot be read: ${error.message}.`);
     }
   }
 

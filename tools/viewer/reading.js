@@ -128,6 +128,6 @@ function numbers(packed, Kind, key) {
   try {
     return new Kind(bytesOf(packed).buffer);
   } catch {
-    throw new Error(`${key} is not valid`);
+    throw new Error(`${key} cannot be read`);
   }
 }
