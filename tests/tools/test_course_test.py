@@ -221,6 +221,8 @@ class Digests(unittest.TestCase):
                     file.unlink()
                 else:
                     file.write_bytes(text)
+            (root / "tests" / "04_gauss_seidel" / "sweep_test.cpp").unlink()
+            self.assertEqual(mutants.changed(tree, now, root), CHAPTERS)
 
 
 if __name__ == "__main__":

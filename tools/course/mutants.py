@@ -42,13 +42,14 @@ def changed(tree: Tree, now: dict[str, str], root: Path = ROOT) -> list[str]:
     if isinstance(known, dict):
         return [chapter for chapter, digest in now.items() if known.get(chapter) != digest]
     touched = _not_committed(root)
-    if touched is None or touched & set(_shared(root)):
+    # Whose a deleted file was, no file says.
+    if touched is None or touched & set(_shared(root)) or not all(file.exists() for file in touched):
         return list(now)
     return [chapter for chapter in now if touched & set(_of(root, chapter))]
 
 
 def remember(tree: Tree, now: dict[str, str]) -> None:
-    """Keeps the digests of before the mutants were built, after a green run."""
+    """Keeps the digests of a green run. They are older than its build, so that a change during the run counts."""
     new = _memory(tree).with_suffix(".new")
     new.write_text(json.dumps(now, indent=2) + "\n", encoding="utf-8")
     os.replace(new, _memory(tree))
