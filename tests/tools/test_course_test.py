@@ -120,7 +120,7 @@ class Command(unittest.TestCase):
              mock.patch.object(everything, "_graded", return_value=[]), \
              mock.patch.object(everything, "names", lambda tree, some=None: ["a"] if some else ["a", "tools.slurm"]), \
              mock.patch.object(mutants, "digests", return_value=dict(self.NOW)), \
-             mock.patch.object(mutants, "_not_committed", return_value=None), \
+             mock.patch.object(mutants, "_changed_files", return_value=None), \
              contextlib.redirect_stdout(io.StringIO()) as said:
             code = everything.test(parse(["test", *words]))
         self.assertEqual(code, 0 if ok else 1)
@@ -223,6 +223,14 @@ class Digests(unittest.TestCase):
                     file.write_bytes(text)
             (root / "tests" / "04_gauss_seidel" / "sweep_test.cpp").unlink()
             self.assertEqual(mutants.changed(tree, now, root), CHAPTERS)
+            # In a clone, a change that is committed and not pushed counts, too.
+            clone = Path(folder).resolve() / "clone"
+            subprocess.run(["git", "clone", "-q", str(root), str(clone)], check=True)
+            self.assertEqual(mutants.changed(tree, now, clone), [])
+            (clone / "tests" / "mutants" / "13_mechanisms" / "a_new_one.diff").write_text("new")
+            for words in (["add", "-A"], ["-c", "user.name=t", "-c", "user.email=t@localhost", "commit", "-qm", "New"]):
+                subprocess.run(["git", *words], cwd=clone, check=True)
+            self.assertEqual(mutants.changed(tree, now, clone), ["13_mechanisms"])
 
 
 if __name__ == "__main__":

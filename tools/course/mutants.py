@@ -1,8 +1,9 @@
 """Chapters whose mutants ./course test judges anew: those of which something has changed since the last green run.
 
-Before the first one, a chapter has changed if one of its files differs from the last commit. The files of a chapter's
-mutants are the chapter, its reference, its tests, hidden ones and mutants, those of the chapters whose headers these
-include, and what all chapters share. A newer compiler is not seen; --all judges them all.
+Before the first one, a chapter has changed if one of its files differs from the last commit, or from where the branch
+left the one that it follows. The files of a chapter's mutants are the chapter, its reference, its tests, hidden ones and
+mutants, those of the chapters whose headers these include, and what all chapters share. A newer compiler is not seen;
+--all judges them all.
 """
 
 import hashlib
@@ -33,15 +34,15 @@ def digests(root: Path = ROOT) -> dict[str, str]:
 
 
 def changed(tree: Tree, now: dict[str, str], root: Path = ROOT) -> list[str]:
-    """Returns the chapters whose digests differ from those of the tree's last green run, or without one those with files
-    that differ from the last commit. Without git it returns all."""
+    """Returns the chapters whose digests differ from those of the tree's last green run; before the first, those of the
+    changed files; without git, all."""
     try:
         known = json.loads(_memory(tree).read_text(encoding="utf-8"))
     except (OSError, ValueError):
         known = None
     if isinstance(known, dict):
         return [chapter for chapter, digest in now.items() if known.get(chapter) != digest]
-    touched = _not_committed(root)
+    touched = _changed_files(root)
     # Whose a deleted file was, no file says.
     if touched is None or touched & set(_shared(root)) or not all(file.exists() for file in touched):
         return list(now)
@@ -59,18 +60,26 @@ def _memory(tree: Tree) -> Path:
     return tree.path / "mutants-killed.json"
 
 
-def _not_committed(root: Path) -> set[Path] | None:
-    """Returns the files that differ from the last commit; None without git or a commit."""
+def _changed_files(root: Path) -> set[Path] | None:
+    """Returns the files that differ from the last commit, or from where the branch left the one that it follows; None
+    without git or a commit."""
     try:
-        listing = subprocess.run(["git", "-C", str(root), "status", "--porcelain", "-uall", "-z", "--no-renames"],
-                                 capture_output=True, text=True)
-        head = subprocess.run(["git", "-C", str(root), "rev-parse", "--show-toplevel", "HEAD"],
-                              capture_output=True, text=True)
+        top = _git(root, "rev-parse", "--show-toplevel")
+        if top is None or Path(top.strip()) != root.resolve():
+            return None
+        left = _git(root, "merge-base", "HEAD", "@{upstream}") or "HEAD"
+        listings = (_git(root, "diff", "--name-only", "--no-renames", "-z", left.strip(), "--"),
+                    _git(root, "ls-files", "--others", "--exclude-standard", "-z"))
     except OSError:
         return None
-    if listing.returncode != 0 or head.returncode != 0 or Path(head.stdout.splitlines()[0]) != root.resolve():
+    if None in listings:
         return None
-    return {root / entry[3:] for entry in listing.stdout.split("\0") if entry}
+    return {root / name for listing in listings for name in listing.split("\0") if name}
+
+
+def _git(root: Path, *words: str) -> str | None:
+    done = subprocess.run(["git", "-C", str(root), *words], capture_output=True, text=True)
+    return done.stdout if done.returncode == 0 else None
 
 
 def _shared(root: Path) -> list[Path]:
