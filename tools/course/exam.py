@@ -13,8 +13,9 @@ _HEADING = "## What you will be able to do"
 _HEAD = """\
 # Objectives
 
-What a reader of each chapter is able to do, by its lesson; the exercises that practise it, and the exam question that
-asks for it. `./course exam 4 --seed 2027` draws the questions of a chapter, and `--answers` adds the answers."""
+This page lists what a reader of each chapter is able to do. Each objective names the exercises that practise it, and
+the exam question that asks for it. `./course exam 4 --seed 2027` draws the questions of a chapter, and `--answers` adds
+the answers."""
 
 
 def exam(arguments) -> int:
