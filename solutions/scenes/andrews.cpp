@@ -76,6 +76,8 @@ class Andrews : public WorldScene<6> {
     return ghosts;
   }
 
+  void results(StateStream& s) override { s(answer_, largest_error_); }
+
   std::vector<std::string> columns() const override {
     return {"time [s]", "beta [rad]", "answer [rad]", "beta' [rad/s]", "answer beta' [rad/s]"};
   }

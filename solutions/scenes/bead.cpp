@@ -53,6 +53,8 @@ class Bead : public WorldScene<6> {
     return {{.body = bead_, .x = place(), .q = Quat(Eigen::AngleAxisd(angle_, -Vec3::UnitY()))}};
   }
 
+  void results(StateStream& s) override { s(*answer_, radius_, angle_, largest_error_); }
+
   std::vector<std::string> columns() const override {
     return {"time [s]", "out [m]", "answer [m]", "spin [rad/s]", "L [kg m²/s]"};
   }

@@ -2,6 +2,8 @@
 // The closed form of a dropped ball that bounces with restitution e: Eq. (7.11), (7.12).
 //
 //   falls for t0 = √(2h0/g), then flies for 2 e t0, 2 e² t0, …    peaks h0 e^(2n)    ends at t0 (1+e)/(1-e)
+#include "engine/support/state_stream.hpp"
+
 namespace spook {
 
 class Bounces {
@@ -14,6 +16,8 @@ class Bounces {
 
   /// The height at time `t` >= 0 [m]. `t` must not be before that of the last call.
   double height(double t);
+
+  void state(StateStream& s) { s(since_, speed_); }
 
  private:
   double h0_, g_, e_;

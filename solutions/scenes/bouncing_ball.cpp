@@ -54,6 +54,10 @@ class BouncingBall : public WorldScene<3> {
     return peaks;
   }
 
+  void results(StateStream& s) override {
+    s(answer_, bounces_, last_bounce_, height_by_answer_, largest_error_);
+  }
+
   std::vector<std::string> columns() const override {
     return {"time [s]", "z [m]", "v [m/s]", "z by (7.11) [m]", "peak [m]", "last bounce [s]", "bounces"};
   }

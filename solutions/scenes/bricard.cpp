@@ -76,6 +76,8 @@ class Bricard : public WorldScene<6> {
   void observe() override { largest_error_ = largest(largest_error_, (corner() - answer()).norm()); }
   double error() const override { return relative(largest_error_, l_); }
 
+  void results(StateStream& s) override { s(answer_, largest_error_); }
+
   std::vector<std::string> columns() const override {
     return {"time [s]", "x of P3 [m]", "y of P3 [m]", "z of P3 [m]", "error [m]", "energy change [J]"};
   }

@@ -37,6 +37,8 @@ class ClosedLoop : public WorldScene<3> {
     return points;
   }
 
+  void results(StateStream& s) override { s(error_); }
+
   std::vector<std::string> columns() const override {
     return {"time [s]", "short link's stretch [m]", "answer [m]", "long link's stretch [m]"};
   }

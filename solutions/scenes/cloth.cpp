@@ -65,6 +65,8 @@ class Cloth : public WorldScene<Dof> {
   }
   double error() const override { return largest_error_; }
 
+  void results(StateStream& s) override { s(balance_, momentum_, observed_, largest_error_); }
+
   std::vector<std::string> columns() const override {
     return {"time [s]", "support z [N]", "balance z [N]", "largest strain [-]", "lowest z [m]", "energy [J]"};
   }

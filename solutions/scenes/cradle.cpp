@@ -60,6 +60,8 @@ class Cradle : public WorldScene<3> {
     return balls;
   }
 
+  void results(StateStream& s) override { s(error_); }
+
   std::vector<std::string> columns() const override {
     std::vector<std::string> names = {"time [s]", "energy [J]"};
     for (std::size_t i = 0; i < before_.size(); ++i) names.push_back("v " + std::to_string(i) + " [m/s]");

@@ -66,6 +66,8 @@ class Door : public WorldScene<6> {
     return {{.body = door_, .x = q * (arm_ * Vec3::UnitX()), .q = q}};
   }
 
+  void results(StateStream& s) override { s(angle_, largest_error_); }
+
   std::vector<std::string> columns() const override {
     return {"time [s]", "angle [degrees]", "answer [degrees]", "along the post [N]", "its answer [N]"};
   }

@@ -76,6 +76,8 @@ class DoublePendulum : public WorldScene<3> {
     return {{.body = first_, .x = rods_.first(answer_.at(time()))}, {.body = second_, .x = answer()}};
   }
 
+  void results(StateStream& s) override { s(answer_, largest_error_); }
+
   std::vector<std::string> columns() const override {
     return {"time [s]",     "x [m]",         "z [m]",         "answer x [m]",
             "answer z [m]", "tension 1 [N]", "tension 2 [N]", "energy [J]"};

@@ -42,6 +42,8 @@ class FlatBox : public WorldScene<6> {
   double error() const override { return relative(error_, share_); }
   std::vector<Ghost> ghosts() const override { return {{.body = body_, .x = Vec3(0, 0, height_ + rest_gap_)}}; }
 
+  void results(StateStream& s) override { s(error_); }
+
   std::vector<std::string> columns() const override {
     return {"time [s]", "gap [m]", "answer [m]", "largest error of λ [N s]", "contacts"};
   }

@@ -36,6 +36,8 @@ class Flywheel : public WorldScene<6> {
   }
   double error() const override { return relative(largest_error_, std::abs(wanted_)); }
 
+  void results(StateStream& s) override { s(largest_error_); }
+
   std::vector<std::string> columns() const override {
     return {"time [s]", "speed [rad/s]", "answer [rad/s]", "motor [N m]", "turned [rad]"};
   }

@@ -51,6 +51,8 @@ class FourBar : public WorldScene<6> {
   double error() const override { return relative(largest_error_, l_); }
   std::vector<Ghost> ghosts() const override { return {{.body = cranks_[0], .x = answer() / 2}}; }
 
+  void results(StateStream& s) override { s(angle_, largest_error_); }
+
   std::vector<std::string> columns() const override {
     return {"time [s]", "x of B0 [m]", "z of B0 [m]", "answer x [m]", "answer z [m]", "energy change [J]"};
   }

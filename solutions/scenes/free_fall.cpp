@@ -21,6 +21,8 @@ class FreeFall : public WorldScene<3> {
   double error() const override { return relative(largest_error_, std::abs(answer())); }
   std::vector<Ghost> ghosts() const override { return {{.body = 0, .x = Vec3(0, 0, answer())}}; }
 
+  void results(StateStream& s) override { s(largest_error_); }
+
   std::vector<std::string> columns() const override { return {"time [s]", "z [m]", "v [m/s]", "energy [J]"}; }
   std::vector<double> sample() const override {
     const double z = world_.x(0).z();

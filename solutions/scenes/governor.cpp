@@ -66,6 +66,8 @@ class FlyballGovernor : public WorldScene<6> {
     return {{.body = ball_, .x = ball()}, {.body = sleeve_, .x = height() * Vec3::UnitZ()}};
   }
 
+  void results(StateStream& s) override { s(answer_, largest_error_); }
+
   std::vector<std::string> columns() const override {
     return {"time [s]",      "sleeve [m]",           "answer [m]",
             "speed [rad/s]", "answer speed [rad/s]", "energy change [J]"};

@@ -66,6 +66,8 @@ class Gyroscope : public WorldScene<6> {
                   [s = s_](double angle) -> Vec3 { return s * Vec3(-std::sin(angle), std::cos(angle), 0); })};
   }
 
+  void results(StateStream& s) override { s(largest_error_); }
+
   std::vector<std::string> columns() const override {
     return {"time [s]", "precession [degrees]", "answer [degrees]", "nod [degrees]", "spin [rad/s]"};
   }

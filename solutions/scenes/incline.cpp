@@ -52,6 +52,8 @@ class Incline : public WorldScene<Dof> {
     return {{.body = block_, .x = start_ + acceleration_ * t * t / 2 * down_}};
   }
 
+  void results(StateStream& s) override { s(largest_error_); }
+
   std::vector<std::string> columns() const override {
     return {"time [s]", "x [m]", "v at t - h/2 [m/s]", "friction [N]", "contacts"};
   }

@@ -48,6 +48,8 @@ class Orbit : public WorldScene<3> {
     return -gm_ * world_.bodies().mass[0] / x[0].norm();
   }
 
+  void results(StateStream& s) override { s(largest_error_); }
+
   std::vector<std::string> columns() const override {
     return {"time [s]", "x [m]", "y [m]", "energy [J]", "angular momentum [kg m²/s]"};
   }

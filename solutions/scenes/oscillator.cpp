@@ -28,6 +28,8 @@ class Oscillator : public WorldScene<3> {
   }
   double field_energy(const std::vector<Vec3>& x) const override { return k_ * x[0].squaredNorm() / 2; }
 
+  void results(StateStream& s) override { s(largest_error_); }
+
   std::vector<std::string> columns() const override { return {"time [s]", "x [m]", "v [m/s]", "energy [J]"}; }
   std::vector<double> sample() const override {
     const double x = world_.x(0).x();

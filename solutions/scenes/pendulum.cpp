@@ -69,6 +69,8 @@ class Pendulum : public WorldScene<Dof> {
                   [l = l_](double angle) -> Vec3 { return l * Vec3(std::sin(angle), 0, -std::cos(angle)); })};
   }
 
+  void results(StateStream& s) override { s(largest_error_); }
+
   std::vector<std::string> columns() const override {
     return {"time [s]", "angle [degrees]", "answer [degrees]", "gap [m]", "tension [N]", "energy [J]"};
   }

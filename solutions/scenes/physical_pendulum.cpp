@@ -83,6 +83,8 @@ class PhysicalPendulum : public WorldScene<6> {
     return {{.body = rod_, .x = q * Vec3(0, 0, -s_), .q = q}};
   }
 
+  void results(StateStream& s) override { s(given_, largest_error_); }
+
   std::vector<std::string> columns() const override {
     return {"time [s]",   "angle [degrees]",     "answer [degrees]",
             "stop [N m]", "its impulse [N m s]", "I ω [N m s]"};

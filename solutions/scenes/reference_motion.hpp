@@ -14,7 +14,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include <Eigen/Core>
+#include "engine/support/state_stream.hpp"
 
 namespace spook {
 
@@ -47,6 +47,8 @@ class ReferenceMotion {
     }
     return state_;
   }
+
+  void state(StateStream& s) { s(state_, time_, longest_); }
 
  private:
   static constexpr int max_extrapolations = 8;

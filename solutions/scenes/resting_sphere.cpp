@@ -27,6 +27,8 @@ class RestingSphere : public WorldScene<6> {
     return {{.body = sphere_, .x = Vec3(0, 0, radius_ + rest_gap_)}};
   }
 
+  void results(StateStream& s) override { s(error_); }
+
   std::vector<std::string> columns() const override {
     return {"time [s]", "gap [m]", "v [m/s]", "lambda [N s]"};
   }

@@ -46,6 +46,8 @@ class Rope : public WorldScene<3> {
   double error() const override { return relative(largest_error_, length_); }
   std::vector<Curve> curves() const override { return {{.name = "the chain at rest", .points = answer_.x}}; }
 
+  void results(StateStream& s) override { s(largest_error_); }
+
   std::vector<std::string> columns() const override {
     return {"time [s]",         "lowest z [m]",        "end tension [N]", "middle tension [N]",
             "answer's end [N]", "answer's middle [N]", "energy [J]"};

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <numeric>
+#include <sstream>
 
 #include "common/require.hpp"
+#include "engine/support/state_stream.hpp"
 #include "scenes/number.hpp"
 
 namespace spook {
@@ -45,18 +47,18 @@ std::string plain_step_of(const Scene& scene, const Method& method) {
   return scene.points() ? plain_step_of(*scene.points(), method) : plain_step_of(*scene.rigid_bodies(), method);
 }
 
-static void observed_run(Scene& scene, std::int64_t steps, const Watch& watch) {
+static void observed_run(Scene& scene, std::int64_t start, std::int64_t steps, const Watch& watch) {
   constexpr std::int64_t steps_between_reports = 100'000;
   if (watch.csv) write_line(*watch.csv, columns(scene, watch), [](const std::string& name) { return name; });
-  for (std::int64_t n = 0;; ++n) {
+  if (start > 0 && start < steps) scene.advance(1);
+  for (std::int64_t n = start > 0 ? start + 1 : 0; n <= steps; ++n) {
     scene.observe();
     scene.judge();
     if (watch.csv) write_line(*watch.csv, sample(scene, watch), exact_text);
     if (watch.look) watch.look(scene, n);
     if (watch.progress && steps > steps_between_reports && (n % steps_between_reports == 0 || n == steps))
       watch.progress(n, steps);
-    if (n == steps) return;
-    scene.advance(1);
+    if (n < steps) scene.advance(1);
   }
 }
 
@@ -107,29 +109,47 @@ static StageTimes stage_times(Scene& scene, std::int64_t steps, double seconds) 
   return times;
 }
 
+/// Puts a scene into the state of a start.
+static std::unique_ptr<Scene> started(std::unique_ptr<Scene> scene, const RunStart& start) {
+  if (start.substep == 0) return scene;
+  std::istringstream bytes(start.state);
+  StateStream state(bytes);
+  scene->state(state);
+  return scene;
+}
+
+void require_start(const RunSettings& settings, const RunStart& start) {
+  if (start.substep <= step_count(settings.method.h, settings.time) * settings.method.substeps) return;
+  const double time = static_cast<double>(start.substep) * settings.method.step();
+  reject("time", settings.time, "at least the time of the restart, " + short_text(time) + " s");
+}
+
 RunResult run(const SceneDescription& description, const Parameters& parameters, const RunSettings& settings,
-              const Watch& watch) {
-  const auto build = [&] { return description.build(parameters, settings.method); };
+              const Watch& watch, const RunStart& start) {
+  const auto build = [&] { return started(description.build(parameters, settings.method), start); };
   RunResult result;
   result.steps = step_count(settings.method.h, settings.time);
 
-  const std::int64_t substeps = result.steps * settings.method.substeps;
+  const std::int64_t substeps = result.steps * settings.method.substeps, further = substeps - start.substep;
+  require_start(settings, start);
   const std::unique_ptr<Scene> scene = build();
   if (settings.method.engine == Engine::plain) result.plain_step = plain_step_of(*scene, settings.method);
-  observed_run(*scene, substeps, watch);
+  observed_run(*scene, start.substep, substeps, watch);
   result.verdict = scene->verdict();
   result.error = scene->error();
   result.last = scene->report();
   result.columns = scene->columns();
   result.state = scene->sample();
   result.row_updates = scene->row_updates();
-  if (result.steps == 0) return result;
-  const std::vector<double> times = sorted_us(build, substeps);
-  const auto per_step = [&](double us) { return us / static_cast<double>(result.steps); };
+  if (further == 0) return result;
+  const std::vector<double> times = sorted_us(build, further);
+  const double steps = static_cast<double>(further) / settings.method.substeps;
+  const auto per_step = [&](double us) { return us / steps; };
   result.us_per_step = per_step(times[times.size() / 2]);
   result.us_low = per_step(times[times.size() / 4]);
   result.us_high = per_step(times[times.size() * 3 / 4]);
-  result.stages = stage_times(*build(), substeps, 1e-6 * times[times.size() / 2]);
+  result.stages =
+      stage_times(*build(), further, 1e-6 * *result.us_per_step * static_cast<double>(result.steps));
   return result;
 }
 

@@ -46,9 +46,19 @@ struct Watch {
   std::function<void(std::int64_t done, std::int64_t steps)> progress = nullptr;
 };
 
-/// Builds the scene and runs it. Throws std::invalid_argument for bad settings, before it writes anything. Throws
-/// SimulationDiverged if the run diverges; output up to that step has been written.
+/// Where a run begins. Default: at time 0.
+struct RunStart {
+  std::int64_t substep = 0;  ///< number of substeps so far
+  std::string state = {};    ///< bytes that Scene::state wrote after them; empty at time 0
+};
+
+/// Throws std::invalid_argument, naming the time, for a start after the end of the run.
+void require_start(const RunSettings& settings, const RunStart& start);
+
+/// Builds the scene and runs it. A run that continues an earlier one writes, and times, only the further steps. Throws
+/// std::invalid_argument for bad settings, and as require_start, before it writes anything. Throws SimulationDiverged if
+/// the run diverges; output up to that step has been written.
 RunResult run(const SceneDescription& scene, const Parameters& parameters, const RunSettings& settings,
-              const Watch& watch = {});
+              const Watch& watch = {}, const RunStart& start = {});
 
 }  // namespace spook

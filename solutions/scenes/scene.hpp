@@ -73,6 +73,10 @@ class Scene {
   /// Copies positions, velocities and the hand's balls and grip from a scene that was built with other parameters.
   /// Returns false, and changes nothing, if the two scenes have different bodies.
   virtual bool take_state_from(const Scene& other) = 0;
+
+  /// Writes or reads all that steps have changed, so that a run continues with the same bits. A reading scene must have
+  /// been built with the same parameters and method. Throws as World::state.
+  virtual void state(StateStream& s) = 0;
 };
 
 struct SceneDescription {
@@ -136,6 +140,10 @@ class WorldScene : public Scene {
     since_ = before->time();
     return true;
   }
+  void state(StateStream& s) final {
+    s(world_, soundness_, since_);
+    results(s);
+  }
   StepReport report() const final { return world_.report(); }
   void judge() final { soundness_.look(world_, h_); }
   const Verdict& verdict() const final { return soundness_.verdict(); }
@@ -152,6 +160,9 @@ class WorldScene : public Scene {
 
   /// The time in which the impulses of the last step act [s]: that of its last part.
   double impulse_time() const { return h_ / world_.parts(); }
+
+  /// The part of state() that is the scene's own: what observe() computes. Default: nothing.
+  virtual void results(StateStream&) {}
 
   double time() const { return since_ + static_cast<double>(world_.steps()) * h_; }
 

@@ -50,6 +50,8 @@ class SlideToRoll : public WorldScene<6> {
     return {{.body = sphere_, .x = start_ + answer(t) * ahead_, .q = Quat(Eigen::AngleAxisd(angle, axis_))}};
   }
 
+  void results(StateStream& s) override { s(x_error_, spin_error_); }
+
   std::vector<std::string> columns() const override {
     return {"time [s]", "x [m]", "v at t - h/2 [m/s]", "spin at t - h/2 [rad/s]", "slip at t - h/2 [m/s]"};
   }

@@ -67,6 +67,8 @@ class SliderCrank : public WorldScene<6> {
   double error() const override { return relative(largest_error_, (crank_end - slider_at).norm()); }
   std::vector<Ghost> ghosts() const override { return {{.body = slider_, .x = answer()}}; }
 
+  void results(StateStream& s) override { s(answer_, largest_error_); }
+
   std::vector<std::string> columns() const override {
     return {"time [s]", "x of the slider [m]", "answer [m]", "energy change [J]"};
   }

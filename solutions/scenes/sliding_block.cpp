@@ -52,6 +52,8 @@ class SlidingBlock : public WorldScene<Dof> {
   double error() const override { return relative(largest_error_, coulomb_.way(this->time())); }
   std::vector<Ghost> ghosts() const override { return {{.body = block_, .x = start_ + answer()}}; }
 
+  void results(StateStream& s) override { s(moving_, largest_error_); }
+
   std::vector<std::string> columns() const override {
     return {"time [s]",       "x [m]",       "y [m]", "vx at t - h/2 [m/s]", "vy at t - h/2 [m/s]",
             "moving for [s]", "distance [m]"};

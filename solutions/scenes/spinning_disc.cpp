@@ -56,6 +56,8 @@ class SpinningDisc : public WorldScene<6> {
     return {{.body = disc_, .x = start_, .q = Quat(Eigen::AngleAxisd(answer_.way(time()), Vec3::UnitZ()))}};
   }
 
+  void results(StateStream& s) override { s(spinning_, largest_error_); }
+
   std::vector<std::string> columns() const override {
     return {"time [s]", "spin [rad/s]", "answer [rad/s]", "spinning for [s]", "off the centre [m]", "contacts"};
   }

@@ -44,6 +44,8 @@ class Stack : public WorldScene<3> {
     return balls;
   }
 
+  void results(StateStream& s) override { s(error_); }
+
   std::vector<std::string> columns() const override {
     std::vector<std::string> names = {"time [s]"};
     for (std::size_t i = 0; i < rest_gap_.size(); ++i) names.push_back("gap " + std::to_string(i) + " [m]");

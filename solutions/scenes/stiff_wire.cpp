@@ -52,6 +52,8 @@ class StiffWire : public WorldScene<3> {
     })};
   }
 
+  void results(StateStream& s) override { s(now_, error_); }
+
   std::vector<std::string> columns() const override {
     return {"time [s]",       "load x [m]",
             "load z [m]",     "energy over the start's",

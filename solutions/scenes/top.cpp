@@ -53,6 +53,8 @@ class Top : public WorldScene<6> {
     return {{.body = 0, .x = Vec3::Zero(), .q = Quat(y[0], y[1], y[2], y[3]).normalized()}};
   }
 
+  void results(StateStream& s) override { s(largest_error_); }
+
   std::vector<std::string> columns() const override {
     return {"time [s]",   "omega 1 [rad/s]", "omega 2 [rad/s]", "omega 3 [rad/s]",
             "energy [J]", "L x [kg m²/s]",   "L y [kg m²/s]",   "L z [kg m²/s]"};

@@ -42,6 +42,8 @@ class Tower : public BoxesOnFloor {
     return boxes;
   }
 
+  void results(StateStream& s) override { s(error_); }
+
   std::vector<std::string> columns() const override {
     return {"time [s]",         "top's sinking [m]", "answer [m]", "farthest sideways [m]",
             "floor's load [N]", "contacts"};

@@ -46,6 +46,8 @@ class Wire : public WorldScene<Dof> {
     return bodies;
   }
 
+  void results(StateStream& s) override { s(error_); }
+
   std::vector<std::string> columns() const override {
     return {
         "time [s]",        "stretch [m]",       "stretch over length [-]", "error over the right stretch [-]",

@@ -54,6 +54,10 @@ class FileScene : public WorldScene<Dof> {
     return error;
   }
 
+  void results(StateStream& s) override {
+    for (Expected& each : expected_) s(each.error);
+  }
+
   std::vector<std::string> columns() const override {
     std::vector<std::string> names = {"time [s]"};
     for (std::size_t i = 0; i < this->world_.bodies().size(); ++i)

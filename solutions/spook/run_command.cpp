@@ -13,6 +13,7 @@
 #include "scenes/number.hpp"
 #include "scenes/registry.hpp"
 #include "scenes/run.hpp"
+#include "spook/checkpoint.hpp"
 #include "spook/print_run.hpp"
 #include "spook/scene_file.hpp"
 
@@ -39,6 +40,25 @@ class Progress {
   using Clock = std::chrono::steady_clock;
   Clock::time_point next_ = Clock::now() + std::chrono::seconds(1);
   bool shown_ = false;
+};
+
+/// Writes a checkpoint each minute by the clock, and at the end of a run.
+class Checkpoints {
+ public:
+  Checkpoints(const std::string& file, Json run) : file_(file), run_(std::move(run)) {}
+
+  void look(Scene& scene, std::int64_t substep, std::int64_t substeps) {
+    const Clock::time_point now = Clock::now();
+    if (now < next_ && substep < substeps) return;
+    write_checkpoint(file_, run_, substep, scene);
+    next_ = now + std::chrono::minutes(1);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  std::string file_;
+  Json run_;
+  Clock::time_point next_ = Clock::now() + std::chrono::minutes(1);
 };
 
 /// A file to write to. Creates the file after all other checks, so that a refused call does not overwrite an older
@@ -81,9 +101,19 @@ void RunCommand::execute(std::ostream& out) const {
   const RunSettings settings = this->settings(description);
   if (fps && !record) throw std::invalid_argument("--fps needs --record");
   if (positions && !csv) throw std::invalid_argument("--positions needs --csv");
+  if (record && restart)
+    throw std::invalid_argument(
+        "--record begins at time 0, but --restart goes on from later: leave out one of them");
+  if ((checkpoint || restart) && settings.method.engine == Engine::plain)
+    throw std::invalid_argument(std::string(checkpoint ? "--checkpoint" : "--restart") +
+                                " is for the fast engine: leave out --engine");
   const double per_second = fps ? parse_number("fps", *fps) : 60;
   steps_of_frame(settings.method.h, per_second);
 
+  const Json same = continued_run(scene, description, parameters, settings.method);
+  const RunStart start = restart ? read_checkpoint(*restart, same) : RunStart();
+  require_start(settings, start);
+  if (checkpoint) require_writable_checkpoint(*checkpoint);
   std::ofstream table, recording;
   if (csv || record) {  // what is refused leaves older files as they are
     const std::unique_ptr<Scene> built = description.build(parameters, settings.method);
@@ -95,15 +125,18 @@ void RunCommand::execute(std::ostream& out) const {
   Watch watch{.csv = csv ? &table : nullptr, .positions = positions, .residual = description.solves};
   Progress progress;
   const std::int64_t steps = step_count(settings.method.h, settings.time) * settings.method.substeps;
+  std::optional<Checkpoints> checkpoints;
+  if (checkpoint) checkpoints.emplace(*checkpoint, same);
   const bool watched = isatty(STDERR_FILENO) != 0;
-  if (record || watched)
+  if (record || watched || checkpoints)
     watch.look = [&](Scene& now, std::int64_t substep) {
       if (record) recorder.look(now, substep);
       if (record && substep == 0) tell_size(recorder);
+      if (checkpoints) checkpoints->look(now, substep, steps);
       if (watched) progress.look(substep, steps);
     };
-  const RunResult result =
-      recorded(recorder, record.has_value(), [&] { return run(description, parameters, settings, watch); });
+  const RunResult result = recorded(recorder, record.has_value(),
+                                    [&] { return run(description, parameters, settings, watch, start); });
   close(table, "csv", csv);
   close(recording, "record", record);
 

@@ -10,7 +10,7 @@ namespace spook {
 
 /// The options of the command, as typed.
 struct RunCommand : TypedRun {
-  std::optional<std::string> csv, record, fps;
+  std::optional<std::string> csv, record, fps, checkpoint, restart;
   bool positions = false;
   bool json = false;
   bool strict = false;

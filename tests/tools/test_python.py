@@ -15,6 +15,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import textwrap
 import threading
 import unittest
 import warnings
@@ -623,6 +624,42 @@ class SavedWorlds(WithModule):
         np.testing.assert_array_equal(world.x, first[0])
         np.testing.assert_array_equal(world.q, first[1])
         self.assertEqual((world.time, world.steps), first[2:])
+
+    def test_a_state_goes_on_with_the_same_bits_in_another_process(self):
+        build = textwrap.dedent("""
+            import sys, numpy as np, spook
+            world = spook.World(friction=0.5)
+            world.add_plane()
+            for k in range(4):
+                world.add(x=(0.01 * k, 0, 0.1 + 0.25 * k), half_sides=(0.1, 0.1, 0.1))
+            """)
+        go_on = build + textwrap.dedent("""
+            world.set_state(sys.stdin.buffer.read())
+            world.step(1 / 60, steps=30)
+            print(world.time, world.state, *(float(number).hex() for number in world.x.ravel()))
+            """)
+        local = {}
+        exec(build + "world.step(1 / 60, steps=50)", local)  # noqa: S102
+        world = local["world"]
+        done = subprocess.run([sys.executable, "-c", go_on], input=world.get_state(), capture_output=True, timeout=300,
+                              env=os.environ | {"PYTHONPATH": str(SITE)})
+        self.assertEqual(done.returncode, 0, done.stderr)
+        world.step(1 / 60, steps=30)
+        self.assertEqual(done.stdout.decode().split(),
+                         [str(world.time), world.state, *(float(number).hex() for number in world.x.ravel())])
+
+    def test_a_state_of_another_world_is_refused_and_changes_nothing(self):
+        world, other = falling(), falling()
+        other.add(x=(5, 0, 0))
+        world.step(0.25)
+        state, x = world.get_state(), world.x.copy()
+        for wrong in (other.get_state(), b"", state[:-1], state + b"x", b"\xff" * 1000):
+            with self.assertRaises(ValueError):
+                world.set_state(wrong)
+            np.testing.assert_array_equal(world.x, x)
+        world.set_state(state)
+        with self.assertRaises(TypeError):
+            world.set_state("text")
 
     def test_it_has_the_bodies_forces_and_verdict_of_then(self):
         world = falling()

@@ -346,6 +346,57 @@ class Runs(unittest.TestCase):
             self.assertTrue(math.isclose(v, -9.81 * time, rel_tol=1e-14))
             self.assertTrue(math.isclose(energy, 0, abs_tol=1e-12))
 
+    def test_a_run_goes_on_from_a_checkpoint_with_the_same_bits(self):
+        with tempfile.TemporaryDirectory() as folder:
+            whole, first, rest, state = (str(Path(folder) / name) for name in ("w.csv", "f.csv", "r.csv", "state"))
+            call = ["run", "pile", "--set", "bodies=8", "shape=box", "--h", "0.01", "--json"]
+            done = json.loads(spook(*call, "--time", "0.8", "--csv", whole).stdout)
+            spook(*call, "--time", "0.5", "--csv", first, "--checkpoint", state)
+            went_on = spook(*call, "--time", "0.8", "--csv", rest, "--restart", state, "--threads", "2")
+            self.assertEqual(went_on.returncode, 0, went_on.stderr)
+            went_on = json.loads(went_on.stdout)
+            for key in ("steps", "time", "error", "state", "residual", "row_updates", "last_step"):
+                self.assertEqual(done[key], went_on[key], key)
+            lines = [Path(name).read_text().splitlines() for name in (whole, first, rest)]
+            self.assertEqual(lines[0], lines[1] + lines[2][1:])
+            self.assertEqual(lines[2][0], lines[0][0])
+            self.assertEqual(sorted(os.listdir(folder)), ["f.csv", "r.csv", "state", "w.csv"])
+            again = json.loads(spook(*call, "--time", "0.5", "--restart", state).stdout)
+            self.assertIsNone(again["us_per_step"])  # no step is left
+
+    def test_a_checkpoint_of_another_run_is_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            state, file = str(Path(folder) / "state"), Path(folder) / "ball.json"
+            call = ["run", "tower", "--time", "0.5", "--checkpoint", state]
+            self.assertEqual(spook(*call).returncode, 0)
+            for more, named in ([["--h", "0.01"], ["h 0.01666", "h is 0.01"]],
+                                [["--set", "boxes=6"], ["boxes 5", "boxes is 6"]],
+                                [["--solver", "direct"], ['solver "auto"', 'solver is "direct"']],
+                                [["--time", "0.25"], ["time must be at least the time of the restart, 0.5 s", "0.25"]],
+                                [["--record", "x.rec"], ["--record", "--restart"]],
+                                [["--engine", "plain", "--solver", "gauss_seidel"], ["--engine"]]):
+                refused = spook("run", "tower", *more, "--restart", state)
+                self.assertEqual(refused.returncode, 2, more)
+                for part in named:
+                    self.assertIn(part, refused.stderr, more)
+            self.assertIn('scene "tower"', spook("run", "stack", "--restart", state).stderr)
+            bytes_ = Path(state).read_bytes()
+            for damaged in (bytes_[:-1], bytes_[:-9] + b"x" * 9, bytes_ + b"x", b"", b"{}", bytes_[:40]):
+                Path(state).write_bytes(damaged)
+                refused = spook("run", "tower", "--restart", state)
+                self.assertEqual((refused.returncode, refused.stderr.count("\n")), (2, 1), refused.stderr)
+            self.assertIn("cannot be read", spook("run", "tower", "--restart", str(Path(folder) / "none")).stderr)
+
+            scene = json.loads(spook("scenes", "tower", "--export").stdout)
+            file.write_text(json.dumps(scene))
+            self.assertEqual(spook("run", str(file), "--time", "0.2", "--checkpoint", state).returncode, 0)
+            self.assertEqual(spook("run", str(file), "--time", "0.4", "--restart", state).returncode, 0)
+            file.write_text(json.dumps(scene | {"summary": "Another tower."}))
+            self.assertIn("another text of the scene's file",
+                          spook("run", str(file), "--time", "0.4", "--restart", state).stderr)
+            nowhere = spook("run", "tower", "--time", "0.1", "--checkpoint", "/nowhere/state")
+            self.assertEqual((nowhere.returncode, nowhere.stderr.count("\n")), (2, 1), nowhere.stderr)
+
     def test_blowup_names_step_and_body_and_leaves_what_was_written(self):
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder, "blown.csv")

@@ -48,7 +48,7 @@ class Runs:
 
     def _sweep(self, folder: Path) -> int:
         axes, csv = self._extras.sweep, value_of("--csv", self._words)
-        for option in ("--record", "--positions"):
+        for option in ("--record", "--positions", "--checkpoint", "--restart"):
             if value_of(option, self._words) is not None or option in self._words:
                 raise BadInput(f"run: {option} is for one run, but --sweep makes several; leave one of them out")
         if csv is not None:

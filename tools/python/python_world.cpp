@@ -1,6 +1,9 @@
 #include "python_world.hpp"
 
 #include <chrono>
+#include <new>
+#include <sstream>
+#include <stdexcept>
 
 #include "common/require.hpp"
 
@@ -81,6 +84,34 @@ void PythonWorld<Dof>::restore(const PythonWorld& saved) {
   warned_ = saved.warned_;
   last_h_ = saved.last_h_;
   reason_ = saved.reason_;
+}
+
+template <int Dof>
+std::string PythonWorld<Dof>::bytes() {
+  world();  // not while it takes a step
+  std::ostringstream out;
+  StateStream stream(out);
+  state(stream);
+  return out.str();
+}
+
+template <int Dof>
+void PythonWorld<Dof>::continue_from(const std::string& bytes) {
+  const std::string before = this->bytes();
+  const auto read = [&](const std::string& from) {
+    std::istringstream in(from);
+    StateStream stream(in);
+    state(stream);
+    return in.peek() == std::istringstream::traits_type::eof();
+  };
+  try {
+    if (read(bytes)) return;
+  } catch (const std::runtime_error&) {
+  } catch (const std::length_error&) {
+  } catch (const std::bad_alloc&) {
+  }
+  read(before);
+  throw std::invalid_argument("state must be the bytes that get_state of such a world returned");
 }
 
 template class PythonWorld<3>;

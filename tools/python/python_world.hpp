@@ -1,6 +1,7 @@
 #pragma once
 // A world for Python: with forces on its bodies, arrays over its numbers, and a verdict on its steps.
 #include <memory>
+#include <string>
 
 #include "engine/diagnostics/run_check.hpp"
 #include "views.hpp"
@@ -75,6 +76,10 @@ class PythonWorld {
   /// arrays of the bodies' numbers exist.
   void restore(const PythonWorld& saved);
 
+  /// Returns the state as bytes, and continues from such bytes. Throws std::invalid_argument for bytes of another world.
+  std::string bytes();
+  void continue_from(const std::string& bytes);
+
   Views views = {};
 
  private:
@@ -82,6 +87,7 @@ class PythonWorld {
   static constexpr std::int64_t most_between_looks = 1024;
   static constexpr std::chrono::milliseconds patience{50};
 
+  void state(StateStream& s) { s(world_, check_, warned_, last_h_, reason_); }
   void step_unlocked(double h, std::int64_t steps);
   void warn();
 

@@ -359,6 +359,9 @@ void bind_both(Binding<Dof>& type, const char* name) {
       .def("place_all", &place_all<Dof>, py::kw_only(), "x"_a = py::none(), "v"_a = py::none())
       .def("save", [](const Self& self) { return Self(self); })
       .def("restore", &Self::restore, "saved"_a)
+      .def("get_state", [](Self& self) { return py::bytes(self.bytes()); })
+      .def(
+          "set_state", [](Self& self, const py::bytes& state) { self.continue_from(state); }, "state"_a)
       .def(
           "move_fixed", [](Self& self, int body, const Vec3& x) { self.moved().move_fixed(body, x); }, "body"_a,
           "x"_a)

@@ -11,8 +11,16 @@
 
 #include "05_friction_box/friction_box.hpp"
 #include "10_convergence/convergence.hpp"
+#include "engine/support/state_stream.hpp"
 
 namespace spook {
+
+inline void state_of(StateStream& s, OldContact& contact) {
+  s(contact.i, contact.j, contact.point);
+}
+inline void state_of(StateStream& s, Tangents& tangents) {
+  s(tangents.t1, tangents.t2);
+}
 
 class WarmStartCache {
  public:
@@ -29,6 +37,8 @@ class WarmStartCache {
 
   /// Returns the initial impulses of the joints' rows, which come first in each step.
   std::vector<double> joint_impulses(std::size_t rows, double h) const;
+
+  void state(StateStream& s) { s(joints_, contact_rows_, contacts_, tangents_, h_); }
 
  private:
   std::vector<double> joints_;        // of each row [N s]

@@ -64,6 +64,13 @@ class RunCheck {
 
   const Verdict& verdict() const { return verdict_; }
 
+  void state(StateStream& s) {
+    s(verdict_.state, verdict_.step, verdict_.time, verdict_.reason, verdict_.unsolved, verdict_.note);
+    s(last_step_, first_, moved_, had_rows_, may_dissipate_, deep_steps_, deepest_, sagging_steps_, sag_,
+      sagged_);
+    s(started_, given_, springs_, most_, before_, x_before_, ways_);
+  }
+
  private:
   void look_at_solve(const World<Dof>& world, double h);
   void look_at_gaps(const World<Dof>& world, double h);

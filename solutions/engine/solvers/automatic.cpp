@@ -151,6 +151,8 @@ class Automatic {
     return outcome;
   }
 
+  void state(StateStream& s) { s(hard_, calls_); }
+
  private:
   static constexpr int calls_until_forgotten = 100;
   static constexpr double worth_of_a_solution = 100;  // in sweeps
@@ -246,7 +248,10 @@ class Automatic {
 
 template <int Dof>
 Solver<Dof> automatic(FrictionModel model) {
-  return {.solve = Automatic<Dof>(model), .friction = model, .wants_last = true};
+  return {.solve = Automatic<Dof>(model),
+          .friction = model,
+          .wants_last = true,
+          .state_of_solve = state_of_method<Dof, Automatic<Dof>>};
 }
 
 template Solver<3> automatic<3>(FrictionModel);

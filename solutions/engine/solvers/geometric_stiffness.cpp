@@ -121,6 +121,8 @@ class Stiff {
     return both;
   }
 
+  void state(StateStream& s) { inner_.state(s); }
+
  private:
   SolverResult solve_links(const SolverInput<3>& whole, const SolverInput<3>& links) {
     std::vector<bool> moved(links.V.size(), false);
@@ -151,7 +153,10 @@ Solver<Dof> geometric_stiffness(Solver<Dof> inner) {
     if (!inner.solve)
       throw std::invalid_argument("the solver of geometric_stiffness must be one of solvers(), but is null");
     const FrictionModel friction = inner.friction;
-    return {.solve = Stiff(std::move(inner)), .friction = friction, .wants_last = true};
+    return {.solve = Stiff(std::move(inner)),
+            .friction = friction,
+            .wants_last = true,
+            .state_of_solve = state_of_method<3, Stiff>};
   }
   throw std::invalid_argument(
       "solver must not be geometric_stiffness for rigid bodies: it is for links of point masses");

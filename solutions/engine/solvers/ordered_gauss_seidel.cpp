@@ -8,6 +8,7 @@
 // j. All rows of a joint or contact are consecutive. A history entry is the result of a sweep. Keeps the generator of
 // random orders.
 #include <random>
+#include <sstream>
 
 #include "10_convergence/convergence.hpp"
 #include "engine/solvers/registry.hpp"
@@ -55,11 +56,28 @@ static std::vector<int> order_of(RowOrder order, const SolverInput<Dof>& s, std:
 }
 
 template <int Dof>
+struct OrderedSweeps {
+  RowOrder order;
+  std::mt19937_64 random;
+
+  SolverResult operator()(const SolverInput<Dof>& s) {
+    return solve_in_order(order_of(order, s, random), s.rows, s.V, s.stop);
+  }
+
+  void state(StateStream& s) {
+    std::stringstream text;
+    text << random;
+    std::string numbers = text.str();
+    s(numbers);
+    std::istringstream(numbers) >> random;
+  }
+};
+
+template <int Dof>
 Solver<Dof> ordered_gauss_seidel(RowOrder order, std::uint64_t seed) {
   if (order == RowOrder::given) return gauss_seidel<Dof>();
-  return {.solve = [order, random = std::mt19937_64(seed)](const SolverInput<Dof>& s) mutable -> SolverResult {
-    return solve_in_order(order_of(order, s, random), s.rows, s.V, s.stop);
-  }};
+  return {.solve = OrderedSweeps<Dof>{order, std::mt19937_64(seed)},
+          .state_of_solve = state_of_method<Dof, OrderedSweeps<Dof>>};
 }
 
 template Solver<3> ordered_gauss_seidel<3>(RowOrder, std::uint64_t);

@@ -38,11 +38,25 @@ struct SolverInput {
 /// A solver, which may keep caches for the next step. A copy has its own state: copies of a world share nothing.
 template <int Dof>
 struct Solver {
-  std::function<SolverResult(const SolverInput<Dof>& system)> solve;
+  using Function = std::function<SolverResult(const SolverInput<Dof>& system)>;
+
+  Function solve;
   /// The friction model of the solver, which defines the limits of friction rows, and the residual.
   FrictionModel friction = FrictionModel::box;
   bool wants_last = false;  ///< the solver reads SolverInput::last
+  /// Writes or reads the numbers on which `solve` bases its next results; caches are left out. Default: there are none.
+  void (*state_of_solve)(Function& solve, StateStream& s) = nullptr;
+
+  void state(StateStream& s) {
+    if (state_of_solve) state_of_solve(solve, s);
+  }
 };
+
+/// The `state_of_solve` of a solver whose `solve` is a Method, which has a member state(s).
+template <int Dof, class Method>
+void state_of_method(typename Solver<Dof>::Function& solve, StateStream& s) {
+  if (Method* method = solve.template target<Method>()) method->state(s);
+}
 
 /// A cache of a solver; a copy of the solver starts with an empty cache.
 template <class T>

@@ -12,19 +12,30 @@
 namespace spook {
 
 template <int Dof>
+struct TwoPasses {
+  Solver<Dof> inner;
+
+  SolverResult operator()(const SolverInput<Dof>& s) const {
+    SolverResult first = inner.solve(s);
+    if (s.rubbing.empty()) return first;
+    limit_friction(s.rubbing, s.rows);  // Eq. (9.1)
+    return append(std::move(first), inner.solve(s), s.rows.size());
+  }
+
+  void state(StateStream& s) { inner.state(s); }
+};
+
+template <int Dof>
 Solver<Dof> two_pass(Solver<Dof> inner) {
   if (!inner.solve) throw std::invalid_argument("two_pass's solver must be one of solvers(), but is null");
   if (inner.friction != FrictionModel::box)
     throw std::invalid_argument("two_pass's solver must leave the limits of friction alone, but has those of " +
                                 name_of(inner.friction));
   const bool wants_last = inner.wants_last;
-  auto solve_twice = [inner = std::move(inner)](const SolverInput<Dof>& s) {
-    SolverResult first = inner.solve(s);
-    if (s.rubbing.empty()) return first;
-    limit_friction(s.rubbing, s.rows);  // Eq. (9.1)
-    return append(std::move(first), inner.solve(s), s.rows.size());
-  };
-  return {.solve = std::move(solve_twice), .friction = FrictionModel::two_pass, .wants_last = wants_last};
+  return {.solve = TwoPasses<Dof>{std::move(inner)},
+          .friction = FrictionModel::two_pass,
+          .wants_last = wants_last,
+          .state_of_solve = state_of_method<Dof, TwoPasses<Dof>>};
 }
 
 template Solver<3> two_pass<3>(Solver<3>);

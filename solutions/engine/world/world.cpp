@@ -321,6 +321,7 @@ void World<Dof>::require_finite_bodies() const {
 #include "engine/world/world_setup.ipp"
 #include "engine/world/world_soft.ipp"
 #include "engine/world/world_start.ipp"
+#include "engine/world/world_state.ipp"
 
 // All members are defined above, since a class may be instantiated only once in a program.
 template class spook::World<3>;

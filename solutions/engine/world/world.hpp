@@ -234,6 +234,11 @@ class World {
   /// world continues. If both worlds have as many joints, rows start with the impulses of `other`.
   void take_state_from(const World& other);
 
+  /// Writes or reads all that steps change, so that a run continues with the same bits in another process. A reading
+  /// world must have been built as the writing one was, by the same program. Throws std::invalid_argument for another
+  /// number of bodies or joints, and for a world with a stepper; std::runtime_error for a state that ends too early.
+  void state(StateStream& s);
+
   /// Moves every velocity half a step back, as leapfrog's start needs: Eq. (1.5). Call it once, before the first step.
   /// Ignores constraint forces. Does nothing at order 4. Throws std::invalid_argument on a second call, and after a
   /// step.

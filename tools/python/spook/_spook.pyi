@@ -48,6 +48,11 @@ class _EitherWorld:
     def restore(self, saved: Self) -> None:
         """Restores a copy; the next steps are those of the copy, to the last bit. Raises BufferError while arrays of
         the bodies' numbers exist."""
+    def get_state(self) -> bytes:
+        """Returns all that steps change, as bytes: for a file, or for another process."""
+    def set_state(self, state: bytes) -> None:
+        """Continues from the bytes of get_state; the next steps have the same bits. This world must have been built as
+        that one was, by the same build of the module. Raises ValueError for the bytes of another world."""
     def move_fixed(self, body: int, x: Vector) -> None:
         """Moves a static body to another position [m]."""
     def set_surface_velocity(self, body: int, v: Vector) -> None:
