@@ -132,6 +132,7 @@ RunResult run(const SceneDescription& description, const Parameters& parameters,
 
   const std::int64_t substeps = result.steps * settings.method.substeps, further = substeps - start.substep;
   require_start(settings, start);
+  result.start = static_cast<double>(start.substep) * settings.method.step();
   const std::unique_ptr<Scene> scene = build();
   if (settings.method.engine == Engine::plain) result.plain_step = plain_step_of(*scene, settings.method);
   observed_run(*scene, start.substep, substeps, watch);

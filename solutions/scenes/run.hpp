@@ -17,6 +17,7 @@ struct RunSettings {
 
 struct RunResult {
   std::int64_t steps = 0;
+  double start = 0;                   ///< time at which the run began, that of a restart [s]
   double error = 0;                   ///< error in the scene's unit
   Verdict verdict;                    ///< the worst verdict of all steps
   StepReport last;                    ///< report of the last step

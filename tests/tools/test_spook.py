@@ -361,6 +361,8 @@ class Runs(unittest.TestCase):
             self.assertEqual(lines[0], lines[1] + lines[2][1:])
             self.assertEqual(lines[2][0], lines[0][0])
             self.assertEqual(sorted(os.listdir(folder)), ["f.csv", "r.csv", "state", "w.csv"])
+            self.assertIn("80 steps of 0.01 s, 0.8 s, restarted at 0.5 s",
+                          spook(*call[:-1], "--time", "0.8", "--restart", state).stdout)
             again = json.loads(spook(*call, "--time", "0.5", "--restart", state).stdout)
             self.assertIsNone(again["us_per_step"])  # no step is left
 
