@@ -6,6 +6,9 @@
 //   values     U_pj = D_p⁻¹ A_pj,  A_ij -= A_ip U_pj for all later neighbours i and j of p; the blocks left below
 //              the diagonal are L
 //
+// U is stored by rows, so that D_p⁻¹ acts on whole rows of a block. Blocks are multiplied in place: for such small ones
+// Eigen's general products and solves spend most of their time outside of the arithmetic.
+//
 // Pivoting is within the diagonal blocks D_p only, not between blocks. The mass of a body usually keeps D_p regular,
 // except where the normal force that friction induces outweighs its braking.
 #include <Eigen/LU>
@@ -58,21 +61,48 @@ class BlockLu {
   }
 
   void set_zero() {
-    for (std::vector<Block>* all : {&diagonal_, &lower_, &upper_})
-      std::fill(all->begin(), all->end(), Block::Zero());
+    std::fill(diagonal_.begin(), diagonal_.end(), Block::Zero());
+    std::fill(lower_.begin(), lower_.end(), Block::Zero());
+    std::fill(upper_.begin(), upper_.end(), RowBlock::Zero());
   }
 
-  /// The block in the rows of one body and the columns of another, or of the same body.
-  Block& block(int lines, int columns) { return at(place_[lines], place_[columns]); }
+  /// Adds to the block of a body.
+  template <class Product>
+  void add(int body, const Product& product) {
+    diagonal_[place_[body]] += product;
+  }
+
+  /// Adds to the two blocks of a pair: in the rows of i and the columns of j, and the other way round.
+  template <class Product, class OtherProduct>
+  void add(int i, int j, const Product& ij, const OtherProduct& ji) {
+    const int b = block_of(std::min(place_[i], place_[j]), std::max(place_[i], place_[j]));
+    if (place_[i] < place_[j]) {
+      upper_[b] += ij;
+      lower_[b] += ji;
+    } else {
+      lower_[b] += ij;
+      upper_[b] += ji;
+    }
+  }
 
   void factorise() {
     for (int p = 0; p < std::ssize(later_); ++p) {
       factors_[p].compute(diagonal_[p]);
       const std::vector<int>& all = later_[p];
-      const int first = first_[p], count = static_cast<int>(all.size());
-      for (int j = 0; j < count; ++j) {
-        upper_[first + j] = factors_[p].solve(upper_[first + j]).eval();
-        for (int i = 0; i < count; ++i) at(all[i], all[j]).noalias() -= lower_[first + i] * upper_[first + j];
+      const int count = static_cast<int>(all.size());
+      const Block* lower = lower_.data() + first_[p];
+      RowBlock* upper = upper_.data() + first_[p];
+      for (int j = 0; j < count; ++j) divide(factors_[p], upper[j]);
+      for (int i = 0; i < count; ++i) {
+        diagonal_[all[i]].noalias() -= lower[i].lazyProduct(upper[i]);
+        // The later neighbours of p after i are among those of i, in the same order.
+        auto neighbour = later_[all[i]].begin();
+        for (int j = i + 1; j < count; ++j, ++neighbour) {
+          while (*neighbour != all[j]) ++neighbour;
+          const auto b = first_[all[i]] + (neighbour - later_[all[i]].begin());
+          upper_[b].noalias() -= lower[i].lazyProduct(upper[j]);
+          lower_[b].noalias() -= lower[j].lazyProduct(upper[i]);
+        }
       }
     }
   }
@@ -92,18 +122,37 @@ class BlockLu {
   }
 
  private:
-  Block& at(int line, int column) {
-    if (line == column) return diagonal_[line];
-    const auto [low, high] = std::minmax(line, column);
-    const auto found = std::lower_bound(later_[low].begin(), later_[low].end(), high);
-    return (line > column ? lower_ : upper_)[first_[low] + (found - later_[low].begin())];
+  using RowBlock = Eigen::Matrix<double, Dof, Dof, Eigen::RowMajor>;
+
+  /// X <- D⁻¹ X, with the factors of D.
+  static void divide(const Eigen::PartialPivLU<Block>& D, RowBlock& X) {
+    const Block& LU = D.matrixLU();
+    X = (D.permutationP() * X).eval();
+    for (int k = 0; k < Dof; ++k)
+      for (int i = k + 1; i < Dof; ++i) X.row(i) -= LU(i, k) * X.row(k);
+    for (int k = Dof - 1; k >= 0; --k) {
+      X.row(k) *= 1 / LU(k, k);
+      for (int i = 0; i < k; ++i) X.row(i) -= LU(i, k) * X.row(k);
+    }
+  }
+
+  /// The index of a pair's blocks. Contacts of a pair follow each other, so the last index is tried first.
+  int block_of(int low, int high) {
+    if (low != last_low_ || high != last_high_) {
+      const auto found = std::lower_bound(later_[low].begin(), later_[low].end(), high);
+      last_block_ = first_[low] + static_cast<int>(found - later_[low].begin());
+      last_low_ = low, last_high_ = high;
+    }
+    return last_block_;
   }
 
   std::vector<int> place_;               // of each body in the order of elimination
   std::vector<std::vector<int>> later_;  // later neighbours of each place
   std::vector<int> first_;               // first block of each place
-  std::vector<Block> diagonal_, lower_, upper_;
+  std::vector<Block> diagonal_, lower_;
+  std::vector<RowBlock> upper_;
   std::vector<Eigen::PartialPivLU<Block>> factors_;
+  int last_low_ = -1, last_high_ = -1, last_block_ = 0;
 };
 
 }  // namespace spook

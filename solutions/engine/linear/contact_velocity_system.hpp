@@ -33,11 +33,12 @@ class ContactVelocitySystem {
   /// Sets the matrix to M.
   void begin_matrix() {
     factors_.set_zero();
-    for (int b = 0; b < std::ssize(mass_); ++b) factors_.block(b, b) = mass_[b];
+    for (int b = 0; b < std::ssize(mass_); ++b) factors_.add(b, mass_[b]);
   }
 
   /// Adds Gᵀ K G of `count` rows between the same two bodies to the matrix.
   void add(const Row<Dof>* rows, int count, const Mat3& K) {
+    if (K.isZero(0)) return;
     using Blocks = Eigen::Matrix<double, Dof, 3>;
     Blocks Gi = Blocks::Zero(), Gj = Blocks::Zero();  // transposed
     for (int n = 0; n < count; ++n) {
@@ -45,12 +46,10 @@ class ContactVelocitySystem {
       Gj.col(n) = rows[n].Gj;
     }
     const int i = number_[rows->i], j = number_[rows->j];
-    const Blocks GiK = Gi * K, GjK = Gj * K;
-    if (i >= 0) factors_.block(i, i) += GiK * Gi.transpose();
-    if (j >= 0) factors_.block(j, j) += GjK * Gj.transpose();
-    if (i < 0 || j < 0) return;
-    factors_.block(i, j) += GiK * Gj.transpose();
-    factors_.block(j, i) += GjK * Gi.transpose();
+    const Blocks GiK = Gi.lazyProduct(K), GjK = Gj.lazyProduct(K);
+    if (i >= 0) factors_.add(i, GiK.lazyProduct(Gi.transpose()));
+    if (j >= 0) factors_.add(j, GjK.lazyProduct(Gj.transpose()));
+    if (i >= 0 && j >= 0) factors_.add(i, j, GiK.lazyProduct(Gj.transpose()), GjK.lazyProduct(Gi.transpose()));
   }
 
   void factorise() { factors_.factorise(); }
