@@ -42,7 +42,13 @@ class Orbit : public WorldScene<3> {
   double error() const override { return relative(largest_error_, axis_); }
   std::vector<Ghost> ghosts() const override { return {{.body = 0, .x = answer()}}; }
   std::vector<Curve> curves() const override {
-    return {curve("the ellipse", 0, 2 * pi, [this](double E) { return at_anomaly(E); })};
+    const auto on_sun = [radius = axis_ / 25](double angle) -> Vec3 {  // winds round a ball
+      const double turns = 12 * angle;
+      return radius *
+             Vec3(std::sin(angle) * std::cos(turns), std::sin(angle) * std::sin(turns), std::cos(angle));
+    };
+    return {curve("the ellipse", 0, 2 * pi, [this](double E) { return at_anomaly(E); }),
+            curve("the sun", 0, pi, on_sun)};
   }
   double field_energy(const std::vector<Vec3>& x) const override {
     return -gm_ * world_.bodies().mass[0] / x[0].norm();
