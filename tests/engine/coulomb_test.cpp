@@ -116,7 +116,8 @@ TEST(Coulomb, APlankStaysOnTheBoxThatItIsPartlyOn) {
 }
 
 TEST(Coulomb, ARestingPileNeedsFewSweeps) {
-  // A pyramid of 55 cubes: after two seconds a step takes a few sweeps on average, not twenty factorisations.
+  // A pyramid of 55 cubes: after two seconds a step takes a few sweeps on average, not twenty factorisations. It
+  // stops when a sweep changes no row by more than 1e-6 of the right-hand side; the residual may then be a little larger.
   World<6> world({.friction = 0.6});
   world.add_plane(Vec3::UnitZ(), 0);
   for (int row = 0; row < 10; ++row)
@@ -129,10 +130,12 @@ TEST(Coulomb, ARestingPileNeedsFewSweeps) {
   for (int n = 0; n < 60; ++n) {
     world.step(h);
     iterations += world.report().iterations;
-    EXPECT_LE(world.report().residual, 1e-7 * g * h);
+    double largest = 0;
+    for (const Row<6>& row : world.rows()) largest = std::max(largest, std::abs(row.B));
+    EXPECT_LE(world.report().residual, 2e-6 * largest);
   }
-  EXPECT_LE(iterations, 25 * 60);
-  EXPECT_LE(world.row_updates() - before, 25 * 60 * std::ssize(world.rows()));
+  EXPECT_LE(iterations, 15 * 60);
+  EXPECT_LE(world.row_updates() - before, 15 * 60 * std::ssize(world.rows()));
   EXPECT_LE(kinetic_energy(world.bodies()), 1e-9);
 }
 

@@ -3,7 +3,7 @@
 //   factors     at once if they cost less than the allowed sweeps: Eq. (11.1)-(11.15); with contacts on cones those of
 //               engine/solvers/solve_on_cones.hpp
 //   sweeps      otherwise, up to the allowed number: projected Gauss-Seidel, chapter 04, interleaved, Eq. (14.13). On
-//               cones: sweeps of chapter 09 from the impulses of the last step, accelerated, Eq. (10.14), to 1e-8 of
+//               cones: sweeps of chapter 09 from the impulses of the last step, accelerated, Eq. (10.14), to 1e-6 of
 //               the right-hand side; a few suffice at rest
 //   factors     after sweeps that left more than 1e-3 of the right-hand side, if factors cost at most 100 times as
 //               much; to 1e-6. The bodies are then marked as hard for the next hundred steps. Hard bodies get factors
@@ -155,9 +155,8 @@ class Automatic {
 
  private:
   static constexpr int calls_until_forgotten = 100;
-  static constexpr double worth_of_a_solution = 100;  // in sweeps
-  static constexpr double share_left = 1e-3, share_of_factors = 1e-6,
-                          share_on_cones = 1e-8;  // of the right-hand side
+  static constexpr double worth_of_a_solution = 100;               // in sweeps
+  static constexpr double share_left = 1e-3, share_enough = 1e-6;  // of the right-hand side
 
   /// An island's rows and bodies: a copy, or the whole system if there is only one island.
   struct IslandView {
@@ -193,7 +192,7 @@ class Automatic {
     // On cones λ of the last step may be a solution still, which a sweep shows.
     if (at_once || (hard && part.rubbing.empty())) {
       start_from(part.last, part.rows, part.V);
-      return factorised(part, at_once ? s.stop.tolerance : enough(part, s.stop), s.stop, island);
+      return factorised(part, at_once ? s.stop.tolerance : enough(part, s.stop), island);
     }
     SolverResult swept =
         this->swept(part, {.max_sweeps = hard ? 1 : s.stop.max_sweeps, .tolerance = s.stop.tolerance});
@@ -204,12 +203,11 @@ class Automatic {
       if (moves_i(s.rows[k])) hard_[s.rows[k].i] = true;
       if (moves_j(s.rows[k])) hard_[s.rows[k].j] = true;
     }
-    return append(std::move(swept), factorised(part, enough(part, s.stop), s.stop, island), part.rows.size());
+    return append(std::move(swept), factorised(part, enough(part, s.stop), island), part.rows.size());
   }
 
   static double enough(const IslandView& part, const StopRule& stop) {
-    const double share = part.rubbing.empty() ? share_of_factors : share_on_cones;
-    return std::max(stop.tolerance, share * rhs_norm(part.rows));
+    return std::max(stop.tolerance, share_enough * rhs_norm(part.rows));
   }
 
   static SolverResult swept(const IslandView& part, const StopRule& stop) {
@@ -220,16 +218,14 @@ class Automatic {
                           {.max_sweeps = stop.max_sweeps, .tolerance = enough(part, stop)});
   }
 
-  /// Solves rows with bounds to `enough` [m/s], and rows on cones as far as solve_on_cones can, since the next step
-  /// starts from that result.
-  static SolverResult factorised(const IslandView& part, double enough, const StopRule& stop,
-                                 Island<Dof>& island) {
+  /// Solves to `enough` [m/s].
+  static SolverResult factorised(const IslandView& part, double enough, Island<Dof>& island) {
     if (part.rubbing.empty()) {
       const StopRule until{.tolerance = enough};
       return without_updates(solve_directly(part.rows, part.inverse_mass, part.V, until, island.factors));
     }
     ConeProblem<Dof> problem(part.rows, part.V, part.rubbing, part.inverse_mass, island.on_cones);
-    return solve_on_cones(problem, stop.tolerance);
+    return solve_on_cones(problem, enough);
   }
 
   bool is_hard(const Island<Dof>& island, const std::vector<Row<Dof>>& rows) const {
