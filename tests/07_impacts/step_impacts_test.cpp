@@ -187,8 +187,11 @@ EXERCISE_TEST(StepImpacts, RejectsWhatMakesNoSense) {
   };
   for (const double h : {0.0, -0.1, std::nan("")}) rejects("h = " + show(h), "h", start, h);
   Simulation wild = start, rough = start;
-  wild.restitution = 1.5, rough.mu = -1;
-  rejects("restitution = 1.5", "restitution", wild, 0.1);
+  rough.mu = -1;
+  for (const double e : {1.5, -0.5, std::nan("")}) {
+    wild.restitution = e;
+    rejects("restitution = " + show(e), "restitution", wild, 0.1);
+  }
   rejects("mu = -1", "friction", rough, 0.1);
 }
 
