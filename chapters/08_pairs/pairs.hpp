@@ -129,8 +129,9 @@ Bounds bounds(const Box& box);
 using Pair = std::pair<int, int>;
 
 /// Exercise 8.10. Returns all pairs of bounds that overlap or touch, each once, sorted: Eq. (8.12); notes,
-/// "sweep-and-prune". The time is proportional to N log N plus the number of pairs that overlap along one axis. Throws
-/// std::invalid_argument, naming lower or upper if one is not finite, and upper if it is below its lower.
+/// "sweep-and-prune". The time is proportional to N log N plus the number of pairs that overlap along one axis. It is
+/// the axis along which the centres are spread farthest. Throws std::invalid_argument, naming lower or upper if one is
+/// not finite, and upper if it is below its lower.
 std::vector<Pair> sweep_and_prune(const std::vector<Bounds>& bounds);
 
 /// Exercise 8.11. Returns these pairs by the cells of grids, one grid for each level of size: Eq. (8.13), (8.14);

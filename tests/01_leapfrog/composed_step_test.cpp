@@ -16,7 +16,8 @@ const double round_trip = 2 * std::acos(-1.0);
 
 /// A clue for each order that a known mistake leads to.
 const std::string cubes =
-    "Order 2 means that the cubes of the parts do not add up to 0. Does w take the cube root of 2N?";
+    "Order 2 means that the cubes of the parts do not add up to 0. Does w take the cube root of 2N, with the N "
+    "of this call?";
 const std::string not_symmetric =
     "Order 3 means that the cubes of the parts add up to 0, but the parts are not symmetric: take N of them, "
     "then the one backwards, then N again.";

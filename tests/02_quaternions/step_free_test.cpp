@@ -30,6 +30,7 @@ Simulation bodies_of_all_kinds(Random& random, int count) {
 struct Way {
   bool drifts_first = false, splits_balls = false, splits_tops = true, splits_near_balls = true;
   bool splits_symmetric_tops = true;
+  int compared = -1;  ///< this moment with the next one, and no others
   double drifts_by = 1, turns_by = 1;
 };
 
@@ -37,9 +38,10 @@ void turn(RigidBody& body, const Way& way, double h) {
   if (body.principal == Vec3::Zero()) return;
   const Vec3& I = body.principal;
   const bool is_near = I.maxCoeff() < 1.001 * I.minCoeff(),
-             is_symmetric = I[0] == I[1] || I[1] == I[2] || I[2] == I[0];
+             is_symmetric = I[0] == I[1] || I[1] == I[2] || I[2] == I[0],
+             are_equal = way.compared >= 0 && I[way.compared] == I[(way.compared + 1) % 3];
   const bool is_round = I == Vec3::Constant(I[0]) || (is_near && !way.splits_near_balls) ||
-                        (is_symmetric && !way.splits_symmetric_tops);
+                        (is_symmetric && !way.splits_symmetric_tops) || are_equal;
   if (is_round ? way.splits_balls : way.splits_tops)
     free_rotation(body.q, body.omega, body.principal, h);
   else
@@ -89,6 +91,9 @@ EXERCISE_TEST(StepFree, MovesEachBodyByItself) {
         "and its ω changes."},
        {moved(before, h, {.splits_symmetric_tops = false}),
         "This turns a body by Eq. (2.6) of which two moments are equal: only three equal ones make it a ball."},
+       {moved(before, h, {.compared = 0}), "This compares I1 and I2 only: a ball has I3 equal to these, too."},
+       {moved(before, h, {.compared = 1}), "This compares I2 and I3 only: a ball has I1 equal to these, too."},
+       {moved(before, h, {.compared = 2}), "This compares I1 and I3 only: a ball has I2 equal to these, too."},
        {moved(before, h, {.splits_balls = true}),
         "This turns a ball by Eq. (2.11), which is of second order where Eq. (2.6) is exact."},
        {moved(before, h, {.turns_by = 0}), "It has not turned."},
@@ -108,6 +113,13 @@ EXERCISE_TEST(StepFree, LeavesAStaticBodyAlone) {
   step_free(all, 0.1);
   expect_same_bodies("after a step, static", "Eq. (1.3)", all, before, {0, "nothing is computed"}, {},
                      "A static body has mass 0. Skip it, so that no division by 0 reaches it.");
+  all.bodies[0].v = random.vector(1, 2);
+  all.bodies[0].omega = random.vector(1, 2);
+  const Simulation belt = all;
+  step_free(all, 0.1);
+  expect_same_bodies("after a step, static, though it has a velocity and an angular velocity", "Eq. (1.3)", all,
+                     belt, {0, "nothing is computed"}, {},
+                     "A static body does not move, nor turn. Its velocity only drives what touches it.");
 }
 
 // A point mass has no moments: nothing divides by them.

@@ -33,6 +33,8 @@ struct StagesOfTouch {
   bool kicks_before = false, moves_before = false, pushes_after = false;
   double W_f_i = 1, W_f_j = 1, on_i = 1, on_j = 1;
   bool turns = true, turns_in_K = true;
+  bool masses_of_i = false, masses_of_j = false;  ///< one body's inverse mass matrix for both, outside K
+  bool axes_unturned = false;                     ///< inertias as if q were (1, 0, 0, 0), outside K
 };
 
 Simulation touched(Simulation all, const Contact& contact, double h, const StagesOfTouch& stages = {}) {
@@ -48,7 +50,12 @@ Simulation touched(Simulation all, const Contact& contact, double h, const Stage
                      stages.W_f_j * Gj.dot(force_twist_of(j, all.gravity, h));
   const double nKn = stages.turns_in_K ? Gi.dot(Mi.times(Gi)) + Gj.dot(Mj.times(Gj)) : Mi.linear + Mj.linear;
   const double lambda = contact_impulse(spook_parameters(h, all.k, all.d), nKn, contact.gap, GW, GWf);
-  Twist<6> Vi = stages.on_i * lambda * Mi.times(Gi), Vj = stages.on_j * lambda * Mj.times(Gj);
+  const auto inverse = [&](RigidBody body) {
+    if (stages.axes_unturned) body.q = Quat::Identity();
+    return inverse_mass_of(body);
+  };
+  Twist<6> Vi = stages.on_i * lambda * inverse(stages.masses_of_j ? j : i).times(Gi),
+           Vj = stages.on_j * lambda * inverse(stages.masses_of_i ? i : j).times(Gj);
   if (!stages.turns) Vi.tail<3>().setZero(), Vj.tail<3>().setZero();
   if (stages.pushes_after) step_free(all, h);
   add_twist(i, Vi);
@@ -73,9 +80,10 @@ EXERCISE_TEST(StepTouching, HasItsStagesInOrder) {
     }
     all.bodies[2].omega = on_static ? Vec3::Zero() : Vec3(3 * contact.r_i.cross(contact.n));
     const double h = 0.1;
-    Simulation got = all, free = all;
+    Simulation got = all, free = all, left_alone = touched(all, contact, h);
     step_touching(got, contact, h);
     step_free(free, h);
+    left_alone.bodies[1] = all.bodies[1];
     expect_same_bodies(
         std::string("after a step of 0.1 s in which two of three ") +
             (is_open ? "come together, with a gap of 0.02 m at first" : "touch"),
@@ -89,7 +97,8 @@ EXERCISE_TEST(StepTouching, HasItsStagesInOrder) {
          {touched(all, contact, h, {.kicks_before = true}),
           "Gravity counts twice: the bodies are kicked before λ is computed, and step_free kicks them again."},
          {touched(all, contact, h, {.W_f_i = 0, .W_f_j = 0}),
-          "W_f is missing: the contact does not know what the forces of this step will add."},
+          on_static ? "Either W_f is missing, or the static body has one, too. No force moves that."
+                    : "W_f is missing: the contact does not know what the forces of this step will add."},
          {touched(all, contact, h, {.W_f_i = 0}), "W_f of body i is missing: G W_f has a part of each body."},
          {touched(all, contact, h, {.W_f_j = 0}), "W_f of body j is missing: G W_f has a part of each body."},
          {touched(all, contact, h, {.pushes_after = true}),
@@ -99,6 +108,13 @@ EXERCISE_TEST(StepTouching, HasItsStagesInOrder) {
           "collision_matrix."},
          {touched(all, contact, h, {.turns = false}),
           "The impulse turns neither body: V has an angular part, I⁻¹ (r × J)."},
+         {touched(all, contact, h, {.axes_unturned = true}),
+          "The inertias are those along the bodies' own axes. inverse_mass_of has them in the world."},
+         {touched(all, contact, h, {.masses_of_i = true}),
+          "The inverse mass matrix of body i acts on both bodies. Each has its own."},
+         {touched(all, contact, h, {.masses_of_j = true}),
+          "The inverse mass matrix of body j acts on both bodies. Each has its own."},
+         {left_alone, "Body 1, which touches nothing, has not moved: step_free moves all bodies."},
          {touched(all, contact, h, {.on_i = 0}),
           "Body i gets no impulse. Its impulse is the opposite of body j's."},
          {touched(all, contact, h, {.on_j = 0}), "Body j gets no impulse."},

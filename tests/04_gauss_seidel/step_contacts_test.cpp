@@ -133,6 +133,9 @@ EXERCISE_TEST(StepContacts, RejectsWhatMakesNoSense) {
   rejects("d = -1", "d", wild, 0.1);
   rejects("max_sweeps = 0", "max_sweeps", idle, 0.1);
   rejects("tolerance = -1", "tolerance", loose, 0.1);
+  expect_rejects(
+      "max_sweeps = 0, without a contact", "max_sweeps", [&] { step_contacts(idle, {}, 0.1); },
+      "solve refuses this, rows or not: call it even if there are no rows.", [&] { return state_of(idle); });
 }
 
 EXERCISE_TEST(StepContacts, IsTheSameInAnyUnits) {

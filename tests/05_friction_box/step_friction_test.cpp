@@ -42,7 +42,9 @@ EXERCISE_TEST(StepFriction, HasItsStagesInOrder) {
   const Simulation right = assembled(all, contacts, h);
   expect_same_bodies("after a step of 0.1 s with 100 rough contacts and more", "Eq. (5.3)-(5.8)", got, right,
                      of_rough_contacts, mistakes_of(all, contacts, h, wrong),
-                     "The step of chapter 04, with two additional rows for each contact." +
+                     "The step of chapter 04, with two additional rows for each contact. N of a contact counts "
+                     "those with the same i "
+                     "and the same j, itself included." +
                          wrong_part(got, right, all, contacts, h, step_friction, of_rough_contacts));
 }
 
@@ -137,6 +139,9 @@ EXERCISE_TEST(StepFriction, RejectsWhatMakesNoSense) {
   rejects("mu = -0.1", "mu", pulled, 0.1);
   rejects("viscosity = 0", "c", stuck, 0.1);
   rejects("max_sweeps = 0", "max_sweeps", idle, 0.1);
+  expect_rejects(
+      "max_sweeps = 0, without a contact", "max_sweeps", [&] { step_friction(idle, {}, 0.1); },
+      "solve refuses this, rows or not: call it even if there are no rows.", [&] { return state_of(idle); });
 }
 
 EXERCISE_TEST(StepFriction, IsTheSameInAnyUnits) {

@@ -54,7 +54,9 @@ EXERCISE_TEST(DistanceConstraint, IncludesShortArms) {
          {twist(n, Vec3::Zero()), "The arm has been left out. A short arm counts, too."}},
         small_is_dropped);
     expect_near_vector("Gi of points at arms of " + show(part) + " m, 1 m apart", "Eq. (6.3)", c.Gi,
-                       twist(-n, -r_i.cross(n)), roundings(4), {}, small_is_dropped);
+                       twist(-n, -r_i.cross(n)), roundings(4),
+                       {{twist(-n, -r_j.cross(n)), "This has the arm of j's point: that of i's point is r_i."}},
+                       small_is_dropped);
     if (::testing::Test::HasFailure()) return;
   }
 }

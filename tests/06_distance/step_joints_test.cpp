@@ -135,6 +135,11 @@ EXERCISE_TEST(StepJoints, RejectsWhatMakesNoSense) {
   rejects("d of joint 0 = -1", "d", wild, 0.1);
   rejects("two points at one place, to be 0.5 m and more apart", "distance", together, 0.1);
   rejects("mu = -1", "mu", slippery, 0.1);
+  Simulation idle = start;
+  idle.joints.clear(), idle.max_sweeps = 0;
+  expect_rejects(
+      "max_sweeps = 0, without a joint or contact", "max_sweeps", [&] { step_joints(idle, {}, 0.1); },
+      "solve refuses this, rows or not: call it even if there are no rows.", [&] { return state_of(idle); });
 }
 
 EXERCISE_TEST(StepJoints, IsTheSameInAnyUnits) {

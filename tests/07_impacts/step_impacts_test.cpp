@@ -54,17 +54,21 @@ EXERCISE_TEST(StepImpacts, HasItsStagesInOrder) {
   Random random;
   const double h = 0.02;
   for (int n = 0; n < 10 && !::testing::Test::HasFailure(); ++n) {
-    const auto [all, contacts] = bouncing_crowd(random);
-    const auto step_after = [&, touching = contacts](const ImpactLaw& law, bool kicked = false) {
+    auto [all, contacts] = bouncing_crowd(random);
+    if (n % 2 == 1) all.restitution = 1;
+    const auto step_after = [all = all, h, touching = contacts](const ImpactLaw& law, bool kicked = false) {
       return assembled(after_impacts(all, touching, h, law, kicked), touching, h);
     };
     const ImpactLaw law = law_of(all, h);
     ImpactLaw smooth = law, eager = law;
     smooth.friction = 0, eager.threshold = 1e-9;
     const Simulation without = assembled(all, contacts, h);
-    Simulation got = all, moved_first = all;
+    Simulation got = all, no_spin = after_impacts(all, contacts, h, law), late = no_spin;
     step_impacts(got, contacts, h);
-    step_free(moved_first, h);
+    for (std::size_t b = 0; b < all.bodies.size(); ++b) {
+      no_spin.bodies[b].omega = all.bodies[b].omega;
+      if (all.bodies[b].mass != 0) late.bodies[b].v += h / 2 * all.gravity;
+    }
     expect_same_bodies(
         "after a step of 0.02 s with impacts", "Eq. (7.1)-(7.10)", got, step_after(law),
         {1e-10, "roundings of some passes and 5 sweeps, of impulses up to 100"},
@@ -76,8 +80,14 @@ EXERCISE_TEST(StepImpacts, HasItsStagesInOrder) {
           "The rows use the velocities before the impacts, so they stop bodies that have bounced already."},
          {step_after(law, true),
           "The velocities are kicked before the impacts, which add W_f/2 themselves, Eq. (7.1)."},
+         {assembled(no_spin, contacts, h),
+          "The impacts change no ω. Copy both halves of motion.W to the bodies, v and ω."},
+         {assembled(late, contacts, h),
+          "The bodies have got W + W_f/2. That is for Eq. (7.1) only: W stays at t_n - h/2."},
          {step_after(smooth), "The impacts have no friction: use the simulation's mu."},
-         {step_after(eager), "The threshold is ImpactLaw's default. Here it is |gravity| h, Eq. (7.10)."}},
+         {step_after(eager),
+          "The threshold is too small: ImpactLaw's default, or a component of gravity. It is |gravity| h, Eq. "
+          "(7.10)."}},
         "First the impacts, on W at t_n - h/2; then the step of chapter 06, with the velocities that they "
         "leave.");
   }
@@ -177,8 +187,11 @@ EXERCISE_TEST(StepImpacts, RejectsWhatMakesNoSense) {
   };
   for (const double h : {0.0, -0.1, std::nan("")}) rejects("h = " + show(h), "h", start, h);
   Simulation wild = start, rough = start;
-  wild.restitution = 1.5, rough.mu = -1;
-  rejects("restitution = 1.5", "restitution", wild, 0.1);
+  rough.mu = -1;
+  for (const double e : {1.5, -0.5, std::nan("")}) {
+    wild.restitution = e;
+    rejects("restitution = " + show(e), "restitution", wild, 0.1);
+  }
   rejects("mu = -1", "friction", rough, 0.1);
 }
 

@@ -85,12 +85,18 @@ bool expect_sound(const spook::SeparatingAxis& got, const Box& i, const Box& j) 
                   "n points from i to j: turn it around where it doesn't.");
   const double want = gap_along(i, j, got.n);
   const double apart = std::abs(got.n.dot(j.x - i.x));
-  expect_near("g(n) [m]", "Eq. (8.6)", got.gap, want, {1e-12 * size, "roundings"},
-              {{-want, "This is a depth: the gap is negative where they overlap."},
-               {apart, "The half widths ρ are missing."},
-               {apart - half_width(i, got.n), "ρ_j is missing."},
-               {apart - half_width(j, got.n), "ρ_i is missing."}},
-              "|n·(x_j - x_i)| less both half widths, Σ h_k |n·e_k|.");
+  const auto is_axis = [](int k) { return k >= 0 && k < 3; };
+  const double sine = is_axis(got.edge_i) && is_axis(got.edge_j)
+                          ? i.axes.col(got.edge_i).cross(j.axes.col(got.edge_j)).norm()
+                          : 1;
+  expect_near(
+      "g(n) [m]", "Eq. (8.6)", got.gap, want, {1e-12 * size, "roundings"},
+      {{sine * want, "This is along e_a × e_b, which is no unit vector: divide the gap by its length, too."},
+       {-want, "This is a depth: the gap is negative where they overlap."},
+       {apart, "The half widths ρ are missing."},
+       {apart - half_width(i, got.n), "ρ_j is missing."},
+       {apart - half_width(j, got.n), "ρ_i is missing."}},
+      "|n·(x_j - x_i)| less both half widths, Σ h_k |n·e_k|.");
   if (::testing::Test::HasFailure()) return false;
 
   const bool of_i = got.face_i >= 0, of_j = got.face_j >= 0, of_edges = got.edge_i >= 0 && got.edge_j >= 0;

@@ -1,4 +1,6 @@
 // The whole step: it finds the contacts of all pairs at the positions before the move.
+#include <algorithm>
+
 #include "contract.hpp"
 #include "exercise_test.hpp"
 #include "quantities.hpp"
@@ -106,7 +108,9 @@ std::string wrong_pair(const Simulation& got, const Simulation& right, const Sim
         return " Two bodies are enough for a wrong result: body 0 " + kind(all.bodies[i]) + ", body 1 " +
                kind(all.bodies[j]) + ".";
     }
-  return " With any two of these bodies alone the result is right.";
+  return " With any two of these bodies alone the result is right. Are the pairs of sweep_and_prune numbers of "
+         "bounds, "
+         "and not of bodies? Planes have none.";
 }
 
 EXERCISE_TEST(StepPairs, FindsWhatAllPairsHave) {
@@ -128,12 +132,17 @@ EXERCISE_TEST(StepPairs, FindsWhatAllPairsHave) {
     }
     step_pairs(got, h);
     const Simulation right = by(all_contacts(all));
+    std::vector<Contact> planes_last = all_contacts(all);
+    std::stable_partition(planes_last.begin(), planes_last.end(), [&](const Contact& contact) {
+      return all.bodies[static_cast<std::size_t>(contact.i)].normal == Vec3::Zero();
+    });
     expect_same_bodies(
         "of a heap after a step of 0.01 s", "Eq. (8.1)-(8.12)", got, right, close,
         {{by({}), "There are no contacts at all."},
          {by(all_contacts(all, {.planes = false})), "The contacts of planes are missing."},
          {by(all_contacts(all, {.first_plane_only = true})),
           "Only the first plane has contacts: there are two."},
+         {by(planes_last), "The contacts of planes come last: put them first, plane by plane."},
          {by(all_contacts(all, {.boxes = false})), "The contacts of boxes are missing."},
          {by(all_contacts(all, {.balls = false})), "The contacts of balls are missing."},
          {by(all_contacts(all, {.axes_unturned = true})),

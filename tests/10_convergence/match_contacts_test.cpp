@@ -113,6 +113,17 @@ EXERCISE_TEST(MatchContacts, GivesEachOldOneToTheNearest) {
                  "The nearer contact gets the old one; the other is new.");
 }
 
+EXERCISE_TEST(MatchContacts, MatchesNoNaN) {
+  const Vec3 nowhere = Vec3::Constant(std::nan(""));
+  const std::vector<Contact> contacts = {contact(0, 1, nowhere), contact(0, 1, Vec3(0.1, 0, 0))};
+  const std::string clue =
+      "A distance that is NaN is not at most the reach. Every comparison with NaN is false.";
+  expect_matches("a contact at NaN, and one near an old one",
+                 match_contacts(contacts, {{0, 1, Vec3::Zero()}}, 1), {-1, 0}, {}, clue);
+  expect_matches("two contacts, of which the old one is at NaN", match_contacts(contacts, {{0, 1, nowhere}}, 1),
+                 {-1, -1}, {}, clue);
+}
+
 EXERCISE_TEST(MatchContacts, TakesTheNearestOfTwo) {
   const std::vector<OldContact> old = {{0, 1, Vec3(0, 0, 0)}, {0, 1, Vec3(0.3, 0, 0)}};
   const std::vector<OldContact> turned = {old[1], old[0]};

@@ -204,6 +204,13 @@ EXERCISE_TEST(Relax, RefusesABadRule) {
     for (const Row<6>& row : p.rows) all.insert(all.end(), {row.B, row.Sigma, row.diagonal});
     return all;
   };
+  expect_rejects(
+      "relax(max_sweeps = 0), without rows", "max_sweeps",
+      [&] {
+        std::vector<Row<6>> none;
+        relax(p.motion, none, p.V, {.max_sweeps = 0, .tolerance = 0});
+      },
+      "solve() refuses it, rows or not.", state);
   for (const int sweeps : {0, -1})
     expect_rejects(
         "relax(max_sweeps = " + std::to_string(sweeps) + ")", "max_sweeps",

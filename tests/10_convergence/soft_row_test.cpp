@@ -43,6 +43,13 @@ EXERCISE_TEST(UpdateSoftRow, SolvesOneSoftRowByHand) {
               {{-0.3, "W has not been changed: Δλ acts on both bodies."}});
   expect_true("B, Σ and diagonal of the row stay", "Eq. (10.21)",
               row.B == row_of_a_ball().B && row.Sigma == 0.25 && row.diagonal == row_of_a_ball().diagonal);
+  // w = 0: Δλ = 0.6 · 0.3/0.5 - 0.4 · 0.8 = 0.04 N s.
+  row.lambda = 0.8;
+  W[1].z() = -0.3;
+  update_soft_row(0.01, soft, 0, row, W);
+  expect_near(
+      "λ [N s] of a ball that just touches the floor, g = 0", "Eq. (10.21)", row.lambda, 0.84, roundings(16),
+      {{1.4, "This is the row of an open gap. Open is above 0: a gap of 0 is closed, so the row is soft."}});
 }
 
 EXERCISE_TEST(UpdateSoftRow, LetsAnOpenGapCloseInASubstep) {

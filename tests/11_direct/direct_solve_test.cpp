@@ -45,6 +45,24 @@ EXERCISE_TEST(DirectSolve, HoldsAWireWithALoad) {
   }
 }
 
+EXERCISE_TEST(DirectSolve, LeavesTheVelocitiesOfItsImpulses) {
+  Random random;
+  System<6> s = random_system(random, 5, 8);
+  add_random_bounds(random, s.rows);
+  s.rows[3].lo = s.rows[3].hi = 0.25;
+  System<6> warm = s;
+  solve_directly(s);
+  expect_near("largest difference of V and M⁻¹Gᵀλ [m/s, rad/s]", "Eq. (4.5)",
+              difference(s.V, velocities(s.rows, s.V.size())), 0, roundings(100, 5), {},
+              "V contains every row's λ, also of one with lo = hi.");
+  for (Row<6>& row : warm.rows) row.lambda = random.uniform(-5, 5);
+  for (Twist<6>& V : warm.V) V.setConstant(random.uniform(-5, 5));
+  solve_directly(warm);
+  expect_near("largest difference of V when rows and V held other values on entry [m/s, rad/s]", "Eq. (4.5)",
+              difference(warm.V, s.V), 0, {1e-9, "both are solved up to round-off"}, {},
+              "Assign V, and ignore λ on entry.");
+}
+
 EXERCISE_TEST(DirectSolve, RefinesTheImpulsesToo) {
   const HangingWire wire{.links = 100, .ratio = 1e6, .k = 1e12, .h = 0.01};
   System<3> s = wire.system();
@@ -228,24 +246,6 @@ EXERCISE_TEST(DirectSolve, StopsWhenClampingMeetsTheTolerance) {
   }
 }
 
-EXERCISE_TEST(DirectSolve, LeavesTheVelocitiesOfItsImpulses) {
-  Random random;
-  System<6> s = random_system(random, 5, 8);
-  add_random_bounds(random, s.rows);
-  s.rows[3].lo = s.rows[3].hi = 0.25;
-  System<6> warm = s;
-  solve_directly(s);
-  expect_near("largest difference of V and M⁻¹Gᵀλ [m/s, rad/s]", "Eq. (4.5)",
-              difference(s.V, velocities(s.rows, s.V.size())), 0, roundings(100, 5), {},
-              "V contains every row's λ, also of one with lo = hi.");
-  for (Row<6>& row : warm.rows) row.lambda = random.uniform(-5, 5);
-  for (Twist<6>& V : warm.V) V.setConstant(random.uniform(-5, 5));
-  solve_directly(warm);
-  expect_near("largest difference of V when rows and V held other values on entry [m/s, rad/s]", "Eq. (4.5)",
-              difference(warm.V, s.V), 0, {1e-9, "both are solved up to round-off"}, {},
-              "Assign V, and ignore λ on entry.");
-}
-
 EXERCISE_TEST(DirectSolve, HoldsRowsWithEqualBounds) {
   Random random;
   for (int repeat = 0; repeat < 10; ++repeat) {
@@ -267,7 +267,11 @@ EXERCISE_TEST(DirectSolve, HoldsRowsWithEqualBounds) {
   const SolveReport report = solve_directly(all);
   expect_solved("rows that all have lo = hi", report);
   expect_near_vector("their λ [N s]", "Eq. (4.1)", gathered(all.rows, &Row<6>::lambda),
-                     VectorXd::Constant(3, 0.1), {0, "exact"});
+                     VectorXd::Constant(3, 0.1), {0, "exact"}, {},
+                     "Also if no row is left to solve, each has its λ, and V is set.");
+  expect_near("largest difference of V and M⁻¹Gᵀλ, where all rows have lo = hi [m/s, rad/s]", "Eq. (4.5)",
+              difference(all.V, velocities(all.rows, all.V.size())), 0, roundings(100, 5), {},
+              "Also if no row is left to solve, V contains every row's λ.");
 }
 
 EXERCISE_TEST(DirectSolve, WeighsContradictionsByStiffness) {
@@ -349,6 +353,14 @@ EXERCISE_TEST(DirectSolve, ReportsWhatItCannotDo) {
   expect_near("sweeps that follow", "Eq. (4.9)", static_cast<double>(report.history.size()), 20,
               {0, "max_sweeps, and no factorisation"}, {},
               "Continue with chapter 04's solve, and append its history.");
+
+  // With equal right sides the matrix is singular, too, but the first sweep solves the rows.
+  for (Row<3>& row : s.rows) row.B = 0.01, row.lambda = 0;
+  const SolveReport agreeing = solve_directly(s, {.max_sweeps = 20, .tolerance = 1e-12});
+  expect_true("the same row twice: a factorisation that failed is reported", "Eq. (11.4)",
+              !agreeing.trouble.empty(), "Its sweeps succeed, but it needed them: `trouble` gives the reason.");
+  expect_true("the same row twice: the sweeps that follow have converged", "Eq. (4.9)", agreeing.converged,
+              "Where sweeps follow, `converged` is theirs, not that of interior_solve.");
 }
 
 EXERCISE_TEST(DirectSolve, SweepsOnWhenStoppedEarly) {

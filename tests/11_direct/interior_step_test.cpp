@@ -137,61 +137,6 @@ VectorXd finite(const VectorXd& v) {
 
 const Tolerance conditioned{1e-10, "round-off times a condition of 1e3, and some more"};
 
-EXERCISE_TEST(InteriorStep, TakesTheSmallestStep) {
-  // λ = 0 of 1 kg that has to lose 1 m/s, just above its bound: it goes as far as the bound allows. The push is so
-  // small that its change, times that of the room, does not reverse the second step.
-  const VectorXd one = VectorXd::Ones(1), none = VectorXd::Zero(1), unbounded = infinity * one;
-  for (const double part : relative_scales) {
-    const std::string small = part > 0.01 ? "" : small_is_dropped;
-    const Inside p{.S = MatrixXd::Identity(1, 1),
-                   .B = -one,
-                   .now = {.lambda = none,
-                           .room_lo = part * one,
-                           .room_hi = unbounded,
-                           .push_lo = std::pow(part, 4) * one,
-                           .push_hi = none},
-                   .target = {.lo = none, .hi = none}};
-    const Interior got = step_of(p, {-part * one, unbounded});
-    const double share = 0.9 + 0.0999 * longest_part(p.now, dense_newton_step(p, p.target));
-    if (!has_size(got, 1, "Eq. (11.11)")) return;
-    expect_near("room below, of " + show(part) + " N s with a target of 1 N s, over its value before",
-                "Eq. (11.10)", got.room_lo[0] / part, 1 - share, roundings(8),
-                {{1, "It has not moved. " + small},
-                 {0.001, "This is 0.999 of the longest part, however far the trial step went."}},
-                "Take 0.9 + 0.0999 α of the longest part. " + small);
-    expect_near("λ, over the room before", "Eq. (11.10)", got.lambda[0] / part, -share, roundings(8), {},
-                small);
-    if (::testing::Test::HasFailure()) return;
-  }
-}
-
-EXERCISE_TEST(InteriorStep, IsWholeOnlyWhereNothingLimitsIt) {
-  // λ = 0 of 1 kg that has to lose 1 m/s, with a room a little smaller or larger than that.
-  const VectorXd one = VectorXd::Ones(1), none = VectorXd::Zero(1), unbounded = infinity * one;
-  for (const double room : {0.99, 0.9985, 0.9995, 0.9999, 1 - 1e-5, 1 - 1e-7, 1 + 1e-7, 1.0005}) {
-    const Inside p{.S = MatrixXd::Identity(1, 1),
-                   .B = -one,
-                   .now = {.lambda = none,
-                           .room_lo = room * one,
-                           .room_hi = unbounded,
-                           .push_lo = 1e-12 * one,
-                           .push_hi = none},
-                   .target = {.lo = none, .hi = none}};
-    const Interior got = step_of(p, {-room * one, unbounded});
-    if (!has_size(got, 1, "Eq. (11.11)")) return;
-    const double right = dense_interior_step(p).lambda[0], longest = std::min(room, 1.0);
-    expect_near("λ after a step towards -1 N s, with a room of " + show(room) + " N s below [N s]",
-                "Eq. (11.11)", got.lambda[0], right, {1e-11, "the push of 1e-12 m/s, and round-off"},
-                {{-1,
-                  "The whole step was taken, though a bound limits it, by a tiny amount. The step is whole "
-                  "only where α₂ is 1."},
-                 {-longest, "All of the longest part was taken, so the room is 0. Take 0.9 + 0.0999 α of it."},
-                 {-(0.9 + 0.0999 * longest) * longest, "Nothing limits this step: it is taken whole."}},
-                "Take the part (0.9 + 0.0999 α) α₂ of the step, or the whole step if nothing limits it.");
-    if (::testing::Test::HasFailure()) return;
-  }
-}
-
 EXERCISE_TEST(InteriorStep, ChoosesTauByATrialStep) {
   Random random;
   for (int repeat = 0; repeat < 10; ++repeat) {
@@ -257,6 +202,61 @@ EXERCISE_TEST(InteriorStep, ChoosesTauByATrialStep) {
       expect_true("row " + std::to_string(k) + " has the same bounds as before", "Eq. (11.5)",
                   has_lo(got, k) == has_lo(p.now, k) && has_hi(got, k) == has_hi(p.now, k),
                   "Where there is no bound, the room stays infinite.");
+  }
+}
+
+EXERCISE_TEST(InteriorStep, TakesTheSmallestStep) {
+  // λ = 0 of 1 kg that has to lose 1 m/s, just above its bound: it goes as far as the bound allows. The push is so
+  // small that its change, times that of the room, does not reverse the second step.
+  const VectorXd one = VectorXd::Ones(1), none = VectorXd::Zero(1), unbounded = infinity * one;
+  for (const double part : relative_scales) {
+    const std::string small = part > 0.01 ? "" : small_is_dropped;
+    const Inside p{.S = MatrixXd::Identity(1, 1),
+                   .B = -one,
+                   .now = {.lambda = none,
+                           .room_lo = part * one,
+                           .room_hi = unbounded,
+                           .push_lo = std::pow(part, 4) * one,
+                           .push_hi = none},
+                   .target = {.lo = none, .hi = none}};
+    const Interior got = step_of(p, {-part * one, unbounded});
+    const double share = 0.9 + 0.0999 * longest_part(p.now, dense_newton_step(p, p.target));
+    if (!has_size(got, 1, "Eq. (11.11)")) return;
+    expect_near("room below, of " + show(part) + " N s with a target of 1 N s, over its value before",
+                "Eq. (11.10)", got.room_lo[0] / part, 1 - share, roundings(8),
+                {{1, "It has not moved. " + small},
+                 {0.001, "This is 0.999 of the longest part, however far the trial step went."}},
+                "Take 0.9 + 0.0999 α of the longest part. " + small);
+    expect_near("λ, over the room before", "Eq. (11.10)", got.lambda[0] / part, -share, roundings(8), {},
+                small);
+    if (::testing::Test::HasFailure()) return;
+  }
+}
+
+EXERCISE_TEST(InteriorStep, IsWholeOnlyWhereNothingLimitsIt) {
+  // λ = 0 of 1 kg that has to lose 1 m/s, with a room a little smaller or larger than that.
+  const VectorXd one = VectorXd::Ones(1), none = VectorXd::Zero(1), unbounded = infinity * one;
+  for (const double room : {0.99, 0.9985, 0.9995, 0.9999, 1 - 1e-5, 1 - 1e-7, 1 + 1e-7, 1.0005}) {
+    const Inside p{.S = MatrixXd::Identity(1, 1),
+                   .B = -one,
+                   .now = {.lambda = none,
+                           .room_lo = room * one,
+                           .room_hi = unbounded,
+                           .push_lo = 1e-12 * one,
+                           .push_hi = none},
+                   .target = {.lo = none, .hi = none}};
+    const Interior got = step_of(p, {-room * one, unbounded});
+    if (!has_size(got, 1, "Eq. (11.11)")) return;
+    const double right = dense_interior_step(p).lambda[0], longest = std::min(room, 1.0);
+    expect_near("λ after a step towards -1 N s, with a room of " + show(room) + " N s below [N s]",
+                "Eq. (11.11)", got.lambda[0], right, {1e-11, "the push of 1e-12 m/s, and round-off"},
+                {{-1,
+                  "The whole step was taken, though a bound limits it, by a tiny amount. The step is whole "
+                  "only where α₂ is 1."},
+                 {-longest, "All of the longest part was taken, so the room is 0. Take 0.9 + 0.0999 α of it."},
+                 {-(0.9 + 0.0999 * longest) * longest, "Nothing limits this step: it is taken whole."}},
+                "Take the part (0.9 + 0.0999 α) α₂ of the step, or the whole step if nothing limits it.");
+    if (::testing::Test::HasFailure()) return;
   }
 }
 

@@ -302,7 +302,7 @@ Interior four(double value) {
 
 EXERCISE_TEST(LongestStep, IsWholeWhereNothingShrinks) {
   expect_near("the part of a step that changes nothing", "Eq. (11.10)", longest_step(four(1), four(0)), 1,
-              {0, "exact"});
+              {0, "exact"}, {}, "Nothing limits it, so all of it is taken: the part is at most 1.");
   expect_near("the part of a step in which all values grow", "Eq. (11.10)", longest_step(four(1), four(5)), 1,
               {0, "exact"}, {{0.2, "An increase is no limit: only a negative change is."}});
   Interior step = four(0);

@@ -86,8 +86,8 @@ EXERCISE_TEST(StiffenedMatrix, IsTheDenseAssembly) {
         "other, whichever body has the higher number.";
     const std::string of_springs =
         "Springs in any order, i above j or below it, some that share a body or both: each adds h²K to both of "
-        "its bodies' blocks, and -h²K to the block of the pair that is below the diagonal. With h = 0 that is "
-        "0.";
+        "its bodies' blocks, or to that of the one that moves, and -h²K to the block of the pair that is below "
+        "the diagonal. With h = 0 that is 0.";
     const Eigen::MatrixXd A = stiffened(s), right = dense_matrix(s);
     const double size = right.cwiseAbs().maxCoeff();
     for (Eigen::Index column = 0; column < A.cols(); ++column)

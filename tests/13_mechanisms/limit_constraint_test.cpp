@@ -63,6 +63,14 @@ EXERCISE_TEST(LimitConstraint, PushesBackFromEither) {
     expect_true("the row" + of + " is between bodies 3 and 1; here " + show(row.i) + " and " + show(row.j),
                 "Eq. (13.10)", row.i == 3 && row.j == 1, "Copy the bodies of the coordinate's row.");
   }
+  for (const double value : {4.5, 5.0, 5.5}) {
+    const Constraint<6> row = limit_constraint(at(value), {.lower = 5, .upper = 5}, numbers, limit_step);
+    expect_true(
+        "the row at " + show(value) + " between equal limits of 5 has lo = 0 and hi = ∞; here lo = " +
+            show(row.lo) + ", hi = " + show(row.hi),
+        "Eq. (13.10)", row.lo == 0 && row.hi == infinity,
+        "Equal limits make no other row: it only pushes, λ >= 0, away from the limit with the smaller gap.");
+  }
 }
 
 EXERCISE_TEST(LimitConstraint, AllowsMotionUpToTheLimit) {

@@ -144,10 +144,15 @@ EXERCISE_TEST(UpdateContact, ScattersWhatHasChanged) {
 // Old impulses, in λ and in V, and a contact with μ = 0, or one that has separated since.
 EXERCISE_TEST(UpdateContact, TakesOldImpulsesOff) {
   Random random;
-  for (const bool on_ice : {true, false}) {
+  for (const int kind : {0, 1, 2}) {
+    const bool on_ice = kind == 0;
     System<6> s = busy_system(random);
     const FrictionContact& contact = s.contacts[1];
     if (on_ice) s.contacts[1].mu = 0;
+    for (std::size_t k = contact.normal + 1; kind == 2 && k <= contact.normal + 2; ++k) {
+      apply_impulse(s.rows[k], -s.rows[k].lambda, s.V);
+      s.rows[k].lambda = 0;
+    }
     Row<6>& normal = s.rows[contact.normal];
     normal.B += on_ice ? 1000 : -1000;  // larger than all other terms
     const Vec3 before = impulses_of(s, contact);
@@ -155,7 +160,9 @@ EXERCISE_TEST(UpdateContact, TakesOldImpulsesOff) {
     const Mat3 S = block_of(s, contact);
     const Vec3 q = lacks_of(s, contact) + S * before;
     update_contact(contact, s.rows, s.V);
-    const std::string where = on_ice ? "with μ = 0" : "that separates";
+    const std::string where = on_ice      ? "with μ = 0"
+                              : kind == 1 ? "that separates"
+                                          : "that separates, and had no friction";
     expect_near_vector("λ of a contact " + where + ", after an update; " + show(before) + " N s on entry [N s]",
                        "Eq. (14.3), (14.4)", impulses_of(s, contact),
                        on_ice ? Vec3(q[0] / S(0, 0), 0, 0) : Vec3::Zero(), roundings(1e4, 1e3),
@@ -238,11 +245,25 @@ EXERCISE_TEST(UpdateContact, DoesNotLookAtBounds) {
 
 EXERCISE_TEST(UpdateContact, KeepsANaN) {
   Random random;
-  System<6> s = busy_system(random);
-  const FrictionContact& contact = s.contacts[0];
-  s.rows[contact.normal].B = std::nan("");
-  expect_true("a right side of NaN makes it return NaN", "Eq. (14.2)",
-              std::isnan(update_contact(contact, s.rows, s.V)), "The NaN was lost.");
+  System<6> start = busy_system(random);
+  const FrictionContact& contact = start.contacts[0];
+  for (const bool separated : {false, true})
+    for (std::size_t k = 0; k < 3; ++k) {
+      System<6> s = start;
+      if (separated) {
+        for (Twist<6>& body : s.V) body.setZero();
+        for (Row<6>& row : s.rows) row.lambda = 0;
+        s.rows[contact.normal].B = -1;
+      }
+      s.rows[contact.normal + k].B = std::nan("");
+      expect_true("B = NaN in row " + std::to_string(k) + " of " +
+                      (separated ? "a separated contact, λ = 0," : "a contact") + " makes it return NaN",
+                  "Eq. (14.2)", std::isnan(update_contact(contact, s.rows, s.V)),
+                  separated
+                      ? "The NaN was lost. A contact with q_n <= 0 and λ = 0 needs no update, but only if all "
+                        "of q are numbers."
+                      : "The NaN was lost.");
+    }
 }
 
 }  // namespace

@@ -12,6 +12,7 @@ namespace spook::testing {
 struct Stages {
   bool moves_before = false;           ///< moves the bodies, and then makes rows of old contacts
   bool kicks_before = false;           ///< kicks the bodies before the rows are made, and again when they move
+  bool adds_forces = false;            ///< adds W_f along with V, and kicks again when they move
   bool forgets_forces = false;         ///< W_f = 0
   bool forgets_V = false;              ///< solves, and does not add V
   bool adds_linear_part_only = false;  ///< of V
@@ -120,6 +121,7 @@ inline Simulation assembled(Simulation all, const std::vector<Contact>& contacts
   for (std::size_t b = 0; b < V.size(); ++b) {
     if (stages.adds_linear_part_only) V[b].tail<3>().setZero();
     if (!stages.forgets_V) add_twist(all.bodies[b], V[b]);
+    if (stages.adds_forces) add_twist(all.bodies[b], motion.Wf[b]);
   }
   if (!stages.moves_before) step_free(all, h);
   return all;
@@ -266,6 +268,8 @@ inline std::vector<std::pair<Stages, std::string>> mistakes_in_order() {
        "The bodies move before the rows are made: gaps and velocities are those before the move."},
       {{.kicks_before = true},
        "Gravity counts twice: the bodies are kicked before the rows are made, and step_free kicks them again."},
+      {{.adds_forces = true},
+       "Gravity counts twice: W_f is added along with V, and step_free kicks the bodies again."},
       {{.forgets_forces = true},
        "W_f is missing: the rows need the effect of this step's forces. motion_of has it."},
       {{.adds_linear_part_only = true}, "V has an angular part, too: it changes ω."},
