@@ -127,6 +127,32 @@ class Delivered(Finds):
             self.assertEqual((set(submissions), left), ({"leeann", "bo"}, set()))
             self.assert_kicks(submissions, "leeann", "bo")
 
+    def test_logins_on_blackboard_may_have_what_stands_before_them(self):
+        names = [f"Home_work 1_{login}_attempt_2026-11-20-10-11-12_kick.cpp" for login in ("ann_lee", "bob_lee", "cy")]
+        whole = self.root / "gradebook.zip"
+        whole.write_bytes(zipped(dict.fromkeys(names, KICK)))
+        for path in (self.put(dict.fromkeys(names, KICK)), whole):
+            submissions, _ = self.found(path)
+            self.assertEqual(set(submissions), {"ann_lee", "bob_lee", "cy"})
+            self.assert_kicks(submissions, *submissions)
+
+    def test_nobody_takes_anothers_place_on_moodle_by_a_name(self):
+        """Students may choose their own names, and those of their files."""
+        folders = {f"Bo Ek_102_assignsubmission_file_/{WHERE}": KICK,
+                   "Bo Ek_102_assignsubmission_file_x_105_assignsubmission_file_/kick.cpp": b"hers"}
+        files = {"Bo Ek_102_assignsubmission_file_kick.cpp": KICK,
+                 "Bo Ek_102_assignsubmission_file_a_105_assignsubmission_file_kick.cpp": b"hers",
+                 "Cy_103_assignsubmission_file_Cy_103_assignsubmission_file_kick.cpp": KICK}
+        for kind, delivered in (("folders", folders), ("files", files)):
+            whole = self.root / f"{kind}.zip"
+            whole.write_bytes(zipped(delivered))
+            for path in (self.put(delivered, kind), whole):
+                submissions, _ = self.found(path)
+                self.assertEqual(len(submissions), len(delivered))
+                by_number = {one.student.identifier: one for one in submissions.values()}
+                self.assertEqual(by_number["102"].sources["kick"].content, KICK)
+                self.assertEqual("103" in by_number, kind == "files")
+
     def test_brightspace(self):
         submissions, left = self.found(self.put({
             "12-9 - Ann Lee - Nov 2, 2026 1011 AM/kick.cpp": b"old",
@@ -374,6 +400,13 @@ class Doubts(Finds):
         return find_submissions([folder], self.root / "out").doubts
 
     def test_a_folder_of_other_things_is_asked_about(self):
+    def test_nobody_is_combined_with_another_of_the_same_name_and_number(self):
+        """Students may choose both."""
+        text = b"".join(b"submission_%d:\n  :submitters:\n  - :name: Bo\n    :sid: '7'\n" % k for k in (9, 10))
+        submissions, _ = self.found(self.put({"submission_metadata.yml": text, f"submission_9/{WHERE}": KICK,
+                                              "submission_10/kick.cpp": b"hers"}))
+        self.assertEqual({one.sources["kick"].content for one in submissions.values()}, {KICK, b"hers"})
+
         for files in ({"Downloads/a.pdf": b"x", "Music/b.mp3": b"x", "Work/kick.cpp": KICK},
                       {"ann/kick.cpp": KICK, "a.pdf": b"x", "b.pdf": b"x"}):
             folder = self.put(files)

@@ -141,8 +141,10 @@ def _take_folder(delivery: Delivery, folder: Path, out: Path, exercises: list[Ex
         elif child.name == METADATA and of_gradescope:
             continue
         elif of_gradescope.get(child.name) and child.is_dir():
-            known += [(student, Place(child)) for student in of_gradescope[child.name]]
-        elif of_platform := student_of(text(child.name), platforms):
+            # Students choose their names and numbers there, so what two folders say of one is not combined.
+            for student in of_gradescope[child.name]:
+                delivery.add(student, Place(child))
+        elif of_platform := student_of(text(child.name), platforms, child.is_dir()):
             known.append((of_platform[0], Place(child)))
         elif child.is_dir():
             if is_alone and _is_class(_names(child, out), exercises, at_top=False):
@@ -171,10 +173,10 @@ def _take_archive(delivery: Delivery, archive: Path, names: Iterable[PurePosixPa
     tops = list(dict.fromkeys(name.parts[0] for name in names))
     platforms = platforms_of(tops)
     for top in tops:
-        if of_platform := student_of(top, platforms):
+        if of_platform := student_of(top, platforms, top not in files and not is_archive(top)):
             known.append((of_platform[0], Place(archive, top)))
-        elif any(name.parts == (top,) for name in names) and not is_archive(top):
-            delivery.left_out.append((f"{archive.name}/{top}", _LOOSE))
+        elif top in files and not is_archive(top):
+            delivery.left_out.append((f"{text(archive.name)}/{top}", _LOOSE))
         else:
             delivery.add(Student(without_suffix(top)), Place(archive, top))
     delivery.add_known(known)
@@ -187,7 +189,7 @@ def _real(path: Path) -> Path:
 
 def _student(path: Path) -> Student:
     name = text(path.resolve().name)
-    known = student_of(name)
+    known = student_of(name, is_folder=path.is_dir())
     return known[0] if known else Student(without_suffix(name) if not path.is_dir() else name)
 
 
