@@ -598,6 +598,21 @@ class Records(InFolder):
         names = [f"s{k}" for k in range(7)]
         folders = [self.graded(shard, names) for shard in (1, 3)]
         results, left_out = merge(folders, self.root / "whole")
+    def test_a_row_that_two_claim_is_given_to_the_one_with_its_number_or_to_none(self):
+        roster = self.roster("Name,ID\nAnn Lee,12\nBo Ek,13\n")
+        by_name = [self.result("Ann Lee"), self.result("Ann Lee (2)", "Ann Lee")]
+        found, missing, strangers = roster.matched(by_name)
+        self.assertEqual((found, len(missing), strangers), ({}, 2, ["Ann Lee", "Ann Lee (2)"]))
+        self.assertIn("Ann Lee (2): another submission also claims Ann Lee on the roster; decide whose it is",
+                      not_graded(by_name, Class([], roster)))
+        found, _, strangers = roster.matched([*by_name, self.result("ann", identifier="12")])
+        self.assertEqual((list(found), strangers), (["ann"], ["Ann Lee", "Ann Lee (2)"]))
+
+    def test_a_number_of_two_rows_is_that_of_none(self):
+        roster = self.roster("Number,Name,ID\n12,Ann Lee,1\n2,Bo Ek,12\n")
+        self.assertEqual(roster.matched([self.result("x", identifier="12")])[0], {})
+        self.assertEqual(roster.matched([self.result("Bo Ek", identifier="12")])[0]["Bo Ek"]["Name"], "Bo Ek")
+
         self.assertEqual([result["submission"] for result in results], ["s0", "s2", "s3", "s5", "s6"])
         self.assertEqual(missing_shards(folders), ["2/3"])
         self.assertEqual(left_out, [("x", "why"), ("s1", "its shard is not done: 2/3"),

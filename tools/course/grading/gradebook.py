@@ -50,7 +50,7 @@ def statistics_line(results: list[dict]) -> str:
 def not_graded(results: list[dict], of_class: Class) -> list[str]:
     """Returns a line for each student or file without a mark: nobody is lost."""
     _, missing, strangers = of_class.matched(results)
-    why = {result["submission"]: of_class.roster.contradiction(result) for result in results
+    why = {result["submission"]: of_class.roster.reason(result) for result in results
            if result["submission"] in strangers}
     return ([f"{one_line(what)}: {one_line(why)}" for what, why in of_class.left_out]
             + [f"{one_line(name)}: on the roster, and nothing was handed in" for name in missing]

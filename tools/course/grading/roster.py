@@ -29,17 +29,34 @@ class Roster:
 
     def matched(self, results: list[dict]) -> tuple[dict[str, dict], list[dict], list[str]]:
         """Returns each submission's row, by the submission's name; the rows without one; the submissions without a
-        row."""
-        found, strangers = {}, []
+        row.
+
+        Of two that claim one row, the one with its number has it, or else none: names can be chosen.
+        """
+        claims: dict[int, list[tuple[dict, bool]]] = defaultdict(list)
         for result in results:
-            by_number, by_name = self._rows_of(result)
-            row = by_number if by_number is not None else by_name[0] if _are_one(by_name) else None
-            if row is None or any(row is one for one in found.values()) or self.contradiction(result):
-                strangers.append(result["submission"])
-            else:
-                found[result["submission"]] = row
+            row, is_by_number = self._claimed_by(result)
+            if row is not None and not self.contradiction(result):
+                claims[id(row)].append((result, is_by_number))
+        found = {}
+        for row in self.rows:
+            claimed = claims[id(row)]
+            best = [result for result, is_by_number in claimed if is_by_number] or [result for result, _ in claimed]
+            if len(best) == 1:
+                found[best[0]["submission"]] = row
         missing = [row for row in self.rows if not any(row is one for one in found.values())]
-        return found, missing, strangers
+        return found, missing, [result["submission"] for result in results if result["submission"] not in found]
+
+    def reason(self, result: dict) -> str:
+        """Says why a submission does not have the row that it claims; empty if it claims none."""
+        row, _ = self._claimed_by(result)
+        of_two = f"another submission also claims {self.name_of(row)} on the roster; decide whose it is" if row else ""
+        return self.contradiction(result) or of_two
+
+    def _claimed_by(self, result: dict) -> tuple[dict[str, str] | None, bool]:
+        """Returns the row that a submission claims, and whether by its number."""
+        by_number, by_name = self._rows_of(result)
+        return (by_number, True) if by_number is not None else (by_name[0] if _are_one(by_name) else None, False)
 
     def contradiction(self, result: dict) -> str:
         """Describes a submission with the number of one row and the name of another, which would exchange two students;
@@ -57,8 +74,12 @@ class Roster:
 
     @functools.cached_property
     def _by_number(self) -> dict[str, dict[str, str]]:
-        return {_digits(row[title]): row for row in self.rows for title in row
-                if _plain(title) in _NUMBERS and _digits(row[title])}
+        """Returns the row of each number that only one row has."""
+        found: dict[str, list[dict]] = defaultdict(list)
+        for row in self.rows:
+            for number in {_digits(row[title]) for title in row if _plain(title) in _NUMBERS} - {""}:
+                found[number].append(row)
+        return {number: rows[0] for number, rows in found.items() if len(rows) == 1}
 
     @functools.cached_property
     def _by_name(self) -> dict[str, list[dict[str, str]]]:
