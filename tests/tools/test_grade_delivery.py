@@ -21,7 +21,7 @@ from grading import reading
 from grading.archives import LARGEST
 from grading.delivery import find_submissions
 from grading.merge import merge, missing_shards, set_aside, write_delivery
-from grading.gradebook import Class, cell, not_graded
+from grading.gradebook import Class, _write_grades, cell, not_graded
 from grading.names import Student, safe, student_of
 from grading.results import SCHEMA, folder_of, write_json
 from grading.roster import read_roster
@@ -529,9 +529,15 @@ class Names(Finds):
                     folder_of(self.root, one)
 
     def test_a_cell_is_no_formula_wherever_a_cell_ends(self):
-        for text in ("=1", "x;=1", 'x; "=1', "x,@y", "-1", "x;+1"):
+        for text in ("=1", "x;=1", 'x; "=1', "x,@y", "-1", "x;+1", "\uff1d1", "x;\uff20y"):
             for part in cell(text).replace(",", ";").split(";"):
-                self.assertNotRegex(part, r'\A[\s"]*[=+@-]', text)
+                self.assertNotRegex(part, r'\A[\s"]*[=+@\uff1d\uff0b\uff0d\uff20-]', text)
+
+    def test_a_number_that_a_student_chose_is_no_formula(self):
+        result = {"submission": "bo", "student": "Bo", "identifier": "=1+1", "late": False, "score": 0, "max_score": 1,
+                  "notes": [], "exercises": []}
+        _write_grades(self.root / "grades.csv", [result], Class())
+        self.assertIn(",'=1+1,", (self.root / "grades.csv").read_text())
 
 
 class Rosters(InFolder):

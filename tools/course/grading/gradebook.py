@@ -13,7 +13,8 @@ from grading.roster import Roster
 from grading.text import markdown, one_line
 
 
-_FORMULA = re.compile(r"""([;,]\s*["']?)([=+\-@])""")
+_BEGINS_ONE = "=+\\-@\uff1d\uff0b\uff0d\uff20"  # the last four in their wide forms, as some spreadsheets read them
+_FORMULA = re.compile(rf"""([;,]\s*["']?)([{_BEGINS_ONE}])""")
 
 
 @dataclass
@@ -75,7 +76,7 @@ def _write_grades(file: Path, results: list[dict], of_class: Class) -> None:
             look = "; ".join((["tampered"] if tampered(result) else []) + result["notes"])
             writer.writerow([cell(result["submission"]), f"{result['score']:g}", f"{result['max_score']:g}",
                              f"{percent:.2f}", *(states.count(state) for state in ("done", "wrong", "not started")),
-                             *(f"{score:g}" for score in scores), cell(result["student"]), result["identifier"],
+                             *(f"{score:g}" for score in scores), cell(result["student"]), cell(result["identifier"]),
                              "late" if result["late"] else "", cell(look)])
         for name in missing:
             writer.writerow([cell(name), "0", f"{results[0]['max_score']:g}", "0.00", 0, 0,
@@ -86,7 +87,7 @@ def _write_grades(file: Path, results: list[dict], of_class: Class) -> None:
 def cell(text: str) -> str:
     """Protects a cell: a spreadsheet may treat its first letter as a formula, and `;` as the end of a cell."""
     text = _FORMULA.sub(r"\1'\2", one_line(text))
-    return "'" + text if text[:1] in ("=", "+", "-", "@") else text
+    return "'" + text if re.match(f"[{_BEGINS_ONE}]", text) else text
 
 
 def _count_tests(results: list[dict]) -> dict[str, dict[str, int]]:
