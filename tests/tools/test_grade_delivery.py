@@ -271,6 +271,33 @@ class Delivered(Finds):
         for name, said in (("deep", "200 archives"), ("zeros", "1024 MiB"), ("many", "only 20"), ("pipe", "regular")):
             self.assertIn(said, " ".join(submissions[name].notes))
 
+    def test_what_cannot_be_looked_at_stops_nobody(self):
+        """Folders that may not be listed, and files that are removed in the meantime."""
+        folder = self.put({f"ann/{WHERE}": KICK, f"bo/{WHERE}": KICK, "bo/shut/kick.cpp": KICK, "bo/gone.cpp": b"x"})
+        lists, looks = os.scandir, Path.lstat
+
+        def scandir(path):
+            if str(path).endswith("shut"):
+                raise PermissionError(13, "Permission denied", path)
+            return lists(path)
+
+        def lstat(path):
+            if path.name == "gone.cpp":
+                raise FileNotFoundError(2, "No such file or directory", str(path))
+            return looks(path)
+        with unittest.mock.patch("os.scandir", scandir), unittest.mock.patch.object(Path, "lstat", lstat):
+            submissions, _ = self.found(folder)
+        self.assert_kicks(submissions, "ann", "bo")
+        self.assertEqual(submissions["bo"].notes, ["gone.cpp cannot be read: No such file or directory",
+                                                   "shut cannot be read: Permission denied"])
+
+    def test_a_folder_whose_name_is_no_text_stops_nobody(self):
+        folder = self.put({f"{os.fsdecode(bytes([220]))}bung/{name}": KICK for name in
+                           ("ann/kick.cpp", "bo/kick.cpp", "notes.pdf")})
+        delivery = find_submissions([folder], self.root / "out")
+        write_delivery(self.root / "out", [one.name for one in delivery.handed], delivery.left_out, (1, 1))
+        self.assertEqual([one.name for one in delivery.handed], ["ann", "bo"])
+
     def test_one_in_a_class_zip_stops_nobody(self):
         """Each is read for itself, and has a budget of its own, however many there are."""
         deep = zipped({f"{k}.zip": zipped({f"{m}.zip": zipped({"x": b""}) for m in range(20)}) for k in range(20)})
@@ -373,6 +400,13 @@ submission_13:
         self.assertEqual(submissions["Bo O_Ek"].student, Student("Bo O'Ek", "bo@example.edu"))
         self.assertEqual(left, set())
 
+    def test_nobody_is_combined_with_another_of_the_same_name_and_number(self):
+        """Students may choose both."""
+        text = b"".join(b"submission_%d:\n  :submitters:\n  - :name: Bo\n    :sid: '7'\n" % k for k in (9, 10))
+        submissions, _ = self.found(self.put({"submission_metadata.yml": text, f"submission_9/{WHERE}": KICK,
+                                              "submission_10/kick.cpp": b"hers"}))
+        self.assertEqual({one.sources["kick"].content for one in submissions.values()}, {KICK, b"hers"})
+
     def test_one_that_is_packed_is_to_be_unpacked(self):
         packed = self.root / "export.zip"
         packed.write_bytes(zipped({"assignment_1/submission_metadata.yml": self.METADATA,
@@ -400,13 +434,6 @@ class Doubts(Finds):
         return find_submissions([folder], self.root / "out").doubts
 
     def test_a_folder_of_other_things_is_asked_about(self):
-    def test_nobody_is_combined_with_another_of_the_same_name_and_number(self):
-        """Students may choose both."""
-        text = b"".join(b"submission_%d:\n  :submitters:\n  - :name: Bo\n    :sid: '7'\n" % k for k in (9, 10))
-        submissions, _ = self.found(self.put({"submission_metadata.yml": text, f"submission_9/{WHERE}": KICK,
-                                              "submission_10/kick.cpp": b"hers"}))
-        self.assertEqual({one.sources["kick"].content for one in submissions.values()}, {KICK, b"hers"})
-
         for files in ({"Downloads/a.pdf": b"x", "Music/b.mp3": b"x", "Work/kick.cpp": KICK},
                       {"ann/kick.cpp": KICK, "a.pdf": b"x", "b.pdf": b"x"}):
             folder = self.put(files)
@@ -571,6 +598,21 @@ class Rosters(InFolder):
             line = next(line for line in lines if line.startswith(f"{name}: its number"))
             self.assertTrue("Ann Lee" in line and "Bo Ek" in line, line)
 
+    def test_a_row_that_two_claim_is_given_to_the_one_with_its_number_or_to_none(self):
+        roster = self.roster("Name,ID\nAnn Lee,12\nBo Ek,13\n")
+        by_name = [self.result("Ann Lee"), self.result("Ann Lee (2)", "Ann Lee")]
+        found, missing, strangers = roster.matched(by_name)
+        self.assertEqual((found, len(missing), strangers), ({}, 2, ["Ann Lee", "Ann Lee (2)"]))
+        self.assertIn("Ann Lee (2): another submission also claims Ann Lee on the roster; decide whose it is",
+                      not_graded(by_name, Class([], roster)))
+        found, _, strangers = roster.matched([*by_name, self.result("ann", identifier="12")])
+        self.assertEqual((list(found), strangers), (["ann"], ["Ann Lee", "Ann Lee (2)"]))
+
+    def test_a_number_of_two_rows_is_that_of_none(self):
+        roster = self.roster("Number,Name,ID\n12,Ann Lee,1\n2,Bo Ek,12\n")
+        self.assertEqual(roster.matched([self.result("x", identifier="12")])[0], {})
+        self.assertEqual(roster.matched([self.result("Bo Ek", identifier="12")])[0]["Bo Ek"]["Name"], "Bo Ek")
+
     def test_as_spreadsheets_write_it(self):
         text = "Last name;First name;ID\nÖberg;Åsa;12\nLee;Ann;13\n"
         for encoding in ("utf-8", "utf-8-sig", "utf-16", "utf-16-le", "latin-1"):
@@ -604,21 +646,6 @@ class Records(InFolder):
         names = [f"s{k}" for k in range(7)]
         folders = [self.graded(shard, names) for shard in (1, 3)]
         results, left_out = merge(folders, self.root / "whole")
-    def test_a_row_that_two_claim_is_given_to_the_one_with_its_number_or_to_none(self):
-        roster = self.roster("Name,ID\nAnn Lee,12\nBo Ek,13\n")
-        by_name = [self.result("Ann Lee"), self.result("Ann Lee (2)", "Ann Lee")]
-        found, missing, strangers = roster.matched(by_name)
-        self.assertEqual((found, len(missing), strangers), ({}, 2, ["Ann Lee", "Ann Lee (2)"]))
-        self.assertIn("Ann Lee (2): another submission also claims Ann Lee on the roster; decide whose it is",
-                      not_graded(by_name, Class([], roster)))
-        found, _, strangers = roster.matched([*by_name, self.result("ann", identifier="12")])
-        self.assertEqual((list(found), strangers), (["ann"], ["Ann Lee", "Ann Lee (2)"]))
-
-    def test_a_number_of_two_rows_is_that_of_none(self):
-        roster = self.roster("Number,Name,ID\n12,Ann Lee,1\n2,Bo Ek,12\n")
-        self.assertEqual(roster.matched([self.result("x", identifier="12")])[0], {})
-        self.assertEqual(roster.matched([self.result("Bo Ek", identifier="12")])[0]["Bo Ek"]["Name"], "Bo Ek")
-
         self.assertEqual([result["submission"] for result in results], ["s0", "s2", "s3", "s5", "s6"])
         self.assertEqual(missing_shards(folders), ["2/3"])
         self.assertEqual(left_out, [("x", "why"), ("s1", "its shard is not done: 2/3"),

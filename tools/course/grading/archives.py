@@ -181,7 +181,8 @@ def _expanded(entries: Iterator[Entry], depth: int, budget: _Budget) -> Iterator
 
 
 def _of_folder(root: Path) -> Iterator[Entry]:
-    for folder, folders, files in os.walk(root):
+    unread: list[OSError] = []
+    for folder, folders, files in os.walk(root, onerror=unread.append):
         if len(os.fsencode(folder)) > _LONGEST_FOLDER:
             folders.clear()
             yield Entry(_below(root, Path(folder)), "damaged", 0, lambda: b"", "folders with names so long are not read")
@@ -190,7 +191,11 @@ def _of_folder(root: Path) -> Iterator[Entry]:
         folders.sort()
         for name in sorted(files + [name for name in folders if Path(folder, name).is_symlink()]):
             path = Path(folder, name)
-            found = path.lstat()
+            try:
+                found = path.lstat()
+            except OSError as error:  # removed in the meantime, or its folder may be listed only
+                unread.append(error)
+                continue
             largest = _LARGEST_ARCHIVE if is_archive(name) else LARGEST
             yield Entry(_below(root, path), _kind(found.st_mode), found.st_size,
                         lambda path=path, largest=largest: _read_regular(path, largest))
@@ -198,6 +203,10 @@ def _of_folder(root: Path) -> Iterator[Entry]:
         if folders and len(place.parts) >= _DEEPEST_FOLDER:
             folders.clear()  # os.walk calls itself for each level
             yield Entry(place, "damaged", 0, lambda: b"", f"folders more than {_DEEPEST_FOLDER} deep are not read")
+    for error in unread:
+        place = _below(root, Path(error.filename))
+        place = place if place.parts else PurePosixPath(text(root.name))
+        yield Entry(place, "damaged", 0, lambda: b"", f"{place} cannot be read: {error.strerror}")
 
 
 def _below(root: Path, path: Path) -> PurePosixPath:

@@ -130,7 +130,7 @@ def _take_folder(delivery: Delivery, folder: Path, out: Path, exercises: list[Ex
     is_alone = sum(not is_litter(PurePosixPath(child.name)) and _real(child) != _real(out)
                    for child in children) == 1
     for child in children:
-        shown = f"{folder.name}/{text(child.name)}"
+        shown = f"{text(folder.name)}/{text(child.name)}"
         if _real(child) == _real(out) or is_litter(PurePosixPath(child.name)):
             continue
         taken = True
@@ -172,6 +172,7 @@ def _take_archive(delivery: Delivery, archive: Path, names: Iterable[PurePosixPa
     known: list[tuple[Student, Place]] = []
     tops = list(dict.fromkeys(name.parts[0] for name in names))
     platforms = platforms_of(tops)
+    files = {name.parts[0] for name in names if len(name.parts) == 1}
     for top in tops:
         if of_platform := student_of(top, platforms, top not in files and not is_archive(top)):
             known.append((of_platform[0], Place(archive, top)))
