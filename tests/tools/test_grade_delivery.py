@@ -651,6 +651,10 @@ class Records(InFolder):
         self.assertEqual(left_out, [("x", "why"), ("s1", "its shard is not done: 2/3"),
                                     ("s4", "its shard is not done: 2/3")])
 
+    def test_a_result_with_bytes_that_are_no_text_is_written(self):
+        write_json(self.root / "results.json", {"message": "a section x\udcff"})
+        self.assertEqual((self.root / "results.json").read_text(encoding="utf-8"), '{\n "message": "a section x?"\n}\n')
+
     def test_who_is_removed_leaves_the_results(self):
         folder = self.graded(1, ["ann", "bo"], count=1)
         self.assertEqual(set_aside(folder, ["bo"]), ["ann"])

@@ -161,6 +161,14 @@ class Complaints(unittest.TestCase):
         self.assertLess(len(said), 1000)
 
 
+class Messages(unittest.TestCase):
+    def test_one_for_all_tests_of_an_exercise_is_cut(self):
+        exercise = next(iter(all_exercises()))
+        with tempfile.TemporaryDirectory() as folder:
+            judged = Judges(Path(folder), []).judge(exercise, Source("kick.cpp", problem="x" * 999_999), None)
+        self.assertLess(len(judged.tests[0].message), 99_999)
+
+
 class OneCore(unittest.TestCase):
     def test_what_is_started_there_stays_there(self):
         allowed = os.sched_getaffinity(0)

@@ -72,11 +72,18 @@ def tampering(found: Object) -> str:
     for section in found.sections:
         if not _SECTIONS.fullmatch(section) or ".init_array." in section:
             early = re.match(r"(?:\.rela?)?\.(init|fini|preinit_array|init_array|fini_array|ctors|dtors)\b", section)
-            return (f"has code that runs before main or after it, in {section}" if early
-                    else f"has a section {section}, which no compiler makes of an answer")
+_UNSHOWN = re.compile(r"[^\w.$@ -]", re.ASCII)
+_LONGEST = 80  # characters that are shown of a name
+
+
+def shown(name: str) -> str:
+    """Returns a section's or symbol's name for a report: it may have any bytes, and megabytes of them."""
+    return _UNSHOWN.sub("?", name[:_LONGEST]) + ("..." if len(name) > _LONGEST else "")
+            return (f"has code that runs before main or after it, in {shown(section)}" if early
+                    else f"has a section {shown(section)}, which no compiler makes of an answer")
     for symbol in found.symbols:
         if symbol.kind not in ("SECTION", "FILE") and not _NAME.fullmatch(symbol.name):
-            return f"has the symbol {symbol.name[:80]!a}, and no compiler names one so"
+            return f"has the symbol '{shown(symbol.name)}', and no compiler names one so"
         if symbol.defined and symbol.name == _COUNTER:
             return "counts its operations itself"
         if _OF_TESTS.search(symbol.name):
@@ -84,14 +91,14 @@ def tampering(found: Object) -> str:
         if symbol.kind == "IFUNC":
             return "has a function that the loader resolves"
         if symbol.binding not in ("LOCAL", "GLOBAL", "WEAK") or symbol.section == "COM":
-            return f"defines {symbol.name} in place of another program's"
+            return f"defines {shown(symbol.name)} in place of another program's"
     for symbol in found.symbols:
         if not symbol.defined and symbol.binding != "LOCAL":
             weak = symbol.binding == "WEAK"
             if symbol.name in _REACHING_OUT and (weak or symbol.name not in REPLACED):
                 return f"calls {symbol.name}()"
             if weak and not symbol.name.startswith(_HARMLESS_IF_WEAK):
-                return f"calls {symbol.name}() if there is one"
+                return f"calls {shown(symbol.name)}() if there is one"
     return ""
 
 

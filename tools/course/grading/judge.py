@@ -257,4 +257,4 @@ def _name(number: int) -> str:
 
 
 def _all(tests: list[str], verdict: str, reason: str = "", message: str = "") -> ExerciseVerdict:
-    return ExerciseVerdict([TestVerdict(test, verdict, reason, message) for test in tests], [])
+    return ExerciseVerdict([TestVerdict(test, verdict, reason, message[:_MESSAGE]) for test in tests], [])

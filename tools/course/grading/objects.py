@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import diagnostics
-from grading.allowed import REMOVED, REPLACED, not_allowed, tampering
+from grading.allowed import REMOVED, REPLACED, not_allowed, shown, tampering
 from grading.complaints import compiler_says
 from grading.confined import Ended, Limits
 from grading.elf import Object, TooLarge, Unreadable, read_object
@@ -99,7 +99,7 @@ def _from_object(exercise: Exercise, source: Source, file: Path, workshop: Works
     if stranger.startswith("_Z"):
         return Made(None, "does not compile", "does not link", f"undefined reference to `{_readable(stranger)}'")
     if stranger:
-        return Made(None, "does not compile", _NOT_AVAILABLE, _NOT_NEEDED.format(file, stranger))
+        return Made(None, "does not compile", _NOT_AVAILABLE, _NOT_NEEDED.format(file, shown(stranger)))
     missing = sorted(name for name in wanted if not found.binding_of(name))
     if missing:
         return Made(None, "does not compile", "function not defined", _not_defined(file, missing))
