@@ -96,12 +96,13 @@ class Allowed(unittest.TestCase):
                      "pthread_create", "_ZN5spook5driftERKN5Eigen6MatrixE", "clock_gettime",
                      "_ZNSt6thread4joinEv", "__muldc3",
                      "getpid", "isatty", "asprintf", "fesetround", "drem", "lgamma_r", "lgammaf_r",
-                     "getline", "getrusage", "strcasecmp"):
+                     "getline", "getrusage", "strcasecmp", "isupper", "localtime_r", "mbstowcs", "strtok_r", "remove",
+                     "__gttf2", "__unordtf2", "__cpu_model"):
             with self.subTest(name):
                 made = self.made(f".quad {name}")
                 self.assertEqual((tampering(made), not_allowed(made, COURSE)), ("", ""))
         for name in ("setenv", "_ZN5spook6secretEv", "_ZN5spook5driftEv", "my_own", "chmod", "signal", "sigaction",
-                     "longjmp", "mmap", "backtrace", "environ"):
+                     "longjmp", "mmap", "backtrace", "environ", "__getauxval", "__netf2x"):
             made = self.made(f".quad {name}")
             self.assertEqual((tampering(made), not_allowed(made, COURSE)), ("", name))
 
