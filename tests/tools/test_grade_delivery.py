@@ -605,6 +605,8 @@ class Rosters(InFolder):
         self.assertEqual((found, len(missing), strangers), ({}, 2, ["Ann Lee", "Ann Lee (2)"]))
         self.assertIn("Ann Lee (2): another submission also claims Ann Lee on the roster; decide whose it is",
                       not_graded(by_name, Class([], roster)))
+        self.assertIn("Ann Lee: on the roster, and no submission is certain to be theirs",
+                      not_graded(by_name, Class([], roster)))
         found, _, strangers = roster.matched([*by_name, self.result("ann", identifier="12")])
         self.assertEqual((list(found), strangers), (["ann"], ["Ann Lee", "Ann Lee (2)"]))
 
@@ -624,6 +626,15 @@ class Rosters(InFolder):
     def test_github_classroom(self):
         roster = self.roster('"identifier","github_username","github_id","name"\n"Ann Lee","annl","77",""\n')
         self.assertEqual(list(roster.matched([self.result("annl")])[0]), ["annl"])
+
+    def test_gradescopes_numbers_and_addresses(self):
+        """A number may have letters, and who has none is known by the address."""
+        roster = self.roster("Name,ID,Email\nAnn Lee,s-1234,ann@x.edu\nBo Ek,s-77,bo23@x.edu\nCy,23,cy@x.edu\n")
+        results = [self.result("A. L.", identifier="s-1234"), self.result("Bobby", identifier="BO23@x.edu"),
+                   self.result("Dee", identifier="dee23@y.edu")]
+        found, missing, strangers = roster.matched(results)
+        self.assertEqual({name: row["Name"] for name, row in found.items()}, {"A. L.": "Ann Lee", "Bobby": "Bo Ek"})
+        self.assertEqual(([row["Name"] for row in missing], strangers), (["Cy"], ["Dee"]))
 
     def test_what_is_none_is_said(self):
         for text in ("", "a,b\n1,2\n"):

@@ -10,6 +10,7 @@ import io
 import re
 import unicodedata
 from collections import defaultdict
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -19,6 +20,7 @@ from text_encoding import decoded
 _NAMES = ("student", "full name", "name", "login", "sis login id", "username", "email address", "email",
           "github username")
 _FIRST, _LAST = ("first name", "firstname", "given name"), ("last name", "lastname", "surname", "family name")
+_ADDRESSES = ("email address", "email")
 _NUMBERS = ("id", "identifier", "number", "participant")
 
 
@@ -47,6 +49,11 @@ class Roster:
         missing = [row for row in self.rows if not any(row is one for one in found.values())]
         return found, missing, [result["submission"] for result in results if result["submission"] not in found]
 
+    def claimed(self, results: list[dict]) -> set[int]:
+        """Returns the identities of rows that some submission names, by number or by name."""
+        named = [self._rows_of(result) for result in results]
+        return {id(row) for by_number, by_name in named for row in [*by_name, by_number] if row is not None}
+
     def reason(self, result: dict) -> str:
         """Says why a submission does not have the row that it claims; empty if it claims none."""
         row, _ = self._claimed_by(result)
@@ -68,18 +75,27 @@ class Roster:
                 f"is that of {self.name_of(by_name[0])}, so that it is given to neither")
 
     def _rows_of(self, result: dict) -> tuple[dict[str, str] | None, list[dict[str, str]]]:
-        """Returns the row with the platform's number, and all rows with the name."""
-        by_number = self._by_number.get(result["identifier"]) if result["identifier"] else None
+        """Returns the row with the platform's number, or address if that is what it tells, and all rows with the
+        name."""
+        told = result["identifier"]
+        by_number = self._by_address.get(told.casefold()) if "@" in told else self._by_number.get(_digits(told))
         return by_number, [row for word in _spellings(result["student"]) for row in self._by_name.get(word, [])]
 
     @functools.cached_property
     def _by_number(self) -> dict[str, dict[str, str]]:
-        """Returns the row of each number that only one row has."""
+        return self._by_one_of(_NUMBERS, _digits)
+
+    @functools.cached_property
+    def _by_address(self) -> dict[str, dict[str, str]]:
+        return self._by_one_of(_ADDRESSES, lambda text: text.strip().casefold())
+
+    def _by_one_of(self, titles: tuple[str, ...], key: Callable[[str], str]) -> dict[str, dict[str, str]]:
+        """Returns the row of each key in these columns that only one row has."""
         found: dict[str, list[dict]] = defaultdict(list)
         for row in self.rows:
-            for number in {_digits(row[title]) for title in row if _plain(title) in _NUMBERS} - {""}:
-                found[number].append(row)
-        return {number: rows[0] for number, rows in found.items() if len(rows) == 1}
+            for known in {key(row[title]) for title in row if _plain(title) in titles} - {""}:
+                found[known].append(row)
+        return {known: rows[0] for known, rows in found.items() if len(rows) == 1}
 
     @functools.cached_property
     def _by_name(self) -> dict[str, list[dict[str, str]]]:
