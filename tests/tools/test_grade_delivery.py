@@ -22,7 +22,7 @@ from grading.archives import LARGEST
 from grading.delivery import find_submissions
 from grading.merge import merge, missing_shards, set_aside, write_delivery
 from grading.gradebook import Class, _write_grades, cell, not_graded
-from grading.names import Student, safe, student_of
+from grading.names import Student, safe, student_of, unseen_shown
 from grading.results import SCHEMA, folder_of, write_json
 from grading.roster import read_roster
 from grading.submission import Handed, Place, read_submission
@@ -197,6 +197,11 @@ class Delivered(Finds):
             submissions, _ = self.found(self.put({f"ann/{name}": KICK}, name))
             self.assert_kicks(submissions, "ann")
             self.assertEqual(submissions["ann"].notes, [f"taken for kick: {name}"])
+        for name in ("kick\u200b.cpp", "\u200ekick.cpp", "\uff4bick.cpp", "kick\uff0ecpp"):
+            submissions, _ = self.found(self.put({f"ann/{name}": KICK}, ascii(name)))
+            self.assert_kicks(submissions, "ann")
+            self.assertEqual(submissions["ann"].notes, [f"taken for kick: {unseen_shown(name)}"])
+            self.assertNotRegex(submissions["ann"].notes[0], "[\u200b\u200e]")
         for name in ("kick.md", "kick.hpp", "kicks.cpp", "notes.txt", "final.cpp"):
             submissions, _ = self.found(self.put({f"ann/{name}": KICK}, name))
             self.assertEqual(submissions["ann"].sources, {}, name)

@@ -107,9 +107,19 @@ _TWINS = str.maketrans("\u0430\u0435\u043e\u0440\u0441\u0443\u0445\u0456\u0458\u
                        "aeopcyxijsdhaopvi")
 
 
+def unseen_removed(name: str) -> str:
+    """Returns a name without letters that are not seen, and with the usual form of wide ones."""
+    return _UNSEEN.sub("", unicodedata.normalize("NFKC", name))
+
+
+def unseen_shown(name: str) -> str:
+    """Returns a name with an escape, such as \\u200b, in place of each letter that is not seen."""
+    return _UNSEEN.sub(lambda found: ascii(found[0])[1:-1], name)
+
+
 def look(name: str) -> str:
     """Reduces a name so that names that look alike become equal."""
-    return " ".join(_UNSEEN.sub("", unicodedata.normalize("NFKC", name)).casefold().translate(_TWINS).split())
+    return " ".join(unseen_removed(name).casefold().translate(_TWINS).split())
 
 
 _LONGEST = 200  # bytes; a folder's name may have 255

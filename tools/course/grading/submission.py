@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 
 from grading.archives import LARGEST, Entry, entries_of
-from grading.names import Student, attempt_of, student_of
+from grading.names import Student, attempt_of, student_of, unseen_removed, unseen_shown
 from manifest import Exercise, all_exercises
 from marker import is_stub
 from paths import CHAPTERS
@@ -115,7 +115,8 @@ def rank_of(path: PurePosixPath, exercises: list[Exercise]) -> tuple[Exercise, i
     """
     parts = [part.lower() for part in path.parts]
     known = student_of(path.name)
-    name = known[1] if known else path.name
+    written = known[1] if known else path.name
+    name = unseen_removed(written)
     ending = _ENDING.search(name.lower())
     if ".." in parts or path.is_absolute() or _NOT_THEIRS & set(parts[:-1]) or not ending:
         return None
@@ -126,7 +127,7 @@ def rank_of(path: PurePosixPath, exercises: list[Exercise]) -> tuple[Exercise, i
         return None
     if _COPY.search(stem.lower()) or ending[0].endswith(")"):
         return exercise, 4
-    if stem != exercise.function or name[ending.start():] != ".cpp":
+    if stem != exercise.function or name[ending.start():] != ".cpp" or name != written:
         return exercise, 3
     if path.parts[-3:-1] == ("chapters", exercise.folder) or len(parts) == 1:
         return exercise, 0
@@ -161,7 +162,7 @@ def _choose(submission: Submission, function: str, candidates: list[_Candidate])
     submission.sources[function] = sources[chosen]
     if candidates[chosen].rank > 0 or len(candidates) > 1:
         others = [source.path for k, source in enumerate(sources) if k != chosen]
-        note = f"taken for {function}: {sources[chosen].path}"
+        note = f"taken for {function}: {unseen_shown(sources[chosen].path)}"
         submission.notes.append(note + (f"; there is also {_listed(others)}" if others else ""))
 
 
@@ -183,7 +184,7 @@ def _cut(notes: list[str]) -> list[str]:
 
 def _listed(names: list[str]) -> str:
     more = len(names) - _NAMES_IN_A_NOTE
-    listed = ", ".join(name[:_NAME] for name in sorted(names)[:_NAMES_IN_A_NOTE])
+    listed = ", ".join(unseen_shown(name[:_NAME]) for name in sorted(names)[:_NAMES_IN_A_NOTE])
     return listed + (f" and {more} more" if more > 0 else "")
 
 
