@@ -22,7 +22,7 @@ from grading.archives import LARGEST
 from grading.delivery import find_submissions
 from grading.merge import merge, missing_shards, set_aside, write_delivery
 from grading.gradebook import Class, _write_grades, cell, not_graded
-from grading.names import Student, safe, student_of, unseen_shown
+from grading.names import Student, attempt_of, safe, student_of, unseen_shown
 from grading.results import SCHEMA, folder_of, write_json
 from grading.roster import read_roster
 from grading.submission import Handed, Place, read_submission
@@ -162,6 +162,28 @@ class Delivered(Finds):
         self.assertEqual((set(submissions), left), ({"Ann Lee", "Bo - Ek"}, {"index.html"}))
         self.assert_kicks(submissions, "Ann Lee", "Bo - Ek")
         self.assertEqual(submissions["Ann Lee"].student.identifier, "12")
+
+    def test_brightspace_in_another_language(self):
+        submissions, _ = self.found(self.put({"12-9 - Ann Lee - 20 nov. 2026 1011/kick.cpp": KICK,
+                                              "13-9 - Bo - 3 - 20 nov. 2026 911/kick.cpp": KICK}))
+        self.assertEqual({name: one.student.identifier for name, one in submissions.items()},
+                         {"Ann Lee": "12", "Bo - 3": "13"})
+        self.assertEqual(attempt_of("12-9 - Ann Lee - 20 nov. 2026 1011"), "")
+
+    def test_a_class_that_was_packed_again_has_a_folder_above(self):
+        kicks = {f"s{k:02d}.zip": zipped({WHERE: KICK}) for k in range(25)}
+        for files, names in ((self.MOODLE, {"Åsa Öberg", "Bo Ek", "Cy", "Di", "Ed", "Flo", "Gus"}),
+                             (kicks, {name[:3] for name in kicks})):
+            packed = self.put({"class.zip": zipped({f"HW 1/{name}": content for name, content in files.items()}
+                                                   | {"__MACOSX/._HW 1": b""})}, f"{len(files)}") / "class.zip"
+            for path in (packed, packed.parent):
+                submissions, left = self.found(path)
+                self.assertEqual((set(submissions), left), (names, set()))
+                self.assert_kicks(submissions, *names - {"Ed", "Flo", "Gus"})
+        for files in ({f"ann/{WHERE}": KICK, "ann/my/old/kick.cpp": b"old"}, {"ann/kick.cpp": KICK, "ann/drift.cpp": b"d"}):
+            submissions, _ = self.found(self.put({"one.zip": zipped(files)}, "one") / "one.zip")
+            self.assert_kicks(submissions, "one")
+            self.assertEqual(len(submissions), 1)
 
     def test_the_last_attempt_on_canvas_counts(self):
         submissions, _ = self.found(self.put({
@@ -448,7 +470,8 @@ class Doubts(Finds):
 
     def test_a_class_is_not(self):
         for files in (Delivered.MOODLE, {"ann/kick.cpp": KICK, "bo/kick.cpp": KICK, "cy/essay.docx": b"x"},
-                      {WHERE: KICK}, {"ann.zip": zipped({WHERE: KICK}), "bo.rar": b"x"}):
+                      {WHERE: KICK}, {"ann.zip": zipped({WHERE: KICK}), "bo.rar": b"x"},
+                      {f"HW_ann_attempt_2026-11-20-10-11-12{end}": KICK for end in (".txt", "_kick.cpp")}):
             folder = self.put(files)
             self.assertEqual(self.doubts(folder), [])
             shutil.rmtree(folder)

@@ -115,12 +115,13 @@ def is_litter(path: PurePosixPath) -> bool:
 def entries_of(path: Path, inside: str = "") -> Iterator[Entry]:
     """Returns all files of a submission, those in archives below the archive's name, without litter and tools' products.
 
-    `inside`: the submission is the file at the top of `path` with this name; nothing else is opened or counted.
+    `inside`: the submission is the file or folder of this path in the archive; nothing else is opened or counted.
     """
     count, budget = 0, _Budget()
     entries = _entries(path, _Budget(unpacked=_OF_A_CLASS) if inside else budget)
     if inside:
-        entries = (entry for entry in entries if entry.path.parts[0] == inside)
+        within = PurePosixPath(inside).parts
+        entries = (entry for entry in entries if entry.path.parts[: len(within)] == within)
     for entry in _expanded(entries, 0, budget):
         if not is_litter(entry.path) and not _MADE & set(entry.path.parts[:-1]):
             count += 1
@@ -132,11 +133,12 @@ def entries_of(path: Path, inside: str = "") -> Iterator[Entry]:
 def names_in(path: Path, opened: bool) -> Iterator[PurePosixPath]:
     """Returns the files' names, to tell a class from a submission. `opened`: includes those in archives inside it.
 
-    Each name at the top has a budget of its own, and beyond it no further names.
+    Each name at the top, or in a folder there, has a budget of its own, and beyond it no further names.
     """
     counts, budgets = Counter(), defaultdict(lambda: _Budget(_ARCHIVES_OF_A_NAME, _UNPACKED_OF_A_NAME))
     for entry in _entries(path, _Budget(unpacked=_OF_A_CLASS)):
-        top = entry.path.parts[0]
+        top = entry.path.parts[:2]
+        yield from [entry.path] if opened and is_archive(entry.path.name) else []
         with contextlib.suppress(OverBudget):
             for inner in _expanded(iter([entry]), 0, budgets[top]) if opened else [entry]:
                 counts[top] += 1

@@ -5,7 +5,6 @@ Nobody is lost: files that belong to no submission are returned, too, with the r
 
 import os
 from collections import Counter
-from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from pathlib import Path, PurePosixPath
 
@@ -57,7 +56,7 @@ def find_submissions(paths: list[Path], out: Path) -> Delivery:
         taken, left = len(delivery.handed), len(delivery.left_out)
         if path.is_dir() and _is_class(names, exercises, at_top=True):
             _take_folder(delivery, path, out, exercises)
-        elif not path.is_dir() and _is_class(names, exercises, at_top=False):
+        elif not path.is_dir() and _is_class(_in_root(names)[1], exercises, at_top=False):
             _take_archive(delivery, path, names)
         elif path.is_dir() and not _is_one(names, exercises):
             _take_folder(delivery, path, out, exercises)
@@ -74,8 +73,8 @@ def _doubt(delivery: Delivery, path: Path, handed: list[Handed], left_out: int, 
     """Tells whether a folder is probably not a class: most of it is left out, or most of its folders hold no exercise's
     file."""
     holding = {name.parts[0] for name in names if is_archive(name.name) or rank_of(name, exercises)}
-    empty = sum(place.path != path and place.path.relative_to(path).parts[0] not in holding
-                for one in handed for place in one.places[:1])
+    empty = sum(all(place.path != path and place.path.relative_to(path).parts[0] not in holding for place in one.places)
+                for one in handed)
     if left_out > len(handed) or 2 * empty > len(handed):
         delivery.doubts.append(f"{path} has no form that is known: of {len(handed)} submissions in it {empty} hold no "
                                f"exercise's file, and {left_out} other things are left out.")
@@ -153,7 +152,7 @@ def _take_folder(delivery: Delivery, folder: Path, out: Path, exercises: list[Ex
                 delivery.add(_student(child), Place(child))
         elif is_archive(child.name):
             names = _names(child, out) if is_alone else []
-            if is_alone and _is_class(names, exercises, at_top=False):
+            if is_alone and _is_class(_in_root(names)[1], exercises, at_top=False):
                 _take_archive(delivery, child, names)
             else:
                 delivery.add(_student(child), Place(child))
@@ -166,20 +165,33 @@ def _take_folder(delivery: Delivery, folder: Path, out: Path, exercises: list[Ex
     delivery.add_known(known)
 
 
-def _take_archive(delivery: Delivery, archive: Path, names: Iterable[PurePosixPath]) -> None:
+def _in_root(names: list[PurePosixPath]) -> tuple[PurePosixPath, list[PurePosixPath]]:
+    """Returns the folder that holds everything in an archive, if there is one, and the names in it. Who packs a folder
+    again has it in the archive."""
+    roots = {name.parts[0] for name in names if not is_litter(name) and len(name.parts) > 1}
+    root = roots.pop() if len(roots) == 1 else ""
+    inside = [PurePosixPath(*name.parts[1:]) for name in names if name.parts[0] == root and len(name.parts) > 1]
+    is_root = root and not is_archive(root) and student_of(root, is_folder=True) is None and all(
+        len(name.parts) > 1 or is_litter(name) for name in names)
+    return (PurePosixPath(root), inside) if is_root else (PurePosixPath(), names)
+
+
+def _take_archive(delivery: Delivery, archive: Path, names: list[PurePosixPath]) -> None:
     """Adds a submission for each folder or archive at the archive's top, and for each student whose loose files lie
     there."""
     known: list[tuple[Student, Place]] = []
+    root, names = _in_root(names)
     tops = list(dict.fromkeys(name.parts[0] for name in names))
     platforms = platforms_of(tops)
     files = {name.parts[0] for name in names if len(name.parts) == 1}
     for top in tops:
+        place = Place(archive, str(root / top))
         if of_platform := student_of(top, platforms, top not in files and not is_archive(top)):
-            known.append((of_platform[0], Place(archive, top)))
+            known.append((of_platform[0], place))
         elif top in files and not is_archive(top):
             delivery.left_out.append((f"{text(archive.name)}/{top}", _LOOSE))
         else:
-            delivery.add(Student(without_suffix(top)), Place(archive, top))
+            delivery.add(Student(without_suffix(top)), place)
     delivery.add_known(known)
 
 

@@ -23,7 +23,7 @@ _CANVAS = re.compile(r"(?P<name>[^_]+)_(?P<late>late_)?(?P<id>\d+)_(?P<try>\d+)_
                      re.IGNORECASE)
 _AGAIN = re.compile(r"-(\d+)(?=\.\w+$)")  # Canvas' name for a file that was handed in again
 _BLACKBOARD = re.compile(r"(?P<head>.+?_(?P<name>[^_]+))_attempt_(?P<time>\d{4}(?:-\d\d){5})(?:_(?P<file>.+)|\.txt)")
-_BRIGHTSPACE = re.compile(r"(?P<id>\d+)-\d+ - (?P<name>.+) - (?P<time>\w{3} \d{1,2}, \d{4} \d{3,4} [AP]M)")
+_BRIGHTSPACE = re.compile(r"(?P<id>\d+)-\d+ - (?P<name>.+) - (?P<time>\D*\d{1,2}\D+\d{4}\D+\d{3,4}\D*)")  # in any language
 
 
 @dataclass(frozen=True)
@@ -92,8 +92,8 @@ def attempt_of(name: str) -> str:
     if found := _BLACKBOARD.fullmatch(name):
         return found["time"]
     if found := _BRIGHTSPACE.fullmatch(name):
-        month, day, year, clock, half = found["time"].replace(",", "").split()
         with contextlib.suppress(ValueError):  # of another language's months
+            month, day, year, clock, half = found["time"].replace(",", "").split()
             return datetime.strptime(f"{month} {day} {year} {clock:0>4} {half}", "%b %d %Y %I%M %p").isoformat()
     if (found := _CANVAS.fullmatch(name)) and (again := _AGAIN.search(found["file"])):
         return f"{int(again[1]):09d}"

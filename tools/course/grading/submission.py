@@ -39,7 +39,11 @@ class Source:
 @dataclass(frozen=True)
 class Place:
     path: Path
-    inside: str = ""  # of an archive: the folder, archive or file at its top
+    inside: str = ""  # of an archive: the path in it of a folder, an archive or a file
+
+    @property
+    def name(self) -> str:
+        return PurePosixPath(self.inside).name if self.inside else self.path.name
 
 
 @dataclass(frozen=True)
@@ -79,8 +83,8 @@ def read_submission(handed: Handed, exercises: list[Exercise]) -> Submission:
         try:
             for entry in entries_of(place.path, place.inside):
                 if place.inside:
-                    entry = _moved(entry, "/".join(entry.path.parts[1:]))
-                _look(submission, entry, attempt_of(place.inside or place.path.name), exercises, seen, found)
+                    entry = _moved(entry, "/".join(entry.path.parts[len(PurePosixPath(place.inside).parts):]))
+                _look(submission, entry, attempt_of(place.name), exercises, seen, found)
         except Exception as error:  # a damaged archive has the library raise whatever its decoders do
             submission.notes.append(f"{place.path.name} cannot be read: {str(error) or type(error).__name__}")
     for function, candidates in found.items():
