@@ -664,6 +664,29 @@ class Rosters(InFolder):
         self.assertEqual({name: row["Name"] for name, row in found.items()}, {"A. L.": "Ann Lee", "Bobby": "Bo Ek"})
         self.assertEqual(([row["Name"] for row in missing], strangers), (["Cy"], ["Dee"]))
 
+    def test_github_classrooms_folders_begin_with_the_assignment(self):
+        roster = self.roster('"identifier","github_username","github_id","name"\n"Ann Lee","annl","77",""\n'
+                             '"Bo Ek","Bo-Ek","78",""\n"Eve","eve-annl","79",""\n"Cy","","",""\n')
+        names = ("hw-1-annl", "hw-1-bo-ek-main", "hw-1-eve-annl", "hw-1-zed")
+        found, _, strangers = roster.matched([self.result(name) for name in names])
+        self.assertEqual({name: row["identifier"] for name, row in found.items()},
+                         dict(zip(names, ("Ann Lee", "Bo Ek", "Eve"))))
+        self.assertEqual(strangers, ["hw-1-zed"])
+
+    def test_moodle_may_hide_the_names(self):
+        for text in ("Identifier,Full name,Grade\nParticipant 101,,\nParticipant 102,,\n",
+                     "Identifier,Grade\nParticipant 101,\nParticipant 102,\n"):
+            roster = self.roster(text)
+            found, missing, _ = roster.matched([self.result("Participant_101", identifier="101")])
+            self.assertEqual((len(found), [roster.name_of(row) for row in missing]), (1, ["Participant 102"]))
+
+    def test_what_spreadsheets_write_above_the_titles(self):
+        for above in ("sep=;\n", "\n\n", " \r\nsep=;\r\n"):
+            roster = self.roster(f"{above}E-Mail;Name\nann@x.edu;Ann\n")
+            self.assertEqual(list(roster.matched([self.result("A", identifier="ann@x.edu")])[0]), ["A"])
+        with self.assertRaisesRegex(BadInput, "is a spreadsheet; save it as CSV"):
+            read_roster(self.put({"roster.csv": b"PK\3\4" + bytes(99)}) / "roster.csv")
+
     def test_what_is_none_is_said(self):
         for text in ("", "a,b\n1,2\n"):
             with self.assertRaisesRegex(BadInput, "no column of names"):

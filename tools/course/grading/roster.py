@@ -20,8 +20,13 @@ from text_encoding import decoded
 _NAMES = ("student", "full name", "name", "login", "sis login id", "username", "email address", "email",
           "github username")
 _FIRST, _LAST = ("first name", "firstname", "given name"), ("last name", "lastname", "surname", "family name")
+_GITHUB = "github username"
+_BRANCH = re.compile(r"-(?:main|master)$")  # at the end of an archive that GitHub makes
 _ADDRESSES = ("email address", "email")
 _NUMBERS = ("id", "identifier", "number", "participant")
+
+
+_ABOVE_TITLES = re.compile(r"\A(?:\s*\n|sep=.\r?\n)+")  # as spreadsheets write them
 
 
 @dataclass(frozen=True)
@@ -79,7 +84,16 @@ class Roster:
         name."""
         told = result["identifier"]
         by_number = self._by_address.get(told.casefold()) if "@" in told else self._by_number.get(_digits(told))
-        return by_number, [row for word in _spellings(result["student"]) for row in self._by_name.get(word, [])]
+        by_name = [row for word in _spellings(result["student"]) for row in self._by_name.get(word, [])]
+        return by_number, by_name or self._rows_of_repository(result["student"])
+
+    def _rows_of_repository(self, name: str) -> list[dict[str, str]]:
+        """Returns the rows of the longest name on GitHub that ends a repository's name, ASSIGNMENT-NAME."""
+        name = _BRANCH.sub("", name.casefold())
+        logins = {row[title].strip().casefold() for row in self.rows for title in row if _plain(title) == _GITHUB} - {""}
+        ending = max((login for login in logins if name.endswith(f"-{login}")), key=len, default=None)
+        return [row for row in self.rows for title in row
+                if _plain(title) == _GITHUB and row[title].strip().casefold() == ending]
 
     @functools.cached_property
     def _by_number(self) -> dict[str, dict[str, str]]:
@@ -114,14 +128,18 @@ class Roster:
         return whole + ([f"{first} {last}"] if first.strip() and last.strip() else [])
 
     def name_of(self, row: dict[str, str]) -> str:
-        names = [name for name in self._names_in(row) if name.strip()]
-        return names[0] if names else "?"
+        """Returns the name, or the number of a student whose name the platform hides."""
+        numbers = [row[title] for title in row if _plain(title) in _NUMBERS]
+        return next((told for told in [*self._names_in(row), *numbers] if told.strip()), "?")
 
 
 def read_roster(file: Path) -> Roster:
     """Reads a CSV with commas, semicolons or tabs, in UTF-8, UTF-16 or Latin-1, as spreadsheets write it."""
     try:
-        content = decoded(file.read_bytes())
+        content = file.read_bytes()
+        if content.startswith(b"PK"):
+            raise BadInput(f"the roster {file} is a spreadsheet; save it as CSV")
+        content = _ABOVE_TITLES.sub("", decoded(content))
         separator = max(",;\t", key=content.partition("\n")[0].count)
         reader = csv.DictReader(io.StringIO(content, newline=""), delimiter=separator)
         columns = tuple(reader.fieldnames or ())
@@ -129,17 +147,16 @@ def read_roster(file: Path) -> Roster:
     except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise BadInput(f"the roster {file} cannot be read: {error}") from None
     titles = {_plain(title) for title in columns}
-    if not titles & set(_NAMES) and not (titles & set(_FIRST) and titles & set(_LAST)):
+    if not titles & {*_NAMES, *_NUMBERS} and not (titles & set(_FIRST) and titles & set(_LAST)):
         raise BadInput(f"the roster {file} has no column of names; known are {', '.join(_NAMES)}, "
                        f"{' with '.join((_FIRST[0], _LAST[0]))}")
     roster = Roster(columns, rows)
     # Canvas' second line says how many points are possible, and there is a student who tests.
-    return Roster(columns, tuple(row for row in rows if any(name.strip() for name in roster._names_in(row))
-                                 and not _is_no_student(row)))
+    return Roster(columns, tuple(row for row in rows if roster.name_of(row) != "?" and not _is_no_student(row)))
 
 
 def _plain(title: str) -> str:
-    return title.strip().lower().replace("_", " ")
+    return title.strip().lower().replace("_", " ").replace("e-mail", "email")
 
 
 def _are_one(rows: list[dict]) -> bool:
