@@ -26,6 +26,7 @@ from grading.names import Student, attempt_of, safe, student_of, unseen_shown
 from grading.results import SCHEMA, folder_of, write_json
 from grading.roster import read_roster
 from grading.submission import Handed, Place, read_submission
+from grading.text import clean
 from manifest import all_exercises
 
 KICK, WHERE = b"Vec3 kick;", "chapters/01_leapfrog/kick.cpp"
@@ -497,6 +498,11 @@ class Told(Finds):
         note, = self.notes({"chapters/work.rar": b"Rar!"})
         self.assertIn("this kind of archive is not read", note)
         self.assertIn("chapters/essay.txt", self.notes({"chapters/essay.txt": b"x"})[0])
+
+    def test_what_steers_a_reader_is_not_shown(self):
+        for steering in ("\x1b[31m", "\x07", "\u202e", "\u2067", "\u200f", "\u061c", "\ufffa", "\U000e0041", "\x9b"):
+            self.assertEqual(clean(f"a{steering}b"), "ab", ascii(steering))
+        self.assertEqual(clean("می\u200cخواهم\n"), "می\u200cخواهم\n")
 
     def test_twins_are_told_of_each_other(self):
         names = ("Ann Lee", "Ann\u200b Lee", "\u0410nn L\u0435e", "Ann\u3164 Lee", "Anna Lee")

@@ -240,9 +240,8 @@ def _without_verdict(ran: Ran, cpu_limit: int) -> tuple[str, str, list[str]]:
             return TIMED_OUT, LOOPED, ["The test's time was up while it was computing with the answer."]
         return CRASHED, _name(of_test) if of_test else f"exit code {ran.tests_code}", [
             "The test could not use the answer: it has an invalid size or index."]
-    unsent = " Is its answer far too large?" if ran.code == _NOT_SENT else ""
-    return ENDED_EARLY, f"exit code {ran.code}", ["The program ended before the test did."
-                                                  + (unsent or " Does it call exit?")]
+    asked = "Is its answer far too large?" if ran.code == _NOT_SENT else "Does it call exit?"
+    return ENDED_EARLY, f"exit code {ran.code}", [f"The program ended before the test did. {asked}"]
 
 
 def _load() -> float:
