@@ -18,7 +18,7 @@ import sandbox  # noqa: F401
 
 from errors import BadInput, CourseError
 from grading import reading
-from grading.archives import LARGEST
+from grading.archives import LARGEST, names_in
 from grading.delivery import find_submissions
 from grading.merge import merge, missing_shards, set_aside, write_delivery
 from grading.gradebook import Class, _write_grades, cell, not_graded
@@ -337,6 +337,16 @@ class Delivered(Finds):
         read = [read_submission(one, all_exercises()) for one in (delivery.handed[0], delivery.handed[-1])]
         self.assertIn("200 archives", read[0].notes[0])
         self.assertEqual((read[1].sources["kick"].content, read[1].notes), (KICK, []))
+
+    def test_a_class_zip_is_opened_to_a_limit_of_each_student(self):
+        one = zipped({WHERE: KICK})
+        hers, others = {f"eve/{k}/x.zip": one for k in range(50)}, {f"ann/{k}.zip": one for k in range(5)}
+        for above in ("", "HW/"):
+            path = self.root / "class.zip"
+            path.write_bytes(zipped({f"{above}{name}": content for name, content in (hers | others).items()}))
+            opened = [name for name in names_in(path, opened=True) if name.name == "kick.cpp"]
+            self.assertEqual(sum("eve" in name.parts for name in opened), 20)
+            self.assertEqual(sum("ann" in name.parts for name in opened), 5)
 
     def test_a_path_that_is_too_long_to_ask_for_stops_nobody(self):
         """Folders within folders, each with a name as long as may be: no call takes the whole path."""

@@ -133,11 +133,13 @@ def entries_of(path: Path, inside: str = "") -> Iterator[Entry]:
 def names_in(path: Path, opened: bool) -> Iterator[PurePosixPath]:
     """Returns the files' names, to tell a class from a submission. `opened`: includes those in archives inside it.
 
-    Each name at the top, or in a folder there, has a budget of its own, and beyond it no further names.
+    Each name at the top has a budget of its own, and beyond it no further names; in an archive with a single folder
+    that holds everything, each name in that folder.
     """
+    levels = 1 if path.is_dir() or _has_many_tops(path) else 2
     counts, budgets = Counter(), defaultdict(lambda: _Budget(_ARCHIVES_OF_A_NAME, _UNPACKED_OF_A_NAME))
     for entry in _entries(path, _Budget(unpacked=_OF_A_CLASS)):
-        top = entry.path.parts[:2]
+        top = entry.path.parts[:levels]
         yield from [entry.path] if opened and is_archive(entry.path.name) else []
         with contextlib.suppress(OverBudget):
             for inner in _expanded(iter([entry]), 0, budgets[top]) if opened else [entry]:
@@ -145,6 +147,16 @@ def names_in(path: Path, opened: bool) -> Iterator[PurePosixPath]:
                 if counts[top] > _MOST:
                     break
                 yield inner.path
+
+
+def _has_many_tops(path: Path) -> bool:
+    tops = set()
+    for entry in _entries(path, _Budget(unpacked=_OF_A_CLASS)):
+        if not is_litter(entry.path):
+            tops.add(entry.path.parts[0])
+        if len(tops) > 1:
+            return True
+    return False
 
 
 def text(name: str) -> str:
