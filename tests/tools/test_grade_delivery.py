@@ -8,6 +8,7 @@ import subprocess
 import sys
 import tarfile
 import tempfile
+import time
 import unittest
 import unittest.mock
 import zipfile
@@ -250,6 +251,33 @@ class Delivered(Finds):
                               ("a.tar.xz", tarred({WHERE: KICK}, "xz")), ("a.tgz", tarred({"kick.cpp": KICK}, "gz"))):
             submissions, _ = self.found(self.put({name: content}, name) / name)
             self.assert_kicks(submissions, "a")
+
+    def test_archives_under_names_of_others(self):
+        for name, content in (("a.zip", tarred({WHERE: KICK}, "gz")), ("a.tar.gz", zipped({WHERE: KICK})),
+                              ("a.tar", tarred({WHERE: KICK}, "xz")), ("a.rar", zipped({WHERE: KICK}))):
+            submissions, _ = self.found(self.put({name: content, "b/kick.cpp": KICK}, f"renamed {name}"))
+            self.assert_kicks(submissions, "a")
+        submissions, _ = self.found(self.put({"a.zip": b"Rar!\x1a\7\0" + bytes(99)}, "a rar") / "a.zip")
+        self.assertIn("this kind of archive is not read", submissions["a"].notes[0])
+
+    def test_one_odd_member_of_a_zip_hides_no_other(self):
+        nameless, locked = io.BytesIO(), zipped({WHERE: KICK})
+        with zipfile.ZipFile(nameless, "w") as archive:
+            for name in ("x", "/", ".", WHERE):
+                archive.writestr(name, KICK)
+            archive.filelist[0].filename = ""
+        at = locked.index(b"PK\1\2") + 8
+        submissions, _ = self.found(self.put({"a.zip": nameless.getvalue(),
+                                              "b.zip": locked[:at] + b"\1" + locked[at + 1:]}))
+        self.assert_kicks(submissions, "a")
+        self.assertEqual(submissions["b"].sources["kick"].problem, f"{WHERE} cannot be read: it is encrypted")
+
+    def test_many_files_of_no_exercise_cost_little(self):
+        folder = self.put({f"ann/{k}.txt": b"" for k in range(5000)})
+        begun = time.process_time()
+        submissions, _ = self.found(folder)
+        self.assertIn("no file of an exercise", submissions["ann"].notes[0])
+        self.assertLess(time.process_time() - begun, 5)
 
     def test_seven_zip(self):
         if not shutil.which("bsdtar"):

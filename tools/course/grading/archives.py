@@ -29,6 +29,9 @@ _OF_A_CLASS = 1 << 40  # bytes that the one archive of a whole class may give
 _ARCHIVES_OF_A_NAME, _UNPACKED_OF_A_NAME = 20, 64 << 20  # what is opened to tell a class from a submission
 _ZIP, _TAR, _SEVEN = (".zip",), (".tar", ".tar.gz", ".tgz", ".tar.bz2", ".tbz2", ".tar.xz", ".txz"), (".7z",)
 _NOT_READ = (".rar", ".gz", ".bz2", ".xz")
+_COMPRESSED = {b"\x1f\x8b": gzip.open, b"BZh": bz2.open, b"\xfd7zXZ\0": lzma.open}
+# What archives begin with, whatever their names.
+_BEGINNINGS = {b"PK\3\4": ".zip", b"7z\xbc\xaf\x27\x1c": ".7z", b"Rar!": ".rar"} | dict.fromkeys(_COMPRESSED, ".tar")
 _MADE = {".git", "build", "node_modules", ".venv", "__pycache__"}  # folders of thousands of files that nobody wrote
 _LITTER = {"__MACOSX", ".DS_Store", "Thumbs.db", "desktop.ini"}
 
@@ -246,8 +249,10 @@ def _open_regular(path: Path, flags: int = 0):
 
 
 def _of_archive(name: str, file, budget: _Budget) -> Iterator[Entry]:
-    """Yields the members of an archive; `file` is open and seekable."""
-    name = name.lower()
+    """Yields the members of an archive; `file` is open and seekable. Its first bytes tell its kind, or else its name."""
+    start = file.read(6)
+    file.seek(0)
+    name = next((ending for begins, ending in _BEGINNINGS.items() if start.startswith(begins)), name.lower())
     if name.endswith(_ZIP):
         yield from _of_zip(zipfile.ZipFile(file))
     elif name.endswith(_TAR):
@@ -262,7 +267,7 @@ def _decompressed(file):
     """Detects the compression from the first bytes: a tar.gz may be named .tar."""
     start = file.read(6)
     file.seek(0)
-    for begins, opened in ((b"\x1f\x8b", gzip.open), (b"BZh", bz2.open), (b"\xfd7zXZ\0", lzma.open)):
+    for begins, opened in _COMPRESSED.items():
         if start.startswith(begins):
             return opened(file)
     return file
@@ -270,9 +275,15 @@ def _decompressed(file):
 
 def _of_zip(archive: zipfile.ZipFile) -> Iterator[Entry]:
     for info in archive.infolist():
-        if not info.is_dir():
+        if not info.filename.endswith("/"):
             yield Entry(_path(info.filename.replace("\\", "/")), _kind(info.external_attr >> 16),
-                        info.file_size, lambda info=info: _read_up_to(archive.open(info), info.filename))
+                        info.file_size, lambda info=info: _read_member(archive, info))
+
+
+def _read_member(archive: zipfile.ZipFile, info: zipfile.ZipInfo) -> bytes:
+    if info.flag_bits & 1:
+        raise ValueError("it is encrypted")
+    return _read_up_to(archive.open(info), info.filename)
 
 
 def _of_tar(archive: tarfile.TarFile) -> Iterator[Entry]:

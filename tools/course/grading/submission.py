@@ -101,7 +101,8 @@ def read_submission(handed: Handed, exercises: list[Exercise]) -> Submission:
 
 def _say_what_is_there(submission: Submission, seen: list[str]) -> None:
     """Describes the content of a submission without a file of the graded exercises."""
-    known = [(name, ranked[0]) for name in seen if (ranked := rank_of(PurePosixPath(name), all_exercises()))]
+    exercises = all_exercises()
+    known = [(name, ranked[0]) for name in seen if (ranked := rank_of(PurePosixPath(name), exercises))]
     if known:
         more = len(known) - _NAMES_IN_A_NOTE
         told = ", ".join(f"{name[:_NAME]} ({exercise.label})" for name, exercise in known[:_NAMES_IN_A_NOTE])
@@ -199,7 +200,7 @@ def _moved(entry: Entry, path: str) -> Entry:
 def _read(entry: Entry) -> Source:
     path = str(entry.path)[:_NAME]
     if entry.kind == "link":
-        return Source(path, problem=f"{path} is a symbolic link, and those are not followed", is_link=True)
+        return Source(path, problem=f"{path} is a link, and those are not followed", is_link=True)
     if entry.kind != "file":
         return Source(path, problem=f"{path} is no regular file")
     try:
