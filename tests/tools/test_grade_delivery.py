@@ -182,7 +182,8 @@ class Delivered(Finds):
                 submissions, left = self.found(path)
                 self.assertEqual((set(submissions), left), (names, set()))
                 self.assert_kicks(submissions, *names - {"Ed", "Flo", "Gus"})
-        for files in ({f"ann/{WHERE}": KICK, "ann/my/old/kick.cpp": b"old"}, {"ann/kick.cpp": KICK, "ann/drift.cpp": b"d"}):
+        for files in ({f"ann/{WHERE}": KICK, "ann/my/old/kick.cpp": b"old"}, {"ann/kick.cpp": KICK, "ann/drift.cpp": b"d"},
+                      {"ann/v1/kick.cpp": KICK, "ann/v2/kick.cpp": KICK}):
             submissions, _ = self.found(self.put({"one.zip": zipped(files)}, "one") / "one.zip")
             self.assert_kicks(submissions, "one")
             self.assertEqual(len(submissions), 1)

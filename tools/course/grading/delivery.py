@@ -167,13 +167,16 @@ def _take_folder(delivery: Delivery, folder: Path, out: Path, exercises: list[Ex
 
 def _in_root(names: list[PurePosixPath]) -> tuple[PurePosixPath, list[PurePosixPath]]:
     """Returns the folder that holds everything in an archive, if there is one, and the names in it. Who packs a folder
-    again has it in the archive."""
-    roots = {name.parts[0] for name in names if not is_litter(name) and len(name.parts) > 1}
+    again has it in the archive. A folder with two others may be one student's, with two versions."""
+    written = [name for name in names if not is_litter(name)]
+    roots = {name.parts[0] for name in written}
+    inside = [PurePosixPath(*name.parts[1:]) for name in written if len(name.parts) > 1]
+    tops = {name.parts[0] for name in inside}
     root = roots.pop() if len(roots) == 1 else ""
-    inside = [PurePosixPath(*name.parts[1:]) for name in names if name.parts[0] == root and len(name.parts) > 1]
-    is_root = root and not is_archive(root) and student_of(root, is_folder=True) is None and all(
-        len(name.parts) > 1 or is_litter(name) for name in names)
-    return (PurePosixPath(root), inside) if is_root else (PurePosixPath(), names)
+    if (not root or len(inside) < len(written) or is_archive(root) or student_of(root, is_folder=True)
+            or (len(tops) < 3 and not all(map(student_of, tops)))):
+        return PurePosixPath(), names
+    return PurePosixPath(root), inside
 
 
 def _take_archive(delivery: Delivery, archive: Path, names: list[PurePosixPath]) -> None:
