@@ -17,7 +17,7 @@ from grading.grader import Grader
 from grading.isolation import ENVIRONMENT
 from grading.judge import NOT_RUN, PASSED, TIMED_OUT, WAITED, ExerciseVerdict, Judge, TestVerdict
 from grading.names import Student
-from grading.objects import Made, _not_compiled
+from grading.objects import Made, _not_compiled, _not_linked
 from grading.pair import Ran, _only_on, _take_core, exit_code
 from grading.submission import Handed, Source
 
@@ -150,6 +150,15 @@ class Complaints(unittest.TestCase):
         ended = Ended(1, "virtual memory exhausted: Cannot allocate memory\n", False, False, 3.0)
         made = _not_compiled(exercise, Source("kick.cpp", b"A40"), Path("kick.cpp"), ended)
         self.assertIn("gave up", made.message)
+
+    def test_a_linker_is_not_quoted_on_what_is_ours(self):
+        place = "/tmp/grade-x/answers/reference/members/operations.cpp.o: in function `count': "
+        for told, reason in (("(.text+0x2): relocation truncated to fit: R_X86_64_PC32", "too large"),
+                             ("undefined reference to `mine'", "does not link"), ("final link failed", "does not link")):
+            made = _not_linked(f"{place}\n{place}{told}\n")
+            self.assertEqual((made.verdict, made.reason), ("does not compile", reason))
+            self.assertNotIn("/", made.message)
+        self.assertEqual(_not_linked(f"{place}undefined reference to `mine'").message, "undefined reference to `mine'")
 
     def test_a_long_line_is_looked_through_once(self):
         """A name of megabytes: our own paths are sought at its beginning only."""

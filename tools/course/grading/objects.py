@@ -126,13 +126,21 @@ def _link(exercise: Exercise, workshop: Workshop, isolation: Isolation, student:
         result = subprocess.run(limited, capture_output=True, text=True, errors="replace", cwd=folder)
         code, output = result.returncode, result.stdout + result.stderr
     if code != 0:
-        return Made(None, "does not compile", "does not link", "\n".join(diagnostics.first_error(output, exercise)))
+        return _not_linked(output)
     if elsewhere := _defined_elsewhere(output, wanted):
         return Made(None, "tampered", "not its own function",
                     f"The linker does not take {elsewhere} from the submission.")
     program = folder / "answer"
     program.chmod(0o755)
     return Made(program, notes=notes)
+
+
+def _not_linked(told: str) -> Made:
+    """Shows no words of the linker but a missing or doubled name: others have our own paths and functions."""
+    if "relocation truncated to fit" in told:
+        return Made(None, "does not compile", "too large", "Its arrays outside functions have more than 2 GiB together.")
+    found = diagnostics.linker_error(told) or "The linker cannot join it with the program that calls it."
+    return Made(None, "does not compile", "does not link", found[:_NAME])
 
 
 def _defined_elsewhere(told: str, wanted: set[str]) -> str:
