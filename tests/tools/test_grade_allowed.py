@@ -76,6 +76,9 @@ class Allowed(unittest.TestCase):
     def test_what_counts_operations_is_not_replaced(self):
         self.assertIn("counts", tampering(self.made("__sanitizer_cov_trace_pc: ret")))
 
+    def test_the_memory_that_it_needs(self):
+        self.assertEqual(self.made(".data\n.zero 8\n.bss\n.zero 5000000000\n.section .debug_x\n.zero 7").memory, 5_000_000_008)
+
     def test_an_object_that_is_none(self):
         file = self.folder / "made.o"
         self.made(".quad f")

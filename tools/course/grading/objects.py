@@ -25,6 +25,7 @@ from marker import is_stub
 
 # A compiler does not sleep: its limit is processor time, and the clock is far enough away that load cannot decide a mark.
 _COMPILING = Limits(cpu=30, wall=600, memory=3 << 30, files=256 << 20, processes=32, output=4 << 20)
+_MEMORY = 900 << 20  # bytes of an object, of the 1 GiB that its process may have: with more it would not start
 _STUB = "_ZTIN5spook14NotImplementedE"  # what a stub throws: not in an object whose call is in a comment or in #if 0
 STILL_A_STUB = "The file still calls not_implemented()."
 _NAMES, _NAME, _MOST_NAMES = 1 << 16, 500, 20  # characters of all names that are shown, and of one
@@ -90,6 +91,9 @@ def _from_object(exercise: Exercise, source: Source, file: Path, workshop: Works
         return Made(None, "tampered", "no object", f"{file} does not compile to an object file of this machine: {error}.")
     if is_stub(source.text) and any(symbol.name == _STUB for symbol in found.symbols):
         return Made(None, "not started", message=STILL_A_STUB)
+    if found.memory > _MEMORY:
+        return Made(None, "out of memory", "before it starts", f"{file} has arrays outside its functions of "
+                    f"{found.memory >> 20} MiB, and a test has 1024 MiB for everything.")
     refused = "" if source.is_reference else tampering(found)
     if refused:
         return Made(None, "tampered", refused, f"{file} {refused}. No exercise needs that, so it is not run.")
