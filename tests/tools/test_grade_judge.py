@@ -151,6 +151,12 @@ class Complaints(unittest.TestCase):
         made = _not_compiled(exercise, Source("kick.cpp", b"A40"), Path("kick.cpp"), ended)
         self.assertIn("gave up", made.message)
 
+    def test_a_large_array_is_no_asm_statement(self):
+        exercise = next(iter(all_exercises()))
+        for told in ("/x.s: Assembler messages:\n/x.s: Fatal error: can't write 65534 bytes to section .data of kick.o: "
+                     "'File too large'\n", "g++: internal compiler error: File size limit exceeded signal terminated program as\n"):
+            self.assertIn("more than 256 MiB", compiler_says(told, exercise, "kick.cpp", "int x;"))
+
     def test_a_linker_is_not_quoted_on_what_is_ours(self):
         place = "/tmp/grade-x/answers/reference/members/operations.cpp.o: in function `count': "
         for told, reason in (("(.text+0x2): relocation truncated to fit: R_X86_64_PC32", "too large"),
