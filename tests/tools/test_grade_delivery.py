@@ -4,6 +4,7 @@ import bz2
 import io
 import os
 import shutil
+import socket
 import subprocess
 import sys
 import tarfile
@@ -18,6 +19,7 @@ from pathlib import Path
 import sandbox  # noqa: F401
 
 from errors import BadInput, CourseError
+from exporting.grades import for_canvas, not_on_it
 from grading import reading
 from grading.archives import LARGEST, names_in
 from grading.delivery import find_submissions
@@ -321,10 +323,13 @@ class Delivered(Finds):
                            "many.zip": zipped({f"{k}/kick.cpp": KICK for k in range(8000)}), "eve.7z": b"7z"})
         (folder / "self").symlink_to("self")
         os.mkfifo(folder / "pipe.zip")
+        with socket.socket(socket.AF_UNIX) as name:
+            name.bind(str(folder / "socket.zip"))
         submissions, left = self.found(folder)
-        self.assertEqual(set(submissions), {"ann", "deep", "zeros", "names", "many", "eve", "pipe"})
+        self.assertEqual(set(submissions), {"ann", "deep", "zeros", "names", "many", "eve", "pipe", "socket"})
         self.assertEqual(left, {"self"})
         self.assert_kicks(submissions, "ann", "names", "many")
+        self.assertNotIn(str(self.root), " ".join(note for one in submissions.values() for note in one.notes))
         for name, said in (("deep", "200 archives"), ("zeros", "1024 MiB"), ("many", "only 20"), ("pipe", "regular")):
             self.assertIn(said, " ".join(submissions[name].notes))
 
@@ -682,6 +687,13 @@ class Rosters(InFolder):
                       not_graded(by_name, Class([], roster)))
         found, _, strangers = roster.matched([*by_name, self.result("ann", identifier="12")])
         self.assertEqual((list(found), strangers), (["ann"], ["Ann Lee", "Ann Lee (2)"]))
+
+    def test_a_mark_in_doubt_is_not_imported_as_none(self):
+        roster = self.roster("Student,ID\nAnn Lee,12\nBo Ek,13\nCy,14\n")
+        results = [self.result("Ann Lee"), self.result("Ann Lee (2)", "Ann Lee"), self.result("Bo Ek")]
+        rows = [line.rpartition(",")[2] for line in for_canvas(results, roster, "HW (1)").splitlines()]
+        self.assertEqual(rows, ["HW (1)", "5", "", "3", "0"])
+        self.assertIn("also claims Ann Lee", not_on_it(results, roster)["Ann Lee (2)"])
 
     def test_a_number_of_two_rows_is_that_of_none(self):
         roster = self.roster("Number,Name,ID\n12,Ann Lee,1\n2,Bo Ek,12\n")
