@@ -98,6 +98,11 @@ class _Unpacking(io.RawIOBase):
         return self._source.tell()
 
 
+def cause(error: Exception) -> str:
+    """Returns the cause in a few words, without the path on the instructor's machine that the system adds."""
+    return (isinstance(error, OSError) and error.strerror) or str(error) or type(error).__name__
+
+
 def is_archive(name: str) -> bool:
     return name.lower().endswith(_ZIP + _TAR + _SEVEN + _NOT_READ[:1])
 
@@ -194,7 +199,7 @@ def _expanded(entries: Iterator[Entry], depth: int, budget: _Budget) -> Iterator
             raise
         except Exception as error:  # a damaged archive has the library raise whatever its decoders do
             yield Entry(entry.path, "damaged", 0, lambda: b"", f"{entry.path} cannot be read: "
-                        f"{str(error) or type(error).__name__}")
+                        f"{cause(error)}")
 
 
 def _of_folder(root: Path) -> Iterator[Entry]:

@@ -4,7 +4,7 @@ import re
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 
-from grading.archives import LARGEST, Entry, entries_of
+from grading.archives import LARGEST, Entry, cause, entries_of
 from grading.names import Student, attempt_of, student_of, unseen_removed, unseen_shown
 from manifest import Exercise, all_exercises
 from marker import is_stub
@@ -86,7 +86,7 @@ def read_submission(handed: Handed, exercises: list[Exercise]) -> Submission:
                     entry = _moved(entry, "/".join(entry.path.parts[len(PurePosixPath(place.inside).parts):]))
                 _look(submission, entry, attempt_of(place.name), exercises, seen, found)
         except Exception as error:  # a damaged archive has the library raise whatever its decoders do
-            submission.notes.append(f"{place.path.name} cannot be read: {str(error) or type(error).__name__}")
+            submission.notes.append(f"{place.path.name} cannot be read: {cause(error)}")
     for function, candidates in found.items():
         _choose(submission, function, candidates)
     if not found:
@@ -206,7 +206,7 @@ def _read(entry: Entry) -> Source:
     try:
         content = entry.read() if entry.size <= LARGEST else b"x" * (LARGEST + 1)
     except Exception as error:  # as above
-        return Source(path, problem=f"{path} cannot be read: {error}")
+        return Source(path, problem=f"{path} cannot be read: {cause(error)}")
     if len(content) > LARGEST:
         return Source(path, problem=f"{path} is larger than {LARGEST >> 10} KiB")
     return Source(path, _as_utf_8(content))
