@@ -25,6 +25,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <iterator>
+#include <mutex>
 
 namespace spook::remote {
 
@@ -146,6 +147,8 @@ __attribute__((constructor(101))) void begin_before_the_students_code() {
 
 ForceField force_of_the_tests() {
   return [](std::size_t i, const std::vector<Vec3>& x) {
+    static std::mutex asking;  // of threads that ask at once each has its own answer
+    const std::lock_guard one_at_a_time(asking);
     std::string bytes;
     Writer writer(bytes);
     auto positions = x;
