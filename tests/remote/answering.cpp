@@ -4,7 +4,7 @@
 //
 // A process of its own answers for each test. It is forked before the student's constants are made, so none of the
 // student's code ever runs in the process that measures its time and reports its end. It may start threads, but no
-// processes, so the limit of its memory is the limit of everything it does.
+// processes, so the limit of its memory is the limit of everything it does. It cannot look into other processes.
 #include "answering.hpp"
 
 #include <linux/audit.h>
@@ -25,6 +25,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <iterator>
+#include <mutex>
 
 namespace spook::remote {
 
@@ -55,8 +56,9 @@ constexpr int not_asked = 97;
   _exit(0);
 }
 
-/// Makes the kernel refuse new processes and programs, by any call. Kernels without filters are unchanged.
-void start_no_process() {
+/// Makes the kernel refuse new processes and programs, and access to the memory and descriptors of others, by any call.
+/// Kernels without filters are unchanged.
+void keep_to_itself() {
 #if defined(__x86_64__) || defined(__aarch64__)
   constexpr auto load = [](std::size_t offset) -> sock_filter {
     return BPF_STMT(BPF_LD | BPF_W | BPF_ABS, static_cast<unsigned>(offset));
@@ -81,6 +83,14 @@ void start_no_process() {
       unless(SYS_execve),
       result(SECCOMP_RET_ERRNO | EPERM),
       unless(SYS_execveat),
+      result(SECCOMP_RET_ERRNO | EPERM),
+      unless(SYS_ptrace),
+      result(SECCOMP_RET_ERRNO | EPERM),
+      unless(SYS_process_vm_readv),
+      result(SECCOMP_RET_ERRNO | EPERM),
+      unless(SYS_process_vm_writev),
+      result(SECCOMP_RET_ERRNO | EPERM),
+      unless(SYS_pidfd_getfd),
       result(SECCOMP_RET_ERRNO | EPERM),
       unless(SYS_clone3),  // clone3, whose flags a filter cannot read: the library then calls clone
       result(SECCOMP_RET_ERRNO | ENOSYS),
@@ -109,6 +119,7 @@ Ending wait_for(pid_t process) {
 
 /// Returns in the answering processes, one for each test, and exits when there are no more tests.
 void begin_each_test_apart() {
+  prctl(PR_SET_DUMPABLE, 0);  // an answering process, which inherits this, may not look into this one
   try {
     for (;;) {
       const Message message = receive();
@@ -116,7 +127,7 @@ void begin_each_test_apart() {
       if (message.kind != Kind::begin) continue;  // sent to a process that has ended
       send(Kind::begun);
       const pid_t process = fork();
-      if (process == 0) return start_no_process();
+      if (process == 0) return keep_to_itself();
       const Ending ending = wait_for(process);
       std::string bytes(sizeof ending, '\0');
       std::memcpy(bytes.data(), &ending, sizeof ending);
@@ -136,6 +147,8 @@ __attribute__((constructor(101))) void begin_before_the_students_code() {
 
 ForceField force_of_the_tests() {
   return [](std::size_t i, const std::vector<Vec3>& x) {
+    static std::mutex asking;  // of threads that ask at once each has its own answer
+    const std::lock_guard one_at_a_time(asking);
     std::string bytes;
     Writer writer(bytes);
     auto positions = x;

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import sandbox  # noqa: F401
 
-from grading.allowed import not_allowed, tampering
+from grading.allowed import not_allowed, shown, tampering
 from grading.elf import TooLarge, Unreadable, read_object
 
 COURSE = frozenset({"_ZN5spook5driftERKN5Eigen6MatrixE"})
@@ -21,7 +21,7 @@ class Allowed(unittest.TestCase):
 
     def made(self, assembly: str):
         file = self.folder / "made.o"
-        subprocess.run(["as", "-o", str(file), "-"], input=assembly + "\n", text=True, check=True)
+        subprocess.run(["as", "-o", str(file), "-"], input=(assembly + "\n").encode(errors="surrogateescape"), check=True)
         return read_object(file)
 
     def test_sections(self):
@@ -33,6 +33,16 @@ class Allowed(unittest.TestCase):
                                  (".interp", True), (".dynamic", True), ("hidden", True), (".textual", True)):
             with self.subTest(section):
                 self.assertEqual(bool(tampering(self.made(f'.section {section},"a"\n.long 0'))), refused)
+
+    def test_names_of_any_bytes_are_shown_in_a_few_letters(self):
+        for name in ("x\udcff", "x\x1b[31m", "x\\n| 5 of 5 |", "x`<b>", "x" * 9999, "xÖ"):
+            for assembly in (f'.section "{name}","a"\n.long 0', f'.quad "{name}"', f'.weak "{name}"\n.quad "{name}"',
+                             f'.comm "{name}",8'):
+                with self.subTest(assembly[:99]):
+                    made = self.made(assembly)
+                    told = tampering(made) or shown(not_allowed(made, COURSE))
+                    self.assertRegex(told, r"\A[\w.$@ ?',()-]{2,160}\Z")
+                    self.assertTrue(told.isascii(), told)
 
     def test_calls(self):
         for name in ("fork", "_Fork", "fexecve", "pkey_mprotect", "execveat", "posix_spawn", "socket",
@@ -66,6 +76,9 @@ class Allowed(unittest.TestCase):
     def test_what_counts_operations_is_not_replaced(self):
         self.assertIn("counts", tampering(self.made("__sanitizer_cov_trace_pc: ret")))
 
+    def test_the_memory_that_it_needs(self):
+        self.assertEqual(self.made(".data\n.zero 8\n.bss\n.zero 5000000000\n.section .debug_x\n.zero 7").memory, 5_000_000_008)
+
     def test_an_object_that_is_none(self):
         file = self.folder / "made.o"
         self.made(".quad f")
@@ -86,12 +99,13 @@ class Allowed(unittest.TestCase):
                      "pthread_create", "_ZN5spook5driftERKN5Eigen6MatrixE", "clock_gettime",
                      "_ZNSt6thread4joinEv", "__muldc3",
                      "getpid", "isatty", "asprintf", "fesetround", "drem", "lgamma_r", "lgammaf_r",
-                     "getline", "getrusage", "strcasecmp"):
+                     "getline", "getrusage", "strcasecmp", "isupper", "localtime_r", "mbstowcs", "strtok_r", "remove",
+                     "__gttf2", "__unordtf2", "__cpu_model"):
             with self.subTest(name):
                 made = self.made(f".quad {name}")
                 self.assertEqual((tampering(made), not_allowed(made, COURSE)), ("", ""))
         for name in ("setenv", "_ZN5spook6secretEv", "_ZN5spook5driftEv", "my_own", "chmod", "signal", "sigaction",
-                     "longjmp", "mmap", "backtrace", "environ"):
+                     "longjmp", "mmap", "backtrace", "environ", "__getauxval", "__netf2x"):
             made = self.made(f".quad {name}")
             self.assertEqual((tampering(made), not_allowed(made, COURSE)), ("", name))
 

@@ -4,7 +4,7 @@ import platform
 import unittest
 from pathlib import Path
 
-from classroom import Classroom, corpus, right
+from classroom import Classroom, beginning_with, corpus, right
 from sandbox import all_exercises
 
 
@@ -18,6 +18,11 @@ class GradeCorpus(unittest.TestCase):
         cls.functions = [exercise.function for exercise in all_exercises() if exercise.chapter == 1]
         for style in ("reference", "components", "folded"):
             cls.room.hand_in(f"style {style}", {f"{name}.cpp": right(name, style) for name in cls.functions})
+        cls.room.hand_in("forces from threads", {"leapfrog_step.cpp": "#include <thread>\n" + beginning_with(
+            "static bool again = false;\n"
+            "  auto ask = [&] { for (int k = 0; k < 99; ++k) force(0, bodies.x); };\n"
+            "  if (!again) { std::thread one(ask), other(ask); one.join(); other.join(); }\n"
+            "  again = true;", "leapfrog_step")})
         cls.marks = cls.room.grade()
 
     def test_every_answer_gets_its_verdict(self):
@@ -33,6 +38,9 @@ class GradeCorpus(unittest.TestCase):
             result = self.marks.result(f"style {style}")
             self.assertEqual(result["score"], result["max_score"], style)
             self.assertEqual({exercise["state"] for exercise in result["exercises"]}, {"done"})
+
+    def test_threads_may_ask_for_forces_at_once(self):
+        self.assertEqual(self.marks.verdicts("forces from threads", "leapfrog_step"), {"passed"})
 
     def test_an_exercise_counts_when_it_is_right(self):
         for name in corpus():
@@ -74,7 +82,7 @@ class GradeCorpus(unittest.TestCase):
 
     def test_the_class_is_counted(self):
         rows = (self.marks.folder / "grades.csv").read_text(encoding="utf-8").splitlines()
-        self.assertEqual(len(rows), 1 + len(corpus()) + 3)
+        self.assertEqual(len(rows), 1 + len(corpus()) + 4)
         counts = (self.marks.folder / "tests.csv").read_text(encoding="utf-8").splitlines()
         header, first = counts[0].split(","), counts[1].split(",")
         self.assertEqual(sum(map(int, first[1:])), len(rows) - 1)

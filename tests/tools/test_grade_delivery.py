@@ -4,10 +4,12 @@ import bz2
 import io
 import os
 import shutil
+import socket
 import subprocess
 import sys
 import tarfile
 import tempfile
+import time
 import unittest
 import unittest.mock
 import zipfile
@@ -17,15 +19,17 @@ from pathlib import Path
 import sandbox  # noqa: F401
 
 from errors import BadInput, CourseError
+from exporting.grades import for_canvas, not_on_it
 from grading import reading
-from grading.archives import LARGEST
+from grading.archives import LARGEST, names_in
 from grading.delivery import find_submissions
 from grading.merge import merge, missing_shards, set_aside, write_delivery
-from grading.gradebook import Class, cell, not_graded
-from grading.names import Student, safe, student_of
+from grading.gradebook import Class, _write_grades, cell, not_graded
+from grading.names import Student, attempt_of, safe, student_of, unseen_shown
 from grading.results import SCHEMA, folder_of, write_json
 from grading.roster import read_roster
 from grading.submission import Handed, Place, read_submission
+from grading.text import clean
 from manifest import all_exercises
 
 KICK, WHERE = b"Vec3 kick;", "chapters/01_leapfrog/kick.cpp"
@@ -127,6 +131,32 @@ class Delivered(Finds):
             self.assertEqual((set(submissions), left), ({"leeann", "bo"}, set()))
             self.assert_kicks(submissions, "leeann", "bo")
 
+    def test_logins_on_blackboard_may_have_what_stands_before_them(self):
+        names = [f"Home_work 1_{login}_attempt_2026-11-20-10-11-12_kick.cpp" for login in ("ann_lee", "bob_lee", "cy")]
+        whole = self.root / "gradebook.zip"
+        whole.write_bytes(zipped(dict.fromkeys(names, KICK)))
+        for path in (self.put(dict.fromkeys(names, KICK)), whole):
+            submissions, _ = self.found(path)
+            self.assertEqual(set(submissions), {"ann_lee", "bob_lee", "cy"})
+            self.assert_kicks(submissions, *submissions)
+
+    def test_nobody_takes_anothers_place_on_moodle_by_a_name(self):
+        """Students may choose their own names, and those of their files."""
+        folders = {f"Bo Ek_102_assignsubmission_file_/{WHERE}": KICK,
+                   "Bo Ek_102_assignsubmission_file_x_105_assignsubmission_file_/kick.cpp": b"hers"}
+        files = {"Bo Ek_102_assignsubmission_file_kick.cpp": KICK,
+                 "Bo Ek_102_assignsubmission_file_a_105_assignsubmission_file_kick.cpp": b"hers",
+                 "Cy_103_assignsubmission_file_Cy_103_assignsubmission_file_kick.cpp": KICK}
+        for kind, delivered in (("folders", folders), ("files", files)):
+            whole = self.root / f"{kind}.zip"
+            whole.write_bytes(zipped(delivered))
+            for path in (self.put(delivered, kind), whole):
+                submissions, _ = self.found(path)
+                self.assertEqual(len(submissions), len(delivered))
+                by_number = {one.student.identifier: one for one in submissions.values()}
+                self.assertEqual(by_number["102"].sources["kick"].content, KICK)
+                self.assertEqual("103" in by_number, kind == "files")
+
     def test_brightspace(self):
         submissions, left = self.found(self.put({
             "12-9 - Ann Lee - Nov 2, 2026 1011 AM/kick.cpp": b"old",
@@ -136,6 +166,29 @@ class Delivered(Finds):
         self.assertEqual((set(submissions), left), ({"Ann Lee", "Bo - Ek"}, {"index.html"}))
         self.assert_kicks(submissions, "Ann Lee", "Bo - Ek")
         self.assertEqual(submissions["Ann Lee"].student.identifier, "12")
+
+    def test_brightspace_in_another_language(self):
+        submissions, _ = self.found(self.put({"12-9 - Ann Lee - 20 nov. 2026 1011/kick.cpp": KICK,
+                                              "13-9 - Bo - 3 - 20 nov. 2026 911/kick.cpp": KICK}))
+        self.assertEqual({name: one.student.identifier for name, one in submissions.items()},
+                         {"Ann Lee": "12", "Bo - 3": "13"})
+        self.assertEqual(attempt_of("12-9 - Ann Lee - 20 nov. 2026 1011"), "")
+
+    def test_a_class_that_was_packed_again_has_a_folder_above(self):
+        kicks = {f"s{k:02d}.zip": zipped({WHERE: KICK}) for k in range(25)}
+        for files, names in ((self.MOODLE, {"Åsa Öberg", "Bo Ek", "Cy", "Di", "Ed", "Flo", "Gus"}),
+                             (kicks, {name[:3] for name in kicks})):
+            packed = self.put({"class.zip": zipped({f"HW 1/{name}": content for name, content in files.items()}
+                                                   | {"__MACOSX/._HW 1": b""})}, f"{len(files)}") / "class.zip"
+            for path in (packed, packed.parent):
+                submissions, left = self.found(path)
+                self.assertEqual((set(submissions), left), (names, set()))
+                self.assert_kicks(submissions, *names - {"Ed", "Flo", "Gus"})
+        for files in ({f"ann/{WHERE}": KICK, "ann/my/old/kick.cpp": b"old"}, {"ann/kick.cpp": KICK, "ann/drift.cpp": b"d"},
+                      {"ann/v1/kick.cpp": KICK, "ann/v2/kick.cpp": KICK}):
+            submissions, _ = self.found(self.put({"one.zip": zipped(files)}, "one") / "one.zip")
+            self.assert_kicks(submissions, "one")
+            self.assertEqual(len(submissions), 1)
 
     def test_the_last_attempt_on_canvas_counts(self):
         submissions, _ = self.found(self.put({
@@ -171,6 +224,11 @@ class Delivered(Finds):
             submissions, _ = self.found(self.put({f"ann/{name}": KICK}, name))
             self.assert_kicks(submissions, "ann")
             self.assertEqual(submissions["ann"].notes, [f"taken for kick: {name}"])
+        for name in ("kick\u200b.cpp", "\u200ekick.cpp", "\uff4bick.cpp", "kick\uff0ecpp"):
+            submissions, _ = self.found(self.put({f"ann/{name}": KICK}, ascii(name)))
+            self.assert_kicks(submissions, "ann")
+            self.assertEqual(submissions["ann"].notes, [f"taken for kick: {unseen_shown(name)}"])
+            self.assertNotRegex(submissions["ann"].notes[0], "[\u200b\u200e]")
         for name in ("kick.md", "kick.hpp", "kicks.cpp", "notes.txt", "final.cpp"):
             submissions, _ = self.found(self.put({f"ann/{name}": KICK}, name))
             self.assertEqual(submissions["ann"].sources, {}, name)
@@ -196,6 +254,33 @@ class Delivered(Finds):
                               ("a.tar.xz", tarred({WHERE: KICK}, "xz")), ("a.tgz", tarred({"kick.cpp": KICK}, "gz"))):
             submissions, _ = self.found(self.put({name: content}, name) / name)
             self.assert_kicks(submissions, "a")
+
+    def test_archives_under_names_of_others(self):
+        for name, content in (("a.zip", tarred({WHERE: KICK}, "gz")), ("a.tar.gz", zipped({WHERE: KICK})),
+                              ("a.tar", tarred({WHERE: KICK}, "xz")), ("a.rar", zipped({WHERE: KICK}))):
+            submissions, _ = self.found(self.put({name: content, "b/kick.cpp": KICK}, f"renamed {name}"))
+            self.assert_kicks(submissions, "a")
+        submissions, _ = self.found(self.put({"a.zip": b"Rar!\x1a\7\0" + bytes(99)}, "a rar") / "a.zip")
+        self.assertIn("this kind of archive is not read", submissions["a"].notes[0])
+
+    def test_one_odd_member_of_a_zip_hides_no_other(self):
+        nameless, locked = io.BytesIO(), zipped({WHERE: KICK})
+        with zipfile.ZipFile(nameless, "w") as archive:
+            for name in ("x", "/", ".", WHERE):
+                archive.writestr(name, KICK)
+            archive.filelist[0].filename = ""
+        at = locked.index(b"PK\1\2") + 8
+        submissions, _ = self.found(self.put({"a.zip": nameless.getvalue(),
+                                              "b.zip": locked[:at] + b"\1" + locked[at + 1:]}))
+        self.assert_kicks(submissions, "a")
+        self.assertEqual(submissions["b"].sources["kick"].problem, f"{WHERE} cannot be read: it is encrypted")
+
+    def test_many_files_of_no_exercise_cost_little(self):
+        folder = self.put({f"ann/{k}.txt": b"" for k in range(5000)})
+        begun = time.process_time()
+        submissions, _ = self.found(folder)
+        self.assertIn("no file of an exercise", submissions["ann"].notes[0])
+        self.assertLess(time.process_time() - begun, 5)
 
     def test_seven_zip(self):
         if not shutil.which("bsdtar"):
@@ -238,12 +323,42 @@ class Delivered(Finds):
                            "many.zip": zipped({f"{k}/kick.cpp": KICK for k in range(8000)}), "eve.7z": b"7z"})
         (folder / "self").symlink_to("self")
         os.mkfifo(folder / "pipe.zip")
+        with socket.socket(socket.AF_UNIX) as name:
+            name.bind(str(folder / "socket.zip"))
         submissions, left = self.found(folder)
-        self.assertEqual(set(submissions), {"ann", "deep", "zeros", "names", "many", "eve", "pipe"})
+        self.assertEqual(set(submissions), {"ann", "deep", "zeros", "names", "many", "eve", "pipe", "socket"})
         self.assertEqual(left, {"self"})
         self.assert_kicks(submissions, "ann", "names", "many")
+        self.assertNotIn(str(self.root), " ".join(note for one in submissions.values() for note in one.notes))
         for name, said in (("deep", "200 archives"), ("zeros", "1024 MiB"), ("many", "only 20"), ("pipe", "regular")):
             self.assertIn(said, " ".join(submissions[name].notes))
+
+    def test_what_cannot_be_looked_at_stops_nobody(self):
+        """Folders that may not be listed, and files that are removed in the meantime."""
+        folder = self.put({f"ann/{WHERE}": KICK, f"bo/{WHERE}": KICK, "bo/shut/kick.cpp": KICK, "bo/gone.cpp": b"x"})
+        lists, looks = os.scandir, Path.lstat
+
+        def scandir(path):
+            if str(path).endswith("shut"):
+                raise PermissionError(13, "Permission denied", path)
+            return lists(path)
+
+        def lstat(path):
+            if path.name == "gone.cpp":
+                raise FileNotFoundError(2, "No such file or directory", str(path))
+            return looks(path)
+        with unittest.mock.patch("os.scandir", scandir), unittest.mock.patch.object(Path, "lstat", lstat):
+            submissions, _ = self.found(folder)
+        self.assert_kicks(submissions, "ann", "bo")
+        self.assertEqual(submissions["bo"].notes, ["gone.cpp cannot be read: No such file or directory",
+                                                   "shut cannot be read: Permission denied"])
+
+    def test_a_folder_whose_name_is_no_text_stops_nobody(self):
+        folder = self.put({f"{os.fsdecode(bytes([220]))}bung/{name}": KICK for name in
+                           ("ann/kick.cpp", "bo/kick.cpp", "notes.pdf")})
+        delivery = find_submissions([folder], self.root / "out")
+        write_delivery(self.root / "out", [one.name for one in delivery.handed], delivery.left_out, (1, 1))
+        self.assertEqual([one.name for one in delivery.handed], ["ann", "bo"])
 
     def test_one_in_a_class_zip_stops_nobody(self):
         """Each is read for itself, and has a budget of its own, however many there are."""
@@ -256,6 +371,16 @@ class Delivered(Finds):
         read = [read_submission(one, all_exercises()) for one in (delivery.handed[0], delivery.handed[-1])]
         self.assertIn("200 archives", read[0].notes[0])
         self.assertEqual((read[1].sources["kick"].content, read[1].notes), (KICK, []))
+
+    def test_a_class_zip_is_opened_to_a_limit_of_each_student(self):
+        one = zipped({WHERE: KICK})
+        hers, others = {f"eve/{k}/x.zip": one for k in range(50)}, {f"ann/{k}.zip": one for k in range(5)}
+        for above in ("", "HW/"):
+            path = self.root / "class.zip"
+            path.write_bytes(zipped({f"{above}{name}": content for name, content in (hers | others).items()}))
+            opened = [name for name in names_in(path, opened=True) if name.name == "kick.cpp"]
+            self.assertEqual(sum("eve" in name.parts for name in opened), 20)
+            self.assertEqual(sum("ann" in name.parts for name in opened), 5)
 
     def test_a_path_that_is_too_long_to_ask_for_stops_nobody(self):
         """Folders within folders, each with a name as long as may be: no call takes the whole path."""
@@ -347,6 +472,13 @@ submission_13:
         self.assertEqual(submissions["Bo O_Ek"].student, Student("Bo O'Ek", "bo@example.edu"))
         self.assertEqual(left, set())
 
+    def test_nobody_is_combined_with_another_of_the_same_name_and_number(self):
+        """Students may choose both."""
+        text = b"".join(b"submission_%d:\n  :submitters:\n  - :name: Bo\n    :sid: '7'\n" % k for k in (9, 10))
+        submissions, _ = self.found(self.put({"submission_metadata.yml": text, f"submission_9/{WHERE}": KICK,
+                                              "submission_10/kick.cpp": b"hers"}))
+        self.assertEqual({one.sources["kick"].content for one in submissions.values()}, {KICK, b"hers"})
+
     def test_one_that_is_packed_is_to_be_unpacked(self):
         packed = self.root / "export.zip"
         packed.write_bytes(zipped({"assignment_1/submission_metadata.yml": self.METADATA,
@@ -383,7 +515,8 @@ class Doubts(Finds):
 
     def test_a_class_is_not(self):
         for files in (Delivered.MOODLE, {"ann/kick.cpp": KICK, "bo/kick.cpp": KICK, "cy/essay.docx": b"x"},
-                      {WHERE: KICK}, {"ann.zip": zipped({WHERE: KICK}), "bo.rar": b"x"}):
+                      {WHERE: KICK}, {"ann.zip": zipped({WHERE: KICK}), "bo.rar": b"x"},
+                      {f"HW_ann_attempt_2026-11-20-10-11-12{end}": KICK for end in (".txt", "_kick.cpp")}):
             folder = self.put(files)
             self.assertEqual(self.doubts(folder), [])
             shutil.rmtree(folder)
@@ -409,6 +542,11 @@ class Told(Finds):
         note, = self.notes({"chapters/work.rar": b"Rar!"})
         self.assertIn("this kind of archive is not read", note)
         self.assertIn("chapters/essay.txt", self.notes({"chapters/essay.txt": b"x"})[0])
+
+    def test_what_steers_a_reader_is_not_shown(self):
+        for steering in ("\x1b[31m", "\x07", "\u202e", "\u2067", "\u200f", "\u061c", "\ufffa", "\U000e0041", "\x9b"):
+            self.assertEqual(clean(f"a{steering}b"), "ab", ascii(steering))
+        self.assertEqual(clean("می\u200cخواهم\n"), "می\u200cخواهم\n")
 
     def test_twins_are_told_of_each_other(self):
         names = ("Ann Lee", "Ann\u200b Lee", "\u0410nn L\u0435e", "Ann\u3164 Lee", "Anna Lee")
@@ -496,9 +634,15 @@ class Names(Finds):
                     folder_of(self.root, one)
 
     def test_a_cell_is_no_formula_wherever_a_cell_ends(self):
-        for text in ("=1", "x;=1", 'x; "=1', "x,@y", "-1", "x;+1"):
+        for text in ("=1", "x;=1", 'x; "=1', "x,@y", "-1", "x;+1", "\uff1d1", "x;\uff20y"):
             for part in cell(text).replace(",", ";").split(";"):
-                self.assertNotRegex(part, r'\A[\s"]*[=+@-]', text)
+                self.assertNotRegex(part, r'\A[\s"]*[=+@\uff1d\uff0b\uff0d\uff20-]', text)
+
+    def test_a_number_that_a_student_chose_is_no_formula(self):
+        result = {"submission": "bo", "student": "Bo", "identifier": "=1+1", "late": False, "score": 0, "max_score": 1,
+                  "notes": [], "exercises": []}
+        _write_grades(self.root / "grades.csv", [result], Class())
+        self.assertIn(",'=1+1,", (self.root / "grades.csv").read_text())
 
 
 class Rosters(InFolder):
@@ -532,6 +676,30 @@ class Rosters(InFolder):
             line = next(line for line in lines if line.startswith(f"{name}: its number"))
             self.assertTrue("Ann Lee" in line and "Bo Ek" in line, line)
 
+    def test_a_row_that_two_claim_is_given_to_the_one_with_its_number_or_to_none(self):
+        roster = self.roster("Name,ID\nAnn Lee,12\nBo Ek,13\n")
+        by_name = [self.result("Ann Lee"), self.result("Ann Lee (2)", "Ann Lee")]
+        found, missing, strangers = roster.matched(by_name)
+        self.assertEqual((found, len(missing), strangers), ({}, 2, ["Ann Lee", "Ann Lee (2)"]))
+        self.assertIn("Ann Lee (2): another submission also claims Ann Lee on the roster; decide whose it is",
+                      not_graded(by_name, Class([], roster)))
+        self.assertIn("Ann Lee: on the roster, and no submission is certain to be theirs",
+                      not_graded(by_name, Class([], roster)))
+        found, _, strangers = roster.matched([*by_name, self.result("ann", identifier="12")])
+        self.assertEqual((list(found), strangers), (["ann"], ["Ann Lee", "Ann Lee (2)"]))
+
+    def test_a_mark_in_doubt_is_not_imported_as_none(self):
+        roster = self.roster("Student,ID\nAnn Lee,12\nBo Ek,13\nCy,14\n")
+        results = [self.result("Ann Lee"), self.result("Ann Lee (2)", "Ann Lee"), self.result("Bo Ek")]
+        rows = [line.rpartition(",")[2] for line in for_canvas(results, roster, "HW (1)").splitlines()]
+        self.assertEqual(rows, ["HW (1)", "5", "", "3", "0"])
+        self.assertIn("also claims Ann Lee", not_on_it(results, roster)["Ann Lee (2)"])
+
+    def test_a_number_of_two_rows_is_that_of_none(self):
+        roster = self.roster("Number,Name,ID\n12,Ann Lee,1\n2,Bo Ek,12\n")
+        self.assertEqual(roster.matched([self.result("x", identifier="12")])[0], {})
+        self.assertEqual(roster.matched([self.result("Bo Ek", identifier="12")])[0]["Bo Ek"]["Name"], "Bo Ek")
+
     def test_as_spreadsheets_write_it(self):
         text = "Last name;First name;ID\nÖberg;Åsa;12\nLee;Ann;13\n"
         for encoding in ("utf-8", "utf-8-sig", "utf-16", "utf-16-le", "latin-1"):
@@ -543,6 +711,38 @@ class Rosters(InFolder):
     def test_github_classroom(self):
         roster = self.roster('"identifier","github_username","github_id","name"\n"Ann Lee","annl","77",""\n')
         self.assertEqual(list(roster.matched([self.result("annl")])[0]), ["annl"])
+
+    def test_gradescopes_numbers_and_addresses(self):
+        """A number may have letters, and who has none is known by the address."""
+        roster = self.roster("Name,ID,Email\nAnn Lee,s-1234,ann@x.edu\nBo Ek,s-77,bo23@x.edu\nCy,23,cy@x.edu\n")
+        results = [self.result("A. L.", identifier="s-1234"), self.result("Bobby", identifier="BO23@x.edu"),
+                   self.result("Dee", identifier="dee23@y.edu")]
+        found, missing, strangers = roster.matched(results)
+        self.assertEqual({name: row["Name"] for name, row in found.items()}, {"A. L.": "Ann Lee", "Bobby": "Bo Ek"})
+        self.assertEqual(([row["Name"] for row in missing], strangers), (["Cy"], ["Dee"]))
+
+    def test_github_classrooms_folders_begin_with_the_assignment(self):
+        roster = self.roster('"identifier","github_username","github_id","name"\n"Ann Lee","annl","77",""\n'
+                             '"Bo Ek","Bo-Ek","78",""\n"Eve","eve-annl","79",""\n"Cy","","",""\n')
+        names = ("hw-1-annl", "hw-1-bo-ek-main", "hw-1-eve-annl", "hw-1-zed")
+        found, _, strangers = roster.matched([self.result(name) for name in names])
+        self.assertEqual({name: row["identifier"] for name, row in found.items()},
+                         dict(zip(names, ("Ann Lee", "Bo Ek", "Eve"))))
+        self.assertEqual(strangers, ["hw-1-zed"])
+
+    def test_moodle_may_hide_the_names(self):
+        for text in ("Identifier,Full name,Grade\nParticipant 101,,\nParticipant 102,,\n",
+                     "Identifier,Grade\nParticipant 101,\nParticipant 102,\n"):
+            roster = self.roster(text)
+            found, missing, _ = roster.matched([self.result("Participant_101", identifier="101")])
+            self.assertEqual((len(found), [roster.name_of(row) for row in missing]), (1, ["Participant 102"]))
+
+    def test_what_spreadsheets_write_above_the_titles(self):
+        for above in ("sep=;\n", "\n\n", " \r\nsep=;\r\n"):
+            roster = self.roster(f"{above}E-Mail;Name\nann@x.edu;Ann\n")
+            self.assertEqual(list(roster.matched([self.result("A", identifier="ann@x.edu")])[0]), ["A"])
+        with self.assertRaisesRegex(BadInput, "is a spreadsheet; save it as CSV"):
+            read_roster(self.put({"roster.csv": b"PK\3\4" + bytes(99)}) / "roster.csv")
 
     def test_what_is_none_is_said(self):
         for text in ("", "a,b\n1,2\n"):
@@ -569,6 +769,10 @@ class Records(InFolder):
         self.assertEqual(missing_shards(folders), ["2/3"])
         self.assertEqual(left_out, [("x", "why"), ("s1", "its shard is not done: 2/3"),
                                     ("s4", "its shard is not done: 2/3")])
+
+    def test_a_result_with_bytes_that_are_no_text_is_written(self):
+        write_json(self.root / "results.json", {"message": "a section x\udcff"})
+        self.assertEqual((self.root / "results.json").read_text(encoding="utf-8"), '{\n "message": "a section x?"\n}\n')
 
     def test_who_is_removed_leaves_the_results(self):
         folder = self.graded(1, ["ann", "bo"], count=1)

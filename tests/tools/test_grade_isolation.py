@@ -152,6 +152,8 @@ class ReadVerdict(unittest.TestCase):
     def test_without_a_verdict(self):
         self.assertEqual(self.read(code=0), "ended early: exit code 0")
         self.assertEqual(self.read(code=3), "ended early: exit code 3")
+        self.assertIn("Does it call exit?", read_verdict(Ran(code=0), 10)[2][0])
+        self.assertIn("far too large", read_verdict(Ran(code=97), 10)[2][0])
         self.assertEqual(self.read(code=-signal.SIGSEGV), "crashed: SIGSEGV")
         self.assertEqual(self.read(code=128 + signal.SIGFPE), "crashed: SIGFPE")
         self.assertEqual(self.read(code=128 + signal.SIGXCPU), "timed out: looped")

@@ -17,7 +17,7 @@ from grading.grader import Grader
 from grading.isolation import ENVIRONMENT
 from grading.judge import NOT_RUN, PASSED, TIMED_OUT, WAITED, ExerciseVerdict, Judge, TestVerdict
 from grading.names import Student
-from grading.objects import Made, _not_compiled
+from grading.objects import Made, _not_compiled, _not_linked
 from grading.pair import Ran, _only_on, _take_core, exit_code
 from grading.submission import Handed, Source
 
@@ -151,6 +151,21 @@ class Complaints(unittest.TestCase):
         made = _not_compiled(exercise, Source("kick.cpp", b"A40"), Path("kick.cpp"), ended)
         self.assertIn("gave up", made.message)
 
+    def test_a_large_array_is_no_asm_statement(self):
+        exercise = next(iter(all_exercises()))
+        for told in ("/x.s: Assembler messages:\n/x.s: Fatal error: can't write 65534 bytes to section .data of kick.o: "
+                     "'File too large'\n", "g++: internal compiler error: File size limit exceeded signal terminated program as\n"):
+            self.assertIn("more than 256 MiB", compiler_says(told, exercise, "kick.cpp", "int x;"))
+
+    def test_a_linker_is_not_quoted_on_what_is_ours(self):
+        place = "/tmp/grade-x/answers/reference/members/operations.cpp.o: in function `count': "
+        for told, reason in (("(.text+0x2): relocation truncated to fit: R_X86_64_PC32", "too large"),
+                             ("undefined reference to `mine'", "does not link"), ("final link failed", "does not link")):
+            made = _not_linked(f"{place}\n{place}{told}\n")
+            self.assertEqual((made.verdict, made.reason), ("does not compile", reason))
+            self.assertNotIn("/", made.message)
+        self.assertEqual(_not_linked(f"{place}undefined reference to `mine'").message, "undefined reference to `mine'")
+
     def test_a_long_line_is_looked_through_once(self):
         """A name of megabytes: our own paths are sought at its beginning only."""
         exercise = next(iter(all_exercises()))
@@ -159,6 +174,14 @@ class Complaints(unittest.TestCase):
         said = compiler_says(told, exercise, file, "int x;")
         self.assertTrue(said.startswith(f"{file}:1:1: error: 'aaa"))
         self.assertLess(len(said), 1000)
+
+
+class Messages(unittest.TestCase):
+    def test_one_for_all_tests_of_an_exercise_is_cut(self):
+        exercise = next(iter(all_exercises()))
+        with tempfile.TemporaryDirectory() as folder:
+            judged = Judges(Path(folder), []).judge(exercise, Source("kick.cpp", problem="x" * 999_999), None)
+        self.assertLess(len(judged.tests[0].message), 99_999)
 
 
 class OneCore(unittest.TestCase):

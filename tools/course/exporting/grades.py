@@ -19,9 +19,11 @@ def for_canvas(results: list[dict], roster: Roster, assignment: str) -> str:
     titles = [title for title in _CANVAS if title in roster.columns]
     if "Student" not in titles or "ID" not in titles:
         raise BadInput("export: for canvas, --roster must be the gradebook that Canvas exports, with columns Student and ID")
-    by_row = _scores(results, roster)
+    by_row, claimed = _scores(results, roster), roster.claimed(results)
     possible = ["Points Possible", *([""] * (len(titles) - 1)), f"{results[0]['max_score']:g}"]
-    lines = [[row[title] for title in titles] + [f"{by_row.get(id(row), {'score': 0})['score']:g}"]
+    # Who handed in nothing has no points; a mark in doubt is left to the instructor.
+    lines = [[row[title] for title in titles] + ["" if id(row) in claimed and id(row) not in by_row else
+                                                 f"{by_row.get(id(row), {'score': 0})['score']:g}"]
              for row in roster.rows]
     return _table([[*titles, assignment], possible, *lines])
 
@@ -43,9 +45,10 @@ def for_moodle(results: list[dict], roster: Roster) -> str:
     return _table([list(roster.columns), *lines])
 
 
-def not_on_it(results: list[dict], roster: Roster) -> list[str]:
-    """Returns the submissions without a row, whose marks are in no import."""
-    return roster.matched(results)[2]
+def not_on_it(results: list[dict], roster: Roster) -> dict[str, str]:
+    """Returns the submissions without a row, whose marks are in no import, with the reason if they claim one."""
+    strangers = roster.matched(results)[2]
+    return {result["submission"]: roster.reason(result) for result in results if result["submission"] in strangers}
 
 
 def _scores(results: list[dict], roster: Roster) -> dict[int, dict]:

@@ -14,7 +14,7 @@ def of_results(results: list[dict]) -> str:
     for result in results:
         for exercise in result["exercises"]:
             for test in exercise["tests"]:
-                writer.writerow([cell(result["submission"]), cell(result["student"]), result["identifier"],
+                writer.writerow([cell(result["submission"]), cell(result["student"]), cell(result["identifier"]),
                                  "late" if result["late"] else "", exercise["id"], exercise["function"], test["name"],
                                  test["verdict"], cell(test["reason"]), f"{test['score']:g}", f"{test['max_score']:g}",
                                  test["visibility"]])

@@ -17,7 +17,7 @@ _LIBRARY = re.compile(
     r"|_ZNK?10__cxxabiv1|_ZGTt|__cxa_|__gxx_personality_v0$|_Unwind_Resume$|__stack_chk_fail$|__dso_handle$"
     r"|__dynamic_cast$|_GLOBAL_OFFSET_TABLE_$|__tls_get_addr$|__assert_fail$|__glibcxx_assert_fail$|__errno_location$"
     r"|__signbit|__(?:mul|div|pow|add|sub|float|fix|ext|trunc|popcount|parity|clz|ctz|bswap|udiv|umod|mod|ash|lsh)"
-    r"[a-z]*\d?$"
+    r"[a-z]*\d?$|__(?:eq|ne|lt|le|gt|ge|cmp|unord|neg)[a-z]f2$|__cpu_(?:model|indicator_init|features2)$"
     r"|__ctype_\w+_loc$|__\w+_chk$|__isoc\d\d_\w+$|__gthrw_|__libc_single_threaded$|__once_proxy$|__aarch64_\w+$"
     r"|__sanitizer_cov_trace_pc$")  # where a test counts operations
 _MATHS = ("acos acosh asin asinh atan atan2 atanh cbrt ceil copysign cos cosh erf erfc exp exp10 exp2 expm1 fabs fdim "
@@ -40,7 +40,14 @@ _C = ("abort abs aligned_alloc atexit atof atoi atol atoll bcmp bsearch calloc c
       "fedisableexcept fegetexcept lgammaf_r lgammal_r ctime asctime clock_getres getrusage fgetc fileno clearerr "
       "getline __getdelim setlinebuf at_quick_exit sched_getcpu bzero explicit_bzero memmem mempcpy memrchr "
       "rawmemchr stpncpy strcasecmp strcasestr strchrnul strcoll strncasecmp strndup strnlen strsep swprintf "
-      "vswprintf wcscmp wcscpy")
+      "vswprintf wcscmp wcscpy isupper islower isprint ispunct isxdigit iscntrl isgraph isblank isascii toascii "
+      "localtime_r gmtime_r asctime_r ctime_r timespec_get erand48 lrand48 mrand48 strtok_r strxfrm "
+      "memccpy strtoimax strtoumax imaxdiv remove rename tmpfile fgetpos fsetpos vscanf vfscanf vsscanf getdelim "
+      "mblen mbtowc wctomb mbstowcs wcstombs mbrlen mbrtowc wcrtomb mbsrtowcs wcsrtombs mbsinit btowc wctob "
+      "wcscat wcschr wcscoll wcscspn wcsncat wcsncmp wcsncpy wcspbrk wcsrchr wcsspn wcsstr wcstod wcstof wcstok "
+      "wcstol wcstold wcstoll wcstoul wcstoull wcsxfrm wcsftime fgetwc fgetws fputwc fputws getwc getwchar putwc "
+      "putwchar ungetwc fwide fwprintf wprintf vfwprintf vwprintf fwscanf wscanf swscanf iswalnum iswalpha iswblank "
+      "iswcntrl iswdigit iswgraph iswlower iswprint iswpunct iswspace iswupper iswxdigit towlower towupper")
 _THREADS = re.compile(r"pthread_(create|join|detach|self|equal|once|key_create|key_delete|getspecific|setspecific"
                       r"|(mutex|cond|rwlock|mutexattr|attr)_\w+)|sem_\w+")
 _KNOWN = frozenset(_C.split()) | {name + kind for name in _MATHS.split() for kind in ("", "f", "l")}
@@ -65,6 +72,13 @@ REPLACED = {REMOVED: "spook_no_system", "syscall": "spook_only_futex"}
 
 
 _NAME = re.compile(r"[\w.$]+")  # to the linker an @ begins a version
+_UNSHOWN = re.compile(r"[^\w.$@ -]", re.ASCII)
+_LONGEST = 80  # characters that are shown of a name
+
+
+def shown(name: str) -> str:
+    """Returns a section's or symbol's name for a report: it may have any bytes, and megabytes of them."""
+    return _UNSHOWN.sub("?", name[:_LONGEST]) + ("..." if len(name) > _LONGEST else "")
 
 
 def tampering(found: Object) -> str:
@@ -72,11 +86,11 @@ def tampering(found: Object) -> str:
     for section in found.sections:
         if not _SECTIONS.fullmatch(section) or ".init_array." in section:
             early = re.match(r"(?:\.rela?)?\.(init|fini|preinit_array|init_array|fini_array|ctors|dtors)\b", section)
-            return (f"has code that runs before main or after it, in {section}" if early
-                    else f"has a section {section}, which no compiler makes of an answer")
+            return (f"has code that runs before main or after it, in {shown(section)}" if early
+                    else f"has a section {shown(section)}, which no compiler makes of an answer")
     for symbol in found.symbols:
         if symbol.kind not in ("SECTION", "FILE") and not _NAME.fullmatch(symbol.name):
-            return f"has the symbol {symbol.name[:80]!a}, and no compiler names one so"
+            return f"has the symbol '{shown(symbol.name)}', and no compiler names one so"
         if symbol.defined and symbol.name == _COUNTER:
             return "counts its operations itself"
         if _OF_TESTS.search(symbol.name):
@@ -84,14 +98,14 @@ def tampering(found: Object) -> str:
         if symbol.kind == "IFUNC":
             return "has a function that the loader resolves"
         if symbol.binding not in ("LOCAL", "GLOBAL", "WEAK") or symbol.section == "COM":
-            return f"defines {symbol.name} in place of another program's"
+            return f"defines {shown(symbol.name)} in place of another program's"
     for symbol in found.symbols:
         if not symbol.defined and symbol.binding != "LOCAL":
             weak = symbol.binding == "WEAK"
             if symbol.name in _REACHING_OUT and (weak or symbol.name not in REPLACED):
                 return f"calls {symbol.name}()"
             if weak and not symbol.name.startswith(_HARMLESS_IF_WEAK):
-                return f"calls {symbol.name}() if there is one"
+                return f"calls {shown(symbol.name)}() if there is one"
     return ""
 
 

@@ -29,6 +29,9 @@ _OF_A_CLASS = 1 << 40  # bytes that the one archive of a whole class may give
 _ARCHIVES_OF_A_NAME, _UNPACKED_OF_A_NAME = 20, 64 << 20  # what is opened to tell a class from a submission
 _ZIP, _TAR, _SEVEN = (".zip",), (".tar", ".tar.gz", ".tgz", ".tar.bz2", ".tbz2", ".tar.xz", ".txz"), (".7z",)
 _NOT_READ = (".rar", ".gz", ".bz2", ".xz")
+_COMPRESSED = {b"\x1f\x8b": gzip.open, b"BZh": bz2.open, b"\xfd7zXZ\0": lzma.open}
+# What archives begin with, whatever their names.
+_BEGINNINGS = {b"PK\3\4": ".zip", b"7z\xbc\xaf\x27\x1c": ".7z", b"Rar!": ".rar"} | dict.fromkeys(_COMPRESSED, ".tar")
 _MADE = {".git", "build", "node_modules", ".venv", "__pycache__"}  # folders of thousands of files that nobody wrote
 _LITTER = {"__MACOSX", ".DS_Store", "Thumbs.db", "desktop.ini"}
 
@@ -95,6 +98,11 @@ class _Unpacking(io.RawIOBase):
         return self._source.tell()
 
 
+def cause(error: Exception) -> str:
+    """Returns the cause in a few words, without the path on the instructor's machine that the system adds."""
+    return (isinstance(error, OSError) and error.strerror) or str(error) or type(error).__name__
+
+
 def is_archive(name: str) -> bool:
     return name.lower().endswith(_ZIP + _TAR + _SEVEN + _NOT_READ[:1])
 
@@ -115,12 +123,13 @@ def is_litter(path: PurePosixPath) -> bool:
 def entries_of(path: Path, inside: str = "") -> Iterator[Entry]:
     """Returns all files of a submission, those in archives below the archive's name, without litter and tools' products.
 
-    `inside`: the submission is the file at the top of `path` with this name; nothing else is opened or counted.
+    `inside`: the submission is the file or folder of this path in the archive; nothing else is opened or counted.
     """
     count, budget = 0, _Budget()
     entries = _entries(path, _Budget(unpacked=_OF_A_CLASS) if inside else budget)
     if inside:
-        entries = (entry for entry in entries if entry.path.parts[0] == inside)
+        within = PurePosixPath(inside).parts
+        entries = (entry for entry in entries if entry.path.parts[: len(within)] == within)
     for entry in _expanded(entries, 0, budget):
         if not is_litter(entry.path) and not _MADE & set(entry.path.parts[:-1]):
             count += 1
@@ -132,17 +141,30 @@ def entries_of(path: Path, inside: str = "") -> Iterator[Entry]:
 def names_in(path: Path, opened: bool) -> Iterator[PurePosixPath]:
     """Returns the files' names, to tell a class from a submission. `opened`: includes those in archives inside it.
 
-    Each name at the top has a budget of its own, and beyond it no further names.
+    Each name at the top has a budget of its own, and beyond it no further names; in an archive with a single folder
+    that holds everything, each name in that folder.
     """
+    levels = 1 if path.is_dir() or _has_many_tops(path) else 2
     counts, budgets = Counter(), defaultdict(lambda: _Budget(_ARCHIVES_OF_A_NAME, _UNPACKED_OF_A_NAME))
     for entry in _entries(path, _Budget(unpacked=_OF_A_CLASS)):
-        top = entry.path.parts[0]
+        top = entry.path.parts[:levels]
+        yield from [entry.path] if opened and is_archive(entry.path.name) else []
         with contextlib.suppress(OverBudget):
             for inner in _expanded(iter([entry]), 0, budgets[top]) if opened else [entry]:
                 counts[top] += 1
                 if counts[top] > _MOST:
                     break
                 yield inner.path
+
+
+def _has_many_tops(path: Path) -> bool:
+    tops = set()
+    for entry in _entries(path, _Budget(unpacked=_OF_A_CLASS)):
+        if not is_litter(entry.path):
+            tops.add(entry.path.parts[0])
+        if len(tops) > 1:
+            return True
+    return False
 
 
 def text(name: str) -> str:
@@ -177,11 +199,12 @@ def _expanded(entries: Iterator[Entry], depth: int, budget: _Budget) -> Iterator
             raise
         except Exception as error:  # a damaged archive has the library raise whatever its decoders do
             yield Entry(entry.path, "damaged", 0, lambda: b"", f"{entry.path} cannot be read: "
-                        f"{str(error) or type(error).__name__}")
+                        f"{cause(error)}")
 
 
 def _of_folder(root: Path) -> Iterator[Entry]:
-    for folder, folders, files in os.walk(root):
+    unread: list[OSError] = []
+    for folder, folders, files in os.walk(root, onerror=unread.append):
         if len(os.fsencode(folder)) > _LONGEST_FOLDER:
             folders.clear()
             yield Entry(_below(root, Path(folder)), "damaged", 0, lambda: b"", "folders with names so long are not read")
@@ -190,7 +213,11 @@ def _of_folder(root: Path) -> Iterator[Entry]:
         folders.sort()
         for name in sorted(files + [name for name in folders if Path(folder, name).is_symlink()]):
             path = Path(folder, name)
-            found = path.lstat()
+            try:
+                found = path.lstat()
+            except OSError as error:  # removed in the meantime, or its folder may be listed only
+                unread.append(error)
+                continue
             largest = _LARGEST_ARCHIVE if is_archive(name) else LARGEST
             yield Entry(_below(root, path), _kind(found.st_mode), found.st_size,
                         lambda path=path, largest=largest: _read_regular(path, largest))
@@ -198,6 +225,10 @@ def _of_folder(root: Path) -> Iterator[Entry]:
         if folders and len(place.parts) >= _DEEPEST_FOLDER:
             folders.clear()  # os.walk calls itself for each level
             yield Entry(place, "damaged", 0, lambda: b"", f"folders more than {_DEEPEST_FOLDER} deep are not read")
+    for error in unread:
+        place = _below(root, Path(error.filename))
+        place = place if place.parts else PurePosixPath(text(root.name))
+        yield Entry(place, "damaged", 0, lambda: b"", f"{place} cannot be read: {error.strerror}")
 
 
 def _below(root: Path, path: Path) -> PurePosixPath:
@@ -223,8 +254,10 @@ def _open_regular(path: Path, flags: int = 0):
 
 
 def _of_archive(name: str, file, budget: _Budget) -> Iterator[Entry]:
-    """Yields the members of an archive; `file` is open and seekable."""
-    name = name.lower()
+    """Yields the members of an archive; `file` is open and seekable. Its first bytes tell its kind, or else its name."""
+    start = file.read(6)
+    file.seek(0)
+    name = next((ending for begins, ending in _BEGINNINGS.items() if start.startswith(begins)), name.lower())
     if name.endswith(_ZIP):
         yield from _of_zip(zipfile.ZipFile(file))
     elif name.endswith(_TAR):
@@ -239,7 +272,7 @@ def _decompressed(file):
     """Detects the compression from the first bytes: a tar.gz may be named .tar."""
     start = file.read(6)
     file.seek(0)
-    for begins, opened in ((b"\x1f\x8b", gzip.open), (b"BZh", bz2.open), (b"\xfd7zXZ\0", lzma.open)):
+    for begins, opened in _COMPRESSED.items():
         if start.startswith(begins):
             return opened(file)
     return file
@@ -247,9 +280,15 @@ def _decompressed(file):
 
 def _of_zip(archive: zipfile.ZipFile) -> Iterator[Entry]:
     for info in archive.infolist():
-        if not info.is_dir():
+        if not info.filename.endswith("/"):
             yield Entry(_path(info.filename.replace("\\", "/")), _kind(info.external_attr >> 16),
-                        info.file_size, lambda info=info: _read_up_to(archive.open(info), info.filename))
+                        info.file_size, lambda info=info: _read_member(archive, info))
+
+
+def _read_member(archive: zipfile.ZipFile, info: zipfile.ZipInfo) -> bytes:
+    if info.flag_bits & 1:
+        raise ValueError("it is encrypted")
+    return _read_up_to(archive.open(info), info.filename)
 
 
 def _of_tar(archive: tarfile.TarFile) -> Iterator[Entry]:

@@ -15,6 +15,8 @@ _OURS = re.compile(r"\S*?/headers/(?=chapters/)")
 _OF_COMPILER = re.compile(r"(?:cc1plus|as|ld|collect2|g\+\+|c\+\+|clang\+*)(?:-[\d.]+)?: ")
 _ELSEWHERE = "The first error is in a file that is neither the submission nor a header: its words are not shown."
 _ASSEMBLER = "The assembler refuses an asm statement."
+_TOO_LARGE = re.compile(r"file too large|file size limit exceeded", re.IGNORECASE)
+_TOO_MUCH_DATA = "It compiles to more than 256 MiB. Is an array with values that large?"
 _LONGEST = 400  # characters of a line
 _LOOKED_AT = 4 * _LONGEST  # of one, before our own paths are taken out of it
 
@@ -23,6 +25,8 @@ def compiler_says(output: str, exercise: Exercise, file: str, source: str) -> st
     lines = [_OURS.sub("", line[:_LOOKED_AT])[:_LONGEST] for line in diagnostics.first_error(output, exercise)]
     places = [_PLACE.match(line) for line in lines]
     if not any(places):
+        if _TOO_LARGE.search(output):
+            return _TOO_MUCH_DATA
         return _ASSEMBLER if "Assembler messages" in output else "\n".join(filter(_OF_COMPILER.match, lines))
     kept = []
     for line, place in zip(lines, places):

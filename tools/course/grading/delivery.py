@@ -5,7 +5,6 @@ Nobody is lost: files that belong to no submission are returned, too, with the r
 
 import os
 from collections import Counter
-from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from pathlib import Path, PurePosixPath
 
@@ -57,7 +56,7 @@ def find_submissions(paths: list[Path], out: Path) -> Delivery:
         taken, left = len(delivery.handed), len(delivery.left_out)
         if path.is_dir() and _is_class(names, exercises, at_top=True):
             _take_folder(delivery, path, out, exercises)
-        elif not path.is_dir() and _is_class(names, exercises, at_top=False):
+        elif not path.is_dir() and _is_class(_in_root(names)[1], exercises, at_top=False):
             _take_archive(delivery, path, names)
         elif path.is_dir() and not _is_one(names, exercises):
             _take_folder(delivery, path, out, exercises)
@@ -74,8 +73,8 @@ def _doubt(delivery: Delivery, path: Path, handed: list[Handed], left_out: int, 
     """Tells whether a folder is probably not a class: most of it is left out, or most of its folders hold no exercise's
     file."""
     holding = {name.parts[0] for name in names if is_archive(name.name) or rank_of(name, exercises)}
-    empty = sum(place.path != path and place.path.relative_to(path).parts[0] not in holding
-                for one in handed for place in one.places[:1])
+    empty = sum(all(place.path != path and place.path.relative_to(path).parts[0] not in holding for place in one.places)
+                for one in handed)
     if left_out > len(handed) or 2 * empty > len(handed):
         delivery.doubts.append(f"{path} has no form that is known: of {len(handed)} submissions in it {empty} hold no "
                                f"exercise's file, and {left_out} other things are left out.")
@@ -130,7 +129,7 @@ def _take_folder(delivery: Delivery, folder: Path, out: Path, exercises: list[Ex
     is_alone = sum(not is_litter(PurePosixPath(child.name)) and _real(child) != _real(out)
                    for child in children) == 1
     for child in children:
-        shown = f"{folder.name}/{text(child.name)}"
+        shown = f"{text(folder.name)}/{text(child.name)}"
         if _real(child) == _real(out) or is_litter(PurePosixPath(child.name)):
             continue
         taken = True
@@ -141,8 +140,10 @@ def _take_folder(delivery: Delivery, folder: Path, out: Path, exercises: list[Ex
         elif child.name == METADATA and of_gradescope:
             continue
         elif of_gradescope.get(child.name) and child.is_dir():
-            known += [(student, Place(child)) for student in of_gradescope[child.name]]
-        elif of_platform := student_of(text(child.name), platforms):
+            # Students choose their names and numbers there, so what two folders say of one is not combined.
+            for student in of_gradescope[child.name]:
+                delivery.add(student, Place(child))
+        elif of_platform := student_of(text(child.name), platforms, child.is_dir()):
             known.append((of_platform[0], Place(child)))
         elif child.is_dir():
             if is_alone and _is_class(_names(child, out), exercises, at_top=False):
@@ -151,7 +152,7 @@ def _take_folder(delivery: Delivery, folder: Path, out: Path, exercises: list[Ex
                 delivery.add(_student(child), Place(child))
         elif is_archive(child.name):
             names = _names(child, out) if is_alone else []
-            if is_alone and _is_class(names, exercises, at_top=False):
+            if is_alone and _is_class(_in_root(names)[1], exercises, at_top=False):
                 _take_archive(delivery, child, names)
             else:
                 delivery.add(_student(child), Place(child))
@@ -164,19 +165,36 @@ def _take_folder(delivery: Delivery, folder: Path, out: Path, exercises: list[Ex
     delivery.add_known(known)
 
 
-def _take_archive(delivery: Delivery, archive: Path, names: Iterable[PurePosixPath]) -> None:
+def _in_root(names: list[PurePosixPath]) -> tuple[PurePosixPath, list[PurePosixPath]]:
+    """Returns the folder that holds everything in an archive, if there is one, and the names in it. Who packs a folder
+    again has it in the archive. A folder with two others may be one student's, with two versions."""
+    written = [name for name in names if not is_litter(name)]
+    roots = {name.parts[0] for name in written}
+    inside = [PurePosixPath(*name.parts[1:]) for name in written if len(name.parts) > 1]
+    tops = {name.parts[0] for name in inside}
+    root = roots.pop() if len(roots) == 1 else ""
+    if (not root or len(inside) < len(written) or is_archive(root) or student_of(root, is_folder=True)
+            or (len(tops) < 3 and not all(map(student_of, tops)))):
+        return PurePosixPath(), names
+    return PurePosixPath(root), inside
+
+
+def _take_archive(delivery: Delivery, archive: Path, names: list[PurePosixPath]) -> None:
     """Adds a submission for each folder or archive at the archive's top, and for each student whose loose files lie
     there."""
     known: list[tuple[Student, Place]] = []
+    root, names = _in_root(names)
     tops = list(dict.fromkeys(name.parts[0] for name in names))
     platforms = platforms_of(tops)
+    files = {name.parts[0] for name in names if len(name.parts) == 1}
     for top in tops:
-        if of_platform := student_of(top, platforms):
-            known.append((of_platform[0], Place(archive, top)))
-        elif any(name.parts == (top,) for name in names) and not is_archive(top):
-            delivery.left_out.append((f"{archive.name}/{top}", _LOOSE))
+        place = Place(archive, str(root / top))
+        if of_platform := student_of(top, platforms, top not in files and not is_archive(top)):
+            known.append((of_platform[0], place))
+        elif top in files and not is_archive(top):
+            delivery.left_out.append((f"{text(archive.name)}/{top}", _LOOSE))
         else:
-            delivery.add(Student(without_suffix(top)), Place(archive, top))
+            delivery.add(Student(without_suffix(top)), place)
     delivery.add_known(known)
 
 
@@ -187,7 +205,7 @@ def _real(path: Path) -> Path:
 
 def _student(path: Path) -> Student:
     name = text(path.resolve().name)
-    known = student_of(name)
+    known = student_of(name, is_folder=path.is_dir())
     return known[0] if known else Student(without_suffix(name) if not path.is_dir() else name)
 
 

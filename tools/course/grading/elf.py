@@ -14,6 +14,7 @@ _HEADER = struct.Struct("<16sHHIQQQIHHHHHH")
 _SECTION = struct.Struct("<IIQQQQIIQQ")
 _SYMBOL = struct.Struct("<IBBHQQ")
 _SYMBOL_TABLE = 2
+_IN_MEMORY = 2  # a section's flag
 _BINDINGS = {0: "LOCAL", 1: "GLOBAL", 2: "WEAK", 10: "UNIQUE"}
 _KINDS = {0: "NOTYPE", 1: "OBJECT", 2: "FUNC", 3: "SECTION", 4: "FILE", 5: "COMMON", 6: "TLS", 10: "IFUNC"}
 _PLACES = {0: "UND", 0xFFF1: "ABS", 0xFFF2: "COM"}
@@ -40,6 +41,7 @@ class Symbol:
 class Object:
     sections: tuple[str, ...]
     symbols: tuple[Symbol, ...]
+    memory: int = 0  # bytes that its code and data need before anything runs
 
     def binding_of(self, name: str) -> str:
         """Returns GLOBAL or WEAK for a function that other objects can call; empty if there is none."""
@@ -77,7 +79,8 @@ def _parse(content: bytes) -> Object:
     for section in headers:
         if section[1] == _SYMBOL_TABLE:
             symbols += _symbols(_content(content, section), _content(content, headers[section[6]]))
-    return Object(tuple(_name(names, section[0]) for section in headers[1:]), tuple(symbols))
+    return Object(tuple(_name(names, section[0]) for section in headers[1:]), tuple(symbols),
+                  sum(section[5] for section in headers[1:] if section[2] & _IN_MEMORY))
 
 
 def _content(content: bytes, section: tuple) -> bytes:

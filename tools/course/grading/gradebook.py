@@ -13,7 +13,8 @@ from grading.roster import Roster
 from grading.text import markdown, one_line
 
 
-_FORMULA = re.compile(r"""([;,]\s*["']?)([=+\-@])""")
+_BEGINS_ONE = "=+\\-@\uff1d\uff0b\uff0d\uff20"  # the last four in their wide forms, as some spreadsheets read them
+_FORMULA = re.compile(rf"""([;,]\s*["']?)([{_BEGINS_ONE}])""")
 
 
 @dataclass
@@ -23,13 +24,14 @@ class Class:
     left_out: list[tuple[str, str]] = field(default_factory=list)  # what lay there and was not graded, and why
     roster: Roster | None = None
 
-    def matched(self, results: list[dict]) -> tuple[dict[str, dict], list[str], list[str]]:
-        """Returns rows of the roster by submission, students without a submission, and submissions without a
-        student."""
+    def matched(self, results: list[dict]) -> tuple[list[tuple[str, str]], list[str]]:
+        """Returns students without a submission, with the reason, and submissions without a student."""
         if not self.roster:
-            return {}, [], []
-        found, missing, strangers = self.roster.matched(results)
-        return found, [self.roster.name_of(row) for row in missing], strangers
+            return [], []
+        _, missing, strangers = self.roster.matched(results)
+        claimed = self.roster.claimed(results)
+        return [(self.roster.name_of(row), "no submission is certain to be theirs" if id(row) in claimed
+                 else "nothing was handed in") for row in missing], strangers
 
 
 def write_gradebook(folder: Path, results: list[dict], of_class: Class) -> None:
@@ -49,11 +51,11 @@ def statistics_line(results: list[dict]) -> str:
 
 def not_graded(results: list[dict], of_class: Class) -> list[str]:
     """Returns a line for each student or file without a mark: nobody is lost."""
-    _, missing, strangers = of_class.matched(results)
-    why = {result["submission"]: of_class.roster.contradiction(result) for result in results
+    missing, strangers = of_class.matched(results)
+    why = {result["submission"]: of_class.roster.reason(result) for result in results
            if result["submission"] in strangers}
     return ([f"{one_line(what)}: {one_line(why)}" for what, why in of_class.left_out]
-            + [f"{one_line(name)}: on the roster, and nothing was handed in" for name in missing]
+            + [f"{one_line(name)}: on the roster, and {reason}" for name, reason in missing]
             + [f"{one_line(name)}: {one_line(why[name]) or 'graded, and not on the roster'}" for name in strangers])
 
 
@@ -63,7 +65,7 @@ def _percents(results: list[dict]) -> list[float]:
 
 def _write_grades(file: Path, results: list[dict], of_class: Class) -> None:
     chapters = sorted({exercise["chapter"] for result in results for exercise in result["exercises"]})
-    _, missing, _ = of_class.matched(results)
+    missing, _ = of_class.matched(results)
     with open(file, "w", encoding="utf-8", newline="") as out:
         writer = csv.writer(out, lineterminator="\n")
         writer.writerow(["submission", "score", "max_score", "percent", "done", "wrong", "not started", *chapters,
@@ -75,18 +77,18 @@ def _write_grades(file: Path, results: list[dict], of_class: Class) -> None:
             look = "; ".join((["tampered"] if tampered(result) else []) + result["notes"])
             writer.writerow([cell(result["submission"]), f"{result['score']:g}", f"{result['max_score']:g}",
                              f"{percent:.2f}", *(states.count(state) for state in ("done", "wrong", "not started")),
-                             *(f"{score:g}" for score in scores), cell(result["student"]), result["identifier"],
+                             *(f"{score:g}" for score in scores), cell(result["student"]), cell(result["identifier"]),
                              "late" if result["late"] else "", cell(look)])
-        for name in missing:
+        for name, reason in missing:
             writer.writerow([cell(name), "0", f"{results[0]['max_score']:g}", "0.00", 0, 0,
                              len(results[0]["exercises"]), *("0" for _ in chapters), cell(name), "", "",
-                             "nothing was handed in"])
+                             reason])
 
 
 def cell(text: str) -> str:
     """Protects a cell: a spreadsheet may treat its first letter as a formula, and `;` as the end of a cell."""
     text = _FORMULA.sub(r"\1'\2", one_line(text))
-    return "'" + text if text[:1] in ("=", "+", "-", "@") else text
+    return "'" + text if re.match(f"[{_BEGINS_ONE}]", text) else text
 
 
 def _count_tests(results: list[dict]) -> dict[str, dict[str, int]]:

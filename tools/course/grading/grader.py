@@ -138,7 +138,7 @@ class Grader:
                 (folder / "taken" / f"{function}.cpp").write_bytes(source.content)
         write_json(folder / "results.json", result)
         by_function = {exercise.function: exercise for exercise in self.exercises}
-        (folder / "report.md").write_text(report_of(result, by_function), encoding="utf-8")
+        (folder / "report.md").write_text(report_of(result, by_function), encoding="utf-8", errors="replace")
 
     def _result(self, submission: Submission, judged: dict[Exercise, ExerciseVerdict]) -> dict:
         settings = {"points": self._points, "seed": self.seed, "seconds_a_test": self._seconds,

@@ -37,6 +37,7 @@ _MESSAGE = 20_000
 _LAST_WORDS = 4000  # characters of what it printed, in which an assertion is sought
 _WORKED = 0.5  # seconds of processor time, above which what the clock has stopped did more than wait
 _BUSY = 8  # times as long as its processor time is what a test may take on the clock of a machine with much to do
+_NOT_SENT = 97  # exit code of tests/remote/answering.cpp, most often where an answer is longer than a message may be
 _PREFIX = re.compile(r"\AFailed\n")
 
 
@@ -239,7 +240,8 @@ def _without_verdict(ran: Ran, cpu_limit: int) -> tuple[str, str, list[str]]:
             return TIMED_OUT, LOOPED, ["The test's time was up while it was computing with the answer."]
         return CRASHED, _name(of_test) if of_test else f"exit code {ran.tests_code}", [
             "The test could not use the answer: it has an invalid size or index."]
-    return ENDED_EARLY, f"exit code {ran.code}", ["The program ended before the test did. Does it call exit?"]
+    asked = "Is its answer far too large?" if ran.code == _NOT_SENT else "Does it call exit?"
+    return ENDED_EARLY, f"exit code {ran.code}", [f"The program ended before the test did. {asked}"]
 
 
 def _load() -> float:
@@ -257,4 +259,4 @@ def _name(number: int) -> str:
 
 
 def _all(tests: list[str], verdict: str, reason: str = "", message: str = "") -> ExerciseVerdict:
-    return ExerciseVerdict([TestVerdict(test, verdict, reason, message) for test in tests], [])
+    return ExerciseVerdict([TestVerdict(test, verdict, reason, message[:_MESSAGE]) for test in tests], [])

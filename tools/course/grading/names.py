@@ -8,6 +8,8 @@ Homework 1_leeann_attempt_2026-11-20-10-11-12_kick.cpp    Blackboard: login, tim
 """
 
 import contextlib
+import functools
+import os
 import re
 import unicodedata
 from collections.abc import Iterable
@@ -15,11 +17,13 @@ from dataclasses import dataclass
 from datetime import datetime
 
 _MOODLE = re.compile(r"(?P<name>.+?)_(?P<id>\d+)_assignsubmission_(?:file|onlinetext)_?(?P<file>.*)")
+_MOODLES_FOLDER = re.compile(r"(?P<name>.+)_(?P<id>\d+)_assignsubmission_(?:file|onlinetext)_?(?P<file>)")
+_MOODLES_NUMBER = re.compile(r"_(\d+)_assignsubmission_")
 _CANVAS = re.compile(r"(?P<name>[^_]+)_(?P<late>late_)?(?P<id>\d+)_(?P<try>\d+)_(?P<file>(?!attempt_\d{4}-).+)",
                      re.IGNORECASE)
 _AGAIN = re.compile(r"-(\d+)(?=\.\w+$)")  # Canvas' name for a file that was handed in again
-_BLACKBOARD = re.compile(r".+?_(?P<name>[^_]+)_attempt_(?P<time>\d{4}(?:-\d\d){5})(?:_(?P<file>.+)|\.txt)")
-_BRIGHTSPACE = re.compile(r"(?P<id>\d+)-\d+ - (?P<name>.+) - (?P<time>\w{3} \d{1,2}, \d{4} \d{3,4} [AP]M)")
+_BLACKBOARD = re.compile(r"(?P<head>.+?_(?P<name>[^_]+))_attempt_(?P<time>\d{4}(?:-\d\d){5})(?:_(?P<file>.+)|\.txt)")
+_BRIGHTSPACE = re.compile(r"(?P<id>\d+)-\d+ - (?P<name>.+) - (?P<time>\D*\d{1,2}\D+\d{4}\D+\d{3,4}\D*)")  # in any language
 
 
 @dataclass(frozen=True)
@@ -29,22 +33,31 @@ class Student:
     late: bool = False
 
 
-def _moodle(name: str) -> tuple[Student, str] | None:
-    found = _MOODLE.fullmatch(name)
-    return (Student(found["name"].strip(), found["id"]), found["file"]) if found else None
+def _moodle(name: str, is_folder: bool) -> tuple[Student, str] | None:
+    """Students may choose their names, and those of their files. A folder ends with Moodle's own number. A file with
+    several numbers has none that is certain."""
+    found = (_MOODLES_FOLDER.fullmatch(name) if is_folder else None) or _MOODLE.fullmatch(name)
+    if not found:
+        return None
+    is_certain = found.re is _MOODLES_FOLDER or len(set(_MOODLES_NUMBER.findall(name))) == 1
+    return Student(found["name"].strip(), found["id"] if is_certain else ""), found["file"]
 
 
-def _canvas(name: str) -> tuple[Student, str] | None:
+def _canvas(name: str, _: bool) -> tuple[Student, str] | None:
     found = _CANVAS.fullmatch(name)
     return (Student(found["name"], found["id"], bool(found["late"])), _AGAIN.sub("", found["file"])) if found else None
 
 
-def _blackboard(name: str) -> tuple[Student, str] | None:
+def _blackboard(name: str, _: bool, assignment: str = "") -> tuple[Student, str] | None:
+    """A login may have the `_` that stands before it: the rest of the name after `assignment`, if that is known."""
     found = _BLACKBOARD.fullmatch(name)
-    return (Student(found["name"]), found["file"] or "") if found else None
+    if not found:
+        return None
+    login = found["head"].removeprefix(assignment) if assignment else found["name"]
+    return Student(login), found["file"] or ""
 
 
-def _brightspace(name: str) -> tuple[Student, str] | None:
+def _brightspace(name: str, _: bool) -> tuple[Student, str] | None:
     found = _BRIGHTSPACE.fullmatch(name)
     return (Student(found["name"].strip(), found["id"]), "") if found else None
 
@@ -52,19 +65,25 @@ def _brightspace(name: str) -> tuple[Student, str] | None:
 _PLATFORMS = (_moodle, _canvas, _blackboard, _brightspace)
 
 
-def student_of(name: str, platforms: tuple = _PLATFORMS) -> tuple[Student, str] | None:
+def student_of(name: str, platforms: tuple = _PLATFORMS, is_folder: bool = False) -> tuple[Student, str] | None:
     """Returns the student in a folder's or file's name, and the file's original name; None if no platform has written
     it."""
-    return next((found for platform in platforms if (found := platform(name))), None)
+    return next((found for platform in platforms if (found := platform(name, is_folder))), None)
 
 
 def platforms_of(names: Iterable[str]) -> tuple:
     """Returns the platform that has written most names of a class; students may have written the others."""
-    counts = {platform: 0 for platform in _PLATFORMS}
-    for name in names:
-        for platform in _PLATFORMS:
-            counts[platform] += platform(name) is not None
-    return (max(_PLATFORMS, key=counts.__getitem__),)
+    names = list(names)
+    counts = {platform: sum(platform(name, False) is not None for name in names) for platform in _PLATFORMS}
+    most = max(_PLATFORMS, key=counts.__getitem__)
+    return (functools.partial(_blackboard, assignment=_assignment_of(names)) if most is _blackboard else most,)
+
+
+def _assignment_of(names: list[str]) -> str:
+    """Returns the beginning, up to a `_`, that all of Blackboard's names have in common; empty of one student."""
+    heads = {found["head"] for name in names if (found := _BLACKBOARD.fullmatch(name))}
+    common = os.path.commonprefix(sorted(heads)) if len(heads) > 1 else ""
+    return common[: common.rfind("_") + 1]
 
 
 def attempt_of(name: str) -> str:
@@ -73,8 +92,8 @@ def attempt_of(name: str) -> str:
     if found := _BLACKBOARD.fullmatch(name):
         return found["time"]
     if found := _BRIGHTSPACE.fullmatch(name):
-        month, day, year, clock, half = found["time"].replace(",", "").split()
         with contextlib.suppress(ValueError):  # of another language's months
+            month, day, year, clock, half = found["time"].replace(",", "").split()
             return datetime.strptime(f"{month} {day} {year} {clock:0>4} {half}", "%b %d %Y %I%M %p").isoformat()
     if (found := _CANVAS.fullmatch(name)) and (again := _AGAIN.search(found["file"])):
         return f"{int(again[1]):09d}"
@@ -88,9 +107,19 @@ _TWINS = str.maketrans("\u0430\u0435\u043e\u0440\u0441\u0443\u0445\u0456\u0458\u
                        "aeopcyxijsdhaopvi")
 
 
+def unseen_removed(name: str) -> str:
+    """Returns a name without letters that are not seen, and with the usual form of wide ones."""
+    return _UNSEEN.sub("", unicodedata.normalize("NFKC", name))
+
+
+def unseen_shown(name: str) -> str:
+    """Returns a name with an escape, such as \\u200b, in place of each letter that is not seen."""
+    return _UNSEEN.sub(lambda found: ascii(found[0])[1:-1], name)
+
+
 def look(name: str) -> str:
     """Reduces a name so that names that look alike become equal."""
-    return " ".join(_UNSEEN.sub("", unicodedata.normalize("NFKC", name)).casefold().translate(_TWINS).split())
+    return " ".join(unseen_removed(name).casefold().translate(_TWINS).split())
 
 
 _LONGEST = 200  # bytes; a folder's name may have 255

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import diagnostics
-from grading.allowed import REMOVED, REPLACED, not_allowed, tampering
+from grading.allowed import REMOVED, REPLACED, not_allowed, shown, tampering
 from grading.complaints import compiler_says
 from grading.confined import Ended, Limits
 from grading.elf import Object, TooLarge, Unreadable, read_object
@@ -25,6 +25,7 @@ from marker import is_stub
 
 # A compiler does not sleep: its limit is processor time, and the clock is far enough away that load cannot decide a mark.
 _COMPILING = Limits(cpu=30, wall=600, memory=3 << 30, files=256 << 20, processes=32, output=4 << 20)
+_MEMORY = 900 << 20  # bytes of an object, of the 1 GiB that its process may have: with more it would not start
 _STUB = "_ZTIN5spook14NotImplementedE"  # what a stub throws: not in an object whose call is in a comment or in #if 0
 STILL_A_STUB = "The file still calls not_implemented()."
 _NAMES, _NAME, _MOST_NAMES = 1 << 16, 500, 20  # characters of all names that are shown, and of one
@@ -90,6 +91,9 @@ def _from_object(exercise: Exercise, source: Source, file: Path, workshop: Works
         return Made(None, "tampered", "no object", f"{file} does not compile to an object file of this machine: {error}.")
     if is_stub(source.text) and any(symbol.name == _STUB for symbol in found.symbols):
         return Made(None, "not started", message=STILL_A_STUB)
+    if found.memory > _MEMORY:
+        return Made(None, "out of memory", "before it starts", f"{file} has arrays outside its functions of "
+                    f"{found.memory >> 20} MiB, and a test has 1024 MiB for everything.")
     refused = "" if source.is_reference else tampering(found)
     if refused:
         return Made(None, "tampered", refused, f"{file} {refused}. No exercise needs that, so it is not run.")
@@ -99,7 +103,7 @@ def _from_object(exercise: Exercise, source: Source, file: Path, workshop: Works
     if stranger.startswith("_Z"):
         return Made(None, "does not compile", "does not link", f"undefined reference to `{_readable(stranger)}'")
     if stranger:
-        return Made(None, "does not compile", _NOT_AVAILABLE, _NOT_NEEDED.format(file, stranger))
+        return Made(None, "does not compile", _NOT_AVAILABLE, _NOT_NEEDED.format(file, shown(stranger)))
     missing = sorted(name for name in wanted if not found.binding_of(name))
     if missing:
         return Made(None, "does not compile", "function not defined", _not_defined(file, missing))
@@ -126,13 +130,21 @@ def _link(exercise: Exercise, workshop: Workshop, isolation: Isolation, student:
         result = subprocess.run(limited, capture_output=True, text=True, errors="replace", cwd=folder)
         code, output = result.returncode, result.stdout + result.stderr
     if code != 0:
-        return Made(None, "does not compile", "does not link", "\n".join(diagnostics.first_error(output, exercise)))
+        return _not_linked(output)
     if elsewhere := _defined_elsewhere(output, wanted):
         return Made(None, "tampered", "not its own function",
                     f"The linker does not take {elsewhere} from the submission.")
     program = folder / "answer"
     program.chmod(0o755)
     return Made(program, notes=notes)
+
+
+def _not_linked(told: str) -> Made:
+    """Shows no words of the linker but a missing or doubled name: others have our own paths and functions."""
+    if "relocation truncated to fit" in told:
+        return Made(None, "does not compile", "too large", "Its arrays outside functions have more than 2 GiB together.")
+    found = diagnostics.linker_error(told) or "The linker cannot join it with the program that calls it."
+    return Made(None, "does not compile", "does not link", found[:_NAME])
 
 
 def _defined_elsewhere(told: str, wanted: set[str]) -> str:

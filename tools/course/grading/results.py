@@ -102,7 +102,8 @@ def folder_of(out: Path, name: str) -> Path:
 def write_json(file: Path, content: dict) -> None:
     """Writes the file completely or not at all."""
     unfinished = file.with_name(file.name + ".part")
-    unfinished.write_text(json.dumps(content, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+    unfinished.write_text(json.dumps(content, indent=1, ensure_ascii=False) + "\n", encoding="utf-8",
+                          errors="replace")
     unfinished.replace(file)
 
 

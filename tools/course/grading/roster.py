@@ -10,6 +10,7 @@ import io
 import re
 import unicodedata
 from collections import defaultdict
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -19,7 +20,13 @@ from text_encoding import decoded
 _NAMES = ("student", "full name", "name", "login", "sis login id", "username", "email address", "email",
           "github username")
 _FIRST, _LAST = ("first name", "firstname", "given name"), ("last name", "lastname", "surname", "family name")
+_GITHUB = "github username"
+_BRANCH = re.compile(r"-(?:main|master)$")  # at the end of an archive that GitHub makes
+_ADDRESSES = ("email address", "email")
 _NUMBERS = ("id", "identifier", "number", "participant")
+
+
+_ABOVE_TITLES = re.compile(r"\A(?:\s*\n|sep=.\r?\n)+")  # as spreadsheets write them
 
 
 @dataclass(frozen=True)
@@ -29,17 +36,39 @@ class Roster:
 
     def matched(self, results: list[dict]) -> tuple[dict[str, dict], list[dict], list[str]]:
         """Returns each submission's row, by the submission's name; the rows without one; the submissions without a
-        row."""
-        found, strangers = {}, []
+        row.
+
+        Of two that claim one row, the one with its number has it, or else none: names can be chosen.
+        """
+        claims: dict[int, list[tuple[dict, bool]]] = defaultdict(list)
         for result in results:
-            by_number, by_name = self._rows_of(result)
-            row = by_number if by_number is not None else by_name[0] if _are_one(by_name) else None
-            if row is None or any(row is one for one in found.values()) or self.contradiction(result):
-                strangers.append(result["submission"])
-            else:
-                found[result["submission"]] = row
+            row, is_by_number = self._claimed_by(result)
+            if row is not None and not self.contradiction(result):
+                claims[id(row)].append((result, is_by_number))
+        found = {}
+        for row in self.rows:
+            claimed = claims[id(row)]
+            best = [result for result, is_by_number in claimed if is_by_number] or [result for result, _ in claimed]
+            if len(best) == 1:
+                found[best[0]["submission"]] = row
         missing = [row for row in self.rows if not any(row is one for one in found.values())]
-        return found, missing, strangers
+        return found, missing, [result["submission"] for result in results if result["submission"] not in found]
+
+    def claimed(self, results: list[dict]) -> set[int]:
+        """Returns the identities of rows that some submission names, by number or by name."""
+        named = [self._rows_of(result) for result in results]
+        return {id(row) for by_number, by_name in named for row in [*by_name, by_number] if row is not None}
+
+    def reason(self, result: dict) -> str:
+        """Says why a submission does not have the row that it claims; empty if it claims none."""
+        row, _ = self._claimed_by(result)
+        of_two = f"another submission also claims {self.name_of(row)} on the roster; decide whose it is" if row else ""
+        return self.contradiction(result) or of_two
+
+    def _claimed_by(self, result: dict) -> tuple[dict[str, str] | None, bool]:
+        """Returns the row that a submission claims, and whether by its number."""
+        by_number, by_name = self._rows_of(result)
+        return (by_number, True) if by_number is not None else (by_name[0] if _are_one(by_name) else None, False)
 
     def contradiction(self, result: dict) -> str:
         """Describes a submission with the number of one row and the name of another, which would exchange two students;
@@ -51,14 +80,36 @@ class Roster:
                 f"is that of {self.name_of(by_name[0])}, so that it is given to neither")
 
     def _rows_of(self, result: dict) -> tuple[dict[str, str] | None, list[dict[str, str]]]:
-        """Returns the row with the platform's number, and all rows with the name."""
-        by_number = self._by_number.get(result["identifier"]) if result["identifier"] else None
-        return by_number, [row for word in _spellings(result["student"]) for row in self._by_name.get(word, [])]
+        """Returns the row with the platform's number, or address if that is what it tells, and all rows with the
+        name."""
+        told = result["identifier"]
+        by_number = self._by_address.get(told.casefold()) if "@" in told else self._by_number.get(_digits(told))
+        by_name = [row for word in _spellings(result["student"]) for row in self._by_name.get(word, [])]
+        return by_number, by_name or self._rows_of_repository(result["student"])
+
+    def _rows_of_repository(self, name: str) -> list[dict[str, str]]:
+        """Returns the rows of the longest name on GitHub that ends a repository's name, ASSIGNMENT-NAME."""
+        name = _BRANCH.sub("", name.casefold())
+        logins = {row[title].strip().casefold() for row in self.rows for title in row if _plain(title) == _GITHUB} - {""}
+        ending = max((login for login in logins if name.endswith(f"-{login}")), key=len, default=None)
+        return [row for row in self.rows for title in row
+                if _plain(title) == _GITHUB and row[title].strip().casefold() == ending]
 
     @functools.cached_property
     def _by_number(self) -> dict[str, dict[str, str]]:
-        return {_digits(row[title]): row for row in self.rows for title in row
-                if _plain(title) in _NUMBERS and _digits(row[title])}
+        return self._by_one_of(_NUMBERS, _digits)
+
+    @functools.cached_property
+    def _by_address(self) -> dict[str, dict[str, str]]:
+        return self._by_one_of(_ADDRESSES, lambda text: text.strip().casefold())
+
+    def _by_one_of(self, titles: tuple[str, ...], key: Callable[[str], str]) -> dict[str, dict[str, str]]:
+        """Returns the row of each key in these columns that only one row has."""
+        found: dict[str, list[dict]] = defaultdict(list)
+        for row in self.rows:
+            for known in {key(row[title]) for title in row if _plain(title) in titles} - {""}:
+                found[known].append(row)
+        return {known: rows[0] for known, rows in found.items() if len(rows) == 1}
 
     @functools.cached_property
     def _by_name(self) -> dict[str, list[dict[str, str]]]:
@@ -77,14 +128,18 @@ class Roster:
         return whole + ([f"{first} {last}"] if first.strip() and last.strip() else [])
 
     def name_of(self, row: dict[str, str]) -> str:
-        names = [name for name in self._names_in(row) if name.strip()]
-        return names[0] if names else "?"
+        """Returns the name, or the number of a student whose name the platform hides."""
+        numbers = [row[title] for title in row if _plain(title) in _NUMBERS]
+        return next((told for told in [*self._names_in(row), *numbers] if told.strip()), "?")
 
 
 def read_roster(file: Path) -> Roster:
     """Reads a CSV with commas, semicolons or tabs, in UTF-8, UTF-16 or Latin-1, as spreadsheets write it."""
     try:
-        content = decoded(file.read_bytes())
+        content = file.read_bytes()
+        if content.startswith(b"PK"):
+            raise BadInput(f"the roster {file} is a spreadsheet; save it as CSV")
+        content = _ABOVE_TITLES.sub("", decoded(content))
         separator = max(",;\t", key=content.partition("\n")[0].count)
         reader = csv.DictReader(io.StringIO(content, newline=""), delimiter=separator)
         columns = tuple(reader.fieldnames or ())
@@ -92,17 +147,16 @@ def read_roster(file: Path) -> Roster:
     except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise BadInput(f"the roster {file} cannot be read: {error}") from None
     titles = {_plain(title) for title in columns}
-    if not titles & set(_NAMES) and not (titles & set(_FIRST) and titles & set(_LAST)):
+    if not titles & {*_NAMES, *_NUMBERS} and not (titles & set(_FIRST) and titles & set(_LAST)):
         raise BadInput(f"the roster {file} has no column of names; known are {', '.join(_NAMES)}, "
                        f"{' with '.join((_FIRST[0], _LAST[0]))}")
     roster = Roster(columns, rows)
     # Canvas' second line says how many points are possible, and there is a student who tests.
-    return Roster(columns, tuple(row for row in rows if any(name.strip() for name in roster._names_in(row))
-                                 and not _is_no_student(row)))
+    return Roster(columns, tuple(row for row in rows if roster.name_of(row) != "?" and not _is_no_student(row)))
 
 
 def _plain(title: str) -> str:
-    return title.strip().lower().replace("_", " ")
+    return title.strip().lower().replace("_", " ").replace("e-mail", "email")
 
 
 def _are_one(rows: list[dict]) -> bool:

@@ -4,8 +4,8 @@ import re
 from dataclasses import dataclass, field
 from pathlib import Path, PurePosixPath
 
-from grading.archives import LARGEST, Entry, entries_of
-from grading.names import Student, attempt_of, student_of
+from grading.archives import LARGEST, Entry, cause, entries_of
+from grading.names import Student, attempt_of, student_of, unseen_removed, unseen_shown
 from manifest import Exercise, all_exercises
 from marker import is_stub
 from paths import CHAPTERS
@@ -39,7 +39,11 @@ class Source:
 @dataclass(frozen=True)
 class Place:
     path: Path
-    inside: str = ""  # of an archive: the folder, archive or file at its top
+    inside: str = ""  # of an archive: the path in it of a folder, an archive or a file
+
+    @property
+    def name(self) -> str:
+        return PurePosixPath(self.inside).name if self.inside else self.path.name
 
 
 @dataclass(frozen=True)
@@ -79,10 +83,10 @@ def read_submission(handed: Handed, exercises: list[Exercise]) -> Submission:
         try:
             for entry in entries_of(place.path, place.inside):
                 if place.inside:
-                    entry = _moved(entry, "/".join(entry.path.parts[1:]))
-                _look(submission, entry, attempt_of(place.inside or place.path.name), exercises, seen, found)
+                    entry = _moved(entry, "/".join(entry.path.parts[len(PurePosixPath(place.inside).parts):]))
+                _look(submission, entry, attempt_of(place.name), exercises, seen, found)
         except Exception as error:  # a damaged archive has the library raise whatever its decoders do
-            submission.notes.append(f"{place.path.name} cannot be read: {str(error) or type(error).__name__}")
+            submission.notes.append(f"{place.path.name} cannot be read: {cause(error)}")
     for function, candidates in found.items():
         _choose(submission, function, candidates)
     if not found:
@@ -97,7 +101,8 @@ def read_submission(handed: Handed, exercises: list[Exercise]) -> Submission:
 
 def _say_what_is_there(submission: Submission, seen: list[str]) -> None:
     """Describes the content of a submission without a file of the graded exercises."""
-    known = [(name, ranked[0]) for name in seen if (ranked := rank_of(PurePosixPath(name), all_exercises()))]
+    exercises = all_exercises()
+    known = [(name, ranked[0]) for name in seen if (ranked := rank_of(PurePosixPath(name), exercises))]
     if known:
         more = len(known) - _NAMES_IN_A_NOTE
         told = ", ".join(f"{name[:_NAME]} ({exercise.label})" for name, exercise in known[:_NAMES_IN_A_NOTE])
@@ -115,7 +120,8 @@ def rank_of(path: PurePosixPath, exercises: list[Exercise]) -> tuple[Exercise, i
     """
     parts = [part.lower() for part in path.parts]
     known = student_of(path.name)
-    name = known[1] if known else path.name
+    written = known[1] if known else path.name
+    name = unseen_removed(written)
     ending = _ENDING.search(name.lower())
     if ".." in parts or path.is_absolute() or _NOT_THEIRS & set(parts[:-1]) or not ending:
         return None
@@ -126,7 +132,7 @@ def rank_of(path: PurePosixPath, exercises: list[Exercise]) -> tuple[Exercise, i
         return None
     if _COPY.search(stem.lower()) or ending[0].endswith(")"):
         return exercise, 4
-    if stem != exercise.function or name[ending.start():] != ".cpp":
+    if stem != exercise.function or name[ending.start():] != ".cpp" or name != written:
         return exercise, 3
     if path.parts[-3:-1] == ("chapters", exercise.folder) or len(parts) == 1:
         return exercise, 0
@@ -161,7 +167,7 @@ def _choose(submission: Submission, function: str, candidates: list[_Candidate])
     submission.sources[function] = sources[chosen]
     if candidates[chosen].rank > 0 or len(candidates) > 1:
         others = [source.path for k, source in enumerate(sources) if k != chosen]
-        note = f"taken for {function}: {sources[chosen].path}"
+        note = f"taken for {function}: {unseen_shown(sources[chosen].path)}"
         submission.notes.append(note + (f"; there is also {_listed(others)}" if others else ""))
 
 
@@ -183,7 +189,7 @@ def _cut(notes: list[str]) -> list[str]:
 
 def _listed(names: list[str]) -> str:
     more = len(names) - _NAMES_IN_A_NOTE
-    listed = ", ".join(name[:_NAME] for name in sorted(names)[:_NAMES_IN_A_NOTE])
+    listed = ", ".join(unseen_shown(name[:_NAME]) for name in sorted(names)[:_NAMES_IN_A_NOTE])
     return listed + (f" and {more} more" if more > 0 else "")
 
 
@@ -194,13 +200,13 @@ def _moved(entry: Entry, path: str) -> Entry:
 def _read(entry: Entry) -> Source:
     path = str(entry.path)[:_NAME]
     if entry.kind == "link":
-        return Source(path, problem=f"{path} is a symbolic link, and those are not followed", is_link=True)
+        return Source(path, problem=f"{path} is a link, and those are not followed", is_link=True)
     if entry.kind != "file":
         return Source(path, problem=f"{path} is no regular file")
     try:
         content = entry.read() if entry.size <= LARGEST else b"x" * (LARGEST + 1)
     except Exception as error:  # as above
-        return Source(path, problem=f"{path} cannot be read: {error}")
+        return Source(path, problem=f"{path} cannot be read: {cause(error)}")
     if len(content) > LARGEST:
         return Source(path, problem=f"{path} is larger than {LARGEST >> 10} KiB")
     return Source(path, _as_utf_8(content))

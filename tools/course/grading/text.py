@@ -3,12 +3,13 @@
 import re
 
 _CONTROL = re.compile(r"\x1b\[[0-9;?]*[A-Za-z]"
-                      r"|[\x00-\x08\x0b-\x1f\x7f-\x9f\u2028\u2029\u202a-\u202e\u2066-\u2069\ufffe\uffff]")
+                      r"|[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028\u2029\u202a-\u202e\u2066-\u2069\ufff9-\ufffb"
+                      r"\ufffe\uffff\U000e0000-\U000e0fff]")
 _MARKUP = re.compile(r"([\\`*_{}\[\]<>#|])")
 
 
 def clean(text: str) -> str:
-    """Removes characters that move a cursor, set colours, or reverse the direction of writing."""
+    """Removes characters that move a cursor, set colours, or reverse the direction of writing, and tags nobody sees."""
     return _CONTROL.sub("", text.encode("utf-8", errors="replace").decode("utf-8"))
 
 
