@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <numeric>
-#include <sstream>
 
 #include "common/require.hpp"
 #include "engine/support/state_stream.hpp"
@@ -111,10 +110,7 @@ static StageTimes stage_times(Scene& scene, std::int64_t steps, double seconds) 
 
 /// Puts a scene into the state of a start.
 static std::unique_ptr<Scene> started(std::unique_ptr<Scene> scene, const RunStart& start) {
-  if (start.substep == 0) return scene;
-  std::istringstream bytes(start.state);
-  StateStream state(bytes);
-  scene->state(state);
+  if (start.substep > 0) read_state(start.state, *scene);
   return scene;
 }
 

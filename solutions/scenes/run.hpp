@@ -50,7 +50,7 @@ struct Watch {
 /// Where a run begins. Default: at time 0.
 struct RunStart {
   std::int64_t substep = 0;  ///< number of substeps so far
-  std::string state = {};    ///< bytes that Scene::state wrote after them; empty at time 0
+  std::string state = {};    ///< bytes_of_state of the scene after them; empty at time 0
 };
 
 /// Throws std::invalid_argument, naming the time, for a start after the end of the run.

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <sstream>
 #include <stdexcept>
 
 #include "engine/support/state_stream.hpp"
@@ -12,18 +11,11 @@
 
 namespace spook {
 
-/// Returns the FNV-1a hash of some bytes.
-static std::uint64_t checksum(const std::string& bytes) {
-  std::uint64_t hash = 14695981039346656037u;
-  for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 1099511628211u;
-  return hash;
-}
-
 static std::string unfinished_name(const std::string& file) {
   return file + ".unfinished";
 }
 
-[[noreturn]] static void reject(const std::string& file) {
+[[noreturn]] static void refuse_to_write(const std::string& file) {
   throw std::invalid_argument("checkpoint \"" + file + "\" cannot be written");
 }
 
@@ -31,53 +23,50 @@ static std::string all_bytes(std::istream& in) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-Json continued_run(const std::string& scene, const SceneDescription& description, const Parameters& parameters,
-                   const Method& method) {
-  Json run = {{"scene", description.name}};
+Json identity_of_run(const std::string& scene, const SceneDescription& description,
+                     const Parameters& parameters, const Method& method) {
+  Json options = {{"scene", description.name}};
+  options.update(to_json(method, description.solves));
+  options.erase("threads");
+  options["seed of the row order"] = method.seed;
   if (is_scene_file(scene)) {
     std::ifstream file(scene);
-    run["text of the scene's file"] = checksum(all_bytes(file));
+    options["text of the scene's file"] = hash_of(all_bytes(file));
   }
-  run.update(to_json(parameters));
-  Json options = to_json(method, description.solves);
-  options.erase("threads");
-  run.update(options);
-  run["seed of the row order"] = method.seed;
-  return run;
+  // Apart, since a parameter may have the name of an option.
+  return {{"options", options}, {"parameters", to_json(parameters)}};
 }
 
 void require_writable_checkpoint(const std::string& file) {
   const std::string unfinished = unfinished_name(file);
-  if (!std::ofstream(unfinished) || std::filesystem::is_directory(file)) reject(file);
+  if (!std::ofstream(unfinished) || std::filesystem::is_directory(file)) refuse_to_write(file);
   std::remove(unfinished.c_str());
 }
 
 void write_checkpoint(const std::string& file, const Json& run, std::int64_t substep, Scene& scene) {
-  std::ostringstream state;
-  StateStream stream(state);
-  scene.state(stream);
-  const std::string bytes = state.str(), unfinished = unfinished_name(file);
-  const Json first = {{"format", "spook checkpoint"}, {"version", 1},          {"run", run},
-                      {"substep", substep},           {"bytes", bytes.size()}, {"checksum", checksum(bytes)}};
+  const std::string bytes = bytes_of_state(scene), unfinished = unfinished_name(file);
+  const Json first = {{"format", "spook checkpoint"}, {"version", 1}, {"run", run}, {"substep", substep}};
   std::ofstream out(unfinished, std::ios::binary);
   out << first.dump() << '\n' << bytes;
   out.close();
   if (!out || std::rename(unfinished.c_str(), file.c_str()) != 0) {
     std::remove(unfinished.c_str());
-    reject(file);
+    refuse_to_write(file);
   }
 }
 
 /// Throws std::invalid_argument with the first difference of two runs.
 static void require_same(const Json& written, const Json& now) {
-  for (const auto& [name, value] : now.items()) {
-    const Json before = written.value(name, Json());
-    if (before == value) continue;
-    const bool is_number = name.find(' ') != std::string::npos;
-    throw std::invalid_argument(is_number ? "it belongs to a run with another " + name
-                                          : "it belongs to a run with " + name + " " + before.dump() +
-                                                ", but " + name + " is " + value.dump());
-  }
+  for (const char* group : {"options", "parameters"})
+    for (const auto& [name, value] : now[group].items()) {
+      const Json before = written.value(group, Json::object()).value(name, Json());
+      if (before == value) continue;
+      const bool tells_by_name =
+          name.find(' ') != std::string::npos;  // its value is a number that says nothing
+      throw std::invalid_argument(tells_by_name ? "it belongs to a run with another " + name
+                                                : "it belongs to a run with " + name + " " + before.dump() +
+                                                      ", but " + name + " is " + value.dump());
+    }
 }
 
 static RunStart read(const std::string& file, const Json& run) {
@@ -91,9 +80,7 @@ static RunStart read(const std::string& file, const Json& run) {
     throw std::invalid_argument("the checkpoint is of another version of spook");
   require_same(first.value("run", Json::object()), run);
   RunStart start{.substep = first.value("substep", std::int64_t{0}), .state = all_bytes(in)};
-  if (first.value("bytes", Json()) != start.state.size() ||
-      first.value("checksum", Json()) != checksum(start.state))
-    throw std::invalid_argument("the checkpoint is damaged");
+  intact_state(start.state);
   return start;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 // Checkpoints: files from which a run continues in another process, with the same bits.
 //
-//   first line   JSON: the run that it belongs to, the substeps so far, and the size and a checksum of the rest
-//   the rest     the bytes of Scene::state
+//   first line   JSON: the run that it belongs to, and the substeps so far
+//   the rest     bytes_of_state of the scene: engine/support/state_stream.hpp
 #include <string>
 
 #include "scenes/run.hpp"
@@ -12,8 +12,8 @@ namespace spook {
 
 /// Describes all that a run must share with the run that it continues: scene, parameters and method. The time and the
 /// number of threads may differ. `scene` is the name or the file of the scene; a file must have the same text.
-Json continued_run(const std::string& scene, const SceneDescription& description, const Parameters& parameters,
-                   const Method& method);
+Json identity_of_run(const std::string& scene, const SceneDescription& description,
+                     const Parameters& parameters, const Method& method);
 
 /// Throws std::invalid_argument, naming the file, if it cannot be written. Leaves an older file as it is.
 void require_writable_checkpoint(const std::string& file);

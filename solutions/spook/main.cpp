@@ -46,7 +46,7 @@ static void add_run(CLI::App& app, spook::RunCommand& run) {
   command->add_flag("--positions", run.positions, "With --csv: add the positions of all bodies");
   command->add_option("--record", run.record, "Write a recording, for view, to this file");
   command->add_option("--fps", run.fps, "With --record: frames per second (default: 60)");
-  command->add_option("--checkpoint", run.checkpoint, "Save the state each minute and at the end");
+  command->add_option("--checkpoint", run.checkpoint, "Save the state to this file each minute and at the end");
   command->add_option("--restart", run.restart, "Continue the run of a checkpoint");
   command->add_flag("--json", run.json, "Print one JSON object");
   command->add_flag("-v,--verbose", run.verbose, "Print parameters, answer, stages and counts, too");

@@ -102,16 +102,15 @@ void RunCommand::execute(std::ostream& out) const {
   if (fps && !record) throw std::invalid_argument("--fps needs --record");
   if (positions && !csv) throw std::invalid_argument("--positions needs --csv");
   if (record && restart)
-    throw std::invalid_argument(
-        "--record begins at time 0, but --restart goes on from later: leave out one of them");
+    throw std::invalid_argument("--record begins at time 0, and --restart later: leave out one of them");
   if ((checkpoint || restart) && settings.method.engine == Engine::plain)
     throw std::invalid_argument(std::string(checkpoint ? "--checkpoint" : "--restart") +
                                 " is for the fast engine: leave out --engine");
   const double per_second = fps ? parse_number("fps", *fps) : 60;
   steps_of_frame(settings.method.h, per_second);
 
-  const Json same = continued_run(scene, description, parameters, settings.method);
-  const RunStart start = restart ? read_checkpoint(*restart, same) : RunStart();
+  const Json identity = identity_of_run(scene, description, parameters, settings.method);
+  const RunStart start = restart ? read_checkpoint(*restart, identity) : RunStart();
   require_start(settings, start);
   if (checkpoint) require_writable_checkpoint(*checkpoint);
   std::ofstream table, recording;
@@ -126,7 +125,7 @@ void RunCommand::execute(std::ostream& out) const {
   Progress progress;
   const std::int64_t steps = step_count(settings.method.h, settings.time) * settings.method.substeps;
   std::optional<Checkpoints> checkpoints;
-  if (checkpoint) checkpoints.emplace(*checkpoint, same);
+  if (checkpoint) checkpoints.emplace(*checkpoint, identity);
   const bool watched = isatty(STDERR_FILENO) != 0;
   if (record || watched || checkpoints)
     watch.look = [&](Scene& now, std::int64_t substep) {

@@ -43,8 +43,7 @@ EXERCISE_TEST(StepFriction, HasItsStagesInOrder) {
   expect_same_bodies("after a step of 0.1 s with 100 rough contacts and more", "Eq. (5.3)-(5.8)", got, right,
                      of_rough_contacts, mistakes_of(all, contacts, h, wrong),
                      "The step of chapter 04, with two additional rows for each contact. N of a contact counts "
-                     "those with the same i "
-                     "and the same j, itself included." +
+                     "those with the same i and the same j, itself included." +
                          wrong_part(got, right, all, contacts, h, step_friction, of_rough_contacts));
 }
 

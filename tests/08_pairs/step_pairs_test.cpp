@@ -108,9 +108,8 @@ std::string wrong_pair(const Simulation& got, const Simulation& right, const Sim
         return " Two bodies are enough for a wrong result: body 0 " + kind(all.bodies[i]) + ", body 1 " +
                kind(all.bodies[j]) + ".";
     }
-  return " With any two of these bodies alone the result is right. Are the pairs of sweep_and_prune numbers of "
-         "bounds, "
-         "and not of bodies? Planes have none.";
+  return " With any two of these bodies alone the result is right. The pairs of sweep_and_prune are numbers of "
+         "bounds, and not of bodies: planes have no bounds.";
 }
 
 EXERCISE_TEST(StepPairs, FindsWhatAllPairsHave) {

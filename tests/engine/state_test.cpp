@@ -2,9 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
-#include <functional>
 #include <memory>
-#include <sstream>
 
 #include "engine/support/state_stream.hpp"
 #include "refusals.hpp"
@@ -12,21 +10,6 @@
 
 namespace spook::state_test {
 namespace {
-
-template <class Object>
-std::string written(Object& object) {
-  std::ostringstream out;
-  StateStream stream(out);
-  object.state(stream);
-  return out.str();
-}
-
-template <class Object>
-void read(const std::string& bytes, Object& object) {
-  std::istringstream in(bytes);
-  StateStream stream(in);
-  object.state(stream);
-}
 
 /// The numbers that a run shows, in a form in which NaN equals NaN.
 std::string bits(const Scene& scene) {
@@ -54,10 +37,7 @@ void take_steps(Scene& scene, std::int64_t steps) {
 /// Continues a run in another scene after each of these numbers of steps, and compares both at the end.
 void expect_same_bits(const SceneDescription& description, const SceneSettings& settings, const Method& method,
                       const std::vector<std::int64_t>& parts) {
-  const auto build = [&] {
-    std::unique_ptr<Scene> scene = description.build(with(description, settings), method);
-    return scene;
-  };
+  const auto build = [&] { return description.build(with(description, settings), method); };
   const std::unique_ptr<Scene> whole = build();
   std::unique_ptr<Scene> continued = build();
   for (Scene* scene : {whole.get(), continued.get()}) {
@@ -67,11 +47,11 @@ void expect_same_bits(const SceneDescription& description, const SceneSettings& 
   for (const std::int64_t steps : parts) {
     take_steps(*whole, steps);
     take_steps(*continued, steps);
-    const std::string state = written(*continued);
+    const std::string state = bytes_of_state(*continued);
     continued = build();
-    read(state, *continued);
+    read_state(state, *continued);
     EXPECT_EQ(bits(*whole), bits(*continued)) << description.name << " differs at once";
-    EXPECT_EQ(state, written(*continued)) << description.name;
+    EXPECT_EQ(state, bytes_of_state(*continued)) << description.name;
   }
   take_steps(*whole, 40);
   take_steps(*continued, 40);
@@ -127,9 +107,9 @@ TEST(State, AWorldKeepsItsTurnsAndTheTimeOfItsVelocities) {
   run(*whole, 0, 100);
   run(*continued, 0, 61);
   EXPECT_GT(std::abs(continued->joint_position(0)), 7);
-  const std::string state = written(*continued);
+  const std::string state = bytes_of_state(*continued);
   continued = build();
-  read(state, *continued);
+  read_state(state, *continued);
   run(*continued, 61, 100);
   EXPECT_EQ(whole->time(), continued->time());
   EXPECT_EQ(whole->joint_position(0), continued->joint_position(0));
@@ -141,16 +121,21 @@ TEST(State, IsRefusedInAnotherWorld) {
   World<3> two({});
   two.add({});
   two.add({.x = Vec3(1, 0, 0)});
-  const std::string state = written(two);
+  const std::string state = bytes_of_state(two);
   World<3> one({});
   one.add({});
-  expect_refusal({"number of bodies", "must be 2", "is 1"}, [&] { read(state, one); });
+  expect_refusal({"number of bodies", "must be 2", "is 1"}, [&] { read_state(state, one); });
   World<3> joined = two;
   joined.add_joint({.i = 0, .j = 1, .length = 1});
-  expect_refusal({"number of joints", "must be 0", "is 1"}, [&] { read(state, joined); });
-  EXPECT_THROW(read(state.substr(0, state.size() - 1), two), std::runtime_error);
+  expect_refusal({"number of joints", "must be 0", "is 1"}, [&] { read_state(state, joined); });
+  for (std::size_t size = 0; size < state.size(); ++size)
+    EXPECT_THROW(read_state(state.substr(0, size), two), std::runtime_error) << size;
+  EXPECT_THROW(read_state(state + "x", two), std::runtime_error);
+  World<6> rigid({});
+  for (int n = 0; n < 2; ++n) rigid.add({.radius = 1});
+  expect_refusal({"degrees of freedom", "must be 3", "is 6"}, [&] { read_state(state, rigid); });
   World<3> stepped({.stepper = [](const World<3>&, double, Bodies<3>&) { return SolveReport{}; }});
-  expect_refusal({"stepper"}, [&] { written(stepped); });
+  expect_refusal({"stepper"}, [&] { bytes_of_state(stepped); });
 }
 
 }  // namespace

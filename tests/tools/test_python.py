@@ -653,10 +653,12 @@ class SavedWorlds(WithModule):
         other.add(x=(5, 0, 0))
         world.step(0.25)
         state, x = world.get_state(), world.x.copy()
-        for wrong in (other.get_state(), b"", state[:-1], state + b"x", b"\xff" * 1000):
+        seen = world.x  # stays where it is in memory
+        for wrong in (other.get_state(), b"", state[:-1], state + b"x", b"\xff" * 1000,
+                      *(state[:k] + b"\xff" * 8 + state[k + 8:] for k in range(0, len(state) - 8, 8))):
             with self.assertRaises(ValueError):
                 world.set_state(wrong)
-            np.testing.assert_array_equal(world.x, x)
+            np.testing.assert_array_equal(seen, x)
         world.set_state(state)
         with self.assertRaises(TypeError):
             world.set_state("text")

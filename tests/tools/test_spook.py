@@ -373,6 +373,7 @@ class Runs(unittest.TestCase):
             self.assertEqual(spook(*call).returncode, 0)
             for more, named in ([["--h", "0.01"], ["h 0.01666", "h is 0.01"]],
                                 [["--set", "boxes=6"], ["boxes 5", "boxes is 6"]],
+                                [["--substeps", "2"], ["substeps 1", "substeps is 2"]],
                                 [["--solver", "direct"], ['solver "auto"', 'solver is "direct"']],
                                 [["--time", "0.25"], ["time must be at least the time of the restart, 0.5 s", "0.25"]],
                                 [["--record", "x.rec"], ["--record", "--restart"]],

@@ -1,8 +1,6 @@
 #include "python_world.hpp"
 
 #include <chrono>
-#include <new>
-#include <sstream>
 #include <stdexcept>
 
 #include "common/require.hpp"
@@ -89,29 +87,18 @@ void PythonWorld<Dof>::restore(const PythonWorld& saved) {
 template <int Dof>
 std::string PythonWorld<Dof>::bytes() {
   world();  // not while it takes a step
-  std::ostringstream out;
-  StateStream stream(out);
-  state(stream);
-  return out.str();
+  return bytes_of_state(*this);
 }
 
 template <int Dof>
 void PythonWorld<Dof>::continue_from(const std::string& bytes) {
   const std::string before = this->bytes();
-  const auto read = [&](const std::string& from) {
-    std::istringstream in(from);
-    StateStream stream(in);
-    state(stream);
-    return in.peek() == std::istringstream::traits_type::eof();
-  };
   try {
-    if (read(bytes)) return;
+    read_state(bytes, *this);
   } catch (const std::runtime_error&) {
-  } catch (const std::length_error&) {
-  } catch (const std::bad_alloc&) {
+    read_state(before, *this);
+    throw std::invalid_argument("state must be the bytes that get_state of such a world returned");
   }
-  read(before);
-  throw std::invalid_argument("state must be the bytes that get_state of such a world returned");
 }
 
 template class PythonWorld<3>;

@@ -79,6 +79,7 @@ class PythonWorld {
   /// Returns the state as bytes, and continues from such bytes. Throws std::invalid_argument for bytes of another world.
   std::string bytes();
   void continue_from(const std::string& bytes);
+  void state(StateStream& s) { s(world_, check_, warned_, last_h_, reason_); }
 
   Views views = {};
 
@@ -87,7 +88,6 @@ class PythonWorld {
   static constexpr std::int64_t most_between_looks = 1024;
   static constexpr std::chrono::milliseconds patience{50};
 
-  void state(StateStream& s) { s(world_, check_, warned_, last_h_, reason_); }
   void step_unlocked(double h, std::int64_t steps);
   void warn();
 

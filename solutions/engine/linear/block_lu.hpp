@@ -95,7 +95,7 @@ class BlockLu {
       for (int j = 0; j < count; ++j) divide(factors_[p], upper[j]);
       for (int i = 0; i < count; ++i) {
         diagonal_[all[i]].noalias() -= lower[i].lazyProduct(upper[i]);
-        // The later neighbours of p after i are among those of i, in the same order.
+        // The later neighbours of p that follow all[i] are later neighbours of all[i], too, in the same order.
         auto neighbour = later_[all[i]].begin();
         for (int j = i + 1; j < count; ++j, ++neighbour) {
           while (*neighbour != all[j]) ++neighbour;
@@ -136,14 +136,10 @@ class BlockLu {
     }
   }
 
-  /// The index of a pair's blocks. Contacts of a pair follow each other, so the last index is tried first.
-  int block_of(int low, int high) {
-    if (low != last_low_ || high != last_high_) {
-      const auto found = std::lower_bound(later_[low].begin(), later_[low].end(), high);
-      last_block_ = first_[low] + static_cast<int>(found - later_[low].begin());
-      last_low_ = low, last_high_ = high;
-    }
-    return last_block_;
+  /// Returns the index of a pair's blocks.
+  int block_of(int low, int high) const {
+    const auto found = std::lower_bound(later_[low].begin(), later_[low].end(), high);
+    return first_[low] + static_cast<int>(found - later_[low].begin());
   }
 
   std::vector<int> place_;               // of each body in the order of elimination
@@ -152,7 +148,6 @@ class BlockLu {
   std::vector<Block> diagonal_, lower_;
   std::vector<RowBlock> upper_;
   std::vector<Eigen::PartialPivLU<Block>> factors_;
-  int last_low_ = -1, last_high_ = -1, last_block_ = 0;
 };
 
 }  // namespace spook

@@ -1,8 +1,6 @@
 #include "engine/support/state_stream.hpp"
 
-#include <istream>
-#include <ostream>
-#include <stdexcept>
+#include <cstring>
 
 #include "common/require.hpp"
 
@@ -10,10 +8,13 @@ namespace spook {
 
 void StateStream::bytes(void* data, std::size_t size) {
   if (size == 0) return;
-  const auto count = static_cast<std::streamsize>(size);
-  if (out_ && !out_->write(static_cast<const char*>(data), count))
-    throw std::runtime_error("the state cannot be written");
-  if (in_ && !in_->read(static_cast<char*>(data), count)) throw std::runtime_error("the state ends too early");
+  if (written_) {
+    written_->append(static_cast<const char*>(data), size);
+    return;
+  }
+  if (size > unread_.size()) throw std::runtime_error("the state ends too early");
+  std::memcpy(data, unread_.data(), size);
+  unread_.remove_prefix(size);
 }
 
 void StateStream::require_same(const std::string& name, std::size_t count) {
@@ -21,6 +22,20 @@ void StateStream::require_same(const std::string& name, std::size_t count) {
   visit(written);
   if (written != count)
     reject(name, static_cast<double>(count), std::to_string(written) + ", as where the state was written");
+}
+
+std::uint64_t hash_of(std::string_view bytes) {
+  std::uint64_t hash = 14695981039346656037u;
+  for (const char byte : bytes) hash = (hash ^ static_cast<unsigned char>(byte)) * 1099511628211u;
+  return hash;
+}
+
+std::string_view intact_state(std::string_view bytes) {
+  std::uint64_t hash = 0;
+  const std::size_t size = bytes.size() < sizeof hash ? 0 : bytes.size() - sizeof hash;
+  if (size > 0) std::memcpy(&hash, bytes.data() + size, sizeof hash);
+  if (size == 0 || hash != hash_of(bytes.substr(0, size))) throw std::runtime_error("the state is damaged");
+  return bytes.substr(0, size);
 }
 
 }  // namespace spook

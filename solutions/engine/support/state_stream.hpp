@@ -7,12 +7,13 @@
 //
 // It leaves out what follows from its parameters: whoever reads a state has built the object as the writer did. A
 // struct of a chapter has a function state_of(s, object) instead, next to the class that needs it. The bytes are those
-// of one machine and one build, and nothing checks them here: spook/checkpoint.hpp does.
+// of one machine and one build.
 #include <Eigen/Geometry>
 #include <cstdint>
-#include <iosfwd>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -21,11 +22,11 @@ namespace spook {
 
 class StateStream {
  public:
-  explicit StateStream(std::ostream& out) : out_(&out) {}
-  explicit StateStream(std::istream& in) : in_(&in) {}
+  explicit StateStream(std::string* written) : written_(written) {}
+  explicit StateStream(std::string_view unread) : unread_(unread) {}
 
-  /// Writes the values, or replaces them by those that were written. Throws std::runtime_error if a state cannot be
-  /// written, or ends too early.
+  /// Writes the values, or replaces them by those that were written. Throws std::runtime_error if a state ends too
+  /// early.
   template <class... Values>
   void operator()(Values&... values) {
     (visit(values), ...);
@@ -33,6 +34,8 @@ class StateStream {
 
   /// Writes a count, or throws std::invalid_argument, naming the count, if it differs from the one that was written.
   void require_same(const std::string& name, std::size_t count);
+
+  std::size_t unread_bytes() const { return unread_.size(); }
 
  private:
   void bytes(void* data, std::size_t size);
@@ -87,11 +90,40 @@ class StateStream {
   void visit_size(Container& container) {
     std::uint64_t size = container.size();
     visit(size);
-    if (in_) container.resize(size);
+    if (written_) return;
+    if (size > unread_.size())
+      throw std::runtime_error("the state ends too early");  // each entry has a byte or more
+    container.resize(size);
   }
 
-  std::ostream* out_ = nullptr;
-  std::istream* in_ = nullptr;
+  std::string* written_ = nullptr;  // null: the stream reads
+  std::string_view unread_;
 };
+
+/// Returns the FNV-1a hash of some bytes.
+std::uint64_t hash_of(std::string_view bytes);
+
+/// Returns a state without the hash at its end. Throws std::runtime_error if the state is damaged.
+std::string_view intact_state(std::string_view bytes);
+
+/// Returns the state of an object as bytes, with their hash at the end.
+template <class Object>
+std::string bytes_of_state(Object& object) {
+  std::string bytes;
+  StateStream stream(&bytes);
+  object.state(stream);
+  std::uint64_t hash = hash_of(bytes);
+  stream(hash);
+  return bytes;
+}
+
+/// Puts an object into a state. Throws std::runtime_error for damaged bytes, and for those of another kind of object,
+/// which may leave this one changed. Throws what the object's own checks throw.
+template <class Object>
+void read_state(std::string_view bytes, Object& object) {
+  StateStream stream(intact_state(bytes));
+  object.state(stream);
+  if (stream.unread_bytes() > 0) throw std::runtime_error("the state is that of another object");
+}
 
 }  // namespace spook

@@ -237,6 +237,7 @@ class World {
   /// Writes or reads all that steps change, so that a run continues with the same bits in another process. A reading
   /// world must have been built as the writing one was, by the same program. Throws std::invalid_argument for another
   /// number of bodies or joints, and for a world with a stepper; std::runtime_error for a state that ends too early.
+  /// engine/support/state_stream.hpp has bytes_of_state(world) and read_state(bytes, world).
   void state(StateStream& s);
 
   /// Moves every velocity half a step back, as leapfrog's start needs: Eq. (1.5). Call it once, before the first step.

@@ -27,15 +27,20 @@ inline void state_of(StateStream& s, SolveReport& report) {
   s(report.history, report.converged, report.trouble);
 }
 
-/// Caches are left out, and rows of soft steps that a step builds before it reads them.
+/// Caches are left out, and rows of soft steps that a step builds before it reads them. The arrays of bodies keep their
+/// places in memory, since others may look at them.
 template <int Dof>
 void World<Dof>::state(StateStream& s) {
   if (settings_.stepper)
     throw std::invalid_argument("a world with a stepper has a state that only the stepper knows");
+  s.require_same("degrees of freedom of a body", Dof);
   s.require_same("number of bodies", bodies_.size());
   s.require_same("number of joints", joints_.size());
-  s(bodies_.x, bodies_.motion.W, bodies_.motion.Wf, bodies_.motion.inverse_mass);
-  if constexpr (Dof == 6) s(bodies_.orientations.q);
+  Motion<Dof>& motion = bodies_.motion;
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    s(bodies_.x[i], motion.W[i], motion.Wf[i], motion.inverse_mass[i]);
+    if constexpr (Dof == 6) s(bodies_.orientations.q[i]);
+  }
   for (Joint& joint : joints_) s(joint.k, joint.k_turn, joint.angle);
   double stiffness = materials_.stiffness();
   s(stiffness);

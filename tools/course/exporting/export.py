@@ -47,7 +47,8 @@ def _grades(what: str, results: list[dict], arguments) -> int:
         raise BadInput(f"export: {what} needs --roster FILE: {_OF_A_ROSTER[what]}")
     roster = read_roster(Path(arguments.roster))
     for name, reason in grades.not_on_it(results, roster).items():
-        print(f"{one_line(reason) or f'not in {arguments.roster}'}, and so not in the import: {one_line(name)}", file=sys.stderr)
+        why = one_line(reason) or f"not in {arguments.roster}"
+        print(f"{why}, and so not in the import: {one_line(name)}", file=sys.stderr)
     if what == "canvas":
         return _write(grades.for_canvas(results, roster, arguments.assignment), arguments.out)
     return _write(grades.for_moodle(results, roster), arguments.out)
