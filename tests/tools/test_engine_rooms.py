@@ -1,4 +1,4 @@
-"""The map of the engine, solutions/engine/README.md, is right: the files of each room, and its includes."""
+"""The map of the engine, solutions/engine/README.md, is right: files of each room, includes, and members."""
 
 import collections
 import re
@@ -15,9 +15,13 @@ _TYPE = re.compile(r"^(?:struct|class|enum class) (\w+)[^;\n]*\{", re.MULTILINE)
 _INCLUDE = re.compile(r'^#include "engine/(\w+)/', re.MULTILINE)
 
 
+def page_text() -> str:
+    return (ENGINE / "README.md").read_text(encoding="utf-8")
+
+
 def rooms() -> dict[str, tuple[str, str]]:
     """Returns the files of each room, and the rooms that it may include, by the map."""
-    text = (ENGINE / "README.md").read_text(encoding="utf-8")
+    text = page_text()
     return {name: (holds, may) for name, holds, may in _ROW.findall(text)}
 
 
@@ -76,6 +80,24 @@ class Rooms(unittest.TestCase):
                 for name in re.findall(r'^#include "([^"]+)"', file.read_text(encoding="utf-8"), re.MULTILINE):
                     self.assertIn("/", name)
                     self.assertTrue(any((ROOT / top / name).exists() for top in ("solutions", "chapters")), name)
+
+
+class Page(unittest.TestCase):
+    """The page lists every member of World and of Settings."""
+
+    def test_it_has_every_function_of_a_world_and_every_setting(self):
+        text, page = (ENGINE / "world" / "world.hpp").read_text(encoding="utf-8"), page_text()
+        public = re.search(r"class World \{.*?public:(.*?)\n private:", text, re.DOTALL)[1]
+        public = re.sub(r" = [\w:]+\(\)", "", public)  # what an argument is unless given
+        functions = set(re.findall(r"^  [^/\n]*?\b(\w+)\([^()\n]*\)(?: const)?(?: \{.*)?;?.*$", public, re.MULTILINE))
+        self.assertLessEqual({"add", "step", "x", "report", "row_updates", "remove_joint"}, functions)
+        for name in functions - {"World"}:
+            self.assertIn(f"`{name}(", page)
+        settings = re.search(r"struct Settings \{(.*?)\n\};", text, re.DOTALL)[1]
+        members = re.findall(r"^  (?:\[\[.*?\]\] )?[\w:<>]+ (\w+) = ", settings, re.MULTILINE)
+        self.assertLessEqual({"gravity", "impacts", "rotation", "solver_limits"}, set(members))
+        for name in members:
+            self.assertIn(f"| `{name}` |", page)
 
 
 if __name__ == "__main__":
